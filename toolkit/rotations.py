@@ -1,0 +1,149 @@
+"""Rotations as unit quaternions ``(w, x, y, z)``, and the two-axis form ``(forward, up)`` that the networks predict.
+
+Every function takes tensors of any leading shape. Forward and up are a rotated +Z and +Y (Zhang et al. 2018, the form used
+in Mason et al. 2022, section 3.2).
+"""
+
+import torch
+from torch import Tensor
+
+AXES = {"X": 0, "Y": 1, "Z": 2}
+
+
+def identity(*shape: int, dtype: torch.dtype = torch.float32) -> Tensor:
+    """Unit quaternions of shape ``[*shape, 4]``."""
+    q = torch.zeros(*shape, 4, dtype=dtype)
+    q[..., 0] = 1.0
+    return q
+
+
+def normalize(v: Tensor) -> Tensor:
+    """``v`` scaled to unit length along its last axis (a zero vector stays zero)."""
+    return v / v.norm(dim=-1, keepdim=True).clamp_min(1e-12)
+
+
+def multiply(a: Tensor, b: Tensor) -> Tensor:
+    """Hamilton product ``a b``: the rotation ``b`` followed by ``a``."""
+    aw, ax, ay, az = a.unbind(-1)
+    bw, bx, by, bz = b.unbind(-1)
+    return torch.stack(
+        (
+            aw * bw - ax * bx - ay * by - az * bz,
+            aw * bx + ax * bw + ay * bz - az * by,
+            aw * by - ax * bz + ay * bw + az * bx,
+            aw * bz + ax * by - ay * bx + az * bw,
+        ),
+        -1,
+    )
+
+
+def inverse(q: Tensor) -> Tensor:
+    """Inverse of unit quaternions."""
+    return torch.cat((q[..., :1], -q[..., 1:]), -1)
+
+
+def rotate(q: Tensor, v: Tensor) -> Tensor:
+    """Vectors ``v [..., 3]`` turned by unit quaternions ``q [..., 4]``."""
+    w, u = q[..., :1], q[..., 1:]
+    v = v.expand(torch.broadcast_shapes(u.shape, v.shape))
+    u = u.expand(v.shape)
+    t = 2.0 * torch.linalg.cross(u, v)
+    return v + w * t + torch.linalg.cross(u, t)
+
+
+def from_axis_angle(axis: Tensor, angle: Tensor) -> Tensor:
+    """Rotation by ``angle`` [...] radians about unit ``axis [..., 3]``."""
+    half = angle[..., None] / 2
+    return torch.cat((half.cos(), half.sin() * axis), -1)
+
+
+def yaw(angle: Tensor) -> Tensor:
+    """Rotation by ``angle`` radians about the vertical +Y; 0 faces +Z, positive turns towards +X (left)."""
+    zero = torch.zeros_like(angle)
+    return torch.stack(((angle / 2).cos(), zero, (angle / 2).sin(), zero), -1)
+
+
+def between(a: Tensor, b: Tensor) -> Tensor:
+    """Shortest rotation that turns direction ``a [..., 3]`` into direction ``b [..., 3]``."""
+    a, b = normalize(a), normalize(b)
+    w = 1.0 + (a * b).sum(-1, keepdim=True)
+    q = torch.cat((w, torch.linalg.cross(*torch.broadcast_tensors(a, b))), -1)
+    helper = torch.eye(3, dtype=a.dtype)[a.abs().argmin(-1)].expand_as(q[..., 1:])
+    half_turn = torch.cat((torch.zeros_like(w), normalize(torch.linalg.cross(a.expand_as(helper), helper))), -1)
+    return torch.where(w < 1e-6, half_turn, normalize(q))
+
+
+def to_matrix(q: Tensor) -> Tensor:
+    """Rotation matrices ``[..., 3, 3]``; columns are the rotated X, Y, Z axes."""
+    return torch.stack([rotate(q, axis) for axis in torch.eye(3, dtype=q.dtype)], -1)
+
+
+def from_matrix(m: Tensor) -> Tensor:
+    """Unit quaternions (w >= 0) of rotation matrices ``m [..., 3, 3]``."""
+    m00, m11, m22 = m[..., 0, 0], m[..., 1, 1], m[..., 2, 2]
+    x, y, z = m[..., 2, 1] - m[..., 1, 2], m[..., 0, 2] - m[..., 2, 0], m[..., 1, 0] - m[..., 0, 1]
+    xy, xz, yz = m[..., 1, 0] + m[..., 0, 1], m[..., 0, 2] + m[..., 2, 0], m[..., 2, 1] + m[..., 1, 2]
+    rows = torch.stack(
+        (
+            torch.stack((1 + m00 + m11 + m22, x, y, z), -1),
+            torch.stack((x, 1 + m00 - m11 - m22, xy, xz), -1),
+            torch.stack((y, xy, 1 - m00 + m11 - m22, yz), -1),
+            torch.stack((z, xz, yz, 1 - m00 - m11 + m22), -1),
+        ),
+        -2,
+    )  # four multiples of the same quaternion; the one with the largest diagonal is the best conditioned
+    best = rows.diagonal(dim1=-2, dim2=-1).argmax(-1)
+    q = normalize(rows.gather(-2, best[..., None, None].expand(*best.shape, 1, 4)).squeeze(-2))
+    return torch.where(q[..., :1] < 0, -q, q)
+
+
+def to_forward_up(q: Tensor) -> tuple[Tensor, Tensor]:
+    """The rotated +Z (forward) and +Y (up), each ``[..., 3]``."""
+    forward, up = torch.tensor([[0.0, 0.0, 1.0], [0.0, 1.0, 0.0]], dtype=q.dtype)
+    return rotate(q, forward), rotate(q, up)
+
+
+def from_forward_up(forward: Tensor, up: Tensor) -> Tensor:
+    """Unit quaternions of two nearly orthonormal axes ``[..., 3]``; forward is kept, up is made orthogonal to it."""
+    z = normalize(forward)
+    x = normalize(torch.linalg.cross(up, z))
+    return from_matrix(torch.stack((x, torch.linalg.cross(z, x), z), -1))
+
+
+def from_euler(angles: Tensor, order: str) -> Tensor:
+    """Quaternions of intrinsic Euler ``angles [..., 3]`` in radians, e.g. ``order="YXZ"`` is Ry·Rx·Rz."""
+    eye = torch.eye(3, dtype=angles.dtype)
+    first, second, third = (from_axis_angle(eye[AXES[a]], angles[..., i]) for i, a in enumerate(order))
+    return multiply(multiply(first, second), third)
+
+
+def to_euler(q: Tensor, order: str) -> Tensor:
+    """Intrinsic Euler angles ``[..., 3]`` in radians, ``order`` of three different axes; inverse of `from_euler`."""
+    i, j, k = (AXES[a] for a in order)
+    sign = 1.0 if (j - i) % 3 == 1 else -1.0
+    m = to_matrix(q)
+    middle = torch.asin((sign * m[..., i, k]).clamp(-1.0, 1.0))
+    first = torch.atan2(-sign * m[..., j, k], m[..., k, k])
+    third = torch.atan2(-sign * m[..., i, j], m[..., i, i])
+    locked = m[..., i, k].abs() > 1 - 1e-7  # gimbal lock: only first ± third is defined, so third = 0
+    first = torch.where(locked, torch.atan2(sign * m[..., k, j], m[..., j, j]), first)
+    return torch.stack((first, middle, torch.where(locked, torch.zeros_like(third), third)), -1)
+
+
+def slerp(a: Tensor, b: Tensor, t: Tensor | float) -> Tensor:
+    """Spherical interpolation from ``a`` to ``b`` along the shorter arc; ``t`` broadcasts over the leading shape."""
+    t = torch.as_tensor(t, dtype=a.dtype)
+    dot = (a * b).sum(-1)
+    b = torch.where(dot[..., None] < 0, -b, b)
+    angle = torch.acos(dot.abs().clamp(max=1.0))
+    small = angle < 1e-4
+    divisor = torch.where(small, torch.ones_like(angle), angle.sin())
+    wa = torch.where(small, 1 - t, ((1 - t) * angle).sin() / divisor)
+    wb = torch.where(small, t.expand_as(angle), (t * angle).sin() / divisor)
+    return normalize(wa[..., None] * a + wb[..., None] * b)
+
+
+def unroll(q: Tensor) -> Tensor:
+    """Quaternions ``[F, ..., 4]`` with signs chosen so that neighbouring frames are close."""
+    flips = torch.where((q[1:] * q[:-1]).sum(-1, keepdim=True) < 0, -1.0, 1.0)
+    return torch.cat((q[:1], q[1:] * flips.cumprod(0)))
