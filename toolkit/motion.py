@@ -72,14 +72,17 @@ class Skeleton:
         """Whether a point is an End Site."""
         return self.names[joint].endswith("End") and joint not in self.parents
 
+    def tip(self, name: str) -> int:
+        """Index of the End Site that extends a joint, of the joint itself where there is none of any length."""
+        joint = self.index(name)
+        ends = (j for j, p in enumerate(self.parents) if p == joint and self.is_end(j) and float(self.offsets[j].norm()) > 1e-4)
+        return next(ends, joint)
+
     @cached_property
     def feature_joints(self) -> tuple[int, ...]:
         """Joints that the features describe (section 3.2): all but End Sites, except those that extend a hand."""
-        hands = {self.roles.get("left_hand"), self.roles.get("right_hand")}
-        return tuple(
-            j for j, p in enumerate(self.parents)
-            if not self.is_end(j) or (self.names[p] in hands and float(self.offsets[j].norm()) > 1e-4)
-        )  # fmt: skip
+        hands = {self.tip(side) for side in ("left_hand", "right_hand")}
+        return tuple(j for j in range(len(self)) if not self.is_end(j) or j in hands)
 
     @cached_property
     def feature_parents(self) -> tuple[int, ...]:
