@@ -1,6 +1,39 @@
-"""Stylised character animation: Mason et al. 2022 and Park et al. 2021 in plain Python."""
+"""Stylised character animation: Mason et al. 2022 and Park et al. 2021 in plain Python.
 
-from toolkit import bvh
+Glossary of shapes: B batch, F frames, J joints, K experts, D features. Metres, seconds, radians, Y up, left is +X.
+
+>>> import toolkit as tk
+>>> clips = tk.datasets.load("procedural", styles=["Neutral", "Zombie"])
+>>> data = tk.features.build(clips)
+"""
+
+import importlib
+
+from toolkit import (
+    bvh,
+    contacts,
+    datasets,
+    features,
+    ik,
+    metrics,
+    motion,
+    networks,
+    phases,
+    published,
+    rotations,
+    runtime,
+    styles,
+    training,
+    trajectory,
+)
+from toolkit.motion import Clip, Skeleton
 
 __version__ = "0.1.0"
-__all__ = ["bvh"]
+__all__ = ["Clip", "Skeleton", "bvh", "contacts", "datasets", "features", "ik", "metrics", "motion", "networks", "phases",
+           "published", "rotations", "runtime", "styles", "training", "trajectory", "view"]  # fmt: skip
+
+
+def __getattr__(name: str):
+    if name == "view":  # pulls in plotting and rendering libraries, so only on demand
+        return importlib.import_module("toolkit.view")
+    raise AttributeError(f"module 'toolkit' has no attribute {name!r}")

@@ -170,12 +170,14 @@ def _parse_hierarchy(path: Path, lines: list[str]) -> tuple[list[str], list[int]
 
     for number, words in _words(lines):
         key = words[0].upper()
+        if waiting and key != "{":
+            raise fail(number, f"expected {{ after joint {names[-1]}, got {' '.join(words)[:40]!r}")
         if key in ("ROOT", "JOINT", "END"):
-            if waiting or (key != "ROOT" and not stack) or (key == "ROOT" and names):
+            if (key != "ROOT" and not stack) or (key == "ROOT" and names):
                 raise fail(number, f"unexpected {words[0]}")
             if len(words) < 2:
                 raise fail(number, f"{words[0]} without a name")
-            name = names[stack[-1]] + "End" if key == "END" else words[1]
+            name = names[stack[-1]] + "End" if key == "END" else " ".join(words[1:])
             if name in names:
                 if key != "END":
                     raise fail(number, f"joint {name} appears twice")
@@ -211,7 +213,8 @@ def _parse_hierarchy(path: Path, lines: list[str]) -> tuple[list[str], list[int]
         else:
             raise fail(number, f"unexpected {' '.join(words)[:40]!r}")
     if stack or waiting or not names:
-        raise BVHError(f"{path}: HIERARCHY ends inside {names[stack[-1]] if stack else 'an empty tree'}")
+        problem = f"MOTION inside joint {names[joint if waiting else stack[-1]]}, a brace is missing" if names else "no ROOT"
+        raise fail(len(lines) + 2, problem)
     return names, parents, offsets, channels
 
 
@@ -233,7 +236,7 @@ def _words(lines: list[str]) -> Iterator[tuple[int, list[str]]]:
 
 
 def _parse_motion(path: Path, lines: list[str], first_line: int, width: int) -> tuple[np.ndarray, float]:
-    body = [(first_line + i, line) for i, line in enumerate(lines) if line.strip()]
+    body = [(first_line + i, text) for i, line in enumerate(lines) if (text := line.strip())]
     try:
         (frames_at, frames_line), (time_at, time_line), *rows = body
         frames, frame_time = int(frames_line.split(":")[1]), float(time_line.split(":")[1])
@@ -248,7 +251,7 @@ def _parse_motion(path: Path, lines: list[str], first_line: int, width: int) -> 
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("error")
-            text = io.StringIO("\n".join(line.strip() for _, line in rows))
+            text = io.StringIO("\n".join(line for _, line in rows))
             values = pd.read_csv(text, header=None, sep=r"\s+", dtype=np.float64, na_filter=False).to_numpy()
     except (ValueError, Warning):
         values = np.empty((0, 0))
@@ -270,4 +273,4 @@ def _first_bad_row(path: Path, rows: list[tuple[int, str]], width: int) -> BVHEr
                 finite = False
             if not finite:
                 return BVHError(f"{path}, line {number}: channel {i} is not a finite number: {word!r}")
-    return BVHError(f"{path}: the motion block cannot be read")
+    return BVHError(f"{path}, line {rows[0][0]}: the motion block cannot be read")

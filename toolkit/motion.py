@@ -75,8 +75,8 @@ class Skeleton:
     def tip(self, name: str) -> int:
         """Index of the End Site that extends a joint, of the joint itself where there is none of any length."""
         joint = self.index(name)
-        ends = (j for j, p in enumerate(self.parents) if p == joint and self.is_end(j) and float(self.offsets[j].norm()) > 1e-4)
-        return next(ends, joint)
+        ends = (j for j, p in enumerate(self.parents) if p == joint and self.is_end(j))
+        return next((j for j in ends if float(self.offsets[j].norm()) > 1e-4), joint)
 
     @cached_property
     def feature_joints(self) -> tuple[int, ...]:
@@ -261,6 +261,8 @@ class Clip:
 
     def resample(self, fps: float) -> "Clip":
         """The same motion at another rate, by cubic splines (so that velocities stay continuous)."""
+        if not (fps > 0 and math.isfinite(fps)):
+            raise ValueError(f"{self.name}: cannot resample to {fps} frames per second")
         if fps == self.fps or len(self) < 2:
             return self.replace(fps=fps)
         old = torch.arange(len(self), dtype=torch.float64) / self.fps
@@ -284,17 +286,24 @@ class Clip:
         """Left and right exchanged: the motion reflected in the plane x = 0.
 
         A reflected frame is left-handed, so each joint's own axes are reflected too. Rigs differ in which of their axes
-        runs sideways; it is the reflection (of one axis, or of all three) that keeps the body's mean pose nearest to its
-        mirror image. A twin without a counterpart mirrors onto itself.
+        runs sideways; it is the reflection (of one axis, or of all three) that turns the bones below a joint into those
+        below its twin, and, where a bone along one axis leaves a choice, keeps the joint's mean rotation nearest to its
+        mirror image.
+        A joint without a counterpart mirrors onto itself.
         """
         world = torch.tensor([-1.0, 1.0, 1.0])
         twins = list(self.skeleton.twins)
-        matrices = R.to_matrix(self.global_rotations)
-        facing = R.inverse(root_frames(self).rotations)
-        mean = torch.einsum("fab,fjbc->jac", R.to_matrix(facing), matrices) / len(self)
         choices = torch.tensor([[-1.0, 1, 1], [1, -1, 1], [1, 1, -1], [-1, -1, -1]])
-        images = torch.einsum("a,jab,kb->kjab", world, mean[twins], choices)
-        own = choices[(images * mean).sum((-2, -1)).argmax(0)]
+        offsets, parents = self.skeleton.offsets[1:], torch.tensor(self.skeleton.parents[1:], dtype=torch.long)
+        misfit = (choices[:, None] * offsets - self.skeleton.offsets[twins[1:]]).square().sum(-1)
+        misfits = torch.zeros(4, len(self.skeleton)).index_add(1, parents, misfit)  # squared metres, of each joint's bones
+        root = R.multiply(R.inverse(root_frames(self).rotations), self.rotations[:, 0])
+        mean = R.to_matrix(torch.cat((root[:, None], self.rotations[:, 1:]), 1)).mean(0)
+        own = torch.empty(len(self.skeleton), 3)
+        for j, p in enumerate(self.skeleton.parents):
+            images = (world if p < 0 else own[p])[:, None] * mean[twins[j]] * choices[:, None]
+            own[j] = choices[((images * mean[j]).sum((-2, -1)) - misfits[:, j] / 0.01**2).argmax()]
+        matrices = R.to_matrix(self.global_rotations)
         mirrored = R.from_matrix(world[:, None] * matrices[:, twins] * own[:, None, :])
         return self.replace(rotations=R.unroll(local_rotations(self.skeleton, mirrored)),
                             root_positions=self.root_positions * world)  # fmt: skip

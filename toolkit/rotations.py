@@ -139,7 +139,7 @@ def slerp(a: Tensor, b: Tensor, t: Tensor | float) -> Tensor:
     small = angle < 1e-4
     divisor = torch.where(small, torch.ones_like(angle), angle.sin())
     wa = torch.where(small, 1 - t, ((1 - t) * angle).sin() / divisor)
-    wb = torch.where(small, t.expand_as(angle), (t * angle).sin() / divisor)
+    wb = torch.where(small, t, (t * angle).sin() / divisor)
     return normalize(wa[..., None] * a + wb[..., None] * b)
 
 

@@ -60,8 +60,8 @@ def extract_group(clips: Sequence[Clip], source: str | Source = "hybrid", half_w
     source
         A name of `SOURCES` or a function ``(clip, limb) -> Tensor [F]``.
     half_window
-        Seconds on either side of a frame that the sinusoid is fitted to. The published run used 15 frames at 60 Hz; 30 agree better
-        with what its network predicts.
+        Seconds on either side of a frame that the sinusoid is fitted to. The published run used 15 frames at 60 Hz; 30
+        agree better with what its network predicts.
 
     Raises
     ------

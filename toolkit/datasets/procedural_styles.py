@@ -1,0 +1,143 @@
+"""What makes a procedural style: named parameters of legs, arms and trunk, and a table of styles made of them.
+
+Lengths are metres, times seconds and, unlike everywhere else, angles are degrees: these numbers are written by hand. A
+style describes a walk; the other gaits follow from it (`toolkit.datasets.procedural`).
+"""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Leg:
+    """How one leg steps."""
+
+    stance: float = 0.62  # share of the stride from heel strike to toe-off (duty factor)
+    lift: float = 0.035  # highest rise of the sole in the swing
+    lift_at: float = 0.5  # when in the swing (0 to 1) it is highest
+    kick: float = 0.0  # how far the foot shoots forward and up in the swing
+    circle: float = 0.0  # how far outwards the swing goes round (circumduction)
+    ahead: float = 0.0  # how far ahead of its usual place the foot is planted
+    heel_strike: float = 18.0  # pitch of the foot when the heel touches, toes up
+    toe_off: float = 46.0  # pitch of the foot just after it has pushed off, heel up
+    tiptoe: float = 0.0  # heel up all through the stance
+    turned_out: float = 7.0  # toes turned outwards
+    raised: bool = False  # held in the air, never steps: the other leg hops
+
+
+@dataclass(frozen=True)
+class Arm:
+    """How one arm hangs and swings. Flexion is forward, so with the upper arm raised the elbow bends upwards."""
+
+    out: float = 9.0  # upper arm away from the body, 0 hangs down, 90 is a T-pose
+    forward: float = 2.0  # upper arm raised forward from there
+    twist: float = 20.0  # upper arm turned inwards about its own axis: a bent forearm points across the belly
+    elbow: float = 20.0  # flexion
+    wrist: float = 5.0  # flexion
+    swing: float = 17.0  # amplitude of the upper arm, forward and back
+    elbow_swing: float = 9.0  # amplitude of the elbow, most bent in front
+    out_swing: float = 0.0  # amplitude sideways
+    phase: float = 0.0  # lag behind the usual clock (the opposite leg's)
+    ratio: float = 1.0  # swings per stride
+    hand_at: tuple[float, float, float] | None = None  # wrist pinned here: outwards, up, forward of the hips
+
+
+@dataclass(frozen=True)
+class Style:
+    """How somebody walks."""
+
+    cadence: float = 0.95  # strides (two steps) per second at the usual speed
+    step: float = 0.63  # length of a step at the usual speed; speed = 2 · step · cadence
+    width: float = 0.17  # between the feet, sideways
+    run: float = 2.2  # speed of the run, in walking speeds
+    asymmetry: float = 0.0  # share by which the left foot's half of the stride is longer than the right's
+    legs: Leg = Leg()
+    left_leg: Leg | None = None  # instead of `legs`
+    right_leg: Leg | None = None
+    # pelvis
+    height: float = 0.972  # of the hips when the legs can reach
+    bob: float = 0.008  # amplitude up and down, besides what the reach of the legs does
+    sway: float = 0.018  # amplitude sideways, over the standing foot
+    forward: float = 0.0  # ahead of the middle between the feet
+    tilt: float = -2.0  # bow of the pelvis
+    yaw: float = 4.5  # amplitude of turning with the swinging leg
+    drop: float = 2.5  # amplitude of dropping on the side of the swinging leg
+    # trunk and head
+    lean: float = 6.0  # bow of the spine
+    bend: float = 0.0  # to the left
+    twist: float = 0.0  # to the left
+    lean_swing: float = 0.0  # amplitude, twice per stride
+    bend_swing: float = 0.0  # amplitude, over the standing foot
+    twist_swing: float = 5.0  # amplitude of the chest against the pelvis
+    neck: float = 14.0  # bow of the neck
+    head: float = 0.0  # bow of the head, on top of it
+    head_turn: float = 0.0
+    head_roll: float = 0.0
+    head_swing: float = 0.0  # amplitude of the head rolling from side to side
+    steady: float = 0.85  # how much of the trunk's motion the head takes back, 0 to 1
+    shrug: float = -6.0  # shoulders raised
+    arms: Arm = Arm()
+    left_arm: Arm | None = None  # instead of `arms`
+    right_arm: Arm | None = None
+    noise: float = 0.1  # unrest of trunk, arms and paths; about 1 staggers
+
+    @property
+    def speed(self) -> float:
+        """Usual walking speed, m/s."""
+        return 2 * self.step * self.cadence
+
+    def leg(self, side: str) -> Leg:
+        """The "left" or "right" leg."""
+        return getattr(self, f"{side}_leg") or self.legs
+
+    def arm(self, side: str) -> Arm:
+        """The "left" or "right" arm."""
+        return getattr(self, f"{side}_arm") or self.arms
+
+
+STYLES: dict[str, Style] = {
+    "Neutral": Style(),
+    "Aeroplane": Style(bend_swing=11, sway=0.03, twist_swing=1, arms=Arm(out=92, forward=0, elbow=3, twist=0, wrist=0,
+                       swing=2, elbow_swing=0)),
+    "ArmsAtOtherFrequency": Style(arms=Arm(swing=24, elbow=30, ratio=1.5)),
+    "BentForward": Style(lean=48, tilt=14, forward=-0.09, height=0.93, step=0.52, neck=2, head=-14, steady=0.6,
+                         arms=Arm(forward=38, out=6, swing=13, elbow=12)),
+    "BigSteps": Style(cadence=0.72, run=1.7, step=0.98, height=0.95, yaw=9, legs=Leg(heel_strike=26, toe_off=55, lift=0.06),
+                      lean=8, twist_swing=9, arms=Arm(swing=30, elbow=25)),
+    "Crouch": Style(cadence=0.85, step=0.5, width=0.24, height=0.70, forward=-0.06, tilt=14, lean=26, neck=0, head=-12,
+                    legs=Leg(heel_strike=0, toe_off=40, lift=0.08, tiptoe=16), arms=Arm(forward=22, elbow=50, swing=12, out=14)),
+    "DragRightLeg": Style(cadence=0.68, step=0.42, asymmetry=-0.1, height=0.955, lean=10, bend=7, bend_swing=5,
+                          right_leg=Leg(stance=0.5, lift=0.0, heel_strike=-6, toe_off=38, turned_out=34, circle=0.05,
+                                        ahead=-0.13),
+                          right_arm=Arm(swing=5, elbow=32, twist=35), neck=18),
+    "Drunk": Style(cadence=0.75, step=0.46, width=0.26, sway=0.05, bend_swing=6, noise=1.0, steady=0.2, neck=20,
+                   head_swing=6, arms=Arm(out=24, swing=12, elbow=24)),
+    "HandsInPockets": Style(lean=9, neck=18, shrug=6, arms=Arm(hand_at=(0.205, 0.03, 0.085), wrist=0)),
+    "HighKnees": Style(cadence=0.85, step=0.55, legs=Leg(stance=0.56, lift=0.42, lift_at=0.5, heel_strike=2, toe_off=38),
+                       lean=2, arms=Arm(swing=34, elbow=60, elbow_swing=15)),
+    "HopLeft": Style(cadence=1.75, step=0.30, height=0.95, bob=0.055, lean=9, bend=4, right_leg=Leg(raised=True),
+                     left_leg=Leg(stance=0.52, lift=0.09, heel_strike=2, toe_off=40), arms=Arm(out=42, elbow=45, swing=0,
+                     out_swing=12)),
+    "HopRight": Style(cadence=1.75, step=0.30, height=0.95, bob=0.055, lean=9, bend=-4, left_leg=Leg(raised=True),
+                      right_leg=Leg(stance=0.52, lift=0.09, heel_strike=2, toe_off=40), arms=Arm(out=42, elbow=45,
+                      swing=0, out_swing=12)),
+    "LeanBack": Style(lean=-20, tilt=-8, forward=0.06, neck=22, step=0.55, arms=Arm(forward=12, swing=14)),
+    "LimpLeft": Style(cadence=0.8, step=0.45, asymmetry=-0.28, bend_swing=5, bend=4, drop=6, head_swing=3,
+                      left_leg=Leg(stance=0.5, heel_strike=4, toe_off=25, lift=0.03, ahead=0.02)),
+    "MarchKick": Style(cadence=0.85, step=0.6, lean=0, neck=8, tilt=-3, height=0.975,
+                       legs=Leg(stance=0.54, lift=0.06, lift_at=0.58, kick=0.34, heel_strike=6, toe_off=34),
+                       arms=Arm(swing=42, elbow=6, elbow_swing=2)),
+    "Old": Style(cadence=0.85, step=0.34, width=0.2, height=0.92, forward=-0.05, tilt=8, lean=36, neck=6, head=-16,
+                 legs=Leg(stance=0.68, lift=0.02, heel_strike=8, toe_off=22), noise=0.2, shrug=4,
+                 arms=Arm(forward=22, elbow=48, swing=6, elbow_swing=3)),
+    "PendulumHands": Style(lean_swing=3, arms=Arm(swing=34, elbow=10, elbow_swing=6), right_arm=Arm(swing=34, elbow=10,
+                           elbow_swing=6, phase=180)),
+    "Strut": Style(cadence=0.88, step=0.68, lean=-7, neck=8, head=-6, shrug=2, yaw=8, drop=5, sway=0.028, twist_swing=11,
+                   bend_swing=4, arms=Arm(out=24, swing=26, elbow=28, twist=30)),
+    "Tiptoe": Style(cadence=1.05, step=0.42, width=0.12, height=1.03, lean=3, legs=Leg(tiptoe=42, heel_strike=0, toe_off=56,
+                    lift=0.07), arms=Arm(out=32, elbow=38, swing=6)),
+    "WideLegs": Style(cadence=0.85, step=0.5, width=0.52, sway=0.06, bend_swing=7, legs=Leg(turned_out=22, circle=0.03),
+                      arms=Arm(out=22, swing=10)),
+    "Zombie": Style(cadence=0.68, step=0.38, height=0.955, width=0.22, sway=0.045, bend_swing=8, lean=8, head_roll=14,
+                    head=6, steady=0.3, legs=Leg(stance=0.68, lift=0.02, heel_strike=2, toe_off=20), noise=0.3, yaw=7,
+                    arms=Arm(forward=82, out=8, elbow=10, twist=0, wrist=25, swing=3, elbow_swing=3)),
+}  # fmt: skip

@@ -1,0 +1,160 @@
+"""Inverse kinematics: where the joints of a limb go so that its end is where it should be. Torch, any leading shape."""
+
+from itertools import pairwise
+
+import torch
+from torch import Tensor
+
+from toolkit import rotations as R
+from toolkit.motion import Skeleton, forward_kinematics, local_rotations
+
+
+def two_bone(
+    a: Tensor, b: Tensor, c: Tensor, target: Tensor, pole: Tensor | None = None, *, soft: float = 0.01
+) -> tuple[Tensor, Tensor]:
+    """Bend a limb of two bones so that its end meets a target; the law of cosines with a soft limit near full stretch.
+
+    The bones keep their lengths. Within the last `soft` of full stretch the end follows the target ever more slowly and
+    never reaches full stretch, so that a knee does not snap straight (there its angle changes infinitely fast with
+    distance). A target nearer than the folded limb can reach is pushed out to where it can.
+
+    Parameters
+    ----------
+    a, b, c : Tensor [..., 3]
+        Positions of the limb's root, middle and end as they are now (hip, knee, ankle); they give the bones' lengths and,
+        without a pole, the side to bend to.
+    target : Tensor [..., 3]
+        Where the end should be, metres.
+    pole : Tensor [..., 3], optional
+        Direction (not a point) that the middle joint bends towards, any length; by default where it points now, from `a`
+        to `b`. It should not be parallel to the line from `a` to the target; if it is, some direction across is taken.
+    soft
+        Share of the full length over which the limit acts; 0 is a hard limit.
+
+    Returns
+    -------
+    middle, end : Tensor [..., 3]
+        New positions of `b` and `c`.
+
+    Raises
+    ------
+    ValueError
+        If `soft` is not in [0, 1).
+    """
+    if not 0 <= soft < 1:
+        raise ValueError(f"soft must be in [0, 1), got {soft}")
+    upper, lower = (b - a).norm(dim=-1, keepdim=True), (c - b).norm(dim=-1, keepdim=True)
+    full = upper + lower
+    reach = target - a
+    wanted = reach.norm(dim=-1, keepdim=True)
+    line = R.normalize(torch.where(wanted > 1e-9, reach, c - a + 1e-9))
+    margin = (soft * full).clamp_min(1e-9)
+    over = (wanted - (full - margin)).clamp_min(0.0)
+    distance = torch.where(over > 0, full - margin * torch.exp(-over / margin), wanted)
+    distance = torch.maximum(distance, (upper - lower).abs() + 1e-6 * full)
+
+    side = b - a if pole is None else pole
+    side = R.normalize(side)
+    across = side - (side * line).sum(-1, keepdim=True) * line
+    helper = torch.eye(3, dtype=line.dtype)[line.abs().argmin(-1)]
+    across = R.normalize(torch.where(across.norm(dim=-1, keepdim=True) > 1e-5, across, torch.linalg.cross(line, helper)))
+    along = (upper**2 - lower**2 + distance**2) / (2 * distance)
+    height = (upper**2 - along**2).clamp_min(0.0).sqrt()
+    return a + along * line + height * across, a + distance * line
+
+
+SIDES = ("right", "left")
+SLACK = 0.1  # metres that a held toe may stay behind its prediction before it is let go
+
+
+def hold(held: Tensor, predicted: Tensor, contacts: Tensor, threshold: float = 0.2, power: float = 2.0) -> Tensor:
+    """Toe targets that stay where they were to the degree of contact (Mason et al. 2022, section 4.4; published constants).
+
+    Parameters
+    ----------
+    held, predicted : Tensor [..., 2, 3]
+        The targets of the frame before and the predicted toes, world, metres.
+    contacts : Tensor [..., 2]
+        In [0, 1].
+    threshold, power
+        Of `smoothstep`, which turns a contact into a weight.
+
+    Returns
+    -------
+    Tensor [..., 2, 3]
+        New targets. Ours: a toe is let go gradually once the prediction is further away than `SLACK`, so that a character
+        that turns on the spot does not cross its legs.
+    """
+    strain = (predicted - held).norm(dim=-1) / SLACK - 1.0
+    weight = smoothstep(contacts, threshold, power) * (1.0 - strain).clamp(0.0, 1.0)
+    return torch.lerp(predicted, held, weight[..., None])
+
+
+def smoothstep(x: Tensor, threshold: float, power: float) -> Tensor:
+    """S-curve from (0, 0) to (1, 1), through (threshold, threshold) with slope ``power``, flat at both ends."""
+    below = threshold * (x / threshold).clamp(0.0, 1.0) ** power
+    above = 1.0 - (1.0 - threshold) * ((1.0 - x) / (1.0 - threshold)).clamp(0.0, 1.0) ** power
+    return torch.where(x < threshold, below, above)
+
+
+def plant_feet(skeleton: Skeleton, rotations: Tensor, root: Tensor, toes: Tensor) -> Tensor:
+    """Bend the legs so that the toes meet their targets; the feet keep their orientation (foot-contact IK, section 4.4).
+
+    Parameters
+    ----------
+    skeleton
+        With the roles hip, knee, foot and toe on both sides.
+    rotations : Tensor [..., J, 4]
+        Local rotations.
+    root : Tensor [..., 3]
+        Root position.
+    toes : Tensor [..., 2, 3]
+        Targets, right and left, world.
+
+    Returns
+    -------
+    Tensor [..., J, 4]
+        New local rotations.
+    """
+    turned, positions = forward_kinematics(skeleton, rotations, root)
+    for i, side in enumerate(SIDES):
+        hip, knee, foot, toe = (skeleton.index(f"{side}_{part}") for part in ("hip", "knee", "foot", "toe"))
+        a, b, c = (positions[..., j, :] for j in (hip, knee, foot))
+        middle, end = two_bone(a, b, c, toes[..., i, :] - (positions[..., toe, :] - c))
+        for joint, old, new in ((hip, b - a, middle - a), (knee, c - b, end - middle)):
+            turned[..., joint, :] = R.multiply(R.between(old, new), turned[..., joint, :])
+    follow = [skeleton.parents[j] if skeleton.is_end(j) else j for j in range(len(skeleton))]
+    return local_rotations(skeleton, turned[..., follow, :])
+
+
+def turn_arms(skeleton: Skeleton, rotations: Tensor, root: Tensor, wanted: Tensor) -> Tensor:
+    """Turn every arm bone so that its end points at its predicted position: rotation follows position (section 4.4).
+
+    Parameters
+    ----------
+    skeleton
+        With the roles shoulder, elbow and hand on both sides.
+    rotations : Tensor [..., J, 4]
+        Local rotations.
+    root : Tensor [..., 3]
+        Root position.
+    wanted : Tensor [..., J, 3]
+        Predicted positions, world; rows of joints outside the arms are not read.
+
+    Returns
+    -------
+    Tensor [..., J, 4]
+        New local rotations.
+    """
+    turned, positions = forward_kinematics(skeleton, rotations, root)
+    for side in SIDES:
+        shoulder, elbow, hand = (skeleton.index(f"{side}_{part}") for part in ("shoulder", "elbow", "hand"))
+        chain = [skeleton.parents[shoulder], shoulder, elbow, hand]
+        chain += [tip] if (tip := skeleton.tip(f"{side}_hand")) != hand else []
+        for joint, child in pairwise(chain):
+            bone = R.rotate(turned[..., joint, :], skeleton.offsets[child].to(rotations))
+            aim = R.between(bone, wanted[..., child, :] - positions[..., joint, :])
+            turned[..., joint, :] = R.multiply(aim, turned[..., joint, :])
+            positions[..., child, :] = positions[..., joint, :] + R.rotate(aim, bone)
+    follow = [skeleton.parents[j] if skeleton.is_end(j) else j for j in range(len(skeleton))]
+    return local_rotations(skeleton, turned[..., follow, :])

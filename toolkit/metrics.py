@@ -1,0 +1,66 @@
+"""Measures of motion that a mean squared error misses. Metres, seconds."""
+
+import math
+
+import torch
+from torch import Tensor
+
+from toolkit import contacts
+from toolkit.motion import Clip
+
+
+def foot_skate(clip: Clip, contact: Tensor | None = None) -> dict[str, float]:
+    """Mean horizontal speed of each toe while it is in contact, m/s.
+
+    Parameters
+    ----------
+    clip
+        The motion.
+    contact : Tensor [F, 2], optional
+        Contacts in [0, 1], right and left, e.g. the ones a network predicted; by default a toe is in contact when it is low,
+        however fast (a speed limit would hide the very thing measured).
+
+    Returns
+    -------
+    dict
+        ``right`` and ``left``; NaN for a foot that is never in contact.
+    """
+    contact = contacts.detect(clip, speed=math.inf) if contact is None else contact
+    result = {}
+    for i, side in enumerate(contacts.FEET):
+        toe = clip.global_positions[:, clip.skeleton.index(f"{side}_toe")]
+        speed = contacts.velocities(toe, clip.fps)[:, [0, 2]].norm(dim=-1)
+        weight = (contact[:, i] > 0.5).float()
+        result[side] = float((speed * weight).sum() / weight.sum()) if weight.any() else math.nan
+    return result
+
+
+def speed(clip: Clip) -> float:
+    """Mean horizontal speed of the hips, smoothed over half a second, m/s."""
+    hips = clip.global_positions[:, clip.skeleton.index("hips")][:, [0, 2]]
+    lag = max(1, min(len(clip) - 1, round(clip.fps / 2)))
+    return float((hips[lag:] - hips[:-lag]).norm(dim=-1).mean() * clip.fps / lag)
+
+
+def hips_height(clip: Clip) -> tuple[float, float]:
+    """Lowest and highest hips over the clip, metres."""
+    height = clip.global_positions[:, clip.skeleton.index("hips"), 1]
+    return float(height.min()), float(height.max())
+
+
+def upright(clip: Clip) -> bool:
+    """Whether the chest stays above the hips and the hips above both ankles, in every frame."""
+    skeleton, height = clip.skeleton, clip.global_positions[..., 1]
+    hips = height[:, skeleton.index("hips")]
+    above = skeleton.ancestors("left_shoulder")
+    chest = height[:, next(j for j in above if j in skeleton.ancestors("right_shoulder"))]
+    ankles = torch.stack([height[:, skeleton.index(f"{side}_foot")] for side in contacts.FEET], 1).amax(1)
+    return bool(((chest > hips) & (hips > ankles)).all())
+
+
+def path_error(clip: Clip, points: Tensor) -> float:
+    """Mean distance of the hips on the floor from a polyline of (x, z) ``points [P, 2]``, metres."""
+    hips = clip.global_positions[:, clip.skeleton.index("hips")][:, None, [0, 2]]
+    a, b = points[None, :-1].to(hips), points[None, 1:].to(hips)
+    along = (((hips - a) * (b - a)).sum(-1) / (b - a).square().sum(-1).clamp_min(1e-12)).clamp(0.0, 1.0)
+    return float((hips - a - along[..., None] * (b - a)).norm(dim=-1).amin(1).mean())

@@ -1,0 +1,78 @@
+"""Files of weights: one safetensors file, whose metadata holds JSON. Reading one never runs code.
+
+A file holds one or more parts (a ``model``, a style ``bank``, a training ``run``), each named in the metadata, so that what
+needs only one of them can read any file that has it.
+"""
+
+import json
+import os
+from pathlib import Path
+from typing import Any
+
+from safetensors import SafetensorError, safe_open
+from safetensors.torch import save
+from torch import Tensor
+
+from toolkit.bvh import atomic_write
+
+FORMAT = "toolkit 1"
+
+
+def write(path: str | os.PathLike, tensors: dict[str, Tensor], parts: dict[str, Any]) -> None:
+    """Write a file, whole or not at all.
+
+    Parameters
+    ----------
+    path
+        The file.
+    tensors
+        By name; a name starts with its part's: ``model.gating.…``.
+    parts
+        Part's name to what JSON can hold.
+    """
+    metadata = {"format": FORMAT, **{name: json.dumps(value) for name, value in parts.items()}}
+    packed = save({name: t.detach().cpu().contiguous() for name, t in tensors.items()}, metadata)
+    with atomic_write(path) as file:
+        file.write(packed)
+
+
+def read(path: str | os.PathLike, part: str) -> tuple[dict[str, Tensor], dict[str, Any]]:
+    """Tensors and parts of a file that holds at least ``part``.
+
+    Raises
+    ------
+    ValueError
+        If it cannot be read, is of another kind or version, or lacks the part.
+    """
+    path = Path(path)
+    try:
+        with safe_open(path, framework="pt") as file:
+            metadata = file.metadata() or {}
+            tensors = {name: file.get_tensor(name).clone() for name in file.keys()}  # noqa: SIM118 (not a dict)
+    except OSError as error:
+        raise ValueError(f"{path}: cannot be read ({error.strerror or 'no such file'})") from error
+    except SafetensorError as error:
+        raise ValueError(f"{path}: not a whole safetensors file ({error})") from error
+    found = metadata.pop("format", None)
+    if found != FORMAT:
+        raise ValueError(f"{path}: expected the format {FORMAT!r}, got {found!r}")
+    try:
+        parts = {name: json.loads(text) for name, text in metadata.items()}
+    except json.JSONDecodeError as error:
+        raise ValueError(f"{path}: its metadata is damaged ({error})") from error
+    if part not in parts:
+        raise ValueError(f"{path}: expected a {part} in it, got {', '.join(parts) or 'nothing'}")
+    return tensors, parts
+
+
+def difference(expected: dict[str, Any], got: dict[str, Any]) -> str:
+    """The first key at which two dictionaries differ, in words; empty where they are equal."""
+    for key in dict.fromkeys((*expected, *got)):
+        a, b = expected.get(key), got.get(key)
+        if a != b:
+            if isinstance(a, (list, tuple)) and isinstance(b, (list, tuple)):
+                if len(a) != len(b):
+                    return f"{key}: expected {len(a)}, got {len(b)}"
+                a, b = next((x, y) for x, y in zip(a, b, strict=True) if x != y)
+            return f"{key}: expected {a!r}, got {b!r}"
+    return ""

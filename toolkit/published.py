@@ -1,0 +1,110 @@
+"""The authors' published parameters of LPN-FiLM, 100 styles, run by this package's own networks.
+
+Published beside Mason et al. 2022 (github.com/ianxmason/local-phases) as raw little-endian float32 files, for research and
+education: the user brings the folder, nothing of it is part of this package.
+"""
+
+import os
+from pathlib import Path
+
+import numpy as np
+import torch
+from torch import Tensor
+
+from toolkit import features, phases, trajectory
+from toolkit.datasets.procedural import SKELETON
+from toolkit.features import Layout, Normaliser
+from toolkit.motion import Clip
+from toolkit.networks import Model, Sizes, build
+from toolkit.styles import StyleBank
+
+#: Style names by index: the 95 trained ones, then the five that were kept for fine-tuning.
+STYLES = tuple(["Aeroplane", "Akimbo", "Angry", "ArmsAboveHead", "ArmsBehindBack", "ArmsBySide", "ArmsFolded", "Balance", "BeatChest", "BentForward", "BentKnees", "BigSteps", "BouncyLeft", "BouncyRight", "Cat", "Chicken", "CrossOver", "Crouched", "CrowdAvoidance", "Depressed", "Dinosaur", "DragLeftLeg", "DragRightLeg", "Drunk", "DuckFoot", "Elated", "FairySteps", "Flapping", "FlickLegs", "Followed", "GracefulArms", "HandsBetweenLegs", "Heavyset", "HighKnees", "InTheDark", "KarateChop", "Kick", "LawnMower", "LeanBack", "LeanLeft", "LeanRight", "LeftHop", "LegsApart", "LimpLeft", "LimpRight", "LookUp", "Lunge", "March", "Monk", "Morris", "Neutral", "Old", "OnHeels", "OnPhoneLeft", "OnPhoneRight", "OnToesBentForward", "OnToesCrouched", "PendulumHands", "Penguin", "PigeonToed", "Proud", "Punch", "Quail", "RaisedLeftArm", "RaisedRightArm", "RightHop", "Robot", "Rocket", "Rushed", "ShieldedLeft", "ShieldedRight", "SlideFeet", "SpinAntiClock", "SpinClock", "StartStop", "Stiff", "Strutting", "Superman", "Swat", "Sweep", "Swimming", "SwingArmsRound", "SwingShoulders", "Teapot", "Tiptoe", "TogetherStep", "TwoFootJump", "WalkingStickLeft", "WalkingStickRight", "Waving", "WhirlArms", "WideLegs", "WiggleHips", "WildLegs", "Zombie", "HandsInPockets", "Roadrunner", "Skip", "Star", "WildArms"])
+
+
+def load(folder: str | os.PathLike) -> tuple[Model, StyleBank]:
+    """The published model and its 100 style vectors.
+
+    The model has no FiLM generator: only the style vectors that it gave were published.
+
+    Parameters
+    ----------
+    folder
+        Where ``Xmean.bin``, ``cp0_a0.bin``, ``Style_000_scale1.bin`` … lie.
+
+    Raises
+    ------
+    ValueError
+        If a file is missing, of another size, or holds a number that is not finite.
+    """
+    folder = Path(folder)
+    if not folder.is_dir():
+        raise ValueError(f"{folder}: no such folder; expected the published parameters (Xmean.bin, cp0_a0.bin, …)")
+
+    def read(name: str, *shape: int) -> Tensor:
+        path = folder / f"{name}.bin"
+        if not path.is_file():
+            raise ValueError(f"{path}: missing; expected {' × '.join(map(str, shape))} float32 numbers")
+        values = np.fromfile(path, "<f4")
+        if values.size != np.prod(shape) or not np.isfinite(values).all():
+            raise ValueError(f"{path}: expected {' × '.join(map(str, shape))} finite float32 numbers, got {values.size}")
+        return torch.from_numpy(values.reshape(shape))
+
+    layout, sizes = Layout(SKELETON), Sizes()
+    files = {"inputs": ("X", layout.n_inputs), "phases": ("GT_X", layout.n_phases), "outputs": ("Y", layout.n_outputs)}
+    normalisers = {kind: Normaliser(read(f"{f}mean", n), read(f"{f}std", n)) for kind, (f, n) in files.items()}
+    model = build("lpn-film", layout, len(STYLES), sizes, normalisers, generator=False)
+    with torch.no_grad():
+        for i, layer in enumerate(model.gating.layers):
+            layer.weight.copy_(read(f"wc{i}_w", *layer.weight.shape))
+            layer.bias.copy_(read(f"wc{i}_b", *layer.bias.shape))
+        for i, layer in enumerate(model.experts.layers):
+            n_in, n_out = layer.weight.shape[1:]
+            for k in range(sizes.experts):
+                layer.weight[k] = read(f"cp{i}_a{k}", n_out, n_in).T
+                layer.bias[k] = read(f"cp{i}_b{k}", n_out)
+    parts = ("scale1", "shift1", "scale2", "shift2")
+    vectors = torch.stack([torch.cat([read(f"Style_{i:03d}_{p}", sizes.hidden) for p in parts]) for i in range(len(STYLES))])
+    return model, StyleBank(STYLES, vectors)
+
+
+def one_step(model: Model, bank: StyleBank, clip: Clip, style: str, frames: tuple[int, int | None] = (0, None)) -> dict:
+    """How well a model predicts the next frame of a real clip from this package's own features and phases.
+
+    With the published parameters it is the strongest check there is that the pipeline means what the paper means.
+
+    Parameters
+    ----------
+    model, bank
+        A model and its style vectors.
+    clip
+        Motion at any rate, resampled to 60 Hz.
+    style
+        Name in the bank.
+    frames
+        First and last (not included) frame to predict from, at the clip's rate. Up to a second round them gives their
+        trajectory and phases; frames without a whole window are left out.
+
+    Returns
+    -------
+    dict
+        ``frames`` evaluated; ``joint_mse``, mean squared error of the 12 J joint features in the model's normalised units;
+        ``contact_correlation`` [2] right, left; ``phase_error`` = Σ(predicted − own)² / Σ own².
+    """
+    scale = trajectory.FPS / clip.fps
+    start, stop = round(frames[0] * scale), None if frames[1] is None else round(frames[1] * scale)
+    clip = clip.resample(trajectory.FPS)
+    stop = len(clip) if stop is None else min(stop, len(clip))
+    first = max(0, start - trajectory.PAST)
+    clip = clip.cut(first, min(len(clip), stop + trajectory.FUTURE + 1))
+    rows = features.frames(clip, phases.extract(clip), start - first, stop - first)
+    z = model.predict(rows.inputs, rows.phases, bank[style])
+    error = (z - rows.outputs) / model.normaliser("outputs").std
+    own, predicted = (model.layout.unpack_output(v) for v in (rows.outputs, z))
+    correlation = [float(torch.corrcoef(torch.stack((predicted["contacts"][:, i], own["contacts"][:, i])))[0, 1]) for i in (0, 1)]
+    return {
+        "frames": len(z),
+        "joint_mse": float(error[:, model.layout.outputs["joints"]].square().mean()),
+        "contact_correlation": correlation,
+        "phase_error": float((predicted["phases"] - own["phases"]).square().sum() / own["phases"].square().sum()),
+    }

@@ -1,0 +1,327 @@
+"""A character under control, one frame at a time (Mason et al. 2022, section 4.4; Zhang et al. 2018).
+
+``step(model, state, command) -> state`` has no hidden state: a state can be kept, replayed and branched. All tensors have a
+leading axis of B characters, so that one call moves a crowd.
+"""
+
+import dataclasses
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import torch
+from torch import Tensor
+from tqdm import tqdm
+
+from toolkit import rotations as R
+from toolkit import trajectory
+from toolkit.features import Layout, pack_joints, split_joints
+from toolkit.ik import hold, plant_feet, turn_arms
+from toolkit.motion import Clip, local_rotations
+
+FPS = trajectory.FPS
+GAIN = 0.25  # share of the way that the smoothed target moves to the command in a frame
+POSITION_BIAS, DIRECTION_BIAS = 0.75, 1.25  # exponents of the blend from the network's trajectory to the target
+CORRECTION = 0.85  # share of the network's prediction in the next frame's trajectory
+DRIVE_RATE, DRIVE_LIMITS = 1.5, (0.5, 12.0)  # ours: how fast the drive adapts, per second, and how far
+N_FUTURE = len(trajectory.SAMPLES) - trajectory.CURRENT
+UP = torch.tensor([0.0, 1.0, 0.0])
+
+
+@dataclass(frozen=True)
+class Command:
+    """What the hand asks for: ``velocity`` (x, z) in m/s and ``facing`` (x, z), both in the world.
+
+    Each is a pair of numbers for all characters or a tensor ``[B, 2]``. A zero facing keeps the current one.
+    """
+
+    velocity: Sequence[float] | Tensor = (0.0, 0.0)
+    facing: Sequence[float] | Tensor = (0.0, 1.0)
+
+
+@dataclass(frozen=True, eq=False)
+class CharacterState:
+    """Everything that the next frame depends on; B characters, J feature joints, metres and seconds.
+
+    Parameters
+    ----------
+    history : Tensor [B, 61, 4]
+        World (x, z, direction x, direction z) of the root, one second ago to now.
+    future : Tensor [B, 6, 4]
+        The same for now and every ten frames ahead.
+    joints : Tensor [B, 12 J]
+        The pose, in the current root frame.
+    phase : Tensor [B, 8]
+        Local phases.
+    style : Tensor [B, S]
+        Style vector.
+    velocity, facing : Tensor [B, 2]
+        The smoothed command.
+    drive : Tensor [B, 1]
+        How much faster than the command the trajectory pulls, see `govern`.
+    contacts : Tensor [B, 2]
+        Predicted foot contacts, right and left, in [0, 1].
+    toes : Tensor [B, 2, 3]
+        Where foot IK holds the toes, world, right and left.
+    """
+
+    history: Tensor
+    future: Tensor
+    joints: Tensor
+    phase: Tensor
+    style: Tensor
+    velocity: Tensor
+    facing: Tensor
+    drive: Tensor
+    contacts: Tensor
+    toes: Tensor
+
+    @property
+    def root(self) -> Tensor:
+        """World (x, z, direction x, direction z) of the root now, ``[B, 4]``."""
+        return self.history[:, -1]
+
+    def with_style(self, style: Tensor) -> "CharacterState":
+        """The same moment with another style vector ``[S]`` or ``[B, S]``."""
+        return dataclasses.replace(self, style=torch.as_tensor(style).expand(len(self.phase), -1))
+
+
+def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0), facing: Sequence[float] = (0.0, 1.0)) -> CharacterState:
+    """A character standing still in the mean pose of the model's data.
+
+    Parameters
+    ----------
+    model
+        Its mean pose and phase are taken.
+    style : Tensor [S] or [B, S]
+        Style vector or one per character.
+    position, facing
+        World (x, z) of the root, metres, and where it looks; pairs or ``[B, 2]``.
+    """
+    style = torch.atleast_2d(torch.as_tensor(style))
+    layout: Layout = model.layout
+    place = torch.as_tensor(position, dtype=torch.float32).expand(len(style), 2)
+    look = _unit(torch.as_tensor(facing, dtype=torch.float32).expand(len(style), 2))
+    root = torch.cat((place, look), -1)
+    joints = model.outputs_mean[layout.outputs["joints"]].expand(len(style), -1)
+    state = CharacterState(
+        history=root[:, None].repeat(1, trajectory.PAST + 1, 1), future=root[:, None].repeat(1, N_FUTURE, 1),
+        joints=_orthonormal(joints), phase=model.phases_mean.expand(len(style), -1), style=style,
+        velocity=torch.zeros(len(style), 2), facing=look, drive=torch.ones(len(style), 1),
+        contacts=torch.ones(len(style), 2), toes=torch.zeros(len(style), 2, 3),
+    )  # fmt: skip
+    return dataclasses.replace(state, toes=world_joints(layout, state)["position"][:, _toes(layout)])
+
+
+def step(model, state: CharacterState, command: Command) -> CharacterState:
+    """The next frame, 1/60 s later.
+
+    The future trajectory is drawn from the network's towards the command, the network predicts, and pose, phase and
+    trajectory are blends of the prediction and of what was (section 4.4 and the published run's constants).
+    """
+    layout: Layout = model.layout
+    velocity, facing, future = steer(state, command)
+    root = state.root
+    past = state.history[:, [trajectory.PAST + o for o in trajectory.SAMPLES[: trajectory.CURRENT]]]
+    window = _to_local(torch.cat((past, future), 1), root)
+    z = model.predict(layout.pack_input(trajectory=window, joints=state.joints), state.phase, state.style)
+    out = layout.unpack_output(z)
+
+    predicted = out["trajectory"].unflatten(-1, (N_FUTURE, 4))
+    predicted = torch.cat((predicted[..., :2], _unit(predicted[..., 2:])), -1)
+    predicted = _to_world(predicted, root)
+    new_root = predicted[:, 0]
+    ahead = torch.lerp(future, predicted, CORRECTION)
+    ahead = torch.cat((new_root[:, None], torch.cat((ahead[..., :2], _unit(ahead[..., 2:])), -1)[:, 1:]), 1)
+
+    was, now = split_joints(state.joints), split_joints(out["joints"])
+    position = torch.lerp(was["position"] + now["velocity"] / FPS, now["position"], 0.5)
+    joints = _to_frame(_orthonormal(pack_joints(**now | {"position": position})), root, new_root)
+    phase = torch.lerp(state.phase + out["phase_updates"], out["phases"], 0.5)
+    contacts = out["contacts"].clamp(0.0, 1.0)
+    new = dataclasses.replace(
+        state, history=torch.cat((state.history[:, 1:], new_root[:, None]), 1), future=ahead, joints=joints, phase=phase,
+        velocity=velocity, facing=facing, drive=govern(state, velocity), contacts=contacts,
+    )  # fmt: skip
+    toes = world_joints(layout, new)["position"][:, _toes(layout)]
+    return dataclasses.replace(new, toes=hold(state.toes, toes, contacts))
+
+
+def steer(state: CharacterState, command: Command) -> tuple[Tensor, Tensor, Tensor]:
+    """Smoothed velocity and facing ``[B, 2]``, and the future trajectory ``[B, 6, 4]`` bent towards them (world)."""
+    wanted = torch.as_tensor(command.velocity, dtype=torch.float32).expand_as(state.velocity)
+    look = torch.as_tensor(command.facing, dtype=torch.float32).expand_as(state.facing)
+    look = torch.where(look.norm(dim=-1, keepdim=True) > 1e-6, look, state.facing)
+    velocity = torch.lerp(state.velocity, wanted, GAIN)
+    facing = _turn(state.facing, look, torch.tensor(GAIN))
+    t = torch.linspace(0.0, 1.0, N_FUTURE)[1:]
+    w_position, w_direction = 1 - (1 - t) ** POSITION_BIAS, 1 - (1 - t) ** DIRECTION_BIAS
+    steps = state.future[:, 1:, :2] - state.future[:, :-1, :2]
+    interval = (trajectory.SAMPLES[1] - trajectory.SAMPLES[0]) / FPS
+    steps = torch.lerp(steps, (state.drive * velocity * interval)[:, None].expand_as(steps), w_position[:, None])
+    positions = state.root[:, None, :2] + steps.cumsum(1)
+    directions = _turn(state.future[:, 1:, 2:], facing[:, None].expand_as(steps), w_direction[:, None])
+    return velocity, facing, torch.cat((state.root[:, None], torch.cat((positions, directions), -1)), 1)
+
+
+def govern(state: CharacterState, velocity: Tensor) -> Tensor:
+    """Drive ``[B, 1]`` of the next frame: grows while the character is slower than its command, shrinks while it is faster.
+
+    Networks follow the blended trajectory at a fraction of its speed that depends on the style (the published demo hides it
+    in a table of target speeds "in its own units", several times what the character reaches). Ours closes the loop instead,
+    so that a command is in m/s for every model and style.
+    """
+    half_second = FPS // 2
+    moved = (state.history[:, -1, :2] - state.history[:, -1 - half_second, :2]) * (FPS / half_second)
+    wanted = velocity.norm(dim=-1, keepdim=True)
+    reached = (moved * _unit(velocity)).sum(-1, keepdim=True)
+    lag = ((wanted - reached) / wanted.clamp_min(0.5)).clamp(-1.0, 1.0)
+    grown = (state.drive * (1.0 + DRIVE_RATE / FPS * lag)).clamp(*DRIVE_LIMITS)
+    return torch.where(wanted > 0.1, grown, torch.lerp(state.drive, torch.ones_like(grown), 0.05))
+
+
+def straight(speed: float = 1.2, seconds: float = 10.0, facing: Sequence[float] = (0.0, 1.0)) -> list[Command]:
+    """Commands that walk straight ahead at ``speed`` m/s."""
+    forward = _unit(torch.tensor(facing, dtype=torch.float32))
+    return [Command(tuple((speed * forward).tolist()), tuple(forward.tolist()))] * round(seconds * FPS)
+
+
+def follow(points: Sequence[Sequence[float]], speed: float = 1.2, seconds: float | None = None) -> list[Command]:
+    """Commands along a polyline of (x, z) ``points`` in metres at constant speed, facing along it; stops at its end."""
+    path = torch.as_tensor(points, dtype=torch.float32)
+    lengths = (path[1:] - path[:-1]).norm(dim=-1)
+    total = float(lengths.sum())
+    frames = math.ceil((total / speed if seconds is None else seconds) * FPS)
+    ends = lengths.cumsum(0)
+    commands = []
+    for frame in range(frames):
+        at = frame / FPS * speed
+        leg = min(int((ends <= at).sum()), len(lengths) - 1)
+        direction = (path[leg + 1] - path[leg]) / lengths[leg]
+        moving = speed if at < total else 0.0
+        commands.append(Command(tuple((direction * moving).tolist()), tuple(direction.tolist())))
+    return commands
+
+
+Styles = Tensor | Callable[[int], Tensor]
+
+
+def states(model, commands: Sequence[Command], style: Styles, first: CharacterState | None = None, progress: bool = False):
+    """Yield the state after every command. ``style`` is a vector, or a function of the frame number for live blending."""
+    at = style if callable(style) else (lambda _: style)
+    state = start(model, at(0)) if first is None else first
+    with torch.inference_mode():
+        for frame, command in enumerate(tqdm(commands, desc="rollout", unit="frame", disable=None if progress else True)):
+            state = step(model, state.with_style(at(frame)), command)
+            yield state
+
+
+def rollout(model, commands: Sequence[Command], style: Styles, ik: bool = True, first: CharacterState | None = None,
+            progress: bool = False) -> Clip:  # fmt: skip
+    """Drive one character through commands and record it.
+
+    Parameters
+    ----------
+    model
+        What `toolkit.networks.build`, `toolkit.training.load` or `toolkit.published.load` give.
+    commands
+        One per frame, 60 Hz.
+    style : Tensor [S] or callable
+        Style vector, or a function from the frame number to one.
+    ik
+        Hold feet in contact in place, and turn arm bones to the predicted positions.
+    first
+        State to start from; standing at the origin where not given.
+
+    Returns
+    -------
+    Clip
+        On the model's whole skeleton, bones of constant length.
+    """
+    recorded = list(states(model, commands, style, first, progress))
+    if not recorded:
+        raise ValueError("no commands to roll out")
+    return record(model, recorded, ik=ik)
+
+
+def record(model, recorded: Sequence[CharacterState], *, ik: bool = True, character: int = 0) -> Clip:
+    """The motion of one character of a run of states, see `rollout`."""
+    layout: Layout = model.layout
+    merged = CharacterState(*(torch.stack([getattr(s, f.name)[character] for s in recorded])
+                              for f in dataclasses.fields(CharacterState)))  # fmt: skip
+    return Clip(layout.skeleton, *pose(layout, merged, ik=ik), FPS, name="rollout")
+
+
+def pose(layout: Layout, state: CharacterState, *, ik: bool = True) -> tuple[Tensor, Tensor]:
+    """Local rotations ``[B, J', 4]`` and root positions ``[B, 3]`` of the whole skeleton, ready to draw."""
+    skeleton, world = layout.skeleton, world_joints(layout, state)
+    joints = list(skeleton.feature_joints)
+    rotation = R.from_forward_up(world["forward"], world["up"])
+    everywhere = [joints.index(j if j in joints else skeleton.parents[j]) for j in range(len(skeleton))]
+    local = local_rotations(skeleton, rotation[:, everywhere])
+    root = world["position"][:, 0]
+    if ik:
+        wanted = world["position"].new_zeros(len(root), len(skeleton), 3)
+        wanted[:, joints] = world["position"]
+        local = turn_arms(skeleton, local, root, wanted)
+        local = plant_feet(skeleton, local, root, state.toes)
+    return local, root
+
+
+def world_joints(layout: Layout, state: CharacterState) -> dict[str, Tensor]:
+    """The pose's position, forward, up and velocity in the world, each ``[B, J, 3]``."""
+    local, root = split_joints(state.joints), state.root
+    turn = R.yaw(torch.atan2(root[:, 2], root[:, 3]))[:, None]
+    world = {name: R.rotate(turn, values) for name, values in local.items()}
+    floor = torch.stack((root[:, 0], torch.zeros(len(root)), root[:, 1]), -1)
+    return world | {"position": world["position"] + floor[:, None]}
+
+
+def _toes(layout: Layout) -> list[int]:
+    return [layout.names.index(layout.skeleton.roles[f"{side}_toe"]) for side in ("right", "left")]
+
+
+def _unit(v: Tensor) -> Tensor:
+    return torch.nn.functional.normalize(v, dim=-1)
+
+
+def _turn(a: Tensor, b: Tensor, t: Tensor) -> Tensor:
+    """Unit directions ``[..., 2]`` turned from a to b along the shorter way by the share t."""
+    angle = torch.atan2(a[..., 0], a[..., 1])
+    difference = torch.atan2(b[..., 0], b[..., 1]) - angle
+    difference = torch.atan2(difference.sin(), difference.cos()) * t.squeeze(-1) if t.dim() else (
+        torch.atan2(difference.sin(), difference.cos()) * t)  # fmt: skip
+    return torch.stack(((angle + difference).sin(), (angle + difference).cos()), -1)
+
+
+def _matrix(root: Tensor) -> Tensor:
+    """``[B, 2, 2]`` that turns root-frame (x, z) into the world's; the direction (sin, cos) is the root's +z."""
+    x, z = root[:, 2], root[:, 3]
+    return torch.stack((torch.stack((z, x), -1), torch.stack((-x, z), -1)), -2)
+
+
+def _to_world(samples: Tensor, root: Tensor) -> Tensor:
+    turned = torch.einsum("bij,bskj->bski", _matrix(root), samples.unflatten(-1, (2, 2)))
+    return torch.cat((turned[..., 0, :] + root[:, None, :2], turned[..., 1, :]), -1)
+
+
+def _to_local(samples: Tensor, root: Tensor) -> Tensor:
+    shifted = torch.cat((samples[..., :2] - root[:, None, :2], samples[..., 2:]), -1)
+    return torch.einsum("bji,bskj->bski", _matrix(root), shifted.unflatten(-1, (2, 2))).flatten(-2)
+
+
+def _orthonormal(joints: Tensor) -> Tensor:
+    parts = split_joints(joints)
+    forward = _unit(parts["forward"])
+    up = _unit(parts["up"] - (parts["up"] * forward).sum(-1, keepdim=True) * forward)
+    return pack_joints(**parts | {"forward": forward, "up": up})
+
+
+def _to_frame(joints: Tensor, old: Tensor, new: Tensor) -> Tensor:
+    """A pose in the root frame ``old`` seen from the root frame ``new`` (world roots ``[B, 4]``)."""
+    parts = split_joints(joints)
+    turn = R.yaw(torch.atan2(old[:, 2], old[:, 3]) - torch.atan2(new[:, 2], new[:, 3]))[:, None]
+    shift = _to_local(old[:, None], new)[:, 0]
+    origin = torch.stack((shift[:, 0], torch.zeros(len(shift)), shift[:, 1]), -1)[:, None]
+    moved = {name: R.rotate(turn, values) for name, values in parts.items()}
+    return pack_joints(**moved | {"position": moved["position"] + origin})

@@ -1,0 +1,85 @@
+"""What a training step sees: held-out windows, and minibatches of one style each (Mason et al. 2022, section 4.3)."""
+
+import dataclasses
+
+import numpy as np
+import torch
+from torch import Tensor
+
+from toolkit.features import Features
+
+SPLIT_FRAMES = 240  # held-out frames come in contiguous windows of this length: neighbours are almost the same frame
+INIT, SPLIT, FRAMES, CLIPS, DROPOUT = range(5)  # what draws random numbers; each from streams of its own
+
+
+class Minibatches:
+    """Frames and style clips of any step, as a pure function of the seed and the step.
+
+    A minibatch holds frames of one style; styles come round-robin in a fixed order, frames without replacement within one
+    pass of a style, style clips independently of the frames. An epoch is one pass of the shortest style (section 4.3).
+
+    Raises
+    ------
+    ValueError
+        If a style has no frames or no style clips.
+    """
+
+    def __init__(self, data: Features, batch: int, clips: int, seed: int):
+        self.data, self.batch, self.clips, self.seed, self.styles = data, batch, clips, seed, data.styles
+        for style in self.styles:
+            if not len(data.inputs[style]) or not len(data.clips[style]):
+                raise ValueError(f"style {style!r} has {len(data.inputs[style])} frames and {len(data.clips[style])} style "
+                                 "clips to train on; it needs some of both")  # fmt: skip
+        shortest = min(len(x) for x in data.inputs.values())
+        self.steps_per_epoch = max(1, shortest // batch) * len(self.styles)
+        self._orders: dict[str, tuple[int, Tensor]] = {}
+
+    def __getitem__(self, step: int) -> tuple[Tensor, Tensor, Tensor, Tensor]:
+        """x ``[B, Dx]``, p ``[B, 8]``, z ``[B, Dz]`` and y ``[M, 240, 12 J]`` in physical units."""
+        turn, which = divmod(step, len(self.styles))
+        style, batch, data = self.styles[which], self.batch, self.data
+        n = len(data.inputs[style])
+        sweep, place = divmod(turn, max(1, n // batch))
+        if self._orders.get(style, (None,))[0] != sweep:
+            self._orders[style] = sweep, torch.randperm(n, generator=generator(self.seed, FRAMES, which, sweep))
+        rows = self._orders[style][1][place * batch : (place + 1) * batch]
+        draw = generator(self.seed, CLIPS, step)
+        clips = torch.randint(len(data.clips[style]), (self.clips,), generator=draw)
+        return data.inputs[style][rows], data.phases[style][rows], data.outputs[style][rows], data.clips[style][clips]
+
+
+def split(data: Features, share: float, seed: int, styles: tuple[str, ...]) -> tuple[Features, Features]:
+    """Training and held-out frames of ``styles``, in that order; style clips stay with the training frames.
+
+    Held-out frames are random windows of 4 s, contiguous in a take, about ``share`` of every style; a style shorter than
+    that gives the share at its end.
+    """
+    kept, out = [], []
+    for i, style in enumerate(styles):
+        n = len(data.takes[style])
+        cuts = (data.takes[style].diff() != 0).nonzero()[:, 0].add(1).tolist()
+        windows = [w for take in torch.arange(n).tensor_split(cuts) for w in take.split(SPLIT_FRAMES)]
+        target, chosen = round(share * n), torch.zeros(n, dtype=torch.bool)
+        for w in torch.randperm(len(windows), generator=generator(seed, SPLIT, i)).tolist():
+            if (need := target - int(chosen.sum())) <= 0:
+                break
+            chosen[windows[w][-need:]] = True
+        kept.append(~chosen)
+        out.append(chosen)
+
+    def take(masks: list[Tensor]) -> Features:
+        pick = {kind: {s: getattr(data, kind)[s][m] for s, m in zip(styles, masks, strict=True)}
+                for kind in ("inputs", "phases", "outputs", "takes")}  # fmt: skip
+        return dataclasses.replace(data, clips={s: data.clips[s] for s in styles}, **pick)
+
+    return take(kept), take(out)
+
+
+def generator(*numbers: int) -> torch.Generator:
+    """A generator of random numbers for one stream: the same numbers, the same stream."""
+    return torch.Generator().manual_seed(mix(*numbers))
+
+
+def mix(*numbers: int) -> int:
+    """One seed of several numbers."""
+    return int(np.random.SeedSequence(numbers).generate_state(1, np.uint64)[0] >> np.uint64(1))

@@ -1,0 +1,370 @@
+"""Training (Mason et al. 2022, section 4.3): one plain loop over a config, checkpoints, and errors beside two baselines.
+
+What step n does is a pure function of the seed and n: its frames, its style clips and its dropout. A run that was stopped
+and resumed therefore ends with the same weights as one that was not, bit for bit.
+"""
+
+import contextlib
+import dataclasses
+import json
+import math
+import os
+import signal
+import threading
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import torch
+from torch import Tensor
+from tqdm.auto import tqdm
+
+from toolkit import networks, sampling
+from toolkit.features import Features, Layout
+from toolkit.networks import Model, Sizes, weights
+from toolkit.sampling import DROPOUT, INIT, Minibatches
+from toolkit.styles import StyleBank, check_style
+
+
+@dataclass(frozen=True)
+class Config:
+    """How to train; the defaults are the paper's. Give one of ``epochs``, ``steps`` and ``seconds``, or none."""
+
+    model: str = "lpn-film"  # one of toolkit.networks.MODELS
+    sizes: Sizes = field(default_factory=Sizes)
+    styles: tuple[str, ...] = ()  # which, in the fixed order in which minibatches cycle through them; empty: all
+    epochs: float | None = None  # passes of the shortest style; 90 in the paper
+    steps: int | None = None  # minibatches
+    seconds: float | None = None  # wall time; what it reaches depends on the machine, unlike the other two
+    batch: int = 32  # frames of one style per minibatch
+    clips_per_batch: int = 32  # style clips per minibatch, shared by its frames; 1 takes a fifth of the time of 32
+    rate: float = 1e-4  # Adam's learning rate at the start
+    final_rate: float = 1.0  # learning rate at the end as a share of the first, on a cosine between; 1: constant
+    max_gradient: float | None = None  # norm to which gradients are clipped; rates from 1e-3 on spike without
+    bone_weight: float = 1.0  # of the bone-length loss
+    held_out: float = 0.1  # share of every style's frames kept for the test error
+    evaluate_every: int = 1000  # steps between test errors in the history
+    save_every: float = 120.0  # seconds between checkpoints
+    seed: int = 0
+    device: str = "cpu"
+
+    def __post_init__(self):
+        budgets = {k: v for k in ("epochs", "steps", "seconds") if (v := getattr(self, k)) is not None}
+        if len(budgets) > 1:
+            raise ValueError(f"give one of epochs, steps and seconds, got {' and '.join(budgets)}")
+        for name, value in budgets.items():
+            if not 0 < value < math.inf:
+                raise ValueError(f"{name} must be positive and finite, got {value}")
+        if self.batch < 1 or not 1 <= self.clips_per_batch <= self.batch:
+            raise ValueError(f"clips_per_batch must be from 1 to batch, got {self.clips_per_batch} and {self.batch}")
+        if not 0 < self.rate < math.inf or not 0 <= self.final_rate <= 1:
+            raise ValueError(f"rate must be positive and final_rate in [0, 1], got {self.rate} and {self.final_rate}")
+        if self.seed < 0:
+            raise ValueError(f"seed must not be negative, got {self.seed}")
+        if not 0 <= self.held_out < 1:
+            raise ValueError(f"held_out must be in [0, 1), got {self.held_out}")
+
+    @classmethod
+    def quick(cls, **changes) -> "Config":
+        """Half a minute on two cores: small sizes, one style clip per minibatch, a high rate that decays."""
+        settings = {"sizes": Sizes.small(), "clips_per_batch": 1, "rate": 2e-3, "final_rate": 0.01, "max_gradient": 1.0}
+        if not changes.keys() & {"epochs", "steps", "seconds"}:
+            settings["seconds"] = 30.0
+        return cls(**(settings | changes))
+
+    def fixed(self) -> dict:
+        """What must not change when a run is resumed, as JSON holds it."""
+        free = ("save_every", "evaluate_every", "device")
+        return json.loads(json.dumps({k: v for k, v in dataclasses.asdict(self).items() if k not in free}))
+
+
+@dataclass(eq=False)
+class Run:
+    """What training made.
+
+    ``held_out[style]`` and ``baselines[style]`` are errors on held-out frames: mean squared error of normalised outputs,
+    and ``bone``, the mean error of bone lengths in metres. ``history`` has a row per evaluation.
+    """
+
+    model: Model
+    bank: StyleBank
+    config: Config
+    history: list[dict[str, float]]
+    held_out: dict[str, dict[str, float]]
+    baselines: dict[str, dict[str, float]]
+
+    def save(self, path: str | os.PathLike) -> None:
+        """Write model, bank and numbers to one safetensors file; `Model.load` and `StyleBank.load` read it too."""
+        tensors, description = self.model.parts()
+        numbers = {"config": dataclasses.asdict(self.config), "history": self.history, "held_out": self.held_out,
+                   "baselines": self.baselines}  # fmt: skip
+        weights.write(path, tensors | {"bank.vectors": self.bank.vectors},
+                      {"model": description, "bank": list(self.bank.names), "run": numbers})  # fmt: skip
+
+    def table(self) -> list[dict[str, str | float]]:
+        """Held-out error beside both baselines: a row per style and one over all styles, each style counting the same."""
+        if not self.held_out:
+            return []
+        rows = [{"style": s, "error": self.held_out[s]["mse"], **self.baselines[s], "bone": self.held_out[s]["bone"]}
+                for s in self.held_out]  # fmt: skip
+        overall = {k: sum(row[k] for row in rows) / len(rows) for k in rows[0] if k != "style"}
+        return [*rows, {"style": "overall", **overall}]
+
+
+def load(path: str | os.PathLike) -> Run:
+    """Read a run that `Run.save` wrote; a file that is none is a one-line ValueError."""
+    tensors, parts = weights.read(path, "run")
+    model, bank = Model.from_parts(path, tensors, parts, None), StyleBank.from_parts(path, tensors, parts)
+    try:
+        return Run(model, bank, _config(parts["run"].pop("config")), **parts["run"])
+    except (KeyError, TypeError, ValueError) as error:
+        raise ValueError(f"{path}: the record of the run is damaged ({error})") from error
+
+
+def fit(data: Features, config: Config | None = None, checkpoint: str | os.PathLike | None = None, *, resume: bool = True,
+        progress: bool = False, on_step: Callable[[int, float], None] | None = None) -> Run:  # fmt: skip
+    """Train a model.
+
+    Parameters
+    ----------
+    data
+        Features; a share is held out and never trained on.
+    config
+        How; the paper's way where not given.
+    checkpoint
+        File for the state of the run, written now and then and when it is interrupted.
+    resume
+        Go on from the checkpoint if there is one.
+    progress
+        Show a bar.
+    on_step
+        Called with the step's number and loss after every step; a KeyboardInterrupt it raises stops the run.
+
+    Raises
+    ------
+    ValueError
+        If a style is unknown or has no frames, or the checkpoint is of another layout or config.
+    KeyboardInterrupt
+        When interrupted, after the checkpoint was written.
+    """
+    config = config or Config()
+    torch.device(config.device)
+    for style in config.styles:
+        check_style(style, data.styles)
+    train, test = sampling.split(data, config.held_out, config.seed, config.styles or tuple(data.styles))
+    batches = Minibatches(train, config.batch, config.clips_per_batch, config.seed)
+    with _seeded(config, INIT):
+        model = networks.build(config.model, data.layout, len(batches.styles), config.sizes, train.normalisers())
+    state = {"step": 0, "elapsed": 0.0, "history": []}
+    moments: dict[int, dict[str, Tensor]] = {}
+    if checkpoint and resume and Path(checkpoint).exists():
+        model, moments, state = _restore(checkpoint, model, config)
+    model.to(config.device)
+    adam = torch.optim.Adam(model.parameters(), lr=config.rate, fused=True)
+    if moments:
+        adam.load_state_dict({"state": moments, "param_groups": adam.state_dict()["param_groups"]})
+    total = None if config.seconds else config.steps or max(1, round((config.epochs or 90) * batches.steps_per_epoch))
+    began, saved = time.perf_counter() - state["elapsed"], time.perf_counter()
+
+    def save() -> None:
+        if checkpoint:
+            _checkpoint(checkpoint, model, adam, state, config)
+
+    bar = tqdm(total=total or config.seconds, desc="training", unit="step" if total else "s", disable=not progress,
+               bar_format=None if total else "{l_bar}{bar}| {n:.0f}/{total:.0f} s{postfix}")  # fmt: skip
+    smooth = math.nan
+    with _whole_steps() as interrupted, bar:
+        model.train()
+        while True:
+            done = state["step"] / total if total else state["elapsed"] / config.seconds
+            if done >= 1:
+                break
+            state |= _step(model, adam, batches, config, state["step"], done)
+            state["step"] += 1
+            state["elapsed"] = time.perf_counter() - began
+            smooth = state["loss"] if math.isnan(smooth) else 0.98 * smooth + 0.02 * state["loss"]
+            bar.set_postfix(loss=f"{smooth:.3f}", refresh=False)
+            bar.update((state["step"] if total else min(state["elapsed"], config.seconds)) - bar.n)
+            if state["step"] % config.evaluate_every == 0:
+                state["history"].append(_row(model, train, test, state))
+                state["elapsed"] = time.perf_counter() - began
+            try:
+                if on_step:
+                    on_step(state["step"], state["loss"])
+                if interrupted.is_set():
+                    raise KeyboardInterrupt
+            except KeyboardInterrupt:
+                save()
+                raise
+            if checkpoint and time.perf_counter() - saved > config.save_every:
+                save()
+                saved = time.perf_counter()
+        if not state["history"] or state["history"][-1]["step"] != state["step"]:
+            state["history"].append(_row(model, train, test, state))
+    save()
+    model.eval()
+    bank = make_bank(model, train)
+    return Run(model.cpu(), bank, config, state["history"], evaluate(model, bank, test), baselines(model, test))
+
+
+def loss_terms(model: Model, predicted: Tensor, target: Tensor) -> tuple[Tensor, Tensor]:
+    """Mean squared error and bone-length loss (equation 5) of normalised outputs ``[B, Dz]``.
+
+    The bone-length loss is the mean over samples and bones of how far a bone's length, in metres, is from the target's.
+    """
+    layout, normaliser = model.layout, model.normaliser("outputs")
+    bones = [(j, p) for j, p in enumerate(layout.parents) if p >= 0]
+    child, parent = (list(side) for side in zip(*bones, strict=True))
+
+    def lengths(z: Tensor) -> Tensor:
+        positions = layout.joint_positions(normaliser.invert(z))
+        return (positions[..., child, :] - positions[..., parent, :]).norm(dim=-1)
+
+    return (predicted - target).square().mean(), (lengths(predicted) - lengths(target)).abs().mean()
+
+
+def make_bank(model: Model, data: Features, clips: int | None = None) -> StyleBank:
+    """Mean style vector of every style, over all its style clips or over ``clips`` of them, evenly spread."""
+    picked = {s: y if clips is None or len(y) <= clips else y[torch.linspace(0, len(y) - 1, clips).long()]
+              for s, y in data.clips.items()}  # fmt: skip
+    return StyleBank(tuple(picked), torch.stack([model.style_vector(y) for y in picked.values()]).cpu())
+
+
+@torch.no_grad()
+def evaluate(model: Model, bank: StyleBank, data: Features, frames: int | None = None) -> dict[str, dict[str, float]]:
+    """Error of every style with frames in ``data``: ``mse`` of normalised outputs, ``bone`` length error in metres.
+
+    ``frames`` of them, evenly spread, or all.
+    """
+    errors, device = {}, model.outputs_mean.device
+    for style in data.styles:
+        n = len(data.inputs[style])
+        if not n:
+            continue
+        rows = torch.arange(n) if frames is None or n <= frames else torch.linspace(0, n - 1, frames).long()
+        sums = torch.zeros(2, dtype=torch.float64)
+        for part in rows.split(1024):
+            x, p, z = (model.normaliser(k).apply(getattr(data, k)[style][part].to(device))
+                       for k in ("inputs", "phases", "outputs"))  # fmt: skip
+            sums += len(part) * torch.stack(loss_terms(model, model(x, p, bank[style].to(device)), z)).double().cpu()
+        errors[style] = dict(zip(("mse", "bone"), (sums / len(rows)).tolist(), strict=True))
+    return errors
+
+
+@torch.no_grad()
+def baselines(model: Model, data: Features) -> dict[str, dict[str, float]]:
+    """Mean squared error of two predictions that need no learning, per style with frames in ``data``.
+
+    ``mean`` predicts the training data's mean; ``repeat`` the current frame once more (what x does not hold of it, the
+    contacts, at their mean).
+    """
+    normaliser = dataclasses.replace(model.normaliser("outputs"))
+    errors = {}
+    for style in data.styles:
+        if len(data.inputs[style]):
+            z = normaliser.apply(data.outputs[style])
+            still = normaliser.apply(repeat_frame(model.layout, data.inputs[style], data.phases[style], normaliser.mean))
+            errors[style] = {"mean": float(z.square().mean()), "repeat": float((z - still).square().mean())}
+    return errors
+
+
+def repeat_frame(layout: Layout, x: Tensor, phases: Tensor, mean: Tensor) -> Tensor:
+    """Output frames ``[N, Dz]`` that say nothing will change: pose, trajectory and phases as they are in the input."""
+    contacts = mean[layout.outputs["contacts"]]
+    trajectory, future = x[:, layout.inputs["trajectory"]], layout.outputs["trajectory"]
+    return layout.pack_output(
+        trajectory=trajectory[:, -(future.stop - future.start) :], joints=x[:, layout.inputs["joints"]], phases=phases,
+        phase_updates=torch.zeros_like(phases), contacts=contacts.expand(len(x), -1),
+    )  # fmt: skip
+
+
+def _step(model: Model, adam: torch.optim.Adam, batches: Minibatches, config: Config, step: int,
+          done: float) -> dict[str, float]:  # fmt: skip
+    """One step of gradient descent; its loss, mean squared error and bone-length error."""
+    x, p, z, y = (model.normaliser(kind).apply(rows.to(config.device)) for kind, rows in
+                  zip(("inputs", "phases", "outputs", "clips"), batches[step], strict=True))  # fmt: skip
+    adam.param_groups[0]["lr"] = config.rate * (
+        config.final_rate + (1 - config.final_rate) * (1 + math.cos(math.pi * done)) / 2
+    )
+    with _seeded(config, DROPOUT, step):
+        styles = model.encode(y)
+        styles = styles if len(styles) == 1 else styles[torch.arange(len(x), device=styles.device) % len(styles)]
+        mse, bone = loss_terms(model, model(x, p, styles), z)
+    loss = mse + config.bone_weight * bone
+    adam.zero_grad(set_to_none=True)
+    loss.backward()
+    if config.max_gradient is not None:
+        torch.nn.utils.clip_grad_norm_(model.parameters(), config.max_gradient)
+    adam.step()
+    values = dict(zip(("loss", "mse", "bone"), torch.stack((loss, mse, bone)).tolist(), strict=True))
+    if not math.isfinite(values["loss"]):
+        raise ValueError(f"training diverged at step {step}: loss {values['loss']}; lower the rate or set max_gradient")
+    return values
+
+
+def _row(model: Model, train: Features, test: Features, state: dict) -> dict:
+    """A row of the history; the test error on at most 1,000 frames of every style, its vector of at most 8 clips."""
+    model.eval()
+    errors = evaluate(model, make_bank(model, train, 8), test, 1000)
+    model.train()
+    held_out = sum(e["mse"] for e in errors.values()) / len(errors) if errors else None
+    now = {key: state[key] for key in ("step", "elapsed", "loss", "mse", "bone")}
+    return {**now, "held_out": held_out}
+
+
+@contextlib.contextmanager
+def _seeded(config: Config, *numbers: int) -> Iterator[None]:
+    """Inside, torch's global generators start from a seed of these numbers; outside, they go on as if nothing was."""
+    device = torch.device(config.device)
+    with torch.random.fork_rng(devices=[] if device.type == "cpu" else [device.index or 0]):
+        torch.manual_seed(sampling.mix(config.seed, *numbers))
+        yield
+
+
+@contextlib.contextmanager
+def _whole_steps() -> Iterator[threading.Event]:
+    """Inside, the first Ctrl-C sets the event and lets the step end; the second interrupts at once."""
+    event = threading.Event()
+    if threading.current_thread() is not threading.main_thread():
+        yield event
+        return
+    before = signal.getsignal(signal.SIGINT)
+
+    def handle(*_) -> None:
+        event.set()
+        signal.signal(signal.SIGINT, before)
+
+    signal.signal(signal.SIGINT, handle)
+    try:
+        yield event
+    finally:
+        signal.signal(signal.SIGINT, before)
+
+
+def _config(stored: dict) -> Config:
+    return Config(**{**stored, "sizes": Sizes(**stored["sizes"]), "styles": tuple(stored["styles"])})
+
+
+def _checkpoint(path: str | os.PathLike, model: Model, adam: torch.optim.Adam, state: dict, config: Config) -> None:
+    """Write everything the rest of the run depends on."""
+    tensors, description = model.parts()
+    for i, moments in adam.state_dict()["state"].items():
+        tensors |= {f"adam.{i}.{name}": value for name, value in moments.items()}
+    weights.write(path, tensors, {"model": description, "checkpoint": {**state, "config": config.fixed()}})
+
+
+def _restore(path: str | os.PathLike, new: Model, config: Config) -> tuple[Model, dict[int, dict[str, Tensor]], dict]:
+    """Model, Adam's moments and state of the run in a checkpoint; it must have ``new``'s layout and data, and ``config``."""
+    tensors, parts = weights.read(path, "checkpoint")
+    model, state = Model.from_parts(path, tensors, parts, new.layout), parts["checkpoint"]
+    if why := weights.difference(config.fixed(), state.pop("config", {})):
+        raise ValueError(f"{path}: the run to resume differs in {why}")
+    if not all(torch.allclose(a, b) for a, b in zip(model.buffers(), new.buffers(), strict=True)):
+        raise ValueError(f"{path}: the run to resume had other data (their means and deviations differ)")
+    moments: dict[int, dict[str, Tensor]] = {}
+    for name, value in tensors.items():
+        if name.startswith("adam."):
+            _, i, kind = name.split(".")
+            moments.setdefault(int(i), {})[kind] = value
+    return model, moments, state

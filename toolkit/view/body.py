@@ -1,0 +1,256 @@
+"""A mannequin that fits any skeleton: rounded cones fixed to joints, shared by every way of drawing.
+
+A rounded cone is the convex hull of two spheres, thinned along one direction. One description (`Shape`) serves the software
+renderer, pyvista and the browser. Rigs differ in their local axes (Bandai-Namco's bones lie along X), so directions such as
+"forward in the head's frame" are measured on the clip, never assumed.
+"""
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+import torch
+from torch import Tensor
+
+from toolkit import rotations as R
+from toolkit.motion import Clip, root_frames
+
+LEG = 0.87  # hip to ankle in metres of the body that the radii below are written for
+COLORS = {"left": "#6a9fcb", "right": "#e39a6c", "middle": "#ebe6dd", "joint": "#46505c", "face": "#2b323b"}
+CONTACT = "#35c46a"
+PALETTE = ("#7b68c4", "#2fa596", "#d6598b", "#c9a227", "#5b8def", "#8a8f98")  # styles and curves, in order
+RADII = {  # upper joint's role -> radii at the two ends of the bone below it
+    "hip": (0.077, 0.054), "knee": (0.053, 0.035), "foot": (0.041, 0.030),
+    "shoulder": (0.049, 0.037), "elbow": (0.037, 0.027),
+}  # fmt: skip
+
+
+@dataclass(frozen=True, eq=False)
+class Shape:
+    """One rounded cone.
+
+    Parameters
+    ----------
+    joint
+        The joint it is fixed to.
+    place : ndarray [3, 4]
+        From the cone's own frame (first sphere at the origin, second at +Y · ``length``) to the joint's frame, metres.
+    length, radii
+        Distance of the two spheres and their radii, metres.
+    tone
+        Key of `COLORS`.
+    foot
+        "left" or "right" where it lights up on contact.
+    """
+
+    joint: int
+    place: np.ndarray
+    length: float
+    radii: tuple[float, float]
+    tone: str
+    foot: str = ""
+
+
+def cone(joint: int, start: Tensor, end: Tensor, radii: tuple[float, float], tone: str, *, thin: Tensor | None = None,
+         by: float = 1.0, foot: str = "") -> Shape:  # fmt: skip
+    """Rounded cone from ``start`` to ``end`` [3] in the joint's frame, its thickness along ``thin`` scaled by ``by``."""
+    start, end = (np.asarray(v, dtype=np.float64) for v in (start, end))
+    length = max(float(np.linalg.norm(end - start)), 1.1 * abs(radii[0] - radii[1]), 1e-4)
+    y = end - start if np.linalg.norm(end - start) > 1e-6 else np.eye(3)[1]
+    y = y / np.linalg.norm(y)
+    z = np.eye(3)[np.abs(y).argmin()] if thin is None else np.asarray(thin, dtype=np.float64)
+    z = z - y * (y @ z)
+    z = z / max(np.linalg.norm(z), 1e-9) if np.linalg.norm(z) > 1e-3 else np.cross(y, np.eye(3)[np.abs(y).argmin()])
+    z = z / np.linalg.norm(z)
+    return Shape(joint, np.stack((np.cross(y, z), y, z * by, start), 1), length, tuple(map(float, radii)), tone, foot)
+
+
+def _snap(v: Tensor) -> Tensor:
+    """The signed coordinate axis nearest to a direction [3]."""
+    i = v.abs().argmax()
+    return torch.eye(3)[i] * v[i].sign()
+
+
+class _Measured:
+    """Directions and places in joints' own frames, averaged over a clip."""
+
+    def __init__(self, clip: Clip):
+        self.clip, self.skeleton = clip, clip.skeleton
+        self.positions, self.rotations = clip.global_positions, clip.global_rotations
+        facing = R.inverse(root_frames(clip).rotations)[:, None].expand(-1, len(clip.skeleton), -1)
+        self.axes = R.to_matrix(R.multiply(facing, self.rotations)).mean(0)  # rows: the body's axes in joint coordinates
+
+    def up(self, joint: int) -> Tensor:
+        return _snap(self.axes[joint, 1])
+
+    def forward(self, joint: int) -> Tensor:
+        return _snap(self.axes[joint, 2] * (1 - self.up(joint).abs()))
+
+    def left(self, joint: int) -> Tensor:
+        return torch.linalg.cross(self.up(joint), self.forward(joint))
+
+    def place(self, joint: int, frame: int) -> Tensor:
+        """Mean position of ``joint`` in the frame of another."""
+        return R.rotate(R.inverse(self.rotations[:, frame]), self.positions[:, joint] - self.positions[:, frame]).mean(0)
+
+    def standing(self, foot: int, direction: Tensor, frame: int) -> Tensor:
+        """World ``direction`` (broadcast [F, 3]) in a joint's frame, averaged over the frames in which the foot is low."""
+        height = self.positions[:, foot, 1]
+        low = height <= height.quantile(0.2)
+        return R.normalize(R.rotate(R.inverse(self.rotations[low, frame]), direction.expand(len(height), 3)[low]).mean(0))
+
+
+@lru_cache(maxsize=16)
+def build(clip: Clip) -> tuple[Shape, ...]:
+    """The mannequin of a clip's skeleton.
+
+    Skeletons without hips, shoulders and feet (see `toolkit.motion.ROLES`) get plain bones.
+    """
+    skeleton, roles = clip.skeleton, clip.skeleton.roles
+    humanoid = all(f"{side}_{part}" in roles for side in ("left", "right") for part in ("shoulder", "elbow", "hip", "foot"))
+    if not humanoid:
+        return _bones(clip, set(), 1.0)
+    m = _Measured(clip)
+    leg = sum(float(skeleton.offsets[skeleton.index(f"left_{part}")].norm()) for part in ("knee", "foot"))
+    scale = leg / LEG
+    used, shapes = set(), []
+    for side in ("left", "right"):
+        for build_limb in (_limb, _foot, _hand):
+            shapes += build_limb(m, side, scale, used)
+    shapes += _torso(m, scale, used) + _head(m, scale, used)
+    return (*shapes, *_bones(clip, used, scale))
+
+
+def _bones(clip: Clip, used: set[int], scale: float) -> tuple[Shape, ...]:
+    """Plain capsules for whatever has no role: fingers, tails, props, other creatures."""
+    shapes = []
+    for j, p in enumerate(clip.skeleton.parents):
+        length = float(clip.skeleton.offsets[j].norm())
+        if p >= 0 and j not in used and length > 0.008:
+            r = min(max(0.16 * length, 0.008), 0.045 * scale)
+            shapes.append(cone(p, torch.zeros(3), clip.skeleton.offsets[j], (r, 0.8 * r), "middle"))
+    return tuple(shapes)
+
+
+def _limb(m: _Measured, side: str, s: float, used: set[int]) -> list[Shape]:
+    shapes = []
+    for upper, lower in (("hip", "knee"), ("knee", "foot"), ("shoulder", "elbow"), ("elbow", "hand")):
+        a, b = m.skeleton.index(f"{side}_{upper}"), m.skeleton.index(f"{side}_{lower}")
+        bone, (r0, r1) = m.skeleton.offsets[b], RADII[upper]
+        shapes.append(cone(a, 0.06 * bone, 0.94 * bone, (r0 * s, r1 * s), side))
+        shapes.append(cone(b, torch.zeros(3), torch.zeros(3), (1.04 * r1 * s,) * 2, "joint"))
+        used.update((a, b))
+    shoulder = m.skeleton.index(f"{side}_shoulder")
+    collar = m.skeleton.parents[shoulder]
+    shapes.append(cone(shoulder, torch.zeros(3), torch.zeros(3), (0.056 * s,) * 2, "joint"))
+    shapes.append(cone(collar, torch.zeros(3), 0.86 * m.skeleton.offsets[shoulder], (0.046 * s, 0.05 * s), "middle"))
+    used.add(collar)
+    return shapes
+
+
+def _foot(m: _Measured, side: str, s: float, used: set[int]) -> list[Shape]:
+    ankle = m.skeleton.index(f"{side}_foot")
+    if f"{side}_toe" not in m.skeleton.roles:
+        return []
+    toe = m.skeleton.index(f"{side}_toe")
+    to_toe = m.skeleton.offsets[toe]
+    up = m.standing(ankle, torch.tensor([0.0, 1.0, 0.0]), ankle)
+    forward = R.normalize(to_toe - up * (up @ to_toe))
+    r0, r1 = 0.038 * s, 0.036 * s
+    rise = float(m.positions[:, toe, 1].quantile(0.05).clamp(0.0, 0.05 * s))  # the joint above the sole
+    sole = float(up @ to_toe) - rise
+    heel = up * (sole + r0) - 0.012 * s * forward
+    ball = to_toe + up * (r1 - rise)
+    flat = m.standing(ankle, torch.tensor([0.0, 1.0, 0.0]), toe)
+    ahead = m.standing(ankle, R.rotate(m.rotations[:, ankle], forward.expand(len(m.positions), 3)), toe)
+    tip = 0.038 * s * ahead + flat * (0.027 * s - rise)
+    used.update(j for j, p in enumerate(m.skeleton.parents) if p in (ankle, toe))
+    return [
+        cone(ankle, torch.zeros(3), 0.75 * ball, (0.042 * s, 0.034 * s), side, foot=side),
+        cone(ankle, heel, ball, (r0, r1), side, foot=side),
+        cone(toe, flat * (r1 - rise), tip, (0.99 * r1, 0.027 * s), side, foot=side),
+    ]
+
+
+def _hand(m: _Measured, side: str, s: float, used: set[int]) -> list[Shape]:
+    hand = m.skeleton.index(f"{side}_hand")
+    end = next((j for j, p in enumerate(m.skeleton.parents) if p == hand and m.skeleton.is_end(j)), hand)
+    along = m.skeleton.offsets[end] if end != hand and float(m.skeleton.offsets[end].norm()) > 0.02 else None
+    along = R.normalize(m.skeleton.offsets[hand] if along is None else along)
+    used.add(end)
+    thin, r = R.normalize(m.axes[hand, 0]), 0.040 * s
+    return [cone(hand, 0.035 * s * along, 0.125 * s * along, (r, 0.75 * r), side, thin=thin, by=0.55)]
+
+
+def _torso(m: _Measured, s: float, used: set[int]) -> list[Shape]:
+    skeleton = m.skeleton
+    hips = skeleton.index("hips")
+    left, right = skeleton.index("left_hip"), skeleton.index("right_hip")
+    spine = [j for j in skeleton.ancestors("left_shoulder") if j in skeleton.ancestors("right_shoulder")]
+    chest = spine[0]
+    used.update((left, right, *spine))
+    used.update(j for side in (left, right) for j in skeleton.ancestors(skeleton.names[side]))
+    used.update(j for side in ("left", "right") for j in skeleton.ancestors(f"{side}_shoulder"))
+    a, b = m.place(left, hips), m.place(right, hips)
+    across = R.normalize(a - b)
+    middle, half = (a + b) / 2 + 0.025 * s * m.up(hips), 0.062 * s
+    shapes = [cone(hips, middle + half * across, middle - half * across, (0.1 * s,) * 2, "middle",
+                   thin=m.forward(hips), by=0.9)]  # fmt: skip
+    for upper, lower in zip(spine[:-1], spine[1:], strict=True):
+        shapes.append(cone(lower, torch.zeros(3), skeleton.offsets[upper], (0.088 * s, 0.092 * s), "joint",
+                           thin=m.forward(lower), by=0.86))  # fmt: skip
+    a, b = m.place(skeleton.index("left_shoulder"), chest), m.place(skeleton.index("right_shoulder"), chest)
+    width = float((a - b).norm()) / 2
+    wide = min(max(0.78 * width, 0.125 * s), 0.152 * s)
+    top = (a + b) / 2 - m.up(chest) * 0.6 * wide
+    bottom = top - m.up(chest) * 0.17 * s
+    return [*shapes, cone(chest, bottom, top, (0.76 * wide, wide), "middle", thin=m.forward(chest), by=0.74)]
+
+
+def _head(m: _Measured, s: float, used: set[int]) -> list[Shape]:
+    skeleton = m.skeleton
+    spine = [j for j in skeleton.ancestors("left_shoulder") if j in skeleton.ancestors("right_shoulder")]
+    chain = [j for j, n in enumerate(skeleton.names) if "head" in n.lower() and not skeleton.is_end(j)]
+    if not chain:
+        return []
+    head, shapes, j = chain[0], [], chain[0]
+    while j not in spine and j > 0:  # the neck, down to the chest
+        p = skeleton.parents[j]
+        last = p in spine  # the lowest part widens into the shoulders
+        shapes.append(cone(p, 0.45 * last * skeleton.offsets[j], skeleton.offsets[j],
+                           ((0.088 if last else 0.05) * s, 0.05 * s), "middle" if last and j != head else "joint"))  # fmt: skip
+        used.add(j)
+        j = p
+    used.update(j for j, p in enumerate(skeleton.parents) if p == head)
+    up, forward, left = m.up(head), m.forward(head), m.left(head)
+    shapes.append(cone(head, (0.045 * up + 0.022 * forward) * s, (0.118 * up + 0.008 * forward) * s,
+                       (0.068 * s, 0.09 * s), "middle", thin=left, by=0.86))  # fmt: skip
+    eyes = (0.096 * up + 0.072 * forward) * s
+    return [*shapes, cone(head, eyes + 0.026 * s * left, eyes - 0.026 * s * left, (0.032 * s,) * 2, "face",
+                          thin=up, by=0.7)]  # fmt: skip
+
+
+def placements(shapes: tuple[Shape, ...], rotations: Tensor, positions: Tensor) -> np.ndarray:
+    """World placement ``[..., S, 3, 4]`` of shapes, of global rotations ``[..., J, 4]`` and positions ``[..., J, 3]``."""
+    joints = [s.joint for s in shapes]
+    local = torch.from_numpy(np.stack([s.place for s in shapes])).float()
+    turn = R.to_matrix(rotations[..., joints, :])
+    world = turn @ local
+    world[..., 3] += positions[..., joints, :]
+    return world.numpy()
+
+
+def surface(shape: Shape, around: int = 16, along: int = 5) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Vertices [V, 3] and normals [V, 3] in the cone's own frame, and triangles [T, 3]."""
+    (r0, r1), h = shape.radii, shape.length
+    tilt = np.arcsin((r0 - r1) / h)
+    angles = np.concatenate((np.linspace(-np.pi / 2, tilt, along + 1), np.linspace(tilt, np.pi / 2, along + 1)))
+    radius = np.repeat((r0, r1), along + 1)
+    turn = np.linspace(0, 2 * np.pi, around, endpoint=False)
+    ring = np.stack((np.cos(turn), np.zeros(around), np.sin(turn)), 1)
+    normals = np.cos(angles)[:, None, None] * ring + np.sin(angles)[:, None, None] * np.eye(3)[1]
+    vertices = normals * radius[:, None, None] + np.repeat((0.0, h), along + 1)[:, None, None] * np.eye(3)[1]
+    i, k = np.meshgrid(np.arange(len(angles) - 1), np.arange(around), indexing="ij")
+    a, b = i * around + k, i * around + (k + 1) % around
+    triangles = np.concatenate((np.stack((a, a + around, b), -1), np.stack((b, a + around, b + around), -1)), 0)
+    return vertices.reshape(-1, 3), normals.reshape(-1, 3), triangles.reshape(-1, 3)
