@@ -69,16 +69,17 @@ def load(path: str | os.PathLike, *, unit: float = CENTIMETRE, style: str = "", 
     positions *= unit
 
     spread = np.ptp(positions[:, 1:], axis=0).max(-1, initial=0.0) if n > 1 else np.zeros(0)
-    moving = [j for j, s in enumerate(spread, 1) if s > 1e-3]
+    moving = {j: s for j, s in enumerate(spread.tolist(), 1) if s > 1e-3}
     root_positions = torch.from_numpy(positions[:, 0].copy())
-    if moving and moving[0] == 1 and parents.count(0) == 1:  # the real root hangs below a carrier: merge the two
+    if 1 in moving and parents.count(0) == 1:  # the real root hangs below a carrier: merge the two
         root_positions = root_positions + R.rotate(rotations[:, 0], torch.from_numpy(positions[:, 1].copy()))
         rotations = torch.cat((R.multiply(rotations[:, 0], rotations[:, 1])[:, None], rotations[:, 2:]), 1)
         names, parents, positions = names[1:], [p - 1 for p in parents[1:]], positions[:, 1:]
-        moving = moving[1:]
+        moving = {j - 1: s for j, s in moving.items() if j > 1}
     if moving:
-        raise BVHError(f"{path}: joint {names[moving[0]]} changes its distance to its parent by up to "
-                       f"{spread.max() * 1000:.0f} mm; only rigid skeletons are supported")  # fmt: skip
+        joint = max(moving, key=moving.get)
+        raise BVHError(f"{path}: joint {names[joint]} changes its distance to its parent by up to "
+                       f"{moving[joint] * 1000:.0f} mm; only rigid skeletons are supported")  # fmt: skip
     skeleton = Skeleton(tuple(names), tuple(parents), torch.from_numpy(np.median(positions, axis=0)))
     return Clip(skeleton, R.unroll(rotations), root_positions, fps, style, gait, path.name)
 

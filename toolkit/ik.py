@@ -10,7 +10,7 @@ from toolkit.motion import Skeleton, forward_kinematics, local_rotations
 
 
 def two_bone(
-    a: Tensor, b: Tensor, c: Tensor, target: Tensor, pole: Tensor | None = None, *, soft: float = 0.01
+    a: Tensor, b: Tensor, c: Tensor, target: Tensor, pole: Tensor | None = None, *, soft: float | Tensor = 0.01
 ) -> tuple[Tensor, Tensor]:
     """Bend a limb of two bones so that its end meets a target; the law of cosines with a soft limit near full stretch.
 
@@ -28,7 +28,7 @@ def two_bone(
     pole : Tensor [..., 3], optional
         Direction (not a point) that the middle joint bends towards, any length; by default where it points now, from `a`
         to `b`. It should not be parallel to the line from `a` to the target; if it is, some direction across is taken.
-    soft
+    soft : float or Tensor [..., 1]
         Share of the full length over which the limit acts; 0 is a hard limit.
 
     Returns
@@ -41,8 +41,9 @@ def two_bone(
     ValueError
         If `soft` is not in [0, 1).
     """
-    if not 0 <= soft < 1:
-        raise ValueError(f"soft must be in [0, 1), got {soft}")
+    soft = torch.as_tensor(soft, dtype=a.dtype)
+    if not bool(((soft >= 0) & (soft < 1)).all()):
+        raise ValueError(f"soft must be in [0, 1), got {float(soft.min()):g} to {float(soft.max()):g}")
     upper, lower = (b - a).norm(dim=-1, keepdim=True), (c - b).norm(dim=-1, keepdim=True)
     full = upper + lower
     reach = target - a

@@ -288,8 +288,7 @@ class Clip:
         A reflected frame is left-handed, so each joint's own axes are reflected too. Rigs differ in which of their axes
         runs sideways; it is the reflection (of one axis, or of all three) that turns the bones below a joint into those
         below its twin, and, where a bone along one axis leaves a choice, keeps the joint's mean rotation nearest to its
-        mirror image.
-        A joint without a counterpart mirrors onto itself.
+        mirror image. A joint without a counterpart mirrors onto itself.
         """
         world = torch.tensor([-1.0, 1.0, 1.0])
         twins = list(self.skeleton.twins)

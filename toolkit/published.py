@@ -19,7 +19,20 @@ from toolkit.networks import Model, Sizes, build
 from toolkit.styles import StyleBank
 
 #: Style names by index: the 95 trained ones, then the five that were kept for fine-tuning.
-STYLES = tuple(["Aeroplane", "Akimbo", "Angry", "ArmsAboveHead", "ArmsBehindBack", "ArmsBySide", "ArmsFolded", "Balance", "BeatChest", "BentForward", "BentKnees", "BigSteps", "BouncyLeft", "BouncyRight", "Cat", "Chicken", "CrossOver", "Crouched", "CrowdAvoidance", "Depressed", "Dinosaur", "DragLeftLeg", "DragRightLeg", "Drunk", "DuckFoot", "Elated", "FairySteps", "Flapping", "FlickLegs", "Followed", "GracefulArms", "HandsBetweenLegs", "Heavyset", "HighKnees", "InTheDark", "KarateChop", "Kick", "LawnMower", "LeanBack", "LeanLeft", "LeanRight", "LeftHop", "LegsApart", "LimpLeft", "LimpRight", "LookUp", "Lunge", "March", "Monk", "Morris", "Neutral", "Old", "OnHeels", "OnPhoneLeft", "OnPhoneRight", "OnToesBentForward", "OnToesCrouched", "PendulumHands", "Penguin", "PigeonToed", "Proud", "Punch", "Quail", "RaisedLeftArm", "RaisedRightArm", "RightHop", "Robot", "Rocket", "Rushed", "ShieldedLeft", "ShieldedRight", "SlideFeet", "SpinAntiClock", "SpinClock", "StartStop", "Stiff", "Strutting", "Superman", "Swat", "Sweep", "Swimming", "SwingArmsRound", "SwingShoulders", "Teapot", "Tiptoe", "TogetherStep", "TwoFootJump", "WalkingStickLeft", "WalkingStickRight", "Waving", "WhirlArms", "WideLegs", "WiggleHips", "WildLegs", "Zombie", "HandsInPockets", "Roadrunner", "Skip", "Star", "WildArms"])
+STYLES = (
+    "Aeroplane", "Akimbo", "Angry", "ArmsAboveHead", "ArmsBehindBack", "ArmsBySide", "ArmsFolded", "Balance", "BeatChest",
+    "BentForward", "BentKnees", "BigSteps", "BouncyLeft", "BouncyRight", "Cat", "Chicken", "CrossOver", "Crouched",
+    "CrowdAvoidance", "Depressed", "Dinosaur", "DragLeftLeg", "DragRightLeg", "Drunk", "DuckFoot", "Elated", "FairySteps",
+    "Flapping", "FlickLegs", "Followed", "GracefulArms", "HandsBetweenLegs", "Heavyset", "HighKnees", "InTheDark",
+    "KarateChop", "Kick", "LawnMower", "LeanBack", "LeanLeft", "LeanRight", "LeftHop", "LegsApart", "LimpLeft",
+    "LimpRight", "LookUp", "Lunge", "March", "Monk", "Morris", "Neutral", "Old", "OnHeels", "OnPhoneLeft", "OnPhoneRight",
+    "OnToesBentForward", "OnToesCrouched", "PendulumHands", "Penguin", "PigeonToed", "Proud", "Punch", "Quail",
+    "RaisedLeftArm", "RaisedRightArm", "RightHop", "Robot", "Rocket", "Rushed", "ShieldedLeft", "ShieldedRight",
+    "SlideFeet", "SpinAntiClock", "SpinClock", "StartStop", "Stiff", "Strutting", "Superman", "Swat", "Sweep", "Swimming",
+    "SwingArmsRound", "SwingShoulders", "Teapot", "Tiptoe", "TogetherStep", "TwoFootJump", "WalkingStickLeft",
+    "WalkingStickRight", "Waving", "WhirlArms", "WideLegs", "WiggleHips", "WildLegs", "Zombie", "HandsInPockets",
+    "Roadrunner", "Skip", "Star", "WildArms",
+)  # fmt: skip
 
 
 def load(folder: str | os.PathLike) -> tuple[Model, StyleBank]:
@@ -101,10 +114,10 @@ def one_step(model: Model, bank: StyleBank, clip: Clip, style: str, frames: tupl
     z = model.predict(rows.inputs, rows.phases, bank[style])
     error = (z - rows.outputs) / model.normaliser("outputs").std
     own, predicted = (model.layout.unpack_output(v) for v in (rows.outputs, z))
-    correlation = [float(torch.corrcoef(torch.stack((predicted["contacts"][:, i], own["contacts"][:, i])))[0, 1]) for i in (0, 1)]
+    pairs = torch.stack((predicted["contacts"], own["contacts"]), -1).unbind(1)
     return {
         "frames": len(z),
         "joint_mse": float(error[:, model.layout.outputs["joints"]].square().mean()),
-        "contact_correlation": correlation,
+        "contact_correlation": [float(torch.corrcoef(pair.T)[0, 1]) for pair in pairs],
         "phase_error": float((predicted["phases"] - own["phases"]).square().sum() / own["phases"].square().sum()),
     }

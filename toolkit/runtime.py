@@ -86,7 +86,8 @@ class CharacterState:
         return dataclasses.replace(self, style=torch.as_tensor(style).expand(len(self.phase), -1))
 
 
-def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0), facing: Sequence[float] = (0.0, 1.0)) -> CharacterState:
+def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0),
+          facing: Sequence[float] = (0.0, 1.0)) -> CharacterState:  # fmt: skip
     """A character standing still in the mean pose of the model's data.
 
     Parameters

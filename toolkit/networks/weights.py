@@ -61,7 +61,7 @@ def read(path: str | os.PathLike, part: str) -> tuple[dict[str, Tensor], dict[st
     except json.JSONDecodeError as error:
         raise ValueError(f"{path}: its metadata is damaged ({error})") from error
     if part not in parts:
-        raise ValueError(f"{path}: expected a {part} in it, got {', '.join(parts) or 'nothing'}")
+        raise ValueError(f"{path}: expected a {part} in it, got {', '.join(sorted(parts)) or 'nothing'}")
     return tensors, parts
 
 

@@ -7,6 +7,7 @@ renderer, pyvista and the browser. Rigs differ in their local axes (Bandai-Namco
 
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import pairwise
 
 import numpy as np
 import torch
@@ -196,7 +197,7 @@ def _torso(m: _Measured, s: float, used: set[int]) -> list[Shape]:
     middle, half = (a + b) / 2 + 0.025 * s * m.up(hips), 0.062 * s
     shapes = [cone(hips, middle + half * across, middle - half * across, (0.1 * s,) * 2, "middle",
                    thin=m.forward(hips), by=0.9)]  # fmt: skip
-    for upper, lower in zip(spine[:-1], spine[1:], strict=True):
+    for upper, lower in pairwise(spine):
         shapes.append(cone(lower, torch.zeros(3), skeleton.offsets[upper], (0.088 * s, 0.092 * s), "joint",
                            thin=m.forward(lower), by=0.86))  # fmt: skip
     a, b = m.place(skeleton.index("left_shoulder"), chest), m.place(skeleton.index("right_shoulder"), chest)
@@ -217,8 +218,8 @@ def _head(m: _Measured, s: float, used: set[int]) -> list[Shape]:
     while j not in spine and j > 0:  # the neck, down to the chest
         p = skeleton.parents[j]
         last = p in spine  # the lowest part widens into the shoulders
-        shapes.append(cone(p, 0.45 * last * skeleton.offsets[j], skeleton.offsets[j],
-                           ((0.088 if last else 0.05) * s, 0.05 * s), "middle" if last and j != head else "joint"))  # fmt: skip
+        start, r0, tone = (0.45, 0.088, "middle") if last and j != head else (0.0, 0.05, "joint")
+        shapes.append(cone(p, start * skeleton.offsets[j], skeleton.offsets[j], (r0 * s, 0.05 * s), tone))
         used.add(j)
         j = p
     used.update(j for j, p in enumerate(skeleton.parents) if p == head)

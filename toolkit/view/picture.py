@@ -20,7 +20,8 @@ PAPER, FLOOR, INK = "#f7f6f3", "#dedbd4", "#2b323b"
 
 def strip(clips: Clip | Sequence[Clip], path: str | os.PathLike | None = None, *, frames: int = 8,
           labels: Sequence[str] | None = None, start: float = 0.0, stop: float | None = None, view: float = 60.0,
-          elevation: float = 9.0, contacts=None, title: str = "", width: float = 12.0, dpi: int = 150) -> Figure:  # fmt: skip
+          elevation: float = 9.0, contacts=None, title: str = "", width: float = 12.0,
+          dpi: int = 150) -> Figure:  # fmt: skip
     """Picture of one or more motions, a row each, time from left to right.
 
     Parameters
@@ -124,7 +125,8 @@ class _Row:
         self.contacts = None if contacts is None else contacts[instants] > 0.5
         positions, facing = steady_frames(clip, 0.5)
         turn = R.yaw(torch.from_numpy(np.radians(view) - facing[instants]).float())
-        local = R.rotate(turn[:, None], clip.global_positions[instants] - torch.from_numpy(positions[instants]).float()[:, None])
+        away = clip.global_positions[instants] - torch.from_numpy(positions[instants]).float()[:, None]
+        local = R.rotate(turn[:, None], away)
         rotations = R.multiply(turn[:, None], clip.global_rotations[instants])
         self.places = body.placements(self.shapes, rotations, local).astype(np.float64)  # [F, S, 3, 4]
         e = np.radians(elevation)

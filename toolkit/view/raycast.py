@@ -1,7 +1,7 @@
 """A small software renderer for rounded cones: exact silhouettes and shading with numpy alone, no OpenGL.
 
-Parallel projection: camera space is x right, y up, z towards the viewer. Each shape is intersected in its own frame, where it
-is a plain rounded cone (closed form after Inigo Quilez), so thinning costs nothing.
+Parallel projection: camera space is x right, y up, z towards the viewer. Each shape is intersected in its own frame, where
+it is a plain rounded cone (closed form after Inigo Quilez), so thinning costs nothing.
 """
 
 import numpy as np
@@ -98,7 +98,7 @@ class Canvas:
         self.color[rows, columns][nearer] = color
 
     def shadow(self, shape: Shape, place: np.ndarray, up: np.ndarray, floor: np.ndarray, light: np.ndarray) -> None:
-        """Darken the floor (through the point ``floor``, normal ``up``) where ``light`` [3], towards the lamp, is covered."""
+        """Darken the floor (through ``floor``, normal ``up``) where ``light`` [3], towards the lamp, is covered."""
         ends = np.stack((place[:, 3], place[:, 3] + place[:, 1] * shape.length))
         drop = ends - np.outer((ends - floor) @ up / (light @ up), light)  # the spheres' centres seen from the lamp
         r = 1.6 * max(shape.radii)

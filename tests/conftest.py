@@ -1,0 +1,19 @@
+import os
+from pathlib import Path
+
+import pytest
+import torch
+from hypothesis import settings
+
+settings.register_profile("repeatable", derandomize=True, deadline=None, max_examples=25, database=None)
+settings.load_profile("repeatable")
+torch.set_num_threads(1)  # small tensors: more threads only wait for each other
+
+
+@pytest.fixture(scope="session")
+def shared() -> Path:
+    """Real recordings, in the sub-folders 100style, bandai and xia; never part of this repository."""
+    folder = Path(os.environ.get("TOOLKIT_DATA") or Path(__file__).parents[2] / "shared" / "data")
+    if not folder.is_dir():
+        pytest.skip(f"no real recordings: {folder} does not exist (set TOOLKIT_DATA to the folder that holds 100style/ …)")
+    return folder

@@ -1,0 +1,210 @@
+import json
+
+import numpy as np
+import pytest
+import torch
+from safetensors.torch import load_file, save_file
+
+from toolkit import networks
+from toolkit.features import Layout, Normaliser
+from toolkit.motion import Skeleton
+from toolkit.networks import BlendedLinear, Film, FilmGenerator, Gating, Sizes, layer_norm
+
+TINY = Sizes(hidden=16, experts=3, gating=8, film_channels=4, film_kernel=5, film_dense=8)
+
+
+def tree(joints: int) -> Layout:
+    """A layout of a chain of joints."""
+    roles = {"hips": "joint0", "left_hand": "joint1", "right_hand": "joint2"}
+    names, parents = [f"joint{j}" for j in range(joints)], [-1, *range(joints - 1)]
+    return Layout(Skeleton(names, parents, torch.full((joints, 3), 0.1), roles))
+
+
+def tiny_model(joints: int = 4, **changes) -> networks.Model:
+    torch.manual_seed(0)
+    layout = tree(joints)
+    widths = {"inputs": layout.n_inputs, "phases": 8, "outputs": layout.n_outputs, "clips": layout.n_clip}
+    normalisers = {kind: Normaliser(torch.randn(width), torch.rand(width) + 0.5) for kind, width in widths.items()}
+    return networks.build("lpn-film", layout, 2, TINY, normalisers, **changes)
+
+
+def test_parameter_counts_are_those_of_table_2():
+    layout = tree(25)
+    assert (layout.n_inputs, layout.n_outputs, layout.n_clip) == (348, 342, 300)
+    with torch.device("meta"):
+        model = networks.build("lpn-film", layout, 95)
+    assert networks.counts(model) == {"synthesis": 4_935_928, "style": 39_214_592, "per_style": 2048}
+
+
+def test_small_sizes_have_less_than_a_tenth_of_the_parameters():
+    with torch.device("meta"):
+        counts = networks.counts(networks.build("lpn-film", tree(25), 16, Sizes.small()))
+    assert counts["synthesis"] + counts["style"] < 4_000_000
+
+
+def test_blended_layer_equals_blending_every_samples_weights():
+    torch.manual_seed(1)
+    layer = BlendedLinear(5, 7, 6).double()
+    torch.nn.init.normal_(layer.bias)
+    x, gates = torch.randn(4, 7).double(), torch.softmax(torch.randn(4, 5).double(), -1)
+    got = layer(x, gates)
+    for n in range(4):
+        weight = sum(gates[n, k] * layer.weight[k] for k in range(5))
+        bias = sum(gates[n, k] * layer.bias[k] for k in range(5))
+        torch.testing.assert_close(got[n], x[n] @ weight + bias, rtol=1e-12, atol=1e-12)
+
+
+def test_initial_weights_fill_their_ranges():
+    layer, gating = BlendedLinear(8, 30, 20), Gating(8, 32, 8, 0.0)
+    bound = (6 / (30 * 20)) ** 0.5
+    assert 0.98 * bound < float(layer.weight.detach().abs().max()) <= bound
+    for dense in gating.layers:
+        bound = (6 / sum(dense.weight.shape)) ** 0.5
+        assert 0.9 * bound < float(dense.weight.detach().abs().max()) <= bound
+
+
+def test_gates_are_a_convex_blend():
+    gates = Gating(8, 32, 8, 0.3).eval()(torch.randn(100, 8))
+    assert bool((gates >= 0).all())
+    torch.testing.assert_close(gates.sum(-1), torch.ones(100))
+
+
+def test_layer_norm_uses_the_unbiased_deviation():
+    f = torch.tensor([[1.0, 2.0, 6.0]], dtype=torch.float64)
+    expected = (f - 3) / (7.0**0.5 + 1e-6)  # variance (4 + 1 + 9) / (3 - 1)
+    torch.testing.assert_close(layer_norm(f), expected, rtol=1e-14, atol=0)
+
+
+@pytest.mark.parametrize("layer", [0, 1])
+def test_film_equation(layer):
+    torch.manual_seed(2)
+    f, style = torch.randn(3, 16).double(), torch.randn(3, 64).double()
+    got = Film(16, None)(layer, f, style)
+    for n in range(3):
+        gamma1, beta1, gamma2, beta2 = style[n].numpy().reshape(4, 16)
+        gamma, beta = ((gamma1, beta1), (gamma2, beta2))[layer]
+        row = f[n].numpy()
+        a = gamma * (row - row.mean()) / (row.std(ddof=1) + 1e-6) + beta
+        np.testing.assert_allclose(got[n], np.where(a > 0, a, np.expm1(a)), rtol=1e-12, atol=1e-14)
+
+
+def test_one_style_for_the_whole_batch_equals_a_row_for_each_sample():
+    film, f, style = Film(16, None), torch.randn(5, 16), torch.randn(64)
+    torch.testing.assert_close(film(0, f, style), film(0, f, style.expand(5, -1)))
+
+
+def test_generator_equals_a_slow_loop():
+    torch.manual_seed(3)
+    psi = FilmGenerator(6, 20, 4, 3, 5, 7, 0.3).double().eval()
+    clip = torch.randn(1, 20, 6).double()
+
+    def convolve_and_pool(h, layer):
+        padded = np.pad(h, ((2, 2), (0, 0)))
+        w, b = layer.weight.detach().numpy(), layer.bias.detach().numpy()
+        rows = np.array([[(padded[t : t + 5] * w[c].T).sum() + b[c] for c in range(len(b))] for t in range(len(h))])
+        return np.maximum(rows, 0).reshape(len(h) // 2, 2, -1).max(1)
+
+    h = convolve_and_pool(convolve_and_pool(clip[0].numpy(), psi.first), psi.second).ravel()  # time-major
+    h = np.maximum(psi.dense.weight.detach().numpy() @ h + psi.dense.bias.detach().numpy(), 0)
+    expected = psi.out.weight.detach().numpy() @ h + psi.out.bias.detach().numpy()
+    np.testing.assert_allclose(psi(clip)[0].detach(), expected, rtol=1e-11, atol=1e-13)
+
+
+def test_dropout_acts_on_every_layers_input_only_in_training():
+    model = tiny_model()
+    x, p, s = torch.randn(2, model.layout.n_inputs), torch.randn(2, 8), torch.randn(2, 64)
+    assert torch.equal(model(x, p, s), model(x, p, s))
+    rates = []
+    for module in model.modules():
+        if isinstance(module, torch.nn.Dropout):
+            module.register_forward_hook(lambda m, _, out: rates.append((m.p, out.shape[-1])))
+    model.train()(x, p, model.encode(torch.randn(2, 240, model.layout.n_clip)))
+    widths = [8, 8, 8, 8, model.layout.n_inputs, 16, 16]  # generator, gating, experts
+    assert rates == [(0.3, width) for width in widths]
+
+
+def test_predict_normalises_inside():
+    model = tiny_model()
+    x, p, s = torch.randn(3, model.layout.n_inputs), torch.randn(3, 8), torch.randn(64)
+    got = model.predict(x, p, s)
+    expected = model((x - model.inputs_mean) / model.inputs_std, (p - model.phases_mean) / model.phases_std, s[None])
+    torch.testing.assert_close(got, expected * model.outputs_std + model.outputs_mean)
+    torch.testing.assert_close(model.predict(x[:1], p[:1], s), got[:1], rtol=1e-4, atol=1e-5)
+    assert not got.requires_grad
+
+
+def test_style_vector_is_the_mean_over_clips():
+    model = tiny_model()
+    clips = torch.randn(40, 240, model.layout.n_clip)
+    each = torch.stack([model.style_vector(clips[i : i + 1]) for i in range(40)])
+    torch.testing.assert_close(model.style_vector(clips), each.mean(0), rtol=1e-4, atol=1e-5)
+
+
+@pytest.mark.parametrize(("what", "shapes"), [("x", (9, 8, 64)), ("phases", (96, 7, 64)), ("style", (96, 8, 63))])
+def test_wrong_widths_are_named(what, shapes):
+    with pytest.raises(ValueError, match=rf"{what} needs \d+ columns, got shape"):
+        tiny_model().predict(*(torch.zeros(2, width) for width in shapes))
+
+
+def test_wrong_clips_sizes_names_and_normalisers():
+    model = tiny_model()
+    with pytest.raises(ValueError, match=r"\[M, 240, 48\], got \[1, 100, 48\]"):
+        model.style_vector(torch.zeros(1, 100, 48))
+    with pytest.raises(ValueError, match="unknown model 'lpn'; there is lpn-film"):
+        networks.build("lpn", tree(4), 2)
+    with pytest.raises(ValueError, match="hidden must be a whole number from 1, got 0"):
+        Sizes(hidden=0)
+    with pytest.raises(ValueError, match="normaliser of phases needs 8 columns"):
+        networks.build("lpn-film", tree(4), 2, TINY, {"phases": Normaliser(torch.zeros(3), torch.ones(3))})
+
+
+def test_a_saved_model_predicts_the_same(tmp_path):
+    model = tiny_model()
+    model.save(tmp_path / "m.safetensors")
+    again = networks.Model.load(tmp_path / "m.safetensors", model.layout)
+    x, p, s = torch.randn(3, model.layout.n_inputs), torch.randn(3, 8), torch.randn(64)
+    assert torch.equal(again.predict(x, p, s), model.predict(x, p, s))
+    assert (again.name, again.layout, again.sizes, again.n_styles) == ("lpn-film", model.layout, TINY, 2)
+    assert not again.training
+    assert all(v.requires_grad for v in again.parameters())
+
+
+def test_a_model_without_its_generator_takes_vectors_and_makes_none(tmp_path):
+    model = tiny_model()
+    model.save(tmp_path / "m.safetensors", generator=False)
+    again = networks.Model.load(tmp_path / "m.safetensors")
+    x, p, s = torch.randn(3, model.layout.n_inputs), torch.randn(3, 8), torch.randn(64)
+    assert torch.equal(again.predict(x, p, s), model.predict(x, p, s))
+    with pytest.raises(ValueError, match="without its FiLM generator"):
+        again.style_vector(torch.zeros(1, 240, 48))
+
+
+def test_bad_model_files_are_one_line(tmp_path):
+    path = tmp_path / "m.safetensors"
+    model = tiny_model()
+    model.save(path)
+
+    def fails(match: str, layout: Layout | None = None) -> None:
+        with pytest.raises(ValueError, match=match) as error:
+            networks.Model.load(path, layout)
+        assert str(path) in str(error.value)
+        assert "\n" not in str(error.value)
+
+    fails("the layout differs in joints: expected 5, got 4", tree(5))
+    tensors, whole = load_file(path), path.read_bytes()
+    good = {"format": json.dumps("x"), "model": json.dumps(model.parts()[1])}
+    save_file(tensors, path, good)
+    fails("expected the format 'toolkit 1'")
+    good["format"] = "toolkit 1"
+    save_file({k: v for k, v in tensors.items() if not k.endswith("layers.1.weight")}, path, good)
+    fails("differs in tensor .*layers.1.weight")
+    save_file(tensors, path, good | {"model": json.dumps(model.parts()[1] | {"name": "os.system"})})
+    fails("unknown model 'os.system'")
+    save_file(tensors, path, {"format": "toolkit 1", "bank": "[]"})
+    fails("expected a model in it, got bank")
+    path.write_bytes(whole[:-100])
+    fails("not a whole safetensors file")
+    path.write_bytes(b"\x80\x04cos\nsystem\n(S'touch owned'\ntR.")  # a pickle
+    fails("not a whole safetensors file")
+    path.unlink()
+    fails("cannot be read")

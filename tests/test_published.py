@@ -1,0 +1,105 @@
+"""The authors' parameters through our networks, features and phases: the strongest check that they mean the same."""
+
+import math
+
+import pytest
+import torch
+
+import toolkit as tk
+from toolkit.datasets import style100
+
+
+@pytest.fixture(scope="module")
+def published(shared):
+    return tk.published.load(shared / "lpn_film_100style")
+
+
+@pytest.fixture(scope="module")
+def walk(shared):
+    return tk.bvh.load(shared / "100style" / "Neutral_FW.bvh")
+
+
+def direct(folder, x, phases, index):
+    """The equations of section 4, written out sample by sample in float64 from the raw files."""
+    import numpy as np
+
+    def read(name, *shape):
+        return torch.from_numpy(np.fromfile(folder / f"{name}.bin", "<f4").reshape(shape)).double()
+
+    h = (phases.double() - read("GT_Xmean", -1)) / read("GT_Xstd", -1)
+    for i, (n, m) in enumerate([(8, 32), (32, 32), (32, 8)]):
+        h = read(f"wc{i}_w", m, n) @ h + read(f"wc{i}_b", m)
+        h = torch.nn.functional.elu(h) if i < 2 else torch.softmax(h, 0)
+    f = (x.double() - read("Xmean", -1)) / read("Xstd", -1)
+    for i, (n, m) in enumerate([(348, 512), (512, 512), (512, 342)]):
+        weight = sum(h[k] * read(f"cp{i}_a{k}", m, n) for k in range(8))
+        f = weight @ f + sum(h[k] * read(f"cp{i}_b{k}", m) for k in range(8))
+        if i < 2:
+            gamma, beta = (read(f"Style_{index:03d}_{kind}{i + 1}", 512) for kind in ("scale", "shift"))
+            f = torch.nn.functional.elu(gamma * (f - f.mean()) / (f.std() + 1e-6) + beta)
+    return f * read("Ystd", -1) + read("Ymean", -1)
+
+
+def test_outputs_equal_the_equations_in_float64(published, walk, shared):
+    model, bank = published
+    rows = tk.features.frames(walk, None, 400, 412)
+    for style in ("Neutral", "Zombie", "WildArms"):
+        index = bank.names.index(style)
+        expected = torch.stack([direct(shared / "lpn_film_100style", x, p, index)
+                                for x, p in zip(rows.inputs, rows.phases, strict=True)])  # fmt: skip
+        got = model.predict(rows.inputs, rows.phases, bank[style]).double()
+        assert float((got - expected).norm() / expected.norm()) < 1e-5
+
+
+def test_style_names_are_in_the_published_order(shared):
+    assert list(tk.published.STYLES) == list(style100.published_order(shared / "100style"))
+
+
+def test_one_step_ahead_of_real_motion(published, walk):
+    model, bank = published
+    own = tk.published.one_step(model, bank, walk, style="Neutral", frames=(327, 1200))
+    assert own["frames"] == 822
+    assert own["joint_mse"] <= 0.045
+    assert min(own["contact_correlation"]) >= 0.9
+    assert own["phase_error"] <= 0.30
+    for other in ("Zombie", "Aeroplane"):
+        wrong = tk.published.one_step(model, bank, walk, style=other, frames=(327, 1200))
+        assert wrong["joint_mse"] >= 5 * own["joint_mse"]
+
+
+def test_a_minute_of_walking_stays_on_its_feet(published):
+    model, bank = published
+    clip = tk.runtime.rollout(model, tk.runtime.straight(speed=1.2, seconds=60), style=bank["Neutral"])
+    low, high = tk.metrics.hips_height(clip)
+    assert len(clip) == 3600
+    assert low >= 0.90
+    assert high <= 1.02
+    assert 0.9 <= tk.metrics.speed(clip) <= 1.6
+    assert tk.metrics.upright(clip)
+    assert max(tk.metrics.foot_skate(clip).values()) < 0.1
+
+
+def test_all_styles_but_drunk_walk_upright(published):
+    model, bank = published
+    others = [i for i, name in enumerate(bank.names) if name != "Drunk"]
+    state = tk.runtime.start(model, bank.vectors[others])
+    hips = model.layout.names.index("Hips")
+    first = state.root[:, :2]
+    with torch.inference_mode():
+        for command in tk.runtime.straight(speed=1.0, seconds=20)[::1]:
+            state = tk.runtime.step(model, state, command)
+            height = tk.features.split_joints(state.joints)["position"][:, hips, 1]
+            assert bool(torch.isfinite(state.joints).all())
+            assert 0.5 < float(height.min())
+            assert float(height.max()) < 1.25
+    assert float((state.root[:, :2] - first).norm(dim=-1).min()) > 20 * 0.4
+
+
+def test_missing_and_damaged_files_are_named(tmp_path):
+    with pytest.raises(ValueError, match="no such folder"):
+        tk.published.load(tmp_path / "nowhere")
+    with pytest.raises(ValueError, match=r"Xmean\.bin: missing; expected 348 float32"):
+        tk.published.load(tmp_path)
+    torch.full((348,), math.nan).numpy().tofile(tmp_path / "Xmean.bin")
+    with pytest.raises(ValueError, match=r"Xmean\.bin: expected 348 finite"):
+        tk.published.load(tmp_path)

@@ -1,0 +1,211 @@
+import dataclasses
+import os
+import signal
+
+import pytest
+import torch
+from test_networks import TINY, tiny_model, tree
+
+from toolkit import networks, sampling, training
+from toolkit.features import Features
+from toolkit.styles import StyleBank
+from toolkit.training import Config
+
+
+def waves(joints: int = 4, styles: int = 2, frames: int = 700) -> Features:
+    """Something to learn: every column a wave of time, whose shape the style changes."""
+    layout = tree(joints)
+    generator = torch.Generator().manual_seed(0)
+    parts: dict[str, dict[str, torch.Tensor]] = {kind: {} for kind in ("inputs", "phases", "outputs", "clips", "takes")}
+    rates = 0.1 * torch.randint(1, 4, (1, layout.n_inputs), generator=generator)
+    starts = 6 * torch.rand(1, layout.n_inputs, generator=generator)
+    mixing = torch.randn(layout.n_inputs, layout.n_outputs, generator=generator) / 10
+    for i in range(styles):
+        n = frames + 50 * i
+        t = torch.arange(n)[:, None]
+        x = torch.sin(rates * t + starts + i)
+        p = torch.cat([torch.sin(t * 0.1 + k) for k in range(8)], 1)
+        z = x @ mixing * (1 + i) + torch.sin(t * 0.1)
+        columns = z[:, layout.outputs["joints"]]
+        values = (x, p, z, columns.unfold(0, 240, 120).transpose(1, 2).contiguous(), (torch.arange(n) >= 400).long())
+        for kind, value in zip(parts, values, strict=True):
+            parts[kind][f"style{i}"] = value
+    return Features(layout, **parts)
+
+
+WIDER = dataclasses.replace(TINY, hidden=64, dropout=0.05)
+QUICK = Config(sizes=TINY, steps=12, batch=16, clips_per_batch=4, evaluate_every=5,
+               rate=1e-3, final_rate=0.1, max_gradient=1.0)  # fmt: skip
+
+
+def same_weights(a: networks.Model, b: networks.Model) -> bool:
+    return all(torch.equal(x, y) for x, y in zip(a.state_dict().values(), b.state_dict().values(), strict=True))
+
+
+def test_minibatches_cycle_through_styles_and_frames():
+    data = waves(styles=3)
+    batches = sampling.Minibatches(data, 32, 2, seed=4)
+    assert batches.steps_per_epoch == 3 * (700 // 32)
+    seen = []
+    for turn in range(700 // 32):
+        for which, style in enumerate(data.styles):
+            x, p, z, y = batches[3 * turn + which]
+            rows = [int((data.inputs[style] == row).all(1).nonzero()) for row in x]
+            assert torch.equal(data.outputs[style][rows], z)
+            assert torch.equal(data.phases[style][rows], p)
+            assert y.shape == (2, 240, data.layout.n_clip)
+            seen += rows if which == 0 else []
+    assert len(set(seen)) == len(seen) == 32 * (700 // 32)
+    again = sampling.Minibatches(data, 32, 2, seed=4)
+    assert all(torch.equal(a, b) for step in (50, 3, 64) for a, b in zip(again[step], batches[step], strict=True))
+    assert not torch.equal(sampling.Minibatches(data, 32, 2, seed=5)[3][0], batches[3][0])
+
+
+def test_held_out_frames_are_windows_apart_from_the_training_frames():
+    data = waves()
+    train, test = sampling.split(data, 0.2, 0, ("style1", "style0"))
+    assert train.styles == ["style1", "style0"]
+    for style in data.styles:
+        n = len(data.inputs[style])
+        assert len(test.inputs[style]) == round(0.2 * n)
+        assert len(train.inputs[style]) + len(test.inputs[style]) == n
+        where = torch.tensor([int((data.inputs[style] == row).all(1).nonzero()) for row in test.inputs[style]])
+        assert int((where.diff() > 1).sum()) <= 2
+        assert not (where[:, None] == torch.tensor([0])).all()
+
+
+def test_loss_is_mse_and_bone_length_of_equation_5():
+    model = tiny_model()
+    predicted, target = torch.randn(3, 2, model.layout.n_outputs).unbind(1)
+    mse, bone = training.loss_terms(model, predicted, target)
+    torch.testing.assert_close(mse, ((predicted - target) ** 2).mean())
+    total = 0.0
+    for n in range(3):
+        a, b = (model.normaliser("outputs").invert(z[n]) for z in (predicted, target))
+        a, b = (z[24 : 24 + 48].reshape(4, 12)[:, :3] for z in (a, b))
+        total += sum(abs(float((a[j] - a[j - 1]).norm() - (b[j] - b[j - 1]).norm())) for j in (1, 2, 3)) / 3
+    assert float(bone) == pytest.approx(total / 3, rel=1e-5)
+
+
+def test_it_overfits_one_minibatch():
+    data = waves(styles=1)
+    one = dataclasses.replace(data, **{kind: {"style0": getattr(data, kind)["style0"][:16]}
+                                       for kind in ("inputs", "phases", "outputs", "takes")})  # fmt: skip
+    config = Config(sizes=dataclasses.replace(WIDER, dropout=0.0), steps=300, batch=16, clips_per_batch=1,
+                    rate=3e-3, final_rate=0.01, max_gradient=1.0, held_out=0.0, bone_weight=0.1)  # fmt: skip
+    run = training.fit(one, config)
+    assert run.history[-1]["mse"] < 1e-3
+    assert run.held_out == run.baselines == {}
+    assert run.history[-1]["held_out"] is None
+
+
+def test_it_learns_more_than_both_baselines():
+    run = training.fit(waves(), dataclasses.replace(QUICK, steps=600, sizes=WIDER, evaluate_every=100))
+    *styles, overall = run.table()
+    assert [row["style"] for row in styles] == ["style0", "style1"]
+    for row in (*styles, overall):
+        assert row["error"] < 0.5 * min(row["mean"], row["repeat"])
+    assert run.bank.names == ("style0", "style1")
+    assert run.bank.vectors.shape == (2, 256)
+    assert [row["step"] for row in run.history] == list(range(100, 601, 100))
+
+
+def test_repeating_the_frame_keeps_pose_trajectory_and_phases():
+    layout = tree(4)
+    x, p = torch.randn(2, layout.n_inputs), torch.randn(2, 8)
+    z = layout.unpack_output(training.repeat_frame(layout, x, p, torch.full((layout.n_outputs,), 0.25)))
+    assert torch.equal(z["joints"], x[:, 48:])
+    assert torch.equal(z["trajectory"], x[:, 24:48])  # the current and the five future of twelve samples
+    assert torch.equal(z["phases"], p)
+    assert float(z["phase_updates"].abs().max()) == 0
+    assert bool((z["contacts"] == 0.25).all())
+
+
+@pytest.mark.parametrize("stop_at", [1, 5, 7, 12])
+def test_stopped_and_resumed_equals_not_stopped(tmp_path, stop_at):
+    data, path = waves(), tmp_path / "run.checkpoint"
+    straight = training.fit(data, QUICK)
+
+    def stop(step: int, _: float) -> None:
+        if step == stop_at:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        training.fit(data, QUICK, path, on_step=stop)
+    torch.rand(7)  # what else happens to the global generator does not matter
+    resumed = training.fit(data, QUICK, path)
+    assert same_weights(straight.model, resumed.model)
+    assert torch.equal(straight.bank.vectors, resumed.bank.vectors)
+    assert [(r["step"], r["loss"], r["held_out"]) for r in resumed.history] == \
+           [(r["step"], r["loss"], r["held_out"]) for r in straight.history]  # fmt: skip
+    assert [p.name for p in tmp_path.iterdir()] == ["run.checkpoint"]
+
+
+def test_training_leaves_the_global_generator_alone():
+    torch.manual_seed(3)
+    expected = torch.rand(4)
+    torch.manual_seed(3)
+    training.fit(waves(), dataclasses.replace(QUICK, steps=2))
+    assert torch.equal(torch.rand(4), expected)
+
+
+def test_ctrl_c_ends_the_step_and_leaves_a_checkpoint(tmp_path):
+    path = tmp_path / "run.checkpoint"
+    before = signal.getsignal(signal.SIGINT)
+    with pytest.raises(KeyboardInterrupt):
+        training.fit(
+            waves(), QUICK, path, on_step=lambda step, _: os.kill(os.getpid(), signal.SIGINT) if step == 3 else None
+        )
+    assert signal.getsignal(signal.SIGINT) is before
+    steps = []
+    training.fit(waves(), QUICK, path, on_step=lambda step, _: steps.append(step))
+    assert steps in (list(range(4, 13)), list(range(5, 13)))
+
+
+def test_what_cannot_be_resumed_is_named(tmp_path):
+    data, path = waves(), tmp_path / "run.checkpoint"
+    training.fit(data, QUICK, path)
+    with pytest.raises(ValueError, match=r"run.checkpoint: the run to resume differs in seed: expected 1, got 0"):
+        training.fit(data, dataclasses.replace(QUICK, seed=1), path)
+    with pytest.raises(ValueError, match=r"run.checkpoint: the layout differs in joints: expected 5, got 4"):
+        training.fit(waves(joints=5), QUICK, path)
+    with pytest.raises(ValueError, match=r"run.checkpoint: the run to resume had other data"):
+        training.fit(waves(frames=800), QUICK, path)
+    with pytest.raises(ValueError, match=r"run.checkpoint: expected a run in it, got checkpoint, model"):
+        training.load(path)
+    training.fit(waves(joints=5), QUICK, path, resume=False)
+
+
+def test_a_saved_run_is_whole(tmp_path):
+    run = training.fit(waves(), QUICK)
+    run.save(tmp_path / "run.safetensors")
+    again = training.load(tmp_path / "run.safetensors")
+    assert same_weights(run.model, again.model)
+    assert (again.config, again.history, again.table()) == (run.config, run.history, run.table())
+    assert torch.equal(StyleBank.load(tmp_path / "run.safetensors")["style1"], run.bank["style1"])
+    assert same_weights(networks.Model.load(tmp_path / "run.safetensors"), run.model)
+
+
+def test_time_as_the_budget():
+    run = training.fit(waves(), dataclasses.replace(QUICK, steps=None, seconds=0.5))
+    assert run.history[-1]["step"] > 1
+
+
+@pytest.mark.parametrize(("changes", "match"), [
+    ({"epochs": 1, "steps": 1}, "one of epochs, steps and seconds, got epochs and steps"),
+    ({"seconds": 0}, "seconds must be positive"),
+    ({"batch": 8, "clips_per_batch": 9}, "clips_per_batch must be from 1 to batch, got 9 and 8"),
+    ({"rate": 0.0}, "rate must be positive"),
+    ({"held_out": 1.0}, r"held_out must be in \[0, 1\)"),
+    ({"seed": -1}, "seed must not be negative"),
+])  # fmt: skip
+def test_impossible_configs(changes, match):
+    with pytest.raises(ValueError, match=match):
+        Config(**changes)
+
+
+def test_unknown_style_and_divergence_are_named():
+    with pytest.raises(ValueError, match="unknown style 'style9'; close to it"):
+        training.fit(waves(), dataclasses.replace(QUICK, styles=("style9",)))
+    with pytest.raises(ValueError, match="training diverged at step"):
+        training.fit(waves(), dataclasses.replace(QUICK, rate=1e30, max_gradient=None))

@@ -1,0 +1,245 @@
+"""Procedural footsteps: when and where the feet of a style come down along a path, and how they get there.
+
+Numpy over F frames; times are in frames at 60 Hz, headings and yaw in radians.
+"""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+import torch
+from scipy.interpolate import PchipInterpolator
+from torch import Tensor
+
+from toolkit.datasets.procedural_styles import Leg, Style
+
+FPS = 60
+FOOT = (0.0, -0.097, 0.192)  # from the ankle to the toe joint
+HEEL = -0.05  # from the ankle back to where the heel touches
+TOE = 0.021  # height of a standing toe joint
+REACH = (0.45, 0.48, 0.14)  # how far the foot may be from under the hips: at its strike, at lift-off, more with the heel up
+SIDES = ("left", "right")
+
+
+def smooth(x: np.ndarray, sigma: float) -> np.ndarray:
+    """Gaussian over the first axis, `sigma` in frames; the ends are continued by odd reflection."""
+    half = math.ceil(3 * sigma)
+    kernel = np.exp(-0.5 * (np.arange(-half, half + 1) / sigma) ** 2)
+    flat = np.pad(x.reshape(len(x), -1), ((half, half), (0, 0)), mode="edge")
+    out = np.stack([np.convolve(c, kernel / kernel.sum(), mode="valid") for c in flat.T], 1)
+    return out.reshape(x.shape)
+
+
+def wander(rng: np.random.Generator, frames: int, sigma: float, channels: int) -> np.ndarray:
+    """Smooth noise of unit deviation ``[frames, channels]`` with a time constant of `sigma` frames."""
+    half = math.ceil(3 * sigma)
+    white = rng.standard_normal((frames + 2 * half, channels))
+    return smooth(white, sigma)[half : half + frames] * math.sqrt(2 * math.sqrt(math.pi) * sigma)
+
+
+def _usual(style: Style, forward: np.ndarray, sideways: np.ndarray) -> np.ndarray:
+    """Usual walking speed in a direction: slower backwards, slower still sideways."""
+    norm = np.hypot(forward, sideways)
+    along = np.divide(forward, norm, out=np.ones_like(norm), where=norm > 1e-6)
+    back = np.where(along < 0, 0.65, 1.0)
+    return style.speed * np.hypot(along * back, (1 - along**2) ** 0.5 * 0.5)
+
+
+class Plan:
+    """Pace, clock and footsteps along a path of F frames."""
+
+    def __init__(self, style: Style, root: np.ndarray, rng: np.random.Generator):
+        self.style, self.rng = style, rng
+        self.root = root = smooth(root, 4)
+        self.t = np.arange(len(root), dtype=np.float64)
+        c, s = np.cos(root[:, 2]), np.sin(root[:, 2])
+        step = np.gradient(root, axis=0) * FPS
+        self.sideways, self.ahead = step[:, 0] * c - step[:, 1] * s, step[:, 0] * s + step[:, 1] * c
+        self.turning = step[:, 2]
+        self.speed = np.hypot(self.sideways, self.ahead)
+        self.pace = self.speed / _usual(style, self.ahead, self.sideways)
+        x = np.clip((self.pace - 1.3) / 0.6, 0, 1)
+        self.running = smooth(x * x * (3 - 2 * x), 4)
+        self.stepping = [side for side in SIDES if not style.leg(side).raised]
+        duty = np.mean([style.leg(side).stance for side in self.stepping])
+        self.middle = math.pi * (1 - duty + self.running * max(0.0, duty - 0.38))  # of the left foot's swing, on the clock
+        self._schedule()
+
+    def _frequency(self, t: int) -> float:
+        """Strides (hops) per second that suit the pace at frame `t`."""
+        pace, run = max(self.pace[t], 0.5), self.running[t]
+        walk, fast = min(pace, 1.7) ** 0.5, 1.5 * (pace / 2.2) ** 0.35
+        return self.style.cadence * (pace**0.25 if len(self.stepping) == 1 else walk + run * (fast - walk))
+
+    def _schedule(self) -> None:
+        """Which foot lifts off when: step after step while the path moves, two more to come to rest, then none.
+
+        The clock of the body is 0 where the left foot lifts off and π where the right one does.
+        """
+        sides, n = self.stepping, len(self.stepping)
+        turn = int(self.rng.integers(n))
+        t, clock, settled = 0.0, math.pi * turn, 0 if self.speed[0] > 0.05 else 2
+        self.swings, knots = [], [(0.0, clock)]
+        while t < len(self.t):
+            look = min(int(t) + 12, len(self.t) - 1)
+            moving = self.pace[look] > 0.12 or abs(self.turning[look]) > 0.25
+            if not moving and settled >= 2:
+                t += 1.0
+                continue
+            settled = 0 if moving else settled + 1
+            side = sides[turn % n]
+            beat = FPS / self._frequency(look) / n
+            if n == 2:
+                beat *= 1 + self.style.asymmetry * (1 if side == "left" else -1)
+            if knots[-1][0] < t - 1e-6:
+                knots.append((t, clock))
+            self.swings.append((side, t, FPS / self._frequency(look), self.running[look]))
+            clock += 2 * math.pi / n
+            t += beat
+            knots.append((t, clock))
+            turn += 1
+        knots.append((t + len(self.t), clock))
+        self.clock = smooth(PchipInterpolator(*np.array(knots).T)(self.t), 3)
+
+    def foot(self, side: str) -> "Foot":
+        """Footsteps of one side, and the tracks that follow from them."""
+        style, leg, sign = self.style, self.style.leg(side), 1 if side == "left" else -1
+        mine = np.array([s[1:] for s in self.swings if s[0] == side] or [(2.0 * len(self.t), FPS / style.cadence, 0.0)])
+        off, stride, run = mine.T
+        duty = leg.stance - run * max(0.0, leg.stance - 0.38)
+        on = off + stride * (1 - duty)
+        on[:-1] = np.minimum(on[:-1], off[1:] - 0.2 * stride[:-1])
+        usual = np.concatenate((stride[:1] * duty[:1], stride * duty))  # durations of the N + 1 stances
+        begin, end = np.concatenate((off[:1] - usual[:1], on)), np.concatenate((off, on[-1:] + usual[-1:]))
+        if off[0] > len(self.t):
+            begin[0] = -end[0]
+
+        def at(track: np.ndarray) -> np.ndarray:
+            return np.interp((begin + end) / 2, self.t, track)
+
+        # planted under the hips in the middle of each stance; walking sideways the feet stay apart
+        x, z, facing = (at(c) for c in self.root.T)
+        stride = np.concatenate((stride[:1], stride)) / FPS
+        apart = np.maximum(style.width / 2, 0.06 + np.abs(at(self.sideways)) * stride / 4)
+        scatter = style.noise * 0.03 * self.rng.standard_normal((3, len(x)))
+        speed = at(self.speed)
+        along = at(self.ahead) / np.maximum(speed, 0.1)
+        size = np.minimum(speed / 2 * stride / style.step, 1.2)
+        # a foot comes to stand less far ahead than it is left behind, where the raised heel lengthens the leg
+        front = leg.ahead - 0.19 * style.step * size * along + scatter[1]
+        left = (sign * apart if len(self.stepping) == 2 else sign * 0.02) + scatter[0]
+        yaw = facing + sign * math.radians(leg.turned_out) + 2 * scatter[2]
+        c, s = np.cos(facing), np.sin(facing)
+        ankles = np.stack((x + left * c + front * s, z - left * s + front * c), 1)
+        # in sharp turns that may be out of the leg's reach: step shorter, and if need be land later and leave earlier
+        limits = REACH[0], REACH[1] + REACH[2] * np.maximum(along, 0)
+        for _ in range(2):
+            for when, limit in zip((begin, end), limits, strict=True):
+                away = ankles - np.stack([np.interp(when, self.t, v) for v in self.root.T[:2]], 1)
+                far = np.hypot(*away.T)
+                ankles -= away * (np.maximum(far - limit, 0) / np.maximum(far, 1e-6))[:, None]
+        reached = np.linalg.norm(self.root[:, None, :2] - ankles, axis=2)
+        for k, far in enumerate(reached.T):
+            half = int(np.clip((begin[k] + end[k]) / 2, 0, len(self.t)))
+            early = np.flatnonzero(far[max(int(begin[k]), 0) : half] > limits[0] + 0.03)
+            late = np.flatnonzero(far[half : max(int(end[k]), 0)] > limits[1][k] + 0.03)
+            begin[k] += early[-1] if len(early) else 0
+            end[k] = half + late[0] if len(late) else end[k]
+        prints = np.concatenate((ankles + FOOT[2] * np.stack((np.sin(yaw), np.cos(yaw)), 1), yaw[:, None]), 1)
+        return Foot(self, leg, sign, begin, end, usual, prints, along, size, np.concatenate((run[:1], run)))
+
+
+class Foot:
+    """Tracks of a foot over F frames: toe position, yaw and pitch, how flat the toes are kept, contact and phase.
+
+    The foot has N + 1 stances, from `begin` to `end` (frames), and a swing between each two.
+    """
+
+    def __init__(self, plan: Plan, leg: Leg, sign: int, begin: np.ndarray, end: np.ndarray, usual: np.ndarray,
+                 prints: np.ndarray, along: np.ndarray, size: np.ndarray, run: np.ndarray):  # fmt: skip
+        t = plan.t
+        here = np.searchsorted(end[:-1], t, side="right")  # the stance before the swing, or the one stood in
+        before = np.maximum(here - 1, 0)
+        stance = np.minimum(usual, end - begin)
+        settled = begin + 0.1 * stance  # the toes come down while the foot rolls over the heel
+        u = np.clip((t - end[before]) / (settled[np.minimum(before + 1, len(begin) - 1)] - end[before]), 0, 1)
+        u = np.where(here == 0, 1.0, u)
+
+        ease = u**3 * (10 - 15 * u + 6 * u * u)
+        place = prints[before] + (prints[here] - prints[before]) * ease[:, None]
+        place[here == 0] = prints[0]
+        # pitch, toes up, from strike over flat to push-off; walking backwards toes first and heel last
+        forwards, backwards = np.maximum(along, 0), np.maximum(-along, 0)
+        strike = size * (leg.heel_strike * forwards * (1 - 0.9 * run) - 14 * backwards)
+        push = leg.toe_off * size**0.7 * (0.35 + 0.65 * forwards - 0.2 * backwards) * (1 + 0.25 * run)
+        lift_off = -0.7 * push * (1 - backwards)
+        flat = np.full_like(size, -leg.tiptoe)
+        swing = np.append(begin[1:] - end[:-1], usual[-1])
+        nexts = np.append(strike[1:], 0.0)
+        knots = np.stack((begin, begin + 0.16 * stance, end - 0.45 * stance, end, end + 0.15 * swing, end + 0.5 * swing,
+                          end + 0.86 * swing), 1)  # fmt: skip
+        angles = np.stack((strike + flat, flat, flat, np.minimum(flat, 0) * 0.5 + lift_off, flat * 0.2 - push,
+                           flat * 0.7 - 0.4 * push, flat + nexts), 1)  # fmt: skip
+        pitch = PchipInterpolator(knots.ravel(), angles.ravel())(np.clip(t, knots[0, 0], knots[-1, -1]))
+        self.pitch = np.radians(smooth(pitch, 2.0))
+        self.flatness = PchipInterpolator(
+            np.stack((begin, end, end + 0.45 * swing, end + 0.9 * swing), 1).ravel(),
+            np.tile([1.0, 1.0, 0.1, 1.0], len(begin)),
+        )(np.clip(t, begin[0], end[-1]))
+
+        w = u ** (math.log(0.5) / math.log(leg.lift_at))
+        bump = 16 * w**2 * (1 - w) ** 2
+        height = (leg.lift + 0.1 * run) * (0.7 + 0.3 * size)
+        rise, kick = height[here] * bump, 1.6 * leg.kick * (size * (1 - 0.6 * run))[here] * bump
+        out = sign * leg.circle * size[here] * bump
+        c, s = np.cos(plan.root[:, 2]), np.sin(plan.root[:, 2])
+        # over the heel while the toes are up: the toe joint circles round it
+        up = np.maximum(self.pitch, 0)
+        wide = 0.1
+        self.air = np.sin(math.pi * u) ** 2
+        up = np.where(up < wide, up * up / (2 * wide), up - wide / 2)
+        up += self.air * ((self.pitch + np.sqrt(self.pitch**2 + 0.06)) / 2 - up)
+        lever = FOOT[2] - HEEL
+        back = lever * (np.cos(up) - 1)
+        yaw = place[:, 2]
+        self.toe = np.stack((place[:, 0] + out * c + kick * s + back * np.sin(yaw),
+                             TOE + rise + 0.625 * kick + lever * np.sin(up),
+                             place[:, 1] - out * s + kick * c + back * np.cos(yaw)), 1)  # fmt: skip
+        self.yaw = yaw
+        moved = np.linalg.norm(np.diff(self.toe, axis=0), axis=1)
+        moved = np.maximum(np.append(moved, moved[-1]), np.append(moved[0], moved))
+        self.contact = ((u < 0.1) | (u > 0.9)) & (moved < 9e-4)
+        planted = begin + 0.12 * stance
+        hold = np.maximum((end - planted) / 2 - usual * 0.44, 0.0)
+        middle = (planted + end) / 2
+        cycle = 2 * math.pi * np.arange(len(begin))
+        knots = np.stack((middle - hold - 1e-3, middle + hold + 1e-3, end + swing / 2 + 2e-3), 1).ravel()
+        values = np.stack((cycle, cycle, cycle + math.pi), 1).ravel()
+        self.phase = PchipInterpolator(knots, values)(np.clip(t, knots[0], knots[-2]))
+
+
+@dataclass(frozen=True, eq=False)
+class Truth:
+    """What is known about a clip because it was planned.
+
+    ``contacts [F, 2]`` (right, left): 1 while the toe joint is planted in the world. ``phase [F, 4]`` (left hand, right
+    hand, left foot, right foot), radians, growing: a foot is in the middle of its contact at multiples of 2π, a hand's
+    arm is furthest forward there. ``frequency [F, 4]``, Hz, is 0 while standing.
+    """
+
+    contacts: Tensor
+    phase: Tensor
+    frequency: Tensor
+
+
+def record(plan: Plan, feet: dict[str, Foot]) -> Truth:
+    """The truth about a clip, from the plan and the feet that step."""
+    contacts, phase = np.zeros((len(plan.t), 2)), np.zeros((len(plan.t), 4))
+    for i, side in enumerate(SIDES):
+        arm = plan.style.arm(side)
+        phase[:, i] = arm.ratio * plan.clock - plan.middle - math.radians(arm.phase) + math.pi * (i + 0.5)
+        phase[:, 2 + i] = feet[side].phase if side in feet else plan.clock
+        if side in feet:
+            contacts[:, 1 - i] = feet[side].contact
+    frequency = np.gradient(phase, axis=0) * FPS / (2 * math.pi)
+    return Truth(*(torch.from_numpy(x).float() for x in (contacts, phase, frequency)))
