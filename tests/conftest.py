@@ -5,6 +5,8 @@ import pytest
 import torch
 from hypothesis import settings
 
+import toolkit as tk
+
 settings.register_profile("repeatable", derandomize=True, deadline=None, max_examples=25, database=None)
 settings.load_profile("repeatable")
 torch.set_num_threads(1)  # small tensors: more threads only wait for each other
@@ -17,3 +19,9 @@ def shared() -> Path:
     if not folder.is_dir():
         pytest.skip(f"no real recordings: {folder} does not exist (set TOOLKIT_DATA to the folder that holds 100style/ …)")
     return folder
+
+
+@pytest.fixture(scope="session")
+def walk_clip() -> tk.Clip:
+    """Eight seconds of procedural walking."""
+    return tk.datasets.load("procedural", styles=["Neutral"], gaits=["FW"], seconds=8.0)[0]

@@ -98,7 +98,7 @@ def pose(plan: Plan, feet: dict[str, "Foot"]) -> tuple[Tensor, Tensor]:
     c, s = np.cos(plan.root[:, 2]), np.sin(plan.root[:, 2])
     hips = np.stack((plan.root[:, 0] + side * c + front * s, np.zeros(frames), plan.root[:, 1] - side * s + front * c), 1)
     up = style.bob * amount * np.cos(beat) if hopping else (style.bob * (1 - run) - 0.03 * run) * cos2
-    wanted = style.height + 0.01 * still - 0.045 * run + up
+    wanted = style.height + (0.01 + 0.004 * breath) * still - 0.045 * run + up
     joints = [_J["LeftHip"], _J["RightHip"]]
     offsets = R.rotate(local[:, :1], SKELETON.offsets[joints].double())  # [F, 2, 3] hips → hip joint
     length = float(-SKELETON.offsets[_J["LeftKnee"], 1] - SKELETON.offsets[_J["LeftAnkle"], 1])
@@ -116,7 +116,7 @@ def pose(plan: Plan, feet: dict[str, "Foot"]) -> tuple[Tensor, Tensor]:
             gap = (ankles[:, i] - offsets[:, i]).numpy() - hips
             flat = np.minimum(np.hypot(gap[:, 0], gap[:, 2]), 0.9 * length)
             ceiling = np.minimum(ceiling, gap[:, 1] + 0.1 * foot.air + np.sqrt((0.997 * length) ** 2 - flat**2))
-    half = 6
+    half = 9
     low = np.lib.stride_tricks.sliding_window_view(np.pad(ceiling, half, mode="edge"), 2 * half + 1).min(1)
     hann = np.hanning(2 * half + 3)[1:-1]
     low = np.convolve(np.pad(low, half, mode="edge"), hann / hann.sum(), mode="valid") - 0.001  # never above the ceiling

@@ -196,7 +196,7 @@ class Foot:
         # over the heel while the toes are up: the toe joint circles round it
         up = np.maximum(self.pitch, 0)
         wide = 0.1
-        self.air = np.sin(math.pi * u) ** 2
+        self.air = np.sin(math.pi * np.clip((u - 0.1) / 0.8, 0, 1)) ** 2
         up = np.where(up < wide, up * up / (2 * wide), up - wide / 2)
         up += self.air * ((self.pitch + np.sqrt(self.pitch**2 + 0.06)) / 2 - up)
         lever = FOOT[2] - HEEL
@@ -206,9 +206,9 @@ class Foot:
                              TOE + rise + 0.625 * kick + lever * np.sin(up),
                              place[:, 1] - out * s + kick * c + back * np.cos(yaw)), 1)  # fmt: skip
         self.yaw = yaw
-        moved = np.linalg.norm(np.diff(self.toe, axis=0), axis=1)
-        moved = np.maximum(np.append(moved, moved[-1]), np.append(moved[0], moved))
-        self.contact = ((u < 0.1) | (u > 0.9)) & (moved < 9e-4)
+        still = np.linalg.norm(np.diff(self.toe, axis=0), axis=1) < 9e-4  # from each frame to the next
+        self.contact = ((u < 0.1) | (u > 0.9)) & (np.append(still, still[-1]) | np.append(still[0], still))
+        self.contact[1:] &= still | ~self.contact[:-1]
         planted = begin + 0.12 * stance
         hold = np.maximum((end - planted) / 2 - usual * 0.44, 0.0)
         middle = (planted + end) / 2
@@ -241,5 +241,6 @@ def record(plan: Plan, feet: dict[str, Foot]) -> Truth:
         phase[:, 2 + i] = feet[side].phase if side in feet else plan.clock
         if side in feet:
             contacts[:, 1 - i] = feet[side].contact
+    phase = np.maximum.accumulate(phase)
     frequency = np.gradient(phase, axis=0) * FPS / (2 * math.pi)
     return Truth(*(torch.from_numpy(x).float() for x in (contacts, phase, frequency)))

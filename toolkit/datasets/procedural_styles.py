@@ -56,7 +56,7 @@ class Style:
     right_leg: Leg | None = None
     # pelvis
     height: float = 0.972  # of the hips when the legs can reach
-    bob: float = 0.008  # amplitude up and down, besides what the reach of the legs does
+    bob: float = 0.014  # amplitude up and down, besides what the reach of the legs does
     sway: float = 0.018  # amplitude sideways, over the standing foot
     forward: float = 0.0  # ahead of the middle between the feet
     tilt: float = -2.0  # bow of the pelvis
@@ -213,13 +213,13 @@ STYLES: dict[str, Style] = {
         left_leg=Leg(stance=0.5, heel_strike=4, toe_off=25, lift=0.03, ahead=0.02),
     ),
     "MarchKick": Style(
-        cadence=0.78,
+        cadence=0.72,
         step=0.6,
         lean=0,
         neck=8,
         tilt=-3,
         height=0.975,
-        legs=Leg(stance=0.54, lift=0.06, lift_at=0.66, kick=0.38, heel_strike=6, toe_off=34),
+        legs=Leg(stance=0.54, lift=0.06, lift_at=0.66, kick=0.33, heel_strike=6, toe_off=34),
         arms=Arm(swing=42, elbow=6, run_elbow=40, elbow_swing=2),
     ),
     "Old": Style(

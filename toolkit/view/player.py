@@ -164,8 +164,11 @@ class Player(widgets.VBox):
 
     def close(self) -> None:
         """Stop, free the window and take the widgets away."""
-        if self._task is not None:
+        if self._task is not None and not self._loop.is_closed():
             self._task.cancel()
+        self._wake = self._task = None
+        if Player._current is self:
+            Player._current = None
         self._stage.close()
         super().close()
 
@@ -189,7 +192,7 @@ class Player(widgets.VBox):
 
     def _refresh(self) -> None:
         self._stale = True
-        if self._wake is not None:
+        if self._wake is not None and not self._loop.is_closed():
             self._loop.call_soon_threadsafe(self._wake.set)
         if threading.current_thread() is threading.main_thread() and not self.playing:
             self._show()

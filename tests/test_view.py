@@ -1,0 +1,384 @@
+import asyncio
+import io
+import re
+import subprocess
+import sys
+import threading
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+import torch
+from PIL import Image
+
+from toolkit import rotations as R
+from toolkit import view
+from toolkit.motion import Clip, Skeleton
+from toolkit.view import body, page, stage
+from toolkit.view.raycast import Canvas
+
+SPINE = [("Hips", -1, (0, 0.95, 0)), ("Chest", 0, (0, 0.2, 0)), ("Neck", 1, (0, 0.25, 0)), ("Head", 2, (0, 0.1, 0)),
+         ("HeadEnd", 3, (0, 0.17, 0))]  # fmt: skip
+ARM = [("Collar", 1, (0.03, 0.2, 0)), ("Shoulder", 0, (0.15, 0, 0)), ("Elbow", 1, (0.3, 0, 0)), ("Wrist", 2, (0.25, 0, 0))]
+LEG = [("Hip", 0, (0.1, 0, 0)), ("Knee", 0, (0, -0.43, 0)), ("Ankle", 1, (0, -0.43, 0)), ("Toe", 2, (0, -0.07, 0.15))]
+
+
+def humanoid() -> Skeleton:
+    names, parents, offsets = (list(x) for x in zip(*SPINE, strict=True))
+    for side, sign in (("Left", 1), ("Right", -1)):
+        for limb in (ARM, LEG):
+            first = len(names)
+            for i, (name, parent, (x, y, z)) in enumerate(limb):
+                names.append(side + name)
+                parents.append(parent if i == 0 else first + parent)
+                offsets.append((sign * x, y, z))
+    return Skeleton(tuple(names), tuple(parents), torch.tensor(offsets))
+
+
+def walk(frames: int = 60, fps: float = 60.0, style: str = "Neutral", turned: torch.Tensor | None = None) -> Clip:
+    """Swinging limbs over a straight path; ``turned`` gives every joint other local axes without changing the motion."""
+    skeleton = humanoid()
+    t = torch.arange(frames) / fps
+    q = R.identity(frames, len(skeleton))
+    for name, sign in (("LeftHip", 1), ("RightHip", -1), ("LeftShoulder", -1), ("RightShoulder", 1)):
+        q[:, skeleton.index(name)] = R.from_axis_angle(torch.tensor([1.0, 0, 0]), sign * 0.5 * torch.sin(2 * np.pi * t))
+    positions = torch.stack((0 * t, 0.94 + 0.02 * torch.cos(4 * np.pi * t), 1.2 * t), -1)
+    if turned is not None:
+        above = q.clone()
+        above[:, 1:] = R.multiply(R.inverse(turned), above[:, 1:])
+        q = R.multiply(above, turned)
+        offsets = R.rotate(R.inverse(turned), skeleton.offsets)
+        skeleton = Skeleton(skeleton.names, skeleton.parents, offsets)
+    return Clip(skeleton, q, positions, fps, style, "FW")
+
+
+@pytest.fixture(scope="module")
+def clip() -> Clip:
+    return walk()
+
+
+def test_importing_the_package_loads_no_drawing_library():
+    code = ("import sys, toolkit, toolkit.view; "
+            "print({'pyvista', 'vtkmodules', 'plotly', 'ipywidgets', 'matplotlib'} & set(sys.modules))")  # fmt: skip
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "set()"
+
+
+def test_names_of_the_view_are_listed():
+    assert "html" in dir(view)
+    with pytest.raises(AttributeError, match="it has Player"):
+        view.nothing  # noqa: B018
+
+
+# the body
+
+
+def test_the_body_does_not_depend_on_the_rigs_local_axes(clip):
+    q = R.from_axis_angle(R.normalize(torch.tensor([1.0, 1.0, 1.0])), torch.tensor(2 * np.pi / 3))  # x -> y -> z -> x
+    other = walk(turned=q)
+    torch.testing.assert_close(other.global_positions, clip.global_positions, atol=1e-5, rtol=0)
+    mine, theirs = (body.placements(body.build(c), c.global_rotations, c.global_positions) for c in (clip, other))
+    centres = mine[..., 3] - theirs[..., 3]
+    assert np.abs(centres).max() < 0.02
+
+
+def test_the_body_is_symmetric_and_stands_on_the_floor(clip):
+    shapes = body.build(clip)
+    assert len({s.tone for s in shapes}) == 5
+    assert {s.foot for s in shapes} == {"", "left", "right"}
+    places = body.placements(shapes, clip.global_rotations, clip.global_positions)
+    lows = [(place[:, :, :3] @ body.surface(s)[0].T + place[:, :, 3:])[:, 1].min()
+            for s, place in zip(shapes, places.transpose(1, 0, 2, 3), strict=True)]  # fmt: skip
+    assert -0.06 < min(lows) < 0.06
+    sides = [sum(s.radii[0] for s in shapes if s.tone == side) for side in ("left", "right")]
+    assert sides[0] == pytest.approx(sides[1])
+
+
+def test_any_tree_gets_a_body():
+    skeleton = Skeleton(("a", "b", "c"), (-1, 0, 1), torch.tensor([[0.0, 0, 0], [0, 0.5, 0], [0.2, 0, 0]]))
+    tree = Clip(skeleton, R.identity(4, 3), torch.zeros(4, 3), 30.0)
+    assert len(body.build(tree)) == 2
+    assert view.strip(tree, frames=2, dpi=40) is not None
+
+
+def test_surface_is_closed_and_faces_outwards():
+    shape = body.cone(0, torch.zeros(3), torch.tensor([0.0, 0.3, 0.0]), (0.1, 0.05), "left")
+    vertices, normals, triangles = body.surface(shape, around=24, along=8)
+    a, b, c = vertices[triangles].transpose(1, 0, 2)
+    volume = np.einsum("ti,ti->t", a, np.cross(b, c)).sum() / 6
+    assert 0.0055 < volume < 0.0080  # a frustum with two half balls holds 0.0078 m3
+    assert (np.einsum("ti,ti->t", np.cross(b - a, c - a), normals[triangles].mean(1)) > -1e-9).all()
+
+
+def test_software_renderer_agrees_with_the_surface():
+    """Silhouette and depth of a thinned, tilted cone against the outermost of many surface points."""
+    shape = body.cone(0, torch.tensor([-0.1, 0.0, 0.0]), torch.tensor([0.15, 0.2, 0.1]), (0.1, 0.06), "left",
+                      thin=torch.tensor([0.0, 0.0, 1.0]), by=0.5)  # fmt: skip
+    canvas = Canvas((-0.4, 0.4, -0.4, 0.4), 100)
+    canvas.draw(shape, shape.place, np.ones(3))
+    points = body.surface(shape, around=200, along=100)[0] @ shape.place[:, :3].T + shape.place[:, 3]
+    seen = canvas.depth > -1e8
+    rows, columns = np.nonzero(seen)
+    assert (columns.min() / 100 - 0.4, (columns.max() + 1) / 100 - 0.4) == pytest.approx(
+        (points[:, 0].min(), points[:, 0].max()), abs=0.011)  # fmt: skip
+    assert (0.4 - (rows.max() + 1) / 100, 0.4 - rows.min() / 100) == pytest.approx(
+        (points[:, 1].min(), points[:, 1].max()), abs=0.011)  # fmt: skip
+    assert canvas.depth[seen].max() == pytest.approx(points[:, 2].max(), abs=0.002)
+
+
+# the web page
+
+
+def test_page_is_one_file_that_loads_nothing(clip, tmp_path):
+    weights = {"Zombie": np.linspace(1, 0, 60), "Old": np.linspace(0, 1, 60), "Neutral": np.zeros(60)}
+    path = view.html(
+        clip, tmp_path / "walk.html", title="A <walk>", caption="& more", contacts=torch.ones(60, 2), styles=weights
+    )
+    text = path.read_text(encoding="utf-8")
+    assert [p.name for p in tmp_path.iterdir()] == ["walk.html"]
+    assert "A &lt;walk&gt;" in text
+    assert "&amp; more" in text
+    assert "MIT License" in text
+    assert "default-src 'none'" in text
+    assert not re.search(r"""(?:src|href)\s*=\s*["']?\s*(?:https?:)?//|url\(\s*["']?https?:|@import|fetch\(["']http""", text)
+    assert set(re.findall(r"https?://[\w./-]+", text)) <= {"http://www.w3.org/1999/xhtml", "http://www.w3.org/2000/svg"}
+    assert text.count("<script") == text.count("</script>") == 4
+
+
+def test_page_keeps_the_motion_within_half_a_millimetre(clip):
+    packed = page.pack(clip, "walk")
+    error = (page.unpack(packed, clip).global_positions - clip.global_positions).norm(dim=-1).max()
+    assert float(error) < 0.0005
+    assert [packed["frames"], packed["fps"], packed["label"]] == [60, 60.0, "walk"]
+
+
+def test_a_minute_stays_small(clip, tmp_path):
+    minute = clip.replace(rotations=clip.rotations.repeat(60, 1, 1), root_positions=clip.root_positions.repeat(60, 1))
+    size = view.html(minute, tmp_path / "minute.html", title="A minute").stat().st_size
+    assert size - view.html(clip.cut(0, 1), tmp_path / "frame.html", title="A frame").stat().st_size < 2_000_000
+
+
+def test_page_refuses_what_does_not_fit(clip, tmp_path):
+    with pytest.raises(ValueError, match=r"contacts must be \[F, 2\] for each clip of \[60\] frames"):
+        view.html(clip, tmp_path / "x.html", title="x", contacts=torch.ones(59, 2))
+    with pytest.raises(ValueError, match="style weights must be"):
+        view.html(clip, tmp_path / "x.html", title="x", styles={"Old": np.ones(3)})
+    with pytest.raises(ValueError, match="1 to 9 clips"):
+        view.html([], tmp_path / "x.html", title="x")
+    assert not list(tmp_path.iterdir())
+
+
+# the strip
+
+
+def test_strip_draws_every_clip(clip, tmp_path):
+    path = tmp_path / "strip.png"
+    figure = view.strip(
+        [clip, walk(style="Zombie")], path, frames=3, width=5, dpi=60, title="Two", contacts=[None, torch.ones(60, 2)]
+    )
+    assert [axes.texts[0].get_text() for axes in figure.axes] == ["Neutral FW", "Zombie FW"]
+    picture = np.asarray(Image.open(path).convert("RGB")).astype(int)
+    assert picture.shape[1] == 300
+    for tone in ("left", "right"):
+        r, g, b = (int(body.COLORS[tone][i : i + 2], 16) for i in (1, 3, 5))
+        hue = picture[..., 0] - picture[..., 2] > 40 if r > b else picture[..., 2] - picture[..., 0] > 40
+        assert hue.mean() > 0.005, (tone, r, g, b)
+
+
+def test_strip_refuses_an_empty_stretch(clip):
+    with pytest.raises(ValueError, match=r"no frame between 5\.0 s"):
+        view.strip(clip, start=5.0)
+
+
+def test_strip_outside_of_a_notebook(clip):
+    assert type(view.play(clip)).__name__ == "Figure"
+
+
+# the player
+
+
+@pytest.fixture(params=["pyvista", "software"])
+def renderer(request, monkeypatch, capsys):
+    if request.param == "software":
+        monkeypatch.setattr(stage, "opengl_works", lambda: False)
+    elif not stage.opengl_works():
+        pytest.skip("pyvista finds no OpenGL here: " + stage.INSTALL)
+    return request.param
+
+
+def shown(player) -> np.ndarray:
+    return np.asarray(Image.open(io.BytesIO(player.image.value)))
+
+
+def test_player_draws_and_frames_differ(renderer, clip):
+    player = view.Player(clip, contacts=torch.ones(60, 2), size=(160, 120))
+    try:
+        first, later = player.render(0).copy(), player.render(20)
+        assert first.shape == (120, 160, 3)
+        assert first.std() > 10
+        assert (np.abs(first.astype(int) - later).max(-1) > 30).mean() > 0.005
+        before = shown(player)
+        player.seek(20)
+        assert player.frame == 20
+        assert np.abs(shown(player).astype(int) - before).max() > 30
+        player.set_clip(walk(20, style="Old"))
+        assert "Old" in player._title.value
+        assert player.frame == 0
+        with pytest.raises(ValueError, match="frame 20 is not one of 20"):
+            player.render(20)
+    finally:
+        player.close()
+
+
+def test_missing_opengl_is_explained_once(monkeypatch, clip, capsys):
+    monkeypatch.setattr(stage, "opengl_works", lambda: False)
+    stage.explain_missing_opengl.cache_clear()
+    for _ in range(2):
+        view.Player(clip, size=(80, 60)).close()
+    assert capsys.readouterr().out.count(stage.INSTALL) == 1
+
+
+def test_player_draws_on_the_main_thread_only(renderer, clip):
+    async def scenario():
+        player = view.Player(clip, size=(80, 60))
+        drawn, errors = player.drawn, []
+
+        def from_elsewhere():
+            player._slider.value = 30
+            try:
+                player.render(0)
+            except RuntimeError as error:
+                errors.append(str(error))
+
+        thread = threading.Thread(target=from_elsewhere)
+        thread.start()
+        thread.join()
+        assert player.drawn == drawn
+        assert "main thread" in errors[0]
+        for _ in range(100):
+            await asyncio.sleep(0.01)
+            if player.drawn > drawn:
+                break
+        assert (player.drawn, player.frame) == (drawn + 1, 30)
+        player.close()
+
+    asyncio.run(scenario())
+
+
+def test_time_runs_while_playing_and_one_player_plays(renderer, clip):
+    async def scenario():
+        one, two = (view.Player(clip, size=(80, 60)) for _ in range(2))
+        one.playing = True
+        await asyncio.sleep(0.3)
+        assert one.drawn > 3
+        two.playing = True
+        assert not one.playing
+        await asyncio.sleep(0.1)
+        drawn = one.drawn
+        await asyncio.sleep(0.1)
+        assert one.drawn == drawn
+        one.close()
+        two.close()
+
+    asyncio.run(scenario())
+
+
+# style blending
+
+
+def bank(*names: str):
+    return SimpleNamespace(names=names)
+
+
+def test_blender_makes_the_motion_of_its_weights(monkeypatch):
+    monkeypatch.setattr(stage, "opengl_works", lambda: False)
+    asked = []
+
+    def make(weights: dict[str, float]) -> Clip:
+        asked.append(weights)
+        return walk(10, style="+".join(n for n, w in weights.items() if w))
+
+    blender = view.StyleBlender(bank("A", "B", "C", "D"), make, size=(80, 60))
+    assert blender.weights == pytest.approx({"A": 1 / 3, "B": 1 / 3, "C": 1 / 3})
+    blender.weights = {"D": 3, "B": 1}
+    assert asked[-1] == pytest.approx({"D": 0.75, "B": 0.25, "A": 0})
+    assert blender.triangle.names == ["D", "B", "A"]
+    assert blender.player.clip.style == "D+B"
+    for wrong, message in (
+        ({"X": 1}, "unknown style 'X'; the bank has A, B, C, D"),
+        ({"A": -1}, "weights >= 0"),
+        ({}, "one to"),
+    ):
+        with pytest.raises(ValueError, match=message):
+            blender.weights = wrong
+    blender.close()
+
+
+def test_blender_waits_and_shows_the_newest_only(monkeypatch):
+    monkeypatch.setattr(stage, "opengl_works", lambda: False)
+    asked = []
+
+    def make(weights):
+        asked.append(weights)
+        return walk(10, style=f"{weights['A']:.1f}")
+
+    async def scenario():
+        blender = view.StyleBlender(bank("A", "B", "C"), make, size=(80, 60))
+        for a in (0.1, 0.3, 0.5, 0.9):
+            blender.triangle.weights = [a, 1 - a, 0.0]
+        for _ in range(150):
+            await asyncio.sleep(0.02)
+            if blender.player.clip.style == "0.9":
+                break
+        assert blender.player.clip.style == "0.9"
+        assert len(asked) == 2
+        blender.close()
+
+    asyncio.run(scenario())
+
+
+# the charts
+
+
+def phases(frames: int):
+    t = torch.arange(frames)[:, None] / 60 + torch.arange(4) / 4
+    angle = (2 * np.pi * t) % (2 * np.pi)
+    return SimpleNamespace(vector=torch.stack((angle.sin(), angle.cos()), -1), phase=angle, frequency=torch.ones(frames, 4),
+                           amplitude=torch.ones(frames, 4), source=angle.sin(), fit=angle.sin())  # fmt: skip
+
+
+def test_phase_figure_shows_four_limbs(clip):
+    figure = view.phase_figure(clip, phases(60), torch.ones(60, 2), start=0.25)
+    assert [t.name for t in figure.data].count("source") == 4
+    assert [t.name for t in figure.data].count("contact") == 2
+    assert [t.type for t in figure.data].count("bar") == 4
+    assert figure.data[0].x[0] == 0.25
+    with pytest.raises(ValueError, match=r"phases must be \[60, 4\]"):
+        view.phase_figure(clip, phases(59))
+
+
+def test_style_space_shows_names_and_groups():
+    figure = view.style_space(torch.rand(4, 2), ["A", "B", "C", "D"], ["x", "y", "x", "y"], marked={"blend": torch.zeros(2)})
+    assert [t.name for t in figure.data] == ["x", "y", "blend"]
+    assert list(figure.data[0].text) == ["A", "C"]
+    with pytest.raises(ValueError, match="4 names need positions"):
+        view.style_space(torch.rand(4, 3), ["A", "B", "C", "D"])
+
+
+def test_training_curves_of_rows_and_columns():
+    rows = [
+        {"step": 10, "elapsed": 1.0, "train": 0.5, "test": None},
+        {"step": 20, "elapsed": 2.0, "train": 0.2, "test": 0.3},
+    ]
+    figure = view.training_curves(rows)
+    assert {t.name: list(t.y) for t in figure.data} == {"train": [0.5, 0.2], "test": [0.3]}
+    columns = {k: [r[k] for r in rows] for k in rows[0]}
+    assert [t.name for t in view.training_curves(columns).data] == ["train", "test"]
+    with pytest.raises(ValueError, match="rows with 'step'"):
+        view.training_curves([])
+
+
+def test_trajectory_figure_shows_the_path_and_what_was_asked(clip):
+    figure = view.trajectory_figure(clip, torch.zeros(5, 2))
+    assert [t.name for t in figure.data] == ["asked for", "Neutral", "Neutral, each second"]
+    np.testing.assert_allclose(figure.data[1].y, clip.root_positions[:, 2], atol=1e-6)
