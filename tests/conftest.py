@@ -25,3 +25,11 @@ def shared() -> Path:
 def walk_clip() -> tk.Clip:
     """Eight seconds of procedural walking."""
     return tk.datasets.load("procedural", styles=["Neutral"], gaits=["FW"], seconds=8.0)[0]
+
+
+@pytest.fixture(scope="session")
+def small_run() -> tk.training.Run:
+    """A model of two styles after a few steps: its weights are real, its motion is not yet."""
+    clips = tk.datasets.load("procedural", styles=["Neutral", "Zombie"], gaits=["FW"], seconds=10.0)
+    sizes = tk.networks.Sizes(hidden=32, experts=4, gating=8, film_channels=8, film_kernel=5, film_dense=16, dropout=0.0)
+    return tk.training.fit(tk.features.build(clips), tk.training.Config.quick(steps=60, sizes=sizes))

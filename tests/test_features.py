@@ -70,7 +70,8 @@ def test_mirroring_swaps_sides_and_negates_x(walk_clip):
     layout = Layout(walk_clip.skeleton)
     here, there = frames(walk_clip), frames(walk_clip.mirrored())
     positions = [split_joints(r.inputs[:, layout.inputs["joints"]])["position"] for r in (here, there)]
-    twins = [layout.names.index(walk_clip.skeleton.names[walk_clip.skeleton.twins[j]]) for j in walk_clip.skeleton.feature_joints]
+    skeleton = walk_clip.skeleton
+    twins = [layout.names.index(skeleton.names[skeleton.twins[j]]) for j in skeleton.feature_joints]
     assert float((positions[0][:, twins] * torch.tensor([-1.0, 1, 1]) - positions[1]).abs().max()) < 0.01
 
 

@@ -2,6 +2,7 @@
 
 import math
 
+import numpy as np
 import pytest
 import torch
 from hypothesis import given, settings
@@ -41,7 +42,7 @@ def test_residual_is_no_worse_than_a_well_started_optimiser(walk_clip):
         window = curve[frame - 30 : frame + 31].numpy()
         low, high = window.min(), window.max()
         best = min(
-            least_squares(lambda p, w=window: p[0] * torch.sin(torch.as_tensor(2 * math.pi * (p[1] * t - p[2]))).numpy() + p[3] - w,
+            least_squares(lambda p, w=window: p[0] * np.sin(2 * math.pi * (p[1] * t - p[2])) + p[3] - w,
                           [(high - low) / 2, f, s, window.mean()],
                           bounds=([0, 0.25, -0.5, low - 1e-9], [high - low + 1e-9, 4.0, 0.5, high + 1e-9])).cost
             for f in (0.5, 1.0, 2.0, 3.0) for s in (-0.25, 0.25)
@@ -63,7 +64,8 @@ def test_normalising_is_a_windowed_z_score():
     got = normalise(curve, FPS)
     for frame in (40, 100, 150):
         window = curve[frame - 30 : frame + 31, 0]
-        assert float(got[frame, 0]) == pytest.approx(float((curve[frame, 0] - window.mean()) / window.std(correction=0)), abs=1e-6)
+        expected = (curve[frame, 0] - window.mean()) / window.std(correction=0)
+        assert float(got[frame, 0]) == pytest.approx(float(expected), abs=1e-6)
     assert float(normalise(torch.full((100, 1), 3.0, dtype=torch.float64), FPS).abs().max()) == 0
 
 
@@ -117,3 +119,13 @@ def test_bad_sources_are_refused(walk_clip, source, message):
 def test_a_clip_shorter_than_the_window_is_refused(walk_clip):
     with pytest.raises(ValueError, match="30 frames are too few for phases, which need 61"):
         tk.phases.extract(walk_clip.cut(0, 30))
+
+
+def test_phase_error_forgives_a_constant_lag_and_nothing_else():
+    truth = torch.arange(600, dtype=torch.float64)[:, None] / 60 * torch.tensor([5.0, 6.0, 7.0])
+    found = truth + torch.tensor([0.0, 3.0, 0.0])
+    found[:, 2] = 7.0  # stuck
+    error, lag = tk.metrics.phase_error(found % (2 * math.pi), truth)
+    assert float(error[:2].max()) < 1e-9
+    assert float(lag[1]) == pytest.approx(3.0)
+    assert float(error[2]) == pytest.approx(math.pi / 2, rel=0.05)

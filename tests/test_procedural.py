@@ -69,6 +69,8 @@ def test_load_gives_styles_times_gaits_on_different_paths():
     assert [(c.style, c.gait) for c in clips] == [(s, g) for s in ("Neutral", "Zombie") for g in ("FW", "ID")]
     headings = {round(float(root_frames(c).rotations[0, 2]), 4) for c in clips}
     assert len(headings) == 4
+    (one,) = procedural.load("Neutral", "FW", 2.0)
+    assert (one.style, one.gait) == ("Neutral", "FW")
 
 
 @pytest.mark.parametrize("style", WALKERS)

@@ -90,7 +90,7 @@ def test_all_styles_but_drunk_walk_upright(published):
             state = tk.runtime.step(model, state, command)
             height = tk.features.split_joints(state.joints)["position"][:, hips, 1]
             assert bool(torch.isfinite(state.joints).all())
-            assert 0.5 < float(height.min())
+            assert float(height.min()) > 0.5
             assert float(height.max()) < 1.25
     assert float((state.root[:, :2] - first).norm(dim=-1).min()) > 20 * 0.4
 

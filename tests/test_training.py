@@ -35,7 +35,7 @@ def waves(joints: int = 4, styles: int = 2, frames: int = 700) -> Features:
 
 WIDER = dataclasses.replace(TINY, hidden=64, dropout=0.05)
 QUICK = Config(sizes=TINY, steps=12, batch=16, clips_per_batch=4, evaluate_every=5,
-               rate=1e-3, final_rate=0.1, max_gradient=1.0)  # fmt: skip
+               rate=1e-3, final_rate=0.1, max_gradient=1.0, stray=0.2)  # fmt: skip
 
 
 def same_weights(a: networks.Model, b: networks.Model) -> bool:
@@ -59,6 +59,23 @@ def test_minibatches_cycle_through_styles_and_frames():
     again = sampling.Minibatches(data, 32, 2, seed=4)
     assert all(torch.equal(a, b) for step in (50, 3, 64) for a, b in zip(again[step], batches[step], strict=True))
     assert not torch.equal(sampling.Minibatches(data, 32, 2, seed=5)[3][0], batches[3][0])
+
+
+def test_only_poses_stray_and_only_towards_others():
+    data = waves(styles=3)
+    plain, strayed = sampling.Minibatches(data, 64, 1, 4), sampling.Minibatches(data, 64, 1, 4, stray=0.5)
+    joints = data.layout.inputs["joints"]
+    (x, *rest), (moved, *same) = plain[7], strayed[7]
+    assert all(torch.equal(a, b) for a, b in zip(rest, same, strict=True))
+    assert torch.equal(x[:, : joints.start], moved[:, : joints.start])
+    changed = (x != moved).any(1)
+    assert 0.3 < float(changed.float().mean()) < 0.7
+    poses = torch.cat([data.inputs[s][:, joints] for s in data.styles])
+    pose, way = x[changed][0, joints], (moved - x)[changed][0, joints]
+    others = poses - pose
+    share = (others @ way) / others.square().sum(1)  # along the way to some frame, by less than all of it
+    assert bool((((share[:, None] * others - way).abs().amax(1) < 1e-5) & (share > 0) & (share < 1)).any())
+    assert torch.equal(strayed[7][0], moved)
 
 
 def test_held_out_frames_are_windows_apart_from_the_training_frames():
@@ -104,7 +121,7 @@ def test_it_learns_more_than_both_baselines():
     *styles, overall = run.table()
     assert [row["style"] for row in styles] == ["style0", "style1"]
     for row in (*styles, overall):
-        assert row["error"] < 0.5 * min(row["mean"], row["repeat"])
+        assert row["error"] < 0.5 * min(row["mean"], row["repeat"], row["other"])
     assert run.bank.names == ("style0", "style1")
     assert run.bank.vectors.shape == (2, 256)
     assert [row["step"] for row in run.history] == list(range(100, 601, 100))
@@ -196,6 +213,7 @@ def test_time_as_the_budget():
     ({"seconds": 0}, "seconds must be positive"),
     ({"batch": 8, "clips_per_batch": 9}, "clips_per_batch must be from 1 to batch, got 9 and 8"),
     ({"rate": 0.0}, "rate must be positive"),
+    ({"stray": 2.0}, r"stray must be in \[0, 1\]"),
     ({"held_out": 1.0}, r"held_out must be in \[0, 1\)"),
     ({"seed": -1}, "seed must not be negative"),
 ])  # fmt: skip

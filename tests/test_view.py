@@ -14,7 +14,7 @@ from PIL import Image
 from toolkit import rotations as R
 from toolkit import view
 from toolkit.motion import Clip, Skeleton
-from toolkit.view import body, page, stage
+from toolkit.view import body, opengl, page, stage
 from toolkit.view.raycast import Canvas
 
 SPINE = [("Hips", -1, (0, 0.95, 0)), ("Chest", 0, (0, 0.2, 0)), ("Neck", 1, (0, 0.25, 0)), ("Head", 2, (0, 0.1, 0)),
@@ -202,7 +202,7 @@ def renderer(request, monkeypatch, capsys):
     if request.param == "software":
         monkeypatch.setattr(stage, "opengl_works", lambda: False)
     elif not stage.opengl_works():
-        pytest.skip("pyvista finds no OpenGL here: " + stage.INSTALL)
+        pytest.skip("pyvista finds no OpenGL here: " + opengl.INSTALL)
     return request.param
 
 
@@ -235,7 +235,7 @@ def test_missing_opengl_is_explained_once(monkeypatch, clip, capsys):
     stage.explain_missing_opengl.cache_clear()
     for _ in range(2):
         view.Player(clip, size=(80, 60)).close()
-    assert capsys.readouterr().out.count(stage.INSTALL) == 1
+    assert capsys.readouterr().out.count(opengl.INSTALL) == 1
 
 
 def test_player_draws_on_the_main_thread_only(renderer, clip):

@@ -1,12 +1,14 @@
 """Command line: ``python -m toolkit VERB``. One verb per job; bad input is one line on stderr and exit status 2."""
 
+import math
 import sys
 from pathlib import Path
 from typing import Annotated
 
+import torch
 import typer
 
-from toolkit import datasets, features, training
+from toolkit import bvh, datasets, demo, features, metrics, published, runtime, training
 
 app = typer.Typer(no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False, help=__doc__)
 data_app = typer.Typer(no_args_is_help=True, help="Look at datasets.")
@@ -61,11 +63,99 @@ def train(
     run = training.fit(found, config, checkpoint, resume=resume, progress=True)
     run.save(out)
     checkpoint.unlink(missing_ok=True)
-    print("held-out frames, mean squared error of normalised outputs")
-    print(f"{'style':<20}{'model':>9}{'mean':>9}{'repeat':>9}{'bone (mm)':>11}")
+    print("held-out frames: mean squared error of normalised outputs; with another style's vector; of the mean and of the")
+    print("frame repeated; error of bone lengths, mm")
+    print(f"{'style':<20}{'model':>9}{'other':>9}{'mean':>9}{'repeat':>9}{'bone':>7}")
     for row in run.table():
-        print(f"{row['style']:<20}{row['error']:>9.4f}{row['mean']:>9.4f}{row['repeat']:>9.4f}{1000 * row['bone']:>11.1f}")
+        errors = "".join(f"{row.get(k, math.nan):>9.4f}" for k in ("error", "other", "mean", "repeat"))
+        print(f"{row['style']:<20}{errors}{1000 * row['bone']:>7.1f}")
     print(f"{run.history[-1]['step']:,} steps in {run.history[-1]['elapsed']:.0f} s; wrote {out}")
+
+
+@app.command("demo")
+def demo_(
+    out: Annotated[Path, typer.Option(help="Folder for what it leaves.")] = Path("out/demo"),
+    seconds: Annotated[float, typer.Option(help="Training time.")] = 35.0,
+    seed: Annotated[int, typer.Option(help="Of data and training.")] = 0,
+) -> None:
+    """Train a small model on the embedded data and drive a character through a blend of three styles."""
+    made = demo.make(seconds, seed=seed, progress=True)
+    files = demo.write(made, out)
+    print("\n".join(made.report))
+    print("\nLook at it:")
+    for file in files:
+        print(f"  {file}")
+    print("\nNext: open walk.html in a browser; `make lab` starts JupyterLab on the notebooks.")
+
+
+@app.command()
+def rollout(
+    style: Annotated[str, typer.Option(help="A style, or a blend like Zombie=0.5,Old=0.5.")],
+    out: Annotated[Path, typer.Option(help="File to write: .bvh, .html or .png (a strip).")],
+    model: Annotated[Path | None, typer.Option(help="A trained run (.safetensors).")] = None,
+    parameters: Annotated[Path | None, typer.Option("--published", help="Folder of the published parameters.")] = None,
+    seconds: Annotated[float, typer.Option(help="How long to walk.")] = 10.0,
+    speed: Annotated[float, typer.Option(help="Metres per second.")] = 1.2,
+    ik: Annotated[bool, typer.Option(help="Foot and arm IK.")] = True,
+) -> None:
+    """Walk straight ahead in a style, write it, and print what was measured."""
+    if out.suffix not in (".bvh", ".html", ".png"):
+        raise ValueError(f"{out}: can write .bvh, .html and .png, not {out.suffix or 'a file without suffix'!r}")
+    net, bank = _model(model, parameters)
+    commands = runtime.straight(speed, seconds)
+    states = list(runtime.states(net, commands, bank.blend(_blend(style)), progress=True))
+    clip = runtime.record(net, states, ik=ik).replace(style=style, gait="FW")
+    if out.suffix == ".bvh":
+        bvh.save(clip, out)
+    else:
+        from toolkit import view
+
+        out.parent.mkdir(parents=True, exist_ok=True)
+        view.html(clip, out, title=style) if out.suffix == ".html" else view.strip(clip, out)
+    low, high = metrics.hips_height(clip)
+    skate = metrics.foot_skate(clip, torch.stack([s.contacts[0] for s in states]))
+    print(f"{len(clip)} frames, {metrics.speed(clip):.2f} m/s, hips {low:.2f} to {high:.2f} m, "
+          f"foot skate right {skate['right'] * 100:.1f} left {skate['left'] * 100:.1f} cm/s; wrote {out}")  # fmt: skip
+
+
+@bench_app.command("one-step")
+def bench_one_step(
+    clip: Annotated[Path, typer.Option(help="A BVH file of the 100STYLE skeleton.")],
+    style: Annotated[str, typer.Option(help="Whose style vector.")],
+    parameters: Annotated[Path | None, typer.Option("--published", help="Folder of the published parameters.")] = None,
+    model: Annotated[Path | None, typer.Option(help="A trained run instead (.safetensors).")] = None,
+    start: Annotated[int, typer.Option(help="First frame (100STYLE: START of Frame_Cuts.csv).")] = 0,
+    stop: Annotated[int | None, typer.Option(help="Last frame, not included; the end where not given.")] = None,
+    beside: Annotated[str, typer.Option(help="Comma-separated styles to compare with.")] = "Zombie,Aeroplane",
+) -> None:
+    """Predict every next frame of a real clip from own features and phases; the right style must win clearly."""
+    net, bank = _model(model, parameters)
+    motion = bvh.load(clip)
+    print(f"{'style':<18}{'joint MSE':>10}{'contact corr. R':>17}{'L':>7}{'phase error':>13}")
+    for name in [style, *(s for s in beside.split(",") if s and s != style)]:
+        row = published.one_step(net, bank, motion, name, (start, stop))
+        right, left = row["contact_correlation"]
+        print(f"{name:<18}{row['joint_mse']:>10.4f}{right:>17.3f}{left:>7.3f}{row['phase_error']:>13.3f}")
+    print(f"{row['frames']} frames; joint MSE in the model's normalised units, where predicting the mean gives about 1")
+
+
+def _model(file: Path | None, folder: Path | None):
+    """A model and its style bank, of a training run's file or of the published parameters' folder."""
+    if (file is None) == (folder is None):
+        raise ValueError("give either --model FILE or --published FOLDER")
+    if folder is not None:
+        return published.load(folder)
+    run = training.load(file)
+    return run.model, run.bank
+
+
+def _blend(text: str) -> dict[str, float]:
+    if "=" not in text:
+        return {text: 1.0}
+    try:
+        return {name.strip(): float(weight) for name, weight in (part.split("=") for part in text.split(","))}
+    except ValueError:
+        raise ValueError(f"a blend is written like Zombie=0.5,Old=0.5; got {text!r}") from None
 
 
 def main(arguments: list[str] | None = None) -> int:

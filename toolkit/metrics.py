@@ -64,3 +64,25 @@ def path_error(clip: Clip, points: Tensor) -> float:
     a, b = points[None, :-1].to(hips), points[None, 1:].to(hips)
     along = (((hips - a) * (b - a)).sum(-1) / (b - a).square().sum(-1).clamp_min(1e-12)).clamp(0.0, 1.0)
     return float((hips - a - along[..., None] * (b - a)).norm(dim=-1).amin(1).mean())
+
+
+def phase_error(phase: Tensor, truth: Tensor) -> tuple[Tensor, Tensor]:
+    """Mean circular distance between two phases, once the constant lag between them is taken away.
+
+    Where a cycle begins is a convention: a foot's may be counted from the middle of its contact or from toe-off. So what is
+    judged is whether the two keep in step. Phases that have nothing to do with each other come near π/2.
+
+    Parameters
+    ----------
+    phase, truth : Tensor [F, ...]
+        Radians.
+
+    Returns
+    -------
+    error, lag : Tensor [...]
+        Radians: the mean over the frames, in [0, π], and how far ``phase`` is ahead, in [−π, π].
+    """
+    gap = (phase - truth).double()
+    lag = torch.atan2(gap.sin().mean(0), gap.cos().mean(0))
+    rest = gap - lag
+    return torch.atan2(rest.sin(), rest.cos()).abs().mean(0), lag

@@ -6,7 +6,7 @@ leading axis of B characters, so that one call moves a crowd.
 
 import dataclasses
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 import torch
@@ -24,6 +24,7 @@ GAIN = 0.25  # share of the way that the smoothed target moves to the command in
 POSITION_BIAS, DIRECTION_BIAS = 0.75, 1.25  # exponents of the blend from the network's trajectory to the target
 CORRECTION = 0.85  # share of the network's prediction in the next frame's trajectory
 DRIVE_RATE, DRIVE_LIMITS = 1.5, (0.5, 12.0)  # ours: how fast the drive adapts, per second, and how far
+LOOKAHEAD = 0.5  # seconds that a pilot looks ahead
 N_FUTURE = len(trajectory.SAMPLES) - trajectory.CURRENT
 UP = torch.tensor([0.0, 1.0, 0.0])
 
@@ -84,6 +85,9 @@ class CharacterState:
     def with_style(self, style: Tensor) -> "CharacterState":
         """The same moment with another style vector ``[S]`` or ``[B, S]``."""
         return dataclasses.replace(self, style=torch.as_tensor(style).expand(len(self.phase), -1))
+
+
+Pilot = Callable[[CharacterState], Command]
 
 
 def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0),
@@ -187,37 +191,61 @@ def straight(speed: float = 1.2, seconds: float = 10.0, facing: Sequence[float] 
     return [Command(tuple((speed * forward).tolist()), tuple(forward.tolist()))] * round(seconds * FPS)
 
 
-def follow(points: Sequence[Sequence[float]], speed: float = 1.2, seconds: float | None = None) -> list[Command]:
-    """Commands along a polyline of (x, z) ``points`` in metres at constant speed, facing along it; stops at its end."""
+def follow(points: Sequence[Sequence[float]], speed: float = 1.2, seconds: float | None = None) -> list[Pilot]:
+    """Pilots that keep a character on a polyline at constant speed, facing along it, and stop at its end.
+
+    Parameters
+    ----------
+    points
+        Two or more different (x, z), metres.
+    speed
+        Metres per second.
+    seconds
+        How long; as long as the path takes where not given.
+    """
     path = torch.as_tensor(points, dtype=torch.float32)
-    lengths = (path[1:] - path[:-1]).norm(dim=-1)
-    total = float(lengths.sum())
-    frames = math.ceil((total / speed if seconds is None else seconds) * FPS)
-    ends = lengths.cumsum(0)
-    commands = []
-    for frame in range(frames):
-        at = frame / FPS * speed
-        leg = min(int((ends <= at).sum()), len(lengths) - 1)
-        direction = (path[leg + 1] - path[leg]) / lengths[leg]
-        moving = speed if at < total else 0.0
-        commands.append(Command(tuple((direction * moving).tolist()), tuple(direction.tolist())))
-    return commands
+    legs = (path[1:] - path[:-1]).norm(dim=-1)
+    if path.dim() != 2 or path.shape[1] != 2 or not len(legs) or float(legs.min()) < 1e-6:
+        raise ValueError(f"a path needs two or more different (x, z) points, got {list(path.shape)}")
+    ends = legs.cumsum(0)
+
+    def point(distance: float) -> Tensor:
+        leg = min(int((ends <= distance).sum()), len(legs) - 1)
+        share = min(1.0, (distance - float(ends[leg] - legs[leg])) / float(legs[leg]))
+        return torch.lerp(path[leg], path[leg + 1], share)
+
+    def pilot(distance: float) -> Pilot:
+        """Head for where the path is a moment later: late and strayed characters catch up, early ones wait."""
+        goal, ahead = point(distance + LOOKAHEAD * speed), point(distance + LOOKAHEAD * speed + 0.05)
+        tangent = ahead - goal if float((ahead - goal).norm()) > 1e-6 else path[-1] - path[-2]
+
+        def steer_to_goal(state: CharacterState) -> Command:
+            velocity = (goal - state.root[:, :2]) / LOOKAHEAD
+            fast = velocity.norm(dim=-1, keepdim=True).clamp_min(1e-6)
+            return Command(velocity * (1.5 * speed / fast).clamp(max=1.0), tangent)
+
+        return steer_to_goal
+
+    frames = math.ceil((float(ends[-1]) / speed if seconds is None else seconds) * FPS)
+    return [pilot(frame / FPS * speed) for frame in range(frames)]
 
 
 Styles = Tensor | Callable[[int], Tensor]
 
 
-def states(model, commands: Sequence[Command], style: Styles, first: CharacterState | None = None, progress: bool = False):
+def states(model, commands: Sequence[Command | Pilot], style: Styles, first: CharacterState | None = None,
+           progress: bool = False) -> Iterator[CharacterState]:  # fmt: skip
     """Yield the state after every command. ``style`` is a vector, or a function of the frame number for live blending."""
     at = style if callable(style) else (lambda _: style)
     state = start(model, at(0)) if first is None else first
     with torch.inference_mode():
         for frame, command in enumerate(tqdm(commands, desc="rollout", unit="frame", disable=None if progress else True)):
-            state = step(model, state.with_style(at(frame)), command)
+            state = state.with_style(at(frame))
+            state = step(model, state, command(state) if callable(command) else command)
             yield state
 
 
-def rollout(model, commands: Sequence[Command], style: Styles, ik: bool = True, first: CharacterState | None = None,
+def rollout(model, commands: Sequence[Command | Pilot], style: Styles, ik: bool = True, first: CharacterState | None = None,
             progress: bool = False) -> Clip:  # fmt: skip
     """Drive one character through commands and record it.
 
@@ -226,7 +254,7 @@ def rollout(model, commands: Sequence[Command], style: Styles, ik: bool = True, 
     model
         What `toolkit.networks.build`, `toolkit.training.load` or `toolkit.published.load` give.
     commands
-        One per frame, 60 Hz.
+        One per frame, 60 Hz: a command, or a function from the state to one.
     style : Tensor [S] or callable
         Style vector, or a function from the frame number to one.
     ik

@@ -9,7 +9,7 @@ from torch import Tensor
 from toolkit.features import Features
 
 SPLIT_FRAMES = 240  # held-out frames come in contiguous windows of this length: neighbours are almost the same frame
-INIT, SPLIT, FRAMES, CLIPS, DROPOUT = range(5)  # what draws random numbers; each from streams of its own
+INIT, SPLIT, FRAMES, CLIPS, STRAY, DROPOUT = range(6)  # what draws random numbers; each from streams of its own
 
 
 class Minibatches:
@@ -18,14 +18,30 @@ class Minibatches:
     A minibatch holds frames of one style; styles come round-robin in a fixed order, frames without replacement within one
     pass of a style, style clips independently of the frames. An epoch is one pass of the shortest style (section 4.3).
 
+    Departure from the paper, off unless asked for: some frames' input poses stray, blended with a random frame's of any
+    style by a random share, while their targets stay. One step ahead a real input pose gives its style away, so that a
+    short training hardly listens to the style vector and a character stays in whatever style it starts in; a strayed pose
+    does not, and the network learns to lead it back to the style that the vector says.
+
+    Parameters
+    ----------
+    data
+        Features to train on.
+    batch, clips
+        Frames and style clips of a minibatch.
+    seed
+        The same seed, the same minibatches.
+    stray
+        Share of frames whose input pose strays.
+
     Raises
     ------
     ValueError
         If a style has no frames or no style clips.
     """
 
-    def __init__(self, data: Features, batch: int, clips: int, seed: int):
-        self.data, self.batch, self.clips, self.seed, self.styles = data, batch, clips, seed, data.styles
+    def __init__(self, data: Features, batch: int, clips: int, seed: int, stray: float = 0.0):
+        self.data, self.batch, self.clips, self.seed, self.stray, self.styles = data, batch, clips, seed, stray, data.styles
         for style in self.styles:
             if not len(data.inputs[style]) or not len(data.clips[style]):
                 raise ValueError(f"style {style!r} has {len(data.inputs[style])} frames and {len(data.clips[style])} style "
@@ -45,7 +61,22 @@ class Minibatches:
         rows = self._orders[style][1][place * batch : (place + 1) * batch]
         draw = generator(self.seed, CLIPS, step)
         clips = torch.randint(len(data.clips[style]), (self.clips,), generator=draw)
-        return data.inputs[style][rows], data.phases[style][rows], data.outputs[style][rows], data.clips[style][clips]
+        x = data.inputs[style][rows]
+        if self.stray:
+            x = self._strayed(x, step)
+        return x, data.phases[style][rows], data.outputs[style][rows], data.clips[style][clips]
+
+    def _strayed(self, x: Tensor, step: int) -> Tensor:
+        """``x`` with the poses of some frames moved a random part of the way to those of frames of any style."""
+        draw, joints = generator(self.seed, STRAY, step), self.data.layout.inputs["joints"]
+        others = torch.randint(len(self.styles), (len(x),), generator=draw).tolist()
+        places = torch.rand(len(x), generator=draw).tolist()
+        there = (self.data.inputs[self.styles[s]] for s in others)
+        poses = torch.stack([rows[int(p * len(rows)), joints] for rows, p in zip(there, places, strict=True)])
+        how_far, which = torch.rand(2, len(x), 1, generator=draw)
+        x = x.clone()
+        x[:, joints] += (which < self.stray) * how_far * (poses - x[:, joints])
+        return x
 
 
 def split(data: Features, share: float, seed: int, styles: tuple[str, ...]) -> tuple[Features, Features]:

@@ -40,9 +40,11 @@ class Config:
     batch: int = 32  # frames of one style per minibatch
     clips_per_batch: int = 32  # style clips per minibatch, shared by its frames; 1 takes a fifth of the time of 32
     rate: float = 1e-4  # Adam's learning rate at the start
+    style_rate: float = 1.0  # the style modulation's rate as a share of that; its convolutions die of rates from 1e-3 on
     final_rate: float = 1.0  # learning rate at the end as a share of the first, on a cosine between; 1: constant
     max_gradient: float | None = None  # norm to which gradients are clipped; rates from 1e-3 on spike without
     bone_weight: float = 1.0  # of the bone-length loss
+    stray: float = 0.0  # share of frames whose input pose strays to another style's (see Minibatches); the paper: 0
     held_out: float = 0.1  # share of every style's frames kept for the test error
     evaluate_every: int = 1000  # steps between test errors in the history
     save_every: float = 120.0  # seconds between checkpoints
@@ -58,17 +60,21 @@ class Config:
                 raise ValueError(f"{name} must be positive and finite, got {value}")
         if self.batch < 1 or not 1 <= self.clips_per_batch <= self.batch:
             raise ValueError(f"clips_per_batch must be from 1 to batch, got {self.clips_per_batch} and {self.batch}")
-        if not 0 < self.rate < math.inf or not 0 <= self.final_rate <= 1:
-            raise ValueError(f"rate must be positive and final_rate in [0, 1], got {self.rate} and {self.final_rate}")
+        if not (0 < self.rate < math.inf and 0 <= self.style_rate < math.inf and 0 <= self.final_rate <= 1):
+            raise ValueError(f"rate must be positive, style_rate not negative and final_rate in [0, 1]; got {self.rate}, "
+                             f"{self.style_rate} and {self.final_rate}")  # fmt: skip
         if self.seed < 0:
             raise ValueError(f"seed must not be negative, got {self.seed}")
+        if not 0 <= self.stray <= 1:
+            raise ValueError(f"stray must be in [0, 1], got {self.stray}")
         if not 0 <= self.held_out < 1:
             raise ValueError(f"held_out must be in [0, 1), got {self.held_out}")
 
     @classmethod
     def quick(cls, **changes) -> "Config":
-        """Half a minute on two cores: small sizes, one style clip per minibatch, a high rate that decays."""
-        settings = {"sizes": Sizes.small(), "clips_per_batch": 1, "rate": 2e-3, "final_rate": 0.01, "max_gradient": 1.0}
+        """Half a minute on two cores: small sizes, one style clip per minibatch, straying poses, a high rate that decays."""
+        settings = {"sizes": Sizes.small(), "batch": 64, "clips_per_batch": 1, "rate": 2e-3, "style_rate": 0.1,
+                    "stray": 0.3, "final_rate": 0.01, "max_gradient": 1.0}  # fmt: skip
         if not changes.keys() & {"epochs", "steps", "seconds"}:
             settings["seconds"] = 30.0
         return cls(**(settings | changes))
@@ -83,8 +89,10 @@ class Config:
 class Run:
     """What training made.
 
-    ``held_out[style]`` and ``baselines[style]`` are errors on held-out frames: mean squared error of normalised outputs,
-    and ``bone``, the mean error of bone lengths in metres. ``history`` has a row per evaluation.
+    ``held_out[style]`` and ``baselines[style]`` are mean squared errors of normalised outputs on held-out frames: ``mse``;
+    ``other``, with another style's vector (where it is not much larger, the model does not listen to the vector); and the
+    ``mean`` and ``repeat`` of `baselines`. ``bone`` is the error of bone lengths, metres. ``history`` has a row per
+    evaluation.
     """
 
     model: Model
@@ -106,8 +114,8 @@ class Run:
         """Held-out error beside both baselines: a row per style and one over all styles, each style counting the same."""
         if not self.held_out:
             return []
-        rows = [{"style": s, "error": self.held_out[s]["mse"], **self.baselines[s], "bone": self.held_out[s]["bone"]}
-                for s in self.held_out]  # fmt: skip
+        rows = [{"style": s, "error": e["mse"], **{k: v for k, v in e.items() if k != "mse"}, **self.baselines[s]}
+                for s, e in self.held_out.items()]  # fmt: skip
         overall = {k: sum(row[k] for row in rows) / len(rows) for k in rows[0] if k != "style"}
         return [*rows, {"style": "overall", **overall}]
 
@@ -153,7 +161,7 @@ def fit(data: Features, config: Config | None = None, checkpoint: str | os.PathL
     for style in config.styles:
         check_style(style, data.styles)
     train, test = sampling.split(data, config.held_out, config.seed, config.styles or tuple(data.styles))
-    batches = Minibatches(train, config.batch, config.clips_per_batch, config.seed)
+    batches = Minibatches(train, config.batch, config.clips_per_batch, config.seed, config.stray)
     with _seeded(config, INIT):
         model = networks.build(config.model, data.layout, len(batches.styles), config.sizes, train.normalisers())
     state = {"step": 0, "elapsed": 0.0, "history": []}
@@ -161,7 +169,8 @@ def fit(data: Features, config: Config | None = None, checkpoint: str | os.PathL
     if checkpoint and resume and Path(checkpoint).exists():
         model, moments, state = _restore(checkpoint, model, config)
     model.to(config.device)
-    adam = torch.optim.Adam(model.parameters(), lr=config.rate, fused=True)
+    style, rest = list(model.modulation.parameters()), [*model.gating.parameters(), *model.experts.parameters()]
+    adam = torch.optim.Adam([{"params": rest}, {"params": style}], lr=config.rate, fused=True)
     if moments:
         adam.load_state_dict({"state": moments, "param_groups": adam.state_dict()["param_groups"]})
     total = None if config.seconds else config.steps or max(1, round((config.epochs or 90) * batches.steps_per_epoch))
@@ -205,7 +214,10 @@ def fit(data: Features, config: Config | None = None, checkpoint: str | os.PathL
     save()
     model.eval()
     bank = make_bank(model, train)
-    return Run(model.cpu(), bank, config, state["history"], evaluate(model, bank, test), baselines(model, test))
+    held_out, shifted = evaluate(model, bank, test), StyleBank(bank.names, bank.vectors.roll(1, 0))
+    for style, error in (evaluate(model, shifted, test) if len(bank) > 1 else {}).items():
+        held_out[style]["other"] = error["mse"]
+    return Run(model.cpu(), bank, config, state["history"], held_out, baselines(model.cpu(), test))
 
 
 def loss_terms(model: Model, predicted: Tensor, target: Tensor) -> tuple[Tensor, Tensor]:
@@ -259,7 +271,7 @@ def baselines(model: Model, data: Features) -> dict[str, dict[str, float]]:
     ``mean`` predicts the training data's mean; ``repeat`` the current frame once more (what x does not hold of it, the
     contacts, at their mean).
     """
-    normaliser = dataclasses.replace(model.normaliser("outputs"))
+    normaliser = model.normaliser("outputs")
     errors = {}
     for style in data.styles:
         if len(data.inputs[style]):
@@ -284,9 +296,9 @@ def _step(model: Model, adam: torch.optim.Adam, batches: Minibatches, config: Co
     """One step of gradient descent; its loss, mean squared error and bone-length error."""
     x, p, z, y = (model.normaliser(kind).apply(rows.to(config.device)) for kind, rows in
                   zip(("inputs", "phases", "outputs", "clips"), batches[step], strict=True))  # fmt: skip
-    adam.param_groups[0]["lr"] = config.rate * (
-        config.final_rate + (1 - config.final_rate) * (1 + math.cos(math.pi * done)) / 2
-    )
+    rate = config.rate * (config.final_rate + (1 - config.final_rate) * (1 + math.cos(math.pi * done)) / 2)
+    for group, share in zip(adam.param_groups, (1.0, config.style_rate), strict=True):
+        group["lr"] = rate * share
     with _seeded(config, DROPOUT, step):
         styles = model.encode(y)
         styles = styles if len(styles) == 1 else styles[torch.arange(len(x), device=styles.device) % len(styles)]

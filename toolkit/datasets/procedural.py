@@ -26,7 +26,10 @@ LEAD = 60  # frames planned before and after the clip, so that it starts and end
 
 
 def load(
-    styles: Sequence[str] | None = None, gaits: Sequence[str] | None = None, seconds: float = 8.0, seed: int = 0
+    styles: str | Sequence[str] | None = None,
+    gaits: str | Sequence[str] | None = None,
+    seconds: float = 8.0,
+    seed: int = 0,
 ) -> list[Clip]:
     """One clip of every style in every gait.
 
@@ -44,6 +47,7 @@ def load(
     ValueError
         If a style or a gait is unknown; the message lists the names.
     """
+    styles, gaits = ([x] if isinstance(x, str) else x for x in (styles, gaits))
     return [generate(s, g, seconds, seed) for s in styles or STYLES for g in gaits or GAITS]
 
 

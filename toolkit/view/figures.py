@@ -24,7 +24,8 @@ def phase_figure(clip: Clip, phases, contacts=None, *, start: float = 0.0, stop:
     """Local phases of the four limbs over time, after Figure 4 of Mason et al. 2022.
 
     For each limb: the source curve (grey), the sinusoid fitted around every frame (colour), contacts of the feet (green
-    bars), and a band whose colour is the phase and whose height is the length of the phase vector.
+    bars), and a band whose colour is the phase and whose height is the length of the phase vector, on one scale for all
+    limbs, so that a limb that hardly moves has a thin band.
 
     Parameters
     ----------
@@ -81,7 +82,8 @@ def phase_figure(clip: Clip, phases, contacts=None, *, start: float = 0.0, stop:
                        hovertemplate="%{x:.2f} s: |vector| %{y:.2f}, phase %{marker.color:.2f}<extra></extra>",
                        row=row + 1, col=1)  # fmt: skip
         figure.update_yaxes(title=limb, showticklabels=False, row=row, col=1)
-        figure.update_yaxes(showticklabels=False, rangemode="tozero", row=row + 1, col=1)
+        figure.update_yaxes(showticklabels=False, range=[0, max(1.05 * float(magnitude[show].max()), 1e-6)], row=row + 1,
+                            col=1)  # fmt: skip
     figure.update_xaxes(title="seconds", row=8, col=1)
     figure.update_xaxes(gridcolor=GRID)
     figure.update_yaxes(gridcolor=GRID, zeroline=False)

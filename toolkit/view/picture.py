@@ -1,5 +1,6 @@
 """Strip pictures: poses at equal steps of time, one row per clip. Matplotlib only, no OpenGL."""
 
+import io
 import os
 from collections.abc import Sequence
 
@@ -16,6 +17,15 @@ from toolkit.view import body
 from toolkit.view.raycast import Canvas
 
 PAPER, FLOOR, INK = "#f7f6f3", "#dedbd4", "#2b323b"
+
+
+class Picture(Figure):
+    """A figure that a notebook shows even where nothing has set up pyplot."""
+
+    def _repr_png_(self) -> bytes:
+        buffer = io.BytesIO()
+        self.savefig(buffer, format="png", dpi=self.dpi, facecolor=self.get_facecolor())
+        return buffer.getvalue()
 
 
 def strip(clips: Clip | Sequence[Clip], path: str | os.PathLike | None = None, *, frames: int = 8,
@@ -67,7 +77,7 @@ def strip(clips: Clip | Sequence[Clip], path: str | os.PathLike | None = None, *
     images = [row.image(spacing, scale) for row in rows]
     head = 0.42 if title else 0.0
     heights = [image.shape[0] / (2 * dpi) for image in images]
-    figure = Figure(figsize=(width, sum(heights) + head), dpi=dpi, facecolor=PAPER)
+    figure = Picture(figsize=(width, sum(heights) + head), dpi=dpi, facecolor=PAPER)
     FigureCanvasAgg(figure)
     total = figure.get_figheight()
     if title:

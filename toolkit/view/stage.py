@@ -3,11 +3,6 @@
 VTK must only be touched from the main thread; `toolkit.view.player` sees to that.
 """
 
-import os
-import subprocess
-import sys
-from functools import cache
-
 import numpy as np
 import torch
 from matplotlib.colors import to_rgb
@@ -15,42 +10,12 @@ from matplotlib.colors import to_rgb
 from toolkit import rotations as R
 from toolkit.motion import Clip
 from toolkit.view import body
+from toolkit.view.opengl import explain_missing_opengl, opengl_works
 from toolkit.view.picture import FLOOR, PAPER, steady_frames
 from toolkit.view.raycast import Canvas
 
-INSTALL = "apt-get install -y --no-install-recommends libegl1 libgl1-mesa-dri"
 SHADE, LINES, TRAIL, AHEAD = "#cdc8be", "#d3cec3", body.PALETTE[0], "#b9b3a7"
 LIGHT = np.array([-0.10, 1.0, 0.55])  # towards the lamp, facing +Z
-PROBE = """
-import vtkmodules.vtkRenderingOpenGL2
-from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
-window = vtkRenderWindow()
-window.SetOffScreenRendering(1)
-window.SetSize(16, 16)
-window.AddRenderer(vtkRenderer())
-window.Render()
-raise SystemExit(0 if window.SupportsOpenGL() else 1)
-"""
-
-
-if sys.platform.startswith("linux") and not os.environ.get("DISPLAY"):
-    os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW", "vtkEGLRenderWindow")  # do not look for an X server first
-
-
-@cache
-def opengl_works() -> bool:
-    """Whether VTK can draw here, tried once in a child process (without the libraries it would crash this one)."""
-    try:
-        done = subprocess.run([sys.executable, "-c", PROBE], capture_output=True, timeout=60, check=False)
-    except (OSError, subprocess.TimeoutExpired):
-        return False
-    return done.returncode == 0
-
-
-@cache
-def explain_missing_opengl() -> None:
-    """Say once how pyvista gets its OpenGL."""
-    print(f"pyvista finds no OpenGL here, so a slower built-in renderer draws. On Debian or Ubuntu: {INSTALL}")
 
 
 def make(clip: Clip, contacts: np.ndarray | None, size: tuple[int, int]) -> "Stage | Sketch":

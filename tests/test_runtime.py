@@ -1,0 +1,164 @@
+"""The runtime's bookkeeping: frames of reference, commands, blends, recording. A model is stood in for where it only carries."""
+
+import dataclasses
+import math
+
+import pytest
+import torch
+
+import toolkit as tk
+from toolkit import runtime
+from toolkit.features import Layout, split_joints
+
+
+class Replay:
+    """Answers every question with the true next frame of a clip: a perfect model."""
+
+    def __init__(self, clip):
+        self.layout = Layout(clip.skeleton)
+        self.rows = tk.features.frames(clip)
+        self.outputs_mean, self.phases_mean = self.rows.outputs.mean(0), self.rows.phases.mean(0)
+        self.frame = 0
+
+    def predict(self, x, phases, style):
+        self.frame += 1
+        return self.rows.outputs[self.frame - 1][None]
+
+
+@pytest.fixture
+def replayed(walk_clip):
+    """A perfect model and the state that the clip is in at the first usable frame."""
+    model = Replay(walk_clip)
+    roots = tk.motion.root_frames(walk_clip)
+    at = int(model.rows.index[0])
+    forward = tk.rotations.rotate(roots.rotations, torch.tensor([0.0, 0.0, 1.0]))
+    world = torch.cat((roots.positions[:, [0, 2]], forward[:, [0, 2]]), -1)
+    state = runtime.start(model, torch.zeros(1))
+    joints = model.rows.inputs[0, model.layout.inputs["joints"]]
+    state = dataclasses.replace(state, history=world[None, at - 60 : at + 1], future=world[None, at : at + 51 : 10],
+                                joints=joints[None], phase=model.rows.phases[:1])  # fmt: skip
+    return model, state, at
+
+
+def test_a_perfect_model_replays_the_clip(walk_clip, replayed):
+    """Roots, poses, phases and contacts come out in the world as they were, whatever the command says."""
+    model, state, at = replayed
+    run = []
+    for _ in range(200):
+        state = runtime.step(model, state, runtime.Command((0.0, 5.0), (1.0, 0.0)))
+        run.append(state)
+    clip = runtime.record(model, run, ik=False)
+    expected = walk_clip.global_positions[at + 1 : at + 201]
+    assert float((clip.global_positions - expected).abs().max()) < 0.01
+    assert float((run[-1].phase - model.rows.outputs[199, model.layout.outputs["phases"]]).abs().max()) < 1e-4
+
+
+def test_foot_ik_stops_a_slide(walk_clip, replayed):
+    """Every frame of the clip is shifted a little further: feet slide at 12 cm/s, and IK takes that away."""
+    model, state, _ = replayed
+    run = []
+    for frame in range(200):
+        state = runtime.step(model, state, runtime.Command((0.0, 1.0)))
+        run.append(state)
+        slipped = state.history + torch.tensor([0.002, 0.0, 0.0, 0.0])
+        state = dataclasses.replace(state, history=slipped, future=state.future + torch.tensor([0.002, 0.0, 0.0, 0.0]))
+    contact = torch.stack([s.contacts[0] for s in run])
+    skate = [max(tk.metrics.foot_skate(runtime.record(model, run, ik=ik), contact).values()) for ik in (False, True)]
+    assert skate[0] > 0.1
+    assert skate[1] < 0.35 * skate[0]
+
+
+def test_arm_ik_brings_hands_to_their_predicted_positions(walk_clip, replayed):
+    model, state, _ = replayed
+    state = runtime.step(model, state, runtime.Command())
+    parts = split_joints(state.joints)
+    shoulder = model.layout.names.index("RightShoulder")
+    turned = tk.rotations.from_axis_angle(torch.tensor([1.0, 0.0, 0.0]), torch.tensor(0.4))
+    wrong = parts["forward"].clone()
+    wrong[:, shoulder] = tk.rotations.rotate(turned, wrong[:, shoulder])  # a rotation that disagrees with the positions
+    state = dataclasses.replace(state, joints=tk.features.pack_joints(**parts | {"forward": wrong}))
+    hand = walk_clip.skeleton.index("right_hand")
+    wanted = runtime.world_joints(model.layout, state)["position"][0, model.layout.names.index("RightWrist")]
+    miss = {ik: float((runtime.record(model, [state], ik=ik).global_positions[0, hand] - wanted).norm()) for ik in (False, True)}
+    assert miss[False] > 0.02
+    assert miss[True] < 0.005
+
+
+def test_a_crowd_moves_as_each_would_alone(small_run):
+    model, bank = small_run.model, small_run.bank
+    vectors = bank.vectors[:2]
+    crowd = runtime.start(model, vectors)
+    alone = [runtime.start(model, v) for v in vectors]
+    for command in runtime.straight(1.0, 0.5):
+        crowd = runtime.step(model, crowd, command)
+        alone = [runtime.step(model, s, command) for s in alone]
+    for i, state in enumerate(alone):
+        assert float((crowd.joints[i] - state.joints[0]).abs().max()) < 1e-4
+        assert float((crowd.root[i] - state.root[0]).abs().max()) < 1e-4
+
+
+def test_step_keeps_its_state_and_can_branch(small_run):
+    model, bank = small_run.model, small_run.bank
+    state = runtime.start(model, bank.vectors[0])
+    before = state.joints.clone()
+    left, again = (runtime.step(model, state, runtime.Command((1.0, 0.0), (1.0, 0.0))) for _ in range(2))
+    right = runtime.step(model, state, runtime.Command((-1.0, 0.0), (-1.0, 0.0)))
+    assert torch.equal(state.joints, before)
+    assert torch.equal(left.joints, again.joints)
+    assert float(left.velocity[0, 0]) > 0 > float(right.velocity[0, 0])
+
+
+def test_the_start_does_not_matter_to_the_motion(small_run):
+    """A character that starts elsewhere, facing elsewhere, makes the same moves there."""
+    model, style = small_run.model, small_run.bank.vectors[0]
+    here = runtime.start(model, style)
+    there = runtime.start(model, style, position=(5.0, -3.0), facing=(1.0, 0.0))
+    for _ in range(30):
+        here = runtime.step(model, here, runtime.Command((0.0, 1.0), (0.0, 1.0)))
+        there = runtime.step(model, there, runtime.Command((1.0, 0.0), (1.0, 0.0)))
+    assert float((here.joints - there.joints).abs().max()) < 1e-3
+    assert (there.root[0, :2] - torch.tensor([5.0, -3.0])).tolist() == pytest.approx(
+        [float(here.root[0, 1]), -float(here.root[0, 0])], abs=1e-3
+    )
+
+
+def test_the_trajectory_bends_towards_the_command(small_run):
+    state = runtime.start(small_run.model, small_run.bank.vectors[0])
+    for _ in range(40):
+        velocity, facing, future = runtime.steer(state, runtime.Command((1.0, 0.0), (1.0, 0.0)))
+        state = dataclasses.replace(state, velocity=velocity, facing=facing)
+    assert velocity[0].tolist() == pytest.approx([1.0, 0.0], abs=1e-3)
+    assert facing[0].tolist() == pytest.approx([1.0, 0.0], abs=1e-3)
+    share = 1 - (1 - torch.arange(1, 6) / 5) ** 0.75  # each step of a standing trajectory goes this far to the target's
+    assert future[0, 1:, 0].tolist() == pytest.approx((share.cumsum(0) * 10 / 60).tolist(), abs=1e-3)
+    assert future[0, -1, 2:].tolist() == pytest.approx([1.0, 0.0], abs=1e-3)
+
+
+def test_pilots_keep_to_the_path(walk_clip):
+    """The commands of `follow`, obeyed to the letter."""
+    points = torch.tensor([[0.0, 0.0], [0.0, 3.0], [3.0, 3.0]])
+    place, trail = torch.tensor([[0.5, -0.5]]), []
+    model = Replay(walk_clip)
+    for pilot in runtime.follow(points, speed=1.0, seconds=8.0):
+        state = runtime.start(model, torch.zeros(1), position=place)
+        place = place + torch.as_tensor(pilot(state).velocity) / 60
+        trail.append(place[0])
+    trail = torch.stack(trail)
+    assert float((trail[-1] - points[-1]).norm()) < 0.05
+    assert float(trail[120:148, 0].abs().max()) < 0.05  # on the first leg by then, before the corner is near
+
+
+def test_bad_commands_are_refused(small_run):
+    with pytest.raises(ValueError, match="no commands"):
+        runtime.rollout(small_run.model, [], small_run.bank.vectors[0])
+    with pytest.raises(ValueError, match="two or more different"):
+        runtime.follow([(0.0, 0.0), (0.0, 0.0)])
+    with pytest.raises(ValueError, match="style needs"):
+        runtime.rollout(small_run.model, runtime.straight(1.0, 0.1), torch.zeros(7))
+
+
+def test_straight_commands():
+    commands = runtime.straight(speed=2.0, seconds=1.5, facing=(3.0, 4.0))
+    assert len(commands) == 90
+    assert commands[0].velocity == pytest.approx((1.2, 1.6))
+    assert math.hypot(*commands[0].facing) == pytest.approx(1.0)
