@@ -191,7 +191,7 @@ def test_strip_refuses_an_empty_stretch(clip):
 
 
 def test_strip_outside_of_a_notebook(clip):
-    assert type(view.play(clip)).__name__ == "Figure"
+    assert type(view.play(clip)).__name__ == "Picture"
 
 
 # the player

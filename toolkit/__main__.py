@@ -44,6 +44,7 @@ def train(
     root: Root = None,
     styles: Annotated[str | None, typer.Option(help="Comma-separated names; all where not given.")] = None,
     gaits: Annotated[str | None, typer.Option(help="Comma-separated names; all where not given.")] = None,
+    clip_seconds: Annotated[float | None, typer.Option(help="Length of procedural clips.")] = None,
     minutes: Annotated[float | None, typer.Option(help="Time budget.")] = None,
     epochs: Annotated[float | None, typer.Option(help="Passes of the shortest style; 90 as in the paper.")] = None,
     small: Annotated[bool, typer.Option("--small", help="Small sizes and fast settings; 30 s without a budget.")] = False,
@@ -56,7 +57,8 @@ def train(
     config = (training.Config.quick if small else training.Config)(**budget, seed=seed)
     if out.is_dir():
         raise ValueError(f"{out}: is a folder; --out needs a file name")
-    clips = datasets.load(data, root, *(None if names is None else names.split(",") for names in (styles, gaits)))
+    options = {} if clip_seconds is None else {"seconds": clip_seconds}
+    clips = datasets.load(data, root, *(None if names is None else names.split(",") for names in (styles, gaits)), **options)
     found = features.build(clips, short="skip", progress=True)
     print(f"{found.n_frames:,} frames of {len(found.styles)} styles")
     checkpoint = out.with_name(out.name + ".checkpoint")

@@ -74,7 +74,7 @@ def strip(clips: Clip | Sequence[Clip], path: str | os.PathLike | None = None, *
             for clip, con in zip(clips, contacts, strict=True)]  # fmt: skip
     spacing = max(row.spacing for row in rows)
     scale = 2 * dpi * width / (spacing * frames)
-    images = [row.image(spacing, scale) for row in rows]
+    images = [row.image(spacing, scale, room=0.34 * spacing * frames / width) for row in rows]  # for the label
     head = 0.42 if title else 0.0
     heights = [image.shape[0] / (2 * dpi) for image in images]
     figure = Picture(figsize=(width, sum(heights) + head), dpi=dpi, facecolor=PAPER)
@@ -144,10 +144,10 @@ class _Row:
         self.places = self.camera @ self.places
         centres = self.places[..., 3]
         self.spacing = float(np.clip(2 * np.abs(centres[..., 0]).max(1).mean() + 0.25, 0.7, 2.2))
-        self.top = float(centres[..., 1].max()) + 0.3
+        self.top = float(centres[..., 1].max()) + 0.1
 
-    def image(self, spacing: float, scale: float) -> np.ndarray:
-        bottom, top = -0.26, self.top
+    def image(self, spacing: float, scale: float, room: float) -> np.ndarray:
+        bottom, top = -0.26, self.top + max(0.2, room)
         canvas = Canvas((0.0, spacing * len(self.times), bottom, top), scale)
         up = self.camera[:, 1]
         lamp = self.camera @ np.array([-0.35, 1.0, 0.3])
