@@ -2,6 +2,7 @@
 
 import math
 import sys
+from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated
 
@@ -9,6 +10,7 @@ import torch
 import typer
 
 from toolkit import bvh, datasets, demo, features, metrics, published, runtime, training
+from toolkit.motion import Clip
 
 app = typer.Typer(no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False, help=__doc__)
 data_app = typer.Typer(no_args_is_help=True, help="Look at datasets.")
@@ -44,6 +46,7 @@ def train(
     root: Root = None,
     styles: Annotated[str | None, typer.Option(help="Comma-separated names; all where not given.")] = None,
     gaits: Annotated[str | None, typer.Option(help="Comma-separated names; all where not given.")] = None,
+    mirror: Annotated[bool, typer.Option("--mirror", help="Add mirror images (100STYLE: of symmetric styles).")] = False,
     clip_seconds: Annotated[float | None, typer.Option(help="Length of procedural clips.")] = None,
     minutes: Annotated[float | None, typer.Option(help="Time budget.")] = None,
     epochs: Annotated[float | None, typer.Option(help="Passes of the shortest style; 90 as in the paper.")] = None,
@@ -59,7 +62,7 @@ def train(
         raise ValueError(f"{out}: is a folder; --out needs a file name")
     options = {} if clip_seconds is None else {"seconds": clip_seconds}
     clips = datasets.load(data, root, *(None if names is None else names.split(",") for names in (styles, gaits)), **options)
-    found = features.build(clips, short="skip", progress=True)
+    found = features.build(clips, mirror=_symmetric(data, root) if mirror else False, short="skip", progress=True)
     print(f"{found.n_frames:,} frames of {len(found.styles)} styles")
     checkpoint = out.with_name(out.name + ".checkpoint")
     run = training.fit(found, config, checkpoint, resume=resume, progress=True)
@@ -120,6 +123,34 @@ def rollout(
           f"foot skate right {skate['right'] * 100:.1f} left {skate['left'] * 100:.1f} cm/s; wrote {out}")  # fmt: skip
 
 
+@bench_app.command("closed-loop")
+def bench_closed_loop(
+    model: Annotated[Path | None, typer.Option(help="A trained run (.safetensors).")] = None,
+    parameters: Annotated[Path | None, typer.Option("--published", help="Folder of the published parameters.")] = None,
+    styles: Annotated[str | None, typer.Option(help="Comma-separated names; all where not given.")] = None,
+    seconds: Annotated[float, typer.Option(help="How long to walk.")] = 60.0,
+    speed: Annotated[float, typer.Option(help="Metres per second.")] = 1.0,
+) -> None:
+    """Walk every style straight ahead, and measure what the one-step error does not show."""
+    net, bank = _model(model, parameters)
+    names = list(bank.names) if styles is None else styles.split(",")
+    vectors = torch.stack([bank[name] for name in names])
+    recorded = list(runtime.states(net, runtime.straight(speed, seconds), vectors, progress=True))
+    print(f"{'style':<20}{'finite':>8}{'upright':>9}{'speed':>8}{'hips (m)':>13}{'skate with IK':>15}{'without (cm/s)':>16}")
+    for i, name in enumerate(names):
+        contact = torch.stack([s.contacts[i] for s in recorded])
+        try:
+            plain, clip = (runtime.record(net, recorded, ik=ik, character=i) for ik in (False, True))
+        except ValueError:  # a Clip refuses numbers that are not finite
+            print(f"{name:<20}{'no':>8}")
+            continue
+        low, high = metrics.hips_height(clip)
+        skate = [max(metrics.foot_skate(c, contact).values()) * 100 for c in (clip, plain)]
+        print(f"{name:<20}{'yes':>8}{'yes' if metrics.upright(clip) else 'NO':>9}{metrics.speed(clip):>8.2f}"
+              f"{f'{low:.2f}-{high:.2f}':>13}{skate[0]:>15.1f}{skate[1]:>16.1f}")  # fmt: skip
+    print(f"{seconds:g} s at {speed:g} m/s; speed in m/s, foot skate of the worse foot while the network says contact")
+
+
 @bench_app.command("one-step")
 def bench_one_step(
     clip: Annotated[Path, typer.Option(help="A BVH file of the 100STYLE skeleton.")],
@@ -139,6 +170,12 @@ def bench_one_step(
         right, left = row["contact_correlation"]
         print(f"{name:<18}{row['joint_mse']:>10.4f}{right:>17.3f}{left:>7.3f}{row['phase_error']:>13.3f}")
     print(f"{row['frames']} frames; joint MSE in the model's normalised units, where predicting the mean gives about 1")
+
+
+def _symmetric(data: str, root: Path | None) -> Callable[[Clip], bool]:
+    """Which clips may be mirrored: 100STYLE says of its styles which are symmetric; idling never is."""
+    styles = datasets.style100.styles(root) if data == "100style" else {}
+    return lambda clip: clip.gait != "ID" and (clip.style not in styles or styles[clip.style].symmetric)
 
 
 def _model(file: Path | None, folder: Path | None):

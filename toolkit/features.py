@@ -244,7 +244,7 @@ class Features:
     """Features of a dataset, by style; physical units.
 
     ``inputs[style] [N, Dx]``, ``phases[style] [N, 8]``, ``outputs[style] [N, Dz]``, ``clips[style] [M, 240, 12 J]`` and
-    ``takes[style] [N]``, the number of the contiguous run of frames that each row belongs to.
+    ``takes[style] [N]``, the number of the clip that each row comes from (a mirror image has its original's).
     """
 
     layout: Layout
@@ -268,15 +268,9 @@ class Features:
         """Statistics of ``inputs``, ``phases``, ``outputs`` and ``clips`` over all styles."""
         return {kind: Normaliser.of(*getattr(self, kind).values()) for kind in ("inputs", "phases", "outputs", "clips")}
 
-    def where(self, keep: Callable[[Tensor], Tensor]) -> "Features":
-        """Only rows whose take number satisfies ``keep``; the style clips stay."""
-        rows = {s: keep(t) for s, t in self.takes.items()}
-        pick = {kind: {s: getattr(self, kind)[s][rows[s]] for s in self.styles}
-                for kind in ("inputs", "phases", "outputs", "takes")}  # fmt: skip
-        return Features(self.layout, clips=self.clips, **pick)
 
-
-def build(clips: Sequence[Clip], *, source: str | phases.Source = "hybrid", mirror: bool = False, short: str = "raise",
+def build(clips: Sequence[Clip], *, source: str | phases.Source = "hybrid",
+          mirror: bool | Callable[[Clip], bool] = False, short: str = "raise",
           progress: bool = False) -> Features:  # fmt: skip
     """Features of many clips, resampled to 60 Hz.
 
@@ -287,7 +281,8 @@ def build(clips: Sequence[Clip], *, source: str | phases.Source = "hybrid", mirr
     source
         Phase source, see `toolkit.phases`.
     mirror
-        Add every clip's mirror image (only sensible for symmetric styles).
+        Add clips' mirror images: of all, or of those for which a function says so. Only symmetric styles should be, and
+        idling never (section 3.2).
     short
         ``"raise"``: a clip that holds no whole window is an error; ``"skip"``: it is left out.
     progress
@@ -301,19 +296,23 @@ def build(clips: Sequence[Clip], *, source: str | phases.Source = "hybrid", mirr
     if not clips:
         raise ValueError("no clips to build features from")
     layout = Layout(clips[0].skeleton)
-    groups: dict[tuple[str, str], list[Clip]] = defaultdict(list)
-    for clip in clips:
+    groups: dict[tuple[str, str], list[tuple[int, Clip]]] = defaultdict(list)
+    for take, clip in enumerate(clips):
         if Layout(clip.skeleton) != layout:
             raise ValueError(f"{clip.name}: its joints differ from those of {clips[0].name}")
         clip = clip.resample(trajectory.FPS)
         if short == "skip" and len(clip) < trajectory.PAST + trajectory.FUTURE + 2:
             continue
-        groups[clip.style, clip.gait] += [clip, clip.mirrored()] if mirror else [clip]
+        groups[clip.style, clip.gait].append((take, clip))
+        if mirror(clip) if callable(mirror) else mirror:
+            groups[clip.style, clip.gait].append((take, clip.mirrored()))
     rows: dict[str, list[Frames]] = defaultdict(list)
+    takes: dict[str, list[Tensor]] = defaultdict(list)
     style_rows: dict[str, list[Tensor]] = defaultdict(list)
     for (style, _), members in _bar(sorted(groups.items()), progress):
-        for clip, ph in zip(members, phases.extract_group(members, source), strict=True):
+        for (take, clip), ph in zip(members, phases.extract_group([c for _, c in members], source), strict=True):
             rows[style].append(frames(clip, ph))
+            takes[style].append(torch.full((len(rows[style][-1].index),), take))
             style_rows[style].append(style_clips(clip))
     y = {style: torch.cat(parts) for style, parts in style_rows.items()}
     for style in {c.style: None for c in clips}:
@@ -324,7 +323,7 @@ def build(clips: Sequence[Clip], *, source: str | phases.Source = "hybrid", mirr
         *({s: torch.cat([getattr(f, kind) for f in parts]) for s, parts in rows.items()}
           for kind in ("inputs", "phases", "outputs")),
         clips=y,
-        takes={s: torch.cat([torch.full((len(f.index),), i) for i, f in enumerate(parts)]) for s, parts in rows.items()},
+        takes={s: torch.cat(parts) for s, parts in takes.items()},
     )  # fmt: skip
 
 

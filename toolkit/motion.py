@@ -274,6 +274,14 @@ class Clip:
         rotations_ = R.normalize(spline(R.unroll(self.rotations)))
         return self.replace(rotations=rotations_, root_positions=spline(self.root_positions), fps=fps)
 
+    def without_ends(self) -> "Clip":
+        """The same motion on the skeleton without End Sites."""
+        old = self.skeleton
+        kept = [j for j in range(len(old)) if not old.is_end(j)]
+        parents = [kept.index(old.parents[j]) if j else -1 for j in kept]
+        skeleton = Skeleton([old.names[j] for j in kept], parents, old.offsets[kept], old.roles)
+        return self.replace(skeleton=skeleton, rotations=self.rotations[:, kept])
+
     def moved(self, turn: float = 0.0, shift: Sequence[float] = (0.0, 0.0, 0.0)) -> "Clip":
         """The whole motion turned by ``turn`` radians about the vertical through the origin, then shifted (metres)."""
         q = R.yaw(torch.tensor(float(turn)))

@@ -9,6 +9,7 @@ from torch import Tensor
 from toolkit.features import Features
 
 SPLIT_FRAMES = 240  # held-out frames come in contiguous windows of this length: neighbours are almost the same frame
+SPLIT_TAKES = 20  # from so many takes on, whole takes are held out: no frame near a held-out one is trained on
 INIT, SPLIT, FRAMES, CLIPS, STRAY, DROPOUT = range(6)  # what draws random numbers; each from streams of its own
 
 
@@ -82,19 +83,21 @@ class Minibatches:
 def split(data: Features, share: float, seed: int, styles: tuple[str, ...]) -> tuple[Features, Features]:
     """Training and held-out frames of ``styles``, in that order; style clips stay with the training frames.
 
-    Held-out frames are random windows of 4 s, contiguous in a take, about ``share`` of every style; a style shorter than
-    that gives the share at its end.
+    Held-out frames are about ``share`` of every style: whole takes where a style has `SPLIT_TAKES` of them, otherwise random
+    windows of 4 s, contiguous in a take; a style shorter than that gives the share at its end. A take and its mirror image
+    count as one.
     """
     kept, out = [], []
     for i, style in enumerate(styles):
-        n = len(data.takes[style])
-        cuts = (data.takes[style].diff() != 0).nonzero()[:, 0].add(1).tolist()
-        windows = [w for take in torch.arange(n).tensor_split(cuts) for w in take.split(SPLIT_FRAMES)]
+        n, takes = len(data.takes[style]), data.takes[style].unique()
+        windows = [(data.takes[style] == take).nonzero()[:, 0] for take in takes]
+        if len(windows) < SPLIT_TAKES:
+            windows = [w for take in windows for w in take.split(SPLIT_FRAMES)]
         target, chosen = round(share * n), torch.zeros(n, dtype=torch.bool)
         for w in torch.randperm(len(windows), generator=generator(seed, SPLIT, i)).tolist():
             if (need := target - int(chosen.sum())) <= 0:
                 break
-            chosen[windows[w][-need:]] = True
+            chosen[windows[w] if len(takes) >= SPLIT_TAKES else windows[w][-need:]] = True
         kept.append(~chosen)
         out.append(chosen)
 

@@ -1,7 +1,8 @@
 """Bandai-Namco Research motion dataset 1 and 2 (CC BY-NC 4.0): 30 Hz, files ``dataset-N_<content>_<style>_<nnn>.bvh``.
 
 Dataset 1 has 15 styles of many everyday contents, dataset 2 seven styles of walking and running. A clip's gait is the
-content: ``walk``, ``walk-turn-left``, ``bow`` … The rate stays 30 Hz.
+content: ``walk``, ``walk-turn-left``, ``bow`` … The rate stays 30 Hz. End Sites, which only a few files give a length, are
+left out: all clips have the same 21 joints.
 """
 
 import os
@@ -49,4 +50,4 @@ def load(
     if dataset is not None:
         source = replace(SOURCE, pattern=re.compile(SOURCE.pattern.pattern.replace(r"\d+", str(dataset), 1)),
                          layout=SOURCE.layout.replace("-N", f"-{dataset}"))  # fmt: skip
-    return list(source.read(source.choose(root, styles, gaits)))
+    return [clip.without_ends() for clip in source.read(source.choose(root, styles, gaits))]

@@ -16,7 +16,7 @@ from toolkit.phases.fit import Sinusoids, fit
 from toolkit.phases.sources import LIMBS, SOURCES, Contact, ContactFree, Hybrid, Source, local_positions
 
 __all__ = ["LIMBS", "SOURCES", "Contact", "ContactFree", "Hybrid", "Phases", "Sinusoids", "Source", "extract",
-           "extract_group", "fit"]  # fmt: skip
+           "extract_group", "fit", "local_positions", "normalise", "smooth"]  # fmt: skip
 
 CUTOFF = 4.0  # Hz, of the Butterworth filter
 WINDOW = 0.5  # seconds on either side of a frame: normalisation and speed
