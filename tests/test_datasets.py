@@ -248,3 +248,15 @@ def test_command_line_prints(small, shared, capsys):
     app(["data", "table1", "--root", str(shared / "100style")], standalone_mode=False)
     printed = [" ".join(line.split()) for line in capsys.readouterr().out.splitlines()[1:]]
     assert printed == TABLE1.replace("|", " ").splitlines()
+
+
+def test_available_says_whether_load_needs_a_root(monkeypatch, tmp_path):
+    monkeypatch.delenv("TOOLKIT_DATA", raising=False)
+    assert tk.datasets.available("procedural")
+    assert not tk.datasets.available("100style")
+    monkeypatch.setenv("TOOLKIT_DATA", str(tmp_path))
+    assert not tk.datasets.available("100style")
+    (tmp_path / "100style").mkdir()
+    assert tk.datasets.available("100style")
+    with pytest.raises(ValueError, match="unknown dataset 'xio'; did you mean 'xia'"):
+        tk.datasets.available("xio")

@@ -27,10 +27,11 @@ from toolkit import (
     trajectory,
 )
 from toolkit.motion import Clip, Skeleton
+from toolkit.training import pretrained
 
 __version__ = "0.1.0"
 __all__ = ["Clip", "Skeleton", "bvh", "contacts", "datasets", "features", "ik", "metrics", "motion", "networks", "phases",
-           "published", "rotations", "runtime", "styles", "training", "trajectory", "view"]  # fmt: skip
+           "pretrained", "published", "rotations", "runtime", "styles", "training", "trajectory", "view"]  # fmt: skip
 
 
 def __getattr__(name: str):

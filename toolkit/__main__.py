@@ -52,6 +52,7 @@ def train(
     epochs: Annotated[float | None, typer.Option(help="Passes of the shortest style; 90 as in the paper.")] = None,
     small: Annotated[bool, typer.Option("--small", help="Small sizes and fast settings; 30 s without a budget.")] = False,
     seed: Annotated[int, typer.Option(help="The same seed gives the same result.")] = 0,
+    slim: Annotated[bool, typer.Option("--slim", help="A small file that runs its styles but cannot add any.")] = False,
     resume: Annotated[bool, typer.Option("--resume", help="Go on from OUT.checkpoint, which a stopped run leaves.")] = False,
 ) -> None:
     """Train LPN-FiLM; print the error on held-out frames beside predicting the mean and repeating the frame."""
@@ -66,7 +67,7 @@ def train(
     print(f"{found.n_frames:,} frames of {len(found.styles)} styles")
     checkpoint = out.with_name(out.name + ".checkpoint")
     run = training.fit(found, config, checkpoint, resume=resume, progress=True)
-    run.save(out)
+    run.save(out, slim=slim)
     checkpoint.unlink(missing_ok=True)
     print("held-out frames: mean squared error of normalised outputs; with another style's vector; of the mean and of the")
     print("frame repeated; error of bone lengths, mm")

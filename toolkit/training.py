@@ -14,6 +14,7 @@ import threading
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
+from importlib import resources
 from pathlib import Path
 
 import torch
@@ -102,9 +103,15 @@ class Run:
     held_out: dict[str, dict[str, float]]
     baselines: dict[str, dict[str, float]]
 
-    def save(self, path: str | os.PathLike) -> None:
-        """Write model, bank and numbers to one safetensors file; `Model.load` and `StyleBank.load` read it too."""
-        tensors, description = self.model.parts()
+    def save(self, path: str | os.PathLike, *, slim: bool = False) -> None:
+        """Write model, bank and numbers to one safetensors file; `Model.load` and `StyleBank.load` read it too.
+
+        ``slim`` leaves out the FiLM generator and keeps 16 bits of the experts: a third of the size or less, to run with the
+        bank's styles.
+        """
+        tensors, description = self.model.parts(generator=not slim)
+        if slim:
+            tensors = {name: t.half() if name.startswith("model.experts") else t for name, t in tensors.items()}
         numbers = {"config": dataclasses.asdict(self.config), "history": self.history, "held_out": self.held_out,
                    "baselines": self.baselines}  # fmt: skip
         weights.write(path, tensors | {"bank.vectors": self.bank.vectors},
@@ -128,6 +135,16 @@ def load(path: str | os.PathLike) -> Run:
         return Run(model, bank, _config(parts["run"].pop("config")), **parts["run"])
     except (KeyError, TypeError, ValueError) as error:
         raise ValueError(f"{path}: the record of the run is damaged ({error})") from error
+
+
+def pretrained() -> tuple[Model, StyleBank]:
+    """The embedded default: a small LPN-FiLM trained on procedural styles, and its style vectors. No network access.
+
+    It comes without the FiLM generator, so it cannot make style vectors of new clips. `toolkit/data/README.md` says what it
+    was trained on and with which command.
+    """
+    with resources.as_file(resources.files("toolkit") / "data" / "pretrained.safetensors") as path:
+        return Model.load(path), StyleBank.load(path)
 
 
 def fit(data: Features, config: Config | None = None, checkpoint: str | os.PathLike | None = None, *, resume: bool = True,

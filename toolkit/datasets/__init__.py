@@ -15,7 +15,7 @@ from toolkit.datasets import bandai, style100, xia
 from toolkit.datasets.takes import Take
 from toolkit.motion import Clip
 
-__all__ = ["DATASETS", "Take", "bandai", "contents", "load", "style100", "xia"]
+__all__ = ["DATASETS", "Take", "available", "bandai", "contents", "load", "style100", "xia"]
 
 DATASETS = {"procedural": "procedural", "100style": "style100", "bandai": "bandai", "xia": "xia"}  # name: module
 
@@ -67,6 +67,21 @@ def contents(name: str, root: str | os.PathLike | None = None) -> dict[str, dict
     takes = module.SOURCE.find(root)
     known = style100.styles(root) if name == "100style" else sorted({take.style for take in takes})
     return {style: dict(Counter(take.gait for take in takes if take.style == style)) for style in known}
+
+
+def available(name: str) -> bool:
+    """Whether `load` finds a dataset without a ``root``: `TOOLKIT_DATA` holds its folder, or it needs none.
+
+    Raises
+    ------
+    ValueError
+        If the dataset is unknown.
+    """
+    module = _module(name, None)
+    try:
+        return name == "procedural" or module.SOURCE.folder(None).is_dir()
+    except ValueError:
+        return False
 
 
 def _module(name: str, root: str | os.PathLike | None) -> ModuleType:

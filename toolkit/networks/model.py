@@ -138,20 +138,19 @@ class Model(nn.Module):
         """D, the length of a style vector."""
         return self.modulation.size
 
-    def parts(self) -> tuple[dict[str, Tensor], dict]:
-        """Its tensors and its description, as `toolkit.networks.weights` stores them."""
+    def parts(self, *, generator: bool = True) -> tuple[dict[str, Tensor], dict]:
+        """Its tensors and its description, as `toolkit.networks.weights` stores them; the generator only if asked for."""
+        generator = generator and self.modulation.generator is not None
+        tensors = {k: v for k, v in self.state_dict().items() if generator or not k.startswith("modulation.generator.")}
         description = {
             "name": self.name, "layout": json.loads(self.layout.to_json()), "n_styles": self.n_styles,
-            "sizes": dataclasses.asdict(self.sizes), "generator": self.modulation.generator is not None,
+            "sizes": dataclasses.asdict(self.sizes), "generator": generator,
         }  # fmt: skip
-        return {f"model.{k}": v for k, v in self.state_dict().items()}, description
+        return {f"model.{k}": v for k, v in tensors.items()}, description
 
     def save(self, path: str | os.PathLike, *, generator: bool = True) -> None:
         """Write weights, layout, sizes and normalisers to one safetensors file; ``generator=False`` leaves Ψ out."""
-        tensors, description = self.parts()
-        if not generator:
-            tensors = {k: v for k, v in tensors.items() if not k.startswith("model.modulation.generator.")}
-            description["generator"] = False
+        tensors, description = self.parts(generator=generator)
         weights.write(path, tensors, {"model": description})
 
     @classmethod
@@ -191,7 +190,7 @@ class Model(nn.Module):
                 model = cls(name, stored, d["n_styles"], sizes, {}, d["generator"])
         except (KeyError, TypeError, ValueError) as error:
             raise ValueError(f"{path}: {error}") from error
-        own = {k.removeprefix("model."): v for k, v in tensors.items() if k.startswith("model.")}
+        own = {k.removeprefix("model."): v.float() for k, v in tensors.items() if k.startswith("model.")}
         shapes = {k: list(v.shape) for k, v in model.state_dict().items()}
         if why := weights.difference(shapes, {k: list(v.shape) for k, v in own.items()}):
             raise ValueError(f"{path}: the model differs in tensor {why}")
