@@ -252,11 +252,11 @@ def test_command_line_prints(small, shared, capsys):
 
 def test_available_says_whether_load_needs_a_root(monkeypatch, tmp_path):
     monkeypatch.delenv("TOOLKIT_DATA", raising=False)
-    assert tk.datasets.available("procedural")
-    assert not tk.datasets.available("100style")
+    assert datasets.available("procedural")
+    assert not datasets.available("100style")
     monkeypatch.setenv("TOOLKIT_DATA", str(tmp_path))
-    assert not tk.datasets.available("100style")
+    assert not datasets.available("100style")
     (tmp_path / "100style").mkdir()
-    assert tk.datasets.available("100style")
+    assert datasets.available("100style")
     with pytest.raises(ValueError, match="unknown dataset 'xio'; did you mean 'xia'"):
-        tk.datasets.available("xio")
+        datasets.available("xio")

@@ -10,7 +10,7 @@ import torch
 from toolkit import bvh, datasets, features, metrics, runtime, training
 from toolkit.motion import Clip
 
-STYLES = ("Neutral", "Zombie", "PendulumHands")
+STYLES = ("Neutral", "Zombie", "Aeroplane")
 GAITS = ("FW", "BW", "SW", "TR1")
 SPEED = 1.0  # metres per second
 

@@ -6,6 +6,7 @@ import torch
 from torch import Tensor
 
 from toolkit import contacts
+from toolkit.features import Layout
 from toolkit.motion import Clip
 
 
@@ -56,6 +57,38 @@ def upright(clip: Clip) -> bool:
     chest = height[:, next(j for j in above if j in skeleton.ancestors("right_shoulder"))]
     ankles = torch.stack([height[:, skeleton.index(f"{side}_foot")] for side in contacts.FEET], 1).amax(1)
     return bool(((chest > hips) & (hips > ankles)).all())
+
+
+def posture(layout: Layout, positions: Tensor) -> dict[str, Tensor]:
+    """What one sees first of a way of walking, from joint positions in the root frame.
+
+    It takes positions as a network predicts them, before a skeleton of constant bones is fitted to them.
+
+    Parameters
+    ----------
+    layout
+        Names the J joints.
+    positions : Tensor [F, ..., J, 3]
+        Some seconds of them, metres.
+
+    Returns
+    -------
+    dict
+        Each ``[...]``, metres: means over the frames of ``hips_height``, ``hand_height`` (of both) and ``arm_spread`` (left
+        hand to right hand, sideways); ``step_length``, how far the ankles part fore and aft (95th percentile); and
+        ``bone_stretch``, the mean difference of a bone's length from the skeleton's.
+    """
+    role = {r: positions[..., layout.names.index(n), :] for r, n in layout.skeleton.roles.items() if n in layout.names}
+    rest = layout.skeleton.rest_positions[list(layout.skeleton.feature_joints)].to(positions)
+    child, parent = (list(side) for side in zip(*[(j, p) for j, p in enumerate(layout.parents) if p >= 0], strict=True))
+    length = (positions[..., child, :] - positions[..., parent, :]).norm(dim=-1)
+    return {
+        "hips_height": role["hips"][..., 1].mean(0),
+        "hand_height": (role["left_hand"] + role["right_hand"])[..., 1].mean(0) / 2,
+        "arm_spread": (role["left_hand"] - role["right_hand"])[..., 0].mean(0),
+        "step_length": (role["left_foot"] - role["right_foot"])[..., 2].abs().quantile(0.95, 0),
+        "bone_stretch": (length - (rest[child] - rest[parent]).norm(dim=-1)).abs().mean((0, -1)),
+    }
 
 
 def path_error(clip: Clip, points: Tensor) -> float:
