@@ -110,6 +110,6 @@ def test_the_demo_works_on_a_small_budget(tmp_path):
     files = demo.write(made, tmp_path / "demo")
     assert [f.name for f in files] == ["walk.bvh", "walk.html", "strip.png", "report.txt", "model.safetensors"]
     assert len(tk.bvh.load(files[0])) == len(made.clip)
-    assert "http" not in re.sub(r"https?://(www\.)?(w3\.org|threejs\.org|github\.com)\S*", "", files[1].read_text()[:2000])
+    assert not re.search(r"""(src|href)\s*=\s*["']?https?:""", files[1].read_text())
     assert torch.tensor([*made.weights.values()]).sum(0).sub(1).abs().max() < 1e-5
     assert files[3].read_text().count("\n") == len(made.report)

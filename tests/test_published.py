@@ -76,7 +76,6 @@ def test_a_minute_of_walking_stays_on_its_feet(published):
     assert high <= 1.02
     assert 0.9 <= tk.metrics.speed(clip) <= 1.6
     assert tk.metrics.upright(clip)
-    assert max(tk.metrics.foot_skate(clip).values()) < 0.1
 
 
 def test_all_styles_but_drunk_walk_upright(published):

@@ -23,7 +23,7 @@ FPS = trajectory.FPS
 GAIN = 0.25  # share of the way that the smoothed target moves to the command in a frame
 POSITION_BIAS, DIRECTION_BIAS = 0.75, 1.25  # exponents of the blend from the network's trajectory to the target
 CORRECTION = 0.85  # share of the network's prediction in the next frame's trajectory
-DRIVE_RATE, DRIVE_LIMITS = 1.5, (0.5, 12.0)  # ours: how fast the drive adapts, per second, and how far
+DRIVE_UP, DRIVE_DOWN, DRIVE_LIMITS = 0.6, 2.0, (0.25, 12.0)  # ours: how fast the drive adapts, per second, and how far
 LOOKAHEAD = 0.5  # seconds that a pilot looks ahead
 N_FUTURE = len(trajectory.SAMPLES) - trajectory.CURRENT
 UP = torch.tensor([0.0, 1.0, 0.0])
@@ -181,7 +181,8 @@ def govern(state: CharacterState, velocity: Tensor) -> Tensor:
     wanted = velocity.norm(dim=-1, keepdim=True)
     reached = (moved * _unit(velocity)).sum(-1, keepdim=True)
     lag = ((wanted - reached) / wanted.clamp_min(0.5)).clamp(-1.0, 1.0)
-    grown = (state.drive * (1.0 + DRIVE_RATE / FPS * lag)).clamp(*DRIVE_LIMITS)
+    rate = torch.where(lag > 0, DRIVE_UP, DRIVE_DOWN)  # starting to walk takes a while and must not end in a run
+    grown = (state.drive * (1.0 + rate / FPS * lag)).clamp(*DRIVE_LIMITS)
     return torch.where(wanted > 0.1, grown, torch.lerp(state.drive, torch.ones_like(grown), 0.05))
 
 

@@ -13,7 +13,7 @@ import traitlets
 from toolkit.motion import Clip
 from toolkit.view.player import Player, require_main_thread
 
-PAUSE = 0.15  # seconds without a move before a new motion is made
+PAUSE = 0.03  # seconds in which moves are gathered before a new motion is made
 
 
 class StyleTriangle(anywidget.AnyWidget):
@@ -47,8 +47,9 @@ class StyleBlender(widgets.HBox):
     bank
         Style bank; its ``names`` fill the menus.
     make_clip
-        Takes ``{style: weight}`` (weights sum to one) and returns the motion. It runs in a worker thread while widgets are
-        dragged, one call at a time; of the moves made meanwhile only the newest counts.
+        Takes ``{style: weight}`` (weights sum to one) and returns the motion, which is labelled with the blend unless it
+        has a style. It runs in a worker thread while widgets are dragged, one call at a time, again and again; of the moves
+        made meanwhile only the newest counts.
     weights
         The first blend, one to three styles; by default the first three names in equal parts.
     size
@@ -78,12 +79,12 @@ class StyleBlender(widgets.HBox):
         self._menus = [widgets.Dropdown(options=self._names, value=name, layout={"width": "220px"}) for name in chosen]
         self.triangle = StyleTriangle(names=chosen, weights=shares)
         self._status = widgets.HTML(layout={"width": "220px"})
-        self._serial, self._task, self._setting = 0, None, False
+        self._serial, self._settled, self._task, self._setting = 0, 0, None, False  # moves made, move shown
         try:
             self._loop = asyncio.get_running_loop()
         except RuntimeError:
             self._loop = None  # a script: every change is made at once
-        self.player = Player(make_clip(self.weights), size=size)
+        self.player = Player(self._make(self.weights), size=size)
         for menu in self._menus:
             menu.observe(self._changed, "value")
         self.triangle.observe(self._changed, "weights")
@@ -109,11 +110,12 @@ class StyleBlender(widgets.HBox):
         finally:
             self._setting = False
         self._serial += 1
-        self.player.set_clip(self._make_clip(self.weights))
+        self.player.set_clip(self._make(self.weights))
+        self._settled = self._serial
 
     def close(self) -> None:
         """Stop and take the widgets away."""
-        self._serial += 1
+        self._settled = math.inf
         self.player.close()
         super().close()
 
@@ -129,8 +131,13 @@ class StyleBlender(widgets.HBox):
         missing = 3 - len(shares)
         return [*weights, *others[:missing]], [w / sum(shares) for w in shares] + [0.0] * missing
 
+    def _make(self, blend: dict[str, float]) -> Clip:
+        clip = self._make_clip(blend)
+        named = ", ".join(f"{share:.0%} {name}" for name, share in blend.items() if share >= 0.005)
+        return clip if clip.style else clip.replace(style=named)
+
     def _changed(self, _change: dict) -> None:
-        """A menu or the marker moved (any thread): make the motion once it rests."""
+        """A menu or the marker moved (any thread): make its motion."""
         if self._setting:
             return
         self.triangle.names = [menu.value for menu in self._menus]
@@ -138,27 +145,24 @@ class StyleBlender(widgets.HBox):
         if self._loop is not None:
             self._loop.call_soon_threadsafe(self._plan)
         elif threading.current_thread() is threading.main_thread():
-            self.player.set_clip(self._make_clip(self.weights))
+            self.player.set_clip(self._make(self.weights))
 
     def _plan(self) -> None:
         if self._task is None or self._task.done():
             self._task = self._loop.create_task(self._follow())
 
     async def _follow(self) -> None:
-        """Make motions until the newest blend is shown; what is outdated is not shown."""
-        done = None
-        while done != self._serial:
-            serial = self._serial
+        """Make motions until the newest blend is shown; one that was assigned meanwhile stays."""
+        while self._settled < self._serial:
             await asyncio.sleep(PAUSE)
-            if serial != self._serial:
-                continue
+            serial = self._serial
             self._status.value = "making the motion …"
             try:
-                clip = await asyncio.to_thread(self._make_clip, self.weights)
+                clip = await asyncio.to_thread(self._make, self.weights)
             except Exception as error:  # shown beside the triangle: nothing else would report it
                 self._status.value = f"<b>{type(error).__name__}</b>: {error}"
                 return
             self._status.value = ""
-            if serial == self._serial:
+            if serial > self._settled:
                 self.player.set_clip(clip)
-                done = serial
+                self._settled = serial
