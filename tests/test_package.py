@@ -11,28 +11,34 @@ import torch
 import yaml
 
 import toolkit as tk
+from toolkit.__main__ import main
 
 REPOSITORY = Path(__file__).parents[1]
 
 
-def command(*arguments):
-    """Run the command line as a person does."""
-    return subprocess.run([sys.executable, "-m", "toolkit", *map(str, arguments)], capture_output=True, text=True, check=False)
+@pytest.fixture
+def refused(capsys):
+    """Calls the command line with bad input and gives the one line that it says."""
+
+    def call(*arguments):
+        assert main([str(a) for a in arguments]) == 2
+        said = capsys.readouterr().err.strip()
+        assert "\n" not in said
+        return said
+
+    return call
 
 
-def refused(*arguments):
-    """The one line that bad input gets."""
-    done = command(*arguments)
-    assert done.returncode != 0
-    lines = [line for line in done.stderr.splitlines() if line.strip()]
-    assert len(lines) == 1, done.stderr
-    assert "Traceback" not in done.stderr
-    return lines[0]
+def test_the_command_line_exits_with_one_line_on_bad_input():
+    call = [sys.executable, "-m", "toolkit", "data", "table1", "--root", "nowhere"]
+    done = subprocess.run(call, capture_output=True, text=True, check=False)
+    assert done.returncode == 2
+    assert re.fullmatch(r"error: .*nowhere.*\n", done.stderr)
 
 
 def test_import_pulls_in_no_drawing_library():
-    code = ("import sys, toolkit; "
-            "print([m for m in ('matplotlib', 'pyvista', 'plotly', 'ipywidgets', 'IPython') if m in sys.modules])")  # fmt: skip
+    unwanted = {"matplotlib", "pyvista", "plotly", "ipywidgets", "IPython"}
+    code = f"import sys, toolkit; print([m for m in {unwanted} if m in sys.modules])"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "[]"
 
@@ -47,7 +53,8 @@ def test_environment_lists_what_the_package_needs():
 
 def test_every_dependency_is_pinned():
     project = tomllib.loads((REPOSITORY / "pyproject.toml").read_text())["project"]
-    pinned = {line.split("==")[0].lower().replace("_", "-") for line in (REPOSITORY / "constraints.txt").read_text().splitlines()}
+    pins = (REPOSITORY / "constraints.txt").read_text().splitlines()
+    pinned = {line.split("==")[0].lower().replace("_", "-") for line in pins}
     needed = {re.split(r"[>=\[]", d)[0] for d in project["dependencies"] + project["optional-dependencies"]["dev"]}
     assert needed <= pinned
 
@@ -66,34 +73,36 @@ def test_pretrained_walks_in_the_style_that_is_asked_for():
     assert heights["Crouch"][1] < heights["Neutral"][1] - 0.1  # hips low
 
 
-def test_rollout_writes_what_the_suffix_says(tmp_path, small_run):
-    small_run.save(tmp_path / "run.safetensors")
+def test_rollout_writes_what_the_suffix_says(tmp_path, small_run, capsys):
+    run = tmp_path / "run.safetensors"
+    small_run.save(run)
     for suffix in ("bvh", "html", "png"):
         out = tmp_path / "new" / f"walk.{suffix}"
-        done = command("rollout", "--model", tmp_path / "run.safetensors", "--style", "Neutral=0.5,Zombie=0.5", "--seconds", 0.5,
-                       "--out", out)  # fmt: skip
-        assert done.returncode == 0, done.stderr
+        with pytest.raises(SystemExit) as done:
+            main([*f"rollout --model {run} --style Neutral=0.5,Zombie=0.5 --seconds 0.5 --out {out}".split()])
+        assert done.value.code == 0
         assert out.stat().st_size > 1000
-        assert re.search(r"30 frames, \d\.\d\d m/s", done.stdout)
+        assert re.search(r"30 frames, \d\.\d\d m/s", capsys.readouterr().out)
 
 
-def test_bad_input_gets_one_line_and_leaves_nothing(tmp_path, small_run):
-    small_run.save(tmp_path / "run.safetensors")
-    (tmp_path / "cut.bvh").write_text("HIERARCHY\nROOT Hips\n{\n OFFSET 0 0 0\n")
-    (tmp_path / "empty").mkdir()
-    (tmp_path / "junk.safetensors").write_bytes(b"junk")
-    run, out = tmp_path / "run.safetensors", tmp_path / "out.bvh"
-    assert "cut.bvh, line" in refused("bench", "one-step", "--model", run, "--clip", tmp_path / "cut.bvh", "--style", "Neutral")
-    assert "unknown style 'Zombi'; close to it: Zombie" in refused("rollout", "--model", run, "--style", "Zombi", "--out", out)
-    assert "sum to 1" in refused("rollout", "--model", run, "--style", "Zombie=0.5,Neutral=0.1", "--out", out)
-    assert "written like" in refused("rollout", "--model", run, "--style", "Zombie=much", "--out", out)
+def test_bad_input_gets_one_line_and_leaves_nothing(tmp_path, small_run, refused):
+    run, cut, junk, empty = (tmp_path / name for name in ("run.safetensors", "cut.bvh", "junk.safetensors", "empty"))
+    small_run.save(run)
+    cut.write_text("HIERARCHY\nROOT Hips\n{\n OFFSET 0 0 0\n")
+    junk.write_bytes(b"junk")
+    empty.mkdir()
+    walk = ("rollout", "--out", tmp_path / "out.bvh", "--model", run, "--style")
+    assert "cut.bvh, line" in refused("bench", "one-step", "--model", run, "--clip", cut, "--style", "Neutral")
+    assert "unknown style 'Zombi'; close to it: Zombie" in refused(*walk, "Zombi")
+    assert "sum to 1" in refused(*walk, "Zombie=0.5,Neutral=0.1")
+    assert "written like" in refused(*walk, "Zombie=much")
     assert ".bvh, .html and .png" in refused("rollout", "--model", run, "--style", "Zombie", "--out", tmp_path / "out.mp4")
-    assert "either --model" in refused("rollout", "--style", "Zombie", "--out", out)
-    assert "not a whole safetensors" in refused("rollout", "--model", tmp_path / "junk.safetensors", "--style", "a", "--out", out)
-    assert "Xmean.bin: missing" in refused("rollout", "--published", tmp_path / "empty", "--style", "Zombie", "--out", out)
-    assert "empty" in refused("data", "table1", "--root", tmp_path / "empty")
+    assert "either --model" in refused("rollout", "--style", "Zombie", "--out", tmp_path / "out.bvh")
+    assert "not a whole safetensors" in refused(*walk, "Zombie", "--model", junk)
+    assert "Xmean.bin: missing" in refused("rollout", "--published", empty, "--style", "a", "--out", tmp_path / "out.bvh")
+    assert "Frame_Cuts.csv" in refused("data", "table1", "--root", empty)
     assert "unknown" in refused("train", "--data", "procedural", "--styles", "Zombi", "--out", tmp_path / "new.safetensors")
-    assert sorted(p.name for p in tmp_path.iterdir()) == ["cut.bvh", "empty", "junk.safetensors", "run.safetensors"]
+    assert {p.name for p in tmp_path.iterdir()} == {"cut.bvh", "empty", "junk.safetensors", "run.safetensors"}
 
 
 def test_a_checkpoint_of_another_layout_is_refused(tmp_path, small_run, walk_clip):

@@ -1,4 +1,4 @@
-"""The runtime's bookkeeping: frames of reference, commands, blends, recording. A model is stood in for where it only carries."""
+"""The runtime's bookkeeping: frames of reference, commands, blends, recording."""
 
 import dataclasses
 import math
@@ -57,7 +57,7 @@ def test_foot_ik_stops_a_slide(walk_clip, replayed):
     """Every frame of the clip is shifted a little further: feet slide at 12 cm/s, and IK takes that away."""
     model, state, _ = replayed
     run = []
-    for frame in range(200):
+    for _ in range(200):
         state = runtime.step(model, state, runtime.Command((0.0, 1.0)))
         run.append(state)
         slipped = state.history + torch.tensor([0.002, 0.0, 0.0, 0.0])
@@ -73,15 +73,15 @@ def test_arm_ik_brings_hands_to_their_predicted_positions(walk_clip, replayed):
     state = runtime.step(model, state, runtime.Command())
     parts = split_joints(state.joints)
     shoulder = model.layout.names.index("RightShoulder")
-    turned = tk.rotations.from_axis_angle(torch.tensor([1.0, 0.0, 0.0]), torch.tensor(0.4))
+    twist = tk.rotations.from_axis_angle(torch.tensor([1.0, 0.0, 0.0]), torch.tensor(0.4))
     wrong = parts["forward"].clone()
-    wrong[:, shoulder] = tk.rotations.rotate(turned, wrong[:, shoulder])  # a rotation that disagrees with the positions
+    wrong[:, shoulder] = tk.rotations.rotate(twist, wrong[:, shoulder])  # a rotation that disagrees with the positions
     state = dataclasses.replace(state, joints=tk.features.pack_joints(**parts | {"forward": wrong}))
     hand = walk_clip.skeleton.index("right_hand")
     wanted = runtime.world_joints(model.layout, state)["position"][0, model.layout.names.index("RightWrist")]
-    miss = {ik: float((runtime.record(model, [state], ik=ik).global_positions[0, hand] - wanted).norm()) for ik in (False, True)}
-    assert miss[False] > 0.02
-    assert miss[True] < 0.005
+    plain, turned = (runtime.record(model, [state], ik=ik).global_positions[0, hand] for ik in (False, True))
+    assert float((plain - wanted).norm()) > 0.02
+    assert float((turned - wanted).norm()) < 0.005
 
 
 def test_a_crowd_moves_as_each_would_alone(small_run):

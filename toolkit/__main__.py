@@ -1,6 +1,7 @@
 """Command line: ``python -m toolkit VERB``. One verb per job; bad input is one line on stderr and exit status 2."""
 
 import math
+import os
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -61,6 +62,9 @@ def train(
     config = (training.Config.quick if small else training.Config)(**budget, seed=seed)
     if out.is_dir():
         raise ValueError(f"{out}: is a folder; --out needs a file name")
+    out.parent.mkdir(parents=True, exist_ok=True)
+    if not os.access(out.parent, os.W_OK):
+        raise ValueError(f"{out.parent}: cannot be written to")
     options = {} if clip_seconds is None else {"seconds": clip_seconds}
     clips = datasets.load(data, root, *(None if names is None else names.split(",") for names in (styles, gaits)), **options)
     found = features.build(clips, mirror=_symmetric(data, root) if mirror else False, short="skip", progress=True)
@@ -165,11 +169,12 @@ def bench_one_step(
     """Predict every next frame of a real clip from own features and phases; the right style must win clearly."""
     net, bank = _model(model, parameters)
     motion = bvh.load(clip)
+    names = [style, *(s for s in beside.split(",") if s and s != style)]
+    rows = [published.one_step(net, bank, motion, name, (start, stop)) for name in names]
     print(f"{'style':<18}{'joint MSE':>10}{'contact corr. R':>17}{'L':>7}{'phase error':>13}")
-    for name in [style, *(s for s in beside.split(",") if s and s != style)]:
-        row = published.one_step(net, bank, motion, name, (start, stop))
+    for row in rows:
         right, left = row["contact_correlation"]
-        print(f"{name:<18}{row['joint_mse']:>10.4f}{right:>17.3f}{left:>7.3f}{row['phase_error']:>13.3f}")
+        print(f"{row['style']:<18}{row['joint_mse']:>10.4f}{right:>17.3f}{left:>7.3f}{row['phase_error']:>13.3f}")
     print(f"{row['frames']} frames; joint MSE in the model's normalised units, where predicting the mean gives about 1")
 
 

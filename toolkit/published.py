@@ -91,7 +91,7 @@ def one_step(model: Model, bank: StyleBank, clip: Clip, style: str, frames: tupl
     model, bank
         A model and its style vectors.
     clip
-        Motion at any rate, resampled to 60 Hz.
+        Motion of the model's skeleton at any rate, resampled to 60 Hz.
     style
         Name in the bank.
     frames
@@ -101,9 +101,18 @@ def one_step(model: Model, bank: StyleBank, clip: Clip, style: str, frames: tupl
     Returns
     -------
     dict
-        ``frames`` evaluated; ``joint_mse``, mean squared error of the 12 J joint features in the model's normalised units;
-        ``contact_correlation`` [2] right, left; ``phase_error`` = Σ(predicted − own)² / Σ own².
+        ``style``; the number of ``frames`` evaluated; ``joint_mse``, mean squared error of the 12 J joint features in the
+        model's normalised units; ``contact_correlation`` [2], right and left; ``phase_error``, Σ(predicted − own)² / Σ own².
+
+    Raises
+    ------
+    ValueError
+        If the clip's joints are not the model's, the style is unknown or no frame has a whole window.
     """
+    joints, own = model.layout.names, Layout(clip.skeleton).names
+    if joints != own:
+        odd = next((n for n in (*own, *joints) if n not in joints or n not in own), "their order")
+        raise ValueError(f"{clip.name}: the model moves {len(joints)} joints, the clip has {len(own)}; they differ in {odd}")
     scale = trajectory.FPS / clip.fps
     start, stop = round(frames[0] * scale), None if frames[1] is None else round(frames[1] * scale)
     clip = clip.resample(trajectory.FPS)
@@ -116,6 +125,7 @@ def one_step(model: Model, bank: StyleBank, clip: Clip, style: str, frames: tupl
     own, predicted = (model.layout.unpack_output(v) for v in (rows.outputs, z))
     pairs = torch.stack((predicted["contacts"], own["contacts"]), -1).unbind(1)
     return {
+        "style": style,
         "frames": len(z),
         "joint_mse": float(error[:, model.layout.outputs["joints"]].square().mean()),
         "contact_correlation": [float(torch.corrcoef(pair.T)[0, 1]) for pair in pairs],

@@ -11,9 +11,10 @@ import ipywidgets as widgets
 import traitlets
 
 from toolkit.motion import Clip
-from toolkit.view.player import Player, require_main_thread
+from toolkit.view.player import RATE, Player, require_main_thread
 
 PAUSE = 0.03  # seconds in which moves are gathered before a new motion is made
+BUSY = 15.0  # pictures per second at most while a motion is made: both need Python
 
 
 class StyleTriangle(anywidget.AnyWidget):
@@ -157,11 +158,14 @@ class StyleBlender(widgets.HBox):
             await asyncio.sleep(PAUSE)
             serial = self._serial
             self._status.value = "making the motion …"
+            self.player.rate = BUSY
             try:
                 clip = await asyncio.to_thread(self._make, self.weights)
             except Exception as error:  # shown beside the triangle: nothing else would report it
                 self._status.value = f"<b>{type(error).__name__}</b>: {error}"
                 return
+            finally:
+                self.player.rate = RATE
             self._status.value = ""
             if serial > self._settled:
                 self.player.set_clip(clip)

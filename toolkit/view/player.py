@@ -20,6 +20,7 @@ from toolkit.view import stage
 from toolkit.view.picture import contact_list, label, strip
 
 IDLE = 600.0  # seconds of playback without a touch after which it pauses by itself
+RATE = 60.0  # pictures per second at most
 
 
 def play(clip: Clip, *, contacts=None, size: tuple[int, int] = (640, 480), playing: bool = False) -> "Player | Figure":
@@ -74,6 +75,8 @@ class Player(widgets.VBox):
         The widget that shows the current picture as JPEG.
     clip
         The motion that is shown.
+    rate
+        Pictures per second at most; fewer leave more of the processor to others.
     """
 
     _current: "Player | None" = None
@@ -81,7 +84,7 @@ class Player(widgets.VBox):
     def __init__(self, clip: Clip, *, contacts=None, size: tuple[int, int] = (640, 480), playing: bool = False):
         require_main_thread()
         self.clip, self.contacts = clip, contact_list(contacts, [clip])[0]
-        self.drawn = 0
+        self.drawn, self.rate = 0, RATE
         self._frame, self._stale, self._touched = 0.0, False, time.monotonic()
         self._wake: asyncio.Event | None = None
         self._task: asyncio.Task | None = None
@@ -244,7 +247,7 @@ class Player(widgets.VBox):
             last = now
             if self.playing or self._stale:
                 self._show()
-            await asyncio.sleep(max(0.004, 1 / 60 - (time.monotonic() - now)))
+            await asyncio.sleep(max(0.004, 1 / self.rate - (time.monotonic() - now)))
 
 
 def require_main_thread() -> None:
