@@ -17,10 +17,11 @@ SPEED = 1.0  # metres per second
 
 @dataclass(frozen=True)
 class Demo:
-    """What the demo made: the run, the clip with IK and its blend weights ``{style: [F]}``, and lines of measurements."""
+    """What the demo made: the run, the clip, its predicted contacts [F, 2], blend weights ``{style: [F]}``, measurements."""
 
     run: training.Run
     clip: Clip
+    contacts: torch.Tensor
     weights: dict[str, list[float]]
     report: list[str]
 
@@ -69,7 +70,7 @@ def make(seconds: float = 35.0, *, data_seconds: float = 60.0, seed: int = 0, pr
     vectors = [run.bank.blend({s: float(w[frame]) for s, w in weights.items()}) for frame in range(len(commands))]
     states = list(runtime.states(run.model, commands, lambda frame: vectors[frame], progress=progress))
     contact = torch.stack([s.contacts[0] for s in states])
-    plain, clip = (runtime.record(run.model, states, ik=ik).replace(style="blend", gait="FW") for ik in (False, True))
+    plain, clip = (runtime.record(run.model, states, ik=ik) for ik in (False, True))
     rolled = time.perf_counter()
 
     error = run.table()[-1]
@@ -88,7 +89,7 @@ def make(seconds: float = 35.0, *, data_seconds: float = 60.0, seed: int = 0, pr
         f"hips       {low:.2f} to {high:.2f} m high, {'' if metrics.upright(clip) else 'NOT '}upright all the way",
         f"foot skate {skate['with'] * 100:.1f} cm/s in contact with foot IK, {skate['without'] * 100:.1f} without",
     ]
-    return Demo(run, clip, {s: w.tolist() for s, w in weights.items()}, report)
+    return Demo(run, clip, contact, {s: w.tolist() for s, w in weights.items()}, report)
 
 
 def write(demo: Demo, folder: Path) -> list[Path]:
@@ -99,7 +100,8 @@ def write(demo: Demo, folder: Path) -> list[Path]:
     files = [folder / name for name in ("walk.bvh", "walk.html", "strip.png", "report.txt", "model.safetensors")]
     bvh.save(demo.clip, files[0])
     names = " → ".join(STYLES)
-    view.html(demo.clip, files[1], title="A stylised character under control", styles=demo.weights,
+    view.html(demo.clip, files[1], title="A stylised character under control", labels=["figure of eight"],
+              contacts=demo.contacts, styles=demo.weights,
               caption=f"Procedural data, a small LPN-FiLM trained in under a minute, blending {names}.")  # fmt: skip
     rows = [demo.clip.cut(*span) for span in _solo_spans(len(demo.clip))]
     view.strip(rows, files[2], labels=[*STYLES, "all three"])
