@@ -78,8 +78,9 @@ def test_smoothing_keeps_slow_and_removes_fast_motion():
 def test_feet_take_contacts_and_hands_do_not(walk_clip):
     hybrid = tk.phases.Hybrid()
     assert [hybrid.choice(walk_clip, limb) for limb in LIMBS] == ["contact-free", "contact-free", "contact", "contact"]
-    with pytest.raises(ValueError, match="only feet"):
-        tk.phases.extract(walk_clip, source="contact")
+    contact, both = (tk.phases.extract(walk_clip, source=source).vector for source in ("contact", "hybrid"))
+    assert float(contact[:, :2].abs().max()) == 0
+    assert torch.equal(contact[:, 2:], both[:, 2:])
 
 
 def test_a_raised_foot_takes_the_contact_free_source():
