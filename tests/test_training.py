@@ -6,7 +6,7 @@ import pytest
 import torch
 from test_networks import TINY, tiny_model, tree
 
-from toolkit import networks, sampling, training
+from toolkit import evaluation, networks, sampling, training
 from toolkit.features import Features
 from toolkit.styles import StyleBank
 from toolkit.training import Config
@@ -94,7 +94,7 @@ def test_held_out_frames_are_windows_apart_from_the_training_frames():
 def test_loss_is_mse_and_bone_length_of_equation_5():
     model = tiny_model()
     predicted, target = torch.randn(3, 2, model.layout.n_outputs).unbind(1)
-    mse, bone = training.loss_terms(model, predicted, target)
+    mse, bone = evaluation.loss_terms(model, predicted, target)
     torch.testing.assert_close(mse, ((predicted - target) ** 2).mean())
     total = 0.0
     for n in range(3):
@@ -130,7 +130,7 @@ def test_it_learns_more_than_both_baselines():
 def test_repeating_the_frame_keeps_pose_trajectory_and_phases():
     layout = tree(4)
     x, p = torch.randn(2, layout.n_inputs), torch.randn(2, 8)
-    z = layout.unpack_output(training.repeat_frame(layout, x, p, torch.full((layout.n_outputs,), 0.25)))
+    z = layout.unpack_output(evaluation.repeat_frame(layout, x, p, torch.full((layout.n_outputs,), 0.25)))
     assert torch.equal(z["joints"], x[:, 48:])
     assert torch.equal(z["trajectory"], x[:, 24:48])  # the current and the five future of twelve samples
     assert torch.equal(z["phases"], p)

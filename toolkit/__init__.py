@@ -13,6 +13,7 @@ from toolkit import (
     bvh,
     contacts,
     datasets,
+    evaluation,
     features,
     ik,
     metrics,
@@ -22,6 +23,7 @@ from toolkit import (
     published,
     rotations,
     runtime,
+    sampling,
     styles,
     training,
     trajectory,
@@ -30,8 +32,10 @@ from toolkit.motion import Clip, Skeleton
 from toolkit.training import pretrained
 
 __version__ = "0.1.0"
-__all__ = ["Clip", "Skeleton", "bvh", "contacts", "datasets", "features", "ik", "metrics", "motion", "networks", "phases",
-           "pretrained", "published", "rotations", "runtime", "styles", "training", "trajectory", "view"]  # fmt: skip
+__all__ = [
+    "Clip", "Skeleton", "bvh", "contacts", "datasets", "evaluation", "features", "ik", "metrics", "motion", "networks",
+    "phases", "pretrained", "published", "rotations", "runtime", "sampling", "styles", "training", "trajectory", "view",
+]  # fmt: skip
 
 
 def __getattr__(name: str):

@@ -1,0 +1,79 @@
+"""The loss of Mason et al. 2022 (equation 5), errors on held-out frames, and two baselines to hold beside them."""
+
+import torch
+from torch import Tensor
+
+from toolkit.features import Features, Layout
+from toolkit.networks import Model
+from toolkit.styles import StyleBank
+
+
+def loss_terms(model: Model, predicted: Tensor, target: Tensor) -> tuple[Tensor, Tensor]:
+    """Mean squared error and bone-length loss (equation 5) of normalised outputs ``[B, Dz]``.
+
+    The bone-length loss is the mean over samples and bones of how far a bone's length, in metres, is from the target's.
+    """
+    layout, normaliser = model.layout, model.normaliser("outputs")
+    bones = [(j, p) for j, p in enumerate(layout.parents) if p >= 0]
+    child, parent = (list(side) for side in zip(*bones, strict=True))
+
+    def lengths(z: Tensor) -> Tensor:
+        positions = layout.joint_positions(normaliser.invert(z))
+        return (positions[..., child, :] - positions[..., parent, :]).norm(dim=-1)
+
+    return (predicted - target).square().mean(), (lengths(predicted) - lengths(target)).abs().mean()
+
+
+def make_bank(model: Model, data: Features, clips: int | None = None) -> StyleBank:
+    """Mean style vector of every style, over all its style clips or over ``clips`` of them, evenly spread."""
+    picked = {s: y if clips is None or len(y) <= clips else y[torch.linspace(0, len(y) - 1, clips).long()]
+              for s, y in data.clips.items()}  # fmt: skip
+    return StyleBank(tuple(picked), torch.stack([model.style_vector(y) for y in picked.values()]).cpu())
+
+
+@torch.no_grad()
+def evaluate(model: Model, bank: StyleBank, data: Features, frames: int | None = None) -> dict[str, dict[str, float]]:
+    """Error of every style with frames in ``data``: ``mse`` of normalised outputs, ``bone`` length error in metres.
+
+    ``frames`` of them, evenly spread, or all.
+    """
+    errors, device = {}, model.outputs_mean.device
+    for style in data.styles:
+        n = len(data.inputs[style])
+        if not n:
+            continue
+        rows = torch.arange(n) if frames is None or n <= frames else torch.linspace(0, n - 1, frames).long()
+        sums = torch.zeros(2, dtype=torch.float64)
+        for part in rows.split(1024):
+            x, p, z = (model.normaliser(k).apply(getattr(data, k)[style][part].to(device))
+                       for k in ("inputs", "phases", "outputs"))  # fmt: skip
+            sums += len(part) * torch.stack(loss_terms(model, model(x, p, bank[style].to(device)), z)).double().cpu()
+        errors[style] = dict(zip(("mse", "bone"), (sums / len(rows)).tolist(), strict=True))
+    return errors
+
+
+@torch.no_grad()
+def baselines(model: Model, data: Features) -> dict[str, dict[str, float]]:
+    """Mean squared error of two predictions that need no learning, per style with frames in ``data``.
+
+    ``mean`` predicts the training data's mean; ``repeat`` the current frame once more (what x does not hold of it, the
+    contacts, at their mean).
+    """
+    normaliser = model.normaliser("outputs")
+    errors = {}
+    for style in data.styles:
+        if len(data.inputs[style]):
+            z = normaliser.apply(data.outputs[style])
+            still = normaliser.apply(repeat_frame(model.layout, data.inputs[style], data.phases[style], normaliser.mean))
+            errors[style] = {"mean": float(z.square().mean()), "repeat": float((z - still).square().mean())}
+    return errors
+
+
+def repeat_frame(layout: Layout, x: Tensor, phases: Tensor, mean: Tensor) -> Tensor:
+    """Output frames ``[N, Dz]`` that say nothing will change: pose, trajectory and phases as they are in the input."""
+    contacts = mean[layout.outputs["contacts"]]
+    trajectory, future = x[:, layout.inputs["trajectory"]], layout.outputs["trajectory"]
+    return layout.pack_output(
+        trajectory=trajectory[:, -(future.stop - future.start) :], joints=x[:, layout.inputs["joints"]], phases=phases,
+        phase_updates=torch.zeros_like(phases), contacts=contacts.expand(len(x), -1),
+    )  # fmt: skip
