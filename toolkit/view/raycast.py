@@ -1,7 +1,7 @@
 """A small software renderer for rounded cones: exact silhouettes and shading with numpy alone, no OpenGL.
 
 Parallel projection: camera space is x right, y up, z towards the viewer. Each shape is intersected in its own frame, where
-it is a plain rounded cone (closed form after Inigo Quilez), so thinning costs nothing.
+it is a plain rounded cone (two spheres and the cone that touches both), so thinning costs nothing.
 """
 
 import numpy as np
@@ -14,36 +14,41 @@ COARSE = 4  # shadows are blurred, so their pixels are this many times larger
 
 
 def _hits(shape: Shape, origins: np.ndarray, direction: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Distance [N] along unit ``direction`` [3] from ``origins`` [N, 3] (inf: a miss) and normals [N, 3], cone's frame."""
-    (ra, rb), h = shape.radii, shape.length
-    t, normals = np.full(len(origins), np.inf, np.float32), np.zeros_like(origins)
-    rr, m0, m2 = ra - rb, h * h, h * direction[1]
-    d2 = m0 - rr * rr
-    k2 = d2 - m2 * m2
-    m1, m3, m5 = h * origins[:, 1], origins @ direction, np.einsum("ni,ni->n", origins, origins)
-    k1 = d2 * m3 - m1 * m2 + m2 * rr * ra
-    k0 = d2 * m5 - m1 * m1 + m1 * rr * ra * 2 - m0 * ra * ra
-    side = k1 * k1 - k0 * k2
-    some = np.flatnonzero(side >= 0) if abs(k2) > 1e-9 else np.arange(len(origins))  # every hit meets the endless cone
-    o, m1 = origins[some], m1[some]
-    near, out = np.full(len(some), np.inf, np.float32), np.zeros_like(o)
-    on_side = np.zeros(len(some), bool)
-    if abs(k2) > 1e-9:
-        reach = (-np.sqrt(side[some]) - k1[some]) / k2
-        y = m1 - ra * rr + reach * m2
-        on_side = (y > 0) & (y < d2)
-        near[on_side] = reach[on_side]
-        out[on_side] = (d2 * (o + reach[:, None] * direction) - y[:, None] * np.array([0, h, 0], np.float32))[on_side]
-    for centre, r in ((0.0, ra), (h, rb)):  # the two spheres
-        c = o - np.array([0, centre, 0], np.float32)
-        b = c @ direction
-        inside = b * b - np.einsum("ni,ni->n", c, c) + r * r
-        reach = -b - np.sqrt(np.maximum(inside, 0))
-        on_cap = (inside > 0) & ~on_side & (reach < near)
-        near[on_cap] = reach[on_cap]
-        out[on_cap] = (c + reach[:, None] * direction)[on_cap]
-    t[some], normals[some] = near, out
-    return t, normals
+    """Distance [N] along unit ``direction`` [3] from ``origins`` [N, 3] (inf: a miss) and normals [N, 3], cone's frame.
+
+    The surface is two spheres on the y axis and the cone that touches both: where its normal leans by an angle whose sine is
+    the difference of the radii over the distance of the centres, radial distance · cos + y · sin = first radius.
+    """
+    (first, second), length = shape.radii, shape.length
+    distance, normals = np.full(len(origins), np.inf, np.float32), np.zeros_like(origins)
+    along, squared = origins @ direction, np.einsum("ni,ni->n", origins, origins)
+    for centre, radius in ((0.0, first), (length, second)):
+        half = along - centre * direction[1]
+        inside = half**2 - (squared - 2 * centre * origins[:, 1] + centre**2) + radius**2
+        t = np.where(inside >= 0, -half - np.sqrt(np.maximum(inside, 0)), np.inf)
+        closer = t < distance
+        distance[closer] = t[closer]
+        normals[closer] = (origins[closer] + t[closer, None] * direction - np.float32([0, centre, 0])) / np.float32(radius)
+    sine = (first - second) / length if length > abs(first - second) else 1.0
+    cosine = np.sqrt(1 - sine**2)
+    if cosine > 1e-6:  # otherwise one sphere holds the other
+        flat = np.array([1.0, 0.0, 1.0], np.float32)
+        steep = direction[1] * sine / cosine
+        width = (first - origins[:, 1] * sine) / cosine  # the cone's radius at the origin's height; it shrinks by steep · t
+        a = 1 - direction[1] ** 2 - steep**2
+        b = along - origins[:, 1] * direction[1] + width * steep
+        root = b**2 - a * (squared - origins[:, 1] ** 2 - width**2)
+        some = np.flatnonzero(root >= 0) if abs(a) > 1e-9 else np.arange(0)
+        for sign in (-1.0, 1.0):
+            t = (sign * np.sqrt(root[some]) - b[some]) / a
+            point = origins[some] + t[:, None] * direction
+            between = (point[:, 1] > first * sine) & (point[:, 1] < length + second * sine)
+            hit = between & (width[some] - steep * t > 0) & (t < distance[some])
+            where = some[hit]
+            distance[where] = t[hit]
+            radial = point[hit] * flat
+            normals[where] = radial * (cosine / np.linalg.norm(radial, axis=1, keepdims=True)) + np.float32([0, sine, 0])
+    return distance, normals
 
 
 class Canvas:
