@@ -1,8 +1,6 @@
 # make demo | make test | make lab — each builds the virtual environment .venv first if there is none.
 VENV := .venv
 BIN := $(VENV)/bin
-# threads that wait asleep instead of spinning: two cores are soon shared
-export OMP_WAIT_POLICY := PASSIVE
 
 .PHONY: env demo test lab lint clean
 
