@@ -158,14 +158,14 @@ def steer(state: CharacterState, command: Command) -> tuple[Tensor, Tensor, Tens
     look = torch.as_tensor(command.facing, dtype=torch.float32).expand_as(state.facing)
     look = torch.where(look.norm(dim=-1, keepdim=True) > 1e-6, look, state.facing)
     velocity = torch.lerp(state.velocity, wanted, GAIN)
-    facing = _turn(state.facing, look, torch.tensor(GAIN))
+    facing = _turn(state.facing, look, GAIN)
     t = torch.linspace(0.0, 1.0, N_FUTURE)[1:]
     w_position, w_direction = 1 - (1 - t) ** POSITION_BIAS, 1 - (1 - t) ** DIRECTION_BIAS
     steps = state.future[:, 1:, :2] - state.future[:, :-1, :2]
     interval = (trajectory.SAMPLES[1] - trajectory.SAMPLES[0]) / FPS
     steps = torch.lerp(steps, (state.drive * velocity * interval)[:, None].expand_as(steps), w_position[:, None])
     positions = state.root[:, None, :2] + steps.cumsum(1)
-    directions = _turn(state.future[:, 1:, 2:], facing[:, None].expand_as(steps), w_direction[:, None])
+    directions = _turn(state.future[:, 1:, 2:], facing[:, None].expand_as(steps), w_direction)
     return velocity, facing, torch.cat((state.root[:, None], torch.cat((positions, directions), -1)), 1)
 
 
@@ -315,13 +315,12 @@ def _unit(v: Tensor) -> Tensor:
     return torch.nn.functional.normalize(v, dim=-1)
 
 
-def _turn(a: Tensor, b: Tensor, t: Tensor) -> Tensor:
-    """Unit directions ``[..., 2]`` turned from a to b along the shorter way by the share t."""
+def _turn(a: Tensor, b: Tensor, share: Tensor | float) -> Tensor:
+    """Unit directions ``[..., 2]`` turned from a to b along the shorter way by a share ``[...]``."""
     angle = torch.atan2(a[..., 0], a[..., 1])
     difference = torch.atan2(b[..., 0], b[..., 1]) - angle
-    difference = torch.atan2(difference.sin(), difference.cos()) * t.squeeze(-1) if t.dim() else (
-        torch.atan2(difference.sin(), difference.cos()) * t)  # fmt: skip
-    return torch.stack(((angle + difference).sin(), (angle + difference).cos()), -1)
+    angle = angle + share * torch.atan2(difference.sin(), difference.cos())
+    return torch.stack((angle.sin(), angle.cos()), -1)
 
 
 def _matrix(root: Tensor) -> Tensor:
