@@ -97,7 +97,7 @@ def test_bad_input_gets_one_line_and_leaves_nothing(tmp_path, small_run, refused
     assert "sum to 1" in refused(*walk, "Zombie=0.5,Neutral=0.1")
     assert "written like" in refused(*walk, "Zombie=much")
     assert ".bvh, .html and .png" in refused("rollout", "--model", run, "--style", "Zombie", "--out", tmp_path / "out.mp4")
-    assert "either --model" in refused("rollout", "--style", "Zombie", "--out", tmp_path / "out.bvh")
+    assert "either --model" in refused(*walk, "Zombie", "--published", empty)
     assert "not a whole safetensors" in refused(*walk, "Zombie", "--model", junk)
     assert "Xmean.bin: missing" in refused("rollout", "--published", empty, "--style", "a", "--out", tmp_path / "out.bvh")
     assert "Frame_Cuts.csv" in refused("data", "table1", "--root", empty)

@@ -10,14 +10,13 @@ from typing import Annotated
 import torch
 import typer
 
-from toolkit import bvh, datasets, demo, features, metrics, published, runtime, training
+from toolkit import benchmarks, bvh, datasets, demo, features, metrics, published, runtime, training
 from toolkit.motion import Clip
 
 app = typer.Typer(no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False, help=__doc__)
 data_app = typer.Typer(no_args_is_help=True, help="Look at datasets.")
-bench_app = typer.Typer(no_args_is_help=True, help="Measure, and print what it is compared with.")
 app.add_typer(data_app, name="data")
-app.add_typer(bench_app, name="bench")
+app.add_typer(benchmarks.app, name="bench")
 
 Root = Annotated[Path | None, typer.Option(help="Folder that holds the dataset.")]
 
@@ -102,7 +101,7 @@ def demo_(
 def rollout(
     style: Annotated[str, typer.Option(help="A style, or a blend like Zombie=0.5,Old=0.5.")],
     out: Annotated[Path, typer.Option(help="File to write: .bvh, .html or .png (a strip).")],
-    model: Annotated[Path | None, typer.Option(help="A trained run (.safetensors).")] = None,
+    model: Annotated[Path | None, typer.Option(help="A trained run (.safetensors); the embedded one where not given.")] = None,
     parameters: Annotated[Path | None, typer.Option("--published", help="Folder of the published parameters.")] = None,
     seconds: Annotated[float, typer.Option(help="How long to walk.")] = 10.0,
     speed: Annotated[float, typer.Option(help="Metres per second.")] = 1.2,
@@ -111,7 +110,7 @@ def rollout(
     """Walk straight ahead in a style, write it, and print what was measured."""
     if out.suffix not in (".bvh", ".html", ".png"):
         raise ValueError(f"{out}: can write .bvh, .html and .png, not {out.suffix or 'a file without suffix'!r}")
-    net, bank = _model(model, parameters)
+    net, bank = published.either(model, parameters)
     commands = runtime.straight(speed, seconds)
     states = list(runtime.states(net, commands, bank.blend(_blend(style)), progress=True))
     clip = runtime.record(net, states, ik=ik).replace(style=style, gait="FW")
@@ -128,70 +127,10 @@ def rollout(
           f"foot skate right {skate['right'] * 100:.1f} left {skate['left'] * 100:.1f} cm/s; wrote {out}")  # fmt: skip
 
 
-@bench_app.command("closed-loop")
-def bench_closed_loop(
-    model: Annotated[Path | None, typer.Option(help="A trained run (.safetensors).")] = None,
-    parameters: Annotated[Path | None, typer.Option("--published", help="Folder of the published parameters.")] = None,
-    styles: Annotated[str | None, typer.Option(help="Comma-separated names; all where not given.")] = None,
-    seconds: Annotated[float, typer.Option(help="How long to walk.")] = 60.0,
-    speed: Annotated[float, typer.Option(help="Metres per second.")] = 1.0,
-) -> None:
-    """Walk every style straight ahead, and measure what the one-step error does not show."""
-    net, bank = _model(model, parameters)
-    names = list(bank.names) if styles is None else styles.split(",")
-    vectors = torch.stack([bank[name] for name in names])
-    recorded = list(runtime.states(net, runtime.straight(speed, seconds), vectors, progress=True))
-    print(f"{'style':<20}{'finite':>8}{'upright':>9}{'speed':>8}{'hips (m)':>13}{'skate with IK':>15}{'without (cm/s)':>16}")
-    for i, name in enumerate(names):
-        contact = torch.stack([s.contacts[i] for s in recorded])
-        try:
-            plain, clip = (runtime.record(net, recorded, ik=ik, character=i) for ik in (False, True))
-        except ValueError:  # a Clip refuses numbers that are not finite
-            print(f"{name:<20}{'no':>8}")
-            continue
-        low, high = metrics.hips_height(clip)
-        skate = [max(metrics.foot_skate(c, contact).values()) * 100 for c in (clip, plain)]
-        print(f"{name:<20}{'yes':>8}{'yes' if metrics.upright(clip) else 'NO':>9}{metrics.speed(clip):>8.2f}"
-              f"{f'{low:.2f}-{high:.2f}':>13}{skate[0]:>15.1f}{skate[1]:>16.1f}")  # fmt: skip
-    print(f"{seconds:g} s at {speed:g} m/s; speed in m/s, foot skate of the worse foot while the network says contact")
-
-
-@bench_app.command("one-step")
-def bench_one_step(
-    clip: Annotated[Path, typer.Option(help="A BVH file of the 100STYLE skeleton.")],
-    style: Annotated[str, typer.Option(help="Whose style vector.")],
-    parameters: Annotated[Path | None, typer.Option("--published", help="Folder of the published parameters.")] = None,
-    model: Annotated[Path | None, typer.Option(help="A trained run instead (.safetensors).")] = None,
-    start: Annotated[int, typer.Option(help="First frame (100STYLE: START of Frame_Cuts.csv).")] = 0,
-    stop: Annotated[int | None, typer.Option(help="Last frame, not included; the end where not given.")] = None,
-    beside: Annotated[str, typer.Option(help="Comma-separated styles to compare with.")] = "Zombie,Aeroplane",
-) -> None:
-    """Predict every next frame of a real clip from own features and phases; the right style must win clearly."""
-    net, bank = _model(model, parameters)
-    motion = bvh.load(clip)
-    names = [style, *(s for s in beside.split(",") if s and s != style)]
-    rows = [published.one_step(net, bank, motion, name, (start, stop)) for name in names]
-    print(f"{'style':<18}{'joint MSE':>10}{'contact corr. R':>17}{'L':>7}{'phase error':>13}")
-    for row in rows:
-        right, left = row["contact_correlation"]
-        print(f"{row['style']:<18}{row['joint_mse']:>10.4f}{right:>17.3f}{left:>7.3f}{row['phase_error']:>13.3f}")
-    print(f"{row['frames']} frames; joint MSE in the model's normalised units, where predicting the mean gives about 1")
-
-
 def _symmetric(data: str, root: Path | None) -> Callable[[Clip], bool]:
     """Which clips may be mirrored: 100STYLE says of its styles which are symmetric; idling never is."""
     styles = datasets.style100.styles(root) if data == "100style" else {}
     return lambda clip: clip.gait != "ID" and (clip.style not in styles or styles[clip.style].symmetric)
-
-
-def _model(file: Path | None, folder: Path | None):
-    """A model and its style bank, of a training run's file or of the published parameters' folder."""
-    if (file is None) == (folder is None):
-        raise ValueError("give either --model FILE or --published FOLDER")
-    if folder is not None:
-        return published.load(folder)
-    run = training.load(file)
-    return run.model, run.bank
 
 
 def _blend(text: str) -> dict[str, float]:

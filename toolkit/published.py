@@ -11,7 +11,7 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from toolkit import features, phases, trajectory
+from toolkit import features, phases, training, trajectory
 from toolkit.datasets.procedural import SKELETON
 from toolkit.features import Layout, Normaliser
 from toolkit.motion import Clip
@@ -79,6 +79,24 @@ def load(folder: str | os.PathLike) -> tuple[Model, StyleBank]:
     parts = ("scale1", "shift1", "scale2", "shift2")
     vectors = torch.stack([torch.cat([read(f"Style_{i:03d}_{p}", sizes.hidden) for p in parts]) for i in range(len(STYLES))])
     return model, StyleBank(STYLES, vectors)
+
+
+def either(file: str | os.PathLike | None, folder: str | os.PathLike | None) -> tuple[Model, StyleBank]:
+    """A model and its style bank: of a training run's ``file``, of the published ``folder``, the embedded one for neither.
+
+    Raises
+    ------
+    ValueError
+        If both are given.
+    """
+    if file is not None and folder is not None:
+        raise ValueError("give either --model FILE or --published FOLDER, not both")
+    if folder is not None:
+        return load(folder)
+    if file is None:
+        return training.pretrained()
+    run = training.load(file)
+    return run.model, run.bank
 
 
 def one_step(model: Model, bank: StyleBank, clip: Clip, style: str, frames: tuple[int, int | None] = (0, None)) -> dict:
