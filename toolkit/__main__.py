@@ -101,7 +101,7 @@ def demo_(
 def rollout(
     style: Annotated[str, typer.Option(help="A style, or a blend like Zombie=0.5,Old=0.5.")],
     out: Annotated[Path, typer.Option(help="File to write: .bvh, .html or .png (a strip).")],
-    model: Annotated[Path | None, typer.Option(help="A trained run (.safetensors); the embedded one where not given.")] = None,
+    model: Annotated[Path | None, typer.Option(help="A trained run; the embedded one where not given.")] = None,
     parameters: Annotated[Path | None, typer.Option("--published", help="Folder of the published parameters.")] = None,
     seconds: Annotated[float, typer.Option(help="How long to walk.")] = 10.0,
     speed: Annotated[float, typer.Option(help="Metres per second.")] = 1.2,

@@ -10,7 +10,7 @@ from toolkit import metrics, published, runtime
 
 
 def run(
-    model: Annotated[Path | None, typer.Option(help="A trained run (.safetensors); the embedded one where not given.")] = None,
+    model: Annotated[Path | None, typer.Option(help="A trained run; the embedded one where not given.")] = None,
     parameters: Annotated[Path | None, typer.Option("--published", help="Folder of the published parameters.")] = None,
     styles: Annotated[str | None, typer.Option(help="Comma-separated names; all where not given.")] = None,
     seconds: Annotated[float, typer.Option(help="How long to walk.")] = 60.0,

@@ -12,7 +12,7 @@ def run(
     clip: Annotated[Path, typer.Option(help="A BVH file of the 100STYLE skeleton.")],
     style: Annotated[str, typer.Option(help="Whose style vector.")],
     parameters: Annotated[Path | None, typer.Option("--published", help="Folder of the published parameters.")] = None,
-    model: Annotated[Path | None, typer.Option(help="A trained run (.safetensors); the embedded one where not given.")] = None,
+    model: Annotated[Path | None, typer.Option(help="A trained run; the embedded one where not given.")] = None,
     start: Annotated[int, typer.Option(help="First frame (100STYLE: START of Frame_Cuts.csv).")] = 0,
     stop: Annotated[int | None, typer.Option(help="Last frame, not included; the end where not given.")] = None,
     beside: Annotated[str, typer.Option(help="Comma-separated styles to compare with.")] = "Zombie,Aeroplane",
