@@ -1,14 +1,16 @@
 import itertools
 import re
 
+import numpy as np
 import pytest
 import torch
 from hypothesis import given
 from hypothesis import strategies as st
 from strategies import clips, human_clip
 
-from toolkit import bvh
+from toolkit import bvh, decimals
 from toolkit import rotations as R
+from toolkit.benchmarks import bvh as bench
 
 GOOD = """HIERARCHY
 ROOT Hips
@@ -59,14 +61,35 @@ def test_a_file_worked_out_by_hand(tmp_path):
         lambda t: t.replace("\t", "    ") + "\n\n",
         lambda t: t.replace("Frames: 3", "  Frames:\t3").replace("0 90 0 0", " 0  90 0\t0 "),
         lambda t: t.replace("0.033333", "3.33333e-2"),
+        lambda t: t.replace("\n", "\r"),
+        lambda t: t.replace(" 90 0", " +9.0e+1\t0.  "),
+        lambda t: t.replace(" 90 0", " 90.0000000000000000000000 -0 "),
+        lambda t: t.rstrip(),
     ],
-    ids=["crlf", "byte-order mark", "brace behind the name", "spaces and blank lines", "odd spacing", "exponent"],
+    ids=["crlf", "byte-order mark", "brace behind the name", "spaces and blank lines", "odd spacing", "exponent", "cr",
+         "signs, points, tabs", "more digits than a double holds", "no last line end"],
 )
 def test_ways_to_write_the_same_file(tmp_path, change):
     clip, same = (bvh.load(write(tmp_path, text)) for text in (GOOD, change(GOOD)))
     assert same.skeleton.names == clip.skeleton.names
     assert same.fps == clip.fps
     torch.testing.assert_close(same.global_positions, clip.global_positions)
+
+
+@st.composite
+def decimal(draw):
+    value = draw(st.floats(-1e6, 1e6) | st.floats(allow_nan=False, allow_infinity=False))
+    return draw(st.sampled_from(["%.6f", "%+.3f", "%g", "%.15g", "%.17g", "%e", "%.0f."])) % value
+
+
+@given(st.lists(decimal(), min_size=1, max_size=12), st.sampled_from([" ", "\t", "  ", " \n", "\r\n\n"]))
+def test_numbers_are_the_nearest_doubles_or_refused(words, between):
+    """Bit by bit what Python reads; what is refused is read by Python itself."""
+    columns = np.zeros((1, len(words)) if between[-1] == "\n" else (len(words), 1))
+    if decimals.read(np.frombuffer(between.join(words).encode(), np.uint8), 0, columns):
+        assert [v.hex() for v in columns.ravel().tolist()] == [float(w).hex() for w in words]
+    else:
+        assert any(len(re.sub(r"e.*|\D", "", w)) > 15 or "e" in w for w in words)
 
 
 def test_names_with_spaces(tmp_path):
@@ -159,6 +182,14 @@ BAD = {
     "decimal comma": (GOOD.replace("1 90 0", "1 90,5 0"), 20, "'90,5'"),
     "a number too few": (GOOD.replace("0 90 0 0", "0 90 0", 1), 19, "expected 9 numbers, got 8"),
     "a number too many": (GOOD.replace("1 90 0", "1 90 0 7"), 20, "expected 9 numbers, got 10"),
+    "a number with a zero byte": (GOOD.replace("1 90 0", "1 9\0 0"), 20, "channel 2 is not a finite number"),
+    "a number as Python writes it": (GOOD.replace("1 90 0", "1 9_0 0"), 20, "channel 2 is not a finite number: '9_0'"),
+    "two points": (GOOD.replace("1 90 0", "1 9.0. 0"), 20, "channel 2 is not a finite number: '9.0.'"),
+    "a sign alone": (GOOD.replace("1 90 0", "1 - 0"), 20, "channel 2 is not a finite number: '-'"),
+    "an exponent without a number": (GOOD.replace("1 90 0", "1 9e 0"), 20, "channel 2 is not a finite number: '9e'"),
+    "too large": (GOOD.replace("1 90 0", "1 9e999 0"), 20, "channel 2 is not a finite number: '9e999'"),
+    "more frames than could be": (GOOD.replace("s: 3", "s: 99999999999999"), 17, "header says 99999999999999 frames"),
+    "fewer frames than none": (GOOD.replace("s: 3", "s: -3"), 17, "header says -3 frames, the file holds 3"),
     "no MOTION": (GOOD[: GOOD.index("MOTION")], 15, "ends before MOTION"),
     "unknown word": (GOOD.replace("JOINT Chest", "JONT Chest"), 6, "unexpected 'JONT Chest'"),
     "joint twice": (GOOD.replace("JOINT Chest", "JOINT Hips"), 6, "joint Hips appears twice"),
@@ -202,3 +233,22 @@ def test_files_that_cannot_be_opened(tmp_path):
     for path in (tmp_path / "none.bvh", tmp_path):
         with pytest.raises(bvh.BVHError, match="cannot be read"):
             bvh.load(path)
+
+
+def test_the_benchmark_compares_with_peers_and_says_which_are_missing(tmp_path, monkeypatch, capsys):
+    def no_peer():
+        raise ImportError
+
+    def cannot():
+        return lambda path: [][0]
+
+    def same():  # in the file's units, moved by half a unit, without End Sites
+        return lambda path: bvh.load(path).without_ends().global_positions.numpy() * 100 + 0.5
+
+    monkeypatch.setattr(bench, "PEERS", {"absent": no_peer, "numpy": cannot, "torch": same})
+    bench.run(write(tmp_path, GOOD))
+    said = capsys.readouterr().out
+    assert "walk.bvh: 3 frames, 2 joints" in said
+    assert re.search(r"torch [\d.+a-z]+ .*x +0\.5000\d units", said)
+    assert re.search(r"numpy [\d.]+: cannot read this file \(IndexError", said)
+    assert "not installed: absent; pip install absent" in said

@@ -1,3 +1,4 @@
+import itertools
 import math
 
 import numpy as np
@@ -26,6 +27,17 @@ def test_forward_kinematics_against_plain_matrices(clip):
             worlds.append(own if parent < 0 else worlds[parent] @ own)
         np.testing.assert_allclose(clip.global_positions[f], [w[:3, 3] for w in worlds], atol=1e-4)
         np.testing.assert_allclose(R.to_matrix(clip.global_rotations[f]), [w[:3, :3] for w in worlds], atol=1e-4)
+
+
+def test_forward_kinematics_of_any_leading_shape_and_its_gradient():
+    skeleton = human()
+    q, root = quaternions(0, 2, 3, 20), quaternions(1, 2, 3)[..., :3]
+    turned, positions = forward_kinematics(skeleton, q, root)
+    for i, j in itertools.product(range(2), range(3)):
+        one = forward_kinematics(skeleton, q[i, j], root[i, j])
+        torch.testing.assert_close((turned[i, j], positions[i, j]), one)
+    q, root = q[0, :1].requires_grad_(), root[0, :1].requires_grad_()
+    assert torch.autograd.gradcheck(lambda *x: forward_kinematics(skeleton, *x), (q, root))
 
 
 @given(clips())
@@ -153,6 +165,11 @@ def test_bad_clip():
     for fps in (0.0, -30.0, math.nan):
         with pytest.raises(ValueError, match="cannot resample"):
             Clip(skeleton, q, p, 30).resample(fps)
+
+
+def test_numbers_may_be_as_large_as_a_float_holds():
+    positions = torch.full((4, 3), 3e38)
+    assert Clip(human(), R.identity(4, 20), positions, 30).root_positions.equal(positions)
 
 
 def test_a_joint_that_is_not_there_cannot_be_mirrored_about():

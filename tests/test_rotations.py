@@ -81,6 +81,7 @@ def test_products_and_vectors_agree_with_matrices(seed):
     v = quaternions(seed + 1, 5)[:, :3]
     torch.testing.assert_close(R.to_matrix(R.multiply(a, b)), R.to_matrix(a) @ R.to_matrix(b))
     torch.testing.assert_close(R.rotate(a, v), (R.to_matrix(a) @ v[..., None]).squeeze(-1))
+    torch.testing.assert_close(torch.stack(R.rotate_parts(a.unbind(-1), v.unbind(-1)), -1), R.rotate(a, v))
     torch.testing.assert_close(R.rotate(R.inverse(a), R.rotate(a, v)), v)
 
 

@@ -2,14 +2,15 @@
 
 import io
 import os
+import re
 import tempfile
-import warnings
+from collections import defaultdict
 from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
-import pandas as pd
 import torch
+from torch import Tensor
 
 from toolkit import rotations as R
 from toolkit.motion import Clip, Skeleton
@@ -44,43 +45,30 @@ def load(path: str | os.PathLike, *, unit: float = CENTIMETRE, style: str = "", 
     """
     path = Path(path)
     try:
-        text = path.read_text(encoding="utf-8", errors="replace")
+        data = path.read_bytes()
     except OSError as error:
         raise BVHError(f"{path}: cannot be read ({error.strerror})") from error
-    header, motion, first_line = _split(path, text)
+    header, motion = _split(path, data)
     names, parents, offsets, channels = _parse_hierarchy(path, header)
-    values, fps = _parse_motion(path, motion, first_line, sum(len(c) for c in channels))
+    columns, fps = _parse_motion(path, data, motion, sum(len(c) for c in channels))
 
-    frames, n = len(values), len(names)
-    rotations = R.identity(frames, n, dtype=torch.float64)
-    positions = np.broadcast_to(np.asarray(offsets), (frames, n, 3)).copy()
-    column = 0
-    for j, names_of_channels in enumerate(channels):
-        block = values[:, column : column + len(names_of_channels)]
-        column += len(names_of_channels)
-        order = "".join(c[0] for c in names_of_channels if c.endswith("rotation"))
-        angles = [block[:, i] for i, c in enumerate(names_of_channels) if c.endswith("rotation")]
-        for i, c in enumerate(names_of_channels):
-            if c.endswith("position"):
-                positions[:, j, R.AXES[c[0]]] = block[:, i]
-        for axis, angle in zip(order, angles, strict=True):
-            turn = R.from_axis_angle(torch.eye(3, dtype=torch.float64)[R.AXES[axis]], torch.from_numpy(np.radians(angle)))
-            rotations[:, j] = R.multiply(rotations[:, j], turn)
-    positions *= unit
-
-    spread = np.ptp(positions[:, 1:], axis=0).max(-1, initial=0.0) if n > 1 else np.zeros(0)
-    moving = {j: s for j, s in enumerate(spread.tolist(), 1) if s > 1e-3}
-    root_positions = torch.from_numpy(positions[:, 0].copy())
+    rotations, offsets = _rotations(torch.from_numpy(columns), channels), np.asarray(offsets) * unit
+    positions = _positions(columns, channels, offsets, unit)
+    for j, moves in positions.items():
+        offsets[j] = np.median(moves, axis=0)
+    spread = {j: float(np.ptp(moves, axis=0).max()) for j, moves in positions.items() if j}
+    moving = {j: s for j, s in spread.items() if s > 1e-3}
+    root_positions = torch.from_numpy(positions[0])
     if 1 in moving and parents.count(0) == 1:  # the real root hangs below a carrier: merge the two
-        root_positions = root_positions + R.rotate(rotations[:, 0], torch.from_numpy(positions[:, 1].copy()))
+        root_positions = root_positions + R.rotate(rotations[:, 0].double(), torch.from_numpy(positions[1]))
         rotations = torch.cat((R.multiply(rotations[:, 0], rotations[:, 1])[:, None], rotations[:, 2:]), 1)
-        names, parents, positions = names[1:], [p - 1 for p in parents[1:]], positions[:, 1:]
+        names, parents, offsets = names[1:], [p - 1 for p in parents[1:]], offsets[1:]
         moving = {j - 1: s for j, s in moving.items() if j > 1}
     if moving:
         joint = max(moving, key=moving.get)
         raise BVHError(f"{path}: joint {names[joint]} changes its distance to its parent by up to "
                        f"{moving[joint] * 1000:.0f} mm; only rigid skeletons are supported")  # fmt: skip
-    skeleton = Skeleton(tuple(names), tuple(parents), torch.from_numpy(np.median(positions, axis=0)))
+    skeleton = Skeleton(tuple(names), tuple(parents), torch.from_numpy(offsets))
     return Clip(skeleton, R.unroll(rotations), root_positions, fps, style, gait, path.name)
 
 
@@ -151,15 +139,23 @@ class atomic_write:  # noqa: N801 (used like a function)
             temporary.unlink(missing_ok=True)
 
 
-def _split(path: Path, text: str) -> tuple[list[str], list[str], int]:
-    """Header lines, motion lines, and the line number of the first motion line."""
-    lines = text.splitlines()
+_MOTION = re.compile(rb"[\r\n][^\S\r\n]*MOTION[^\S\r\n]*(?=[\r\n]|\Z)", re.IGNORECASE)
+_TIMING = re.compile(rb"\s*Frames[^\r\n:]*:([^\r\n]*)[\r\n]\s*Frame Time[^\r\n:]*:([^\r\n]*)", re.IGNORECASE)
+
+
+def _lines(data: bytes) -> list[str]:
+    return data.decode(errors="replace").splitlines()
+
+
+def _split(path: Path, data: bytes) -> tuple[list[str], int]:
+    """Header lines, and where MOTION ends."""
+    motion = _MOTION.search(data)
+    lines = _lines(data[: motion.end()] if motion else data)
     if not lines or not lines[0].lstrip("\ufeff").strip().upper().startswith("HIERARCHY"):
         raise BVHError(f"{path}, line 1: expected HIERARCHY, got {(lines or [''])[0][:40]!r}")
-    for i, line in enumerate(lines):
-        if line.strip().upper() == "MOTION":
-            return lines[1:i], lines[i + 1 :], i + 2
-    raise BVHError(f"{path}, line {len(lines)}: the file ends before MOTION")
+    if not motion:
+        raise BVHError(f"{path}, line {len(lines)}: the file ends before MOTION")
+    return lines[1:-1], motion.end()
 
 
 def _parse_hierarchy(path: Path, lines: list[str]) -> tuple[list[str], list[int], list[list[float]], list[list[str]]]:
@@ -236,42 +232,77 @@ def _words(lines: list[str]) -> Iterator[tuple[int, list[str]]]:
             yield number, run
 
 
-def _parse_motion(path: Path, lines: list[str], first_line: int, width: int) -> tuple[np.ndarray, float]:
-    body = [(first_line + i, text) for i, line in enumerate(lines) if (text := line.strip())]
+def _parse_motion(path: Path, data: bytes, start: int, width: int) -> tuple[np.ndarray, float]:
+    """Channels ``[width, F]`` and frames per second."""
+
+    def fail(end: int, problem: str, below: int = 0) -> BVHError:
+        return BVHError(f"{path}, line {len(_lines(data[:end])) + below}: {problem}")
+
+    timing = _TIMING.match(data, start)
     try:
-        (frames_at, frames_line), (time_at, time_line), *rows = body
-        frames, frame_time = int(frames_line.split(":")[1]), float(time_line.split(":")[1])
-        if not (frames_line.lower().startswith("frames") and time_line.lower().startswith("frame time")):
-            raise ValueError
-    except (ValueError, IndexError):
-        raise BVHError(f"{path}, line {first_line}: expected 'Frames: N' and 'Frame Time: S' after MOTION") from None
+        frames, frame_time = int(timing[1]), float(timing[2])
+    except (TypeError, ValueError):
+        raise fail(start, "expected 'Frames: N' and 'Frame Time: S' after MOTION", below=1) from None
     if not (frame_time > 0 and np.isfinite(frame_time)):
-        raise BVHError(f"{path}, line {time_at}: frame time must be positive, got {frame_time}")
-    if frames != len(rows) or not frames:
-        raise BVHError(f"{path}, line {frames_at}: header says {frames} frames, the file holds {len(rows)}")
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("error")
-            text = io.StringIO("\n".join(line for _, line in rows))
-            values = pd.read_csv(text, header=None, sep=r"\s+", dtype=np.float64, na_filter=False).to_numpy()
-    except (ValueError, Warning):
-        values = np.empty((0, 0))
-    if values.shape != (frames, width) or not np.isfinite(values).all():
-        raise _first_bad_row(path, rows, width)
-    fps = 1.0 / frame_time
-    return values, float(round(fps)) if abs(fps - round(fps)) < 0.02 else fps
+        raise fail(timing.end(2), f"frame time must be positive, got {frame_time}")
+    from toolkit import decimals  # compiled, slow to import
 
-
-def _first_bad_row(path: Path, rows: list[tuple[int, str]], width: int) -> BVHError:
-    for number, line in rows:
-        words = line.split()
-        if len(words) != width:
-            return BVHError(f"{path}, line {number}: expected {width} numbers, got {len(words)}")
-        for i, word in enumerate(words, 1):
+    columns = np.empty((width, frames if 0 < 2 * frames * width <= len(data) else 0))  # a number takes two bytes or more
+    if not (columns.size and decimals.read(np.frombuffer(data, np.uint8), timing.end(), columns)):
+        rows = [(below, line) for below, line in enumerate(_lines(data[timing.end() :])) if line.strip()]
+        if frames != len(rows) or not frames:
+            raise fail(timing.end(1), f"header says {frames} frames, the file holds {len(rows)}")
+        columns = np.empty((width, frames))
+        for row, (below, line) in enumerate(rows):
             try:
-                finite = np.isfinite(float(word))
-            except ValueError:
-                finite = False
-            if not finite:
-                return BVHError(f"{path}, line {number}: channel {i} is not a finite number: {word!r}")
-    return BVHError(f"{path}, line {rows[0][0]}: the motion block cannot be read")
+                columns[:, row] = _numbers(line, width)
+            except ValueError as error:
+                raise fail(timing.end(), str(error), below) from None
+    fps = 1.0 / frame_time
+    return columns, float(round(fps)) if abs(fps - round(fps)) < 0.02 else fps
+
+
+def _numbers(line: str, width: int) -> list[float]:
+    words, numbers = line.split(), []
+    if len(words) != width:
+        raise ValueError(f"expected {width} numbers, got {len(words)}")
+    for i, word in enumerate(words, 1):
+        try:
+            numbers.append(float(word.replace("_", "?")))  # Python alone reads 1_000
+        except ValueError:
+            numbers.append(np.nan)
+        if not np.isfinite(numbers[-1]):
+            raise ValueError(f"channel {i} is not a finite number: {word!r}")
+    return numbers
+
+
+def _rotations(columns: Tensor, channels: list[list[str]]) -> Tensor:
+    """Local rotations ``[F, J, 4]``; joints that turn in the same order are done at once."""
+    rotations = R.identity(columns.shape[1], len(channels))
+    alike, first = defaultdict(dict), 0
+    for j, names in enumerate(channels):
+        turns = {c[0]: i for i, c in enumerate(names, first) if c.endswith("rotation")}
+        if turns:
+            alike["".join(turns)][j] = list(turns.values())
+        first += len(names)
+    for order, turns in alike.items():
+        order += "".join(axis for axis in "XYZ" if axis not in order)
+        for start in range(0, columns.shape[1], 2048):  # a few MB at a time
+            part = columns[:, start : start + 2048]
+            angles = torch.zeros(3, len(turns), part.shape[1])
+            for i, places in enumerate(zip(*turns.values(), strict=True)):
+                angles[i] = torch.deg2rad(part[list(places)])
+            rotations[start : start + 2048, list(turns)] = R.from_euler(angles.permute(2, 1, 0), order)
+    return rotations
+
+
+def _positions(columns: np.ndarray, channels: list[list[str]], offsets: np.ndarray, unit: float) -> dict[int, np.ndarray]:
+    """Metres ``[F, 3]`` from the parent, of the root and of every joint with position channels."""
+    positions, first = {}, 0
+    for j, names in enumerate(channels):
+        moves = {R.AXES[c[0]]: i for i, c in enumerate(names, first) if c.endswith("position")}
+        if moves or not j:
+            positions[j] = np.repeat(offsets[j : j + 1], columns.shape[1], axis=0)
+            positions[j][:, list(moves)] = columns[list(moves.values())].T * unit
+        first += len(names)
+    return positions

@@ -160,14 +160,15 @@ def find_roles(names: Sequence[str], parents: Sequence[int]) -> dict[str, str]:
 
 def forward_kinematics(skeleton: Skeleton, rotations: Tensor, root_positions: Tensor) -> tuple[Tensor, Tensor]:
     """Global rotations ``[..., J, 4]`` and positions ``[..., J, 3]`` of local rotations and the root's position."""
-    global_rotations, positions = rotations.clone(), rotations.new_zeros(*rotations.shape[:-1], 3)
-    positions[..., 0, :] = root_positions
-    offsets = skeleton.offsets.to(rotations.dtype)
+    local = rotations.movedim((-1, -2), (0, 1)).contiguous()  # every number of a joint lies beside the next frame's
+    turned, positions = torch.empty_like(local), torch.empty_like(local[:3])
+    turned[:, 0], positions[:, 0] = local[:, 0], root_positions.movedim(-1, 0)
+    offsets = skeleton.offsets.to(rotations.dtype).T.reshape(3, -1, *[1] * (rotations.dim() - 2))
     for joints, parents in skeleton.levels:
-        above = global_rotations[..., parents, :]
-        global_rotations[..., joints, :] = R.multiply(above, rotations[..., joints, :])
-        positions[..., joints, :] = positions[..., parents, :] + R.rotate(above, offsets[joints])
-    return global_rotations, positions
+        above = turned[:, parents]
+        turned[:, joints] = torch.stack(R.multiply_parts(above, local[:, joints]))
+        positions[:, joints] = positions[:, parents] + torch.stack(R.rotate_parts(above, offsets[:, joints]))
+    return tuple(x.movedim((0, 1), (-1, -2)).contiguous() for x in (turned, positions))
 
 
 def local_rotations(skeleton: Skeleton, global_rotations: Tensor) -> Tensor:
@@ -216,7 +217,7 @@ class Clip:
             raise ValueError(f"{self.name}: expected rotations [F, {joints}, 4] and root positions [F, 3], F >= 1; got "
                              f"{list(self.rotations.shape)} and {list(self.root_positions.shape)}")  # fmt: skip
         for what, values in (("rotations", self.rotations), ("root positions", self.root_positions)):
-            if not bool(torch.isfinite(values).all()):
+            if not math.isfinite(values.sum(dtype=torch.float64)):  # one pass; a double cannot overflow here
                 frame = int((~torch.isfinite(values.flatten(1))).any(1).nonzero()[0])
                 raise ValueError(f"{self.name}: {what} of frame {frame} are not finite")
         if not (self.fps > 0 and math.isfinite(self.fps)):
