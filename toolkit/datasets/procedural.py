@@ -6,19 +6,24 @@ arms ride on the clock that the steps give. See `toolkit.datasets.procedural_sty
 """
 
 import math
+import os
 import zlib
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from pathlib import Path
 
 import numpy as np
 from torch import Tensor
+from tqdm import tqdm
 
 from toolkit import rotations as R
+from toolkit.bvh import atomic_write
 from toolkit.datasets.procedural_body import SKELETON, pose
 from toolkit.datasets.procedural_steps import FPS, Plan, Truth, record, smooth, wander
 from toolkit.datasets.procedural_styles import STYLES, Arm, Leg, Style
+from toolkit.datasets.style100 import StyleInfo, save
 from toolkit.motion import Clip
 
-__all__ = ["GAITS", "SKELETON", "STYLES", "Arm", "Leg", "Style", "Truth", "generate", "load", "truth"]
+__all__ = ["GAITS", "SKELETON", "STYLES", "Arm", "Leg", "Style", "Truth", "generate", "load", "truth", "write"]
 
 #: Forwards, backwards and sidestep walk and run, idle, and a transition through all of them.
 GAITS = ("FW", "BW", "FR", "BR", "SW", "SR", "ID", "TR1")
@@ -104,6 +109,40 @@ def truth(
     return clip, Truth(known.contacts[keep], known.phase[keep], known.frequency[keep])
 
 
+def write(
+    folder: str | os.PathLike,
+    styles: str | Sequence[str] | None = None,
+    gaits: str | Sequence[str] | None = None,
+    seconds: float = 8.0,
+    seed: int = 0,
+) -> None:
+    """Write what `load` gives in 100STYLE's layout (`toolkit.datasets.style100.save`), and the truth beside each clip.
+
+    On disk the styles are called ``Procedural<Style>``. The truth of ``<Style>_<GAIT>.bvh`` is ``<Style>_<GAIT>.npz``, with
+    the arrays of `Truth`. A progress bar shows on a terminal.
+
+    Raises
+    ------
+    ValueError
+        If a style or gait is unknown or comes twice, or the folder already holds a dataset.
+    """
+    folder = Path(folder)
+    styles, gaits = ([x] if isinstance(x, str) else list(x or every) for x, every in ((styles, STYLES), (gaits, GAITS)))
+
+    def clips() -> Iterator[Clip]:
+        for style, gait in tqdm([(s, g) for s in styles for g in gaits], desc="procedural", unit="clip", disable=None):
+            clip, known = truth(style, gait, seconds, seed)
+            clip = clip.replace(style=f"Procedural{style}")
+            with atomic_write(folder / f"{clip.style}_{gait}.npz") as file:
+                np.savez_compressed(
+                    file, **{name: getattr(known, name).numpy() for name in ("contacts", "phase", "frequency")}
+                )
+            yield clip
+
+    infos = [StyleInfo(f"Procedural{n}", f"procedural: {n}", s.symmetric, s.stagger > 0, "") for n, s in STYLES.items()]
+    save(clips(), folder, infos)
+
+
 def _path(style: Style, gait: str, frames: int, rng: np.random.Generator) -> np.ndarray:
     """Root path ``[frames, 3]`` (x, z, facing) of a gait: random changes of speed and heading, left and right in turn."""
     walk, run = np.array([0.0, 1.0]), np.array([0.0, style.run])
@@ -112,14 +151,18 @@ def _path(style: Style, gait: str, frames: int, rng: np.random.Generator) -> np.
     legs: list[tuple[float, np.ndarray, float]] = []  # seconds, (left, forward) in usual speeds, turn in radians
     sign = rng.choice([-1.0, 1.0])
     total = 0.0
-    while total < frames / FPS:
+    seconds = frames / FPS
+    rounds = max(1, round(seconds / 9.6))  # of a transition: it lasts about ten seconds where there is time for all of it
+    while total < seconds - 1e-6:
         if gait == "TR1":
-            share = min(1.4, max(0.6, frames / FPS / 7)) * rng.uniform(0.85, 1.15, 7)
             turn = sign * rng.uniform(1.0, 2.6)
             other = [side, -side, back][rng.integers(3)]
-            row = [(stand, 0.0), (walk, 0.0), (walk, turn), (run, rng.normal(0, 0.4)), (walk, -0.6 * turn), (other, 0.0),
-                   (stand, 0.0)]  # fmt: skip
-            new = [(s, v, t) for s, (v, t) in zip(share, row, strict=True)]
+            row = [(walk, 0.0), (walk, turn), (run, rng.normal(0, 0.4)), (walk, -0.6 * turn), (other, 0.0)]
+            count = min(max(round(seconds / rounds / 1.6) - 1, 1), 5)
+            row = [row[k] for k in sorted((0, 2, 1, 3, 4)[:count])]
+            share = np.concatenate(([0.5], rng.uniform(0.85, 1.15, count), [0.5]))
+            share *= seconds / rounds / share.sum()
+            new = [(s, v, t) for s, (v, t) in zip(share, [(stand, 0.0), *row, (stand, 0.0)], strict=True)]
         elif gait == "ID":
             new = [(rng.uniform(4, 9), stand, 0.0)]
         else:
@@ -135,14 +178,14 @@ def _path(style: Style, gait: str, frames: int, rng: np.random.Generator) -> np.
         legs += new
         total += sum(n[0] for n in new)
     edges = np.concatenate(([0.0], np.cumsum([n[0] for n in legs]))) * FPS
-    if gait == "TR1":  # the last round ends where the clip ends
-        edges *= frames / edges[-1]
     at = np.searchsorted(edges, np.arange(frames), side="right") - 1
     velocity = np.array([n[1] for n in legs])[at] * style.speed
     rate = np.array([n[2] / n[0] for n in legs])[at]
     pace = np.abs(velocity).sum(1) / style.speed
-    rate = rate + style.noise * 0.35 * np.minimum(pace, 1) * wander(rng, frames, 35, 1)[:, 0]
-    velocity = velocity + style.noise * 0.12 * np.minimum(pace, 1)[:, None] * wander(rng, frames, 30, 2)
+    going = np.minimum(pace, 1)
+    rate = rate + (0.35 * style.noise + 0.5 * style.stagger) * going * wander(rng, frames, 35, 1)[:, 0]
+    drift = style.speed * (0.12 * style.noise + 0.2 * style.stagger)
+    velocity = velocity + drift * going[:, None] * wander(rng, frames, 30, 2)
     velocity, rate = smooth(velocity, 13), smooth(rate, 11)
     facing = rng.uniform(-math.pi, math.pi) + np.cumsum(rate) / FPS
     c, s = np.cos(facing), np.sin(facing)

@@ -33,6 +33,7 @@ def _skeleton() -> Skeleton:
 #: 100STYLE's 28 points: same names, order and axes, lengths to the millimetre; zero rotation is a T-pose facing +Z.
 SKELETON = _skeleton()
 _J = {name: j for j, name in enumerate(SKELETON.names)}
+FOLDED = 0.34  # metres from hip joint to ankle, at least
 _FOOT = torch.tensor(FOOT, dtype=torch.float64)
 
 
@@ -43,7 +44,7 @@ def pose(plan: Plan, feet: dict[str, "Foot"]) -> tuple[Tensor, Tensor]:
     still = np.clip(1 - amount, 0, 1)
     beat = plan.clock - plan.middle  # 0 where the left foot is in the middle of its swing
     sin, cos, cos2 = amount * np.sin(beat), amount * np.cos(beat), amount * np.cos(2 * beat)
-    unrest = style.noise * wander(plan.rng, frames, 22, 8).T
+    unrest = (style.noise + 2 * style.stagger) * wander(plan.rng, frames, 22, 8).T
     breath = 0.6 * np.sin(2 * math.pi * 0.25 / FPS * plan.t)
     bank = np.degrees(np.arctan(plan.ahead * plan.turning / 9.81))
     bank = smooth(np.clip(bank, -20, 20), 8)
@@ -92,35 +93,35 @@ def pose(plan: Plan, feet: dict[str, "Foot"]) -> tuple[Tensor, Tensor]:
 
     # hips over the path: swaying over the standing foot, as high as style and legs allow
     side = -style.sway * cos * even + 0.012 * still * even * wander(plan.rng, frames, 50, 1)[:, 0]
+    side = side + 0.04 * style.stagger * wander(plan.rng, frames, 30, 1)[:, 0]
     if hopping:
         side = side + (0.02 if plan.stepping[0] == "left" else -0.02)
-    front = style.forward + 0.04 * style.noise * unrest[3] * amount
+    front = style.forward + 0.04 * style.noise * unrest[3] * amount - style.surge * amount * np.sin(2 * beat) * even
     c, s = np.cos(plan.root[:, 2]), np.sin(plan.root[:, 2])
     hips = np.stack((plan.root[:, 0] + side * c + front * s, np.zeros(frames), plan.root[:, 1] - side * s + front * c), 1)
     up = style.bob * amount * np.cos(beat) if hopping else (style.bob * (1 - run) - 0.03 * run) * cos2
-    wanted = style.height + (0.01 + 0.004 * breath) * still - 0.045 * run + up
+    sink = min(max(style.height - 0.75, 0.1), 0.2) / 2  # runners land on a bent knee
+    wanted = style.height + (0.01 + 0.004 * breath) * still - sink * run + up
     joints = [_J["LeftHip"], _J["RightHip"]]
     offsets = R.rotate(local[:, :1], SKELETON.offsets[joints].double())  # [F, 2, 3] hips → hip joint
     length = float(-SKELETON.offsets[_J["LeftKnee"], 1] - SKELETON.offsets[_J["LeftAnkle"], 1])
 
     ankles = torch.zeros(frames, 2, 3, dtype=torch.float64)
-    yaws, pitches, toes, airs = (np.zeros((frames, 2)) for _ in range(4))
+    yaws, pitches, toes, airs, slacks, kicks = (np.zeros((frames, 2)) for _ in range(6))
     ceiling = np.full(frames, 9.0)
     for i, name in enumerate(SIDES):
         if name in feet:
             foot = feet[name]
             yaws[:, i], pitches[:, i], airs[:, i] = foot.yaw, foot.pitch, foot.air
+            slacks[:, i], kicks[:, i] = foot.slack, foot.kick
             toes[:, i] = foot.pitch - np.minimum(foot.pitch, 0) * foot.flatness
             turned = _foot_rotation(yaws[:, i], pitches[:, i])
             ankles[:, i] = torch.from_numpy(foot.toe) - R.rotate(turned, _FOOT)
             gap = (ankles[:, i] - offsets[:, i]).numpy() - hips
             flat = np.minimum(np.hypot(gap[:, 0], gap[:, 2]), 0.9 * length)
-            ceiling = np.minimum(ceiling, gap[:, 1] + 0.1 * foot.air + np.sqrt((0.997 * length) ** 2 - flat**2))
-    half = 9
-    low = np.lib.stride_tricks.sliding_window_view(np.pad(ceiling, half, mode="edge"), 2 * half + 1).min(1)
-    hann = np.hanning(2 * half + 3)[1:-1]
-    low = np.convolve(np.pad(low, half, mode="edge"), hann / hann.sum(), mode="valid") - 0.001  # never above the ceiling
-    hips[:, 1] = (wanted + low - np.sqrt((wanted - low) ** 2 + 0.008**2)) / 2
+            ceiling = np.minimum(ceiling, gap[:, 1] + 0.1 * foot.air + np.sqrt((0.999 * length) ** 2 - flat**2))
+    low = (1 - run) * _below(ceiling, 4) + run * _below(ceiling, 9)
+    hips[:, 1] = (wanted + low - np.sqrt((wanted - low) ** 2 + 0.002**2)) / 2
     hips = torch.from_numpy(hips)
 
     for i, name in enumerate(SIDES):
@@ -130,23 +131,34 @@ def pose(plan: Plan, feet: dict[str, "Foot"]) -> tuple[Tensor, Tensor]:
             ankles[:, i, 1] += torch.from_numpy(0.03 * sin)
             yaws[:, i], pitches[:, i], toes[:, i] = plan.root[:, 2], -1.1, -1.1
     a = hips[:, None] + offsets
+    # in the air a leg kicks out straight, and never folds all the way
+    reach = ankles - a
+    far = reach.norm(dim=-1, keepdim=True)
+    kick = torch.tensor([math.radians(style.leg(side).kick) for side in SIDES], dtype=torch.float64)
+    aim = torch.stack((0 * kick, -torch.cos(kick), torch.sin(kick)), -1) * kick.sign()[:, None]
+    weight = torch.from_numpy(kicks)[..., None] * kick.sign()[:, None]
+    aim = R.normalize((1 - weight) * reach / far + weight * R.rotate(R.yaw(facing)[:, None], aim))
+    folded = (FOLDED - far + ((FOLDED - far) ** 2 + 0.0025).sqrt()) / 2
+    far = far + torch.from_numpy(airs)[..., None] * folded
+    ankles = a + aim * (far + weight**3 * (0.985 * length - far))
     line = R.normalize(ankles - a)
     left = R.rotate(local[:, :1], along) + R.rotate(R.yaw(torch.from_numpy(yaws)), along)
     pole = torch.linalg.cross(line, left)
     rest = SKELETON.rest_positions.double()
     knee = [_J["LeftKnee"], _J["RightKnee"]]
     ankle = [_J["LeftAnkle"], _J["RightAnkle"]]
-    soft = torch.from_numpy(0.002 + 0.04 * airs)[..., None]  # a leg in the air may fall short of its target
+    soft = torch.from_numpy(0.002 + 0.04 * slacks)[..., None]  # a leg in the air may fall short of its target
     b, e = two_bone(a, a + (rest[knee] - rest[joints]), a + (rest[ankle] - rest[joints]), ankles, pole, soft=soft)
     hinge = R.normalize(torch.linalg.cross(pole, line))
     thigh, shin = (R.from_matrix(torch.stack((hinge, y, torch.linalg.cross(hinge, y)), -1))
                    for y in (R.normalize(a - b), R.normalize(b - e)))  # fmt: skip
-    # in the air the foot follows the shin: no more than 35° of dorsiflexion
+    # in the air the foot follows the shin: no more than 35° of dorsiflexion and 45° of plantar flexion
     front = R.rotate(R.yaw(torch.from_numpy(yaws)), torch.tensor([0.0, 0.0, 1.0], dtype=torch.float64))
-    limit = 0.6 - torch.atan2(((b - e) * front).sum(-1), (b - e)[..., 1]).numpy()
-    excess = pitches - limit
-    excess = airs * (excess + np.sqrt(excess**2 + 0.01)) / 2
-    pitches, toes = pitches - excess, toes - excess
+    shin_lean = torch.atan2(((b - e) * front).sum(-1), (b - e)[..., 1]).numpy()
+    for limit, sign in ((0.6, 1), (-0.8, -1)):
+        excess = sign * (pitches + shin_lean - limit)
+        excess = sign * airs * (excess + np.sqrt(excess**2 + 0.01)) / 2
+        pitches, toes = pitches - excess, toes - excess
     feet_q, toes_q = (torch.stack([_foot_rotation(yaws[:, i], x[:, i]) for i in (0, 1)], 1) for x in (pitches, toes))
     chain = torch.stack((local[:, :1].expand(-1, 2, 4), thigh, shin, feet_q, toes_q), 2)
     relative = R.multiply(R.inverse(chain[:, :, :-1]), chain[:, :, 1:])
@@ -156,6 +168,13 @@ def pose(plan: Plan, feet: dict[str, "Foot"]) -> tuple[Tensor, Tensor]:
         if style.arm(side).hand_at is not None:
             _pin_hand(local, hips, side, style.arm(side))
     return local.float(), hips.float()
+
+
+def _below(ceiling: np.ndarray, half: int) -> np.ndarray:
+    """A smooth curve that stays just below another, looking `half` frames ahead and back."""
+    low = np.lib.stride_tricks.sliding_window_view(np.pad(ceiling, half, mode="edge"), 2 * half + 1).min(1)
+    hann = np.hanning(2 * half + 3)[1:-1]
+    return np.convolve(np.pad(low, half, mode="edge"), hann / hann.sum(), mode="valid") - 0.001
 
 
 def _foot_rotation(yaw: np.ndarray, pitch: np.ndarray) -> Tensor:

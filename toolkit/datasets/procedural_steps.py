@@ -18,6 +18,7 @@ FOOT = (0.0, -0.097, 0.192)  # from the ankle to the toe joint
 HEEL = -0.05  # from the ankle back to where the heel touches
 TOE = 0.021  # height of a standing toe joint
 REACH = (0.45, 0.48, 0.14)  # how far the foot may be from under the hips: at its strike, at lift-off, more with the heel up
+SWING = 0.55  # seconds of a swing, at most: slower walking means standing longer
 SIDES = ("left", "right")
 
 
@@ -63,13 +64,14 @@ class Plan:
         self.stepping = [side for side in SIDES if not style.leg(side).raised]
         duty = np.mean([style.leg(side).stance for side in self.stepping])
         self.middle = math.pi * (1 - duty + self.running * max(0.0, duty - 0.38))  # of the left foot's swing, on the clock
+        self.tempo = np.exp(0.2 * style.stagger * wander(rng, len(root), 30, 1)[:, 0])
         self._schedule()
 
     def _frequency(self, t: int) -> float:
         """Strides (hops) per second that suit the pace at frame `t`."""
         pace, run = max(self.pace[t], 0.5), self.running[t]
-        walk, fast = min(pace, 1.7) ** 0.5, 1.5 * (pace / 2.2) ** 0.35
-        return self.style.cadence * (pace**0.25 if len(self.stepping) == 1 else walk + run * (fast - walk))
+        walk, fast = min(pace, 1.7) ** 0.55, 1.5 * (pace / 2.2) ** 0.35
+        return self.style.cadence * self.tempo[t] * (pace**0.25 if len(self.stepping) == 1 else walk + run * (fast - walk))
 
     def _schedule(self) -> None:
         """Which foot lifts off when: step after step while the path moves, two more to come to rest, then none.
@@ -107,7 +109,7 @@ class Plan:
         mine = np.array([s[1:] for s in self.swings if s[0] == side] or [(2.0 * len(self.t), FPS / style.cadence, 0.0)])
         off, stride, run = mine.T
         duty = leg.stance - run * max(0.0, leg.stance - 0.38)
-        on = off + stride * (1 - duty)
+        on = off + np.minimum(stride * (1 - duty), SWING * FPS)
         on[:-1] = np.minimum(on[:-1], off[1:] - 0.2 * stride[:-1])
         usual = np.concatenate((stride[:1] * duty[:1], stride * duty))  # durations of the N + 1 stances
         begin, end = np.concatenate((off[:1] - usual[:1], on)), np.concatenate((off, on[-1:] + usual[-1:]))
@@ -121,12 +123,12 @@ class Plan:
         x, z, facing = (at(c) for c in self.root.T)
         stride = np.concatenate((stride[:1], stride)) / FPS
         apart = np.maximum(style.width / 2, 0.06 + np.abs(at(self.sideways)) * stride / 4)
-        scatter = style.noise * 0.03 * self.rng.standard_normal((3, len(x)))
+        scatter = (0.03 * style.noise + 0.06 * style.stagger) * self.rng.standard_normal((3, len(x)))
         speed = at(self.speed)
         along = at(self.ahead) / np.maximum(speed, 0.1)
         size = np.minimum(speed / 2 * stride / style.step, 1.2)
         # a foot comes to stand less far ahead than it is left behind, where the raised heel lengthens the leg
-        front = leg.ahead - 0.19 * style.step * size * along + scatter[1]
+        front = leg.ahead - 0.045 * style.step * size * along + scatter[1]
         left = (sign * apart if len(self.stepping) == 2 else sign * 0.02) + scatter[0]
         yaw = facing + sign * math.radians(leg.turned_out) + 2 * scatter[2]
         c, s = np.cos(facing), np.sin(facing)
@@ -150,7 +152,8 @@ class Plan:
 
 
 class Foot:
-    """Tracks of a foot over F frames: toe position, yaw and pitch, how flat the toes are kept, contact and phase.
+    """Tracks of a foot over F frames: toe position, yaw and pitch, how flat the toes are kept, contact and phase; 0 to 1 in
+    the swing, how far it is in the `air`, how far it kicks, and how much `slack` the leg has to fall short of it.
 
     The foot has N + 1 stances, from `begin` to `end` (frames), and a swing between each two.
     """
@@ -172,14 +175,15 @@ class Foot:
         forwards, backwards = np.maximum(along, 0), np.maximum(-along, 0)
         strike = size * (leg.heel_strike * forwards * (1 - 0.9 * run) - 14 * backwards)
         push = leg.toe_off * size**0.7 * (0.35 + 0.65 * forwards - 0.2 * backwards) * (1 + 0.25 * run)
-        lift_off = -0.7 * push * (1 - backwards)
+        lift_off = -0.5 * push * (1 - backwards)
         flat = np.full_like(size, -leg.tiptoe)
         swing = np.append(begin[1:] - end[:-1], usual[-1])
         nexts = np.append(strike[1:], 0.0)
-        knots = np.stack((begin, begin + 0.16 * stance, end - 0.45 * stance, end, end + 0.15 * swing, end + 0.5 * swing,
-                          end + 0.86 * swing), 1)  # fmt: skip
+        roll = 0.1 + 0.18 * np.minimum(np.abs(strike) / 18, 1)  # share of the stance until the foot is flat
+        knots = np.stack((begin, begin + roll * stance, end - 0.22 * stance, end, end + 0.25 * swing, end + 0.52 * swing,
+                          end + 0.92 * swing), 1)  # fmt: skip
         angles = np.stack((strike + flat, flat, flat, np.minimum(flat, 0) * 0.5 + lift_off, flat * 0.2 - push,
-                           flat * 0.7 - 0.4 * push, flat + nexts), 1)  # fmt: skip
+                           flat * 0.7 - 0.65 * push, flat + nexts), 1)  # fmt: skip
         pitch = PchipInterpolator(knots.ravel(), angles.ravel())(np.clip(t, knots[0, 0], knots[-1, -1]))
         self.pitch = np.radians(smooth(pitch, 2.0))
         self.flatness = PchipInterpolator(
@@ -187,42 +191,48 @@ class Foot:
             np.tile([1.0, 1.0, 0.1, 1.0], len(begin)),
         )(np.clip(t, begin[0], end[-1]))
 
-        w = u ** (math.log(0.5) / math.log(leg.lift_at))
-        bump = 16 * w**2 * (1 - w) ** 2
-        height = (leg.lift + 0.1 * run) * (0.7 + 0.3 * size)
-        rise, kick = height[here] * bump, 1.6 * leg.kick * (size * (1 - 0.6 * run))[here] * bump
-        out = sign * leg.circle * size[here] * bump
+        def bump(peak: float) -> np.ndarray:
+            w = u ** (math.log(0.5) / math.log(peak))
+            return 16 * w**2 * (1 - w) ** 2
+
+        height = (leg.lift * (1 - 0.45 * run) + 0.1 * run) * (0.7 + 0.3 * size)
+        rise, out = height[here] * bump(leg.lift_at), sign * leg.circle * size[here] * bump(leg.lift_at)
+        self.kick = (size * (1 - 0.4 * run))[here] * bump(0.72)
         c, s = np.cos(plan.root[:, 2]), np.sin(plan.root[:, 2])
         # over the heel while the toes are up: the toe joint circles round it
         up = np.maximum(self.pitch, 0)
         wide = 0.1
         self.air = np.sin(math.pi * np.clip((u - 0.1) / 0.8, 0, 1)) ** 2
+        self.slack = PchipInterpolator(
+            np.stack((end + 0.12 * swing, end + 0.35 * swing, end + 0.6 * swing, end + 0.85 * swing), 1).ravel(),
+            np.tile([0.0, 1.0, 1.0, 0.0], len(end)),
+        )(np.clip(t, end[0] + 0.12 * swing[0], end[-1] + 0.85 * swing[-1]))
         up = np.where(up < wide, up * up / (2 * wide), up - wide / 2)
         up += self.air * ((self.pitch + np.sqrt(self.pitch**2 + 0.06)) / 2 - up)
         lever = FOOT[2] - HEEL
         back = lever * (np.cos(up) - 1)
         yaw = place[:, 2]
-        self.toe = np.stack((place[:, 0] + out * c + kick * s + back * np.sin(yaw),
-                             TOE + rise + 0.625 * kick + lever * np.sin(up),
-                             place[:, 1] - out * s + kick * c + back * np.cos(yaw)), 1)  # fmt: skip
+        self.toe = np.stack((place[:, 0] + out * c + back * np.sin(yaw),
+                             TOE + rise + lever * np.sin(up),
+                             place[:, 1] - out * s + back * np.cos(yaw)), 1)  # fmt: skip
         self.yaw = yaw
         still = np.linalg.norm(np.diff(self.toe, axis=0), axis=1) < 9e-4  # from each frame to the next
-        self.contact = ((u < 0.1) | (u > 0.9)) & (np.append(still, still[-1]) | np.append(still[0], still))
-        self.contact[1:] &= still | ~self.contact[:-1]
-        planted = begin + 0.12 * stance
+        self.contact = ((u < 0.1) | (u > 0.9)) & np.append(still[0], still) & (leg.kick * self.kick < 0.05)
+        planted = begin + 0.9 * roll * stance
         hold = np.maximum((end - planted) / 2 - usual * 0.44, 0.0)
         middle = (planted + end) / 2
         cycle = 2 * math.pi * np.arange(len(begin))
-        knots = np.stack((middle - hold - 1e-3, middle + hold + 1e-3, end + swing / 2 + 2e-3), 1).ravel()
+        knots = np.stack((middle - hold, middle + hold, end + swing / 2), 1).ravel()
         values = np.stack((cycle, cycle, cycle + math.pi), 1).ravel()
-        self.phase = PchipInterpolator(knots, values)(np.clip(t, knots[0], knots[-2]))
+        self.phase = np.maximum.accumulate(smooth(np.interp(t, knots[:-1], values[:-1]), 3))
 
 
 @dataclass(frozen=True, eq=False)
 class Truth:
     """What is known about a clip because it was planned.
 
-    ``contacts [F, 2]`` (right, left): 1 while the toe joint is planted in the world. ``phase [F, 4]`` (left hand, right
+    ``contacts [F, 2]`` (right, left): 1 while the toe joint is planted in the world, that is,
+    has moved less than a millimetre since the frame before. ``phase [F, 4]`` (left hand, right
     hand, left foot, right foot), radians, growing: a foot is in the middle of its contact at multiples of 2π, a hand's
     arm is furthest forward there. ``frequency [F, 4]``, Hz, is 0 while standing.
     """

@@ -11,14 +11,14 @@ from dataclasses import dataclass
 class Leg:
     """How one leg steps."""
 
-    stance: float = 0.62  # share of the stride from heel strike to toe-off (duty factor)
+    stance: float = 0.575  # share of the stride from heel strike to toe-off (duty factor)
     lift: float = 0.035  # highest rise of the sole in the swing
     lift_at: float = 0.5  # when in the swing (0 to 1) it is highest
-    kick: float = 0.0  # how high the straight leg kicks forward in the swing
+    kick: float = 0.0  # how far up the straight leg kicks forward in the swing, 90 is level
     circle: float = 0.0  # how far outwards the swing goes round (circumduction)
     ahead: float = 0.0  # how far ahead of its usual place the foot is planted
-    heel_strike: float = 18.0  # pitch of the foot when the heel touches, toes up
-    toe_off: float = 46.0  # pitch of the foot just after it has pushed off, heel up
+    heel_strike: float = 27.0  # pitch of the foot when the heel touches, toes up
+    toe_off: float = 62.0  # pitch of the foot just after it has pushed off, heel up
     tiptoe: float = 0.0  # heel up all through the stance
     turned_out: float = 7.0  # toes turned outwards
     raised: bool = False  # held in the air, never steps: the other leg hops
@@ -46,8 +46,8 @@ class Arm:
 class Style:
     """How somebody walks."""
 
-    cadence: float = 0.95  # strides (two steps) per second at the usual speed
-    step: float = 0.63  # length of a step at the usual speed; speed = 2 · step · cadence
+    cadence: float = 0.9  # strides (two steps) per second at the usual speed
+    step: float = 0.665  # length of a step at the usual speed; speed = 2 · step · cadence
     width: float = 0.17  # between the feet, sideways
     run: float = 2.2  # speed of the run, in walking speeds
     asymmetry: float = 0.0  # share by which the left foot's half of the stride is longer than the right's
@@ -55,9 +55,10 @@ class Style:
     left_leg: Leg | None = None  # instead of `legs`
     right_leg: Leg | None = None
     # pelvis
-    height: float = 0.972  # of the hips when the legs can reach
-    bob: float = 0.014  # amplitude up and down, besides what the reach of the legs does
-    sway: float = 0.018  # amplitude sideways, over the standing foot
+    height: float = 0.975  # of the hips when the legs can reach
+    bob: float = 0.019  # amplitude up and down, besides what the reach of the legs does
+    sway: float = 0.03  # amplitude sideways, over the standing foot
+    surge: float = 0.02  # amplitude ahead of its mean speed and behind, twice per stride
     forward: float = 0.0  # ahead of the middle between the feet
     tilt: float = -2.0  # bow of the pelvis
     yaw: float = 4.5  # amplitude of turning with the swinging leg
@@ -79,12 +80,19 @@ class Style:
     arms: Arm = Arm()
     left_arm: Arm | None = None  # instead of `arms`
     right_arm: Arm | None = None
-    noise: float = 0.1  # unrest of trunk, arms and paths; about 1 staggers
+    noise: float = 0.1  # unrest of trunk, arms and paths
+    stagger: float = 0.0  # unrest of everything, the beat and the places of the steps too: 1 is about to fall
 
     @property
     def speed(self) -> float:
         """Usual walking speed, m/s."""
         return 2 * self.step * self.cadence
+
+    @property
+    def symmetric(self) -> bool:
+        """Whether the left does what the right does, half a stride later."""
+        aside = (self.asymmetry, self.bend, self.twist, self.head_turn, self.head_roll)
+        return self.leg("left") == self.leg("right") and self.arm("left") == self.arm("right") and not any(aside)
 
     def leg(self, side: str) -> Leg:
         """The "left" or "right" leg."""
@@ -103,14 +111,14 @@ STYLES: dict[str, Style] = {
         twist_swing=1,
         arms=Arm(out=92, forward=0, elbow=3, run_elbow=3, twist=0, wrist=0, swing=2, elbow_swing=0),
     ),
-    "Akimbo": Style(yaw=7, drop=4, twist_swing=7, lean=2, arms=Arm(hand_at=(0.17, 0.13, -0.01), wrist=-20)),
+    "Akimbo": Style(yaw=7, drop=4, twist_swing=7, lean=2, arms=Arm(hand_at=(0.19, 0.13, -0.01), wrist=-20)),
     "ArmsAboveHead": Style(
         lean=2,
         neck=8,
         shrug=10,
         arms=Arm(out=172, forward=0, elbow=8, run_elbow=8, twist=0, wrist=0, swing=4, elbow_swing=0),
     ),
-    "ArmsAtOtherFrequency": Style(arms=Arm(swing=24, elbow=30, ratio=1.5)),
+    "ArmsAtOtherFrequency": Style(arms=Arm(swing=32, elbow=30, ratio=1.5)),
     "BentForward": Style(
         lean=48,
         tilt=14,
@@ -129,7 +137,7 @@ STYLES: dict[str, Style] = {
         height=0.95,
         yaw=9,
         legs=Leg(heel_strike=26, toe_off=55, lift=0.06),
-        lean=8,
+        lean=12,
         twist_swing=9,
         arms=Arm(swing=30, elbow=25),
     ),
@@ -148,14 +156,14 @@ STYLES: dict[str, Style] = {
     ),
     "DragRightLeg": Style(
         cadence=0.68,
-        step=0.42,
+        step=0.37,
         asymmetry=-0.1,
         height=0.955,
         lean=14,
         bend=9,
         bend_swing=5,
-        right_leg=Leg(stance=0.5, lift=0.0, heel_strike=-6, toe_off=24, turned_out=38, circle=0.06, ahead=-0.15),
-        right_arm=Arm(swing=5, elbow=32, twist=35),
+        right_leg=Leg(stance=0.5, lift=0.0, heel_strike=-6, toe_off=12, turned_out=38, circle=0.06, ahead=-0.24),
+        right_arm=Arm(swing=0, elbow=32, twist=35),
         neck=18,
     ),
     "Drunk": Style(
@@ -163,21 +171,24 @@ STYLES: dict[str, Style] = {
         step=0.46,
         width=0.26,
         sway=0.05,
-        bend_swing=6,
-        noise=1.0,
+        bend_swing=11,
+        noise=0.4,
+        stagger=1.0,
         steady=0.2,
         neck=20,
-        head_swing=6,
+        head_swing=12,
+        lean_swing=4,
         arms=Arm(out=24, swing=12, elbow=24),
     ),
     "HandsBehindBack": Style(cadence=0.8, step=0.52, lean=3, neck=18, arms=Arm(hand_at=(0.05, 0.04, -0.17), wrist=25)),
-    "HandsInPockets": Style(lean=9, neck=18, shrug=6, arms=Arm(hand_at=(0.205, 0.03, 0.085), wrist=0)),
+    "HandsInPockets": Style(lean=9, neck=18, shrug=6, arms=Arm(hand_at=(0.19, 0.0, 0.07), wrist=0)),
     "HighKnees": Style(
         cadence=0.85,
         step=0.55,
-        legs=Leg(stance=0.56, lift=0.38, lift_at=0.5, heel_strike=2, toe_off=38),
+        height=0.945,
+        legs=Leg(stance=0.56, lift=0.46, lift_at=0.5, heel_strike=2, toe_off=38),
         lean=2,
-        arms=Arm(swing=34, elbow=60, elbow_swing=15),
+        arms=Arm(swing=22, elbow=60, elbow_swing=15),
     ),
     "HopLeft": Style(
         cadence=1.75,
@@ -201,15 +212,15 @@ STYLES: dict[str, Style] = {
         right_leg=Leg(stance=0.52, lift=0.09, heel_strike=2, toe_off=40),
         arms=Arm(out=42, elbow=45, run_elbow=45, swing=0, out_swing=12),
     ),
-    "LeanBack": Style(lean=-20, tilt=-8, forward=0.06, neck=22, step=0.55, arms=Arm(forward=-16, swing=14)),
+    "LeanBack": Style(lean=-27, tilt=-8, forward=0.09, neck=14, step=0.55, arms=Arm(forward=-16, swing=14)),
     "LimpLeft": Style(
         cadence=0.8,
         step=0.45,
-        asymmetry=-0.28,
-        bend_swing=5,
+        asymmetry=-0.35,
+        bend_swing=9,
         bend=4,
-        drop=6,
-        head_swing=3,
+        drop=9,
+        head_swing=7,
         left_leg=Leg(stance=0.5, heel_strike=4, toe_off=25, lift=0.03, ahead=0.02),
     ),
     "MarchKick": Style(
@@ -218,8 +229,8 @@ STYLES: dict[str, Style] = {
         lean=0,
         neck=8,
         tilt=-3,
-        height=0.975,
-        legs=Leg(stance=0.54, lift=0.06, lift_at=0.66, kick=0.33, heel_strike=6, toe_off=34),
+        height=0.95,
+        legs=Leg(stance=0.54, lift=0.06, lift_at=0.5, kick=68, heel_strike=6, toe_off=34),
         arms=Arm(swing=42, elbow=6, run_elbow=40, elbow_swing=2),
     ),
     "Old": Style(
@@ -238,58 +249,58 @@ STYLES: dict[str, Style] = {
         arms=Arm(forward=22, elbow=48, swing=6, elbow_swing=3),
     ),
     "PendulumHands": Style(
-        lean_swing=3,
-        arms=Arm(swing=34, elbow=10, elbow_swing=6),
-        right_arm=Arm(swing=34, elbow=10, elbow_swing=6, phase=180),
+        lean_swing=7,
+        arms=Arm(swing=46, elbow=10, elbow_swing=6),
+        right_arm=Arm(swing=46, elbow=10, elbow_swing=6, phase=180),
     ),
     "Penguin": Style(
         cadence=1.15,
-        step=0.2,
+        step=0.19,
         width=0.2,
-        sway=0.04,
-        bend_swing=9,
+        sway=0.06,
+        bend_swing=15,
         lean=-3,
         twist_swing=0,
         yaw=9,
         shrug=4,
         legs=Leg(turned_out=42, heel_strike=4, toe_off=16, lift=0.05),
-        arms=Arm(out=28, elbow=4, run_elbow=4, twist=-30, wrist=-35, swing=0, elbow_swing=0),
+        arms=Arm(out=38, elbow=4, run_elbow=4, twist=-30, wrist=-35, swing=0, elbow_swing=0),
     ),
     "Strut": Style(
-        cadence=0.88,
+        cadence=0.82,
         step=0.68,
-        lean=-7,
+        lean=-11,
         neck=8,
         head=-6,
         shrug=2,
         yaw=8,
-        drop=5,
+        drop=8,
         sway=0.028,
         twist_swing=11,
-        bend_swing=4,
-        arms=Arm(out=24, forward=-10, swing=26, elbow=28, twist=30),
+        bend_swing=8,
+        arms=Arm(out=24, forward=-10, swing=36, elbow=28, twist=30),
     ),
     "Tiptoe": Style(
         cadence=1.05,
-        step=0.42,
+        step=0.36,
         width=0.12,
-        height=1.03,
+        height=1.06,
         lean=3,
-        legs=Leg(tiptoe=42, heel_strike=0, toe_off=56, lift=0.07),
+        legs=Leg(tiptoe=48, heel_strike=0, toe_off=56, lift=0.07),
         arms=Arm(out=32, elbow=38, swing=6),
     ),
     "WideLegs": Style(
         cadence=0.85,
         step=0.5,
-        width=0.52,
-        sway=0.06,
+        width=0.60,
+        sway=0.09,
         bend_swing=7,
-        legs=Leg(turned_out=22, circle=0.03),
+        legs=Leg(turned_out=22, circle=0.08),
         arms=Arm(out=22, swing=10),
     ),
     "Zombie": Style(
         cadence=0.68,
-        step=0.38,
+        step=0.34,
         height=0.955,
         width=0.22,
         sway=0.045,

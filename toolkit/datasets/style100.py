@@ -5,6 +5,7 @@ into the style come first), and ``Dataset_List.csv``, what each style is.
 """
 
 import csv
+import io
 import math
 import os
 import re
@@ -12,6 +13,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
+from toolkit import bvh
 from toolkit.datasets.takes import Source
 from toolkit.motion import Clip
 
@@ -97,6 +99,49 @@ def load(
             clip = clip.cut(start, stop)
         clips.append(clip)
     return clips
+
+
+def save(clips: Iterable[Clip], folder: str | os.PathLike, infos: Iterable[StyleInfo]) -> None:
+    """Write clips as this dataset is laid out: ``<Style>_<GAIT>.bvh`` and the two tables, so that `load` reads them back.
+
+    Parameters
+    ----------
+    clips
+        At most one of each style and gait; they are written as they come, the tables last, each file whole or not at all.
+    folder
+        Where to; made if it is not there.
+    infos
+        What the clips' styles are.
+
+    Raises
+    ------
+    ValueError
+        If the folder already holds a dataset, or a clip's style or gait has no place in this layout or comes twice.
+    """
+    folder = Path(folder)
+    if (folder / "Frame_Cuts.csv").exists():
+        raise ValueError(f"{folder}: already holds a dataset (Frame_Cuts.csv); choose an empty folder")
+    by_name = {info.name: info for info in infos}
+    cuts: dict[str, dict[str, int]] = {}
+    for clip in clips:
+        name = f"{clip.style}_{clip.gait}.bvh"
+        if clip.style not in by_name or not SOURCE.pattern.fullmatch(name):
+            raise ValueError(f"{clip.name}: {name} needs a described style without _ and a gait of {', '.join(GAITS)}")
+        if clip.gait in cuts.setdefault(clip.style, {}):
+            raise ValueError(f"{clip.name}: a second clip of {clip.style} {clip.gait}; the layout has room for one")
+        bvh.save(clip, folder / name)
+        cuts[clip.style][clip.gait] = round(len(clip) * RATE / clip.fps)
+    about = [("Style Name", "Description", "Stochastic", "Symmetric", "Notes")]
+    about += [(i.name, i.description, *("Yes" if x else "No" for x in (i.stochastic, i.symmetric)), i.notes)
+              for i in map(by_name.get, cuts)]  # fmt: skip
+    ends = [("STYLE_NAME", *(f"{gait}_{end}" for gait in sorted(GAITS) for end in ("START", "STOP")))]
+    ends += [(style, *(x for gait in sorted(GAITS) for x in ((0, stops[gait]) if gait in stops else ("N/A", "N/A"))))
+             for style, stops in cuts.items()]  # fmt: skip
+    for name, rows in (("Dataset_List.csv", about), ("Frame_Cuts.csv", ends)):
+        text = io.StringIO()
+        csv.writer(text, lineterminator="\n").writerows(rows)
+        with bvh.atomic_write(folder / name) as file:
+            file.write(text.getvalue().encode())
 
 
 def frame_cuts(root: str | os.PathLike | None = None) -> dict[tuple[str, str], tuple[int, int]]:

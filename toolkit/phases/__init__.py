@@ -8,18 +8,22 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import torch
-from scipy.signal import butter, sosfiltfilt
 from torch import Tensor
 
 from toolkit.motion import Clip
+from toolkit.phases import windows
+from toolkit.phases.coherent import Coherent
 from toolkit.phases.fit import Sinusoids, fit
-from toolkit.phases.sources import LIMBS, SOURCES, Contact, ContactFree, Hybrid, Source, local_positions
+from toolkit.phases.sources import LIMBS, Contact, ContactFree, Hybrid, Source, Velocity, curves, local_positions
+from toolkit.phases.windows import normalise, smooth
 
-__all__ = ["LIMBS", "SOURCES", "Contact", "ContactFree", "Hybrid", "Phases", "Sinusoids", "Source", "extract",
-           "extract_group", "fit", "local_positions", "normalise", "smooth"]  # fmt: skip
+__all__ = ["LIMBS", "SOURCES", "Coherent", "Contact", "ContactFree", "Hybrid", "Phases", "Sinusoids", "Source", "Velocity",
+           "curves", "extract", "extract_group", "fit", "local_positions", "named", "normalise", "smooth",
+           "windows"]  # fmt: skip
 
-CUTOFF = 4.0  # Hz, of the Butterworth filter
-WINDOW = 0.5  # seconds on either side of a frame: normalisation and speed
+#: Sources by name; "learned" is one more, read from its file when asked for (`named`).
+SOURCES: dict[str, Source | Coherent] = {"hybrid": Hybrid(), "contact": Contact(), "contact-free": ContactFree(),
+                                         "velocity": Velocity(), "coherent": Coherent()}  # fmt: skip
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,12 +49,13 @@ class Phases:
     fit: Tensor
 
 
-def extract(clip: Clip, source: str | Source = "hybrid", half_window: float = 0.5) -> Phases:
+def extract(clip: Clip, source: str | Source = "hybrid", half_window: float | None = None) -> Phases:
     """Local phases of one clip; see `extract_group` for several of the same style and gait."""
     return extract_group([clip], source, half_window)[0]
 
 
-def extract_group(clips: Sequence[Clip], source: str | Source = "hybrid", half_window: float = 0.5) -> list[Phases]:
+def extract_group(clips: Sequence[Clip], source: str | Source = "hybrid",
+                  half_window: float | None = None) -> list[Phases]:  # fmt: skip
     """Local phases of clips of one style and gait, which share the source's principal axes (section 4.1.3).
 
     Parameters
@@ -58,22 +63,27 @@ def extract_group(clips: Sequence[Clip], source: str | Source = "hybrid", half_w
     clips
         Motions, any rate.
     source
-        A name of `SOURCES` or a function ``(clip, limb) -> Tensor [F]``.
+        A name of `SOURCES`, "learned" or a function ``(clip, limb) -> Tensor [F]``. One with ``fitted(clips)`` is first
+        replaced by what that returns. One with ``sinusoids(clip) -> (curve [F, 4], Sinusoids)`` does without the fit.
     half_window
-        Seconds on either side of a frame that the sinusoid is fitted to. The published run used 15 frames at 60 Hz; 30
-        agree better with what its network predicts.
+        Seconds on either side of a frame that the sinusoid is fitted to; by default what a cycle of each limb takes
+        (`windows.half_window`), half a second at least.
 
     Raises
     ------
     ValueError
-        If the source's name is unknown, or a clip is shorter than the normalisation window.
+        If the source's name is unknown, or a clip is shorter than one second.
+
+    Notes
+    -----
+    Equation (1) leaves open which speed and amplitude it means. Here, what agrees with the phases that the published network
+    predicts on real motion: the root mean square speed over one second in the hips' frame, and the amplitude, at the fitted
+    frequency, in the half second that the published run fitted to. A foot in the middle of a long stance has a small one.
     """
     if isinstance(source, str):
-        if source not in SOURCES:
-            raise ValueError(f"unknown phase source {source!r}; there are {', '.join(SOURCES)}")
-        source = SOURCES[source]
+        source = named(source)
     for clip in clips:
-        shortest = 2 * round(WINDOW * clip.fps) + 1
+        shortest = 2 * round(windows.SECOND * clip.fps) + 1
         if len(clip) < shortest:
             raise ValueError(f"{clip.name}: {len(clip)} frames are too few for phases, which need {shortest} "
                              f"(one second) at {clip.fps:g} Hz")  # fmt: skip
@@ -82,16 +92,24 @@ def extract_group(clips: Sequence[Clip], source: str | Source = "hybrid", half_w
     return [_extract(clip, source, half_window) for clip in clips]
 
 
-def _extract(clip: Clip, source: Source, half_window: float) -> Phases:
-    raw = torch.stack([torch.as_tensor(source(clip, limb)).double() for limb in LIMBS], 1)
-    if raw.shape != (len(clip), len(LIMBS)) or not bool(torch.isfinite(raw).all()):
-        raise ValueError(f"{clip.name}: a source must give one finite number per frame ({len(clip)}) for every limb")
-    curve = smooth(normalise(raw, clip.fps), clip.fps)
-    found = fit(curve, clip.fps, half_window)
-    speed = torch.stack([local_speed(clip, limb) for limb in LIMBS], 1)
+def named(source: str) -> Source:
+    """The source of a name; "learned" is read from its file."""
+    if source == "learned":
+        from toolkit.phases.learned import pretrained
+
+        return pretrained()
+    if source not in SOURCES:
+        raise ValueError(f"unknown phase source {source!r}; there are {', '.join((*SOURCES, 'learned'))}")
+    return SOURCES[source]
+
+
+def _extract(clip: Clip, source: Source, half_window: float | None) -> Phases:
+    curve, found = source.sinusoids(clip) if hasattr(source, "sinusoids") else _fitted(clip, source, half_window)
+    speed = torch.stack([windows.speed(local_positions(clip, limb), clip.fps) for limb in LIMBS], 1)
     direction = torch.stack((found.phase.sin(), found.phase.cos()), -1)
     direction = torch.nn.functional.normalize(smooth(direction, clip.fps), dim=-1)
-    magnitude = smooth(speed * found.amplitude, clip.fps).clamp_min(0.0)
+    strength = windows.amplitude(curve.double(), found.frequency.double(), clip.fps)
+    magnitude = smooth(speed * strength, clip.fps).clamp_min(0.0)
     value = found.amplitude * found.phase.sin() + found.offset
     return Phases(
         (magnitude[..., None] * direction).float(),
@@ -100,29 +118,12 @@ def _extract(clip: Clip, source: Source, half_window: float) -> Phases:
     )  # fmt: skip
 
 
-def normalise(curves: Tensor, fps: float) -> Tensor:
-    """Z-score of ``curves [F, ...]`` in a one-second window around each frame; a constant window gives 0."""
-    mean = _window_mean(curves, fps)
-    variance = (_window_mean(curves**2, fps) - mean**2).clamp_min(0.0)
-    scale = curves.abs().amax(0).clamp_min(1e-9)
-    return torch.where(variance.sqrt() > 1e-4 * scale, (curves - mean) / variance.sqrt().clamp_min(1e-12), 0.0)
-
-
-def smooth(curves: Tensor, fps: float) -> Tensor:
-    """Second-order zero-phase Butterworth low-pass at `CUTOFF` along the first axis, float64."""
-    filtered = sosfiltfilt(butter(2, CUTOFF, fs=fps, output="sos"), curves.double().numpy(), axis=0)
-    return torch.from_numpy(filtered.copy())
-
-
-def local_speed(clip: Clip, limb: str) -> Tensor:
-    """‖v_w‖ of equation (1), ``[F]`` m/s: mean speed over one second of the limb's position relative to the hips."""
-    points = local_positions(clip, limb).double()
-    speed = torch.gradient(points, spacing=1 / clip.fps, dim=0)[0].norm(dim=-1)
-    return _window_mean(speed, clip.fps)
-
-
-def _window_mean(values: Tensor, fps: float) -> Tensor:
-    half = round(WINDOW * fps)
-    flat = values.reshape(len(values), -1).T[:, None]
-    padded = torch.nn.functional.pad(flat, (half, half), mode="replicate")
-    return torch.nn.functional.avg_pool1d(padded, 2 * half + 1, stride=1)[:, 0].T.reshape(values.shape)
+def _fitted(clip: Clip, source: Source, half_window: float | None) -> tuple[Tensor, Sinusoids]:
+    columns = []
+    for raw in curves(clip, source).split(1, dim=1):
+        half = windows.half_window(raw[:, 0], clip.fps) if half_window is None else half_window
+        curve = smooth(normalise(raw, clip.fps, max(half, windows.SECOND)), clip.fps)
+        found = fit(curve, clip.fps, half)
+        columns.append((curve, found.phase, found.frequency, found.amplitude, found.offset, found.residual))
+    curve, *found = (torch.cat(column, 1) for column in zip(*columns, strict=True))
+    return curve, Sinusoids(*found)

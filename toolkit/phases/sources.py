@@ -5,7 +5,7 @@ has ``fitted(clips) -> source``; `toolkit.phases.extract` calls it with the clip
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import torch
 from torch import Tensor
@@ -30,6 +30,20 @@ def local_positions(clip: Clip, limb: str) -> Tensor:
     end = skeleton.tip(limb) if limb.endswith("hand") else skeleton.index(limb.replace("foot", "toe"))
     reach = clip.global_positions[:, end] - clip.global_positions[:, hips]
     return R.rotate(R.inverse(clip.global_rotations[:, hips]), reach)
+
+
+def curves(clip: Clip, source: Source) -> Tensor:
+    """The source's curves of the four limbs ``[F, 4]``, float64.
+
+    Raises
+    ------
+    ValueError
+        If it does not give one finite number per frame for every limb.
+    """
+    raw = [torch.as_tensor(source(clip, limb)).double() for limb in LIMBS]
+    if any(r.shape != (len(clip),) or not bool(torch.isfinite(r).all()) for r in raw):
+        raise ValueError(f"{clip.name}: a source must give one finite number per frame ({len(clip)}) for every limb")
+    return torch.stack(raw, 1)
 
 
 @dataclass(frozen=True)
@@ -61,18 +75,31 @@ class ContactFree:
         """The same source with the centre and axis of all frames of `clips`."""
         axes, means = {}, {}
         for limb in LIMBS:
-            points = torch.cat([local_positions(c, limb) for c in clips]).double()
+            points = torch.cat([self.points(c, limb) for c in clips])
             means[limb] = points.mean(0)
             centred = points - means[limb]
             axis = torch.linalg.eigh(centred.T @ centred).eigenvectors[:, -1]
             forward = clips[0].skeleton.facing_axis.double()
             axes[limb] = axis * (-1.0 if axis @ forward < 0 else 1.0)
-        return ContactFree(axes, means)
+        return replace(self, axes=axes, means=means)
+
+    def points(self, clip: Clip, limb: str) -> Tensor:
+        """What is projected on the axis, ``[F, 3]`` in the hips' frame: positions, metres."""
+        return local_positions(clip, limb).double()
 
     def __call__(self, clip: Clip, limb: str) -> Tensor:
-        """Signed distance ``[F]`` from the mean along the axis, metres."""
+        """Signed distance ``[F]`` from the mean along the axis."""
         source = self if self.axes else self.fitted([clip])
-        return (local_positions(clip, limb).double() - source.means[limb]) @ source.axes[limb]
+        return (self.points(clip, limb) - source.means[limb]) @ source.axes[limb]
+
+
+@dataclass(frozen=True)
+class Velocity(ContactFree):
+    """Velocity along its first principal component: a quarter of a cycle ahead of the position, and less drawn by drift."""
+
+    def points(self, clip: Clip, limb: str) -> Tensor:
+        """Velocities, metres per second."""
+        return torch.gradient(super().points(clip, limb), spacing=1 / clip.fps, dim=0)[0]
 
 
 @dataclass(frozen=True)
@@ -92,13 +119,19 @@ class Hybrid:
 
     def choice(self, clip: Clip, limb: str) -> str:
         """ "contact" or "contact-free"."""
+        return "contact" if limb.endswith("foot") and self._share(clip, limb) >= self.least else "contact-free"
+
+    def reason(self, clip: Clip, limb: str) -> str:
+        """Why this choice, in words."""
         if not limb.endswith("foot"):
-            return "contact-free"
-        return "contact" if float(self.contact(clip, limb).mean()) >= self.least else "contact-free"
+            return "contact-free: a hand touches nothing"
+        compared = "at least" if self.choice(clip, limb) == "contact" else "under"
+        return (f"{self.choice(clip, limb)}: the foot touches the floor in {self._share(clip, limb):.0%} of the frames, "
+                f"{compared} {self.least:.0%}")  # fmt: skip
+
+    def _share(self, clip: Clip, limb: str) -> float:
+        return float(self.contact(clip, limb).mean())
 
     def __call__(self, clip: Clip, limb: str) -> Tensor:
         """Source curve ``[F]``."""
         return (self.contact if self.choice(clip, limb) == "contact" else self.contact_free)(clip, limb)
-
-
-SOURCES: dict[str, Source] = {"hybrid": Hybrid(), "contact": Contact(), "contact-free": ContactFree()}

@@ -1,0 +1,133 @@
+"""A source for stochastic styles, ours: cadence tracked in time and frequency, noise taken out by what the limbs share.
+
+The paper says that its sources do "not handle stochasticity well". A sinusoid fitted in a window follows whatever is there;
+a drunk's arm does much that is no swing. Two things tell the swing from the rest: its frequency changes slowly, and the
+other limbs swing at it too, in a steady relation, while their noise is their own.
+"""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+import torch
+from scipy.interpolate import interp1d
+from torch import Tensor
+
+from toolkit.motion import Clip
+from toolkit.phases import windows
+from toolkit.phases.fit import MAX_FREQUENCY, MIN_FREQUENCY, Sinusoids
+from toolkit.phases.sources import Hybrid, Source, curves
+
+BANDS = torch.logspace(math.log2(0.35), math.log2(2.5), 64, base=2, dtype=torch.float64)  # Hz, tried as cadence
+HOP = 0.1  # seconds between frames of the tracked cadence
+
+
+@dataclass(frozen=True)
+class Coherent:
+    """Analytic signal of each limb's curve at its tracked cadence, as far as possible as the other limbs tell it.
+
+    The curves of `base` are filtered by Morlet wavelets of 2.5 `cycles`. The cadence of a limb is the path through the bands
+    that has most of the limb's power, as velocity, with few jumps (`penalty`): the best one, by dynamic programming. On
+    that path the limb's complex signal z is predicted from the other three by least squares, ẑ; R² = ‖ẑ‖² / ‖z‖² is their
+    coherence. The phase is the angle of (1 − R²) z + R² ẑ. A limb that goes by a rhythm of its own has R² near 0 and
+    keeps its own phase; so this stays a local phase.
+
+    A contact says by itself when a cycle is where, however irregular it is: a curve of 0 and 1 has the angle 0 in the middle
+    of each contact, π in the middle of each swing, and grows evenly between (as the phase of Holden et al. 2017 does).
+    """
+
+    base: Source = field(default_factory=Hybrid)
+    cycles: float = 2.5
+    penalty: float = 0.5
+
+    def fitted(self, clips: Sequence[Clip]) -> "Coherent":
+        """The same source with its base fitted to `clips`."""
+        return replace(self, base=self.base.fitted(clips)) if hasattr(self.base, "fitted") else self
+
+    def __call__(self, clip: Clip, limb: str) -> Tensor:
+        """The base's curve ``[F]``: what the limb does, noise included."""
+        return self.base(clip, limb)
+
+    def sinusoids(self, clip: Clip) -> tuple[Tensor, Sinusoids]:
+        """The base's curves, normalised and smoothed ``[F, 4]``, and the sinusoid of each limb at each frame."""
+        raw = curves(clip, self.base)
+        waves = wavelets(raw - raw.mean(0), clip.fps, self.cycles)
+        contact = ((raw == 0) | (raw == 1)).all(0) & (raw.diff(dim=0).count_nonzero(0) > 2)
+        hop = max(1, round(HOP * clip.fps))
+        columns = []
+        for i in range(raw.shape[1]):
+            path = ridge(waves[..., i].abs().square() * BANDS[:, None].square(), hop, self.penalty)
+            below = path.long().clamp(max=len(BANDS) - 2)
+            at, share = torch.arange(len(raw)), (path - below)[:, None]
+            z = waves[below, at] * (1 - share) + waves[below + 1, at] * share
+            half = windows.half_window(raw[:, i], clip.fps)
+            curve = windows.smooth(windows.normalise(raw[:, [i]], clip.fps, half), clip.fps)[:, 0]
+            signal = stepped(raw[:, i]) if contact[i] else agreed(z, i)
+            phase = (signal.angle() + math.pi / 2) % (2 * math.pi)  # so that its sine is the real part
+            turns = (signal[1:] * signal[:-1].conj()).angle() / (2 * math.pi)
+            frequency = windows.mean(torch.cat((turns[:1], turns)), half, clip.fps) * clip.fps
+            frequency = frequency.clamp(MIN_FREQUENCY, MAX_FREQUENCY)
+            columns.append((curve, phase, frequency, *regression(curve, phase.sin(), half, clip.fps)))
+        curve, *found = (torch.stack(column, 1) for column in zip(*columns, strict=True))
+        return curve, Sinusoids(*found)
+
+
+def wavelets(values: Tensor, fps: float, cycles: float) -> Tensor:
+    """Complex Morlet transform ``[bands, F, C]`` of real ``values [F, C]``, mirrored at their ends; a cosine gives e^iωt."""
+    pad = min(len(values) - 1, round(cycles / float(BANDS[0]) * fps))
+    padded = torch.cat((values[1 : pad + 1].flip(0), values, values[-pad - 1 : -1].flip(0)))
+    frequency = torch.fft.fftfreq(len(padded), 1 / fps, dtype=torch.float64)
+    bell = 2 * torch.exp(-0.5 * ((frequency / BANDS[:, None] - 1) * cycles) ** 2) * (frequency > 0)
+    return torch.fft.ifft(bell[..., None] * torch.fft.fft(padded, dim=0), dim=1)[:, pad : pad + len(values)]
+
+
+def ridge(power: Tensor, hop: int, penalty: float) -> Tensor:
+    """Path ``[F]`` through ``power [bands, F]``, as band numbers with fractions, found on every `hop`-th frame.
+
+    It has the least sum of −ln(share of the frame's power in the band) + penalty · (jump in bands)².
+    """
+    cost = -(power / power.sum(0).clamp_min(1e-30)).clamp_min(1e-12).log()[:, ::hop].T
+    band = torch.arange(len(power), dtype=torch.float64)
+    jump = penalty * (band[:, None] - band).square()
+    total, origins = cost[0], []
+    for step in cost[1:]:
+        least, origin = (total + jump).min(1)
+        origins.append(origin)
+        total = least + step
+    path = [int(total.argmin())]
+    for origin in reversed(origins):
+        path.append(int(origin[path[-1]]))
+    knots = torch.tensor([*reversed(path), path[0]], dtype=torch.float64)
+    at = torch.arange(power.shape[1], dtype=torch.float64) / hop
+    return torch.lerp(knots[at.long()], knots[at.long() + 1], at - at.long())
+
+
+def regression(curve: Tensor, wave: Tensor, half: float, fps: float) -> tuple[Tensor, Tensor, Tensor]:
+    """Amplitude, offset and residual ``[F]`` of the curve as a multiple of a wave, by least squares in each window."""
+    c, w = (windows.mean(x, half, fps) for x in (curve, wave))
+    cc, ww, cw = (windows.mean(x, half, fps) for x in (curve.square(), wave.square(), curve * wave))
+    amplitude = ((cw - c * w) / (ww - w * w).clamp_min(1e-9)).clamp_min(0.0)
+    offset = c - amplitude * w
+    residual = cc - 2 * (amplitude * cw + offset * c) + amplitude**2 * ww + 2 * amplitude * offset * w + offset**2
+    return amplitude, offset, residual.clamp_min(0.0).sqrt()
+
+
+def stepped(contact: Tensor) -> Tensor:
+    """Complex signal ``[F]`` of a 0/1 curve with three changes or more: angle 0 amid the ones, π amid the zeros."""
+    value = contact.numpy()
+    change = np.flatnonzero(np.diff(value)) + 0.5
+    middle = (change[1:] + change[:-1]) / 2
+    angle = np.pi * (np.arange(len(middle)) + (value[int(middle[0])] == 0))
+    grow = interp1d(middle, angle, fill_value="extrapolate", assume_sorted=True)
+    return torch.exp(1j * torch.from_numpy(grow(np.arange(len(value)))))
+
+
+def agreed(z: Tensor, limb: int) -> Tensor:
+    """Signal ``[F]`` of one column of complex ``z [F, C]``, drawn to what the others say about it by their coherence."""
+    own, others = z[:, limb], torch.cat((z[:, :limb], z[:, limb + 1 :]), 1)
+    gram = others.mH @ others
+    gram = gram + torch.diag(1e-3 * gram.diagonal() + 1e-12)
+    told = others @ torch.linalg.solve(gram, others.mH @ own)
+    coherence = float(told.abs().square().sum() / own.abs().square().sum().clamp_min(1e-12))
+    return torch.lerp(own, told, min(coherence, 1.0))

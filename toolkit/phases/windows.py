@@ -1,0 +1,76 @@
+"""What is measured in a window round every frame: how long it must be, z-score, smoothing, amplitude, speed.
+
+Curves are ``[F, ...]``, float64; windows are given by their half length in seconds.
+"""
+
+import math
+
+import torch
+from scipy.signal import butter, sosfiltfilt
+from torch import Tensor
+
+SECOND = 0.5  # half of the one-second window
+SHORT = 0.25  # half of the published fit's window: 15 frames at 60 Hz
+CUTOFF = 4.0  # Hz, of the Butterworth filter
+CYCLES = 1.05  # periods in a window; more blurs changes of pace, one exactly leaves the frequency up to 3 % off
+LONGEST = 2.0  # seconds, of a period
+LEAST = 0.2  # autocorrelation of a curve that counts as repeating itself
+
+
+def half_window(curve: Tensor, fps: float) -> float:
+    """Half of `CYCLES` periods of a curve, but no less than half a second: a window must hold a whole cycle.
+
+    The period is the lag, up to two seconds, of the highest peak of the autocorrelation of the whole curve ``[F]``, freed
+    of what changes more slowly. A zombie's foot, at 0.66 Hz and standing for a second at a time, needs ±0.8 s.
+    """
+    n, longest = len(curve), min(round(LONGEST * fps), len(curve) - 2)
+    fast = curve.double() - mean(curve.double(), LONGEST / 2, fps)
+    correlation = torch.fft.irfft(torch.fft.rfft(fast, 2 * n).abs() ** 2)[:n]
+    lags = torch.arange(round(SHORT * fps), longest)
+    here = correlation[lags]
+    peaks = lags[(here > correlation[lags - 1]) & (here >= correlation[lags + 1]) & (here > LEAST * correlation[0])]
+    if not len(peaks) or correlation[0] < 1e-12:
+        return SECOND
+    return max(SECOND, CYCLES / 2 * float(peaks[correlation[peaks].argmax()]) / fps)
+
+
+def normalise(curves: Tensor, fps: float, half: float = SECOND) -> Tensor:
+    """Z-score of ``curves [F, ...]`` in the window around each frame; a constant window gives 0."""
+    middle = mean(curves, half, fps)
+    variance = (mean(curves**2, half, fps) - middle**2).clamp_min(0.0)
+    scale = curves.abs().amax(0).clamp_min(1e-9)
+    return torch.where(variance.sqrt() > 1e-4 * scale, (curves - middle) / variance.sqrt().clamp_min(1e-12), 0.0)
+
+
+def smooth(curves: Tensor, fps: float) -> Tensor:
+    """Second-order zero-phase Butterworth low-pass at `CUTOFF` along the first axis, float64."""
+    filtered = sosfiltfilt(butter(2, CUTOFF, fs=fps, output="sos"), curves.double().numpy(), axis=0)
+    return torch.from_numpy(filtered.copy())
+
+
+def amplitude(curves: Tensor, frequency: Tensor, fps: float) -> Tensor:
+    """Amplitude ``[F, L]`` of the least-squares sinusoid of known ``frequency [F, L]`` in half a second around each frame.
+
+    At most the range of the curve there, as in the published fit, whose window this is.
+    """
+    half = max(2, round(SHORT * fps))
+    windows = torch.nn.functional.pad(curves.T[:, None], (half, half), mode="reflect")[:, 0].T.unfold(0, 2 * half + 1, 1)
+    angle = 2 * math.pi * frequency[..., None] * torch.arange(-half, half + 1, dtype=torch.float64) / fps
+    sine, cosine = angle.sin(), angle.cos()
+    cosine = cosine - cosine.mean(-1, keepdim=True)  # at right angles to the constant; the sine already is, and to this
+    a, b = ((windows * wave).sum(-1) / wave.square().sum(-1) for wave in (sine, cosine))
+    return torch.minimum(torch.hypot(a, b), windows.amax(-1) - windows.amin(-1))
+
+
+def speed(positions: Tensor, fps: float) -> Tensor:
+    """Root mean square speed ``[F]`` over one second of positions ``[F, 3]``."""
+    velocity = torch.gradient(positions.double(), spacing=1 / fps, dim=0)[0]
+    return mean(velocity.square().sum(-1), SECOND, fps).sqrt()
+
+
+def mean(values: Tensor, half: float, fps: float) -> Tensor:
+    """Mean of ``values [F, ...]`` over the window around each frame; the first and last value go on beyond the ends."""
+    frames = round(half * fps)
+    flat = values.reshape(len(values), -1).T[:, None]
+    padded = torch.nn.functional.pad(flat, (frames, frames), mode="replicate")
+    return torch.nn.functional.avg_pool1d(padded, 2 * frames + 1, stride=1)[:, 0].T.reshape(values.shape)
