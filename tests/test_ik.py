@@ -11,6 +11,7 @@ point = st.tuples(coordinate, coordinate, coordinate).map(lambda p: torch.tensor
 HIP, KNEE, ANKLE = torch.tensor([[0.1, 0.95, 0.0], [0.1, 0.513, 0.02], [0.1, 0.081, 0.0]], dtype=torch.float64)
 UPPER, LOWER = float((KNEE - HIP).norm()), float((ANKLE - KNEE).norm())
 FORWARD = torch.tensor([0.0, 0.0, 1.0], dtype=torch.float64)
+LEFT = torch.tensor([1.0, 0.0], dtype=torch.float64)
 
 
 @given(point, point)
@@ -66,3 +67,53 @@ def test_two_bone_takes_any_leading_shape_and_degenerate_input():
 def test_two_bone_refuses_a_soft_limit_outside_its_range():
     with pytest.raises(ValueError, match=r"\[0, 1\), got 1.5"):
         ik.two_bone(HIP, KNEE, ANKLE, ANKLE, soft=1.5)
+
+
+def walked(contacts: torch.Tensor, predicted: torch.Tensor) -> tuple[torch.Tensor, torch.Tensor]:
+    """Targets of `ik.hold` over the frames of predicted toes ``[F, 2, 3]``, and how fast they part from them."""
+    toes, drift = [predicted[0]], [torch.zeros(2, 2, dtype=predicted.dtype)]
+    for frame in range(1, len(predicted)):
+        new = ik.hold(toes[-1], drift[-1], predicted[frame - 1], predicted[frame], contacts[frame], LEFT, 1 / 60)
+        toes.append(new[0])
+        drift.append(new[1])
+    return torch.stack(toes), torch.stack(drift)
+
+
+def test_a_held_toe_stands_and_then_returns_as_a_spring_at_rest():
+    """The right toe creeps back for half a second of contact, then goes on; the left one is never in contact."""
+    t = torch.arange(90, dtype=torch.float64) / 60
+    creeping = torch.stack((-0.05 * t, 0.02 + 0.01 * t.sin(), -0.2 * t), -1)
+    predicted = torch.stack((creeping, creeping + 0.2), 1)
+    contacts = torch.zeros(90, 2)
+    contacts[10:40, 0] = 0.51
+    toes, _ = walked(contacts, predicted)
+    torch.testing.assert_close(toes[:, 1], predicted[:, 1])
+    torch.testing.assert_close(toes[..., 1], predicted[..., 1])
+    torch.testing.assert_close(toes[10:40, 0, ::2], toes[9, 0, ::2].expand(30, 2))
+    offset, speed = (toes - predicted)[39, 0, ::2], torch.tensor([0.05, 0.2], dtype=torch.float64)
+    for frame in range(40, 90):  # slowly: a thousand small steps of the equation of a critically damped spring
+        for _ in range(1000):
+            speed = speed - (2 * ik.RETURN * speed + ik.RETURN**2 * offset) / 60000
+            offset = offset + speed / 60000
+        torch.testing.assert_close((toes - predicted)[frame, 0, ::2], offset, atol=1e-4, rtol=0)
+    pushed_off = toes[40, 0].sub(toes[39, 0]).norm() * 60
+    assert float(pushed_off) < 0.15 < 0.2 < float((predicted[40] - predicted[39])[0].norm() * 60)
+
+
+def test_a_toe_left_far_behind_is_dragged():
+    predicted = torch.zeros(200, 2, 3, dtype=torch.float64)
+    predicted[:, :, 2] = torch.arange(200)[:, None] / 60
+    toes, _ = walked(torch.ones(200, 2), predicted)
+    behind = (predicted - toes)[..., 2]
+    assert float(behind.max()) == pytest.approx(ik.SLACK)
+    assert behind[-1].tolist() == pytest.approx([ik.SLACK] * 2)
+    assert toes[8, :, 2].tolist() == [0.0, 0.0]  # two centimetres before that they still stand
+
+
+def test_a_body_that_turns_or_shifts_does_not_cross_its_legs():
+    """Both toes are predicted ever further to the right; the left one stays on its side of the right one."""
+    predicted = torch.tensor([[-0.1, 0.0, 0.0], [0.1, 0.0, 0.0]], dtype=torch.float64).repeat(30, 1, 1)
+    predicted[:, :, 0] -= torch.arange(30)[:, None] / 60
+    toes, _ = walked(torch.ones(30, 2), predicted)
+    assert (toes - predicted)[-1, :, 0].tolist() == pytest.approx([0.05, 0.15])  # a quarter of 20 cm; outwards `SLACK`
+    assert float((toes[:, 1] - toes[:, 0])[:, 0].min()) > 0.1

@@ -26,6 +26,12 @@ def test_a_foot_without_contact_has_no_skate(walk_clip):
     assert all(math.isnan(v) for v in tk.metrics.foot_skate(walk_clip, none).values())
 
 
+def test_steps_are_landings_of_both_feet():
+    contact = torch.tensor([[1.0, 0.0], [0.2, 0.9], [0.9, 0.8], [0.9, 0.1], [0.4, 0.7], [0.6, 0.7]])
+    assert tk.metrics.step_rate(contact, 60.0) == pytest.approx(4 / (6 / 60))
+    assert tk.metrics.step_rate(torch.ones(60, 2), 60.0) == 0.0
+
+
 def test_speed_height_and_uprightness(walk_clip):
     assert tk.metrics.speed(slid(walk_clip.cut(0, 1).replace(
         rotations=walk_clip.rotations[:1].repeat(120, 1, 1), root_positions=walk_clip.root_positions[:1].repeat(120, 1),

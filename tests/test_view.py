@@ -4,6 +4,7 @@ import re
 import subprocess
 import sys
 import threading
+from itertools import pairwise
 from types import SimpleNamespace
 
 import numpy as np
@@ -65,8 +66,8 @@ def test_importing_the_package_loads_no_drawing_library():
 
 
 def test_names_of_the_view_are_listed():
-    assert "html" in dir(view)
-    with pytest.raises(AttributeError, match="it has Player"):
+    assert {"html", "animate"} <= set(dir(view))
+    with pytest.raises(AttributeError, match="it has Controller, Player"):
         view.nothing  # noqa: B018
 
 
@@ -110,20 +111,46 @@ def test_surface_is_closed_and_faces_outwards():
     assert (np.einsum("ti,ti->t", np.cross(b - a, c - a), normals[triangles].mean(1)) > -1e-9).all()
 
 
-def test_software_renderer_agrees_with_the_surface():
-    """Silhouette and depth of a thinned, tilted cone against the outermost of many surface points."""
-    shape = body.cone(0, torch.tensor([-0.1, 0.0, 0.0]), torch.tensor([0.15, 0.2, 0.1]), (0.1, 0.06), "left",
-                      thin=torch.tensor([0.0, 0.0, 1.0]), by=0.5)  # fmt: skip
-    canvas = Canvas((-0.4, 0.4, -0.4, 0.4), 100)
-    canvas.draw(shape, shape.place, np.ones(3))
-    points = body.surface(shape, around=200, along=100)[0] @ shape.place[:, :3].T + shape.place[:, 3]
-    seen = canvas.depth > -1e8
-    rows, columns = np.nonzero(seen)
-    assert (columns.min() / 100 - 0.4, (columns.max() + 1) / 100 - 0.4) == pytest.approx(
-        (points[:, 0].min(), points[:, 0].max()), abs=0.011)  # fmt: skip
-    assert (0.4 - (rows.max() + 1) / 100, 0.4 - rows.min() / 100) == pytest.approx(
-        (points[:, 1].min(), points[:, 1].max()), abs=0.011)  # fmt: skip
-    assert canvas.depth[seen].max() == pytest.approx(points[:, 2].max(), abs=0.002)
+def test_the_body_follows_a_bent_spine(clip):
+    """What is fixed to a trunk joint does not change when the trunk bends, however far."""
+    q = clip.rotations.clone()
+    q[:, clip.skeleton.index("Chest")] = R.from_axis_angle(torch.tensor([1.0, 0.0, 0.0]), torch.tensor(1.3))
+    upright, bent = (body.build(c) for c in (clip, clip.replace(rotations=q)))
+    trunk = {clip.skeleton.index(name) for name in ("Hips", "Chest", "Neck", "Head")}
+    pairs = [(a, b) for a, b in zip(upright, bent, strict=True) if a.joint in trunk]
+    assert len(pairs) > 5
+    for a, b in pairs:
+        np.testing.assert_allclose(a.place, b.place, atol=1e-4)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_software_renderer_agrees_with_a_row_of_balls(seed):
+    """A rounded cone is the union of the balls between its ends; the thinned one is that, pressed flat."""
+    rng = np.random.default_rng(seed)
+    start, end, thin = torch.from_numpy(rng.uniform(-0.25, 0.25, (3, 3))).float()
+    radii, by = tuple(rng.uniform(0.02, 0.12, 2)), 1.0 if seed % 2 else 0.5
+    shape = body.cone(0, start, end, radii, "left", thin=thin, by=by)
+    canvas = Canvas((-0.5, 0.5, -0.5, 0.5), 60)
+    canvas.draw([shape], shape.place[None], np.ones((1, 3)))
+    h = np.linspace(0, 1, 3000)[:, None]
+    r = radii[0] + h * (radii[1] - radii[0])
+    back = np.linalg.inv(shape.place[:, :3])
+    expected = np.full_like(canvas.depth, -1e9)
+    for i, y in enumerate(canvas.y):
+        for k, x in enumerate(canvas.x):  # the line of sight a + z·d in the cone's frame, against each ball
+            a, d = back @ (np.array([x, y, 0.0]) - shape.place[:, 3]), back[:, 2]
+            away = a - np.array([0.0, shape.length, 0.0]) * h
+            half, rest = away @ d, (away**2).sum(1) - r[:, 0] ** 2
+            root = half**2 - (d @ d) * rest
+            if (root >= 0).any():
+                expected[i, k] = ((np.sqrt(root[root >= 0]) - half[root >= 0]) / (d @ d)).max()
+    seen, wanted = canvas.depth > -1e8, expected > -1e8
+    assert wanted.sum() > 50
+    assert (seen != wanted).sum() <= 2
+    both = seen & wanted
+    error = np.abs(canvas.depth - expected)[both]
+    assert np.quantile(error, 0.98) < 1e-4
+    assert error.max() < 0.01
 
 
 # the web page
@@ -185,6 +212,12 @@ def test_strip_draws_every_clip(clip, tmp_path):
         assert hue.mean() > 0.005, (tone, r, g, b)
 
 
+def test_contacts_light_up_the_standing_foot(clip):
+    shapes = body.build(clip)
+    lit = (body.colors(shapes, np.array([True, False])) != body.colors(shapes)).any(1)
+    assert lit.tolist() == [s.foot == "right" for s in shapes]
+
+
 def test_strip_refuses_an_empty_stretch(clip):
     with pytest.raises(ValueError, match=r"no frame between 5\.0 s"):
         view.strip(clip, start=5.0)
@@ -192,6 +225,63 @@ def test_strip_refuses_an_empty_stretch(clip):
 
 def test_strip_outside_of_a_notebook(clip):
     assert type(view.play(clip)).__name__ == "Picture"
+
+
+# moving pictures
+
+
+def test_a_loop_is_whole_strides():
+    long = walk(400)
+    start, stop = view.loop(long)
+    assert stop - start == pytest.approx(120, abs=2)
+    assert view.loop(long, strides=3)[1] - view.loop(long, strides=3)[0] == pytest.approx(180, abs=3)
+    assert view.loop(walk(20)) == (0, 20)
+
+
+@pytest.mark.parametrize("suffix", [".gif", ".png", ".webp"])
+def test_an_animation_plays_at_the_clips_speed(clip, tmp_path, suffix):
+    path = view.animate([clip, walk(30, style="Old")], tmp_path / f"walk{suffix}", height=60, fps=10, caption="Two")
+    with Image.open(path) as picture:
+        assert picture.n_frames == 10
+        frames = []
+        for k in range(10):
+            picture.seek(k)
+            frames.append(np.asarray(picture.convert("RGB")).astype(int))
+            assert picture.info["duration"] == 100
+    assert all((np.abs(a - b).max(-1) > 40).mean() > 0.002 for a, b in pairwise(frames))
+    again = np.abs(frames[0] - frames[5]).max(-1) > 40  # the shorter clip starts again, the other does not
+    half = again.shape[1] // 2
+    assert again[:, half:].mean() < 0.2 * again[:, :half].mean()
+
+
+def test_lines_on_the_floor_show_the_travel(clip, tmp_path):
+    changes = []
+    for forward in (1.0, 0.0):
+        moving = clip.replace(root_positions=clip.root_positions * torch.tensor([1.0, 1.0, forward]))
+        with Image.open(view.animate(moving, tmp_path / "walk.png", height=100, fps=10)) as picture:
+            floors = []
+            for k in (0, 1):
+                picture.seek(k)
+                floors.append(np.asarray(picture.convert("RGB")).astype(int)[-8:])
+        changes.append(np.abs(floors[0] - floors[1]).mean())
+    assert changes[0] > 1 > 5 * changes[1]
+
+
+def test_a_contact_sheet_has_a_row_per_clip(clip, tmp_path):
+    sheet = view.contact_sheet([clip, walk(style="Old")], tmp_path / "sheet.png", columns=3, height=50)
+    assert sheet.height == 100
+    rows = np.split(np.asarray(Image.open(tmp_path / "sheet.png")).astype(int), 2)
+    assert all((row[..., 0] - row[..., 2] > 40).mean() > 0.005 for row in rows)
+
+
+def test_moving_pictures_refuse_what_does_not_fit(clip, tmp_path):
+    with pytest.raises(ValueError, match=r"an animation is a \.gif, \.png or \.webp file; got walk\.mp4"):
+        view.animate(clip, tmp_path / "walk.mp4")
+    with pytest.raises(ValueError, match="got 1 clips, 2 labels"):
+        view.animate(clip, tmp_path / "walk.gif", labels=["a", "b"])
+    with pytest.raises(ValueError, match="needs columns, got 0"):
+        view.contact_sheet(clip, columns=0)
+    assert not list(tmp_path.iterdir())
 
 
 # the player
@@ -344,7 +434,8 @@ def phases(frames: int):
     t = torch.arange(frames)[:, None] / 60 + torch.arange(4) / 4
     angle = (2 * np.pi * t) % (2 * np.pi)
     return SimpleNamespace(vector=torch.stack((angle.sin(), angle.cos()), -1), phase=angle, frequency=torch.ones(frames, 4),
-                           amplitude=torch.ones(frames, 4), source=angle.sin(), fit=angle.sin())  # fmt: skip
+                           amplitude=torch.ones(frames, 4), residual=torch.zeros(frames, 4), source=angle.sin(),
+                           fit=angle.sin())  # fmt: skip
 
 
 def test_phase_figure_shows_four_limbs(clip):

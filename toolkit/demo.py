@@ -70,7 +70,7 @@ def make(seconds: float = 35.0, *, data_seconds: float = 60.0, seed: int = 0, pr
     vectors = [run.bank.blend({s: float(w[frame]) for s, w in weights.items()}) for frame in range(len(commands))]
     states = list(runtime.states(run.model, commands, lambda frame: vectors[frame], progress=progress))
     contact = torch.stack([s.contacts[0] for s in states])
-    plain, clip = (runtime.record(run.model, states, ik=ik) for ik in (False, True))
+    plain, clip = (runtime.record(run.model, states, feet=ik, arms=ik) for ik in (False, True))
     rolled = time.perf_counter()
 
     error = run.table()[-1]

@@ -1,5 +1,6 @@
 """Inverse kinematics: where the joints of a limb go so that its end is where it should be. Torch, any leading shape."""
 
+import math
 from itertools import pairwise
 
 import torch
@@ -65,37 +66,52 @@ def two_bone(
 
 
 SIDES = ("right", "left")
-SLACK = 0.1  # metres that a held toe may stay behind its prediction before it is let go
+SLACK = 0.15  # metres that a held toe may stay behind its prediction
+RETURN = 10.0  # per second: how fast a toe that was let go comes back to its prediction
 
 
-def hold(held: Tensor, predicted: Tensor, contacts: Tensor, threshold: float = 0.2, power: float = 2.0) -> Tensor:
-    """Toe targets that stay where they were to the degree of contact (Mason et al. 2022, section 4.4; published constants).
+def hold(
+    toes: Tensor, drift: Tensor, before: Tensor, predicted: Tensor, contacts: Tensor, left: Tensor, seconds: float
+) -> tuple[Tensor, Tensor]:
+    """Hold toes in contact where they landed (foot-contact IK, Mason et al. 2022, section 4.4).
+
+    Departure from the paper, where a toe's target stays where it was by a share that grows with the contact: a share below
+    1 creeps in every frame of whose contact the network is not sure, and lets go within a frame or two. Ours holds a toe
+    wholly while contact is more likely than not. What then parts it from its prediction dies away as a critically damped
+    spring that starts from rest, so that nothing pops. Only x and z are held; the height stays the network's. A toe is
+    dragged along once it is `SLACK` behind, or a quarter of the way sideways to where the other one should be, so that a
+    character that turns on the spot does not cross its legs.
 
     Parameters
     ----------
-    held, predicted : Tensor [..., 2, 3]
-        The targets of the frame before and the predicted toes, world, metres.
+    toes : Tensor [..., 2, 3]
+        Targets of the frame before, right and left, world, metres.
+    drift : Tensor [..., 2, 2]
+        How fast they were parting from their predictions (x, z), m/s.
+    before, predicted : Tensor [..., 2, 3]
+        The network's toes in the frame before and now.
     contacts : Tensor [..., 2]
-        In [0, 1].
-    threshold, power
-        Of `smoothstep`, which turns a contact into a weight.
+        Now, in [0, 1].
+    left : Tensor [..., 2]
+        Unit vector (x, z) to the character's left.
+    seconds
+        Between the frames.
 
     Returns
     -------
-    Tensor [..., 2, 3]
-        New targets. Ours: a toe is let go gradually once the prediction is further away than `SLACK`, so that a character
-        that turns on the spot does not cross its legs.
+    toes, drift : Tensor [..., 2, 3], [..., 2, 2]
+        Of this frame.
     """
-    strain = (predicted - held).norm(dim=-1) / SLACK - 1.0
-    weight = smoothstep(contacts, threshold, power) * (1.0 - strain).clamp(0.0, 1.0)
-    return torch.lerp(predicted, held, weight[..., None])
-
-
-def smoothstep(x: Tensor, threshold: float, power: float) -> Tensor:
-    """S-curve from (0, 0) to (1, 1), through (threshold, threshold) with slope ``power``, flat at both ends."""
-    below = threshold * (x / threshold).clamp(0.0, 1.0) ** power
-    above = 1.0 - (1.0 - threshold) * ((1.0 - x) / (1.0 - threshold)).clamp(0.0, 1.0) ** power
-    return torch.where(x < threshold, below, above)
+    offset, behind = (toes - before)[..., ::2], (toes - predicted)[..., ::2]
+    behind = behind * (SLACK / behind.norm(dim=-1, keepdim=True).clamp_min(SLACK))
+    push, fade = drift + RETURN * offset, math.exp(-RETURN * seconds)
+    held = contacts[..., None] > 0.5
+    now = torch.where(held, behind, fade * (offset + push * seconds))
+    inwards = torch.stack((left, -left), -2)
+    apart = ((predicted.flip(-2) - predicted)[..., ::2] * inwards).sum(-1, keepdim=True).clamp_min(0.0)
+    now = now - ((now * inwards).sum(-1, keepdim=True) - apart / 4).clamp_min(0.0) * inwards
+    drift = torch.where(held, (now - offset) / seconds, fade * (drift - RETURN * push * seconds))
+    return predicted + torch.stack((now[..., 0], torch.zeros_like(contacts), now[..., 1]), -1), drift
 
 
 def plant_feet(skeleton: Skeleton, rotations: Tensor, root: Tensor, toes: Tensor) -> Tensor:

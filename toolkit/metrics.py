@@ -36,6 +36,12 @@ def foot_skate(clip: Clip, contact: Tensor | None = None) -> dict[str, float]:
     return result
 
 
+def step_rate(contact: Tensor, fps: float) -> float:
+    """Landings of both feet per second, from contacts ``[F, 2]`` in [0, 1]; a character that only slides makes none."""
+    on = contact > 0.5
+    return float((on[1:] & ~on[:-1]).sum() * fps / len(contact))
+
+
 def speed(clip: Clip) -> float:
     """Mean horizontal speed of the hips, smoothed over half a second, m/s."""
     hips = clip.global_positions[:, clip.skeleton.index("hips")][:, [0, 2]]

@@ -16,14 +16,14 @@ from tqdm import tqdm
 from toolkit import rotations as R
 from toolkit import trajectory
 from toolkit.features import Layout, pack_joints, split_joints
-from toolkit.ik import hold, plant_feet, turn_arms
+from toolkit.ik import SIDES, hold, plant_feet, turn_arms
 from toolkit.motion import Clip, local_rotations
 
 FPS = trajectory.FPS
 GAIN = 0.25  # share of the way that the smoothed target moves to the command in a frame
 POSITION_BIAS, DIRECTION_BIAS = 0.75, 1.25  # exponents of the blend from the network's trajectory to the target
 CORRECTION = 0.85  # share of the network's prediction in the next frame's trajectory
-DRIVE_UP, DRIVE_DOWN, DRIVE_LIMITS = 0.6, 2.0, (0.25, 12.0)  # ours: how fast the drive adapts, per second, and how far
+PROPORTIONAL, INTEGRAL, MAX_DRIVE = 1.5, 0.8, 12.0  # ours: gains of `govern` (of the lag; per second), and its limit
 LOOKAHEAD = 0.5  # seconds that a pilot looks ahead
 N_FUTURE = len(trajectory.SAMPLES) - trajectory.CURRENT
 UP = torch.tensor([0.0, 1.0, 0.0])
@@ -63,7 +63,9 @@ class CharacterState:
     contacts : Tensor [B, 2]
         Predicted foot contacts, right and left, in [0, 1].
     toes : Tensor [B, 2, 3]
-        Where foot IK holds the toes, world, right and left.
+        Where foot IK puts the toes, world, right and left.
+    drift : Tensor [B, 2, 2]
+        How fast they part from where the network predicts them, see `toolkit.ik.hold`.
     """
 
     history: Tensor
@@ -76,6 +78,7 @@ class CharacterState:
     drive: Tensor
     contacts: Tensor
     toes: Tensor
+    drift: Tensor
 
     @property
     def root(self) -> Tensor:
@@ -113,9 +116,9 @@ def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0),
         history=root[:, None].repeat(1, trajectory.PAST + 1, 1), future=root[:, None].repeat(1, N_FUTURE, 1),
         joints=_orthonormal(joints), phase=model.phases_mean.expand(len(style), -1), style=style,
         velocity=torch.zeros(len(style), 2), facing=look, drive=torch.ones(len(style), 1),
-        contacts=torch.ones(len(style), 2), toes=torch.zeros(len(style), 2, 3),
+        contacts=torch.ones(len(style), 2), toes=torch.zeros(len(style), 2, 3), drift=torch.zeros(len(style), 2, 2),
     )  # fmt: skip
-    return dataclasses.replace(state, toes=world_joints(layout, state)["position"][:, _toes(layout)])
+    return dataclasses.replace(state, toes=_predicted_toes(layout, state))
 
 
 def step(model, state: CharacterState, command: Command) -> CharacterState:
@@ -148,8 +151,10 @@ def step(model, state: CharacterState, command: Command) -> CharacterState:
         state, history=torch.cat((state.history[:, 1:], new_root[:, None]), 1), future=ahead, joints=joints, phase=phase,
         velocity=velocity, facing=facing, drive=govern(state, velocity), contacts=contacts,
     )  # fmt: skip
-    toes = world_joints(layout, new)["position"][:, _toes(layout)]
-    return dataclasses.replace(new, toes=hold(state.toes, toes, contacts))
+    before, predicted = (_predicted_toes(layout, s) for s in (state, new))
+    left = torch.stack((new_root[:, 3], -new_root[:, 2]), -1)
+    toes, drift = hold(state.toes, state.drift, before, predicted, contacts, left, 1 / FPS)
+    return dataclasses.replace(new, toes=toes, drift=drift)
 
 
 def steer(state: CharacterState, command: Command) -> tuple[Tensor, Tensor, Tensor]:
@@ -173,17 +178,20 @@ def govern(state: CharacterState, velocity: Tensor) -> Tensor:
     """Drive ``[B, 1]`` of the next frame: grows while the character is slower than its command, shrinks while it is faster.
 
     Networks follow the blended trajectory at a fraction of its speed that depends on the style (the published demo hides it
-    in a table of target speeds "in its own units", several times what the character reaches). Ours closes the loop instead,
-    so that a command is in m/s for every model and style.
+    in a table of target speeds "in its own units", several times what the character reaches). Ours closes the loop with a
+    proportional-integral controller in steps, whose gains grow with the drive, so that a command is in m/s for every model
+    and style. Without the proportional part some styles swing between walk and run, or stay in a run.
     """
-    half_second = FPS // 2
-    moved = (state.history[:, -1, :2] - state.history[:, -1 - half_second, :2]) * (FPS / half_second)
-    wanted = velocity.norm(dim=-1, keepdim=True)
-    reached = (moved * _unit(velocity)).sum(-1, keepdim=True)
-    lag = ((wanted - reached) / wanted.clamp_min(0.5)).clamp(-1.0, 1.0)
-    rate = torch.where(lag > 0, DRIVE_UP, DRIVE_DOWN)  # starting to walk takes a while and must not end in a run
-    grown = (state.drive * (1.0 + rate / FPS * lag)).clamp(*DRIVE_LIMITS)
-    return torch.where(wanted > 0.1, grown, torch.lerp(state.drive, torch.ones_like(grown), 0.05))
+    half_second, wanted, heading = FPS // 2, velocity.norm(dim=-1, keepdim=True), _unit(velocity)
+
+    def lag(now: int) -> Tensor:
+        moved = (state.history[:, now, :2] - state.history[:, now - half_second, :2]) * (FPS / half_second)
+        reached = (moved * heading).sum(-1, keepdim=True)
+        return ((wanted - reached) / wanted.clamp_min(0.5)).clamp(-1.0, 1.0)
+
+    push = PROPORTIONAL * (lag(-1) - lag(-2)) + INTEGRAL / FPS * lag(-1)
+    driven = (state.drive + state.drive.clamp_min(1.0) * push).clamp(0.0, MAX_DRIVE)
+    return torch.where(wanted > 0.1, driven, torch.lerp(state.drive, torch.ones_like(driven), 0.05))
 
 
 def straight(speed: float = 1.2, seconds: float = 10.0, facing: Sequence[float] = (0.0, 1.0)) -> list[Command]:
@@ -271,29 +279,33 @@ def rollout(model, commands: Sequence[Command | Pilot], style: Styles, ik: bool 
     recorded = list(states(model, commands, style, first, progress))
     if not recorded:
         raise ValueError("no commands to roll out")
-    return record(model, recorded, ik=ik)
+    return record(model, recorded, feet=ik, arms=ik)
 
 
-def record(model, recorded: Sequence[CharacterState], *, ik: bool = True, character: int = 0) -> Clip:
-    """The motion of one character of a run of states, see `rollout`."""
+def record(model, recorded: Sequence[CharacterState], *, feet: bool = True, arms: bool = True, character: int = 0) -> Clip:
+    """The motion of one character of a run of states, see `rollout`; ``feet`` and ``arms`` switch their IK."""
     layout: Layout = model.layout
     merged = CharacterState(*(torch.stack([getattr(s, f.name)[character] for s in recorded])
                               for f in dataclasses.fields(CharacterState)))  # fmt: skip
-    return Clip(layout.skeleton, *pose(layout, merged, ik=ik), FPS, name="rollout")
+    return Clip(layout.skeleton, *pose(layout, merged, feet=feet, arms=arms), FPS, name="rollout")
 
 
-def pose(layout: Layout, state: CharacterState, *, ik: bool = True) -> tuple[Tensor, Tensor]:
-    """Local rotations ``[B, J', 4]`` and root positions ``[B, 3]`` of the whole skeleton, ready to draw."""
+def pose(layout: Layout, state: CharacterState, *, feet: bool = True, arms: bool = True) -> tuple[Tensor, Tensor]:
+    """Local rotations ``[B, J', 4]`` and root positions ``[B, 3]`` of the whole skeleton, ready to draw.
+
+    ``feet``: hold toes in contact in place. ``arms``: turn arm bones to the predicted positions.
+    """
     skeleton, world = layout.skeleton, world_joints(layout, state)
     joints = list(skeleton.feature_joints)
     rotation = R.from_forward_up(world["forward"], world["up"])
     everywhere = [joints.index(j if j in joints else skeleton.parents[j]) for j in range(len(skeleton))]
     local = local_rotations(skeleton, rotation[:, everywhere])
     root = world["position"][:, 0]
-    if ik:
+    if arms:
         wanted = world["position"].new_zeros(len(root), len(skeleton), 3)
         wanted[:, joints] = world["position"]
         local = turn_arms(skeleton, local, root, wanted)
+    if feet:
         local = plant_feet(skeleton, local, root, state.toes)
     return local, root
 
@@ -307,8 +319,9 @@ def world_joints(layout: Layout, state: CharacterState) -> dict[str, Tensor]:
     return world | {"position": world["position"] + floor[:, None]}
 
 
-def _toes(layout: Layout) -> list[int]:
-    return [layout.names.index(layout.skeleton.roles[f"{side}_toe"]) for side in ("right", "left")]
+def _predicted_toes(layout: Layout, state: CharacterState) -> Tensor:
+    toes = [layout.names.index(layout.skeleton.roles[f"{side}_toe"]) for side in SIDES]
+    return world_joints(layout, state)["position"][:, toes]
 
 
 def _unit(v: Tensor) -> Tensor:

@@ -38,7 +38,7 @@ class Sizes:
     @classmethod
     def small(cls) -> "Sizes":
         """About 3 million parameters: half a minute of training on two cores, and not for as many styles as the paper's."""
-        return cls(hidden=256, film_channels=32, film_dense=256, dropout=0.1)
+        return cls(hidden=256, film_channels=32, film_kernel=9, film_dense=256, dropout=0.1)
 
 
 class Model(nn.Module):

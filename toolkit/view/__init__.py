@@ -1,15 +1,18 @@
-"""Look at motion: web page, strip picture, notebook player, charts. The only importer of drawing libraries."""
+"""Look at motion: web page, pictures still and moving, notebook player, charts. The only importer of drawing libraries."""
 
 from importlib import import_module
 
 _HOME = {
-    "html": "page", "strip": "picture",
+    "animate": "animation", "contact_sheet": "animation", "loop": "animation", "html": "page", "strip": "picture",
     "play": "player", "Player": "player",
+    "Controller": "controller",
     "StyleBlender": "blender", "StyleTriangle": "blender",
-    "phase_figure": "figures", "style_space": "figures", "training_curves": "figures", "trajectory_figure": "figures",
+    "phase_figure": "phase_figures", "phase_manifold": "phase_figures", "principal_axes": "phase_figures",
+    "style_space": "figures", "training_curves": "figures", "trajectory_figure": "figures",
 }  # fmt: skip
-__all__ = ["Player", "StyleBlender", "StyleTriangle", "html", "phase_figure", "play", "strip", "style_space",
-           "training_curves", "trajectory_figure"]  # fmt: skip
+__all__ = ["Controller", "Player", "StyleBlender", "StyleTriangle", "animate", "contact_sheet", "html", "loop",
+           "phase_figure", "phase_manifold", "play", "principal_axes", "strip", "style_space", "training_curves",
+           "trajectory_figure"]  # fmt: skip
 
 
 def __getattr__(name: str):

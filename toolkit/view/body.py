@@ -11,6 +11,7 @@ from itertools import pairwise
 
 import numpy as np
 import torch
+from matplotlib.colors import to_rgb
 from torch import Tensor
 
 from toolkit import rotations as R
@@ -80,15 +81,26 @@ class _Measured:
         self.positions, self.rotations = clip.global_positions, clip.global_rotations
         facing = R.inverse(root_frames(clip).rotations)[:, None].expand(-1, len(clip.skeleton), -1)
         self.axes = R.to_matrix(R.multiply(facing, self.rotations)).mean(0)  # rows: the body's axes in joint coordinates
+        self.legs = {j for side in ("left", "right") for j in clip.skeleton.ancestors(clip.skeleton.roles[f"{side}_foot"])}
 
     def up(self, joint: int) -> Tensor:
-        return _snap(self.axes[joint, 1])
+        """Along the bones that go on from a joint of the trunk: a bent spine takes its own up with it."""
+        bones = [self.skeleton.offsets[j] for j, p in enumerate(self.skeleton.parents) if p == joint and j not in self.legs]
+        along = sum(bones, torch.zeros(3))
+        return _snap(along if float(along.norm()) > 0.02 else self.axes[joint, 1])
 
     def forward(self, joint: int) -> Tensor:
         return _snap(self.axes[joint, 2] * (1 - self.up(joint).abs()))
 
     def left(self, joint: int) -> Tensor:
         return torch.linalg.cross(self.up(joint), self.forward(joint))
+
+    def palm(self, side: str) -> Tensor:
+        """Where a palm looks, in the hand's frame: along the elbow's axis, sideways for an arm that stays straight."""
+        shoulder, elbow, hand = (self.skeleton.index(f"{side}_{part}") for part in ("shoulder", "elbow", "hand"))
+        upper, lower = (self.positions[:, b] - self.positions[:, a] for a, b in ((shoulder, elbow), (elbow, hand)))
+        axis = R.rotate(R.inverse(self.rotations[:, hand]), torch.linalg.cross(upper, lower)).mean(0)
+        return R.normalize(axis if float(axis.norm()) > 1e-3 else self.axes[hand, 0])
 
     def place(self, joint: int, frame: int) -> Tensor:
         """Mean position of ``joint`` in the frame of another."""
@@ -179,8 +191,8 @@ def _hand(m: _Measured, side: str, s: float, used: set[int]) -> list[Shape]:
     along = m.skeleton.offsets[end] if end != hand and float(m.skeleton.offsets[end].norm()) > 0.02 else None
     along = R.normalize(m.skeleton.offsets[hand] if along is None else along)
     used.add(end)
-    thin, r = R.normalize(m.axes[hand, 0]), 0.040 * s
-    return [cone(hand, 0.035 * s * along, 0.125 * s * along, (r, 0.75 * r), side, thin=thin, by=0.55)]
+    palm, r = m.palm(side), 0.043 * s
+    return [cone(hand, 0.035 * s * along, 0.13 * s * along, (r, 0.75 * r), side, thin=palm, by=0.55)]
 
 
 def _torso(m: _Measured, s: float, used: set[int]) -> list[Shape]:
@@ -231,6 +243,14 @@ def _head(m: _Measured, s: float, used: set[int]) -> list[Shape]:
                           thin=up, by=0.7)]  # fmt: skip
 
 
+def colors(shapes: tuple[Shape, ...], contacts: np.ndarray | None = None) -> np.ndarray:
+    """Colour of every shape [S, 3], 0 to 1; feet (right, left) that ``contacts`` [2] says stand light up."""
+    table = np.array([to_rgb(COLORS[s.tone]) for s in shapes])
+    if contacts is not None:
+        table[[bool(s.foot and contacts[("right", "left").index(s.foot)]) for s in shapes]] = to_rgb(CONTACT)
+    return table
+
+
 def placements(shapes: tuple[Shape, ...], rotations: Tensor, positions: Tensor) -> np.ndarray:
     """World placement ``[..., S, 3, 4]`` of shapes, of global rotations ``[..., J, 4]`` and positions ``[..., J, 3]``."""
     joints = [s.joint for s in shapes]
@@ -239,6 +259,14 @@ def placements(shapes: tuple[Shape, ...], rotations: Tensor, positions: Tensor) 
     world = turn @ local
     world[..., 3] += positions[..., joints, :]
     return world.numpy()
+
+
+def bounds(shapes: tuple[Shape, ...], places: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Lowest and highest coordinates [3] that shapes at ``places`` [..., S, 3, 4] reach."""
+    ends = np.stack((places[..., 3], places[..., 3] + places[..., 1] * np.array([[s.length] for s in shapes])), -2)
+    radii = np.array([s.radii for s in shapes])[..., None]
+    axes = tuple(range(ends.ndim - 1))
+    return (ends - radii).min(axes), (ends + radii).max(axes)
 
 
 def surface(shape: Shape, around: int = 16, along: int = 5) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

@@ -142,9 +142,9 @@ class _Row:
         e = np.radians(elevation)
         self.camera = np.array([[1, 0, 0], [0, np.cos(e), -np.sin(e)], [0, np.sin(e), np.cos(e)]])
         self.places = self.camera @ self.places
-        centres = self.places[..., 3]
-        self.spacing = float(np.clip(2 * np.abs(centres[..., 0]).max(1).mean() + 0.25, 0.7, 2.2))
-        self.top = float(centres[..., 1].max()) + 0.1
+        low, high = body.bounds(self.shapes, self.places)
+        self.spacing = max(0.7, 2 * max(-low[0], high[0]) + 0.04)
+        self.top = high[1]
 
     def image(self, spacing: float, scale: float, room: float) -> np.ndarray:
         bottom, top = -0.26, self.top + max(0.2, room)
@@ -155,16 +155,12 @@ class _Row:
             places = places.copy()
             places[..., 0, 3] += (k + 0.5) * spacing
             floor = np.array([(k + 0.5) * spacing, 0.0, 0.0])
-            for shape, place in zip(self.shapes, places, strict=True):
-                tone = np.array(to_rgb(body.COLORS[shape.tone]))
-                if shape.foot and self.contacts is not None and self.contacts[k, 0 if shape.foot == "right" else 1]:
-                    tone = np.array(to_rgb(body.CONTACT))
-                canvas.draw(shape, place, tone)
-                canvas.shadow(shape, place, up, floor, lamp)
+            canvas.draw(self.shapes, places, body.colors(self.shapes, None if self.contacts is None else self.contacts[k]))
+            canvas.shadow(self.shapes, places, up, floor, lamp)
         y = np.linspace(top, bottom, canvas.height)  # the floor fades into the paper at the horizon
         blend = np.clip((0.16 - y) / 0.2, 0, 1)[:, None]
         paper, ground = (np.array(to_rgb(c)) for c in (PAPER, FLOOR))
-        return canvas.image(paper * (1 - blend) + ground * blend, paper)
+        return canvas.image((paper * (1 - blend) + ground * blend)[:, None], paper)
 
 
 def steady_frames(clip: Clip, seconds: float) -> tuple[np.ndarray, np.ndarray]:

@@ -1,58 +1,24 @@
 """A small software renderer for rounded cones: exact silhouettes and shading with numpy alone, no OpenGL.
 
 Parallel projection: camera space is x right, y up, z towards the viewer. Each shape is intersected in its own frame, where
-it is a plain rounded cone (two spheres and the cone that touches both), so thinning costs nothing.
+it is a plain rounded cone (two spheres and the cone that touches both), so thinning costs nothing. Drawing finds depths
+only; normals and light are worked out once at the end, for the pixels that are seen.
 """
 
+import math
+from collections.abc import Sequence
+
 import numpy as np
-from scipy.ndimage import gaussian_filter, zoom
+from scipy.ndimage import uniform_filter, zoom
 
 from toolkit.view.body import Shape
 
 FAR = -1e9
-COARSE = 4  # shadows are blurred, so their pixels are this many times larger
-
-
-def _hits(shape: Shape, origins: np.ndarray, direction: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Distance [N] along unit ``direction`` [3] from ``origins`` [N, 3] (inf: a miss) and normals [N, 3], cone's frame.
-
-    The surface is two spheres on the y axis and the cone that touches both: where its normal leans by an angle whose sine is
-    the difference of the radii over the distance of the centres, radial distance · cos + y · sin = first radius.
-    """
-    (first, second), length = shape.radii, shape.length
-    distance, normals = np.full(len(origins), np.inf, np.float32), np.zeros_like(origins)
-    along, squared = origins @ direction, np.einsum("ni,ni->n", origins, origins)
-    for centre, radius in ((0.0, first), (length, second)):
-        half = along - centre * direction[1]
-        inside = half**2 - (squared - 2 * centre * origins[:, 1] + centre**2) + radius**2
-        t = np.where(inside >= 0, -half - np.sqrt(np.maximum(inside, 0)), np.inf)
-        closer = t < distance
-        distance[closer] = t[closer]
-        normals[closer] = (origins[closer] + t[closer, None] * direction - np.float32([0, centre, 0])) / np.float32(radius)
-    sine = (first - second) / length if length > abs(first - second) else 1.0
-    cosine = np.sqrt(1 - sine**2)
-    if cosine > 1e-6:  # otherwise one sphere holds the other
-        flat = np.array([1.0, 0.0, 1.0], np.float32)
-        steep = direction[1] * sine / cosine
-        width = (first - origins[:, 1] * sine) / cosine  # the cone's radius at the origin's height; it shrinks by steep · t
-        a = 1 - direction[1] ** 2 - steep**2
-        b = along - origins[:, 1] * direction[1] + width * steep
-        root = b**2 - a * (squared - origins[:, 1] ** 2 - width**2)
-        some = np.flatnonzero(root >= 0) if abs(a) > 1e-9 else np.arange(0)
-        for sign in (-1.0, 1.0):
-            t = (sign * np.sqrt(root[some]) - b[some]) / a
-            point = origins[some] + t[:, None] * direction
-            between = (point[:, 1] > first * sine) & (point[:, 1] < length + second * sine)
-            hit = between & (width[some] - steep * t > 0) & (t < distance[some])
-            where = some[hit]
-            distance[where] = t[hit]
-            radial = point[hit] * flat
-            normals[where] = radial * (cosine / np.linalg.norm(radial, axis=1, keepdims=True)) + np.float32([0, sine, 0])
-    return distance, normals
+COARSE = 4  # shadows are soft, so their pixels are this many times larger
 
 
 class Canvas:
-    """An image that shapes are drawn into, with a depth for every pixel.
+    """An image that bodies are drawn into, with a depth for every pixel.
 
     Parameters
     ----------
@@ -65,79 +31,145 @@ class Canvas:
     def __init__(self, window: tuple[float, float, float, float], scale: float):
         self.window, self.scale = window, scale
         self.width, self.height = (round((window[i + 1] - window[i]) * scale) for i in (0, 2))
+        self.x = (window[0] + (np.arange(self.width) + 0.5) / scale).astype(np.float32)
+        self.y = (window[3] - (np.arange(self.height) + 0.5) / scale).astype(np.float32)
         self.depth = np.full((self.height, self.width), FAR, np.float32)
-        self.normal = np.zeros((self.height, self.width, 3), np.float32)
-        self.color = np.zeros((self.height, self.width, 3), np.float32)
+        self.owner = np.zeros((self.height, self.width), np.int32)
         self.shade = np.zeros((-(-self.height // COARSE), -(-self.width // COARSE)), np.float32)
+        self._back, self._centre, self._ends, self._colors = [], [], [], []
 
-    def _pixels(self, x: tuple[float, float], y: tuple[float, float], step: int = 1) -> tuple[slice, slice, np.ndarray]:
-        height, width = -(-self.height // step), -(-self.width // step)
-        scale = self.scale / step
-        c0, c1 = (int(np.clip((v - self.window[0]) * scale, 0, width)) for v in x)
-        r0, r1 = (int(np.clip((self.window[3] - v) * scale, 0, height)) for v in (y[1], y[0]))
-        rows, columns = slice(r0, r1 + 1), slice(c0, c1 + 1)
-        px = self.window[0] + (np.arange(width)[columns] + 0.5) / scale
-        py = self.window[3] - (np.arange(height)[rows] + 0.5) / scale
-        grid = np.stack((*np.meshgrid(px, py), np.full((len(py), len(px)), 10.0)), -1)
-        return rows, columns, grid.astype(np.float32)
+    def _span(self, low: np.ndarray, high: np.ndarray, step: int = 1) -> tuple[slice, slice]:
+        """Rows and columns, ``step`` pixels each, that hold camera space from ``low`` to ``high`` [2]."""
+        scale, (height, width) = self.scale / step, (-(-self.height // step), -(-self.width // step))
+        c0, c1 = (int(np.clip((v - self.window[0]) * scale, 0, width)) for v in (low[0], high[0]))
+        r0, r1 = (int(np.clip((self.window[3] - v) * scale, 0, height)) for v in (high[1], low[1]))
+        return slice(r0, r1 + 1), slice(c0, c1 + 1)
 
-    def draw(self, shape: Shape, place: np.ndarray, color: np.ndarray) -> None:
-        """Draw a shape at ``place`` [3, 4] (its own frame to camera space) in ``color`` [3], 0 to 1."""
-        ends = place[:, 3], place[:, 3] + place[:, 1] * shape.length
-        low = np.minimum(*(e - r for e, r in zip(ends, shape.radii, strict=True)))
-        high = np.maximum(*(e + r for e, r in zip(ends, shape.radii, strict=True)))
-        rows, columns, grid = self._pixels((low[0], high[0]), (low[1], high[1]))
-        if not grid.size:
-            return
-        back = np.linalg.inv(place[:, :3]).astype(np.float32)
-        direction = -back[:, 2]
-        speed = np.linalg.norm(direction)
-        origins = (grid.reshape(-1, 3) - place[:, 3].astype(np.float32)) @ back.T
-        t, normals = _hits(shape, origins, direction / speed)
-        depth = (10.0 - t / speed).reshape(grid.shape[:2]).astype(np.float32)
-        nearer = depth > self.depth[rows, columns]
-        normals = normals @ back  # a normal goes with the inverse transpose
-        normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-9)
-        self.depth[rows, columns][nearer] = depth[nearer]
-        self.normal[rows, columns][nearer] = normals.reshape(grid.shape)[nearer]
-        self.color[rows, columns][nearer] = color
+    def draw(self, shapes: Sequence[Shape], places: np.ndarray, colors: np.ndarray) -> None:
+        """Draw shapes at ``places`` [S, 3, 4] (own frame to camera space) in ``colors`` [S, 3], 0 to 1."""
+        places = np.asarray(places, dtype=np.float64)
+        backs = np.linalg.inv(places[:, :, :3])
+        for shape, place, back, color in zip(shapes, places, backs, colors, strict=True):
+            r = np.array(shape.radii)[:, None]
+            ends = np.stack((place[:2, 3], place[:2, 3] + place[:2, 1] * shape.length))
+            rows, columns = self._span((ends - r).min(0), (ends + r).max(0))
+            depth = _depth(shape, place[:, 3], back, self.x[columns], self.y[rows, None])
+            nearer = depth > self.depth[rows, columns]
+            self.depth[rows, columns][nearer] = depth[nearer]
+            self.owner[rows, columns][nearer] = len(self._back)
+            self._back.append(back)
+            self._centre.append(place[:, 3])
+            self._ends.append((*shape.radii, shape.length))
+            self._colors.append(color)
 
-    def shadow(self, shape: Shape, place: np.ndarray, up: np.ndarray, floor: np.ndarray, light: np.ndarray) -> None:
-        """Darken the floor (through ``floor``, normal ``up``) where ``light`` [3], towards the lamp, is covered."""
-        ends = np.stack((place[:, 3], place[:, 3] + place[:, 1] * shape.length))
-        drop = ends - np.outer((ends - floor) @ up / (light @ up), light)  # the spheres' centres seen from the lamp
-        r = 1.6 * max(shape.radii)
-        rows, columns, grid = self._pixels((drop[:, 0].min() - r, drop[:, 0].max() + r),
-                                           (drop[:, 1].min() - r, drop[:, 1].max() + r), COARSE)  # fmt: skip
-        if not grid.size:
-            return
-        points = grid.reshape(-1, 3)
-        points[:, 2] = floor[2] - ((points[:, :2] - floor[:2]) @ up[:2]) / up[2]
-        back = np.linalg.inv(place[:, :3])
-        direction = (back @ light).astype(np.float32)
-        origins = (points - place[:, 3]) @ back.T
-        t, _ = _hits(shape, origins.astype(np.float32), direction / np.linalg.norm(direction))
-        self.shade[rows, columns][np.isfinite(t).reshape(grid.shape[:2])] = 1.0
+    def shadow(self, shapes: Sequence[Shape], places: np.ndarray, up: np.ndarray, floor: np.ndarray,
+               lamp: np.ndarray) -> None:  # fmt: skip
+        """Darken the floor (through ``floor``, normal ``up``, level from left to right) below shapes.
+
+        ``lamp`` points to the light. A shape's shadow is the hull of its two spheres' shadows, softer the higher they are.
+        """
+        length, radii = np.array([s.length for s in shapes]), np.array([s.radii for s in shapes])
+        ends = np.stack((places[:, :, 3], places[:, :, 3] + places[:, :, 1] * length[:, None]), 1)  # [S, 2, 3]
+        height = ((ends - floor) @ up).clip(0)
+        ends = (ends - height[..., None] / (lamp @ up) * lamp)[..., :2]
+        reach = (1.5 * radii + 0.1 * height)[..., None]
+        rows, columns = self._span((ends - reach).min((0, 1)), (ends + reach).max((0, 1)), COARSE)
+        x, y = (np.float32(COARSE / self.scale) * (np.arange(n) + 0.5) for n in self.shade.shape[::-1])
+        stretch = np.array([1, 1 / up[2]])  # the floor is seen at a slant
+        x, y = x[columns] + self.window[0], (self.window[3] - y[rows, None]) * stretch[1]
+
+        def each(values: np.ndarray) -> np.ndarray:
+            return values.astype(np.float32)[:, None, None]
+
+        first, along = (ends[:, 0] * stretch), (ends[:, 1] - ends[:, 0]) * stretch
+        dx, dy = x.astype(np.float32) - each(first[:, 0]), y.astype(np.float32) - each(first[:, 1])
+        ax, ay = (each(a) for a in along.T)
+        share = ((dx * ax + dy * ay) / np.maximum(ax * ax + ay * ay, 1e-9)).clip(0, 1)
+        distance = np.hypot(dx - share * ax, dy - share * ay)
+        radius, above = (each(a[:, 0]) + share * each(a[:, 1] - a[:, 0]) for a in (radii, height))
+        cover = (0.5 - (distance - radius) / (0.024 + 0.2 * above)).clip(0, 1)
+        self.shade[rows, columns] = 1 - (1 - self.shade[rows, columns]) * np.prod(1 - cover * cover * (3 - 2 * cover), 0)
 
     def image(self, floor: np.ndarray, paper: np.ndarray) -> np.ndarray:
-        """The shaded picture ``[H, W, 3]``, 0 to 1: ``floor`` [H, 3] (a colour for every row of pixels) behind."""
-        s = self.scale
+        """The shaded picture ``[H, W, 3]``, 0 to 1: ``floor`` [H, W or 1, 3] behind, ``paper`` [3] glancing off edges."""
+        picture = np.broadcast_to(floor.astype(np.float32), (self.height, self.width, 3)).copy()
+        shaded = np.flatnonzero(self.shade.any(1))
+        if len(shaded):
+            start = max(shaded[0] - 1, 0)
+            soft = zoom(self.shade[start : shaded[-1] + 2], COARSE, order=1, grid_mode=True, mode="nearest")
+            rows = picture[start * COARSE :][: len(soft)]
+            rows *= 1 - soft[: len(rows), : self.width, None] * np.array([0.36, 0.34, 0.31], np.float32)
         covered = self.depth > FAR / 2
-        soft = gaussian_filter(self.shade, 0.025 * s / COARSE)
-        soft = zoom(soft, COARSE, order=1)[: self.height, : self.width, None]
-        picture = floor[:, None].astype(np.float32) * (1 - soft * np.array([0.36, 0.34, 0.31], np.float32))
         if not covered.any():
             return picture
-        near = np.where(covered, self.depth, self.depth[covered].min())
-        crease = np.clip((gaussian_filter(near, 0.03 * s) - near)[covered] * 2.2, 0, 0.35)  # unsharp mask of the depth
-        n = self.normal[covered]
+        rows, columns = (slice(v.min(), v.max() + 1) for v in np.nonzero(covered))
+        seen = covered[rows, columns]
+        depth = self.depth[rows, columns]
+        near = np.where(seen, depth, depth[seen].min())
+        blurred = near
+        for _ in range(2):
+            blurred = uniform_filter(blurred, 2 * round(0.025 * self.scale) + 1, mode="nearest")
+        crease = np.clip((blurred - near)[seen] * 2.2, 0, 0.35)  # unsharp mask of the depth
+        n, color = self._normals(covered)
         key = np.clip(n @ _unit(-0.45, 0.75, 0.55), 0, 1)
         fill = np.clip(n @ _unit(0.8, 0.15, 0.4), 0, 1)
         light = 0.56 + 0.15 * n[:, 1] + 0.50 * key + 0.10 * fill - crease
         edge = (np.clip(1 - n[:, 2], 0, 1) ** 3 * 0.22)[:, None]
-        lit = self.color[covered] * np.clip(light, 0, None)[:, None] * (1 - edge) + 0.55 * edge * paper.astype(np.float32)
-        picture[covered] = np.clip(lit + 0.10 * key[:, None] ** 24, 0, 1)
+        lit = color * np.clip(light, 0, None)[:, None] * (1 - edge) + 0.55 * edge * paper.astype(np.float32)
+        picture[covered] = np.clip(lit + 0.10 * (key**8 * key**16)[:, None], 0, 1)
         return picture
+
+    def _normals(self, covered: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Normals and colours [N, 3] of the pixels that are seen."""
+        rows, columns = np.nonzero(covered)
+        owner = self.owner[covered]
+        back, centre, ends, colors = (np.array(a, np.float32) for a in (self._back, self._centre, self._ends, self._colors))
+        points = np.stack((self.x[columns], self.y[rows], self.depth[covered]), 1) - centre[owner]
+        first, second, length = ends.T
+        sine = (first - second) / length
+        points = np.einsum("nij,nj->ni", back[owner], points)
+        y = points[:, 1]
+        second_ball = y > (length + second * sine)[owner]
+        flank = (y > (first * sine)[owner]) & ~second_ball
+        points[second_ball, 1] -= length[owner[second_ball]]
+        radial = np.linalg.norm(points[flank][:, ::2], axis=1)
+        points[flank, 1] = radial * (sine / np.sqrt(1 - sine**2))[owner[flank]]
+        normals = np.einsum("ni,nij->nj", points, back[owner])  # a normal goes with the inverse transpose
+        return normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-9), colors[owner]
+
+
+def _depth(shape: Shape, centre: np.ndarray, back: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+    """Largest z ``[H, W]`` of a shape over camera x ``[W]`` and y ``[H, 1]``; NaN beside it.
+
+    ``back`` [3, 3] turns camera space into the cone's frame, round ``centre``. In that frame a line of sight is o + s·d,
+    with d a unit vector and o at right angles to it. The surface is two spheres on the y axis and the cone that touches
+    both: where its normal leans by an angle whose sine is the difference of the radii over the distance of the centres,
+    radial distance · cos + y · sin = first radius.
+    """
+    (first, second), length = shape.radii, shape.length
+    speed = np.linalg.norm(back[:, 2])
+    d = back[:, 2] / speed
+    slope = d @ back[:, :2]
+    across = back[:, :2] - np.outer(d, slope)
+    x, y = x - np.float32(centre[0]), y - np.float32(centre[1])
+    (xx, xy), (_, yy) = (across.T @ across).astype(np.float32)
+    oy = np.float32(across[1, 0]) * x + np.float32(across[1, 1]) * y
+    squared = xx * (x * x) + (yy * y + np.float32(2 * xy) * x) * y
+    dy = float(d[1])
+    with np.errstate(invalid="ignore"):
+        s = np.sqrt(first**2 - squared)
+        s = np.fmax(s, length * dy + np.sqrt(second**2 - length**2 * (1 - dy * dy) - squared + (2 * length) * oy))
+        sine = (first - second) / length
+        cosine = math.sqrt(1 - sine**2)
+        steep = dy * sine / cosine
+        width = (first / cosine) - (sine / cosine) * oy  # the cone's radius at o; it shrinks by steep · s
+        a = 1 - dy**2 - steep**2
+        if abs(a) > 1e-9:
+            b = steep * width - dy * oy
+            flank = (np.sqrt(b * b - a * (squared - oy * oy - width * width)) - b) / a
+            at = oy + dy * flank
+            s = np.fmax(s, np.where((at > first * sine) & (at < length + second * sine), flank, np.nan))
+    return np.float32(centre[2]) + (s - np.float32(slope[0]) * x - np.float32(slope[1]) * y) * np.float32(1 / speed)
 
 
 def _unit(*v: float) -> np.ndarray:

@@ -46,16 +46,10 @@ class _Scene:
         self.path, facing = steady_frames(clip, 0.8)
         self.facing = float(facing[0])
         self.height = 0.54 * float(clip.global_positions[0, :, 1].max())
-        self.tones = np.array([to_rgb(body.COLORS[s.tone]) for s in self.shapes])
 
     def colors(self, frame: int) -> np.ndarray:
         """Colour of every shape [S, 3]: standing feet light up."""
-        colors = self.tones.copy()
-        if self.show_contacts and self.contacts is not None:
-            for i, shape in enumerate(self.shapes):
-                if shape.foot and self.contacts[frame, 0 if shape.foot == "right" else 1]:
-                    colors[i] = to_rgb(body.CONTACT)
-        return colors
+        return body.colors(self.shapes, self.contacts[frame] if self.show_contacts and self.contacts is not None else None)
 
     def centre(self, frame: int) -> np.ndarray:
         """The point on the floor that the camera looks over."""
@@ -182,12 +176,11 @@ class Sketch(_Scene):
         canvas = Canvas(window, height / metres)
         floor = np.zeros(3)
         lamp = camera @ R.rotate(R.yaw(torch.tensor(self.facing)), torch.from_numpy(LIGHT).float()).numpy()
-        for shape, place, color in zip(self.shapes, places, self.colors(frame), strict=True):
-            canvas.draw(shape, place, color)
-            canvas.shadow(shape, place, camera[:, 1], floor, lamp)
+        canvas.draw(self.shapes, places, self.colors(frame))
+        canvas.shadow(self.shapes, places, camera[:, 1], floor, lamp)
         low, high = np.array(to_rgb(FLOOR)), np.array(to_rgb(PAPER))
         blend = np.linspace(1, 0, canvas.height)[:, None]
-        picture = canvas.image(high * blend + low * (1 - blend), high)[:height, :width]
+        picture = canvas.image((high * blend + low * (1 - blend))[:, None], high)[:height, :width]
         return (255 * np.clip(picture, 0, 1)).astype(np.uint8)
 
     def close(self) -> None:

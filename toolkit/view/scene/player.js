@@ -41,7 +41,7 @@ const CSS = `
 const PLAY = '<svg viewBox="0 0 18 18"><path d="M4 2.2v13.6a.8.8 0 0 0 1.2.7l11-6.8a.8.8 0 0 0 0-1.4l-11-6.8a.8.8 0 0 0-1.2.7z"/></svg>';
 const PAUSE = '<svg viewBox="0 0 18 18"><rect x="3" y="2" width="4.4" height="14" rx="1.2"/><rect x="10.6" y="2" width="4.4" height="14" rx="1.2"/></svg>';
 
-function make(tag, className, parent, attributes = {}) {
+export function make(tag, className, parent, attributes = {}) {
   const element = Object.assign(document.createElement(tag), attributes);
   if (className) element.className = className;
   parent?.append(element);

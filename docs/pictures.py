@@ -1,0 +1,71 @@
+"""Make the pictures of these pages again: ``python docs/pictures.py [--published FOLDER]``, two minutes on one core.
+
+Without the folder of the published parameters (Mason et al. 2022) the pictures beside them stay as they are.
+"""
+
+from pathlib import Path
+from typing import Annotated
+
+import torch
+import typer
+from PIL import Image
+from tqdm import tqdm
+
+import toolkit as tk
+from toolkit.datasets import procedural
+
+OUT = Path(__file__).parent
+GAITS = ("FW", "BW", "SW", "FR", "BR", "SR")
+SHOWN = {"Zombie": 60, "Old": 75, "Aeroplane": 30, "Crouch": 65, "HopLeft": 60, "HighKnees": 65, "MarchKick": 70,
+         "DragRightLeg": 40, "Penguin": 15, "ArmsAboveHead": 40, "BentForward": 75, "Tiptoe": 70}  # fmt: skip  # its view
+BESIDE = {"Zombie": "Zombie", "Old": "Old", "Aeroplane": "Aeroplane", "Crouch": "Crouched", "HighKnees": "HighKnees",
+          "Strut": "Strutting"}  # fmt: skip  # what 100STYLE calls them
+
+
+def straight(style: str, seconds: float = 8.0) -> tk.Clip:
+    """A procedural walk straight ahead at the style's usual speed."""
+    ahead = torch.arange(round(seconds * 60)) / 60 * procedural.STYLES[style].speed
+    return procedural.generate(style, path=torch.stack((0 * ahead, ahead, 0 * ahead), 1))
+
+
+def rollout(model, bank, style: str, speed: float, seconds: float = 10.0) -> tk.Clip:
+    """A model's walk straight ahead, without its first two seconds."""
+    return tk.runtime.rollout(model, tk.runtime.straight(speed, seconds), style=bank[style]).cut(120)
+
+
+def looped(clip: tk.Clip) -> tk.Clip:
+    """About two strides that repeat."""
+    return clip.cut(*tk.view.loop(clip))
+
+
+def main(published: Annotated[Path | None, typer.Option(help="Folder of the published parameters.")] = None) -> None:
+    """Make every picture in this folder again."""
+    torch.set_num_threads(1)
+    for folder in ("styles", "side_by_side"):
+        (OUT / folder).mkdir(exist_ok=True)
+    walks = {style: straight(style) for style in procedural.STYLES}
+    sheet = tk.view.contact_sheet(list(walks.values()), labels=list(walks), height=110, progress=True)
+    sheet.quantize(128).save(OUT / "contact_sheet.png", optimize=True)
+    gaits = [looped(procedural.generate("Neutral", gait)) for gait in GAITS]
+    tk.view.animate(gaits, OUT / "gaits.gif", labels=GAITS, columns=3, height=100, colors=32, progress=True)
+    for style, view in tqdm(SHOWN.items(), desc="styles"):
+        tk.view.animate(looped(walks[style]), OUT / "styles" / f"{style}.gif", labels=[""], view=view, height=140, colors=40)
+
+    embedded = tk.pretrained()
+    shown = [style for style in ("Neutral", "Zombie", "Strut", "Crouch", "Aeroplane") if style in embedded[1].names]
+    rows = [rollout(*embedded, style, procedural.STYLES[style].speed) for style in shown]
+    tk.view.strip(rows, OUT / "styles.png", labels=shown, stop=2.0, width=9, dpi=120)
+    Image.open(OUT / "styles.png").convert("RGB").quantize(128).save(OUT / "styles.png", optimize=True)
+    if published is None:
+        return
+    authors = tk.published.load(published)
+    for style, name in tqdm(BESIDE.items(), desc="side by side"):
+        speed = procedural.STYLES[style].speed
+        clips = {"procedural data": walks[style], "embedded model": rollout(*embedded, style, speed),
+                 "Mason et al. 2022": rollout(*authors, name, speed)}  # fmt: skip
+        tk.view.animate([looped(clip) for clip in clips.values()], OUT / "side_by_side" / f"{style}.gif", labels=list(clips),
+                        height=120, colors=28, caption="Right: with the parameters published by the authors.")  # fmt: skip
+
+
+if __name__ == "__main__":
+    typer.run(main)

@@ -1,0 +1,113 @@
+"""JupyterLab on a free port and headless Chromium; every test here is skipped where either is missing."""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
+FLAGS = ["--no-sandbox", "--enable-unsafe-swiftshader", "--use-angle=swiftshader", "--ignore-gpu-blocklist"]
+ARTEFACTS = Path(__file__).resolve().parents[2] / "out" / "browser"
+
+
+def pytest_collection_modifyitems(items):
+    if CHROMIUM is None:
+        for item in items:
+            item.add_marker(pytest.mark.skip(reason="no Chromium found (Debian: apt-get install chromium)"))
+
+
+@pytest.fixture(scope="session")
+def browser():
+    sync_api = pytest.importorskip("playwright.sync_api", reason="needs Playwright: pip install playwright")
+    with sync_api.sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
+        yield browser
+        browser.close()
+
+
+@pytest.fixture(scope="session")
+def lab(tmp_path_factory):
+    """Address and folder of a JupyterLab server."""
+    folder = tmp_path_factory.mktemp("lab")
+    home = tmp_path_factory.mktemp("home")
+    env = os.environ | {"HOME": str(home), "OMP_NUM_THREADS": "1", "PYVISTA_OFF_SCREEN": "true", "TOOLKIT_FAST": "1"}
+    log = home / "server.log"
+    settings = home / ".jupyter" / "lab" / "user-settings" / "@jupyterlab" / "apputils-extension"
+    settings.mkdir(parents=True)
+    (settings / "notification.jupyterlab-settings").write_text('{"fetchNews": "false", "checkForUpdates": false}')
+    command = [sys.executable, "-m", "jupyter", "lab", "--no-browser", "--allow-root", "--port=0",
+               "--ServerApp.port_retries=0", "--IdentityProvider.token=", f"--ServerApp.root_dir={folder}"]  # fmt: skip
+    with log.open("w") as file:
+        server = subprocess.Popen(command, env=env, stdout=file, stderr=subprocess.STDOUT, cwd=folder)
+    try:
+        for _ in range(600):
+            found = re.search(r"http://(?:localhost|127\.0\.0\.1):\d+", log.read_text())
+            if found:
+                break
+            assert server.poll() is None, log.read_text()
+            time.sleep(0.1)
+        yield found[0], folder
+    finally:
+        server.terminate()
+        server.wait(20)
+
+
+class Notebook:
+    """A notebook open in JupyterLab, with what its console said."""
+
+    def __init__(self, page, address: str, folder: Path, name: str):
+        self.page, self.errors = page, []
+        page.on("console", lambda m: self.errors.append(m.text) if m.type == "error" else None)
+        page.on("pageerror", lambda e: self.errors.append(str(e)))
+        page.goto(f"{address}/lab/tree/{name}?reset", timeout=60_000)
+        page.wait_for_selector(".jp-Notebook .jp-Cell", timeout=60_000)
+        page.wait_for_selector('.jp-Notebook-ExecutionIndicator[data-status="idle"]', timeout=90_000)
+
+    def run_all(self, seconds: float = 120) -> None:
+        """Run every cell and wait until each has its number; JupyterLab drops a run that is asked for too early."""
+        prompts = "[...document.querySelectorAll('.jp-Notebook .jp-CodeCell .jp-InputPrompt')]"
+        for _ in range(10):
+            self.page.get_by_role("menuitem", name="Run", exact=True).click()
+            self.page.get_by_text("Run All Cells", exact=True).click()
+            self.page.wait_for_timeout(2000)
+            if self.page.evaluate(f"{prompts}.some((p) => /[*\\d]/.test(p.textContent))"):
+                break
+        self.page.wait_for_function(
+            f"""() => {{
+                const error = document.querySelector('.jp-Notebook [data-mime-type="application/vnd.jupyter.stderr"]');
+                if (error) throw Error(error.textContent);
+                return {prompts}.every((p) => /\\d/.test(p.textContent));
+            }}""",
+            timeout=1000 * seconds,
+        )
+
+
+@pytest.fixture
+def open_notebook(browser, lab, request):
+    """``open_notebook(name, cells)``: write a notebook of code cells, or take an existing file, and open it."""
+    import nbformat
+
+    address, folder = lab
+    pages = []
+
+    def open_(name: str, cells: list[str] | Path) -> Notebook:
+        if isinstance(cells, Path):
+            shutil.copy(cells, folder / name)
+        else:
+            notebook = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(source) for source in cells])
+            notebook.metadata["kernelspec"] = {"name": "python3", "display_name": "Python 3", "language": "python"}
+            nbformat.write(notebook, folder / name)
+        page = browser.new_page(viewport={"width": 1280, "height": 1100})
+        pages.append(page)
+        return Notebook(page, address, folder, name)
+
+    yield open_
+    ARTEFACTS.mkdir(parents=True, exist_ok=True)
+    for i, page in enumerate(pages):
+        page.screenshot(path=ARTEFACTS / f"{request.node.name}-{i}.png")
+        page.close()

@@ -1,0 +1,205 @@
+"""A character steered live in a notebook: the kernel computes 60 frames a second, the page draws the newest.
+
+Every frame is one message with one binary buffer. The kernel stops by itself when nobody looks: the page acknowledges
+frames, and `PATIENCE` seconds later (a closed tab, a cleared output) the character waits for a page to ask again.
+"""
+
+import asyncio
+import math
+from collections.abc import Mapping, Sequence
+from importlib import resources
+
+import anywidget
+import numpy as np
+import torch
+import traitlets
+
+from toolkit import runtime, trajectory
+from toolkit.motion import Clip
+from toolkit.runtime import FPS, Command
+from toolkit.view.page import skeleton_data
+
+PATIENCE = 2.0  # seconds without a sign of a page after which the character waits
+TURN = 2.0  # radians per second while a turn key is held
+RUN = 2.2  # a run, in walking speeds
+EASE = 0.12  # share of the way that the blend goes to the marker in a frame
+
+
+class Controller(anywidget.AnyWidget):
+    """A character under control: keys W A S D walk, Q E turn, Shift runs; a stick, a gamepad; a triangle of three styles.
+
+    Parameters
+    ----------
+    model, bank
+        A model and its style bank, e.g. of `toolkit.pretrained`.
+    styles
+        The triangle's corners, three names of the bank; its first three by default.
+    speed
+        Walking speed, metres per second.
+    size
+        Pixels of the picture: width, height.
+
+    Attributes
+    ----------
+    state
+        The character now, a `toolkit.runtime.CharacterState`.
+    names, weights
+        Corners of the triangle and their shares.
+    frames
+        How many were computed so far.
+    feet, arms
+        Whether foot IK and arm IK act; ``speed`` likewise can be set.
+    recording
+        While true, frames are kept for `clip`; setting it to true starts a new recording.
+
+    Raises
+    ------
+    ValueError
+        If a style is unknown.
+    """
+
+    _esm = (resources.files("toolkit.view") / "static" / "scene.js").read_text(encoding="utf-8")
+    skeleton = traitlets.Dict().tag(sync=True)
+    styles = traitlets.List(traitlets.Unicode()).tag(sync=True)
+    size = traitlets.List(traitlets.Int(), [640, 480]).tag(sync=True)
+    names = traitlets.List(traitlets.Unicode(), minlen=3, maxlen=3).tag(sync=True)
+    weights = traitlets.List(traitlets.Float(), [1.0, 0.0, 0.0], minlen=3, maxlen=3).tag(sync=True)
+    speed = traitlets.Float(1.0, min=0.1, max=3.0).tag(sync=True)
+    feet = traitlets.Bool(True).tag(sync=True)
+    arms = traitlets.Bool(True).tag(sync=True)
+    recording = traitlets.Bool(False).tag(sync=True)
+    status = traitlets.Unicode("").tag(sync=True)
+    _task: asyncio.Task | None = None  # a script has none: there `advance` moves the character
+
+    def __init__(self, model, bank, *, styles: Sequence[str] | None = None, speed: float = 1.0,
+                 size: tuple[int, int] = (640, 480)):  # fmt: skip
+        names = (list(bank.names) * 3)[:3] if styles is None else list(styles)
+        if len(names) != 3:
+            raise ValueError(f"a triangle has three styles, got {names}")
+        self._model, self._bank = model, bank
+        self._vector = bank.blend(_merge(names, [1.0, 0.0, 0.0]))
+        self.state = runtime.start(model, self._vector)
+        self._facing = 0.0
+        self._input = {"id": 0, "move": [0.0, 0.0], "turn": 0.0, "run": False, "heading": None}
+        self.frames = self._seen = 0
+        self._recorded: list[tuple[torch.Tensor, torch.Tensor]] = []
+        skeleton = skeleton_data(runtime.record(model, [self.state]))
+        super().__init__(names=names, styles=list(bank.names), speed=speed, size=list(size), skeleton=skeleton)
+        self.on_msg(self._receive)
+        try:
+            self._loop = asyncio.get_running_loop()
+        except RuntimeError:
+            return
+        self._wake = asyncio.Event()
+        self._task = self._loop.create_task(self._run())
+
+    @property
+    def blend(self) -> dict[str, float]:
+        """What the marker asks for: style to share; assign to move the marker (up to three styles of the bank)."""
+        return _merge(self.names, self.weights)
+
+    @blend.setter
+    def blend(self, weights: Mapping[str, float]) -> None:
+        total = sum(weights.values())
+        if not 1 <= len(weights) <= 3 or min(weights.values()) < 0 or not total > 0:
+            raise ValueError(f"a blend needs one to three weights >= 0 and not all zero, got {dict(weights)}")
+        for name in weights:
+            self._bank[name]
+        others = [name for name in [*self.names, *self._bank.names] if name not in weights]
+        names = [*weights, *others, *weights][:3]
+        shares = [weights[name] / total for name in weights] + [0.0] * (3 - len(weights))
+        with self.hold_sync():
+            self.names, self.weights = names, shares
+
+    @property
+    def clip(self) -> Clip:
+        """What was recorded, on the model's whole skeleton.
+
+        Raises
+        ------
+        ValueError
+            If nothing was recorded.
+        """
+        if not self._recorded:
+            raise ValueError("nothing recorded yet: press Record (or set recording = True) and walk")
+        rotations, roots = (torch.stack(column) for column in zip(*self._recorded, strict=True))
+        return Clip(self._model.layout.skeleton, rotations, roots, FPS, name="controller")
+
+    def steer(self, ahead: float = 0.0, right: float = 0.0, turn: float = 0.0, *, run: bool = False) -> None:
+        """Hold keys down from a program: shares in [-1, 1] ahead, to the right and of turning left."""
+        self._input |= {"move": [right, ahead], "turn": turn, "run": run, "heading": None}
+
+    def advance(self, frames: int = 1) -> None:
+        """Compute frames at once, whether a page looks or not."""
+        for _ in range(frames):
+            self._step()
+
+    def close(self) -> None:
+        """Stop and take the widget away."""
+        if self._task is not None and not self._loop.is_closed():
+            self._loop.call_soon_threadsafe(self._task.cancel)
+        super().close()
+
+    @traitlets.observe("recording")
+    def _record(self, change: dict) -> None:
+        if change["new"]:
+            self._recorded = []
+
+    def _receive(self, _widget, message: dict, _buffers) -> None:
+        """A page's message (any thread): keep what it says, wake the task."""
+        if message["kind"] == "input":
+            self._input = {name: message[name] for name in self._input}
+        self._seen = -math.inf if message["kind"] == "closed" else self.frames
+        if self._task is not None and message["kind"] != "closed":
+            self._loop.call_soon_threadsafe(self._wake.set)
+
+    def _command(self) -> Command:
+        """The hand's wish as a command in the world."""
+        wish = self._input
+        fast = self.speed * (RUN if wish["run"] else 1.0)
+        if wish["heading"] is not None:
+            x, z = wish["heading"]
+            self._facing = math.atan2(x, z)
+            return Command((fast * x, fast * z), (x, z))
+        self._facing += TURN / FPS * wish["turn"]
+        s, c = math.sin(self._facing), math.cos(self._facing)
+        right, ahead = wish["move"]
+        scale = fast / max(1.0, math.hypot(right, ahead))
+        return Command((scale * (ahead * s - right * c), scale * (ahead * c + right * s)), (s, c))
+
+    @torch.inference_mode()
+    def _step(self) -> None:
+        self._vector = torch.lerp(self._vector, self._bank.blend(self.blend), EASE)
+        self.state = runtime.step(self._model, self.state.with_style(self._vector), self._command())
+        rotations, root = runtime.pose(self._model.layout, self.state, feet=self.feet, arms=self.arms)
+        self.frames += 1
+        if self.recording:
+            self._recorded.append((rotations[0].clone(), root[0].clone()))
+        state = self.state
+        past = [trajectory.PAST + o for o in trajectory.SAMPLES[: trajectory.CURRENT]]
+        parts = (root, rotations, state.history[:, past], state.future, state.phase, state.contacts)
+        message = np.concatenate([part.numpy().ravel() for part in parts]).astype(np.float32)
+        self.send({"kind": "frame", "frame": self.frames, "input": self._input["id"]}, [message.tobytes()])
+
+    async def _run(self) -> None:
+        """One frame every 1/60 s while a page looks; late frames are dropped, not made up for."""
+        try:
+            due = self._loop.time()
+            while True:
+                if self.frames - self._seen > PATIENCE * FPS:
+                    self._wake.clear()
+                    await self._wake.wait()
+                    due = self._loop.time()
+                self._step()
+                due = max(due + 1 / FPS, self._loop.time())
+                await asyncio.sleep(max(0.002, due - self._loop.time()))
+        except Exception as error:  # shown in the view: nothing else would report it
+            self.status = f"stopped: {type(error).__name__}: {error}"
+
+
+def _merge(names: Sequence[str], weights: Sequence[float]) -> dict[str, float]:
+    """Style to share; a style at two corners has both shares."""
+    blend: dict[str, float] = {}
+    for name, share in zip(names, weights, strict=True):
+        blend[name] = blend.get(name, 0.0) + share
+    return blend

@@ -1,0 +1,301 @@
+"""Pictures of phases, after Figure 4 of Mason et al. 2022: curves over time, principal axes on the body, the manifold."""
+
+import math
+from collections.abc import Mapping
+from typing import Literal
+
+import numpy as np
+import plotly.graph_objects as go
+import torch
+from plotly.subplots import make_subplots
+from sklearn.decomposition import PCA
+
+from toolkit import metrics
+from toolkit import phases as ph
+from toolkit import rotations as R
+from toolkit.motion import Clip, root_frames
+from toolkit.view import body
+from toolkit.view.body import COLORS, CONTACT, PALETTE
+from toolkit.view.figures import GRID, INK, LAYOUT, QUIET
+
+HUES = [[0.0, "#7b68c4"], [0.25, "#2fa596"], [0.5, "#e3c15a"], [0.75, "#d6598b"], [1.0, "#7b68c4"]]  # 0 and 2 pi alike
+AXIS, SIDE = "#7b3fb5", 0.34  # colour of a principal axis, metres along the edge of its plane
+Backend = Literal["plotly", "pyvista"]
+
+
+def phase_figure(clip: Clip, phases: ph.Phases, contacts=None, truth=None, *, start: float = 0.0, stop: float | None = None,
+                 title: str = "") -> go.Figure:  # fmt: skip
+    """Local phases of the four limbs over time.
+
+    For each limb: the source curve (grey), the sinusoid fitted around every frame (colour) in a ribbon of its residual,
+    contacts of the feet (green bars), and a band whose colour is the phase and whose height is the length of the phase
+    vector, on one scale for all limbs, so that a limb that hardly moves has a thin band.
+
+    Parameters
+    ----------
+    clip
+        The motion, F frames.
+    phases
+        What `toolkit.phases.extract` says about it.
+    contacts
+        Foot contacts [F, 2] (right, left), above one half where a foot stands.
+    truth
+        The true phases [F, 4] where they are known, radians: a thin dark line, the fit with the true phase in place of its
+        own, less the constant lag between the two.
+    start, stop
+        Seconds that are shown.
+    title
+        Heading.
+
+    Raises
+    ------
+    ValueError
+        If lengths differ or there is nothing between ``start`` and ``stop``.
+    """
+    names = ("source", "fit", "phase", "frequency", "amplitude", "residual", "vector")
+    fields = {name: np.asarray(getattr(phases, name), dtype=np.float64) for name in names}
+    if truth is not None:
+        fields["truth"] = np.asarray(truth, dtype=np.float64)
+    bad = [f"{name} {list(a.shape)}" for name, a in fields.items() if a.shape[:2] != (len(clip), 4)]
+    stands = None if contacts is None else np.asarray(contacts) > 0.5
+    if bad or (stands is not None and stands.shape != (len(clip), 2)):
+        raise ValueError(f"phases must be [{len(clip)}, 4] and contacts [{len(clip)}, 2]; got "
+                         f"{', '.join(bad) or list(stands.shape)}")  # fmt: skip
+    first = round(start * clip.fps)
+    last = len(clip) if stop is None else min(round(stop * clip.fps), len(clip))
+    if not 0 <= first < last:
+        raise ValueError(f"no frame between {start} s and {stop} s; the clip lasts {clip.seconds:.2f} s")
+    show = slice(first, last)
+    seconds = np.arange(len(clip))[show] / clip.fps
+    magnitude = np.linalg.norm(fields["vector"], axis=-1)[show]
+    figure = make_subplots(8, 1, shared_xaxes=True, row_heights=[3, 1] * 4, vertical_spacing=0.012)
+    for i, limb in enumerate(ph.LIMBS):
+        side, row = limb.split("_")[0], 2 * i + 1
+        curve, fit, phase, frequency, amplitude, residual = (fields[name][show, i] for name in names[:6])
+        for edge, fill in ((fit - residual, None), (fit + residual, "tonexty")):
+            figure.add_scatter(x=seconds, y=edge, name="residual", legendgroup="residual", showlegend=i == 0 and bool(fill),
+                               fill=fill, fillcolor="rgba(138, 143, 152, 0.22)", line={"width": 0}, mode="lines",
+                               hoverinfo="skip", row=row, col=1)  # fmt: skip
+        figure.add_scatter(x=seconds, y=curve, name="source", legendgroup="source", showlegend=i == 0,
+                           line={"color": QUIET, "width": 1.5}, row=row, col=1)  # fmt: skip
+        figure.add_scatter(x=seconds, y=fit, name=f"fit, {side}", legendgroup=side, showlegend=i < 2,
+                           line={"color": COLORS[side], "width": 2.5}, row=row, col=1,
+                           customdata=np.stack((phase, frequency, amplitude, residual), -1),
+                           hovertemplate="%{x:.2f} s: phase %{customdata[0]:.2f} rad, %{customdata[1]:.2f} Hz, "
+                           "amplitude %{customdata[2]:.2f}, residual %{customdata[3]:.2f}<extra></extra>")  # fmt: skip
+        if truth is not None:
+            known = torch.as_tensor(truth)[:, i]
+            lag = metrics.phase_error(phases.phase[:, i], known)[1]
+            line = fit + amplitude * ((known + lag).sin().numpy()[show] - np.sin(phase))
+            figure.add_scatter(x=seconds, y=line, name="truth", legendgroup="truth", showlegend=i == 0, hoverinfo="skip",
+                               legendrank=1001, line={"color": INK, "width": 1, "dash": "dot"}, row=row, col=1)  # fmt: skip
+        if stands is not None and i >= 2:
+            low = float(np.nanmin(curve)) - 0.25
+            bar = np.where(stands[show, 1 if side == "left" else 0], low, np.nan)
+            figure.add_scatter(x=seconds, y=bar, name="contact", legendgroup="contact", showlegend=i == 2, mode="lines",
+                               line={"color": CONTACT, "width": 6}, hoverinfo="skip", row=row, col=1)  # fmt: skip
+        figure.add_bar(x=seconds, y=magnitude[:, i], name=f"phase, {limb}", showlegend=False, width=1.02 / clip.fps,
+                       marker={"color": phase, "colorscale": HUES, "cmin": 0, "cmax": 2 * np.pi,
+                               "line": {"width": 0}, "showscale": i == 0,
+                               "colorbar": {"title": "phase", "len": 0.35, "y": 0.18, "thickness": 12,
+                                            "tickvals": [0, np.pi, 2 * np.pi], "ticktext": ["0", "π", "2π"]}},
+                       hovertemplate="%{x:.2f} s: |vector| %{y:.2f} m/s, phase %{marker.color:.2f}<extra></extra>",
+                       row=row + 1, col=1)  # fmt: skip
+        figure.update_yaxes(title=limb.replace("_", " "), showticklabels=False, row=row, col=1)
+        figure.update_yaxes(showticklabels=False, range=[0, max(1.05 * float(magnitude.max()), 1e-6)], row=row + 1,
+                            col=1)  # fmt: skip
+    figure.update_xaxes(title="seconds", row=8, col=1)
+    figure.update_xaxes(gridcolor=GRID)
+    figure.update_yaxes(gridcolor=GRID, zeroline=False)
+    return figure.update_layout(**LAYOUT, title=title or "Local phases", height=760, bargap=0)
+
+
+def principal_axes(clip: Clip, source: str | ph.Hybrid | ph.ContactFree = "hybrid", *, second: float | None = None,
+                   backend: Backend = "plotly", title: str = ""):  # fmt: skip
+    """The body at one moment, and for each limb that is measured contact-free: its path, principal axis and plane.
+
+    The path is that of the whole clip in the hips' frame, drawn at the hips of this moment. The source is the distance from
+    the plane, counted along the arrow.
+
+    Parameters
+    ----------
+    clip
+        The motion.
+    source
+        "hybrid" (only the limbs for which it chooses contact-free), "contact-free", "velocity" or one of these objects,
+        whose axes are taken where it is fitted and found on the clip where it is not.
+    second
+        Which moment; the middle by default.
+    backend
+        "plotly" gives a `plotly.graph_objects.Figure`, "pyvista" a `pyvista.Plotter` (off screen) to ``show()`` or to take a
+        ``screenshot(path)`` of.
+    title
+        Heading, in plotly.
+
+    Raises
+    ------
+    ValueError
+        If the source has no principal axes, the clip no such moment, or the backend is unknown.
+    """
+    _check(backend)
+    axes = _axes(clip, ph.named(source) if isinstance(source, str) else source)
+    frame = len(clip) // 2 if second is None else round(second * clip.fps)
+    if not 0 <= frame < len(clip):
+        raise ValueError(f"no frame at {second} s; the clip lasts {clip.seconds:.2f} s")
+    hips = clip.skeleton.index("hips")
+    turn, place = clip.global_rotations[frame, hips], clip.global_positions[frame, hips]
+    parts = []
+    for limb, axis in axes.items():
+        path = R.rotate(turn, ph.local_positions(clip, limb)) + place
+        direction = R.rotate(turn, axis.float())
+        parts.append((limb, path.numpy(), *_arrow_and_plane(path.mean(0).numpy(), direction.numpy())))
+    if backend == "pyvista":
+        return _axes_pyvista(clip, frame, parts)
+    vertices, triangles, colors = _solid(clip, frame)
+    i, j, k = triangles.T
+    figure = go.Figure(go.Mesh3d(**_xyz(vertices), i=i, j=j, k=k, facecolor=colors, name="body", hoverinfo="skip",
+                                 lighting={"ambient": 0.65, "diffuse": 0.5, "specular": 0.1}))  # fmt: skip
+    for limb, path, (tail, tip), plane in parts:
+        first = limb == parts[0][0]
+        figure.add_scatter3d(**_xyz(path), mode="lines", name=limb.replace("_", " "),
+                             line={"color": COLORS[limb.split("_")[0]], "width": 5}, hoverinfo="name")  # fmt: skip
+        figure.add_scatter3d(**_xyz(np.stack((tail, tip))), mode="lines", line={"color": AXIS, "width": 8}, hoverinfo="skip",
+                             name="principal axis", legendgroup="axis", showlegend=first)  # fmt: skip
+        u, v, w = ([c] for c in (tip - tail) / np.linalg.norm(tip - tail))
+        figure.add_cone(**_xyz(tip[None]), u=u, v=v, w=w, sizemode="absolute", sizeref=0.09, anchor="tail", hoverinfo="skip",
+                        showscale=False, colorscale=[[0, AXIS], [1, AXIS]], lighting={"ambient": 1})  # fmt: skip
+        figure.add_mesh3d(**_xyz(plane), i=[0, 0], j=[1, 2], k=[2, 3], color=AXIS, opacity=0.25, hoverinfo="skip",
+                          name="plane", legendgroup="plane", showlegend=first)  # fmt: skip
+    eye = R.rotate(root_frames(clip).rotations[frame], torch.tensor([-1.5, 0.5, 1.3]))  # from the right, in front
+    hidden = {"visible": False}
+    camera = {"up": {"x": 0, "y": 1, "z": 0}, "eye": dict(zip("xyz", eye.tolist(), strict=True))}
+    return figure.update_layout(**LAYOUT, title=title or f"Principal axes, {clip.style} {clip.gait}", height=620,
+                                scene={"aspectmode": "data", "xaxis": hidden, "yaxis": hidden, "zaxis": hidden,
+                                       "camera": camera})  # fmt: skip
+
+
+def phase_manifold(phases: Mapping[str, ph.Phases], fps: float = 60.0, *, window: float = 1.0, backend: Backend = "plotly",
+                   title: str = ""):  # fmt: skip
+    """Where styles run through the space of phase vectors, along its principal components: a cycle is a loop.
+
+    A panel for each style, with all the others in grey.
+
+    Parameters
+    ----------
+    phases
+        By style.
+    fps
+        Frames per second of all of them.
+    window
+        Seconds: a point is all the phase vectors of so long a stretch; 0 for those of one frame.
+    backend
+        "plotly" gives a `plotly.graph_objects.Figure` of two components, "pyvista" a `pyvista.Plotter` (off screen) of
+        three.
+    title
+        Heading, in plotly.
+
+    Raises
+    ------
+    ValueError
+        If there is no style, a clip is shorter than the window, or the backend is unknown.
+    """
+    _check(backend)
+    size = round(window * fps) + 1
+    short = [style for style, found in phases.items() if len(found.vector) < size + 2]
+    if not phases or short:
+        raise ValueError(f"a phase manifold needs styles with {size + 2} frames or more; too short: {short or 'no style'}")
+    points = {style: found.vector.flatten(1).unfold(0, size, 1).flatten(1).numpy() for style, found in phases.items()}
+    pca = PCA(3).fit(np.concatenate(list(points.values())))
+    paths = {style: pca.transform(p) for style, p in points.items()}
+    if backend == "pyvista":
+        return _manifold_pyvista(paths)
+    columns = min(len(paths), 3)
+    figure = make_subplots(math.ceil(len(paths) / columns), columns, subplot_titles=list(paths), shared_xaxes="all",
+                           shared_yaxes="all", horizontal_spacing=0.02, vertical_spacing=0.08)  # fmt: skip
+    grey = np.concatenate([np.append(p[:, :2], [[np.nan, np.nan]], 0) for p in paths.values()])
+    for i, (style, path) in enumerate(paths.items()):
+        cell = {"row": i // columns + 1, "col": i % columns + 1}
+        figure.add_scatter(x=grey[:, 0], y=grey[:, 1], mode="lines", hoverinfo="skip", **cell,
+                           line={"color": GRID, "width": 1})  # fmt: skip
+        figure.add_scatter(x=path[:, 0], y=path[:, 1], name=style, mode="lines", **cell,
+                           line={"color": PALETTE[i % len(PALETTE)], "width": 1.6},
+                           customdata=(np.arange(len(path)) + (size - 1) / 2) / fps,
+                           hovertemplate=f"<b>{style}</b> %{{customdata:.2f}} s<extra></extra>")  # fmt: skip
+    figure.update_xaxes(showticklabels=False, showgrid=False, zeroline=False)
+    figure.update_yaxes(showticklabels=False, showgrid=False, zeroline=False, scaleanchor="x")
+    first, second, _ = pca.explained_variance_ratio_
+    title = f"{title or 'Phase manifold'}: two components, {first:.0%} and {second:.0%} of the variance"
+    figure.update_layout(**LAYOUT, title=title, height=80 + 330 * math.ceil(len(paths) / columns), showlegend=False)
+    return figure.update_layout(margin_t=84)
+
+
+def _check(backend: str) -> None:
+    if backend not in ("plotly", "pyvista"):
+        raise ValueError(f"the backend must be 'plotly' or 'pyvista', not {backend!r}")
+
+
+def _axes(clip: Clip, source: ph.Hybrid | ph.ContactFree) -> dict[str, torch.Tensor]:
+    """Principal axis [3] of each limb that the source measures contact-free, in the hips' frame."""
+    free = getattr(source, "contact_free", source)
+    if not isinstance(free, ph.ContactFree):
+        raise ValueError(f"principal axes are those of a contact-free or hybrid source, not of {source!r}")
+    free = free if free.axes else free.fitted([clip])
+    return {limb: free.axes[limb] for limb in ph.LIMBS if free is source or not isinstance(source, ph.Hybrid)
+            or source.choice(clip, limb) == "contact-free"}  # fmt: skip
+
+
+def _arrow_and_plane(centre: np.ndarray, axis: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Both ends of an arrow [2, 3] from the plane's middle along ``axis``, and the corners [4, 3] of the plane."""
+    across = np.cross(axis, np.eye(3)[np.abs(axis).argmin()])
+    across = across / np.linalg.norm(across)
+    other = np.cross(axis, across)
+    corners = [centre + SIDE / 2 * (a * across + b * other) for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+    return np.stack((centre, centre + 0.8 * SIDE * axis)), np.stack(corners)
+
+
+def _solid(clip: Clip, frame: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """The mannequin at one frame: vertices [V, 3], triangles [T, 3] and a colour of each triangle [T, 3]."""
+    shapes = body.build(clip)
+    places = body.placements(shapes, clip.global_rotations[frame], clip.global_positions[frame])
+    surfaces = [body.surface(shape) for shape in shapes]
+    vertices = [v @ place[:, :3].T + place[:, 3] for (v, _, _), place in zip(surfaces, places, strict=True)]
+    triangles = [t + i * len(v) for i, (v, _, t) in enumerate(surfaces)]
+    colors = np.repeat(body.colors(shapes), [len(t) for t in triangles], 0)
+    return np.concatenate(vertices), np.concatenate(triangles), colors
+
+
+def _xyz(points: np.ndarray) -> dict[str, np.ndarray]:
+    return dict(zip("xyz", points.T, strict=True))
+
+
+def _axes_pyvista(clip: Clip, frame: int, parts: list[tuple]):
+    """`principal_axes` on pyvista's stage."""
+    import pyvista as pv
+
+    from toolkit.view.stage import Stage
+
+    stage = Stage(clip, None, (900, 900))
+    ahead = R.rotate(root_frames(clip).rotations[frame], torch.tensor([0.0, 0.0, 1.0]))
+    stage.facing, stage.distance, stage.show_trail = math.atan2(ahead[0], ahead[2]), 4.2, False
+    add = stage.plotter.add_mesh
+    for limb, path, (tail, tip), plane in parts:
+        color = COLORS[limb.split("_")[0]]
+        add(pv.lines_from_points(path), color=color, line_width=3, lighting=False)
+        arrow = pv.Arrow(start=tail, direction=tip - tail, scale="auto", shaft_radius=0.03, tip_radius=0.09)
+        add(arrow, color=AXIS, lighting=False)
+        add(pv.PolyData(plane, faces=[4, 0, 1, 2, 3]), color=AXIS, opacity=0.25, lighting=False)
+    stage.draw(frame)
+    return stage.plotter
+
+
+def _manifold_pyvista(paths: dict[str, np.ndarray]):
+    """`phase_manifold` of three components, a tube each."""
+    import pyvista as pv
+
+    plotter = pv.Plotter(off_screen=True, window_size=(900, 800))
+    plotter.set_background(LAYOUT["paper_bgcolor"])
+    reach = max(float(np.abs(path).max()) for path in paths.values())
+    for i, (style, path) in enumerate(paths.items()):
+        plotter.add_mesh(pv.lines_from_points(path).tube(radius=0.008 * reach), color=PALETTE[i % len(PALETTE)], label=style)
+    plotter.add_legend(bcolor=None, face="rectangle")
+    return plotter

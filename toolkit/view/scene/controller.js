@@ -1,0 +1,263 @@
+// Live control: the page sends what the hand wants, the kernel sends poses, the newest one is drawn.
+//
+// Traits: skeleton (see scene.js), facing, styles [names], names [3], weights [3], speed, feet, arms, recording, status
+// Page → kernel: {kind: "input", id, move: [right, ahead], turn, run, heading: [x, z] or null}, {kind: "seen", frame}
+// Kernel → page: {kind: "frame", frame, input} and one float32 buffer:
+//   root [3], rotations [J * 4], trajectory [12 * 4] (x, z, direction x, z), phases [4 * 2] (sin, cos), contacts [2] right, left
+import * as THREE from "three";
+import triangle from "../static/triangle.js";
+import { make } from "./player.js";
+import { Scene } from "./scene.js";
+
+const KEYS = { KeyW: "ahead", KeyS: "back", KeyA: "left", KeyD: "right", KeyQ: "turnLeft", KeyE: "turnRight",
+               ArrowUp: "ahead", ArrowDown: "back", ArrowLeft: "turnLeft", ArrowRight: "turnRight",
+               ShiftLeft: "run", ShiftRight: "run" };
+const SAMPLES = 12, NOW = 6, SILENCE = 1500, LIMBS = ["left hand", "right hand", "left foot", "right foot"];
+const CSS = `
+.tkc{display:flex;flex-wrap:wrap;gap:14px;color:#2b323b;font:13px/1.4 system-ui,-apple-system,"Segoe UI",Roboto,sans-serif}
+.tkc *{box-sizing:border-box}
+.tkc-view{position:relative;overflow:hidden;border-radius:12px;background:#f3f1ec;flex:1 1 400px;align-self:flex-start}
+.tkc-view:focus-within{outline:2px solid #7b68c4;outline-offset:1px}
+.tkc-stage{position:absolute;inset:0;outline:none}.tkc-stage canvas{display:block}
+.tkc-hint{position:absolute;left:14px;bottom:12px;color:#6d7580;pointer-events:none}
+.tkc-alert{position:absolute;left:50%;top:14px;transform:translateX(-50%);padding:4px 12px;border-radius:9px;background:#2b323bdd;color:#fff}
+.tkc-alert:empty{display:none}
+.tkc-dials{position:absolute;left:12px;top:12px;display:flex;gap:6px;pointer-events:none;font-size:10px;text-align:center;color:#6d7580}
+.tkc-dials svg{display:block;width:46px;height:46px;margin:auto}
+.tkc-stick{position:absolute;right:14px;bottom:14px;width:96px;height:96px;border-radius:50%;background:#2b323b14;touch-action:none;cursor:grab}
+.tkc-stick i{position:absolute;left:33px;top:33px;width:30px;height:30px;border-radius:50%;background:#2b323b99}
+.tkc-side{display:flex;flex-direction:column;gap:8px;width:220px}
+.tkc select,.tkc button{font:inherit;color:inherit;border:1px solid #ddd8ce;background:#fff;border-radius:8px;height:30px;padding:0 8px}
+.tkc button{cursor:pointer}.tkc button[aria-pressed=true]{background:#efecfa;border-color:#c9c0ec;color:#4c3fa0}
+.tkc .tkc-record[aria-pressed=true]{background:#c0392b;border-color:#c0392b;color:#fff}
+.tkc-row{display:flex;flex-wrap:wrap;gap:6px;align-items:center}.tkc-row input{flex:1;min-width:0}
+`;
+
+// The trajectory of a second before and after: an arrow per sample, flat on the floor.
+function arrows(scene) {
+  const shape = new THREE.Shape([[0, 0.09], [0.05, -0.05], [0, -0.02], [-0.05, -0.05]].map(([x, y]) => new THREE.Vector2(x, y)));
+  const geometry = new THREE.ShapeGeometry(shape).rotateX(Math.PI / 2); // +y becomes +z
+  const material = new THREE.MeshBasicMaterial({ side: THREE.DoubleSide });
+  const mesh = new THREE.InstancedMesh(geometry, material, SAMPLES);
+  mesh.frustumCulled = false;
+  for (let i = 0; i < SAMPLES; i++) mesh.setColorAt(i, new THREE.Color(i < NOW ? "#a39b8b" : "#7b68c4"));
+  scene.add(mesh);
+  const matrix = new THREE.Matrix4();
+  return {
+    mesh,
+    show(points) {
+      for (let i = 0; i < SAMPLES; i++) {
+        const [x, z, dx, dz] = points.subarray(4 * i, 4 * i + 4);
+        matrix.makeRotationY(Math.atan2(dx, dz)).setPosition(x, 0.008, z);
+        mesh.setMatrixAt(i, matrix);
+      }
+      mesh.instanceMatrix.needsUpdate = true;
+    },
+  };
+}
+
+// A dial per limb: the hand points at the phase and is as long as the phase vector.
+function dials(parent) {
+  const box = make("div", "tkc-dials", parent);
+  const hands = LIMBS.map((limb) => {
+    const dial = make("div", "", box);
+    dial.innerHTML = `<svg viewBox="-12 -12 24 24"><circle r="11" fill="#fffc" stroke="#cfc8bb"/><line stroke-width="2.5"
+      stroke-linecap="round"/></svg>${limb}`;
+    return dial.querySelector("line");
+  });
+  return {
+    box,
+    show(phases) {
+      hands.forEach((hand, i) => {
+        const [s, c] = phases.subarray(2 * i, 2 * i + 2), size = Math.hypot(s, c), r = Math.min(10, 7 * size) / (size || 1);
+        hand.setAttribute("x2", r * s);
+        hand.setAttribute("y2", -r * c);
+        hand.setAttribute("stroke", `hsl(${(Math.atan2(s, c) * 180) / Math.PI} 62% 45%)`);
+      });
+    },
+  };
+}
+
+// What the hand wants: keys held in the stage, the stick on it, or a gamepad. `read` gives the wish in the camera's frame.
+function hand(stage, stick) {
+  const held = new Set(), knob = stick.firstChild;
+  let push = [0, 0];
+  stage.addEventListener("keydown", (event) => press(event, true));
+  stage.addEventListener("keyup", (event) => press(event, false));
+  stage.addEventListener("blur", () => held.clear());
+  stage.addEventListener("pointerdown", () => stage.focus({ preventScroll: true }));
+  function press(event, down) {
+    if (!KEYS[event.code] || event.ctrlKey || event.metaKey || event.altKey) return;
+    down ? held.add(event.code) : held.delete(event.code);
+    event.preventDefault();
+    event.stopPropagation();
+  }
+  function move(event) {
+    const box = stick.getBoundingClientRect(), reach = box.width / 2;
+    const x = (event.clientX - box.left) / reach - 1, y = 1 - (event.clientY - box.top) / reach;
+    const scale = 1 / Math.max(1, Math.hypot(x, y));
+    push = [x * scale, y * scale];
+    knob.style.translate = `${push[0] * 33}px ${-push[1] * 33}px`;
+  }
+  stick.addEventListener("pointerdown", (event) => { stick.setPointerCapture(event.pointerId); move(event); });
+  stick.addEventListener("pointermove", (event) => stick.hasPointerCapture(event.pointerId) && move(event));
+  stick.addEventListener("lostpointercapture", () => { push = [0, 0]; knob.style.translate = ""; });
+  return {
+    read() {
+      const on = (name) => Number([...held].some((code) => KEYS[code] === name));
+      const wish = { move: [on("right") - on("left"), on("ahead") - on("back")], turn: on("turnLeft") - on("turnRight"),
+                     run: !!on("run"), stick: push };
+      const pad = navigator.getGamepads?.().find((p) => p?.connected);
+      if (pad) {
+        const [x, y, turn] = pad.axes.map((v) => (Math.abs(v) < 0.15 ? 0 : v));
+        if (x || y) wish.stick = [x, -y];
+        wish.turn ||= -(turn ?? 0);
+        wish.run ||= !!pad.buttons[0]?.pressed;
+      }
+      return wish;
+    },
+  };
+}
+
+export function render({ model, el }) {
+  const root = make("div", "tkc", el);
+  root.dataset.lmSuppressShortcuts = "true"; // keys meant for the character are not JupyterLab's
+  make("style", "", root, { textContent: CSS });
+  const [width, height] = model.get("size");
+  const view = make("div", "tkc-view", root);
+  Object.assign(view.style, { maxWidth: `${width}px`, aspectRatio: `${width} / ${height}` });
+  const stage = make("div", "tkc-stage", view, { tabIndex: 0, role: "application", ariaLabel: "Character: W A S D, Q E, Shift" });
+  let scene;
+  try {
+    scene = new Scene(stage, model.get("skeleton"), { facing: 0, distance: 4.2 });
+  } catch (error) {
+    view.textContent = "This browser offers no WebGL, which the character needs.";
+    return undefined;
+  }
+  scene.controls.enableDamping = false;
+  const ground = arrows(scene.scene), phases = dials(view);
+  make("div", "tkc-hint", view, { textContent: "Click, then W A S D to walk, Q E to turn, Shift to run" });
+  const stick = make("div", "tkc-stick", view, { title: "Drag to walk" });
+  make("i", "", stick);
+  const alert = make("div", "tkc-alert", view, { role: "status" });
+  const wish = hand(stage, stick);
+
+  const side = make("div", "tkc-side", root);
+  const menus = [0, 1, 2].map((i) => {
+    const menu = make("select", "", side, { ariaLabel: `Style ${i + 1}` });
+    for (const style of model.get("styles")) make("option", "", menu, { value: style, textContent: style });
+    menu.onchange = () => set("names", model.get("names").map((name, k) => (k === i ? menu.value : name)));
+    return menu;
+  });
+  const leaveTriangle = triangle.render({ model, el: make("div", "", side) });
+  const row = make("label", "tkc-row", side, { textContent: "Speed " });
+  const slider = make("input", "", row, { type: "range", min: 0.2, max: 2.5, step: 0.05 });
+  const reading = make("span", "", row);
+  slider.oninput = () => set("speed", Number(slider.value));
+  const shown = { phases: true, trajectory: true, contacts: true, chase: true };
+  const switches = make("div", "tkc-row", side), local = make("div", "tkc-row", side);
+  const toggles = [["feet", "Foot IK"], ["arms", "Arm IK"], ["recording", "● Record"]].map(([trait, text]) => {
+    const toggle = make("button", trait === "recording" ? "tkc-record" : "", switches, { type: "button", textContent: text });
+    toggle.onclick = () => set(trait, !model.get(trait));
+    return [trait, toggle];
+  });
+  for (const [key, text] of [["phases", "Phases"], ["trajectory", "Trajectory"], ["contacts", "Contacts"], ["chase", "Camera behind"]]) {
+    const toggle = make("button", "", local, { type: "button", textContent: text, ariaPressed: "true" });
+    toggle.onclick = () => (toggle.ariaPressed = String((shown[key] = !shown[key])));
+  }
+
+  function set(trait, value) {
+    model.set(trait, value);
+    model.save_changes();
+    refresh();
+  }
+  function refresh() {
+    model.get("names").forEach((name, i) => (menus[i].value = name));
+    slider.value = model.get("speed");
+    reading.textContent = `${model.get("speed").toFixed(2)} m/s`;
+    for (const [trait, toggle] of toggles) toggle.ariaPressed = String(model.get(trait));
+  }
+  const watched = ["names", "speed", "feet", "arms", "recording"].map((trait) => `change:${trait}`);
+  for (const event of watched) model.on(event, refresh);
+  refresh();
+
+  // the newest pose; what was asked for when; rates for whoever measures
+  const joints = model.get("skeleton").parents.length, asked = new Map();
+  const stats = { received: 0, drawn: 0, delays: [], frame: 0 };
+  let pose = null, fresh = false, arrived = performance.now(), input = 0, last = "", first = true, handle = 0;
+  function receive(message, buffers) {
+    if (message.kind !== "frame") return;
+    const bytes = buffers[0];
+    pose = new Float32Array(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength));
+    fresh = true;
+    arrived = performance.now();
+    stats.received += 1;
+    stats.frame = message.frame;
+    stats.answered = message.input;
+    if (stats.received % 15 === 1) model.send({ kind: "seen", frame: message.frame });
+  }
+  model.on("msg:custom", receive);
+
+  function ask() {
+    const { stick: [x, y], ...keys } = wish.read();
+    let heading = null;
+    if (x || y) { // the stick pushes the character where it points on the screen
+      const to = scene.controls.target, from = scene.camera.position;
+      const length = Math.hypot(to.x - from.x, to.z - from.z) || 1, ax = (to.x - from.x) / length, az = (to.z - from.z) / length;
+      heading = [ax * y - az * x, az * y + ax * x].map((v) => Math.round(200 * v) / 200);
+    }
+    const now = JSON.stringify({ ...keys, heading });
+    if (now === last) return;
+    last = now;
+    asked.set(++input, performance.now());
+    model.send({ kind: "input", id: input, ...keys, heading });
+  }
+
+  function draw() {
+    let at = 0;
+    const take = (n) => pose.subarray(at, (at += n));
+    const place = take(3), rotations = take(4 * joints), trajectory = take(4 * SAMPLES), phase = take(8), contacts = take(2);
+    scene.setPose(place, rotations);
+    scene.setContacts(shown.contacts ? { right: contacts[0] > 0.5, left: contacts[1] > 0.5 } : {});
+    ground.mesh.visible = shown.trajectory;
+    ground.show(trajectory);
+    phases.box.hidden = !shown.phases;
+    if (shown.phases) phases.show(phase);
+    scene.follow(place[0], place[2], { jump: first });
+    if (shown.chase) turnBehind(Math.atan2(trajectory[4 * NOW + 2], trajectory[4 * NOW + 3]));
+    first = false;
+  }
+
+  // the camera goes slowly round to where the character comes from
+  function turnBehind(facing) {
+    const { target } = scene.controls, offset = scene.camera.position.clone().sub(target);
+    const apart = facing + Math.PI - Math.atan2(offset.x, offset.z), angle = Math.atan2(Math.sin(apart), Math.cos(apart));
+    scene.camera.position.copy(offset.applyAxisAngle(scene.camera.up, 0.02 * angle)).add(target);
+  }
+
+  function tick(now) {
+    handle = requestAnimationFrame(tick);
+    if (document.hidden || !view.clientWidth) return;
+    ask();
+    alert.textContent = model.get("status") || (now - arrived > SILENCE ? "waiting for the kernel …" : "");
+    if (!fresh) return;
+    fresh = false;
+    draw();
+    scene.render();
+    stats.drawn += 1;
+    for (const [id, since] of asked) if (id <= stats.answered) asked.delete(id), stats.delays.push(performance.now() - since);
+    if (stats.delays.length > 500) stats.delays.shift();
+  }
+  el.toolkit = { stats, scene, get pose() { return pose; } };
+  model.send({ kind: "seen", frame: 0 });
+  handle = requestAnimationFrame(tick);
+
+  return () => {
+    cancelAnimationFrame(handle);
+    model.send({ kind: "closed" });
+    model.off("msg:custom", receive);
+    for (const event of watched) model.off(event, refresh);
+    leaveTriangle();
+    scene.dispose();
+  };
+}
