@@ -24,6 +24,7 @@ from toolkit import (
     rotations,
     runtime,
     sampling,
+    store,
     styles,
     training,
     trajectory,
@@ -34,7 +35,8 @@ from toolkit.training import pretrained
 __version__ = "0.1.0"
 __all__ = [
     "Clip", "Skeleton", "bvh", "contacts", "datasets", "evaluation", "features", "ik", "metrics", "motion", "networks",
-    "phases", "pretrained", "published", "rotations", "runtime", "sampling", "styles", "training", "trajectory", "view",
+    "phases", "pretrained", "published", "rotations", "runtime", "sampling", "store", "styles", "training", "trajectory",
+    "view",
 ]  # fmt: skip
 
 

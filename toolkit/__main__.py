@@ -10,7 +10,7 @@ from typing import Annotated
 import torch
 import typer
 
-from toolkit import benchmarks, bvh, datasets, demo, features, metrics, published, runtime, training
+from toolkit import benchmarks, bvh, datasets, demo, features, metrics, published, runtime, store, training
 from toolkit.motion import Clip
 
 app = typer.Typer(no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False, help=__doc__)
@@ -39,9 +39,49 @@ def data_list(
         print(f"{style:<20}" + (", ".join(f"{gait} {n}" for gait, n in gaits.items()) or "no file here"))
 
 
+@data_app.command("write")
+def data_write(
+    name: Annotated[str, typer.Argument(help="Dataset: procedural.")],
+    out: Annotated[Path, typer.Option(help="Folder to write.")],
+    styles: Annotated[str | None, typer.Option(help="Comma-separated names; all where not given.")] = None,
+    gaits: Annotated[str | None, typer.Option(help="Comma-separated names; all where not given.")] = None,
+    seconds: Annotated[float, typer.Option(help="Length of each clip.")] = 8.0,
+    seed: Annotated[int, typer.Option(help="The same seed gives the same files.")] = 0,
+) -> None:
+    """Write the computed dataset as files in 100STYLE's layout, with the true contacts and phases beside them."""
+    if name != "procedural":
+        raise ValueError(f"only the procedural dataset can be written, not {name!r}")
+    from toolkit.datasets import procedural
+
+    procedural.write(out, *(None if names is None else names.split(",") for names in (styles, gaits)), seconds, seed)
+    print(f"wrote {len(list(out.glob('*.bvh')))} clips; read them by toolkit.datasets.load('100style', root={str(out)!r})")
+
+
+@app.command()
+def preprocess(
+    data: Annotated[str, typer.Option(help="Dataset of files: 100style, bandai, xia.")],
+    out: Annotated[Path, typer.Option(help="Folder of the store; where a run was stopped, the same command goes on.")],
+    root: Root = None,
+    styles: Annotated[str | None, typer.Option(help="Comma-separated names; all where not given.")] = None,
+    gaits: Annotated[str | None, typer.Option(help="Comma-separated names; all where not given.")] = None,
+    source: Annotated[str, typer.Option(help="Phase source.")] = "hybrid",
+    mirror: Annotated[bool, typer.Option("--mirror", help="Add mirror images (100STYLE: of symmetric styles).")] = False,
+    workers: Annotated[int | None, typer.Option(min=1, help="Processes; one per processor where not given.")] = None,
+    scheduler: Annotated[str | None, typer.Option(help="Address of a Dask scheduler to do the work.")] = None,
+) -> None:
+    """Compute the features, phases and contacts of all files into a store, which `train --data OUT` reads from the disk."""
+    chosen = {kind: None if names is None else names.split(",") for kind, names in (("styles", styles), ("gaits", gaits))}
+    mirrored = _symmetric(data, root) if mirror else None
+    made = store.preprocess(data, root, out, **chosen, source=source, mirror=mirrored, workers=workers,
+                            scheduler=scheduler, progress=True)  # fmt: skip
+    found = store.load(out)
+    print(f"{found.n_frames:,} frames of {len(found.styles)} styles in {out}"
+          + ("" if made else ": finished before, all checksums are right, nothing to do"))  # fmt: skip
+
+
 @app.command()
 def train(
-    data: Annotated[str, typer.Option(help=f"Dataset: {', '.join(datasets.DATASETS)}.")],
+    data: Annotated[str, typer.Option(help=f"Dataset: {', '.join(datasets.DATASETS)}; or the folder of a store.")],
     out: Annotated[Path, typer.Option(help="The file to write: model, style bank and numbers (safetensors).")],
     root: Root = None,
     styles: Annotated[str | None, typer.Option(help="Comma-separated names; all where not given.")] = None,
@@ -65,8 +105,14 @@ def train(
     if not os.access(out.parent, os.W_OK):
         raise ValueError(f"{out.parent}: cannot be written to")
     options = {} if clip_seconds is None else {"seconds": clip_seconds}
-    clips = datasets.load(data, root, *(None if names is None else names.split(",") for names in (styles, gaits)), **options)
-    found = features.build(clips, mirror=_symmetric(data, root) if mirror else False, short="skip", progress=True)
+    chosen = [None if names is None else names.split(",") for names in (styles, gaits)]
+    if store.is_store(data):
+        if root or gaits or mirror or options:
+            raise ValueError(f"{data}: a store has its own --root, --gaits and --mirror; choose among its --styles")
+        found = store.load(data, chosen[0])
+    else:
+        clips = datasets.load(data, root, *chosen, **options)
+        found = features.build(clips, mirror=_symmetric(data, root) if mirror else False, short="skip", progress=True)
     print(f"{found.n_frames:,} frames of {len(found.styles)} styles")
     checkpoint = out.with_name(out.name + ".checkpoint")
     run = training.fit(found, config, checkpoint, resume=resume, progress=True)
@@ -113,7 +159,7 @@ def rollout(
     net, bank = published.either(model, parameters)
     commands = runtime.straight(speed, seconds)
     states = list(runtime.states(net, commands, bank.blend(_blend(style)), progress=True))
-    clip = runtime.record(net, states, ik=ik).replace(style=style, gait="FW")
+    clip = runtime.record(net, states, feet=ik, arms=ik).replace(style=style, gait="FW")
     if out.suffix == ".bvh":
         bvh.save(clip, out)
     else:
@@ -127,7 +173,7 @@ def rollout(
           f"foot skate right {skate['right'] * 100:.1f} left {skate['left'] * 100:.1f} cm/s; wrote {out}")  # fmt: skip
 
 
-def _symmetric(data: str, root: Path | None) -> Callable[[Clip], bool]:
+def _symmetric(data: str, root: Path | None) -> Callable[[Clip | datasets.Take], bool]:
     """Which clips may be mirrored: 100STYLE says of its styles which are symmetric; idling never is."""
     styles = datasets.style100.styles(root) if data == "100style" else {}
     return lambda clip: clip.gait != "ID" and (clip.style not in styles or styles[clip.style].symmetric)

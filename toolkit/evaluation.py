@@ -3,7 +3,7 @@
 import torch
 from torch import Tensor
 
-from toolkit.features import Features, Layout
+from toolkit.features import Features, Layout, Rows
 from toolkit.networks import Model
 from toolkit.styles import StyleBank
 
@@ -26,9 +26,11 @@ def loss_terms(model: Model, predicted: Tensor, target: Tensor) -> tuple[Tensor,
 
 def make_bank(model: Model, data: Features, clips: int | None = None) -> StyleBank:
     """Mean style vector of every style, over all its style clips or over ``clips`` of them, evenly spread."""
-    picked = {s: y if clips is None or len(y) <= clips else y[torch.linspace(0, len(y) - 1, clips).long()]
-              for s, y in data.clips.items()}  # fmt: skip
-    return StyleBank(tuple(picked), torch.stack([model.style_vector(y) for y in picked.values()]).cpu())
+
+    def picked(y: Tensor | Rows) -> Tensor:
+        return y[:] if clips is None or len(y) <= clips else y[torch.linspace(0, len(y) - 1, clips).long()]
+
+    return StyleBank(tuple(data.clips), torch.stack([model.style_vector(picked(y)) for y in data.clips.values()]).cpu())
 
 
 @torch.no_grad()
@@ -63,8 +65,8 @@ def baselines(model: Model, data: Features) -> dict[str, dict[str, float]]:
     errors = {}
     for style in data.styles:
         if len(data.inputs[style]):
-            z = normaliser.apply(data.outputs[style])
-            still = normaliser.apply(repeat_frame(model.layout, data.inputs[style], data.phases[style], normaliser.mean))
+            x, p, z = (getattr(data, kind)[style][:] for kind in ("inputs", "phases", "outputs"))
+            z, still = (normaliser.apply(rows) for rows in (z, repeat_frame(model.layout, x, p, normaliser.mean)))
             errors[style] = {"mean": float(z.square().mean()), "repeat": float((z - still).square().mean())}
     return errors
 

@@ -1,145 +1,26 @@
 """Features of Mason et al. 2022, section 3.2: input frames x, output frames z and style clips y, on any skeleton.
 
-`Layout` is the only place that knows which column holds what.
+What a frame has by itself (`OwnFeatures`) is computed once; x, z and y are derived from it.
 """
 
-import json
 from collections import defaultdict
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
-from itertools import accumulate
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
 
 import torch
 from torch import Tensor
 
 from toolkit import contacts, phases, trajectory
 from toolkit import rotations as R
-from toolkit.motion import Clip, RootFrames, Skeleton, root_frames
+from toolkit.layout import CHANNELS, Layout, pack_joints, split_joints
+from toolkit.motion import Clip, RootFrames, root_frames
+
+__all__ = ["CHANNELS", "CLIP_FRAMES", "CLIP_HOP", "KINDS", "Features", "Frames", "Layout", "Normaliser", "OwnFeatures",
+           "Rows", "Split", "build", "check_style_clips", "clip_starts", "frames", "group_features", "moments",
+           "own_features", "pack_joints", "split_joints", "style_clips", "usable"]  # fmt: skip
 
 CLIP_FRAMES, CLIP_HOP = 240, 120
-N_PHASES = 2 * len(phases.LIMBS)
-CHANNELS = ("position", "forward", "up", "velocity")  # three numbers each, per joint
-
-
-@dataclass(frozen=True, eq=False)
-class Layout:
-    """Names of the columns of x, z and y for a skeleton of J feature joints.
-
-    For J = 25 x has 348 columns, z 342 and a frame of y 300. `inputs` and `outputs` map block names to slices; `joints` is
-    J × (position 3, forward 3, up 3, velocity 3), `trajectory` is samples × (x, z, direction x, direction z).
-
-    Two layouts are equal if their skeletons have the same joints in the same tree.
-    """
-
-    skeleton: Skeleton
-    inputs: dict[str, slice] = field(init=False)
-    outputs: dict[str, slice] = field(init=False)
-
-    def __post_init__(self):
-        future = len(trajectory.SAMPLES) - trajectory.CURRENT
-        joints = 12 * len(self.skeleton.feature_joints)
-        widths_in = {"trajectory": 4 * len(trajectory.SAMPLES), "joints": joints}
-        widths_out = {"trajectory": 4 * future, "joints": joints, "phases": N_PHASES, "phase_updates": N_PHASES,
-                      "contacts": len(contacts.FEET)}  # fmt: skip
-        object.__setattr__(self, "inputs", _slices(widths_in))
-        object.__setattr__(self, "outputs", _slices(widths_out))
-
-    def __eq__(self, other: object) -> bool:
-        return (isinstance(other, Layout) and self.skeleton.names == other.skeleton.names
-                and self.skeleton.parents == other.skeleton.parents)  # fmt: skip
-
-    def __hash__(self) -> int:
-        return hash((self.skeleton.names, self.skeleton.parents))
-
-    @property
-    def names(self) -> tuple[str, ...]:
-        """The J feature joints."""
-        return tuple(self.skeleton.names[j] for j in self.skeleton.feature_joints)
-
-    @property
-    def parents(self) -> tuple[int, ...]:
-        """Parents of the feature joints among them, -1 for the root."""
-        return self.skeleton.feature_parents
-
-    @property
-    def n_joints(self) -> int:
-        """J."""
-        return len(self.names)
-
-    @property
-    def n_inputs(self) -> int:
-        """Columns of x: 48 + 12 J."""
-        return self.inputs["joints"].stop
-
-    @property
-    def n_outputs(self) -> int:
-        """Columns of z: 24 + 12 J + 16 + 2."""
-        return self.outputs["contacts"].stop
-
-    @property
-    def n_phases(self) -> int:
-        """Columns of p."""
-        return N_PHASES
-
-    @property
-    def n_clip(self) -> int:
-        """Columns of one frame of y: 12 J."""
-        return 12 * self.n_joints
-
-    def pack_input(self, **blocks: Tensor) -> Tensor:
-        """x ``[..., n_inputs]`` of its blocks, each ``[..., width]`` or with its own trailing shape."""
-        return _pack(self.inputs, blocks)
-
-    def pack_output(self, **blocks: Tensor) -> Tensor:
-        """z ``[..., n_outputs]`` of its blocks."""
-        return _pack(self.outputs, blocks)
-
-    def unpack_output(self, z: Tensor) -> dict[str, Tensor]:
-        """Blocks of z, each ``[..., width]``."""
-        return {name: z[..., s] for name, s in self.outputs.items()}
-
-    def joint_positions(self, z: Tensor) -> Tensor:
-        """Joint positions ``[..., J, 3]`` of an output frame, metres, in the current root frame."""
-        return split_joints(z[..., self.outputs["joints"]])["position"]
-
-    def to_json(self) -> str:
-        """Text for a checkpoint's metadata."""
-        s = self.skeleton
-        return json.dumps({"names": s.names, "parents": s.parents, "offsets": s.offsets.tolist(), "roles": s.roles})
-
-    @classmethod
-    def from_json(cls, text: str) -> "Layout":
-        """Inverse of `to_json`."""
-        return cls(Skeleton(**json.loads(text)))
-
-
-def _slices(widths: dict[str, int]) -> dict[str, slice]:
-    ends = list(accumulate(widths.values()))
-    return {name: slice(end - width, end) for (name, width), end in zip(widths.items(), ends, strict=True)}
-
-
-def _pack(slices: dict[str, slice], blocks: dict[str, Tensor]) -> Tensor:
-    if set(blocks) != set(slices):
-        raise ValueError(f"expected the blocks {', '.join(slices)}; got {', '.join(blocks)}")
-    parts, lead = [], None
-    for name, s in slices.items():
-        block, width = blocks[name], s.stop - s.start
-        trailing = next((k for k in range(1, block.dim() + 1) if block.shape[-k:].numel() == width), None)
-        if trailing is None or (lead is not None and block.shape[: block.dim() - trailing] != lead):
-            raise ValueError(f"block {name!r} needs {width} columns per frame; got shape {list(block.shape)}")
-        lead = block.shape[: block.dim() - trailing]
-        parts.append(block.reshape(*lead, width))
-    return torch.cat(parts, -1)
-
-
-def pack_joints(position: Tensor, forward: Tensor, up: Tensor, velocity: Tensor) -> Tensor:
-    """Joint block ``[..., 12 J]`` of four ``[..., J, 3]``."""
-    return torch.cat((position, forward, up, velocity), -1).flatten(-2)
-
-
-def split_joints(block: Tensor) -> dict[str, Tensor]:
-    """Inverse of `pack_joints`: `CHANNELS` to ``[..., J, 3]``."""
-    return dict(zip(CHANNELS, block.unflatten(-1, (-1, 4, 3)).unbind(-2), strict=True))
+CHUNK = 1 << 18  # numbers at a time in sums over all rows
 
 
 @dataclass(frozen=True)
@@ -150,13 +31,15 @@ class Normaliser:
     std: Tensor
 
     @classmethod
-    def of(cls, *rows: Tensor) -> "Normaliser":
-        """Statistics over all rows of tensors ``[..., D]``."""
-        flat = [r.reshape(-1, r.shape[-1]).double() for r in rows]
-        count = sum(len(r) for r in flat)
-        mean = sum(r.sum(0) for r in flat) / count
-        std = (sum(((r - mean) ** 2).sum(0) for r in flat) / count).sqrt()
-        return cls(mean.float(), torch.where(std < 1e-5, 1.0, std).float())
+    def of(cls, *rows: "Tensor | Rows") -> "Normaliser":
+        """Statistics over all rows of tensors ``[..., D]``, a part of them in memory at a time."""
+        return cls.merged(moments(r) for r in rows)
+
+    @classmethod
+    def merged(cls, parts: Iterable[tuple[int, Tensor, Tensor]]) -> "Normaliser":
+        """Statistics of the union of sets of rows, given the `moments` of each."""
+        _, mean, squares = _merge(parts)
+        return cls(mean.float(), torch.where(squares.sqrt() < 1e-5, 1.0, squares.sqrt()).float())
 
     def apply(self, x: Tensor) -> Tensor:
         """Physical units → normalised."""
@@ -165,6 +48,110 @@ class Normaliser:
     def invert(self, x: Tensor) -> Tensor:
         """Normalised → physical units."""
         return x * self.std + self.mean
+
+
+def moments(rows: "Tensor | Rows") -> tuple[int, Tensor, Tensor]:
+    """Number, mean ``[D]`` and variance ``[D]`` of rows ``[..., D]``, float64."""
+    step = max(1, CHUNK // max(1, rows[:1].numel()))
+
+    def parts() -> Iterator[tuple[int, Tensor, Tensor]]:
+        for i in range(0, max(1, len(rows)), step):
+            part = rows[i : i + step].flatten(0, -2).double()
+            mean = part.sum(0) / max(1, len(part))
+            yield len(part), mean, (part - mean).square().sum(0) / max(1, len(part))
+
+    return _merge(parts())
+
+
+def _merge(parts: Iterable[tuple[int, Tensor, Tensor]]) -> tuple[int, Tensor, Tensor]:
+    """Number, mean and variance of a union, from those of its parts (Chan, Golub and LeVeque 1983)."""
+    parts = iter(parts)
+    n, mean, variance = next(parts)
+    for more, mean_there, variance_there in parts:
+        share = more / max(1, n + more)
+        apart = mean_there - mean
+        mean = mean + share * apart
+        variance = variance + share * (variance_there - variance) + share * (1 - share) * apart.square()
+        n += more
+    return n, mean, variance
+
+
+@dataclass(frozen=True, eq=False)
+class OwnFeatures:
+    """What each of F frames at 60 Hz has by itself, physical units; the frames of several clips may follow each other.
+
+    ``roots``, the root frames in the world; ``joints [F, 12 J]`` in the frame's own root frame; ``phases [F, 8]``;
+    ``contacts [F, 2]``. A frame's x and z also look at its neighbours: they are derived, for frames `usable` for that.
+    """
+
+    layout: Layout
+    roots: RootFrames
+    joints: Tensor
+    phases: Tensor
+    contacts: Tensor
+
+    def inputs(self, at: Tensor) -> Tensor:
+        """x ``[N, Dx]`` of frames ``at [N]``."""
+        window = torch.cat(trajectory.sample(self.roots, at), -1)
+        return self.layout.pack_input(trajectory=window, joints=self.joints[at])
+
+    def outputs(self, at: Tensor) -> Tensor:
+        """z ``[N, Dz]`` of frames ``at [N]``: the next frames, seen from the root frames of these."""
+        after, offsets = at + 1, tuple(o + 1 for o in trajectory.SAMPLES[trajectory.CURRENT :])
+        positions, directions = trajectory.sample(self.roots, at, offsets)  # of the next frames first
+        there = self.phases[after]
+        return self.layout.pack_output(
+            trajectory=torch.cat((positions, directions), -1),
+            joints=_seen_from(self.joints[after], positions[:, 0], directions[:, 0]),
+            phases=there, phase_updates=there - self.phases[at], contacts=self.contacts[after],
+        )  # fmt: skip
+
+    def style_clips(self, starts: Tensor) -> Tensor:
+        """y ``[M, 240, 12 J]``: joint features of the frames from ``starts [M]`` on."""
+        frames, width = self.joints.shape
+        return self.joints.as_strided((max(0, frames - CLIP_FRAMES + 1), CLIP_FRAMES, width), (width, width, 1))[starts]
+
+
+def _seen_from(block: Tensor, position: Tensor, direction: Tensor) -> Tensor:
+    """Joint block ``[N, 12 J]`` from where its root is at ``position [N, 2]`` and faces ``direction [N, 2]`` (x, z)."""
+    x, y, z = block.unflatten(-1, (-1, len(CHANNELS), 3)).unbind(-1)
+    sin, cos = direction[:, :, None, None].unbind(1)
+    seen = torch.stack((cos * x + sin * z, y, cos * z - sin * x), -1)
+    seen[:, :, CHANNELS.index("position"), ::2] += position[:, None]
+    return seen.flatten(1)
+
+
+def own_features(clip: Clip, ph: phases.Phases) -> OwnFeatures:
+    """What each frame of a clip has by itself; ``ph`` are its phases.
+
+    Raises
+    ------
+    ValueError
+        If the clip is not at 60 Hz.
+    """
+    if clip.fps != trajectory.FPS:
+        raise ValueError(f"{clip.name}: features need {trajectory.FPS} Hz, the clip has {clip.fps:g}; use clip.resample(60)")
+    layout, roots = Layout(clip.skeleton), root_frames(clip)
+    return OwnFeatures(layout, roots, _joint_features(clip, roots), ph.vector.flatten(1), contacts.detect(clip))
+
+
+def _joint_features(clip: Clip, roots: RootFrames) -> Tensor:
+    """Joint block ``[F, 12 J]`` of every frame in its own root frame."""
+    joints = list(clip.skeleton.feature_joints)
+    positions = clip.global_positions[:, joints]
+    turns = R.multiply(R.inverse(roots.rotations)[:, None], clip.global_rotations[:, joints])
+    velocity = roots.turn_to_local(contacts.velocities(positions, clip.fps))
+    return pack_joints(roots.to_local(positions), *R.to_forward_up(turns), velocity)
+
+
+def usable(n: int) -> Tensor:
+    """Those of the frames 0 … n - 1 of a clip whose whole trajectory window, and the next frame's, lies inside."""
+    return torch.arange(trajectory.PAST, max(trajectory.PAST, n - trajectory.FUTURE - 1))
+
+
+def clip_starts(n: int) -> Tensor:
+    """First frames of the style clips of a clip of n frames: every `CLIP_HOP` as long as `CLIP_FRAMES` follow."""
+    return torch.arange(0, max(0, n - CLIP_FRAMES + 1), CLIP_HOP)
 
 
 @dataclass(frozen=True, eq=False)
@@ -178,15 +165,6 @@ class Frames:
     phases: Tensor
     outputs: Tensor
     index: Tensor
-
-
-def joint_features(clip: Clip, roots: RootFrames, frames: Tensor) -> Tensor:
-    """Joint block ``[N, 12 J]`` of ``frames`` in the root frames given for them (N of them)."""
-    joints = list(clip.skeleton.feature_joints)
-    positions = clip.global_positions[:, joints]
-    velocity = contacts.velocities(positions, clip.fps)[frames]
-    forward, up = R.to_forward_up(clip.global_rotations[frames][:, joints])
-    return pack_joints(roots.to_local(positions[frames]), *(roots.turn_to_local(v) for v in (forward, up, velocity)))
 
 
 def frames(clip: Clip, ph: phases.Phases | None = None, start: int = 0, stop: int | None = None) -> Frames:
@@ -206,37 +184,51 @@ def frames(clip: Clip, ph: phases.Phases | None = None, start: int = 0, stop: in
     ValueError
         If the clip is not at 60 Hz or no frame has its whole window inside.
     """
-    if clip.fps != trajectory.FPS:
-        raise ValueError(f"{clip.name}: features need {trajectory.FPS} Hz, the clip has {clip.fps:g}; use clip.resample(60)")
-    first, last = max(start, trajectory.PAST), min(len(clip) if stop is None else stop, len(clip) - trajectory.FUTURE - 1)
-    if first >= last:
+    own = own_features(clip, phases.extract(clip) if ph is None else ph)
+    at = usable(len(clip))
+    at = at[(at >= start) & (at < (len(clip) if stop is None else stop))]
+    if not len(at):
         raise ValueError(f"{clip.name}: {len(clip)} frames hold no whole trajectory window; it takes "
                          f"{trajectory.PAST} before and {trajectory.FUTURE + 1} after a frame")  # fmt: skip
-    ph = phases.extract(clip) if ph is None else ph
-    at = torch.arange(first, last)
-    layout, roots = Layout(clip.skeleton), root_frames(clip)
-    here = RootFrames(roots.positions[at], roots.rotations[at])
-    positions, directions = trajectory.sample(roots, at)
-    inputs = layout.pack_input(trajectory=torch.cat((positions, directions), -1), joints=joint_features(clip, here, at))
-    # the next frame's window, seen from the current root frame
-    offsets = tuple(o + 1 for o in trajectory.SAMPLES[trajectory.CURRENT :])
-    positions, directions = trajectory.sample(roots, at, offsets)
-    vector = ph.vector.flatten(1)
-    outputs = layout.pack_output(
-        trajectory=torch.cat((positions, directions), -1), joints=joint_features(clip, here, at + 1),
-        phases=vector[at + 1], phase_updates=vector[at + 1] - vector[at], contacts=contacts.detect(clip)[at + 1],
-    )  # fmt: skip
-    return Frames(inputs, vector[at], outputs, at)
+    return Frames(own.inputs(at), own.phases[at], own.outputs(at), at)
 
 
 def style_clips(clip: Clip, start: int = 0, stop: int | None = None) -> Tensor:
     """Style clips y ``[M, 240, 12 J]``: joint features of 240 frames, hop 120; M = 0 where the range is shorter."""
-    at = torch.arange(start, len(clip) if stop is None else min(stop, len(clip)))
-    roots = root_frames(clip)
-    block = joint_features(clip, RootFrames(roots.positions[at], roots.rotations[at]), at)
-    if len(block) < CLIP_FRAMES:
-        return block.new_zeros(0, CLIP_FRAMES, block.shape[1])
-    return block.unfold(0, CLIP_FRAMES, CLIP_HOP).transpose(1, 2).contiguous()
+    block = _joint_features(clip, root_frames(clip))[start:stop]
+    return block[clip_starts(len(block))[:, None] + torch.arange(CLIP_FRAMES)]
+
+
+@dataclass(frozen=True, eq=False)
+class Rows:
+    """Rows that are derived when they are read: indexing, as of a tensor's first axis, gives a tensor.
+
+    ``derive`` gives the rows of frame numbers; ``at [N]`` are the frame numbers of all rows.
+    """
+
+    derive: Callable[[Tensor], Tensor]
+    at: Tensor
+
+    def __len__(self) -> int:
+        return len(self.at)
+
+    def __getitem__(self, key: int | slice | Tensor) -> Tensor:
+        at = self.at[key]
+        return self.derive(at) if at.dim() else self.derive(at[None])[0]
+
+    def select(self, mask: Tensor) -> "Rows":
+        """Those of the rows for which a mask ``[N]`` holds, still to be derived."""
+        return Rows(self.derive, self.at[mask])
+
+
+@dataclass(frozen=True, eq=False)
+class Split:
+    """Which rows are held out: made with ``share`` and ``seed``, ``held_out[style] [N]`` bool, statistics of all others."""
+
+    share: float
+    seed: int
+    held_out: dict[str, Tensor]
+    statistics: dict[str, Normaliser]
 
 
 @dataclass(frozen=True, eq=False)
@@ -244,15 +236,19 @@ class Features:
     """Features of a dataset, by style; physical units.
 
     ``inputs[style] [N, Dx]``, ``phases[style] [N, 8]``, ``outputs[style] [N, Dz]``, ``clips[style] [M, 240, 12 J]`` and
-    ``takes[style] [N]``, the number of the clip that each row comes from (a mirror image has its original's).
+    ``takes[style] [N]``, the number of the clip that each row comes from (a mirror image has its original's). All but the
+    last are tensors, or `Rows` where they come from a store. A store also knows a ``split``, and features that are the
+    training rows of one their ``statistics``.
     """
 
     layout: Layout
-    inputs: dict[str, Tensor]
-    phases: dict[str, Tensor]
-    outputs: dict[str, Tensor]
-    clips: dict[str, Tensor]
+    inputs: dict[str, Tensor | Rows]
+    phases: dict[str, Tensor | Rows]
+    outputs: dict[str, Tensor | Rows]
+    clips: dict[str, Tensor | Rows]
     takes: dict[str, Tensor]
+    split: Split | None = None
+    statistics: dict[str, Normaliser] | None = None
 
     @property
     def styles(self) -> list[str]:
@@ -266,7 +262,10 @@ class Features:
 
     def normalisers(self) -> dict[str, Normaliser]:
         """Statistics of ``inputs``, ``phases``, ``outputs`` and ``clips`` over all styles."""
-        return {kind: Normaliser.of(*getattr(self, kind).values()) for kind in ("inputs", "phases", "outputs", "clips")}
+        return self.statistics or {kind: Normaliser.of(*getattr(self, kind).values()) for kind in KINDS}
+
+
+KINDS = ("inputs", "phases", "outputs", "clips")
 
 
 def build(clips: Sequence[Clip], *, source: str | phases.Source = "hybrid",
@@ -300,31 +299,43 @@ def build(clips: Sequence[Clip], *, source: str | phases.Source = "hybrid",
     for take, clip in enumerate(clips):
         if Layout(clip.skeleton) != layout:
             raise ValueError(f"{clip.name}: its joints differ from those of {clips[0].name}")
-        clip = clip.resample(trajectory.FPS)
-        if short == "skip" and len(clip) < trajectory.PAST + trajectory.FUTURE + 2:
-            continue
         groups[clip.style, clip.gait].append((take, clip))
-        if mirror(clip) if callable(mirror) else mirror:
-            groups[clip.style, clip.gait].append((take, clip.mirrored()))
-    rows: dict[str, list[Frames]] = defaultdict(list)
-    takes: dict[str, list[Tensor]] = defaultdict(list)
-    style_rows: dict[str, list[Tensor]] = defaultdict(list)
+    parts: dict[str, dict[str, list[Tensor]]] = {kind: defaultdict(list) for kind in (*KINDS, "takes")}
     for (style, _), members in _bar(sorted(groups.items()), progress):
-        for (take, clip), ph in zip(members, phases.extract_group([c for _, c in members], source), strict=True):
-            rows[style].append(frames(clip, ph))
-            takes[style].append(torch.full((len(rows[style][-1].index),), take))
-            style_rows[style].append(style_clips(clip))
-    y = {style: torch.cat(parts) for style, parts in style_rows.items()}
+        for take, own in group_features(members, source, mirror, short):
+            at, starts = usable(len(own.joints)), clip_starts(len(own.joints))
+            rows = own.inputs(at), own.phases[at], own.outputs(at), own.style_clips(starts), torch.full((len(at),), take)
+            for kind, values in zip(parts, rows, strict=True):
+                parts[kind][style].append(values)
+    found = {kind: {style: torch.cat(values) for style, values in by_style.items()} for kind, by_style in parts.items()}
     for style in {c.style: None for c in clips}:
-        if style not in y or not len(y[style]):
-            raise ValueError(f"style {style!r} has no clip of {CLIP_FRAMES} frames (4 s at 60 Hz) to learn the style from")
-    return Features(
-        layout,
-        *({s: torch.cat([getattr(f, kind) for f in parts]) for s, parts in rows.items()}
-          for kind in ("inputs", "phases", "outputs")),
-        clips=y,
-        takes={s: torch.cat(parts) for s, parts in takes.items()},
-    )  # fmt: skip
+        check_style_clips(style, len(found["clips"].get(style, ())))
+    return Features(layout, **found)
+
+
+def check_style_clips(style: str, n: int) -> None:
+    """Refuse a style without style clips."""
+    if not n:
+        raise ValueError(f"style {style!r} has no clip of {CLIP_FRAMES} frames (4 s at 60 Hz) to learn the style from")
+
+
+def group_features(members: Iterable[tuple[int, Clip]], source: str | phases.Source, mirror: bool | Callable[[Clip], bool],
+                   short: str) -> Iterator[tuple[int, OwnFeatures]]:  # fmt: skip
+    """Take number and own features of every clip of one style and gait, each followed by its mirror image's; see `build`."""
+    chosen: list[tuple[int, Clip]] = []
+    for take, clip in members:
+        clip = clip.resample(trajectory.FPS)
+        if not len(usable(len(clip))):
+            if short == "skip":
+                continue
+            raise ValueError(f"{clip.name}: {len(clip)} frames hold no whole trajectory window; it takes "
+                             f"{trajectory.PAST} before and {trajectory.FUTURE + 1} after a frame")  # fmt: skip
+        chosen.append((take, clip))
+        if mirror(clip) if callable(mirror) else mirror:
+            chosen.append((take, clip.mirrored()))
+    found = phases.extract_group([clip for _, clip in chosen], source) if chosen else []
+    for (take, clip), ph in zip(chosen, found, strict=True):
+        yield take, own_features(clip, ph)
 
 
 def _bar(items: list, progress: bool):

@@ -6,7 +6,7 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from toolkit.features import Features
+from toolkit.features import Features, Normaliser, Rows
 
 SPLIT_FRAMES = 240  # held-out frames come in contiguous windows of this length: neighbours are almost the same frame
 SPLIT_TAKES = 20  # from so many takes on, whole takes are held out: no frame near a held-out one is trained on
@@ -72,22 +72,41 @@ class Minibatches:
         draw, joints = generator(self.seed, STRAY, step), self.data.layout.inputs["joints"]
         others = torch.randint(len(self.styles), (len(x),), generator=draw).tolist()
         places = torch.rand(len(x), generator=draw).tolist()
-        there = (self.data.inputs[self.styles[s]] for s in others)
-        poses = torch.stack([rows[int(p * len(rows)), joints] for rows, p in zip(there, places, strict=True)])
         how_far, which = torch.rand(2, len(x), 1, generator=draw)
         x = x.clone()
-        x[:, joints] += (which < self.stray) * how_far * (poses - x[:, joints])
+        for i in (which[:, 0] < self.stray).nonzero()[:, 0].tolist():
+            rows = self.data.inputs[self.styles[others[i]]]
+            x[i, joints] += how_far[i] * (rows[int(places[i] * len(rows))][joints] - x[i, joints])
         return x
 
 
 def split(data: Features, share: float, seed: int, styles: tuple[str, ...]) -> tuple[Features, Features]:
-    """Training and held-out frames of ``styles``, in that order; style clips stay with the training frames.
+    """Training and held-out frames of ``styles``, in that order; style clips stay with the training frames."""
+    known = data.split if styles == tuple(data.styles) else None
+    known = known if known and (known.share, known.seed) == (share, seed) else None
+    masks = known.held_out if known else held_out(data, share, seed, styles)
 
-    Held-out frames are about ``share`` of every style: whole takes where a style has `SPLIT_TAKES` of them, otherwise random
-    windows of 4 s, contiguous in a take; a style shorter than that gives the share at its end. A take and its mirror image
-    count as one.
+    def take(masks: dict[str, Tensor], statistics: dict[str, Normaliser] | None) -> Features:
+        pick = {kind: {s: _select(getattr(data, kind)[s], mask) for s, mask in masks.items()}
+                for kind in ("inputs", "phases", "outputs", "takes")}  # fmt: skip
+        clips = {s: data.clips[s] for s in styles}
+        return dataclasses.replace(data, clips=clips, split=None, statistics=statistics, **pick)
+
+    kept = take({s: ~masks[s] for s in styles}, known.statistics if known else None)
+    return kept, take({s: masks[s] for s in styles}, None)
+
+
+def _select(rows: Tensor | Rows, mask: Tensor) -> Tensor | Rows:
+    return rows.select(mask) if isinstance(rows, Rows) else rows[mask]
+
+
+def held_out(data: Features, share: float, seed: int, styles: tuple[str, ...]) -> dict[str, Tensor]:
+    """Which rows of each style are held out, ``[N]`` bool.
+
+    About ``share`` of every style: whole takes where a style has `SPLIT_TAKES` of them, otherwise random windows of 4 s,
+    contiguous in a take; a style shorter than that gives the share at its end. A take and its mirror image count as one.
     """
-    kept, out = [], []
+    masks = {}
     for i, style in enumerate(styles):
         n, takes = len(data.takes[style]), data.takes[style].unique()
         windows = [(data.takes[style] == take).nonzero()[:, 0] for take in takes]
@@ -98,15 +117,8 @@ def split(data: Features, share: float, seed: int, styles: tuple[str, ...]) -> t
             if (need := target - int(chosen.sum())) <= 0:
                 break
             chosen[windows[w] if len(takes) >= SPLIT_TAKES else windows[w][-need:]] = True
-        kept.append(~chosen)
-        out.append(chosen)
-
-    def take(masks: list[Tensor]) -> Features:
-        pick = {kind: {s: getattr(data, kind)[s][m] for s, m in zip(styles, masks, strict=True)}
-                for kind in ("inputs", "phases", "outputs", "takes")}  # fmt: skip
-        return dataclasses.replace(data, clips={s: data.clips[s] for s in styles}, **pick)
-
-    return take(kept), take(out)
+        masks[style] = chosen
+    return masks
 
 
 def generator(*numbers: int) -> torch.Generator:

@@ -3,7 +3,6 @@
 import torch
 from torch import Tensor
 
-from toolkit import rotations as R
 from toolkit.motion import RootFrames
 
 FPS = 60
@@ -39,8 +38,14 @@ def sample(roots: RootFrames, frames: Tensor, offsets: tuple[int, ...] = SAMPLES
     if int(at.min()) < 0 or int(at.max()) >= len(roots.rotations):
         raise ValueError(f"trajectory samples reach from frame {int(at.min())} to {int(at.max())}, "
                          f"the clip has {len(roots.rotations)}")  # fmt: skip
-    here = RootFrames(roots.positions[frames], roots.rotations[frames])
-    forward = torch.tensor([0.0, 0.0, 1.0])
-    positions = here.to_local(roots.positions[at])
-    directions = here.turn_to_local(R.rotate(roots.rotations[at], forward))
-    return positions[..., [0, 2]], directions[..., [0, 2]]
+    sin, cos = heading(roots.rotations[frames][:, None])
+    x, _, z = (roots.positions[at] - roots.positions[frames][:, None]).unbind(-1)
+    sin_there, cos_there = heading(roots.rotations[at])
+    positions = torch.stack((cos * x - sin * z, sin * x + cos * z), -1)
+    return positions, torch.stack((sin_there * cos - cos_there * sin, cos_there * cos + sin_there * sin), -1)
+
+
+def heading(rotations: Tensor) -> tuple[Tensor, Tensor]:
+    """Sine and cosine of the angle of rotations ``[..., 4]`` about the vertical; they are also where +z points, (x, z)."""
+    w, _, y, _ = rotations.unbind(-1)
+    return 2 * w * y, w * w - y * y

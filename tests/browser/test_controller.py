@@ -124,3 +124,31 @@ def test_a_restarted_kernel_and_two_controllers(open_notebook, probe):
     notebook.run_all()
     wait_for(probe, lambda p: 30 < p["frames"] < 10_000)
     assert not [error for error in notebook.errors if "Disposed" not in error and "Canceled" not in error]
+
+
+def test_rates_in_the_page_are_measured(open_notebook, probe):
+    """Prints what the page receives, draws and how soon a key shows (``-s`` shows it): rates are facts, not conditions."""
+    notebook = open_notebook("rates.ipynb", [START, PROBE.replace("0.1)", "0.5)")])
+    page = notebook.page
+    notebook.run_all()
+    wait_for(probe, lambda p: p["frames"] > 60)
+    page.locator(".tkc-stage").focus()
+    stats = "document.querySelector('.tkc').parentElement.toolkit.stats"
+    read = f"() => ({{...{stats}, at: performance.now()}})"
+    quiet = [page.evaluate(read)]
+    page.wait_for_timeout(5000)
+    quiet.append(page.evaluate(read))
+    for i in range(24):
+        (page.keyboard.up if i % 2 else page.keyboard.down)("w")
+        page.wait_for_timeout(310)
+    busy = page.evaluate(read)
+    rates = {}
+    for name, (a, b) in {"quiet": quiet, "keys": (quiet[1], busy)}.items():
+        rates[name] = {kind: 1000 * (b[kind] - a[kind]) / (b["at"] - a["at"]) for kind in ("received", "drawn")}
+    delays = sorted(busy["delays"])
+    rates["key to picture, ms"] = {"median": delays[len(delays) // 2], "worst": delays[-1], "n": len(delays)}
+    print("\n", json.dumps(rates, indent=1))
+    (ARTEFACTS / "rates.json").write_text(json.dumps(rates, indent=1))
+    assert rates["keys"]["received"] > 5
+    assert rates["keys"]["drawn"] > 5
+    assert len(delays) >= 20

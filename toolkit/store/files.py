@@ -1,0 +1,93 @@
+"""The files of a store: written whole or not at all, checksummed, memory-mapped."""
+
+import contextlib
+import hashlib
+import json
+import os
+import uuid
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from safetensors import SafetensorError, safe_open
+from safetensors.torch import save_file
+from torch import Tensor
+
+FORMAT = "toolkit store 1"
+MANIFEST = "manifest.json"
+
+
+def write(path: Path, tensors: dict[str, Tensor]) -> dict[str, Any]:
+    """Write a file, whole or not at all; its size and checksum."""
+    with _whole(path) as partial:
+        try:
+            save_file(tensors, partial)
+        except SafetensorError as error:
+            raise OSError(f"{path}: cannot be written ({error})") from error
+        return {"bytes": partial.stat().st_size, "sha256": sha256(partial)}
+
+
+def read(path: Path, entry: dict[str, Any]) -> dict[str, Tensor]:
+    """Memory-mapped tensors of a file that the manifest lists."""
+    if not path.is_file() or path.stat().st_size != entry["bytes"]:
+        raise ValueError(f"{path}: missing or not whole; run the command that makes the store again to mend it")
+    with safe_open(path, framework="pt") as file:
+        return {name: file.get_tensor(name) for name in file.keys()}  # noqa: SIM118 (not a dict)
+
+
+def write_manifest(out: Path, manifest: dict[str, Any]) -> None:
+    """Write a store's manifest, styles in alphabetical order."""
+    manifest = manifest | {"partitions": dict(sorted(manifest["partitions"].items()))}
+    with _whole(out / MANIFEST) as partial:
+        partial.write_text(json.dumps(manifest, indent=1))
+
+
+def read_manifest(path: Path) -> dict[str, Any]:
+    """The manifest of a store; a ValueError where there is none."""
+    try:
+        manifest = json.loads((path / MANIFEST).read_text())
+    except FileNotFoundError:
+        raise ValueError(f"{path}: holds no store (no {MANIFEST})") from None
+    except ValueError as error:
+        raise ValueError(f"{path / MANIFEST}: damaged ({error})") from error
+    if manifest.get("format") != FORMAT:
+        raise ValueError(f"{path / MANIFEST}: expected the format {FORMAT!r}, got {manifest.get('format')!r}")
+    return manifest
+
+
+def is_whole(out: Path, entry: dict[str, Any]) -> bool:
+    """Whether a file that the manifest lists is there and has its checksum."""
+    path = out / entry["file"]
+    return path.is_file() and sha256(path) == entry["sha256"]
+
+
+def sha256(path: Path) -> str:
+    """SHA-256 of a file, hexadecimal."""
+    with path.open("rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()
+
+
+@contextlib.contextmanager
+def _whole(path: Path) -> Iterator[Path]:
+    """A file to write that takes its name when it is whole and on the disk."""
+    partial = path.with_name(f".{path.name}.{uuid.uuid4().hex}.partial")
+
+    try:
+        yield partial
+        mask = os.umask(0)
+        os.umask(mask)
+        partial.chmod(0o666 & ~mask)  # safetensors makes files that only their owner can read
+        _sync(partial, os.O_RDWR)
+        partial.replace(path)
+        if os.name == "posix":
+            _sync(path.parent, os.O_RDONLY)
+    finally:
+        partial.unlink(missing_ok=True)
+
+
+def _sync(path: Path, mode: int) -> None:
+    descriptor = os.open(path, mode)
+    try:
+        os.fsync(descriptor)
+    finally:
+        os.close(descriptor)
