@@ -15,14 +15,10 @@ FLAGS = ["--no-sandbox", "--enable-unsafe-swiftshader", "--use-angle=swiftshader
 ARTEFACTS = Path(__file__).resolve().parents[2] / "out" / "browser"
 
 
-def pytest_collection_modifyitems(items):
-    if CHROMIUM is None:
-        for item in items:
-            item.add_marker(pytest.mark.skip(reason="no Chromium found (Debian: apt-get install chromium)"))
-
-
 @pytest.fixture(scope="session")
 def browser():
+    if CHROMIUM is None:
+        pytest.skip("no Chromium found (Debian: apt-get install chromium)")
     sync_api = pytest.importorskip("playwright.sync_api", reason="needs Playwright: pip install playwright")
     with sync_api.sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=CHROMIUM, args=FLAGS)

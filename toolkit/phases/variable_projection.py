@@ -5,7 +5,7 @@ import math
 import numpy as np
 from numba import njit
 
-compiled = njit(cache=True, nogil=True, error_model="numpy", fastmath={"contract"})
+compiled = njit(cache=True, nogil=True, error_model="numpy")
 
 
 @compiled

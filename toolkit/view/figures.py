@@ -1,93 +1,19 @@
-"""Charts by plotly: phases, the space of styles, training, trajectories. Everything takes plain tensors or arrays."""
+"""Charts by plotly: the space of styles, training, trajectories. Everything takes plain tensors or arrays."""
 
 from collections.abc import Mapping, Sequence
 
 import numpy as np
 import plotly.graph_objects as go
-from plotly.subplots import make_subplots
 
 from toolkit.motion import Clip
-from toolkit.view.body import COLORS, CONTACT, PALETTE
+from toolkit.view.body import PALETTE
 
-LIMBS = ("left hand", "right hand", "left foot", "right foot")
 INK, QUIET, GRID = "#2b323b", "#8a8f98", "#e4e0d8"
-HUES = [[0.0, "#7b68c4"], [0.25, "#2fa596"], [0.5, "#e3c15a"], [0.75, "#d6598b"], [1.0, "#7b68c4"]]  # 0 and 2 pi alike
 LAYOUT = {
     "template": "plotly_white", "font": {"family": "system-ui, sans-serif", "size": 13, "color": INK},
     "paper_bgcolor": "#fbfaf7", "plot_bgcolor": "#fbfaf7", "margin": {"l": 60, "r": 20, "t": 48, "b": 44},
     "hovermode": "closest",
 }  # fmt: skip
-
-
-def phase_figure(clip: Clip, phases, contacts=None, *, start: float = 0.0, stop: float | None = None,
-                 title: str = "") -> go.Figure:  # fmt: skip
-    """Local phases of the four limbs over time, after Figure 4 of Mason et al. 2022.
-
-    For each limb: the source curve (grey), the sinusoid fitted around every frame (colour), contacts of the feet (green
-    bars), and a band whose colour is the phase and whose height is the length of the phase vector, on one scale for all
-    limbs, so that a limb that hardly moves has a thin band.
-
-    Parameters
-    ----------
-    clip
-        The motion, F frames.
-    phases
-        Has ``source``, ``fit``, ``phase`` (radians), ``frequency`` (Hz) and ``amplitude``, each [F, 4], and ``vector``
-        [F, 4, 2]; limbs in the order of `LIMBS`.
-    contacts
-        Foot contacts [F, 2] (right, left), above one half where a foot stands.
-    start, stop
-        Seconds that are shown.
-    title
-        Heading.
-
-    Raises
-    ------
-    ValueError
-        If lengths differ or there is nothing between ``start`` and ``stop``.
-    """
-    fields = {name: _array(getattr(phases, name)) for name in ("source", "fit", "phase", "frequency", "amplitude", "vector")}
-    bad = {name: a.shape for name, a in fields.items() if a.shape[:2] != (len(clip), 4)}
-    con = None if contacts is None else _array(contacts) > 0.5
-    if bad or (con is not None and con.shape != (len(clip), 2)):
-        raise ValueError(f"phases must be [{len(clip)}, 4] and contacts [{len(clip)}, 2]; got "
-                         f"{bad or con.shape}")  # fmt: skip
-    first = round(start * clip.fps)
-    last = len(clip) if stop is None else min(round(stop * clip.fps), len(clip))
-    if not 0 <= first < last:
-        raise ValueError(f"no frame between {start} s and {stop} s; the clip lasts {clip.seconds:.2f} s")
-    show = slice(first, last)
-    seconds = np.arange(len(clip))[show] / clip.fps
-    magnitude = np.linalg.norm(fields["vector"], axis=-1)
-    figure = make_subplots(8, 1, shared_xaxes=True, row_heights=[3, 1] * 4, vertical_spacing=0.012)
-    for i, limb in enumerate(LIMBS):
-        side, row = limb.split()[0], 2 * i + 1
-        hover = np.stack([fields[k][show, i] for k in ("phase", "frequency", "amplitude")], -1)
-        figure.add_scatter(x=seconds, y=fields["source"][show, i], name="source", legendgroup="source", showlegend=i == 0,
-                           line={"color": QUIET, "width": 1.5}, row=row, col=1)  # fmt: skip
-        figure.add_scatter(x=seconds, y=fields["fit"][show, i], name=f"fit, {side}", legendgroup=side, showlegend=i < 2,
-                           line={"color": COLORS[side], "width": 2.5}, customdata=hover, row=row, col=1,
-                           hovertemplate="%{x:.2f} s: phase %{customdata[0]:.2f} rad, "
-                           "%{customdata[1]:.2f} Hz, amplitude %{customdata[2]:.2f}<extra></extra>")  # fmt: skip
-        if con is not None and i >= 2:
-            low = float(np.nanmin(fields["source"][show, i])) - 0.25
-            stands = np.where(con[show, 1 if side == "left" else 0], low, np.nan)
-            figure.add_scatter(x=seconds, y=stands, name="contact", legendgroup="contact", showlegend=i == 2, mode="lines",
-                               line={"color": CONTACT, "width": 6}, hoverinfo="skip", row=row, col=1)  # fmt: skip
-        figure.add_bar(x=seconds, y=magnitude[show, i], name=f"phase, {limb}", showlegend=False, width=1.02 / clip.fps,
-                       marker={"color": fields["phase"][show, i], "colorscale": HUES, "cmin": 0, "cmax": 2 * np.pi,
-                               "line": {"width": 0}, "showscale": i == 0,
-                               "colorbar": {"title": "phase", "len": 0.35, "y": 0.18, "thickness": 12,
-                                            "tickvals": [0, np.pi, 2 * np.pi], "ticktext": ["0", "π", "2π"]}},
-                       hovertemplate="%{x:.2f} s: |vector| %{y:.2f}, phase %{marker.color:.2f}<extra></extra>",
-                       row=row + 1, col=1)  # fmt: skip
-        figure.update_yaxes(title=limb, showticklabels=False, row=row, col=1)
-        figure.update_yaxes(showticklabels=False, range=[0, max(1.05 * float(magnitude[show].max()), 1e-6)], row=row + 1,
-                            col=1)  # fmt: skip
-    figure.update_xaxes(title="seconds", row=8, col=1)
-    figure.update_xaxes(gridcolor=GRID)
-    figure.update_yaxes(gridcolor=GRID, zeroline=False)
-    return figure.update_layout(**LAYOUT, title=title or "Local phases", height=760, bargap=0)
 
 
 def style_space(vectors, names: Sequence[str], labels: Sequence[str] | None = None, *, marked: Mapping | None = None,

@@ -17,6 +17,7 @@ from toolkit.motion import Clip, root_frames
 from toolkit.view import body
 from toolkit.view.body import COLORS, CONTACT, PALETTE
 from toolkit.view.figures import GRID, INK, LAYOUT, QUIET
+from toolkit.view.opengl import INSTALL, opengl_works
 
 HUES = [[0.0, "#7b68c4"], [0.25, "#2fa596"], [0.5, "#e3c15a"], [0.75, "#d6598b"], [1.0, "#7b68c4"]]  # 0 and 2 pi alike
 AXIS, SIDE = "#7b3fb5", 0.34  # colour of a principal axis, metres along the edge of its plane
@@ -136,6 +137,8 @@ def principal_axes(clip: Clip, source: str | ph.Hybrid | ph.ContactFree = "hybri
     ------
     ValueError
         If the source has no principal axes, the clip no such moment, or the backend is unknown.
+    RuntimeError
+        If pyvista finds no OpenGL.
     """
     _check(backend)
     axes = _axes(clip, ph.named(source) if isinstance(source, str) else source)
@@ -198,6 +201,8 @@ def phase_manifold(phases: Mapping[str, ph.Phases], fps: float = 60.0, *, window
     ------
     ValueError
         If there is no style, a clip is shorter than the window, or the backend is unknown.
+    RuntimeError
+        If pyvista finds no OpenGL.
     """
     _check(backend)
     size = round(window * fps) + 1
@@ -232,16 +237,18 @@ def phase_manifold(phases: Mapping[str, ph.Phases], fps: float = 60.0, *, window
 def _check(backend: str) -> None:
     if backend not in ("plotly", "pyvista"):
         raise ValueError(f"the backend must be 'plotly' or 'pyvista', not {backend!r}")
+    if backend == "pyvista" and not opengl_works():
+        raise RuntimeError(f"pyvista finds no OpenGL here; take backend='plotly', or on Debian or Ubuntu: {INSTALL}")
 
 
 def _axes(clip: Clip, source: ph.Hybrid | ph.ContactFree) -> dict[str, torch.Tensor]:
     """Principal axis [3] of each limb that the source measures contact-free, in the hips' frame."""
-    free = getattr(source, "contact_free", source)
+    hybrid = isinstance(source, ph.Hybrid)
+    free = source.contact_free if hybrid else source
     if not isinstance(free, ph.ContactFree):
         raise ValueError(f"principal axes are those of a contact-free or hybrid source, not of {source!r}")
     free = free if free.axes else free.fitted([clip])
-    return {limb: free.axes[limb] for limb in ph.LIMBS if free is source or not isinstance(source, ph.Hybrid)
-            or source.choice(clip, limb) == "contact-free"}  # fmt: skip
+    return {limb: free.axes[limb] for limb in ph.LIMBS if not hybrid or source.choice(clip, limb) == "contact-free"}
 
 
 def _arrow_and_plane(centre: np.ndarray, axis: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -272,11 +279,11 @@ def _axes_pyvista(clip: Clip, frame: int, parts: list[tuple]):
     """`principal_axes` on pyvista's stage."""
     import pyvista as pv
 
-    from toolkit.view.stage import Stage
+    from toolkit.view.stage import Stage, Subject
 
-    stage = Stage(clip, None, (900, 900))
+    stage = Stage([Subject(clip)], (900, 900))
     ahead = R.rotate(root_frames(clip).rotations[frame], torch.tensor([0.0, 0.0, 1.0]))
-    stage.facing, stage.distance, stage.show_trail = math.atan2(ahead[0], ahead[2]), 4.2, False
+    stage.facing, stage.distance, stage.shown = math.atan2(ahead[0], ahead[2]), 4.2, set()
     add = stage.plotter.add_mesh
     for limb, path, (tail, tip), plane in parts:
         color = COLORS[limb.split("_")[0]]
@@ -284,7 +291,7 @@ def _axes_pyvista(clip: Clip, frame: int, parts: list[tuple]):
         arrow = pv.Arrow(start=tail, direction=tip - tail, scale="auto", shaft_radius=0.03, tip_radius=0.09)
         add(arrow, color=AXIS, lighting=False)
         add(pv.PolyData(plane, faces=[4, 0, 1, 2, 3]), color=AXIS, opacity=0.25, lighting=False)
-    stage.draw(frame)
+    stage.draw([frame])
     return stage.plotter
 
 

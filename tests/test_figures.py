@@ -1,0 +1,124 @@
+"""Pictures of phases say what the numbers say."""
+
+import numpy as np
+import pytest
+import torch
+
+import toolkit as tk
+from toolkit import phases as ph
+from toolkit.view import phase_figure, phase_manifold, principal_axes
+from toolkit.view.opengl import opengl_works
+
+needs_opengl = pytest.mark.skipif(not opengl_works(), reason="VTK finds no OpenGL here")
+
+
+@pytest.fixture(scope="module")
+def hop() -> tk.Clip:
+    return tk.datasets.load("procedural", styles="HopLeft", gaits="FW", seconds=3.0)[0]
+
+
+@pytest.fixture(scope="module")
+def found(hop) -> ph.Phases:
+    return ph.extract(hop)
+
+
+def traces(figure, name: str) -> list:
+    return [trace for trace in figure.data if trace.name == name]
+
+
+def points(trace) -> np.ndarray:
+    return np.stack([trace[axis] for axis in "xyz"], -1)
+
+
+def test_phase_figure_draws_curves_ribbon_and_truth(hop, found):
+    figure = phase_figure(hop, found, truth=found.phase + 1.0, start=1.0, stop=2.0)
+    source, truth, edges = traces(figure, "source"), traces(figure, "truth"), traces(figure, "residual")
+    fits = traces(figure, "fit, left")[:1] + traces(figure, "fit, right")[:1]
+    for limb in range(2):
+        np.testing.assert_allclose(source[limb].y, found.source[60:120, limb], atol=1e-6)
+        np.testing.assert_allclose(truth[limb].y, fits[limb].y, atol=1e-5)  # a constant lag is no error
+        np.testing.assert_allclose(edges[2 * limb + 1].y - edges[2 * limb].y, 2 * found.residual[60:120, limb], atol=1e-6)
+    quarter = found.phase.clone()
+    quarter[120:] += np.pi / 2  # a truth that leaves the fit in step at first, and lags later
+    off = traces(phase_figure(hop, found, truth=quarter), "truth")[0]
+    fit = traces(phase_figure(hop, found), "fit, left")[0]
+    assert np.abs(off.y - fit.y)[120:].max() > 0.5
+
+
+def test_phase_figure_refuses_a_truth_of_another_length(hop, found):
+    with pytest.raises(ValueError, match=r"got truth \[179, 4\]"):
+        phase_figure(hop, found, truth=found.phase[1:])
+
+
+def test_principal_axes_are_those_of_the_source_in_the_world(hop):
+    figure = principal_axes(hop, "hybrid", second=1.5)
+    assert [name for name in ("left hand", "right hand", "left foot", "right foot") if traces(figure, name)] == [
+        "left hand", "right hand", "right foot"]  # fmt: skip
+    toe = hop.global_positions[90, hop.skeleton.index("right_toe")]
+    np.testing.assert_allclose(points(traces(figure, "right foot")[0])[90], toe, atol=1e-5)
+    source = ph.ContactFree().fitted([hop])
+    path, arrow = points(traces(figure, "right foot")[0]), points(traces(figure, "principal axis")[2])
+    direction = (arrow[1] - arrow[0]) / np.linalg.norm(arrow[1] - arrow[0])
+    curve = source(hop, "right_foot")
+    np.testing.assert_allclose((path - arrow[0]) @ direction, curve, atol=1e-5)  # the source is the distance from the plane
+    corners = points(traces(figure, "plane")[2])
+    np.testing.assert_allclose((corners - arrow[0]) @ direction, 0, atol=1e-6)
+    np.testing.assert_allclose(corners.mean(0), arrow[0], atol=1e-6)
+
+
+def test_principal_axes_of_a_fitted_source_are_kept(hop):
+    source = ph.ContactFree().fitted([hop])
+    turned = ph.ContactFree({limb: -axis for limb, axis in source.axes.items()}, source.means)
+    arrows = [points(traces(principal_axes(hop, s), "principal axis")[0]) for s in (source, turned)]
+    np.testing.assert_allclose(arrows[0][1] - arrows[0][0], arrows[1][0] - arrows[1][1], atol=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [({"source": "contact"}, "a contact-free or hybrid source"), ({"second": 9.0}, "the clip lasts 3.00 s"),
+     ({"backend": "vtk"}, "must be 'plotly' or 'pyvista', not 'vtk'")],
+)  # fmt: skip
+def test_principal_axes_refuses(hop, options, message):
+    with pytest.raises(ValueError, match=message):
+        principal_axes(hop, **options)
+
+
+def circling(radius: float, frames: int = 120) -> ph.Phases:
+    """Phases whose vectors go round a circle, all limbs alike."""
+    angle = 2 * np.pi * torch.arange(frames)[:, None].expand(-1, 4) / 60
+    vector = radius * torch.stack((angle.sin(), angle.cos()), -1)
+    return ph.Phases(vector, *[angle] * 6)
+
+
+def test_phase_manifold_of_circles_is_circles():
+    figure = phase_manifold({"wide": circling(2.0), "narrow": circling(0.5)}, fps=60.0, window=0.0)
+    radii = {name: np.hypot(*(traces(figure, name)[0][axis] for axis in "xy")) for name in ("wide", "narrow")}
+    np.testing.assert_allclose(radii["wide"], 4.0, atol=1e-5)  # four limbs of radius 2
+    np.testing.assert_allclose(radii["narrow"], 1.0, atol=1e-5)
+    assert "50% and 50%" in figure.layout.title.text
+
+
+def test_phase_manifold_of_windows_keeps_the_time_of_their_middle():
+    trace = traces(phase_manifold({"wide": circling(2.0)}, fps=60.0, window=1.0), "wide")[0]
+    assert len(trace.x) == 60
+    np.testing.assert_allclose(trace.customdata[[0, -1]], [0.5, 0.5 + 59 / 60])
+    with pytest.raises(ValueError, match=r"63 frames or more; too short: \['brief'\]"):
+        phase_manifold({"wide": circling(2.0), "brief": circling(1.0, 62)})
+
+
+def test_pyvista_without_opengl_is_refused_before_it_can_crash(hop, monkeypatch):
+    monkeypatch.setattr("toolkit.view.phase_figures.opengl_works", lambda: False)
+    with pytest.raises(RuntimeError, match="backend='plotly'"):
+        principal_axes(hop, backend="pyvista")
+
+
+@needs_opengl
+def test_pyvista_draws_the_same(hop):
+    plotter = principal_axes(hop, "hybrid", backend="pyvista")
+    picture = plotter.screenshot(return_img=True).astype(int)
+    plotter.close()
+    assert (np.abs(picture - (0x7B, 0x3F, 0xB5)).max(-1) < 8).sum() > 200  # arrows, in their own colour
+    plotter = phase_manifold({"wide": circling(2.0), "narrow": circling(0.5)}, backend="pyvista")
+    picture = plotter.screenshot(return_img=True).astype(int)
+    plotter.close()
+    assert picture.std() > 2
