@@ -61,6 +61,19 @@ def test_every_dependency_is_pinned():
     assert needed <= pinned
 
 
+def test_pretrained_knows_every_style_and_stands_when_told():
+    model, bank = tk.pretrained()
+    assert set(bank.names) == set(tk.datasets.procedural.STYLES)
+    assert (REPOSITORY / "toolkit" / "data" / "pretrained.safetensors").stat().st_size < 15e6
+    vectors = torch.stack([bank[name] for name in bank.names])
+    stop = [*tk.runtime.straight(1.0, 1.5), *tk.runtime.straight(0.0, 3.0)]
+    places = torch.stack([s.root[:, :2] for s in tk.runtime.states(model, stop, vectors)])
+    assert (places[89] - places[0]).norm(dim=-1).min() > 0.3
+    drift = (places[-1] - places[-91]).norm(dim=-1)  # metres in a second and a half; 0.18 on average without `runtime.RETURN`
+    assert drift.mean() < 0.09
+    assert drift.max() < 0.25
+
+
 def test_pretrained_walks_in_the_style_that_is_asked_for():
     model, bank = tk.pretrained()
     assert {"Neutral", "Zombie", "Aeroplane", "Crouch"} <= set(bank.names)

@@ -24,7 +24,7 @@ GAIN = 0.25  # share of the way that the smoothed target moves to the command in
 POSITION_BIAS, DIRECTION_BIAS = 0.75, 1.25  # exponents of the blend from the network's trajectory to the target
 CORRECTION = 0.85  # share of the network's prediction in the next frame's trajectory
 PROPORTIONAL, INTEGRAL, MAX_DRIVE = 1.5, 0.8, 12.0  # ours: gains of `govern` (of the lag; per second), and its limit
-RETURN = 3.0  # ours: how strongly `steer` works against movement that no command asks for
+RETURN, SLOW = 3.0, 0.3  # ours: how strongly `steer` works against movement while standing; m/s from which one walks
 LOOKAHEAD = 0.5  # seconds that a pilot looks ahead
 N_FUTURE = len(trajectory.SAMPLES) - trajectory.CURRENT
 UP = torch.tensor([0.0, 1.0, 0.0])
@@ -161,8 +161,7 @@ def step(model, state: CharacterState, command: Command) -> CharacterState:
 def steer(state: CharacterState, command: Command) -> tuple[Tensor, Tensor, Tensor]:
     """Smoothed velocity and facing ``[B, 2]``, and the future trajectory ``[B, 6, 4]`` bent towards them (world).
 
-    Ours: the pull also works against movement across the command, which is all movement while standing; a network that never
-    saw a body stand still for long drifts by 10 to 25 cm/s otherwise.
+    Ours: while the command is to stand, the pull works against any movement; the network drifts by 10 to 25 cm/s otherwise.
     """
     wanted = torch.as_tensor(command.velocity, dtype=torch.float32).expand_as(state.velocity)
     look = torch.as_tensor(command.facing, dtype=torch.float32).expand_as(state.facing)
@@ -173,9 +172,8 @@ def steer(state: CharacterState, command: Command) -> tuple[Tensor, Tensor, Tens
     w_position, w_direction = 1 - (1 - t) ** POSITION_BIAS, 1 - (1 - t) ** DIRECTION_BIAS
     steps = state.future[:, 1:, :2] - state.future[:, :-1, :2]
     interval = (trajectory.SAMPLES[1] - trajectory.SAMPLES[0]) / FPS
-    moved, heading = _moved(state, -1), _unit(velocity)
-    stray = moved - (moved * heading).sum(-1, keepdim=True) * heading
-    pull = (state.drive * velocity - RETURN * stray) * interval
+    standing = (1.0 - velocity.norm(dim=-1, keepdim=True) / SLOW).clamp_min(0.0)
+    pull = (state.drive * velocity - RETURN * standing * _moved(state, -1)) * interval
     steps = torch.lerp(steps, pull[:, None].expand_as(steps), w_position[:, None])
     positions = state.root[:, None, :2] + steps.cumsum(1)
     directions = _turn(state.future[:, 1:, 2:], facing[:, None].expand_as(steps), w_direction)
