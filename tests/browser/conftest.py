@@ -67,7 +67,10 @@ class Notebook:
     def run_all(self, seconds: float = 120) -> None:
         """Run every cell and wait until each has its number; JupyterLab drops a run that is asked for too early."""
         prompts = "[...document.querySelectorAll('.jp-Notebook .jp-CodeCell .jp-InputPrompt')]"
+        select = self.page.get_by_role("button", name="Select Kernel")
         for _ in range(10):
+            if select.is_visible():  # asked for when the kernel is slow to come
+                select.click()
             self.page.get_by_role("menuitem", name="Run", exact=True).click()
             self.page.get_by_text("Run All Cells", exact=True).click()
             self.page.wait_for_timeout(2000)
@@ -85,19 +88,17 @@ class Notebook:
 
 @pytest.fixture
 def open_notebook(browser, lab, request):
-    """``open_notebook(name, cells)``: write a notebook of code cells, or take an existing file, and open it."""
+    """``open_notebook(name, cells, start)``: open a notebook of code cells, which follow those of a file if one is given."""
     import nbformat
 
     address, folder = lab
     pages = []
 
-    def open_(name: str, cells: list[str] | Path) -> Notebook:
-        if isinstance(cells, Path):
-            shutil.copy(cells, folder / name)
-        else:
-            notebook = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(source) for source in cells])
-            notebook.metadata["kernelspec"] = {"name": "python3", "display_name": "Python 3", "language": "python"}
-            nbformat.write(notebook, folder / name)
+    def open_(name: str, cells: list[str], start: Path | None = None) -> Notebook:
+        notebook = nbformat.v4.new_notebook() if start is None else nbformat.read(start, as_version=4)
+        notebook.cells += [nbformat.v4.new_code_cell(source) for source in cells]
+        notebook.metadata["kernelspec"] = {"name": "python3", "display_name": "Python 3", "language": "python"}
+        nbformat.write(notebook, folder / name)
         page = browser.new_page(viewport={"width": 1280, "height": 1100})
         pages.append(page)
         return Notebook(page, address, folder, name)

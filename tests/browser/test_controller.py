@@ -2,11 +2,13 @@
 
 import json
 import time
+from pathlib import Path
 
 import pytest
 
 from .conftest import ARTEFACTS
 
+NOTEBOOK = Path(__file__).resolve().parents[2] / "notebooks" / "04_playback_and_style_interpolation.ipynb"
 DRAWN = "() => document.querySelector('.tkc').parentElement.toolkit.stats.drawn"
 
 START = """
@@ -81,6 +83,23 @@ def test_keys_move_and_the_marker_blends(open_notebook, probe):
     wait_for(probe, lambda p: not p["recording"])
     wait_for(lambda: page.evaluate(DRAWN), lambda drawn: drawn > 60)
     page.locator(".tkc").screenshot(path=ARTEFACTS / "controller.png")
+    assert notebook.errors == []
+
+
+def test_the_playback_notebook_is_steered(open_notebook, probe):
+    notebook = open_notebook("showpiece.ipynb", ["import json\n" + PROBE], start=NOTEBOOK)
+    page = notebook.page
+    notebook.run_all(400)
+    stage = page.locator(".tkc-stage")
+    stage.scroll_into_view_if_needed()
+    before = wait_for(probe, lambda p: p["frames"] > 30)
+    stage.focus()
+    page.keyboard.down("w")
+    wait_for(probe, lambda p: (p["root"][0] - before["root"][0]) ** 2 + (p["root"][1] - before["root"][1]) ** 2 > 1)
+    page.keyboard.up("w")
+    box = page.locator(".tkc .tk-triangle svg").bounding_box()
+    page.mouse.click(box["x"] + 190, box["y"] + 168)
+    wait_for(probe, lambda p: p["weights"] != before["weights"])
     assert notebook.errors == []
 
 
