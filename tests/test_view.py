@@ -1,9 +1,6 @@
-import asyncio
-import io
 import re
 import subprocess
 import sys
-import threading
 from itertools import pairwise
 from types import SimpleNamespace
 
@@ -15,7 +12,7 @@ from PIL import Image
 from toolkit import rotations as R
 from toolkit import view
 from toolkit.motion import Clip, Skeleton
-from toolkit.view import body, opengl, page, stage
+from toolkit.view import body, page
 from toolkit.view.raycast import Canvas
 
 SPINE = [("Hips", -1, (0, 0.95, 0)), ("Chest", 0, (0, 0.2, 0)), ("Neck", 1, (0, 0.25, 0)), ("Head", 2, (0, 0.1, 0)),
@@ -254,6 +251,30 @@ def test_an_animation_plays_at_the_clips_speed(clip, tmp_path, suffix):
     assert again[:, half:].mean() < 0.2 * again[:, :half].mean()
 
 
+def test_a_film_is_one_that_browsers_play(clip, tmp_path):
+    av = pytest.importorskip("av", reason="films need PyAV: pip install av")
+    path = view.animate(clip, tmp_path / "walk.mp4", height=141, fps=30, labels=[""])
+    view.animate(clip, tmp_path / "walk.png", height=141, fps=30, labels=[""])
+    with av.open(str(path)) as film, Image.open(tmp_path / "walk.png") as picture:
+        stream = film.streams.video[0]
+        assert (stream.codec_context.name, stream.codec_context.pix_fmt, stream.average_rate) == ("h264", "yuv420p", 30)
+        assert (stream.width, stream.height) == (picture.width // 2 * 2, 140)
+        frames = [frame.to_ndarray(format="rgb24").astype(int) for frame in film.decode(stream)]
+        assert len(frames) == picture.n_frames == 30
+        for k in (0, 29):
+            picture.seek(k)
+            wanted = np.asarray(picture.convert("RGB")).astype(int)[:140, : stream.width]
+            errors = [np.abs(frame - wanted).mean() for frame in frames]
+            assert errors[k] == min(errors) < 5
+
+
+def test_a_film_without_its_library_says_what_to_install(clip, tmp_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "av", None)
+    with pytest.raises(ImportError, match=r"^writing walk\.mp4 needs PyAV: pip install av$"):
+        view.animate(clip, tmp_path / "walk.mp4")
+    assert not list(tmp_path.iterdir())
+
+
 def test_lines_on_the_floor_show_the_travel(clip, tmp_path):
     changes = []
     for forward in (1.0, 0.0):
@@ -275,156 +296,13 @@ def test_a_contact_sheet_has_a_row_per_clip(clip, tmp_path):
 
 
 def test_moving_pictures_refuse_what_does_not_fit(clip, tmp_path):
-    with pytest.raises(ValueError, match=r"an animation is a \.gif, \.png or \.webp file; got walk\.mp4"):
-        view.animate(clip, tmp_path / "walk.mp4")
+    with pytest.raises(ValueError, match=r"an animation is a \.gif, \.png, \.webp or \.mp4 file; got walk\.avi"):
+        view.animate(clip, tmp_path / "walk.avi")
     with pytest.raises(ValueError, match="got 1 clips, 2 labels"):
         view.animate(clip, tmp_path / "walk.gif", labels=["a", "b"])
     with pytest.raises(ValueError, match="needs columns, got 0"):
         view.contact_sheet(clip, columns=0)
     assert not list(tmp_path.iterdir())
-
-
-# the player
-
-
-@pytest.fixture(params=["pyvista", "software"])
-def renderer(request, monkeypatch, capsys):
-    if request.param == "software":
-        monkeypatch.setattr(stage, "opengl_works", lambda: False)
-    elif not stage.opengl_works():
-        pytest.skip("pyvista finds no OpenGL here: " + opengl.INSTALL)
-    return request.param
-
-
-def shown(player) -> np.ndarray:
-    return np.asarray(Image.open(io.BytesIO(player.image.value)))
-
-
-def test_player_draws_and_frames_differ(renderer, clip):
-    player = view.Player(clip, contacts=torch.ones(60, 2), size=(160, 120))
-    try:
-        first, later = player.render(0).copy(), player.render(20)
-        assert first.shape == (120, 160, 3)
-        assert first.std() > 10
-        assert (np.abs(first.astype(int) - later).max(-1) > 30).mean() > 0.005
-        before = shown(player)
-        player.seek(20)
-        assert player.frame == 20
-        assert np.abs(shown(player).astype(int) - before).max() > 30
-        player.set_clip(walk(20, style="Old"))
-        assert "Old" in player._title.value
-        assert player.frame == 0
-        with pytest.raises(ValueError, match="frame 20 is not one of 20"):
-            player.render(20)
-    finally:
-        player.close()
-
-
-def test_missing_opengl_is_explained_once(monkeypatch, clip, capsys):
-    monkeypatch.setattr(stage, "opengl_works", lambda: False)
-    stage.explain_missing_opengl.cache_clear()
-    for _ in range(2):
-        view.Player(clip, size=(80, 60)).close()
-    assert capsys.readouterr().out.count(opengl.INSTALL) == 1
-
-
-def test_player_draws_on_the_main_thread_only(renderer, clip):
-    async def scenario():
-        player = view.Player(clip, size=(80, 60))
-        drawn, errors = player.drawn, []
-
-        def from_elsewhere():
-            player._slider.value = 30
-            try:
-                player.render(0)
-            except RuntimeError as error:
-                errors.append(str(error))
-
-        thread = threading.Thread(target=from_elsewhere)
-        thread.start()
-        thread.join()
-        assert player.drawn == drawn
-        assert "main thread" in errors[0]
-        for _ in range(100):
-            await asyncio.sleep(0.01)
-            if player.drawn > drawn:
-                break
-        assert (player.drawn, player.frame) == (drawn + 1, 30)
-        player.close()
-
-    asyncio.run(scenario())
-
-
-def test_time_runs_while_playing_and_one_player_plays(renderer, clip):
-    async def scenario():
-        one, two = (view.Player(clip, size=(80, 60)) for _ in range(2))
-        one.playing = True
-        await asyncio.sleep(0.3)
-        assert one.drawn > 3
-        two.playing = True
-        assert not one.playing
-        await asyncio.sleep(0.1)
-        drawn = one.drawn
-        await asyncio.sleep(0.1)
-        assert one.drawn == drawn
-        one.close()
-        two.close()
-
-    asyncio.run(scenario())
-
-
-# style blending
-
-
-def bank(*names: str):
-    return SimpleNamespace(names=names)
-
-
-def test_blender_makes_the_motion_of_its_weights(monkeypatch):
-    monkeypatch.setattr(stage, "opengl_works", lambda: False)
-    asked = []
-
-    def make(weights: dict[str, float]) -> Clip:
-        asked.append(weights)
-        return walk(10, style="+".join(n for n, w in weights.items() if w))
-
-    blender = view.StyleBlender(bank("A", "B", "C", "D"), make, size=(80, 60))
-    assert blender.weights == pytest.approx({"A": 1 / 3, "B": 1 / 3, "C": 1 / 3})
-    blender.weights = {"D": 3, "B": 1}
-    assert asked[-1] == pytest.approx({"D": 0.75, "B": 0.25, "A": 0})
-    assert blender.triangle.names == ["D", "B", "A"]
-    assert blender.player.clip.style == "D+B"
-    for wrong, message in (
-        ({"X": 1}, "unknown style 'X'; the bank has A, B, C, D"),
-        ({"A": -1}, "weights >= 0"),
-        ({}, "one to"),
-    ):
-        with pytest.raises(ValueError, match=message):
-            blender.weights = wrong
-    blender.close()
-
-
-def test_blender_waits_and_shows_the_newest_only(monkeypatch):
-    monkeypatch.setattr(stage, "opengl_works", lambda: False)
-    asked = []
-
-    def make(weights):
-        asked.append(weights)
-        return walk(10, style=f"{weights['A']:.1f}")
-
-    async def scenario():
-        blender = view.StyleBlender(bank("A", "B", "C"), make, size=(80, 60))
-        for a in (0.1, 0.3, 0.5, 0.9):
-            blender.triangle.weights = [a, 1 - a, 0.0]
-        for _ in range(150):
-            await asyncio.sleep(0.02)
-            if blender.player.clip.style == "0.9":
-                break
-        assert blender.player.clip.style == "0.9"
-        assert len(asked) == 2
-        blender.close()
-
-    asyncio.run(scenario())
 
 
 # the charts

@@ -134,12 +134,12 @@ def plant_feet(skeleton: Skeleton, rotations: Tensor, root: Tensor, toes: Tensor
         New local rotations.
     """
     turned, positions = forward_kinematics(skeleton, rotations, root)
-    for i, side in enumerate(SIDES):
-        hip, knee, foot, toe = (skeleton.index(f"{side}_{part}") for part in ("hip", "knee", "foot", "toe"))
-        a, b, c = (positions[..., j, :] for j in (hip, knee, foot))
-        middle, end = two_bone(a, b, c, toes[..., i, :] - (positions[..., toe, :] - c))
-        for joint, old, new in ((hip, b - a, middle - a), (knee, c - b, end - middle)):
-            turned[..., joint, :] = R.multiply(R.between(old, new), turned[..., joint, :])
+    legs = [[skeleton.index(f"{side}_{part}") for side in SIDES] for part in ("hip", "knee", "foot", "toe")]
+    a, b, c, toe = (positions[..., joints, :] for joints in legs)
+    middle, end = two_bone(a, b, c, toes - (toe - c))
+    turn = R.between(torch.stack((b - a, c - b)), torch.stack((middle - a, end - middle)))
+    for joints, aim in zip(legs, turn, strict=False):
+        turned[..., joints, :] = R.multiply(aim, turned[..., joints, :])
     follow = [skeleton.parents[j] if skeleton.is_end(j) else j for j in range(len(skeleton))]
     return local_rotations(skeleton, turned[..., follow, :])
 
@@ -164,14 +164,13 @@ def turn_arms(skeleton: Skeleton, rotations: Tensor, root: Tensor, wanted: Tenso
         New local rotations.
     """
     turned, positions = forward_kinematics(skeleton, rotations, root)
-    for side in SIDES:
-        shoulder, elbow, hand = (skeleton.index(f"{side}_{part}") for part in ("shoulder", "elbow", "hand"))
-        chain = [skeleton.parents[shoulder], shoulder, elbow, hand]
-        chain += [tip] if (tip := skeleton.tip(f"{side}_hand")) != hand else []
-        for joint, child in pairwise(chain):
-            bone = R.rotate(turned[..., joint, :], skeleton.offsets[child].to(rotations))
-            aim = R.between(bone, wanted[..., child, :] - positions[..., joint, :])
-            turned[..., joint, :] = R.multiply(aim, turned[..., joint, :])
-            positions[..., child, :] = positions[..., joint, :] + R.rotate(aim, bone)
+    arms = [[skeleton.index(f"{side}_{part}") for side in SIDES] for part in ("shoulder", "elbow", "hand")]
+    chain = [[skeleton.parents[joint] for joint in arms[0]], *arms]
+    tips = [skeleton.tip(f"{side}_hand") for side in SIDES]
+    for joints, children in pairwise([*chain, tips] if not set(tips) & set(arms[-1]) else chain):
+        bone = R.rotate(turned[..., joints, :], skeleton.offsets[children].to(rotations))
+        aim = R.between(bone, wanted[..., children, :] - positions[..., joints, :])
+        turned[..., joints, :] = R.multiply(aim, turned[..., joints, :])
+        positions[..., children, :] = positions[..., joints, :] + R.rotate(aim, bone)
     follow = [skeleton.parents[j] if skeleton.is_end(j) else j for j in range(len(skeleton))]
     return local_rotations(skeleton, turned[..., follow, :])

@@ -47,9 +47,8 @@ def inverse(q: Tensor) -> Tensor:
 
 def rotate(q: Tensor, v: Tensor) -> Tensor:
     """Vectors ``v [..., 3]`` turned by unit quaternions ``q [..., 4]``."""
-    w, u = q[..., :1], q[..., 1:]
-    v = v.expand(torch.broadcast_shapes(u.shape, v.shape))
-    u = u.expand(v.shape)
+    w = q[..., :1]
+    u, v = torch.broadcast_tensors(q[..., 1:], v)
     t = 2.0 * torch.linalg.cross(u, v)
     return v + w * t + torch.linalg.cross(u, t)
 

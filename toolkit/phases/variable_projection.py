@@ -54,14 +54,29 @@ def _evaluate(odd, even, g1, theta, spread):
     n = 2 * len(odd) - 1
     s2, c2 = math.sin(theta / 2), math.cos(theta / 2)
     sine, cosine = 2 * s2 * c2, 1 - 2 * s2 * s2
-    s, s_before, c, c_before = 0.0, -sine, 1.0, cosine
     gs, gc, ts, tc = 0.0, even[0], 0.0, 0.0
-    for t in range(1, len(odd)):
-        s, s_before, c, c_before = 2 * cosine * s - s_before, s, 2 * cosine * c - c_before, c
+    gs_too, gc_too, ts_too, tc_too = 0.0, 0.0, 0.0, 0.0
+    double = 2 * sine * cosine, 1 - 2 * sine * sine
+    s, s_before, c, c_before = sine, -sine, cosine, cosine  # at odd t; below at even t: two chains at once
+    s_too, s_too_before, c_too, c_too_before = double[0], 0.0, double[1], 1.0
+    ahead = 2 * double[1]
+    for t in range(1, len(odd) - 1, 2):
         gs += odd[t] * s
         gc += even[t] * c
         ts += t * odd[t] * c
         tc += t * even[t] * s
+        gs_too += odd[t + 1] * s_too
+        gc_too += even[t + 1] * c_too
+        ts_too += (t + 1) * odd[t + 1] * c_too
+        tc_too += (t + 1) * even[t + 1] * s_too
+        s, s_before, c, c_before = ahead * s - s_before, s, ahead * c - c_before, c
+        s_too, s_too_before, c_too, c_too_before = ahead * s_too - s_too_before, s_too, ahead * c_too - c_too_before, c_too
+    if len(odd) % 2 == 0:
+        t = len(odd) - 1
+        gs, gc, ts, tc = gs + odd[t] * s, gc + even[t] * c, ts + t * odd[t] * c, tc + t * even[t] * s
+    else:
+        s, c = s_too_before, c_too_before
+    gs, gc, ts, tc = gs + gs_too, gc + gc_too, ts + ts_too, tc + tc_too
     # cos(θt) sums to sin(nθ/2) / sin(θ/2) over the window; the same at 2θ gives the sums of squares
     top, slope = s * c2 + c * s2, c * c2 - s * s2
     c1 = top / s2

@@ -1,7 +1,8 @@
 """Moving pictures and contact sheets: clips seen by a camera that goes along, drawn by the software renderer."""
 
 import os
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
@@ -20,7 +21,7 @@ from toolkit.view.raycast import Canvas
 LINE, GRID = "#bfbab0", 0.5  # lines on the floor; metres between them
 BOTTOM = -0.3  # metres of floor shown below the feet
 FINE = 2  # drawn this many times larger, then averaged
-SUFFIXES = (".gif", ".png", ".webp")
+SUFFIXES = (".gif", ".png", ".webp", ".mp4")
 
 
 def animate(clips: Clip | Sequence[Clip], path: str | os.PathLike, *, labels: Sequence[str] | None = None,
@@ -36,7 +37,7 @@ def animate(clips: Clip | Sequence[Clip], path: str | os.PathLike, *, labels: Se
     clips
         One clip or several.
     path
-        File to write: ``.gif``, ``.png`` (animated) or ``.webp``.
+        File to write: ``.gif``, ``.png`` (animated), ``.webp`` or ``.mp4`` (H.264, needs PyAV).
     labels
         Text of each cell; by default style and gait, else the clip's name.
     columns
@@ -60,6 +61,8 @@ def animate(clips: Clip | Sequence[Clip], path: str | os.PathLike, *, labels: Se
     ------
     ValueError
         If there is no clip, the suffix is another one, or labels or contacts do not fit the clips.
+    ImportError
+        If a film is asked for and PyAV is missing.
     """
     path = Path(path)
     if path.suffix not in SUFFIXES:
@@ -68,10 +71,16 @@ def animate(clips: Clip | Sequence[Clip], path: str | os.PathLike, *, labels: Se
     columns = columns or len(shots)
     room = _room(shots, labels, height)
     length = max(round(shot.clip.seconds * fps) for shot in shots)
-    frames = []
-    for k in tqdm(range(max(length, 1)), desc=path.name, disable=not progress):
-        cells = [shot.draw(round(k * shot.clip.fps / fps) % len(shot.clip), *room) for shot in shots]
-        frames.append(_sheet(cells, columns, labels, caption))
+
+    def drawn() -> Iterator[Image.Image]:
+        for k in tqdm(range(max(length, 1)), desc=path.name, disable=not progress):
+            cells = [shot.draw(round(k * shot.clip.fps / fps) % len(shot.clip), *room) for shot in shots]
+            yield _sheet(cells, columns, labels, caption)
+
+    if path.suffix == ".mp4":
+        _film(drawn(), path, fps)
+        return path
+    frames = list(drawn())
     how = {"save_all": True, "duration": round(1000 / fps), "loop": 0}
     if path.suffix == ".gif":
         frames = _reduce(frames, colors)
@@ -245,6 +254,23 @@ def _sheet(cells: Sequence[np.ndarray], columns: int, labels: Sequence[str], cap
             text.text((x + 0.5 * size, y + 0.4 * size), labels[i // apart], INK, font)
     text.text((0.5 * size, tops[-1] + 0.3 * size), caption, INK, font)
     return sheet
+
+
+def _film(frames: Iterable[Image.Image], path: Path, fps: float) -> None:
+    """Write an MP4 that browsers play: H.264, 4:2:0 and so of even width and height."""
+    try:
+        import av
+    except ImportError:
+        raise ImportError(f"writing {path.name} needs PyAV: pip install av") from None
+    with av.open(str(path), "w", options={"movflags": "faststart"}) as film:
+        stream = film.add_stream("libx264", rate=Fraction(fps).limit_denominator(1001), options={"crf": "18"})
+        stream.pix_fmt = "yuv420p"
+        for frame in frames:
+            picture = np.asarray(frame)[: frame.height // 2 * 2, : frame.width // 2 * 2]
+            if not stream.codec_context.is_open:
+                stream.height, stream.width = picture.shape[:2]
+            film.mux(stream.encode(av.VideoFrame.from_ndarray(np.ascontiguousarray(picture))))
+        film.mux(stream.encode())
 
 
 def _reduce(frames: list[Image.Image], colors: int) -> list[Image.Image]:

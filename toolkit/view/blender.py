@@ -111,7 +111,7 @@ class StyleBlender(widgets.HBox):
         finally:
             self._setting = False
         self._serial += 1
-        self.player.set_clip(self._make(self.weights))
+        self.player.show(self._make(self.weights))
         self._settled = self._serial
 
     def close(self) -> None:
@@ -146,7 +146,7 @@ class StyleBlender(widgets.HBox):
         if self._loop is not None:
             self._loop.call_soon_threadsafe(self._plan)
         elif threading.current_thread() is threading.main_thread():
-            self.player.set_clip(self._make(self.weights))
+            self.player.show(self._make(self.weights))
 
     def _plan(self) -> None:
         if self._task is None or self._task.done():
@@ -168,5 +168,5 @@ class StyleBlender(widgets.HBox):
                 self.player.rate = RATE
             self._status.value = ""
             if serial > self._settled:
-                self.player.set_clip(clip)
+                self.player.show(clip)
                 self._settled = serial

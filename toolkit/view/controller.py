@@ -77,7 +77,7 @@ class Controller(anywidget.AnyWidget):
         if len(names) != 3:
             raise ValueError(f"a triangle has three styles, got {names}")
         self._model, self._bank = model, bank
-        self._vector = bank.blend(_merge(names, [1.0, 0.0, 0.0]))
+        self._vector = self._target = bank.blend(_merge(names, [1.0, 0.0, 0.0]))
         self.state = runtime.start(model, self._vector)
         self._facing = 0.0
         self._input = {"id": 0, "move": [0.0, 0.0], "turn": 0.0, "run": False, "heading": None}
@@ -140,6 +140,11 @@ class Controller(anywidget.AnyWidget):
             self._loop.call_soon_threadsafe(self._task.cancel)
         super().close()
 
+    @traitlets.observe("names", "weights")
+    def _aim(self, _change: dict) -> None:
+        if len(self.weights) == len(self.names):
+            self._target = self._bank.blend(self.blend)
+
     @traitlets.observe("recording")
     def _record(self, change: dict) -> None:
         if change["new"]:
@@ -169,7 +174,7 @@ class Controller(anywidget.AnyWidget):
 
     @torch.inference_mode()
     def _step(self) -> None:
-        self._vector = torch.lerp(self._vector, self._bank.blend(self.blend), EASE)
+        self._vector = torch.lerp(self._vector, self._target, EASE)
         self.state = runtime.step(self._model, self.state.with_style(self._vector), self._command())
         rotations, root = runtime.pose(self._model.layout, self.state, feet=self.feet, arms=self.arms)
         self.frames += 1

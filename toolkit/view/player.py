@@ -1,14 +1,18 @@
 """Playback in a notebook: pyvista draws off screen, the picture goes as JPEG into a widget, widgets steer it.
 
 Widget callbacks may run in any thread (ipykernel 7 handles comms in subshells), and VTK breaks silently off the main one. So
-callbacks only store what is wanted; one asyncio task on the main loop draws the newest state and nothing else.
+callbacks only store what is wanted; one asyncio task on the main loop draws the newest state and nothing else. The page
+answers every picture that it shows, and the task waits for that: a slow page gets fewer pictures, a closed one next to none.
 """
 
 import asyncio
-import io
+import base64
+import math
 import threading
 import time
-from contextlib import contextmanager
+from collections.abc import Sequence
+from contextlib import contextmanager, suppress
+from html import escape
 
 import ipywidgets as widgets
 import numpy as np
@@ -16,22 +20,35 @@ from matplotlib.figure import Figure
 from PIL import Image
 
 from toolkit.motion import Clip
-from toolkit.view import stage
-from toolkit.view.picture import contact_list, label, strip
+from toolkit.view import overlay, stage
+from toolkit.view.picture import INK, PAPER, contact_list, label, strip
+from toolkit.view.screen import Screen
 
 IDLE = 600.0  # seconds of playback without a touch after which it pauses by itself
 RATE = 60.0  # pictures per second at most
+AHEAD = 2  # pictures that the page may be behind while time runs
+PATIENCE = 2.0  # seconds after which the next one is drawn without an answer
+SWITCHES = {"path": "Path", "contacts": "Contacts", "trajectory": "Trajectory", "phases": "Phases"}
 
 
-def play(clip: Clip, *, contacts=None, size: tuple[int, int] = (640, 480), playing: bool = False) -> "Player | Figure":
-    """Play a clip in a notebook.
+def play(clips: Clip | Sequence[Clip], *, labels: Sequence[str] | None = None, contacts=None, phases=None,
+         together: bool = False, size: tuple[int, int] = (640, 480),
+         playing: bool = False) -> "Player | Figure":  # fmt: skip
+    """Play one clip or several in a notebook: data beside model, source beside result.
 
     Parameters
     ----------
-    clip
-        The motion.
+    clips
+        One motion or several, which start together; one that is shorter than the longest starts again.
+    labels
+        What to call each; by default style and gait, else the clip's name.
     contacts
-        Foot contacts [F, 2] (right, left), above one half where a foot stands.
+        Foot contacts [F, 2] (right, left), above one half where a foot stands, or one array (or None) per clip: feet light
+        up and leave prints on the floor.
+    phases
+        Local phases, `toolkit.phases.Phases` or vectors [F, 4, 2], or one (or None) per clip: a dial for each limb.
+    together
+        Show them in one scene, where they are, instead of side by side.
     size
         Pixels of the picture: width, height.
     playing
@@ -41,10 +58,15 @@ def play(clip: Clip, *, contacts=None, size: tuple[int, int] = (640, 480), playi
     -------
     Player or Figure
         A strip picture outside of notebooks, where no widget could be shown.
+
+    Raises
+    ------
+    ValueError
+        If there is no clip, or labels, contacts or phases do not fit the clips.
     """
     if not _in_notebook():
-        return strip(clip, contacts=contacts)
-    return Player(clip, contacts=contacts, size=size, playing=playing)
+        return strip(clips, contacts=contacts, labels=labels)
+    return Player(clips, labels=labels, contacts=contacts, phases=phases, together=together, size=size, playing=playing)
 
 
 def _in_notebook() -> bool:
@@ -55,68 +77,81 @@ def _in_notebook() -> bool:
     return getattr(get_ipython(), "kernel", None) is not None
 
 
+def _subjects(clips, labels, contacts, phases) -> list[stage.Subject]:
+    clips = [clips] if isinstance(clips, Clip) else list(clips)
+    labels = [label(clip) for clip in clips] if labels is None else list(labels)
+    if not clips or len(labels) != len(clips):
+        raise ValueError(f"playback needs clips and a label per clip; got {len(clips)} clips, {len(labels)} labels")
+    vectors = [None] * len(clips) if phases is None else phases if isinstance(phases, list | tuple) else [phases]
+    vectors = [None if p is None else np.asarray(getattr(p, "vector", p), dtype=np.float32) for p in vectors]
+    shapes = [None if v is None else v.shape for v in vectors]
+    if len(vectors) != len(clips) or any(s not in (None, (len(c), 4, 2)) for s, c in zip(shapes, clips, strict=True)):
+        raise ValueError(f"phases must be [F, 4, 2] for each clip of {[len(c) for c in clips]} frames; got {shapes}")
+    return [stage.Subject(*row) for row in zip(clips, contact_list(contacts, clips), vectors, labels, strict=True)]
+
+
 class Player(widgets.VBox):
-    """A clip with play, scrub, speed, camera, contacts and trail.
+    """Clips with play, scrub, speed and camera, and a switch for each thing that is drawn beside the bodies.
 
     Parameters
     ----------
-    clip
-        The motion.
-    contacts
-        Foot contacts [F, 2] (right, left).
-    size
-        Pixels of the picture: width, height.
-    playing
-        Start at once; one player plays at a time.
+    clips, labels, contacts, phases, together, size, playing
+        As in `play`; one player plays at a time.
 
     Attributes
     ----------
     image
         The widget that shows the current picture as JPEG.
-    clip
-        The motion that is shown.
+    clips
+        The motions that are shown.
     rate
         Pictures per second at most; fewer leave more of the processor to others.
     """
 
     _current: "Player | None" = None
 
-    def __init__(self, clip: Clip, *, contacts=None, size: tuple[int, int] = (640, 480), playing: bool = False):
+    def __init__(self, clips: Clip | Sequence[Clip], *, labels: Sequence[str] | None = None, contacts=None, phases=None,
+                 together: bool = False, size: tuple[int, int] = (640, 480), playing: bool = False):  # fmt: skip
         require_main_thread()
-        self.clip, self.contacts = clip, contact_list(contacts, [clip])[0]
-        self.drawn, self.rate = 0, RATE
+        self.rate = RATE
+        self._size, self._together = size, together
+        self._stages: list[stage.Stage | stage.Sketch] = []
         self._frame, self._stale, self._touched = 0.0, False, time.monotonic()
         self._wake: asyncio.Event | None = None
         self._task: asyncio.Task | None = None
         self._loop: asyncio.AbstractEventLoop | None = None
         self._own: threading.Thread | None = None
-        self._stage = stage.make(clip, self.contacts, size)
-        self.image = widgets.Image(format="jpeg", width=size[0], height=size[1])
+        self.image = Screen(size)
+        self.image.observe(self._answered, "seen")
         self._title = widgets.HTML()
         self._play = widgets.ToggleButton(icon="play", tooltip="Play or pause", layout={"width": "44px"})
-        self._slider = widgets.IntSlider(min=0, max=len(clip) - 1, readout=False, layout={"flex": "1", "min_width": "120px"})
+        self._slider = widgets.IntSlider(min=0, max=0, readout=False, layout={"flex": "1", "min_width": "120px"})
         self._clock = widgets.Label(layout={"width": "110px"})
         self._speeds = widgets.Dropdown(options=[(f"{s:g}×", s) for s in (0.1, 0.25, 0.5, 1, 2)], value=1,
                                         layout={"width": "72px"})  # fmt: skip
         self._angle = widgets.IntSlider(value=-50, min=-180, max=180, description="Angle", readout=False)
         self._distance = widgets.FloatSlider(value=3.8, min=1.5, max=9, description="Distance", readout=False)
-        switch = {"layout": {"width": "90px"}, "value": True}
-        self._follow = widgets.ToggleButton(description="Follow", **switch)
-        self._trail = widgets.ToggleButton(description="Path", **switch)
-        self._contacts = widgets.ToggleButton(description="Contacts", disabled=self.contacts is None, **switch)
-        for widget in (self._play, self._slider, self._speeds, self._angle, self._distance, self._follow, self._trail,
-                       self._contacts):  # fmt: skip
+        look = {"layout": {"width": "90px"}}
+        self._follow = widgets.ToggleButton(value=True, description="Follow", **look)
+        self._switches = {kind: widgets.ToggleButton(value=kind != "trajectory", description=text, **look)
+                          for kind, text in SWITCHES.items()}  # fmt: skip
+        for widget in (self._play, self._slider, self._speeds, self._angle, self._distance, self._follow,
+                       *self._switches.values()):  # fmt: skip
             widget.observe(self._changed, "value")
         super().__init__([
             self._title, self.image,
             widgets.HBox([self._play, self._slider, self._clock, self._speeds], layout={"width": f"{size[0]}px"}),
             widgets.HBox([self._angle, self._distance], layout={"width": f"{size[0]}px"}),
-            widgets.HBox([self._follow, self._trail, self._contacts]),
+            widgets.HBox([self._follow, *self._switches.values()]),
         ])  # fmt: skip
-        self._caption()
-        self._show()
+        self.show(clips, labels=labels, contacts=contacts, phases=phases)
         self._start()
         self.playing = playing
+
+    @property
+    def clip(self) -> Clip:
+        """The motion that is shown, of several the longest, whose frames are counted."""
+        return max(self.clips, key=lambda clip: clip.seconds)
 
     @property
     def frame(self) -> int:
@@ -150,33 +185,46 @@ class Player(widgets.VBox):
         require_main_thread()
         if not 0 <= frame < len(self.clip):
             raise ValueError(f"{self.clip.name}: frame {frame} is not one of {len(self.clip)}")
-        return self._stage.draw(int(frame))
+        return np.asarray(self._picture(int(frame)))
 
-    def set_clip(self, clip: Clip, *, contacts=None) -> None:
-        """Show another clip, from where the last one was if it is long enough."""
+    def show(self, clips: Clip | Sequence[Clip], *, labels: Sequence[str] | None = None, contacts=None, phases=None) -> None:
+        """Show others, from where the last ones were if they are long enough; arguments as in `play`."""
         require_main_thread()
-        self.contacts = contact_list(contacts, [clip])[0]
-        self.clip = clip
-        self._stage.load(clip, self.contacts)
-        self._contacts.disabled = self.contacts is None
-        self._frame = self._frame % len(clip)
+        subjects = _subjects(clips, labels, contacts, phases)
+        casts = [subjects] if self._together else [[subject] for subject in subjects]
+        self._columns = len(casts) if len(casts) < 4 else math.ceil(math.sqrt(len(casts)))
+        self._cell = self._size[0] // self._columns, self._size[1] // -(-len(casts) // self._columns)
+        if [scene.size for scene in self._stages] == [self._cell] * len(casts):
+            for scene, cast in zip(self._stages, casts, strict=True):
+                scene.load(cast)
+        else:
+            for scene in self._stages:
+                scene.close()
+            self._stages = [stage.make(cast, self._cell) for cast in casts]
+        self.clips = [subject.clip for subject in subjects]
+        for kind in ("contacts", "phases"):
+            self._switches[kind].disabled = all(getattr(subject, kind) is None for subject in subjects)
+        self._frame = self._frame % len(self.clip)
         with self._quiet():
-            self._slider.max = len(clip) - 1
-        self._caption()
+            self._slider.max = len(self.clip) - 1
+        names = ", ".join(escape(subject.label) for subject in subjects)
+        self._title.value = f"<b>{names}</b> &nbsp;{self.clip.seconds:.1f} s at {self.clip.fps:g} Hz"
         self._show()
 
     def close(self) -> None:
-        """Stop, free the window and take the widgets away."""
+        """Stop, free the windows and take the widgets away."""
         if self._task is not None and not self._loop.is_closed():
             self._task.cancel()
         self._wake = self._task = None
         if Player._current is self:
             Player._current = None
-        self._stage.close()
+        for scene in self._stages:
+            scene.close()
         super().close()
 
-    def _caption(self) -> None:
-        self._title.value = f"<b>{label(self.clip)}</b> &nbsp;{self.clip.seconds:.1f} s at {self.clip.fps:g} Hz"
+    def _repr_mimebundle_(self, **kwargs) -> dict:
+        """The widget, and the picture for pages that show none (a notebook on GitHub, nbconvert)."""
+        return super()._repr_mimebundle_(**kwargs) | {"image/jpeg": base64.b64encode(self.image.value).decode("ascii")}
 
     def _changed(self, change: dict) -> None:
         """A widget moved: remember what is wanted (any thread)."""
@@ -193,6 +241,11 @@ class Player(widgets.VBox):
                     other.playing = False
         self._refresh()
 
+    def _answered(self, _change: dict) -> None:
+        """The page shows a picture (any thread)."""
+        if self._wake is not None and self.playing and not self._loop.is_closed():
+            self._loop.call_soon_threadsafe(self._wake.set)
+
     def _refresh(self) -> None:
         self._stale = True
         if self._wake is not None and not self._loop.is_closed():
@@ -207,20 +260,32 @@ class Player(widgets.VBox):
         yield
         self._own = None
 
+    def _picture(self, frame: int) -> Image.Image:
+        """All cells with what is written over them (main thread)."""
+        sheet, seconds = Image.new("RGB", self._size, PAPER), frame / self.clip.fps
+        shown = {kind for kind, switch in self._switches.items() if switch.value}
+        for i, scene in enumerate(self._stages):
+            scene.angle, scene.distance = self._angle.value, self._distance.value
+            scene.follow, scene.shown = self._follow.value, shown
+            at = [frame if s.clip is self.clip else round(seconds * s.clip.fps) % len(s.clip) for s in scene.subjects]
+            corner = i % self._columns * self._cell[0], i // self._columns * self._cell[1]
+            sheet.paste(Image.fromarray(scene.draw(at)), corner)
+            several = len(scene.subjects) > 1
+            labels = [(s.label if len(self.clips) > 1 else "", scene.color(k) if several else INK)
+                      for k, s in enumerate(scene.subjects)]  # fmt: skip
+            phases = [s.phases[f] if s.phases is not None and "phases" in shown else None
+                      for s, f in zip(scene.subjects, at, strict=True)]  # fmt: skip
+            overlay.write(sheet, (*corner, *self._cell), labels, phases)
+        return sheet
+
     def _show(self) -> None:
         """Draw the wanted state now (main thread)."""
         self._stale = False
-        view, frame = self._stage, min(int(self._frame), len(self.clip) - 1)
-        view.angle, view.distance = self._angle.value, self._distance.value
-        view.follow, view.show_trail, view.show_contacts = self._follow.value, self._trail.value, self._contacts.value
-        picture = view.draw(frame)
-        buffer = io.BytesIO()
-        Image.fromarray(picture).save(buffer, "JPEG", quality=88)
-        self.image.value = buffer.getvalue()
-        self.drawn += 1
+        frame = min(int(self._frame), len(self.clip) - 1)
+        self.image.put(self._picture(frame))
         with self._quiet():
-            self._clock.value = f"{frame / self.clip.fps:.2f} / {self.clip.seconds:.2f} s"
-            if not self.playing or self.drawn % 4 == 0:
+            if not self.playing or self.image.number % 4 == 0:  # each is a message of its own
+                self._clock.value = f"{frame / self.clip.fps:.2f} / {self.clip.seconds:.2f} s"
                 self._slider.value = frame
 
     def _start(self) -> None:
@@ -238,6 +303,9 @@ class Player(widgets.VBox):
             if not self.playing:
                 await self._wake.wait()
                 last = time.monotonic()
+            elif self.image.number - self.image.seen > AHEAD:
+                with suppress(TimeoutError):
+                    await asyncio.wait_for(self._wake.wait(), PATIENCE)
             self._wake.clear()
             now = time.monotonic()
             if self.playing:

@@ -1,104 +1,166 @@
-"""What draws a clip frame by frame: pyvista off screen where OpenGL works, the software renderer where it does not.
+"""What draws clips frame by frame: pyvista off screen where OpenGL works, the software renderer where it does not.
 
 VTK must only be touched from the main thread; `toolkit.view.player` sees to that.
 """
 
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import chain
+
 import numpy as np
 import torch
 from matplotlib.colors import to_rgb
+from PIL import Image, ImageDraw
 
 from toolkit import rotations as R
 from toolkit.motion import Clip
-from toolkit.view import body
+from toolkit.view import body, floor
 from toolkit.view.opengl import explain_missing_opengl, opengl_works
-from toolkit.view.picture import FLOOR, PAPER, steady_frames
+from toolkit.view.picture import steady_frames
 from toolkit.view.raycast import Canvas
 
-SHADE, LINES, TRAIL, AHEAD = "#cdc8be", "#d3cec3", body.PALETTE[0], "#b9b3a7"
-LIGHT = np.array([-0.10, 1.0, 0.55])  # towards the lamp, facing +Z
+BACK, SHADE, LINES = "#efece6", "#cdc8be", "#cbc5b9"
+LIGHT = np.array([-0.08, 1.0, 0.51])  # towards the lamp, facing +Z
+# linear light: the browser's sun of 1.5 and hemisphere of 2.25 over π, in their colours (scene/scene.js)
+SUN, SKY, GROUND = np.array([0.477, 0.467, 0.445]), np.array([0.716, 0.716, 0.716]), np.array([0.493, 0.468, 0.427])
+TILT = 0.2  # the camera looks down, radians
+TINT = 0.55  # share of its own colour in the trunk of each of several characters in one scene
 
 
-def make(clip: Clip, contacts: np.ndarray | None, size: tuple[int, int]) -> "Stage | Sketch":
+@dataclass(frozen=True, eq=False)
+class Subject:
+    """A character to draw.
+
+    Parameters
+    ----------
+    clip
+        Its motion.
+    contacts
+        Foot contacts [F, 2] (right, left), above one half where a foot stands.
+    phases
+        Phase vectors [F, 4, 2] (sin, cos) of left hand, right hand, left foot, right foot.
+    label
+        What to call it.
+    """
+
+    clip: Clip
+    contacts: np.ndarray | None = None
+    phases: np.ndarray | None = None
+    label: str = ""
+
+
+def make(subjects: Sequence[Subject], size: tuple[int, int]) -> "Stage | Sketch":
     """The best renderer there is."""
     if opengl_works():
-        return Stage(clip, contacts, size)
+        return Stage(subjects, size)
     explain_missing_opengl()
-    return Sketch(clip, contacts, size)
+    return Sketch(subjects, size)
 
 
 class _Scene:
-    """Everything about a clip that drawing needs, whichever way it is drawn.
+    """Everything about characters in one scene that drawing needs, whichever way it is drawn.
 
-    ``angle`` is the camera's azimuth in degrees from where the body faces at first, ``distance`` in metres.
+    ``angle`` is the camera's azimuth in degrees from where the first body faces at first, ``distance`` in metres; ``shown``
+    holds what is drawn beside the bodies: "path", "contacts" (footprints, and feet that light up), "trajectory".
     """
 
-    def __init__(self, clip: Clip, contacts: np.ndarray | None, size: tuple[int, int]):
+    def __init__(self, subjects: Sequence[Subject], size: tuple[int, int]):
         self.size = size
-        self.angle, self.distance = -50.0, 3.8
-        self.follow = self.show_contacts = self.show_trail = True
-        self.load(clip, contacts)
+        self.angle, self.distance, self.follow = -50.0, 3.8, True
+        self.shown = {"path", "contacts"}
+        self.load(subjects)
 
-    def load(self, clip: Clip, contacts: np.ndarray | None) -> None:
-        """Show another clip."""
-        self.clip, self.contacts = clip, None if contacts is None else np.asarray(contacts) > 0.5
-        self.shapes = body.build(clip)
-        self.places = body.placements(self.shapes, clip.global_rotations, clip.global_positions)
-        self.path, facing = steady_frames(clip, 0.8)
-        self.facing = float(facing[0])
-        self.height = 0.54 * float(clip.global_positions[0, :, 1].max())
+    def load(self, subjects: Sequence[Subject]) -> None:
+        """Show others."""
+        self.subjects = list(subjects)
+        clips = [subject.clip for subject in subjects]
+        self.bodies = [body.build(clip) for clip in clips]
+        self.shapes = tuple(chain(*self.bodies))
+        self._places = [body.placements(shapes, clip.global_rotations, clip.global_positions)
+                        for shapes, clip in zip(self.bodies, clips, strict=True)]  # fmt: skip
+        self.paths, facings = zip(*(steady_frames(clip, 0.8) for clip in clips), strict=True)
+        self.facing = float(facings[0][0])
+        self.height = 0.54 * max(float(clip.global_positions[0, :, 1].max()) for clip in clips)
+        self.layers = [floor.layers(subject.clip, subject.contacts, self.color(i)) for i, subject in enumerate(subjects)]
 
-    def colors(self, frame: int) -> np.ndarray:
-        """Colour of every shape [S, 3]: standing feet light up."""
-        return body.colors(self.shapes, self.contacts[frame] if self.show_contacts and self.contacts is not None else None)
+    def color(self, subject: int) -> str:
+        """Colour that tells a character from the others in the scene."""
+        return body.PALETTE[subject % len(body.PALETTE)]
 
-    def centre(self, frame: int) -> np.ndarray:
-        """The point on the floor that the camera looks over."""
-        return self.path[frame if self.follow else len(self.path) // 2]
+    def places(self, frames: Sequence[int]) -> np.ndarray:
+        """Placement of every shape [S, 3, 4] with each character at its frame."""
+        return np.concatenate([places[frame] for places, frame in zip(self._places, frames, strict=True)])
+
+    def colors(self, frames: Sequence[int]) -> np.ndarray:
+        """Colour of every shape [S, 3]: standing feet light up, and several characters differ in their trunks."""
+        tables = []
+        for i, (subject, shapes, frame) in enumerate(zip(self.subjects, self.bodies, frames, strict=True)):
+            lit = subject.contacts is not None and "contacts" in self.shown
+            table = body.colors(shapes, subject.contacts[frame] > 0.5 if lit else None)
+            if len(self.subjects) > 1:
+                trunk = [s.tone == "middle" for s in shapes]
+                table[trunk] += TINT * (np.array(to_rgb(self.color(i))) - table[trunk])
+            tables.append(table)
+        return np.concatenate(tables)
+
+    def marks(self, frames: Sequence[int]) -> list[tuple[floor.Layer, np.ndarray]]:
+        """Layers on the floor, the lower ones first, with their corners [V, 2]; those of a hidden one lie in one point."""
+        found = [(layer, layer.corners(frame) * (layer.kind in self.shown))
+                 for layers, frame in zip(self.layers, frames, strict=True) for layer in layers]  # fmt: skip
+        return sorted(found, key=lambda mark: mark[0].height)
+
+    def look(self, frames: Sequence[int]) -> tuple[np.ndarray, float]:
+        """The point on the floor that the camera looks over, and its distance, which keeps all characters in view."""
+        at = [path[frame if self.follow else len(path) // 2] for path, frame in zip(self.paths, frames, strict=True)]
+        centre = np.mean(at, 0)
+        return centre, self.distance + 1.6 * float(np.linalg.norm(at - centre, axis=1).max())
 
 
 class Stage(_Scene):
-    """pyvista: one light, no multi-sampling, a grid of lines, and a shadow that is the body pressed flat."""
+    """pyvista without multi-sampling and lights, which cost most: light is worked out per vertex, as the browser does it.
 
-    def __init__(self, clip: Clip, contacts: np.ndarray | None, size: tuple[int, int]):
+    The shadow is a coarse body pressed flat.
+    """
+
+    def __init__(self, subjects: Sequence[Subject], size: tuple[int, int]):
         import pyvista as pv
 
         self.pv = pv
         theme = pv.themes.Theme()
         theme.multi_samples = 0
         self.plotter = pv.Plotter(off_screen=True, window_size=size, lighting="none", theme=theme)
-        self.plotter.set_background(FLOOR, top=PAPER)
-        self.lamp = pv.Light(light_type="scene light", intensity=0.95)
-        self.plotter.add_light(self.lamp)
-        super().__init__(clip, contacts, size)
+        self.plotter.set_background(BACK)
+        self.grid = self.plotter.add_mesh(self._grid(), name="grid", scalars="rgb", rgb=True, lighting=False, line_width=1,
+                                          render=False)  # fmt: skip
+        super().__init__(subjects, size)
 
-    def load(self, clip: Clip, contacts: np.ndarray | None) -> None:
-        """Show another clip."""
-        super().load(clip, contacts)
-        pv = self.pv
-        parts = [body.surface(shape) for shape in self.shapes]
-        self.vertices, self.normals = (np.stack([p[i] for p in parts]).astype(np.float32) for i in (0, 1))
-        count = self.vertices.shape[1]
-        faces = np.concatenate([p[2] + i * count for i, p in enumerate(parts)])
-        points = np.zeros((len(parts) * count, 3), np.float32)
-        self.body = pv.PolyData.from_regular_faces(points, faces)
-        self.body.point_data["rgb"] = np.zeros((len(points), 3), np.uint8)
-        self.body.point_data.active_normals = np.tile(np.array([[0, 1, 0]], np.float32), (len(points), 1))
-        self.flat = pv.PolyData.from_regular_faces(points.copy(), faces)
-        q = R.yaw(torch.tensor(self.facing))
-        self.light = R.rotate(q, torch.from_numpy(LIGHT).float()).numpy()
-        self.lamp.position, self.lamp.focal_point = tuple(10 * self.light), (0, 0, 0)
-        add = self.plotter.add_mesh
-        add(self.body, name="body", scalars="rgb", rgb=True, smooth_shading=False, ambient=0.62, diffuse=0.50,
-            specular=0.12, specular_power=18, render=False).prop.interpolation = "Gouraud"  # fmt: skip
+    def load(self, subjects: Sequence[Subject]) -> None:
+        """Show others."""
+        super().load(subjects)
+        pv, add = self.pv, self.plotter.add_mesh
+        self.vertices, self.normals, faces = self._surfaces(around=18, along=4)
+        self.body = pv.PolyData.from_regular_faces(np.zeros((self.vertices[..., 0].size, 3), np.float32), faces)
+        self.body.point_data["rgb"] = np.zeros((self.body.n_points, 3), np.uint8)
+        self.coarse, _, faces = self._surfaces(around=8, along=1)
+        self.flat = pv.PolyData.from_regular_faces(np.zeros((self.coarse[..., 0].size, 3), np.float32), faces)
+        self.light = R.rotate(R.yaw(torch.tensor(self.facing)), torch.from_numpy(LIGHT).float()).numpy()
+        add(self.body, name="body", scalars="rgb", rgb=True, lighting=False, culling="back", render=False)
         add(self.flat, name="shadow", color=SHADE, lighting=False, render=False)
-        self.grid = add(self._grid(), name="grid", scalars="rgb", rgb=True, lighting=False, line_width=1, render=False)
-        track = clip.root_positions.numpy() * np.array([1, 0, 1]) + np.array([0, 0.006, 0])
-        if len(track) < 2:
-            track = np.repeat(track, 2, 0)
-        self.track = track
-        self.ahead = add(pv.lines_from_points(track), name="ahead", color=AHEAD, line_width=2, lighting=False, render=False)
-        self.walked = pv.lines_from_points(track + np.array([0, 0.006, 0]))
-        self.behind = add(self.walked, name="behind", color=TRAIL, line_width=4, lighting=False, render=False)
+        marks = self.marks([0] * len(self.subjects))
+        first = np.cumsum([0, *(len(corners) for _, corners in marks)])
+        self.floor = pv.PolyData.from_regular_faces(
+            np.concatenate([np.insert(corners, 1, layer.height, axis=1) for layer, corners in marks]).astype(np.float32),
+            np.concatenate([layer.triangles + k for (layer, _), k in zip(marks, first[:-1], strict=True)]),
+        )
+        self.floor.point_data["rgb"] = np.repeat([255 * np.array(to_rgb(layer.color)) for layer, _ in marks],
+                                                 np.diff(first), axis=0).astype(np.uint8)  # fmt: skip
+        add(self.floor, name="floor", scalars="rgb", rgb=True, lighting=False, render=False)
+
+    def _surfaces(self, around: int, along: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Vertices and normals [S, V, 3] of all shapes in their own frames, and triangles [T, 3] of all their vertices."""
+        parts = [body.surface(shape, around, along) for shape in self.shapes]
+        vertices, normals = (np.stack([part[i] for part in parts]).astype(np.float32) for i in (0, 1))
+        return vertices, normals, np.concatenate([part[2] + i * vertices.shape[1] for i, part in enumerate(parts)])
 
     def _grid(self, reach: int = 14):
         """Lines a metre apart, fading into the background."""
@@ -110,45 +172,41 @@ class Stage(_Scene):
         cells = np.column_stack((np.full(len(points) // 2, 2), np.arange(len(points)).reshape(-1, 2)))
         grid = self.pv.PolyData(points, lines=cells.ravel())
         fade = np.clip(np.linalg.norm(points, axis=1) / reach, 0, 1)[:, None] ** 0.7
-        far = (np.array(to_rgb(PAPER)) + np.array(to_rgb(FLOOR))) / 2
-        grid.point_data["rgb"] = (255 * (np.array(to_rgb("#c3bdb0")) * (1 - fade) + far * fade)).astype(np.uint8)
+        grid.point_data["rgb"] = (255 * (to_rgb(LINES) * (1 - fade) + to_rgb(BACK) * fade)).astype(np.uint8)
         return grid
 
-    def draw(self, frame: int) -> np.ndarray:
-        """Picture [H, W, 3] uint8 of a frame."""
-        places = self.places[frame]
-        turn = places[:, :, :3]
-        points = self.vertices @ turn.transpose(0, 2, 1) + places[:, None, :, 3]
-        normals = self.normals @ np.linalg.inv(turn)
-        normals /= np.linalg.norm(normals, axis=-1, keepdims=True)
-        self.body.points[:] = points.reshape(-1, 3)
-        self.body.point_data.active_normals[:] = normals.reshape(-1, 3)
-        self.body.point_data["rgb"][:] = np.repeat((255 * self.colors(frame)).astype(np.uint8), points.shape[1], 0)
-        flat = points.reshape(-1, 3) - points.reshape(-1, 3)[:, 1:2] * (self.light / self.light[1]).astype(np.float32)
-        flat[:, 1] = 0.003
-        self.flat.points[:] = flat
-        for mesh in (self.body, self.flat):
+    def draw(self, frames: Sequence[int]) -> np.ndarray:
+        """Picture [H, W, 3] uint8 with each character at its frame."""
+        places = self.places(frames)
+        self.body.points[:] = _moved(self.vertices, places)
+        self.body.point_data["rgb"][:] = self._lit(places, self.colors(frames))
+        points = _moved(self.coarse, places)
+        self.flat.points[:] = points - points[:, 1:2] * (self.light / self.light[1])
+        self.flat.points[:, 1] = 0.003
+        self.floor.points[:, [0, 2]] = np.concatenate([corners for _, corners in self.marks(frames)])
+        for mesh in (self.body, self.flat, self.floor):
             mesh.Modified()
             mesh.GetPoints().Modified()
-        self.body.GetPointData().GetNormals().Modified()
         self.body.GetPointData().GetScalars().Modified()
-        walked = self.track + np.array([0, 0.006, 0])
-        walked[frame + 1 :] = walked[frame]
-        self.walked.points[:] = walked
-        self.walked.GetPoints().Modified()
-        self.walked.Modified()
-        for actor in (self.ahead, self.behind):
-            actor.visibility = self.show_trail
-        self._aim(frame)
+        self._aim(frames)
         self.plotter.render()
         return self.plotter.screenshot(return_img=True)
 
-    def _aim(self, frame: int) -> None:
-        centre = self.centre(frame)
+    def _lit(self, places: np.ndarray, colors: np.ndarray) -> np.ndarray:
+        """Colour of every vertex [S V, 3] uint8: matt, under a sky, over a bright floor, one lamp, as in the browser."""
+        normals = self.normals @ np.linalg.inv(places[:, :, :3])
+        normals /= np.linalg.norm(normals, axis=-1, keepdims=True)
+        up = 0.5 + 0.5 * normals[..., 1:2]
+        lamp = np.clip(normals @ (self.light / np.linalg.norm(self.light)), 0, None)[..., None]
+        linear = colors[:, None] ** 2.2 * (GROUND + up * (SKY - GROUND) + lamp * SUN)
+        return (255 * np.clip(linear, 0, 1) ** (1 / 2.2)).astype(np.uint8).reshape(-1, 3)
+
+    def _aim(self, frames: Sequence[int]) -> None:
+        centre, distance = self.look(frames)
         a = self.facing + np.radians(self.angle)
         target = centre + np.array([0, self.height, 0])
         camera = self.plotter.camera
-        camera.position = tuple(target + self.distance * np.array([np.sin(a), 0.14, np.cos(a)]))
+        camera.position = tuple(target + distance * np.array([np.sin(a), TILT, np.cos(a)]))
         camera.focal_point, camera.up, camera.view_angle = tuple(target), (0, 1, 0), 32
         camera.clipping_range = (0.2, 60)
         self.grid.position = tuple(np.round(centre))
@@ -158,29 +216,39 @@ class Stage(_Scene):
         self.plotter.close()
 
 
+def _moved(vertices: np.ndarray, places: np.ndarray) -> np.ndarray:
+    """Vertices [S, V, 3] at the places [S, 3, 4] of their shapes, in the world: [S V, 3]."""
+    return (vertices @ places[:, :, :3].transpose(0, 2, 1) + places[:, None, :, 3]).reshape(-1, 3)
+
+
 class Sketch(_Scene):
     """The software renderer: slower, needs nothing."""
 
-    def draw(self, frame: int) -> np.ndarray:
-        """Picture [H, W, 3] uint8 of a frame."""
+    def draw(self, frames: Sequence[int]) -> np.ndarray:
+        """Picture [H, W, 3] uint8 with each character at its frame."""
         width, height = self.size
-        a, tilt = self.facing + np.radians(self.angle), 0.14
+        centre, distance = self.look(frames)
+        a, tilt = self.facing + np.radians(self.angle), TILT
         camera = np.array([[1, 0, 0], [0, np.cos(tilt), -np.sin(tilt)], [0, np.sin(tilt), np.cos(tilt)]])
         camera = camera @ np.array([[np.cos(a), 0, -np.sin(a)], [0, 1, 0], [np.sin(a), 0, np.cos(a)]])
-        places = self.places[frame].astype(np.float64)
-        places[..., 3] -= self.centre(frame)
+        places = self.places(frames).astype(np.float64)
+        places[..., 3] -= centre
         places = camera @ places
-        metres = 0.57 * self.distance  # seen from top to bottom, as in the other renderer
+        metres = 0.57 * distance  # seen from top to bottom, as in the other renderer
         middle = self.height * np.cos(tilt)
         window = (-metres * width / height / 2, metres * width / height / 2, middle - metres / 2, middle + metres / 2)
         canvas = Canvas(window, height / metres)
-        floor = np.zeros(3)
         lamp = camera @ R.rotate(R.yaw(torch.tensor(self.facing)), torch.from_numpy(LIGHT).float()).numpy()
-        canvas.draw(self.shapes, places, self.colors(frame))
-        canvas.shadow(self.shapes, places, camera[:, 1], floor, lamp)
-        low, high = np.array(to_rgb(FLOOR)), np.array(to_rgb(PAPER))
-        blend = np.linspace(1, 0, canvas.height)[:, None]
-        picture = canvas.image((high * blend + low * (1 - blend))[:, None], high)[:height, :width]
+        canvas.draw(self.shapes, places, self.colors(frames))
+        canvas.shadow(self.shapes, places, camera[:, 1], np.zeros(3), lamp)
+        ground = Image.new("RGB", (canvas.width, canvas.height), BACK)
+        draw = ImageDraw.Draw(ground)
+        for layer, corners in self.marks(frames):
+            x, y, _ = camera @ (np.insert(corners, 1, 0.0, axis=1) - centre).T
+            pixels = np.stack(((x - window[0]) * canvas.scale, (window[3] - y) * canvas.scale), 1)
+            for triangle in pixels[layer.triangles]:
+                draw.polygon(triangle.ravel().tolist(), fill=layer.color)
+        picture = canvas.image(np.asarray(ground, np.float32) / 255, np.array(to_rgb(BACK)))[:height, :width]
         return (255 * np.clip(picture, 0, 1)).astype(np.uint8)
 
     def close(self) -> None:

@@ -184,7 +184,7 @@ export function render({ model, el }) {
   // the newest pose; what was asked for when; rates for whoever measures
   const joints = model.get("skeleton").parents.length, asked = new Map();
   const stats = { received: 0, drawn: 0, delays: [], frame: 0 };
-  let pose = null, fresh = false, arrived = performance.now(), input = 0, last = "", first = true, handle = 0;
+  let pose = null, fresh = false, arrived = performance.now(), input = 0, last = "", first = true, handle = 0, counted = performance.now();
   function receive(message, buffers) {
     if (message.kind !== "frame") return;
     const bytes = buffers[0];
@@ -245,6 +245,10 @@ export function render({ model, el }) {
     draw();
     scene.render();
     stats.drawn += 1;
+    if (stats.drawn % 60 === 0) { // a slow machine gets a cheaper picture instead of a slower one
+      if (60000 / (now - counted) < 40 && scene.quality < 3) scene.setQuality(scene.quality + 1);
+      counted = now;
+    }
     for (const [id, since] of asked) if (id <= stats.answered) asked.delete(id), stats.delays.push(performance.now() - since);
     if (stats.delays.length > 500) stats.delays.shift();
   }

@@ -21,8 +21,7 @@ function drawsInSoftware() {
 let software; // found out when the first scene is made
 
 // Rounded cone: the hull of a sphere r0 at the origin and r1 at +Y * length. Turned about Y, then placed in a joint's frame.
-function coneGeometry({ length, radii: [r0, r1], place }) {
-  const [around, along] = software ? [14, 3] : [24, 6];
+function coneGeometry({ length, radii: [r0, r1], place }, [around, along]) {
   const tilt = Math.asin((r0 - r1) / length), profile = [];
   for (const [from, to, r, y] of [[-Math.PI / 2, tilt, r0, 0], [tilt, Math.PI / 2, r1, length]])
     for (let i = 0; i <= along; i++) {
@@ -51,10 +50,10 @@ function coneGeometry({ length, radii: [r0, r1], place }) {
 }
 
 // All shapes as one skinned mesh, each vertex bound to one joint and stored in that joint's frame (so inverses are identity).
-function mannequin(skeleton, joints) {
+function mannequin(skeleton, joints, detail) {
   const position = [], normal = [], color = [], skinIndex = [], skinWeight = [], index = [], feet = [];
   for (const shape of skeleton.shapes) {
-    const part = coneGeometry(shape), first = position.length / 3, count = part.position.length / 3;
+    const part = coneGeometry(shape, detail), first = position.length / 3, count = part.position.length / 3;
     const tone = new THREE.Color(shape.color);
     position.push(...part.position);
     normal.push(...part.normal);
@@ -82,9 +81,10 @@ function mannequin(skeleton, joints) {
   return { mesh, feet };
 }
 
-// The same body pressed flat onto the floor along the light: a shadow that costs next to nothing.
-function pressed(body, { x, y, z }) {
-  const mesh = new THREE.SkinnedMesh(body.geometry, new THREE.MeshBasicMaterial({ color: SHADE, fog: false }));
+// A coarse body pressed flat onto the floor along the light: a shadow that costs next to nothing.
+function pressed(skeleton, body, { x, y, z }) {
+  const { mesh: coarse } = mannequin(skeleton, body.skeleton.bones, [6, 1]);
+  const mesh = new THREE.SkinnedMesh(coarse.geometry, new THREE.MeshBasicMaterial({ color: SHADE, fog: false }));
   mesh.bind(body.skeleton, new THREE.Matrix4());
   mesh.bindMode = THREE.DetachedBindMode;
   mesh.frustumCulled = mesh.matrixAutoUpdate = mesh.visible = false;
@@ -111,6 +111,21 @@ function floorTexture(anisotropy) {
   texture.repeat.set(60, 60); // one tile per metre
   texture.anisotropy = anisotropy;
   return texture;
+}
+
+// A band every metre, in a plane's own frame: much cheaper in software than lines or a texture.
+function grid(size, width = 0.03) {
+  const position = [], index = [];
+  for (let i = -size / 2; i <= size / 2; i++)
+    for (const [x, y, u, v] of [[i, 0, width, size], [0, i, size, width]]) {
+      const n = position.length / 3;
+      for (const [a, b] of [[-1, -1], [1, -1], [1, 1], [-1, 1]]) position.push(x + (a * u) / 2, y + (b * v) / 2, 0.002);
+      index.push(n, n + 1, n + 2, n, n + 2, n + 3);
+    }
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute("position", new THREE.Float32BufferAttribute(position, 3));
+  geometry.setIndex(index);
+  return new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({ color: GRID }));
 }
 
 // A flat band on the floor along points [n * 3]; drawn up to a frame with setDrawRange.
@@ -159,9 +174,10 @@ export class Scene {
     Object.assign(this.sun.shadow.camera, { left: -1.8, right: 1.8, top: 1.8, bottom: -1.8, near: 1, far: 12 });
     this.scene.add(this.sun, this.sun.target);
 
-    const texture = floorTexture(this.renderer.capabilities.getMaxAnisotropy());
-    this.floor = new THREE.Mesh(new THREE.PlaneGeometry(60, 60), new THREE.MeshBasicMaterial({ map: texture }));
+    const look = software ? { color: FLOOR } : { map: floorTexture(this.renderer.capabilities.getMaxAnisotropy()) };
+    this.floor = new THREE.Mesh(new THREE.PlaneGeometry(60, 60), new THREE.MeshBasicMaterial(look));
     this.floor.rotation.x = -Math.PI / 2;
+    if (software) this.floor.add(grid(40)); // there, a textured floor takes longer than all the rest
     this.shade = new THREE.Mesh(new THREE.PlaneGeometry(6, 6), new THREE.ShadowMaterial({ opacity: 0.22, depthWrite: false }));
     this.shade.position.z = 0.001;
     this.shade.receiveShadow = true;
@@ -173,11 +189,11 @@ export class Scene {
       (p < 0 ? this.scene : this.joints[p]).add(this.joints[j]);
       this.joints[j].position.fromArray(skeleton.offsets[j]);
     });
-    const { mesh, feet } = mannequin(skeleton, this.joints);
+    const { mesh, feet } = mannequin(skeleton, this.joints, software ? [10, 2] : [24, 6]);
     this.body = mesh;
     this.feet = feet;
     this.touching = {};
-    this.flat = pressed(mesh, this.light);
+    this.flat = pressed(skeleton, mesh, this.light);
     this.scene.add(mesh, this.flat);
 
     this.camera = new THREE.PerspectiveCamera(36, 1, 0.1, 60);

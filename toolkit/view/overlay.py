@@ -1,0 +1,73 @@
+"""What is written over a picture of a moving body: names and phase dials."""
+
+import colorsys
+from collections.abc import Sequence
+from functools import cache
+
+import numpy as np
+from PIL import Image, ImageDraw, ImageFont
+
+from toolkit.view.picture import INK, PAPER
+
+LIMBS = ("left hand", "right hand", "left foot", "right foot")
+FINE = 3  # a dial is drawn this many times larger, then averaged
+RIM = "#cfc8bb"
+
+
+def write(picture: Image.Image, cell: tuple[int, int, int, int], labels: Sequence[tuple[str, str]],
+          phases: Sequence[np.ndarray | None]) -> None:  # fmt: skip
+    """Write names and dials of the characters in a cell of a picture down its left side.
+
+    Parameters
+    ----------
+    picture
+        Is changed.
+    cell
+        Left, top, width and height, pixels.
+    labels
+        Text and colour of each character.
+    phases
+        Of each character, phase vectors [4, 2] (sin, cos) of the `LIMBS`, or None.
+    """
+    left, top, _, height = cell
+    draw, x, y = ImageDraw.Draw(picture), left + 10, top + 6
+    for text, color in labels:
+        if text:
+            draw.text((x, y), text, color, _font(15))
+            y += 20
+    size = min(max(height // 10, 16), 44)
+    for (_, color), vectors in zip(labels, phases, strict=True):
+        if vectors is None:
+            continue
+        for i, vector in enumerate(np.asarray(vectors, dtype=float)):
+            place = x + 6, y + 6 + i * (size + 14)
+            picture.paste(_dial(vector, size, color if len(labels) > 1 else RIM), place, _disc(size))
+            draw.text((place[0] + size / 2, place[1] + size + 6), LIMBS[i], INK, _font(10), anchor="mm")
+        x += size + 20
+
+
+@cache
+def _font(size: int) -> ImageFont.FreeTypeFont:
+    return ImageFont.load_default(size)
+
+
+@cache
+def _disc(size: int) -> Image.Image:
+    disc = Image.new("L", (size * FINE,) * 2)
+    ImageDraw.Draw(disc).ellipse((0, 0, size * FINE - 1, size * FINE - 1), fill=255)
+    return disc.reduce(FINE)
+
+
+def _dial(vector: np.ndarray, size: int, rim: str) -> Image.Image:
+    """The hand points at the phase, is as long as the vector (a full hand is 1.4 m/s), and has the phase's colour."""
+    size *= FINE
+    dial, middle = Image.new("RGB", (size, size), rim), size / 2
+    draw = ImageDraw.Draw(dial)
+    draw.ellipse((FINE, FINE, size - 1 - FINE, size - 1 - FINE), fill=PAPER)
+    strength = float(np.hypot(*vector))
+    tip = middle + 0.8 * middle * min(1.0, 0.7 * strength) / max(strength, 1e-9) * vector * [1, -1]
+    turn = np.arctan2(*vector) / (2 * np.pi) % 1.0
+    color = tuple(round(255 * c) for c in colorsys.hls_to_rgb(turn, 0.45, 0.62))
+    draw.line((middle, middle, *tip), fill=color, width=size // 11)
+    draw.circle((middle, middle), size // 22, fill=color)
+    return dial.reduce(FINE)
