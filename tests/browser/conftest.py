@@ -39,8 +39,8 @@ def lab(tmp_path_factory):
     settings.mkdir(parents=True)
     (settings / "notification.jupyterlab-settings").write_text('{"fetchNews": "false", "checkForUpdates": false}')
     command = [sys.executable, "-m", "jupyter", "lab", "--no-browser", "--allow-root", "--port=0",
-               "--ServerApp.port_retries=0", "--IdentityProvider.token=",
-               "--ServerApp.disable_check_xsrf=True", f"--ServerApp.root_dir={folder}"]  # fmt: skip
+               "--ServerApp.port_retries=0", "--IdentityProvider.token=", "--ServerApp.disable_check_xsrf=True",
+               "--expose-app-in-browser", f"--ServerApp.root_dir={folder}"]  # fmt: skip
     with log.open("w") as file:
         server = subprocess.Popen(command, env=env, stdout=file, stderr=subprocess.STDOUT, cwd=folder)
     try:
@@ -68,25 +68,16 @@ class Notebook:
         page.wait_for_selector('.jp-Notebook-ExecutionIndicator[data-status="idle"]', timeout=90_000)
 
     def run_all(self, seconds: float = 120) -> None:
-        """Run every cell and wait until each has its number; JupyterLab drops a run that is asked for too early."""
-        prompts = "[...document.querySelectorAll('.jp-Notebook .jp-CodeCell .jp-InputPrompt')]"
-        select = self.page.get_by_role("button", name="Select Kernel")
-        for _ in range(10):
-            if select.is_visible():  # asked for when the kernel is slow to come
-                select.click()
-            self.page.get_by_role("menuitem", name="Run", exact=True).click()
-            self.page.get_by_text("Run All Cells", exact=True).click()
-            self.page.wait_for_timeout(2000)
-            if self.page.evaluate(f"{prompts}.some((p) => /[*\\d]/.test(p.textContent))"):
-                break
-        self.page.wait_for_function(
-            f"""() => {{
-                const error = document.querySelector('.jp-Notebook [data-mime-type="application/vnd.jupyter.stderr"]');
-                if (error) throw Error(error.textContent);
-                return {prompts}.every((p) => /\\d/.test(p.textContent));
-            }}""",
-            timeout=1000 * seconds,
-        )
+        """Run every cell, once the kernel is connected, and wait for the last one; an error in a cell is raised."""
+        self.page.set_default_timeout(1000 * seconds)
+        self.page.evaluate("""async () => {
+            const { sessionContext } = jupyterapp.shell.currentWidget;
+            await sessionContext.ready;
+            await sessionContext.session.kernel.info;
+            await jupyterapp.commands.execute("notebook:run-all-cells");
+        }""")
+        failed = self.page.locator('.jp-Notebook [data-mime-type="application/vnd.jupyter.error"]')
+        assert failed.count() == 0, failed.first.text_content()
 
 
 @pytest.fixture

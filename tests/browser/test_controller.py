@@ -82,6 +82,8 @@ def test_keys_move_and_the_marker_blends(open_notebook, probe):
     page.locator(".tkc-record").click()
     wait_for(probe, lambda p: not p["recording"])
     wait_for(lambda: page.evaluate(DRAWN), lambda drawn: drawn > 60)
+    page.evaluate("() => document.querySelector('.tkc').parentElement.toolkit.scene.setQuality(2)")  # whole pixels
+    page.wait_for_timeout(200)
     page.locator(".tkc").screenshot(path=ARTEFACTS / "controller.png")
     assert notebook.errors == []
 

@@ -222,7 +222,7 @@ export function render({ model, el }) {
     ground.mesh.visible = shown.trajectory;
     ground.show(trajectory);
     phases.box.hidden = !shown.phases;
-    if (shown.phases) phases.show(phase);
+    if (shown.phases && stats.drawn % 3 === 0) phases.show(phase); // the page around the picture costs more than the picture
     scene.follow(place[0], place[2], { jump: first });
     if (shown.chase) turnBehind(Math.atan2(trajectory[4 * NOW + 2], trajectory[4 * NOW + 3]));
     first = false;
@@ -239,14 +239,15 @@ export function render({ model, el }) {
     handle = requestAnimationFrame(tick);
     if (document.hidden || !view.clientWidth) return;
     ask();
-    alert.textContent = model.get("status") || (now - arrived > SILENCE ? "waiting for the kernel …" : "");
+    const say = model.get("status") || (now - arrived > SILENCE ? "waiting for the kernel …" : "");
+    if (alert.textContent !== say) alert.textContent = say;
     if (!fresh) return;
     fresh = false;
     draw();
     scene.render();
     stats.drawn += 1;
     if (stats.drawn % 60 === 0) { // a slow machine gets a cheaper picture instead of a slower one
-      if (60000 / (now - counted) < 40 && scene.quality < 3) scene.setQuality(scene.quality + 1);
+      if (60000 / (now - counted) < 24 && scene.quality < 3) scene.setQuality(scene.quality + 1);
       counted = now;
     }
     for (const [id, since] of asked) if (id <= stats.answered) asked.delete(id), stats.delays.push(performance.now() - since);
