@@ -11,7 +11,7 @@ import typer
 
 def run(
     clips: Annotated[list[Path] | None, typer.Option(help="BVH files; procedural clips where none is given.")] = None,
-    windows: Annotated[int, typer.Option(help="How many windows scipy fits.")] = 500,
+    windows: Annotated[int, typer.Option(min=1, help="How many windows scipy fits.")] = 500,
     continuity: Annotated[float, typer.Option(help="Weight of the extra row with continuity.")] = 0.2,
     seed: Annotated[int, typer.Option(help="Of the choice of windows.")] = 0,
 ) -> None:
