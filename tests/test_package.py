@@ -130,6 +130,7 @@ def test_a_checkpoint_of_another_layout_is_refused(tmp_path, small_run, walk_cli
 def test_the_demo_works_on_a_small_budget(tmp_path):
     from toolkit import demo
 
+    assert "toolkitScene" in demo.greet(tmp_path / "demo").read_text(encoding="utf-8")
     made = demo.make(seconds=2.0, data_seconds=10.0)
     files = demo.write(made, tmp_path / "demo")
     assert [f.name for f in files] == ["walk.bvh", "walk.html", "strip.png", "report.txt", "model.safetensors"]

@@ -134,6 +134,8 @@ def demo_(
     seed: Annotated[int, typer.Option(help="Of data and training.")] = 0,
 ) -> None:
     """Train a small model on the embedded data and drive a character through a blend of three styles."""
+    print(f"The embedded model walks already: open {demo.greet(out)} in a browser.")
+    print(f"Meanwhile a small model is trained from nothing, for {seconds:g} s.")
     made = demo.make(seconds, seed=seed, progress=True)
     files = demo.write(made, out)
     print("\n".join(made.report))

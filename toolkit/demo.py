@@ -1,4 +1,4 @@
-"""From nothing to a stylised character under control in about a minute: what ``make demo`` runs."""
+"""From nothing to a stylised character under control: in seconds the embedded one, in a minute one trained here."""
 
 import math
 import time
@@ -43,6 +43,28 @@ def blend_weights(frames: int) -> dict[str, torch.Tensor]:
     return dict(zip(STYLES, mixed.T, strict=True))
 
 
+def stroll(model, bank, *, progress: bool = False) -> tuple[Clip, Clip, torch.Tensor, dict[str, torch.Tensor]]:
+    """Walk along `path` through `blend_weights`: the clip with IK and without, predicted contacts [F, 2], the weights."""
+    commands = runtime.follow(path(), SPEED)
+    weights = blend_weights(len(commands))
+    vectors = [bank.blend({s: float(w[frame]) for s, w in weights.items()}) for frame in range(len(commands))]
+    states = list(runtime.states(model, commands, lambda frame: vectors[frame], progress=progress))
+    contact = torch.stack([s.contacts[0] for s in states])
+    plain, clip = (runtime.record(model, states, feet=ik, arms=ik) for ik in (False, True))
+    return clip, plain, contact, weights
+
+
+def greet(folder: Path) -> Path:
+    """The embedded model's walk as a web page: something to look at while the demo's own model is trained."""
+    from toolkit import view
+
+    folder.mkdir(parents=True, exist_ok=True)
+    clip, _, contact, weights = stroll(*training.pretrained())
+    return view.html(clip, folder / "embedded.html", title="The embedded model", labels=["figure of eight"],
+                     contacts=contact, styles=weights,
+                     caption=f"Trained on procedural data, blending {' → '.join(STYLES)}.")  # fmt: skip
+
+
 def make(seconds: float = 35.0, *, data_seconds: float = 60.0, seed: int = 0, progress: bool = False) -> Demo:
     """Generate procedural motion, train a small LPN-FiLM on it, and drive a character along `path` through a style blend.
 
@@ -64,13 +86,7 @@ def make(seconds: float = 35.0, *, data_seconds: float = 60.0, seed: int = 0, pr
     run = training.fit(data, training.Config.quick(seconds=seconds, seed=seed), progress=progress)
     trained = time.perf_counter()
 
-    points = path()
-    commands = runtime.follow(points, SPEED)
-    weights = blend_weights(len(commands))
-    vectors = [run.bank.blend({s: float(w[frame]) for s, w in weights.items()}) for frame in range(len(commands))]
-    states = list(runtime.states(run.model, commands, lambda frame: vectors[frame], progress=progress))
-    contact = torch.stack([s.contacts[0] for s in states])
-    plain, clip = (runtime.record(run.model, states, feet=ik, arms=ik) for ik in (False, True))
+    clip, plain, contact, weights = stroll(run.model, run.bank, progress=progress)
     rolled = time.perf_counter()
 
     error = run.table()[-1]
@@ -84,7 +100,7 @@ def make(seconds: float = 35.0, *, data_seconds: float = 60.0, seed: int = 0, pr
         f"repeating the frame {error['repeat']:.4f})",
         f"rollout    {len(clip):,} frames, {(rolled - trained) / len(clip) * 1000:.1f} ms each "
         f"(real time is {1000 / runtime.FPS:.1f})",
-        f"speed      {metrics.speed(clip):.2f} m/s, asked for {SPEED:.2f}; {metrics.path_error(clip, points) * 100:.0f} cm "
+        f"speed      {metrics.speed(clip):.2f} m/s, asked for {SPEED:.2f}; {metrics.path_error(clip, path()) * 100:.0f} cm "
         "from the path on average",
         f"hips       {low:.2f} to {high:.2f} m high, {'' if metrics.upright(clip) else 'NOT '}upright all the way",
         f"foot skate {skate['with'] * 100:.1f} cm/s in contact with foot IK, {skate['without'] * 100:.1f} without",
