@@ -19,6 +19,7 @@ class Replay:
         self.layout = Layout(clip.skeleton)
         self.rows = tk.features.frames(clip)
         self.outputs_mean, self.phases_mean = self.rows.outputs.mean(0), self.rows.phases.mean(0)
+        self.phases_std = self.rows.phases.std(0)
         self.frame = 0
 
     def predict(self, x, phases, style):

@@ -27,6 +27,7 @@ PROPORTIONAL, INTEGRAL, MAX_DRIVE = 1.5, 0.8, 12.0  # ours: gains of `govern` (o
 RETURN, SLOW = 3.0, 0.3  # ours: how strongly `steer` works against movement while standing; m/s from which one walks
 LOOKAHEAD = 0.5  # seconds that a pilot looks ahead
 N_FUTURE = len(trajectory.SAMPLES) - trajectory.CURRENT
+ABOUT_TO_STEP = (-1.0, 0.0, 1.0, 0.0, 1.0, 0.0, -1.0, 0.0)  # (sin, cos) of the limbs in the order of the phases
 UP = torch.tensor([0.0, 1.0, 0.0])
 
 
@@ -101,7 +102,8 @@ def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0),
     Parameters
     ----------
     model
-        Its mean pose and phase are taken.
+        Its mean pose is taken. The phase is far from its mean, amid a stride: a mean phase is none, and from there some
+        styles glide for seconds before they step.
     style : Tensor [S] or [B, S]
         Style vector or one per character.
     position, facing
@@ -113,9 +115,10 @@ def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0),
     look = _unit(torch.as_tensor(facing, dtype=torch.float32).expand(len(style), 2))
     root = torch.cat((place, look), -1)
     joints = model.outputs_mean[layout.outputs["joints"]].expand(len(style), -1)
+    phase = model.phases_mean + 2 * model.phases_std * torch.tensor(ABOUT_TO_STEP)
     state = CharacterState(
         history=root[:, None].repeat(1, trajectory.PAST + 1, 1), future=root[:, None].repeat(1, N_FUTURE, 1),
-        joints=_orthonormal(joints), phase=model.phases_mean.expand(len(style), -1), style=style,
+        joints=_orthonormal(joints), phase=phase.expand(len(style), -1), style=style,
         velocity=torch.zeros(len(style), 2), facing=look, drive=torch.ones(len(style), 1),
         contacts=torch.ones(len(style), 2), toes=torch.zeros(len(style), 2, 3), drift=torch.zeros(len(style), 2, 2),
     )  # fmt: skip
