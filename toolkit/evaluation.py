@@ -5,7 +5,7 @@ from torch import Tensor
 
 from toolkit.features import Features, Layout, Rows
 from toolkit.networks import Model
-from toolkit.styles import StyleBank
+from toolkit.networks.bank import StyleBank
 
 
 def loss_terms(model: Model, predicted: Tensor, target: Tensor) -> tuple[Tensor, Tensor]:

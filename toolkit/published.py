@@ -16,7 +16,7 @@ from toolkit.datasets.procedural import SKELETON
 from toolkit.features import Layout, Normaliser
 from toolkit.motion import Clip
 from toolkit.networks import Model, Sizes, build
-from toolkit.styles import StyleBank
+from toolkit.networks.bank import StyleBank
 
 #: Style names by index: the 95 trained ones, then the five that were kept for fine-tuning.
 STYLES = (

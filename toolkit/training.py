@@ -25,8 +25,8 @@ from toolkit import networks, sampling
 from toolkit.evaluation import baselines, evaluate, loss_terms, make_bank
 from toolkit.features import Features
 from toolkit.networks import Model, Sizes, weights
+from toolkit.networks.bank import StyleBank, check_style
 from toolkit.sampling import DROPOUT, INIT, Minibatches
-from toolkit.styles import StyleBank, check_style
 
 
 @dataclass(frozen=True)

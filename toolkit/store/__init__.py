@@ -26,11 +26,11 @@ import toolkit
 from toolkit import datasets, features, phases, sampling, trajectory
 from toolkit.datasets import Take
 from toolkit.features import Features, Layout, Normaliser, Split
+from toolkit.networks.bank import check_style
 from toolkit.networks.weights import difference
 from toolkit.store import files, partition
 from toolkit.store.partition import Partition
 from toolkit.store.workers import completed, executor
-from toolkit.styles import check_style
 
 __all__ = ["is_store", "load", "preprocess"]
 
