@@ -1,3 +1,4 @@
+import dataclasses
 import json
 
 import numpy as np
@@ -15,25 +16,60 @@ TINY = Sizes(hidden=16, experts=3, gating=8, film_channels=4, film_kernel=5, fil
 
 def tree(joints: int) -> Layout:
     """A layout of a chain of joints."""
-    roles = {"hips": "joint0", "left_hand": "joint1", "right_hand": "joint2"}
+    roles = {"hips": "joint0", "left_hand": "joint1", "right_hand": "joint2", "left_foot": "joint3", "right_foot": "joint0"}
     names, parents = [f"joint{j}" for j in range(joints)], [-1, *range(joints - 1)]
     return Layout(Skeleton(names, parents, torch.full((joints, 3), 0.1), roles))
 
 
-def tiny_model(joints: int = 4, **changes) -> networks.Model:
+def tiny_model(joints: int = 4, name: str = "lpn-film", **changes) -> networks.Model:
     torch.manual_seed(0)
-    layout = tree(joints)
-    widths = {"inputs": layout.n_inputs, "phases": 8, "outputs": layout.n_outputs, "clips": layout.n_clip}
+    layout = dataclasses.replace(tree(joints), phase={"l": "local", "p": "global", "m": "none"}[name[0]])
+    widths = {"inputs": layout.n_inputs, "phases": layout.n_phases, "outputs": layout.n_outputs, "clips": layout.n_clip}
     normalisers = {kind: Normaliser(torch.randn(width), torch.rand(width) + 0.5) for kind, width in widths.items()}
-    return networks.build("lpn-film", layout, 2, TINY, normalisers, **changes)
+    return networks.build(name, layout, 2, TINY, normalisers, **changes)
 
 
-def test_parameter_counts_are_those_of_table_2():
+def something(model: networks.Model, rows: int = 3) -> tuple[torch.Tensor, torch.Tensor, torch.Tensor]:
+    """Input frames, phases and style vectors for a model."""
+    return tuple(torch.randn(rows, n) for n in (model.layout.n_inputs, model.layout.n_phases, model.style_size))
+
+
+FILM = 39_214_592  # the paper prints 35,668,530
+
+
+@pytest.mark.parametrize(("name", "synthesis", "style", "per_style", "columns"), [
+    ("pfnn-onehot", 2_436_380, 194_560, 2_048, 327), ("lpn-onehot", 4_935_928, 389_120, 4_096, 342),
+    ("pfnn-resad", 2_436_380, 2_978_440, 31_352, 327), ("lpn-resad", 4_935_928, 24_952_320, 262_656, 342),
+    ("pfnn-film", 2_436_380, FILM, 2_048, 327), ("mann-film", 4_870_392, FILM, 2_048, 326),
+    ("lpn-film", 4_935_928, FILM, 2_048, 342),
+])  # fmt: skip
+def test_parameter_counts_are_those_of_table_2(name, synthesis, style, per_style, columns):
     layout = tree(25)
     assert (layout.n_inputs, layout.n_outputs, layout.n_clip) == (348, 342, 300)
     with torch.device("meta"):
-        model = networks.build("lpn-film", layout, 95)
-    assert networks.counts(model) == {"synthesis": 4_935_928, "style": 39_214_592, "per_style": 2048}
+        model = networks.build(name, layout, 95)
+    assert networks.counts(model) == {"synthesis": synthesis, "style": style, "per_style": per_style}
+    assert (model.layout.n_inputs, model.layout.n_outputs) == (348, columns)
+    row = {row.name: row for row in networks.table2()}[name]
+    assert (row.synthesis, row.style, row.per_style) == (synthesis, style, per_style)
+    if style == FILM:
+        assert row.printed == (synthesis, 35_668_530, per_style)
+        assert "without its input channels" in row.note
+    else:
+        assert row.printed == (synthesis, style, per_style)
+        assert row.note == ""
+
+
+def test_the_films_printed_count_is_its_convolutions_without_input_channels():
+    row = networks.table2()[-1]
+    dense = (15_360 * 2048 + 2048) + (2048 * 2048 + 2048)
+    assert row.style == (300 * 256 * 25 + 256) + (256 * 256 * 25 + 256) + dense
+    assert row.style_as_printed == row.printed[1] == 2 * (256 * 25 + 25) + dense
+
+
+def test_the_seven_models_are_table_2():
+    assert [row.name for row in networks.table2()] == list(networks.MODELS)
+    assert len(networks.MODELS) == 7
 
 
 def test_small_sizes_have_less_than_a_tenth_of_the_parameters():
@@ -123,9 +159,11 @@ def test_dropout_acts_on_every_layers_input_only_in_training():
     assert rates == [(0.3, width) for width in widths]
 
 
-def test_predict_normalises_inside():
-    model = tiny_model()
-    x, p, s = torch.randn(3, model.layout.n_inputs), torch.randn(3, 8), torch.randn(64)
+@pytest.mark.parametrize("name", networks.MODELS)
+def test_predict_normalises_inside(name):
+    model = tiny_model(name=name)
+    x, p, s = something(model)
+    s = s[0]
     got = model.predict(x, p, s)
     expected = model((x - model.inputs_mean) / model.inputs_std, (p - model.phases_mean) / model.phases_std, s[None])
     torch.testing.assert_close(got, expected * model.outputs_std + model.outputs_mean)
@@ -140,6 +178,71 @@ def test_style_vector_is_the_mean_over_clips():
     torch.testing.assert_close(model.style_vector(clips), each.mean(0), rtol=1e-4, atol=1e-5)
 
 
+@pytest.mark.parametrize("name", networks.MODELS)
+def test_each_overfits_one_batch_of_two_styles(name):
+    """The same input frames, other targets for each style: only the style vector tells which."""
+    torch.manual_seed(4)
+    model = networks.build(name, tree(4), 2, dataclasses.replace(TINY, hidden=32, dropout=0.0)).train()
+    x, p = torch.randn(6, 96), torch.randn(6, 8)
+    targets, clips = torch.randn(2, 6, 90), torch.randn(2, 1, 240, 48)
+    adam = torch.optim.Adam(model.parameters(), 3e-3)
+    losses = []
+    for _ in range(400):
+        loss = 0.0
+        for style in range(2):
+            phases, z = model.observe(p, targets[style])
+            loss = loss + (model(x, phases, model.encode(clips[style], style)) - z).square().mean() / 2
+        adam.zero_grad()
+        loss.backward()
+        adam.step()
+        losses.append(float(loss.detach()))
+    assert losses[-1] < 0.02 * losses[0], (losses[0], losses[-1])
+
+
+@pytest.mark.parametrize("name", [name for name in networks.MODELS if not name.endswith("film")])
+def test_tables_are_looked_up_by_number(name):
+    model = tiny_model(name=name)
+    rows = model.modulation.generator.vectors
+    assert rows.shape == (2, model.style_size)
+    assert not torch.equal(rows[0], rows[1])
+    assert torch.equal(model.encode(None, 1), rows[1:])
+    assert torch.equal(model.encode(torch.zeros(5, 240, 48), torch.tensor([1, 0, 1])), rows[[1, 0, 1]])
+    assert torch.equal(model.style_vector(torch.zeros(5, 240, 48), 0), rows[0])
+    with pytest.raises(ValueError, match=r"has styles 0 to 1, got \[2\]"):
+        model.encode(None, 2)
+    with pytest.raises(ValueError, match="keeps its 2 styles in a table, not in clips: say which by number"):
+        model.encode(torch.zeros(1, 240, 48))
+
+
+def test_layouts_of_other_phases():
+    layout = tree(4)
+    assert [dataclasses.replace(layout, phase=kind).n_outputs for kind in ("local", "global", "none")] == [90, 75, 74]
+    for name in networks.MODELS:
+        own = tiny_model(name=name).layout
+        assert Layout.from_json(own.to_json()) == own
+        assert (own == layout) == name.startswith("lpn")
+        assert networks.build(name, own, 2, TINY).layout == own
+    old = json.loads(layout.to_json())
+    del old["phase"]
+    assert Layout.from_json(json.dumps(old)) == layout
+    with pytest.raises(ValueError, match="is one of local, global, none; got 'lokal'"):
+        Layout(layout.skeleton, "lokal")
+
+
+def test_velocities_of_hands_and_feet_are_what_mann_looks_at():
+    layout = tree(4)
+    joints = torch.zeros(4, 4, 3)
+    joints[[1, 2, 3, 0], 3] = torch.arange(1.0, 13.0).view(4, 3)  # the roles of the tree, in the order of the phases
+    x = layout.pack_input(trajectory=torch.zeros(48), joints=joints.flatten())
+    assert x[layout.limb_velocities].tolist() == list(range(1, 13))
+    model = tiny_model(name="mann-film")
+    x, p, _ = something(model)
+    moved = x.clone()
+    moved[:, [c for c in range(96) if c not in layout.limb_velocities]] += 1.0
+    assert torch.equal(model.gating(p, x), model.gating(p, moved))
+    assert not torch.allclose(model.gating(p, x), model.gating(p, x.flip(0)))
+
+
 @pytest.mark.parametrize(("what", "shapes"), [("x", (9, 8, 64)), ("phases", (96, 7, 64)), ("style", (96, 8, 63))])
 def test_wrong_widths_are_named(what, shapes):
     with pytest.raises(ValueError, match=rf"{what} needs \d+ columns, got shape"):
@@ -150,7 +253,7 @@ def test_wrong_clips_sizes_names_and_normalisers():
     model = tiny_model()
     with pytest.raises(ValueError, match=r"\[M, 240, 48\], got \[1, 100, 48\]"):
         model.style_vector(torch.zeros(1, 100, 48))
-    with pytest.raises(ValueError, match="unknown model 'lpn'; there is lpn-film"):
+    with pytest.raises(ValueError, match="unknown model 'lpn'; there is pfnn-onehot, lpn-onehot, "):
         networks.build("lpn", tree(4), 2)
     with pytest.raises(ValueError, match="hidden must be a whole number from 1, got 0"):
         Sizes(hidden=0)
@@ -158,25 +261,30 @@ def test_wrong_clips_sizes_names_and_normalisers():
         networks.build("lpn-film", tree(4), 2, TINY, {"phases": Normaliser(torch.zeros(3), torch.ones(3))})
 
 
-def test_a_saved_model_predicts_the_same(tmp_path):
-    model = tiny_model()
+@pytest.mark.parametrize("name", networks.MODELS)
+def test_a_saved_model_predicts_the_same(tmp_path, name):
+    model = tiny_model(name=name)
     model.save(tmp_path / "m.safetensors")
-    again = networks.Model.load(tmp_path / "m.safetensors", model.layout)
-    x, p, s = torch.randn(3, model.layout.n_inputs), torch.randn(3, 8), torch.randn(64)
+    again = networks.Model.load(tmp_path / "m.safetensors", tree(4))  # the layout of the data
+    x, p, s = something(model)
     assert torch.equal(again.predict(x, p, s), model.predict(x, p, s))
-    assert (again.name, again.layout, again.sizes, again.n_styles) == ("lpn-film", model.layout, TINY, 2)
+    clips = torch.randn(2, 240, 48)
+    assert torch.equal(again.style_vector(clips, 1), model.style_vector(clips, 1))
+    assert (again.name, again.layout, again.sizes, again.n_styles) == (name, model.layout, TINY, 2)
     assert not again.training
     assert all(v.requires_grad for v in again.parameters())
 
 
-def test_a_model_without_its_generator_takes_vectors_and_makes_none(tmp_path):
-    model = tiny_model()
+@pytest.mark.parametrize("name", networks.MODELS)
+def test_a_model_without_its_generator_takes_vectors_and_makes_none(tmp_path, name):
+    model = tiny_model(name=name)
     model.save(tmp_path / "m.safetensors", generator=False)
     again = networks.Model.load(tmp_path / "m.safetensors")
-    x, p, s = torch.randn(3, model.layout.n_inputs), torch.randn(3, 8), torch.randn(64)
+    x, p, s = something(model)
     assert torch.equal(again.predict(x, p, s), model.predict(x, p, s))
-    with pytest.raises(ValueError, match="without its FiLM generator"):
-        again.style_vector(torch.zeros(1, 240, 48))
+    missing = "FiLM generator" if name.endswith("film") else "table of styles"
+    with pytest.raises(ValueError, match=f"stored without its {missing}"):
+        again.style_vector(torch.zeros(1, 240, 48), 0)
 
 
 def test_bad_model_files_are_one_line(tmp_path):

@@ -183,3 +183,61 @@ def test_straight_commands():
     assert len(commands) == 90
     assert commands[0].velocity == pytest.approx((1.2, 1.6))
     assert math.hypot(*commands[0].facing) == pytest.approx(1.0)
+
+
+@pytest.fixture(scope="module")
+def seven():
+    """Each of the seven models after a few steps, with its bank."""
+    clips = tk.datasets.load("procedural", styles=["Neutral", "Zombie"], gaits=["FW"], seconds=10.0)
+    data = tk.features.build(clips)
+    sizes = tk.networks.Sizes(hidden=16, experts=3, gating=8, film_channels=4, film_kernel=5, film_dense=8, rank=4)
+    return {name: tk.training.fit(data, tk.training.Config.quick(model=name, steps=40, sizes=sizes))
+            for name in tk.networks.MODELS}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", tk.networks.MODELS)
+def test_each_of_the_seven_models_moves_a_character(seven, name):
+    """Alone and in a crowd of several styles, through a live blend, and again from a file."""
+    model, bank = seven[name].model, seven[name].bank
+    blend = bank.blend({"Neutral": 0.4, "Zombie": 0.6})
+    commands = runtime.straight(1.0, 0.5)
+    vectors = torch.stack((*bank.vectors, blend))
+    crowd = list(runtime.states(model, commands, vectors))
+    for i, vector in enumerate(vectors):
+        alone = list(runtime.states(model, commands, vector))
+        assert float((crowd[-1].joints[i] - alone[-1].joints[0]).abs().max()) < 1e-3
+        assert crowd[-1].phase[i].shape == (model.layout.n_phases,)
+    one, other, _ = crowd[-1].joints
+    assert float((one - other).abs().max()) > 1e-4  # the vector counts
+    clip = runtime.rollout(model, commands, lambda frame: bank.blend({"Neutral": 1 - frame / 30, "Zombie": frame / 30}))
+    assert len(clip) == 30
+    assert bool(clip.global_positions.isfinite().all())
+    switched = runtime.step(model, crowd[-1].with_style(bank["Zombie"]), commands[0])
+    assert torch.equal(switched.style, bank["Zombie"].expand(3, -1))
+
+
+def test_a_global_phase_stays_an_angle_and_goes_on(seven):
+    run = seven["pfnn-film"]
+    start = runtime.start(run.model, run.bank["Neutral"])
+    assert float(start.phase) == pytest.approx(1.5 * math.pi)  # about to step: the right foot back, the left ahead
+    states = list(runtime.states(run.model, runtime.straight(1.0, 3.0), run.bank["Neutral"], start))
+    angle = torch.stack([s.phase[0, 0] for s in states])
+    assert bool(((angle >= 0) & (angle < math.tau)).all())
+    steps = (angle.diff() + math.pi) % math.tau - math.pi
+    assert 0.02 < float(steps.mean()) < 0.3  # radians per frame; a walk has 0.1
+
+
+def test_a_model_without_phases_starts_with_its_limbs_amid_a_stride(seven):
+    poses = {}
+    for name in ("mann-film", "lpn-film"):
+        model = seven[name].model
+        block = model.layout.outputs["joints"]
+        state = runtime.start(model, seven[name].bank["Neutral"])
+        shift = split_joints((state.joints[0] - model.outputs_mean[block]) / model.outputs_std[block])
+        poses[name] = {channel: shift[channel] for channel in ("position", "velocity")}
+    ahead = torch.tensor([-2.0, 2.0, 2.0, -2.0])  # left foot and right hand
+    limbs, moved = model.layout.limbs, poses["mann-film"]
+    torch.testing.assert_close(moved["position"][limbs, 2], ahead, rtol=1e-3, atol=1e-3)
+    torch.testing.assert_close(moved["velocity"][limbs, 2], -ahead, rtol=1e-3, atol=1e-3)
+    assert int((torch.cat((*moved.values(),)).abs() > 1e-3).sum()) == 8  # nothing else
+    assert all(float(values.abs().max()) < 1e-3 for values in poses["lpn-film"].values())

@@ -1,6 +1,12 @@
 import dataclasses
+import json
 import os
+import random
+import re
 import signal
+import subprocess
+import sys
+from pathlib import Path
 
 import pytest
 import torch
@@ -36,6 +42,35 @@ def waves(joints: int = 4, styles: int = 2, frames: int = 700) -> Features:
 WIDER = dataclasses.replace(TINY, hidden=64, dropout=0.05)
 QUICK = Config(sizes=TINY, steps=12, batch=16, clips_per_batch=4, evaluate_every=5,
                rate=1e-3, final_rate=0.1, max_gradient=1.0, stray=0.2)  # fmt: skip
+
+
+SCRIPT = """
+import dataclasses, json, os, sys
+import torch
+from test_training import QUICK, waves
+from toolkit import engine, training
+
+if __name__ == "__main__":
+    torch.set_num_threads(1)
+    losses = []
+    done = lambda step, loss: losses.append(loss) or print(step, flush=True)
+    config = training.Config.from_json(json.loads(sys.argv[1]))
+    run = training.fit(waves(), config, sys.argv[2], on_step=done)
+    if engine.first():
+        run.save(sys.argv[3])
+        with open(sys.argv[3] + ".json", "w") as file:
+            json.dump(losses, file)
+"""
+
+
+def script(folder: Path, config: Config, *launcher: str) -> subprocess.Popen:
+    """Starts a training of `waves` in a process of its own, with its checkpoint and run in the folder."""
+    (folder / "train.py").write_text(SCRIPT)
+    paths = os.pathsep.join(str(Path(__file__).parents[i]) for i in (0, 1))
+    call = [sys.executable, *launcher, str(folder / "train.py"), json.dumps(dataclasses.asdict(config)),
+            str(folder / "checkpoint"), str(folder / "run.safetensors")]  # fmt: skip
+    settings = {"PYTHONPATH": paths, "PYTHONWARNINGS": "error", "OMP_NUM_THREADS": "1"}
+    return subprocess.Popen(call, env=os.environ | settings, stdout=subprocess.PIPE, text=True)
 
 
 def same_weights(a: networks.Model, b: networks.Model) -> bool:
@@ -179,6 +214,92 @@ def test_ctrl_c_ends_the_step_and_leaves_a_checkpoint(tmp_path):
     assert steps in (list(range(4, 13)), list(range(5, 13)))
 
 
+def test_killed_at_any_step_and_resumed_equals_not_killed(tmp_path):
+    config = dataclasses.replace(QUICK, steps=40, save_every=0.0, patience=3)
+    straight = training.fit(waves(), config)
+    at = random.Random(5).randrange(2, 30)
+    with script(tmp_path, config) as process:
+        for line in process.stdout:
+            if int(line) == at:
+                process.kill()
+    assert process.returncode == -signal.SIGKILL
+    steps = []
+    resumed = training.fit(waves(), config, tmp_path / "checkpoint", on_step=lambda step, _: steps.append(step))
+    assert at <= steps[0] <= at + 10
+    assert same_weights(straight.model, resumed.model)
+    assert [(r["step"], r["loss"]) for r in resumed.history] == [(r["step"], r["loss"]) for r in straight.history]
+
+
+@pytest.mark.parametrize("launcher", [(), ("-m", "torch.distributed.run", "--standalone", "--nproc-per-node", "2")])
+def test_two_processes_equal_one(tmp_path, launcher):
+    """Dropout, straying poses, clipped gradients, and shares of 8 and 7 frames with 5 clips included."""
+    config = dataclasses.replace(QUICK, steps=50, sizes=dataclasses.replace(WIDER, dropout=0.3), batch=15, clips_per_batch=5)
+    losses = []
+    alone = training.fit(waves(), config, on_step=lambda _, loss: losses.append(loss))
+    with script(tmp_path, dataclasses.replace(config, processes=1 if launcher else 2), *launcher) as process:
+        process.communicate(timeout=600)
+    assert process.returncode == 0
+    shared = json.loads((tmp_path / "run.safetensors.json").read_text())
+    assert shared != losses  # or it was one process after all
+    assert shared == pytest.approx(losses, abs=1e-4)
+    together = training.load(tmp_path / "run.safetensors")
+    for a, b in zip(alone.model.parameters(), together.model.parameters(), strict=True):
+        torch.testing.assert_close(a, b, atol=1e-4, rtol=0)
+
+
+def test_it_stops_early_with_the_best_weights_also_after_a_resume(tmp_path):
+    config = dataclasses.replace(QUICK, steps=400, sizes=WIDER, rate=3e-2, final_rate=1.0, evaluate_every=5, patience=3)
+    straight = training.fit(waves(), config)
+    errors = [row["held_out"] for row in straight.history]
+    assert len(errors) < 80
+    assert min(errors) == errors[-4] < min(errors[-3:])
+    best = training.fit(waves(), dataclasses.replace(config, patience=None, steps=straight.history[-4]["step"]))
+    assert same_weights(straight.model, best.model)
+
+    def stop(step: int, _: float) -> None:
+        if step == straight.history[-1]["step"] - 7:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        training.fit(waves(), config, tmp_path / "checkpoint", on_step=stop)
+    for _ in range(2):  # the second time it is finished already
+        resumed = training.fit(waves(), config, tmp_path / "checkpoint")
+        assert same_weights(straight.model, resumed.model)
+        assert [row["held_out"] for row in resumed.history] == errors
+    with pytest.raises(ValueError, match="the run to resume differs in patience: expected 4, got 3"):
+        training.fit(waves(), dataclasses.replace(config, patience=4), tmp_path / "checkpoint")
+
+
+def test_tensorboard_shows_what_was_computed(tmp_path):
+    from tensorboard.backend.event_processing.event_accumulator import EventAccumulator
+
+    losses = {}
+    config = dataclasses.replace(QUICK, steps=25)
+    run = training.fit(waves(), config, log=tmp_path, on_step=lambda step, loss: losses.update({step: loss}))
+    events = EventAccumulator(str(tmp_path)).Reload()
+    drawn = {name: {e.step: e.value for e in events.Scalars(name)} for name in events.Tags()["scalars"]}
+    assert drawn.keys() == {"loss", "mse", "bone", "rate", "held_out"}
+    assert drawn["loss"] == pytest.approx({10: losses[10], 20: losses[20]})
+    assert drawn["held_out"] == pytest.approx({row["step"]: row["held_out"] for row in run.history})
+    assert drawn["rate"][10] > drawn["rate"][20] > 0
+
+
+def test_bfloat16_trains_nearly_as_well():
+    config = dataclasses.replace(QUICK, steps=200, sizes=WIDER)
+    exact, coarse = (training.fit(waves(), dataclasses.replace(config, precision=p)) for p in ("32", "bf16"))
+    assert all(p.dtype == torch.float32 for p in coarse.model.parameters())
+    assert not same_weights(exact.model, coarse.model)
+    assert coarse.table()[-1]["error"] == pytest.approx(exact.table()[-1]["error"], rel=0.2)
+    assert coarse.table()[-1]["error"] < 0.7 * coarse.table()[-1]["repeat"]
+
+
+def test_the_bar_shows_loss_and_time_left(capsys):
+    for budget in ({"steps": 12}, {"steps": None, "seconds": 0.3}):
+        training.fit(waves(), dataclasses.replace(QUICK, **budget), progress=True)
+        assert re.search(r"loss=\d+\.\d+", said := capsys.readouterr().err)
+        assert re.search(r"00:00 left" if "seconds" in budget else r"\[\d\d:\d\d<\d\d:\d\d", said)
+
+
 def test_what_cannot_be_resumed_is_named(tmp_path):
     data, path = waves(), tmp_path / "run.checkpoint"
     training.fit(data, QUICK, path)
@@ -216,6 +337,13 @@ def test_time_as_the_budget():
     ({"stray": 2.0}, r"stray must be in \[0, 1\]"),
     ({"held_out": 1.0}, r"held_out must be in \[0, 1\)"),
     ({"seed": -1}, "seed must not be negative"),
+    ({"model": "lpn"}, "unknown model 'lpn'; there is pfnn-onehot, lpn-onehot"),
+    ({"evaluate_every": 0}, "evaluate_every must be a whole number from 1, got 0"),
+    ({"patience": 0}, "patience must be a whole number from 1"),
+    ({"patience": 1, "held_out": 0.0}, "needs held-out frames; got 1 and held_out 0.0"),
+    ({"precision": "8"}, "precision must be one of 32, bf16, got '8'"),
+    ({"device": "abacus"}, "device must be cpu, cuda, .* got 'abacus'"),
+    ({"processes": 33}, "processes must be from 1 to the 32 frames of a minibatch, got 33"),
 ])  # fmt: skip
 def test_impossible_configs(changes, match):
     with pytest.raises(ValueError, match=match):
@@ -225,5 +353,7 @@ def test_impossible_configs(changes, match):
 def test_unknown_style_and_divergence_are_named():
     with pytest.raises(ValueError, match="unknown style 'style9'; close to it"):
         training.fit(waves(), dataclasses.replace(QUICK, styles=("style9",)))
+    with pytest.raises(ValueError, match="2 × 'cuda:99': "):
+        training.fit(waves(), dataclasses.replace(QUICK, device="cuda:99", processes=2))
     with pytest.raises(ValueError, match="training diverged at step"):
         training.fit(waves(), dataclasses.replace(QUICK, rate=1e30, max_gradient=None))

@@ -11,6 +11,7 @@ import importlib
 
 from toolkit import (
     bvh,
+    comparison,
     contacts,
     datasets,
     evaluation,
@@ -21,11 +22,13 @@ from toolkit import (
     networks,
     phases,
     published,
+    recognition,
     rotations,
     runtime,
     sampling,
     store,
     styles,
+    stylization,
     training,
     trajectory,
 )
@@ -34,9 +37,9 @@ from toolkit.training import pretrained
 
 __version__ = "0.1.0"
 __all__ = [
-    "Clip", "Skeleton", "bvh", "contacts", "datasets", "evaluation", "features", "ik", "metrics", "motion", "networks",
-    "phases", "pretrained", "published", "rotations", "runtime", "sampling", "store", "styles", "training", "trajectory",
-    "view",
+    "Clip", "Skeleton", "bvh", "comparison", "contacts", "datasets", "evaluation", "features", "ik", "metrics", "motion",
+    "networks", "phases", "pretrained", "published", "recognition", "rotations", "runtime", "sampling", "store", "styles",
+    "stylization", "training", "trajectory", "view",
 ]  # fmt: skip
 
 

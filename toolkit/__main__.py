@@ -10,14 +10,37 @@ from typing import Annotated
 import torch
 import typer
 
-from toolkit import benchmarks, bvh, datasets, demo, features, metrics, published, runtime, store, training
+from toolkit import (
+    benchmarks,
+    bvh,
+    comparison,
+    crowd,
+    datasets,
+    demo,
+    engine,
+    features,
+    metrics,
+    networks,
+    published,
+    runtime,
+    store,
+    training,
+)
 from toolkit.motion import Clip
+from toolkit.styles.commands import app as style_app
+from toolkit.stylization.commands import app as stylization_app
 
 app = typer.Typer(no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False, help=__doc__)
 data_app = typer.Typer(no_args_is_help=True, help="Look at datasets.")
+demo_app = typer.Typer(help="Something to look at in a minute.")
 app.add_typer(data_app, name="data")
+app.add_typer(demo_app, name="demo")
 app.add_typer(benchmarks.app, name="bench")
+app.add_typer(style_app, name="style")
+app.add_typer(comparison.app, name="compare")
+app.add_typer(stylization_app)
 
+ROLLOUTS = (".bvh", ".html", ".png", ".mp4", ".gif", ".webp", ".apng")  # what a rollout can be written as
 Root = Annotated[Path | None, typer.Option(help="Folder that holds the dataset.")]
 
 
@@ -88,22 +111,33 @@ def train(
     gaits: Annotated[str | None, typer.Option(help="Comma-separated names; all where not given.")] = None,
     mirror: Annotated[bool, typer.Option("--mirror", help="Add mirror images (100STYLE: of symmetric styles).")] = False,
     clip_seconds: Annotated[float | None, typer.Option(help="Length of procedural clips.")] = None,
+    model: Annotated[str, typer.Option(help=f"One of {', '.join(networks.MODELS)}.")] = "lpn-film",
     minutes: Annotated[float | None, typer.Option(help="Time budget.")] = None,
     epochs: Annotated[float | None, typer.Option(help="Passes of the shortest style; 90 as in the paper.")] = None,
+    patience: Annotated[int | None, typer.Option(help="Stop after so many test errors (one every 1000 steps) without a "
+                                                 "better one, and keep the best weights.")] = None,
     small: Annotated[bool, typer.Option("--small", help="Small sizes and fast settings; 30 s without a budget.")] = False,
     seed: Annotated[int, typer.Option(help="The same seed gives the same result.")] = 0,
+    device: Annotated[str, typer.Option(help="cpu, cuda, …")] = "cpu",
+    processes: Annotated[int, typer.Option(help="How many share each minibatch, a GPU each with --device cuda; on several "
+                                           "machines `torchrun … -m toolkit train …` instead.")] = 1,
+    precision: Annotated[str, typer.Option(help="32, or bf16: faster on a GPU or with many style clips.")] = "32",
+    log: Annotated[Path | None, typer.Option(help="Folder for TensorBoard curves (the extra `log`).")] = None,
     slim: Annotated[bool, typer.Option("--slim", help="A small file that runs its styles but cannot add any.")] = False,
     resume: Annotated[bool, typer.Option("--resume", help="Go on from OUT.checkpoint, which a stopped run leaves.")] = False,
 ) -> None:
-    """Train LPN-FiLM; print the error on held-out frames beside predicting the mean and repeating the frame."""
+    """Train a model; print the error on held-out frames beside predicting the mean and repeating the frame."""
     budget = {"epochs": epochs, "seconds": None if minutes is None else 60 * minutes}
     budget = {name: value for name, value in budget.items() if value is not None}
-    config = (training.Config.quick if small else training.Config)(**budget, seed=seed)
+    settings = {"model": model, "patience": patience, "seed": seed, "device": device, "processes": processes,
+                "precision": precision}  # fmt: skip
+    config = (training.Config.quick if small else training.Config)(**budget, **settings)
     if out.is_dir():
         raise ValueError(f"{out}: is a folder; --out needs a file name")
     out.parent.mkdir(parents=True, exist_ok=True)
     if not os.access(out.parent, os.W_OK):
         raise ValueError(f"{out.parent}: cannot be written to")
+    engine.start(config)  # before the data, so that all processes read them at once
     options = {} if clip_seconds is None else {"seconds": clip_seconds}
     chosen = [None if names is None else names.split(",") for names in (styles, gaits)]
     if store.is_store(data):
@@ -112,10 +146,14 @@ def train(
         found = store.load(data, chosen[0])
     else:
         clips = datasets.load(data, root, *chosen, **options)
-        found = features.build(clips, mirror=_symmetric(data, root) if mirror else False, short="skip", progress=True)
-    print(f"{found.n_frames:,} frames of {len(found.styles)} styles")
+        found = features.build(clips, mirror=_symmetric(data, root) if mirror else False, short="skip",
+                               progress=engine.first())  # fmt: skip
     checkpoint = out.with_name(out.name + ".checkpoint")
-    run = training.fit(found, config, checkpoint, resume=resume, progress=True)
+    if engine.first():
+        print(f"{found.n_frames:,} frames of {len(found.styles)} styles")
+    run = training.fit(found, config, checkpoint, resume=resume, progress=True, log=log)
+    if not engine.first():
+        return
     run.save(out, slim=slim)
     checkpoint.unlink(missing_ok=True)
     print("held-out frames: mean squared error of normalised outputs; with another style's vector; of the mean and of the")
@@ -127,13 +165,16 @@ def train(
     print(f"{run.history[-1]['step']:,} steps in {run.history[-1]['elapsed']:.0f} s; wrote {out}")
 
 
-@app.command("demo")
+@demo_app.callback(invoke_without_command=True)
 def demo_(
+    context: typer.Context,
     out: Annotated[Path, typer.Option(help="Folder for what it leaves.")] = Path("out/demo"),
     seconds: Annotated[float, typer.Option(help="Training time.")] = 35.0,
     seed: Annotated[int, typer.Option(help="Of data and training.")] = 0,
 ) -> None:
     """Train a small model on the embedded data and drive a character through a blend of three styles."""
+    if context.invoked_subcommand is not None:
+        return
     print(f"The embedded model walks already: open {demo.greet(out)} in a browser.")
     print(f"Meanwhile a small model is trained from nothing, for {seconds:g} s.")
     made = demo.make(seconds, seed=seed, progress=True)
@@ -145,10 +186,31 @@ def demo_(
     print("\nNext: open walk.html in a browser; `make lab` starts JupyterLab on the notebooks.")
 
 
+@demo_app.command("crowd")
+def demo_crowd(
+    out: Annotated[Path, typer.Option(help="Folder for what it leaves.")] = Path("out/crowd"),
+    characters: Annotated[int, typer.Option(help="How many.")] = 100,
+    seconds: Annotated[float, typer.Option(help="How long they walk.")] = 10.0,
+    model: Annotated[Path | None, typer.Option(help="A trained run; the embedded one where not given.")] = None,
+    parameters: Annotated[Path | None, typer.Option("--published", help="Folder of the published parameters.")] = None,
+    threads: Annotated[int, typer.Option(help="Processor cores to share.")] = 1,
+    seed: Annotated[int, typer.Option(help="Of the style blends.")] = 0,
+) -> None:
+    """A crowd on one processor core, each in a style blend of its own: a picture, a moving one, and how fast it was."""
+    print("The runtime is compiled the first time; that takes a while.")
+    net, bank = published.either(model, parameters)
+    compiled = runtime.compile(net, threads=threads)
+    made = crowd.walk(compiled, bank, characters, seconds, seed=seed, progress=True)
+    print(f"{compiled}\n{made.report}")
+    for file in crowd.write(made, out, progress=True):
+        print(f"  {file}")
+
+
+
 @app.command()
 def rollout(
     style: Annotated[str, typer.Option(help="A style, or a blend like Zombie=0.5,Old=0.5.")],
-    out: Annotated[Path, typer.Option(help="File to write: .bvh, .html or .png (a strip).")],
+    out: Annotated[Path, typer.Option(help=f"File to write: {', '.join(ROLLOUTS)} (.png: a strip).")],
     model: Annotated[Path | None, typer.Option(help="A trained run; the embedded one where not given.")] = None,
     parameters: Annotated[Path | None, typer.Option("--published", help="Folder of the published parameters.")] = None,
     seconds: Annotated[float, typer.Option(help="How long to walk.")] = 10.0,
@@ -156,8 +218,8 @@ def rollout(
     ik: Annotated[bool, typer.Option(help="Foot and arm IK.")] = True,
 ) -> None:
     """Walk straight ahead in a style, write it, and print what was measured."""
-    if out.suffix not in (".bvh", ".html", ".png"):
-        raise ValueError(f"{out}: can write .bvh, .html and .png, not {out.suffix or 'a file without suffix'!r}")
+    if out.suffix not in ROLLOUTS:
+        raise ValueError(f"{out}: can write {', '.join(ROLLOUTS)}, not {out.suffix or 'a file without suffix'!r}")
     net, bank = published.either(model, parameters)
     commands = runtime.straight(speed, seconds)
     states = list(runtime.states(net, commands, bank.blend(_blend(style)), progress=True))
@@ -168,7 +230,12 @@ def rollout(
         from toolkit import view
 
         out.parent.mkdir(parents=True, exist_ok=True)
-        view.html(clip, out, title=style) if out.suffix == ".html" else view.strip(clip, out)
+        if out.suffix == ".html":
+            view.html(clip, out, title=style)
+        elif out.suffix == ".png":
+            view.strip(clip, out)
+        else:
+            view.animate(clip, out, height=360, progress=True)
     low, high = metrics.hips_height(clip)
     skate = metrics.foot_skate(clip, torch.stack([s.contacts[0] for s in states]))
     print(f"{len(clip)} frames, {metrics.speed(clip):.2f} m/s, hips {low:.2f} to {high:.2f} m, "
@@ -190,15 +257,20 @@ def _blend(text: str) -> dict[str, float]:
         raise ValueError(f"a blend is written like Zombie=0.5,Old=0.5; got {text!r}") from None
 
 
+def _say(line: str) -> None:
+    if engine.first():  # of several processes that train together, one
+        print(line, file=sys.stderr)
+
+
 def main(arguments: list[str] | None = None) -> int:
     """Run the command line; returns the exit status."""
     try:
         app(arguments, standalone_mode=True)
-    except (ValueError, OSError) as error:
-        print(f"error: {error}", file=sys.stderr)
+    except (ValueError, OSError, ImportError) as error:
+        _say(f"error: {error}")
         return 2
     except KeyboardInterrupt:
-        print("stopped", file=sys.stderr)
+        _say("stopped")
         return 130
     return 0
 

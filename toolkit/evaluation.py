@@ -7,6 +7,8 @@ from toolkit.features import Features, Layout, Rows
 from toolkit.networks import Model
 from toolkit.networks.bank import StyleBank
 
+KINDS = ("inputs", "phases", "outputs")
+
 
 def loss_terms(model: Model, predicted: Tensor, target: Tensor) -> tuple[Tensor, Tensor]:
     """Mean squared error and bone-length loss (equation 5) of normalised outputs ``[B, Dz]``.
@@ -25,12 +27,16 @@ def loss_terms(model: Model, predicted: Tensor, target: Tensor) -> tuple[Tensor,
 
 
 def make_bank(model: Model, data: Features, clips: int | None = None) -> StyleBank:
-    """Mean style vector of every style, over all its style clips or over ``clips`` of them, evenly spread."""
+    """Mean style vector of every style, over all its style clips or over ``clips`` of them, evenly spread.
+
+    Models with a table of styles have one each; the styles of ``data`` must be those they were trained on, in that order.
+    """
 
     def picked(y: Tensor | Rows) -> Tensor:
         return y[:] if clips is None or len(y) <= clips else y[torch.linspace(0, len(y) - 1, clips).long()]
 
-    return StyleBank(tuple(data.clips), torch.stack([model.style_vector(picked(y)) for y in data.clips.values()]).cpu())
+    vectors = [model.style_vector(picked(y), number) for number, y in enumerate(data.clips.values())]
+    return StyleBank(tuple(data.clips), torch.stack(vectors).cpu())
 
 
 @torch.no_grad()
@@ -47,8 +53,8 @@ def evaluate(model: Model, bank: StyleBank, data: Features, frames: int | None =
         rows = torch.arange(n) if frames is None or n <= frames else torch.linspace(0, n - 1, frames).long()
         sums = torch.zeros(2, dtype=torch.float64)
         for part in rows.split(1024):
-            x, p, z = (model.normaliser(k).apply(getattr(data, k)[style][part].to(device))
-                       for k in ("inputs", "phases", "outputs"))  # fmt: skip
+            x, p, z = (getattr(data, kind)[style][part].to(device) for kind in KINDS)
+            x, p, z = (model.normaliser(k).apply(v) for k, v in zip(KINDS, (x, *model.observe(p, z)), strict=True))
             sums += len(part) * torch.stack(loss_terms(model, model(x, p, bank[style].to(device)), z)).double().cpu()
         errors[style] = dict(zip(("mse", "bone"), (sums / len(rows)).tolist(), strict=True))
     return errors
@@ -65,17 +71,21 @@ def baselines(model: Model, data: Features) -> dict[str, dict[str, float]]:
     errors = {}
     for style in data.styles:
         if len(data.inputs[style]):
-            x, p, z = (getattr(data, kind)[style][:] for kind in ("inputs", "phases", "outputs"))
-            z, still = (normaliser.apply(rows) for rows in (z, repeat_frame(model.layout, x, p, normaliser.mean)))
+            x, p, z = (getattr(data, kind)[style][:] for kind in KINDS)
+            still = repeat_frame(model.layout, x, p, normaliser.mean)
+            z, still = (normaliser.apply(rows) for rows in (model.observe(p, z)[1], still))
             errors[style] = {"mean": float(z.square().mean()), "repeat": float((z - still).square().mean())}
     return errors
 
 
 def repeat_frame(layout: Layout, x: Tensor, phases: Tensor, mean: Tensor) -> Tensor:
-    """Output frames ``[N, Dz]`` that say nothing will change: pose, trajectory and phases as they are in the input."""
-    contacts = mean[layout.outputs["contacts"]]
+    """Output frames ``[N, Dz]`` that say nothing will change: pose, trajectory and phases as they are in the input.
+
+    A global phase goes on at its mean rate: it never rests, and standing still its one column would outweigh all others.
+    """
     trajectory, future = x[:, layout.inputs["trajectory"]], layout.outputs["trajectory"]
-    return layout.pack_output(
-        trajectory=trajectory[:, -(future.stop - future.start) :], joints=x[:, layout.inputs["joints"]], phases=phases,
-        phase_updates=torch.zeros_like(phases), contacts=contacts.expand(len(x), -1),
-    )  # fmt: skip
+    blocks = {name: mean[columns].expand(len(x), -1) for name, columns in layout.outputs.items()}  # contacts at their mean
+    blocks |= {"trajectory": trajectory[:, -(future.stop - future.start) :], "joints": x[:, layout.inputs["joints"]]}
+    if layout.phase == "local":
+        blocks |= {"phases": phases, "phase_updates": torch.zeros_like(phases)}
+    return layout.pack_output(**blocks)

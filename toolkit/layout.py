@@ -11,6 +11,11 @@ from toolkit import contacts, phases, trajectory
 from toolkit.motion import Skeleton
 
 N_PHASES = 2 * len(phases.LIMBS)
+PHASES = {  # what a model knows of phase: columns of p, and blocks of z that are as wide
+    "local": (N_PHASES, ("phases", "phase_updates")),
+    "global": (1, ("phase_updates",)),
+    "none": (0, ()),
+}
 CHANNELS = ("position", "forward", "up", "velocity")  # three numbers each, per joint
 
 
@@ -21,28 +26,50 @@ class Layout:
     For J = 25 x has 348 columns, z 342 and a frame of y 300. `inputs` and `outputs` map block names to slices; `joints` is
     J × (position 3, forward 3, up 3, velocity 3), `trajectory` is samples × (x, z, direction x, direction z).
 
-    Two layouts are equal if their skeletons have the same joints in the same tree.
+    Data always have the four limbs' local phases. Models may know less: see ``phase``.
+
+    Parameters
+    ----------
+    skeleton
+        Whose joints.
+    phase
+        ``"local"``: the phase vectors of four limbs; p has 8 columns, z as many of phases and of phase updates.
+        ``"global"``: one angle, radians; p has 1 column, z only its update (327 columns for J = 25). ``"none"``: neither has
+        any (326).
+
+    Raises
+    ------
+    ValueError
+        If there is no such phase.
+
+    Notes
+    -----
+
+    Two layouts are equal if their skeletons have the same joints in the same tree, and they have the same phase.
     """
 
     skeleton: Skeleton
+    phase: str = "local"
     inputs: dict[str, slice] = field(init=False)
     outputs: dict[str, slice] = field(init=False)
 
     def __post_init__(self):
+        if self.phase not in PHASES:
+            raise ValueError(f"the phase of a layout is one of {', '.join(PHASES)}; got {self.phase!r}")
         future = len(trajectory.SAMPLES) - trajectory.CURRENT
         joints = 12 * len(self.skeleton.feature_joints)
         widths_in = {"trajectory": 4 * len(trajectory.SAMPLES), "joints": joints}
-        widths_out = {"trajectory": 4 * future, "joints": joints, "phases": N_PHASES, "phase_updates": N_PHASES,
-                      "contacts": len(contacts.FEET)}  # fmt: skip
+        widths_out = {"trajectory": 4 * future, "joints": joints,
+                      **dict.fromkeys(PHASES[self.phase][1], self.n_phases), "contacts": len(contacts.FEET)}  # fmt: skip
         object.__setattr__(self, "inputs", _slices(widths_in))
         object.__setattr__(self, "outputs", _slices(widths_out))
 
     def __eq__(self, other: object) -> bool:
         return (isinstance(other, Layout) and self.skeleton.names == other.skeleton.names
-                and self.skeleton.parents == other.skeleton.parents)  # fmt: skip
+                and self.skeleton.parents == other.skeleton.parents and self.phase == other.phase)  # fmt: skip
 
     def __hash__(self) -> int:
-        return hash((self.skeleton.names, self.skeleton.parents))
+        return hash((self.skeleton.names, self.skeleton.parents, self.phase))
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -66,18 +93,29 @@ class Layout:
 
     @property
     def n_outputs(self) -> int:
-        """Columns of z: 24 + 12 J + 16 + 2."""
+        """Columns of z: 24 + 12 J + 2, and those of the phase: 16, 1 or 0."""
         return self.outputs["contacts"].stop
 
     @property
     def n_phases(self) -> int:
         """Columns of p."""
-        return N_PHASES
+        return PHASES[self.phase][0]
 
     @property
     def n_clip(self) -> int:
         """Columns of one frame of y: 12 J."""
         return 12 * self.n_joints
+
+    @property
+    def limbs(self) -> list[int]:
+        """Hands and feet among the feature joints, in the order of the phases."""
+        return [self.skeleton.feature_joints.index(self.skeleton.index(limb)) for limb in phases.LIMBS]
+
+    @property
+    def limb_velocities(self) -> list[int]:
+        """The 12 columns of x that hold the velocities of hands and feet, in the order of the phases."""
+        first = self.inputs["joints"].start + 3 * CHANNELS.index("velocity")
+        return [first + 12 * j + axis for j in self.limbs for axis in range(3)]
 
     def pack_input(self, **blocks: Tensor) -> Tensor:
         """x ``[..., n_inputs]`` of its blocks, each ``[..., width]`` or with its own trailing shape."""
@@ -98,12 +136,15 @@ class Layout:
     def to_json(self) -> str:
         """Text for a checkpoint's metadata."""
         s = self.skeleton
-        return json.dumps({"names": s.names, "parents": s.parents, "offsets": s.offsets.tolist(), "roles": s.roles})
+        return json.dumps({"names": s.names, "parents": s.parents, "offsets": s.offsets.tolist(), "roles": s.roles,
+                           "phase": self.phase})  # fmt: skip
 
     @classmethod
     def from_json(cls, text: str) -> "Layout":
-        """Inverse of `to_json`."""
-        return cls(Skeleton(**json.loads(text)))
+        """Inverse of `to_json`; text without a phase is of a local one."""
+        fields = json.loads(text)
+        phase = fields.pop("phase", "local")
+        return cls(Skeleton(**fields), phase)
 
 
 def _slices(widths: dict[str, int]) -> dict[str, slice]:

@@ -97,6 +97,32 @@ def posture(layout: Layout, positions: Tensor) -> dict[str, Tensor]:
     }
 
 
+def hand_swing(layout: Layout, positions: Tensor) -> dict[str, Tensor]:
+    """How much the hands move, and whether they move together, from joint positions in the root frame.
+
+    A mean squared error likes an average pose, whose arms are stuck (Mason et al. 2022, sections 5.1 and 5.2.2).
+
+    Parameters
+    ----------
+    layout
+        Names the J joints.
+    positions : Tensor [F, ..., J, 3]
+        Some seconds of them, metres.
+
+    Returns
+    -------
+    dict
+        ``range [..., 2]``: root-mean-square distance of the left and the right hand from where it is on average, metres;
+        ``together [...]``: correlation of the two hands' fore and aft movement, 1 for hands that swing as one, -1 for hands
+        that swing in turn, NaN where one does not move.
+    """
+    hands = positions[..., [layout.names.index(layout.skeleton.roles[f"{side}_hand"]) for side in ("left", "right")], :]
+    moved = hands - hands.mean(0)
+    left, right = moved[..., 2].unbind(-1)
+    together = (left * right).sum(0) / (left.square().sum(0) * right.square().sum(0)).sqrt()
+    return {"range": moved.square().sum(-1).mean(0).sqrt(), "together": together}
+
+
 def path_error(clip: Clip, points: Tensor) -> float:
     """Mean distance of the hips on the floor from a polyline of (x, z) ``points [P, 2]``, metres."""
     hips = clip.global_positions[:, clip.skeleton.index("hips")][:, None, [0, 2]]
@@ -125,3 +151,28 @@ def phase_error(phase: Tensor, truth: Tensor) -> tuple[Tensor, Tensor]:
     lag = torch.atan2(gap.sin().mean(0), gap.cos().mean(0))
     rest = gap - lag
     return torch.atan2(rest.sin(), rest.cos()).abs().mean(0), lag
+
+
+def frechet_distance(a: Tensor, b: Tensor) -> float:
+    """Squared Fréchet distance of the Gaussians fitted to two sets of feature vectors.
+
+    |μa − μb|² + tr(Σa + Σb − 2 (Σa Σb)^½). With the features of a motion classifier it is the Fréchet Motion Distance
+    (Park et al. 2021, section 7). It is biased upwards for small sets: compare only numbers from sets of the same size.
+
+    Parameters
+    ----------
+    a : Tensor [M, D]
+    b : Tensor [K, D]
+        Features; M and K may differ and be smaller than D.
+
+    Raises
+    ------
+    ValueError
+        If a set has fewer than two rows or the widths differ.
+    """
+    if a.dim() != 2 or b.dim() != 2 or a.shape[1] != b.shape[1] or min(len(a), len(b)) < 2:
+        raise ValueError(f"expected features [M, D] and [K, D], M and K at least 2; got {list(a.shape)} and {list(b.shape)}")
+    means = [x.double().mean(0) for x in (a, b)]
+    roots = [torch.linalg.qr(x.double() - mean).R / math.sqrt(len(x) - 1) for x, mean in zip((a, b), means, strict=True)]
+    spread = sum(root.square().sum() for root in roots) - 2 * torch.linalg.svdvals(roots[0] @ roots[1].T).sum()
+    return max(0.0, float((means[0] - means[1]).square().sum() + spread))  # Σ = RᵀR: no root of a singular matrix

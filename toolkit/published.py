@@ -4,6 +4,7 @@ Published beside Mason et al. 2022 (github.com/ianxmason/local-phases) as raw li
 education: the user brings the folder, nothing of it is part of this package.
 """
 
+import math
 import os
 from pathlib import Path
 
@@ -120,7 +121,8 @@ def one_step(model: Model, bank: StyleBank, clip: Clip, style: str, frames: tupl
     -------
     dict
         ``style``; the number of ``frames`` evaluated; ``joint_mse``, mean squared error of the 12 J joint features in the
-        model's normalised units; ``contact_correlation`` [2], right and left; ``phase_error``, Σ(predicted − own)² / Σ own².
+        model's normalised units; ``contact_correlation`` [2], right and left; ``phase_error``, Σ(predicted − own)² / Σ own²,
+        not a number where the model predicts no phases.
 
     Raises
     ------
@@ -138,14 +140,18 @@ def one_step(model: Model, bank: StyleBank, clip: Clip, style: str, frames: tupl
     first = max(0, start - trajectory.PAST)
     clip = clip.cut(first, min(len(clip), stop + trajectory.FUTURE + 1))
     rows = features.frames(clip, phases.extract(clip), start - first, stop - first)
-    z = model.predict(rows.inputs, rows.phases, bank[style])
-    error = (z - rows.outputs) / model.normaliser("outputs").std
-    own, predicted = (model.layout.unpack_output(v) for v in (rows.outputs, z))
+    p, target = model.observe(rows.phases, rows.outputs)
+    z = model.predict(rows.inputs, p, bank[style])
+    error = (z - target) / model.normaliser("outputs").std
+    own, predicted = (model.layout.unpack_output(v) for v in (target, z))
     pairs = torch.stack((predicted["contacts"], own["contacts"]), -1).unbind(1)
+    phase_error = math.nan
+    if "phases" in own:
+        phase_error = float((predicted["phases"] - own["phases"]).square().sum() / own["phases"].square().sum())
     return {
         "style": style,
         "frames": len(z),
         "joint_mse": float(error[:, model.layout.outputs["joints"]].square().mean()),
         "contact_correlation": [float(torch.corrcoef(pair.T)[0, 1]) for pair in pairs],
-        "phase_error": float((predicted["phases"] - own["phases"]).square().sum() / own["phases"].square().sum()),
+        "phase_error": phase_error,
     }

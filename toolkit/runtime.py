@@ -18,6 +18,7 @@ from toolkit import trajectory
 from toolkit.features import Layout, pack_joints, split_joints
 from toolkit.ik import SIDES, hold, plant_feet, turn_arms
 from toolkit.motion import Clip, local_rotations
+from toolkit.networks.phase import advance, amid_a_stride
 
 FPS = trajectory.FPS
 GAIN = 0.25  # share of the way that the smoothed target moves to the command in a frame
@@ -27,7 +28,6 @@ PROPORTIONAL, INTEGRAL, MAX_DRIVE = 1.5, 0.8, 12.0  # ours: gains of `govern` (o
 RETURN, SLOW = 3.0, 0.3  # ours: how strongly `steer` works against movement while standing; m/s from which one walks
 LOOKAHEAD = 0.5  # seconds that a pilot looks ahead
 N_FUTURE = len(trajectory.SAMPLES) - trajectory.CURRENT
-ABOUT_TO_STEP = (-1.0, 0.0, 1.0, 0.0, 1.0, 0.0, -1.0, 0.0)  # (sin, cos) of the limbs in the order of the phases
 UP = torch.tensor([0.0, 1.0, 0.0])
 
 
@@ -54,8 +54,8 @@ class CharacterState:
         The same for now and every ten frames ahead.
     joints : Tensor [B, 12 J]
         The pose, in the current root frame.
-    phase : Tensor [B, 8]
-        Local phases.
+    phase : Tensor [B, n_phases]
+        As the model knows it: 8 numbers of local phases, one angle, or nothing.
     style : Tensor [B, S]
         Style vector.
     velocity, facing : Tensor [B, 2]
@@ -103,7 +103,8 @@ def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0),
     ----------
     model
         Its mean pose is taken. The phase is far from its mean, amid a stride: a mean phase is none, and from there some
-        styles glide for seconds before they step.
+        styles glide for seconds before they step. For the same reason hands and feet are amid a stride where the model has
+        no phase.
     style : Tensor [S] or [B, S]
         Style vector or one per character.
     position, facing
@@ -114,11 +115,10 @@ def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0),
     place = torch.as_tensor(position, dtype=torch.float32).expand(len(style), 2)
     look = _unit(torch.as_tensor(facing, dtype=torch.float32).expand(len(style), 2))
     root = torch.cat((place, look), -1)
-    joints = model.outputs_mean[layout.outputs["joints"]].expand(len(style), -1)
-    phase = model.phases_mean + 2 * model.phases_std * torch.tensor(ABOUT_TO_STEP)
+    phase, joints = amid_a_stride(model)
     state = CharacterState(
         history=root[:, None].repeat(1, trajectory.PAST + 1, 1), future=root[:, None].repeat(1, N_FUTURE, 1),
-        joints=_orthonormal(joints), phase=phase.expand(len(style), -1), style=style,
+        joints=_orthonormal(joints.expand(len(style), -1)), phase=phase.expand(len(style), -1), style=style,
         velocity=torch.zeros(len(style), 2), facing=look, drive=torch.ones(len(style), 1),
         contacts=torch.ones(len(style), 2), toes=torch.zeros(len(style), 2, 3), drift=torch.zeros(len(style), 2, 2),
     )  # fmt: skip
@@ -131,6 +131,8 @@ def step(model, state: CharacterState, command: Command) -> CharacterState:
     The future trajectory is drawn from the network's towards the command, the network predicts, and pose, phase and
     trajectory are blends of the prediction and of what was (section 4.4 and the published run's constants).
     """
+    if hasattr(model, "step"):  # of `compile`
+        return model.step(state, command)
     layout: Layout = model.layout
     velocity, facing, future = steer(state, command)
     root = state.root
@@ -149,7 +151,7 @@ def step(model, state: CharacterState, command: Command) -> CharacterState:
     was, now = split_joints(state.joints), split_joints(out["joints"])
     position = torch.lerp(was["position"] + now["velocity"] / FPS, now["position"], 0.5)
     joints = _to_frame(_orthonormal(pack_joints(**now | {"position": position})), root, new_root)
-    phase = torch.lerp(state.phase + out["phase_updates"], out["phases"], 0.5)
+    phase = advance(layout, state.phase, out)
     contacts = out["contacts"].clamp(0.0, 1.0)
     new = dataclasses.replace(
         state, history=torch.cat((state.history[:, 1:], new_root[:, None]), 1), future=ahead, joints=joints, phase=phase,
@@ -206,6 +208,39 @@ def _moved(state: CharacterState, now: int) -> Tensor:
     """Velocity ``[B, 2]`` of the root over half a second up to frame ``now`` of the history, m/s."""
     half_second = FPS // 2
     return (state.history[:, now, :2] - state.history[:, now - half_second, :2]) * (FPS / half_second)
+
+
+def compile(model, *, precision: str = "float32", skip: float = 0.0, threads: int = 1):
+    """The same model compiled for this processor, to take its place in this module and in `toolkit.view.Controller`.
+
+    The first time on a machine takes a while, which the result's representation tells; later it is read from the disk.
+    ``docs/runtime.md`` says how fast it is and how equal.
+
+    Parameters
+    ----------
+    model
+        An LPN-FiLM.
+    precision
+        Of the experts' weights: ``"float32"``, or ``"bfloat16"``, which takes half the memory and, for one character, two
+        thirds of the time; outputs differ by about 5e-4 of their deviation.
+    skip
+        Leave out experts whose weight for a character is below this, and scale up the others: what a frame loses is at most
+        this share for each of them.
+    threads
+        Processor cores among which characters are shared; one character always has one.
+
+    Returns
+    -------
+    toolkit.compiled.CompiledModel
+
+    Raises
+    ------
+    ValueError
+        If it is another model, or an option is out of its range.
+    """
+    from toolkit.compiled import CompiledModel  # numba takes a second to import
+
+    return CompiledModel(model, precision, skip, threads)
 
 
 def straight(speed: float = 1.2, seconds: float = 10.0, facing: Sequence[float] = (0.0, 1.0)) -> list[Command]:
@@ -298,17 +333,20 @@ def rollout(model, commands: Sequence[Command | Pilot], style: Styles, ik: bool 
 
 def record(model, recorded: Sequence[CharacterState], *, feet: bool = True, arms: bool = True, character: int = 0) -> Clip:
     """The motion of one character of a run of states, see `rollout`; ``feet`` and ``arms`` switch their IK."""
-    layout: Layout = model.layout
     merged = CharacterState(*(torch.stack([getattr(s, f.name)[character] for s in recorded])
                               for f in dataclasses.fields(CharacterState)))  # fmt: skip
-    return Clip(layout.skeleton, *pose(layout, merged, feet=feet, arms=arms), FPS, name="rollout")
+    return Clip(model.layout.skeleton, *pose(model, merged, feet=feet, arms=arms), FPS, name="rollout")
 
 
-def pose(layout: Layout, state: CharacterState, *, feet: bool = True, arms: bool = True) -> tuple[Tensor, Tensor]:
+def pose(model, state: CharacterState, *, feet: bool = True, arms: bool = True) -> tuple[Tensor, Tensor]:
     """Local rotations ``[B, J', 4]`` and root positions ``[B, 3]`` of the whole skeleton, ready to draw.
 
-    ``feet``: hold toes in contact in place. ``arms``: turn arm bones to the predicted positions.
+    ``model``: plain, compiled, or only its layout. ``feet``: hold toes in contact in place. ``arms``: turn arm bones to the
+    predicted positions.
     """
+    if hasattr(model, "pose"):  # of `compile`
+        return model.pose(state, feet=feet, arms=arms)
+    layout: Layout = getattr(model, "layout", model)
     skeleton, world = layout.skeleton, world_joints(layout, state)
     joints = list(skeleton.feature_joints)
     rotation = R.from_forward_up(world["forward"], world["up"])

@@ -49,6 +49,7 @@ class Minibatches:
                                  "clips to train on; it needs some of both")  # fmt: skip
         shortest = min(len(x) for x in data.inputs.values())
         self.steps_per_epoch = max(1, shortest // batch) * len(self.styles)
+        self.fewest = min(batch, shortest)  # frames of a minibatch
         self._orders: dict[str, tuple[int, Tensor]] = {}
 
     def __getitem__(self, step: int) -> tuple[Tensor, Tensor, Tensor, Tensor]:

@@ -1,155 +1,44 @@
-"""Training (Mason et al. 2022, section 4.3): one plain loop over a config, and checkpoints.
+"""Training (Mason et al. 2022, section 4.3): one plain loop over a config.
 
 What step n does is a pure function of the seed and n: its frames, its style clips and its dropout. A run that was stopped
 and resumed therefore ends with the same weights as one that was not, bit for bit.
 """
 
 import contextlib
-import dataclasses
-import json
 import math
 import os
 import signal
 import threading
 import time
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
-from importlib import resources
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import torch
-from torch import Tensor
 from tqdm.auto import tqdm
 
-from toolkit import networks, sampling
-from toolkit.evaluation import baselines, evaluate, loss_terms, make_bank
+from toolkit import engine, networks, sampling
+from toolkit.checkpoints import Checkpoint
+from toolkit.engine import Objective
+from toolkit.evaluation import baselines, evaluate, make_bank
 from toolkit.features import Features
-from toolkit.networks import Model, Sizes, weights
+from toolkit.networks import Model
 from toolkit.networks.bank import StyleBank, check_style
+from toolkit.runs import Config, Run, load, pretrained
 from toolkit.sampling import DROPOUT, INIT, Minibatches
 
+if TYPE_CHECKING:
+    from lightning_fabric import Fabric
 
-@dataclass(frozen=True)
-class Config:
-    """How to train; the defaults are the paper's. Give one of ``epochs``, ``steps`` and ``seconds``, or none."""
+__all__ = ["Config", "Run", "fit", "load", "pretrained"]
 
-    model: str = "lpn-film"  # one of toolkit.networks.MODELS
-    sizes: Sizes = field(default_factory=Sizes)
-    styles: tuple[str, ...] = ()  # which, in the fixed order in which minibatches cycle through them; empty: all
-    epochs: float | None = None  # passes of the shortest style; 90 in the paper
-    steps: int | None = None  # minibatches
-    seconds: float | None = None  # wall time; what it reaches depends on the machine, unlike the other two
-    batch: int = 32  # frames of one style per minibatch
-    clips_per_batch: int = 32  # style clips per minibatch, shared by its frames; 1 takes a fifth of the time of 32
-    rate: float = 1e-4  # Adam's learning rate at the start
-    style_rate: float = 1.0  # the style modulation's rate as a share of that; its convolutions die of rates from 1e-3 on
-    final_rate: float = 1.0  # learning rate at the end as a share of the first, on a cosine between; 1: constant
-    max_gradient: float | None = None  # norm to which gradients are clipped; rates from 1e-3 on spike without
-    bone_weight: float = 1.0  # of the bone-length loss
-    stray: float = 0.0  # share of frames whose input pose strays to another style's (see Minibatches); the paper: 0
-    held_out: float = 0.1  # share of every style's frames kept for the test error
-    evaluate_every: int = 1000  # steps between test errors in the history
-    save_every: float = 120.0  # seconds between checkpoints
-    seed: int = 0
-    device: str = "cpu"
-
-    def __post_init__(self):
-        budgets = {k: v for k in ("epochs", "steps", "seconds") if (v := getattr(self, k)) is not None}
-        if len(budgets) > 1:
-            raise ValueError(f"give one of epochs, steps and seconds, got {' and '.join(budgets)}")
-        for name, value in budgets.items():
-            if not 0 < value < math.inf:
-                raise ValueError(f"{name} must be positive and finite, got {value}")
-        if self.batch < 1 or not 1 <= self.clips_per_batch <= self.batch:
-            raise ValueError(f"clips_per_batch must be from 1 to batch, got {self.clips_per_batch} and {self.batch}")
-        if not (0 < self.rate < math.inf and 0 <= self.style_rate < math.inf and 0 <= self.final_rate <= 1):
-            raise ValueError(f"rate must be positive, style_rate not negative and final_rate in [0, 1]; got {self.rate}, "
-                             f"{self.style_rate} and {self.final_rate}")  # fmt: skip
-        if self.seed < 0:
-            raise ValueError(f"seed must not be negative, got {self.seed}")
-        if not 0 <= self.stray <= 1:
-            raise ValueError(f"stray must be in [0, 1], got {self.stray}")
-        if not 0 <= self.held_out < 1:
-            raise ValueError(f"held_out must be in [0, 1), got {self.held_out}")
-
-    @classmethod
-    def quick(cls, **changes) -> "Config":
-        """Half a minute on two cores: small sizes, one style clip per minibatch, straying poses, a high rate that decays."""
-        settings = {"sizes": Sizes.small(), "batch": 64, "clips_per_batch": 1, "rate": 2e-3, "style_rate": 0.1,
-                    "stray": 0.3, "final_rate": 0.01, "max_gradient": 1.0}  # fmt: skip
-        if not changes.keys() & {"epochs", "steps", "seconds"}:
-            settings["seconds"] = 30.0
-        return cls(**(settings | changes))
-
-    def fixed(self) -> dict:
-        """What must not change when a run is resumed, as JSON holds it."""
-        free = ("save_every", "evaluate_every", "device")
-        return json.loads(json.dumps({k: v for k, v in dataclasses.asdict(self).items() if k not in free}))
-
-
-@dataclass(eq=False)
-class Run:
-    """What training made.
-
-    ``held_out[style]`` and ``baselines[style]`` are mean squared errors of normalised outputs on held-out frames: ``mse``;
-    ``other``, with another style's vector (where it is not much larger, the model does not listen to the vector); and the
-    ``mean`` and ``repeat`` of `baselines`. ``bone`` is the error of bone lengths, metres. ``history`` has a row per
-    evaluation.
-    """
-
-    model: Model
-    bank: StyleBank
-    config: Config
-    history: list[dict[str, float]]
-    held_out: dict[str, dict[str, float]]
-    baselines: dict[str, dict[str, float]]
-
-    def save(self, path: str | os.PathLike, *, slim: bool = False) -> None:
-        """Write model, bank and numbers to one safetensors file; `Model.load` and `StyleBank.load` read it too.
-
-        ``slim`` leaves out the FiLM generator and keeps 16 bits of the experts: a third of the size or less, to run with the
-        bank's styles.
-        """
-        tensors, description = self.model.parts(generator=not slim)
-        if slim:
-            tensors = {name: t.half() if name.startswith("model.experts") else t for name, t in tensors.items()}
-        numbers = {"config": dataclasses.asdict(self.config), "history": self.history, "held_out": self.held_out,
-                   "baselines": self.baselines}  # fmt: skip
-        weights.write(path, tensors | {"bank.vectors": self.bank.vectors},
-                      {"model": description, "bank": list(self.bank.names), "run": numbers})  # fmt: skip
-
-    def table(self) -> list[dict[str, str | float]]:
-        """Held-out error beside both baselines: a row per style and one over all styles, each style counting the same."""
-        if not self.held_out:
-            return []
-        rows = [{"style": s, "error": e["mse"], **{k: v for k, v in e.items() if k != "mse"}, **self.baselines[s]}
-                for s, e in self.held_out.items()]  # fmt: skip
-        overall = {k: sum(row[k] for row in rows) / len(rows) for k in rows[0] if k != "style"}
-        return [*rows, {"style": "overall", **overall}]
-
-
-def load(path: str | os.PathLike) -> Run:
-    """Read a run that `Run.save` wrote; a file that is none is a one-line ValueError."""
-    tensors, parts = weights.read(path, "run")
-    model, bank = Model.from_parts(path, tensors, parts, None), StyleBank.from_parts(path, tensors, parts)
-    try:
-        return Run(model, bank, _config(parts["run"].pop("config")), **parts["run"])
-    except (KeyError, TypeError, ValueError) as error:
-        raise ValueError(f"{path}: the record of the run is damaged ({error})") from error
-
-
-def pretrained() -> tuple[Model, StyleBank]:
-    """The embedded default: a small LPN-FiLM trained on procedural styles, and its style vectors. No network access.
-
-    It comes without the FiLM generator, so it cannot make style vectors of new clips. `toolkit/data/README.md` says what it
-    was trained on and with which command.
-    """
-    with resources.as_file(resources.files("toolkit") / "data" / "pretrained.safetensors") as path:
-        return Model.load(path), StyleBank.load(path)
+LOG_EVERY = 10  # steps between the training losses that TensorBoard shows
+KINDS = ("inputs", "phases", "outputs", "clips")
 
 
 def fit(data: Features, config: Config | None = None, checkpoint: str | os.PathLike | None = None, *, resume: bool = True,
-        progress: bool = False, on_step: Callable[[int, float], None] | None = None) -> Run:  # fmt: skip
+        progress: bool = False, on_step: Callable[[int, float], None] | None = None,
+        log: str | os.PathLike | None = None) -> Run:  # fmt: skip
     """Train a model.
 
     Parameters
@@ -166,6 +55,8 @@ def fit(data: Features, config: Config | None = None, checkpoint: str | os.PathL
         Show a bar.
     on_step
         Called with the step's number and loss after every step; a KeyboardInterrupt it raises stops the run.
+    log
+        Folder for TensorBoard: losses and learning rate every `LOG_EVERY` steps, the held-out error at every evaluation.
 
     Raises
     ------
@@ -175,109 +66,172 @@ def fit(data: Features, config: Config | None = None, checkpoint: str | os.PathL
         When interrupted, after the checkpoint was written.
     """
     config = config or Config()
-    torch.device(config.device)
+    fabric, first = engine.start(config), engine.first()
     for style in config.styles:
         check_style(style, data.styles)
     train, test = sampling.split(data, config.held_out, config.seed, config.styles or tuple(data.styles))
     batches = Minibatches(train, config.batch, config.clips_per_batch, config.seed, config.stray)
-    with _seeded(config, INIT):
-        model = networks.build(config.model, data.layout, len(batches.styles), config.sizes, train.normalisers())
-    state = {"step": 0, "elapsed": 0.0, "history": []}
-    moments: dict[int, dict[str, Tensor]] = {}
+    if batches.fewest < fabric.world_size:
+        raise ValueError(f"{fabric.world_size} processes cannot share a minibatch of {batches.fewest} frames")
+    with _seeded(fabric.device, config.seed, INIT):
+        model = networks.build(config.model, data.layout, len(batches.styles), config.sizes,
+                               networks.normalisers(config.model, train))  # fmt: skip
     if checkpoint and resume and Path(checkpoint).exists():
-        model, moments, state = _restore(checkpoint, model, config)
-    model.to(config.device)
-    style, rest = list(model.modulation.parameters()), [*model.gating.parameters(), *model.experts.parameters()]
-    adam = torch.optim.Adam([{"params": rest}, {"params": style}], lr=config.rate, fused=True)
-    if moments:
-        adam.load_state_dict({"state": moments, "param_groups": adam.state_dict()["param_groups"]})
+        state = Checkpoint.load(checkpoint, model, config)
+    else:
+        state = Checkpoint(model)
+    model = state.model.to(fabric.device)
+    adam = optimiser(model, config)
+    if state.moments:
+        adam.load_state_dict({"state": state.moments, "param_groups": adam.state_dict()["param_groups"]})
+    objective = fabric.setup_module(Objective(model, config.bone_weight, fabric.global_rank, fabric.world_size))
     total = None if config.seconds else config.steps or max(1, round((config.epochs or 90) * batches.steps_per_epoch))
-    began, saved = time.perf_counter() - state["elapsed"], time.perf_counter()
+    began, saved = time.perf_counter() - state.elapsed, time.perf_counter()
 
     def save() -> None:
-        if checkpoint:
-            _checkpoint(checkpoint, model, adam, state, config)
+        if checkpoint and first:
+            state.moments = adam.state_dict()["state"]
+            state.save(checkpoint, config)
 
-    bar = tqdm(total=total or config.seconds, desc="training", unit="step" if total else "s", disable=not progress,
-               bar_format=None if total else "{l_bar}{bar}| {n:.0f}/{total:.0f} s{postfix}")  # fmt: skip
+    def assess(draw: Callable[[dict[str, float], int], None]) -> None:
+        error = _held_out(model, train, test)
+        state.history.append({"step": state.step, "elapsed": state.elapsed, **state.losses, "held_out": error})
+        if config.patience and state.stalled == 0:
+            state.best = {name: value.clone() for name, value in model.state_dict().items()}
+        draw({} if error is None else {"held_out": error}, state.step)
+
+    bar = tqdm(total=total or config.seconds, initial=state.step if total else state.elapsed, desc="training",
+               unit="step" if total else "s", disable=not (progress and first),
+               bar_format=None if total else "{l_bar}{bar}| {n:.0f}/{total:.0f} s, {remaining} left{postfix}")  # fmt: skip
     smooth = math.nan
-    with _whole_steps() as interrupted, bar:
+    with _whole_steps() as interrupted, _tensorboard(log if first else None, state.step) as draw, bar:
         model.train()
-        while True:
-            done = state["step"] / total if total else state["elapsed"] / config.seconds
-            if done >= 1:
+        while (done := state.step / total if total else state.elapsed / config.seconds) < 1:
+            if config.patience and state.stalled >= config.patience:
                 break
-            state |= _step(model, adam, batches, config, state["step"], done)
-            state["step"] += 1
-            state["elapsed"] = time.perf_counter() - began
-            smooth = state["loss"] if math.isnan(smooth) else 0.98 * smooth + 0.02 * state["loss"]
+            rate = config.rate * (config.final_rate + (1 - config.final_rate) * (1 + math.cos(math.pi * done)) / 2)
+            with _seeded(fabric.device, config.seed, DROPOUT, state.step):
+                state.losses = step(fabric, objective, adam, batches, config, state.step, rate)
+            state.step += 1
+            state.elapsed = time.perf_counter() - began
+            smooth = state.losses["loss"] if math.isnan(smooth) else 0.98 * smooth + 0.02 * state.losses["loss"]
             bar.set_postfix(loss=f"{smooth:.3f}", refresh=False)
-            bar.update((state["step"] if total else min(state["elapsed"], config.seconds)) - bar.n)
-            if state["step"] % config.evaluate_every == 0:
-                state["history"].append(_row(model, train, test, state))
-                state["elapsed"] = time.perf_counter() - began
-            try:
-                if on_step:
-                    on_step(state["step"], state["loss"])
-                if interrupted.is_set():
-                    raise KeyboardInterrupt
-            except KeyboardInterrupt:
+            bar.update((state.step if total else min(state.elapsed, config.seconds)) - bar.n)
+            if state.step % LOG_EVERY == 0:
+                draw({**state.losses, "rate": rate}, state.step)
+            if state.step % config.evaluate_every == 0:
+                assess(draw)
+            if on_step:
+                try:
+                    on_step(state.step, state.losses["loss"])
+                except KeyboardInterrupt:
+                    interrupted.set()
+            state.elapsed, stop = _mean(fabric, time.perf_counter() - began, interrupted.is_set())
+            if stop:
                 save()
-                raise
-            if checkpoint and time.perf_counter() - saved > config.save_every:
+                fabric.barrier()
+                raise KeyboardInterrupt
+            if time.perf_counter() - saved > config.save_every:
                 save()
                 saved = time.perf_counter()
-        if not state["history"] or state["history"][-1]["step"] != state["step"]:
-            state["history"].append(_row(model, train, test, state))
+        if not state.history or state.history[-1]["step"] != state.step:
+            assess(draw)
     save()
+    if state.best:
+        model.load_state_dict(state.best)
     model.eval()
     bank = make_bank(model, train)
     held_out, shifted = evaluate(model, bank, test), StyleBank(bank.names, bank.vectors.roll(1, 0))
     for style, error in (evaluate(model, shifted, test) if len(bank) > 1 else {}).items():
         held_out[style]["other"] = error["mse"]
-    return Run(model.cpu(), bank, config, state["history"], held_out, baselines(model.cpu(), test))
+    return Run(model.cpu(), bank, config, state.history, held_out, baselines(model.cpu(), test))
 
 
-def _step(model: Model, adam: torch.optim.Adam, batches: Minibatches, config: Config, step: int,
-          done: float) -> dict[str, float]:  # fmt: skip
-    """One step of gradient descent; its loss, mean squared error and bone-length error."""
-    x, p, z, y = (model.normaliser(kind).apply(rows.to(config.device)) for kind, rows in
-                  zip(("inputs", "phases", "outputs", "clips"), batches[step], strict=True))  # fmt: skip
-    rate = config.rate * (config.final_rate + (1 - config.final_rate) * (1 + math.cos(math.pi * done)) / 2)
+def optimiser(model: Model, config: Config) -> torch.optim.Adam:
+    """Adam over the synthesis network and, as a group with a rate of its own, the style modulation."""
+    style, rest = list(model.modulation.parameters()), [*model.gating.parameters(), *model.experts.parameters()]
+    return torch.optim.Adam([{"params": rest}, {"params": style}], lr=config.rate, fused=True)
+
+
+def step(fabric: "Fabric", objective: torch.nn.Module, adam: torch.optim.Adam, batches: Minibatches, config: Config,
+         number: int, rate: float) -> dict[str, float]:  # fmt: skip
+    """One step of gradient descent; its loss, mean squared error and bone-length error.
+
+    Parameters
+    ----------
+    fabric, objective
+        What `toolkit.engine.start` gives, and a `toolkit.engine.Objective` that it has set up.
+    adam
+        What `optimiser` gives.
+    batches, number
+        Minibatches, and which.
+    config
+        How.
+    rate
+        Learning rate.
+
+    Raises
+    ------
+    ValueError
+        If the loss is not finite.
+    """
+    model = objective.model
+    x, p, z, y = (rows.to(fabric.device) for rows in batches[number])
+    x, p, z, y = (model.normaliser(kind).apply(rows) for kind, rows in
+                  zip(KINDS, (x, *model.observe(p, z), y), strict=True))  # fmt: skip
     for group, share in zip(adam.param_groups, (1.0, config.style_rate), strict=True):
         group["lr"] = rate * share
-    with _seeded(config, DROPOUT, step):
-        styles = model.encode(y)
-        styles = styles if len(styles) == 1 else styles[torch.arange(len(x), device=styles.device) % len(styles)]
-        mse, bone = loss_terms(model, model(x, p, styles), z)
-    loss = mse + config.bone_weight * bone
+    errors = objective(x, p, z, y, number % len(batches.styles))
     adam.zero_grad(set_to_none=True)
-    loss.backward()
+    fabric.backward(errors[0])
     if config.max_gradient is not None:
         torch.nn.utils.clip_grad_norm_(model.parameters(), config.max_gradient)
     adam.step()
-    values = dict(zip(("loss", "mse", "bone"), torch.stack((loss, mse, bone)).tolist(), strict=True))
+    values = dict(zip(("loss", "mse", "bone"), _mean(fabric, *errors.tolist()), strict=True))
     if not math.isfinite(values["loss"]):
-        raise ValueError(f"training diverged at step {step}: loss {values['loss']}; lower the rate or set max_gradient")
+        raise ValueError(f"training diverged at step {number}: loss {values['loss']}; lower the rate or set max_gradient")
     return values
 
 
-def _row(model: Model, train: Features, test: Features, state: dict) -> dict:
-    """A row of the history; the test error on at most 1,000 frames of every style, its vector of at most 8 clips."""
+def _mean(fabric: "Fabric", *numbers: float) -> list[float]:
+    """Means over the processes: all of them must decide the same."""
+    if fabric.world_size == 1:
+        return list(numbers)
+    return fabric.all_reduce(torch.tensor(numbers, dtype=torch.float64, device=fabric.device), reduce_op="mean").tolist()
+
+
+def _held_out(model: Model, train: Features, test: Features) -> float | None:
+    """The test error on at most 1,000 frames of every style, its vector of at most 8 clips; each style counts the same."""
     model.eval()
     errors = evaluate(model, make_bank(model, train, 8), test, 1000)
     model.train()
-    held_out = sum(e["mse"] for e in errors.values()) / len(errors) if errors else None
-    now = {key: state[key] for key in ("step", "elapsed", "loss", "mse", "bone")}
-    return {**now, "held_out": held_out}
+    return sum(e["mse"] for e in errors.values()) / len(errors) if errors else None
 
 
 @contextlib.contextmanager
-def _seeded(config: Config, *numbers: int) -> Iterator[None]:
+def _tensorboard(folder: str | os.PathLike | None, step: int) -> Iterator[Callable[[dict[str, float], int], None]]:
+    """What draws numbers of a step into curves in the folder, where those after ``step`` are forgotten; or does nothing."""
+    if folder is None:
+        yield lambda numbers, step: None
+        return
+    try:
+        from torch.utils.tensorboard import SummaryWriter
+    except ImportError:
+        raise ValueError('logs need TensorBoard: pip install "toolkit[log]"') from None
+    with SummaryWriter(os.fspath(folder), purge_step=step + 1) as writer:
+
+        def draw(numbers: dict[str, float], step: int) -> None:
+            for name, value in numbers.items():
+                writer.add_scalar(name, value, step)
+
+        yield draw
+
+
+@contextlib.contextmanager
+def _seeded(device: torch.device, *numbers: int) -> Iterator[None]:
     """Inside, torch's global generators start from a seed of these numbers; outside, they go on as if nothing was."""
-    device = torch.device(config.device)
     with torch.random.fork_rng(devices=[] if device.type == "cpu" else [device.index or 0]):
-        torch.manual_seed(sampling.mix(config.seed, *numbers))
+        torch.manual_seed(sampling.mix(*numbers))
         yield
 
 
@@ -299,31 +253,3 @@ def _whole_steps() -> Iterator[threading.Event]:
         yield event
     finally:
         signal.signal(signal.SIGINT, before)
-
-
-def _config(stored: dict) -> Config:
-    return Config(**{**stored, "sizes": Sizes(**stored["sizes"]), "styles": tuple(stored["styles"])})
-
-
-def _checkpoint(path: str | os.PathLike, model: Model, adam: torch.optim.Adam, state: dict, config: Config) -> None:
-    """Write everything the rest of the run depends on."""
-    tensors, description = model.parts()
-    for i, moments in adam.state_dict()["state"].items():
-        tensors |= {f"adam.{i}.{name}": value for name, value in moments.items()}
-    weights.write(path, tensors, {"model": description, "checkpoint": {**state, "config": config.fixed()}})
-
-
-def _restore(path: str | os.PathLike, new: Model, config: Config) -> tuple[Model, dict[int, dict[str, Tensor]], dict]:
-    """Model, Adam's moments and state of the run in a checkpoint; it must have ``new``'s layout and data, and ``config``."""
-    tensors, parts = weights.read(path, "checkpoint")
-    model, state = Model.from_parts(path, tensors, parts, new.layout), parts["checkpoint"]
-    if why := weights.difference(config.fixed(), state.pop("config", {})):
-        raise ValueError(f"{path}: the run to resume differs in {why}")
-    if not all(torch.allclose(a, b) for a, b in zip(model.buffers(), new.buffers(), strict=True)):
-        raise ValueError(f"{path}: the run to resume had other data (their means and deviations differ)")
-    moments: dict[int, dict[str, Tensor]] = {}
-    for name, value in tensors.items():
-        if name.startswith("adam."):
-            _, i, kind = name.split(".")
-            moments.setdefault(int(i), {})[kind] = value
-    return model, moments, state

@@ -1,14 +1,19 @@
 """Networks of Mason et al. 2022: gated experts that synthesise motion, and what modulates them with style."""
 
-from toolkit.features import Layout, Normaliser
-from toolkit.networks.experts import BlendedLinear, Experts, Gating
-from toolkit.networks.film import Film, FilmGenerator, layer_norm
-from toolkit.networks.model import Model, Sizes
+import dataclasses
 
-__all__ = ["MODELS", "BlendedLinear", "Experts", "Film", "FilmGenerator", "Gating", "Model", "Sizes", "build", "counts",
-           "layer_norm"]  # fmt: skip
+from toolkit.features import Features, Layout, Normaliser
+from toolkit.networks import phase
+from toolkit.networks.adapters import OneHot, ResidualAdapter, StyleTable
+from toolkit.networks.experts import BlendedLinear, Experts
+from toolkit.networks.film import Film, FilmGenerator, fold, layer_norm
+from toolkit.networks.gating import CatmullRom, Gating, VelocityGating
+from toolkit.networks.model import MODELS, PHASE, Model, Sizes
+from toolkit.networks.parameters import Row, counts, table2
 
-MODELS = {"lpn-film": "gated experts on local phases, style by FiLM after layer normalisation (the paper's model)"}
+__all__ = ["MODELS", "BlendedLinear", "CatmullRom", "Experts", "Film", "FilmGenerator", "Gating", "Model", "OneHot",
+           "ResidualAdapter", "Row", "Sizes", "StyleTable", "VelocityGating", "build", "counts", "fold", "layer_norm",
+           "normalisers", "table2"]  # fmt: skip
 
 
 def build(name: str, layout: Layout, n_styles: int, sizes: Sizes | None = None,
@@ -20,31 +25,32 @@ def build(name: str, layout: Layout, n_styles: int, sizes: Sizes | None = None,
     name
         One of `MODELS`.
     layout
-        Columns of x, p, z and y.
+        Columns of x, p, z and y in the data; the model's own `Model.layout` has the phase that it knows.
     n_styles
         Styles to learn.
     sizes
         The paper's where not given.
     normalisers
-        Of ``inputs``, ``phases``, ``outputs``, ``clips``, as `toolkit.features.Features.normalisers` makes them; those not
-        given change nothing.
+        Of ``inputs``, ``phases``, ``outputs``, ``clips``, as the function `normalisers` makes them; those not given change
+        nothing.
     generator
-        Whether it can make style vectors of clips; without, it needs them given.
+        Whether it can make style vectors, of clips or of a table; without, it needs them given.
 
     Raises
     ------
     ValueError
         If there is no model of that name.
     """
-    if name not in MODELS:
-        raise ValueError(f"unknown model {name!r}; there is {', '.join(MODELS)}")
+    _check(name)
     return Model(name, layout, n_styles, sizes or Sizes(), normalisers or {}, generator).eval()
 
 
-def counts(model: Model) -> dict[str, int]:
-    """Parameters as Table 2 counts them: ``synthesis`` (experts and gating), ``style`` and ``per_style`` at run time."""
+def normalisers(name: str, data: Features) -> dict[str, Normaliser]:
+    """Statistics of ``inputs``, ``phases``, ``outputs`` and ``clips`` over all styles, in the columns of a model."""
+    _check(name)
+    return phase.normalisers(dataclasses.replace(data.layout, phase=PHASE[name.split("-")[0]]), data)
 
-    def total(*modules) -> int:
-        return sum(p.numel() for m in modules for p in m.parameters())
 
-    return {"synthesis": total(model.experts, model.gating), "style": total(model.modulation), "per_style": model.style_size}
+def _check(name: str) -> None:
+    if name not in MODELS:
+        raise ValueError(f"unknown model {name!r}; there is {', '.join(MODELS)}")

@@ -3,6 +3,7 @@
 import difflib
 import math
 import os
+import warnings
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
@@ -52,25 +53,41 @@ class StyleBank:
         check_style(name, self.names)
         return self.vectors[self.names.index(name)]
 
-    def blend(self, blend: Mapping[str, float]) -> Tensor:
-        """Barycentric blend ``[D]`` of style vectors.
+    def blend(self, blend: Mapping[str, float], *deeper: Mapping[str, float]) -> Tensor:
+        """Barycentric blend ``[D]`` of any number of style vectors, one for all layers or one for each.
 
         Parameters
         ----------
         blend
             Style to weight. Weights sum to one; negative ones extrapolate.
+        *deeper
+            Blends of the next hidden layers, where they shall differ: the legs of one style and the manner of another. A
+            FiLM vector (γ1, β1, γ2, β2) has two equal parts, one per layer, so it takes one more.
 
         Raises
         ------
         ValueError
-            If a style is unknown, a weight is not finite, or they do not sum to one.
+            If a style is unknown, a weight is not finite, they do not sum to one, or the vectors cannot be cut into so many
+            equal parts.
+
+        Warns
+        -----
+        UserWarning
+            If a weight is outside of [0, 1]: such a vector lies beyond what any style taught the model.
         """
+        if deeper:
+            if self.vectors.shape[1] % (1 + len(deeper)):
+                raise ValueError(f"vectors [{self.vectors.shape[1]}] cannot be cut into {1 + len(deeper)} equal layers")
+            whole = [self.blend(b) for b in (blend, *deeper)]
+            return torch.cat([vector.chunk(len(whole))[layer] for layer, vector in enumerate(whole)])
         shares = {name: float(weight) for name, weight in blend.items()}
         for name, share in shares.items():
             if not math.isfinite(share):
                 raise ValueError(f"the weight of style {name!r} must be finite, got {share}")
         if not shares or abs(sum(shares.values()) - 1) > 1e-4:
             raise ValueError(f"the weights of a blend must sum to 1, got {sum(shares.values()):g}")
+        if outside := [f"{name} {share:g}" for name, share in shares.items() if not -1e-4 <= share <= 1 + 1e-4]:
+            warnings.warn(f"the blend extrapolates ({', '.join(outside)}): the model has seen no motion there", stacklevel=2)
         return torch.stack([share * self[name] for name, share in shares.items()]).sum(0)
 
     def add(self, name: str, vector: Tensor) -> "StyleBank":
@@ -79,6 +96,39 @@ class StyleBank:
             raise ValueError(f"style {name!r} needs a vector [{self.vectors.shape[1]}], got {list(vector.shape)}")
         rows = dict(zip(self.names, self.vectors, strict=True)) | {name: vector}
         return StyleBank(tuple(rows), torch.stack([*rows.values()]))
+
+    def merge(self, other: "StyleBank") -> "StyleBank":
+        """A new bank with another's styles after its own.
+
+        Raises
+        ------
+        ValueError
+            If the vectors are of another length, or the two know a style of the same name by different vectors.
+        """
+        if self.vectors.shape[1] != other.vectors.shape[1]:
+            raise ValueError(f"vectors [{self.vectors.shape[1]}] cannot be merged with vectors [{other.vectors.shape[1]}]")
+        if differ := [n for n in other if n in self.names and not torch.equal(self[n], other[n])]:
+            raise ValueError(f"both banks have {', '.join(differ)}, with different vectors; `add` one of them")
+        rows = dict(zip(self.names, self.vectors, strict=True)) | dict(zip(other.names, other.vectors, strict=True))
+        return StyleBank(tuple(rows), torch.stack([*rows.values()]))
+
+    def select(self, names: Iterable[str]) -> "StyleBank":
+        """A new bank of some of the styles, in the order given."""
+        names = tuple(names)
+        return StyleBank(names, torch.stack([self[name] for name in names]))
+
+    def nearest(self, style: str | Tensor, k: int = 5) -> list[tuple[str, float]]:
+        """The ``k`` styles whose vectors are nearest to a style's (not counting itself) or to a vector ``[D]``.
+
+        Returns
+        -------
+        list of (str, float)
+            Names and Euclidean distances, the nearest first.
+        """
+        known = isinstance(style, str)
+        apart = (self.vectors - (self[style] if known else style)).double().norm(dim=-1)
+        others = [i for i in apart.argsort(stable=True).tolist() if not (known and self.names[i] == style)]
+        return [(self.names[i], float(apart[i])) for i in others[:k]]
 
     def save(self, path: str | os.PathLike) -> None:
         """Write to a safetensors file, whole or not at all."""

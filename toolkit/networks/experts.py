@@ -7,7 +7,6 @@ import math
 from collections.abc import Callable
 
 import torch
-import torch.nn.functional as F
 from torch import Tensor, nn
 
 
@@ -38,37 +37,6 @@ class BlendedLinear(nn.Module):
         return torch.addmm(gates @ self.bias, scaled, self.weight.flatten(0, 1))
 
 
-class Gating(nn.Module):
-    """The gating network Ω: phases to K blending coefficients that sum to one; three dense layers, ELU, softmax.
-
-    Parameters
-    ----------
-    n_in
-        Columns of the gating input (8: sine and cosine of four local phases).
-    hidden
-        Units of both hidden layers.
-    experts
-        K.
-    dropout
-        Share of every layer's inputs that training drops.
-    """
-
-    def __init__(self, n_in: int, hidden: int, experts: int, dropout: float):
-        super().__init__()
-        self.layers = nn.ModuleList((nn.Linear(n_in, hidden), nn.Linear(hidden, hidden), nn.Linear(hidden, experts)))
-        self.dropout = nn.Dropout(dropout)
-        for layer in self.layers:
-            nn.init.xavier_uniform_(layer.weight)  # U(±√(6 / (in + out)))
-            nn.init.zeros_(layer.bias)
-
-    def forward(self, phases: Tensor) -> Tensor:
-        """Normalised ``phases [B, n_in]`` to gates ``[B, K]``."""
-        first, second, last = self.layers
-        h = F.elu(first(self.dropout(phases)))
-        h = F.elu(second(self.dropout(h)))
-        return torch.softmax(last(self.dropout(h)), -1)
-
-
 class Experts(nn.Module):
     """The motion synthesis network Φ: three blended layers, whose two hidden ones a style modulates.
 
@@ -88,7 +56,7 @@ class Experts(nn.Module):
         self.layers = nn.ModuleList(BlendedLinear(experts, *size) for size in sizes)
         self.dropout = nn.Dropout(dropout)
 
-    def forward(self, x: Tensor, gates: Tensor, modulate: Callable[[int, Tensor], Tensor]) -> Tensor:
+    def forward(self, x: Tensor, gates: Tensor, modulate: Callable[[int, Tensor, Tensor], Tensor]) -> Tensor:
         """Output frames ``[B, n_out]``.
 
         Parameters
@@ -98,9 +66,11 @@ class Experts(nn.Module):
         gates : Tensor [B, K]
             Blending coefficients.
         modulate
-            ``(layer, F [B, hidden]) -> h [B, hidden]``: the activation of hidden layer 0 or 1, where the style comes in.
+            ``(layer, F [B, hidden], x [B, n]) -> h [B, hidden]``: the activation of hidden layer 0 or 1, where the style
+            comes in, given what the layer made of which inputs.
         """
         *hidden, last = self.layers
         for i, layer in enumerate(hidden):
-            x = modulate(i, layer(self.dropout(x), gates))
+            x = self.dropout(x)
+            x = modulate(i, layer(x, gates), x)
         return last(self.dropout(x), gates)

@@ -4,8 +4,12 @@ import torch
 import torch.nn.functional as F
 from torch import Tensor, nn
 
+from toolkit.networks.convolution import Convolution
 
-def layer_norm(f: Tensor, epsilon: float = 1e-6) -> Tensor:
+EPSILON = 1e-6  # added to the deviation, as in the published network
+
+
+def layer_norm(f: Tensor, epsilon: float = EPSILON) -> Tensor:
     """``f`` with mean 0 and (unbiased) standard deviation 1 over its last axis; nothing learnt (equation 3)."""
     centred = f - f.mean(-1, keepdim=True)
     return centred / (f.std(-1, keepdim=True) + epsilon)
@@ -31,13 +35,45 @@ class Film(nn.Module):
         """Length of a style vector: the numbers a style costs at run time (Table 2, P.S.R.)."""
         return 4 * self.hidden
 
-    def forward(self, layer: int, f: Tensor, style: Tensor) -> Tensor:
+    def forward(self, layer: int, f: Tensor, style: Tensor, x: Tensor | None = None, gates: Tensor | None = None) -> Tensor:
         """h = ELU(γ ∘ LN(F) + β) (equation 3) of hidden layer 0 or 1.
 
         ``f [B, hidden]``; ``style [B, 4 hidden]``, or ``[1, 4 hidden]`` or ``[4 hidden]`` for one style in the whole batch.
+        The layer's inputs x and the gates do not count.
         """
         gamma, beta = style[..., 2 * layer * self.hidden : 2 * (layer + 1) * self.hidden].chunk(2, -1)
         return F.elu(gamma * layer_norm(f) + beta)
+
+
+def fold(weight: Tensor, bias: Tensor, gamma: Tensor, beta: Tensor,
+         deviation: Tensor | None = None) -> tuple[Tensor, Tensor]:  # fmt: skip
+    """A style folded into a layer's own weights: FiLM as a multi-task dynamical system (section 5.3.1, equation 6).
+
+    Without ``deviation`` it is the paper's equation, which leaves layer normalisation out: x W' + b' = γ ∘ (x W + b) + β
+    for every x. With it x W' + b' = γ ∘ LN(x W + b) + β, exact only for inputs whose F = x W + b deviates that much:
+    taking its mean away is linear and folds for all inputs at once, the division by its deviation is not. So a style is
+    new weights up to one number per layer and frame.
+
+    Parameters
+    ----------
+    weight : Tensor [..., n_in, n_out]
+        Of a layer x W + b; for gated experts, the blended weights.
+    bias : Tensor [..., n_out]
+        b.
+    gamma, beta : Tensor [n_out]
+        Scale and shift of the layer.
+    deviation : Tensor [...]
+        Unbiased standard deviation of F.
+
+    Returns
+    -------
+    tuple of Tensor [..., n_in, n_out] and [..., n_out]
+        W' and b'.
+    """
+    if deviation is not None:
+        weight, bias = weight - weight.mean(-1, keepdim=True), bias - bias.mean(-1, keepdim=True)
+        gamma = gamma / (deviation[..., None] + EPSILON)
+    return weight * gamma[..., None, :], bias * gamma + beta
 
 
 class FilmGenerator(nn.Module):
@@ -67,8 +103,8 @@ class FilmGenerator(nn.Module):
 
     def __init__(self, n_in: int, frames: int, hidden: int, channels: int, kernel: int, dense: int, dropout: float):
         super().__init__()
-        self.first = nn.Conv1d(n_in, channels, kernel, padding="same")
-        self.second = nn.Conv1d(channels, channels, kernel, padding="same")
+        self.first = Convolution(n_in, channels, kernel)
+        self.second = Convolution(channels, channels, kernel)
         self.dense = nn.Linear(frames // 2 // 2 * channels, dense)
         self.out = nn.Linear(dense, 4 * hidden)
         self.dropout = nn.Dropout(dropout)

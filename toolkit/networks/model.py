@@ -1,4 +1,7 @@
-"""A model: gated experts, their gating, a style modulation, and the normalisers between physical units and its own."""
+"""A model: gated experts, their gating, a style modulation, and the normalisers between physical units and its own.
+
+Synthesis networks and modulations are independent parts; `MODELS` are the combinations of the paper's Table 2.
+"""
 
 import dataclasses
 import json
@@ -9,10 +12,23 @@ import torch
 from torch import Tensor, nn
 
 from toolkit.features import CLIP_FRAMES, Layout, Normaliser
-from toolkit.networks import weights
-from toolkit.networks.experts import Experts, Gating
+from toolkit.networks import phase, weights
+from toolkit.networks.adapters import OneHot, ResidualAdapter, StyleTable
+from toolkit.networks.experts import Experts
 from toolkit.networks.film import Film, FilmGenerator
+from toolkit.networks.gating import CONTROL_POINTS, CatmullRom, Gating, VelocityGating
 
+#: Synthesis network and style modulation of each model.
+MODELS = {
+    "pfnn-onehot": "four sets of weights on a global phase, style by a one-hot label (Holden et al. 2017)",
+    "lpn-onehot": "gated experts on local phases, style by a one-hot label",
+    "pfnn-resad": "four sets of weights on a global phase, style by decomposed residual adapters (Mason et al. 2018)",
+    "lpn-resad": "gated experts on local phases, style by full residual adapters",
+    "pfnn-film": "four sets of weights on a global phase, style by FiLM",
+    "mann-film": "gated experts on velocities of hands and feet, style by FiLM",
+    "lpn-film": "gated experts on local phases, style by FiLM after layer normalisation (the paper's model)",
+}
+PHASE = {"lpn": "local", "pfnn": "global", "mann": "none"}  # what a synthesis network knows of phase
 KINDS = ("inputs", "phases", "outputs", "clips")  # what is normalised
 
 
@@ -21,11 +37,12 @@ class Sizes:
     """How large the networks are; the defaults are the paper's (section 4.3)."""
 
     hidden: int = 512  # units of both hidden layers of the synthesis network
-    experts: int = 8  # K
+    experts: int = 8  # K; the PFNN has four control points instead
     gating: int = 32  # units of both hidden layers of the gating network
     film_channels: int = 256  # filters of both convolutions of the FiLM generator
     film_kernel: int = 25  # their width, frames
     film_dense: int = 2048  # units of its first dense layer
+    rank: int = 30  # of the PFNN's residual adapters
     dropout: float = 0.3  # share of inputs that training drops, everywhere
 
     def __post_init__(self):
@@ -42,29 +59,33 @@ class Sizes:
 
 
 class Model(nn.Module):
-    """LPN-FiLM (equation 4): ẑ = Φ(x; Ω(p), Ψ(y)). Make one with `toolkit.networks.build`.
+    """One of the seven models: ẑ = Φ(x; Ω(p), Ψ(y)) (equation 4). Make one with `toolkit.networks.build`.
 
-    `predict` and `style_vector` speak physical units; `forward` and `encode`, for training, normalised ones.
+    `predict`, `observe` and `style_vector` speak physical units; `forward` and `encode`, for training, normalised ones.
 
     Parameters
     ----------
     name
-        Which model of `toolkit.networks.MODELS`.
+        Which model of `MODELS`.
     layout
-        Columns of x, p, z and y.
+        Columns of x, p, z and y in the data. `layout` of the model is the same with the phase that it knows.
     n_styles
-        Styles it is meant for. FiLM needs no number of its own for them; models with per-style weights do.
+        Styles it is meant for. FiLM needs no number of its own for them; models with a table of styles have a row for each.
     sizes
         Its sizes.
     normalisers
-        For each of ``inputs``, ``phases``, ``outputs``, ``clips``; those not given change nothing.
+        For each of ``inputs``, ``phases``, ``outputs``, ``clips``, in the model's own columns; those not given change
+        nothing.
     generator
-        Whether it can make style vectors of clips. Without, 9 in 10 of the paper's parameters are saved.
+        Whether it can make style vectors: has FiLM's generator, or its table. Without, 9 in 10 of the paper's parameters are
+        saved.
     """
 
     def __init__(self, name: str, layout: Layout, n_styles: int, sizes: Sizes, normalisers: dict[str, Normaliser],
                  generator: bool = True):  # fmt: skip
         super().__init__()
+        synthesis, style = name.split("-")
+        layout = dataclasses.replace(layout, phase=PHASE[synthesis])
         self.name, self.layout, self.n_styles, self.sizes = name, layout, n_styles, sizes
         n_in, n_out, s = layout.n_inputs, layout.n_outputs, sizes
         widths = dict(zip(KINDS, (n_in, layout.n_phases, n_out, layout.n_clip), strict=True))
@@ -76,20 +97,67 @@ class Model(nn.Module):
                 raise ValueError(f"the normaliser of {kind} needs {width} columns, got {list(given.mean.shape)}")
             self.register_buffer(f"{kind}_mean", given.mean.clone())
             self.register_buffer(f"{kind}_std", given.std.clone())
-        self.gating = Gating(layout.n_phases, s.gating, s.experts, s.dropout)
-        self.experts = Experts(s.experts, n_in, s.hidden, n_out, s.dropout)
-        psi = FilmGenerator(layout.n_clip, CLIP_FRAMES, s.hidden, s.film_channels, s.film_kernel, s.film_dense, s.dropout)
-        self.modulation = Film(s.hidden, psi if generator else None)
+        experts, rank = (CONTROL_POINTS, s.rank) if synthesis == "pfnn" else (s.experts, None)
+        match synthesis:
+            case "lpn":
+                self.gating = Gating(layout.n_phases, s.gating, experts, s.dropout)
+            case "mann":
+                self.gating = VelocityGating(layout.limb_velocities, s.gating, experts, s.dropout)
+            case "pfnn":
+                self.gating = CatmullRom(experts)
+        self.experts = Experts(experts, n_in, s.hidden, n_out, s.dropout)
+        rows = n_styles if generator else 0
+        match style:
+            case "film":
+                film = (layout.n_clip, CLIP_FRAMES, s.hidden, s.film_channels, s.film_kernel, s.film_dense, s.dropout)
+                self.modulation = Film(s.hidden, FilmGenerator(*film) if generator else None)
+            case "onehot":
+                self.modulation = OneHot(experts, s.hidden, rows)
+            case "resad":
+                self.modulation = ResidualAdapter(s.hidden, experts, rank, rows)
 
     def forward(self, x: Tensor, phases: Tensor, style: Tensor) -> Tensor:
-        """Normalised output frames ``[B, Dz]`` of normalised ``x [B, Dx]``, ``phases [B, 8]``; ``style`` ``[B or 1, D]``."""
-        return self.experts(x, self.gating(phases), lambda layer, f: self.modulation(layer, f, style))
+        """Output frames ``[B, Dz]`` of ``x [B, Dx]``, ``phases [B, n_phases]`` and ``style [B or 1, D]``; all normalised."""
+        gates = self.gating(phases, x)
+        return self.experts(x, gates, lambda layer, f, inputs: self.modulation(layer, f, style, inputs, gates))
 
-    def encode(self, clips: Tensor) -> Tensor:
-        """Style vectors ``[M, D]`` of normalised ``clips [M, 240, 12 J]`` (equation 2)."""
-        if self.modulation.generator is None:
-            raise ValueError("this model was stored without its FiLM generator: it takes style vectors, and cannot make any")
-        return self.modulation.generator(clips)
+    def encode(self, clips: Tensor | None, style: int | Tensor | None = None) -> Tensor:
+        """Style vectors.
+
+        Parameters
+        ----------
+        clips : Tensor [M, 240, 12 J]
+            Normalised style clips, which FiLM's generator makes vectors of (equation 2).
+        style
+            The style's number, or numbers ``[M]``, which models with a table of styles look up.
+
+        Returns
+        -------
+        Tensor [M, D]
+            One per clip, or per number.
+
+        Raises
+        ------
+        ValueError
+            If the model has neither generator nor table any more, or the table no such style.
+        """
+        generator = self.modulation.generator
+        if generator is None:
+            source = "FiLM generator" if isinstance(self.modulation, Film) else "table of styles"
+            raise ValueError(f"this model was stored without its {source}: it takes style vectors, and cannot make any")
+        return generator(style) if isinstance(generator, StyleTable) else generator(clips)
+
+    def observe(self, phases: Tensor, outputs: Tensor) -> tuple[Tensor, Tensor]:
+        """Data as this model sees them: phases ``[B, 8]`` and output frames ``[B, Dz]`` of data to its own columns.
+
+        Physical units. The same for local phases; for a global one an angle and its update (see
+        `toolkit.networks.phase.global_phase`); without phases these columns are left out.
+        """
+        return phase.observe(self.layout, phases, outputs)
+
+    def next_phase(self, phases: Tensor, out: dict[str, Tensor]) -> Tensor:
+        """The phase after ``phases [B, n_phases]``, given the blocks ``out`` of the predicted frame, physical units."""
+        return phase.advance(self.layout, phases, out)
 
     @torch.no_grad()
     def predict(self, x: Tensor, phases: Tensor, style: Tensor) -> Tensor:
@@ -99,8 +167,8 @@ class Model(nn.Module):
         ----------
         x : Tensor [B, Dx]
             Input frames.
-        phases : Tensor [B, 8]
-            Local phases.
+        phases : Tensor [B, n_phases]
+            Phases as the model knows them: 8 columns of local ones, an angle, or no column.
         style : Tensor [B, D] or [D]
             Style vectors, or one for all.
 
@@ -122,8 +190,13 @@ class Model(nn.Module):
         return self.normaliser("outputs").invert(z)
 
     @torch.no_grad()
-    def style_vector(self, clips: Tensor) -> Tensor:
-        """One style vector ``[D]``: the mean over clips ``[M, 240, 12 J]`` in physical units (section 4.4)."""
+    def style_vector(self, clips: Tensor, style: int | None = None) -> Tensor:
+        """One style vector ``[D]``: the mean over clips ``[M, 240, 12 J]`` in physical units (section 4.4).
+
+        Models with a table of styles look at ``style``, the style's number, and not at the clips.
+        """
+        if isinstance(self.modulation.generator, StyleTable):
+            return self.encode(None, style)[0]
         if clips.dim() != 3 or not len(clips) or clips.shape[1:] != (CLIP_FRAMES, self.layout.n_clip):
             raise ValueError(f"style clips are [M, {CLIP_FRAMES}, {self.layout.n_clip}], got {list(clips.shape)}")
         normaliser, device = self.normaliser("clips"), self.clips_mean.device
@@ -139,7 +212,7 @@ class Model(nn.Module):
         return self.modulation.size
 
     def parts(self, *, generator: bool = True) -> tuple[dict[str, Tensor], dict]:
-        """Its tensors and its description, as `toolkit.networks.weights` stores them; the generator only if asked for."""
+        """Its tensors and description, as `toolkit.networks.weights` stores them; generator or table only if asked for."""
         generator = generator and self.modulation.generator is not None
         tensors = {k: v for k, v in self.state_dict().items() if generator or not k.startswith("modulation.generator.")}
         description = {
@@ -149,7 +222,7 @@ class Model(nn.Module):
         return {f"model.{k}": v for k, v in tensors.items()}, description
 
     def save(self, path: str | os.PathLike, *, generator: bool = True) -> None:
-        """Write weights, layout, sizes and normalisers to one safetensors file; ``generator=False`` leaves Ψ out."""
+        """Write weights, layout, sizes and normalisers to a safetensors file; ``generator=False``: without Ψ or table."""
         tensors, description = self.parts(generator=generator)
         weights.write(path, tensors, {"model": description})
 
@@ -162,7 +235,7 @@ class Model(nn.Module):
         path
             The file.
         layout
-            The layout it must have.
+            The layout that its data must have had.
 
         Raises
         ------
@@ -174,14 +247,12 @@ class Model(nn.Module):
     @classmethod
     def from_parts(cls, path: str | os.PathLike, tensors: dict[str, Tensor], parts: dict, layout: Layout | None) -> "Model":
         """The model among what `toolkit.networks.weights.read` returned for ``path``."""
-        from toolkit.networks import MODELS
-
         try:
             d = parts["model"]
             name, stored, sizes = d["name"], Layout.from_json(json.dumps(d["layout"])), Sizes(**d["sizes"])
             if name not in MODELS:
                 raise ValueError(f"unknown model {name!r}")
-            if layout is not None and stored != layout:
+            if layout is not None and stored != dataclasses.replace(layout, phase=stored.phase):
                 described = (
                     {"joints": own.names, "parents": own.parents, "points": own.skeleton.names} for own in (layout, stored)
                 )

@@ -3,16 +3,18 @@
 from importlib import import_module
 
 _HOME = {
-    "animate": "animation", "contact_sheet": "animation", "loop": "animation", "html": "page", "strip": "picture",
+    "animate": "animation", "contact_sheet": "animation", "loop": "animation", "crowd": "group", "html": "page",
+    "strip": "picture",
     "play": "player", "Player": "player",
     "Controller": "controller",
     "StyleBlender": "blender", "StyleTriangle": "blender",
+    "StyleExplorer": "explorer", "explore": "explorer",
     "phase_figure": "phase_figures", "phase_manifold": "phase_figures", "principal_axes": "phase_figures",
     "style_space": "figures", "training_curves": "figures", "trajectory_figure": "figures",
 }  # fmt: skip
-__all__ = ["Controller", "Player", "StyleBlender", "StyleTriangle", "animate", "contact_sheet", "html", "loop",
-           "phase_figure", "phase_manifold", "play", "principal_axes", "strip", "style_space", "training_curves",
-           "trajectory_figure"]  # fmt: skip
+__all__ = ["Controller", "Player", "StyleBlender", "StyleExplorer", "StyleTriangle", "animate", "contact_sheet", "crowd",
+           "explore", "html", "loop", "phase_figure", "phase_manifold", "play", "principal_axes", "strip", "style_space",
+           "training_curves", "trajectory_figure"]  # fmt: skip
 
 
 def __getattr__(name: str):

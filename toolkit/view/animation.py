@@ -21,7 +21,7 @@ from toolkit.view.raycast import Canvas
 LINE, GRID = "#bfbab0", 0.5  # lines on the floor; metres between them
 BOTTOM = -0.3  # metres of floor shown below the feet
 FINE = 2  # drawn this many times larger, then averaged
-SUFFIXES = (".gif", ".png", ".webp", ".mp4")
+SUFFIXES = (".gif", ".png", ".apng", ".webp", ".mp4")
 
 
 def animate(clips: Clip | Sequence[Clip], path: str | os.PathLike, *, labels: Sequence[str] | None = None,
@@ -37,7 +37,7 @@ def animate(clips: Clip | Sequence[Clip], path: str | os.PathLike, *, labels: Se
     clips
         One clip or several.
     path
-        File to write: ``.gif``, ``.png`` (animated), ``.webp`` or ``.mp4`` (H.264, needs PyAV).
+        File to write: ``.gif``, ``.png`` or ``.apng`` (animated), ``.webp`` or ``.mp4`` (H.264, needs PyAV).
     labels
         Text of each cell; by default style and gait, else the clip's name.
     columns
@@ -77,10 +77,15 @@ def animate(clips: Clip | Sequence[Clip], path: str | os.PathLike, *, labels: Se
             cells = [shot.draw(round(k * shot.clip.fps / fps) % len(shot.clip), *room) for shot in shots]
             yield _sheet(cells, columns, labels, caption)
 
+    return write(drawn(), path, fps, colors)
+
+
+def write(frames: Iterable[Image.Image], path: Path, fps: float, colors: int) -> Path:
+    """Write pictures of equal size as one looping file, see `animate`."""
     if path.suffix == ".mp4":
-        _film(drawn(), path, fps)
+        _film(frames, path, fps)
         return path
-    frames = list(drawn())
+    frames = list(frames)
     how = {"save_all": True, "duration": round(1000 / fps), "loop": 0}
     if path.suffix == ".gif":
         frames = _reduce(frames, colors)

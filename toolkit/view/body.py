@@ -1,11 +1,12 @@
 """A mannequin that fits any skeleton: rounded cones fixed to joints, shared by every way of drawing.
 
 A rounded cone is the convex hull of two spheres, thinned along one direction. One description (`Shape`) serves the software
-renderer, pyvista and the browser. Rigs differ in their local axes (Bandai-Namco's bones lie along X), so directions such as
-"forward in the head's frame" are measured on the clip, never assumed.
+renderer, pyvista and the browser; the last two bend it where it meets other joints (`toolkit.view.skin`). Rigs differ in their
+local axes (Bandai-Namco's bones lie along X), so directions such as "forward in the head's frame" are measured on the clip,
+never assumed.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from itertools import pairwise
 
@@ -28,6 +29,26 @@ RADII = {  # upper joint's role -> radii at the two ends of the bone below it
 
 
 @dataclass(frozen=True, eq=False)
+class Bend:
+    """Where a shape's surface passes to another joint.
+
+    Parameters
+    ----------
+    joint
+        The other joint.
+    place : ndarray [3, 4]
+        From the cone's own frame to that joint's, in a straight limb.
+    at, width
+        Along the cone's axis, metres: half of the surface follows the other joint at ``at``, all of it at ``at + width``.
+    """
+
+    joint: int
+    place: np.ndarray
+    at: float
+    width: float
+
+
+@dataclass(frozen=True, eq=False)
 class Shape:
     """One rounded cone.
 
@@ -43,6 +64,8 @@ class Shape:
         Key of `COLORS`.
     foot
         "left" or "right" where it lights up on contact.
+    bends
+        To the joints beyond its ends, at most one each.
     """
 
     joint: int
@@ -51,6 +74,7 @@ class Shape:
     radii: tuple[float, float]
     tone: str
     foot: str = ""
+    bends: tuple[Bend, ...] = ()
 
 
 def cone(joint: int, start: Tensor, end: Tensor, radii: tuple[float, float], tone: str, *, thin: Tensor | None = None,
@@ -91,6 +115,35 @@ class _Measured:
 
     def forward(self, joint: int) -> Tensor:
         return _snap(self.axes[joint, 2] * (1 - self.up(joint).abs()))
+
+    def onward(self, joint: int) -> Tensor:
+        """Along the bones that go on from any joint, else along the one that ends there."""
+        below = [j for j, p in enumerate(self.skeleton.parents) if p == joint]
+        offsets = self.skeleton.offsets[[j for j in below if j not in self.legs] or below].sum(0)
+        return R.normalize(offsets if float(offsets.norm()) > 0.02 else self.skeleton.offsets[joint])
+
+    def bend(self, shape: Shape, joint: int, width: float) -> Shape:
+        """Let a shape bend towards the next joint or the one above its own, over ``width`` metres to either side.
+
+        The limb is straight where the lower bone goes on along the upper, with the clip's mean twist.
+        """
+        below = self.skeleton.parents[joint] == shape.joint
+        lower, upper = (joint, shape.joint) if below else (shape.joint, joint)
+        bone = self.skeleton.offsets[lower]
+        local = R.unroll(self.clip.rotations[:, lower]).mean(0)
+        turn = R.normalize(local) if float(local.norm()) > 1e-3 else R.identity()
+        turn = R.to_matrix(R.multiply(R.between(R.rotate(turn, self.onward(lower)), R.normalize(self.onward(upper))), turn))
+        turn, bone = turn.double().numpy(), bone.double().numpy()
+        moved = shape.place.copy()
+        if below:
+            moved[:, 3] -= bone
+            moved = turn.T @ moved
+        else:
+            moved = turn @ moved
+            moved[:, 3] += bone
+        origin = bone if below else np.zeros(3)
+        at = float((np.linalg.inv(shape.place[:, :3]) @ (origin - shape.place[:, 3]))[1])
+        return replace(shape, bends=(*shape.bends, Bend(joint, moved, at, width if below else -width)))
 
     def left(self, joint: int) -> Tensor:
         return torch.linalg.cross(self.up(joint), self.forward(joint))
@@ -150,7 +203,12 @@ def _limb(m: _Measured, side: str, s: float, used: set[int]) -> list[Shape]:
     for upper, lower in (("hip", "knee"), ("knee", "foot"), ("shoulder", "elbow"), ("elbow", "hand")):
         a, b = m.skeleton.index(f"{side}_{upper}"), m.skeleton.index(f"{side}_{lower}")
         bone, (r0, r1) = m.skeleton.offsets[b], RADII[upper]
-        shapes.append(cone(a, 0.06 * bone, 0.94 * bone, (r0 * s, r1 * s), side))
+        flesh = cone(a, 0.06 * bone, 0.94 * bone, (r0 * s, r1 * s), side)
+        if lower != "foot":  # a foot does not go on along its shin
+            flesh = m.bend(flesh, b, 0.1 * s if lower == "hand" else 1.6 * r1 * s)
+        if upper in ("knee", "elbow"):
+            flesh = m.bend(flesh, m.skeleton.parents[a], 1.6 * r0 * s)
+        shapes.append(flesh)
         shapes.append(cone(b, torch.zeros(3), torch.zeros(3), (1.04 * r1 * s,) * 2, "joint"))
         used.update((a, b))
     shoulder = m.skeleton.index(f"{side}_shoulder")
@@ -210,14 +268,17 @@ def _torso(m: _Measured, s: float, used: set[int]) -> list[Shape]:
     shapes = [cone(hips, middle + half * across, middle - half * across, (0.1 * s,) * 2, "middle",
                    thin=m.forward(hips), by=0.9)]  # fmt: skip
     for upper, lower in pairwise(spine):
-        shapes.append(cone(lower, torch.zeros(3), skeleton.offsets[upper], (0.088 * s, 0.092 * s), "joint",
-                           thin=m.forward(lower), by=0.86))  # fmt: skip
+        part = cone(lower, torch.zeros(3), skeleton.offsets[upper], (0.088 * s, 0.092 * s), "joint", thin=m.forward(lower),
+                    by=0.86)  # fmt: skip
+        part = m.bend(part, upper, 0.07 * s)
+        shapes.append(part if lower == hips else m.bend(part, skeleton.parents[lower], 0.07 * s))
     a, b = m.place(skeleton.index("left_shoulder"), chest), m.place(skeleton.index("right_shoulder"), chest)
     width = float((a - b).norm()) / 2
     wide = min(max(0.78 * width, 0.125 * s), 0.152 * s)
     top = (a + b) / 2 - m.up(chest) * 0.6 * wide
     bottom = top - m.up(chest) * 0.17 * s
-    return [*shapes, cone(chest, bottom, top, (0.76 * wide, wide), "middle", thin=m.forward(chest), by=0.74)]
+    ribs = cone(chest, bottom, top, (0.76 * wide, wide), "middle", thin=m.forward(chest), by=0.74)
+    return [*shapes, m.bend(ribs, skeleton.parents[chest], 0.07 * s) if chest != hips else ribs]
 
 
 def _head(m: _Measured, s: float, used: set[int]) -> list[Shape]:
@@ -231,7 +292,9 @@ def _head(m: _Measured, s: float, used: set[int]) -> list[Shape]:
         p = skeleton.parents[j]
         last = p in spine  # the lowest part widens into the shoulders
         start, r0, tone = (0.45, 0.088, "middle") if last and j != head else (0.0, 0.05, "joint")
-        shapes.append(cone(p, start * skeleton.offsets[j], skeleton.offsets[j], (r0 * s, 0.05 * s), tone))
+        neck = cone(p, start * skeleton.offsets[j], skeleton.offsets[j], (r0 * s, 0.05 * s), tone)
+        neck = neck if last else m.bend(neck, skeleton.parents[p], 0.04 * s)
+        shapes.append(m.bend(neck, j, 0.04 * s))
         used.add(j)
         j = p
     used.update(j for j, p in enumerate(skeleton.parents) if p == head)
@@ -267,19 +330,3 @@ def bounds(shapes: tuple[Shape, ...], places: np.ndarray) -> tuple[np.ndarray, n
     radii = np.array([s.radii for s in shapes])[..., None]
     axes = tuple(range(ends.ndim - 1))
     return (ends - radii).min(axes), (ends + radii).max(axes)
-
-
-def surface(shape: Shape, around: int = 16, along: int = 5) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Vertices [V, 3] and normals [V, 3] in the cone's own frame, and triangles [T, 3]."""
-    (r0, r1), h = shape.radii, shape.length
-    tilt = np.arcsin((r0 - r1) / h)
-    angles = np.concatenate((np.linspace(-np.pi / 2, tilt, along + 1), np.linspace(tilt, np.pi / 2, along + 1)))
-    radius = np.repeat((r0, r1), along + 1)
-    turn = np.linspace(0, 2 * np.pi, around, endpoint=False)
-    ring = np.stack((np.cos(turn), np.zeros(around), np.sin(turn)), 1)
-    normals = np.cos(angles)[:, None, None] * ring + np.sin(angles)[:, None, None] * np.eye(3)[1]
-    vertices = normals * radius[:, None, None] + np.repeat((0.0, h), along + 1)[:, None, None] * np.eye(3)[1]
-    i, k = np.meshgrid(np.arange(len(angles) - 1), np.arange(around), indexing="ij")
-    a, b = i * around + k, i * around + (k + 1) % around
-    triangles = np.concatenate((np.stack((a, a + around, b), -1), np.stack((b, a + around, b + around), -1)), 0)
-    return vertices.reshape(-1, 3), normals.reshape(-1, 3), triangles.reshape(-1, 3)

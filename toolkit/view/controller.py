@@ -176,13 +176,13 @@ class Controller(anywidget.AnyWidget):
     def _step(self) -> None:
         self._vector = torch.lerp(self._vector, self._target, EASE)
         self.state = runtime.step(self._model, self.state.with_style(self._vector), self._command())
-        rotations, root = runtime.pose(self._model.layout, self.state, feet=self.feet, arms=self.arms)
+        rotations, root = runtime.pose(self._model, self.state, feet=self.feet, arms=self.arms)
         self.frames += 1
         if self.recording:
             self._recorded.append((rotations[0].clone(), root[0].clone()))
         state = self.state
         past = [trajectory.PAST + o for o in trajectory.SAMPLES[: trajectory.CURRENT]]
-        parts = (root, rotations, state.history[:, past], state.future, state.phase, state.contacts)
+        parts = (root, rotations, state.history[:, past], state.future, state.contacts, state.phase)
         message = np.concatenate([part.numpy().ravel() for part in parts]).astype(np.float32)
         self.send({"kind": "frame", "frame": self.frames, "input": self._input["id"]}, [message.tobytes()])
 
@@ -196,7 +196,7 @@ class Controller(anywidget.AnyWidget):
                     await self._wake.wait()
                     due = self._loop.time()
                 self._step()
-                due = max(due + 1 / FPS, self._loop.time())
+                due = max(due + 1 / FPS, self._loop.time() - 1 / FPS)  # late by more than a frame: dropped
                 await asyncio.sleep(max(0.002, due - self._loop.time()))
         except Exception as error:  # shown in the view: nothing else would report it
             self.status = f"stopped: {type(error).__name__}: {error}"

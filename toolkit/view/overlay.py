@@ -1,6 +1,7 @@
 """What is written over a picture of a moving body: names and phase dials."""
 
 import colorsys
+import math
 from collections.abc import Sequence
 from functools import cache
 
@@ -30,10 +31,10 @@ def write(picture: Image.Image, cell: tuple[int, int, int, int], labels: Sequenc
         Of each character, phase vectors [4, 2] (sin, cos) of the `LIMBS`, or None.
     """
     left, top, _, height = cell
-    draw, x, y = ImageDraw.Draw(picture), left + 10, top + 6
+    x, y = left + 10, top + 6
     for text, color in labels:
         if text:
-            draw.text((x, y), text, color, _font(15))
+            picture.paste(color, (x, y), _text(text, 15))
             y += 20
     size = min(max(height // 10, 16), 44)
     for (_, color), vectors in zip(labels, phases, strict=True):
@@ -42,13 +43,22 @@ def write(picture: Image.Image, cell: tuple[int, int, int, int], labels: Sequenc
         for i, vector in enumerate(np.asarray(vectors, dtype=float)):
             place = x + 6, y + 6 + i * (size + 14)
             picture.paste(_dial(vector, size, color if len(labels) > 1 else RIM), place, _disc(size))
-            draw.text((place[0] + size / 2, place[1] + size + 6), LIMBS[i], INK, _font(10), anchor="mm")
+            text = _text(LIMBS[i], 10)
+            picture.paste(INK, (round(place[0] + size / 2 - text.width / 2), place[1] + size), text)
         x += size + 20
 
 
 @cache
 def _font(size: int) -> ImageFont.FreeTypeFont:
     return ImageFont.load_default(size)
+
+
+@cache
+def _text(text: str, size: int) -> Image.Image:
+    """A text as a mask: drawn once, pasted into every picture."""
+    mask = Image.new("L", tuple(math.ceil(x) + 1 for x in _font(size).getbbox(text)[2:]))
+    ImageDraw.Draw(mask).text((0, 0), text, 255, _font(size))
+    return mask
 
 
 @cache

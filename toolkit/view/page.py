@@ -144,7 +144,9 @@ def skeleton_data(clip: Clip) -> dict:
         "offsets": [[round(x, 6) for x in offset] for offset in clip.skeleton.offsets.tolist()],
         "shapes": [
             {"joint": s.joint, "place": s.place.round(6).ravel().tolist(), "length": round(s.length, 6),
-             "radii": [round(r, 6) for r in s.radii], "color": body.COLORS[s.tone], "foot": s.foot}
+             "radii": [round(r, 6) for r in s.radii], "color": body.COLORS[s.tone], "foot": s.foot,
+             "bends": [{"joint": b.joint, "place": b.place.round(6).ravel().tolist(), "at": round(b.at, 6),
+                        "width": round(b.width, 6)} for b in s.bends]}
             for s in body.build(clip)
         ],
     }  # fmt: skip

@@ -18,6 +18,7 @@ from toolkit.view import body
 from toolkit.view.body import COLORS, CONTACT, PALETTE
 from toolkit.view.figures import GRID, INK, LAYOUT, QUIET
 from toolkit.view.opengl import INSTALL, opengl_works
+from toolkit.view.skin import Skin, placements
 
 HUES = [[0.0, "#7b68c4"], [0.25, "#2fa596"], [0.5, "#e3c15a"], [0.75, "#d6598b"], [1.0, "#7b68c4"]]  # 0 and 2 pi alike
 AXIS, SIDE = "#7b3fb5", 0.34  # colour of a principal axis, metres along the edge of its plane
@@ -263,12 +264,9 @@ def _arrow_and_plane(centre: np.ndarray, axis: np.ndarray) -> tuple[np.ndarray, 
 def _solid(clip: Clip, frame: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """The mannequin at one frame: vertices [V, 3], triangles [T, 3] and a colour of each triangle [T, 3]."""
     shapes = body.build(clip)
-    places = body.placements(shapes, clip.global_rotations[frame], clip.global_positions[frame])
-    surfaces = [body.surface(shape) for shape in shapes]
-    vertices = [v @ place[:, :3].T + place[:, 3] for (v, _, _), place in zip(surfaces, places, strict=True)]
-    triangles = [t + i * len(v) for i, (v, _, t) in enumerate(surfaces)]
-    colors = np.repeat(body.colors(shapes), [len(t) for t in triangles], 0)
-    return np.concatenate(vertices), np.concatenate(triangles), colors
+    skin = Skin(shapes)
+    vertices = skin.points(placements(shapes, clip.global_rotations[frame], clip.global_positions[frame]))
+    return vertices, skin.triangles, body.colors(shapes)[skin.owners[skin.triangles[:, 0]]]
 
 
 def _xyz(points: np.ndarray) -> dict[str, np.ndarray]:

@@ -2,7 +2,8 @@
 
 Widget callbacks may run in any thread (ipykernel 7 handles comms in subshells), and VTK breaks silently off the main one. So
 callbacks only store what is wanted; one asyncio task on the main loop draws the newest state and nothing else. The page
-answers every picture that it shows, and the task waits for that: a slow page gets fewer pictures, a closed one next to none.
+answers every other picture that it shows, and the task waits for that: a slow page gets fewer pictures, a closed one next to
+none.
 """
 
 import asyncio
@@ -26,7 +27,8 @@ from toolkit.view.screen import Screen
 
 IDLE = 600.0  # seconds of playback without a touch after which it pauses by itself
 RATE = 60.0  # pictures per second at most
-AHEAD = 2  # pictures that the page may be behind while time runs
+AHEAD = 3  # pictures that the page may be behind while time runs
+REST = 0.25  # seconds of pause before the picture is drawn once more, with smooth edges
 PATIENCE = 2.0  # seconds after which the next one is drawn without an answer
 SWITCHES = {"path": "Path", "contacts": "Contacts", "trajectory": "Trajectory", "phases": "Phases"}
 
@@ -116,7 +118,7 @@ class Player(widgets.VBox):
         self.rate = RATE
         self._size, self._together = size, together
         self._stages: list[stage.Stage | stage.Sketch] = []
-        self._frame, self._stale, self._touched = 0.0, False, time.monotonic()
+        self._frame, self._stale, self._fine, self._touched = 0.0, False, False, time.monotonic()
         self._wake: asyncio.Event | None = None
         self._task: asyncio.Task | None = None
         self._loop: asyncio.AbstractEventLoop | None = None
@@ -185,7 +187,7 @@ class Player(widgets.VBox):
         require_main_thread()
         if not 0 <= frame < len(self.clip):
             raise ValueError(f"{self.clip.name}: frame {frame} is not one of {len(self.clip)}")
-        return np.asarray(self._picture(int(frame)))
+        return np.asarray(self._picture(int(frame), fine=True))
 
     def show(self, clips: Clip | Sequence[Clip], *, labels: Sequence[str] | None = None, contacts=None, phases=None) -> None:
         """Show others, from where the last ones were if they are long enough; arguments as in `play`."""
@@ -260,7 +262,7 @@ class Player(widgets.VBox):
         yield
         self._own = None
 
-    def _picture(self, frame: int) -> Image.Image:
+    def _picture(self, frame: int, fine: bool) -> Image.Image:
         """All cells with what is written over them (main thread)."""
         sheet, seconds = Image.new("RGB", self._size, PAPER), frame / self.clip.fps
         shown = {kind for kind, switch in self._switches.items() if switch.value}
@@ -269,7 +271,7 @@ class Player(widgets.VBox):
             scene.follow, scene.shown = self._follow.value, shown
             at = [frame if s.clip is self.clip else round(seconds * s.clip.fps) % len(s.clip) for s in scene.subjects]
             corner = i % self._columns * self._cell[0], i // self._columns * self._cell[1]
-            sheet.paste(Image.fromarray(scene.draw(at)), corner)
+            sheet.paste(Image.fromarray(scene.draw(at, fine=fine)), corner)
             several = len(scene.subjects) > 1
             labels = [(s.label if len(self.clips) > 1 else "", scene.color(k) if several else INK)
                       for k, s in enumerate(scene.subjects)]  # fmt: skip
@@ -278,13 +280,13 @@ class Player(widgets.VBox):
             overlay.write(sheet, (*corner, *self._cell), labels, phases)
         return sheet
 
-    def _show(self) -> None:
+    def _show(self, *, fine: bool = False) -> None:
         """Draw the wanted state now (main thread)."""
-        self._stale = False
+        self._stale, self._fine = False, fine
         frame = min(int(self._frame), len(self.clip) - 1)
-        self.image.put(self._picture(frame))
+        self.image.put(self._picture(frame, fine))
         with self._quiet():
-            if not self.playing or self.image.number % 4 == 0:  # each is a message of its own
+            if not self.playing or self.image.number % 6 == 0:  # each is a message of its own
                 self._clock.value = f"{frame / self.clip.fps:.2f} / {self.clip.seconds:.2f} s"
                 self._slider.value = frame
 
@@ -301,7 +303,11 @@ class Player(widgets.VBox):
         last = time.monotonic()
         while True:
             if not self.playing:
-                await self._wake.wait()
+                with suppress(TimeoutError):
+                    await asyncio.wait_for(self._wake.wait(), None if self._fine else REST)
+                if not self._wake.is_set():
+                    self._show(fine=True)
+                    continue
                 last = time.monotonic()
             elif self.image.number - self.image.seen > AHEAD:
                 with suppress(TimeoutError):

@@ -18,11 +18,12 @@ from toolkit.view import body, floor
 from toolkit.view.opengl import explain_missing_opengl, opengl_works
 from toolkit.view.picture import steady_frames
 from toolkit.view.raycast import Canvas
+from toolkit.view.skin import Skin, placements
 
 BACK, SHADE, LINES = "#efece6", "#cdc8be", "#cbc5b9"
 LIGHT = np.array([-0.08, 1.0, 0.51])  # towards the lamp, facing +Z
 # linear light: the browser's sun of 1.5 and hemisphere of 2.25 over π, in their colours (scene/scene.js)
-SUN, SKY, GROUND = np.array([0.477, 0.467, 0.445]), np.array([0.716, 0.716, 0.716]), np.array([0.493, 0.468, 0.427])
+SUN, SKY, GROUND = np.float32([[0.477, 0.467, 0.445], [0.716, 0.716, 0.716], [0.493, 0.468, 0.427]])
 TILT = 0.2  # the camera looks down, radians
 TINT = 0.55  # share of its own colour in the trunk of each of several characters in one scene
 
@@ -76,7 +77,7 @@ class _Scene:
         clips = [subject.clip for subject in subjects]
         self.bodies = [body.build(clip) for clip in clips]
         self.shapes = tuple(chain(*self.bodies))
-        self._places = [body.placements(shapes, clip.global_rotations, clip.global_positions)
+        self._places = [placements(shapes, clip.global_rotations, clip.global_positions)
                         for shapes, clip in zip(self.bodies, clips, strict=True)]  # fmt: skip
         self.paths, facings = zip(*(steady_frames(clip, 0.8) for clip in clips), strict=True)
         self.facing = float(facings[0][0])
@@ -88,7 +89,7 @@ class _Scene:
         return body.PALETTE[subject % len(body.PALETTE)]
 
     def places(self, frames: Sequence[int]) -> np.ndarray:
-        """Placement of every shape [S, 3, 4] with each character at its frame."""
+        """Placement of every shape by each of its joints [S, HOSTS, 3, 4] with each character at its frame."""
         return np.concatenate([places[frame] for places, frame in zip(self._places, frames, strict=True)])
 
     def colors(self, frames: Sequence[int]) -> np.ndarray:
@@ -124,12 +125,15 @@ class Stage(_Scene):
 
     def __init__(self, subjects: Sequence[Subject], size: tuple[int, int]):
         import pyvista as pv
+        from vtkmodules.util.numpy_support import numpy_to_vtk
 
-        self.pv = pv
+        self.pv, self._to_vtk = pv, numpy_to_vtk
         theme = pv.themes.Theme()
         theme.multi_samples = 0
         self.plotter = pv.Plotter(off_screen=True, window_size=size, lighting="none", theme=theme)
         self.plotter.set_background(BACK)
+        self.plotter.camera.SetViewUp(0, 1, 0)
+        self.plotter.camera.SetViewAngle(32)
         self.grid = self.plotter.add_mesh(self._grid(), name="grid", scalars="rgb", rgb=True, lighting=False, line_width=1,
                                           render=False)  # fmt: skip
         super().__init__(subjects, size)
@@ -138,12 +142,12 @@ class Stage(_Scene):
         """Show others."""
         super().load(subjects)
         pv, add = self.pv, self.plotter.add_mesh
-        self.vertices, self.normals, faces = self._surfaces(around=18, along=4)
-        self.body = pv.PolyData.from_regular_faces(np.zeros((self.vertices[..., 0].size, 3), np.float32), faces)
+        self.skin, self.coarse = Skin(self.shapes, around=14, along=3), Skin(self.shapes, around=6, along=1)
+        self.body, self.flat = (pv.PolyData.from_regular_faces(np.zeros((len(skin.owners), 3), np.float32), skin.triangles)
+                                for skin in (self.skin, self.coarse))  # fmt: skip
         self.body.point_data["rgb"] = np.zeros((self.body.n_points, 3), np.uint8)
-        self.coarse, _, faces = self._surfaces(around=8, along=1)
-        self.flat = pv.PolyData.from_regular_faces(np.zeros((self.coarse[..., 0].size, 3), np.float32), faces)
         self.light = R.rotate(R.yaw(torch.tensor(self.facing)), torch.from_numpy(LIGHT).float()).numpy()
+        self.lamp = self.light / np.linalg.norm(self.light)
         add(self.body, name="body", scalars="rgb", rgb=True, lighting=False, culling="back", render=False)
         add(self.flat, name="shadow", color=SHADE, lighting=False, render=False)
         marks = self.marks([0] * len(self.subjects))
@@ -155,12 +159,6 @@ class Stage(_Scene):
         self.floor.point_data["rgb"] = np.repeat([255 * np.array(to_rgb(layer.color)) for layer, _ in marks],
                                                  np.diff(first), axis=0).astype(np.uint8)  # fmt: skip
         add(self.floor, name="floor", scalars="rgb", rgb=True, lighting=False, render=False)
-
-    def _surfaces(self, around: int, along: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Vertices and normals [S, V, 3] of all shapes in their own frames, and triangles [T, 3] of all their vertices."""
-        parts = [body.surface(shape, around, along) for shape in self.shapes]
-        vertices, normals = (np.stack([part[i] for part in parts]).astype(np.float32) for i in (0, 1))
-        return vertices, normals, np.concatenate([part[2] + i * vertices.shape[1] for i, part in enumerate(parts)])
 
     def _grid(self, reach: int = 14):
         """Lines a metre apart, fading into the background."""
@@ -175,12 +173,12 @@ class Stage(_Scene):
         grid.point_data["rgb"] = (255 * (to_rgb(LINES) * (1 - fade) + to_rgb(BACK) * fade)).astype(np.uint8)
         return grid
 
-    def draw(self, frames: Sequence[int]) -> np.ndarray:
-        """Picture [H, W, 3] uint8 with each character at its frame."""
+    def draw(self, frames: Sequence[int], *, fine: bool = False) -> np.ndarray:
+        """Picture [H, W, 3] uint8 with each character at its frame; ``fine`` with smooth edges, in three times the time."""
         places = self.places(frames)
-        self.body.points[:] = _moved(self.vertices, places)
-        self.body.point_data["rgb"][:] = self._lit(places, self.colors(frames))
-        points = _moved(self.coarse, places)
+        self.body.points[:], normals = self.skin.pose(places)
+        self.body.point_data["rgb"][:] = self._lit(normals, self.colors(frames))
+        points = self.coarse.points(places)
         self.flat.points[:] = points - points[:, 1:2] * (self.light / self.light[1])
         self.flat.points[:, 1] = 0.003
         self.floor.points[:, [0, 2]] = np.concatenate([corners for _, corners in self.marks(frames)])
@@ -189,49 +187,53 @@ class Stage(_Scene):
             mesh.GetPoints().Modified()
         self.body.GetPointData().GetScalars().Modified()
         self._aim(frames)
-        self.plotter.render()
-        return self.plotter.screenshot(return_img=True)
+        return self._read(2 if fine else 1)
 
-    def _lit(self, places: np.ndarray, colors: np.ndarray) -> np.ndarray:
+    def _read(self, scale: int) -> np.ndarray:
+        """What the camera sees, drawn ``scale`` times larger and averaged."""
+        width, height = (scale * n for n in self.size)
+        window = self.plotter.render_window
+        picture = np.empty((height, width, 3), np.uint8)
+        self.grid.prop.line_width = scale
+        window.SetSize(width, height)
+        window.Render()
+        window.GetPixelData(0, 0, width - 1, height - 1, 0, self._to_vtk(picture.reshape(-1, 3)), 0)  # the same memory
+        window.SetSize(*self.size)
+        return np.asarray(Image.fromarray(picture[::-1]).reduce(scale))
+
+    def _lit(self, normals: np.ndarray, colors: np.ndarray) -> np.ndarray:
         """Colour of every vertex [S V, 3] uint8: matt, under a sky, over a bright floor, one lamp, as in the browser."""
-        normals = self.normals @ np.linalg.inv(places[:, :, :3])
-        normals /= np.linalg.norm(normals, axis=-1, keepdims=True)
-        up = 0.5 + 0.5 * normals[..., 1:2]
-        lamp = np.clip(normals @ (self.light / np.linalg.norm(self.light)), 0, None)[..., None]
-        linear = colors[:, None] ** 2.2 * (GROUND + up * (SKY - GROUND) + lamp * SUN)
-        return (255 * np.clip(linear, 0, 1) ** (1 / 2.2)).astype(np.uint8).reshape(-1, 3)
+        up = 0.5 + 0.5 * normals[:, 1:2]
+        lamp = np.clip(normals @ self.lamp, 0, None)[:, None]
+        linear = (colors**2.2).astype(np.float32)[self.skin.owners] * (GROUND + up * (SKY - GROUND) + lamp * SUN)
+        return (255 * np.clip(linear, 0, 1) ** np.float32(1 / 2.2)).astype(np.uint8)
 
     def _aim(self, frames: Sequence[int]) -> None:
         centre, distance = self.look(frames)
         a = self.facing + np.radians(self.angle)
         target = centre + np.array([0, self.height, 0])
-        camera = self.plotter.camera
-        camera.position = tuple(target + distance * np.array([np.sin(a), TILT, np.cos(a)]))
-        camera.focal_point, camera.up, camera.view_angle = tuple(target), (0, 1, 0), 32
-        camera.clipping_range = (0.2, 60)
-        self.grid.position = tuple(np.round(centre))
+        camera = self.plotter.camera  # by VTK's own names: pyvista's look at the whole scene each time
+        camera.SetPosition(target + distance * np.array([np.sin(a), TILT, np.cos(a)]))
+        camera.SetFocalPoint(target)
+        camera.SetClippingRange(0.2, 60)
+        self.grid.SetPosition(np.round(centre))
 
     def close(self) -> None:
         """Free the window."""
         self.plotter.close()
 
 
-def _moved(vertices: np.ndarray, places: np.ndarray) -> np.ndarray:
-    """Vertices [S, V, 3] at the places [S, 3, 4] of their shapes, in the world: [S V, 3]."""
-    return (vertices @ places[:, :, :3].transpose(0, 2, 1) + places[:, None, :, 3]).reshape(-1, 3)
-
-
 class Sketch(_Scene):
     """The software renderer: slower, needs nothing."""
 
-    def draw(self, frames: Sequence[int]) -> np.ndarray:
-        """Picture [H, W, 3] uint8 with each character at its frame."""
+    def draw(self, frames: Sequence[int], *, fine: bool = False) -> np.ndarray:
+        """Picture [H, W, 3] uint8 with each character at its frame; its edges are never smooth."""
         width, height = self.size
         centre, distance = self.look(frames)
         a, tilt = self.facing + np.radians(self.angle), TILT
         camera = np.array([[1, 0, 0], [0, np.cos(tilt), -np.sin(tilt)], [0, np.sin(tilt), np.cos(tilt)]])
         camera = camera @ np.array([[np.cos(a), 0, -np.sin(a)], [0, 1, 0], [np.sin(a), 0, np.cos(a)]])
-        places = self.places(frames).astype(np.float64)
+        places = self.places(frames)[:, 0].astype(np.float64)
         places[..., 3] -= centre
         places = camera @ places
         metres = 0.57 * distance  # seen from top to bottom, as in the other renderer

@@ -3,7 +3,8 @@
 // Traits: skeleton (see scene.js), facing, styles [names], names [3], weights [3], speed, feet, arms, recording, status
 // Page → kernel: {kind: "input", id, move: [right, ahead], turn, run, heading: [x, z] or null}, {kind: "seen", frame}
 // Kernel → page: {kind: "frame", frame, input} and one float32 buffer:
-//   root [3], rotations [J * 4], trajectory [12 * 4] (x, z, direction x, z), phases [4 * 2] (sin, cos), contacts [2] right, left
+//   root [3], rotations [J * 4], trajectory [12 * 4] (x, z, direction x, z), contacts [2] right, left,
+//   phases [4 * 2] (sin, cos) of a model with local phases; others are not shown
 import * as THREE from "three";
 import triangle from "../static/triangle.js";
 import { make } from "./player.js";
@@ -12,10 +13,10 @@ import { Scene } from "./scene.js";
 const KEYS = { KeyW: "ahead", KeyS: "back", KeyA: "left", KeyD: "right", KeyQ: "turnLeft", KeyE: "turnRight",
                ArrowUp: "ahead", ArrowDown: "back", ArrowLeft: "turnLeft", ArrowRight: "turnRight",
                ShiftLeft: "run", ShiftRight: "run" };
-const SAMPLES = 12, NOW = 6, SILENCE = 1500, LIMBS = ["left hand", "right hand", "left foot", "right foot"];
+const SAMPLES = 12, NOW = 6, SILENCE = 1500, WAITING = 3, STALE = 12, LIMBS = ["left hand", "right hand", "left foot", "right foot"];
 const CSS = `
 .tkc{display:flex;flex-wrap:wrap;gap:14px;color:#2b323b;font:13px/1.4 system-ui,-apple-system,"Segoe UI",Roboto,sans-serif}
-.tkc *{box-sizing:border-box}
+.tkc *{box-sizing:border-box}.tkc [hidden]{display:none}
 .tkc-view{position:relative;overflow:hidden;border-radius:12px;background:#f3f1ec;flex:1 1 400px;align-self:flex-start}
 .tkc-view:focus-within{outline:2px solid #7b68c4;outline-offset:1px}
 .tkc-stage{position:absolute;inset:0;outline:none}.tkc-stage canvas{display:block}
@@ -79,16 +80,17 @@ function dials(parent) {
 }
 
 // What the hand wants: keys held in the stage, the stick on it, or a gamepad. `read` gives the wish in the camera's frame.
-function hand(stage, stick) {
+function hand(stage, stick, changed) {
   const held = new Set(), knob = stick.firstChild;
   let push = [0, 0];
   stage.addEventListener("keydown", (event) => press(event, true));
   stage.addEventListener("keyup", (event) => press(event, false));
-  stage.addEventListener("blur", () => held.clear());
+  stage.addEventListener("blur", () => { held.clear(); changed(); });
   stage.addEventListener("pointerdown", () => stage.focus({ preventScroll: true }));
   function press(event, down) {
     if (!KEYS[event.code] || event.ctrlKey || event.metaKey || event.altKey) return;
     down ? held.add(event.code) : held.delete(event.code);
+    changed();
     event.preventDefault();
     event.stopPropagation();
   }
@@ -140,7 +142,7 @@ export function render({ model, el }) {
   const stick = make("div", "tkc-stick", view, { title: "Drag to walk" });
   make("i", "", stick);
   const alert = make("div", "tkc-alert", view, { role: "status" });
-  const wish = hand(stage, stick);
+  const wish = hand(stage, stick, () => ask());
 
   const side = make("div", "tkc-side", root);
   const menus = [0, 1, 2].map((i) => {
@@ -161,8 +163,9 @@ export function render({ model, el }) {
     toggle.onclick = () => set(trait, !model.get(trait));
     return [trait, toggle];
   });
+  const locals = {};
   for (const [key, text] of [["phases", "Phases"], ["trajectory", "Trajectory"], ["contacts", "Contacts"], ["chase", "Camera behind"]]) {
-    const toggle = make("button", "", local, { type: "button", textContent: text, ariaPressed: "true" });
+    const toggle = (locals[key] = make("button", "", local, { type: "button", textContent: text, ariaPressed: "true" }));
     toggle.onclick = () => (toggle.ariaPressed = String((shown[key] = !shown[key])));
   }
 
@@ -181,20 +184,27 @@ export function render({ model, el }) {
   for (const event of watched) model.on(event, refresh);
   refresh();
 
-  // the newest pose; what was asked for when; rates for whoever measures
-  const joints = model.get("skeleton").parents.length, asked = new Map();
+  // frames that came and are not drawn yet; what was asked for when; rates for whoever measures
+  const joints = model.get("skeleton").parents.length, asked = new Map(), waiting = [];
   const stats = { received: 0, drawn: 0, delays: [], frame: 0 };
-  let pose = null, fresh = false, arrived = performance.now(), input = 0, last = "", first = true, handle = 0, counted = performance.now();
-  function receive(message, buffers) {
+  let pose = null, late = 0, arrived = performance.now(), input = 0, last = "", first = true, handle = 0, counted = performance.now();
+  function receive(message, [bytes]) {
     if (message.kind !== "frame") return;
-    const bytes = buffers[0];
-    pose = new Float32Array(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength));
-    fresh = true;
+    waiting.push([new Float32Array(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength)), message.input]);
+    if (waiting.length > WAITING) waiting.shift();
     arrived = performance.now();
     stats.received += 1;
     stats.frame = message.frame;
-    stats.answered = message.input;
     if (stats.received % 15 === 1) model.send({ kind: "seen", frame: message.frame });
+  }
+
+  // A network may bring frames in bunches: each is drawn in its turn, but the newest while the hand waits for an answer, and
+  // what makes others wait for long is passed over.
+  function next() {
+    late = waiting.length > 1 ? late + 1 : 0;
+    if (asked.size) waiting.splice(0, waiting.length - 1);
+    else if (late > STALE) waiting.shift(), late = 0;
+    return waiting.shift();
   }
   model.on("msg:custom", receive);
 
@@ -216,13 +226,14 @@ export function render({ model, el }) {
   function draw() {
     let at = 0;
     const take = (n) => pose.subarray(at, (at += n));
-    const place = take(3), rotations = take(4 * joints), trajectory = take(4 * SAMPLES), phase = take(8), contacts = take(2);
+    const place = take(3), rotations = take(4 * joints), trajectory = take(4 * SAMPLES), contacts = take(2), phase = take(8);
     scene.setPose(place, rotations);
     scene.setContacts(shown.contacts ? { right: contacts[0] > 0.5, left: contacts[1] > 0.5 } : {});
     ground.mesh.visible = shown.trajectory;
     ground.show(trajectory);
-    phases.box.hidden = !shown.phases;
-    if (shown.phases && stats.drawn % 3 === 0) phases.show(phase); // the page around the picture costs more than the picture
+    locals.phases.hidden = phase.length < 2 * LIMBS.length;
+    phases.box.hidden = !shown.phases || locals.phases.hidden;
+    if (!phases.box.hidden && stats.drawn % 3 === 0) phases.show(phase); // the page around the picture costs more than the picture
     scene.follow(place[0], place[2], { jump: first });
     if (shown.chase) turnBehind(Math.atan2(trajectory[4 * NOW + 2], trajectory[4 * NOW + 3]));
     first = false;
@@ -241,8 +252,12 @@ export function render({ model, el }) {
     ask();
     const say = model.get("status") || (now - arrived > SILENCE ? "waiting for the kernel …" : "");
     if (alert.textContent !== say) alert.textContent = say;
-    if (!fresh) return;
-    fresh = false;
+    if (!waiting.length) {
+      if (pose && !scene.still && now - arrived > 300) scene.render({ still: true });
+      return;
+    }
+    const [newest, answered] = next();
+    pose = newest;
     draw();
     scene.render();
     stats.drawn += 1;
@@ -250,7 +265,7 @@ export function render({ model, el }) {
       if (60000 / (now - counted) < 24 && scene.quality < 3) scene.setQuality(scene.quality + 1);
       counted = now;
     }
-    for (const [id, since] of asked) if (id <= stats.answered) asked.delete(id), stats.delays.push(performance.now() - since);
+    for (const [id, since] of asked) if (id <= answered) asked.delete(id), stats.delays.push(performance.now() - since);
     if (stats.delays.length > 500) stats.delays.shift();
   }
   el.toolkit = { stats, scene, get pose() { return pose; } };

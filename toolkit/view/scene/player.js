@@ -9,6 +9,7 @@ import { Scene } from "./scene.js";
 
 const COLORS = ["#7b68c4", "#2fa596", "#d6598b", "#c9a227", "#5b8def", "#8a8f98"];
 const FOOT = { right: "#e39a6c", left: "#6a9fcb" };
+const STILL = 12; // frames of rest before a paused picture gets smooth edges
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2];
 const CSS = `
 .tkv{--ink:#2b323b;--soft:#6d7580;--line:#ddd8ce;--paper:#fbfaf7;--accent:#7b68c4;display:flex;flex-direction:column;gap:12px;
@@ -243,15 +244,18 @@ export function player(element, { clips, speed = 1, playing = true }) {
     }
   }
 
-  let leader = shown[0].scene;
+  let leader = shown[0].scene, moved = false, rest = 0; // frames since anything moved
+  shown.forEach(({ scene }) => scene.controls.addEventListener("change", () => (moved = true)));
   shown.forEach(({ scene }) => scene.canvas.addEventListener("pointerdown", () => (leader = scene)));
   shown.forEach(({ scene }) => scene.canvas.addEventListener("wheel", () => (leader = scene), { passive: true }));
 
-  function draw(first = false) {
+  function draw(first = false, still = false) {
+    if (!still) rest = 0;
+    moved = false;
     pose(first);
     for (const { scene } of shown) {
       if (scene !== leader) scene.lookLike(leader);
-      scene.render();
+      scene.render({ still });
     }
     drawTimeline(timeline, listed, state.seconds, duration);
     clock.textContent = `${state.seconds.toFixed(2)} / ${duration.toFixed(2)} s`;
@@ -310,7 +314,9 @@ export function player(element, { clips, speed = 1, playing = true }) {
         slow = count = 0;
       }
     }
-    draw();
+    if (!state.playing) shown.forEach(({ scene }) => scene.controls.update());
+    if (state.playing || moved) draw();
+    else if (++rest === STILL) draw(false, true);
     handle = requestAnimationFrame(tick);
   }
 

@@ -1,14 +1,9 @@
-// Body, floor, light and camera. Scene(element, skeleton) draws one mannequin; setPose moves it.
-//
-// skeleton = {
-//   parents: [J], offsets: [[x, y, z]],         metres, parents before children, Y up
-//   shapes: [{joint, place: [12 numbers: a 3x4 matrix by rows], length, radii: [r0, r1], color, foot}],
-// }
+// Body, floor, light and camera. Scene(element, skeleton) draws one mannequin (see body.js); setPose moves it.
 import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { Body } from "./body.js";
 
-const SKY = 0xf3f1ec, FLOOR = "#eae6de", GRID = "#d8d3c8", CONTACT = new THREE.Color("#35c46a");
-const SHADE = 0xcdc8be;
+const SKY = "#f3f1ec", FLOOR = "#eae6de", GRID = "#d8d3c8", SHADE = "#cdc8be", PLAIN = { back: "#efece6", line: "#cbc5b9" };
 
 // does this browser draw on the processor?
 function drawsInSoftware() {
@@ -19,78 +14,6 @@ function drawsInSoftware() {
   return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
 }
 let software; // found out when the first scene is made
-
-// Rounded cone: the hull of a sphere r0 at the origin and r1 at +Y * length. Turned about Y, then placed in a joint's frame.
-function coneGeometry({ length, radii: [r0, r1], place }, [around, along]) {
-  const tilt = Math.asin((r0 - r1) / length), profile = [];
-  for (const [from, to, r, y] of [[-Math.PI / 2, tilt, r0, 0], [tilt, Math.PI / 2, r1, length]])
-    for (let i = 0; i <= along; i++) {
-      const a = from + ((to - from) * i) / along;
-      profile.push([r * Math.cos(a), y + r * Math.sin(a), Math.cos(a), Math.sin(a)]);
-    }
-  const position = [], normal = [], index = [];
-  profile.forEach(([x, y, nx, ny], i) => {
-    for (let k = 0; k < around; k++) {
-      const c = Math.cos((2 * Math.PI * k) / around), s = Math.sin((2 * Math.PI * k) / around);
-      position.push(x * c, y, x * s);
-      normal.push(nx * c, ny, nx * s);
-      if (i + 1 < profile.length) {
-        const a = i * around + k, b = i * around + ((k + 1) % around);
-        index.push(a, a + around, b, b, a + around, b + around);
-      }
-    }
-  });
-  const matrix = new THREE.Matrix4().set(...place, 0, 0, 0, 1);
-  const toNormal = new THREE.Matrix3().getNormalMatrix(matrix), v = new THREE.Vector3();
-  for (let i = 0; i < position.length; i += 3) {
-    v.fromArray(position, i).applyMatrix4(matrix).toArray(position, i);
-    v.fromArray(normal, i).applyMatrix3(toNormal).normalize().toArray(normal, i);
-  }
-  return { position, normal, index };
-}
-
-// All shapes as one skinned mesh, each vertex bound to one joint and stored in that joint's frame (so inverses are identity).
-function mannequin(skeleton, joints, detail) {
-  const position = [], normal = [], color = [], skinIndex = [], skinWeight = [], index = [], feet = [];
-  for (const shape of skeleton.shapes) {
-    const part = coneGeometry(shape, detail), first = position.length / 3, count = part.position.length / 3;
-    const tone = new THREE.Color(shape.color);
-    position.push(...part.position);
-    normal.push(...part.normal);
-    index.push(...part.index.map((i) => i + first));
-    for (let i = 0; i < count; i++) {
-      color.push(tone.r, tone.g, tone.b);
-      skinIndex.push(shape.joint, 0, 0, 0);
-      skinWeight.push(1, 0, 0, 0);
-    }
-    if (shape.foot) feet.push({ foot: shape.foot, first, count, tone });
-  }
-  const geometry = new THREE.BufferGeometry();
-  geometry.setIndex(index);
-  geometry.setAttribute("position", new THREE.Float32BufferAttribute(position, 3));
-  geometry.setAttribute("normal", new THREE.Float32BufferAttribute(normal, 3));
-  geometry.setAttribute("color", new THREE.Float32BufferAttribute(color, 3));
-  geometry.setAttribute("skinIndex", new THREE.Uint16BufferAttribute(skinIndex, 4));
-  geometry.setAttribute("skinWeight", new THREE.Float32BufferAttribute(skinWeight, 4));
-  const material = new THREE.MeshStandardMaterial({ vertexColors: true, roughness: 0.62, metalness: 0.0 });
-  const mesh = new THREE.SkinnedMesh(geometry, material);
-  mesh.bind(new THREE.Skeleton(joints, joints.map(() => new THREE.Matrix4())), new THREE.Matrix4());
-  mesh.bindMode = THREE.DetachedBindMode;
-  mesh.frustumCulled = false;
-  mesh.castShadow = mesh.receiveShadow = true;
-  return { mesh, feet };
-}
-
-// A coarse body pressed flat onto the floor along the light: a shadow that costs next to nothing.
-function pressed(skeleton, body, { x, y, z }) {
-  const { mesh: coarse } = mannequin(skeleton, body.skeleton.bones, [6, 1]);
-  const mesh = new THREE.SkinnedMesh(coarse.geometry, new THREE.MeshBasicMaterial({ color: SHADE, fog: false }));
-  mesh.bind(body.skeleton, new THREE.Matrix4());
-  mesh.bindMode = THREE.DetachedBindMode;
-  mesh.frustumCulled = mesh.matrixAutoUpdate = mesh.visible = false;
-  mesh.matrix.set(1, -x / y, 0, 0, 0, 0, 0, 0.003, 0, -z / y, 1, 0, 0, 0, 0, 1);
-  return mesh;
-}
 
 function floorTexture(anisotropy) {
   const canvas = document.createElement("canvas");
@@ -113,19 +36,26 @@ function floorTexture(anisotropy) {
   return texture;
 }
 
-// A band every metre, in a plane's own frame: much cheaper in software than lines or a texture.
-function grid(size, width = 0.03) {
-  const position = [], index = [];
-  for (let i = -size / 2; i <= size / 2; i++)
-    for (const [x, y, u, v] of [[i, 0, width, size], [0, i, size, width]]) {
-      const n = position.length / 3;
-      for (const [a, b] of [[-1, -1], [1, -1], [1, 1], [-1, 1]]) position.push(x + (a * u) / 2, y + (b * v) / 2, 0.002);
-      index.push(n, n + 1, n + 2, n, n + 2, n + 3);
-    }
-  const geometry = new THREE.BufferGeometry();
+// The floor where the processor draws, and a floor that fills the picture takes longer than all the rest: bands every metre
+// that fade into a background of the floor's colour.
+function plainFloor(reach = 13, width = 0.03) {
+  const position = [], color = [], index = [], line = new THREE.Color(PLAIN.line), back = new THREE.Color(PLAIN.back);
+  for (let i = 1 - reach; i < reach; i++)
+    for (let j = -reach; j < reach; j += 2)
+      for (const [x, y, u, v] of [[i, j + 1, width, 2], [j + 1, i, 2, width]]) {
+        if (Math.hypot(x, y) > reach) continue;
+        const n = position.length / 3;
+        index.push(n, n + 1, n + 2, n, n + 2, n + 3);
+        for (const [a, b] of [[-1, -1], [1, -1], [1, 1], [-1, 1]]) {
+          const corner = [x + (a * u) / 2, y + (b * v) / 2, 0], far = Math.min(Math.hypot(...corner) / reach, 1);
+          position.push(...corner);
+          line.clone().lerp(back, far ** 0.7).toArray(color, color.length);
+        }
+      }
+  const geometry = new THREE.BufferGeometry().setIndex(index);
   geometry.setAttribute("position", new THREE.Float32BufferAttribute(position, 3));
-  geometry.setIndex(index);
-  return new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({ color: GRID }));
+  geometry.setAttribute("color", new THREE.Float32BufferAttribute(color, 3));
+  return new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({ vertexColors: true, fog: false }));
 }
 
 // A flat band on the floor along points [n * 3]; drawn up to a frame with setDrawRange.
@@ -154,14 +84,20 @@ export class Scene {
     this.element = element;
     this.skeleton = skeleton;
     software ??= drawsInSoftware();
-    this.renderer = new THREE.WebGLRenderer({ antialias: !software, powerPreference: "high-performance" });
+    const canvas = document.createElement("canvas");
+    const context = canvas.getContext("webgl2", { alpha: false, antialias: !software, powerPreference: "high-performance" });
+    this.renderer = new THREE.WebGLRenderer({ canvas, context });
+    if (software) { // colours go to the screen as they are
+      THREE.ColorManagement.enabled = false;
+      this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace;
+    }
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = THREE.PCFShadowMap;
     this.canvas = this.renderer.domElement;
     element.append(this.canvas);
 
     this.scene = new THREE.Scene();
-    this.scene.background = new THREE.Color(SKY);
+    this.scene.background = new THREE.Color(software ? PLAIN.back : SKY);
     this.scene.fog = new THREE.Fog(SKY, 7, 19);
     this.scene.add(new THREE.HemisphereLight(0xffffff, 0xd8d3cb, 2.25));
     this.light = new THREE.Vector3(2.7 * Math.sin(facing - 0.15), 5.2, 2.7 * Math.cos(facing - 0.15));
@@ -174,27 +110,18 @@ export class Scene {
     Object.assign(this.sun.shadow.camera, { left: -1.8, right: 1.8, top: 1.8, bottom: -1.8, near: 1, far: 12 });
     this.scene.add(this.sun, this.sun.target);
 
-    const look = software ? { color: FLOOR } : { map: floorTexture(this.renderer.capabilities.getMaxAnisotropy()) };
-    this.floor = new THREE.Mesh(new THREE.PlaneGeometry(60, 60), new THREE.MeshBasicMaterial(look));
+    const map = software ? null : floorTexture(this.renderer.capabilities.getMaxAnisotropy());
+    this.floor = software ? plainFloor() : new THREE.Mesh(new THREE.PlaneGeometry(60, 60), new THREE.MeshBasicMaterial({ map }));
     this.floor.rotation.x = -Math.PI / 2;
-    if (software) this.floor.add(grid(40)); // there, a textured floor takes longer than all the rest
     this.shade = new THREE.Mesh(new THREE.PlaneGeometry(6, 6), new THREE.ShadowMaterial({ opacity: 0.22, depthWrite: false }));
     this.shade.position.z = 0.001;
     this.shade.receiveShadow = true;
     this.floor.add(this.shade);
     this.scene.add(this.floor);
 
-    this.joints = skeleton.parents.map(() => new THREE.Bone());
-    skeleton.parents.forEach((p, j) => {
-      (p < 0 ? this.scene : this.joints[p]).add(this.joints[j]);
-      this.joints[j].position.fromArray(skeleton.offsets[j]);
-    });
-    const { mesh, feet } = mannequin(skeleton, this.joints, software ? [10, 2] : [24, 6]);
-    this.body = mesh;
-    this.feet = feet;
-    this.touching = {};
-    this.flat = pressed(skeleton, mesh, this.light);
-    this.scene.add(mesh, this.flat);
+    this.body = new Body(skeleton, software ? [10, 2] : [24, 6], this.light, software);
+    this.flat = this.body.shadow(SHADE);
+    this.scene.add(this.body.mesh, this.flat);
 
     this.camera = new THREE.PerspectiveCamera(36, 1, 0.1, 60);
     this.controls = new OrbitControls(this.camera, this.canvas);
@@ -204,29 +131,18 @@ export class Scene {
     this.controls.target.set(0, height, 0);
     const turn = facing - 0.9;
     this.camera.position.set(Math.sin(turn) * distance, height + 0.55, Math.cos(turn) * distance);
-    this.quality = 0;
+    this.still = false;
     this.setQuality(software ? 2 : 0);
-    this.observer = new ResizeObserver(() => { this.resize(); this.render(); });
+    this.observer = new ResizeObserver(() => { this.resize(); this.render(this); });
     this.observer.observe(element);
   }
 
-  // root [3] metres, rotations [J * 4] local unit quaternions w, x, y, z
   setPose(root, rotations) {
-    this.joints[0].position.set(root[0], root[1], root[2]);
-    for (let j = 0; j < this.joints.length; j++)
-      this.joints[j].quaternion.set(rotations[4 * j + 1], rotations[4 * j + 2], rotations[4 * j + 3], rotations[4 * j]);
+    this.body.pose(root, rotations);
   }
 
-  // {left: bool, right: bool}: feet that stand are coloured
   setContacts(contacts) {
-    const attribute = this.body.geometry.attributes.color;
-    for (const { foot, first, count, tone } of this.feet) {
-      if (!!this.touching[foot] === !!contacts[foot]) continue;
-      const c = contacts[foot] ? CONTACT : tone;
-      for (let i = first; i < first + count; i++) attribute.setXYZ(i, c.r, c.g, c.b);
-      attribute.needsUpdate = true;
-    }
-    this.touching = { ...contacts };
+    this.body.setContacts(contacts);
   }
 
   // the path on the floor, points [F * 3]; null removes it
@@ -266,13 +182,10 @@ export class Scene {
       .applyAxisAngle(this.camera.up, this.facing - other.facing).add(this.controls.target);
   }
 
-  // 0 finest, 1 no fine pixels, 2 plain light and a pressed shadow, 3 coarse pixels: for machines that draw in software
+  // 0 finest, 1 no fine pixels, 2 a pressed shadow, 3 coarse pixels: for slow machines
   setQuality(level) {
-    if (level >= 2 && this.quality < 2) {
-      this.renderer.shadowMap.enabled = this.sun.castShadow = this.shade.visible = false;
-      this.body.material = new THREE.MeshLambertMaterial({ vertexColors: true });
-      this.flat.visible = true;
-    }
+    this.renderer.shadowMap.enabled = this.sun.castShadow = this.shade.visible = level < 2;
+    this.flat.visible = level >= 2;
     this.quality = level;
     this.resize();
   }
@@ -280,14 +193,20 @@ export class Scene {
   resize() {
     const { clientWidth: w, clientHeight: h } = this.element;
     if (!w || !h) return;
-    this.renderer.setPixelRatio(Math.min(devicePixelRatio, this.quality ? 1 : 2) * (this.quality > 2 ? 0.6 : 1));
+    const coarse = this.quality > 2 && !this.still ? 0.6 : 1, fine = this.still && this.quality ? 2 : 1;
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, this.quality ? 1 : 2) * coarse * fine);
     this.renderer.setSize(w, h, true);
     this.camera.aspect = w / h;
     this.camera.fov = w < h ? Math.min(36 * (h / w) ** 0.7, 60) : 36;
     this.camera.updateProjectionMatrix();
   }
 
-  render() {
+  // still: a picture that stays for a while, with smooth edges
+  render({ still = false } = {}) {
+    if (still !== this.still) {
+      this.still = still;
+      this.resize();
+    }
     this.controls.update();
     this.renderer.render(this.scene, this.camera);
   }
@@ -296,7 +215,7 @@ export class Scene {
     this.observer.disconnect();
     this.controls.dispose();
     this.setTrail(null);
-    this.body.geometry.dispose();
+    this.body.dispose();
     this.renderer.dispose();
     this.renderer.forceContextLoss();
     this.canvas.remove();

@@ -1,0 +1,115 @@
+"""What data are to a model that knows less of phase, and errors on held-out frames, for all seven models."""
+
+import dataclasses
+import math
+
+import numpy as np
+import pytest
+import torch
+from test_networks import TINY
+
+import toolkit as tk
+from toolkit import evaluation, networks
+from toolkit.networks import phase
+
+OTHERS = [name for name in networks.MODELS if not name.startswith("lpn")]
+SHARED = ("trajectory", "joints", "contacts")
+
+
+@pytest.fixture(scope="module")
+def data():
+    return tk.features.build(tk.datasets.load("procedural", styles=["Zombie", "Neutral"], gaits=["FW"], seconds=8.0))
+
+
+def build(name: str, data: tk.features.Features) -> networks.Model:
+    torch.manual_seed(0)
+    return networks.build(name, data.layout, 2, TINY, networks.normalisers(name, data))
+
+
+def test_the_global_phase_is_the_right_feet_of_a_walk():
+    """It turns once per step cycle, always forwards, and is half a cycle away with the feet exchanged."""
+    clip, truth = tk.datasets.procedural.truth("Neutral", "FW", seconds=12.0)
+    p = tk.phases.extract(clip).vector.flatten(1)
+    angle = phase.global_phase(p)[:, 0]
+    assert bool(((angle >= 0) & (angle < math.tau)).all())
+    walking = slice(120, -120)
+    turned = np.unwrap(angle.numpy())[walking]
+    assert np.diff(turned).min() > 0
+    assert turned[-1] - turned[0] == pytest.approx(float(truth.phase[walking][-1, 3] - truth.phase[walking][0, 3]), abs=0.5)
+    mirrored = phase.global_phase(p.unflatten(-1, (4, 2))[:, [1, 0, 3, 2]].flatten(1))[:, 0]
+    assert float(((mirrored - angle) % math.tau - math.pi).abs().max()) < 1e-3
+
+
+def test_observing_keeps_shared_columns_and_makes_the_phase_the_models_own(data):
+    p, z = data.phases["Zombie"], data.outputs["Zombie"]
+    blocks = data.layout.unpack_output(z)
+    for name in networks.MODELS:
+        model = build(name, data)
+        own, target = model.observe(p, z)
+        assert (own.shape[1], target.shape[1]) == (model.layout.n_phases, model.layout.n_outputs)
+        seen = model.layout.unpack_output(target)
+        assert all(torch.equal(seen[block], blocks[block]) for block in SHARED)
+        if name.startswith("lpn"):
+            assert own is p
+            assert target is z
+        ahead = model.next_phase(own, seen)
+        assert torch.allclose(ahead[:-1].cos(), own[1:].cos(), atol=1e-4)
+        assert torch.allclose(ahead[:-1].sin(), own[1:].sin(), atol=1e-4)
+        if name.startswith("pfnn"):
+            assert float(seen["phase_updates"].abs().max()) <= math.pi
+            assert bool(((ahead >= 0) & (ahead < math.tau)).all())
+
+
+@pytest.mark.parametrize("name", networks.MODELS)
+def test_statistics_are_those_of_the_models_own_columns(data, name):
+    model, found = build(name, data), networks.normalisers(name, data)
+    z = torch.cat([model.observe(data.phases[s], data.outputs[s])[1] for s in data.styles]).double()
+    torch.testing.assert_close(found["outputs"].mean, z.mean(0).float(), rtol=1e-5, atol=1e-6)
+    deviation = z.std(0, correction=0)
+    deviation = torch.where(deviation < 1e-5, 1.0, deviation).float()
+    torch.testing.assert_close(found["outputs"].std, deviation, rtol=1e-4, atol=1e-6)
+    for kind in ("inputs", "clips"):
+        assert torch.equal(found[kind].mean, data.normalisers()[kind].mean)
+    if name in OTHERS:  # an angle stays an angle
+        assert found["phases"].mean.tolist() == [0.0] * model.layout.n_phases
+        assert found["phases"].std.tolist() == [1.0] * model.layout.n_phases
+
+
+@pytest.mark.parametrize("name", networks.MODELS)
+def test_errors_equal_a_loop_over_frames(data, name):
+    model = build(name, data)
+    bank = evaluation.make_bank(model, data, clips=2)
+    assert bank.names == ("Neutral", "Zombie") == tuple(data.styles)
+    if not name.endswith("film"):
+        assert torch.equal(bank.vectors, model.modulation.generator.vectors)
+    found, base = evaluation.evaluate(model, bank, data, frames=20), evaluation.baselines(model, data)
+    for style in data.styles:
+        rows = torch.linspace(0, len(data.inputs[style]) - 1, 20).long()
+        p, z = model.observe(data.phases[style], data.outputs[style])
+        x, mean, std = data.inputs[style], model.outputs_mean, model.outputs_std
+        error = [((model.predict(x[[i]], p[[i]], bank[style]) - z[i]) / std).square().mean().item() for i in rows.tolist()]
+        assert found[style]["mse"] == pytest.approx(float(np.mean(error)), rel=1e-3)
+        assert base[style]["mean"] == pytest.approx(float(((z - mean) / std).square().mean()), rel=1e-4)
+        even = mean[-3:-2].expand(len(x), 1) if name.startswith("pfnn") else 0 * p  # a global phase goes on
+        still = {"trajectory": x[:, 24:48], "joints": x[:, 48:], "contacts": mean[-2:].expand(len(x), 2),
+                 "phases": p, "phase_updates": even}  # fmt: skip
+        repeat = torch.cat([still[block] for block in model.layout.outputs], 1)
+        assert base[style]["repeat"] == pytest.approx(float(((z - repeat) / std).square().mean()), rel=1e-4)
+
+
+def test_a_model_without_phases_can_be_held_against_real_frames(walk_clip, data):
+    for name in ("mann-film", "pfnn-resad", "lpn-film"):
+        model = build(name, data)
+        report = tk.published.one_step(model, evaluation.make_bank(model, data, 1), walk_clip, "Neutral", (100, 200))
+        assert 0 < report["joint_mse"] < 10
+        assert math.isnan(report["phase_error"]) != name.startswith("lpn")
+
+
+def test_features_read_from_rows_give_the_same_statistics(data):
+    """As from a store, where rows are derived when they are read."""
+    lazy = dataclasses.replace(data, outputs={s: tk.features.Rows(z.__getitem__, torch.arange(len(z))) for s, z in
+                                              data.outputs.items()})  # fmt: skip
+    for name in OTHERS:
+        own, same = networks.normalisers(name, data)["outputs"], networks.normalisers(name, lazy)["outputs"]
+        torch.testing.assert_close(own.mean, same.mean, rtol=1e-6, atol=1e-7)
+        torch.testing.assert_close(own.std, same.std, rtol=1e-6, atol=1e-7)

@@ -1,0 +1,93 @@
+"""How the experts' weights are blended, frame by frame: by a gating network (LPN, MANN) or by a phase alone (PFNN).
+
+Each takes the phases p and the input frames x, looks at one of them, and gives coefficients ``[B, K]`` that sum to one.
+"""
+
+import math
+from collections.abc import Sequence
+
+import torch
+import torch.nn.functional as F
+from torch import Tensor, nn
+
+CONTROL_POINTS = 4  # K of the phase function
+
+
+class Gating(nn.Module):
+    """The gating network Ω of the LPN: phases to K positive coefficients; three dense layers, ELU, softmax.
+
+    Parameters
+    ----------
+    n_in
+        Columns of the gating input (8: sine and cosine of four local phases).
+    hidden
+        Units of both hidden layers.
+    experts
+        K.
+    dropout
+        Share of every layer's inputs that training drops.
+    """
+
+    def __init__(self, n_in: int, hidden: int, experts: int, dropout: float):
+        super().__init__()
+        self.layers = nn.ModuleList((nn.Linear(n_in, hidden), nn.Linear(hidden, hidden), nn.Linear(hidden, experts)))
+        self.dropout = nn.Dropout(dropout)
+        for layer in self.layers:
+            nn.init.xavier_uniform_(layer.weight)  # U(±√(6 / (in + out)))
+            nn.init.zeros_(layer.bias)
+
+    def forward(self, phases: Tensor, x: Tensor | None = None) -> Tensor:
+        """Normalised ``phases [B, n_in]`` to gates ``[B, K]``; x does not count."""
+        first, second, last = self.layers
+        h = F.elu(first(self.dropout(phases)))
+        h = F.elu(second(self.dropout(h)))
+        return torch.softmax(last(self.dropout(h)), -1)
+
+
+class VelocityGating(Gating):
+    """The gating of the MANN (Zhang et al. 2018; section 5.1.3): velocities of hands and feet, which x holds, take the place
+    of phases.
+
+    Parameters
+    ----------
+    columns
+        Of x, to look at.
+    hidden, experts, dropout
+        As of `Gating`.
+    """
+
+    def __init__(self, columns: Sequence[int], hidden: int, experts: int, dropout: float):
+        super().__init__(len(columns), hidden, experts, dropout)
+        self.columns = list(columns)
+
+    def forward(self, phases: Tensor, x: Tensor) -> Tensor:
+        """Normalised ``x [B, Dx]`` to gates ``[B, K]``; the phases do not count."""
+        return super().forward(x[:, self.columns])
+
+
+class CatmullRom(nn.Module):
+    """The phase function of the PFNN (Holden et al. 2017; section 5): no network, but a closed curve through K sets
+    of weights, which lie evenly around the circle of the phase.
+
+    A point of a Catmull-Rom spline is a blend of its four nearest control points, with coefficients that depend on how far
+    away they are (in steps of 2π/K) and nothing else. So this is a gating like the others, whose coefficients sum to one and
+    may be negative, for the same blended layers. It has nothing to learn.
+
+    Parameters
+    ----------
+    points
+        K control points, four or more.
+    """
+
+    def __init__(self, points: int = CONTROL_POINTS):
+        super().__init__()
+        if points < 4:
+            raise ValueError(f"a closed Catmull-Rom curve needs 4 control points or more, got {points}")
+        self.points = points
+
+    def forward(self, phase: Tensor, x: Tensor | None = None) -> Tensor:
+        """``phase [B, 1]``, an angle in radians, to gates ``[B, K]``; x does not count."""
+        along = phase * (self.points / math.tau) - torch.arange(self.points, device=phase.device)
+        d = ((along + self.points / 2) % self.points - self.points / 2).abs()
+        near, far = 1 + d * d * (1.5 * d - 2.5), 2 + d * (d * (2.5 - 0.5 * d) - 4)
+        return torch.where(d < 1, near, torch.where(d < 2, far, 0.0))

@@ -1,0 +1,86 @@
+"""What a model knows of the four limbs' local phases: all of them (LPN), one global angle (PFNN), or nothing (MANN).
+
+Data always hold local phases; what depends on a model's kind, its `Layout.phase`, is here.
+"""
+
+import dataclasses
+import math
+from typing import TYPE_CHECKING
+
+import torch
+from torch import Tensor
+
+from toolkit.features import Features, Layout, Normaliser, Rows, pack_joints, split_joints
+from toolkit.phases import LIMBS
+
+if TYPE_CHECKING:
+    from toolkit.networks.model import Model
+
+ABOUT_TO_STEP = (-1.0, 0.0, 1.0, 0.0, 1.0, 0.0, -1.0, 0.0)  # (sin, cos) of the limbs in the order of the phases
+
+
+def global_phase(p: Tensor) -> Tensor:
+    """The global phase ``[..., 1]``, an angle in [0, 2π), of local phases ``[..., 8]``.
+
+    It is the angle of the right foot's phase vector minus the left's. The feet of a walk are half a cycle apart, so both
+    agree on it; of a hopping leg and a raised one, the leg that moves has its way. The vectors follow foot contacts where
+    there are any, as the PFNN's phase does (section 5.1.1). While both feet stand or move alike it is noise, and may jump.
+    """
+    feet = p.unflatten(-1, (len(LIMBS), 2))
+    sin, cos = (feet[..., LIMBS.index("right_foot"), :] - feet[..., LIMBS.index("left_foot"), :]).unbind(-1)
+    return torch.atan2(sin, cos)[..., None] % math.tau
+
+
+def observe(layout: Layout, p: Tensor, z: Tensor) -> tuple[Tensor, Tensor]:
+    """Phases and output frames of data, ``[B, 8]`` and ``[B, Dz]`` in physical units, in the columns of a model's layout."""
+    if layout.phase == "local":
+        return p, z
+    blocks = dataclasses.replace(layout, phase="local").unpack_output(z)
+    there = blocks.pop("phases")
+    del blocks["phase_updates"]
+    if layout.phase == "none":
+        return p[..., :0], layout.pack_output(**blocks)
+    here, there = global_phase(p), global_phase(there)
+    update = (there - here + math.pi) % math.tau - math.pi
+    return here, layout.pack_output(**blocks, phase_updates=update)
+
+
+def normalisers(layout: Layout, data: Features) -> dict[str, Normaliser]:
+    """Statistics of data in the columns of a model's layout; a global phase stays an angle in radians."""
+    found = data.normalisers()
+    if layout.phase == "local":
+        return found
+    observed = [Rows(lambda at, s=s: observe(layout, data.phases[s][at], data.outputs[s][at])[1],
+                     torch.arange(len(data.outputs[s]))) for s in data.styles]  # fmt: skip
+    n = layout.n_phases
+    return found | {"phases": Normaliser(torch.zeros(n), torch.ones(n)), "outputs": Normaliser.of(*observed)}
+
+
+def advance(layout: Layout, phase: Tensor, out: dict[str, Tensor]) -> Tensor:
+    """The phase of the next frame, of this frame's ``phase`` and the blocks ``out`` of a predicted frame (physical units).
+
+    Half the prediction and half the sum of phase and update for local phases (published run); phase plus update, modulo 2π,
+    for a global one.
+    """
+    if layout.phase == "local":
+        return torch.lerp(phase + out["phase_updates"], out["phases"], 0.5)
+    return (phase + out["phase_updates"]) % math.tau if layout.phase == "global" else phase
+
+
+def amid_a_stride(model: "Model") -> tuple[Tensor, Tensor]:
+    """A phase ``[n_phases]`` and a pose ``[12 J]`` for a character that stands and is about to step.
+
+    The phase is two deviations from the mean of the data, the pose their mean. Without phases the pose has to say it: hands
+    and feet are two deviations ahead of or behind their means, and on their way back (from the mean pose a MANN glided for
+    four seconds before it stepped).
+    """
+    layout, about_to_step = model.layout, torch.tensor(ABOUT_TO_STEP)
+    pose = model.outputs_mean[layout.outputs["joints"]]
+    if layout.phase == "local":
+        return model.phases_mean + 2 * model.phases_std * about_to_step, pose
+    if layout.phase == "global":
+        return global_phase(about_to_step), pose
+    mean, std = (split_joints(v) for v in (pose.clone(), model.outputs_std[layout.outputs["joints"]]))
+    for channel, way in (("position", 2.0), ("velocity", -2.0)):
+        mean[channel][layout.limbs, 2] += way * about_to_step[::2] * std[channel][layout.limbs, 2]
+    return model.phases_mean, pack_joints(**mean)

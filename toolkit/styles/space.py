@@ -1,0 +1,142 @@
+"""The space that style vectors span: maps of it, and how well styles are told apart in it (Mason et al. 2022, Figure 11)."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import torch
+from torch import Tensor
+
+from toolkit.features import Features
+from toolkit.networks import Model
+
+EMBEDDINGS = ("tsne", "pca", "umap")
+PERPLEXITY = 30.0  # of t-SNE: about how many neighbours count; a third of the points where they are few
+
+
+@torch.no_grad()
+def clip_vectors(model: Model, data: Features, clips: int = 50) -> tuple[Tensor, list[str]]:
+    """Style vectors of single clips, as Figure 11 shows them.
+
+    Parameters
+    ----------
+    model
+        A model with a FiLM generator.
+    data
+        Its style clips are encoded.
+    clips
+        At most so many of each style, evenly spread.
+
+    Returns
+    -------
+    vectors : Tensor [N, D]
+        One per clip.
+    styles : list of str
+        The style of each.
+    """
+    vectors, styles = [], []
+    for style, y in data.clips.items():
+        chosen = y[torch.linspace(0, len(y) - 1, min(clips, len(y))).long()]
+        vectors += [model.style_vector(clip[None]) for clip in chosen]
+        styles += [style] * len(chosen)
+    return torch.stack(vectors), styles
+
+
+def embed(vectors: Tensor, method: str = "tsne", seed: int = 0) -> Tensor:
+    """A map of style vectors: points ``[N, 2]`` of ``vectors [N, D]``.
+
+    Parameters
+    ----------
+    vectors
+        Three or more.
+    method
+        ``"tsne"`` (Figure 11) keeps neighbours together; ``"pca"`` is linear, so that blends lie on straight lines;
+        ``"umap"`` needs the package umap-learn.
+    seed
+        The same seed, the same map.
+
+    Raises
+    ------
+    ValueError
+        If the method is unknown or its package missing, or there are fewer than three vectors.
+    """
+    if method not in EMBEDDINGS:
+        raise ValueError(f"unknown embedding {method!r}; there is {', '.join(EMBEDDINGS)}")
+    if vectors.dim() != 2 or len(vectors) < 3:
+        raise ValueError(f"a map needs three or more vectors [N, D], got {list(vectors.shape)}")
+    rows = vectors.detach().double().cpu().numpy()
+    if method == "pca":
+        from sklearn.decomposition import PCA
+
+        points = PCA(2, random_state=seed).fit_transform(rows)
+    elif method == "tsne":
+        from sklearn.manifold import TSNE
+
+        perplexity = min(PERPLEXITY, (len(rows) - 1) / 3)
+        points = TSNE(perplexity=perplexity, init="pca", random_state=seed).fit_transform(rows)
+    else:
+        try:
+            from umap import UMAP
+        except ImportError as error:
+            raise ValueError("the embedding 'umap' needs the package umap-learn: pip install umap-learn") from error
+        points = UMAP(n_neighbors=min(15, len(rows) - 1), random_state=seed, n_jobs=1).fit_transform(rows)
+    return torch.from_numpy(points).float()
+
+
+@dataclass(frozen=True)
+class Separation:
+    """How well styles are told apart by the vectors of their clips.
+
+    Parameters
+    ----------
+    silhouette
+        Style to the mean silhouette of its clips: (b − a) / max(a, b) with a the mean distance to the style's other clips
+        and b to those of the nearest other style. 1: far from all others; 0: between two; negative: nearer to another.
+    ratio
+        Style to the distance of its mean from the nearest other mean, in root-mean-square distances of its clips from it.
+    found
+        Style to the share of its clips whose nearest mean (of the style's other clips, or of another style) is their own.
+    """
+
+    silhouette: dict[str, float]
+    ratio: dict[str, float]
+    found: dict[str, float]
+
+
+def separation(vectors: Tensor, styles: Sequence[str]) -> Separation:
+    """Silhouette, separation and nearest-mean accuracy of every style.
+
+    Parameters
+    ----------
+    vectors : Tensor [N, D]
+        Of single clips, see `clip_vectors`.
+    styles
+        The style of each; at least two styles, two clips of each.
+
+    Raises
+    ------
+    ValueError
+        If numbers differ, or there are fewer styles or clips.
+    """
+    names = list(dict.fromkeys(styles))
+    label = torch.tensor([names.index(s) for s in styles])
+    counts = torch.bincount(label, minlength=len(names))
+    if len(label) != len(vectors) or len(names) < 2 or int(counts.min()) < 2:
+        raise ValueError(f"separation needs two styles or more, of two clips or more each; got {len(vectors)} vectors and "
+                         f"clips {dict(zip(names, counts.tolist(), strict=True))}")  # fmt: skip
+    rows, member = vectors.detach().double(), torch.nn.functional.one_hot(label).double()
+    own = label[:, None]
+    mean = torch.cdist(rows, rows) @ member  # summed distance of each clip to the clips of each style, [N, S]
+    within = mean.gather(1, own)[:, 0] / (counts[label] - 1)
+    others = (mean / counts).scatter(1, own, torch.inf).amin(1)
+    silhouette = (others - within) / torch.maximum(within, others).clamp_min(1e-12)
+    centres = member.T @ rows / counts[:, None]
+    without = (centres[label] * counts[label, None] - rows) / (counts[label, None] - 1)  # the own mean, without this clip
+    reach = torch.cdist(rows, centres).scatter(1, own, (rows - without).norm(dim=-1, keepdim=True))
+    spread = (member.T @ (rows - centres[label]).square().sum(-1, keepdim=True))[:, 0].div(counts).sqrt()
+    apart = torch.cdist(centres, centres).fill_diagonal_(torch.inf).amin(1)
+
+    def by_style(values: Tensor) -> dict[str, float]:
+        return dict(zip(names, (member.T @ values.double() / counts).tolist(), strict=True))
+
+    ratio = dict(zip(names, (apart / spread.clamp_min(1e-12)).tolist(), strict=True))
+    return Separation(by_style(silhouette), ratio, by_style(reach.argmin(1) == label))

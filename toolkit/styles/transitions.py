@@ -1,0 +1,64 @@
+"""Styles that change over time (Mason et al. 2022, section 4.4: interpolations are manipulated online)."""
+
+from bisect import bisect_right
+from collections.abc import Callable, Mapping
+from itertools import pairwise
+
+import torch
+from torch import Tensor
+
+from toolkit.networks.bank import StyleBank
+from toolkit.runtime import FPS
+
+#: Share of the way by share of the time, both from 0 to 1.
+EASINGS: dict[str, Callable[[float], float]] = {
+    "linear": lambda t: t,
+    "smooth": lambda t: t * t * (3 - 2 * t),  # starts and ends slowly
+    "smoother": lambda t: t**3 * (t * (6 * t - 15) + 10),  # and without a jolt
+    "in": lambda t: t * t,  # starts slowly
+    "out": lambda t: t * (2 - t),  # ends slowly
+    "jump": lambda t: float(t >= 1),  # holds, then changes at once
+}
+
+
+def transition(bank: StyleBank, stops: Mapping[float, str | Mapping[str, float]],
+               easing: str | Callable[[float], float] = "smooth") -> Callable[[int], Tensor]:  # fmt: skip
+    """A style that goes from blend to blend: what `toolkit.runtime.rollout` takes as ``style``.
+
+    Parameters
+    ----------
+    bank
+        Holds the styles.
+    stops
+        Second to the style or blend that is reached then, in order of time. Before the first and after the last it holds.
+        The same blend twice holds in between.
+    easing
+        One of `EASINGS`, or a function of the share of time to the share of the way, both from 0 to 1.
+
+    Returns
+    -------
+    callable
+        From the frame number (60 a second) to the style vector ``[D]``.
+
+    Raises
+    ------
+    ValueError
+        If there is no stop, seconds do not rise, the easing is unknown, or a blend is none (see `StyleBank.blend`).
+    """
+    seconds = [float(second) for second in stops]
+    if not seconds or any(b <= a for a, b in pairwise(seconds)):
+        raise ValueError(f"a transition needs stops at rising seconds, got {seconds}")
+    if not callable(easing) and easing not in EASINGS:
+        raise ValueError(f"unknown easing {easing!r}; there is {', '.join(EASINGS)}")
+    ease = easing if callable(easing) else EASINGS[easing]
+    vectors = [bank.blend({stop: 1.0} if isinstance(stop, str) else stop) for stop in stops.values()]
+
+    def at(frame: int) -> Tensor:
+        now = frame / FPS
+        leg = bisect_right(seconds, now) - 1
+        if leg < 0 or leg == len(seconds) - 1:
+            return vectors[max(leg, 0)]
+        share = (now - seconds[leg]) / (seconds[leg + 1] - seconds[leg])
+        return torch.lerp(vectors[leg], vectors[leg + 1], ease(share))
+
+    return at

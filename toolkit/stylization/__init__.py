@@ -1,0 +1,15 @@
+"""Diverse motion stylisation (Park, Jang and Lee 2021): a GAN that restyles a clip, from a reference clip or from noise.
+
+>>> motions = tk.stylization.build(tk.datasets.load("bandai", dataset=2), mirror=True)
+>>> run = tk.stylization.fit(motions, tk.stylization.Config.quick())
+>>> old = tk.stylization.stylize(run.stylizer, clip, domain="exhausted", seed=3)
+"""
+
+from toolkit.stylization.data import Motions, Statistics, build, split
+from toolkit.stylization.graph import SkeletonGraph
+from toolkit.stylization.networks import Discriminator, Sizes, Stylizer
+from toolkit.stylization.stylize import style_code, stylize
+from toolkit.stylization.training import Config, Run, fit, load
+
+__all__ = ["Config", "Discriminator", "Motions", "Run", "Sizes", "SkeletonGraph", "Statistics", "Stylizer", "build", "fit",
+           "load", "split", "style_code", "stylize"]  # fmt: skip

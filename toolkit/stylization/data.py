@@ -1,0 +1,260 @@
+"""Motion as the networks of Park et al. 2021 see it (section 4): windows of positions and rotations, seen from the root.
+
+A motion is ``x [7, T, N]`` at 30 Hz: of every joint its position (metres) and its unit quaternion in the root frame, the
+root projected on the ground. The root's own velocity is kept aside and never changed. End Sites are left out.
+"""
+
+import dataclasses
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import torch
+from torch import Tensor, nn
+
+from toolkit import rotations as R
+from toolkit.motion import Clip, Skeleton, local_rotations, root_frames
+from toolkit.sampling import generator
+from toolkit.stylization.graph import SkeletonGraph
+from toolkit.trajectory import heading
+
+FPS = 30.0
+FRAMES = 64  # T of a training window
+CHANNELS = 7  # position 3, quaternion 4
+LEAST_STD = 0.01  # metres or quaternion components: what hardly varies is not blown up; the root's x and z are always 0
+
+
+class Statistics(nn.Module):
+    """Mean pose and standard deviation ``[7, 1, N]``: between physical units and the z-scores that networks work on.
+
+    q and −q are the same rotation; `apply` gives every joint's quaternions the sign nearest to the mean pose, one sign per
+    joint and motion.
+    """
+
+    def __init__(self, mean: Tensor, std: Tensor):
+        super().__init__()
+        self.register_buffer("mean", mean.clone())
+        self.register_buffer("std", std.clone())
+
+    def apply(self, x: Tensor) -> Tensor:
+        """z-scores ``[..., 7, T, N]`` of motions in physical units."""
+        agree = (x[..., 3:, :, :] * self.mean[3:]).sum((-3, -2), keepdim=True)
+        sign = torch.where(agree < 0, -1.0, 1.0).expand_as(x[..., 3:, :1, :])
+        return (x * torch.cat((torch.ones_like(x[..., :3, :1, :]), sign), -3) - self.mean) / self.std
+
+    def invert(self, z: Tensor) -> Tensor:
+        """Motions ``[..., 7, T, N]`` in physical units of z-scores; the quaternions are made unit ones."""
+        x = z * self.std + self.mean
+        return torch.cat((x[..., :3, :, :], nn.functional.normalize(x[..., 3:, :, :], dim=-3)), -3)
+
+
+@dataclass(frozen=True, eq=False)
+class Motions:
+    """M labelled windows of one skeleton.
+
+    ``x [M, 7, T, N]`` physical units; ``root_velocity [M, T, 3]`` from each frame to the next in its root frame (x and z in
+    m/s, turn about the vertical in rad/s); ``domain``, ``content``, ``take [M]`` are whole numbers: the style's place in
+    ``domains``, the gait's in ``contents``, and which recording it was cut from (a mirror image has its original's number).
+    """
+
+    graph: SkeletonGraph
+    x: Tensor
+    root_velocity: Tensor
+    domain: Tensor
+    content: Tensor
+    take: Tensor
+    domains: tuple[str, ...]
+    contents: tuple[str, ...]
+
+    def __len__(self) -> int:
+        return len(self.x)
+
+    @property
+    def skeleton(self) -> Skeleton:
+        """Whose motion it is, without End Sites."""
+        return self.graph.skeleton
+
+    def statistics(self) -> Statistics:
+        """Mean pose and standard deviation over all windows and frames."""
+        x = self.x.double()
+        return Statistics(x.mean((0, 2))[:, None].float(), x.std((0, 2))[:, None].float().clamp_min(LEAST_STD))
+
+    def select(self, rows: Tensor) -> "Motions":
+        """Some of the windows, by a mask or by numbers; labels keep their meaning."""
+        names = ("x", "root_velocity", "domain", "content", "take")
+        return dataclasses.replace(self, **{name: getattr(self, name)[rows] for name in names})
+
+
+def build(clips: Sequence[Clip], domains: Sequence[str] | None = None, mirror: bool = False) -> Motions:
+    """Windows of clips (section 4): 30 Hz, 64 frames, half overlapping; a shorter clip is padded with its end frames.
+
+    Parameters
+    ----------
+    clips
+        Their ``style`` is the domain, their ``gait`` the content.
+    domains
+        Styles to keep, in the order of their numbers; all of the clips', sorted, where not given.
+    mirror
+        Add every clip's mirror image (its content has left and right exchanged too).
+
+    Raises
+    ------
+    ValueError
+        If there is no clip, a domain has none, or the clips have different skeletons.
+    """
+    names = tuple(sorted({clip.style for clip in clips}) if domains is None else domains)
+    if missing := [name for name in names if all(clip.style != name for clip in clips)]:
+        raise ValueError(f"no clip of {', '.join(missing)}; the clips have {', '.join(sorted({c.style for c in clips}))}")
+    kept = [prepare(clip) for clip in clips if clip.style in names]
+    if not kept:
+        raise ValueError("motions need at least one clip, got none")
+    graph = SkeletonGraph.of(kept[0].skeleton)
+    parts: list[tuple[Tensor, Tensor]] = []
+    labels: list[tuple[int, str, int]] = []
+    for take, clip in enumerate(kept):
+        check_skeleton(clip, graph.skeleton)
+        for version in (clip, _mirrored(clip)) if mirror else (clip,):
+            x, velocity = windows(version)
+            parts.append((x, velocity))
+            labels += [(names.index(clip.style), version.gait, take)] * len(x)
+    contents = tuple(sorted({content for _, content, _ in labels}))
+    x, velocity = (torch.cat(column) for column in zip(*parts, strict=True))
+    domain, content, take = torch.tensor([(d, contents.index(c), t) for d, c, t in labels]).T
+    return Motions(graph, _same_sign(x), velocity, domain, content, take, names, contents)
+
+
+def prepare(clip: Clip) -> Clip:
+    """A clip at 30 Hz on its skeleton without End Sites."""
+    return clip.without_ends().resample(FPS)
+
+
+def check_skeleton(clip: Clip, skeleton: Skeleton) -> None:
+    """Refuse a clip (without End Sites) whose body is not the one expected: other joints, or bones of other lengths.
+
+    Raises
+    ------
+    ValueError
+        Saying what differs.
+    """
+    own = clip.skeleton
+    if own.names != skeleton.names or own.parents != skeleton.parents:
+        odd = sorted(set(own.names) ^ set(skeleton.names))
+        what = f"not in both: {', '.join(odd[:6])}" if odd else "in another order"
+        raise ValueError(f"{clip.name}: expected the model's skeleton of {len(skeleton)} joints, got {len(own)} ({what})")
+    gap = (own.offsets[1:] - skeleton.offsets[1:]).norm(dim=-1)
+    if len(gap) and float(gap.max()) > 0.02:
+        joint = own.names[1 + int(gap.argmax())]
+        raise ValueError(f"{clip.name}: expected the model's bones, got {joint} {100 * float(gap.max()):.1f} cm elsewhere")
+
+
+def describe(clip: Clip) -> tuple[Tensor, Tensor]:
+    """``x [7, F, N]`` and ``root_velocity [F, 3]`` of a prepared clip; quaternions keep their sign from frame to frame."""
+    roots = root_frames(clip)
+    turned = R.multiply(R.inverse(roots.rotations)[:, None], clip.global_rotations)
+    x = torch.cat((roots.to_local(clip.global_positions), R.unroll(turned)), -1).permute(2, 0, 1)
+    velocity = torch.zeros(len(clip), 3)
+    if len(clip) > 1:
+        steps = R.rotate(R.inverse(roots.rotations[:-1]), roots.positions.diff(dim=0)) * FPS
+        sin, cos = heading(R.multiply(R.inverse(roots.rotations[:-1]), roots.rotations[1:]))
+        velocity[:-1] = torch.stack((steps[:, 0], steps[:, 2], torch.atan2(sin, cos) * FPS), -1)
+        velocity[-1] = velocity[-2]
+    return x.contiguous(), velocity
+
+
+def windows(clip: Clip, frames: int = FRAMES) -> tuple[Tensor, Tensor]:
+    """``[M, 7, T, N]`` and ``[M, T, 3]``: one every half window of a prepared clip; a shorter one is padded, at rest."""
+    x, velocity = describe(clip)
+    if (lack := frames - len(clip)) > 0:
+        front, back = lack // 2, lack - lack // 2
+        x = torch.cat((x[:, :1].expand(-1, front, -1), x, x[:, -1:].expand(-1, back, -1)), 1)
+        velocity = nn.functional.pad(torch.cat((velocity[:-1], velocity[:1] * 0)), (0, 0, front, back))
+    cut = x.unfold(1, frames, frames // 2).permute(1, 0, 3, 2)
+    return cut.contiguous(), velocity.unfold(0, frames, frames // 2).transpose(1, 2).contiguous()
+
+
+def to_clip(x: Tensor, root_velocity: Tensor, source: Clip) -> Clip:
+    """The clip that `describe` describes: its inverse, with the skeleton's bones.
+
+    A network's positions and rotations agree only roughly. As in the paper's figures the positions count: each bone that has
+    no sibling points from its beginning to its predicted end, and the rotations say how it is twisted about itself.
+
+    Parameters
+    ----------
+    x : Tensor [7, F, N]
+        Of the root joint the rotation and the height are read.
+    root_velocity : Tensor [F, 3]
+        Added up from where the source starts.
+    source
+        A prepared clip: gives skeleton, start and labels.
+
+    Returns
+    -------
+    Clip
+        F frames at 30 Hz.
+    """
+    first = root_frames(source.cut(0, 1))
+    sin, cos = heading(first.rotations[0])
+    turn = torch.cat((torch.atan2(sin, cos)[None].double(), root_velocity[:-1, 2].double() / FPS)).cumsum(0)
+    rotations = R.yaw(turn)
+    steps = R.rotate(rotations[:-1], _on_floor(root_velocity[:-1, :2].double() / FPS))
+    root = torch.cat((first.positions.double(), steps)).cumsum(0).float()
+    facing = rotations.float()[:, None]
+    wanted = R.rotate(facing, x[:3].permute(1, 2, 0)) + root[:, None]
+    world = R.multiply(facing, R.normalize(x[3:].permute(1, 2, 0)))
+    root[:, 1] = x[1, :, 0]
+    world = _aimed(source.skeleton, world, root, wanted)
+    return source.replace(rotations=R.unroll(local_rotations(source.skeleton, world)), root_positions=root)
+
+
+def _aimed(skeleton: Skeleton, world: Tensor, root: Tensor, wanted: Tensor) -> Tensor:
+    """World rotations ``[F, N, 4]`` turned so that bones without siblings point at their ends' ``wanted`` positions."""
+    positions = root[:, None].expand_as(wanted).clone()
+    for joints, parents in skeleton.levels:
+        alone = torch.tensor([skeleton.parents.count(p) == 1 for p in parents.tolist()])
+        bones = R.rotate(world[:, parents], skeleton.offsets[joints])
+        turn = R.between(bones, wanted[:, joints] - positions[:, parents])
+        turn = torch.where(alone[:, None], turn, R.identity(1))
+        world[:, parents[alone]] = R.multiply(turn, world[:, parents])[:, alone]
+        positions[:, joints] = positions[:, parents] + R.rotate(turn, bones)
+    return world
+
+
+def split(motions: Motions, share: float, seed: int) -> tuple[Motions, Motions]:
+    """Two sets of windows that share no take; the second has about ``share`` of every domain's takes of every content.
+
+    A take is never divided, nor parted from its mirror image. The same seed gives the same split.
+
+    Raises
+    ------
+    ValueError
+        If ``share`` is not between 0 and 1.
+    """
+    if not 0 < share < 1:
+        raise ValueError(f"the share of the second part must lie between 0 and 1, got {share}")
+    second = torch.zeros(int(motions.take.max()) + 1, dtype=torch.bool)
+    originals = {int(t): (int(d), int(c)) for d, c, t in zip(motions.domain.flip(0), motions.content.flip(0),
+                                                              motions.take.flip(0), strict=True)}  # fmt: skip
+    for d, c in sorted(set(originals.values())):
+        takes = torch.tensor(sorted(t for t, kind in originals.items() if kind == (d, c)))
+        order = torch.randperm(len(takes), generator=generator(seed, d, c))
+        second[takes[order[: round(share * len(takes))]]] = True
+    mask = second[motions.take]
+    return motions.select(~mask), motions.select(mask)
+
+
+def _on_floor(points: Tensor) -> Tensor:
+    """``[F, 3]`` of (x, z) ``[F, 2]``, at height 0."""
+    return torch.stack((points[:, 0], torch.zeros_like(points[:, 0]), points[:, 1]), -1)
+
+
+def _mirrored(clip: Clip) -> Clip:
+    swap = {"left": "right", "right": "left"}
+    gait = "-".join(swap.get(word, word) for word in clip.gait.split("-"))
+    return clip.mirrored().replace(gait=gait)
+
+
+def _same_sign(x: Tensor) -> Tensor:
+    """Every joint's quaternions on the side of their principal direction, one sign per window."""
+    q = x[:, 3:]
+    principal = torch.linalg.eigh(torch.einsum("mctn,mdtn->ncd", q, q))[1][..., -1].T
+    sign = torch.where((q * principal[:, None]).sum((1, 2), keepdim=True) < 0, -1.0, 1.0)
+    return torch.cat((x[:, :3], q * sign), 1)

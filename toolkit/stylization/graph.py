@@ -1,0 +1,98 @@
+"""The skeleton as a graph: three-subset adjacency and body-part pooling (Park et al. 2021, sections 4 and 5)."""
+
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import torch
+from torch import Tensor
+
+from toolkit.motion import Skeleton
+
+POOLINGS = 2  # the paper's: joints, then halves of body parts, then body parts
+SUBSETS = 3  # the joint itself, the neighbour towards the root, the neighbours away from it
+
+
+@dataclass(frozen=True, eq=False)
+class SkeletonGraph:
+    """A skeleton at three resolutions, 21 → 10 → 5 nodes for 21 joints. Make one with `SkeletonGraph.of`.
+
+    ``parents[level]`` holds the tree of a level's nodes, the root first with -1; ``clusters[level]`` says for each of them
+    into which node of the next level it is pooled.
+    """
+
+    skeleton: Skeleton
+    parents: tuple[tuple[int, ...], ...]
+    clusters: tuple[tuple[int, ...], ...]
+
+    @classmethod
+    def of(cls, skeleton: Skeleton) -> "SkeletonGraph":
+        """The graph of any skeleton (section 5.2): consecutive joints are pooled in pairs, only within a `body_parts` chain.
+
+        A chain of odd length gives its first node one joint more; a chain of one node stays one.
+        """
+        chains, parents, clusters = body_parts(skeleton.parents), [tuple(skeleton.parents)], []
+        for _ in range(POOLINGS):
+            groups = [g.tolist() for chain in chains for g in torch.tensor(chain).tensor_split(max(1, len(chain) // 2))]
+            groups.sort()
+            home = {node: i for i, group in enumerate(groups) for node in group}
+            clusters.append(tuple(home[node] for node in range(len(home))))
+            parents.append(tuple(-1 if (p := parents[-1][group[0]]) < 0 else home[p] for group in groups))
+            chains = [sorted({home[node] for node in chain}) for chain in chains]
+        return cls(skeleton, tuple(parents), tuple(clusters))
+
+    @cached_property
+    def sizes(self) -> tuple[int, ...]:
+        """Nodes of each level, finest first."""
+        return tuple(map(len, self.parents))
+
+    def adjacency(self, level: int) -> Tensor:
+        """``[3, N, N]``: self, towards the root, away from it. ``x @ adjacency[k]`` is the mean over subset k (equation 1).
+
+        Entry (v, w) is how much node v gives to node w; a column sums to 1, or to 0 where the subset has no node.
+        """
+        parents = torch.tensor(self.parents[level])
+        child = torch.arange(1, len(parents))
+        subsets = torch.zeros(SUBSETS, len(parents), len(parents))
+        subsets[0].fill_diagonal_(1.0)
+        subsets[1, parents[1:], child] = 1.0
+        subsets[2, child, parents[1:]] = 1.0
+        return subsets / subsets.sum(1, keepdim=True).clamp_min(1.0)
+
+    def pool(self, level: int) -> Tensor:
+        """``[N, N']``: ``x @ pool`` is the mean over the nodes of each cluster, on the next level."""
+        copies = self.unpool(level).T
+        return copies / copies.sum(0)
+
+    def unpool(self, level: int) -> Tensor:
+        """``[N', N]``: ``x @ unpool`` copies every node of the next level to the nodes of its cluster."""
+        return torch.nn.functional.one_hot(torch.tensor(self.clusters[level]), self.sizes[level + 1]).float().T
+
+
+def body_parts(parents: Sequence[int]) -> list[list[int]]:
+    """Chains of joints that make up a body: its trunk and its limbs, from the shape of the tree alone.
+
+    From the root a chain goes on with the largest subtree that has no sibling of the same shape: limbs come in pairs and so
+    begin chains of their own, while the spine runs on between the legs and between the arms up to the head.
+    """
+    children: list[list[int]] = [[] for _ in parents]
+    for joint, parent in enumerate(parents[1:], 1):
+        children[parent].append(joint)
+    shapes: dict[int, tuple] = {}
+    sizes: dict[int, int] = {}
+    for joint in reversed(range(len(parents))):
+        shapes[joint] = tuple(sorted(shapes[c] for c in children[joint]))
+        sizes[joint] = 1 + sum(sizes[c] for c in children[joint])
+    chains, heads = [], [0]
+    while heads:
+        chain = [heads.pop(0)]
+        while below := children[chain[-1]]:
+            seen = Counter(shapes[c] for c in below)
+            heir = max((c for c in below if seen[shapes[c]] == 1), key=sizes.get, default=None)
+            heads += [c for c in below if c != heir]
+            if heir is None:
+                break
+            chain.append(heir)
+        chains.append(chain)
+    return sorted(chains)

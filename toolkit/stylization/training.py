@@ -1,0 +1,301 @@
+"""Training of the stylizer (Park et al. 2021, section 6 and appendix A.2): one plain loop over a config, and checkpoints.
+
+What iteration n does is a pure function of the seed and n, so that a run that was stopped and resumed ends with the same
+weights as one that was not, bit for bit.
+"""
+
+import dataclasses
+import json
+import math
+import os
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import torch
+from torch import Tensor
+from tqdm.auto import tqdm
+
+from toolkit.networks import weights
+from toolkit.sampling import generator, mix
+from toolkit.stylization import losses
+from toolkit.stylization.data import Motions
+from toolkit.stylization.networks import Discriminator, Sizes, Stylizer, build
+
+INIT, BATCH = range(2)  # what draws random numbers
+NETWORKS = ("generator", "encoder", "mapping", "discriminator")
+
+
+@dataclass(frozen=True)
+class Config:
+    """How to train; the defaults are the paper's (appendix A.2), at which a graphics card works for hours."""
+
+    losses: tuple[str, ...] = losses.LOSSES  # Table 1 leaves out "ds", then "sty"
+    iterations: int = 100_000  # style codes come from noise and from references by turns
+    batch: int = 8
+    sizes: Sizes = field(default_factory=Sizes)
+    rates: dict[str, float] = field(
+        default_factory=lambda: dict(zip(NETWORKS, (1e-4, 1e-6, 1e-4, 1e-6), strict=True))
+    )  # Adam's
+    betas: tuple[float, float] = (0.9, 0.99)  # of the published code; the paper: (0.99, 0.999), which is slow for a GAN
+    final_rate: float = 1.0  # rates at the end as a share of the first, on a cosine between; 1: constant
+    weights: dict[str, float] = field(default_factory=lambda: dict.fromkeys((*losses.LOSSES, "r1"), 1.0))  # λ
+    log_every: int = 100  # iterations per row of the history
+    save_every: float = 120.0  # seconds between checkpoints
+    seed: int = 0
+    device: str = "cpu"
+
+    def __post_init__(self):
+        if unknown := sorted(set(self.losses) - set(losses.LOSSES)):
+            raise ValueError(f"unknown loss {', '.join(unknown)}; there are {', '.join(losses.LOSSES)}")
+        if "adv" not in self.losses:
+            raise ValueError(f"the losses need adv, which alone asks for a style; got {', '.join(self.losses) or 'none'}")
+        for name, known in (("rates", NETWORKS), ("weights", (*losses.LOSSES, "r1"))):
+            values = getattr(self, name)
+            if set(values) != set(known) or any(not 0 <= v < math.inf for v in values.values()):
+                raise ValueError(f"{name} must be numbers from 0 for {', '.join(known)}; got {values}")
+        for name in ("iterations", "batch", "log_every"):
+            if getattr(self, name) < 1:
+                raise ValueError(f"{name} must be positive, got {getattr(self, name)}")
+
+    @classmethod
+    def quick(cls, **changes) -> "Config":
+        """Minutes on one core: small networks, high rates that decay, and the content losses and R1 weighted up.
+
+        With weights of 1, G's gradient of the adversarial loss is about twenty times that of each other loss. Over 100,000
+        iterations this evens out; over few, G would learn to please D long before it learns to keep a motion.
+        """
+        settings = {"sizes": Sizes.small(), "iterations": 2000, "final_rate": 0.1,
+                    "rates": dict(zip(NETWORKS, (2e-3, 1e-3, 1e-3, 1e-3), strict=True)),
+                    "weights": {"adv": 1.0, "cyc": 10.0, "id": 10.0, "sty": 1.0, "ds": 3.0, "r1": 5.0}}  # fmt: skip
+        return cls(**(settings | changes))
+
+    def fixed(self) -> dict:
+        """What must not change when a run is resumed, as JSON holds it."""
+        free = ("save_every", "device")
+        return json.loads(json.dumps({k: v for k, v in dataclasses.asdict(self).items() if k not in free}))
+
+
+@dataclass(eq=False)
+class Run:
+    """What training made. ``history`` has a row per `Config.log_every` iterations: the means of all loss terms since."""
+
+    stylizer: Stylizer
+    discriminator: Discriminator
+    config: Config
+    history: list[dict[str, float]]
+
+    def save(self, path: str | os.PathLike) -> None:
+        """Write stylizer, config and history to one safetensors file, which `Stylizer.load` reads too."""
+        tensors, description = self.stylizer.parts()
+        tensors |= {f"discriminator.{k}": v for k, v in self.discriminator.state_dict().items()}
+        numbers = {"config": dataclasses.asdict(self.config), "history": self.history}
+        weights.write(path, tensors, {"stylizer": description, "stylization": numbers})
+
+
+def load(path: str | os.PathLike) -> Run:
+    """Read a run that `Run.save` wrote; a file that is none is a one-line ValueError."""
+    tensors, parts = weights.read(path, "stylization")
+    stylizer = Stylizer.from_parts(path, tensors, parts)
+    try:
+        numbers = parts["stylization"]
+        stored = numbers["config"]
+        config = Config(**stored | {"sizes": Sizes(**stored["sizes"]), "losses": tuple(stored["losses"]),
+                                    "betas": tuple(stored["betas"])})  # fmt: skip
+        discriminator = Discriminator(stylizer.graph, stylizer.sizes, len(stylizer.domains)).eval()
+        discriminator.load_state_dict(_own(tensors, "discriminator."))
+        return Run(stylizer, discriminator, config, numbers["history"])
+    except (KeyError, TypeError, ValueError, RuntimeError) as error:
+        raise ValueError(f"{path}: the record of the run is damaged ({' '.join(str(error).split())})") from error
+
+
+class Batches:
+    """What iteration n sees, as a pure function of the seed and n.
+
+    Domains are equally likely, of sources and of targets. There are two references and two noises each, for the diversity
+    loss.
+    """
+
+    def __init__(self, motions: Motions, z: Tensor, config: Config):
+        self.z, self.config = z, config
+        self.rows = [(motions.domain == d).nonzero()[:, 0] for d in range(len(motions.domains))]
+        if empty := [name for name, rows in zip(motions.domains, self.rows, strict=True) if not len(rows)]:
+            raise ValueError(f"no motion of {', '.join(empty)} to train on")
+
+    def __getitem__(self, n: int) -> dict[str, Tensor]:
+        """``x``, ``domain`` of the sources; ``target`` domains; ``references [2, B, …]``, ``noise [2, B, 16]``."""
+        b, draw = self.config.batch, generator(self.config.seed, BATCH, n)
+        source, target = torch.randint(len(self.rows), (2, b), generator=draw)
+        places = torch.rand(3, b, generator=draw)
+        noise = torch.randn(2, b, self.config.sizes.latent, generator=draw)
+        x, *references = (self._motions(d, u) for d, u in zip((source, target, target), places, strict=True))
+        drawn = {"x": x, "domain": source, "target": target, "noise": noise, "references": torch.stack(references)}
+        return {name: value.to(self.config.device) for name, value in drawn.items()}
+
+    def _motions(self, domains: Tensor, places: Tensor) -> Tensor:
+        """The motion at a place (in [0, 1)) of each domain's."""
+        rows = (self.rows[d] for d in domains.tolist())
+        return self.z[[int(own[int(u * len(own))]) for own, u in zip(rows, places.tolist(), strict=True)]]
+
+
+def fit(motions: Motions, config: Config | None = None, checkpoint: str | os.PathLike | None = None, *, resume: bool = True,
+        progress: bool = False, on_step: Callable[[int, Stylizer], None] | None = None) -> Run:  # fmt: skip
+    """Train the four networks.
+
+    Parameters
+    ----------
+    motions
+        What to learn from.
+    config
+        How; the paper's way where not given.
+    checkpoint
+        File for the state of the run, written now and then; a stopped run goes on from the last one.
+    resume
+        Go on from the checkpoint if there is one.
+    progress
+        Show a bar.
+    on_step
+        Called after every iteration with its number and the stylizer.
+
+    Raises
+    ------
+    ValueError
+        If a domain has no motion, a loss is not finite any more, or the checkpoint is of another config or other data.
+    """
+    config = config or Config()
+    with torch.random.fork_rng(devices=[]):
+        torch.manual_seed(mix(config.seed, INIT))
+        stylizer, discriminator = build(motions.graph, motions.domains, config.sizes, motions.statistics())
+    batches = Batches(motions, stylizer.statistics.apply(motions.x), config)
+    for network in (stylizer, discriminator):
+        network.to(config.device)
+    networks = {name: discriminator if name == "discriminator" else getattr(stylizer, name) for name in NETWORKS}
+    adams = {name: torch.optim.Adam(network.parameters(), config.rates[name], config.betas, fused=True)
+             for name, network in networks.items()}  # fmt: skip
+    state = {"step": 0, "elapsed": 0.0, "history": [], "sums": {}}
+    if checkpoint and resume and Path(checkpoint).exists():
+        state = _restore(checkpoint, stylizer, discriminator, adams, config)
+    began, saved = time.perf_counter() - state["elapsed"], time.perf_counter()
+    with tqdm(total=config.iterations, initial=state["step"], desc="training", unit="step", disable=not progress) as bar:
+        while state["step"] < config.iterations:
+            terms = _step(stylizer, discriminator, adams, batches[state["step"]], config, state["step"])
+            state["step"] += 1
+            state["elapsed"] = time.perf_counter() - began
+            state["sums"] = {name: state["sums"].get(name, 0.0) + value for name, value in terms.items()}
+            if state["step"] % config.log_every == 0:
+                row = {name: value / config.log_every for name, value in state["sums"].items()}
+                state["history"].append({"step": state["step"], "elapsed": state["elapsed"], **row})
+                state["sums"] = {}
+                bar.set_postfix({name: f"{value:.2f}" for name, value in row.items()}, refresh=False)
+            bar.update()
+            if checkpoint and (state["step"] == config.iterations or time.perf_counter() - saved > config.save_every):
+                _checkpoint(checkpoint, stylizer, discriminator, adams, state, config)
+                saved = time.perf_counter()
+            if on_step:
+                on_step(state["step"], stylizer)
+    return Run(stylizer.cpu().eval(), discriminator.cpu().eval(), config, state["history"])
+
+
+def translations(stylizer: Stylizer, batch: dict[str, Tensor], config: Config, from_noise: bool) -> dict[str, Tensor]:
+    """What G makes of the sources ``x [B, 7, T, N]`` of a batch, for all losses in one pass; z-scores.
+
+    ``code`` of the target domains, from noise by F or from references by E, and ``fake`` made with it; ``second``, made with
+    another code of the same domains (for "ds"); ``own`` codes of the sources and ``same`` made with them (for "id").
+    """
+    noise, references, target = batch["noise"], batch["references"], batch["target"]
+    names = ["fake", *(["second"] if "ds" in config.losses else [])]
+    codes = [stylizer.mapping(noise[k], target) if from_noise else stylizer.encoder(references[k], target)
+             for k in range(len(names))]  # fmt: skip
+    made = {"code": codes[0]}
+    if {"cyc", "id"} & set(config.losses):
+        made["own"] = stylizer.encoder(batch["x"], batch["domain"])
+    if "id" in config.losses:
+        names, codes = [*names, "same"], [*codes, made["own"]]
+    content = stylizer.generator.encode(batch["x"]).repeat(len(codes), 1, 1, 1)
+    motions = stylizer.generator.decode(content, torch.cat(codes)).chunk(len(codes))
+    return made | dict(zip(names, motions, strict=True))
+
+
+def terms_of(stylizer: Stylizer, discriminator: Discriminator, batch: dict[str, Tensor], made: dict[str, Tensor],
+             config: Config) -> dict[str, Tensor]:  # fmt: skip
+    """The loss terms of G, E and F (equations 7 to 11) that the config asks for, unweighted."""
+    target, fake = batch["target"], made["fake"]
+    terms = {
+        "adv": lambda: losses.adversarial(discriminator(fake, target)),
+        "cyc": lambda: losses.content(batch["x"], stylizer.generator(fake, made["own"])),
+        "id": lambda: losses.content(batch["x"], made["same"]),
+        "sty": lambda: losses.style(made["code"], stylizer.encoder(fake, target)),
+        "ds": lambda: losses.diversity(fake, made["second"]),
+    }
+    return {name: terms[name]() for name in config.losses}
+
+
+def _step(stylizer: Stylizer, discriminator: Discriminator, adams: dict[str, torch.optim.Adam], batch: dict[str, Tensor],
+          config: Config, n: int) -> dict[str, float]:  # fmt: skip
+    """One step of D, then one of the others; all loss terms.
+
+    Codes come from noise in even iterations and from references in odd ones, which train G alone, as in the published code.
+    """
+    share = 0.5 * (1 + math.cos(math.pi * n / config.iterations))
+    for name, adam in adams.items():
+        adam.param_groups[0]["lr"] = config.rates[name] * (config.final_rate + (1 - config.final_rate) * share)
+    from_noise = n % 2 == 0
+    made = translations(stylizer, batch, config, from_noise)
+
+    x = batch["x"].requires_grad_()
+    real = discriminator(x, batch["domain"])
+    judged = losses.discriminator(real, discriminator(made["fake"].detach(), batch["target"]))
+    slope = losses.r1(real, x)
+    x.requires_grad_(False)
+    _descend(judged + config.weights["r1"] * slope, [adams["discriminator"]])
+
+    terms = terms_of(stylizer, discriminator, batch, made, config)
+    loss = sum((-1 if name == "ds" else 1) * config.weights[name] * term for name, term in terms.items())  # equation 12
+    _descend(loss, [adams[name] for name in (("generator", "encoder", "mapping") if from_noise else ("generator",))])
+    values = {"d": judged.item(), "r1": slope.item()} | {name: term.item() for name, term in terms.items()}
+    if not all(map(math.isfinite, values.values())):
+        raise ValueError(f"training diverged at step {n}: {values}; lower the rates")
+    return values
+
+
+def _descend(loss: Tensor, adams: list[torch.optim.Adam]) -> None:
+    for adam in adams:
+        adam.zero_grad(set_to_none=True)
+    loss.backward()
+    for adam in adams:
+        adam.step()
+
+
+def _checkpoint(path: str | os.PathLike, stylizer: Stylizer, discriminator: Discriminator,
+                adams: dict[str, torch.optim.Adam], state: dict, config: Config) -> None:  # fmt: skip
+    """Write everything the rest of the run depends on."""
+    tensors = {f"{part}.{k}": v for part, network in (("stylizer", stylizer), ("discriminator", discriminator))
+               for k, v in network.state_dict().items()}  # fmt: skip
+    tensors |= {f"adam.{name}.{i}.{kind}": value for name, adam in adams.items()
+                for i, moments in adam.state_dict()["state"].items() for kind, value in moments.items()}  # fmt: skip
+    weights.write(path, tensors, {"stylization_checkpoint": {**state, "config": config.fixed()}})
+
+
+def _restore(path: str | os.PathLike, stylizer: Stylizer, discriminator: Discriminator, adams: dict[str, torch.optim.Adam],
+             config: Config) -> dict:  # fmt: skip
+    """Load a checkpoint into new networks and optimisers; the state of the run."""
+    tensors, parts = weights.read(path, "stylization_checkpoint")
+    state, own = parts["stylization_checkpoint"], _own(tensors, "stylizer.")
+    if why := weights.difference(config.fixed(), state.pop("config", {})):
+        raise ValueError(f"{path}: the run to resume differs in {why}")
+    if any(not torch.equal(own[f"statistics.{k}"], v.cpu()) for k, v in stylizer.statistics.state_dict().items()):
+        raise ValueError(f"{path}: the run to resume had other data (their means and deviations differ)")
+    stylizer.load_state_dict(own)
+    discriminator.load_state_dict(_own(tensors, "discriminator."))
+    for name, adam in adams.items():
+        moments: dict[int, dict[str, Tensor]] = {}
+        for key, value in _own(tensors, f"adam.{name}.").items():
+            i, kind = key.split(".")
+            moments.setdefault(int(i), {})[kind] = value
+        adam.load_state_dict({"state": moments, "param_groups": adam.state_dict()["param_groups"]})
+    return state
+
+
+def _own(tensors: dict[str, Tensor], start: str) -> dict[str, Tensor]:
+    return {k.removeprefix(start): v for k, v in tensors.items() if k.startswith(start)}

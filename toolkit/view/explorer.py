@@ -1,0 +1,223 @@
+"""The space of styles as a map: hover names a style, click plays it, and a ring dragged between points plays the blend."""
+
+import io
+from collections.abc import Callable, Mapping, Sequence
+from importlib import resources
+
+import anywidget
+import ipywidgets as widgets
+import plotly.graph_objects as go
+import torch
+import traitlets
+from matplotlib.figure import Figure
+from plotly.offline import get_plotlyjs
+from scipy.spatial import Delaunay, QhullError
+from torch import Tensor
+
+from toolkit import runtime
+from toolkit.motion import Clip
+from toolkit.networks import Model
+from toolkit.networks.bank import StyleBank
+from toolkit.styles.space import embed
+from toolkit.view.blender import StyleBlender
+from toolkit.view.figures import INK, QUIET, style_space
+from toolkit.view.picture import PAPER
+from toolkit.view.player import _in_notebook
+
+CLIPS = "#b9bdc4"  # colour of single clips
+SIDE = 560  # pixels of the map, both ways
+SECONDS, SPEED = 3.0, 1.0  # of the walk that is played, metres per second
+SETTLE = 1.5  # seconds that it walks before: from standing into the style
+
+
+def explore(model: Model, bank: StyleBank, *, points: Tensor | None = None, groups: Sequence[str] | None = None,
+            cloud: tuple[Tensor, Sequence[str]] | None = None, joined: Sequence[tuple[str, str]] = (),
+            make_clip: Callable[[dict[str, float]], Clip] | None = None,
+            size: tuple[int, int] = (480, 420)) -> "StyleExplorer | go.Figure":  # fmt: skip
+    """A map of styles to walk through.
+
+    Parameters
+    ----------
+    model, bank
+        A model and its styles, three or more: trained, embedded, or the published one.
+    points
+        Where the styles are on the map, ``[S, 2]``; by default the t-SNE of their vectors (`toolkit.styles.embed`).
+    groups
+        S labels, a colour each.
+    cloud
+        Further small dots ``[N, 2]`` and the style of each, such as of single clips (`toolkit.styles.clip_vectors`), in the
+        same map as ``points``.
+    joined
+        Pairs of styles to draw a line between.
+    make_clip
+        Takes ``{style: weight}`` and returns the motion to play; by default the model walks straight ahead.
+    size
+        Pixels of the picture of the motion.
+
+    Returns
+    -------
+    StyleExplorer or plotly Figure
+        The map alone outside of notebooks, where no widget could be shown.
+    """
+    points = embed(bank.vectors) if points is None else torch.as_tensor(points)
+    figure = chart(bank, points, groups, cloud, joined)
+    return StyleExplorer(model, bank, points, figure, make_clip=make_clip, size=size) if _in_notebook() else figure
+
+
+def chart(bank: StyleBank, points: Tensor, groups: Sequence[str] | None = None,
+          cloud: tuple[Tensor, Sequence[str]] | None = None,
+          joined: Sequence[tuple[str, str]] = ()) -> go.Figure:  # fmt: skip
+    """The map as a plotly figure; see `explore`."""
+    figure = style_space(points, bank.names, groups, title="Style space")
+    below = []
+    for pair in joined:
+        a, b = (points[bank.names.index(name)].tolist() for name in pair)
+        below.append(go.Scatter(x=[a[0], b[0]], y=[a[1], b[1]], mode="lines", line={"color": QUIET, "width": 1},
+                                hoverinfo="skip", showlegend=False))  # fmt: skip
+    if cloud is not None:
+        places, styles = torch.as_tensor(cloud[0]).numpy(), cloud[1]
+        below.append(go.Scatter(x=places[:, 0], y=places[:, 1], text=list(styles), mode="markers", name="single clips",
+                                hovertemplate="%{text}, a clip<extra></extra>", marker={"size": 4, "color": CLIPS}))
+    above = list(figure.data)
+    figure.add_traces(below)
+    figure.data = (*figure.data[len(above) :], *above)
+    return figure.update_layout(width=SIDE, height=SIDE, dragmode="pan", margin={"l": 16, "r": 16, "t": 44, "b": 16})
+
+
+class StyleMap(anywidget.AnyWidget):
+    """A plotly figure with a ring to drag. (Plotly's own FigureWidget shows nothing with some versions of anywidget.)
+
+    Attributes
+    ----------
+    place
+        Where the ring is, [x, y] in the figure's units; a trait, so it can be observed and set.
+    """
+
+    _esm = get_plotlyjs() + (resources.files("toolkit.view") / "static" / "map.js").read_text(encoding="utf-8")
+    figure = traitlets.Unicode().tag(sync=True)
+    place = traitlets.List(traitlets.Float(), [0.0, 0.0], minlen=2, maxlen=2).tag(sync=True)
+
+
+class StyleExplorer(StyleBlender):
+    """The map of `explore` beside a `toolkit.view.StyleBlender`, which plays what is chosen.
+
+    A point between styles stands for the blend of the three around it: its barycentric weights in the triangle of the
+    Delaunay triangulation that it lies in; outside of all, of the nearest point inside.
+
+    Parameters
+    ----------
+    model, bank, points, make_clip, size
+        As in `explore`.
+    figure
+        The map as a plotly figure; made from the points where not given.
+
+    Attributes
+    ----------
+    map
+        The `StyleMap`.
+    weights
+        The blend ``{style: weight}``; assigning one makes and shows its motion before it returns, and moves the ring.
+    player, triangle
+        As of the blender.
+
+    Raises
+    ------
+    ValueError
+        If there are fewer than three styles, or all lie on one line.
+    """
+
+    def __init__(self, model: Model, bank: StyleBank, points: Tensor, figure: go.Figure | None = None, *,
+                 make_clip: Callable[[dict[str, float]], Clip] | None = None,
+                 size: tuple[int, int] = (480, 420)):  # fmt: skip
+        walk = runtime.straight(SPEED, SETTLE + SECONDS)
+
+        def play(blend: dict[str, float]) -> Clip:
+            return runtime.rollout(model, walk, bank.blend(blend)).cut(round(SETTLE * runtime.FPS))
+
+        super().__init__(bank, make_clip or play, weights={bank.names[0]: 1.0}, size=size)
+        self.points = torch.as_tensor(points).double()
+        try:
+            self._triangles = Delaunay(self.points.numpy())
+        except (QhullError, ValueError) as error:
+            got = list(self.points.shape)
+            raise ValueError(f"a map needs three styles or more, not on one line; got points {got}") from error
+        self.map = StyleMap(figure=(figure or chart(bank, self.points)).to_json(), place=self._place())
+        self.map.on_msg(self._clicked)
+        self.map.observe(self._dragged, "place")
+        for widget, trait in ((self.triangle, "weights"), *((menu, "value") for menu in self._menus)):
+            widget.observe(self._steered, trait)
+        self.children = (self.map, widgets.VBox(self.children, layout={"align_items": "center"}))
+
+    def blend_at(self, x: float, y: float) -> dict[str, float]:
+        """The blend that a place on the map stands for: up to three styles, weights that sum to one."""
+        place = self.points.new_tensor([x, y])
+        triangle = int(self._triangles.find_simplex(place.numpy()))
+        if triangle < 0:
+            place, triangle = self._inside(place)
+        corners = self._triangles.simplices[triangle].tolist()
+        first, *edges = self.points[corners]
+        second, third = torch.linalg.solve(torch.stack([e - first for e in edges], 1), place - first).tolist()
+        shares = [max(0.0, w) for w in (1 - second - third, second, third)]
+        return {self._names[i]: w / sum(shares) for i, w in zip(corners, shares, strict=True) if w > 1e-6}
+
+    def aim(self, blend: dict[str, float]) -> None:
+        """Ask for a blend of up to three styles, from any thread; of several in a row only the newest is played."""
+        names, shares = self._corners(blend)
+        self._setting = True
+        try:
+            for menu, name in zip(self._menus, names, strict=True):
+                menu.value = name
+            self.triangle.names, self.triangle.weights = names, shares
+        finally:
+            self._setting = False
+        self._changed({})
+        self._put()
+
+    @StyleBlender.weights.setter
+    def weights(self, weights: Mapping[str, float]) -> None:
+        """Make and show the motion of a blend, and move the ring there."""
+        StyleBlender.weights.fset(self, weights)
+        self._put()
+
+    def _repr_mimebundle_(self, **kwargs) -> dict:
+        """The widget, and a picture of the map for pages that show none (a notebook on GitHub, nbconvert)."""
+        figure = Figure(figsize=(7, 6), facecolor=PAPER, layout="constrained")
+        axes = figure.subplots()
+        axes.plot(*self.points.T.numpy(), "o", color="#7b68c4", markersize=5)
+        for name, place in zip(self._names, self.points.tolist(), strict=True):
+            axes.annotate(name, place, fontsize=6, color=INK, xytext=(3, 3), textcoords="offset points")
+        axes.set(title="Style space", xticks=[], yticks=[], aspect="equal")
+        picture = io.BytesIO()
+        figure.savefig(picture, format="png", dpi=110)
+        return super()._repr_mimebundle_(**kwargs) | {"image/png": picture.getvalue()}
+
+    def _inside(self, place: Tensor) -> tuple[Tensor, int]:
+        """The point of the triangulation nearest to a place outside, and its triangle."""
+        hull = self._triangles.convex_hull
+        a, b = self.points[hull[:, 0]], self.points[hull[:, 1]]
+        along = (((place - a) * (b - a)).sum(-1) / (b - a).square().sum(-1)).clamp(0.0, 1.0)
+        nearest = a + along[:, None] * (b - a)
+        edge = int((nearest - place).norm(dim=-1).argmin())
+        ends = set(hull[edge].tolist())
+        return nearest[edge], next(i for i, t in enumerate(self._triangles.simplices.tolist()) if ends <= set(t))
+
+    def _place(self) -> list[float]:
+        """Where the blend is on the map."""
+        return sum(share * self.points[self._names.index(name)] for name, share in self.weights.items()).tolist()
+
+    def _clicked(self, _widget, message: dict, _buffers) -> None:
+        if message.get("style") in self._names:
+            self.aim({message["style"]: 1.0})
+
+    def _dragged(self, change: dict) -> None:
+        """The ring moved, by hand or by `_put`, which leaves it where the blend is."""
+        if max(abs(a - b) for a, b in zip(change["new"], self._place(), strict=True)) > 1e-9:
+            self.aim(self.blend_at(*change["new"]))
+
+    def _steered(self, _change: dict) -> None:
+        """Menus or triangle moved by hand: the ring goes along."""
+        if not self._setting:
+            self._put()
+
+    def _put(self) -> None:
+        self.map.place = self._place()
