@@ -16,8 +16,8 @@ from toolkit.layout import CHANNELS, Layout, pack_joints, split_joints
 from toolkit.motion import Clip, RootFrames, root_frames
 
 __all__ = ["CHANNELS", "CLIP_FRAMES", "CLIP_HOP", "KINDS", "Features", "Frames", "Layout", "Normaliser", "OwnFeatures",
-           "Rows", "Split", "build", "check_style_clips", "clip_starts", "frames", "group_features", "moments",
-           "own_features", "pack_joints", "split_joints", "style_clips", "usable"]  # fmt: skip
+           "Rows", "Split", "build", "check_style_clips", "clip_starts", "frames", "group_features", "joint_features",
+           "moments", "own_features", "pack_joints", "split_joints", "style_clips", "usable"]  # fmt: skip
 
 CLIP_FRAMES, CLIP_HOP = 240, 120
 CHUNK = 1 << 18  # numbers at a time in sums over all rows
@@ -132,10 +132,10 @@ def own_features(clip: Clip, ph: phases.Phases) -> OwnFeatures:
     if clip.fps != trajectory.FPS:
         raise ValueError(f"{clip.name}: features need {trajectory.FPS} Hz, the clip has {clip.fps:g}; use clip.resample(60)")
     layout, roots = Layout(clip.skeleton), root_frames(clip)
-    return OwnFeatures(layout, roots, _joint_features(clip, roots), ph.vector.flatten(1), contacts.detect(clip))
+    return OwnFeatures(layout, roots, joint_features(clip, roots), ph.vector.flatten(1), contacts.detect(clip))
 
 
-def _joint_features(clip: Clip, roots: RootFrames) -> Tensor:
+def joint_features(clip: Clip, roots: RootFrames) -> Tensor:
     """Joint block ``[F, 12 J]`` of every frame in its own root frame."""
     joints = list(clip.skeleton.feature_joints)
     positions = clip.global_positions[:, joints]
@@ -195,7 +195,7 @@ def frames(clip: Clip, ph: phases.Phases | None = None, start: int = 0, stop: in
 
 def style_clips(clip: Clip, start: int = 0, stop: int | None = None) -> Tensor:
     """Style clips y ``[M, 240, 12 J]``: joint features of 240 frames, hop 120; M = 0 where the range is shorter."""
-    block = _joint_features(clip, root_frames(clip))[start:stop]
+    block = joint_features(clip, root_frames(clip))[start:stop]
     return block[clip_starts(len(block))[:, None] + torch.arange(CLIP_FRAMES)]
 
 

@@ -82,7 +82,7 @@ class Recogniser(nn.Module):
     def of_clip(self, clip: Clip) -> Tensor:
         """How likely a clip of at least a second is in each style, ``[S]``."""
         clip = clip.resample(trajectory.FPS)
-        return self.probabilities(features._joint_features(clip, root_frames(clip)))
+        return self.probabilities(features.joint_features(clip, root_frames(clip)))
 
     def confusion(self, data: Features) -> Tensor:
         """Row i, column j of ``[S, S]``: mean probability of style j over the style clips of style i in ``data``."""

@@ -333,8 +333,9 @@ def rollout(model, commands: Sequence[Command | Pilot], style: Styles, ik: bool 
 
 def record(model, recorded: Sequence[CharacterState], *, feet: bool = True, arms: bool = True, character: int = 0) -> Clip:
     """The motion of one character of a run of states, see `rollout`; ``feet`` and ``arms`` switch their IK."""
-    merged = CharacterState(*(torch.stack([getattr(s, f.name)[character] for s in recorded])
-                              for f in dataclasses.fields(CharacterState)))  # fmt: skip
+    names = [f.name for f in dataclasses.fields(CharacterState) if f.name != "style"]  # which can be large, and is not drawn
+    merged = {name: torch.stack([getattr(s, name)[character] for s in recorded]) for name in names}
+    merged = CharacterState(**merged, style=torch.empty(len(recorded), 0))
     return Clip(model.layout.skeleton, *pose(model, merged, feet=feet, arms=arms), FPS, name="rollout")
 
 
