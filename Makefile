@@ -12,6 +12,7 @@ $(VENV)/.complete: pyproject.toml constraints.txt
 	$(BIN)/pip install --quiet --constraint constraints.txt torch
 	$(BIN)/pip install --quiet --constraint constraints.txt --no-build-isolation --editable ".[dev]"
 	$(BIN)/python -m toolkit.view.opengl
+	cp toolkit/view/static/toolkit.json $(VENV)/etc/jupyter/jupyter_server_config.d/  # an editable install leaves it out
 	touch $@
 
 demo: env

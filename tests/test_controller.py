@@ -98,6 +98,37 @@ def test_feet_and_arms_are_switched_apart(control):
     assert float((poses[False, True] - poses[False, False]).abs().max()) > 1e-3
 
 
+@pytest.mark.parametrize("model", ["pfnn-film", "mann-film"])
+def test_models_with_other_phases_walk_too(model):
+    """One angle for the whole body, or no phase: the frame's last part is as long as the model's phase."""
+    clips = tk.datasets.load("procedural", styles=["Neutral", "Old"], gaits=["FW"], seconds=4.5)
+    run = tk.training.fit(tk.features.build(clips, short="skip"), tk.training.Config.quick(model=model, seconds=1.0))
+    control = Controller(run.model, run.bank)
+    control.send = lambda content, buffers: control.sent.append(buffers[0])
+    control.sent, control.recording = [], True
+    control.advance(5)
+    layout = run.model.layout
+    assert len(control.sent[-1]) == 4 * (3 + 4 * len(layout.skeleton) + 12 * 4 + 2 + layout.n_phases)
+    assert layout.n_phases < 8
+    assert len(control.clip) == 5
+    control.close()
+
+
+def test_the_server_extension_sends_at_once():
+    from types import SimpleNamespace
+
+    from jupyter_server.services.kernels.connection.channels import ZMQChannelsWebsocketConnection
+
+    from toolkit.view import server
+
+    settings = {"kernel_websocket_connection_class": ZMQChannelsWebsocketConnection}
+    server._load_jupyter_server_extension(SimpleNamespace(web_app=SimpleNamespace(settings=settings)))
+    assert settings["kernel_websocket_connection_class"] is server.PromptConnection
+    settings["kernel_websocket_connection_class"] = object  # somebody's own
+    server._load_jupyter_server_extension(SimpleNamespace(web_app=SimpleNamespace(settings=settings)))
+    assert settings["kernel_websocket_connection_class"] is object
+
+
 def test_a_recording_becomes_a_clip(control):
     with pytest.raises(ValueError, match="nothing recorded"):
         _ = control.clip

@@ -1,6 +1,7 @@
 import re
 import subprocess
 import sys
+from dataclasses import replace
 from itertools import pairwise
 from types import SimpleNamespace
 
@@ -12,7 +13,7 @@ from PIL import Image
 from toolkit import rotations as R
 from toolkit import view
 from toolkit.motion import Clip, Skeleton
-from toolkit.view import body, page
+from toolkit.view import body, page, skin
 from toolkit.view.raycast import Canvas
 
 SPINE = [("Hips", -1, (0, 0.95, 0)), ("Chest", 0, (0, 0.2, 0)), ("Neck", 1, (0, 0.25, 0)), ("Head", 2, (0, 0.1, 0)),
@@ -85,11 +86,80 @@ def test_the_body_is_symmetric_and_stands_on_the_floor(clip):
     assert len({s.tone for s in shapes}) == 5
     assert {s.foot for s in shapes} == {"", "left", "right"}
     places = body.placements(shapes, clip.global_rotations, clip.global_positions)
-    lows = [(place[:, :, :3] @ body.surface(s)[0].T + place[:, :, 3:])[:, 1].min()
+    lows = [(place[:, :, :3] @ skin.surface(s)[0].T + place[:, :, 3:])[:, 1].min()
             for s, place in zip(shapes, places.transpose(1, 0, 2, 3), strict=True)]  # fmt: skip
     assert -0.06 < min(lows) < 0.06
     sides = [sum(s.radii[0] for s in shapes if s.tone == side) for side in ("left", "right")]
     assert sides[0] == pytest.approx(sides[1])
+
+
+def bent(clip: Clip, **degrees: float) -> Clip:
+    """One frame at rest, but for joints that turn about the sideways axis."""
+    q = R.identity(1, len(clip.skeleton))
+    for name, angle in degrees.items():
+        q[:, clip.skeleton.index(name)] = R.from_axis_angle(torch.tensor([1.0, 0.0, 0.0]), torch.tensor(np.radians(angle)))
+    return clip.cut(0, 1).replace(rotations=q.float())
+
+
+def posed(clip: Clip, shapes=None) -> tuple[skin.Skin, np.ndarray, np.ndarray]:
+    shapes = body.build(clip) if shapes is None else shapes
+    surface = skin.Skin(shapes, 12, 3)
+    return surface, *surface.pose(skin.placements(shapes, clip.global_rotations[0], clip.global_positions[0]))
+
+
+def test_skin_is_the_sum_of_what_each_joint_does(clip):
+    """Against a loop over vertices and their joints."""
+    pose = bent(clip, LeftKnee=70, RightElbow=-80, Chest=30, Neck=-20)
+    shapes = body.build(clip)
+    _, points, normals = posed(pose, shapes)
+    turn, where = R.to_matrix(pose.global_rotations[0]).double().numpy(), pose.global_positions[0].double().numpy()
+    expected = []
+    for shape in shapes:
+        for v in skin.surface(shape, 12, 3)[0]:
+            shares = skin.weights(shape, v[None, 1])[0]
+            assert (shares >= 0).all()
+            assert shares.sum() == pytest.approx(1)
+            hosts = [(shape.joint, shape.place), *((b.joint, b.place) for b in shape.bends)]
+            expected.append(sum(w * (turn[j] @ (place[:, :3] @ v + place[:, 3]) + where[j])
+                                for w, (j, place) in zip(shares, hosts, strict=False)))  # fmt: skip
+    np.testing.assert_allclose(points, expected, atol=1e-5)
+    np.testing.assert_allclose(np.linalg.norm(normals, axis=1), 1, atol=1e-5)
+    assert sum(len(shape.bends) for shape in shapes) >= 12
+
+
+def test_straight_limbs_are_the_exact_cones(clip):
+    """At rest all joints of a vertex agree, so that skinning changes nothing, and normals look outwards."""
+    rest = bent(clip)
+    shapes = body.build(clip)
+    surface, points, normals = posed(rest, shapes)
+    places = body.placements(shapes, rest.global_rotations, rest.global_positions)[0]
+    rigid = np.concatenate([skin.surface(s, 12, 3)[0] @ p[:, :3].T + p[:, 3] for s, p in zip(shapes, places, strict=True)])
+    limbs = np.isin(surface.owners, [i for i, s in enumerate(shapes) if s.tone in ("left", "right")])
+    np.testing.assert_allclose(points[limbs], rigid[limbs], atol=2e-4)
+    a, b, c = points[surface.triangles].transpose(1, 0, 2)
+    area = np.cross(b - a, c - a)
+    facing = np.einsum("ti,ti->t", area, normals[surface.triangles].mean(1))
+    assert (facing >= -0.05 * np.linalg.norm(area, axis=1)).all()
+
+
+def test_a_bent_knee_stays_one_surface(clip):
+    """Thigh and shin meet in the knee however it bends: their ends keep to each other, and a shin that is rigid does not."""
+    shapes = body.build(clip)
+    thigh, shin = (next(i for i, s in enumerate(shapes) if s.joint == clip.skeleton.index(name) and s.bends)
+                   for name in ("LeftHip", "LeftKnee"))  # fmt: skip
+    pose = bent(clip, LeftKnee=90)
+    knee = pose.global_positions[0, clip.skeleton.index("LeftKnee")].numpy()
+    surface, points, _ = posed(pose, shapes)
+    near = [points[surface.owners == i] for i in (thigh, shin)]
+    near = [p[np.linalg.norm(p - knee, axis=1) < 0.12] for p in near]
+    gap = np.linalg.norm(near[0][:, None] - near[1], axis=-1).min(1)
+    assert min(len(p) for p in near) > 24
+    assert gap.max() < 0.06
+    stiff = [replace(s, bends=()) for s in shapes]
+    _, rigid, _ = posed(pose, stiff)
+    moved = np.linalg.norm(points - rigid, axis=1)
+    assert moved[surface.owners == thigh].max() > 0.02  # the end of the thigh goes along
+    assert moved[np.isin(surface.owners, [i for i, s in enumerate(shapes) if not s.bends])].max() == 0
 
 
 def test_any_tree_gets_a_body():
@@ -101,7 +171,7 @@ def test_any_tree_gets_a_body():
 
 def test_surface_is_closed_and_faces_outwards():
     shape = body.cone(0, torch.zeros(3), torch.tensor([0.0, 0.3, 0.0]), (0.1, 0.05), "left")
-    vertices, normals, triangles = body.surface(shape, around=24, along=8)
+    vertices, normals, triangles = skin.surface(shape, around=24, along=8)
     a, b, c = vertices[triangles].transpose(1, 0, 2)
     volume = np.einsum("ti,ti->t", a, np.cross(b, c)).sum() / 6
     assert 0.0055 < volume < 0.0080  # a frustum with two half balls holds 0.0078 m3
@@ -296,7 +366,7 @@ def test_a_contact_sheet_has_a_row_per_clip(clip, tmp_path):
 
 
 def test_moving_pictures_refuse_what_does_not_fit(clip, tmp_path):
-    with pytest.raises(ValueError, match=r"an animation is a \.gif, \.png, \.webp or \.mp4 file; got walk\.avi"):
+    with pytest.raises(ValueError, match=r"an animation is a \.gif, \.png, \.apng, \.webp or \.mp4 file; got walk\.avi"):
         view.animate(clip, tmp_path / "walk.avi")
     with pytest.raises(ValueError, match="got 1 clips, 2 labels"):
         view.animate(clip, tmp_path / "walk.gif", labels=["a", "b"])

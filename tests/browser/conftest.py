@@ -40,7 +40,8 @@ def lab(tmp_path_factory):
     (settings / "notification.jupyterlab-settings").write_text('{"fetchNews": "false", "checkForUpdates": false}')
     command = [sys.executable, "-m", "jupyter", "lab", "--no-browser", "--allow-root", "--port=0",
                "--ServerApp.port_retries=0", "--IdentityProvider.token=", "--ServerApp.disable_check_xsrf=True",
-               "--expose-app-in-browser", f"--ServerApp.root_dir={folder}"]  # fmt: skip
+               "--expose-app-in-browser", "--ServerApp.jpserver_extensions={'toolkit.view.server': True}",
+               f"--ServerApp.root_dir={folder}"]  # fmt: skip
     with log.open("w") as file:
         server = subprocess.Popen(command, env=env, stdout=file, stderr=subprocess.STDOUT, cwd=folder)
     try:
@@ -93,7 +94,7 @@ def open_notebook(browser, lab, request):
         notebook.cells += [nbformat.v4.new_code_cell(source) for source in cells]
         notebook.metadata["kernelspec"] = {"name": "python3", "display_name": "Python 3", "language": "python"}
         nbformat.write(notebook, folder / name)
-        page = browser.new_page(viewport={"width": 1280, "height": 1100})
+        page = browser.new_page(viewport={"width": 1360, "height": 1100})
         pages.append(page)
         return Notebook(page, address, folder, name)
 

@@ -147,6 +147,20 @@ def test_a_restarted_kernel_and_two_controllers(open_notebook, probe):
     assert not [error for error in notebook.errors if "Disposed" not in error and "Canceled" not in error]
 
 
+def test_a_model_without_local_phases_has_no_dials(open_notebook):
+    notebook = open_notebook("dials.ipynb", [START.replace("control = ", """
+pack = tk.view.Controller.send  # as of a model with one phase for the whole body
+tk.view.Controller.send = lambda self, content, buffers=None: pack(self, content, buffers and [buffers[0][:-28]])
+control = """), "control._task"])  # fmt: skip
+    page = notebook.page
+    notebook.run_all()
+    wait_for(lambda: page.evaluate(DRAWN), lambda drawn: drawn > 20)
+    assert page.locator(".tkc-dials").is_hidden()
+    assert page.get_by_role("button", name="Phases").is_hidden()
+    assert page.get_by_role("button", name="Contacts").is_visible()
+    assert notebook.errors == []
+
+
 def test_rates_in_the_page_are_measured(open_notebook, probe):
     """Prints what the page receives, draws and how soon a key shows (``-s`` shows it): rates are facts, not conditions."""
     notebook = open_notebook("rates.ipynb", [START, PROBE.replace("0.1)", "0.5)")])
@@ -156,6 +170,8 @@ def test_rates_in_the_page_are_measured(open_notebook, probe):
     page.locator(".tkc-stage").focus()
     stats = "document.querySelector('.tkc').parentElement.toolkit.stats"
     read = f"() => ({{...{stats}, at: performance.now()}})"
+    canvas = page.locator(".tkc-stage canvas").bounding_box()
+    assert (canvas["width"], canvas["height"]) == (640, 480)
     quiet = [page.evaluate(read)]
     page.wait_for_timeout(5000)
     quiet.append(page.evaluate(read))

@@ -12,20 +12,20 @@ player = tk.view.play([clip, clip.mirrored()], labels=["data", "mirrored"], cont
 player
 """
 COUNT = """async (seconds) => {
-    const image = document.querySelector('.tk-screen');
+    const screen = document.querySelector('.tk-screen');
     let count = 0;
     const watch = () => count++;
-    image.addEventListener('load', watch);
+    screen.addEventListener('load', watch);
     await new Promise((done) => setTimeout(done, 1000 * seconds));
-    image.removeEventListener('load', watch);
+    screen.removeEventListener('load', watch);
     return count / seconds;
 }"""
 WAIT = """async ([selector, times]) => {
-    const image = document.querySelector('.tk-screen'), handles = document.querySelectorAll(selector), waits = [];
+    const screen = document.querySelector('.tk-screen'), handles = document.querySelectorAll(selector), waits = [];
     for (let k = 0; k < times; k++) {
         await new Promise((done) => setTimeout(done, 60));
         const start = performance.now();
-        const drawn = new Promise((done) => image.addEventListener('load', done, { once: true }));
+        const drawn = new Promise((done) => screen.addEventListener('load', done, { once: true }));
         handles[1].dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowRight', bubbles: true }));
         await drawn;
         waits.push(performance.now() - start);
@@ -42,7 +42,7 @@ def test_pictures_arrive_and_follow_the_slider(open_notebook):
     rate = page.evaluate(COUNT, 3)
     assert rate > 1
     page.locator("button[title='Play or pause']").click()
-    page.wait_for_timeout(500)
+    page.wait_for_timeout(1500)  # the last picture is drawn once more, finely
     assert page.evaluate(COUNT, 0.5) == 0
     waits = page.evaluate(WAIT, [".noUi-handle", 20])
     assert waits[10] > 0

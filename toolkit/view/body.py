@@ -1,9 +1,9 @@
 """A mannequin that fits any skeleton: rounded cones fixed to joints, shared by every way of drawing.
 
 A rounded cone is the convex hull of two spheres, thinned along one direction. One description (`Shape`) serves the software
-renderer, pyvista and the browser; the last two bend it where it meets other joints (`toolkit.view.skin`). Rigs differ in their
-local axes (Bandai-Namco's bones lie along X), so directions such as "forward in the head's frame" are measured on the clip,
-never assumed.
+renderer, pyvista and the browser; the last two bend it where it meets other joints (`toolkit.view.skin`). Rigs differ in
+their local axes (Bandai-Namco's bones lie along X), so directions such as "forward in the head's frame" are measured on the
+clip, never assumed.
 """
 
 from dataclasses import dataclass, replace

@@ -1,6 +1,7 @@
-"""A character steered live in a notebook: the kernel computes 60 frames a second, the page draws the newest.
+"""A character steered live in a notebook: the kernel computes 60 frames a second, the page draws each as it comes.
 
-Every frame is one message with one binary buffer. The kernel stops by itself when nobody looks: the page acknowledges
+Every frame is one message with one binary buffer. Two cores that also draw the page keep up with it; where a graphics
+processor draws, the rate is what the kernel computes. The kernel stops by itself when nobody looks: the page acknowledges
 frames, and `PATIENCE` seconds later (a closed tab, a cleared output) the character waits for a page to ask again.
 """
 

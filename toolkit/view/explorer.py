@@ -81,7 +81,8 @@ def chart(bank: StyleBank, points: Tensor, groups: Sequence[str] | None = None,
     above = list(figure.data)
     figure.add_traces(below)
     figure.data = (*figure.data[len(above) :], *above)
-    return figure.update_layout(width=SIDE, height=SIDE, dragmode="pan", margin={"l": 16, "r": 16, "t": 44, "b": 16})
+    return figure.update_layout(width=SIDE, height=SIDE, dragmode="pan", margin={"l": 16, "r": 16, "t": 44, "b": 16},
+                                legend={"orientation": "h", "y": 0.0, "yanchor": "top"})  # fmt: skip
 
 
 class StyleMap(anywidget.AnyWidget):

@@ -1,9 +1,9 @@
 """A Jupyter server that passes small messages on at once, so that live pictures do not arrive in bunches.
 
 A frame of `toolkit.view.Controller` is a message of 1.6 kB. A server holds such a message back until the page has confirmed
-the one before (Nagle's algorithm), which browsers do after 40 ms: frames come by twos and threes. The page shows them in turn
-all the same; with this extension the picture follows a key in 45 ms instead of 75. To use it: ``jupyter server extension
-enable toolkit.view.server``, with ``--sys-prefix`` for one environment.
+the one before (Nagle's algorithm), which browsers do after 40 ms: frames come by twos and threes. The page shows them in
+turn all the same; with this extension the picture follows a key in about 50 ms instead of 75. Installing the
+package switches it on.
 """
 
 from jupyter_server.services.kernels.connection.channels import ZMQChannelsWebsocketConnection

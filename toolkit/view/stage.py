@@ -194,10 +194,13 @@ class Stage(_Scene):
         width, height = (scale * n for n in self.size)
         window = self.plotter.render_window
         picture = np.empty((height, width, 3), np.uint8)
+        if scale > 1:
+            window.SetSize(width, height)
         self.grid.prop.line_width = scale
-        window.SetSize(width, height)
         window.Render()
         window.GetPixelData(0, 0, width - 1, height - 1, 0, self._to_vtk(picture.reshape(-1, 3)), 0)  # the same memory
+        if scale == 1:
+            return picture[::-1]
         window.SetSize(*self.size)
         return np.asarray(Image.fromarray(picture[::-1]).reduce(scale))
 
