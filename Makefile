@@ -12,7 +12,6 @@ $(VENV)/.complete: pyproject.toml constraints.txt
 	$(BIN)/pip install --quiet --constraint constraints.txt torch
 	$(BIN)/pip install --quiet --constraint constraints.txt --no-build-isolation --editable ".[dev]"
 	$(BIN)/python -m toolkit.view.opengl
-	cp toolkit/view/static/toolkit.json $(VENV)/etc/jupyter/jupyter_server_config.d/  # an editable install leaves it out
 	touch $@
 
 demo: env
@@ -23,7 +22,7 @@ test: env
 	$(BIN)/python -m pytest --numprocesses 2 --dist loadfile --nbval-lax --nbval-current-env --nbval-cell-timeout 120 tests notebooks
 
 lab: env
-	$(BIN)/jupyter lab notebooks
+	$(BIN)/jupyter lab notebooks --ServerApp.jpserver_extensions="{'toolkit.view.server': True}"
 
 clean:
 	rm -rf out build dist *.egg-info .pytest_cache .ruff_cache .hypothesis

@@ -61,12 +61,12 @@ class Config:
 
     @classmethod
     def quick(cls, **changes) -> "Config":
-        """Minutes on one core: small networks, high rates that decay, and the content losses and R1 weighted up.
+        """Five minutes on one core: small networks, high rates that decay; content, diversity and R1 weighted up.
 
         With weights of 1, G's gradient of the adversarial loss is about twenty times that of each other loss. Over 100,000
         iterations this evens out; over few, G would learn to please D long before it learns to keep a motion.
         """
-        settings = {"sizes": Sizes.small(), "iterations": 2000, "final_rate": 0.1,
+        settings = {"sizes": Sizes.small(), "iterations": 1200, "final_rate": 0.1,
                     "rates": dict(zip(NETWORKS, (2e-3, 1e-3, 1e-3, 1e-3), strict=True)),
                     "weights": {"adv": 1.0, "cyc": 10.0, "id": 10.0, "sty": 1.0, "ds": 3.0, "r1": 5.0}}  # fmt: skip
         return cls(**(settings | changes))
