@@ -1,0 +1,464 @@
+"""Park et al. 2021: the skeleton graph, the networks, the losses, training, and restyling a clip."""
+
+import math
+from itertools import pairwise
+
+import pytest
+import torch
+from hypothesis import given
+from strategies import clips, human, human_clip
+
+import toolkit as tk
+from toolkit import stylization as st
+from toolkit.__main__ import main
+from toolkit.motion import Skeleton
+from toolkit.stylization import data, layers, losses, networks, training
+from toolkit.stylization.stylize import hold_feet
+
+SMALL = networks.Sizes(channels=4, code=8, latent=4, hidden=16)
+#: 21 joints as in the paper and in Bandai's files: a spine of five, arms and legs of four.
+PARENTS = (-1, 0, 1, 2, 3, 2, 5, 6, 7, 2, 9, 10, 11, 0, 13, 14, 15, 0, 17, 18, 19)
+
+
+@pytest.fixture(scope="module")
+def graph() -> st.SkeletonGraph:
+    return st.SkeletonGraph.of(Skeleton(tuple(f"joint{j}" for j in range(21)), PARENTS, torch.ones(21, 3)))
+
+
+@pytest.fixture(scope="module")
+def walks() -> list[tk.Clip]:
+    """Procedural walks of two styles, 30 Hz."""
+    found = tk.datasets.load("procedural", styles=["Neutral", "Zombie"], gaits=["FW", "FR"], seconds=6.0)
+    return [clip.resample(30) for clip in found]
+
+
+@pytest.fixture(scope="module")
+def motions(walks) -> st.Motions:
+    return st.build(walks)
+
+
+@pytest.fixture(scope="module")
+def model(motions) -> st.Stylizer:
+    """Random weights; its last layer too, which training starts at zero."""
+    torch.manual_seed(0)
+    made = networks.build(motions.graph, motions.domains, SMALL, motions.statistics())[0]
+    torch.nn.init.normal_(made.generator.lower.weight, std=0.1)
+    return made.eval()
+
+
+def subset(parents: tuple[int, ...], joint: int, k: int) -> list[int]:
+    """The joint itself, its neighbour towards the root, its neighbours away from it."""
+    towards = [parents[joint]] if joint else []
+    return [[joint], towards, [j for j, p in enumerate(parents) if p == joint]][k]
+
+
+def test_a_body_is_divided_into_trunk_and_limbs(graph):
+    assert graph.sizes == (21, 10, 5)
+    limbs = [[*range(5)], *([*range(first, first + 4)] for first in (5, 9, 13, 17))]
+    assert [[j for j in range(21) if graph.clusters[1][graph.clusters[0][j]] == part] for part in range(5)] == limbs
+    assert graph.parents[2] == (-1, 0, 0, 0, 0)
+    named = human()
+    parts = st.graph.body_parts(named.parents)
+    assert {named.names[j] for j in parts[0]} == {"Hips", "Chest", "Head", "HeadEnd"}
+    assert {frozenset(named.names[j][:4] for j in part) for part in parts[1:]} == {frozenset({"Left"}), frozenset({"Righ"})}
+
+
+@given(clips())
+def test_any_tree_is_pooled_into_connected_parts(clip):
+    made = st.SkeletonGraph.of(clip.skeleton)
+    for level, (parents, clusters) in enumerate(zip(made.parents, made.clusters, strict=False)):
+        assert all(p < node for node, p in enumerate(parents))
+        pool, unpool = made.pool(level), made.unpool(level)
+        torch.testing.assert_close(unpool @ pool, torch.eye(made.sizes[level + 1]))
+        for cluster in set(clusters):
+            members = [node for node, c in enumerate(clusters) if c == cluster]
+            assert sum(parents[node] in members for node in members) == len(members) - 1
+            assert len(members) <= 3
+
+
+def test_adjacency_is_the_mean_over_each_subset(graph):
+    for level, parents in enumerate(graph.parents):
+        x = torch.randn(len(parents))
+        for k in range(3):
+            near = [subset(parents, i, k) for i in range(len(parents))]
+            slow = [sum(float(x[j]) for j in joints) / max(1, len(joints)) for joints in near]
+            torch.testing.assert_close(x @ graph.adjacency(level)[k], torch.tensor(slow))
+
+
+def test_windows_describe_the_clip_and_turn_back_into_it(walks):
+    clip = data.prepare(walks[0])
+    x, velocity = data.describe(clip)
+    assert x.shape == (7, len(clip), 23)
+    back = data.to_clip(x, velocity, clip)
+    torch.testing.assert_close(back.global_positions, clip.global_positions, atol=1e-4, rtol=0)
+    moved = data.describe(clip.moved(turn=2.0, shift=(3.0, 0.0, -1.0)))
+    torch.testing.assert_close(moved[1], velocity, atol=1e-4, rtol=0)
+    sign = (moved[0][3:, :1] * x[3:, :1]).sum(0, keepdim=True).sign()
+    torch.testing.assert_close(moved[0][:3], x[:3], atol=1e-5, rtol=0)
+    torch.testing.assert_close(moved[0][3:] * sign, x[3:], atol=1e-5, rtol=0)
+
+
+def test_windows_overlap_by_half_and_short_clips_are_padded(walks):
+    clip = data.prepare(walks[0])
+    x, velocity = data.windows(clip)
+    assert x.shape == (len(clip) // 32 - 1, 7, 64, 23)
+    torch.testing.assert_close(x[1], data.describe(clip)[0][:, 32:96])
+    torch.testing.assert_close(velocity[1], data.describe(clip)[1][32:96])
+    short, at_rest = data.windows(clip.cut(0, 40))
+    assert short.shape == (1, 7, 64, 23)
+    torch.testing.assert_close(short[0][:, 12:52], data.describe(clip.cut(0, 40))[0])
+    torch.testing.assert_close(short[0][:, :12], short[0][:, 12:13].expand(-1, 12, -1))
+    assert not at_rest[0][:12].any()
+    assert not at_rest[0][51:].any()
+
+
+def test_mirror_images_keep_their_take_and_exchange_left_and_right():
+    turns = [human_clip(seed, 70).replace(style="a", gait="walk-turn-left", name=str(seed)) for seed in range(2)]
+    found = st.build(turns, mirror=True)
+    assert found.contents == ("walk-turn-left", "walk-turn-right")
+    assert found.take.tolist() == [0, 0, 1, 1]
+    assert found.content.tolist() == [0, 1, 0, 1]
+    names = found.skeleton.names
+    left, right = names.index("LeftHand"), names.index("RightHand")
+    torch.testing.assert_close(found.x[1, :3, :, left], found.x[0, :3, :, right] * torch.tensor([-1.0, 1, 1])[:, None])
+
+
+def test_a_split_parts_no_take(walks):
+    many = [clip.cut(start, start + 70) for clip in walks for start in (0, 30, 60, 90)]
+    first, second = st.split(st.build(many, mirror=True), 0.5, seed=1)
+    assert not set(first.take.tolist()) & set(second.take.tolist())
+    assert len(second.take.unique()) == len(first.take.unique()) == 8
+    for part in (first, second):
+        assert {(int(d), int(c)) for d, c in zip(part.domain, part.content, strict=True)} == {(0, 0), (0, 1), (1, 0), (1, 1)}
+    assert torch.equal(first.take, st.split(st.build(many, mirror=True), 0.5, seed=1)[0].take)
+
+
+def test_z_scores_do_not_depend_on_a_quaternions_sign(motions):
+    statistics = motions.statistics()
+    z = statistics.apply(motions.x)
+    varying = statistics.std > 2 * data.LEAST_STD
+    assert z.mean().abs() < 1e-3
+    assert (z.std((0, 2), keepdim=True)[0] - 1)[varying].abs().max() < 0.01
+    torch.testing.assert_close(statistics.invert(z), motions.x, atol=1e-5, rtol=0)
+    flipped = motions.x.clone()
+    flipped[1::2, 3:, :, ::3] *= -1
+    torch.testing.assert_close(statistics.apply(flipped), z)
+
+
+def test_graph_convolution_is_equation_1(graph):
+    conv = layers.GraphConv(3, 5, graph, 0)
+    x = torch.randn(2, 3, 21, 4)
+    weight = conv.channels.weight.detach().view(5, 3, 3)  # [output, input, subset]
+    slow = torch.zeros(2, 5, 21, 4)
+    for i in range(21):
+        for k in range(3):
+            for j in (near := subset(PARENTS, i, k)):
+                slow[:, :, i] += torch.einsum("oc,bct->bot", weight[:, :, k], x[:, :, j]) / len(near)
+    slow += conv.channels.bias.detach()[:, None, None]
+    torch.testing.assert_close(conv(x), slow)
+    pooled = layers.GraphConv(3, 5, graph, 0, pool=True)
+    pooled.load_state_dict(conv.state_dict())
+    torch.testing.assert_close(pooled(x), torch.einsum("bcnt,nm->bcmt", conv(x), graph.pool(0)))
+
+
+def test_resampling_in_time_keeps_every_sample_where_its_time_is(graph):
+    down, up = layers.Resample(graph, 0, "down"), layers.Resample(graph, 0, "up")
+    line = (2.0 * torch.arange(16) + 1).expand(1, 1, 21, 16)
+    coarse = down(line)
+    assert coarse.shape == (1, 1, 10, 8)
+    torch.testing.assert_close(coarse[0, 0, 0], 4.0 * torch.arange(8) + 2)
+    torch.testing.assert_close(up(coarse)[..., 1:-1], line[..., 1:-1])
+
+
+def test_adain_gives_each_channel_the_codes_mean_and_deviation():
+    layer = layers.AdaIN(4, 3)
+    x, code = torch.randn(2, 3, 5, 16) * 3 + 1, torch.randn(2, 4)
+    gamma, beta = layer.affine(code).detach().chunk(2, 1)
+    made = layer(x, code).detach()
+    torch.testing.assert_close(made.mean((2, 3)), beta, atol=1e-5, rtol=0)
+    torch.testing.assert_close(made.std((2, 3), correction=0), (1 + gamma).abs(), atol=1e-4, rtol=0)
+
+
+def test_a_block_adds_its_residual_to_a_shortcut_that_no_norm_touches(graph):
+    block = layers.Block(4, 6, graph, 0, "down", "in")
+    torch.nn.init.zeros_(block.second.temporal.weight)
+    torch.nn.init.zeros_(block.second.temporal.bias)
+    x = torch.randn(1, 4, 21, 8)
+    torch.testing.assert_close(block(3 * x), 3 * block(x))
+    wanted = torch.einsum("oc,bcnt,nm->bomt", block.shortcut.weight[:, :, 0, 0], x, graph.pool(0))
+    torch.testing.assert_close(block(x), torch.nn.functional.avg_pool2d(wanted, (1, 2)) / math.sqrt(2))
+
+
+def test_networks_have_the_shapes_of_table_3(graph):
+    stylizer, discriminator = networks.build(graph, tuple("abcdefgh"))
+    shapes: dict[torch.nn.Module, list[int]] = {}
+    for module in [*stylizer.modules(), *discriminator.modules()]:
+        module.register_forward_hook(lambda m, _, y: shapes.update({m: list(y.shape[1:])}))
+    x, y = torch.randn(2, 7, 64, 21), torch.tensor([0, 7])
+    code = stylizer.encoder(x, y)
+    assert code.shape == stylizer.mapping(torch.randn(2, 16), y).shape == (2, 64)
+    assert stylizer.generator(x, code).shape == x.shape
+    assert discriminator(x, y).shape == (2,)
+    ends = [[64, 21, 64], [128, 10, 32], [256, 5, 16]]  # C, N, T
+    for trunk in (stylizer.generator.encoder, stylizer.encoder.summary.trunk, discriminator.summary.trunk):
+        assert [shapes[layer] for layer in trunk][:3] == ends
+    assert [shapes[block] for block in stylizer.generator.decoder] == [ends[1], ends[0]]
+    assert shapes[stylizer.encoder.summary.whole] == shapes[discriminator.summary.whole] == [256, 1, 1]
+    assert shapes[stylizer.encoder.branches] == [64 * 8]
+    assert shapes[discriminator.branches] == [8]
+    f = stylizer.mapping
+    assert [shapes[layer] for layer in (f.noise, f.label)] == [[256], [256]]
+    assert [shapes[layer] for layer in f.shared if isinstance(layer, torch.nn.Linear)] == [[512], [1024], [64]]
+
+
+def test_parameter_counts(graph):
+    """Counted by hand from Table 3: kernel times inputs times outputs, and a bias each."""
+
+    def unit(inputs, outputs):
+        return 3 * inputs * outputs + outputs + 3 * outputs * outputs + outputs
+
+    def down(c, norm):
+        return unit(c, c) + unit(c, 2 * c) + 2 * c * c + (4 * c if norm else 0)
+
+    def up(c):  # from 2 c channels to c
+        return unit(2 * c, c) + unit(c, c) + 2 * c * c + 65 * (4 * c + 2 * c)
+
+    lift, lower, whole = 7 * 64 + 64, 64 * 7 + 7, 256 * 256 * 16 * 5 + 256
+    stylizer, discriminator = networks.build(graph, tuple("abcdefgh"))
+    counts = [sum(p.numel() for p in network.parameters()) for network in
+              (stylizer.generator, stylizer.encoder, stylizer.mapping, discriminator)]  # fmt: skip
+    trunk = lift + down(64, False) + down(128, False)
+    assert counts == [lift + down(64, True) + down(128, True) + up(128) + up(64) + lower, trunk + whole + 257 * 512,
+                      17 * 256 + 9 * 256 + 513 * 512 + 513 * 1024 + 1025 * 64, trunk + whole + 257 * 8]  # fmt: skip
+    assert counts == [959_175, 5_908_864, 860_224, 5_779_336]
+
+
+def test_losses_are_what_the_equations_say():
+    torch.manual_seed(0)
+    logits, (x, y), (s, t) = torch.randn(2, 3), torch.randn(2, 2, 7, 4, 3), torch.randn(2, 2, 8)
+    sigmoid = [[1 / (1 + math.exp(-v)) for v in row] for row in logits.tolist()]
+    assert float(losses.discriminator(*logits)) == pytest.approx(
+        -sum(math.log(p) for p in sigmoid[0]) / 3 - sum(math.log(1 - p) for p in sigmoid[1]) / 3, rel=1e-5)  # fmt: skip
+    assert float(losses.adversarial(logits[1])) == pytest.approx(-sum(math.log(p) for p in sigmoid[1]) / 3, rel=1e-5)
+    pairs = list(zip(x.flatten().tolist(), y.flatten().tolist(), strict=True))
+    assert float(losses.content(x, y)) == pytest.approx(sum((a - b) ** 2 for a, b in pairs) / len(pairs), rel=1e-5)
+    near = x[0] + 0.1 * (y[0] - x[0])
+    apart = [abs(a - b) for a, b in zip(x[0].flatten().tolist(), near.flatten().tolist(), strict=True)]
+    assert sum(apart) / len(apart) < losses.DIVERSE < float((x[1] - y[1]).abs().mean())
+    bounded = (sum(apart) / len(apart) + losses.DIVERSE) / 2
+    assert float(losses.diversity(x, torch.stack((near, y[1])))) == pytest.approx(bounded, rel=1e-5)
+    codes = list(zip(s.flatten().tolist(), t.flatten().tolist(), strict=True))
+    assert float(losses.style(s, t)) == pytest.approx(sum(abs(a - b) for a, b in codes) / len(codes), rel=1e-5)
+
+
+def test_r1_is_half_the_squared_slope():
+    x = torch.randn(3, 7, 4, 5, dtype=torch.float64, requires_grad=True)
+    weight = torch.randn(7, 4, 5, dtype=torch.float64, requires_grad=True)
+    slope = losses.r1((weight * x**2).sum((1, 2, 3)), x)
+    step, slow = 1e-6, 0.0
+    for b in range(3):
+        for where in range(x[0].numel()):
+            moved = torch.zeros(x[0].numel(), dtype=torch.float64)
+            moved[where] = step
+            ends = [(weight * (x[b] + k * moved.view(7, 4, 5)) ** 2).sum().item() for k in (1, -1)]
+            slow += ((ends[0] - ends[1]) / (2 * step)) ** 2 / 2 / 3
+    assert slope.item() == pytest.approx(slow, rel=1e-5)
+    slope.backward()
+    torch.testing.assert_close(weight.grad, (4 * weight * x**2).sum(0).detach() / 3)
+
+
+@pytest.mark.parametrize("from_noise", [True, False])
+def test_one_pass_gives_the_losses_that_the_equations_give_one_by_one(motions, model, from_noise):
+    config = training.Config(batch=3, sizes=SMALL)
+    discriminator = networks.build(motions.graph, motions.domains, SMALL)[1]
+    batch = training.Batches(motions, model.statistics.apply(motions.x), config)[5]
+    x, y, target = batch["x"], batch["domain"], batch["target"]
+    made = training.translations(model, batch, config, from_noise)
+    terms = training.terms_of(model, discriminator, batch, made, config)
+    g, e = model.generator, model.encoder
+    s, s2 = (model.mapping(z, target) if from_noise else e(r, target)
+             for z, r in zip(batch["noise"], batch["references"], strict=True))  # fmt: skip
+    slow = {
+        "adv": -torch.sigmoid(discriminator(g(x, s), target)).log().mean(),
+        "cyc": (x - g(g(x, s), e(x, y))).square().mean(),
+        "id": (x - g(x, e(x, y))).square().mean(),
+        "sty": (s - e(g(x, s), target)).abs().mean(),
+        "ds": torch.stack([m.abs().mean().clamp(max=losses.DIVERSE) for m in g(x, s) - g(x, s2)]).mean(),
+    }
+    for name, value in slow.items():
+        torch.testing.assert_close(terms[name], value, rtol=1e-4, atol=1e-5)
+    fewer = training.Config(batch=3, sizes=SMALL, losses=("adv", "cyc"))
+    assert set(training.terms_of(model, discriminator, batch, training.translations(model, batch, fewer, True), fewer)) == {
+        "adv", "cyc"}  # fmt: skip
+
+
+def test_training_goes_on_from_a_checkpoint_as_if_it_had_not_stopped(motions, tmp_path):
+    def config(**changes):
+        return training.Config.quick(sizes=SMALL, batch=2, iterations=7, log_every=2, **changes)
+
+    def stop(step, _):
+        if step == 3:
+            raise RuntimeError("stopped")
+
+    whole = st.fit(motions, config())
+    with pytest.raises(RuntimeError, match="stopped"):
+        st.fit(motions, config(save_every=0.0), tmp_path / "checkpoint", on_step=stop)
+    resumed = st.fit(motions, config(), tmp_path / "checkpoint")
+    for a, b in zip(_weights(whole), _weights(resumed), strict=True):
+        assert torch.equal(a, b)
+    assert [row["step"] for row in resumed.history] == [2, 4, 6]
+    assert [row["id"] for row in resumed.history] == [row["id"] for row in whole.history]
+    with pytest.raises(ValueError, match=r"checkpoint: the run to resume differs in iterations: expected 9, got 7"):
+        st.fit(motions, training.Config.quick(sizes=SMALL, batch=2, iterations=9, log_every=2), tmp_path / "checkpoint")
+    with pytest.raises(ValueError, match="had other data"):
+        st.fit(motions.select(motions.take < 3), config(), tmp_path / "checkpoint")
+    whole.save(tmp_path / "run.safetensors")
+    stored = st.load(tmp_path / "run.safetensors")
+    assert stored.config == whole.config
+    assert stored.history == whole.history
+    for a, b in zip(_weights(whole), _weights(stored), strict=True):
+        assert torch.equal(a, b)
+
+
+def _weights(run: st.Run) -> list[torch.Tensor]:
+    return [*run.stylizer.state_dict().values(), *run.discriminator.state_dict().values()]
+
+
+def test_noise_trains_g_e_and_f_and_references_train_g(motions):
+    before: dict[str, list[torch.Tensor]] = {}
+    changed: list[set[str]] = []
+
+    def watch(_, stylizer):
+        now = {name: [p.detach().clone() for p in getattr(stylizer, name).parameters()] for name in training.NETWORKS[:3]}
+        if before:
+            changed.append({n for n in now if any(not torch.equal(a, b) for a, b in zip(now[n], before[n], strict=True))})
+        before.update(now)
+
+    st.fit(motions, training.Config.quick(sizes=SMALL, batch=2, iterations=4), on_step=watch)
+    assert changed == [{"generator"}, {"generator", "encoder", "mapping"}, {"generator"}]
+
+
+def test_training_learns_to_rebuild_and_to_tell_apart(motions):
+    sizes = networks.Sizes(channels=8, code=8, latent=4, hidden=16)
+    run = st.fit(motions, training.Config.quick(sizes=sizes, batch=4, iterations=40, log_every=10))
+    assert run.history[-1]["id"] < 0.8 * run.history[0]["id"]
+    assert run.history[-1]["d"] < run.history[0]["d"]
+
+
+def test_restyling_keeps_body_path_rate_and_length(walks, model):
+    clip = tk.datasets.load("procedural", styles=["Neutral"], gaits=["FW"], seconds=6.0)[0]
+    assert clip.fps == 60
+    assert any(clip.skeleton.is_end(j) for j in range(len(clip.skeleton)))
+    made = st.stylize(model, clip, domain="Zombie", seed=3)
+    assert made.fps == 60
+    assert abs(len(made) - len(clip)) <= 1
+    assert made.skeleton is clip.skeleton
+    assert (made.style, made.gait) == ("Zombie", "FW")
+    n = min(len(made), len(clip))
+    torch.testing.assert_close(made.root_positions[:n, [0, 2]], clip.root_positions[:n, [0, 2]], atol=2e-3, rtol=0)
+    assert not torch.allclose(made.global_positions[:n], clip.global_positions[:n], atol=0.05)
+    again, other = (st.stylize(model, clip, domain="Zombie", seed=seed) for seed in (3, 4))
+    assert torch.equal(again.rotations, made.rotations)
+    assert not torch.equal(other.rotations, made.rotations)
+
+
+def test_a_style_comes_from_noise_from_a_reference_or_from_a_code(walks, model):
+    clip, reference = walks[0], walks[-1]
+    assert reference.style == "Zombie"
+    by_noise, by_reference = st.style_code(model, "Zombie", 3), st.style_code(model, reference=reference)
+    made = st.stylize(model, clip, "Zombie", 3), st.stylize(model, clip, reference=reference)
+    for code, wanted in zip((by_noise, by_reference), made, strict=True):
+        assert torch.equal(st.stylize(model, clip, code=code).rotations, wanted.rotations)
+    assert torch.equal(st.style_code(model, "Zombie", reference=reference.replace(style="")), by_reference)
+    poses = [st.stylize(model, clip, code=torch.lerp(by_noise, by_reference, k / 4)).global_positions for k in range(5)]
+    steps = [float((b - a).norm(dim=-1).mean()) for a, b in pairwise(poses)]
+    assert max(steps) < 0.6 * float((poses[-1] - poses[0]).norm(dim=-1).mean())
+
+
+def test_a_long_clip_is_restyled_as_a_whole(walks, model):
+    clip = walks[0]
+    times = 1003 // len(clip) + 1
+    long = clip.replace(rotations=clip.rotations.repeat(times, 1, 1)[:1003],
+                        root_positions=clip.root_positions.repeat(times, 1)[:1003])  # fmt: skip
+    assert len(st.stylize(model, long, "Zombie")) == 1003
+
+
+def test_held_feet_stand_where_the_source_stands(walks):
+    source = data.prepare(walks[0])
+    sliding = source.replace(root_positions=source.root_positions * torch.tensor([1.0, 1.0, 1.25]))
+    standing = tk.contacts.detect(source)
+    held = hold_feet(sliding, source)
+    before, after = (tk.metrics.foot_skate(clip, standing) for clip in (sliding, held))
+    for side in ("right", "left"):
+        assert after[side] < 0.35 * before[side]
+    bones = held.global_positions[:, 1:] - held.global_positions[:, list(held.skeleton.parents[1:])]
+    torch.testing.assert_close(bones.norm(dim=-1), held.skeleton.offsets[1:].norm(dim=-1).expand(len(held), -1),
+                               atol=1e-4, rtol=0)  # fmt: skip
+    toe = held.skeleton.index("left_toe")
+    jerk = [c.global_positions[:, toe].diff(dim=0).diff(dim=0).norm(dim=-1).max() for c in (held, sliding)]
+    assert jerk[0] < 1.5 * jerk[1]
+
+
+def test_bad_input_is_one_line(walks, model, motions, tmp_path):
+    clip = walks[0]
+    with pytest.raises(ValueError, match="unknown domain 'Old'; the model has Neutral, Zombie"):
+        st.stylize(model, clip, domain="Old")
+    with pytest.raises(ValueError, match="expected the model's skeleton of 23 joints, got 17"):
+        st.stylize(model, human_clip(0, 40), domain="Zombie")
+    long_arms = clip.skeleton.offsets * torch.linspace(1.0, 1.5, len(clip.skeleton))[:, None]
+    grown = Skeleton(clip.skeleton.names, clip.skeleton.parents, long_arms, clip.skeleton.roles)
+    with pytest.raises(ValueError, match=r"expected the model's bones, got \w+ .* cm elsewhere"):
+        st.stylize(model, clip.replace(skeleton=grown), domain="Zombie")
+    with pytest.raises(ValueError, match="pooling needs 4 frames at 30 Hz, the clip has 3"):
+        st.stylize(model, clip.cut(0, 3), domain="Zombie")
+    with pytest.raises(ValueError, match="say which style"):
+        st.stylize(model, clip)
+    with pytest.raises(ValueError, match=r"a style code is \[8\]"):
+        st.stylize(model, clip, code=torch.zeros(9))
+    with pytest.raises(ValueError, match=r"T a multiple of 4; got \[1, 7, 30, 23\]"):
+        model.translate(torch.zeros(1, 7, 30, 23), torch.zeros(1, 8))
+    with pytest.raises(ValueError, match="T >= 64"):
+        model.code_of(torch.zeros(1, 7, 32, 23), "Zombie")
+    with pytest.raises(ValueError, match="no clip of Old; the clips have Neutral, Zombie"):
+        st.build(walks, domains=["Old"])
+    with pytest.raises(ValueError, match="unknown loss style; there are adv, cyc"):
+        training.Config(losses=("adv", "style"))
+    with pytest.raises(ValueError, match="no motion of Zombie"):
+        st.fit(motions.select(motions.domain == 0), training.Config.quick(sizes=SMALL, iterations=1))
+    junk = tmp_path / "junk.safetensors"
+    tk.networks.weights.write(junk, {"stylizer.x": torch.zeros(1)}, {"stylizer": {"domains": ["a"]}})
+    with pytest.raises(ValueError, match=r"junk\.safetensors: the stylizer in it is damaged"):
+        st.Stylizer.load(junk)
+
+
+def test_the_command_line_trains_and_restyles(tmp_path, walks, model, capsys):
+    tk.bvh.save(walks[0], tmp_path / "walk.bvh")
+    model.save(tmp_path / "model.safetensors")
+    call = f"stylize --model {tmp_path}/model.safetensors --clip {tmp_path}/walk.bvh --out {tmp_path}/made.bvh"
+    with pytest.raises(SystemExit) as done:
+        main([*call.split(), "--domain", "Zombie", "--seed", "3"])
+    assert done.value.code == 0
+    assert f"{len(walks[0])} frames; feet that should stand slide by" in capsys.readouterr().out
+    made = tk.bvh.load(tmp_path / "made.bvh")
+    wanted = st.stylize(model, tk.bvh.load(tmp_path / "walk.bvh"), "Zombie", 3)
+    torch.testing.assert_close(made.global_positions, wanted.global_positions, atol=1e-4, rtol=0)
+    assert main(call.split()) == 2
+    assert "say which style by --domain: Neutral, Zombie" in capsys.readouterr().err
+    train = f"train-stylizer --data procedural --styles Neutral,Zombie --gaits FW --out {tmp_path}/new/run.safetensors"
+    with pytest.raises(SystemExit) as done:
+        main([*train.split(), "--small", "--iterations", "2"])
+    assert done.value.code == 0
+    assert {p.name for p in (tmp_path / "new").iterdir()} == {"run.safetensors"}
+    assert st.load(tmp_path / "new" / "run.safetensors").stylizer.domains == ("Neutral", "Zombie")
+
+
+def test_bandais_skeleton_is_the_papers_size(shared):
+    clips = tk.datasets.load("bandai", shared / "bandai", styles=["normal", "active"], gaits=["walk"], dataset=2)
+    found = st.build(clips[:3] + clips[-3:], mirror=True)
+    assert found.graph.sizes == (21, 10, 5)
+    assert found.x.shape[1:] == (7, 64, 21)
+    assert found.domains == ("active", "normal")
+    torch.testing.assert_close(found.x[:, 3:].norm(dim=1), torch.ones(len(found), 64, 21))
+    root = found.x[:, :3, :, 0]
+    assert not root[:, [0, 2]].abs().max() > 1e-5
+    assert 0.7 < float(root[:, 1].mean()) < 1.1
