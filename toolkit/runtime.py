@@ -168,12 +168,13 @@ def steer(state: CharacterState, command: Command) -> tuple[Tensor, Tensor, Tens
 
     Ours: while the command is to stand, the pull works against any movement; the network drifts by 10 to 25 cm/s otherwise.
     """
-    wanted = torch.as_tensor(command.velocity, dtype=torch.float32).expand_as(state.velocity)
-    look = torch.as_tensor(command.facing, dtype=torch.float32).expand_as(state.facing)
+    dtype = state.velocity.dtype
+    wanted = torch.as_tensor(command.velocity, dtype=dtype).expand_as(state.velocity)
+    look = torch.as_tensor(command.facing, dtype=dtype).expand_as(state.facing)
     look = torch.where(look.norm(dim=-1, keepdim=True) > 1e-6, look, state.facing)
     velocity = torch.lerp(state.velocity, wanted, GAIN)
     facing = _turn(state.facing, look, GAIN)
-    t = torch.linspace(0.0, 1.0, N_FUTURE)[1:]
+    t = torch.linspace(0.0, 1.0, N_FUTURE, dtype=dtype)[1:]
     w_position, w_direction = 1 - (1 - t) ** POSITION_BIAS, 1 - (1 - t) ** DIRECTION_BIAS
     steps = state.future[:, 1:, :2] - state.future[:, :-1, :2]
     interval = (trajectory.SAMPLES[1] - trajectory.SAMPLES[0]) / FPS

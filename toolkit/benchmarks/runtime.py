@@ -1,5 +1,6 @@
 """Run time: the compiled model beside the floor of the machine, the plain one and its peers; and how equal it is."""
 
+import copy
 import dataclasses
 import time
 from collections.abc import Callable, Iterable
@@ -10,7 +11,6 @@ import numpy as np
 import torch
 import typer
 from torch import Tensor
-from tqdm import tqdm
 
 from toolkit import metrics, published, runtime
 from toolkit.networks import Model
@@ -260,28 +260,28 @@ def _sweep(net: Model, bank, counts: Iterable[int], threads: int, rounds: int) -
 
 
 def _equal(net: Model, fast, bank, styles: int) -> None:
-    """Rollouts of 600 frames: how far apart at frame 60, and whether anything is biased after that."""
+    """Rollouts of 600 frames, compared with each other and with the plain one in double precision."""
     names = list(bank)[:: max(1, len(bank) // styles)][:styles]
     vectors, (slow, quick) = torch.stack([bank[name] for name in names]), SPEEDS
     ways = (slow, 3.0, (0.0, 1.0)), (quick, 3.0, (1.0, 0.0)), (slow, 4.0, (1.0, 1.0))
     commands = [command for way in ways for command in runtime.straight(*way)]
     first = runtime.start(net, vectors)
-    kicked = dataclasses.replace(first, joints=first.joints * (1 + 1e-6))  # as rounding might
-    runs = {name: list(runtime.states(model, commands, vectors, start))
-            for name, model, start in (("plain", net, first), ("compiled", fast, first), ("plain, kicked", net, kicked))}
-    clips = {name: [runtime.record(fast if name == "compiled" else net, run, character=i) for i in range(len(names))]
-             for name, run in tqdm(runs.items(), desc="poses", disable=None)}  # fmt: skip
-    plain = clips.pop("plain")
-    for name, others in clips.items():
-        pairs = zip(plain, others, strict=True)
+    double = dataclasses.replace(first, **{name: value.double() for name, value in vars(first).items()})
+    runs = {"plain": (net, first), "compiled": (fast, first), "double precision": (copy.deepcopy(net).double(), double)}
+    clips = {}
+    for name, (model, start) in runs.items():
+        run = list(runtime.states(model, commands, start.style, start, progress=True))
+        clips[name] = [runtime.record(model, run, character=i) for i in range(len(names))]
+    for name, other in (("compiled", "plain"), ("compiled", "double precision"), ("plain", "double precision")):
+        pairs = list(zip(clips[name], clips[other], strict=True))
         apart = torch.stack([(a.global_positions - b.global_positions).norm(dim=-1).amax(-1) for a, b in pairs])
         told = ", ".join(f"{1e3 * float(apart[:, f - 1].max()):.3g} mm at {f}" for f in (1, 60, 300, 600))
-        print(f"\n{name}: {len(names)} styles, {apart.shape[1]} frames; farthest joint of any style {told}")
+        print(f"\n{name} beside {other}: {len(names)} styles; farthest joint of any {told}")
         print(f"{'':24}{'mean':>10}{'difference':>12}{'spread over styles':>20}")
         for what, measure in MEASURES.items():
-            was, now = (torch.tensor([float(measure(c)) for c in some]) for some in (plain, others))
+            now, was = torch.tensor([[float(measure(clip)) for clip in pair] for pair in pairs]).T
             print(f"{what:24}{was.mean():10.4f}{(now - was).mean():12.2e}{(now - was).std():20.2e}")
-        if name == "compiled":
+        if other == "plain":
             _verdict("under 1 mm at frame 60", float(apart[:, 59].max()) < 1e-3)
 
 

@@ -20,7 +20,7 @@ from toolkit.stylization.training import Config
 
 SPARSITY = 1e-5  # weight of the sum of absolute weights per hidden unit
 CORRUPTED = 0.2  # share of the input's numbers that the autoencoder must do without
-RATE, ENOUGH = 1e-3, 5000  # Adam's in training; iterations after which it has converged
+RATE, BATCH, ENOUGH = 1e-3, 32, 5000  # of training: Adam's rate, windows per iteration, iterations until it has converged
 
 
 class Holden(nn.Module):
@@ -95,7 +95,7 @@ def gram(hidden: Tensor) -> Tensor:
 def fit(motions: Motions, config: Config, progress: bool = False) -> Holden:
     """Train the autoencoder to give back motions of which it sees a part.
 
-    Of the config it takes iterations (at most `ENOUGH`), batch and seed.
+    Of the config it takes iterations (at most `ENOUGH`) and seed; with its batch of 8, few iterations leave it undertrained.
     """
     with torch.random.fork_rng(devices=[]):
         torch.manual_seed(mix(config.seed, 0))
@@ -103,7 +103,7 @@ def fit(motions: Motions, config: Config, progress: bool = False) -> Holden:
         draw, z = generator(config.seed, 1), model.statistics.apply(motions.x)
         adam = torch.optim.Adam(model.parameters(), RATE)
         for _ in trange(min(config.iterations, ENOUGH), desc="Holden 2016", disable=not progress):
-            real = z[torch.randint(len(z), (config.batch,), generator=draw)]
+            real = z[torch.randint(len(z), (BATCH,), generator=draw)]
             error = (model.decode(model.encode(functional.dropout(real, CORRUPTED))) - real).square().mean()
             loss = error + SPARSITY * sum(p.abs().sum() for p in model.parameters()) / len(model.encoder.bias)
             adam.zero_grad(set_to_none=True)
