@@ -142,12 +142,14 @@ class StyleExplorer(StyleBlender):
         except (QhullError, ValueError) as error:
             got = list(self.points.shape)
             raise ValueError(f"a map needs three styles or more, not on one line; got points {got}") from error
-        self.map = StyleMap(figure=(figure or chart(bank, self.points)).to_json(), place=self._place())
+        self.map = StyleMap(figure=(figure or chart(bank, self.points)).to_json(), place=self._place(),
+                            layout={"flex": f"0 0 {SIDE}px"})  # fmt: skip
         self.map.on_msg(self._clicked)
         self.map.observe(self._dragged, "place")
         for widget, trait in ((self.triangle, "weights"), *((menu, "value") for menu in self._menus)):
             widget.observe(self._steered, trait)
         self.children = (self.map, widgets.VBox(self.children, layout={"align_items": "center"}))
+        self.layout.flex_flow = "row wrap"
 
     def blend_at(self, x: float, y: float) -> dict[str, float]:
         """The blend that a place on the map stands for: up to three styles, weights that sum to one."""
