@@ -70,7 +70,7 @@ def test_pretrained_knows_every_style_and_stands_when_told():
     stop = [*tk.runtime.straight(1.0, 1.5), *tk.runtime.straight(0.0, 3.0)]
     places = torch.stack([s.root[:, :2] for s in tk.runtime.states(model, stop, vectors)])
     assert (places[89] - places[0]).norm(dim=-1).min() > 0.3
-    drift = (places[-1] - places[-91]).norm(dim=-1)  # metres in 1.5 s; 0.18 without `runtime.RETURN`
+    drift = (places[-1] - places[-91]).norm(dim=-1)  # metres in 1.5 s; 0.18 without `steering.RETURN`
     assert drift.mean() < 0.09
     assert drift.max() < 0.25
 

@@ -15,6 +15,7 @@ from toolkit import (
     contacts,
     datasets,
     evaluation,
+    export,
     features,
     ik,
     metrics,
@@ -26,6 +27,7 @@ from toolkit import (
     rotations,
     runtime,
     sampling,
+    steering,
     store,
     styles,
     stylization,
@@ -37,9 +39,9 @@ from toolkit.training import pretrained
 
 __version__ = "0.1.0"
 __all__ = [
-    "Clip", "Skeleton", "bvh", "comparison", "contacts", "datasets", "evaluation", "features", "ik", "metrics", "motion",
-    "networks", "phases", "pretrained", "published", "recognition", "rotations", "runtime", "sampling", "store", "styles",
-    "stylization", "training", "trajectory", "view",
+    "Clip", "Skeleton", "bvh", "comparison", "contacts", "datasets", "evaluation", "export", "features", "ik",
+    "metrics", "motion", "networks", "phases", "pretrained", "published", "recognition", "rotations", "runtime",
+    "sampling", "steering", "store", "styles", "stylization", "training", "trajectory", "view",
 ]  # fmt: skip
 
 

@@ -12,12 +12,12 @@ import typer
 
 from toolkit import (
     benchmarks,
-    bvh,
     comparison,
     crowd,
     datasets,
     demo,
     engine,
+    export,
     features,
     metrics,
     networks,
@@ -40,7 +40,6 @@ app.add_typer(style_app, name="style")
 app.add_typer(comparison.app, name="compare")
 app.add_typer(stylization_app)
 
-ROLLOUTS = (".bvh", ".html", ".png", ".mp4", ".gif", ".webp", ".apng")  # what a rollout can be written as
 Root = Annotated[Path | None, typer.Option(help="Folder that holds the dataset.")]
 
 
@@ -210,7 +209,7 @@ def demo_crowd(
 @app.command()
 def rollout(
     style: Annotated[str, typer.Option(help="A style, or a blend like Zombie=0.5,Old=0.5.")],
-    out: Annotated[Path, typer.Option(help=f"File to write: {', '.join(ROLLOUTS)} (.png: a strip).")],
+    out: Annotated[Path, typer.Option(help=f"File to write: {', '.join(export.SUFFIXES)} (.png: a strip).")],
     model: Annotated[Path | None, typer.Option(help="A trained run; the embedded one where not given.")] = None,
     parameters: Annotated[Path | None, typer.Option("--published", help="Folder of the published parameters.")] = None,
     seconds: Annotated[float, typer.Option(help="How long to walk.")] = 10.0,
@@ -218,24 +217,12 @@ def rollout(
     ik: Annotated[bool, typer.Option(help="Foot and arm IK.")] = True,
 ) -> None:
     """Walk straight ahead in a style, write it, and print what was measured."""
-    if out.suffix not in ROLLOUTS:
-        raise ValueError(f"{out}: can write {', '.join(ROLLOUTS)}, not {out.suffix or 'a file without suffix'!r}")
+    export.check(out)
     net, bank = published.either(model, parameters)
     commands = runtime.straight(speed, seconds)
     states = list(runtime.states(net, commands, bank.blend(_blend(style)), progress=True))
     clip = runtime.record(net, states, feet=ik, arms=ik).replace(style=style, gait="FW")
-    if out.suffix == ".bvh":
-        bvh.save(clip, out)
-    else:
-        from toolkit import view
-
-        out.parent.mkdir(parents=True, exist_ok=True)
-        if out.suffix == ".html":
-            view.html(clip, out, title=style)
-        elif out.suffix == ".png":
-            view.strip(clip, out)
-        else:
-            view.animate(clip, out, height=360, progress=True)
+    export.write(clip, out, title=style, progress=True)
     low, high = metrics.hips_height(clip)
     skate = metrics.foot_skate(clip, torch.stack([s.contacts[0] for s in states]))
     print(f"{len(clip)} frames, {metrics.speed(clip):.2f} m/s, hips {low:.2f} to {high:.2f} m, "

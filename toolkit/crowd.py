@@ -11,7 +11,8 @@ from tqdm import tqdm
 
 from toolkit import runtime
 from toolkit.motion import Clip
-from toolkit.runtime import FPS, LOOKAHEAD, CharacterState, Command
+from toolkit.runtime import FPS, CharacterState, Command
+from toolkit.steering import LOOKAHEAD
 
 RINGS, INNER, APART = 6, 2.0, 1.35  # rings, the innermost's radius and the distance between them, metres
 SETTLED = 3.0  # seconds until all walk as they go on

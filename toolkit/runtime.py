@@ -5,7 +5,6 @@ leading axis of B characters, so that one call moves a crowd.
 """
 
 import dataclasses
-import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
@@ -19,27 +18,13 @@ from toolkit.features import Layout, pack_joints, split_joints
 from toolkit.ik import SIDES, hold, plant_feet, turn_arms
 from toolkit.motion import Clip, local_rotations
 from toolkit.networks.phase import advance, amid_a_stride
+from toolkit.steering import N_FUTURE, Command, Pilot, follow, govern, steer, straight, unit
+
+__all__ = ["FPS", "CharacterState", "Command", "Pilot", "compile", "follow", "govern", "pose", "record", "rollout", "start",
+           "states", "steer", "step", "straight", "world_joints"]  # fmt: skip
 
 FPS = trajectory.FPS
-GAIN = 0.25  # share of the way that the smoothed target moves to the command in a frame
-POSITION_BIAS, DIRECTION_BIAS = 0.75, 1.25  # exponents of the blend from the network's trajectory to the target
 CORRECTION = 0.85  # share of the network's prediction in the next frame's trajectory
-PROPORTIONAL, INTEGRAL, MAX_DRIVE = 1.5, 0.8, 12.0  # ours: gains of `govern` (of the lag; per second), and its limit
-RETURN, SLOW = 3.0, 0.3  # ours: how strongly `steer` works against movement while standing; m/s from which one walks
-LOOKAHEAD = 0.5  # seconds that a pilot looks ahead
-N_FUTURE = len(trajectory.SAMPLES) - trajectory.CURRENT
-UP = torch.tensor([0.0, 1.0, 0.0])
-
-
-@dataclass(frozen=True)
-class Command:
-    """What the hand asks for: ``velocity`` (x, z) in m/s and ``facing`` (x, z), both in the world.
-
-    Each is a pair of numbers for all characters or a tensor ``[B, 2]``. A zero facing keeps the current one.
-    """
-
-    velocity: Sequence[float] | Tensor = (0.0, 0.0)
-    facing: Sequence[float] | Tensor = (0.0, 1.0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -92,9 +77,6 @@ class CharacterState:
         return dataclasses.replace(self, style=torch.as_tensor(style).expand(len(self.phase), -1))
 
 
-Pilot = Callable[[CharacterState], Command]
-
-
 def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0),
           facing: Sequence[float] = (0.0, 1.0)) -> CharacterState:  # fmt: skip
     """A character standing still in the mean pose of the model's data.
@@ -113,7 +95,7 @@ def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0),
     style = torch.atleast_2d(torch.as_tensor(style))
     layout: Layout = model.layout
     place = torch.as_tensor(position, dtype=torch.float32).expand(len(style), 2)
-    look = _unit(torch.as_tensor(facing, dtype=torch.float32).expand(len(style), 2))
+    look = unit(torch.as_tensor(facing, dtype=torch.float32).expand(len(style), 2))
     root = torch.cat((place, look), -1)
     phase, joints = amid_a_stride(model)
     state = CharacterState(
@@ -142,11 +124,11 @@ def step(model, state: CharacterState, command: Command) -> CharacterState:
     out = layout.unpack_output(z)
 
     predicted = out["trajectory"].unflatten(-1, (N_FUTURE, 4))
-    predicted = torch.cat((predicted[..., :2], _unit(predicted[..., 2:])), -1)
+    predicted = torch.cat((predicted[..., :2], unit(predicted[..., 2:])), -1)
     predicted = _to_world(predicted, root)
     new_root = predicted[:, 0]
     ahead = torch.lerp(future, predicted, CORRECTION)
-    ahead = torch.cat((new_root[:, None], torch.cat((ahead[..., :2], _unit(ahead[..., 2:])), -1)[:, 1:]), 1)
+    ahead = torch.cat((new_root[:, None], torch.cat((ahead[..., :2], unit(ahead[..., 2:])), -1)[:, 1:]), 1)
 
     was, now = split_joints(state.joints), split_joints(out["joints"])
     position = torch.lerp(was["position"] + now["velocity"] / FPS, now["position"], 0.5)
@@ -161,54 +143,6 @@ def step(model, state: CharacterState, command: Command) -> CharacterState:
     left = torch.stack((new_root[:, 3], -new_root[:, 2]), -1)
     toes, drift = hold(state.toes, state.drift, before, predicted, contacts, left, 1 / FPS)
     return dataclasses.replace(new, toes=toes, drift=drift)
-
-
-def steer(state: CharacterState, command: Command) -> tuple[Tensor, Tensor, Tensor]:
-    """Smoothed velocity and facing ``[B, 2]``, and the future trajectory ``[B, 6, 4]`` bent towards them (world).
-
-    Ours: while the command is to stand, the pull works against any movement; the network drifts by 10 to 25 cm/s otherwise.
-    """
-    dtype = state.velocity.dtype
-    wanted = torch.as_tensor(command.velocity, dtype=dtype).expand_as(state.velocity)
-    look = torch.as_tensor(command.facing, dtype=dtype).expand_as(state.facing)
-    look = torch.where(look.norm(dim=-1, keepdim=True) > 1e-6, look, state.facing)
-    velocity = torch.lerp(state.velocity, wanted, GAIN)
-    facing = _turn(state.facing, look, GAIN)
-    t = torch.linspace(0.0, 1.0, N_FUTURE, dtype=dtype)[1:]
-    w_position, w_direction = 1 - (1 - t) ** POSITION_BIAS, 1 - (1 - t) ** DIRECTION_BIAS
-    steps = state.future[:, 1:, :2] - state.future[:, :-1, :2]
-    interval = (trajectory.SAMPLES[1] - trajectory.SAMPLES[0]) / FPS
-    standing = (1.0 - velocity.norm(dim=-1, keepdim=True) / SLOW).clamp_min(0.0)
-    pull = (state.drive * velocity - RETURN * standing * _moved(state, -1)) * interval
-    steps = torch.lerp(steps, pull[:, None].expand_as(steps), w_position[:, None])
-    positions = state.root[:, None, :2] + steps.cumsum(1)
-    directions = _turn(state.future[:, 1:, 2:], facing[:, None].expand_as(steps), w_direction)
-    return velocity, facing, torch.cat((state.root[:, None], torch.cat((positions, directions), -1)), 1)
-
-
-def govern(state: CharacterState, velocity: Tensor) -> Tensor:
-    """Drive ``[B, 1]`` of the next frame: grows while the character is slower than its command, shrinks while it is faster.
-
-    Networks follow the blended trajectory at a fraction of its speed that depends on the style (the published demo hides it
-    in a table of target speeds "in its own units", several times what the character reaches). Ours closes the loop with a
-    proportional-integral controller in steps, whose gains grow with the drive, so that a command is in m/s for every model
-    and style. Without the proportional part some styles swing between walk and run, or stay in a run.
-    """
-    wanted, heading = velocity.norm(dim=-1, keepdim=True), _unit(velocity)
-
-    def lag(now: int) -> Tensor:
-        reached = (_moved(state, now) * heading).sum(-1, keepdim=True)
-        return ((wanted - reached) / wanted.clamp_min(0.5)).clamp(-1.0, 1.0)
-
-    push = PROPORTIONAL * (lag(-1) - lag(-2)) + INTEGRAL / FPS * lag(-1)
-    driven = (state.drive + state.drive.clamp_min(1.0) * push).clamp(0.0, MAX_DRIVE)
-    return torch.where(wanted > 0.1, driven, torch.lerp(state.drive, torch.ones_like(driven), 0.05))
-
-
-def _moved(state: CharacterState, now: int) -> Tensor:
-    """Velocity ``[B, 2]`` of the root over half a second up to frame ``now`` of the history, m/s."""
-    half_second = FPS // 2
-    return (state.history[:, now, :2] - state.history[:, now - half_second, :2]) * (FPS / half_second)
 
 
 def compile(model, *, precision: str = "float32", skip: float = 0.0, threads: int = 1):
@@ -242,51 +176,6 @@ def compile(model, *, precision: str = "float32", skip: float = 0.0, threads: in
     from toolkit.compiled import CompiledModel  # numba takes a second to import
 
     return CompiledModel(model, precision, skip, threads)
-
-
-def straight(speed: float = 1.2, seconds: float = 10.0, facing: Sequence[float] = (0.0, 1.0)) -> list[Command]:
-    """Commands that walk straight ahead at ``speed`` m/s."""
-    forward = _unit(torch.tensor(facing, dtype=torch.float32))
-    return [Command(tuple((speed * forward).tolist()), tuple(forward.tolist()))] * round(seconds * FPS)
-
-
-def follow(points: Sequence[Sequence[float]], speed: float = 1.2, seconds: float | None = None) -> list[Pilot]:
-    """Pilots that keep a character on a polyline at constant speed, facing along it, and stop at its end.
-
-    Parameters
-    ----------
-    points
-        Two or more different (x, z), metres.
-    speed
-        Metres per second.
-    seconds
-        How long; as long as the path takes where not given.
-    """
-    path = torch.as_tensor(points, dtype=torch.float32)
-    legs = (path[1:] - path[:-1]).norm(dim=-1)
-    if path.dim() != 2 or path.shape[1] != 2 or not len(legs) or float(legs.min()) < 1e-6:
-        raise ValueError(f"a path needs two or more different (x, z) points, got {list(path.shape)}")
-    ends = legs.cumsum(0)
-
-    def point(distance: float) -> Tensor:
-        leg = min(int((ends <= distance).sum()), len(legs) - 1)
-        share = min(1.0, (distance - float(ends[leg] - legs[leg])) / float(legs[leg]))
-        return torch.lerp(path[leg], path[leg + 1], share)
-
-    def pilot(distance: float) -> Pilot:
-        """Head for where the path is a moment later: late and strayed characters catch up, early ones wait."""
-        goal, ahead = point(distance + LOOKAHEAD * speed), point(distance + LOOKAHEAD * speed + 0.05)
-        tangent = ahead - goal if float((ahead - goal).norm()) > 1e-6 else path[-1] - path[-2]
-
-        def steer_to_goal(state: CharacterState) -> Command:
-            velocity = (goal - state.root[:, :2]) / LOOKAHEAD
-            fast = velocity.norm(dim=-1, keepdim=True).clamp_min(1e-6)
-            return Command(velocity * (1.5 * speed / fast).clamp(max=1.0), tangent)
-
-        return steer_to_goal
-
-    frames = math.ceil((float(ends[-1]) / speed if seconds is None else seconds) * FPS)
-    return [pilot(frame / FPS * speed) for frame in range(frames)]
 
 
 Styles = Tensor | Callable[[int], Tensor]
@@ -378,18 +267,6 @@ def _predicted_toes(layout: Layout, state: CharacterState) -> Tensor:
     return world_joints(layout, state)["position"][:, toes]
 
 
-def _unit(v: Tensor) -> Tensor:
-    return torch.nn.functional.normalize(v, dim=-1)
-
-
-def _turn(a: Tensor, b: Tensor, share: Tensor | float) -> Tensor:
-    """Unit directions ``[..., 2]`` turned from a to b along the shorter way by a share ``[...]``."""
-    angle = torch.atan2(a[..., 0], a[..., 1])
-    difference = torch.atan2(b[..., 0], b[..., 1]) - angle
-    angle = angle + share * torch.atan2(difference.sin(), difference.cos())
-    return torch.stack((angle.sin(), angle.cos()), -1)
-
-
 def _matrix(root: Tensor) -> Tensor:
     """``[B, 2, 2]`` that turns root-frame (x, z) into the world's; the direction (sin, cos) is the root's +z."""
     x, z = root[:, 2], root[:, 3]
@@ -408,8 +285,8 @@ def _to_local(samples: Tensor, root: Tensor) -> Tensor:
 
 def _orthonormal(joints: Tensor) -> Tensor:
     parts = split_joints(joints)
-    forward = _unit(parts["forward"])
-    up = _unit(parts["up"] - (parts["up"] * forward).sum(-1, keepdim=True) * forward)
+    forward = unit(parts["forward"])
+    up = unit(parts["up"] - (parts["up"] * forward).sum(-1, keepdim=True) * forward)
     return pack_joints(**parts | {"forward": forward, "up": up})
 
 

@@ -316,6 +316,8 @@ def read_json(path: Path) -> dict:
     """What `write_json` wrote; a file that is damaged or not there is a one-line ValueError."""
     try:
         return json.loads(path.read_text(encoding="utf-8"))
+    except FileNotFoundError:
+        raise ValueError(f"{path}: missing; `compare --data … --models all --out {path.parent}` makes it") from None
     except (OSError, json.JSONDecodeError) as error:
         raise ValueError(f"{path}: cannot be read ({error})") from error
 

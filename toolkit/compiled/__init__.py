@@ -14,7 +14,7 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from toolkit import runtime, trajectory
+from toolkit import runtime, steering, trajectory
 from toolkit.compiled import frame, ik, network
 from toolkit.layout import Layout
 from toolkit.runtime import CharacterState, Command
@@ -57,7 +57,7 @@ class CompiledModel:
         for name in ("phases_mean", "phases_std", "outputs_mean"):  # what `toolkit.runtime.start` asks a model for
             setattr(self, name, getattr(model, name).clone())
         self.weights = network.Weights.of(model, precision)
-        self._shapes = {"history": (trajectory.PAST + 1, 4), "future": (runtime.N_FUTURE, 4), "drive": (1,),
+        self._shapes = {"history": (trajectory.PAST + 1, 4), "future": (steering.N_FUTURE, 4), "drive": (1,),
                         "joints": (self.layout.n_clip,), "phase": (self.layout.n_phases,), "style": (self.style_size,),
                         "velocity": (2,), "facing": (2,), "contacts": (2,), "toes": (2, 3), "drift": (2, 2)}  # fmt: skip
         self._rules, self._body = frame.Rules.of(self.layout), ik.Body.of(self.layout.skeleton)

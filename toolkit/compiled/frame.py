@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numba import njit
 
-from toolkit import ik, runtime, trajectory
+from toolkit import ik, runtime, steering, trajectory
 from toolkit.layout import CHANNELS
 from toolkit.runtime import CharacterState
 
@@ -49,18 +49,19 @@ class Rules(NamedTuple):
     @classmethod
     def of(cls, layout) -> "Rules":
         """Those of a layout."""
-        t = np.linspace(0.0, 1.0, runtime.N_FUTURE)
+        t = np.linspace(0.0, 1.0, steering.N_FUTURE)
         return cls(
             trajectory_in=layout.inputs["trajectory"].start, joints_in=layout.inputs["joints"].start,
             trajectory_out=layout.outputs["trajectory"].start, joints_out=layout.outputs["joints"].start,
             phases=layout.outputs["phases"].start, updates=layout.outputs["phase_updates"].start,
             contacts=layout.outputs["contacts"].start,
             toes=tuple(layout.names.index(layout.skeleton.roles[f"{side}_toe"]) for side in ik.SIDES),
-            samples=np.array(trajectory.SAMPLES) + trajectory.PAST, position_shares=1 - (1 - t) ** runtime.POSITION_BIAS,
-            direction_shares=1 - (1 - t) ** runtime.DIRECTION_BIAS, half_second=runtime.FPS // 2,
+            samples=np.array(trajectory.SAMPLES) + trajectory.PAST, position_shares=1 - (1 - t) ** steering.POSITION_BIAS,
+            direction_shares=1 - (1 - t) ** steering.DIRECTION_BIAS, half_second=runtime.FPS // 2,
             interval=(trajectory.SAMPLES[1] - trajectory.SAMPLES[0]) / runtime.FPS, fps=float(runtime.FPS),
-            gain=runtime.GAIN, correction=runtime.CORRECTION, proportional=runtime.PROPORTIONAL, integral=runtime.INTEGRAL,
-            max_drive=runtime.MAX_DRIVE, stand_still=runtime.RETURN, slow=runtime.SLOW, slack=ik.SLACK, let_go=ik.RETURN,
+            gain=steering.GAIN, correction=runtime.CORRECTION, proportional=steering.PROPORTIONAL,
+            integral=steering.INTEGRAL, max_drive=steering.MAX_DRIVE, stand_still=steering.RETURN, slow=steering.SLOW,
+            slack=ik.SLACK, let_go=ik.RETURN,
         )  # fmt: skip
 
 
@@ -92,7 +93,7 @@ def _write(row, at, turn, x, y, z):
 
 @njit(nogil=True)
 def _turn2(a, b, share):
-    """Direction a turned towards b along the shorter way, as `toolkit.runtime._turn`."""
+    """Direction a turned towards b along the shorter way, as `toolkit.steering.turn`."""
     angle = math.atan2(a[0], a[1])
     angle += share * math.atan2(a[1] * b[0] - a[0] * b[1], a[0] * b[0] + a[1] * b[1])
     return math.sin(angle), math.cos(angle)

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from toolkit import bvh, contacts, datasets, metrics
+from toolkit import bvh, contacts, datasets, export, metrics
 from toolkit.stylization.data import build
 from toolkit.stylization.losses import LOSSES
 from toolkit.stylization.networks import Stylizer
@@ -55,30 +55,20 @@ def train_stylizer(
 def stylize_(
     model: Annotated[Path, typer.Option(help="What train-stylizer wrote.")],
     clip: Annotated[Path, typer.Option(help="The BVH file to restyle, on the skeleton of the training data.")],
-    out: Annotated[Path, typer.Option(help="File to write: .bvh, .html, or .png (a strip of source and result).")],
+    out: Annotated[Path, typer.Option(help=f"File to write: {', '.join(export.SUFFIXES)} (pictures: beside the source).")],
     domain: Annotated[str | None, typer.Option(help="Target style; of the reference where one is given.")] = None,
     seed: Annotated[int, typer.Option(help="Noise: other seeds, other variants of the style.")] = 0,
     reference: Annotated[Path | None, typer.Option(help="A BVH file of the domain, whose style is taken.")] = None,
     feet: Annotated[bool, typer.Option(help="Take away foot skate.")] = True,
 ) -> None:
     """Restyle a clip, by noise or by a reference clip; print how much feet slide that should stand."""
-    if out.suffix not in (".bvh", ".html", ".png"):
-        raise ValueError(f"{out}: can write .bvh, .html and .png, not {out.suffix or 'a file without suffix'!r}")
+    export.check(out)
     if domain is None:
         raise ValueError(f"say which style by --domain: {', '.join(Stylizer.load(model).domains)}")
     source = bvh.load(clip)
     style = None if reference is None else bvh.load(reference)
     made = stylize(Stylizer.load(model), source, domain, seed, reference=style, feet=feet)
-    if out.suffix == ".bvh":
-        bvh.save(made, out)
-    else:
-        from toolkit import view
-
-        out.parent.mkdir(parents=True, exist_ok=True)
-        if out.suffix == ".html":
-            view.html(made, out, title=domain)
-        else:
-            view.strip([source, made], out, labels=["source", domain])
+    export.write(made, out, title=domain, source=source, progress=True)
     standing = contacts.detect(source)
     before, after = (sum(metrics.foot_skate(c, standing[: len(c)]).values()) * 50 for c in (source, made))
     print(f"{len(made)} frames; feet that should stand slide by {after:.1f} cm/s, in the source {before:.1f}; wrote {out}")

@@ -102,14 +102,7 @@ class StyleBlender(widgets.HBox):
     @weights.setter
     def weights(self, weights: Mapping[str, float]) -> None:
         require_main_thread()
-        names, shares = self._corners(weights)
-        self._setting = True
-        try:
-            for menu, name in zip(self._menus, names, strict=True):
-                menu.value = name
-            self.triangle.names, self.triangle.weights = names, shares
-        finally:
-            self._setting = False
+        self._set(weights)
         self._serial += 1
         self.player.show(self._make(self.weights))
         self._settled = self._serial
@@ -119,6 +112,17 @@ class StyleBlender(widgets.HBox):
         self._settled = math.inf
         self.player.close()
         super().close()
+
+    def _set(self, weights: Mapping[str, float]) -> None:
+        """Menus and marker at a blend, with no motion made for it."""
+        names, shares = self._corners(weights)
+        self._setting = True
+        try:
+            for menu, name in zip(self._menus, names, strict=True):
+                menu.value = name
+            self.triangle.names, self.triangle.weights = names, shares
+        finally:
+            self._setting = False
 
     def _corners(self, weights: Mapping[str, float]) -> tuple[list[str], list[float]]:
         """Three names and shares; missing corners are filled with other styles at zero."""

@@ -165,14 +165,7 @@ class StyleExplorer(StyleBlender):
 
     def aim(self, blend: dict[str, float]) -> None:
         """Ask for a blend of up to three styles, from any thread; of several in a row only the newest is played."""
-        names, shares = self._corners(blend)
-        self._setting = True
-        try:
-            for menu, name in zip(self._menus, names, strict=True):
-                menu.value = name
-            self.triangle.names, self.triangle.weights = names, shares
-        finally:
-            self._setting = False
+        self._set(blend)
         self._changed({})
         self._put()
 
