@@ -1,13 +1,14 @@
-# make demo | make test | make lab — each builds the virtual environment .venv first if there is none.
+# make demo | make test | make lab | make docs — each builds the virtual environment .venv first if there is none.
 VENV := .venv
 BIN := $(VENV)/bin
+PYTHON := python3
 
-.PHONY: env demo test lab lint clean
+.PHONY: env demo test lab docs wheel clean
 
 env: $(VENV)/.complete
 
 $(VENV)/.complete: pyproject.toml constraints.txt
-	python3 -m venv $(VENV)
+	$(PYTHON) -m venv $(VENV)
 	$(BIN)/pip install --quiet --constraint constraints.txt pip setuptools
 	$(BIN)/pip install --quiet --constraint constraints.txt torch
 	$(BIN)/pip install --quiet --constraint constraints.txt --no-build-isolation --editable ".[dev]"
@@ -24,5 +25,11 @@ test: env
 lab: env
 	$(BIN)/jupyter lab notebooks --ServerApp.jpserver_extensions="{'toolkit.view.server': True}"
 
+docs: env
+	$(BIN)/sphinx-build -W --keep-going -b html docs out/docs
+
+wheel: env
+	$(BIN)/pip wheel --quiet --no-deps --no-build-isolation --wheel-dir dist .
+
 clean:
-	rm -rf out build dist *.egg-info .pytest_cache .ruff_cache .hypothesis
+	rm -rf out build dist docs/api docs/notebooks *.egg-info .pytest_cache .ruff_cache .hypothesis

@@ -88,7 +88,8 @@ def test_the_folder_from_the_environment(small, monkeypatch):
     monkeypatch.setenv("TOOLKIT_DATA", str(small / "data"))
     assert len(datasets.load("100style")) == 3
     monkeypatch.delenv("TOOLKIT_DATA")
-    with pytest.raises(ValueError, match=r"100style: give root=.*TOOLKIT_DATA.*zenodo"):
+    monkeypatch.setenv("XDG_DATA_HOME", str(small / "empty"))
+    with pytest.raises(ValueError, match=r"100style: nothing at .*data fetch 100style.*zenodo.*give root=.*TOOLKIT_DATA"):
         datasets.load("100style")
 
 
@@ -252,6 +253,7 @@ def test_command_line_prints(small, shared, capsys):
 
 def test_available_says_whether_load_needs_a_root(monkeypatch, tmp_path):
     monkeypatch.delenv("TOOLKIT_DATA", raising=False)
+    monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "empty"))
     assert datasets.available("procedural")
     assert not datasets.available("100style")
     monkeypatch.setenv("TOOLKIT_DATA", str(tmp_path))

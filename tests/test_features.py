@@ -114,7 +114,7 @@ def test_a_skeleton_of_another_rig_has_the_same_layout(shared):
 
 def test_build_labels_rows_by_style(walk_clip):
     clips = [walk_clip, walk_clip.replace(style="Twin", name="twin").mirrored()]
-    data = tk.features.build(clips)
+    data = tk.features.build(clip for clip in clips)
     assert data.styles == ["Neutral", "Twin"]
     assert len(data.inputs["Neutral"]) == len(walk_clip) - 111
     assert data.clips["Twin"].shape[1:] == (240, 300)

@@ -26,6 +26,11 @@ def test_a_foot_without_contact_has_no_skate(walk_clip):
     assert all(math.isnan(v) for v in tk.metrics.foot_skate(walk_clip, none).values())
 
 
+def test_contacts_of_another_clip_are_refused(walk_clip):
+    with pytest.raises(ValueError, match=r"shape \[480, 2\], got \[3, 2\]"):
+        tk.metrics.foot_skate(walk_clip, torch.zeros(3, 2))
+
+
 def test_steps_are_landings_of_both_feet():
     contact = torch.tensor([[1.0, 0.0], [0.2, 0.9], [0.9, 0.8], [0.9, 0.1], [0.4, 0.7], [0.6, 0.7]])
     assert tk.metrics.step_rate(contact, 60.0) == pytest.approx(4 / (6 / 60))

@@ -1,19 +1,28 @@
 """The package as a whole: what it imports, what it needs, and what the command line says to bad input."""
 
+import ast
+import os
 import re
+import shutil
 import subprocess
 import sys
+import textwrap
 import tomllib
+import zipfile
 from pathlib import Path
 
 import pytest
 import torch
+import typer
 import yaml
 
 import toolkit as tk
+from toolkit import __main__
 from toolkit.__main__ import main
 
 REPOSITORY = Path(__file__).parents[1]
+DRAWING = {"IPython", "PIL", "anywidget", "av", "ipywidgets", "jupyter_client", "jupyterlab", "matplotlib", "pandas",
+           "plotly", "pyvista", "sklearn", "vtkmodules"}  # fmt: skip
 
 
 @pytest.fixture
@@ -36,30 +45,145 @@ def test_the_command_line_exits_with_one_line_on_bad_input():
     assert re.fullmatch(r"error: .*nowhere.*\n", done.stderr)
 
 
-def test_import_pulls_in_no_drawing_library():
-    unwanted = {"matplotlib", "pyvista", "plotly", "ipywidgets", "IPython"}
-    code = f"import sys, toolkit; print([m for m in {unwanted} if m in sys.modules])"
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert done.stdout.strip() == "[]"
+def python(code: str, **options) -> subprocess.CompletedProcess:
+    return subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, **options)
 
 
-def test_environment_lists_what_the_package_needs():
-    project = tomllib.loads((REPOSITORY / "pyproject.toml").read_text())["project"]
-    conda = {"torch": "pytorch", "playwright": "playwright-python"}
-    needed = {re.sub(r"^[a-z-]+", lambda name: conda.get(name[0], name[0]), d)
-              for d in project["dependencies"] + project["optional-dependencies"]["dev"]}  # fmt: skip
-    *listed, from_pip = yaml.safe_load((REPOSITORY / "environment.yml").read_text())["dependencies"]
-    listed = {*listed, *from_pip["pip"]} - {"--editable ."}
-    assert listed - {"pip", "python>=3.11"} == needed
+def loaded(code: str) -> set[str]:
+    """Top-level modules that a process has after it ran the code."""
+    done = python(f"import sys\n{code}\nprint(*{{name.split('.')[0] for name in sys.modules}})")
+    assert done.returncode == 0, done.stderr
+    return set(done.stdout.split())
+
+
+def test_import_alone_pulls_in_nothing_heavy():
+    code = "import time; began = time.perf_counter(); import toolkit; assert time.perf_counter() - began < 2"
+    assert not loaded(code) & (DRAWING | {"torch", "numpy", "scipy", "numba", "lightning_fabric", "typer", "requests"})
+
+
+def test_the_pipeline_pulls_in_no_drawing_library():
+    code = "import toolkit as tk; tk.bvh, tk.features, tk.training, tk.runtime, tk.styles, tk.metrics, tk.pretrained"
+    modules = loaded(code)
+    assert "torch" in modules
+    assert not modules & (DRAWING | {"lightning_fabric", "distributed", "onnx", "typer"})
+
+
+def test_help_is_quick_and_says_what_the_verbs_say():
+    assert "torch" not in loaded("from toolkit.__main__ import main\ntry: main(['--help'])\nexcept SystemExit: pass")
+    app = typer.main.get_command(__main__.app)
+    for name, command in app.commands.items():
+        own = " ".join(command.help.split("\n\n")[0].split())
+        assert own.startswith(__main__.VERBS[name][1].removesuffix(".")), name
+
+
+def test_public_names_are_listed_and_there():
+    assert {"Clip", "Skeleton", "pretrained", "bvh", "view", "runtime"} <= set(dir(tk)) == set(tk.__all__)
+    for name in tk.__all__:
+        assert getattr(tk, name) is not None
+    assert tk.Clip is tk.motion.Clip
+    assert tk.pretrained is tk.training.pretrained
+    with pytest.raises(AttributeError, match="nothing"):
+        tk.nothing  # noqa: B018
+
+
+def test_without_the_view_extra_one_line_names_it(tmp_path):
+    code = f"""
+        import sys
+        from importlib.machinery import PathFinder
+        find = PathFinder.find_spec
+        PathFinder.find_spec = lambda name, *rest: None if name.split(".")[0] in {DRAWING} else find(name, *rest)
+        from toolkit.__main__ import main
+        sys.exit(main("rollout --style Zombie --seconds 0.1 --out walk.html".split()))
+    """
+    done = python(textwrap.dedent(code), cwd=tmp_path)
+    assert done.returncode == 2
+    said = done.stderr.strip().splitlines()[-1]  # after the progress bar
+    assert re.fullmatch(r'error: .*pyvista.*: pip install "toolkit\[view\]"', said)
+    assert not list(tmp_path.iterdir())
+
+
+def test_output_in_a_narrow_encoding_is_no_error():
+    code = "from toolkit import __main__ as m; m.app = lambda *_, **__: print('0 → 1'); raise SystemExit(m.main([]))"
+    done = python(code, env=os.environ | {"PYTHONIOENCODING": "cp1252"})
+    assert (done.returncode, done.stdout) == (0, "0 ? 1\n")
+
+
+@pytest.fixture(scope="module")
+def project() -> dict:
+    return tomllib.loads((REPOSITORY / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+
+
+def requirements(project: dict, *extras: str) -> dict[str, str]:
+    """Name and lower bound of everything that an installation with these extras asks for."""
+    found = {}
+    for text in [*project["dependencies"], *(d for extra in extras for d in project["optional-dependencies"][extra])]:
+        name, within, bound = re.fullmatch(r"([\w-]+)(?:\[([\w,]+)\])?(>=.*)?", text).groups()
+        found |= requirements(project, *within.split(",")) if name == project["name"] else {name: bound}
+    return found
+
+
+def test_conda_environment_equals_the_dev_installation(project):
+    conda = {"pytorch": "torch", "playwright-python": "playwright"}
+    *listed, from_pip = yaml.safe_load((REPOSITORY / "environment.yml").read_text(encoding="utf-8"))["dependencies"]
     assert f"python{project['requires-python']}" in listed
+    assert from_pip["pip"][-1] == "--editable ."
+    pairs = [re.fullmatch(r"([\w-]+)(>=.*)", text).groups() for text in {*listed, *from_pip["pip"][:-1]} - {"pip"}]
+    assert {conda.get(name, name): bound for name, bound in pairs} == {
+        "python": project["requires-python"], **requirements(project, "dev")
+    }  # fmt: skip
 
 
-def test_every_dependency_is_pinned():
-    project = tomllib.loads((REPOSITORY / "pyproject.toml").read_text())["project"]
-    pins = (REPOSITORY / "constraints.txt").read_text().splitlines()
-    pinned = {line.split("==")[0].lower().replace("_", "-") for line in pins}
-    needed = {re.split(r"[>=\[]", d)[0] for d in project["dependencies"] + project["optional-dependencies"]["dev"]}
-    assert needed <= pinned
+def test_every_dependency_is_pinned(project):
+    pins = dict(line.split("==") for line in (REPOSITORY / "constraints.txt").read_text(encoding="utf-8").splitlines())
+    pinned = {re.sub(r"[-_.]+", "-", name.lower()): number for name, number in pins.items()}
+    for name, bound in requirements(project, "dev").items():
+        wanted, got = (tuple(int(n) for n in number.split(".")[:2]) for number in (bound.removeprefix(">="), pinned[name]))
+        assert got >= wanted, f"{name}: {pinned[name]} is pinned, {bound} is asked for"
+
+
+def test_every_dependency_has_a_reason(project):
+    """docs/dependencies.md has a row for each, under the extra that brings it."""
+    text = (REPOSITORY / "docs" / "dependencies.md").read_text(encoding="utf-8")
+    rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in text.splitlines() if line.startswith("| `")]
+    assert all(len(row) == 4 and all(row) for row in rows)
+    extras = project["optional-dependencies"]
+    wanted = {(re.match(r"[\w-]+", d)[0], extra) for extra in extras for d in extras[extra] if "toolkit[" not in d}
+    wanted |= {(re.match(r"[\w-]+", d)[0], "base") for d in project["dependencies"]}
+    listed = [(name.strip("`"), extra.strip("`")) for name, extra, *_ in rows]
+    assert len(listed) == len(set(listed))
+    assert set(listed) == wanted
+
+
+def test_the_wheel_has_the_model_and_no_sources_of_the_page(tmp_path):
+    unwanted = shutil.ignore_patterns("node_modules", "__pycache__")
+    shutil.copytree(REPOSITORY / "toolkit", tmp_path / "toolkit", ignore=unwanted)
+    for name in ("pyproject.toml", "README.md", "LICENSE"):
+        shutil.copy(REPOSITORY / name, tmp_path)
+    modules = tmp_path / "toolkit" / "view" / "scene" / "node_modules" / "three"
+    modules.mkdir(parents=True)
+    (modules / "three.js").touch()
+    (tmp_path / "notebooks").mkdir()
+    command = "-m pip wheel --quiet --no-deps --no-build-isolation --wheel-dir wheel ."
+    subprocess.run([sys.executable, *command.split()], cwd=tmp_path, check=True, capture_output=True)
+    (wheel,) = (tmp_path / "wheel").iterdir()
+    files = zipfile.ZipFile(wheel).namelist()
+    assert {"toolkit/__init__.pyi", "toolkit/data/pretrained.safetensors", "toolkit/data/learned_phases.safetensors",
+            "toolkit/view/static/scene.js"} <= set(files)  # fmt: skip
+    assert not [file for file in files if re.search("node_modules|view/scene/|__pycache__|notebooks|tests", file)]
+    assert wheel.stat().st_size < 20e6
+
+
+def test_text_files_name_their_encoding():
+    """Windows would take its own otherwise."""
+    silent = []
+    for path in sorted((REPOSITORY / "toolkit").rglob("*.py")):
+        for call in (node for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))) if isinstance(node, ast.Call)):
+            method = getattr(call.func, "attr", None)
+            text_mode = [a for a in call.args[:1] if isinstance(a, ast.Constant) and set(str(a.value)) <= set("rwxat+")]
+            text = method in ("read_text", "write_text") or (method == "open" and text_mode)
+            if (text or getattr(call.func, "id", None) == "open") and "encoding" not in {k.arg for k in call.keywords}:
+                silent.append(f"{path.name}:{call.lineno}: {ast.unparse(call)}")
+    assert not silent
 
 
 def test_pretrained_knows_every_style_and_stands_when_told():
@@ -104,7 +228,7 @@ def test_rollout_writes_what_the_suffix_says(tmp_path, small_run, capsys):
 def test_bad_input_gets_one_line_and_leaves_nothing(tmp_path, small_run, refused):
     run, cut, junk, empty = (tmp_path / name for name in ("run.safetensors", "cut.bvh", "junk.safetensors", "empty"))
     small_run.save(run)
-    cut.write_text("HIERARCHY\nROOT Hips\n{\n OFFSET 0 0 0\n")
+    cut.write_text("HIERARCHY\nROOT Hips\n{\n OFFSET 0 0 0\n", encoding="utf-8")
     junk.write_bytes(b"junk")
     empty.mkdir()
     walk = ("rollout", "--out", tmp_path / "out.bvh", "--model", run, "--style")
@@ -112,7 +236,7 @@ def test_bad_input_gets_one_line_and_leaves_nothing(tmp_path, small_run, refused
     assert "unknown style 'Zombi'; close to it: Zombie" in refused(*walk, "Zombi")
     assert "sum to 1" in refused(*walk, "Zombie=0.5,Neutral=0.1")
     assert "written like" in refused(*walk, "Zombie=much")
-    assert "can write .bvh, .html, .png, .mp4" in refused("rollout", "--style", "Zombie", "--out", tmp_path / "out.avi")
+    assert "can write .bvh, " in refused("rollout", "--style", "Zombie", "--out", tmp_path / "out.avi")
     assert "either --model" in refused(*walk, "Zombie", "--published", empty)
     assert "not a whole safetensors" in refused(*walk, "Zombie", "--model", junk)
     assert "Xmean.bin: missing" in refused("rollout", "--published", empty, "--style", "a", "--out", tmp_path / "out.bvh")
@@ -134,8 +258,17 @@ def test_the_demo_works_on_a_small_budget(tmp_path):
     assert "toolkitScene" in demo.greet(tmp_path / "demo").read_text(encoding="utf-8")
     made = demo.make(seconds=2.0, data_seconds=10.0)
     files = demo.write(made, tmp_path / "demo")
-    assert [f.name for f in files] == ["walk.bvh", "walk.html", "strip.png", "report.txt", "model.safetensors"]
+    assert [f.name for f in files] == ["walk.bvh", "walk.html", "strip.png", "report.txt", "model.safetensors",
+                                       "controller.html"]  # fmt: skip
     assert len(tk.bvh.load(files[0])) == len(made.clip)
-    assert not re.search(r"""(src|href)\s*=\s*["']?https?:""", files[1].read_text())
+    assert not re.search(r"""(src|href)\s*=\s*["']?https?:""", files[1].read_text(encoding="utf-8"))
     assert torch.tensor([*made.weights.values()]).sum(0).sub(1).abs().max() < 1e-5
-    assert files[3].read_text().count("\n") == len(made.report)
+    assert files[3].read_text(encoding="utf-8").count("\n") == len(made.report)
+
+
+def test_version_is_the_same_everywhere():
+    citation = yaml.safe_load((REPOSITORY / "CITATION.cff").read_text(encoding="utf-8"))
+    changes = (REPOSITORY / "CHANGELOG.md").read_text(encoding="utf-8")
+    number, date = re.search(r"^## \[(\d+\.\d+\.\d+)\] - (\S+)$", changes, re.MULTILINE).groups()
+    assert number == str(citation["version"]) == tk.__version__
+    assert date == str(citation["date-released"])

@@ -331,6 +331,9 @@ def test_blender_makes_the_motion_of_its_weights(monkeypatch, clip):
     assert asked[-1] == pytest.approx({"D": 0.75, "B": 0.25, "A": 0})
     assert blender.triangle.names == ["D", "B", "A"]
     assert blender.player.clip.style == "D+B"
+    shown = blender._repr_mimebundle_()
+    assert base64.b64decode(shown["image/jpeg"]) == blender.player.image.value
+    assert "application/vnd.jupyter.widget-view+json" in shown
     for wrong, message in (
         ({"X": 1}, "unknown style 'X'; the bank has A, B, C, D"),
         ({"A": -1}, "weights >= 0"),

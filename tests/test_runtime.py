@@ -174,6 +174,10 @@ def test_bad_commands_are_refused(small_run):
         runtime.rollout(small_run.model, [], small_run.bank.vectors[0])
     with pytest.raises(ValueError, match="two or more different"):
         runtime.follow([(0.0, 0.0), (0.0, 0.0)])
+    with pytest.raises(ValueError, match="no frames to record"):
+        runtime.record(small_run.model, [])
+    with pytest.raises(ValueError, match="must be finite"):
+        runtime.straight(math.nan, 1.0)
     with pytest.raises(ValueError, match="style needs"):
         runtime.rollout(small_run.model, runtime.straight(1.0, 0.1), torch.zeros(7))
 

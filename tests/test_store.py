@@ -11,7 +11,8 @@ import torch
 from test_networks import TINY
 
 import toolkit as tk
-from toolkit.__main__ import _symmetric, main
+from toolkit.__main__ import main
+from toolkit.commands import _symmetric
 from toolkit.datasets import procedural
 from toolkit.features import KINDS
 

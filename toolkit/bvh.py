@@ -1,5 +1,7 @@
 """Biovision Hierarchy files: read and written in metres, seconds and radians, whatever the file's own units and order."""
 
+import contextlib
+import glob
 import io
 import os
 import re
@@ -15,7 +17,14 @@ from torch import Tensor
 from toolkit import rotations as R
 from toolkit.motion import Clip, Skeleton
 
+try:
+    import fcntl
+except ImportError:  # Windows
+    fcntl = None
+
 CENTIMETRE = 0.01
+SMALL = 1_000_000  # joints times frames that any file may have
+LARGEST = 1e30  # units of length: what a file may say, and what float32 holds in any unit
 
 
 class BVHError(ValueError):
@@ -52,8 +61,14 @@ def load(path: str | os.PathLike, *, unit: float = CENTIMETRE, style: str = "", 
     names, parents, offsets, channels = _parse_hierarchy(path, header)
     columns, fps = _parse_motion(path, data, motion, sum(len(c) for c in channels))
 
+    if len(names) * columns.shape[1] > max(len(data), SMALL):  # joints without channels cost the file nothing
+        size = f"{len(names)} joints in {columns.shape[1]} frames"
+        raise BVHError(f"{path}: {size}, of which only {len(columns)} channels move")
     rotations, offsets = _rotations(torch.from_numpy(columns), channels), np.asarray(offsets) * unit
     positions = _positions(columns, channels, offsets, unit)
+    for j, moves in positions.items():
+        if not (np.abs(moves) < LARGEST * unit).all():
+            raise BVHError(f"{path}: the positions of joint {names[j]} are not of this world, beyond {LARGEST:g}")
     for j, moves in positions.items():
         offsets[j] = np.median(moves, axis=0)
     spread = {j: float(np.ptp(moves, axis=0).max()) for j, moves in positions.items() if j}
@@ -69,7 +84,10 @@ def load(path: str | os.PathLike, *, unit: float = CENTIMETRE, style: str = "", 
         raise BVHError(f"{path}: joint {names[joint]} changes its distance to its parent by up to "
                        f"{moving[joint] * 1000:.0f} mm; only rigid skeletons are supported")  # fmt: skip
     skeleton = Skeleton(tuple(names), tuple(parents), torch.from_numpy(offsets))
-    return Clip(skeleton, R.unroll(rotations), root_positions, fps, style, gait, path.name)
+    try:
+        return Clip(skeleton, R.unroll(rotations), root_positions, fps, style, gait, path.name)
+    except ValueError as error:
+        raise BVHError(f"{path}: {str(error).removeprefix(path.name + ': ')}") from error
 
 
 def save(clip: Clip, path: str | os.PathLike, *, unit: float = CENTIMETRE, order: str = "YXZ") -> None:
@@ -117,26 +135,58 @@ def save(clip: Clip, path: str | os.PathLike, *, unit: float = CENTIMETRE, order
 
 
 class atomic_write:  # noqa: N801 (used like a function)
-    """Context manager: a binary file that takes its name only when it was written whole."""
+    """Context manager: a binary file that takes its name only when it was written whole.
+
+    What it is called until then starts with a dot. A killed process leaves such a file; the next one that writes the same
+    file removes it, and knows by a lock those of processes that still write.
+    """
 
     def __init__(self, path: str | os.PathLike):
         self.path = Path(path)
 
     def __enter__(self) -> io.BufferedWriter:
         self.path.parent.mkdir(parents=True, exist_ok=True)
-        self.file = tempfile.NamedTemporaryFile(dir=self.path.parent, prefix=f".{self.path.name}.", delete=False)
-        return self.file
+        for left in self.path.parent.glob(f".{glob.escape(self.path.name)}.*.partial"):
+            with contextlib.suppress(OSError):  # another's that lives, or one that is gone already
+                _remove(left)
+        while True:
+            self.file = tempfile.NamedTemporaryFile(
+                dir=self.path.parent, prefix=f".{self.path.name}.", suffix=".partial", delete=False
+            )
+            if fcntl:
+                with contextlib.suppress(OSError):  # a file system without locks
+                    fcntl.flock(self.file, fcntl.LOCK_EX)
+            if os.path.exists(self.file.name):  # nobody took it for a leftover before it was locked
+                return self.file
+            self.file.close()
 
-    def __exit__(self, kind, *_) -> None:
-        self.file.close()
+    def __exit__(self, kind, error, _) -> None:
         temporary = Path(self.file.name)
-        if kind is None:
-            mask = os.umask(0)
-            os.umask(mask)
-            temporary.chmod(0o666 & ~mask)
-            temporary.replace(self.path)
-        else:
+        try:
+            self.file.close()
+            if kind is None:
+                mask = os.umask(0)
+                os.umask(mask)
+                temporary.chmod(0o666 & ~mask)
+                temporary.replace(self.path)
+        except OSError as late:  # what was still to be written did not fit
+            error = late
+        if error is not None:
             temporary.unlink(missing_ok=True)
+        if isinstance(error, OSError) and error.errno and error.filename in (None, self.file.name):
+            raise OSError(error.errno, f"cannot be written ({error.strerror})", os.fspath(self.path)) from error
+        if kind is None and error is not None:
+            raise error
+
+
+def _remove(left: Path) -> None:
+    """Remove a file that no living process has locked; an OSError otherwise."""
+    if not fcntl:
+        left.unlink()  # where nobody can remove an open file
+        return
+    with left.open("rb") as file:
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        left.unlink()
 
 
 _MOTION = re.compile(rb"[\r\n][^\S\r\n]*MOTION[^\S\r\n]*(?=[\r\n]|\Z)", re.IGNORECASE)
@@ -160,7 +210,7 @@ def _split(path: Path, data: bytes) -> tuple[list[str], int]:
 
 def _parse_hierarchy(path: Path, lines: list[str]) -> tuple[list[str], list[int], list[list[float]], list[list[str]]]:
     names, parents, offsets, channels, stack = [], [], [], [], []
-    joint, waiting = -1, False
+    joint, waiting, ends = -1, False, set()
 
     def fail(number: int, problem: str) -> BVHError:
         return BVHError(f"{path}, line {number}: {problem}")
@@ -174,6 +224,10 @@ def _parse_hierarchy(path: Path, lines: list[str]) -> tuple[list[str], list[int]
                 raise fail(number, f"unexpected {words[0]}")
             if len(words) < 2:
                 raise fail(number, f"{words[0]} without a name")
+            if not "".join(words).isprintable():
+                raise fail(number, f"a joint's name has characters that cannot be printed: {' '.join(words[1:])[:40]!r}")
+            if stack and stack[-1] in ends:
+                raise fail(number, f"unexpected {words[0]} inside an End Site")
             name = names[stack[-1]] + "End" if key == "END" else " ".join(words[1:])
             if name in names:
                 if key != "END":
@@ -184,6 +238,8 @@ def _parse_hierarchy(path: Path, lines: list[str]) -> tuple[list[str], list[int]
             offsets.append([0.0, 0.0, 0.0])
             channels.append([])
             joint, waiting = len(names) - 1, True
+            if key == "END":
+                ends.add(joint)
         elif key == "{":
             if not waiting:
                 raise fail(number, "unexpected {")
@@ -198,7 +254,7 @@ def _parse_hierarchy(path: Path, lines: list[str]) -> tuple[list[str], list[int]
                 offsets[stack[-1]] = [float(w) for w in words[1:4]]
             except ValueError:
                 raise fail(number, f"OFFSET needs three numbers, got {' '.join(words[1:])!r}") from None
-            if len(offsets[stack[-1]]) != 3 or not np.isfinite(offsets[stack[-1]]).all():
+            if len(offsets[stack[-1]]) != 3 or not all(abs(x) < LARGEST for x in offsets[stack[-1]]):
                 raise fail(number, f"OFFSET needs three finite numbers, got {' '.join(words[1:])!r}")
         elif key == "CHANNELS" and stack:
             known = {f"{a}{kind}" for a in "XYZ" for kind in ("position", "rotation")}
@@ -243,7 +299,7 @@ def _parse_motion(path: Path, data: bytes, start: int, width: int) -> tuple[np.n
         frames, frame_time = int(timing[1]), float(timing[2])
     except (TypeError, ValueError):
         raise fail(start, "expected 'Frames: N' and 'Frame Time: S' after MOTION", below=1) from None
-    if not (frame_time > 0 and np.isfinite(frame_time)):
+    if not (frame_time > 0 and np.isfinite([frame_time, 1.0 / frame_time]).all()):
         raise fail(timing.end(2), f"frame time must be positive, got {frame_time}")
     from toolkit import decimals  # compiled, slow to import
 
@@ -252,12 +308,13 @@ def _parse_motion(path: Path, data: bytes, start: int, width: int) -> tuple[np.n
         rows = [(below, line) for below, line in enumerate(_lines(data[timing.end() :])) if line.strip()]
         if frames != len(rows) or not frames:
             raise fail(timing.end(1), f"header says {frames} frames, the file holds {len(rows)}")
-        columns = np.empty((width, frames))
-        for row, (below, line) in enumerate(rows):
+        read = []  # not one array of a size that the file only claims
+        for below, line in rows:
             try:
-                columns[:, row] = _numbers(line, width)
+                read.append(np.array(_numbers(line, width)))
             except ValueError as error:
                 raise fail(timing.end(), str(error), below) from None
+        columns = np.stack(read, 1)
     fps = 1.0 / frame_time
     return columns, float(round(fps)) if abs(fps - round(fps)) < 0.02 else fps
 

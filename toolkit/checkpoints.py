@@ -61,14 +61,20 @@ class Checkpoint:
         """
         tensors, parts = weights.read(path, "checkpoint")
         model, numbers = Model.from_parts(path, tensors, parts, new.layout), parts["checkpoint"]
-        if why := weights.difference(config.fixed(), numbers.pop("config", {})):
+        with weights.intact(path, "the checkpoint"):
+            why = weights.difference(config.fixed(), numbers.pop("config"))
+        if why:
             raise ValueError(f"{path}: the run to resume differs in {why}")
         if not all(torch.allclose(a, b) for a, b in zip(model.buffers(), new.buffers(), strict=True)):
             raise ValueError(f"{path}: the run to resume had other data (their means and deviations differ)")
         best = {name.removeprefix("best."): value for name, value in tensors.items() if name.startswith("best.")}
         moments: dict[int, dict[str, Tensor]] = {}
-        for name, value in tensors.items():
-            if name.startswith("adam."):
-                _, i, kind = name.split(".")
-                moments.setdefault(int(i), {})[kind] = value
-        return cls(model, **numbers, best=best, moments=moments)
+        with weights.intact(path, "the checkpoint"):
+            for name, value in tensors.items():
+                if name.startswith("adam."):
+                    _, i, kind = name.split(".")
+                    moments.setdefault(int(i), {})[kind] = value
+            found = cls(model, **numbers, best=best, moments=moments)
+            if not (found.step >= 0 and found.elapsed >= 0 and isinstance(found.stalled, int)):
+                raise ValueError(f"step {found.step}, {found.elapsed} s")
+        return found

@@ -14,7 +14,7 @@ from toolkit.motion import Clip
 from toolkit.runtime import FPS, CharacterState, Command
 from toolkit.steering import LOOKAHEAD
 
-RINGS, INNER, APART = 6, 2.0, 1.35  # rings, the innermost's radius and the distance between them, metres
+INNER, APART, ROOM = 2.0, 1.35, 2.0  # innermost ring's radius, distance of rings, and of characters on one, metres
 SETTLED = 3.0  # seconds until all walk as they go on
 
 
@@ -91,8 +91,10 @@ def walk(model, bank, characters: int = 100, seconds: float = 10.0, *, speed: fl
 
 
 def _places(characters: int) -> tuple[Tensor, Tensor, Tensor]:
-    """Radius, angle and way round (1 or -1) of each, ``[N]``: as far apart on every ring."""
-    radii = INNER + APART * torch.arange(RINGS)
+    """Radius, angle and way round (1 or -1) of each, ``[N]``: as far apart on every ring, of which there are enough."""
+    radii = INNER + APART * torch.arange(characters)
+    rings = 1 + int((math.tau * radii.cumsum(0) < ROOM * characters).sum())
+    radii = radii[:rings]
     ends = (characters * radii.cumsum(0) / radii.sum()).round().long()
     ring = torch.bucketize(torch.arange(characters), ends, right=True)
     first = torch.cat((torch.zeros(1, dtype=torch.long), ends))

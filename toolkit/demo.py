@@ -55,14 +55,11 @@ def stroll(model, bank, *, progress: bool = False) -> tuple[Clip, Clip, torch.Te
 
 
 def greet(folder: Path) -> Path:
-    """The embedded model's walk as a web page: something to look at while the demo's own model is trained."""
+    """The embedded model under control in a web page: something to play with while the demo's own model is trained."""
     from toolkit import view
 
-    folder.mkdir(parents=True, exist_ok=True)
-    clip, _, contact, weights = stroll(*training.pretrained())
-    return view.html(clip, folder / "embedded.html", title="The embedded model", labels=["figure of eight"],
-                     contacts=contact, styles=weights,
-                     caption=f"Trained on procedural data, blending {' → '.join(STYLES)}.")  # fmt: skip
+    title = "The embedded model under your control"
+    return view.web(*training.pretrained(), folder / "embedded.html", title=title, half=True)
 
 
 def make(seconds: float = 35.0, *, data_seconds: float = 60.0, seed: int = 0, progress: bool = False) -> Demo:
@@ -109,20 +106,22 @@ def make(seconds: float = 35.0, *, data_seconds: float = 60.0, seed: int = 0, pr
 
 
 def write(demo: Demo, folder: Path) -> list[Path]:
-    """Leave the demo's files in a folder: BVH, web page, strip picture, text and the trained model."""
+    """Leave the demo's files in a folder: BVH, web page, strip picture, text, the trained model, a page to steer it in."""
     from toolkit import view
 
     folder.mkdir(parents=True, exist_ok=True)
-    files = [folder / name for name in ("walk.bvh", "walk.html", "strip.png", "report.txt", "model.safetensors")]
+    names = "walk.bvh", "walk.html", "strip.png", "report.txt", "model.safetensors", "controller.html"
+    files = [folder / name for name in names]
     bvh.save(demo.clip, files[0])
-    names = " → ".join(STYLES)
     view.html(demo.clip, files[1], title="A stylised character under control", labels=["figure of eight"],
               contacts=demo.contacts, styles=demo.weights,
-              caption=f"Procedural data, a small LPN-FiLM trained in under a minute, blending {names}.")  # fmt: skip
+              caption="Procedural data, a small LPN-FiLM trained in under a minute, "
+                      f"blending {' → '.join(STYLES)}.")  # fmt: skip
     rows = [demo.clip.cut(*span) for span in _solo_spans(len(demo.clip))]
     view.strip(rows, files[2], labels=[*STYLES, "all three"])
     files[3].write_text("\n".join(demo.report) + "\n", encoding="utf-8")
     demo.run.save(files[4])
+    view.web(demo.run.model, demo.run.bank, files[5], title="Trained in under a minute, and under your control")
     return files
 
 

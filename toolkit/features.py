@@ -4,7 +4,7 @@ What a frame has by itself (`OwnFeatures`) is computed once; x, z and y are deri
 """
 
 from collections import defaultdict
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 
 import torch
@@ -268,7 +268,7 @@ class Features:
 KINDS = ("inputs", "phases", "outputs", "clips")
 
 
-def build(clips: Sequence[Clip], *, source: str | phases.Source = "hybrid",
+def build(clips: Iterable[Clip], *, source: str | phases.Source = "hybrid",
           mirror: bool | Callable[[Clip], bool] = False, short: str = "raise",
           progress: bool = False) -> Features:  # fmt: skip
     """Features of many clips, resampled to 60 Hz.
@@ -292,6 +292,7 @@ def build(clips: Sequence[Clip], *, source: str | phases.Source = "hybrid",
     ValueError
         If there is no clip, skeletons differ, a clip is too short, or a style has no run of 240 frames for a style clip.
     """
+    clips = list(clips)
     if not clips:
         raise ValueError("no clips to build features from")
     layout = Layout(clips[0].skeleton)

@@ -25,8 +25,15 @@ def foot_skate(clip: Clip, contact: Tensor | None = None) -> dict[str, float]:
     -------
     dict
         ``right`` and ``left``; NaN for a foot that is never in contact.
+
+    Raises
+    ------
+    ValueError
+        If contacts are not of the clip's frames.
     """
     contact = contacts.detect(clip, speed=math.inf) if contact is None else contact
+    if contact.shape != (len(clip), len(contacts.FEET)):
+        raise ValueError(f"contacts of {len(clip)} frames have the shape [{len(clip)}, 2], got {list(contact.shape)}")
     result = {}
     for i, side in enumerate(contacts.FEET):
         toe = clip.global_positions[:, clip.skeleton.index(f"{side}_toe")]
@@ -156,7 +163,7 @@ def phase_error(phase: Tensor, truth: Tensor) -> tuple[Tensor, Tensor]:
 def frechet_distance(a: Tensor, b: Tensor) -> float:
     """Squared Fréchet distance of the Gaussians fitted to two sets of feature vectors.
 
-    |μa − μb|² + tr(Σa + Σb − 2 (Σa Σb)^½). With the features of a motion classifier it is the Fréchet Motion Distance
+    ``|μa − μb|² + tr(Σa + Σb − 2 (Σa Σb)^½)``. With the features of a motion classifier it is the Fréchet Motion Distance
     (Park et al. 2021, section 7). It is biased upwards for small sets: compare only numbers from sets of the same size.
 
     Parameters

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
+import scipy
 import torch
-from scipy.interpolate import CubicSpline
 from torch import Tensor
 
 from toolkit import rotations as R
@@ -270,7 +270,7 @@ class Clip:
         new = torch.arange(math.floor(old[-1].item() * fps + 1e-6) + 1, dtype=torch.float64) / fps
 
         def spline(values: Tensor) -> Tensor:
-            return torch.from_numpy(CubicSpline(old.numpy(), values.double().numpy())(new.numpy())).float()
+            return torch.from_numpy(scipy.interpolate.CubicSpline(old.numpy(), values.double().numpy())(new.numpy())).float()
 
         rotations_ = R.normalize(spline(R.unroll(self.rotations)))
         return self.replace(rotations=rotations_, root_positions=spline(self.root_positions), fps=fps)

@@ -13,11 +13,14 @@ import torch
 from torch import Tensor
 
 from toolkit import features, phases, training, trajectory
+from toolkit.datasets import home
 from toolkit.datasets.procedural import SKELETON
 from toolkit.features import Layout, Normaliser
 from toolkit.motion import Clip
 from toolkit.networks import Model, Sizes, build
 from toolkit.networks.bank import StyleBank
+
+DATASET = "lpn-film-100style"  # what `toolkit.datasets.fetch` calls them
 
 #: Style names by index: the 95 trained ones, then the five that were kept for fine-tuning.
 STYLES = (
@@ -36,7 +39,12 @@ STYLES = (
 )  # fmt: skip
 
 
-def load(folder: str | os.PathLike) -> tuple[Model, StyleBank]:
+def available() -> bool:
+    """Whether `load` finds them without a folder, as after ``python -m toolkit data fetch lpn-film-100style``."""
+    return home.folder(DATASET).is_dir()
+
+
+def load(folder: str | os.PathLike | None = None) -> tuple[Model, StyleBank]:
     """The published model and its 100 style vectors.
 
     The model has no FiLM generator: only the style vectors that it gave were published.
@@ -44,13 +52,16 @@ def load(folder: str | os.PathLike) -> tuple[Model, StyleBank]:
     Parameters
     ----------
     folder
-        Where ``Xmean.bin``, ``cp0_a0.bin``, ``Style_000_scale1.bin`` … lie.
+        Where ``Xmean.bin``, ``cp0_a0.bin``, ``Style_000_scale1.bin`` … lie; None or ``"lpn-film-100style"`` for where
+        data lies on this machine (`toolkit.datasets.home`).
 
     Raises
     ------
     ValueError
         If a file is missing, of another size, or holds a number that is not finite.
     """
+    if folder is None or os.fspath(folder) == DATASET:
+        folder = home.find(DATASET, "Xmean.bin, cp0_a0.bin, …", "https://github.com/ianxmason/local-phases")
     folder = Path(folder)
     if not folder.is_dir():
         raise ValueError(f"{folder}: no such folder; expected the published parameters (Xmean.bin, cp0_a0.bin, …)")
@@ -84,6 +95,8 @@ def load(folder: str | os.PathLike) -> tuple[Model, StyleBank]:
 
 def either(file: str | os.PathLike | None, folder: str | os.PathLike | None) -> tuple[Model, StyleBank]:
     """A model and its style bank: of a training run's ``file``, of the published ``folder``, the embedded one for neither.
+
+    The ``folder`` may be ``lpn-film-100style``, for where data lies on this machine.
 
     Raises
     ------

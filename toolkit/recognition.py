@@ -104,12 +104,10 @@ class Recogniser(nn.Module):
         """Read what `save` wrote; another file is a one-line ValueError."""
         tensors, parts = weights.read(path, "recogniser")
         own = {name.removeprefix("recogniser."): t for name, t in tensors.items() if name.startswith("recogniser.")}
-        try:
+        with weights.intact(path, "the recogniser"):
             about = parts["recogniser"]
             made = cls(about["styles"], Normaliser(own["mean"], own["std"]), about["hidden"])
             made.load_state_dict(own)
-        except (KeyError, TypeError, RuntimeError) as error:
-            raise ValueError(f"{path}: the recogniser is damaged ({str(error).splitlines()[0]})") from error
         return made.eval()
 
 

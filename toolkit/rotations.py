@@ -136,16 +136,20 @@ def from_euler(angles: Tensor, order: str) -> Tensor:
 
 
 def to_euler(q: Tensor, order: str) -> Tensor:
-    """Intrinsic Euler angles ``[..., 3]`` in radians, ``order`` of three different axes; inverse of `from_euler`."""
+    """Intrinsic Euler angles ``[..., 3]`` in radians, ``order`` of three different axes; inverse of `from_euler`.
+
+    Near gimbal lock the first and the third angle alone mean little; the third is what is left after the first, so that
+    together they are right. At the lock it is 0.
+    """
     i, j, k = (AXES[a] for a in order)
     sign = 1.0 if (j - i) % 3 == 1 else -1.0
     m = to_matrix(q)
-    middle = torch.asin((sign * m[..., i, k]).clamp(-1.0, 1.0))
+    cosine = torch.hypot(m[..., i, i], m[..., i, j])
+    middle = torch.atan2(sign * m[..., i, k], cosine)
     first = torch.atan2(-sign * m[..., j, k], m[..., k, k])
-    third = torch.atan2(-sign * m[..., i, j], m[..., i, i])
-    locked = m[..., i, k].abs() > 1 - 1e-7  # gimbal lock: only first ± third is defined, so third = 0
-    first = torch.where(locked, torch.atan2(sign * m[..., k, j], m[..., j, j]), first)
-    return torch.stack((first, middle, torch.where(locked, torch.zeros_like(third), third)), -1)
+    first = torch.where(cosine < 10 * torch.finfo(m.dtype).eps, torch.atan2(sign * m[..., k, j], m[..., j, j]), first)
+    row = first.cos()[..., None] * m[..., j, :] + sign * first.sin()[..., None] * m[..., k, :]
+    return torch.stack((first, middle, torch.atan2(sign * row[..., i], row[..., j])), -1)
 
 
 def slerp(a: Tensor, b: Tensor, t: Tensor | float) -> Tensor:

@@ -141,10 +141,10 @@ def load(path: str | os.PathLike) -> Run:
     """Read a run that `Run.save` wrote; a file that is none is a one-line ValueError."""
     tensors, parts = weights.read(path, "run")
     model, bank = Model.from_parts(path, tensors, parts, None), StyleBank.from_parts(path, tensors, parts)
-    try:
-        return Run(model, bank, Config.from_json(parts["run"].pop("config")), **parts["run"])
-    except (KeyError, TypeError, ValueError) as error:
-        raise ValueError(f"{path}: the record of the run is damaged ({error})") from error
+    with weights.intact(path, "the record of the run"):
+        run = Run(model, bank, Config.from_json(parts["run"].pop("config")), **parts["run"])
+        run.table()
+    return run
 
 
 def pretrained() -> tuple[Model, StyleBank]:

@@ -222,7 +222,12 @@ def rollout(model, commands: Sequence[Command | Pilot], style: Styles, ik: bool 
 
 
 def record(model, recorded: Sequence[CharacterState], *, feet: bool = True, arms: bool = True, character: int = 0) -> Clip:
-    """The motion of one character of a run of states, see `rollout`; ``feet`` and ``arms`` switch their IK."""
+    """The motion of one character of a run of states, see `rollout`; ``feet`` and ``arms`` switch their IK.
+
+    A ValueError if there are no states.
+    """
+    if not recorded:
+        raise ValueError("no frames to record: a rollout needs at least one command")
     names = [f.name for f in dataclasses.fields(CharacterState) if f.name != "style"]  # which can be large, and is not drawn
     merged = {name: torch.stack([getattr(s, name)[character] for s in recorded]) for name in names}
     merged = CharacterState(**merged, style=torch.empty(len(recorded), 0))

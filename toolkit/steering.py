@@ -88,7 +88,9 @@ def _moved(state: "CharacterState", now: int) -> Tensor:
 
 
 def straight(speed: float = 1.2, seconds: float = 10.0, facing: Sequence[float] = (0.0, 1.0)) -> list[Command]:
-    """Commands that walk straight ahead at ``speed`` m/s."""
+    """Commands that walk straight ahead at ``speed`` m/s; a ValueError where a number is not finite or time is negative."""
+    if not (math.isfinite(speed) and 0 <= seconds < math.inf):
+        raise ValueError(f"speed and seconds must be finite and seconds not negative, got {speed} and {seconds}")
     forward = unit(torch.tensor(facing, dtype=torch.float32))
     return [Command(tuple((speed * forward).tolist()), tuple(forward.tolist()))] * round(seconds * FPS)
 

@@ -64,7 +64,7 @@ PEERS = {"pybvh": _pybvh, "upc-pymotion": _pymotion, "bvhsdk": _bvhsdk, "bvhio":
 def run(
     file: Annotated[Path | None, typer.Option(help="A BVH file; 3,000 procedural frames where not given.")] = None,
 ) -> None:
-    """Time BVH file to world positions on one core, beside the peers of the extra `bench` (pip install "toolkit[bench]")."""
+    """Time BVH file to world positions on one core, beside the peers of the extra `bench`."""
     torch.set_num_threads(1)
     with tempfile.TemporaryDirectory() as folder:
         if file is None:

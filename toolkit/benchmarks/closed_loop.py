@@ -2,13 +2,12 @@
 
 import math
 from itertools import islice
-from pathlib import Path
 from typing import Annotated
 
 import torch
 import typer
 
-from toolkit import metrics, published, runtime
+from toolkit import metrics, published, runtime, verbs
 from toolkit.motion import Clip
 
 CHUNK = 600  # frames measured at a time: ten minutes of whole states of 25 characters would take gigabytes
@@ -18,8 +17,8 @@ COLUMNS = {"speed": 8, "slowest": 9, "low": 7, "high": 6, "ik": 7, "plain": 7, "
 
 
 def run(
-    model: Annotated[Path | None, typer.Option(help="A trained run; the embedded one where not given.")] = None,
-    parameters: Annotated[Path | None, typer.Option("--published", help="Folder of the published parameters.")] = None,
+    model: verbs.TrainedRun = None,
+    parameters: verbs.Published = None,
     styles: Annotated[str | None, typer.Option(help="Comma-separated names; all where not given.")] = None,
     seconds: Annotated[float, typer.Option(help="How long to walk straight ahead.")] = 600.0,
     speed: Annotated[float, typer.Option(help="Metres per second.")] = 1.0,

@@ -5,14 +5,14 @@ from typing import Annotated
 
 import typer
 
-from toolkit import bvh, published
+from toolkit import bvh, published, verbs
 
 
 def run(
     clip: Annotated[Path, typer.Option(help="A BVH file of the 100STYLE skeleton.")],
     style: Annotated[str, typer.Option(help="Whose style vector.")],
-    parameters: Annotated[Path | None, typer.Option("--published", help="Folder of the published parameters.")] = None,
-    model: Annotated[Path | None, typer.Option(help="A trained run; the embedded one where not given.")] = None,
+    parameters: verbs.Published = None,
+    model: verbs.TrainedRun = None,
     start: Annotated[int, typer.Option(help="First frame (100STYLE: START of Frame_Cuts.csv).")] = 0,
     stop: Annotated[int | None, typer.Option(help="Last frame, not included; the end where not given.")] = None,
     beside: Annotated[str, typer.Option(help="Comma-separated styles to compare with.")] = "Zombie,Aeroplane",

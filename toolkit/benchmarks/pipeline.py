@@ -59,13 +59,13 @@ def _multiply(drawn: Path, root: Path, styles: int) -> None:
     root.mkdir()
     names = [f"Style{i}" for i in range(styles)]
     for table in ("Frame_Cuts.csv", "Dataset_List.csv"):
-        header, *rows = (drawn / table).read_text().splitlines()
+        header, *rows = (drawn / table).read_text(encoding="utf-8").splitlines()
         row = next(r for r in rows if r.startswith("ProceduralNeutral,"))
         lines = [header, *(row.replace("ProceduralNeutral", name, 1) for name in names)]
-        (root / table).write_text("\n".join(lines) + "\n")
+        (root / table).write_text("\n".join(lines) + "\n", encoding="utf-8")
     for path in drawn.glob("*.bvh"):
         for name in names:
-            (root / path.name.replace("ProceduralNeutral", name)).symlink_to(path)
+            (root / path.name.replace("ProceduralNeutral", name)).hardlink_to(path)
 
 
 def _measured(command: list[str]) -> tuple[float, float, float]:

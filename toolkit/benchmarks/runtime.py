@@ -12,9 +12,8 @@ import torch
 import typer
 from torch import Tensor
 
-from toolkit import metrics, published, runtime
+from toolkit import export, metrics, published, runtime, verbs
 from toolkit.networks import Model
-from toolkit.networks.film import EPSILON
 
 ONE, MANY, MANY_FRAMES, MANY_PLAIN = 1.3, 1.25, 1.6, 21.0  # targets: times the floor, and how many times plain einsum
 FRAME = 100.0  # microseconds for the whole frame of one of 64 characters
@@ -23,8 +22,8 @@ SPEEDS = 0.8, 1.6  # metres per second of the rollouts that must be equal
 
 
 def run(
-    model: Annotated[Path | None, typer.Option(help="A trained run; the embedded one where not given.")] = None,
-    parameters: Annotated[Path | None, typer.Option("--published", help="Folder of the published parameters.")] = None,
+    model: verbs.TrainedRun = None,
+    parameters: verbs.Published = None,
     characters: Annotated[str, typer.Option(help="Comma-separated numbers of characters.")] = "1,2,4,8,16,32,64,128,256,512",
     threads: Annotated[str, typer.Option(help="Comma-separated numbers of threads.")] = "1,2",
     rounds: Annotated[int, typer.Option(min=1, help="Of ten calls each; medians are printed.")] = 10,
@@ -180,49 +179,11 @@ def _onnx(net: Model, x: Tensor, phases: Tensor, style: Tensor) -> Callable[[], 
     """The plain model in ONNX Runtime, or why not."""
     try:
         import onnxruntime
-        from onnx import TensorProto, helper, numpy_helper
+
+        graph = export.onnx.graph(net)
     except ImportError:
-        return "not installed (pip install onnx onnxruntime)"
-    nodes, constants = [], []
-
-    def node(kind: str, *inputs: str, **attributes) -> str:
-        nodes.append(helper.make_node(kind, list(inputs), [f"{kind}{len(nodes)}"], **attributes))
-        return nodes[-1].output[0]
-
-    def constant(value) -> str:
-        array = value.detach().numpy() if isinstance(value, Tensor) else np.asarray(value)
-        constants.append(numpy_helper.from_array(np.ascontiguousarray(array), f"c{len(constants)}"))
-        return constants[-1].name
-
-    def normalised(name: str, kind: str) -> str:
-        n = net.normaliser(kind)
-        return node("Div", node("Sub", name, constant(n.mean)), constant(n.std))
-
-    gates = normalised("phases", "phases")
-    for i, layer in enumerate(net.gating.layers):
-        gates = node("Gemm", gates, constant(layer.weight), constant(layer.bias), transB=1)
-        gates = node("Elu", gates) if i < 2 else node("Softmax", gates, axis=-1)
-    h, hidden, wide = normalised("x", "inputs"), net.sizes.hidden, node("Unsqueeze", gates, constant([2]))
-    for i, layer in enumerate(net.experts.layers):
-        k, n, _ = layer.weight.shape
-        spread = node("Reshape", node("Mul", wide, node("Unsqueeze", h, constant([1]))), constant([-1, k * n]))
-        bias = node("MatMul", gates, constant(layer.bias))
-        h = node("Add", node("MatMul", spread, constant(layer.weight.flatten(0, 1))), bias)
-        if i < 2:
-            gamma, beta = (node("Slice", "style", constant([(2 * i + j) * hidden]), constant([(2 * i + j + 1) * hidden]),
-                                constant([1])) for j in range(2))  # fmt: skip
-            centred = node("Sub", h, node("ReduceMean", h, constant([1]), keepdims=1))
-            square = node("ReduceSum", node("Mul", centred, centred), constant([1]), keepdims=1)
-            variance = node("Div", square, constant(np.float32(hidden - 1)))
-            spread = node("Add", node("Sqrt", variance), constant(np.float32(EPSILON)))
-            h = node("Elu", node("Add", node("Mul", gamma, node("Div", centred, spread)), beta))
-    outputs = net.normaliser("outputs")
-    node("Add", node("Mul", h, constant(outputs.std)), constant(outputs.mean))
+        return 'not installed (pip install "toolkit[export]")'
     given = dict(zip(("x", "phases", "style"), (v.numpy() for v in (x, phases, style)), strict=True))
-    values = [helper.make_tensor_value_info(name, TensorProto.FLOAT, ["n", v.shape[1]]) for name, v in given.items()]
-    last = helper.make_tensor_value_info(nodes[-1].output[0], TensorProto.FLOAT, ["n", len(outputs.mean)])
-    graph = helper.make_model(helper.make_graph(nodes, "step", values, [last], constants),
-                              opset_imports=[helper.make_opsetid("", 18)], ir_version=10)  # fmt: skip
     options = onnxruntime.SessionOptions()
     options.intra_op_num_threads = 1
     session = onnxruntime.InferenceSession(graph.SerializeToString(), options, providers=["CPUExecutionProvider"])

@@ -1,7 +1,8 @@
 """Motion datasets behind one call: files of the public ones, and a procedural one that needs no files.
 
-Where ``root`` is None, the folder is the sub-folder called like the dataset (``100style``, ``bandai``, ``xia``) in the
-folder that the environment variable ``TOOLKIT_DATA`` names.
+Where ``root`` is None, the folder is the one called like the dataset (``100style``, ``bandai``, ``xia``) in the folder that
+the environment variable ``TOOLKIT_DATA`` names, or else in the user's data folder, where ``python -m toolkit data fetch``
+puts it (`toolkit.datasets.home`).
 """
 
 import difflib
@@ -11,11 +12,12 @@ from collections import Counter
 from collections.abc import Iterable
 from types import ModuleType
 
-from toolkit.datasets import bandai, style100, xia
+from toolkit.datasets import bandai, home, procedural, style100, xia
 from toolkit.datasets.takes import Take
 from toolkit.motion import Clip
 
-__all__ = ["DATASETS", "Take", "available", "bandai", "contents", "load", "style100", "xia"]
+__all__ = ["DATASETS", "Take", "available", "bandai", "contents", "home", "load", "procedural", "style100", "where",
+           "xia"]  # fmt: skip
 
 DATASETS = {"procedural": "procedural", "100style": "style100", "bandai": "bandai", "xia": "xia"}  # name: module
 
@@ -70,18 +72,27 @@ def contents(name: str, root: str | os.PathLike | None = None) -> dict[str, dict
 
 
 def available(name: str) -> bool:
-    """Whether `load` finds a dataset without a ``root``: `TOOLKIT_DATA` holds its folder, or it needs none.
+    """Whether `load` finds a dataset without a ``root``: its folder is where data lies on this machine, or it needs none.
 
     Raises
     ------
     ValueError
         If the dataset is unknown.
     """
+    _module(name, None)
+    return name == "procedural" or home.folder(name).is_dir()
+
+
+def where(name: str) -> str:
+    """Which data `load` uses without a ``root``, in words.
+
+    Raises
+    ------
+    ValueError
+        If the dataset is unknown or not there.
+    """
     module = _module(name, None)
-    try:
-        return name == "procedural" or module.SOURCE.folder(None).is_dir()
-    except ValueError:
-        return False
+    return "procedural: computed here" if name == "procedural" else f"{name}: {module.SOURCE.folder(None)}"
 
 
 def _module(name: str, root: str | os.PathLike | None) -> ModuleType:

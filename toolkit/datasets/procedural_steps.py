@@ -7,8 +7,8 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
+import scipy
 import torch
-from scipy.interpolate import PchipInterpolator
 from torch import Tensor
 
 from toolkit.datasets.procedural_styles import Leg, Style
@@ -101,7 +101,7 @@ class Plan:
             knots.append((t, clock))
             turn += 1
         knots.append((t + len(self.t), clock))
-        self.clock = smooth(PchipInterpolator(*np.array(knots).T)(self.t), 3)
+        self.clock = smooth(scipy.interpolate.PchipInterpolator(*np.array(knots).T)(self.t), 3)
 
     def foot(self, side: str) -> "Foot":
         """Footsteps of one side, and the tracks that follow from them."""
@@ -184,9 +184,9 @@ class Foot:
                           end + 0.92 * swing), 1)  # fmt: skip
         angles = np.stack((strike + flat, flat, flat, np.minimum(flat, 0) * 0.5 + lift_off, flat * 0.2 - push,
                            flat * 0.7 - 0.65 * push, flat + nexts), 1)  # fmt: skip
-        pitch = PchipInterpolator(knots.ravel(), angles.ravel())(np.clip(t, knots[0, 0], knots[-1, -1]))
+        pitch = scipy.interpolate.PchipInterpolator(knots.ravel(), angles.ravel())(np.clip(t, knots[0, 0], knots[-1, -1]))
         self.pitch = np.radians(smooth(pitch, 2.0))
-        self.flatness = PchipInterpolator(
+        self.flatness = scipy.interpolate.PchipInterpolator(
             np.stack((begin, end, end + 0.45 * swing, end + 0.9 * swing), 1).ravel(),
             np.tile([1.0, 1.0, 0.1, 1.0], len(begin)),
         )(np.clip(t, begin[0], end[-1]))
@@ -203,7 +203,7 @@ class Foot:
         up = np.maximum(self.pitch, 0)
         wide = 0.1
         self.air = np.sin(math.pi * np.clip((u - 0.1) / 0.8, 0, 1)) ** 2
-        self.slack = PchipInterpolator(
+        self.slack = scipy.interpolate.PchipInterpolator(
             np.stack((end + 0.12 * swing, end + 0.35 * swing, end + 0.6 * swing, end + 0.85 * swing), 1).ravel(),
             np.tile([0.0, 1.0, 1.0, 0.0], len(end)),
         )(np.clip(t, end[0] + 0.12 * swing[0], end[-1] + 0.85 * swing[-1]))

@@ -164,7 +164,7 @@ def frame_cuts(root: str | os.PathLike | None = None) -> dict[tuple[str, str], t
                 start, stop = map(int, ends)
             except (TypeError, ValueError):
                 raise ValueError(f"{path}, line {line}: {gait} needs two frame numbers or N/A, got {ends}") from None
-            if not 0 <= start < stop:
+            if not 0 <= start < stop < 2**31:
                 raise ValueError(f"{path}, line {line}: {gait} starts at frame {start} and stops at {stop}")
             cuts[row["STYLE_NAME"], gait] = start, stop
     return cuts
@@ -224,7 +224,8 @@ def table1(root: str | os.PathLike | None = None) -> list[Table1Row]:
     frames = dict.fromkeys(GAITS.values(), 0)
     for (_, gait), (start, stop) in frame_cuts(root).items():
         frames[GAITS[gait]] += stop - start
-    total = sum(frames.values())
+    if not (total := sum(frames.values())):
+        raise ValueError(f"{SOURCE.folder(root)}: Frame_Cuts.csv has no frame of any take")
     total_minutes = 15 * round(total / RATE / 60 / 15)
     minutes, tenths = _apportion(list(frames.values()), total_minutes), _apportion(list(frames.values()), 1000)
     rows = [Table1Row(g, n, m, t / 10) for (g, n), m, t in zip(frames.items(), minutes, tenths, strict=True)]
@@ -249,9 +250,12 @@ def _table(root: str | os.PathLike | None, name: str, columns: list[str]) -> tup
         raise ValueError(f"100style: no {name} in {folder}; expected {SOURCE.layout}; get it at {SOURCE.home}")
     with path.open(encoding="utf-8-sig", errors="replace", newline="") as file:
         reader = csv.DictReader(file, restval="")
-        if missing := [c for c in columns if c not in (reader.fieldnames or [])]:
-            raise ValueError(f"{path}, line 1: expected the columns {', '.join(columns)}; without {', '.join(missing)}")
-        rows = [(reader.line_num, row) for row in reader]
+        try:
+            if missing := [c for c in columns if c not in (reader.fieldnames or [])]:
+                raise ValueError(f"{path}, line 1: expected the columns {', '.join(columns)}; without {', '.join(missing)}")
+            rows = [(reader.line_num, row) for row in reader]
+        except csv.Error as error:
+            raise ValueError(f"{path}, line {reader.line_num + 1}: {error}") from error
     if not rows:
         raise ValueError(f"{path}: the table has no row")
     return path, rows

@@ -10,6 +10,7 @@ from pathlib import Path
 from tqdm import tqdm
 
 from toolkit import bvh
+from toolkit.datasets import home
 from toolkit.motion import Clip
 
 
@@ -47,13 +48,8 @@ class Source:
     gaits: Mapping[str, str] | None = None
 
     def folder(self, root: str | os.PathLike | None) -> Path:
-        """The dataset's folder: ``root``, or else the sub-folder called like the dataset in ``$TOOLKIT_DATA``."""
-        if root is None:
-            if not os.environ.get("TOOLKIT_DATA"):
-                raise ValueError(f"{self.name}: give root=, the folder with {self.layout}, or set TOOLKIT_DATA to the "
-                                 f"folder that holds {self.name}/; the data is at {self.home}")  # fmt: skip
-            root = Path(os.environ["TOOLKIT_DATA"]) / self.name
-        folder = Path(root)
+        """The dataset's folder: ``root``, or else where data lies on this machine (`toolkit.datasets.home`)."""
+        folder = home.find(self.name, self.layout, self.home) if root is None else Path(root)
         if not folder.is_dir():
             problem = "is not a folder" if folder.exists() else "does not exist"
             raise ValueError(f"{self.name}: {folder} {problem}; expected a folder with {self.layout}; get it at {self.home}")

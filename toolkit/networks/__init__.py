@@ -3,7 +3,7 @@
 import dataclasses
 
 from toolkit.features import Features, Layout, Normaliser
-from toolkit.networks import phase
+from toolkit.networks import bank, phase
 from toolkit.networks.adapters import OneHot, ResidualAdapter, StyleTable
 from toolkit.networks.experts import BlendedLinear, Experts
 from toolkit.networks.film import Film, FilmGenerator, fold, layer_norm
@@ -12,8 +12,8 @@ from toolkit.networks.model import MODELS, PHASE, Model, Sizes
 from toolkit.networks.parameters import Row, counts, table2
 
 __all__ = ["MODELS", "BlendedLinear", "CatmullRom", "Experts", "Film", "FilmGenerator", "Gating", "Model", "OneHot",
-           "ResidualAdapter", "Row", "Sizes", "StyleTable", "VelocityGating", "build", "counts", "fold", "layer_norm",
-           "normalisers", "table2"]  # fmt: skip
+           "ResidualAdapter", "Row", "Sizes", "StyleTable", "VelocityGating", "bank", "build", "counts", "fold",
+           "layer_norm", "normalisers", "table2"]  # fmt: skip
 
 
 def build(name: str, layout: Layout, n_styles: int, sizes: Sizes | None = None,

@@ -142,10 +142,8 @@ class StyleBank:
     @classmethod
     def from_parts(cls, path: str | os.PathLike, tensors: dict[str, Tensor], parts: dict) -> "StyleBank":
         """The bank among what `toolkit.networks.weights.read` returned for ``path``."""
-        try:
+        with weights.intact(path, "the style bank"):
             return cls(tuple(parts["bank"]), tensors["bank.vectors"])
-        except (KeyError, TypeError, ValueError) as error:
-            raise ValueError(f"{path}: the style bank is damaged ({error})") from error
 
 
 def check_style(name: str, names: Iterable[str]) -> None:

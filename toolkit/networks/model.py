@@ -247,20 +247,20 @@ class Model(nn.Module):
     @classmethod
     def from_parts(cls, path: str | os.PathLike, tensors: dict[str, Tensor], parts: dict, layout: Layout | None) -> "Model":
         """The model among what `toolkit.networks.weights.read` returned for ``path``."""
-        try:
+        with weights.intact(path, "the model's description"):
             d = parts["model"]
             name, stored, sizes = d["name"], Layout.from_json(json.dumps(d["layout"])), Sizes(**d["sizes"])
             if name not in MODELS:
                 raise ValueError(f"unknown model {name!r}")
-            if layout is not None and stored != dataclasses.replace(layout, phase=stored.phase):
-                described = (
-                    {"joints": own.names, "parents": own.parents, "points": own.skeleton.names} for own in (layout, stored)
-                )
-                raise ValueError(f"the layout differs in {weights.difference(*described)}")
+            if not isinstance(d["n_styles"], int):
+                raise ValueError(f"n_styles must be a whole number, got {d['n_styles']!r}")
             with torch.device("meta"):  # no memory, no random numbers: the file has them all
                 model = cls(name, stored, d["n_styles"], sizes, {}, d["generator"])
-        except (KeyError, TypeError, ValueError) as error:
-            raise ValueError(f"{path}: {error}") from error
+        if layout is not None and stored != dataclasses.replace(layout, phase=stored.phase):
+            described = (
+                {"joints": own.names, "parents": own.parents, "points": own.skeleton.names} for own in (layout, stored)
+            )
+            raise ValueError(f"{path}: the layout differs in {weights.difference(*described)}")
         own = {k.removeprefix("model."): v.float() for k, v in tensors.items() if k.startswith("model.")}
         shapes = {k: list(v.shape) for k, v in model.state_dict().items()}
         if why := weights.difference(shapes, {k: list(v.shape) for k, v in own.items()}):

@@ -4,8 +4,10 @@ A file holds one or more parts (a ``model``, a style ``bank``, a training ``run`
 needs only one of them can read any file that has it.
 """
 
+import contextlib
 import json
 import os
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -52,17 +54,31 @@ def read(path: str | os.PathLike, part: str) -> tuple[dict[str, Tensor], dict[st
     except OSError as error:
         raise ValueError(f"{path}: cannot be read ({error.strerror or 'no such file'})") from error
     except SafetensorError as error:
-        raise ValueError(f"{path}: not a whole safetensors file ({error})") from error
+        raise ValueError(f"{path}: not a whole safetensors file ({plain(error)})") from error
     found = metadata.pop("format", None)
     if found != FORMAT:
         raise ValueError(f"{path}: expected the format {FORMAT!r}, got {found!r}")
     try:
         parts = {name: json.loads(text) for name, text in metadata.items()}
-    except json.JSONDecodeError as error:
-        raise ValueError(f"{path}: its metadata is damaged ({error})") from error
+    except (ValueError, RecursionError) as error:
+        raise ValueError(f"{path}: its metadata is damaged ({plain(error)})") from error
     if part not in parts:
         raise ValueError(f"{path}: expected a {part} in it, got {', '.join(sorted(parts)) or 'nothing'}")
     return tensors, parts
+
+
+@contextlib.contextmanager
+def intact(path: str | os.PathLike, what: str) -> Iterator[None]:
+    """Inside, whatever Python raises where a value is not of the kind that was written is one line: ``what`` is damaged."""
+    try:
+        yield
+    except (AttributeError, IndexError, KeyError, OverflowError, RuntimeError, TypeError, ValueError) as error:
+        raise ValueError(f"{path}: {what} is damaged ({plain(error)})") from error
+
+
+def plain(error: Exception) -> str:
+    """What an error says, in one printable line that is not too long: it may quote the file."""
+    return " ".join("".join(c if c.isprintable() else " " for c in str(error)).split())[:300]
 
 
 def difference(expected: dict[str, Any], got: dict[str, Any]) -> str:

@@ -7,6 +7,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+import lazy_loader
 import torch
 from torch import Tensor
 
@@ -20,6 +21,7 @@ from toolkit.phases.windows import normalise, smooth
 __all__ = ["LIMBS", "SOURCES", "Coherent", "Contact", "ContactFree", "Hybrid", "Phases", "Sinusoids", "Source", "Velocity",
            "curves", "extract", "extract_group", "fit", "local_positions", "named", "normalise", "smooth",
            "windows"]  # fmt: skip
+__getattr__ = lazy_loader.attach(__name__, ["learned"])[0]  # which imports this package
 
 #: Sources by name; "learned" is one more, read from its file when asked for (`named`).
 SOURCES: dict[str, Source | Coherent] = {"hybrid": Hybrid(), "contact": Contact(), "contact-free": ContactFree(),

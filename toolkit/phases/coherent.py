@@ -10,8 +10,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
+import scipy
 import torch
-from scipy.interpolate import interp1d
 from torch import Tensor
 
 from toolkit.motion import Clip
@@ -119,7 +119,7 @@ def stepped(contact: Tensor) -> Tensor:
     change = np.flatnonzero(np.diff(value)) + 0.5
     middle = (change[1:] + change[:-1]) / 2
     angle = np.pi * (np.arange(len(middle)) + (value[int(middle[0])] == 0))
-    grow = interp1d(middle, angle, fill_value="extrapolate", assume_sorted=True)
+    grow = scipy.interpolate.interp1d(middle, angle, fill_value="extrapolate", assume_sorted=True)
     return torch.exp(1j * torch.from_numpy(grow(np.arange(len(value)))))
 
 

@@ -30,8 +30,8 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
+import scipy
 import torch
-from scipy.ndimage import maximum_filter1d, minimum_filter1d
 from torch import Tensor
 
 MIN_FREQUENCY, MAX_FREQUENCY = 0.25, 4.0
@@ -104,7 +104,8 @@ def fit(source: Tensor, fps: float, half_window: float = 0.5, continuity: float 
     per_frame = 2 * np.pi / fps
     grid = frequencies(n / fps) * per_frame
     curves = source.detach().double().T.contiguous().numpy()  # [L, F]
-    low, high = (extreme(curves, n, mode="mirror") for extreme in (minimum_filter1d, maximum_filter1d))
+    extremes = scipy.ndimage.minimum_filter1d, scipy.ndimage.maximum_filter1d
+    low, high = (extreme(curves, n, mode="mirror") for extreme in extremes)
     found = np.zeros((len(curves), CANDIDATES if continuity > 0 else 1, 5, len(source)))
     for limb, curve in enumerate(np.pad(curves, ((0, 0), (half, half)), mode="reflect")):
         minima(curve, low[limb], high[limb], grid, found[limb])

@@ -25,8 +25,8 @@ from functools import cache
 from importlib import resources
 
 import numpy as np
+import scipy
 import torch
-from scipy.interpolate import CubicSpline
 from torch import Tensor, nn
 from tqdm.auto import tqdm
 
@@ -151,7 +151,7 @@ def cut(curves: Tensor, fps: float, every: int = 1) -> Tensor:
     times = torch.arange(0, len(curves), every, dtype=torch.float64)[:, None] / fps + torch.arange(-HALF, HALF + 1) / RATE
     last = (len(curves) - 1) / fps
     times = last - (last - times.abs()).abs()
-    spline = CubicSpline(torch.arange(len(curves)).double().numpy() / fps, curves.double().numpy())
+    spline = scipy.interpolate.CubicSpline(torch.arange(len(curves)).double().numpy() / fps, curves.double().numpy())
     found = torch.from_numpy(spline(times.numpy())).float().transpose(1, 2)
     found = found - found.mean(-1, keepdim=True)
     return found / found.square().mean((1, 2), keepdim=True).sqrt().clamp_min(1e-4)
@@ -238,14 +238,12 @@ class Learned:
         """Read a source that `save` wrote; a file that is none is a one-line ValueError. No code in it is run."""
         tensors, parts = weights.read(path, "learned")
         networks = {}
-        try:
+        with weights.intact(path, "the learned source in it"):
             for part in PARTS:
                 networks[part] = PeriodicAutoencoder(hidden=parts["learned"]["hidden"][part]).eval()
                 own = f"learned.{part}."
                 networks[part].load_state_dict({k.removeprefix(own): v for k, v in tensors.items() if k.startswith(own)})
             return cls(networks, {part: float(parts["learned"]["factors"][part]) for part in PARTS})
-        except (KeyError, TypeError, ValueError, RuntimeError) as error:
-            raise ValueError(f"{path}: the learned source in it is damaged ({' '.join(str(error).split())})") from error
 
 
 @cache

@@ -5,8 +5,8 @@ Curves are ``[F, ...]``, float64; windows are given by their half length in seco
 
 import math
 
+import scipy
 import torch
-from scipy.signal import butter, sosfiltfilt
 from torch import Tensor
 
 SECOND = 0.5  # half of the one-second window
@@ -44,7 +44,8 @@ def normalise(curves: Tensor, fps: float, half: float = SECOND) -> Tensor:
 
 def smooth(curves: Tensor, fps: float) -> Tensor:
     """Second-order zero-phase Butterworth low-pass at `CUTOFF` along the first axis, float64."""
-    filtered = sosfiltfilt(butter(2, CUTOFF, fs=fps, output="sos"), curves.double().numpy(), axis=0)
+    low_pass = scipy.signal.butter(2, CUTOFF, fs=fps, output="sos")
+    filtered = scipy.signal.sosfiltfilt(low_pass, curves.double().numpy(), axis=0)
     return torch.from_numpy(filtered.copy())
 
 

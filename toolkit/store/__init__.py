@@ -9,16 +9,18 @@ is therefore there, and a stopped run goes on with what it does not list. The sa
 give the same bytes, in whatever order and on however many processes or machines.
 """
 
+import contextlib
 import dataclasses
 import json
 import os
 import shutil
 from collections import defaultdict
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from concurrent.futures import Executor
 from pathlib import Path
 from typing import Any
 
+import filelock
 import torch
 from tqdm import tqdm
 
@@ -27,7 +29,7 @@ from toolkit import datasets, features, phases, sampling, trajectory
 from toolkit.datasets import Take
 from toolkit.features import Features, Layout, Normaliser, Split
 from toolkit.networks.bank import check_style
-from toolkit.networks.weights import difference
+from toolkit.networks.weights import difference, intact
 from toolkit.store import files, partition
 from toolkit.store.partition import Partition
 from toolkit.store.workers import completed, executor
@@ -76,7 +78,7 @@ def preprocess(data: str, root: str | os.PathLike | None, out: str | os.PathLike
         If files cannot be read or hold no style clip (all other styles are stored; the message names each file), or the
         store was made with other settings or of other files.
     OSError
-        If the folder cannot be written to or there is too little space.
+        If the folder cannot be written to, there is too little space or another process writes to it.
     KeyboardInterrupt
         When interrupted, after the styles in work were stored.
     """
@@ -98,7 +100,15 @@ def preprocess(data: str, root: str | os.PathLike | None, out: str | os.PathLike
     jobs = [Partition(data, root, out, source, style, tuple(takes),
                       frozenset(t.gait for _, t in takes if mirror and mirror(t)))
             for style, takes in sorted(by_style.items())]  # fmt: skip
-    manifest = _begin(out, json.loads(json.dumps(settings)))
+    settings = json.loads(json.dumps(settings))
+    with _alone(out):
+        return _make(out, settings, jobs, workers, scheduler, progress)
+
+
+def _make(out: Path, settings: dict[str, Any], jobs: list[Partition], workers: int | None, scheduler: str | None,
+          progress: bool) -> bool:  # fmt: skip
+    """Make what a store lacks; False where it lacks nothing."""
+    manifest = _begin(out, settings)
     todo = _remaining(out, manifest, jobs, progress)
     if manifest["finished"]:
         return False
@@ -128,6 +138,18 @@ def preprocess(data: str, root: str | os.PathLike | None, out: str | os.PathLike
     return True
 
 
+@contextlib.contextmanager
+def _alone(out: Path) -> Iterator[None]:
+    """Inside, no other process writes to the store; a lock that a killed one held is free."""
+    out.parent.mkdir(parents=True, exist_ok=True)
+    lock = out.with_name(f".{out.name}.lock")
+    try:
+        with filelock.FileLock(lock, timeout=0):
+            yield
+    except filelock.Timeout as error:
+        raise OSError(f"{out}: another process is writing this store (lock {lock}); wait for it") from error
+
+
 def is_store(path: str | os.PathLike) -> bool:
     """Whether a folder holds a store, finished or not."""
     return (Path(path) / files.MANIFEST).is_file()
@@ -152,8 +174,9 @@ def load(path: str | os.PathLike, styles: list[str] | None = None) -> Features:
     if tuple(found.styles) != tuple(entries):
         return found
     tensors = files.read(path / SPLIT, manifest["split"])
-    statistics = {kind: Normaliser(tensors[f"{kind}.mean"], tensors[f"{kind}.std"]) for kind in features.KINDS}
-    held_out = {style: tensors[f"held_out.{style}"] for style in entries}
+    with intact(path / SPLIT, "the split"):
+        statistics = {kind: Normaliser(tensors[f"{kind}.mean"], tensors[f"{kind}.std"]) for kind in features.KINDS}
+        held_out = {style: tensors[f"held_out.{style}"] for style in entries}
     return dataclasses.replace(found, split=Split(settings["held_out"], settings["seed"], held_out, statistics))
 
 

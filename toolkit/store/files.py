@@ -13,6 +13,9 @@ from safetensors import SafetensorError, safe_open
 from safetensors.torch import save_file
 from torch import Tensor
 
+from toolkit.layout import Layout
+from toolkit.networks.weights import intact, plain
+
 FORMAT = "toolkit store 1"
 MANIFEST = "manifest.json"
 
@@ -31,27 +34,44 @@ def read(path: Path, entry: dict[str, Any]) -> dict[str, Tensor]:
     """Memory-mapped tensors of a file that the manifest lists."""
     if not path.is_file() or path.stat().st_size != entry["bytes"]:
         raise ValueError(f"{path}: missing or not whole; run the command that makes the store again to mend it")
-    with safe_open(path, framework="pt") as file:
-        return {name: file.get_tensor(name) for name in file.keys()}  # noqa: SIM118 (not a dict)
+    try:
+        with safe_open(path, framework="pt") as file:
+            return {name: file.get_tensor(name) for name in file.keys()}  # noqa: SIM118 (not a dict)
+    except SafetensorError as error:
+        raise ValueError(f"{path}: damaged ({plain(error)}); remove it and run the command that makes the store") from error
 
 
 def write_manifest(out: Path, manifest: dict[str, Any]) -> None:
     """Write a store's manifest, styles in alphabetical order."""
     manifest = manifest | {"partitions": dict(sorted(manifest["partitions"].items()))}
     with _whole(out / MANIFEST) as partial:
-        partial.write_text(json.dumps(manifest, indent=1))
+        partial.write_text(json.dumps(manifest, indent=1), encoding="utf-8")
 
 
 def read_manifest(path: Path) -> dict[str, Any]:
     """The manifest of a store; a ValueError where there is none."""
     try:
-        manifest = json.loads((path / MANIFEST).read_text())
+        manifest = json.loads((path / MANIFEST).read_text(encoding="utf-8"))
     except FileNotFoundError:
         raise ValueError(f"{path}: holds no store (no {MANIFEST})") from None
-    except ValueError as error:
-        raise ValueError(f"{path / MANIFEST}: damaged ({error})") from error
-    if manifest.get("format") != FORMAT:
-        raise ValueError(f"{path / MANIFEST}: expected the format {FORMAT!r}, got {manifest.get('format')!r}")
+    except (ValueError, RecursionError) as error:
+        raise ValueError(f"{path / MANIFEST}: damaged ({plain(error)})") from error
+    found = manifest.get("format") if isinstance(manifest, dict) else None
+    if found != FORMAT:
+        raise ValueError(f"{path / MANIFEST}: expected the format {FORMAT!r}, got {found!r}")
+    with intact(path / MANIFEST, "the manifest"):
+        entries = manifest["partitions"]
+        for entry in (*entries.values(), *([manifest["split"]] if manifest["finished"] else [])):
+            file, size = entry["file"], entry["bytes"]
+            if not file.isprintable() or Path(file).name != file or not isinstance(size, int) or not entry["sha256"]:
+                raise ValueError(f"a file called {file!r} of {size!r} bytes")
+        for entry in entries.values():
+            Layout.from_json(entry["layout"])
+            frames, takes = ([clip[key] for clip in entry["clips"]] for key in ("frames", "take"))
+            if not all(isinstance(n, int) and 0 <= n < 2**31 for n in (*frames, *takes)) or sum(frames) != entry["frames"]:
+                raise ValueError(f"{entry['file']}: clips of {frames} frames are not {entry['frames']!r}")
+        if missing := {"held_out", "seed"} - manifest["settings"].keys():
+            raise ValueError(f"settings without {', '.join(missing)}")
     return manifest
 
 

@@ -13,6 +13,7 @@ from toolkit import datasets, features
 from toolkit.datasets import Take
 from toolkit.features import Features, Layout, OwnFeatures, Rows
 from toolkit.motion import RootFrames
+from toolkit.networks.weights import intact
 from toolkit.store import files
 from toolkit.store.workers import one_thread
 
@@ -73,7 +74,10 @@ def read(path: Path, entries: dict[str, dict[str, Any]]) -> Features:
     layout = Layout.from_json(next(iter(entries.values()))["layout"])
     for style, entry in entries.items():
         t = files.read(path / entry["file"], entry)
-        own = OwnFeatures(layout, RootFrames(t["positions"], t["rotations"]), t["joints"], t["phases"], t["contacts"])
+        with intact(path / entry["file"], "this part of the store"):
+            if {len(x) for x in t.values()} != {entry["frames"]}:
+                raise ValueError(f"expected {entry['frames']} frames")
+            own = OwnFeatures(layout, RootFrames(t["positions"], t["rotations"]), t["joints"], t["phases"], t["contacts"])
         at, starts, takes, first = [], [], [], 0
         for clip in entry["clips"]:
             at.append(first + features.usable(clip["frames"]))

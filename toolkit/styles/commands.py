@@ -7,14 +7,13 @@ from typing import Annotated
 
 import typer
 
-from toolkit import bvh
+from toolkit import bvh, verbs
 from toolkit.networks import Model, weights
 from toolkit.networks.bank import StyleBank
 from toolkit.styles.fine_tuning import METHODS, STEPS, fine_tune
 
 app = typer.Typer(no_args_is_help=True, help="Add styles to a trained model, and look at those it has.")
 
-ModelFile = Annotated[Path | None, typer.Option("--model", help="A trained run; the embedded one where not given.")]
 
 
 @app.command("add")
@@ -22,7 +21,7 @@ def add(
     clips: Annotated[Path, typer.Option(help="A BVH file of the style, or a folder of them; whole files are learnt.")],
     name: Annotated[str, typer.Option(help="What the style is called.")],
     out: Annotated[Path, typer.Option(help="The file to write: as --model, with one style more.")],
-    model: ModelFile = None,
+    model: verbs.TrainedRun = None,
     method: Annotated[str | None, typer.Option(help=f"{', '.join(METHODS)}; the best it can by default.")] = None,
     steps: Annotated[int, typer.Option(min=1, help="Of gradient descent.")] = STEPS,
     mirror: Annotated[bool, typer.Option("--mirror", help="Learn from mirror images too; for symmetric styles.")] = False,
@@ -54,7 +53,7 @@ def add(
 
 
 @app.command("list")
-def list_(model: ModelFile = None) -> None:
+def list_(model: verbs.TrainedRun = None) -> None:
     """List the styles of a model, each with its nearest ones."""
     bank = _read(model)[3]
     for name in bank:

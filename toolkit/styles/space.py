@@ -64,20 +64,21 @@ def embed(vectors: Tensor, method: str = "tsne", seed: int = 0) -> Tensor:
     if vectors.dim() != 2 or len(vectors) < 3:
         raise ValueError(f"a map needs three or more vectors [N, D], got {list(vectors.shape)}")
     rows = vectors.detach().double().cpu().numpy()
+    try:
+        if method == "umap":
+            from umap import UMAP
+        else:
+            from sklearn.decomposition import PCA
+            from sklearn.manifold import TSNE
+    except ImportError as error:
+        package = "umap-learn" if method == "umap" else "scikit-learn"
+        raise ValueError(f"the embedding {method!r} needs the package {package}: pip install {package}") from error
     if method == "pca":
-        from sklearn.decomposition import PCA
-
         points = PCA(2, random_state=seed).fit_transform(rows)
     elif method == "tsne":
-        from sklearn.manifold import TSNE
-
         perplexity = min(PERPLEXITY, (len(rows) - 1) / 3)
         points = TSNE(perplexity=perplexity, init="pca", random_state=seed).fit_transform(rows)
     else:
-        try:
-            from umap import UMAP
-        except ImportError as error:
-            raise ValueError("the embedding 'umap' needs the package umap-learn: pip install umap-learn") from error
         points = UMAP(n_neighbors=min(15, len(rows) - 1), random_state=seed, n_jobs=1).fit_transform(rows)
     return torch.from_numpy(points).float()
 

@@ -138,7 +138,7 @@ def compare(motions: Motions, plan: Plan, seeds: Sequence[int], folder: Path, pr
                 ways = ("noise", "reference") if name in ABLATION else ("reference",)
                 found = {by: evaluate(model, sources, test, judges, by=by, seed=seed) for by in ways}
                 write_json(path, {by: {"seed": seed, "training_seconds": seconds, **row} for by, row in found.items()})
-            for by, row in json.loads(path.read_text()).items():
+            for by, row in json.loads(path.read_text(encoding="utf-8")).items():
                 table[by][name].append(row)
     write_json(folder / "comparison.json", table)
     return table
@@ -160,7 +160,7 @@ def trained(name: str, motions: Motions, plan: Plan, seed: int, folder: Path, pr
 def _settle(folder: Path, plan: Plan) -> None:
     path, own = folder / "settings.json", asdict(plan)
     if path.exists():
-        if why := weights.difference(json.loads(path.read_text()), own):
+        if why := weights.difference(json.loads(path.read_text(encoding="utf-8")), own):
             raise ValueError(f"{folder}: holds a comparison with other settings ({why}); choose another --out")
     else:
         write_json(path, own)

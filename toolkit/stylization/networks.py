@@ -206,14 +206,12 @@ class Stylizer(nn.Module):
     @classmethod
     def from_parts(cls, path: str | os.PathLike, tensors: dict[str, Tensor], parts: dict) -> "Stylizer":
         """The stylizer among what `toolkit.networks.weights.read` returned for ``path``."""
-        try:
+        with weights.intact(path, "the stylizer in it"):
             described = parts["stylizer"]
             graph = SkeletonGraph.of(Skeleton(**described["skeleton"]))
             model = build(graph, tuple(described["domains"]), Sizes(**described["sizes"]))[0]
             own = {k.removeprefix("stylizer."): v for k, v in tensors.items() if k.startswith("stylizer.")}
             model.load_state_dict(own)
-        except (KeyError, TypeError, ValueError, RuntimeError) as error:
-            raise ValueError(f"{path}: the stylizer in it is damaged ({' '.join(str(error).split())})") from error
         return model.eval()
 
 

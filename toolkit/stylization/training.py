@@ -98,7 +98,7 @@ def load(path: str | os.PathLike) -> Run:
     """Read a run that `Run.save` wrote; a file that is none is a one-line ValueError."""
     tensors, parts = weights.read(path, "stylization")
     stylizer = Stylizer.from_parts(path, tensors, parts)
-    try:
+    with weights.intact(path, "the record of the run"):
         numbers = parts["stylization"]
         stored = numbers["config"]
         config = Config(**stored | {"sizes": Sizes(**stored["sizes"]), "losses": tuple(stored["losses"]),
@@ -106,8 +106,6 @@ def load(path: str | os.PathLike) -> Run:
         discriminator = Discriminator(stylizer.graph, stylizer.sizes, len(stylizer.domains)).eval()
         discriminator.load_state_dict(_own(tensors, "discriminator."))
         return Run(stylizer, discriminator, config, numbers["history"])
-    except (KeyError, TypeError, ValueError, RuntimeError) as error:
-        raise ValueError(f"{path}: the record of the run is damaged ({' '.join(str(error).split())})") from error
 
 
 class Batches:

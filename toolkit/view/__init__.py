@@ -1,9 +1,15 @@
 """Look at motion: web page, pictures still and moving, notebook player, charts. The only importer of drawing libraries."""
 
 from importlib import import_module
+from importlib.util import find_spec
+
+_NEEDS = ("anywidget", "ipywidgets", "matplotlib", "PIL", "plotly", "pyvista", "sklearn")
+if _missing := [name for name in _NEEDS if find_spec(name) is None]:
+    raise ImportError(f'pages, pictures and widgets need {", ".join(_missing)}: pip install "toolkit[view]"')
 
 _HOME = {
-    "animate": "animation", "contact_sheet": "animation", "loop": "animation", "crowd": "group", "html": "page",
+    "animate": "animation", "contact_sheet": "animation", "loop": "animation", "crowd": "group",
+    "html": "page", "web": "live_page",
     "strip": "picture",
     "play": "player", "Player": "player",
     "Controller": "controller",
@@ -14,7 +20,7 @@ _HOME = {
 }  # fmt: skip
 __all__ = ["Controller", "Player", "StyleBlender", "StyleExplorer", "StyleTriangle", "animate", "contact_sheet", "crowd",
            "explore", "html", "loop", "phase_figure", "phase_manifold", "play", "principal_axes", "strip", "style_space",
-           "training_curves", "trajectory_figure"]  # fmt: skip
+           "training_curves", "trajectory_figure", "web"]  # fmt: skip
 
 
 def __getattr__(name: str):

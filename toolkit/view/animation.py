@@ -13,6 +13,7 @@ from scipy.ndimage import gaussian_filter1d
 from tqdm import tqdm
 
 from toolkit import rotations as R
+from toolkit.bvh import atomic_write
 from toolkit.motion import Clip
 from toolkit.view import body
 from toolkit.view.picture import FLOOR, INK, PAPER, contact_list, label, steady_frames
@@ -92,7 +93,8 @@ def write(frames: Iterable[Image.Image], path: Path, fps: float, colors: int) ->
         how["optimize"] = False
     elif path.suffix == ".webp":
         how["quality"] = 80
-    frames[0].save(path, append_images=frames[1:], **how)
+    with atomic_write(path) as file:
+        frames[0].save(file, Image.registered_extensions()[path.suffix], append_images=frames[1:], **how)
     return path
 
 
@@ -134,7 +136,8 @@ def contact_sheet(clips: Clip | Sequence[Clip], path: str | os.PathLike | None =
         cells += [shot.draw(frame, reach, shot.top, scale) for frame in poses]  # every row as high as it needs
     sheet = _sheet(cells, columns, labels)
     if path is not None:
-        sheet.save(path)
+        with atomic_write(path) as file:
+            sheet.save(file, Image.registered_extensions()[Path(path).suffix.lower()])
     return sheet
 
 
@@ -267,7 +270,7 @@ def _film(frames: Iterable[Image.Image], path: Path, fps: float) -> None:
         import av
     except ImportError:
         raise ImportError(f"writing {path.name} needs PyAV: pip install av") from None
-    with av.open(str(path), "w", options={"movflags": "faststart"}) as film:
+    with atomic_write(path) as file, av.open(file, "w", format="mp4", options={"movflags": "faststart"}) as film:
         stream = film.add_stream("libx264", rate=Fraction(fps).limit_denominator(1001), options={"crf": "18"})
         stream.pix_fmt = "yuv420p"
         for frame in frames:

@@ -113,6 +113,10 @@ class StyleBlender(widgets.HBox):
         self.player.close()
         super().close()
 
+    def _repr_mimebundle_(self, **kwargs) -> dict:
+        """The widget, and the player's picture for pages that show none (a notebook on GitHub, nbconvert)."""
+        return super()._repr_mimebundle_(**kwargs) | {"image/jpeg": self.player._repr_mimebundle_()["image/jpeg"]}
+
     def _set(self, weights: Mapping[str, float]) -> None:
         """Menus and marker at a blend, with no motion made for it."""
         names, shares = self._corners(weights)

@@ -7,6 +7,7 @@ import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from toolkit import metrics
+from toolkit.bvh import atomic_write
 from toolkit.comparison.failures import Case
 from toolkit.features import Layout
 from toolkit.motion import Clip, root_frames
@@ -96,7 +97,8 @@ def hands(clips: Mapping[str, Clip], seconds: float = 3.0) -> Picture:
 
 def save(figure: Picture, path: str | os.PathLike) -> None:
     """Write a PNG file."""
-    figure.savefig(path, dpi=figure.dpi, facecolor=PAPER)
+    with atomic_write(path) as file:
+        figure.savefig(file, format="png", dpi=figure.dpi, facecolor=PAPER)
 
 
 def _colour(name: str) -> str:

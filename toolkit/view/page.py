@@ -4,15 +4,16 @@ import base64
 import html as escaping
 import json
 import os
-import tempfile
 from collections.abc import Mapping, Sequence
 from importlib import resources
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import torch
 
 from toolkit import rotations as R
+from toolkit.bvh import atomic_write
 from toolkit.motion import Clip
 from toolkit.view import body
 from toolkit.view.picture import contact_list, label, steady_frames
@@ -29,26 +30,28 @@ PAGE = """<!doctype html>
 <link rel="icon" href="data:,">
 <title>{title}</title>
 <style>
-html, body {{ height: 100%; margin: 0; }}
+html, body {{ height: 100dvh; margin: 0; }}
 body {{ display: flex; flex-direction: column; gap: 12px; padding: 16px 20px 20px; box-sizing: border-box;
   background: #e9e6df; color: #2b323b; font: 14px/1.5 system-ui, -apple-system, "Segoe UI", Roboto, sans-serif; }}
 h1 {{ font-size: 20px; margin: 0; letter-spacing: -0.01em; }}
 header p {{ margin: 2px 0 0; color: #5d6570; max-width: 100ch; }}
 main {{ flex: 1; min-height: 0; }}
+@media (max-width: 700px), (max-height: 500px) {{ body {{ gap: 8px; padding: 10px 12px; }} header p {{ font-size: 12px; }} }}
+@media (max-height: 500px) {{ header p {{ display: none; }} }}
 </style>
 </head>
 <body>
 <header><h1>{title}</h1>{caption}</header>
 <main id="stage"></main>
 <noscript>This page draws the motion with JavaScript, which is switched off here.</noscript>
-<script type="application/json" id="motion">{motion}</script>
+<script type="application/json" id="data">{data}</script>
 <script>/* three.js, MIT licence:
 {licence}
 */</script>
 <script type="module">{bundle}</script>
 <script type="module">
-const motion = JSON.parse(document.getElementById("motion").textContent);
-globalThis.view = toolkitScene.player(document.getElementById("stage"), motion);
+const stage = document.getElementById("stage"), data = JSON.parse(document.getElementById("data").textContent);
+{start}
 </script>
 </body>
 </html>
@@ -96,20 +99,35 @@ def html(clips: Clip | Sequence[Clip], path: str | os.PathLike, *, title: str, c
                          f"{len(labels)} labels, {len(styles)} style mappings")  # fmt: skip
     rows = zip(clips, labels, contact_list(contacts, clips), styles, strict=True)
     packed = [pack(*row) for row in rows]
+    return write(path, title, caption, {"clips": packed}, "globalThis.view = toolkitScene.player(stage, data);")
+
+
+def write(path: str | os.PathLike, title: str, caption: str, data: dict[str, Any], start: str) -> Path:
+    """Write a page with the scene's code in it, whole or not at all.
+
+    Parameters
+    ----------
+    path
+        The file.
+    title, caption
+        Heading of the page and a line below it.
+    data
+        What JSON can hold.
+    start
+        JavaScript that finds the page's element as ``stage``, ``data`` and the scene's code as ``toolkitScene``.
+    """
     static = resources.files("toolkit.view") / "static"
     page = PAGE.format(
         title=escaping.escape(title),
         caption=f"<p>{escaping.escape(caption)}</p>" if caption else "",
-        motion=json.dumps({"clips": packed}).replace("</", "<\\/"),
+        data=json.dumps(data, allow_nan=False).replace("</", "<\\/"),
         licence=(static / "THREE-LICENSE").read_text(encoding="utf-8").strip(),
         bundle=(static / "scene.js").read_text(encoding="utf-8"),
+        start=start,
     )
-    path = Path(path)
-    with tempfile.NamedTemporaryFile("w", encoding="utf-8", dir=path.parent, suffix=".html", delete=False) as file:
-        file.write(page)
-    os.replace(file.name, path)
-    os.chmod(path, 0o644)
-    return path
+    with atomic_write(path) as file:
+        file.write(page.encode())
+    return Path(path)
 
 
 def pack(clip: Clip, text: str, contacts: np.ndarray | None = None, weights: Mapping | None = None) -> dict:

@@ -3,6 +3,7 @@
 import io
 import os
 from collections.abc import Sequence
+from pathlib import Path
 
 import numpy as np
 import torch
@@ -12,6 +13,7 @@ from matplotlib.figure import Figure
 from scipy.ndimage import gaussian_filter1d
 
 from toolkit import rotations as R
+from toolkit.bvh import atomic_write
 from toolkit.motion import Clip, root_frames
 from toolkit.view import body
 from toolkit.view.raycast import Canvas
@@ -92,7 +94,8 @@ def strip(clips: Clip | Sequence[Clip], path: str | os.PathLike | None = None, *
         for k, t in enumerate(row.times):
             axes.text((k + 0.5) * width / frames, 0.07, f"{t:.2f} s", size=7, color=INK, alpha=0.6, ha="center")
     if path is not None:
-        figure.savefig(path, dpi=dpi, facecolor=PAPER)
+        with atomic_write(path) as file:
+            figure.savefig(file, format=Path(path).suffix[1:] or "png", dpi=dpi, facecolor=PAPER)
     return figure
 
 

@@ -1,6 +1,7 @@
 // Live control: the page sends what the hand wants, the kernel sends poses, the newest one is drawn.
 //
-// Traits: skeleton (see scene.js), facing, styles [names], names [3], weights [3], speed, feet, arms, recording, status
+// Traits: skeleton (see scene.js), styles [names], names [3], weights [3], speed, feet, arms, recording, status, and size
+//   [width, height] of the picture, pixels; without one it fills its element
 // Page → kernel: {kind: "input", id, move: [right, ahead], turn, run, heading: [x, z] or null}, {kind: "seen", frame}
 // Kernel → page: {kind: "frame", frame, input} and one float32 buffer:
 //   root [3], rotations [J * 4], trajectory [12 * 4] (x, z, direction x, z), contacts [2] right, left,
@@ -26,13 +27,24 @@ const CSS = `
 .tkc-dials{position:absolute;left:12px;top:12px;display:flex;gap:6px;pointer-events:none;font-size:10px;text-align:center;color:#6d7580}
 .tkc-dials svg{display:block;width:46px;height:46px;margin:auto}
 .tkc-stick{position:absolute;right:14px;bottom:14px;width:96px;height:96px;border-radius:50%;background:#2b323b14;touch-action:none;cursor:grab}
-.tkc-stick i{position:absolute;left:33px;top:33px;width:30px;height:30px;border-radius:50%;background:#2b323b99}
+.tkc-stick i{position:absolute;inset:34%;border-radius:50%;background:#2b323b99}
 .tkc-side{display:flex;flex-direction:column;gap:8px;width:220px}
 .tkc select,.tkc button{font:inherit;color:inherit;border:1px solid #ddd8ce;background:#fff;border-radius:8px;height:30px;padding:0 8px}
 .tkc button{cursor:pointer}.tkc button[aria-pressed=true]{background:#efecfa;border-color:#c9c0ec;color:#4c3fa0}
 .tkc .tkc-record[aria-pressed=true]{background:#c0392b;border-color:#c0392b;color:#fff}
 .tkc-row{display:flex;flex-wrap:wrap;gap:6px;align-items:center}.tkc-row input{flex:1;min-width:0}
+.tkc-long .tk-triangle text:last-of-type{transform:translateY(14px)}
+.tkc-menus{display:flex;flex-direction:column;gap:8px}
+.tkc-fill{height:100%;flex-wrap:nowrap;user-select:none;-webkit-user-select:none;-webkit-tap-highlight-color:transparent}.tkc-fill .tkc-view{align-self:stretch;flex:1;min-height:0;min-width:0;outline:none}
+.tkc-fill .tkc-side{overflow:auto}.tkc-fill .tkc-hint{max-width:calc(100% - 150px)}
+@media(max-width:700px) and (orientation:portrait){.tkc-fill{flex-direction:column;gap:8px}.tkc-fill .tkc-view{flex:1 0 46%}
+ .tkc-fill .tkc-side{display:grid;width:auto;grid-template:repeat(3,auto) 1fr/minmax(0,220px) minmax(122px,1fr);gap:8px;min-height:0}
+ .tkc-fill .tkc-menus{grid-column:1/3;flex-direction:row}.tkc-fill select{flex:1;min-width:0}.tkc-fill .tkc-blend{grid-row:2/5}
+ .tkc-fill .tkc-blend *{max-width:100%}.tkc-fill .tkc-blend svg{height:auto}
+ .tkc-fill .tkc-row{gap:5px}.tkc-fill .tkc-row input{flex-basis:100%}.tkc-fill .tkc-row button{padding:0 7px}
+ .tkc-fill .tkc-stick{width:31vmin;height:31vmin}.tkc-fill .tkc-dials svg{width:38px;height:38px}}
 `;
+const WALK = "W A S D to walk, Q E to turn, Shift to run", TOUCH = "Push the stick to walk, drag to look around";
 
 // The trajectory of a second before and after: an arrow per sample, flat on the floor.
 function arrows(scene) {
@@ -79,16 +91,16 @@ function dials(parent) {
   };
 }
 
-// What the hand wants: keys held in the stage, the stick on it, or a gamepad. `read` gives the wish in the camera's frame.
-function hand(stage, stick, changed) {
+// What the hand wants: keys held in the stage or wherever, the stick on it, or a gamepad. `read` gives the wish in the camera's frame.
+function hand(stage, keys, stick, changed) {
   const held = new Set(), knob = stick.firstChild;
   let push = [0, 0];
-  stage.addEventListener("keydown", (event) => press(event, true));
-  stage.addEventListener("keyup", (event) => press(event, false));
-  stage.addEventListener("blur", () => { held.clear(); changed(); });
+  keys.addEventListener("keydown", (event) => press(event, true));
+  keys.addEventListener("keyup", (event) => press(event, false));
+  keys.addEventListener("blur", () => { held.clear(); changed(); });
   stage.addEventListener("pointerdown", () => stage.focus({ preventScroll: true }));
   function press(event, down) {
-    if (!KEYS[event.code] || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (!KEYS[event.code] || event.ctrlKey || event.metaKey || event.altKey || /SELECT|INPUT/.test(event.target.tagName)) return;
     down ? held.add(event.code) : held.delete(event.code);
     changed();
     event.preventDefault();
@@ -99,7 +111,7 @@ function hand(stage, stick, changed) {
     const x = (event.clientX - box.left) / reach - 1, y = 1 - (event.clientY - box.top) / reach;
     const scale = 1 / Math.max(1, Math.hypot(x, y));
     push = [x * scale, y * scale];
-    knob.style.translate = `${push[0] * 33}px ${-push[1] * 33}px`;
+    knob.style.translate = `${push[0] * 0.68 * reach}px ${-push[1] * 0.68 * reach}px`;
   }
   stick.addEventListener("pointerdown", (event) => { stick.setPointerCapture(event.pointerId); move(event); });
   stick.addEventListener("pointermove", (event) => stick.hasPointerCapture(event.pointerId) && move(event));
@@ -125,9 +137,9 @@ export function render({ model, el }) {
   const root = make("div", "tkc", el);
   root.dataset.lmSuppressShortcuts = "true"; // keys meant for the character are not JupyterLab's
   make("style", "", root, { textContent: CSS });
-  const [width, height] = model.get("size");
-  const view = make("div", "tkc-view", root);
-  Object.assign(view.style, { maxWidth: `${width}px`, aspectRatio: `${width} / ${height}` });
+  const size = model.get("size"), view = make("div", "tkc-view", root);
+  if (size) Object.assign(view.style, { maxWidth: `${size[0]}px`, aspectRatio: size.join(" / ") });
+  else root.classList.add("tkc-fill");
   const stage = make("div", "tkc-stage", view, { tabIndex: 0, role: "application", ariaLabel: "Character: W A S D, Q E, Shift" });
   let scene;
   try {
@@ -138,24 +150,30 @@ export function render({ model, el }) {
   }
   scene.controls.enableDamping = false;
   const ground = arrows(scene.scene), phases = dials(view);
-  make("div", "tkc-hint", view, { textContent: "Click, then W A S D to walk, Q E to turn, Shift to run" });
+  make("div", "tkc-hint", view, {
+    textContent: matchMedia("(pointer:coarse)").matches ? TOUCH : size ? `Click, then ${WALK}` : `${WALK}; drag to look around`,
+  });
   const stick = make("div", "tkc-stick", view, { title: "Drag to walk" });
   make("i", "", stick);
   const alert = make("div", "tkc-alert", view, { role: "status" });
-  const wish = hand(stage, stick, () => ask());
+  const wish = hand(stage, size ? stage : window, stick, () => ask());
 
   const side = make("div", "tkc-side", root);
-  const menus = [0, 1, 2].map((i) => {
-    const menu = make("select", "", side, { ariaLabel: `Style ${i + 1}` });
+  const box = make("div", "tkc-menus", side), menus = [0, 1, 2].map((i) => {
+    const menu = make("select", "", box, { ariaLabel: `Style ${i + 1}` });
     for (const style of model.get("styles")) make("option", "", menu, { value: style, textContent: style });
-    menu.onchange = () => set("names", model.get("names").map((name, k) => (k === i ? menu.value : name)));
+    menu.onchange = () => {
+      set("names", model.get("names").map((name, k) => (k === i ? menu.value : name)));
+      stage.focus({ preventScroll: true }); // for the keys
+    };
     return menu;
   });
-  const leaveTriangle = triangle.render({ model, el: make("div", "", side) });
+  const leaveTriangle = triangle.render({ model, el: make("div", "tkc-blend", side) });
   const row = make("label", "tkc-row", side, { textContent: "Speed " });
   const slider = make("input", "", row, { type: "range", min: 0.2, max: 2.5, step: 0.05 });
   const reading = make("span", "", row);
   slider.oninput = () => set("speed", Number(slider.value));
+  slider.onchange = () => stage.focus({ preventScroll: true });
   const shown = { phases: true, trajectory: true, contacts: true, chase: true };
   const switches = make("div", "tkc-row", side), local = make("div", "tkc-row", side);
   const toggles = [["feet", "Foot IK"], ["arms", "Arm IK"], ["recording", "● Record"]].map(([trait, text]) => {
@@ -175,7 +193,9 @@ export function render({ model, el }) {
     refresh();
   }
   function refresh() {
-    model.get("names").forEach((name, i) => (menus[i].value = name));
+    const names = model.get("names");
+    names.forEach((name, i) => (menus[i].value = name));
+    root.classList.toggle("tkc-long", names[1].length + names[2].length > 19); // side by side they would meet
     slider.value = model.get("speed");
     reading.textContent = `${model.get("speed").toFixed(2)} m/s`;
     for (const [trait, toggle] of toggles) toggle.ariaPressed = String(model.get(trait));

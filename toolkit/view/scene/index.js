@@ -1,8 +1,22 @@
 // Entry of the bundle. A widget gets `render`, a module importer the exports; a page that inlines the text finds them on globalThis.
+import { Kernel } from "./character.js";
 import { render } from "./controller.js";
-import { player } from "./player.js";
+import { make, player } from "./player.js";
 import { Scene } from "./scene.js";
 
-globalThis.toolkitScene = { Scene, player };
-export { Scene, player };
+// A character that needs no notebook: in an element, from what view/live_page.py packed.
+function character(element, data) {
+  const kernel = new Kernel(data);
+  kernel.download = (text) => { // a recording
+    const link = make("a", "", null, { download: "walk.bvh", href: URL.createObjectURL(new Blob([text])) });
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
+  };
+  kernel.run();
+  render({ model: kernel, el: element });
+  return { kernel, ...element.toolkit };
+}
+
+globalThis.toolkitScene = { Scene, character, player };
+export { Scene, character, player };
 export default { render };

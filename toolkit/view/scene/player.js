@@ -5,6 +5,7 @@
 //   root       base64 float32 [F, 3], metres;  rotations  base64 int16 [F, joints, 4], units of 1/32767, w x y z
 //   contacts   base64 uint8 [F, 2] right, left, 0 or 1 (or null)
 //   styles     {names: [n], weights: base64 uint8 [F, n] in units of 1/255} (or null)
+import { decode } from "./numbers.js";
 import { Scene } from "./scene.js";
 
 const COLORS = ["#7b68c4", "#2fa596", "#d6598b", "#c9a227", "#5b8def", "#8a8f98"];
@@ -47,12 +48,6 @@ export function make(tag, className, parent, attributes = {}) {
   if (className) element.className = className;
   parent?.append(element);
   return element;
-}
-
-function decode(base64, Type) {
-  const text = atob(base64), bytes = new Uint8Array(text.length);
-  for (let i = 0; i < text.length; i++) bytes[i] = text.charCodeAt(i);
-  return new Type(bytes.buffer);
 }
 
 // Poses of one clip, interpolated between frames.

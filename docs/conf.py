@@ -1,0 +1,146 @@
+"""The documentation site: ``make docs``, or ``sphinx-build -W --keep-going -b html docs out/docs``. It needs no network.
+
+Notebooks are run in their small form (``TOOLKIT_FAST=1``), a few minutes on one core, and again only where their own code
+has changed (`make clean` forgets). ``TOOLKIT_DOCS_NOTEBOOKS=off`` shows them without running them: a site in half a minute.
+"""
+
+import dataclasses
+import inspect
+import os
+import re
+import sys
+from pathlib import Path
+
+import plotly
+from docutils.nodes import SkipNode
+from latex2mathml.converter import convert
+
+DOCS = Path(__file__).parent
+ROOT = DOCS.parent
+sys.path[:0] = [str(DOCS), str(ROOT)]
+
+import reference  # noqa: E402
+
+import toolkit as tk  # noqa: E402
+
+project = "toolkit"
+author = copyright = "the authors of toolkit; MIT licence"
+version = release = tk.__version__
+
+extensions = [
+    "myst_nb",  # Markdown and notebooks
+    "sphinx.ext.autodoc",
+    "sphinx.ext.napoleon",  # numpydoc sections
+    "sphinx.ext.viewcode",  # every name links to its source
+]
+html_theme = "furo"
+html_title = "toolkit"
+html_static_path = ["_static", str(Path(plotly.__file__).parent / "package_data" / "plotly.min.js")]
+html_css_files = ["site.css"]
+html_math_renderer = "mathml"  # what browsers draw themselves; see `setup`
+
+# --- Markdown
+myst_enable_extensions = ["dollarmath"]
+myst_heading_anchors = 3
+smartquotes = False  # messages and code are quoted as they are
+
+# --- docstrings
+default_role = "py:obj"  # `name` in a docstring links where there is such a name, and is code where there is none
+add_module_names = False
+autodoc_default_options = {"exclude-members": "set", "no-value": True}  # `set`: matplotlib adds it to figures
+suppress_warnings = ["ref.python"]  # a quoted annotation may name one of several classes called alike: no link then
+autodoc_member_order = "bysource"
+autodoc_typehints = "signature"
+autodoc_preserve_defaults = True
+napoleon_google_docstring = False
+napoleon_use_rtype = False
+napoleon_use_ivar = True
+
+# --- notebooks
+nb_execution_mode = "off" if os.environ.get("TOOLKIT_DOCS_NOTEBOOKS") == "off" else "cache"
+nb_execution_timeout = 300  # seconds a cell
+nb_merge_streams = True
+nb_output_stderr = "remove"  # progress bars
+nb_mime_priority_overrides = [("*", "application/vnd.jupyter.widget-view+json", None)]  # no kernel: still pictures instead
+nb_ipywidgets_js = {}
+os.environ |= {"TOOLKIT_FAST": "1", "PYVISTA_OFF_SCREEN": "true", "PYVISTA_JUPYTER_BACKEND": "static",
+               "PYVISTA_MULTI_SAMPLES": "0", "OMP_NUM_THREADS": "1", "PLOTLY_RENDERER": "notebook_connected",
+               "TOOLKIT_DATA": str(DOCS / "notebooks"),  # which holds no recordings: the site is the same everywhere
+               "PYTHONPATH": os.pathsep.join(filter(None, (str(ROOT), os.environ.get("PYTHONPATH"))))}  # fmt: skip
+
+#: Links as GitHub needs them, out of this folder or (in included pages) into it, and where they lead on the site.
+LINKS = {"](../docs/": "](../", "](docs/": "](", "](../notebooks/": "](notebooks/",
+         "](../toolkit/data/README.md": "](embedded_model.md",
+         "](../CONTRIBUTING.md": "](contributing.md", "](../CHANGELOG.md": "](changelog.md",
+         "](README.md": "](index.md", "](../README.md": "](index.md"}  # fmt: skip
+#: What plotly puts into pages to fetch scripts from elsewhere.
+FETCHED = re.compile(r'<script[^>]*src="https?://[^>]*></script>|<script type="module">import "https?://[^<]*</script>')
+STATE = "application/vnd.jupyter.widget-state+json"  # of widgets: of no use without a kernel, and megabytes
+#: What is left of a controller without a kernel: the page that runs by itself takes its place.
+CONTROLLER = re.compile(r"<pre><span></span>&lt;toolkit\.view\.controller\.Controller object at [^<]*</pre>")
+
+
+def lead_links(*event) -> None:
+    """Let links of a page, or of a file that it includes, lead to pages of the site."""
+    source = event[-1]
+    for there, here in LINKS.items():
+        source[0] = source[0].replace(there, here)
+
+
+def stand_alone(_app, _name: str, _template: str, context: dict, _doctree) -> None:
+    """Let a page with charts take plotly from the site, and nothing from elsewhere."""
+    scripts = context.get("script_files", [])
+    scripts[:] = [script for script in scripts if getattr(script, "attributes", {}).get("type") != STATE]
+    if "body" in context:
+        character = f'<iframe class="character" src="{context["pathto"]("_static/controller.html", 1)}"></iframe>'
+        context["body"] = CONTROLLER.sub(character, FETCHED.sub("", context["body"]))
+        if "plotly-graph-div" in context["body"]:
+            own = context["pathto"]("_static/plotly.min.js", 1)
+            context["body"] = f'<script src="{own}"></script>' + context["body"]
+
+
+def steerable(app) -> None:
+    """The embedded model as a character in a page of its own, which `index.md` shows."""
+    if app.builder.format == "html":
+        folder = Path(app.outdir) / "_static"
+        folder.mkdir(parents=True, exist_ok=True)
+        tk.view.web(*tk.pretrained(), folder / "controller.html", title="A character under control", half=True)
+
+
+def whole_signature(_app, _what, _name, _value, _options, signature: str | None, returns: str | None):
+    """Signatures whose defaults are made by a factory, as Python that can be read."""
+    return signature and signature.replace("<factory>", "..."), returns
+
+
+def fields(_app, what: str, _name: str, value, _options, lines: list[str]) -> None:
+    """Describe the fields of a dataclass by the comments beside them, where its docstring does not."""
+    if what == "class" and dataclasses.is_dataclass(value) and "Parameters" not in lines:
+        beside = re.findall(r"^    (\w+): .*?  # (.+)$", inspect.getsource(value), re.MULTILINE)
+        described = [line for name, comment in beside for line in (name, f"    {comment}")]
+        lines += ["", "Parameters", "----------", *described, ""] if described else []
+
+
+def formula(display: str):
+    """A visitor that writes a formula as MathML."""
+
+    def visit(self, node):
+        self.body.append(convert(node.astext().strip(), display=display))
+        raise SkipNode
+
+    return visit
+
+
+def setup(app) -> None:
+    """Called by Sphinx."""
+    app.add_html_math_renderer("mathml", (formula("inline"), None), (formula("block"), None))
+    app.connect("autodoc-process-signature", whole_signature)
+    app.connect("autodoc-process-docstring", fields, priority=100)  # before the sections are read
+    app.connect("builder-inited", steerable)
+    app.connect("source-read", lead_links)
+    app.connect("include-read", lead_links)
+    app.connect("html-page-context", stand_alone)
+
+
+notebooks = sorted((ROOT / "notebooks").glob("*.ipynb"))
+reference.put(DOCS / "notebooks", {path.name: path.read_text(encoding="utf-8") for path in notebooks})
+reference.put(DOCS / "api", reference.pages())

@@ -1,0 +1,125 @@
+"""The pages of docs/: their code runs, errors are printed as they say, links hold. Building the site is `make docs`."""
+
+import html
+import pkgutil
+import re
+from pathlib import Path
+
+import pytest
+import torch
+import typer
+
+import toolkit as tk
+from toolkit.__main__ import app, main
+
+DOCS = Path(__file__).parents[1] / "docs"
+RUN = ("index", "gallery", "phase_sources", "adding_a_dataset", "adding_a_model")  # whose code is run from top to bottom
+PAGES = sorted(DOCS.glob("*.md"))
+ROW = re.compile(r"^\| `(?P<call>.+?)` \| `(?P<said>.+)` \|$", re.MULTILINE)
+
+
+def table_rows(page: str, heading: str) -> list[tuple[str, str]]:
+    """First and second cell of each row of code, in the sections of a page whose heading starts so."""
+    sections = re.split(r"^## ", (DOCS / f"{page}.md").read_text(encoding="utf-8"), flags=re.MULTILINE)
+    return [(m["call"], m["said"]) for s in sections if s.startswith(heading) for m in ROW.finditer(s)]
+
+
+@pytest.fixture
+def nonsense(tmp_path, monkeypatch):
+    """The folder that the page of errors speaks of, without any data of this machine."""
+    (tmp_path / "cut.bvh").write_text("HIERARCHY\nROOT Hips\n{\n OFFSET 0 0 0\n")
+    (tmp_path / "junk.safetensors").write_bytes(b"junk")
+    (tmp_path / "empty").mkdir()
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.delenv("TOOLKIT_DATA", raising=False)
+    return tmp_path
+
+
+@pytest.fixture(scope="module")
+def names():
+    """What the expressions on the page of errors may use."""
+    model, bank = tk.pretrained()
+    clip = tk.datasets.load("procedural", styles=["Neutral"], gaits=["FW"], seconds=3.0)[0]
+    return {"tk": tk, "torch": torch, "clip": clip, "model": model, "bank": bank}
+
+
+def pattern(said: str) -> str:
+    return ".*".join(re.escape(part) for part in said.split("…"))
+
+
+@pytest.mark.parametrize(("typed", "said"), table_rows("errors", "Command line"))
+def test_the_command_line_says_what_the_page_says(nonsense, capsys, typed, said):
+    before = sorted(nonsense.rglob("*"))
+    assert main(typed.split()) == 2
+    assert re.fullmatch(f"error: {pattern(said)}\n", capsys.readouterr().err)
+    assert sorted(nonsense.rglob("*")) == before
+
+
+@pytest.mark.parametrize(("expression", "said"), table_rows("errors", "Python"))
+def test_python_says_what_the_page_says(nonsense, names, expression, said):
+    with pytest.raises(ValueError, match=f"^{pattern(said)}$"):
+        eval(expression, dict(names))
+
+
+def test_the_page_of_errors_has_its_tables():
+    assert len(table_rows("errors", "Command line")) > 20
+    assert len(table_rows("errors", "Python")) > 20
+
+
+@pytest.mark.parametrize("page", RUN)
+def test_the_code_of_a_page_runs(page, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    text = (DOCS / f"{page}.md").read_text(encoding="utf-8")
+    blocks = re.findall(r"^```python\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
+    assert blocks
+    space: dict = {"__name__": page}
+    for block in blocks:
+        exec(compile(block, f"{page}.md", "exec"), space)
+
+
+def test_every_command_of_the_reproduction_exists():
+    rows = [line.split(" | ")[-1] for line in (DOCS / "reproducing.md").read_text(encoding="utf-8").splitlines()
+            if line.startswith("| ")]  # fmt: skip
+    commands = [c for row in rows for c in re.findall(r"`([a-z].+?)`", row) if not c.startswith("pytest")]
+    assert len(commands) > 20
+    for command in commands:
+        words, at = command.split(), typer.main.get_command(app)
+        while getattr(at, "commands", None) and words and words[0] in at.commands:
+            at = at.commands[words.pop(0)]
+        known = {name for parameter in at.params for name in (*parameter.opts, *parameter.secondary_opts)}
+        assert not words or words[0].startswith(("--", "…")), command
+        assert {word for word in words if word.startswith("--")} <= known, command
+
+
+def test_every_page_and_notebook_is_in_the_tree_of_contents():
+    text = (DOCS / "index.md").read_text(encoding="utf-8")
+    trees = re.findall(r"^```\{toctree\}\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
+    listed = [line for tree in trees for line in tree.splitlines() if line and not line.startswith(":")]
+    assert len(set(listed)) == len(listed)
+    pages = {path.stem for path in PAGES} - {"index"}
+    assert {name for name in listed if "/" not in name} == pages
+    assert {"notebooks/*", "api/index"} <= set(listed)  # all notebooks; the reference is written when the site is built
+
+
+def test_every_module_has_a_page_in_the_reference(monkeypatch):
+    monkeypatch.syspath_prepend(DOCS)
+    import reference
+
+    listed = [name for group in reference.GROUPS.values() for name in group]
+    there = {m.name for m in pkgutil.iter_modules(tk.__path__)} - {"__main__"}
+    assert len(set(listed)) == len(listed)
+    assert set(listed) == there
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda path: path.stem)
+def test_links_of_a_page_lead_to_files_and_headings(page):
+    text = re.sub(r"^```.*?^```", "", page.read_text(encoding="utf-8"), flags=re.MULTILINE | re.DOTALL)
+    for link in re.findall(r"\]\(([^)\s]+)\)", text):
+        if re.match(r"[a-z]+:", link) or link == "api/index":
+            continue
+        file, _, heading = link.partition("#")
+        target = (page.parent / file) if file else page
+        assert target.exists(), link
+        if heading and target.suffix == ".md":
+            titles = re.findall(r"^#+ (.+)$", target.read_text(encoding="utf-8"), re.MULTILINE)
+            assert html.unescape(heading) in {re.sub(r"[^\w\- ]", "", t.lower()).replace(" ", "-") for t in titles}, link

@@ -1,0 +1,139 @@
+"""A character under control in one HTML file: network, runtime and scene run in the browser, without a server or Python."""
+
+import base64
+import os
+import re
+import tempfile
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import torch
+from torch import Tensor
+
+from toolkit import bvh, runtime
+from toolkit.layout import CHANNELS, Layout
+from toolkit.networks.film import EPSILON
+from toolkit.view import page
+
+CORNERS = "Neutral", "Zombie", "Aeroplane"  # of the triangle at first, where the bank has them
+PANEL = 8  # outputs whose weights lie together, see ``scene/network.js``
+START = "globalThis.view = toolkitScene.character(stage, data);"
+
+
+def web(model, bank, path: str | os.PathLike, *, title: str = "A character under control",
+        styles: Sequence[str] | None = None, half: bool = False) -> Path:  # fmt: skip
+    """Write a page, opened by a double click, with a character steered by keyboard, touch, gamepad and style triangle.
+
+    The whole runtime is in the page: features, network, trajectory, foot and arm IK, 60 frames a second. ``docs/runtime.md``
+    says how large such a file is, how long a frame takes and how equal it is to `toolkit.runtime`.
+
+    Parameters
+    ----------
+    model, bank
+        An LPN-FiLM and its style bank, e.g. of `toolkit.pretrained`.
+    path
+        The file to write, whole or not at all.
+    title
+        Heading of the page.
+    styles
+        Which styles go in, the triangle's corners at first before the others; all of the bank by default.
+    half
+        Store the experts' weights as float16: half the file, weights rounded to 3 decimal digits. The embedded model's are
+        float16 already.
+
+    Returns
+    -------
+    Path
+        The file.
+
+    Raises
+    ------
+    ValueError
+        If it is another model, its numbers are not finite or too large for float16, or a style is unknown.
+    """
+    name = getattr(model, "name", type(model).__name__)
+    if name != "lpn-film":
+        raise ValueError(f"only lpn-film runs in a page, got {name}")
+    if styles is not None and (not styles or isinstance(styles, str)):
+        raise ValueError(f"styles must be a list of one name or more, got {styles!r}")
+    order = [*(name for name in CORNERS if name in bank.names), *bank.names] if styles is None else styles
+    bank = bank.select(dict.fromkeys(order))
+    size = sum(layer.weight.numel() for layer in model.experts.layers) / 1e6
+    caption = f"A neural network of {size:.1f} million weights makes every frame in this page: no server, no installation."
+    return page.write(path, title, caption, pack(model, bank, half), START)
+
+
+def pack(model, bank, half: bool = False) -> dict[str, Any]:
+    """Everything that ``scene/character.js`` takes (the format is described there)."""
+    from toolkit.compiled import frame, ik  # their constants; numba is slow to import
+    from toolkit.view import controller
+
+    layout: Layout = model.layout
+    state = runtime.start(model, bank.vectors[0])
+    corners = (list(bank.names) * 3)[:3]
+    channels = {name: 3 * i for i, name in enumerate(CHANNELS)} | {"width": 3 * len(CHANNELS)}
+    gating, experts = model.gating.layers, model.experts.layers
+    kinds = [model.normaliser(kind) for kind in ("inputs", "phases", "outputs")]
+    return {
+        "network": {
+            "means": [numbers(kind.mean) for kind in kinds],
+            "deviations": [numbers(kind.std) for kind in kinds],
+            "gating": {"widths": _widths([layer.weight.T for layer in gating]),
+                       "layers": [numbers(panels(layer.weight.T[None], layer.bias[None])) for layer in gating]},
+            "experts": {"count": len(experts[0].weight), "widths": _widths([layer.weight[0] for layer in experts]),
+                        "layers": [numbers(panels(layer.weight, layer.bias), half) for layer in experts]},
+            "epsilon": EPSILON,
+        },
+        "rules": _plain(frame.Rules.of(layout)._asdict() | channels),
+        "body": _plain(ik.Body.of(layout.skeleton)._asdict()),
+        "start": {name: value[0].flatten().tolist() for name, value in vars(state).items() if name != "style"},
+        "skeleton": page.skeleton_data(runtime.record(model, [state])),
+        "styles": list(bank.names),
+        "vectors": numbers(bank.vectors),
+        "turn": controller.TURN, "run": controller.RUN, "ease": controller.EASE,
+        "bvh": _bvh(model, state),
+        "traits": {"names": corners, "weights": [1.0, 0.0, 0.0], "speed": 1.0},
+    }  # fmt: skip
+
+
+def numbers(values: Tensor, half: bool = False) -> dict[str, str]:
+    """Numbers as a page keeps them: little-endian float32 or float16, base64.
+
+    Raises
+    ------
+    ValueError
+        If one is not finite, or too large for float16.
+    """
+    kind = np.dtype("<f2" if half else "<f4")
+    with np.errstate(over="ignore"):
+        array = values.detach().numpy().astype(kind)
+    if not np.isfinite(array).all():
+        worst = float(values.detach().abs().max())
+        raise ValueError(f"weights must be finite and at most {float(np.finfo(kind).max):g} in {kind.name}, got {worst:g}")
+    return {"type": kind.name, "data": base64.b64encode(array.tobytes()).decode("ascii")}
+
+
+def panels(weight: Tensor, bias: Tensor) -> Tensor:
+    """Weights ``[K, in, out]`` and biases ``[K, out]`` in the order they are read, ``[panels, K, in + 1, PANEL]``."""
+    whole = torch.cat((weight, bias[:, None]), 1)
+    whole = torch.nn.functional.pad(whole, (0, -whole.shape[-1] % PANEL))
+    return whole.unflatten(-1, (-1, PANEL)).permute(2, 0, 1, 3).contiguous()
+
+
+def _widths(matrices: Sequence[Tensor]) -> list[int]:
+    return [len(matrices[0]), *(matrix.shape[1] for matrix in matrices)]
+
+
+def _plain(fields: dict[str, Any]) -> dict[str, Any]:
+    return {name: value.tolist() if isinstance(value, np.ndarray) else value for name, value in fields.items()}
+
+
+def _bvh(model, state) -> dict[str, Any]:
+    """What a recording's file starts with, and its joints in the order of its channels."""
+    with tempfile.TemporaryDirectory() as folder:
+        bvh.save(runtime.record(model, [state]), Path(folder) / "one.bvh")
+        header, _ = (Path(folder) / "one.bvh").read_text(encoding="utf-8").split("MOTION")
+    joints = [model.layout.skeleton.index(name) for name in re.findall(r"(?:ROOT|JOINT) (.+)", header)]
+    return {"header": header, "joints": joints, "centimetre": bvh.CENTIMETRE}

@@ -1,0 +1,168 @@
+// A character whose network runs in the page itself, in place of the kernel of a notebook (view/controller.py).
+//
+// Character(data) steps and poses; Kernel(data) also follows the hand and the triangle, and is the `model` of controller.js.
+// data = {
+//   network, rules, body: see network.js, frame.js, pose.js;  start: the state in the first frame;  skeleton: see scene.js
+//   styles: [names], vectors: numbers [styles * D];  turn, run, ease: as in view/controller.py
+//   bvh: {header, joints, centimetre} of a recording;  traits: what controller.js reads first
+// }
+import { copy, follow, steer } from "./frame.js";
+import { Network } from "./network.js";
+import { numbers } from "./numbers.js";
+import { pose } from "./pose.js";
+
+export class Character {
+  constructor({ network, rules, body, start }) {
+    const [x, , z] = network.means.map(numbers);
+    Object.assign(this, { rules, body, first: start, network: new Network(network) });
+    this.x = new Float64Array(x.length);
+    this.z = new Float64Array(z.length);
+    this.rotations = new Float64Array(4 * body.parents.length);
+    this.root = new Float64Array(3);
+    this.restart();
+  }
+
+  restart() {
+    this.state = copy(this.first);
+    this.spare = copy(this.first);
+  }
+
+  // the next frame: command {velocity, facing}, metres per second and directions (x, z) in the world; a style vector
+  step(command, style) {
+    const { state, spare, rules, x, z } = this;
+    steer(state, command, rules, x, spare);
+    this.network.predict(x, state.phase, style, z);
+    follow(state, z, rules, spare);
+    [this.state, this.spare] = [spare, state];
+  }
+
+  // sets .rotations [J' * 4], local, and .root [3]
+  pose(ik = { feet: true, arms: true }) {
+    pose(this.state, this.body, this.rules, ik, this.rotations, this.root);
+  }
+}
+
+const LONGEST = 0.1; // seconds between two pictures that are made up for
+
+export class Kernel {
+  constructor(data) {
+    const { styles, vectors, rules, start } = data;
+    Object.assign(this, { data, fps: rules.fps, character: new Character(data), vectors: numbers(vectors), listeners: {} });
+    this.size = this.vectors.length / styles.length;
+    this.traits = { styles, skeleton: data.skeleton, feet: true, arms: true, recording: false, status: "", ...data.traits };
+    this.input = { id: 0, move: [0, 0], turn: 0, run: false, heading: null };
+    this.facing = Math.atan2(...start.facing);
+    this.style = this.target();
+    this.frame = this.due = this.last = this.handle = 0;
+    this.recorded = [];
+  }
+
+  get(name) {
+    return this.traits[name];
+  }
+
+  set(name, value) {
+    if (name === "recording") value ? (this.recorded = []) : this.download?.(this.bvh());
+    this.traits[name] = value;
+    this.emit(`change:${name}`);
+  }
+
+  save_changes() {}
+
+  on(event, listener) {
+    (this.listeners[event] ??= new Set()).add(listener);
+  }
+
+  off(event, listener) {
+    this.listeners[event]?.delete(listener);
+  }
+
+  emit(event, ...what) {
+    for (const listener of this.listeners[event] ?? []) listener(...what);
+  }
+
+  send(message) {
+    if (message.kind === "input") this.input = message;
+    if (message.kind === "closed") cancelAnimationFrame(this.handle);
+  }
+
+  // the style vector that the triangle's marker asks for
+  target() {
+    const { names, weights, styles } = this.traits, vector = new Float64Array(this.size);
+    names.forEach((name, corner) => {
+      const at = this.size * styles.indexOf(name);
+      for (let i = 0; i < this.size; i++) vector[i] += weights[corner] * this.vectors[at + i];
+    });
+    return vector;
+  }
+
+  // the hand's wish as a command in the world
+  command() {
+    const { move: [right, ahead], turn, run, heading } = this.input, { data, traits } = this;
+    const fast = traits.speed * (run ? data.run : 1);
+    if (heading) {
+      this.facing = Math.atan2(...heading);
+      return { velocity: heading.map((v) => fast * v), facing: heading };
+    }
+    this.facing += (data.turn / this.fps) * turn;
+    const s = Math.sin(this.facing), c = Math.cos(this.facing), scale = fast / Math.max(1, Math.hypot(right, ahead));
+    return { velocity: [scale * (ahead * s - right * c), scale * (ahead * c + right * s)], facing: [s, c] };
+  }
+
+  step() {
+    const { style, character, data, traits } = this, target = this.target();
+    for (let i = 0; i < style.length; i++) style[i] += data.ease * (target[i] - style[i]);
+    character.step(this.command(), style);
+    this.frame += 1;
+    if (!traits.recording) return;
+    character.pose(traits);
+    this.recorded.push([character.root.slice(), character.rotations.slice()]);
+  }
+
+  // the newest frame, as view/controller.py sends it
+  show() {
+    const { character, character: { state, rules } } = this;
+    character.pose(this.traits);
+    const past = rules.samples.slice(0, rules.samples.length - rules.position_shares.length);
+    const parts = [character.root, character.rotations, ...past.map((i) => state.history.subarray(4 * i, 4 * i + 4)),
+                   state.future, state.contacts, state.phase];
+    const buffer = Float32Array.from(parts.flatMap((part) => [...part]));
+    this.emit("msg:custom", { kind: "frame", frame: this.frame, input: this.input.id }, [buffer]);
+  }
+
+  // Frames at their own rate, whatever the screen's: those that are due when it shows a picture, the nearest whole number of them.
+  run() {
+    const tick = (now) => {
+      this.handle = requestAnimationFrame(tick);
+      this.due += this.fps * Math.min((now - (this.last || now)) / 1000, LONGEST);
+      this.last = now;
+      const steps = Math.round(this.due);
+      this.due -= steps;
+      try {
+        for (let i = 0; i < steps; i++) this.step();
+        if (steps) this.show();
+      } catch (error) { // shown in the view
+        cancelAnimationFrame(this.handle);
+        this.set("status", `stopped: ${error}`);
+        throw error;
+      }
+    };
+    this.handle = requestAnimationFrame(tick);
+  }
+
+  // what was recorded as BVH text, angles in degrees about Y, X and Z
+  bvh() {
+    const { header, joints, centimetre } = this.data.bvh, degree = Math.PI / 180, text = (v) => v.toFixed(6);
+    const rows = this.recorded.map(([root, q]) => {
+      const row = Array.from(root, (v) => v / centimetre);
+      for (const j of joints) {
+        const [w, x, y, z] = q.subarray(4 * j, 4 * j + 4), sine = Math.min(Math.max(2 * (w * x - y * z), -1), 1);
+        const angles = [Math.atan2(2 * (w * y + x * z), 1 - 2 * (x * x + y * y)), Math.asin(sine),
+                        Math.atan2(2 * (w * z + x * y), 1 - 2 * (x * x + z * z))];
+        row.push(...angles.map((a) => a / degree));
+      }
+      return row.map(text).join(" ");
+    });
+    return [`${header}MOTION`, `Frames: ${rows.length}`, `Frame Time: ${(1 / this.fps).toFixed(8)}`, ...rows, ""].join("\n");
+  }
+}

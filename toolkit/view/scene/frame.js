@@ -1,0 +1,146 @@
+// What a frame does before and after its network (runtime.py, steering.py; compiled/frame.py, whose functions these are).
+//
+// state: float64 arrays named as those of runtime.CharacterState: history [61 * 4], future [6 * 4], drive [1], joints [12 J], phase,
+//   velocity [2], facing [2], contacts [2], toes [2 * 3], drift [2 * 2]
+// rules: compiled/frame.py's Rules, and where a joint's position, forward, up and velocity are in its `width` numbers
+
+export const copy = (state) => Object.fromEntries(Object.entries(state).map(([name, values]) => [name, Float64Array.from(values)]));
+
+const lerp = (a, b, share) => a + share * (b - a);
+const clamp = (v, low, high) => Math.min(Math.max(v, low), high);
+
+export function unit(v) {
+  const length = Math.max(Math.hypot(...v), 1e-12);
+  return v.map((x) => x / length);
+}
+
+// direction (ax, az) turned towards (bx, bz) along the shorter way
+function turn(ax, az, bx, bz, share) {
+  const angle = Math.atan2(ax, az) + share * Math.atan2(az * bx - ax * bz, ax * bx + az * bz);
+  return [Math.sin(angle), Math.cos(angle)];
+}
+
+// velocity of the root over half a second up to so many frames ago, m/s
+function moved(history, ago, rules) {
+  const here = history.length - 4 * (1 + ago), there = here - 4 * rules.half_second, scale = rules.fps / rules.half_second;
+  return [(history[here] - history[there]) * scale, (history[here + 1] - history[there + 1]) * scale];
+}
+
+function govern(history, drive, velocity, rules) {
+  const wanted = Math.hypot(...velocity);
+  if (wanted <= 0.1) return lerp(drive, 1, 0.05);
+  const [x, z] = unit(velocity);
+  const [lag, before] = [0, 1].map((ago) => {
+    const [vx, vz] = moved(history, ago, rules);
+    return clamp((wanted - (vx * x + vz * z)) / Math.max(wanted, 0.5), -1, 1);
+  });
+  const push = rules.proportional * (lag - before) + (rules.integral / rules.fps) * lag;
+  return clamp(drive + Math.max(drive, 1) * push, 0, rules.max_drive);
+}
+
+// Fills x, and of the new state velocity, facing, drive and the future bent towards the command {velocity, facing} (section 4.4).
+export function steer(old, command, rules, x, next) {
+  const { history, future } = old, bent = next.future, here = history.length - 4;
+  const velocity = [0, 1].map((i) => lerp(old.velocity[i], command.velocity[i], rules.gain));
+  const facing = Math.hypot(...command.facing) > 1e-6 ? turn(...old.facing, ...command.facing, rules.gain) : old.facing;
+  next.velocity.set(velocity);
+  next.facing.set(facing);
+  const drive = old.drive[0];
+  next.drive[0] = govern(history, drive, velocity, rules);
+
+  const against = rules.stand_still * Math.max(1 - Math.hypot(...velocity) / rules.slow, 0);
+  const pull = moved(history, 0, rules).map((v, i) => (drive * velocity[i] - against * v) * rules.interval);
+  const rootX = history[here], rootZ = history[here + 1], sin = history[here + 2], cos = history[here + 3];
+  let px = rootX, pz = rootZ;
+  bent.set(history.subarray(here));
+  for (let s = 1; s < rules.position_shares.length; s++) {
+    const at = 4 * s, share = rules.position_shares[s];
+    px += lerp(future[at] - future[at - 4], pull[0], share);
+    pz += lerp(future[at + 1] - future[at - 3], pull[1], share);
+    bent[at] = px, bent[at + 1] = pz;
+    bent.set(turn(future[at + 2], future[at + 3], facing[0], facing[1], rules.direction_shares[s]), at + 2);
+  }
+  const { samples } = rules, current = samples.length - rules.position_shares.length;
+  for (let s = 0; s < samples.length; s++) {
+    const [from, k] = s < current ? [history, 4 * samples[s]] : [bent, 4 * (s - current)], at = rules.trajectory_in + 4 * s;
+    const dx = from[k] - rootX, dz = from[k + 1] - rootZ, fx = from[k + 2], fz = from[k + 3];
+    x[at] = cos * dx - sin * dz, x[at + 1] = sin * dx + cos * dz;
+    x[at + 2] = cos * fx - sin * fz, x[at + 3] = sin * fx + cos * fz;
+  }
+  x.set(old.joints, rules.joints_in);
+}
+
+// where the pose has the toes, world, right and left
+function toes({ history, joints }, rules) {
+  const [x, z, sin, cos] = history.subarray(history.length - 4), [s, c] = unit([sin, cos]);
+  return rules.toes.map((joint) => {
+    const [px, py, pz] = joints.subarray(rules.width * joint, rules.width * joint + 3);
+    return [c * px + s * pz + x, py, c * pz - s * px + z];
+  });
+}
+
+// ik.py's hold
+function hold(old, before, predicted, left, rules, next) {
+  const seconds = 1 / rules.fps, fade = Math.exp(-rules.let_go * seconds);
+  for (const side of [0, 1]) {
+    const there = predicted[side], other = predicted[1 - side], inwards = left.map((v) => (side ? -v : v));
+    const offset = [0, 2].map((i) => old.toes[3 * side + i] - before[side][i]);
+    const push = offset.map((v, i) => old.drift[2 * side + i] + rules.let_go * v);
+    const held = next.contacts[side] > 0.5;
+    let now;
+    if (held) {
+      now = [0, 2].map((i) => old.toes[3 * side + i] - there[i]);
+      const scale = rules.slack / Math.max(Math.hypot(...now), rules.slack);
+      now = now.map((v) => v * scale);
+    } else now = offset.map((v, i) => fade * (v + push[i] * seconds));
+    const apart = Math.max((other[0] - there[0]) * inwards[0] + (other[2] - there[2]) * inwards[1], 0);
+    const over = Math.max(now[0] * inwards[0] + now[1] * inwards[1] - apart / 4, 0);
+    now = now.map((v, i) => v - over * inwards[i]);
+    for (const i of [0, 1])
+      next.drift[2 * side + i] = held ? (now[i] - offset[i]) / seconds
+        : fade * (old.drift[2 * side + i] - rules.let_go * push[i] * seconds);
+    next.toes.set([there[0] + now[0], there[1], there[2] + now[1]], 3 * side);
+  }
+}
+
+// The new pose: halfway between the prediction and where velocities lead, seen from the new root frame.
+function pose(was, z, around, shift, rules, joints) {
+  const [sin, cos] = around, half = 0.5 / rules.fps;
+  const write = (at, [x, y, z]) => (joints[at] = cos * x + sin * z, joints[at + 1] = y, joints[at + 2] = cos * z - sin * x);
+  for (let j = 0; j < was.length; j += rules.width) {
+    const read = (channel) => z.subarray(rules.joints_out + j + rules[channel], rules.joints_out + j + rules[channel] + 3);
+    const velocity = read("velocity"), forward = unit(Array.from(read("forward"))), up = Array.from(read("up"));
+    const along = up[0] * forward[0] + up[1] * forward[1] + up[2] * forward[2], at = j + rules.position;
+    write(at, Array.from(read("position"), (v, i) => 0.5 * (was[at + i] + v) + half * velocity[i]));
+    write(j + rules.forward, forward);
+    write(j + rules.up, unit(up.map((v, i) => v - along * forward[i])));
+    write(j + rules.velocity, velocity);
+    joints[at] += shift[0], joints[at + 2] += shift[1];
+  }
+}
+
+// Fills the rest of the new state from the network's outputs z (section 4.4).
+export function follow(old, z, rules, next) {
+  const { history, future } = next, here = history.length - 4;
+  const [rootX, rootZ, sin, cos] = old.history.subarray(here);
+  history.set(old.history.subarray(4));
+  for (let s = 0; s < rules.position_shares.length; s++) {
+    const at = rules.trajectory_out + 4 * s, k = 4 * s, [dx, dz] = unit([z[at + 2], z[at + 3]]);
+    const place = [cos * z[at] + sin * z[at + 1] + rootX, cos * z[at + 1] - sin * z[at] + rootZ];
+    const direction = [cos * dx + sin * dz, cos * dz - sin * dx];
+    if (s === 0) {
+      history.set([...place, ...direction], here);
+      future.set(history.subarray(here));
+    } else {
+      const mixed = [...place, ...direction].map((v, i) => lerp(future[k + i], v, rules.correction));
+      future.set([mixed[0], mixed[1], ...unit(mixed.slice(2))], k);
+    }
+  }
+  const [x, z1, newSin, newCos] = history.subarray(here), dx = rootX - x, dz = rootZ - z1;
+  const around = unit([sin * newCos - cos * newSin, cos * newCos + sin * newSin]);
+  pose(old.joints, z, around, [newCos * dx - newSin * dz, newSin * dx + newCos * dz], rules, next.joints);
+  for (let i = 0; i < next.phase.length; i++)
+    next.phase[i] = 0.5 * (old.phase[i] + z[rules.updates + i] + z[rules.phases + i]);
+  for (const side of [0, 1]) next.contacts[side] = clamp(z[rules.contacts + side], 0, 1);
+  hold(old, toes(old, rules), toes(next, rules), [newCos, -newSin], rules, next);
+}

@@ -1,0 +1,108 @@
+// From a character's state to a pose that can be drawn, feet planted and arms turned (ik.py; compiled/ik.py, whose functions these are).
+//
+// body: compiled/ik.py's Body: parents [J'], offsets [J'][3], features [J'], own [J'], ends, legs [2][4], arms [A][2]
+import { unit } from "./frame.js";
+
+const plus = (a, b, share = 1) => [a[0] + share * b[0], a[1] + share * b[1], a[2] + share * b[2]];
+const minus = (a, b) => plus(a, b, -1);
+const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+
+// a unit vector at right angles to a unit vector: across the axis that is farthest from it
+function across(a) {
+  const [x, y, z] = a.map(Math.abs), axis = x <= y && x <= z ? 0 : y <= z ? 1 : 2;
+  return unit(cross(a, [0, 1, 2].map((i) => Number(i === axis))));
+}
+
+const multiply = (a, b) => [
+  a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3],
+  a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
+  a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1],
+  a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0],
+];
+
+function rotate([w, ...u], v) {
+  const t = cross(u, v).map((x) => 2 * x);
+  return plus(plus(v, t, w), cross(u, t));
+}
+
+// the shortest rotation from the direction of a to that of b
+function between(a, b) {
+  const from = unit(a), to = unit(b), w = 1 + dot(from, to);
+  return w < 1e-6 ? [0, ...across(from)] : unit([w, ...cross(from, to)]);
+}
+
+function fromForwardUp(forward, up) {
+  const c = unit(forward), a = unit(cross(up, c)), b = cross(c, a);
+  const diagonal = [1 + a[0] + b[1] + c[2], 1 + a[0] - b[1] - c[2], 1 - a[0] + b[1] - c[2], 1 - a[0] - b[1] + c[2]];
+  const x = b[2] - c[1], y = c[0] - a[2], z = a[1] - b[0], xy = b[0] + a[1], xz = c[0] + a[2], yz = c[1] + b[2];
+  const best = diagonal.indexOf(Math.max(...diagonal));
+  const q = unit([[diagonal[0], x, y, z], [x, diagonal[1], xy, xz], [y, xy, diagonal[2], yz], [z, xz, yz, diagonal[3]]][best]);
+  return q[0] < 0 ? q.map((v) => -v) : q;
+}
+
+// knee and ankle of a leg whose ankle should be at the target, soft near full stretch
+function twoBone(a, b, c, target, soft = 0.01) {
+  const reach = minus(target, a), upper = Math.hypot(...minus(b, a)), lower = Math.hypot(...minus(c, b));
+  const wanted = Math.hypot(...reach), full = upper + lower, margin = Math.max(soft * full, 1e-9);
+  const line = unit(wanted > 1e-9 ? reach : plus(minus(c, a), [1, 1, 1], 1e-9)), over = wanted - (full - margin);
+  const distance = Math.max(over > 0 ? full - margin * Math.exp(-over / margin) : wanted, Math.abs(upper - lower) + 1e-6 * full);
+  const side = unit(minus(b, a)), off = plus(side, line, -dot(side, line));
+  const out = Math.hypot(...off) > 1e-5 ? unit(off) : across(line);
+  const along = (upper ** 2 - lower ** 2 + distance ** 2) / (2 * distance);
+  const height = Math.sqrt(Math.max(upper ** 2 - along ** 2, 0));
+  return [plus(plus(a, line, along), out, height), plus(a, line, distance)];
+}
+
+// places of all points but the root, of world rotations
+function kinematics(body, turned, places) {
+  for (let j = 1; j < places.length; j++) {
+    const parent = body.parents[j];
+    places[j] = plus(places[parent], rotate(turned[parent], body.offsets[j]));
+  }
+}
+
+function turnArms(body, turned, places, wanted) {
+  kinematics(body, turned, places);
+  for (const [joint, child] of body.arms) {
+    const bone = rotate(turned[joint], body.offsets[child]), aim = between(bone, minus(wanted(child), places[joint]));
+    turned[joint] = multiply(aim, turned[joint]);
+    places[child] = plus(places[joint], rotate(aim, bone));
+  }
+}
+
+function plantFeet(body, turned, places, toes) {
+  kinematics(body, turned, places);
+  body.legs.forEach(([hip, knee, foot, toe], side) => {
+    const [a, b, c] = [hip, knee, foot].map((joint) => places[joint]);
+    const [middle, end] = twoBone(a, b, c, plus(minus(toes.subarray(3 * side, 3 * side + 3), places[toe]), c));
+    turned[hip] = multiply(between(minus(b, a), minus(middle, a)), turned[hip]);
+    turned[knee] = multiply(between(minus(c, b), minus(end, middle)), turned[knee]);
+  });
+}
+
+// Fills local rotations [J' * 4] and the root's position [3]; feet, arms: whether their IK acts.
+export function pose({ history, joints, toes }, body, rules, { feet, arms }, rotations, root) {
+  const [x, z, sin, cos] = history.subarray(history.length - 4), [s, c] = unit([sin, cos]);
+  const world = (joint, channel) => {
+    const at = rules.width * joint + rules[channel];
+    return [c * joints[at] + s * joints[at + 2], joints[at + 1], c * joints[at + 2] - s * joints[at]];
+  };
+  const ends = () => { for (const j of body.ends) turned[j] = turned[body.parents[j]]; };
+  const turned = body.features.map((joint) => fromForwardUp(world(joint, "forward"), world(joint, "up")));
+  const places = body.parents.map(() => plus([x, 0, z], world(0, "position")));
+  if (arms) {
+    turnArms(body, turned, places, (point) => plus([x, 0, z], world(body.own[point], "position")));
+    ends();
+  }
+  if (feet) {
+    plantFeet(body, turned, places, toes);
+    ends();
+  }
+  root.set(places[0]);
+  rotations.set(turned[0]);
+  for (let j = 1; j < turned.length; j++) {
+    const [w, ...v] = turned[body.parents[j]];
+    rotations.set(multiply([w, ...v.map((value) => -value)], turned[j]), 4 * j);
+  }
+}
