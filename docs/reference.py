@@ -9,7 +9,7 @@ from pathlib import Path
 
 #: Modules in the order of the README's map; those inside a package follow from it.
 GROUPS = {
-    "Motion and files": ("rotations", "motion", "decimals", "bvh", "datasets"),
+    "Motion and files": ("rotations", "motion", "files", "decimals", "bvh", "datasets"),
     "From motion to numbers": ("trajectory", "contacts", "phases", "layout", "features", "store"),
     "Networks and training": ("networks", "sampling", "evaluation", "runs", "checkpoints", "engine", "training",
                               "published"),

@@ -111,15 +111,15 @@ import os, signal, sys
 from pathlib import Path
 import test_store
 
-renamed, rename = [], Path.replace
+renamed, rename = [], os.replace
 
-def replace(self, target):
+def replace(source, target):
     renamed.append(target)
     if len(renamed) == 2:
         os.kill(os.getpid(), signal.SIGKILL)
-    return rename(self, target)
+    return rename(source, target)
 
-Path.replace = replace
+os.replace = replace
 test_store.preprocess(Path(sys.argv[1]), Path(sys.argv[2]))
 """
 

@@ -1,11 +1,7 @@
 """Biovision Hierarchy files: read and written in metres, seconds and radians, whatever the file's own units and order."""
 
-import contextlib
-import glob
-import io
 import os
 import re
-import tempfile
 from collections import defaultdict
 from collections.abc import Iterator
 from pathlib import Path
@@ -15,12 +11,8 @@ import torch
 from torch import Tensor
 
 from toolkit import rotations as R
+from toolkit.files import atomic_write
 from toolkit.motion import Clip, Skeleton
-
-try:
-    import fcntl
-except ImportError:  # Windows
-    fcntl = None
 
 CENTIMETRE = 0.01
 SMALL = 1_000_000  # joints times frames that any file may have
@@ -132,61 +124,6 @@ def save(clip: Clip, path: str | os.PathLike, *, unit: float = CENTIMETRE, order
     with atomic_write(path) as file:
         file.write(("\n".join(lines) + "\n").encode())
         np.savetxt(file, rows, fmt="%.6f")
-
-
-class atomic_write:  # noqa: N801 (used like a function)
-    """Context manager: a binary file that takes its name only when it was written whole.
-
-    What it is called until then starts with a dot. A killed process leaves such a file; the next one that writes the same
-    file removes it, and knows by a lock those of processes that still write.
-    """
-
-    def __init__(self, path: str | os.PathLike):
-        self.path = Path(path)
-
-    def __enter__(self) -> io.BufferedWriter:
-        self.path.parent.mkdir(parents=True, exist_ok=True)
-        for left in self.path.parent.glob(f".{glob.escape(self.path.name)}.*.partial"):
-            with contextlib.suppress(OSError):  # another's that lives, or one that is gone already
-                _remove(left)
-        while True:
-            self.file = tempfile.NamedTemporaryFile(
-                dir=self.path.parent, prefix=f".{self.path.name}.", suffix=".partial", delete=False
-            )
-            if fcntl:
-                with contextlib.suppress(OSError):  # a file system without locks
-                    fcntl.flock(self.file, fcntl.LOCK_EX)
-            if os.path.exists(self.file.name):  # nobody took it for a leftover before it was locked
-                return self.file
-            self.file.close()
-
-    def __exit__(self, kind, error, _) -> None:
-        temporary = Path(self.file.name)
-        try:
-            self.file.close()
-            if kind is None:
-                mask = os.umask(0)
-                os.umask(mask)
-                temporary.chmod(0o666 & ~mask)
-                temporary.replace(self.path)
-        except OSError as late:  # what was still to be written did not fit
-            error = late
-        if error is not None:
-            temporary.unlink(missing_ok=True)
-        if isinstance(error, OSError) and error.errno and error.filename in (None, self.file.name):
-            raise OSError(error.errno, f"cannot be written ({error.strerror})", os.fspath(self.path)) from error
-        if kind is None and error is not None:
-            raise error
-
-
-def _remove(left: Path) -> None:
-    """Remove a file that no living process has locked; an OSError otherwise."""
-    if not fcntl:
-        left.unlink()  # where nobody can remove an open file
-        return
-    with left.open("rb") as file:
-        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        left.unlink()
 
 
 _MOTION = re.compile(rb"[\r\n][^\S\r\n]*MOTION[^\S\r\n]*(?=[\r\n]|\Z)", re.IGNORECASE)

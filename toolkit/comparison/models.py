@@ -17,8 +17,8 @@ from tqdm import tqdm
 
 from toolkit import evaluation, metrics, networks, recognition, runtime, sampling, training
 from toolkit.benchmarks.closed_loop import eight
-from toolkit.bvh import atomic_write
 from toolkit.features import Features, Layout, Normaliser, split_joints
+from toolkit.files import atomic_write
 from toolkit.networks import Model, Sizes, weights
 from toolkit.networks.bank import StyleBank
 from toolkit.recognition import Recogniser

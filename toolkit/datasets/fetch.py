@@ -17,9 +17,9 @@ from pathlib import Path
 import filelock
 
 from toolkit import bvh
-from toolkit.bvh import atomic_write
 from toolkit.datasets import archive, bandai, home, style100
 from toolkit.datasets.download import STALL, download, notes
+from toolkit.files import atomic_write
 
 LARGEST = 4_000_000_000  # bytes of an archive whose size is not known: GitHub's hold whole projects
 RECORD = "toolkit-data.json"  # in a fetched folder: what it is, from where and when, its checksum and terms

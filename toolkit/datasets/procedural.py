@@ -16,11 +16,11 @@ from torch import Tensor
 from tqdm import tqdm
 
 from toolkit import rotations as R
-from toolkit.bvh import atomic_write
 from toolkit.datasets.procedural_body import SKELETON, pose
 from toolkit.datasets.procedural_steps import FPS, Plan, Truth, record, smooth, wander
 from toolkit.datasets.procedural_styles import STYLES, Arm, Leg, Style
 from toolkit.datasets.style100 import StyleInfo, save
+from toolkit.files import atomic_write
 from toolkit.motion import Clip
 
 __all__ = ["GAITS", "SKELETON", "STYLES", "Arm", "Leg", "Style", "Truth", "generate", "load", "truth", "write"]

@@ -15,6 +15,7 @@ from pathlib import Path
 
 from toolkit import bvh
 from toolkit.datasets.takes import Source
+from toolkit.files import atomic_write
 from toolkit.motion import Clip
 
 GAITS = {
@@ -140,7 +141,7 @@ def save(clips: Iterable[Clip], folder: str | os.PathLike, infos: Iterable[Style
     for name, rows in (("Dataset_List.csv", about), ("Frame_Cuts.csv", ends)):
         text = io.StringIO()
         csv.writer(text, lineterminator="\n").writerows(rows)
-        with bvh.atomic_write(folder / name) as file:
+        with atomic_write(folder / name) as file:
             file.write(text.getvalue().encode())
 
 

@@ -14,7 +14,7 @@ import torch
 from torch import Tensor
 
 from toolkit import rotations as R
-from toolkit.bvh import atomic_write
+from toolkit.files import atomic_write
 from toolkit.motion import Clip, Skeleton, forward_kinematics
 
 FLOAT, UINT, USHORT = 5126, 5125, 5123  # component types of glTF's accessors

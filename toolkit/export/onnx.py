@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 from torch import Tensor
 
-from toolkit.bvh import atomic_write
+from toolkit.files import atomic_write
 from toolkit.networks import Model
 from toolkit.networks.adapters import OneHot
 from toolkit.networks.bank import StyleBank

@@ -15,7 +15,7 @@ from safetensors import SafetensorError, safe_open
 from safetensors.torch import save
 from torch import Tensor
 
-from toolkit.bvh import atomic_write
+from toolkit.files import atomic_write
 
 FORMAT = "toolkit 1"
 

@@ -1,18 +1,15 @@
 """The files of a store: written whole or not at all, checksummed, memory-mapped."""
 
-import contextlib
 import hashlib
 import json
-import os
-import uuid
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 from safetensors import SafetensorError, safe_open
-from safetensors.torch import save_file
+from safetensors.torch import save
 from torch import Tensor
 
+from toolkit.files import atomic_write
 from toolkit.layout import Layout
 from toolkit.networks.weights import intact, plain
 
@@ -22,12 +19,10 @@ MANIFEST = "manifest.json"
 
 def write(path: Path, tensors: dict[str, Tensor]) -> dict[str, Any]:
     """Write a file, whole or not at all; its size and checksum."""
-    with _whole(path) as partial:
-        try:
-            save_file(tensors, partial)
-        except SafetensorError as error:
-            raise OSError(f"{path}: cannot be written ({error})") from error
-        return {"bytes": partial.stat().st_size, "sha256": sha256(partial)}
+    packed = save(tensors)
+    with atomic_write(path) as file:
+        file.write(packed)
+    return {"bytes": len(packed), "sha256": hashlib.sha256(packed).hexdigest()}
 
 
 def read(path: Path, entry: dict[str, Any]) -> dict[str, Tensor]:
@@ -44,8 +39,8 @@ def read(path: Path, entry: dict[str, Any]) -> dict[str, Tensor]:
 def write_manifest(out: Path, manifest: dict[str, Any]) -> None:
     """Write a store's manifest, styles in alphabetical order."""
     manifest = manifest | {"partitions": dict(sorted(manifest["partitions"].items()))}
-    with _whole(out / MANIFEST) as partial:
-        partial.write_text(json.dumps(manifest, indent=1), encoding="utf-8")
+    with atomic_write(out / MANIFEST) as file:
+        file.write(json.dumps(manifest, indent=1).encode())
 
 
 def read_manifest(path: Path) -> dict[str, Any]:
@@ -85,29 +80,3 @@ def sha256(path: Path) -> str:
     """SHA-256 of a file, hexadecimal."""
     with path.open("rb") as file:
         return hashlib.file_digest(file, "sha256").hexdigest()
-
-
-@contextlib.contextmanager
-def _whole(path: Path) -> Iterator[Path]:
-    """A file to write that takes its name when it is whole and on the disk."""
-    partial = path.with_name(f".{path.name}.{uuid.uuid4().hex}.partial")
-
-    try:
-        yield partial
-        mask = os.umask(0)
-        os.umask(mask)
-        partial.chmod(0o666 & ~mask)  # safetensors makes files that only their owner can read
-        _sync(partial, os.O_RDWR)
-        partial.replace(path)
-        if os.name == "posix":
-            _sync(path.parent, os.O_RDONLY)
-    finally:
-        partial.unlink(missing_ok=True)
-
-
-def _sync(path: Path, mode: int) -> None:
-    descriptor = os.open(path, mode)
-    try:
-        os.fsync(descriptor)
-    finally:
-        os.close(descriptor)

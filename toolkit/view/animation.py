@@ -13,7 +13,7 @@ from scipy.ndimage import gaussian_filter1d
 from tqdm import tqdm
 
 from toolkit import rotations as R
-from toolkit.bvh import atomic_write
+from toolkit.files import atomic_write
 from toolkit.motion import Clip
 from toolkit.view import body
 from toolkit.view.picture import FLOOR, INK, PAPER, contact_list, label, steady_frames

@@ -7,9 +7,9 @@ import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from toolkit import metrics
-from toolkit.bvh import atomic_write
 from toolkit.comparison.failures import Case
 from toolkit.features import Layout
+from toolkit.files import atomic_write
 from toolkit.motion import Clip, root_frames
 from toolkit.view.body import PALETTE
 from toolkit.view.picture import INK, PAPER, Picture

@@ -13,7 +13,7 @@ import numpy as np
 import torch
 
 from toolkit import rotations as R
-from toolkit.bvh import atomic_write
+from toolkit.files import atomic_write
 from toolkit.motion import Clip
 from toolkit.view import body
 from toolkit.view.picture import contact_list, label, steady_frames

@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 from scipy.ndimage import gaussian_filter1d
 
 from toolkit import rotations as R
-from toolkit.bvh import atomic_write
+from toolkit.files import atomic_write
 from toolkit.motion import Clip, root_frames
 from toolkit.view import body
 from toolkit.view.raycast import Canvas

@@ -1,0 +1,341 @@
+"""Rubbish in, one line out; killed at any moment, nothing half-written: short `bench fuzz` and `bench faults`."""
+
+import json
+import os
+import random
+import re
+import struct
+import subprocess
+import sys
+import tracemalloc
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from safetensors.torch import save_file
+from test_bvh import GOOD
+
+import toolkit as tk
+from toolkit import bvh, store
+from toolkit.__main__ import main
+from toolkit.benchmarks import fuzz
+from toolkit.benchmarks.fuzz import mutations, targets
+from toolkit.benchmarks.fuzz.trials import Reader, trial
+from toolkit.datasets import procedural, style100
+from toolkit.files import atomic_write
+from toolkit.networks import weights
+
+
+@pytest.fixture(scope="module")
+def readers(tmp_path_factory):
+    return targets.make(tmp_path_factory.mktemp("fuzz"))
+
+
+def refused(read, path):
+    with pytest.raises((ValueError, OSError)) as caught:
+        read(path)
+    message = str(caught.value)
+    assert message.isprintable()
+    assert str(path.parent) in message or path.name in message
+    return message
+
+
+@pytest.mark.parametrize("target", ["bvh", "csv", "model", "store", "cli"])
+def test_mutated_inputs_are_read_or_refused_in_one_line(readers, target):
+    tally = fuzz.fuzz(readers[target], 250, seed=1)
+    assert not tally.failures
+    assert tally.inputs == 250 == tally.accepted + tally.refused.total()
+    assert tally.accepted
+    assert len(tally.refused) >= 5
+    assert tally.slowest < 1
+    assert tally.deep > 100
+
+
+TOKENS = (*mutations.WORDS, *mutations.NUMBERS, b"\n", b"ROOT Hips\n{\n", b"Frames: 1\n", b"Frame Time: 0.1\n", b"1 2 3")
+
+
+@settings(max_examples=150)
+@given(st.lists(st.sampled_from(TOKENS), max_size=40), st.sampled_from([b"", b"HIERARCHY\n", GOOD.encode()[:-40]]))
+def test_any_words_are_read_or_refused_by_the_bvh_reader(tmp_path_factory, words, start):
+    path = tmp_path_factory.getbasetemp() / "words.bvh"
+    reader = Reader("bvh", path, bvh.load, (b"",), mutations.text, "")
+    assert trial(reader, start + b" ".join(words))[0] != "failed"
+
+
+@settings(max_examples=100)
+@given(st.binary(max_size=300), st.integers(0, 2**64 - 1))
+def test_any_bytes_are_refused_as_a_model(tmp_path_factory, data, size):
+    path = tmp_path_factory.getbasetemp() / "bytes.safetensors"
+    path.write_bytes(struct.pack("<Q", size) + data)
+    refused(tk.training.load, path)
+
+
+BAD_BVH = {
+    "a joint inside an End Site, whose name would grow with every level": (
+        GOOD.replace("OFFSET 0 5 0\n", "OFFSET 0 5 0\nEnd Site {\n}\n"), "line 13: unexpected End inside an End Site"),
+    "a name that writes on the terminal": (GOOD.replace("Chest", "Ch\x1b[31mest"), "line 6: .* cannot be printed"),
+    "a name with a zero byte": (GOOD.replace("Chest", "Ch\0est"), "line 6: .* cannot be printed"),
+    "more frames per second than a number": (GOOD.replace("0.033333", "1e-320"), "line 18: frame time must be positive"),
+    "an offset that float32 cannot hold": (GOOD.replace("OFFSET 0 10 0", "OFFSET 0 1e300 0"), "line 8: OFFSET needs three"),
+    "a position that float32 cannot hold": (GOOD.replace("1 90 0 0", "1e308 90 0 0"), "positions of joint Hips"),
+    "an angle that float32 cannot hold": (GOOD.replace("0 90 0 0 0", "0 90 0 1e300 0"), "rotations of frame 0"),
+    "a forged number of frames": (GOOD.replace("Frames: 3", "Frames: 999999999"), "header says 999999999 frames"),
+    "a number of frames of 5,000 digits": (GOOD.replace("Frames: 3", "Frames: " + "9" * 5000), "expected 'Frames: N'"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("text", "problem"), BAD_BVH.values(), ids=BAD_BVH)
+def test_files_that_once_got_through_the_bvh_reader(tmp_path, text, problem):
+    path = tmp_path / "walk.bvh"
+    path.write_text(text)
+    with pytest.raises(bvh.BVHError, match=problem):
+        bvh.load(path)
+    refused(bvh.load, path)
+
+
+def test_a_small_bvh_takes_little_memory_whatever_it_claims(tmp_path):
+    joints, rows = 3000, 30_000  # 3 × 3000 channels by 30,000 frames would be 2 GB
+    chain = "".join(f"JOINT j{i}\n{{\nCHANNELS 3 Xrotation Yrotation Zrotation\n" for i in range(joints)) + "}\n" * joints
+    path = tmp_path / "walk.bvh"
+    path.write_text(f"HIERARCHY\nROOT r\n{{\n{chain}}}\nMOTION\nFrames: {rows}\nFrame Time: 0.1\n" + "1\n" * rows)
+    tracemalloc.start()
+    assert f"expected {3 * joints} numbers, got 1" in refused(bvh.load, path)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert peak < 60 * path.stat().st_size
+
+
+def test_joints_without_channels_times_frames_are_not_taken_at_their_word(tmp_path):
+    joints, rows = 2000, 2000
+    chain = "".join(f"JOINT j{i}\n{{\n" for i in range(joints)) + "}\n" * joints
+    path = tmp_path / "walk.bvh"
+    for frames in (100, rows):
+        motion = f"MOTION\nFrames: {frames}\nFrame Time: 0.1\n" + "1\n" * frames
+        path.write_text(f"HIERARCHY\nROOT r\n{{\nCHANNELS 1 Xrotation\n{chain}}}\n{motion}")
+        if frames == 100:
+            assert len(bvh.load(path)) == 100
+    assert "2001 joints in 2000 frames, of which only 1 channels move" in refused(bvh.load, path)
+
+
+def test_tables_that_once_got_through(tmp_path):
+    procedural.write(tmp_path, ["Neutral"], ["FW"], 0.2)
+    cuts = tmp_path / "Frame_Cuts.csv"
+    whole = cuts.read_text()
+
+    def said(text):
+        cuts.write_text(text)
+        return refused(lambda path: style100.table1(path.parent), cuts)
+
+    assert "line 2: field larger than field limit" in said(whole.replace("ProceduralNeutral", "x" * 200_000))
+    assert "starts at frame 0 and stops at 9" in said(whole.replace(",0,12,", ",0," + "9" * 400 + ","))
+    row = whole.splitlines()[0] + "\nX" + ",N/A" * (len(whole.splitlines()[0].split(",")) - 1)
+    assert "no frame of any take" in said(row + "\n")
+
+
+DEEP = "[" * 5000
+
+
+@pytest.mark.parametrize("value", [DEEP, "9" * 5000, "[]", "3", "null", '"x"', "{}", '{"config": 1}', '{"config": {}}'])
+@pytest.mark.parametrize("part", ["run", "model", "bank"])
+def test_models_whose_description_is_something_else(tmp_path, small_run, part, value):
+    path = tmp_path / "run.safetensors"
+    small_run.save(path)
+    tensors, parts = weights.read(path, "run")
+    described = {name: json.dumps(x) for name, x in parts.items()} | {"format": weights.FORMAT, part: value}
+    save_file(tensors, path, described)
+    refused(tk.training.load, path)
+
+
+@pytest.mark.parametrize(
+    "change",
+    [{"sizes": {"hidden": 10**30}}, {"layout": "x"}, {"layout": {"names": [1, 2]}}, {"n_styles": "many"}, {"name": ["lpn"]},
+     {"name": "\x1b[31m"}],
+)  # fmt: skip
+def test_models_with_impossible_descriptions(tmp_path, small_run, change):
+    path = tmp_path / "model.safetensors"
+    tensors, described = small_run.model.parts()
+    weights.write(path, tensors, {"model": described | change})
+    refused(tk.networks.Model.load, path)
+
+
+@pytest.fixture(scope="module")
+def stored(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("robust")
+    procedural.write(folder / "data", ["Neutral"], ["FW"], 4.5)
+    store.preprocess("100style", folder / "data", folder / "store", workers=1)
+    return folder / "store"
+
+
+@pytest.mark.parametrize(
+    ("change", "problem"),
+    [
+        (lambda m: [], "expected the format"),
+        (lambda m: m | {"partitions": 3}, "the manifest is damaged"),
+        (lambda m: m | {"split": None}, "the manifest is damaged"),
+        (lambda m: m | {"settings": {}}, "settings without"),
+        (lambda m: changed(m, file="../ProceduralNeutral.safetensors"), "a file called '../"),
+        (lambda m: changed(m, frames=10**12, clips=[{"take": 0, "gait": "FW", "frames": 10**12}]), "clips of"),
+        (lambda m: changed(m, frames=10**9, clips=[{"take": 0, "gait": "FW", "frames": 10**9}]), "expected 1000000000"),
+        (lambda m: changed(m, layout=3), "the manifest is damaged"),
+    ],
+)
+def test_stores_whose_manifest_lies(stored, change, problem):
+    path = stored / "manifest.json"
+    whole = path.read_text()
+    path.write_text(json.dumps(change(json.loads(whole))))
+    try:
+        assert problem in refused(lambda path: store.load(path.parent), path)
+    finally:
+        path.write_text(whole)
+
+
+def changed(manifest, **changes):
+    ((style, entry),) = manifest["partitions"].items()
+    return manifest | {"partitions": {style: entry | changes}}
+
+
+def test_a_store_whose_files_are_damaged_but_as_long_as_before(stored):
+    for name in ("ProceduralNeutral.safetensors", "split.safetensors"):
+        path = stored / name
+        whole = path.read_bytes()
+        path.unlink()
+        path.write_bytes(whole[:20] + bytes([whole[20] ^ 255]) + whole[21:])
+        refused(lambda path: store.load(path.parent), path)
+        path.write_bytes(whole)
+    assert store.load(stored).n_frames
+
+
+def test_a_second_process_that_writes_a_store_is_refused(stored, tmp_path):
+    out = tmp_path / "store"
+    options = {"data": "100style", "root": stored.parent / "data", "out": out, "workers": 1}
+    with store._alone(out), pytest.raises(OSError, match="another process is writing this store"):
+        store.preprocess(**options)
+    assert store.preprocess(**options)
+
+
+def test_errors_on_the_command_line_are_one_printable_line(capfd):
+    assert main(["data", "list", "a\nb\x1b[31m"]) == 2
+    said = capfd.readouterr().err
+    assert said.startswith("error: ")
+    assert said.endswith("\n")
+    assert said[:-1].isprintable()
+
+
+def test_a_killed_writers_leftover_is_removed_and_a_living_ones_is_not(tmp_path):
+    path, other = tmp_path / "a[1].bin", tmp_path / ".b.bin.x.partial"
+    left = tmp_path / ".a[1].bin.x.partial"
+    for file in (left, other):
+        file.write_bytes(b"half")
+    with atomic_write(path) as first:
+        first.write(b"first")
+        assert not left.exists()
+        assert other.exists()
+        with atomic_write(path) as second:
+            second.write(b"second")
+            assert os.path.exists(first.name)
+        assert path.read_bytes() == b"second"
+    assert path.read_bytes() == b"first"
+    assert sorted(tmp_path.iterdir()) == [other, path]
+
+
+def test_what_cannot_be_written_is_named(tmp_path):
+    path = tmp_path / "a.bin"
+    path.write_bytes(b"old")
+    with pytest.raises(OSError, match=r"cannot be written \(No space left on device\): '.*a\.bin'"), atomic_write(path):
+        raise OSError(28, "No space left on device")
+    assert path.read_bytes() == b"old"
+    assert list(tmp_path.iterdir()) == [path]
+
+
+def test_the_fuzzer_sees_defects(tmp_path):
+    def defect(path):
+        kind = path.read_bytes()[0] % 5
+        if kind == 0:
+            raise KeyError("x")
+        if kind == 1:
+            raise ValueError(f"{path}\nsecond line")
+        if kind == 2:
+            raise ValueError("which file?")
+        if kind == 3:
+            raise ValueError(f"{path}: fine")
+        while True:
+            pass
+
+    def one_of_five(rng, _):
+        return rng.choice((b"\0", b"\1", b"\2", b"\3", b"\3", b"\3", b"\3", b"\4"))  # a hang takes a second
+
+    tally = fuzz.fuzz([Reader("r", tmp_path / "r.bin", defect, (b"",), one_of_five, "fine")], 24, seed=1)
+    said = " ".join(tally.failures)
+    assert {"KeyError", "not one printable line", "does not name the file", "_Hang"} == {
+        word for word in ("KeyError", "not one printable line", "does not name the file", "_Hang") if word in said
+    }
+    assert sum(count for count, _ in tally.failures.values()) + tally.refused.total() == 24
+    assert tally.deep == tally.refused.total() > 0
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="only Linux says how much a process has reserved")
+def test_the_fuzzer_sees_memory_blow_up(tmp_path):
+    reader = Reader("r", tmp_path / "r.bin", lambda path: np.empty(1 << 40), (b"x",), lambda rng, data: data, "")
+    assert "MemoryError" in next(iter(fuzz.fuzz([reader], 1, seed=0).failures))
+
+
+def test_the_same_seed_gives_the_same_inputs(readers):
+    for reader in (of[0] for of in readers.values()):
+        assert [reader.input(3, i) for i in range(20)] == [reader.input(3, i) for i in range(20)]
+        assert [reader.input(3, i) for i in range(20)] != [reader.input(4, i) for i in range(20)]
+
+
+def test_mutations_of_a_model_reach_behind_its_header(readers):
+    reader = readers["model"][0]
+    rng = random.Random(0)
+    outcomes = [trial(reader, mutations.tensors(rng, reader.seeds[0])) for _ in range(100)]
+    assert sum(outcome == "accepted" for outcome, *_ in outcomes) > 5
+    assert sum("damaged" in said for _, said, _ in outcomes) > 10
+
+
+needs_fork = pytest.mark.skipif(not hasattr(os, "fork"), reason="this system cannot fork")
+WRITER = """
+import sys, tempfile, time
+from pathlib import Path
+from toolkit import files
+from toolkit.benchmarks.faults import Job, killed
+
+def work(folder):
+    with {writer} as file:
+        for i in range(100):
+            file.write(bytes([i]) * 100)
+            file.flush()
+            time.sleep(0.001)
+
+with tempfile.TemporaryDirectory() as base:
+    score = killed(Job("writer", work, {{"a.bin": b"old"}}), Path(base), 10)
+    print(score)
+    sys.exit(0 if score.passed else 3)
+"""
+
+
+def python(*words):
+    environment = os.environ | {"OMP_NUM_THREADS": "1"}
+    return subprocess.run([sys.executable, *words], env=environment, capture_output=True, text=True, timeout=200)
+
+
+@needs_fork
+def test_killed_starved_and_locked_out_export_loses_nothing():
+    done = python("-m", "toolkit", "bench", "faults", "--kills", "1", "--only", "export")
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert re.search(r"export +1 +[01] +0 +0 +1 +0 ", done.stdout)
+    for fault in ("full disk", "read only", "two at once"):
+        assert f"{'export':<12}{fault:<14}ok" in done.stdout
+
+
+@needs_fork
+@pytest.mark.parametrize(
+    ("writer", "status"), [('files.atomic_write(folder / "a.bin")', 0), ('open(folder / "a.bin", "wb")', 3)]
+)
+def test_a_writer_in_place_is_found_out(writer, status):
+    done = python("-c", WRITER.format(writer=writer))
+    assert done.returncode == status, done.stdout + done.stderr
+    assert ("half=0" in done.stdout) == (status == 0)
+    assert "kills=10" in done.stdout
+    assert "equal=10" in done.stdout
