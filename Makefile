@@ -3,7 +3,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 PYTHON := python3
 
-.PHONY: env demo test lab docs wheel clean
+.PHONY: env demo test coverage lab docs wheel clean
 
 env: $(VENV)/.complete
 
@@ -21,6 +21,12 @@ demo: env
 test: env
 	$(BIN)/ruff check
 	$(BIN)/python -m pytest --numprocesses 2 --dist loadfile --nbval-lax --nbval-current-env --nbval-cell-timeout 120 tests notebooks
+
+coverage: env
+	mkdir -p out/coverage
+	$(BIN)/coverage run -m pytest --numprocesses 2 --dist loadfile tests
+	$(BIN)/coverage combine --quiet
+	$(BIN)/coverage report
 
 lab: env
 	$(BIN)/jupyter lab notebooks --ServerApp.jpserver_extensions="{'toolkit.view.server': True}"

@@ -7,7 +7,7 @@ from torch import Tensor
 
 from toolkit import contacts
 from toolkit.features import Layout
-from toolkit.motion import Clip
+from toolkit.motion import Clip, Skeleton
 
 
 def foot_skate(clip: Clip, contact: Tensor | None = None) -> dict[str, float]:
@@ -63,13 +63,16 @@ def hips_height(clip: Clip) -> tuple[float, float]:
 
 
 def upright(clip: Clip) -> bool:
-    """Whether the chest stays above the hips and the hips above both ankles, in every frame."""
-    skeleton, height = clip.skeleton, clip.global_positions[..., 1]
-    hips = height[:, skeleton.index("hips")]
-    above = skeleton.ancestors("left_shoulder")
-    chest = height[:, next(j for j in above if j in skeleton.ancestors("right_shoulder"))]
-    ankles = torch.stack([height[:, skeleton.index(f"{side}_foot")] for side in contacts.FEET], 1).amax(1)
-    return bool(((chest > hips) & (hips > ankles)).all())
+    """Whether a character stands or walks on its feet in every frame, see `on_feet`."""
+    return bool(on_feet(clip.skeleton, clip.global_positions[..., 1]).all())
+
+
+def on_feet(skeleton: Skeleton, height: Tensor) -> Tensor:
+    """Whether the chest is above the hips and the hips above both ankles ``[...]``, from heights of joints ``[..., J]``."""
+    hips, above = height[..., skeleton.index("hips")], skeleton.ancestors("left_shoulder")
+    chest = height[..., next(j for j in above if j in skeleton.ancestors("right_shoulder"))]
+    ankles = height[..., [skeleton.index(f"{side}_foot") for side in contacts.FEET]].amax(-1)
+    return (chest > hips) & (hips > ankles)
 
 
 def posture(layout: Layout, positions: Tensor) -> dict[str, Tensor]:

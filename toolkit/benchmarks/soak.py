@@ -10,9 +10,9 @@ import typer
 from torch import Tensor
 from tqdm import tqdm
 
-from toolkit import published, runtime, verbs
+from toolkit import metrics, published, runtime, verbs
 from toolkit.ik import SIDES
-from toolkit.motion import Skeleton, forward_kinematics
+from toolkit.motion import forward_kinematics
 from toolkit.runtime import FPS, CharacterState, Command
 
 CHUNK = 300  # frames whose poses are in memory at a time
@@ -139,18 +139,10 @@ def _look(model, states: list[CharacterState], last: Tensor | None) -> tuple[dic
     numbers = torch.stack([torch.cat([getattr(s, name).flatten(1) for name in CARRIED], 1) for s in states])
     return {
         "finite": numbers.isfinite().all(-1) & positions.isfinite().flatten(2).all(-1),
-        "upright": _upright(skeleton, positions[..., 1]),
+        "upright": metrics.on_feet(skeleton, positions[..., 1]),
         "hips": positions[..., skeleton.index("hips"), 1], "root": torch.stack([s.root[:, :2] for s in states]),
         "contact": torch.stack([s.contacts > 0.5 for s in states]), "sliding": sliding, "plain": plain,
     }, toes[-1]  # fmt: skip
-
-
-def _upright(skeleton: Skeleton, height: Tensor) -> Tensor:
-    """`toolkit.metrics.upright` of each frame, of heights ``[..., J]``."""
-    hips, above = height[..., skeleton.index("hips")], skeleton.ancestors("right_shoulder")
-    chest = height[..., next(j for j in skeleton.ancestors("left_shoulder") if j in above)]
-    ankles = height[..., [skeleton.index(f"{side}_foot") for side in SIDES]].amax(-1)
-    return (chest > hips) & (hips > ankles)
 
 
 def judge(seen: Watched, course: Course, names: list[str]) -> list[dict]:
