@@ -295,7 +295,7 @@ def test_the_example_of_the_docs_runs(onnxruntime, tmp_path, monkeypatch, capsys
 def test_onnx_without_its_package_says_what_to_install(tmp_path, monkeypatch, capsys):
     monkeypatch.setitem(sys.modules, "onnx", None)
     assert called(f"export onnx --out {tmp_path / 'new' / 'a.onnx'}") == 2
-    assert capsys.readouterr().err == 'error: ONNX needs the extra "export": pip install "toolkit[export]"\n'
+    assert capsys.readouterr().err == 'error: ONNX needs the extra "export": pip install ".[export]"\n'
     assert not list(tmp_path.iterdir())
 
 

@@ -1,12 +1,14 @@
 """Features: widths, meaning against slow loops, invariance, errors."""
 
+import dataclasses
 import math
 
 import pytest
 import torch
 
 import toolkit as tk
-from toolkit.features import Layout, Normaliser, frames, split_joints, style_clips
+from toolkit import features, phases
+from toolkit.features import Layout, Normaliser, Rows, clip_starts, frames, moments, split_joints, style_clips
 from toolkit.motion import root_frames
 
 
@@ -103,6 +105,114 @@ def test_normaliser_is_exact_where_float32_sums_are_not():
     assert torch.allclose(found.invert(found.apply(column)), column)
 
 
+def test_a_constant_column_is_only_centred():
+    rows = torch.tensor([[3.0, 1.0], [3.0, 2.0], [3.0, 6.0]])
+    found = Normaliser.of(rows)
+    assert found.mean.tolist() == [3.0, 3.0]
+    assert found.std.tolist() == pytest.approx([1.0, math.sqrt(14 / 3)])
+    assert {found.mean.dtype, found.std.dtype} == {torch.float32}
+    assert found.apply(rows)[:, 0].tolist() == [0.0, 0.0, 0.0]
+
+
+def slow_moments(rows) -> tuple[int, list[float], list[float]]:
+    """Number, mean and variance of rows ``[..., D]``, one column after the other."""
+    columns = [c.tolist() for c in rows.flatten(0, -2).double().unbind(-1)]
+    n = max(1, len(columns[0]))
+    means = [math.fsum(c) / n for c in columns]
+    return len(columns[0]), means, [math.fsum((x - m) ** 2 for x in c) / n for c, m in zip(columns, means, strict=True)]
+
+
+@pytest.mark.parametrize("shape", [(1, 3), (2, 3), (50, 3), (1, 1), (9, 4, 3), (0, 3), (1, 5, 2)])
+@pytest.mark.parametrize("chunk", [1, 7, 1 << 18])
+def test_moments_in_parts_are_those_of_all_rows(monkeypatch, shape, chunk):
+    monkeypatch.setattr(features, "CHUNK", chunk)
+    rows = 5 + torch.randn(shape, generator=torch.Generator().manual_seed(7))
+    for source in (rows, Rows(rows.__getitem__, torch.arange(len(rows)))):
+        n, mean, variance = moments(source)
+        expected = slow_moments(rows)
+        assert n == expected[0]
+        assert mean.dtype == variance.dtype == torch.float64
+        assert mean.tolist() == pytest.approx(expected[1], abs=1e-12)
+        assert variance.tolist() == pytest.approx(expected[2], abs=1e-12)
+
+
+@pytest.mark.parametrize(("chunk", "at_once"), [(1, 1), (12, 4), (13, 4), (1000, 10)])
+def test_moments_hold_few_rows_at_a_time(monkeypatch, chunk, at_once):
+    monkeypatch.setattr(features, "CHUNK", chunk)
+    asked = []
+
+    def derive(at):
+        asked.append(len(at))
+        return torch.ones(len(at), 3)
+
+    assert moments(Rows(derive, torch.arange(10)))[0] == 10
+    assert max(asked) == at_once
+
+
+@pytest.mark.parametrize("sizes", [(3, 5), (0, 1), (1, 0), (0, 4), (1, 1, 1), (400, 2, 30)])
+def test_a_normaliser_of_parts_is_that_of_their_union(sizes):
+    generator = torch.Generator().manual_seed(1)
+    parts = [10 * i + (i + 1) * torch.randn(n, 2, generator=generator) for i, n in enumerate(sizes)]
+    _, mean, variance = slow_moments(torch.cat(parts))
+    for found in (Normaliser.of(*parts), Normaliser.merged(moments(p) for p in parts)):
+        assert found.mean.tolist() == pytest.approx(mean, rel=1e-6)
+        assert found.std.tolist() == pytest.approx([math.sqrt(v) if v > 1e-10 else 1.0 for v in variance], rel=1e-6)
+
+
+def test_rows_are_read_as_those_of_a_tensor():
+    table = torch.randn(20, 3, generator=torch.Generator().manual_seed(2))
+    at = torch.tensor([4, 7, 2, 19, 0, 11])
+    rows, expected = Rows(lambda frames: torch.cat([table[t : t + 1] for t in frames] or [table[:0]]), at), table[at]
+    mask = torch.tensor([True, False, True, True, False, False])
+    assert len(rows) == 6
+    for key in (0, 3, -1, slice(1, 5), slice(None, None, 2), torch.tensor([5, 0]), torch.tensor(2), mask, slice(0, 0)):
+        assert torch.equal(rows[key], expected[key])
+    chosen = rows.select(mask)
+    assert isinstance(chosen, Rows)
+    assert chosen.at.tolist() == [4, 2, 19]
+    assert torch.equal(chosen[:], expected[mask])
+
+
+@pytest.mark.parametrize("n", [0, 1, 239, 240, 241, 359, 360, 361, 480, 1000])
+def test_style_clips_start_every_two_seconds_as_long_as_they_fit(n):
+    assert clip_starts(n).tolist() == [i for i in range(0, n, 120) if i + 240 <= n]
+
+
+@pytest.mark.parametrize(("start", "stop"), [(0, None), (1, None), (3, 243), (100, 339), (60, 420), (0, 1000)])
+def test_style_clips_are_runs_of_joint_features(walk_clip, start, stop):
+    block = features.joint_features(walk_clip, root_frames(walk_clip))
+    end = min(480, 1000 if stop is None else stop)
+    expected = [block[i : i + 240] for i in range(start, end - 239, 120)]
+    found = style_clips(walk_clip, start, stop)
+    assert found.shape == (len(expected), 240, 300)
+    assert all(torch.equal(a, b) for a, b in zip(found, expected, strict=True))
+    if (start, stop) == (0, None):
+        assert torch.equal(style_clips(walk_clip), found)
+
+
+@pytest.mark.parametrize(("start", "stop"), [(0, None), (60, 200), (61, 199), (0, 61), (250, None), (400, 480)])
+def test_frames_of_a_range_keep_the_rest_as_past_and_future(walk_clip, start, stop):
+    ph = phases.extract(walk_clip, "contact")
+    rows = frames(walk_clip, ph, start, stop)
+    whole = frames(walk_clip, ph)
+    expected = [t for t in range(60, 480 - 51) if start <= t < (480 if stop is None else stop)]
+    assert whole.index.tolist() == list(range(60, 480 - 51))
+    assert rows.index.tolist() == expected
+    at = rows.index - 60
+    assert torch.equal(rows.inputs, whole.inputs[at])
+    assert torch.equal(rows.outputs, whole.outputs[at])
+    assert torch.equal(rows.phases, ph.vector.flatten(1)[rows.index])  # the given ones
+    assert len(frames(walk_clip.cut(0, 112), ph).index) == 1
+
+
+WINDOW = r"frames hold no whole trajectory window; it takes 60 before and 51 after a frame$"
+
+
+def test_frames_of_a_clip_without_a_whole_window_are_refused(walk_clip):
+    with pytest.raises(ValueError, match=r"^Neutral_FW: 111 " + WINDOW):
+        frames(walk_clip.cut(0, 111).replace(name="Neutral_FW"))
+
+
 def test_a_skeleton_of_another_rig_has_the_same_layout(shared):
     clip = tk.bvh.load(shared / "bandai" / "dataset-1" / "dataset-1_walk_normal_001.bvh").resample(60)
     rows = frames(clip)
@@ -121,12 +231,80 @@ def test_build_labels_rows_by_style(walk_clip):
     assert {len(t) for t in data.takes.values()} == {len(walk_clip) - 111}
 
 
+@pytest.fixture(scope="module")
+def two_walks(walk_clip):
+    return [walk_clip.cut(0, 250).replace(name="one"), walk_clip.cut(200, 450).replace(name="two", gait="BW")]
+
+
+def test_build_against_a_slow_loop(two_walks):
+    """Every clip is followed by its mirror image, which shares its phase axes and its number."""
+    clips = [*two_walks, two_walks[0].replace(style="Twin", name="three")]
+    data = features.build(clips, source="contact", mirror=lambda clip: clip.name != "two")
+    expected = {"Neutral": [], "Twin": []}
+    for take, clip in [(1, clips[1]), (0, clips[0]), (2, clips[2])]:  # gaits in alphabetical order: BW, FW
+        both = [clip] if clip.name == "two" else [clip, clip.mirrored()]
+        for c, ph in zip(both, phases.extract_group(both, "contact"), strict=True):
+            expected[clip.style].append((take, frames(c, ph), style_clips(c)))
+    assert data.layout == Layout(clips[0].skeleton)
+    assert data.styles == ["Neutral", "Twin"]
+    assert data.n_frames == 139 * 5
+    for style, parts in expected.items():
+        for kind in ("inputs", "phases", "outputs"):
+            torch.testing.assert_close(getattr(data, kind)[style], torch.cat([getattr(rows, kind) for _, rows, _ in parts]))
+        assert torch.equal(data.clips[style], torch.cat([y for *_, y in parts]))
+        assert data.takes[style].tolist() == [take for take, *_ in parts for _ in range(139)]
+
+
+def test_clips_of_one_style_and_gait_share_their_phase_axes(two_walks):
+    clips = [clip.replace(gait="FW") for clip in two_walks]
+    data = features.build((c.resample(30) for c in clips), source="contact-free")
+    again = [c.resample(30).resample(60) for c in clips]
+    expected = [ph.vector.flatten(1)[60:-51] for ph in phases.extract_group(again, "contact-free")]
+    torch.testing.assert_close(data.phases["Neutral"], torch.cat(expected))
+
+
+@pytest.mark.parametrize(("mirror", "n"), [(False, 1), (True, 2), (lambda clip: clip.gait == "FW", 2), (lambda _: False, 1)])
+def test_mirror_images_are_added_where_they_are_asked_for(two_walks, mirror, n):
+    data = features.build(two_walks[:1], source="contact", mirror=mirror)
+    assert len(data.inputs["Neutral"]) == 139 * n
+    assert len(data.clips["Neutral"]) == n
+    assert data.takes["Neutral"].tolist() == [0] * (139 * n)
+
+
+def test_short_clips_are_left_out_where_that_is_asked_for(two_walks, walk_clip):
+    short = walk_clip.cut(0, 111)
+    data = features.build([short, *two_walks, short], source="contact", short="skip")
+    assert sorted(set(data.takes["Neutral"].tolist())) == [1, 2]
+    data = features.build([two_walks[0], short.replace(gait="SR")], source="contact", short="skip")  # a gait with none
+    assert data.takes["Neutral"].tolist() == [0] * 139
+    with pytest.raises(ValueError, match=r"^style 'Neutral' has no clip of 240 frames \(4 s at 60 Hz\) to learn the style"):
+        features.build([short], short="skip")
+
+
+def test_normalisers_are_over_all_styles(two_walks):
+    clips = [two_walks[0], two_walks[1].replace(style="Twin")]
+    data = features.build(clips, source="contact")
+    found = data.normalisers()
+    assert list(found) == ["inputs", "phases", "outputs", "clips"]
+    for kind, normaliser in found.items():
+        _, mean, variance = slow_moments(torch.cat([*getattr(data, kind).values()]))
+        assert normaliser.mean.tolist() == pytest.approx(mean, abs=1e-5)
+        still = [1.0 if v < 1e-10 else math.sqrt(v) for v in variance]
+        assert normaliser.std.tolist() == pytest.approx(still, rel=1e-5)
+    given = {"inputs": Normaliser.of(torch.ones(2, 3))}
+    assert dataclasses.replace(data, statistics=given).normalisers() == given
+
+
 def test_bad_clips_are_refused_by_name(walk_clip):
-    with pytest.raises(ValueError, match="no clips"):
+    with pytest.raises(ValueError, match=r"^no clips to build features from$"):
         tk.features.build([])
-    with pytest.raises(ValueError, match="80 frames hold no whole trajectory window"):
-        tk.features.build([walk_clip.cut(0, 80)])
+    with pytest.raises(ValueError, match=r"^short: 80 " + WINDOW):
+        tk.features.build([walk_clip.cut(0, 80).replace(name="short")])
     with pytest.raises(ValueError, match="'Neutral' has no clip of 240 frames"):
         tk.features.build([walk_clip.cut(0, 200)])
     with pytest.raises(ValueError, match="features need 60 Hz, the clip has 30"):
         frames(walk_clip.resample(30))
+    names = ("first", "second", "third")
+    clips = [c.replace(name=n) for c, n in zip((walk_clip, walk_clip, walk_clip.without_ends()), names, strict=True)]
+    with pytest.raises(ValueError, match=r"^third: its joints differ from those of first$"):
+        tk.features.build(clips)

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 import toolkit as tk
 from toolkit.benchmarks.fit import best_known
-from toolkit.phases.fit import Sinusoids, fit
+from toolkit.phases.fit import Sinusoids, fit, frequencies
 
 FPS = 60.0
 
@@ -157,3 +157,97 @@ def test_the_smoothest_path_is_the_best_of_all():
 def test_what_cannot_be_fitted_is_refused(shape, fps, continuity, message):
     with pytest.raises(ValueError, match=message):
         fit(torch.zeros(shape), fps, continuity=continuity)
+
+
+@pytest.mark.parametrize("seconds", [0.2, 1.0, 61 / 60, 4.0])
+def test_the_grid_is_even_in_cycles_and_their_logarithm(seconds):
+    grid = frequencies(seconds)
+    assert (grid[0], grid[-1]) == (0.25, 4.0)
+    steps = np.diff(6 * (grid * seconds + np.log(grid)))
+    total = 6 * (3.75 * seconds + np.log(16))
+    assert len(steps) == math.ceil(total)
+    assert steps == pytest.approx(np.full(len(steps), total / len(steps)), rel=2e-3)
+
+
+@pytest.mark.parametrize("fps", [9.0, 30.0])
+def test_ends_are_mirrored(fps):
+    """The fit at the ends is that of the middle of a curve which is mirrored by hand."""
+    curve = np.random.default_rng(11).normal(size=(40, 3)).cumsum(0)
+    half = max(2, round(0.5 * fps))
+    longer = np.pad(curve, ((half, half), (0, 0)), "reflect")
+    found, whole = fit(torch.from_numpy(curve), fps), fit(torch.from_numpy(longer), fps)
+    for column, expected in zip(vars(found).values(), vars(whole).values(), strict=True):
+        assert column.shape == (40, 3)
+        assert column.dtype == torch.float64
+        torch.testing.assert_close(column, expected[half:-half], rtol=1e-5, atol=1e-5)
+
+
+def test_time_reversed_and_negated_curves_have_the_same_sinusoids_turned_round():
+    curve = sinusoid(1.1) + 0.5 * sinusoid(1.9, shift=0.1)
+    here, back, down = fit(curve, FPS), fit(curve.flip(0), FPS), fit(-curve, FPS)
+    for name in ("frequency", "amplitude", "residual"):
+        torch.testing.assert_close(getattr(back, name).flip(0), getattr(here, name), rtol=1e-4, atol=1e-6)
+        torch.testing.assert_close(getattr(down, name), getattr(here, name), rtol=1e-4, atol=1e-6)
+    assert float(torch.sin((math.pi - back.phase.flip(0) - here.phase) / 2).abs().max()) < 1e-3
+    assert float(torch.cos((down.phase - here.phase) / 2).abs().max()) < 1e-3
+    torch.testing.assert_close(down.offset, -here.offset, rtol=1e-4, atol=1e-6)
+    assert 0 <= float(here.phase.min()) < float(here.phase.max()) < 2 * math.pi
+
+
+def test_the_shortest_source_the_lowest_rate_and_the_shortest_window():
+    curve = sinusoid(1.0, frames=31)
+    assert len(fit(curve, FPS).phase) == 31
+    with pytest.raises(ValueError, match=r"^a source must be \[frames, limbs\] with more than 30 frames, not \[30, 1\]$"):
+        fit(curve[:30], FPS)
+    low = fit(sinusoid(1.0, frames=40), 8.01)
+    assert bool(low.residual.isfinite().all())
+    window = np.random.default_rng(12).normal(size=5)  # never less than five frames
+    shortest = fit(torch.from_numpy(window)[:, None], 10.0, 0.01)
+    assert one(window, 10.0).residual == pytest.approx(float(shortest.residual[2, 0]))
+    with pytest.raises(ValueError, match=r"with more than 2 frames, not \[2, 1\]$"):
+        fit(curve[:2], 10.0, 0.01)
+
+
+@pytest.mark.parametrize(("source", "fps", "continuity", "message"), [
+    (torch.zeros(100), 60.0, 0.0, "a source must be [frames, limbs] with more than 30 frames, not [100]"),
+    (torch.zeros(100, 4, 1), 60.0, 0.0, "a source must be [frames, limbs] with more than 30 frames, not [100, 4, 1]"),
+    (torch.zeros(100, 4), 8.0, 0.0, "fits up to 4 Hz need over 8 frames per second, not 8"),
+    (torch.zeros(100, 4), 7.5, 0.0, "fits up to 4 Hz need over 8 frames per second, not 7.5"),
+    (torch.zeros(100, 4), 60.0, math.nan, "continuity must be 0 or more, not nan"),
+    (torch.zeros(100, 4), 60.0, -0.5, "continuity must be 0 or more, not -0.5"),
+])  # fmt: skip
+def test_refusals_say_what_was_expected_and_what_came(source, fps, continuity, message):
+    with pytest.raises(ValueError) as error:  # noqa: PT011
+        fit(source, fps, continuity=continuity)
+    assert str(error.value) == message
+
+
+@pytest.mark.parametrize("continuity", [0.05, 0.7, 3.0])
+def test_continuity_takes_the_best_of_all_paths_through_local_minima(continuity):
+    """Against every way through the four best local minima of each window."""
+    curve = np.random.default_rng(13).normal(size=(6, 2))
+    fps, half, n = 12.0, 3, 7
+    found = fit(torch.from_numpy(curve), fps, 0.25, continuity)
+    padded = np.pad(curve, ((half, half), (0, 0)), "reflect")
+    from toolkit.phases.variable_projection import minima
+
+    turned = 0
+    for limb in range(2):
+        windows = np.stack([padded[f : f + n, limb] for f in range(6)])
+        best = np.zeros((4, 5, 6))
+        grid = 2 * np.pi / fps * frequencies(n / fps)
+        minima(np.ascontiguousarray(padded[:, limb]), windows.min(1), windows.max(1), grid, best)
+        theta, u, v, _, error = best.swapaxes(0, 1)
+        vector = u + 1j * v
+        costs = {}
+        for path in itertools.product(*(np.flatnonzero(np.isfinite(error[:, f])) for f in range(6))):
+            jump = sum(abs(vector[path[f], f] - vector[path[f - 1], f - 1] * np.exp(1j * theta[path[f - 1], f - 1]))
+                       for f in range(1, 6))  # fmt: skip
+            costs[path] = sum(math.sqrt(error[k, f] / n) for f, k in enumerate(path)) + continuity * jump
+        path = min(costs, key=costs.get)
+        turned += any(path)
+        chosen = [(k, f) for f, k in enumerate(path)]
+        assert found.residual[:, limb].tolist() == pytest.approx([math.sqrt(error[c] / n) for c in chosen], abs=1e-9)
+        assert found.amplitude[:, limb].tolist() == pytest.approx([abs(vector[c]) for c in chosen], abs=1e-9)
+        assert found.frequency[:, limb].tolist() == pytest.approx([theta[c] * fps / 2 / np.pi for c in chosen], abs=1e-9)
+    assert turned  # not simply the best of every window

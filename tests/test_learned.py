@@ -2,7 +2,10 @@
 
 import cmath
 import math
+import re
+from dataclasses import replace
 
+import numpy as np
 import pytest
 import torch
 
@@ -140,3 +143,282 @@ def test_packaged_one_reads_other_skeletons(shared):
     left, right = (float(ph.frequency[30:-30, i].mean()) for i in (2, 3))
     assert left == pytest.approx(right, rel=0.1)
     assert 0.5 < left < 1.5
+
+
+@pytest.fixture(scope="module")
+def striding() -> tk.Clip:
+    """Three seconds of a walk on a curve, whose sides and axes all differ."""
+    return tk.datasets.procedural.generate("Drunk", "FW", 3.0, seed=2).moved(turn=0.7)
+
+
+def test_limb_curves_are_velocities_in_limb_lengths_outwards_up_and_forward(striding):
+    clip = striding.resample(30.0)
+    index, offsets = clip.skeleton.index, clip.skeleton.offsets.double()
+    chains = {"hand": ("shoulder", "elbow", "hand"), "foot": ("hip", "knee", "foot", "toe")}
+    for limb in tk.phases.LIMBS:
+        side, part = limb.split("_")
+        joints = [index(f"{side}_{role}") for role in chains[part]]
+        assert [clip.skeleton.parents[j] for j in joints[1:]] == joints[:-1]
+        length = sum(math.sqrt(float((offsets[j] ** 2).sum())) for j in joints[1:])
+        back, where = tk.rotations.inverse(tk.motion.root_frames(clip).rotations), clip.global_positions
+        reach = [[tk.rotations.rotate(back[f], where[f, j] - where[f, 0]) for j in (joints[1], joints[-1])]
+                 for f in range(len(clip))]  # fmt: skip
+        outwards = -1 if side == "right" else 1
+        found = learned.limb_curves(clip, limb)
+        assert found.shape == (len(clip), 6)
+        for frame in range(len(clip)):
+            before, after = max(frame - 1, 0), min(frame + 1, len(clip) - 1)
+            seconds = (after - before) / 30
+            expected = [float(reach[after][j][k] - reach[before][j][k]) / seconds / length * (outwards if k == 0 else 1)
+                        for j in (0, 1) for k in range(3)]  # fmt: skip
+            assert found[frame].tolist() == pytest.approx(expected, abs=2e-4)
+
+
+def test_limb_curves_are_alike_on_both_sides_and_at_every_size(striding):
+    mirrored = striding.mirrored()
+    skeleton = replace(striding.skeleton, offsets=2 * striding.skeleton.offsets)
+    large = striding.replace(skeleton=skeleton, root_positions=2 * striding.root_positions)
+    for part in learned.PARTS:
+        left, right = (learned.limb_curves(striding, f"{side}_{part}") for side in ("left", "right"))
+        assert float((left - right).abs().max()) > 0.1
+        assert torch.allclose(learned.limb_curves(mirrored, f"right_{part}"), left, atol=2e-3)
+        assert torch.allclose(learned.limb_curves(mirrored, f"left_{part}"), right, atol=2e-3)
+        assert torch.allclose(learned.limb_curves(large, f"left_{part}"), left, atol=2e-3)
+
+
+def test_windows_can_be_cut_around_some_frames_only_and_do_not_care_for_size():
+    curves = torch.randn(100, 2, generator=torch.Generator().manual_seed(1)).cumsum(0)
+    windows = learned.cut(curves, 30.0)
+    assert windows.shape == (100, 2, learned.SAMPLES)
+    assert torch.equal(learned.cut(curves, 30.0, every=7), windows[::7])
+    assert torch.allclose(learned.cut(1e-2 * curves, 30.0), windows, atol=1e-5)
+    assert float((windows - 5).square().mean()) == pytest.approx(26, rel=1e-4)
+    assert float(learned.cut(torch.full((100, 2), 3.0), 30.0).abs().max()) == 0  # what rests is not blown up
+    faint = learned.cut(1e-7 * curves, 30.0).square().mean((1, 2)).sqrt()
+    assert float(faint.max()) < 0.1
+
+
+def test_windows_sample_a_wave_of_any_rate_at_their_own():
+    time = torch.arange(360, dtype=torch.float64)[:, None] / 90
+    windows = learned.cut(torch.sin(TURN * 1.5 * time).float(), 90.0)
+    around = torch.arange(-20, 21) / 20
+    for frame in (90, 181, 269):  # three whole cycles, but for the last sample
+        expected = torch.sin(TURN * 1.5 * (frame / 90 + around))
+        expected = expected - expected.mean()
+        assert torch.allclose(windows[frame, 0], (expected / expected.square().mean().sqrt()).float(), atol=1e-4)
+
+
+def test_spectra_of_many_curves_are_those_of_each():
+    curves = torch.randn(3, 5, 41, generator=torch.Generator().manual_seed(2))
+    many = learned.spectrum(curves, 20.0)
+    for i in range(3):
+        for j in range(5):
+            for column, alone in zip(many, learned.spectrum(curves[i, j], 20.0), strict=True):
+                assert float(column[i, j]) == pytest.approx(float(alone), rel=1e-5)
+    silent = learned.spectrum(torch.zeros(2, 41), 20.0)
+    assert all(bool(column.isfinite().all()) and float(column.abs().max()) < 1e-6 for column in silent)
+
+
+def test_a_wave_is_the_sinusoid_around_the_middle():
+    network = PeriodicAutoencoder(curves=2, hidden=2, samples=9, rate=4.0)
+    wave = network.wave(*(torch.tensor(v) for v in ([0.3, -2.0], [0.5, 1.25], [2.0, 0.7], [1.0, -3.0])))
+    for row, (p, f, a, b) in enumerate(((0.3, 0.5, 2.0, 1.0), (-2.0, 1.25, 0.7, -3.0))):
+        expected = [a * math.sin(TURN * f * (k - 4) / 4 + p) + b for k in range(9)]
+        assert wave[row].tolist() == pytest.approx(expected, abs=1e-5)
+
+
+def test_the_network_has_one_latent_curve_and_phases_spread_over_a_batch():
+    torch.manual_seed(1)
+    network, x = PeriodicAutoencoder(curves=6, hidden=3), torch.randn(64, 6, learned.SAMPLES)
+    assert network.encoder(x).shape == (64, 1, learned.SAMPLES)
+    latent, phase, frequency, amplitude, offset = network.sinusoid(x)
+    assert latent.shape == (64, learned.SAMPLES)
+    assert phase.shape == frequency.shape == amplitude.shape == offset.shape == (64,)
+    vectors = network.shift(latent)
+    assert torch.allclose(phase, torch.tensor([math.atan2(y, x) for y, x in vectors.tolist()]), atol=1e-5)
+    assert torch.allclose(vectors.mean(0), torch.zeros(2), atol=1e-5)  # while it learns, a batch's angles are all round
+    assert torch.allclose(vectors.std(0, correction=0), torch.ones(2), atol=1e-2)
+    rebuilt = network.decoder(network.wave(phase, frequency, amplitude, offset)[:, None])
+    assert torch.allclose(network(x), rebuilt, atol=1e-4)
+
+
+def test_layers_start_small_and_on_both_sides_of_zero():
+    torch.manual_seed(2)
+    layer, bound = Convolution(3, 400, 9), 1 / math.sqrt(27)
+    assert layer.weight.shape == (3, 400, 9)
+    assert layer.bias.shape == (400, 1)
+    for values in (layer.weight.detach(), layer.bias.detach()):
+        assert -bound <= float(values.min()) < -0.95 * bound
+        assert 0.95 * bound < float(values.max()) <= bound
+        assert abs(float(values.mean())) < 0.1 * bound
+
+
+@pytest.fixture(scope="module")
+def seen(striding):
+    """What `Learned.train` learns from, and what it makes of networks that have learned nothing: a list of its steps."""
+    steps = []
+
+    def look(network, windows, count, batch, rate, name):
+        steps.append((network.eval(), windows, count, batch, rate, name))
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(learned, "_descend", look)
+        clips = [striding, striding.cut(0, 120).resample(5.0)]
+        sources = [Learned.train(clips, steps=7, batch=9, rate=0.1, hidden=3, seed=seed) for seed in range(6)]
+    return steps, sources
+
+
+def test_five_windows_a_second_are_cut_at_every_speed(seen, striding):
+    steps = seen[0]
+    slow = striding.cut(0, 120).resample(5.0)
+    for i, part in enumerate(("hand", "foot")):
+        expected = [learned.cut(learned.limb_curves(clip, f"{side}_{part}"), clip.fps * speed)[::every]
+                    for clip, every in ((striding, 12), (slow, 1)) for side in ("left", "right")
+                    for speed in (0.75, 1.0, 1.33)]  # fmt: skip
+        network, windows, *given = steps[i]
+        assert torch.equal(windows, torch.cat(expected))
+        assert given == [7, 9, 0.1, None]
+        assert network.hidden == 3
+
+
+def test_factors_give_unit_power_and_rise_where_the_limb_goes_forward(seen):
+    steps, sources = seen
+    signs = set()
+    for i, source in enumerate(sources):
+        for part, (network, windows, *_) in zip(learned.PARTS, steps[2 * i : 2 * i + 2], strict=True):
+            with torch.no_grad():
+                latent = network.encoder(windows)[:, 0].double().numpy()
+            along = 0.0
+            for curve, window in zip(latent, windows.double().numpy(), strict=True):
+                forward = np.cumsum(window[5])  # of the end joint: where its velocity leads
+                along += float(curve @ (forward - forward.mean()))
+            assert source.factors[part] == pytest.approx(np.sign(along) / np.sqrt((latent**2).mean()), rel=1e-4)
+            signs.add(source.factors[part] > 0)
+    assert signs == {True, False}
+
+
+def test_a_factor_scales_and_its_sign_turns_half_a_cycle(small, swinging):
+    curve, found = Learned(small.networks, {"hand": 1.0, "foot": 1.0}).sinusoids(swinging)
+    for hand, foot in ((0.5, -3.0), (-0.25, 4.0)):
+        scaled, other = Learned(small.networks, {"hand": hand, "foot": foot}).sinusoids(swinging)
+        factors = torch.tensor([hand, hand, foot, foot], dtype=torch.float64)
+        assert torch.allclose(scaled, curve * factors, atol=1e-5)
+        assert torch.allclose(other.offset, found.offset * factors, atol=1e-5)
+        for column, plain in ((other.amplitude, found.amplitude), (other.residual, found.residual)):
+            assert torch.allclose(column, plain * factors.abs(), atol=1e-5)
+        assert torch.equal(other.frequency, found.frequency)
+        assert float(torch.sin((other.phase - found.phase - math.pi * (factors < 0)) / 2).abs().max()) < 1e-5
+        assert 0 <= float(other.phase.min()) < float(other.phase.max()) <= TURN
+
+
+def test_sinusoids_are_the_networks_own_window_by_window(small, swinging):
+    curve, found = Learned(small.networks, {"hand": 2.0, "foot": 2.0}).sinusoids(swinging)
+    assert all(column.dtype == torch.float64 for column in (curve, *vars(found).values()))
+    for i, limb in enumerate(tk.phases.LIMBS):
+        network = small.networks[limb.split("_")[1]]
+        for frame, window in list(enumerate(learned.cut(learned.limb_curves(swinging, limb), 60.0)))[::48]:
+            with torch.no_grad():
+                latent, phase, frequency, amplitude, offset = (v[0] for v in network.sinusoid(window[None]))
+            wave = [float(amplitude) * math.sin(TURN * float(frequency) * k / 20 + float(phase)) + float(offset)
+                    for k in range(-20, 21)]  # fmt: skip
+            residual = math.sqrt(sum((a - b) ** 2 for a, b in zip(latent.tolist(), wave, strict=True)) / 41)
+            assert float(curve[frame, i]) == pytest.approx(2 * float(latent[20]), abs=1e-4)
+            assert float(found.amplitude[frame, i]) == pytest.approx(2 * float(amplitude), abs=1e-4)
+            assert float(found.offset[frame, i]) == pytest.approx(2 * float(offset), abs=1e-4)
+            assert float(found.residual[frame, i]) == pytest.approx(2 * residual, abs=1e-4)
+            assert abs(math.remainder(float(found.phase[frame, i]) - float(phase), TURN)) < 1e-4
+
+
+def test_frequency_is_the_mean_growth_over_a_second_within_the_fits_bounds():
+    grown = torch.rand(70, generator=torch.Generator().manual_seed(3), dtype=torch.float64).cumsum(0) + 0.1
+    found = learned._growth(torch.atan2(grown.sin(), grown.cos()), 10.0)
+    near = [(max(f - 1, 0), min(f + 1, 69)) for f in range(70)]
+    rates = [float(grown[after] - grown[before]) / (after - before) * 10 / TURN for before, after in near]
+    for frame in range(70):
+        at = [min(max(frame + k, 0), 69) for k in range(-5, 6)]
+        assert float(found[frame]) == pytest.approx(sum(rates[k] for k in at) / 11)
+    for step, limit in ((0.0, 0.25), (-0.2, 0.25), (2.9, 4.0)):
+        assert learned._growth(step * torch.arange(60) % TURN, 10.0).tolist() == pytest.approx([limit] * 60)
+
+
+def test_training_needs_a_clip_and_leaves_the_random_numbers_alone(swinging):
+    with pytest.raises(ValueError) as error:  # noqa: PT011
+        Learned.train([])
+    assert str(error.value) == "a learned source needs at least one clip to train on, got none"
+    torch.manual_seed(5)
+    expected = torch.rand(3)
+    torch.manual_seed(5)
+    source = Learned.train([swinging.cut(0, 120)], steps=4, batch=8, hidden=2, seed=1)
+    assert torch.equal(torch.rand(3), expected)
+    assert not any(network.training for network in source.networks.values())
+
+
+def test_progress_is_shown_when_asked_for(swinging, capfd):
+    clip = swinging.cut(0, 120)
+    Learned.train([clip], steps=4, batch=8, hidden=2)
+    assert capfd.readouterr() == ("", "")
+    Learned.train([clip], steps=4, batch=8, hidden=2, progress=True)
+    shown = capfd.readouterr().err
+    for part in learned.PARTS:
+        assert re.search(rf"{part}s: 100%.*4/4.*loss=\d+\.\d{{3}}", shown)
+
+
+def test_training_takes_as_many_steps_as_asked_and_brings_the_error_down(swinging):
+    windows = learned.cut(learned.limb_curves(swinging, "left_hand"), 60.0, 3)
+    torch.manual_seed(4)
+    network = PeriodicAutoencoder(hidden=4)
+    errors = []
+    forward = network.forward
+
+    def watched(some):
+        rebuilt = forward(some)
+        assert some.shape == (16, 6, learned.SAMPLES)
+        assert all(bool((windows == row).all((1, 2)).any()) for row in some[:2])
+        errors.append(float((rebuilt.detach() - some).square().mean()))
+        return rebuilt
+
+    network.forward = watched
+    learned._descend(network, windows, 60, 16, 1e-2, None)
+    assert len(errors) == 60
+    assert sum(errors[-10:]) < 0.8 * sum(errors[:10])
+    assert not network.training
+
+
+def test_the_packaged_one_learned_from_every_style_but_those_held_out(monkeypatch):
+    asked = []
+    monkeypatch.setattr(learned.procedural, "load", lambda *args, **kwargs: asked.append((args, kwargs)) or ["clips"])
+    assert learned.training_clips() == ["clips"]
+    ((styles, gaits), rest), = asked
+    assert sorted([*styles, *learned.HELD_OUT]) == sorted(learned.procedural.STYLES)
+    assert gaits == ("FW", "BW", "FR", "SW", "TR1")
+    assert rest == {"seconds": 12.0, "seed": 0}
+
+
+def test_every_damage_of_a_file_is_one_line(small, tmp_path):
+    small.save(tmp_path / "own")
+    loaded = Learned.load(tmp_path / "own")
+    assert loaded.factors == small.factors
+    assert not any(network.training for network in loaded.networks.values())
+    tensors, parts = tk.networks.weights.read(tmp_path / "own", "learned")
+    assert parts["learned"] == {"hidden": {"hand": 4, "foot": 4}, "factors": small.factors}
+    assert all(key.startswith(("learned.hand.", "learned.foot.")) and not key.endswith(".time") for key in tensors)
+    for broken in ({"hidden": {"hand": 4}, "factors": small.factors}, {"hidden": {"hand": 4, "foot": 4}},
+                   {"hidden": {"hand": 4, "foot": 5}, "factors": small.factors},
+                   {"hidden": {"hand": 4, "foot": 4}, "factors": {"hand": 1.0, "foot": "x"}}, 3):  # fmt: skip
+        tk.networks.weights.write(tmp_path / "broken", tensors, {"learned": broken})
+        with pytest.raises(ValueError, match=r"broken: the learned source in it is damaged \(.+\)$") as error:
+            Learned.load(tmp_path / "broken")
+        assert "\n" not in str(error.value)
+        assert "  " not in str(error.value)
+
+
+def test_between_its_convolutions_the_network_normalises_each_curve_and_bounds_it():
+    torch.manual_seed(6)
+    network, x = PeriodicAutoencoder(curves=2, hidden=3, samples=9), torch.randn(4, 2, 9)
+    first, *_, last = network.encoder
+    with torch.no_grad():
+        hidden = torch.empty(4, 3, 9)
+        for b, window in enumerate(first(x)):
+            for i, curve in enumerate(window.double().numpy()):
+                hidden[b, i] = torch.from_numpy(np.tanh((curve - curve.mean()) / np.sqrt(curve.var() + 1e-5)))
+        assert torch.allclose(network.encoder(x), last(hidden), atol=1e-5)

@@ -98,7 +98,7 @@ def test_without_the_view_extra_one_line_names_it(tmp_path):
     done = python(textwrap.dedent(code), cwd=tmp_path)
     assert done.returncode == 2
     said = done.stderr.strip().splitlines()[-1]  # after the progress bar
-    assert re.fullmatch(r'error: .*pyvista.*: pip install "toolkit\[view\]"', said)
+    assert re.fullmatch(r'error: .*pyvista.*: pip install "\.\[view\]"', said)
     assert not list(tmp_path.iterdir())
 
 

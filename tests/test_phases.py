@@ -13,7 +13,7 @@ from scipy.optimize import least_squares
 import toolkit as tk
 from toolkit.benchmarks import phases as bench
 from toolkit.datasets import procedural
-from toolkit.phases import LIMBS, Sinusoids, coherent, fit, normalise, smooth, windows
+from toolkit.phases import LIMBS, Sinusoids, coherent, fit, learned, normalise, smooth, windows
 
 FPS = 60.0
 
@@ -285,3 +285,494 @@ def test_phase_error_forgives_a_constant_lag_and_nothing_else():
     assert float(error[:2].max()) < 1e-9
     assert float(lag[1]) == pytest.approx(3.0)
     assert float(error[2]) == pytest.approx(math.pi / 2, rel=0.05)
+
+
+# Sources
+
+
+class Curves:
+    """A source of four given curves [F, 4], in the order of `LIMBS`."""
+
+    def __init__(self, values):
+        self.values = torch.as_tensor(values, dtype=torch.float64)
+
+    def __call__(self, clip, limb):
+        return self.values[:, LIMBS.index(limb)]
+
+
+def still(frames, fps=FPS):
+    """A clip of so many frames, for sources that do not look at it."""
+    skeleton = procedural.generate("Neutral", "ID", 1.0).skeleton
+    rotations = tk.rotations.identity(len(skeleton)).expand(frames, -1, -1)
+    return tk.Clip(skeleton, rotations, torch.zeros(frames, 3), fps, name="still")
+
+
+def test_a_contact_is_sought_by_the_thresholds_given(walk_clip):
+    detected = tk.contacts.detect(walk_clip, height=0.03, speed=0.6)
+    for limb, column in (("right_foot", 0), ("left_foot", 1)):
+        found = tk.phases.Contact(height=0.03, speed=0.6)(walk_clip, limb)
+        assert torch.equal(found, detected[:, column])
+        for other in (tk.phases.Contact(height=0.03), tk.phases.Contact(speed=0.6), tk.phases.Contact()):
+            assert not torch.equal(found, other(walk_clip, limb))
+
+
+def test_contact_free_is_the_longest_axis_of_all_clips_and_points_forward(walk_clip):
+    clips = [walk_clip.cut(0, 200), procedural.generate("Zombie", "FW", 4.0).moved(turn=1.0)]
+    source = tk.phases.ContactFree()
+    fitted = source.fitted(clips)
+    for limb in LIMBS:
+        points = np.concatenate([tk.phases.local_positions(clip, limb).double().numpy() for clip in clips])
+        axis = np.linalg.svd(points - points.mean(0))[2][0]
+        axis = axis * np.sign(axis[2])  # the skeleton faces +z
+        for clip in clips:
+            expected = (tk.phases.local_positions(clip, limb).double().numpy() - points.mean(0)) @ axis
+            assert fitted(clip, limb).numpy() == pytest.approx(expected, abs=1e-6)
+        alone = source(clips[0], limb)
+        assert torch.equal(alone, source.fitted(clips[:1])(clips[0], limb))
+        assert float((alone - fitted(clips[0], limb)).abs().max()) > 1e-3  # another centre, another axis
+    assert source.axes == source.means == {}
+
+
+def test_a_limb_that_moves_along_one_line_is_measured_in_metres_along_it():
+    clip = still(120)
+
+    class Line(tk.phases.ContactFree):
+        def points(self, clip, limb):
+            sway = torch.sin(torch.arange(120, dtype=torch.float64) / 9)[:, None]
+            return sway * torch.tensor([0.3, 0.0, -0.4 if limb.startswith("left") else 0.4], dtype=torch.float64) + 7.0
+
+    sway = torch.sin(torch.arange(120, dtype=torch.float64) / 9)
+    for limb in LIMBS:
+        forward = -0.5 if limb.startswith("left") else 0.5
+        assert torch.allclose(Line()(clip, limb), forward * (sway - sway.mean()))
+
+
+def test_velocity_points_are_differences_per_second(walk_clip):
+    clip = walk_clip.cut(0, 80).resample(30.0)
+    where = tk.phases.local_positions(clip, "left_hand").double()
+    found = tk.phases.Velocity().points(clip, "left_hand")
+    assert found.shape == (len(clip), 3)
+    for frame in range(len(clip)):
+        before, after = max(frame - 1, 0), min(frame + 1, len(clip) - 1)
+        assert torch.allclose(found[frame], (where[after] - where[before]) / (after - before) * 30.0)
+
+
+def test_a_foot_counts_as_touching_from_exactly_the_least_share_on(walk_clip):
+    quarter = torch.arange(len(walk_clip)) % 4 == 0
+    assert len(walk_clip) % 4 == 0
+
+    def touching(clip, limb):
+        return quarter.float()
+
+    at, above = (tk.phases.Hybrid(touching, tk.phases.ContactFree(), least=least) for least in (0.25, 0.3))
+    assert at.choice(walk_clip, "left_foot") == "contact"
+    assert at.reason(walk_clip, "left_foot") == "contact: the foot touches the floor in 25% of the frames, at least 25%"
+    assert torch.equal(at(walk_clip, "left_foot"), quarter.float())
+    assert above.choice(walk_clip, "left_foot") == "contact-free"
+    assert above.reason(walk_clip, "left_foot") == "contact-free: the foot touches the floor in 25% of the frames, under 30%"
+    assert torch.equal(above(walk_clip, "left_foot"), tk.phases.ContactFree()(walk_clip, "left_foot"))
+
+
+def test_a_fitted_hybrid_keeps_contacts_and_least_and_shares_the_axes(walk_clip):
+    clips = [walk_clip, procedural.generate("Zombie", "FW", 2.0)]
+    hybrid = tk.phases.Hybrid(tk.phases.Contact(0.02, 0.3), tk.phases.ContactFree(), least=0.4)
+    fitted = hybrid.fitted(clips)
+    assert (fitted.contact, fitted.least) == (hybrid.contact, 0.4)
+    assert torch.equal(fitted(walk_clip, "left_hand"), tk.phases.ContactFree().fitted(clips)(walk_clip, "left_hand"))
+
+
+def test_a_source_of_the_wrong_length_is_refused_in_full(walk_clip):
+    message = f"{walk_clip.name}: a source must give one finite number per frame ({len(walk_clip)}) for every limb"
+    for bad in (torch.zeros(len(walk_clip) - 1), torch.zeros(len(walk_clip), 1), torch.full((len(walk_clip),), math.inf)):
+        with pytest.raises(ValueError) as error:  # noqa: PT011
+            tk.phases.curves(walk_clip, lambda clip, limb, bad=bad: bad if limb == "right_foot" else torch.zeros(len(clip)))
+        assert str(error.value) == message
+
+
+# Extraction
+
+
+def test_clips_of_a_group_share_their_axes_and_keep_their_order(walk_clip):
+    clips = [walk_clip.cut(0, 150), procedural.generate("Zombie", "FW", 3.0)]
+    group = tk.phases.extract_group(clips, "contact-free")
+    fitted = tk.phases.ContactFree().fitted(clips)
+    for clip, ph in zip(clips, group, strict=True):
+        again = tk.phases.extract(clip, lambda c, limb: fitted(c, limb))
+        assert all(torch.equal(a, b) for a, b in zip(vars(ph).values(), vars(again).values(), strict=True))
+    assert not torch.equal(group[0].source, tk.phases.extract(clips[0], "contact-free").source)
+
+
+@pytest.mark.parametrize("fps", [30.0, 60.0])
+def test_a_second_is_the_shortest_clip(fps):
+    half = round(fps / 2)
+    clip = procedural.generate("Neutral", "FW", 4.0).resample(fps).replace(name="brief")
+    assert len(tk.phases.extract(clip.cut(0, 2 * half + 1), "contact-free", half_window=0.25).phase) == 2 * half + 1
+    with pytest.raises(ValueError) as error:  # noqa: PT011
+        tk.phases.extract(clip.cut(0, 2 * half), "contact-free", half_window=0.25)
+    assert str(error.value) == (f"brief: {2 * half} frames are too few for phases, which need {2 * half + 1} "
+                                f"(one second) at {fps:g} Hz")  # fmt: skip
+
+
+def test_sources_go_by_their_names():
+    assert list(tk.phases.SOURCES) == ["hybrid", "contact", "contact-free", "velocity", "coherent"]
+    for name, source in tk.phases.SOURCES.items():
+        assert tk.phases.named(name) is source
+    assert isinstance(tk.phases.named("learned"), learned.Learned)
+    with pytest.raises(ValueError) as error:  # noqa: PT011
+        tk.phases.named("Hybrid")
+    assert str(error.value) == ("unknown phase source 'Hybrid'; "
+                                "there are hybrid, contact, contact-free, velocity, coherent, learned")  # fmt: skip
+
+
+def test_fields_are_what_they_say(walk_clip):
+    """Each field against the fit of each limb's own curve, frame by frame; the vector against equation (1)."""
+    source, half = tk.phases.ContactFree().fitted([walk_clip]), 0.4
+    ph = tk.phases.extract(walk_clip, lambda clip, limb: source(clip, limb), half)
+    assert all(column.dtype == torch.float32 for column in vars(ph).values())
+    for i, limb in enumerate(LIMBS):
+        curve = smooth(normalise(source(walk_clip, limb)[:, None], FPS, 0.5), FPS)  # never less than a second
+        found = fit(curve, FPS, half)
+        for column, expected in ((ph.source, curve), (ph.frequency, found.frequency), (ph.amplitude, found.amplitude),
+                                 (ph.residual, found.residual),
+                                 (ph.fit, found.amplitude * found.phase.sin() + found.offset)):  # fmt: skip
+            assert torch.allclose(column[:, i].double(), expected[:, 0], atol=1e-5)
+        sine, cosine = smooth(torch.cat((found.phase.sin(), found.phase.cos()), 1), FPS).unbind(1)
+        speed = windows.speed(tk.phases.local_positions(walk_clip, limb), FPS)
+        size = smooth((speed[:, None] * windows.amplitude(curve, found.frequency, FPS)), FPS)[:, 0].clamp_min(0)
+        for frame in range(len(walk_clip)):
+            length = math.hypot(sine[frame], cosine[frame])
+            expected = [float(size[frame] * part[frame] / length) for part in (sine, cosine)]
+            assert ph.vector[frame, i].tolist() == pytest.approx(expected, abs=1e-5)
+            angle = math.atan2(sine[frame], cosine[frame])
+            assert abs(math.remainder(float(ph.phase[frame, i]) - angle, 2 * math.pi)) < 1e-5
+    assert float(ph.phase.min()) >= 0
+    assert float(ph.phase.max()) <= 2 * math.pi
+
+
+def test_without_a_window_each_limb_is_fitted_in_its_own():
+    t = torch.arange(480, dtype=torch.float64)[:, None] / FPS
+    rates = torch.tensor([0.6, 0.8, 1.0, 1.5], dtype=torch.float64)
+    ph = tk.phases.extract(still(480), Curves(torch.sin(2 * math.pi * rates * t) + 3.0))
+    assert ph.frequency[120:-120].mean(0).tolist() == pytest.approx(rates.tolist(), rel=0.01)
+    for i, rate in enumerate(rates.tolist()):
+        curve = torch.sin(2 * math.pi * rate * t)
+        half = windows.half_window(curve[:, 0], FPS)
+        assert half == pytest.approx(max(0.5, windows.CYCLES / 2 / rate), abs=0.02)
+        assert torch.allclose(ph.source[:, i].double(), smooth(normalise(curve, FPS, half), FPS)[:, 0], atol=1e-4)
+
+
+# Windows
+
+
+def test_means_are_over_what_is_there_with_the_ends_repeated():
+    values = torch.randn(25, 2, 3, generator=torch.Generator().manual_seed(1), dtype=torch.float64)
+    for half, frames in ((0.5, 5), (0.26, 3), (0.0, 0), (4.0, 40)):
+        got = windows.mean(values, half, 10.0)
+        assert got.shape == values.shape
+        for frame in range(25):
+            at = [min(max(frame + k, 0), 24) for k in range(-frames, frames + 1)]
+            assert torch.allclose(got[frame], values[at].mean(0))
+
+
+@pytest.mark.parametrize("half", [0.3, 0.5, 0.9])
+def test_a_z_score_is_that_of_each_column_alone_at_the_ends_too(half):
+    curves = torch.randn(90, 3, generator=torch.Generator().manual_seed(2), dtype=torch.float64).cumsum(0)
+    curves = curves * torch.tensor([1e-4, 1.0, 1e3]) + torch.tensor([0.0, -2.0, 5.0])
+    got = normalise(curves, 30.0, half)
+    frames = round(half * 30)
+    for frame in range(90):
+        window = curves[[min(max(frame + k, 0), 89) for k in range(-frames, frames + 1)]]
+        expected = (curves[frame] - window.mean(0)) / window.std(0, correction=0)
+        assert got[frame].tolist() == pytest.approx(expected.tolist(), abs=1e-6)
+    assert torch.equal(normalise(curves, 30.0), normalise(curves, 30.0, 0.5))
+
+
+def test_a_window_is_constant_below_a_ten_thousandth_of_the_curve():
+    wave = torch.sin(2 * math.pi * torch.arange(120, dtype=torch.float64) / 20)[:, None]  # three whole cycles in 60
+    for level in (1.0, 100.0):
+        for deviation, alive in ((0.95e-4, False), (1.05e-4, True)):
+            got = normalise(level * (1 + deviation * math.sqrt(2) * wave), FPS)[35:-35]
+            assert bool(got.abs().max() > 1) == alive
+            assert alive or float(got.abs().max()) == 0
+    assert float(normalise(1e-14 * wave, FPS).abs().max()) == 0
+    assert float(normalise(1e-6 * wave, FPS).abs().max()) > 1
+
+
+@pytest.mark.parametrize("fps", [30.0, 60.0, 120.0])
+def test_smoothing_halves_four_hertz_and_shifts_nothing(fps):
+    """Gain of a second-order Butterworth filter passed twice: 1 / (1 + r⁴), r the ratio of the warped frequencies."""
+    t = torch.arange(round(8 * fps), dtype=torch.float64)[:, None] / fps
+    rates = torch.tensor([0.5, 2.0, 4.0, 8.0], dtype=torch.float64)
+    gain = 1 / (1 + (torch.tan(math.pi * rates / fps) / math.tan(math.pi * 4 / fps)) ** 4)
+    wave = torch.sin(2 * math.pi * rates * t + 0.3)
+    inner = slice(round(2 * fps), -round(2 * fps))
+    got = smooth(wave.float(), fps)
+    assert got.dtype == torch.float64
+    assert float((got - gain * wave)[inner].abs().max()) < 1e-4
+    assert float(gain[2]) == pytest.approx(0.5)
+
+
+def slow_half_window(curve, fps):
+    """The definition in plain loops."""
+    n = len(curve)
+    slow = [sum(curve[min(max(f + k, 0), n - 1)] for k in range(-round(fps), round(fps) + 1)) / (2 * round(fps) + 1)
+            for f in range(n)]  # fmt: skip
+    fast = np.asarray(curve) - slow
+    like = [float(fast[: n - lag] @ fast[lag:]) for lag in range(n)]
+    peaks = [lag for lag in range(round(fps / 4), min(round(2 * fps), n - 2))
+             if like[lag - 1] < like[lag] >= like[lag + 1] and like[lag] > 0.2 * like[0]]  # fmt: skip
+    return max([0.5, *(1.05 / 2 * lag / fps for lag in sorted(peaks, key=lambda lag: like[lag])[-1:])])
+
+
+def test_the_window_is_that_of_the_highest_peak_of_the_autocorrelation():
+    rng = np.random.default_rng(5)
+    seen = set()
+    for trial in range(40):
+        fps, n = (10.0, 16.0)[trial % 2], int(rng.integers(24, 120))
+        t = np.arange(n) / fps
+        noise, drift = rng.uniform(0, 1.5) * rng.normal(size=n), rng.uniform(0, 2) * t
+        curve = (np.sin(2 * np.pi * t / rng.uniform(0.5, 2.6)) + noise + drift) * 10.0 ** rng.integers(-4, 3)
+        expected = slow_half_window(curve, fps)
+        assert windows.half_window(torch.from_numpy(curve), fps) == pytest.approx(expected)
+        seen.add(round(expected, 3))
+    assert 0.5 in seen
+    assert len(seen) > 8
+
+
+def test_a_curve_without_a_rhythm_has_the_shortest_window():
+    t = torch.arange(200, dtype=torch.float64) / FPS
+    assert windows.half_window(torch.sin(2 * math.pi * 0.4 * t), FPS) == 0.5  # a period over two seconds is not sought
+    assert windows.half_window(1e-8 * torch.sin(2 * math.pi * t), FPS) == 0.5
+    assert windows.half_window(torch.randn(300, generator=torch.Generator().manual_seed(6)), FPS) == 0.5
+    assert windows.half_window(t[:61], FPS) == 0.5
+
+
+def test_speed_is_the_root_mean_square_over_a_second():
+    where = torch.randn(40, 3, generator=torch.Generator().manual_seed(7)).cumsum(0)
+    got = windows.speed(where, 12.0)
+    squares = []
+    for frame in range(40):
+        before, after = max(frame - 1, 0), min(frame + 1, 39)
+        squares.append(float(((where[after] - where[before]).double() / (after - before) * 12).square().sum()))
+    for frame in range(40):
+        at = [min(max(frame + k, 0), 39) for k in range(-6, 7)]
+        assert float(got[frame]) == pytest.approx(math.sqrt(sum(squares[k] for k in at) / 13))
+
+
+@pytest.mark.parametrize("fps", [6.0, 10.0, 24.0, 60.0])
+def test_amplitude_at_other_rates_and_at_the_ends(fps):
+    half = {6.0: 2, 10.0: 2, 24.0: 6, 60.0: 15}[fps]
+    generator = torch.Generator().manual_seed(8)
+    curve = torch.randn(3 * half + 9, 3, generator=generator, dtype=torch.float64).cumsum(0)
+    frequency = 0.3 + 1.5 * torch.rand(curve.shape, generator=generator, dtype=torch.float64)
+    got = windows.amplitude(curve, frequency, fps)
+    last, held = len(curve) - 1, 0
+    t = np.arange(-half, half + 1) / fps
+    for frame in range(len(curve)):
+        at = [last - abs(last - abs(frame + k)) for k in range(-half, half + 1)]
+        for limb in range(3):
+            window, f = curve[at, limb].numpy(), float(frequency[frame, limb])
+            basis = np.stack((np.sin(2 * np.pi * f * t), np.cos(2 * np.pi * f * t), np.ones_like(t)), 1)
+            free = math.hypot(*np.linalg.lstsq(basis, window, rcond=None)[0][:2])
+            assert float(got[frame, limb]) == pytest.approx(min(free, np.ptp(window)), rel=1e-6)
+            held += free > np.ptp(window)
+    assert held > 3  # the bound is put to the test
+
+
+# Coherent
+
+
+def slow_wavelets(values, fps, cycles):
+    """One column: the sum over positive frequencies of the spectrum of the mirrored curve under each band's bell."""
+    pad = min(len(values) - 1, round(cycles / 0.35 * fps))
+    mirrored = np.pad(values, pad, mode="reflect")
+    n = len(mirrored)
+    rates = np.arange(1, (n + 1) // 2) * fps / n
+    turns = np.exp(2j * np.pi * np.outer(np.arange(n), rates) / fps)
+    spectrum = turns.conj().T @ mirrored / n
+    bands = 0.35 * (2.5 / 0.35) ** (np.arange(64) / 63)
+    bells = 2 * np.exp(-0.5 * ((rates / bands[:, None] - 1) * cycles) ** 2)
+    return ((bells * spectrum) @ turns.T)[:, pad : pad + len(values)]
+
+
+@pytest.mark.parametrize(("frames", "fps"), [(40, 12.0), (150, 12.0), (70, 8.0)])
+def test_wavelets_are_those_of_the_mirrored_curve(frames, fps):
+    values = np.random.default_rng(9).normal(size=(frames, 2)).cumsum(0)
+    got = coherent.wavelets(torch.from_numpy(values), fps, 2.5).numpy()
+    for column in range(2):
+        slow = slow_wavelets(values[:, column], fps, 2.5)
+        assert np.abs(got[..., column] - slow).max() < 1e-10 * np.abs(slow).max()
+
+
+def test_wavelets_of_a_constant_are_nothing():
+    assert float(coherent.wavelets(torch.full((80, 1), 9.0, dtype=torch.float64), FPS, 2.5).abs().max()) < 1e-12
+
+
+def best_path(power, penalty):
+    cost = -(power / power.sum(0)).log()
+    return min(itertools.product(range(power.shape[0]), repeat=power.shape[1]),
+               key=lambda path: sum(float(cost[b, i]) for i, b in enumerate(path))
+               + penalty * sum((a - b) ** 2 for a, b in itertools.pairwise(path)))  # fmt: skip
+
+
+def test_the_ridge_does_not_care_how_loud_a_frame_is():
+    generator = torch.Generator().manual_seed(10)
+    for penalty in (0.0, 0.1, 0.5) * 2:
+        power = torch.rand(4, 5, generator=generator, dtype=torch.float64) ** 3 + 1e-4
+        best = list(best_path(power, penalty))
+        assert coherent.ridge(power, 1, penalty).tolist() == best
+        loudness = 10.0 ** torch.tensor([15.0, -15.0, 0.0, -10.0, 7.0], dtype=torch.float64)
+        assert coherent.ridge(power * loudness, 1, penalty).tolist() == best
+        assert coherent.ridge(power.flip(0), 1, penalty).tolist() == [3 - b for b in best]
+        assert coherent.ridge(power.flip(1), 1, penalty).tolist() == best[::-1]
+
+
+def test_between_its_knots_the_ridge_is_straight_and_after_the_last_level():
+    power = torch.rand(5, 14, generator=torch.Generator().manual_seed(11), dtype=torch.float64) ** 4 + 1e-4
+    knots = best_path(power[:, ::4], 0.02)
+    assert len(set(knots)) > 2
+    expected = np.interp(np.arange(14) / 4, np.arange(4), knots)
+    assert coherent.ridge(power, 4, 0.02).numpy() == pytest.approx(expected)
+    assert float(coherent.ridge(torch.zeros(5, 14, dtype=torch.float64), 4, 0.02).std()) == 0  # silence has a path too
+
+
+def test_a_first_contact_or_a_first_swing_starts_the_count():
+    contact = torch.zeros(50, dtype=torch.float64)
+    contact[10:20] = contact[32:44] = 1
+    for curve, start in ((contact, 0.0), (1 - contact, math.pi)):
+        signal = coherent.stepped(curve)
+        assert torch.allclose(signal.abs(), torch.ones(50, dtype=torch.float64))
+        middles = np.array([14.5, 25.5, 37.5])
+        slope = np.pi / np.array([11.0, 12.0])
+        for frame in range(50):
+            piece = 0 if frame < middles[1] else 1  # the ends go on as they are
+            angle = start + np.pi * piece + (frame - middles[piece]) * slope[piece]
+            assert abs(complex(signal[frame]) - np.exp(1j * angle)) < 1e-9
+
+
+def test_what_the_others_say_is_least_squares_damped_by_a_thousandth():
+    """Ridge regression as plain least squares with one more row for each of the others."""
+    generator = torch.Generator().manual_seed(12)
+    z = torch.complex(*torch.randn(2, 300, 4, generator=generator, dtype=torch.float64))
+    z = z + 1.5 * torch.exp(0.2j * torch.arange(300, dtype=torch.float64))[:, None] * torch.exp(1j * torch.arange(4))
+    z = z * torch.tensor([0.1, 1.0, 3.0, 20.0])
+    for scale in (1.0, 1e-3):  # in proportion, however small
+        for limb in range(4):
+            own, others = (scale * z)[:, limb].numpy(), np.delete((scale * z).numpy(), limb, 1)
+            rows = np.diag(np.sqrt(1e-3 * (np.abs(others) ** 2).sum(0)))
+            weights = np.linalg.lstsq(np.concatenate((others, rows)), np.concatenate((own, np.zeros(3))), rcond=None)[0]
+            told = others @ weights
+            share = (np.abs(told) ** 2).sum() / (np.abs(own) ** 2).sum()
+            expected = (1 - share) * own + share * told
+            assert np.abs(coherent.agreed(scale * z, limb).numpy() - expected).max() < 1e-6 * np.abs(own).max()
+            assert 0.1 < share < 1
+
+
+def test_limbs_that_do_nothing_say_nothing():
+    z = torch.exp(0.1j * torch.arange(100, dtype=torch.float64))[:, None] * torch.tensor([1.0, 0.0, 0.0, 0.0])
+    assert torch.allclose(coherent.agreed(z, 0), z[:, 0])
+    assert float(coherent.agreed(z, 1).abs().max()) == 0
+
+
+def test_amplitude_and_residual_of_a_curve_against_its_wave_do_not_go_below_zero():
+    wave = torch.sin(torch.arange(200, dtype=torch.float64) / 5)
+    amplitude, offset, residual = coherent.regression(2 - wave, wave, 0.5, FPS)  # only a negative multiple would fit
+    assert float(amplitude.abs().max()) == 0
+    assert torch.allclose(offset, windows.mean(2 - wave, 0.5, FPS))
+    assert torch.allclose(residual, (windows.mean((2 - wave) ** 2, 0.5, FPS) - offset**2).sqrt())
+    amplitude, offset, residual = coherent.regression(3 * wave + 1, wave, 0.5, FPS)
+    assert torch.allclose(amplitude, torch.full_like(wave, 3.0))
+    assert torch.allclose(offset, torch.ones_like(wave))
+    assert float(residual.max()) < 1e-6
+    still_wave = coherent.regression(wave, torch.zeros_like(wave), 0.5, FPS)
+    assert all(bool(column.isfinite().all()) for column in still_wave)
+
+
+def test_coherent_takes_its_bases_axes_and_curves(walk_clip):
+    clips = [walk_clip, procedural.generate("Zombie", "FW", 2.0)]
+    base = tk.phases.ContactFree()
+    source = tk.phases.Coherent(base, cycles=3.0, penalty=0.2)
+    fitted = source.fitted(clips)
+    assert (fitted.cycles, fitted.penalty) == (3.0, 0.2)
+    shared = base.fitted(clips)
+    for limb in LIMBS:
+        assert torch.equal(source(walk_clip, limb), base(walk_clip, limb))
+        assert torch.equal(fitted(walk_clip, limb), shared(walk_clip, limb))
+    plain = tk.phases.Coherent(Curves(torch.zeros(len(walk_clip), 4)))
+    assert plain.fitted(clips) is plain
+
+
+def test_pure_waves_are_told_apart_and_followed():
+    """Each limb at its own frequency, one above the tracked bands; far from the ends nothing disturbs them."""
+    t = torch.arange(1800, dtype=torch.float64)[:, None] / FPS
+    rates = torch.tensor([0.55, 0.83, 1.3, 2.8], dtype=torch.float64)
+    size, level, lag = (torch.tensor(v, dtype=torch.float64) for v in ([1.0, 2.0, 0.5, 3.0], [0, 5, -3, 1], [0, 1, 2, 3]))
+    angle = 2 * math.pi * rates * t + lag
+    curve, found = tk.phases.Coherent(Curves(level + size * torch.sin(angle))).sinusoids(still(1800))
+    inner = slice(180, -180)
+    assert float(torch.sin((found.phase - angle) / 2)[inner].abs().max()) < 0.01
+    assert float(found.phase.min()) >= 0
+    assert float(found.phase.max()) < 2 * math.pi
+    assert float((found.frequency / rates - 1)[inner].abs().max()) < 0.01
+    for i, rate in enumerate(rates.tolist()):
+        half = max(0.5, windows.CYCLES / 2 / rate)
+        expected = smooth(normalise(torch.sin(angle[:, [i]]), FPS, half), FPS)[:, 0]
+        assert float((curve[:, i] - expected)[inner].abs().max()) < 0.1
+    assert float((found.amplitude * found.phase.sin() + found.offset - curve)[inner].abs().max()) < 0.1
+    assert float(found.residual[inner].max()) < 0.1
+
+
+def test_a_chirp_is_followed_from_band_to_band():
+    t = torch.arange(1800, dtype=torch.float64) / FPS
+    angle = 2 * math.pi * (0.6 * t + 0.03 * t**2 / 2)  # 0.6 to 1.5 Hz
+    noise = 1e-3 * torch.randn(1800, 3, generator=torch.Generator().manual_seed(13), dtype=torch.float64)
+    _, found = tk.phases.Coherent(Curves(torch.cat((torch.cos(angle)[:, None], noise), 1))).sinusoids(still(1800))
+    inner = slice(180, -180)
+    assert float(torch.sin((found.phase[:, 0] - angle - math.pi / 2) / 2)[inner].abs().max()) < 0.05
+    assert float((found.frequency[:, 0] / (0.6 + 0.03 * t) - 1)[inner].abs().max()) < 0.03
+
+
+@pytest.mark.parametrize("fps", [60.0, 24.0, 12.0])
+def test_coherent_is_its_description_step_by_step(fps):
+    """Wavelets, their ridge ten times a second, the signal on it between two bands, what the others say of it."""
+    frames, generator = round(12 * fps), torch.Generator().manual_seed(14)
+    t = torch.arange(frames, dtype=torch.float64)[:, None] / fps
+    noise = torch.randn(frames, 4, generator=generator, dtype=torch.float64).cumsum(0) / math.sqrt(fps)
+    raw = noise - noise.mean(0) + torch.sin(2 * math.pi * 0.9 * t + torch.arange(4)) + torch.arange(4)
+    raw[:, 3] += 30 * torch.sin(2 * math.pi * 2.7 * t[:, 0])  # on the highest band
+    _, found = tk.phases.Coherent(Curves(raw), cycles=2.0, penalty=0.05).sinusoids(still(frames, fps))
+    waves = coherent.wavelets(raw - raw.mean(0), fps, 2.0)
+    for i in range(4):
+        power = waves[..., i].abs() ** 2 * coherent.BANDS[:, None] ** 2
+        path = coherent.ridge(power, max(1, round(fps / 10)), 0.05)
+        z = torch.empty(frames, 4, dtype=torch.complex128)
+        for f, place in enumerate(path.tolist()):
+            below = min(int(place), 62)
+            z[f] = (below + 1 - place) * waves[below, f] + (place - below) * waves[below + 1, f]
+        signal = coherent.agreed(z, i)
+        assert float((torch.exp(1j * (found.phase[:, i] - math.pi / 2)) - signal / signal.abs()).abs().max()) < 1e-9
+        turns = torch.tensor([0.0, *(float((signal[f] / signal[f - 1]).angle()) for f in range(1, frames))]) / (2 * math.pi)
+        turns[0] = turns[1]
+        growth = windows.mean(turns.double(), windows.half_window(raw[:, i], fps), fps) * fps
+        assert torch.allclose(found.frequency[:, i], growth.clamp(0.25, 4.0), atol=1e-4)
+
+
+def test_contacts_are_counted_from_three_changes_on_beside_limbs_that_have_none():
+    frames = 300
+    t = torch.arange(frames, dtype=torch.float64) / FPS
+    raw = torch.zeros(frames, 4, dtype=torch.float64)
+    raw[:, 0] = torch.sin(2 * math.pi * t)  # no contact
+    raw[60:120, 2] = 1  # two changes
+    raw[50:110, 3] = raw[190:, 3] = 1  # three
+    _, found = tk.phases.Coherent(Curves(raw)).sinusoids(still(frames))
+    signal = coherent.stepped(raw[:, 3])
+    assert float((torch.exp(1j * (found.phase[:, 3] - math.pi / 2)) - signal).abs().max()) < 1e-9
+    assert float(found.phase[80, 3]) == pytest.approx(math.pi / 2, abs=0.05)  # amid the contact its sine is highest
+    assert all(bool(column.isfinite().all()) for column in vars(found).values())
+
+
+def test_the_cadence_of_contacts_keeps_the_fits_bounds():
+    at = torch.arange(1500)
+    raw = torch.stack((at % 12 < 6, at % 360 < 180, at % 60 < 30, at % 45 < 30), 1)  # 5, 1/6, 1 and 4/3 Hz
+    _, found = tk.phases.Coherent(Curves(raw)).sinusoids(still(1500))
+    assert found.frequency[300:-300].mean(0).tolist() == pytest.approx([4.0, 0.25, 1.0, 4 / 3], rel=0.01)

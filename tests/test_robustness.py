@@ -172,6 +172,7 @@ def stored(tmp_path_factory):
     [
         (lambda m: [], "expected the format"),
         (lambda m: m | {"partitions": 3}, "the manifest is damaged"),
+        (lambda m: m | {"partitions": {}}, "without a style"),
         (lambda m: m | {"split": None}, "the manifest is damaged"),
         (lambda m: m | {"settings": {}}, "settings without"),
         (lambda m: changed(m, file="../ProceduralNeutral.safetensors"), "a file called '../"),

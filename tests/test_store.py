@@ -99,7 +99,7 @@ def test_the_command_line_makes_the_same_bytes_with_two_processes(root, made, tm
 
 
 def test_two_dask_workers_make_the_same_bytes(root, made, tmp_path):
-    distributed = pytest.importorskip("distributed", reason='Dask is not installed: pip install "toolkit[scale]"')
+    distributed = pytest.importorskip("distributed", reason='Dask is not installed: pip install ".[scale]"')
     quiet = {"dashboard_address": ":0", "silence_logs": logging.ERROR}
     with distributed.LocalCluster(n_workers=2, threads_per_worker=1, **quiet) as cluster:
         assert preprocess(root, tmp_path / "store", scheduler=cluster.scheduler_address)

@@ -128,7 +128,7 @@ def train(
     engine.start(config)  # before the data, so that all processes read them at once
     options = {} if clip_seconds is None else {"seconds": clip_seconds}
     chosen = [None if names is None else names.split(",") for names in (styles, gaits)]
-    if store.is_store(data):
+    if store.is_store(data) or Path(data).is_dir():
         if root or gaits or mirror or options:
             raise ValueError(f"{data}: a store has its own --root, --gaits and --mirror; choose among its --styles")
         found = store.load(data, chosen[0])
@@ -150,6 +150,8 @@ def train(
     for row in run.table():
         errors = "".join(f"{row.get(k, math.nan):>9.4f}" for k in ("error", "other", "mean", "repeat"))
         print(f"{row['style']:<20}{errors}{1000 * row['bone']:>7.1f}")
+    if row["error"] >= row["repeat"]:
+        print("It predicts no better than by repeating the frame: give it more time, or more motion.")
     print(f"{run.history[-1]['step']:,} steps in {run.history[-1]['elapsed']:.0f} s; wrote {out}")
 
 
@@ -164,14 +166,14 @@ def demo_(
     if context.invoked_subcommand is not None:
         return
     print(f"The embedded model walks already: open {demo.greet(out)} in a browser.")
-    print(f"Meanwhile a small model is trained from nothing, for {seconds:g} s.")
+    print(f"Meanwhile motion is made, and a small model is trained on it for {seconds:g} s.")
     made = demo.make(seconds, seed=seed, progress=True)
     files = demo.write(made, out)
     print("\n".join(made.report))
     print("\nLook at it:")
-    for file in files:
+    for file in [out / "embedded.html", *files]:
         print(f"  {file}")
-    print("\nNext: open controller.html in a browser and walk; `make lab` starts JupyterLab on the notebooks.")
+    print(f"\nNext: open {files[-1]} in a browser and walk; `make lab` starts JupyterLab on the notebooks.")
 
 
 @demo_app.command("crowd")
@@ -212,7 +214,7 @@ def rollout(
     export.write(clip, out, title=style, progress=True)
     low, high = metrics.hips_height(clip)
     skate = metrics.foot_skate(clip, torch.stack([s.contacts[0] for s in states]))
-    print(f"{len(clip)} frames, {metrics.speed(clip):.2f} m/s, hips {low:.2f} to {high:.2f} m, "
+    print(f"{len(clip)} frames, {metrics.speed(clip):.2f} m/s for {speed:.2f} asked, hips {low:.2f} to {high:.2f} m, "
           f"foot skate right {skate['right'] * 100:.1f} left {skate['left'] * 100:.1f} cm/s; wrote {out}")  # fmt: skip
 
 

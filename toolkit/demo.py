@@ -92,7 +92,7 @@ def make(seconds: float = 35.0, *, data_seconds: float = 60.0, seed: int = 0, pr
     report = [
         f"data       {data.n_frames:,} frames of {len(data.styles)} styles, made in {prepared - began:.1f} s",
         f"training   {run.history[-1]['step']:,} steps in {trained - prepared:.1f} s, "
-        f"{sum(p.numel() for p in run.model.parameters()):,} parameters",
+        f"{sum(p.numel() for p in run.model.parameters()):,} parameters with those of the FiLM generator",
         f"held out   mean squared error {error['error']:.4f} (predicting the mean {error['mean']:.4f}, "
         f"repeating the frame {error['repeat']:.4f})",
         f"rollout    {len(clip):,} frames, {(rolled - trained) / len(clip) * 1000:.1f} ms each "

@@ -31,9 +31,9 @@ def atomic_write(path: str | os.PathLike) -> Iterator[BinaryIO]:
     for left in path.parent.glob(f".{glob.escape(path.name)}.*.partial"):
         with contextlib.suppress(OSError):  # another's that lives, or one that is gone already
             _remove(left)
-    file = _partial(path)
+    file = None
     try:
-        with file:
+        with (file := _partial(path)):
             yield file
             file.flush()
             os.fsync(file.fileno())
@@ -44,11 +44,12 @@ def atomic_write(path: str | os.PathLike) -> Iterator[BinaryIO]:
             os.chmod(file.name, 0o666 & ~mask)
             os.replace(file.name, path)
     except OSError as error:
-        if error.errno and error.filename in (None, file.name):
+        if error.errno and (file is None or error.filename in (None, file.name)):
             raise OSError(error.errno, f"cannot be written ({error.strerror})", os.fspath(path)) from error
         raise
     finally:
-        Path(file.name).unlink(missing_ok=True)
+        if file is not None:
+            Path(file.name).unlink(missing_ok=True)
 
 
 def _partial(path: Path) -> BinaryIO:

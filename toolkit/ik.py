@@ -27,8 +27,9 @@ def two_bone(
     target : Tensor [..., 3]
         Where the end should be, metres.
     pole : Tensor [..., 3], optional
-        Direction (not a point) that the middle joint bends towards, any length; by default where it points now, from `a`
-        to `b`. It should not be parallel to the line from `a` to the target; if it is, some direction across is taken.
+        Direction (not a point) that the middle joint bends towards, any length; by default the side that it bends to now,
+        carried along by the shortest turn of the line from `a` to `c` into that from `a` to the target. It should not be
+        parallel to the line from `a` to the target; if it is, some direction across is taken.
     soft : float or Tensor [..., 1]
         Share of the full length over which the limit acts; 0 is a hard limit.
 
@@ -55,7 +56,7 @@ def two_bone(
     distance = torch.where(over > 0, full - margin * torch.exp(-over / margin), wanted)
     distance = torch.maximum(distance, (upper - lower).abs() + 1e-6 * full)
 
-    side = b - a if pole is None else pole
+    side = R.rotate(R.between(c - a, line), b - a) if pole is None else pole
     side = R.normalize(side)
     across = side - (side * line).sum(-1, keepdim=True) * line
     helper = torch.eye(3, dtype=line.dtype)[line.abs().argmin(-1)]

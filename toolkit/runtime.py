@@ -5,7 +5,7 @@ leading axis of B characters, so that one call moves a crowd.
 """
 
 import dataclasses
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import torch
@@ -74,7 +74,7 @@ class CharacterState:
 
     def with_style(self, style: Tensor) -> "CharacterState":
         """The same moment with another style vector ``[S]`` or ``[B, S]``."""
-        return dataclasses.replace(self, style=torch.as_tensor(style).expand(len(self.phase), -1))
+        return dataclasses.replace(self, style=_vectors(style).expand(len(self.phase), -1))
 
 
 def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0),
@@ -92,7 +92,7 @@ def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0),
     position, facing
         World (x, z) of the root, metres, and where it looks; pairs or ``[B, 2]``.
     """
-    style = torch.atleast_2d(torch.as_tensor(style))
+    style = torch.atleast_2d(_vectors(style))
     layout: Layout = model.layout
     place = torch.as_tensor(position, dtype=torch.float32).expand(len(style), 2)
     look = unit(torch.as_tensor(facing, dtype=torch.float32).expand(len(style), 2))
@@ -105,6 +105,12 @@ def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0),
         contacts=torch.ones(len(style), 2), toes=torch.zeros(len(style), 2, 3), drift=torch.zeros(len(style), 2, 2),
     )  # fmt: skip
     return dataclasses.replace(state, toes=_predicted_toes(layout, state))
+
+
+def _vectors(style) -> Tensor:
+    if isinstance(style, str | Mapping):
+        raise ValueError(f"a style is a vector, bank[name] or bank.blend({{name: weight}}); got {style!r}")
+    return torch.as_tensor(style)
 
 
 def step(model, state: CharacterState, command: Command) -> CharacterState:

@@ -217,7 +217,7 @@ def _tensorboard(folder: str | os.PathLike | None, step: int) -> Iterator[Callab
     try:
         from torch.utils.tensorboard import SummaryWriter
     except ImportError:
-        raise ValueError('logs need TensorBoard: pip install "toolkit[scale]"') from None
+        raise ValueError('logs need TensorBoard: pip install ".[scale]"') from None
     with SummaryWriter(os.fspath(folder), purge_step=step + 1) as writer:
 
         def draw(numbers: dict[str, float], step: int) -> None:

@@ -182,7 +182,7 @@ def _onnx(net: Model, x: Tensor, phases: Tensor, style: Tensor) -> Callable[[], 
 
         graph = export.onnx.graph(net)
     except ImportError:
-        return 'not installed (pip install "toolkit[export]")'
+        return 'not installed (pip install ".[export]")'
     given = dict(zip(("x", "phases", "style"), (v.numpy() for v in (x, phases, style)), strict=True))
     options = onnxruntime.SessionOptions()
     options.intra_op_num_threads = 1

@@ -66,6 +66,9 @@ class CompiledModel:
         self.pose(state)
         self.seconds, self.compiled = time.perf_counter() - began, self._misses() - known
 
+    def __getattr__(self, name: str):
+        raise AttributeError(f"a compiled model has no {name!r}: it only runs; give the model that it was compiled from")
+
     def __repr__(self) -> str:
         ready = f"{self.compiled} kernels compiled" if self.compiled else "kernels ready"
         skip = f", experts below {self.skip:g} left out" if self.skip else ""

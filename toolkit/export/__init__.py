@@ -29,7 +29,8 @@ def check(path: str | os.PathLike, suffixes: Sequence[str] = SUFFIXES) -> Path:
     return path
 
 
-def write(clip: Clip, path: str | os.PathLike, *, title: str, source: Clip | None = None, progress: bool = False) -> None:
+def write(clip: Clip, path: str | os.PathLike, *, title: str = "Motion", source: Clip | None = None,
+          progress: bool = False) -> None:  # fmt: skip
     """Write a clip as motion (.bvh, .glb), web page (.html), strip of poses (.png) or film; folders are made.
 
     Parameters

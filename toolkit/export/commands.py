@@ -54,6 +54,8 @@ def clip(
     export.check(out)
     if skeleton is not None and skeleton not in SKELETONS:
         raise ValueError(f"--skeleton is one of {', '.join(SKELETONS)}; got {skeleton!r}")
+    if out.exists() and out.samefile(source):
+        raise ValueError(f"{out}: is the file that is read; give another to write")
     motion = bvh.load(source, unit=unit)
     if skeleton is not None:
         motion = export.retarget(motion, SKELETONS[skeleton])

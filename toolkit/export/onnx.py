@@ -71,7 +71,7 @@ def graph(model: Model, bank: StyleBank | None = None):
     try:
         from onnx import TensorProto, checker, helper
     except ImportError:
-        raise ImportError('ONNX needs the extra "export": pip install "toolkit[export]"') from None
+        raise ImportError('ONNX needs the extra "export": pip install ".[export]"') from None
     layout, g = model.layout, _Graph()
     widths = {"x": layout.n_inputs, "phases": layout.n_phases, "style": model.style_size}
     x = g.normalised("x", model, "inputs")

@@ -45,6 +45,9 @@ class StyleBank:
     def __len__(self) -> int:
         return len(self.names)
 
+    def __repr__(self) -> str:
+        return f"StyleBank({len(self)} vectors of {self.vectors.shape[1]} numbers: {', '.join(self.names)})"
+
     def __iter__(self) -> Iterator[str]:
         return iter(self.names)
 

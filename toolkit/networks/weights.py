@@ -21,7 +21,7 @@ FORMAT = "toolkit 1"
 
 
 def write(path: str | os.PathLike, tensors: dict[str, Tensor], parts: dict[str, Any]) -> None:
-    """Write a file, whole or not at all.
+    """Write a file, whole or not at all; the same content gives the same bytes.
 
     Parameters
     ----------
@@ -34,8 +34,14 @@ def write(path: str | os.PathLike, tensors: dict[str, Tensor], parts: dict[str, 
     """
     metadata = {"format": FORMAT, **{name: json.dumps(value) for name, value in parts.items()}}
     packed = save({name: t.detach().cpu().contiguous() for name, t in tensors.items()}, metadata)
+    size = 8 + int.from_bytes(packed[:8], "little")
+    header = json.loads(packed[8:size])  # its metadata come in another order in every process
+    header["__metadata__"] = metadata
+    text = json.dumps(header, separators=(",", ":"), ensure_ascii=False).encode()
+    text += b" " * (-len(text) % 8)
     with atomic_write(path) as file:
-        file.write(packed)
+        file.write(len(text).to_bytes(8, "little") + text)
+        file.write(memoryview(packed)[size:])
 
 
 def read(path: str | os.PathLike, part: str) -> tuple[dict[str, Tensor], dict[str, Any]]:

@@ -56,6 +56,8 @@ def read_manifest(path: Path) -> dict[str, Any]:
         raise ValueError(f"{path / MANIFEST}: expected the format {FORMAT!r}, got {found!r}")
     with intact(path / MANIFEST, "the manifest"):
         entries = manifest["partitions"]
+        if manifest["finished"] and not entries:
+            raise ValueError("finished, and without a style")
         for entry in (*entries.values(), *([manifest["split"]] if manifest["finished"] else [])):
             file, size = entry["file"], entry["bytes"]
             if not file.isprintable() or Path(file).name != file or not isinstance(size, int) or not entry["sha256"]:

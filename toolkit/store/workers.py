@@ -18,7 +18,7 @@ def executor(workers: int | None, scheduler: str | None) -> Iterator[Executor]:
         try:
             from dask.distributed import Client
         except ImportError:
-            raise ValueError('a scheduler needs Dask: pip install "toolkit[scale]"') from None
+            raise ValueError('a scheduler needs Dask: pip install ".[scale]"') from None
         with Client(scheduler) as client:
             yield client.get_executor(pure=False)
     elif workers == 1:

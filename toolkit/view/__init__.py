@@ -5,7 +5,7 @@ from importlib.util import find_spec
 
 _NEEDS = ("anywidget", "ipywidgets", "matplotlib", "PIL", "plotly", "pyvista", "sklearn")
 if _missing := [name for name in _NEEDS if find_spec(name) is None]:
-    raise ImportError(f'pages, pictures and widgets need {", ".join(_missing)}: pip install "toolkit[view]"')
+    raise ImportError(f'pages, pictures and widgets need {", ".join(_missing)}: pip install ".[view]"')
 
 _HOME = {
     "animate": "animation", "contact_sheet": "animation", "loop": "animation", "crowd": "group",

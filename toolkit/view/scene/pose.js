@@ -47,7 +47,7 @@ function twoBone(a, b, c, target, soft = 0.01) {
   const wanted = Math.hypot(...reach), full = upper + lower, margin = Math.max(soft * full, 1e-9);
   const line = unit(wanted > 1e-9 ? reach : plus(minus(c, a), [1, 1, 1], 1e-9)), over = wanted - (full - margin);
   const distance = Math.max(over > 0 ? full - margin * Math.exp(-over / margin) : wanted, Math.abs(upper - lower) + 1e-6 * full);
-  const side = unit(minus(b, a)), off = plus(side, line, -dot(side, line));
+  const side = unit(rotate(between(minus(c, a), line), minus(b, a))), off = plus(side, line, -dot(side, line));
   const out = Math.hypot(...off) > 1e-5 ? unit(off) : across(line);
   const along = (upper ** 2 - lower ** 2 + distance ** 2) / (2 * distance);
   const height = Math.sqrt(Math.max(upper ** 2 - along ** 2, 0));
