@@ -214,6 +214,11 @@ def test_a_server_that_stays_bad_is_given_up_and_gone_on_with_later(root, server
     assert server.requests[-1]["Range"] == "bytes=100000-"
 
 
+def test_a_home_that_is_not_there_is_said_in_plain_words(root):
+    with pytest.raises(OSError, match=r"/none\.zip: cannot be reached; is there a network\?; nothing came$"):
+        fetch.fetch("100style", source="http://127.0.0.1:9/none.zip", stall=0.1)
+
+
 def test_a_server_without_ranges_starts_again(root, server):
     server.ranges = False
     server.plan.append("cut 100000")

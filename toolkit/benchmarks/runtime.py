@@ -10,6 +10,7 @@ from typing import Annotated
 import numpy as np
 import torch
 import typer
+from threadpoolctl import threadpool_limits
 from torch import Tensor
 
 from toolkit import export, metrics, published, runtime, verbs
@@ -42,7 +43,8 @@ def run(
         if equality:
             _equal(net, fast, bank, styles)
             return
-        rate, speed = _machine(fast, rounds)
+        with threadpool_limits(1):  # numpy's
+            rate, speed = _machine(fast, rounds)
         _beside(net, fast, bank, rounds, rate, speed, peers)
         counts, costs = [int(n) for n in characters.split(",")], {}
         for t in map(int, threads.split(",")):
@@ -137,7 +139,7 @@ def _beside(net: Model, fast, bank, rounds: int, rate: float, speed: float, peer
             _verdict(f"whole frame ≤ {MANY_FRAMES} × the network's floor", frame <= MANY_FRAMES * floor)
         else:
             _verdict(f"network ≤ {MANY} × floor", ours <= MANY * floor)
-            _verdict(f"network {plain / ours:.0f} × as fast as einsum (target {MANY_PLAIN:g})", plain >= MANY_PLAIN * ours)
+            _verdict(f"network {plain / ours:.1f} × as fast as einsum (target {MANY_PLAIN:g})", plain >= MANY_PLAIN * ours)
             _verdict(f"whole frame ≤ {FRAME:g} µs each ({1 / 60 / frame * count:.0f} characters at 60 Hz)",
                      frame <= 1e-6 * FRAME * count)  # fmt: skip
 

@@ -16,6 +16,7 @@ from toolkit.files import atomic_write
 
 CONNECT, STALL = 10.0, 30.0  # seconds without a connection, or without a byte, after which a try has failed
 TRIES = 5  # in a row that brought nothing new
+_Unreachable = urllib3.exceptions.MaxRetryError  # no connection was made
 
 
 def notes(part: Path) -> dict:
@@ -59,8 +60,10 @@ def download(
                 have = part.stat().st_size if part.exists() else 0
                 failures, best = (1, have) if have > best else (failures + 1, best)
                 if failures >= TRIES:
-                    kept = f"{have:,} bytes are kept, the same command goes on from there"
-                    raise OSError(f"{url}: {str(error).splitlines()[0]}; {kept}") from error
+                    kept = f"{have:,} bytes are kept, the same command goes on from there" if have else "nothing came"
+                    lost = isinstance(error, requests.ConnectionError) and isinstance(error.__context__, _Unreachable)
+                    said = "cannot be reached; is there a network?" if lost else str(error).splitlines()[0]
+                    raise OSError(f"{url}: {said}; {kept}") from error
                 time.sleep(min(stall / 30 * 2 ** (failures - 1), stall))
             except requests.RequestException as error:
                 raise ValueError(f"{url}: {error}") from error

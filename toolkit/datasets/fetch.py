@@ -216,7 +216,8 @@ def _into(work: Path, origin: Origin, source: str, expected: str, name: str, pro
     shutil.rmtree(unpacked, ignore_errors=True)
     try:
         if expected and digest != expected:
-            raise ValueError(f"{source}: expected the sha256 {expected}, got {digest} ({file.stat().st_size:,} bytes)")
+            raise ValueError(f"{source}: expected the sha256 {expected}, got {digest} ({file.stat().st_size:,} bytes); "
+                             "--sha256 accepts another archive")
         comment = archive.unpack(file, unpacked, origin.place, limit, progress)
         found = origin.check(unpacked)
     except ValueError as error:
