@@ -115,12 +115,13 @@ def test_published_parameters_run_alike(shared):
 def test_threads_share_characters(pretrained):
     model, compiled, bank = pretrained
     two = runtime.compile(model, threads=2)
-    state = runtime.start(model, bank.vectors[:7])
-    for command in commands(20, 7):
+    state = runtime.start(model, bank.vectors[:19])
+    for command in commands(20, 19):
         one, other = (runtime.step(m, state, command) for m in (compiled, two))
         assert all(torch.allclose(getattr(one, name), getattr(other, name), atol=1e-4) for name in vars(one))
         assert torch.allclose(runtime.pose(compiled, one)[0], runtime.pose(two, one)[0], atol=1e-5)
         state = one
+    assert "_pool" in vars(two)  # made when it is first used
 
 
 def test_half_precision_halves_memory_and_says_its_error(pretrained):

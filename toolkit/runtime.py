@@ -168,7 +168,7 @@ def compile(model, *, precision: str = "float32", skip: float = 0.0, threads: in
         Leave out experts whose weight for a character is below this, and scale up the others: what a frame loses is at most
         this share for each of them.
     threads
-        Processor cores among which characters are shared; one character always has one.
+        Processor cores among which characters are shared, at least eight to each.
 
     Returns
     -------

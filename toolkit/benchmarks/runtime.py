@@ -268,6 +268,7 @@ def _plot(path: Path, counts: list[int], costs: dict[int, list[float]], floor: l
     axes.plot(counts, [1e6 * f for f in floor], "k--", label="floor of the network, one core")
     axes.set(xscale="log", yscale="log", xlabel="characters", ylabel="µs per character and frame", xticks=counts)
     axes.set_xticks(counts, map(str, counts))
+    axes.set_yticks(ticks := [50, 100, 200, 400, 800], map(str, ticks))
     axes.minorticks_off()
     axes.legend(frameon=False)
     figure.savefig(path, dpi=110)

@@ -19,6 +19,7 @@ from toolkit.compiled import frame, ik, network
 from toolkit.layout import Layout
 from toolkit.runtime import CharacterState, Command
 
+WORTHWHILE = 8  # characters from which a thread of their own pays; so many are computed together
 KERNELS = (frame.steer, network.predict, frame.follow, ik.pose)
 
 
@@ -36,7 +37,7 @@ class CompiledModel:
     skip
         Experts of lower weight are left out.
     threads
-        Characters are shared among so many; one character always has one.
+        Characters are shared among so many, at least `WORTHWHILE` to each.
     seconds, compiled
         How long it took to have the kernels ready, and how many of them had to be compiled; the others were on the disk.
     """
@@ -122,11 +123,12 @@ class CompiledModel:
 
     def _share(self, work: Callable[[int, int], None], count: int) -> None:
         """Do work on ranges of so many characters, a thread each."""
-        if min(self.threads, count) == 1:
+        threads = min(self.threads, count // WORTHWHILE)
+        if threads <= 1:
             work(0, count)
             return
-        ends = [count * part // self.threads for part in range(self.threads + 1)]
-        for done in [self._pool.submit(work, *span) for span in pairwise(ends) if span[1] > span[0]]:
+        ends = [count * part // threads for part in range(threads + 1)]
+        for done in [self._pool.submit(work, *span) for span in pairwise(ends)]:
             done.result()
 
     @cached_property
