@@ -161,8 +161,9 @@ def cut(curves: Tensor, fps: float, every: int = 1) -> Tensor:
 class Learned:
     """A phase source: one network for both hands, one for both feet, and the factors that their latent curves come out with.
 
-    A factor gives the training clips' curves unit power, as a normalised source has, and the sign that makes them rise where
-    the limb goes forward.
+    A factor gives the training clips' curves unit power, as a normalised source has, and the sign by which whole windows
+    rise where the limb goes forward. The samples that become the curve follow that for feet; for hands it is nearly
+    arbitrary.
     """
 
     networks: dict[str, PeriodicAutoencoder]

@@ -20,7 +20,7 @@ LEAST = 0.2  # autocorrelation of a curve that counts as repeating itself
 def half_window(curve: Tensor, fps: float) -> float:
     """Half of `CYCLES` periods of a curve, but no less than half a second: a window must hold a whole cycle.
 
-    The period is the lag, up to two seconds, of the highest peak of the autocorrelation of the whole curve ``[F]``, freed
+    The period is the lag, under two seconds, of the highest peak of the autocorrelation of the whole curve ``[F]``, freed
     of what changes more slowly. A zombie's foot, at 0.66 Hz and standing for a second at a time, needs ±0.8 s.
     """
     n, longest = len(curve), min(round(LONGEST * fps), len(curve) - 2)
