@@ -230,7 +230,11 @@ def test_killed_at_any_step_and_resumed_equals_not_killed(tmp_path):
     assert [(r["step"], r["loss"]) for r in resumed.history] == [(r["step"], r["loss"]) for r in straight.history]
 
 
-@pytest.mark.parametrize("launcher", [(), ("-m", "torch.distributed.run", "--standalone", "--nproc-per-node", "2")])
+TORCHRUN = ("-m", "torch.distributed.run", "--nproc-per-node", "2", "--rdzv-backend", "c10d", "--rdzv-endpoint",
+            "127.0.0.1:0", "--local-addr", "127.0.0.1")  # fmt: skip
+
+
+@pytest.mark.parametrize("launcher", [(), TORCHRUN], ids=["launched", "torchrun"])
 def test_two_processes_equal_one(tmp_path, launcher):
     """Dropout, straying poses, clipped gradients, and shares of 8 and 7 frames with 5 clips included."""
     config = dataclasses.replace(QUICK, steps=50, sizes=dataclasses.replace(WIDER, dropout=0.3), batch=15, clips_per_batch=5)
