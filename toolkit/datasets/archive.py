@@ -10,6 +10,9 @@ from pathlib import Path, PurePosixPath
 
 from tqdm import tqdm
 
+DAMAGED = (  # what `zipfile` raises for files that are no whole archive, depending on where they are spoilt
+    zipfile.BadZipFile, zlib.error, lzma.LZMAError, EOFError, NotImplementedError, UnicodeDecodeError,
+)  # fmt: skip
 
 def unpack(
     archive: Path, folder: Path, place: Callable[[str], str | None], limit: int, progress: bool = False
@@ -58,7 +61,7 @@ def unpack(
                         shutil.copyfileobj(packed, plain, 1 << 20)
                     bar.update(info.file_size)
             return file.comment.decode(errors="replace")
-    except (zipfile.BadZipFile, zlib.error, lzma.LZMAError, EOFError, NotImplementedError, UnicodeDecodeError) as error:
+    except DAMAGED as error:
         with archive.open("rb") as file:
             start = file.read(16)
         raise ValueError(f"{archive}: not a whole zip archive ({error}); it starts with {start!r}") from error
