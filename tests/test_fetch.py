@@ -393,6 +393,11 @@ def test_a_file_of_ones_own(root, tmp_path, server):
     assert not server.requests
     with pytest.raises(ValueError, match=r"nowhere.zip: no such file; an address starts with https"):
         get(root=tmp_path / "other", source=tmp_path / "nowhere.zip")
+    own.write_bytes(b"junk")
+    with pytest.raises(ValueError, match=r"own.zip: expected the sha256.*refused \(nothing was changed\)"):
+        get(root=tmp_path / "other", source=own)
+    assert own.read_bytes() == b"junk"
+    assert not list(tmp_path.glob("other*")) + list(tmp_path.glob(".other.fetch"))
 
 
 def test_no_room(root, server, monkeypatch):

@@ -19,7 +19,7 @@ from test_bvh import GOOD
 import toolkit as tk
 from toolkit import bvh, store
 from toolkit.__main__ import main
-from toolkit.benchmarks import fuzz
+from toolkit.benchmarks import faults, fuzz
 from toolkit.benchmarks.fuzz import mutations, targets
 from toolkit.benchmarks.fuzz.trials import Reader, trial
 from toolkit.datasets import procedural, style100
@@ -319,6 +319,12 @@ with tempfile.TemporaryDirectory() as base:
 def python(*words):
     environment = os.environ | {"OMP_NUM_THREADS": "1"}
     return subprocess.run([sys.executable, *words], env=environment, capture_output=True, text=True, timeout=200)
+
+
+@needs_fork
+def test_a_job_that_there_is_not_is_no_success():
+    with pytest.raises(ValueError, match="unknown job 'exprot'; there are fetch, preprocess, train, export"):
+        faults.run(kills=1, seed=0, only="export,exprot")
 
 
 @needs_fork

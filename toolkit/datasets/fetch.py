@@ -4,6 +4,7 @@ Nothing is taken for a dataset before it was checked: archive and unpacked files
 which takes its name in one step at the end, with `RECORD` in it. Killed at any time, the same call goes on.
 """
 
+import contextlib
 import hashlib
 import json
 import os
@@ -194,9 +195,11 @@ def fetch(
 
 def _into(work: Path, origin: Origin, source: str, expected: str, name: str, progress: bool, stall: float) -> dict:
     """A checked dataset with its record in ``work / "unpacked"``."""
-    work.mkdir(exist_ok=True)
     limit, file = 4 * origin.unpacked, Path(source)
     remote = source.startswith(("https://", "http://"))
+    if not remote and not file.is_file():
+        raise ValueError(f"{source}: no such file; an address starts with https:// or http://")
+    work.mkdir(exist_ok=True)
     if remote:
         file = work / "archive.zip"
         size = origin.size if expected == origin.sha256 else None
@@ -208,8 +211,6 @@ def _into(work: Path, origin: Origin, source: str, expected: str, name: str, pro
             archive.room(work, max((size or origin.unpacked) - have, 0) + origin.unpacked, f"fetch and unpack {name}")
             download(source, part, size, LARGEST, trusted=bool(expected), progress=progress, stall=stall)
             part.replace(file)
-    elif not file.is_file():
-        raise ValueError(f"{source}: no such file; an address starts with https:// or http://")
     with file.open("rb") as data:
         digest = hashlib.file_digest(data, "sha256").hexdigest()
     unpacked = work / "unpacked"
@@ -222,6 +223,8 @@ def _into(work: Path, origin: Origin, source: str, expected: str, name: str, pro
         found = origin.check(unpacked)
     except ValueError as error:
         shutil.rmtree(work if remote else unpacked, ignore_errors=True)
+        with contextlib.suppress(OSError):  # not empty: it holds what came of a download
+            work.rmdir()
         fate = "removed; the same command tries again, --from takes another copy" if remote else "nothing was changed"
         raise ValueError(f"{error}: refused ({fate})") from error
     files, size = _extent(unpacked)

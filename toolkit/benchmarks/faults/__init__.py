@@ -18,6 +18,7 @@ import typer
 
 from toolkit.benchmarks.faults.jobs import Job, ended, files_of, prepare, start
 
+JOBS = "fetch", "preprocess", "train", "export"
 SMALL = 50_000  # bytes that a file may have where the disk is "full"
 
 
@@ -41,17 +42,20 @@ class Score:
 def run(
     kills: Annotated[int, typer.Option(min=1, help="Of each job, at random moments.")] = 50,
     seed: Annotated[int, typer.Option(help="Of the moments.")] = 0,
-    only: Annotated[str | None, typer.Option(help="Comma-separated: fetch, preprocess, train, export; or all.")] = None,
+    only: Annotated[str | None, typer.Option(help=f"Some of {', '.join(JOBS)}, comma-separated; or all.")] = None,
 ) -> None:
     """Kill, starve and lock out fetch, preprocess, train and export; exit status 1 if anything was lost or half-written."""
     if not hasattr(os, "fork"):
         raise ValueError("this measurement needs a system that can fork: Linux or macOS")
+    chosen = JOBS if only is None else only.split(",")
+    if unknown := [name for name in chosen if name not in JOBS]:
+        raise ValueError(f"unknown job {unknown[0]!r}; there are {', '.join(JOBS)}")
     torch.set_num_threads(1)
     bad = []
     with tempfile.TemporaryDirectory() as made, contextlib.ExitStack() as ends:
         base = Path(made)
         base.chmod(0o755)
-        jobs = [job for job in prepare(base, ends) if only is None or job.name in only.split(",")]
+        jobs = [job for job in prepare(base, ends) if job.name in chosen]
         print(f"{'kill -9':<12}{'kills':>7}{'writing':>9}{'lost':>6}{'half':>6}{'equal':>7}{'left over':>11}{'s':>6}")
         for job in jobs:
             began, score = time.perf_counter(), killed(job, base, kills, seed)
