@@ -80,6 +80,12 @@ STATE = "application/vnd.jupyter.widget-state+json"  # of widgets: of no use wit
 CONTROLLER = re.compile(r"<pre><span></span>&lt;toolkit\.view\.controller\.Controller object at [^<]*</pre>")
 
 
+#: Below the title of a notebook.
+SMALL_RUN = """</h1><div class="admonition note"><p class="admonition-title">The small run</p>
+<p>What is below was made in seconds, as the tests make it: networks here are hardly trained, those of motion stylisation not
+at all. <code>make lab</code> runs the whole; the <a href="{gallery}">gallery</a> shows what trained ones do.</p></div>"""
+
+
 def lead_links(*event) -> None:
     """Let links of a page, or of a file that it includes, lead to pages of the site."""
     source = event[-1]
@@ -87,13 +93,15 @@ def lead_links(*event) -> None:
         source[0] = source[0].replace(there, here)
 
 
-def stand_alone(_app, _name: str, _template: str, context: dict, _doctree) -> None:
-    """Let a page with charts take plotly from the site, and nothing from elsewhere."""
+def stand_alone(_app, name: str, _template: str, context: dict, _doctree) -> None:
+    """Let a page with charts take plotly from the site, and nothing from elsewhere; say of a notebook which run it shows."""
     scripts = context.get("script_files", [])
     scripts[:] = [script for script in scripts if getattr(script, "attributes", {}).get("type") != STATE]
     if "body" in context:
         character = f'<iframe class="character" src="{context["pathto"]("_static/controller.html", 1)}"></iframe>'
         context["body"] = CONTROLLER.sub(character, FETCHED.sub("", context["body"]))
+        if name.startswith("notebooks/"):
+            context["body"] = context["body"].replace("</h1>", SMALL_RUN.format(gallery=context["pathto"]("gallery")), 1)
         if "plotly-graph-div" in context["body"]:
             own = context["pathto"]("_static/plotly.min.js", 1)
             context["body"] = f'<script src="{own}"></script>' + context["body"]
