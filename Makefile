@@ -21,6 +21,7 @@ demo: env
 
 test: env
 	$(BIN)/ruff check
+	$(BIN)/lint-imports
 	$(BIN)/python -m pytest --numprocesses 2 --dist loadfile --nbval-lax --nbval-current-env --nbval-cell-timeout 120 tests notebooks
 
 coverage: env

@@ -66,13 +66,13 @@ nb_ipywidgets_js = {}
 os.environ |= {"TOOLKIT_FAST": "1", "PYVISTA_OFF_SCREEN": "true", "PYVISTA_JUPYTER_BACKEND": "static",
                "PYVISTA_MULTI_SAMPLES": "0", "OMP_NUM_THREADS": "1", "PLOTLY_RENDERER": "notebook_connected",
                "TOOLKIT_DATA": str(DOCS / "notebooks"),  # which holds no recordings: the site is the same everywhere
-               "PYTHONPATH": os.pathsep.join(filter(None, (str(ROOT), os.environ.get("PYTHONPATH"))))}  # fmt: skip
+               "PYTHONPATH": os.pathsep.join(filter(None, (str(ROOT), os.environ.get("PYTHONPATH"))))}
 
 #: Links as GitHub needs them, out of this folder or (in included pages) into it, and where they lead on the site.
 LINKS = {"](../docs/": "](../", "](docs/": "](", "](../notebooks/": "](notebooks/",
          "](../toolkit/data/README.md": "](embedded_model.md",
          "](../CONTRIBUTING.md": "](contributing.md", "](../CHANGELOG.md": "](changelog.md",
-         "](README.md": "](index.md", "](../README.md": "](index.md"}  # fmt: skip
+         "](README.md": "](index.md", "](../README.md": "](index.md"}
 #: What plotly puts into pages to fetch scripts from elsewhere.
 FETCHED = re.compile(r'<script[^>]*src="https?://[^>]*></script>|<script type="module">import "https?://[^<]*</script>')
 STATE = "application/vnd.jupyter.widget-state+json"  # of widgets: of no use without a kernel, and megabytes

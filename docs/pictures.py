@@ -17,9 +17,9 @@ from toolkit.datasets import procedural
 OUT = Path(__file__).parent
 GAITS = ("FW", "BW", "SW", "FR", "BR", "SR")
 SHOWN = {"Zombie": 60, "Old": 75, "Aeroplane": 30, "Crouch": 65, "HopLeft": 60, "HighKnees": 65, "MarchKick": 70,
-         "DragRightLeg": 40, "Penguin": 15, "ArmsAboveHead": 40, "BentForward": 75, "Tiptoe": 70}  # fmt: skip  # its view
+         "DragRightLeg": 40, "Penguin": 15, "ArmsAboveHead": 40, "BentForward": 75, "Tiptoe": 70}  # its view
 BESIDE = {"Zombie": "Zombie", "Old": "Old", "Aeroplane": "Aeroplane", "Crouch": "Crouched", "HighKnees": "HighKnees",
-          "Strut": "Strutting"}  # fmt: skip  # what 100STYLE calls them
+          "Strut": "Strutting"}  # what 100STYLE calls them
 
 
 def straight(style: str, seconds: float = 8.0) -> tk.Clip:
@@ -62,9 +62,9 @@ def main(published: Annotated[Path | None, typer.Option(help="Folder of the publ
     for style, name in tqdm(BESIDE.items(), desc="side by side"):
         speed = procedural.STYLES[style].speed
         clips = {"procedural data": walks[style], "embedded model": rollout(*embedded, style, speed),
-                 "Mason et al. 2022": rollout(*authors, name, speed)}  # fmt: skip
+                 "Mason et al. 2022": rollout(*authors, name, speed)}
         tk.view.animate([looped(clip) for clip in clips.values()], OUT / "side_by_side" / f"{style}.gif", labels=list(clips),
-                        height=120, colors=28, caption="Right: with the parameters published by the authors.")  # fmt: skip
+                        height=120, colors=28, caption="Right: with the parameters published by the authors.")
 
 
 if __name__ == "__main__":

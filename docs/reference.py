@@ -17,7 +17,7 @@ GROUPS = {
     "Styles": ("styles", "stylization", "recognition", "comparison"),
     "Out to files, pages and pictures": ("export", "view", "demo", "crowd"),
     "The command line and its measurements": ("commands", "verbs", "benchmarks"),
-}  # fmt: skip
+}
 INTRODUCTION = """
 Made from the docstrings. ``import toolkit as tk``; a name that a package passes on, such as ``tk.phases.Hybrid``, is
 described on the package's page. Shapes are written ``[F, J, 3]``: B batch, F frames, J joints, K experts, D features.
@@ -54,7 +54,7 @@ class Page:
 
     @property
     def shadowed(self) -> bool:
-        """Whether its package has something else of the same name, as `toolkit.phases.fit` is a function too."""
+        """Whether its package has something else of the same name, as `toolkit.phases.sinusoids` is a function too."""
         package, _, last = self.name.rpartition(".")
         return not inspect.ismodule(getattr(sys.modules[package], last))
 
@@ -75,7 +75,7 @@ def home(value) -> str:
     parts = value.__module__.split(".")
     packages = [".".join(parts[:k]) for k in range(2, len(parts))]
     passing = [p for p in packages if value.__name__ in getattr(sys.modules[p], "__all__", ())
-               and getattr(sys.modules[p], value.__name__) is value]  # fmt: skip
+               and getattr(sys.modules[p], value.__name__) is value]
     return passing[0] if passing else value.__module__
 
 

@@ -14,7 +14,8 @@ import torch.nn.functional as F
 from torch import nn
 
 import toolkit as tk
-from toolkit import engine, evaluation, sampling
+from toolkit.features import splits
+from toolkit.training import distributed, loss, minibatches
 
 FAST = bool(os.environ.get("TOOLKIT_FAST"))
 STEPS, SECONDS = (60, 12.0) if FAST else (1000, 60.0)
@@ -48,20 +49,20 @@ class Statistics(nn.Sequential):
 
 def train(model):
     """Train on the same minibatches; the bank of style vectors and the held-out error of every style."""
-    fabric, adam = engine.start(CONFIG), tk.training.optimiser(model, CONFIG)
-    objective = fabric.setup_module(engine.Objective(model.train(), CONFIG.bone_weight, 0, 1))
+    fabric, adam = distributed.start(CONFIG), tk.training.optimiser(model, CONFIG)
+    objective = fabric.setup_module(distributed.Objective(model.train(), CONFIG.bone_weight, 0, 1))
     for number in range(STEPS):
         rate = CONFIG.rate * (1 + math.cos(math.pi * number / STEPS)) / 2
         tk.training.step(fabric, objective, adam, BATCHES, CONFIG, number, rate)
-    bank = evaluation.make_bank(model.eval(), TRAINED_ON)
-    return bank, {style: e["mse"] for style, e in evaluation.evaluate(model, bank, HELD_OUT).items()}
+    bank = loss.make_bank(model.eval(), TRAINED_ON)
+    return bank, {style: e["mse"] for style, e in loss.evaluate(model, bank, HELD_OUT).items()}
 
 
 CONFIG = tk.training.Config.quick(steps=STEPS, sizes=SIZES)
 takes = tk.datasets.load("procedural", styles=("Neutral", "Zombie", "Aeroplane"), gaits="FW", seconds=SECONDS)
 data = tk.features.build(takes)
-TRAINED_ON, HELD_OUT = sampling.split(data, CONFIG.held_out, CONFIG.seed, tuple(data.styles))
-BATCHES = sampling.Minibatches(TRAINED_ON, CONFIG.batch, CONFIG.clips_per_batch, CONFIG.seed, CONFIG.stray)
+TRAINED_ON, HELD_OUT = splits.split(data, CONFIG.held_out, CONFIG.seed, tuple(data.styles))
+BATCHES = minibatches.Minibatches(TRAINED_ON, CONFIG.batch, CONFIG.clips_per_batch, CONFIG.seed, CONFIG.stray)
 
 errors, clips = {}, {}
 for name in ("lpn-film", "lpn-lowrank"):

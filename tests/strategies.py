@@ -3,8 +3,8 @@
 import torch
 from hypothesis import strategies as st
 
-from toolkit import rotations as R
 from toolkit.motion import Clip, Skeleton
+from toolkit.motion import rotations as R
 
 seeds = st.integers(0, 2**31 - 1)
 
@@ -70,4 +70,4 @@ def clips(draw) -> Clip:
     offsets[0] = 0
     fps = draw(st.sampled_from([24.0, 30.0, 60.0, 120.0, 29.97]))
     return Clip(Skeleton(tuple(names), tuple(parents), offsets), rotations,
-                torch.randn(frames, 3, generator=generator), fps)  # fmt: skip
+                torch.randn(frames, 3, generator=generator), fps)

@@ -16,7 +16,7 @@ def spline(points, phase):
     at, w = int(along), along % 1
     a, b, c, d = (points[(at + n) % k] for n in (-1, 0, 1, 2))
     return (b + w * (c / 2 - a / 2) + w * w * (a - 5 / 2 * b + 2 * c - d / 2)
-            + w**3 * (3 / 2 * b - 3 / 2 * c + d / 2 - a / 2))  # fmt: skip
+            + w**3 * (3 / 2 * b - 3 / 2 * c + d / 2 - a / 2))
 
 
 @pytest.mark.parametrize("points", [4, 5, 8])
@@ -93,7 +93,7 @@ def test_only_the_coefficients_of_a_decomposition_follow_the_phase():
 
 
 @pytest.mark.parametrize("modulation", [Film(6, None), OneHot(4, 6, 0), ResidualAdapter(6, 4, None, 0),
-                                        ResidualAdapter(6, 4, 3, 0)])  # fmt: skip
+                                        ResidualAdapter(6, 4, 3, 0)])
 @pytest.mark.parametrize("layer", [0, 1])
 def test_one_style_for_the_whole_batch_equals_a_row_for_each_sample(modulation, layer):
     torch.manual_seed(4)
@@ -112,7 +112,7 @@ def test_a_blend_of_vectors_blends_shifts(modulation, layer):
 
 
 @pytest.mark.parametrize(("parts", "shift"), [((OneHot, 4, 6), 0), ((ResidualAdapter, 6, 4, 3), 1),
-                                              ((ResidualAdapter, 6, 4, None), 1)])  # fmt: skip
+                                              ((ResidualAdapter, 6, 4, None), 1)])
 def test_a_new_style_is_a_shift_by_a_random_code(parts, shift):
     torch.manual_seed(6)
     kind, *sizes = parts

@@ -8,9 +8,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from strategies import clips, human_clip
 
-from toolkit import bvh, decimals
-from toolkit import rotations as R
-from toolkit.benchmarks import bvh as bench
+from experiments import bvh as bench
+from toolkit.io import bvh, decimals
+from toolkit.motion import rotations as R
 
 GOOD = """HIERARCHY
 ROOT Hips
@@ -48,7 +48,7 @@ def test_a_file_worked_out_by_hand(tmp_path):
     assert (clip.fps, clip.style, clip.gait, clip.name) == (30.0, "Old", "FW", "walk.bvh")
     expected = [[[0, 0.9, 0], [0, 1, 0], [0, 1.05, 0]],
                 [[0.01, 0.9, 0], [0.01, 1, 0], [0.01, 1.05, 0]],
-                [[0.02, 0.9, 0], [-0.08, 0.9, 0], [-0.13, 0.9, 0]]]  # fmt: skip
+                [[0.02, 0.9, 0], [-0.08, 0.9, 0], [-0.13, 0.9, 0]]]
     torch.testing.assert_close(clip.global_positions, torch.tensor(expected), atol=1e-6, rtol=0)
 
 

@@ -7,8 +7,8 @@ import pytest
 import torch
 
 import toolkit as tk
-from toolkit import rotations
 from toolkit.datasets.xia import UNIT
+from toolkit.motion import rotations
 
 UNITS = {"100style": tk.bvh.CENTIMETRE, "bandai": tk.bvh.CENTIMETRE, "xia": UNIT}
 

@@ -6,8 +6,8 @@ import pytest
 import torch
 
 import toolkit as tk
+from experiments.seven_models import failures, hundred, interpolation, models
 from toolkit.__main__ import main
-from toolkit.comparison import failures, hundred, interpolation, models
 from toolkit.features import pack_joints
 
 STYLES = "Neutral,PendulumHands,Zombie"
@@ -63,11 +63,11 @@ def test_hands_that_swing_together_or_in_turn_or_not_at_all(data):
 
 
 def test_the_shared_error_against_a_slow_loop_and_of_the_mean(data):
-    train, test = tk.sampling.split(data, 0.1, 0, tuple(data.styles))
+    train, test = tk.training.split(data, 0.1, 0, tuple(data.styles))
     scale = train.normalisers()["outputs"]
     for name in ("lpn-film", "pfnn-resad", "mann-film"):
         model = tk.networks.build(name, data.layout, 3, models.SIZES["tiny"], tk.networks.normalisers(name, train))
-        bank = tk.evaluation.make_bank(model, train)
+        bank = tk.training.make_bank(model, train)
         found = models.shared_error(model, bank, test, scale)["Zombie"]
         p, z = model.observe(test.phases["Zombie"], test.outputs["Zombie"])
         made, total, count = model.predict(test.inputs["Zombie"], p, bank["Zombie"]), 0.0, 0
@@ -168,7 +168,7 @@ def test_the_command_prints_the_comparison(folder, monkeypatch, capsys):
     monkeypatch.setattr(models, "Plan", lambda *_: PLAN)
     monkeypatch.setattr(models, "frame_time", lambda *_: (1.0, 0.1))
     call("--data", "procedural", "--styles", STYLES, "--gaits", "FW", "--clip-seconds", 8, "--size", "tiny", "--steps", 4,
-         "--seeds", 1, "--out", folder)  # fmt: skip
+         "--seeds", 1, "--out", folder)
     said = capsys.readouterr().out
     assert all(said.count(f"\n{name}") == 3 for name in tk.networks.MODELS)
     assert "3 styles; tiny sizes, 1 seeds, 4 steps of 64 frames" in said
@@ -205,7 +205,7 @@ def test_stuck_hands_are_told_from_moving_ones():
     assert case.rows["pfnn-film"] == {
         "range / data": pytest.approx(0.3), "|corr. - data's|": pytest.approx(0.7),
         "styles below 0.5": 1.0, "recognised": 1.0,
-    }  # fmt: skip
+    }
     assert case.drawn["style"] == "Swimming"
     assert case.verdict.count("shows (") == 2
     other = failures.stuck_hands(table, "lpn-film", "pfnn-film", "5.1.1", "No global phase", "claim")
@@ -243,7 +243,7 @@ def test_a_style_clip_on_a_treadmill_is_the_data_again(data):
 
 @pytest.mark.parametrize("gait", hundred.GAITS)
 def test_commands_of_a_gait_go_where_the_gait_says(gait):
-    orders = hundred.commands(gait, 5, 600, tk.sampling.generator(1))
+    orders = hundred.commands(gait, 5, 600, tk.training.generator(1))
     velocity, facing = (torch.stack([getattr(c, name) for c in orders]) for name in ("velocity", "facing"))
     torch.testing.assert_close(facing.norm(dim=-1), torch.ones(600, 5))
     speed = velocity.norm(dim=-1)

@@ -5,10 +5,10 @@ import pytest
 import torch
 
 import toolkit as tk
-from toolkit import crowd, runtime
-from toolkit.benchmarks import runtime as bench
+from experiments import runtime as bench
+from toolkit import runtime
 from toolkit.networks import Sizes
-from toolkit.runtime import Command
+from toolkit.runtime import Command, crowd
 
 
 @pytest.fixture(scope="module")

@@ -7,10 +7,11 @@ import pytest
 import torch
 from strategies import human_clip
 
-from toolkit import bvh, datasets
-from toolkit import rotations as R
+from toolkit import datasets
 from toolkit.datasets import style100, xia
+from toolkit.io import bvh
 from toolkit.motion import root_frames
+from toolkit.motion import rotations as R
 
 TABLE1 = """Backwards Run|434,329|120|10.7
 Backwards Walk|768,574|213|19.0

@@ -79,7 +79,7 @@ def test_the_code_of_a_page_runs(page, tmp_path, monkeypatch):
 
 def test_every_command_of_the_reproduction_exists():
     rows = [line.split(" | ")[-1] for line in (DOCS / "reproducing.md").read_text(encoding="utf-8").splitlines()
-            if line.startswith("| ")]  # fmt: skip
+            if line.startswith("| ")]
     commands = [c for row in rows for c in re.findall(r"`([a-z].+?)`", row) if not c.startswith("pytest")]
     assert len(commands) > 20
     for command in commands:

@@ -9,8 +9,9 @@ import torch
 from test_networks import TINY
 
 import toolkit as tk
-from toolkit import evaluation, networks
+from toolkit import networks
 from toolkit.networks import phase
+from toolkit.training import loss
 
 OTHERS = [name for name in networks.MODELS if not name.startswith("lpn")]
 SHARED = ("trajectory", "joints", "contacts")
@@ -78,11 +79,11 @@ def test_statistics_are_those_of_the_models_own_columns(data, name):
 @pytest.mark.parametrize("name", networks.MODELS)
 def test_errors_equal_a_loop_over_frames(data, name):
     model = build(name, data)
-    bank = evaluation.make_bank(model, data, clips=2)
+    bank = loss.make_bank(model, data, clips=2)
     assert bank.names == ("Neutral", "Zombie") == tuple(data.styles)
     if not name.endswith("film"):
         assert torch.equal(bank.vectors, model.modulation.generator.vectors)
-    found, base = evaluation.evaluate(model, bank, data, frames=20), evaluation.baselines(model, data)
+    found, base = loss.evaluate(model, bank, data, frames=20), loss.baselines(model, data)
     for style in data.styles:
         rows = torch.linspace(0, len(data.inputs[style]) - 1, 20).long()
         p, z = model.observe(data.phases[style], data.outputs[style])
@@ -92,7 +93,7 @@ def test_errors_equal_a_loop_over_frames(data, name):
         assert base[style]["mean"] == pytest.approx(float(((z - mean) / std).square().mean()), rel=1e-4)
         even = mean[-3:-2].expand(len(x), 1) if name.startswith("pfnn") else 0 * p  # a global phase goes on
         still = {"trajectory": x[:, 24:48], "joints": x[:, 48:], "contacts": mean[-2:].expand(len(x), 2),
-                 "phases": p, "phase_updates": even}  # fmt: skip
+                 "phases": p, "phase_updates": even}
         repeat = torch.cat([still[block] for block in model.layout.outputs], 1)
         assert base[style]["repeat"] == pytest.approx(float(((z - repeat) / std).square().mean()), rel=1e-4)
 
@@ -100,7 +101,7 @@ def test_errors_equal_a_loop_over_frames(data, name):
 def test_a_model_without_phases_can_be_held_against_real_frames(walk_clip, data):
     for name in ("mann-film", "pfnn-resad", "lpn-film"):
         model = build(name, data)
-        report = tk.published.one_step(model, evaluation.make_bank(model, data, 1), walk_clip, "Neutral", (100, 200))
+        report = tk.published.one_step(model, loss.make_bank(model, data, 1), walk_clip, "Neutral", (100, 200))
         assert 0 < report["joint_mse"] < 10
         assert math.isnan(report["phase_error"]) != name.startswith("lpn")
 
@@ -108,7 +109,7 @@ def test_a_model_without_phases_can_be_held_against_real_frames(walk_clip, data)
 def test_features_read_from_rows_give_the_same_statistics(data):
     """As from a store, where rows are derived when they are read."""
     lazy = dataclasses.replace(data, outputs={s: tk.features.Rows(z.__getitem__, torch.arange(len(z))) for s, z in
-                                              data.outputs.items()})  # fmt: skip
+                                              data.outputs.items()})
     for name in OTHERS:
         own, same = networks.normalisers(name, data)["outputs"], networks.normalisers(name, lazy)["outputs"]
         torch.testing.assert_close(own.mean, same.mean, rtol=1e-6, atol=1e-7)

@@ -55,12 +55,12 @@ def test_own_modulation_learns_and_is_listened_to(ran):
     model = found["model"]
     assert isinstance(model.modulation, found["LowRank"])
     assert model.style_size == model.modulation.size == 2 * (32 + 64)
-    trivial = tk.evaluation.baselines(model, found["HELD_OUT"])
+    trivial = tk.training.baselines(model, found["HELD_OUT"])
     for errors in found["errors"].values():
         assert all(error < 0.9 * trivial[style]["mean"] for style, error in errors.items())
     bank = found["bank"]
     swapped = tk.networks.bank.StyleBank(bank.names, bank.vectors.roll(1, 0))
-    with_others = tk.evaluation.evaluate(model, swapped, found["HELD_OUT"])
+    with_others = tk.training.evaluate(model, swapped, found["HELD_OUT"])
     assert all(with_others[style]["mse"] > error for style, error in found["errors"]["lpn-lowrank"].items())
     assert all(len(clip) == 360 for clip in found["clips"].values())
     assert "lpn-film: style modulation of" in said

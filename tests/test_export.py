@@ -165,30 +165,30 @@ def test_retargeting_gives_a_rig_of_other_axes_the_same_pose(style):
     cube = torch.tensor([[0.0, 1, 0, 0], [0.5, 0.5, 0.5, 0.5], [1, 0, 0, 0], [0.5, -0.5, -0.5, 0.5], [0, 0, 0, 1]])
     own = cube[torch.randint(5, (len(SKELETON),), generator=seeded)]
     parents = torch.tensor(SKELETON.parents[1:])
-    world = tk.rotations.multiply(clip.global_rotations, own)
+    world = tk.motion.rotations.multiply(clip.global_rotations, own)
     offsets = SKELETON.offsets.clone()
-    offsets[1:] = tk.rotations.rotate(tk.rotations.inverse(own[parents]), offsets[1:])
+    offsets[1:] = tk.motion.rotations.rotate(tk.motion.rotations.inverse(own[parents]), offsets[1:])
     names = tuple(name.replace("Chest", "Spine") for name in SKELETON.names)
     other = tk.Clip(tk.Skeleton(names, SKELETON.parents, 0.5 * offsets),
-                    tk.motion.local_rotations(SKELETON, world), 0.5 * clip.root_positions, 60.0)  # fmt: skip
+                    tk.motion.local_rotations(SKELETON, world), 0.5 * clip.root_positions, 60.0)
     torch.testing.assert_close(other.global_positions, 0.5 * clip.global_positions, atol=1e-5, rtol=0)
-    back = tk.export.retarget(other)
+    back = tk.export.retarget(other, SKELETON)
     assert back.skeleton is SKELETON
     assert (back.global_positions - clip.global_positions).norm(dim=-1).max() < 0.002
-    assert tk.export.retarget(clip) is clip
+    assert tk.export.retarget(clip, SKELETON) is clip
 
 
 def test_retargeting_real_rigs_keeps_bones_and_directions(shared):
     for file in (next((shared / "bandai").rglob("*walk*.bvh")), sorted((shared / "xia").glob("*.bvh"))[0]):
         clip = tk.bvh.load(file)
-        made = tk.export.retarget(clip)
+        made = tk.export.retarget(clip, SKELETON)
         assert made.skeleton.names == SKELETON.names
         for a, b in (("hip", "knee"), ("knee", "foot"), ("shoulder", "elbow"), ("elbow", "hand")):
             for side in ("left", "right"):
                 bones = []
                 for c in (clip, made):
                     i, j = (c.skeleton.index(f"{side}_{part}") for part in (a, b))
-                    bones.append(tk.rotations.normalize(c.global_positions[:, j] - c.global_positions[:, i]))
+                    bones.append(tk.motion.rotations.normalize(c.global_positions[:, j] - c.global_positions[:, i]))
                 assert (bones[0] * bones[1]).sum(-1).min() > 0.9999
         head = made.global_positions[:, SKELETON.index("HeadEnd"), 1]
         assert head.median() > 1.2
@@ -313,14 +313,14 @@ def test_the_command_line_writes_clips(tmp_path, zombie, capsys):
 
 def test_skeletons_that_no_body_fits_are_refused(tmp_path):
     dot = tk.Skeleton(("Root", "RootEnd"), (-1, 0), torch.zeros(2, 3))
-    clip = tk.Clip(dot, tk.rotations.identity(3, 2), torch.zeros(3, 3), 60.0, name="dot.bvh")
+    clip = tk.Clip(dot, tk.motion.rotations.identity(3, 2), torch.zeros(3, 3), 60.0, name="dot.bvh")
     with pytest.raises(ValueError, match=r"dot\.bvh: no bone is long enough"):
         tk.export.gltf.save(clip, tmp_path / "dot.glb")
     with pytest.raises(ValueError, match=r"dot\.bvh: cannot find its left_hand"):
-        tk.export.retarget(clip)
+        tk.export.retarget(clip, SKELETON)
     flat = replace(SKELETON, names=[f"My{n}" for n in SKELETON.names], offsets=torch.zeros(28, 3), roles=None)
     with pytest.raises(ValueError, match="legs have no length"):
-        tk.export.retarget(tk.Clip(flat, tk.rotations.identity(3, 28), torch.zeros(3, 3), 60.0))
+        tk.export.retarget(tk.Clip(flat, tk.motion.rotations.identity(3, 28), torch.zeros(3, 3), 60.0))
     assert not list(tmp_path.iterdir())
 
 

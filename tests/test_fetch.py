@@ -194,7 +194,7 @@ def test_commands_say_which_data_they_use(root, capsys):
 
 @pytest.mark.parametrize("plan", [["cut 100000"], ["stall 100000"], ["500", "503"], ["cut 100000", "429", "stall 50000"],
                                   ["302"], ["cut 1"] * (download.TRIES + 2), ["unannounced"], ["chunked"],
-                                  ["chunked 100000"]])  # fmt: skip
+                                  ["chunked 100000"]])
 def test_a_bad_connection_is_tried_again(root, server, plan):
     server.plan.extend(plan)
     assert get()["files"] == 5
@@ -481,7 +481,7 @@ def command(root: Path, server, *more: str, script: str = "") -> list[str]:
     digest = hashlib.sha256(server.content).hexdigest()
     code = f"import sys; from toolkit.__main__ import main; {script or 0}; sys.exit(main(sys.argv[1:]))"
     return [sys.executable, "-c", code, "data", "fetch", "100style", "--root", str(root), "--from", server.url,
-            "--sha256", digest, "--yes", *more]  # fmt: skip
+            "--sha256", digest, "--yes", *more]
 
 
 def test_killed_while_downloading_the_same_command_goes_on(tmp_path, server):
@@ -504,7 +504,7 @@ def test_killed_while_downloading_the_same_command_goes_on(tmp_path, server):
 def test_killed_while_unpacking_nothing_is_taken_for_whole(tmp_path, server):
     root = tmp_path / "100style"
     hang = ("import shutil, time; copy = shutil.copyfileobj; "
-            "shutil.copyfileobj = lambda a, b, n: (b.write(a.read(100)), b.flush(), time.sleep(60))")  # fmt: skip
+            "shutil.copyfileobj = lambda a, b, n: (b.write(a.read(100)), b.flush(), time.sleep(60))")
     half = tmp_path / ".100style.fetch" / "unpacked"
     with subprocess.Popen(command(root, server, script=hang), stdout=subprocess.DEVNULL) as process:
         wait_for(lambda: any(p.is_file() and p.stat().st_size for p in half.rglob("*")))
@@ -543,7 +543,7 @@ def test_the_command_shows_size_and_terms_and_asks(root, server, capsys, monkeyp
 @pytest.mark.parametrize(("arguments", "problem"), [
     (["xia"], "'xia' cannot be fetched; there are 100style, lpn-film-100style, bandai"),
     (["bandai", "--sha256", "abc"], "--sha256 expects 64 hexadecimal digits, got 'abc'"),
-])  # fmt: skip
+])
 def test_bad_arguments(arguments, problem, capsys):
     assert main_status(["data", "fetch", *arguments]) == 2
     assert capsys.readouterr().err == f"error: {problem}\n"
@@ -557,7 +557,7 @@ def test_the_layouts_of_the_other_archives(shared, tmp_path, monkeypatch):
     top = "Bandai-Namco-Research-Motiondataset-master/"
     part = f"{top}dataset/Bandai-Namco-Research-Motiondataset-2/"
     moves = {f"{top}README.md": b"", f"{part}data/data/{take.name}": take.read_bytes(), f"{part}LICENSE": b"CC BY-NC",
-             f"{part}data.zip": b"version https://git-lfs.github.com/spec/v1"}  # fmt: skip
+             f"{part}data.zip": b"version https://git-lfs.github.com/spec/v1"}
     for name, content in (("lpn-film-100style", files | {"local-phases-f779/ReadMe.md": b""}), ("bandai", moves)):
         (tmp_path / "copy.zip").write_bytes(zipped(content))
         fetch.fetch(name, source=tmp_path / "copy.zip")

@@ -53,7 +53,7 @@ def test_phase_figure_refuses_a_truth_of_another_length(hop, found):
 def test_principal_axes_are_those_of_the_source_in_the_world(hop):
     figure = principal_axes(hop, "hybrid", second=1.5)
     assert [name for name in ("left hand", "right hand", "left foot", "right foot") if traces(figure, name)] == [
-        "left hand", "right hand", "right foot"]  # fmt: skip
+        "left hand", "right hand", "right foot"]
     toe = hop.global_positions[90, hop.skeleton.index("right_toe")]
     np.testing.assert_allclose(points(traces(figure, "right foot")[0])[90], toe, atol=1e-5)
     source = ph.ContactFree().fitted([hop])
@@ -77,7 +77,7 @@ def test_principal_axes_of_a_fitted_source_are_kept(hop):
     ("options", "message"),
     [({"source": "contact"}, "a contact-free or hybrid source"), ({"second": 9.0}, "the clip lasts 3.00 s"),
      ({"backend": "vtk"}, "must be 'plotly' or 'pyvista', not 'vtk'")],
-)  # fmt: skip
+)
 def test_principal_axes_refuses(hop, options, message):
     with pytest.raises(ValueError, match=message):
         principal_axes(hop, **options)

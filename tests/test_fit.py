@@ -10,8 +10,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import toolkit as tk
-from toolkit.benchmarks.fit import best_known
-from toolkit.phases.fit import Sinusoids, fit, frequencies
+from experiments.fit import best_known
+from toolkit.phases.sinusoids import Sinusoids, fit, frequencies
 
 FPS = 60.0
 
@@ -153,7 +153,7 @@ def test_the_smoothest_path_is_the_best_of_all():
     ((30, 4), 60.0, 0.0, r"more than 30 frames, not \[30, 4\]"),
     ((100, 4), 8.0, 0.0, "over 8 frames per second, not 8"),
     ((100, 4), 60.0, -1.0, "continuity must be 0 or more, not -1"),
-])  # fmt: skip
+])
 def test_what_cannot_be_fitted_is_refused(shape, fps, continuity, message):
     with pytest.raises(ValueError, match=message):
         fit(torch.zeros(shape), fps, continuity=continuity)
@@ -215,7 +215,7 @@ def test_the_shortest_source_the_lowest_rate_and_the_shortest_window():
     (torch.zeros(100, 4), 7.5, 0.0, "fits up to 4 Hz need over 8 frames per second, not 7.5"),
     (torch.zeros(100, 4), 60.0, math.nan, "continuity must be 0 or more, not nan"),
     (torch.zeros(100, 4), 60.0, -0.5, "continuity must be 0 or more, not -0.5"),
-])  # fmt: skip
+])
 def test_refusals_say_what_was_expected_and_what_came(source, fps, continuity, message):
     with pytest.raises(ValueError) as error:  # noqa: PT011
         fit(source, fps, continuity=continuity)
@@ -242,7 +242,7 @@ def test_continuity_takes_the_best_of_all_paths_through_local_minima(continuity)
         costs = {}
         for path in itertools.product(*(np.flatnonzero(np.isfinite(error[:, f])) for f in range(6))):
             jump = sum(abs(vector[path[f], f] - vector[path[f - 1], f - 1] * np.exp(1j * theta[path[f - 1], f - 1]))
-                       for f in range(1, 6))  # fmt: skip
+                       for f in range(1, 6))
             costs[path] = sum(math.sqrt(error[k, f] / n) for f, k in enumerate(path)) + continuity * jump
         path = min(costs, key=costs.get)
         turned += any(path)

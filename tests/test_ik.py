@@ -5,9 +5,8 @@ import torch
 from hypothesis import given
 from hypothesis import strategies as st
 
-from toolkit import ik
-from toolkit import rotations as R
-from toolkit.motion import forward_kinematics
+from toolkit.motion import forward_kinematics, ik
+from toolkit.motion import rotations as R
 
 coordinate = st.floats(-2, 2, width=32)
 point = st.tuples(coordinate, coordinate, coordinate).map(lambda p: torch.tensor(p, dtype=torch.float64))
@@ -69,7 +68,7 @@ def test_two_bone_takes_any_leading_shape_and_degenerate_input():
 
 @pytest.mark.parametrize(("soft", "got"), [
     (1.5, "1.5 to 1.5"), (1.0, "1 to 1"), (torch.tensor([[0.5], [-0.25]]), "-0.25 to 0.5"),
-])  # fmt: skip
+])
 def test_two_bone_refuses_a_soft_limit_outside_its_range(soft, got):
     with pytest.raises(ValueError, match=rf"^soft must be in \[0, 1\), got {got}$"):
         ik.two_bone(HIP, KNEE, ANKLE, ANKLE, soft=soft)
@@ -362,7 +361,7 @@ def test_a_hand_without_an_end_site_keeps_its_orientation(walk_clip):
 @pytest.mark.parametrize("solve", [
     lambda body, rotations, root, at: ik.plant_feet(body, rotations, root, at[..., joints_of(body, "toe"), :] + 0.05),
     ik.turn_arms,
-])  # fmt: skip
+])
 def test_an_end_site_ends_up_without_a_rotation_of_its_own(poses, solve):
     """Networks predict one for the tips of hands; a file has no room for it."""
     skeleton, rotations, root = poses

@@ -21,9 +21,9 @@ def swinging() -> tk.Clip:
     """Eight seconds on the 100STYLE skeleton: arms swing at 1.3 Hz and thighs at 0.8 Hz, left and right in turn."""
     skeleton = tk.datasets.load("procedural", styles=["Neutral"], gaits=["ID"], seconds=1.0)[0].skeleton
     time = torch.arange(480) / 60
-    rotations = tk.rotations.identity(len(skeleton)).expand(480, -1, -1).clone()
+    rotations = tk.motion.rotations.identity(len(skeleton)).expand(480, -1, -1).clone()
     for role, frequency, lag in (("left_shoulder", 1.3, 0.0), ("right_shoulder", 1.3, 0.5), ("left_hip", 0.8, 0.0),
-                                 ("right_hip", 0.8, 0.5)):  # fmt: skip
+                                 ("right_hip", 0.8, 0.5)):
         half = 0.25 * torch.sin(TURN * (frequency * time - lag))
         axis = torch.tensor([0.0, 1.0, 0.0]) if role.endswith("shoulder") else torch.tensor([1.0, 0.0, 0.0])
         if role == "right_shoulder":  # a T-pose's arms: turning both the same way would swing one forward and one back
@@ -111,7 +111,7 @@ def test_it_reads_back_what_it_wrote_and_refuses_other_files(small, swinging, tm
 
 def test_same_seed_same_networks(swinging):
     first, same, other = (Learned.train([swinging], steps=8, batch=16, hidden=2, seed=s).sinusoids(swinging)[0]
-                          for s in (1, 1, 2))  # fmt: skip
+                          for s in (1, 1, 2))
     assert torch.equal(first, same)
     assert not torch.equal(first, other)
 
@@ -160,9 +160,9 @@ def test_limb_curves_are_velocities_in_limb_lengths_outwards_up_and_forward(stri
         joints = [index(f"{side}_{role}") for role in chains[part]]
         assert [clip.skeleton.parents[j] for j in joints[1:]] == joints[:-1]
         length = sum(math.sqrt(float((offsets[j] ** 2).sum())) for j in joints[1:])
-        back, where = tk.rotations.inverse(tk.motion.root_frames(clip).rotations), clip.global_positions
-        reach = [[tk.rotations.rotate(back[f], where[f, j] - where[f, 0]) for j in (joints[1], joints[-1])]
-                 for f in range(len(clip))]  # fmt: skip
+        back, where = tk.motion.rotations.inverse(tk.motion.root_frames(clip).rotations), clip.global_positions
+        reach = [[tk.motion.rotations.rotate(back[f], where[f, j] - where[f, 0]) for j in (joints[1], joints[-1])]
+                 for f in range(len(clip))]
         outwards = -1 if side == "right" else 1
         found = learned.limb_curves(clip, limb)
         assert found.shape == (len(clip), 6)
@@ -170,7 +170,7 @@ def test_limb_curves_are_velocities_in_limb_lengths_outwards_up_and_forward(stri
             before, after = max(frame - 1, 0), min(frame + 1, len(clip) - 1)
             seconds = (after - before) / 30
             expected = [float(reach[after][j][k] - reach[before][j][k]) / seconds / length * (outwards if k == 0 else 1)
-                        for j in (0, 1) for k in range(3)]  # fmt: skip
+                        for j in (0, 1) for k in range(3)]
             assert found[frame].tolist() == pytest.approx(expected, abs=2e-4)
 
 
@@ -274,7 +274,7 @@ def test_five_windows_a_second_are_cut_at_every_speed(seen, striding):
     for i, part in enumerate(("hand", "foot")):
         expected = [learned.cut(learned.limb_curves(clip, f"{side}_{part}"), clip.fps * speed)[::every]
                     for clip, every in ((striding, 12), (slow, 1)) for side in ("left", "right")
-                    for speed in (0.75, 1.0, 1.33)]  # fmt: skip
+                    for speed in (0.75, 1.0, 1.33)]
         network, windows, *given = steps[i]
         assert torch.equal(windows, torch.cat(expected))
         assert given == [7, 9, 0.1, None]
@@ -320,7 +320,7 @@ def test_sinusoids_are_the_networks_own_window_by_window(small, swinging):
             with torch.no_grad():
                 latent, phase, frequency, amplitude, offset = (v[0] for v in network.sinusoid(window[None]))
             wave = [float(amplitude) * math.sin(TURN * float(frequency) * k / 20 + float(phase)) + float(offset)
-                    for k in range(-20, 21)]  # fmt: skip
+                    for k in range(-20, 21)]
             residual = math.sqrt(sum((a - b) ** 2 for a, b in zip(latent.tolist(), wave, strict=True)) / 41)
             assert float(curve[frame, i]) == pytest.approx(2 * float(latent[20]), abs=1e-4)
             assert float(found.amplitude[frame, i]) == pytest.approx(2 * float(amplitude), abs=1e-4)
@@ -404,7 +404,7 @@ def test_every_damage_of_a_file_is_one_line(small, tmp_path):
     assert all(key.startswith(("learned.hand.", "learned.foot.")) and not key.endswith(".time") for key in tensors)
     for broken in ({"hidden": {"hand": 4}, "factors": small.factors}, {"hidden": {"hand": 4, "foot": 4}},
                    {"hidden": {"hand": 4, "foot": 5}, "factors": small.factors},
-                   {"hidden": {"hand": 4, "foot": 4}, "factors": {"hand": 1.0, "foot": "x"}}, 3):  # fmt: skip
+                   {"hidden": {"hand": 4, "foot": 4}, "factors": {"hand": 1.0, "foot": "x"}}, 3):
         tk.networks.weights.write(tmp_path / "broken", tensors, {"learned": broken})
         with pytest.raises(ValueError, match=r"broken: the learned source in it is damaged \(.+\)$") as error:
             Learned.load(tmp_path / "broken")

@@ -40,13 +40,13 @@ def test_steps_are_landings_of_both_feet():
 def test_speed_height_and_uprightness(walk_clip):
     assert tk.metrics.speed(slid(walk_clip.cut(0, 1).replace(
         rotations=walk_clip.rotations[:1].repeat(120, 1, 1), root_positions=walk_clip.root_positions[:1].repeat(120, 1),
-    ), (0.0, 1.5))) == pytest.approx(1.5, abs=1e-3)  # fmt: skip
+    ), (0.0, 1.5))) == pytest.approx(1.5, abs=1e-3)
     low, high = tk.metrics.hips_height(walk_clip)
     assert 0.85 < low < high < 1.05
     assert tk.metrics.upright(walk_clip)
-    lying = tk.rotations.from_axis_angle(torch.tensor([1.0, 0.0, 0.0]), torch.tensor(math.pi / 2))
+    lying = tk.motion.rotations.from_axis_angle(torch.tensor([1.0, 0.0, 0.0]), torch.tensor(math.pi / 2))
     fallen = walk_clip.rotations.clone()
-    fallen[:, 0] = tk.rotations.multiply(lying, fallen[:, 0])
+    fallen[:, 0] = tk.motion.rotations.multiply(lying, fallen[:, 0])
     assert not tk.metrics.upright(walk_clip.replace(rotations=fallen))
 
 

@@ -8,8 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from strategies import clips, human, human_clip, quaternions, seeds
 
-from toolkit import rotations as R
 from toolkit.motion import Clip, Skeleton, forward_kinematics, local_rotations, root_frames
+from toolkit.motion import rotations as R
 
 MIRROR = torch.tensor([-1.0, 1.0, 1.0])
 

@@ -42,7 +42,7 @@ FILM = 39_214_592  # the paper prints 35,668,530
     ("pfnn-resad", 2_436_380, 2_978_440, 31_352, 327), ("lpn-resad", 4_935_928, 24_952_320, 262_656, 342),
     ("pfnn-film", 2_436_380, FILM, 2_048, 327), ("mann-film", 4_870_392, FILM, 2_048, 326),
     ("lpn-film", 4_935_928, FILM, 2_048, 342),
-])  # fmt: skip
+])
 def test_parameter_counts_are_those_of_table_2(name, synthesis, style, per_style, columns):
     layout = tree(25)
     assert (layout.n_inputs, layout.n_outputs, layout.n_clip) == (348, 342, 300)

@@ -22,7 +22,7 @@ from toolkit.__main__ import main
 
 REPOSITORY = Path(__file__).parents[1]
 DRAWING = {"IPython", "PIL", "anywidget", "av", "ipywidgets", "jupyter_client", "jupyterlab", "matplotlib", "pandas",
-           "plotly", "pyvista", "sklearn", "vtkmodules"}  # fmt: skip
+           "plotly", "pyvista", "sklearn", "vtkmodules"}
 
 
 @pytest.fixture
@@ -130,7 +130,7 @@ def test_conda_environment_equals_the_dev_installation(project):
     pairs = [re.fullmatch(r"([\w-]+)(>=.*)", text).groups() for text in {*listed, *from_pip["pip"][:-1]} - {"pip"}]
     assert {conda.get(name, name): bound for name, bound in pairs} == {
         "python": project["requires-python"], **requirements(project, "dev")
-    }  # fmt: skip
+    }
 
 
 def test_every_dependency_is_pinned(project):
@@ -168,7 +168,7 @@ def test_the_wheel_has_the_model_and_no_sources_of_the_page(tmp_path):
     (wheel,) = (tmp_path / "wheel").iterdir()
     files = zipfile.ZipFile(wheel).namelist()
     assert {"toolkit/__init__.pyi", "toolkit/data/pretrained.safetensors", "toolkit/data/learned_phases.safetensors",
-            "toolkit/view/static/scene.js"} <= set(files)  # fmt: skip
+            "toolkit/view/static/scene.js"} <= set(files)
     assert not [file for file in files if re.search("node_modules|view/scene/|__pycache__|notebooks|tests", file)]
     assert wheel.stat().st_size < 20e6
 
@@ -253,13 +253,13 @@ def test_a_checkpoint_of_another_layout_is_refused(tmp_path, small_run, walk_cli
 
 
 def test_the_demo_works_on_a_small_budget(tmp_path):
-    from toolkit import demo
+    from toolkit.cli import demo
 
     assert "toolkitScene" in demo.greet(tmp_path / "demo").read_text(encoding="utf-8")
     made = demo.make(seconds=2.0, data_seconds=10.0)
     files = demo.write(made, tmp_path / "demo")
     assert [f.name for f in files] == ["walk.bvh", "walk.html", "strip.png", "report.txt", "model.safetensors",
-                                       "controller.html"]  # fmt: skip
+                                       "controller.html"]
     assert len(tk.bvh.load(files[0])) == len(made.clip)
     assert not re.search(r"""(src|href)\s*=\s*["']?https?:""", files[1].read_text(encoding="utf-8"))
     assert torch.tensor([*made.weights.values()]).sum(0).sub(1).abs().max() < 1e-5

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from scipy.optimize import least_squares
 
 import toolkit as tk
-from toolkit.benchmarks import phases as bench
+from experiments import phases as bench
 from toolkit.datasets import procedural
 from toolkit.phases import LIMBS, Sinusoids, coherent, fit, learned, normalise, smooth, windows
 
@@ -49,7 +49,7 @@ def test_residual_is_no_worse_than_a_well_started_optimiser(walk_clip):
                           [(high - low) / 2, f, s, window.mean()],
                           bounds=([0, 0.25, -0.5, low - 1e-9], [high - low + 1e-9, 4.0, 0.5, high + 1e-9])).cost
             for f in (0.5, 1.0, 2.0, 3.0) for s in (-0.25, 0.25)
-        )  # fmt: skip
+        )
         assert float(found.residual[frame, 0]) <= math.sqrt(2 * best / len(t)) * 1.05 + 1e-3
 
 
@@ -129,7 +129,7 @@ def test_a_slow_foot_that_stands_longer_than_a_second_is_followed():
 
     clip = procedural.generate("Neutral", "ID", 15.0)
     error = {half: float(tk.metrics.phase_error(tk.phases.extract(clip, source, half).phase[90:-90], truth[90:-90])[0].max())
-             for half in (None, 0.5)}  # fmt: skip
+             for half in (None, 0.5)}
     assert error[None] < math.radians(10) < math.radians(30) < error[0.5]
 
 
@@ -234,7 +234,7 @@ def test_coherent_is_nearer_to_the_truth_than_contact_free_when_staggering():
     clip, truth = procedural.truth(procedural.STYLES["Drunk"], "FW", 20.0, seed=1)
     inner = slice(60, -60)
     error = {source: tk.metrics.phase_error(tk.phases.extract(clip, source).phase[inner], truth.phase[inner])[0].mean()
-             for source in ("coherent", "contact-free")}  # fmt: skip
+             for source in ("coherent", "contact-free")}
     assert float(error["coherent"]) < 0.8 * float(error["contact-free"])
 
 
@@ -266,7 +266,7 @@ def test_phases_agree_with_what_the_published_network_predicts(shared):
     ("hybird", "unknown phase source 'hybird'; there are hybrid"),
     (lambda clip, limb: torch.zeros(3), "one finite number per frame"),
     (lambda clip, limb: torch.full((len(clip),), math.nan), "one finite number per frame"),
-])  # fmt: skip
+])
 def test_bad_sources_are_refused(walk_clip, source, message):
     with pytest.raises(ValueError, match=message):
         tk.phases.extract(walk_clip, source=source)
@@ -303,7 +303,7 @@ class Curves:
 def still(frames, fps=FPS):
     """A clip of so many frames, for sources that do not look at it."""
     skeleton = procedural.generate("Neutral", "ID", 1.0).skeleton
-    rotations = tk.rotations.identity(len(skeleton)).expand(frames, -1, -1)
+    rotations = tk.motion.rotations.identity(len(skeleton)).expand(frames, -1, -1)
     return tk.Clip(skeleton, rotations, torch.zeros(frames, 3), fps, name="still")
 
 
@@ -410,7 +410,7 @@ def test_a_second_is_the_shortest_clip(fps):
     with pytest.raises(ValueError) as error:  # noqa: PT011
         tk.phases.extract(clip.cut(0, 2 * half), "contact-free", half_window=0.25)
     assert str(error.value) == (f"brief: {2 * half} frames are too few for phases, which need {2 * half + 1} "
-                                f"(one second) at {fps:g} Hz")  # fmt: skip
+                                f"(one second) at {fps:g} Hz")
 
 
 def test_sources_go_by_their_names():
@@ -421,7 +421,7 @@ def test_sources_go_by_their_names():
     with pytest.raises(ValueError) as error:  # noqa: PT011
         tk.phases.named("Hybrid")
     assert str(error.value) == ("unknown phase source 'Hybrid'; "
-                                "there are hybrid, contact, contact-free, velocity, coherent, learned")  # fmt: skip
+                                "there are hybrid, contact, contact-free, velocity, coherent, learned")
 
 
 def test_fields_are_what_they_say(walk_clip):
@@ -434,7 +434,7 @@ def test_fields_are_what_they_say(walk_clip):
         found = fit(curve, FPS, half)
         for column, expected in ((ph.source, curve), (ph.frequency, found.frequency), (ph.amplitude, found.amplitude),
                                  (ph.residual, found.residual),
-                                 (ph.fit, found.amplitude * found.phase.sin() + found.offset)):  # fmt: skip
+                                 (ph.fit, found.amplitude * found.phase.sin() + found.offset)):
             assert torch.allclose(column[:, i].double(), expected[:, 0], atol=1e-5)
         sine, cosine = smooth(torch.cat((found.phase.sin(), found.phase.cos()), 1), FPS).unbind(1)
         speed = windows.speed(tk.phases.local_positions(walk_clip, limb), FPS)
@@ -516,11 +516,11 @@ def slow_half_window(curve, fps):
     """The definition in plain loops."""
     n = len(curve)
     slow = [sum(curve[min(max(f + k, 0), n - 1)] for k in range(-round(fps), round(fps) + 1)) / (2 * round(fps) + 1)
-            for f in range(n)]  # fmt: skip
+            for f in range(n)]
     fast = np.asarray(curve) - slow
     like = [float(fast[: n - lag] @ fast[lag:]) for lag in range(n)]
     peaks = [lag for lag in range(round(fps / 4), min(round(2 * fps), n - 2))
-             if like[lag - 1] < like[lag] >= like[lag + 1] and like[lag] > 0.2 * like[0]]  # fmt: skip
+             if like[lag - 1] < like[lag] >= like[lag + 1] and like[lag] > 0.2 * like[0]]
     return max([0.5, *(1.05 / 2 * lag / fps for lag in sorted(peaks, key=lambda lag: like[lag])[-1:])])
 
 
@@ -612,7 +612,7 @@ def best_path(power, penalty):
     cost = -(power / power.sum(0)).log()
     return min(itertools.product(range(power.shape[0]), repeat=power.shape[1]),
                key=lambda path: sum(float(cost[b, i]) for i, b in enumerate(path))
-               + penalty * sum((a - b) ** 2 for a, b in itertools.pairwise(path)))  # fmt: skip
+               + penalty * sum((a - b) ** 2 for a, b in itertools.pairwise(path)))
 
 
 def test_the_ridge_does_not_care_how_loud_a_frame_is():

@@ -130,7 +130,7 @@ def test_pages_without_widgets_get_the_picture(player, clip):
 @pytest.mark.parametrize("frames", [1, 4])
 def test_any_tree_plays(player, clip, frames):
     skeleton = tk.Skeleton(("a", "b", "c"), (-1, 0, 1), torch.tensor([[0.0, 0, 0], [0, 0.5, 0], [0.2, 0, 0]]))
-    tree = tk.Clip(skeleton, tk.rotations.identity(frames, 3), torch.zeros(frames, 3), 30.0)
+    tree = tk.Clip(skeleton, tk.motion.rotations.identity(frames, 3), torch.zeros(frames, 3), 30.0)
     one = player([tree, clip], contacts=[None, torch.ones(FRAMES, 2)], together=True)
     one.show(tree)
     assert one.render(frames - 1).std() > 2
@@ -230,13 +230,13 @@ def test_a_footprint_appears_when_the_foot_comes_down_and_stays(clip):
 
 
 def test_arrows_are_the_trajectory_window(clip):
-    roots, samples = root_frames(clip), np.array(tk.trajectory.SAMPLES)
+    roots, samples = root_frames(clip), np.array(tk.motion.trajectory.SAMPLES)
     for frame in (0, 30, 75):
         arrows = np.concatenate([layer.corners(frame).reshape(-1, 4, 2) for layer in layers(clip, "trajectory")])
         areas = np.concatenate([area(layer, frame).reshape(-1, 2).sum(1) for layer in layers(clip, "trajectory")])
         inside = (frame + samples >= 0) & (frame + samples < FRAMES)
         assert (areas > 1e-4).tolist() == inside.tolist()
-        forward = tk.rotations.rotate(roots.rotations, torch.tensor([0.0, 0.0, 1.0]))[:, [0, 2]].numpy()
+        forward = tk.motion.rotations.rotate(roots.rotations, torch.tensor([0.0, 0.0, 1.0]))[:, [0, 2]].numpy()
         for arrow, at in zip(arrows[inside], (frame + samples)[inside], strict=True):
             place = roots.positions[at, [0, 2]].numpy()
             np.testing.assert_allclose(arrow[0] - place, 0.09 * forward[at], atol=1e-5)

@@ -7,13 +7,14 @@ import numpy as np
 import pytest
 import torch
 
-from toolkit import bvh, contacts, datasets
-from toolkit import rotations as R
+from experiments import realism
+from toolkit import datasets
 from toolkit.__main__ import main
-from toolkit.benchmarks import realism
 from toolkit.datasets import procedural, style100
 from toolkit.datasets.procedural import GAITS, SKELETON, STYLES
-from toolkit.motion import root_frames
+from toolkit.io import bvh
+from toolkit.motion import contacts, root_frames
+from toolkit.motion import rotations as R
 
 LEFT_TO_RIGHT = ("Right", "Left")
 HOPS = ("HopLeft", "HopRight")
@@ -127,9 +128,9 @@ def test_joints_stay_within_human_ranges_and_nothing_snaps(gait):
 def flexion(clip, side, part):
     """Flexion in degrees: of knee and elbow between two bones, of ankle and hip from standing upright."""
     joint = {n: clip.global_positions[:, SKELETON.index(f"{side}{n}")].double() for n in
-             ("Shoulder", "Elbow", "Wrist", "Hip", "Knee", "Ankle", "Toe")}  # fmt: skip
+             ("Shoulder", "Elbow", "Wrist", "Hip", "Knee", "Ankle", "Toe")}
     a, b, c = {"Knee": ("Hip", "Knee", "Ankle"), "Elbow": ("Shoulder", "Elbow", "Wrist"), "Ankle": ("Knee", "Ankle", "Toe"),
-               "Hip": ("Hip", "Hip", "Knee")}[part]  # fmt: skip
+               "Hip": ("Hip", "Hip", "Knee")}[part]
     if part == "Hip":
         thigh = root_like(clip, joint["Knee"] - joint["Hip"])
         return torch.rad2deg(torch.atan2(thigh[:, 2], -thigh[:, 1]))
@@ -248,7 +249,7 @@ def test_the_verb_writes_the_same_bytes_every_time(tmp_path, capsys):
     for folder in ("a", "b"):
         with pytest.raises(SystemExit, match=r"^0$"):
             main(["data", "write", "procedural", "--out", str(tmp_path / folder), "--styles", "Old", "--gaits", "FW",
-                  "--seconds", "1"])  # fmt: skip
+                  "--seconds", "1"])
     files = sorted(p.name for p in (tmp_path / "a").iterdir())
     assert files == ["Dataset_List.csv", "Frame_Cuts.csv", "ProceduralOld_FW.bvh", "ProceduralOld_FW.npz"]
     assert all((tmp_path / "a" / f).read_bytes() == (tmp_path / "b" / f).read_bytes() for f in files)

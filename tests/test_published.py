@@ -46,7 +46,7 @@ def test_outputs_equal_the_equations_in_float64(published, walk, shared):
     for style in ("Neutral", "Zombie", "WildArms"):
         index = bank.names.index(style)
         expected = torch.stack([direct(shared / "lpn_film_100style", x, p, index)
-                                for x, p in zip(rows.inputs, rows.phases, strict=True)])  # fmt: skip
+                                for x, p in zip(rows.inputs, rows.phases, strict=True)])
         got = model.predict(rows.inputs, rows.phases, bank[style]).double()
         assert float((got - expected).norm() / expected.norm()) < 1e-5
 

@@ -4,7 +4,7 @@ import pytest
 import torch
 
 import toolkit as tk
-from toolkit import recognition
+from toolkit.evaluation import recognition
 
 STYLES, GAITS = ("ArmsAboveHead", "Crouch", "Neutral", "Zombie"), ("FW", "TR1")
 

@@ -1,4 +1,4 @@
-"""Rubbish in, one line out; killed at any moment, nothing half-written: short `bench fuzz` and `bench faults`."""
+"""Rubbish in, one line out; killed at any moment, nothing half-written: short `fuzz` and `faults`."""
 
 import json
 import os
@@ -13,18 +13,18 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from robustness import faults, fuzz
+from robustness.fuzz import mutations, targets
+from robustness.fuzz.trials import Reader, trial
 from safetensors.torch import save_file
 from test_bvh import GOOD
 
 import toolkit as tk
-from toolkit import bvh, store
 from toolkit.__main__ import main
-from toolkit.benchmarks import faults, fuzz
-from toolkit.benchmarks.fuzz import mutations, targets
-from toolkit.benchmarks.fuzz.trials import Reader, trial
 from toolkit.datasets import procedural, style100
-from toolkit.files import atomic_write
-from toolkit.networks import weights
+from toolkit.features import store
+from toolkit.io import bvh, model_files
+from toolkit.io.files import atomic_write
 
 
 @pytest.fixture(scope="module")
@@ -82,7 +82,7 @@ BAD_BVH = {
     "an angle that float32 cannot hold": (GOOD.replace("0 90 0 0 0", "0 90 0 1e300 0"), "rotations of frame 0"),
     "a forged number of frames": (GOOD.replace("Frames: 3", "Frames: 999999999"), "header says 999999999 frames"),
     "a number of frames of 5,000 digits": (GOOD.replace("Frames: 3", "Frames: " + "9" * 5000), "expected 'Frames: N'"),
-}  # fmt: skip
+}
 
 
 @pytest.mark.parametrize(("text", "problem"), BAD_BVH.values(), ids=BAD_BVH)
@@ -141,8 +141,8 @@ DEEP = "[" * 5000
 def test_models_whose_description_is_something_else(tmp_path, small_run, part, value):
     path = tmp_path / "run.safetensors"
     small_run.save(path)
-    tensors, parts = weights.read(path, "run")
-    described = {name: json.dumps(x) for name, x in parts.items()} | {"format": weights.FORMAT, part: value}
+    tensors, parts = model_files.read(path, "run")
+    described = {name: json.dumps(x) for name, x in parts.items()} | {"format": model_files.FORMAT, part: value}
     save_file(tensors, path, described)
     refused(tk.training.load, path)
 
@@ -151,11 +151,11 @@ def test_models_whose_description_is_something_else(tmp_path, small_run, part, v
     "change",
     [{"sizes": {"hidden": 10**30}}, {"layout": "x"}, {"layout": {"names": [1, 2]}}, {"n_styles": "many"}, {"name": ["lpn"]},
      {"name": "\x1b[31m"}],
-)  # fmt: skip
+)
 def test_models_with_impossible_descriptions(tmp_path, small_run, change):
     path = tmp_path / "model.safetensors"
     tensors, described = small_run.model.parts()
-    weights.write(path, tensors, {"model": described | change})
+    model_files.write(path, tensors, {"model": described | change})
     refused(tk.networks.Model.load, path)
 
 
@@ -300,7 +300,7 @@ WRITER = """
 import sys, tempfile, time
 from pathlib import Path
 from toolkit import files
-from toolkit.benchmarks.faults import Job, killed
+from robustness.faults import Job, killed
 
 def work(folder):
     with {writer} as file:
@@ -329,7 +329,7 @@ def test_a_job_that_there_is_not_is_no_success():
 
 @needs_fork
 def test_killed_starved_and_locked_out_export_loses_nothing():
-    done = python("-m", "toolkit", "bench", "faults", "--kills", "1", "--only", "export")
+    done = python("-m", "experiments", "faults", "--kills", "1", "--only", "export")
     assert done.returncode == 0, done.stdout + done.stderr
     assert re.search(r"export +1 +[01] +0 +0 +1 +0 ", done.stdout)
     for fault in ("full disk", "read only", "two at once"):

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from strategies import quaternions, seeds
 
-from toolkit import rotations as R
+from toolkit.motion import rotations as R
 
 ORDERS = ["".join(p) for p in itertools.permutations("XYZ")]
 
@@ -23,7 +23,7 @@ def axis_matrix(axis, angle):
     """The textbook matrix of a turn about one axis."""
     c, s = math.cos(angle), math.sin(angle)
     return np.array({"X": [[1, 0, 0], [0, c, -s], [0, s, c]], "Y": [[c, 0, s], [0, 1, 0], [-s, 0, c]],
-                     "Z": [[c, -s, 0], [s, c, 0], [0, 0, 1]]}[axis])  # fmt: skip
+                     "Z": [[c, -s, 0], [s, c, 0], [0, 0, 1]]}[axis])
 
 
 @given(seeds)

@@ -7,8 +7,8 @@ import pytest
 import torch
 
 import toolkit as tk
+from experiments import closed_loop
 from toolkit import runtime
-from toolkit.benchmarks import closed_loop
 from toolkit.features import Layout, split_joints
 
 
@@ -33,12 +33,12 @@ def replayed(walk_clip):
     model = Replay(walk_clip)
     roots = tk.motion.root_frames(walk_clip)
     at = int(model.rows.index[0])
-    forward = tk.rotations.rotate(roots.rotations, torch.tensor([0.0, 0.0, 1.0]))
+    forward = tk.motion.rotations.rotate(roots.rotations, torch.tensor([0.0, 0.0, 1.0]))
     world = torch.cat((roots.positions[:, [0, 2]], forward[:, [0, 2]]), -1)
     state = runtime.start(model, torch.zeros(1))
     joints = model.rows.inputs[0, model.layout.inputs["joints"]]
     state = dataclasses.replace(state, history=world[None, at - 60 : at + 1], future=world[None, at : at + 51 : 10],
-                                joints=joints[None], phase=model.rows.phases[:1])  # fmt: skip
+                                joints=joints[None], phase=model.rows.phases[:1])
     return model, state, at
 
 
@@ -77,9 +77,9 @@ def test_arm_ik_brings_hands_to_their_predicted_positions(walk_clip, replayed):
     state = runtime.step(model, state, runtime.Command())
     parts = split_joints(state.joints)
     shoulder = model.layout.names.index("RightShoulder")
-    twist = tk.rotations.from_axis_angle(torch.tensor([1.0, 0.0, 0.0]), torch.tensor(0.4))
+    twist = tk.motion.rotations.from_axis_angle(torch.tensor([1.0, 0.0, 0.0]), torch.tensor(0.4))
     wrong = parts["forward"].clone()
-    wrong[:, shoulder] = tk.rotations.rotate(twist, wrong[:, shoulder])  # a rotation that disagrees with the positions
+    wrong[:, shoulder] = tk.motion.rotations.rotate(twist, wrong[:, shoulder])  # disagrees with the positions
     state = dataclasses.replace(state, joints=tk.features.pack_joints(**parts | {"forward": wrong}))
     hand = walk_clip.skeleton.index("right_hand")
     wanted = runtime.world_joints(model.layout, state)["position"][0, model.layout.names.index("RightWrist")]
@@ -196,7 +196,7 @@ def seven():
     data = tk.features.build(clips)
     sizes = tk.networks.Sizes(hidden=16, experts=3, gating=8, film_channels=4, film_kernel=5, film_dense=8, rank=4)
     return {name: tk.training.fit(data, tk.training.Config.quick(model=name, steps=40, sizes=sizes))
-            for name in tk.networks.MODELS}  # fmt: skip
+            for name in tk.networks.MODELS}
 
 
 @pytest.mark.parametrize("name", tk.networks.MODELS)

@@ -5,9 +5,9 @@ import math
 import pytest
 import torch
 import typer
+from robustness import soak
 
 import toolkit as tk
-from toolkit.benchmarks import soak
 from toolkit.runtime import FPS
 
 HARMED = 1  # which character

@@ -9,10 +9,10 @@ from pathlib import Path
 import pytest
 import torch
 from test_networks import TINY
+from toolkit.cli.commands import _symmetric
 
 import toolkit as tk
 from toolkit.__main__ import main
-from toolkit.commands import _symmetric
 from toolkit.datasets import procedural
 from toolkit.features import KINDS
 
@@ -42,7 +42,7 @@ def in_memory(root):
 
 def preprocess(root, out, **options):
     mirror = _symmetric("100style", root)
-    return tk.store.preprocess("100style", root, out, **{"mirror": mirror, "workers": 1} | options)
+    return tk.features.store.preprocess("100style", root, out, **{"mirror": mirror, "workers": 1} | options)
 
 
 def contents(folder):
@@ -50,7 +50,7 @@ def contents(folder):
 
 
 def test_it_gives_the_features_of_build_bit_for_bit(made, in_memory):
-    stored = tk.store.load(made)
+    stored = tk.features.store.load(made)
     assert stored.styles == in_memory.styles == list(STYLES)
     assert stored.n_frames == in_memory.n_frames
     for kind in (*KINDS, "takes"):
@@ -65,21 +65,21 @@ def test_it_gives_the_features_of_build_bit_for_bit(made, in_memory):
 
 
 def test_the_split_and_its_statistics_are_recorded(made, in_memory):
-    stored = tk.store.load(made)
+    stored = tk.features.store.load(made)
     for share, seed in ((0.1, 0), (0.2, 3)):
-        (train, test), expected = (tk.sampling.split(data, share, seed, STYLES) for data in (stored, in_memory))
+        (train, test), expected = (tk.training.split(data, share, seed, STYLES) for data in (stored, in_memory))
         assert (train.statistics is not None) == (seed == 0)
         for style in STYLES:
             assert torch.equal(test.outputs[style][:], expected[1].outputs[style])
         for kind, normaliser in train.normalisers().items():
             assert torch.equal(normaliser.mean, expected[0].normalisers()[kind].mean)
             assert torch.equal(normaliser.std, expected[0].normalisers()[kind].std)
-    assert tk.store.load(made, styles=["ProceduralZombie"]).split is None
+    assert tk.features.store.load(made, styles=["ProceduralZombie"]).split is None
 
 
 def test_training_from_it_gives_the_same_weights(made, in_memory):
     config = tk.training.Config(sizes=TINY, steps=6, batch=16, clips_per_batch=4, stray=0.3, evaluate_every=3, rate=1e-3)
-    runs = [tk.training.fit(data, config) for data in (tk.store.load(made), in_memory)]
+    runs = [tk.training.fit(data, config) for data in (tk.features.store.load(made), in_memory)]
     for a, b in zip(*(run.model.state_dict().values() for run in runs), strict=True):
         assert torch.equal(a, b)
     assert torch.equal(runs[0].bank.vectors, runs[1].bank.vectors)
@@ -89,7 +89,7 @@ def test_training_from_it_gives_the_same_weights(made, in_memory):
 
 def test_the_command_line_makes_the_same_bytes_with_two_processes(root, made, tmp_path, capsys):
     call = ["preprocess", "--data", "100style", "--root", str(root), "--out", str(tmp_path / "store"), "--mirror",
-            "--workers", "2"]  # fmt: skip
+            "--workers", "2"]
     for done_before in (False, True):
         with pytest.raises(SystemExit, match="0"):
             main(call)
@@ -132,7 +132,7 @@ def test_a_killed_run_goes_on_with_nothing_lost_or_doubled(root, made, tmp_path)
         code = subprocess.run(call, cwd=Path(__file__).parent, check=False)
         assert code.returncode == -9
         with pytest.raises(ValueError, match="not finished"):
-            tk.store.load(out)
+            tk.features.store.load(out)
         found = set(contents(out)) - {"manifest.json"}
         partial = [name for name in found if name.endswith(".partial")]
         assert len(partial) == 1
@@ -148,7 +148,7 @@ def test_a_damaged_or_missing_file_is_made_again(root, made, tmp_path):
         whole = (out / name).read_bytes()
         (out / name).write_bytes(whole[:-8])
         with pytest.raises(ValueError, match=rf"{name}: missing or not whole"):
-            tk.store.load(out)
+            tk.features.store.load(out)
         (out / name).write_bytes(whole[:-8] + b"\1" * 8)
         assert preprocess(root, out)
         assert contents(out) == contents(made)
@@ -157,7 +157,7 @@ def test_a_damaged_or_missing_file_is_made_again(root, made, tmp_path):
 
 def test_other_settings_or_files_are_refused(root, made, tmp_path):
     for options, difference in (({"mirror": None}, "mirror: expected True, got False"), ({"seed": 1}, "seed"),
-                                ({"source": "contact"}, "source: expected 'hybrid', got 'contact'")):  # fmt: skip
+                                ({"source": "contact"}, "source: expected 'hybrid', got 'contact'")):
         with pytest.raises(ValueError, match=rf"made with other settings \(.*{difference}"):
             preprocess(root, made, **options)
     other = tmp_path / "data"
@@ -187,14 +187,14 @@ def test_what_cannot_work_is_refused_before_the_work(root, made, tmp_path, monke
     (tmp_path / "empty").mkdir()
     (tmp_path / "file").write_text("")
     with pytest.raises(ValueError, match=r"no .*in .*empty"):
-        tk.store.preprocess("100style", tmp_path / "empty", tmp_path / "store")
+        tk.features.store.preprocess("100style", tmp_path / "empty", tmp_path / "store")
     for out in (root, tmp_path / "file"):
         with pytest.raises(ValueError, match="expected a store or an empty folder"):
             preprocess(root, out)
     with pytest.raises(ValueError, match="procedural dataset is computed"):
-        tk.store.preprocess("procedural", None, tmp_path / "store")
+        tk.features.store.preprocess("procedural", None, tmp_path / "store")
     with pytest.raises(ValueError, match="holds no store"):
-        tk.store.load(tmp_path / "empty")
+        tk.features.store.load(tmp_path / "empty")
     assert main(["train", "--data", str(made), "--mirror", "--out", str(tmp_path / "run.safetensors")]) == 2
     usage = shutil.disk_usage(tmp_path)._replace(free=1000)
     monkeypatch.setattr(shutil, "disk_usage", lambda _: usage)

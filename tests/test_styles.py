@@ -194,7 +194,7 @@ def test_the_embedded_model_learns_a_style_from_one_clip():
     assert made.method == "vector"  # it comes without its generator
     data, off = tk.features.build([clip.replace(style="Sneak")]), {}
     for name in ("Sneak", *bank):
-        off[name] = tk.evaluation.evaluate(model, StyleBank(("Sneak",), made.bank[name][None]), data, 200)["Sneak"]["mse"]
+        off[name] = tk.training.evaluate(model, StyleBank(("Sneak",), made.bank[name][None]), data, 200)["Sneak"]["mse"]
     assert off.pop("Sneak") < 0.6 * min(off.values())
     walk = tk.runtime.rollout(model, tk.runtime.straight(0.75, 5.0), made.bank["Sneak"]).cut(180)
     assert tk.metrics.hips_height(walk)[1] < 0.9

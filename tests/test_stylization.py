@@ -13,7 +13,7 @@ from toolkit import stylization as st
 from toolkit.__main__ import main
 from toolkit.motion import Skeleton
 from toolkit.stylization import data, layers, losses, networks, training
-from toolkit.stylization.stylize import hold_feet
+from toolkit.stylization.restyling import hold_feet
 
 SMALL = networks.Sizes(channels=4, code=8, latent=4, hidden=16)
 #: 21 joints as in the paper and in Bandai's files: a spine of five, arms and legs of four.
@@ -226,10 +226,10 @@ def test_parameter_counts(graph):
     lift, lower, whole = 7 * 64 + 64, 64 * 7 + 7, 256 * 256 * 16 * 5 + 256
     stylizer, discriminator = networks.build(graph, tuple("abcdefgh"))
     counts = [sum(p.numel() for p in network.parameters()) for network in
-              (stylizer.generator, stylizer.encoder, stylizer.mapping, discriminator)]  # fmt: skip
+              (stylizer.generator, stylizer.encoder, stylizer.mapping, discriminator)]
     trunk = lift + down(64, False) + down(128, False)
     assert counts == [lift + down(64, True) + down(128, True) + up(128) + up(64) + lower, trunk + whole + 257 * 512,
-                      17 * 256 + 9 * 256 + 513 * 512 + 513 * 1024 + 1025 * 64, trunk + whole + 257 * 8]  # fmt: skip
+                      17 * 256 + 9 * 256 + 513 * 512 + 513 * 1024 + 1025 * 64, trunk + whole + 257 * 8]
     assert counts == [959_175, 5_908_864, 860_224, 5_779_336]
 
 
@@ -238,7 +238,7 @@ def test_losses_are_what_the_equations_say():
     logits, (x, y), (s, t) = torch.randn(2, 3), torch.randn(2, 2, 7, 4, 3), torch.randn(2, 2, 8)
     sigmoid = [[1 / (1 + math.exp(-v)) for v in row] for row in logits.tolist()]
     assert float(losses.discriminator(*logits)) == pytest.approx(
-        -sum(math.log(p) for p in sigmoid[0]) / 3 - sum(math.log(1 - p) for p in sigmoid[1]) / 3, rel=1e-5)  # fmt: skip
+        -sum(math.log(p) for p in sigmoid[0]) / 3 - sum(math.log(1 - p) for p in sigmoid[1]) / 3, rel=1e-5)
     assert float(losses.adversarial(logits[1])) == pytest.approx(-sum(math.log(p) for p in sigmoid[1]) / 3, rel=1e-5)
     pairs = list(zip(x.flatten().tolist(), y.flatten().tolist(), strict=True))
     assert float(losses.content(x, y)) == pytest.approx(sum((a - b) ** 2 for a, b in pairs) / len(pairs), rel=1e-5)
@@ -277,7 +277,7 @@ def test_one_pass_gives_the_losses_that_the_equations_give_one_by_one(motions, m
     terms = training.terms_of(model, discriminator, batch, made, config)
     g, e = model.generator, model.encoder
     s, s2 = (model.mapping(z, target) if from_noise else e(r, target)
-             for z, r in zip(batch["noise"], batch["references"], strict=True))  # fmt: skip
+             for z, r in zip(batch["noise"], batch["references"], strict=True))
     slow = {
         "adv": -torch.sigmoid(discriminator(g(x, s), target)).log().mean(),
         "cyc": (x - g(g(x, s), e(x, y))).square().mean(),
@@ -289,7 +289,7 @@ def test_one_pass_gives_the_losses_that_the_equations_give_one_by_one(motions, m
         torch.testing.assert_close(terms[name], value, rtol=1e-4, atol=1e-5)
     fewer = training.Config(batch=3, sizes=SMALL, losses=("adv", "cyc"))
     assert set(training.terms_of(model, discriminator, batch, training.translations(model, batch, fewer, True), fewer)) == {
-        "adv", "cyc"}  # fmt: skip
+        "adv", "cyc"}
 
 
 def test_training_goes_on_from_a_checkpoint_as_if_it_had_not_stopped(motions, tmp_path):
@@ -379,7 +379,7 @@ def test_a_long_clip_is_restyled_as_a_whole(walks, model):
     clip = walks[0]
     times = 1003 // len(clip) + 1
     long = clip.replace(rotations=clip.rotations.repeat(times, 1, 1)[:1003],
-                        root_positions=clip.root_positions.repeat(times, 1)[:1003])  # fmt: skip
+                        root_positions=clip.root_positions.repeat(times, 1)[:1003])
     assert len(st.stylize(model, long, "Zombie")) == 1003
 
 
@@ -393,7 +393,7 @@ def test_held_feet_stand_where_the_source_stands(walks):
         assert after[side] < 0.35 * before[side]
     bones = held.global_positions[:, 1:] - held.global_positions[:, list(held.skeleton.parents[1:])]
     torch.testing.assert_close(bones.norm(dim=-1), held.skeleton.offsets[1:].norm(dim=-1).expand(len(held), -1),
-                               atol=1e-4, rtol=0)  # fmt: skip
+                               atol=1e-4, rtol=0)
     toe = held.skeleton.index("left_toe")
     jerk = [c.global_positions[:, toe].diff(dim=0).diff(dim=0).norm(dim=-1).max() for c in (held, sliding)]
     assert jerk[0] < 1.5 * jerk[1]

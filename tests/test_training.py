@@ -12,10 +12,10 @@ import pytest
 import torch
 from test_networks import TINY, tiny_model, tree
 
-from toolkit import evaluation, networks, sampling, training
-from toolkit.features import Features
+from toolkit import networks, training
+from toolkit.features import Features, splits
 from toolkit.styles import StyleBank
-from toolkit.training import Config
+from toolkit.training import Config, loss, minibatches
 
 
 def waves(joints: int = 4, styles: int = 2, frames: int = 700) -> Features:
@@ -41,7 +41,7 @@ def waves(joints: int = 4, styles: int = 2, frames: int = 700) -> Features:
 
 WIDER = dataclasses.replace(TINY, hidden=64, dropout=0.05)
 QUICK = Config(sizes=TINY, steps=12, batch=16, clips_per_batch=4, evaluate_every=5,
-               rate=1e-3, final_rate=0.1, max_gradient=1.0, stray=0.2)  # fmt: skip
+               rate=1e-3, final_rate=0.1, max_gradient=1.0, stray=0.2)
 
 
 SCRIPT = """
@@ -68,7 +68,7 @@ def script(folder: Path, config: Config, *launcher: str) -> subprocess.Popen:
     (folder / "train.py").write_text(SCRIPT)
     paths = os.pathsep.join(str(Path(__file__).parents[i]) for i in (0, 1))
     call = [sys.executable, *launcher, str(folder / "train.py"), json.dumps(dataclasses.asdict(config)),
-            str(folder / "checkpoint"), str(folder / "run.safetensors")]  # fmt: skip
+            str(folder / "checkpoint"), str(folder / "run.safetensors")]
     settings = {"PYTHONPATH": paths, "PYTHONWARNINGS": "error", "OMP_NUM_THREADS": "1"}
     return subprocess.Popen(call, env=os.environ | settings, stdout=subprocess.PIPE, text=True)
 
@@ -79,7 +79,7 @@ def same_weights(a: networks.Model, b: networks.Model) -> bool:
 
 def test_minibatches_cycle_through_styles_and_frames():
     data = waves(styles=3)
-    batches = sampling.Minibatches(data, 32, 2, seed=4)
+    batches = minibatches.Minibatches(data, 32, 2, seed=4)
     assert batches.steps_per_epoch == 3 * (700 // 32)
     seen = []
     for turn in range(700 // 32):
@@ -91,14 +91,14 @@ def test_minibatches_cycle_through_styles_and_frames():
             assert y.shape == (2, 240, data.layout.n_clip)
             seen += rows if which == 0 else []
     assert len(set(seen)) == len(seen) == 32 * (700 // 32)
-    again = sampling.Minibatches(data, 32, 2, seed=4)
+    again = minibatches.Minibatches(data, 32, 2, seed=4)
     assert all(torch.equal(a, b) for step in (50, 3, 64) for a, b in zip(again[step], batches[step], strict=True))
-    assert not torch.equal(sampling.Minibatches(data, 32, 2, seed=5)[3][0], batches[3][0])
+    assert not torch.equal(minibatches.Minibatches(data, 32, 2, seed=5)[3][0], batches[3][0])
 
 
 def test_only_poses_stray_and_only_towards_others():
     data = waves(styles=3)
-    plain, strayed = sampling.Minibatches(data, 64, 1, 4), sampling.Minibatches(data, 64, 1, 4, stray=0.5)
+    plain, strayed = minibatches.Minibatches(data, 64, 1, 4), minibatches.Minibatches(data, 64, 1, 4, stray=0.5)
     joints = data.layout.inputs["joints"]
     (x, *rest), (moved, *same) = plain[7], strayed[7]
     assert all(torch.equal(a, b) for a, b in zip(rest, same, strict=True))
@@ -115,7 +115,7 @@ def test_only_poses_stray_and_only_towards_others():
 
 def test_held_out_frames_are_windows_apart_from_the_training_frames():
     data = waves()
-    train, test = sampling.split(data, 0.2, 0, ("style1", "style0"))
+    train, test = splits.split(data, 0.2, 0, ("style1", "style0"))
     assert train.styles == ["style1", "style0"]
     for style in data.styles:
         n = len(data.inputs[style])
@@ -129,7 +129,7 @@ def test_held_out_frames_are_windows_apart_from_the_training_frames():
 def test_loss_is_mse_and_bone_length_of_equation_5():
     model = tiny_model()
     predicted, target = torch.randn(3, 2, model.layout.n_outputs).unbind(1)
-    mse, bone = evaluation.loss_terms(model, predicted, target)
+    mse, bone = loss.loss_terms(model, predicted, target)
     torch.testing.assert_close(mse, ((predicted - target) ** 2).mean())
     total = 0.0
     for n in range(3):
@@ -142,9 +142,9 @@ def test_loss_is_mse_and_bone_length_of_equation_5():
 def test_it_overfits_one_minibatch():
     data = waves(styles=1)
     one = dataclasses.replace(data, **{kind: {"style0": getattr(data, kind)["style0"][:16]}
-                                       for kind in ("inputs", "phases", "outputs", "takes")})  # fmt: skip
+                                       for kind in ("inputs", "phases", "outputs", "takes")})
     config = Config(sizes=dataclasses.replace(WIDER, dropout=0.0), steps=300, batch=16, clips_per_batch=1,
-                    rate=3e-3, final_rate=0.01, max_gradient=1.0, held_out=0.0, bone_weight=0.1)  # fmt: skip
+                    rate=3e-3, final_rate=0.01, max_gradient=1.0, held_out=0.0, bone_weight=0.1)
     run = training.fit(one, config)
     assert run.history[-1]["mse"] < 1e-3
     assert run.held_out == run.baselines == {}
@@ -165,7 +165,7 @@ def test_it_learns_more_than_both_baselines():
 def test_repeating_the_frame_keeps_pose_trajectory_and_phases():
     layout = tree(4)
     x, p = torch.randn(2, layout.n_inputs), torch.randn(2, 8)
-    z = layout.unpack_output(evaluation.repeat_frame(layout, x, p, torch.full((layout.n_outputs,), 0.25)))
+    z = layout.unpack_output(loss.repeat_frame(layout, x, p, torch.full((layout.n_outputs,), 0.25)))
     assert torch.equal(z["joints"], x[:, 48:])
     assert torch.equal(z["trajectory"], x[:, 24:48])  # the current and the five future of twelve samples
     assert torch.equal(z["phases"], p)
@@ -189,7 +189,7 @@ def test_stopped_and_resumed_equals_not_stopped(tmp_path, stop_at):
     assert same_weights(straight.model, resumed.model)
     assert torch.equal(straight.bank.vectors, resumed.bank.vectors)
     assert [(r["step"], r["loss"], r["held_out"]) for r in resumed.history] == \
-           [(r["step"], r["loss"], r["held_out"]) for r in straight.history]  # fmt: skip
+           [(r["step"], r["loss"], r["held_out"]) for r in straight.history]
     assert [p.name for p in tmp_path.iterdir()] == ["run.checkpoint"]
 
 
@@ -231,7 +231,7 @@ def test_killed_at_any_step_and_resumed_equals_not_killed(tmp_path):
 
 
 TORCHRUN = ("-m", "torch.distributed.run", "--nproc-per-node", "2", "--rdzv-backend", "c10d", "--rdzv-endpoint",
-            "127.0.0.1:0", "--local-addr", "127.0.0.1")  # fmt: skip
+            "127.0.0.1:0", "--local-addr", "127.0.0.1")
 
 
 @pytest.mark.parametrize("launcher", [(), TORCHRUN], ids=["launched", "torchrun"])
@@ -348,7 +348,7 @@ def test_time_as_the_budget():
     ({"precision": "8"}, "precision must be one of 32, bf16, got '8'"),
     ({"device": "abacus"}, "device must be cpu, cuda, .* got 'abacus'"),
     ({"processes": 33}, "processes must be from 1 to the 32 frames of a minibatch, got 33"),
-])  # fmt: skip
+])
 def test_impossible_configs(changes, match):
     with pytest.raises(ValueError, match=match):
         Config(**changes)

@@ -10,14 +10,14 @@ import pytest
 import torch
 from PIL import Image
 
-from toolkit import rotations as R
 from toolkit import view
 from toolkit.motion import Clip, Skeleton
+from toolkit.motion import rotations as R
 from toolkit.view import body, page, skin
 from toolkit.view.raycast import Canvas
 
 SPINE = [("Hips", -1, (0, 0.95, 0)), ("Chest", 0, (0, 0.2, 0)), ("Neck", 1, (0, 0.25, 0)), ("Head", 2, (0, 0.1, 0)),
-         ("HeadEnd", 3, (0, 0.17, 0))]  # fmt: skip
+         ("HeadEnd", 3, (0, 0.17, 0))]
 ARM = [("Collar", 1, (0.03, 0.2, 0)), ("Shoulder", 0, (0.15, 0, 0)), ("Elbow", 1, (0.3, 0, 0)), ("Wrist", 2, (0.25, 0, 0))]
 LEG = [("Hip", 0, (0.1, 0, 0)), ("Knee", 0, (0, -0.43, 0)), ("Ankle", 1, (0, -0.43, 0)), ("Toe", 2, (0, -0.07, 0.15))]
 
@@ -58,7 +58,7 @@ def clip() -> Clip:
 
 def test_importing_the_package_loads_no_drawing_library():
     code = ("import sys, toolkit, toolkit.view; "
-            "print({'pyvista', 'vtkmodules', 'plotly', 'ipywidgets', 'matplotlib'} & set(sys.modules))")  # fmt: skip
+            "print({'pyvista', 'vtkmodules', 'plotly', 'ipywidgets', 'matplotlib'} & set(sys.modules))")
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "set()"
 
@@ -87,7 +87,7 @@ def test_the_body_is_symmetric_and_stands_on_the_floor(clip):
     assert {s.foot for s in shapes} == {"", "left", "right"}
     places = body.placements(shapes, clip.global_rotations, clip.global_positions)
     lows = [(place[:, :, :3] @ skin.surface(s)[0].T + place[:, :, 3:])[:, 1].min()
-            for s, place in zip(shapes, places.transpose(1, 0, 2, 3), strict=True)]  # fmt: skip
+            for s, place in zip(shapes, places.transpose(1, 0, 2, 3), strict=True)]
     assert -0.06 < min(lows) < 0.06
     sides = [sum(s.radii[0] for s in shapes if s.tone == side) for side in ("left", "right")]
     assert sides[0] == pytest.approx(sides[1])
@@ -121,7 +121,7 @@ def test_skin_is_the_sum_of_what_each_joint_does(clip):
             assert shares.sum() == pytest.approx(1)
             hosts = [(shape.joint, shape.place), *((b.joint, b.place) for b in shape.bends)]
             expected.append(sum(w * (turn[j] @ (place[:, :3] @ v + place[:, 3]) + where[j])
-                                for w, (j, place) in zip(shares, hosts, strict=False)))  # fmt: skip
+                                for w, (j, place) in zip(shares, hosts, strict=False)))
     np.testing.assert_allclose(points, expected, atol=1e-5)
     np.testing.assert_allclose(np.linalg.norm(normals, axis=1), 1, atol=1e-5)
     assert sum(len(shape.bends) for shape in shapes) >= 12
@@ -146,7 +146,7 @@ def test_a_bent_knee_stays_one_surface(clip):
     """Thigh and shin meet in the knee however it bends: their ends keep to each other, and a shin that is rigid does not."""
     shapes = body.build(clip)
     thigh, shin = (next(i for i, s in enumerate(shapes) if s.joint == clip.skeleton.index(name) and s.bends)
-                   for name in ("LeftHip", "LeftKnee"))  # fmt: skip
+                   for name in ("LeftHip", "LeftKnee"))
     pose = bent(clip, LeftKnee=90)
     knee = pose.global_positions[0, clip.skeleton.index("LeftKnee")].numpy()
     surface, points, _ = posed(pose, shapes)
@@ -383,7 +383,7 @@ def phases(frames: int):
     angle = (2 * np.pi * t) % (2 * np.pi)
     return SimpleNamespace(vector=torch.stack((angle.sin(), angle.cos()), -1), phase=angle, frequency=torch.ones(frames, 4),
                            amplitude=torch.ones(frames, 4), residual=torch.zeros(frames, 4), source=angle.sin(),
-                           fit=angle.sin())  # fmt: skip
+                           fit=angle.sin())
 
 
 def test_phase_figure_shows_four_limbs(clip):

@@ -40,7 +40,7 @@ def node(tmp_path_factory):
             let result;
             {source}
             writeFileSync({json.dumps(str(folder / "result.json"))}, JSON.stringify(result));
-        """, encoding="utf-8")  # fmt: skip
+        """, encoding="utf-8")
         done = subprocess.run([program, folder / "run.mjs"], capture_output=True, text=True, timeout=120, check=False)
         assert done.returncode == 0, done.stderr
         return json.loads((folder / "result.json").read_text(encoding="utf-8"))
@@ -148,7 +148,7 @@ def test_a_step_from_anywhere_is_pythons(node, small_run):
         });
     """, data=live_page.pack(model, small_run.bank), velocity=velocity.tolist(), facing=facing.tolist(),
         style=states.pop("style")[0].tolist(),
-        states=[{name: values[i].flatten().tolist() for name, values in states.items()} for i in range(count)])  # fmt: skip
+        states=[{name: values[i].flatten().tolist() for name, values in states.items()} for i in range(count)])
     for name, values in expected.items():
         mine = torch.tensor([one[name] for one in seen], dtype=torch.float64)
         if name == "rotations":
@@ -163,7 +163,7 @@ def test_javascript_walks_as_python_does(node, trained, style, half, bound):
     poses = node(f"""
         const {{ Character }} = await scene("character");
         result = ({WALK})(new Character(given.data), given.commands, given.style);
-    """, data=live_page.pack(model, bank, half), commands=commands(90), style=vector.tolist())  # fmt: skip
+    """, data=live_page.pack(model, bank, half), commands=commands(90), style=vector.tolist())
     distance = apart(tk.runtime.rollout(model, COMMANDS[:90], vector), poses)
     assert float(distance[0]) < bound / 10
     assert float(distance[59]) < bound  # mm
@@ -177,7 +177,7 @@ def test_the_kernel_in_a_page_does_what_a_notebooks_does(node, trained, tmp_path
     control.send = lambda content, buffers: sent.append(np.frombuffer(buffers[0], np.float32))
     sent, data = [], live_page.pack(model, bank.select(["Neutral", "Zombie", "Aeroplane"]))
     wishes = [{"kind": "input", "id": i, "move": [0.5, 1], "turn": turn, "run": turn < 0, "heading": heading}
-              for i, (turn, heading) in enumerate(((1, None), (-1, None), (0, [0.6, -0.8])), 1)]  # fmt: skip
+              for i, (turn, heading) in enumerate(((1, None), (-1, None), (0, [0.6, -0.8])), 1)]
     control.weights = [0.5, 0.25, 0.25]
     for wish in wishes:
         control._receive(control, wish, [])
@@ -197,7 +197,7 @@ def test_the_kernel_in_a_page_does_what_a_notebooks_does(node, trained, tmp_path
             for (let i = 0; i < 20; i++) kernel.step(), kernel.show();
         }
         kernel.set("recording", false);
-    """, data=data, wishes=wishes)  # fmt: skip
+    """, data=data, wishes=wishes)
     frames = np.array(seen["frames"])
     assert seen["names"] == [["Neutral", "Zombie", "Aeroplane"]]
     assert frames[:, 0].tolist() == list(range(1, 61))
@@ -209,5 +209,5 @@ def test_the_kernel_in_a_page_does_what_a_notebooks_does(node, trained, tmp_path
     assert (len(clip), clip.fps, clip.skeleton.names) == (20, 60.0, model.layout.skeleton.names)
     joints = len(clip.skeleton)
     shown = tk.Clip(clip.skeleton, torch.tensor(frames[40:, 5 : 5 + 4 * joints]).float().view(20, joints, 4),
-                    torch.tensor(frames[40:, 2:5]).float(), 60.0)  # fmt: skip
+                    torch.tensor(frames[40:, 2:5]).float(), 60.0)
     assert float((clip.global_positions - shown.global_positions).norm(dim=-1).max()) < 1e-4

@@ -1,35 +1,26 @@
 """What ``import toolkit`` offers: for the loader, which imports it on first use, and for type checkers."""
 
 from . import (
-    bvh,
-    comparison,
-    contacts,
-    crowd,
     datasets,
-    demo,
     evaluation,
     export,
     features,
-    ik,
-    metrics,
+    io,
     motion,
     networks,
     phases,
     published,
-    recognition,
-    rotations,
     runtime,
-    sampling,
-    steering,
-    store,
     styles,
     stylization,
     training,
-    trajectory,
     view,
 )
+from .evaluation import metrics as metrics
+from .io import bvh as bvh
 from .motion import Clip as Clip
 from .motion import Skeleton as Skeleton
+from .motion import contacts as contacts
 from .training import pretrained as pretrained
 
 __version__: str

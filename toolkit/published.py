@@ -12,11 +12,11 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from toolkit import features, phases, training, trajectory
+from toolkit import features, phases, training
 from toolkit.datasets import home
 from toolkit.datasets.procedural import SKELETON
 from toolkit.features import Layout, Normaliser
-from toolkit.motion import Clip
+from toolkit.motion import Clip, trajectory
 from toolkit.networks import Model, Sizes, build
 from toolkit.networks.bank import StyleBank
 
@@ -36,7 +36,7 @@ STYLES = (
     "SwingArmsRound", "SwingShoulders", "Teapot", "Tiptoe", "TogetherStep", "TwoFootJump", "WalkingStickLeft",
     "WalkingStickRight", "Waving", "WhirlArms", "WideLegs", "WiggleHips", "WildLegs", "Zombie", "HandsInPockets",
     "Roadrunner", "Skip", "Star", "WildArms",
-)  # fmt: skip
+)
 
 
 def available() -> bool:

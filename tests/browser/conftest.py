@@ -41,7 +41,7 @@ def lab(tmp_path_factory):
     command = [sys.executable, "-m", "jupyter", "lab", "--no-browser", "--allow-root", "--port=0",
                "--ServerApp.port_retries=0", "--IdentityProvider.token=", "--ServerApp.disable_check_xsrf=True",
                "--expose-app-in-browser", "--ServerApp.jpserver_extensions={'toolkit.view.server': True}",
-               f"--ServerApp.root_dir={folder}"]  # fmt: skip
+               f"--ServerApp.root_dir={folder}"]
     with log.open("w") as file:
         server = subprocess.Popen(command, env=env, stdout=file, stderr=subprocess.STDOUT, cwd=folder)
     try:

@@ -151,7 +151,7 @@ def test_a_model_without_local_phases_has_no_dials(open_notebook):
     notebook = open_notebook("dials.ipynb", [START.replace("control = ", """
 pack = tk.view.Controller.send  # as of a model with one phase for the whole body
 tk.view.Controller.send = lambda self, content, buffers=None: pack(self, content, buffers and [buffers[0][:-28]])
-control = """), "control._task"])  # fmt: skip
+control = """), "control._task"])
     page = notebook.page
     notebook.run_all()
     wait_for(lambda: page.evaluate(DRAWN), lambda drawn: drawn > 20)

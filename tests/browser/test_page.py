@@ -27,7 +27,7 @@ def test_the_page_plays_and_bends_as_python_does(page, tmp_path):
     page.evaluate("frame => { view.play(false); view.seek(frame / 60); }", 40)
     parts = page.evaluate("() => view.scenes[0].body.parts.map(({first, count}) => [first, count])")
     position, normal = (np.array(page.evaluate(f"() => [...view.scenes[0].body.{kind}.array]")).reshape(-1, 3)
-                        for kind in ("position", "normal"))  # fmt: skip
+                        for kind in ("position", "normal"))
     shapes = body.build(clip)
     surface = skin.Skin(shapes, 10, 2)
     points, normals = surface.pose(skin.placements(shapes, clip.global_rotations[40], clip.global_positions[40]))

@@ -196,5 +196,5 @@ def test_frames_keep_their_own_rate(open_page, embedded):
             globalThis.requestAnimationFrame = request;
             kernel.run();
             return (kernel.frame - first) / 2;
-        }""", period)  # fmt: skip
+        }""", period)
         assert abs(made - expected) <= 1, f"every {period} ms"

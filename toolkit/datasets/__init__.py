@@ -9,15 +9,15 @@ import difflib
 import importlib
 import os
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from types import ModuleType
 
 from toolkit.datasets import bandai, home, procedural, style100, xia
 from toolkit.datasets.takes import Take
 from toolkit.motion import Clip
 
-__all__ = ["DATASETS", "Take", "available", "bandai", "contents", "home", "load", "procedural", "style100", "where",
-           "xia"]  # fmt: skip
+__all__ = ["DATASETS", "Take", "available", "bandai", "contents", "home", "load", "may_mirror", "procedural", "style100",
+           "where", "xia"]
 
 DATASETS = {"procedural": "procedural", "100style": "style100", "bandai": "bandai", "xia": "xia"}  # name: module
 
@@ -93,6 +93,12 @@ def where(name: str) -> str:
     """
     module = _module(name, None)
     return "procedural: computed here" if name == "procedural" else f"{name}: {module.SOURCE.folder(None)}"
+
+
+def may_mirror(name: str, root: str | os.PathLike | None = None) -> Callable[[Clip | Take], bool]:
+    """Which clips of a dataset may be mirrored: 100STYLE says which styles are symmetric; idling never is."""
+    styles = style100.styles(root) if name == "100style" else {}
+    return lambda clip: clip.gait != "ID" and (clip.style not in styles or styles[clip.style].symmetric)
 
 
 def _module(name: str, root: str | os.PathLike | None) -> ModuleType:

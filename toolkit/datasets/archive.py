@@ -12,7 +12,7 @@ from tqdm import tqdm
 
 DAMAGED = (  # what `zipfile` raises for files that are no whole archive, depending on where they are spoilt
     zipfile.BadZipFile, zlib.error, lzma.LZMAError, EOFError, NotImplementedError, UnicodeDecodeError,
-)  # fmt: skip
+)
 
 def unpack(
     archive: Path, folder: Path, place: Callable[[str], str | None], limit: int, progress: bool = False

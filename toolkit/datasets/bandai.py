@@ -49,5 +49,5 @@ def load(
     source = SOURCE
     if dataset is not None:
         source = replace(SOURCE, pattern=re.compile(SOURCE.pattern.pattern.replace(r"\d+", str(dataset), 1)),
-                         layout=SOURCE.layout.replace("-N", f"-{dataset}"))  # fmt: skip
+                         layout=SOURCE.layout.replace("-N", f"-{dataset}"))
     return [clip.without_ends() for clip in source.read(source.choose(root, styles, gaits))]

@@ -12,7 +12,7 @@ import requests
 import urllib3
 from tqdm import tqdm
 
-from toolkit.files import atomic_write
+from toolkit.io.files import atomic_write
 
 CONNECT, STALL = 10.0, 30.0  # seconds without a connection, or without a byte, after which a try has failed
 TRIES = 5  # in a row that brought nothing new

@@ -17,10 +17,10 @@ from pathlib import Path
 
 import filelock
 
-from toolkit import bvh
 from toolkit.datasets import archive, bandai, home, style100
 from toolkit.datasets.download import STALL, download, notes
-from toolkit.files import atomic_write
+from toolkit.io import bvh
+from toolkit.io.files import atomic_write
 
 LARGEST = 4_000_000_000  # bytes of an archive whose size is not known: GitHub's hold whole projects
 RECORD = "toolkit-data.json"  # in a fetched folder: what it is, from where and when, its checksum and terms
@@ -75,9 +75,19 @@ def _check_bandai(folder: Path) -> str:
 
 
 def _check_published(folder: Path) -> str:
-    from toolkit import published  # not at import: it is built on the datasets
-
-    return f"parameters of {len(published.load(folder)[1])} styles"
+    """All files are there and of the right size; `toolkit.published.load` reads their numbers."""
+    widths = {"X": 348, "Y": 342, "GT_X": 8}
+    sizes = {f"{name}{part}": n for name, n in widths.items() for part in ("mean", "std")}
+    sizes |= {f"Style_{i:03d}_{part}": 512 for i in range(100) for part in ("scale1", "shift1", "scale2", "shift2")}
+    for layer, (n_in, n_out) in enumerate(((348, 512), (512, 512), (512, 342))):
+        sizes |= {f"cp{layer}_{kind}{k}": n_out * (n_in if kind == "a" else 1) for kind in "ab" for k in range(8)}
+    for layer, (n_in, n_out) in enumerate(((8, 32), (32, 32), (32, 8))):
+        sizes |= {f"wc{layer}_w": n_out * n_in, f"wc{layer}_b": n_out}
+    for name, n in sizes.items():
+        path = folder / f"{name}.bin"
+        if not path.is_file() or path.stat().st_size != 4 * n:
+            raise ValueError(f"{path}: expected {n} float32 numbers")
+    return "parameters of 100 styles"
 
 
 ORIGINS = {
@@ -125,7 +135,7 @@ def record(folder: str | os.PathLike) -> dict | None:
     files, size = _extent(folder)
     if files < known["files"] or size < known["bytes"]:
         raise ValueError(f"{folder}: {known['files']} files of {known['bytes']:,} bytes were fetched, {files} of {size:,} "
-                         "are left; move the folder away to fetch it again")  # fmt: skip
+                         "are left; move the folder away to fetch it again")
     return known
 
 
@@ -230,7 +240,7 @@ def _into(work: Path, origin: Origin, source: str, expected: str, name: str, pro
     files, size = _extent(unpacked)
     date = datetime.now(UTC).isoformat(timespec="seconds")
     known = {"name": name, "title": origin.title, "terms": origin.terms, "source": source, "date": date, "sha256": digest,
-             "comment": comment, "files": files, "bytes": size, "found": found}  # fmt: skip
+             "comment": comment, "files": files, "bytes": size, "found": found}
     with atomic_write(unpacked / RECORD) as out:
         out.write(json.dumps(known, indent=2).encode())
     return known

@@ -37,7 +37,7 @@ def find(name: str, layout: str, source: str) -> Path:
     if not path.is_dir():
         get = f"python -m toolkit data fetch {name} gets it from {source}" if name in FETCHED else f"its home: {source}"
         raise ValueError(f"{name}: nothing at {path}; {get}; or give root=, the folder with {layout}, or set TOOLKIT_DATA "
-                         f"to the folder that holds {path.name}/")  # fmt: skip
+                         f"to the folder that holds {path.name}/")
     _say(name, path)
     return path
 

@@ -15,13 +15,13 @@ import numpy as np
 from torch import Tensor
 from tqdm import tqdm
 
-from toolkit import rotations as R
 from toolkit.datasets.procedural_body import SKELETON, pose
 from toolkit.datasets.procedural_steps import FPS, Plan, Truth, record, smooth, wander
 from toolkit.datasets.procedural_styles import STYLES, Arm, Leg, Style
 from toolkit.datasets.style100 import StyleInfo, save
-from toolkit.files import atomic_write
+from toolkit.io.files import atomic_write
 from toolkit.motion import Clip
+from toolkit.motion import rotations as R
 
 __all__ = ["GAITS", "SKELETON", "STYLES", "Arm", "Leg", "Style", "Truth", "generate", "load", "truth", "write"]
 
@@ -98,7 +98,7 @@ def truth(
     root = _path(style, gait, frames, rng) if path is None else np.asarray(path, dtype=np.float64)
     edges = np.pad(root, ((LEAD, LEAD), (0, 0)), mode="reflect", reflect_type="odd") if frames > LEAD else np.concatenate(
         (root[0] + np.arange(-LEAD, 0)[:, None] * (root[1] - root[0]), root,
-         root[-1] + np.arange(1, LEAD + 1)[:, None] * (root[-1] - root[-2])))  # fmt: skip
+         root[-1] + np.arange(1, LEAD + 1)[:, None] * (root[-1] - root[-2])))
     plan = Plan(style, edges, rng)
     feet = {side: plan.foot(side) for side in plan.stepping}
     rotations, positions = pose(plan, feet)

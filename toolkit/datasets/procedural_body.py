@@ -7,19 +7,19 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from toolkit import rotations as R
 from toolkit.datasets.procedural_steps import FOOT, FPS, SIDES, Foot, Plan, smooth, wander
 from toolkit.datasets.procedural_styles import Arm
-from toolkit.ik import two_bone
 from toolkit.motion import Skeleton, forward_kinematics
+from toolkit.motion import rotations as R
+from toolkit.motion.ik import two_bone
 
 _SPINE = (("Hips", -1, 0, 0, 0), ("Chest", 0, 0, 0.130, 0), ("Chest2", 1, 0, 0.103, 0), ("Chest3", 2, 0, 0.093, 0),
           ("Chest4", 3, 0, 0.093, 0), ("Neck", 4, 0, 0.133, 0), ("Head", 5, 0, 0.090, 0), ("HeadEnd", 6, 0, 0.171, 0),
-          )  # fmt: skip
+          )
 _ARM = (("Collar", 4, 0.032, 0.075, 0), ("Shoulder", 8, 0.158, 0, 0), ("Elbow", 9, 0.312, 0, 0),
-        ("Wrist", 10, 0.255, 0, 0), ("WristEnd", 11, 0.191, 0, 0))  # fmt: skip
+        ("Wrist", 10, 0.255, 0, 0), ("WristEnd", 11, 0.191, 0, 0))
 _LEG = (("Hip", 0, 0.107, 0.001, 0), ("Knee", 18, 0, -0.437, 0), ("Ankle", 19, 0, -0.432, 0),
-        ("Toe", 20, *FOOT), ("ToeEnd", 21, 0, -0.013, 0.049))  # fmt: skip
+        ("Toe", 20, *FOOT), ("ToeEnd", 21, 0, -0.013, 0.049))
 
 
 def _skeleton() -> Skeleton:
@@ -62,11 +62,11 @@ def pose(plan: Plan, feet: dict[str, "Foot"]) -> tuple[Tensor, Tensor]:
     spine = ["Chest", "Chest2", "Chest3", "Chest4"]
     lean = style.lean + 5 * run + style.lean_swing * cos2 + breath + 3 * unrest[0]
     turn(spine, style.twist + (style.yaw + style.twist_swing) * speedup * sin * even + 2.5 * unrest[1], lean,
-         -style.bend + (style.bend_swing + style.drop) * cos * even - 0.3 * bank + 3 * unrest[2])  # fmt: skip
+         -style.bend + (style.bend_swing + style.drop) * cos * even - 0.3 * bank + 3 * unrest[2])
     undo = -style.steady * (euler[:, _J["Hips"]] + euler[:, [_J[s] for s in spine]].sum(1))
     undo += style.steady * np.array([style.twist, style.tilt + style.lean, -style.bend])
     turn(["Neck", "Head"], undo[:, 0] + style.head_turn + np.degrees(0.25 * smooth(plan.turning, 10)) + 4 * unrest[3],
-         undo[:, 1] - 6 * run, undo[:, 2] - style.head_roll + style.head_swing * cos + 3 * unrest[4])  # fmt: skip
+         undo[:, 1] - 6 * run, undo[:, 2] - style.head_roll + style.head_swing * cos + 3 * unrest[4])
     turn(["Neck"], 0, style.neck)
     turn(["Head"], 0, style.head)
 
@@ -151,7 +151,7 @@ def pose(plan: Plan, feet: dict[str, "Foot"]) -> tuple[Tensor, Tensor]:
     b, e = two_bone(a, a + (rest[knee] - rest[joints]), a + (rest[ankle] - rest[joints]), ankles, pole, soft=soft)
     hinge = R.normalize(torch.linalg.cross(pole, line))
     thigh, shin = (R.from_matrix(torch.stack((hinge, y, torch.linalg.cross(hinge, y)), -1))
-                   for y in (R.normalize(a - b), R.normalize(b - e)))  # fmt: skip
+                   for y in (R.normalize(a - b), R.normalize(b - e)))
     # in the air the foot follows the shin: no more than 35° of dorsiflexion and 45° of plantar flexion
     front = R.rotate(R.yaw(torch.from_numpy(yaws)), torch.tensor([0.0, 0.0, 1.0], dtype=torch.float64))
     shin_lean = torch.atan2(((b - e) * front).sum(-1), (b - e)[..., 1]).numpy()

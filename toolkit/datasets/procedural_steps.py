@@ -159,7 +159,7 @@ class Foot:
     """
 
     def __init__(self, plan: Plan, leg: Leg, sign: int, begin: np.ndarray, end: np.ndarray, usual: np.ndarray,
-                 prints: np.ndarray, along: np.ndarray, size: np.ndarray, run: np.ndarray):  # fmt: skip
+                 prints: np.ndarray, along: np.ndarray, size: np.ndarray, run: np.ndarray):
         t = plan.t
         here = np.searchsorted(end[:-1], t, side="right")  # the stance before the swing, or the one stood in
         before = np.maximum(here - 1, 0)
@@ -181,9 +181,9 @@ class Foot:
         nexts = np.append(strike[1:], 0.0)
         roll = 0.1 + 0.18 * np.minimum(np.abs(strike) / 18, 1)  # share of the stance until the foot is flat
         knots = np.stack((begin, begin + roll * stance, end - 0.22 * stance, end, end + 0.25 * swing, end + 0.52 * swing,
-                          end + 0.92 * swing), 1)  # fmt: skip
+                          end + 0.92 * swing), 1)
         angles = np.stack((strike + flat, flat, flat, np.minimum(flat, 0) * 0.5 + lift_off, flat * 0.2 - push,
-                           flat * 0.7 - 0.65 * push, flat + nexts), 1)  # fmt: skip
+                           flat * 0.7 - 0.65 * push, flat + nexts), 1)
         pitch = scipy.interpolate.PchipInterpolator(knots.ravel(), angles.ravel())(np.clip(t, knots[0, 0], knots[-1, -1]))
         self.pitch = np.radians(smooth(pitch, 2.0))
         self.flatness = scipy.interpolate.PchipInterpolator(
@@ -214,7 +214,7 @@ class Foot:
         yaw = place[:, 2]
         self.toe = np.stack((place[:, 0] + out * c + back * np.sin(yaw),
                              TOE + rise + lever * np.sin(up),
-                             place[:, 1] - out * s + back * np.cos(yaw)), 1)  # fmt: skip
+                             place[:, 1] - out * s + back * np.cos(yaw)), 1)
         self.yaw = yaw
         still = np.linalg.norm(np.diff(self.toe, axis=0), axis=1) < 9e-4  # from each frame to the next
         self.contact = ((u < 0.1) | (u > 0.9)) & np.append(still[0], still) & (leg.kick * self.kick < 0.05)

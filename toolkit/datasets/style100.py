@@ -13,9 +13,9 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
-from toolkit import bvh
 from toolkit.datasets.takes import Source
-from toolkit.files import atomic_write
+from toolkit.io import bvh
+from toolkit.io.files import atomic_write
 from toolkit.motion import Clip
 
 GAITS = {
@@ -134,10 +134,10 @@ def save(clips: Iterable[Clip], folder: str | os.PathLike, infos: Iterable[Style
         cuts[clip.style][clip.gait] = round(len(clip) * RATE / clip.fps)
     about = [("Style Name", "Description", "Stochastic", "Symmetric", "Notes")]
     about += [(i.name, i.description, *("Yes" if x else "No" for x in (i.stochastic, i.symmetric)), i.notes)
-              for i in map(by_name.get, cuts)]  # fmt: skip
+              for i in map(by_name.get, cuts)]
     ends = [("STYLE_NAME", *(f"{gait}_{end}" for gait in sorted(GAITS) for end in ("START", "STOP")))]
     ends += [(style, *(x for gait in sorted(GAITS) for x in ((0, stops[gait]) if gait in stops else ("N/A", "N/A"))))
-             for style, stops in cuts.items()]  # fmt: skip
+             for style, stops in cuts.items()]
     for name, rows in (("Dataset_List.csv", about), ("Frame_Cuts.csv", ends)):
         text = io.StringIO()
         csv.writer(text, lineterminator="\n").writerows(rows)
@@ -210,7 +210,7 @@ def published_order(root_or_names: str | os.PathLike | Iterable[str] | None = No
     if len(names) != 100 or not names >= set(HELD_OUT):
         missing = sorted(set(HELD_OUT) - names)
         raise ValueError(f"the published order needs all 100 styles; got {len(names)}"
-                         + (f", without {', '.join(missing)}" if missing else ""))  # fmt: skip
+                         + (f", without {', '.join(missing)}" if missing else ""))
     return sorted(names - set(HELD_OUT)) + list(HELD_OUT)
 
 

@@ -9,8 +9,8 @@ from pathlib import Path
 
 from tqdm import tqdm
 
-from toolkit import bvh
 from toolkit.datasets import home
+from toolkit.io import bvh
 from toolkit.motion import Clip
 
 
@@ -95,7 +95,7 @@ class Source:
         if missing:
             within = f" with gait {_listed(wanted_gaits)}" if styles is not None and gaits is not None else ""
             raise ValueError(f"{self.name}: no file of {_listed(missing)}{within} in {self.folder(root)}; it has "
-                             f"{_listed(sorted({f'{t.style} {t.gait}' for t in takes}))}")  # fmt: skip
+                             f"{_listed(sorted({f'{t.style} {t.gait}' for t in takes}))}")
         return kept
 
     def read(self, takes: list[Take], unit: float = bvh.CENTIMETRE) -> Iterator[Clip]:

@@ -5,10 +5,10 @@ from collections.abc import Sequence
 from importlib import import_module
 from pathlib import Path
 
-from toolkit import bvh
 from toolkit.export import gltf, onnx
-from toolkit.export.retargeting import retarget
+from toolkit.io import bvh
 from toolkit.motion import Clip
+from toolkit.motion.retargeting import retarget
 
 __all__ = ["SUFFIXES", "check", "gltf", "onnx", "retarget", "write"]
 SUFFIXES = (".bvh", ".html", ".png", ".mp4", ".gif", ".webp", ".apng", ".glb")  # .png: a strip of poses
@@ -30,7 +30,7 @@ def check(path: str | os.PathLike, suffixes: Sequence[str] = SUFFIXES) -> Path:
 
 
 def write(clip: Clip, path: str | os.PathLike, *, title: str = "Motion", source: Clip | None = None,
-          progress: bool = False) -> None:  # fmt: skip
+          progress: bool = False) -> None:
     """Write a clip as motion (.bvh, .glb), web page (.html), strip of poses (.png) or film; folders are made.
 
     Parameters

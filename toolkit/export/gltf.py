@@ -13,9 +13,9 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from toolkit import rotations as R
-from toolkit.files import atomic_write
+from toolkit.io.files import atomic_write
 from toolkit.motion import Clip, Skeleton, forward_kinematics
+from toolkit.motion import rotations as R
 
 FLOAT, UINT, USHORT = 5126, 5125, 5123  # component types of glTF's accessors
 SLOTS = 4  # joints that a vertex may follow in glTF's JOINTS_0 and WEIGHTS_0
@@ -55,7 +55,7 @@ def save(clip: Clip, path: str | os.PathLike) -> None:
     moving = [j for j in range(len(skeleton)) if float(np.ptp(clip.rotations[:, j].numpy(), axis=0).max()) > STILL]
     turns = R.normalize(R.unroll(clip.rotations).double())[..., [1, 2, 3, 0]].float().numpy()
     nodes = [{"name": name, "translation": skeleton.offsets[j].tolist(), "rotation": turns[0, j].tolist()}
-             for j, name in enumerate(skeleton.names)]  # fmt: skip
+             for j, name in enumerate(skeleton.names)]
     nodes[0]["translation"] = clip.root_positions[0].tolist()
     for j, parent in enumerate(skeleton.parents[1:], 1):
         nodes[parent].setdefault("children", []).append(j)
@@ -171,7 +171,7 @@ def _animation(buffer: _Buffer, clip: Clip, turns: np.ndarray, moving: Sequence[
                      for _, _, values, kind in tracks],
         "channels": [{"sampler": i, "target": {"node": joint, "path": what}}
                      for i, (joint, what, _, _) in enumerate(tracks)],
-    }  # fmt: skip
+    }
 
 
 def _container(document: dict, data: bytes) -> bytes:

@@ -11,14 +11,14 @@ from pathlib import Path
 import numpy as np
 from torch import Tensor
 
-from toolkit.files import atomic_write
+from toolkit.io.files import atomic_write
+from toolkit.motion.trajectory import FPS, SAMPLES
 from toolkit.networks import Model
 from toolkit.networks.adapters import OneHot
 from toolkit.networks.bank import StyleBank
 from toolkit.networks.film import EPSILON, Film
 from toolkit.networks.gating import CatmullRom, VelocityGating
 from toolkit.networks.phase import amid_a_stride
-from toolkit.trajectory import FPS, SAMPLES
 
 OPSET, IR_VERSION = 18, 10
 BANK = ".styles.safetensors"  # ending of the file of style vectors beside the graph
@@ -93,7 +93,7 @@ def graph(model: Model, bank: StyleBank | None = None):
     inputs = [value(name, width) for name, width in widths.items() if width]
     made = helper.make_graph(g.nodes, "step", inputs, [value("z", layout.n_outputs)], g.constants)
     made = helper.make_model(made, opset_imports=[helper.make_opsetid("", OPSET)], ir_version=IR_VERSION,
-                             producer_name="toolkit")  # fmt: skip
+                             producer_name="toolkit")
     helper.set_model_props(made, {key: json.dumps(entry) for key, entry in _metadata(model, bank).items()})
     checker.check_model(made, full_check=True)
     return made
@@ -107,7 +107,7 @@ def _metadata(model: Model, bank: StyleBank | None) -> dict:
         "samples": list(SAMPLES), "fps": FPS,
         "columns": {name: {block: [s.start, s.stop] for block, s in slices.items()} for name, slices in columns.items()},
         "start": {"phases": phase.tolist(), "joints": pose.tolist()}, "styles": [] if bank is None else bank.names,
-    }  # fmt: skip
+    }
 
 
 class _Graph:

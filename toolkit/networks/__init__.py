@@ -13,11 +13,11 @@ from toolkit.networks.parameters import Row, counts, table2
 
 __all__ = ["MODELS", "BlendedLinear", "CatmullRom", "Experts", "Film", "FilmGenerator", "Gating", "Model", "OneHot",
            "ResidualAdapter", "Row", "Sizes", "StyleTable", "VelocityGating", "bank", "build", "counts", "fold",
-           "layer_norm", "normalisers", "table2"]  # fmt: skip
+           "layer_norm", "normalisers", "table2"]
 
 
 def build(name: str, layout: Layout, n_styles: int, sizes: Sizes | None = None,
-          normalisers: dict[str, Normaliser] | None = None, *, generator: bool = True) -> Model:  # fmt: skip
+          normalisers: dict[str, Normaliser] | None = None, *, generator: bool = True) -> Model:
     """A new model with random weights (from torch's global generator), set to predict.
 
     Parameters

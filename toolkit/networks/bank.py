@@ -1,6 +1,5 @@
 """Styles as vectors: a bank of names, and blends of them (Mason et al. 2022, section 4.4)."""
 
-import difflib
 import math
 import os
 import warnings
@@ -10,7 +9,8 @@ from dataclasses import dataclass
 import torch
 from torch import Tensor
 
-from toolkit.networks import weights
+from toolkit.features import check_style
+from toolkit.io import model_files
 
 
 @dataclass(frozen=True, eq=False)
@@ -135,26 +135,15 @@ class StyleBank:
 
     def save(self, path: str | os.PathLike) -> None:
         """Write to a safetensors file, whole or not at all."""
-        weights.write(path, {"bank.vectors": self.vectors}, {"bank": list(self.names)})
+        model_files.write(path, {"bank.vectors": self.vectors}, {"bank": list(self.names)})
 
     @classmethod
     def load(cls, path: str | os.PathLike) -> "StyleBank":
         """Read a bank, of `save` or of a training run."""
-        return cls.from_parts(path, *weights.read(path, "bank"))
+        return cls.from_parts(path, *model_files.read(path, "bank"))
 
     @classmethod
     def from_parts(cls, path: str | os.PathLike, tensors: dict[str, Tensor], parts: dict) -> "StyleBank":
-        """The bank among what `toolkit.networks.weights.read` returned for ``path``."""
-        with weights.intact(path, "the style bank"):
+        """The bank among what `toolkit.io.model_files.read` returned for ``path``."""
+        with model_files.intact(path, "the style bank"):
             return cls(tuple(parts["bank"]), tensors["bank.vectors"])
-
-
-def check_style(name: str, names: Iterable[str]) -> None:
-    """Raise a ValueError that lists close names unless ``name`` is one of ``names``."""
-    names = list(names)
-    if name in names:
-        return
-    by_lower = {n.lower(): n for n in names}
-    close = [by_lower[n] for n in difflib.get_close_matches(str(name).lower(), by_lower, cutoff=0.5)]
-    some = ", ".join(names[:8]) + (f" and {len(names) - 8} more" if len(names) > 8 else "")
-    raise ValueError(f"unknown style {name!r}; " + (f"close to it: {', '.join(close)}" if close else f"there is {some}"))

@@ -46,7 +46,7 @@ class Film(nn.Module):
 
 
 def fold(weight: Tensor, bias: Tensor, gamma: Tensor, beta: Tensor,
-         deviation: Tensor | None = None) -> tuple[Tensor, Tensor]:  # fmt: skip
+         deviation: Tensor | None = None) -> tuple[Tensor, Tensor]:
     """A style folded into a layer's own weights: FiLM as a multi-task dynamical system (section 5.3.1, equation 6).
 
     Without ``deviation`` it is the paper's equation, which leaves layer normalisation out: x W' + b' = γ ∘ (x W + b) + β

@@ -12,7 +12,8 @@ import torch
 from torch import Tensor, nn
 
 from toolkit.features import CLIP_FRAMES, Layout, Normaliser
-from toolkit.networks import phase, weights
+from toolkit.io import model_files
+from toolkit.networks import phase
 from toolkit.networks.adapters import OneHot, ResidualAdapter, StyleTable
 from toolkit.networks.experts import Experts
 from toolkit.networks.film import Film, FilmGenerator
@@ -82,7 +83,7 @@ class Model(nn.Module):
     """
 
     def __init__(self, name: str, layout: Layout, n_styles: int, sizes: Sizes, normalisers: dict[str, Normaliser],
-                 generator: bool = True):  # fmt: skip
+                 generator: bool = True):
         super().__init__()
         synthesis, style = name.split("-")
         layout = dataclasses.replace(layout, phase=PHASE[synthesis])
@@ -183,7 +184,7 @@ class Model(nn.Module):
             If a width is another.
         """
         for what, value, width in (("x", x, self.layout.n_inputs), ("phases", phases, self.layout.n_phases),
-                                   ("style", style, self.style_size)):  # fmt: skip
+                                   ("style", style, self.style_size)):
             if value.shape[-1] != width:
                 raise ValueError(f"{what} needs {width} columns, got shape {list(value.shape)}")
         z = self(self.normaliser("inputs").apply(x), self.normaliser("phases").apply(phases), style)
@@ -212,19 +213,19 @@ class Model(nn.Module):
         return self.modulation.size
 
     def parts(self, *, generator: bool = True) -> tuple[dict[str, Tensor], dict]:
-        """Its tensors and description, as `toolkit.networks.weights` stores them; generator or table only if asked for."""
+        """Its tensors and description, as `toolkit.io.model_files` stores them; generator or table only if asked for."""
         generator = generator and self.modulation.generator is not None
         tensors = {k: v for k, v in self.state_dict().items() if generator or not k.startswith("modulation.generator.")}
         description = {
             "name": self.name, "layout": json.loads(self.layout.to_json()), "n_styles": self.n_styles,
             "sizes": dataclasses.asdict(self.sizes), "generator": generator,
-        }  # fmt: skip
+        }
         return {f"model.{k}": v for k, v in tensors.items()}, description
 
     def save(self, path: str | os.PathLike, *, generator: bool = True) -> None:
         """Write weights, layout, sizes and normalisers to a safetensors file; ``generator=False``: without Ψ or table."""
         tensors, description = self.parts(generator=generator)
-        weights.write(path, tensors, {"model": description})
+        model_files.write(path, tensors, {"model": description})
 
     @classmethod
     def load(cls, path: str | os.PathLike, layout: Layout | None = None) -> "Model":
@@ -242,12 +243,12 @@ class Model(nn.Module):
         ValueError
             If the file is no model's or the model's layout is another.
         """
-        return cls.from_parts(path, *weights.read(path, "model"), layout)
+        return cls.from_parts(path, *model_files.read(path, "model"), layout)
 
     @classmethod
     def from_parts(cls, path: str | os.PathLike, tensors: dict[str, Tensor], parts: dict, layout: Layout | None) -> "Model":
-        """The model among what `toolkit.networks.weights.read` returned for ``path``."""
-        with weights.intact(path, "the model's description"):
+        """The model among what `toolkit.io.model_files.read` returned for ``path``."""
+        with model_files.intact(path, "the model's description"):
             d = parts["model"]
             name, stored, sizes = d["name"], Layout.from_json(json.dumps(d["layout"])), Sizes(**d["sizes"])
             if name not in MODELS:
@@ -260,10 +261,10 @@ class Model(nn.Module):
             described = (
                 {"joints": own.names, "parents": own.parents, "points": own.skeleton.names} for own in (layout, stored)
             )
-            raise ValueError(f"{path}: the layout differs in {weights.difference(*described)}")
+            raise ValueError(f"{path}: the layout differs in {model_files.difference(*described)}")
         own = {k.removeprefix("model."): v.float() for k, v in tensors.items() if k.startswith("model.")}
         shapes = {k: list(v.shape) for k, v in model.state_dict().items()}
-        if why := weights.difference(shapes, {k: list(v.shape) for k, v in own.items()}):
+        if why := model_files.difference(shapes, {k: list(v.shape) for k, v in own.items()}):
             raise ValueError(f"{path}: the model differs in tensor {why}")
         model.load_state_dict(own, assign=True)
         return model.eval()

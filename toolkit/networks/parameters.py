@@ -21,7 +21,7 @@ PRINTED = {
     "lpn-film": (4_935_928, 35_668_530, 2_048),
 }
 WHY = ("the paper counts each convolution as filters × width weights and as many biases as it is wide, without its input "
-       "channels")  # fmt: skip
+       "channels")
 
 
 @dataclass(frozen=True)

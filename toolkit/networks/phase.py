@@ -5,16 +5,12 @@ Data always hold local phases; what depends on a model's kind, its `Layout.phase
 
 import dataclasses
 import math
-from typing import TYPE_CHECKING
 
 import torch
 from torch import Tensor
 
 from toolkit.features import Features, Layout, Normaliser, Rows, pack_joints, split_joints
 from toolkit.phases import LIMBS
-
-if TYPE_CHECKING:
-    from toolkit.networks.model import Model
 
 ABOUT_TO_STEP = (-1.0, 0.0, 1.0, 0.0, 1.0, 0.0, -1.0, 0.0)  # (sin, cos) of the limbs in the order of the phases
 
@@ -51,7 +47,7 @@ def normalisers(layout: Layout, data: Features) -> dict[str, Normaliser]:
     if layout.phase == "local":
         return found
     observed = [Rows(lambda at, s=s: observe(layout, data.phases[s][at], data.outputs[s][at])[1],
-                     torch.arange(len(data.outputs[s]))) for s in data.styles]  # fmt: skip
+                     torch.arange(len(data.outputs[s]))) for s in data.styles]
     n = layout.n_phases
     return found | {"phases": Normaliser(torch.zeros(n), torch.ones(n)), "outputs": Normaliser.of(*observed)}
 
@@ -67,7 +63,7 @@ def advance(layout: Layout, phase: Tensor, out: dict[str, Tensor]) -> Tensor:
     return (phase + out["phase_updates"]) % math.tau if layout.phase == "global" else phase
 
 
-def amid_a_stride(model: "Model") -> tuple[Tensor, Tensor]:
+def amid_a_stride(model) -> tuple[Tensor, Tensor]:
     """A phase ``[n_phases]`` and a pose ``[12 J]`` for a character that stands and is about to step.
 
     The phase is two deviations from the mean of the data, the pose their mean. Without phases the pose has to say it: hands

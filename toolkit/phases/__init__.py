@@ -14,18 +14,18 @@ from torch import Tensor
 from toolkit.motion import Clip
 from toolkit.phases import windows
 from toolkit.phases.coherent import Coherent
-from toolkit.phases.fit import Sinusoids, fit
+from toolkit.phases.sinusoids import Sinusoids, fit
 from toolkit.phases.sources import LIMBS, Contact, ContactFree, Hybrid, Source, Velocity, curves, local_positions
 from toolkit.phases.windows import normalise, smooth
 
 __all__ = ["LIMBS", "SOURCES", "Coherent", "Contact", "ContactFree", "Hybrid", "Phases", "Sinusoids", "Source", "Velocity",
            "curves", "extract", "extract_group", "fit", "local_positions", "named", "normalise", "smooth",
-           "windows"]  # fmt: skip
+           "windows"]
 __getattr__ = lazy_loader.attach(__name__, ["learned"])[0]  # which imports this package
 
 #: Sources by name; "learned" is one more, read from its file when asked for (`named`).
 SOURCES: dict[str, Source | Coherent] = {"hybrid": Hybrid(), "contact": Contact(), "contact-free": ContactFree(),
-                                         "velocity": Velocity(), "coherent": Coherent()}  # fmt: skip
+                                         "velocity": Velocity(), "coherent": Coherent()}
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,7 +57,7 @@ def extract(clip: Clip, source: str | Source = "hybrid", half_window: float | No
 
 
 def extract_group(clips: Sequence[Clip], source: str | Source = "hybrid",
-                  half_window: float | None = None) -> list[Phases]:  # fmt: skip
+                  half_window: float | None = None) -> list[Phases]:
     """Local phases of clips of one style and gait, which share the source's principal axes (section 4.1.3).
 
     Parameters
@@ -88,7 +88,7 @@ def extract_group(clips: Sequence[Clip], source: str | Source = "hybrid",
         shortest = 2 * round(windows.SECOND * clip.fps) + 1
         if len(clip) < shortest:
             raise ValueError(f"{clip.name}: {len(clip)} frames are too few for phases, which need {shortest} "
-                             f"(one second) at {clip.fps:g} Hz")  # fmt: skip
+                             f"(one second) at {clip.fps:g} Hz")
     if hasattr(source, "fitted"):
         source = source.fitted(clips)
     return [_extract(clip, source, half_window) for clip in clips]
@@ -117,7 +117,7 @@ def _extract(clip: Clip, source: Source, half_window: float | None) -> Phases:
         (magnitude[..., None] * direction).float(),
         *(t.float() for t in (torch.atan2(direction[..., 0], direction[..., 1]) % (2 * torch.pi), found.frequency,
                               found.amplitude, found.residual, curve, value)),
-    )  # fmt: skip
+    )
 
 
 def _fitted(clip: Clip, source: Source, half_window: float | None) -> tuple[Tensor, Sinusoids]:

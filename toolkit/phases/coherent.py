@@ -16,7 +16,7 @@ from torch import Tensor
 
 from toolkit.motion import Clip
 from toolkit.phases import windows
-from toolkit.phases.fit import MAX_FREQUENCY, MIN_FREQUENCY, Sinusoids
+from toolkit.phases.sinusoids import MAX_FREQUENCY, MIN_FREQUENCY, Sinusoids
 from toolkit.phases.sources import Hybrid, Source, curves
 
 BANDS = torch.logspace(math.log2(0.35), math.log2(2.5), 64, base=2, dtype=torch.float64)  # Hz, tried as cadence

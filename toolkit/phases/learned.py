@@ -31,9 +31,9 @@ from torch import Tensor, nn
 from tqdm.auto import tqdm
 
 from toolkit.datasets import procedural
+from toolkit.io import model_files
 from toolkit.motion import Clip, root_frames
-from toolkit.networks import weights
-from toolkit.phases.fit import MAX_FREQUENCY, MIN_FREQUENCY, Sinusoids
+from toolkit.phases.sinusoids import MAX_FREQUENCY, MIN_FREQUENCY, Sinusoids
 from toolkit.phases.sources import LIMBS
 
 RATE = 20.0  # Hz, of the windows' samples
@@ -112,7 +112,7 @@ class PeriodicAutoencoder(nn.Module):
 
 def _two_convolutions(inputs: int, hidden: int, outputs: int, samples: int) -> nn.Sequential:
     return nn.Sequential(Convolution(inputs, hidden, samples), nn.LayerNorm(samples), nn.Tanh(),
-                         Convolution(hidden, outputs, samples))  # fmt: skip
+                         Convolution(hidden, outputs, samples))
 
 
 def spectrum(latent: Tensor, rate: float) -> tuple[Tensor, Tensor, Tensor]:
@@ -171,7 +171,7 @@ class Learned:
 
     @classmethod
     def train(cls, clips: Sequence[Clip], *, steps: int = 3000, batch: int = 256, rate: float = 3e-3, hidden: int = 12,
-              seed: int = 0, progress: bool = False) -> "Learned":  # fmt: skip
+              seed: int = 0, progress: bool = False) -> "Learned":
         """Train on clips of any skeletons, rates and styles, by the mean squared error of the rebuilt windows.
 
         Parameters
@@ -224,7 +224,7 @@ class Learned:
             residual = (latent - network.wave(*parameters)).square().mean(1).sqrt()
             turned = (phase + (torch.pi if factor < 0 else 0.0)) % (2 * torch.pi)
             columns.append((latent[:, HALF] * factor, turned, _growth(phase, clip.fps), amplitude * abs(factor),
-                            offset * factor, residual * abs(factor)))  # fmt: skip
+                            offset * factor, residual * abs(factor)))
         curve, *rest = (torch.stack(column, 1).double() for column in zip(*columns, strict=True))
         return curve, Sinusoids(*rest)
 
@@ -232,14 +232,14 @@ class Learned:
         """Write networks and factors to one safetensors file."""
         tensors = {f"learned.{part}.{k}": v for part in PARTS for k, v in self.networks[part].state_dict().items()}
         hidden = {part: self.networks[part].hidden for part in PARTS}
-        weights.write(path, tensors, {"learned": {"hidden": hidden, "factors": self.factors}})
+        model_files.write(path, tensors, {"learned": {"hidden": hidden, "factors": self.factors}})
 
     @classmethod
     def load(cls, path: str | os.PathLike) -> "Learned":
         """Read a source that `save` wrote; a file that is none is a one-line ValueError. No code in it is run."""
-        tensors, parts = weights.read(path, "learned")
+        tensors, parts = model_files.read(path, "learned")
         networks = {}
-        with weights.intact(path, "the learned source in it"):
+        with model_files.intact(path, "the learned source in it"):
             for part in PARTS:
                 networks[part] = PeriodicAutoencoder(hidden=parts["learned"]["hidden"][part]).eval()
                 own = f"learned.{part}."

@@ -10,9 +10,8 @@ from dataclasses import dataclass, field, replace
 import torch
 from torch import Tensor
 
-from toolkit import contacts
-from toolkit import rotations as R
-from toolkit.motion import Clip
+from toolkit.motion import Clip, contacts
+from toolkit.motion import rotations as R
 
 #: The published order of the phases.
 LIMBS = ("left_hand", "right_hand", "left_foot", "right_foot")
@@ -127,7 +126,7 @@ class Hybrid:
             return "contact-free: a hand touches nothing"
         compared = "at least" if self.choice(clip, limb) == "contact" else "under"
         return (f"{self.choice(clip, limb)}: the foot touches the floor in {self._share(clip, limb):.0%} of the frames, "
-                f"{compared} {self.least:.0%}")  # fmt: skip
+                f"{compared} {self.least:.0%}")
 
     def _share(self, clip: Clip, limb: str) -> float:
         return float(self.contact(clip, limb).mean())

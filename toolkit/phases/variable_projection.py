@@ -1,4 +1,4 @@
-"""The compiled part of `toolkit.phases.fit`, whose docstring has the mathematics; apart because numba is slow to import."""
+"""The compiled part of `toolkit.phases.sinusoids`, whose docstring has the mathematics."""
 
 import math
 

@@ -10,4 +10,4 @@ from toolkit.styles.space import Separation, clip_vectors, embed, separation
 from toolkit.styles.transitions import EASINGS, transition
 
 __all__ = ["EASINGS", "METHODS", "NewStyles", "Separation", "Strain", "StyleBank", "check", "clip_vectors", "embed",
-           "fine_tune", "separation", "strain", "transition"]  # fmt: skip
+           "fine_tune", "separation", "strain", "transition"]

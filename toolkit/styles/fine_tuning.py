@@ -10,14 +10,15 @@ import torch
 from torch import Tensor
 from tqdm.auto import tqdm
 
-from toolkit import features, runtime, sampling
-from toolkit.evaluation import evaluate, loss_terms, make_bank
-from toolkit.features import KINDS, Features
+from toolkit import features, runtime
+from toolkit.features import KINDS, Features, splits
+from toolkit.io.model_files import difference
 from toolkit.motion import Clip
 from toolkit.networks import Film, FilmGenerator, Model
 from toolkit.networks.bank import StyleBank
-from toolkit.networks.weights import difference
-from toolkit.sampling import Minibatches
+from toolkit.training import minibatches
+from toolkit.training.loss import evaluate, loss_terms, make_bank
+from toolkit.training.minibatches import Minibatches
 
 METHODS = {
     "generator": "fine-tune the FiLM generator (section 5.3.2)",
@@ -65,7 +66,7 @@ class NewStyles:
 
 def fine_tune(model: Model, clips: Clip | Sequence[Clip] | Features, name: str | None = None, bank: StyleBank | None = None,
               *, method: str | None = None, steps: int = STEPS, mirror: bool = False, seed: int = 0,
-              progress: bool = False) -> NewStyles:  # fmt: skip
+              progress: bool = False) -> NewStyles:
     """Learn new styles from a few clips or one, and change nothing else.
 
     Departures from the paper, which fine-tunes with the settings of training: steps are few and the rate decays. As in
@@ -178,10 +179,10 @@ def _walks(model: Model, bank: StyleBank) -> Tensor:
 
 def _descend(model: Model, bank: StyleBank | None, data: Features, learnt: list[Tensor],
              vector: Callable[[int, Tensor], Tensor], method: str, steps: int, seed: int,
-             progress: bool) -> list[float]:  # fmt: skip
+             progress: bool) -> list[float]:
     """Lower the loss by changing ``learnt`` only, from which ``vector(style's number, clips)`` makes ``[1, D]``; losses."""
     batches = Minibatches(data, min(BATCH, *map(len, data.inputs.values())), 1, seed)
-    joints, draw, total = model.layout.inputs["joints"], sampling.generator(seed, sampling.STRAY), steps * len(data.styles)
+    joints, draw, total = model.layout.inputs["joints"], splits.generator(seed, minibatches.STRAY), steps * len(data.styles)
     poses = _walks(model, bank) if bank is not None else model.inputs_mean[None, joints]
     middle, spread = _usual(model, bank)
     adam, losses = torch.optim.Adam(learnt, lr=RATES[method], fused=True), []

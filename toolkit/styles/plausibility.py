@@ -67,7 +67,7 @@ def bone_stretch(layout: Layout, positions: Tensor) -> Tensor:
     """Mean over frames of the worst bone's relative error of length ``[...]``, from positions ``[F, ..., J, 3]``."""
     rest = layout.skeleton.rest_positions[list(layout.skeleton.feature_joints)].to(positions)
     child, parent = zip(*[(j, p) for j, p in enumerate(layout.parents) if p >= 0 and (rest[j] - rest[p]).norm() > 1e-3],
-                        strict=True)  # fmt: skip
+                        strict=True)
     length = (rest[list(child)] - rest[list(parent)]).norm(dim=-1)
     got = (positions[..., list(child), :] - positions[..., list(parent), :]).norm(dim=-1)
     return ((got - length).abs() / length).mean(0).amax(-1)
@@ -115,7 +115,7 @@ def check(model: Model, bank: StyleBank, blend: Mapping[str, float], speed: floa
     found = strain(model, vectors, speed, seconds)
     result, worse = {}, []
     limits = {"bone_stretch": (STRETCH, "bones are stretched by {:.0%} (its styles alone: {:.0%})"),
-              "penetration": (DEPTH, "limbs are {:.3f} m inside the body (its styles alone: {:.3f} m)")}  # fmt: skip
+              "penetration": (DEPTH, "limbs are {:.3f} m inside the body (its styles alone: {:.3f} m)")}
     for what, (limit, text) in limits.items():
         here, usual = float(getattr(found, what)[0]), float(getattr(found, what)[1:].max())
         result |= {what: here, f"usual_{what}": usual}
@@ -134,7 +134,7 @@ def _body(layout: Layout) -> tuple[dict[str, tuple[int, int, float]], list[tuple
     scale = float((rest[at["left_hip"]] - rest[at["left_foot"]]).norm()) / LEG
     limbs = {"forearm": ("elbow", "hand"), "thigh": ("hip", "knee"), "shank": ("knee", "foot"), "foot": ("foot", "toe")}
     capsules = {f"{side} {part}": (at[f"{side}_{a}"], at[f"{side}_{b}"], RADII[part] * scale)
-                for side in ("left", "right") for part, (a, b) in limbs.items()}  # fmt: skip
+                for side in ("left", "right") for part, (a, b) in limbs.items()}
     above = [skeleton.names[j] for j in skeleton.ancestors("left_shoulder") if j in skeleton.ancestors("right_shoulder")]
     chest, top = names.index(above[0]), int(rest[:, 1].argmax())
     capsules |= {"trunk": (at["hips"], chest, RADII["trunk"] * scale), "head": (top, top, RADII["head"] * scale)}

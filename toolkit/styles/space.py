@@ -123,7 +123,7 @@ def separation(vectors: Tensor, styles: Sequence[str]) -> Separation:
     counts = torch.bincount(label, minlength=len(names))
     if len(label) != len(vectors) or len(names) < 2 or int(counts.min()) < 2:
         raise ValueError(f"separation needs two styles or more, of two clips or more each; got {len(vectors)} vectors and "
-                         f"clips {dict(zip(names, counts.tolist(), strict=True))}")  # fmt: skip
+                         f"clips {dict(zip(names, counts.tolist(), strict=True))}")
     rows, member = vectors.detach().double(), torch.nn.functional.one_hot(label).double()
     own = label[:, None]
     mean = torch.cdist(rows, rows) @ member  # summed distance of each clip to the clips of each style, [N, S]

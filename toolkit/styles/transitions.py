@@ -22,7 +22,7 @@ EASINGS: dict[str, Callable[[float], float]] = {
 
 
 def transition(bank: StyleBank, stops: Mapping[float, str | Mapping[str, float]],
-               easing: str | Callable[[float], float] = "smooth") -> Callable[[int], Tensor]:  # fmt: skip
+               easing: str | Callable[[float], float] = "smooth") -> Callable[[int], Tensor]:
     """A style that goes from blend to blend: what `toolkit.runtime.rollout` takes as ``style``.
 
     Parameters

@@ -8,8 +8,8 @@
 from toolkit.stylization.data import Motions, Statistics, build, split
 from toolkit.stylization.graph import SkeletonGraph
 from toolkit.stylization.networks import Discriminator, Sizes, Stylizer
-from toolkit.stylization.stylize import style_code, stylize
+from toolkit.stylization.restyling import style_code, stylize
 from toolkit.stylization.training import Config, Run, fit, load
 
 __all__ = ["Config", "Discriminator", "Motions", "Run", "Sizes", "SkeletonGraph", "Statistics", "Stylizer", "build", "fit",
-           "load", "split", "style_code", "stylize"]  # fmt: skip
+           "load", "split", "style_code", "stylize"]

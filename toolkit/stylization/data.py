@@ -11,11 +11,11 @@ from dataclasses import dataclass
 import torch
 from torch import Tensor, nn
 
-from toolkit import rotations as R
+from toolkit.features.splits import generator
 from toolkit.motion import Clip, Skeleton, local_rotations, root_frames
-from toolkit.sampling import generator
+from toolkit.motion import rotations as R
+from toolkit.motion.trajectory import heading
 from toolkit.stylization.graph import SkeletonGraph
-from toolkit.trajectory import heading
 
 FPS = 30.0
 FRAMES = 64  # T of a training window
@@ -232,7 +232,7 @@ def split(motions: Motions, share: float, seed: int) -> tuple[Motions, Motions]:
         raise ValueError(f"the share of the second part must lie between 0 and 1, got {share}")
     second = torch.zeros(int(motions.take.max()) + 1, dtype=torch.bool)
     originals = {int(t): (int(d), int(c)) for d, c, t in zip(motions.domain.flip(0), motions.content.flip(0),
-                                                              motions.take.flip(0), strict=True)}  # fmt: skip
+                                                              motions.take.flip(0), strict=True)}
     for d, c in sorted(set(originals.values())):
         takes = torch.tensor(sorted(t for t, kind in originals.items() if kind == (d, c)))
         order = torch.randperm(len(takes), generator=generator(seed, d, c))

@@ -118,7 +118,7 @@ class Block(nn.Module):
     """
 
     def __init__(self, inputs: int, outputs: int, graph: SkeletonGraph, level: int, direction: str, norm: str = "none",
-                 code: int = 0):  # fmt: skip
+                 code: int = 0):
         super().__init__()
         coarse = level + 1
         middle, to = (inputs, coarse) if direction == "down" else (outputs, level)
@@ -127,7 +127,7 @@ class Block(nn.Module):
         self.shortcut = nn.Conv2d(inputs, outputs, 1, bias=False)
         self.resample = Resample(graph, level, direction)
         self.norms = nn.ModuleList({"none": lambda c: nn.Identity(), "in": lambda c: nn.InstanceNorm2d(c, affine=True),
-                                    "adain": lambda c: AdaIN(code, c)}[norm](c) for c in (inputs, middle))  # fmt: skip
+                                    "adain": lambda c: AdaIN(code, c)}[norm](c) for c in (inputs, middle))
 
     def forward(self, x: Tensor, code: Tensor | None = None) -> Tensor:
         """``[B, outputs, N', T']`` of ``[B, inputs, N, T]``."""

@@ -4,8 +4,8 @@ from collections.abc import Sequence
 
 import torch
 
-from toolkit import rotations as R
 from toolkit.motion import Clip, root_frames
+from toolkit.motion import rotations as R
 
 
 def medley(clips: Sequence[Clip], overlap: float = 0.5) -> Clip:

@@ -8,8 +8,8 @@ import torch
 from torch import Tensor, nn
 from torch.nn import functional
 
+from toolkit.io import model_files
 from toolkit.motion import Skeleton
-from toolkit.networks import weights
 from toolkit.stylization.data import CHANNELS, FRAMES, Statistics
 from toolkit.stylization.graph import POOLINGS, SkeletonGraph
 from toolkit.stylization.layers import SLOPE, AdaIN, Block, Lift, Trunk, encoder_blocks, he_init
@@ -49,7 +49,7 @@ class Generator(nn.Module):
         c = sizes.channels
         self.encoder = nn.Sequential(Lift(c), *encoder_blocks(graph, c, "in"))
         self.decoder = nn.ModuleList(Block(c << level + 1, c << level, graph, level, "up", "adain", sizes.code)
-                                     for level in reversed(range(POOLINGS)))  # fmt: skip
+                                     for level in reversed(range(POOLINGS)))
         self.lower = nn.Conv2d(c, CHANNELS, 1)
 
     def encode(self, x: Tensor) -> Tensor:
@@ -107,7 +107,7 @@ class MappingNetwork(nn.Module):
         half = max(1, sizes.hidden // 2)
         self.noise, self.label = nn.Linear(sizes.latent, half), nn.Linear(domains, half)
         self.shared = nn.Sequential(nn.Linear(2 * half, sizes.hidden), nn.ReLU(), nn.Linear(sizes.hidden, 2 * sizes.hidden),
-                                    nn.ReLU(), nn.Linear(2 * sizes.hidden, sizes.code), nn.Tanh())  # fmt: skip
+                                    nn.ReLU(), nn.Linear(2 * sizes.hidden, sizes.code), nn.Tanh())
 
     def forward(self, z: Tensor, domain: Tensor) -> Tensor:
         """``[B, S]`` of noise ``[B, 16]`` and domains ``[B]``."""
@@ -171,7 +171,7 @@ class Stylizer(nn.Module):
         """Motions ``[B, 7, T, N]`` in the style of codes ``[B, S]``; T a multiple of 4."""
         if x.dim() != 4 or x.shape[1] != CHANNELS or x.shape[3] != self.graph.sizes[0] or x.shape[2] % SHRINK:
             raise ValueError(f"motions are [B, {CHANNELS}, T, {self.graph.sizes[0]}], T a multiple of {SHRINK}; "
-                             f"got {list(x.shape)}")  # fmt: skip
+                             f"got {list(x.shape)}")
         return self.statistics.invert(self.generator(self.statistics.apply(x), code.expand(len(x), -1)))
 
     @torch.no_grad()
@@ -187,7 +187,7 @@ class Stylizer(nn.Module):
         return self.mapping(z, self.domain(domain).expand(len(z)))
 
     def parts(self) -> tuple[dict[str, Tensor], dict]:
-        """Its tensors and its description, as `toolkit.networks.weights` stores them."""
+        """Its tensors and its description, as `toolkit.io.model_files` stores them."""
         s = self.skeleton
         body = {"names": s.names, "parents": s.parents, "offsets": s.offsets.tolist(), "roles": s.roles}
         description = {"domains": self.domains, "sizes": dataclasses.asdict(self.sizes), "skeleton": body}
@@ -196,17 +196,17 @@ class Stylizer(nn.Module):
     def save(self, path: str | os.PathLike) -> None:
         """Write weights, statistics, skeleton and names to one safetensors file."""
         tensors, description = self.parts()
-        weights.write(path, tensors, {"stylizer": description})
+        model_files.write(path, tensors, {"stylizer": description})
 
     @classmethod
     def load(cls, path: str | os.PathLike) -> "Stylizer":
         """Read a stylizer, of `save` or of a training run; a file that holds none is a one-line ValueError."""
-        return cls.from_parts(path, *weights.read(path, "stylizer"))
+        return cls.from_parts(path, *model_files.read(path, "stylizer"))
 
     @classmethod
     def from_parts(cls, path: str | os.PathLike, tensors: dict[str, Tensor], parts: dict) -> "Stylizer":
-        """The stylizer among what `toolkit.networks.weights.read` returned for ``path``."""
-        with weights.intact(path, "the stylizer in it"):
+        """The stylizer among what `toolkit.io.model_files.read` returned for ``path``."""
+        with model_files.intact(path, "the stylizer in it"):
             described = parts["stylizer"]
             graph = SkeletonGraph.of(Skeleton(**described["skeleton"]))
             model = build(graph, tuple(described["domains"]), Sizes(**described["sizes"]))[0]
@@ -216,7 +216,7 @@ class Stylizer(nn.Module):
 
 
 def build(graph: SkeletonGraph, domains: tuple[str, ...], sizes: Sizes | None = None,
-          statistics: Statistics | None = None) -> tuple[Stylizer, Discriminator]:  # fmt: skip
+          statistics: Statistics | None = None) -> tuple[Stylizer, Discriminator]:
     """New networks; without statistics z-scores are physical units.
 
     He-initialised from torch's global generator, with two departures that save iterations. G's last layer starts at zero, so

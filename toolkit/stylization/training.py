@@ -17,8 +17,8 @@ import torch
 from torch import Tensor
 from tqdm.auto import tqdm
 
-from toolkit.networks import weights
-from toolkit.sampling import generator, mix
+from toolkit.features.splits import generator, mix
+from toolkit.io import model_files
 from toolkit.stylization import losses
 from toolkit.stylization.data import Motions
 from toolkit.stylization.networks import Discriminator, Sizes, Stylizer, build
@@ -68,7 +68,7 @@ class Config:
         """
         settings = {"sizes": Sizes.small(), "iterations": 1200, "final_rate": 0.1,
                     "rates": dict(zip(NETWORKS, (2e-3, 1e-3, 1e-3, 1e-3), strict=True)),
-                    "weights": {"adv": 1.0, "cyc": 10.0, "id": 10.0, "sty": 1.0, "ds": 3.0, "r1": 5.0}}  # fmt: skip
+                    "weights": {"adv": 1.0, "cyc": 10.0, "id": 10.0, "sty": 1.0, "ds": 3.0, "r1": 5.0}}
         return cls(**(settings | changes))
 
     def fixed(self) -> dict:
@@ -91,18 +91,18 @@ class Run:
         tensors, description = self.stylizer.parts()
         tensors |= {f"discriminator.{k}": v for k, v in self.discriminator.state_dict().items()}
         numbers = {"config": dataclasses.asdict(self.config), "history": self.history}
-        weights.write(path, tensors, {"stylizer": description, "stylization": numbers})
+        model_files.write(path, tensors, {"stylizer": description, "stylization": numbers})
 
 
 def load(path: str | os.PathLike) -> Run:
     """Read a run that `Run.save` wrote; a file that is none is a one-line ValueError."""
-    tensors, parts = weights.read(path, "stylization")
+    tensors, parts = model_files.read(path, "stylization")
     stylizer = Stylizer.from_parts(path, tensors, parts)
-    with weights.intact(path, "the record of the run"):
+    with model_files.intact(path, "the record of the run"):
         numbers = parts["stylization"]
         stored = numbers["config"]
         config = Config(**stored | {"sizes": Sizes(**stored["sizes"]), "losses": tuple(stored["losses"]),
-                                    "betas": tuple(stored["betas"])})  # fmt: skip
+                                    "betas": tuple(stored["betas"])})
         discriminator = Discriminator(stylizer.graph, stylizer.sizes, len(stylizer.domains)).eval()
         discriminator.load_state_dict(_own(tensors, "discriminator."))
         return Run(stylizer, discriminator, config, numbers["history"])
@@ -138,7 +138,7 @@ class Batches:
 
 
 def fit(motions: Motions, config: Config | None = None, checkpoint: str | os.PathLike | None = None, *, resume: bool = True,
-        progress: bool = False, on_step: Callable[[int, Stylizer], None] | None = None) -> Run:  # fmt: skip
+        progress: bool = False, on_step: Callable[[int, Stylizer], None] | None = None) -> Run:
     """Train the four networks.
 
     Parameters
@@ -170,7 +170,7 @@ def fit(motions: Motions, config: Config | None = None, checkpoint: str | os.Pat
         network.to(config.device)
     networks = {name: discriminator if name == "discriminator" else getattr(stylizer, name) for name in NETWORKS}
     adams = {name: torch.optim.Adam(network.parameters(), config.rates[name], config.betas, fused=True)
-             for name, network in networks.items()}  # fmt: skip
+             for name, network in networks.items()}
     state = {"step": 0, "elapsed": 0.0, "history": [], "sums": {}}
     if checkpoint and resume and Path(checkpoint).exists():
         state = _restore(checkpoint, stylizer, discriminator, adams, config)
@@ -204,7 +204,7 @@ def translations(stylizer: Stylizer, batch: dict[str, Tensor], config: Config, f
     noise, references, target = batch["noise"], batch["references"], batch["target"]
     names = ["fake", *(["second"] if "ds" in config.losses else [])]
     codes = [stylizer.mapping(noise[k], target) if from_noise else stylizer.encoder(references[k], target)
-             for k in range(len(names))]  # fmt: skip
+             for k in range(len(names))]
     made = {"code": codes[0]}
     if {"cyc", "id"} & set(config.losses):
         made["own"] = stylizer.encoder(batch["x"], batch["domain"])
@@ -216,7 +216,7 @@ def translations(stylizer: Stylizer, batch: dict[str, Tensor], config: Config, f
 
 
 def terms_of(stylizer: Stylizer, discriminator: Discriminator, batch: dict[str, Tensor], made: dict[str, Tensor],
-             config: Config) -> dict[str, Tensor]:  # fmt: skip
+             config: Config) -> dict[str, Tensor]:
     """The loss terms of G, E and F (equations 7 to 11) that the config asks for, unweighted."""
     target, fake = batch["target"], made["fake"]
     terms = {
@@ -230,7 +230,7 @@ def terms_of(stylizer: Stylizer, discriminator: Discriminator, batch: dict[str, 
 
 
 def _step(stylizer: Stylizer, discriminator: Discriminator, adams: dict[str, torch.optim.Adam], batch: dict[str, Tensor],
-          config: Config, n: int) -> dict[str, float]:  # fmt: skip
+          config: Config, n: int) -> dict[str, float]:
     """One step of D, then one of the others; all loss terms.
 
     Codes come from noise in even iterations and from references in odd ones, which train G alone, as in the published code.
@@ -266,21 +266,21 @@ def _descend(loss: Tensor, adams: list[torch.optim.Adam]) -> None:
 
 
 def _checkpoint(path: str | os.PathLike, stylizer: Stylizer, discriminator: Discriminator,
-                adams: dict[str, torch.optim.Adam], state: dict, config: Config) -> None:  # fmt: skip
+                adams: dict[str, torch.optim.Adam], state: dict, config: Config) -> None:
     """Write everything the rest of the run depends on."""
     tensors = {f"{part}.{k}": v for part, network in (("stylizer", stylizer), ("discriminator", discriminator))
-               for k, v in network.state_dict().items()}  # fmt: skip
+               for k, v in network.state_dict().items()}
     tensors |= {f"adam.{name}.{i}.{kind}": value for name, adam in adams.items()
-                for i, moments in adam.state_dict()["state"].items() for kind, value in moments.items()}  # fmt: skip
-    weights.write(path, tensors, {"stylization_checkpoint": {**state, "config": config.fixed()}})
+                for i, moments in adam.state_dict()["state"].items() for kind, value in moments.items()}
+    model_files.write(path, tensors, {"stylization_checkpoint": {**state, "config": config.fixed()}})
 
 
 def _restore(path: str | os.PathLike, stylizer: Stylizer, discriminator: Discriminator, adams: dict[str, torch.optim.Adam],
-             config: Config) -> dict:  # fmt: skip
+             config: Config) -> dict:
     """Load a checkpoint into new networks and optimisers; the state of the run."""
-    tensors, parts = weights.read(path, "stylization_checkpoint")
+    tensors, parts = model_files.read(path, "stylization_checkpoint")
     state, own = parts["stylization_checkpoint"], _own(tensors, "stylizer.")
-    if why := weights.difference(config.fixed(), state.pop("config", {})):
+    if why := model_files.difference(config.fixed(), state.pop("config", {})):
         raise ValueError(f"{path}: the run to resume differs in {why}")
     if any(not torch.equal(own[f"statistics.{k}"], v.cpu()) for k, v in stylizer.statistics.state_dict().items()):
         raise ValueError(f"{path}: the run to resume had other data (their means and deviations differ)")

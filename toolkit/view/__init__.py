@@ -17,10 +17,10 @@ _HOME = {
     "StyleExplorer": "explorer", "explore": "explorer",
     "phase_figure": "phase_figures", "phase_manifold": "phase_figures", "principal_axes": "phase_figures",
     "style_space": "figures", "training_curves": "figures", "trajectory_figure": "figures",
-}  # fmt: skip
+}
 __all__ = ["Controller", "Player", "StyleBlender", "StyleExplorer", "StyleTriangle", "animate", "contact_sheet", "crowd",
            "explore", "html", "loop", "phase_figure", "phase_manifold", "play", "principal_axes", "strip", "style_space",
-           "training_curves", "trajectory_figure", "web"]  # fmt: skip
+           "training_curves", "trajectory_figure", "web"]
 
 
 def __getattr__(name: str):

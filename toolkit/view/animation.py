@@ -12,9 +12,9 @@ from PIL import Image, ImageDraw, ImageFont
 from scipy.ndimage import gaussian_filter1d
 from tqdm import tqdm
 
-from toolkit import rotations as R
-from toolkit.files import atomic_write
+from toolkit.io.files import atomic_write
 from toolkit.motion import Clip
+from toolkit.motion import rotations as R
 from toolkit.view import body
 from toolkit.view.picture import FLOOR, INK, PAPER, contact_list, label, steady_frames
 from toolkit.view.raycast import Canvas
@@ -27,7 +27,7 @@ SUFFIXES = (".gif", ".png", ".apng", ".webp", ".mp4")
 
 def animate(clips: Clip | Sequence[Clip], path: str | os.PathLike, *, labels: Sequence[str] | None = None,
             columns: int | None = None, fps: float = 20.0, height: int = 200, view: float = 45.0, elevation: float = 12.0,
-            contacts=None, caption: str = "", colors: int = 64, progress: bool = False) -> Path:  # fmt: skip
+            contacts=None, caption: str = "", colors: int = 64, progress: bool = False) -> Path:
     """Write a looping picture of one or more motions, each in a cell of its own, on a floor whose lines show the travel.
 
     The clips are shown as they are; `loop` finds the part of a clip that repeats without a jump. A clip that is shorter than
@@ -100,7 +100,7 @@ def write(frames: Iterable[Image.Image], path: Path, fps: float, colors: int) ->
 
 def contact_sheet(clips: Clip | Sequence[Clip], path: str | os.PathLike | None = None, *, columns: int = 8,
                   labels: Sequence[str] | None = None, strides: int = 2, height: int = 140, view: float = 45.0,
-                  elevation: float = 12.0, contacts=None, progress: bool = False) -> Image.Image:  # fmt: skip
+                  elevation: float = 12.0, contacts=None, progress: bool = False) -> Image.Image:
     """A row of poses for every clip, evenly over about two strides, time from left to right.
 
     Parameters

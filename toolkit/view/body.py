@@ -15,8 +15,8 @@ import torch
 from matplotlib.colors import to_rgb
 from torch import Tensor
 
-from toolkit import rotations as R
 from toolkit.motion import Clip, root_frames
+from toolkit.motion import rotations as R
 
 LEG = 0.87  # hip to ankle in metres of the body that the radii below are written for
 COLORS = {"left": "#6a9fcb", "right": "#e39a6c", "middle": "#ebe6dd", "joint": "#46505c", "face": "#2b323b"}
@@ -25,7 +25,7 @@ PALETTE = ("#7b68c4", "#2fa596", "#d6598b", "#c9a227", "#5b8def", "#8a8f98")  # 
 RADII = {  # upper joint's role -> radii at the two ends of the bone below it
     "hip": (0.077, 0.054), "knee": (0.053, 0.035), "foot": (0.041, 0.030),
     "shoulder": (0.049, 0.037), "elbow": (0.037, 0.027),
-}  # fmt: skip
+}
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,7 +78,7 @@ class Shape:
 
 
 def cone(joint: int, start: Tensor, end: Tensor, radii: tuple[float, float], tone: str, *, thin: Tensor | None = None,
-         by: float = 1.0, foot: str = "") -> Shape:  # fmt: skip
+         by: float = 1.0, foot: str = "") -> Shape:
     """Rounded cone from ``start`` to ``end`` [3] in the joint's frame, its thickness along ``thin`` scaled by ``by``."""
     start, end = (np.asarray(v, dtype=np.float64) for v in (start, end))
     length = max(float(np.linalg.norm(end - start)), 1.1 * abs(radii[0] - radii[1]), 1e-4)
@@ -266,10 +266,10 @@ def _torso(m: _Measured, s: float, used: set[int]) -> list[Shape]:
     across = R.normalize(a - b)
     middle, half = (a + b) / 2 + 0.025 * s * m.up(hips), 0.062 * s
     shapes = [cone(hips, middle + half * across, middle - half * across, (0.1 * s,) * 2, "middle",
-                   thin=m.forward(hips), by=0.9)]  # fmt: skip
+                   thin=m.forward(hips), by=0.9)]
     for upper, lower in pairwise(spine):
         part = cone(lower, torch.zeros(3), skeleton.offsets[upper], (0.088 * s, 0.092 * s), "joint", thin=m.forward(lower),
-                    by=0.86)  # fmt: skip
+                    by=0.86)
         part = m.bend(part, upper, 0.07 * s)
         shapes.append(part if lower == hips else m.bend(part, skeleton.parents[lower], 0.07 * s))
     a, b = m.place(skeleton.index("left_shoulder"), chest), m.place(skeleton.index("right_shoulder"), chest)
@@ -300,10 +300,10 @@ def _head(m: _Measured, s: float, used: set[int]) -> list[Shape]:
     used.update(j for j, p in enumerate(skeleton.parents) if p == head)
     up, forward, left = m.up(head), m.forward(head), m.left(head)
     shapes.append(cone(head, (0.045 * up + 0.022 * forward) * s, (0.118 * up + 0.008 * forward) * s,
-                       (0.068 * s, 0.09 * s), "middle", thin=left, by=0.86))  # fmt: skip
+                       (0.068 * s, 0.09 * s), "middle", thin=left, by=0.86))
     eyes = (0.096 * up + 0.072 * forward) * s
     return [*shapes, cone(head, eyes + 0.026 * s * left, eyes - 0.026 * s * left, (0.032 * s,) * 2, "face",
-                          thin=up, by=0.7)]  # fmt: skip
+                          thin=up, by=0.7)]
 
 
 def colors(shapes: tuple[Shape, ...], contacts: np.ndarray | None = None) -> np.ndarray:

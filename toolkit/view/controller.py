@@ -15,8 +15,8 @@ import numpy as np
 import torch
 import traitlets
 
-from toolkit import runtime, trajectory
-from toolkit.motion import Clip
+from toolkit import runtime
+from toolkit.motion import Clip, trajectory
 from toolkit.runtime import FPS, Command
 from toolkit.view.page import skeleton_data
 
@@ -73,7 +73,7 @@ class Controller(anywidget.AnyWidget):
     _task: asyncio.Task | None = None  # a script has none: there `advance` moves the character
 
     def __init__(self, model, bank, *, styles: Sequence[str] | None = None, speed: float = 1.0,
-                 size: tuple[int, int] = (640, 480)):  # fmt: skip
+                 size: tuple[int, int] = (640, 480)):
         names = (list(bank.names) * 3)[:3] if styles is None else list(styles)
         if len(names) != 3:
             raise ValueError(f"a triangle has three styles, got {names}")

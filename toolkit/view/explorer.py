@@ -19,10 +19,10 @@ from toolkit.motion import Clip
 from toolkit.networks import Model
 from toolkit.networks.bank import StyleBank
 from toolkit.styles.space import embed
-from toolkit.view.blender import StyleBlender
 from toolkit.view.figures import INK, QUIET, style_space
 from toolkit.view.picture import PAPER
 from toolkit.view.player import _in_notebook
+from toolkit.view.style_blender import StyleBlender
 
 CLIPS = "#b9bdc4"  # colour of single clips
 SIDE = 560  # pixels of the map, both ways
@@ -33,7 +33,7 @@ SETTLE = 1.5  # seconds that it walks before: from standing into the style
 def explore(model: Model, bank: StyleBank, *, points: Tensor | None = None, groups: Sequence[str] | None = None,
             cloud: tuple[Tensor, Sequence[str]] | None = None, joined: Sequence[tuple[str, str]] = (),
             make_clip: Callable[[dict[str, float]], Clip] | None = None,
-            size: tuple[int, int] = (480, 420)) -> "StyleExplorer | go.Figure":  # fmt: skip
+            size: tuple[int, int] = (480, 420)) -> "StyleExplorer | go.Figure":
     """A map of styles to walk through.
 
     Parameters
@@ -66,14 +66,14 @@ def explore(model: Model, bank: StyleBank, *, points: Tensor | None = None, grou
 
 def chart(bank: StyleBank, points: Tensor, groups: Sequence[str] | None = None,
           cloud: tuple[Tensor, Sequence[str]] | None = None,
-          joined: Sequence[tuple[str, str]] = ()) -> go.Figure:  # fmt: skip
+          joined: Sequence[tuple[str, str]] = ()) -> go.Figure:
     """The map as a plotly figure; see `explore`."""
     figure = style_space(points, bank.names, groups, title="Style space")
     below = []
     for pair in joined:
         a, b = (points[bank.names.index(name)].tolist() for name in pair)
         below.append(go.Scatter(x=[a[0], b[0]], y=[a[1], b[1]], mode="lines", line={"color": QUIET, "width": 1},
-                                hoverinfo="skip", showlegend=False))  # fmt: skip
+                                hoverinfo="skip", showlegend=False))
     if cloud is not None:
         places, styles = torch.as_tensor(cloud[0]).numpy(), cloud[1]
         below.append(go.Scatter(x=places[:, 0], y=places[:, 1], text=list(styles), mode="markers", name="single clips",
@@ -82,7 +82,7 @@ def chart(bank: StyleBank, points: Tensor, groups: Sequence[str] | None = None,
     figure.add_traces(below)
     figure.data = (*figure.data[len(above) :], *above)
     return figure.update_layout(width=SIDE, height=SIDE, dragmode="pan", margin={"l": 16, "r": 16, "t": 44, "b": 16},
-                                legend={"orientation": "h", "y": 0.0, "yanchor": "top"})  # fmt: skip
+                                legend={"orientation": "h", "y": 0.0, "yanchor": "top"})
 
 
 class StyleMap(anywidget.AnyWidget):
@@ -129,7 +129,7 @@ class StyleExplorer(StyleBlender):
 
     def __init__(self, model: Model, bank: StyleBank, points: Tensor, figure: go.Figure | None = None, *,
                  make_clip: Callable[[dict[str, float]], Clip] | None = None,
-                 size: tuple[int, int] = (480, 420)):  # fmt: skip
+                 size: tuple[int, int] = (480, 420)):
         walk = runtime.straight(SPEED, SETTLE + SECONDS)
 
         def play(blend: dict[str, float]) -> Clip:
@@ -143,7 +143,7 @@ class StyleExplorer(StyleBlender):
             got = list(self.points.shape)
             raise ValueError(f"a map needs three styles or more, not on one line; got points {got}") from error
         self.map = StyleMap(figure=(figure or chart(bank, self.points)).to_json(), place=self._place(),
-                            layout={"flex": f"0 0 {SIDE}px"})  # fmt: skip
+                            layout={"flex": f"0 0 {SIDE}px"})
         self.map.on_msg(self._clicked)
         self.map.observe(self._dragged, "place")
         for widget, trait in ((self.triangle, "weights"), *((menu, "value") for menu in self._menus)):

@@ -13,11 +13,11 @@ LAYOUT = {
     "template": "plotly_white", "font": {"family": "system-ui, sans-serif", "size": 13, "color": INK},
     "paper_bgcolor": "#fbfaf7", "plot_bgcolor": "#fbfaf7", "margin": {"l": 60, "r": 20, "t": 48, "b": 44},
     "hovermode": "closest",
-}  # fmt: skip
+}
 
 
 def style_space(vectors, names: Sequence[str], labels: Sequence[str] | None = None, *, marked: Mapping | None = None,
-                title: str = "Style space") -> go.Figure:  # fmt: skip
+                title: str = "Style space") -> go.Figure:
     """Styles as points in the plane.
 
     Parameters
@@ -42,7 +42,7 @@ def style_space(vectors, names: Sequence[str], labels: Sequence[str] | None = No
     groups = [""] * len(names) if labels is None else [str(x) for x in labels]
     if points.shape != (len(names), 2) or len(groups) != len(names):
         raise ValueError(f"{len(names)} names need positions [{len(names)}, 2] and as many labels; got "
-                         f"{list(points.shape)} and {len(groups)}")  # fmt: skip
+                         f"{list(points.shape)} and {len(groups)}")
     figure = go.Figure()
     for i, group in enumerate(dict.fromkeys(groups)):
         own = [k for k, g in enumerate(groups) if g == group]
@@ -52,11 +52,11 @@ def style_space(vectors, names: Sequence[str], labels: Sequence[str] | None = No
             mode="markers+text" if len(names) <= 40 else "markers", textfont={"size": 11}, showlegend=labels is not None,
             marker={"size": 11, "color": PALETTE[i % len(PALETTE)], "line": {"color": "white", "width": 1.5}},
             hovertemplate="<b>%{text}</b><br>" + group + "<extra></extra>",
-        )  # fmt: skip
+        )
     for name, place in (marked or {}).items():
         x, y = _array(place)
         figure.add_scatter(x=[x], y=[y], text=[name], name=name, mode="markers+text", textposition="bottom center",
-                           marker={"size": 16, "color": INK, "symbol": "star"})  # fmt: skip
+                           marker={"size": 16, "color": INK, "symbol": "star"})
     figure.update_xaxes(showticklabels=False, gridcolor=GRID, zeroline=False)
     figure.update_yaxes(showticklabels=False, gridcolor=GRID, zeroline=False, scaleanchor="x")
     return figure.update_layout(**LAYOUT, title=title, height=620)
@@ -80,7 +80,7 @@ def training_curves(history: Sequence[Mapping] | Mapping[str, Sequence], *, titl
     """
     rows = list(history) if not isinstance(history, Mapping) else [
         dict(zip(history, values, strict=True)) for values in zip(*history.values(), strict=True)
-    ]  # fmt: skip
+    ]
     if not rows or any("step" not in row for row in rows):
         raise ValueError(f"a training history needs rows with 'step'; got {len(rows)} rows")
     names = [n for n in dict.fromkeys(k for row in rows for k in row) if n not in ("step", "elapsed", "epoch")]
@@ -92,14 +92,14 @@ def training_curves(history: Sequence[Mapping] | Mapping[str, Sequence], *, titl
                                customdata=[r.get("elapsed", float("nan")) for r in kept],
                                line={"color": PALETTE[i % len(PALETTE)], "width": 2.5}, marker={"size": 5},
                                hovertemplate=f"{name} %{{y:.4g}} at step %{{x:,}}, %{{customdata:.0f}} s<extra></extra>",
-                               )  # fmt: skip
+                               )
     figure.update_xaxes(title="step", gridcolor=GRID)
     figure.update_yaxes(title="error", type="log", gridcolor=GRID)
     return figure.update_layout(**LAYOUT, title=title, height=420)
 
 
 def trajectory_figure(clips: Clip | Sequence[Clip], target=None, *, labels: Sequence[str] | None = None,
-                      title: str = "Path of the hips") -> go.Figure:  # fmt: skip
+                      title: str = "Path of the hips") -> go.Figure:
     """Paths over the floor seen from above, a mark each second.
 
     Parameters
@@ -119,15 +119,15 @@ def trajectory_figure(clips: Clip | Sequence[Clip], target=None, *, labels: Sequ
     if target is not None:
         path = _array(target)
         figure.add_scatter(x=-path[:, 0], y=path[:, 1], name="asked for", mode="lines", hoverinfo="skip",
-                           line={"color": QUIET, "width": 8}, opacity=0.35)  # fmt: skip
+                           line={"color": QUIET, "width": 8}, opacity=0.35)
     for i, (clip, name) in enumerate(zip(clips, labels, strict=True)):
         x, z = -_array(clip.root_positions)[:, 0], _array(clip.root_positions)[:, 2]  # seen from above, +X is on the left
         line = {"color": PALETTE[i % len(PALETTE)], "width": 2.5}
         figure.add_scatter(x=x, y=z, name=name, mode="lines", line=line, customdata=np.arange(len(clip)) / clip.fps,
-                           hovertemplate="%{customdata:.2f} s<extra>" + name + "</extra>")  # fmt: skip
+                           hovertemplate="%{customdata:.2f} s<extra>" + name + "</extra>")
         marks = np.unique((np.arange(0, clip.seconds) * clip.fps).round().astype(int).clip(max=len(clip) - 1))
         figure.add_scatter(x=x[marks], y=z[marks], name=f"{name}, each second", mode="markers", showlegend=False,
-                           hoverinfo="skip", marker={"size": 7, "color": line["color"]})  # fmt: skip
+                           hoverinfo="skip", marker={"size": 7, "color": line["color"]})
     figure.update_xaxes(title="metres to the right", gridcolor=GRID)
     figure.update_yaxes(title="metres ahead", scaleanchor="x", gridcolor=GRID)
     return figure.update_layout(**LAYOUT, title=title, height=520)

@@ -8,9 +8,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from toolkit import trajectory
-from toolkit.contacts import FEET
-from toolkit.motion import Clip, root_frames
+from toolkit.motion import Clip, root_frames, trajectory
+from toolkit.motion.contacts import FEET
 from toolkit.view.body import COLORS, PALETTE
 
 AHEAD, PAST = "#b9b3a7", "#8d8678"

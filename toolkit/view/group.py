@@ -20,7 +20,7 @@ MARGIN = 0.4  # metres around them all
 
 
 def crowd(clips: Sequence[Clip], path: str | os.PathLike, *, fps: float = 12.5, width: int = 960, view: float = 30.0,
-          elevation: float = 32.0, colors: int = 96, progress: bool = False) -> Path:  # fmt: skip
+          elevation: float = 32.0, colors: int = 96, progress: bool = False) -> Path:
     """Write a looping picture of characters that share a floor, each in a colour of its own, seen by a camera that stands.
 
     Parameters
@@ -58,7 +58,7 @@ def crowd(clips: Sequence[Clip], path: str | os.PathLike, *, fps: float = 12.5, 
     turn = np.array([[np.cos(angle), 0, np.sin(angle)], [0, 1, 0], [-np.sin(angle), 0, np.cos(angle)]])
     camera = np.array([[1, 0, 0], [0, np.cos(e), -np.sin(e)], [0, np.sin(e), np.cos(e)]]) @ turn
     places = np.stack([camera @ body.placements(shapes, clip.global_rotations[frames], clip.global_positions[frames])
-                       for clip in clips], 1)  # fmt: skip
+                       for clip in clips], 1)
     low, high = body.bounds(shapes, places.reshape(-1, *places.shape[2:]))
     low, high = low[:2] - MARGIN, high[:2] + MARGIN
     scale, lamp = width / (high[0] - low[0]), camera @ np.array([-0.35, 1.0, 0.25])

@@ -12,8 +12,9 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from toolkit import bvh, runtime
-from toolkit.layout import CHANNELS, Layout
+from toolkit import runtime
+from toolkit.features.layout import CHANNELS, Layout
+from toolkit.io import bvh
 from toolkit.networks.film import EPSILON
 from toolkit.view import page
 
@@ -23,7 +24,7 @@ START = "globalThis.view = toolkitScene.character(stage, data);"
 
 
 def web(model, bank, path: str | os.PathLike, *, title: str = "A character under control",
-        styles: Sequence[str] | None = None, half: bool = False) -> Path:  # fmt: skip
+        styles: Sequence[str] | None = None, half: bool = False) -> Path:
     """Write a page, opened by a double click, with a character steered by keyboard, touch, gamepad and style triangle.
 
     The whole runtime is in the page: features, network, trajectory, foot and arm IK, 60 frames a second. ``docs/runtime.md``
@@ -67,7 +68,7 @@ def web(model, bank, path: str | os.PathLike, *, title: str = "A character under
 
 def pack(model, bank, half: bool = False) -> dict[str, Any]:
     """Everything that ``scene/character.js`` takes (the format is described there)."""
-    from toolkit.compiled import frame, ik  # their constants; numba is slow to import
+    from toolkit.runtime.compiled import frame, ik  # their constants; numba is slow to import
     from toolkit.view import controller
 
     layout: Layout = model.layout
@@ -95,7 +96,7 @@ def pack(model, bank, half: bool = False) -> dict[str, Any]:
         "turn": controller.TURN, "run": controller.RUN, "ease": controller.EASE,
         "bvh": _bvh(model, state),
         "traits": {"names": corners, "weights": [1.0, 0.0, 0.0], "speed": 1.0},
-    }  # fmt: skip
+    }
 
 
 def numbers(values: Tensor, half: bool = False) -> dict[str, str]:

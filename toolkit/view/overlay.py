@@ -16,7 +16,7 @@ RIM = "#cfc8bb"
 
 
 def write(picture: Image.Image, cell: tuple[int, int, int, int], labels: Sequence[tuple[str, str]],
-          phases: Sequence[np.ndarray | None]) -> None:  # fmt: skip
+          phases: Sequence[np.ndarray | None]) -> None:
     """Write names and dials of the characters in a cell of a picture down its left side.
 
     Parameters

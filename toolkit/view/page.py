@@ -12,9 +12,9 @@ from typing import Any
 import numpy as np
 import torch
 
-from toolkit import rotations as R
-from toolkit.files import atomic_write
+from toolkit.io.files import atomic_write
 from toolkit.motion import Clip
+from toolkit.motion import rotations as R
 from toolkit.view import body
 from toolkit.view.picture import contact_list, label, steady_frames
 
@@ -59,7 +59,7 @@ const stage = document.getElementById("stage"), data = JSON.parse(document.getEl
 
 
 def html(clips: Clip | Sequence[Clip], path: str | os.PathLike, *, title: str, caption: str = "", labels=None, contacts=None,
-         styles=None) -> Path:  # fmt: skip
+         styles=None) -> Path:
     """Write an animation that opens by double click in any browser.
 
     Poses are stored as 16-bit quaternions and float32 root positions: about 1 MB a minute at 60 Hz, beside 0.6 MB of
@@ -96,7 +96,7 @@ def html(clips: Clip | Sequence[Clip], path: str | os.PathLike, *, title: str, c
     styles = [styles] * len(clips) if styles is None or (isinstance(styles, Mapping) and len(clips) == 1) else list(styles)
     if not 1 <= len(clips) <= 9 or len(labels) != len(clips) or len(styles) != len(clips):
         raise ValueError(f"a page shows 1 to 9 clips with a label and a style mapping each; got {len(clips)} clips, "
-                         f"{len(labels)} labels, {len(styles)} style mappings")  # fmt: skip
+                         f"{len(labels)} labels, {len(styles)} style mappings")
     rows = zip(clips, labels, contact_list(contacts, clips), styles, strict=True)
     packed = [pack(*row) for row in rows]
     return write(path, title, caption, {"clips": packed}, "globalThis.view = toolkitScene.player(stage, data);")
@@ -167,7 +167,7 @@ def skeleton_data(clip: Clip) -> dict:
                         "width": round(b.width, 6)} for b in s.bends]}
             for s in body.build(clip)
         ],
-    }  # fmt: skip
+    }
 
 
 def unpack(packed: Mapping, clip: Clip) -> Clip:

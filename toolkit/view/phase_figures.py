@@ -10,10 +10,10 @@ import torch
 from plotly.subplots import make_subplots
 from sklearn.decomposition import PCA
 
-from toolkit import metrics
 from toolkit import phases as ph
-from toolkit import rotations as R
+from toolkit.evaluation import metrics
 from toolkit.motion import Clip, root_frames
+from toolkit.motion import rotations as R
 from toolkit.view import body
 from toolkit.view.body import COLORS, CONTACT, PALETTE
 from toolkit.view.figures import GRID, INK, LAYOUT, QUIET
@@ -26,7 +26,7 @@ Backend = Literal["plotly", "pyvista"]
 
 
 def phase_figure(clip: Clip, phases: ph.Phases, contacts=None, truth=None, *, start: float = 0.0, stop: float | None = None,
-                 title: str = "") -> go.Figure:  # fmt: skip
+                 title: str = "") -> go.Figure:
     """Local phases of the four limbs over time.
 
     For each limb: the source curve (grey), the sinusoid fitted around every frame (colour) in a ribbon of its residual,
@@ -62,7 +62,7 @@ def phase_figure(clip: Clip, phases: ph.Phases, contacts=None, truth=None, *, st
     stands = None if contacts is None else np.asarray(contacts) > 0.5
     if bad or (stands is not None and stands.shape != (len(clip), 2)):
         raise ValueError(f"phases must be [{len(clip)}, 4] and contacts [{len(clip)}, 2]; got "
-                         f"{', '.join(bad) or list(stands.shape)}")  # fmt: skip
+                         f"{', '.join(bad) or list(stands.shape)}")
     first = round(start * clip.fps)
     last = len(clip) if stop is None else min(round(stop * clip.fps), len(clip))
     if not 0 <= first < last:
@@ -77,35 +77,35 @@ def phase_figure(clip: Clip, phases: ph.Phases, contacts=None, truth=None, *, st
         for edge, fill in ((fit - residual, None), (fit + residual, "tonexty")):
             figure.add_scatter(x=seconds, y=edge, name="residual", legendgroup="residual", showlegend=i == 0 and bool(fill),
                                fill=fill, fillcolor="rgba(138, 143, 152, 0.22)", line={"width": 0}, mode="lines",
-                               hoverinfo="skip", row=row, col=1)  # fmt: skip
+                               hoverinfo="skip", row=row, col=1)
         figure.add_scatter(x=seconds, y=curve, name="source", legendgroup="source", showlegend=i == 0,
-                           line={"color": QUIET, "width": 1.5}, row=row, col=1)  # fmt: skip
+                           line={"color": QUIET, "width": 1.5}, row=row, col=1)
         figure.add_scatter(x=seconds, y=fit, name=f"fit, {side}", legendgroup=side, showlegend=i < 2,
                            line={"color": COLORS[side], "width": 2.5}, row=row, col=1,
                            customdata=np.stack((phase, frequency, amplitude, residual), -1),
                            hovertemplate="%{x:.2f} s: phase %{customdata[0]:.2f} rad, %{customdata[1]:.2f} Hz, "
-                           "amplitude %{customdata[2]:.2f}, residual %{customdata[3]:.2f}<extra></extra>")  # fmt: skip
+                           "amplitude %{customdata[2]:.2f}, residual %{customdata[3]:.2f}<extra></extra>")
         if truth is not None:
             known = torch.as_tensor(truth)[:, i]
             lag = metrics.phase_error(phases.phase[:, i], known)[1]
             line = fit + amplitude * ((known + lag).sin().numpy()[show] - np.sin(phase))
             figure.add_scatter(x=seconds, y=line, name="truth", legendgroup="truth", showlegend=i == 0, hoverinfo="skip",
-                               legendrank=1001, line={"color": INK, "width": 1, "dash": "dot"}, row=row, col=1)  # fmt: skip
+                               legendrank=1001, line={"color": INK, "width": 1, "dash": "dot"}, row=row, col=1)
         if stands is not None and i >= 2:
             low = float(np.nanmin(curve)) - 0.25
             bar = np.where(stands[show, 1 if side == "left" else 0], low, np.nan)
             figure.add_scatter(x=seconds, y=bar, name="contact", legendgroup="contact", showlegend=i == 2, mode="lines",
-                               line={"color": CONTACT, "width": 6}, hoverinfo="skip", row=row, col=1)  # fmt: skip
+                               line={"color": CONTACT, "width": 6}, hoverinfo="skip", row=row, col=1)
         figure.add_bar(x=seconds, y=magnitude[:, i], name=f"phase, {limb}", showlegend=False, width=1.02 / clip.fps,
                        marker={"color": phase, "colorscale": HUES, "cmin": 0, "cmax": 2 * np.pi,
                                "line": {"width": 0}, "showscale": i == 0,
                                "colorbar": {"title": "phase", "len": 0.35, "y": 0.18, "thickness": 12,
                                             "tickvals": [0, np.pi, 2 * np.pi], "ticktext": ["0", "π", "2π"]}},
                        hovertemplate="%{x:.2f} s: |vector| %{y:.2f} m/s, phase %{marker.color:.2f}<extra></extra>",
-                       row=row + 1, col=1)  # fmt: skip
+                       row=row + 1, col=1)
         figure.update_yaxes(title=limb.replace("_", " "), showticklabels=False, row=row, col=1)
         figure.update_yaxes(showticklabels=False, range=[0, max(1.05 * float(magnitude.max()), 1e-6)], row=row + 1,
-                            col=1)  # fmt: skip
+                            col=1)
     figure.update_xaxes(title="seconds", row=8, col=1)
     figure.update_xaxes(gridcolor=GRID)
     figure.update_yaxes(gridcolor=GRID, zeroline=False)
@@ -113,7 +113,7 @@ def phase_figure(clip: Clip, phases: ph.Phases, contacts=None, truth=None, *, st
 
 
 def principal_axes(clip: Clip, source: str | ph.Hybrid | ph.ContactFree = "hybrid", *, second: float | None = None,
-                   backend: Backend = "plotly", title: str = ""):  # fmt: skip
+                   backend: Backend = "plotly", title: str = ""):
     """The body at one moment, and for each limb that is measured contact-free: its path, principal axis and plane.
 
     The path is that of the whole clip in the hips' frame, drawn at the hips of this moment. The source is the distance from
@@ -158,28 +158,28 @@ def principal_axes(clip: Clip, source: str | ph.Hybrid | ph.ContactFree = "hybri
     vertices, triangles, colors = _solid(clip, frame)
     i, j, k = triangles.T
     figure = go.Figure(go.Mesh3d(**_xyz(vertices), i=i, j=j, k=k, facecolor=colors, name="body", hoverinfo="skip",
-                                 lighting={"ambient": 0.65, "diffuse": 0.5, "specular": 0.1}))  # fmt: skip
+                                 lighting={"ambient": 0.65, "diffuse": 0.5, "specular": 0.1}))
     for limb, path, (tail, tip), plane in parts:
         first = limb == parts[0][0]
         figure.add_scatter3d(**_xyz(path), mode="lines", name=limb.replace("_", " "),
-                             line={"color": COLORS[limb.split("_")[0]], "width": 5}, hoverinfo="name")  # fmt: skip
+                             line={"color": COLORS[limb.split("_")[0]], "width": 5}, hoverinfo="name")
         figure.add_scatter3d(**_xyz(np.stack((tail, tip))), mode="lines", line={"color": AXIS, "width": 8}, hoverinfo="skip",
-                             name="principal axis", legendgroup="axis", showlegend=first)  # fmt: skip
+                             name="principal axis", legendgroup="axis", showlegend=first)
         u, v, w = ([c] for c in (tip - tail) / np.linalg.norm(tip - tail))
         figure.add_cone(**_xyz(tip[None]), u=u, v=v, w=w, sizemode="absolute", sizeref=0.09, anchor="tail", hoverinfo="skip",
-                        showscale=False, colorscale=[[0, AXIS], [1, AXIS]], lighting={"ambient": 1})  # fmt: skip
+                        showscale=False, colorscale=[[0, AXIS], [1, AXIS]], lighting={"ambient": 1})
         figure.add_mesh3d(**_xyz(plane), i=[0, 0], j=[1, 2], k=[2, 3], color=AXIS, opacity=0.25, hoverinfo="skip",
-                          name="plane", legendgroup="plane", showlegend=first)  # fmt: skip
+                          name="plane", legendgroup="plane", showlegend=first)
     eye = R.rotate(root_frames(clip).rotations[frame], torch.tensor([-1.5, 0.5, 1.3]))  # from the right, in front
     hidden = {"visible": False}
     camera = {"up": {"x": 0, "y": 1, "z": 0}, "eye": dict(zip("xyz", eye.tolist(), strict=True))}
     return figure.update_layout(**LAYOUT, title=title or f"Principal axes, {clip.style} {clip.gait}", height=620,
                                 scene={"aspectmode": "data", "xaxis": hidden, "yaxis": hidden, "zaxis": hidden,
-                                       "camera": camera})  # fmt: skip
+                                       "camera": camera})
 
 
 def phase_manifold(phases: Mapping[str, ph.Phases], fps: float = 60.0, *, window: float = 1.0, backend: Backend = "plotly",
-                   title: str = ""):  # fmt: skip
+                   title: str = ""):
     """Where styles run through the space of phase vectors, along its principal components: a cycle is a loop.
 
     A panel for each style, with all the others in grey.
@@ -217,16 +217,16 @@ def phase_manifold(phases: Mapping[str, ph.Phases], fps: float = 60.0, *, window
         return _manifold_pyvista(paths)
     columns = min(len(paths), 3)
     figure = make_subplots(math.ceil(len(paths) / columns), columns, subplot_titles=list(paths), shared_xaxes="all",
-                           shared_yaxes="all", horizontal_spacing=0.02, vertical_spacing=0.08)  # fmt: skip
+                           shared_yaxes="all", horizontal_spacing=0.02, vertical_spacing=0.08)
     grey = np.concatenate([np.append(p[:, :2], [[np.nan, np.nan]], 0) for p in paths.values()])
     for i, (style, path) in enumerate(paths.items()):
         cell = {"row": i // columns + 1, "col": i % columns + 1}
         figure.add_scatter(x=grey[:, 0], y=grey[:, 1], mode="lines", hoverinfo="skip", **cell,
-                           line={"color": GRID, "width": 1})  # fmt: skip
+                           line={"color": GRID, "width": 1})
         figure.add_scatter(x=path[:, 0], y=path[:, 1], name=style, mode="lines", **cell,
                            line={"color": PALETTE[i % len(PALETTE)], "width": 1.6},
                            customdata=(np.arange(len(path)) + (size - 1) / 2) / fps,
-                           hovertemplate=f"<b>{style}</b> %{{customdata:.2f}} s<extra></extra>")  # fmt: skip
+                           hovertemplate=f"<b>{style}</b> %{{customdata:.2f}} s<extra></extra>")
     figure.update_xaxes(showticklabels=False, showgrid=False, zeroline=False)
     figure.update_yaxes(showticklabels=False, showgrid=False, zeroline=False, scaleanchor="x")
     first, second, _ = pca.explained_variance_ratio_

@@ -12,9 +12,9 @@ from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 from scipy.ndimage import gaussian_filter1d
 
-from toolkit import rotations as R
-from toolkit.files import atomic_write
+from toolkit.io.files import atomic_write
 from toolkit.motion import Clip, root_frames
+from toolkit.motion import rotations as R
 from toolkit.view import body
 from toolkit.view.raycast import Canvas
 
@@ -33,7 +33,7 @@ class Picture(Figure):
 def strip(clips: Clip | Sequence[Clip], path: str | os.PathLike | None = None, *, frames: int = 8,
           labels: Sequence[str] | None = None, start: float = 0.0, stop: float | None = None, view: float = 60.0,
           elevation: float = 9.0, contacts=None, title: str = "", width: float = 12.0,
-          dpi: int = 150) -> Figure:  # fmt: skip
+          dpi: int = 150) -> Figure:
     """Picture of one or more motions, a row each, time from left to right.
 
     Parameters
@@ -71,9 +71,9 @@ def strip(clips: Clip | Sequence[Clip], path: str | os.PathLike | None = None, *
     contacts = contact_list(contacts, clips)
     if not clips or frames < 1 or len(labels) != len(clips):
         raise ValueError(f"a strip needs clips, frames and a label per clip; got {len(clips)} clips, {frames} frames, "
-                         f"{len(labels)} labels")  # fmt: skip
+                         f"{len(labels)} labels")
     rows = [_Row(clip, _instants(clip, frames, start, stop), view, elevation, con)
-            for clip, con in zip(clips, contacts, strict=True)]  # fmt: skip
+            for clip, con in zip(clips, contacts, strict=True)]
     spacing = max(row.spacing for row in rows)
     scale = 2 * dpi * width / (spacing * frames)
     images = [row.image(spacing, scale, room=0.34 * spacing * frames / width) for row in rows]  # for the label

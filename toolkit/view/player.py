@@ -35,7 +35,7 @@ SWITCHES = {"path": "Path", "contacts": "Contacts", "trajectory": "Trajectory", 
 
 def play(clips: Clip | Sequence[Clip], *, labels: Sequence[str] | None = None, contacts=None, phases=None,
          together: bool = False, size: tuple[int, int] = (640, 480),
-         playing: bool = False) -> "Player | Figure":  # fmt: skip
+         playing: bool = False) -> "Player | Figure":
     """Play one clip or several in a notebook: data beside model, source beside result.
 
     Parameters
@@ -113,7 +113,7 @@ class Player(widgets.VBox):
     _current: "Player | None" = None
 
     def __init__(self, clips: Clip | Sequence[Clip], *, labels: Sequence[str] | None = None, contacts=None, phases=None,
-                 together: bool = False, size: tuple[int, int] = (640, 480), playing: bool = False):  # fmt: skip
+                 together: bool = False, size: tuple[int, int] = (640, 480), playing: bool = False):
         require_main_thread()
         self.rate = RATE
         self._size, self._together = size, together
@@ -130,22 +130,22 @@ class Player(widgets.VBox):
         self._slider = widgets.IntSlider(min=0, max=0, readout=False, layout={"flex": "1", "min_width": "120px"})
         self._clock = widgets.Label(layout={"width": "110px"})
         self._speeds = widgets.Dropdown(options=[(f"{s:g}×", s) for s in (0.1, 0.25, 0.5, 1, 2)], value=1,
-                                        layout={"width": "72px"})  # fmt: skip
+                                        layout={"width": "72px"})
         self._angle = widgets.IntSlider(value=-50, min=-180, max=180, description="Angle", readout=False)
         self._distance = widgets.FloatSlider(value=3.8, min=1.5, max=9, description="Distance", readout=False)
         look = {"layout": {"width": "90px"}}
         self._follow = widgets.ToggleButton(value=True, description="Follow", **look)
         self._switches = {kind: widgets.ToggleButton(value=kind != "trajectory", description=text, **look)
-                          for kind, text in SWITCHES.items()}  # fmt: skip
+                          for kind, text in SWITCHES.items()}
         for widget in (self._play, self._slider, self._speeds, self._angle, self._distance, self._follow,
-                       *self._switches.values()):  # fmt: skip
+                       *self._switches.values()):
             widget.observe(self._changed, "value")
         super().__init__([
             self._title, self.image,
             widgets.HBox([self._play, self._slider, self._clock, self._speeds], layout={"width": f"{size[0]}px"}),
             widgets.HBox([self._angle, self._distance], layout={"width": f"{size[0]}px"}),
             widgets.HBox([self._follow, *self._switches.values()]),
-        ])  # fmt: skip
+        ])
         self.show(clips, labels=labels, contacts=contacts, phases=phases)
         self._start()
         self.playing = playing
@@ -274,9 +274,9 @@ class Player(widgets.VBox):
             sheet.paste(Image.fromarray(scene.draw(at, fine=fine)), corner)
             several = len(scene.subjects) > 1
             labels = [(s.label if len(self.clips) > 1 else "", scene.color(k) if several else INK)
-                      for k, s in enumerate(scene.subjects)]  # fmt: skip
+                      for k, s in enumerate(scene.subjects)]
             phases = [s.phases[f] if s.phases is not None and "phases" in shown else None
-                      for s, f in zip(scene.subjects, at, strict=True)]  # fmt: skip
+                      for s, f in zip(scene.subjects, at, strict=True)]
             overlay.write(sheet, (*corner, *self._cell), labels, phases)
         return sheet
 

@@ -63,7 +63,7 @@ class Canvas:
             self._colors.append(color)
 
     def shadow(self, shapes: Sequence[Shape], places: np.ndarray, up: np.ndarray, floor: np.ndarray,
-               lamp: np.ndarray) -> None:  # fmt: skip
+               lamp: np.ndarray) -> None:
         """Darken the floor (through ``floor``, normal ``up``, level from left to right) below shapes.
 
         ``lamp`` points to the light. A shape's shadow is the hull of its two spheres' shadows, softer the higher they are.

@@ -11,7 +11,7 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from toolkit import rotations as R
+from toolkit.motion import rotations as R
 from toolkit.view.body import Shape
 
 HOSTS = 3  # joints that a shape's vertices follow: its own and at most one beyond each end

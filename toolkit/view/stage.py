@@ -12,8 +12,8 @@ import torch
 from matplotlib.colors import to_rgb
 from PIL import Image, ImageDraw
 
-from toolkit import rotations as R
 from toolkit.motion import Clip
+from toolkit.motion import rotations as R
 from toolkit.view import body, floor
 from toolkit.view.opengl import explain_missing_opengl, opengl_works
 from toolkit.view.picture import steady_frames
@@ -78,7 +78,7 @@ class _Scene:
         self.bodies = [body.build(clip) for clip in clips]
         self.shapes = tuple(chain(*self.bodies))
         self._places = [placements(shapes, clip.global_rotations, clip.global_positions)
-                        for shapes, clip in zip(self.bodies, clips, strict=True)]  # fmt: skip
+                        for shapes, clip in zip(self.bodies, clips, strict=True)]
         self.paths, facings = zip(*(steady_frames(clip, 0.8) for clip in clips), strict=True)
         self.facing = float(facings[0][0])
         self.height = 0.54 * max(float(clip.global_positions[0, :, 1].max()) for clip in clips)
@@ -107,7 +107,7 @@ class _Scene:
     def marks(self, frames: Sequence[int]) -> list[tuple[floor.Layer, np.ndarray]]:
         """Layers on the floor, the lower ones first, with their corners [V, 2]; those of a hidden one lie in one point."""
         found = [(layer, layer.corners(frame) * (layer.kind in self.shown))
-                 for layers, frame in zip(self.layers, frames, strict=True) for layer in layers]  # fmt: skip
+                 for layers, frame in zip(self.layers, frames, strict=True) for layer in layers]
         return sorted(found, key=lambda mark: mark[0].height)
 
     def look(self, frames: Sequence[int]) -> tuple[np.ndarray, float]:
@@ -135,7 +135,7 @@ class Stage(_Scene):
         self.plotter.camera.SetViewUp(0, 1, 0)
         self.plotter.camera.SetViewAngle(32)
         self.grid = self.plotter.add_mesh(self._grid(), name="grid", scalars="rgb", rgb=True, lighting=False, line_width=1,
-                                          render=False)  # fmt: skip
+                                          render=False)
         super().__init__(subjects, size)
 
     def load(self, subjects: Sequence[Subject]) -> None:
@@ -144,7 +144,7 @@ class Stage(_Scene):
         pv, add = self.pv, self.plotter.add_mesh
         self.skin, self.coarse = Skin(self.shapes, around=14, along=3), Skin(self.shapes, around=6, along=1)
         self.body, self.flat = (pv.PolyData.from_regular_faces(np.zeros((len(skin.owners), 3), np.float32), skin.triangles)
-                                for skin in (self.skin, self.coarse))  # fmt: skip
+                                for skin in (self.skin, self.coarse))
         self.body.point_data["rgb"] = np.zeros((self.body.n_points, 3), np.uint8)
         self.light = R.rotate(R.yaw(torch.tensor(self.facing)), torch.from_numpy(LIGHT).float()).numpy()
         self.lamp = self.light / np.linalg.norm(self.light)
@@ -157,7 +157,7 @@ class Stage(_Scene):
             np.concatenate([layer.triangles + k for (layer, _), k in zip(marks, first[:-1], strict=True)]),
         )
         self.floor.point_data["rgb"] = np.repeat([255 * np.array(to_rgb(layer.color)) for layer, _ in marks],
-                                                 np.diff(first), axis=0).astype(np.uint8)  # fmt: skip
+                                                 np.diff(first), axis=0).astype(np.uint8)
         add(self.floor, name="floor", scalars="rgb", rgb=True, lighting=False, render=False)
 
     def _grid(self, reach: int = 14):

@@ -1,0 +1,174 @@
+"""Realism: the procedural neutral walk measured beside recorded neutral walks, straight parts only."""
+
+from itertools import pairwise
+from pathlib import Path
+from typing import Annotated
+
+import numpy as np
+import torch
+import typer
+
+from toolkit import datasets
+from toolkit.datasets import procedural
+from toolkit.motion import Clip, contacts, root_frames
+
+RATE = 30.0  # Hz; all motion is brought to the slowest recording's rate, or jerk could not be compared
+SHORTEST = 2.0  # seconds of a straight part
+STRAIGHT = 0.35  # rad/s of turning, at most
+MEASURES = {
+    "speed (m/s)": 2,
+    "cadence (steps/min)": 0,
+    "step length (m)": 2,
+    "stance ratio of a toe": 2,
+    "hips height / leg length": 3,
+    "hips bob per stride (mm)": 0,
+    "hips sway per stride (mm)": 0,
+    "thigh fore and aft (deg)": 0,
+    "knee flexion, least (deg)": 0,
+    "knee flexion, range (deg)": 0,
+    "ankle, range (deg)": 0,
+    "elbow, range (deg)": 0,
+    "upper arm fore and aft (deg)": 0,
+    "jerk of the hips (m/s3)": 0,
+    "jerk of the ankles (m/s3)": 0,
+}  # name: decimals
+EXCEPTIONS = {
+    "hips bob per stride (mm)": "the hips stay a little below what both legs reach, smoothed over time, so they rise less",
+    "knee flexion, least (deg)": "no leg is stretched beyond 0.998 of its length: there a millimetre snaps the knee",
+    "knee flexion, range (deg)": "follows from the least flexion; the greatest is as in the recordings",
+    "ankle, range (deg)": "toes bend at the toe joint only while the foot stands, and push off less at a slow pace",
+    "jerk of the hips (m/s3)": "planned motion has neither tremor nor the noise of markers",
+    "stance ratio of a toe": "a planned toe stays planted to the frame, a recorded one drifts out of the limits",
+}
+
+
+def run(
+    data: Annotated[Path | None, typer.Option(help="Folder that holds 100style/ and bandai/.")] = None,
+    style: Annotated[str, typer.Option(help="Procedural style.")] = "Neutral",
+) -> None:
+    """Measure the procedural neutral walk beside 100STYLE's and Bandai-Namco's; mark what lies outside their range."""
+    real: dict[str, list[dict[str, float]]] = {}
+    for title, folder, choice in (("100STYLE", "100style", {"styles": "Neutral", "gaits": "FW"}),
+                                  ("Bandai", "bandai", {"styles": "normal", "gaits": "walk"})):
+        if data is None or not (data / folder).is_dir():
+            print(f"{title}: no {'--data' if data is None else data / folder}; without it nothing is compared with it")
+            continue
+        clips = datasets.load(folder, data / folder, **choice)
+        real[title] = [measure(part) for clip in clips for part in straight_parts(clip)]
+    paces = {title: float(np.mean([row["speed (m/s)"] for row in rows])) for title, rows in real.items()} or {"": 1.2}
+    made = {title: measure(_walk(style, pace)) for title, pace in paces.items()}
+
+    counts = {title: f"{title} ({len(rows)})" for title, rows in real.items()}
+    print(f"{'':<30}" + "".join(f"{c:>18}" for c in counts.values())
+          + "".join(f"{f'ours, {pace:.2f} m/s':>18}" for pace in paces.values()))
+    outside = []
+    for name, decimals in MEASURES.items():
+        line = f"{name:<30}"
+        for rows in real.values():
+            low, high = min(r[name] for r in rows), max(r[name] for r in rows)
+            line += f"{f'{low:.{decimals}f} - {high:.{decimals}f}':>18}"
+        every = [r[name] for rows in real.values() for r in rows]
+        for row in made.values():
+            beyond = bool(every) and not min(every) <= row[name] <= max(every)
+            outside += [name] if beyond and name not in outside else []
+            line += f"{f'{row[name]:.{decimals}f}' + (' *' if beyond else '  '):>18}"
+        print(line)
+    if real:
+        print(f"* outside the range of all {sum(map(len, real.values()))} recorded parts: {len(outside)} of {len(MEASURES)}")
+    for name in outside:
+        print(f"  {name}: {EXCEPTIONS.get(name, 'not explained')}")
+
+
+def straight_parts(clip: Clip) -> list[Clip]:
+    """Parts of at least `SHORTEST` seconds in which somebody walks forwards without turning, at `RATE`."""
+    clip = clip.resample(RATE)
+    roots = root_frames(clip)
+    half = round(RATE / 2)
+    position = _mean(roots.positions[:, [0, 2]].double().numpy(), half)
+    velocity = np.gradient(position, 1 / RATE, axis=0)
+    turning = np.gradient(np.unwrap(np.arctan2(velocity[:, 0], velocity[:, 1])), 1 / RATE)
+    good = (np.abs(turning) < STRAIGHT) & (np.hypot(*velocity.T) > 0.5)
+    edges = np.flatnonzero(np.diff(np.concatenate(([0], good, [0]))))
+    return [clip.cut(a, b) for a, b in edges.reshape(-1, 2).tolist() if b - a >= SHORTEST * RATE]
+
+
+def measure(clip: Clip) -> dict[str, float]:
+    """The values of `MEASURES` of a straight walk."""
+    clip = clip.resample(RATE)
+    points = clip.global_positions.double().numpy()
+    at = {name: points[:, clip.skeleton.index(name)] for name in clip.skeleton.roles}
+    hips, ground = at["hips"], at["hips"][:, [0, 2]]
+    ahead = np.array([*np.diff(ground[[0, -1]], axis=0)[0]])
+    ahead = np.array([ahead[0], 0.0, ahead[1]]) / np.hypot(*ahead)
+    aside = np.array([ahead[2], 0.0, -ahead[0]])
+
+    apart = (at["left_foot"] - at["right_foot"]) @ ahead
+    strides = np.flatnonzero((apart[:-1] < 0) & (apart[1:] >= 0))
+    if len(strides) < 2:
+        raise ValueError(f"{clip.name}: a part of {clip.seconds:.1f} s holds no whole stride")
+    first, last = strides[0], strides[-1]
+    steps = 2 * (len(strides) - 1)
+    seconds = (last - first) / RATE
+    speed = (hips[last] - hips[first]) @ ahead / seconds
+    rest = clip.skeleton.rest_positions.double().numpy()
+    bones = [rest[clip.skeleton.index(f"left_{part}")] for part in ("hip", "knee", "foot")]
+    leg = sum(np.linalg.norm(b - a) for a, b in pairwise(bones))
+    per_stride = list(pairwise(strides))
+    across = hips @ aside
+    across = across - _mean(across[:, None], round(seconds / (len(strides) - 1) * RATE / 2))[:, 0]
+
+    both: dict[str, list[np.ndarray]] = {"thigh": [], "knee": [], "ankle": [], "elbow": [], "arm": []}
+    for side in ("left", "right"):
+        parts = ("hip", "knee", "foot", "toe", "shoulder", "elbow", "hand")
+        hip, knee, foot, toe, shoulder, elbow, hand = (at[f"{side}_{part}"][first:last] for part in parts)
+        both["thigh"].append(_lean(knee - hip, ahead))
+        both["knee"].append(_angle(knee - hip, foot - knee))
+        both["ankle"].append(_angle(foot - knee, toe - foot))
+        both["elbow"].append(_angle(elbow - shoulder, hand - elbow))
+        both["arm"].append(_lean(elbow - shoulder, ahead))
+
+    def spread(name: str) -> float:
+        return float(np.mean([np.ptp(np.percentile(curve, (1, 99))) for curve in both[name]]))
+
+    def jerk(*names: str) -> float:
+        return float(np.mean([np.sqrt((np.diff(at[n], 3, axis=0) ** 2).sum(1).mean()) for n in names])) * RATE**3
+
+    values = (
+        speed,
+        60 * steps / seconds,
+        speed * seconds / steps,
+        float(contacts.detect(clip)[first:last].mean()),
+        float(hips[first:last, 1].mean() - min(at["left_toe"][:, 1].min(), at["right_toe"][:, 1].min())) / leg,
+        1000 * float(np.mean([np.ptp(hips[a:b, 1]) for a, b in per_stride])),
+        1000 * float(np.mean([np.ptp(across[a:b]) for a, b in per_stride])),
+        spread("thigh"),
+        float(np.mean([np.percentile(curve, 1) for curve in both["knee"]])),
+        spread("knee"),
+        spread("ankle"),
+        spread("elbow"),
+        spread("arm"),
+        jerk("hips"),
+        jerk("left_foot", "right_foot"),
+    )
+    return dict(zip(MEASURES, map(float, values), strict=True))
+
+
+def _walk(style: str, pace: float) -> Clip:
+    """Twelve seconds of a procedural style, straight ahead."""
+    t = torch.arange(720) / 60
+    return procedural.generate(style, path=torch.stack((0 * t, pace * t, 0 * t), 1))
+
+
+def _mean(x: np.ndarray, half: int) -> np.ndarray:
+    padded = np.pad(x, ((half, half), (0, 0)), mode="reflect", reflect_type="odd")
+    return np.lib.stride_tricks.sliding_window_view(padded, 2 * half + 1, axis=0).mean(-1)
+
+
+def _lean(bone: np.ndarray, ahead: np.ndarray) -> np.ndarray:
+    """Angle of a hanging bone from the vertical, positive forwards, degrees."""
+    return np.degrees(np.arctan2(bone @ ahead, -bone[:, 1]))
+
+
+def _angle(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """Angle between two bones, degrees."""
+    return np.degrees(np.arctan2(np.linalg.norm(np.cross(a, b), axis=1), (a * b).sum(1)))

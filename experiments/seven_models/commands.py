@@ -1,0 +1,156 @@
+"""Command line: ``python -m experiments seven-models`` trains, measures and shows the seven models of Table 2."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from experiments.seven_models import failures, hundred, load, models
+from toolkit import datasets, networks
+from toolkit.cli import verbs
+
+app = typer.Typer(invoke_without_command=True, help="Train and measure the seven models of Table 2 side by side.")
+
+Names = Annotated[str | None, typer.Option(help="Comma-separated names; all where not given.")]
+Out = Annotated[Path, typer.Option(help="Folder of the runs; what it holds is not done again.")]
+OUT = Path("out/comparison")
+ONE_STEP = {"shared": ("MSE", 1, 4), "mse": ("own MSE", 1, 4), "other": ("other", 1, 4), "bone": ("bone mm", 1000, 2)}
+LOOP = {"hands": ("hands", 1, 2), "together": ("together", 1, 2), "recognised": ("style", 1, 2), "speed": ("speed", 1, 2),
+        "skate": ("skate", 100, 1), "skate_ik": ("with IK", 100, 1), "path": ("path cm", 100, 1),
+        "upright": ("upright", 1, 2)}
+EXPLAINED = (
+    "MSE: held-out frames, columns that all models predict (trajectory, joints, contacts), in the data's deviations; own",
+    "MSE: all that a model predicts; other: the same with another style's vector; bone: mean error of a bone's length.",
+    "hands: range of motion as a share of the data's (0: stuck), together: how far both hands' correlation is from the",
+    "data's, of styles whose hands move; style: share of styles that the recogniser names; speed: share of the command;",
+    "skate: cm/s in contact, without and with foot IK; path: from an eight; upright: share of styles that stay up.",
+)
+
+
+@app.callback()
+def compare(
+    context: typer.Context,
+    data: Annotated[str | None, typer.Option(help=f"Dataset: {', '.join(datasets.DATASETS)}; or a store's folder.")] = None,
+    root: Annotated[Path | None, typer.Option(help="Folder that holds the dataset.")] = None,
+    styles: Names = None,
+    gaits: Names = None,
+    clip_seconds: Annotated[float, typer.Option(help="Length of procedural clips.")] = 20.0,
+    names: Annotated[str, typer.Option("--models", help="Comma-separated names, or all.")] = "all",
+    seeds: Annotated[int, typer.Option(min=1, help="Runs of every model, with seeds 0, 1, …")] = 3,
+    steps: Annotated[int, typer.Option(min=1, help="Minibatches of every run.")] = 4000,
+    size: Annotated[str, typer.Option(help=f"Sizes of the networks: {', '.join(models.SIZES)}.")] = "small",
+    out: Out = OUT,
+    device: Annotated[str, typer.Option(help="Where to train: cpu, cuda.")] = "cpu",
+) -> None:
+    """Train every model on the same data, seeds and budget; measure one step ahead and in closed loop; store and print."""
+    if context.invoked_subcommand is not None:
+        return
+    if data is None:
+        raise ValueError(f"--data is missing: a dataset ({', '.join(datasets.DATASETS)}) or the folder of a store")
+    if size not in models.SIZES:
+        raise ValueError(f"unknown size {size!r}; there is {', '.join(models.SIZES)}")
+    chosen = tuple(networks.MODELS) if names == "all" else tuple(names.split(","))
+    if unknown := [name for name in chosen if name not in networks.MODELS]:
+        raise ValueError(f"unknown model {unknown[0]!r}; there is {', '.join(networks.MODELS)}")
+    source = {"data": data, "root": None if root is None else str(root.resolve()), "styles": styles, "gaits": gaits,
+              "clip_seconds": clip_seconds if data == "procedural" else None}
+    found = load(**source)
+    print(f"{_said(source)}: {found.n_frames:,} frames of {len(found.styles)} styles")
+    show(models.compare(found, source, models.Plan(size, steps, device), chosen, seeds, out, progress=True))
+    print(f"wrote {out / 'comparison.json'}")
+
+
+@app.command()
+def table2() -> None:
+    """Print Table 2's parameter counts, counted from built modules at the paper's sizes (25 joints, 95 styles)."""
+    rows = networks.table2()
+    print(f"{'':<14}{'A.S.N.':>12}{'S.M.N.':>12}{'P.S.R.':>10}   printed:{'A.S.N.':>12}{'S.M.N.':>12}{'P.S.R.':>10}")
+    for row in rows:
+        counted, printed = (f"{n[0]:>12,}{n[1]:>12,}{n[2]:>10,}" for n in
+                            ((row.synthesis, row.style, row.per_style), row.printed))
+        print(f"{row.name:<14}{counted}{'':<11}{printed}")
+    for (as_printed, note), names in _notes(rows).items():
+        print(f"S.M.N. of {', '.join(names)}: {note}; counted so, {as_printed:,}")
+
+
+@app.command("failures")
+def failures_(out: Out = OUT) -> None:
+    """The failure cases of section 5.1 on a finished comparison: numbers, verdicts, pictures in OUT/failures."""
+    from experiments.seven_models import figures
+    from toolkit import view
+
+    data = load(**models.read_json(out / models.SETTINGS)["source"])
+    found = failures.cases(data, out, progress=True)
+    folder = out / "failures"
+    folder.mkdir(exist_ok=True)
+    figures.save(figures.errors(models.read_json(out / models.TABLE)), folder / "errors.png")
+    figures.save(figures.closed_loop(models.read_json(out / models.TABLE)), folder / "closed_loop.png")
+    for case in found:
+        print(f"\n{case}")
+        name = case.title.lower().replace(" ", "_")
+        if "style" in case.drawn:
+            walks = failures.walks(data, out, case.drawn["models"], case.drawn["style"])
+            figures.save(figures.hands(walks), folder / f"{name}.png")
+            view.strip(list(walks.values()), folder / f"{name}_strip.png", labels=list(walks))
+        else:
+            draw = figures.capacity if "counts" in case.drawn else figures.interpolation
+            figures.save(draw(case), folder / f"{name}.png")
+    print(f"\npictures in {folder}")
+
+
+@app.command("hundred")
+def hundred_(
+    parameters: Annotated[Path, typer.Option("--published", help=verbs.PUBLISHED)],
+    out: Annotated[Path, typer.Option(help="Folder to write, laid out like 100STYLE.")],
+    styles: Names = None,
+    seconds: Annotated[float, typer.Option(help="Length of each of a style's four clips.")] = 12.0,
+    seed: Annotated[int, typer.Option(help="Of the paths.")] = 0,
+) -> None:
+    """Make a hundred-style set by rolling out the published parameters; it favours their own kind of network."""
+    fallen = hundred.write(parameters, out, styles and styles.split(","), seconds, seed)
+    print(f"left out, the character fell: {', '.join(fallen) or 'none'}")
+    print(f"wrote {len(list(out.glob('*.bvh')))} clips; compare with --data 100style --root {out}")
+
+
+def _notes(rows: list) -> dict[tuple[int, str], list[str]]:
+    """Models by why their style network's printed number differs from the counted one."""
+    found: dict[tuple[int, str], list[str]] = {}
+    for row in rows:
+        if row.note:
+            found.setdefault((row.style_as_printed, row.note), []).append(row.name)
+    return found
+
+
+def _said(source: dict) -> str:
+    """Where data come from, in words."""
+    seconds = source["clip_seconds"]
+    parts = Path(source["data"]).name, source["styles"], source["gaits"], seconds and f"{seconds:g} s per clip"
+    return "; ".join(part.replace(",", ", ") for part in parts if part)
+
+
+def show(table: dict) -> None:
+    """Print a comparison, as `experiments.seven_models.models.compare` made it."""
+    settings, on = table["settings"], table["machine"]
+    print(f"\n{_said(settings['source'])}: {len(settings['frames'])} styles; {settings['size']} sizes, "
+          f"{settings['seeds']} seeds, {settings['steps']:,} steps of {settings['batch']} frames")
+    print(f"{on['device']}, {on['cores']} cores, {on['threads']} threads, torch {on['torch']}")
+    print(f"\n{'one step ahead':<16}" + "".join(f"{title:>18}" for title, *_ in ONE_STEP.values()))
+    for name, model in table["models"].items():
+        print(f"{name:<16}" + "".join(f"{_cell(model, key, *how):>18}" for key, (_, *how) in ONE_STEP.items()))
+    for name, (mean, spread) in table["baselines"].items():
+        print(f"{name:<16}{f'{mean:.4f} ± {spread:.4f}':>18}")
+    print(f"\n{'closed loop':<16}" + "".join(f"{title:>14}" for title, *_ in LOOP.values()))
+    for name, model in table["models"].items():
+        print(f"{name:<16}" + "".join(f"{_cell(model, key, *how):>14}" for key, (_, *how) in LOOP.items()))
+    print(f"\n{'cost':<16}{'synthesis':>14}{'style':>14}{'per style':>14}{'ms per frame':>18}{'training s':>14}")
+    for name, model in table["models"].items():
+        counts, (mean, spread) = model["counts"], model["frame"]
+        print(f"{name:<16}" + "".join(f"{counts[k]:>14,}" for k in ("synthesis", "style", "per_style"))
+              + f"{f'{mean:.2f} ± {spread:.2f}':>18}{model['mean']['seconds']:>14.0f}")
+    print("\nmean ± deviation over the seeds, every style counting the same.", *EXPLAINED, sep="\n")
+    print(f"The recogniser names {table['recogniser']:.0%} of the data's own style clips rightly.")
+
+
+def _cell(model: dict, key: str, scale: float, decimals: int) -> str:
+    mean, spread = (scale * model[part].get(key, float("nan")) for part in ("mean", "spread"))
+    return f"{mean:.{decimals}f} ± {spread:.{decimals}f}"

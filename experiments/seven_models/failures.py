@@ -1,0 +1,194 @@
+"""The failure cases of Mason et al. 2022, section 5.1, as measurements on a comparison's runs: does our data show them?
+
+A case shows what the paper says where it comes out in every seed.
+"""
+
+import dataclasses
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import torch
+from torch import Tensor
+from tqdm import tqdm
+
+from experiments.seven_models import interpolation
+from experiments.seven_models.models import (
+    FPS,
+    MOVING,
+    SETTINGS,
+    TABLE,
+    WARM_UP,
+    Plan,
+    average,
+    judge,
+    nearest,
+    read_json,
+    shared_error,
+    states,
+    trained,
+    usual_speed,
+)
+from toolkit import runtime
+from toolkit.features import Features, Layout, splits
+from toolkit.motion import Clip
+from toolkit.runtime import CharacterState, Command
+from toolkit.training import Run
+
+STUCK = 0.5  # share of the data's range below which they count as stuck
+NO_GLOBAL_PHASE = ("ArmsAtOtherFrequency", "PendulumHands", "Swimming")  # the paper's examples and ours: always told
+COUNTS, COMMON = (4, 8, 16), 4  # numbers of styles, and how many of them all have: these are compared
+CAPACITY = BLENDED = ("lpn-onehot", "lpn-resad", "lpn-film")
+
+
+@dataclass(frozen=True)
+class Case:
+    """A failure case: the paper's ``claim``, numbers in ``rows`` by model, the ``verdict``, and what there is to draw."""
+
+    section: str
+    title: str
+    claim: str
+    rows: dict[str, dict[str, float]]
+    verdict: str
+    drawn: dict
+
+    def __str__(self) -> str:
+        """What is printed."""
+        columns = next(iter(self.rows.values()))
+        head = f"{'':<16}" + "".join(f"{column:>18}" for column in columns)
+        body = (f"{name:<16}" + "".join(f"{value:>18.3f}" for value in row.values()) for name, row in self.rows.items())
+        return "\n".join((f"{self.section} {self.title}", f"The paper: {self.claim}", head, *body, f"Here: {self.verdict}."))
+
+
+def stuck_hands(table: dict, model: str, than: str, section: str, title: str, claim: str) -> Case:
+    """Hands in closed loop of a model and of another: range as a share of the data's, and whether they move together."""
+    runs = {name: table["models"][name]["runs"] for name in (model, than)}
+    moving = [style for style, row in runs[model][0]["styles"].items() if row["hands_data"] > MOVING]
+
+    def over_styles(name: str, key: str) -> list[float]:
+        return [average([run["styles"][style][key] for style in moving]) for run in runs[name]]
+
+    rows = {name: {
+        "range / data": average(over_styles(name, "hands")), "|corr. - data's|": average(over_styles(name, "together")),
+        f"styles below {STUCK}": average([sum(run["styles"][s]["hands"] < STUCK for s in moving) for run in found]),
+        "recognised": average([run["recognised"] for run in found]),
+    } for name, found in runs.items()}
+    stiffer = [b - a for a, b in zip(over_styles(model, "hands"), over_styles(than, "hands"), strict=True)]
+    apart = [a - b for a, b in zip(over_styles(model, "together"), over_styles(than, "together"), strict=True)]
+    share = {style: [average([run["styles"][style]["hands"] for run in runs[name]]) for name in runs] for style in moving}
+    worst = max(share, key=lambda style: share[style][1] - share[style][0])
+    told = list(dict.fromkeys([*(style for style in NO_GLOBAL_PHASE if style in share), worst]))
+    verdict = (f"{_shown(stiffer)} that the hands of {model} move less than those of {than}, in the {len(moving)} styles "
+               f"whose hands move; {_shown(apart)} that they keep less well together. Of the data's range, here and there: "
+               + ", ".join(f"{style} {share[style][0]:.2f} and {share[style][1]:.2f}" for style in told))
+    return Case(section, title, claim, rows, verdict, {"style": told[0], "models": (model, than)})
+
+
+def capacity(data: Features, plan: Plan, folder: Path, progress: bool = False) -> Case:
+    """Error of the same few styles as the number of styles grows that a model has to hold.
+
+    All have the same budget, and so are the less trained on a style the more styles there are, but this holds for every
+    model. Runs of fewer styles are trained here (seed 0) and stored.
+    """
+    order = [data.styles[i] for i in torch.randperm(len(data.styles), generator=splits.generator(0)).tolist()]
+    counts = [n for n in COUNTS if n < len(order)] + [len(order)]
+    share = plan.config("lpn-film", 0).held_out
+    scale = splits.split(data, share, 0, tuple(data.styles))[0].normalisers()["outputs"]
+    errors: dict[str, dict[str, float]] = {name: {} for name in CAPACITY}
+    jobs = [(n, name) for n in counts for name in CAPACITY]
+    for n, name in tqdm(jobs, desc="capacity", unit="run", disable=None if progress else True):
+        styles, config, where = tuple(s for s in data.styles if s in order[:n]), plan.config(name, 0), folder
+        if n < len(order):
+            config, where = dataclasses.replace(config, styles=styles), folder / "capacity" / str(n)
+        run = trained(data, config, where, progress)
+        found = shared_error(run.model, run.bank, splits.split(data, share, 0, styles)[1], scale)
+        errors[name][f"{n} styles"] = average([found[style] for style in order[:COMMON]])
+    grown = {name: row[f"{counts[-1]} styles"] / row[f"{counts[0]} styles"] for name, row in errors.items()}
+    holds = all(grown["lpn-film"] < grown[name] for name in CAPACITY if name != "lpn-film")
+    least = min(CAPACITY, key=lambda name: errors[name][f"{counts[-1]} styles"])
+    said = ", ".join(f"{name} {g:.2f}" for name, g in grown.items())
+    return Case(
+        "5.1.2", "Large numbers of styles",
+        "one-hot and residual adapters only shift one hidden layer: artifacts with many styles, which FiLM has not.", errors,
+        f"{'shows' if holds else 'does not show'} (one seed): with {counts[-1]} styles instead of {counts[0]}, the error of "
+        f"the same {COMMON} styles is times {said}; the lowest then has {least}", {"counts": counts, "errors": errors},
+    )
+
+
+def blends(data: Features, runs: dict[str, list[Run]], folder: Path) -> Case:
+    """How far a walk stays in one style while its vector goes to another's, and then jumps."""
+    recogniser, pairs = judge(data, folder), interpolation.style_pairs(data.styles)
+    curves = {name: [interpolation.blend_walks(run, data, recogniser, pairs) for run in of] for name, of in runs.items()}
+    numbers = {name: [c.numbers() for c in found] for name, found in curves.items()}
+    even = interpolation.blend_data(data, recogniser, pairs)
+    rows = {name: {key: average([n[key] for n in found]) for key in found[0]} for name, found in numbers.items()}
+    later, wider, rougher = ([a[key] - b[key] for a, b in zip(numbers["lpn-onehot"], numbers["lpn-film"], strict=True)]
+                             for key in ("crosses at", "widest step", "gait's widest"))
+    return Case(
+        "5.1.2", "Interpolation", "one-hot keeps the first style until the interpolation is complete; FiLM blends smoothly.",
+        rows | {"data, blended": even.numbers()},
+        f"{_shown(later)} that one-hot keeps the first style for longer than FiLM; {_shown(wider)} that its widest step, as "
+        f"the recogniser sees it, is wider, and {_shown(rougher)} that its gait's is. The last row is how sharp the "
+        "recogniser itself is: clips blended evenly, frame by frame",
+        {"pairs": pairs, "shares": interpolation.shares(), "data": even}
+        | {"models": {name: interpolation.mean(found) for name, found in curves.items()}},
+    )
+
+
+def _shown(differences: list[float]) -> str:
+    """Verdict on differences, one per seed, that all ought to be positive."""
+    least, most = min(differences), max(differences)
+    if any(d != d for d in differences):
+        return "cannot say"
+    seeds = f"{len(differences)} seed" + ("s" if len(differences) > 1 else "")
+    return f"{'shows' if least > 0 else 'does not show'} (by {least:+.2f} to {most:+.2f} in {seeds})"
+
+
+def walks(data: Features, folder: Path, models: Sequence[str], style: str) -> dict[str, Clip]:
+    """A style's walk of some models of a folder (seed 0), after a style clip of the data, to look at."""
+    clips, plan = data.clips[style][:], stored_plan(folder)
+    pace = usual_speed(clips)
+    shown = {"data": _treadmill(data.layout, nearest(clips, pace)[0], pace)}
+    commands, warm = [Command((0.0, pace))] * round((WARM_UP + 4) * FPS), round(WARM_UP * FPS)
+    for name in models:
+        run = trained(data, plan.config(name, 0), folder)
+        shown[name] = runtime.record(run.model, states(run.model, commands, run.bank[style][None])[warm:])
+    return {name: clip.replace(style=style, name=name) for name, clip in shown.items()}
+
+
+def _treadmill(layout: Layout, joints: Tensor, pace: float) -> Clip:
+    """A style clip ``[240, 12 J]``, which does not say where it went, straight ahead."""
+    root = torch.zeros(len(joints), 4)
+    root[:, 1], root[:, 3] = torch.arange(len(joints)) * (pace / FPS), 1.0
+    state = CharacterState(root[:, None], root[:, None], joints, *[joints[:, :0]] * 8)
+    return Clip(layout.skeleton, *runtime.pose(layout, state, feet=False), FPS)
+
+
+def stored_plan(folder: Path) -> Plan:
+    """How the runs of a folder were trained."""
+    settings = read_json(folder / SETTINGS)
+    return Plan(settings["size"], settings["steps"])
+
+
+def cases(data: Features, folder: Path, progress: bool = False) -> list[Case]:
+    """All cases, on a folder's comparison; what they take beyond its runs is trained and stored there.
+
+    Raises
+    ------
+    ValueError
+        If the comparison is not finished, or lacks one of the models.
+    """
+    table = read_json(folder / TABLE)
+    if missing := {"pfnn-film", "mann-film", *CAPACITY} - table["models"].keys():
+        raise ValueError(f"{folder}: the comparison there lacks {', '.join(sorted(missing))}; run it with --models all")
+    plan = stored_plan(folder)
+    runs = {name: [trained(data, plan.config(name, seed), folder) for seed in range(table["settings"]["seeds"])]
+            for name in BLENDED}
+    return [
+        stuck_hands(table, "pfnn-film", "lpn-film", "5.1.1", "No global phase",
+                    "the PFNN's one phase follows the feet, so hands and arms get stuck, or do not swing together."),
+        capacity(data, plan, folder, progress),
+        blends(data, runs, folder),
+        stuck_hands(table, "mann-film", "lpn-film", "5.1.3", "No phase features",
+                    "the MANN is competitive, but arms can get stuck where limbs have cycles of their own."),
+    ]

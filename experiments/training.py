@@ -1,0 +1,157 @@
+"""A training step: the plainest form of it beside ours, the least it could take, and what each costs in test error."""
+
+import contextlib
+import os
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from typing import Annotated
+from unittest import mock
+
+import numpy as np
+import torch
+import typer
+from torch import Tensor, nn
+from torch.utils.flop_counter import FlopCounterMode
+
+from toolkit import datasets, features, networks, training
+from toolkit.features import Features
+from toolkit.networks import BlendedLinear, Sizes
+from toolkit.networks.convolution import Convolution
+from toolkit.training import distributed
+from toolkit.training.minibatches import Minibatches
+from toolkit.training.run import Config
+
+STYLES = ("Neutral", "Zombie", "Strut", "Old")
+REDUCED = Sizes(hidden=128, film_channels=32, film_dense=256, dropout=0.1)
+TARGETS = {"ours": 1.5, "ours, one clip": 5.0}  # times as fast as the plainest form
+
+
+@dataclass(frozen=True)
+class Form:
+    """One way to take a step; ``blend``, ``convolve`` and ``adam`` say whether these three are done our way."""
+
+    blend: bool = True  # scale inputs by their gates, one product; else blend weights sample by sample
+    convolve: bool = True  # spectra of tiles; else torch's convolution
+    adam: bool = True  # fused; else a loop over tensors
+    clips: int = 32  # style clips of a minibatch
+    precision: str = "32"
+
+    @contextlib.contextmanager
+    def ways(self) -> Iterator[None]:
+        """Inside, networks and optimiser do it this way."""
+        plain = torch.optim.Adam
+        with contextlib.ExitStack() as stack:
+            if not self.blend:
+                stack.enter_context(mock.patch.object(BlendedLinear, "forward", _blend_weights))
+            if not self.convolve:
+                stack.enter_context(mock.patch.object(Convolution, "forward", nn.Conv1d.forward))
+            if not self.adam:
+                adam = mock.patch("torch.optim.Adam", lambda *a, **k: plain(*a, **(k | {"fused": False, "foreach": False})))
+                stack.enter_context(adam)
+            yield
+
+
+PLAIN = Form(blend=False, convolve=False, adam=False)
+FORMS = {
+    "plainest": PLAIN,
+    "plainest, fused Adam": replace(PLAIN, adam=True),
+    "plainest, one product": replace(PLAIN, blend=True),
+    "plainest, tiles": replace(PLAIN, convolve=True),
+    "ours": Form(),
+    "ours, bf16": Form(precision="bf16"),
+    "ours, one clip": Form(clips=1),
+    "ours, one clip, bf16": Form(clips=1, precision="bf16"),
+}
+LEARNT = ("plainest", "ours", "ours, bf16", "ours, one clip", "ours, one clip, bf16")
+
+
+def run(
+    repeats: Annotated[int, typer.Option(min=1, help="The median of so many steps is printed.")] = 9,
+    steps: Annotated[int, typer.Option(min=0, help="Steps of the trainings that are compared; 0: none.")] = 400,
+    seeds: Annotated[int, typer.Option(min=1, help="Trainings of each form.")] = 2,
+) -> None:
+    """Milliseconds of a step at the paper's sizes, batch 32; then held-out error after the same steps at reduced sizes."""
+    torch.set_num_threads(len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1)
+    data = features.build(datasets.load("procedural", styles=list(STYLES), gaits=["FW"], seconds=30.0))
+    _times(data, repeats)
+    if steps:
+        _errors(data, steps, seeds)
+
+
+def _times(data: Features, repeats: int) -> None:
+    """A table of times; all forms step the same model, in turns, so that all meet the same weather."""
+    model = networks.build("lpn-film", data.layout, len(STYLES), None, networks.normalisers("lpn-film", data)).train()
+    count = sum(p.numel() for p in model.parameters())
+    seconds: dict[str, list[float]] = {name: [] for name in FORMS}
+    flops, optimisers = {}, {}
+    for turn in range(-1, repeats):
+        for name, form in FORMS.items():
+            config = Config(clips_per_batch=form.clips, precision=form.precision)
+            fabric = distributed.start(config)
+            with form.ways():
+                adam = optimisers.setdefault(form.adam, training.optimiser(model, config))
+                objective = fabric.setup_module(distributed.Objective(model, config.bone_weight, 0, 1))
+                batches = Minibatches(data, config.batch, form.clips, config.seed)
+                counter = FlopCounterMode(display=False) if turn < 0 else contextlib.nullcontext()
+                began = time.perf_counter()
+                with counter:
+                    training.step(fabric, objective, adam, batches, config, turn + 1, config.rate)
+            if turn < 0:
+                flops[name] = counter.get_total_flops()
+            else:
+                seconds[name].append(time.perf_counter() - began)
+    rates, update = {p: _product_rate(p) for p in ("32", "bf16")}, 7 * 4 * count / _bandwidth()
+    print(f"a step of {count:,} parameters, batch 32, {torch.get_num_threads()} threads, median of {repeats}")
+    speeds = ", ".join(f"{rate / 1e9:.0f} GFLOP/s ({precision})" for precision, rate in rates.items())
+    print(f"floor: its products at the rate of a large one, {speeds},")
+    print(f"and 7 numbers per parameter for Adam at the rate of a copy, {1e3 * update:.0f} ms")
+    print(f"{'':<24}{'ms':>8}{'times as fast':>15}{'GFLOP':>8}{'floor ms':>10}")
+    plain = float(np.median(seconds["plainest"]))
+    for name, form in FORMS.items():
+        own = float(np.median(seconds[name]))
+        floor = flops[name] / rates[form.precision] + update
+        target = TARGETS.get(name, 0.0)
+        print(f"{name:<24}{1e3 * own:>8.0f}{plain / own:>15.2f}{flops[name] / 1e9:>8.1f}{1e3 * floor:>10.0f}"
+              + (f"  target {target}: {'met' if plain / own >= target else 'MISSED'}" if target else ""))
+
+
+def _errors(data: Features, steps: int, seeds: int) -> None:
+    """A table of held-out errors; the same seed means the same start, frames and dropout."""
+    print(f"\nheld-out error after {steps} steps, {REDUCED.hidden} hidden units, {REDUCED.film_channels} filters, "
+          f"{len(STYLES)} procedural styles, seeds 0 to {seeds - 1}")
+    print(f"{'':<24}{'mean':>8}{'seeds':>30}{'other style':>13}{'s':>7}")
+    for name in LEARNT:
+        form, errors, others, began = FORMS[name], [], [], time.perf_counter()
+        for seed in range(seeds):
+            config = Config(sizes=REDUCED, steps=steps, clips_per_batch=form.clips, precision=form.precision, seed=seed,
+                            rate=1e-3, style_rate=0.1, final_rate=0.01, max_gradient=1.0)
+            with form.ways():
+                overall = training.fit(data, config).table()[-1]
+            errors.append(overall["error"])
+            others.append(overall["other"])
+        each = " ".join(f"{e:.4f}" for e in errors)
+        print(f"{name:<24}{np.mean(errors):>8.4f}{each:>30}{np.mean(others):>13.3f}{time.perf_counter() - began:>7.0f}")
+
+
+def _blend_weights(layer: BlendedLinear, x: Tensor, gates: Tensor) -> Tensor:
+    weight = torch.einsum("bk,kio->bio", gates, layer.weight)
+    return torch.einsum("bi,bio->bo", x, weight) + gates @ layer.bias
+
+
+def _product_rate(precision: str, n: int = 2048) -> float:
+    """Floating-point operations per second of a large matrix product."""
+    a = torch.randn(n, n, dtype=torch.bfloat16 if precision == "bf16" else torch.float32)
+    return 2 * n**3 / min(_timed(lambda: a @ a) for _ in range(5))
+
+
+def _bandwidth(n: int = 1 << 26) -> float:
+    """Bytes per second, read and written, of a large copy."""
+    a, b = torch.zeros(n), torch.zeros(n)
+    return 2 * 4 * n / min(_timed(lambda: b.copy_(a)) for _ in range(5))
+
+
+def _timed(call) -> float:
+    began = time.perf_counter()
+    call()
+    return time.perf_counter() - began

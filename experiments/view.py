@@ -1,0 +1,103 @@
+"""Viewing: how fast the mannequin is drawn, encoded and answers a slider, off screen, beside the software renderer."""
+
+import asyncio
+import io
+import time
+from collections.abc import Callable
+from typing import Annotated
+
+import numpy as np
+import torch
+import typer
+from PIL import Image
+
+TARGET = 60.0  # pyvista pictures per second of one character at 1024 x 768
+LATENCY = 80.0  # milliseconds from slider to picture, of which the browser's part is not measured here
+
+
+def run(
+    frames: Annotated[int, typer.Option(help="Pictures per measurement.")] = 200,
+    width: Annotated[int, typer.Option(help="Pixels.")] = 1024,
+    height: Annotated[int, typer.Option(help="Pixels.")] = 768,
+) -> None:
+    """Pictures per second, by the clock and by the processor: the second holds on a machine that is busy with other work."""
+    from toolkit import datasets, phases
+    from toolkit.motion import contacts
+    from toolkit.view import stage
+    from toolkit.view.opengl import opengl_works
+    from toolkit.view.player import Player
+    from toolkit.view.screen import QUALITY
+
+    threads = torch.get_num_threads()
+    torch.set_num_threads(1)
+    clips = [datasets.load("procedural", styles=[style], gaits=["FW"], seconds=8.0)[0] for style in ("Neutral", "Zombie")]
+    feet = [contacts.detect(clip).numpy() for clip in clips]
+    subjects = [stage.Subject(clip, on) for clip, on in zip(clips, feet, strict=True)]
+    size = width, height
+    print(f"{width} x {height}, {frames} pictures each       median   fastest   processor time")
+
+    def drawing(name: str, renderer: type, cast: list, count: int) -> tuple[float, np.ndarray]:
+        scene = renderer(cast, size)
+        try:
+            times = _times(lambda k: scene.draw([k % len(subject.clip) for subject in cast]), count)
+            return _row(name, times), scene.draw([0] * len(cast))
+        finally:
+            scene.close()
+
+    if opengl_works():
+        rate, picture = drawing("pyvista, one character", stage.Stage, subjects[:1], frames)
+        drawing("pyvista, two in one scene", stage.Stage, subjects, frames)
+    else:
+        print("pyvista finds no OpenGL here: python -m toolkit.view.opengl")
+    slow, sketch = drawing("software renderer, one", stage.Sketch, subjects[:1], max(frames // 10, 2))
+    if not opengl_works():
+        rate, picture = slow, sketch
+    image = Image.fromarray(picture)
+    _row("JPEG", _times(lambda k: image.save(io.BytesIO(), "JPEG", quality=QUALITY), frames))
+    player = Player(clips, contacts=feet, phases=[phases.extract(clip) for clip in clips], size=size)
+    _row("player, two side by side, dials", _times(lambda k: player.seek(k % len(player.clip)), frames))
+    player.close()
+    print(f"one character {'meets' if rate >= TARGET else 'MISSES'} {TARGET:g} pictures/s (fastest of clock and processor)")
+    player_size = 640, 480
+    waits = asyncio.run(_latency(lambda: Player(clips[0], contacts=feet[0], size=player_size), frames // 2))
+    for name, wait in waits.items():
+        middle, worst = np.quantile(wait, (0.5, 0.95))
+        print(f"slider to picture, 640 x 480, {name:8} {middle:5.0f} ms median, {worst:4.0f} ms 95 %   (target {LATENCY:g}, "
+              "browser included)")
+    torch.set_num_threads(threads)
+
+
+def _times(work: Callable[[int], object], count: int) -> np.ndarray:
+    """Seconds [count, 2] that ``work(k)`` takes by the clock and of the processor, after three that do not count."""
+    for k in range(3):
+        work(k)
+    times = []
+    for k in range(count):
+        clock, processor = time.perf_counter(), time.process_time()
+        work(k)
+        times.append((time.perf_counter() - clock, time.process_time() - processor))
+    return np.array(times)
+
+
+def _row(name: str, times: np.ndarray) -> float:
+    """Print a line and return the pictures per second that an idle machine gives at least."""
+    median, fastest, processor = np.median(times[:, 0]), times[:, 0].min(), np.median(times[:, 1])
+    print(f"{name:32}{1e3 * median:8.1f} ms{1e3 * fastest:7.1f} ms{1e3 * processor:8.1f} ms = {1 / processor:5.0f}/s")
+    return 1 / min(median, processor)
+
+
+async def _latency(make: Callable, count: int) -> dict[str, list[float]]:
+    """Milliseconds from a slider's change, which another thread makes, to the new picture; paused and playing."""
+    player, waits = make(), {}
+    player.image.observe(lambda change: setattr(player.image, "seen", change["new"]), "number")  # a page that keeps up
+    for name, playing in (("paused", False), ("playing", True)):
+        player.playing, waits[name] = playing, []
+        for k in range(count):
+            await asyncio.sleep(0.02)
+            before, start = player.image.number, time.perf_counter()
+            await asyncio.to_thread(setattr, player._angle, "value", 30 + 10 * (k % 2))
+            while player.image.number == before or player._stale:
+                await asyncio.sleep(0.001)
+            waits[name].append(1e3 * (time.perf_counter() - start))
+    player.close()
+    return waits

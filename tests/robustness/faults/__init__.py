@@ -1,0 +1,192 @@
+"""Kills, full disks, read-only folders, two at once: whatever happens, a file is the old one, the new one or not there."""
+
+import contextlib
+import os
+import random
+import re
+import signal
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated
+
+import torch
+import typer
+from robustness.faults.jobs import Job, ended, files_of, prepare, start
+
+JOBS = "fetch", "preprocess", "train", "export"
+SMALL = 50_000  # bytes that a file may have where the disk is "full"
+
+
+@dataclass
+class Score:
+    """What kills did: how many, how many of them left a temporary file, and how many files or runs were bad."""
+
+    kills: int = 0
+    writing: int = 0
+    lost: int = 0
+    half: int = 0
+    equal: int = 0
+    left: int = 0
+
+    @property
+    def passed(self) -> bool:
+        """Nothing was lost, half-written, different or left over."""
+        return not self.lost and not self.half and self.equal == self.kills and not self.left
+
+
+def run(
+    kills: Annotated[int, typer.Option(min=1, help="Of each job, at random moments.")] = 50,
+    seed: Annotated[int, typer.Option(help="Of the moments.")] = 0,
+    only: Annotated[str | None, typer.Option(help=f"Some of {', '.join(JOBS)}, comma-separated; or all.")] = None,
+) -> None:
+    """Kill, starve and lock out fetch, preprocess, train and export; exit status 1 if anything was lost or half-written."""
+    if not hasattr(os, "fork"):
+        raise ValueError("this measurement needs a system that can fork: Linux or macOS")
+    chosen = JOBS if only is None else only.split(",")
+    if unknown := [name for name in chosen if name not in JOBS]:
+        raise ValueError(f"unknown job {unknown[0]!r}; there are {', '.join(JOBS)}")
+    torch.set_num_threads(1)
+    bad = []
+    with tempfile.TemporaryDirectory() as made, contextlib.ExitStack() as ends:
+        base = Path(made)
+        base.chmod(0o755)
+        jobs = [job for job in prepare(base, ends) if job.name in chosen]
+        print(f"{'kill -9':<12}{'kills':>7}{'writing':>9}{'lost':>6}{'half':>6}{'equal':>7}{'left over':>11}{'s':>6}")
+        for job in jobs:
+            began, score = time.perf_counter(), killed(job, base, kills, seed)
+            print(f"{job.name:<12}{score.kills:>7}{score.writing:>9}{score.lost:>6}{score.half:>6}{score.equal:>7}{score.left:>11}"
+                  f"{time.perf_counter() - began:>6.0f}", flush=True)
+            bad += [] if score.passed else [f"{job.name}: killed"]
+        print("writing: a temporary file lay there; lost: old and whole files that were gone; half: neither the old nor the")
+        print("new one; equal: the same command then gave what an undisturbed one gives; left over: temporary files then")
+        print(f"\n{'':<12}{'what it says, and what is wrong with the files':<20}")
+        for job in jobs:
+            for fault in (full_disk, read_only, two_at_once):
+                said, wrong = fault(job, base)
+                said = (said.splitlines() or [""])[-1].replace(str(base), "…")
+                print(f"{job.name:<12}{fault.__name__.replace('_', ' '):<14}{wrong or 'ok':<12}{said[:150]}", flush=True)
+                bad += [f"{job.name}: {fault.__name__}"] if wrong else []
+    if bad:
+        print(f"FAILED: {', '.join(bad)}")
+        raise typer.Exit(1)
+
+
+def killed(job: Job, base: Path, kills: int, seed: int = 0) -> Score:
+    """Kill a job again and again at moments spread over its time, every other while it writes; look; let it finish."""
+    folder, score, rng = base / "disturbed", Score(), random.Random(f"{seed} {job.name}")
+    reference, lasts = job.undisturbed(base)
+    while score.kills < kills:
+        job.place(folder)
+        child = start(job.work, folder)
+        began = time.perf_counter()
+        time.sleep(rng.uniform(0, lasts))
+        while score.kills % 2 and not _temporary(folder) and time.perf_counter() - began < lasts:
+            time.sleep(0.0002)
+        os.kill(child, signal.SIGKILL)
+        if not os.WIFSIGNALED(os.waitpid(child, 0)[1]):
+            lasts *= 0.97  # it was done before
+            continue
+        score.kills += 1
+        score.writing += bool(_temporary(folder))
+        lost, half = _bad(job, folder, reference)
+        score.lost, score.half = score.lost + len(lost), score.half + len(half)
+        status, said = ended(start(job.work, folder), folder)
+        equal = status == 0 and job.contents(folder) == reference
+        score.equal += equal
+        score.left += len(_temporary(folder))
+        for problem in (*lost, *half, *([] if equal else [f"not as undisturbed, status {status}: {said[-300:]}"])):
+            print(f"  {job.name}, kill {score.kills}: {problem}", file=sys.stderr)
+    return score
+
+
+def full_disk(job: Job, base: Path) -> tuple[str, str]:
+    """No file may grow beyond `SMALL` bytes; then there is room again."""
+    import resource
+
+    def work(folder: Path) -> None:
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (SMALL, SMALL))
+        job.work(folder)
+
+    return _refused(job, work, base)
+
+
+def read_only(job: Job, base: Path) -> tuple[str, str]:
+    """The folder cannot be written to; then it can."""
+
+    def work(folder: Path) -> None:
+        folder.chmod(0o555)
+        _no_superuser()
+        job.work(folder)
+
+    return _refused(job, work, base)
+
+
+def _no_superuser() -> None:
+    """Give up the right to write what is read-only (CAP_DAC_OVERRIDE), if the process has it."""
+    import ctypes
+
+    libc = ctypes.CDLL(None)
+    if hasattr(libc, "capset"):
+        header, sets = (ctypes.c_uint32 * 2)(0x20080522, 0), (ctypes.c_uint32 * 6)()
+        libc.capget(header, sets)
+        sets[0] &= ~(1 << 1)
+        libc.capset(header, sets)
+
+
+def two_at_once(job: Job, base: Path) -> tuple[str, str]:
+    """The same command twice at the same time: both finish, or one refuses, and the files are whole."""
+    folder = base / "disturbed"
+    reference = job.undisturbed(base)[0]
+    job.place(folder)
+    children = [start(job.work, folder, log) for log in ("one", "two")]
+    ends = [ended(child, folder, log) for child, log in zip(children, ("one", "two"), strict=True)]
+    said = " ".join(said for status, said in ends if status)
+    wrong = []
+    if all(status for status, _ in ends) or any(status and not _one_line(said) for status, said in ends):
+        wrong.append(f"status {[status for status, _ in ends]}")
+    if job.contents(folder) != reference:
+        wrong.append("files differ")
+    return said.strip() or "both finished", ", ".join(wrong)
+
+
+def _refused(job: Job, work: Callable[[Path], object], base: Path) -> tuple[str, str]:
+    folder, reference = base / "disturbed", job.undisturbed(base)[0]
+    job.place(folder)
+    status, said = ended(start(work, folder), folder)
+    folder.chmod(0o755)
+    lost, half = _bad(job, folder, reference)
+    wrong = [*lost, *half] + ([] if status == 2 and _one_line(said) else [f"status {status}"])
+    status, _ = ended(start(job.work, folder), folder)
+    if status or job.contents(folder) != reference:
+        wrong.append("not as undisturbed afterwards")
+    return said.strip(), ", ".join(wrong)
+
+
+def _bad(job: Job, folder: Path, reference: dict[str, object]) -> tuple[list[str], list[str]]:
+    """Old files that are gone, and files that are neither old nor new nor a stage on the way."""
+    found = {name: path.read_bytes() for name, path in files_of(folder)}
+    lost, half = [f"{name} is lost" for name in job.old if name not in found], []
+    for name, data in found.items():
+        try:
+            if re.fullmatch(job.staged, Path(name).name):
+                job.stage(folder / name)
+            elif data != job.old.get(name) and job.content(data) != reference.get(name):
+                half.append(f"{name} is half-written")
+        except ValueError as error:
+            half.append(f"{name}: {error}")
+    return lost, half
+
+
+def _temporary(folder: Path) -> list[Path]:
+    return [path for path in folder.rglob(".*") if path.suffix != ".lock"]
+
+
+def _one_line(said: str) -> bool:
+    """Whether the last that was said, below a progress bar, is an error that names a file."""
+    last = said.splitlines()[-1] if said else ""
+    return last.startswith("error: ") and "/" in last and "Traceback" not in said

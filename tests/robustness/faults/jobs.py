@@ -1,0 +1,208 @@
+"""What is disturbed: fetch, preprocess, train and export, small, each in a process of its own."""
+
+import contextlib
+import functools
+import http.server
+import os
+import re
+import shutil
+import signal
+import sys
+import time
+import zipfile
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from unittest import mock
+
+import safetensors.torch
+
+from toolkit import export, networks, training, view
+from toolkit.datasets import procedural
+from toolkit.features import store
+from toolkit.features.store import files
+from toolkit.io import model_files
+from toolkit.motion import Clip
+
+
+@dataclass(frozen=True, eq=False)
+class Job:
+    """What is disturbed.
+
+    ``work`` writes into a folder, and goes on with what it finds there. ``stage`` reads files that other names than the
+    reference's may lie under, or that grow, or raises. ``content`` is what of a file's bytes two runs have in common.
+    """
+
+    name: str
+    work: Callable[[Path], object]
+    old: dict[str, bytes] = field(default_factory=dict)
+    stage: Callable[[Path], object] | None = None
+    staged: str = r"(?!)"  # names that ``stage`` judges
+    content: Callable[[bytes], object] = bytes
+
+    def undisturbed(self, base: Path) -> tuple[dict[str, object], float]:
+        """What the files hold where it was left alone, and how many seconds it takes."""
+        if self not in _UNDISTURBED:
+            folder = base / "undisturbed"
+            self.place(folder)
+            finish(self.work, folder)  # once to compile and to fill caches
+            self.place(folder)
+            began = time.perf_counter()
+            finish(self.work, folder)
+            _UNDISTURBED[self] = self.contents(folder), time.perf_counter() - began
+        return _UNDISTURBED[self]
+
+    def contents(self, folder: Path) -> dict[str, object]:
+        """Its files, as far as two runs agree."""
+        return {name: self.content(path.read_bytes()) for name, path in files_of(folder)}
+
+    def place(self, folder: Path) -> None:
+        """An empty folder but for the old files."""
+        shutil.rmtree(folder, ignore_errors=True)
+        folder.mkdir()
+        for name, data in self.old.items():
+            (folder / name).write_bytes(data)
+
+
+_UNDISTURBED: dict[Job, tuple[dict[str, object], float]] = {}
+
+
+def prepare(base: Path, ends: contextlib.ExitStack) -> list[Job]:
+    """The four jobs, small, and what they read."""
+    root, stored = base / "data", base / "store"
+    finish(lambda _: procedural.write(root, ["Neutral", "Zombie"], ["FW", "SW"], 5.0), base)
+    finish(lambda _: store.preprocess("100style", root, stored, workers=1), base)
+    with zipfile.ZipFile(base / "data.zip", "w") as archive:
+        for path in sorted(root.iterdir()):
+            archive.write(path, path.name)
+    address = ends.enter_context(_serving((base / "data.zip").read_bytes()))
+    digest = files.sha256(base / "data.zip")
+    sizes = networks.Sizes(hidden=64, film_channels=8, film_kernel=5, film_dense=64)
+    quick = functools.partial(training.Config.quick, save_every=0.1, sizes=sizes)
+    clips, (model, bank) = procedural.load(["Neutral", "Zombie"], ["FW"], 20.0), training.pretrained()
+
+    def fetch(folder: Path) -> None:
+        _command("data", "fetch", "100style", "--root", folder / "100style", "--from", address, "--sha256", digest, "--yes")
+
+    def preprocess(folder: Path) -> None:
+        _command("preprocess", "--data", "100style", "--root", root, "--out", folder / "store", "--workers", 1)
+
+    def train(folder: Path) -> None:
+        with mock.patch.object(training.Config, "quick", quick):
+            _command("train", "--data", stored, "--out", folder / "run.safetensors", "--small", "--epochs", 4, "--resume")
+
+    def write(clip: Clip, folder: Path) -> None:
+        for suffix in (".bvh", ".html", ".glb"):
+            export.write(clip, folder / f"walk{suffix}", title=clip.style)
+        export.onnx.save(model, folder / "network.onnx", bank)
+        view.web(model, bank, folder / "page.html", title=clip.style)
+
+    def checkpoint(path: Path) -> None:
+        model_files.read(path, "checkpoint")
+
+    def manifest(path: Path) -> None:
+        for entry in files.read_manifest(path.parent)["partitions"].values():
+            if not files.is_whole(path.parent, entry):
+                raise ValueError(f"{entry['file']} is listed and not whole")
+
+    old = base / "old"
+    finish(lambda _: write(clips[1], old), base)
+    old_files = {path.name: path.read_bytes() for path in old.iterdir()}
+    return [
+        Job("fetch", fetch, content=lambda data: re.sub(rb'"date": "[^"]*"', b"", data)),
+        Job("preprocess", preprocess, stage=manifest, staged="manifest.json"),
+        Job("train", train, {"run.safetensors": b"an older run"}, checkpoint, r".*\.checkpoint", _weights),
+        Job("export", functools.partial(write, clips[0]), old_files),
+    ]
+
+
+def files_of(folder: Path) -> Iterator[tuple[str, Path]]:
+    """Names and paths of the files that carry their final names."""
+    for path in sorted(folder.rglob("*")):
+        name = path.relative_to(folder)
+        if path.is_file() and not any(part.startswith(".") for part in name.parts):
+            yield name.as_posix(), path
+
+
+def _weights(data: bytes) -> object:
+    """The tensors of a file; its times differ from run to run."""
+    try:
+        return {name: tensor.numpy().tobytes() for name, tensor in safetensors.torch.load(data).items()}
+    except safetensors.SafetensorError as error:
+        raise ValueError(str(error)) from error
+
+
+def _command(*words: object) -> None:
+    from toolkit.__main__ import main
+
+    if status := main([str(word) for word in words]):
+        raise SystemExit(status)
+
+
+def start(work: Callable[[Path], object], folder: Path, log: str = "one") -> int:
+    """A process of its own that does the work, with everything imported already; its number."""
+    sys.stdout.flush()
+    if child := os.fork():
+        return child
+    status = 1
+    try:
+        said = os.open(folder.parent / f"{log}.log", os.O_WRONLY | os.O_CREAT | os.O_TRUNC)
+        os.dup2(said, 2)
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
+        try:
+            work(folder)
+            status = 0
+        except SystemExit as ended:
+            status = ended.code or 0
+        except (ValueError, OSError) as error:
+            print(f"error: {error}", file=sys.stderr)
+            status = 2
+        sys.stderr.flush()
+    finally:
+        os._exit(status)
+
+
+def ended(child: int, folder: Path, log: str = "one") -> tuple[int, str]:
+    """Exit status of a process, and what it said."""
+    status = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
+    return status, (folder.parent / f"{log}.log").read_text(encoding="utf-8", errors="replace")
+
+
+def finish(work: Callable[[Path], object], folder: Path) -> None:
+    """Do the work, left alone; a ValueError where that fails."""
+    status, said = ended(start(work, folder), folder)
+    if status:
+        raise ValueError(f"an undisturbed run failed: {said[-500:]}")
+
+
+@contextlib.contextmanager
+def _serving(content: bytes) -> Iterator[str]:
+    """Address of a slow server of one file, in a process of its own, that goes on where it is asked to."""
+
+    class Handler(http.server.BaseHTTPRequestHandler):
+        def do_GET(self) -> None:
+            first = int(re.sub(r"\D", "", self.headers.get("Range", "")) or 0)
+            self.send_response(206 if first else 200)
+            self.send_header("ETag", '"one"')
+            self.send_header("Content-Length", str(len(content) - first))
+            if first:
+                self.send_header("Content-Range", f"bytes {first}-{len(content) - 1}/{len(content)}")
+            self.end_headers()
+            with contextlib.suppress(OSError):
+                for at in range(first, len(content), 1 << 16):
+                    self.wfile.write(content[at : at + (1 << 16)])
+                    time.sleep(0.01)
+
+        def log_message(self, *_) -> None:
+            pass
+
+    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Handler)
+    child = os.fork()
+    if not child:
+        server.serve_forever()
+    try:
+        yield f"http://127.0.0.1:{server.server_port}/data.zip"
+    finally:
+        server.server_close()
+        os.kill(child, signal.SIGKILL)
+        os.waitpid(child, 0)

@@ -1,0 +1,133 @@
+"""Rubbish for every reader: mutated files and command lines, each of which must be read or refused in one clear line."""
+
+import contextlib
+import re
+import tempfile
+import warnings
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Annotated
+
+import torch
+import typer
+from robustness.fuzz import targets
+from robustness.fuzz.trials import Reader, trial
+from tqdm import tqdm
+
+SHARES = {"bvh": 0.55, "csv": 0.3, "model": 0.1, "store": 0.02, "cli": 0.03}  # of all inputs
+ROOM = 1 << 30  # bytes of address space that reading may take on top of what the process has
+
+
+@dataclass
+class Tally:
+    """How the inputs of a target went; ``failures`` maps what went wrong to how often, and its shortest input."""
+
+    inputs: int = 0
+    accepted: int = 0
+    deep: int = 0
+    refused: Counter = field(default_factory=Counter)
+    slowest: float = 0.0
+    memory: float = 0.0
+    failures: dict[str, tuple[int, bytes]] = field(default_factory=dict)
+
+
+def run(
+    inputs: Annotated[int, typer.Option(min=1, help="In all; a target has its share of them.")] = 1_000_000,
+    target: Annotated[str, typer.Option(help="bvh, csv, model, store, cli, or all.")] = "all",
+    seed: Annotated[int, typer.Option(help="The same seed gives the same inputs.")] = 0,
+    out: Annotated[Path, typer.Option(help="Folder for inputs that show a failure.")] = Path("out/fuzz"),
+) -> None:
+    """Feed mutated files and command lines to every reader; exit status 1 unless each was read or refused in one line."""
+    torch.set_num_threads(1)
+    with tempfile.TemporaryDirectory() as folder:
+        readers = targets.make(Path(folder), target)
+        shares = {name: SHARES[name] / sum(SHARES[n] for n in readers) for name in readers}
+        tallies = {name: fuzz(of, round(inputs * shares[name]), seed, name) for name, of in readers.items()}
+    _print(tallies)
+    if any(tally.failures for tally in tallies.values()):
+        _keep(tallies, out)
+        raise typer.Exit(1)
+
+
+def fuzz(readers: list[Reader], inputs: int, seed: int, title: str = "") -> Tally:
+    """Try ``inputs`` inputs, as many on every reader."""
+    tally, before, last = Tally(), _memory(), readers[0]
+    with warnings.catch_warnings(), _limited():
+        warnings.simplefilter("error")
+        warnings.simplefilter("ignore", UserWarning)
+        for number in tqdm(range(inputs), desc=title, unit="input", disable=None):
+            reader = readers[number * len(readers) // inputs]  # one after the other: some need each other's whole files
+            if reader is not last:
+                last.path.write_bytes(last.seeds[0])
+                last = reader
+            data = reader.input(seed, number)
+            outcome, said, cost = trial(reader, data)
+            tally.inputs += 1
+            tally.slowest = max(tally.slowest, cost)
+            if outcome == "failed":
+                said = f"{reader.name}: {said}"
+                count, shortest = tally.failures.get(said, (0, data))
+                tally.failures[said] = count + 1, min(shortest, data, key=len)
+                continue
+            tally.accepted += outcome == "accepted"
+            tally.deep += outcome == "accepted" or bool(re.search(reader.deep, said))
+            tally.refused[_kind(said)] += outcome == "refused"
+    tally.memory = _memory() - before
+    return tally
+
+
+def _kind(said: str) -> str:
+    """A message without what differs from input to input."""
+    said = said.split(": ", 1)[-1] if ": " in said else said
+    return re.sub(r"'[^']*'|\"[^\"]*\"|\([^)]*\)|[-+]?\d[\d.e+-]*", "…", said)[:60]
+
+
+def _memory() -> float:
+    """The most memory that the process ever had, MB; 0 where the system does not say."""
+    try:
+        import resource
+    except ImportError:
+        return 0.0
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1000
+
+
+@contextlib.contextmanager
+def _limited() -> Iterator[None]:
+    """Inside, the process gets `ROOM` more memory and no more, where the system can say so."""
+    try:
+        import resource
+
+        pages = int(Path("/proc/self/statm").read_text(encoding="utf-8").split()[0])
+    except (ImportError, OSError):
+        yield
+        return
+    before = resource.getrlimit(resource.RLIMIT_AS)
+    resource.setrlimit(resource.RLIMIT_AS, (pages * resource.getpagesize() + ROOM, before[1]))
+    try:
+        yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_AS, before)
+
+
+def _print(tallies: dict[str, Tally]) -> None:
+    print(f"{'target':<8}{'inputs':>10}{'accepted':>10}{'refused':>10}{'kinds':>7}{'deep':>10}{'s/kB':>8}{'MB more':>9}"
+          f"{'failed':>8}")
+    for name, t in tallies.items():
+        refused, failed = sum(t.refused.values()), sum(count for count, _ in t.failures.values())
+        print(f"{name:<8}{t.inputs:>10,}{t.accepted:>10,}{refused:>10,}{len(+t.refused):>7}{t.deep:>10,}{t.slowest:>8.3f}"
+              f"{t.memory:>9.0f}{failed:>8,}")
+    print("deep: read, or refused for what stands behind the header; s/kB: the slowest, of the processor; MB more: at most")
+    for name, t in tallies.items():
+        for kind, count in t.refused.most_common(8):
+            print(f"  {name:<6}{count:>9,}  {kind}")
+
+
+def _keep(tallies: dict[str, Tally], out: Path) -> None:
+    out.mkdir(parents=True, exist_ok=True)
+    for name, tally in tallies.items():
+        for i, (said, (count, data)) in enumerate(tally.failures.items()):
+            path = out / f"{name}-{i}.input"
+            path.write_bytes(data)
+            print(f"FAILED {count:,} times, input in {path}: {said}")

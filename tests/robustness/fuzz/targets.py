@@ -1,0 +1,215 @@
+"""What is fuzzed: every reader of files, and the command line, each with whole inputs to start from."""
+
+import contextlib
+import io
+import json
+import random
+from collections.abc import Iterator
+from functools import partial
+from pathlib import Path
+from unittest import mock
+
+import numpy as np
+import typer
+from robustness.fuzz import mutations
+from robustness.fuzz.trials import Reader
+from typer.core import TyperCommand
+
+from toolkit import datasets, features, networks, published, training
+from toolkit.datasets import procedural, style100
+from toolkit.features import store
+from toolkit.io import bvh, decimals
+from toolkit.networks.bank import StyleBank
+from toolkit.training.checkpoint import Checkpoint
+
+CARRIER = b"""HIERARCHY
+ROOT joint_Root
+{
+  OFFSET 0 0 0
+  CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation
+  JOINT Hips
+  {
+    OFFSET 7 7 7
+    CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation
+    End Site
+    {
+      OFFSET 0 5 0
+    }
+  }
+}
+MOTION
+Frames: 2
+Frame Time: 0.033333
+0 0 0 0 0 0 1 90 2 0 0 0
+0 0 0 0 0 0 1.5 90 9 0 1e1 -3
+"""
+TINY = networks.Sizes(hidden=4, experts=2, gating=4, film_channels=2, film_kernel=5, film_dense=4)
+WORK = {  # what a command line does once all is checked; here it is not done
+    "toolkit.training.distributed": ("start",), "toolkit.features": ("build",), "toolkit.features.store": ("preprocess",),
+    "toolkit.training": ("fit",), "toolkit.cli.demo": ("greet", "make"), "toolkit.runtime.crowd": ("walk",),
+    "toolkit.runtime": ("states",), "toolkit.datasets.procedural": ("load", "write"),
+    "toolkit.cli.style": ("fine_tune",), "toolkit.cli.stylize": ("build", "stylize"),
+    "toolkit.cli.data": ("fetch",), "experiments.seven_models.hundred": ("write",), "toolkit.networks": ("table2",),
+    "experiments.seven_models.failures": ("cases",),
+}
+VALUES = ("", "x", "-", "--", "0", "1", "-1", "3", "0.05", "nan", "inf", "-inf", "1e308", "1e-320", "9" * 30, "9" * 400,
+          "\x1b[31m", "é", "a\nb", "\ud800", "a" * 300, "Neutral", "Zombie", "Neutral=0.5,Zombie=0.5", "Neutral=nan",
+          "Neutral=1e308", "a=b=c", ",", "=", "FW", "procedural", "100style", "bandai", "xia", "lpn-film", "cpu",
+          "cuda", "cuda:99", "bf16", "hybrid", "learned", "contact", "a.bvh", "a.html", "a.png", "a.nothing", "none/a.bvh",
+          "folder", "good.bvh", "bad.bvh", "good.safetensors", "bad.safetensors", "/dev/null/a.bvh", "./..",
+          "adv", "sty,ds")
+
+
+class _Reached(ValueError):  # noqa: N818 (no error)
+    """A command line passed all checks and would now do its work."""
+
+
+def make(folder: Path, target: str = "all") -> dict[str, list[Reader]]:
+    """Readers by target; what they need is made in ``folder``, and stays in use."""
+    makers = {"bvh": _bvh, "csv": _csv, "model": _model, "store": _store, "cli": _cli}
+    if target not in (*makers, "all"):
+        raise ValueError(f"unknown target {target!r}; there is {', '.join(makers)}, all")
+    folder = folder.resolve()
+    for name in makers:
+        (folder / name).mkdir(parents=True, exist_ok=True)
+    return {name: maker(folder / name) for name, maker in makers.items() if target in (name, "all")}
+
+
+def _bvh(folder: Path) -> list[Reader]:
+    seeds = [CARRIER] * 3  # short, so that a mutation is likely to matter
+    for clip in (procedural.load(["Neutral"], ["FW"], seconds=0.2)[0], *_recorded()):
+        bvh.save(clip.cut(0, 3), folder / "seed.bvh")
+        seeds.append((folder / "seed.bvh").read_bytes())
+
+    def read(path: Path) -> None:
+        clip = bvh.load(path)
+        assert clip.skeleton.offsets.isfinite().all(), "offsets that are not finite"
+        assert len(clip) * len(clip.skeleton) <= max(path.stat().st_size, bvh.SMALL), "more than the file can hold"
+
+    def numbers(path: Path) -> None:
+        """The compiled reader of decimals beside Python's own."""
+        rows = [line.split() for line in path.read_bytes().decode("latin-1").splitlines() if line.strip()]
+        columns = np.empty((len(rows[0]) if rows else 1, len(rows)))
+        if not rows or not decimals.read(np.fromfile(path, np.uint8), 0, columns):
+            raise ValueError(f"{path}: left to Python")
+        assert np.array_equal(columns.T, [[float(word) for word in row] for row in rows]), "another number than Python's"
+
+    deep = "frames|rame time|numbers|channel|Frame|finite|rigid|changes"
+    rows = tuple(seed[seed.index(b"\n", seed.index(b"Frame Time")) + 1 :] for seed in seeds)
+    return [*[Reader("bvh", folder / "walk.bvh", read, tuple(seeds), mutations.text, deep)] * 2,
+            Reader("decimals", folder / "rows.txt", numbers, rows, mutations.text, "left")]
+
+
+def _recorded() -> Iterator:
+    """One file of each public dataset that is here."""
+    for name in ("100style", "bandai", "xia"):
+        if datasets.available(name):
+            yield datasets.load(name, styles=next(iter(s for s, gaits in datasets.contents(name).items() if gaits)))[0]
+
+
+def _csv(folder: Path) -> list[Reader]:
+    procedural.write(folder, ["Neutral", "Zombie", "Old"], ["FW"], 0.2)
+    tables = {"Frame_Cuts.csv": style100.table1, "Dataset_List.csv": style100.styles}
+    return [Reader(name, folder / name, lambda path, table=table: table(path.parent), ((folder / name).read_bytes(),),
+                   mutations.text, r"line (?!1:)|no row|no frame") for name, table in tables.items()]
+
+
+def _model(folder: Path) -> list[Reader]:
+    """Runs, models, banks, checkpoints, learned phases; and the published parameters, which have no header."""
+    data = features.build(procedural.load(["Neutral", "Zombie"], ["FW"], 7.0))
+    config = training.Config.quick(steps=1, sizes=TINY, batch=4)
+    training.fit(data, config, folder / "run.checkpoint").save(folder / "run.safetensors")
+    new = training.load(folder / "run.safetensors").model
+
+    def finite(path: Path) -> None:
+        run = training.load(path)
+        run.table()
+        run.bank[run.bank.names[0]]
+
+    readers = {"run.safetensors": (finite, training.load, networks.Model.load, StyleBank.load),
+               "run.checkpoint": (partial(Checkpoint.load, new=new, config=config),)}
+    deep = r"(?!.*(not a whole|expected the format|metadata|expected a |cannot be read))"
+    found = [Reader(name, folder / name, read, ((folder / name).read_bytes(),), mutations.tensors, deep)
+             for name, reads in readers.items() for read in reads]
+    means = np.linspace(-1, 1, new.layout.n_inputs, dtype="<f4").tobytes()
+    return [*found, Reader("Xmean.bin", folder / "Xmean.bin", lambda path: published.load(path.parent), (means,),
+                           mutations.text, "Xstd")]
+
+
+def _store(folder: Path) -> list[Reader]:
+    """A store's manifest; a partition of it, whose size the manifest knows."""
+    root, out = folder / "data", folder / "store"
+    procedural.write(root, ["Neutral", "Zombie"], ["FW"], 4.5)
+    store.preprocess("100style", root, out, workers=1)
+
+    def read(path: Path) -> None:
+        found = store.load(out)
+        for rows in (found.inputs, found.outputs, found.phases, found.clips):
+            for style in found.styles:
+                rows[style][:2]
+
+    names = [path.name for path in out.iterdir() if path.suffix != ".json"]
+    spoilt = dict.fromkeys(names, mutations.tensors_of_size) | {"manifest.json": mutations.json_text}
+    return [Reader(name, out / name, read, ((out / name).read_bytes(),), mutate, "(?!.*(damaged|no store|the format))")
+            for name, mutate in spoilt.items()]
+
+
+def _cli(folder: Path) -> list[Reader]:
+    """Any verb with any options; what takes long is not done, and files are written to the working folder only."""
+    from toolkit import __main__ as command_line
+
+    (folder / "folder").mkdir(exist_ok=True)
+    for name, data in (("bad.bvh", CARRIER[:-40]), ("good.bvh", CARRIER), ("bad.safetensors", b"\0" * 64)):
+        (folder / name).write_bytes(data)
+    root = typer.main.get_command(command_line.app)
+
+    def leaves(command: TyperCommand, words: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], TyperCommand]]:
+        yield words, command
+        for name, sub in getattr(command, "commands", {}).items():
+            yield from leaves(sub, (*words, name))
+
+    commands = list(leaves(root))
+    idle = [mock.patch(f"{module}.{name}", _reached) for module, names in WORK.items() for name in names]
+    idle += [mock.patch.object(command, "callback", _reached) for words, command in commands
+             if words[:1] == ("bench",) and len(words) > 1]
+    options = sorted({name for _, command in commands for p in command.params for name in (*p.opts, *p.secondary_opts)
+                      if name.startswith("-")})
+
+    def line(rng: random.Random, _: bytes) -> bytes:
+        words, command = rng.choice(commands)
+        words = list(words)
+        for parameter in command.params:
+            if rng.random() < (0.9 if parameter.required else 0.3):
+                named = parameter.param_type_name == "option"
+                words += [rng.choice((*parameter.opts, *parameter.secondary_opts))] if named else []
+                words += [] if getattr(parameter, "is_flag", False) else [rng.choice(VALUES)]
+        for _ in range(rng.choice((0, 0, 0, 1, 2))):
+            at = rng.randrange(len(words) + 1)
+            words[at : at + rng.randrange(2)] = [rng.choice((*VALUES, *options))]
+        return json.dumps(words).encode()
+
+    def read(path: Path) -> None:
+        out, err = io.StringIO(), io.StringIO()
+        with contextlib.ExitStack() as around:
+            for change in (contextlib.chdir(folder), contextlib.redirect_stdout(out), contextlib.redirect_stderr(err),
+                           mock.patch.dict("os.environ", TOOLKIT_DATA=str(folder / "none")), *idle,
+                           mock.patch.object(command_line, "app", root)):
+                around.enter_context(change)
+            try:
+                status = command_line.main(json.loads(path.read_bytes()))
+            except SystemExit as ended:
+                status = ended.code or 0
+        said = err.getvalue()
+        assert status in (0, 2), f"exit status {status}: {said[-200:]}"
+        if status and any(sign in said + out.getvalue() for sign in ("Usage:", "╭─ Error")):
+            raise ValueError(f"{path.name}: usage")
+        if status:
+            assert said.startswith("error: "), f"not an error: {said[-200:]!r}"
+            assert said[:-1].isprintable(), f"not one line: {said[-200:]!r}"
+            raise ValueError(f"{path.name}: {said[7:-1]}")
+
+    return [Reader("cli", folder / "arguments.json", read, (b"[]",), line, "(?!.*usage)")]
+
+
+def _reached(*_, **__) -> None:
+    raise _Reached("would work now")

@@ -1,0 +1,289 @@
+"""Soak: every style for ten minutes under random commands and random style blends; nothing may fall, freeze or blow up."""
+
+import math
+from dataclasses import dataclass, fields
+from typing import Annotated
+
+import numpy as np
+import torch
+import typer
+from torch import Tensor
+from tqdm import tqdm
+
+from toolkit import published, runtime
+from toolkit.cli import verbs
+from toolkit.evaluation import metrics
+from toolkit.motion import forward_kinematics
+from toolkit.motion.ik import SIDES
+from toolkit.runtime import FPS, CharacterState, Command
+
+CHUNK = 300  # frames whose poses are in memory at a time
+MISBEHAVES = "Drunk"  # style 23 of the published parameters, as is known
+#: Ways of being steered: share of the segments, lowest and highest speed in m/s, and where the character looks.
+WAYS = {
+    "stand": (0.15, 0.0, 0.0, "ahead"), "walk": (0.3, 0.5, 1.5, "ahead"), "run": (0.1, 2.0, 3.5, "ahead"),
+    "wander": (0.15, 0.5, 1.5, "ahead"), "strafe": (0.15, 0.5, 1.3, "elsewhere"), "keep": (0.15, 0.5, 1.5, "zero"),
+}
+SEGMENT = (0.5, 8.0)  # seconds that a way lasts
+WOBBLE = 1.0  # radians per square root of a second, how fast the heading of "wander" strays
+KEYS = (0.1, 4.0)  # seconds between the corners of a blend's path
+LOW, HIGH = 0.35, 1.6  # shares of the hips' height at rest, below and above which a character is down
+WINDOW, TURN = 5.0, 2.0  # seconds of steady walking that are judged, and how many of them it may take to turn round
+WALK, STEADY = (0.5, 1.5), 0.9  # m/s, and share of the speed that is left in the mean velocity
+STUCK = 0.2  # share of the way asked for
+SKATE = 0.05  # m/s, median of a style in steady walking
+PERCENTILES = (50, 90, 99, 100)
+CARRIED = tuple(f.name for f in fields(CharacterState) if f.name not in ("history", "style"))  # the root is in the pose
+
+
+def run(
+    model: verbs.TrainedRun = None,
+    parameters: verbs.Published = None,
+    skip: Annotated[str | None, typer.Option(help=f"Styles to leave out; of the published, {MISBEHAVES}.")] = None,
+    seconds: Annotated[float, typer.Option(min=1.0, help="How long each style is driven.")] = 600.0,
+    seed: Annotated[int, typer.Option(help="Of the commands and blends.")] = 0,
+) -> None:
+    """Drive all styles at once through random commands and blends; count what is not finite, falls, slides or is stuck."""
+    net, bank = published.either(model, parameters)
+    without = (MISBEHAVES if parameters and skip is None else skip or "").split(",")
+    bank = bank.select(name for name in bank if name not in without)
+    course = Course.random(len(bank), round(seconds * FPS), seed)
+    seen = watch(runtime.compile(net), bank.vectors, course, progress=True)
+    rows = judge(seen, course, list(bank))
+    print("\n".join(table(rows)))
+    print(summary(rows, seen, seconds))
+    if any(row["failed"] for row in rows):
+        raise typer.Exit(1)
+
+
+@dataclass(frozen=True, eq=False)
+class Course:
+    """What N characters are asked for in each of F frames; character i is at home in style i.
+
+    Parameters
+    ----------
+    velocity, facing : Tensor [F, N, 2]
+        Commands, world; a facing of zero keeps the current one.
+    styles : Tensor [F, N, 3]
+        The home style and two others, by number.
+    shares : Tensor [F, N, 3]
+        Their weights, which sum to one.
+    """
+
+    velocity: Tensor
+    facing: Tensor
+    styles: Tensor
+    shares: Tensor
+
+    @classmethod
+    def random(cls, characters: int, frames: int, seed: int) -> "Course":
+        """Stops, walks, runs and strafes, sudden turns in between; paths through triangles of styles, from home to home."""
+        draw = torch.Generator().manual_seed(seed)
+        columns = [(*_steering(frames, draw), *_blending(i, characters, frames, draw)) for i in range(characters)]
+        return cls(*(torch.stack(column, 1) for column in zip(*columns, strict=True)))
+
+    def blend(self, frame: int, vectors: Tensor) -> Tensor:
+        """Style vectors ``[N, D]`` of a frame, of those of all styles ``[N, D]``."""
+        return torch.einsum("nk,nkd->nd", self.shares[frame], vectors[self.styles[frame]])
+
+
+@dataclass(frozen=True, eq=False)
+class Watched:
+    """What was seen of N characters over F frames; metres and seconds.
+
+    ``finite`` and ``upright [F, N]`` bool; ``hips [F, N]``, their height, and ``rest``, that of the rest pose;
+    ``root [F, N, 2]``; ``contact [F, N, 2]`` bool, right and left; ``sliding`` and ``plain [F, N, 2]``, horizontal speed of
+    the toes with foot IK and as the network has them.
+    """
+
+    finite: Tensor
+    upright: Tensor
+    hips: Tensor
+    rest: float
+    root: Tensor
+    contact: Tensor
+    sliding: Tensor
+    plain: Tensor
+
+
+def watch(model, vectors: Tensor, course: Course, *, progress: bool = False) -> Watched:
+    """Drive a compiled model, or a plain one, through a course; ``vectors [N, D]`` are the styles'."""
+    state, parts, last = runtime.start(model, course.blend(0, vectors)), [], None
+    frames = range(len(course.velocity))
+    bar = tqdm(total=len(frames), desc="soak", unit="frame", disable=None if progress else True)
+    with torch.inference_mode(), bar:
+        for chunk in (frames[i : i + CHUNK] for i in frames[::CHUNK]):
+            states = []
+            for frame in chunk:
+                command = Command(course.velocity[frame], course.facing[frame])
+                state = runtime.step(model, state.with_style(course.blend(frame, vectors)), command)
+                states.append(state)
+            part, last = _look(model, states, last)
+            parts.append(part)
+            bar.update(len(chunk))
+    skeleton = model.layout.skeleton
+    rest = skeleton.rest_positions[:, 1]
+    whole = {name: torch.cat([part[name] for part in parts]) for name in parts[0]}
+    return Watched(**whole, rest=float(rest[skeleton.index("hips")] - rest.min()))
+
+
+def _look(model, states: list[CharacterState], last: Tensor | None) -> tuple[dict[str, Tensor], Tensor]:
+    """Series of `Watched` over some frames, and the toes of the last ``[N, 2, 2, 3]``, given those of the frame before."""
+    layout, skeleton = model.layout, model.layout.skeleton
+    rotations, roots = (torch.stack(side) for side in zip(*(runtime.pose(model, s) for s in states), strict=True))
+    positions = forward_kinematics(skeleton, rotations, roots)[1]
+    names = [skeleton.roles[f"{side}_toe"] for side in SIDES]
+    own = [layout.names.index(name) for name in names]
+    network = torch.stack([runtime.world_joints(layout, s)["position"][:, own] for s in states])
+    toes = torch.stack((positions[..., [skeleton.index(name) for name in names], :], network), 2)
+    before = torch.cat((toes[:1] if last is None else last[None], toes[:-1]))
+    sliding, plain = ((toes - before)[..., ::2].norm(dim=-1) * FPS).unbind(2)
+    numbers = torch.stack([torch.cat([getattr(s, name).flatten(1) for name in CARRIED], 1) for s in states])
+    return {
+        "finite": numbers.isfinite().all(-1) & positions.isfinite().flatten(2).all(-1),
+        "upright": metrics.on_feet(skeleton, positions[..., 1]),
+        "hips": positions[..., skeleton.index("hips"), 1], "root": torch.stack([s.root[:, :2] for s in states]),
+        "contact": torch.stack([s.contacts > 0.5 for s in states]), "sliding": sliding, "plain": plain,
+    }, toes[-1]
+
+
+def judge(seen: Watched, course: Course, names: list[str]) -> list[dict]:
+    """A row of measures per style; ``failed`` says in words what is wrong with it, and is empty where nothing is.
+
+    A character is down where it is not upright or its hips are outside of `LOW` to `HIGH` of their height at rest. Where it
+    was asked to walk steadily over a window, it is stuck if after the time to turn it got less than `STUCK` of the way, and
+    glides if it made no step. A style slides if in steady walking its toes in contact do, half of the time.
+    """
+    down = seen.finite & ~(seen.upright & (seen.hips > LOW * seen.rest) & (seen.hips < HIGH * seen.rest))
+    walking, got, steps = _windows(seen, course)
+    stuck, glides = walking & (got < STUCK), walking & (steps == 0)
+    rows = []
+    for i, name in enumerate(names):
+        slide, plain = (speed[:, i][seen.contact[:, i] & seen.finite[:, i, None]] for speed in (seen.sliding, seen.plain))
+        row = {
+            "style": name, "bad": int((~seen.finite[:, i]).sum()), "falls": int(_onsets(down[:, i]).sum()),
+            "down": float(down[:, i].sum()) / FPS, "low": float(seen.hips[:, i].min()), "high": float(seen.hips[:, i].max()),
+            "mean": 100 * float(slide.mean()), **dict(zip(PERCENTILES, _percentiles(slide), strict=True)),
+            "plain": 100 * float(plain.mean()), "plain 99": _percentiles(plain)[PERCENTILES.index(99)],
+            "steps": float(steps[walking[:, i], i].double().mean()) / WINDOW, "speed": float(got[walking[:, i], i].mean()),
+            "stuck": int(_onsets(stuck[:, i]).sum()), "glides": int(_onsets(glides[:, i]).sum()),
+        }
+        steady = seen.sliding[-len(walking) :, i][walking[:, i, None] & seen.contact[-len(walking) :, i]]
+        row["steady"] = _percentiles(steady)[0]
+        events = {"not finite": ~seen.finite[:, i], "down": down[:, i], "stuck": stuck[:, i], "glides": glides[:, i]}
+        first = {what: int(when.int().argmax()) for what, when in events.items() if when.any()}
+        wrong = [f"{what} at {_moment(course, frame, i, names)}" for what, frame in first.items()]
+        if row["steady"] > 100 * SKATE:
+            wrong.append(f"slides, {row['steady']:.0f} cm/s half of the time")
+        rows.append(row | {"failed": ", ".join(wrong)})
+    return rows
+
+
+def _windows(seen: Watched, course: Course) -> tuple[Tensor, Tensor, Tensor]:
+    """Of every window ``[W, N]``: whether to walk steadily was asked, how much of the way was reached, and landings."""
+    length = min(round(WINDOW * FPS), len(seen.root) - 1)
+
+    def total(series: Tensor) -> Tensor:
+        sums = series.double().cumsum(0)
+        return sums[length:] - sums[:-length]
+
+    speed, asked = course.velocity.norm(dim=-1), total(course.velocity) / length
+    slow, fast = WALK
+    walking = total((speed >= slow) & (speed <= fast)) > length - 0.5
+    walking &= asked.norm(dim=-1) >= STEADY / length * total(speed)
+    turned = min(round(TURN * FPS), length - 1)
+    moved = (seen.root[length:] - seen.root[turned : turned - length]) * (FPS / (length - turned))
+    landed = torch.cat((torch.zeros_like(seen.contact[:1]), seen.contact[1:] & ~seen.contact[:-1]))
+    return walking, (moved * asked).sum(-1) / asked.square().sum(-1).clamp_min(1e-9), total(landed.sum(-1)).round()
+
+
+def _onsets(now: Tensor) -> Tensor:
+    """Where a run of true values begins."""
+    return now & ~torch.cat((torch.zeros_like(now[:1]), now[:-1]))
+
+
+def _percentiles(speeds: Tensor) -> list[float]:
+    """`PERCENTILES` of speeds, cm/s."""
+    return (100 * np.percentile(speeds, PERCENTILES)).tolist() if len(speeds) else [math.nan] * len(PERCENTILES)
+
+
+def _moment(course: Course, frame: int, i: int, names: list[str]) -> str:
+    """A frame in words: when, in which blend, under which command."""
+    parts = zip(course.styles[frame, i].tolist(), course.shares[frame, i].tolist(), strict=True)
+    blend = " + ".join(f"{share:.0%} {names[style]}" for style, share in parts if share > 0.005)
+    return f"{frame / FPS:.1f} s ({blend}, {float(course.velocity[frame, i].norm()):.1f} m/s)"
+
+
+def _steering(frames: int, draw: torch.Generator) -> tuple[Tensor, Tensor]:
+    """Velocity and facing ``[F, 2]`` of one character: ways of `WAYS` one after the other, each with a new heading."""
+    velocity, facing, start = torch.zeros(frames, 2), torch.zeros(frames, 2), 0
+    shares = torch.tensor([way[0] for way in WAYS.values()])
+    while start < frames:
+        name = list(WAYS)[int(torch.multinomial(shares, 1, generator=draw))]
+        _, slow, fast, look = WAYS[name]
+        length, speed, heading, elsewhere = torch.rand(4, generator=draw).tolist()
+        stop = min(frames, start + round(FPS * (SEGMENT[0] + length * (SEGMENT[1] - SEGMENT[0]))))
+        strayed = torch.randn(stop - start, generator=draw).cumsum(0) * (WOBBLE / FPS**0.5 if name == "wander" else 0.0)
+        ahead = _direction(math.tau * heading + strayed)
+        velocity[start:stop] = (slow + speed * (fast - slow)) * ahead
+        facing[start:stop] = {"ahead": ahead, "elsewhere": _direction(torch.tensor(math.tau * elsewhere)),
+                              "zero": torch.zeros(2)}[look]
+        start = stop
+    return velocity, facing
+
+
+def _blending(home: int, styles: int, frames: int, draw: torch.Generator) -> tuple[Tensor, Tensor]:
+    """Styles and shares ``[F, 3]`` of one character: from home by two points of a triangle back home, then by another's."""
+    others, shares = torch.empty(frames, 3, dtype=torch.long), torch.empty(frames, 3)
+    start, alone = 0, torch.tensor([1.0, 0.0, 0.0])
+    while start < frames:
+        corners = torch.stack((alone, *(_barycentric(draw) for _ in range(2)), alone))
+        others[start:] = torch.tensor([home, *torch.randint(styles, (2,), generator=draw).tolist()])
+        for here, there, length in zip(corners, corners[1:], torch.rand(3, generator=draw).tolist(), strict=False):
+            count = round(FPS * (KEYS[0] + length * (KEYS[1] - KEYS[0])))
+            path = torch.lerp(here, there, torch.linspace(0.0, 1.0, count)[:, None])[: max(0, frames - start)]
+            shares[start : start + len(path)] = path
+            start += count
+    return others, shares
+
+
+def _barycentric(draw: torch.Generator) -> Tensor:
+    """A point of a triangle, all as likely."""
+    shares = -torch.rand(3, generator=draw).clamp_min(1e-6).log()
+    return shares / shares.sum()
+
+
+def _direction(angle: Tensor) -> Tensor:
+    return torch.stack((angle.sin(), angle.cos()), -1)
+
+
+#: What is shown of a row: title, width, decimals.
+COLUMNS = {
+    "bad": ("bad", 6, 0), "falls": ("falls", 6, 0), "down": ("down s", 7, 1), "low": ("low", 6, 2),
+    "high": ("high", 6, 2), "mean": ("mean", 7, 2), **{p: (f"{p} %", 7, 2) for p in PERCENTILES},
+    "plain": ("no IK", 7, 1), "plain 99": ("99 %", 6, 0), "speed": ("speed", 7, 2), "steps": ("steps/s", 8, 2),
+    "steady": ("slide", 7, 2), "stuck": ("stuck", 6, 0), "glides": ("glides", 7, 0),
+}
+
+
+def table(rows: list[dict]) -> list[str]:
+    """Lines: a row per style, and what is wrong with some."""
+    lines = [f"{'style':<20}" + "".join(f"{title:>{width}}" for title, width, _ in COLUMNS.values())]
+    lines += [f"{row['style']:<20}" + "".join(f"{row[k]:>{w}.{d}f}" for k, (_, w, d) in COLUMNS.items()) for row in rows]
+    lines += [
+        "bad: frames with a number that is not finite; low, high: of the hips, m; mean to 100 %: speed of toes in contact,",
+        "cm/s, with foot IK, then mean and 99 % without; in steady walking, speed: share of the command, steps/s: landings,",
+        f"slide: median of toes in contact, stuck: times that it went at under {STUCK:.0%}, glides: times without a step",
+    ]
+    return lines + [f"{row['style']}: {row['failed']}" for row in rows if row["failed"]]
+
+
+def summary(rows: list[dict], seen: Watched, seconds: float) -> str:
+    """The whole run in one line."""
+    slide = seen.sliding[seen.contact & seen.finite[..., None]]
+    skate = ", ".join(f"{p} % {value:.2f}" for p, value in zip(PERCENTILES, _percentiles(slide), strict=True))
+    bad, falls, stuck, glides = (sum(row[k] for row in rows) for k in ("bad", "falls", "stuck", "glides"))
+    passed = sum(not row["failed"] for row in rows)
+    return (f"{passed} of {len(rows)} styles pass {seconds:g} s each; {seen.finite.numel():,} frames, {bad} not finite, "
+            f"{falls} falls, {stuck} times stuck, {glides} glides; hips {float(seen.hips.min()):.2f} to "
+            f"{float(seen.hips.max()):.2f} m; skate {100 * float(slide.mean()):.2f} cm/s, {skate}")

@@ -1,0 +1,87 @@
+"""The verb `data`: fetch datasets, list their styles, count their frames, write the procedural one."""
+
+import re
+import sys
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from tqdm import tqdm
+
+from toolkit import datasets
+from toolkit.cli.verbs import Root
+from toolkit.datasets import home, procedural
+from toolkit.datasets.fetch import ORIGINS, RECORD, fetch, record
+
+app = typer.Typer(no_args_is_help=True, help="Get datasets and look at them.")
+
+
+@app.command("fetch")
+def data_fetch(
+    name: Annotated[str, typer.Argument(help=f"One of {', '.join(ORIGINS)}.")],
+    root: Annotated[Path | None, typer.Option(help="The dataset's folder; by default where every command looks.")] = None,
+    source: Annotated[str | None, typer.Option("--from", help="Another copy: a file or an address.")] = None,
+    sha256: Annotated[str | None, typer.Option(help="Of the archive, where it is not the published one.")] = None,
+    yes: Annotated[bool, typer.Option("--yes", "-y", help="Do not ask; the terms are accepted.")] = False,
+) -> None:
+    """Fetch a dataset from its public home, after its size and terms; where that was cut, the same command goes on."""
+    if name not in ORIGINS:
+        raise ValueError(f"{name!r} cannot be fetched; there are {', '.join(ORIGINS)}")
+    if sha256 and not re.fullmatch("[0-9a-fA-F]{64}", sha256):
+        raise ValueError(f"--sha256 expects 64 hexadecimal digits, got {sha256!r}")
+    origin, folder = ORIGINS[name], root or home.folder(name)
+    if known := record(folder):
+        print(f"{name} is there already, of {known['date'][:10]}: {known['found']} in {folder}")
+        return
+    archive = tqdm.format_sizeof(origin.size, "B") if origin.size else "made by the server when asked, size not known before"
+    print(origin.title)
+    print(f"  from   {source or origin.url}")
+    print(f"  size   {archive}; unpacked about {tqdm.format_sizeof(origin.unpacked, 'B')}")
+    print(f"  terms  {origin.terms}")
+    print(f"  into   {folder}")
+    if not yes:
+        if not sys.stdin.isatty():
+            raise ValueError("nothing was fetched: without a terminal to ask on, --yes accepts size and terms")
+        if not typer.confirm("Fetch it?"):
+            raise typer.Exit(1)
+    known = fetch(name, folder, source, sha256, progress=True)
+    print(f"{known['found']}, {known['files']} files in {folder}\nsha256 of the archive: {known['sha256']}"
+          + (" (as published)" if known["sha256"] == origin.sha256 else "") + f"; kept in {RECORD}")
+    if root is not None and folder.absolute() != home.folder(name).absolute():
+        print(f"give --root {folder} to the commands that should use it, or set TOOLKIT_DATA")
+
+
+@app.command("table1")
+def data_table1(root: Root = None) -> None:
+    """Print Table 1 of Mason et al. 2022, counted from 100STYLE's Frame_Cuts.csv."""
+    rows = datasets.style100.table1(root)
+    print(f"{'Motion gait':<16}{'Frames':>11}{'Time (m)':>10}{'Ratio (%)':>11}")
+    for row in rows:
+        print(f"{row.gait:<16}{row.frames:>11,}{row.minutes:>10}{row.ratio:>11.1f}")
+
+
+
+@app.command("list")
+def data_list(
+    name: Annotated[str, typer.Argument(help=f"Dataset: {', '.join(datasets.DATASETS)}.")], root: Root = None
+) -> None:
+    """List a dataset's styles and how many takes of each gait the folder holds."""
+    for style, gaits in datasets.contents(name, root).items():
+        print(f"{style:<20}" + (", ".join(f"{gait} {n}" for gait, n in gaits.items()) or "no file here"))
+
+
+
+@app.command("write")
+def data_write(
+    name: Annotated[str, typer.Argument(help="Dataset: procedural.")],
+    out: Annotated[Path, typer.Option(help="Folder to write.")],
+    styles: Annotated[str | None, typer.Option(help="Comma-separated names; all where not given.")] = None,
+    gaits: Annotated[str | None, typer.Option(help="Comma-separated names; all where not given.")] = None,
+    seconds: Annotated[float, typer.Option(help="Length of each clip.")] = 8.0,
+    seed: Annotated[int, typer.Option(help="The same seed gives the same files.")] = 0,
+) -> None:
+    """Write the computed dataset as files in 100STYLE's layout, with the true contacts and phases beside them."""
+    if name != "procedural":
+        raise ValueError(f"only the procedural dataset can be written, not {name!r}")
+    procedural.write(out, *(None if names is None else names.split(",") for names in (styles, gaits)), seconds, seed)
+    print(f"wrote {len(list(out.glob('*.bvh')))} clips; read them by toolkit.datasets.load('100style', root={str(out)!r})")

@@ -1,0 +1,42 @@
+"""The verb `rollout`: walk straight ahead in a style or a blend, write and measure it."""
+
+from pathlib import Path
+from typing import Annotated
+
+import torch
+import typer
+
+from toolkit import export, published, runtime
+from toolkit.cli import verbs
+from toolkit.evaluation import metrics
+
+
+def rollout(
+    style: Annotated[str, typer.Option(help="A style, or a blend like Zombie=0.5,Old=0.5.")],
+    out: Annotated[Path, typer.Option(help=f"File to write: {', '.join(export.SUFFIXES)} (.png: a strip).")],
+    model: verbs.TrainedRun = None,
+    parameters: verbs.Published = None,
+    seconds: Annotated[float, typer.Option(help="How long to walk.")] = 10.0,
+    speed: Annotated[float, typer.Option(help="Metres per second.")] = 1.2,
+    ik: Annotated[bool, typer.Option(help="Foot and arm IK.")] = True,
+) -> None:
+    """Walk straight ahead in a style, write it, and print what was measured."""
+    export.check(out)
+    net, bank = published.either(model, parameters)
+    commands = runtime.straight(speed, seconds)
+    states = list(runtime.states(net, commands, bank.blend(_blend(style)), progress=True))
+    clip = runtime.record(net, states, feet=ik, arms=ik).replace(style=style, gait="FW")
+    export.write(clip, out, title=style, progress=True)
+    low, high = metrics.hips_height(clip)
+    skate = metrics.foot_skate(clip, torch.stack([s.contacts[0] for s in states]))
+    print(f"{len(clip)} frames, {metrics.speed(clip):.2f} m/s for {speed:.2f} asked, hips {low:.2f} to {high:.2f} m, "
+          f"foot skate right {skate['right'] * 100:.1f} left {skate['left'] * 100:.1f} cm/s; wrote {out}")
+
+
+def _blend(text: str) -> dict[str, float]:
+    if "=" not in text:
+        return {text: 1.0}
+    try:
+        return {name.strip(): float(weight) for name, weight in (part.split("=") for part in text.split(","))}
+    except ValueError:
+        raise ValueError(f"a blend is written like Zombie=0.5,Old=0.5; got {text!r}") from None

@@ -1,0 +1,187 @@
+"""Measures of motion that a mean squared error misses. Metres, seconds."""
+
+import math
+
+import torch
+from torch import Tensor
+
+from toolkit.features import Layout
+from toolkit.motion import Clip, Skeleton, contacts
+
+
+def foot_skate(clip: Clip, contact: Tensor | None = None) -> dict[str, float]:
+    """Mean horizontal speed of each toe while it is in contact, m/s.
+
+    Parameters
+    ----------
+    clip
+        The motion.
+    contact : Tensor [F, 2], optional
+        Contacts in [0, 1], right and left, e.g. the ones a network predicted; by default a toe is in contact when it is low,
+        however fast (a speed limit would hide the very thing measured).
+
+    Returns
+    -------
+    dict
+        ``right`` and ``left``; NaN for a foot that is never in contact.
+
+    Raises
+    ------
+    ValueError
+        If contacts are not of the clip's frames.
+    """
+    contact = contacts.detect(clip, speed=math.inf) if contact is None else contact
+    if contact.shape != (len(clip), len(contacts.FEET)):
+        raise ValueError(f"contacts of {len(clip)} frames have the shape [{len(clip)}, 2], got {list(contact.shape)}")
+    result = {}
+    for i, side in enumerate(contacts.FEET):
+        toe = clip.global_positions[:, clip.skeleton.index(f"{side}_toe")]
+        speed = contacts.velocities(toe, clip.fps)[:, [0, 2]].norm(dim=-1)
+        weight = (contact[:, i] > 0.5).float()
+        result[side] = float((speed * weight).sum() / weight.sum()) if weight.any() else math.nan
+    return result
+
+
+def step_rate(contact: Tensor, fps: float) -> float:
+    """Landings of both feet per second, from contacts ``[F, 2]`` in [0, 1]; a character that only slides makes none."""
+    on = contact > 0.5
+    return float((on[1:] & ~on[:-1]).sum() * fps / len(contact))
+
+
+def speed(clip: Clip) -> float:
+    """Mean horizontal speed of the hips, smoothed over half a second, m/s."""
+    hips = clip.global_positions[:, clip.skeleton.index("hips")][:, [0, 2]]
+    lag = max(1, min(len(clip) - 1, round(clip.fps / 2)))
+    return float((hips[lag:] - hips[:-lag]).norm(dim=-1).mean() * clip.fps / lag)
+
+
+def hips_height(clip: Clip) -> tuple[float, float]:
+    """Lowest and highest hips over the clip, metres."""
+    height = clip.global_positions[:, clip.skeleton.index("hips"), 1]
+    return float(height.min()), float(height.max())
+
+
+def upright(clip: Clip) -> bool:
+    """Whether a character stands or walks on its feet in every frame, see `on_feet`."""
+    return bool(on_feet(clip.skeleton, clip.global_positions[..., 1]).all())
+
+
+def on_feet(skeleton: Skeleton, height: Tensor) -> Tensor:
+    """Whether the chest is above the hips and the hips above both ankles ``[...]``, from heights of joints ``[..., J]``."""
+    hips, above = height[..., skeleton.index("hips")], skeleton.ancestors("left_shoulder")
+    chest = height[..., next(j for j in above if j in skeleton.ancestors("right_shoulder"))]
+    ankles = height[..., [skeleton.index(f"{side}_foot") for side in contacts.FEET]].amax(-1)
+    return (chest > hips) & (hips > ankles)
+
+
+def posture(layout: Layout, positions: Tensor) -> dict[str, Tensor]:
+    """What one sees first of a way of walking, from joint positions in the root frame.
+
+    It takes positions as a network predicts them, before a skeleton of constant bones is fitted to them.
+
+    Parameters
+    ----------
+    layout
+        Names the J joints.
+    positions : Tensor [F, ..., J, 3]
+        Some seconds of them, metres.
+
+    Returns
+    -------
+    dict
+        Each ``[...]``, metres: means over the frames of ``hips_height``, ``hand_height`` (of both) and ``arm_spread`` (left
+        hand to right hand, sideways); ``step_length``, how far the ankles part fore and aft (95th percentile); and
+        ``bone_stretch``, the mean difference of a bone's length from the skeleton's.
+    """
+    role = {r: positions[..., layout.names.index(n), :] for r, n in layout.skeleton.roles.items() if n in layout.names}
+    rest = layout.skeleton.rest_positions[list(layout.skeleton.feature_joints)].to(positions)
+    child, parent = (list(side) for side in zip(*[(j, p) for j, p in enumerate(layout.parents) if p >= 0], strict=True))
+    length = (positions[..., child, :] - positions[..., parent, :]).norm(dim=-1)
+    return {
+        "hips_height": role["hips"][..., 1].mean(0),
+        "hand_height": (role["left_hand"] + role["right_hand"])[..., 1].mean(0) / 2,
+        "arm_spread": (role["left_hand"] - role["right_hand"])[..., 0].mean(0),
+        "step_length": (role["left_foot"] - role["right_foot"])[..., 2].abs().quantile(0.95, 0),
+        "bone_stretch": (length - (rest[child] - rest[parent]).norm(dim=-1)).abs().mean((0, -1)),
+    }
+
+
+def hand_swing(layout: Layout, positions: Tensor) -> dict[str, Tensor]:
+    """How much the hands move, and whether they move together, from joint positions in the root frame.
+
+    A mean squared error likes an average pose, whose arms are stuck (Mason et al. 2022, sections 5.1 and 5.2.2).
+
+    Parameters
+    ----------
+    layout
+        Names the J joints.
+    positions : Tensor [F, ..., J, 3]
+        Some seconds of them, metres.
+
+    Returns
+    -------
+    dict
+        ``range [..., 2]``: root-mean-square distance of the left and the right hand from where it is on average, metres;
+        ``together [...]``: correlation of the two hands' fore and aft movement, 1 for hands that swing as one, -1 for hands
+        that swing in turn, NaN where one does not move.
+    """
+    hands = positions[..., [layout.names.index(layout.skeleton.roles[f"{side}_hand"]) for side in ("left", "right")], :]
+    moved = hands - hands.mean(0)
+    left, right = moved[..., 2].unbind(-1)
+    together = (left * right).sum(0) / (left.square().sum(0) * right.square().sum(0)).sqrt()
+    return {"range": moved.square().sum(-1).mean(0).sqrt(), "together": together}
+
+
+def path_error(clip: Clip, points: Tensor) -> float:
+    """Mean distance of the hips on the floor from a polyline of (x, z) ``points [P, 2]``, metres."""
+    hips = clip.global_positions[:, clip.skeleton.index("hips")][:, None, [0, 2]]
+    a, b = points[None, :-1].to(hips), points[None, 1:].to(hips)
+    along = (((hips - a) * (b - a)).sum(-1) / (b - a).square().sum(-1).clamp_min(1e-12)).clamp(0.0, 1.0)
+    return float((hips - a - along[..., None] * (b - a)).norm(dim=-1).amin(1).mean())
+
+
+def phase_error(phase: Tensor, truth: Tensor) -> tuple[Tensor, Tensor]:
+    """Mean circular distance between two phases, once the constant lag between them is taken away.
+
+    Where a cycle begins is a convention: a foot's may be counted from the middle of its contact or from toe-off. So what is
+    judged is whether the two keep in step. Phases that have nothing to do with each other come near π/2.
+
+    Parameters
+    ----------
+    phase, truth : Tensor [F, ...]
+        Radians.
+
+    Returns
+    -------
+    error, lag : Tensor [...]
+        Radians: the mean over the frames, in [0, π], and how far ``phase`` is ahead, in [−π, π].
+    """
+    gap = (phase - truth).double()
+    lag = torch.atan2(gap.sin().mean(0), gap.cos().mean(0))
+    rest = gap - lag
+    return torch.atan2(rest.sin(), rest.cos()).abs().mean(0), lag
+
+
+def frechet_distance(a: Tensor, b: Tensor) -> float:
+    """Squared Fréchet distance of the Gaussians fitted to two sets of feature vectors.
+
+    ``|μa − μb|² + tr(Σa + Σb − 2 (Σa Σb)^½)``. With the features of a motion classifier it is the Fréchet Motion Distance
+    (Park et al. 2021, section 7). It is biased upwards for small sets: compare only numbers from sets of the same size.
+
+    Parameters
+    ----------
+    a : Tensor [M, D]
+    b : Tensor [K, D]
+        Features; M and K may differ and be smaller than D.
+
+    Raises
+    ------
+    ValueError
+        If a set has fewer than two rows or the widths differ.
+    """
+    if a.dim() != 2 or b.dim() != 2 or a.shape[1] != b.shape[1] or min(len(a), len(b)) < 2:
+        raise ValueError(f"expected features [M, D] and [K, D], M and K at least 2; got {list(a.shape)} and {list(b.shape)}")
+    means = [x.double().mean(0) for x in (a, b)]
+    roots = [torch.linalg.qr(x.double() - mean).R / math.sqrt(len(x) - 1) for x, mean in zip((a, b), means, strict=True)]
+    spread = sum(root.square().sum() for root in roots) - 2 * torch.linalg.svdvals(roots[0] @ roots[1].T).sum()
+    return max(0.0, float((means[0] - means[1]).square().sum() + spread))  # Σ = RᵀR: no root of a singular matrix

@@ -1,0 +1,165 @@
+"""Which style a motion is in: a small classifier, to judge what a model makes by what it was asked for.
+
+It sees a second of joint features at a time (`toolkit.features`, root frame, physical units). That is what a style is: pose,
+tempo and how the limbs move together; not where somebody goes.
+"""
+
+import os
+
+import torch
+import torch.nn.functional as F
+from torch import Tensor, nn
+
+from toolkit import features
+from toolkit.features import CHANNELS, Features, Normaliser, splits
+from toolkit.io import model_files
+from toolkit.motion import Clip, root_frames, trajectory
+
+WINDOW = 60  # frames seen at a time, one second
+HOP = 15  # frames between the windows of a longer motion
+STEPS, BATCH, RATE = 200, 128, 2e-3
+OFFSET, JITTER, DROPPED = 0.3, 0.1, 0.2  # augmentation: deviations of a window, of a frame; share of columns left out
+LEAST = 0.2  # a column's deviation counts as at least this share of the mean one of its channel
+
+
+class Recogniser(nn.Module):
+    """Probabilities of styles; `train` makes one.
+
+    Two strided convolutions over time, the mean and the maximum of what they find, one dense layer.
+
+    Parameters
+    ----------
+    styles
+        S names.
+    normaliser
+        Of the 12 J joint features.
+    hidden
+        Filters of both convolutions.
+    """
+
+    def __init__(self, styles: tuple[str, ...], normaliser: Normaliser, hidden: int = 64):
+        super().__init__()
+        self.styles, self.hidden = tuple(styles), hidden
+        self.register_buffer("mean", normaliser.mean)
+        self.register_buffer("std", normaliser.std)
+        self.first = nn.Conv1d(len(normaliser.mean), hidden, 8, stride=4)
+        self.second = nn.Conv1d(hidden, hidden, 5, stride=2)
+        self.out = nn.Linear(2 * hidden, len(self.styles))
+
+    def forward(self, windows: Tensor) -> Tensor:
+        """Logits ``[B, S]`` of normalised ``windows [B, WINDOW, 12 J]``."""
+        h = F.elu(self.second(F.elu(self.first(windows.transpose(1, 2)))))
+        return self.out(torch.cat((h.mean(-1), h.amax(-1)), -1))
+
+    @torch.no_grad()
+    def probabilities(self, joints: Tensor) -> Tensor:
+        """How likely a motion is in each style.
+
+        Parameters
+        ----------
+        joints : Tensor [..., F, 12 J]
+            Joint features in the root frame, physical units, at 60 Hz; F is at least `WINDOW`.
+
+        Returns
+        -------
+        Tensor [..., S]
+            Mean over windows of a second, `HOP` frames apart.
+
+        Raises
+        ------
+        ValueError
+            If there are fewer frames, or the columns are not those it was trained on.
+        """
+        if joints.dim() < 2 or joints.shape[-2] < WINDOW or joints.shape[-1] != len(self.mean):
+            raise ValueError(f"a style is recognised from [..., F, {len(self.mean)}] with at least {WINDOW} frames F, "
+                             f"got {list(joints.shape)}")
+        lead = joints.shape[:-2]
+        windows = joints.flatten(0, -3) if lead else joints[None]
+        windows = windows.unfold(1, WINDOW, HOP).transpose(2, 3)  # [N, W, WINDOW, 12 J]
+        logits = self((windows.flatten(0, 1) - self.mean) / self.std)
+        return torch.softmax(logits, -1).unflatten(0, windows.shape[:2]).mean(1).reshape(*lead, -1)
+
+    def of_clip(self, clip: Clip) -> Tensor:
+        """How likely a clip of at least a second is in each style, ``[S]``."""
+        clip = clip.resample(trajectory.FPS)
+        return self.probabilities(features.joint_features(clip, root_frames(clip)))
+
+    def confusion(self, data: Features) -> Tensor:
+        """Row i, column j of ``[S, S]``: mean probability of style j over the style clips of style i in ``data``."""
+        return torch.stack([self.probabilities(data.clips[style][:]).mean(0) for style in self.styles])
+
+    def accuracy(self, data: Features) -> float:
+        """Share of the style clips in ``data`` whose likeliest style is their own, each style counting the same."""
+        right = [(self.probabilities(data.clips[style][:]).argmax(-1) == i).float().mean()
+                 for i, style in enumerate(self.styles)]
+        return float(torch.stack(right).mean())
+
+    def save(self, path: str | os.PathLike) -> None:
+        """Write to a safetensors file, whole or not at all."""
+        tensors = {f"recogniser.{name}": value for name, value in self.state_dict().items()}
+        model_files.write(path, tensors, {"recogniser": {"styles": self.styles, "hidden": self.hidden}})
+
+    @classmethod
+    def load(cls, path: str | os.PathLike) -> "Recogniser":
+        """Read what `save` wrote; another file is a one-line ValueError."""
+        tensors, parts = model_files.read(path, "recogniser")
+        own = {name.removeprefix("recogniser."): t for name, t in tensors.items() if name.startswith("recogniser.")}
+        with model_files.intact(path, "the recogniser"):
+            about = parts["recogniser"]
+            made = cls(about["styles"], Normaliser(own["mean"], own["std"]), about["hidden"])
+            made.load_state_dict(own)
+        return made.eval()
+
+
+def train(data: Features, seed: int = 0, steps: int = STEPS) -> Recogniser:
+    """A recogniser of the styles in ``data``, trained on its style clips; some seconds on one core.
+
+    What it judges is not quite like what it was trained on: a model's poses are smoother and a little beside the data's.
+    Therefore a column that hardly varies is not blown up to unit deviation, and windows are moved, shaken and stripped of
+    some columns before they are shown.
+
+    Parameters
+    ----------
+    data
+        Features of at least two styles.
+    seed
+        The same seed gives the same recogniser.
+    steps
+        Minibatches.
+
+    Raises
+    ------
+    ValueError
+        If there are fewer than two styles.
+    """
+    if len(data.styles) < 2:
+        raise ValueError(f"there is nothing to tell apart: expected at least two styles, got {', '.join(data.styles)}")
+    draw = splits.generator(seed)
+    with torch.random.fork_rng(devices=[]):
+        torch.manual_seed(splits.mix(seed))
+        model = Recogniser(tuple(data.styles), _robust(data.normalisers()["clips"]))
+    adam = torch.optim.Adam(model.parameters(), lr=RATE, weight_decay=1e-4, fused=True)
+    schedule = torch.optim.lr_scheduler.CosineAnnealingLR(adam, steps)
+    for _ in range(steps):
+        labels = torch.randint(len(data.styles), (BATCH,), generator=draw)
+        windows = (torch.stack([_window(data.clips[data.styles[i]], draw) for i in labels]) - model.mean) / model.std
+        windows = windows + OFFSET * torch.randn(BATCH, 1, windows.shape[-1], generator=draw)
+        windows = windows + JITTER * torch.randn(windows.shape, generator=draw)
+        windows = windows * (torch.rand(BATCH, 1, windows.shape[-1], generator=draw) > DROPPED)
+        loss = F.cross_entropy(model(windows), labels)
+        adam.zero_grad(set_to_none=True)
+        loss.backward()
+        adam.step()
+        schedule.step()
+    return model.eval()
+
+
+def _window(clips: Tensor | features.Rows, draw: torch.Generator) -> Tensor:
+    which, where = (int(torch.randint(n, (), generator=draw)) for n in (len(clips), features.CLIP_FRAMES - WINDOW + 1))
+    return clips[which][where : where + WINDOW]
+
+
+def _robust(normaliser: Normaliser) -> Normaliser:
+    """With the deviation of every column at least `LEAST` of the mean deviation of its channel."""
+    std = normaliser.std.unflatten(0, (-1, len(CHANNELS), 3))
+    return Normaliser(normaliser.mean, std.maximum(LEAST * std.mean((0, 2), keepdim=True)).flatten())

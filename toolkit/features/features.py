@@ -1,0 +1,353 @@
+"""Features of Mason et al. 2022, section 3.2: input frames x, output frames z and style clips y, on any skeleton.
+
+What a frame has by itself (`OwnFeatures`) is computed once; x, z and y are derived from it.
+"""
+
+import difflib
+from collections import defaultdict
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+
+import torch
+from torch import Tensor
+
+from toolkit import phases
+from toolkit.features.layout import CHANNELS, Layout, pack_joints
+from toolkit.motion import Clip, RootFrames, contacts, root_frames, trajectory
+from toolkit.motion import rotations as R
+
+CLIP_FRAMES, CLIP_HOP = 240, 120
+CHUNK = 1 << 18  # numbers at a time in sums over all rows
+
+
+@dataclass(frozen=True)
+class Normaliser:
+    """Column-wise z-score. ``mean`` and ``std`` ``[D]`` float32, computed in float64; a constant column has std 1."""
+
+    mean: Tensor
+    std: Tensor
+
+    @classmethod
+    def of(cls, *rows: "Tensor | Rows") -> "Normaliser":
+        """Statistics over all rows of tensors ``[..., D]``, a part of them in memory at a time."""
+        return cls.merged(moments(r) for r in rows)
+
+    @classmethod
+    def merged(cls, parts: Iterable[tuple[int, Tensor, Tensor]]) -> "Normaliser":
+        """Statistics of the union of sets of rows, given the `moments` of each."""
+        _, mean, squares = _merge(parts)
+        return cls(mean.float(), torch.where(squares.sqrt() < 1e-5, 1.0, squares.sqrt()).float())
+
+    def apply(self, x: Tensor) -> Tensor:
+        """Physical units → normalised."""
+        return (x - self.mean) / self.std
+
+    def invert(self, x: Tensor) -> Tensor:
+        """Normalised → physical units."""
+        return x * self.std + self.mean
+
+
+def moments(rows: "Tensor | Rows") -> tuple[int, Tensor, Tensor]:
+    """Number, mean ``[D]`` and variance ``[D]`` of rows ``[..., D]``, float64."""
+    step = max(1, CHUNK // max(1, rows[:1].numel()))
+
+    def parts() -> Iterator[tuple[int, Tensor, Tensor]]:
+        for i in range(0, max(1, len(rows)), step):
+            part = rows[i : i + step].flatten(0, -2).double()
+            mean = part.sum(0) / max(1, len(part))
+            yield len(part), mean, (part - mean).square().sum(0) / max(1, len(part))
+
+    return _merge(parts())
+
+
+def _merge(parts: Iterable[tuple[int, Tensor, Tensor]]) -> tuple[int, Tensor, Tensor]:
+    """Number, mean and variance of a union, from those of its parts (Chan, Golub and LeVeque 1983)."""
+    parts = iter(parts)
+    n, mean, variance = next(parts)
+    for more, mean_there, variance_there in parts:
+        share = more / max(1, n + more)
+        apart = mean_there - mean
+        mean = mean + share * apart
+        variance = variance + share * (variance_there - variance) + share * (1 - share) * apart.square()
+        n += more
+    return n, mean, variance
+
+
+@dataclass(frozen=True, eq=False)
+class OwnFeatures:
+    """What each of F frames at 60 Hz has by itself, physical units; the frames of several clips may follow each other.
+
+    ``roots``, the root frames in the world; ``joints [F, 12 J]`` in the frame's own root frame; ``phases [F, 8]``;
+    ``contacts [F, 2]``. A frame's x and z also look at its neighbours: they are derived, for frames `usable` for that.
+    """
+
+    layout: Layout
+    roots: RootFrames
+    joints: Tensor
+    phases: Tensor
+    contacts: Tensor
+
+    def inputs(self, at: Tensor) -> Tensor:
+        """x ``[N, Dx]`` of frames ``at [N]``."""
+        window = torch.cat(trajectory.sample(self.roots, at), -1)
+        return self.layout.pack_input(trajectory=window, joints=self.joints[at])
+
+    def outputs(self, at: Tensor) -> Tensor:
+        """z ``[N, Dz]`` of frames ``at [N]``: the next frames, seen from the root frames of these."""
+        after, offsets = at + 1, tuple(o + 1 for o in trajectory.SAMPLES[trajectory.CURRENT :])
+        positions, directions = trajectory.sample(self.roots, at, offsets)  # of the next frames first
+        there = self.phases[after]
+        return self.layout.pack_output(
+            trajectory=torch.cat((positions, directions), -1),
+            joints=_seen_from(self.joints[after], positions[:, 0], directions[:, 0]),
+            phases=there, phase_updates=there - self.phases[at], contacts=self.contacts[after],
+        )
+
+    def style_clips(self, starts: Tensor) -> Tensor:
+        """y ``[M, 240, 12 J]``: joint features of the frames from ``starts [M]`` on."""
+        frames, width = self.joints.shape
+        return self.joints.as_strided((max(0, frames - CLIP_FRAMES + 1), CLIP_FRAMES, width), (width, width, 1))[starts]
+
+
+def _seen_from(block: Tensor, position: Tensor, direction: Tensor) -> Tensor:
+    """Joint block ``[N, 12 J]`` from where its root is at ``position [N, 2]`` and faces ``direction [N, 2]`` (x, z)."""
+    x, y, z = block.unflatten(-1, (-1, len(CHANNELS), 3)).unbind(-1)
+    sin, cos = direction[:, :, None, None].unbind(1)
+    seen = torch.stack((cos * x + sin * z, y, cos * z - sin * x), -1)
+    seen[:, :, CHANNELS.index("position"), ::2] += position[:, None]
+    return seen.flatten(1)
+
+
+def own_features(clip: Clip, ph: phases.Phases) -> OwnFeatures:
+    """What each frame of a clip has by itself; ``ph`` are its phases.
+
+    Raises
+    ------
+    ValueError
+        If the clip is not at 60 Hz.
+    """
+    if clip.fps != trajectory.FPS:
+        raise ValueError(f"{clip.name}: features need {trajectory.FPS} Hz, the clip has {clip.fps:g}; use clip.resample(60)")
+    layout, roots = Layout(clip.skeleton), root_frames(clip)
+    return OwnFeatures(layout, roots, joint_features(clip, roots), ph.vector.flatten(1), contacts.detect(clip))
+
+
+def joint_features(clip: Clip, roots: RootFrames) -> Tensor:
+    """Joint block ``[F, 12 J]`` of every frame in its own root frame."""
+    joints = list(clip.skeleton.feature_joints)
+    positions = clip.global_positions[:, joints]
+    turns = R.multiply(R.inverse(roots.rotations)[:, None], clip.global_rotations[:, joints])
+    velocity = roots.turn_to_local(contacts.velocities(positions, clip.fps))
+    return pack_joints(roots.to_local(positions), *R.to_forward_up(turns), velocity)
+
+
+def usable(n: int) -> Tensor:
+    """Those of the frames 0 … n - 1 of a clip whose whole trajectory window, and the next frame's, lies inside."""
+    return torch.arange(trajectory.PAST, max(trajectory.PAST, n - trajectory.FUTURE - 1))
+
+
+def clip_starts(n: int) -> Tensor:
+    """First frames of the style clips of a clip of n frames: every `CLIP_HOP` as long as `CLIP_FRAMES` follow."""
+    return torch.arange(0, max(0, n - CLIP_FRAMES + 1), CLIP_HOP)
+
+
+@dataclass(frozen=True, eq=False)
+class Frames:
+    """Features of N usable frames of one clip at 60 Hz, physical units.
+
+    ``inputs [N, 48 + 12 J]``, ``phases [N, 8]``, ``outputs [N, 42 + 12 J]``; ``index [N]`` are their frame numbers.
+    """
+
+    inputs: Tensor
+    phases: Tensor
+    outputs: Tensor
+    index: Tensor
+
+
+def frames(clip: Clip, ph: phases.Phases | None = None, start: int = 0, stop: int | None = None) -> Frames:
+    """x, p and z of every frame whose trajectory window lies inside the clip (section 3.2).
+
+    Parameters
+    ----------
+    clip
+        Motion at 60 Hz.
+    ph
+        Its phases; extracted with the hybrid source where not given.
+    start, stop
+        Only frames in this range; the rest of the clip still serves as their past and future.
+
+    Raises
+    ------
+    ValueError
+        If the clip is not at 60 Hz or no frame has its whole window inside.
+    """
+    own = own_features(clip, phases.extract(clip) if ph is None else ph)
+    at = usable(len(clip))
+    at = at[(at >= start) & (at < (len(clip) if stop is None else stop))]
+    if not len(at):
+        raise ValueError(f"{clip.name}: {len(clip)} frames hold no whole trajectory window; it takes "
+                         f"{trajectory.PAST} before and {trajectory.FUTURE + 1} after a frame")
+    return Frames(own.inputs(at), own.phases[at], own.outputs(at), at)
+
+
+def style_clips(clip: Clip, start: int = 0, stop: int | None = None) -> Tensor:
+    """Style clips y ``[M, 240, 12 J]``: joint features of 240 frames, hop 120; M = 0 where the range is shorter."""
+    block = joint_features(clip, root_frames(clip))[start:stop]
+    return block[clip_starts(len(block))[:, None] + torch.arange(CLIP_FRAMES)]
+
+
+@dataclass(frozen=True, eq=False)
+class Rows:
+    """Rows that are derived when they are read: indexing, as of a tensor's first axis, gives a tensor.
+
+    ``derive`` gives the rows of frame numbers; ``at [N]`` are the frame numbers of all rows.
+    """
+
+    derive: Callable[[Tensor], Tensor]
+    at: Tensor
+
+    def __len__(self) -> int:
+        return len(self.at)
+
+    def __getitem__(self, key: int | slice | Tensor) -> Tensor:
+        at = self.at[key]
+        return self.derive(at) if at.dim() else self.derive(at[None])[0]
+
+    def select(self, mask: Tensor) -> "Rows":
+        """Those of the rows for which a mask ``[N]`` holds, still to be derived."""
+        return Rows(self.derive, self.at[mask])
+
+
+@dataclass(frozen=True, eq=False)
+class Split:
+    """Which rows are held out: made with ``share`` and ``seed``, ``held_out[style] [N]`` bool, statistics of all others."""
+
+    share: float
+    seed: int
+    held_out: dict[str, Tensor]
+    statistics: dict[str, Normaliser]
+
+
+@dataclass(frozen=True, eq=False)
+class Features:
+    """Features of a dataset, by style; physical units.
+
+    ``inputs[style] [N, Dx]``, ``phases[style] [N, 8]``, ``outputs[style] [N, Dz]``, ``clips[style] [M, 240, 12 J]`` and
+    ``takes[style] [N]``, the number of the clip that each row comes from (a mirror image has its original's). All but the
+    last are tensors, or `Rows` where they come from a store. A store also knows a ``split``, and features that are the
+    training rows of one their ``statistics``.
+    """
+
+    layout: Layout
+    inputs: dict[str, Tensor | Rows]
+    phases: dict[str, Tensor | Rows]
+    outputs: dict[str, Tensor | Rows]
+    clips: dict[str, Tensor | Rows]
+    takes: dict[str, Tensor]
+    split: Split | None = None
+    statistics: dict[str, Normaliser] | None = None
+
+    @property
+    def styles(self) -> list[str]:
+        """Names, in the order of the dataset."""
+        return list(self.inputs)
+
+    @property
+    def n_frames(self) -> int:
+        """Rows over all styles."""
+        return sum(len(x) for x in self.inputs.values())
+
+    def normalisers(self) -> dict[str, Normaliser]:
+        """Statistics of ``inputs``, ``phases``, ``outputs`` and ``clips`` over all styles."""
+        return self.statistics or {kind: Normaliser.of(*getattr(self, kind).values()) for kind in KINDS}
+
+
+KINDS = ("inputs", "phases", "outputs", "clips")
+
+
+def build(clips: Iterable[Clip], *, source: str | phases.Source = "hybrid",
+          mirror: bool | Callable[[Clip], bool] = False, short: str = "raise",
+          progress: bool = False) -> Features:
+    """Features of many clips, resampled to 60 Hz.
+
+    Parameters
+    ----------
+    clips
+        Motions of one skeleton, labelled with style and gait. Clips of the same style and gait share phase axes.
+    source
+        Phase source, see `toolkit.phases`.
+    mirror
+        Add clips' mirror images: of all, or of those for which a function says so. Only symmetric styles should be, and
+        idling never (section 3.2).
+    short
+        ``"raise"``: a clip that holds no whole window is an error; ``"skip"``: it is left out.
+    progress
+        Show a bar.
+
+    Raises
+    ------
+    ValueError
+        If there is no clip, skeletons differ, a clip is too short, or a style has no run of 240 frames for a style clip.
+    """
+    clips = list(clips)
+    if not clips:
+        raise ValueError("no clips to build features from")
+    layout = Layout(clips[0].skeleton)
+    groups: dict[tuple[str, str], list[tuple[int, Clip]]] = defaultdict(list)
+    for take, clip in enumerate(clips):
+        if Layout(clip.skeleton) != layout:
+            raise ValueError(f"{clip.name}: its joints differ from those of {clips[0].name}")
+        groups[clip.style, clip.gait].append((take, clip))
+    parts: dict[str, dict[str, list[Tensor]]] = {kind: defaultdict(list) for kind in (*KINDS, "takes")}
+    for (style, _), members in _bar(sorted(groups.items()), progress):
+        for take, own in group_features(members, source, mirror, short):
+            at, starts = usable(len(own.joints)), clip_starts(len(own.joints))
+            rows = own.inputs(at), own.phases[at], own.outputs(at), own.style_clips(starts), torch.full((len(at),), take)
+            for kind, values in zip(parts, rows, strict=True):
+                parts[kind][style].append(values)
+    found = {kind: {style: torch.cat(values) for style, values in by_style.items()} for kind, by_style in parts.items()}
+    for style in {c.style: None for c in clips}:
+        check_style_clips(style, len(found["clips"].get(style, ())))
+    return Features(layout, **found)
+
+
+def check_style(name: str, names: Iterable[str]) -> None:
+    """Raise a ValueError that lists close names unless ``name`` is one of ``names``."""
+    names = list(names)
+    if name in names:
+        return
+    by_lower = {n.lower(): n for n in names}
+    close = [by_lower[n] for n in difflib.get_close_matches(str(name).lower(), by_lower, cutoff=0.5)]
+    some = ", ".join(names[:8]) + (f" and {len(names) - 8} more" if len(names) > 8 else "")
+    raise ValueError(f"unknown style {name!r}; " + (f"close to it: {', '.join(close)}" if close else f"there is {some}"))
+
+
+def check_style_clips(style: str, n: int) -> None:
+    """Refuse a style without style clips."""
+    if not n:
+        raise ValueError(f"style {style!r} has no clip of {CLIP_FRAMES} frames (4 s at 60 Hz) to learn the style from")
+
+
+def group_features(members: Iterable[tuple[int, Clip]], source: str | phases.Source, mirror: bool | Callable[[Clip], bool],
+                   short: str) -> Iterator[tuple[int, OwnFeatures]]:
+    """Take number and own features of every clip of one style and gait, each followed by its mirror image's; see `build`."""
+    chosen: list[tuple[int, Clip]] = []
+    for take, clip in members:
+        clip = clip.resample(trajectory.FPS)
+        if not len(usable(len(clip))):
+            if short == "skip":
+                continue
+            raise ValueError(f"{clip.name}: {len(clip)} frames hold no whole trajectory window; it takes "
+                             f"{trajectory.PAST} before and {trajectory.FUTURE + 1} after a frame")
+        chosen.append((take, clip))
+        if mirror(clip) if callable(mirror) else mirror:
+            chosen.append((take, clip.mirrored()))
+    found = phases.extract_group([clip for _, clip in chosen], source) if chosen else []
+    for (take, clip), ph in zip(chosen, found, strict=True):
+        yield take, own_features(clip, ph)
+
+
+def _bar(items: list, progress: bool):
+    from tqdm import tqdm
+
+    return tqdm(items, desc="features", unit="group", disable=None if progress else True)

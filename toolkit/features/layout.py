@@ -1,0 +1,176 @@
+"""Which column of x, z and y holds what (Mason et al. 2022, section 3.2), on any skeleton: the only place that knows."""
+
+import json
+from dataclasses import dataclass, field
+from itertools import accumulate
+
+import torch
+from torch import Tensor
+
+from toolkit import phases
+from toolkit.motion import Skeleton, contacts, trajectory
+
+N_PHASES = 2 * len(phases.LIMBS)
+PHASES = {  # what a model knows of phase: columns of p, and blocks of z that are as wide
+    "local": (N_PHASES, ("phases", "phase_updates")),
+    "global": (1, ("phase_updates",)),
+    "none": (0, ()),
+}
+CHANNELS = ("position", "forward", "up", "velocity")  # three numbers each, per joint
+
+
+@dataclass(frozen=True, eq=False)
+class Layout:
+    """Names of the columns of x, z and y for a skeleton of J feature joints.
+
+    For J = 25 x has 348 columns, z 342 and a frame of y 300. `inputs` and `outputs` map block names to slices; `joints` is
+    J × (position 3, forward 3, up 3, velocity 3), `trajectory` is samples × (x, z, direction x, direction z).
+
+    Data always have the four limbs' local phases. Models may know less: see ``phase``.
+
+    Parameters
+    ----------
+    skeleton
+        Whose joints.
+    phase
+        ``"local"``: the phase vectors of four limbs; p has 8 columns, z as many of phases and of phase updates.
+        ``"global"``: one angle, radians; p has 1 column, z only its update (327 columns for J = 25). ``"none"``: neither has
+        any (326).
+
+    Raises
+    ------
+    ValueError
+        If there is no such phase.
+
+    Notes
+    -----
+
+    Two layouts are equal if their skeletons have the same joints in the same tree, and they have the same phase.
+    """
+
+    skeleton: Skeleton
+    phase: str = "local"
+    inputs: dict[str, slice] = field(init=False)
+    outputs: dict[str, slice] = field(init=False)
+
+    def __post_init__(self):
+        if self.phase not in PHASES:
+            raise ValueError(f"the phase of a layout is one of {', '.join(PHASES)}; got {self.phase!r}")
+        future = len(trajectory.SAMPLES) - trajectory.CURRENT
+        joints = 12 * len(self.skeleton.feature_joints)
+        widths_in = {"trajectory": 4 * len(trajectory.SAMPLES), "joints": joints}
+        widths_out = {"trajectory": 4 * future, "joints": joints,
+                      **dict.fromkeys(PHASES[self.phase][1], self.n_phases), "contacts": len(contacts.FEET)}
+        object.__setattr__(self, "inputs", _slices(widths_in))
+        object.__setattr__(self, "outputs", _slices(widths_out))
+
+    def __eq__(self, other: object) -> bool:
+        return (isinstance(other, Layout) and self.skeleton.names == other.skeleton.names
+                and self.skeleton.parents == other.skeleton.parents and self.phase == other.phase)
+
+    def __hash__(self) -> int:
+        return hash((self.skeleton.names, self.skeleton.parents, self.phase))
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The J feature joints."""
+        return tuple(self.skeleton.names[j] for j in self.skeleton.feature_joints)
+
+    @property
+    def parents(self) -> tuple[int, ...]:
+        """Parents of the feature joints among them, -1 for the root."""
+        return self.skeleton.feature_parents
+
+    @property
+    def n_joints(self) -> int:
+        """J."""
+        return len(self.names)
+
+    @property
+    def n_inputs(self) -> int:
+        """Columns of x: 48 + 12 J."""
+        return self.inputs["joints"].stop
+
+    @property
+    def n_outputs(self) -> int:
+        """Columns of z: 24 + 12 J + 2, and those of the phase: 16, 1 or 0."""
+        return self.outputs["contacts"].stop
+
+    @property
+    def n_phases(self) -> int:
+        """Columns of p."""
+        return PHASES[self.phase][0]
+
+    @property
+    def n_clip(self) -> int:
+        """Columns of one frame of y: 12 J."""
+        return 12 * self.n_joints
+
+    @property
+    def limbs(self) -> list[int]:
+        """Hands and feet among the feature joints, in the order of the phases."""
+        return [self.skeleton.feature_joints.index(self.skeleton.index(limb)) for limb in phases.LIMBS]
+
+    @property
+    def limb_velocities(self) -> list[int]:
+        """The 12 columns of x that hold the velocities of hands and feet, in the order of the phases."""
+        first = self.inputs["joints"].start + 3 * CHANNELS.index("velocity")
+        return [first + 12 * j + axis for j in self.limbs for axis in range(3)]
+
+    def pack_input(self, **blocks: Tensor) -> Tensor:
+        """x ``[..., n_inputs]`` of its blocks, each ``[..., width]`` or with its own trailing shape."""
+        return _pack(self.inputs, blocks)
+
+    def pack_output(self, **blocks: Tensor) -> Tensor:
+        """z ``[..., n_outputs]`` of its blocks."""
+        return _pack(self.outputs, blocks)
+
+    def unpack_output(self, z: Tensor) -> dict[str, Tensor]:
+        """Blocks of z, each ``[..., width]``."""
+        return {name: z[..., s] for name, s in self.outputs.items()}
+
+    def joint_positions(self, z: Tensor) -> Tensor:
+        """Joint positions ``[..., J, 3]`` of an output frame, metres, in the current root frame."""
+        return split_joints(z[..., self.outputs["joints"]])["position"]
+
+    def to_json(self) -> str:
+        """Text for a checkpoint's metadata."""
+        s = self.skeleton
+        return json.dumps({"names": s.names, "parents": s.parents, "offsets": s.offsets.tolist(), "roles": s.roles,
+                           "phase": self.phase})
+
+    @classmethod
+    def from_json(cls, text: str) -> "Layout":
+        """Inverse of `to_json`; text without a phase is of a local one."""
+        fields = json.loads(text)
+        phase = fields.pop("phase", "local")
+        return cls(Skeleton(**fields), phase)
+
+
+def _slices(widths: dict[str, int]) -> dict[str, slice]:
+    ends = list(accumulate(widths.values()))
+    return {name: slice(end - width, end) for (name, width), end in zip(widths.items(), ends, strict=True)}
+
+
+def _pack(slices: dict[str, slice], blocks: dict[str, Tensor]) -> Tensor:
+    if set(blocks) != set(slices):
+        raise ValueError(f"expected the blocks {', '.join(slices)}; got {', '.join(blocks)}")
+    parts, lead = [], None
+    for name, s in slices.items():
+        block, width = blocks[name], s.stop - s.start
+        trailing = next((k for k in range(1, block.dim() + 1) if block.shape[-k:].numel() == width), None)
+        if trailing is None or (lead is not None and block.shape[: block.dim() - trailing] != lead):
+            raise ValueError(f"block {name!r} needs {width} columns per frame; got shape {list(block.shape)}")
+        lead = block.shape[: block.dim() - trailing]
+        parts.append(block.reshape(*lead, width))
+    return torch.cat(parts, -1)
+
+
+def pack_joints(position: Tensor, forward: Tensor, up: Tensor, velocity: Tensor) -> Tensor:
+    """Joint block ``[..., 12 J]`` of four ``[..., J, 3]``."""
+    return torch.cat((position, forward, up, velocity), -1).flatten(-2)
+
+
+def split_joints(block: Tensor) -> dict[str, Tensor]:
+    """Inverse of `pack_joints`: `CHANNELS` to ``[..., J, 3]``."""
+    return dict(zip(CHANNELS, block.unflatten(-1, (-1, 4, 3)).unbind(-2), strict=True))

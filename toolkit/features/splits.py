@@ -1,0 +1,64 @@
+"""Held-out frames, and the streams of random numbers that choose them (Mason et al. 2022, section 4.3)."""
+
+import dataclasses
+
+import numpy as np
+import torch
+from torch import Tensor
+
+from toolkit.features.features import Features, Normaliser, Rows
+
+SPLIT_FRAMES = 240  # held-out frames come in contiguous windows of this length: neighbours are almost the same frame
+SPLIT_TAKES = 20  # from so many takes on, whole takes are held out: no frame near a held-out one is trained on
+SPLIT = 1  # the stream that draws held-out frames; those of `toolkit.training.minibatches` have other numbers
+
+
+def split(data: Features, share: float, seed: int, styles: tuple[str, ...]) -> tuple[Features, Features]:
+    """Training and held-out frames of ``styles``, in that order; style clips stay with the training frames."""
+    known = data.split if styles == tuple(data.styles) else None
+    known = known if known and (known.share, known.seed) == (share, seed) else None
+    masks = known.held_out if known else held_out(data, share, seed, styles)
+
+    def take(masks: dict[str, Tensor], statistics: dict[str, Normaliser] | None) -> Features:
+        pick = {kind: {s: _select(getattr(data, kind)[s], mask) for s, mask in masks.items()}
+                for kind in ("inputs", "phases", "outputs", "takes")}
+        clips = {s: data.clips[s] for s in styles}
+        return dataclasses.replace(data, clips=clips, split=None, statistics=statistics, **pick)
+
+    kept = take({s: ~masks[s] for s in styles}, known.statistics if known else None)
+    return kept, take({s: masks[s] for s in styles}, None)
+
+
+def _select(rows: Tensor | Rows, mask: Tensor) -> Tensor | Rows:
+    return rows.select(mask) if isinstance(rows, Rows) else rows[mask]
+
+
+def held_out(data: Features, share: float, seed: int, styles: tuple[str, ...]) -> dict[str, Tensor]:
+    """Which rows of each style are held out, ``[N]`` bool.
+
+    About ``share`` of every style: whole takes where a style has `SPLIT_TAKES` of them, otherwise random windows of 4 s,
+    contiguous in a take; a style shorter than that gives the share at its end. A take and its mirror image count as one.
+    """
+    masks = {}
+    for i, style in enumerate(styles):
+        n, takes = len(data.takes[style]), data.takes[style].unique()
+        windows = [(data.takes[style] == take).nonzero()[:, 0] for take in takes]
+        if len(windows) < SPLIT_TAKES:
+            windows = [w for take in windows for w in take.split(SPLIT_FRAMES)]
+        target, chosen = round(share * n), torch.zeros(n, dtype=torch.bool)
+        for w in torch.randperm(len(windows), generator=generator(seed, SPLIT, i)).tolist():
+            if (need := target - int(chosen.sum())) <= 0:
+                break
+            chosen[windows[w] if len(takes) >= SPLIT_TAKES else windows[w][-need:]] = True
+        masks[style] = chosen
+    return masks
+
+
+def generator(*numbers: int) -> torch.Generator:
+    """A generator of random numbers for one stream: the same numbers, the same stream."""
+    return torch.Generator().manual_seed(mix(*numbers))
+
+
+def mix(*numbers: int) -> int:
+    """One seed of several numbers."""
+    return int(np.random.SeedSequence(numbers).generate_state(1, np.uint64)[0] >> np.uint64(1))

@@ -1,0 +1,232 @@
+"""A whole dataset's features on disk: computed once, in parallel, and memory-mapped in training.
+
+A store is a folder: one safetensors file per style with each frame's own features (`toolkit.features.OwnFeatures`, float32,
+1,268 bytes per frame of the 100STYLE skeleton), from which x and z are derived when they are read; ``split.safetensors``,
+the held-out rows and the statistics of the others; and ``manifest.json``: settings, clips, checksums of sources and files.
+
+Every file takes its name when it is whole and on the disk, and the manifest is written after each. What the manifest lists
+is therefore there, and a stopped run goes on with what it does not list. The same settings on the same kind of processor
+give the same bytes, in whatever order and on however many processes or machines.
+"""
+
+import contextlib
+import dataclasses
+import json
+import os
+import shutil
+from collections import defaultdict
+from collections.abc import Callable, Iterator
+from concurrent.futures import Executor
+from pathlib import Path
+from typing import Any
+
+import filelock
+import torch
+from tqdm import tqdm
+
+import toolkit
+from toolkit import datasets, features, phases
+from toolkit.datasets import Take
+from toolkit.features import Features, Layout, Normaliser, Split, check_style, splits
+from toolkit.features.store import files, partition
+from toolkit.features.store.partition import Partition
+from toolkit.features.store.workers import completed, executor
+from toolkit.io.model_files import difference, intact
+from toolkit.motion import trajectory
+
+__all__ = ["is_store", "load", "preprocess"]
+
+SPLIT = "split.safetensors"
+GROWTH = 2  # bytes of a store per byte of BVH, at most: 1.8 for 100STYLE and for Bandai-Namco at 60 Hz
+
+
+def preprocess(data: str, root: str | os.PathLike | None, out: str | os.PathLike, *, styles: list[str] | None = None,
+               gaits: list[str] | None = None, source: str = "hybrid", mirror: Callable[[Take], bool] | None = None,
+               workers: int | None = None, scheduler: str | None = None, held_out: float = 0.1, seed: int = 0,
+               progress: bool = False) -> bool:
+    """Compute the features, phases, contacts and split of a dataset's files into a store, or go on where a run stopped.
+
+    Takes that hold no whole trajectory window are left out.
+
+    Parameters
+    ----------
+    data, root, styles, gaits
+        As of `toolkit.datasets.load`; a dataset of files.
+    out
+        The store's folder. One run at a time may write to it.
+    source
+        Name of a phase source.
+    mirror
+        For which takes mirror images are added.
+    workers
+        Processes; as many as processors where not given. 1: no other process than this one.
+    scheduler
+        Address of a Dask scheduler whose workers do the work instead; they see the folders under the same paths.
+    held_out, seed
+        Share of every style's rows that is held out, and what chooses them (see `toolkit.features.splits.held_out`).
+    progress
+        Show a bar with the time left.
+
+    Returns
+    -------
+    bool
+        False if the store was finished already: all its checksums, and those of the sources, are right.
+
+    Raises
+    ------
+    ValueError
+        If files cannot be read or hold no style clip (all other styles are stored; the message names each file), or the
+        store was made with other settings or of other files.
+    OSError
+        If the folder cannot be written to, there is too little space or another process writes to it.
+    KeyboardInterrupt
+        When interrupted, after the styles in work were stored.
+    """
+    if data == "procedural":
+        raise ValueError("the procedural dataset is computed, not read from files; there is nothing to preprocess")
+    phases.named(source)
+    recorded, out = datasets._module(data, root).SOURCE, Path(out).resolve()
+    root = recorded.folder(root).resolve()
+    tables = ("Frame_Cuts.csv", "Dataset_List.csv") if data == "100style" else ()
+    settings = {
+        "version": toolkit.__version__, "data": data, "styles": styles, "gaits": gaits, "source": source,
+        "mirror": mirror is not None, "fps": trajectory.FPS, "window": trajectory.SAMPLES,
+        "clip": [features.CLIP_FRAMES, features.CLIP_HOP], "held_out": held_out, "seed": seed,
+        "tables": {path.name: files.sha256(path) for name in tables for path in root.rglob(name)},
+    }
+    by_style: dict[str, list[tuple[int, Take]]] = defaultdict(list)
+    for number, take in enumerate(recorded.choose(root, styles, gaits)):
+        by_style[take.style].append((number, take))
+    jobs = [Partition(data, root, out, source, style, tuple(takes),
+                      frozenset(t.gait for _, t in takes if mirror and mirror(t)))
+            for style, takes in sorted(by_style.items())]
+    settings = json.loads(json.dumps(settings))
+    with _alone(out):
+        return _make(out, settings, jobs, workers, scheduler, progress)
+
+
+def _make(out: Path, settings: dict[str, Any], jobs: list[Partition], workers: int | None, scheduler: str | None,
+          progress: bool) -> bool:
+    """Make what a store lacks; False where it lacks nothing."""
+    manifest = _begin(out, settings)
+    todo = _remaining(out, manifest, jobs, progress)
+    if manifest["finished"]:
+        return False
+    need = GROWTH * sum(job.size * (2 if job.mirrored else 1) for job in todo)
+    if need > (free := shutil.disk_usage(out).free):
+        raise OSError(f"{out}: the store needs about {need / 1e9:.1f} GB more, {free / 1e9:.1f} GB are free")
+
+    entries, broken = manifest["partitions"], []
+    bar = tqdm(desc="preprocess", total=sum(job.size for job in todo), unit="B", unit_scale=True,
+               disable=None if progress else True)
+    with executor(workers, scheduler) as pool, bar:
+        for (job,), entry in completed(pool, partition.make, [(job,) for job in sorted(todo, key=lambda job: -job.size)]):
+            bar.update(job.size)
+            if isinstance(entry, ValueError):
+                broken.append(str(entry))
+                continue
+            other = next(iter(entries.values()), entry)
+            if Layout.from_json(entry["layout"]) != Layout.from_json(other["layout"]):
+                raise ValueError(f"{job.takes[0][1].path}: its joints differ from those of {other['file']}")
+            entries[job.style] = entry
+            files.write_manifest(out, manifest)
+        if broken:
+            raise ValueError(f"{len(broken)} of {len(jobs)} styles could not be stored, the others are; mend these or move "
+                             f"them away and run the same command again: {'; '.join(sorted(broken))}")
+        bar.set_description("statistics")
+        _finish(out, manifest, pool)
+    return True
+
+
+@contextlib.contextmanager
+def _alone(out: Path) -> Iterator[None]:
+    """Inside, no other process writes to the store; a lock that a killed one held is free."""
+    out.parent.mkdir(parents=True, exist_ok=True)
+    lock = out.with_name(f".{out.name}.lock")
+    try:
+        with filelock.FileLock(lock, timeout=0):
+            yield
+    except filelock.Timeout as error:
+        raise OSError(f"{out}: another process is writing this store (lock {lock}); wait for it") from error
+
+
+def is_store(path: str | os.PathLike) -> bool:
+    """Whether a folder holds a store, finished or not."""
+    return (Path(path) / files.MANIFEST).is_file()
+
+
+def load(path: str | os.PathLike, styles: list[str] | None = None) -> Features:
+    """Features of a finished store, or of some of its styles: read from the files when they are indexed.
+
+    Raises
+    ------
+    ValueError
+        If there is no finished store, a file is damaged or a style is not in it.
+    """
+    path = Path(path)
+    manifest = files.read_manifest(path)
+    if not manifest["finished"]:
+        raise ValueError(f"{path}: the store is not finished; run the command that makes it again to go on")
+    entries, settings = manifest["partitions"], manifest["settings"]
+    for style in styles or ():
+        check_style(style, tuple(entries))
+    found = partition.read(path, {style: entries[style] for style in styles or entries})
+    if tuple(found.styles) != tuple(entries):
+        return found
+    tensors = files.read(path / SPLIT, manifest["split"])
+    with intact(path / SPLIT, "the split"):
+        statistics = {kind: Normaliser(tensors[f"{kind}.mean"], tensors[f"{kind}.std"]) for kind in features.KINDS}
+        held_out = {style: tensors[f"held_out.{style}"] for style in entries}
+    return dataclasses.replace(found, split=Split(settings["held_out"], settings["seed"], held_out, statistics))
+
+
+def _begin(out: Path, settings: dict[str, Any]) -> dict[str, Any]:
+    """The manifest of the store in a folder; of a new one where the folder is empty or not there."""
+    if is_store(out):
+        manifest = files.read_manifest(out)
+        if why := difference(manifest["settings"], settings):
+            raise ValueError(f"{out}: the store there was made with other settings ({why}); use another folder")
+    else:
+        if out.exists() and not (out.is_dir() and all(path.name.startswith(".") for path in out.iterdir())):
+            raise ValueError(f"{out}: expected a store or an empty folder, and it is neither")
+        out.mkdir(parents=True, exist_ok=True)
+        manifest = {"format": files.FORMAT, "settings": settings, "finished": False, "partitions": {}}
+        files.write_manifest(out, manifest)
+    for leftover in out.glob(".*.partial"):
+        leftover.unlink()
+    return manifest
+
+
+def _remaining(out: Path, manifest: dict[str, Any], jobs: list[Partition], progress: bool) -> list[Partition]:
+    """Partitions still to be made; the checksums of all others are right, and their sources have not changed."""
+    entries, by_style = manifest["partitions"], {job.style: job for job in jobs}
+    changed = [style for style in (by_style.keys() | entries.keys() if manifest["finished"] else entries)
+               if style not in by_style or style not in entries]
+    done = [job for job in jobs if job.style in entries]
+    for job in tqdm(done, desc="checking", unit="style", disable=None if progress and done else True):
+        if job.checksums() != entries[job.style]["sources"]:
+            changed.append(job.style)
+        elif not files.is_whole(out, entries[job.style]):
+            del entries[job.style]
+    if changed:
+        raise ValueError(f"{out}: the files of style {min(changed)} are not those that the store was made of; "
+                         "use another folder")
+    todo = [job for job in jobs if job.style not in entries]
+    manifest["finished"] = manifest["finished"] and not todo and files.is_whole(out, manifest["split"])
+    return todo
+
+
+def _finish(out: Path, manifest: dict[str, Any], pool: Executor) -> None:
+    """Write the split, and the manifest of a whole store."""
+    entries, settings = dict(sorted(manifest["partitions"].items())), manifest["settings"]
+    found = partition.read(out, entries)
+    held_out = splits.held_out(found, settings["held_out"], settings["seed"], tuple(entries))
+    jobs = [(out, style, entry, held_out[style].numpy()) for style, entry in entries.items()]
+    by_style = {job[1]: result for job, result in completed(pool, partition.moments, jobs)}
+    tensors = {f"held_out.{style}": mask for style, mask in held_out.items()}
+    for kind in features.KINDS:
+        parts = (by_style[style][kind] for style in entries)
+        normaliser = Normaliser.merged((int(n), torch.from_numpy(m), torch.from_numpy(v)) for n, m, v in parts)
+        tensors |= {f"{kind}.mean": normaliser.mean, f"{kind}.std": normaliser.std}
+    manifest |= {"finished": True, "rows": found.n_frames, "split": {"file": SPLIT, **files.write(out / SPLIT, tensors)}}
+    files.write_manifest(out, manifest)

@@ -1,0 +1,84 @@
+"""The files of a store: written whole or not at all, checksummed, memory-mapped."""
+
+import hashlib
+import json
+from pathlib import Path
+from typing import Any
+
+from safetensors import SafetensorError, safe_open
+from safetensors.torch import save
+from torch import Tensor
+
+from toolkit.features.layout import Layout
+from toolkit.io.files import atomic_write
+from toolkit.io.model_files import intact, plain
+
+FORMAT = "toolkit store 1"
+MANIFEST = "manifest.json"
+
+
+def write(path: Path, tensors: dict[str, Tensor]) -> dict[str, Any]:
+    """Write a file, whole or not at all; its size and checksum."""
+    packed = save(tensors)
+    with atomic_write(path) as file:
+        file.write(packed)
+    return {"bytes": len(packed), "sha256": hashlib.sha256(packed).hexdigest()}
+
+
+def read(path: Path, entry: dict[str, Any]) -> dict[str, Tensor]:
+    """Memory-mapped tensors of a file that the manifest lists."""
+    if not path.is_file() or path.stat().st_size != entry["bytes"]:
+        raise ValueError(f"{path}: missing or not whole; run the command that makes the store again to mend it")
+    try:
+        with safe_open(path, framework="pt") as file:
+            return {name: file.get_tensor(name) for name in file.keys()}  # noqa: SIM118 (not a dict)
+    except SafetensorError as error:
+        raise ValueError(f"{path}: damaged ({plain(error)}); remove it and run the command that makes the store") from error
+
+
+def write_manifest(out: Path, manifest: dict[str, Any]) -> None:
+    """Write a store's manifest, styles in alphabetical order."""
+    manifest = manifest | {"partitions": dict(sorted(manifest["partitions"].items()))}
+    with atomic_write(out / MANIFEST) as file:
+        file.write(json.dumps(manifest, indent=1).encode())
+
+
+def read_manifest(path: Path) -> dict[str, Any]:
+    """The manifest of a store; a ValueError where there is none."""
+    try:
+        manifest = json.loads((path / MANIFEST).read_text(encoding="utf-8"))
+    except FileNotFoundError:
+        raise ValueError(f"{path}: holds no store (no {MANIFEST})") from None
+    except (ValueError, RecursionError) as error:
+        raise ValueError(f"{path / MANIFEST}: damaged ({plain(error)})") from error
+    found = manifest.get("format") if isinstance(manifest, dict) else None
+    if found != FORMAT:
+        raise ValueError(f"{path / MANIFEST}: expected the format {FORMAT!r}, got {found!r}")
+    with intact(path / MANIFEST, "the manifest"):
+        entries = manifest["partitions"]
+        if manifest["finished"] and not entries:
+            raise ValueError("finished, and without a style")
+        for entry in (*entries.values(), *([manifest["split"]] if manifest["finished"] else [])):
+            file, size = entry["file"], entry["bytes"]
+            if not file.isprintable() or Path(file).name != file or not isinstance(size, int) or not entry["sha256"]:
+                raise ValueError(f"a file called {file!r} of {size!r} bytes")
+        for entry in entries.values():
+            Layout.from_json(entry["layout"])
+            frames, takes = ([clip[key] for clip in entry["clips"]] for key in ("frames", "take"))
+            if not all(isinstance(n, int) and 0 <= n < 2**31 for n in (*frames, *takes)) or sum(frames) != entry["frames"]:
+                raise ValueError(f"{entry['file']}: clips of {frames} frames are not {entry['frames']!r}")
+        if missing := {"held_out", "seed"} - manifest["settings"].keys():
+            raise ValueError(f"settings without {', '.join(missing)}")
+    return manifest
+
+
+def is_whole(out: Path, entry: dict[str, Any]) -> bool:
+    """Whether a file that the manifest lists is there and has its checksum."""
+    path = out / entry["file"]
+    return path.is_file() and sha256(path) == entry["sha256"]
+
+
+def sha256(path: Path) -> str:
+    """SHA-256 of a file, hexadecimal."""
+    with path.open("rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()

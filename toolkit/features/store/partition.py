@@ -1,0 +1,106 @@
+"""One style of a store: computed from its files, read back, summed up."""
+
+from collections import defaultdict
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import torch
+from torch import Tensor
+
+from toolkit import datasets, features
+from toolkit.datasets import Take
+from toolkit.features import Features, Layout, OwnFeatures, Rows
+from toolkit.features.store import files
+from toolkit.features.store.workers import one_thread
+from toolkit.io.model_files import intact
+from toolkit.motion import RootFrames
+
+
+@dataclass(frozen=True)
+class Partition:
+    """One style's files, the unit of work: they need nothing of the others (a style's gaits do not share phase axes)."""
+
+    data: str
+    root: Path
+    out: Path
+    source: str
+    style: str
+    takes: tuple[tuple[int, Take], ...]  # with their numbers in the dataset
+    mirrored: frozenset[str]  # gaits
+
+    @property
+    def size(self) -> int:
+        """Bytes of the BVH files."""
+        return sum(take.path.stat().st_size for _, take in self.takes)
+
+    def checksums(self) -> dict[str, str]:
+        """SHA-256 of the BVH files, by path in the dataset's folder."""
+        return {take.path.relative_to(self.root).as_posix(): files.sha256(take.path) for _, take in self.takes}
+
+
+def make(job: Partition) -> dict[str, Any]:
+    """Compute and write one partition; its entry in the manifest."""
+    with one_thread():
+        sources = job.checksums()
+        groups: dict[str, list] = defaultdict(list)
+        loaded = datasets.load(job.data, job.root, job.style, sorted({take.gait for _, take in job.takes}))
+        for (number, _), clip in zip(job.takes, loaded, strict=True):
+            groups[clip.gait].append((number, clip))
+        del loaded, clip
+        parts: list[OwnFeatures] = []
+        clips = []
+        for gait in sorted(groups):
+            for number, own in features.group_features(groups.pop(gait), job.source, gait in job.mirrored, "skip"):
+                parts.append(own)
+                clips.append({"take": number, "gait": gait, "frames": len(own.joints)})
+        try:
+            features.check_style_clips(job.style, sum(len(features.clip_starts(c["frames"])) for c in clips))
+        except ValueError as error:
+            raise ValueError(f"{job.takes[0][1].path}: {error}") from None
+        layout = parts[0].layout
+        if any(own.layout != layout for own in parts):
+            raise ValueError(f"{job.takes[0][1].path}: the skeletons of style {job.style} differ")
+        tensors = {name: torch.cat([_tensors(own)[name] for own in parts]) for name in _tensors(parts[0])}
+        file = f"{job.style}.safetensors"
+        return {"file": file, **files.write(job.out / file, tensors), "frames": len(tensors["joints"]),
+                "layout": layout.to_json(), "clips": clips, "sources": sources}
+
+
+def read(path: Path, entries: dict[str, dict[str, Any]]) -> Features:
+    """Features of the styles of manifest entries: what is derived when it is read."""
+    kinds: dict[str, dict[str, Any]] = {kind: {} for kind in (*features.KINDS, "takes")}
+    layout = Layout.from_json(next(iter(entries.values()))["layout"])
+    for style, entry in entries.items():
+        t = files.read(path / entry["file"], entry)
+        with intact(path / entry["file"], "this part of the store"):
+            if {len(x) for x in t.values()} != {entry["frames"]}:
+                raise ValueError(f"expected {entry['frames']} frames")
+            own = OwnFeatures(layout, RootFrames(t["positions"], t["rotations"]), t["joints"], t["phases"], t["contacts"])
+        at, starts, takes, first = [], [], [], 0
+        for clip in entry["clips"]:
+            at.append(first + features.usable(clip["frames"]))
+            starts.append(first + features.clip_starts(clip["frames"]))
+            takes.append(torch.full((len(at[-1]),), clip["take"]))
+            first += clip["frames"]
+        at, starts = torch.cat(at), torch.cat(starts)
+        derived = (own.inputs, at), (own.phases.__getitem__, at), (own.outputs, at), (own.style_clips, starts)
+        for kind, (derive, index) in zip(features.KINDS, derived, strict=True):
+            kinds[kind][style] = Rows(derive, index)
+        kinds["takes"][style] = torch.cat(takes)
+    return Features(layout, **kinds)
+
+
+def moments(path: Path, style: str, entry: dict[str, Any], held_out: np.ndarray) -> dict[str, tuple]:
+    """`toolkit.features.moments` of a style's rows that are not held out, and of its style clips."""
+    with one_thread():
+        found, kept = read(path, {style: entry}), ~torch.from_numpy(held_out)
+        rows = {kind: getattr(found, kind)[style] for kind in features.KINDS}
+        rows |= {kind: rows[kind].select(kept) for kind in ("inputs", "phases", "outputs")}
+        return {kind: tuple(np.asarray(x) for x in features.moments(r)) for kind, r in rows.items()}
+
+
+def _tensors(own: OwnFeatures) -> dict[str, Tensor]:
+    return {"positions": own.roots.positions, "rotations": own.roots.rotations, "joints": own.joints, "phases": own.phases,
+            "contacts": own.contacts}

@@ -1,0 +1,71 @@
+"""Who does the work of a store: processes of this machine, or those of a Dask cluster."""
+
+import contextlib
+import signal
+from collections.abc import Callable, Iterator
+from concurrent.futures import Executor, ProcessPoolExecutor, ThreadPoolExecutor, as_completed
+from concurrent.futures.process import BrokenProcessPool
+from multiprocessing import get_context
+from typing import Any
+
+import torch
+
+
+@contextlib.contextmanager
+def executor(workers: int | None, scheduler: str | None) -> Iterator[Executor]:
+    """What runs jobs: a Dask scheduler's workers, or ``workers`` processes of this machine (1: this one)."""
+    if scheduler:
+        try:
+            from dask.distributed import Client
+        except ImportError:
+            raise ValueError('a scheduler needs Dask: pip install ".[scale]"') from None
+        with Client(scheduler) as client:
+            yield client.get_executor(pure=False)
+    elif workers == 1:
+        with ThreadPoolExecutor(1) as pool:
+            yield pool
+    else:
+        with ProcessPoolExecutor(workers, get_context("spawn"), _ignore_interrupts) as pool:
+            yield pool
+
+
+def completed(pool: Executor, function: Callable, jobs: list[tuple]) -> Iterator[tuple[tuple, Any]]:
+    """Jobs and their results as they come; a ValueError is a result.
+
+    Where the caller stops or is interrupted, no further job is begun; an interrupt still gives the results of those begun.
+    """
+    futures = {pool.submit(function, *job): job for job in jobs}
+
+    def results() -> Iterator[tuple[tuple, Any]]:
+        for future in as_completed(list(futures)):
+            job, error = futures.pop(future), future.exception()
+            if isinstance(error, BrokenProcessPool):
+                raise OSError("a worker process died, perhaps for want of memory; run the same command again to go on, "
+                              "with fewer workers") from error
+            yield job, error if isinstance(error, ValueError) else future.result()
+
+    try:
+        yield from results()
+    except KeyboardInterrupt:
+        for future in [future for future in futures if future.cancel()]:
+            del futures[future]
+        yield from results()
+        raise
+    finally:
+        for future in futures:
+            future.cancel()
+
+
+def _ignore_interrupts() -> None:
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C goes to every process; the first one decides
+
+
+@contextlib.contextmanager
+def one_thread() -> Iterator[None]:
+    """Inside, torch uses one thread: the processes share the processors, and sums do not depend on the number."""
+    before = torch.get_num_threads()
+    torch.set_num_threads(1)
+    try:
+        yield
+    finally:
+        torch.set_num_threads(before)

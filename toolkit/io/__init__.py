@@ -1,0 +1,1 @@
+"""Motion files and model files: read and written whole or not at all."""

@@ -1,0 +1,346 @@
+"""Skeleton and Clip: what a moving body is. Metres, seconds, Y up; every operation returns a new object."""
+
+import dataclasses
+import math
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import scipy
+import torch
+from torch import Tensor
+
+from toolkit.motion import rotations as R
+
+ROLES = ("hips", *(f"{side}_{part}" for side in ("left", "right")
+                   for part in ("shoulder", "elbow", "hand", "hip", "knee", "foot", "toe")))
+
+
+@dataclass(frozen=True, eq=False)
+class Skeleton:
+    """A tree of points.
+
+    Parameters
+    ----------
+    names
+        J unique names. A leaf whose name ends in ``End`` is a BVH End Site: it has an offset and no rotation of its own.
+    parents
+        J indices; the root comes first with -1, every parent comes before its children.
+    offsets : Tensor [J, 3]
+        Position of each joint in its parent's frame, metres. The root's is not used.
+    roles
+        What each limb is called here, for the keys of `ROLES`; found from the names and the tree where not given.
+
+    Raises
+    ------
+    ValueError
+        If the lengths differ, a name repeats or a parent does not come before its child.
+    """
+
+    names: tuple[str, ...]
+    parents: tuple[int, ...]
+    offsets: Tensor
+    roles: dict[str, str] | None = None
+
+    def __post_init__(self):
+        set_ = object.__setattr__
+        set_(self, "names", tuple(self.names))
+        set_(self, "parents", tuple(int(p) for p in self.parents))
+        set_(self, "offsets", torch.as_tensor(self.offsets, dtype=torch.float32))
+        n = len(self.names)
+        if len(self.parents) != n or self.offsets.shape != (n, 3):
+            raise ValueError(f"{n} joint names need {n} parents and offsets [{n}, 3]; got {len(self.parents)} parents "
+                             f"and offsets {list(self.offsets.shape)}")
+        if len(set(self.names)) != n:
+            raise ValueError(f"joint names repeat: {sorted({x for x in self.names if self.names.count(x) > 1})}")
+        if self.parents[0] != -1 or any(not 0 <= p < j for j, p in enumerate(self.parents[1:], 1)):
+            raise ValueError("the root must come first with parent -1, and every parent before its children")
+        set_(self, "roles", find_roles(self.names, self.parents) if self.roles is None else dict(self.roles))
+
+    def __len__(self) -> int:
+        return len(self.names)
+
+    def index(self, name: str) -> int:
+        """Index of a joint, by its name or by its role."""
+        name = self.roles.get(name, name)
+        if name not in self.names:
+            raise ValueError(f"unknown joint {name!r}; the skeleton has {', '.join(self.names)}")
+        return self.names.index(name)
+
+    def is_end(self, joint: int) -> bool:
+        """Whether a point is an End Site."""
+        return self.names[joint].endswith("End") and joint not in self.parents
+
+    def tip(self, name: str) -> int:
+        """Index of the End Site that extends a joint, of the joint itself where there is none of any length."""
+        joint = self.index(name)
+        ends = (j for j, p in enumerate(self.parents) if p == joint and self.is_end(j))
+        return next((j for j in ends if float(self.offsets[j].norm()) > 1e-4), joint)
+
+    @cached_property
+    def feature_joints(self) -> tuple[int, ...]:
+        """Joints that the features describe (section 3.2): all but End Sites, except those that extend a hand."""
+        hands = {self.tip(side) for side in ("left_hand", "right_hand")}
+        return tuple(j for j in range(len(self)) if not self.is_end(j) or j in hands)
+
+    @cached_property
+    def feature_parents(self) -> tuple[int, ...]:
+        """Parents of `feature_joints`, as indices into them."""
+        position = {j: i for i, j in enumerate(self.feature_joints)}
+        return tuple(position.get(self.parents[j], -1) for j in self.feature_joints)
+
+    @cached_property
+    def levels(self) -> list[tuple[Tensor, Tensor]]:
+        """Joints by depth below the root, as (joints, their parents): kinematics runs over these."""
+        depth = [0] * len(self)
+        for j, p in enumerate(self.parents[1:], 1):
+            depth[j] = depth[p] + 1
+        groups = [[j for j, d in enumerate(depth) if d == level] for level in range(1, max(depth) + 1)]
+        return [(torch.tensor(g), torch.tensor([self.parents[j] for j in g])) for g in groups]
+
+    @cached_property
+    def rest_positions(self) -> Tensor:
+        """Positions ``[J, 3]`` with every rotation zero, the root at the origin."""
+        return forward_kinematics(self, R.identity(len(self)), torch.zeros(3))[1]
+
+    @cached_property
+    def facing_axis(self) -> Tensor:
+        """The signed axis of the hips' frame nearest to the body's forward: (right hip → left hip) × (hips → chest)."""
+        rest = self.rest_positions
+        left = rest[self.index("left_hip")] - rest[self.index("right_hip")]
+        chest = next(j for j in self.ancestors("left_shoulder") if j in self.ancestors("right_shoulder"))
+        forward = torch.linalg.cross(left, rest[chest] - rest[self.index("hips")])
+        largest = forward.abs().argmax()
+        return torch.eye(3)[largest] * forward[largest].sign()
+
+    def ancestors(self, name: str) -> list[int]:
+        """Indices from a joint's parent up to the root."""
+        above, j = [], self.parents[self.index(name)]
+        while j >= 0:
+            above.append(j)
+            j = self.parents[j]
+        return above
+
+    @cached_property
+    def twins(self) -> tuple[int, ...]:
+        """For each joint the index of its left/right counterpart, itself where it has none."""
+        return tuple(self.names.index(t) if (t := _swap_side(n)) in self.names else j for j, n in enumerate(self.names))
+
+
+def _side(name: str) -> str | None:
+    """ "left" or "right" as the common naming schemes write it: LeftHand, Hand_L, LThumb."""
+    match = _SIDE.search(name)
+    return None if match is None else ("left" if match[0].strip("_.")[0] in "Ll" else "right")
+
+
+def _swap_side(name: str) -> str:
+    swap = {"Left": "Right", "left": "right", "L": "R"}
+    swap |= {b: a for a, b in swap.items()}
+    return _SIDE.sub(lambda m: m[0].replace(word := m[0].strip("_."), swap[word]), name, count=1)
+
+
+_SIDE = re.compile(r"Left|Right|left|right|[_.][LR](?=$|End$)|^[LR](?=[A-Z])")
+
+
+def find_roles(names: Sequence[str], parents: Sequence[int]) -> dict[str, str]:
+    """Limb roles from the names of hands and toes and the chains above them (the keys found of `ROLES`)."""
+    roles = {"hips": next((n for n in names if n.lower().endswith(("hips", "pelvis"))), names[0])}
+    chains = {("hand", "wrist"): ("hand", "elbow", "shoulder"), ("toe",): ("toe", "foot", "knee", "hip")}
+    for side in ("left", "right"):
+        for words, parts in chains.items():
+            named = (j for j, n in enumerate(names) if _side(n) == side and any(w in n.lower() for w in words))
+            joint = next(named, -1)
+            for part in parts:
+                if joint > 0:
+                    roles[f"{side}_{part}"] = names[joint]
+                    joint = parents[joint]
+    return roles
+
+
+def forward_kinematics(skeleton: Skeleton, rotations: Tensor, root_positions: Tensor) -> tuple[Tensor, Tensor]:
+    """Global rotations ``[..., J, 4]`` and positions ``[..., J, 3]`` of local rotations and the root's position."""
+    local = rotations.movedim((-1, -2), (0, 1)).contiguous()  # every number of a joint lies beside the next frame's
+    turned, positions = torch.empty_like(local), torch.empty_like(local[:3])
+    turned[:, 0], positions[:, 0] = local[:, 0], root_positions.movedim(-1, 0)
+    offsets = skeleton.offsets.to(rotations.dtype).T.reshape(3, -1, *[1] * (rotations.dim() - 2))
+    for joints, parents in skeleton.levels:
+        above = turned[:, parents]
+        turned[:, joints] = torch.stack(R.multiply_parts(above, local[:, joints]))
+        positions[:, joints] = positions[:, parents] + torch.stack(R.rotate_parts(above, offsets[:, joints]))
+    return tuple(x.movedim((0, 1), (-1, -2)).contiguous() for x in (turned, positions))
+
+
+def local_rotations(skeleton: Skeleton, global_rotations: Tensor) -> Tensor:
+    """Rotations ``[..., J, 4]`` relative to the parent, of global ones: the inverse of `forward_kinematics`."""
+    parents = torch.tensor(skeleton.parents[1:], dtype=torch.long)
+    above = R.inverse(global_rotations[..., parents, :])
+    return torch.cat((global_rotations[..., :1, :], R.multiply(above, global_rotations[..., 1:, :])), -2)
+
+
+@dataclass(frozen=True, eq=False)
+class Clip:
+    """A recorded motion.
+
+    Parameters
+    ----------
+    skeleton
+        Whose motion it is, J joints.
+    rotations : Tensor [F, J, 4]
+        Unit quaternions relative to the parent (the root's to the world).
+    root_positions : Tensor [F, 3]
+        Metres.
+    fps
+        Frames per second.
+    style, gait, name
+        Labels; ``name`` says where it came from and appears in error messages.
+
+    Raises
+    ------
+    ValueError
+        If shapes do not agree, there is no frame, or a number is not finite.
+    """
+
+    skeleton: Skeleton
+    rotations: Tensor
+    root_positions: Tensor
+    fps: float
+    style: str = ""
+    gait: str = ""
+    name: str = "clip"
+
+    def __post_init__(self):
+        object.__setattr__(self, "rotations", torch.as_tensor(self.rotations, dtype=torch.float32))
+        object.__setattr__(self, "root_positions", torch.as_tensor(self.root_positions, dtype=torch.float32))
+        frames, joints = self.rotations.shape[0], len(self.skeleton)
+        if self.rotations.shape != (frames, joints, 4) or self.root_positions.shape != (frames, 3) or not frames:
+            raise ValueError(f"{self.name}: expected rotations [F, {joints}, 4] and root positions [F, 3], F >= 1; got "
+                             f"{list(self.rotations.shape)} and {list(self.root_positions.shape)}")
+        for what, values in (("rotations", self.rotations), ("root positions", self.root_positions)):
+            if not math.isfinite(values.sum(dtype=torch.float64)):  # one pass; a double cannot overflow here
+                frame = int((~torch.isfinite(values.flatten(1))).any(1).nonzero()[0])
+                raise ValueError(f"{self.name}: {what} of frame {frame} are not finite")
+        if not (self.fps > 0 and math.isfinite(self.fps)):
+            raise ValueError(f"{self.name}: frames per second must be positive, got {self.fps}")
+
+    def __len__(self) -> int:
+        return len(self.rotations)
+
+    def __repr__(self) -> str:
+        label = " ".join(x for x in (self.style, self.gait) if x) or self.name
+        return f"Clip({label}: {len(self)} frames at {self.fps:g} Hz, {self.seconds:.1f} s, {len(self.skeleton)} joints)"
+
+    @property
+    def seconds(self) -> float:
+        """Duration, seconds."""
+        return len(self) / self.fps
+
+    @cached_property
+    def _globals(self) -> tuple[Tensor, Tensor]:
+        return forward_kinematics(self.skeleton, self.rotations, self.root_positions)
+
+    @property
+    def global_rotations(self) -> Tensor:
+        """World rotations ``[F, J, 4]``."""
+        return self._globals[0]
+
+    @property
+    def global_positions(self) -> Tensor:
+        """World positions ``[F, J, 3]``, metres."""
+        return self._globals[1]
+
+    def replace(self, **changes) -> "Clip":
+        """A copy with some fields changed."""
+        return dataclasses.replace(self, **changes)
+
+    def cut(self, start: int = 0, stop: int | None = None) -> "Clip":
+        """Frames ``start`` to ``stop`` (not included; clamped to the end)."""
+        stop = len(self) if stop is None else min(stop, len(self))
+        if not 0 <= start < stop:
+            raise ValueError(f"{self.name}: cannot cut frames {start} to {stop} from {len(self)}")
+        return self.replace(rotations=self.rotations[start:stop], root_positions=self.root_positions[start:stop])
+
+    def resample(self, fps: float) -> "Clip":
+        """The same motion at another rate, by cubic splines (so that velocities stay continuous)."""
+        if not (fps > 0 and math.isfinite(fps)):
+            raise ValueError(f"{self.name}: cannot resample to {fps} frames per second")
+        if fps == self.fps or len(self) < 2:
+            return self.replace(fps=fps)
+        old = torch.arange(len(self), dtype=torch.float64) / self.fps
+        new = torch.arange(math.floor(old[-1].item() * fps + 1e-6) + 1, dtype=torch.float64) / fps
+
+        def spline(values: Tensor) -> Tensor:
+            return torch.from_numpy(scipy.interpolate.CubicSpline(old.numpy(), values.double().numpy())(new.numpy())).float()
+
+        rotations_ = R.normalize(spline(R.unroll(self.rotations)))
+        return self.replace(rotations=rotations_, root_positions=spline(self.root_positions), fps=fps)
+
+    def without_ends(self) -> "Clip":
+        """The same motion on the skeleton without End Sites."""
+        old = self.skeleton
+        kept = [j for j in range(len(old)) if not old.is_end(j)]
+        parents = [kept.index(old.parents[j]) if j else -1 for j in kept]
+        skeleton = Skeleton([old.names[j] for j in kept], parents, old.offsets[kept], old.roles)
+        return self.replace(skeleton=skeleton, rotations=self.rotations[:, kept])
+
+    def moved(self, turn: float = 0.0, shift: Sequence[float] = (0.0, 0.0, 0.0)) -> "Clip":
+        """The whole motion turned by ``turn`` radians about the vertical through the origin, then shifted (metres)."""
+        q = R.yaw(torch.tensor(float(turn)))
+        rotations_ = self.rotations.clone()
+        rotations_[:, 0] = R.multiply(q, rotations_[:, 0])
+        positions = R.rotate(q, self.root_positions) + torch.tensor(shift, dtype=torch.float32)
+        return self.replace(rotations=rotations_, root_positions=positions)
+
+    def mirrored(self) -> "Clip":
+        """Left and right exchanged: the motion reflected in the plane x = 0.
+
+        A reflected frame is left-handed, so each joint's own axes are reflected too. Rigs differ in which of their axes
+        runs sideways; it is the reflection (of one axis, or of all three) that turns the bones below a joint into those
+        below its twin, and, where a bone along one axis leaves a choice, keeps the joint's mean rotation nearest to its
+        mirror image. A joint without a counterpart mirrors onto itself.
+        """
+        world = torch.tensor([-1.0, 1.0, 1.0])
+        twins = list(self.skeleton.twins)
+        choices = torch.tensor([[-1.0, 1, 1], [1, -1, 1], [1, 1, -1], [-1, -1, -1]])
+        offsets, parents = self.skeleton.offsets[1:], torch.tensor(self.skeleton.parents[1:], dtype=torch.long)
+        misfit = (choices[:, None] * offsets - self.skeleton.offsets[twins[1:]]).square().sum(-1)
+        misfits = torch.zeros(4, len(self.skeleton)).index_add(1, parents, misfit)  # squared metres, of each joint's bones
+        root = R.multiply(R.inverse(root_frames(self).rotations), self.rotations[:, 0])
+        mean = R.to_matrix(torch.cat((root[:, None], self.rotations[:, 1:]), 1)).mean(0)
+        own = torch.empty(len(self.skeleton), 3)
+        for j, p in enumerate(self.skeleton.parents):
+            images = (world if p < 0 else own[p])[:, None] * mean[twins[j]] * choices[:, None]
+            own[j] = choices[((images * mean[j]).sum((-2, -1)) - misfits[:, j] / 0.01**2).argmax()]
+        matrices = R.to_matrix(self.global_rotations)
+        mirrored = R.from_matrix(world[:, None] * matrices[:, twins] * own[:, None, :])
+        return self.replace(rotations=R.unroll(local_rotations(self.skeleton, mirrored)),
+                            root_positions=self.root_positions * world)
+
+
+@dataclass(frozen=True, eq=False)
+class RootFrames:
+    """The character's own frame at every frame: hips projected on the floor, turned to the facing direction.
+
+    ``positions [F, 3]`` (y = 0) in metres and ``rotations [F, 4]`` about the vertical.
+    """
+
+    positions: Tensor
+    rotations: Tensor
+
+    def to_local(self, points: Tensor) -> Tensor:
+        """World points ``[F, ..., 3]`` in this frame."""
+        lead = (len(points), *[1] * (points.dim() - 2))
+        return R.rotate(R.inverse(self.rotations).view(*lead, 4), points - self.positions.view(*lead, 3))
+
+    def turn_to_local(self, vectors: Tensor) -> Tensor:
+        """World directions or velocities ``[F, ..., 3]`` in this frame."""
+        lead = (len(vectors), *[1] * (vectors.dim() - 2))
+        return R.rotate(R.inverse(self.rotations).view(*lead, 4), vectors)
+
+
+def root_frames(clip: Clip) -> RootFrames:
+    """Root frame of every frame (section 3.2): the hips on the floor, facing where the hips' forward axis points."""
+    hips = clip.skeleton.index("hips")
+    forward = R.rotate(clip.global_rotations[:, hips], clip.skeleton.facing_axis)
+    positions = clip.global_positions[:, hips] * torch.tensor([1.0, 0.0, 1.0])
+    return RootFrames(positions, R.yaw(torch.atan2(forward[:, 0], forward[:, 2])))

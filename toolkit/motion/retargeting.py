@@ -1,0 +1,154 @@
+"""A motion on another skeleton: how each part of the body is turned is kept, lengths are the new skeleton's.
+
+Rigs differ in names, in joints along the spine and in their local axes (Bandai-Namco's bones lie along x). So each joint of
+the clip is first given its axes in a T-pose: for hips and legs the signed coordinate axes nearest to the body's own over the
+clip, turned so that the bone lies where the new skeleton's does; for arms, which hang most of the time, bone and axis of the
+elbow; for spine, neck, head and hands the axes of the joint before.
+"""
+
+from itertools import pairwise
+
+import torch
+from torch import Tensor
+
+from toolkit.motion import rotations as R
+from toolkit.motion.clip import Clip, Skeleton, local_rotations, root_frames
+
+STRAIGHT = 0.02  # sine of the mean bend of an arm that shows no axis
+PARTS = {  # of a limb, from the trunk outwards
+    "arm": ("collar", "shoulder", "elbow", "hand"),
+    "leg": ("hip", "knee", "foot", "toe"),
+}
+
+
+def retarget(clip: Clip, skeleton: Skeleton) -> Clip:
+    """The clip on a skeleton whose zero rotations are a T-pose facing +z, as 100STYLE's are.
+
+    Rotations in the world are kept by role, along spine and neck by their share of the way; the root's path is scaled as the
+    legs are, and its height such that the toes stand. Joints without a counterpart follow their parents. A clip on the same
+    tree of the same names comes back as it is, with its own lengths.
+
+    Raises
+    ------
+    ValueError
+        If the clip's skeleton lacks one of the limbs, or its legs have no length.
+    """
+    own = clip.skeleton
+    if (own.names, own.parents) == (skeleton.names, skeleton.parents):
+        return clip
+    if lacking := [role for role in skeleton.roles if role not in own.roles]:
+        raise ValueError(f"{clip.name}: cannot find its {', '.join(lacking)} among {', '.join(own.names)}")
+    if not _leg(own):
+        raise ValueError(f"{clip.name}: its legs have no length")
+    turned = _limbs(clip, skeleton) | _trunk(clip, skeleton)
+    world = torch.empty(len(clip), len(skeleton), 4)
+    for joint, parent in enumerate(skeleton.parents):
+        world[:, joint] = turned[joint] if joint in turned else world[:, parent]
+    scale = _leg(skeleton) / _leg(own)
+    made = clip.replace(skeleton=skeleton, rotations=R.unroll(local_rotations(skeleton, world)),
+                        root_positions=scale * clip.global_positions[:, own.index("hips")])
+    return made.moved(shift=(0.0, scale * _stand(clip) - _stand(made), 0.0))
+
+
+def _leg(skeleton: Skeleton) -> float:
+    """Hip to ankle along the bones, metres."""
+    return sum(float(skeleton.offsets[skeleton.index(f"left_{part}")].norm()) for part in ("knee", "foot"))
+
+
+def _stand(clip: Clip) -> float:
+    """How high the lower toe is where it is lowest, metres."""
+    toes = clip.global_positions[:, [clip.skeleton.index(f"{side}_toe") for side in ("left", "right")], 1]
+    return float(toes.amin(1).quantile(0.05))
+
+
+def _axes(clip: Clip, joint: int) -> Tensor:
+    """Axes of a joint's frame nearest to the body's left, up and forward over the clip, as a rotation ``[4]``."""
+    facing = R.inverse(root_frames(clip).rotations)
+    return R.inverse(_nearest(R.multiply(facing, clip.global_rotations[:, joint])))
+
+
+def _onward(clip: Clip, joint: int, axes: Tensor) -> Tensor:
+    """Axes of a joint from its parent's: rigs turn them against each other by quarters of a turn, motion by less."""
+    return R.multiply(R.inverse(_nearest(clip.rotations[:, joint])), axes)
+
+
+def _nearest(turns: Tensor) -> Tensor:
+    """The rotation ``[4]`` that takes coordinate axes to coordinate axes and is nearest to the mean of ``turns [F, 4]``."""
+    mean = R.to_matrix(turns).mean(0)
+    axes, left = torch.zeros(3, 3), mean.clone()
+    for _ in range(2):  # the two clearest axes, one after the other
+        row, column = divmod(int(left.abs().argmax()), 3)
+        axes[row, column] = mean[row, column].sign()
+        left[row], left[:, column] = 0.0, 0.0
+    missing = int((axes.abs().sum(0) == 0).nonzero()[0])
+    axes[:, missing] = torch.linalg.cross(axes[:, (missing + 1) % 3], axes[:, (missing + 2) % 3])
+    return R.from_matrix(axes)
+
+
+def _aim(axes: Tensor, bone: Tensor, wanted: Tensor) -> Tensor:
+    """Axes ``[4]`` turned the shortest way so that the new skeleton's bone ``wanted`` [3] lies along the clip's."""
+    return R.multiply(R.between(R.normalize(R.rotate(axes, wanted)), R.normalize(bone)), axes)
+
+
+def _trunk(clip: Clip, skeleton: Skeleton) -> dict[int, Tensor]:
+    """World rotations ``[F, 4]`` of hips, spine, neck and head."""
+    chains = []
+    for s in (clip.skeleton, skeleton):
+        chest = next(j for j in s.ancestors("left_shoulder") if j in s.ancestors("right_shoulder"))
+        spine = [chest, *s.ancestors(s.names[chest])][::-1]
+        head = next((j for j, name in enumerate(s.names) if name.lower().endswith("head")), chest)
+        above = [head, *s.ancestors(s.names[head])]
+        neck = above[: above.index(chest) + 1][::-1] if chest in above else [chest]
+        hips = s.index("hips")
+        chains.append((spine[spine.index(hips) if hips in spine else 0 :], neck))
+    first = chains[0][0][0]
+    turned, axes = {}, {first: _axes(clip, first)}
+    for from_, to in zip(*chains, strict=True):
+        for parent, joint in pairwise(from_):
+            axes[joint] = _onward(clip, joint, axes[parent])
+        world = [R.multiply(clip.global_rotations[:, j], axes[j]) for j in from_]
+        for i, joint in enumerate(to):
+            place = i / max(len(to) - 1, 1) * (len(from_) - 1)
+            below = min(int(place), max(len(from_) - 2, 0))
+            turned[joint] = R.slerp(world[below], world[min(below + 1, len(from_) - 1)], place - below)
+    return turned
+
+
+def _limbs(clip: Clip, skeleton: Skeleton) -> dict[int, Tensor]:
+    """World rotations ``[F, 4]`` of arms and legs."""
+    own, turned = clip.skeleton, {}
+    for side in ("left", "right"):
+        for limb, parts in PARTS.items():
+            axes = None
+            for part, onward in zip(parts, (*parts[1:], None), strict=True):
+                joint, there = _part(own, side, part), _part(skeleton, side, part)
+                if onward is None:
+                    axes = _onward(clip, joint, axes) if limb == "arm" else _axes(clip, joint)
+                else:
+                    bone, wanted = (s.offsets[_part(s, side, onward)] for s in (own, skeleton))
+                    bent = limb == "arm" and part != "collar"
+                    axes = _arm(clip, side, joint, bone, wanted) if bent else _aim(_axes(clip, joint), bone, wanted)
+                turned[there] = R.multiply(clip.global_rotations[:, joint], axes)
+    return turned
+
+
+def _part(skeleton: Skeleton, side: str, part: str) -> int:
+    """A part of a limb; a collar is what a shoulder hangs on."""
+    return skeleton.parents[skeleton.index(f"{side}_shoulder")] if part == "collar" else skeleton.index(f"{side}_{part}")
+
+
+def _arm(clip: Clip, side: str, joint: int, bone: Tensor, wanted: Tensor) -> Tensor:
+    """Axes of an arm in the T-pose, where an elbow bends forward: about the vertical. Straight arms are like the rest."""
+    shoulder, elbow, hand = (clip.skeleton.index(f"{side}_{part}") for part in ("shoulder", "elbow", "hand"))
+    upper, lower = (clip.global_positions[:, b] - clip.global_positions[:, a] for a, b in ((shoulder, elbow), (elbow, hand)))
+    bent = torch.linalg.cross(R.normalize(upper), R.normalize(lower))
+    along, hinge = R.normalize(bone), R.rotate(R.inverse(clip.global_rotations[:, joint]), bent).mean(0)
+    hinge = hinge - along * (along @ hinge)
+    if float(hinge.norm()) < STRAIGHT:
+        return _aim(_axes(clip, joint), bone, wanted)
+    hinge = R.normalize(hinge)
+    down = torch.tensor([0.0, -1.0, 0.0]) * (1 if side == "left" else -1)
+    across = R.normalize(wanted)
+    source = torch.stack((along, hinge, torch.linalg.cross(along, hinge)), 1)
+    target = torch.stack((across, down, torch.linalg.cross(across, down)), 1)
+    return R.from_matrix(source @ target.T)

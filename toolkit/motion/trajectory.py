@@ -1,0 +1,51 @@
+"""The trajectory window: where the root was and will be, seen from where it is (Mason et al. 2022, section 3.2)."""
+
+import torch
+from torch import Tensor
+
+from toolkit.motion.clip import RootFrames
+
+FPS = 60
+#: Sample offsets in frames at 60 Hz: six past ones, the current frame, five future ones.
+SAMPLES = tuple(range(-60, 60, 10))
+PAST, FUTURE = -SAMPLES[0], SAMPLES[-1]
+CURRENT = SAMPLES.index(0)
+
+
+def sample(roots: RootFrames, frames: Tensor, offsets: tuple[int, ...] = SAMPLES) -> tuple[Tensor, Tensor]:
+    """Trajectory around given frames, each in the root frame of its own frame.
+
+    Parameters
+    ----------
+    roots
+        Root frames of F frames at 60 Hz.
+    frames : Tensor [N]
+        Frames to stand in.
+    offsets
+        Which frames to look at from there (S of them); all must lie inside the clip.
+
+    Returns
+    -------
+    positions, directions : Tensor [N, S, 2]
+        x (left) and z (forward) of the root's position, metres, and of its unit facing direction.
+
+    Raises
+    ------
+    ValueError
+        If a sample falls outside the clip.
+    """
+    at = frames[:, None] + torch.tensor(offsets)
+    if int(at.min()) < 0 or int(at.max()) >= len(roots.rotations):
+        raise ValueError(f"trajectory samples reach from frame {int(at.min())} to {int(at.max())}, "
+                         f"the clip has {len(roots.rotations)}")
+    sin, cos = heading(roots.rotations[frames][:, None])
+    x, _, z = (roots.positions[at] - roots.positions[frames][:, None]).unbind(-1)
+    sin_there, cos_there = heading(roots.rotations[at])
+    positions = torch.stack((cos * x - sin * z, sin * x + cos * z), -1)
+    return positions, torch.stack((sin_there * cos - cos_there * sin, cos_there * cos + sin_there * sin), -1)
+
+
+def heading(rotations: Tensor) -> tuple[Tensor, Tensor]:
+    """Sine and cosine of the angle of rotations ``[..., 4]`` about the vertical; they are also where +z points, (x, z)."""
+    w, _, y, _ = rotations.unbind(-1)
+    return 2 * w * y, w * w - y * y

@@ -1,0 +1,20 @@
+"""A character under control, one frame at a time (Mason et al. 2022, section 4.4): state, commands, step, foot lock."""
+
+import lazy_loader
+
+from toolkit.runtime.frame import (
+    FPS,
+    pose,
+    record,
+    rollout,
+    start,
+    states,
+    step,
+    world_joints,
+)
+from toolkit.runtime.state import CharacterState
+from toolkit.runtime.steering import Command, Pilot, follow, govern, steer, straight
+
+__all__ = ["FPS", "CharacterState", "Command", "Pilot", "compile", "follow", "govern", "pose", "record", "rollout", "start",
+           "states", "steer", "step", "straight", "world_joints"]
+__getattr__ = lazy_loader.attach(__name__, ["crowd"], {"compiled": ["compile"]})[0]  # numba takes a second to import

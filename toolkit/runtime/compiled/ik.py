@@ -1,0 +1,254 @@
+"""From a character's state to a pose that can be drawn, feet planted and arms turned: `toolkit.runtime.pose` in loops.
+
+Each function is that of the same name in `rotations`, `ik` or `toolkit.runtime`, on tuples of doubles.
+"""
+
+import math
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+from numba import njit
+
+from toolkit.features.layout import CHANNELS
+from toolkit.motion.ik import SIDES
+
+FORWARD, UP = (3 * CHANNELS.index(name) for name in ("forward", "up"))
+
+
+class Body(NamedTuple):
+    """The skeleton of J' points as arrays.
+
+    Parameters
+    ----------
+    parents, offsets
+        ``[J']``, ``[J', 3]``.
+    features
+        For each point the feature joint whose rotation it has: its own, or its parent's ``[J']``.
+    own
+        For each point its own feature joint, -1 where it has none ``[J']``.
+    ends
+        Points that follow their parents ``[E]``.
+    legs
+        Hip, knee, foot and toe, right and left ``[2, 4]``.
+    arms
+        Arm joints and the points at their bones' other ends, from the body outwards ``[A, 2]``.
+    """
+
+    parents: np.ndarray
+    offsets: np.ndarray
+    features: np.ndarray
+    own: np.ndarray
+    ends: np.ndarray
+    legs: np.ndarray
+    arms: np.ndarray
+
+    @classmethod
+    def of(cls, skeleton) -> "Body":
+        """That of a skeleton."""
+        joints, parents = list(skeleton.feature_joints), skeleton.parents
+        arms = [[skeleton.index(f"{side}_{part}") for side in SIDES] for part in ("shoulder", "elbow", "hand")]
+        chain = [[parents[joint] for joint in arms[0]], *arms]
+        tips = [skeleton.tip(f"{side}_hand") for side in SIDES]
+        bones = pairwise([*chain, tips] if not set(tips) & set(arms[-1]) else chain)
+        return cls(
+            parents=np.array(parents), offsets=skeleton.offsets.double().numpy(),
+            features=np.array([joints.index(j if j in joints else parents[j]) for j in range(len(skeleton))]),
+            own=np.array([joints.index(j) if j in joints else -1 for j in range(len(skeleton))]),
+            ends=np.array([j for j in range(len(skeleton)) if skeleton.is_end(j)], dtype=np.int64),
+            legs=np.array([[skeleton.index(f"{side}_{part}") for part in ("hip", "knee", "foot", "toe")] for side in SIDES]),
+            arms=np.array([pair for level in bones for pair in zip(*level, strict=True)]),
+        )
+
+
+@njit(nogil=True)
+def _triple(row):
+    return np.float64(row[0]), np.float64(row[1]), np.float64(row[2])
+
+
+@njit(nogil=True)
+def _plus(a, b, share=1.0):
+    return a[0] + share * b[0], a[1] + share * b[1], a[2] + share * b[2]
+
+
+@njit(nogil=True)
+def _dot(a, b):
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+@njit(nogil=True)
+def _cross(a, b):
+    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
+
+
+@njit(nogil=True)
+def _unit(a):
+    length = max(math.sqrt(_dot(a, a)), 1e-12)
+    return a[0] / length, a[1] / length, a[2] / length
+
+
+@njit(nogil=True)
+def _across(a):
+    """A unit vector at right angles to a unit vector: across the axis that is farthest from it."""
+    x, y, z = abs(a[0]), abs(a[1]), abs(a[2])
+    axis = (1.0, 0.0, 0.0) if x <= y and x <= z else (0.0, 1.0, 0.0) if y <= z else (0.0, 0.0, 1.0)
+    return _unit(_cross(a, axis))
+
+
+@njit(nogil=True)
+def _multiply(a, b):
+    return (
+        a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3],
+        a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
+        a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1],
+        a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0],
+    )
+
+
+@njit(nogil=True)
+def _rotate(q, v):
+    u = q[1], q[2], q[3]
+    t = _cross(u, v)
+    t = 2 * t[0], 2 * t[1], 2 * t[2]
+    return _plus(_plus(v, t, q[0]), _cross(u, t))
+
+
+@njit(nogil=True)
+def _heading(heading, v):
+    """A vector of the root frame in the world's, given the root's (sine, cosine)."""
+    return heading[1] * v[0] + heading[0] * v[2], v[1], heading[1] * v[2] - heading[0] * v[0]
+
+
+@njit(nogil=True)
+def _between(a, b):
+    a, b = _unit(a), _unit(b)
+    w, (x, y, z) = 1.0 + _dot(a, b), _cross(a, b)
+    if w < 1e-6:
+        x, y, z = _across(a)
+        return 0.0, x, y, z
+    length = math.sqrt(w * w + x * x + y * y + z * z)
+    return w / length, x / length, y / length, z / length
+
+
+@njit(nogil=True)
+def _from_forward_up(forward, up):
+    c = _unit(forward)
+    a = _unit(_cross(up, c))
+    b = _cross(c, a)
+    diagonal = 1 + a[0] + b[1] + c[2], 1 + a[0] - b[1] - c[2], 1 - a[0] + b[1] - c[2], 1 - a[0] - b[1] + c[2]
+    x, y, z = b[2] - c[1], c[0] - a[2], a[1] - b[0]
+    xy, xz, yz = b[0] + a[1], c[0] + a[2], c[1] + b[2]
+    best = 0
+    for i in range(1, 4):
+        if diagonal[i] > diagonal[best]:
+            best = i
+    if best == 0:
+        q = diagonal[0], x, y, z
+    elif best == 1:
+        q = x, diagonal[1], xy, xz
+    elif best == 2:
+        q = y, xy, diagonal[2], yz
+    else:
+        q = z, xz, yz, diagonal[3]
+    length = math.sqrt(q[0] ** 2 + q[1] ** 2 + q[2] ** 2 + q[3] ** 2)
+    length = -length if q[0] < 0 else length
+    return q[0] / length, q[1] / length, q[2] / length, q[3] / length
+
+
+@njit(nogil=True)
+def _two_bone(a, b, c, target, soft=0.01):
+    upper_bone, lower_bone, reach = _plus(b, a, -1.0), _plus(c, b, -1.0), _plus(target, a, -1.0)
+    upper, lower = math.sqrt(_dot(upper_bone, upper_bone)), math.sqrt(_dot(lower_bone, lower_bone))
+    wanted = math.sqrt(_dot(reach, reach))
+    full = upper + lower
+    line = _unit(reach if wanted > 1e-9 else _plus(_plus(c, a, -1.0), (1.0, 1.0, 1.0), 1e-9))
+    margin = max(soft * full, 1e-9)
+    over = wanted - (full - margin)
+    distance = full - margin * math.exp(-over / margin) if over > 0 else wanted
+    distance = max(distance, abs(upper - lower) + 1e-6 * full)
+    side = _unit(_rotate(_between(_plus(c, a, -1.0), line), upper_bone))
+    across = _plus(side, line, -_dot(side, line))
+    across = _unit(across) if math.sqrt(_dot(across, across)) > 1e-5 else _across(line)
+    along = (upper * upper - lower * lower + distance * distance) / (2 * distance)
+    height = math.sqrt(max(upper * upper - along * along, 0.0))
+    return _plus(_plus(a, line, along), across, height), _plus(a, line, distance)
+
+
+@njit(nogil=True)
+def _read(q, j):
+    return q[j, 0], q[j, 1], q[j, 2], q[j, 3]
+
+
+@njit(nogil=True)
+def _write(q, j, value):
+    q[j, 0], q[j, 1], q[j, 2], q[j, 3] = value
+
+
+@njit(nogil=True)
+def _kinematics(body, turned, places):
+    """Places ``[J', 3]`` of all points but the root, of world rotations ``[J', 4]`` and the root's place."""
+    for j in range(1, len(body.parents)):
+        parent = body.parents[j]
+        bone = _rotate(_read(turned, parent), _triple(body.offsets[j]))
+        places[j, 0], places[j, 1], places[j, 2] = _plus(_triple(places[parent]), bone)
+
+
+@njit(nogil=True)
+def _turn_arms(body, turned, places, joints, heading, floor):
+    _kinematics(body, turned, places)
+    for i in range(len(body.arms)):
+        joint, child = body.arms[i]
+        goal = _plus(floor, _heading(heading, _triple(joints[12 * body.own[child] :])))
+        bone, at = _rotate(_read(turned, joint), _triple(body.offsets[child])), _triple(places[joint])
+        aim = _between(bone, _plus(goal, at, -1.0))
+        _write(turned, joint, _multiply(aim, _read(turned, joint)))
+        places[child, 0], places[child, 1], places[child, 2] = _plus(at, _rotate(aim, bone))
+
+
+@njit(nogil=True)
+def _plant_feet(body, turned, places, toes):
+    _kinematics(body, turned, places)
+    for side in range(2):
+        hip, knee, foot, toe = body.legs[side]
+        a, b, c = _triple(places[hip]), _triple(places[knee]), _triple(places[foot])
+        target = _plus(_plus(_triple(toes[side]), _triple(places[toe]), -1.0), c)
+        middle, end = _two_bone(a, b, c, target)
+        upper = _between(_plus(b, a, -1.0), _plus(middle, a, -1.0))
+        lower = _between(_plus(c, b, -1.0), _plus(end, middle, -1.0))
+        _write(turned, hip, _multiply(upper, _read(turned, hip)))
+        _write(turned, knee, _multiply(lower, _read(turned, knee)))
+
+
+@njit(cache=True, nogil=True)
+def pose(histories, poses, toes, body, feet, arms, rotations, roots, start, stop):
+    """Fill rows ``start`` to ``stop`` of local rotations ``[N, J', 4]`` and root positions ``[N, 3]`` (section 4.4).
+
+    ``histories [N, 61, 4]``, ``poses [N, 12 J]``, ``toes [N, 2, 3]`` are `toolkit.runtime.CharacterState`'s.
+    """
+    points = len(body.parents)
+    turned, places = np.empty((points, 4)), np.empty((points, 3))
+    for b in range(start, stop):
+        joints, root = poses[b], histories[b, -1]
+        x, z, sin, cos = np.float64(root[0]), np.float64(root[1]), np.float64(root[2]), np.float64(root[3])
+        length = max(math.hypot(sin, cos), 1e-12)
+        heading, floor = (sin / length, cos / length), (x, 0.0, z)
+        for j in range(points):
+            block = joints[12 * body.features[j] :]
+            forward, up = _triple(block[FORWARD:]), _triple(block[UP:])
+            _write(turned, j, _from_forward_up(_heading(heading, forward), _heading(heading, up)))
+        places[0, 0], places[0, 1], places[0, 2] = _plus(floor, _heading(heading, _triple(joints)))
+        if arms:
+            _turn_arms(body, turned, places, joints, heading, floor)
+        if feet or arms:
+            for j in body.ends:
+                turned[j] = turned[body.parents[j]]
+        if feet:
+            _plant_feet(body, turned, places, toes[b])
+            for j in body.ends:
+                turned[j] = turned[body.parents[j]]
+        roots[b, 0], roots[b, 1], roots[b, 2] = places[0]
+        rotations[b, 0] = turned[0]
+        for j in range(1, points):
+            w, x, y, z = _read(turned, body.parents[j])
+            q = _multiply((w, -x, -y, -z), _read(turned, j))
+            rotations[b, j, 0], rotations[b, j, 1], rotations[b, j, 2], rotations[b, j, 3] = q

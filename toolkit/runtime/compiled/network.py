@@ -1,0 +1,330 @@
+"""LPN-FiLM's network for many characters at once: normalisers, gating, experts, FiLM (Mason et al. 2022, sections 4.1, 4.2).
+
+A blended layer is Σ αₖ (x Wₖ). Weights are stored once, in the order in which they are read: for each expert and each panel
+of `COLUMNS` outputs, the rows one after another. One character is limited by memory, which this reads through once from end
+to end. Many are limited by arithmetic: a tile of up to `ROWS` characters by one panel is summed in registers, and gates
+scale finished tiles, so that scaled inputs are never formed and an expert that a character does not need costs it nothing.
+"""
+
+from typing import NamedTuple
+
+import llvmlite.binding
+import numpy as np
+import torch
+from llvmlite import ir
+from numba import njit, types
+from numba.core import cgutils
+from numba.extending import intrinsic
+
+from toolkit.networks.film import EPSILON
+
+LANES = 16  # numbers in a vector; processors with shorter ones take several for it
+WIDE = bool(llvmlite.binding.get_host_cpu_features().get("avx512f"))
+ROWS, VECTORS = (8, 2) if WIDE else (4, 1)  # of the largest tile: what fits in the registers
+COLUMNS = VECTORS * LANES
+CHAINS = 8  # sums that a processor needs under way to be busy: short tiles split theirs
+AHEAD = 4096  # weights ahead of a tall tile that a processor is told to fetch; for short tiles it is quicker by itself
+BATCH = 128  # characters whose inputs stay near the processor
+PRECISIONS = {"float32": np.float32, "bfloat16": np.uint16}
+
+_LOG2E, _LN2_HIGH, _LN2_LOW = np.float32(1.44269504), np.float32(0.693359375), np.float32(-2.12194440e-4)
+_F7, _F6, _F5, _F4, _F3 = (np.float32(1 / f) for f in (5040, 720, 120, 24, 6))
+_ZERO, _ONE, _HALF, _LOWEST, _EPSILON = (np.float32(v) for v in (0.0, 1.0, 0.5, -80.0, EPSILON))
+
+
+class Weights(NamedTuple):
+    """What the kernel reads; float32 but for ``experts``.
+
+    Parameters
+    ----------
+    means, deviations
+        Of inputs, phases and outputs.
+    gating
+        Weight ``[in, out]`` of three layers.
+    gating_biases
+        Their biases ``[out]``.
+    experts
+        Of three layers: weights as the kernel reads them, ``K × panels × inputs × COLUMNS`` in one row; float32, or the
+        upper halves of float32 (bfloat16, as uint16). Inputs and columns are padded with zeros.
+    biases
+        Of three layers ``[K, panels × COLUMNS]``.
+    """
+
+    means: tuple
+    deviations: tuple
+    gating: tuple
+    gating_biases: tuple
+    experts: tuple
+    biases: tuple
+
+    @classmethod
+    def of(cls, model, precision: str) -> "Weights":
+        """The weights of a model."""
+        kinds = ("inputs", "phases", "outputs")
+        linear, blended = model.gating.layers, model.experts.layers
+        packed = [_packed(_array(layer.weight), precision) for layer in blended]
+        numbers = _aligned(sum(values.size for values in packed), PRECISIONS[precision])
+        experts, at = [], 0
+        for values in packed:
+            experts.append(numbers[at : at + values.size])
+            experts[-1][:] = values.ravel()
+            at += values.size
+        return cls(
+            means=tuple(_array(model.normaliser(kind).mean) for kind in kinds),
+            deviations=tuple(_array(model.normaliser(kind).std) for kind in kinds),
+            gating=tuple(np.ascontiguousarray(_array(layer.weight).T) for layer in linear),
+            gating_biases=tuple(_array(layer.bias) for layer in linear), experts=tuple(experts),
+            biases=tuple(_columns(_array(layer.bias)) for layer in blended),
+        )
+
+    @property
+    def bytes(self) -> int:
+        """Of everything that one character's step reads."""
+        return sum(array.nbytes for part in self for array in part)
+
+
+def _array(tensor: torch.Tensor) -> np.ndarray:
+    return np.ascontiguousarray(tensor.detach().numpy(), np.float32)
+
+
+def _columns(values: np.ndarray) -> np.ndarray:
+    """Zeros after the last column, up to whole panels."""
+    return np.pad(values, [(0, 0)] * (values.ndim - 1) + [(0, -values.shape[-1] % COLUMNS)])
+
+
+def _packed(weight: np.ndarray, precision: str) -> np.ndarray:
+    """Weights ``[K, in, out]`` in the order of `Weights.experts`."""
+    weight = np.pad(_columns(weight), ((0, 0), (0, -weight.shape[1] % (CHAINS // VECTORS)), (0, 0)))
+    if precision == "bfloat16":
+        bits = weight.view(np.uint32)
+        weight = ((bits + 0x7FFF + (bits >> 16 & 1)) >> 16).astype(np.uint16)  # to the nearest, ties to even
+    return weight.reshape(*weight.shape[:2], -1, COLUMNS).transpose(0, 2, 1, 3)
+
+
+def _aligned(size: int, dtype: type) -> np.ndarray:
+    """Room that starts where a cache line starts: else every vector lies in two."""
+    line, width = 64, np.dtype(dtype).itemsize
+    room = np.empty(size * width + line, np.uint8)
+    first = -room.ctypes.data % line
+    return room[first : first + size * width].view(dtype)
+
+
+def _tile(rows: int):
+    """``tile(y, y0, who, shares, first, x, x0, w, w0, n)``: y[who[r], y0 + c] += shares[r] Σᵢ x[x0, i, r] w[w0, i, c].
+
+    The flat x and w hold, from x0 and w0, n lines of ``rows`` and of `COLUMNS` numbers; r counts from ``first`` in ``who``
+    and ``shares``. Written in the compiler's own vectors, because loops over small arrays are not kept in registers.
+    """
+    chains = max(1, CHAINS // (rows * VECTORS))
+    number, index, byte = ir.FloatType(), ir.IntType(32), ir.IntType(8)
+    vector, indices = ir.VectorType(number, LANES), ir.VectorType(index, LANES)
+    zero, unset = ir.Constant(vector, [0.0] * LANES), ir.Constant(vector, ir.Undefined)
+
+    @intrinsic
+    def tile(_typing, y, y0, who, shares, first, x, x0, w, w0, n):
+        word = number if w.dtype == types.float32 else ir.IntType(16)
+
+        def generate(context, builder, signature, arguments):
+            def data(i):
+                return context.make_array(signature.args[i])(context, builder, arguments[i])
+
+            def at(array, *offsets):
+                for offset in offsets:
+                    array = builder.gep(array, [offset])
+                return array
+
+            def vectors(array, *offsets, of=number):
+                return builder.bitcast(at(array, *offsets), ir.VectorType(of, LANES).as_pointer())
+
+            def widen(loaded):
+                if word is number:
+                    return loaded
+                raised = builder.shl(builder.zext(loaded, indices), ir.Constant(indices, [16] * LANES))
+                return builder.bitcast(raised, vector)
+
+            def spread(value):
+                one = builder.insert_element(unset, value, index(0))
+                return builder.shuffle_vector(one, unset, ir.Constant(indices, [0] * LANES))
+
+            target, source, weights = data(0), data(5).data, data(7).data
+            _, y_start, _, _, row_start, _, x_start, _, w_start, count = arguments
+            stride, whole = builder.extract_value(target.shape, 1), count.type
+
+            def intrinsic_of(name, result, *takes):
+                return cgutils.get_or_insert_function(builder.module, ir.FunctionType(result, takes), f"llvm.{name}")
+
+            fused = intrinsic_of(f"fma.v{LANES}f32", vector, vector, vector, vector)
+            prefetch = intrinsic_of("prefetch.p0", ir.VoidType(), byte.as_pointer(), index, index, index)
+            total = [[[cgutils.alloca_once_value(builder, zero) for _ in range(VECTORS)] for _ in range(rows)]
+                     for _ in range(chains)]
+            with cgutils.for_range_slice(builder, whole(0), count, whole(chains)) as (start, _):
+                for chain in range(chains):
+                    i = builder.add(start, whole(chain))
+                    line = at(weights, w_start, builder.mul(i, whole(COLUMNS)))
+                    numbers = at(source, x_start, builder.mul(i, whole(rows)))
+                    loaded = [widen(builder.load(vectors(line, whole(v * LANES), of=word), align=4 if word is number else 2))
+                              for v in range(VECTORS)]
+                    if rows == ROWS:
+                        for v in range(VECTORS):
+                            ahead = builder.bitcast(at(line, whole(v * LANES + AHEAD)), byte.as_pointer())
+                            builder.call(prefetch, [ahead, index(0), index(2), index(1)])
+                    for r in range(rows):
+                        value = spread(builder.load(at(numbers, whole(r))))
+                        for v in range(VECTORS):
+                            place = total[chain][r][v]
+                            builder.store(builder.call(fused, [value, loaded[v], builder.load(place)]), place)
+            for r in range(rows):
+                row, share = (builder.load(at(data(i).data, row_start, whole(r))) for i in (2, 3))
+                line, share = at(target.data, builder.mul(row, stride), y_start), spread(share)
+                for v in range(VECTORS):
+                    value = builder.load(total[0][r][v])
+                    for chain in range(1, chains):
+                        value = builder.fadd(value, builder.load(total[chain][r][v]))
+                    place = vectors(line, whole(v * LANES))
+                    builder.store(builder.call(fused, [share, value, builder.load(place, align=4)]), place, align=4)
+            return context.get_dummy_value()
+
+        return types.void(y, y0, who, shares, first, x, x0, w, w0, n), generate
+
+    return tile
+
+
+_tile8, _tile4, _tile2, _tile1 = (_tile(rows) for rows in (8, 4, 2, 1))
+
+
+@njit(nogil=True)
+def _height(left):
+    """Rows of the next tile, where some characters are left."""
+    return ROWS if left >= ROWS else 4 if left >= 4 else 2 if left >= 2 else 1
+
+
+@njit(nogil=True)
+def _pack(x, rows, n, packed):
+    """Inputs of some rows of x as the tiles read them: for each tile, its rows' first numbers, then their second …"""
+    at = 0
+    while at < len(rows):
+        height = _height(len(rows) - at)
+        for r in range(height):
+            source = x[rows[at + r]]
+            for i in range(n):
+                packed[at * n + i * height + r] = source[i]
+        at += height
+
+
+@njit(cache=True, nogil=True)
+def blended_layer(x, gates, weight, bias, y):
+    """y = Σ αₖ (x Wₖ + bₖ); a gate of zero leaves its expert out."""
+    count, (experts, columns) = len(x), bias.shape
+    n = weight.size // (experts * columns)
+    packed, rows, shares = np.empty(count * n, np.float32), np.empty(count, np.int64), np.empty(count, np.float32)
+    y[:] = _ZERO
+    whole = False
+    for k in range(experts):
+        active = 0
+        for b in range(count):
+            share = gates[b, k]
+            if share != _ZERO:
+                rows[active], shares[active], active = b, share, active + 1
+                for c in range(columns):
+                    y[b, c] += share * bias[k, c]
+        if not (whole and active == count):
+            _pack(x, rows[:active], n, packed)
+            whole = active == count
+        for first in range(0, columns, COLUMNS):
+            start, at = (k * columns + first) * n, 0
+            while at < active:
+                height = _height(active - at)
+                if height == 8:
+                    _tile8(y, first, rows, shares, at, packed, at * n, weight, start, n)
+                elif height == 4:
+                    _tile4(y, first, rows, shares, at, packed, at * n, weight, start, n)
+                elif height == 2:
+                    _tile2(y, first, rows, shares, at, packed, at * n, weight, start, n)
+                else:
+                    _tile1(y, first, rows, shares, at, packed, at * n, weight, start, n)
+                at += height
+
+
+@njit(nogil=True, fastmath={"reassoc", "nsz", "contract"})
+def _modulate(y, gamma, beta, bits):
+    """ELU(γ ∘ LN(y) + β) in place; ``bits`` is room for as many int32. The exponential by its series, in vectors."""
+    size, mean, square = len(gamma), _ZERO, _ZERO
+    for i in range(size):
+        mean += y[i]
+    mean /= np.float32(size)
+    for i in range(size):
+        square += (y[i] - mean) * (y[i] - mean)
+    scale = _ONE / (np.sqrt(square / np.float32(size - 1)) + _EPSILON)
+    powers = bits.view(np.float32)
+    for i in range(size):
+        value = gamma[i] * ((y[i] - mean) * scale) + beta[i]
+        below = max(min(value, _ZERO), _LOWEST)
+        whole = np.floor(below * _LOG2E + _HALF)
+        rest = below - whole * _LN2_HIGH - whole * _LN2_LOW
+        series = ((((_F7 * rest + _F6) * rest + _F5) * rest + _F4) * rest + _F3) * rest + _HALF
+        series = (series * rest + _ONE) * rest + _ONE
+        bits[i] = (np.int32(whole) + np.int32(127)) << np.int32(23)
+        y[i] = max(value, _ZERO) + (series * powers[i] - _ONE)
+
+
+@njit(nogil=True)
+def _gates(phases, weights, skip, gates):
+    """Gating coefficients; those below ``skip`` become zero, and the others make up for them."""
+    mean, deviation = weights.means[1], weights.deviations[1]
+    widest = max(len(weights.gating_biases[0]), len(weights.gating_biases[1]), len(mean), gates.shape[1])
+    h, y = np.empty(widest, np.float32), np.empty(widest, np.float32)
+    for b in range(len(phases)):
+        for i in range(len(mean)):
+            h[i] = (phases[b, i] - mean[i]) / deviation[i]
+        for layer in range(3):
+            weight, bias = weights.gating[layer], weights.gating_biases[layer]
+            n, m = weight.shape
+            y[:m] = bias
+            for i in range(n):
+                for j in range(m):
+                    y[j] += h[i] * weight[i, j]
+            for j in range(m):
+                h[j] = y[j] if y[j] > _ZERO or layer == 2 else np.exp(y[j]) - _ONE
+        high = h[:m].max()
+        for j in range(m):
+            gates[b, j] = np.exp(h[j] - high)
+        gates[b] /= gates[b].sum()
+        if skip > 0:
+            for j in range(m):
+                if gates[b, j] < skip:
+                    gates[b, j] = _ZERO
+            gates[b] /= gates[b].sum()
+
+
+@njit(cache=True, nogil=True)
+def predict(x, phases, style, weights, skip, z, start, stop):
+    """Fill rows ``start`` to ``stop`` of ``z [N, Dz]`` with next frames, physical units: `toolkit.networks.Model.predict`.
+
+    ``x [N, Dx]``, ``phases [N, 8]``, ``style [N or 1, 4 hidden]``.
+    """
+    hidden, room = style.shape[1] // 4, min(stop - start, BATCH)
+    widths = weights.biases[0].shape[1], weights.biases[1].shape[1], weights.biases[2].shape[1]
+    n = weights.experts[0].size // weights.biases[0].size
+    scaled, gates = np.zeros((room, n), np.float32), np.empty((room, len(weights.biases[0])), np.float32)
+    first, second = np.empty((room, widths[0]), np.float32), np.empty((room, widths[1]), np.float32)
+    last, bits = np.empty((room, widths[2]), np.float32), np.empty(hidden, np.int32)
+    for begin in range(start, stop, BATCH):
+        end = min(begin + BATCH, stop)
+        count = end - begin
+        mean, deviation = weights.means[0], weights.deviations[0]
+        for b in range(count):
+            for i in range(x.shape[1]):
+                scaled[b, i] = (x[begin + b, i] - mean[i]) / deviation[i]
+        _gates(phases[begin:end], weights, skip, gates)
+        inputs, outputs = scaled[:count], first[:count]
+        for layer in range(2):
+            blended_layer(inputs, gates, weights.experts[layer], weights.biases[layer], outputs)
+            for b in range(count):
+                vector = style[begin + b if len(style) > 1 else 0, 2 * layer * hidden : 2 * (layer + 1) * hidden]
+                _modulate(outputs[b], vector[:hidden], vector[hidden:], bits)
+            inputs, outputs = outputs, second[:count]
+        blended_layer(inputs, gates, weights.experts[2], weights.biases[2], last[:count])
+        mean, deviation = weights.means[2], weights.deviations[2]
+        for b in range(count):
+            for i in range(z.shape[1]):
+                z[begin + b, i] = last[b, i] * deviation[i] + mean[i]

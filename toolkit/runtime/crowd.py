@@ -1,0 +1,126 @@
+"""A crowd: many characters at once through the compiled runtime, each in a style blend of its own, walking in rings."""
+
+import math
+import time
+from dataclasses import dataclass
+
+import torch
+from torch import Tensor
+from tqdm import tqdm
+
+from toolkit.motion import Clip
+from toolkit.runtime.compiled import CompiledModel, compile
+from toolkit.runtime.frame import FPS, CharacterState, pose, start, step
+from toolkit.runtime.steering import LOOKAHEAD, Command
+
+INNER, APART, ROOM = 2.0, 1.35, 2.0  # innermost ring's radius, distance of rings, and of characters on one, metres
+SETTLED = 3.0  # seconds until all walk as they go on
+
+
+@dataclass(frozen=True, eq=False)
+class Crowd:
+    """What N characters did.
+
+    Parameters
+    ----------
+    clips
+        One per character.
+    blends
+        Style to share, of each.
+    seconds
+        Processing time of a frame of all of them: commands, step and pose.
+    """
+
+    clips: list[Clip]
+    blends: list[dict[str, float]]
+    seconds: float
+
+    @property
+    def report(self) -> str:
+        """How fast it was."""
+        many = len(self.clips)
+        return (f"{many} characters, {len(self.clips[0])} frames: {1e3 * self.seconds:.2f} ms a frame, "
+                f"{1e6 * self.seconds / many:.0f} µs each, {1 / FPS / self.seconds:.1f} times as fast as life")
+
+
+def walk(model, bank, characters: int = 100, seconds: float = 10.0, *, speed: float = 1.1, seed: int = 0,
+         threads: int = 1, progress: bool = False) -> Crowd:
+    """Let characters walk in rings around a place, every other ring the other way.
+
+    Parameters
+    ----------
+    model, bank
+        An LPN-FiLM, plain or compiled, and its styles.
+    characters
+        How many.
+    seconds
+        How long, after `SETTLED` seconds that are not recorded.
+    speed
+        Metres per second.
+    seed
+        Of the blends.
+    threads
+        Processor cores to share.
+    progress
+        Show a bar.
+    """
+    if characters < 1:
+        raise ValueError(f"a crowd needs characters, got {characters}")
+    compiled = model if isinstance(model, CompiledModel) else compile(model, threads=threads)
+    radii, angles, ways = _places(characters)
+    blends = _blends(list(bank), characters, torch.Generator().manual_seed(seed))
+    position, facing = _on_ring(radii, angles, ways)
+    state = start(compiled, torch.stack([bank.blend(blend) for blend in blends]), position, facing)
+    poses, taken = [], []
+    with torch.inference_mode():
+        frames = range(round((SETTLED + seconds) * FPS))
+        for frame in tqdm(frames, desc="crowd", unit="frame", disable=None if progress else True):
+            began = time.perf_counter()
+            goal, tangent = _on_ring(radii, angles + ways * speed / radii * (frame / FPS + LOOKAHEAD), ways)
+            state = step(compiled, state, _towards(state, goal, tangent, speed))
+            drawn = pose(compiled, state)
+            taken.append(time.perf_counter() - began)
+            if frame >= SETTLED * FPS:
+                poses.append(drawn)
+    rotations, roots = (torch.stack(column, 1) for column in zip(*poses, strict=True))
+    names = (" + ".join(f"{name} {share:.0%}" for name, share in blend.items()) for blend in blends)
+    skeleton = compiled.layout.skeleton
+    clips = [Clip(skeleton, r, p, FPS, style=name, name="crowd") for r, p, name in zip(rotations, roots, names, strict=True)]
+    return Crowd(clips, blends, float(torch.tensor(taken).median()))
+
+
+def _places(characters: int) -> tuple[Tensor, Tensor, Tensor]:
+    """Radius, angle and way round (1 or -1) of each, ``[N]``: as far apart on every ring, of which there are enough."""
+    radii = INNER + APART * torch.arange(characters)
+    rings = 1 + int((math.tau * radii.cumsum(0) < ROOM * characters).sum())
+    radii = radii[:rings]
+    ends = (characters * radii.cumsum(0) / radii.sum()).round().long()
+    ring = torch.bucketize(torch.arange(characters), ends, right=True)
+    first = torch.cat((torch.zeros(1, dtype=torch.long), ends))
+    on_ring = (first[1:] - first[:-1])[ring]
+    angle = math.tau * (torch.arange(characters) - first[ring]) / on_ring + ring
+    return radii[ring], angle, 1.0 - 2.0 * (ring % 2)
+
+
+def _on_ring(radii: Tensor, angles: Tensor, ways: Tensor) -> tuple[Tensor, Tensor]:
+    """(x, z) and walking direction of angles on rings, each ``[N, 2]``."""
+    out = torch.stack((angles.sin(), angles.cos()), -1)
+    return radii[:, None] * out, ways[:, None] * torch.stack((out[:, 1], -out[:, 0]), -1)
+
+
+def _towards(state: CharacterState, goal: Tensor, tangent: Tensor, speed: float) -> Command:
+    """Head for where each should be a moment later, see `toolkit.runtime.follow`."""
+    velocity = (goal - state.root[:, :2]) / LOOKAHEAD
+    fast = velocity.norm(dim=-1, keepdim=True).clamp_min(1e-6)
+    return Command(velocity * (1.5 * speed / fast).clamp(max=1.0), tangent)
+
+
+def _blends(names: list[str], characters: int, seeded: torch.Generator) -> list[dict[str, float]]:
+    """Two styles each, another pair or other shares for every character."""
+    blends = []
+    for _ in range(characters):
+        pair = torch.randperm(len(names), generator=seeded)[:2].tolist()
+        share = float(torch.rand((), generator=seeded))
+        blends.append({names[i]: part for i, part in zip(pair, (share, 1 - share), strict=False)} if len(pair) > 1 else
+                      {names[0]: 1.0})
+    return blends

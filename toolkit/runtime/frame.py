@@ -1,0 +1,217 @@
+"""A character under control, one frame at a time (Mason et al. 2022, section 4.4; Zhang et al. 2018).
+
+``step(model, state, command) -> state`` has no hidden state: a state can be kept, replayed and branched. All tensors have a
+leading axis of B characters, so that one call moves a crowd.
+"""
+
+import dataclasses
+import functools
+from collections.abc import Callable, Iterator, Sequence
+
+import torch
+from torch import Tensor
+from tqdm import tqdm
+
+from toolkit.features import Layout, pack_joints, split_joints
+from toolkit.motion import Clip, local_rotations, trajectory
+from toolkit.motion import rotations as R
+from toolkit.motion.ik import SIDES, hold, plant_feet, turn_arms
+from toolkit.networks.phase import advance, amid_a_stride
+from toolkit.runtime.state import CharacterState, vectors_of
+from toolkit.runtime.steering import N_FUTURE, Command, Pilot, govern, steer, unit
+
+FPS = trajectory.FPS
+CORRECTION = 0.85  # share of the network's prediction in the next frame's trajectory
+
+
+def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0),
+          facing: Sequence[float] = (0.0, 1.0)) -> CharacterState:
+    """A character standing still in the mean pose of the model's data.
+
+    Parameters
+    ----------
+    model
+        Its mean pose is taken. The phase is far from its mean, amid a stride: a mean phase is none, and from there some
+        styles glide for seconds before they step. For the same reason hands and feet are amid a stride where the model has
+        no phase.
+    style : Tensor [S] or [B, S]
+        Style vector or one per character.
+    position, facing
+        World (x, z) of the root, metres, and where it looks; pairs or ``[B, 2]``.
+    """
+    style = torch.atleast_2d(vectors_of(style))
+    layout: Layout = model.layout
+    place = torch.as_tensor(position, dtype=torch.float32).expand(len(style), 2)
+    look = unit(torch.as_tensor(facing, dtype=torch.float32).expand(len(style), 2))
+    root = torch.cat((place, look), -1)
+    phase, joints = amid_a_stride(model)
+    state = CharacterState(
+        history=root[:, None].repeat(1, trajectory.PAST + 1, 1), future=root[:, None].repeat(1, N_FUTURE, 1),
+        joints=_orthonormal(joints.expand(len(style), -1)), phase=phase.expand(len(style), -1), style=style,
+        velocity=torch.zeros(len(style), 2), facing=look, drive=torch.ones(len(style), 1),
+        contacts=torch.ones(len(style), 2), toes=torch.zeros(len(style), 2, 3), drift=torch.zeros(len(style), 2, 2),
+    )
+    return dataclasses.replace(state, toes=_predicted_toes(layout, state))
+
+
+@functools.singledispatch
+def step(model, state: CharacterState, command: Command) -> CharacterState:
+    """The next frame, 1/60 s later.
+
+    The future trajectory is drawn from the network's towards the command, the network predicts, and pose, phase and
+    trajectory are blends of the prediction and of what was (section 4.4 and the published run's constants).
+    """
+    layout: Layout = model.layout
+    velocity, facing, future = steer(state, command)
+    root = state.root
+    past = state.history[:, [trajectory.PAST + o for o in trajectory.SAMPLES[: trajectory.CURRENT]]]
+    window = _to_local(torch.cat((past, future), 1), root)
+    z = model.predict(layout.pack_input(trajectory=window, joints=state.joints), state.phase, state.style)
+    out = layout.unpack_output(z)
+
+    predicted = out["trajectory"].unflatten(-1, (N_FUTURE, 4))
+    predicted = torch.cat((predicted[..., :2], unit(predicted[..., 2:])), -1)
+    predicted = _to_world(predicted, root)
+    new_root = predicted[:, 0]
+    ahead = torch.lerp(future, predicted, CORRECTION)
+    ahead = torch.cat((new_root[:, None], torch.cat((ahead[..., :2], unit(ahead[..., 2:])), -1)[:, 1:]), 1)
+
+    was, now = split_joints(state.joints), split_joints(out["joints"])
+    position = torch.lerp(was["position"] + now["velocity"] / FPS, now["position"], 0.5)
+    joints = _to_frame(_orthonormal(pack_joints(**now | {"position": position})), root, new_root)
+    phase = advance(layout, state.phase, out)
+    contacts = out["contacts"].clamp(0.0, 1.0)
+    new = dataclasses.replace(
+        state, history=torch.cat((state.history[:, 1:], new_root[:, None]), 1), future=ahead, joints=joints, phase=phase,
+        velocity=velocity, facing=facing, drive=govern(state, velocity), contacts=contacts,
+    )
+    before, predicted = (_predicted_toes(layout, s) for s in (state, new))
+    left = torch.stack((new_root[:, 3], -new_root[:, 2]), -1)
+    toes, drift = hold(state.toes, state.drift, before, predicted, contacts, left, 1 / FPS)
+    return dataclasses.replace(new, toes=toes, drift=drift)
+
+
+Styles = Tensor | Callable[[int], Tensor]
+
+
+def states(model, commands: Sequence[Command | Pilot], style: Styles, first: CharacterState | None = None,
+           progress: bool = False) -> Iterator[CharacterState]:
+    """Yield the state after every command. ``style`` is a vector, or a function of the frame number for live blending."""
+    at = style if callable(style) else (lambda _: style)
+    state = start(model, at(0)) if first is None else first
+    with torch.inference_mode():
+        for frame, command in enumerate(tqdm(commands, desc="rollout", unit="frame", disable=None if progress else True)):
+            state = state.with_style(at(frame))
+            state = step(model, state, command(state) if callable(command) else command)
+            yield state
+
+
+def rollout(model, commands: Sequence[Command | Pilot], style: Styles, ik: bool = True, first: CharacterState | None = None,
+            progress: bool = False) -> Clip:
+    """Drive one character through commands and record it.
+
+    Parameters
+    ----------
+    model
+        What `toolkit.networks.build`, `toolkit.training.load` or `toolkit.published.load` give.
+    commands
+        One per frame, 60 Hz: a command, or a function from the state to one.
+    style : Tensor [S] or callable
+        Style vector, or a function from the frame number to one.
+    ik
+        Hold feet in contact in place, and turn arm bones to the predicted positions.
+    first
+        State to start from; standing at the origin where not given.
+
+    Returns
+    -------
+    Clip
+        On the model's whole skeleton, bones of constant length.
+    """
+    recorded = list(states(model, commands, style, first, progress))
+    if not recorded:
+        raise ValueError("no commands to roll out")
+    return record(model, recorded, feet=ik, arms=ik)
+
+
+def record(model, recorded: Sequence[CharacterState], *, feet: bool = True, arms: bool = True, character: int = 0) -> Clip:
+    """The motion of one character of a run of states, see `rollout`; ``feet`` and ``arms`` switch their IK.
+
+    A ValueError if there are no states.
+    """
+    if not recorded:
+        raise ValueError("no frames to record: a rollout needs at least one command")
+    names = [f.name for f in dataclasses.fields(CharacterState) if f.name != "style"]  # which can be large, and is not drawn
+    merged = {name: torch.stack([getattr(s, name)[character] for s in recorded]) for name in names}
+    merged = CharacterState(**merged, style=torch.empty(len(recorded), 0))
+    return Clip(model.layout.skeleton, *pose(model, merged, feet=feet, arms=arms), FPS, name="rollout")
+
+
+@functools.singledispatch
+def pose(model, state: CharacterState, *, feet: bool = True, arms: bool = True) -> tuple[Tensor, Tensor]:
+    """Local rotations ``[B, J', 4]`` and root positions ``[B, 3]`` of the whole skeleton, ready to draw.
+
+    ``model``: plain, compiled, or only its layout. ``feet``: hold toes in contact in place. ``arms``: turn arm bones to the
+    predicted positions.
+    """
+    layout: Layout = getattr(model, "layout", model)
+    skeleton, world = layout.skeleton, world_joints(layout, state)
+    joints = list(skeleton.feature_joints)
+    rotation = R.from_forward_up(world["forward"], world["up"])
+    everywhere = [joints.index(j if j in joints else skeleton.parents[j]) for j in range(len(skeleton))]
+    local = local_rotations(skeleton, rotation[:, everywhere])
+    root = world["position"][:, 0]
+    if arms:
+        wanted = world["position"].new_zeros(len(root), len(skeleton), 3)
+        wanted[:, joints] = world["position"]
+        local = turn_arms(skeleton, local, root, wanted)
+    if feet:
+        local = plant_feet(skeleton, local, root, state.toes)
+    return local, root
+
+
+def world_joints(layout: Layout, state: CharacterState) -> dict[str, Tensor]:
+    """The pose's position, forward, up and velocity in the world, each ``[B, J, 3]``."""
+    local, root = split_joints(state.joints), state.root
+    turn = R.yaw(torch.atan2(root[:, 2], root[:, 3]))[:, None]
+    world = {name: R.rotate(turn, values) for name, values in local.items()}
+    floor = torch.stack((root[:, 0], torch.zeros(len(root)), root[:, 1]), -1)
+    return world | {"position": world["position"] + floor[:, None]}
+
+
+def _predicted_toes(layout: Layout, state: CharacterState) -> Tensor:
+    toes = [layout.names.index(layout.skeleton.roles[f"{side}_toe"]) for side in SIDES]
+    return world_joints(layout, state)["position"][:, toes]
+
+
+def _matrix(root: Tensor) -> Tensor:
+    """``[B, 2, 2]`` that turns root-frame (x, z) into the world's; the direction (sin, cos) is the root's +z."""
+    x, z = root[:, 2], root[:, 3]
+    return torch.stack((torch.stack((z, x), -1), torch.stack((-x, z), -1)), -2)
+
+
+def _to_world(samples: Tensor, root: Tensor) -> Tensor:
+    turned = torch.einsum("bij,bskj->bski", _matrix(root), samples.unflatten(-1, (2, 2)))
+    return torch.cat((turned[..., 0, :] + root[:, None, :2], turned[..., 1, :]), -1)
+
+
+def _to_local(samples: Tensor, root: Tensor) -> Tensor:
+    shifted = torch.cat((samples[..., :2] - root[:, None, :2], samples[..., 2:]), -1)
+    return torch.einsum("bji,bskj->bski", _matrix(root), shifted.unflatten(-1, (2, 2))).flatten(-2)
+
+
+def _orthonormal(joints: Tensor) -> Tensor:
+    parts = split_joints(joints)
+    forward = unit(parts["forward"])
+    up = unit(parts["up"] - (parts["up"] * forward).sum(-1, keepdim=True) * forward)
+    return pack_joints(**parts | {"forward": forward, "up": up})
+
+
+def _to_frame(joints: Tensor, old: Tensor, new: Tensor) -> Tensor:
+    """A pose in the root frame ``old`` seen from the root frame ``new`` (world roots ``[B, 4]``)."""
+    parts = split_joints(joints)
+    turn = R.yaw(torch.atan2(old[:, 2], old[:, 3]) - torch.atan2(new[:, 2], new[:, 3]))[:, None]
+    shift = _to_local(old[:, None], new)[:, 0]
+    origin = torch.stack((shift[:, 0], torch.zeros(len(shift)), shift[:, 1]), -1)[:, None]
+    moved = {name: R.rotate(turn, values) for name, values in parts.items()}
+    return pack_joints(**moved | {"position": moved["position"] + origin})

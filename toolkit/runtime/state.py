@@ -1,0 +1,65 @@
+"""The state of characters under control: everything that the next frame depends on."""
+
+import dataclasses
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import torch
+from torch import Tensor
+
+
+@dataclass(frozen=True, eq=False)
+class CharacterState:
+    """Everything that the next frame depends on; B characters, J feature joints, metres and seconds.
+
+    Parameters
+    ----------
+    history : Tensor [B, 61, 4]
+        World (x, z, direction x, direction z) of the root, one second ago to now.
+    future : Tensor [B, 6, 4]
+        The same for now and every ten frames ahead.
+    joints : Tensor [B, 12 J]
+        The pose, in the current root frame.
+    phase : Tensor [B, n_phases]
+        As the model knows it: 8 numbers of local phases, one angle, or nothing.
+    style : Tensor [B, S]
+        Style vector.
+    velocity, facing : Tensor [B, 2]
+        The smoothed command.
+    drive : Tensor [B, 1]
+        How much faster than the command the trajectory pulls, see `govern`.
+    contacts : Tensor [B, 2]
+        Predicted foot contacts, right and left, in [0, 1].
+    toes : Tensor [B, 2, 3]
+        Where foot IK puts the toes, world, right and left.
+    drift : Tensor [B, 2, 2]
+        How fast they part from where the network predicts them, see `toolkit.motion.ik.hold`.
+    """
+
+    history: Tensor
+    future: Tensor
+    joints: Tensor
+    phase: Tensor
+    style: Tensor
+    velocity: Tensor
+    facing: Tensor
+    drive: Tensor
+    contacts: Tensor
+    toes: Tensor
+    drift: Tensor
+
+    @property
+    def root(self) -> Tensor:
+        """World (x, z, direction x, direction z) of the root now, ``[B, 4]``."""
+        return self.history[:, -1]
+
+    def with_style(self, style: Tensor) -> "CharacterState":
+        """The same moment with another style vector ``[S]`` or ``[B, S]``."""
+        return dataclasses.replace(self, style=vectors_of(style).expand(len(self.phase), -1))
+
+
+def vectors_of(style) -> Tensor:
+    """A style argument as a tensor; what is no vector is refused in one line."""
+    if isinstance(style, str | Mapping):
+        raise ValueError(f"a style is a vector, bank[name] or bank.blend({{name: weight}}); got {style!r}")
+    return torch.as_tensor(style)

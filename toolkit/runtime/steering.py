@@ -1,0 +1,144 @@
+"""What the hand asks for, and how it bends the trajectory (Mason et al. 2022, section 4.4; Zhang et al. 2018).
+
+Shapes: B characters; world (x, z), metres and seconds.
+"""
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import torch
+from torch import Tensor
+
+from toolkit.motion import trajectory
+from toolkit.runtime.state import CharacterState
+
+FPS = trajectory.FPS
+GAIN = 0.25  # share of the way that the smoothed target moves to the command in a frame
+POSITION_BIAS, DIRECTION_BIAS = 0.75, 1.25  # exponents of the blend from the network's trajectory to the target
+PROPORTIONAL, INTEGRAL, MAX_DRIVE = 1.5, 0.8, 12.0  # ours: gains of `govern` (of the lag; per second), and its limit
+RETURN, SLOW = 3.0, 0.3  # ours: how strongly `steer` works against movement while standing; m/s from which one walks
+LOOKAHEAD = 0.5  # seconds that a pilot looks ahead
+N_FUTURE = len(trajectory.SAMPLES) - trajectory.CURRENT
+
+
+@dataclass(frozen=True)
+class Command:
+    """What the hand asks for: ``velocity`` (x, z) in m/s and ``facing`` (x, z), both in the world.
+
+    Each is a pair of numbers for all characters or a tensor ``[B, 2]``. A zero facing keeps the current one.
+    """
+
+    velocity: Sequence[float] | Tensor = (0.0, 0.0)
+    facing: Sequence[float] | Tensor = (0.0, 1.0)
+
+
+Pilot = Callable[[CharacterState], Command]
+
+
+def steer(state: CharacterState, command: Command) -> tuple[Tensor, Tensor, Tensor]:
+    """Smoothed velocity and facing ``[B, 2]``, and the future trajectory ``[B, 6, 4]`` bent towards them (world).
+
+    Ours: while the command is to stand, the pull works against any movement; the network drifts by 10 to 25 cm/s otherwise.
+    """
+    dtype = state.velocity.dtype
+    wanted = torch.as_tensor(command.velocity, dtype=dtype).expand_as(state.velocity)
+    look = torch.as_tensor(command.facing, dtype=dtype).expand_as(state.facing)
+    look = torch.where(look.norm(dim=-1, keepdim=True) > 1e-6, look, state.facing)
+    velocity = torch.lerp(state.velocity, wanted, GAIN)
+    facing = turn(state.facing, look, GAIN)
+    t = torch.linspace(0.0, 1.0, N_FUTURE, dtype=dtype)[1:]
+    w_position, w_direction = 1 - (1 - t) ** POSITION_BIAS, 1 - (1 - t) ** DIRECTION_BIAS
+    steps = state.future[:, 1:, :2] - state.future[:, :-1, :2]
+    interval = (trajectory.SAMPLES[1] - trajectory.SAMPLES[0]) / FPS
+    standing = (1.0 - velocity.norm(dim=-1, keepdim=True) / SLOW).clamp_min(0.0)
+    pull = (state.drive * velocity - RETURN * standing * _moved(state, -1)) * interval
+    steps = torch.lerp(steps, pull[:, None].expand_as(steps), w_position[:, None])
+    positions = state.root[:, None, :2] + steps.cumsum(1)
+    directions = turn(state.future[:, 1:, 2:], facing[:, None].expand_as(steps), w_direction)
+    return velocity, facing, torch.cat((state.root[:, None], torch.cat((positions, directions), -1)), 1)
+
+
+def govern(state: CharacterState, velocity: Tensor) -> Tensor:
+    """Drive ``[B, 1]`` of the next frame: grows while the character is slower than its command, shrinks while it is faster.
+
+    Networks follow the blended trajectory at a fraction of its speed that depends on the style (the published demo hides it
+    in a table of target speeds "in its own units", several times what the character reaches). Ours closes the loop with a
+    proportional-integral controller in steps, whose gains grow with the drive, so that a command is in m/s for every model
+    and style. Without the proportional part some styles swing between walk and run, or stay in a run.
+    """
+    wanted, heading = velocity.norm(dim=-1, keepdim=True), unit(velocity)
+
+    def lag(now: int) -> Tensor:
+        reached = (_moved(state, now) * heading).sum(-1, keepdim=True)
+        return ((wanted - reached) / wanted.clamp_min(0.5)).clamp(-1.0, 1.0)
+
+    push = PROPORTIONAL * (lag(-1) - lag(-2)) + INTEGRAL / FPS * lag(-1)
+    driven = (state.drive + state.drive.clamp_min(1.0) * push).clamp(0.0, MAX_DRIVE)
+    return torch.where(wanted > 0.1, driven, torch.lerp(state.drive, torch.ones_like(driven), 0.05))
+
+
+def _moved(state: CharacterState, now: int) -> Tensor:
+    """Velocity ``[B, 2]`` of the root over half a second up to frame ``now`` of the history, m/s."""
+    half_second = FPS // 2
+    return (state.history[:, now, :2] - state.history[:, now - half_second, :2]) * (FPS / half_second)
+
+
+def straight(speed: float = 1.2, seconds: float = 10.0, facing: Sequence[float] = (0.0, 1.0)) -> list[Command]:
+    """Commands that walk straight ahead at ``speed`` m/s; a ValueError where a number is not finite or time is negative."""
+    if not (math.isfinite(speed) and 0 <= seconds < math.inf):
+        raise ValueError(f"speed and seconds must be finite and seconds not negative, got {speed} and {seconds}")
+    forward = unit(torch.tensor(facing, dtype=torch.float32))
+    return [Command(tuple((speed * forward).tolist()), tuple(forward.tolist()))] * round(seconds * FPS)
+
+
+def follow(points: Sequence[Sequence[float]], speed: float = 1.2, seconds: float | None = None) -> list[Pilot]:
+    """Pilots that keep a character on a polyline at constant speed, facing along it, and stop at its end.
+
+    Parameters
+    ----------
+    points
+        Two or more different (x, z), metres.
+    speed
+        Metres per second.
+    seconds
+        How long; as long as the path takes where not given.
+    """
+    path = torch.as_tensor(points, dtype=torch.float32)
+    legs = (path[1:] - path[:-1]).norm(dim=-1)
+    if path.dim() != 2 or path.shape[1] != 2 or not len(legs) or float(legs.min()) < 1e-6:
+        raise ValueError(f"a path needs two or more different (x, z) points, got {list(path.shape)}")
+    ends = legs.cumsum(0)
+
+    def point(distance: float) -> Tensor:
+        leg = min(int((ends <= distance).sum()), len(legs) - 1)
+        share = min(1.0, (distance - float(ends[leg] - legs[leg])) / float(legs[leg]))
+        return torch.lerp(path[leg], path[leg + 1], share)
+
+    def pilot(distance: float) -> Pilot:
+        """Head for where the path is a moment later: late and strayed characters catch up, early ones wait."""
+        goal, ahead = point(distance + LOOKAHEAD * speed), point(distance + LOOKAHEAD * speed + 0.05)
+        tangent = ahead - goal if float((ahead - goal).norm()) > 1e-6 else path[-1] - path[-2]
+
+        def steer_to_goal(state: CharacterState) -> Command:
+            velocity = (goal - state.root[:, :2]) / LOOKAHEAD
+            fast = velocity.norm(dim=-1, keepdim=True).clamp_min(1e-6)
+            return Command(velocity * (1.5 * speed / fast).clamp(max=1.0), tangent)
+
+        return steer_to_goal
+
+    frames = math.ceil((float(ends[-1]) / speed if seconds is None else seconds) * FPS)
+    return [pilot(frame / FPS * speed) for frame in range(frames)]
+
+
+def unit(v: Tensor) -> Tensor:
+    """Vectors ``[..., n]`` at length 1."""
+    return torch.nn.functional.normalize(v, dim=-1)
+
+
+def turn(a: Tensor, b: Tensor, share: Tensor | float) -> Tensor:
+    """Unit directions ``[..., 2]`` turned from a to b along the shorter way by a share ``[...]``."""
+    angle = torch.atan2(a[..., 0], a[..., 1])
+    difference = torch.atan2(b[..., 0], b[..., 1]) - angle
+    angle = angle + share * torch.atan2(difference.sin(), difference.cos())
+    return torch.stack((angle.sin(), angle.cos()), -1)

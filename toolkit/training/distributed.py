@@ -1,0 +1,110 @@
+"""Training on several processes or GPUs, by Lightning Fabric: each takes its share of every minibatch.
+
+What they do together equals what one process does, up to rounding: the frames of a minibatch are dealt out in turn, each
+process encodes the style clips of its own frames, dropout falls as it would on the whole minibatch, and the gradients are
+averaged by frames.
+"""
+
+import contextlib
+import functools
+import os
+from typing import TYPE_CHECKING
+
+import torch
+import torch.nn.functional as F
+from torch import Tensor, nn
+from torch.overrides import TorchFunctionMode
+
+from toolkit.networks import Model
+from toolkit.training.loss import loss_terms
+from toolkit.training.run import PRECISIONS, Config
+
+if TYPE_CHECKING:
+    from lightning_fabric import Fabric
+
+
+def first() -> bool:
+    """Whether this is the process that talks and writes; the others only help."""
+    return int(os.environ.get("RANK") or os.environ.get("LOCAL_RANK") or 0) == 0
+
+
+def start(config: Config) -> "Fabric":
+    """Device, processes and precision of a config.
+
+    With several processes, the first call starts the others: they run the same command from its beginning. Under
+    ``torchrun``, which starts them itself, on one machine or many, this joins them.
+
+    Raises
+    ------
+    ValueError
+        If there is no such device here.
+    """
+    return _start(config.device, config.processes, config.precision)
+
+
+@functools.cache
+def _start(device: str, processes: int, precision: str) -> "Fabric":
+    from lightning_fabric import Fabric  # not at import: it takes a second
+
+    kind, nodes = torch.device(device), 1
+    if "TORCHELASTIC_RUN_ID" in os.environ:
+        processes, nodes = (int(os.environ[name]) for name in ("LOCAL_WORLD_SIZE", "GROUP_WORLD_SIZE"))
+    several = processes * nodes > 1
+    devices = [kind.index] if kind.type != "cpu" and kind.index is not None and not several else processes
+    try:
+        fabric = Fabric(accelerator=kind.type, devices=devices, num_nodes=nodes, strategy="ddp" if several else "auto",
+                        precision=PRECISIONS[precision])
+    except (RuntimeError, ValueError) as error:
+        raise ValueError(f"{processes} × {device!r}: {error}") from error
+    fabric.launch()
+    return fabric
+
+
+class Objective(nn.Module):
+    """Loss of equation 5 over this process's share of a minibatch.
+
+    Parameters
+    ----------
+    model
+        What is trained.
+    bone_weight
+        Of the bone-length loss.
+    rank, processes
+        Which process of how many.
+    """
+
+    def __init__(self, model: Model, bone_weight: float, rank: int, processes: int):
+        super().__init__()
+        self.model, self.bone_weight, self.rank, self.processes = model, bone_weight, rank, processes
+
+    def forward(self, x: Tensor, p: Tensor, z: Tensor, y: Tensor, style: int) -> Tensor:
+        """Loss, mean squared error and bone-length error ``[3]``, whose mean over the processes is the minibatch's.
+
+        Of a whole normalised minibatch of the style with this number: ``x [B, Dx]``, ``p [B, n_phases]``, ``z [B, Dz]``, and
+        ``y [M, 240, 12 J]``, of which frame i has the clip i modulo M.
+        """
+        rows = torch.arange(self.rank, len(x), self.processes, device=x.device)
+        clips, which = (rows % len(y)).unique(return_inverse=True)
+        with self._dropout(clips, len(y)):
+            styles = self.model.encode(y[clips], style)
+        with self._dropout(rows, len(x)):
+            predicted = self.model(x[rows], p[rows], styles if len(styles) == 1 else styles[which])
+        mse, bone = loss_terms(self.model, predicted, z[rows])
+        return torch.stack((mse + self.bone_weight * bone, mse, bone)) * (len(rows) * self.processes / len(x))
+
+    def _dropout(self, rows: Tensor, whole: int) -> contextlib.AbstractContextManager:
+        return contextlib.nullcontext() if self.processes == 1 else _Share(rows, whole)
+
+
+class _Share(TorchFunctionMode):
+    """Inside, dropout of some rows is what falls on them when all of the ``whole`` are dropped out at once."""
+
+    def __init__(self, rows: Tensor, whole: int):
+        super().__init__()
+        self.rows, self.whole = rows, whole
+
+    def __torch_function__(self, func, types, args=(), kwargs=None):
+        if func is F.dropout:
+            some, *how = args
+            return some * F.dropout(some.new_ones(self.whole, *some.shape[1:]), *how, **(kwargs or {}))[self.rows]
+        return func(*args, **(kwargs or {}))

@@ -1,0 +1,256 @@
+"""Training (Mason et al. 2022, section 4.3): one plain loop over a config.
+
+What step n does is a pure function of the seed and n: its frames, its style clips and its dropout. A run that was stopped
+and resumed therefore ends with the same weights as one that was not, bit for bit.
+"""
+
+import contextlib
+import math
+import os
+import signal
+import threading
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import torch
+from tqdm.auto import tqdm
+
+from toolkit import networks
+from toolkit.features import Features, check_style, splits
+from toolkit.networks import Model
+from toolkit.networks.bank import StyleBank
+from toolkit.training import distributed
+from toolkit.training.checkpoint import Checkpoint
+from toolkit.training.distributed import Objective
+from toolkit.training.loss import baselines, evaluate, make_bank
+from toolkit.training.minibatches import DROPOUT, INIT, Minibatches
+from toolkit.training.run import Config, Run, load, pretrained
+
+if TYPE_CHECKING:
+    from lightning_fabric import Fabric
+
+__all__ = ["Config", "Run", "fit", "load", "pretrained"]
+
+LOG_EVERY = 10  # steps between the training losses that TensorBoard shows
+KINDS = ("inputs", "phases", "outputs", "clips")
+
+
+def fit(data: Features, config: Config | None = None, checkpoint: str | os.PathLike | None = None, *, resume: bool = True,
+        progress: bool = False, on_step: Callable[[int, float], None] | None = None,
+        log: str | os.PathLike | None = None) -> Run:
+    """Train a model.
+
+    Parameters
+    ----------
+    data
+        Features; a share is held out and never trained on.
+    config
+        How; the paper's way where not given.
+    checkpoint
+        File for the state of the run, written now and then and when it is interrupted.
+    resume
+        Go on from the checkpoint if there is one.
+    progress
+        Show a bar.
+    on_step
+        Called with the step's number and loss after every step; a KeyboardInterrupt it raises stops the run.
+    log
+        Folder for TensorBoard: losses and learning rate every `LOG_EVERY` steps, the held-out error at every evaluation.
+
+    Raises
+    ------
+    ValueError
+        If a style is unknown or has no frames, or the checkpoint is of another layout or config.
+    KeyboardInterrupt
+        When interrupted, after the checkpoint was written.
+    """
+    config = config or Config()
+    fabric, first = distributed.start(config), distributed.first()
+    for style in config.styles:
+        check_style(style, data.styles)
+    train, test = splits.split(data, config.held_out, config.seed, config.styles or tuple(data.styles))
+    batches = Minibatches(train, config.batch, config.clips_per_batch, config.seed, config.stray)
+    if batches.fewest < fabric.world_size:
+        raise ValueError(f"{fabric.world_size} processes cannot share a minibatch of {batches.fewest} frames")
+    with _seeded(fabric.device, config.seed, INIT):
+        model = networks.build(config.model, data.layout, len(batches.styles), config.sizes,
+                               networks.normalisers(config.model, train))
+    if checkpoint and resume and Path(checkpoint).exists():
+        state = Checkpoint.load(checkpoint, model, config)
+    else:
+        state = Checkpoint(model)
+    model = state.model.to(fabric.device)
+    adam = optimiser(model, config)
+    if state.moments:
+        adam.load_state_dict({"state": state.moments, "param_groups": adam.state_dict()["param_groups"]})
+    objective = fabric.setup_module(Objective(model, config.bone_weight, fabric.global_rank, fabric.world_size))
+    total = None if config.seconds else config.steps or max(1, round((config.epochs or 90) * batches.steps_per_epoch))
+    began, saved = time.perf_counter() - state.elapsed, time.perf_counter()
+
+    def save() -> None:
+        if checkpoint and first:
+            state.moments = adam.state_dict()["state"]
+            state.save(checkpoint, config)
+
+    def assess(draw: Callable[[dict[str, float], int], None]) -> None:
+        error = _held_out(model, train, test)
+        state.history.append({"step": state.step, "elapsed": state.elapsed, **state.losses, "held_out": error})
+        if config.patience and state.stalled == 0:
+            state.best = {name: value.clone() for name, value in model.state_dict().items()}
+        draw({} if error is None else {"held_out": error}, state.step)
+
+    bar = tqdm(total=total or config.seconds, initial=state.step if total else state.elapsed, desc="training",
+               unit="step" if total else "s", disable=not (progress and first),
+               bar_format=None if total else "{l_bar}{bar}| {n:.0f}/{total:.0f} s, {remaining} left{postfix}")
+    smooth = math.nan
+    with _whole_steps() as interrupted, _tensorboard(log if first else None, state.step) as draw, bar:
+        model.train()
+        while (done := state.step / total if total else state.elapsed / config.seconds) < 1:
+            if config.patience and state.stalled >= config.patience:
+                break
+            rate = config.rate * (config.final_rate + (1 - config.final_rate) * (1 + math.cos(math.pi * done)) / 2)
+            with _seeded(fabric.device, config.seed, DROPOUT, state.step):
+                state.losses = step(fabric, objective, adam, batches, config, state.step, rate)
+            state.step += 1
+            state.elapsed = time.perf_counter() - began
+            smooth = state.losses["loss"] if math.isnan(smooth) else 0.98 * smooth + 0.02 * state.losses["loss"]
+            bar.set_postfix(loss=f"{smooth:.3f}", refresh=False)
+            bar.update((state.step if total else min(state.elapsed, config.seconds)) - bar.n)
+            if state.step % LOG_EVERY == 0:
+                draw({**state.losses, "rate": rate}, state.step)
+            if state.step % config.evaluate_every == 0:
+                assess(draw)
+            if on_step:
+                try:
+                    on_step(state.step, state.losses["loss"])
+                except KeyboardInterrupt:
+                    interrupted.set()
+            state.elapsed, stop = _mean(fabric, time.perf_counter() - began, interrupted.is_set())
+            if stop:
+                save()
+                fabric.barrier()
+                raise KeyboardInterrupt
+            if time.perf_counter() - saved > config.save_every:
+                save()
+                saved = time.perf_counter()
+        if not state.history or state.history[-1]["step"] != state.step:
+            assess(draw)
+    save()
+    if state.best:
+        model.load_state_dict(state.best)
+    model.eval()
+    bank = make_bank(model, train)
+    held_out, shifted = evaluate(model, bank, test), StyleBank(bank.names, bank.vectors.roll(1, 0))
+    for style, error in (evaluate(model, shifted, test) if len(bank) > 1 else {}).items():
+        held_out[style]["other"] = error["mse"]
+    return Run(model.cpu(), bank, config, state.history, held_out, baselines(model.cpu(), test))
+
+
+def optimiser(model: Model, config: Config) -> torch.optim.Adam:
+    """Adam over the synthesis network and, as a group with a rate of its own, the style modulation."""
+    style, rest = list(model.modulation.parameters()), [*model.gating.parameters(), *model.experts.parameters()]
+    return torch.optim.Adam([{"params": rest}, {"params": style}], lr=config.rate, fused=True)
+
+
+def step(fabric: "Fabric", objective: torch.nn.Module, adam: torch.optim.Adam, batches: Minibatches, config: Config,
+         number: int, rate: float) -> dict[str, float]:
+    """One step of gradient descent; its loss, mean squared error and bone-length error.
+
+    Parameters
+    ----------
+    fabric, objective
+        What `toolkit.training.distributed.start` gives, and a `toolkit.training.distributed.Objective` that it has set up.
+    adam
+        What `optimiser` gives.
+    batches, number
+        Minibatches, and which.
+    config
+        How.
+    rate
+        Learning rate.
+
+    Raises
+    ------
+    ValueError
+        If the loss is not finite.
+    """
+    model = objective.model
+    x, p, z, y = (rows.to(fabric.device) for rows in batches[number])
+    x, p, z, y = (model.normaliser(kind).apply(rows) for kind, rows in
+                  zip(KINDS, (x, *model.observe(p, z), y), strict=True))
+    for group, share in zip(adam.param_groups, (1.0, config.style_rate), strict=True):
+        group["lr"] = rate * share
+    errors = objective(x, p, z, y, number % len(batches.styles))
+    adam.zero_grad(set_to_none=True)
+    fabric.backward(errors[0])
+    if config.max_gradient is not None:
+        torch.nn.utils.clip_grad_norm_(model.parameters(), config.max_gradient)
+    adam.step()
+    values = dict(zip(("loss", "mse", "bone"), _mean(fabric, *errors.tolist()), strict=True))
+    if not math.isfinite(values["loss"]):
+        raise ValueError(f"training diverged at step {number}: loss {values['loss']}; lower the rate or set max_gradient")
+    return values
+
+
+def _mean(fabric: "Fabric", *numbers: float) -> list[float]:
+    """Means over the processes: all of them must decide the same."""
+    if fabric.world_size == 1:
+        return list(numbers)
+    return fabric.all_reduce(torch.tensor(numbers, dtype=torch.float64, device=fabric.device), reduce_op="mean").tolist()
+
+
+def _held_out(model: Model, train: Features, test: Features) -> float | None:
+    """The test error on at most 1,000 frames of every style, its vector of at most 8 clips; each style counts the same."""
+    model.eval()
+    errors = evaluate(model, make_bank(model, train, 8), test, 1000)
+    model.train()
+    return sum(e["mse"] for e in errors.values()) / len(errors) if errors else None
+
+
+@contextlib.contextmanager
+def _tensorboard(folder: str | os.PathLike | None, step: int) -> Iterator[Callable[[dict[str, float], int], None]]:
+    """What draws numbers of a step into curves in the folder, where those after ``step`` are forgotten; or does nothing."""
+    if folder is None:
+        yield lambda numbers, step: None
+        return
+    try:
+        from torch.utils.tensorboard import SummaryWriter
+    except ImportError:
+        raise ValueError('logs need TensorBoard: pip install ".[scale]"') from None
+    with SummaryWriter(os.fspath(folder), purge_step=step + 1) as writer:
+
+        def draw(numbers: dict[str, float], step: int) -> None:
+            for name, value in numbers.items():
+                writer.add_scalar(name, value, step)
+
+        yield draw
+
+
+@contextlib.contextmanager
+def _seeded(device: torch.device, *numbers: int) -> Iterator[None]:
+    """Inside, torch's global generators start from a seed of these numbers; outside, they go on as if nothing was."""
+    with torch.random.fork_rng(devices=[] if device.type == "cpu" else [device.index or 0]):
+        torch.manual_seed(splits.mix(*numbers))
+        yield
+
+
+@contextlib.contextmanager
+def _whole_steps() -> Iterator[threading.Event]:
+    """Inside, the first Ctrl-C sets the event and lets the step end; the second interrupts at once."""
+    event = threading.Event()
+    if threading.current_thread() is not threading.main_thread():
+        yield event
+        return
+    before = signal.getsignal(signal.SIGINT)
+
+    def handle(*_) -> None:
+        event.set()
+        signal.signal(signal.SIGINT, before)
+
+    signal.signal(signal.SIGINT, handle)
+    try:
+        yield event
+    finally:
+        signal.signal(signal.SIGINT, before)

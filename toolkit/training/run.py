@@ -1,0 +1,158 @@
+"""A training run: the config that asks for one, and what comes out of it as one file."""
+
+import dataclasses
+import json
+import math
+import os
+from dataclasses import dataclass, field
+from importlib import resources
+
+import torch
+
+from toolkit.io import model_files
+from toolkit.networks import MODELS, Model, Sizes
+from toolkit.networks.bank import StyleBank
+
+PRECISIONS = {"32": "32-true", "bf16": "bf16-mixed"}  # ours to Lightning Fabric's
+
+
+@dataclass(frozen=True)
+class Config:
+    """How to train; the defaults are the paper's. Give one of ``epochs``, ``steps`` and ``seconds``, or none."""
+
+    model: str = "lpn-film"  # one of toolkit.networks.MODELS
+    sizes: Sizes = field(default_factory=Sizes)
+    styles: tuple[str, ...] = ()  # which, in the fixed order in which minibatches cycle through them; empty: all
+    epochs: float | None = None  # passes of the shortest style; 90 in the paper
+    steps: int | None = None  # minibatches
+    seconds: float | None = None  # wall time; what it reaches depends on the machine, unlike the other two
+    patience: int | None = None  # stop after so many evaluations without a better held-out error, and keep the best weights
+    batch: int = 32  # frames of one style per minibatch
+    clips_per_batch: int = 32  # style clips per minibatch, shared by its frames; 1 takes a third of the time of 32
+    rate: float = 1e-4  # Adam's learning rate at the start
+    style_rate: float = 1.0  # the style modulation's rate as a share of that; its convolutions die of rates from 1e-3 on
+    final_rate: float = 1.0  # learning rate at the end as a share of the first, on a cosine between; 1: constant
+    max_gradient: float | None = None  # norm to which gradients are clipped; rates from 1e-3 on spike without
+    bone_weight: float = 1.0  # of the bone-length loss
+    stray: float = 0.0  # share of frames whose input pose strays to another style's (see Minibatches); the paper: 0
+    held_out: float = 0.1  # share of every style's frames kept for the test error
+    evaluate_every: int = 1000  # steps between test errors in the history
+    save_every: float = 120.0  # seconds between checkpoints
+    seed: int = 0
+    precision: str = "32"  # bits of a number; "bf16": bfloat16 products by autocast, weights and Adam in 32
+    device: str = "cpu"
+    processes: int = 1  # on this machine, each with its device; torchrun, which knows of more machines, overrules it
+
+    def __post_init__(self):
+        if self.model not in MODELS:
+            raise ValueError(f"unknown model {self.model!r}; there is {', '.join(MODELS)}")
+        budgets = {k: v for k in ("epochs", "steps", "seconds") if (v := getattr(self, k)) is not None}
+        if len(budgets) > 1:
+            raise ValueError(f"give one of epochs, steps and seconds, got {' and '.join(budgets)}")
+        for name, value in budgets.items():
+            if not 0 < value < math.inf:
+                raise ValueError(f"{name} must be positive and finite, got {value}")
+        if self.batch < 1 or not 1 <= self.clips_per_batch <= self.batch:
+            raise ValueError(f"clips_per_batch must be from 1 to batch, got {self.clips_per_batch} and {self.batch}")
+        if not (0 < self.rate < math.inf and 0 <= self.style_rate < math.inf and 0 <= self.final_rate <= 1):
+            raise ValueError(f"rate must be positive, style_rate not negative and final_rate in [0, 1]; got {self.rate}, "
+                             f"{self.style_rate} and {self.final_rate}")
+        if self.seed < 0:
+            raise ValueError(f"seed must not be negative, got {self.seed}")
+        if not 0 <= self.stray <= 1:
+            raise ValueError(f"stray must be in [0, 1], got {self.stray}")
+        if not 0 <= self.held_out < 1:
+            raise ValueError(f"held_out must be in [0, 1), got {self.held_out}")
+        if self.evaluate_every < 1:
+            raise ValueError(f"evaluate_every must be a whole number from 1, got {self.evaluate_every}")
+        if self.patience is not None and (self.patience < 1 or not self.held_out):
+            raise ValueError(f"patience must be a whole number from 1, and needs held-out frames; got {self.patience} and "
+                             f"held_out {self.held_out}")
+        if self.precision not in PRECISIONS:
+            raise ValueError(f"precision must be one of {', '.join(PRECISIONS)}, got {self.precision!r}")
+        try:
+            torch.device(self.device)
+        except RuntimeError:
+            raise ValueError(f"device must be cpu, cuda, cuda:1 or another that torch knows, got {self.device!r}") from None
+        if not 1 <= self.processes <= self.batch:
+            raise ValueError(f"processes must be from 1 to the {self.batch} frames of a minibatch, got {self.processes}")
+
+    @classmethod
+    def quick(cls, **changes) -> "Config":
+        """Half a minute on two cores: small sizes, one style clip per minibatch, straying poses, a high rate that decays."""
+        settings = {"sizes": Sizes.small(), "batch": 64, "clips_per_batch": 1, "rate": 2e-3, "style_rate": 0.1,
+                    "stray": 0.3, "final_rate": 0.01, "max_gradient": 1.0}
+        if not changes.keys() & {"epochs", "steps", "seconds"}:
+            settings["seconds"] = 30.0
+        return cls(**(settings | changes))
+
+    @classmethod
+    def from_json(cls, stored: dict) -> "Config":
+        """A config as JSON holds it."""
+        return cls(**{**stored, "sizes": Sizes(**stored["sizes"]), "styles": tuple(stored["styles"])})
+
+    def fixed(self) -> dict:
+        """What must not change when a run is resumed, as JSON holds it."""
+        free = {"save_every", "device", "processes"} | ({"evaluate_every"} if self.patience is None else set())
+        return json.loads(json.dumps({k: v for k, v in dataclasses.asdict(self).items() if k not in free}))
+
+
+@dataclass(eq=False)
+class Run:
+    """What training made.
+
+    ``held_out[style]`` and ``baselines[style]`` are mean squared errors of normalised outputs on held-out frames: ``mse``;
+    ``other``, with another style's vector (where it is not much larger, the model does not listen to the vector); and the
+    ``mean`` and ``repeat`` of `baselines`. ``bone`` is the error of bone lengths, metres. ``history`` has a row per
+    evaluation.
+    """
+
+    model: Model
+    bank: StyleBank
+    config: Config
+    history: list[dict[str, float]]
+    held_out: dict[str, dict[str, float]]
+    baselines: dict[str, dict[str, float]]
+
+    def save(self, path: str | os.PathLike, *, slim: bool = False) -> None:
+        """Write model, bank and numbers to one safetensors file; `Model.load` and `StyleBank.load` read it too.
+
+        ``slim`` leaves out the FiLM generator and keeps 16 bits of the experts: a third of the size or less, to run with the
+        bank's styles.
+        """
+        tensors, description = self.model.parts(generator=not slim)
+        if slim:
+            tensors = {name: t.half() if name.startswith("model.experts") else t for name, t in tensors.items()}
+        numbers = {"config": dataclasses.asdict(self.config), "history": self.history, "held_out": self.held_out,
+                   "baselines": self.baselines}
+        model_files.write(path, tensors | {"bank.vectors": self.bank.vectors},
+                      {"model": description, "bank": list(self.bank.names), "run": numbers})
+
+    def table(self) -> list[dict[str, str | float]]:
+        """Held-out error beside both baselines: a row per style and one over all styles, each style counting the same."""
+        if not self.held_out:
+            return []
+        rows = [{"style": s, "error": e["mse"], **{k: v for k, v in e.items() if k != "mse"}, **self.baselines[s]}
+                for s, e in self.held_out.items()]
+        overall = {k: sum(row[k] for row in rows) / len(rows) for k in rows[0] if k != "style"}
+        return [*rows, {"style": "overall", **overall}]
+
+
+def load(path: str | os.PathLike) -> Run:
+    """Read a run that `Run.save` wrote; a file that is none is a one-line ValueError."""
+    tensors, parts = model_files.read(path, "run")
+    model, bank = Model.from_parts(path, tensors, parts, None), StyleBank.from_parts(path, tensors, parts)
+    with model_files.intact(path, "the record of the run"):
+        run = Run(model, bank, Config.from_json(parts["run"].pop("config")), **parts["run"])
+        run.table()
+    return run
+
+
+def pretrained() -> tuple[Model, StyleBank]:
+    """The embedded default: a small LPN-FiLM trained on procedural styles, and its style vectors. No network access.
+
+    It comes without the FiLM generator, so it cannot make style vectors of new clips. `toolkit/data/README.md` says what it
+    was trained on and with which command.
+    """
+    with resources.as_file(resources.files("toolkit") / "data" / "pretrained.safetensors") as path:
+        return Model.load(path), StyleBank.load(path)
