@@ -9,14 +9,13 @@ from pathlib import Path
 
 #: Modules in the order of the README's map; those inside a package follow from it.
 GROUPS = {
-    "Motion and files": ("rotations", "motion", "files", "decimals", "bvh", "datasets"),
-    "From motion to numbers": ("trajectory", "contacts", "phases", "layout", "features", "store"),
-    "Networks and training": ("networks", "sampling", "evaluation", "runs", "checkpoints", "engine", "training",
-                              "published"),
-    "The character under control": ("ik", "steering", "runtime", "compiled", "metrics"),
-    "Styles": ("styles", "stylization", "recognition", "comparison"),
-    "Out to files, pages and pictures": ("export", "view", "demo", "crowd"),
-    "The command line and its measurements": ("commands", "verbs", "benchmarks"),
+    "Motion and files": ("motion", "io", "datasets"),
+    "From motion to numbers": ("phases", "features"),
+    "Networks and training": ("networks", "training", "published"),
+    "The character under control": ("runtime", "styles"),
+    "Restyling a clip": ("stylization",),
+    "Measures, pictures and exports": ("evaluation", "view", "export"),
+    "The command line": ("cli",),
 }
 INTRODUCTION = """
 Made from the docstrings. ``import toolkit as tk``; a name that a package passes on, such as ``tk.phases.Hybrid``, is

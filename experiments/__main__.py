@@ -28,5 +28,11 @@ EXPERIMENTS = {name.rpartition(".")[2].replace("_", "-"): (f"{name}:run", _help(
 }
 app = verbs.group(EXPERIMENTS, pretty_exceptions_enable=False, help=experiments.__doc__)
 
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run the command line; returns the exit status."""
+    return verbs.execute(app, arguments)
+
+
 if __name__ == "__main__":
-    sys.exit(verbs.execute(app))
+    sys.exit(main())

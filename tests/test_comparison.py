@@ -6,8 +6,8 @@ import pytest
 import torch
 
 import toolkit as tk
-from experiments.seven_models import failures, hundred, interpolation, models
-from toolkit.__main__ import main
+from experiments.__main__ import main
+from experiments.seven_models import failures, hundred, interpolation, load, models
 from toolkit.features import pack_joints
 
 STYLES = "Neutral,PendulumHands,Zombie"
@@ -17,7 +17,7 @@ SOURCE = {"data": "procedural", "root": None, "styles": STYLES, "gaits": "FW", "
 
 @pytest.fixture(scope="module")
 def data():
-    return tk.comparison.load(**SOURCE)
+    return load(**SOURCE)
 
 
 @pytest.fixture(scope="module")
@@ -33,7 +33,7 @@ def folder(data, tmp_path_factory):
 def call(*arguments):
     """The command line, which must end well."""
     with pytest.raises(SystemExit) as done:
-        main(["compare", *map(str, arguments)])
+        main(["seven-models", *map(str, arguments)])
     assert not done.value.code
 
 
@@ -122,7 +122,7 @@ def test_hands_that_are_still_in_the_data_do_not_count():
 
 
 def test_what_is_there_is_not_done_again(data, folder, monkeypatch):
-    for module, name in ((tk.training, "fit"), (models, "closed_loop"), (tk.recognition, "train")):
+    for module, name in ((tk.training, "fit"), (models, "closed_loop"), (tk.evaluation.recognition, "train")):
         monkeypatch.setattr(module, name, None)
     monkeypatch.setattr(models, "frame_time", lambda *_: (1.0, 0.1))
     before = models.read_json(folder / models.TABLE)
@@ -158,7 +158,7 @@ def test_other_settings_and_bad_names_are_refused_in_one_line(data, folder, caps
         (["--data", "procedural", "--models", "lpn-film,gan"], "unknown model 'gan'; there is pfnn-onehot"),
         (["failures", "--out", "nowhere"], "nowhere"),
     ):
-        assert main(["compare", *arguments]) == 2
+        assert main(["seven-models", *arguments]) == 2
         error = capsys.readouterr().err.strip()
         assert said in error
         assert "\n" not in error
@@ -243,7 +243,7 @@ def test_a_style_clip_on_a_treadmill_is_the_data_again(data):
 
 @pytest.mark.parametrize("gait", hundred.GAITS)
 def test_commands_of_a_gait_go_where_the_gait_says(gait):
-    orders = hundred.commands(gait, 5, 600, tk.training.generator(1))
+    orders = hundred.commands(gait, 5, 600, tk.features.splits.generator(1))
     velocity, facing = (torch.stack([getattr(c, name) for c in orders]) for name in ("velocity", "facing"))
     torch.testing.assert_close(facing.norm(dim=-1), torch.ones(600, 5))
     speed = velocity.norm(dim=-1)

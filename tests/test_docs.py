@@ -10,7 +10,8 @@ import torch
 import typer
 
 import toolkit as tk
-from toolkit.__main__ import app, main
+from experiments import __main__ as experiments
+from toolkit import __main__ as verbs
 
 DOCS = Path(__file__).parents[1] / "docs"
 RUN = ("index", "gallery", "phase_sources", "adding_a_dataset", "adding_a_model")  # whose code is run from top to bottom
@@ -43,6 +44,12 @@ def names():
     return {"tk": tk, "torch": torch, "clip": clip, "model": model, "bank": bank}
 
 
+def command_line(typed: str):
+    """The command line that a command is for, and its words: those of the experiments start with "experiments"."""
+    first, *rest = typed.split()
+    return (experiments, rest) if first == "experiments" else (verbs, [first, *rest])
+
+
 def pattern(said: str) -> str:
     return ".*".join(re.escape(part) for part in said.split("…"))
 
@@ -50,7 +57,8 @@ def pattern(said: str) -> str:
 @pytest.mark.parametrize(("typed", "said"), table_rows("errors", "Command line"))
 def test_the_command_line_says_what_the_page_says(nonsense, capsys, typed, said):
     before = sorted(nonsense.rglob("*"))
-    assert main(typed.split()) == 2
+    line, words = command_line(typed)
+    assert line.main(words) == 2
     assert re.fullmatch(f"error: {pattern(said)}\n", capsys.readouterr().err)
     assert sorted(nonsense.rglob("*")) == before
 
@@ -83,7 +91,8 @@ def test_every_command_of_the_reproduction_exists():
     commands = [c for row in rows for c in re.findall(r"`([a-z].+?)`", row) if not c.startswith("pytest")]
     assert len(commands) > 20
     for command in commands:
-        words, at = command.split(), typer.main.get_command(app)
+        line, words = command_line(command)
+        at = typer.main.get_command(line.app)
         while getattr(at, "commands", None) and words and words[0] in at.commands:
             at = at.commands[words.pop(0)]
         known = {name for parameter in at.params for name in (*parameter.opts, *parameter.secondary_opts)}

@@ -125,7 +125,7 @@ def slow_moments(rows) -> tuple[int, list[float], list[float]]:
 @pytest.mark.parametrize("shape", [(1, 3), (2, 3), (50, 3), (1, 1), (9, 4, 3), (0, 3), (1, 5, 2)])
 @pytest.mark.parametrize("chunk", [1, 7, 1 << 18])
 def test_moments_in_parts_are_those_of_all_rows(monkeypatch, shape, chunk):
-    monkeypatch.setattr(features, "CHUNK", chunk)
+    monkeypatch.setattr("toolkit.features.features.CHUNK", chunk)
     rows = 5 + torch.randn(shape, generator=torch.Generator().manual_seed(7))
     for source in (rows, Rows(rows.__getitem__, torch.arange(len(rows)))):
         n, mean, variance = moments(source)
@@ -138,7 +138,7 @@ def test_moments_in_parts_are_those_of_all_rows(monkeypatch, shape, chunk):
 
 @pytest.mark.parametrize(("chunk", "at_once"), [(1, 1), (12, 4), (13, 4), (1000, 10)])
 def test_moments_hold_few_rows_at_a_time(monkeypatch, chunk, at_once):
-    monkeypatch.setattr(features, "CHUNK", chunk)
+    monkeypatch.setattr("toolkit.features.features.CHUNK", chunk)
     asked = []
 
     def derive(at):

@@ -99,12 +99,12 @@ def test_it_reads_back_what_it_wrote_and_refuses_other_files(small, swinging, tm
     (curve, found), (stored_curve, stored) = small.sinusoids(swinging), Learned.load(tmp_path / "own").sinusoids(swinging)
     assert torch.equal(curve, stored_curve)
     assert all(torch.equal(a, b) for a, b in zip(vars(found).values(), vars(stored).values(), strict=True))
-    tensors, parts = tk.networks.weights.read(tmp_path / "own", "learned")
-    tk.networks.weights.write(tmp_path / "other", tensors, {"model": {}})
+    tensors, parts = tk.io.model_files.read(tmp_path / "own", "learned")
+    tk.io.model_files.write(tmp_path / "other", tensors, {"model": {}})
     with pytest.raises(ValueError, match="expected a learned in it, got model"):
         Learned.load(tmp_path / "other")
     del tensors["learned.foot.shift.0.weight"]
-    tk.networks.weights.write(tmp_path / "damaged", tensors, parts)
+    tk.io.model_files.write(tmp_path / "damaged", tensors, parts)
     with pytest.raises(ValueError, match=r"the learned source in it is damaged .*shift\.0\.weight"):
         Learned.load(tmp_path / "damaged")
 
@@ -399,13 +399,13 @@ def test_every_damage_of_a_file_is_one_line(small, tmp_path):
     loaded = Learned.load(tmp_path / "own")
     assert loaded.factors == small.factors
     assert not any(network.training for network in loaded.networks.values())
-    tensors, parts = tk.networks.weights.read(tmp_path / "own", "learned")
+    tensors, parts = tk.io.model_files.read(tmp_path / "own", "learned")
     assert parts["learned"] == {"hidden": {"hand": 4, "foot": 4}, "factors": small.factors}
     assert all(key.startswith(("learned.hand.", "learned.foot.")) and not key.endswith(".time") for key in tensors)
     for broken in ({"hidden": {"hand": 4}, "factors": small.factors}, {"hidden": {"hand": 4, "foot": 4}},
                    {"hidden": {"hand": 4, "foot": 5}, "factors": small.factors},
                    {"hidden": {"hand": 4, "foot": 4}, "factors": {"hand": 1.0, "foot": "x"}}, 3):
-        tk.networks.weights.write(tmp_path / "broken", tensors, {"learned": broken})
+        tk.io.model_files.write(tmp_path / "broken", tensors, {"learned": broken})
         with pytest.raises(ValueError, match=r"broken: the learned source in it is damaged \(.+\)$") as error:
             Learned.load(tmp_path / "broken")
         assert "\n" not in str(error.value)

@@ -8,6 +8,7 @@ import struct
 import subprocess
 import sys
 import tracemalloc
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -299,7 +300,7 @@ needs_fork = pytest.mark.skipif(not hasattr(os, "fork"), reason="this system can
 WRITER = """
 import sys, tempfile, time
 from pathlib import Path
-from toolkit import files
+from toolkit.io import files
 from robustness.faults import Job, killed
 
 def work(folder):
@@ -317,7 +318,8 @@ with tempfile.TemporaryDirectory() as base:
 
 
 def python(*words):
-    environment = os.environ | {"OMP_NUM_THREADS": "1"}
+    tests = Path(__file__).parent
+    environment = os.environ | {"OMP_NUM_THREADS": "1", "PYTHONPATH": f"{tests.parent}{os.pathsep}{tests}"}
     return subprocess.run([sys.executable, *words], env=environment, capture_output=True, text=True, timeout=200)
 
 

@@ -9,7 +9,6 @@ from pathlib import Path
 import pytest
 import torch
 from test_networks import TINY
-from toolkit.cli.commands import _symmetric
 
 import toolkit as tk
 from toolkit.__main__ import main
@@ -37,11 +36,11 @@ def made(root, tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def in_memory(root):
-    return tk.features.build(tk.datasets.load("100style", root), mirror=_symmetric("100style", root))
+    return tk.features.build(tk.datasets.load("100style", root), mirror=tk.datasets.may_mirror("100style", root))
 
 
 def preprocess(root, out, **options):
-    mirror = _symmetric("100style", root)
+    mirror = tk.datasets.may_mirror("100style", root)
     return tk.features.store.preprocess("100style", root, out, **{"mirror": mirror, "workers": 1} | options)
 
 

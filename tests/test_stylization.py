@@ -426,7 +426,7 @@ def test_bad_input_is_one_line(walks, model, motions, tmp_path):
     with pytest.raises(ValueError, match="no motion of Zombie"):
         st.fit(motions.select(motions.domain == 0), training.Config.quick(sizes=SMALL, iterations=1))
     junk = tmp_path / "junk.safetensors"
-    tk.networks.weights.write(junk, {"stylizer.x": torch.zeros(1)}, {"stylizer": {"domains": ["a"]}})
+    tk.io.model_files.write(junk, {"stylizer.x": torch.zeros(1)}, {"stylizer": {"domains": ["a"]}})
     with pytest.raises(ValueError, match=r"junk\.safetensors: the stylizer in it is damaged"):
         st.Stylizer.load(junk)
 

@@ -48,7 +48,8 @@ SCRIPT = """
 import dataclasses, json, os, sys
 import torch
 from test_training import QUICK, waves
-from toolkit import engine, training
+from toolkit import training
+from toolkit.training import distributed
 
 if __name__ == "__main__":
     torch.set_num_threads(1)
@@ -56,7 +57,7 @@ if __name__ == "__main__":
     done = lambda step, loss: losses.append(loss) or print(step, flush=True)
     config = training.Config.from_json(json.loads(sys.argv[1]))
     run = training.fit(waves(), config, sys.argv[2], on_step=done)
-    if engine.first():
+    if distributed.first():
         run.save(sys.argv[3])
         with open(sys.argv[3] + ".json", "w") as file:
             json.dump(losses, file)

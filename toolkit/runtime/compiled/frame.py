@@ -11,10 +11,10 @@ from typing import NamedTuple
 import numpy as np
 from numba import njit
 
-from toolkit import runtime
 from toolkit.features.layout import CHANNELS
 from toolkit.motion import ik, trajectory
-from toolkit.runtime import CharacterState, steering
+from toolkit.runtime import frame, steering
+from toolkit.runtime.state import CharacterState
 
 State = namedtuple("State", sorted(CharacterState.__dataclass_fields__, key="style".__eq__))
 State.__doc__ = "`toolkit.runtime.CharacterState` as float32 arrays; the style comes last, ``[N or 1, S]``."
@@ -58,9 +58,9 @@ class Rules(NamedTuple):
             contacts=layout.outputs["contacts"].start,
             toes=tuple(layout.names.index(layout.skeleton.roles[f"{side}_toe"]) for side in ik.SIDES),
             samples=np.array(trajectory.SAMPLES) + trajectory.PAST, position_shares=1 - (1 - t) ** steering.POSITION_BIAS,
-            direction_shares=1 - (1 - t) ** steering.DIRECTION_BIAS, half_second=runtime.FPS // 2,
-            interval=(trajectory.SAMPLES[1] - trajectory.SAMPLES[0]) / runtime.FPS, fps=float(runtime.FPS),
-            gain=steering.GAIN, correction=runtime.CORRECTION, proportional=steering.PROPORTIONAL,
+            direction_shares=1 - (1 - t) ** steering.DIRECTION_BIAS, half_second=trajectory.FPS // 2,
+            interval=(trajectory.SAMPLES[1] - trajectory.SAMPLES[0]) / trajectory.FPS, fps=float(trajectory.FPS),
+            gain=steering.GAIN, correction=frame.CORRECTION, proportional=steering.PROPORTIONAL,
             integral=steering.INTEGRAL, max_drive=steering.MAX_DRIVE, stand_still=steering.RETURN, slow=steering.SLOW,
             slack=ik.SLACK, let_go=ik.RETURN,
         )
