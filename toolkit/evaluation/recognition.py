@@ -14,6 +14,7 @@ from toolkit import features
 from toolkit.features import CHANNELS, Features, Normaliser, splits
 from toolkit.io import model_files
 from toolkit.motion import Clip, root_frames, trajectory
+from toolkit.motion.tensors import summary
 
 WINDOW = 60  # frames seen at a time, one second
 HOP = 15  # frames between the windows of a longer motion
@@ -45,6 +46,9 @@ class Recogniser(nn.Module):
         self.first = nn.Conv1d(len(normaliser.mean), hidden, 8, stride=4)
         self.second = nn.Conv1d(hidden, hidden, 5, stride=2)
         self.out = nn.Linear(2 * hidden, len(self.styles))
+
+    def __repr__(self) -> str:
+        return summary(self, {"styles": self.styles, "hidden": self.hidden})
 
     def forward(self, windows: Tensor) -> Tensor:
         """Logits ``[B, S]`` of normalised ``windows [B, WINDOW, 12 J]``."""

@@ -13,6 +13,7 @@ from torch import Tensor, nn
 
 from toolkit.features import CLIP_FRAMES, Layout, Normaliser
 from toolkit.io import model_files
+from toolkit.motion.tensors import summary
 from toolkit.networks import phase
 from toolkit.networks.adapters import OneHot, ResidualAdapter, StyleTable
 from toolkit.networks.experts import Experts
@@ -117,6 +118,13 @@ class Model(nn.Module):
             case "resad":
                 self.modulation = ResidualAdapter(s.hidden, experts, rank, rows)
 
+    def __repr__(self) -> str:
+        return summary(self, {
+            "name": self.name, "parameters": sum(p.numel() for p in self.parameters()), "hidden": self.sizes.hidden,
+            "inputs": self.layout.n_inputs, "phases": self.layout.n_phases, "outputs": self.layout.n_outputs,
+            "style_size": self.style_size, "generator": self.modulation.generator is not None,
+        })  # fmt: skip
+
     def forward(self, x: Tensor, phases: Tensor, style: Tensor) -> Tensor:
         """Output frames ``[B, Dz]`` of ``x [B, Dx]``, ``phases [B, n_phases]`` and ``style [B or 1, D]``; all normalised."""
         gates = self.gating(phases, x)
@@ -200,8 +208,8 @@ class Model(nn.Module):
             return self.encode(None, style)[0]
         if clips.dim() != 3 or not len(clips) or clips.shape[1:] != (CLIP_FRAMES, self.layout.n_clip):
             raise ValueError(f"style clips are [M, {CLIP_FRAMES}, {self.layout.n_clip}], got {list(clips.shape)}")
-        normaliser, device = self.normaliser("clips"), self.clips_mean.device
-        return torch.cat([self.encode(normaliser.apply(part.to(device))) for part in clips.split(32)]).mean(0)
+        normaliser = self.normaliser("clips")
+        return torch.cat([self.encode(normaliser.apply(part.to(self.clips_mean))) for part in clips.split(32)]).mean(0)
 
     def normaliser(self, kind: str) -> Normaliser:
         """The normaliser of ``inputs``, ``phases``, ``outputs`` or ``clips``."""

@@ -9,6 +9,7 @@ from torch import Tensor
 from tqdm import tqdm
 
 from toolkit.motion import Clip
+from toolkit.motion.tensors import summary
 from toolkit.runtime.compiled import CompiledModel, compile
 from toolkit.runtime.frame import FPS, CharacterState, pose, start, step
 from toolkit.runtime.steering import LOOKAHEAD, Command
@@ -34,6 +35,7 @@ class Crowd:
     clips: list[Clip]
     blends: list[dict[str, float]]
     seconds: float
+    __repr__ = summary
 
     @property
     def report(self) -> str:

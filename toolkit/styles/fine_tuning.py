@@ -14,6 +14,7 @@ from toolkit import features, runtime
 from toolkit.features import KINDS, Features, splits
 from toolkit.io.model_files import difference
 from toolkit.motion import Clip
+from toolkit.motion.tensors import summary
 from toolkit.networks import Film, FilmGenerator, Model
 from toolkit.networks.bank import StyleBank
 from toolkit.training import minibatches
@@ -62,6 +63,7 @@ class NewStyles:
     method: str
     seconds: float
     losses: list[float]
+    __repr__ = summary
 
 
 def fine_tune(model: Model, clips: Clip | Sequence[Clip] | Features, name: str | None = None, bank: StyleBank | None = None,

@@ -14,6 +14,7 @@ from torch import Tensor, nn
 from toolkit.features.splits import generator
 from toolkit.motion import Clip, Skeleton, local_rotations, root_frames
 from toolkit.motion import rotations as R
+from toolkit.motion.tensors import summary
 from toolkit.motion.trajectory import heading
 from toolkit.stylization.graph import SkeletonGraph
 
@@ -64,6 +65,7 @@ class Motions:
     take: Tensor
     domains: tuple[str, ...]
     contents: tuple[str, ...]
+    __repr__ = summary
 
     def __len__(self) -> int:
         return len(self.x)
@@ -208,7 +210,7 @@ def to_clip(x: Tensor, root_velocity: Tensor, source: Clip) -> Clip:
 def _aimed(skeleton: Skeleton, world: Tensor, root: Tensor, wanted: Tensor) -> Tensor:
     """World rotations ``[F, N, 4]`` turned so that bones without siblings point at their ends' ``wanted`` positions."""
     positions = root[:, None].expand_as(wanted).clone()
-    for joints, parents in skeleton.levels:
+    for joints, parents in skeleton.levels(world.device):
         alone = torch.tensor([skeleton.parents.count(p) == 1 for p in parents.tolist()])
         bones = R.rotate(world[:, parents], skeleton.offsets[joints])
         turn = R.between(bones, wanted[:, joints] - positions[:, parents])
