@@ -46,7 +46,7 @@ def foot_skate(clip: Clip, contact: Tensor | None = None) -> dict[str, float]:
 def step_rate(contact: Tensor, fps: float) -> float:
     """Landings of both feet per second, from contacts ``[F, 2]`` in [0, 1]; a character that only slides makes none."""
     on = contact > 0.5
-    return float((on[1:] & ~on[:-1]).sum() * fps / len(contact))
+    return int((on[1:] & ~on[:-1]).sum()) * fps / len(contact)
 
 
 def speed(clip: Clip) -> float:

@@ -351,7 +351,7 @@ def group_features(members: Iterable[tuple[int, Clip]], source: str | phases.Sou
     chosen: list[tuple[int, Clip]] = []
     for take, clip in members:
         clip = clip.resample(trajectory.FPS)
-        if not len(usable(len(clip))):
+        if not len(usable(len(clip), clip.rotations.device)):
             if short == "skip":
                 continue
             raise ValueError(f"{clip.name}: {len(clip)} frames hold no whole trajectory window; it takes "

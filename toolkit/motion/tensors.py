@@ -13,7 +13,7 @@ WIDTH, LINES = 125, 5  # of a representation
 NAMES = 6  # shown of a longer list
 
 
-def as_tensor(values: Any, what: str, like: Tensor | None = None) -> Tensor:
+def as_tensor(values: Any, what: str, like: Tensor | torch.dtype | None = None) -> Tensor:
     """Numbers as a floating tensor.
 
     Parameters
@@ -23,7 +23,8 @@ def as_tensor(values: Any, what: str, like: Tensor | None = None) -> Tensor:
     what
         What they are, for the error.
     like
-        Gives the device and the dtype. Without it a floating tensor stays as it is, and all else gets torch's default dtype.
+        Gives the device and the dtype, or is the dtype. Without it a floating tensor stays as it is, and all else gets
+        torch's default dtype.
 
     Raises
     ------
@@ -39,10 +40,10 @@ def as_tensor(values: Any, what: str, like: Tensor | None = None) -> Tensor:
                 values = torch.from_numpy(array if array.dtype.kind in "biuf" else array.astype(np.float64, casting="safe"))
         except (TypeError, ValueError, RuntimeError):
             raise ValueError(f"{what} must be numbers in a tensor, array or list; got {shown(values)}") from None
-        values = values.to(torch.get_default_dtype())
-    elif not values.is_floating_point():
-        values = values.to(torch.get_default_dtype())
-    return values if like is None else values.to(like)
+        like = torch.get_default_dtype() if like is None else like
+    elif like is None:
+        like = values.dtype if values.is_floating_point() else torch.get_default_dtype()
+    return values.to(like)
 
 
 def through_numpy(function: Callable[[np.ndarray], np.ndarray], values: Tensor) -> Tensor:

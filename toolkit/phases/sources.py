@@ -41,7 +41,7 @@ def curves(clip: Clip, source: Source) -> Tensor:
     ValueError
         If it does not give one finite number per frame for every limb.
     """
-    raw = [as_tensor(source(clip, limb), "a source's curve").to(clip.rotations.device, torch.float64) for limb in LIMBS]
+    raw = [as_tensor(source(clip, limb), "a source's curve", torch.float64).to(clip.rotations.device) for limb in LIMBS]
     if any(r.shape != (len(clip),) or not bool(torch.isfinite(r).all()) for r in raw):
         raise ValueError(f"{clip.name}: a source must give one finite number per frame ({len(clip)}) for every limb")
     return torch.stack(raw, 1)

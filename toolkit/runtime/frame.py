@@ -58,7 +58,7 @@ def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0),
     place, look = _pairs(position, "position", style), unit(_pairs(facing, "facing", style))
     root = torch.cat((place, look), -1)
     if not root.is_meta and not bool(root.isfinite().all() & look.any(-1).all()):
-        raise ValueError(f"position and facing must be finite, and facing not zero; got {shown(position)} and {shown(facing)}")
+        raise ValueError(f"position and facing must be finite, and facing not zero; got {shown(position)}, {shown(facing)}")
     state = CharacterState(
         history=root[:, None].repeat(1, trajectory.PAST + 1, 1), future=root[:, None].repeat(1, N_FUTURE, 1),
         joints=_orthonormal(joints.expand(len(style), -1)), phase=phase.expand(len(style), -1), style=style,

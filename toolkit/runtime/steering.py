@@ -89,7 +89,7 @@ def straight(speed: float = 1.2, seconds: float = 10.0, facing: Sequence[float] 
     """Commands that walk straight ahead at ``speed`` m/s; a ValueError where a number is not finite or time is negative."""
     if not (math.isfinite(speed) and 0 <= seconds < math.inf):
         raise ValueError(f"speed and seconds must be finite and seconds not negative, got {speed} and {seconds}")
-    forward = unit(as_tensor(facing, "facing"))
+    forward = unit(as_tensor(facing, "facing", torch.float64))
     return [Command(tuple((speed * forward).tolist()), tuple(forward.tolist()))] * round(seconds * FPS)
 
 
@@ -105,7 +105,7 @@ def follow(points: Sequence[Sequence[float]], speed: float = 1.2, seconds: float
     seconds
         How long; as long as the path takes where not given.
     """
-    path = as_tensor(points, "points").cpu()
+    path = as_tensor(points, "points", torch.float64).cpu()
     legs = (path[1:] - path[:-1]).norm(dim=-1)
     if path.dim() != 2 or path.shape[1] != 2 or not len(legs) or float(legs.min()) < 1e-6:
         raise ValueError(f"a path needs two or more different (x, z) points, got {list(path.shape)}")
