@@ -41,8 +41,8 @@ class Normaliser:
         return cls(mean.to(dtype), torch.where(squares.sqrt() < 1e-5, 1.0, squares.sqrt()).to(dtype))
 
     def apply(self, x: Tensor) -> Tensor:
-        """Physical units → normalised."""
-        return (x - self.mean) / self.std
+        """Physical units → normalised, on the device of the statistics and in their dtype."""
+        return (x.to(self.mean) - self.mean) / self.std
 
     def invert(self, x: Tensor) -> Tensor:
         """Normalised → physical units."""

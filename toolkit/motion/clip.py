@@ -3,7 +3,7 @@
 import dataclasses
 import math
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -30,7 +30,8 @@ class Skeleton:
     parents
         J indices; the root comes first with -1, every parent comes before its children.
     offsets : Tensor [J, 3]
-        Position of each joint in its parent's frame, metres. The root's is not used.
+        Position of each joint in its parent's frame, metres. The root's is not used. They are kept as float32 on the CPU;
+        kinematics takes them to a motion's device and dtype.
     roles
         What each limb is called here, for the keys of `ROLES`; found from the names and the tree where not given.
 
@@ -49,7 +50,7 @@ class Skeleton:
         set_ = object.__setattr__
         set_(self, "names", tuple(self.names))
         set_(self, "parents", tuple(int(p) for p in self.parents))
-        set_(self, "offsets", as_tensor(self.offsets, "offsets"))
+        set_(self, "offsets", as_tensor(self.offsets, "offsets", torch.float32).cpu())
         n = len(self.names)
         if len(self.parents) != n or self.offsets.shape != (n, 3):
             raise ValueError(f"{n} joint names need {n} parents and offsets [{n}, 3]; got {len(self.parents)} parents "
@@ -112,8 +113,7 @@ class Skeleton:
     @cached_property
     def rest_positions(self) -> Tensor:
         """Positions ``[J, 3]`` with every rotation zero, the root at the origin."""
-        like = self.offsets
-        return forward_kinematics(self, R.identity(len(self), dtype=like.dtype, device=like.device), like.new_zeros(3))[1]
+        return forward_kinematics(self, R.identity(len(self), dtype=torch.float32), torch.zeros(3))[1]
 
     @cached_property
     def facing_axis(self) -> Tensor:
@@ -122,7 +122,8 @@ class Skeleton:
         left = rest[self.index("left_hip")] - rest[self.index("right_hip")]
         chest = next(j for j in self.ancestors("left_shoulder") if j in self.ancestors("right_shoulder"))
         forward = torch.linalg.cross(left, rest[chest] - rest[self.index("hips")])
-        return (torch.arange(3, device=rest.device) == forward.abs().argmax()) * forward.sign()
+        largest = forward.abs().argmax()
+        return torch.eye(3)[largest] * forward[largest].sign()
 
     def ancestors(self, name: str) -> list[int]:
         """Indices from a joint's parent up to the root."""
@@ -280,9 +281,9 @@ class Clip:
         return self.cut(start, stop)
 
     def to(self, *device_or_dtype: torch.device | torch.dtype | str) -> "Clip":
-        """The same motion on another device, or in another floating dtype."""
-        moved = (values.to(*device_or_dtype) for values in (self.rotations, self.root_positions))
-        return self.replace(**dict(zip(("rotations", "root_positions"), moved, strict=True)))
+        """The same motion on another device or in another floating dtype; the clip itself where nothing changes."""
+        q = self.rotations.to(*device_or_dtype)
+        return self if q is self.rotations else self.replace(rotations=q, root_positions=self.root_positions.to(q))
 
     def resample(self, fps: float) -> "Clip":
         """The same motion at another rate, by cubic splines (so that velocities stay continuous)."""
@@ -339,6 +340,11 @@ class Clip:
         mirrored = R.from_matrix(world[:, None] * matrices[:, twins] * own[:, None, :])
         return self.replace(rotations=R.unroll(local_rotations(self.skeleton, mirrored)),
                             root_positions=self.root_positions * world)
+
+
+def on_cpu(clips: Clip | Iterable[Clip]) -> list[Clip]:
+    """One or more clips as a list, float32 on the CPU: what is drawn and what networks of that dtype take."""
+    return [clip.to("cpu", torch.float32) for clip in ([clips] if isinstance(clips, Clip) else clips)]
 
 
 @dataclass(frozen=True, eq=False)

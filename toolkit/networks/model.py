@@ -13,7 +13,7 @@ from torch import Tensor, nn
 
 from toolkit.features import CLIP_FRAMES, Layout, Normaliser
 from toolkit.io import model_files
-from toolkit.motion.tensors import summary
+from toolkit.motion.tensors import as_tensor, summary
 from toolkit.networks import phase
 from toolkit.networks.adapters import OneHot, ResidualAdapter, StyleTable
 from toolkit.networks.experts import Experts
@@ -97,8 +97,8 @@ class Model(nn.Module):
             given = normalisers.get(kind, Normaliser(torch.zeros(width), torch.ones(width)))
             if given.mean.shape != (width,) or given.std.shape != (width,):
                 raise ValueError(f"the normaliser of {kind} needs {width} columns, got {list(given.mean.shape)}")
-            self.register_buffer(f"{kind}_mean", given.mean.clone())
-            self.register_buffer(f"{kind}_std", given.std.clone())
+            self.register_buffer(f"{kind}_mean", given.mean.to(torch.empty(0), copy=True))  # as the weights are
+            self.register_buffer(f"{kind}_std", given.std.to(torch.empty(0), copy=True))
         experts, rank = (CONTROL_POINTS, s.rank) if synthesis == "pfnn" else (s.experts, None)
         match synthesis:
             case "lpn":
@@ -170,7 +170,7 @@ class Model(nn.Module):
 
     @torch.no_grad()
     def predict(self, x: Tensor, phases: Tensor, style: Tensor) -> Tensor:
-        """The next frame, in physical units.
+        """The next frame, in physical units, on the model's device and in its dtype; arrays and lists will do, too.
 
         Parameters
         ----------
@@ -191,11 +191,13 @@ class Model(nn.Module):
         ValueError
             If a width is another.
         """
+        given, like = [], self.outputs_mean
         for what, value, width in (("x", x, self.layout.n_inputs), ("phases", phases, self.layout.n_phases),
                                    ("style", style, self.style_size)):
-            if value.shape[-1] != width:
-                raise ValueError(f"{what} needs {width} columns, got shape {list(value.shape)}")
-        z = self(self.normaliser("inputs").apply(x), self.normaliser("phases").apply(phases), style)
+            given.append(as_tensor(value, what, like))
+            if given[-1].shape[-1] != width:
+                raise ValueError(f"{what} needs {width} columns, got shape {list(given[-1].shape)}")
+        z = self(self.normaliser("inputs").apply(given[0]), self.normaliser("phases").apply(given[1]), given[2])
         return self.normaliser("outputs").invert(z)
 
     @torch.no_grad()

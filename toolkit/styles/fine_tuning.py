@@ -193,7 +193,7 @@ def _descend(model: Model, bank: StyleBank | None, data: Features, learnt: list[
         x, p, z, y = batches[step]
         there = poses[torch.randint(len(poses), (len(x),), generator=draw)]
         astray, far = torch.rand(2, len(x), 1, generator=draw)
-        x = x.clone()
+        x = x.to(poses, copy=True)
         x[:, joints] = torch.lerp(x[:, joints], there, (astray < STRAY) * far)
         x, p, z, y = (model.normaliser(kind).apply(v) for kind, v in zip(KINDS, (x, *model.observe(p, z), y), strict=True))
         style = vector(step % len(data.styles), y)

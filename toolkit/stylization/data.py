@@ -12,7 +12,7 @@ import torch
 from torch import Tensor, nn
 
 from toolkit.features.splits import generator
-from toolkit.motion import Clip, Skeleton, local_rotations, root_frames
+from toolkit.motion import Clip, Skeleton, local_rotations, on_cpu, root_frames
 from toolkit.motion import rotations as R
 from toolkit.motion.tensors import summary
 from toolkit.motion.trajectory import heading
@@ -126,7 +126,7 @@ def build(clips: Sequence[Clip], domains: Sequence[str] | None = None, mirror: b
 
 def prepare(clip: Clip) -> Clip:
     """A clip at 30 Hz on its skeleton without End Sites."""
-    return clip.without_ends().resample(FPS)
+    return on_cpu(clip)[0].without_ends().resample(FPS)
 
 
 def check_skeleton(clip: Clip, skeleton: Skeleton) -> None:
