@@ -168,7 +168,8 @@ NUMBERS = {  # what looks at numbers, or goes through scipy and numba
     "steering.straight": lambda m: runtime.straight(1.0, 0.1),
 }
 CASES = META | NUMBERS
-ELSEWHERE = {"clip.find_roles", "clip.on_cpu", "features.check_style", "features.check_style_clips"}  # no tensors, or always the CPU's
+#: No tensors, or always the CPU's.
+ELSEWHERE = {"clip.find_roles", "clip.on_cpu", "features.check_style", "features.check_style_clips"}
 
 
 def tensors(value) -> list[torch.Tensor]:

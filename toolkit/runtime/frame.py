@@ -51,10 +51,12 @@ def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0),
         If that is no model or style vector, or the pairs are of another number of characters, not finite, or face nowhere.
     """
     if not hasattr(model, "layout"):
-        raise ValueError(f"expected a model, such as the model of a run; got {shown(model)}")
+        raise ValueError(f"expected a model (of a run: run.model), got {shown(model)}")
     layout: Layout = model.layout
     phase, joints = amid_a_stride(model)
     style = vectors_of(style, joints)
+    if style.shape[1] != (size := getattr(model, "style_size", style.shape[1])):
+        raise ValueError(f"style needs {size} columns, got shape {list(style.shape)}")
     place, look = _pairs(position, "position", style), unit(_pairs(facing, "facing", style))
     root = torch.cat((place, look), -1)
     if not root.is_meta and not bool(root.isfinite().all() & look.any(-1).all()):

@@ -11,7 +11,7 @@ import torch
 from torch import Tensor
 
 from toolkit.motion import trajectory
-from toolkit.motion.tensors import as_tensor
+from toolkit.motion.tensors import as_tensor, summary
 from toolkit.runtime.state import CharacterState
 
 FPS = trajectory.FPS
@@ -32,6 +32,7 @@ class Command:
 
     velocity: Sequence[float] | Tensor = (0.0, 0.0)
     facing: Sequence[float] | Tensor = (0.0, 1.0)
+    __repr__ = summary
 
 
 Pilot = Callable[[CharacterState], Command]

@@ -46,6 +46,7 @@ class Config:
     save_every: float = 120.0  # seconds between checkpoints
     seed: int = 0
     device: str = "cpu"
+    __repr__ = summary
 
     def __post_init__(self):
         if unknown := sorted(set(self.losses) - set(losses.LOSSES)):

@@ -44,6 +44,7 @@ class Config:
     precision: str = "32"  # bits of a number; "bf16": bfloat16 products by autocast, weights and Adam in 32
     device: str = "cpu"
     processes: int = 1  # on this machine, each with its device; torchrun, which knows of more machines, overrules it
+    __repr__ = summary
 
     def __post_init__(self):
         if self.model not in MODELS:
