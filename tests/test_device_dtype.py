@@ -130,6 +130,8 @@ META = {  # what runs on any device, numbers or not
                                                                         else m.state.velocity, [0, 1]))),
     "steering.govern": lambda m: runtime.govern(m.state, m.state.velocity),
     "steering.follow": lambda m: [runtime.follow([(0, 0), (0, 3)], seconds=0.1)[5](m.state).velocity],
+    "steering.towards": lambda m: steering.towards(m.state, torch.tensor([1.0, 2.0], dtype=torch.float64,
+                                                                           device=m.root.device), (0, 1), 1.0).velocity,
     "steering.unit": lambda m: steering.unit(m.v),
     "steering.turn": lambda m: steering.turn(m.v[:, :2], m.v[:, 1:], 0.3),
 }

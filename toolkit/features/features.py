@@ -18,6 +18,8 @@ from toolkit.motion import rotations as R
 from toolkit.motion.tensors import few, summary
 
 CLIP_FRAMES, CLIP_HOP = 240, 120
+TOO_SHORT = (f"{{}}: {{}} frames hold no whole trajectory window; it takes {trajectory.PAST} before and "
+             f"{trajectory.FUTURE + 1} after a frame")
 CHUNK = 1 << 18  # numbers at a time in sums over all rows
 
 
@@ -189,8 +191,7 @@ def frames(clip: Clip, ph: phases.Phases | None = None, start: int = 0, stop: in
     at = usable(len(clip), own.joints.device)
     at = at[(at >= start) & (at < (len(clip) if stop is None else stop))]
     if not len(at):
-        raise ValueError(f"{clip.name}: {len(clip)} frames hold no whole trajectory window; it takes "
-                         f"{trajectory.PAST} before and {trajectory.FUTURE + 1} after a frame")
+        raise ValueError(TOO_SHORT.format(clip.name, len(clip)))
     return Frames(own.inputs(at), own.phases[at], own.outputs(at), at)
 
 
@@ -354,8 +355,7 @@ def group_features(members: Iterable[tuple[int, Clip]], source: str | phases.Sou
         if not len(usable(len(clip), clip.rotations.device)):
             if short == "skip":
                 continue
-            raise ValueError(f"{clip.name}: {len(clip)} frames hold no whole trajectory window; it takes "
-                             f"{trajectory.PAST} before and {trajectory.FUTURE + 1} after a frame")
+            raise ValueError(TOO_SHORT.format(clip.name, len(clip)))
         chosen.append((take, clip))
         if mirror(clip) if callable(mirror) else mirror:
             chosen.append((take, clip.mirrored()))

@@ -118,19 +118,19 @@ def follow(points: Sequence[Sequence[float]], speed: float = 1.2, seconds: float
         return torch.lerp(path[leg], path[leg + 1], share)
 
     def pilot(distance: float) -> Pilot:
-        """Head for where the path is a moment later: late and strayed characters catch up, early ones wait."""
         goal, ahead = point(distance + LOOKAHEAD * speed), point(distance + LOOKAHEAD * speed + 0.05)
         tangent = ahead - goal if float((ahead - goal).norm()) > 1e-6 else path[-1] - path[-2]
-
-        def steer_to_goal(state: CharacterState) -> Command:
-            velocity = (goal.to(state.root) - state.root[:, :2]) / LOOKAHEAD
-            fast = velocity.norm(dim=-1, keepdim=True).clamp_min(1e-6)
-            return Command(velocity * (1.5 * speed / fast).clamp(max=1.0), tangent)
-
-        return steer_to_goal
+        return lambda state: towards(state, goal, tangent, speed)
 
     frames = math.ceil((float(ends[-1]) / speed if seconds is None else seconds) * FPS)
     return [pilot(frame / FPS * speed) for frame in range(frames)]
+
+
+def towards(state: CharacterState, goal: Tensor, facing: Tensor, speed: float) -> Command:
+    """Head for where a path is `LOOKAHEAD` later, ``goal [2]`` or ``[B, 2]``: late characters catch up, early ones wait."""
+    velocity = (goal.to(state.root) - state.root[:, :2]) / LOOKAHEAD
+    fast = velocity.norm(dim=-1, keepdim=True).clamp_min(1e-6)
+    return Command(velocity * (1.5 * speed / fast).clamp(max=1.0), facing)
 
 
 def unit(v: Tensor) -> Tensor:
