@@ -197,7 +197,8 @@ class Clip:
     skeleton
         Whose motion it is, J joints.
     rotations : Tensor [F, J, 4]
-        Unit quaternions relative to the parent (the root's to the world).
+        Unit quaternions relative to the parent (the root's to the world). A tensor keeps its device and floating dtype,
+        which the positions get too; arrays and lists become float32.
     root_positions : Tensor [F, 3]
         Metres.
     fps
@@ -227,8 +228,8 @@ class Clip:
             raise ValueError(f"{self.name}: expected rotations [F, {joints}, 4] and root positions [F, 3], F >= 1; got "
                              f"{list(self.rotations.shape)} and {list(self.root_positions.shape)}")
         for what, values in (("rotations", self.rotations), ("root positions", self.root_positions)):
-            if values.is_meta:  # which has a shape and no numbers
-                continue
+            if values.is_meta:
+                continue  # the meta device keeps shapes and no numbers
             if not math.isfinite(values.sum(dtype=torch.float64)):  # one pass; a double cannot overflow here
                 frame = int((~torch.isfinite(values.flatten(1))).any(1).nonzero()[0])
                 raise ValueError(f"{self.name}: {what} of frame {frame} are not finite")

@@ -85,7 +85,7 @@ def between(a: Tensor, b: Tensor) -> Tensor:
 
 
 def least_axis(v: Tensor) -> Tensor:
-    """The coordinate axis ``[..., 3]`` that vectors ``[..., 3]`` have least of: it is never parallel to them."""
+    """The coordinate axis ``[..., 3]`` of the smallest component of vectors ``[..., 3]``: it is never parallel to them."""
     return (torch.arange(3, device=v.device) == v.abs().argmin(-1, keepdim=True)).to(v.dtype)
 
 

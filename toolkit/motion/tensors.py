@@ -1,4 +1,4 @@
-"""What all modules do with tensors alike: make them of numbers, pass them through scipy, and describe them in a line."""
+"""Tensors of numbers in any form, functions of arrays on tensors, and short representations of objects that hold tensors."""
 
 import dataclasses
 import textwrap
@@ -9,8 +9,8 @@ import numpy as np
 import torch
 from torch import Tensor, nn
 
-WIDTH, LINES = 125, 5  # of a representation
-NAMES = 6  # shown of a longer list
+WIDTH, LINES = 125, 5  # columns and lines of a representation
+NAMES = 6  # names that are shown of a longer list
 
 
 def as_tensor(values: Any, what: str, like: Tensor | torch.dtype | None = None) -> Tensor:
@@ -47,8 +47,11 @@ def as_tensor(values: Any, what: str, like: Tensor | torch.dtype | None = None) 
 
 
 def through_numpy(function: Callable[[np.ndarray], np.ndarray], values: Tensor) -> Tensor:
-    """A function of a float64 array, for scipy and numba: its result has the device and the dtype of ``values``."""
-    return torch.from_numpy(np.ascontiguousarray(function(values.detach().double().cpu().numpy()))).to(values)
+    """A function of a float64 array, for scipy and numba: its result has the device and the dtype of ``values``.
+
+    A RuntimeError if ``values`` need a gradient, which would be lost.
+    """
+    return torch.from_numpy(np.ascontiguousarray(function(values.double().cpu().numpy()))).to(values)
 
 
 def summary(thing: Any, facts: Mapping[str, Any] | None = None) -> str:
