@@ -52,7 +52,7 @@ def main(published: Annotated[Path | None, typer.Option(help="Folder of the publ
         tk.view.animate(looped(walks[style]), OUT / "styles" / f"{style}.gif", labels=[""], view=view, height=140, colors=40)
 
     embedded = tk.pretrained()
-    shown = [style for style in ("Neutral", "Zombie", "Strut", "Crouch", "Aeroplane") if style in embedded[1].names]
+    shown = [style for style in ("Neutral", "Zombie", "Strut", "Crouch", "Aeroplane") if style in embedded.bank]
     rows = [rollout(*embedded, style, procedural.STYLES[style].speed) for style in shown]
     tk.view.strip(rows, OUT / "styles.png", labels=shown, stop=2.0, width=9, dpi=120)
     Image.open(OUT / "styles.png").convert("RGB").quantize(128).save(OUT / "styles.png", optimize=True)

@@ -53,7 +53,7 @@ def test_observing_keeps_shared_columns_and_makes_the_phase_the_models_own(data)
         if name.startswith("lpn"):
             assert own is p
             assert target is z
-        ahead = model.next_phase(own, seen)
+        ahead = phase.advance(model.layout, own, seen)
         assert torch.allclose(ahead[:-1].cos(), own[1:].cos(), atol=1e-4)
         assert torch.allclose(ahead[:-1].sin(), own[1:].sin(), atol=1e-4)
         if name.startswith("pfnn"):

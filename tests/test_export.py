@@ -117,7 +117,7 @@ def test_gltf_names_the_joints_and_holds_what_moves(tmp_path, zombie):
 
 def test_models_move_the_skeleton_of_100style(shared):
     recorded = tk.bvh.load(shared / "100style" / "Neutral_FW.bvh").skeleton
-    embedded = tk.pretrained()[0].layout.skeleton
+    embedded = tk.pretrained().model.layout.skeleton
     assert embedded.names == SKELETON.names == recorded.names
     assert embedded.parents == SKELETON.parents == recorded.parents
     bones = (embedded.offsets - recorded.offsets)[1:].norm(dim=-1)
@@ -348,4 +348,4 @@ def test_bad_input_gets_one_line_and_leaves_nothing(tmp_path, zombie, capsys):
     assert {p.name for p in tmp_path.iterdir()} == {"cut.bvh", "folder.glb", "zombie.bvh"}
     bank = StyleBank(("a",), torch.zeros(1, 3))
     with pytest.raises(ValueError, match=r"takes style vectors \[1024\], the bank has \[3\]"):
-        tk.export.onnx.save(tk.pretrained()[0], new / "a.onnx", bank)
+        tk.export.onnx.save(tk.pretrained().model, new / "a.onnx", bank)

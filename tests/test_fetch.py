@@ -564,7 +564,7 @@ def test_the_layouts_of_the_other_archives(shared, tmp_path, monkeypatch):
     _, bank = tk.published.load()
     assert len(bank) == 100
     assert tk.published.available()
-    assert tk.published.either(None, "lpn-film-100style")[1].names == bank.names
+    assert tk.published.either(None, "lpn-film-100style").bank.names == bank.names
     (clip,) = tk.datasets.load("bandai")
     assert clip.gait == "walk"
     assert sorted(p.name for p in home.folder("bandai").rglob("*") if p.is_file()) == ["LICENSE", take.name, fetch.RECORD]

@@ -210,7 +210,7 @@ def test_several_styles_are_learnt_together_and_without_a_bank(small_run, crouch
 
 def test_what_cannot_be_learnt_is_refused_in_one_line(small_run, crouch):
     model, bank = small_run.model, small_run.bank
-    slim = tk.pretrained()[0]
+    slim = tk.pretrained().model
     with pytest.raises(ValueError, match="the bank has Zombie already"):
         tk.styles.fine_tune(model, crouch, "Zombie", bank)
     with pytest.raises(ValueError, match="unknown method 'magic'; there is generator, vector, forward"):
@@ -331,7 +331,7 @@ def test_vectors_of_single_clips_average_to_the_style(small_run):
 
 
 def test_published_twins_of_the_legs_are_neighbours(shared):
-    bank = tk.published.load(shared / "lpn_film_100style")[1]
+    bank = tk.published.load(shared / "lpn_film_100style").bank
     for a, b in (("LimpLeft", "LimpRight"), ("DragLeftLeg", "DragRightLeg"), ("SpinClock", "SpinAntiClock")):
         assert b in [name for name, _ in bank.nearest(a, 2)] or a in [name for name, _ in bank.nearest(b, 2)]
 

@@ -19,6 +19,7 @@ from toolkit.features import Layout, Normaliser
 from toolkit.motion import Clip, trajectory
 from toolkit.networks import Model, Sizes, build
 from toolkit.networks.bank import StyleBank
+from toolkit.training import Run
 
 DATASET = "lpn-film-100style"  # what `toolkit.datasets.fetch` calls them
 
@@ -44,8 +45,8 @@ def available() -> bool:
     return home.folder(DATASET).is_dir()
 
 
-def load(folder: str | os.PathLike | None = None) -> tuple[Model, StyleBank]:
-    """The published model and its 100 style vectors.
+def load(folder: str | os.PathLike | None = None) -> Run:
+    """The published model and its 100 style vectors, ``model, bank = load(folder)``.
 
     The model has no FiLM generator: only the style vectors that it gave were published.
 
@@ -90,10 +91,10 @@ def load(folder: str | os.PathLike | None = None) -> tuple[Model, StyleBank]:
                 layer.bias[k] = read(f"cp{i}_b{k}", n_out)
     parts = ("scale1", "shift1", "scale2", "shift2")
     vectors = torch.stack([torch.cat([read(f"Style_{i:03d}_{p}", sizes.hidden) for p in parts]) for i in range(len(STYLES))])
-    return model, StyleBank(STYLES, vectors)
+    return Run(model, StyleBank(STYLES, vectors))
 
 
-def either(file: str | os.PathLike | None, folder: str | os.PathLike | None) -> tuple[Model, StyleBank]:
+def either(file: str | os.PathLike | None, folder: str | os.PathLike | None) -> Run:
     """A model and its style bank: of a training run's ``file``, of the published ``folder``, the embedded one for neither.
 
     The ``folder`` may be ``lpn-film-100style``, for where data lies on this machine.
@@ -107,10 +108,7 @@ def either(file: str | os.PathLike | None, folder: str | os.PathLike | None) -> 
         raise ValueError("give either --model FILE or --published FOLDER, not both")
     if folder is not None:
         return load(folder)
-    if file is None:
-        return training.pretrained()
-    run = training.load(file)
-    return run.model, run.bank
+    return training.pretrained() if file is None else training.load(file)
 
 
 def one_step(model: Model, bank: StyleBank, clip: Clip, style: str, frames: tuple[int, int | None] = (0, None)) -> dict:

@@ -123,10 +123,10 @@ def test_keys_gamepad_and_marker(open_page, embedded):
     weights = page.evaluate("() => view.kernel.get('weights')")
     assert weights[1] > 0.7
     assert sum(weights) == pytest.approx(1)
-    zombie = tk.pretrained()[1]["Zombie"]
+    zombie = tk.pretrained().bank["Zombie"]
     page.wait_for_function(
         "([zombie, far]) => Math.hypot(...view.kernel.style.map((v, i) => v - zombie[i])) < far",
-        arg=[zombie.tolist(), 0.4 * float((tk.pretrained()[1]["Neutral"] - zombie).norm())],
+        arg=[zombie.tolist(), 0.4 * float((tk.pretrained().bank["Neutral"] - zombie).norm())],
     )
     before = live.root()
     page.keyboard.down("ArrowUp")  # the marker has the focus, and its own arrows

@@ -12,6 +12,7 @@ import torch
 from torch import Tensor
 
 from toolkit.datasets.procedural_styles import Leg, Style
+from toolkit.motion.tensors import summary
 
 FPS = 60
 FOOT = (0.0, -0.097, 0.192)  # from the ankle to the toe joint
@@ -240,6 +241,7 @@ class Truth:
     contacts: Tensor
     phase: Tensor
     frequency: Tensor
+    __repr__ = summary
 
 
 def record(plan: Plan, feet: dict[str, Foot]) -> Truth:

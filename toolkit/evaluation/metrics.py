@@ -7,6 +7,7 @@ from torch import Tensor
 
 from toolkit.features import Layout
 from toolkit.motion import Clip, Skeleton, contacts
+from toolkit.motion.tensors import as_tensor
 
 
 def foot_skate(clip: Clip, contact: Tensor | None = None) -> dict[str, float]:
@@ -30,14 +31,14 @@ def foot_skate(clip: Clip, contact: Tensor | None = None) -> dict[str, float]:
     ValueError
         If contacts are not of the clip's frames.
     """
-    contact = contacts.detect(clip, speed=math.inf) if contact is None else contact
+    contact = contacts.detect(clip, speed=math.inf) if contact is None else as_tensor(contact, "contacts", clip.rotations)
     if contact.shape != (len(clip), len(contacts.FEET)):
         raise ValueError(f"contacts of {len(clip)} frames have the shape [{len(clip)}, 2], got {list(contact.shape)}")
     result = {}
     for i, side in enumerate(contacts.FEET):
         toe = clip.global_positions[:, clip.skeleton.index(f"{side}_toe")]
         speed = contacts.velocities(toe, clip.fps)[:, [0, 2]].norm(dim=-1)
-        weight = (contact[:, i] > 0.5).float()
+        weight = contact[:, i] > 0.5
         result[side] = float((speed * weight).sum() / weight.sum()) if weight.any() else math.nan
     return result
 
@@ -45,7 +46,7 @@ def foot_skate(clip: Clip, contact: Tensor | None = None) -> dict[str, float]:
 def step_rate(contact: Tensor, fps: float) -> float:
     """Landings of both feet per second, from contacts ``[F, 2]`` in [0, 1]; a character that only slides makes none."""
     on = contact > 0.5
-    return float((on[1:] & ~on[:-1]).sum() * fps / len(contact))
+    return int((on[1:] & ~on[:-1]).sum()) * fps / len(contact)
 
 
 def speed(clip: Clip) -> float:
@@ -135,7 +136,8 @@ def hand_swing(layout: Layout, positions: Tensor) -> dict[str, Tensor]:
 def path_error(clip: Clip, points: Tensor) -> float:
     """Mean distance of the hips on the floor from a polyline of (x, z) ``points [P, 2]``, metres."""
     hips = clip.global_positions[:, clip.skeleton.index("hips")][:, None, [0, 2]]
-    a, b = points[None, :-1].to(hips), points[None, 1:].to(hips)
+    points = as_tensor(points, "points", hips)
+    a, b = points[None, :-1], points[None, 1:]
     along = (((hips - a) * (b - a)).sum(-1) / (b - a).square().sum(-1).clamp_min(1e-12)).clamp(0.0, 1.0)
     return float((hips - a - along[..., None] * (b - a)).norm(dim=-1).amin(1).mean())
 
@@ -159,7 +161,7 @@ def phase_error(phase: Tensor, truth: Tensor) -> tuple[Tensor, Tensor]:
     gap = (phase - truth).double()
     lag = torch.atan2(gap.sin().mean(0), gap.cos().mean(0))
     rest = gap - lag
-    return torch.atan2(rest.sin(), rest.cos()).abs().mean(0), lag
+    return torch.atan2(rest.sin(), rest.cos()).abs().mean(0).to(phase), lag.to(phase)
 
 
 def frechet_distance(a: Tensor, b: Tensor) -> float:

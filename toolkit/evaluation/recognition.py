@@ -14,6 +14,7 @@ from toolkit import features
 from toolkit.features import CHANNELS, Features, Normaliser, splits
 from toolkit.io import model_files
 from toolkit.motion import Clip, root_frames, trajectory
+from toolkit.motion.tensors import summary
 
 WINDOW = 60  # frames seen at a time, one second
 HOP = 15  # frames between the windows of a longer motion
@@ -40,11 +41,14 @@ class Recogniser(nn.Module):
     def __init__(self, styles: tuple[str, ...], normaliser: Normaliser, hidden: int = 64):
         super().__init__()
         self.styles, self.hidden = tuple(styles), hidden
-        self.register_buffer("mean", normaliser.mean)
-        self.register_buffer("std", normaliser.std)
+        self.register_buffer("mean", normaliser.mean.float())
+        self.register_buffer("std", normaliser.std.float())
         self.first = nn.Conv1d(len(normaliser.mean), hidden, 8, stride=4)
         self.second = nn.Conv1d(hidden, hidden, 5, stride=2)
         self.out = nn.Linear(2 * hidden, len(self.styles))
+
+    def __repr__(self) -> str:
+        return summary(self, {"styles": self.styles, "hidden": self.hidden})
 
     def forward(self, windows: Tensor) -> Tensor:
         """Logits ``[B, S]`` of normalised ``windows [B, WINDOW, 12 J]``."""
@@ -76,7 +80,7 @@ class Recogniser(nn.Module):
         lead = joints.shape[:-2]
         windows = joints.flatten(0, -3) if lead else joints[None]
         windows = windows.unfold(1, WINDOW, HOP).transpose(2, 3)  # [N, W, WINDOW, 12 J]
-        logits = self((windows.flatten(0, 1) - self.mean) / self.std)
+        logits = self((windows.flatten(0, 1).to(self.mean) - self.mean) / self.std)
         return torch.softmax(logits, -1).unflatten(0, windows.shape[:2]).mean(1).reshape(*lead, -1)
 
     def of_clip(self, clip: Clip) -> Tensor:
@@ -142,7 +146,8 @@ def train(data: Features, seed: int = 0, steps: int = STEPS) -> Recogniser:
     schedule = torch.optim.lr_scheduler.CosineAnnealingLR(adam, steps)
     for _ in range(steps):
         labels = torch.randint(len(data.styles), (BATCH,), generator=draw)
-        windows = (torch.stack([_window(data.clips[data.styles[i]], draw) for i in labels]) - model.mean) / model.std
+        windows = torch.stack([_window(data.clips[data.styles[i]], draw) for i in labels]).to(model.mean)
+        windows = (windows - model.mean) / model.std
         windows = windows + OFFSET * torch.randn(BATCH, 1, windows.shape[-1], generator=draw)
         windows = windows + JITTER * torch.randn(windows.shape, generator=draw)
         windows = windows * (torch.rand(BATCH, 1, windows.shape[-1], generator=draw) > DROPPED)

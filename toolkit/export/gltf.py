@@ -47,6 +47,7 @@ def save(clip: Clip, path: str | os.PathLike) -> None:
     """
     from toolkit.view import body  # drawing libraries, only on demand
 
+    clip = clip.to("cpu", torch.float32)
     skeleton, shapes = clip.skeleton, body.build(clip)
     if not shapes:
         raise ValueError(f"{clip.name}: no bone is long enough to be given a body")

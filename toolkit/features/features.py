@@ -15,32 +15,36 @@ from toolkit import phases
 from toolkit.features.layout import CHANNELS, Layout, pack_joints
 from toolkit.motion import Clip, RootFrames, contacts, root_frames, trajectory
 from toolkit.motion import rotations as R
+from toolkit.motion.tensors import few, summary
 
 CLIP_FRAMES, CLIP_HOP = 240, 120
+TOO_SHORT = (f"{{}}: {{}} frames hold no whole trajectory window; it takes {trajectory.PAST} before and "
+             f"{trajectory.FUTURE + 1} after a frame")
 CHUNK = 1 << 18  # numbers at a time in sums over all rows
 
 
 @dataclass(frozen=True)
 class Normaliser:
-    """Column-wise z-score. ``mean`` and ``std`` ``[D]`` float32, computed in float64; a constant column has std 1."""
+    """Column-wise z-score. ``mean`` and ``std`` ``[D]`` are computed in float64; a constant column has std 1."""
 
     mean: Tensor
     std: Tensor
+    __repr__ = summary
 
     @classmethod
     def of(cls, *rows: "Tensor | Rows") -> "Normaliser":
         """Statistics over all rows of tensors ``[..., D]``, a part of them in memory at a time."""
-        return cls.merged(moments(r) for r in rows)
+        return cls.merged((moments(r) for r in rows), rows[0][:1].dtype)
 
     @classmethod
-    def merged(cls, parts: Iterable[tuple[int, Tensor, Tensor]]) -> "Normaliser":
+    def merged(cls, parts: Iterable[tuple[int, Tensor, Tensor]], dtype: torch.dtype = torch.float32) -> "Normaliser":
         """Statistics of the union of sets of rows, given the `moments` of each."""
         _, mean, squares = _merge(parts)
-        return cls(mean.float(), torch.where(squares.sqrt() < 1e-5, 1.0, squares.sqrt()).float())
+        return cls(mean.to(dtype), torch.where(squares.sqrt() < 1e-5, 1.0, squares.sqrt()).to(dtype))
 
     def apply(self, x: Tensor) -> Tensor:
-        """Physical units → normalised."""
-        return (x - self.mean) / self.std
+        """Physical units → normalised, on the device of the statistics and in their dtype."""
+        return (x.to(self.mean) - self.mean) / self.std
 
     def invert(self, x: Tensor) -> Tensor:
         """Normalised → physical units."""
@@ -86,6 +90,7 @@ class OwnFeatures:
     joints: Tensor
     phases: Tensor
     contacts: Tensor
+    __repr__ = summary
 
     def inputs(self, at: Tensor) -> Tensor:
         """x ``[N, Dx]`` of frames ``at [N]``."""
@@ -141,14 +146,14 @@ def joint_features(clip: Clip, roots: RootFrames) -> Tensor:
     return pack_joints(roots.to_local(positions), *R.to_forward_up(turns), velocity)
 
 
-def usable(n: int) -> Tensor:
+def usable(n: int, device: torch.device | None = None) -> Tensor:
     """Those of the frames 0 … n - 1 of a clip whose whole trajectory window, and the next frame's, lies inside."""
-    return torch.arange(trajectory.PAST, max(trajectory.PAST, n - trajectory.FUTURE - 1))
+    return torch.arange(trajectory.PAST, max(trajectory.PAST, n - trajectory.FUTURE - 1), device=device)
 
 
-def clip_starts(n: int) -> Tensor:
+def clip_starts(n: int, device: torch.device | None = None) -> Tensor:
     """First frames of the style clips of a clip of n frames: every `CLIP_HOP` as long as `CLIP_FRAMES` follow."""
-    return torch.arange(0, max(0, n - CLIP_FRAMES + 1), CLIP_HOP)
+    return torch.arange(0, max(0, n - CLIP_FRAMES + 1), CLIP_HOP, device=device)
 
 
 @dataclass(frozen=True, eq=False)
@@ -162,6 +167,7 @@ class Frames:
     phases: Tensor
     outputs: Tensor
     index: Tensor
+    __repr__ = summary
 
 
 def frames(clip: Clip, ph: phases.Phases | None = None, start: int = 0, stop: int | None = None) -> Frames:
@@ -182,18 +188,17 @@ def frames(clip: Clip, ph: phases.Phases | None = None, start: int = 0, stop: in
         If the clip is not at 60 Hz or no frame has its whole window inside.
     """
     own = own_features(clip, phases.extract(clip) if ph is None else ph)
-    at = usable(len(clip))
+    at = usable(len(clip), own.joints.device)
     at = at[(at >= start) & (at < (len(clip) if stop is None else stop))]
     if not len(at):
-        raise ValueError(f"{clip.name}: {len(clip)} frames hold no whole trajectory window; it takes "
-                         f"{trajectory.PAST} before and {trajectory.FUTURE + 1} after a frame")
+        raise ValueError(TOO_SHORT.format(clip.name, len(clip)))
     return Frames(own.inputs(at), own.phases[at], own.outputs(at), at)
 
 
 def style_clips(clip: Clip, start: int = 0, stop: int | None = None) -> Tensor:
     """Style clips y ``[M, 240, 12 J]``: joint features of 240 frames, hop 120; M = 0 where the range is shorter."""
     block = joint_features(clip, root_frames(clip))[start:stop]
-    return block[clip_starts(len(block))[:, None] + torch.arange(CLIP_FRAMES)]
+    return block[clip_starts(len(block), block.device)[:, None] + torch.arange(CLIP_FRAMES, device=block.device)]
 
 
 @dataclass(frozen=True, eq=False)
@@ -205,6 +210,7 @@ class Rows:
 
     derive: Callable[[Tensor], Tensor]
     at: Tensor
+    __repr__ = summary
 
     def __len__(self) -> int:
         return len(self.at)
@@ -226,6 +232,7 @@ class Split:
     seed: int
     held_out: dict[str, Tensor]
     statistics: dict[str, Normaliser]
+    __repr__ = summary
 
 
 @dataclass(frozen=True, eq=False)
@@ -247,6 +254,11 @@ class Features:
     split: Split | None = None
     statistics: dict[str, Normaliser] | None = None
 
+    def __repr__(self) -> str:
+        seconds, clips = self.n_frames / trajectory.FPS, sum(map(len, self.clips.values()))
+        return summary(self, {"styles": self.styles, "frames": self.n_frames, "seconds": seconds, "style_clips": clips,
+                              "inputs": self.layout.n_inputs, "outputs": self.layout.n_outputs})
+
     @property
     def styles(self) -> list[str]:
         """Names, in the order of the dataset."""
@@ -265,7 +277,7 @@ class Features:
 KINDS = ("inputs", "phases", "outputs", "clips")
 
 
-def build(clips: Iterable[Clip], *, source: str | phases.Source = "hybrid",
+def build(clips: Clip | Iterable[Clip], *, source: str | phases.Source = "hybrid",
           mirror: bool | Callable[[Clip], bool] = False, short: str = "raise",
           progress: bool = False) -> Features:
     """Features of many clips, resampled to 60 Hz.
@@ -273,7 +285,7 @@ def build(clips: Iterable[Clip], *, source: str | phases.Source = "hybrid",
     Parameters
     ----------
     clips
-        Motions of one skeleton, labelled with style and gait. Clips of the same style and gait share phase axes.
+        Motions of one skeleton, or one motion, labelled with style and gait. Those of one style and gait share phase axes.
     source
         Phase source, see `toolkit.phases`.
     mirror
@@ -289,7 +301,7 @@ def build(clips: Iterable[Clip], *, source: str | phases.Source = "hybrid",
     ValueError
         If there is no clip, skeletons differ, a clip is too short, or a style has no run of 240 frames for a style clip.
     """
-    clips = list(clips)
+    clips = [clips] if isinstance(clips, Clip) else list(clips)
     if not clips:
         raise ValueError("no clips to build features from")
     layout = Layout(clips[0].skeleton)
@@ -301,8 +313,8 @@ def build(clips: Iterable[Clip], *, source: str | phases.Source = "hybrid",
     parts: dict[str, dict[str, list[Tensor]]] = {kind: defaultdict(list) for kind in (*KINDS, "takes")}
     for (style, _), members in _bar(sorted(groups.items()), progress):
         for take, own in group_features(members, source, mirror, short):
-            at, starts = usable(len(own.joints)), clip_starts(len(own.joints))
-            rows = own.inputs(at), own.phases[at], own.outputs(at), own.style_clips(starts), torch.full((len(at),), take)
+            at, starts = (find(len(own.joints), own.joints.device) for find in (usable, clip_starts))
+            rows = own.inputs(at), own.phases[at], own.outputs(at), own.style_clips(starts), torch.full_like(at, take)
             for kind, values in zip(parts, rows, strict=True):
                 parts[kind][style].append(values)
     found = {kind: {style: torch.cat(values) for style, values in by_style.items()} for kind, by_style in parts.items()}
@@ -311,15 +323,21 @@ def build(clips: Iterable[Clip], *, source: str | phases.Source = "hybrid",
     return Features(layout, **found)
 
 
+class UnknownStyleError(KeyError, ValueError):
+    """A style that a bank or a dataset does not have; the message lists close names."""
+
+    __str__ = Exception.__str__  # a KeyError quotes its message
+
+
 def check_style(name: str, names: Iterable[str]) -> None:
-    """Raise a ValueError that lists close names unless ``name`` is one of ``names``."""
+    """Raise an `UnknownStyleError` unless ``name`` is one of ``names``."""
     names = list(names)
     if name in names:
         return
     by_lower = {n.lower(): n for n in names}
     close = [by_lower[n] for n in difflib.get_close_matches(str(name).lower(), by_lower, cutoff=0.5)]
-    some = ", ".join(names[:8]) + (f" and {len(names) - 8} more" if len(names) > 8 else "")
-    raise ValueError(f"unknown style {name!r}; " + (f"close to it: {', '.join(close)}" if close else f"there is {some}"))
+    there = f"close to it: {', '.join(close)}" if close else f"there is {few(names)}"
+    raise UnknownStyleError(f"unknown style {name!r}; {there}")
 
 
 def check_style_clips(style: str, n: int) -> None:
@@ -334,11 +352,10 @@ def group_features(members: Iterable[tuple[int, Clip]], source: str | phases.Sou
     chosen: list[tuple[int, Clip]] = []
     for take, clip in members:
         clip = clip.resample(trajectory.FPS)
-        if not len(usable(len(clip))):
+        if not len(usable(len(clip), clip.rotations.device)):
             if short == "skip":
                 continue
-            raise ValueError(f"{clip.name}: {len(clip)} frames hold no whole trajectory window; it takes "
-                             f"{trajectory.PAST} before and {trajectory.FUTURE + 1} after a frame")
+            raise ValueError(TOO_SHORT.format(clip.name, len(clip)))
         chosen.append((take, clip))
         if mirror(clip) if callable(mirror) else mirror:
             chosen.append((take, clip.mirrored()))

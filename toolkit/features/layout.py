@@ -9,6 +9,7 @@ from torch import Tensor
 
 from toolkit import phases
 from toolkit.motion import Skeleton, contacts, trajectory
+from toolkit.motion.tensors import summary
 
 N_PHASES = 2 * len(phases.LIMBS)
 PHASES = {  # what a model knows of phase: columns of p, and blocks of z that are as wide
@@ -63,6 +64,9 @@ class Layout:
                       **dict.fromkeys(PHASES[self.phase][1], self.n_phases), "contacts": len(contacts.FEET)}
         object.__setattr__(self, "inputs", _slices(widths_in))
         object.__setattr__(self, "outputs", _slices(widths_out))
+
+    def __repr__(self) -> str:
+        return summary(self, {"inputs": self.n_inputs, "outputs": self.n_outputs, "phase": self.phase, "joints": self.names})
 
     def __eq__(self, other: object) -> bool:
         return (isinstance(other, Layout) and self.skeleton.names == other.skeleton.names

@@ -75,7 +75,7 @@ def load(path: str | os.PathLike, *, unit: float = CENTIMETRE, style: str = "", 
         joint = max(moving, key=moving.get)
         raise BVHError(f"{path}: joint {names[joint]} changes its distance to its parent by up to "
                        f"{moving[joint] * 1000:.0f} mm; only rigid skeletons are supported")
-    skeleton = Skeleton(tuple(names), tuple(parents), torch.from_numpy(offsets))
+    skeleton = Skeleton(tuple(names), tuple(parents), offsets)
     try:
         return Clip(skeleton, R.unroll(rotations), root_positions, fps, style, gait, path.name)
     except ValueError as error:
@@ -119,7 +119,7 @@ def save(clip: Clip, path: str | os.PathLike, *, unit: float = CENTIMETRE, order
 
     write(0, 0)
     angles = torch.rad2deg(R.to_euler(clip.rotations[:, visited].double(), order)).flatten(1)
-    rows = torch.cat((clip.root_positions.double() / unit, angles), 1).numpy()
+    rows = torch.cat((clip.root_positions.double() / unit, angles), 1).cpu().numpy()
     lines += ["MOTION", f"Frames: {len(clip)}", f"Frame Time: {1 / clip.fps:.8f}"]
     with atomic_write(path) as file:
         file.write(("\n".join(lines) + "\n").encode())

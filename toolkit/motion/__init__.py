@@ -9,10 +9,11 @@ from toolkit.motion.clip import (
            find_roles,
            forward_kinematics,
            local_rotations,
+           on_cpu,
            root_frames,
 )
 
 from toolkit.motion import contacts, ik, retargeting, trajectory  # isort: skip
 
 __all__ = ["ROLES", "Clip", "RootFrames", "Skeleton", "contacts", "find_roles", "forward_kinematics", "ik",
-           "local_rotations", "retargeting", "root_frames", "rotations", "trajectory"]
+           "local_rotations", "on_cpu", "retargeting", "root_frames", "rotations", "trajectory"]

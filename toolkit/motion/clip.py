@@ -3,15 +3,17 @@
 import dataclasses
 import math
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
+import numpy as np
 import scipy
 import torch
 from torch import Tensor
 
 from toolkit.motion import rotations as R
+from toolkit.motion.tensors import as_tensor, summary, through_numpy
 
 ROLES = ("hips", *(f"{side}_{part}" for side in ("left", "right")
                    for part in ("shoulder", "elbow", "hand", "hip", "knee", "foot", "toe")))
@@ -28,7 +30,8 @@ class Skeleton:
     parents
         J indices; the root comes first with -1, every parent comes before its children.
     offsets : Tensor [J, 3]
-        Position of each joint in its parent's frame, metres. The root's is not used.
+        Position of each joint in its parent's frame, metres. The root's is not used. They are kept as float32 on the CPU;
+        kinematics takes them to a motion's device and dtype.
     roles
         What each limb is called here, for the keys of `ROLES`; found from the names and the tree where not given.
 
@@ -47,7 +50,7 @@ class Skeleton:
         set_ = object.__setattr__
         set_(self, "names", tuple(self.names))
         set_(self, "parents", tuple(int(p) for p in self.parents))
-        set_(self, "offsets", torch.as_tensor(self.offsets, dtype=torch.float32))
+        set_(self, "offsets", as_tensor(self.offsets, "offsets", torch.float32).cpu())
         n = len(self.names)
         if len(self.parents) != n or self.offsets.shape != (n, 3):
             raise ValueError(f"{n} joint names need {n} parents and offsets [{n}, 3]; got {len(self.parents)} parents "
@@ -60,6 +63,10 @@ class Skeleton:
 
     def __len__(self) -> int:
         return len(self.names)
+
+    def __repr__(self) -> str:
+        ends = sum(map(self.is_end, range(len(self))))
+        return summary(self, {"joints": len(self), "end_sites": ends, "names": self.names, "roles": self.roles})
 
     def index(self, name: str) -> int:
         """Index of a joint, by its name or by its role."""
@@ -90,19 +97,23 @@ class Skeleton:
         position = {j: i for i, j in enumerate(self.feature_joints)}
         return tuple(position.get(self.parents[j], -1) for j in self.feature_joints)
 
-    @cached_property
-    def levels(self) -> list[tuple[Tensor, Tensor]]:
-        """Joints by depth below the root, as (joints, their parents): kinematics runs over these."""
-        depth = [0] * len(self)
-        for j, p in enumerate(self.parents[1:], 1):
-            depth[j] = depth[p] + 1
-        groups = [[j for j, d in enumerate(depth) if d == level] for level in range(1, max(depth) + 1)]
-        return [(torch.tensor(g), torch.tensor([self.parents[j] for j in g])) for g in groups]
+    def levels(self, device: torch.device) -> list[tuple[Tensor, Tensor]]:
+        """Joints by depth below the root, as (joints, their parents): kinematics runs over these. Kept for the next call."""
+        kept = self.__dict__.setdefault("_levels", {})
+        if device not in kept:
+            depth = [0] * len(self)
+            for j, p in enumerate(self.parents[1:], 1):
+                depth[j] = depth[p] + 1
+            groups = [[j for j, d in enumerate(depth) if d == level] for level in range(1, max(depth) + 1)]
+            with torch.inference_mode(False):  # the next call may need gradients
+                kept[device] = [tuple(torch.tensor(side, device=device) for side in (g, [self.parents[j] for j in g]))
+                                for g in groups]
+        return kept[device]
 
     @cached_property
     def rest_positions(self) -> Tensor:
         """Positions ``[J, 3]`` with every rotation zero, the root at the origin."""
-        return forward_kinematics(self, R.identity(len(self)), torch.zeros(3))[1]
+        return forward_kinematics(self, R.identity(len(self), dtype=torch.float32), torch.zeros(3))[1]
 
     @cached_property
     def facing_axis(self) -> Tensor:
@@ -163,8 +174,8 @@ def forward_kinematics(skeleton: Skeleton, rotations: Tensor, root_positions: Te
     local = rotations.movedim((-1, -2), (0, 1)).contiguous()  # every number of a joint lies beside the next frame's
     turned, positions = torch.empty_like(local), torch.empty_like(local[:3])
     turned[:, 0], positions[:, 0] = local[:, 0], root_positions.movedim(-1, 0)
-    offsets = skeleton.offsets.to(rotations.dtype).T.reshape(3, -1, *[1] * (rotations.dim() - 2))
-    for joints, parents in skeleton.levels:
+    offsets = skeleton.offsets.to(rotations).T.reshape(3, -1, *[1] * (rotations.dim() - 2))
+    for joints, parents in skeleton.levels(rotations.device):
         above = turned[:, parents]
         turned[:, joints] = torch.stack(R.multiply_parts(above, local[:, joints]))
         positions[:, joints] = positions[:, parents] + torch.stack(R.rotate_parts(above, offsets[:, joints]))
@@ -173,8 +184,7 @@ def forward_kinematics(skeleton: Skeleton, rotations: Tensor, root_positions: Te
 
 def local_rotations(skeleton: Skeleton, global_rotations: Tensor) -> Tensor:
     """Rotations ``[..., J, 4]`` relative to the parent, of global ones: the inverse of `forward_kinematics`."""
-    parents = torch.tensor(skeleton.parents[1:], dtype=torch.long)
-    above = R.inverse(global_rotations[..., parents, :])
+    above = R.inverse(global_rotations[..., list(skeleton.parents[1:]), :])
     return torch.cat((global_rotations[..., :1, :], R.multiply(above, global_rotations[..., 1:, :])), -2)
 
 
@@ -187,7 +197,8 @@ class Clip:
     skeleton
         Whose motion it is, J joints.
     rotations : Tensor [F, J, 4]
-        Unit quaternions relative to the parent (the root's to the world).
+        Unit quaternions relative to the parent (the root's to the world). A tensor keeps its device and floating dtype,
+        which the positions get too; arrays and lists become float32.
     root_positions : Tensor [F, 3]
         Metres.
     fps
@@ -210,13 +221,15 @@ class Clip:
     name: str = "clip"
 
     def __post_init__(self):
-        object.__setattr__(self, "rotations", torch.as_tensor(self.rotations, dtype=torch.float32))
-        object.__setattr__(self, "root_positions", torch.as_tensor(self.root_positions, dtype=torch.float32))
+        object.__setattr__(self, "rotations", as_tensor(self.rotations, "rotations"))
+        object.__setattr__(self, "root_positions", as_tensor(self.root_positions, "root positions", self.rotations))
         frames, joints = self.rotations.shape[0], len(self.skeleton)
         if self.rotations.shape != (frames, joints, 4) or self.root_positions.shape != (frames, 3) or not frames:
             raise ValueError(f"{self.name}: expected rotations [F, {joints}, 4] and root positions [F, 3], F >= 1; got "
                              f"{list(self.rotations.shape)} and {list(self.root_positions.shape)}")
         for what, values in (("rotations", self.rotations), ("root positions", self.root_positions)):
+            if values.is_meta:
+                continue  # the meta device keeps shapes and no numbers
             if not math.isfinite(values.sum(dtype=torch.float64)):  # one pass; a double cannot overflow here
                 frame = int((~torch.isfinite(values.flatten(1))).any(1).nonzero()[0])
                 raise ValueError(f"{self.name}: {what} of frame {frame} are not finite")
@@ -260,17 +273,30 @@ class Clip:
             raise ValueError(f"{self.name}: cannot cut frames {start} to {stop} from {len(self)}")
         return self.replace(rotations=self.rotations[start:stop], root_positions=self.root_positions[start:stop])
 
+    def __getitem__(self, frames: slice) -> "Clip":
+        if not isinstance(frames, slice):
+            raise TypeError(f"a clip is cut by a slice of its frames, clip[a:b]; got clip[{frames!r}]")
+        start, stop, step = frames.indices(len(self))
+        if step != 1:
+            raise ValueError(f"{self.name}: clip[a:b] takes every frame, got a step of {step}; resample changes the rate")
+        return self.cut(start, stop)
+
+    def to(self, *device_or_dtype: torch.device | torch.dtype | str) -> "Clip":
+        """The same motion on another device or in another floating dtype; the clip itself where nothing changes."""
+        q = self.rotations.to(*device_or_dtype)
+        return self if q is self.rotations else self.replace(rotations=q, root_positions=self.root_positions.to(q))
+
     def resample(self, fps: float) -> "Clip":
         """The same motion at another rate, by cubic splines (so that velocities stay continuous)."""
         if not (fps > 0 and math.isfinite(fps)):
             raise ValueError(f"{self.name}: cannot resample to {fps} frames per second")
         if fps == self.fps or len(self) < 2:
             return self.replace(fps=fps)
-        old = torch.arange(len(self), dtype=torch.float64) / self.fps
-        new = torch.arange(math.floor(old[-1].item() * fps + 1e-6) + 1, dtype=torch.float64) / fps
+        old = np.arange(len(self)) / self.fps
+        new = np.arange(math.floor(old[-1] * fps + 1e-6) + 1) / fps
 
         def spline(values: Tensor) -> Tensor:
-            return torch.from_numpy(scipy.interpolate.CubicSpline(old.numpy(), values.double().numpy())(new.numpy())).float()
+            return through_numpy(lambda v: scipy.interpolate.CubicSpline(old, v)(new), values)
 
         rotations_ = R.normalize(spline(R.unroll(self.rotations)))
         return self.replace(rotations=rotations_, root_positions=spline(self.root_positions), fps=fps)
@@ -285,10 +311,10 @@ class Clip:
 
     def moved(self, turn: float = 0.0, shift: Sequence[float] = (0.0, 0.0, 0.0)) -> "Clip":
         """The whole motion turned by ``turn`` radians about the vertical through the origin, then shifted (metres)."""
-        q = R.yaw(torch.tensor(float(turn)))
+        q = R.yaw(as_tensor(turn, "turn", self.rotations))
         rotations_ = self.rotations.clone()
         rotations_[:, 0] = R.multiply(q, rotations_[:, 0])
-        positions = R.rotate(q, self.root_positions) + torch.tensor(shift, dtype=torch.float32)
+        positions = R.rotate(q, self.root_positions) + as_tensor(shift, "shift", self.rotations)
         return self.replace(rotations=rotations_, root_positions=positions)
 
     def mirrored(self) -> "Clip":
@@ -299,22 +325,27 @@ class Clip:
         below its twin, and, where a bone along one axis leaves a choice, keeps the joint's mean rotation nearest to its
         mirror image. A joint without a counterpart mirrors onto itself.
         """
-        world = torch.tensor([-1.0, 1.0, 1.0])
+        world, *choices = as_tensor([[-1, 1, 1], [-1, 1, 1], [1, -1, 1], [1, 1, -1], [-1, -1, -1]], "signs", self.rotations)
+        choices, offsets = torch.stack(choices), self.skeleton.offsets.to(self.rotations)
         twins = list(self.skeleton.twins)
-        choices = torch.tensor([[-1.0, 1, 1], [1, -1, 1], [1, 1, -1], [-1, -1, -1]])
-        offsets, parents = self.skeleton.offsets[1:], torch.tensor(self.skeleton.parents[1:], dtype=torch.long)
-        misfit = (choices[:, None] * offsets - self.skeleton.offsets[twins[1:]]).square().sum(-1)
-        misfits = torch.zeros(4, len(self.skeleton)).index_add(1, parents, misfit)  # squared metres, of each joint's bones
+        parents = torch.tensor(self.skeleton.parents[1:], dtype=torch.long, device=world.device)
+        misfit = (choices[:, None] * offsets[1:] - offsets[twins[1:]]).square().sum(-1)
+        misfits = misfit.new_zeros(4, len(twins)).index_add(1, parents, misfit)  # squared metres, of each joint's bones
         root = R.multiply(R.inverse(root_frames(self).rotations), self.rotations[:, 0])
         mean = R.to_matrix(torch.cat((root[:, None], self.rotations[:, 1:]), 1)).mean(0)
-        own = torch.empty(len(self.skeleton), 3)
+        own = world.expand(len(twins), 3).clone()
         for j, p in enumerate(self.skeleton.parents):
             images = (world if p < 0 else own[p])[:, None] * mean[twins[j]] * choices[:, None]
-            own[j] = choices[((images * mean[j]).sum((-2, -1)) - misfits[:, j] / 0.01**2).argmax()]
+            own[j] = choices[((images * mean[j]).sum((-2, -1)) - misfits[:, j] / 0.01**2).argmax(keepdim=True)]
         matrices = R.to_matrix(self.global_rotations)
         mirrored = R.from_matrix(world[:, None] * matrices[:, twins] * own[:, None, :])
         return self.replace(rotations=R.unroll(local_rotations(self.skeleton, mirrored)),
                             root_positions=self.root_positions * world)
+
+
+def on_cpu(clips: Clip | Iterable[Clip]) -> list[Clip]:
+    """One or more clips as a list, float32 on the CPU: what is drawn and what networks of that dtype take."""
+    return [clip.to("cpu", torch.float32) for clip in ([clips] if isinstance(clips, Clip) else clips)]
 
 
 @dataclass(frozen=True, eq=False)
@@ -326,6 +357,7 @@ class RootFrames:
 
     positions: Tensor
     rotations: Tensor
+    __repr__ = summary
 
     def to_local(self, points: Tensor) -> Tensor:
         """World points ``[F, ..., 3]`` in this frame."""
@@ -341,6 +373,7 @@ class RootFrames:
 def root_frames(clip: Clip) -> RootFrames:
     """Root frame of every frame (section 3.2): the hips on the floor, facing where the hips' forward axis points."""
     hips = clip.skeleton.index("hips")
-    forward = R.rotate(clip.global_rotations[:, hips], clip.skeleton.facing_axis)
-    positions = clip.global_positions[:, hips] * torch.tensor([1.0, 0.0, 1.0])
+    forward = R.rotate(clip.global_rotations[:, hips], clip.skeleton.facing_axis.to(clip.rotations))
+    positions = clip.global_positions[:, hips].clone()
+    positions[:, 1] = 0.0
     return RootFrames(positions, R.yaw(torch.atan2(forward[:, 0], forward[:, 2])))

@@ -38,11 +38,11 @@ def detect(
     """
     toes = clip.global_positions[:, [clip.skeleton.index(f"{side}_toe") for side in FEET]]
     if floor is None:
-        floor = float(toes[..., 1].amin(1).quantile(0.05))
+        floor = toes[..., 1].amin(1).quantile(0.05)
     low = toes[..., 1] - floor <= height + BALL
     slow = velocities(toes, clip.fps).norm(dim=-1) <= speed
     half = max(1, round(majority * clip.fps / 60))
-    votes = torch.nn.functional.pad((low & slow).float().T[:, None], (half, half), mode="replicate")
+    votes = torch.nn.functional.pad((low & slow).to(toes.dtype).T[:, None], (half, half), mode="replicate")
     return torch.nn.functional.avg_pool1d(votes, 2 * half + 1, stride=1)[:, 0].T.round()
 
 

@@ -8,6 +8,7 @@ from torch import Tensor
 
 from toolkit.motion import rotations as R
 from toolkit.motion.clip import Skeleton, forward_kinematics, local_rotations
+from toolkit.motion.tensors import as_tensor
 
 
 def two_bone(
@@ -43,9 +44,11 @@ def two_bone(
     ValueError
         If `soft` is not in [0, 1).
     """
-    soft = torch.as_tensor(soft, dtype=a.dtype)
-    if not bool(((soft >= 0) & (soft < 1)).all()):
-        raise ValueError(f"soft must be in [0, 1), got {float(soft.min()):g} to {float(soft.max()):g}")
+    if not isinstance(soft, int | float):
+        soft = as_tensor(soft, "soft", a)
+    limits = soft.aminmax() if isinstance(soft, Tensor) else (soft, soft)
+    if not all(0 <= float(limit) < 1 for limit in limits):
+        raise ValueError(f"soft must be in [0, 1), got {limits[0]:g} to {limits[1]:g}")
     upper, lower = (b - a).norm(dim=-1, keepdim=True), (c - b).norm(dim=-1, keepdim=True)
     full = upper + lower
     reach = target - a
@@ -59,8 +62,8 @@ def two_bone(
     side = R.rotate(R.between(c - a, line), b - a) if pole is None else pole
     side = R.normalize(side)
     across = side - (side * line).sum(-1, keepdim=True) * line
-    helper = torch.eye(3, dtype=line.dtype)[line.abs().argmin(-1)]
-    across = R.normalize(torch.where(across.norm(dim=-1, keepdim=True) > 1e-5, across, torch.linalg.cross(line, helper)))
+    aside = torch.linalg.cross(line, R.least_axis(line))
+    across = R.normalize(torch.where(across.norm(dim=-1, keepdim=True) > 1e-5, across, aside))
     along = (upper**2 - lower**2 + distance**2) / (2 * distance)
     height = (upper**2 - along**2).clamp_min(0.0).sqrt()
     return a + along * line + height * across, a + distance * line

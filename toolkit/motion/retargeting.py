@@ -13,6 +13,7 @@ from torch import Tensor
 
 from toolkit.motion import rotations as R
 from toolkit.motion.clip import Clip, Skeleton, local_rotations, root_frames
+from toolkit.motion.tensors import as_tensor
 
 STRAIGHT = 0.02  # sine of the mean bend of an arm that shows no axis
 PARTS = {  # of a limb, from the trunk outwards
@@ -41,7 +42,7 @@ def retarget(clip: Clip, skeleton: Skeleton) -> Clip:
     if not _leg(own):
         raise ValueError(f"{clip.name}: its legs have no length")
     turned = _limbs(clip, skeleton) | _trunk(clip, skeleton)
-    world = torch.empty(len(clip), len(skeleton), 4)
+    world = clip.rotations.new_empty(len(clip), len(skeleton), 4)
     for joint, parent in enumerate(skeleton.parents):
         world[:, joint] = turned[joint] if joint in turned else world[:, parent]
     scale = _leg(skeleton) / _leg(own)
@@ -75,7 +76,7 @@ def _onward(clip: Clip, joint: int, axes: Tensor) -> Tensor:
 def _nearest(turns: Tensor) -> Tensor:
     """The rotation ``[4]`` that takes coordinate axes to coordinate axes and is nearest to the mean of ``turns [F, 4]``."""
     mean = R.to_matrix(turns).mean(0)
-    axes, left = torch.zeros(3, 3), mean.clone()
+    axes, left = torch.zeros_like(mean), mean.clone()
     for _ in range(2):  # the two clearest axes, one after the other
         row, column = divmod(int(left.abs().argmax()), 3)
         axes[row, column] = mean[row, column].sign()
@@ -125,7 +126,7 @@ def _limbs(clip: Clip, skeleton: Skeleton) -> dict[int, Tensor]:
                 if onward is None:
                     axes = _onward(clip, joint, axes) if limb == "arm" else _axes(clip, joint)
                 else:
-                    bone, wanted = (s.offsets[_part(s, side, onward)] for s in (own, skeleton))
+                    bone, wanted = (s.offsets[_part(s, side, onward)].to(clip.rotations) for s in (own, skeleton))
                     bent = limb == "arm" and part != "collar"
                     axes = _arm(clip, side, joint, bone, wanted) if bent else _aim(_axes(clip, joint), bone, wanted)
                 turned[there] = R.multiply(clip.global_rotations[:, joint], axes)
@@ -147,7 +148,7 @@ def _arm(clip: Clip, side: str, joint: int, bone: Tensor, wanted: Tensor) -> Ten
     if float(hinge.norm()) < STRAIGHT:
         return _aim(_axes(clip, joint), bone, wanted)
     hinge = R.normalize(hinge)
-    down = torch.tensor([0.0, -1.0, 0.0]) * (1 if side == "left" else -1)
+    down = as_tensor([0.0, -1.0 if side == "left" else 1.0, 0.0], "down", wanted)
     across = R.normalize(wanted)
     source = torch.stack((along, hinge, torch.linalg.cross(along, hinge)), 1)
     target = torch.stack((across, down, torch.linalg.cross(across, down)), 1)

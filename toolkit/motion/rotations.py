@@ -9,12 +9,14 @@ from collections.abc import Sequence
 import torch
 from torch import Tensor
 
+from toolkit.motion.tensors import as_tensor
+
 AXES = {"X": 0, "Y": 1, "Z": 2}
 
 
-def identity(*shape: int, dtype: torch.dtype = torch.float32) -> Tensor:
+def identity(*shape: int, dtype: torch.dtype | None = None, device: torch.device | None = None) -> Tensor:
     """Unit quaternions of shape ``[*shape, 4]``."""
-    q = torch.zeros(*shape, 4, dtype=dtype)
+    q = torch.zeros(*shape, 4, dtype=dtype, device=device)
     q[..., 0] = 1.0
     return q
 
@@ -77,9 +79,14 @@ def between(a: Tensor, b: Tensor) -> Tensor:
     a, b = normalize(a), normalize(b)
     w = 1.0 + (a * b).sum(-1, keepdim=True)
     q = torch.cat((w, torch.linalg.cross(*torch.broadcast_tensors(a, b))), -1)
-    helper = torch.eye(3, dtype=a.dtype)[a.abs().argmin(-1)].expand_as(q[..., 1:])
+    helper = least_axis(a).expand_as(q[..., 1:])
     half_turn = torch.cat((torch.zeros_like(w), normalize(torch.linalg.cross(a.expand_as(helper), helper))), -1)
     return torch.where(w < 1e-6, half_turn, normalize(q))
+
+
+def least_axis(v: Tensor) -> Tensor:
+    """The coordinate axis ``[..., 3]`` of the smallest component of vectors ``[..., 3]``: it is never parallel to them."""
+    return (torch.arange(3, device=v.device) == v.abs().argmin(-1, keepdim=True)).to(v.dtype)
 
 
 def to_matrix(q: Tensor) -> Tensor:
@@ -112,7 +119,7 @@ def from_matrix(m: Tensor) -> Tensor:
 
 def to_forward_up(q: Tensor) -> tuple[Tensor, Tensor]:
     """The rotated +Z (forward) and +Y (up), each ``[..., 3]``."""
-    forward, up = torch.tensor([[0.0, 0.0, 1.0], [0.0, 1.0, 0.0]], dtype=q.dtype)
+    _, up, forward = torch.eye(3, dtype=q.dtype, device=q.device)
     return rotate(q, forward), rotate(q, up)
 
 
@@ -154,7 +161,7 @@ def to_euler(q: Tensor, order: str) -> Tensor:
 
 def slerp(a: Tensor, b: Tensor, t: Tensor | float) -> Tensor:
     """Spherical interpolation from ``a`` to ``b`` along the shorter arc; ``t`` broadcasts over the leading shape."""
-    t = torch.as_tensor(t, dtype=a.dtype)
+    t = as_tensor(t, "t", a)
     dot = (a * b).sum(-1)
     b = torch.where(dot[..., None] < 0, -b, b)
     angle = torch.acos(dot.abs().clamp(max=1.0))
@@ -167,5 +174,5 @@ def slerp(a: Tensor, b: Tensor, t: Tensor | float) -> Tensor:
 
 def unroll(q: Tensor) -> Tensor:
     """Quaternions ``[F, ..., 4]`` with signs chosen so that neighbouring frames are close."""
-    flips = torch.where((q[1:] * q[:-1]).sum(-1, keepdim=True) < 0, -1.0, 1.0)
+    flips = 1 - 2 * ((q[1:] * q[:-1]).sum(-1, keepdim=True) < 0).to(q.dtype)
     return torch.cat((q[:1], q[1:] * flips.cumprod(0)))

@@ -34,7 +34,7 @@ def sample(roots: RootFrames, frames: Tensor, offsets: tuple[int, ...] = SAMPLES
     ValueError
         If a sample falls outside the clip.
     """
-    at = frames[:, None] + torch.tensor(offsets)
+    at = frames[:, None] + torch.tensor(offsets, device=frames.device)
     if int(at.min()) < 0 or int(at.max()) >= len(roots.rotations):
         raise ValueError(f"trajectory samples reach from frame {int(at.min())} to {int(at.max())}, "
                          f"the clip has {len(roots.rotations)}")

@@ -11,11 +11,12 @@ from torch import Tensor
 
 from toolkit.features import check_style
 from toolkit.io import model_files
+from toolkit.motion.tensors import as_tensor, summary
 
 
 @dataclass(frozen=True, eq=False)
-class StyleBank:
-    """Style vectors by name.
+class StyleBank(Mapping[str, Tensor]):
+    """Style vectors by name: a mapping, in the order of the names.
 
     Parameters
     ----------
@@ -32,9 +33,11 @@ class StyleBank:
 
     names: tuple[str, ...]
     vectors: Tensor
+    __eq__, __hash__ = object.__eq__, object.__hash__
 
     def __post_init__(self):
         object.__setattr__(self, "names", tuple(self.names))
+        object.__setattr__(self, "vectors", as_tensor(self.vectors, "style vectors"))
         if self.vectors.dim() != 2 or len(self.vectors) != len(self.names):
             raise ValueError(f"{len(self.names)} styles need vectors [{len(self.names)}, D], got {list(self.vectors.shape)}")
         if repeated := sorted({n for n in self.names if self.names.count(n) > 1}):
@@ -46,13 +49,13 @@ class StyleBank:
         return len(self.names)
 
     def __repr__(self) -> str:
-        return f"StyleBank({len(self)} vectors of {self.vectors.shape[1]} numbers: {', '.join(self.names)})"
+        return summary(self, {"styles": len(self), "vectors": self.vectors, "names": self.names})
 
     def __iter__(self) -> Iterator[str]:
         return iter(self.names)
 
     def __getitem__(self, name: str) -> Tensor:
-        """The style vector ``[D]`` of a name; an unknown one is a ValueError that lists close names."""
+        """The style vector ``[D]`` of a name; an unknown one is an `UnknownStyleError` that lists close names."""
         check_style(name, self.names)
         return self.vectors[self.names.index(name)]
 
@@ -95,9 +98,10 @@ class StyleBank:
 
     def add(self, name: str, vector: Tensor) -> "StyleBank":
         """A new bank with one more style; a name that exists gets the new vector."""
+        vector = as_tensor(vector, f"the vector of style {name!r}", self.vectors)
         if vector.shape != self.vectors.shape[1:]:
             raise ValueError(f"style {name!r} needs a vector [{self.vectors.shape[1]}], got {list(vector.shape)}")
-        rows = dict(zip(self.names, self.vectors, strict=True)) | {name: vector}
+        rows = {**self, name: vector}
         return StyleBank(tuple(rows), torch.stack([*rows.values()]))
 
     def merge(self, other: "StyleBank") -> "StyleBank":
@@ -110,9 +114,9 @@ class StyleBank:
         """
         if self.vectors.shape[1] != other.vectors.shape[1]:
             raise ValueError(f"vectors [{self.vectors.shape[1]}] cannot be merged with vectors [{other.vectors.shape[1]}]")
-        if differ := [n for n in other if n in self.names and not torch.equal(self[n], other[n])]:
+        if differ := [n for n in other if n in self and not torch.equal(self[n], other[n])]:
             raise ValueError(f"both banks have {', '.join(differ)}, with different vectors; `add` one of them")
-        rows = dict(zip(self.names, self.vectors, strict=True)) | dict(zip(other.names, other.vectors, strict=True))
+        rows = {**self, **other}
         return StyleBank(tuple(rows), torch.stack([*rows.values()]))
 
     def select(self, names: Iterable[str]) -> "StyleBank":
@@ -129,7 +133,7 @@ class StyleBank:
             Names and Euclidean distances, the nearest first.
         """
         known = isinstance(style, str)
-        apart = (self.vectors - (self[style] if known else style)).double().norm(dim=-1)
+        apart = (self.vectors - (self[style] if known else as_tensor(style, "a style", self.vectors))).double().norm(dim=-1)
         others = [i for i in apart.argsort(stable=True).tolist() if not (known and self.names[i] == style)]
         return [(self.names[i], float(apart[i])) for i in others[:k]]
 

@@ -13,6 +13,7 @@ from torch import Tensor, nn
 
 from toolkit.features import CLIP_FRAMES, Layout, Normaliser
 from toolkit.io import model_files
+from toolkit.motion.tensors import as_tensor, summary
 from toolkit.networks import phase
 from toolkit.networks.adapters import OneHot, ResidualAdapter, StyleTable
 from toolkit.networks.experts import Experts
@@ -96,8 +97,8 @@ class Model(nn.Module):
             given = normalisers.get(kind, Normaliser(torch.zeros(width), torch.ones(width)))
             if given.mean.shape != (width,) or given.std.shape != (width,):
                 raise ValueError(f"the normaliser of {kind} needs {width} columns, got {list(given.mean.shape)}")
-            self.register_buffer(f"{kind}_mean", given.mean.clone())
-            self.register_buffer(f"{kind}_std", given.std.clone())
+            self.register_buffer(f"{kind}_mean", given.mean.to(torch.empty(0), copy=True))  # as the weights are
+            self.register_buffer(f"{kind}_std", given.std.to(torch.empty(0), copy=True))
         experts, rank = (CONTROL_POINTS, s.rank) if synthesis == "pfnn" else (s.experts, None)
         match synthesis:
             case "lpn":
@@ -116,6 +117,13 @@ class Model(nn.Module):
                 self.modulation = OneHot(experts, s.hidden, rows)
             case "resad":
                 self.modulation = ResidualAdapter(s.hidden, experts, rank, rows)
+
+    def __repr__(self) -> str:
+        return summary(self, {
+            "name": self.name, "parameters": sum(p.numel() for p in self.parameters()), "hidden": self.sizes.hidden,
+            "inputs": self.layout.n_inputs, "phases": self.layout.n_phases, "outputs": self.layout.n_outputs,
+            "style_size": self.style_size, "generator": self.modulation.generator is not None,
+        })  # fmt: skip
 
     def forward(self, x: Tensor, phases: Tensor, style: Tensor) -> Tensor:
         """Output frames ``[B, Dz]`` of ``x [B, Dx]``, ``phases [B, n_phases]`` and ``style [B or 1, D]``; all normalised."""
@@ -156,13 +164,9 @@ class Model(nn.Module):
         """
         return phase.observe(self.layout, phases, outputs)
 
-    def next_phase(self, phases: Tensor, out: dict[str, Tensor]) -> Tensor:
-        """The phase after ``phases [B, n_phases]``, given the blocks ``out`` of the predicted frame, physical units."""
-        return phase.advance(self.layout, phases, out)
-
     @torch.no_grad()
     def predict(self, x: Tensor, phases: Tensor, style: Tensor) -> Tensor:
-        """The next frame, in physical units.
+        """The next frame, in physical units, on the model's device and in its dtype; arrays and lists will do, too.
 
         Parameters
         ----------
@@ -183,11 +187,13 @@ class Model(nn.Module):
         ValueError
             If a width is another.
         """
+        given, like = [], self.outputs_mean
         for what, value, width in (("x", x, self.layout.n_inputs), ("phases", phases, self.layout.n_phases),
                                    ("style", style, self.style_size)):
-            if value.shape[-1] != width:
-                raise ValueError(f"{what} needs {width} columns, got shape {list(value.shape)}")
-        z = self(self.normaliser("inputs").apply(x), self.normaliser("phases").apply(phases), style)
+            given.append(as_tensor(value, what, like))
+            if given[-1].shape[-1] != width:
+                raise ValueError(f"{what} needs {width} columns, got shape {list(given[-1].shape)}")
+        z = self(self.normaliser("inputs").apply(given[0]), self.normaliser("phases").apply(given[1]), given[2])
         return self.normaliser("outputs").invert(z)
 
     @torch.no_grad()
@@ -200,8 +206,8 @@ class Model(nn.Module):
             return self.encode(None, style)[0]
         if clips.dim() != 3 or not len(clips) or clips.shape[1:] != (CLIP_FRAMES, self.layout.n_clip):
             raise ValueError(f"style clips are [M, {CLIP_FRAMES}, {self.layout.n_clip}], got {list(clips.shape)}")
-        normaliser, device = self.normaliser("clips"), self.clips_mean.device
-        return torch.cat([self.encode(normaliser.apply(part.to(device))) for part in clips.split(32)]).mean(0)
+        normaliser = self.normaliser("clips")
+        return torch.cat([self.encode(normaliser.apply(part.to(self.clips_mean))) for part in clips.split(32)]).mean(0)
 
     def normaliser(self, kind: str) -> Normaliser:
         """The normaliser of ``inputs``, ``phases``, ``outputs`` or ``clips``."""

@@ -70,8 +70,8 @@ def amid_a_stride(model) -> tuple[Tensor, Tensor]:
     and feet are two deviations ahead of or behind their means, and on their way back (from the mean pose a MANN glided for
     four seconds before it stepped).
     """
-    layout, about_to_step = model.layout, torch.tensor(ABOUT_TO_STEP)
-    pose = model.outputs_mean[layout.outputs["joints"]]
+    layout, pose = model.layout, model.outputs_mean[model.layout.outputs["joints"]]
+    about_to_step = torch.tensor(ABOUT_TO_STEP, dtype=pose.dtype, device=pose.device)
     if layout.phase == "local":
         return model.phases_mean + 2 * model.phases_std * about_to_step, pose
     if layout.phase == "global":

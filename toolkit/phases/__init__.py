@@ -12,6 +12,7 @@ import torch
 from torch import Tensor
 
 from toolkit.motion import Clip
+from toolkit.motion.tensors import summary
 from toolkit.phases import windows
 from toolkit.phases.coherent import Coherent
 from toolkit.phases.sinusoids import Sinusoids, fit
@@ -49,6 +50,7 @@ class Phases:
     residual: Tensor
     source: Tensor
     fit: Tensor
+    __repr__ = summary
 
 
 def extract(clip: Clip, source: str | Source = "hybrid", half_window: float | None = None) -> Phases:
@@ -107,17 +109,15 @@ def named(source: str) -> Source:
 
 def _extract(clip: Clip, source: Source, half_window: float | None) -> Phases:
     curve, found = source.sinusoids(clip) if hasattr(source, "sinusoids") else _fitted(clip, source, half_window)
-    speed = torch.stack([windows.speed(local_positions(clip, limb), clip.fps) for limb in LIMBS], 1)
+    speed = torch.stack([windows.speed(local_positions(clip, limb).double(), clip.fps) for limb in LIMBS], 1)
     direction = torch.stack((found.phase.sin(), found.phase.cos()), -1)
     direction = torch.nn.functional.normalize(smooth(direction, clip.fps), dim=-1)
     strength = windows.amplitude(curve.double(), found.frequency.double(), clip.fps)
     magnitude = smooth(speed * strength, clip.fps).clamp_min(0.0)
     value = found.amplitude * found.phase.sin() + found.offset
-    return Phases(
-        (magnitude[..., None] * direction).float(),
-        *(t.float() for t in (torch.atan2(direction[..., 0], direction[..., 1]) % (2 * torch.pi), found.frequency,
-                              found.amplitude, found.residual, curve, value)),
-    )
+    phase = torch.atan2(direction[..., 0], direction[..., 1]) % (2 * torch.pi)
+    columns = (magnitude[..., None] * direction, phase, found.frequency, found.amplitude, found.residual, curve, value)
+    return Phases(*(column.to(clip.rotations) for column in columns))
 
 
 def _fitted(clip: Clip, source: Source, half_window: float | None) -> tuple[Tensor, Sinusoids]:

@@ -57,9 +57,9 @@ class Coherent:
         hop = max(1, round(HOP * clip.fps))
         columns = []
         for i in range(raw.shape[1]):
-            path = ridge(waves[..., i].abs().square() * BANDS[:, None].square(), hop, self.penalty)
+            path = ridge(waves[..., i].abs().square() * BANDS[:, None].to(raw).square(), hop, self.penalty)
             below = path.long().clamp(max=len(BANDS) - 2)
-            at, share = torch.arange(len(raw)), (path - below)[:, None]
+            at, share = torch.arange(len(raw), device=raw.device), (path - below)[:, None]
             z = waves[below, at] * (1 - share) + waves[below + 1, at] * share
             half = windows.half_window(raw[:, i], clip.fps)
             curve = windows.smooth(windows.normalise(raw[:, [i]], clip.fps, half), clip.fps)[:, 0]
@@ -77,8 +77,8 @@ def wavelets(values: Tensor, fps: float, cycles: float) -> Tensor:
     """Complex Morlet transform ``[bands, F, C]`` of real ``values [F, C]``, mirrored at their ends; a cosine gives e^iωt."""
     pad = min(len(values) - 1, round(cycles / float(BANDS[0]) * fps))
     padded = torch.cat((values[1 : pad + 1].flip(0), values, values[-pad - 1 : -1].flip(0)))
-    frequency = torch.fft.fftfreq(len(padded), 1 / fps, dtype=torch.float64)
-    bell = 2 * torch.exp(-0.5 * ((frequency / BANDS[:, None] - 1) * cycles) ** 2) * (frequency > 0)
+    frequency = torch.fft.fftfreq(len(padded), 1 / fps, dtype=values.dtype, device=values.device)
+    bell = 2 * torch.exp(-0.5 * ((frequency / BANDS[:, None].to(values) - 1) * cycles) ** 2) * (frequency > 0)
     return torch.fft.ifft(bell[..., None] * torch.fft.fft(padded, dim=0), dim=1)[:, pad : pad + len(values)]
 
 
@@ -88,7 +88,7 @@ def ridge(power: Tensor, hop: int, penalty: float) -> Tensor:
     It has the least sum of −ln(share of the frame's power in the band) + penalty · (jump in bands)².
     """
     cost = -(power / power.sum(0).clamp_min(1e-30)).clamp_min(1e-12).log()[:, ::hop].T
-    band = torch.arange(len(power), dtype=torch.float64)
+    band = torch.arange(len(power), dtype=power.dtype, device=power.device)
     jump = penalty * (band[:, None] - band).square()
     total, origins = cost[0], []
     for step in cost[1:]:
@@ -98,8 +98,8 @@ def ridge(power: Tensor, hop: int, penalty: float) -> Tensor:
     path = [int(total.argmin())]
     for origin in reversed(origins):
         path.append(int(origin[path[-1]]))
-    knots = torch.tensor([*reversed(path), path[0]], dtype=torch.float64)
-    at = torch.arange(power.shape[1], dtype=torch.float64) / hop
+    knots = torch.tensor([*reversed(path), path[0]], dtype=power.dtype, device=power.device)
+    at = torch.arange(power.shape[1], dtype=power.dtype, device=power.device) / hop
     return torch.lerp(knots[at.long()], knots[at.long() + 1], at - at.long())
 
 
@@ -115,12 +115,12 @@ def regression(curve: Tensor, wave: Tensor, half: float, fps: float) -> tuple[Te
 
 def stepped(contact: Tensor) -> Tensor:
     """Complex signal ``[F]`` of a 0/1 curve with three changes or more: angle 0 amid the ones, π amid the zeros."""
-    value = contact.numpy()
+    value = contact.cpu().numpy()
     change = np.flatnonzero(np.diff(value)) + 0.5
     middle = (change[1:] + change[:-1]) / 2
     angle = np.pi * (np.arange(len(middle)) + (value[int(middle[0])] == 0))
     grow = scipy.interpolate.interp1d(middle, angle, fill_value="extrapolate", assume_sorted=True)
-    return torch.exp(1j * torch.from_numpy(grow(np.arange(len(value)))))
+    return torch.exp(1j * torch.from_numpy(grow(np.arange(len(value)))).to(contact))
 
 
 def agreed(z: Tensor, limb: int) -> Tensor:

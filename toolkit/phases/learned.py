@@ -33,6 +33,7 @@ from tqdm.auto import tqdm
 from toolkit.datasets import procedural
 from toolkit.io import model_files
 from toolkit.motion import Clip, root_frames
+from toolkit.motion.tensors import summary, through_numpy
 from toolkit.phases.sinusoids import MAX_FREQUENCY, MIN_FREQUENCY, Sinusoids
 from toolkit.phases.sources import LIMBS
 
@@ -138,21 +139,20 @@ def limb_curves(clip: Clip, limb: str) -> Tensor:
     while above != start:
         above = skeleton.parents[above]
         chain.append(above)
-    length = skeleton.offsets[chain[:-1]].norm(dim=-1).sum()
+    length = skeleton.offsets[chain[:-1]].to(positions).norm(dim=-1).sum()
     reach = positions[:, [middle, end]] - positions[:, [skeleton.index("hips")]]
     local = root_frames(clip).turn_to_local(reach) / length
     if side == "right":
-        local = local * torch.tensor([-1.0, 1.0, 1.0])
+        local = torch.cat((-local[..., :1], local[..., 1:]), -1)
     return torch.gradient(local, spacing=1 / clip.fps, dim=0)[0].flatten(1)
 
 
 def cut(curves: Tensor, fps: float, every: int = 1) -> Tensor:
     """Windows ``[N, C, T]`` around every n-th frame of curves ``[F, C]``: centred, unit power, mirrored beyond the ends."""
-    times = torch.arange(0, len(curves), every, dtype=torch.float64)[:, None] / fps + torch.arange(-HALF, HALF + 1) / RATE
+    times = np.arange(0, len(curves), every)[:, None] / fps + np.arange(-HALF, HALF + 1) / RATE
     last = (len(curves) - 1) / fps
-    times = last - (last - times.abs()).abs()
-    spline = scipy.interpolate.CubicSpline(torch.arange(len(curves)).double().numpy() / fps, curves.double().numpy())
-    found = torch.from_numpy(spline(times.numpy())).float().transpose(1, 2)
+    times = last - np.abs(last - np.abs(times))
+    found = through_numpy(lambda c: scipy.interpolate.CubicSpline(np.arange(len(c)) / fps, c)(times), curves).transpose(1, 2)
     found = found - found.mean(-1, keepdim=True)
     return found / found.square().mean((1, 2), keepdim=True).sqrt().clamp_min(1e-4)
 
@@ -168,6 +168,7 @@ class Learned:
 
     networks: dict[str, PeriodicAutoencoder]
     factors: dict[str, float]
+    __repr__ = summary
 
     @classmethod
     def train(cls, clips: Sequence[Clip], *, steps: int = 3000, batch: int = 256, rate: float = 3e-3, hidden: int = 12,
@@ -199,7 +200,7 @@ class Learned:
         networks, factors = {}, {}
         for part in PARTS:
             curves = [(limb_curves(clip, f"{side}_{part}"), clip.fps) for clip in clips for side in ("left", "right")]
-            windows = torch.cat([cut(c, fps * v, max(1, round(fps / 5))) for c, fps in curves for v in SPEEDS])
+            windows = torch.cat([cut(c, fps * v, max(1, round(fps / 5))).float().cpu() for c, fps in curves for v in SPEEDS])
             with torch.random.fork_rng(devices=[]):
                 torch.manual_seed(seed)
                 networks[part] = network = PeriodicAutoencoder(hidden=hidden)
@@ -225,7 +226,8 @@ class Learned:
             turned = (phase + (torch.pi if factor < 0 else 0.0)) % (2 * torch.pi)
             columns.append((latent[:, HALF] * factor, turned, _growth(phase, clip.fps), amplitude * abs(factor),
                             offset * factor, residual * abs(factor)))
-        curve, *rest = (torch.stack(column, 1).double() for column in zip(*columns, strict=True))
+        found = (torch.stack(column, 1).to(clip.rotations.device, torch.float64) for column in zip(*columns, strict=True))
+        curve, *rest = found
         return curve, Sinusoids(*rest)
 
     def save(self, path: str | os.PathLike) -> None:
@@ -278,13 +280,14 @@ def _descend(network: PeriodicAutoencoder, windows: Tensor, steps: int, batch: i
 
 @torch.no_grad()
 def _sinusoids(network: PeriodicAutoencoder, windows: Tensor) -> tuple[Tensor, ...]:
-    """`PeriodicAutoencoder.sinusoid` of any number of windows."""
-    return tuple(torch.cat(column) for column in zip(*map(network.sinusoid, windows.split(CHUNK)), strict=True))
+    """`PeriodicAutoencoder.sinusoid` of any number of windows, on the network's device and in its dtype."""
+    parts = map(network.sinusoid, windows.to(network.time).split(CHUNK))
+    return tuple(torch.cat(column) for column in zip(*parts, strict=True))
 
 
 def _growth(phase: Tensor, fps: float) -> Tensor:
     """Frequency ``[F]``, Hz: the mean growth of phases ``[F]`` over one second around every frame."""
     half = round(fps / 2)
-    step = torch.gradient(torch.from_numpy(np.unwrap(phase.double().numpy())), spacing=1 / fps)[0] / (2 * torch.pi)
+    step = torch.gradient(through_numpy(np.unwrap, phase.double()), spacing=1 / fps)[0] / (2 * torch.pi)
     step = nn.functional.pad(step[None, None], (half, half), mode="replicate")
     return nn.functional.avg_pool1d(step, 2 * half + 1, stride=1)[0, 0].clamp(MIN_FREQUENCY, MAX_FREQUENCY)

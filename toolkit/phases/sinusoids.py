@@ -34,6 +34,8 @@ import scipy
 import torch
 from torch import Tensor
 
+from toolkit.motion.tensors import summary
+
 MIN_FREQUENCY, MAX_FREQUENCY = 0.25, 4.0
 DENSITY = 6.0  # frequencies on the grid for each further cycle in the window, and for each factor e
 CANDIDATES = 4  # best local minima of a window that continuity chooses from
@@ -61,6 +63,7 @@ class Sinusoids:
     amplitude: Tensor
     offset: Tensor
     residual: Tensor
+    __repr__ = summary
 
 
 def fit(source: Tensor, fps: float, half_window: float = 0.5, continuity: float = 0.0) -> Sinusoids:
@@ -69,7 +72,8 @@ def fit(source: Tensor, fps: float, half_window: float = 0.5, continuity: float 
     Parameters
     ----------
     source : Tensor [F, L]
-        One curve per limb, finite; mirrored at its ends.
+        One curve per limb, finite; mirrored at its ends. Any device and dtype, which the result has too; the fit itself runs
+        on the processor, in float64.
     fps
         Frames per second.
     half_window
@@ -103,7 +107,7 @@ def fit(source: Tensor, fps: float, half_window: float = 0.5, continuity: float 
         raise ValueError(f"continuity must be 0 or more, not {continuity:g}")
     per_frame = 2 * np.pi / fps
     grid = frequencies(n / fps) * per_frame
-    curves = source.detach().double().T.contiguous().numpy()  # [L, F]
+    curves = np.ascontiguousarray(source.detach().double().cpu().numpy().T)  # [L, F]
     extremes = scipy.ndimage.minimum_filter1d, scipy.ndimage.maximum_filter1d
     low, high = (extreme(curves, n, mode="mirror") for extreme in extremes)
     found = np.zeros((len(curves), CANDIDATES if continuity > 0 else 1, 5, len(source)))
@@ -122,4 +126,4 @@ def fit(source: Tensor, fps: float, half_window: float = 0.5, continuity: float 
         np.clip(offset, low, high),
         np.sqrt(error / n),
     )
-    return Sinusoids(*(torch.from_numpy(column.T.copy()) for column in columns))
+    return Sinusoids(*(torch.from_numpy(column.T.copy()).to(source) for column in columns))

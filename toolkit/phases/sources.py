@@ -1,6 +1,7 @@
 """Source functions: one curve per limb whose cycles are the limb's phase (Mason et al. 2022, section 4.1).
 
-A source is any function ``source(clip, limb) -> Tensor [F]``, limb one of `LIMBS`. One that learns from several clips also
+A source is any function ``source(clip, limb) -> Tensor [F]``, limb one of `LIMBS`; curves are float64 on the clip's device,
+whatever its dtype. One that learns from several clips also
 has ``fitted(clips) -> source``; `toolkit.phases.extract` calls it with the clips of a style and gait.
 """
 
@@ -12,6 +13,7 @@ from torch import Tensor
 
 from toolkit.motion import Clip, contacts
 from toolkit.motion import rotations as R
+from toolkit.motion.tensors import as_tensor, summary
 
 #: The published order of the phases.
 LIMBS = ("left_hand", "right_hand", "left_foot", "right_foot")
@@ -39,7 +41,7 @@ def curves(clip: Clip, source: Source) -> Tensor:
     ValueError
         If it does not give one finite number per frame for every limb.
     """
-    raw = [torch.as_tensor(source(clip, limb)).double() for limb in LIMBS]
+    raw = [as_tensor(source(clip, limb), "a source's curve", torch.float64).to(clip.rotations.device) for limb in LIMBS]
     if any(r.shape != (len(clip),) or not bool(torch.isfinite(r).all()) for r in raw):
         raise ValueError(f"{clip.name}: a source must give one finite number per frame ({len(clip)}) for every limb")
     return torch.stack(raw, 1)
@@ -55,7 +57,7 @@ class Contact:
     def __call__(self, clip: Clip, limb: str) -> Tensor:
         """Contact signal ``[F]`` of a limb."""
         if not limb.endswith("foot"):
-            return torch.zeros(len(clip))
+            return clip.root_positions.new_zeros(len(clip))
         found = contacts.detect(clip, height=self.height, speed=self.speed)
         return found[:, contacts.FEET.index(limb.removesuffix("_foot"))]
 
@@ -69,6 +71,7 @@ class ContactFree:
 
     axes: dict[str, Tensor] = field(default_factory=dict)
     means: dict[str, Tensor] = field(default_factory=dict)
+    __repr__ = summary
 
     def fitted(self, clips: Sequence[Clip]) -> "ContactFree":
         """The same source with the centre and axis of all frames of `clips`."""
@@ -78,8 +81,8 @@ class ContactFree:
             means[limb] = points.mean(0)
             centred = points - means[limb]
             axis = torch.linalg.eigh(centred.T @ centred).eigenvectors[:, -1]
-            forward = clips[0].skeleton.facing_axis.double()
-            axes[limb] = axis * (-1.0 if axis @ forward < 0 else 1.0)
+            forward = clips[0].skeleton.facing_axis.to(axis)
+            axes[limb] = torch.where(axis @ forward < 0, -axis, axis)
         return replace(self, axes=axes, means=means)
 
     def points(self, clip: Clip, limb: str) -> Tensor:
@@ -89,7 +92,8 @@ class ContactFree:
     def __call__(self, clip: Clip, limb: str) -> Tensor:
         """Signed distance ``[F]`` from the mean along the axis."""
         source = self if self.axes else self.fitted([clip])
-        return (self.points(clip, limb) - source.means[limb]) @ source.axes[limb]
+        points = self.points(clip, limb)
+        return (points - source.means[limb].to(points)) @ source.axes[limb].to(points)
 
 
 @dataclass(frozen=True)

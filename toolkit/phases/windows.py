@@ -1,6 +1,6 @@
 """What is measured in a window round every frame: how long it must be, z-score, smoothing, amplitude, speed.
 
-Curves are ``[F, ...]``, float64; windows are given by their half length in seconds.
+Curves are ``[F, ...]``, best in float64; windows are given by their half length in seconds.
 """
 
 import math
@@ -8,6 +8,8 @@ import math
 import scipy
 import torch
 from torch import Tensor
+
+from toolkit.motion.tensors import through_numpy
 
 SECOND = 0.5  # half of the one-second window
 SHORT = 0.25  # half of the published fit's window: 15 frames at 60 Hz
@@ -26,7 +28,7 @@ def half_window(curve: Tensor, fps: float) -> float:
     n, longest = len(curve), min(round(LONGEST * fps), len(curve) - 2)
     fast = curve.double() - mean(curve.double(), LONGEST / 2, fps)
     correlation = torch.fft.irfft(torch.fft.rfft(fast, 2 * n).abs() ** 2)[:n]
-    lags = torch.arange(round(SHORT * fps), longest)
+    lags = torch.arange(round(SHORT * fps), longest, device=curve.device)
     here = correlation[lags]
     peaks = lags[(here > correlation[lags - 1]) & (here >= correlation[lags + 1]) & (here > LEAST * correlation[0])]
     if not len(peaks) or correlation[0] < 1e-12:
@@ -43,10 +45,9 @@ def normalise(curves: Tensor, fps: float, half: float = SECOND) -> Tensor:
 
 
 def smooth(curves: Tensor, fps: float) -> Tensor:
-    """Second-order zero-phase Butterworth low-pass at `CUTOFF` along the first axis, float64."""
+    """Second-order zero-phase Butterworth low-pass at `CUTOFF` along the first axis."""
     low_pass = scipy.signal.butter(2, CUTOFF, fs=fps, output="sos")
-    filtered = scipy.signal.sosfiltfilt(low_pass, curves.double().numpy(), axis=0)
-    return torch.from_numpy(filtered.copy())
+    return through_numpy(lambda c: scipy.signal.sosfiltfilt(low_pass, c, axis=0), curves)
 
 
 def amplitude(curves: Tensor, frequency: Tensor, fps: float) -> Tensor:
@@ -56,7 +57,7 @@ def amplitude(curves: Tensor, frequency: Tensor, fps: float) -> Tensor:
     """
     half = max(2, round(SHORT * fps))
     windows = torch.nn.functional.pad(curves.T[:, None], (half, half), mode="reflect")[:, 0].T.unfold(0, 2 * half + 1, 1)
-    angle = 2 * math.pi * frequency[..., None] * torch.arange(-half, half + 1, dtype=torch.float64) / fps
+    angle = 2 * math.pi * frequency[..., None] * torch.arange(-half, half + 1, device=curves.device) / fps
     sine, cosine = angle.sin(), angle.cos()
     cosine = cosine - cosine.mean(-1, keepdim=True)  # at right angles to the constant; the sine already is, and to this
     a, b = ((windows * wave).sum(-1) / wave.square().sum(-1) for wave in (sine, cosine))
@@ -65,7 +66,7 @@ def amplitude(curves: Tensor, frequency: Tensor, fps: float) -> Tensor:
 
 def speed(positions: Tensor, fps: float) -> Tensor:
     """Root mean square speed ``[F]`` over one second of positions ``[F, 3]``."""
-    velocity = torch.gradient(positions.double(), spacing=1 / fps, dim=0)[0]
+    velocity = torch.gradient(positions, spacing=1 / fps, dim=0)[0]
     return mean(velocity.square().sum(-1), SECOND, fps).sqrt()
 
 

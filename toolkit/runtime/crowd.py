@@ -9,9 +9,10 @@ from torch import Tensor
 from tqdm import tqdm
 
 from toolkit.motion import Clip
+from toolkit.motion.tensors import summary
 from toolkit.runtime.compiled import CompiledModel, compile
-from toolkit.runtime.frame import FPS, CharacterState, pose, start, step
-from toolkit.runtime.steering import LOOKAHEAD, Command
+from toolkit.runtime.frame import FPS, pose, start, step
+from toolkit.runtime.steering import LOOKAHEAD, towards
 
 INNER, APART, ROOM = 2.0, 1.35, 2.0  # innermost ring's radius, distance of rings, and of characters on one, metres
 SETTLED = 3.0  # seconds until all walk as they go on
@@ -34,6 +35,7 @@ class Crowd:
     clips: list[Clip]
     blends: list[dict[str, float]]
     seconds: float
+    __repr__ = summary
 
     @property
     def report(self) -> str:
@@ -77,7 +79,7 @@ def walk(model, bank, characters: int = 100, seconds: float = 10.0, *, speed: fl
         for frame in tqdm(frames, desc="crowd", unit="frame", disable=None if progress else True):
             began = time.perf_counter()
             goal, tangent = _on_ring(radii, angles + ways * speed / radii * (frame / FPS + LOOKAHEAD), ways)
-            state = step(compiled, state, _towards(state, goal, tangent, speed))
+            state = step(compiled, state, towards(state, goal, tangent, speed))
             drawn = pose(compiled, state)
             taken.append(time.perf_counter() - began)
             if frame >= SETTLED * FPS:
@@ -106,13 +108,6 @@ def _on_ring(radii: Tensor, angles: Tensor, ways: Tensor) -> tuple[Tensor, Tenso
     """(x, z) and walking direction of angles on rings, each ``[N, 2]``."""
     out = torch.stack((angles.sin(), angles.cos()), -1)
     return radii[:, None] * out, ways[:, None] * torch.stack((out[:, 1], -out[:, 0]), -1)
-
-
-def _towards(state: CharacterState, goal: Tensor, tangent: Tensor, speed: float) -> Command:
-    """Head for where each should be a moment later, see `toolkit.runtime.follow`."""
-    velocity = (goal - state.root[:, :2]) / LOOKAHEAD
-    fast = velocity.norm(dim=-1, keepdim=True).clamp_min(1e-6)
-    return Command(velocity * (1.5 * speed / fast).clamp(max=1.0), tangent)
 
 
 def _blends(names: list[str], characters: int, seeded: torch.Generator) -> list[dict[str, float]]:

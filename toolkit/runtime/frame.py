@@ -6,7 +6,7 @@ leading axis of B characters, so that one call moves a crowd.
 
 import dataclasses
 import functools
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 
 import torch
 from torch import Tensor
@@ -16,6 +16,7 @@ from toolkit.features import Layout, pack_joints, split_joints
 from toolkit.motion import Clip, local_rotations, trajectory
 from toolkit.motion import rotations as R
 from toolkit.motion.ik import SIDES, hold, plant_feet, turn_arms
+from toolkit.motion.tensors import as_tensor, shown
 from toolkit.networks.phase import advance, amid_a_stride
 from toolkit.runtime.state import CharacterState, vectors_of
 from toolkit.runtime.steering import N_FUTURE, Command, Pilot, govern, steer, unit
@@ -35,23 +36,46 @@ def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0),
         styles glide for seconds before they step. For the same reason hands and feet are amid a stride where the model has
         no phase.
     style : Tensor [S] or [B, S]
-        Style vector or one per character.
+        Style vector or one per character; an array or a list will do, here and below.
     position, facing
         World (x, z) of the root, metres, and where it looks; pairs or ``[B, 2]``.
+
+    Returns
+    -------
+    CharacterState
+        On the model's device and in its dtype.
+
+    Raises
+    ------
+    ValueError
+        If that is no model or style vector, or the pairs are of another number of characters, not finite, or face nowhere.
     """
-    style = torch.atleast_2d(vectors_of(style))
+    if not hasattr(model, "layout"):
+        raise ValueError(f"expected a model (of a run: run.model), got {shown(model)}")
     layout: Layout = model.layout
-    place = torch.as_tensor(position, dtype=torch.float32).expand(len(style), 2)
-    look = unit(torch.as_tensor(facing, dtype=torch.float32).expand(len(style), 2))
-    root = torch.cat((place, look), -1)
     phase, joints = amid_a_stride(model)
+    style = vectors_of(style, joints)
+    if style.shape[1] != (size := getattr(model, "style_size", style.shape[1])):
+        raise ValueError(f"style needs {size} columns, got shape {list(style.shape)}")
+    place, look = _pairs(position, "position", style), unit(_pairs(facing, "facing", style))
+    root = torch.cat((place, look), -1)
+    if not root.is_meta and not bool(root.isfinite().all() & look.any(-1).all()):
+        raise ValueError(f"position and facing must be finite, and facing not zero; got {shown(position)}, {shown(facing)}")
     state = CharacterState(
         history=root[:, None].repeat(1, trajectory.PAST + 1, 1), future=root[:, None].repeat(1, N_FUTURE, 1),
         joints=_orthonormal(joints.expand(len(style), -1)), phase=phase.expand(len(style), -1), style=style,
-        velocity=torch.zeros(len(style), 2), facing=look, drive=torch.ones(len(style), 1),
-        contacts=torch.ones(len(style), 2), toes=torch.zeros(len(style), 2, 3), drift=torch.zeros(len(style), 2, 2),
+        velocity=torch.zeros_like(look), facing=look, drive=torch.ones_like(look[:, :1]), contacts=torch.ones_like(look),
+        toes=look.new_zeros(len(look), 2, 3), drift=look.new_zeros(len(look), 2, 2),
     )
     return dataclasses.replace(state, toes=_predicted_toes(layout, state))
+
+
+def _pairs(values, what: str, style: Tensor) -> Tensor:
+    """World (x, z) ``[B, 2]`` of one pair for all of B characters or of one for each."""
+    pairs = as_tensor(values, what, style)
+    if pairs.shape not in ((2,), (1, 2), (len(style), 2)):
+        raise ValueError(f"{what} must be one pair (x, z), or [{len(style)}, 2] of all characters; got {list(pairs.shape)}")
+    return pairs.expand(len(style), 2)
 
 
 @functools.singledispatch
@@ -134,16 +158,17 @@ def rollout(model, commands: Sequence[Command | Pilot], style: Styles, ik: bool 
     return record(model, recorded, feet=ik, arms=ik)
 
 
-def record(model, recorded: Sequence[CharacterState], *, feet: bool = True, arms: bool = True, character: int = 0) -> Clip:
+def record(model, recorded: Iterable[CharacterState], *, feet: bool = True, arms: bool = True, character: int = 0) -> Clip:
     """The motion of one character of a run of states, see `rollout`; ``feet`` and ``arms`` switch their IK.
 
     A ValueError if there are no states.
     """
+    recorded = list(recorded)
     if not recorded:
         raise ValueError("no frames to record: a rollout needs at least one command")
     names = [f.name for f in dataclasses.fields(CharacterState) if f.name != "style"]  # which can be large, and is not drawn
     merged = {name: torch.stack([getattr(s, name)[character] for s in recorded]) for name in names}
-    merged = CharacterState(**merged, style=torch.empty(len(recorded), 0))
+    merged = CharacterState(**merged, style=merged["history"].new_empty(len(recorded), 0))
     return Clip(model.layout.skeleton, *pose(model, merged, feet=feet, arms=arms), FPS, name="rollout")
 
 
@@ -175,7 +200,7 @@ def world_joints(layout: Layout, state: CharacterState) -> dict[str, Tensor]:
     local, root = split_joints(state.joints), state.root
     turn = R.yaw(torch.atan2(root[:, 2], root[:, 3]))[:, None]
     world = {name: R.rotate(turn, values) for name, values in local.items()}
-    floor = torch.stack((root[:, 0], torch.zeros(len(root)), root[:, 1]), -1)
+    floor = torch.stack((root[:, 0], torch.zeros_like(root[:, 0]), root[:, 1]), -1)
     return world | {"position": world["position"] + floor[:, None]}
 
 
@@ -212,6 +237,6 @@ def _to_frame(joints: Tensor, old: Tensor, new: Tensor) -> Tensor:
     parts = split_joints(joints)
     turn = R.yaw(torch.atan2(old[:, 2], old[:, 3]) - torch.atan2(new[:, 2], new[:, 3]))[:, None]
     shift = _to_local(old[:, None], new)[:, 0]
-    origin = torch.stack((shift[:, 0], torch.zeros(len(shift)), shift[:, 1]), -1)[:, None]
+    origin = torch.stack((shift[:, 0], torch.zeros_like(shift[:, 0]), shift[:, 1]), -1)[:, None]
     moved = {name: R.rotate(turn, values) for name, values in parts.items()}
     return pack_joints(**moved | {"position": moved["position"] + origin})

@@ -7,6 +7,8 @@ from dataclasses import dataclass
 import torch
 from torch import Tensor
 
+from toolkit.motion.tensors import as_tensor, shown, summary
+
 
 @dataclass(frozen=True, eq=False)
 class CharacterState:
@@ -47,6 +49,7 @@ class CharacterState:
     contacts: Tensor
     toes: Tensor
     drift: Tensor
+    __repr__ = summary
 
     @property
     def root(self) -> Tensor:
@@ -55,11 +58,15 @@ class CharacterState:
 
     def with_style(self, style: Tensor) -> "CharacterState":
         """The same moment with another style vector ``[S]`` or ``[B, S]``."""
-        return dataclasses.replace(self, style=vectors_of(style).expand(len(self.phase), -1))
+        return dataclasses.replace(self, style=vectors_of(style, self.style, len(self.phase)))
 
 
-def vectors_of(style) -> Tensor:
-    """A style argument as a tensor; what is no vector is refused in one line."""
+def vectors_of(style, like: Tensor, characters: int | None = None) -> Tensor:
+    """A style argument as vectors ``[B, S]``, one for each of ``characters`` where that is given; all else is refused."""
     if isinstance(style, str | Mapping):
-        raise ValueError(f"a style is a vector, bank[name] or bank.blend({{name: weight}}); got {style!r}")
-    return torch.as_tensor(style)
+        raise ValueError(f"a style is a vector, bank[name] or bank.blend({{name: weight}}); got {shown(style)}")
+    vectors = torch.atleast_2d(as_tensor(style, "a style", like))
+    if vectors.dim() != 2 or len(vectors) not in (1, characters or len(vectors)):
+        wanted = f"[{characters or 'B'}, S] of all characters"
+        raise ValueError(f"a style is one vector [S], or {wanted}; got shape {list(vectors.shape)}")
+    return vectors.expand(characters or len(vectors), -1)

@@ -11,6 +11,7 @@ import torch
 from torch import Tensor
 
 from toolkit.motion import trajectory
+from toolkit.motion.tensors import as_tensor, summary
 from toolkit.runtime.state import CharacterState
 
 FPS = trajectory.FPS
@@ -31,6 +32,7 @@ class Command:
 
     velocity: Sequence[float] | Tensor = (0.0, 0.0)
     facing: Sequence[float] | Tensor = (0.0, 1.0)
+    __repr__ = summary
 
 
 Pilot = Callable[[CharacterState], Command]
@@ -41,13 +43,13 @@ def steer(state: CharacterState, command: Command) -> tuple[Tensor, Tensor, Tens
 
     Ours: while the command is to stand, the pull works against any movement; the network drifts by 10 to 25 cm/s otherwise.
     """
-    dtype = state.velocity.dtype
-    wanted = torch.as_tensor(command.velocity, dtype=dtype).expand_as(state.velocity)
-    look = torch.as_tensor(command.facing, dtype=dtype).expand_as(state.facing)
+    like = {"dtype": state.velocity.dtype, "device": state.velocity.device}
+    wanted = torch.as_tensor(command.velocity, **like).expand_as(state.velocity)
+    look = torch.as_tensor(command.facing, **like).expand_as(state.facing)
     look = torch.where(look.norm(dim=-1, keepdim=True) > 1e-6, look, state.facing)
     velocity = torch.lerp(state.velocity, wanted, GAIN)
     facing = turn(state.facing, look, GAIN)
-    t = torch.linspace(0.0, 1.0, N_FUTURE, dtype=dtype)[1:]
+    t = torch.linspace(0.0, 1.0, N_FUTURE, **like)[1:]
     w_position, w_direction = 1 - (1 - t) ** POSITION_BIAS, 1 - (1 - t) ** DIRECTION_BIAS
     steps = state.future[:, 1:, :2] - state.future[:, :-1, :2]
     interval = (trajectory.SAMPLES[1] - trajectory.SAMPLES[0]) / FPS
@@ -88,7 +90,7 @@ def straight(speed: float = 1.2, seconds: float = 10.0, facing: Sequence[float] 
     """Commands that walk straight ahead at ``speed`` m/s; a ValueError where a number is not finite or time is negative."""
     if not (math.isfinite(speed) and 0 <= seconds < math.inf):
         raise ValueError(f"speed and seconds must be finite and seconds not negative, got {speed} and {seconds}")
-    forward = unit(torch.tensor(facing, dtype=torch.float32))
+    forward = unit(as_tensor(facing, "facing", torch.float64))
     return [Command(tuple((speed * forward).tolist()), tuple(forward.tolist()))] * round(seconds * FPS)
 
 
@@ -104,7 +106,7 @@ def follow(points: Sequence[Sequence[float]], speed: float = 1.2, seconds: float
     seconds
         How long; as long as the path takes where not given.
     """
-    path = torch.as_tensor(points, dtype=torch.float32)
+    path = as_tensor(points, "points", torch.float64).cpu()
     legs = (path[1:] - path[:-1]).norm(dim=-1)
     if path.dim() != 2 or path.shape[1] != 2 or not len(legs) or float(legs.min()) < 1e-6:
         raise ValueError(f"a path needs two or more different (x, z) points, got {list(path.shape)}")
@@ -116,19 +118,19 @@ def follow(points: Sequence[Sequence[float]], speed: float = 1.2, seconds: float
         return torch.lerp(path[leg], path[leg + 1], share)
 
     def pilot(distance: float) -> Pilot:
-        """Head for where the path is a moment later: late and strayed characters catch up, early ones wait."""
         goal, ahead = point(distance + LOOKAHEAD * speed), point(distance + LOOKAHEAD * speed + 0.05)
         tangent = ahead - goal if float((ahead - goal).norm()) > 1e-6 else path[-1] - path[-2]
-
-        def steer_to_goal(state: CharacterState) -> Command:
-            velocity = (goal - state.root[:, :2]) / LOOKAHEAD
-            fast = velocity.norm(dim=-1, keepdim=True).clamp_min(1e-6)
-            return Command(velocity * (1.5 * speed / fast).clamp(max=1.0), tangent)
-
-        return steer_to_goal
+        return lambda state: towards(state, goal, tangent, speed)
 
     frames = math.ceil((float(ends[-1]) / speed if seconds is None else seconds) * FPS)
     return [pilot(frame / FPS * speed) for frame in range(frames)]
+
+
+def towards(state: CharacterState, goal: Tensor, facing: Tensor, speed: float) -> Command:
+    """Head for where a path is `LOOKAHEAD` later, ``goal [2]`` or ``[B, 2]``: late characters catch up, early ones wait."""
+    velocity = (goal.to(state.root) - state.root[:, :2]) / LOOKAHEAD
+    fast = velocity.norm(dim=-1, keepdim=True).clamp_min(1e-6)
+    return Command(velocity * (1.5 * speed / fast).clamp(max=1.0), facing)
 
 
 def unit(v: Tensor) -> Tensor:

@@ -14,6 +14,7 @@ from toolkit import features, runtime
 from toolkit.features import KINDS, Features, splits
 from toolkit.io.model_files import difference
 from toolkit.motion import Clip
+from toolkit.motion.tensors import summary
 from toolkit.networks import Film, FilmGenerator, Model
 from toolkit.networks.bank import StyleBank
 from toolkit.training import minibatches
@@ -62,6 +63,7 @@ class NewStyles:
     method: str
     seconds: float
     losses: list[float]
+    __repr__ = summary
 
 
 def fine_tune(model: Model, clips: Clip | Sequence[Clip] | Features, name: str | None = None, bank: StyleBank | None = None,
@@ -191,7 +193,7 @@ def _descend(model: Model, bank: StyleBank | None, data: Features, learnt: list[
         x, p, z, y = batches[step]
         there = poses[torch.randint(len(poses), (len(x),), generator=draw)]
         astray, far = torch.rand(2, len(x), 1, generator=draw)
-        x = x.clone()
+        x = x.to(poses, copy=True)
         x[:, joints] = torch.lerp(x[:, joints], there, (astray < STRAY) * far)
         x, p, z, y = (model.normaliser(kind).apply(v) for kind, v in zip(KINDS, (x, *model.observe(p, z), y), strict=True))
         style = vector(step % len(data.styles), y)

@@ -12,6 +12,7 @@ from torch import Tensor
 
 from toolkit import runtime
 from toolkit.features import Layout, split_joints
+from toolkit.motion.tensors import summary
 from toolkit.networks import Model
 from toolkit.networks.bank import StyleBank
 
@@ -37,6 +38,7 @@ class Strain:
 
     bone_stretch: Tensor
     penetration: Tensor
+    __repr__ = summary
 
 
 def strain(model: Model, vectors: Tensor, speed: float = 1.0, seconds: float = 5.0) -> Strain:

@@ -7,6 +7,7 @@ import torch
 from torch import Tensor
 
 from toolkit.features import Features
+from toolkit.motion.tensors import summary
 from toolkit.networks import Model
 
 EMBEDDINGS = ("tsne", "pca", "umap")
@@ -101,6 +102,7 @@ class Separation:
     silhouette: dict[str, float]
     ratio: dict[str, float]
     found: dict[str, float]
+    __repr__ = summary
 
 
 def separation(vectors: Tensor, styles: Sequence[str]) -> Separation:

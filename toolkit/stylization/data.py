@@ -12,8 +12,9 @@ import torch
 from torch import Tensor, nn
 
 from toolkit.features.splits import generator
-from toolkit.motion import Clip, Skeleton, local_rotations, root_frames
+from toolkit.motion import Clip, Skeleton, local_rotations, on_cpu, root_frames
 from toolkit.motion import rotations as R
+from toolkit.motion.tensors import summary
 from toolkit.motion.trajectory import heading
 from toolkit.stylization.graph import SkeletonGraph
 
@@ -64,6 +65,7 @@ class Motions:
     take: Tensor
     domains: tuple[str, ...]
     contents: tuple[str, ...]
+    __repr__ = summary
 
     def __len__(self) -> int:
         return len(self.x)
@@ -124,7 +126,7 @@ def build(clips: Sequence[Clip], domains: Sequence[str] | None = None, mirror: b
 
 def prepare(clip: Clip) -> Clip:
     """A clip at 30 Hz on its skeleton without End Sites."""
-    return clip.without_ends().resample(FPS)
+    return on_cpu(clip)[0].without_ends().resample(FPS)
 
 
 def check_skeleton(clip: Clip, skeleton: Skeleton) -> None:
@@ -208,7 +210,7 @@ def to_clip(x: Tensor, root_velocity: Tensor, source: Clip) -> Clip:
 def _aimed(skeleton: Skeleton, world: Tensor, root: Tensor, wanted: Tensor) -> Tensor:
     """World rotations ``[F, N, 4]`` turned so that bones without siblings point at their ends' ``wanted`` positions."""
     positions = root[:, None].expand_as(wanted).clone()
-    for joints, parents in skeleton.levels:
+    for joints, parents in skeleton.levels(world.device):
         alone = torch.tensor([skeleton.parents.count(p) == 1 for p in parents.tolist()])
         bones = R.rotate(world[:, parents], skeleton.offsets[joints])
         turn = R.between(bones, wanted[:, joints] - positions[:, parents])

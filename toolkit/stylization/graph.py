@@ -9,6 +9,7 @@ import torch
 from torch import Tensor
 
 from toolkit.motion import Skeleton
+from toolkit.motion.tensors import summary
 
 POOLINGS = 2  # the paper's: joints, then halves of body parts, then body parts
 SUBSETS = 3  # the joint itself, the neighbour towards the root, the neighbours away from it
@@ -25,6 +26,7 @@ class SkeletonGraph:
     skeleton: Skeleton
     parents: tuple[tuple[int, ...], ...]
     clusters: tuple[tuple[int, ...], ...]
+    __repr__ = summary
 
     @classmethod
     def of(cls, skeleton: Skeleton) -> "SkeletonGraph":

@@ -10,6 +10,7 @@ from torch.nn import functional
 
 from toolkit.io import model_files
 from toolkit.motion import Skeleton
+from toolkit.motion.tensors import summary
 from toolkit.stylization.data import CHANNELS, FRAMES, Statistics
 from toolkit.stylization.graph import POOLINGS, SkeletonGraph
 from toolkit.stylization.layers import SLOPE, AdaIN, Block, Lift, Trunk, encoder_blocks, he_init
@@ -146,6 +147,9 @@ class Stylizer(nn.Module):
         self.generator = Generator(graph, sizes)
         self.encoder = StyleEncoder(graph, sizes, len(domains))
         self.mapping = MappingNetwork(sizes, len(domains))
+
+    def __repr__(self) -> str:
+        return summary(self, {"domains": self.domains, "joints": len(self.skeleton), "sizes": self.sizes})
 
     @property
     def skeleton(self) -> Skeleton:

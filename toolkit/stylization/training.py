@@ -19,6 +19,7 @@ from tqdm.auto import tqdm
 
 from toolkit.features.splits import generator, mix
 from toolkit.io import model_files
+from toolkit.motion.tensors import summary
 from toolkit.stylization import losses
 from toolkit.stylization.data import Motions
 from toolkit.stylization.networks import Discriminator, Sizes, Stylizer, build
@@ -45,6 +46,7 @@ class Config:
     save_every: float = 120.0  # seconds between checkpoints
     seed: int = 0
     device: str = "cpu"
+    __repr__ = summary
 
     def __post_init__(self):
         if unknown := sorted(set(self.losses) - set(losses.LOSSES)):
@@ -85,6 +87,7 @@ class Run:
     discriminator: Discriminator
     config: Config
     history: list[dict[str, float]]
+    __repr__ = summary
 
     def save(self, path: str | os.PathLike) -> None:
         """Write stylizer, config and history to one safetensors file, which `Stylizer.load` reads too."""

@@ -7,6 +7,7 @@ import torch
 from torch import Tensor
 
 from toolkit.io import model_files
+from toolkit.motion.tensors import summary
 from toolkit.networks import Model
 from toolkit.training.run import Config
 
@@ -26,6 +27,7 @@ class Checkpoint:
     history: list[dict] = field(default_factory=list)
     best: dict[str, Tensor] = field(default_factory=dict)
     moments: dict[int, dict[str, Tensor]] = field(default_factory=dict)
+    __repr__ = summary
 
     @property
     def stalled(self) -> int:

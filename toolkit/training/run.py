@@ -4,12 +4,14 @@ import dataclasses
 import json
 import math
 import os
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from importlib import resources
 
 import torch
 
 from toolkit.io import model_files
+from toolkit.motion.tensors import summary
 from toolkit.networks import MODELS, Model, Sizes
 from toolkit.networks.bank import StyleBank
 
@@ -42,6 +44,7 @@ class Config:
     precision: str = "32"  # bits of a number; "bf16": bfloat16 products by autocast, weights and Adam in 32
     device: str = "cpu"
     processes: int = 1  # on this machine, each with its device; torchrun, which knows of more machines, overrules it
+    __repr__ = summary
 
     def __post_init__(self):
         if self.model not in MODELS:
@@ -99,20 +102,27 @@ class Config:
 
 @dataclass(eq=False)
 class Run:
-    """What training made.
+    """A model and its style bank, as training made them or a file had them; it unpacks as ``model, bank = run``.
 
-    ``held_out[style]`` and ``baselines[style]`` are mean squared errors of normalised outputs on held-out frames: ``mse``;
-    ``other``, with another style's vector (where it is not much larger, the model does not listen to the vector); and the
-    ``mean`` and ``repeat`` of `baselines`. ``bone`` is the error of bone lengths, metres. ``history`` has a row per
-    evaluation.
+    ``config`` is None where the toolkit did not train it; then there are no numbers either. ``held_out[style]`` and
+    ``baselines[style]`` are mean squared errors of normalised outputs on held-out frames: ``mse``; ``other``, with another
+    style's vector (where it is not much larger, the model does not listen to the vector); and the ``mean`` and ``repeat`` of
+    `baselines`. ``bone`` is the error of bone lengths, metres. ``history`` has a row per evaluation.
     """
 
     model: Model
     bank: StyleBank
-    config: Config
-    history: list[dict[str, float]]
-    held_out: dict[str, dict[str, float]]
-    baselines: dict[str, dict[str, float]]
+    config: Config | None = None
+    history: list[dict[str, float]] = field(default_factory=list)
+    held_out: dict[str, dict[str, float]] = field(default_factory=dict)
+    baselines: dict[str, dict[str, float]] = field(default_factory=dict)
+
+    def __iter__(self) -> Iterator[Model | StyleBank]:
+        return iter((self.model, self.bank))
+
+    def __repr__(self) -> str:
+        facts = {"model": self.model.name, "styles": self.bank.names}
+        return summary(self, facts | {"held_out": self.table()[-1]["error"]} if self.held_out else facts)
 
     def save(self, path: str | os.PathLike, *, slim: bool = False) -> None:
         """Write model, bank and numbers to one safetensors file; `Model.load` and `StyleBank.load` read it too.
@@ -123,7 +133,8 @@ class Run:
         tensors, description = self.model.parts(generator=not slim)
         if slim:
             tensors = {name: t.half() if name.startswith("model.experts") else t for name, t in tensors.items()}
-        numbers = {"config": dataclasses.asdict(self.config), "history": self.history, "held_out": self.held_out,
+        config = None if self.config is None else dataclasses.asdict(self.config)
+        numbers = {"config": config, "history": self.history, "held_out": self.held_out,
                    "baselines": self.baselines}
         model_files.write(path, tensors | {"bank.vectors": self.bank.vectors},
                       {"model": description, "bank": list(self.bank.names), "run": numbers})
@@ -143,16 +154,17 @@ def load(path: str | os.PathLike) -> Run:
     tensors, parts = model_files.read(path, "run")
     model, bank = Model.from_parts(path, tensors, parts, None), StyleBank.from_parts(path, tensors, parts)
     with model_files.intact(path, "the record of the run"):
-        run = Run(model, bank, Config.from_json(parts["run"].pop("config")), **parts["run"])
+        config = parts["run"].pop("config")
+        run = Run(model, bank, None if config is None else Config.from_json(config), **parts["run"])
         run.table()
     return run
 
 
-def pretrained() -> tuple[Model, StyleBank]:
-    """The embedded default: a small LPN-FiLM trained on procedural styles, and its style vectors. No network access.
+def pretrained() -> Run:
+    """The embedded default, ``model, bank = pretrained()``: a small LPN-FiLM and its style vectors. No network access.
 
-    It comes without the FiLM generator, so it cannot make style vectors of new clips. `toolkit/data/README.md` says what it
-    was trained on and with which command.
+    It was trained on procedural styles. It comes without the FiLM generator, so it cannot make style vectors of new clips.
+    `toolkit/data/README.md` has the data and the command.
     """
     with resources.as_file(resources.files("toolkit") / "data" / "pretrained.safetensors") as path:
-        return Model.load(path), StyleBank.load(path)
+        return load(path)

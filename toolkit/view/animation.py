@@ -13,7 +13,7 @@ from scipy.ndimage import gaussian_filter1d
 from tqdm import tqdm
 
 from toolkit.io.files import atomic_write
-from toolkit.motion import Clip
+from toolkit.motion import Clip, on_cpu
 from toolkit.motion import rotations as R
 from toolkit.view import body
 from toolkit.view.picture import FLOOR, INK, PAPER, contact_list, label, steady_frames
@@ -224,7 +224,7 @@ class _Shot:
 
 
 def _shots(clips, labels, contacts, view: float, elevation: float) -> tuple[list[_Shot], list[str]]:
-    clips = [clips] if isinstance(clips, Clip) else list(clips)
+    clips = on_cpu(clips)
     labels = [label(clip) for clip in clips] if labels is None else list(labels)
     if not clips or len(labels) != len(clips):
         raise ValueError(f"a picture needs clips and a label per clip; got {len(clips)} clips, {len(labels)} labels")

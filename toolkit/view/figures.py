@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 import plotly.graph_objects as go
 
-from toolkit.motion import Clip
+from toolkit.motion import Clip, on_cpu
 from toolkit.view.body import PALETTE
 
 INK, QUIET, GRID = "#2b323b", "#8a8f98", "#e4e0d8"
@@ -113,7 +113,7 @@ def trajectory_figure(clips: Clip | Sequence[Clip], target=None, *, labels: Sequ
     title
         Heading.
     """
-    clips = [clips] if isinstance(clips, Clip) else list(clips)
+    clips = on_cpu(clips)
     labels = [c.style or c.name for c in clips] if labels is None else list(labels)
     figure = go.Figure()
     if target is not None:

@@ -9,7 +9,7 @@ from matplotlib.colors import to_rgb
 from PIL import Image
 from tqdm import tqdm
 
-from toolkit.motion import Clip
+from toolkit.motion import Clip, on_cpu
 from toolkit.view import body
 from toolkit.view.animation import FINE, GRID, LINE, SUFFIXES, write
 from toolkit.view.picture import FLOOR, PAPER
@@ -48,6 +48,7 @@ def crowd(clips: Sequence[Clip], path: str | os.PathLike, *, fps: float = 12.5, 
     path = Path(path)
     if path.suffix not in SUFFIXES:
         raise ValueError(f"a crowd is a {', '.join(SUFFIXES[:-1])} or {SUFFIXES[-1]} file; got {path.name}")
+    clips = on_cpu(clips)
     if len({(len(clip), clip.fps, clip.skeleton.names) for clip in clips}) != 1:
         raise ValueError(f"a crowd needs clips of one length, rate and skeleton, got {len(clips)} that differ or none")
     seconds = clips[0].seconds

@@ -13,7 +13,7 @@ import numpy as np
 import torch
 
 from toolkit.io.files import atomic_write
-from toolkit.motion import Clip
+from toolkit.motion import Clip, on_cpu
 from toolkit.motion import rotations as R
 from toolkit.view import body
 from toolkit.view.picture import contact_list, label, steady_frames
@@ -91,7 +91,7 @@ def html(clips: Clip | Sequence[Clip], path: str | os.PathLike, *, title: str, c
     ValueError
         If labels, contacts or styles do not fit the clips.
     """
-    clips = [clips] if isinstance(clips, Clip) else list(clips)
+    clips = on_cpu(clips)
     labels = [label(clip) for clip in clips] if labels is None else list(labels)
     styles = [styles] * len(clips) if styles is None or (isinstance(styles, Mapping) and len(clips) == 1) else list(styles)
     if not 1 <= len(clips) <= 9 or len(labels) != len(clips) or len(styles) != len(clips):

@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 from scipy.ndimage import gaussian_filter1d
 
 from toolkit.io.files import atomic_write
-from toolkit.motion import Clip, root_frames
+from toolkit.motion import Clip, on_cpu, root_frames
 from toolkit.motion import rotations as R
 from toolkit.view import body
 from toolkit.view.raycast import Canvas
@@ -66,7 +66,7 @@ def strip(clips: Clip | Sequence[Clip], path: str | os.PathLike | None = None, *
     ValueError
         If there is no clip or no frame to show, or labels or contacts do not fit the clips.
     """
-    clips = [clips] if isinstance(clips, Clip) else list(clips)
+    clips = on_cpu(clips)
     labels = [label(clip) for clip in clips] if labels is None else list(labels)
     contacts = contact_list(contacts, clips)
     if not clips or frames < 1 or len(labels) != len(clips):

@@ -20,7 +20,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from PIL import Image
 
-from toolkit.motion import Clip
+from toolkit.motion import Clip, on_cpu
 from toolkit.view import overlay, stage
 from toolkit.view.picture import INK, PAPER, contact_list, label, strip
 from toolkit.view.screen import Screen
@@ -80,7 +80,7 @@ def _in_notebook() -> bool:
 
 
 def _subjects(clips, labels, contacts, phases) -> list[stage.Subject]:
-    clips = [clips] if isinstance(clips, Clip) else list(clips)
+    clips = on_cpu(clips)
     labels = [label(clip) for clip in clips] if labels is None else list(labels)
     if not clips or len(labels) != len(clips):
         raise ValueError(f"playback needs clips and a label per clip; got {len(clips)} clips, {len(labels)} labels")

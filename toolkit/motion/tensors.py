@@ -1,0 +1,92 @@
+"""Tensors of numbers in any form, functions of arrays on tensors, and short representations of objects that hold tensors."""
+
+import dataclasses
+import textwrap
+from collections.abc import Callable, Iterable, Mapping
+from typing import Any
+
+import numpy as np
+import torch
+from torch import Tensor, nn
+
+WIDTH, LINES = 125, 5  # columns and lines of a representation
+NAMES = 6  # names that are shown of a longer list
+
+
+def as_tensor(values: Any, what: str, like: Tensor | torch.dtype | None = None) -> Tensor:
+    """Numbers as a floating tensor.
+
+    Parameters
+    ----------
+    values
+        A tensor, an array, a number, or nested lists of them.
+    what
+        What they are, for the error.
+    like
+        Gives the device and the dtype, or is the dtype. Without it a floating tensor stays as it is, and all else gets
+        torch's default dtype.
+
+    Raises
+    ------
+    ValueError
+        If they are no numbers, or rows differ in length.
+    """
+    if not isinstance(values, Tensor):
+        try:
+            if isinstance(values, list | tuple) and any(isinstance(v, Tensor) for v in values):
+                values = torch.stack([as_tensor(v, what, like) for v in values])
+            else:
+                array = np.array(values, order="C")
+                values = torch.from_numpy(array if array.dtype.kind in "biuf" else array.astype(np.float64, casting="safe"))
+        except (TypeError, ValueError, RuntimeError):
+            raise ValueError(f"{what} must be numbers in a tensor, array or list; got {shown(values)}") from None
+        like = torch.get_default_dtype() if like is None else like
+    elif like is None:
+        like = values.dtype if values.is_floating_point() else torch.get_default_dtype()
+    return values.to(like)
+
+
+def through_numpy(function: Callable[[np.ndarray], np.ndarray], values: Tensor) -> Tensor:
+    """A function of a float64 array, for scipy and numba: its result has the device and the dtype of ``values``.
+
+    A RuntimeError if ``values`` need a gradient, which would be lost.
+    """
+    return torch.from_numpy(np.ascontiguousarray(function(values.double().cpu().numpy()))).to(values)
+
+
+def summary(thing: Any, facts: Mapping[str, Any] | None = None) -> str:
+    """A representation of at most `LINES` lines that shows shapes, never whole tensors; by default a dataclass's fields."""
+    if facts is None:
+        facts = {f.name: getattr(thing, f.name) for f in dataclasses.fields(thing)}
+    text = f"{type(thing).__name__}({', '.join(f'{name}={shown(value)}' for name, value in facts.items())})"
+    return textwrap.fill(text, WIDTH, subsequent_indent="    ", max_lines=LINES, placeholder=" …)", break_on_hyphens=False)
+
+
+def shown(value: Any) -> str:
+    """A value in a few words: a tensor's shape, dtype and device (float32 and cpu go unsaid), the first of many names."""
+    match value:
+        case Tensor():
+            odd = (str(value.dtype).removeprefix("torch."), str(value.device))
+            return " ".join((str(list(value.shape)), *(o for o in odd if o not in ("float32", "cpu"))))
+        case np.ndarray():
+            return f"array {list(value.shape)} {value.dtype}"
+        case nn.Module():
+            return type(value).__name__
+        case str() if len(value) <= 60:
+            return repr(value)
+        case float():
+            return f"{value:g}"
+        case Mapping() if all(isinstance(v, Tensor) for v in value.values()):
+            return "{" + few(f"{name}: {shown(v)}" for name, v in value.items()) + "}"
+        case Mapping():
+            return "{" + few(map(str, value)) + "}"
+        case list() | tuple():
+            return "(" + few(v if isinstance(v, str) else shown(v) for v in value) + ")"
+    text = " ".join(repr(value).split())
+    return text if len(text) <= 60 else text[:59] + "…"
+
+
+def few(names: Iterable[str]) -> str:
+    """Names, of which the first `NAMES` are shown where there are many."""
+    names = list(names)
+    return ", ".join(names[:NAMES]) + (f" and {len(names) - NAMES} more" if len(names) > NAMES else "")
