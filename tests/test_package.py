@@ -58,7 +58,7 @@ def loaded(code: str) -> set[str]:
 
 def test_import_alone_pulls_in_nothing_heavy():
     code = "import time; began = time.perf_counter(); import toolkit; assert time.perf_counter() - began < 2"
-    assert not loaded(code) & (DRAWING | {"torch", "numpy", "scipy", "numba", "lightning_fabric", "typer", "requests"})
+    assert not loaded(code) & (DRAWING | {"torch", "numpy", "scipy", "numba", "lightning_fabric", "typer"})
 
 
 def test_the_pipeline_pulls_in_no_drawing_library():

@@ -18,7 +18,7 @@ from pathlib import Path
 import filelock
 
 from toolkit.datasets import archive, bandai, home, style100
-from toolkit.datasets.download import STALL, download, notes
+from toolkit.datasets.download import download, notes
 from toolkit.io import bvh
 from toolkit.io.files import atomic_write
 
@@ -146,7 +146,6 @@ def fetch(
     sha256: str | None = None,
     *,
     progress: bool = False,
-    stall: float = STALL,
 ) -> dict:
     """Fetch a dataset, or go on where that was cut; nothing is done where it is there already.
 
@@ -162,8 +161,6 @@ def fetch(
         What the archive must have, in place of the published checksum.
     progress
         Show bars on a terminal.
-    stall
-        Seconds without a byte after which the connection is given up and made again.
 
     Returns
     -------
@@ -189,7 +186,7 @@ def fetch(
             if not (known := record(folder)):
                 if folder.is_dir() and any(folder.iterdir()):
                     raise ValueError(f"{folder}: holds something else; move it away, or give another folder (--root)")
-                known = _into(work, origin, source, expected.lower(), name, progress, stall)
+                known = _into(work, origin, source, expected.lower(), name, progress)
                 if folder.is_dir():  # an empty one, which Windows would not replace
                     folder.rmdir()
                 (work / "unpacked").replace(folder)
@@ -203,7 +200,7 @@ def fetch(
         raise
 
 
-def _into(work: Path, origin: Origin, source: str, expected: str, name: str, progress: bool, stall: float) -> dict:
+def _into(work: Path, origin: Origin, source: str, expected: str, name: str, progress: bool) -> dict:
     """A checked dataset with its record in ``work / "unpacked"``."""
     limit, file = 4 * origin.unpacked, Path(source)
     remote = source.startswith(("https://", "http://"))
@@ -219,7 +216,7 @@ def _into(work: Path, origin: Origin, source: str, expected: str, name: str, pro
             part = work / "archive.part"
             have = part.stat().st_size if part.exists() else 0
             archive.room(work, max((size or origin.unpacked) - have, 0) + origin.unpacked, f"fetch and unpack {name}")
-            download(source, part, size, LARGEST, trusted=bool(expected), progress=progress, stall=stall)
+            download(source, part, size, LARGEST, trusted=bool(expected), progress=progress)
             part.replace(file)
     with file.open("rb") as data:
         digest = hashlib.file_digest(data, "sha256").hexdigest()

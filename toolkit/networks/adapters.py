@@ -120,4 +120,4 @@ class ResidualAdapter(nn.Module):
 
 def _times(x: Tensor, matrices: Tensor) -> Tensor:
     """``x [B, n]`` times ``matrices [B, n, m]``, or ``[1, n, m]`` for one style in the whole batch."""
-    return x @ matrices[0] if len(matrices) == 1 else torch.bmm(x[:, None], matrices)[:, 0]
+    return x @ matrices[0] if matrices.shape[0] == 1 else torch.bmm(x[:, None], matrices)[:, 0]

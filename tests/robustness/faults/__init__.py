@@ -30,12 +30,11 @@ class Score:
     lost: int = 0
     half: int = 0
     equal: int = 0
-    left: int = 0
 
     @property
     def passed(self) -> bool:
-        """Nothing was lost, half-written, different or left over."""
-        return not self.lost and not self.half and self.equal == self.kills and not self.left
+        """Nothing was lost, half-written or different."""
+        return not self.lost and not self.half and self.equal == self.kills
 
 
 def run(
@@ -55,14 +54,14 @@ def run(
         base = Path(made)
         base.chmod(0o755)
         jobs = [job for job in prepare(base, ends) if job.name in chosen]
-        print(f"{'kill -9':<12}{'kills':>7}{'writing':>9}{'lost':>6}{'half':>6}{'equal':>7}{'left over':>11}{'s':>6}")
+        print(f"{'kill -9':<12}{'kills':>7}{'writing':>9}{'lost':>6}{'half':>6}{'equal':>7}{'s':>6}")
         for job in jobs:
             began, score = time.perf_counter(), killed(job, base, kills, seed)
-            print(f"{job.name:<12}{score.kills:>7}{score.writing:>9}{score.lost:>6}{score.half:>6}{score.equal:>7}{score.left:>11}"
+            print(f"{job.name:<12}{score.kills:>7}{score.writing:>9}{score.lost:>6}{score.half:>6}{score.equal:>7}"
                   f"{time.perf_counter() - began:>6.0f}", flush=True)
             bad += [] if score.passed else [f"{job.name}: killed"]
         print("writing: a temporary file lay there; lost: old and whole files that were gone; half: neither the old nor the")
-        print("new one; equal: the same command then gave what an undisturbed one gives; left over: temporary files then")
+        print("new one; equal: the same command then gave what an undisturbed one gives")
         print(f"\n{'':<12}{'what it says, and what is wrong with the files':<20}")
         for job in jobs:
             for fault in (full_disk, read_only, two_at_once):
@@ -97,7 +96,6 @@ def killed(job: Job, base: Path, kills: int, seed: int = 0) -> Score:
         status, said = ended(start(job.work, folder), folder)
         equal = status == 0 and job.contents(folder) == reference
         score.equal += equal
-        score.left += len(_temporary(folder))
         for problem in (*lost, *half, *([] if equal else [f"not as undisturbed, status {status}: {said[-300:]}"])):
             print(f"  {job.name}, kill {score.kills}: {problem}", file=sys.stderr)
     return score
