@@ -49,13 +49,7 @@ def load(name: str, root: str | os.PathLike | None = None, styles: Names = None,
 
 
 def contents(name: str, root: str | os.PathLike | None = None) -> dict[str, dict[str, int]]:
-    """Number of takes of each style and gait, without reading any motion.
-
-    Raises
-    ------
-    ValueError
-        If the dataset is unknown or the folder is not one of this dataset.
-    """
+    """Number of takes of each style and gait, without reading any motion; the errors of ``root`` are those of `load`."""
     module = _module(name, root)
     if module is procedural:
         return {style: dict.fromkeys(procedural.GAITS, 1) for style in procedural.STYLES}
@@ -65,24 +59,12 @@ def contents(name: str, root: str | os.PathLike | None = None) -> dict[str, dict
 
 
 def available(name: str) -> bool:
-    """Whether `load` works without a ``root``: the dataset's folder exists on this machine, or it needs none.
-
-    Raises
-    ------
-    ValueError
-        If the dataset is unknown.
-    """
+    """Whether `load` works without a ``root``: the dataset's folder exists on this machine, or it needs none."""
     return _module(name, None) is procedural or home.folder(name).is_dir()
 
 
 def where(name: str) -> str:
-    """Description of the data that `load` uses without a ``root``.
-
-    Raises
-    ------
-    ValueError
-        If the dataset is unknown or does not exist on this machine.
-    """
+    """Description of the data that `load` uses without a ``root``; ValueError if they are not on this machine."""
     module = _module(name, None)
     return "procedural: computed here" if module is procedural else f"{name}: {module.SOURCE.folder(None)}"
 

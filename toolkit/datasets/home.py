@@ -26,13 +26,7 @@ def folder(name: str) -> Path:
 
 
 def find(name: str, layout: str, source: str) -> Path:
-    """The folder of a dataset; the first call logs it (logger ``toolkit.datasets``).
-
-    Raises
-    ------
-    ValueError
-        If it does not exist; the message says how to get it from its ``source`` and what ``layout`` it has.
-    """
+    """The folder of a dataset, which is logged once; the error for a missing one names its ``source`` and ``layout``."""
     path = folder(name)
     if not path.is_dir():
         get = f"python -m toolkit data fetch {name} gets it from {source}" if name in FETCHED else f"its home: {source}"

@@ -126,19 +126,13 @@ def save(clips: Iterable[Clip], folder: str | os.PathLike, infos: Iterable[Style
 
 
 def frame_cuts(root: str | os.PathLike | None = None) -> dict[tuple[str, str], tuple[int, int]]:
-    """START and STOP (frames at 60 Hz) of every take by (style, gait), without the takes that do not exist (``N/A``).
-
-    Raises
-    ------
-    ValueError
-        If the table does not exist, or a line of it cannot be read.
-    """
+    """START and STOP (frames at 60 Hz) of every take by (style, gait), from ``Frame_Cuts.csv``."""
     cuts = {}
     path, rows = _table(root, "Frame_Cuts.csv")
     for line, row in rows:
         for gait in GAITS:
             ends = row[f"{gait}_START"], row[f"{gait}_STOP"]
-            if ends == ("N/A", "N/A"):
+            if ends == ("N/A", "N/A"):  # there is no such take
                 continue
             try:
                 start, stop = map(int, ends)
@@ -151,13 +145,7 @@ def frame_cuts(root: str | os.PathLike | None = None) -> dict[tuple[str, str], t
 
 
 def styles(root: str | os.PathLike | None = None) -> dict[str, StyleInfo]:
-    """Description of each style by its name, in the order of the table.
-
-    Raises
-    ------
-    ValueError
-        If the table does not exist, or a line of it cannot be read.
-    """
+    """Description of each style by its name, in the order of ``Dataset_List.csv``."""
     infos = {}
     path, rows = _table(root, "Dataset_List.csv")
     for line, row in rows:
@@ -219,7 +207,7 @@ def _apportion(counts: list[int], total: int) -> list[int]:
 
 
 def _table(root: str | os.PathLike | None, name: str) -> tuple[Path, list[tuple[int, dict[str, str]]]]:
-    """Path and (line number, row) of one of `TABLES` in the dataset's folder."""
+    """Path and (line number, row) of one of `TABLES` in the dataset's folder; ValueError if it cannot be read."""
     folder, columns = SOURCE.folder(root), TABLES[name]
     path = next(iter(sorted(folder.rglob(name))), None)
     if path is None:

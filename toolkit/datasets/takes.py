@@ -78,13 +78,7 @@ class Source:
         return folder
 
     def find(self, root: str | os.PathLike | None) -> list[Take]:
-        """All takes in a folder and its sub-folders, by path; files with other names are ignored.
-
-        Raises
-        ------
-        ValueError
-            If the folder does not exist or has no such file.
-        """
+        """All takes in a folder and its sub-folders, by path; ValueError if there is none."""
         folder = self.folder(root)
         found = ((path, self.pattern.fullmatch(path.name)) for path in sorted(folder.rglob("*.bvh")))
         takes = [Take(path, name["style"], self.gaits.get(name["gait"], name["gait"])) for path, name in found if name]

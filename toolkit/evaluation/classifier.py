@@ -63,13 +63,10 @@ class Classifier(nn.Module):
     def load(cls, path: str | os.PathLike, graph: SkeletonGraph) -> "Classifier":
         """Read a classifier for motions of a skeleton; ValueError for any other file."""
         tensors, parts = model_files.read(path, "classifier")
-        try:
+        with model_files.intact(path, "the classifier is of another skeleton, or"):
             empty = torch.zeros(CHANNELS, 1, graph.sizes[0])
             model = cls(graph, statistics=Statistics(empty, empty), **parts["classifier"])
             model.load_state_dict(tensors)
-        except (KeyError, TypeError, RuntimeError) as error:
-            why = " ".join(str(error).split())
-            raise ValueError(f"{path}: its classifier is of another skeleton or damaged ({why})") from error
         return model.eval()
 
 

@@ -3,6 +3,7 @@
 The classifiers must be trained on other clips than the stylizer.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -89,23 +90,25 @@ def evaluate(model: Model, sources: Motions, references: Motions, judges: Judges
         raise ValueError(f"style codes come from by='noise' or by='reference', got {by!r}")
     rows, target = pairs(sources)
     x, draw = sources.x[rows], generator(seed, len(rows))
+    members = [(references.domain == d).nonzero()[:, 0] for d in range(len(references.domains))]
     made = []
     for _ in range(2):
         if by == "noise":
             codes = model.code_from(torch.randn(len(rows), model.sizes.latent, generator=draw), target)
         else:
-            chosen = [(references.domain == d).nonzero()[:, 0] for d in range(len(references.domains))]
-            chosen = torch.stack([chosen[d][torch.randint(len(chosen[d]), (), generator=draw)] for d in target])
-            codes = torch.cat([model.code_of(*part) for part in zip(references.x[chosen].split(BATCH), target.split(BATCH),
-                                                                    strict=True)])
-        parts = zip(x.split(BATCH), codes.split(BATCH), strict=True)
-        made.append(torch.cat([model.translate(*part) for part in parts]))
+            chosen = torch.stack([members[d][torch.randint(len(members[d]), (), generator=draw)] for d in target])
+            codes = _in_batches(model.code_of, references.x[chosen], target)
+        made.append(_in_batches(model.translate, x, codes))
     return {
         **judges.judge(torch.cat(made), sources.content[rows].repeat(2), target.repeat(2)),
         "diversity": distance(*made),
         "change": distance(x, made[0]),
         **contact_agreement(sources.select(rows), made[0]),
     }
+
+
+def _in_batches(function: Callable[[Tensor, Tensor], Tensor], *columns: Tensor) -> Tensor:
+    return torch.cat([function(*part) for part in zip(*(column.split(BATCH) for column in columns), strict=True)])
 
 
 def pairs(sources: Motions) -> tuple[Tensor, Tensor]:

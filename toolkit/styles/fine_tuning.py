@@ -111,12 +111,11 @@ def fine_tune(model: Model, clips: Clip | Sequence[Clip] | Features, name: str |
     """
     began = time.perf_counter()
     data = clips if isinstance(clips, Features) else _features(model, clips, name, mirror)
-    generator = getattr(model.modulation, "generator", None)
-    generator = generator if isinstance(generator, FilmGenerator) else None
-    method = method or ("vector" if generator is None else "generator")
+    has_generator = isinstance(getattr(model.modulation, "generator", None), FilmGenerator)
+    method = method or ("generator" if has_generator else "vector")
     if method not in METHODS:
         raise ValueError(f"unknown method {method!r}; there is {', '.join(METHODS)}")
-    if method != "vector" and generator is None:
+    if method != "vector" and not has_generator:
         raise ValueError(f"method {method!r} needs a FiLM generator, and this model has none; use method 'vector'")
     if known := [style for style in data.styles if bank is not None and style in bank.names]:
         raise ValueError(f"the bank has {', '.join(known)} already; choose another name")

@@ -108,23 +108,18 @@ def lock_feet(clip: Clip, source: Clip) -> Clip:
 
 
 def _shift(toe: Tensor, height: Tensor, standing: Tensor, release: int) -> Tensor:
-    """Shift ``[F, 3]`` of one toe: to one place during each stance, with a raised cosine between stances."""
-    if not standing.any():
-        return torch.zeros_like(toe)
-    frames = torch.arange(len(toe))
-    begins = standing & ~torch.cat((standing[:1] & False, standing[:-1]))
-    stance = begins.cumsum(0) - 1  # the last stance that began, for every frame
-    count = torch.zeros(int(begins.sum())).index_add(0, stance[standing], torch.ones(int(standing.sum())))
-    place = torch.zeros(len(count), 3).index_add(0, stance[standing], toe[standing]) / count[:, None]
-    place[:, 1] = torch.zeros(len(count)).index_add(0, stance[standing], height[standing]) / count
-    stood = frames[standing]
-    last = stood[(torch.searchsorted(stood, frames, right=True) - 1).clamp(min=0)]
-    following = stood[torch.searchsorted(stood, frames).clamp(max=len(stood) - 1)]
-    between = (last < frames) & (frames < following)
-    reach = torch.where(between, (following - last).clamp(max=release), release).float()
-
-    def fading(near: Tensor, reached: Tensor) -> Tensor:
-        share = ((frames - near).abs() / reach).clamp(max=1.0)
-        return (reached * (1 + torch.cos(torch.pi * share)) / 2)[:, None] * (place[stance[near]] - toe[near])
-
-    return fading(last, last <= frames) + fading(following, following > frames)
+    """Shift ``[F, 3]`` of one toe: to one place in each stance (first frame, frame after it), else a raised cosine."""
+    shift = torch.zeros_like(toe)
+    stances = functional.pad(standing.int(), (1, 1)).diff().nonzero().view(-1, 2).tolist()
+    for k, (begin, end) in enumerate(stances):
+        place = toe[begin:end].mean(0)
+        place[1] = height[begin:end].mean()
+        shift[begin:end] = place - toe[begin:end]
+        before = min(release, begin + 1 - stances[k - 1][1]) if k else release
+        after = min(release, stances[k + 1][0] + 1 - end) if k + 1 < len(stances) else release
+        for edge, way, fade in ((begin, -1, before), (end - 1, 1, after)):
+            away = torch.arange(1, fade)
+            away = away[(edge + way * away >= 0) & (edge + way * away < len(toe))]
+            weight = (1 + torch.cos(torch.pi * away / fade))[:, None] / 2
+            shift[edge + way * away] += weight * (place - toe[edge])
+    return shift
