@@ -1,6 +1,7 @@
-"""Phase sources against the truth of the procedural clips."""
+"""Phase sources, compared with the true phases, frequencies and contacts of procedural clips."""
 
-from dataclasses import replace
+import math
+from dataclasses import dataclass, replace
 from typing import Annotated
 
 import torch
@@ -9,19 +10,51 @@ from torch import Tensor
 
 from toolkit import phases as ph
 from toolkit.datasets import procedural
-from toolkit.evaluation import phases as truth
+from toolkit.evaluation import metrics
+from toolkit.motion import Clip, contacts
 
-STAGGERING = ("Neutral", "Zombie")  # also measured staggering like the drunk
+STAGGERING = ("Neutral", "Zombie")  # styles that are also measured with the random steps of the Drunk
+FREQUENCY_LIMIT, F1_LIMIT = 0.03, 0.95
+STILL = 0.02  # metres, root mean square distance from its mean position below which a hand has no phase
+KINDS = ("cyclic", "asymmetric", "no global phase", "one leg never touches", "stochastic")
+
+
+@dataclass(frozen=True)
+class Row:
+    """Errors of one clip: ``phase`` (degrees) and ``frequency`` (relative) ``[4]`` by source; NaN where undefined."""
+
+    name: str
+    kind: str
+    phase: dict[str, Tensor]
+    frequency: dict[str, Tensor]
+    f1: list[float]
+
+
+@dataclass(frozen=True)
+class Part:
+    """Limbs by their columns in `toolkit.phases.LIMBS`, and the source with an error limit for them, in degrees."""
+
+    columns: slice
+    source: str
+    limit: float
+
+    def frequency_error(self, row: Row) -> Tensor:
+        """Larger relative error of the mean frequencies of both limbs, by that source."""
+        found = row.frequency.get(self.source, torch.full((4,), math.nan))[self.columns]
+        return found.nan_to_num().max() if not found.isnan().all() else found.max()
+
+
+PARTS = {"feet": Part(slice(2, 4), "contact", 20.0), "hands": Part(slice(0, 2), "contact-free", 15.0)}
 
 
 def run(
-    styles: Annotated[str | None, typer.Option(help="Comma-separated names; all where not given.")] = None,
+    styles: Annotated[str | None, typer.Option(help="Comma-separated names; default: all.")] = None,
     gaits: Annotated[str, typer.Option(help="Comma-separated gaits.")] = "FW",
     seconds: Annotated[float, typer.Option(help="Length of each clip.")] = 30.0,
-    seed: Annotated[int, typer.Option(help="Of the clips.")] = 0,
+    seed: Annotated[int, typer.Option(help="Seed of the clips.")] = 0,
     source: Annotated[str, typer.Option(help="Comma-separated phase sources.")] = ",".join((*ph.SOURCES, "learned")),
 ) -> None:
-    """Extract the phases of clips whose true phases, frequencies and contacts are known, and say how far off they are."""
+    """Errors of the phase sources, compared with the true phases, frequencies and contacts of procedural clips."""
     sources = {name: ph.named(name) for name in source.split(",")}
     named = {name: procedural.STYLES.get(name, name) for name in (styles.split(",") if styles else procedural.STYLES)}
     if styles is None:
@@ -30,30 +63,86 @@ def run(
     for gait in gaits.split(","):
         for name, style in named.items():
             clip, known = procedural.truth(name if name in procedural.STYLES else style, gait, seconds, seed)
-            rows.append(truth.measure(f"{name} {gait}", clip, known, truth.kind(style), sources))
+            rows.append(measure(f"{name} {gait}", clip, known, kind(style), sources))
 
     print(f"{'degrees':<34}" + "".join(f"{name:>14}" for name in sources) + f"{'frequency':>12}{'contact F1':>12}")
-    for group in truth.KINDS:
+    for group in KINDS:
         members = [row for row in rows if row.kind == group]
         for row in members:
-            for limbs, part in truth.PARTS.items():
+            for limbs, part in PARTS.items():
                 errors = "".join(_number(row.phase[s][part.columns].nanmean(), "°", 14) for s in sources)
                 name, f1 = (row.name, f"{min(row.f1):>12.3f}") if limbs == "feet" else ("", "")
-                print(f"{name:<26}{limbs:<8}{errors}{_number(100 * part.slip(row), ' %', 12)}{f1}")
-        for limbs, part in truth.PARTS.items() if len(members) > 1 else ():
+                print(f"{name:<26}{limbs:<8}{errors}{_number(100 * part.frequency_error(row), ' %', 12)}{f1}")
+        for limbs, part in PARTS.items() if len(members) > 1 else ():
             means = {s: torch.stack([r.phase[s][part.columns] for r in members]).nanmean() for s in sources}
             name = f"= {group}" if limbs == "feet" else ""
             print(f"{name:<26}{limbs:<8}" + "".join(_number(mean, "°", 14) for mean in means.values()))
             if group == "stochastic" and {"coherent", "contact-free"} <= set(sources):
                 gain = 1 - float(means["coherent"] / means["contact-free"])
-                print(f"{'':<34}{limbs}: coherent is nearer to the truth than contact-free by {gain:.0%}")
+                print(f"{'':<34}{limbs}: the error of coherent is {gain:.0%} lower than that of contact-free")
     print(f"{gaits}, {seconds:g} s, seed {seed}: mean circular error while stepping, less a constant lag per limb; error of "
-          "the mean\nfrequency (feet by contacts, hands contact-free). —: nothing to find, no contact or a hand that moves "
-          f"under {100 * truth.STILL:g} cm.")
-    failed = [f"{row.name}: {what}" for row in rows if row.kind == "cyclic" for what in truth.failures(row)]
-    limits = ", ".join(f"{part.source} {limbs} {part.limit:g}°" for limbs, part in truth.PARTS.items())
-    print(f"On cyclic styles, {limits}, "
-          f"frequency {truth.FREQUENCY_LIMIT:.0%}, F1 {truth.F1_LIMIT}: {'; '.join(failed) or 'all kept'}")
+          "the mean\nfrequency (feet: contact, hands: contact-free). —: undefined, for hands without contact or a hand that "
+          f"moves under {100 * STILL:g} cm.")
+    failed = [f"{row.name}: {what}" for row in rows if row.kind == "cyclic" for what in failures(row)]
+    limits = ", ".join(f"{part.source} {limbs} {part.limit:g}°" for limbs, part in PARTS.items())
+    print(f"Limits for cyclic styles: {limits}, "
+          f"frequency {FREQUENCY_LIMIT:.0%}, F1 {F1_LIMIT}: {'; '.join(failed) or 'all kept'}")
+
+
+def measure(name: str, clip: Clip, truth: procedural.Truth, kind: str, sources: dict[str, ph.Source]) -> Row:
+    """Errors of all sources on one clip while it steps, without the first and the last second."""
+    pace = ph.windows.mean(truth.frequency.double(), ph.windows.SECOND, clip.fps)
+    inner = torch.arange(len(clip))
+    inner = (inner >= clip.fps) & (inner < len(clip) - clip.fps)
+    still = [_still(clip, limb) for limb in ph.LIMBS]
+    phase, frequency = {}, {}
+    for label, source in sources.items():
+        found = ph.extract(clip, source)
+        silent = found.vector.abs().amax((0, 2)) == 0
+        phase[label], frequency[label] = torch.full((2, 4), math.nan).unbind()
+        for limb in range(4):
+            stepping = inner & (pace[:, limb] > 0.2)
+            if still[limb] or silent[limb] or stepping.sum() < clip.fps:
+                continue
+            error, _ = metrics.phase_error(found.phase[stepping, limb], truth.phase[stepping, limb])
+            phase[label][limb] = math.degrees(error)
+            true = truth.frequency[stepping, limb].mean()
+            frequency[label][limb] = (found.frequency[stepping, limb].mean() / true - 1).abs()
+    found, true = contacts.detect(clip), truth.contacts
+    f1 = [float(2 * (found * true)[:, i].sum() / (found + true)[:, i].sum()) for i in range(2) if true[:, i].any()]
+    return Row(name, kind, phase, frequency, f1)
+
+
+def kind(style: procedural.Style) -> str:
+    """The one of `KINDS` of a style."""
+    if style.stagger > 0:
+        return "stochastic"
+    legs, arms = ([part("left"), part("right")] for part in (style.leg, style.arm))
+    if any(leg.raised for leg in legs):
+        return "one leg never touches"
+    if style.asymmetry or legs[0] != legs[1]:
+        return "asymmetric"
+    return "no global phase" if any(arm.ratio != 1 or arm.phase for arm in arms) else "cyclic"
+
+
+def failures(row: Row) -> list[str]:
+    """The limits that a row exceeds, in words."""
+    found = []
+    for limbs, part in PARTS.items():
+        worst = row.phase[part.source][part.columns].nan_to_num().max() if part.source in row.phase else 0.0
+        if worst > part.limit:
+            found.append(f"{part.source} {limbs} {worst:.1f}°")
+        if part.frequency_error(row) > FREQUENCY_LIMIT:
+            found.append(f"frequency of the {limbs} {float(part.frequency_error(row)):.1%}")
+    if min(row.f1) < F1_LIMIT:
+        found.append(f"F1 {min(row.f1):.3f}")
+    return found
+
+
+def _still(clip: Clip, limb: str) -> bool:
+    """Whether a hand hardly moves in the hips' frame."""
+    away = ph.local_positions(clip, limb)
+    return limb.endswith("hand") and float((away - away.mean(0)).square().sum(-1).mean().sqrt()) < STILL
 
 
 def _number(value: Tensor, unit: str, width: int) -> str:

@@ -13,7 +13,7 @@ from toolkit.stylization import build, stylize
 from toolkit.stylization.data import FPS, describe, prepare
 from toolkit.stylization.networks import Sizes
 from toolkit.stylization.networks import build as networks
-from toolkit.stylization.restyling import hold_feet
+from toolkit.stylization.restyling import lock_feet
 
 TARGET = 1.0  # seconds for 1,000 frames on two cores
 
@@ -34,7 +34,7 @@ def run(
     parts = {
         "features of the source": lambda: describe(prepare(clip)),
         "the stylizer G": lambda: model.translate(x, code[None]),
-        "foot-skate removal": lambda: hold_feet(source.replace(), source),
+        "foot-skate removal": lambda: lock_feet(source.replace(), source),
         "all of stylize()": lambda: stylize(model, clip.replace(), code=code),
     }
     before = torch.get_num_threads()

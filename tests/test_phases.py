@@ -198,14 +198,14 @@ def test_the_ridge_is_the_best_of_all_paths():
     assert coherent.ridge(power, 1, 0.3).tolist() == list(best)
 
 
-def test_limbs_that_agree_lend_each_other_their_rhythm_and_others_keep_theirs():
+def test_coherent_limbs_are_denoised_and_independent_ones_keep_their_signal():
     noise = torch.randn(4, 2000, 4, generator=torch.Generator().manual_seed(3), dtype=torch.float64)
     shared = torch.exp(0.1j * torch.arange(2000, dtype=torch.float64))[:, None]
     noisy = torch.complex(noise[0], noise[1]) * 0.5 + shared * torch.exp(1j * torch.arange(4))
-    apart = [(z / shared[:, 0]).angle().std() for z in (noisy[:, 0], coherent.agreed(noisy, 0))]
+    apart = [(z / shared[:, 0]).angle().std() for z in (noisy[:, 0], coherent.denoised(noisy, 0))]
     assert float(apart[1]) < 0.8 * float(apart[0])
     lonely = torch.complex(noise[2], noise[3])
-    assert float((coherent.agreed(lonely, 0) - lonely[:, 0]).abs().max()) < 0.05
+    assert float((coherent.denoised(lonely, 0) - lonely[:, 0]).abs().max()) < 0.05
 
 
 def test_regression_is_that_of_least_squares_in_each_window():
@@ -224,9 +224,9 @@ def test_steps_count_the_cycles_of_a_foot_however_irregular():
     contact = torch.zeros(60, dtype=torch.float64)
     for start, stop in ((5, 12), (21, 32), (45, 52)):
         contact[start:stop] = 1
-    signal = coherent.stepped(contact)
-    assert torch.allclose(signal[[8, 26, 48]].real, torch.ones(3, dtype=torch.float64))  # amid the contacts
-    assert torch.allclose(signal[[16, 38]].real, -torch.ones(2, dtype=torch.float64))  # amid the swings
+    signal = coherent.contact_signal(contact)
+    assert torch.allclose(signal[[8, 26, 48]].real, torch.ones(3, dtype=torch.float64))  # middle of the contacts
+    assert torch.allclose(signal[[16, 38]].real, -torch.ones(2, dtype=torch.float64))  # middle of the swings
     assert torch.allclose(signal[12], 1j ** torch.tensor(1.0, dtype=torch.complex128))  # half-way
 
 
@@ -246,7 +246,7 @@ def test_cyclic_styles_keep_the_limits_against_the_truth(style):
     assert row.phase["contact"][:2].isnan().all()  # a hand has no contact, and no error either
 
 
-def test_the_bench_names_what_fails():
+def test_failures_name_the_exceeded_limits():
     nan = math.nan
     phase = {"contact": torch.tensor([nan, nan, 25.0, 3.0]), "contact-free": torch.tensor([1.0, nan, 9.0, 9.0])}
     frequency = {"contact": torch.full((4,), 0.01), "contact-free": torch.tensor([0.05, nan, 0.0, 0.0])}
@@ -638,7 +638,7 @@ def test_a_first_contact_or_a_first_swing_starts_the_count():
     contact = torch.zeros(50, dtype=torch.float64)
     contact[10:20] = contact[32:44] = 1
     for curve, start in ((contact, 0.0), (1 - contact, math.pi)):
-        signal = coherent.stepped(curve)
+        signal = coherent.contact_signal(curve)
         assert torch.allclose(signal.abs(), torch.ones(50, dtype=torch.float64))
         middles = np.array([14.5, 25.5, 37.5])
         slope = np.pi / np.array([11.0, 12.0])
@@ -662,14 +662,14 @@ def test_what_the_others_say_is_least_squares_damped_by_a_thousandth():
             told = others @ weights
             share = (np.abs(told) ** 2).sum() / (np.abs(own) ** 2).sum()
             expected = (1 - share) * own + share * told
-            assert np.abs(coherent.agreed(scale * z, limb).numpy() - expected).max() < 1e-6 * np.abs(own).max()
+            assert np.abs(coherent.denoised(scale * z, limb).numpy() - expected).max() < 1e-6 * np.abs(own).max()
             assert 0.1 < share < 1
 
 
 def test_limbs_that_do_nothing_say_nothing():
     z = torch.exp(0.1j * torch.arange(100, dtype=torch.float64))[:, None] * torch.tensor([1.0, 0.0, 0.0, 0.0])
-    assert torch.allclose(coherent.agreed(z, 0), z[:, 0])
-    assert float(coherent.agreed(z, 1).abs().max()) == 0
+    assert torch.allclose(coherent.denoised(z, 0), z[:, 0])
+    assert float(coherent.denoised(z, 1).abs().max()) == 0
 
 
 def test_amplitude_and_residual_of_a_curve_against_its_wave_do_not_go_below_zero():
@@ -747,7 +747,7 @@ def test_coherent_is_its_description_step_by_step(fps):
         for f, place in enumerate(path.tolist()):
             below = min(int(place), 62)
             z[f] = (below + 1 - place) * waves[below, f] + (place - below) * waves[below + 1, f]
-        signal = coherent.agreed(z, i)
+        signal = coherent.denoised(z, i)
         assert float((torch.exp(1j * (found.phase[:, i] - math.pi / 2)) - signal / signal.abs()).abs().max()) < 1e-9
         turns = torch.tensor([0.0, *(float((signal[f] / signal[f - 1]).angle()) for f in range(1, frames))]) / (2 * math.pi)
         turns[0] = turns[1]
@@ -763,7 +763,7 @@ def test_contacts_are_counted_from_three_changes_on_beside_limbs_that_have_none(
     raw[60:120, 2] = 1  # two changes
     raw[50:110, 3] = raw[190:, 3] = 1  # three
     _, found = tk.phases.Coherent(Curves(raw)).sinusoids(still(frames))
-    signal = coherent.stepped(raw[:, 3])
+    signal = coherent.contact_signal(raw[:, 3])
     assert float((torch.exp(1j * (found.phase[:, 3] - math.pi / 2)) - signal).abs().max()) < 1e-9
     assert float(found.phase[80, 3]) == pytest.approx(math.pi / 2, abs=0.05)  # amid the contact its sine is highest
     assert all(bool(column.isfinite().all()) for column in vars(found).values())

@@ -215,7 +215,7 @@ def test_what_cannot_be_learnt_is_refused_in_one_line(small_run, crouch):
         tk.styles.fine_tune(model, crouch, "Zombie", bank)
     with pytest.raises(ValueError, match="unknown method 'magic'; there is generator, vector, forward"):
         tk.styles.fine_tune(model, crouch, "Mine", bank, method="magic")
-    with pytest.raises(ValueError, match="needs a FiLM generator, and this model has none; 'vector' does without"):
+    with pytest.raises(ValueError, match="needs a FiLM generator, and this model has none; use method 'vector'"):
         tk.styles.fine_tune(slim, crouch, "Mine", method="generator")
     with pytest.raises(ValueError, match="not the model's skeleton; it differs in joints"):
         tk.styles.fine_tune(model, crouch.without_ends(), "Mine", bank)
@@ -330,7 +330,7 @@ def test_vectors_of_single_clips_average_to_the_style(small_run):
     assert len(tk.styles.clip_vectors(small_run.model, data, 2)[1]) == 4
 
 
-def test_published_twins_of_the_legs_are_neighbours(shared):
+def test_published_styles_that_mirror_each_other_are_neighbours(shared):
     bank = tk.published.load(shared / "lpn_film_100style").bank
     for a, b in (("LimpLeft", "LimpRight"), ("DragLeftLeg", "DragRightLeg"), ("SpinClock", "SpinAntiClock")):
         assert b in [name for name, _ in bank.nearest(a, 2)] or a in [name for name, _ in bank.nearest(b, 2)]
@@ -368,7 +368,7 @@ def test_a_blend_of_far_apart_poses_is_warned_of_and_a_style_is_not():
     model, bank = tk.pretrained()
     alone = tk.styles.check(model, bank, {"Neutral": 1.0}, seconds=3.0)
     assert alone["bone_stretch"] == pytest.approx(alone["usual_bone_stretch"], rel=1e-3)
-    with pytest.warns(UserWarning, match="leaves what the model has seen: bones are stretched by"):
+    with pytest.warns(UserWarning, match="unlike the motion that the model was trained on: bones are stretched by"):
         found = tk.styles.check(model, bank, {"Neutral": 0.5, "ArmsAboveHead": 0.5}, seconds=3.0)
     assert found["bone_stretch"] > found["usual_bone_stretch"] + 0.03
     with pytest.raises(ValueError, match="after 2 s of walking"):

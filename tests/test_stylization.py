@@ -13,7 +13,7 @@ from toolkit import stylization as st
 from toolkit.__main__ import main
 from toolkit.motion import Skeleton
 from toolkit.stylization import data, layers, losses, networks, training
-from toolkit.stylization.restyling import hold_feet
+from toolkit.stylization.restyling import lock_feet
 
 SMALL = networks.Sizes(channels=4, code=8, latent=4, hidden=16)
 #: 21 joints as in the paper and in Bandai's files: a spine of five, arms and legs of four.
@@ -387,7 +387,7 @@ def test_held_feet_stand_where_the_source_stands(walks):
     source = data.prepare(walks[0])
     sliding = source.replace(root_positions=source.root_positions * torch.tensor([1.0, 1.0, 1.25]))
     standing = tk.contacts.detect(source)
-    held = hold_feet(sliding, source)
+    held = lock_feet(sliding, source)
     before, after = (tk.metrics.foot_skate(clip, standing) for clip in (sliding, held))
     for side in ("right", "left"):
         assert after[side] < 0.35 * before[side]

@@ -103,7 +103,7 @@ def test_a_classifier_is_the_same_from_the_same_seed_and_after_a_file(motions, t
         assert torch.equal(classifier.features(first, motions.x), classifier.features(other, motions.x))
     assert read.classes == first.classes
     graph = data.SkeletonGraph.of(tk.Skeleton(*zip(*[(f"j{i}", i - 1) for i in range(6)], strict=True), torch.ones(6, 3)))
-    with pytest.raises(ValueError, match="of another skeleton or damaged"):
+    with pytest.raises(ValueError, match="of another skeleton, or is damaged"):
         classifier.Classifier.load(tmp_path / "judge.safetensors", graph)
 
 
@@ -135,7 +135,7 @@ def test_pasting_the_reference_moves_all_style_and_loses_the_content(motions, ju
 
 
 def test_codes_come_by_noise_or_by_reference(motions, judges):
-    with pytest.raises(ValueError, match="not by 'luck'"):
+    with pytest.raises(ValueError, match="got 'luck'"):
         stylization.evaluate(Paste(), motions, motions, judges, by="luck")
     stylizer = tk.stylization.fit(motions, TINY).stylizer
     found = stylization.evaluate(stylizer, motions.select(torch.tensor([0, 1])), motions, judges)

@@ -1,34 +1,28 @@
-"""Motion datasets behind one call: files of the public ones, and a procedural one that needs no files.
+"""Motion datasets with one interface: the files of public datasets, and a procedural dataset that needs no files.
 
-Where ``root`` is None, the folder is the one called like the dataset (``100style``, ``bandai``, ``xia``) in the folder that
-the environment variable ``TOOLKIT_DATA`` names, or else in the user's data folder, where ``python -m toolkit data fetch``
-puts it (`toolkit.datasets.home`).
+Where ``root`` is None, the folder is the one with the name of the dataset (``100style``, ``bandai``, ``xia``) in the folder
+that the environment variable ``TOOLKIT_DATA`` names, or else in the user's data folder, where ``python -m toolkit data
+fetch`` puts it (`toolkit.datasets.home`).
 """
 
 import difflib
-import importlib
 import os
 from collections import Counter
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from types import ModuleType
 
 from toolkit.datasets import bandai, home, procedural, style100, xia
-from toolkit.datasets.takes import Take
+from toolkit.datasets.takes import Names, Take
 from toolkit.motion import Clip
 
 __all__ = ["DATASETS", "Take", "available", "bandai", "contents", "home", "load", "may_mirror", "procedural", "style100",
            "where", "xia"]
 
-DATASETS = {"procedural": "procedural", "100style": "style100", "bandai": "bandai", "xia": "xia"}  # name: module
+DATASETS = {"procedural": procedural, "100style": style100, "bandai": bandai, "xia": xia}
 
 
-def load(
-    name: str,
-    root: str | os.PathLike | None = None,
-    styles: str | Iterable[str] | None = None,
-    gaits: str | Iterable[str] | None = None,
-    **options,
-) -> list[Clip]:
+def load(name: str, root: str | os.PathLike | None = None, styles: Names = None, gaits: Names = None,
+         **options) -> list[Clip]:
     """Clips of a dataset, in the order of style and file name.
 
     Parameters
@@ -40,7 +34,7 @@ def load(
     styles, gaits
         Names to keep; None for all.
     **options
-        What the dataset's own ``load`` takes: ``seconds``, ``seed`` (procedural), ``cut`` (100style), ``dataset`` (bandai).
+        Options of the dataset's own ``load``: ``seconds``, ``seed`` (procedural), ``cut`` (100style), ``dataset`` (bandai).
 
     Raises
     ------
@@ -50,53 +44,33 @@ def load(
         If a file is malformed; the message names the file and the line.
     """
     module = _module(name, root)
-    if name == "procedural":
-        return module.load(styles=styles, gaits=gaits, **options)
-    return module.load(root, styles, gaits, **options)
+    place = {} if module is procedural else {"root": root}
+    return module.load(**place, styles=styles, gaits=gaits, **options)
 
 
 def contents(name: str, root: str | os.PathLike | None = None) -> dict[str, dict[str, int]]:
-    """How many takes of each gait each style has, without reading any motion.
-
-    Raises
-    ------
-    ValueError
-        If the dataset is unknown or the folder is not one of this dataset.
-    """
+    """Number of takes of each style and gait, without reading any motion; the errors of ``root`` are those of `load`."""
     module = _module(name, root)
-    if name == "procedural":
-        return {style: dict.fromkeys(module.GAITS, 1) for style in module.STYLES}
+    if module is procedural:
+        return {style: dict.fromkeys(procedural.GAITS, 1) for style in procedural.STYLES}
     takes = module.SOURCE.find(root)
-    known = style100.styles(root) if name == "100style" else sorted({take.style for take in takes})
+    known = style100.styles(root) if module is style100 else sorted({take.style for take in takes})
     return {style: dict(Counter(take.gait for take in takes if take.style == style)) for style in known}
 
 
 def available(name: str) -> bool:
-    """Whether `load` finds a dataset without a ``root``: its folder is where data lies on this machine, or it needs none.
-
-    Raises
-    ------
-    ValueError
-        If the dataset is unknown.
-    """
-    _module(name, None)
-    return name == "procedural" or home.folder(name).is_dir()
+    """Whether `load` works without a ``root``: the dataset's folder exists on this machine, or it needs none."""
+    return _module(name, None) is procedural or home.folder(name).is_dir()
 
 
 def where(name: str) -> str:
-    """Which data `load` uses without a ``root``, in words.
-
-    Raises
-    ------
-    ValueError
-        If the dataset is unknown or not there.
-    """
+    """Description of the data that `load` uses without a ``root``; ValueError if they are not on this machine."""
     module = _module(name, None)
-    return "procedural: computed here" if name == "procedural" else f"{name}: {module.SOURCE.folder(None)}"
+    return "procedural: computed here" if module is procedural else f"{name}: {module.SOURCE.folder(None)}"
 
 
 def may_mirror(name: str, root: str | os.PathLike | None = None) -> Callable[[Clip | Take], bool]:
-    """Which clips of a dataset may be mirrored: 100STYLE says which styles are symmetric; idling never is."""
+    """Which clips of a dataset may be mirrored: symmetric styles, as 100STYLE's table lists them; idling never."""
     styles = style100.styles(root) if name == "100style" else {}
     return lambda clip: clip.gait != "ID" and (clip.style not in styles or styles[clip.style].symmetric)
 
@@ -108,4 +82,4 @@ def _module(name: str, root: str | os.PathLike | None) -> ModuleType:
         raise ValueError(f"unknown dataset {name!r}; {guess}known: {', '.join(DATASETS)}")
     if name == "procedural" and root is not None:
         raise ValueError(f"the procedural dataset is computed and reads no folder; leave root={os.fspath(root)!r} out")
-    return importlib.import_module(f"toolkit.datasets.{DATASETS[name]}")
+    return DATASETS[name]

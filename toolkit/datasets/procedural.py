@@ -1,14 +1,14 @@
-"""The embedded default: stylised locomotion made from footstep planning, with the true contacts and phases known.
+"""The procedural dataset: stylised locomotion from footstep planning, with known contacts and phases.
 
-No recorded motion is used. A path is planned first, then the footsteps along it; feet are planted in the world, swing in
-arcs from print to print, and the legs follow by inverse kinematics to a pelvis that keeps within their reach. Trunk and
-arms ride on the clock that the steps give. See `toolkit.datasets.procedural_styles` for what makes a style.
+It uses no recorded motion. It plans a path, then the footsteps along it. Each foot stays planted during its stance and
+swings in an arc to its next footstep. Inverse kinematics gives the legs, from the feet to a pelvis that stays within their
+reach. Trunk and arms follow the phase of the steps. `toolkit.datasets.procedural_styles` has the parameters of a style.
 """
 
 import math
 import os
 import zlib
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -16,9 +16,10 @@ from torch import Tensor
 from tqdm import tqdm
 
 from toolkit.datasets.procedural_body import SKELETON, pose
-from toolkit.datasets.procedural_steps import FPS, Plan, Truth, record, smooth, wander
+from toolkit.datasets.procedural_steps import FPS, Plan, Truth, record, smooth, smooth_noise
 from toolkit.datasets.procedural_styles import STYLES, Arm, Leg, Style
 from toolkit.datasets.style100 import StyleInfo, save
+from toolkit.datasets.takes import Names
 from toolkit.io.files import atomic_write
 from toolkit.motion import Clip
 from toolkit.motion import rotations as R
@@ -27,15 +28,10 @@ __all__ = ["GAITS", "SKELETON", "STYLES", "Arm", "Leg", "Style", "Truth", "gener
 
 #: Forwards, backwards and sidestep walk and run, idle, and a transition through all of them.
 GAITS = ("FW", "BW", "FR", "BR", "SW", "SR", "ID", "TR1")
-LEAD = 60  # frames planned before and after the clip, so that it starts and ends in full motion
+MARGIN = 60  # frames planned before and after the clip, so that it starts and ends in full motion
 
 
-def load(
-    styles: str | Sequence[str] | None = None,
-    gaits: str | Sequence[str] | None = None,
-    seconds: float = 8.0,
-    seed: int = 0,
-) -> list[Clip]:
+def load(styles: Names = None, gaits: Names = None, seconds: float = 8.0, seed: int = 0) -> list[Clip]:
     """One clip of every style in every gait.
 
     Parameters
@@ -45,15 +41,14 @@ def load(
     seconds
         Length of each clip.
     seed
-        The same seed gives the same clips, to the byte; another one other paths.
+        The same seed gives the same clips, byte for byte; another seed gives other paths.
 
     Raises
     ------
     ValueError
         If a style or a gait is unknown; the message lists the names.
     """
-    styles, gaits = ([x] if isinstance(x, str) else x for x in (styles, gaits))
-    return [generate(s, g, seconds, seed) for s in styles or STYLES for g in gaits or GAITS]
+    return [generate(style, gait, seconds, seed) for style, gait in _pairs(styles, gaits)]
 
 
 def generate(style: str | Style, gait: str = "FW", seconds: float = 8.0, seed: int = 0, path: Tensor | None = None) -> Clip:
@@ -62,15 +57,15 @@ def generate(style: str | Style, gait: str = "FW", seconds: float = 8.0, seed: i
     Parameters
     ----------
     style
-        A name in `STYLES`, or a `Style` of your own.
+        A name in `STYLES`, or a `Style`.
     gait
-        One of `GAITS`; decides the path, and so whether this is a walk or a run, forwards or not.
+        One of `GAITS`; it selects the speed and direction of the path.
     seconds
         Length.
     seed
-        Of the path and of the style's noise.
+        Seed of the path and of the style's noise.
     path : Tensor [F, 3], optional
-        Walk along this instead: x, z in metres and facing in radians (0 is +Z, positive turns left) at 60 Hz.
+        Path to follow instead: x, z in metres and facing in radians (0 is +Z, positive turns left) at 60 Hz.
 
     Raises
     ------
@@ -80,10 +75,9 @@ def generate(style: str | Style, gait: str = "FW", seconds: float = 8.0, seed: i
     return truth(style, gait, seconds, seed, path)[0]
 
 
-def truth(
-    style: str | Style, gait: str = "FW", seconds: float = 8.0, seed: int = 0, path: Tensor | None = None
-) -> tuple[Clip, Truth]:
-    """As `generate`, and what is known about the clip beside it."""
+def truth(style: str | Style, gait: str = "FW", seconds: float = 8.0, seed: int = 0,
+          path: Tensor | None = None) -> tuple[Clip, Truth]:
+    """The clip of `generate`, with its true contacts, phases and frequencies."""
     label = style if isinstance(style, str) else "custom"
     if isinstance(style, str):
         if style not in STYLES:
@@ -95,31 +89,28 @@ def truth(
     if frames < 2:
         raise ValueError(f"a clip needs at least two frames, got {seconds} seconds")
     rng = np.random.default_rng([seed, zlib.crc32(f"{label} {gait}".encode())])
-    root = _path(style, gait, frames, rng) if path is None else np.asarray(path, dtype=np.float64)
-    edges = np.pad(root, ((LEAD, LEAD), (0, 0)), mode="reflect", reflect_type="odd") if frames > LEAD else np.concatenate(
-        (root[0] + np.arange(-LEAD, 0)[:, None] * (root[1] - root[0]), root,
-         root[-1] + np.arange(1, LEAD + 1)[:, None] * (root[-1] - root[-2])))
-    plan = Plan(style, edges, rng)
+    root = _random_path(style, gait, frames, rng) if path is None else np.asarray(path, dtype=np.float64)
+    if frames > MARGIN:
+        padded = np.pad(root, ((MARGIN, MARGIN), (0, 0)), mode="reflect", reflect_type="odd")
+    else:
+        ahead = np.arange(1, MARGIN + 1)[:, None]
+        before, after = root[0] - ahead[::-1] * (root[1] - root[0]), root[-1] + ahead * (root[-1] - root[-2])
+        padded = np.concatenate((before, root, after))
+    plan = Plan(style, padded, rng)
     feet = {side: plan.foot(side) for side in plan.stepping}
     rotations, positions = pose(plan, feet)
     known = record(plan, feet)
-    keep = slice(LEAD, LEAD + frames)
+    keep = slice(MARGIN, MARGIN + frames)
     name = f"procedural {label} {gait} seed {seed}"
     clip = Clip(SKELETON, R.unroll(rotations[keep]), positions[keep], FPS, label, gait, name)
     return clip, Truth(known.contacts[keep], known.phase[keep], known.frequency[keep])
 
 
-def write(
-    folder: str | os.PathLike,
-    styles: str | Sequence[str] | None = None,
-    gaits: str | Sequence[str] | None = None,
-    seconds: float = 8.0,
-    seed: int = 0,
-) -> None:
-    """Write what `load` gives in 100STYLE's layout (`toolkit.datasets.style100.save`), and the truth beside each clip.
+def write(folder: str | os.PathLike, styles: Names = None, gaits: Names = None, seconds: float = 8.0, seed: int = 0) -> None:
+    """Write the clips of `load` in the layout of 100STYLE (`toolkit.datasets.style100.save`), with the truth of each clip.
 
-    On disk the styles are called ``Procedural<Style>``. The truth of ``<Style>_<GAIT>.bvh`` is ``<Style>_<GAIT>.npz``, with
-    the arrays of `Truth`. A progress bar shows on a terminal.
+    The styles in the files are called ``Procedural<Style>``. ``<Style>_<GAIT>.npz`` holds the arrays of `Truth` of
+    ``<Style>_<GAIT>.bvh``. A terminal shows a progress bar.
 
     Raises
     ------
@@ -127,32 +118,30 @@ def write(
         If a style or gait is unknown or comes twice, or the folder already holds a dataset.
     """
     folder = Path(folder)
-    styles, gaits = ([x] if isinstance(x, str) else list(x or every) for x, every in ((styles, STYLES), (gaits, GAITS)))
 
     def clips() -> Iterator[Clip]:
-        for style, gait in tqdm([(s, g) for s in styles for g in gaits], desc="procedural", unit="clip", disable=None):
+        for style, gait in tqdm(_pairs(styles, gaits), desc="procedural", unit="clip", disable=None):
             clip, known = truth(style, gait, seconds, seed)
             clip = clip.replace(style=f"Procedural{style}")
             with atomic_write(folder / f"{clip.style}_{gait}.npz") as file:
-                np.savez_compressed(
-                    file, **{name: getattr(known, name).numpy() for name in ("contacts", "phase", "frequency")}
-                )
+                np.savez_compressed(file, **{name: value.numpy() for name, value in vars(known).items()})
             yield clip
 
     infos = [StyleInfo(f"Procedural{n}", f"procedural: {n}", s.symmetric, s.stagger > 0, "") for n, s in STYLES.items()]
     save(clips(), folder, infos)
 
 
-def _path(style: Style, gait: str, frames: int, rng: np.random.Generator) -> np.ndarray:
-    """Root path ``[frames, 3]`` (x, z, facing) of a gait: random changes of speed and heading, left and right in turn."""
-    walk, run = np.array([0.0, 1.0]), np.array([0.0, style.run])
-    back, side = np.array([0.0, -0.65]), np.array([0.5, 0.0])
-    stand = np.zeros(2)
-    legs: list[tuple[float, np.ndarray, float]] = []  # seconds, (left, forward) in usual speeds, turn in radians
-    sign = rng.choice([-1.0, 1.0])
-    total = 0.0
-    seconds = frames / FPS
-    rounds = max(1, round(seconds / 9.6))  # of a transition: it lasts about ten seconds where there is time for all of it
+def _pairs(styles: Names, gaits: Names) -> list[tuple[str, str]]:
+    styles, gaits = ([x] if isinstance(x, str) else list(x or every) for x, every in ((styles, STYLES), (gaits, GAITS)))
+    return [(style, gait) for style in styles for gait in gaits]
+
+
+def _random_path(style: Style, gait: str, frames: int, rng: np.random.Generator) -> np.ndarray:
+    """Root path ``[frames, 3]`` (x, z, facing) of a gait: random changes of speed and heading, to either side in turn."""
+    walk, run, back, side, stand = np.array([(0.0, 1.0), (0.0, style.run), (0.0, -0.65), (0.5, 0.0), (0.0, 0.0)])
+    parts: list[tuple[float, np.ndarray, float]] = []  # seconds, (left, forward) / usual speed, turn in radians
+    sign, total, seconds = rng.choice([-1.0, 1.0]), 0.0, frames / FPS
+    rounds = max(1, round(seconds / 9.6))  # number of transitions; a whole one lasts about ten seconds
     while total < seconds - 1e-6:
         if gait == "TR1":
             turn = sign * rng.uniform(1.0, 2.6)
@@ -175,17 +164,17 @@ def _path(style: Style, gait: str, frames: int, rng: np.random.Generator) -> np.
             rate *= 0.35 if gait[0] == "S" else 0.8 if gait[1] == "R" else 1.0
             new = [(length, kind * rng.choice([0.65, 0.85, 1.0, 1.0, 1.1]), rate * length)]
         sign = -sign
-        legs += new
+        parts += new
         total += sum(n[0] for n in new)
-    edges = np.concatenate(([0.0], np.cumsum([n[0] for n in legs]))) * FPS
+    duration, velocity, turn = map(np.array, zip(*parts, strict=True))
+    edges = np.concatenate(([0.0], np.cumsum(duration))) * FPS
     at = np.searchsorted(edges, np.arange(frames), side="right") - 1
-    velocity = np.array([n[1] for n in legs])[at] * style.speed
-    rate = np.array([n[2] / n[0] for n in legs])[at]
+    velocity, rate = velocity[at] * style.speed, (turn / duration)[at]
     pace = np.abs(velocity).sum(1) / style.speed
     going = np.minimum(pace, 1)
-    rate = rate + (0.35 * style.noise + 0.5 * style.stagger) * going * wander(rng, frames, 35, 1)[:, 0]
+    rate = rate + (0.35 * style.noise + 0.5 * style.stagger) * going * smooth_noise(rng, frames, 35, 1)[:, 0]
     drift = style.speed * (0.12 * style.noise + 0.2 * style.stagger)
-    velocity = velocity + drift * going[:, None] * wander(rng, frames, 30, 2)
+    velocity = velocity + drift * going[:, None] * smooth_noise(rng, frames, 30, 2)
     velocity, rate = smooth(velocity, 13), smooth(rate, 11)
     facing = rng.uniform(-math.pi, math.pi) + np.cumsum(rate) / FPS
     c, s = np.cos(facing), np.sin(facing)

@@ -1,21 +1,21 @@
-"""The body that rides on procedural footsteps: a pelvis within reach of the feet, a trunk and arms on the steps' clock."""
+"""Body pose over procedural footsteps: a pelvis within reach of the feet, and trunk and arms that follow the step phase."""
 
 import math
 from collections.abc import Sequence
 
 import numpy as np
+import scipy
 import torch
 from torch import Tensor
 
-from toolkit.datasets.procedural_steps import FOOT, FPS, SIDES, Foot, Plan, smooth, wander
+from toolkit.datasets.procedural_steps import FOOT, FPS, SIDES, Foot, Plan, smooth, smooth_noise
 from toolkit.datasets.procedural_styles import Arm
 from toolkit.motion import Skeleton, forward_kinematics
 from toolkit.motion import rotations as R
 from toolkit.motion.ik import two_bone
 
 _SPINE = (("Hips", -1, 0, 0, 0), ("Chest", 0, 0, 0.130, 0), ("Chest2", 1, 0, 0.103, 0), ("Chest3", 2, 0, 0.093, 0),
-          ("Chest4", 3, 0, 0.093, 0), ("Neck", 4, 0, 0.133, 0), ("Head", 5, 0, 0.090, 0), ("HeadEnd", 6, 0, 0.171, 0),
-          )
+          ("Chest4", 3, 0, 0.093, 0), ("Neck", 4, 0, 0.133, 0), ("Head", 5, 0, 0.090, 0), ("HeadEnd", 6, 0, 0.171, 0))
 _ARM = (("Collar", 4, 0.032, 0.075, 0), ("Shoulder", 8, 0.158, 0, 0), ("Elbow", 9, 0.312, 0, 0),
         ("Wrist", 10, 0.255, 0, 0), ("WristEnd", 11, 0.191, 0, 0))
 _LEG = (("Hip", 0, 0.107, 0.001, 0), ("Knee", 18, 0, -0.437, 0), ("Ankle", 19, 0, -0.432, 0),
@@ -33,24 +33,23 @@ def _skeleton() -> Skeleton:
 #: 100STYLE's 28 points: same names, order and axes, lengths to the millimetre; zero rotation is a T-pose facing +Z.
 SKELETON = _skeleton()
 _J = {name: j for j, name in enumerate(SKELETON.names)}
-FOLDED = 0.34  # metres from hip joint to ankle, at least
+FOLDED = 0.34  # metres, least distance of hip joint and ankle
 _FOOT = torch.tensor(FOOT, dtype=torch.float64)
 
 
-def pose(plan: Plan, feet: dict[str, "Foot"]) -> tuple[Tensor, Tensor]:
+def pose(plan: Plan, feet: dict[str, Foot]) -> tuple[Tensor, Tensor]:
     """Local rotations ``[F, J, 4]`` and root positions ``[F, 3]``."""
     style, frames, run = plan.style, len(plan.t), plan.running
     amount = smooth(np.minimum(plan.pace, 1.5) ** 0.6 * (plan.pace > 0.02), 8)
     still = np.clip(1 - amount, 0, 1)
-    beat = plan.clock - plan.middle  # 0 where the left foot is in the middle of its swing
+    beat = plan.clock - plan.middle  # 0 in the middle of the left foot's swing
     sin, cos, cos2 = amount * np.sin(beat), amount * np.cos(beat), amount * np.cos(2 * beat)
-    unrest = (style.noise + 2 * style.stagger) * wander(plan.rng, frames, 22, 8).T
+    noise = (style.noise + 2 * style.stagger) * smooth_noise(plan.rng, frames, 22, 8).T
     breath = 0.6 * np.sin(2 * math.pi * 0.25 / FPS * plan.t)
-    bank = np.degrees(np.arctan(plan.ahead * plan.turning / 9.81))
-    bank = smooth(np.clip(bank, -20, 20), 8)
+    bank = smooth(np.clip(np.degrees(np.arctan(plan.ahead * plan.turning / 9.81)), -20, 20), 8)
     hopping = len(plan.stepping) == 1
 
-    euler = np.zeros((frames, len(SKELETON), 3))  # degrees; turn to the left, bow, roll to the right
+    euler = np.zeros((frames, len(SKELETON), 3))  # degrees: turn to the left, forward pitch, roll to the right
 
     def turn(joints: Sequence[str], y=0.0, x=0.0, z=0.0) -> None:
         for name in joints:
@@ -60,13 +59,13 @@ def pose(plan: Plan, feet: dict[str, "Foot"]) -> tuple[Tensor, Tensor]:
     even = 0.0 if hopping else 1.0
     turn(["Hips"], -style.yaw * speedup * sin * even, style.tilt + 3 * run, -style.drop * cos * even - 0.5 * bank)
     spine = ["Chest", "Chest2", "Chest3", "Chest4"]
-    lean = style.lean + 5 * run + style.lean_swing * cos2 + breath + 3 * unrest[0]
-    turn(spine, style.twist + (style.yaw + style.twist_swing) * speedup * sin * even + 2.5 * unrest[1], lean,
-         -style.bend + (style.bend_swing + style.drop) * cos * even - 0.3 * bank + 3 * unrest[2])
+    lean = style.lean + 5 * run + style.lean_swing * cos2 + breath + 3 * noise[0]
+    turn(spine, style.twist + (style.yaw + style.twist_swing) * speedup * sin * even + 2.5 * noise[1], lean,
+         -style.bend + (style.bend_swing + style.drop) * cos * even - 0.3 * bank + 3 * noise[2])
     undo = -style.steady * (euler[:, _J["Hips"]] + euler[:, [_J[s] for s in spine]].sum(1))
     undo += style.steady * np.array([style.twist, style.tilt + style.lean, -style.bend])
-    turn(["Neck", "Head"], undo[:, 0] + style.head_turn + np.degrees(0.25 * smooth(plan.turning, 10)) + 4 * unrest[3],
-         undo[:, 1] - 6 * run, undo[:, 2] - style.head_roll + style.head_swing * cos + 3 * unrest[4])
+    turn(["Neck", "Head"], undo[:, 0] + style.head_turn + np.degrees(0.25 * smooth(plan.turning, 10)) + 4 * noise[3],
+         undo[:, 1] - 6 * run, undo[:, 2] - style.head_roll + style.head_swing * cos + 3 * noise[4])
     turn(["Neck"], 0, style.neck)
     turn(["Head"], 0, style.head)
 
@@ -75,9 +74,9 @@ def pose(plan: Plan, feet: dict[str, "Foot"]) -> tuple[Tensor, Tensor]:
         arm, sign, name = style.arm(side), 1 if side == "left" else -1, side.capitalize()
         swing = -amount * np.sin(arm.ratio * plan.clock - plan.middle - math.radians(arm.phase) + math.pi * i)
         loose = (arm.run_elbow > arm.elbow) * run
-        flex = arm.forward + arm.swing * (1 + 0.3 * run) * swing + 4 * unrest[5 + i] - 4 * loose
-        out = arm.out + arm.out_swing * cos + 3 * unrest[7] + 4 * loose
-        elbow = arm.elbow + arm.elbow_swing * swing + run * (arm.run_elbow - arm.elbow) + 2 * unrest[5 + i]
+        flex = arm.forward + arm.swing * (1 + 0.3 * run) * swing + 4 * noise[5 + i] - 4 * loose
+        out = arm.out + arm.out_swing * cos + 3 * noise[7] + 4 * loose
+        elbow = arm.elbow + arm.elbow_swing * swing + run * (arm.run_elbow - arm.elbow) + 2 * noise[5 + i]
         turn([name + "Collar"], 0, 0, sign * style.shrug)
         turn([name + "Shoulder"], 0, -flex, sign * (out - 90 - style.shrug))
         turn([name + "Elbow"], -sign * np.clip(elbow, 0, 140))
@@ -91,16 +90,16 @@ def pose(plan: Plan, feet: dict[str, "Foot"]) -> tuple[Tensor, Tensor]:
     along = torch.tensor([1.0, 0.0, 0.0], dtype=torch.float64)
     local[:, shoulders] = R.multiply(local[:, shoulders], R.from_axis_angle(along, torch.from_numpy(np.radians(twist))))
 
-    # hips over the path: swaying over the standing foot, as high as style and legs allow
-    side = -style.sway * cos * even + 0.012 * still * even * wander(plan.rng, frames, 50, 1)[:, 0]
-    side = side + 0.04 * style.stagger * wander(plan.rng, frames, 30, 1)[:, 0]
+    # the hips follow the path, sway over the standing foot, and are as high as style and legs allow
+    side = -style.sway * cos * even + 0.012 * still * even * smooth_noise(plan.rng, frames, 50, 1)[:, 0]
+    side = side + 0.04 * style.stagger * smooth_noise(plan.rng, frames, 30, 1)[:, 0]
     if hopping:
         side = side + (0.02 if plan.stepping[0] == "left" else -0.02)
-    front = style.forward + 0.04 * style.noise * unrest[3] * amount - style.surge * amount * np.sin(2 * beat) * even
+    front = style.forward + 0.04 * style.noise * noise[3] * amount - style.surge * amount * np.sin(2 * beat) * even
     c, s = np.cos(plan.root[:, 2]), np.sin(plan.root[:, 2])
     hips = np.stack((plan.root[:, 0] + side * c + front * s, np.zeros(frames), plan.root[:, 1] - side * s + front * c), 1)
     up = style.bob * amount * np.cos(beat) if hopping else (style.bob * (1 - run) - 0.03 * run) * cos2
-    sink = min(max(style.height - 0.75, 0.1), 0.2) / 2  # runners land on a bent knee
+    sink = min(max(style.height - 0.75, 0.1), 0.2) / 2  # runners land with bent knees
     wanted = style.height + (0.01 + 0.004 * breath) * still - sink * run + up
     joints = [_J["LeftHip"], _J["RightHip"]]
     offsets = R.rotate(local[:, :1], SKELETON.offsets[joints].double())  # [F, 2, 3] hips → hip joint
@@ -125,13 +124,13 @@ def pose(plan: Plan, feet: dict[str, "Foot"]) -> tuple[Tensor, Tensor]:
     hips = torch.from_numpy(hips)
 
     for i, name in enumerate(SIDES):
-        if name not in feet:  # held up behind
+        if name not in feet:  # the raised leg is bent backwards
             bent = torch.tensor([0.0, -0.47, -0.27], dtype=torch.float64)
             ankles[:, i] = hips + offsets[:, i] + R.rotate(R.yaw(facing), bent)
             ankles[:, i, 1] += torch.from_numpy(0.03 * sin)
             yaws[:, i], pitches[:, i], toes[:, i] = plan.root[:, 2], -1.1, -1.1
     a = hips[:, None] + offsets
-    # in the air a leg kicks out straight, and never folds all the way
+    # in the swing a kicking leg is straight, and no leg folds completely
     reach = ankles - a
     far = reach.norm(dim=-1, keepdim=True)
     kick = torch.tensor([math.radians(style.leg(side).kick) for side in SIDES], dtype=torch.float64)
@@ -147,12 +146,12 @@ def pose(plan: Plan, feet: dict[str, "Foot"]) -> tuple[Tensor, Tensor]:
     rest = SKELETON.rest_positions.double()
     knee = [_J["LeftKnee"], _J["RightKnee"]]
     ankle = [_J["LeftAnkle"], _J["RightAnkle"]]
-    soft = torch.from_numpy(0.002 + 0.04 * slacks)[..., None]  # a leg in the air may fall short of its target
+    soft = torch.from_numpy(0.002 + 0.04 * slacks)[..., None]  # in the swing a leg may miss its target
     b, e = two_bone(a, a + (rest[knee] - rest[joints]), a + (rest[ankle] - rest[joints]), ankles, pole, soft=soft)
     hinge = R.normalize(torch.linalg.cross(pole, line))
     thigh, shin = (R.from_matrix(torch.stack((hinge, y, torch.linalg.cross(hinge, y)), -1))
                    for y in (R.normalize(a - b), R.normalize(b - e)))
-    # in the air the foot follows the shin: no more than 35° of dorsiflexion and 45° of plantar flexion
+    # in the swing the foot follows the shin: at most 35° of dorsiflexion and 45° of plantar flexion
     front = R.rotate(R.yaw(torch.from_numpy(yaws)), torch.tensor([0.0, 0.0, 1.0], dtype=torch.float64))
     shin_lean = torch.atan2(((b - e) * front).sum(-1), (b - e)[..., 1]).numpy()
     for limit, sign in ((0.6, 1), (-0.8, -1)):
@@ -171,8 +170,8 @@ def pose(plan: Plan, feet: dict[str, "Foot"]) -> tuple[Tensor, Tensor]:
 
 
 def _below(ceiling: np.ndarray, half: int) -> np.ndarray:
-    """A smooth curve that stays just below another, looking `half` frames ahead and back."""
-    low = np.lib.stride_tricks.sliding_window_view(np.pad(ceiling, half, mode="edge"), 2 * half + 1).min(1)
+    """A smooth curve just below another one, from its minimum in windows of ± `half` frames."""
+    low = scipy.ndimage.minimum_filter1d(ceiling, 2 * half + 1, mode="nearest")
     hann = np.hanning(2 * half + 3)[1:-1]
     return np.convolve(np.pad(low, half, mode="edge"), hann / hann.sum(), mode="valid") - 0.001
 
@@ -182,7 +181,7 @@ def _foot_rotation(yaw: np.ndarray, pitch: np.ndarray) -> Tensor:
 
 
 def _pin_hand(local: Tensor, hips: Tensor, side: str, arm: Arm) -> None:
-    """Turn shoulder and elbow in place so that the wrist stays where `Arm.hand_at` says, in the hips' frame."""
+    """Set shoulder and elbow in ``local`` so that the wrist stays at `Arm.hand_at` in the hips' frame."""
     sign, name = (1.0 if side == "left" else -1.0), side.capitalize()
     turned, positions = forward_kinematics(SKELETON, local, hips)
     shoulder, elbow, wrist = (_J[name + part] for part in ("Shoulder", "Elbow", "Wrist"))

@@ -1,14 +1,16 @@
-"""Procedural footsteps: when and where the feet of a style come down along a path, and how they get there.
+"""Procedural footsteps along a path: times and places of the stances, and the motion of the feet between them.
 
-Numpy over F frames; times are in frames at 60 Hz, headings and yaw in radians.
+Arrays are NumPy's, over F frames. Times are in frames at 60 Hz, headings and yaw in radians.
 """
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 import scipy
 import torch
+from numpy.typing import ArrayLike
 from torch import Tensor
 
 from toolkit.datasets.procedural_styles import Leg, Style
@@ -18,13 +20,13 @@ FPS = 60
 FOOT = (0.0, -0.097, 0.192)  # from the ankle to the toe joint
 HEEL = -0.05  # from the ankle back to where the heel touches
 TOE = 0.021  # height of a standing toe joint
-REACH = (0.45, 0.48, 0.14)  # how far the foot may be from under the hips: at its strike, at lift-off, more with the heel up
-SWING = 0.55  # seconds of a swing, at most: slower walking means standing longer
+REACH = (0.45, 0.48, 0.14)  # largest horizontal distance of ankle and hips: at strike, at lift-off, extra with heel raised
+SWING = 0.55  # seconds, longest swing: slower walking has longer stances
 SIDES = ("left", "right")
 
 
 def smooth(x: np.ndarray, sigma: float) -> np.ndarray:
-    """Gaussian over the first axis, `sigma` in frames; the ends are continued by odd reflection."""
+    """Gaussian filter over the first axis, `sigma` in frames; the first and last values are repeated beyond the ends."""
     half = math.ceil(3 * sigma)
     kernel = np.exp(-0.5 * (np.arange(-half, half + 1) / sigma) ** 2)
     flat = np.pad(x.reshape(len(x), -1), ((half, half), (0, 0)), mode="edge")
@@ -32,15 +34,25 @@ def smooth(x: np.ndarray, sigma: float) -> np.ndarray:
     return out.reshape(x.shape)
 
 
-def wander(rng: np.random.Generator, frames: int, sigma: float, channels: int) -> np.ndarray:
-    """Smooth noise of unit deviation ``[frames, channels]`` with a time constant of `sigma` frames."""
+def smooth_noise(rng: np.random.Generator, frames: int, sigma: float, channels: int) -> np.ndarray:
+    """Smoothed Gaussian noise ``[frames, channels]`` with unit standard deviation; `sigma` in frames."""
     half = math.ceil(3 * sigma)
     white = rng.standard_normal((frames + 2 * half, channels))
     return smooth(white, sigma)[half : half + frames] * math.sqrt(2 * math.sqrt(math.pi) * sigma)
 
 
+def _curve(t: np.ndarray, times: Sequence[np.ndarray], values: ArrayLike, stop: float | None = None) -> np.ndarray:
+    """Monotone cubic interpolation at ``t`` of values [N, K] or [K] at K times [N] each, constant outside of them.
+
+    With ``stop`` it is constant from that time on.
+    """
+    times = np.stack(times, 1)
+    spline = scipy.interpolate.PchipInterpolator(times.ravel(), np.broadcast_to(values, times.shape).ravel())
+    return spline(np.clip(t, times[0, 0], times[-1, -1] if stop is None else stop))
+
+
 def _usual(style: Style, forward: np.ndarray, sideways: np.ndarray) -> np.ndarray:
-    """Usual walking speed in a direction: slower backwards, slower still sideways."""
+    """Usual walking speed in a direction: lower backwards, lowest sideways."""
     norm = np.hypot(forward, sideways)
     along = np.divide(forward, norm, out=np.ones_like(norm), where=norm > 1e-6)
     back = np.where(along < 0, 0.65, 1.0)
@@ -48,7 +60,7 @@ def _usual(style: Style, forward: np.ndarray, sideways: np.ndarray) -> np.ndarra
 
 
 class Plan:
-    """Pace, clock and footsteps along a path of F frames."""
+    """Pace, stride phase (``clock``) and footsteps along a path of F frames."""
 
     def __init__(self, style: Style, root: np.ndarray, rng: np.random.Generator):
         self.style, self.rng = style, rng
@@ -64,20 +76,20 @@ class Plan:
         self.running = smooth(x * x * (3 - 2 * x), 4)
         self.stepping = [side for side in SIDES if not style.leg(side).raised]
         duty = np.mean([style.leg(side).stance for side in self.stepping])
-        self.middle = math.pi * (1 - duty + self.running * max(0.0, duty - 0.38))  # of the left foot's swing, on the clock
-        self.tempo = np.exp(0.2 * style.stagger * wander(rng, len(root), 30, 1)[:, 0])
+        self.middle = math.pi * (1 - duty + self.running * max(0.0, duty - 0.38))  # clock at the middle of a left swing
+        self.tempo = np.exp(0.2 * style.stagger * smooth_noise(rng, len(root), 30, 1)[:, 0])
         self._schedule()
 
     def _frequency(self, t: int) -> float:
-        """Strides (hops) per second that suit the pace at frame `t`."""
+        """Strides (hops) per second for the pace at frame `t`."""
         pace, run = max(self.pace[t], 0.5), self.running[t]
         walk, fast = min(pace, 1.7) ** 0.55, 1.5 * (pace / 2.2) ** 0.35
         return self.style.cadence * self.tempo[t] * (pace**0.25 if len(self.stepping) == 1 else walk + run * (fast - walk))
 
     def _schedule(self) -> None:
-        """Which foot lifts off when: step after step while the path moves, two more to come to rest, then none.
+        """The lift-off times of the feet: regular steps while the path moves, then two more steps before standing.
 
-        The clock of the body is 0 where the left foot lifts off and π where the right one does.
+        The clock is 0 where the left foot lifts off and π where the right foot does.
         """
         sides, n = self.stepping, len(self.stepping)
         turn = int(self.rng.integers(n))
@@ -105,7 +117,7 @@ class Plan:
         self.clock = smooth(scipy.interpolate.PchipInterpolator(*np.array(knots).T)(self.t), 3)
 
     def foot(self, side: str) -> "Foot":
-        """Footsteps of one side, and the tracks that follow from them."""
+        """Footsteps of one side, and the motion of the foot."""
         style, leg, sign = self.style, self.style.leg(side), 1 if side == "left" else -1
         mine = np.array([s[1:] for s in self.swings if s[0] == side] or [(2.0 * len(self.t), FPS / style.cadence, 0.0)])
         off, stride, run = mine.T
@@ -120,7 +132,7 @@ class Plan:
         def at(track: np.ndarray) -> np.ndarray:
             return np.interp((begin + end) / 2, self.t, track)
 
-        # planted under the hips in the middle of each stance; walking sideways the feet stay apart
+        # the foot is under the hips in the middle of its stance; in a sidestep the feet stay apart
         x, z, facing = (at(c) for c in self.root.T)
         stride = np.concatenate((stride[:1], stride)) / FPS
         apart = np.maximum(style.width / 2, 0.06 + np.abs(at(self.sideways)) * stride / 4)
@@ -128,13 +140,13 @@ class Plan:
         speed = at(self.speed)
         along = at(self.ahead) / np.maximum(speed, 0.1)
         size = np.minimum(speed / 2 * stride / style.step, 1.2)
-        # a foot comes to stand less far ahead than it is left behind, where the raised heel lengthens the leg
+        # the raised heel lengthens the leg, so a foot is farther behind at lift-off than it is ahead at strike
         front = leg.ahead - 0.045 * style.step * size * along + scatter[1]
         left = (sign * apart if len(self.stepping) == 2 else sign * 0.02) + scatter[0]
         yaw = facing + sign * math.radians(leg.turned_out) + 2 * scatter[2]
         c, s = np.cos(facing), np.sin(facing)
         ankles = np.stack((x + left * c + front * s, z - left * s + front * c), 1)
-        # in sharp turns that may be out of the leg's reach: step shorter, and if need be land later and leave earlier
+        # in sharp turns this may be out of the leg's reach: shorten the step, then land later and lift off earlier
         limits = REACH[0], REACH[1] + REACH[2] * np.maximum(along, 0)
         for _ in range(2):
             for when, limit in zip((begin, end), limits, strict=True):
@@ -153,10 +165,10 @@ class Plan:
 
 
 class Foot:
-    """Tracks of a foot over F frames: toe position, yaw and pitch, how flat the toes are kept, contact and phase; 0 to 1 in
-    the swing, how far it is in the `air`, how far it kicks, and how much `slack` the leg has to fall short of it.
+    """Motion of a foot over F frames: ``toe`` position [F, 3], ``yaw``, ``pitch``, ``contact`` and ``phase`` [F].
 
-    The foot has N + 1 stances, from `begin` to `end` (frames), and a swing between each two.
+    Also [F], from 0 to 1: ``flatness`` of the toes, and in a swing ``air``, ``kick`` and ``slack`` (how much the leg may
+    miss this position). The foot has N + 1 stances, from `begin` to `end` (frames), with a swing between each two.
     """
 
     def __init__(self, plan: Plan, leg: Leg, sign: int, begin: np.ndarray, end: np.ndarray, usual: np.ndarray,
@@ -165,14 +177,14 @@ class Foot:
         here = np.searchsorted(end[:-1], t, side="right")  # the stance before the swing, or the one stood in
         before = np.maximum(here - 1, 0)
         stance = np.minimum(usual, end - begin)
-        settled = begin + 0.1 * stance  # the toes come down while the foot rolls over the heel
+        settled = begin + 0.1 * stance  # the toes reach the floor after the heel
         u = np.clip((t - end[before]) / (settled[np.minimum(before + 1, len(begin) - 1)] - end[before]), 0, 1)
         u = np.where(here == 0, 1.0, u)
 
         ease = u**3 * (10 - 15 * u + 6 * u * u)
         place = prints[before] + (prints[here] - prints[before]) * ease[:, None]
         place[here == 0] = prints[0]
-        # pitch, toes up, from strike over flat to push-off; walking backwards toes first and heel last
+        # pitch, positive with toes up: heel strike, flat, push-off; backwards the toes land first and the heel last
         forwards, backwards = np.maximum(along, 0), np.maximum(-along, 0)
         strike = size * (leg.heel_strike * forwards * (1 - 0.9 * run) - 14 * backwards)
         push = leg.toe_off * size**0.7 * (0.35 + 0.65 * forwards - 0.2 * backwards) * (1 + 0.25 * run)
@@ -181,16 +193,15 @@ class Foot:
         swing = np.append(begin[1:] - end[:-1], usual[-1])
         nexts = np.append(strike[1:], 0.0)
         roll = 0.1 + 0.18 * np.minimum(np.abs(strike) / 18, 1)  # share of the stance until the foot is flat
-        knots = np.stack((begin, begin + roll * stance, end - 0.22 * stance, end, end + 0.25 * swing, end + 0.52 * swing,
-                          end + 0.92 * swing), 1)
+        knots = (begin, begin + roll * stance, end - 0.22 * stance, end, end + 0.25 * swing, end + 0.52 * swing,
+                 end + 0.92 * swing)
         angles = np.stack((strike + flat, flat, flat, np.minimum(flat, 0) * 0.5 + lift_off, flat * 0.2 - push,
                            flat * 0.7 - 0.65 * push, flat + nexts), 1)
-        pitch = scipy.interpolate.PchipInterpolator(knots.ravel(), angles.ravel())(np.clip(t, knots[0, 0], knots[-1, -1]))
-        self.pitch = np.radians(smooth(pitch, 2.0))
-        self.flatness = scipy.interpolate.PchipInterpolator(
-            np.stack((begin, end, end + 0.45 * swing, end + 0.9 * swing), 1).ravel(),
-            np.tile([1.0, 1.0, 0.1, 1.0], len(begin)),
-        )(np.clip(t, begin[0], end[-1]))
+        self.pitch = np.radians(smooth(_curve(t, knots, angles), 2.0))
+        knots = begin, end, end + 0.45 * swing, end + 0.9 * swing
+        self.flatness = _curve(t, knots, [1.0, 1.0, 0.1, 1.0], stop=end[-1])
+        knots = end + 0.12 * swing, end + 0.35 * swing, end + 0.6 * swing, end + 0.85 * swing
+        self.slack = _curve(t, knots, [0.0, 1.0, 1.0, 0.0])
 
         def bump(peak: float) -> np.ndarray:
             w = u ** (math.log(0.5) / math.log(peak))
@@ -200,42 +211,35 @@ class Foot:
         rise, out = height[here] * bump(leg.lift_at), sign * leg.circle * size[here] * bump(leg.lift_at)
         self.kick = (size * (1 - 0.4 * run))[here] * bump(0.72)
         c, s = np.cos(plan.root[:, 2]), np.sin(plan.root[:, 2])
-        # over the heel while the toes are up: the toe joint circles round it
+        # with the toes up the foot stands on its heel, and the toe joint rotates about the heel
         up = np.maximum(self.pitch, 0)
         wide = 0.1
         self.air = np.sin(math.pi * np.clip((u - 0.1) / 0.8, 0, 1)) ** 2
-        self.slack = scipy.interpolate.PchipInterpolator(
-            np.stack((end + 0.12 * swing, end + 0.35 * swing, end + 0.6 * swing, end + 0.85 * swing), 1).ravel(),
-            np.tile([0.0, 1.0, 1.0, 0.0], len(end)),
-        )(np.clip(t, end[0] + 0.12 * swing[0], end[-1] + 0.85 * swing[-1]))
         up = np.where(up < wide, up * up / (2 * wide), up - wide / 2)
         up += self.air * ((self.pitch + np.sqrt(self.pitch**2 + 0.06)) / 2 - up)
         lever = FOOT[2] - HEEL
         back = lever * (np.cos(up) - 1)
-        yaw = place[:, 2]
-        self.toe = np.stack((place[:, 0] + out * c + back * np.sin(yaw),
-                             TOE + rise + lever * np.sin(up),
+        self.yaw = yaw = place[:, 2]
+        self.toe = np.stack((place[:, 0] + out * c + back * np.sin(yaw), TOE + rise + lever * np.sin(up),
                              place[:, 1] - out * s + back * np.cos(yaw)), 1)
-        self.yaw = yaw
         still = np.linalg.norm(np.diff(self.toe, axis=0), axis=1) < 9e-4  # from each frame to the next
         self.contact = ((u < 0.1) | (u > 0.9)) & np.append(still[0], still) & (leg.kick * self.kick < 0.05)
         planted = begin + 0.9 * roll * stance
-        hold = np.maximum((end - planted) / 2 - usual * 0.44, 0.0)
+        pause = np.maximum((end - planted) / 2 - usual * 0.44, 0.0)  # a long stance holds its phase
         middle = (planted + end) / 2
         cycle = 2 * math.pi * np.arange(len(begin))
-        knots = np.stack((middle - hold, middle + hold, end + swing / 2), 1).ravel()
+        knots = np.stack((middle - pause, middle + pause, end + swing / 2), 1).ravel()
         values = np.stack((cycle, cycle, cycle + math.pi), 1).ravel()
         self.phase = np.maximum.accumulate(smooth(np.interp(t, knots[:-1], values[:-1]), 3))
 
 
 @dataclass(frozen=True, eq=False)
 class Truth:
-    """What is known about a clip because it was planned.
+    """True contacts and phases of a clip, known from its plan.
 
-    ``contacts [F, 2]`` (right, left): 1 while the toe joint is planted in the world, that is,
-    has moved less than a millimetre since the frame before. ``phase [F, 4]`` (left hand, right
-    hand, left foot, right foot), radians, growing: a foot is in the middle of its contact at multiples of 2π, a hand's
-    arm is furthest forward there. ``frequency [F, 4]``, Hz, is 0 while standing.
+    ``contacts [F, 2]`` (right, left): 1 while the toe joint is planted, that is, moves less than a millimetre per frame.
+    ``phase [F, 4]`` (left hand, right hand, left foot, right foot), radians, increasing: at multiples of 2π a foot is in the
+    middle of its contact, and an arm is at its foremost. ``frequency [F, 4]``, Hz, is 0 while standing.
     """
 
     contacts: Tensor
@@ -245,7 +249,7 @@ class Truth:
 
 
 def record(plan: Plan, feet: dict[str, Foot]) -> Truth:
-    """The truth about a clip, from the plan and the feet that step."""
+    """The truth about a clip, from its plan and its stepping feet."""
     contacts, phase = np.zeros((len(plan.t), 2)), np.zeros((len(plan.t), 4))
     for i, side in enumerate(SIDES):
         arm = plan.style.arm(side)

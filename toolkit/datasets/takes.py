@@ -1,10 +1,10 @@
-"""The takes of a dataset: BVH files found in a folder, their style and gait read from the file name."""
+"""Takes of a dataset: BVH files found in a folder, with style and gait read from the file names."""
 
 import difflib
 import os
 import re
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from tqdm import tqdm
@@ -13,10 +13,12 @@ from toolkit.datasets import home
 from toolkit.io import bvh
 from toolkit.motion import Clip
 
+Names = str | Iterable[str] | None
+
 
 @dataclass(frozen=True)
 class Take:
-    """One recorded file, and what its name says about it."""
+    """One recorded file, with the style and the gait that its name gives."""
 
     path: Path
     style: str
@@ -25,30 +27,50 @@ class Take:
 
 @dataclass(frozen=True)
 class Source:
-    """Where a dataset's files are and how they are named.
+    """Where the files of a dataset are and how they are named.
 
     Parameters
     ----------
     name
-        The dataset's name in `toolkit.datasets.load`.
+        Name of the dataset in `toolkit.datasets.load`.
     pattern
-        Matches the file names that belong to the dataset; groups ``style`` and ``gait``.
+        Matches the file names of the dataset; its groups are ``style`` and ``gait``.
     layout
-        What a folder of this dataset holds, in words.
+        Description of a folder of this dataset, for error messages.
     home
-        Where its users get it.
+        Where users get the dataset, for error messages.
     gaits
-        What the ``gait`` group is called here, where the file name has a code.
+        The ``gait`` group to the label of the clip; a group that is not listed is its own label.
+    unit
+        Metres of one unit of length in the files.
     """
 
     name: str
     pattern: re.Pattern
     layout: str
     home: str
-    gaits: Mapping[str, str] | None = None
+    gaits: Mapping[str, str] = field(default_factory=dict)
+    unit: float = bvh.CENTIMETRE
+
+    def load(self, root: str | os.PathLike | None = None, styles: Names = None, gaits: Names = None) -> list[Clip]:
+        """Clips of the dataset, by path.
+
+        Parameters
+        ----------
+        root
+            A folder with the files, at any depth; by default the dataset's folder on this machine.
+        styles, gaits
+            Names to keep; None for all that the folder has.
+
+        Raises
+        ------
+        ValueError
+            If the folder, a style or a gait does not exist; BVHError if a file is malformed.
+        """
+        return list(self.read(self.choose(root, styles, gaits)))
 
     def folder(self, root: str | os.PathLike | None) -> Path:
-        """The dataset's folder: ``root``, or else where data lies on this machine (`toolkit.datasets.home`)."""
+        """The dataset's folder: ``root``, or its folder on this machine (`toolkit.datasets.home`)."""
         folder = home.find(self.name, self.layout, self.home) if root is None else Path(root)
         if not folder.is_dir():
             problem = "is not a folder" if folder.exists() else "does not exist"
@@ -56,39 +78,27 @@ class Source:
         return folder
 
     def find(self, root: str | os.PathLike | None) -> list[Take]:
-        """All takes in a folder and its sub-folders, by path; files named otherwise are not part of the dataset.
-
-        Raises
-        ------
-        ValueError
-            If the folder does not exist or holds no such file.
-        """
-        folder, takes = self.folder(root), []
-        for path in sorted(folder.rglob("*.bvh")):
-            if match := self.pattern.fullmatch(path.name):
-                takes.append(Take(path, match["style"], (self.gaits or {}).get(match["gait"], match["gait"])))
+        """All takes in a folder and its sub-folders, by path; ValueError if there is none."""
+        folder = self.folder(root)
+        found = ((path, self.pattern.fullmatch(path.name)) for path in sorted(folder.rglob("*.bvh")))
+        takes = [Take(path, name["style"], self.gaits.get(name["gait"], name["gait"])) for path, name in found if name]
         if not takes:
             raise ValueError(f"{self.name}: no matching BVH file in {folder}; expected {self.layout}; get it at {self.home}")
         return takes
 
-    def choose(
-        self,
-        root: str | os.PathLike | None,
-        styles: str | Iterable[str] | None,
-        gaits: str | Iterable[str] | None,
-        known_styles: Iterable[str] = (),
-        known_gaits: Iterable[str] = (),
-    ) -> list[Take]:
+    def choose(self, root: str | os.PathLike | None, styles: Names, gaits: Names,
+               known_styles: Iterable[str] = ()) -> list[Take]:
         """The takes of some styles and gaits (None: all).
 
         Raises
         ------
         ValueError
-            If a name is unknown, or no file matches a style or gait that was asked for.
+            If a name is unknown, or no file matches a style or gait of the call. A style of ``known_styles`` and a gait of
+            `gaits` is known even if the folder has no file of it.
         """
         takes = self.find(root)
         wanted_styles = _check_names(styles, {t.style for t in takes} | set(known_styles), "style", self.name)
-        wanted_gaits = _check_names(gaits, {t.gait for t in takes} | set(known_gaits), "gait", self.name)
+        wanted_gaits = _check_names(gaits, {t.gait for t in takes} | set(self.gaits.values()), "gait", self.name)
         kept = [t for t in takes if t.style in wanted_styles and t.gait in wanted_gaits]
         missing = [] if styles is None else sorted(set(wanted_styles) - {t.style for t in kept})
         missing += [] if gaits is None else sorted(set(wanted_gaits) - {t.gait for t in kept})
@@ -98,15 +108,14 @@ class Source:
                              f"{_listed(sorted({f'{t.style} {t.gait}' for t in takes}))}")
         return kept
 
-    def read(self, takes: list[Take], unit: float = bvh.CENTIMETRE) -> Iterator[Clip]:
-        """Clips of takes, with their labels; a progress bar on a terminal where there are many."""
-        hide = None if len(takes) > 20 else True
-        for take in tqdm(takes, desc=self.name, unit="file", disable=hide):
-            yield bvh.load(take.path, unit=unit, style=take.style, gait=take.gait)
+    def read(self, takes: list[Take]) -> Iterator[Clip]:
+        """Labelled clips of takes; more than 20 show a progress bar on a terminal."""
+        for take in tqdm(takes, desc=self.name, unit="file", disable=None if len(takes) > 20 else True):
+            yield bvh.load(take.path, unit=self.unit, style=take.style, gait=take.gait)
 
 
-def _check_names(names: str | Iterable[str] | None, known: Iterable[str], what: str, dataset: str) -> list[str]:
-    """The names asked for, all known ones for None; an unknown one is refused with those that it may have meant."""
+def _check_names(names: Names, known: Iterable[str], what: str, dataset: str) -> list[str]:
+    """The names as a list, all known ones for None; the error for an unknown name suggests similar ones."""
     known = sorted(known)
     if names is None:
         return known

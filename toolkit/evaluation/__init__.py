@@ -1,7 +1,7 @@
-"""Measures of motion: what an error one step ahead does not tell."""
+"""Measures of motion that the error one step ahead does not show, and classifiers of motion."""
 
 import lazy_loader
 
 __getattr__, __dir__, __all__ = lazy_loader.attach(
-    __name__, ["classifier", "metrics", "phases", "recognition", "stylization"]
+    __name__, ["classifier", "metrics", "recognition", "stylization"]
 )

@@ -1,7 +1,7 @@
-"""A classifier of motions, the judge of the evaluation (Park et al. 2021, section 7).
+"""A classifier of motions, for the evaluation of stylisation (Park et al. 2021, section 7).
 
-Of contents (walk, run, …) it gives the features for the Fréchet Motion Distance and the recognition accuracy; the same
-network on the other labels names styles.
+Trained on contents (walk, run, …) it gives the features of the Fréchet Motion Distance and the recognition accuracy. Trained
+on domains it recognises styles.
 """
 
 import os
@@ -15,7 +15,7 @@ from toolkit.features.splits import generator, mix
 from toolkit.io import model_files
 from toolkit.stylization.data import CHANNELS, Motions, Statistics
 from toolkit.stylization.graph import SkeletonGraph
-from toolkit.stylization.layers import Trunk, he_init
+from toolkit.stylization.layers import he_init, trunk
 
 DROPOUT = 0.5  # of the features, in training
 NOISE = 0.05  # standard deviations of noise on the motions, in training
@@ -25,8 +25,8 @@ DECAY = 0.05  # of the weights
 class Classifier(nn.Module):
     """Spatial-temporal graph convolutions, their mean over time and joints (the features), and a linear layer.
 
-    The trunk is the one that style encoder and discriminator have (Table 3b, d), not the ten layers of Yan et al. 2018,
-    which the paper names: a few hundred takes do not need them.
+    Departure from the paper, which uses the ten layers of Yan et al. 2018: the trunk is that of style encoder and
+    discriminator (Table 3b, d), which is enough for a few hundred takes.
 
     Parameters
     ----------
@@ -35,15 +35,15 @@ class Classifier(nn.Module):
     classes
         C names.
     statistics
-        Between physical units, outside, and z-scores, inside.
+        Mean and deviation, to convert the physical units of the input to z-scores.
     channels
-        Of the first layer; the features are four times as many, 256.
+        Channels of the first layer; the features are four times as many, 256.
     """
 
     def __init__(self, graph: SkeletonGraph, classes: tuple[str, ...], statistics: Statistics, channels: int = 64):
         super().__init__()
         self.classes, self.statistics, self.channels = tuple(classes), statistics, channels
-        self.trunk = Trunk(graph, channels)
+        self.trunk = trunk(graph, channels)
         self.head = nn.Linear(4 * channels, len(classes))
         he_init(self)
 
@@ -56,26 +56,23 @@ class Classifier(nn.Module):
         return self.head(functional.dropout(self.features(x), DROPOUT, self.training))
 
     def save(self, path: str | os.PathLike) -> None:
-        """Write weights, statistics and names of the classes to one safetensors file."""
+        """Write weights, statistics and class names to one safetensors file."""
         model_files.write(path, self.state_dict(), {"classifier": {"classes": self.classes, "channels": self.channels}})
 
     @classmethod
     def load(cls, path: str | os.PathLike, graph: SkeletonGraph) -> "Classifier":
-        """Read a classifier of motions of that skeleton; a file that holds none is a one-line ValueError."""
+        """Read a classifier for motions of a skeleton; ValueError for any other file."""
         tensors, parts = model_files.read(path, "classifier")
-        try:
+        with model_files.intact(path, "the classifier is of another skeleton, or"):
             empty = torch.zeros(CHANNELS, 1, graph.sizes[0])
             model = cls(graph, statistics=Statistics(empty, empty), **parts["classifier"])
             model.load_state_dict(tensors)
-        except (KeyError, TypeError, RuntimeError) as error:
-            why = " ".join(str(error).split())
-            raise ValueError(f"{path}: its classifier is of another skeleton or damaged ({why})") from error
         return model.eval()
 
 
 def fit(motions: Motions, label: str, *, epochs: int = 5, batch: int = 32, rate: float = 2e-3, channels: int = 64,
         seed: int = 0, progress: bool = False) -> Classifier:
-    """Train a classifier of a label, ``"content"`` or ``"domain"``; a rare class counts as much as a frequent one.
+    """Train a classifier of a label, ``"content"`` or ``"domain"``; all classes have the same total weight.
 
     Raises
     ------
@@ -115,5 +112,5 @@ def features(model: Classifier, x: Tensor, batch: int = 64) -> Tensor:
 
 @torch.no_grad()
 def recognise(model: Classifier, x: Tensor, batch: int = 64) -> Tensor:
-    """Classes [M] that the model names for motions [M, 7, T, N]."""
+    """Most probable classes [M] of motions [M, 7, T, N]."""
     return torch.cat([model(part).argmax(1) for part in x.split(batch)])

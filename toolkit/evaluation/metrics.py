@@ -1,4 +1,4 @@
-"""Measures of motion that a mean squared error misses. Metres, seconds."""
+"""Measures of motion that a mean squared error does not show. Metres, seconds."""
 
 import math
 
@@ -18,8 +18,8 @@ def foot_skate(clip: Clip, contact: Tensor | None = None) -> dict[str, float]:
     clip
         The motion.
     contact : Tensor [F, 2], optional
-        Contacts in [0, 1], right and left, e.g. the ones a network predicted; by default a toe is in contact when it is low,
-        however fast (a speed limit would hide the very thing measured).
+        Contacts in [0, 1], right and left, for example those of a network. By default a toe is in contact when it is low, at
+        any speed: a speed limit would exclude the skating that is measured.
 
     Returns
     -------
@@ -29,7 +29,7 @@ def foot_skate(clip: Clip, contact: Tensor | None = None) -> dict[str, float]:
     Raises
     ------
     ValueError
-        If contacts are not of the clip's frames.
+        If the contacts do not have the clip's frames.
     """
     contact = contacts.detect(clip, speed=math.inf) if contact is None else as_tensor(contact, "contacts", clip.rotations)
     if contact.shape != (len(clip), len(contacts.FEET)):
@@ -44,7 +44,7 @@ def foot_skate(clip: Clip, contact: Tensor | None = None) -> dict[str, float]:
 
 
 def step_rate(contact: Tensor, fps: float) -> float:
-    """Landings of both feet per second, from contacts ``[F, 2]`` in [0, 1]; a character that only slides makes none."""
+    """Landings of both feet per second, from contacts ``[F, 2]`` in [0, 1]; 0 for a character that only slides."""
     on = contact > 0.5
     return int((on[1:] & ~on[:-1]).sum()) * fps / len(contact)
 
@@ -57,13 +57,13 @@ def speed(clip: Clip) -> float:
 
 
 def hips_height(clip: Clip) -> tuple[float, float]:
-    """Lowest and highest hips over the clip, metres."""
+    """Lowest and highest height of the hips in the clip, metres."""
     height = clip.global_positions[:, clip.skeleton.index("hips"), 1]
     return float(height.min()), float(height.max())
 
 
 def upright(clip: Clip) -> bool:
-    """Whether a character stands or walks on its feet in every frame, see `on_feet`."""
+    """Whether the character is on its feet in every frame, see `on_feet`."""
     return bool(on_feet(clip.skeleton, clip.global_positions[..., 1]).all())
 
 
@@ -76,23 +76,21 @@ def on_feet(skeleton: Skeleton, height: Tensor) -> Tensor:
 
 
 def posture(layout: Layout, positions: Tensor) -> dict[str, Tensor]:
-    """What one sees first of a way of walking, from joint positions in the root frame.
-
-    It takes positions as a network predicts them, before a skeleton of constant bones is fitted to them.
+    """Mean posture and step length, from joint positions in the root frame as a network predicts them.
 
     Parameters
     ----------
     layout
         Names the J joints.
     positions : Tensor [F, ..., J, 3]
-        Some seconds of them, metres.
+        Positions over some seconds, metres.
 
     Returns
     -------
     dict
         Each ``[...]``, metres: means over the frames of ``hips_height``, ``hand_height`` (of both) and ``arm_spread`` (left
-        hand to right hand, sideways); ``step_length``, how far the ankles part fore and aft (95th percentile); and
-        ``bone_stretch``, the mean difference of a bone's length from the skeleton's.
+        hand to right hand, sideways); ``step_length``, the fore and aft distance of the ankles (95th percentile); and
+        ``bone_stretch``, the mean absolute error of the bone lengths.
     """
     role = {r: positions[..., layout.names.index(n), :] for r, n in layout.skeleton.roles.items() if n in layout.names}
     rest = layout.skeleton.rest_positions[list(layout.skeleton.feature_joints)].to(positions)
@@ -108,23 +106,23 @@ def posture(layout: Layout, positions: Tensor) -> dict[str, Tensor]:
 
 
 def hand_swing(layout: Layout, positions: Tensor) -> dict[str, Tensor]:
-    """How much the hands move, and whether they move together, from joint positions in the root frame.
+    """Range of motion of the hands and their correlation, from joint positions in the root frame.
 
-    A mean squared error likes an average pose, whose arms are stuck (Mason et al. 2022, sections 5.1 and 5.2.2).
+    A mean pose has a low mean squared error, but its arms do not move (Mason et al. 2022, sections 5.1 and 5.2.2).
 
     Parameters
     ----------
     layout
         Names the J joints.
     positions : Tensor [F, ..., J, 3]
-        Some seconds of them, metres.
+        Positions over some seconds, metres.
 
     Returns
     -------
     dict
-        ``range [..., 2]``: root-mean-square distance of the left and the right hand from where it is on average, metres;
-        ``together [...]``: correlation of the two hands' fore and aft movement, 1 for hands that swing as one, -1 for hands
-        that swing in turn, NaN where one does not move.
+        ``range [..., 2]``: root-mean-square distance of the left and the right hand from their mean positions, metres;
+        ``together [...]``: correlation of the fore and aft motion of both hands: 1 if they swing together, -1 if they swing
+        alternately, NaN if one does not move.
     """
     hands = positions[..., [layout.names.index(layout.skeleton.roles[f"{side}_hand"]) for side in ("left", "right")], :]
     moved = hands - hands.mean(0)
@@ -143,10 +141,10 @@ def path_error(clip: Clip, points: Tensor) -> float:
 
 
 def phase_error(phase: Tensor, truth: Tensor) -> tuple[Tensor, Tensor]:
-    """Mean circular distance between two phases, once the constant lag between them is taken away.
+    """Mean circular distance of two phases after subtraction of their constant lag.
 
-    Where a cycle begins is a convention: a foot's may be counted from the middle of its contact or from toe-off. So what is
-    judged is whether the two keep in step. Phases that have nothing to do with each other come near π/2.
+    The start of a cycle is a convention: the cycle of a foot may start at the middle of its contact or at toe-off. Unrelated
+    phases have an error near π/2.
 
     Parameters
     ----------
@@ -156,7 +154,7 @@ def phase_error(phase: Tensor, truth: Tensor) -> tuple[Tensor, Tensor]:
     Returns
     -------
     error, lag : Tensor [...]
-        Radians: the mean over the frames, in [0, π], and how far ``phase`` is ahead, in [−π, π].
+        Radians: the mean over the frames, in [0, π], and the lead of ``phase``, in [−π, π].
     """
     gap = (phase - truth).double()
     lag = torch.atan2(gap.sin().mean(0), gap.cos().mean(0))
@@ -168,7 +166,7 @@ def frechet_distance(a: Tensor, b: Tensor) -> float:
     """Squared Fréchet distance of the Gaussians fitted to two sets of feature vectors.
 
     ``|μa − μb|² + tr(Σa + Σb − 2 (Σa Σb)^½)``. With the features of a motion classifier it is the Fréchet Motion Distance
-    (Park et al. 2021, section 7). It is biased upwards for small sets: compare only numbers from sets of the same size.
+    (Park et al. 2021, section 7). It is biased upwards for small sets: compare only values of sets of the same size.
 
     Parameters
     ----------

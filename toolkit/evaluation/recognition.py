@@ -1,7 +1,7 @@
-"""Which style a motion is in: a small classifier, to judge what a model makes by what it was asked for.
+"""A small classifier of styles, to measure whether a model's motion has the style that was asked for.
 
-It sees a second of joint features at a time (`toolkit.features`, root frame, physical units). That is what a style is: pose,
-tempo and how the limbs move together; not where somebody goes.
+Its input is one second of joint features (`toolkit.features`, root frame, physical units). They show pose, tempo and the
+coordination of the limbs, but not the path.
 """
 
 import os
@@ -16,24 +16,24 @@ from toolkit.io import model_files
 from toolkit.motion import Clip, root_frames, trajectory
 from toolkit.motion.tensors import summary
 
-WINDOW = 60  # frames seen at a time, one second
+WINDOW = 60  # frames of an input, one second
 HOP = 15  # frames between the windows of a longer motion
 STEPS, BATCH, RATE = 200, 128, 2e-3
-OFFSET, JITTER, DROPPED = 0.3, 0.1, 0.2  # augmentation: deviations of a window, of a frame; share of columns left out
-LEAST = 0.2  # a column's deviation counts as at least this share of the mean one of its channel
+OFFSET, JITTER, DROPPED = 0.3, 0.1, 0.2  # augmentation: standard deviations per window, per frame; share of columns dropped
+LEAST = 0.2  # least deviation of a column as a share of the mean deviation of its channel
 
 
 class Recogniser(nn.Module):
     """Probabilities of styles; `train` makes one.
 
-    Two strided convolutions over time, the mean and the maximum of what they find, one dense layer.
+    Two strided convolutions over time, their mean and maximum over time, and one dense layer.
 
     Parameters
     ----------
     styles
         S names.
     normaliser
-        Of the 12 J joint features.
+        Statistics of the 12 J joint features.
     hidden
         Filters of both convolutions.
     """
@@ -57,7 +57,7 @@ class Recogniser(nn.Module):
 
     @torch.no_grad()
     def probabilities(self, joints: Tensor) -> Tensor:
-        """How likely a motion is in each style.
+        """Probability of each style for a motion.
 
         Parameters
         ----------
@@ -67,12 +67,12 @@ class Recogniser(nn.Module):
         Returns
         -------
         Tensor [..., S]
-            Mean over windows of a second, `HOP` frames apart.
+            Mean over windows of one second, `HOP` frames apart.
 
         Raises
         ------
         ValueError
-            If there are fewer frames, or the columns are not those it was trained on.
+            If there are fewer frames, or the number of columns differs from that of training.
         """
         if joints.dim() < 2 or joints.shape[-2] < WINDOW or joints.shape[-1] != len(self.mean):
             raise ValueError(f"a style is recognised from [..., F, {len(self.mean)}] with at least {WINDOW} frames F, "
@@ -84,7 +84,7 @@ class Recogniser(nn.Module):
         return torch.softmax(logits, -1).unflatten(0, windows.shape[:2]).mean(1).reshape(*lead, -1)
 
     def of_clip(self, clip: Clip) -> Tensor:
-        """How likely a clip of at least a second is in each style, ``[S]``."""
+        """Probability ``[S]`` of each style for a clip of at least one second."""
         clip = clip.resample(trajectory.FPS)
         return self.probabilities(features.joint_features(clip, root_frames(clip)))
 
@@ -93,19 +93,19 @@ class Recogniser(nn.Module):
         return torch.stack([self.probabilities(data.clips[style][:]).mean(0) for style in self.styles])
 
     def accuracy(self, data: Features) -> float:
-        """Share of the style clips in ``data`` whose likeliest style is their own, each style counting the same."""
+        """Share of the style clips in ``data`` that are recognised, mean over the styles."""
         right = [(self.probabilities(data.clips[style][:]).argmax(-1) == i).float().mean()
                  for i, style in enumerate(self.styles)]
         return float(torch.stack(right).mean())
 
     def save(self, path: str | os.PathLike) -> None:
-        """Write to a safetensors file, whole or not at all."""
+        """Write to a safetensors file."""
         tensors = {f"recogniser.{name}": value for name, value in self.state_dict().items()}
         model_files.write(path, tensors, {"recogniser": {"styles": self.styles, "hidden": self.hidden}})
 
     @classmethod
     def load(cls, path: str | os.PathLike) -> "Recogniser":
-        """Read what `save` wrote; another file is a one-line ValueError."""
+        """Read a file of `save`; ValueError for any other file."""
         tensors, parts = model_files.read(path, "recogniser")
         own = {name.removeprefix("recogniser."): t for name, t in tensors.items() if name.startswith("recogniser.")}
         with model_files.intact(path, "the recogniser"):
@@ -116,11 +116,10 @@ class Recogniser(nn.Module):
 
 
 def train(data: Features, seed: int = 0, steps: int = STEPS) -> Recogniser:
-    """A recogniser of the styles in ``data``, trained on its style clips; some seconds on one core.
+    """Train a recogniser of the styles in ``data`` on its style clips; takes some seconds on one core.
 
-    What it judges is not quite like what it was trained on: a model's poses are smoother and a little beside the data's.
-    Therefore a column that hardly varies is not blown up to unit deviation, and windows are moved, shaken and stripped of
-    some columns before they are shown.
+    It is used on the poses of models, which are smoother than the data's and have a small offset. Therefore a nearly
+    constant column is not scaled to unit deviation, and training adds offsets and noise to the windows and drops columns.
 
     Parameters
     ----------
@@ -129,7 +128,7 @@ def train(data: Features, seed: int = 0, steps: int = STEPS) -> Recogniser:
     seed
         The same seed gives the same recogniser.
     steps
-        Minibatches.
+        Number of minibatches.
 
     Raises
     ------
@@ -137,7 +136,7 @@ def train(data: Features, seed: int = 0, steps: int = STEPS) -> Recogniser:
         If there are fewer than two styles.
     """
     if len(data.styles) < 2:
-        raise ValueError(f"there is nothing to tell apart: expected at least two styles, got {', '.join(data.styles)}")
+        raise ValueError(f"a recogniser needs at least two styles, got {', '.join(data.styles)}")
     draw = splits.generator(seed)
     with torch.random.fork_rng(devices=[]):
         torch.manual_seed(splits.mix(seed))
@@ -165,6 +164,6 @@ def _window(clips: Tensor | features.Rows, draw: torch.Generator) -> Tensor:
 
 
 def _robust(normaliser: Normaliser) -> Normaliser:
-    """With the deviation of every column at least `LEAST` of the mean deviation of its channel."""
+    """The normaliser with every deviation at least `LEAST` of the mean deviation of its channel."""
     std = normaliser.std.unflatten(0, (-1, len(CHANNELS), 3))
     return Normaliser(normaliser.mean, std.maximum(LEAST * std.mean((0, 2), keepdim=True)).flatten())

@@ -24,7 +24,7 @@ __all__ = ["LIMBS", "SOURCES", "Coherent", "Contact", "ContactFree", "Hybrid", "
            "windows"]
 __getattr__ = lazy_loader.attach(__name__, ["learned"])[0]  # which imports this package
 
-#: Sources by name; "learned" is one more, read from its file when asked for (`named`).
+#: Sources by name; `named` also knows "learned", which is read from its file.
 SOURCES: dict[str, Source | Coherent] = {"hybrid": Hybrid(), "contact": Contact(), "contact-free": ContactFree(),
                                          "velocity": Velocity(), "coherent": Coherent()}
 
@@ -38,9 +38,9 @@ class Phases:
     vector : Tensor [F, 4, 2]
         Phase features, equation (1): speed · amplitude · (sin, cos), metres per second.
     phase, frequency, amplitude, residual : Tensor [F, 4]
-        The fitted sinusoid at the frame: radians in [0, 2π), Hz, and two in units of the normalised source.
+        The fitted sinusoid at the frame: radians in [0, 2π), Hz, amplitude and residual in units of the normalised source.
     source, fit : Tensor [F, 4]
-        The normalised, smoothed source and the fitted sinusoid's value at the frame.
+        The normalised, smoothed source and the value of the fitted sinusoid at the frame.
     """
 
     vector: Tensor
@@ -67,11 +67,12 @@ def extract_group(clips: Sequence[Clip], source: str | Source = "hybrid",
     clips
         Motions, any rate.
     source
-        A name of `SOURCES`, "learned" or a function ``(clip, limb) -> Tensor [F]``. One with ``fitted(clips)`` is first
-        replaced by what that returns. One with ``sinusoids(clip) -> (curve [F, 4], Sinusoids)`` does without the fit.
+        A name of `SOURCES`, "learned" or a function ``(clip, limb) -> Tensor [F]``. If the source has a method
+        ``fitted(clips)``, the source that it returns is used. If the source has a method ``sinusoids(clip) -> (curve
+        [F, 4], Sinusoids)``, no sinusoid is fitted.
     half_window
-        Seconds on either side of a frame that the sinusoid is fitted to; by default what a cycle of each limb takes
-        (`windows.half_window`), half a second at least.
+        Half the length of the fit's window, seconds; by default the duration of about half a cycle of each limb, at least
+        half a second (`windows.half_window`).
 
     Raises
     ------
@@ -97,7 +98,7 @@ def extract_group(clips: Sequence[Clip], source: str | Source = "hybrid",
 
 
 def named(source: str) -> Source:
-    """The source of a name; "learned" is read from its file."""
+    """The source with a name; "learned" is read from its file."""
     if source == "learned":
         from toolkit.phases.learned import pretrained
 

@@ -1,8 +1,8 @@
-"""A source for stochastic styles, ours: cadence tracked in time and frequency, noise taken out by what the limbs share.
+"""A source for stochastic styles (not in the paper): it tracks the cadence, and removes noise by the coherence of the limbs.
 
-The paper says that its sources do "not handle stochasticity well". A sinusoid fitted in a window follows whatever is there;
-a drunk's arm does much that is no swing. Two things tell the swing from the rest: its frequency changes slowly, and the
-other limbs swing at it too, in a steady relation, while their noise is their own.
+The paper says that its sources do "not handle stochasticity well": a sinusoid fitted in a window also fits the noise. Two
+properties separate the swing of a limb from its noise. The frequency of the swing changes slowly, and the other limbs swing
+with the same frequency and constant phase differences, while their noise is independent.
 """
 
 import math
@@ -20,21 +20,21 @@ from toolkit.phases.sinusoids import MAX_FREQUENCY, MIN_FREQUENCY, Sinusoids
 from toolkit.phases.sources import Hybrid, Source, curves
 
 BANDS = torch.logspace(math.log2(0.35), math.log2(2.5), 64, base=2, dtype=torch.float64)  # Hz, tried as cadence
-HOP = 0.1  # seconds between frames of the tracked cadence
+HOP = 0.1  # seconds between frames of the cadence track
 
 
 @dataclass(frozen=True)
 class Coherent:
-    """Analytic signal of each limb's curve at its tracked cadence, as far as possible as the other limbs tell it.
+    """Analytic signal of each limb's curve at its cadence, combined with its prediction from the other limbs.
 
-    The curves of `base` are filtered by Morlet wavelets of 2.5 `cycles`. The cadence of a limb is the path through the bands
-    that has most of the limb's power, as velocity, with few jumps (`penalty`): the best one, by dynamic programming. On
-    that path the limb's complex signal z is predicted from the other three by least squares, ẑ; R² = ‖ẑ‖² / ‖z‖² is their
-    coherence. The phase is the angle of (1 − R²) z + R² ẑ. A limb that goes by a rhythm of its own has R² near 0 and
-    keeps its own phase; so this stays a local phase.
+    The curves of `base` are filtered by Morlet wavelets of `cycles` cycles. The cadence of a limb is a path through the
+    bands with large power of the limb's velocity and small jumps (weight `penalty`), found by dynamic programming. On that
+    path the complex signal z of the limb is predicted from the other three by least squares, ẑ; R² = ‖ẑ‖² / ‖z‖² is their
+    coherence. The phase is the angle of (1 − R²) z + R² ẑ. A limb with an independent rhythm has R² near 0 and keeps its own
+    phase, so the phase stays local.
 
-    A contact says by itself when a cycle is where, however irregular it is: a curve of 0 and 1 has the angle 0 in the middle
-    of each contact, π in the middle of each swing, and grows evenly between (as the phase of Holden et al. 2017 does).
+    Contacts give the phase of a foot directly, also for irregular steps: a curve of 0 and 1 has the angle 0 in the middle of
+    each contact and π in the middle of each swing, and is linear in time between them (as in Holden et al. 2017).
     """
 
     base: Source = field(default_factory=Hybrid)
@@ -46,7 +46,7 @@ class Coherent:
         return replace(self, base=self.base.fitted(clips)) if hasattr(self.base, "fitted") else self
 
     def __call__(self, clip: Clip, limb: str) -> Tensor:
-        """The base's curve ``[F]``: what the limb does, noise included."""
+        """The curve ``[F]`` of the base, with its noise."""
         return self.base(clip, limb)
 
     def sinusoids(self, clip: Clip) -> tuple[Tensor, Sinusoids]:
@@ -63,7 +63,7 @@ class Coherent:
             z = waves[below, at] * (1 - share) + waves[below + 1, at] * share
             half = windows.half_window(raw[:, i], clip.fps)
             curve = windows.smooth(windows.normalise(raw[:, [i]], clip.fps, half), clip.fps)[:, 0]
-            signal = stepped(raw[:, i]) if contact[i] else agreed(z, i)
+            signal = contact_signal(raw[:, i]) if contact[i] else denoised(z, i)
             phase = (signal.angle() + math.pi / 2) % (2 * math.pi)  # so that its sine is the real part
             turns = (signal[1:] * signal[:-1].conj()).angle() / (2 * math.pi)
             frequency = windows.mean(torch.cat((turns[:1], turns)), half, clip.fps) * clip.fps
@@ -83,9 +83,9 @@ def wavelets(values: Tensor, fps: float, cycles: float) -> Tensor:
 
 
 def ridge(power: Tensor, hop: int, penalty: float) -> Tensor:
-    """Path ``[F]`` through ``power [bands, F]``, as band numbers with fractions, found on every `hop`-th frame.
+    """Path ``[F]`` through ``power [bands, F]``, as fractional band indices, found on every `hop`-th frame.
 
-    It has the least sum of −ln(share of the frame's power in the band) + penalty · (jump in bands)².
+    It minimises the sum of −ln(share of the frame's power in the band) + penalty · (jump in bands)².
     """
     cost = -(power / power.sum(0).clamp_min(1e-30)).clamp_min(1e-12).log()[:, ::hop].T
     band = torch.arange(len(power), dtype=power.dtype, device=power.device)
@@ -113,8 +113,8 @@ def regression(curve: Tensor, wave: Tensor, half: float, fps: float) -> tuple[Te
     return amplitude, offset, residual.clamp_min(0.0).sqrt()
 
 
-def stepped(contact: Tensor) -> Tensor:
-    """Complex signal ``[F]`` of a 0/1 curve with three changes or more: angle 0 amid the ones, π amid the zeros."""
+def contact_signal(contact: Tensor) -> Tensor:
+    """Complex signal ``[F]`` of a 0/1 curve with at least three changes: angle 0 in the middle of ones, π of zeros."""
     value = contact.cpu().numpy()
     change = np.flatnonzero(np.diff(value)) + 0.5
     middle = (change[1:] + change[:-1]) / 2
@@ -123,8 +123,8 @@ def stepped(contact: Tensor) -> Tensor:
     return torch.exp(1j * torch.from_numpy(grow(np.arange(len(value)))).to(contact))
 
 
-def agreed(z: Tensor, limb: int) -> Tensor:
-    """Signal ``[F]`` of one column of complex ``z [F, C]``, drawn to what the others say about it by their coherence."""
+def denoised(z: Tensor, limb: int) -> Tensor:
+    """One column ``[F]`` of complex ``z [F, C]``, interpolated to its prediction from the others with weight R²."""
     own, others = z[:, limb], torch.cat((z[:, :limb], z[:, limb + 1 :]), 1)
     gram = others.mH @ others
     gram = gram + torch.diag(1e-3 * gram.diagonal() + 1e-12)

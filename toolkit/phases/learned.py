@@ -1,18 +1,18 @@
 """A learned phase source: the periodic autoencoder of Starke, Mason and Komura 2022 (DeepPhase), one limb at a time.
 
-The network reads two seconds of a limb's motion, squeezes them into one latent curve, replaces that curve by one sinusoid
-and must rebuild the motion from it. The angle that serves this best is the limb's phase. Nothing tells the network what a
-contact is or which way is forward.
+The network encodes two seconds of a limb's motion as one latent curve, replaces this curve by a sinusoid and reconstructs
+the motion from it. The phase of the sinusoid is the limb's phase. The training uses no contacts and no forward direction.
 
 >>> source = Learned.train(clips, seed=0)
 >>> ph = tk.phases.extract(clip, source=source)        # or source="learned", for the one in the package
 
-Departures from DeepPhase, which reads a whole body through several channels: one limb and one channel at a time, because a
-local phase belongs to a limb; every window is scaled to unit power, because a hand in a pocket has a phase too; 41 samples
-at 20 Hz span the two seconds instead of 121 at 60 Hz. The frequency handed out is the rate at which the phase grows, within
-2 % for the hands of cyclic styles; the network's own, a mean over few and leaky spectral bins, is off by 13 % there.
+Departures from DeepPhase, which encodes a whole body in several channels: one limb and one channel at a time, because a
+local phase belongs to a limb; every window is scaled to unit power, because a hand in a pocket has a phase, too; 41 samples
+at 20 Hz span the two seconds instead of 121 at 60 Hz. The frequency of the result is the derivative of the phase, with an
+error of at most 2 % for the hands of cyclic styles. The network's own frequency, a mean over few spectral bins, is off by
+13 % there.
 
-The one in the package, which `pretrained` reads, has not seen the styles of `HELD_OUT`. It is made by
+The source in the package (`pretrained`) was trained without the styles of `HELD_OUT`, by
 
 >>> Learned.train(training_clips(), seed=0, progress=True).save("toolkit/data/learned_phases.safetensors")
 """
@@ -36,6 +36,7 @@ from toolkit.motion import Clip, root_frames
 from toolkit.motion.tensors import summary, through_numpy
 from toolkit.phases.sinusoids import MAX_FREQUENCY, MIN_FREQUENCY, Sinusoids
 from toolkit.phases.sources import LIMBS
+from toolkit.phases.windows import SECOND, mean
 
 RATE = 20.0  # Hz, of the windows' samples
 HALF = 20  # samples on either side of a frame: one second
@@ -43,16 +44,16 @@ SAMPLES = 2 * HALF + 1
 PARTS = ("hand", "foot")
 CURVES = 6  # per limb: velocities of its middle and its end joint
 CHUNK = 1024  # windows at a time
-SPEEDS = (0.75, 1.0, 1.33)  # at which training also plays the clips
+SPEEDS = (0.75, 1.0, 1.33)  # playback speeds of the training clips
 
-#: Procedural styles kept back from training, to test it on.
+#: Procedural styles for tests, which training does not use.
 HELD_OUT = ("BigSteps", "DragRightLeg", "Drunk", "Old", "PendulumHands", "Strut")
 
 
 class Convolution(nn.Module):
-    """One-dimensional convolution of ``[B, inputs, T]`` by kernels as long as the window (T odd), zeros beyond its ends.
+    """One-dimensional convolution of ``[B, inputs, T]`` with kernels of the length of the window (T odd) and zero padding.
 
-    As one product with the kernels' banded (Toeplitz) matrix, which on a processor is many times faster than `nn.Conv1d`.
+    It is one product with the kernels' Toeplitz matrix, which is many times faster on a CPU than `nn.Conv1d`.
     """
 
     def __init__(self, inputs: int, outputs: int, samples: int):
@@ -65,7 +66,7 @@ class Convolution(nn.Module):
         """``[B, outputs, T]``."""
         inputs, outputs, samples = self.weight.shape
         half = samples // 2
-        # [i, o, s, t] = weight[i, o, half + s - t]: what sample s of input i adds to sample t of output o
+        # [i, o, s, t] = weight[i, o, half + s - t]: weight of sample s of input i in sample t of output o
         bands = nn.functional.pad(self.weight.flip(-1), (half, half)).unfold(-1, samples, 1).flip(-2)
         matrix = bands.transpose(1, 2).reshape(inputs * samples, outputs * samples)
         return (x.flatten(1) @ matrix).view(-1, outputs, samples) + self.bias
@@ -81,7 +82,7 @@ class PeriodicAutoencoder(nn.Module):
     hidden
         Width of the layer between input and latent curve.
     samples
-        T, odd, the kernel's length too: each convolution sees the whole window.
+        T, odd; also the length of the kernels, so that each convolution covers the whole window.
     rate
         Samples per second.
     """
@@ -95,18 +96,18 @@ class PeriodicAutoencoder(nn.Module):
         self.register_buffer("time", (torch.arange(samples) - samples // 2) / rate, persistent=False)
 
     def sinusoid(self, windows: Tensor) -> tuple[Tensor, ...]:
-        """Latent curve ``[B, T]`` of windows; phase in the middle (radians), frequency (Hz), amplitude, offset ``[B]``."""
+        """Latent curve ``[B, T]`` of windows; phase at the middle (radians), frequency (Hz), amplitude, offset ``[B]``."""
         latent = self.encoder(windows)[:, 0]
         y, x = self.shift(latent).unbind(-1)
         return latent, torch.atan2(y, x), *spectrum(latent, self.rate)
 
     def wave(self, phase: Tensor, frequency: Tensor, amplitude: Tensor, offset: Tensor) -> Tensor:
-        """Those sinusoids ``[B]``, sampled over the window ``[B, T]``."""
+        """Samples ``[B, T]`` of sinusoids over the window."""
         phase, frequency, amplitude, offset = (v[:, None] for v in (phase, frequency, amplitude, offset))
         return amplitude * torch.sin(2 * torch.pi * frequency * self.time + phase) + offset
 
     def forward(self, windows: Tensor) -> Tensor:
-        """The windows rebuilt from their sinusoids."""
+        """The windows, reconstructed from their sinusoids."""
         _, *parameters = self.sinusoid(windows)
         return self.decoder(self.wave(*parameters)[:, None])
 
@@ -129,7 +130,7 @@ def spectrum(latent: Tensor, rate: float) -> tuple[Tensor, Tensor, Tensor]:
 def limb_curves(clip: Clip, limb: str) -> Tensor:
     """Velocities ``[F, 6]`` of a limb's middle and end joint relative to the hips, in limb lengths per second.
 
-    Axes are those of the root frame: outwards (so that left and right limbs look the same), up, forward.
+    Axes are those of the root frame: outwards (so that left and right limbs are alike), up, forward.
     """
     side, part = limb.split("_")
     skeleton, positions = clip.skeleton, clip.global_positions
@@ -159,11 +160,11 @@ def cut(curves: Tensor, fps: float, every: int = 1) -> Tensor:
 
 @dataclass(frozen=True, eq=False)
 class Learned:
-    """A phase source: one network for both hands, one for both feet, and the factors that their latent curves come out with.
+    """A phase source: one network for both hands, one for both feet, and the factors of their latent curves.
 
-    A factor gives the training clips' curves unit power, as a normalised source has, and the sign by which whole windows
-    rise where the limb goes forward. The samples that become the curve follow that for feet; for hands it is nearly
-    arbitrary.
+    A factor gives the curves of the training clips unit power, like a normalised source. Its sign makes whole windows
+    increase while the limb moves forward. The sign of single samples, which form the curve, follows for feet; for hands it
+    is nearly arbitrary.
     """
 
     networks: dict[str, PeriodicAutoencoder]
@@ -173,22 +174,22 @@ class Learned:
     @classmethod
     def train(cls, clips: Sequence[Clip], *, steps: int = 3000, batch: int = 256, rate: float = 3e-3, hidden: int = 12,
               seed: int = 0, progress: bool = False) -> "Learned":
-        """Train on clips of any skeletons, rates and styles, by the mean squared error of the rebuilt windows.
+        """Train on clips of any skeletons, rates and styles, by the mean squared error of the reconstructed windows.
 
         Parameters
         ----------
         clips
-            What to learn from; five windows a second are cut from each, and also from it played at `SPEEDS`.
+            Training data: five windows per second of each clip, at each of `SPEEDS`.
         steps, batch
-            Minibatches, and windows in each.
+            Number of minibatches, and of windows in each.
         rate
-            Adam's highest learning rate, on one rise and fall.
+            Highest learning rate of Adam, with a one-cycle schedule.
         hidden
             Width of the networks.
         seed
             The same seed gives the same networks.
         progress
-            Show a bar.
+            Show a progress bar.
 
         Raises
         ------
@@ -212,9 +213,10 @@ class Learned:
         return cls(networks, factors)
 
     def sinusoids(self, clip: Clip) -> tuple[Tensor, Sinusoids]:
-        """Latent curve ``[F, 4]`` of every limb, and the sinusoid that the network put in its place around every frame.
+        """Latent curve ``[F, 4]`` of every limb, and the network's sinusoid around every frame.
 
-        The residual is between the two; the frequency is not the network's but the growth of the phase over one second.
+        The residual is their difference. The frequency is not the network's but the mean derivative of the phase over one
+        second.
         """
         columns = []
         for limb in LIMBS:
@@ -232,38 +234,37 @@ class Learned:
 
     def save(self, path: str | os.PathLike) -> None:
         """Write networks and factors to one safetensors file."""
-        tensors = {f"learned.{part}.{k}": v for part in PARTS for k, v in self.networks[part].state_dict().items()}
+        tensors = {f"learned.{name}": value for name, value in nn.ModuleDict(self.networks).state_dict().items()}
         hidden = {part: self.networks[part].hidden for part in PARTS}
         model_files.write(path, tensors, {"learned": {"hidden": hidden, "factors": self.factors}})
 
     @classmethod
     def load(cls, path: str | os.PathLike) -> "Learned":
-        """Read a source that `save` wrote; a file that is none is a one-line ValueError. No code in it is run."""
+        """Read a source that `save` wrote; ValueError for any other file. No code in it is run."""
         tensors, parts = model_files.read(path, "learned")
-        networks = {}
         with model_files.intact(path, "the learned source in it"):
-            for part in PARTS:
-                networks[part] = PeriodicAutoencoder(hidden=parts["learned"]["hidden"][part]).eval()
-                own = f"learned.{part}."
-                networks[part].load_state_dict({k.removeprefix(own): v for k, v in tensors.items() if k.startswith(own)})
-            return cls(networks, {part: float(parts["learned"]["factors"][part]) for part in PARTS})
+            described = parts["learned"]
+            networks = nn.ModuleDict({part: PeriodicAutoencoder(hidden=described["hidden"][part]) for part in PARTS}).eval()
+            own = {name.removeprefix("learned."): value for name, value in tensors.items() if name.startswith("learned.")}
+            networks.load_state_dict(own)
+            return cls(dict(networks.items()), {part: float(described["factors"][part]) for part in PARTS})
 
 
 @cache
 def pretrained() -> Learned:
-    """The source in the package, trained on procedural clips. No network access."""
+    """The source in the package, trained on procedural clips."""
     with resources.as_file(resources.files("toolkit") / "data" / "learned_phases.safetensors") as path:
         return Learned.load(path)
 
 
 def training_clips() -> list[Clip]:
-    """What the source in the package was trained on."""
+    """The training clips of the source in the package."""
     styles = [style for style in procedural.STYLES if style not in HELD_OUT]
     return procedural.load(styles, ("FW", "BW", "FR", "SW", "TR1"), seconds=12.0, seed=0)
 
 
 def _descend(network: PeriodicAutoencoder, windows: Tensor, steps: int, batch: int, rate: float, name: str | None) -> None:
-    """Adam on the error of rebuilt windows; leaves the network ready to predict."""
+    """Train with Adam on the reconstruction error; the network is in evaluation mode afterwards."""
     adam = torch.optim.Adam(network.parameters(), lr=rate)
     schedule = torch.optim.lr_scheduler.OneCycleLR(adam, rate, total_steps=steps)
     with tqdm(range(steps), desc=name, disable=name is None) as bar:
@@ -286,8 +287,6 @@ def _sinusoids(network: PeriodicAutoencoder, windows: Tensor) -> tuple[Tensor, .
 
 
 def _growth(phase: Tensor, fps: float) -> Tensor:
-    """Frequency ``[F]``, Hz: the mean growth of phases ``[F]`` over one second around every frame."""
-    half = round(fps / 2)
+    """Frequency ``[F]``, Hz: the mean derivative of phases ``[F]`` over one second around every frame."""
     step = torch.gradient(through_numpy(np.unwrap, phase.double()), spacing=1 / fps)[0] / (2 * torch.pi)
-    step = nn.functional.pad(step[None, None], (half, half), mode="replicate")
-    return nn.functional.avg_pool1d(step, 2 * half + 1, stride=1)[0, 0].clamp(MIN_FREQUENCY, MAX_FREQUENCY)
+    return mean(step, SECOND, fps).clamp(MIN_FREQUENCY, MAX_FREQUENCY)

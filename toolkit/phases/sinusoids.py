@@ -7,23 +7,24 @@ Variable projection (Golub and Pereyra 1973). With ω = 2πf and t from −h to 
 linear in z = (u, v, b). So the squared error E(f, z) is least, for a given f, at a z(f) that is known in closed form, and
 what is left is to minimise r(f) = E(f, z(f)), a smooth function of one variable on [0.25, 4] Hz.
 
-**Projection.** The inner products of the window with sin, cos and 1 (gs, gc, g1) are all that the source puts in; those of
-sin, cos and 1 among themselves are sums of geometric series. The window is symmetric, so sin is orthogonal to the others:
-u = gs/‖sin‖², v from cos less its mean, b = (g1 − v·Σcos)/n.
+**Projection.** The source enters only by the inner products of the window with sin, cos and 1 (gs, gc, g1); those of sin,
+cos and 1 with each other are sums of geometric series. The window is symmetric, so sin is orthogonal to the others: u =
+gs/‖sin‖², v from cos less its mean, b = (g1 − v·Σcos)/n.
 
 **Bounds.** a ≤ max − min is a ball in (u, v), b in [min, max] an interval, both convex, and so is E in z. Where the closed
-form leaves the ball, (u, v) is the point with (‖·‖² + λ)(u, v) = (gs, gc) on its rim. Where b then leaves its interval it
-belongs on the end it passed (E minimised over the ball is convex in b), and (u, v) is solved again for that b. This is the
-bounded optimum, not the free one moved back.
+form leaves the ball, (u, v) is the point with (‖·‖² + λ)(u, v) = (gs, gc) on its rim. Where b then leaves its interval, it
+is set to the end that it passed (E minimised over the ball is convex in b), and (u, v) is solved again for that b. This is
+the bounded optimum, not the clamped free optimum.
 
-**Frequency.** r is tried on a grid that is fine beside its narrowest valley, about the window's inverse length. There the
-inner products of neighbouring windows follow from each other: S(t + 1) = e^{iω}·S(t), one sample out and one in. Each valley
-that may be the lowest is then refined by Newton on r′ with inner products from the window itself. Neither bound depends on
-f, so r′(f) = ∂E/∂f at z(f), whichever bounds hold (the envelope theorem): no case needs a formula of its own.
+**Frequency.** r is evaluated on a grid whose step is small compared with the width of its narrowest valley, about the
+inverse length of the window. On the grid the inner products of neighbouring windows follow from each other: S(t + 1) =
+e^{iω}·S(t), less the sample that leaves and plus the one that enters. Each valley that may be the lowest is then refined by
+Newton's method on r′ with inner products from the window itself. The bounds do not depend on f, so r′(f) = ∂E/∂f at z(f) for
+all active bounds (envelope theorem): one formula covers all cases.
 
-**Cost.** By count a window of 61 frames takes about 2,500 floating-point operations, half on the grid most of the rest in
-two or three Newton steps, and about 100 bytes to and from memory: arithmetic is the limit, not memory. `python -m toolkit
-bench fit` measures where this stands.
+**Cost.** A window of 61 frames takes about 2,500 floating-point operations, half of them on the grid and most others in two
+or three Newton steps, and about 100 bytes of memory traffic: arithmetic is the limit. `python -m experiments speed fit`
+measures the speed.
 """
 
 import math
@@ -37,12 +38,12 @@ from torch import Tensor
 from toolkit.motion.tensors import summary
 
 MIN_FREQUENCY, MAX_FREQUENCY = 0.25, 4.0
-DENSITY = 6.0  # frequencies on the grid for each further cycle in the window, and for each factor e
-CANDIDATES = 4  # best local minima of a window that continuity chooses from
+DENSITY = 6.0  # grid frequencies per additional cycle in the window, and per factor e
+CANDIDATES = 4  # best local minima of a window among which continuity chooses
 
 
 def frequencies(seconds: float) -> np.ndarray:
-    """Grid in Hz for a window of so many seconds: step 1 / `DENSITY` in cycles + ln cycles, so finest at low frequencies."""
+    """Grid in Hz for a window of that length: step 1 / `DENSITY` in cycles + ln cycles, so finest at low frequencies."""
     fine = np.geomspace(MIN_FREQUENCY, MAX_FREQUENCY, 1000)
     steps = DENSITY * (fine * seconds + np.log(fine))
     grid = np.interp(np.linspace(steps[0], steps[-1], math.ceil(steps[-1] - steps[0]) + 1), steps, fine)
@@ -79,7 +80,7 @@ def fit(source: Tensor, fps: float, half_window: float = 0.5, continuity: float 
     half_window
         Seconds on either side of the frame.
     continuity
-        Weight of jumps between neighbouring frames against residuals; 0 fits every window by itself.
+        Weight of jumps between neighbouring frames, relative to residuals; 0 fits every window independently.
 
     Raises
     ------
@@ -90,10 +91,10 @@ def fit(source: Tensor, fps: float, half_window: float = 0.5, continuity: float 
     -----
     Bounds as published: a in [0, max − min], f in [0.25, 4] Hz, b in [min, max] of the window.
 
-    The published run added to the root-mean-square error a term for continuity with the neighbours' fits, and searched by
-    evolution. Here every frame keeps a local minimum of its window's error, one of the best four, and dynamic programming
-    finds the choice with the least sum over the whole curve of residual + `continuity` · jump. A jump is how far
-    a·(cos φ, sin φ) of a frame is from that of the frame before turned by one frame at its frequency.
+    The published fit added a term for continuity with the neighbours' fits to the root-mean-square error, and used an
+    evolutionary search. Here every frame has one of the four best local minima of its window's error, and dynamic
+    programming minimises the sum of residual + `continuity` · jump over the whole curve. A jump is the distance of a·(cos φ,
+    sin φ) from that of the previous frame, rotated by one frame at its frequency.
     """
     from toolkit.phases.variable_projection import minima, smoothest
 

@@ -1,4 +1,4 @@
-"""Source functions: one curve per limb whose cycles are the limb's phase (Mason et al. 2022, section 4.1).
+"""Source functions: one curve per limb, whose cycles define the limb's phase (Mason et al. 2022, section 4.1).
 
 A source is any function ``source(clip, limb) -> Tensor [F]``, limb one of `LIMBS`; curves are float64 on the clip's device,
 whatever its dtype. One that learns from several clips also
@@ -22,9 +22,9 @@ Source = Callable[[Clip, str], Tensor]
 
 
 def local_positions(clip: Clip, limb: str) -> Tensor:
-    """Position ``[F, 3]`` of a limb's end in the hips' frame, metres: the tip of the hand, the toe (which meets the floor).
+    """Position ``[F, 3]`` of a limb's end in the hips' frame, metres: the end site of the hand, or the toe.
 
-    Of the ends and frames tried, these agree best with the phases that the published network predicts.
+    Among the tested joints and frames, these agree best with the phases that the published network predicts.
     """
     skeleton = clip.skeleton
     hips = skeleton.index("hips")
@@ -49,7 +49,7 @@ def curves(clip: Clip, source: Source) -> Tensor:
 
 @dataclass(frozen=True)
 class Contact:
-    """The 0/1 foot contact (section 4.1.2). Hands touch nothing: theirs is 0 throughout, and so is their phase feature."""
+    """The 0/1 foot contact (section 4.1.2). Hands have no contact: their curve and their phase feature are 0."""
 
     height: float = 0.01
     speed: float = 0.15
@@ -66,7 +66,7 @@ class Contact:
 class ContactFree:
     """Position along its first principal component, which points forward (section 4.1.3).
 
-    ``axes`` and ``means`` [3] by limb, in the hips' frame; taken from the clip itself until `fitted` on a style and gait.
+    ``axes`` and ``means`` [3] by limb, in the hips' frame, are those of `fitted`, or else of the clip itself.
     """
 
     axes: dict[str, Tensor] = field(default_factory=dict)
@@ -86,7 +86,7 @@ class ContactFree:
         return replace(self, axes=axes, means=means)
 
     def points(self, clip: Clip, limb: str) -> Tensor:
-        """What is projected on the axis, ``[F, 3]`` in the hips' frame: positions, metres."""
+        """The points ``[F, 3]`` that are projected on the axis, in the hips' frame: positions, metres."""
         return local_positions(clip, limb).double()
 
     def __call__(self, clip: Clip, limb: str) -> Tensor:
@@ -98,7 +98,7 @@ class ContactFree:
 
 @dataclass(frozen=True)
 class Velocity(ContactFree):
-    """Velocity along its first principal component: a quarter of a cycle ahead of the position, and less drawn by drift."""
+    """Velocity along its first principal component: a quarter of a cycle ahead of the position, less affected by drift."""
 
     def points(self, clip: Clip, limb: str) -> Tensor:
         """Velocities, metres per second."""

@@ -35,7 +35,7 @@ def _in_ball(p, q, alpha, beta, radius):
 def _project(gs, gc, g1, ss, cc, c1, n, spread):
     """The best (u, v, b) within the bounds for one frequency, and its gain, from the inner products of a window.
 
-    The error minimised over (u, v) is convex in b; so a b out of bounds belongs on its bound.
+    The error minimised over (u, v) is convex in b, so a b out of bounds is set to its bound.
     """
     u, v = _in_ball(gs, gc - g1 * c1 / n, ss, cc - c1 * c1 / n, spread)
     b = (g1 - v * c1) / n
@@ -57,7 +57,7 @@ def _evaluate(odd, even, g1, theta, spread):
     gs, gc, ts, tc = 0.0, even[0], 0.0, 0.0
     gs_too, gc_too, ts_too, tc_too = 0.0, 0.0, 0.0, 0.0
     double = 2 * sine * cosine, 1 - 2 * sine * sine
-    s, s_before, c, c_before = sine, -sine, cosine, cosine  # at odd t; below at even t: two chains at once
+    s, s_before, c, c_before = sine, -sine, cosine, cosine  # at odd t; below at even t: two independent recurrences
     s_too, s_too_before, c_too, c_too_before = double[0], 0.0, double[1], 1.0
     ahead = 2 * double[1]
     for t in range(1, len(odd) - 1, 2):
@@ -91,8 +91,8 @@ def _evaluate(odd, even, g1, theta, spread):
 def _refine(odd, even, g1, gg, theta, ends, spread):
     """The peak of the gain between ``ends`` (two angles and their gains): Newton on its slope from ``theta``.
 
-    The second derivative is that of the cubic through all that is known at first, then the slope's difference. A step out of
-    the interval goes to its end, or halves it where that end has been passed before.
+    The first second derivative is that of the cubic through the known values, the later ones are differences of the slope. A
+    step out of the interval goes to its end, or to the middle if that end was passed before.
     """
     left, right, left_gain, right_gain = ends
     left_is_new, right_is_new = True, True
@@ -127,10 +127,10 @@ def _refine(odd, even, g1, gg, theta, ends, spread):
 
 @compiled
 def _peaks(gains, grid, peaks):
-    """Peaks of the gain on the grid, one row each: most that is hoped for, index, angle per frame to start from.
+    """Peaks of the gain on the grid, one row each: upper estimate of the gain, index, first angle per frame.
 
-    The start is the vertex of the parabola through three neighbours, and eight times its rise is hoped for: where a
-    bound begins to hold, a peak is no parabola.
+    The first angle is the vertex of the parabola through three neighbours. The estimate adds eight times the rise of the
+    parabola, because a peak is not a parabola where a bound becomes active.
     """
     found, last = 0, len(grid) - 1
     for k in range(last + 1):
@@ -157,10 +157,10 @@ def minima(curve, low, high, grid, out):
     low, high : float64 [F]
         Smallest and largest value of each window.
     grid : float64 [G]
-        Angles per frame to try; the first and last are the bounds.
+        Angles per frame; the first and last are the bounds.
     out : float64 [M, 5, F]
-        Filled with angle per frame, u, v, b and squared error of the best M, best first; where there are fewer, the error
-        is infinite.
+        Receives angle per frame, u, v, b and squared error of the best M minima, best first; the error of missing ones is
+        infinite.
     """
     frames, count, size = len(low), len(out), len(grid)
     half = (len(curve) - frames) // 2
@@ -202,7 +202,7 @@ def minima(curve, low, high, grid, out):
             b = g1 / n - v * c1_mean[k]
             gains[k] = u * sums_sine[k] + v * gc + g1 * g1 / n
             outside[k] = max(u * u + v * v - spread * spread, abs(b) - spread / 2)
-        floor = -math.inf  # a gain within bounds: where one window has one answer, lesser ones need not be known
+        floor = -math.inf  # largest gain within bounds: if only the best minimum is needed, smaller gains are skipped
         if count == 1:
             for k in range(size):
                 if outside[k] <= 0 and gains[k] > floor:
@@ -240,9 +240,9 @@ def smoothest(cost, here, ahead):
     Parameters
     ----------
     cost : float64 [M, F]
-        Of each candidate; infinite where there is none.
+        Cost of each candidate; infinite if it does not exist.
     here, ahead : complex128 [M, F]
-        A jump is the distance of ``here`` from ``ahead`` of the frame before.
+        A jump is the distance of ``here`` from ``ahead`` of the previous frame.
     """
     count, frames = cost.shape
     total = cost[:, 0].copy()

@@ -1,6 +1,6 @@
-"""What is measured in a window round every frame: how long it must be, z-score, smoothing, amplitude, speed.
+"""Measures in a window around every frame: its length, z-score, smoothing, amplitude, speed.
 
-Curves are ``[F, ...]``, best in float64; windows are given by their half length in seconds.
+Curves are ``[F, ...]``, best in float64. The length of a window is given by half of it, in seconds.
 """
 
 import math
@@ -14,16 +14,16 @@ from toolkit.motion.tensors import through_numpy
 SECOND = 0.5  # half of the one-second window
 SHORT = 0.25  # half of the published fit's window: 15 frames at 60 Hz
 CUTOFF = 4.0  # Hz, of the Butterworth filter
-CYCLES = 1.05  # periods in a window; more blurs changes of pace, one exactly leaves the frequency up to 3 % off
+CYCLES = 1.05  # periods in a window; more smooth changes of pace, exactly one gives frequency errors up to 3 %
 LONGEST = 2.0  # seconds, of a period
-LEAST = 0.2  # autocorrelation of a curve that counts as repeating itself
+LEAST = 0.2  # least autocorrelation of a periodic curve
 
 
 def half_window(curve: Tensor, fps: float) -> float:
     """Half of `CYCLES` periods of a curve, but no less than half a second: a window must hold a whole cycle.
 
-    The period is the lag, under two seconds, of the highest peak of the autocorrelation of the whole curve ``[F]``, freed
-    of what changes more slowly. A zombie's foot, at 0.66 Hz and standing for a second at a time, needs ±0.8 s.
+    The period is the lag, under two seconds, of the highest peak of the autocorrelation of the whole curve ``[F]`` without
+    its slower changes. For example, the feet of the style Zombie have 0.66 Hz and stances of a second and need ±0.8 s.
     """
     n, longest = len(curve), min(round(LONGEST * fps), len(curve) - 2)
     fast = curve.double() - mean(curve.double(), LONGEST / 2, fps)
@@ -71,7 +71,7 @@ def speed(positions: Tensor, fps: float) -> Tensor:
 
 
 def mean(values: Tensor, half: float, fps: float) -> Tensor:
-    """Mean of ``values [F, ...]`` over the window around each frame; the first and last value go on beyond the ends."""
+    """Mean of ``values [F, ...]`` over the window around each frame; end values are repeated beyond the ends."""
     frames = round(half * fps)
     flat = values.reshape(len(values), -1).T[:, None]
     padded = torch.nn.functional.pad(flat, (frames, frames), mode="replicate")

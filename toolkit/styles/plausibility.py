@@ -1,6 +1,6 @@
-"""Where style vectors leave what a model has seen: stretched bones, and limbs that go through the body.
+"""Plausibility of style vectors: stretched bones, and limbs that penetrate the body.
 
-Mason et al. 2022 name implausible poses between styles as the limit of blending (section 6, "Physics Understanding").
+Mason et al. 2022 name implausible poses of blends as a limitation (section 6, "Physics Understanding").
 """
 
 import warnings
@@ -16,24 +16,24 @@ from toolkit.motion.tensors import summary
 from toolkit.networks import Model
 from toolkit.networks.bank import StyleBank
 
-LEG = 0.87  # hip to ankle, metres, of the body that the radii are written for
+LEG = 0.87  # metres, distance of hip and ankle in the body of `RADII`
 RADII = {"forearm": 0.032, "trunk": 0.10, "head": 0.09, "thigh": 0.062, "shank": 0.042, "foot": 0.034}  # metres
-STRETCH, DEPTH = 0.03, 0.02  # a blend is worth a warning from this share of a bone, these metres beyond its styles
-SETTLE = 2.0  # seconds of a walk that are not judged
+STRETCH, DEPTH = 0.03, 0.02  # limits of a warning for a blend: share of a bone length, metres, more than its styles have
+SETTLE = 2.0  # seconds at the start of a walk that are not measured
 
 
 @dataclass(frozen=True, eq=False)
 class Strain:
-    """What a body suffers in S walks.
+    """Bone stretch and self-penetration in S walks.
 
     Parameters
     ----------
     bone_stretch : Tensor [S]
-        How far the worst bone is from its length, as a share of it, on average over the frames; as the network predicts it.
-        What is drawn has bones of constant length (`toolkit.runtime.record`).
+        Largest relative error of a bone length in the network's output, mean over the frames. The clips of
+        `toolkit.runtime.record` have constant bone lengths.
     penetration : Tensor [S]
-        How deep two limbs, or a limb and trunk or head, are in each other, metres: the mean over frames of the deepest pair.
-        Styles have some of it by themselves (hands in pockets).
+        Penetration depth of the deepest pair of a limb with a limb, the trunk or the head, metres, mean over the frames.
+        Some styles have a depth of their own (hands in pockets).
     """
 
     bone_stretch: Tensor
@@ -47,26 +47,26 @@ def strain(model: Model, vectors: Tensor, speed: float = 1.0, seconds: float = 5
     Parameters
     ----------
     model
-        The model that moves them.
+        The model of the characters.
     vectors : Tensor [S, D]
-        Their style vectors; all walk at once.
+        One style vector per character.
     speed, seconds
-        Metres per second, and how long; the first `SETTLE` seconds do not count.
+        Metres per second and duration; the first `SETTLE` seconds are not measured.
 
     Raises
     ------
     ValueError
-        If it is no longer than that.
+        If the duration is not longer than that.
     """
     if seconds <= SETTLE:
-        raise ValueError(f"strain is judged after {SETTLE:g} s of walking, got seconds = {seconds:g}")
+        raise ValueError(f"strain is measured after {SETTLE:g} s of walking, got seconds = {seconds:g}")
     states = list(runtime.states(model, runtime.straight(speed, seconds), vectors))[round(SETTLE * runtime.FPS) :]
     positions = torch.stack([split_joints(state.joints)["position"] for state in states])  # [F, S, J, 3]
     return Strain(bone_stretch(model.layout, positions), penetration(model.layout, positions))
 
 
 def bone_stretch(layout: Layout, positions: Tensor) -> Tensor:
-    """Mean over frames of the worst bone's relative error of length ``[...]``, from positions ``[F, ..., J, 3]``."""
+    """Largest relative error of a bone length, mean over frames ``[...]``, from positions ``[F, ..., J, 3]``."""
     rest = layout.skeleton.rest_positions[list(layout.skeleton.feature_joints)].to(positions)
     child, parent = zip(*[(j, p) for j, p in enumerate(layout.parents) if p >= 0 and (rest[j] - rest[p]).norm() > 1e-3],
                         strict=True)
@@ -76,10 +76,10 @@ def bone_stretch(layout: Layout, positions: Tensor) -> Tensor:
 
 
 def penetration(layout: Layout, positions: Tensor) -> Tensor:
-    """Mean over frames of the depth of the deepest pair ``[...]``, metres, from positions ``[F, ..., J, 3]``.
+    """Depth of the deepest pair, mean over frames ``[...]``, metres, from positions ``[F, ..., J, 3]``.
 
-    Limbs, trunk and head are capsules. Limbs are held against each other, against trunk and head, and forearms against
-    thighs; neighbours on the body, which always touch, are not.
+    Limbs, trunk and head are capsules. Pairs are both forearms, a forearm with trunk, head or a thigh, and the lower legs
+    and feet of both sides. Neighbouring limbs always touch and are not tested.
     """
     capsules, pairs = _body(layout)
     tail, head, radius = (torch.tensor(values) for values in zip(*capsules.values(), strict=True))
@@ -90,7 +90,7 @@ def penetration(layout: Layout, positions: Tensor) -> Tensor:
 
 
 def segment_distance(a: Tensor, b: Tensor, c: Tensor, d: Tensor) -> Tensor:
-    """Smallest distance ``[...]`` of the segments from a to b and from c to d, all ``[..., 3]``."""
+    """Smallest distance ``[...]`` between the segments from a to b and from c to d, all ``[..., 3]``."""
     u, v, w = b - a, d - c, a - c
     uu, uv, vv, uw, vw = ((p * q).sum(-1) for p, q in ((u, u), (u, v), (v, v), (u, w), (v, w)))
     s = ((uv * vw - vv * uw) / (uu * vv - uv * uv).clamp_min(1e-9)).clamp(0.0, 1.0)
@@ -100,36 +100,36 @@ def segment_distance(a: Tensor, b: Tensor, c: Tensor, d: Tensor) -> Tensor:
 
 
 def check(model: Model, bank: StyleBank, blend: Mapping[str, float], speed: float = 1.0, seconds: float = 5.0) -> dict:
-    """A blend's strain beside that of its styles alone, with a warning where it is clearly worse.
+    """Strain of a blend, compared with that of its styles, with a warning where it is clearly larger.
 
     Returns
     -------
     dict
-        ``bone_stretch`` and ``penetration`` of the blend, and ``usual_bone_stretch`` and ``usual_penetration``, the largest
-        of its styles; see `Strain`.
+        ``bone_stretch`` and ``penetration`` of the blend, and the largest values of its styles, ``usual_bone_stretch`` and
+        ``usual_penetration``; see `Strain`.
 
     Warns
     -----
     UserWarning
-        If a bone is stretched by `STRETCH`, or limbs go into each other by `DEPTH`, more than in any of its styles.
+        If the bone stretch exceeds that of every style by `STRETCH`, or the penetration by `DEPTH`.
     """
     vectors = torch.stack([bank.blend(blend), *(bank[name] for name in blend)])
     found = strain(model, vectors, speed, seconds)
     result, worse = {}, []
-    limits = {"bone_stretch": (STRETCH, "bones are stretched by {:.0%} (its styles alone: {:.0%})"),
-              "penetration": (DEPTH, "limbs are {:.3f} m inside the body (its styles alone: {:.3f} m)")}
+    limits = {"bone_stretch": (STRETCH, "bones are stretched by {:.0%} (its styles: {:.0%})"),
+              "penetration": (DEPTH, "limbs are {:.3f} m inside the body (its styles: {:.3f} m)")}
     for what, (limit, text) in limits.items():
         here, usual = float(getattr(found, what)[0]), float(getattr(found, what)[1:].max())
         result |= {what: here, f"usual_{what}": usual}
         if here > usual + limit:
             worse.append(text.format(here, usual))
     if worse:
-        warnings.warn(f"the blend leaves what the model has seen: {'; '.join(worse)}", stacklevel=2)
+        warnings.warn(f"the blend is unlike the motion that the model was trained on: {'; '.join(worse)}", stacklevel=2)
     return result
 
 
 def _body(layout: Layout) -> tuple[dict[str, tuple[int, int, float]], list[tuple[str, str]]]:
-    """Capsules (first joint, last joint, radius) by name, and the pairs that should stay apart."""
+    """Capsules (first joint, last joint, radius) by name, and the pairs that must not touch."""
     skeleton, names = layout.skeleton, layout.names
     rest = skeleton.rest_positions[list(skeleton.feature_joints)]
     at = {role: names.index(name) for role, name in skeleton.roles.items() if name in names}
@@ -140,6 +140,6 @@ def _body(layout: Layout) -> tuple[dict[str, tuple[int, int, float]], list[tuple
     above = [skeleton.names[j] for j in skeleton.ancestors("left_shoulder") if j in skeleton.ancestors("right_shoulder")]
     chest, top = names.index(above[0]), int(rest[:, 1].argmax())
     capsules |= {"trunk": (at["hips"], chest, RADII["trunk"] * scale), "head": (top, top, RADII["head"] * scale)}
-    arms, legs = (("left forearm", "right forearm"), [f"{{}} {part}" for part in ("thigh", "shank", "foot")])
+    arms, legs = ("left forearm", "right forearm"), ("shank", "foot")
     pairs = [arms, *((arm, other) for arm in arms for other in ("trunk", "head", "left thigh", "right thigh"))]
-    return capsules, pairs + [(a.format("left"), b.format("right")) for a in legs[1:] for b in legs[1:]]
+    return capsules, pairs + [(f"left {a}", f"right {b}") for a in legs for b in legs]

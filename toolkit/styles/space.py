@@ -1,7 +1,8 @@
-"""The space that style vectors span: maps of it, and how well styles are told apart in it (Mason et al. 2022, Figure 11)."""
+"""The space of style vectors: maps of it, and the separation of styles in it (Mason et al. 2022, Figure 11)."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from importlib import import_module
 
 import torch
 from torch import Tensor
@@ -10,8 +11,9 @@ from toolkit.features import Features
 from toolkit.motion.tensors import summary
 from toolkit.networks import Model
 
-EMBEDDINGS = ("tsne", "pca", "umap")
-PERPLEXITY = 30.0  # of t-SNE: about how many neighbours count; a third of the points where they are few
+EMBEDDINGS = {"tsne": ("sklearn.manifold", "TSNE", "scikit-learn"), "pca": ("sklearn.decomposition", "PCA", "scikit-learn"),
+              "umap": ("umap", "UMAP", "umap-learn")}  # name: module, class, package
+PERPLEXITY = 30.0  # of t-SNE, about the number of neighbours; at most a third of the points
 
 
 @torch.no_grad()
@@ -25,7 +27,7 @@ def clip_vectors(model: Model, data: Features, clips: int = 50) -> tuple[Tensor,
     data
         Its style clips are encoded.
     clips
-        At most so many of each style, evenly spread.
+        Largest number of clips of each style, evenly spaced.
 
     Returns
     -------
@@ -50,10 +52,10 @@ def embed(vectors: Tensor, method: str = "tsne", seed: int = 0) -> Tensor:
     vectors
         Three or more.
     method
-        ``"tsne"`` (Figure 11) keeps neighbours together; ``"pca"`` is linear, so that blends lie on straight lines;
-        ``"umap"`` needs the package umap-learn.
+        ``"tsne"`` (Figure 11) keeps neighbours together; ``"pca"`` is linear, so blends lie on straight lines; ``"umap"``
+        needs the package umap-learn.
     seed
-        The same seed, the same map.
+        The same seed gives the same map.
 
     Raises
     ------
@@ -64,39 +66,33 @@ def embed(vectors: Tensor, method: str = "tsne", seed: int = 0) -> Tensor:
         raise ValueError(f"unknown embedding {method!r}; there is {', '.join(EMBEDDINGS)}")
     if vectors.dim() != 2 or len(vectors) < 3:
         raise ValueError(f"a map needs three or more vectors [N, D], got {list(vectors.shape)}")
-    rows = vectors.detach().double().cpu().numpy()
+    module, name, package = EMBEDDINGS[method]
     try:
-        if method == "umap":
-            from umap import UMAP
-        else:
-            from sklearn.decomposition import PCA
-            from sklearn.manifold import TSNE
+        embedding = getattr(import_module(module), name)
     except ImportError as error:
-        package = "umap-learn" if method == "umap" else "scikit-learn"
         raise ValueError(f"the embedding {method!r} needs the package {package}: pip install {package}") from error
-    if method == "pca":
-        points = PCA(2, random_state=seed).fit_transform(rows)
-    elif method == "tsne":
-        perplexity = min(PERPLEXITY, (len(rows) - 1) / 3)
-        points = TSNE(perplexity=perplexity, init="pca", random_state=seed).fit_transform(rows)
-    else:
-        points = UMAP(n_neighbors=min(15, len(rows) - 1), random_state=seed, n_jobs=1).fit_transform(rows)
+    others = len(vectors) - 1
+    options = {"tsne": {"perplexity": min(PERPLEXITY, others / 3), "init": "pca"},
+               "umap": {"n_neighbors": min(15, others), "n_jobs": 1}, "pca": {"n_components": 2}}[method]
+    points = embedding(**options, random_state=seed).fit_transform(vectors.detach().double().cpu().numpy())
     return torch.from_numpy(points).float()
 
 
 @dataclass(frozen=True)
 class Separation:
-    """How well styles are told apart by the vectors of their clips.
+    """How well the vectors of clips separate their styles.
 
     Parameters
     ----------
     silhouette
-        Style to the mean silhouette of its clips: (b − a) / max(a, b) with a the mean distance to the style's other clips
-        and b to those of the nearest other style. 1: far from all others; 0: between two; negative: nearer to another.
+        Style to the mean silhouette of its clips: (b − a) / max(a, b), where a is the mean distance to the other clips of
+        the style and b to those of the nearest other style. 1: far from all others; 0: between two; negative: nearer to
+        another style.
     ratio
-        Style to the distance of its mean from the nearest other mean, in root-mean-square distances of its clips from it.
+        Style to the distance between its mean and the nearest other mean, divided by the root-mean-square distance of its
+        clips from their mean.
     found
-        Style to the share of its clips whose nearest mean (of the style's other clips, or of another style) is their own.
+        Style to the share of its clips whose nearest mean is that of their own style (without the clip itself).
     """
 
     silhouette: dict[str, float]
@@ -111,14 +107,14 @@ def separation(vectors: Tensor, styles: Sequence[str]) -> Separation:
     Parameters
     ----------
     vectors : Tensor [N, D]
-        Of single clips, see `clip_vectors`.
+        Vectors of single clips, see `clip_vectors`.
     styles
-        The style of each; at least two styles, two clips of each.
+        The style of each vector; at least two styles with two clips each.
 
     Raises
     ------
     ValueError
-        If numbers differ, or there are fewer styles or clips.
+        If the numbers of vectors and styles differ, or there are fewer styles or clips.
     """
     names = list(dict.fromkeys(styles))
     label = torch.tensor([names.index(s) for s in styles])
@@ -133,7 +129,7 @@ def separation(vectors: Tensor, styles: Sequence[str]) -> Separation:
     others = (mean / counts).scatter(1, own, torch.inf).amin(1)
     silhouette = (others - within) / torch.maximum(within, others).clamp_min(1e-12)
     centres = member.T @ rows / counts[:, None]
-    without = (centres[label] * counts[label, None] - rows) / (counts[label, None] - 1)  # the own mean, without this clip
+    without = (centres[label] * counts[label, None] - rows) / (counts[label, None] - 1)  # mean without this clip
     reach = torch.cdist(rows, centres).scatter(1, own, (rows - without).norm(dim=-1, keepdim=True))
     spread = (member.T @ (rows - centres[label]).square().sum(-1, keepdim=True))[:, 0].div(counts).sqrt()
     apart = torch.cdist(centres, centres).fill_diagonal_(torch.inf).amin(1)

@@ -1,4 +1,4 @@
-"""Styles that change over time (Mason et al. 2022, section 4.4: interpolations are manipulated online)."""
+"""Styles that change over time (Mason et al. 2022, section 4.4)."""
 
 from bisect import bisect_right
 from collections.abc import Callable, Mapping
@@ -10,30 +10,30 @@ from torch import Tensor
 from toolkit.networks.bank import StyleBank
 from toolkit.runtime import FPS
 
-#: Share of the way by share of the time, both from 0 to 1.
+#: Interpolation weight as a function of the time share, both from 0 to 1.
 EASINGS: dict[str, Callable[[float], float]] = {
     "linear": lambda t: t,
     "smooth": lambda t: t * t * (3 - 2 * t),  # starts and ends slowly
-    "smoother": lambda t: t**3 * (t * (6 * t - 15) + 10),  # and without a jolt
+    "smoother": lambda t: t**3 * (t * (6 * t - 15) + 10),  # and with zero acceleration there
     "in": lambda t: t * t,  # starts slowly
     "out": lambda t: t * (2 - t),  # ends slowly
-    "jump": lambda t: float(t >= 1),  # holds, then changes at once
+    "jump": lambda t: float(t >= 1),  # constant, then changes at once
 }
 
 
 def transition(bank: StyleBank, stops: Mapping[float, str | Mapping[str, float]],
                easing: str | Callable[[float], float] = "smooth") -> Callable[[int], Tensor]:
-    """A style that goes from blend to blend: what `toolkit.runtime.rollout` takes as ``style``.
+    """A style that changes from blend to blend, for the parameter ``style`` of `toolkit.runtime.rollout`.
 
     Parameters
     ----------
     bank
-        Holds the styles.
+        Bank of the styles.
     stops
-        Second to the style or blend that is reached then, in order of time. Before the first and after the last it holds.
-        The same blend twice holds in between.
+        Time in seconds to the style or blend at that time, in order of time. The style is constant before the first and
+        after the last stop.
     easing
-        One of `EASINGS`, or a function of the share of time to the share of the way, both from 0 to 1.
+        One of `EASINGS`, or a function from the time share to the interpolation weight, both from 0 to 1.
 
     Returns
     -------
@@ -43,7 +43,7 @@ def transition(bank: StyleBank, stops: Mapping[float, str | Mapping[str, float]]
     Raises
     ------
     ValueError
-        If there is no stop, seconds do not rise, the easing is unknown, or a blend is none (see `StyleBank.blend`).
+        If there is no stop, the times do not increase, the easing is unknown, or a blend is invalid (see `StyleBank.blend`).
     """
     seconds = [float(second) for second in stops]
     if not seconds or any(b <= a for a, b in pairwise(seconds)):

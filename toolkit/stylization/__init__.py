@@ -1,4 +1,4 @@
-"""Diverse motion stylisation (Park, Jang and Lee 2021): a GAN that restyles a clip, from a reference clip or from noise.
+"""Diverse motion stylisation (Park, Jang and Lee 2021): a GAN that restyles a clip by a reference clip or by noise.
 
 >>> motions = tk.stylization.build(tk.datasets.load("bandai", dataset=2), mirror=True)
 >>> run = tk.stylization.fit(motions, tk.stylization.Config.quick())

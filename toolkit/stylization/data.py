@@ -1,7 +1,7 @@
-"""Motion as the networks of Park et al. 2021 see it (section 4): windows of positions and rotations, seen from the root.
+"""Motion features of Park et al. 2021 (section 4): windows of joint positions and rotations in the root frame.
 
-A motion is ``x [7, T, N]`` at 30 Hz: of every joint its position (metres) and its unit quaternion in the root frame, the
-root projected on the ground. The root's own velocity is kept aside and never changed. End Sites are left out.
+A motion is ``x [7, T, N]`` at 30 Hz: the position (metres) and the unit quaternion of every joint in the root frame, whose
+origin is the root on the ground. The velocity of the root is stored beside it and never changed. End Sites have no features.
 """
 
 import dataclasses
@@ -21,14 +21,13 @@ from toolkit.stylization.graph import SkeletonGraph
 FPS = 30.0
 FRAMES = 64  # T of a training window
 CHANNELS = 7  # position 3, quaternion 4
-LEAST_STD = 0.01  # metres or quaternion components: what hardly varies is not blown up; the root's x and z are always 0
+LEAST_STD = 0.01  # metres or quaternion components, so that nearly constant features are not amplified
 
 
 class Statistics(nn.Module):
-    """Mean pose and standard deviation ``[7, 1, N]``: between physical units and the z-scores that networks work on.
+    """Mean pose and standard deviation ``[7, 1, N]``, to convert between physical units and z-scores.
 
-    q and −q are the same rotation; `apply` gives every joint's quaternions the sign nearest to the mean pose, one sign per
-    joint and motion.
+    q and −q are the same rotation: `apply` chooses the sign nearest to the mean pose, once per joint and motion.
     """
 
     def __init__(self, mean: Tensor, std: Tensor):
@@ -43,7 +42,7 @@ class Statistics(nn.Module):
         return (x * torch.cat((torch.ones_like(x[..., :3, :1, :]), sign), -3) - self.mean) / self.std
 
     def invert(self, z: Tensor) -> Tensor:
-        """Motions ``[..., 7, T, N]`` in physical units of z-scores; the quaternions are made unit ones."""
+        """Motions ``[..., 7, T, N]`` in physical units from z-scores, with unit quaternions."""
         x = z * self.std + self.mean
         return torch.cat((x[..., :3, :, :], nn.functional.normalize(x[..., 3:, :, :], dim=-3)), -3)
 
@@ -52,9 +51,9 @@ class Statistics(nn.Module):
 class Motions:
     """M labelled windows of one skeleton.
 
-    ``x [M, 7, T, N]`` physical units; ``root_velocity [M, T, 3]`` from each frame to the next in its root frame (x and z in
-    m/s, turn about the vertical in rad/s); ``domain``, ``content``, ``take [M]`` are whole numbers: the style's place in
-    ``domains``, the gait's in ``contents``, and which recording it was cut from (a mirror image has its original's number).
+    ``x [M, 7, T, N]``, physical units; ``root_velocity [M, T, 3]`` from each frame to the next in its root frame (x and z in
+    m/s, turn about the vertical in rad/s); ``domain``, ``content``, ``take [M]``, int: the index of the style in
+    ``domains``, of the gait in ``contents``, and of the recording (a mirror image has the index of its original).
     """
 
     graph: SkeletonGraph
@@ -72,7 +71,7 @@ class Motions:
 
     @property
     def skeleton(self) -> Skeleton:
-        """Whose motion it is, without End Sites."""
+        """Skeleton of the motions, without End Sites."""
         return self.graph.skeleton
 
     def statistics(self) -> Statistics:
@@ -81,22 +80,22 @@ class Motions:
         return Statistics(x.mean((0, 2))[:, None].float(), x.std((0, 2))[:, None].float().clamp_min(LEAST_STD))
 
     def select(self, rows: Tensor) -> "Motions":
-        """Some of the windows, by a mask or by numbers; labels keep their meaning."""
-        names = ("x", "root_velocity", "domain", "content", "take")
-        return dataclasses.replace(self, **{name: getattr(self, name)[rows] for name in names})
+        """Some of the windows, by a mask or by indices, with the same domains and contents."""
+        chosen = {name: value[rows] for name, value in vars(self).items() if isinstance(value, Tensor)}
+        return dataclasses.replace(self, **chosen)
 
 
 def build(clips: Sequence[Clip], domains: Sequence[str] | None = None, mirror: bool = False) -> Motions:
-    """Windows of clips (section 4): 30 Hz, 64 frames, half overlapping; a shorter clip is padded with its end frames.
+    """Windows of clips (section 4): 30 Hz, 64 frames, half overlapping; a shorter clip repeats its first and last frame.
 
     Parameters
     ----------
     clips
-        Their ``style`` is the domain, their ``gait`` the content.
+        The ``style`` of a clip is its domain, the ``gait`` its content.
     domains
-        Styles to keep, in the order of their numbers; all of the clips', sorted, where not given.
+        Styles to keep, in the order of their indices; by default all, sorted.
     mirror
-        Add every clip's mirror image (its content has left and right exchanged too).
+        Add the mirror image of every clip; left and right are exchanged in its content, too.
 
     Raises
     ------
@@ -130,13 +129,7 @@ def prepare(clip: Clip) -> Clip:
 
 
 def check_skeleton(clip: Clip, skeleton: Skeleton) -> None:
-    """Refuse a clip (without End Sites) whose body is not the one expected: other joints, or bones of other lengths.
-
-    Raises
-    ------
-    ValueError
-        Saying what differs.
-    """
+    """Check that a clip (without End Sites) has the expected joints and bone lengths; ValueError with the difference."""
     own = clip.skeleton
     if own.names != skeleton.names or own.parents != skeleton.parents:
         odd = sorted(set(own.names) ^ set(skeleton.names))
@@ -149,21 +142,21 @@ def check_skeleton(clip: Clip, skeleton: Skeleton) -> None:
 
 
 def describe(clip: Clip) -> tuple[Tensor, Tensor]:
-    """``x [7, F, N]`` and ``root_velocity [F, 3]`` of a prepared clip; quaternions keep their sign from frame to frame."""
+    """``x [7, F, N]`` and ``root_velocity [F, 3]`` of a prepared clip; the quaternions of a joint are continuous."""
     roots = root_frames(clip)
     turned = R.multiply(R.inverse(roots.rotations)[:, None], clip.global_rotations)
     x = torch.cat((roots.to_local(clip.global_positions), R.unroll(turned)), -1).permute(2, 0, 1)
     velocity = torch.zeros(len(clip), 3)
     if len(clip) > 1:
         steps = R.rotate(R.inverse(roots.rotations[:-1]), roots.positions.diff(dim=0)) * FPS
-        sin, cos = heading(R.multiply(R.inverse(roots.rotations[:-1]), roots.rotations[1:]))
-        velocity[:-1] = torch.stack((steps[:, 0], steps[:, 2], torch.atan2(sin, cos) * FPS), -1)
+        turn = torch.atan2(*heading(R.multiply(R.inverse(roots.rotations[:-1]), roots.rotations[1:]))) * FPS
+        velocity[:-1] = torch.stack((steps[:, 0], steps[:, 2], turn), -1)
         velocity[-1] = velocity[-2]
     return x.contiguous(), velocity
 
 
 def windows(clip: Clip, frames: int = FRAMES) -> tuple[Tensor, Tensor]:
-    """``[M, 7, T, N]`` and ``[M, T, 3]``: one every half window of a prepared clip; a shorter one is padded, at rest."""
+    """``[M, 7, T, N]`` and ``[M, T, 3]``: a window every half window of a prepared clip; padding has no root velocity."""
     x, velocity = describe(clip)
     if (lack := frames - len(clip)) > 0:
         front, back = lack // 2, lack - lack // 2
@@ -174,19 +167,19 @@ def windows(clip: Clip, frames: int = FRAMES) -> tuple[Tensor, Tensor]:
 
 
 def to_clip(x: Tensor, root_velocity: Tensor, source: Clip) -> Clip:
-    """The clip that `describe` describes: its inverse, with the skeleton's bones.
+    """The clip of features: the inverse of `describe`, with the skeleton's bones.
 
-    A network's positions and rotations agree only roughly. As in the paper's figures the positions count: each bone that has
-    no sibling points from its beginning to its predicted end, and the rotations say how it is twisted about itself.
+    The positions and rotations of a network agree only roughly. As in the paper's figures the positions take precedence: a
+    bone without siblings points at its predicted end, and the rotation gives only its twist.
 
     Parameters
     ----------
     x : Tensor [7, F, N]
-        Of the root joint the rotation and the height are read.
+        Features; those of the root joint give its rotation and height.
     root_velocity : Tensor [F, 3]
-        Added up from where the source starts.
+        Integrated from the first frame of the source.
     source
-        A prepared clip: gives skeleton, start and labels.
+        A prepared clip with the skeleton, the start and the labels.
 
     Returns
     -------
@@ -194,10 +187,9 @@ def to_clip(x: Tensor, root_velocity: Tensor, source: Clip) -> Clip:
         F frames at 30 Hz.
     """
     first = root_frames(source.cut(0, 1))
-    sin, cos = heading(first.rotations[0])
-    turn = torch.cat((torch.atan2(sin, cos)[None].double(), root_velocity[:-1, 2].double() / FPS)).cumsum(0)
-    rotations = R.yaw(turn)
-    steps = R.rotate(rotations[:-1], _on_floor(root_velocity[:-1, :2].double() / FPS))
+    dx, dz, turn = (root_velocity[:-1].double() / FPS).T
+    rotations = R.yaw(torch.cat((torch.atan2(*heading(first.rotations)).double(), turn)).cumsum(0))
+    steps = R.rotate(rotations[:-1], torch.stack((dx, torch.zeros_like(dx), dz), -1))
     root = torch.cat((first.positions.double(), steps)).cumsum(0).float()
     facing = rotations.float()[:, None]
     wanted = R.rotate(facing, x[:3].permute(1, 2, 0)) + root[:, None]
@@ -208,7 +200,7 @@ def to_clip(x: Tensor, root_velocity: Tensor, source: Clip) -> Clip:
 
 
 def _aimed(skeleton: Skeleton, world: Tensor, root: Tensor, wanted: Tensor) -> Tensor:
-    """World rotations ``[F, N, 4]`` turned so that bones without siblings point at their ends' ``wanted`` positions."""
+    """World rotations ``[F, N, 4]``, corrected so that bones without siblings point at the ``wanted`` positions."""
     positions = root[:, None].expand_as(wanted).clone()
     for joints, parents in skeleton.levels(world.device):
         alone = torch.tensor([skeleton.parents.count(p) == 1 for p in parents.tolist()])
@@ -221,9 +213,9 @@ def _aimed(skeleton: Skeleton, world: Tensor, root: Tensor, wanted: Tensor) -> T
 
 
 def split(motions: Motions, share: float, seed: int) -> tuple[Motions, Motions]:
-    """Two sets of windows that share no take; the second has about ``share`` of every domain's takes of every content.
+    """Two sets of windows with different takes; the second has about ``share`` of the takes of every domain and content.
 
-    A take is never divided, nor parted from its mirror image. The same seed gives the same split.
+    A take and its mirror image are in the same set. The same seed gives the same split.
 
     Raises
     ------
@@ -233,19 +225,14 @@ def split(motions: Motions, share: float, seed: int) -> tuple[Motions, Motions]:
     if not 0 < share < 1:
         raise ValueError(f"the share of the second part must lie between 0 and 1, got {share}")
     second = torch.zeros(int(motions.take.max()) + 1, dtype=torch.bool)
-    originals = {int(t): (int(d), int(c)) for d, c, t in zip(motions.domain.flip(0), motions.content.flip(0),
-                                                              motions.take.flip(0), strict=True)}
+    labels = torch.stack((motions.take, motions.domain, motions.content), 1).flip(0).tolist()
+    originals = {t: (d, c) for t, d, c in labels}  # the original's labels, which come before its mirror image's
     for d, c in sorted(set(originals.values())):
         takes = torch.tensor(sorted(t for t, kind in originals.items() if kind == (d, c)))
         order = torch.randperm(len(takes), generator=generator(seed, d, c))
         second[takes[order[: round(share * len(takes))]]] = True
     mask = second[motions.take]
     return motions.select(~mask), motions.select(mask)
-
-
-def _on_floor(points: Tensor) -> Tensor:
-    """``[F, 3]`` of (x, z) ``[F, 2]``, at height 0."""
-    return torch.stack((points[:, 0], torch.zeros_like(points[:, 0]), points[:, 1]), -1)
 
 
 def _mirrored(clip: Clip) -> Clip:
@@ -255,7 +242,7 @@ def _mirrored(clip: Clip) -> Clip:
 
 
 def _same_sign(x: Tensor) -> Tensor:
-    """Every joint's quaternions on the side of their principal direction, one sign per window."""
+    """The quaternions of every joint with the sign of their principal direction, one sign per window."""
     q = x[:, 3:]
     principal = torch.linalg.eigh(torch.einsum("mctn,mdtn->ncd", q, q))[1][..., -1].T
     sign = torch.where((q * principal[:, None]).sum((1, 2), keepdim=True) < 0, -1.0, 1.0)

@@ -17,10 +17,10 @@ SUBSETS = 3  # the joint itself, the neighbour towards the root, the neighbours 
 
 @dataclass(frozen=True, eq=False)
 class SkeletonGraph:
-    """A skeleton at three resolutions, 21 → 10 → 5 nodes for 21 joints. Make one with `SkeletonGraph.of`.
+    """A skeleton at three resolutions, for example 21, 10 and 5 nodes; made by `SkeletonGraph.of`.
 
-    ``parents[level]`` holds the tree of a level's nodes, the root first with -1; ``clusters[level]`` says for each of them
-    into which node of the next level it is pooled.
+    ``parents[level]`` are the parents of a level's nodes, -1 for the root, which is first. ``clusters[level]`` has for each
+    node the node of the next level into which it is pooled.
     """
 
     skeleton: Skeleton
@@ -30,9 +30,9 @@ class SkeletonGraph:
 
     @classmethod
     def of(cls, skeleton: Skeleton) -> "SkeletonGraph":
-        """The graph of any skeleton (section 5.2): consecutive joints are pooled in pairs, only within a `body_parts` chain.
+        """The graph of any skeleton (section 5.2): consecutive joints of a chain of `body_parts` are pooled in pairs.
 
-        A chain of odd length gives its first node one joint more; a chain of one node stays one.
+        In a chain of odd length the first node gets three joints; a chain of one node is not pooled.
         """
         chains, parents, clusters = body_parts(skeleton.parents), [tuple(skeleton.parents)], []
         for _ in range(POOLINGS):
@@ -52,7 +52,7 @@ class SkeletonGraph:
     def adjacency(self, level: int) -> Tensor:
         """``[3, N, N]``: self, towards the root, away from it. ``x @ adjacency[k]`` is the mean over subset k (equation 1).
 
-        Entry (v, w) is how much node v gives to node w; a column sums to 1, or to 0 where the subset has no node.
+        Entry (v, w) is the weight of node v in the mean of node w. A column sums to 1, or to 0 if the subset is empty.
         """
         parents = torch.tensor(self.parents[level])
         child = torch.arange(1, len(parents))
@@ -73,10 +73,10 @@ class SkeletonGraph:
 
 
 def body_parts(parents: Sequence[int]) -> list[list[int]]:
-    """Chains of joints that make up a body: its trunk and its limbs, from the shape of the tree alone.
+    """Chains of joints: the trunk and the limbs of a body, found from the shape of the tree alone.
 
-    From the root a chain goes on with the largest subtree that has no sibling of the same shape: limbs come in pairs and so
-    begin chains of their own, while the spine runs on between the legs and between the arms up to the head.
+    A chain starts at the root and continues with the largest subtree that has no sibling of the same shape. Limbs come in
+    pairs, so each starts a new chain; the spine continues between the legs and between the arms up to the head.
     """
     children: list[list[int]] = [[] for _ in parents]
     for joint, parent in enumerate(parents[1:], 1):

@@ -1,7 +1,6 @@
 """Spatial-temporal graph convolutions and the residual blocks made of them (Park et al. 2021, section 5 and Table 3).
 
-Inside the networks a motion is ``[B, C, N, T]``, T contiguous: then each node's time line is one stretch of memory, and
-mixing nodes is one matrix product.
+The networks store a motion as ``[B, C, N, T]``: the frames of a node are contiguous, and one matrix product mixes nodes.
 """
 
 import math
@@ -16,9 +15,10 @@ SLOPE = 0.2  # of the leaky ReLU
 
 
 class GraphConv(nn.Module):
-    """Spatial graph convolution (equation 1): the mean over each of the three subsets, times weights of its own.
+    """Spatial graph convolution (equation 1): the mean over each of the three subsets, each with its own weights.
 
-    With ``pool`` nodes are pooled in the same product; as all of it is linear, channels can be mixed where nodes are few.
+    With ``pool`` the same product pools the nodes. The layer is linear, so channels are mixed after pooling, which costs
+    less.
     """
 
     def __init__(self, inputs: int, outputs: int, graph: SkeletonGraph, level: int, pool: bool = False):
@@ -36,7 +36,7 @@ class GraphConv(nn.Module):
 class AdaIN(nn.Module):
     """Adaptive instance normalisation (equation 4): (1 + γ) IN(x) + β, with γ and β linear in the style code.
 
-    As METHOD says; equation 4 of the paper prints mean and deviation in each other's place.
+    Equation 4 of the paper prints mean and deviation in each other's place.
     """
 
     def __init__(self, code: int, channels: int):
@@ -49,55 +49,43 @@ class AdaIN(nn.Module):
         return (1 + gamma) * functional.instance_norm(x) + beta
 
 
-class SpatialTemporal(nn.Module):
-    """One ST-GCN unit: graph convolution, resampling, leaky ReLU, temporal convolution of width 3."""
-
-    def __init__(self, inputs: int, outputs: int, graph: SkeletonGraph, level: int, resample: str = ""):
-        super().__init__()
-        self.resample = Resample(graph, level, resample)
-        from_level = level + 1 if resample == "up" else level
-        self.spatial = GraphConv(inputs, outputs, graph, from_level, pool=resample == "down")
-        self.temporal = nn.Conv2d(outputs, outputs, (1, 3), padding=(0, 1))
-
-    def forward(self, x: Tensor) -> Tensor:
-        """``[B, outputs, N', T']`` of ``[B, inputs, N, T]``."""
-        x = self.resample.nodes(self.spatial(self.resample.frames_down(x)))
-        return self.temporal(functional.leaky_relu(self.resample.frames_up(x), SLOPE))
-
-
 class Resample(nn.Module):
-    """Graph pooling and unpooling (section 5.2) between ``level`` and the next: means down, copies up; in time linear up.
+    """Graph pooling (``"down"``) and unpooling (``"up"``) between ``level`` and the next (section 5.2).
 
-    Samples lie where their time is (the mean of frames 0 and 1 between them), while the published code stretches them to the
-    ends; so foot contacts stay in place, and a long clip is restyled as its parts would be.
+    Down, nodes and pairs of frames are averaged. Up, nodes are copied and frames interpolated linearly. A new sample lies
+    where its time is: the mean of frames 0 and 1 is half way between them. The published code stretches the samples to the
+    ends. Here foot contacts keep their times, and a long clip is restyled like its parts.
     """
 
     def __init__(self, graph: SkeletonGraph, level: int, direction: str):
         super().__init__()
-        self.direction = direction
-        pooled = {"down": graph.pool, "up": graph.unpool}.get(direction)
-        self.register_buffer("matrix", pooled(level).T.contiguous() if pooled else None, persistent=False)
+        self.down = direction == "down"
+        matrix = graph.pool(level) if self.down else graph.unpool(level)
+        self.register_buffer("matrix", matrix.T.contiguous(), persistent=False)
 
-    def nodes(self, x: Tensor) -> Tensor:
-        """Nodes copied, on the way up; on the way down `GraphConv` pools them."""
-        return self.matrix @ x if self.direction == "up" else x
-
-    def frames_down(self, x: Tensor) -> Tensor:
-        """Pairs of frames averaged, on the way down."""
-        return functional.avg_pool2d(x, (1, 2)) if self.direction == "down" else x
-
-    def frames_up(self, x: Tensor) -> Tensor:
-        """Twice the frames, on the way up."""
-        if self.direction != "up":
-            return x
+    def forward(self, x: Tensor) -> Tensor:
+        """``[B, C, N', T']`` of ``[B, C, N, T]``."""
+        if self.down:
+            return self.matrix @ functional.avg_pool2d(x, (1, 2))
+        x = self.matrix @ x
         before, after = torch.cat((x[..., :1], x[..., :-1]), -1), torch.cat((x[..., 1:], x[..., -1:]), -1)
         return torch.stack((torch.lerp(x, before, 0.25), torch.lerp(x, after, 0.25)), -1).flatten(-2)
 
+
+class SpatialTemporal(nn.Module):
+    """One ST-GCN unit: graph convolution, resampling, leaky ReLU, temporal convolution of width 3."""
+
+    def __init__(self, inputs: int, outputs: int, graph: SkeletonGraph, level: int, direction: str = ""):
+        super().__init__()
+        down, up = direction == "down", direction == "up"
+        self.before = nn.AvgPool2d((1, 2)) if down else nn.Identity()  # frames only: the graph convolution pools the nodes
+        self.spatial = GraphConv(inputs, outputs, graph, level + 1 if up else level, pool=down)
+        self.after = Resample(graph, level, "up") if up else nn.Identity()
+        self.temporal = nn.Conv2d(outputs, outputs, (1, 3), padding=(0, 1))
+
     def forward(self, x: Tensor) -> Tensor:
-        """Nodes and frames."""
-        if self.direction == "down":
-            return self.matrix @ self.frames_down(x)
-        return self.frames_up(self.nodes(x))
+        """``[B, outputs, N', T']`` of ``[B, inputs, N, T]``."""
+        return self.temporal(functional.leaky_relu(self.after(self.spatial(self.before(x))), SLOPE))
 
 
 class Block(nn.Module):
@@ -108,7 +96,7 @@ class Block(nn.Module):
     inputs, outputs
         Channels.
     graph, level
-        The finer of the two levels it stands between.
+        The finer of the two levels that the block connects.
     direction
         ``"down"`` (ST-Resblk) or ``"up"`` (ST-AdaINResblk).
     norm
@@ -134,19 +122,8 @@ class Block(nn.Module):
         style = () if code is None else (code,)
         residual = self.first(functional.leaky_relu(self.norms[0](x, *style), SLOPE))
         residual = self.second(functional.leaky_relu(self.norms[1](residual, *style), SLOPE))
-        down = self.resample.direction == "down"
-        shortcut = self.shortcut(self.resample(x)) if down else self.resample(self.shortcut(x))
+        shortcut = self.shortcut(self.resample(x)) if self.resample.down else self.resample(self.shortcut(x))
         return (shortcut + residual) / math.sqrt(2)
-
-
-class Trunk(nn.Sequential):
-    """What E and D share in shape (Table 3b, d): 1×1 convolution and two ST-Resblks, then a leaky ReLU.
-
-    ``[B, 4 C, N/4, T/4]`` of z-scores ``[B, 7, T, N]``.
-    """
-
-    def __init__(self, graph: SkeletonGraph, channels: int, norm: str = "none"):
-        super().__init__(Lift(channels), *encoder_blocks(graph, channels, norm), nn.LeakyReLU(SLOPE))
 
 
 class Lift(nn.Conv2d):
@@ -156,13 +133,19 @@ class Lift(nn.Conv2d):
         super().__init__(7, channels, 1)
 
     def forward(self, x: Tensor) -> Tensor:
-        """From the outer layout to the inner one."""
+        """Convolution in the layout ``[B, C, N, T]``."""
         return super().forward(x.transpose(2, 3))
 
 
-def encoder_blocks(graph: SkeletonGraph, channels: int, norm: str) -> list[Block]:
-    """The ST-Resblks on the way down."""
-    return [Block(channels << level, channels << level + 1, graph, level, "down", norm) for level in range(POOLINGS)]
+def encoder(graph: SkeletonGraph, channels: int, norm: str = "none") -> nn.Sequential:
+    """1×1 convolution and two ST-Resblks (Table 3a, b, d): ``[B, 4 C, N/4, T/4]`` of z-scores ``[B, 7, T, N]``."""
+    blocks = (Block(channels << k, channels << k + 1, graph, k, "down", norm) for k in range(POOLINGS))
+    return nn.Sequential(Lift(channels), *blocks)
+
+
+def trunk(graph: SkeletonGraph, channels: int) -> nn.Sequential:
+    """First layers of E, D and the classifiers (Table 3b, d): `encoder`, then a leaky ReLU."""
+    return nn.Sequential(*encoder(graph, channels), nn.LeakyReLU(SLOPE))
 
 
 def he_init(network: nn.Module) -> None:

@@ -1,7 +1,7 @@
 """The losses of Park et al. 2021 (section 6.2), each a mean over the batch and over a motion's or a code's numbers.
 
-Where the paper writes a norm, ours is the mean: of squares for the two content losses, of magnitudes for L1. So the numbers
-do not depend on batch, frames or joints, and weights of 1 make them comparable.
+Where the paper writes a norm, these losses take a mean: of squares for the two content losses, of magnitudes for L1. So they
+do not depend on the numbers of frames and joints, and are comparable with weights of 1.
 """
 
 import torch
@@ -9,7 +9,7 @@ from torch import Tensor
 from torch.nn import functional
 
 LOSSES = ("adv", "cyc", "id", "sty", "ds")  # equations 7 to 11
-DIVERSE = 0.5  # deviations of the data
+DIVERSE = 0.5  # bound of the diversity loss, standard deviations of the data
 
 
 def discriminator(real: Tensor, fake: Tensor) -> Tensor:
@@ -18,14 +18,14 @@ def discriminator(real: Tensor, fake: Tensor) -> Tensor:
 
 
 def adversarial(fake: Tensor) -> Tensor:
-    """Adversarial loss of G: how sure D is that its motions are not real; −log D, which does not fade where D is right."""
+    """Adversarial loss of G: −log D of its motions, whose gradient does not vanish where D is right."""
     return functional.softplus(-fake).mean()
 
 
 def r1(real: Tensor, x: Tensor) -> Tensor:
-    """R1 of D: half the squared gradient of its logits ``real [B]`` by the real motions ``x``, summed over each motion.
+    """R1 regularisation of D: half the squared gradient of its logits ``real [B]`` by the real motions ``x``, per motion.
 
-    Not in the paper's equations; the published code has it.
+    The paper's equations do not have it; the published code does.
     """
     (slope,) = torch.autograd.grad(real.sum(), x, create_graph=True)
     return slope.square().flatten(1).sum(1).mean() / 2
@@ -37,14 +37,14 @@ def content(x: Tensor, rebuilt: Tensor) -> Tensor:
 
 
 def style(code: Tensor, found: Tensor) -> Tensor:
-    """Style reconstruction loss (equation 10): mean distance of the code asked for and the code found, ``[B, S]``."""
+    """Style reconstruction loss (equation 10): mean distance of the target codes and the codes found, ``[B, S]``."""
     return functional.l1_loss(found, code)
 
 
 def diversity(first: Tensor, second: Tensor) -> Tensor:
-    """Diversity-sensitive loss (equation 11), to be maximised: mean difference of what two codes make of a motion.
+    """Diversity-sensitive loss (equation 11), to be maximised: mean difference of a motion's results with two codes.
 
-    Departure from equation 11: a motion counts at most `DIVERSE`, the bound that the loss had where it comes from (Yang et
-    al. 2019). Without, over short runs, it wins over the adversarial loss and drives motions apart without end.
+    Departure from equation 11: the term of a motion is at most `DIVERSE`, as in the paper that introduced this loss (Yang et
+    al. 2019). Without the bound it exceeds the adversarial loss in short runs, and the results diverge.
     """
     return (first - second).abs().mean((1, 2, 3)).clamp(max=DIVERSE).mean()

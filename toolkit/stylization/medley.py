@@ -1,4 +1,4 @@
-"""Long motions of several contents, out of clips of one: heterogeneous motion, as in Figure 5 of Park et al. 2021."""
+"""Concatenation of clips to one long motion of several contents (heterogeneous motion, Park et al. 2021, Figure 5)."""
 
 from collections.abc import Sequence
 
@@ -9,24 +9,24 @@ from toolkit.motion import rotations as R
 
 
 def medley(clips: Sequence[Clip], overlap: float = 0.5) -> Clip:
-    """One clip of several, each put where the one before has come to, facing the same way, and faded into it.
+    """Several clips in one: each starts where the clip before it ends, with the same facing, and the two are cross-faded.
 
     Parameters
     ----------
     clips
-        Of one skeleton and rate.
+        Clips of one skeleton and rate.
     overlap
-        Seconds in which one clip's poses and path fade into the next one's.
+        Duration of a cross-fade of poses and paths, seconds.
 
     Returns
     -------
     Clip
-        Labelled like the first, its ``gait`` all gaits in their order.
+        With the labels of the first clip, but a ``gait`` that lists all gaits.
 
     Raises
     ------
     ValueError
-        If there is no clip, they differ in skeleton or rate, or one is shorter than its fades.
+        If there is no clip, the clips differ in skeleton or rate, or one is shorter than its cross-fades.
     """
     if not clips or any((c.skeleton.names, c.fps) != (clips[0].skeleton.names, clips[0].fps) for c in clips):
         rates = ", ".join(sorted({f"{c.fps:g} Hz" for c in clips}))

@@ -13,15 +13,15 @@ from toolkit.motion import Skeleton
 from toolkit.motion.tensors import summary
 from toolkit.stylization.data import CHANNELS, FRAMES, Statistics
 from toolkit.stylization.graph import POOLINGS, SkeletonGraph
-from toolkit.stylization.layers import SLOPE, AdaIN, Block, Lift, Trunk, encoder_blocks, he_init
+from toolkit.stylization.layers import SLOPE, AdaIN, Block, encoder, he_init, trunk
 
 SHRINK = 2**POOLINGS  # frames per frame of the coarsest level
-CALM = 0.3
+CODE_GAIN = 0.3  # share of He's deviation for layers that write or read style codes
 
 
 @dataclass(frozen=True)
 class Sizes:
-    """How large the networks are; the defaults are the paper's (Table 3)."""
+    """Sizes of the networks; the defaults are the paper's (Table 3)."""
 
     channels: int = 64  # of the finest level; each pooling doubles them
     code: int = 64  # length of a style code
@@ -35,20 +35,20 @@ class Sizes:
 
     @classmethod
     def small(cls) -> "Sizes":
-        """A fifteenth of the parameters, for a processor."""
+        """A fifteenth of the parameters, for training on a CPU."""
         return cls(channels=16, hidden=128)
 
 
 class Generator(nn.Module):
     """Motion stylizer G (Table 3a): content encoder with IN, decoder with AdaIN; z-scores in and out.
 
-    The skip connections that the paper speaks of are the blocks' shortcuts, which no normalisation touches.
+    The skip connections of the paper are the shortcuts of the blocks, which have no normalisation.
     """
 
     def __init__(self, graph: SkeletonGraph, sizes: Sizes):
         super().__init__()
         c = sizes.channels
-        self.encoder = nn.Sequential(Lift(c), *encoder_blocks(graph, c, "in"))
+        self.encoder = encoder(graph, c, "in")
         self.decoder = nn.ModuleList(Block(c << level + 1, c << level, graph, level, "up", "adain", sizes.code)
                                      for level in reversed(range(POOLINGS)))
         self.lower = nn.Conv2d(c, CHANNELS, 1)
@@ -69,15 +69,15 @@ class Generator(nn.Module):
 
 
 class Summary(nn.Module):
-    """Trunk of E and D and the convolution over all that is left of the graph: ``[B, 4 C]`` of z-scores ``[B, 7, T, N]``.
+    """Trunk of E and D and a convolution over the whole pooled graph: ``[B, 4 C]`` of z-scores ``[B, 7, T, N]``.
 
-    At T = 64 that convolution has one place, as in Table 3; of a longer motion the mean over its places is taken.
+    At T = 64 this convolution has one output frame, as in Table 3; a longer motion gives the mean over its output frames.
     """
 
     def __init__(self, graph: SkeletonGraph, sizes: Sizes):
         super().__init__()
         width = sizes.channels << POOLINGS
-        self.trunk = Trunk(graph, sizes.channels)
+        self.trunk = trunk(graph, sizes.channels)
         self.whole = nn.Conv2d(width, width, (graph.sizes[-1], FRAMES // SHRINK))
 
     def forward(self, x: Tensor) -> Tensor:
@@ -86,7 +86,7 @@ class Summary(nn.Module):
 
 
 class StyleEncoder(nn.Module):
-    """Style encoder E (Table 3b, equation 5): the style code of a motion, for the domain that it belongs to."""
+    """Style encoder E (Table 3b, equation 5): the style code of a motion of a given domain."""
 
     def __init__(self, graph: SkeletonGraph, sizes: Sizes, domains: int):
         super().__init__()
@@ -101,7 +101,7 @@ class StyleEncoder(nn.Module):
 
 
 class MappingNetwork(nn.Module):
-    """Mapping network F (Table 3c, equation 6): a style code of random noise, for the domain asked for."""
+    """Mapping network F (Table 3c, equation 6): a style code from random noise, for a given domain."""
 
     def __init__(self, sizes: Sizes, domains: int):
         super().__init__()
@@ -117,9 +117,9 @@ class MappingNetwork(nn.Module):
 
 
 class Discriminator(nn.Module):
-    """Discriminator D (Table 3d): the logit that a motion is a real one of a domain.
+    """Discriminator D (Table 3d): the logit that a motion is a real motion of a domain.
 
-    Table 3d lists a last layer from D domains to D domains, which the published code does not have; nor does ours.
+    Table 3d lists a last layer from D domains to D domains. The published code does not have it, and neither does this one.
     """
 
     def __init__(self, graph: SkeletonGraph, sizes: Sizes, domains: int):
@@ -133,10 +133,9 @@ class Discriminator(nn.Module):
 
 
 class Stylizer(nn.Module):
-    """G, E and F with the graph, the statistics and the names of the domains: all that restyling needs.
+    """G, E and F with the graph, the statistics and the names of the domains: a whole model, made by `build`.
 
-    `translate`, `code_of` and `code_from` speak physical units; ``generator``, ``encoder`` and ``mapping``, for training,
-    z-scores. Make one with `build`.
+    `translate`, `code_of` and `code_from` use physical units; ``generator``, ``encoder`` and ``mapping`` use z-scores.
     """
 
     def __init__(self, graph: SkeletonGraph, domains: tuple[str, ...], sizes: Sizes, statistics: Statistics):
@@ -153,11 +152,11 @@ class Stylizer(nn.Module):
 
     @property
     def skeleton(self) -> Skeleton:
-        """The body it moves, without End Sites."""
+        """The skeleton of its motions, without End Sites."""
         return self.graph.skeleton
 
     def domain(self, name: str | int | Tensor) -> Tensor:
-        """Numbers ``[B]`` or ``[1]`` of domains: of a name, of a number, or as they are.
+        """Numbers ``[B]`` or ``[1]`` of domains, from a name, a number or numbers.
 
         Raises
         ------
@@ -191,25 +190,25 @@ class Stylizer(nn.Module):
         return self.mapping(z, self.domain(domain).expand(len(z)))
 
     def parts(self) -> tuple[dict[str, Tensor], dict]:
-        """Its tensors and its description, as `toolkit.io.model_files` stores them."""
+        """Its tensors and its description, in the form of `toolkit.io.model_files`."""
         s = self.skeleton
         body = {"names": s.names, "parents": s.parents, "offsets": s.offsets.tolist(), "roles": s.roles}
         description = {"domains": self.domains, "sizes": dataclasses.asdict(self.sizes), "skeleton": body}
         return {f"stylizer.{k}": v for k, v in self.state_dict().items()}, description
 
     def save(self, path: str | os.PathLike) -> None:
-        """Write weights, statistics, skeleton and names to one safetensors file."""
+        """Write weights, statistics, skeleton and domain names to one safetensors file."""
         tensors, description = self.parts()
         model_files.write(path, tensors, {"stylizer": description})
 
     @classmethod
     def load(cls, path: str | os.PathLike) -> "Stylizer":
-        """Read a stylizer, of `save` or of a training run; a file that holds none is a one-line ValueError."""
+        """Read a stylizer from a file of `save` or of a training run; ValueError for any other file."""
         return cls.from_parts(path, *model_files.read(path, "stylizer"))
 
     @classmethod
     def from_parts(cls, path: str | os.PathLike, tensors: dict[str, Tensor], parts: dict) -> "Stylizer":
-        """The stylizer among what `toolkit.io.model_files.read` returned for ``path``."""
+        """The stylizer in the result of `toolkit.io.model_files.read` for ``path``."""
         with model_files.intact(path, "the stylizer in it"):
             described = parts["stylizer"]
             graph = SkeletonGraph.of(Skeleton(**described["skeleton"]))
@@ -223,9 +222,10 @@ def build(graph: SkeletonGraph, domains: tuple[str, ...], sizes: Sizes | None = 
           statistics: Statistics | None = None) -> tuple[Stylizer, Discriminator]:
     """New networks; without statistics z-scores are physical units.
 
-    He-initialised from torch's global generator, with two departures that save iterations. G's last layer starts at zero, so
-    that G begins with the mean pose and not with noise, which D would spot before G has learnt anything. Layers that write
-    E's codes or read codes start at `CALM` of He's deviation: E's would spread over ±3, F's (by tanh) over less than ±1.
+    Weights are drawn from torch's global generator (He initialisation), with two departures that save iterations. The last
+    layer of G starts at zero, so the first outputs are the mean pose; D would reject noise before G has learnt anything. The
+    last layer of E and the layers that read codes start at `CODE_GAIN` of He's deviation: otherwise E's codes would spread
+    over ±3, while F's (after tanh) stay within ±1.
     """
     sizes = sizes or Sizes()
     shape = (CHANNELS, 1, graph.sizes[0])
@@ -236,5 +236,5 @@ def build(graph: SkeletonGraph, domains: tuple[str, ...], sizes: Sizes | None = 
     nn.init.zeros_(stylizer.generator.lower.weight)
     with torch.no_grad():
         for layer in (stylizer.encoder.branches, *(m.affine for m in stylizer.modules() if isinstance(m, AdaIN))):
-            layer.weight.mul_(CALM)
+            layer.weight.mul_(CODE_GAIN)
     return stylizer, discriminator

@@ -1,4 +1,4 @@
-"""Restyle a clip of any length: from a domain and noise, from a reference clip, or from a style code (Park et al. 2021)."""
+"""Restyle a clip of any length by a domain and noise, by a reference clip, or by a style code (Park et al. 2021)."""
 
 import torch
 from torch import Tensor
@@ -11,48 +11,38 @@ from toolkit.motion.ik import plant_feet
 from toolkit.stylization.data import FPS, FRAMES, check_skeleton, describe, prepare, to_clip, windows
 from toolkit.stylization.networks import SHRINK, Stylizer
 
-RELEASE = 0.25  # seconds in which a toe comes back from where it was held to where the network has it
+RELEASE = 0.25  # seconds from the locked place of a toe to its place in the network's output
 
 
-def stylize(
-    model: Stylizer,
-    clip: Clip,
-    domain: str | None = None,
-    seed: int = 0,
-    *,
-    reference: Clip | None = None,
-    code: Tensor | None = None,
-    feet: bool = True,
-) -> Clip:
-    """Restyle a clip.
-
-    The root's path is the source's (section 4), bones are the source's, and toes stand still while the source's do.
+def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 0, *, reference: Clip | None = None,
+            code: Tensor | None = None, feet: bool = True) -> Clip:
+    """Restyle a clip, with the root path (section 4), the bones and the foot contacts of the source.
 
     Parameters
     ----------
     model
-        What `toolkit.stylization.fit` made (its ``stylizer``) or `Stylizer.load` read.
+        The ``stylizer`` of `toolkit.stylization.fit` or `Stylizer.load`.
     clip
         The source, any rate and length, on the model's skeleton.
     domain, seed
-        Style and noise (equation 6); the same seed gives the same result.
+        Style, and seed of its noise (equation 6); the same seed gives the same result.
     reference
-        A clip whose style is taken (equation 5), of the domain given, or of the clip's own ``style`` where none is.
+        A clip with the target style (equation 5). Its domain is ``domain``, or its own ``style`` by default.
     code : Tensor [S]
-        A style code, of `style_code` or between such (section 7.1, style interpolation).
+        A style code of `style_code`, or an interpolation of such codes (section 7.1).
     feet
-        Whether to take away foot skate.
+        Whether to remove foot skate.
 
     Returns
     -------
     Clip
-        At the source's rate, on its skeleton, End Sites included.
+        At the source's rate and on its skeleton, with End Sites.
 
     Raises
     ------
     ValueError
-        If the clip has another skeleton or fewer frames than the pooling needs, the domain is unknown, or not exactly one
-        of domain, reference and code says which style.
+        If the clip has another skeleton or fewer frames than the pooling needs, the domain is unknown, or the style is not
+        given by exactly one of domain, reference and code.
     """
     source = prepare(clip)
     check_skeleton(source, model.skeleton)
@@ -63,11 +53,11 @@ def stylize(
     elif domain is not None or reference is not None or code.shape != (model.sizes.code,):
         raise ValueError(f"a style code is [{model.sizes.code}] and needs no domain or reference; got {list(code.shape)}")
     x, root_velocity = describe(source)
-    padded = functional.pad(x.transpose(1, 2), (0, -len(source) % SHRINK), mode="replicate").transpose(1, 2)
+    padded = torch.cat((x, x[:, -1:].expand(-1, -len(source) % SHRINK, -1)), 1)
     made = model.translate(padded[None], code[None])[0, :, : len(source)]
     result = to_clip(made, root_velocity, source)
     if feet:
-        result = hold_feet(result, source)
+        result = lock_feet(result, source)
     rotations = R.identity(len(result), len(clip.skeleton))
     rotations[:, [clip.skeleton.names.index(name) for name in source.skeleton.names]] = result.rotations
     style = domain or (reference.style if reference else "")
@@ -75,13 +65,7 @@ def stylize(
 
 
 def style_code(model: Stylizer, domain: str | None = None, seed: int = 0, *, reference: Clip | None = None) -> Tensor:
-    """The style code ``[S]`` that `stylize` uses for a domain and a seed, or for a reference clip.
-
-    Raises
-    ------
-    ValueError
-        If neither is given, the domain is unknown, or the reference has another skeleton.
-    """
+    """The style code ``[S]`` of `stylize` for a domain and a seed, or for a reference clip; its errors are the same."""
     if reference is None:
         if domain is None:
             raise ValueError(f"say which style: domain= (one of {', '.join(model.domains)}), reference= or code=")
@@ -93,18 +77,18 @@ def style_code(model: Stylizer, domain: str | None = None, seed: int = 0, *, ref
     return model.code_of(x, domain or reference.style)[0]
 
 
-def hold_feet(clip: Clip, source: Clip) -> Clip:
-    """Foot-skate removal (section 7): while a toe of the source stands, the clip's stands where it was on average meanwhile.
+def lock_feet(clip: Clip, source: Clip) -> Clip:
+    """Foot-skate removal (section 7): during a stance of the source, the toe is locked at its mean position in the clip.
 
-    A standing toe has the source's height, and none sinks below the source's lowest. Where standing toes are too high or too
-    low on the mean of `RELEASE` around a frame, the whole body is shifted, so that legs need not stretch. Before and after a
-    stance the shift of a toe fades over `RELEASE`. Legs are bent by `ik.plant_feet`, which keeps the bones' lengths
-    and the feet's orientation.
+    A standing toe has the height of the source's, and no toe is below the source's lowest. The whole body moves up or down
+    by the mean height error of standing toes within `RELEASE` of a frame, so that legs need not stretch. The shift of a toe
+    fades over `RELEASE` before and after a stance. `toolkit.motion.ik.plant_feet` bends the legs, with constant bone lengths
+    and foot orientations.
 
     Parameters
     ----------
     clip, source
-        Frame by frame the same motion, on one skeleton with toes.
+        Two clips of as many frames with the same timing, on one skeleton with toes.
     """
     standing = contacts.detect(source) > 0.5
     toes = [clip.skeleton.index(f"{side}_toe") for side in contacts.FEET]
@@ -124,23 +108,18 @@ def hold_feet(clip: Clip, source: Clip) -> Clip:
 
 
 def _shift(toe: Tensor, height: Tensor, standing: Tensor, release: int) -> Tensor:
-    """How far ``[F, 3]`` to move one toe: in each stance to one place, fading between stances as a raised cosine."""
-    if not standing.any():
-        return torch.zeros_like(toe)
-    frames = torch.arange(len(toe))
-    begins = standing & ~torch.cat((standing[:1] & False, standing[:-1]))
-    stance = begins.cumsum(0) - 1  # of every frame, the last stance that began
-    count = torch.zeros(int(begins.sum())).index_add(0, stance[standing], torch.ones(int(standing.sum())))
-    place = torch.zeros(len(count), 3).index_add(0, stance[standing], toe[standing]) / count[:, None]
-    place[:, 1] = torch.zeros(len(count)).index_add(0, stance[standing], height[standing]) / count
-    stood = frames[standing]
-    last = stood[(torch.searchsorted(stood, frames, right=True) - 1).clamp(min=0)]
-    following = stood[torch.searchsorted(stood, frames).clamp(max=len(stood) - 1)]
-    between = (last < frames) & (frames < following)
-    reach = torch.where(between, (following - last).clamp(max=release), release).float()
-
-    def fading(near: Tensor, reached: Tensor) -> Tensor:
-        share = ((frames - near).abs() / reach).clamp(max=1.0)
-        return (reached * (1 + torch.cos(torch.pi * share)) / 2)[:, None] * (place[stance[near]] - toe[near])
-
-    return fading(last, last <= frames) + fading(following, following > frames)
+    """Shift ``[F, 3]`` of one toe: to one place in each stance (first frame, frame after it), else a raised cosine."""
+    shift = torch.zeros_like(toe)
+    stances = functional.pad(standing.int(), (1, 1)).diff().nonzero().view(-1, 2).tolist()
+    for k, (begin, end) in enumerate(stances):
+        place = toe[begin:end].mean(0)
+        place[1] = height[begin:end].mean()
+        shift[begin:end] = place - toe[begin:end]
+        before = min(release, begin + 1 - stances[k - 1][1]) if k else release
+        after = min(release, stances[k + 1][0] + 1 - end) if k + 1 < len(stances) else release
+        for edge, way, fade in ((begin, -1, before), (end - 1, 1, after)):
+            away = torch.arange(1, fade)
+            away = away[(edge + way * away >= 0) & (edge + way * away < len(toe))]
+            weight = (1 + torch.cos(torch.pi * away / fade))[:, None] / 2
+            shift[edge + way * away] += weight * (place - toe[edge])
+    return shift
