@@ -10,24 +10,10 @@ from torch import Tensor
 
 from toolkit import phases as ph
 from toolkit.datasets import procedural
-from toolkit.evaluation import metrics
-from toolkit.motion import Clip, contacts
+from toolkit.evaluation.phases import KINDS, STILL, Row, kind, measure
 
 STAGGERING = ("Neutral", "Zombie")  # styles that are also measured with the random steps of the Drunk
 FREQUENCY_LIMIT, F1_LIMIT = 0.03, 0.95
-STILL = 0.02  # metres, root mean square distance from its mean position below which a hand has no phase
-KINDS = ("cyclic", "asymmetric", "no global phase", "one leg never touches", "stochastic")
-
-
-@dataclass(frozen=True)
-class Row:
-    """Errors of one clip: ``phase`` (degrees) and ``frequency`` (relative) ``[4]`` by source; NaN where undefined."""
-
-    name: str
-    kind: str
-    phase: dict[str, Tensor]
-    frequency: dict[str, Tensor]
-    f1: list[float]
 
 
 @dataclass(frozen=True)
@@ -89,42 +75,6 @@ def run(
           f"frequency {FREQUENCY_LIMIT:.0%}, F1 {F1_LIMIT}: {'; '.join(failed) or 'all kept'}")
 
 
-def measure(name: str, clip: Clip, truth: procedural.Truth, kind: str, sources: dict[str, ph.Source]) -> Row:
-    """Errors of all sources on one clip while it steps, without the first and the last second."""
-    pace = ph.windows.mean(truth.frequency.double(), ph.windows.SECOND, clip.fps)
-    inner = torch.arange(len(clip))
-    inner = (inner >= clip.fps) & (inner < len(clip) - clip.fps)
-    still = [_still(clip, limb) for limb in ph.LIMBS]
-    phase, frequency = {}, {}
-    for label, source in sources.items():
-        found = ph.extract(clip, source)
-        silent = found.vector.abs().amax((0, 2)) == 0
-        phase[label], frequency[label] = torch.full((2, 4), math.nan).unbind()
-        for limb in range(4):
-            stepping = inner & (pace[:, limb] > 0.2)
-            if still[limb] or silent[limb] or stepping.sum() < clip.fps:
-                continue
-            error, _ = metrics.phase_error(found.phase[stepping, limb], truth.phase[stepping, limb])
-            phase[label][limb] = math.degrees(error)
-            true = truth.frequency[stepping, limb].mean()
-            frequency[label][limb] = (found.frequency[stepping, limb].mean() / true - 1).abs()
-    found, true = contacts.detect(clip), truth.contacts
-    f1 = [float(2 * (found * true)[:, i].sum() / (found + true)[:, i].sum()) for i in range(2) if true[:, i].any()]
-    return Row(name, kind, phase, frequency, f1)
-
-
-def kind(style: procedural.Style) -> str:
-    """The one of `KINDS` of a style."""
-    if style.stagger > 0:
-        return "stochastic"
-    legs, arms = ([part("left"), part("right")] for part in (style.leg, style.arm))
-    if any(leg.raised for leg in legs):
-        return "one leg never touches"
-    if style.asymmetry or legs[0] != legs[1]:
-        return "asymmetric"
-    return "no global phase" if any(arm.ratio != 1 or arm.phase for arm in arms) else "cyclic"
-
-
 def failures(row: Row) -> list[str]:
     """The limits that a row exceeds, in words."""
     found = []
@@ -137,12 +87,6 @@ def failures(row: Row) -> list[str]:
     if min(row.f1) < F1_LIMIT:
         found.append(f"F1 {min(row.f1):.3f}")
     return found
-
-
-def _still(clip: Clip, limb: str) -> bool:
-    """Whether a hand hardly moves in the hips' frame."""
-    away = ph.local_positions(clip, limb)
-    return limb.endswith("hand") and float((away - away.mean(0)).square().sum(-1).mean().sqrt()) < STILL
 
 
 def _number(value: Tensor, unit: str, width: int) -> str:

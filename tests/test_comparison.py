@@ -68,26 +68,26 @@ def test_the_shared_error_against_a_slow_loop_and_of_the_mean(data):
     for name in ("lpn-film", "pfnn-resad", "mann-film"):
         model = tk.networks.build(name, data.layout, 3, models.SIZES["tiny"], tk.networks.normalisers(name, train))
         bank = tk.training.make_bank(model, train)
-        found = models.shared_error(model, bank, test, scale)["Zombie"]
+        found = tk.evaluation.models.shared_error(model, bank, test, scale)["Zombie"]
         p, z = model.observe(test.phases["Zombie"], test.outputs["Zombie"])
         made, total, count = model.predict(test.inputs["Zombie"], p, bank["Zombie"]), 0.0, 0
-        for block in models.SHARED:
+        for block in tk.evaluation.models.SHARED:
             own, std = model.layout.outputs[block], scale.std[data.layout.outputs[block]]
             total += float((((made - z)[:, own] / std) ** 2).sum())
             count += len(z) * len(std)
         assert found == pytest.approx(total / count, rel=1e-4)
         torch.nn.init.zeros_(model.experts.layers[-1].weight)  # now it predicts the mean
-        error = models.average(list(models.shared_error(model, bank, test, scale).values()))
-        assert error == pytest.approx(models.shared_baselines(data, 0.1, 0)["mean"], rel=1e-4)
+        error = models.average(list(tk.evaluation.models.shared_error(model, bank, test, scale).values()))
+        assert error == pytest.approx(tk.evaluation.models.shared_baselines(data, 0.1, 0)["mean"], rel=1e-4)
 
 
 def test_usual_speed_and_the_clips_nearest_to_it(data):
     n, still = data.layout.n_joints, torch.zeros(240, data.layout.n_joints, 3)
     ways = ((0.0, 1.2), (0.0, 0.8), (0.0, -1.0), (1.0, 0.1), (0.0, 1.3))
     clips = torch.stack([pack_joints(still, still, still, torch.tensor([x, 0.0, z]).expand(240, n, 3)) for x, z in ways])
-    assert models.usual_speed(clips) == pytest.approx(1.2)
-    assert models.usual_speed(clips[2:4]) == 1.0  # nobody walks ahead
-    chosen = models.nearest(clips, 1.25)
+    assert tk.evaluation.models.usual_speed(clips) == pytest.approx(1.2)
+    assert tk.evaluation.models.usual_speed(clips[2:4]) == 1.0  # nobody walks ahead
+    chosen = tk.evaluation.models.nearest(clips, 1.25)
     assert not any(torch.equal(clip, clips[2]) for clip in chosen)
     assert torch.equal(chosen[-1], clips[3])
 
@@ -268,3 +268,20 @@ def test_a_rolled_out_set_reads_back_as_100style(shared, tmp_path):
     clips = tk.datasets.load("100style", out)
     assert {(c.style, c.gait, len(c)) for c in clips} == {(s, g, 90) for s in ("Neutral", "Zombie") for g in hundred.GAITS}
     assert not any(info.symmetric for info in tk.datasets.style100.styles(out).values())
+
+
+def test_models_of_few_and_of_many_styles_are_compared_on_the_same_frames(data, tmp_path, monkeypatch):
+    seen = {}
+    monkeypatch.setattr(tk.features.splits, "SPLIT_FRAMES", 20)  # many windows to choose held-out frames from
+    monkeypatch.setattr(failures, "COUNTS", (1,))
+    monkeypatch.setattr(failures, "COMMON", 1)
+    monkeypatch.setattr(failures, "trained", lambda *_: tk.training.Run(None, None, None, [], {}, {}))
+
+    def shared_error(model, bank, test, scale):
+        seen.setdefault(len(test.styles), test)
+        return dict.fromkeys(test.styles, 1.0)
+
+    monkeypatch.setattr(failures, "shared_error", shared_error)
+    failures.capacity(data, PLAN, tmp_path)
+    for style in seen[1].styles:
+        assert torch.equal(seen[1].inputs[style], seen[3].inputs[style])

@@ -22,14 +22,12 @@ from experiments.seven_models.models import (
     Plan,
     average,
     judge,
-    nearest,
     read_json,
-    shared_error,
     states,
     trained,
-    usual_speed,
 )
 from toolkit import runtime
+from toolkit.evaluation.models import nearest, shared_error, usual_speed
 from toolkit.features import Features, Layout, splits
 from toolkit.motion import Clip
 from toolkit.runtime import CharacterState, Command
@@ -87,17 +85,18 @@ def stuck_hands(table: dict, model: str, than: str, section: str, title: str, cl
 def capacity(data: Features, plan: Plan, folder: Path, progress: bool = False) -> Case:
     """Error of the same few styles as the number of styles grows that a model has to hold.
 
-    All have the same budget, and so are the less trained on a style the more styles there are, but this holds for every
-    model. Runs of fewer styles are trained here (seed 0) and stored.
+    All have the same budget. So with more styles, every model sees fewer frames of each. Runs of fewer styles are trained
+    here (seed 0) and stored. They have the first styles of the data, in the data's order: the frames that a style holds out
+    depend on its place among the styles, and so all models are compared on the same frames.
     """
-    order = [data.styles[i] for i in torch.randperm(len(data.styles), generator=splits.generator(0)).tolist()]
+    order = data.styles
     counts = [n for n in COUNTS if n < len(order)] + [len(order)]
     share = plan.config("lpn-film", 0).held_out
     scale = splits.split(data, share, 0, tuple(data.styles))[0].normalisers()["outputs"]
     errors: dict[str, dict[str, float]] = {name: {} for name in CAPACITY}
     jobs = [(n, name) for n in counts for name in CAPACITY]
     for n, name in tqdm(jobs, desc="capacity", unit="run", disable=None if progress else True):
-        styles, config, where = tuple(s for s in data.styles if s in order[:n]), plan.config(name, 0), folder
+        styles, config, where = tuple(order[:n]), plan.config(name, 0), folder
         if n < len(order):
             config, where = dataclasses.replace(config, styles=styles), folder / "capacity" / str(n)
         run = trained(data, config, where, progress)

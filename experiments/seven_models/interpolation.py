@@ -1,45 +1,17 @@
 """What lies between two styles (Mason et al. 2022, section 5.1.2): walks along a blend of style vectors, as curves."""
 
-from dataclasses import dataclass
-
 import torch
-from torch import Tensor
 
-from experiments.seven_models.models import FPS, WARM_UP, average, nearest, states, usual_speed
+from experiments.seven_models.models import FPS, WARM_UP, states
+from toolkit.evaluation.models import Curves, blend_curves, nearest, usual_speed
 from toolkit.evaluation.recognition import Recogniser
-from toolkit.features import Features, split_joints, splits
+from toolkit.features import Features, splits
 from toolkit.runtime import Command
 from toolkit.training import Run
 
 PAIRS, BLENDS = 6, 11  # pairs of styles, blends from one to the other
 FIGURE_8 = ("BentForward", "LeanBack")  # the paper's pair, taken first where the data have it
 SECONDS = 4.0  # of a walk that are looked at
-
-
-@dataclass(frozen=True, eq=False)
-class Curves:
-    """Of P pairs of styles, T blends from the first to the second.
-
-    ``odds [P, T]``: what the recogniser gives to the second style, as a share of what it gives to both. ``gait [P, T]``: how
-    far the walk is along the straight line between the walks at both ends, 0 to 1, in the mean and the deviation over time
-    of every joint's position; this needs no classifier, which has an edge of its own.
-    """
-
-    odds: Tensor
-    gait: Tensor
-
-    @property
-    def recognised(self) -> Tensor:
-        """Pairs ``[P]`` both ends of which are recognised; only these can say anything."""
-        return (self.odds[:, 0] < 0.5) & (self.odds[:, -1] > 0.5)
-
-    def numbers(self) -> dict[str, float]:
-        """Means over those pairs; NaN where there is none."""
-        odds, gait = self.odds[self.recognised], self.gait[self.recognised]
-        return {
-            "widest step": widest_step(odds), "crosses at": _crossing(odds), "gait's widest": widest_step(gait),
-            "rank corr.": _rank_correlation(gait), f"of {len(self.odds)} pairs": float(len(odds)),
-        }
 
 
 def style_pairs(styles: list[str]) -> list[tuple[str, str]]:
@@ -61,13 +33,14 @@ def blend_walks(run: Run, data: Features, recogniser: Recogniser, pairs: list[tu
     commands = [Command(velocity)] * round((WARM_UP + SECONDS) * FPS)
     walk = states(run.model, commands, vectors)[round(WARM_UP * FPS) :]
     joints = torch.stack([s.joints for s in walk], 1).nan_to_num()
-    return _curves(joints.unflatten(0, (len(pairs), BLENDS)), recogniser, pairs)
+    return blend_curves(joints.unflatten(0, (len(pairs), BLENDS)), recogniser, pairs)
 
 
 def blend_data(data: Features, recogniser: Recogniser, pairs: list[tuple[str, str]]) -> Curves:
     """The same of two style clips that are blended frame by frame: an even blend, and so the recogniser's own edge."""
     ends = [[nearest(y, usual_speed(y))[0] for y in (data.clips[style][:] for style in pair)] for pair in pairs]
-    return _curves(torch.stack([torch.stack([torch.lerp(a, b, t) for t in shares()]) for a, b in ends]), recogniser, pairs)
+    blended = torch.stack([torch.stack([torch.lerp(a, b, t) for t in shares()]) for a, b in ends])
+    return blend_curves(blended, recogniser, pairs)
 
 
 def shares() -> list[float]:
@@ -78,29 +51,3 @@ def shares() -> list[float]:
 def mean(curves: list[Curves]) -> Curves:
     """Mean over runs."""
     return Curves(*(torch.stack([getattr(c, name) for c in curves]).mean(0) for name in ("odds", "gait")))
-
-
-def _curves(joints: Tensor, recogniser: Recogniser, pairs: list[tuple[str, str]]) -> Curves:
-    """Of ``joints [P, T, F, 12 J]``."""
-    names = torch.tensor([[recogniser.styles.index(style) for style in pair] for pair in pairs])
-    p = recogniser.probabilities(joints).gather(-1, names[:, None].expand(-1, joints.shape[1], -1)) + 1e-9
-    position = split_joints(joints)["position"].flatten(3)  # [P, T, F, 3 J]
-    gait = torch.cat((position.mean(2), position.std(2)), -1)
-    way = gait[:, -1:] - gait[:, :1]
-    return Curves(p[..., 1] / p.sum(-1), ((gait - gait[:, :1]) * way).sum(-1) / way.square().sum(-1).clamp_min(1e-12))
-
-
-def widest_step(curves: Tensor) -> float:
-    """Largest difference between neighbouring blends, mean over ``curves [P, T]``; an even blend has 1 / (T - 1)."""
-    return average(curves.diff(dim=1).abs().amax(1).tolist())
-
-
-def _crossing(odds: Tensor) -> float:
-    """First blend in which the second style is the likelier one, mean."""
-    return average(((odds > 0.5).float().argmax(1) / (odds.shape[1] - 1)).tolist())
-
-
-def _rank_correlation(curves: Tensor) -> float:
-    """Spearman's, with the blend: 1 where every step goes ahead; mean."""
-    ranks, blend = curves.argsort(1).argsort(1).double(), torch.arange(curves.shape[1], dtype=torch.float64)
-    return average([float(torch.corrcoef(torch.stack((rank, blend)))[0, 1]) for rank in ranks])

@@ -18,21 +18,19 @@ from tqdm import tqdm
 from experiments.closed_loop import eight
 from toolkit import networks, runtime, training
 from toolkit.evaluation import metrics, recognition
+from toolkit.evaluation.models import hands, shared_baselines, shared_error, usual_speed
 from toolkit.evaluation.recognition import Recogniser
-from toolkit.features import Features, Layout, Normaliser, split_joints, splits
+from toolkit.features import Features, splits
 from toolkit.io import model_files
 from toolkit.io.files import atomic_write
 from toolkit.networks import Model, Sizes
 from toolkit.networks.bank import StyleBank
 from toolkit.runtime import FPS, CharacterState, Command
-from toolkit.training import Config, Run, loss
+from toolkit.training import Config, Run
 
-SHARED = ("trajectory", "joints", "contacts")  # blocks of z that every model predicts
 WARM_UP, PACE = 2.0, 1.0  # seconds of a walk straight ahead that are not measured; m/s round the eight
-WINDOW = 240  # frames over which the hands' range is taken, as long as a style clip
 MOVING = 0.06  # metres of range from which hands count as moving
 HANDS = ("hands", "hands_data", "swing", "swing_data", "together")
-ALIKE = 4  # style clips that a walk is held beside: those nearest to it in velocity
 SETTINGS, TABLE = "settings.json", "comparison.json"
 SIZES = {
     "tiny": Sizes(hidden=32, experts=4, gating=16, film_channels=8, film_kernel=5, film_dense=32, dropout=0.0),
@@ -138,41 +136,6 @@ def over_styles(styles: dict[str, dict[str, float]]) -> dict[str, float]:
     return {key: average([row[key] for row in (moving if key in HANDS else every)]) for key in every[0]}
 
 
-def shared_error(model: Model, bank: StyleBank, test: Features, scale: Normaliser) -> dict[str, float]:
-    """Mean squared error, per style, over the blocks of z that every model predicts, each column in deviations of the data.
-
-    A model's own full error also counts what only some predict (local phases, a global phase, none): it does not compare.
-    ``scale`` are the statistics of the data's ``outputs``.
-    """
-    errors = {}
-    for style in (s for s in test.styles if len(test.inputs[s])):
-        rows, total = torch.arange(len(test.inputs[style])), 0.0
-        for part in rows.split(1024):
-            x, p, z = (getattr(test, kind)[style][part] for kind in ("inputs", "phases", "outputs"))
-            p, wanted = model.observe(p, z)
-            off = _shared(model.layout, model.predict(x, p, bank[style]) - wanted) / _shared(test.layout, scale.std)
-            total += len(part) * float(off.square().mean())
-        errors[style] = total / len(rows)
-    return errors
-
-
-def shared_baselines(data: Features, held_out: float, seed: int) -> dict[str, float]:
-    """The same error of predicting the training data's ``mean``, and of the current frame once more (``repeat``)."""
-    train, test = splits.split(data, held_out, seed, tuple(data.styles))
-    normaliser = train.normalisers()["outputs"]
-    errors: dict[str, list[float]] = {"mean": [], "repeat": []}
-    for style in (s for s in test.styles if len(test.inputs[s])):
-        x, p, z = (getattr(test, kind)[style][:] for kind in ("inputs", "phases", "outputs"))
-        still = loss.repeat_frame(data.layout, x, p, normaliser.mean)
-        for name, guess in (("mean", normaliser.mean), ("repeat", still)):
-            errors[name].append(float(_shared(data.layout, (z - guess) / normaliser.std).square().mean()))
-    return {name: average(values) for name, values in errors.items()}
-
-
-def _shared(layout: Layout, z: Tensor) -> Tensor:
-    return torch.cat([z[..., layout.outputs[name]] for name in SHARED], -1)
-
-
 def closed_loop(model: Model, bank: StyleBank, data: Features, recogniser: Recogniser,
                 plan: Plan) -> dict[str, dict[str, float]]:
     """What every style does on its own: straight ahead at the data's usual speed of that style, then round an eight.
@@ -198,7 +161,7 @@ def closed_loop(model: Model, bank: StyleBank, data: Features, recogniser: Recog
     rows = {}
     for i, style in enumerate(data.styles):
         row = _gait(model, walk, laps, course, i)
-        row |= _hands(data.layout, joints[i], data.clips[style][:], row["speed"])
+        row |= hands(data.layout, joints[i], data.clips[style][:], row["speed"])
         right = recogniser.styles.index(style)
         row |= {"probability": float(seen[i, right]), "recognised": float(seen[i].argmax() == right)}
         rows[style] = row | {"speed": row["speed"] / speeds[style]}
@@ -208,22 +171,6 @@ def closed_loop(model: Model, bank: StyleBank, data: Features, recogniser: Recog
 def states(model: Model, commands: Sequence, vectors: Tensor, first: CharacterState | None = None) -> list[CharacterState]:
     """All states of a crowd, one character per style vector; the vectors themselves, which may be large, are left out."""
     return [dataclasses.replace(s, style=s.style[:, :0]) for s in runtime.states(model, commands, vectors, first)]
-
-
-def usual_speed(clips: Tensor) -> float:
-    """Median speed, m/s, of those style clips ``[M, 240, 12 J]`` that walk ahead; 1 where none does."""
-    ahead = _velocity(clips)
-    forward = ahead[(ahead[:, 1] > 0.2) & (ahead[:, 1] > 2 * ahead[:, 0].abs()), 1]
-    return float(forward.median()) if len(forward) else 1.0
-
-
-def nearest(clips: Tensor, speed: float) -> Tensor:
-    """The `ALIKE` of style clips whose mean velocity, in the root frame, is nearest to ``speed`` m/s straight ahead."""
-    return clips[(_velocity(clips) - torch.tensor([0.0, speed])).norm(dim=-1).argsort(stable=True)[:ALIKE]]
-
-
-def _velocity(clips: Tensor) -> Tensor:
-    return split_joints(clips)["velocity"][:, :, 0, [0, 2]].mean(1)
 
 
 def _gait(model: Model, walk: list[CharacterState], laps: list[CharacterState], course: Tensor, i: int) -> dict[str, float]:
@@ -237,15 +184,6 @@ def _gait(model: Model, walk: list[CharacterState], laps: list[CharacterState], 
                        for c in (plain, clip))
     return {"upright": float(metrics.upright(clip) and metrics.upright(lap)), "speed": metrics.speed(clip),
             "skate": skate, "skate_ik": skate_ik, "path": metrics.path_error(lap, course)}
-
-
-def _hands(layout: Layout, joints: Tensor, clips: Tensor, speed: float) -> dict[str, float]:
-    windows = joints.unfold(0, WINDOW, WINDOW).transpose(1, 2)
-    made, real = (metrics.hand_swing(layout, split_joints(y)["position"].transpose(0, 1))
-                  for y in (windows, nearest(clips, speed)))
-    swing, swing_data = (float(found["together"].nanmean()) for found in (made, real))
-    return {"hands": float(made["range"].mean() / real["range"].mean()), "hands_data": float(real["range"].mean()),
-            "swing": swing, "swing_data": swing_data, "together": abs(swing - swing_data)}
 
 
 def frame_time(model: Model, style: Tensor, runs: int = 5, frames: int = 60) -> tuple[float, float]:

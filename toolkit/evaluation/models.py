@@ -1,0 +1,143 @@
+"""Measures that compare models: error on the columns that all of them predict, hand movement, and blends of two styles."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import torch
+from torch import Tensor
+
+from toolkit.evaluation import metrics
+from toolkit.evaluation.recognition import Recogniser
+from toolkit.features import Features, Layout, Normaliser, split_joints, splits
+from toolkit.networks import Model
+from toolkit.networks.bank import StyleBank
+from toolkit.training import loss
+
+SHARED = ("trajectory", "joints", "contacts")  # blocks of z that every model predicts
+WINDOW = 240  # frames over which the hands' range is taken, as long as a style clip
+ALIKE = 4  # style clips that a walk is compared with: those nearest to it in velocity
+
+
+@torch.no_grad()
+def shared_error(model: Model, bank: StyleBank, test: Features, scale: Normaliser) -> dict[str, float]:
+    """Mean squared error per style over `SHARED`, each column in standard deviations of the data.
+
+    The full errors of two models are not comparable, because only some models predict local phases or a global phase.
+    ``scale`` are the statistics of the training data's ``outputs``.
+    """
+    errors = {}
+    for style in (s for s in test.styles if len(test.inputs[s])):
+        rows, total = torch.arange(len(test.inputs[style])), 0.0
+        for part in rows.split(1024):
+            x, p, z = (getattr(test, kind)[style][part] for kind in loss.KINDS)
+            p, wanted = model.observe(p, z)
+            off = _shared(model.layout, model.predict(x, p, bank[style]) - wanted) / _shared(test.layout, scale.std)
+            total += len(part) * float(off.square().mean())
+        errors[style] = total / len(rows)
+    return errors
+
+
+def shared_baselines(data: Features, held_out: float, seed: int) -> dict[str, float]:
+    """`shared_error`, mean over styles, of two guesses: the training data's ``mean``, and the current frame (``repeat``)."""
+    train, test = splits.split(data, held_out, seed, tuple(data.styles))
+    normaliser = train.normalisers()["outputs"]
+    errors: dict[str, list[float]] = {"mean": [], "repeat": []}
+    for style in (s for s in test.styles if len(test.inputs[s])):
+        x, p, z = (getattr(test, kind)[style][:] for kind in loss.KINDS)
+        still = loss.repeat_frame(data.layout, x, p, normaliser.mean)
+        for name, guess in (("mean", normaliser.mean), ("repeat", still)):
+            errors[name].append(float(_shared(data.layout, (z - guess) / normaliser.std).square().mean()))
+    return {name: sum(values) / len(values) for name, values in errors.items()}
+
+
+def _shared(layout: Layout, z: Tensor) -> Tensor:
+    return torch.cat([z[..., layout.outputs[name]] for name in SHARED], -1)
+
+
+def usual_speed(clips: Tensor) -> float:
+    """Median speed, m/s, of those style clips ``[M, 240, 12 J]`` that walk ahead; 1 where none does."""
+    ahead = _velocity(clips)
+    forward = ahead[(ahead[:, 1] > 0.2) & (ahead[:, 1] > 2 * ahead[:, 0].abs()), 1]
+    return float(forward.median()) if len(forward) else 1.0
+
+
+def nearest(clips: Tensor, speed: float) -> Tensor:
+    """The `ALIKE` of style clips whose mean velocity, in the root frame, is nearest to ``speed`` m/s straight ahead."""
+    return clips[(_velocity(clips) - torch.tensor([0.0, speed])).norm(dim=-1).argsort(stable=True)[:ALIKE]]
+
+
+def _velocity(clips: Tensor) -> Tensor:
+    return split_joints(clips)["velocity"][:, :, 0, [0, 2]].mean(1)
+
+
+def hands(layout: Layout, joints: Tensor, clips: Tensor, speed: float) -> dict[str, float]:
+    """Movement of the hands in a walk, compared with the style clips that are nearest to it in velocity.
+
+    Parameters
+    ----------
+    layout
+        Names the J joints.
+    joints : Tensor [F, 12 J]
+        Joint features of the walk, at least `WINDOW` frames.
+    clips : Tensor [M, 240, 12 J]
+        Style clips of the data.
+    speed
+        Of the walk, m/s.
+
+    Returns
+    -------
+    dict
+        ``hands``, the range (`metrics.hand_swing`) as a share of ``hands_data``, the data's range in metres; ``swing`` and
+        ``swing_data``, the correlation of the two hands; ``together``, the absolute difference of these two.
+    """
+    windows = joints.unfold(0, WINDOW, WINDOW).transpose(1, 2)
+    made, real = (metrics.hand_swing(layout, split_joints(y)["position"].transpose(0, 1))
+                  for y in (windows, nearest(clips, speed)))
+    swing, swing_data = (float(found["together"].nanmean()) for found in (made, real))
+    return {"hands": float(made["range"].mean() / real["range"].mean()), "hands_data": float(real["range"].mean()),
+            "swing": swing, "swing_data": swing_data, "together": abs(swing - swing_data)}
+
+
+@dataclass(frozen=True, eq=False)
+class Curves:
+    """Of P pairs of styles, T blends from the first style to the second.
+
+    ``odds [P, T]``: what the recogniser gives to the second style, as a share of what it gives to both. ``gait [P, T]``: how
+    far the walk is along the straight line between the walks at both ends, 0 to 1, in the mean and the standard deviation
+    over time of every joint's position. The gait needs no classifier, whose odds may jump where the walk does not.
+    """
+
+    odds: Tensor
+    gait: Tensor
+
+    @property
+    def recognised(self) -> Tensor:
+        """Pairs ``[P]`` of which the recogniser names both ends rightly; `numbers` uses only these."""
+        return (self.odds[:, 0] < 0.5) & (self.odds[:, -1] > 0.5)
+
+    def numbers(self) -> dict[str, float]:
+        """Means over those pairs; NaN where there is none.
+
+        ``widest step`` of the odds and ``gait's widest``: the largest difference between neighbouring blends, 1 / (T - 1)
+        for an even curve; ``crosses at``: the first blend in which the second style is the likelier one; ``rank corr.``:
+        Spearman's, of the gait with the blend; and the number of pairs.
+        """
+        odds, gait = self.odds[self.recognised], self.gait[self.recognised]
+        blend = torch.arange(odds.shape[1], dtype=torch.float64)
+        ranks = [torch.corrcoef(torch.stack((g.argsort().argsort().double(), blend)))[0, 1] for g in gait]
+        columns = {
+            "widest step": odds.diff(dim=1).abs().amax(1), "crosses at": (odds > 0.5).double().argmax(1) / (len(blend) - 1),
+            "gait's widest": gait.diff(dim=1).abs().amax(1), "rank corr.": torch.tensor(ranks),
+        }
+        means = {name: float(column.double().mean()) for name, column in columns.items()}
+        return means | {f"of {len(self.odds)} pairs": float(len(odds))}
+
+
+def blend_curves(joints: Tensor, recogniser: Recogniser, pairs: Sequence[tuple[str, str]]) -> Curves:
+    """Curves of walks ``joints [P, T, F, 12 J]`` along blends from the first to the second style of P ``pairs``."""
+    names = torch.tensor([[recogniser.styles.index(style) for style in pair] for pair in pairs])
+    p = recogniser.probabilities(joints).gather(-1, names[:, None].expand(-1, joints.shape[1], -1)) + 1e-9
+    position = split_joints(joints)["position"].flatten(3)  # [P, T, F, 3 J]
+    gait = torch.cat((position.mean(2), position.std(2)), -1)
+    way = gait[:, -1:] - gait[:, :1]
+    return Curves(p[..., 1] / p.sum(-1), ((gait - gait[:, :1]) * way).sum(-1) / way.square().sum(-1).clamp_min(1e-12))
