@@ -1,9 +1,13 @@
-"""Rollouts as an environment to learn in, with Gymnasium if it is there: python examples/gym_loop.py
+"""The runtime as an environment for reinforcement learning: python examples/gym_loop.py
 
-`Walk()` is one character of the embedded model, a gymnasium.Env; `Walk(N)` is N at once through the compiled runtime, all
-values arrays with a leading axis. An action is where to go, seen from the character (left, forward; 1 is 2 m/s); an
-observation is where its winding path will be in half a second and in one (m), its velocity (m/s), both (left, forward), and
-its foot contacts. The reward is 1 on the path and less away from it; 3 m away the episode is over.
+`Walk()` has one character of the embedded model. `Walk(N)` has N characters in the compiled runtime, and all its values are
+arrays with a leading axis. If Gymnasium is installed, `Walk` is a gymnasium.Env. The task is to stay close to a point that
+moves along a curved path at 1 m/s.
+
+- Action: the velocity, seen from the character (left, forward); 1 means 2 m/s.
+- Observation, seen from the character (left, forward): where the point will be in half a second and in one second (m), the
+  velocity of the character (m/s), and its two foot contacts.
+- Reward: exp(-d), where d is the distance from the point in metres. The episode ends at a distance of 3 m.
 """
 
 import os
@@ -19,11 +23,11 @@ except ImportError:
     Env, spaces = object, None
 
 SECONDS, CHARACTERS = (5.0, 8) if os.environ.get("TOOLKIT_FAST") else (20.0, 64)
-FRAMES, FASTEST, FAR = 6, 2.0, 3.0  # frames of an action (a tenth of a second), m/s, metres
+FRAMES, FASTEST, FAR = 6, 2.0, 3.0  # frames per action (a tenth of a second), m/s of action 1, metres at which it ends
 
 
 class Walk(Env):
-    """Characters, each in a style and on a path of its own."""
+    """Characters, each with its own style and its own path."""
 
     def __init__(self, characters=None, seconds=SECONDS):
         model, self.bank = tk.pretrained()
@@ -33,7 +37,7 @@ class Walk(Env):
             self.observation_space, self.action_space = spaces.Box(-20.0, 20.0, (8,)), spaces.Box(-1.0, 1.0, (2,))
 
     def reset(self, *, seed=None, options=None):
-        """Observation at the start of a new path, and a dict."""
+        """Start new paths; returns the observation and a dict."""
         if spaces:
             super().reset(seed=seed)
         draw = self.np_random if spaces else np.random.default_rng(seed)
@@ -45,9 +49,9 @@ class Walk(Env):
         return self._observe(), {"styles": [self.bank.names[i] for i in styles]}
 
     def step(self, action):
-        """Observation, reward, whether strayed, whether time is up, and a dict."""
+        """Returns the observation, the reward, whether the character is too far away, whether time is up, and a dict."""
         velocity = FASTEST * self._turned(np.clip(np.atleast_2d(action), -1.0, 1.0), 1.0)
-        command = tk.runtime.Command(torch.from_numpy(velocity), torch.from_numpy(velocity))  # it looks where it goes
+        command = tk.runtime.Command(torch.from_numpy(velocity), torch.from_numpy(velocity))  # it faces ahead
         for _ in range(FRAMES):
             self.state = tk.runtime.step(self.model, self.state, command)
         self.count += 1
@@ -62,24 +66,24 @@ class Walk(Env):
         return np.clip(seen if self.many else seen[0], -20.0, 20.0).astype(np.float32)
 
     def _turned(self, vectors, way):
-        """(x, z) ``[N, 2]`` turned from the root frame to the world's, or with ``way`` -1 back."""
+        """(x, z) ``[N, 2]`` turned from the root frame to the world frame, or with ``way`` -1 the other way round."""
         (sin, cos), (x, z) = self.state.root[:, 2:].numpy().T, vectors.T
         return np.stack((cos * x + way * sin * z, cos * z - way * sin * x), -1)
 
 
 def play(env, policy):
-    """Mean reward ``[N]`` of an episode; who strays gets nothing from then on."""
+    """Mean reward ``[N]`` of an episode; a character that was too far away gets no more reward."""
     (seen, _), total, playing, over = env.reset(seed=0), 0.0, True, False
     while not over:
-        seen, reward, strayed, truncated, _ = env.step(policy(seen))
-        playing = playing & ~strayed
+        seen, reward, lost, truncated, _ = env.step(policy(seen))
+        playing = playing & ~lost
         total, over = total + reward * playing, truncated.all()
     return total / env.steps
 
 
 draw = np.random.default_rng(0)
 policies = {"random": lambda seen: draw.uniform(-1.0, 1.0, (len(seen), 2)),
-            "heuristic": lambda seen: seen[:, :2] / 0.5 / FASTEST}  # head for where the path is in half a second
+            "heuristic": lambda seen: seen[:, :2] / 0.5 / FASTEST}  # walk to where the point will be in half a second
 rewards = {name: play(Walk(CHARACTERS), policy) for name, policy in policies.items()}
 for name, reward in rewards.items():
     print(f"{name}: mean reward {reward.mean():.2f} of {CHARACTERS} characters, {reward.min():.2f} to {reward.max():.2f}")

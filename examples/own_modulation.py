@@ -1,9 +1,11 @@
-"""A style modulation of your own in place of FiLM, trained beside it on the same data: python examples/own_modulation.py
+"""Your own style modulation in place of FiLM, compared with FiLM on the same data: python examples/own_modulation.py
 
-A modulation is a torch module with `forward(layer, f, style, x, gates)`, the activation of hidden layer 0 or 1; `size`, the
-length of a style vector; and `generator`, which makes style vectors of style clips. Here: a residual of low rank beside
-each hidden layer, whose directions all styles share and whose strengths a style sets, generated from no more than the mean
-and the deviation of a clip's columns. Everything else is the package's: data, loss, minibatches, held-out error, runtime.
+A modulation is a torch module with three members. `forward(layer, f, style, x, gates)` returns the activation of hidden
+layer 0 or 1. `size` is the length of a style vector. `generator` makes style vectors from style clips.
+
+The modulation of this example adds a low-rank residual to each hidden layer. All styles share its directions; each style has
+its own strengths. The generator sees only the mean and the deviation of each column of a clip. Data, loss, minibatches,
+held-out error and runtime are those of the package.
 """
 
 import math
@@ -15,7 +17,7 @@ from torch import nn
 
 import toolkit as tk
 from toolkit.features import splits
-from toolkit.training import distributed, loss, minibatches
+from toolkit.training import distributed, loop, loss, minibatches
 
 FAST = bool(os.environ.get("TOOLKIT_FAST"))
 STEPS, SECONDS = (60, 12.0) if FAST else (1000, 60.0)
@@ -24,7 +26,7 @@ SIZES = TINY if FAST else tk.networks.Sizes.small()
 
 
 class LowRank(nn.Module):
-    """h = ELU(LN(F) + U (c ∘ V x) + β): c and β are a style's own, U and V everyone's."""
+    """h = ELU(LN(F) + U (c ∘ V x) + β): each style has its own c and β; all styles share U and V."""
 
     def __init__(self, layout, hidden, rank=32):
         super().__init__()
@@ -34,26 +36,26 @@ class LowRank(nn.Module):
         self.generator = Statistics(nn.Linear(2 * layout.n_clip, 128), nn.ELU(), nn.Linear(128, self.size))
 
     def forward(self, layer, f, style, x, gates):
-        """Hidden layer ``[B, hidden]`` of what it made, ``f``, of its inputs ``x``."""
+        """Activation ``[B, hidden]`` of a hidden layer, from its value ``f`` and its inputs ``x``."""
         strength, shift = style.chunk(2, -1)[layer].split(self.widths, -1)
         return F.elu(tk.networks.layer_norm(f) + self.up[layer](strength * self.down[layer](x)) + shift)
 
 
 class Statistics(nn.Sequential):
-    """Style vectors ``[M, D]`` of the means and deviations of normalised clips ``[M, 240, 12 J]``."""
+    """Style vectors ``[M, D]`` from the means and deviations of normalised clips ``[M, 240, 12 J]``."""
 
     def forward(self, clips):
-        """Dense layers over what does not depend on time."""
+        """Dense layers on the mean and the deviation over time."""
         return super().forward(torch.cat((clips.mean(1), clips.std(1)), -1))
 
 
 def train(model):
-    """Train on the same minibatches; the bank of style vectors and the held-out error of every style."""
-    fabric, adam = distributed.start(CONFIG), tk.training.optimiser(model, CONFIG)
+    """Train a model; returns its bank of style vectors and the held-out error of each style."""
+    fabric, adam = distributed.start(CONFIG), loop.optimiser(model, CONFIG)
     objective = fabric.setup_module(distributed.Objective(model.train(), CONFIG.bone_weight, 0, 1))
     for number in range(STEPS):
         rate = CONFIG.rate * (1 + math.cos(math.pi * number / STEPS)) / 2
-        tk.training.step(fabric, objective, adam, BATCHES, CONFIG, number, rate)
+        loop.step(fabric, objective, adam, BATCHES, CONFIG, number, rate)
     bank = loss.make_bank(model.eval(), TRAINED_ON)
     return bank, {style: e["mse"] for style, e in loss.evaluate(model, bank, HELD_OUT).items()}
 

@@ -1,9 +1,11 @@
-"""A phase source of your own on BVH files of your own: python examples/own_phase_source.py [FOLDER]
+"""Your own phase source on your own BVH files: python examples/own_phase_source.py [FOLDER]
 
-A source is a function of a clip and a limb that gives one curve whose cycles are the limb's phase; toolkit.phases fits
-sinusoids to it. A source that knows the sinusoids itself has a method `sinusoids`, and nothing is fitted. Here: the toes'
-height, once with the fit and once with the phase of its analytic signal (Hilbert transform), beside the paper's hybrid.
-Without a folder, procedural clips are written to a temporary one, and the true phases are known.
+A source is a function of a clip and a limb. It returns a curve whose cycles give the limb's phase, and toolkit.phases fits
+sinusoids to the curve. A source that computes the sinusoids itself has a method `sinusoids`; then nothing is fitted.
+
+The source of this example is the height of the toes. It is used twice: with the fit, and with the phase of its analytic
+signal (Hilbert transform). Both are compared with the paper's hybrid source. Without a folder, the script writes procedural
+clips, whose phases are known, to a temporary folder.
 """
 
 import math
@@ -19,22 +21,22 @@ import toolkit as tk
 from toolkit.datasets import procedural
 
 SECONDS = 6.0 if os.environ.get("TOOLKIT_FAST") else 20.0
-BAND = (0.4, 1.5)  # Hz, of strides: an analytic signal has a phase only where one frequency rules, and feet have harmonics
-HANDS = tk.phases.ContactFree()  # hands touch nothing: for them, how far they are ahead
+BAND = (0.4, 1.5)  # Hz of strides; an analytic signal needs one frequency, and curves of feet also have harmonics
+HANDS = tk.phases.ContactFree()  # the curve for hands, which have no contact
 
 
 def height(clip, limb):
-    """Height of the foot's toe joint, metres ``[F]``; the lower, the higher the curve, as a contact is."""
+    """Negative height of the toe, metres ``[F]``, so that the curve is high during a contact; for hands, `HANDS`."""
     if limb.endswith("hand"):
         return HANDS(clip, limb)
     return -clip.global_positions[:, clip.skeleton.index(limb.replace("foot", "toe")), 1]
 
 
 class Hilbert:
-    """The same curve, its phase read from the analytic signal."""
+    """The same curve, with the phase of its analytic signal."""
 
     def sinusoids(self, clip):
-        """The normalised, smoothed curves ``[F, 4]``, and the sinusoid of each limb in each frame."""
+        """Normalised, smoothed curves ``[F, 4]``, and the sinusoid of each limb in each frame."""
         raw = tk.phases.curves(clip, height)
         curve = tk.phases.smooth(tk.phases.normalise(raw - raw.mean(0), clip.fps), clip.fps)
         strides = scipy.signal.butter(2, BAND, "bandpass", fs=clip.fps, output="sos")
@@ -47,7 +49,7 @@ class Hilbert:
 
 
 def write_some(folder):
-    """Procedural walks as BVH files; their true phases ``[F, 4]`` by file name."""
+    """Write procedural walks as BVH files; returns their known phases ``[F, 4]`` by file name."""
     truth = {}
     for style in ("Neutral", "Zombie", "HighKnees"):
         clip, known = procedural.truth(style, "FW", SECONDS)
@@ -57,7 +59,7 @@ def write_some(folder):
 
 
 def compare(folder, truth):
-    """Of every file and source the feet's mean phase error, radians, against the truth, or against hybrid where unknown."""
+    """Mean phase error of the feet, radians, by file and source: against the known phases, else against hybrid."""
     errors = {}
     for path in sorted(folder.glob("**/*.bvh")):
         clip = tk.bvh.load(path).resample(60)
