@@ -236,3 +236,33 @@ def test_float32_and_float64_say_the_same(name, double, walk_clip, small_run):
         assert a.dtype == torch.float32 or not a.is_floating_point()
         near = (a - b).abs() < 1e-2
         assert float(near.float().mean()) > 0.99
+
+
+def test_networks_of_float32_take_motion_of_float64(walk_clip, small_run):
+    clips = [walk_clip.to(torch.float64), walk_clip.to(torch.float64).replace(style="Zombie")]
+    data = tk.features.build(clips)
+    run = tk.training.fit(data, tk.training.Config.quick(steps=2, sizes=small_run.config.sizes))
+    made = tk.styles.fine_tune(small_run.model, clips[0], "Mine", small_run.bank, steps=2)
+    found = tk.evaluation.recognition.train(data, steps=2).of_clip(clips[0])
+    check([*run.model.state_dict().values(), run.bank.vectors, made.bank.vectors, found], "cpu", torch.float32)
+    known, same = (tk.published.one_step(*small_run, clip, "Neutral") for clip in (walk_clip, clips[0]))
+    assert same["joint_mse"] == pytest.approx(known["joint_mse"], rel=1e-3)
+
+
+def test_files_and_pictures_of_float64_motion_are_those_of_float32(walk_clip, tmp_path):
+    double, short = walk_clip.to(torch.float64), walk_clip[:20]
+    assert tk.motion.on_cpu(short)[0] is short
+    assert tk.motion.on_cpu([double, short])[0].rotations.equal(walk_clip.rotations)
+    for name in ("a.glb", "a.html", "a.png"):
+        for clip, folder in ((short, tmp_path / "single"), (double[:20], tmp_path / "double")):
+            tk.export.write(clip, folder / name)
+        assert (tmp_path / "single" / name).read_bytes() == (tmp_path / "double" / name).read_bytes(), name
+    assert tk.stylization.data.prepare(double).rotations.dtype == torch.float32
+
+
+def test_a_gradient_is_not_lost_on_the_way_through_scipy(walk_clip):
+    clip = walk_clip.replace(root_positions=walk_clip.root_positions.clone().requires_grad_())
+    clip.moved(0.3).global_positions.sum().backward()
+    assert float(clip.root_positions.grad.abs().min()) > 0
+    with pytest.raises(RuntimeError, match="requires grad"):
+        clip.resample(30.0)

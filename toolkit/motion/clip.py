@@ -50,7 +50,8 @@ class Skeleton:
         set_ = object.__setattr__
         set_(self, "names", tuple(self.names))
         set_(self, "parents", tuple(int(p) for p in self.parents))
-        set_(self, "offsets", as_tensor(self.offsets, "offsets", torch.float32).cpu())
+        offsets = as_tensor(self.offsets, "offsets", torch.float32)
+        set_(self, "offsets", offsets if offsets.is_meta else offsets.cpu())
         n = len(self.names)
         if len(self.parents) != n or self.offsets.shape != (n, 3):
             raise ValueError(f"{n} joint names need {n} parents and offsets [{n}, 3]; got {len(self.parents)} parents "
@@ -230,7 +231,7 @@ class Clip:
         for what, values in (("rotations", self.rotations), ("root positions", self.root_positions)):
             if values.is_meta:
                 continue  # the meta device keeps shapes and no numbers
-            if not math.isfinite(values.sum(dtype=torch.float64)):  # one pass; a double cannot overflow here
+            if not math.isfinite(values.detach().sum(dtype=torch.float64)):  # one pass; a double cannot overflow here
                 frame = int((~torch.isfinite(values.flatten(1))).any(1).nonzero()[0])
                 raise ValueError(f"{self.name}: {what} of frame {frame} are not finite")
         if not (self.fps > 0 and math.isfinite(self.fps)):
