@@ -13,7 +13,6 @@ from scipy.optimize import least_squares
 import toolkit as tk
 from experiments import phases as bench
 from toolkit.datasets import procedural
-from toolkit.evaluation import phases as truth
 from toolkit.phases import LIMBS, Sinusoids, coherent, fit, learned, normalise, smooth, windows
 
 FPS = 60.0
