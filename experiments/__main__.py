@@ -4,17 +4,19 @@ import sys
 from pathlib import Path
 
 import experiments
+from experiments import speed
 from toolkit.cli import verbs
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))  # the folder of robustness/
 
-EXPERIMENTS = experiments.commands("experiments", experiments.__path__) | {
+EXPERIMENTS = {
+    **experiments.commands("experiments", experiments.__path__), **experiments.commands("experiments.speed", speed.__path__),
     "seven-models": ("experiments.seven_models.commands:app",
                      "The seven models of Table 2, trained on the same data, compared one step ahead and in closed loop."),
     "stylization": ("experiments.stylization.comparison:app",
                     "The losses of Park et al. 2021 (Table 1), and their stylizer compared with two methods (Table 2)."),
-    "speed": ("experiments.speed:app", "Speed of each part of the package, compared with its alternatives."),
-} | {name: experiments.command(f"robustness.{name}") for name in ("soak", "fuzz", "faults")}
+    **{name: experiments.command(f"robustness.{name}") for name in ("soak", "fuzz", "faults")},
+}
 app = verbs.group(EXPERIMENTS, pretty_exceptions_enable=False, help=experiments.__doc__)
 
 

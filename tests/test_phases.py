@@ -13,6 +13,7 @@ from scipy.optimize import least_squares
 import toolkit as tk
 from experiments import phases as bench
 from toolkit.datasets import procedural
+from toolkit.evaluation.phases import measure
 from toolkit.phases import LIMBS, Sinusoids, coherent, fit, learned, normalise, smooth, windows
 
 FPS = 60.0
@@ -241,7 +242,7 @@ def test_coherent_is_nearer_to_the_truth_than_contact_free_when_staggering():
 @pytest.mark.parametrize("style", ["Neutral", "Zombie", "Penguin"])
 def test_cyclic_styles_keep_the_limits_against_the_truth(style):
     sources = {name: tk.phases.SOURCES[name] for name in ("contact", "contact-free")}
-    row = truth.measure(style, *procedural.truth(style, "FW", 20.0, 3), "cyclic", sources)
+    row = measure(style, *procedural.truth(style, "FW", 20.0, 3), "cyclic", sources)
     assert bench.failures(row) == []
     assert row.phase["contact"][:2].isnan().all()  # a hand has no contact, and no error either
 

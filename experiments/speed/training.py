@@ -18,7 +18,7 @@ from toolkit import datasets, features, networks, training
 from toolkit.features import Features
 from toolkit.networks import BlendedLinear, Sizes
 from toolkit.networks.convolution import Convolution
-from toolkit.training import distributed
+from toolkit.training import distributed, loop
 from toolkit.training.minibatches import Minibatches
 from toolkit.training.run import Config
 
@@ -93,13 +93,13 @@ def _times(data: Features, repeats: int) -> None:
             config = Config(clips_per_batch=form.clips, precision=form.precision)
             fabric = distributed.start(config)
             with form.patched():
-                adam = optimisers.setdefault(form.adam, training.optimiser(model, config))
+                adam = optimisers.setdefault(form.adam, loop.optimiser(model, config))
                 objective = fabric.setup_module(distributed.Objective(model, config.bone_weight, 0, 1))
                 batches = Minibatches(data, config.batch, form.clips, config.seed)
                 counter = FlopCounterMode(display=False) if turn < 0 else contextlib.nullcontext()
                 began = time.perf_counter()
                 with counter:
-                    training.step(fabric, objective, adam, batches, config, turn + 1, config.rate)
+                    loop.step(fabric, objective, adam, batches, config, turn + 1, config.rate)
             if turn < 0:
                 flops[name] = counter.get_total_flops()
             else:

@@ -23,7 +23,7 @@ Newton's method on r′ with inner products from the window itself. The bounds d
 all active bounds (envelope theorem): one formula covers all cases.
 
 **Cost.** A window of 61 frames takes about 2,500 floating-point operations, half of them on the grid and most others in two
-or three Newton steps, and about 100 bytes of memory traffic: arithmetic is the limit. `python -m experiments speed fit`
+or three Newton steps, and about 100 bytes of memory traffic: arithmetic is the limit. `python -m experiments fit`
 measures the speed.
 """
 
