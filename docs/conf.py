@@ -1,7 +1,8 @@
 """The documentation site: ``make docs``, or ``sphinx-build -W --keep-going -b html docs out/docs``. It needs no network.
 
-Notebooks are run in their small form (``TOOLKIT_FAST=1``), a few minutes on one core, and again only where their own code
-has changed (`make clean` forgets). ``TOOLKIT_DOCS_NOTEBOOKS=off`` shows them without running them: a site in half a minute.
+The build runs the notebooks at small sizes (``TOOLKIT_FAST=1``), which takes a few minutes on one core. A notebook whose
+code has not changed is not run again; `make clean` deletes the stored results. With ``TOOLKIT_DOCS_NOTEBOOKS=off`` the
+notebooks are shown without results, and the build takes half a minute.
 """
 
 import dataclasses
@@ -31,24 +32,24 @@ extensions = [
     "myst_nb",  # Markdown and notebooks
     "sphinx.ext.autodoc",
     "sphinx.ext.napoleon",  # numpydoc sections
-    "sphinx.ext.viewcode",  # every name links to its source
+    "sphinx.ext.viewcode",  # links from names to source code
 ]
 html_theme = "furo"
 html_title = "toolkit"
 html_static_path = ["_static", str(Path(plotly.__file__).parent / "package_data" / "plotly.min.js")]
 html_css_files = ["site.css"]
-html_math_renderer = "mathml"  # what browsers draw themselves; see `setup`
+html_math_renderer = "mathml"  # browsers draw it without a script; see `setup`
 
 # --- Markdown
 myst_enable_extensions = ["dollarmath"]
 myst_heading_anchors = 3
-smartquotes = False  # messages and code are quoted as they are
+smartquotes = False  # quotation marks in messages and code must not change
 
 # --- docstrings
-default_role = "py:obj"  # `name` in a docstring links where there is such a name, and is code where there is none
+default_role = "py:obj"  # `name` in a docstring is a link if the name exists, else code
 add_module_names = False
-autodoc_default_options = {"exclude-members": "set", "no-value": True}  # `set`: matplotlib adds it to figures
-suppress_warnings = ["ref.python"]  # a quoted annotation may name one of several classes called alike: no link then
+autodoc_default_options = {"exclude-members": "set", "no-value": True}  # matplotlib adds `set` to figures
+suppress_warnings = ["ref.python"]  # an annotation that several classes match gets no link
 autodoc_member_order = "bysource"
 autodoc_typehints = "signature"
 autodoc_preserve_defaults = True
@@ -61,40 +62,41 @@ nb_execution_mode = "off" if os.environ.get("TOOLKIT_DOCS_NOTEBOOKS") == "off" e
 nb_execution_timeout = 300  # seconds a cell
 nb_merge_streams = True
 nb_output_stderr = "remove"  # progress bars
-nb_mime_priority_overrides = [("*", "application/vnd.jupyter.widget-view+json", None)]  # no kernel: still pictures instead
+nb_mime_priority_overrides = [("*", "application/vnd.jupyter.widget-view+json", None)]  # static pictures instead
 nb_ipywidgets_js = {}
 os.environ |= {"TOOLKIT_FAST": "1", "PYVISTA_OFF_SCREEN": "true", "PYVISTA_JUPYTER_BACKEND": "static",
                "PYVISTA_MULTI_SAMPLES": "0", "OMP_NUM_THREADS": "1", "PLOTLY_RENDERER": "notebook_connected",
-               "TOOLKIT_DATA": str(DOCS / "notebooks"),  # which holds no recordings: the site is the same everywhere
+               "TOOLKIT_DATA": str(DOCS / "notebooks"),  # no recordings: every build gives the same site
                "PYTHONPATH": os.pathsep.join(filter(None, (str(ROOT), os.environ.get("PYTHONPATH"))))}
 
-#: Links as GitHub needs them, out of this folder or (in included pages) into it, and where they lead on the site.
+#: Links as GitHub needs them, and the same links as the site needs them.
 LINKS = {"](../docs/": "](../", "](docs/": "](", "](../notebooks/": "](notebooks/",
          "](../toolkit/data/README.md": "](embedded_model.md",
          "](../CONTRIBUTING.md": "](contributing.md", "](../CHANGELOG.md": "](changelog.md",
          "](README.md": "](index.md", "](../README.md": "](index.md"}
-#: What plotly puts into pages to fetch scripts from elsewhere.
+#: Scripts that plotly loads from other servers.
 FETCHED = re.compile(r'<script[^>]*src="https?://[^>]*></script>|<script type="module">import "https?://[^<]*</script>')
-STATE = "application/vnd.jupyter.widget-state+json"  # of widgets: of no use without a kernel, and megabytes
-#: What is left of a controller without a kernel: the page that runs by itself takes its place.
+STATE = "application/vnd.jupyter.widget-state+json"  # megabytes of widget state, useless without a kernel
+#: The output of a controller without a kernel; the page that runs without Python replaces it.
 CONTROLLER = re.compile(r"<pre><span></span>&lt;toolkit\.view\.controller\.Controller object at [^<]*</pre>")
 
 
-#: Below the title of a notebook.
+#: A note below the title of each notebook.
 SMALL_RUN = """</h1><div class="admonition note"><p class="admonition-title">The small run</p>
-<p>What is below was made in seconds, as the tests make it: networks here are hardly trained, those of motion stylisation not
-at all. <code>make lab</code> runs the whole; the <a href="{gallery}">gallery</a> shows what trained ones do.</p></div>"""
+<p>The results on this page come from the small run that the tests use, which takes seconds. Its networks are trained for a
+very short time, and those of motion stylisation are not trained at all. <code>make lab</code> starts JupyterLab for the full
+run. The <a href="{gallery}">gallery</a> shows results of trained networks.</p></div>"""
 
 
 def lead_links(*event) -> None:
-    """Let links of a page, or of a file that it includes, lead to pages of the site."""
+    """Replace `LINKS` in a page, or in a file that it includes."""
     source = event[-1]
     for there, here in LINKS.items():
         source[0] = source[0].replace(there, here)
 
 
 def stand_alone(_app, name: str, _template: str, context: dict, _doctree) -> None:
-    """Let a page with charts take plotly from the site, and nothing from elsewhere; say of a notebook which run it shows."""
+    """Load plotly from the site and not from other servers; add the note about the small run to notebooks."""
     scripts = context.get("script_files", [])
     scripts[:] = [script for script in scripts if getattr(script, "attributes", {}).get("type") != STATE]
     if "body" in context:
@@ -108,7 +110,7 @@ def stand_alone(_app, name: str, _template: str, context: dict, _doctree) -> Non
 
 
 def steerable(app) -> None:
-    """The embedded model as a character in a page of its own, which `index.md` shows."""
+    """Write the page with the embedded model, which `index.md` shows."""
     if app.builder.format == "html":
         folder = Path(app.outdir) / "_static"
         folder.mkdir(parents=True, exist_ok=True)
@@ -116,12 +118,12 @@ def steerable(app) -> None:
 
 
 def whole_signature(_app, _what, _name, _value, _options, signature: str | None, returns: str | None):
-    """Signatures whose defaults are made by a factory, as Python that can be read."""
+    """Show a default that a factory makes as ``...``."""
     return signature and signature.replace("<factory>", "..."), returns
 
 
 def fields(_app, what: str, _name: str, value, _options, lines: list[str]) -> None:
-    """Describe the fields of a dataclass by the comments beside them, where its docstring does not."""
+    """Describe the fields of a dataclass by their comments, if its docstring does not describe them."""
     if what == "class" and dataclasses.is_dataclass(value) and "Parameters" not in lines:
         beside = re.findall(r"^    (\w+): .*?  # (.+)$", inspect.getsource(value), re.MULTILINE)
         described = [line for name, comment in beside for line in (name, f"    {comment}")]
@@ -129,7 +131,7 @@ def fields(_app, what: str, _name: str, value, _options, lines: list[str]) -> No
 
 
 def formula(display: str):
-    """A visitor that writes a formula as MathML."""
+    """Return a visitor that writes a formula as MathML."""
 
     def visit(self, node):
         self.body.append(convert(node.astext().strip(), display=display))
@@ -139,10 +141,10 @@ def formula(display: str):
 
 
 def setup(app) -> None:
-    """Called by Sphinx."""
+    """Connect the functions above; Sphinx calls this."""
     app.add_html_math_renderer("mathml", (formula("inline"), None), (formula("block"), None))
     app.connect("autodoc-process-signature", whole_signature)
-    app.connect("autodoc-process-docstring", fields, priority=100)  # before the sections are read
+    app.connect("autodoc-process-docstring", fields, priority=100)  # before napoleon reads the sections
     app.connect("builder-inited", steerable)
     app.connect("source-read", lead_links)
     app.connect("include-read", lead_links)

@@ -1,6 +1,6 @@
-"""Make the pictures of these pages again: ``python docs/pictures.py [--published FOLDER]``, two minutes on one core.
+"""Make the pictures of these pages again: ``python docs/pictures.py [--published FOLDER]``, three minutes on one core.
 
-Without the folder of the published parameters (Mason et al. 2022) the pictures beside them stay as they are.
+Without the folder of the published parameters (Mason et al. 2022), the pictures in ``side_by_side`` stay as they are.
 """
 
 from pathlib import Path
@@ -17,9 +17,10 @@ from toolkit.datasets import procedural
 OUT = Path(__file__).parent
 GAITS = ("FW", "BW", "SW", "FR", "BR", "SR")
 SHOWN = {"Zombie": 60, "Old": 75, "Aeroplane": 30, "Crouch": 65, "HopLeft": 60, "HighKnees": 65, "MarchKick": 70,
-         "DragRightLeg": 40, "Penguin": 15, "ArmsAboveHead": 40, "BentForward": 75, "Tiptoe": 70}  # its view
+         "DragRightLeg": 40, "Penguin": 15, "ArmsAboveHead": 40, "BentForward": 75, "Tiptoe": 70}  # camera angle, degrees
 BESIDE = {"Zombie": "Zombie", "Old": "Old", "Aeroplane": "Aeroplane", "Crouch": "Crouched", "HighKnees": "HighKnees",
-          "Strut": "Strutting"}  # what 100STYLE calls them
+          "Strut": "Strutting"}  # their names in 100STYLE
+BLENDED = ("Neutral", "Zombie", "Aeroplane", "Strut")  # the styles of the picture in the README
 
 
 def straight(style: str, seconds: float = 8.0) -> tk.Clip:
@@ -29,13 +30,27 @@ def straight(style: str, seconds: float = 8.0) -> tk.Clip:
 
 
 def rollout(model, bank, style: str, speed: float, seconds: float = 10.0) -> tk.Clip:
-    """A model's walk straight ahead, without its first two seconds."""
+    """A walk of a model straight ahead, without its first two seconds."""
     return tk.runtime.rollout(model, tk.runtime.straight(speed, seconds), style=bank[style]).cut(120)
 
 
 def looped(clip: tk.Clip) -> tk.Clip:
-    """About two strides that repeat."""
+    """About two strides that repeat without a jump."""
     return clip.cut(*tk.view.loop(clip))
+
+
+def blended(model, bank, seconds: float = 2.0) -> tk.Clip:
+    """A walk through `BLENDED` and back: each style for half of ``seconds``, then a blend into the next."""
+    frames = round(seconds * tk.runtime.FPS)
+    vectors = torch.stack([bank[style] for style in (*BLENDED, BLENDED[0])])
+
+    def style(frame: int) -> torch.Tensor:
+        leg, share = divmod(max(0, frame - 120) / frames, 1.0)
+        share = min(1.0, max(0.0, 2.0 * share - 1.0))
+        return torch.lerp(vectors[int(leg)], vectors[min(int(leg) + 1, len(BLENDED))], share)
+
+    commands = tk.runtime.straight(1.0, 2.0 + len(BLENDED) * seconds)
+    return tk.runtime.rollout(model, commands, style=style).cut(120)
 
 
 def main(published: Annotated[Path | None, typer.Option(help="Folder of the published parameters.")] = None) -> None:
@@ -52,6 +67,8 @@ def main(published: Annotated[Path | None, typer.Option(help="Folder of the publ
         tk.view.animate(looped(walks[style]), OUT / "styles" / f"{style}.gif", labels=[""], view=view, height=140, colors=40)
 
     embedded = tk.pretrained()
+    tk.view.animate(blended(*embedded), OUT / "blend.webp", labels=[", ".join(BLENDED)], fps=12.0, height=240, view=60,
+                    progress=True)
     shown = [style for style in ("Neutral", "Zombie", "Strut", "Crouch", "Aeroplane") if style in embedded.bank]
     rows = [rollout(*embedded, style, procedural.STYLES[style].speed) for style in shown]
     tk.view.strip(rows, OUT / "styles.png", labels=shown, stop=2.0, width=9, dpi=120)

@@ -1,4 +1,4 @@
-"""The pages of the API reference, one for each module, from what the package exports; `conf.py` puts them into `api/`."""
+"""The pages of the API reference, one for each module, from the names that it exports; `conf.py` writes them to `api/`."""
 
 import importlib
 import inspect
@@ -7,26 +7,27 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
-#: Modules in the order of the README's map; those inside a package follow from it.
+#: Modules in the order of the README's table; modules inside a package are found.
 GROUPS = {
     "Motion and files": ("motion", "io", "datasets"),
     "From motion to numbers": ("phases", "features"),
     "Networks and training": ("networks", "training", "published"),
-    "The character under control": ("runtime", "styles"),
-    "Restyling a clip": ("stylization",),
+    "Runtime and styles": ("runtime", "styles"),
+    "Motion stylisation": ("stylization",),
     "Measures, pictures and exports": ("evaluation", "view", "export"),
     "The command line": ("cli",),
 }
 INTRODUCTION = """
-Made from the docstrings. ``import toolkit as tk``; a name that a package passes on, such as ``tk.phases.Hybrid``, is
-described on the package's page. Shapes are written ``[F, J, 3]``: B batch, F frames, J joints, K experts, D features.
-Metres, seconds, radians; Y up, left is +X. The command line describes itself: ``python -m toolkit VERB --help``.
+These pages are made from the docstrings. ``tk`` stands for ``toolkit``. If a package exports a name of one of its modules,
+such as ``tk.phases.Hybrid``, the page of the package describes it. Shapes are written ``[F, J, 3]``, with B for batch, F for
+frames, J for joints, K for experts and D for features. Units are metres, seconds and radians; Y is up, and +X is the left
+side. ``python -m toolkit VERB --help`` describes the command line.
 """
 
 
 @dataclass(frozen=True)
 class Page:
-    """What a module's page describes: its own names, those described on other pages, and the modules inside a package."""
+    """The contents of a module's page: its own names, names that another page describes, and the modules of a package."""
 
     name: str
     own: list[str]
@@ -35,7 +36,7 @@ class Page:
 
     @classmethod
     def of(cls, name: str) -> "Page":
-        """The page of a module by its full name."""
+        """Collect the page of a module, given by its full name."""
         module = importlib.import_module(name)
         own, elsewhere = [], []
         for n in getattr(module, "__all__", vars(module)):
@@ -53,7 +54,7 @@ class Page:
 
     @property
     def shadowed(self) -> bool:
-        """Whether its package has something else of the same name, as `toolkit.phases.sinusoids` is a function too."""
+        """Whether its package exports a function or class of the same name."""
         package, _, last = self.name.rpartition(".")
         return not inspect.ismodule(getattr(sys.modules[package], last))
 
@@ -70,7 +71,7 @@ class Page:
 
 
 def home(value) -> str:
-    """The module on whose page a function or class is described: a package that passes it on, or where it is defined."""
+    """The module whose page describes a function or class: a package that exports it, else the module that defines it."""
     parts = value.__module__.split(".")
     packages = [".".join(parts[:k]) for k in range(2, len(parts))]
     passing = [p for p in packages if value.__name__ in getattr(sys.modules[p], "__all__", ())
@@ -79,7 +80,7 @@ def home(value) -> str:
 
 
 def table(modules: list[str]) -> list[str]:
-    """Modules with the first line of their docstrings, and the tree that puts their pages below this one."""
+    """A table of modules with the first lines of their docstrings, and a tree of contents of their pages."""
     lines = [".. list-table::", "   :widths: 30 70", ""]
     for name in modules:
         first = inspect.getdoc(importlib.import_module(name)).splitlines()[0]
@@ -105,7 +106,7 @@ def pages() -> dict[str, str]:
 
 
 def put(folder: Path, texts: dict[str, str]) -> None:
-    """Write files into a folder that is for them alone; one that has not changed is not touched, one not named goes."""
+    """Write files into their own folder. Unchanged files are not touched, and files without a text are deleted."""
     folder.mkdir(exist_ok=True)
     for path in folder.iterdir():
         if path.is_file() and path.name not in texts:
