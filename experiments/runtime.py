@@ -126,7 +126,7 @@ def _beside(net: Model, fast, bank, rounds: int, rate: float, speed: float, peer
         }
         for name in [name for name, work in works.items() if isinstance(work, str)]:
             print(f"{name}: {works.pop(name)}")
-        with torch.inference_mode():
+        with torch.no_grad():
             done, right = _times(works, rounds), net.predict(x, phases, style)
             for name, seconds in done.items():
                 error = float(((works[name]() - right) / net.outputs_std).square().mean().sqrt())
@@ -172,7 +172,7 @@ def _torch_compile(net: Model, x: Tensor, phases: Tensor, style: Tensor) -> Call
     """The plain model through torch.compile, or why not."""
     made = torch.compile(net.predict, dynamic=False)
     try:
-        with torch.inference_mode():
+        with torch.no_grad():
             made(x, phases, style)
     except Exception as error:  # whatever its compilers raise
         return f"not here ({str(error).splitlines()[0][:80]}); it needs a C++ compiler"

@@ -111,7 +111,7 @@ def watch(model, vectors: Tensor, course: Course, *, progress: bool = False) -> 
     state, parts, last = runtime.start(model, course.blend(0, vectors)), [], None
     frames = range(len(course.velocity))
     bar = tqdm(total=len(frames), desc="soak", unit="frame", disable=None if progress else True)
-    with torch.inference_mode(), bar:
+    with torch.no_grad(), bar:
         for chunk in (frames[i : i + CHUNK] for i in frames[::CHUNK]):
             states = []
             for frame in chunk:
