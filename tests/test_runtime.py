@@ -185,7 +185,7 @@ def test_bad_commands_are_refused(small_run):
 def test_states_leave_the_callers_mode_alone_and_can_be_used_in_a_loss(small_run):
     model, style = small_run.model, small_run.bank.vectors[0]
     pair = (runtime.states(model, runtime.straight(1.0, 0.05), style) for _ in range(2))
-    for state, _ in zip(*pair, strict=True):
+    for _ in zip(*pair, strict=True):
         assert torch.is_grad_enabled()
         assert not torch.is_inference_mode_enabled()
     paused = runtime.states(model, runtime.straight(1.0, 0.05), style)

@@ -276,7 +276,7 @@ def test_it_stops_early_with_the_best_weights_also_after_a_resume(tmp_path):
 
 
 def test_patience_with_nothing_held_out_is_refused():
-    with pytest.raises(ValueError, match="patience needs held-out frames; held_out=0.0001 of these data are none"):
+    with pytest.raises(ValueError, match=r"patience needs held-out frames; held_out=0\.0001 of these data are none"):
         training.fit(waves(), dataclasses.replace(QUICK, patience=3, held_out=1e-4))
 
 
