@@ -27,7 +27,7 @@ def height(clip, limb):
     """Height of the foot's toe joint, metres ``[F]``; the lower, the higher the curve, as a contact is."""
     if limb.endswith("hand"):
         return HANDS(clip, limb)
-    return -clip.global_positions[:, clip.skeleton.index(limb.replace("foot", "toe")), 1]
+    return -clip.global_positions[:, clip.skeleton.role(limb.replace("foot", "toe")), 1]
 
 
 class Hilbert:

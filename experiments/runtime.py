@@ -252,10 +252,10 @@ def _equal(net: Model, fast, bank, styles: int) -> None:
 
 MEASURES: dict[str, Callable] = {
     "speed, m/s": metrics.speed,
-    "hips, m": lambda clip: clip.global_positions[:, clip.skeleton.index("hips"), 1].mean(),
+    "hips, m": lambda clip: clip.global_positions[:, clip.skeleton.role("hips"), 1].mean(),
     "foot speed, m/s": lambda clip: (clip.global_positions[1:] - clip.global_positions[:-1])[
-        :, [clip.skeleton.index(f"{side}_toe") for side in ("left", "right")]].norm(dim=-1).mean() * clip.fps,
-    "hand height, m": lambda clip: clip.global_positions[:, clip.skeleton.index("right_hand"), 1].mean(),
+        :, [clip.skeleton.role(f"{side}_toe") for side in ("left", "right")]].norm(dim=-1).mean() * clip.fps,
+    "hand height, m": lambda clip: clip.global_positions[:, clip.skeleton.role("right_hand"), 1].mean(),
     "end of the path, m": lambda clip: clip.root_positions[-1].norm(),
 }
 

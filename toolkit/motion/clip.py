@@ -62,19 +62,25 @@ class Skeleton:
         return len(self.names)
 
     def index(self, name: str) -> int:
-        """Index of a joint, by its name or by its role."""
-        name = self.roles.get(name, name)
-        if name not in self.names:
+        """Index of a joint by its name or, where no joint has this name, by its role."""
+        joint = name if name in self.names else self.roles.get(name)
+        if joint not in self.names:
             raise ValueError(f"unknown joint {name!r}; the skeleton has {', '.join(self.names)}")
-        return self.names.index(name)
+        return self.names.index(joint)
+
+    def role(self, role: str) -> int:
+        """Index of the joint that has a role; names do not count: SMPL's left_hand is not its wrist, which has that role."""
+        if self.roles.get(role) not in self.names:
+            raise ValueError(f"no joint has the role {role!r}; the skeleton has {', '.join(self.names)}")
+        return self.names.index(self.roles[role])
 
     def is_end(self, joint: int) -> bool:
         """Whether a point is an End Site."""
         return self.names[joint].endswith("End") and joint not in self.parents
 
-    def tip(self, name: str) -> int:
-        """Index of the End Site that extends a joint, of the joint itself where there is none of any length."""
-        joint = self.index(name)
+    def tip(self, role: str) -> int:
+        """Index of the End Site that extends the joint with a role; of that joint where there is none of any length."""
+        joint = self.role(role)
         ends = (j for j, p in enumerate(self.parents) if p == joint and self.is_end(j))
         return next((j for j in ends if float(self.offsets[j].norm()) > 1e-4), joint)
 
@@ -91,8 +97,12 @@ class Skeleton:
         return tuple(position.get(self.parents[j], -1) for j in self.feature_joints)
 
     @cached_property
+    @torch.inference_mode(False)
     def levels(self) -> list[tuple[Tensor, Tensor]]:
-        """Joints by depth below the root, as (joints, their parents): kinematics runs over these."""
+        """Joints by depth below the root, as (joints, their parents): kinematics runs over these.
+
+        Cached tensors are ordinary ones also where they are first used in inference mode: a later loss may need them.
+        """
         depth = [0] * len(self)
         for j, p in enumerate(self.parents[1:], 1):
             depth[j] = depth[p] + 1
@@ -100,27 +110,34 @@ class Skeleton:
         return [(torch.tensor(g), torch.tensor([self.parents[j] for j in g])) for g in groups]
 
     @cached_property
+    @torch.inference_mode(False)
     def rest_positions(self) -> Tensor:
         """Positions ``[J, 3]`` with every rotation zero, the root at the origin."""
         return forward_kinematics(self, R.identity(len(self)), torch.zeros(3))[1]
 
     @cached_property
+    @torch.inference_mode(False)
     def facing_axis(self) -> Tensor:
         """The signed axis of the hips' frame nearest to the body's forward: (right hip → left hip) × (hips → chest)."""
         rest = self.rest_positions
-        left = rest[self.index("left_hip")] - rest[self.index("right_hip")]
-        chest = next(j for j in self.ancestors("left_shoulder") if j in self.ancestors("right_shoulder"))
-        forward = torch.linalg.cross(left, rest[chest] - rest[self.index("hips")])
+        left = rest[self.role("left_hip")] - rest[self.role("right_hip")]
+        forward = torch.linalg.cross(left, rest[self.trunk[0]] - rest[self.role("hips")])
         largest = forward.abs().argmax()
         return torch.eye(3)[largest] * forward[largest].sign()
 
-    def ancestors(self, name: str) -> list[int]:
-        """Indices from a joint's parent up to the root."""
-        above, j = [], self.parents[self.index(name)]
+    def ancestors(self, joint: int | str) -> list[int]:
+        """Indices from the parent of a joint (its index, or what `index` takes) up to the root."""
+        above, j = [], self.parents[self.index(joint) if isinstance(joint, str) else joint]
         while j >= 0:
             above.append(j)
             j = self.parents[j]
         return above
+
+    @cached_property
+    def trunk(self) -> list[int]:
+        """Joints above both shoulders, from the chest up to the root."""
+        left, right = (self.ancestors(self.role(f"{side}_shoulder")) for side in ("left", "right"))
+        return [j for j in left if j in right]
 
     @cached_property
     def twins(self) -> tuple[int, ...]:
@@ -340,7 +357,7 @@ class RootFrames:
 
 def root_frames(clip: Clip) -> RootFrames:
     """Root frame of every frame (section 3.2): the hips on the floor, facing where the hips' forward axis points."""
-    hips = clip.skeleton.index("hips")
+    hips = clip.skeleton.role("hips")
     forward = R.rotate(clip.global_rotations[:, hips], clip.skeleton.facing_axis)
     positions = clip.global_positions[:, hips] * torch.tensor([1.0, 0.0, 1.0])
     return RootFrames(positions, R.yaw(torch.atan2(forward[:, 0], forward[:, 2])))
