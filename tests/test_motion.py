@@ -211,15 +211,25 @@ def test_bad_skeleton(names, parents, match):
         Skeleton(names, parents, torch.zeros(len(names), 3))
 
 
+def test_quaternions_of_three_decimals_are_near_enough_to_unit_length():
+    q = quaternions(0, 50, 20).float()
+    assert Clip(human(), (1e3 * q).round() / 1e3, torch.zeros(50, 3), 30).rotations.shape == (50, 20, 4)
+
+
 def test_bad_clip():
     skeleton, q, p = human(), R.identity(4, 20), torch.zeros(4, 3)
     bad = q.clone()
     bad[2, 5, 1] = math.nan
+    long, nothing = q.clone(), q.clone()
+    long[1, 3], nothing[3, 0] = 1.01 * long[1, 3], 0.0
     for rotations, positions, fps, match in (
         (q[:, :-1], p, 30, r"expected rotations \[F, 20, 4\]"),
         (q, p[:3], 30, "root positions"),
         (q[:0], p[:0], 30, "F >= 1"),
         (bad, p, 30, "rotations of frame 2 are not finite"),
+        (long, p, 30, r"length 1; in frame 1 that of HeadEnd has length 1\.01"),
+        (nothing, p, 30, "length 1; in frame 3 that of Hips has length 0"),
+        (q * 1e10, p, 30, r"length 1; in frame 0 that of Hips has length 1e\+10"),
         (q, p, 0, "frames per second"),
         (q, p, math.inf, "frames per second"),
     ):

@@ -16,6 +16,8 @@ from toolkit.motion import rotations as R
 ROLES = ("hips", *(f"{side}_{part}" for side in ("left", "right")
                    for part in ("shoulder", "elbow", "hand", "hip", "knee", "foot", "toe")))
 
+UNIT = 1e-3  # how far a quaternion's length may be from 1: files with four decimals pass, and long products in float32
+
 
 @dataclass(frozen=True, eq=False)
 class Skeleton:
@@ -204,7 +206,7 @@ class Clip:
     skeleton
         Whose motion it is, J joints.
     rotations : Tensor [F, J, 4]
-        Unit quaternions relative to the parent (the root's to the world).
+        Unit quaternions (to within `UNIT`) relative to the parent (the root's to the world).
     root_positions : Tensor [F, 3]
         Metres.
     fps
@@ -215,7 +217,7 @@ class Clip:
     Raises
     ------
     ValueError
-        If shapes do not agree, there is no frame, or a number is not finite.
+        If shapes do not agree, there is no frame, a number is not finite, or a quaternion's length is not 1.
     """
 
     skeleton: Skeleton
@@ -233,10 +235,18 @@ class Clip:
         if self.rotations.shape != (frames, joints, 4) or self.root_positions.shape != (frames, 3) or not frames:
             raise ValueError(f"{self.name}: expected rotations [F, {joints}, 4] and root positions [F, 3], F >= 1; got "
                              f"{list(self.rotations.shape)} and {list(self.root_positions.shape)}")
-        for what, values in (("rotations", self.rotations), ("root positions", self.root_positions)):
-            if not math.isfinite(values.sum(dtype=torch.float64)):  # one pass; a double cannot overflow here
-                frame = int((~torch.isfinite(values.flatten(1))).any(1).nonzero()[0])
-                raise ValueError(f"{self.name}: {what} of frame {frame} are not finite")
+        squares = torch.einsum("fjc,fjc->fj", self.rotations, self.rotations)
+        low, high = (float(x) for x in squares.aminmax())
+        if not 1 - 2 * UNIT < low <= high < 1 + 2 * UNIT:  # not with NaN either
+            frame, joint = (~((squares - 1).abs() < 2 * UNIT)).nonzero()[0].tolist()
+            q = self.rotations[frame, joint]
+            if not bool(q.isfinite().all()):
+                raise ValueError(f"{self.name}: rotations of frame {frame} are not finite")
+            raise ValueError(f"{self.name}: rotations must be quaternions of length 1; in frame {frame} that of "
+                             f"{self.skeleton.names[joint]} has length {float(q.norm()):.4g}")
+        if not math.isfinite(self.root_positions.sum(dtype=torch.float64)):  # one pass; a double cannot overflow here
+            frame = int((~torch.isfinite(self.root_positions)).any(1).nonzero()[0])
+            raise ValueError(f"{self.name}: root positions of frame {frame} are not finite")
         if not (self.fps > 0 and math.isfinite(self.fps)):
             raise ValueError(f"{self.name}: frames per second must be positive, got {self.fps}")
 
