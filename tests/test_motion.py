@@ -163,7 +163,7 @@ def test_a_joints_own_name_wins_over_a_role():
 
 def test_names_that_are_roles_of_other_joints_change_nothing(walk_clip):
     """Every joint with a role is called like the role of the next; all that asks for a role must still find it."""
-    from toolkit.compiled.ik import Body
+    from toolkit.runtime.compiled.ik import Body
     from toolkit.view import body, floor
 
     old, parts = walk_clip.skeleton, [role.removeprefix("left_") for role in ROLES if role.startswith("left_")]
@@ -179,10 +179,10 @@ def test_names_that_are_roles_of_other_joints_change_nothing(walk_clip):
         skeleton, frames = clip.skeleton, tk.features.frames(clip)
         targets = clip.global_positions[:5] + 0.03
         toes = targets[:, [skeleton.role("right_toe"), skeleton.role("left_toe")]]
-        arms = tk.ik.turn_arms(skeleton, clip.rotations[:5], clip.root_positions[:5], targets)
-        legs = tk.ik.plant_feet(skeleton, clip.rotations[:5], clip.root_positions[:5], toes)
+        arms = tk.motion.ik.turn_arms(skeleton, clip.rotations[:5], clip.root_positions[:5], targets)
+        legs = tk.motion.ik.plant_feet(skeleton, clip.rotations[:5], clip.root_positions[:5], toes)
         contact = tk.contacts.detect(clip)
-        retargeted = tk.export.retargeting.retarget(clip, human())
+        retargeted = tk.motion.retargeting.retarget(clip, human())
         shoes = [layer.corners(9) for layer in floor.layers(clip, contact.numpy())]
         return [
             frames.inputs, frames.outputs, frames.phases, skeleton.feature_joints, skeleton.facing_axis, arms, legs,
