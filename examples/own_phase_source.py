@@ -29,7 +29,7 @@ def height(clip, limb):
     """Negative height of the toe, metres ``[F]``, so that the curve is high during a contact; for hands, `HANDS`."""
     if limb.endswith("hand"):
         return HANDS(clip, limb)
-    return -clip.global_positions[:, clip.skeleton.index(limb.replace("foot", "toe")), 1]
+    return -clip.global_positions[:, clip.skeleton.role(limb.replace("foot", "toe")), 1]
 
 
 class Hilbert:

@@ -96,7 +96,7 @@ def measure(clip: Clip) -> dict[str, float]:
     """The values of `MEASURES` of a straight walk."""
     clip = clip.resample(RATE)
     points = clip.global_positions.double().numpy()
-    at = {name: points[:, clip.skeleton.index(name)] for name in clip.skeleton.roles}
+    at = {name: points[:, clip.skeleton.role(name)] for name in clip.skeleton.roles}
     hips, ground = at["hips"], at["hips"][:, [0, 2]]
     ahead = np.array([*np.diff(ground[[0, -1]], axis=0)[0]])
     ahead = np.array([ahead[0], 0.0, ahead[1]]) / np.hypot(*ahead)
@@ -111,7 +111,7 @@ def measure(clip: Clip) -> dict[str, float]:
     seconds = (last - first) / RATE
     speed = (hips[last] - hips[first]) @ ahead / seconds
     rest = clip.skeleton.rest_positions.double().numpy()
-    bones = [rest[clip.skeleton.index(f"left_{part}")] for part in ("hip", "knee", "foot")]
+    bones = [rest[clip.skeleton.role(f"left_{part}")] for part in ("hip", "knee", "foot")]
     leg = sum(np.linalg.norm(b - a) for a, b in pairwise(bones))
     per_stride = list(pairwise(strides))
     across = hips @ aside

@@ -21,6 +21,15 @@ def test_tiles_give_what_torch_gives(kernel, frames):
         torch.testing.assert_close(ours, theirs, rtol=1e-4, atol=1e-5 * float(theirs.detach().abs().max()))
 
 
+def test_a_layer_that_inference_mode_used_first_can_be_trained():
+    convolution._waves.cache_clear()
+    layer, x = Convolution(7, 5, 25), torch.randn(MANY, 7, TILE)
+    with torch.inference_mode():
+        layer(x)
+    layer(x).sum().backward()
+    assert bool(layer.weight.grad.any())
+
+
 def test_tiles_are_for_many_clips_and_wide_kernels(monkeypatch):
     monkeypatch.setattr(convolution, "_waves", lambda n: pytest.fail("tiles"))
     torch.manual_seed(0)

@@ -8,7 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from strategies import clips, human, human_clip, quaternions, seeds
 
-from toolkit.motion import Clip, Skeleton, forward_kinematics, local_rotations, root_frames
+import toolkit as tk
+from toolkit.motion import ROLES, Clip, Skeleton, forward_kinematics, local_rotations, root_frames
 from toolkit.motion import rotations as R
 
 MIRROR = torch.tensor([-1.0, 1.0, 1.0])
@@ -38,6 +39,17 @@ def test_forward_kinematics_of_any_leading_shape_and_its_gradient():
         torch.testing.assert_close((turned[i, j], positions[i, j]), one)
     q, root = q[0, :1].requires_grad_(), root[0, :1].requires_grad_()
     assert torch.autograd.gradcheck(lambda *x: forward_kinematics(skeleton, *x), (q, root))
+
+
+def test_a_skeleton_that_inference_mode_used_first_can_be_differentiated():
+    skeleton = human()
+    with torch.inference_mode():
+        forward_kinematics(skeleton, R.identity(2, 20), torch.zeros(2, 3))
+        _ = skeleton.rest_positions, skeleton.facing_axis
+    q = R.identity(2, 20).requires_grad_()
+    turned, positions = forward_kinematics(skeleton, q, torch.zeros(2, 3))
+    (R.rotate(turned, skeleton.facing_axis) * (positions - skeleton.rest_positions)).sum().backward()
+    assert bool(q.grad.isfinite().all())
 
 
 @given(clips())
@@ -132,6 +144,57 @@ def test_roles_and_names():
     assert [skeleton.names[j] for j in range(len(skeleton)) if j not in skeleton.feature_joints] == ["HeadEnd"]
     with pytest.raises(ValueError, match=r"unknown joint 'Tail'.*Hips, Chest"):
         skeleton.index("Tail")
+    with pytest.raises(ValueError, match=r"no joint has the role 'Hips'.*Hips, Chest"):
+        skeleton.role("Hips")
+
+
+def test_a_joints_own_name_wins_over_a_role():
+    """SMPL has a hand beyond the wrist, and calls the ankle's child a foot."""
+    names = ("pelvis", "left_hip", "left_knee", "left_ankle", "left_foot", "left_collar", "left_shoulder", "left_elbow",
+             "left_wrist", "left_hand")
+    roles = {"left_hip": "left_hip", "left_knee": "left_knee", "left_foot": "left_ankle", "left_toe": "left_foot",
+             "left_hand": "left_wrist"}
+    skeleton = Skeleton(names, (-1, 0, 1, 2, 3, 0, 5, 6, 7, 8), torch.ones(10, 3), roles)
+    assert [skeleton.names[skeleton.index(name)] for name in ("left_hand", "left_foot")] == ["left_hand", "left_foot"]
+    assert [skeleton.names[skeleton.role(name)] for name in ("left_hand", "left_foot")] == ["left_wrist", "left_ankle"]
+    assert skeleton.names[skeleton.index("left_toe")] == "left_foot"
+    assert [skeleton.names[j] for j in skeleton.ancestors("left_hand")] == [*names[8:4:-1], "pelvis"]
+
+
+def test_names_that_are_roles_of_other_joints_change_nothing(walk_clip):
+    """Every joint with a role is called like the role of the next; all that asks for a role must still find it."""
+    from toolkit.runtime.compiled.ik import Body
+    from toolkit.view import body, floor
+
+    old, parts = walk_clip.skeleton, [role.removeprefix("left_") for role in ROLES if role.startswith("left_")]
+    called = {old.roles["hips"]: "chest", "Chest": "hips"}
+    called |= {old.roles[f"{side}_{a}"]: f"{side}_{b}" for side in ("left", "right")
+               for a, b in zip(parts, parts[1:] + parts[:1], strict=True)}
+    roles = {role: called[name] for role, name in old.roles.items()}
+    renamed = Skeleton([called.get(name, name) for name in old.names], old.parents, old.offsets, roles)
+    pair = [walk_clip, walk_clip.replace(skeleton=renamed)]
+    learned = tk.phases.learned.pretrained()
+
+    def seen(clip: Clip) -> list:
+        skeleton, frames = clip.skeleton, tk.features.frames(clip)
+        targets = clip.global_positions[:5] + 0.03
+        toes = targets[:, [skeleton.role("right_toe"), skeleton.role("left_toe")]]
+        arms = tk.motion.ik.turn_arms(skeleton, clip.rotations[:5], clip.root_positions[:5], targets)
+        legs = tk.motion.ik.plant_feet(skeleton, clip.rotations[:5], clip.root_positions[:5], toes)
+        contact = tk.contacts.detect(clip)
+        retargeted = tk.motion.retargeting.retarget(clip, human())
+        shoes = [layer.corners(9) for layer in floor.layers(clip, contact.numpy())]
+        return [
+            frames.inputs, frames.outputs, frames.phases, skeleton.feature_joints, skeleton.facing_axis, arms, legs,
+            contact, learned.sinusoids(clip)[0], tk.metrics.hips_height(clip), tk.metrics.speed(clip),
+            tk.metrics.on_feet(skeleton, clip.global_positions[..., 1]), list(tk.metrics.foot_skate(clip).values()),
+            tk.metrics.path_error(clip, torch.zeros(2, 2) + torch.arange(2.0)), *Body.of(skeleton), *shoes,
+            *(shape.place for shape in body.build(clip)), [shape.joint for shape in body.build(clip)],
+            tk.features.Layout(skeleton).limbs, retargeted.rotations, retargeted.root_positions,
+        ]
+
+    for expected, got in zip(*map(seen, pair), strict=True):
+        np.testing.assert_array_equal(got, expected)
 
 
 @pytest.mark.parametrize(
@@ -148,15 +211,25 @@ def test_bad_skeleton(names, parents, match):
         Skeleton(names, parents, torch.zeros(len(names), 3))
 
 
+def test_quaternions_of_three_decimals_are_near_enough_to_unit_length():
+    q = quaternions(0, 50, 20).float()
+    assert Clip(human(), (1e3 * q).round() / 1e3, torch.zeros(50, 3), 30).rotations.shape == (50, 20, 4)
+
+
 def test_bad_clip():
     skeleton, q, p = human(), R.identity(4, 20), torch.zeros(4, 3)
     bad = q.clone()
     bad[2, 5, 1] = math.nan
+    long, nothing = q.clone(), q.clone()
+    long[1, 3], nothing[3, 0] = 1.01 * long[1, 3], 0.0
     for rotations, positions, fps, match in (
         (q[:, :-1], p, 30, r"expected rotations \[F, 20, 4\]"),
         (q, p[:3], 30, "root positions"),
         (q[:0], p[:0], 30, "F >= 1"),
         (bad, p, 30, "rotations of frame 2 are not finite"),
+        (long, p, 30, r"length 1; in frame 1 that of HeadEnd has length 1\.01"),
+        (nothing, p, 30, "length 1; in frame 3 that of Hips has length 0"),
+        (q * 1e10, p, 30, r"length 1; in frame 0 that of Hips has length 1e\+10"),
         (q, p, 0, "frames per second"),
         (q, p, math.inf, "frames per second"),
     ):
@@ -174,5 +247,5 @@ def test_numbers_may_be_as_large_as_a_float_holds():
 
 def test_a_joint_that_is_not_there_cannot_be_mirrored_about():
     skeleton = Skeleton(("a", "b"), (-1, 0), torch.zeros(2, 3))
-    with pytest.raises(ValueError, match="unknown joint 'left_hip'"):
+    with pytest.raises(ValueError, match="no joint has the role 'left_hip'"):
         Clip(skeleton, quaternions(0, 3, 2), torch.zeros(3, 3), 30).mirrored()

@@ -169,13 +169,16 @@ def test_predict_normalises_inside(name):
     torch.testing.assert_close(got, expected * model.outputs_std + model.outputs_mean)
     torch.testing.assert_close(model.predict(x[:1], p[:1], s), got[:1], rtol=1e-4, atol=1e-5)
     assert not got.requires_grad
+    assert torch.equal(model.train().predict(x, p, s), got)
 
 
 def test_style_vector_is_the_mean_over_clips():
     model = tiny_model()
     clips = torch.randn(40, 240, model.layout.n_clip)
     each = torch.stack([model.style_vector(clips[i : i + 1]) for i in range(40)])
-    torch.testing.assert_close(model.style_vector(clips), each.mean(0), rtol=1e-4, atol=1e-5)
+    mean = model.style_vector(clips)
+    torch.testing.assert_close(mean, each.mean(0), rtol=1e-4, atol=1e-5)
+    assert torch.equal(model.train().style_vector(clips), mean)
 
 
 @pytest.mark.parametrize("name", networks.MODELS)

@@ -94,6 +94,17 @@ def test_slerp_ends_and_middle(seed):
     torch.testing.assert_close(angle_between(a, R.slerp(a, b, 0.25)), whole / 4, atol=1e-6, rtol=0)
 
 
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+@pytest.mark.parametrize("dtype", [torch.float32, torch.float64])
+def test_slerp_has_the_gradient_of_its_limit_where_both_ends_are_equal(sign, dtype):
+    a = quaternions(3, 6, dtype=dtype)
+    ends = a.clone().requires_grad_(), (sign * a).requires_grad_()
+    R.slerp(*ends, 0.25)[..., 0].sum().backward()
+    across = torch.eye(4, dtype=dtype)[0] - a[:, :1] * a  # what moves along the sphere counts, by its share
+    torch.testing.assert_close(ends[0].grad, 0.75 * across)
+    torch.testing.assert_close(ends[1].grad, sign * 0.25 * across)
+
+
 def test_slerp_times_broadcast():
     a, b = quaternions(3, 2)
     t = torch.linspace(0, 1, 5)

@@ -182,6 +182,32 @@ def test_bad_commands_are_refused(small_run):
         runtime.rollout(small_run.model, runtime.straight(1.0, 0.1), torch.zeros(7))
 
 
+def test_states_leave_the_callers_mode_alone_and_can_be_used_in_a_loss(small_run):
+    model, style = small_run.model, small_run.bank.vectors[0]
+    pair = (runtime.states(model, runtime.straight(1.0, 0.05), style) for _ in range(2))
+    for _ in zip(*pair, strict=True):
+        assert torch.is_grad_enabled()
+        assert not torch.is_inference_mode_enabled()
+    paused = runtime.states(model, runtime.straight(1.0, 0.05), style)
+    state = next(paused)
+    assert torch.is_grad_enabled()
+    assert not torch.is_inference_mode_enabled()
+    weight = torch.ones_like(state.joints, requires_grad=True)
+    (weight * state.joints).sum().backward()
+    assert torch.equal(weight.grad, state.joints)
+
+
+def test_a_rollout_drops_nothing_out_of_a_model_in_training_mode(walk_clip):
+    model = tk.networks.build("lpn-film", Layout(walk_clip.skeleton), 1, tk.networks.Sizes.small())
+    commands, style = runtime.straight(1.0, 0.1), torch.randn(model.style_size)
+    expected = runtime.rollout(model, commands, style)
+    model.train().gating.eval()  # a part that its user froze stays frozen
+    assert torch.equal(runtime.rollout(model, commands, style).rotations, expected.rotations)
+    assert model.training
+    assert model.experts.dropout.training
+    assert not model.gating.dropout.training
+
+
 def test_straight_commands():
     commands = runtime.straight(speed=2.0, seconds=1.5, facing=(3.0, 4.0))
     assert len(commands) == 90

@@ -174,19 +174,19 @@ def test_repeating_the_frame_keeps_pose_trajectory_and_phases():
     assert bool((z["contacts"] == 0.25).all())
 
 
-@pytest.mark.parametrize("stop_at", [1, 5, 7, 12])
-def test_stopped_and_resumed_equals_not_stopped(tmp_path, stop_at):
-    data, path = waves(), tmp_path / "run.checkpoint"
-    straight = training.fit(data, QUICK)
+@pytest.mark.parametrize(("stop_at", "held_out"), [(1, 0.1), (5, 0.1), (7, 0.1), (12, 0.1), (11, 0.0)])
+def test_stopped_and_resumed_equals_not_stopped(tmp_path, stop_at, held_out):
+    data, path, config = waves(), tmp_path / "run.checkpoint", dataclasses.replace(QUICK, held_out=held_out)
+    straight = training.fit(data, config)
 
     def stop(step: int, _: float) -> None:
         if step == stop_at:
             raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        training.fit(data, QUICK, path, on_step=stop)
+        training.fit(data, config, path, on_step=stop)
     torch.rand(7)  # what else happens to the global generator does not matter
-    resumed = training.fit(data, QUICK, path)
+    resumed = training.fit(data, config, path)
     assert same_weights(straight.model, resumed.model)
     assert torch.equal(straight.bank.vectors, resumed.bank.vectors)
     assert [(r["step"], r["loss"], r["held_out"]) for r in resumed.history] == \
@@ -273,6 +273,11 @@ def test_it_stops_early_with_the_best_weights_also_after_a_resume(tmp_path):
         assert [row["held_out"] for row in resumed.history] == errors
     with pytest.raises(ValueError, match="the run to resume differs in patience: expected 4, got 3"):
         training.fit(waves(), dataclasses.replace(config, patience=4), tmp_path / "checkpoint")
+
+
+def test_patience_with_nothing_held_out_is_refused():
+    with pytest.raises(ValueError, match=r"patience needs held-out frames; held_out=0\.0001 of these data are none"):
+        training.fit(waves(), dataclasses.replace(QUICK, patience=3, held_out=1e-4))
 
 
 def test_tensorboard_shows_what_was_computed(tmp_path):

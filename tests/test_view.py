@@ -1,6 +1,8 @@
+import gc
 import re
 import subprocess
 import sys
+import weakref
 from dataclasses import replace
 from itertools import pairwise
 from types import SimpleNamespace
@@ -160,6 +162,15 @@ def test_a_bent_knee_stays_one_surface(clip):
     moved = np.linalg.norm(points - rigid, axis=1)
     assert moved[surface.owners == thigh].max() > 0.02  # the end of the thigh goes along
     assert moved[np.isin(surface.owners, [i for i, s in enumerate(shapes) if not s.bends])].max() == 0
+
+
+def test_a_body_is_built_once_and_keeps_no_clip_alive(clip):
+    drawn = clip.cut(0, 30)
+    assert body.build(drawn) is body.build(drawn)
+    seen = weakref.ref(drawn)
+    del drawn
+    gc.collect()
+    assert seen() is None
 
 
 def test_any_tree_gets_a_body():

@@ -85,7 +85,7 @@ def hands(clips: Mapping[str, Clip], seconds: float = 3.0) -> Picture:
         local = root_frames(part).to_local(part.global_positions[:, joints])
         swing = float(metrics.hand_swing(Layout(part.skeleton), local)["together"])
         for side, colour in (("left", PALETTE[4]), ("right", PALETTE[3])):
-            hand = local[:, joints.index(part.skeleton.index(f"{side}_hand")), 2]
+            hand = local[:, joints.index(part.skeleton.role(f"{side}_hand")), 2]
             axis.plot(np.arange(len(hand)) / part.fps, hand, color=colour, lw=2, label=f"{side} hand")
         axis.set_title(f"{name}: {clip.style}, correlation {swing:+.2f}", loc="left", size=10, color=INK)
         axis.set_xlabel("seconds", color=INK)

@@ -188,7 +188,7 @@ def _gait(model: Model, walk: list[CharacterState], laps: list[CharacterState], 
 def frame_time(model: Model, style: Tensor, runs: int = 5, frames: int = 60) -> tuple[float, float]:
     """Mean and deviation over some runs of the time for a frame of one character, milliseconds."""
     command, times = Command((0.0, 1.0)), []
-    with torch.inference_mode():
+    with torch.no_grad():
         state = runtime.start(model, style)
         for _ in range(runs + 1):
             began = time.perf_counter()

@@ -129,7 +129,7 @@ def _beside(net: Model, fast, bank, rounds: int, rate: float, speed: float, peer
         }
         for name in [name for name, work in works.items() if isinstance(work, str)]:
             print(f"{name}: {works.pop(name)}")
-        with torch.inference_mode():
+        with torch.no_grad():
             done, right = _times(works, rounds), net.predict(x, phases, style)
             for name, seconds in done.items():
                 error = float(((works[name]() - right) / net.outputs_std).square().mean().sqrt())
@@ -175,7 +175,7 @@ def _torch_compile(net: Model, x: Tensor, phases: Tensor, style: Tensor) -> Call
     """The plain model in torch.compile, or the reason why it cannot run."""
     made = torch.compile(net.predict, dynamic=False)
     try:
-        with torch.inference_mode():
+        with torch.no_grad():
             made(x, phases, style)
     except Exception as error:  # whatever the compilers raise
         return f"not here ({str(error).splitlines()[0][:80]}); it needs a C++ compiler"
@@ -255,10 +255,10 @@ def _equal(net: Model, fast, bank, styles: int) -> None:
 
 MEASURES: dict[str, Callable] = {
     "speed, m/s": metrics.speed,
-    "hips, m": lambda clip: clip.global_positions[:, clip.skeleton.index("hips"), 1].mean(),
+    "hips, m": lambda clip: clip.global_positions[:, clip.skeleton.role("hips"), 1].mean(),
     "foot speed, m/s": lambda clip: (clip.global_positions[1:] - clip.global_positions[:-1])[
-        :, [clip.skeleton.index(f"{side}_toe") for side in ("left", "right")]].norm(dim=-1).mean() * clip.fps,
-    "hand height, m": lambda clip: clip.global_positions[:, clip.skeleton.index("right_hand"), 1].mean(),
+        :, [clip.skeleton.role(f"{side}_toe") for side in ("left", "right")]].norm(dim=-1).mean() * clip.fps,
+    "hand height, m": lambda clip: clip.global_positions[:, clip.skeleton.role("right_hand"), 1].mean(),
     "end of the path, m": lambda clip: clip.root_positions[-1].norm(),
 }
 

@@ -111,7 +111,7 @@ def watch(model, vectors: Tensor, course: Course, *, progress: bool = False) -> 
     state, parts, last = runtime.start(model, course.blend(0, vectors)), [], None
     frames = range(len(course.velocity))
     bar = tqdm(total=len(frames), desc="soak", unit="frame", disable=None if progress else True)
-    with torch.inference_mode(), bar:
+    with torch.no_grad(), bar:
         for chunk in (frames[i : i + CHUNK] for i in frames[::CHUNK]):
             states = []
             for frame in chunk:
@@ -124,7 +124,7 @@ def watch(model, vectors: Tensor, course: Course, *, progress: bool = False) -> 
     skeleton = model.layout.skeleton
     rest = skeleton.rest_positions[:, 1]
     whole = {name: torch.cat([part[name] for part in parts]) for name in parts[0]}
-    return Watched(**whole, rest=float(rest[skeleton.index("hips")] - rest.min()))
+    return Watched(**whole, rest=float(rest[skeleton.role("hips")] - rest.min()))
 
 
 def _look(model, states: list[CharacterState], last: Tensor | None) -> tuple[dict[str, Tensor], Tensor]:
@@ -142,7 +142,7 @@ def _look(model, states: list[CharacterState], last: Tensor | None) -> tuple[dic
     return {
         "finite": numbers.isfinite().all(-1) & positions.isfinite().flatten(2).all(-1),
         "upright": metrics.on_feet(skeleton, positions[..., 1]),
-        "hips": positions[..., skeleton.index("hips"), 1], "root": torch.stack([s.root[:, :2] for s in states]),
+        "hips": positions[..., skeleton.role("hips"), 1], "root": torch.stack([s.root[:, :2] for s in states]),
         "contact": torch.stack([s.contacts > 0.5 for s in states]), "sliding": sliding, "plain": plain,
     }, toes[-1]
 

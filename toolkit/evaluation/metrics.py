@@ -36,7 +36,7 @@ def foot_skate(clip: Clip, contact: Tensor | None = None) -> dict[str, float]:
         raise ValueError(f"contacts of {len(clip)} frames have the shape [{len(clip)}, 2], got {list(contact.shape)}")
     result = {}
     for i, side in enumerate(contacts.FEET):
-        toe = clip.global_positions[:, clip.skeleton.index(f"{side}_toe")]
+        toe = clip.global_positions[:, clip.skeleton.role(f"{side}_toe")]
         speed = contacts.velocities(toe, clip.fps)[:, [0, 2]].norm(dim=-1)
         weight = contact[:, i] > 0.5
         result[side] = float((speed * weight).sum() / weight.sum()) if weight.any() else math.nan
@@ -51,14 +51,14 @@ def step_rate(contact: Tensor, fps: float) -> float:
 
 def speed(clip: Clip) -> float:
     """Mean horizontal speed of the hips, smoothed over half a second, m/s."""
-    hips = clip.global_positions[:, clip.skeleton.index("hips")][:, [0, 2]]
+    hips = clip.global_positions[:, clip.skeleton.role("hips")][:, [0, 2]]
     lag = max(1, min(len(clip) - 1, round(clip.fps / 2)))
     return float((hips[lag:] - hips[:-lag]).norm(dim=-1).mean() * clip.fps / lag)
 
 
 def hips_height(clip: Clip) -> tuple[float, float]:
     """Lowest and highest height of the hips in the clip, metres."""
-    height = clip.global_positions[:, clip.skeleton.index("hips"), 1]
+    height = clip.global_positions[:, clip.skeleton.role("hips"), 1]
     return float(height.min()), float(height.max())
 
 
@@ -69,9 +69,8 @@ def upright(clip: Clip) -> bool:
 
 def on_feet(skeleton: Skeleton, height: Tensor) -> Tensor:
     """Whether the chest is above the hips and the hips above both ankles ``[...]``, from heights of joints ``[..., J]``."""
-    hips, above = height[..., skeleton.index("hips")], skeleton.ancestors("left_shoulder")
-    chest = height[..., next(j for j in above if j in skeleton.ancestors("right_shoulder"))]
-    ankles = height[..., [skeleton.index(f"{side}_foot") for side in contacts.FEET]].amax(-1)
+    hips, chest = height[..., skeleton.role("hips")], height[..., skeleton.trunk[0]]
+    ankles = height[..., [skeleton.role(f"{side}_foot") for side in contacts.FEET]].amax(-1)
     return (chest > hips) & (hips > ankles)
 
 
@@ -133,7 +132,7 @@ def hand_swing(layout: Layout, positions: Tensor) -> dict[str, Tensor]:
 
 def path_error(clip: Clip, points: Tensor) -> float:
     """Mean distance of the hips on the floor from a polyline of (x, z) ``points [P, 2]``, metres."""
-    hips = clip.global_positions[:, clip.skeleton.index("hips")][:, None, [0, 2]]
+    hips = clip.global_positions[:, clip.skeleton.role("hips")][:, None, [0, 2]]
     points = as_tensor(points, "points", hips)
     a, b = points[None, :-1], points[None, 1:]
     along = (((hips - a) * (b - a)).sum(-1) / (b - a).square().sum(-1).clamp_min(1e-12)).clamp(0.0, 1.0)

@@ -113,7 +113,7 @@ class Layout:
     @property
     def limbs(self) -> list[int]:
         """Hands and feet among the feature joints, in the order of the phases."""
-        return [self.skeleton.feature_joints.index(self.skeleton.index(limb)) for limb in phases.LIMBS]
+        return [self.skeleton.feature_joints.index(self.skeleton.role(limb)) for limb in phases.LIMBS]
 
     @property
     def limb_velocities(self) -> list[int]:

@@ -18,6 +18,8 @@ from toolkit.motion.tensors import as_tensor, summary, through_numpy
 ROLES = ("hips", *(f"{side}_{part}" for side in ("left", "right")
                    for part in ("shoulder", "elbow", "hand", "hip", "knee", "foot", "toe")))
 
+UNIT = 1e-3  # how far a quaternion's length may be from 1: files with four decimals pass, and long products in float32
+
 
 @dataclass(frozen=True, eq=False)
 class Skeleton:
@@ -70,19 +72,25 @@ class Skeleton:
         return summary(self, {"joints": len(self), "end_sites": ends, "names": self.names, "roles": self.roles})
 
     def index(self, name: str) -> int:
-        """Index of a joint, by its name or by its role."""
-        name = self.roles.get(name, name)
-        if name not in self.names:
+        """Index of a joint by its name or, where no joint has this name, by its role."""
+        joint = name if name in self.names else self.roles.get(name)
+        if joint not in self.names:
             raise ValueError(f"unknown joint {name!r}; the skeleton has {', '.join(self.names)}")
-        return self.names.index(name)
+        return self.names.index(joint)
+
+    def role(self, role: str) -> int:
+        """Index of the joint that has a role; names do not count: SMPL's left_hand is not its wrist, which has that role."""
+        if self.roles.get(role) not in self.names:
+            raise ValueError(f"no joint has the role {role!r}; the skeleton has {', '.join(self.names)}")
+        return self.names.index(self.roles[role])
 
     def is_end(self, joint: int) -> bool:
         """Whether a point is an End Site."""
         return self.names[joint].endswith("End") and joint not in self.parents
 
-    def tip(self, name: str) -> int:
-        """Index of the End Site that extends a joint, of the joint itself where there is none of any length."""
-        joint = self.index(name)
+    def tip(self, role: str) -> int:
+        """Index of the End Site that extends the joint with a role; of that joint where there is none of any length."""
+        joint = self.role(role)
         ends = (j for j, p in enumerate(self.parents) if p == joint and self.is_end(j))
         return next((j for j in ends if float(self.offsets[j].norm()) > 1e-4), joint)
 
@@ -112,27 +120,34 @@ class Skeleton:
         return kept[device]
 
     @cached_property
+    @torch.inference_mode(False)
     def rest_positions(self) -> Tensor:
         """Positions ``[J, 3]`` with every rotation zero, the root at the origin."""
         return forward_kinematics(self, R.identity(len(self), dtype=torch.float32), torch.zeros(3))[1]
 
     @cached_property
+    @torch.inference_mode(False)
     def facing_axis(self) -> Tensor:
         """The signed axis of the hips' frame nearest to the body's forward: (right hip → left hip) × (hips → chest)."""
         rest = self.rest_positions
-        left = rest[self.index("left_hip")] - rest[self.index("right_hip")]
-        chest = next(j for j in self.ancestors("left_shoulder") if j in self.ancestors("right_shoulder"))
-        forward = torch.linalg.cross(left, rest[chest] - rest[self.index("hips")])
+        left = rest[self.role("left_hip")] - rest[self.role("right_hip")]
+        forward = torch.linalg.cross(left, rest[self.trunk[0]] - rest[self.role("hips")])
         largest = forward.abs().argmax()
         return torch.eye(3)[largest] * forward[largest].sign()
 
-    def ancestors(self, name: str) -> list[int]:
-        """Indices from a joint's parent up to the root."""
-        above, j = [], self.parents[self.index(name)]
+    def ancestors(self, joint: int | str) -> list[int]:
+        """Indices from the parent of a joint (its index, or what `index` takes) up to the root."""
+        above, j = [], self.parents[self.index(joint) if isinstance(joint, str) else joint]
         while j >= 0:
             above.append(j)
             j = self.parents[j]
         return above
+
+    @cached_property
+    def trunk(self) -> list[int]:
+        """Joints above both shoulders, from the chest up to the root."""
+        left, right = (self.ancestors(self.role(f"{side}_shoulder")) for side in ("left", "right"))
+        return [j for j in left if j in right]
 
     @cached_property
     def twins(self) -> tuple[int, ...]:
@@ -198,8 +213,8 @@ class Clip:
     skeleton
         Whose motion it is, J joints.
     rotations : Tensor [F, J, 4]
-        Unit quaternions relative to the parent (the root's to the world). A tensor keeps its device and floating dtype,
-        which the positions get too; arrays and lists become float32.
+        Unit quaternions (to within `UNIT`) relative to the parent (the root's to the world). A tensor keeps its device and
+        floating dtype, which the positions get too; arrays and lists become float32.
     root_positions : Tensor [F, 3]
         Metres.
     fps
@@ -210,7 +225,7 @@ class Clip:
     Raises
     ------
     ValueError
-        If shapes do not agree, there is no frame, or a number is not finite.
+        If shapes do not agree, there is no frame, a number is not finite, or a quaternion's length is not 1.
     """
 
     skeleton: Skeleton
@@ -228,14 +243,24 @@ class Clip:
         if self.rotations.shape != (frames, joints, 4) or self.root_positions.shape != (frames, 3) or not frames:
             raise ValueError(f"{self.name}: expected rotations [F, {joints}, 4] and root positions [F, 3], F >= 1; got "
                              f"{list(self.rotations.shape)} and {list(self.root_positions.shape)}")
-        for what, values in (("rotations", self.rotations), ("root positions", self.root_positions)):
-            if values.is_meta:
-                continue  # the meta device keeps shapes and no numbers
-            if not math.isfinite(values.detach().sum(dtype=torch.float64)):  # one pass; a double cannot overflow here
-                frame = int((~torch.isfinite(values.flatten(1))).any(1).nonzero()[0])
-                raise ValueError(f"{self.name}: {what} of frame {frame} are not finite")
+        if not self.rotations.is_meta:  # the meta device keeps shapes and no numbers
+            self._check_numbers()
         if not (self.fps > 0 and math.isfinite(self.fps)):
             raise ValueError(f"{self.name}: frames per second must be positive, got {self.fps}")
+
+    def _check_numbers(self) -> None:
+        squares = torch.einsum("fjc,fjc->fj", self.rotations, self.rotations)
+        low, high = (float(x) for x in squares.aminmax())
+        if not 1 - 2 * UNIT < low <= high < 1 + 2 * UNIT:  # not with NaN either
+            frame, joint = (~((squares - 1).abs() < 2 * UNIT)).nonzero()[0].tolist()
+            q = self.rotations[frame, joint]
+            if not bool(q.isfinite().all()):
+                raise ValueError(f"{self.name}: rotations of frame {frame} are not finite")
+            raise ValueError(f"{self.name}: rotations must be quaternions of length 1; in frame {frame} that of "
+                             f"{self.skeleton.names[joint]} has length {float(q.norm()):.4g}")
+        if not math.isfinite(self.root_positions.detach().sum(dtype=torch.float64)):  # one pass; a double cannot overflow
+            frame = int((~torch.isfinite(self.root_positions)).any(1).nonzero()[0])
+            raise ValueError(f"{self.name}: root positions of frame {frame} are not finite")
 
     def __len__(self) -> int:
         return len(self.rotations)
@@ -373,7 +398,7 @@ class RootFrames:
 
 def root_frames(clip: Clip) -> RootFrames:
     """Root frame of every frame (section 3.2): the hips on the floor, facing where the hips' forward axis points."""
-    hips = clip.skeleton.index("hips")
+    hips = clip.skeleton.role("hips")
     forward = R.rotate(clip.global_rotations[:, hips], clip.skeleton.facing_axis.to(clip.rotations))
     positions = clip.global_positions[:, hips].clone()
     positions[:, 1] = 0.0

@@ -36,7 +36,7 @@ def detect(
     Tensor [F, 2]
         1 in contact, 0 otherwise; right, left.
     """
-    toes = clip.global_positions[:, [clip.skeleton.index(f"{side}_toe") for side in FEET]]
+    toes = clip.global_positions[:, [clip.skeleton.role(f"{side}_toe") for side in FEET]]
     if floor is None:
         floor = toes[..., 1].amin(1).quantile(0.05)
     low = toes[..., 1] - floor <= height + BALL

@@ -138,7 +138,7 @@ def plant_feet(skeleton: Skeleton, rotations: Tensor, root: Tensor, toes: Tensor
         New local rotations.
     """
     turned, positions = forward_kinematics(skeleton, rotations, root)
-    legs = [[skeleton.index(f"{side}_{part}") for side in SIDES] for part in ("hip", "knee", "foot", "toe")]
+    legs = [[skeleton.role(f"{side}_{part}") for side in SIDES] for part in ("hip", "knee", "foot", "toe")]
     a, b, c, toe = (positions[..., joints, :] for joints in legs)
     middle, end = two_bone(a, b, c, toes - (toe - c))
     turn = R.between(torch.stack((b - a, c - b)), torch.stack((middle - a, end - middle)))
@@ -168,7 +168,7 @@ def turn_arms(skeleton: Skeleton, rotations: Tensor, root: Tensor, wanted: Tenso
         New local rotations.
     """
     turned, positions = forward_kinematics(skeleton, rotations, root)
-    arms = [[skeleton.index(f"{side}_{part}") for side in SIDES] for part in ("shoulder", "elbow", "hand")]
+    arms = [[skeleton.role(f"{side}_{part}") for side in SIDES] for part in ("shoulder", "elbow", "hand")]
     chain = [[skeleton.parents[joint] for joint in arms[0]], *arms]
     tips = [skeleton.tip(f"{side}_hand") for side in SIDES]
     for joints, children in pairwise([*chain, tips] if not set(tips) & set(arms[-1]) else chain):

@@ -47,18 +47,18 @@ def retarget(clip: Clip, skeleton: Skeleton) -> Clip:
         world[:, joint] = turned[joint] if joint in turned else world[:, parent]
     scale = _leg(skeleton) / _leg(own)
     made = clip.replace(skeleton=skeleton, rotations=R.unroll(local_rotations(skeleton, world)),
-                        root_positions=scale * clip.global_positions[:, own.index("hips")])
+                        root_positions=scale * clip.global_positions[:, own.role("hips")])
     return made.moved(shift=(0.0, scale * _stand(clip) - _stand(made), 0.0))
 
 
 def _leg(skeleton: Skeleton) -> float:
     """Hip to ankle along the bones, metres."""
-    return sum(float(skeleton.offsets[skeleton.index(f"left_{part}")].norm()) for part in ("knee", "foot"))
+    return sum(float(skeleton.offsets[skeleton.role(f"left_{part}")].norm()) for part in ("knee", "foot"))
 
 
 def _stand(clip: Clip) -> float:
     """How high the lower toe is where it is lowest, metres."""
-    toes = clip.global_positions[:, [clip.skeleton.index(f"{side}_toe") for side in ("left", "right")], 1]
+    toes = clip.global_positions[:, [clip.skeleton.role(f"{side}_toe") for side in ("left", "right")], 1]
     return float(toes.amin(1).quantile(0.05))
 
 
@@ -95,12 +95,11 @@ def _trunk(clip: Clip, skeleton: Skeleton) -> dict[int, Tensor]:
     """World rotations ``[F, 4]`` of hips, spine, neck and head."""
     chains = []
     for s in (clip.skeleton, skeleton):
-        chest = next(j for j in s.ancestors("left_shoulder") if j in s.ancestors("right_shoulder"))
-        spine = [chest, *s.ancestors(s.names[chest])][::-1]
+        chest, spine = s.trunk[0], s.trunk[::-1]
         head = next((j for j, name in enumerate(s.names) if name.lower().endswith("head")), chest)
-        above = [head, *s.ancestors(s.names[head])]
+        above = [head, *s.ancestors(head)]
         neck = above[: above.index(chest) + 1][::-1] if chest in above else [chest]
-        hips = s.index("hips")
+        hips = s.role("hips")
         chains.append((spine[spine.index(hips) if hips in spine else 0 :], neck))
     first = chains[0][0][0]
     turned, axes = {}, {first: _axes(clip, first)}
@@ -135,12 +134,12 @@ def _limbs(clip: Clip, skeleton: Skeleton) -> dict[int, Tensor]:
 
 def _part(skeleton: Skeleton, side: str, part: str) -> int:
     """A part of a limb; a collar is what a shoulder hangs on."""
-    return skeleton.parents[skeleton.index(f"{side}_shoulder")] if part == "collar" else skeleton.index(f"{side}_{part}")
+    return skeleton.parents[skeleton.role(f"{side}_shoulder")] if part == "collar" else skeleton.role(f"{side}_{part}")
 
 
 def _arm(clip: Clip, side: str, joint: int, bone: Tensor, wanted: Tensor) -> Tensor:
     """Axes of an arm in the T-pose, where an elbow bends forward: about the vertical. Straight arms are like the rest."""
-    shoulder, elbow, hand = (clip.skeleton.index(f"{side}_{part}") for part in ("shoulder", "elbow", "hand"))
+    shoulder, elbow, hand = (clip.skeleton.role(f"{side}_{part}") for part in ("shoulder", "elbow", "hand"))
     upper, lower = (clip.global_positions[:, b] - clip.global_positions[:, a] for a, b in ((shoulder, elbow), (elbow, hand)))
     bent = torch.linalg.cross(R.normalize(upper), R.normalize(lower))
     along, hinge = R.normalize(bone), R.rotate(R.inverse(clip.global_rotations[:, joint]), bent).mean(0)

@@ -164,11 +164,10 @@ def slerp(a: Tensor, b: Tensor, t: Tensor | float) -> Tensor:
     t = as_tensor(t, "t", a)
     dot = (a * b).sum(-1)
     b = torch.where(dot[..., None] < 0, -b, b)
-    angle = torch.acos(dot.abs().clamp(max=1.0))
-    small = angle < 1e-4
-    divisor = torch.where(small, torch.ones_like(angle), angle.sin())
-    wa = torch.where(small, 1 - t, ((1 - t) * angle).sin() / divisor)
-    wb = torch.where(small, t, (t * angle).sin() / divisor)
+    near = dot.abs() > 1 - 1e-7  # as good as linear; the arc cosine there has no finite gradient, which 0 keeps out
+    angle = torch.acos(torch.where(near, 0.0, dot.abs()))
+    wa = torch.where(near, 1 - t, ((1 - t) * angle).sin() / angle.sin())
+    wb = torch.where(near, t, (t * angle).sin() / angle.sin())
     return normalize(wa[..., None] * a + wb[..., None] * b)
 
 

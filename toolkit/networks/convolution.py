@@ -48,6 +48,7 @@ class Convolution(nn.Conv1d):
 
 
 @functools.cache
+@torch.inference_mode(False)  # training may need them later
 def _waves(n: int) -> tuple[Tensor, Tensor]:
     """Real Fourier transform of n samples, real parts above imaginary ones, ``[2 (n/2 + 1), n]``; and what leads back.
 

@@ -3,9 +3,11 @@
 Synthesis networks and modulations are independent parts; `MODELS` are the combinations of the paper's Table 2.
 """
 
+import contextlib
 import dataclasses
 import json
 import os
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import torch
@@ -60,10 +62,25 @@ class Sizes:
         return cls(hidden=256, film_channels=32, film_kernel=9, film_dense=256, dropout=0.1)
 
 
+@contextlib.contextmanager
+def evaluating(network: nn.Module) -> Iterator[None]:
+    """Puts a network in evaluation mode, without dropout, and records no gradients; restores the mode on exit."""
+    changed = [module for module in network.modules() if module.training] if network.training else []
+    for module in changed:
+        module.training = False
+    try:
+        with torch.no_grad():
+            yield
+    finally:
+        for module in changed:
+            module.training = True
+
+
 class Model(nn.Module):
     """One of the seven models: ẑ = Φ(x; Ω(p), Ψ(y)) (equation 4). Make one with `toolkit.networks.build`.
 
     `predict`, `observe` and `style_vector` speak physical units; `forward` and `encode`, for training, normalised ones.
+    `predict` and `style_vector` work in evaluation mode, without dropout, also while the model is in training mode.
 
     Parameters
     ----------
@@ -164,9 +181,14 @@ class Model(nn.Module):
         """
         return phase.observe(self.layout, phases, outputs)
 
-    @torch.no_grad()
+    def next_phase(self, phases: Tensor, out: dict[str, Tensor]) -> Tensor:
+        """The phase after ``phases [B, n_phases]``, given the blocks ``out`` of the predicted frame, physical units."""
+        return phase.advance(self.layout, phases, out)
+
     def predict(self, x: Tensor, phases: Tensor, style: Tensor) -> Tensor:
         """The next frame, in physical units, on the model's device and in its dtype; arrays and lists will do, too.
+
+        The model predicts in evaluation mode and without gradients, whatever its mode.
 
         Parameters
         ----------
@@ -193,21 +215,22 @@ class Model(nn.Module):
             given.append(as_tensor(value, what, like))
             if given[-1].shape[-1] != width:
                 raise ValueError(f"{what} needs {width} columns, got shape {list(given[-1].shape)}")
-        z = self(self.normaliser("inputs").apply(given[0]), self.normaliser("phases").apply(given[1]), given[2])
+        with evaluating(self):
+            z = self(self.normaliser("inputs").apply(given[0]), self.normaliser("phases").apply(given[1]), given[2])
         return self.normaliser("outputs").invert(z)
 
-    @torch.no_grad()
     def style_vector(self, clips: Tensor, style: int | None = None) -> Tensor:
         """One style vector ``[D]``: the mean over clips ``[M, 240, 12 J]`` in physical units (section 4.4).
 
         Models with a table of styles look at ``style``, the style's number, and not at the clips.
         """
         if isinstance(self.modulation.generator, StyleTable):
-            return self.encode(None, style)[0]
+            return self.encode(None, style)[0].detach()
         if clips.dim() != 3 or not len(clips) or clips.shape[1:] != (CLIP_FRAMES, self.layout.n_clip):
             raise ValueError(f"style clips are [M, {CLIP_FRAMES}, {self.layout.n_clip}], got {list(clips.shape)}")
         normaliser = self.normaliser("clips")
-        return torch.cat([self.encode(normaliser.apply(part.to(self.clips_mean))) for part in clips.split(32)]).mean(0)
+        with evaluating(self):
+            return torch.cat([self.encode(normaliser.apply(part.to(self.clips_mean))) for part in clips.split(32)]).mean(0)
 
     def normaliser(self, kind: str) -> Normaliser:
         """The normaliser of ``inputs``, ``phases``, ``outputs`` or ``clips``."""

@@ -135,13 +135,13 @@ def limb_curves(clip: Clip, limb: str) -> Tensor:
     side, part = limb.split("_")
     skeleton, positions = clip.skeleton, clip.global_positions
     roles = ("shoulder", "elbow", "hand") if part == "hand" else ("hip", "knee", "toe")
-    start, middle, end = (skeleton.index(f"{side}_{role}") for role in roles)
+    start, middle, end = (skeleton.role(f"{side}_{role}") for role in roles)
     above, chain = end, [end]
     while above != start:
         above = skeleton.parents[above]
         chain.append(above)
     length = skeleton.offsets[chain[:-1]].to(positions).norm(dim=-1).sum()
-    reach = positions[:, [middle, end]] - positions[:, [skeleton.index("hips")]]
+    reach = positions[:, [middle, end]] - positions[:, [skeleton.role("hips")]]
     local = root_frames(clip).turn_to_local(reach) / length
     if side == "right":
         local = torch.cat((-local[..., :1], local[..., 1:]), -1)

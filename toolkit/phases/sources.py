@@ -27,8 +27,8 @@ def local_positions(clip: Clip, limb: str) -> Tensor:
     Among the tested joints and frames, these agree best with the phases that the published network predicts.
     """
     skeleton = clip.skeleton
-    hips = skeleton.index("hips")
-    end = skeleton.tip(limb) if limb.endswith("hand") else skeleton.index(limb.replace("foot", "toe"))
+    hips = skeleton.role("hips")
+    end = skeleton.tip(limb) if limb.endswith("hand") else skeleton.role(limb.replace("foot", "toe"))
     reach = clip.global_positions[:, end] - clip.global_positions[:, hips]
     return R.rotate(R.inverse(clip.global_rotations[:, hips]), reach)
 

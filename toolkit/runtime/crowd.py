@@ -74,7 +74,7 @@ def walk(model, bank, characters: int = 100, seconds: float = 10.0, *, speed: fl
     position, facing = _on_ring(radii, angles, ways)
     state = start(compiled, torch.stack([bank.blend(blend) for blend in blends]), position, facing)
     poses, taken = [], []
-    with torch.inference_mode():
+    with torch.no_grad():
         frames = range(round((SETTLED + seconds) * FPS))
         for frame in tqdm(frames, desc="crowd", unit="frame", disable=None if progress else True):
             began = time.perf_counter()

@@ -120,14 +120,17 @@ Styles = Tensor | Callable[[int], Tensor]
 
 def states(model, commands: Sequence[Command | Pilot], style: Styles, first: CharacterState | None = None,
            progress: bool = False) -> Iterator[CharacterState]:
-    """Yield the state after every command. ``style`` is a vector, or a function of the frame number for live blending."""
+    """Yield the state after every command. ``style`` is a vector, or a function of the frame number for live blending.
+
+    No gradients are recorded; the states are ordinary tensors, which a loss may use.
+    """
     at = style if callable(style) else (lambda _: style)
     state = start(model, at(0)) if first is None else first
-    with torch.inference_mode():
-        for frame, command in enumerate(tqdm(commands, desc="rollout", unit="frame", disable=None if progress else True)):
+    for frame, command in enumerate(tqdm(commands, desc="rollout", unit="frame", disable=None if progress else True)):
+        with torch.no_grad():  # not around the yield: the caller would run in this mode too
             state = state.with_style(at(frame))
             state = step(model, state, command(state) if callable(command) else command)
-            yield state
+        yield state
 
 
 def rollout(model, commands: Sequence[Command | Pilot], style: Styles, ik: bool = True, first: CharacterState | None = None,

@@ -137,8 +137,7 @@ def _body(layout: Layout) -> tuple[dict[str, tuple[int, int, float]], list[tuple
     limbs = {"forearm": ("elbow", "hand"), "thigh": ("hip", "knee"), "shank": ("knee", "foot"), "foot": ("foot", "toe")}
     capsules = {f"{side} {part}": (at[f"{side}_{a}"], at[f"{side}_{b}"], RADII[part] * scale)
                 for side in ("left", "right") for part, (a, b) in limbs.items()}
-    above = [skeleton.names[j] for j in skeleton.ancestors("left_shoulder") if j in skeleton.ancestors("right_shoulder")]
-    chest, top = names.index(above[0]), int(rest[:, 1].argmax())
+    chest, top = names.index(skeleton.names[skeleton.trunk[0]]), int(rest[:, 1].argmax())
     capsules |= {"trunk": (at["hips"], chest, RADII["trunk"] * scale), "head": (top, top, RADII["head"] * scale)}
     arms, legs = ("left forearm", "right forearm"), ("shank", "foot")
     pairs = [arms, *((arm, other) for arm in arms for other in ("trunk", "head", "left thigh", "right thigh"))]

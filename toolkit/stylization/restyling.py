@@ -91,7 +91,7 @@ def lock_feet(clip: Clip, source: Clip) -> Clip:
         Two clips of as many frames with the same timing, on one skeleton with toes.
     """
     standing = contacts.detect(source) > 0.5
-    toes = [clip.skeleton.index(f"{side}_toe") for side in contacts.FEET]
+    toes = [clip.skeleton.role(f"{side}_toe") for side in contacts.FEET]
     made, height = clip.global_positions[:, toes], source.global_positions[:, toes, 1]
     release = round(RELEASE * clip.fps)
     gap = torch.stack((((height - made[..., 1]) * standing).sum(1), standing.sum(1).float()))

@@ -31,8 +31,8 @@ class Checkpoint:
 
     @property
     def stalled(self) -> int:
-        """Evaluations since the best one."""
-        errors = [row["held_out"] for row in self.history]
+        """Evaluations since the best one; 0 where nothing was held out, and rows say None."""
+        errors = [row["held_out"] for row in self.history if row["held_out"] is not None]
         return len(errors) - 1 - errors.index(min(errors)) if errors else 0
 
     def save(self, path: str | os.PathLike, config: Config) -> None:

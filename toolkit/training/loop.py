@@ -71,6 +71,8 @@ def fit(data: Features, config: Config | None = None, checkpoint: str | os.PathL
     for style in config.styles:
         check_style(style, data.styles)
     train, test = splits.split(data, config.held_out, config.seed, config.styles or tuple(data.styles))
+    if config.patience and not any(map(len, test.inputs.values())):
+        raise ValueError(f"patience needs held-out frames; held_out={config.held_out} of these data are none")
     batches = Minibatches(train, config.batch, config.clips_per_batch, config.seed, config.stray)
     if batches.fewest < fabric.world_size:
         raise ValueError(f"{fabric.world_size} processes cannot share a minibatch of {batches.fewest} frames")
@@ -203,9 +205,7 @@ def _mean(fabric: "Fabric", *numbers: float) -> list[float]:
 
 def _held_out(model: Model, train: Features, test: Features) -> float | None:
     """The test error on at most 1,000 frames of every style, its vector of at most 8 clips; each style counts the same."""
-    model.eval()
     errors = evaluate(model, make_bank(model, train, 8), test, 1000)
-    model.train()
     return sum(e["mse"] for e in errors.values()) / len(errors) if errors else None
 
 

@@ -6,6 +6,7 @@ from torch import Tensor
 from toolkit.features import Features, Layout, Rows
 from toolkit.networks import Model
 from toolkit.networks.bank import StyleBank
+from toolkit.networks.model import evaluating
 
 KINDS = ("inputs", "phases", "outputs")
 
@@ -39,11 +40,10 @@ def make_bank(model: Model, data: Features, clips: int | None = None) -> StyleBa
     return StyleBank(tuple(data.clips), torch.stack(vectors).cpu())
 
 
-@torch.no_grad()
 def evaluate(model: Model, bank: StyleBank, data: Features, frames: int | None = None) -> dict[str, dict[str, float]]:
     """Error of every style with frames in ``data``: ``mse`` of normalised outputs, ``bone`` length error in metres.
 
-    ``frames`` of them, evenly spread, or all.
+    ``frames`` of them, evenly spread, or all; in evaluation mode.
     """
     errors, device = {}, model.outputs_mean.device
     for style in data.styles:
@@ -55,7 +55,8 @@ def evaluate(model: Model, bank: StyleBank, data: Features, frames: int | None =
         for part in rows.split(1024):
             x, p, z = (getattr(data, kind)[style][part].to(device) for kind in KINDS)
             x, p, z = (model.normaliser(k).apply(v) for k, v in zip(KINDS, (x, *model.observe(p, z)), strict=True))
-            sums += len(part) * torch.stack(loss_terms(model, model(x, p, bank[style].to(device)), z)).double().cpu()
+            with evaluating(model):
+                sums += len(part) * torch.stack(loss_terms(model, model(x, p, bank[style].to(device)), z)).double().cpu()
         errors[style] = dict(zip(("mse", "bone"), (sums / len(rows)).tolist(), strict=True))
     return errors
 

@@ -7,8 +7,8 @@ clip, never assumed.
 """
 
 from dataclasses import dataclass, replace
-from functools import lru_cache
 from itertools import pairwise
+from weakref import WeakKeyDictionary
 
 import numpy as np
 import torch
@@ -105,7 +105,7 @@ class _Measured:
         self.positions, self.rotations = clip.global_positions, clip.global_rotations
         facing = R.inverse(root_frames(clip).rotations)[:, None].expand(-1, len(clip.skeleton), -1)
         self.axes = R.to_matrix(R.multiply(facing, self.rotations)).mean(0)  # rows: the body's axes in joint coordinates
-        self.legs = {j for side in ("left", "right") for j in clip.skeleton.ancestors(clip.skeleton.roles[f"{side}_foot"])}
+        self.legs = {j for side in ("left", "right") for j in self.skeleton.ancestors(self.skeleton.role(f"{side}_foot"))}
 
     def up(self, joint: int) -> Tensor:
         """Along the bones that go on from a joint of the trunk: a bent spine takes its own up with it."""
@@ -150,7 +150,7 @@ class _Measured:
 
     def palm(self, side: str) -> Tensor:
         """Where a palm looks, in the hand's frame: along the elbow's axis, sideways for an arm that stays straight."""
-        shoulder, elbow, hand = (self.skeleton.index(f"{side}_{part}") for part in ("shoulder", "elbow", "hand"))
+        shoulder, elbow, hand = (self.skeleton.role(f"{side}_{part}") for part in ("shoulder", "elbow", "hand"))
         upper, lower = (self.positions[:, b] - self.positions[:, a] for a, b in ((shoulder, elbow), (elbow, hand)))
         axis = R.rotate(R.inverse(self.rotations[:, hand]), torch.linalg.cross(upper, lower)).mean(0)
         return R.normalize(axis if float(axis.norm()) > 1e-3 else self.axes[hand, 0])
@@ -166,18 +166,26 @@ class _Measured:
         return R.normalize(R.rotate(R.inverse(self.rotations[low, frame]), direction.expand(len(height), 3)[low]).mean(0))
 
 
-@lru_cache(maxsize=16)
+_BUILT: WeakKeyDictionary[Clip, tuple[Shape, ...]] = WeakKeyDictionary()  # as long as the clips live
+
+
 def build(clip: Clip) -> tuple[Shape, ...]:
     """The mannequin of a clip's skeleton.
 
     Skeletons without hips, shoulders and feet (see `toolkit.motion.ROLES`) get plain bones.
     """
+    if clip not in _BUILT:
+        _BUILT[clip] = _build(clip)
+    return _BUILT[clip]
+
+
+def _build(clip: Clip) -> tuple[Shape, ...]:
     skeleton, roles = clip.skeleton, clip.skeleton.roles
     humanoid = all(f"{side}_{part}" in roles for side in ("left", "right") for part in ("shoulder", "elbow", "hip", "foot"))
     if not humanoid:
         return _bones(clip, set(), 1.0)
     m = _Measured(clip)
-    leg = sum(float(skeleton.offsets[skeleton.index(f"left_{part}")].norm()) for part in ("knee", "foot"))
+    leg = sum(float(skeleton.offsets[skeleton.role(f"left_{part}")].norm()) for part in ("knee", "foot"))
     scale = leg / LEG
     used, shapes = set(), []
     for side in ("left", "right"):
@@ -201,7 +209,7 @@ def _bones(clip: Clip, used: set[int], scale: float) -> tuple[Shape, ...]:
 def _limb(m: _Measured, side: str, s: float, used: set[int]) -> list[Shape]:
     shapes = []
     for upper, lower in (("hip", "knee"), ("knee", "foot"), ("shoulder", "elbow"), ("elbow", "hand")):
-        a, b = m.skeleton.index(f"{side}_{upper}"), m.skeleton.index(f"{side}_{lower}")
+        a, b = m.skeleton.role(f"{side}_{upper}"), m.skeleton.role(f"{side}_{lower}")
         bone, (r0, r1) = m.skeleton.offsets[b], RADII[upper]
         flesh = cone(a, 0.06 * bone, 0.94 * bone, (r0 * s, r1 * s), side)
         if lower != "foot":  # a foot does not go on along its shin
@@ -211,7 +219,7 @@ def _limb(m: _Measured, side: str, s: float, used: set[int]) -> list[Shape]:
         shapes.append(flesh)
         shapes.append(cone(b, torch.zeros(3), torch.zeros(3), (1.04 * r1 * s,) * 2, "joint"))
         used.update((a, b))
-    shoulder = m.skeleton.index(f"{side}_shoulder")
+    shoulder = m.skeleton.role(f"{side}_shoulder")
     collar = m.skeleton.parents[shoulder]
     shapes.append(cone(shoulder, torch.zeros(3), torch.zeros(3), (0.056 * s,) * 2, "joint"))
     shapes.append(cone(collar, torch.zeros(3), 0.86 * m.skeleton.offsets[shoulder], (0.046 * s, 0.05 * s), "middle"))
@@ -220,10 +228,10 @@ def _limb(m: _Measured, side: str, s: float, used: set[int]) -> list[Shape]:
 
 
 def _foot(m: _Measured, side: str, s: float, used: set[int]) -> list[Shape]:
-    ankle = m.skeleton.index(f"{side}_foot")
+    ankle = m.skeleton.role(f"{side}_foot")
     if f"{side}_toe" not in m.skeleton.roles:
         return []
-    toe = m.skeleton.index(f"{side}_toe")
+    toe = m.skeleton.role(f"{side}_toe")
     to_toe = m.skeleton.offsets[toe]
     up = m.standing(ankle, torch.tensor([0.0, 1.0, 0.0]), ankle)
     forward = R.normalize(to_toe - up * (up @ to_toe))
@@ -244,7 +252,7 @@ def _foot(m: _Measured, side: str, s: float, used: set[int]) -> list[Shape]:
 
 
 def _hand(m: _Measured, side: str, s: float, used: set[int]) -> list[Shape]:
-    hand = m.skeleton.index(f"{side}_hand")
+    hand = m.skeleton.role(f"{side}_hand")
     end = next((j for j, p in enumerate(m.skeleton.parents) if p == hand and m.skeleton.is_end(j)), hand)
     along = m.skeleton.offsets[end] if end != hand and float(m.skeleton.offsets[end].norm()) > 0.02 else None
     along = R.normalize(m.skeleton.offsets[hand] if along is None else along)
@@ -255,13 +263,11 @@ def _hand(m: _Measured, side: str, s: float, used: set[int]) -> list[Shape]:
 
 def _torso(m: _Measured, s: float, used: set[int]) -> list[Shape]:
     skeleton = m.skeleton
-    hips = skeleton.index("hips")
-    left, right = skeleton.index("left_hip"), skeleton.index("right_hip")
-    spine = [j for j in skeleton.ancestors("left_shoulder") if j in skeleton.ancestors("right_shoulder")]
-    chest = spine[0]
-    used.update((left, right, *spine))
-    used.update(j for side in (left, right) for j in skeleton.ancestors(skeleton.names[side]))
-    used.update(j for side in ("left", "right") for j in skeleton.ancestors(f"{side}_shoulder"))
+    hips = skeleton.role("hips")
+    left, right = skeleton.role("left_hip"), skeleton.role("right_hip")
+    shoulders = skeleton.role("left_shoulder"), skeleton.role("right_shoulder")
+    spine, chest = skeleton.trunk, skeleton.trunk[0]
+    used.update((left, right, *(j for limb in (left, right, *shoulders) for j in skeleton.ancestors(limb))))
     a, b = m.place(left, hips), m.place(right, hips)
     across = R.normalize(a - b)
     middle, half = (a + b) / 2 + 0.025 * s * m.up(hips), 0.062 * s
@@ -272,7 +278,7 @@ def _torso(m: _Measured, s: float, used: set[int]) -> list[Shape]:
                     by=0.86)
         part = m.bend(part, upper, 0.07 * s)
         shapes.append(part if lower == hips else m.bend(part, skeleton.parents[lower], 0.07 * s))
-    a, b = m.place(skeleton.index("left_shoulder"), chest), m.place(skeleton.index("right_shoulder"), chest)
+    a, b = (m.place(shoulder, chest) for shoulder in shoulders)
     width = float((a - b).norm()) / 2
     wide = min(max(0.78 * width, 0.125 * s), 0.152 * s)
     top = (a + b) / 2 - m.up(chest) * 0.6 * wide
@@ -283,7 +289,7 @@ def _torso(m: _Measured, s: float, used: set[int]) -> list[Shape]:
 
 def _head(m: _Measured, s: float, used: set[int]) -> list[Shape]:
     skeleton = m.skeleton
-    spine = [j for j in skeleton.ancestors("left_shoulder") if j in skeleton.ancestors("right_shoulder")]
+    spine = skeleton.trunk
     chain = [j for j, n in enumerate(skeleton.names) if "head" in n.lower() and not skeleton.is_end(j)]
     if not chain:
         return []

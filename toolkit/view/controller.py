@@ -173,7 +173,7 @@ class Controller(anywidget.AnyWidget):
         scale = fast / max(1.0, math.hypot(right, ahead))
         return Command((scale * (ahead * s - right * c), scale * (ahead * c + right * s)), (s, c))
 
-    @torch.inference_mode()
+    @torch.no_grad()
     def _step(self) -> None:
         self._vector = torch.lerp(self._vector, self._target, EASE)
         self.state = runtime.step(self._model, self.state.with_style(self._vector), self._command())

@@ -146,7 +146,7 @@ def principal_axes(clip: Clip, source: str | ph.Hybrid | ph.ContactFree = "hybri
     frame = len(clip) // 2 if second is None else round(second * clip.fps)
     if not 0 <= frame < len(clip):
         raise ValueError(f"no frame at {second} s; the clip lasts {clip.seconds:.2f} s")
-    hips = clip.skeleton.index("hips")
+    hips = clip.skeleton.role("hips")
     turn, place = clip.global_rotations[frame, hips], clip.global_positions[frame, hips]
     parts = []
     for limb, axis in axes.items():

@@ -47,7 +47,7 @@ class Body(NamedTuple):
     def of(cls, skeleton) -> "Body":
         """That of a skeleton."""
         joints, parents = list(skeleton.feature_joints), skeleton.parents
-        arms = [[skeleton.index(f"{side}_{part}") for side in SIDES] for part in ("shoulder", "elbow", "hand")]
+        arms = [[skeleton.role(f"{side}_{part}") for side in SIDES] for part in ("shoulder", "elbow", "hand")]
         chain = [[parents[joint] for joint in arms[0]], *arms]
         tips = [skeleton.tip(f"{side}_hand") for side in SIDES]
         bones = pairwise([*chain, tips] if not set(tips) & set(arms[-1]) else chain)
@@ -56,7 +56,7 @@ class Body(NamedTuple):
             features=np.array([joints.index(j if j in joints else parents[j]) for j in range(len(skeleton))]),
             own=np.array([joints.index(j) if j in joints else -1 for j in range(len(skeleton))]),
             ends=np.array([j for j in range(len(skeleton)) if skeleton.is_end(j)], dtype=np.int64),
-            legs=np.array([[skeleton.index(f"{side}_{part}") for part in ("hip", "knee", "foot", "toe")] for side in SIDES]),
+            legs=np.array([[skeleton.role(f"{side}_{part}") for part in ("hip", "knee", "foot", "toe")] for side in SIDES]),
             arms=np.array([pair for level in bones for pair in zip(*level, strict=True)]),
         )
 
