@@ -8,10 +8,10 @@ from scipy.linalg import sqrtm
 
 import toolkit as tk
 from experiments.stylization import aberman, comparison, holden
-from toolkit.evaluation import classifier, stylization
+from experiments.stylization import classifier, evaluation
 from toolkit.stylization import Config, data, losses
-from toolkit.stylization.medley import medley
-from toolkit.stylization.networks import Sizes
+from toolkit.evaluation.medley import medley
+from toolkit.evaluation.networks import Sizes
 
 TINY = Config.quick(iterations=1, sizes=Sizes(channels=4, hidden=8))
 
@@ -25,10 +25,10 @@ def motions() -> data.Motions:
 
 
 @pytest.fixture(scope="module")
-def judges(motions) -> stylization.Judges:
+def judges(motions) -> evaluation.Judges:
     """Trained on everything there is: what is tested here is what they are asked."""
     made = [classifier.fit(motions, label, epochs=15, batch=5, channels=8, seed=1) for label in ("content", "domain")]
-    return stylization.Judges(*made, classifier.features(made[0], motions.x))
+    return evaluation.Judges(*made, classifier.features(made[0], motions.x))
 
 
 class Paste:
@@ -83,7 +83,7 @@ def test_a_classifier_names_contents_and_styles_of_takes_it_never_saw(motions):
     train, test = data.split(motions, 0.4, 0)
     for label in ("content", "domain"):
         model = classifier.fit(train, label, epochs=15, batch=4, channels=8)
-        assert stylization.accuracy(model, test.x, getattr(test, label)) > 0.9
+        assert evaluation.accuracy(model, test.x, getattr(test, label)) > 0.9
         assert classifier.features(model, test.x).shape == (len(test), 32)
         assert model.classes == getattr(motions, f"{label}s")
     with pytest.raises(ValueError, match="content or domain, not 'gait'"):
@@ -108,13 +108,13 @@ def test_a_classifier_is_the_same_from_the_same_seed_and_after_a_file(motions, t
 
 
 def test_pairs_are_every_source_with_every_other_domain(motions):
-    rows, target = stylization.pairs(motions)
+    rows, target = evaluation.pairs(motions)
     slow = [(i, d) for i in range(len(motions)) for d in range(2) if d != int(motions.domain[i])]
     assert list(zip(rows.tolist(), target.tolist(), strict=True)) == slow
 
 
 def test_doing_nothing_keeps_all_content_and_moves_no_style(motions, judges):
-    found = stylization.evaluate(Unchanged(), motions, motions, judges, by="reference")
+    found = evaluation.evaluate(Unchanged(), motions, motions, judges, by="reference")
     assert found["content"] == 1.0
     assert found["style"] == 0.0
     assert found["diversity"] == found["change"] == 0.0
@@ -124,21 +124,21 @@ def test_doing_nothing_keeps_all_content_and_moves_no_style(motions, judges):
 
 
 def test_pasting_the_reference_moves_all_style_and_loses_the_content(motions, judges):
-    found = stylization.evaluate(Paste(), motions, motions, judges, by="reference")
+    found = evaluation.evaluate(Paste(), motions, motions, judges, by="reference")
     assert found["style"] == 1.0
     assert found["content"] < 0.8  # half of the references stand, half of the sources do
     assert found["diversity"] > 0.03
     assert found["contact_raw"] < 0.8
-    again = stylization.evaluate(Paste(), motions, motions, judges, by="reference")
+    again = evaluation.evaluate(Paste(), motions, motions, judges, by="reference")
     assert again == found
-    assert stylization.evaluate(Paste(), motions, motions, judges, by="reference", seed=1) != found
+    assert evaluation.evaluate(Paste(), motions, motions, judges, by="reference", seed=1) != found
 
 
 def test_codes_come_by_noise_or_by_reference(motions, judges):
     with pytest.raises(ValueError, match="got 'luck'"):
-        stylization.evaluate(Paste(), motions, motions, judges, by="luck")
-    stylizer = tk.stylization.fit(motions, TINY).stylizer
-    found = stylization.evaluate(stylizer, motions.select(torch.tensor([0, 1])), motions, judges)
+        evaluation.evaluate(Paste(), motions, motions, judges, by="luck")
+    stylizer = tk.evaluation.fit(motions, TINY).stylizer
+    found = evaluation.evaluate(stylizer, motions.select(torch.tensor([0, 1])), motions, judges)
     assert all(math.isfinite(value) for value in found.values())
     assert found["diversity"] > 0
 
@@ -146,7 +146,7 @@ def test_codes_come_by_noise_or_by_reference(motions, judges):
 def test_a_window_as_a_clip_is_the_motion_seen_from_its_first_frame(motions):
     clip = data.prepare(tk.datasets.load("procedural", styles="Neutral", gaits="FW", seconds=2.3)[0]).cut(0, 64)
     walk = data.build([clip])
-    made = stylization.clip_of(walk.x[0], walk.root_velocity[0], walk.skeleton)
+    made = evaluation.clip_of(walk.x[0], walk.root_velocity[0], walk.skeleton)
     local = [tk.motion.root_frames(c).to_local(c.global_positions) for c in (made, clip)]
     assert torch.allclose(*local, atol=1e-4)
     assert torch.equal(tk.contacts.detect(made), tk.contacts.detect(clip))
@@ -156,7 +156,7 @@ def test_held_feet_agree_with_the_source_more_than_sliding_ones(motions):
     walks = motions.select(motions.content == motions.contents.index("FW"))
     sliding = walks.x.clone()
     sliding[:, 2] += 0.15 * torch.sin(torch.arange(64.0))[:, None]  # the body rocks to and fro over its root
-    same, slid = (stylization.contact_agreement(walks, x) for x in (walks.x, sliding))
+    same, slid = (evaluation.contact_agreement(walks, x) for x in (walks.x, sliding))
     assert same["contact_raw"] == 1.0
     assert slid["contact_raw"] < 0.9
     assert slid["contact_f1"] > slid["contact_raw"]
@@ -166,18 +166,18 @@ def test_contact_f1_counts_agreement_of_those_who_step():
     step = torch.tensor([1.0, 1, 0, 0]).repeat(16)  # lands every four frames
     walker, late = torch.stack((step, 1 - step), 1), torch.stack((step.roll(1), 1 - step.roll(1)), 1)
     stander = torch.ones(64, 2)
-    assert stylization.contact_f1(walker[None], walker[None]) == 1.0
-    assert stylization.contact_f1(walker[None], late[None]) == 0.5
+    assert evaluation.contact_f1(walker[None], walker[None]) == 1.0
+    assert evaluation.contact_f1(walker[None], late[None]) == 0.5
     both = torch.stack((walker, stander)), torch.stack((late, torch.zeros(64, 2)))
-    assert stylization.contact_f1(*both) == 0.5  # who only stands does not count
-    assert math.isnan(stylization.contact_f1(stander[None], stander[None]))
+    assert evaluation.contact_f1(*both) == 0.5  # who only stands does not count
+    assert math.isnan(evaluation.contact_f1(stander[None], stander[None]))
 
 
 def test_distance_is_the_joints_way_in_metres(motions):
     moved = motions.x.clone()
     moved[:, :2] += torch.tensor([0.03, 0.04])[:, None, None]
     moved[:, 3:] += 1.0  # rotations do not count
-    assert stylization.distance(motions.x, moved) == pytest.approx(0.05, rel=1e-4)
+    assert evaluation.distance(motions.x, moved) == pytest.approx(0.05, rel=1e-4)
 
 
 def test_gram_matrix_against_loops():
@@ -296,7 +296,7 @@ def test_too_few_takes_are_refused(motions, tmp_path):
 
 
 def test_the_strip_has_a_source_and_rows_for_every_domain(motions, tmp_path):
-    stylizer = tk.stylization.fit(motions, TINY).stylizer
+    stylizer = tk.evaluation.fit(motions, TINY).stylizer
     clips = {s: tk.datasets.load("procedural", styles=s, gaits="FW", seconds=3.0)[0] for s in ("Neutral", "Zombie")}
     rows = comparison.restyled(stylizer, clips["Neutral"], {"Zombie": clips["Zombie"]}, (1, 2))
     assert list(rows) == ["Neutral: source", "Zombie, noise 1", "Zombie, noise 2", "Zombie, reference"]

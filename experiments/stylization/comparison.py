@@ -18,9 +18,9 @@ import typer
 from experiments.seven_models.models import machine, write_json
 from experiments.stylization import aberman, holden
 from toolkit import datasets
-from toolkit.evaluation import classifier
-from toolkit.evaluation.classifier import Classifier
-from toolkit.evaluation.stylization import Judges, Model, accuracy, evaluate, pairs
+from experiments.stylization import classifier
+from experiments.stylization.classifier import Classifier
+from experiments.stylization.evaluation import Judges, Model, accuracy, evaluate, pairs
 from toolkit.features.splits import generator
 from toolkit.io import model_files
 from toolkit.motion import Clip

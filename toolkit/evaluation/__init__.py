@@ -3,5 +3,5 @@
 import lazy_loader
 
 __getattr__, __dir__, __all__ = lazy_loader.attach(
-    __name__, ["classifier", "metrics", "models", "phases", "recognition", "stylization"]
+    __name__, ["metrics", "models", "phases", "recognition"]
 )

@@ -10,8 +10,9 @@ from typing import Protocol
 import torch
 from torch import Tensor
 
-from toolkit.evaluation import classifier, metrics
-from toolkit.evaluation.classifier import Classifier
+from experiments.stylization import classifier
+from toolkit.evaluation import metrics
+from experiments.stylization.classifier import Classifier
 from toolkit.features.splits import generator
 from toolkit.motion import Clip, Skeleton, contacts
 from toolkit.motion import rotations as R
