@@ -7,11 +7,10 @@ import torch
 from scipy.linalg import sqrtm
 
 import toolkit as tk
-from experiments.stylization import aberman, comparison, holden
-from experiments.stylization import classifier, evaluation
+from experiments.stylization import aberman, classifier, comparison, evaluation, holden
 from toolkit.stylization import Config, data, losses
-from toolkit.evaluation.medley import medley
-from toolkit.evaluation.networks import Sizes
+from toolkit.stylization.medley import medley
+from toolkit.stylization.networks import Sizes
 
 TINY = Config.quick(iterations=1, sizes=Sizes(channels=4, hidden=8))
 
@@ -137,7 +136,7 @@ def test_pasting_the_reference_moves_all_style_and_loses_the_content(motions, ju
 def test_codes_come_by_noise_or_by_reference(motions, judges):
     with pytest.raises(ValueError, match="got 'luck'"):
         evaluation.evaluate(Paste(), motions, motions, judges, by="luck")
-    stylizer = tk.evaluation.fit(motions, TINY).stylizer
+    stylizer = tk.stylization.fit(motions, TINY).stylizer
     found = evaluation.evaluate(stylizer, motions.select(torch.tensor([0, 1])), motions, judges)
     assert all(math.isfinite(value) for value in found.values())
     assert found["diversity"] > 0
@@ -296,7 +295,7 @@ def test_too_few_takes_are_refused(motions, tmp_path):
 
 
 def test_the_strip_has_a_source_and_rows_for_every_domain(motions, tmp_path):
-    stylizer = tk.evaluation.fit(motions, TINY).stylizer
+    stylizer = tk.stylization.fit(motions, TINY).stylizer
     clips = {s: tk.datasets.load("procedural", styles=s, gaits="FW", seconds=3.0)[0] for s in ("Neutral", "Zombie")}
     rows = comparison.restyled(stylizer, clips["Neutral"], {"Zombie": clips["Zombie"]}, (1, 2))
     assert list(rows) == ["Neutral: source", "Zombie, noise 1", "Zombie, noise 2", "Zombie, reference"]

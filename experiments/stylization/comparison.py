@@ -16,11 +16,10 @@ import torch
 import typer
 
 from experiments.seven_models.models import machine, write_json
-from experiments.stylization import aberman, holden
-from toolkit import datasets
-from experiments.stylization import classifier
+from experiments.stylization import aberman, classifier, holden
 from experiments.stylization.classifier import Classifier
 from experiments.stylization.evaluation import Judges, Model, accuracy, evaluate, pairs
+from toolkit import datasets
 from toolkit.features.splits import generator
 from toolkit.io import model_files
 from toolkit.motion import Clip

@@ -11,8 +11,8 @@ import torch
 from torch import Tensor
 
 from experiments.stylization import classifier
-from toolkit.evaluation import metrics
 from experiments.stylization.classifier import Classifier
+from toolkit.evaluation import metrics
 from toolkit.features.splits import generator
 from toolkit.motion import Clip, Skeleton, contacts
 from toolkit.motion import rotations as R
