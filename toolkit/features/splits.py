@@ -1,6 +1,8 @@
 """Held-out frames, and the streams of random numbers that choose them (Mason et al. 2022, section 4.3)."""
 
+import contextlib
 import dataclasses
+from collections.abc import Iterator
 
 import numpy as np
 import torch
@@ -62,3 +64,12 @@ def generator(*numbers: int) -> torch.Generator:
 def mix(*numbers: int) -> int:
     """One seed of several numbers."""
     return int(np.random.SeedSequence(numbers).generate_state(1, np.uint64)[0] >> np.uint64(1))
+
+
+@contextlib.contextmanager
+def seeded(device: torch.device | str, *numbers: int) -> Iterator[None]:
+    """Seeds torch's global generators inside; restores the random state on exit."""
+    device = torch.device(device)
+    with torch.random.fork_rng(devices=[] if device.type == "cpu" else [device.index or 0]):
+        torch.manual_seed(mix(*numbers))
+        yield
