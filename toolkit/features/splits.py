@@ -8,7 +8,7 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from toolkit.features.features import Features, Normaliser, Rows
+from toolkit.features.features import FRAME_KINDS, Features, Normaliser, Rows
 
 SPLIT_FRAMES = 240  # held-out frames come in contiguous windows of this length: neighbours are almost the same frame
 SPLIT_TAKES = 20  # from so many takes on, whole takes are held out: no frame near a held-out one is trained on
@@ -23,7 +23,7 @@ def split(data: Features, share: float, seed: int, styles: tuple[str, ...]) -> t
 
     def take(masks: dict[str, Tensor], statistics: dict[str, Normaliser] | None) -> Features:
         pick = {kind: {s: _select(getattr(data, kind)[s], mask) for s, mask in masks.items()}
-                for kind in ("inputs", "phases", "outputs", "takes")}
+                for kind in (*FRAME_KINDS, "takes")}
         clips = {s: data.clips[s] for s in styles}
         return dataclasses.replace(data, clips=clips, split=None, statistics=statistics, **pick)
 

@@ -18,7 +18,7 @@ from torch import Tensor
 from tqdm.auto import tqdm
 
 from toolkit import networks
-from toolkit.features import Features, check_style, splits
+from toolkit.features import KINDS, Features, check_style, splits
 from toolkit.features.splits import seeded
 from toolkit.io import model_files
 from toolkit.motion.tensors import summary
@@ -37,7 +37,6 @@ if TYPE_CHECKING:
 __all__ = ["Config", "Run", "fit", "load", "pretrained"]
 
 LOG_EVERY = 10  # steps between the training losses that TensorBoard shows
-KINDS = ("inputs", "phases", "outputs", "clips")
 
 
 @dataclass(eq=False)
