@@ -10,7 +10,7 @@ from torch import Tensor
 
 from toolkit import phases as ph
 from toolkit.datasets import procedural
-from toolkit.evaluation.phases import KINDS, STILL, Row, kind, measure
+from toolkit.evaluation.phases import CASES, STILL, Row, kind, measure
 
 STAGGERING = ("Neutral", "Zombie")  # styles that are also measured with the random steps of the Drunk
 FREQUENCY_LIMIT, F1_LIMIT = 0.03, 0.95
@@ -52,7 +52,7 @@ def run(
             rows.append(measure(f"{name} {gait}", clip, known, kind(style), sources))
 
     print(f"{'degrees':<34}" + "".join(f"{name:>14}" for name in sources) + f"{'frequency':>12}{'contact F1':>12}")
-    for group in KINDS:
+    for group in CASES:
         members = [row for row in rows if row.kind == group]
         for row in members:
             for limbs, part in PARTS.items():

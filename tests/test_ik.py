@@ -5,7 +5,7 @@ import torch
 from hypothesis import given
 from hypothesis import strategies as st
 
-from toolkit.motion import forward_kinematics, ik
+from toolkit.motion import contacts, forward_kinematics, ik
 from toolkit.motion import rotations as R
 
 coordinate = st.floats(-2, 2, width=32)
@@ -219,7 +219,7 @@ def poses(walk_clip):
 
 
 def joints_of(skeleton, *parts) -> list[int]:
-    return [skeleton.index(f"{side}_{part}") for part in parts for side in ik.SIDES]
+    return [skeleton.index(f"{side}_{part}") for part in parts for side in contacts.FEET]
 
 
 def angles(a, b) -> torch.Tensor:

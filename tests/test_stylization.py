@@ -1,6 +1,8 @@
 """Park et al. 2021: the skeleton graph, the networks, the losses, training, and restyling a clip."""
 
 import math
+import os
+import signal
 from itertools import pairwise
 
 import pytest
@@ -317,6 +319,27 @@ def test_training_goes_on_from_a_checkpoint_as_if_it_had_not_stopped(motions, tm
     assert stored.config == whole.config
     assert stored.history == whole.history
     for a, b in zip(_weights(whole), _weights(stored), strict=True):
+        assert torch.equal(a, b)
+
+
+@pytest.mark.parametrize("ctrl_c", [True, False])
+def test_an_interrupted_training_loses_nothing(motions, tmp_path, ctrl_c):
+    config = training.Config.quick(sizes=SMALL, batch=2, iterations=6, log_every=2)
+    steps = []
+
+    def interrupt(step, _):
+        if step == 3 and not ctrl_c:
+            raise KeyboardInterrupt
+        if step == 3:
+            os.kill(os.getpid(), signal.SIGINT)
+
+    before = signal.getsignal(signal.SIGINT)
+    with pytest.raises(KeyboardInterrupt):
+        st.fit(motions, config, tmp_path / "checkpoint", on_step=interrupt)
+    assert signal.getsignal(signal.SIGINT) is before
+    resumed = st.fit(motions, config, tmp_path / "checkpoint", on_step=lambda step, _: steps.append(step))
+    assert steps in ([4, 5, 6], [5, 6])
+    for a, b in zip(_weights(st.fit(motions, config)), _weights(resumed), strict=True):
         assert torch.equal(a, b)
 
 

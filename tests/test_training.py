@@ -215,6 +215,16 @@ def test_ctrl_c_ends_the_step_and_leaves_a_checkpoint(tmp_path):
     assert steps in (list(range(4, 13)), list(range(5, 13)))
 
 
+def test_ctrl_c_after_the_last_step_is_not_forgotten(tmp_path, monkeypatch):
+    monkeypatch.setattr(training.loop, "_held_out", lambda *_: os.kill(os.getpid(), signal.SIGINT) or 0.5)
+    with pytest.raises(KeyboardInterrupt):
+        training.fit(waves(), dataclasses.replace(QUICK, evaluate_every=100), tmp_path / "checkpoint")
+    monkeypatch.undo()
+    steps = []
+    training.fit(waves(), QUICK, tmp_path / "checkpoint", on_step=lambda step, _: steps.append(step))
+    assert not steps
+
+
 def test_killed_at_any_step_and_resumed_equals_not_killed(tmp_path):
     config = dataclasses.replace(QUICK, steps=40, save_every=0.0, patience=3)
     straight = training.fit(waves(), config)

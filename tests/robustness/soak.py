@@ -14,7 +14,7 @@ from toolkit import published, runtime
 from toolkit.cli import verbs
 from toolkit.evaluation import metrics
 from toolkit.motion import forward_kinematics
-from toolkit.motion.ik import SIDES
+from toolkit.motion.contacts import FEET
 from toolkit.runtime import FPS, CharacterState, Command
 
 CHUNK = 300  # frames whose poses are in memory at a time
@@ -132,7 +132,7 @@ def _look(model, states: list[CharacterState], last: Tensor | None) -> tuple[dic
     layout, skeleton = model.layout, model.layout.skeleton
     rotations, roots = (torch.stack(side) for side in zip(*(runtime.pose(model, s) for s in states), strict=True))
     positions = forward_kinematics(skeleton, rotations, roots)[1]
-    names = [skeleton.roles[f"{side}_toe"] for side in SIDES]
+    names = [skeleton.roles[f"{side}_toe"] for side in FEET]
     own = [layout.names.index(name) for name in names]
     network = torch.stack([runtime.world_joints(layout, s)["position"][:, own] for s in states])
     toes = torch.stack((positions[..., [skeleton.index(name) for name in names], :], network), 2)

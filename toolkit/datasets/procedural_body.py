@@ -8,10 +8,11 @@ import scipy
 import torch
 from torch import Tensor
 
-from toolkit.datasets.procedural_steps import FOOT, FPS, SIDES, Foot, Plan, smooth, smooth_noise
+from toolkit.datasets.procedural_steps import FOOT, FPS, Foot, Plan, smooth, smooth_noise
 from toolkit.datasets.procedural_styles import Arm
 from toolkit.motion import Skeleton, forward_kinematics
 from toolkit.motion import rotations as R
+from toolkit.motion.clip import SIDES
 from toolkit.motion.ik import two_bone
 
 _SPINE = (("Hips", -1, 0, 0, 0), ("Chest", 0, 0, 0.130, 0), ("Chest2", 1, 0, 0.103, 0), ("Chest3", 2, 0, 0.093, 0),

@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 from torch import Tensor
 
 from toolkit.datasets.procedural_styles import Leg, Style
+from toolkit.motion.clip import SIDES
 from toolkit.motion.tensors import summary
 
 FPS = 60
@@ -22,7 +23,6 @@ HEEL = -0.05  # from the ankle back to where the heel touches
 TOE = 0.021  # height of a standing toe joint
 REACH = (0.45, 0.48, 0.14)  # largest horizontal distance of ankle and hips: at strike, at lift-off, extra with heel raised
 SWING = 0.55  # seconds, longest swing: slower walking has longer stances
-SIDES = ("left", "right")
 
 
 def smooth(x: np.ndarray, sigma: float) -> np.ndarray:

@@ -7,6 +7,7 @@ from torch import Tensor
 
 from toolkit.features import Layout
 from toolkit.motion import Clip, Skeleton, contacts
+from toolkit.motion.clip import SIDES
 from toolkit.motion.tensors import as_tensor
 
 
@@ -123,7 +124,7 @@ def hand_swing(layout: Layout, positions: Tensor) -> dict[str, Tensor]:
         ``together [...]``: correlation of the fore and aft motion of both hands: 1 if they swing together, -1 if they swing
         alternately, NaN if one does not move.
     """
-    hands = positions[..., [layout.names.index(layout.skeleton.roles[f"{side}_hand"]) for side in ("left", "right")], :]
+    hands = positions[..., [layout.names.index(layout.skeleton.roles[f"{side}_hand"]) for side in SIDES], :]
     moved = hands - hands.mean(0)
     left, right = moved[..., 2].unbind(-1)
     together = (left * right).sum(0) / (left.square().sum(0) * right.square().sum(0)).sqrt()

@@ -8,7 +8,7 @@ from torch import Tensor
 
 from toolkit.evaluation import metrics
 from toolkit.evaluation.recognition import Recogniser
-from toolkit.features import Features, Layout, Normaliser, split_joints, splits
+from toolkit.features import FRAME_KINDS, Features, Layout, Normaliser, split_joints, splits
 from toolkit.networks import Model
 from toolkit.networks.bank import StyleBank
 from toolkit.training import loss
@@ -29,7 +29,7 @@ def shared_error(model: Model, bank: StyleBank, test: Features, scale: Normalise
     for style in (s for s in test.styles if len(test.inputs[s])):
         rows, total = torch.arange(len(test.inputs[style])), 0.0
         for part in rows.split(1024):
-            x, p, z = (getattr(test, kind)[style][part] for kind in loss.KINDS)
+            x, p, z = (getattr(test, kind)[style][part] for kind in FRAME_KINDS)
             p, wanted = model.observe(p, z)
             off = _shared(model.layout, model.predict(x, p, bank[style]) - wanted) / _shared(test.layout, scale.std)
             total += len(part) * float(off.square().mean())
@@ -43,7 +43,7 @@ def shared_baselines(data: Features, held_out: float, seed: int) -> dict[str, fl
     normaliser = train.normalisers()["outputs"]
     errors: dict[str, list[float]] = {"mean": [], "repeat": []}
     for style in (s for s in test.styles if len(test.inputs[s])):
-        x, p, z = (getattr(test, kind)[style][:] for kind in loss.KINDS)
+        x, p, z = (getattr(test, kind)[style][:] for kind in FRAME_KINDS)
         still = loss.repeat_frame(data.layout, x, p, normaliser.mean)
         for name, guess in (("mean", normaliser.mean), ("repeat", still)):
             errors[name].append(float(_shared(data.layout, (z - guess) / normaliser.std).square().mean()))

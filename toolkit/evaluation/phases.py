@@ -12,7 +12,7 @@ from toolkit.evaluation import metrics
 from toolkit.motion import Clip, contacts
 
 STILL = 0.02  # metres, root mean square distance from its mean position below which a hand has no phase
-KINDS = ("cyclic", "asymmetric", "no global phase", "one leg never touches", "stochastic")
+CASES = ("cyclic", "asymmetric", "no global phase", "one leg never touches", "stochastic")
 
 
 @dataclass(frozen=True)
@@ -51,7 +51,7 @@ def measure(name: str, clip: Clip, truth: procedural.Truth, kind: str, sources: 
 
 
 def kind(style: procedural.Style) -> str:
-    """The one of `KINDS` of a style."""
+    """The one of `CASES` of a style."""
     if style.stagger > 0:
         return "stochastic"
     legs, arms = ([part("left"), part("right")] for part in (style.leg, style.arm))

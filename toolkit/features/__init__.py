@@ -6,6 +6,7 @@ from toolkit.features import layout, splits
 from toolkit.features.features import (
     CLIP_FRAMES,
     CLIP_HOP,
+    FRAME_KINDS,
     KINDS,
     Features,
     Frames,
@@ -27,8 +28,8 @@ from toolkit.features.features import (
 )
 from toolkit.features.layout import CHANNELS, Layout, pack_joints, split_joints
 
-__all__ = ["CHANNELS", "CLIP_FRAMES", "CLIP_HOP", "KINDS", "Features", "Frames", "Layout", "Normaliser", "OwnFeatures",
-           "Rows", "Split", "build", "check_style", "check_style_clips", "clip_starts", "frames", "group_features",
-           "joint_features", "layout", "moments", "own_features", "pack_joints", "split_joints", "splits", "style_clips",
-           "usable"]
+__all__ = ["CHANNELS", "CLIP_FRAMES", "CLIP_HOP", "FRAME_KINDS", "KINDS", "Features", "Frames", "Layout", "Normaliser",
+           "OwnFeatures", "Rows", "Split", "build", "check_style", "check_style_clips", "clip_starts", "frames",
+           "group_features", "joint_features", "layout", "moments", "own_features", "pack_joints", "split_joints", "splits",
+           "style_clips", "usable"]
 __getattr__ = lazy_loader.attach(__name__, ["store"])[0]  # imported when it is first used

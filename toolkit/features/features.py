@@ -17,6 +17,8 @@ from toolkit.motion import Clip, RootFrames, contacts, root_frames, trajectory
 from toolkit.motion import rotations as R
 from toolkit.motion.tensors import few, summary
 
+KINDS = ("inputs", "phases", "outputs", "clips")  # of numbers that a model works with, each with a normaliser
+FRAME_KINDS = KINDS[:3]  # those with a row per frame
 CLIP_FRAMES, CLIP_HOP = 240, 120
 TOO_SHORT = (f"{{}}: {{}} frames hold no whole trajectory window; it takes {trajectory.PAST} before and "
              f"{trajectory.FUTURE + 1} after a frame")
@@ -272,9 +274,6 @@ class Features:
     def normalisers(self) -> dict[str, Normaliser]:
         """Statistics of ``inputs``, ``phases``, ``outputs`` and ``clips`` over all styles."""
         return self.statistics or {kind: Normaliser.of(*getattr(self, kind).values()) for kind in KINDS}
-
-
-KINDS = ("inputs", "phases", "outputs", "clips")
 
 
 def build(clips: Clip | Iterable[Clip], *, source: str | phases.Source = "hybrid",

@@ -1,12 +1,14 @@
 """Held-out frames, and the streams of random numbers that choose them (Mason et al. 2022, section 4.3)."""
 
+import contextlib
 import dataclasses
+from collections.abc import Iterator
 
 import numpy as np
 import torch
 from torch import Tensor
 
-from toolkit.features.features import Features, Normaliser, Rows
+from toolkit.features.features import FRAME_KINDS, Features, Normaliser, Rows
 
 SPLIT_FRAMES = 240  # held-out frames come in contiguous windows of this length: neighbours are almost the same frame
 SPLIT_TAKES = 20  # from so many takes on, whole takes are held out: no frame near a held-out one is trained on
@@ -21,7 +23,7 @@ def split(data: Features, share: float, seed: int, styles: tuple[str, ...]) -> t
 
     def take(masks: dict[str, Tensor], statistics: dict[str, Normaliser] | None) -> Features:
         pick = {kind: {s: _select(getattr(data, kind)[s], mask) for s, mask in masks.items()}
-                for kind in ("inputs", "phases", "outputs", "takes")}
+                for kind in (*FRAME_KINDS, "takes")}
         clips = {s: data.clips[s] for s in styles}
         return dataclasses.replace(data, clips=clips, split=None, statistics=statistics, **pick)
 
@@ -62,3 +64,12 @@ def generator(*numbers: int) -> torch.Generator:
 def mix(*numbers: int) -> int:
     """One seed of several numbers."""
     return int(np.random.SeedSequence(numbers).generate_state(1, np.uint64)[0] >> np.uint64(1))
+
+
+@contextlib.contextmanager
+def seeded(device: torch.device | str, *numbers: int) -> Iterator[None]:
+    """Seeds torch's global generators inside; restores the random state on exit."""
+    device = torch.device(device)
+    with torch.random.fork_rng(devices=[] if device.type == "cpu" else [device.index or 0]):
+        torch.manual_seed(mix(*numbers))
+        yield

@@ -15,7 +15,10 @@ from torch import Tensor
 from toolkit.motion import rotations as R
 from toolkit.motion.tensors import as_tensor, summary, through_numpy
 
-ROLES = ("hips", *(f"{side}_{part}" for side in ("left", "right")
+SIDES = ("left", "right")
+FEET = SIDES[::-1]  # the order of contacts, as the published network predicts them, and of whatever has two legs or arms
+LIMBS = tuple(f"{side}_{part}" for part in ("hand", "foot") for side in SIDES)  # the order of local phases
+ROLES = ("hips", *(f"{side}_{part}" for side in SIDES
                    for part in ("shoulder", "elbow", "hand", "hip", "knee", "foot", "toe")))
 
 UNIT = 1e-3  # how far a quaternion's length may be from 1: files with four decimals pass, and long products in float32
@@ -174,7 +177,7 @@ def find_roles(names: Sequence[str], parents: Sequence[int]) -> dict[str, str]:
     """Limb roles from the names of hands and toes and the chains above them (the keys found of `ROLES`)."""
     roles = {"hips": next((n for n in names if n.lower().endswith(("hips", "pelvis"))), names[0])}
     chains = {("hand", "wrist"): ("hand", "elbow", "shoulder"), ("toe",): ("toe", "foot", "knee", "hip")}
-    for side in ("left", "right"):
+    for side in SIDES:
         for words, parts in chains.items():
             named = (j for j, n in enumerate(names) if _side(n) == side and any(w in n.lower() for w in words))
             joint = next(named, -1)

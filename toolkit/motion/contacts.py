@@ -3,9 +3,8 @@
 import torch
 from torch import Tensor
 
-from toolkit.motion.clip import Clip
+from toolkit.motion.clip import FEET, Clip
 
-FEET = ("right", "left")  # the order of the network's contact outputs
 BALL = 0.01
 
 

@@ -7,7 +7,7 @@ import torch
 from torch import Tensor
 
 from toolkit.motion import rotations as R
-from toolkit.motion.clip import Skeleton, forward_kinematics, local_rotations
+from toolkit.motion.clip import FEET, Skeleton, forward_kinematics, local_rotations
 from toolkit.motion.tensors import as_tensor
 
 
@@ -69,7 +69,6 @@ def two_bone(
     return a + along * line + height * across, a + distance * line
 
 
-SIDES = ("right", "left")
 SLACK = 0.15  # metres that a held toe may stay behind its prediction
 RETURN = 10.0  # per second: how fast a toe that was let go comes back to its prediction
 
@@ -138,7 +137,7 @@ def plant_feet(skeleton: Skeleton, rotations: Tensor, root: Tensor, toes: Tensor
         New local rotations.
     """
     turned, positions = forward_kinematics(skeleton, rotations, root)
-    legs = [[skeleton.role(f"{side}_{part}") for side in SIDES] for part in ("hip", "knee", "foot", "toe")]
+    legs = [[skeleton.role(f"{side}_{part}") for side in FEET] for part in ("hip", "knee", "foot", "toe")]
     a, b, c, toe = (positions[..., joints, :] for joints in legs)
     middle, end = two_bone(a, b, c, toes - (toe - c))
     turn = R.between(torch.stack((b - a, c - b)), torch.stack((middle - a, end - middle)))
@@ -168,9 +167,9 @@ def turn_arms(skeleton: Skeleton, rotations: Tensor, root: Tensor, wanted: Tenso
         New local rotations.
     """
     turned, positions = forward_kinematics(skeleton, rotations, root)
-    arms = [[skeleton.role(f"{side}_{part}") for side in SIDES] for part in ("shoulder", "elbow", "hand")]
+    arms = [[skeleton.role(f"{side}_{part}") for side in FEET] for part in ("shoulder", "elbow", "hand")]
     chain = [[skeleton.parents[joint] for joint in arms[0]], *arms]
-    tips = [skeleton.tip(f"{side}_hand") for side in SIDES]
+    tips = [skeleton.tip(f"{side}_hand") for side in FEET]
     for joints, children in pairwise([*chain, tips] if not set(tips) & set(arms[-1]) else chain):
         bone = R.rotate(turned[..., joints, :], skeleton.offsets[children].to(rotations))
         aim = R.between(bone, wanted[..., children, :] - positions[..., joints, :])

@@ -12,7 +12,7 @@ import torch
 from torch import Tensor
 
 from toolkit.motion import rotations as R
-from toolkit.motion.clip import Clip, Skeleton, local_rotations, root_frames
+from toolkit.motion.clip import SIDES, Clip, Skeleton, local_rotations, root_frames
 from toolkit.motion.tensors import as_tensor
 
 STRAIGHT = 0.02  # sine of the mean bend of an arm that shows no axis
@@ -58,7 +58,7 @@ def _leg(skeleton: Skeleton) -> float:
 
 def _stand(clip: Clip) -> float:
     """How high the lower toe is where it is lowest, metres."""
-    toes = clip.global_positions[:, [clip.skeleton.role(f"{side}_toe") for side in ("left", "right")], 1]
+    toes = clip.global_positions[:, [clip.skeleton.role(f"{side}_toe") for side in SIDES], 1]
     return float(toes.amin(1).quantile(0.05))
 
 
@@ -117,7 +117,7 @@ def _trunk(clip: Clip, skeleton: Skeleton) -> dict[int, Tensor]:
 def _limbs(clip: Clip, skeleton: Skeleton) -> dict[int, Tensor]:
     """World rotations ``[F, 4]`` of arms and legs."""
     own, turned = clip.skeleton, {}
-    for side in ("left", "right"):
+    for side in SIDES:
         for limb, parts in PARTS.items():
             axes = None
             for part, onward in zip(parts, (*parts[1:], None), strict=True):

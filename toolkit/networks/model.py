@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import torch
 from torch import Tensor, nn
 
-from toolkit.features import CLIP_FRAMES, Layout, Normaliser
+from toolkit.features import CLIP_FRAMES, KINDS, Layout, Normaliser
 from toolkit.io import model_files
 from toolkit.motion.tensors import as_tensor, summary
 from toolkit.networks import phase
@@ -33,7 +33,6 @@ MODELS = {
     "lpn-film": "gated experts on local phases, style by FiLM after layer normalisation (the paper's model)",
 }
 PHASE = {"lpn": "local", "pfnn": "global", "mann": "none"}  # what a synthesis network knows of phase
-KINDS = ("inputs", "phases", "outputs", "clips")  # what is normalised
 
 
 @dataclass(frozen=True)

@@ -33,9 +33,9 @@ from tqdm.auto import tqdm
 from toolkit.datasets import procedural
 from toolkit.io import model_files
 from toolkit.motion import Clip, root_frames
+from toolkit.motion.clip import LIMBS, SIDES
 from toolkit.motion.tensors import summary, through_numpy
 from toolkit.phases.sinusoids import MAX_FREQUENCY, MIN_FREQUENCY, Sinusoids
-from toolkit.phases.sources import LIMBS
 from toolkit.phases.windows import SECOND, mean
 
 RATE = 20.0  # Hz, of the windows' samples
@@ -200,7 +200,7 @@ class Learned:
             raise ValueError("a learned source needs at least one clip to train on, got none")
         networks, factors = {}, {}
         for part in PARTS:
-            curves = [(limb_curves(clip, f"{side}_{part}"), clip.fps) for clip in clips for side in ("left", "right")]
+            curves = [(limb_curves(clip, f"{side}_{part}"), clip.fps) for clip in clips for side in SIDES]
             windows = torch.cat([cut(c, fps * v, max(1, round(fps / 5))).float().cpu() for c, fps in curves for v in SPEEDS])
             with torch.random.fork_rng(devices=[]):
                 torch.manual_seed(seed)

@@ -13,10 +13,10 @@ from torch import Tensor
 
 from toolkit.motion import Clip, contacts
 from toolkit.motion import rotations as R
+from toolkit.motion.clip import LIMBS
 from toolkit.motion.tensors import as_tensor, summary
 
 #: The published order of the phases.
-LIMBS = ("left_hand", "right_hand", "left_foot", "right_foot")
 
 Source = Callable[[Clip, str], Tensor]
 

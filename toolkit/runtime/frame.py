@@ -15,7 +15,8 @@ from tqdm import tqdm
 from toolkit.features import Layout, pack_joints, split_joints
 from toolkit.motion import Clip, local_rotations, trajectory
 from toolkit.motion import rotations as R
-from toolkit.motion.ik import SIDES, hold, plant_feet, turn_arms
+from toolkit.motion.clip import FEET
+from toolkit.motion.ik import hold, plant_feet, turn_arms
 from toolkit.motion.tensors import as_tensor, shown
 from toolkit.networks.phase import advance, amid_a_stride
 from toolkit.runtime.state import CharacterState, vectors_of
@@ -208,7 +209,7 @@ def world_joints(layout: Layout, state: CharacterState) -> dict[str, Tensor]:
 
 
 def _predicted_toes(layout: Layout, state: CharacterState) -> Tensor:
-    toes = [layout.names.index(layout.skeleton.roles[f"{side}_toe"]) for side in SIDES]
+    toes = [layout.names.index(layout.skeleton.roles[f"{side}_toe"]) for side in FEET]
     return world_joints(layout, state)["position"][:, toes]
 
 

@@ -12,6 +12,7 @@ from torch import Tensor
 
 from toolkit import runtime
 from toolkit.features import Layout, split_joints
+from toolkit.motion.clip import SIDES
 from toolkit.motion.tensors import summary
 from toolkit.networks import Model
 from toolkit.networks.bank import StyleBank
@@ -136,7 +137,7 @@ def _body(layout: Layout) -> tuple[dict[str, tuple[int, int, float]], list[tuple
     scale = float((rest[at["left_hip"]] - rest[at["left_foot"]]).norm()) / LEG
     limbs = {"forearm": ("elbow", "hand"), "thigh": ("hip", "knee"), "shank": ("knee", "foot"), "foot": ("foot", "toe")}
     capsules = {f"{side} {part}": (at[f"{side}_{a}"], at[f"{side}_{b}"], RADII[part] * scale)
-                for side in ("left", "right") for part, (a, b) in limbs.items()}
+                for side in SIDES for part, (a, b) in limbs.items()}
     chest, top = names.index(skeleton.names[skeleton.trunk[0]]), int(rest[:, 1].argmax())
     capsules |= {"trunk": (at["hips"], chest, RADII["trunk"] * scale), "head": (top, top, RADII["head"] * scale)}
     arms, legs = ("left forearm", "right forearm"), ("shank", "foot")

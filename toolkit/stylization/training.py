@@ -8,7 +8,6 @@ import dataclasses
 import json
 import math
 import os
-import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -17,12 +16,13 @@ import torch
 from torch import Tensor
 from tqdm.auto import tqdm
 
-from toolkit.features.splits import generator, mix
+from toolkit.features.splits import generator, seeded
 from toolkit.io import model_files
 from toolkit.motion.tensors import summary
 from toolkit.stylization import losses
 from toolkit.stylization.data import Motions
 from toolkit.stylization.networks import Discriminator, Sizes, Stylizer, build
+from toolkit.training.checkpoint import Checkpoint, Saver, starting
 
 INIT, BATCH = range(2)  # what draws random numbers
 NETWORKS = ("generator", "encoder", "mapping", "discriminator")
@@ -107,7 +107,7 @@ def load(path: str | os.PathLike) -> Run:
         config = Config(**stored | {"sizes": Sizes(**stored["sizes"]), "losses": tuple(stored["losses"]),
                                     "betas": tuple(stored["betas"])})
         discriminator = Discriminator(stylizer.graph, stylizer.sizes, len(stylizer.domains)).eval()
-        discriminator.load_state_dict(_own(tensors, "discriminator."))
+        discriminator.load_state_dict(starting(tensors, "discriminator."))
         return Run(stylizer, discriminator, config, numbers["history"])
 
 
@@ -151,22 +151,23 @@ def fit(motions: Motions, config: Config | None = None, checkpoint: str | os.Pat
     config
         How; the paper's way where not given.
     checkpoint
-        File for the state of the run, written now and then; a stopped run goes on from the last one.
+        File for the state of the run, written now and then and when it is interrupted.
     resume
         Go on from the checkpoint if there is one.
     progress
         Show a bar.
     on_step
-        Called after every iteration with its number and the stylizer.
+        Called after every iteration with its number and the stylizer; a KeyboardInterrupt it raises stops the run.
 
     Raises
     ------
     ValueError
         If a domain has no motion, a loss is not finite any more, or the checkpoint is of another config or other data.
+    KeyboardInterrupt
+        When interrupted, after the checkpoint was written.
     """
     config = config or Config()
-    with torch.random.fork_rng(devices=[]):
-        torch.manual_seed(mix(config.seed, INIT))
+    with seeded("cpu", config.seed, INIT):
         stylizer, discriminator = build(motions.graph, motions.domains, config.sizes, motions.statistics())
     batches = Batches(motions, stylizer.statistics.apply(motions.x), config)
     for network in (stylizer, discriminator):
@@ -174,15 +175,18 @@ def fit(motions: Motions, config: Config | None = None, checkpoint: str | os.Pat
     networks = {name: discriminator if name == "discriminator" else getattr(stylizer, name) for name in NETWORKS}
     adams = {name: torch.optim.Adam(network.parameters(), config.rates[name], config.betas, fused=True)
              for name, network in networks.items()}
+    both = {"stylizer": stylizer, "discriminator": discriminator}
+    file = Checkpoint("stylization_checkpoint", both, adams, config.fixed())
     state = {"step": 0, "elapsed": 0.0, "history": [], "sums": {}}
     if checkpoint and resume and Path(checkpoint).exists():
-        state = _restore(checkpoint, stylizer, discriminator, adams, config)
-    began, saved = time.perf_counter() - state["elapsed"], time.perf_counter()
-    with tqdm(total=config.iterations, initial=state["step"], desc="training", unit="step", disable=not progress) as bar:
+        state |= file.load(checkpoint)[0]
+    saver = Saver(lambda: file.save(checkpoint, state) if checkpoint else None, config.save_every, state["elapsed"])
+    bar = tqdm(total=config.iterations, initial=state["step"], desc="training", unit="step", disable=not progress)
+    with saver, bar:
         while state["step"] < config.iterations:
             terms = _step(stylizer, discriminator, adams, batches[state["step"]], config, state["step"])
             state["step"] += 1
-            state["elapsed"] = time.perf_counter() - began
+            state["elapsed"] = saver.elapsed
             state["sums"] = {name: state["sums"].get(name, 0.0) + value for name, value in terms.items()}
             if state["step"] % config.log_every == 0:
                 row = {name: value / config.log_every for name, value in state["sums"].items()}
@@ -190,11 +194,7 @@ def fit(motions: Motions, config: Config | None = None, checkpoint: str | os.Pat
                 state["sums"] = {}
                 bar.set_postfix({name: f"{value:.2f}" for name, value in row.items()}, refresh=False)
             bar.update()
-            if checkpoint and (state["step"] == config.iterations or time.perf_counter() - saved > config.save_every):
-                _checkpoint(checkpoint, stylizer, discriminator, adams, state, config)
-                saved = time.perf_counter()
-            if on_step:
-                on_step(state["step"], stylizer)
+            saver.stepped(on_step, state["step"], stylizer)
     return Run(stylizer.cpu().eval(), discriminator.cpu().eval(), config, state["history"])
 
 
@@ -266,37 +266,3 @@ def _descend(loss: Tensor, adams: list[torch.optim.Adam]) -> None:
     loss.backward()
     for adam in adams:
         adam.step()
-
-
-def _checkpoint(path: str | os.PathLike, stylizer: Stylizer, discriminator: Discriminator,
-                adams: dict[str, torch.optim.Adam], state: dict, config: Config) -> None:
-    """Write everything the rest of the run depends on."""
-    tensors = {f"{part}.{k}": v for part, network in (("stylizer", stylizer), ("discriminator", discriminator))
-               for k, v in network.state_dict().items()}
-    tensors |= {f"adam.{name}.{i}.{kind}": value for name, adam in adams.items()
-                for i, moments in adam.state_dict()["state"].items() for kind, value in moments.items()}
-    model_files.write(path, tensors, {"stylization_checkpoint": {**state, "config": config.fixed()}})
-
-
-def _restore(path: str | os.PathLike, stylizer: Stylizer, discriminator: Discriminator, adams: dict[str, torch.optim.Adam],
-             config: Config) -> dict:
-    """Load a checkpoint into new networks and optimisers; the state of the run."""
-    tensors, parts = model_files.read(path, "stylization_checkpoint")
-    state, own = parts["stylization_checkpoint"], _own(tensors, "stylizer.")
-    if why := model_files.difference(config.fixed(), state.pop("config", {})):
-        raise ValueError(f"{path}: the run to resume differs in {why}")
-    if any(not torch.equal(own[f"statistics.{k}"], v.cpu()) for k, v in stylizer.statistics.state_dict().items()):
-        raise ValueError(f"{path}: the run to resume had other data (their means and deviations differ)")
-    stylizer.load_state_dict(own)
-    discriminator.load_state_dict(_own(tensors, "discriminator."))
-    for name, adam in adams.items():
-        moments: dict[int, dict[str, Tensor]] = {}
-        for key, value in _own(tensors, f"adam.{name}.").items():
-            i, kind = key.split(".")
-            moments.setdefault(int(i), {})[kind] = value
-        adam.load_state_dict({"state": moments, "param_groups": adam.state_dict()["param_groups"]})
-    return state
-
-
-def _own(tensors: dict[str, Tensor], start: str) -> dict[str, Tensor]:
-    return {k.removeprefix(start): v for k, v in tensors.items() if k.startswith(start)}

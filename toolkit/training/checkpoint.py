@@ -1,83 +1,142 @@
-"""Checkpoints: everything that the rest of a training run depends on, as one file, written whole or not at all."""
+"""What a training run needs to go on where it stopped: a file of its state, and when that is written."""
 
+import contextlib
 import os
-from dataclasses import dataclass, field
+import signal
+import threading
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
 
 import torch
-from torch import Tensor
+from torch import Tensor, nn
 
 from toolkit.io import model_files
 from toolkit.motion.tensors import summary
-from toolkit.networks import Model
-from toolkit.training.run import Config
 
 
-@dataclass(eq=False)
+@dataclass(frozen=True, eq=False)
 class Checkpoint:
-    """State of a run after ``step`` steps and ``elapsed`` seconds.
+    """Everything that the rest of a run depends on, as one file, written whole or not at all.
 
-    ``losses`` are the last step's; ``history`` has a row per evaluation; ``best`` are the weights with the least held-out
-    error in it, kept where the run may stop early; ``moments`` are Adam's, by parameter.
+    Parameters
+    ----------
+    part
+        What the file calls the run's numbers.
+    networks, adams
+        What is trained, and the optimisers, by name.
+    config
+        Settings that must not change when the run is resumed, as JSON holds them.
     """
 
-    model: Model
-    step: int = 0
-    elapsed: float = 0.0
-    losses: dict[str, float] = field(default_factory=dict)
-    history: list[dict] = field(default_factory=list)
-    best: dict[str, Tensor] = field(default_factory=dict)
-    moments: dict[int, dict[str, Tensor]] = field(default_factory=dict)
+    part: str
+    networks: dict[str, nn.Module]
+    adams: dict[str, torch.optim.Adam]
+    config: dict[str, Any]
     __repr__ = summary
 
-    @property
-    def stalled(self) -> int:
-        """Evaluations since the best one; 0 where nothing was held out, and rows say None."""
-        errors = [row["held_out"] for row in self.history if row["held_out"] is not None]
-        return len(errors) - 1 - errors.index(min(errors)) if errors else 0
+    def save(self, path: str | os.PathLike, numbers: dict[str, Any], more: dict[str, Tensor] | None = None,
+             **parts: Any) -> None:
+        """Write networks, optimisers, ``numbers`` and ``more`` tensors; ``parts`` describe what else can read the file."""
+        tensors = {f"{name}.{k}": v for name, network in self.networks.items() for k, v in network.state_dict().items()}
+        tensors |= {f"adam.{name}.{i}.{kind}": value for name, adam in self.adams.items()
+                    for i, moments in adam.state_dict()["state"].items() for kind, value in moments.items()}
+        model_files.write(path, tensors | (more or {}), {**parts, self.part: {**numbers, "config": self.config}})
 
-    def save(self, path: str | os.PathLike, config: Config) -> None:
-        """Write it, and the ``config`` that it is bound to."""
-        tensors, description = self.model.parts()
-        tensors |= {f"best.{name}": value for name, value in self.best.items()}
-        tensors |= {f"adam.{i}.{name}": value for i, m in self.moments.items() for name, value in m.items()}
-        numbers = {"step": self.step, "elapsed": self.elapsed, "losses": self.losses, "history": self.history,
-                   "config": config.fixed()}
-        model_files.write(path, tensors, {"model": description, "checkpoint": numbers})
-
-    @classmethod
-    def load(cls, path: str | os.PathLike, new: Model, config: Config) -> "Checkpoint":
-        """Read one.
-
-        Parameters
-        ----------
-        path
-            The file.
-        new
-            The model that the run would start from: it must have this layout and these normalisers.
-        config
-            It must have been this one, in what counts.
+    def load(self, path: str | os.PathLike) -> tuple[dict[str, Any], dict[str, Tensor]]:
+        """Set networks and optimisers, as they are at the start of the run, to what a file holds; its numbers and tensors.
 
         Raises
         ------
         ValueError
-            If it is no checkpoint, or of another layout, config or data.
+            If it is no such checkpoint, or of another config or other data.
         """
-        tensors, parts = model_files.read(path, "checkpoint")
-        model, numbers = Model.from_parts(path, tensors, parts, new.layout), parts["checkpoint"]
+        tensors, parts = model_files.read(path, self.part)
+        buffers = {f"{name}.{k}": v.cpu() for name, network in self.networks.items() for k, v in network.named_buffers()}
         with model_files.intact(path, "the checkpoint"):
-            why = model_files.difference(config.fixed(), numbers.pop("config"))
+            numbers = parts[self.part]
+            why = model_files.difference(self.config, numbers.pop("config"))
+            pairs = [(tensors[k], v) for k, v in buffers.items() if k in tensors]
+            same = all(a.shape == b.shape and torch.allclose(a, b) for a, b in pairs)
         if why:
             raise ValueError(f"{path}: the run to resume differs in {why}")
-        if not all(torch.allclose(a, b) for a, b in zip(model.buffers(), new.buffers(), strict=True)):
+        if not same:
             raise ValueError(f"{path}: the run to resume had other data (their means and deviations differ)")
-        best = {name.removeprefix("best."): value for name, value in tensors.items() if name.startswith("best.")}
-        moments: dict[int, dict[str, Tensor]] = {}
         with model_files.intact(path, "the checkpoint"):
-            for name, value in tensors.items():
-                if name.startswith("adam."):
-                    _, i, kind = name.split(".")
+            for name, network in self.networks.items():
+                network.load_state_dict(starting(tensors, f"{name}."))
+            for name, adam in self.adams.items():
+                moments: dict[int, dict[str, Tensor]] = {}
+                for key, value in starting(tensors, f"adam.{name}.").items():
+                    i, kind = key.split(".")
                     moments.setdefault(int(i), {})[kind] = value
-            found = cls(model, **numbers, best=best, moments=moments)
-            if not (found.step >= 0 and found.elapsed >= 0 and isinstance(found.stalled, int)):
-                raise ValueError(f"step {found.step}, {found.elapsed} s")
-        return found
+                adam.load_state_dict({"state": moments, "param_groups": adam.state_dict()["param_groups"]})
+        return numbers, tensors
+
+
+def starting(tensors: dict[str, Tensor], start: str) -> dict[str, Tensor]:
+    """The tensors whose names start so, by the rest of their names."""
+    return {name.removeprefix(start): value for name, value in tensors.items() if name.startswith(start)}
+
+
+class Saver(contextlib.AbstractContextManager):
+    """Saves a run every so many seconds, when it is interrupted and when it is done; always between two steps.
+
+    Inside, the first Ctrl-C lets the step end, saves and raises KeyboardInterrupt; the second interrupts at once.
+
+    Parameters
+    ----------
+    save
+        Writes the checkpoint.
+    every
+        Seconds from one checkpoint to the next.
+    elapsed
+        Seconds that the run took until it was stopped.
+    agree
+        Means over all processes, which must stop at the same step.
+    """
+
+    def __init__(self, save: Callable[[], None], every: float, elapsed: float = 0.0,
+                 agree: Callable[..., list[float]] = lambda *numbers: list(numbers)):
+        self.save, self.every, self.agree = save, every, agree
+        self.began, self.saved = time.perf_counter() - elapsed, time.perf_counter()
+        self.interrupted, self._before = threading.Event(), None
+
+    def __enter__(self) -> "Saver":
+        if threading.current_thread() is threading.main_thread():
+            self._before = signal.signal(signal.SIGINT, self._interrupt)
+        return self
+
+    def _interrupt(self, *_) -> None:
+        self.interrupted.set()
+        signal.signal(signal.SIGINT, self._before)
+
+    def __exit__(self, kind: type | None, *_) -> None:
+        if self._before is not None:
+            signal.signal(signal.SIGINT, self._before)
+        if kind is None:
+            self.save()
+            if self.interrupted.is_set():  # after the last step
+                raise KeyboardInterrupt
+
+    @property
+    def elapsed(self) -> float:
+        """Seconds that the run took, those before it was stopped included."""
+        return time.perf_counter() - self.began
+
+    def stepped(self, on_step: Callable[..., None] | None, *arguments: Any) -> float:
+        """End a step: call ``on_step``, save where it is time; seconds that the run took, the same in all processes."""
+        if on_step:
+            try:
+                on_step(*arguments)
+            except KeyboardInterrupt:
+                self.interrupted.set()
+        elapsed, stop = self.agree(self.elapsed, self.interrupted.is_set())
+        if stop or time.perf_counter() - self.saved > self.every:
+            self.save()
+            self.saved = time.perf_counter()
+        if stop:
+            self.agree(0.0)  # nobody leaves before the file is written
+            raise KeyboardInterrupt
+        return elapsed

@@ -7,22 +7,25 @@ and resumed therefore ends with the same weights as one that was not, bit for bi
 import contextlib
 import math
 import os
-import signal
-import threading
-import time
 from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import torch
+from torch import Tensor
 from tqdm.auto import tqdm
 
 from toolkit import networks
-from toolkit.features import Features, check_style, splits
+from toolkit.features import KINDS, Features, check_style, splits
+from toolkit.features.splits import seeded
+from toolkit.io import model_files
+from toolkit.motion.tensors import summary
 from toolkit.networks import Model
 from toolkit.networks.bank import StyleBank
 from toolkit.training import distributed
-from toolkit.training.checkpoint import Checkpoint
+from toolkit.training.checkpoint import Checkpoint, Saver, starting
 from toolkit.training.distributed import Objective
 from toolkit.training.loss import baselines, evaluate, make_bank
 from toolkit.training.minibatches import DROPOUT, INIT, Minibatches
@@ -34,7 +37,28 @@ if TYPE_CHECKING:
 __all__ = ["Config", "Run", "fit", "load", "pretrained"]
 
 LOG_EVERY = 10  # steps between the training losses that TensorBoard shows
-KINDS = ("inputs", "phases", "outputs", "clips")
+
+
+@dataclass(eq=False)
+class State:
+    """Where a run is: after ``step`` steps and ``elapsed`` seconds.
+
+    ``losses`` are the last step's; ``history`` has a row per evaluation; ``best`` are the weights with the least held-out
+    error in it, kept where the run may stop early.
+    """
+
+    step: int = 0
+    elapsed: float = 0.0
+    losses: dict[str, float] = field(default_factory=dict)
+    history: list[dict] = field(default_factory=list)
+    best: dict[str, Tensor] = field(default_factory=dict)
+    __repr__ = summary
+
+    @property
+    def stalled(self) -> int:
+        """Evaluations since the best one; 0 where nothing was held out, and rows say None."""
+        errors = [row["held_out"] for row in self.history if row["held_out"] is not None]
+        return len(errors) - 1 - errors.index(min(errors)) if errors else 0
 
 
 def fit(data: Features, config: Config | None = None, checkpoint: str | os.PathLike | None = None, *, resume: bool = True,
@@ -76,25 +100,19 @@ def fit(data: Features, config: Config | None = None, checkpoint: str | os.PathL
     batches = Minibatches(train, config.batch, config.clips_per_batch, config.seed, config.stray)
     if batches.fewest < fabric.world_size:
         raise ValueError(f"{fabric.world_size} processes cannot share a minibatch of {batches.fewest} frames")
-    with _seeded(fabric.device, config.seed, INIT):
+    with seeded(fabric.device, config.seed, INIT):
         model = networks.build(config.model, data.layout, len(batches.styles), config.sizes,
-                               networks.normalisers(config.model, train))
-    if checkpoint and resume and Path(checkpoint).exists():
-        state = Checkpoint.load(checkpoint, model, config)
-    else:
-        state = Checkpoint(model)
-    model = state.model.to(fabric.device)
+                               networks.normalisers(config.model, train)).to(fabric.device)
     adam = optimiser(model, config)
-    if state.moments:
-        adam.load_state_dict({"state": state.moments, "param_groups": adam.state_dict()["param_groups"]})
+    state = restore(checkpoint, model, adam, config) if checkpoint and resume and Path(checkpoint).exists() else State()
     objective = fabric.setup_module(Objective(model, config.bone_weight, fabric.global_rank, fabric.world_size))
     total = None if config.seconds else config.steps or max(1, round((config.epochs or 90) * batches.steps_per_epoch))
-    began, saved = time.perf_counter() - state.elapsed, time.perf_counter()
 
     def save() -> None:
         if checkpoint and first:
-            state.moments = adam.state_dict()["state"]
-            state.save(checkpoint, config)
+            numbers = {name: value for name, value in vars(state).items() if name != "best"}
+            best = {f"best.{name}": value for name, value in state.best.items()}
+            _checkpoint(model, adam, config).save(checkpoint, numbers, best, model=model.parts()[1])
 
     def assess(draw: Callable[[dict[str, float], int], None]) -> None:
         error = _held_out(model, train, test)
@@ -107,16 +125,17 @@ def fit(data: Features, config: Config | None = None, checkpoint: str | os.PathL
                unit="step" if total else "s", disable=not (progress and first),
                bar_format=None if total else "{l_bar}{bar}| {n:.0f}/{total:.0f} s, {remaining} left{postfix}")
     smooth = math.nan
-    with _whole_steps() as interrupted, _tensorboard(log if first else None, state.step) as draw, bar:
+    saver = Saver(save, config.save_every, state.elapsed, partial(_mean, fabric))
+    with saver, _tensorboard(log if first else None, state.step) as draw, bar:
         model.train()
         while (done := state.step / total if total else state.elapsed / config.seconds) < 1:
             if config.patience and state.stalled >= config.patience:
                 break
             rate = config.rate * (config.final_rate + (1 - config.final_rate) * (1 + math.cos(math.pi * done)) / 2)
-            with _seeded(fabric.device, config.seed, DROPOUT, state.step):
+            with seeded(fabric.device, config.seed, DROPOUT, state.step):
                 state.losses = step(fabric, objective, adam, batches, config, state.step, rate)
             state.step += 1
-            state.elapsed = time.perf_counter() - began
+            state.elapsed = saver.elapsed
             smooth = state.losses["loss"] if math.isnan(smooth) else 0.98 * smooth + 0.02 * state.losses["loss"]
             bar.set_postfix(loss=f"{smooth:.3f}", refresh=False)
             bar.update((state.step if total else min(state.elapsed, config.seconds)) - bar.n)
@@ -124,22 +143,9 @@ def fit(data: Features, config: Config | None = None, checkpoint: str | os.PathL
                 draw({**state.losses, "rate": rate}, state.step)
             if state.step % config.evaluate_every == 0:
                 assess(draw)
-            if on_step:
-                try:
-                    on_step(state.step, state.losses["loss"])
-                except KeyboardInterrupt:
-                    interrupted.set()
-            state.elapsed, stop = _mean(fabric, time.perf_counter() - began, interrupted.is_set())
-            if stop:
-                save()
-                fabric.barrier()
-                raise KeyboardInterrupt
-            if time.perf_counter() - saved > config.save_every:
-                save()
-                saved = time.perf_counter()
+            state.elapsed = saver.stepped(on_step, state.step, state.losses["loss"])
         if not state.history or state.history[-1]["step"] != state.step:
             assess(draw)
-    save()
     if state.best:
         model.load_state_dict(state.best)
     model.eval()
@@ -148,6 +154,27 @@ def fit(data: Features, config: Config | None = None, checkpoint: str | os.PathL
     for style, error in (evaluate(model, shifted, test) if len(bank) > 1 else {}).items():
         held_out[style]["other"] = error["mse"]
     return Run(model.cpu(), bank, config, state.history, held_out, baselines(model.cpu(), test))
+
+
+def restore(path: str | os.PathLike, model: Model, adam: torch.optim.Adam, config: Config) -> State:
+    """Set a model, as it is at the start of the run, and its optimiser to what a checkpoint holds; where the run was.
+
+    Raises
+    ------
+    ValueError
+        If it is no checkpoint, or of another layout, config or data.
+    """
+    Model.from_parts(path, *model_files.read(path, "checkpoint"), model.layout)  # says what differs in the layout
+    numbers, tensors = _checkpoint(model, adam, config).load(path)
+    with model_files.intact(path, "the checkpoint"):
+        state = State(**numbers, best=starting(tensors, "best."))
+        if not (state.step >= 0 and state.elapsed >= 0 and isinstance(state.stalled, int)):
+            raise ValueError(f"step {state.step}, {state.elapsed} s")
+    return state
+
+
+def _checkpoint(model: Model, adam: torch.optim.Adam, config: Config) -> Checkpoint:
+    return Checkpoint("checkpoint", {"model": model}, {"model": adam}, config.fixed())
 
 
 def optimiser(model: Model, config: Config) -> torch.optim.Adam:
@@ -226,31 +253,3 @@ def _tensorboard(folder: str | os.PathLike | None, step: int) -> Iterator[Callab
                 writer.add_scalar(name, value, step)
 
         yield draw
-
-
-@contextlib.contextmanager
-def _seeded(device: torch.device, *numbers: int) -> Iterator[None]:
-    """Inside, torch's global generators start from a seed of these numbers; outside, they go on as if nothing was."""
-    with torch.random.fork_rng(devices=[] if device.type == "cpu" else [device.index or 0]):
-        torch.manual_seed(splits.mix(*numbers))
-        yield
-
-
-@contextlib.contextmanager
-def _whole_steps() -> Iterator[threading.Event]:
-    """Inside, the first Ctrl-C sets the event and lets the step end; the second interrupts at once."""
-    event = threading.Event()
-    if threading.current_thread() is not threading.main_thread():
-        yield event
-        return
-    before = signal.getsignal(signal.SIGINT)
-
-    def handle(*_) -> None:
-        event.set()
-        signal.signal(signal.SIGINT, before)
-
-    signal.signal(signal.SIGINT, handle)
-    try:
-        yield event
-    finally:
-        signal.signal(signal.SIGINT, before)

@@ -3,12 +3,10 @@
 import torch
 from torch import Tensor
 
-from toolkit.features import Features, Layout, Rows
+from toolkit.features import FRAME_KINDS, Features, Layout, Rows
 from toolkit.networks import Model
 from toolkit.networks.bank import StyleBank
 from toolkit.networks.model import evaluating
-
-KINDS = ("inputs", "phases", "outputs")
 
 
 def loss_terms(model: Model, predicted: Tensor, target: Tensor) -> tuple[Tensor, Tensor]:
@@ -53,8 +51,8 @@ def evaluate(model: Model, bank: StyleBank, data: Features, frames: int | None =
         rows = torch.arange(n) if frames is None or n <= frames else torch.linspace(0, n - 1, frames).long()
         sums = torch.zeros(2, dtype=torch.float64)
         for part in rows.split(1024):
-            x, p, z = (getattr(data, kind)[style][part].to(device) for kind in KINDS)
-            x, p, z = (model.normaliser(k).apply(v) for k, v in zip(KINDS, (x, *model.observe(p, z)), strict=True))
+            x, p, z = (getattr(data, kind)[style][part].to(device) for kind in FRAME_KINDS)
+            x, p, z = (model.normaliser(k).apply(v) for k, v in zip(FRAME_KINDS, (x, *model.observe(p, z)), strict=True))
             with evaluating(model):
                 sums += len(part) * torch.stack(loss_terms(model, model(x, p, bank[style].to(device)), z)).double().cpu()
         errors[style] = dict(zip(("mse", "bone"), (sums / len(rows)).tolist(), strict=True))
@@ -72,7 +70,7 @@ def baselines(model: Model, data: Features) -> dict[str, dict[str, float]]:
     errors = {}
     for style in data.styles:
         if len(data.inputs[style]):
-            x, p, z = (getattr(data, kind)[style][:] for kind in KINDS)
+            x, p, z = (getattr(data, kind)[style][:] for kind in FRAME_KINDS)
             still = repeat_frame(model.layout, x, p, normaliser.mean)
             z, still = (normaliser.apply(rows) for rows in (model.observe(p, z)[1], still))
             errors[style] = {"mean": float(z.square().mean()), "repeat": float((z - still).square().mean())}

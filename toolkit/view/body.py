@@ -17,6 +17,7 @@ from torch import Tensor
 
 from toolkit.motion import Clip, root_frames
 from toolkit.motion import rotations as R
+from toolkit.motion.clip import FEET, SIDES
 
 LEG = 0.87  # hip to ankle in metres of the body that the radii below are written for
 COLORS = {"left": "#6a9fcb", "right": "#e39a6c", "middle": "#ebe6dd", "joint": "#46505c", "face": "#2b323b"}
@@ -105,7 +106,7 @@ class _Measured:
         self.positions, self.rotations = clip.global_positions, clip.global_rotations
         facing = R.inverse(root_frames(clip).rotations)[:, None].expand(-1, len(clip.skeleton), -1)
         self.axes = R.to_matrix(R.multiply(facing, self.rotations)).mean(0)  # rows: the body's axes in joint coordinates
-        self.legs = {j for side in ("left", "right") for j in self.skeleton.ancestors(self.skeleton.role(f"{side}_foot"))}
+        self.legs = {j for side in SIDES for j in self.skeleton.ancestors(self.skeleton.role(f"{side}_foot"))}
 
     def up(self, joint: int) -> Tensor:
         """Along the bones that go on from a joint of the trunk: a bent spine takes its own up with it."""
@@ -181,14 +182,14 @@ def build(clip: Clip) -> tuple[Shape, ...]:
 
 def _build(clip: Clip) -> tuple[Shape, ...]:
     skeleton, roles = clip.skeleton, clip.skeleton.roles
-    humanoid = all(f"{side}_{part}" in roles for side in ("left", "right") for part in ("shoulder", "elbow", "hip", "foot"))
+    humanoid = all(f"{side}_{part}" in roles for side in SIDES for part in ("shoulder", "elbow", "hip", "foot"))
     if not humanoid:
         return _bones(clip, set(), 1.0)
     m = _Measured(clip)
     leg = sum(float(skeleton.offsets[skeleton.role(f"left_{part}")].norm()) for part in ("knee", "foot"))
     scale = leg / LEG
     used, shapes = set(), []
-    for side in ("left", "right"):
+    for side in SIDES:
         for build_limb in (_limb, _foot, _hand):
             shapes += build_limb(m, side, scale, used)
     shapes += _torso(m, scale, used) + _head(m, scale, used)
@@ -316,7 +317,7 @@ def colors(shapes: tuple[Shape, ...], contacts: np.ndarray | None = None) -> np.
     """Colour of every shape [S, 3], 0 to 1; feet (right, left) that ``contacts`` [2] says stand light up."""
     table = np.array([to_rgb(COLORS[s.tone]) for s in shapes])
     if contacts is not None:
-        table[[bool(s.foot and contacts[("right", "left").index(s.foot)]) for s in shapes]] = to_rgb(CONTACT)
+        table[[bool(s.foot and contacts[FEET.index(s.foot)]) for s in shapes]] = to_rgb(CONTACT)
     return table
 
 

@@ -13,7 +13,7 @@ import torch
 from torch import Tensor
 
 from toolkit import runtime
-from toolkit.features.layout import CHANNELS, Layout
+from toolkit.features import CHANNELS, FRAME_KINDS, Layout
 from toolkit.io import bvh
 from toolkit.networks.film import EPSILON
 from toolkit.view import page
@@ -76,7 +76,7 @@ def pack(model, bank, half: bool = False) -> dict[str, Any]:
     corners = (list(bank.names) * 3)[:3]
     channels = {name: 3 * i for i, name in enumerate(CHANNELS)} | {"width": 3 * len(CHANNELS)}
     gating, experts = model.gating.layers, model.experts.layers
-    kinds = [model.normaliser(kind) for kind in ("inputs", "phases", "outputs")]
+    kinds = [model.normaliser(kind) for kind in FRAME_KINDS]
     return {
         "network": {
             "means": [numbers(kind.mean) for kind in kinds],

@@ -8,9 +8,9 @@ from functools import cache
 import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
+from toolkit.motion.clip import LIMBS
 from toolkit.view.picture import INK, PAPER
 
-LIMBS = ("left hand", "right hand", "left foot", "right foot")
 FINE = 3  # a dial is drawn this many times larger, then averaged
 RIM = "#cfc8bb"
 
@@ -43,7 +43,7 @@ def write(picture: Image.Image, cell: tuple[int, int, int, int], labels: Sequenc
         for i, vector in enumerate(np.asarray(vectors, dtype=float)):
             place = x + 6, y + 6 + i * (size + 14)
             picture.paste(_dial(vector, size, color if len(labels) > 1 else RIM), place, _disc(size))
-            text = _text(LIMBS[i], 10)
+            text = _text(LIMBS[i].replace("_", " "), 10)
             picture.paste(INK, (round(place[0] + size / 2 - text.width / 2), place[1] + size), text)
         x += size + 20
 

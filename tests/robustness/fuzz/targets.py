@@ -1,11 +1,11 @@
 """Targets of the fuzzing: all readers of files and the command line, with valid inputs as seeds."""
 
 import contextlib
+import copy
 import io
 import json
 import random
 from collections.abc import Iterator
-from functools import partial
 from pathlib import Path
 from unittest import mock
 
@@ -20,7 +20,7 @@ from toolkit.datasets import procedural, style100
 from toolkit.features import store
 from toolkit.io import bvh, decimals
 from toolkit.networks.bank import StyleBank
-from toolkit.training.checkpoint import Checkpoint
+from toolkit.training import loop
 
 CARRIER = b"""HIERARCHY
 ROOT joint_Root
@@ -125,8 +125,12 @@ def _model(folder: Path) -> list[Reader]:
         run.table()
         run.bank[run.bank.names[0]]
 
+    def resume(path: Path) -> None:
+        model = copy.deepcopy(new)
+        loop.restore(path, model, loop.optimiser(model, config), config)
+
     readers = {"run.safetensors": (finite, training.load, networks.Model.load, StyleBank.load),
-               "run.checkpoint": (partial(Checkpoint.load, new=new, config=config),)}
+               "run.checkpoint": (resume,)}
     deep = r"(?!.*(not a whole|expected the format|metadata|expected a |cannot be read))"
     found = [Reader(name, folder / name, read, ((folder / name).read_bytes(),), mutations.tensors, deep)
              for name, reads in readers.items() for read in reads]

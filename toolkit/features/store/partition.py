@@ -97,7 +97,7 @@ def moments(path: Path, style: str, entry: dict[str, Any], held_out: np.ndarray)
     with one_thread():
         found, kept = read(path, {style: entry}), ~torch.from_numpy(held_out)
         rows = {kind: getattr(found, kind)[style] for kind in features.KINDS}
-        rows |= {kind: rows[kind].select(kept) for kind in ("inputs", "phases", "outputs")}
+        rows |= {kind: rows[kind].select(kept) for kind in features.FRAME_KINDS}
         return {kind: tuple(np.asarray(x) for x in features.moments(r)) for kind, r in rows.items()}
 
 

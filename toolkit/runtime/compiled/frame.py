@@ -13,6 +13,7 @@ from numba import njit
 
 from toolkit.features.layout import CHANNELS
 from toolkit.motion import ik, trajectory
+from toolkit.motion.clip import FEET
 from toolkit.runtime import frame, steering
 from toolkit.runtime.state import CharacterState
 
@@ -56,7 +57,7 @@ class Rules(NamedTuple):
             trajectory_out=layout.outputs["trajectory"].start, joints_out=layout.outputs["joints"].start,
             phases=layout.outputs["phases"].start, updates=layout.outputs["phase_updates"].start,
             contacts=layout.outputs["contacts"].start,
-            toes=tuple(layout.names.index(layout.skeleton.roles[f"{side}_toe"]) for side in ik.SIDES),
+            toes=tuple(layout.names.index(layout.skeleton.roles[f"{side}_toe"]) for side in FEET),
             samples=np.array(trajectory.SAMPLES) + trajectory.PAST, position_shares=1 - (1 - t) ** steering.POSITION_BIAS,
             direction_shares=1 - (1 - t) ** steering.DIRECTION_BIAS, half_second=trajectory.FPS // 2,
             interval=(trajectory.SAMPLES[1] - trajectory.SAMPLES[0]) / trajectory.FPS, fps=float(trajectory.FPS),

@@ -11,7 +11,7 @@ import numpy as np
 from numba import njit
 
 from toolkit.features.layout import CHANNELS
-from toolkit.motion.ik import SIDES
+from toolkit.motion.clip import FEET
 
 FORWARD, UP = (3 * CHANNELS.index(name) for name in ("forward", "up"))
 
@@ -47,16 +47,16 @@ class Body(NamedTuple):
     def of(cls, skeleton) -> "Body":
         """That of a skeleton."""
         joints, parents = list(skeleton.feature_joints), skeleton.parents
-        arms = [[skeleton.role(f"{side}_{part}") for side in SIDES] for part in ("shoulder", "elbow", "hand")]
+        arms = [[skeleton.role(f"{side}_{part}") for side in FEET] for part in ("shoulder", "elbow", "hand")]
         chain = [[parents[joint] for joint in arms[0]], *arms]
-        tips = [skeleton.tip(f"{side}_hand") for side in SIDES]
+        tips = [skeleton.tip(f"{side}_hand") for side in FEET]
         bones = pairwise([*chain, tips] if not set(tips) & set(arms[-1]) else chain)
         return cls(
             parents=np.array(parents), offsets=skeleton.offsets.double().numpy(),
             features=np.array([joints.index(j if j in joints else parents[j]) for j in range(len(skeleton))]),
             own=np.array([joints.index(j) if j in joints else -1 for j in range(len(skeleton))]),
             ends=np.array([j for j in range(len(skeleton)) if skeleton.is_end(j)], dtype=np.int64),
-            legs=np.array([[skeleton.role(f"{side}_{part}") for part in ("hip", "knee", "foot", "toe")] for side in SIDES]),
+            legs=np.array([[skeleton.role(f"{side}_{part}") for part in ("hip", "knee", "foot", "toe")] for side in FEET]),
             arms=np.array([pair for level in bones for pair in zip(*level, strict=True)]),
         )
 

@@ -16,6 +16,7 @@ from numba import njit, types
 from numba.core import cgutils
 from numba.extending import intrinsic
 
+from toolkit.features import FRAME_KINDS
 from toolkit.networks.film import EPSILON
 
 LANES = 16  # numbers in a vector; processors with shorter ones take several for it
@@ -60,7 +61,6 @@ class Weights(NamedTuple):
     @classmethod
     def of(cls, model, precision: str) -> "Weights":
         """The weights of a model."""
-        kinds = ("inputs", "phases", "outputs")
         linear, blended = model.gating.layers, model.experts.layers
         packed = [_packed(_array(layer.weight), precision) for layer in blended]
         numbers = _aligned(sum(values.size for values in packed), PRECISIONS[precision])
@@ -70,8 +70,8 @@ class Weights(NamedTuple):
             experts[-1][:] = values.ravel()
             at += values.size
         return cls(
-            means=tuple(_array(model.normaliser(kind).mean) for kind in kinds),
-            deviations=tuple(_array(model.normaliser(kind).std) for kind in kinds),
+            means=tuple(_array(model.normaliser(kind).mean) for kind in FRAME_KINDS),
+            deviations=tuple(_array(model.normaliser(kind).std) for kind in FRAME_KINDS),
             gating=tuple(np.ascontiguousarray(_array(layer.weight).T) for layer in linear),
             gating_biases=tuple(_array(layer.bias) for layer in linear), experts=tuple(experts),
             biases=tuple(_columns(_array(layer.bias)) for layer in blended),
