@@ -150,7 +150,7 @@ NUMBERS = {  # what looks at numbers, or goes through scipy and numba
     "sinusoids.fit": lambda m: (phases.fit(m.curves, 60.0), phases.fit(m.curves[:200], 60.0, continuity=1.0)),
     "sinusoids.frequencies": lambda m: sinusoids.frequencies(1.0),
     "coherent.ridge": lambda m: coherent.ridge(m.points[..., 0].abs().T, 6, 0.5),
-    "coherent.contact_signal": lambda m: coherent.contact_signal((torch.sin(20 * m.points[:, 0, 2]) > 0).to(m.root)).real,
+    "coherent.contact_signal": lambda m: coherent.contact_signal((torch.sin(20 * m.root[:, 2]) > 0).to(m.q)).real,
     "coherent.denoised": lambda m: coherent.denoised(torch.complex(m.root, m.root.flip(-1)), 1).real,
     "features.own_features": lambda m: tk.features.own_features(m.clip, phases.extract(m.clip)),
     "features.frames": lambda m: tk.features.frames(m.clip),
