@@ -26,7 +26,7 @@ EXPERIMENTS = {name.rpartition(".")[2].replace("_", "-"): (f"{name}:run", _help(
     "seven-models": ("experiments.seven_models.commands:app", "Train and measure the seven models of Table 2 side by side."),
     "stylization": ("experiments.stylization.comparison:app", "The ablation and the comparison of Park et al. 2021."),
 }
-app = verbs.group(EXPERIMENTS, pretty_exceptions_enable=False, help=experiments.__doc__)
+app = verbs.group(EXPERIMENTS, experiments.__doc__)
 
 
 def main(arguments: list[str] | None = None) -> int:
