@@ -12,7 +12,7 @@ from PIL import Image
 import toolkit as tk
 from toolkit import view
 from toolkit.motion import root_frames
-from toolkit.view import floor, opengl, stage
+from toolkit.view import floor, opengl, renderers
 
 FRAMES = 90
 
@@ -36,8 +36,8 @@ def phases() -> torch.Tensor:
 @pytest.fixture(params=["pyvista", "software"])
 def renderer(request, monkeypatch, capsys):
     if request.param == "software":
-        monkeypatch.setattr(stage, "opengl_works", lambda: False)
-    elif not stage.opengl_works():
+        monkeypatch.setattr(renderers, "opengl_works", lambda: False)
+    elif not renderers.opengl_works():
         pytest.skip("pyvista finds no OpenGL here: " + opengl.INSTALL)
     return request.param
 
@@ -91,7 +91,7 @@ def test_player_draws_and_frames_differ(player, clip, other):
         one.render(30)
     one.show([clip, other], labels=["<data>", "model"])
     assert "&lt;data&gt;, model" in one._title.value
-    assert [scene.size for scene in one._stages] == [(80, 120)] * 2
+    assert [scene.size for scene in one._scenes] == [(80, 120)] * 2
 
 
 def test_every_switch_shows_what_it_says_and_nothing_else(player, clip, phases):
@@ -137,8 +137,8 @@ def test_any_tree_plays(player, clip, frames):
 
 
 def test_missing_opengl_is_explained_once(monkeypatch, clip, capsys):
-    monkeypatch.setattr(stage, "opengl_works", lambda: False)
-    stage.explain_missing_opengl.cache_clear()
+    monkeypatch.setattr(renderers, "opengl_works", lambda: False)
+    renderers.explain_missing_opengl.cache_clear()
     for _ in range(2):
         view.Player(clip, size=(80, 60)).close()
     assert capsys.readouterr().out.count(opengl.INSTALL) == 1
@@ -166,7 +166,7 @@ def test_many_clips_fill_a_grid(player, clip):
 def test_together_both_are_in_one_scene_in_colours_of_their_own(player, clip):
     other = clip.moved(shift=(0.9, 0.0, 0.0))
     pair = player([clip, other], labels=["", ""], together=True)
-    assert len(pair._stages) == 1
+    assert len(pair._scenes) == 1
     picture = pair.render(0).astype(int)
     red, green, blue = np.moveaxis(picture, -1, 0)
     purple, teal = (blue - green > 25) & (red - green > 5), (green - red > 40) & (blue - red > 25)
@@ -318,7 +318,7 @@ def bank(*names: str):
 
 
 def test_blender_makes_the_motion_of_its_weights(monkeypatch, clip):
-    monkeypatch.setattr(stage, "opengl_works", lambda: False)
+    monkeypatch.setattr(renderers, "opengl_works", lambda: False)
     asked = []
 
     def make(weights: dict[str, float]) -> tk.Clip:
@@ -345,7 +345,7 @@ def test_blender_makes_the_motion_of_its_weights(monkeypatch, clip):
 
 
 def test_blender_waits_and_shows_the_newest_only(monkeypatch, clip):
-    monkeypatch.setattr(stage, "opengl_works", lambda: False)
+    monkeypatch.setattr(renderers, "opengl_works", lambda: False)
     asked = []
 
     def make(weights):

@@ -257,8 +257,10 @@ def test_page_refuses_what_does_not_fit(clip, tmp_path):
         view.html(clip, tmp_path / "x.html", title="x", contacts=torch.ones(59, 2))
     with pytest.raises(ValueError, match="style weights must be"):
         view.html(clip, tmp_path / "x.html", title="x", styles={"Old": np.ones(3)})
-    with pytest.raises(ValueError, match="1 to 9 clips"):
+    with pytest.raises(ValueError, match="got 0 clips, 0 labels"):
         view.html([], tmp_path / "x.html", title="x")
+    with pytest.raises(ValueError, match="1 to 9 clips with a style mapping each; got 10 clips"):
+        view.html([clip] * 10, tmp_path / "x.html", title="x")
     assert not list(tmp_path.iterdir())
 
 
@@ -288,6 +290,8 @@ def test_contacts_light_up_the_standing_foot(clip):
 def test_strip_refuses_an_empty_stretch(clip):
     with pytest.raises(ValueError, match=r"no frame between 5\.0 s"):
         view.strip(clip, start=5.0)
+    with pytest.raises(ValueError, match="needs frames, got 0"):
+        view.strip(clip, frames=0)
 
 
 def test_strip_outside_of_a_notebook(clip):

@@ -8,7 +8,7 @@ if _missing := [name for name in _NEEDS if find_spec(name) is None]:
     raise ImportError(f'pages, pictures and widgets need {", ".join(_missing)}: pip install ".[view]"')
 
 _HOME = {
-    "animate": "animation", "contact_sheet": "animation", "loop": "animation", "crowd": "group",
+    "animate": "animation", "contact_sheet": "animation", "loop": "animation", "crowd": "animation",
     "html": "page", "web": "live_page",
     "strip": "picture",
     "play": "player", "Player": "player",

@@ -20,8 +20,8 @@ from toolkit.networks import Model
 from toolkit.networks.bank import StyleBank
 from toolkit.styles.space import embed
 from toolkit.view.figures import INK, QUIET, style_space
+from toolkit.view.frontend import in_notebook
 from toolkit.view.picture import PAPER
-from toolkit.view.player import _in_notebook
 from toolkit.view.style_blender import StyleBlender
 
 CLIPS = "#b9bdc4"  # colour of single clips
@@ -61,7 +61,7 @@ def explore(model: Model, bank: StyleBank, *, points: Tensor | None = None, grou
     """
     points = embed(bank.vectors) if points is None else torch.as_tensor(points)
     figure = chart(bank, points, groups, cloud, joined)
-    return StyleExplorer(model, bank, points, figure, make_clip=make_clip, size=size) if _in_notebook() else figure
+    return StyleExplorer(model, bank, points, figure, make_clip=make_clip, size=size) if in_notebook() else figure
 
 
 def chart(bank: StyleBank, points: Tensor, groups: Sequence[str] | None = None,

@@ -274,23 +274,23 @@ def _xyz(points: np.ndarray) -> dict[str, np.ndarray]:
 
 
 def _axes_pyvista(clip: Clip, frame: int, parts: list[tuple]):
-    """`principal_axes` on pyvista's stage."""
+    """`principal_axes` in pyvista."""
     import pyvista as pv
 
-    from toolkit.view.stage import Stage, Subject
+    from toolkit.view.renderers import Character, PyvistaRenderer
 
-    stage = Stage([Subject(clip)], (900, 900))
+    scene = PyvistaRenderer([Character(clip)], (900, 900))
     ahead = R.rotate(root_frames(clip).rotations[frame], torch.tensor([0.0, 0.0, 1.0]))
-    stage.facing, stage.distance, stage.shown = math.atan2(ahead[0], ahead[2]), 4.2, set()
-    add = stage.plotter.add_mesh
+    scene.facing, scene.distance, scene.shown = math.atan2(ahead[0], ahead[2]), 4.2, set()
+    add = scene.plotter.add_mesh
     for limb, path, (tail, tip), plane in parts:
         color = COLORS[limb.split("_")[0]]
         add(pv.lines_from_points(path), color=color, line_width=3, lighting=False)
         arrow = pv.Arrow(start=tail, direction=tip - tail, scale="auto", shaft_radius=0.03, tip_radius=0.09)
         add(arrow, color=AXIS, lighting=False)
         add(pv.PolyData(plane, faces=[4, 0, 1, 2, 3]), color=AXIS, opacity=0.25, lighting=False)
-    stage.draw([frame])
-    return stage.plotter
+    scene.draw([frame])
+    return scene.plotter
 
 
 def _manifold_pyvista(paths: dict[str, np.ndarray]):

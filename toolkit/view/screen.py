@@ -1,19 +1,20 @@
-"""A picture in a notebook that the kernel replaces many times a second, and that says when it is seen."""
+"""A picture in a notebook that the kernel replaces many times a second."""
 
 import io
-from importlib import resources
 
 import anywidget
 import traitlets
 from PIL import Image
 
+from toolkit.view.frontend import static
+
 QUALITY = 88  # of the JPEG
 
 
 class Screen(anywidget.AnyWidget):
-    """A JPEG picture, ``value``, whose ``number`` the page sends back when it shows it; ``seen`` is the last such."""
+    """The picture ``number`` as JPEG ``value``; ``seen`` is the number of the last picture that the page has shown."""
 
-    _esm = (resources.files("toolkit.view") / "static" / "screen.js").read_text(encoding="utf-8")
+    _esm = static("screen.js")
     size = traitlets.List(traitlets.Int()).tag(sync=True)
     value = traitlets.Bytes().tag(sync=True)
     number = traitlets.Int(0).tag(sync=True)
@@ -21,7 +22,7 @@ class Screen(anywidget.AnyWidget):
 
     def __init__(self, size: tuple[int, int]):
         super().__init__(size=list(size))
-        self.on_msg(self._answered)
+        self.on_msg(lambda _widget, message, _buffers: self.set_trait("seen", message["number"]))
 
     def put(self, picture: Image.Image) -> None:
         """Show another picture."""
@@ -29,6 +30,3 @@ class Screen(anywidget.AnyWidget):
         picture.save(buffer, "JPEG", quality=QUALITY)
         with self.hold_sync():
             self.value, self.number = buffer.getvalue(), self.number + 1
-
-    def _answered(self, _widget, message: dict, _buffers) -> None:
-        self.seen = message["number"]

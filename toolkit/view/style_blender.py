@@ -11,7 +11,8 @@ import ipywidgets as widgets
 import traitlets
 
 from toolkit.motion import Clip
-from toolkit.view.player import RATE, Player, require_main_thread
+from toolkit.view.frontend import require_main_thread
+from toolkit.view.player import RATE, Player
 
 PAUSE = 0.03  # seconds in which moves are gathered before a new motion is made
 BUSY = 15.0  # pictures per second at most while a motion is made: both need Python

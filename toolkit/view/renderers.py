@@ -1,11 +1,10 @@
-"""What draws clips frame by frame: pyvista off screen where OpenGL works, the software renderer where it does not.
+"""Renderers of clips frame by frame: pyvista off screen where OpenGL works, the software renderer where it does not.
 
-VTK must only be touched from the main thread; `toolkit.view.player` sees to that.
+VTK must only be used from the main thread; `toolkit.view.player` takes care of that.
 """
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import chain
 
 import numpy as np
 import torch
@@ -17,11 +16,11 @@ from toolkit.motion import rotations as R
 from toolkit.view import body, floor
 from toolkit.view.opengl import explain_missing_opengl, opengl_works
 from toolkit.view.picture import steady_frames
-from toolkit.view.raycast import Canvas
+from toolkit.view.raycast import Canvas, orbit
 from toolkit.view.skin import Skin, placements
 
 BACK, SHADE, LINES = "#efece6", "#cdc8be", "#cbc5b9"
-LIGHT = np.array([-0.08, 1.0, 0.51])  # towards the lamp, facing +Z
+LIGHT = torch.tensor([-0.08, 1.0, 0.51])  # towards the lamp, facing +Z
 # linear light: the browser's sun of 1.5 and hemisphere of 2.25 over π, in their colours (scene/scene.js)
 SUN, SKY, GROUND = np.float32([[0.477, 0.467, 0.445], [0.716, 0.716, 0.716], [0.493, 0.468, 0.427]])
 TILT = 0.2  # the camera looks down, radians
@@ -29,101 +28,100 @@ TINT = 0.55  # share of its own colour in the trunk of each of several character
 
 
 @dataclass(frozen=True, eq=False)
-class Subject:
-    """A character to draw.
-
-    Parameters
-    ----------
-    clip
-        Its motion.
-    contacts
-        Foot contacts [F, 2] (right, left), above one half where a foot stands.
-    phases
-        Phase vectors [F, 4, 2] (sin, cos) of left hand, right hand, left foot, right foot.
-    label
-        What to call it.
-    """
+class Character:
+    """A clip to draw and what is shown with it."""
 
     clip: Clip
-    contacts: np.ndarray | None = None
-    phases: np.ndarray | None = None
+    contacts: np.ndarray | None = None  # [F, 2] right, left, above one half where a foot stands
+    phases: np.ndarray | None = None  # [F, 4, 2] (sin, cos) of left hand, right hand, left foot, right foot
     label: str = ""
 
 
-def make(subjects: Sequence[Subject], size: tuple[int, int]) -> "Stage | Sketch":
-    """The best renderer there is."""
+def best(characters: Sequence[Character], size: tuple[int, int]) -> "PyvistaRenderer | SoftwareRenderer":
+    """The best renderer that works here."""
     if opengl_works():
-        return Stage(subjects, size)
+        return PyvistaRenderer(characters, size)
     explain_missing_opengl()
-    return Sketch(subjects, size)
+    return SoftwareRenderer(characters, size)
 
 
-class _Scene:
-    """Everything about characters in one scene that drawing needs, whichever way it is drawn.
+class Scene:
+    """Characters in one scene and the camera, for any renderer.
 
-    ``angle`` is the camera's azimuth in degrees from where the first body faces at first, ``distance`` in metres; ``shown``
-    holds what is drawn beside the bodies: "path", "contacts" (footprints, and feet that light up), "trajectory".
+    Attributes
+    ----------
+    angle, distance
+        The camera's azimuth in degrees, relative to where the first body faces at first, and its distance in metres.
+    follow
+        Whether the camera follows the characters.
+    shown
+        What is drawn beside the bodies: "path", "contacts" (footprints and the colour of standing feet), "trajectory".
     """
 
-    def __init__(self, subjects: Sequence[Subject], size: tuple[int, int]):
+    def __init__(self, characters: Sequence[Character], size: tuple[int, int]):
         self.size = size
         self.angle, self.distance, self.follow = -50.0, 3.8, True
         self.shown = {"path", "contacts"}
-        self.load(subjects)
+        self.load(characters)
 
-    def load(self, subjects: Sequence[Subject]) -> None:
-        """Show others."""
-        self.subjects = list(subjects)
-        clips = [subject.clip for subject in subjects]
+    def load(self, characters: Sequence[Character]) -> None:
+        """Show other characters."""
+        self.characters = list(characters)
+        clips = [character.clip for character in characters]
         self.bodies = [body.build(clip) for clip in clips]
-        self.shapes = tuple(chain(*self.bodies))
+        self.shapes = sum(self.bodies, ())
         self._places = [placements(shapes, clip.global_rotations, clip.global_positions)
                         for shapes, clip in zip(self.bodies, clips, strict=True)]
         self.paths, facings = zip(*(steady_frames(clip, 0.8) for clip in clips), strict=True)
         self.facing = float(facings[0][0])
+        self.light = R.rotate(R.yaw(torch.tensor(self.facing)), LIGHT).numpy()  # towards the lamp
         self.height = 0.54 * max(float(clip.global_positions[0, :, 1].max()) for clip in clips)
-        self.layers = [floor.layers(subject.clip, subject.contacts, self.color(i)) for i, subject in enumerate(subjects)]
+        self.layers = [floor.layers(one.clip, one.contacts, self.color(i)) for i, one in enumerate(characters)]
 
-    def color(self, subject: int) -> str:
+    def color(self, character: int) -> str:
         """Colour that tells a character from the others in the scene."""
-        return body.PALETTE[subject % len(body.PALETTE)]
+        return body.PALETTE[character % len(body.PALETTE)]
 
     def places(self, frames: Sequence[int]) -> np.ndarray:
-        """Placement of every shape by each of its joints [S, HOSTS, 3, 4] with each character at its frame."""
+        """Placement of every shape by each of its joints [S, HOSTS, 3, 4], with each character at its frame."""
         return np.concatenate([places[frame] for places, frame in zip(self._places, frames, strict=True)])
 
     def colors(self, frames: Sequence[int]) -> np.ndarray:
-        """Colour of every shape [S, 3]: standing feet light up, and several characters differ in their trunks."""
+        """Colour of every shape [S, 3]: standing feet have their own, and so have the trunks of several characters."""
         tables = []
-        for i, (subject, shapes, frame) in enumerate(zip(self.subjects, self.bodies, frames, strict=True)):
-            lit = subject.contacts is not None and "contacts" in self.shown
-            table = body.colors(shapes, subject.contacts[frame] > 0.5 if lit else None)
-            if len(self.subjects) > 1:
+        for i, (character, shapes, frame) in enumerate(zip(self.characters, self.bodies, frames, strict=True)):
+            lit = character.contacts is not None and "contacts" in self.shown
+            table = body.colors(shapes, character.contacts[frame] > 0.5 if lit else None)
+            if len(self.characters) > 1:
                 trunk = [s.tone == "middle" for s in shapes]
                 table[trunk] += TINT * (np.array(to_rgb(self.color(i))) - table[trunk])
             tables.append(table)
         return np.concatenate(tables)
 
     def marks(self, frames: Sequence[int]) -> list[tuple[floor.Layer, np.ndarray]]:
-        """Layers on the floor, the lower ones first, with their corners [V, 2]; those of a hidden one lie in one point."""
+        """Layers on the floor, the lower ones first, with their corners [V, 2]; those of a hidden layer are one point."""
         found = [(layer, layer.corners(frame) * (layer.kind in self.shown))
                  for layers, frame in zip(self.layers, frames, strict=True) for layer in layers]
         return sorted(found, key=lambda mark: mark[0].height)
 
-    def look(self, frames: Sequence[int]) -> tuple[np.ndarray, float]:
-        """The point on the floor that the camera looks over, and its distance, which keeps all characters in view."""
+    def look(self, frames: Sequence[int]) -> tuple[np.ndarray, float, float]:
+        """The point on the floor that the camera looks at, its distance, which keeps all in view, and its azimuth."""
         at = [path[frame if self.follow else len(path) // 2] for path, frame in zip(self.paths, frames, strict=True)]
         centre = np.mean(at, 0)
-        return centre, self.distance + 1.6 * float(np.linalg.norm(at - centre, axis=1).max())
+        distance = self.distance + 1.6 * float(np.linalg.norm(at - centre, axis=1).max())
+        return centre, distance, self.facing + np.radians(self.angle)
+
+    def close(self) -> None:
+        """Free the window, where there is one."""
 
 
-class Stage(_Scene):
-    """pyvista without multi-sampling and lights, which cost most: light is worked out per vertex, as the browser does it.
+class PyvistaRenderer(Scene):
+    """pyvista without its slowest parts, multi-sampling and lights: light is computed per vertex, as in the browser.
 
-    The shadow is a coarse body pressed flat.
+    The shadow is a coarse body projected onto the floor.
     """
 
-    def __init__(self, subjects: Sequence[Subject], size: tuple[int, int]):
+    def __init__(self, characters: Sequence[Character], size: tuple[int, int]):
         import pyvista as pv
         from vtkmodules.util.numpy_support import numpy_to_vtk
 
@@ -134,41 +132,40 @@ class Stage(_Scene):
         self.plotter.set_background(BACK)
         self.plotter.camera.SetViewUp(0, 1, 0)
         self.plotter.camera.SetViewAngle(32)
-        self.grid = self.plotter.add_mesh(self._grid(), name="grid", scalars="rgb", rgb=True, lighting=False, line_width=1,
-                                          render=False)
-        super().__init__(subjects, size)
+        self.grid = self._add(self._grid(), "grid", line_width=1)
+        super().__init__(characters, size)
 
-    def load(self, subjects: Sequence[Subject]) -> None:
-        """Show others."""
-        super().load(subjects)
-        pv, add = self.pv, self.plotter.add_mesh
+    def _add(self, mesh, name: str, **options):
+        """Add a mesh with a colour per point, in the place of an older one of that name."""
+        return self.plotter.add_mesh(mesh, name=name, scalars="rgb", rgb=True, lighting=False, render=False, **options)
+
+    def load(self, characters: Sequence[Character]) -> None:
+        """Show other characters."""
+        super().load(characters)
+        mesh = self.pv.PolyData.from_regular_faces
         self.skin, self.coarse = Skin(self.shapes, around=14, along=3), Skin(self.shapes, around=6, along=1)
-        self.body, self.flat = (pv.PolyData.from_regular_faces(np.zeros((len(skin.owners), 3), np.float32), skin.triangles)
+        self.body, self.flat = (mesh(np.zeros((len(skin.owners), 3), np.float32), skin.triangles)
                                 for skin in (self.skin, self.coarse))
         self.body.point_data["rgb"] = np.zeros((self.body.n_points, 3), np.uint8)
-        self.light = R.rotate(R.yaw(torch.tensor(self.facing)), torch.from_numpy(LIGHT).float()).numpy()
-        self.lamp = self.light / np.linalg.norm(self.light)
-        add(self.body, name="body", scalars="rgb", rgb=True, lighting=False, culling="back", render=False)
-        add(self.flat, name="shadow", color=SHADE, lighting=False, render=False)
-        marks = self.marks([0] * len(self.subjects))
-        first = np.cumsum([0, *(len(corners) for _, corners in marks)])
-        self.floor = pv.PolyData.from_regular_faces(
+        marks = self.marks([0] * len(self.characters))
+        counts = [len(corners) for _, corners in marks]
+        first = np.cumsum([0, *counts[:-1]])
+        self.floor = mesh(
             np.concatenate([np.insert(corners, 1, layer.height, axis=1) for layer, corners in marks]).astype(np.float32),
-            np.concatenate([layer.triangles + k for (layer, _), k in zip(marks, first[:-1], strict=True)]),
-        )
-        self.floor.point_data["rgb"] = np.repeat([255 * np.array(to_rgb(layer.color)) for layer, _ in marks],
-                                                 np.diff(first), axis=0).astype(np.uint8)
-        add(self.floor, name="floor", scalars="rgb", rgb=True, lighting=False, render=False)
+            np.concatenate([layer.triangles + k for (layer, _), k in zip(marks, first, strict=True)]))
+        tones = np.repeat([255 * np.array(to_rgb(layer.color)) for layer, _ in marks], counts, axis=0)
+        self.floor.point_data["rgb"] = tones.astype(np.uint8)
+        self._add(self.body, "body", culling="back")
+        self.plotter.add_mesh(self.flat, name="shadow", color=SHADE, lighting=False, render=False)
+        self._add(self.floor, "floor")
 
     def _grid(self, reach: int = 14):
         """Lines a metre apart, fading into the background."""
-        steps, points = np.arange(-reach, reach + 1.0), []
-        for x in steps:
-            for z in steps[:-1]:
-                points += [(x, 0, z), (x, 0, z + 1), (z, 0, x), (z + 1, 0, x)]
-        points = np.array(points, np.float32)
-        cells = np.column_stack((np.full(len(points) // 2, 2), np.arange(len(points)).reshape(-1, 2)))
-        grid = self.pv.PolyData(points, lines=cells.ravel())
+        steps = np.arange(-reach, reach + 1.0, dtype=np.float32)
+        x, z = (v.ravel() for v in np.meshgrid(steps, steps[:-1], indexing="ij"))
+        points = np.stack((x, 0 * x, z, x, 0 * x, z + 1, z, 0 * x, x, z + 1, 0 * x, x), 1).reshape(-1, 3)
+        lines = np.insert(np.arange(len(points)).reshape(-1, 2), 0, 2, axis=1)
+        grid = self.pv.PolyData(points, lines=lines.ravel())
         fade = np.clip(np.linalg.norm(points, axis=1) / reach, 0, 1)[:, None] ** 0.7
         grid.point_data["rgb"] = (255 * (to_rgb(LINES) * (1 - fade) + to_rgb(BACK) * fade)).astype(np.uint8)
         return grid
@@ -186,11 +183,17 @@ class Stage(_Scene):
             mesh.Modified()
             mesh.GetPoints().Modified()
         self.body.GetPointData().GetScalars().Modified()
-        self._aim(frames)
+        centre, distance, a = self.look(frames)
+        target = centre + np.array([0, self.height, 0])
+        camera = self.plotter.camera  # VTK's own methods: pyvista's examine the whole scene each time
+        camera.SetPosition(target + distance * np.array([np.sin(a), TILT, np.cos(a)]))
+        camera.SetFocalPoint(target)
+        camera.SetClippingRange(0.2, 60)
+        self.grid.SetPosition(np.round(centre))
         return self._read(2 if fine else 1)
 
     def _read(self, scale: int) -> np.ndarray:
-        """What the camera sees, drawn ``scale`` times larger and averaged."""
+        """The camera's picture, drawn ``scale`` times larger and averaged."""
         width, height = (scale * n for n in self.size)
         window = self.plotter.render_window
         picture = np.empty((height, width, 3), np.uint8)
@@ -205,47 +208,32 @@ class Stage(_Scene):
         return np.asarray(Image.fromarray(picture[::-1]).reduce(scale))
 
     def _lit(self, normals: np.ndarray, colors: np.ndarray) -> np.ndarray:
-        """Colour of every vertex [S V, 3] uint8: matt, under a sky, over a bright floor, one lamp, as in the browser."""
+        """Colour of every vertex [S V, 3] uint8: matt, with light from sky, floor and one lamp, as in the browser."""
         up = 0.5 + 0.5 * normals[:, 1:2]
-        lamp = np.clip(normals @ self.lamp, 0, None)[:, None]
+        lamp = np.clip(normals @ (self.light / np.linalg.norm(self.light)), 0, None)[:, None]
         linear = (colors**2.2).astype(np.float32)[self.skin.owners] * (GROUND + up * (SKY - GROUND) + lamp * SUN)
         return (255 * np.clip(linear, 0, 1) ** np.float32(1 / 2.2)).astype(np.uint8)
-
-    def _aim(self, frames: Sequence[int]) -> None:
-        centre, distance = self.look(frames)
-        a = self.facing + np.radians(self.angle)
-        target = centre + np.array([0, self.height, 0])
-        camera = self.plotter.camera  # by VTK's own names: pyvista's look at the whole scene each time
-        camera.SetPosition(target + distance * np.array([np.sin(a), TILT, np.cos(a)]))
-        camera.SetFocalPoint(target)
-        camera.SetClippingRange(0.2, 60)
-        self.grid.SetPosition(np.round(centre))
 
     def close(self) -> None:
         """Free the window."""
         self.plotter.close()
 
 
-class Sketch(_Scene):
-    """The software renderer: slower, needs nothing."""
+class SoftwareRenderer(Scene):
+    """The software renderer: slower, needs no OpenGL."""
 
     def draw(self, frames: Sequence[int], *, fine: bool = False) -> np.ndarray:
         """Picture [H, W, 3] uint8 with each character at its frame; its edges are never smooth."""
         width, height = self.size
-        centre, distance = self.look(frames)
-        a, tilt = self.facing + np.radians(self.angle), TILT
-        camera = np.array([[1, 0, 0], [0, np.cos(tilt), -np.sin(tilt)], [0, np.sin(tilt), np.cos(tilt)]])
-        camera = camera @ np.array([[np.cos(a), 0, -np.sin(a)], [0, 1, 0], [np.sin(a), 0, np.cos(a)]])
+        centre, distance, a = self.look(frames)
+        camera, metres, middle = orbit(-a, TILT), 0.57 * distance, self.height * np.cos(TILT)  # as high as with pyvista
+        window = (-metres * width / height / 2, metres * width / height / 2, middle - metres / 2, middle + metres / 2)
+        canvas = Canvas(window, height / metres, camera)
         places = self.places(frames)[:, 0].astype(np.float64)
         places[..., 3] -= centre
         places = camera @ places
-        metres = 0.57 * distance  # seen from top to bottom, as in the other renderer
-        middle = self.height * np.cos(tilt)
-        window = (-metres * width / height / 2, metres * width / height / 2, middle - metres / 2, middle + metres / 2)
-        canvas = Canvas(window, height / metres)
-        lamp = camera @ R.rotate(R.yaw(torch.tensor(self.facing)), torch.from_numpy(LIGHT).float()).numpy()
         canvas.draw(self.shapes, places, self.colors(frames))
-        canvas.shadow(self.shapes, places, camera[:, 1], np.zeros(3), lamp)
+        canvas.shadow(self.shapes, places, camera @ self.light)
         ground = Image.new("RGB", (canvas.width, canvas.height), BACK)
         draw = ImageDraw.Draw(ground)
         for layer, corners in self.marks(frames):
@@ -255,6 +243,3 @@ class Sketch(_Scene):
                 draw.polygon(triangle.ravel().tolist(), fill=layer.color)
         picture = canvas.image(np.asarray(ground, np.float32) / 255, np.array(to_rgb(BACK)))[:height, :width]
         return (255 * np.clip(picture, 0, 1)).astype(np.uint8)
-
-    def close(self) -> None:
-        """Nothing to free."""
