@@ -1,8 +1,8 @@
 import asyncio
 import base64
+import gc
 import io
 import threading
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -12,6 +12,7 @@ from PIL import Image
 import toolkit as tk
 from toolkit import view
 from toolkit.motion import root_frames
+from toolkit.networks.bank import StyleBank
 from toolkit.view import floor, opengl, renderers
 
 FRAMES = 90
@@ -313,8 +314,8 @@ def test_nobody_looks_and_little_is_drawn(renderer, player, clip, monkeypatch):
 # style blending
 
 
-def bank(*names: str):
-    return SimpleNamespace(names=names)
+def bank(*names: str) -> StyleBank:
+    return StyleBank(names, torch.zeros(len(names), 2))
 
 
 def test_blender_makes_the_motion_of_its_weights(monkeypatch, clip):
@@ -335,12 +336,15 @@ def test_blender_makes_the_motion_of_its_weights(monkeypatch, clip):
     assert base64.b64decode(shown["image/jpeg"]) == blender.player.image.value
     assert "application/vnd.jupyter.widget-view+json" in shown
     for wrong, message in (
-        ({"X": 1}, "unknown style 'X'; the bank has A, B, C, D"),
+        ({"X": 1}, "unknown style 'X'; there is A, B, C, D"),
         ({"A": -1}, "weights >= 0"),
         ({}, "one to"),
     ):
         with pytest.raises(ValueError, match=message):
             blender.weights = wrong
+        with pytest.raises(ValueError, match=message):
+            view.StyleBlender(bank("A", "B", "C", "D"), make, weights=wrong)
+    gc.collect()  # a refused blender is closed without an error
     blender.close()
 
 

@@ -13,7 +13,7 @@ _HOME = {
     "strip": "picture",
     "play": "player", "Player": "player",
     "Controller": "controller",
-    "StyleBlender": "style_blender", "StyleTriangle": "style_blender",
+    "StyleBlender": "style_blender", "StyleTriangle": "triangle",
     "StyleExplorer": "explorer", "explore": "explorer",
     "phase_figure": "phase_figures", "phase_manifold": "phase_figures", "principal_axes": "phase_figures",
     "style_space": "figures", "training_curves": "figures", "trajectory_figure": "figures",
