@@ -13,7 +13,7 @@ from scipy.ndimage import gaussian_filter1d
 from tqdm import tqdm
 
 from toolkit.io.files import atomic_write
-from toolkit.motion import Clip
+from toolkit.motion import Clip, on_cpu
 from toolkit.motion import rotations as R
 from toolkit.view import body
 from toolkit.view.picture import FLOOR, INK, PAPER, Shot, cast, steady_frames
@@ -137,7 +137,7 @@ def crowd(clips: Sequence[Clip], path: str | os.PathLike, *, fps: float = 12.5, 
     ValueError
         If there is no clip, they differ in length, rate or skeleton, or the suffix is unknown.
     """
-    path = _checked(path)
+    path, clips = _checked(path), on_cpu(clips)
     if len({(len(clip), clip.fps, clip.skeleton.names) for clip in clips}) != 1:
         raise ValueError(f"a crowd needs clips of one length, rate and skeleton, got {len(clips)} that differ or none")
     first = clips[0]

@@ -76,7 +76,8 @@ def phase_figure(clip: Clip, phases: ph.Phases, contacts=None, truth=None, *, st
         curve, fit, phase, frequency, amplitude, residual = (fields[name][show, i] for name in names[:6])
 
         def draw(y: np.ndarray, name: str, shown: bool, line: dict, row=row, **options) -> None:
-            figure.add_scatter(x=seconds, y=y, name=name, showlegend=shown, line=line, **{"legendgroup": name} | options, **row)
+            options = {"legendgroup": name} | options | row
+            figure.add_scatter(x=seconds, y=y, name=name, showlegend=shown, line=line, **options)
 
         for edge, fill in ((fit - residual, None), (fit + residual, "tonexty")):
             draw(edge, "residual", i == 0 and bool(fill), {"width": 0}, fill=fill, fillcolor="rgba(138, 143, 152, 0.22)",

@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 from scipy.ndimage import gaussian_filter1d
 
 from toolkit.io.files import atomic_write
-from toolkit.motion import Clip, root_frames
+from toolkit.motion import Clip, on_cpu, root_frames
 from toolkit.view import body
 from toolkit.view.raycast import Canvas, orbit
 
@@ -164,7 +164,7 @@ def cast(clips: Clip | Sequence[Clip], labels: Sequence[str] | None, contacts) -
     ValueError
         If there is no clip, or labels or contacts do not fit the clips.
     """
-    clips = [clips] if isinstance(clips, Clip) else list(clips)
+    clips = on_cpu(clips)
     labels = [" ".join(x for x in (c.style, c.gait) if x) or c.name for c in clips] if labels is None else list(labels)
     if not clips or len(labels) != len(clips):
         raise ValueError(f"expected clips and a label per clip; got {len(clips)} clips, {len(labels)} labels")
