@@ -24,9 +24,9 @@ def run(
     from toolkit import datasets, phases
     from toolkit.motion import contacts
     from toolkit.view import renderers
+    from toolkit.view.frontend import QUALITY
     from toolkit.view.opengl import opengl_works
     from toolkit.view.player import Player
-    from toolkit.view.screen import QUALITY
 
     threads = torch.get_num_threads()
     torch.set_num_threads(1)

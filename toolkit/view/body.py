@@ -68,11 +68,6 @@ def cone(joint: int, start: Tensor, end: Tensor, radii: tuple[float, float], ton
     return Shape(joint, np.stack((np.cross(y, z), y, z * by, start), 1), length, tuple(map(float, radii)), tone, foot)
 
 
-def ball(joint: int, radius: float) -> Shape:
-    """Ball at a joint."""
-    return cone(joint, ZERO, ZERO, (radius, radius), "joint")
-
-
 def _snap(v: Tensor) -> Tensor:
     """The signed coordinate axis nearest to a direction [3]."""
     i = v.abs().argmax()
@@ -195,11 +190,12 @@ def _limb(m: _Measured, side: str, s: float, drawn: set[int]) -> list[Shape]:
             flesh = m.bend(flesh, b, 0.1 * s if lower == "hand" else 1.6 * r1 * s)
         if upper in ("knee", "elbow"):
             flesh = m.bend(flesh, m.skeleton.parents[a], 1.6 * r0 * s)
-        shapes += [flesh, ball(b, 1.04 * r1 * s)]
+        shapes += [flesh, cone(b, ZERO, ZERO, (1.04 * r1 * s,) * 2, "joint")]
         drawn.update((a, b))
     shoulder = m.skeleton.index(f"{side}_shoulder")
     collar, bone = m.skeleton.parents[shoulder], m.skeleton.offsets[shoulder]
-    return [*shapes, ball(shoulder, 0.056 * s), cone(collar, ZERO, 0.86 * bone, (0.046 * s, 0.05 * s), "middle")]
+    return [*shapes, cone(shoulder, ZERO, ZERO, (0.056 * s,) * 2, "joint"),
+            cone(collar, ZERO, 0.86 * bone, (0.046 * s, 0.05 * s), "middle")]
 
 
 def _foot(m: _Measured, side: str, s: float, drawn: set[int]) -> list[Shape]:

@@ -99,13 +99,7 @@ class Controller(Corners):
 
     @property
     def clip(self) -> Clip:
-        """The recording, on the model's whole skeleton.
-
-        Raises
-        ------
-        ValueError
-            If nothing was recorded.
-        """
+        """The recording, on the model's whole skeleton; a ValueError if there is none."""
         if not self._recorded:
             raise ValueError("nothing recorded yet: press Record (or set recording = True) and walk")
         rotations, roots = (torch.stack(column) for column in zip(*self._recorded, strict=True))

@@ -23,15 +23,13 @@ from toolkit.view.frontend import in_notebook, static
 from toolkit.view.picture import PAPER
 from toolkit.view.style_blender import StyleBlender
 
-CLIPS = "#b9bdc4"  # colour of single clips
 SIDE = 560  # pixels of the map, both ways
 SECONDS, SPEED = 3.0, 1.0  # of the walk that is played, metres per second
 SETTLE = 1.5  # seconds of walking before, in which the character goes from standing into the style
 
 
 def explore(model: Model, bank: StyleBank, *, points: Tensor | None = None, groups: Sequence[str] | None = None,
-            cloud: tuple[Tensor, Sequence[str]] | None = None, joined: Sequence[tuple[str, str]] = (),
-            make_clip: Callable[[dict[str, float]], Clip] | None = None,
+            joined: Sequence[tuple[str, str]] = (), make_clip: Callable[[dict[str, float]], Clip] | None = None,
             size: tuple[int, int] = (480, 420)) -> "StyleExplorer | go.Figure":
     """A map of styles to explore; outside of notebooks, the map alone as a plotly figure.
 
@@ -43,9 +41,6 @@ def explore(model: Model, bank: StyleBank, *, points: Tensor | None = None, grou
         Positions of the styles on the map, ``[S, 2]``; by default the t-SNE of their vectors (`toolkit.styles.embed`).
     groups
         S labels, a colour each.
-    cloud
-        Further small dots ``[N, 2]`` and the style of each, such as of single clips (`toolkit.styles.clip_vectors`), in the
-        same map as ``points``.
     joined
         Pairs of styles to draw a line between.
     make_clip
@@ -54,38 +49,28 @@ def explore(model: Model, bank: StyleBank, *, points: Tensor | None = None, grou
         Pixels of the picture of the motion.
     """
     points = embed(bank.vectors) if points is None else torch.as_tensor(points)
-    figure = chart(bank, points, groups, cloud, joined)
+    figure = chart(bank, points, groups, joined)
     return StyleExplorer(model, bank, points, figure, make_clip=make_clip, size=size) if in_notebook() else figure
 
 
 def chart(bank: StyleBank, points: Tensor, groups: Sequence[str] | None = None,
-          cloud: tuple[Tensor, Sequence[str]] | None = None,
           joined: Sequence[tuple[str, str]] = ()) -> go.Figure:
     """The map as a plotly figure; see `explore`."""
     figure = style_space(points, bank.names, groups, title="Style space")
-    below = []
+    above = len(figure.data)
     for pair in joined:
         a, b = (points[bank.names.index(name)].tolist() for name in pair)
-        below.append(go.Scatter(x=[a[0], b[0]], y=[a[1], b[1]], mode="lines", line={"color": QUIET, "width": 1},
-                                hoverinfo="skip", showlegend=False))
-    if cloud is not None:
-        places, styles = torch.as_tensor(cloud[0]).numpy(), cloud[1]
-        below.append(go.Scatter(x=places[:, 0], y=places[:, 1], text=list(styles), mode="markers", name="single clips",
-                                hovertemplate="%{text}, a clip<extra></extra>", marker={"size": 4, "color": CLIPS}))
-    above = len(figure.data)
-    figure.add_traces(below)
-    figure.data = figure.data[above:] + figure.data[:above]
+        figure.add_scatter(x=[a[0], b[0]], y=[a[1], b[1]], mode="lines", line={"color": QUIET, "width": 1}, hoverinfo="skip",
+                           showlegend=False)
+    figure.data = figure.data[above:] + figure.data[:above]  # lines below points
     return figure.update_layout(width=SIDE, height=SIDE, dragmode="pan", margin={"l": 16, "r": 16, "t": 44, "b": 16},
                                 legend={"orientation": "h", "y": 0.0, "yanchor": "top"})
 
 
 class StyleMap(anywidget.AnyWidget):
-    """A plotly figure with a ring to drag. (Plotly's own FigureWidget shows nothing with some versions of anywidget.)
+    """A plotly figure with a ring to drag, at ``place`` [x, y] in the figure's units, a trait that can be observed and set.
 
-    Attributes
-    ----------
-    place
-        Position of the ring, [x, y] in the figure's units; a trait, so it can be observed and set.
+    Plotly's own FigureWidget shows nothing with some versions of anywidget.
     """
 
     _esm = get_plotlyjs() + static("map.js")
@@ -110,10 +95,8 @@ class StyleExplorer(StyleBlender):
     ----------
     map
         The `StyleMap`.
-    weights
-        The blend ``{style: weight}``; assigning one makes and shows its motion before it returns, and moves the ring.
-    player, triangle
-        As of the blender.
+    weights, player, triangle
+        As of the blender; assigning weights also moves the ring.
 
     Raises
     ------

@@ -17,18 +17,9 @@ RIM = "#cfc8bb"
 
 def write(picture: Image.Image, cell: tuple[int, int, int, int], labels: Sequence[tuple[str, str]],
           phases: Sequence[np.ndarray | None]) -> None:
-    """Write names and phase dials of characters down the left side of a cell of the picture.
+    """Write names and phase dials of characters down the left side of a cell (left, top, width, height) of the picture.
 
-    Parameters
-    ----------
-    picture
-        The picture, which is changed.
-    cell
-        Left, top, width and height, pixels.
-    labels
-        Text and colour of each character.
-    phases
-        Phase vectors [4, 2] (sin, cos) of the `LIMBS` of each character, or None.
+    ``labels`` are text and colour of each character, ``phases`` its vectors [4, 2] (sin, cos) of the `LIMBS`, or None.
     """
     left, top, _, height = cell
     x, y = left + 10, top + 6

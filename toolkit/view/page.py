@@ -31,24 +31,15 @@ def html(clips: Clip | Sequence[Clip], path: str | os.PathLike, *, title: str, c
 
     Parameters
     ----------
-    clips
-        One clip, or up to nine that are shown side by side.
+    clips, labels, contacts
+        As in `toolkit.view.play`; up to nine clips, which are shown side by side.
     path
         The file to write.
     title, caption
         Heading of the page and a line below it.
-    labels
-        Text on each clip; by default its style and gait, else its name.
-    contacts
-        Foot contacts [F, 2] (right, left), above one half where a foot stands, or one array (or None) per clip.
     styles
         Weights of a style blend over time: ``{name: [F]}``, or one such mapping (or None) per clip. Three styles or more are
         shown as a polygon with a moving marker.
-
-    Returns
-    -------
-    Path
-        The file.
 
     Raises
     ------
@@ -65,19 +56,9 @@ def html(clips: Clip | Sequence[Clip], path: str | os.PathLike, *, title: str, c
 
 
 def write(path: str | os.PathLike, title: str, caption: str, data: dict[str, Any], start: str) -> Path:
-    """Write a page with the scene's code in it, whole or not at all.
+    """Write a page with the scene's code and ``data`` in it, whole or not at all.
 
-    Parameters
-    ----------
-    path
-        The file.
-    title, caption
-        Heading of the page and a line below it.
-    data
-        Anything that JSON can hold.
-    start
-        JavaScript that starts the page. It knows the page's element as ``stage``, the data as ``data`` and the scene's code
-        as ``toolkitScene``.
+    ``start`` is JavaScript that starts the page, from its element ``stage``, ``data`` and the scene's code ``toolkitScene``.
     """
     page = Template(static("page.html")).substitute(
         title=escaping.escape(title),

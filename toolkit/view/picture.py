@@ -38,20 +38,14 @@ def strip(clips: Clip | Sequence[Clip], path: str | os.PathLike | None = None, *
 
     Parameters
     ----------
-    clips
-        One clip or several.
+    clips, labels, contacts, view, elevation
+        As in `toolkit.view.animate`; a label is the text of a row.
     path
         PNG file to write (any format matplotlib knows).
     frames
         Poses per row.
-    labels
-        Text of each row; by default style and gait, else the clip's name.
     start, stop
         Seconds of the clips that are shown (default: all).
-    view, elevation
-        Degrees: the camera's angle from the facing direction (90 is from the right side) and above the floor.
-    contacts
-        Foot contacts [F, 2] (right, left), above one half where a foot stands, or one array per clip; shown on the feet.
     title
         Text above the picture.
     width, dpi
@@ -112,29 +106,11 @@ def _row(shot: "Shot", spacing: float, scale: float, top: float) -> np.ndarray:
 
 
 class Shot:
-    """Frames of a clip as a camera sees them.
+    """Some ``frames`` [N] of a clip as a camera sees them: ``places`` [N, S, 3, 4] of the body's shapes in camera space.
 
-    Parameters
-    ----------
-    clip
-        The motion.
-    contacts
-        Foot contacts [F, 2] or None, see `strip`.
-    frames : ndarray [N]
-        Indices of the frames.
-    path : ndarray [F, 3]
-        The point of the floor at the origin of camera space, for every frame of the clip.
-    azimuth, elevation
-        Of the camera, radians, see `toolkit.view.raycast.orbit`; the azimuth may be one for each of the frames.
-    shapes
-        The body; by default the one that fits the clip.
-
-    Attributes
-    ----------
-    places : ndarray [N, S, 3, 4]
-        Placements of the body's shapes in camera space.
-    reach, top
-        Largest distance of the body from the origin to the left or right, and upwards, in metres.
+    The point ``path`` [F, 3] of the floor is at the origin of camera space. The camera's angles are those of
+    `toolkit.view.raycast.orbit`; there may be an azimuth for each of the frames. ``reach`` and ``top`` are the largest
+    distances of the body from the origin to the left or right, and upwards, in metres.
     """
 
     def __init__(self, clip: Clip, contacts: np.ndarray | None, frames: np.ndarray, path: np.ndarray,
@@ -157,13 +133,7 @@ class Shot:
 
 
 def cast(clips: Clip | Sequence[Clip], labels: Sequence[str] | None, contacts) -> tuple[list[Clip], list[str], list]:
-    """Clips with a label and contacts [F, 2] or None for each; labels are style and gait by default, else the clip's name.
-
-    Raises
-    ------
-    ValueError
-        If there is no clip, or labels or contacts do not fit the clips.
-    """
+    """Clips with a label and contacts [F, 2] or None for each; a ValueError if they do not fit, or if there is no clip."""
     clips = on_cpu(clips)
     labels = [" ".join(x for x in (c.style, c.gait) if x) or c.name for c in clips] if labels is None else list(labels)
     if not clips or len(labels) != len(clips):
@@ -172,13 +142,7 @@ def cast(clips: Clip | Sequence[Clip], labels: Sequence[str] | None, contacts) -
 
 
 def per_clip(name: str, values, clips: Sequence[Clip], *shape: int) -> list[np.ndarray | None]:
-    """An array [F, *shape] or None for each clip, from one of them or a list.
-
-    Raises
-    ------
-    ValueError
-        If their number or a shape does not fit the clips.
-    """
+    """An array [F, *shape] or None for each clip, from one of them or a list; a ValueError if they do not fit."""
     values = [None] * len(clips) if values is None else values if isinstance(values, list | tuple) else [values]
     values = [None if v is None else np.asarray(getattr(v, "vector", v), dtype=np.float32) for v in values]
     shapes = [None if v is None else v.shape for v in values]

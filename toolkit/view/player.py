@@ -22,9 +22,8 @@ from PIL import Image
 
 from toolkit.motion import Clip
 from toolkit.view import overlay, renderers
-from toolkit.view.frontend import in_notebook, require_main_thread, running_loop
+from toolkit.view.frontend import Screen, in_notebook, require_main_thread, running_loop
 from toolkit.view.picture import INK, PAPER, cast, per_clip, strip
-from toolkit.view.screen import Screen
 
 IDLE = 600.0  # seconds of playback without user input after which it pauses
 RATE = 60.0  # pictures per second at most
@@ -148,15 +147,7 @@ class Player(widgets.VBox):
         self._refresh()
 
     def render(self, frame: int) -> np.ndarray:
-        """Picture ``[H, W, 3]`` uint8 of a frame, without showing it.
-
-        Raises
-        ------
-        ValueError
-            If the clip has no such frame.
-        RuntimeError
-            If called outside of the main thread.
-        """
+        """Picture ``[H, W, 3]`` uint8 of a frame, without showing it (main thread only)."""
         require_main_thread()
         if not 0 <= frame < len(self.clip):
             raise ValueError(f"{self.clip.name}: frame {frame} is not one of {len(self.clip)}")

@@ -28,14 +28,8 @@ def orbit(azimuth: np.ndarray | float, elevation: float) -> np.ndarray:
 class Canvas:
     """An image that bodies are drawn into, with a depth for every pixel.
 
-    Parameters
-    ----------
-    window
-        (x0, x1, y0, y1) of camera space, metres.
-    scale
-        Pixels per metre.
-    camera : ndarray [3, 3]
-        World to camera space, see `orbit`; shadows and lines on the floor need it.
+    It shows a ``window`` (x0, x1, y0, y1) of camera space in metres, with ``scale`` pixels per metre. Shadows and lines on
+    the floor need the ``camera`` [3, 3], world to camera space, see `orbit`.
     """
 
     def __init__(self, window: tuple[float, float, float, float], scale: float, camera: np.ndarray | None = None):

@@ -46,22 +46,13 @@ def best(characters: Sequence[Character], size: tuple[int, int]) -> "PyvistaRend
 
 
 class Scene:
-    """Characters in one scene and the camera, for any renderer.
-
-    Attributes
-    ----------
-    angle, distance
-        The camera's azimuth in degrees, relative to where the first body faces at first, and its distance in metres.
-    follow
-        Whether the camera follows the characters.
-    shown
-        What is drawn beside the bodies: "path", "contacts" (footprints and the colour of standing feet), "trajectory".
-    """
+    """Characters in one scene and the camera, for any renderer."""
 
     def __init__(self, characters: Sequence[Character], size: tuple[int, int]):
         self.size = size
-        self.angle, self.distance, self.follow = -50.0, 3.8, True
-        self.shown = {"path", "contacts"}
+        self.angle, self.distance = -50.0, 3.8  # the camera's: degrees from where the first body faces at first, metres
+        self.follow = True  # whether the camera follows the characters
+        self.shown = {"path", "contacts"}  # kinds of layers on the floor; contacts also colour the standing feet
         self.load(characters)
 
     def load(self, characters: Sequence[Character]) -> None:

@@ -18,12 +18,7 @@ FLANK = 4  # rings between the two caps
 class Skin:
     """The surface of S shapes as one buffer of vertices, with ``around`` vertices around and ``along`` rings in each cap.
 
-    Attributes
-    ----------
-    triangles : ndarray [T, 3]
-        Indices into all vertices, shape after shape.
-    owners : ndarray [S V]
-        The shape of each vertex.
+    ``triangles`` [T, 3] are indices of vertices, shape after shape; ``owners`` [S V] is the shape of each vertex.
     """
 
     def __init__(self, shapes: Sequence[Shape], around: int = 16, along: int = 5):
@@ -61,16 +56,9 @@ def weights(shape: Shape, y: np.ndarray) -> np.ndarray:
 
 
 def placements(shapes: Sequence[Shape], rotations: Tensor, positions: Tensor) -> np.ndarray:
-    """World placement ``[..., S, HOSTS, 3, 4]`` of shapes by each joint that they follow.
+    """World placement ``[..., S, HOSTS, 3, 4]`` of S shapes by each joint that they follow.
 
-    Parameters
-    ----------
-    shapes
-        S shapes.
-    rotations : Tensor [..., J, 4]
-        Global rotations.
-    positions : Tensor [..., J, 3]
-        Global positions.
+    From global rotations ``[..., J, 4]`` and positions ``[..., J, 3]``.
     """
     hosts = [[(s.joint, s.place), *((bend.joint, bend.place) for bend in s.bends)] for s in shapes]
     hosts = [row + row[:1] * (HOSTS - len(row)) for row in hosts]  # the own joint again, with weight zero

@@ -35,10 +35,8 @@ class StyleBlender(widgets.HBox):
     ----------
     weights
         The blend ``{style: weight}``; assigning one makes and shows its motion before it returns.
-    player
-        The `Player`.
-    triangle
-        The `StyleTriangle`.
+    player, triangle
+        The `Player` and the `StyleTriangle`.
 
     Raises
     ------

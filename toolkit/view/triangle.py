@@ -10,15 +10,7 @@ from toolkit.view.frontend import static
 
 
 class Corners(anywidget.AnyWidget):
-    """A widget that holds three styles, the corners of a triangle, and their shares.
-
-    Attributes
-    ----------
-    names
-        The styles.
-    weights
-        Their shares; a trait, so it can be observed, linked and set.
-    """
+    """A widget with three styles, ``names``, and their shares, ``weights``: traits that can be observed, linked and set."""
 
     names = traitlets.List(traitlets.Unicode(), ["A", "B", "C"], minlen=3, maxlen=3).tag(sync=True)
     weights = traitlets.List(traitlets.Float(), [1 / 3, 1 / 3, 1 / 3], minlen=3, maxlen=3).tag(sync=True)
@@ -48,10 +40,7 @@ class StyleTriangle(Corners):
 def corners(bank, weights: Mapping[str, float], others: Iterable[str]) -> tuple[list[str], list[float]]:
     """Three styles and their shares, which sum to one, from one to three weights; ``others`` fill up, with share zero.
 
-    Raises
-    ------
-    ValueError
-        If a style is not in the bank, or weights are negative or all zero.
+    A ValueError if a style is not in the bank, or weights are negative or all zero.
     """
     for name in weights:
         bank[name]
