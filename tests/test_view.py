@@ -294,6 +294,12 @@ def test_strip_refuses_an_empty_stretch(clip):
         view.strip(clip, frames=0)
 
 
+def test_a_camera_level_with_the_floor_draws(clip, tmp_path):
+    assert view.strip(clip, elevation=0.0, frames=2, dpi=40) is not None
+    with Image.open(view.animate(clip, tmp_path / "walk.png", elevation=0.0, fps=2, height=60)) as picture:
+        assert np.asarray(picture.convert("L")).std() > 10
+
+
 def test_strip_outside_of_a_notebook(clip):
     assert type(view.play(clip)).__name__ == "Picture"
 

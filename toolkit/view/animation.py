@@ -216,15 +216,11 @@ class _Follow(Shot):
 
 
 def _on_floor(canvas: Canvas, axes: np.ndarray, spacing: Sequence[float], start: Sequence[float],
-              near: np.ndarray | None = None) -> np.ndarray:
-    """The canvas on a floor with lines, see `Canvas.lines`; ``near`` [H] is the floor's share against the paper."""
-    near = np.ones(canvas.height, np.float32) if near is None else near
+              near: np.ndarray | float = 1.0) -> np.ndarray:
+    """The canvas on a floor with lines, see `Canvas.lines`; ``near`` [H] is the floor's share, the rest is paper."""
     paper, ground, line = (np.array(to_rgb(c), np.float32) for c in (PAPER, FLOOR, LINE))
-    blend, rows = near[:, None, None], np.flatnonzero(near > 0)
-    floor = np.broadcast_to(paper * (1 - blend) + ground * blend, (canvas.height, canvas.width, 3)).copy()
-    covered = near[rows, None] * canvas.lines(axes, spacing, start, rows, FINE)
-    floor[rows] += covered[..., None] * (line - ground)
-    return canvas.image(floor, paper, FINE)
+    near, covered = np.reshape(near, (-1, 1, 1)), canvas.lines(axes, spacing, start, FINE)[..., None]
+    return canvas.image(paper * (1 - near) + ground * near + near * covered * (line - ground), paper, FINE)
 
 
 def _image(picture: np.ndarray) -> Image.Image:
@@ -278,8 +274,7 @@ def _checked(path: str | os.PathLike) -> Path:
 def _write(frames: Iterable[Image.Image], path: Path, fps: float, colors: int) -> Path:
     """Write pictures of equal size as one looping file."""
     if path.suffix == ".mp4":
-        _film(frames, path, fps)
-        return path
+        return _film(frames, path, fps)
     frames = list(frames)
     options = {"save_all": True, "duration": round(1000 / fps), "loop": 0}
     if path.suffix == ".gif":
@@ -292,7 +287,7 @@ def _write(frames: Iterable[Image.Image], path: Path, fps: float, colors: int) -
     return path
 
 
-def _film(frames: Iterable[Image.Image], path: Path, fps: float) -> None:
+def _film(frames: Iterable[Image.Image], path: Path, fps: float) -> Path:
     """Write an MP4 that browsers play: H.264, 4:2:0 and therefore of even width and height."""
     try:
         import av
@@ -307,14 +302,11 @@ def _film(frames: Iterable[Image.Image], path: Path, fps: float) -> None:
                 stream.height, stream.width = picture.shape[:2]
             film.mux(stream.encode(av.VideoFrame.from_ndarray(np.ascontiguousarray(picture))))
         film.mux(stream.encode())
+    return path
 
 
 def _reduce(frames: list[Image.Image], colors: int) -> list[Image.Image]:
     """The same pictures with one palette of a few colours, taken from some of them."""
-    some = frames[:: max(1, len(frames) // 6)]
-    width, height = some[0].size
-    sample = Image.new("RGB", (width, height * len(some)))
-    for k, frame in enumerate(some):
-        sample.paste(frame, (0, k * height))
-    palette = sample.quantize(colors, Image.Quantize.MEDIANCUT)
+    sample = np.concatenate([np.asarray(frame) for frame in frames[:: max(1, len(frames) // 6)]])
+    palette = Image.fromarray(sample).quantize(colors, Image.Quantize.MEDIANCUT)
     return [frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in frames]

@@ -21,6 +21,7 @@ KEY, FILL = (v / np.linalg.norm(v) for v in np.float32([[-0.45, 0.75, 0.55], [0.
 
 def orbit(azimuth: np.ndarray | float, elevation: float) -> np.ndarray:
     """World to camera space [..., 3, 3]: a turn by ``azimuth`` about the vertical, then a tilt by ``elevation``; radians."""
+    elevation = elevation if abs(elevation) > 1e-3 else 1e-3  # from exactly the side, the floor would be a line
     turn = Rotation.from_rotvec(np.multiply.outer(azimuth, [0.0, 1.0, 0.0]))
     return (Rotation.from_rotvec([elevation, 0.0, 0.0]) * turn).as_matrix()
 
@@ -92,9 +93,8 @@ class Canvas:
         cover = (0.5 - (distance - radius) / (0.024 + 0.2 * above)).clip(0, 1)
         self.shade[rows, columns] = 1 - (1 - self.shade[rows, columns]) * np.prod(1 - cover * cover * (3 - 2 * cover), 0)
 
-    def lines(self, axes: np.ndarray, spacing: Sequence[float], start: Sequence[float], rows: np.ndarray,
-              width: float) -> np.ndarray:
-        """Share [R, W] of the pixels in some rows that lines of ``width`` pixels on the floor cover.
+    def lines(self, axes: np.ndarray, spacing: Sequence[float], start: Sequence[float], width: float) -> np.ndarray:
+        """Share [H, W] of the pixels that lines of ``width`` pixels on the floor cover.
 
         A line crosses each of the horizontal ``axes`` [A, 3] every ``spacing`` metres; the floor below the origin of camera
         space is ``start`` metres from one.
@@ -102,7 +102,7 @@ class Canvas:
         covered = 0.0
         for axis, apart, first in zip(axes, spacing, start, strict=True):
             slope = (self.camera @ axis)[:2] / [1, self.camera[2, 1] ** 2]  # along the axis, per metre of the picture
-            along = slope[0] * self.x + slope[1] * self.y[rows, None] + first
+            along = slope[0] * self.x + slope[1] * self.y[:, None] + first
             pixels = np.abs(along - apart * np.round(along / apart)) * self.scale / np.linalg.norm(slope)
             covered = np.maximum(covered, np.clip(0.5 * width + 0.5 - pixels, 0, 1))
         return covered
