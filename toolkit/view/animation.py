@@ -277,8 +277,10 @@ def _write(frames: Iterable[Image.Image], path: Path, fps: float, colors: int) -
         return _film(frames, path, fps)
     frames = list(frames)
     options = {"save_all": True, "duration": round(1000 / fps), "loop": 0}
-    if path.suffix == ".gif":
-        frames = _reduce(frames, colors)
+    if path.suffix == ".gif":  # one palette of a few colours, taken from some of the frames
+        sample = np.concatenate([np.asarray(frame) for frame in frames[:: max(1, len(frames) // 6)]])
+        palette = Image.fromarray(sample).quantize(colors, Image.Quantize.MEDIANCUT)
+        frames = [frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in frames]
         options["optimize"] = False
     elif path.suffix == ".webp":
         options["quality"] = 80
@@ -303,10 +305,3 @@ def _film(frames: Iterable[Image.Image], path: Path, fps: float) -> Path:
             film.mux(stream.encode(av.VideoFrame.from_ndarray(np.ascontiguousarray(picture))))
         film.mux(stream.encode())
     return path
-
-
-def _reduce(frames: list[Image.Image], colors: int) -> list[Image.Image]:
-    """The same pictures with one palette of a few colours, taken from some of them."""
-    sample = np.concatenate([np.asarray(frame) for frame in frames[:: max(1, len(frames) // 6)]])
-    palette = Image.fromarray(sample).quantize(colors, Image.Quantize.MEDIANCUT)
-    return [frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in frames]

@@ -74,9 +74,10 @@ def pack(model, bank, half: bool = False) -> dict[str, Any]:
         "network": {
             "means": [numbers(kind.mean) for kind in kinds],
             "deviations": [numbers(kind.std) for kind in kinds],
-            "gating": {"widths": _widths([layer.weight.T for layer in gating]),
+            "gating": {"widths": [gating[0].weight.shape[1], *(len(layer.bias) for layer in gating)],
                        "layers": [numbers(panels(layer.weight.T[None], layer.bias[None])) for layer in gating]},
-            "experts": {"count": len(experts[0].weight), "widths": _widths([layer.weight[0] for layer in experts]),
+            "experts": {"count": len(experts[0].weight),
+                        "widths": [experts[0].weight.shape[1], *(layer.bias.shape[1] for layer in experts)],
                         "layers": [numbers(panels(layer.weight, layer.bias), half) for layer in experts]},
             "epsilon": EPSILON,
         },
@@ -108,10 +109,6 @@ def panels(weight: Tensor, bias: Tensor) -> Tensor:
     whole = torch.cat((weight, bias[:, None]), 1)
     whole = torch.nn.functional.pad(whole, (0, -whole.shape[-1] % PANEL))
     return whole.unflatten(-1, (-1, PANEL)).permute(2, 0, 1, 3).contiguous()
-
-
-def _widths(matrices: Sequence[Tensor]) -> list[int]:
-    return [len(matrices[0]), *(matrix.shape[1] for matrix in matrices)]
 
 
 def _plain(fields: dict[str, Any]) -> dict[str, Any]:

@@ -18,6 +18,7 @@ from toolkit.view import body
 from toolkit.view.body import COLORS, CONTACT, PALETTE
 from toolkit.view.figures import GRID, INK, LAYOUT, QUIET, finish
 from toolkit.view.opengl import INSTALL, opengl_works
+from toolkit.view.picture import per_clip
 from toolkit.view.skin import Skin, placements
 
 HUES = [[0.0, "#7b68c4"], [0.25, "#2fa596"], [0.5, "#e3c15a"], [0.75, "#d6598b"], [1.0, "#7b68c4"]]  # 0 and 2 pi alike
@@ -35,10 +36,8 @@ def phase_figure(clip: Clip, phases: ph.Phases, contacts=None, truth=None, *, st
 
     Parameters
     ----------
-    clip
-        The motion, F frames.
-    phases
-        Its phases, from `toolkit.phases.extract`.
+    clip, phases
+        The motion, F frames, and its phases, from `toolkit.phases.extract`.
     contacts
         Foot contacts [F, 2] (right, left), above one half where a foot stands.
     truth
@@ -58,11 +57,9 @@ def phase_figure(clip: Clip, phases: ph.Phases, contacts=None, truth=None, *, st
     fields = {name: np.asarray(getattr(phases, name), dtype=np.float64) for name in names}
     if truth is not None:
         fields["truth"] = np.asarray(truth, dtype=np.float64)
-    bad = [f"{name} {list(a.shape)}" for name, a in fields.items() if a.shape[:2] != (len(clip), 4)]
-    stands = None if contacts is None else np.asarray(contacts) > 0.5
-    if bad or (stands is not None and stands.shape != (len(clip), 2)):
-        raise ValueError(f"phases must be [{len(clip)}, 4] and contacts [{len(clip)}, 2]; got "
-                         f"{', '.join(bad) or list(stands.shape)}")
+    if bad := [f"{name} {list(a.shape)}" for name, a in fields.items() if a.shape[:2] != (len(clip), 4)]:
+        raise ValueError(f"phases must be [{len(clip)}, 4]; got {', '.join(bad)}")
+    (stands,) = per_clip("contacts", contacts, [clip], 2)
     first = round(start * clip.fps)
     last = len(clip) if stop is None else min(round(stop * clip.fps), len(clip))
     if not 0 <= first < last:
@@ -93,7 +90,7 @@ def phase_figure(clip: Clip, phases: ph.Phases, contacts=None, truth=None, *, st
             draw(fit + amplitude * ((known + lag).sin().numpy()[show] - np.sin(phase)), "truth", i == 0,
                  {"color": INK, "width": 1, "dash": "dot"}, hoverinfo="skip", legendrank=1001)
         if stands is not None and i >= 2:
-            bar = np.where(stands[show, 1 if side == "left" else 0], float(np.nanmin(curve)) - 0.25, np.nan)
+            bar = np.where(stands[show, 1 if side == "left" else 0] > 0.5, float(np.nanmin(curve)) - 0.25, np.nan)
             draw(bar, "contact", i == 2, {"color": CONTACT, "width": 6}, mode="lines", hoverinfo="skip")
         figure.update_yaxes(title=limb.replace("_", " "), showticklabels=False, **row)
         row = row | {"row": 2 * i + 2}
@@ -183,16 +180,13 @@ def phase_manifold(phases: Mapping[str, ph.Phases], fps: float = 60.0, *, window
     Parameters
     ----------
     phases
-        By style.
+        Phases of each style.
     fps
         Frames per second of all of them.
     window
         Seconds: a point is all the phase vectors of so long a stretch; 0 for those of one frame.
-    backend
-        "plotly" gives a `plotly.graph_objects.Figure` of two components, "pyvista" a `pyvista.Plotter` (off screen) of
-        three.
-    title
-        Heading, in plotly.
+    backend, title
+        As in `principal_axes`; plotly shows two components, pyvista three.
 
     Raises
     ------

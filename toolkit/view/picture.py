@@ -61,7 +61,10 @@ def strip(clips: Clip | Sequence[Clip], path: str | os.PathLike | None = None, *
         raise ValueError(f"a strip needs frames, got {frames}")
     shots = []
     for clip, con in zip(clips, contacts, strict=True):
-        instants = _instants(clip, frames, start, stop)
+        end = len(clip) - 1 if stop is None else min(round(stop * clip.fps), len(clip) - 1)
+        if not 0 <= round(start * clip.fps) <= end:
+            raise ValueError(f"{clip.name}: no frame between {start} s and {stop} s; the clip lasts {clip.seconds:.2f} s")
+        instants = np.linspace(round(start * clip.fps), end, frames).round().astype(int)
         walked, facing = steady_frames(clip, 0.5)
         shots.append(Shot(clip, con, instants, walked, np.radians(view) - facing[instants], np.radians(elevation)))
     spacing = max(0.7, *(2 * shot.reach + 0.04 for shot in shots))
@@ -85,13 +88,6 @@ def strip(clips: Clip | Sequence[Clip], path: str | os.PathLike | None = None, *
         with atomic_write(path) as file:
             figure.savefig(file, format=Path(path).suffix[1:] or "png", dpi=dpi, facecolor=PAPER)
     return figure
-
-
-def _instants(clip: Clip, frames: int, start: float, stop: float | None) -> np.ndarray:
-    first, last = round(start * clip.fps), len(clip) - 1 if stop is None else min(round(stop * clip.fps), len(clip) - 1)
-    if not 0 <= first <= last:
-        raise ValueError(f"{clip.name}: no frame between {start} s and {stop} s; the clip lasts {clip.seconds:.2f} s")
-    return np.linspace(first, last, frames).round().astype(int)
 
 
 def _row(shot: "Shot", spacing: float, scale: float, top: float) -> np.ndarray:
