@@ -17,7 +17,7 @@ EXPERIMENTS = {
                     "The losses of Park et al. 2021 (Table 1), and their stylizer compared with two methods (Table 2)."),
     **{name: experiments.command(f"robustness.{name}") for name in ("soak", "fuzz", "faults")},
 }
-app = verbs.group(EXPERIMENTS, pretty_exceptions_enable=False, help=experiments.__doc__)
+app = verbs.group(EXPERIMENTS, experiments.__doc__)
 
 
 def main(arguments: list[str] | None = None) -> int:

@@ -7,7 +7,6 @@ from pathlib import Path
 
 import pytest
 import torch
-import typer
 
 import toolkit as tk
 from experiments import __main__ as experiments
@@ -92,9 +91,10 @@ def test_every_command_of_the_reproduction_exists():
     assert len(commands) > 20
     for command in commands:
         line, words = command_line(command)
-        at = typer.main.get_command(line.app)
+        at = line.app
         while getattr(at, "commands", None) and words and words[0] in at.commands:
             at = at.commands[words.pop(0)]
+            at = getattr(at, "imported", at)
         known = {name for parameter in at.params for name in (*parameter.opts, *parameter.secondary_opts)}
         assert not words or words[0].startswith(("--", "…")), command
         assert {word for word in words if word.startswith("--")} <= known, command

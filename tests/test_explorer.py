@@ -24,11 +24,9 @@ def explorer(walk_clip):
 
 
 def test_hover_names_every_style_and_the_map_is_below_them():
-    figure = chart(BANK, POINTS, ["arms", "arms", "legs", "legs"], cloud=(POINTS + 0.1, list(BANK.names)))
-    assert [t for trace in figure.data[1:] for t in trace.text] == list(BANK.names)
-    assert figure.data[0].name == "single clips"
-    assert all("%{text}" in trace.hovertemplate for trace in figure.data)
-    line = chart(BANK, POINTS, joined=[("Zombie", "Crouch")]).data[0]
+    line, *points = chart(BANK, POINTS, ["arms", "arms", "legs", "legs"], joined=[("Zombie", "Crouch")]).data
+    assert [t for trace in points for t in trace.text] == list(BANK.names)
+    assert all("%{text}" in trace.hovertemplate for trace in points)
     assert (line.mode, tuple(line.x), tuple(line.y)) == ("lines", (4.0, 4.0), (0.0, 4.5))
 
 

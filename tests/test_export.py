@@ -317,7 +317,7 @@ def test_the_command_line_writes_clips(tmp_path, zombie, capsys):
     tk.bvh.save(zombie, source)
     for suffix in ("glb", "bvh", "html"):
         out = tmp_path / "new" / f"walk.{suffix}"
-        assert called(f"export clip {source} {out} --skeleton 100style") == 0
+        assert called(f"export clip {source} --out {out} --skeleton 100style") == 0
         assert out.stat().st_size > 10_000
         assert f"wrote {out}" in capsys.readouterr().out
     seen = seen_by_vtk(tmp_path / "new" / "walk.glb", 0.5)
@@ -343,10 +343,10 @@ def test_bad_input_gets_one_line_and_leaves_nothing(tmp_path, zombie, capsys):
     cut.write_text("HIERARCHY\nROOT Hips\n{\n OFFSET 0 0 0\n")
     new = tmp_path / "new"
     for arguments, said in {
-        f"clip {cut} {new}/a.glb": "cut.bvh, line 4",
-        f"clip {tmp_path}/no.bvh {new}/a.glb": "cannot be read",
-        f"clip {source} {new}/a.fbx": "can write .bvh, .html",
-        f"clip {source} {new}/a.glb --skeleton cmu": "is one of 100style; got 'cmu'",
+        f"clip {cut} --out {new}/a.glb": "cut.bvh, line 4",
+        f"clip {tmp_path}/no.bvh --out {new}/a.glb": "cannot be read",
+        f"clip {source} --out {new}/a.fbx": "can write .bvh, .html",
+        f"clip {source} --out {new}/a.glb --skeleton cmu": "is one of 100style; got 'cmu'",
         f"onnx --out {new}/a.txt": "can write .onnx",
         f"onnx --out {new}/a.onnx --model {source}": "not a whole safetensors",
         f"web --out {new}/a.htm": "can write .html",
@@ -356,7 +356,7 @@ def test_bad_input_gets_one_line_and_leaves_nothing(tmp_path, zombie, capsys):
         assert said in line
         assert "\n" not in line
     (tmp_path / "folder.glb").mkdir()
-    assert called(f"export clip {source} {tmp_path}/folder.glb") == 2
+    assert called(f"export clip {source} --out {tmp_path}/folder.glb") == 2
     assert "is a folder" in capsys.readouterr().err
     assert {p.name for p in tmp_path.iterdir()} == {"cut.bvh", "folder.glb", "zombie.bvh"}
     bank = StyleBank(("a",), torch.zeros(1, 3))

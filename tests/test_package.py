@@ -13,7 +13,6 @@ from pathlib import Path
 
 import pytest
 import torch
-import typer
 import yaml
 
 import toolkit as tk
@@ -70,9 +69,8 @@ def test_the_pipeline_pulls_in_no_drawing_library():
 
 def test_help_is_quick_and_says_what_the_verbs_say():
     assert "torch" not in loaded("from toolkit.__main__ import main\ntry: main(['--help'])\nexcept SystemExit: pass")
-    app = typer.main.get_command(__main__.app)
-    for name, command in app.commands.items():
-        own = " ".join(command.help.split("\n\n")[0].split())
+    for name, command in __main__.app.commands.items():
+        own = " ".join(command.imported.help.split("\n\n")[0].split())
         assert own.startswith(__main__.VERBS[name][1].removesuffix(".")), name
 
 
@@ -255,15 +253,19 @@ def test_a_checkpoint_of_another_layout_is_refused(tmp_path, small_run, walk_cli
 def test_the_demo_works_on_a_small_budget(tmp_path):
     from toolkit.cli import demo
 
-    assert "toolkitScene" in demo.greet(tmp_path / "demo").read_text(encoding="utf-8")
-    made = demo.make(seconds=2.0, data_seconds=10.0)
-    files = demo.write(made, tmp_path / "demo")
+    assert "toolkitScene" in demo.embedded(tmp_path / "demo").read_text(encoding="utf-8")
+    files = demo.make(tmp_path / "demo", seconds=2.0, data_seconds=10.0)
     assert [f.name for f in files] == ["walk.bvh", "walk.html", "strip.png", "report.txt", "model.safetensors",
                                        "controller.html"]
-    assert len(tk.bvh.load(files[0])) == len(made.clip)
+    frames = len(tk.bvh.load(files[0]))
     assert not re.search(r"""(src|href)\s*=\s*["']?https?:""", files[1].read_text(encoding="utf-8"))
-    assert torch.tensor([*made.weights.values()]).sum(0).sub(1).abs().max() < 1e-5
-    assert files[3].read_text(encoding="utf-8").count("\n") == len(made.report)
+    assert f" {frames:,} frames" in files[3].read_text(encoding="utf-8")
+    weights = demo.blend_weights(frames)
+    assert weights.shape == (frames, 3)
+    assert (weights.sum(1) - 1).abs().max() < 1e-5
+    alone = torch.tensor([[1.0, 0, 0], [0, 1, 0], [0, 0, 1], [1, 0, 0], [1 / 3, 1 / 3, 1 / 3]])
+    for k, share in enumerate(alone):
+        assert torch.allclose(weights[round(k * (frames - 1) / 4)], share)
 
 
 def test_version_is_the_same_everywhere():

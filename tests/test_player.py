@@ -1,8 +1,8 @@
 import asyncio
 import base64
+import gc
 import io
 import threading
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -12,7 +12,8 @@ from PIL import Image
 import toolkit as tk
 from toolkit import view
 from toolkit.motion import root_frames
-from toolkit.view import floor, opengl, stage
+from toolkit.networks.bank import StyleBank
+from toolkit.view import floor, opengl, renderers
 
 FRAMES = 90
 
@@ -36,8 +37,8 @@ def phases() -> torch.Tensor:
 @pytest.fixture(params=["pyvista", "software"])
 def renderer(request, monkeypatch, capsys):
     if request.param == "software":
-        monkeypatch.setattr(stage, "opengl_works", lambda: False)
-    elif not stage.opengl_works():
+        monkeypatch.setattr(renderers, "opengl_works", lambda: False)
+    elif not renderers.opengl_works():
         pytest.skip("pyvista finds no OpenGL here: " + opengl.INSTALL)
     return request.param
 
@@ -91,7 +92,7 @@ def test_player_draws_and_frames_differ(player, clip, other):
         one.render(30)
     one.show([clip, other], labels=["<data>", "model"])
     assert "&lt;data&gt;, model" in one._title.value
-    assert [scene.size for scene in one._stages] == [(80, 120)] * 2
+    assert [scene.size for scene in one._scenes] == [(80, 120)] * 2
 
 
 def test_every_switch_shows_what_it_says_and_nothing_else(player, clip, phases):
@@ -137,8 +138,8 @@ def test_any_tree_plays(player, clip, frames):
 
 
 def test_missing_opengl_is_explained_once(monkeypatch, clip, capsys):
-    monkeypatch.setattr(stage, "opengl_works", lambda: False)
-    stage.explain_missing_opengl.cache_clear()
+    monkeypatch.setattr(renderers, "opengl_works", lambda: False)
+    renderers.explain_missing_opengl.cache_clear()
     for _ in range(2):
         view.Player(clip, size=(80, 60)).close()
     assert capsys.readouterr().out.count(opengl.INSTALL) == 1
@@ -166,7 +167,7 @@ def test_many_clips_fill_a_grid(player, clip):
 def test_together_both_are_in_one_scene_in_colours_of_their_own(player, clip):
     other = clip.moved(shift=(0.9, 0.0, 0.0))
     pair = player([clip, other], labels=["", ""], together=True)
-    assert len(pair._stages) == 1
+    assert len(pair._scenes) == 1
     picture = pair.render(0).astype(int)
     red, green, blue = np.moveaxis(picture, -1, 0)
     purple, teal = (blue - green > 25) & (red - green > 5), (green - red > 40) & (blue - red > 25)
@@ -313,12 +314,12 @@ def test_nobody_looks_and_little_is_drawn(renderer, player, clip, monkeypatch):
 # style blending
 
 
-def bank(*names: str):
-    return SimpleNamespace(names=names)
+def bank(*names: str) -> StyleBank:
+    return StyleBank(names, torch.zeros(len(names), 2))
 
 
 def test_blender_makes_the_motion_of_its_weights(monkeypatch, clip):
-    monkeypatch.setattr(stage, "opengl_works", lambda: False)
+    monkeypatch.setattr(renderers, "opengl_works", lambda: False)
     asked = []
 
     def make(weights: dict[str, float]) -> tk.Clip:
@@ -335,17 +336,20 @@ def test_blender_makes_the_motion_of_its_weights(monkeypatch, clip):
     assert base64.b64decode(shown["image/jpeg"]) == blender.player.image.value
     assert "application/vnd.jupyter.widget-view+json" in shown
     for wrong, message in (
-        ({"X": 1}, "unknown style 'X'; the bank has A, B, C, D"),
+        ({"X": 1}, "unknown style 'X'; there is A, B, C, D"),
         ({"A": -1}, "weights >= 0"),
         ({}, "one to"),
     ):
         with pytest.raises(ValueError, match=message):
             blender.weights = wrong
+        with pytest.raises(ValueError, match=message):
+            view.StyleBlender(bank("A", "B", "C", "D"), make, weights=wrong)
+    gc.collect()  # a refused blender is closed without an error
     blender.close()
 
 
 def test_blender_waits_and_shows_the_newest_only(monkeypatch, clip):
-    monkeypatch.setattr(stage, "opengl_works", lambda: False)
+    monkeypatch.setattr(renderers, "opengl_works", lambda: False)
     asked = []
 
     def make(weights):

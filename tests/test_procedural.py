@@ -249,7 +249,7 @@ def test_the_verb_writes_the_same_bytes_every_time(tmp_path, capsys):
     for folder in ("a", "b"):
         with pytest.raises(SystemExit, match=r"^0$"):
             main(["data", "write", "procedural", "--out", str(tmp_path / folder), "--styles", "Old", "--gaits", "FW",
-                  "--seconds", "1"])
+                  "--clip-seconds", "1"])
     files = sorted(p.name for p in (tmp_path / "a").iterdir())
     assert files == ["Dataset_List.csv", "Frame_Cuts.csv", "ProceduralOld_FW.bvh", "ProceduralOld_FW.npz"]
     assert all((tmp_path / "a" / f).read_bytes() == (tmp_path / "b" / f).read_bytes() for f in files)

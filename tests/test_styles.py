@@ -258,7 +258,8 @@ def test_style_add_refuses_in_one_line_and_writes_nothing(tmp_path, small_run, c
     assert "no BVH file" in refused(clips=tmp_path / "empty")
     assert "the bank has Zombie already" in refused(name="Zombie")
     assert "must not be empty nor hold" in refused(name="a=b")
-    assert "--out needs a file name" in refused(out=tmp_path / "nowhere" / "out.safetensors")
+    assert "is a folder" in refused(out=tmp_path / "empty")
+    assert "cannot be written" in refused(out=clips / "a.bvh" / "out.safetensors")
     assert "cannot be read" in refused(model=tmp_path / "none.safetensors")
     assert {p.name for p in tmp_path.iterdir()} == {"run.safetensors", "clips", "empty"}
 

@@ -66,8 +66,10 @@ def test_importing_the_package_loads_no_drawing_library():
 
 
 def test_names_of_the_view_are_listed():
-    assert {"html", "animate"} <= set(dir(view))
-    with pytest.raises(AttributeError, match="it has Controller, Player"):
+    assert {"html", "animate"} <= set(dir(view)) == set(view.__all__)
+    for name in view.__all__:
+        assert getattr(view, name).__name__ == name
+    with pytest.raises(AttributeError, match="nothing"):
         view.nothing  # noqa: B018
 
 
@@ -268,8 +270,10 @@ def test_page_refuses_what_does_not_fit(clip, tmp_path):
         view.html(clip, tmp_path / "x.html", title="x", contacts=torch.ones(59, 2))
     with pytest.raises(ValueError, match="style weights must be"):
         view.html(clip, tmp_path / "x.html", title="x", styles={"Old": np.ones(3)})
-    with pytest.raises(ValueError, match="1 to 9 clips"):
+    with pytest.raises(ValueError, match="got 0 clips, 0 labels"):
         view.html([], tmp_path / "x.html", title="x")
+    with pytest.raises(ValueError, match="1 to 9 clips with a style mapping each; got 10 clips"):
+        view.html([clip] * 10, tmp_path / "x.html", title="x")
     assert not list(tmp_path.iterdir())
 
 
@@ -299,6 +303,14 @@ def test_contacts_light_up_the_standing_foot(clip):
 def test_strip_refuses_an_empty_stretch(clip):
     with pytest.raises(ValueError, match=r"no frame between 5\.0 s"):
         view.strip(clip, start=5.0)
+    with pytest.raises(ValueError, match="needs frames, got 0"):
+        view.strip(clip, frames=0)
+
+
+def test_a_camera_level_with_the_floor_draws(clip, tmp_path):
+    assert view.strip(clip, elevation=0.0, frames=2, dpi=40) is not None
+    with Image.open(view.animate(clip, tmp_path / "walk.png", elevation=0.0, fps=2, height=60)) as picture:
+        assert np.asarray(picture.convert("L")).std() > 10
 
 
 def test_strip_outside_of_a_notebook(clip):

@@ -6,18 +6,18 @@ import sys
 from toolkit.cli import verbs
 
 VERBS = {
-    "demo": ("toolkit.cli.demo:app", "Something to look at in a minute."),
-    "data": ("toolkit.cli.data:app", "Get datasets and look at them."),
+    "demo": ("toolkit.cli.demo:app", "Make something to look at in a minute."),
+    "data": ("toolkit.cli.data:app", "Download datasets and show what they hold."),
     "preprocess": ("toolkit.cli.preprocess:preprocess", "Compute features, phases and contacts of all files into a store."),
-    "train": ("toolkit.cli.train:train", "Train a model; print the error on held-out frames."),
-    "rollout": ("toolkit.cli.rollout:rollout", "Walk straight ahead in a style, write it, and print what was measured."),
-    "export": ("toolkit.cli.export:app", "To other programs: web page, ONNX, glTF, BVH."),
-    "style": ("toolkit.cli.style:app", "Add styles to a trained model, and look at those it has."),
-    "train-stylizer": ("toolkit.cli.stylize:train_stylizer", "Train the motion stylizer of Park et al. 2021."),
-    "stylize": ("toolkit.cli.stylize:stylize_", "Restyle a clip, by noise or by a reference clip."),
+    "train": ("toolkit.cli.train:train", "Train a model and print its error on held-out frames."),
+    "rollout": ("toolkit.cli.rollout:rollout", "Walk straight ahead in a style, write the motion and print measurements."),
+    "export": ("toolkit.cli.export:app", "Write files for other programs: web page, ONNX, glTF, BVH."),
+    "style": ("toolkit.cli.style:app", "Add styles to a trained model, and list its styles."),
+    "train-stylizer": ("toolkit.cli.train_stylizer:train_stylizer", "Train the motion stylizer of Park et al. 2021."),
+    "stylize": ("toolkit.cli.stylize:stylize_clip", "Give a clip another style, from noise or from a reference clip."),
 }
 
-app = verbs.group(VERBS, pretty_exceptions_enable=False, help=__doc__)
+app = verbs.group(VERBS, __doc__)
 
 
 def main(arguments: list[str] | None = None) -> int:

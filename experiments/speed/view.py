@@ -26,16 +26,16 @@ def run(
     """
     from toolkit import datasets, phases
     from toolkit.motion import contacts
-    from toolkit.view import stage
+    from toolkit.view import renderers
+    from toolkit.view.frontend import QUALITY
     from toolkit.view.opengl import opengl_works
     from toolkit.view.player import Player
-    from toolkit.view.screen import QUALITY
 
     threads = torch.get_num_threads()
     torch.set_num_threads(1)
     clips = [datasets.load("procedural", styles=[style], gaits=["FW"], seconds=8.0)[0] for style in ("Neutral", "Zombie")]
     feet = [contacts.detect(clip).numpy() for clip in clips]
-    subjects = [stage.Subject(clip, on) for clip, on in zip(clips, feet, strict=True)]
+    subjects = [renderers.Character(clip, on) for clip, on in zip(clips, feet, strict=True)]
     size = width, height
     print(f"{width} x {height}, {frames} pictures each       median   fastest   CPU time")
 
@@ -48,11 +48,11 @@ def run(
             scene.close()
 
     if opengl_works():
-        rate, picture = drawing("pyvista, one character", stage.Stage, subjects[:1], frames)
-        drawing("pyvista, two in one scene", stage.Stage, subjects, frames)
+        rate, picture = drawing("pyvista, one character", renderers.PyvistaRenderer, subjects[:1], frames)
+        drawing("pyvista, two in one scene", renderers.PyvistaRenderer, subjects, frames)
     else:
         print("pyvista finds no OpenGL here: python -m toolkit.view.opengl")
-    slow, sketch = drawing("software renderer, one", stage.Sketch, subjects[:1], max(frames // 10, 2))
+    slow, sketch = drawing("software renderer, one", renderers.SoftwareRenderer, subjects[:1], max(frames // 10, 2))
     if not opengl_works():
         rate, picture = slow, sketch
     image = Image.fromarray(picture)

@@ -1,1 +1,1 @@
-"""The command line: ``python -m toolkit VERB``, one module a verb."""
+"""The command line ``python -m toolkit VERB``: one module a verb."""

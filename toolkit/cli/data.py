@@ -1,4 +1,4 @@
-"""The verb `data`: fetch datasets, list their styles, count their frames, write the procedural one."""
+"""The verb `data`: download datasets, list their styles, count their frames, write the procedural one."""
 
 import re
 import sys
@@ -9,22 +9,22 @@ import typer
 from tqdm import tqdm
 
 from toolkit import datasets
-from toolkit.cli.verbs import Root
+from toolkit.cli.verbs import ClipSeconds, Root, Seed, Selection
 from toolkit.datasets import home, procedural
 from toolkit.datasets.fetch import ORIGINS, RECORD, fetch, record
 
-app = typer.Typer(no_args_is_help=True, help="Get datasets and look at them.")
+app = typer.Typer(no_args_is_help=True, add_completion=False, help="Download datasets and show what they hold.")
 
 
 @app.command("fetch")
 def data_fetch(
     name: Annotated[str, typer.Argument(help=f"One of {', '.join(ORIGINS)}.")],
-    root: Annotated[Path | None, typer.Option(help="The dataset's folder; by default where every command looks.")] = None,
+    root: Annotated[Path | None, typer.Option(help="Folder for the dataset; by default where verbs look for it.")] = None,
     source: Annotated[str | None, typer.Option("--from", help="Another copy: a file or an address.")] = None,
-    sha256: Annotated[str | None, typer.Option(help="Of the archive, where it is not the published one.")] = None,
+    sha256: Annotated[str | None, typer.Option(help="Checksum of the archive, where it is not the published one.")] = None,
     yes: Annotated[bool, typer.Option("--yes", "-y", help="Do not ask; the terms are accepted.")] = False,
 ) -> None:
-    """Fetch a dataset from its public home, after its size and terms; where that was cut, the same command goes on."""
+    """Download a dataset, after showing its size and terms. A download that was interrupted continues."""
     if name not in ORIGINS:
         raise ValueError(f"{name!r} cannot be fetched; there are {', '.join(ORIGINS)}")
     if sha256 and not re.fullmatch("[0-9a-fA-F]{64}", sha256):
@@ -60,28 +60,26 @@ def data_table1(root: Root = None) -> None:
         print(f"{row.gait:<16}{row.frames:>11,}{row.minutes:>10}{row.ratio:>11.1f}")
 
 
-
 @app.command("list")
 def data_list(
     name: Annotated[str, typer.Argument(help=f"Dataset: {', '.join(datasets.DATASETS)}.")], root: Root = None
 ) -> None:
-    """List a dataset's styles and how many takes of each gait the folder holds."""
+    """List the styles of a dataset, and how many takes of each gait the folder holds."""
     for style, gaits in datasets.contents(name, root).items():
         print(f"{style:<20}" + (", ".join(f"{gait} {n}" for gait, n in gaits.items()) or "no file here"))
-
 
 
 @app.command("write")
 def data_write(
     name: Annotated[str, typer.Argument(help="Dataset: procedural.")],
     out: Annotated[Path, typer.Option(help="Folder to write.")],
-    styles: Annotated[str | None, typer.Option(help="Comma-separated names; all where not given.")] = None,
-    gaits: Annotated[str | None, typer.Option(help="Comma-separated names; all where not given.")] = None,
-    seconds: Annotated[float, typer.Option(help="Length of each clip.")] = 8.0,
-    seed: Annotated[int, typer.Option(help="The same seed gives the same files.")] = 0,
+    styles: Selection = None,
+    gaits: Selection = None,
+    clip_seconds: ClipSeconds = 8.0,
+    seed: Seed = 0,
 ) -> None:
-    """Write the computed dataset as files in 100STYLE's layout, with the true contacts and phases beside them."""
+    """Write the procedural dataset as files in 100STYLE's layout, with its true contacts and phases."""
     if name != "procedural":
         raise ValueError(f"only the procedural dataset can be written, not {name!r}")
-    procedural.write(out, *(None if names is None else names.split(",") for names in (styles, gaits)), seconds, seed)
+    procedural.write(out, styles, gaits, clip_seconds, seed)
     print(f"wrote {len(list(out.glob('*.bvh')))} clips; read them by toolkit.datasets.load('100style', root={str(out)!r})")

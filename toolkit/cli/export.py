@@ -6,53 +6,52 @@ from typing import Annotated
 import typer
 
 from toolkit import export, published
-from toolkit.cli import verbs
+from toolkit.cli.verbs import Published, Selection, TrainedRun
 from toolkit.datasets.procedural import SKELETON
 from toolkit.io import bvh
 
 SKELETONS = {"100style": SKELETON}
 
-app = typer.Typer(no_args_is_help=True, help="To other programs: web page, ONNX, glTF, BVH.")
+app = typer.Typer(no_args_is_help=True, add_completion=False,
+                  help="Write files for other programs: web page, ONNX, glTF, BVH.")
 
 
 @app.command("web")
 def web(
     out: Annotated[Path, typer.Option(help="Page to write: .html.")],
-    model: verbs.TrainedRun = None,
-    parameters: verbs.Published = None,
-    title: Annotated[str, typer.Option(help="Of the page.")] = "A character in any style",
-    styles: Annotated[str | None, typer.Option(help="Comma-separated names; all where not given.")] = None,
+    model: TrainedRun = None,
+    parameters: Published = None,
+    title: Annotated[str, typer.Option(help="Heading of the page.")] = "A character in any style",
+    styles: Selection = None,
     half: Annotated[bool, typer.Option("--half", help="Store numbers in 16 bits: half the size.")] = False,
 ) -> None:
-    """One page that holds network, styles and scene, to be opened by a double click: the character walks in the browser."""
-    from toolkit import view  # drawing libraries, only on demand
+    """Write one page with network, styles and scene; opened by a double click, it shows a character to steer."""
+    from toolkit import view  # imported on demand: it needs the drawing libraries
 
     export.check(out, (".html",))
-    net, bank = published.either(model, parameters)
-    chosen = None if styles is None else styles.split(",")
-    _wrote([view.web(net, bank, out, title=title, styles=chosen, half=half)])
+    _wrote(view.web(*published.either(model, parameters), out, title=title, styles=styles, half=half))
 
 
 @app.command("onnx")
 def onnx(
     out: Annotated[Path, typer.Option(help="File to write: .onnx; the style vectors go beside it.")],
-    model: verbs.TrainedRun = None,
-    parameters: verbs.Published = None,
+    model: TrainedRun = None,
+    parameters: Published = None,
 ) -> None:
-    """The network (gating, experts, style vector as input), and its style vectors as a safetensors file."""
+    """Write the network (gating, experts, style vector as input) as ONNX and its style vectors as safetensors."""
     export.check(out, (".onnx",))
     net, bank = published.either(model, parameters)
-    _wrote(export.onnx.save(net, out, bank))
+    _wrote(*export.onnx.save(net, out, bank))
 
 
 @app.command("clip")
 def clip(
     source: Annotated[Path, typer.Argument(metavar="IN.bvh", help="Motion to read.")],
-    out: Annotated[Path, typer.Argument(metavar="OUT", help=f"File to write: {', '.join(export.SUFFIXES)}.")],
-    skeleton: Annotated[str | None, typer.Option(help=f"Onto another skeleton: {', '.join(SKELETONS)}.")] = None,
+    out: Annotated[Path, typer.Option(help=f"File to write: {', '.join(export.SUFFIXES)}.")],
+    skeleton: Annotated[str | None, typer.Option(help=f"Retarget to another skeleton: {', '.join(SKELETONS)}.")] = None,
     unit: Annotated[float, typer.Option(min=1e-6, help="Metres of one unit of length in IN.bvh.")] = bvh.CENTIMETRE,
 ) -> None:
-    """A BVH file as glTF (skinned mannequin with its animation), BVH, web page, strip of poses or film."""
+    """Convert a BVH file to glTF (skinned mannequin with its animation), BVH, web page, strip of poses or film."""
     export.check(out)
     if skeleton is not None and skeleton not in SKELETONS:
         raise ValueError(f"--skeleton is one of {', '.join(SKELETONS)}; got {skeleton!r}")
@@ -62,9 +61,9 @@ def clip(
     if skeleton is not None:
         motion = export.retarget(motion, SKELETONS[skeleton])
     export.write(motion, out, title=source.stem, progress=True)
-    _wrote([out])
+    _wrote(out)
 
 
-def _wrote(files: list[Path]) -> None:
+def _wrote(*files: Path) -> None:
     for file in files:
         print(f"wrote {file}, {file.stat().st_size / 1e6:.2f} MB")

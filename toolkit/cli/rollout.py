@@ -1,4 +1,4 @@
-"""The verb `rollout`: walk straight ahead in a style or a blend, write and measure it."""
+"""The verb `rollout`: walk straight ahead in a style or a blend, write the motion and measure it."""
 
 from pathlib import Path
 from typing import Annotated
@@ -7,20 +7,20 @@ import torch
 import typer
 
 from toolkit import export, published, runtime
-from toolkit.cli import verbs
+from toolkit.cli.verbs import Published, TrainedRun
 from toolkit.evaluation import metrics
 
 
 def rollout(
     style: Annotated[str, typer.Option(help="A style, or a blend like Zombie=0.5,Old=0.5.")],
     out: Annotated[Path, typer.Option(help=f"File to write: {', '.join(export.SUFFIXES)} (.png: a strip).")],
-    model: verbs.TrainedRun = None,
-    parameters: verbs.Published = None,
-    seconds: Annotated[float, typer.Option(help="How long to walk.")] = 10.0,
+    model: TrainedRun = None,
+    parameters: Published = None,
+    seconds: Annotated[float, typer.Option(help="Length of the motion.")] = 10.0,
     speed: Annotated[float, typer.Option(help="Metres per second.")] = 1.2,
     ik: Annotated[bool, typer.Option(help="Foot and arm IK.")] = True,
 ) -> None:
-    """Walk straight ahead in a style, write it, and print what was measured."""
+    """Walk straight ahead in a style, write the motion and print measurements: speed, hips' height and foot skate."""
     export.check(out)
     net, bank = published.either(model, parameters)
     commands = runtime.straight(speed, seconds)

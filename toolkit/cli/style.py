@@ -1,4 +1,4 @@
-"""Command line: ``python -m toolkit style VERB``."""
+"""The verb `style`: add a style to a trained model from clips, and list the styles of a model."""
 
 import math
 from importlib import resources
@@ -7,39 +7,38 @@ from typing import Annotated
 
 import typer
 
-from toolkit.cli import verbs
+from toolkit import export
+from toolkit.cli.verbs import Seed, TrainedRun
 from toolkit.io import bvh, model_files
 from toolkit.networks import Model
 from toolkit.networks.bank import StyleBank
 from toolkit.styles.fine_tuning import METHODS, STEPS, fine_tune
 
-app = typer.Typer(no_args_is_help=True, help="Add styles to a trained model, and look at those it has.")
-
+app = typer.Typer(no_args_is_help=True, add_completion=False, help="Add styles to a trained model, and list its styles.")
 
 
 @app.command("add")
 def add(
-    clips: Annotated[Path, typer.Option(help="A BVH file of the style, or a folder of them; whole files are learnt.")],
-    name: Annotated[str, typer.Option(help="What the style is called.")],
-    out: Annotated[Path, typer.Option(help="The file to write: as --model, with one style more.")],
-    model: verbs.TrainedRun = None,
-    method: Annotated[str | None, typer.Option(help=f"{', '.join(METHODS)}; the best it can by default.")] = None,
-    steps: Annotated[int, typer.Option(min=1, help="Of gradient descent.")] = STEPS,
-    mirror: Annotated[bool, typer.Option("--mirror", help="Learn from mirror images too; for symmetric styles.")] = False,
-    seed: Annotated[int, typer.Option(help="The same seed gives the same vector.")] = 0,
+    clips: Annotated[Path, typer.Option(help="A BVH file of the style, or a folder of them; whole files are used.")],
+    name: Annotated[str, typer.Option(help="Name of the new style.")],
+    out: Annotated[Path, typer.Option(help="File to write: as --model, with one more style.")],
+    model: TrainedRun = None,
+    method: Annotated[str | None, typer.Option(help=f"{', '.join(METHODS)}; by default the best for the model.")] = None,
+    steps: Annotated[int, typer.Option(min=1, help="Steps of gradient descent.")] = STEPS,
+    mirror: Annotated[bool, typer.Option("--mirror", help="Use mirror images too; for symmetric styles.")] = False,
+    seed: Seed = 0,
 ) -> None:
-    """Learn a style from a few clips or one (4 s or more each); everything else in the file stays the same bits.
+    """Learn a style from one clip or more (4 s or more each); everything else in the file keeps the same bits.
 
-    A model that has its FiLM generator fine-tunes it (a copy: the file keeps the old one). One that was stored without, as
-    the embedded one, has the style vector itself optimised.
+    A model that has its FiLM generator fine-tunes a copy of it. For one that was stored without, such as the embedded one,
+    the style vector itself is optimised.
     """
     files = sorted(clips.rglob("*.bvh")) if clips.is_dir() else [clips]
     if not files:
         raise ValueError(f"{clips}: no BVH file in this folder")
     if not name.strip() or any(c in name for c in "=,"):
         raise ValueError(f"a style's name must not be empty nor hold '=' or ',', got {name!r}")
-    if out.is_dir() or not out.parent.is_dir():
-        raise ValueError(f"{out}: --out needs a file name in a folder that exists")
+    export.check(out, ())
     tensors, parts, network, bank = _read(model)
     made = fine_tune(network, [bvh.load(file) for file in files], name, bank, method=method, steps=steps, mirror=mirror,
                      seed=seed, progress=True)
@@ -54,7 +53,7 @@ def add(
 
 
 @app.command("list")
-def list_(model: verbs.TrainedRun = None) -> None:
+def list_(model: TrainedRun = None) -> None:
     """List the styles of a model, each with its nearest ones."""
     bank = _read(model)[3]
     for name in bank:
@@ -66,7 +65,7 @@ def _print_near(bank: StyleBank, name: str) -> None:
 
 
 def _read(path: Path | None) -> tuple[dict, dict, Model, StyleBank]:
-    """Tensors and parts of a run's file, and the model and bank among them."""
+    """Tensors and description in a model's file, the model and its bank."""
     if path is None:
         with resources.as_file(resources.files("toolkit") / "data" / "pretrained.safetensors") as embedded:
             return _read(embedded)

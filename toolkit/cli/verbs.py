@@ -1,4 +1,4 @@
-"""Commands that are imported when they are run: help is quick, and what one of them needs may be missing for the others."""
+"""What the verbs share: their options, and a command line that imports a verb when it is run, so that help is quick."""
 
 import functools
 import io
@@ -12,84 +12,80 @@ from typing import Annotated
 import typer
 from typer.core import TyperCommand, TyperGroup
 
+
+class Names(list):
+    """Names that the user separated by commas."""
+
+    def __init__(self, text: str):
+        super().__init__(text.split(","))
+
+
 PUBLISHED = "Folder of the published parameters, or lpn-film-100style once fetched."
-TrainedRun = Annotated[Path | None, typer.Option("--model", help="A trained run; the embedded one where not given.")]
-Root = Annotated[Path | None, typer.Option(help="Folder that holds the dataset.")]
 Published = Annotated[Path | None, typer.Option("--published", help=PUBLISHED)]
+TrainedRun = Annotated[Path | None, typer.Option("--model", help="File of a trained model; by default the embedded one.")]
+Root = Annotated[Path | None, typer.Option(help="Folder that holds the dataset.")]
+Selection = Annotated[Names | None, typer.Option(parser=Names, metavar="A,B,…", help="Names to use; by default all.")]
+Mirror = Annotated[bool, typer.Option("--mirror", help="Add mirror images (100STYLE: of symmetric styles).")]
+Seed = Annotated[int, typer.Option(help="The same seed gives the same result.")]
+Device = Annotated[str, typer.Option(help="cpu, cuda, …")]
+Resume = Annotated[bool, typer.Option("--resume", help="Continue from OUT.checkpoint, which a stopped run leaves.")]
+ClipSeconds = Annotated[float | None, typer.Option(help="Length of each procedural clip.")]
 
 
-def group(homes: Mapping[str, tuple[str, str]], **settings) -> typer.Typer:
-    """A command line of verbs.
+class Verb(TyperCommand):
+    """A verb whose name and help are known before its module is imported."""
 
-    Parameters
-    ----------
-    homes
-        Verb to where it lives, as ``"module:name"`` of a function or a typer application, and its help in one line.
-    **settings
-        What `typer.Typer` takes.
+    def __init__(self, name: str, home: str, text: str):
+        super().__init__(name, help=text)
+        self.home = home
+
+    @functools.cached_property
+    def imported(self) -> TyperCommand | TyperGroup:
+        """The verb with its options, or its group of verbs."""
+        module, name = self.home.split(":")
+        app = getattr(import_module(module), name)
+        if not isinstance(app, typer.Typer):
+            function, app = app, typer.Typer(add_completion=False)
+            app.command()(function)
+        return typer.main.get_command(app)
+
+    def make_context(self, *arguments, **options):
+        """Parse the arguments of the verb, which then takes this one's place."""
+        return self.imported.make_context(*arguments, **options)
+
+
+def group(homes: Mapping[str, tuple[str, str]], text: str) -> TyperGroup:
+    """A command line of verbs, with ``text`` as its help.
+
+    ``homes`` holds for each verb ``"module:name"`` of a function or a typer application, and its help in one line.
     """
-
-    class Verbs(TyperGroup):
-        @property
-        def commands(self) -> dict[str, TyperCommand | TyperGroup]:
-            """All of them, imported: for what walks the whole tree."""
-            return {name: _whole(home) for name, (home, _) in homes.items()}
-
-        @commands.setter
-        def commands(self, none: dict) -> None:
-            """For the parent class, which would keep them here."""
-
-        def list_commands(self, context: typer.Context) -> list[str]:
-            return list(homes)
-
-        def get_command(self, context: typer.Context, name: str) -> TyperCommand | None:
-            """Enough of a verb to list it."""
-            return TyperCommand(name, help=homes[name][1]) if name in homes else None
-
-        def resolve_command(self, context: typer.Context, arguments: list[str]) -> tuple:
-            name, _, rest = super().resolve_command(context, arguments)
-            return name, _whole(homes[name][0]), rest
-
-    app = typer.Typer(cls=Verbs, no_args_is_help=True, add_completion=False, **settings)
-    app.callback()(lambda: None)
-    return app
+    return TyperGroup(commands={name: Verb(name, *home) for name, home in homes.items()}, no_args_is_help=True, help=text)
 
 
-@functools.cache
-def _whole(home: str) -> TyperCommand | TyperGroup:
-    module, name = home.split(":")
-    found = getattr(import_module(module), name)
-    if isinstance(found, typer.Typer):
-        return typer.main.get_group(found)
-    app = typer.Typer(add_completion=False)
-    app.command()(found)
-    return typer.main.get_command(app)
-
-
-def execute(app: typer.Typer, arguments: list[str] | None = None) -> int:
-    """Run a command line; returns the exit status. Bad input is one line on stderr and status 2."""
+def execute(app: TyperGroup, arguments: list[str] | None = None) -> int:
+    """Run a command line; returns the exit status. Bad input prints one line on stderr and gives status 2."""
     if isinstance(sys.stdout, io.TextIOWrapper):
-        sys.stdout.reconfigure(errors="replace")  # a pipe on Windows has no letters like → or ±
+        sys.stdout.reconfigure(errors="replace")  # a pipe on Windows cannot encode letters such as → or ±
     try:
         app(arguments, standalone_mode=True)
     except (ValueError, OSError, ImportError) as error:
-        _say(f"error: {error}")
+        _print_error(f"error: {error}")
         return 2
     except KeyboardInterrupt:
-        _say("stopped")
+        _print_error("stopped")
         return 130
     return 0
 
 
 class Lines(logging.Handler):
-    """Log records as lines on stderr."""
+    """Prints log records as lines on stderr."""
 
     def emit(self, record: logging.LogRecord) -> None:  # noqa: D102
-        _say(record.getMessage())
+        _print_error(record.getMessage())
 
 
-def _say(line: str) -> None:
+def _print_error(line: str) -> None:
     from toolkit.training import distributed
 
-    if distributed.first():  # of several processes that train together, one
+    if distributed.first():
         print("".join(c if c.isprintable() else repr(c)[1:-1] for c in line), file=sys.stderr)

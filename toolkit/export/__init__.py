@@ -1,4 +1,4 @@
-"""Out to other programs: clips as motion, page, picture or film, the network as ONNX."""
+"""Export to other programs: clips as motion, web page, picture or film, networks as ONNX."""
 
 import os
 from collections.abc import Sequence
@@ -15,41 +15,49 @@ SUFFIXES = (".bvh", ".html", ".png", ".mp4", ".gif", ".webp", ".apng", ".glb")  
 
 
 def check(path: str | os.PathLike, suffixes: Sequence[str] = SUFFIXES) -> Path:
-    """The path, if its suffix is one of those and it is no folder; else a ValueError, before long work is done for it.
+    """The path, if a file can be written there; called before long work.
 
-    An ImportError names what is not installed for it.
+    Raises
+    ------
+    ValueError
+        If the path is a folder, cannot be written to, or has none of the ``suffixes`` (without any, all are accepted).
+    ImportError
+        If a drawing library that the suffix needs is not installed.
     """
     path = Path(path)
-    if path.suffix not in suffixes:
+    if suffixes and path.suffix not in suffixes:
         raise ValueError(f"{path}: can write {', '.join(suffixes)}, not {path.suffix or 'a file without suffix'!r}")
     if path.is_dir():
         raise ValueError(f"{path}: is a folder; a file name is needed")
-    if path.suffix in SUFFIXES and path.suffix != ".bvh":
-        import_module("toolkit.view")  # drawing libraries, only on demand; an ImportError names the extra
+    folder = next(parent for parent in path.absolute().parents if parent.exists())
+    if not (folder.is_dir() and os.access(folder, os.W_OK)):
+        raise ValueError(f"{path}: cannot be written, {folder} is not a folder that can be written to")
+    if suffixes and path.suffix in SUFFIXES and path.suffix != ".bvh":
+        import_module("toolkit.view")  # imported on demand: it needs the drawing libraries
     return path
 
 
 def write(clip: Clip, path: str | os.PathLike, *, title: str = "Motion", source: Clip | None = None,
           progress: bool = False) -> None:
-    """Write a clip as motion (.bvh, .glb), web page (.html), strip of poses (.png) or film; folders are made.
+    """Write a clip as motion (.bvh, .glb), web page (.html), strip of poses (.png) or film; missing folders are made.
 
     Parameters
     ----------
     clip
         The motion.
     path
-        The file; its suffix, one of `SUFFIXES`, says which kind.
+        The file; its suffix, one of `SUFFIXES`, selects the format.
     title
-        What the motion is called in a page or picture.
+        Name of the motion in a page or picture.
     source
-        What it was made of, shown beside it in pages, pictures and films.
+        The motion it was made from, shown beside it in pages, pictures and films.
     progress
         Show a bar while a film is drawn.
 
     Raises
     ------
     ValueError
-        If the suffix is another.
+        If the suffix is unknown.
     """
     path = check(path)
     if path.suffix in (".bvh", ".glb"):
@@ -57,7 +65,6 @@ def write(clip: Clip, path: str | os.PathLike, *, title: str = "Motion", source:
         return
     from toolkit import view
 
-    path.parent.mkdir(parents=True, exist_ok=True)
     clips, labels = ([clip], None) if source is None else ([source, clip], ["source", title])
     if path.suffix == ".html":
         view.html(clips, path, title=title, labels=labels)

@@ -1,34 +1,23 @@
-"""Look at motion: web page, pictures still and moving, notebook player, charts. The only importer of drawing libraries."""
+"""Pictures, animations, web pages, notebook widgets and charts of motion. The only importer of drawing libraries."""
 
-from importlib import import_module
 from importlib.util import find_spec
+
+import lazy_loader
 
 _NEEDS = ("anywidget", "ipywidgets", "matplotlib", "PIL", "plotly", "pyvista", "sklearn")
 if _missing := [name for name in _NEEDS if find_spec(name) is None]:
     raise ImportError(f'pages, pictures and widgets need {", ".join(_missing)}: pip install ".[view]"')
 
-_HOME = {
-    "animate": "animation", "contact_sheet": "animation", "loop": "animation", "crowd": "group",
-    "html": "page", "web": "live_page",
-    "strip": "picture",
-    "play": "player", "Player": "player",
-    "Controller": "controller",
-    "StyleBlender": "style_blender", "StyleTriangle": "style_blender",
-    "StyleExplorer": "explorer", "explore": "explorer",
-    "phase_figure": "phase_figures", "phase_manifold": "phase_figures", "principal_axes": "phase_figures",
-    "style_space": "figures", "training_curves": "figures", "trajectory_figure": "figures",
-}
-__all__ = ["Controller", "Player", "StyleBlender", "StyleExplorer", "StyleTriangle", "animate", "contact_sheet", "crowd",
-           "explore", "html", "loop", "phase_figure", "phase_manifold", "play", "principal_axes", "strip", "style_space",
-           "training_curves", "trajectory_figure", "web"]
-
-
-def __getattr__(name: str):
-    """Import what is asked for: a web page needs no pyvista, a strip no plotly."""
-    if name not in _HOME:
-        raise AttributeError(f"toolkit.view has no {name!r}; it has {', '.join(__all__)}")
-    return getattr(import_module(f"toolkit.view.{_HOME[name]}"), name)
-
-
-def __dir__() -> list[str]:
-    return __all__
+__getattr__, __dir__, __all__ = lazy_loader.attach(__name__, submod_attrs={  # a web page needs no pyvista, a strip no plotly
+    "animation": ["animate", "contact_sheet", "crowd", "loop"],
+    "controller": ["Controller"],
+    "explorer": ["StyleExplorer", "explore"],
+    "figures": ["style_space", "training_curves", "trajectory_figure"],
+    "live_page": ["web"],
+    "page": ["html"],
+    "phase_figures": ["phase_figure", "phase_manifold", "principal_axes"],
+    "picture": ["strip"],
+    "player": ["Player", "play"],
+    "style_blender": ["StyleBlender"],
+    "triangle": ["StyleTriangle"],
+})

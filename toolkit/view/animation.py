@@ -1,4 +1,4 @@
-"""Moving pictures and contact sheets: clips seen by a camera that goes along, drawn by the software renderer."""
+"""Animations, contact sheets and crowds, drawn by the software renderer."""
 
 import os
 from collections.abc import Iterable, Iterator, Sequence
@@ -16,22 +16,22 @@ from toolkit.io.files import atomic_write
 from toolkit.motion import Clip, on_cpu
 from toolkit.motion import rotations as R
 from toolkit.view import body
-from toolkit.view.picture import FLOOR, INK, PAPER, contact_list, label, steady_frames
+from toolkit.view.picture import FLOOR, INK, PAPER, Shot, cast, steady_frames
 from toolkit.view.raycast import Canvas
 
 LINE, GRID = "#bfbab0", 0.5  # lines on the floor; metres between them
 BOTTOM = -0.3  # metres of floor shown below the feet
-FINE = 2  # drawn this many times larger, then averaged
+FINE = 2  # pictures are drawn this many times larger, then averaged
+TINT, MARGIN = 0.55, 0.4  # of a crowd: share of a character's own colour, metres around all characters
 SUFFIXES = (".gif", ".png", ".apng", ".webp", ".mp4")
 
 
 def animate(clips: Clip | Sequence[Clip], path: str | os.PathLike, *, labels: Sequence[str] | None = None,
             columns: int | None = None, fps: float = 20.0, height: int = 200, view: float = 45.0, elevation: float = 12.0,
             contacts=None, caption: str = "", colors: int = 64, progress: bool = False) -> Path:
-    """Write a looping picture of one or more motions, each in a cell of its own, on a floor whose lines show the travel.
+    """Write a looping animation of one or more motions, each in its own cell, on a floor whose lines show the travel.
 
-    The clips are shown as they are; `loop` finds the part of a clip that repeats without a jump. A clip that is shorter than
-    the longest starts again.
+    `loop` finds the part of a clip that repeats without a jump. A clip shorter than the longest starts again.
 
     Parameters
     ----------
@@ -46,28 +46,26 @@ def animate(clips: Clip | Sequence[Clip], path: str | os.PathLike, *, labels: Se
     fps
         Pictures per second.
     height
-        Pixels of a cell from top to bottom; its width follows from how far the arms reach.
+        Height of a cell in pixels; its width follows from how far the arms reach.
     view, elevation
         Degrees: the camera's angle from the facing direction (90 is from the right side) and above the floor.
     contacts
-        Foot contacts [F, 2] (right, left) above one half where a foot stands, or one array per clip; shown on the feet.
+        Foot contacts [F, 2] (right, left), above one half where a foot stands, or one array per clip; shown on the feet.
     caption
         Text below the picture.
     colors
-        Of a ``.gif``: fewer make a smaller file.
+        Number of colours of a ``.gif``: fewer make a smaller file.
     progress
         Show a bar.
 
     Raises
     ------
     ValueError
-        If there is no clip, the suffix is another one, or labels or contacts do not fit the clips.
+        If there is no clip, the suffix is unknown, or labels or contacts do not fit the clips.
     ImportError
-        If a film is asked for and PyAV is missing.
+        If an ``.mp4`` is asked for and PyAV is missing.
     """
-    path = Path(path)
-    if path.suffix not in SUFFIXES:
-        raise ValueError(f"an animation is a {', '.join(SUFFIXES[:-1])} or {SUFFIXES[-1]} file; got {path.name}")
+    path = _checked(path)
     shots, labels = _shots(clips, labels, contacts, view, elevation)
     columns = columns or len(shots)
     room = _room(shots, labels, height)
@@ -75,27 +73,10 @@ def animate(clips: Clip | Sequence[Clip], path: str | os.PathLike, *, labels: Se
 
     def drawn() -> Iterator[Image.Image]:
         for k in tqdm(range(max(length, 1)), desc=path.name, disable=not progress):
-            cells = [shot.draw(round(k * shot.clip.fps / fps) % len(shot.clip), *room) for shot in shots]
+            cells = [shot.cell(round(k * shot.clip.fps / fps) % len(shot.clip), *room) for shot in shots]
             yield _sheet(cells, columns, labels, caption)
 
-    return write(drawn(), path, fps, colors)
-
-
-def write(frames: Iterable[Image.Image], path: Path, fps: float, colors: int) -> Path:
-    """Write pictures of equal size as one looping file, see `animate`."""
-    if path.suffix == ".mp4":
-        _film(frames, path, fps)
-        return path
-    frames = list(frames)
-    how = {"save_all": True, "duration": round(1000 / fps), "loop": 0}
-    if path.suffix == ".gif":
-        frames = _reduce(frames, colors)
-        how["optimize"] = False
-    elif path.suffix == ".webp":
-        how["quality"] = 80
-    with atomic_write(path) as file:
-        frames[0].save(file, Image.registered_extensions()[path.suffix], append_images=frames[1:], **how)
-    return path
+    return _write(drawn(), path, fps, colors)
 
 
 def contact_sheet(clips: Clip | Sequence[Clip], path: str | os.PathLike | None = None, *, columns: int = 8,
@@ -105,20 +86,14 @@ def contact_sheet(clips: Clip | Sequence[Clip], path: str | os.PathLike | None =
 
     Parameters
     ----------
-    clips
-        One clip or several.
+    clips, labels, view, elevation, contacts, progress
+        As in `animate`; a label is the text of a row.
     path
         Picture file to write (any format Pillow knows).
-    columns
-        Poses per row.
-    labels
-        Text of each row; by default style and gait, else the clip's name.
-    strides
-        How many strides of each clip (see `loop`).
+    columns, strides
+        Poses per row, and the number of strides (see `loop`) that they show.
     height
         Pixels of the highest row.
-    view, elevation, contacts, progress
-        As in `animate`.
 
     Raises
     ------
@@ -131,9 +106,8 @@ def contact_sheet(clips: Clip | Sequence[Clip], path: str | os.PathLike | None =
     reach, _, scale = _room(shots, [], height)
     cells = []
     for shot in tqdm(shots, desc="contact sheet", disable=not progress):
-        start, stop = loop(shot.clip, strides)
-        poses = np.linspace(start, stop, columns, endpoint=False).round().astype(int)
-        cells += [shot.draw(frame, reach, shot.top, scale) for frame in poses]  # every row as high as it needs
+        poses = np.linspace(*loop(shot.clip, strides), columns, endpoint=False).round().astype(int)
+        cells += [shot.cell(frame, reach, shot.top + 0.05, scale) for frame in poses]  # every row as high as it needs
     sheet = _sheet(cells, columns, labels)
     if path is not None:
         with atomic_write(path) as file:
@@ -141,11 +115,59 @@ def contact_sheet(clips: Clip | Sequence[Clip], path: str | os.PathLike | None =
     return sheet
 
 
+def crowd(clips: Sequence[Clip], path: str | os.PathLike, *, fps: float = 12.5, width: int = 960, view: float = 30.0,
+          elevation: float = 32.0, colors: int = 96, progress: bool = False) -> Path:
+    """Write a looping animation of characters that share a floor, each in its own colour, seen by a fixed camera.
+
+    Parameters
+    ----------
+    clips
+        One per character, of one skeleton, length and rate.
+    path, colors, progress
+        As in `animate`.
+    fps
+        Pictures per second; 0 writes the last frame alone.
+    width
+        Pixels.
+    view, elevation
+        Degrees: the camera's angle about the vertical and above the floor.
+
+    Raises
+    ------
+    ValueError
+        If there is no clip, they differ in length, rate or skeleton, or the suffix is unknown.
+    """
+    path, clips = _checked(path), on_cpu(clips)
+    if len({(len(clip), clip.fps, clip.skeleton.names) for clip in clips}) != 1:
+        raise ValueError(f"a crowd needs clips of one length, rate and skeleton, got {len(clips)} that differ or none")
+    first = clips[0]
+    at = np.arange(max(1, round(first.seconds * fps))) / fps if fps else np.array([first.seconds])
+    frames = np.minimum(np.round(at * first.fps).astype(int), len(first) - 1)
+    still, shapes = np.zeros((len(first), 3)), body.build(first)
+    shots = [Shot(clip, None, frames, still, np.radians(view), np.radians(elevation), shapes) for clip in clips]
+    camera = shots[0].camera
+    low, high = body.bounds(shapes, np.stack([shot.places for shot in shots]))
+    (x0, y0), (x1, y1) = low[:2] - MARGIN, high[:2] + MARGIN
+    tints = [np.array(to_rgb(body.PALETTE[i % len(body.PALETTE)])) for i in range(len(clips))]
+    looks = [(1 - TINT) * body.colors(shapes) + TINT * tint for tint in tints]
+    lamp = camera @ np.array([-0.35, 1.0, 0.25])
+
+    def drawn() -> Iterator[Image.Image]:
+        for k in tqdm(range(len(frames)), desc=path.name, disable=not progress):
+            canvas = Canvas((x0, x1, y0, y1), FINE * width / (x1 - x0), camera)
+            for shot, look in zip(shots, looks, strict=True):
+                canvas.draw(shapes, shot.places[k], look)
+                canvas.shadow(shapes, shot.places[k], lamp)
+            yield _image(_on_floor(canvas, np.eye(3)[::2], [2 * GRID, 2 * GRID], [0, 0]))
+
+    return _write(drawn(), path, fps or 1.0, colors)
+
+
 def loop(clip: Clip, strides: int = 2) -> tuple[int, int]:
     """First and last (not included) frame of the part of a clip that shows some strides and best ends as it began.
 
-    The stride is the first lag, of 0.4 to 3 seconds, at which the body looks again much as it did: the dips of YIN's
-    normalised difference (de Cheveigné, Kawahara 2002), of poses instead of sound. Clips too short for that are taken whole.
+    The stride is the first lag, of 0.4 to 3 seconds, after which the pose nearly repeats: the minima of YIN's normalised
+    difference (de Cheveigné, Kawahara 2002), of poses instead of sound. Clips too short for that are taken whole.
     """
     longest = min(round(3 * clip.fps), (len(clip) - 1) // strides, len(clip) - round(0.25 * clip.fps))
     shortest = round(0.4 * clip.fps)
@@ -163,82 +185,60 @@ def loop(clip: Clip, strides: int = 2) -> tuple[int, int]:
     mean = mean * lags / np.maximum(mean.cumsum(), 1e-9)
     dips = [k for k in range(shortest, longest - 1) if mean[k] <= min(mean[k - 1], mean[k + 1])]
     stride = lags[next((k for k in dips if mean[k] < 1.5 * mean[dips].min() + 0.05), shortest + mean[shortest:].argmin())]
-    rows = np.column_stack((pose, np.gradient(pose, axis=0) * (0.1 * clip.fps), 4 * facing))  # the seam is smooth, too
+    rows = np.column_stack((pose, np.gradient(pose, axis=0) * (0.1 * clip.fps), 4 * facing))  # velocities match, too
     totals = range(round(0.93 * strides * stride), min(round(1.07 * strides * stride), len(clip) - 1) + 1)
     total = min(totals, key=lambda n: apart(rows, n).min())
     start = int(apart(rows, total).argmin())
     return start, start + total
 
 
-class _Shot:
-    """A clip seen by a camera that goes along at a steady pace, in cells of one size."""
+class _Follow(Shot):
+    """A clip seen by a camera that follows at a steady pace."""
 
     def __init__(self, clip: Clip, contacts: np.ndarray | None, view: float, elevation: float):
-        self.clip, self.shapes = clip, body.build(clip)
-        self.contacts = None if contacts is None else contacts > 0.5
         walked, facing = steady_frames(clip, 0.5)
         straight = np.linspace(walked[0], walked[-1], len(walked))
         self.path = straight + gaussian_filter1d(walked - straight, 0.25 * clip.fps, axis=0, mode="wrap")
-        angle = np.radians(view) - np.arctan2(np.sin(facing).mean(), np.cos(facing).mean())
-        e = np.radians(elevation)
-        self.turn = np.array([[np.cos(angle), 0, np.sin(angle)], [0, 1, 0], [-np.sin(angle), 0, np.cos(angle)]])
-        tilt = np.array([[1, 0, 0], [0, np.cos(e), -np.sin(e)], [0, np.sin(e), np.cos(e)]])
-        self.camera, self.lamp = tilt @ self.turn, tilt @ np.array([-0.25, 1.0, 0.25])
-        places = body.placements(self.shapes, clip.global_rotations, clip.global_positions).astype(np.float64)
-        places[..., 3] -= self.path[:, None]
-        self.places = self.camera @ places
-        self.sine = np.sin(e)
-        low, high = body.bounds(self.shapes, self.places)
-        self.reach, self.top = max(-low[0], high[0]) + 0.03, high[1] + 0.05
+        azimuth = np.radians(view) - np.arctan2(np.sin(facing).mean(), np.cos(facing).mean())
+        super().__init__(clip, contacts, np.arange(len(clip)), self.path, azimuth, np.radians(elevation))
         travel = (walked[-1] - walked[0]) * (len(walked) / max(len(walked) - 1, 1))  # to where the next round begins
         length = float(np.linalg.norm(travel))
         along = travel / length if length > GRID else np.array([np.sin(facing[0]), 0.0, np.cos(facing[0])])
         self.axes = np.stack((along, np.cross(along, [0.0, 1.0, 0.0])))
-        self.spacing = np.array([length / round(length / GRID) if length > GRID else GRID, GRID])
+        self.spacing = [length / round(length / GRID) if length > GRID else GRID, GRID]
 
-    def draw(self, frame: int, reach: float, top: float, scale: float) -> np.ndarray:
+    def cell(self, frame: int, reach: float, top: float, scale: float) -> np.ndarray:
         """Picture [H, W, 3] of a frame, 0 to 1: ``reach`` metres to either side, ``top`` high, ``scale`` pixels each."""
-        canvas = Canvas((-reach, reach, BOTTOM, top), FINE * scale)
-        places = self.places[frame]
-        canvas.draw(self.shapes, places, body.colors(self.shapes, None if self.contacts is None else self.contacts[frame]))
-        canvas.shadow(self.shapes, places, self.camera[:, 1], np.zeros(3), self.lamp)
-        paper, ground, line = (np.array(to_rgb(c), np.float32) for c in (PAPER, FLOOR, LINE))
-        near = np.clip((0.3 - canvas.y) / 0.4, 0, 1)[:, None, None]  # the floor fades into the paper
-        floor = np.broadcast_to(paper * (1 - near) + ground * near, (canvas.height, canvas.width, 3)).copy()
-        rows = np.flatnonzero(near[:, 0, 0] > 0)
-        floor[rows] += (near[rows, :, 0] * self._lines(canvas, rows, frame))[..., None] * (line - ground)
-        picture = canvas.image(floor, paper)
-        h, w = (n // FINE * FINE for n in picture.shape[:2])
-        return sum(picture[i:h:FINE, k:w:FINE] for i in range(FINE) for k in range(FINE)) / FINE**2
-
-    def _lines(self, canvas: Canvas, rows: np.ndarray, frame: int) -> np.ndarray:
-        """How much of each pixel [R, W] of the floor a line covers."""
-        covered = 0.0
-        for axis, spacing in zip(self.axes, self.spacing, strict=True):
-            sideways, _, deep = self.turn @ axis
-            slope = np.array([sideways, -deep / self.sine])  # of the place along the axis, per metre of picture
-            place = slope[0] * canvas.x + slope[1] * canvas.y[rows, None] + axis @ (self.path[frame] - self.path[0])
-            pixels = np.abs(place - spacing * np.round(place / spacing)) * canvas.scale / np.linalg.norm(slope)
-            covered = np.maximum(covered, np.clip(0.5 * FINE + 0.5 - pixels, 0, 1))
-        return covered
+        canvas = Canvas((-reach, reach, BOTTOM, top), FINE * scale, self.camera)
+        self.draw(canvas, frame, (-0.25, 1.0, 0.25))
+        near = np.clip((0.3 - canvas.y) / 0.4, 0, 1)  # the floor fades into the paper
+        return _on_floor(canvas, self.axes, self.spacing, self.axes @ (self.path[frame] - self.path[0]), near)
 
 
-def _shots(clips, labels, contacts, view: float, elevation: float) -> tuple[list[_Shot], list[str]]:
-    clips = on_cpu(clips)
-    labels = [label(clip) for clip in clips] if labels is None else list(labels)
-    if not clips or len(labels) != len(clips):
-        raise ValueError(f"a picture needs clips and a label per clip; got {len(clips)} clips, {len(labels)} labels")
-    contacts = contact_list(contacts, clips)
-    return [_Shot(clip, con, view, elevation) for clip, con in zip(clips, contacts, strict=True)], labels
+def _on_floor(canvas: Canvas, axes: np.ndarray, spacing: Sequence[float], start: Sequence[float],
+              near: np.ndarray | float = 1.0) -> np.ndarray:
+    """The canvas on a floor with lines, see `Canvas.lines`; ``near`` [H] is the floor's share, the rest is paper."""
+    paper, ground, line = (np.array(to_rgb(c), np.float32) for c in (PAPER, FLOOR, LINE))
+    near, covered = np.reshape(near, (-1, 1, 1)), canvas.lines(axes, spacing, start, FINE)[..., None]
+    return canvas.image(paper * (1 - near) + ground * near + near * covered * (line - ground), paper, FINE)
 
 
-def _room(shots: Sequence[_Shot], labels: Sequence[str], height: int) -> tuple[float, float, float]:
-    """Metres to either side and upwards that every cell shows, labels above the heads, and pixels per metre."""
+def _image(picture: np.ndarray) -> Image.Image:
+    return Image.fromarray((255 * picture + 0.5).astype(np.uint8))
+
+
+def _shots(clips, labels, contacts, view: float, elevation: float) -> tuple[list[_Follow], list[str]]:
+    clips, labels, contacts = cast(clips, labels, contacts)
+    return [_Follow(clip, con, view, elevation) for clip, con in zip(clips, contacts, strict=True)], labels
+
+
+def _room(shots: Sequence[_Follow], labels: Sequence[str], height: int) -> tuple[float, float, float]:
+    """Metres to either side and upwards that every cell shows, with labels above the heads, and pixels per metre."""
     font = _font(height)
     text = max([font.getlength(name) + font.size for name in labels if name], default=0)
-    top = max(shot.top for shot in shots) + (0.2 if text else 0.0)
+    top = max(shot.top + 0.05 for shot in shots) + (0.2 if text else 0.0)
     scale = height / (top - BOTTOM)
-    return max(0.7, text / 2 / scale, *(shot.reach for shot in shots)), top, scale
+    return max(0.7, text / 2 / scale, *(shot.reach + 0.03 for shot in shots)), top, scale
 
 
 def _font(height: int) -> ImageFont.FreeTypeFont:
@@ -257,15 +257,40 @@ def _sheet(cells: Sequence[np.ndarray], columns: int, labels: Sequence[str], cap
     text = ImageDraw.Draw(sheet)
     for i, cell in enumerate(cells):
         x, y = i % columns * w, int(tops[i // columns])
-        sheet.paste(Image.fromarray((255 * cell + 0.5).astype(np.uint8)), (margin + x, y))
+        sheet.paste(_image(cell), (margin + x, y))
         if i % apart == 0:
             text.text((x + 0.5 * size, y + 0.4 * size), labels[i // apart], INK, font)
     text.text((0.5 * size, tops[-1] + 0.3 * size), caption, INK, font)
     return sheet
 
 
-def _film(frames: Iterable[Image.Image], path: Path, fps: float) -> None:
-    """Write an MP4 that browsers play: H.264, 4:2:0 and so of even width and height."""
+def _checked(path: str | os.PathLike) -> Path:
+    path = Path(path)
+    if path.suffix not in SUFFIXES:
+        raise ValueError(f"an animation is a {', '.join(SUFFIXES[:-1])} or {SUFFIXES[-1]} file; got {path.name}")
+    return path
+
+
+def _write(frames: Iterable[Image.Image], path: Path, fps: float, colors: int) -> Path:
+    """Write pictures of equal size as one looping file."""
+    if path.suffix == ".mp4":
+        return _film(frames, path, fps)
+    frames = list(frames)
+    options = {"save_all": True, "duration": round(1000 / fps), "loop": 0}
+    if path.suffix == ".gif":  # one palette of a few colours, taken from some of the frames
+        sample = np.concatenate([np.asarray(frame) for frame in frames[:: max(1, len(frames) // 6)]])
+        palette = Image.fromarray(sample).quantize(colors, Image.Quantize.MEDIANCUT)
+        frames = [frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in frames]
+        options["optimize"] = False
+    elif path.suffix == ".webp":
+        options["quality"] = 80
+    with atomic_write(path) as file:
+        frames[0].save(file, Image.registered_extensions()[path.suffix], append_images=frames[1:], **options)
+    return path
+
+
+def _film(frames: Iterable[Image.Image], path: Path, fps: float) -> Path:
+    """Write an MP4 that browsers play: H.264, 4:2:0 and therefore of even width and height."""
     try:
         import av
     except ImportError:
@@ -279,14 +304,4 @@ def _film(frames: Iterable[Image.Image], path: Path, fps: float) -> None:
                 stream.height, stream.width = picture.shape[:2]
             film.mux(stream.encode(av.VideoFrame.from_ndarray(np.ascontiguousarray(picture))))
         film.mux(stream.encode())
-
-
-def _reduce(frames: list[Image.Image], colors: int) -> list[Image.Image]:
-    """The same pictures with one palette of a few colours, taken from some of them."""
-    some = frames[:: max(1, len(frames) // 6)]
-    width, height = some[0].size
-    sample = Image.new("RGB", (width, height * len(some)))
-    for k, frame in enumerate(some):
-        sample.paste(frame, (0, k * height))
-    palette = sample.quantize(colors, Image.Quantize.MEDIANCUT)
-    return [frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in frames]
+    return path

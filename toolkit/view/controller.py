@@ -1,16 +1,13 @@
-"""A character steered live in a notebook: the kernel computes 60 frames a second, the page draws each as it comes.
+"""A character steered live in a notebook: the kernel computes 60 frames a second, the page draws each as it arrives.
 
-Every frame is one message with one binary buffer. Two cores that also draw the page keep up with it; where a graphics
-processor draws, the rate is what the kernel computes. The kernel stops by itself when nobody looks: the page acknowledges
-frames, and `PATIENCE` seconds later (a closed tab, a cleared output) the character waits for a page to ask again.
+Every frame is one message with one binary buffer. The page acknowledges frames. Without an acknowledgement for `PATIENCE`
+seconds (a closed tab, a cleared output) the kernel stops, until a page asks again.
 """
 
 import asyncio
 import math
 from collections.abc import Mapping, Sequence
-from importlib import resources
 
-import anywidget
 import numpy as np
 import torch
 import traitlets
@@ -18,15 +15,17 @@ import traitlets
 from toolkit import runtime
 from toolkit.motion import Clip, trajectory
 from toolkit.runtime import FPS, Command
+from toolkit.view.frontend import running_loop, static
 from toolkit.view.page import skeleton_data
+from toolkit.view.triangle import Corners, corners
 
-PATIENCE = 2.0  # seconds without a sign of a page after which the character waits
+PATIENCE = 2.0  # seconds without a message from the page after which the character waits
 TURN = 2.0  # radians per second while a turn key is held
-RUN = 2.2  # a run, in walking speeds
-EASE = 0.12  # share of the way that the blend goes to the marker in a frame
+RUN = 2.2  # speed of a run, relative to walking
+EASE = 0.12  # share of the difference to the marker's blend that a frame removes
 
 
-class Controller(anywidget.AnyWidget):
+class Controller(Corners):
     """A character under control: keys W A S D walk, Q E turn, Shift runs; a stick, a gamepad; a triangle of three styles.
 
     Parameters
@@ -34,22 +33,22 @@ class Controller(anywidget.AnyWidget):
     model, bank
         A model and its style bank, e.g. of `toolkit.pretrained`.
     styles
-        The triangle's corners, three names of the bank; its first three by default.
+        The triangle's corners, three names of the bank; by default its first three.
     speed
-        Walking speed, metres per second.
+        Walking speed, metres per second; can be set later.
     size
         Pixels of the picture: width, height.
 
     Attributes
     ----------
     state
-        The character now, a `toolkit.runtime.CharacterState`.
+        The character's current `toolkit.runtime.CharacterState`.
     names, weights
         Corners of the triangle and their shares.
     frames
-        How many were computed so far.
+        Number of frames computed so far.
     feet, arms
-        Whether foot IK and arm IK act; ``speed`` likewise can be set.
+        Whether foot IK and arm IK are on.
     recording
         While true, frames are kept for `clip`; setting it to true starts a new recording.
 
@@ -59,12 +58,10 @@ class Controller(anywidget.AnyWidget):
         If a style is unknown.
     """
 
-    _esm = (resources.files("toolkit.view") / "static" / "scene.js").read_text(encoding="utf-8")
+    _esm = static("scene.js")
     skeleton = traitlets.Dict().tag(sync=True)
     styles = traitlets.List(traitlets.Unicode()).tag(sync=True)
     size = traitlets.List(traitlets.Int(), [640, 480]).tag(sync=True)
-    names = traitlets.List(traitlets.Unicode(), minlen=3, maxlen=3).tag(sync=True)
-    weights = traitlets.List(traitlets.Float(), [1.0, 0.0, 0.0], minlen=3, maxlen=3).tag(sync=True)
     speed = traitlets.Float(1.0, min=0.1, max=3.0).tag(sync=True)
     feet = traitlets.Bool(True).tag(sync=True)
     arms = traitlets.Bool(True).tag(sync=True)
@@ -78,73 +75,54 @@ class Controller(anywidget.AnyWidget):
         if len(names) != 3:
             raise ValueError(f"a triangle has three styles, got {names}")
         self._model, self._bank = model, bank
-        self._vector = self._target = bank.blend(_merge(names, [1.0, 0.0, 0.0]))
+        self._vector = self._target = bank.blend(dict.fromkeys(names, 0.0) | {names[0]: 1.0})
         self.state = runtime.start(model, self._vector)
         self._facing = 0.0
         self._input = {"id": 0, "move": [0.0, 0.0], "turn": 0.0, "run": False, "heading": None}
         self.frames = self._seen = 0
         self._recorded: list[tuple[torch.Tensor, torch.Tensor]] = []
         skeleton = skeleton_data(runtime.record(model, [self.state]))
-        super().__init__(names=names, styles=list(bank.names), speed=speed, size=list(size), skeleton=skeleton)
+        super().__init__(names=names, weights=[1.0, 0.0, 0.0], styles=list(bank.names), speed=speed, size=list(size),
+                         skeleton=skeleton)
         self.on_msg(self._receive)
-        try:
-            self._loop = asyncio.get_running_loop()
-        except RuntimeError:
-            return
-        self._wake = asyncio.Event()
-        self._task = self._loop.create_task(self._run())
+        self._loop = running_loop()
+        if self._loop is not None:
+            self._wake = asyncio.Event()
+            self._task = self._loop.create_task(self._run())
 
-    @property
-    def blend(self) -> dict[str, float]:
-        """What the marker asks for: style to share; assign to move the marker (up to three styles of the bank)."""
-        return _merge(self.names, self.weights)
-
-    @blend.setter
+    @Corners.blend.setter
     def blend(self, weights: Mapping[str, float]) -> None:
-        total = sum(weights.values())
-        if not 1 <= len(weights) <= 3 or min(weights.values()) < 0 or not total > 0:
-            raise ValueError(f"a blend needs one to three weights >= 0 and not all zero, got {dict(weights)}")
-        for name in weights:
-            self._bank[name]
-        others = [name for name in [*self.names, *self._bank.names] if name not in weights]
-        names = [*weights, *others, *weights][:3]
-        shares = [weights[name] / total for name in weights] + [0.0] * (3 - len(weights))
+        """Style to share at the marker; assign up to three styles of the bank to move it."""
+        names, shares = corners(self._bank, weights, [*self.names, *self._bank.names])
         with self.hold_sync():
             self.names, self.weights = names, shares
 
     @property
     def clip(self) -> Clip:
-        """What was recorded, on the model's whole skeleton.
-
-        Raises
-        ------
-        ValueError
-            If nothing was recorded.
-        """
+        """The recording, on the model's whole skeleton; a ValueError if there is none."""
         if not self._recorded:
             raise ValueError("nothing recorded yet: press Record (or set recording = True) and walk")
         rotations, roots = (torch.stack(column) for column in zip(*self._recorded, strict=True))
         return Clip(self._model.layout.skeleton, rotations, roots, FPS, name="controller")
 
     def steer(self, ahead: float = 0.0, right: float = 0.0, turn: float = 0.0, *, run: bool = False) -> None:
-        """Hold keys down from a program: shares in [-1, 1] ahead, to the right and of turning left."""
+        """Steer from a program, as held keys do: shares in [-1, 1] ahead, to the right and of turning left."""
         self._input |= {"move": [right, ahead], "turn": turn, "run": run, "heading": None}
 
     def advance(self, frames: int = 1) -> None:
-        """Compute frames at once, whether a page looks or not."""
+        """Compute frames at once, with or without a page."""
         for _ in range(frames):
             self._step()
 
     def close(self) -> None:
-        """Stop and take the widget away."""
+        """Stop and remove the widget."""
         if self._task is not None and not self._loop.is_closed():
             self._loop.call_soon_threadsafe(self._task.cancel)
         super().close()
 
     @traitlets.observe("names", "weights")
     def _aim(self, _change: dict) -> None:
-        if len(self.weights) == len(self.names):
-            self._target = self._bank.blend(self.blend)
+        self._target = self._bank.blend(self.blend)
 
     @traitlets.observe("recording")
     def _record(self, change: dict) -> None:
@@ -152,7 +130,7 @@ class Controller(anywidget.AnyWidget):
             self._recorded = []
 
     def _receive(self, _widget, message: dict, _buffers) -> None:
-        """A page's message (any thread): keep what it says, wake the task."""
+        """A message of a page (any thread): store it, wake the task."""
         if message["kind"] == "input":
             self._input = {name: message[name] for name in self._input}
         self._seen = -math.inf if message["kind"] == "closed" else self.frames
@@ -160,16 +138,16 @@ class Controller(anywidget.AnyWidget):
             self._loop.call_soon_threadsafe(self._wake.set)
 
     def _command(self) -> Command:
-        """The hand's wish as a command in the world."""
-        wish = self._input
-        fast = self.speed * (RUN if wish["run"] else 1.0)
-        if wish["heading"] is not None:
-            x, z = wish["heading"]
+        """The user's input as a command in world coordinates."""
+        held = self._input
+        fast = self.speed * (RUN if held["run"] else 1.0)
+        if held["heading"] is not None:
+            x, z = held["heading"]
             self._facing = math.atan2(x, z)
             return Command((fast * x, fast * z), (x, z))
-        self._facing += TURN / FPS * wish["turn"]
+        self._facing += TURN / FPS * held["turn"]
         s, c = math.sin(self._facing), math.cos(self._facing)
-        right, ahead = wish["move"]
+        right, ahead = held["move"]
         scale = fast / max(1.0, math.hypot(right, ahead))
         return Command((scale * (ahead * s - right * c), scale * (ahead * c + right * s)), (s, c))
 
@@ -188,7 +166,7 @@ class Controller(anywidget.AnyWidget):
         self.send({"kind": "frame", "frame": self.frames, "input": self._input["id"]}, [message.tobytes()])
 
     async def _run(self) -> None:
-        """One frame every 1/60 s while a page looks; late frames are dropped, not made up for."""
+        """One frame every 1/60 s while a page answers; late frames are dropped."""
         try:
             due = self._loop.time()
             while True:
@@ -197,15 +175,7 @@ class Controller(anywidget.AnyWidget):
                     await self._wake.wait()
                     due = self._loop.time()
                 self._step()
-                due = max(due + 1 / FPS, self._loop.time() - 1 / FPS)  # late by more than a frame: dropped
+                due = max(due + 1 / FPS, self._loop.time() - 1 / FPS)
                 await asyncio.sleep(max(0.002, due - self._loop.time()))
-        except Exception as error:  # shown in the view: nothing else would report it
+        except Exception as error:  # shown in the page: nothing else would report it
             self.status = f"stopped: {type(error).__name__}: {error}"
-
-
-def _merge(names: Sequence[str], weights: Sequence[float]) -> dict[str, float]:
-    """Style to share; a style at two corners has both shares."""
-    blend: dict[str, float] = {}
-    for name, share in zip(names, weights, strict=True):
-        blend[name] = blend.get(name, 0.0) + share
-    return blend

@@ -2,7 +2,6 @@
 
 import io
 from collections.abc import Callable, Mapping, Sequence
-from importlib import resources
 
 import anywidget
 import ipywidgets as widgets
@@ -20,81 +19,61 @@ from toolkit.networks import Model
 from toolkit.networks.bank import StyleBank
 from toolkit.styles.space import embed
 from toolkit.view.figures import INK, QUIET, style_space
+from toolkit.view.frontend import in_notebook, static
 from toolkit.view.picture import PAPER
-from toolkit.view.player import _in_notebook
 from toolkit.view.style_blender import StyleBlender
 
-CLIPS = "#b9bdc4"  # colour of single clips
 SIDE = 560  # pixels of the map, both ways
 SECONDS, SPEED = 3.0, 1.0  # of the walk that is played, metres per second
-SETTLE = 1.5  # seconds that it walks before: from standing into the style
+SETTLE = 1.5  # seconds of walking before, in which the character goes from standing into the style
 
 
 def explore(model: Model, bank: StyleBank, *, points: Tensor | None = None, groups: Sequence[str] | None = None,
-            cloud: tuple[Tensor, Sequence[str]] | None = None, joined: Sequence[tuple[str, str]] = (),
-            make_clip: Callable[[dict[str, float]], Clip] | None = None,
+            joined: Sequence[tuple[str, str]] = (), make_clip: Callable[[dict[str, float]], Clip] | None = None,
             size: tuple[int, int] = (480, 420)) -> "StyleExplorer | go.Figure":
-    """A map of styles to walk through.
+    """A map of styles to explore; outside of notebooks, the map alone as a plotly figure.
 
     Parameters
     ----------
     model, bank
-        A model and its styles, three or more: trained, embedded, or the published one.
+        A model and its styles, three or more.
     points
-        Where the styles are on the map, ``[S, 2]``; by default the t-SNE of their vectors (`toolkit.styles.embed`).
+        Positions of the styles on the map, ``[S, 2]``; by default the t-SNE of their vectors (`toolkit.styles.embed`).
     groups
         S labels, a colour each.
-    cloud
-        Further small dots ``[N, 2]`` and the style of each, such as of single clips (`toolkit.styles.clip_vectors`), in the
-        same map as ``points``.
     joined
         Pairs of styles to draw a line between.
     make_clip
         Takes ``{style: weight}`` and returns the motion to play; by default the model walks straight ahead.
     size
         Pixels of the picture of the motion.
-
-    Returns
-    -------
-    StyleExplorer or plotly Figure
-        The map alone outside of notebooks, where no widget could be shown.
     """
     points = embed(bank.vectors) if points is None else torch.as_tensor(points)
-    figure = chart(bank, points, groups, cloud, joined)
-    return StyleExplorer(model, bank, points, figure, make_clip=make_clip, size=size) if _in_notebook() else figure
+    figure = chart(bank, points, groups, joined)
+    return StyleExplorer(model, bank, points, figure, make_clip=make_clip, size=size) if in_notebook() else figure
 
 
 def chart(bank: StyleBank, points: Tensor, groups: Sequence[str] | None = None,
-          cloud: tuple[Tensor, Sequence[str]] | None = None,
           joined: Sequence[tuple[str, str]] = ()) -> go.Figure:
     """The map as a plotly figure; see `explore`."""
     figure = style_space(points, bank.names, groups, title="Style space")
-    below = []
+    above = len(figure.data)
     for pair in joined:
         a, b = (points[bank.names.index(name)].tolist() for name in pair)
-        below.append(go.Scatter(x=[a[0], b[0]], y=[a[1], b[1]], mode="lines", line={"color": QUIET, "width": 1},
-                                hoverinfo="skip", showlegend=False))
-    if cloud is not None:
-        places, styles = torch.as_tensor(cloud[0]).numpy(), cloud[1]
-        below.append(go.Scatter(x=places[:, 0], y=places[:, 1], text=list(styles), mode="markers", name="single clips",
-                                hovertemplate="%{text}, a clip<extra></extra>", marker={"size": 4, "color": CLIPS}))
-    above = list(figure.data)
-    figure.add_traces(below)
-    figure.data = (*figure.data[len(above) :], *above)
+        figure.add_scatter(x=[a[0], b[0]], y=[a[1], b[1]], mode="lines", line={"color": QUIET, "width": 1}, hoverinfo="skip",
+                           showlegend=False)
+    figure.data = figure.data[above:] + figure.data[:above]  # lines below points
     return figure.update_layout(width=SIDE, height=SIDE, dragmode="pan", margin={"l": 16, "r": 16, "t": 44, "b": 16},
                                 legend={"orientation": "h", "y": 0.0, "yanchor": "top"})
 
 
 class StyleMap(anywidget.AnyWidget):
-    """A plotly figure with a ring to drag. (Plotly's own FigureWidget shows nothing with some versions of anywidget.)
+    """A plotly figure with a ring to drag, at ``place`` [x, y] in the figure's units, a trait that can be observed and set.
 
-    Attributes
-    ----------
-    place
-        Where the ring is, [x, y] in the figure's units; a trait, so it can be observed and set.
+    Plotly's own FigureWidget shows nothing with some versions of anywidget.
     """
 
-    _esm = get_plotlyjs() + (resources.files("toolkit.view") / "static" / "map.js").read_text(encoding="utf-8")
+    _esm = get_plotlyjs() + static("map.js")
     figure = traitlets.Unicode().tag(sync=True)
     place = traitlets.List(traitlets.Float(), [0.0, 0.0], minlen=2, maxlen=2).tag(sync=True)
 
@@ -102,24 +81,22 @@ class StyleMap(anywidget.AnyWidget):
 class StyleExplorer(StyleBlender):
     """The map of `explore` beside a `toolkit.view.StyleBlender`, which plays what is chosen.
 
-    A point between styles stands for the blend of the three around it: its barycentric weights in the triangle of the
-    Delaunay triangulation that it lies in; outside of all, of the nearest point inside.
+    A place between styles stands for a blend of three: its barycentric weights in the triangle around it, from the Delaunay
+    triangulation of the points. A place outside of all triangles stands for the nearest place inside.
 
     Parameters
     ----------
     model, bank, points, make_clip, size
         As in `explore`.
     figure
-        The map as a plotly figure; made from the points where not given.
+        The map as a plotly figure; by default made from the points.
 
     Attributes
     ----------
     map
         The `StyleMap`.
-    weights
-        The blend ``{style: weight}``; assigning one makes and shows its motion before it returns, and moves the ring.
-    player, triangle
-        As of the blender.
+    weights, player, triangle
+        As of the blender; assigning weights also moves the ring.
 
     Raises
     ------
@@ -147,12 +124,12 @@ class StyleExplorer(StyleBlender):
         self.map.on_msg(self._clicked)
         self.map.observe(self._dragged, "place")
         for widget, trait in ((self.triangle, "weights"), *((menu, "value") for menu in self._menus)):
-            widget.observe(self._steered, trait)
+            widget.observe(self._follow, trait)
         self.children = (self.map, widgets.VBox(self.children, layout={"align_items": "center"}))
         self.layout.flex_flow = "row wrap"
 
     def blend_at(self, x: float, y: float) -> dict[str, float]:
-        """The blend that a place on the map stands for: up to three styles, weights that sum to one."""
+        """The blend at a place on the map: up to three styles, weights that sum to one."""
         place = self.points.new_tensor([x, y])
         triangle = int(self._triangles.find_simplex(place.numpy()))
         if triangle < 0:
@@ -161,26 +138,26 @@ class StyleExplorer(StyleBlender):
         first, *edges = self.points[corners]
         second, third = torch.linalg.solve(torch.stack([e - first for e in edges], 1), place - first).tolist()
         shares = [max(0.0, w) for w in (1 - second - third, second, third)]
-        return {self._names[i]: w / sum(shares) for i, w in zip(corners, shares, strict=True) if w > 1e-6}
+        return {self._bank.names[i]: w / sum(shares) for i, w in zip(corners, shares, strict=True) if w > 1e-6}
 
     def aim(self, blend: dict[str, float]) -> None:
-        """Ask for a blend of up to three styles, from any thread; of several in a row only the newest is played."""
+        """Play a blend of up to three styles, from any thread; of several calls in a row only the newest is played."""
         self._set(blend)
         self._changed({})
-        self._put()
+        self._follow()
 
     @StyleBlender.weights.setter
     def weights(self, weights: Mapping[str, float]) -> None:
         """Make and show the motion of a blend, and move the ring there."""
         StyleBlender.weights.fset(self, weights)
-        self._put()
+        self._follow()
 
     def _repr_mimebundle_(self, **kwargs) -> dict:
-        """The widget, and a picture of the map for pages that show none (a notebook on GitHub, nbconvert)."""
+        """The widget, and a picture of the map for pages without widgets (a notebook on GitHub, nbconvert)."""
         figure = Figure(figsize=(7, 6), facecolor=PAPER, layout="constrained")
         axes = figure.subplots()
         axes.plot(*self.points.T.numpy(), "o", color="#7b68c4", markersize=5)
-        for name, place in zip(self._names, self.points.tolist(), strict=True):
+        for name, place in zip(self._bank.names, self.points.tolist(), strict=True):
             axes.annotate(name, place, fontsize=6, color=INK, xytext=(3, 3), textcoords="offset points")
         axes.set(title="Style space", xticks=[], yticks=[], aspect="equal")
         picture = io.BytesIO()
@@ -198,22 +175,19 @@ class StyleExplorer(StyleBlender):
         return nearest[edge], next(i for i, t in enumerate(self._triangles.simplices.tolist()) if ends <= set(t))
 
     def _place(self) -> list[float]:
-        """Where the blend is on the map."""
-        return sum(share * self.points[self._names.index(name)] for name, share in self.weights.items()).tolist()
+        """Position of the blend on the map."""
+        return sum(share * self.points[self._bank.names.index(name)] for name, share in self.weights.items()).tolist()
 
     def _clicked(self, _widget, message: dict, _buffers) -> None:
-        if message.get("style") in self._names:
+        if message.get("style") in self._bank.names:
             self.aim({message["style"]: 1.0})
 
     def _dragged(self, change: dict) -> None:
-        """The ring moved, by hand or by `_put`, which leaves it where the blend is."""
+        """The user moved the ring; `_follow` moves it too, but only to the position of the blend."""
         if max(abs(a - b) for a, b in zip(change["new"], self._place(), strict=True)) > 1e-9:
             self.aim(self.blend_at(*change["new"]))
 
-    def _steered(self, _change: dict) -> None:
-        """Menus or triangle moved by hand: the ring goes along."""
+    def _follow(self, _change: dict | None = None) -> None:
+        """Move the ring to the blend, after menus, triangle or weights changed."""
         if not self._setting:
-            self._put()
-
-    def _put(self) -> None:
-        self.map.place = self._place()
+            self.map.place = self._place()

@@ -27,9 +27,9 @@ def style_space(vectors, names: Sequence[str], labels: Sequence[str] | None = No
     names
         S names, shown on hover, and as text where there are at most forty.
     labels
-        S groups: one colour and one entry of the legend each.
+        S groups, with a colour and an entry of the legend each.
     marked
-        Further points to stand out, name -> position [2], such as a blend.
+        Further points, name -> position [2], shown as stars, such as a blend.
     title
         Heading.
 
@@ -48,18 +48,16 @@ def style_space(vectors, names: Sequence[str], labels: Sequence[str] | None = No
         own = [k for k, g in enumerate(groups) if g == group]
         figure.add_scatter(
             x=points[own, 0], y=points[own, 1], text=[names[k] for k in own], name=group or "styles",
-            textposition="top center",
-            mode="markers+text" if len(names) <= 40 else "markers", textfont={"size": 11}, showlegend=labels is not None,
+            mode="markers+text" if len(names) <= 40 else "markers", textposition="top center", textfont={"size": 11},
             marker={"size": 11, "color": PALETTE[i % len(PALETTE)], "line": {"color": "white", "width": 1.5}},
-            hovertemplate="<b>%{text}</b><br>" + group + "<extra></extra>",
+            hovertemplate="<b>%{text}</b><br>" + group + "<extra></extra>", showlegend=labels is not None,
         )
     for name, place in (marked or {}).items():
         x, y = _array(place)
         figure.add_scatter(x=[x], y=[y], text=[name], name=name, mode="markers+text", textposition="bottom center",
                            marker={"size": 16, "color": INK, "symbol": "star"})
-    figure.update_xaxes(showticklabels=False, gridcolor=GRID, zeroline=False)
-    figure.update_yaxes(showticklabels=False, gridcolor=GRID, zeroline=False, scaleanchor="x")
-    return figure.update_layout(**LAYOUT, title=title, height=620)
+    plain = {"showticklabels": False, "zeroline": False}
+    return finish(figure, title, 620, plain, plain | {"scaleanchor": "x"})
 
 
 def training_curves(history: Sequence[Mapping] | Mapping[str, Sequence], *, title: str = "Training") -> go.Figure:
@@ -89,13 +87,10 @@ def training_curves(history: Sequence[Mapping] | Mapping[str, Sequence], *, titl
         kept = [r for r in rows if isinstance(r.get(name), int | float) and r[name] > 0]
         if kept:
             figure.add_scatter(x=[r["step"] for r in kept], y=[r[name] for r in kept], name=name, mode="lines+markers",
-                               customdata=[r.get("elapsed", float("nan")) for r in kept],
-                               line={"color": PALETTE[i % len(PALETTE)], "width": 2.5}, marker={"size": 5},
-                               hovertemplate=f"{name} %{{y:.4g}} at step %{{x:,}}, %{{customdata:.0f}} s<extra></extra>",
-                               )
-    figure.update_xaxes(title="step", gridcolor=GRID)
-    figure.update_yaxes(title="error", type="log", gridcolor=GRID)
-    return figure.update_layout(**LAYOUT, title=title, height=420)
+                               customdata=[r.get("elapsed", float("nan")) for r in kept], marker={"size": 5},
+                               line={"color": PALETTE[i % len(PALETTE)], "width": 2.5},
+                               hovertemplate=f"{name} %{{y:.4g}} at step %{{x:,}}, %{{customdata:.0f}} s<extra></extra>")
+    return finish(figure, title, 420, {"title": "step"}, {"title": "error", "type": "log"})
 
 
 def trajectory_figure(clips: Clip | Sequence[Clip], target=None, *, labels: Sequence[str] | None = None,
@@ -107,11 +102,9 @@ def trajectory_figure(clips: Clip | Sequence[Clip], target=None, *, labels: Sequ
     clips
         One motion or several.
     target
-        Path that was asked for, [N, 2] (x, z) in metres.
-    labels
-        Names of the clips.
-    title
-        Heading.
+        The path that was asked for, [N, 2] (x, z) in metres.
+    labels, title
+        Names of the clips, and the heading.
     """
     clips = on_cpu(clips)
     labels = [c.style or c.name for c in clips] if labels is None else list(labels)
@@ -122,15 +115,21 @@ def trajectory_figure(clips: Clip | Sequence[Clip], target=None, *, labels: Sequ
                            line={"color": QUIET, "width": 8}, opacity=0.35)
     for i, (clip, name) in enumerate(zip(clips, labels, strict=True)):
         x, z = -_array(clip.root_positions)[:, 0], _array(clip.root_positions)[:, 2]  # seen from above, +X is on the left
-        line = {"color": PALETTE[i % len(PALETTE)], "width": 2.5}
-        figure.add_scatter(x=x, y=z, name=name, mode="lines", line=line, customdata=np.arange(len(clip)) / clip.fps,
+        color = PALETTE[i % len(PALETTE)]
+        figure.add_scatter(x=x, y=z, name=name, mode="lines", line={"color": color, "width": 2.5},
+                           customdata=np.arange(len(clip)) / clip.fps,
                            hovertemplate="%{customdata:.2f} s<extra>" + name + "</extra>")
         marks = np.unique((np.arange(0, clip.seconds) * clip.fps).round().astype(int).clip(max=len(clip) - 1))
         figure.add_scatter(x=x[marks], y=z[marks], name=f"{name}, each second", mode="markers", showlegend=False,
-                           hoverinfo="skip", marker={"size": 7, "color": line["color"]})
-    figure.update_xaxes(title="metres to the right", gridcolor=GRID)
-    figure.update_yaxes(title="metres ahead", scaleanchor="x", gridcolor=GRID)
-    return figure.update_layout(**LAYOUT, title=title, height=520)
+                           hoverinfo="skip", marker={"size": 7, "color": color})
+    return finish(figure, title, 520, {"title": "metres to the right"}, {"title": "metres ahead", "scaleanchor": "x"})
+
+
+def finish(figure: go.Figure, title: str, height: int, x: Mapping, y: Mapping, **layout) -> go.Figure:
+    """The figure with the layout of all charts; ``x`` and ``y`` are further properties of the axes."""
+    figure.update_xaxes(gridcolor=GRID, **x)
+    figure.update_yaxes(gridcolor=GRID, **y)
+    return figure.update_layout(**LAYOUT, title=title, height=height, **layout)
 
 
 def _array(values) -> np.ndarray:

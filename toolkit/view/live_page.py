@@ -1,4 +1,4 @@
-"""A character under control in one HTML file: network, runtime and scene run in the browser, without a server or Python."""
+"""A character under control in one HTML file: network, runtime and scene run in the browser, without server or Python."""
 
 import base64
 import os
@@ -18,36 +18,29 @@ from toolkit.io import bvh
 from toolkit.networks.film import EPSILON
 from toolkit.view import page
 
-CORNERS = "Neutral", "Zombie", "Aeroplane"  # of the triangle at first, where the bank has them
-PANEL = 8  # outputs whose weights lie together, see ``scene/network.js``
+CORNERS = "Neutral", "Zombie", "Aeroplane"  # the triangle's first corners, if the bank has them
+PANEL = 8  # outputs whose weights are stored together, see ``scene/network.js``
 START = "globalThis.view = toolkitScene.character(stage, data);"
 
 
 def web(model, bank, path: str | os.PathLike, *, title: str = "A character under control",
         styles: Sequence[str] | None = None, half: bool = False) -> Path:
-    """Write a page, opened by a double click, with a character steered by keyboard, touch, gamepad and style triangle.
+    """Write a page with a character that keyboard, touch, gamepad and a style triangle steer; opened by a double click.
 
     The whole runtime is in the page: features, network, trajectory, foot and arm IK, 60 frames a second. ``docs/runtime.md``
-    says how large such a file is, how long a frame takes and how equal it is to `toolkit.runtime`.
+    says how large the file is, how long a frame takes and how equal it is to `toolkit.runtime`.
 
     Parameters
     ----------
     model, bank
         An LPN-FiLM and its style bank, e.g. of `toolkit.pretrained`.
-    path
-        The file to write, whole or not at all.
-    title
-        Heading of the page.
+    path, title
+        The file to write, and the heading of the page.
     styles
-        Which styles go in, the triangle's corners at first before the others; all of the bank by default.
+        The styles to include, first the triangle's corners; by default all of the bank.
     half
-        Store the experts' weights as float16: half the file, weights rounded to 3 decimal digits. The embedded model's are
-        float16 already.
-
-    Returns
-    -------
-    Path
-        The file.
+        Store the experts' weights as float16, rounded to 3 decimal digits: half the file. The embedded model's are float16
+        already.
 
     Raises
     ------
@@ -67,8 +60,8 @@ def web(model, bank, path: str | os.PathLike, *, title: str = "A character under
 
 
 def pack(model, bank, half: bool = False) -> dict[str, Any]:
-    """Everything that ``scene/character.js`` takes (the format is described there)."""
-    from toolkit.runtime.compiled import frame, ik  # their constants; numba is slow to import
+    """The data of ``scene/character.js``, which describes the format."""
+    from toolkit.runtime.compiled import frame, ik  # imported on demand: numba is slow to import
     from toolkit.view import controller
 
     layout: Layout = model.layout
@@ -81,9 +74,10 @@ def pack(model, bank, half: bool = False) -> dict[str, Any]:
         "network": {
             "means": [numbers(kind.mean) for kind in kinds],
             "deviations": [numbers(kind.std) for kind in kinds],
-            "gating": {"widths": _widths([layer.weight.T for layer in gating]),
+            "gating": {"widths": [gating[0].weight.shape[1], *(len(layer.bias) for layer in gating)],
                        "layers": [numbers(panels(layer.weight.T[None], layer.bias[None])) for layer in gating]},
-            "experts": {"count": len(experts[0].weight), "widths": _widths([layer.weight[0] for layer in experts]),
+            "experts": {"count": len(experts[0].weight),
+                        "widths": [experts[0].weight.shape[1], *(layer.bias.shape[1] for layer in experts)],
                         "layers": [numbers(panels(layer.weight, layer.bias), half) for layer in experts]},
             "epsilon": EPSILON,
         },
@@ -100,13 +94,7 @@ def pack(model, bank, half: bool = False) -> dict[str, Any]:
 
 
 def numbers(values: Tensor, half: bool = False) -> dict[str, str]:
-    """Numbers as a page keeps them: little-endian float32 or float16, base64.
-
-    Raises
-    ------
-    ValueError
-        If one is not finite, or too large for float16.
-    """
+    """Numbers in a page: little-endian float32 or float16, base64; a ValueError if one is not finite or too large."""
     kind = np.dtype("<f2" if half else "<f4")
     with np.errstate(over="ignore"):
         array = values.detach().numpy().astype(kind)
@@ -123,16 +111,12 @@ def panels(weight: Tensor, bias: Tensor) -> Tensor:
     return whole.unflatten(-1, (-1, PANEL)).permute(2, 0, 1, 3).contiguous()
 
 
-def _widths(matrices: Sequence[Tensor]) -> list[int]:
-    return [len(matrices[0]), *(matrix.shape[1] for matrix in matrices)]
-
-
 def _plain(fields: dict[str, Any]) -> dict[str, Any]:
     return {name: value.tolist() if isinstance(value, np.ndarray) else value for name, value in fields.items()}
 
 
 def _bvh(model, state) -> dict[str, Any]:
-    """What a recording's file starts with, and its joints in the order of its channels."""
+    """The header of a recording's file, and its joints in the order of their channels."""
     with tempfile.TemporaryDirectory() as folder:
         bvh.save(runtime.record(model, [state]), Path(folder) / "one.bvh")
         header, _ = (Path(folder) / "one.bvh").read_text(encoding="utf-8").split("MOTION")

@@ -1,6 +1,6 @@
-"""OpenGL for pyvista: VTK's wheel brings none, and the first picture without it would end the process.
+"""OpenGL for pyvista: VTK's wheel has none, and without it the first picture would crash the process.
 
-``python -m toolkit.view.opengl`` installs it where that is one command away (root on Debian or Ubuntu), or says how.
+``python -m toolkit.view.opengl`` installs it as root on Debian or Ubuntu, and says elsewhere how to install it.
 """
 
 import os
@@ -9,8 +9,7 @@ import subprocess
 import sys
 from functools import cache
 
-PACKAGES = ("libegl1", "libgl1-mesa-dri")
-INSTALL = f"apt-get install -y --no-install-recommends {' '.join(PACKAGES)}"
+INSTALL = "apt-get install -y --no-install-recommends libegl1 libgl1-mesa-dri"
 PROBE = """
 import vtkmodules.vtkRenderingOpenGL2
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
@@ -28,7 +27,7 @@ if sys.platform.startswith("linux") and not os.environ.get("DISPLAY"):
 
 @cache
 def opengl_works() -> bool:
-    """Whether VTK can draw here, tried once in a child process (without the libraries it would crash this one)."""
+    """Whether VTK can draw here, tried once in a child process, which crashes where OpenGL is missing."""
     try:
         done = subprocess.run([sys.executable, "-c", PROBE], capture_output=True, timeout=60, check=False)
     except (OSError, subprocess.TimeoutExpired):
@@ -38,22 +37,15 @@ def opengl_works() -> bool:
 
 @cache
 def explain_missing_opengl() -> None:
-    """Say once how pyvista gets its OpenGL."""
+    """Print once how to install OpenGL for pyvista."""
     print(f"pyvista finds no OpenGL here, so a slower built-in renderer draws. On Debian or Ubuntu: {INSTALL}")
 
 
-def install() -> None:
-    """Install OpenGL where it is missing and can be; a failure is no error, since everything works without, slower."""
-    if opengl_works():
-        return
+if __name__ == "__main__" and not opengl_works():
     if sys.platform.startswith("linux") and os.geteuid() == 0 and shutil.which("apt-get"):
-        quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL, "check": False}
-        subprocess.run(["apt-get", "update"], **quiet)
-        subprocess.run(INSTALL.split(), env=os.environ | {"DEBIAN_FRONTEND": "noninteractive"}, **quiet)
+        for command in ("apt-get update", INSTALL):  # a failure is no error: pictures work without, slower
+            subprocess.run(command.split(), env=os.environ | {"DEBIAN_FRONTEND": "noninteractive"}, capture_output=True,
+                           check=False)
         opengl_works.cache_clear()
     if not opengl_works():
         explain_missing_opengl()
-
-
-if __name__ == "__main__":
-    install()

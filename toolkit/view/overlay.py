@@ -1,4 +1,4 @@
-"""What is written over a picture of a moving body: names and phase dials."""
+"""Text and phase dials over a picture of a moving body."""
 
 import colorsys
 import math
@@ -17,18 +17,9 @@ RIM = "#cfc8bb"
 
 def write(picture: Image.Image, cell: tuple[int, int, int, int], labels: Sequence[tuple[str, str]],
           phases: Sequence[np.ndarray | None]) -> None:
-    """Write names and dials of the characters in a cell of a picture down its left side.
+    """Write names and phase dials of characters down the left side of a cell (left, top, width, height) of the picture.
 
-    Parameters
-    ----------
-    picture
-        Is changed.
-    cell
-        Left, top, width and height, pixels.
-    labels
-        Text and colour of each character.
-    phases
-        Of each character, phase vectors [4, 2] (sin, cos) of the `LIMBS`, or None.
+    ``labels`` are text and colour of each character, ``phases`` its vectors [4, 2] (sin, cos) of the `LIMBS`, or None.
     """
     left, top, _, height = cell
     x, y = left + 10, top + 6
@@ -49,15 +40,11 @@ def write(picture: Image.Image, cell: tuple[int, int, int, int], labels: Sequenc
 
 
 @cache
-def _font(size: int) -> ImageFont.FreeTypeFont:
-    return ImageFont.load_default(size)
-
-
-@cache
 def _text(text: str, size: int) -> Image.Image:
-    """A text as a mask: drawn once, pasted into every picture."""
-    mask = Image.new("L", tuple(math.ceil(x) + 1 for x in _font(size).getbbox(text)[2:]))
-    ImageDraw.Draw(mask).text((0, 0), text, 255, _font(size))
+    """A text as a mask, kept for the next picture."""
+    font = ImageFont.load_default(size)
+    mask = Image.new("L", tuple(math.ceil(x) + 1 for x in font.getbbox(text)[2:]))
+    ImageDraw.Draw(mask).text((0, 0), text, 255, font)
     return mask
 
 
@@ -69,15 +56,15 @@ def _disc(size: int) -> Image.Image:
 
 
 def _dial(vector: np.ndarray, size: int, rim: str) -> Image.Image:
-    """The hand points at the phase, is as long as the vector (a full hand is 1.4 m/s), and has the phase's colour."""
+    """A hand with the phase's angle and colour, as long as the vector (1.4 m/s fill the dial)."""
     size *= FINE
     dial, middle = Image.new("RGB", (size, size), rim), size / 2
     draw = ImageDraw.Draw(dial)
     draw.ellipse((FINE, FINE, size - 1 - FINE, size - 1 - FINE), fill=PAPER)
     strength = float(np.hypot(*vector))
-    tip = middle + 0.8 * middle * min(1.0, 0.7 * strength) / max(strength, 1e-9) * vector * [1, -1]
+    end = middle + 0.8 * middle * min(1.0, 0.7 * strength) / max(strength, 1e-9) * vector * [1, -1]
     turn = np.arctan2(*vector) / (2 * np.pi) % 1.0
     color = tuple(round(255 * c) for c in colorsys.hls_to_rgb(turn, 0.45, 0.62))
-    draw.line((middle, middle, *tip), fill=color, width=size // 11)
+    draw.line((middle, middle, *end), fill=color, width=size // 11)
     draw.circle((middle, middle), size // 22, fill=color)
     return dial.reduce(FINE)

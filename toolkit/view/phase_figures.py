@@ -16,8 +16,9 @@ from toolkit.motion import Clip, root_frames
 from toolkit.motion import rotations as R
 from toolkit.view import body
 from toolkit.view.body import COLORS, CONTACT, PALETTE
-from toolkit.view.figures import GRID, INK, LAYOUT, QUIET
+from toolkit.view.figures import GRID, INK, LAYOUT, QUIET, finish
 from toolkit.view.opengl import INSTALL, opengl_works
+from toolkit.view.picture import per_clip
 from toolkit.view.skin import Skin, placements
 
 HUES = [[0.0, "#7b68c4"], [0.25, "#2fa596"], [0.5, "#e3c15a"], [0.75, "#d6598b"], [1.0, "#7b68c4"]]  # 0 and 2 pi alike
@@ -29,21 +30,19 @@ def phase_figure(clip: Clip, phases: ph.Phases, contacts=None, truth=None, *, st
                  title: str = "") -> go.Figure:
     """Local phases of the four limbs over time.
 
-    For each limb: the source curve (grey), the sinusoid fitted around every frame (colour) in a ribbon of its residual,
-    contacts of the feet (green bars), and a band whose colour is the phase and whose height is the length of the phase
-    vector, on one scale for all limbs, so that a limb that hardly moves has a thin band.
+    For each limb: the source curve (grey), the sinusoid fitted around every frame (colour) with a ribbon of its residual,
+    contacts of the feet (green bars), and a band. The band's colour is the phase, its height the length of the phase vector
+    on one scale for all limbs, so that a limb that hardly moves has a thin band.
 
     Parameters
     ----------
-    clip
-        The motion, F frames.
-    phases
-        What `toolkit.phases.extract` says about it.
+    clip, phases
+        The motion, F frames, and its phases, from `toolkit.phases.extract`.
     contacts
         Foot contacts [F, 2] (right, left), above one half where a foot stands.
     truth
-        The true phases [F, 4] where they are known, radians: a thin dark line, the fit with the true phase in place of its
-        own, less the constant lag between the two.
+        The true phases [F, 4] where they are known, radians. They are drawn as a thin dark line: the fit with the true phase
+        in place of its own, without the constant lag between the two.
     start, stop
         Seconds that are shown.
     title
@@ -52,17 +51,15 @@ def phase_figure(clip: Clip, phases: ph.Phases, contacts=None, truth=None, *, st
     Raises
     ------
     ValueError
-        If lengths differ or there is nothing between ``start`` and ``stop``.
+        If lengths differ or there is no frame between ``start`` and ``stop``.
     """
     names = ("source", "fit", "phase", "frequency", "amplitude", "residual", "vector")
     fields = {name: np.asarray(getattr(phases, name), dtype=np.float64) for name in names}
     if truth is not None:
         fields["truth"] = np.asarray(truth, dtype=np.float64)
-    bad = [f"{name} {list(a.shape)}" for name, a in fields.items() if a.shape[:2] != (len(clip), 4)]
-    stands = None if contacts is None else np.asarray(contacts) > 0.5
-    if bad or (stands is not None and stands.shape != (len(clip), 2)):
-        raise ValueError(f"phases must be [{len(clip)}, 4] and contacts [{len(clip)}, 2]; got "
-                         f"{', '.join(bad) or list(stands.shape)}")
+    if bad := [f"{name} {list(a.shape)}" for name, a in fields.items() if a.shape[:2] != (len(clip), 4)]:
+        raise ValueError(f"phases must be [{len(clip)}, 4]; got {', '.join(bad)}")
+    (stands,) = per_clip("contacts", contacts, [clip], 2)
     first = round(start * clip.fps)
     last = len(clip) if stop is None else min(round(stop * clip.fps), len(clip))
     if not 0 <= first < last:
@@ -72,44 +69,40 @@ def phase_figure(clip: Clip, phases: ph.Phases, contacts=None, truth=None, *, st
     magnitude = np.linalg.norm(fields["vector"], axis=-1)[show]
     figure = make_subplots(8, 1, shared_xaxes=True, row_heights=[3, 1] * 4, vertical_spacing=0.012)
     for i, limb in enumerate(ph.LIMBS):
-        side, row = limb.split("_")[0], 2 * i + 1
+        side, row = limb.split("_")[0], {"row": 2 * i + 1, "col": 1}
         curve, fit, phase, frequency, amplitude, residual = (fields[name][show, i] for name in names[:6])
+
+        def draw(y: np.ndarray, name: str, shown: bool, line: dict, row=row, **options) -> None:
+            options = {"legendgroup": name} | options | row
+            figure.add_scatter(x=seconds, y=y, name=name, showlegend=shown, line=line, **options)
+
         for edge, fill in ((fit - residual, None), (fit + residual, "tonexty")):
-            figure.add_scatter(x=seconds, y=edge, name="residual", legendgroup="residual", showlegend=i == 0 and bool(fill),
-                               fill=fill, fillcolor="rgba(138, 143, 152, 0.22)", line={"width": 0}, mode="lines",
-                               hoverinfo="skip", row=row, col=1)
-        figure.add_scatter(x=seconds, y=curve, name="source", legendgroup="source", showlegend=i == 0,
-                           line={"color": QUIET, "width": 1.5}, row=row, col=1)
-        figure.add_scatter(x=seconds, y=fit, name=f"fit, {side}", legendgroup=side, showlegend=i < 2,
-                           line={"color": COLORS[side], "width": 2.5}, row=row, col=1,
-                           customdata=np.stack((phase, frequency, amplitude, residual), -1),
-                           hovertemplate="%{x:.2f} s: phase %{customdata[0]:.2f} rad, %{customdata[1]:.2f} Hz, "
+            draw(edge, "residual", i == 0 and bool(fill), {"width": 0}, fill=fill, fillcolor="rgba(138, 143, 152, 0.22)",
+                 mode="lines", hoverinfo="skip")
+        draw(curve, "source", i == 0, {"color": QUIET, "width": 1.5})
+        draw(fit, f"fit, {side}", i < 2, {"color": COLORS[side], "width": 2.5}, legendgroup=side,
+             customdata=np.stack((phase, frequency, amplitude, residual), -1),
+             hovertemplate="%{x:.2f} s: phase %{customdata[0]:.2f} rad, %{customdata[1]:.2f} Hz, "
                            "amplitude %{customdata[2]:.2f}, residual %{customdata[3]:.2f}<extra></extra>")
         if truth is not None:
             known = torch.as_tensor(truth)[:, i]
             lag = metrics.phase_error(phases.phase[:, i], known)[1]
-            line = fit + amplitude * ((known + lag).sin().numpy()[show] - np.sin(phase))
-            figure.add_scatter(x=seconds, y=line, name="truth", legendgroup="truth", showlegend=i == 0, hoverinfo="skip",
-                               legendrank=1001, line={"color": INK, "width": 1, "dash": "dot"}, row=row, col=1)
+            draw(fit + amplitude * ((known + lag).sin().numpy()[show] - np.sin(phase)), "truth", i == 0,
+                 {"color": INK, "width": 1, "dash": "dot"}, hoverinfo="skip", legendrank=1001)
         if stands is not None and i >= 2:
-            low = float(np.nanmin(curve)) - 0.25
-            bar = np.where(stands[show, 1 if side == "left" else 0], low, np.nan)
-            figure.add_scatter(x=seconds, y=bar, name="contact", legendgroup="contact", showlegend=i == 2, mode="lines",
-                               line={"color": CONTACT, "width": 6}, hoverinfo="skip", row=row, col=1)
+            bar = np.where(stands[show, 1 if side == "left" else 0] > 0.5, float(np.nanmin(curve)) - 0.25, np.nan)
+            draw(bar, "contact", i == 2, {"color": CONTACT, "width": 6}, mode="lines", hoverinfo="skip")
+        figure.update_yaxes(title=limb.replace("_", " "), showticklabels=False, **row)
+        row = row | {"row": 2 * i + 2}
+        scale = {"title": "phase", "len": 0.35, "y": 0.18, "thickness": 12, "tickvals": [0, np.pi, 2 * np.pi],
+                 "ticktext": ["0", "π", "2π"]}
         figure.add_bar(x=seconds, y=magnitude[:, i], name=f"phase, {limb}", showlegend=False, width=1.02 / clip.fps,
-                       marker={"color": phase, "colorscale": HUES, "cmin": 0, "cmax": 2 * np.pi,
-                               "line": {"width": 0}, "showscale": i == 0,
-                               "colorbar": {"title": "phase", "len": 0.35, "y": 0.18, "thickness": 12,
-                                            "tickvals": [0, np.pi, 2 * np.pi], "ticktext": ["0", "π", "2π"]}},
-                       hovertemplate="%{x:.2f} s: |vector| %{y:.2f} m/s, phase %{marker.color:.2f}<extra></extra>",
-                       row=row + 1, col=1)
-        figure.update_yaxes(title=limb.replace("_", " "), showticklabels=False, row=row, col=1)
-        figure.update_yaxes(showticklabels=False, range=[0, max(1.05 * float(magnitude.max()), 1e-6)], row=row + 1,
-                            col=1)
+                       marker={"color": phase, "colorscale": HUES, "cmin": 0, "cmax": 2 * np.pi, "line": {"width": 0},
+                               "showscale": i == 0, "colorbar": scale},
+                       hovertemplate="%{x:.2f} s: |vector| %{y:.2f} m/s, phase %{marker.color:.2f}<extra></extra>", **row)
+        figure.update_yaxes(showticklabels=False, range=[0, max(1.05 * float(magnitude.max()), 1e-6)], **row)
     figure.update_xaxes(title="seconds", row=8, col=1)
-    figure.update_xaxes(gridcolor=GRID)
-    figure.update_yaxes(gridcolor=GRID, zeroline=False)
-    return figure.update_layout(**LAYOUT, title=title or "Local phases", height=760, bargap=0)
+    return finish(figure, title or "Local phases", 760, {}, {"zeroline": False}, bargap=0)
 
 
 def principal_axes(clip: Clip, source: str | ph.Hybrid | ph.ContactFree = "hybrid", *, second: float | None = None,
@@ -117,7 +110,7 @@ def principal_axes(clip: Clip, source: str | ph.Hybrid | ph.ContactFree = "hybri
     """The body at one moment, and for each limb that is measured contact-free: its path, principal axis and plane.
 
     The path is that of the whole clip in the hips' frame, drawn at the hips of this moment. The source is the distance from
-    the plane, counted along the arrow.
+    the plane, positive along the arrow.
 
     Parameters
     ----------
@@ -125,9 +118,9 @@ def principal_axes(clip: Clip, source: str | ph.Hybrid | ph.ContactFree = "hybri
         The motion.
     source
         "hybrid" (only the limbs for which it chooses contact-free), "contact-free", "velocity" or one of these objects,
-        whose axes are taken where it is fitted and found on the clip where it is not.
+        whose axes are used if it is fitted, and else computed from the clip.
     second
-        Which moment; the middle by default.
+        The moment; by default the middle.
     backend
         "plotly" gives a `plotly.graph_objects.Figure`, "pyvista" a `pyvista.Plotter` (off screen) to ``show()`` or to take a
         ``screenshot(path)`` of.
@@ -137,7 +130,7 @@ def principal_axes(clip: Clip, source: str | ph.Hybrid | ph.ContactFree = "hybri
     Raises
     ------
     ValueError
-        If the source has no principal axes, the clip no such moment, or the backend is unknown.
+        If the source has no principal axes, the clip has no such moment, or the backend is unknown.
     RuntimeError
         If pyvista finds no OpenGL.
     """
@@ -151,52 +144,49 @@ def principal_axes(clip: Clip, source: str | ph.Hybrid | ph.ContactFree = "hybri
     parts = []
     for limb, axis in axes.items():
         path = R.rotate(turn, ph.local_positions(clip, limb)) + place
-        direction = R.rotate(turn, axis.float())
-        parts.append((limb, path.numpy(), *_arrow_and_plane(path.mean(0).numpy(), direction.numpy())))
+        arrow, plane = _arrow_and_plane(path.mean(0).numpy(), R.rotate(turn, axis.float()).numpy())
+        parts.append((limb.replace("_", " "), COLORS[limb.split("_")[0]], path.numpy(), arrow, plane))
     if backend == "pyvista":
         return _axes_pyvista(clip, frame, parts)
-    vertices, triangles, colors = _solid(clip, frame)
-    i, j, k = triangles.T
-    figure = go.Figure(go.Mesh3d(**_xyz(vertices), i=i, j=j, k=k, facecolor=colors, name="body", hoverinfo="skip",
-                                 lighting={"ambient": 0.65, "diffuse": 0.5, "specular": 0.1}))
-    for limb, path, (tail, tip), plane in parts:
+    shapes = body.build(clip)
+    skin = Skin(shapes)
+    vertices = skin.points(placements(shapes, clip.global_rotations[frame], clip.global_positions[frame]))
+    i, j, k = skin.triangles.T
+    figure = go.Figure(go.Mesh3d(**_xyz(vertices), i=i, j=j, k=k, facecolor=body.colors(shapes)[skin.owners[i]], name="body",
+                                 hoverinfo="skip", lighting={"ambient": 0.65, "diffuse": 0.5, "specular": 0.1}))
+    for limb, color, path, arrow, plane in parts:
         first = limb == parts[0][0]
-        figure.add_scatter3d(**_xyz(path), mode="lines", name=limb.replace("_", " "),
-                             line={"color": COLORS[limb.split("_")[0]], "width": 5}, hoverinfo="name")
-        figure.add_scatter3d(**_xyz(np.stack((tail, tip))), mode="lines", line={"color": AXIS, "width": 8}, hoverinfo="skip",
+        figure.add_scatter3d(**_xyz(path), mode="lines", name=limb, line={"color": color, "width": 5}, hoverinfo="name")
+        figure.add_scatter3d(**_xyz(arrow), mode="lines", line={"color": AXIS, "width": 8}, hoverinfo="skip",
                              name="principal axis", legendgroup="axis", showlegend=first)
-        u, v, w = ([c] for c in (tip - tail) / np.linalg.norm(tip - tail))
-        figure.add_cone(**_xyz(tip[None]), u=u, v=v, w=w, sizemode="absolute", sizeref=0.09, anchor="tail", hoverinfo="skip",
+        u, v, w = ([c] for c in np.diff(arrow, axis=0)[0] / np.linalg.norm(np.diff(arrow, axis=0)))
+        figure.add_cone(**_xyz(arrow[1:]), u=u, v=v, w=w, sizemode="absolute", sizeref=0.09, anchor="tail", hoverinfo="skip",
                         showscale=False, colorscale=[[0, AXIS], [1, AXIS]], lighting={"ambient": 1})
         figure.add_mesh3d(**_xyz(plane), i=[0, 0], j=[1, 2], k=[2, 3], color=AXIS, opacity=0.25, hoverinfo="skip",
                           name="plane", legendgroup="plane", showlegend=first)
     eye = R.rotate(root_frames(clip).rotations[frame], torch.tensor([-1.5, 0.5, 1.3]))  # from the right, in front
-    hidden = {"visible": False}
     camera = {"up": {"x": 0, "y": 1, "z": 0}, "eye": dict(zip("xyz", eye.tolist(), strict=True))}
+    hidden = {f"{axis}axis": {"visible": False} for axis in "xyz"}
     return figure.update_layout(**LAYOUT, title=title or f"Principal axes, {clip.style} {clip.gait}", height=620,
-                                scene={"aspectmode": "data", "xaxis": hidden, "yaxis": hidden, "zaxis": hidden,
-                                       "camera": camera})
+                                scene={"aspectmode": "data", "camera": camera} | hidden)
 
 
 def phase_manifold(phases: Mapping[str, ph.Phases], fps: float = 60.0, *, window: float = 1.0, backend: Backend = "plotly",
                    title: str = ""):
-    """Where styles run through the space of phase vectors, along its principal components: a cycle is a loop.
+    """Paths of styles through the space of phase vectors, along its principal components: a cycle is a loop.
 
     A panel for each style, with all the others in grey.
 
     Parameters
     ----------
     phases
-        By style.
+        Phases of each style.
     fps
         Frames per second of all of them.
     window
         Seconds: a point is all the phase vectors of so long a stretch; 0 for those of one frame.
-    backend
-        "plotly" gives a `plotly.graph_objects.Figure` of two components, "pyvista" a `pyvista.Plotter` (off screen) of
-        three.
-    title
-        Heading, in plotly.
+    backend, title
+        As in `principal_axes`; plotly shows two components, pyvista three.
 
     Raises
     ------
@@ -216,8 +206,9 @@ def phase_manifold(phases: Mapping[str, ph.Phases], fps: float = 60.0, *, window
     if backend == "pyvista":
         return _manifold_pyvista(paths)
     columns = min(len(paths), 3)
-    figure = make_subplots(math.ceil(len(paths) / columns), columns, subplot_titles=list(paths), shared_xaxes="all",
-                           shared_yaxes="all", horizontal_spacing=0.02, vertical_spacing=0.08)
+    rows = math.ceil(len(paths) / columns)
+    figure = make_subplots(rows, columns, subplot_titles=list(paths), shared_xaxes="all", shared_yaxes="all",
+                           horizontal_spacing=0.02, vertical_spacing=0.08)
     grey = np.concatenate([np.append(p[:, :2], [[np.nan, np.nan]], 0) for p in paths.values()])
     for i, (style, path) in enumerate(paths.items()):
         cell = {"row": i // columns + 1, "col": i % columns + 1}
@@ -231,8 +222,7 @@ def phase_manifold(phases: Mapping[str, ph.Phases], fps: float = 60.0, *, window
     figure.update_yaxes(showticklabels=False, showgrid=False, zeroline=False, scaleanchor="x")
     first, second, _ = pca.explained_variance_ratio_
     title = f"{title or 'Phase manifold'}: two components, {first:.0%} and {second:.0%} of the variance"
-    figure.update_layout(**LAYOUT, title=title, height=80 + 330 * math.ceil(len(paths) / columns), showlegend=False)
-    return figure.update_layout(margin_t=84)
+    return figure.update_layout(**LAYOUT, title=title, height=80 + 330 * rows, showlegend=False).update_layout(margin_t=84)
 
 
 def _check(backend: str) -> None:
@@ -261,36 +251,27 @@ def _arrow_and_plane(centre: np.ndarray, axis: np.ndarray) -> tuple[np.ndarray, 
     return np.stack((centre, centre + 0.8 * SIDE * axis)), np.stack(corners)
 
 
-def _solid(clip: Clip, frame: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """The mannequin at one frame: vertices [V, 3], triangles [T, 3] and a colour of each triangle [T, 3]."""
-    shapes = body.build(clip)
-    skin = Skin(shapes)
-    vertices = skin.points(placements(shapes, clip.global_rotations[frame], clip.global_positions[frame]))
-    return vertices, skin.triangles, body.colors(shapes)[skin.owners[skin.triangles[:, 0]]]
-
-
 def _xyz(points: np.ndarray) -> dict[str, np.ndarray]:
     return dict(zip("xyz", points.T, strict=True))
 
 
 def _axes_pyvista(clip: Clip, frame: int, parts: list[tuple]):
-    """`principal_axes` on pyvista's stage."""
+    """`principal_axes` in pyvista."""
     import pyvista as pv
 
-    from toolkit.view.stage import Stage, Subject
+    from toolkit.view.renderers import Character, PyvistaRenderer
 
-    stage = Stage([Subject(clip)], (900, 900))
+    scene = PyvistaRenderer([Character(clip)], (900, 900))
     ahead = R.rotate(root_frames(clip).rotations[frame], torch.tensor([0.0, 0.0, 1.0]))
-    stage.facing, stage.distance, stage.shown = math.atan2(ahead[0], ahead[2]), 4.2, set()
-    add = stage.plotter.add_mesh
-    for limb, path, (tail, tip), plane in parts:
-        color = COLORS[limb.split("_")[0]]
+    scene.facing, scene.distance, scene.shown = math.atan2(ahead[0], ahead[2]), 4.2, set()
+    add = scene.plotter.add_mesh
+    for _, color, path, (tail, head), plane in parts:
         add(pv.lines_from_points(path), color=color, line_width=3, lighting=False)
-        arrow = pv.Arrow(start=tail, direction=tip - tail, scale="auto", shaft_radius=0.03, tip_radius=0.09)
+        arrow = pv.Arrow(start=tail, direction=head - tail, scale="auto", shaft_radius=0.03, tip_radius=0.09)
         add(arrow, color=AXIS, lighting=False)
         add(pv.PolyData(plane, faces=[4, 0, 1, 2, 3]), color=AXIS, opacity=0.25, lighting=False)
-    stage.draw([frame])
-    return stage.plotter
+    scene.draw([frame])
+    return scene.plotter
 
 
 def _manifold_pyvista(paths: dict[str, np.ndarray]):

@@ -1,4 +1,4 @@
-"""Strip pictures: poses at equal steps of time, one row per clip. Matplotlib only, no OpenGL."""
+"""Strip pictures: poses at equal steps of time, one row per clip; what still and moving pictures of clips share."""
 
 import io
 import os
@@ -14,11 +14,11 @@ from scipy.ndimage import gaussian_filter1d
 
 from toolkit.io.files import atomic_write
 from toolkit.motion import Clip, on_cpu, root_frames
-from toolkit.motion import rotations as R
 from toolkit.view import body
-from toolkit.view.raycast import Canvas
+from toolkit.view.raycast import Canvas, orbit
 
 PAPER, FLOOR, INK = "#f7f6f3", "#dedbd4", "#2b323b"
+BOTTOM = -0.26  # metres of floor shown below the feet
 
 
 class Picture(Figure):
@@ -38,60 +38,51 @@ def strip(clips: Clip | Sequence[Clip], path: str | os.PathLike | None = None, *
 
     Parameters
     ----------
-    clips
-        One clip or several.
+    clips, labels, contacts, view, elevation
+        As in `toolkit.view.animate`; a label is the text of a row.
     path
         PNG file to write (any format matplotlib knows).
     frames
         Poses per row.
-    labels
-        Text of each row; by default style and gait, else the clip's name.
     start, stop
         Seconds of the clips that are shown (default: all).
-    view, elevation
-        Degrees: the camera's angle from the facing direction (90 is from the right side) and above the floor.
-    contacts
-        Foot contacts [F, 2] (right, left) above one half where a foot stands, or one array per clip; shown on the feet.
     title
         Text above the picture.
     width, dpi
         Inches and pixels per inch.
-
-    Returns
-    -------
-    Figure
 
     Raises
     ------
     ValueError
         If there is no clip or no frame to show, or labels or contacts do not fit the clips.
     """
-    clips = on_cpu(clips)
-    labels = [label(clip) for clip in clips] if labels is None else list(labels)
-    contacts = contact_list(contacts, clips)
-    if not clips or frames < 1 or len(labels) != len(clips):
-        raise ValueError(f"a strip needs clips, frames and a label per clip; got {len(clips)} clips, {frames} frames, "
-                         f"{len(labels)} labels")
-    rows = [_Row(clip, _instants(clip, frames, start, stop), view, elevation, con)
-            for clip, con in zip(clips, contacts, strict=True)]
-    spacing = max(row.spacing for row in rows)
-    scale = 2 * dpi * width / (spacing * frames)
-    images = [row.image(spacing, scale, room=0.34 * spacing * frames / width) for row in rows]  # for the label
-    head = 0.42 if title else 0.0
+    clips, labels, contacts = cast(clips, labels, contacts)
+    if frames < 1:
+        raise ValueError(f"a strip needs frames, got {frames}")
+    shots = []
+    for clip, con in zip(clips, contacts, strict=True):
+        end = len(clip) - 1 if stop is None else min(round(stop * clip.fps), len(clip) - 1)
+        if not 0 <= round(start * clip.fps) <= end:
+            raise ValueError(f"{clip.name}: no frame between {start} s and {stop} s; the clip lasts {clip.seconds:.2f} s")
+        instants = np.linspace(round(start * clip.fps), end, frames).round().astype(int)
+        walked, facing = steady_frames(clip, 0.5)
+        shots.append(Shot(clip, con, instants, walked, np.radians(view) - facing[instants], np.radians(elevation)))
+    spacing = max(0.7, *(2 * shot.reach + 0.04 for shot in shots))
+    scale, room = 2 * dpi * width / (spacing * frames), max(0.2, 0.34 * spacing * frames / width)  # for the label
+    images = [_row(shot, spacing, scale, shot.top + room) for shot in shots]
     heights = [image.shape[0] / (2 * dpi) for image in images]
-    figure = Picture(figsize=(width, sum(heights) + head), dpi=dpi, facecolor=PAPER)
+    figure = Picture(figsize=(width, sum(heights) + (0.42 if title else 0.0)), dpi=dpi, facecolor=PAPER)
     FigureCanvasAgg(figure)
     total = figure.get_figheight()
     if title:
         figure.text(0.2 / width, 1 - 0.23 / total, title, size=13, weight="bold", color=INK, va="center")
-    for i, (image, text, row) in enumerate(zip(images, labels, rows, strict=True)):
-        row_height = heights[i]
-        axes = figure.add_axes((0, sum(heights[i + 1 :]) / total, 1, row_height / total))
-        axes.imshow(image, extent=(0, width, 0, row_height), aspect="auto", interpolation="antialiased")
+    for i, (image, text, shot) in enumerate(zip(images, labels, shots, strict=True)):
+        axes = figure.add_axes((0, sum(heights[i + 1 :]) / total, 1, heights[i] / total))
+        axes.imshow(image, extent=(0, width, 0, heights[i]), aspect="auto", interpolation="antialiased")
         axes.set_axis_off()
-        axes.set(xlim=(0, width), ylim=(0, row_height))
-        axes.text(0.2, row_height - 0.12, text, size=12, weight="bold", color=INK, va="top")
-        for k, t in enumerate(row.times):
+        axes.set(xlim=(0, width), ylim=(0, heights[i]))
+        axes.text(0.2, heights[i] - 0.12, text, size=12, weight="bold", color=INK, va="top")
+        for k, t in enumerate(shot.times):
             axes.text((k + 0.5) * width / frames, 0.07, f"{t:.2f} s", size=7, color=INK, alpha=0.6, ha="center")
     if path is not None:
         with atomic_write(path) as file:
@@ -99,80 +90,71 @@ def strip(clips: Clip | Sequence[Clip], path: str | os.PathLike | None = None, *
     return figure
 
 
-def label(clip: Clip) -> str:
-    """What to call a clip on screen."""
-    return " ".join(x for x in (clip.style, clip.gait) if x) or clip.name
+def _row(shot: "Shot", spacing: float, scale: float, top: float) -> np.ndarray:
+    """Picture [H, W, 3] of a shot's frames side by side, on a floor that fades into the paper at the horizon."""
+    canvas = Canvas((0.0, spacing * len(shot.places), BOTTOM, top), scale, shot.camera[0])
+    for k in range(len(shot.places)):
+        shot.draw(canvas, k, (-0.35, 1.0, 0.3), shift=(k + 0.5) * spacing)
+    y = np.linspace(top, BOTTOM, canvas.height)
+    blend = np.clip((0.16 - y) / 0.2, 0, 1)[:, None]
+    paper, ground = (np.array(to_rgb(c)) for c in (PAPER, FLOOR))
+    return canvas.image((paper * (1 - blend) + ground * blend)[:, None], paper)
 
 
-def contact_list(contacts, clips: Sequence[Clip]) -> list[np.ndarray | None]:
-    """One contact array [F, 2] (or None) per clip.
+class Shot:
+    """Some ``frames`` [N] of a clip as a camera sees them: ``places`` [N, S, 3, 4] of the body's shapes in camera space.
 
-    Raises
-    ------
-    ValueError
-        If there is not one per clip or a shape differs.
+    The point ``path`` [F, 3] of the floor is at the origin of camera space. The camera's angles are those of
+    `toolkit.view.raycast.orbit`; there may be an azimuth for each of the frames. ``reach`` and ``top`` are the largest
+    distances of the body from the origin to the left or right, and upwards, in metres.
     """
-    if contacts is None:
-        return [None] * len(clips)
-    per_clip = list(contacts) if isinstance(contacts, list | tuple) else [contacts]
-    per_clip = [None if c is None else np.asarray(c, dtype=np.float32) for c in per_clip]
-    shapes = [None if c is None else c.shape for c in per_clip]
-    if len(per_clip) != len(clips) or any(s not in (None, (len(c), 2)) for s, c in zip(shapes, clips, strict=True)):
-        raise ValueError(f"contacts must be [F, 2] for each clip of {[len(c) for c in clips]} frames; got {shapes}")
-    return per_clip
 
-
-def _instants(clip: Clip, frames: int, start: float, stop: float | None) -> np.ndarray:
-    last = len(clip) - 1 if stop is None else min(round(stop * clip.fps), len(clip) - 1)
-    first = round(start * clip.fps)
-    if not 0 <= first <= last:
-        raise ValueError(f"{clip.name}: no frame between {start} s and {stop} s; the clip lasts {clip.seconds:.2f} s")
-    return np.linspace(first, last, frames).round().astype(int)
-
-
-class _Row:
-    """The poses of one clip in camera space, and how much room they need."""
-
-    def __init__(self, clip: Clip, instants: np.ndarray, view: float, elevation: float, contacts: np.ndarray | None):
-        self.times, self.shapes = instants / clip.fps, body.build(clip)
-        self.contacts = None if contacts is None else contacts[instants] > 0.5
-        positions, facing = steady_frames(clip, 0.5)
-        turn = R.yaw(torch.from_numpy(np.radians(view) - facing[instants]).float())
-        away = clip.global_positions[instants] - torch.from_numpy(positions[instants]).float()[:, None]
-        local = R.rotate(turn[:, None], away)
-        rotations = R.multiply(turn[:, None], clip.global_rotations[instants])
-        self.places = body.placements(self.shapes, rotations, local).astype(np.float64)  # [F, S, 3, 4]
-        e = np.radians(elevation)
-        self.camera = np.array([[1, 0, 0], [0, np.cos(e), -np.sin(e)], [0, np.sin(e), np.cos(e)]])
-        self.places = self.camera @ self.places
+    def __init__(self, clip: Clip, contacts: np.ndarray | None, frames: np.ndarray, path: np.ndarray,
+                 azimuth: np.ndarray | float, elevation: float, shapes: tuple[body.Shape, ...] | None = None):
+        self.clip, self.times, self.shapes = clip, frames / clip.fps, shapes or body.build(clip)
+        self.camera, self.tilt = orbit(azimuth, elevation), orbit(0.0, elevation)
+        self.contacts = None if contacts is None else contacts[frames] > 0.5
+        places = body.placements(self.shapes, clip.global_rotations[frames], clip.global_positions[frames])
+        places = places.astype(np.float64)
+        places[..., 3] -= path[frames, None]
+        self.places = self.camera[..., None, :, :] @ places
         low, high = body.bounds(self.shapes, self.places)
-        self.spacing = max(0.7, 2 * max(-low[0], high[0]) + 0.04)
-        self.top = high[1]
+        self.reach, self.top = max(-low[0], high[0]), high[1]
 
-    def image(self, spacing: float, scale: float, room: float) -> np.ndarray:
-        bottom, top = -0.26, self.top + max(0.2, room)
-        canvas = Canvas((0.0, spacing * len(self.times), bottom, top), scale)
-        up = self.camera[:, 1]
-        lamp = self.camera @ np.array([-0.35, 1.0, 0.3])
-        for k, places in enumerate(self.places):
-            places = places.copy()
-            places[..., 0, 3] += (k + 0.5) * spacing
-            floor = np.array([(k + 0.5) * spacing, 0.0, 0.0])
-            canvas.draw(self.shapes, places, body.colors(self.shapes, None if self.contacts is None else self.contacts[k]))
-            canvas.shadow(self.shapes, places, up, floor, lamp)
-        y = np.linspace(top, bottom, canvas.height)  # the floor fades into the paper at the horizon
-        blend = np.clip((0.16 - y) / 0.2, 0, 1)[:, None]
-        paper, ground = (np.array(to_rgb(c)) for c in (PAPER, FLOOR))
-        return canvas.image((paper * (1 - blend) + ground * blend)[:, None], paper)
+    def draw(self, canvas: Canvas, k: int, lamp: Sequence[float], shift: float = 0.0) -> None:
+        """Draw one of the frames with its shadow, ``shift`` metres to the right; the lamp goes along with the camera."""
+        places = self.places[k] + np.array([[0, 0, 0, shift], [0, 0, 0, 0], [0, 0, 0, 0]])
+        canvas.draw(self.shapes, places, body.colors(self.shapes, None if self.contacts is None else self.contacts[k]))
+        canvas.shadow(self.shapes, places, self.tilt @ np.array(lamp), (shift, 0, 0))
+
+
+def cast(clips: Clip | Sequence[Clip], labels: Sequence[str] | None, contacts) -> tuple[list[Clip], list[str], list]:
+    """Clips with a label and contacts [F, 2] or None for each; a ValueError if they do not fit, or if there is no clip."""
+    clips = on_cpu(clips)
+    labels = [" ".join(x for x in (c.style, c.gait) if x) or c.name for c in clips] if labels is None else list(labels)
+    if not clips or len(labels) != len(clips):
+        raise ValueError(f"expected clips and a label per clip; got {len(clips)} clips, {len(labels)} labels")
+    return clips, labels, per_clip("contacts", contacts, clips, 2)
+
+
+def per_clip(name: str, values, clips: Sequence[Clip], *shape: int) -> list[np.ndarray | None]:
+    """An array [F, *shape] or None for each clip, from one of them or a list; a ValueError if they do not fit."""
+    values = [None] * len(clips) if values is None else values if isinstance(values, list | tuple) else [values]
+    values = [None if v is None else np.asarray(getattr(v, "vector", v), dtype=np.float32) for v in values]
+    shapes = [None if v is None else v.shape for v in values]
+    if len(values) != len(clips) or any(s not in (None, (len(c), *shape)) for s, c in zip(shapes, clips, strict=True)):
+        raise ValueError(f"{name} must be [F, {', '.join(map(str, shape))}] for each clip of {[len(c) for c in clips]} "
+                         f"frames; got {shapes}")
+    return values
 
 
 def steady_frames(clip: Clip, seconds: float) -> tuple[np.ndarray, np.ndarray]:
     """Floor positions [F, 3] and facing angles [F] in radians, smoothed over time, for a camera to follow.
 
-    Skeletons without hips are followed by their root, facing +Z.
+    Skeletons without hips and shoulders are followed by their root, facing +Z.
     """
     sigma = max(seconds * clip.fps, 1e-3)
-    if {"left_hip", "right_hip", "left_shoulder", "right_shoulder"} <= set(clip.skeleton.roles):
+    if body.has_roles(clip, "hip", "shoulder"):
         frames = root_frames(clip)
         q = frames.rotations.double().numpy()
         angle = np.unwrap(2 * np.arctan2(q[:, 2], q[:, 0]))

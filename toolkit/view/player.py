@@ -1,9 +1,9 @@
-"""Playback in a notebook: pyvista draws off screen, the picture goes as JPEG into a widget, widgets steer it.
+"""Playback in a notebook: pyvista draws off screen, the picture is sent as JPEG to a widget, other widgets control it.
 
-Widget callbacks may run in any thread (ipykernel 7 handles comms in subshells), and VTK breaks silently off the main one. So
-callbacks only store what is wanted; one asyncio task on the main loop draws the newest state and nothing else. The page
-answers every other picture that it shows, and the task waits for that: a slow page gets fewer pictures, a closed one next to
-none.
+Widget callbacks may run in any thread (ipykernel 7 handles comms in subshells), and VTK fails without an error outside of
+the main thread. So callbacks only store what is wanted; one asyncio task on the main loop draws the newest state. The page
+answers every other picture that it shows, and the task waits for the answers: a slow page gets fewer pictures, and a closed
+page gets one every `PATIENCE` seconds.
 """
 
 import asyncio
@@ -20,85 +20,56 @@ import numpy as np
 from matplotlib.figure import Figure
 from PIL import Image
 
-from toolkit.motion import Clip, on_cpu
-from toolkit.view import overlay, stage
-from toolkit.view.picture import INK, PAPER, contact_list, label, strip
-from toolkit.view.screen import Screen
+from toolkit.motion import Clip
+from toolkit.view import overlay, renderers
+from toolkit.view.frontend import Screen, in_notebook, require_main_thread, running_loop
+from toolkit.view.picture import INK, PAPER, cast, per_clip, strip
 
-IDLE = 600.0  # seconds of playback without a touch after which it pauses by itself
+IDLE = 600.0  # seconds of playback without user input after which it pauses
 RATE = 60.0  # pictures per second at most
-AHEAD = 3  # pictures that the page may be behind while time runs
-REST = 0.25  # seconds of pause before the picture is drawn once more, with smooth edges
-PATIENCE = 2.0  # seconds after which the next one is drawn without an answer
+AHEAD = 3  # pictures that may be unanswered during playback
+REST = 0.25  # seconds of pause before the picture is drawn again with smooth edges
+PATIENCE = 2.0  # seconds after which the next picture is drawn without an answer
 SWITCHES = {"path": "Path", "contacts": "Contacts", "trajectory": "Trajectory", "phases": "Phases"}
 
 
 def play(clips: Clip | Sequence[Clip], *, labels: Sequence[str] | None = None, contacts=None, phases=None,
          together: bool = False, size: tuple[int, int] = (640, 480),
          playing: bool = False) -> "Player | Figure":
-    """Play one clip or several in a notebook: data beside model, source beside result.
+    """Play one clip or several in a notebook, side by side; outside of notebooks, give a strip picture.
 
     Parameters
     ----------
     clips
-        One motion or several, which start together; one that is shorter than the longest starts again.
+        One clip or several, which start together; one that is shorter than the longest starts again.
     labels
-        What to call each; by default style and gait, else the clip's name.
+        Names of the clips; by default style and gait, else the clip's name.
     contacts
-        Foot contacts [F, 2] (right, left), above one half where a foot stands, or one array (or None) per clip: feet light
-        up and leave prints on the floor.
+        Foot contacts [F, 2] (right, left), above one half where a foot stands, or one array (or None) per clip; shown on the
+        feet and as footprints on the floor.
     phases
-        Local phases, `toolkit.phases.Phases` or vectors [F, 4, 2], or one (or None) per clip: a dial for each limb.
+        Local phases, `toolkit.phases.Phases` or vectors [F, 4, 2], or one (or None) per clip; shown as a dial per limb.
     together
-        Show them in one scene, where they are, instead of side by side.
+        Show the clips in one scene, each in its place, instead of side by side.
     size
         Pixels of the picture: width, height.
     playing
         Start at once.
-
-    Returns
-    -------
-    Player or Figure
-        A strip picture outside of notebooks, where no widget could be shown.
 
     Raises
     ------
     ValueError
         If there is no clip, or labels, contacts or phases do not fit the clips.
     """
-    if not _in_notebook():
+    if not in_notebook():
         return strip(clips, contacts=contacts, labels=labels)
     return Player(clips, labels=labels, contacts=contacts, phases=phases, together=together, size=size, playing=playing)
 
 
-def _in_notebook() -> bool:
-    try:
-        from IPython import get_ipython
-    except ImportError:
-        return False
-    return getattr(get_ipython(), "kernel", None) is not None
-
-
-def _subjects(clips, labels, contacts, phases) -> list[stage.Subject]:
-    clips = on_cpu(clips)
-    labels = [label(clip) for clip in clips] if labels is None else list(labels)
-    if not clips or len(labels) != len(clips):
-        raise ValueError(f"playback needs clips and a label per clip; got {len(clips)} clips, {len(labels)} labels")
-    vectors = [None] * len(clips) if phases is None else phases if isinstance(phases, list | tuple) else [phases]
-    vectors = [None if p is None else np.asarray(getattr(p, "vector", p), dtype=np.float32) for p in vectors]
-    shapes = [None if v is None else v.shape for v in vectors]
-    if len(vectors) != len(clips) or any(s not in (None, (len(c), 4, 2)) for s, c in zip(shapes, clips, strict=True)):
-        raise ValueError(f"phases must be [F, 4, 2] for each clip of {[len(c) for c in clips]} frames; got {shapes}")
-    return [stage.Subject(*row) for row in zip(clips, contact_list(contacts, clips), vectors, labels, strict=True)]
-
-
 class Player(widgets.VBox):
-    """Clips with play, scrub, speed and camera, and a switch for each thing that is drawn beside the bodies.
+    """Clips with widgets for play, frame, speed and camera, and a switch for everything drawn beside the bodies.
 
-    Parameters
-    ----------
-    clips, labels, contacts, phases, together, size, playing
-        As in `play`; one player plays at a time.
+    One player plays at a time. The parameters are those of `play`.
 
     Attributes
     ----------
@@ -117,12 +88,9 @@ class Player(widgets.VBox):
         require_main_thread()
         self.rate = RATE
         self._size, self._together = size, together
-        self._stages: list[stage.Stage | stage.Sketch] = []
+        self._scenes: list[renderers.PyvistaRenderer | renderers.SoftwareRenderer] = []
         self._frame, self._stale, self._fine, self._touched = 0.0, False, False, time.monotonic()
-        self._wake: asyncio.Event | None = None
-        self._task: asyncio.Task | None = None
-        self._loop: asyncio.AbstractEventLoop | None = None
-        self._own: threading.Thread | None = None
+        self._wake = self._task = self._own = None
         self.image = Screen(size)
         self.image.observe(self._answered, "seen")
         self._title = widgets.HTML()
@@ -140,14 +108,18 @@ class Player(widgets.VBox):
         for widget in (self._play, self._slider, self._speeds, self._angle, self._distance, self._follow,
                        *self._switches.values()):
             widget.observe(self._changed, "value")
+        wide = {"layout": {"width": f"{size[0]}px"}}
         super().__init__([
             self._title, self.image,
-            widgets.HBox([self._play, self._slider, self._clock, self._speeds], layout={"width": f"{size[0]}px"}),
-            widgets.HBox([self._angle, self._distance], layout={"width": f"{size[0]}px"}),
+            widgets.HBox([self._play, self._slider, self._clock, self._speeds], **wide),
+            widgets.HBox([self._angle, self._distance], **wide),
             widgets.HBox([self._follow, *self._switches.values()]),
         ])
         self.show(clips, labels=labels, contacts=contacts, phases=phases)
-        self._start()
+        self._loop = running_loop()
+        if self._loop is not None:
+            self._wake = asyncio.Event()
+            self._task = self._loop.create_task(self._run())
         self.playing = playing
 
     @property
@@ -162,7 +134,7 @@ class Player(widgets.VBox):
 
     @property
     def playing(self) -> bool:
-        """Whether time runs; it pauses any other player."""
+        """Whether the clip plays; starting it pauses any other player."""
         return self._play.value
 
     @playing.setter
@@ -175,61 +147,55 @@ class Player(widgets.VBox):
         self._refresh()
 
     def render(self, frame: int) -> np.ndarray:
-        """Picture ``[H, W, 3]`` uint8 of a frame, without showing it.
-
-        Raises
-        ------
-        ValueError
-            If the clip has no such frame.
-        RuntimeError
-            If called outside of the main thread.
-        """
+        """Picture ``[H, W, 3]`` uint8 of a frame, without showing it (main thread only)."""
         require_main_thread()
         if not 0 <= frame < len(self.clip):
             raise ValueError(f"{self.clip.name}: frame {frame} is not one of {len(self.clip)}")
         return np.asarray(self._picture(int(frame), fine=True))
 
     def show(self, clips: Clip | Sequence[Clip], *, labels: Sequence[str] | None = None, contacts=None, phases=None) -> None:
-        """Show others, from where the last ones were if they are long enough; arguments as in `play`."""
+        """Show other clips, from the current frame on if they are long enough; arguments as in `play`."""
         require_main_thread()
-        subjects = _subjects(clips, labels, contacts, phases)
-        casts = [subjects] if self._together else [[subject] for subject in subjects]
+        clips, labels, contacts = cast(clips, labels, contacts)
+        rows = zip(clips, contacts, per_clip("phases", phases, clips, 4, 2), labels, strict=True)
+        characters = [renderers.Character(*row) for row in rows]
+        casts = [characters] if self._together else [[character] for character in characters]
         self._columns = len(casts) if len(casts) < 4 else math.ceil(math.sqrt(len(casts)))
         self._cell = self._size[0] // self._columns, self._size[1] // -(-len(casts) // self._columns)
-        if [scene.size for scene in self._stages] == [self._cell] * len(casts):
-            for scene, cast in zip(self._stages, casts, strict=True):
-                scene.load(cast)
+        if [scene.size for scene in self._scenes] == [self._cell] * len(casts):
+            for scene, members in zip(self._scenes, casts, strict=True):
+                scene.load(members)
         else:
-            for scene in self._stages:
+            for scene in self._scenes:
                 scene.close()
-            self._stages = [stage.make(cast, self._cell) for cast in casts]
-        self.clips = [subject.clip for subject in subjects]
+            self._scenes = [renderers.best(members, self._cell) for members in casts]
+        self.clips = clips
         for kind in ("contacts", "phases"):
-            self._switches[kind].disabled = all(getattr(subject, kind) is None for subject in subjects)
+            self._switches[kind].disabled = all(getattr(character, kind) is None for character in characters)
         self._frame = self._frame % len(self.clip)
         with self._quiet():
             self._slider.max = len(self.clip) - 1
-        names = ", ".join(escape(subject.label) for subject in subjects)
+        names = ", ".join(map(escape, labels))
         self._title.value = f"<b>{names}</b> &nbsp;{self.clip.seconds:.1f} s at {self.clip.fps:g} Hz"
         self._show()
 
     def close(self) -> None:
-        """Stop, free the windows and take the widgets away."""
+        """Stop, free the windows and remove the widgets."""
         if self._task is not None and not self._loop.is_closed():
             self._task.cancel()
         self._wake = self._task = None
         if Player._current is self:
             Player._current = None
-        for scene in self._stages:
+        for scene in self._scenes:
             scene.close()
         super().close()
 
     def _repr_mimebundle_(self, **kwargs) -> dict:
-        """The widget, and the picture for pages that show none (a notebook on GitHub, nbconvert)."""
+        """The widget, and the picture for pages without widgets (a notebook on GitHub, nbconvert)."""
         return super()._repr_mimebundle_(**kwargs) | {"image/jpeg": base64.b64encode(self.image.value).decode("ascii")}
 
     def _changed(self, change: dict) -> None:
-        """A widget moved: remember what is wanted (any thread)."""
+        """A widget changed (any thread): store what is wanted."""
         if threading.current_thread() is self._own:
             return
         self._touched = time.monotonic()
@@ -245,38 +211,41 @@ class Player(widgets.VBox):
 
     def _answered(self, _change: dict) -> None:
         """The page shows a picture (any thread)."""
-        if self._wake is not None and self.playing and not self._loop.is_closed():
+        if self.playing:
+            self._notify()
+
+    def _notify(self) -> None:
+        if self._wake is not None and not self._loop.is_closed():
             self._loop.call_soon_threadsafe(self._wake.set)
 
     def _refresh(self) -> None:
         self._stale = True
-        if self._wake is not None and not self._loop.is_closed():
-            self._loop.call_soon_threadsafe(self._wake.set)
+        self._notify()
         if threading.current_thread() is threading.main_thread() and not self.playing:
             self._show()
 
     @contextmanager
     def _quiet(self):
-        """While active, changes made by this thread are the player's own."""
+        """While active, changes of widgets in this thread are the player's own and not the user's."""
         self._own = threading.current_thread()
         yield
         self._own = None
 
     def _picture(self, frame: int, fine: bool) -> Image.Image:
-        """All cells with what is written over them (main thread)."""
+        """All cells with their overlays (main thread)."""
         sheet, seconds = Image.new("RGB", self._size, PAPER), frame / self.clip.fps
         shown = {kind for kind, switch in self._switches.items() if switch.value}
-        for i, scene in enumerate(self._stages):
+        for i, scene in enumerate(self._scenes):
             scene.angle, scene.distance = self._angle.value, self._distance.value
             scene.follow, scene.shown = self._follow.value, shown
-            at = [frame if s.clip is self.clip else round(seconds * s.clip.fps) % len(s.clip) for s in scene.subjects]
+            members = scene.characters
+            at = [frame if one.clip is self.clip else round(seconds * one.clip.fps) % len(one.clip) for one in members]
             corner = i % self._columns * self._cell[0], i // self._columns * self._cell[1]
             sheet.paste(Image.fromarray(scene.draw(at, fine=fine)), corner)
-            several = len(scene.subjects) > 1
-            labels = [(s.label if len(self.clips) > 1 else "", scene.color(k) if several else INK)
-                      for k, s in enumerate(scene.subjects)]
-            phases = [s.phases[f] if s.phases is not None and "phases" in shown else None
-                      for s, f in zip(scene.subjects, at, strict=True)]
+            labels = [(one.label if len(self.clips) > 1 else "", scene.color(k) if len(members) > 1 else INK)
+                      for k, one in enumerate(members)]
+            phases = [one.phases[f] if one.phases is not None and "phases" in shown else None
+                      for one, f in zip(members, at, strict=True)]
             overlay.write(sheet, (*corner, *self._cell), labels, phases)
         return sheet
 
@@ -290,16 +259,8 @@ class Player(widgets.VBox):
                 self._clock.value = f"{frame / self.clip.fps:.2f} / {self.clip.seconds:.2f} s"
                 self._slider.value = frame
 
-    def _start(self) -> None:
-        try:
-            self._loop = asyncio.get_running_loop()
-        except RuntimeError:
-            return  # a script: every change is drawn at once
-        self._wake = asyncio.Event()
-        self._task = self._loop.create_task(self._run())
-
     async def _run(self) -> None:
-        """Draw the newest state; time advances by the clock, whatever drawing takes."""
+        """Draw the newest state; during playback the frame follows the clock, however long drawing takes."""
         last = time.monotonic()
         while True:
             if not self.playing:
@@ -322,9 +283,3 @@ class Player(widgets.VBox):
             if self.playing or self._stale:
                 self._show()
             await asyncio.sleep(max(0.004, 1 / self.rate - (time.monotonic() - now)))
-
-
-def require_main_thread() -> None:
-    """Raise RuntimeError outside of the main thread, where VTK would draw garbage without saying so."""
-    if threading.current_thread() is not threading.main_thread():
-        raise RuntimeError("the player draws in the main thread only; call it from there (loop.call_soon_threadsafe)")

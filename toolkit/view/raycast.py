@@ -1,8 +1,8 @@
 """A small software renderer for rounded cones: exact silhouettes and shading with numpy alone, no OpenGL.
 
 Parallel projection: camera space is x right, y up, z towards the viewer. Each shape is intersected in its own frame, where
-it is a plain rounded cone (two spheres and the cone that touches both), so thinning costs nothing. Drawing finds depths
-only; normals and light are worked out once at the end, for the pixels that are seen.
+it is two spheres and the cone that touches both. Drawing finds depths only; normals and light are computed once at the end,
+for the visible pixels.
 """
 
 import math
@@ -10,33 +10,38 @@ from collections.abc import Sequence
 
 import numpy as np
 from scipy.ndimage import uniform_filter, zoom
+from scipy.spatial.transform import Rotation
 
 from toolkit.view.body import Shape
 
 FAR = -1e9
 COARSE = 4  # shadows are soft, so their pixels are this many times larger
+KEY, FILL = (v / np.linalg.norm(v) for v in np.float32([[-0.45, 0.75, 0.55], [0.8, 0.15, 0.4]]))  # towards two lamps
+
+
+def orbit(azimuth: np.ndarray | float, elevation: float) -> np.ndarray:
+    """World to camera space [..., 3, 3]: a turn by ``azimuth`` about the vertical, then a tilt by ``elevation``; radians."""
+    elevation = elevation if abs(elevation) > 1e-3 else 1e-3  # from exactly the side, the floor would be a line
+    turn = Rotation.from_rotvec(np.multiply.outer(azimuth, [0.0, 1.0, 0.0]))
+    return (Rotation.from_rotvec([elevation, 0.0, 0.0]) * turn).as_matrix()
 
 
 class Canvas:
     """An image that bodies are drawn into, with a depth for every pixel.
 
-    Parameters
-    ----------
-    window
-        (x0, x1, y0, y1) of camera space, metres.
-    scale
-        Pixels per metre.
+    It shows a ``window`` (x0, x1, y0, y1) of camera space in metres, with ``scale`` pixels per metre. Shadows and lines on
+    the floor need the ``camera`` [3, 3], world to camera space, see `orbit`.
     """
 
-    def __init__(self, window: tuple[float, float, float, float], scale: float):
-        self.window, self.scale = window, scale
+    def __init__(self, window: tuple[float, float, float, float], scale: float, camera: np.ndarray | None = None):
+        self.window, self.scale, self.camera = window, scale, np.eye(3) if camera is None else camera
         self.width, self.height = (round((window[i + 1] - window[i]) * scale) for i in (0, 2))
         self.x = (window[0] + (np.arange(self.width) + 0.5) / scale).astype(np.float32)
         self.y = (window[3] - (np.arange(self.height) + 0.5) / scale).astype(np.float32)
         self.depth = np.full((self.height, self.width), FAR, np.float32)
         self.owner = np.zeros((self.height, self.width), np.int32)
         self.shade = np.zeros((-(-self.height // COARSE), -(-self.width // COARSE)), np.float32)
-        self._back, self._centre, self._ends, self._colors = [], [], [], []
+        self._drawn = []
 
     def _span(self, low: np.ndarray, high: np.ndarray, step: int = 1) -> tuple[slice, slice]:
         """Rows and columns, ``step`` pixels each, that hold camera space from ``low`` to ``high`` [2]."""
@@ -56,18 +61,16 @@ class Canvas:
             depth = _depth(shape, place[:, 3], back, self.x[columns], self.y[rows, None])
             nearer = depth > self.depth[rows, columns]
             self.depth[rows, columns][nearer] = depth[nearer]
-            self.owner[rows, columns][nearer] = len(self._back)
-            self._back.append(back)
-            self._centre.append(place[:, 3])
-            self._ends.append((*shape.radii, shape.length))
-            self._colors.append(color)
+            self.owner[rows, columns][nearer] = len(self._drawn)
+            self._drawn.append((back, place[:, 3], (*shape.radii, shape.length), color))
 
-    def shadow(self, shapes: Sequence[Shape], places: np.ndarray, up: np.ndarray, floor: np.ndarray,
-               lamp: np.ndarray) -> None:
-        """Darken the floor (through ``floor``, normal ``up``, level from left to right) below shapes.
+    def shadow(self, shapes: Sequence[Shape], places: np.ndarray, lamp: np.ndarray,
+               floor: Sequence[float] = (0, 0, 0)) -> None:
+        """Darken the floor, which goes through the point ``floor``, below shapes; ``lamp`` points to the light.
 
-        ``lamp`` points to the light. A shape's shadow is the hull of its two spheres' shadows, softer the higher they are.
+        A shape's shadow is the hull of its two spheres' shadows, softer the higher they are.
         """
+        up = self.camera[:, 1]
         length, radii = np.array([s.length for s in shapes]), np.array([s.radii for s in shapes])
         ends = np.stack((places[:, :, 3], places[:, :, 3] + places[:, :, 1] * length[:, None]), 1)  # [S, 2, 3]
         height = ((ends - floor) @ up).clip(0)
@@ -75,7 +78,7 @@ class Canvas:
         reach = (1.5 * radii + 0.1 * height)[..., None]
         rows, columns = self._span((ends - reach).min((0, 1)), (ends + reach).max((0, 1)), COARSE)
         x, y = (np.float32(COARSE / self.scale) * (np.arange(n) + 0.5) for n in self.shade.shape[::-1])
-        stretch = np.array([1, 1 / up[2]])  # the floor is seen at a slant
+        stretch = np.array([1, 1 / up[2]])  # the camera looks down at the floor
         x, y = x[columns] + self.window[0], (self.window[3] - y[rows, None]) * stretch[1]
 
         def each(values: np.ndarray) -> np.ndarray:
@@ -90,8 +93,25 @@ class Canvas:
         cover = (0.5 - (distance - radius) / (0.024 + 0.2 * above)).clip(0, 1)
         self.shade[rows, columns] = 1 - (1 - self.shade[rows, columns]) * np.prod(1 - cover * cover * (3 - 2 * cover), 0)
 
-    def image(self, floor: np.ndarray, paper: np.ndarray) -> np.ndarray:
-        """The shaded picture ``[H, W, 3]``, 0 to 1: ``floor`` [H, W or 1, 3] behind, ``paper`` [3] glancing off edges."""
+    def lines(self, axes: np.ndarray, spacing: Sequence[float], start: Sequence[float], width: float) -> np.ndarray:
+        """Share [H, W] of the pixels that lines of ``width`` pixels on the floor cover.
+
+        A line crosses each of the horizontal ``axes`` [A, 3] every ``spacing`` metres; the floor below the origin of camera
+        space is ``start`` metres from one.
+        """
+        covered = 0.0
+        for axis, apart, first in zip(axes, spacing, start, strict=True):
+            slope = (self.camera @ axis)[:2] / [1, self.camera[2, 1] ** 2]  # along the axis, per metre of the picture
+            along = slope[0] * self.x + slope[1] * self.y[:, None] + first
+            pixels = np.abs(along - apart * np.round(along / apart)) * self.scale / np.linalg.norm(slope)
+            covered = np.maximum(covered, np.clip(0.5 * width + 0.5 - pixels, 0, 1))
+        return covered
+
+    def image(self, floor: np.ndarray, paper: np.ndarray, fine: int = 1) -> np.ndarray:
+        """The shaded picture ``[H, W, 3]``, 0 to 1, averaged over squares of ``fine`` pixels.
+
+        ``floor`` [H, W or 1, 3] is the background, ``paper`` [3] the colour of the light that edges reflect.
+        """
         picture = np.broadcast_to(floor.astype(np.float32), (self.height, self.width, 3)).copy()
         shaded = np.flatnonzero(self.shade.any(1))
         if len(shaded):
@@ -100,30 +120,31 @@ class Canvas:
             rows = picture[start * COARSE :][: len(soft)]
             rows *= 1 - soft[: len(rows), : self.width, None] * np.array([0.36, 0.34, 0.31], np.float32)
         covered = self.depth > FAR / 2
-        if not covered.any():
-            return picture
+        if covered.any():
+            picture[covered] = self._lit(covered, paper.astype(np.float32))
+        h, w = (n // fine * fine for n in picture.shape[:2])
+        return sum(picture[i:h:fine, k:w:fine] for i in range(fine) for k in range(fine)) / fine**2
+
+    def _lit(self, covered: np.ndarray, paper: np.ndarray) -> np.ndarray:
+        """Colours [N, 3] of the covered pixels [H, W]."""
         rows, columns = (slice(v.min(), v.max() + 1) for v in np.nonzero(covered))
-        seen = covered[rows, columns]
-        depth = self.depth[rows, columns]
-        near = np.where(seen, depth, depth[seen].min())
-        blurred = near
+        seen, depth = covered[rows, columns], self.depth[rows, columns]
+        blurred = near = np.where(seen, depth, depth[seen].min())
         for _ in range(2):
             blurred = uniform_filter(blurred, 2 * round(0.025 * self.scale) + 1, mode="nearest")
         crease = np.clip((blurred - near)[seen] * 2.2, 0, 0.35)  # unsharp mask of the depth
         n, color = self._normals(covered)
-        key = np.clip(n @ _unit(-0.45, 0.75, 0.55), 0, 1)
-        fill = np.clip(n @ _unit(0.8, 0.15, 0.4), 0, 1)
+        key, fill = (np.clip(n @ lamp, 0, 1) for lamp in (KEY, FILL))
         light = 0.56 + 0.15 * n[:, 1] + 0.50 * key + 0.10 * fill - crease
         edge = (np.clip(1 - n[:, 2], 0, 1) ** 3 * 0.22)[:, None]
-        lit = color * np.clip(light, 0, None)[:, None] * (1 - edge) + 0.55 * edge * paper.astype(np.float32)
-        picture[covered] = np.clip(lit + 0.10 * (key**8 * key**16)[:, None], 0, 1)
-        return picture
+        lit = color * np.clip(light, 0, None)[:, None] * (1 - edge) + 0.55 * edge * paper
+        return np.clip(lit + 0.10 * (key**8 * key**16)[:, None], 0, 1)
 
     def _normals(self, covered: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Normals and colours [N, 3] of the pixels that are seen."""
+        """Normals and colours [N, 3] of the covered pixels."""
         rows, columns = np.nonzero(covered)
         owner = self.owner[covered]
-        back, centre, ends, colors = (np.array(a, np.float32) for a in (self._back, self._centre, self._ends, self._colors))
+        back, centre, ends, colors = (np.array(values, np.float32) for values in zip(*self._drawn, strict=True))
         points = np.stack((self.x[columns], self.y[rows], self.depth[covered]), 1) - centre[owner]
         first, second, length = ends.T
         sine = (first - second) / length
@@ -134,17 +155,17 @@ class Canvas:
         points[second_ball, 1] -= length[owner[second_ball]]
         radial = np.linalg.norm(points[flank][:, ::2], axis=1)
         points[flank, 1] = radial * (sine / np.sqrt(1 - sine**2))[owner[flank]]
-        normals = np.einsum("ni,nij->nj", points, back[owner])  # a normal goes with the inverse transpose
+        normals = np.einsum("ni,nij->nj", points, back[owner])  # by the inverse transpose
         return normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-9), colors[owner]
 
 
 def _depth(shape: Shape, centre: np.ndarray, back: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.ndarray:
-    """Largest z ``[H, W]`` of a shape over camera x ``[W]`` and y ``[H, 1]``; NaN beside it.
+    """Largest z ``[H, W]`` of a shape at camera x ``[W]`` and y ``[H, 1]``; NaN outside its silhouette.
 
-    ``back`` [3, 3] turns camera space into the cone's frame, round ``centre``. In that frame a line of sight is o + s·d,
-    with d a unit vector and o at right angles to it. The surface is two spheres on the y axis and the cone that touches
-    both: where its normal leans by an angle whose sine is the difference of the radii over the distance of the centres,
-    radial distance · cos + y · sin = first radius.
+    ``back`` [3, 3] transforms camera space, relative to ``centre``, to the cone's frame. In that frame a line of sight is
+    o + s·d, with a unit vector d and o orthogonal to it. The surface is two spheres on the y axis and the cone that touches
+    both. The cone's normal leans by an angle whose sine is the difference of the radii over the distance of the centres;
+    there, radial distance · cos + y · sin = first radius.
     """
     (first, second), length = shape.radii, shape.length
     speed = np.linalg.norm(back[:, 2])
@@ -170,8 +191,3 @@ def _depth(shape: Shape, centre: np.ndarray, back: np.ndarray, x: np.ndarray, y:
             at = oy + dy * flank
             s = np.fmax(s, np.where((at > first * sine) & (at < length + second * sine), flank, np.nan))
     return np.float32(centre[2]) + (s - np.float32(slope[0]) * x - np.float32(slope[1]) * y) * np.float32(1 / speed)
-
-
-def _unit(*v: float) -> np.ndarray:
-    v = np.array(v, np.float32)
-    return v / np.linalg.norm(v)

@@ -1,39 +1,24 @@
-"""Linear blend skinning: vertices near a joint follow two joints in shares, so that limbs bend as one surface.
+"""Linear blend skinning: vertices near a joint follow two joints, so that limbs bend as one surface.
 
-What both joints do to a vertex is added up by weight, as game engines do; a wrist that turns too far wrings the forearm, and
-a knee that folds the wrong way shows. One description of the shapes (`toolkit.view.body.Shape`) serves pyvista here and the
-browser (``scene/body.js``); the software renderer draws exact cones, which do not bend.
+The transforms of both joints are added up by weight, as game engines do. The same shapes (`toolkit.view.body.Shape`) are
+skinned here for pyvista and in the browser (``scene/body.js``); the software renderer draws exact cones, which do not bend.
 """
 
 from collections.abc import Sequence
 
 import numpy as np
-import torch
 from torch import Tensor
 
-from toolkit.motion import rotations as R
-from toolkit.view.body import Shape
+from toolkit.view.body import Shape, place
 
 HOSTS = 3  # joints that a shape's vertices follow: its own and at most one beyond each end
 FLANK = 4  # rings between the two caps
 
 
 class Skin:
-    """The surface of shapes, as one buffer of vertices.
+    """The surface of S shapes as one buffer of vertices, with ``around`` vertices around and ``along`` rings in each cap.
 
-    Parameters
-    ----------
-    shapes
-        S shapes.
-    around, along
-        Vertices around each and rings in each cap.
-
-    Attributes
-    ----------
-    triangles : ndarray [T, 3]
-        Of all vertices, those of one shape after those of another.
-    owners : ndarray [S V]
-        The shape of each vertex.
+    ``triangles`` [T, 3] are indices of vertices, shape after shape; ``owners`` [S V] is the shape of each vertex.
     """
 
     def __init__(self, shapes: Sequence[Shape], around: int = 16, along: int = 5):
@@ -44,13 +29,13 @@ class Skin:
         self.owners = np.repeat(np.arange(len(shapes)), count)
         shares = np.stack([weights(shape, y) for shape, y in zip(shapes, points[..., 1], strict=True)])[..., None]
         thin = np.array([np.linalg.norm(shape.place[:, 2]) for shape in shapes])[:, None]
-        normals[..., 2] /= thin**2  # with the shape's own thinning: the inverse transpose
+        normals[..., 2] /= thin**2  # normals are transformed by the inverse transpose
         homogeneous = np.concatenate((points, np.ones_like(points[..., :1])), -1)
         self._points = (shares * homogeneous[:, :, None]).reshape(len(shapes), count, -1).astype(np.float32)
         self._normals = (shares * normals[:, :, None]).reshape(len(shapes), count, -1).astype(np.float32)
 
     def pose(self, places: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Vertices and unit normals [S V, 3] in the world, of `placements` [S, HOSTS, 3, 4]."""
+        """Vertices and unit normals [S V, 3] in the world, for `placements` [S, HOSTS, 3, 4]."""
         normals = self._normals @ places[..., :3].swapaxes(2, 3).reshape(len(places), -1, 3)
         normals /= np.sqrt(np.einsum("svi,svi->sv", normals, normals))[..., None]
         return self.points(places), normals.reshape(-1, 3)
@@ -61,7 +46,7 @@ class Skin:
 
 
 def weights(shape: Shape, y: np.ndarray) -> np.ndarray:
-    """Shares [V, HOSTS] of a shape's own joint and of its bends' at heights ``y`` [V] in its own frame; they sum to one."""
+    """Skinning weights [V, HOSTS] of a shape's own joint and its bends' joints, at heights ``y`` [V] in its own frame."""
     shares = np.zeros((len(y), HOSTS))
     for i, bend in enumerate(shape.bends, start=1):
         t = np.clip(0.5 + 0.5 * (y - bend.at) / bend.width, 0, 1)
@@ -71,27 +56,24 @@ def weights(shape: Shape, y: np.ndarray) -> np.ndarray:
 
 
 def placements(shapes: Sequence[Shape], rotations: Tensor, positions: Tensor) -> np.ndarray:
-    """World placement ``[..., S, HOSTS, 3, 4]`` of shapes by each joint that they follow.
+    """World placement ``[..., S, HOSTS, 3, 4]`` of S shapes by each joint that they follow.
 
-    Of global rotations ``[..., J, 4]`` and positions ``[..., J, 3]``.
+    From global rotations ``[..., J, 4]`` and positions ``[..., J, 3]``.
     """
     hosts = [[(s.joint, s.place), *((bend.joint, bend.place) for bend in s.bends)] for s in shapes]
-    hosts = [row + row[:1] * (HOSTS - len(row)) for row in hosts]  # with no weight
-    joints = [[joint for joint, _ in row] for row in hosts]
-    local = torch.from_numpy(np.array([[place for _, place in row] for row in hosts])).float()
-    world = R.to_matrix(rotations[..., joints, :]) @ local
-    world[..., 3] += positions[..., joints, :]
-    return world.numpy()
+    hosts = [row + row[:1] * (HOSTS - len(row)) for row in hosts]  # the own joint again, with weight zero
+    joints, places = ([[host[i] for host in row] for row in hosts] for i in (0, 1))
+    return place(joints, places, rotations, positions)
 
 
 def surface(shape: Shape, around: int = 16, along: int = 5) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Vertices [V, 3] and normals [V, 3] in the cone's own frame, and triangles [T, 3]."""
     (r0, r1), h = shape.radii, shape.length
     tilt = np.arcsin((r0 - r1) / h)
-    flank = 0.5 - 0.5 * np.cos(np.pi * np.arange(1, FLANK + 1) / (FLANK + 1))  # closer to the ends, where it bends
+    flank = 0.5 - 0.5 * np.cos(np.pi * np.arange(1, FLANK + 1) / (FLANK + 1))  # denser at the ends, where it bends
     caps = np.linspace(-np.pi / 2, tilt, along + 1), np.linspace(tilt, np.pi / 2, along + 1)
     angles = np.concatenate((caps[0], np.full(FLANK, tilt), caps[1]))
-    share = np.concatenate((np.zeros(along + 1), flank, np.ones(along + 1)))  # of the way from one ball to the other
+    share = np.concatenate((np.zeros(along + 1), flank, np.ones(along + 1)))  # from one sphere to the other
     turn = np.linspace(0, 2 * np.pi, around, endpoint=False)
     ring = np.stack((np.cos(turn), np.zeros(around), np.sin(turn)), 1)
     normals = np.cos(angles)[:, None, None] * ring + np.sin(angles)[:, None, None] * np.eye(3)[1]

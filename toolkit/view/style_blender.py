@@ -1,43 +1,19 @@
-"""Style interpolation by hand: three style menus, a barycentric triangle, and the motion that the blend gives."""
+"""Style interpolation by hand: three style menus, a barycentric triangle, and the motion of the blend."""
 
 import asyncio
 import math
 import threading
-from collections.abc import Callable, Mapping, Sequence
-from importlib import resources
+from collections.abc import Callable, Mapping
 
-import anywidget
 import ipywidgets as widgets
-import traitlets
 
 from toolkit.motion import Clip
-from toolkit.view.player import RATE, Player, require_main_thread
+from toolkit.view.frontend import require_main_thread, running_loop
+from toolkit.view.player import RATE, Player
+from toolkit.view.triangle import StyleTriangle, corners
 
-PAUSE = 0.03  # seconds in which moves are gathered before a new motion is made
+PAUSE = 0.03  # seconds in which changes are collected before a new motion is made
 BUSY = 15.0  # pictures per second at most while a motion is made: both need Python
-
-
-class StyleTriangle(anywidget.AnyWidget):
-    """Three corners and a marker to drag.
-
-    Attributes
-    ----------
-    names
-        What the corners are called.
-    weights
-        Three shares that sum to one; a trait, so it can be observed, linked and set.
-    """
-
-    _esm = (resources.files("toolkit.view") / "static" / "triangle.js").read_text(encoding="utf-8")
-    names = traitlets.List(traitlets.Unicode(), ["A", "B", "C"], minlen=3, maxlen=3).tag(sync=True)
-    weights = traitlets.List(traitlets.Float(), [1 / 3, 1 / 3, 1 / 3], minlen=3, maxlen=3).tag(sync=True)
-
-    @traitlets.validate("weights")
-    def _sum_to_one(self, proposal: dict) -> list[float]:
-        shares = proposal["value"]
-        if not all(math.isfinite(w) and w >= 0 for w in shares) or not sum(shares) > 0:
-            raise traitlets.TraitError(f"weights must be three shares >= 0 and not all zero, got {shares}")
-        return [w / sum(shares) for w in shares]
 
 
 class StyleBlender(widgets.HBox):
@@ -49,8 +25,7 @@ class StyleBlender(widgets.HBox):
         Style bank; its ``names`` fill the menus.
     make_clip
         Takes ``{style: weight}`` (weights sum to one) and returns the motion, which is labelled with the blend unless it
-        has a style. It runs in a worker thread while widgets are dragged, one call at a time, again and again; of the moves
-        made meanwhile only the newest counts.
+        has a style. While widgets are dragged it runs in a worker thread, one call at a time, for the newest blend.
     weights
         The first blend, one to three styles; by default the first three names in equal parts.
     size
@@ -60,10 +35,8 @@ class StyleBlender(widgets.HBox):
     ----------
     weights
         The blend ``{style: weight}``; assigning one makes and shows its motion before it returns.
-    player
-        The `Player`.
-    triangle
-        The `StyleTriangle`.
+    player, triangle
+        The `Player` and the `StyleTriangle`.
 
     Raises
     ------
@@ -71,20 +44,18 @@ class StyleBlender(widgets.HBox):
         If a style is unknown, or weights are negative or all zero.
     """
 
+    player: Player | None = None  # until it is made; a refused blend leaves it so
+
     def __init__(self, bank, make_clip: Callable[[dict[str, float]], Clip], *, weights: Mapping[str, float] | None = None,
                  size: tuple[int, int] = (640, 480)):
         require_main_thread()
-        self._names, self._make_clip = tuple(bank.names), make_clip
-        weights = dict.fromkeys(self._names[:3], 1.0) if weights is None else weights
-        chosen, shares = self._corners(weights)
-        self._menus = [widgets.Dropdown(options=self._names, value=name, layout={"width": "220px"}) for name in chosen]
-        self.triangle = StyleTriangle(names=chosen, weights=shares)
+        self._bank, self._make_clip = bank, make_clip
+        names, shares = corners(bank, dict.fromkeys(bank.names[:3], 1.0) if weights is None else weights, bank.names)
+        self._menus = [widgets.Dropdown(options=bank.names, value=name, layout={"width": "220px"}) for name in names]
+        self.triangle = StyleTriangle(names=names, weights=shares)
         self._status = widgets.HTML(layout={"width": "220px"})
-        self._serial, self._settled, self._task, self._setting = 0, 0, None, False  # moves made, move shown
-        try:
-            self._loop = asyncio.get_running_loop()
-        except RuntimeError:
-            self._loop = None  # a script: every change is made at once
+        self._asked = self._shown = 0  # changes of the blend, and the change whose motion is shown
+        self._task, self._setting, self._loop = None, False, running_loop()
         self.player = Player(self._make(self.weights), size=size)
         for menu in self._menus:
             menu.observe(self._changed, "value")
@@ -94,32 +65,30 @@ class StyleBlender(widgets.HBox):
     @property
     def weights(self) -> dict[str, float]:
         """The blend: style to share, summing to one."""
-        blend: dict[str, float] = {}
-        for menu, share in zip(self._menus, self.triangle.weights, strict=True):
-            blend[menu.value] = blend.get(menu.value, 0.0) + share
-        return blend
+        return self.triangle.blend
 
     @weights.setter
     def weights(self, weights: Mapping[str, float]) -> None:
         require_main_thread()
         self._set(weights)
-        self._serial += 1
+        self._asked += 1
         self.player.show(self._make(self.weights))
-        self._settled = self._serial
+        self._shown = self._asked
 
     def close(self) -> None:
-        """Stop and take the widgets away."""
-        self._settled = math.inf
-        self.player.close()
+        """Stop and remove the widgets."""
+        self._shown = math.inf
+        if self.player is not None:
+            self.player.close()
         super().close()
 
     def _repr_mimebundle_(self, **kwargs) -> dict:
-        """The widget, and the player's picture for pages that show none (a notebook on GitHub, nbconvert)."""
+        """The widget, and the player's picture for pages without widgets (a notebook on GitHub, nbconvert)."""
         return super()._repr_mimebundle_(**kwargs) | {"image/jpeg": self.player._repr_mimebundle_()["image/jpeg"]}
 
     def _set(self, weights: Mapping[str, float]) -> None:
-        """Menus and marker at a blend, with no motion made for it."""
-        names, shares = self._corners(weights)
+        """Set menus and marker to a blend, without making its motion."""
+        names, shares = corners(self._bank, weights, self._bank.names)
         self._setting = True
         try:
             for menu, name in zip(self._menus, names, strict=True):
@@ -128,29 +97,17 @@ class StyleBlender(widgets.HBox):
         finally:
             self._setting = False
 
-    def _corners(self, weights: Mapping[str, float]) -> tuple[list[str], list[float]]:
-        """Three names and shares; missing corners are filled with other styles at zero."""
-        unknown = [n for n in weights if n not in self._names]
-        shares = [float(w) for w in weights.values()]
-        if unknown:
-            raise ValueError(f"unknown style {unknown[0]!r}; the bank has {', '.join(self._names)}")
-        if not 1 <= len(shares) <= 3 or not all(math.isfinite(w) and w >= 0 for w in shares) or not sum(shares) > 0:
-            raise ValueError(f"a blend needs one to three weights >= 0 and not all zero, got {dict(weights)}")
-        others: Sequence[str] = [n for n in self._names if n not in weights] + [next(iter(weights))] * 2
-        missing = 3 - len(shares)
-        return [*weights, *others[:missing]], [w / sum(shares) for w in shares] + [0.0] * missing
-
     def _make(self, blend: dict[str, float]) -> Clip:
         clip = self._make_clip(blend)
         named = ", ".join(f"{share:.0%} {name}" for name, share in blend.items() if share >= 0.005)
         return clip if clip.style else clip.replace(style=named)
 
     def _changed(self, _change: dict) -> None:
-        """A menu or the marker moved (any thread): make its motion."""
+        """A menu or the marker changed (any thread): make its motion."""
         if self._setting:
             return
         self.triangle.names = [menu.value for menu in self._menus]
-        self._serial += 1
+        self._asked += 1
         if self._loop is not None:
             self._loop.call_soon_threadsafe(self._plan)
         elif threading.current_thread() is threading.main_thread():
@@ -158,13 +115,13 @@ class StyleBlender(widgets.HBox):
 
     def _plan(self) -> None:
         if self._task is None or self._task.done():
-            self._task = self._loop.create_task(self._follow())
+            self._task = self._loop.create_task(self._run())
 
-    async def _follow(self) -> None:
+    async def _run(self) -> None:
         """Make motions until the newest blend is shown; one that was assigned meanwhile stays."""
-        while self._settled < self._serial:
+        while self._shown < self._asked:
             await asyncio.sleep(PAUSE)
-            serial = self._serial
+            asked = self._asked
             self._status.value = "making the motion …"
             self.player.rate = BUSY
             try:
@@ -175,6 +132,6 @@ class StyleBlender(widgets.HBox):
             finally:
                 self.player.rate = RATE
             self._status.value = ""
-            if serial > self._settled:
+            if asked > self._shown:
                 self.player.show(clip)
-                self._settled = serial
+                self._shown = asked

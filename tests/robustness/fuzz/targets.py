@@ -10,7 +10,6 @@ from pathlib import Path
 from unittest import mock
 
 import numpy as np
-import typer
 from robustness.fuzz import mutations
 from robustness.fuzz.trials import Reader
 from typer.core import TyperCommand
@@ -46,9 +45,9 @@ Frame Time: 0.033333
 TINY = networks.Sizes(hidden=4, experts=2, gating=4, film_channels=2, film_kernel=5, film_dense=4)
 WORK = {  # functions that a command calls after its checks; they are replaced here
     "toolkit.training.distributed": ("start",), "toolkit.features": ("build",), "toolkit.features.store": ("preprocess",),
-    "toolkit.training": ("fit",), "toolkit.cli.demo": ("greet", "make"), "toolkit.runtime.crowd": ("walk",),
+    "toolkit.training": ("fit",), "toolkit.cli.demo": ("embedded", "make"), "toolkit.runtime.crowd": ("walk",),
     "toolkit.runtime": ("states",), "toolkit.datasets.procedural": ("load", "write"),
-    "toolkit.cli.style": ("fine_tune",), "toolkit.cli.stylize": ("build", "stylize"),
+    "toolkit.cli.style": ("fine_tune",), "toolkit.cli.stylize": ("stylize",), "toolkit.cli.train_stylizer": ("build",),
     "toolkit.cli.data": ("fetch",),
 }
 VALUES = ("", "x", "-", "--", "0", "1", "-1", "3", "0.05", "nan", "inf", "-inf", "1e308", "1e-320", "9" * 30, "9" * 400,
@@ -164,14 +163,14 @@ def _cli(folder: Path) -> list[Reader]:
     (folder / "folder").mkdir(exist_ok=True)
     for name, data in (("bad.bvh", CARRIER[:-40]), ("good.bvh", CARRIER), ("bad.safetensors", b"\0" * 64)):
         (folder / name).write_bytes(data)
-    root = typer.main.get_command(command_line.app)
 
     def leaves(command: TyperCommand, words: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], TyperCommand]]:
+        command = getattr(command, "imported", command)
         yield words, command
         for name, sub in getattr(command, "commands", {}).items():
             yield from leaves(sub, (*words, name))
 
-    commands = list(leaves(root))
+    commands = list(leaves(command_line.app))
     idle = [mock.patch(f"{module}.{name}", _reached) for module, names in WORK.items() for name in names]
     options = sorted({name for _, command in commands for p in command.params for name in (*p.opts, *p.secondary_opts)
                       if name.startswith("-")})
@@ -193,8 +192,7 @@ def _cli(folder: Path) -> list[Reader]:
         out, err = io.StringIO(), io.StringIO()
         with contextlib.ExitStack() as around:
             for change in (contextlib.chdir(folder), contextlib.redirect_stdout(out), contextlib.redirect_stderr(err),
-                           mock.patch.dict("os.environ", TOOLKIT_DATA=str(folder / "none")), *idle,
-                           mock.patch.object(command_line, "app", root)):
+                           mock.patch.dict("os.environ", TOOLKIT_DATA=str(folder / "none")), *idle):
                 around.enter_context(change)
             try:
                 status = command_line.main(json.loads(path.read_bytes()))

@@ -11,7 +11,7 @@
 import * as THREE from "three";
 
 const CONTACT = "#35c46a", RINGS = 4;
-// linear light of the plain look: sun, sky and ground, as in view/stage.py
+// linear light of the plain look: sun, sky and ground, as in view/renderers.py
 const SUN = [0.477, 0.467, 0.445], SKY = [0.716, 0.716, 0.716], GROUND = [0.493, 0.468, 0.427];
 const GAMMA = Uint8Array.from({ length: 1025 }, (_, i) => 255 * (i / 1024) ** (1 / 2.2));
 

@@ -1,0 +1,46 @@
+"""The verb `train-stylizer`: train the motion stylizer of Park et al. 2021."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from toolkit import datasets, export
+from toolkit.cli.verbs import Device, Resume, Root, Seed, Selection
+from toolkit.stylization.data import build
+from toolkit.stylization.losses import LOSSES
+from toolkit.stylization.training import Config, fit
+
+
+def train_stylizer(
+    data: Annotated[str, typer.Option(help=f"Dataset: {', '.join(datasets.DATASETS)}.")],
+    out: Annotated[Path, typer.Option(help="File to write: networks and training curve (safetensors).")],
+    root: Root = None,
+    styles: Selection = None,
+    gaits: Selection = None,
+    losses: Annotated[str, typer.Option(help="Comma-separated; Table 1 leaves out ds, then sty.")] = ",".join(LOSSES),
+    iterations: Annotated[int | None, typer.Option(help="By default the paper's 100,000; fewer with --small.")] = None,
+    small: Annotated[bool, typer.Option("--small", help="Small networks and fast settings, for a processor.")] = False,
+    mirror: Annotated[bool, typer.Option(help="Add mirror images, as the paper does.")] = True,
+    seed: Seed = 0,
+    device: Device = "cpu",
+    resume: Resume = False,
+) -> None:
+    """Train the motion stylizer of Park et al. 2021; print its losses over time.
+
+    Its domains are the styles of the dataset, its contents the gaits.
+    """
+    export.check(out, ())
+    budget = {} if iterations is None else {"iterations": iterations}
+    config = (Config.quick if small else Config)(losses=tuple(losses.split(",")), seed=seed, device=device, **budget)
+    motions = build(datasets.load(data, root, styles, gaits), mirror=mirror)
+    print(f"{len(motions):,} windows of {', '.join(motions.domains)}")
+    checkpoint = out.with_name(out.name + ".checkpoint")
+    run = fit(motions, config, checkpoint, resume=resume, progress=True)
+    run.save(out)
+    checkpoint.unlink(missing_ok=True)
+    terms = [name for name in run.history[-1] if name not in ("step", "elapsed")] if run.history else []
+    print(f"{'step':>8}" + "".join(f"{name:>8}" for name in terms))
+    for row in run.history[:: max(1, len(run.history) // 10)]:
+        print(f"{row['step']:>8,}" + "".join(f"{row[name]:>8.3f}" for name in terms))
+    print(f"wrote {out}")

@@ -1,0 +1,236 @@
+"""Renderers of clips frame by frame: pyvista off screen where OpenGL works, the software renderer where it does not.
+
+VTK must only be used from the main thread; `toolkit.view.player` takes care of that.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import torch
+from matplotlib.colors import to_rgb
+from PIL import Image, ImageDraw
+
+from toolkit.motion import Clip
+from toolkit.motion import rotations as R
+from toolkit.view import body, floor
+from toolkit.view.opengl import explain_missing_opengl, opengl_works
+from toolkit.view.picture import steady_frames
+from toolkit.view.raycast import Canvas, orbit
+from toolkit.view.skin import Skin, placements
+
+BACK, SHADE, LINES = "#efece6", "#cdc8be", "#cbc5b9"
+LIGHT = torch.tensor([-0.08, 1.0, 0.51])  # towards the lamp, facing +Z
+# linear light: the browser's sun of 1.5 and hemisphere of 2.25 over π, in their colours (scene/scene.js)
+SUN, SKY, GROUND = np.float32([[0.477, 0.467, 0.445], [0.716, 0.716, 0.716], [0.493, 0.468, 0.427]])
+TILT = 0.2  # the camera looks down, radians
+TINT = 0.55  # share of its own colour in the trunk of each of several characters in one scene
+
+
+@dataclass(frozen=True, eq=False)
+class Character:
+    """A clip to draw and what is shown with it."""
+
+    clip: Clip
+    contacts: np.ndarray | None = None  # [F, 2] right, left, above one half where a foot stands
+    phases: np.ndarray | None = None  # [F, 4, 2] (sin, cos) of left hand, right hand, left foot, right foot
+    label: str = ""
+
+
+def best(characters: Sequence[Character], size: tuple[int, int]) -> "PyvistaRenderer | SoftwareRenderer":
+    """The best renderer that works here."""
+    if opengl_works():
+        return PyvistaRenderer(characters, size)
+    explain_missing_opengl()
+    return SoftwareRenderer(characters, size)
+
+
+class Scene:
+    """Characters in one scene and the camera, for any renderer."""
+
+    def __init__(self, characters: Sequence[Character], size: tuple[int, int]):
+        self.size = size
+        self.angle, self.distance = -50.0, 3.8  # the camera's: degrees from where the first body faces at first, metres
+        self.follow = True  # whether the camera follows the characters
+        self.shown = {"path", "contacts"}  # kinds of layers on the floor; contacts also colour the standing feet
+        self.load(characters)
+
+    def load(self, characters: Sequence[Character]) -> None:
+        """Show other characters."""
+        self.characters = list(characters)
+        clips = [character.clip for character in characters]
+        self.bodies = [body.build(clip) for clip in clips]
+        self.shapes = sum(self.bodies, ())
+        self._places = [placements(shapes, clip.global_rotations, clip.global_positions)
+                        for shapes, clip in zip(self.bodies, clips, strict=True)]
+        self.paths, facings = zip(*(steady_frames(clip, 0.8) for clip in clips), strict=True)
+        self.facing = float(facings[0][0])
+        self.light = R.rotate(R.yaw(torch.tensor(self.facing)), LIGHT).numpy()  # towards the lamp
+        self.height = 0.54 * max(float(clip.global_positions[0, :, 1].max()) for clip in clips)
+        self.layers = [floor.layers(one.clip, one.contacts, self.color(i)) for i, one in enumerate(characters)]
+
+    def color(self, character: int) -> str:
+        """Colour that tells a character from the others in the scene."""
+        return body.PALETTE[character % len(body.PALETTE)]
+
+    def places(self, frames: Sequence[int]) -> np.ndarray:
+        """Placement of every shape by each of its joints [S, HOSTS, 3, 4], with each character at its frame."""
+        return np.concatenate([places[frame] for places, frame in zip(self._places, frames, strict=True)])
+
+    def colors(self, frames: Sequence[int]) -> np.ndarray:
+        """Colour of every shape [S, 3]: standing feet have their own, and so have the trunks of several characters."""
+        tables = []
+        for i, (character, shapes, frame) in enumerate(zip(self.characters, self.bodies, frames, strict=True)):
+            lit = character.contacts is not None and "contacts" in self.shown
+            table = body.colors(shapes, character.contacts[frame] > 0.5 if lit else None)
+            if len(self.characters) > 1:
+                trunk = [s.tone == "middle" for s in shapes]
+                table[trunk] += TINT * (np.array(to_rgb(self.color(i))) - table[trunk])
+            tables.append(table)
+        return np.concatenate(tables)
+
+    def marks(self, frames: Sequence[int]) -> list[tuple[floor.Layer, np.ndarray]]:
+        """Layers on the floor, the lower ones first, with their corners [V, 2]; those of a hidden layer are one point."""
+        found = [(layer, layer.corners(frame) * (layer.kind in self.shown))
+                 for layers, frame in zip(self.layers, frames, strict=True) for layer in layers]
+        return sorted(found, key=lambda mark: mark[0].height)
+
+    def look(self, frames: Sequence[int]) -> tuple[np.ndarray, float, float]:
+        """The point on the floor that the camera looks at, its distance, which keeps all in view, and its azimuth."""
+        at = [path[frame if self.follow else len(path) // 2] for path, frame in zip(self.paths, frames, strict=True)]
+        centre = np.mean(at, 0)
+        distance = self.distance + 1.6 * float(np.linalg.norm(at - centre, axis=1).max())
+        return centre, distance, self.facing + np.radians(self.angle)
+
+    def close(self) -> None:
+        """Free the window, where there is one."""
+
+
+class PyvistaRenderer(Scene):
+    """pyvista without its slowest parts, multi-sampling and lights: light is computed per vertex, as in the browser.
+
+    The shadow is a coarse body projected onto the floor.
+    """
+
+    def __init__(self, characters: Sequence[Character], size: tuple[int, int]):
+        import pyvista as pv
+        from vtkmodules.util.numpy_support import numpy_to_vtk
+
+        self.pv, self._to_vtk = pv, numpy_to_vtk
+        theme = pv.themes.Theme()
+        theme.multi_samples = 0
+        self.plotter = pv.Plotter(off_screen=True, window_size=size, lighting="none", theme=theme)
+        self.plotter.set_background(BACK)
+        self.plotter.camera.SetViewUp(0, 1, 0)
+        self.plotter.camera.SetViewAngle(32)
+        self.grid = self._add(self._grid(), "grid", line_width=1)
+        super().__init__(characters, size)
+
+    def _add(self, mesh, name: str, **options):
+        """Add a mesh with a colour per point, in the place of an older one of that name."""
+        return self.plotter.add_mesh(mesh, name=name, scalars="rgb", rgb=True, lighting=False, render=False, **options)
+
+    def load(self, characters: Sequence[Character]) -> None:
+        """Show other characters."""
+        super().load(characters)
+        mesh = self.pv.PolyData.from_regular_faces
+        self.skin, self.coarse = Skin(self.shapes, around=14, along=3), Skin(self.shapes, around=6, along=1)
+        self.body, self.flat = (mesh(np.zeros((len(skin.owners), 3), np.float32), skin.triangles)
+                                for skin in (self.skin, self.coarse))
+        self.body.point_data["rgb"] = np.zeros((self.body.n_points, 3), np.uint8)
+        marks = self.marks([0] * len(self.characters))
+        counts = [len(corners) for _, corners in marks]
+        first = np.cumsum([0, *counts[:-1]])
+        self.floor = mesh(
+            np.concatenate([np.insert(corners, 1, layer.height, axis=1) for layer, corners in marks]).astype(np.float32),
+            np.concatenate([layer.triangles + k for (layer, _), k in zip(marks, first, strict=True)]))
+        tones = np.repeat([255 * np.array(to_rgb(layer.color)) for layer, _ in marks], counts, axis=0)
+        self.floor.point_data["rgb"] = tones.astype(np.uint8)
+        self._add(self.body, "body", culling="back")
+        self.plotter.add_mesh(self.flat, name="shadow", color=SHADE, lighting=False, render=False)
+        self._add(self.floor, "floor")
+
+    def _grid(self, reach: int = 14):
+        """Lines a metre apart, fading into the background."""
+        steps = np.arange(-reach, reach + 1.0, dtype=np.float32)
+        x, z = (v.ravel() for v in np.meshgrid(steps, steps[:-1], indexing="ij"))
+        points = np.stack((x, 0 * x, z, x, 0 * x, z + 1, z, 0 * x, x, z + 1, 0 * x, x), 1).reshape(-1, 3)
+        lines = np.insert(np.arange(len(points)).reshape(-1, 2), 0, 2, axis=1)
+        grid = self.pv.PolyData(points, lines=lines.ravel())
+        fade = np.clip(np.linalg.norm(points, axis=1) / reach, 0, 1)[:, None] ** 0.7
+        grid.point_data["rgb"] = (255 * (to_rgb(LINES) * (1 - fade) + to_rgb(BACK) * fade)).astype(np.uint8)
+        return grid
+
+    def draw(self, frames: Sequence[int], *, fine: bool = False) -> np.ndarray:
+        """Picture [H, W, 3] uint8 with each character at its frame; ``fine`` with smooth edges, in three times the time."""
+        places = self.places(frames)
+        self.body.points[:], normals = self.skin.pose(places)
+        self.body.point_data["rgb"][:] = self._lit(normals, self.colors(frames))
+        points = self.coarse.points(places)
+        self.flat.points[:] = points - points[:, 1:2] * (self.light / self.light[1])
+        self.flat.points[:, 1] = 0.003
+        self.floor.points[:, [0, 2]] = np.concatenate([corners for _, corners in self.marks(frames)])
+        for mesh in (self.body, self.flat, self.floor):
+            mesh.Modified()
+            mesh.GetPoints().Modified()
+        self.body.GetPointData().GetScalars().Modified()
+        centre, distance, a = self.look(frames)
+        target = centre + np.array([0, self.height, 0])
+        camera = self.plotter.camera  # VTK's own methods: pyvista's examine the whole scene each time
+        camera.SetPosition(target + distance * np.array([np.sin(a), TILT, np.cos(a)]))
+        camera.SetFocalPoint(target)
+        camera.SetClippingRange(0.2, 60)
+        self.grid.SetPosition(np.round(centre))
+        return self._read(2 if fine else 1)
+
+    def _read(self, scale: int) -> np.ndarray:
+        """The camera's picture, drawn ``scale`` times larger and averaged."""
+        width, height = (scale * n for n in self.size)
+        window = self.plotter.render_window
+        picture = np.empty((height, width, 3), np.uint8)
+        if scale > 1:
+            window.SetSize(width, height)
+        self.grid.prop.line_width = scale
+        window.Render()
+        window.GetPixelData(0, 0, width - 1, height - 1, 0, self._to_vtk(picture.reshape(-1, 3)), 0)  # the same memory
+        if scale == 1:
+            return picture[::-1]
+        window.SetSize(*self.size)
+        return np.asarray(Image.fromarray(picture[::-1]).reduce(scale))
+
+    def _lit(self, normals: np.ndarray, colors: np.ndarray) -> np.ndarray:
+        """Colour of every vertex [S V, 3] uint8: matt, with light from sky, floor and one lamp, as in the browser."""
+        up = 0.5 + 0.5 * normals[:, 1:2]
+        lamp = np.clip(normals @ (self.light / np.linalg.norm(self.light)), 0, None)[:, None]
+        linear = (colors**2.2).astype(np.float32)[self.skin.owners] * (GROUND + up * (SKY - GROUND) + lamp * SUN)
+        return (255 * np.clip(linear, 0, 1) ** np.float32(1 / 2.2)).astype(np.uint8)
+
+    def close(self) -> None:
+        """Free the window."""
+        self.plotter.close()
+
+
+class SoftwareRenderer(Scene):
+    """The software renderer: slower, needs no OpenGL."""
+
+    def draw(self, frames: Sequence[int], *, fine: bool = False) -> np.ndarray:
+        """Picture [H, W, 3] uint8 with each character at its frame; its edges are never smooth."""
+        width, height = self.size
+        centre, distance, a = self.look(frames)
+        camera, metres, middle = orbit(-a, TILT), 0.57 * distance, self.height * np.cos(TILT)  # as high as with pyvista
+        window = (-metres * width / height / 2, metres * width / height / 2, middle - metres / 2, middle + metres / 2)
+        canvas = Canvas(window, height / metres, camera)
+        places = self.places(frames)[:, 0].astype(np.float64)
+        places[..., 3] -= centre
+        places = camera @ places
+        canvas.draw(self.shapes, places, self.colors(frames))
+        canvas.shadow(self.shapes, places, camera @ self.light)
+        ground = Image.new("RGB", (canvas.width, canvas.height), BACK)
+        draw = ImageDraw.Draw(ground)
+        for layer, corners in self.marks(frames):
+            x, y, _ = camera @ (np.insert(corners, 1, 0.0, axis=1) - centre).T
+            pixels = np.stack(((x - window[0]) * canvas.scale, (window[3] - y) * canvas.scale), 1)
+            for triangle in pixels[layer.triangles]:
+                draw.polygon(triangle.ravel().tolist(), fill=layer.color)
+        picture = canvas.image(np.asarray(ground, np.float32) / 255, np.array(to_rgb(BACK)))[:height, :width]
+        return (255 * np.clip(picture, 0, 1)).astype(np.uint8)

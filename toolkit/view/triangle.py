@@ -1,0 +1,51 @@
+"""Blends of three styles as places in a triangle, and the widget to choose one."""
+
+import math
+from collections.abc import Iterable, Mapping
+
+import anywidget
+import traitlets
+
+from toolkit.view.frontend import static
+
+
+class Corners(anywidget.AnyWidget):
+    """A widget with three styles, ``names``, and their shares, ``weights``: traits that can be observed, linked and set."""
+
+    names = traitlets.List(traitlets.Unicode(), ["A", "B", "C"], minlen=3, maxlen=3).tag(sync=True)
+    weights = traitlets.List(traitlets.Float(), [1 / 3, 1 / 3, 1 / 3], minlen=3, maxlen=3).tag(sync=True)
+
+    @property
+    def blend(self) -> dict[str, float]:
+        """Style to share; a style at two corners has both shares."""
+        blend: dict[str, float] = {}
+        for name, share in zip(self.names, self.weights, strict=True):
+            blend[name] = blend.get(name, 0.0) + share
+        return blend
+
+
+class StyleTriangle(Corners):
+    """A barycentric triangle with a marker to drag; `weights` are scaled to sum to one."""
+
+    _esm = static("triangle.js")
+
+    @traitlets.validate("weights")
+    def _sum_to_one(self, proposal: dict) -> list[float]:
+        shares = proposal["value"]
+        if not all(math.isfinite(w) and w >= 0 for w in shares) or not sum(shares) > 0:
+            raise traitlets.TraitError(f"weights must be three shares >= 0 and not all zero, got {shares}")
+        return [w / sum(shares) for w in shares]
+
+
+def corners(bank, weights: Mapping[str, float], others: Iterable[str]) -> tuple[list[str], list[float]]:
+    """Three styles and their shares, which sum to one, from one to three weights; ``others`` fill up, with share zero.
+
+    A ValueError if a style is not in the bank, or weights are negative or all zero.
+    """
+    for name in weights:
+        bank[name]
+    shares = [float(w) for w in weights.values()]
+    if not 1 <= len(shares) <= 3 or not all(math.isfinite(w) and w >= 0 for w in shares) or not sum(shares) > 0:
+        raise ValueError(f"a blend needs one to three weights >= 0 and not all zero, got {dict(weights)}")
+    names = [*weights, *(name for name in others if name not in weights), *weights, *weights]
+    return names[:3], [w / sum(shares) for w in shares] + [0.0] * (3 - len(shares))
