@@ -1,4 +1,4 @@
-"""Closed loop: every style walks on its own, and what the one-step error does not show is measured."""
+"""Measures of walks in closed loop, which the one-step error does not show, compared with limits."""
 
 import math
 from itertools import islice
@@ -12,7 +12,7 @@ from toolkit.cli import verbs
 from toolkit.evaluation import metrics
 from toolkit.motion import Clip
 
-CHUNK = 600  # frames measured at a time: ten minutes of whole states of 25 characters would take gigabytes
+CHUNK = 600  # frames per measurement: the states of 25 characters over ten minutes would need gigabytes
 SPEED_LIMIT, SKATE_LIMIT = 0.25, 0.02  # share of the commanded speed, m/s
 LOOP = 2.0  # metres, radius of both loops of the course
 COLUMNS = {"speed": 8, "slowest": 9, "low": 7, "high": 6, "ik": 7, "plain": 7, "steps": 9, "fewest": 8, "path": 7}
@@ -21,11 +21,14 @@ COLUMNS = {"speed": 8, "slowest": 9, "low": 7, "high": 6, "ik": 7, "plain": 7, "
 def run(
     model: verbs.TrainedRun = None,
     parameters: verbs.Published = None,
-    styles: Annotated[str | None, typer.Option(help="Comma-separated names; all where not given.")] = None,
-    seconds: Annotated[float, typer.Option(help="How long to walk straight ahead.")] = 600.0,
+    styles: Annotated[str | None, typer.Option(help="Comma-separated names; default: all.")] = None,
+    seconds: Annotated[float, typer.Option(help="Duration of the straight walk.")] = 600.0,
     speed: Annotated[float, typer.Option(help="Metres per second.")] = 1.0,
 ) -> None:
-    """Walk every style straight ahead, then round an eight; measure what the one-step error does not show."""
+    """Speed, hips, foot skate and path of every style in closed loop, compared with limits and with no foot IK.
+
+    Every style walks straight ahead, then along an eight.
+    """
     net, bank = published.either(model, parameters)
     names = list(bank.names) if styles is None else styles.split(",")
     vectors = torch.stack([bank[name] for name in names])
@@ -55,15 +58,15 @@ def run(
         "path": max(table, key=lambda n: table[n]["path"]),
     }
     print(f"{seconds:g} s at {speed:g} m/s; slowest and fewest: of any {CHUNK / runtime.FPS:g} s; skate: a toe's mean speed "
-          f"while the network says contact; path: mean distance from an eight with loops of {LOOP:g} m radius")
+          f"while the network predicts contact; path: mean distance from an eight with loops of {LOOP:g} m radius")
     print("worst: " + ", ".join(f"{k} {table[n][k]:.2f} ({n})" for k, n in worst.items()))
-    failed = {name: _broken(row) for name, row in table.items() if _broken(row)}
+    failed = {name: why for name, row in table.items() if (why := _exceeded(row))}
     print(f"{len(table) - len(failed)} of {len(table)} styles finite, upright, within {SPEED_LIMIT:.0%} of the speed, under "
           f"{100 * SKATE_LIMIT:g} cm/s" + "".join(f"; {name}: {why}" for name, why in failed.items()))
 
 
 def eight(radius: float) -> torch.Tensor:
-    """Points (x, z) ``[97, 2]`` of two touching circles, left one first, starting straight ahead."""
+    """Points (x, z) ``[97, 2]`` of two touching circles, first the left one; the start is straight ahead."""
     t = torch.linspace(0.0, 2 * math.pi, 49)
     left = torch.stack((radius * (1 - t.cos()), radius * t.sin()), -1)
     return torch.cat((left, left[1:] * torch.tensor([-1.0, 1.0])))
@@ -83,7 +86,7 @@ def _measure(net, chunk: list[runtime.CharacterState], i: int) -> dict[str, floa
 
 
 def _skate(clip: Clip, contact: torch.Tensor) -> float:
-    """Of the worse foot that is ever in contact."""
+    """Foot skate of the worse foot; NaN without any contact."""
     return max((v for v in metrics.foot_skate(clip, contact).values() if not math.isnan(v)), default=math.nan)
 
 
@@ -102,8 +105,8 @@ def _off(ratio: float) -> float:
     return math.inf if math.isnan(ratio) else abs(ratio - 1.0)
 
 
-def _broken(row: dict[str, float]) -> str:
-    """Which limits a row breaks, in words."""
+def _exceeded(row: dict[str, float]) -> str:
+    """The limits that a row exceeds, in words."""
     checks = {"not upright or not finite": row["upright"] == 1,
               f"speed {row['speed']:.2f}": _off(row["speed"]) <= SPEED_LIMIT,
               f"skate {row['ik']:.1f} cm/s": row["ik"] < 100 * SKATE_LIMIT}

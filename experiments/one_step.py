@@ -1,4 +1,4 @@
-"""One step ahead from real input: a network against the next frame of a real clip."""
+"""Prediction errors one step ahead from real input, compared with those of other styles."""
 
 from pathlib import Path
 from typing import Annotated
@@ -12,14 +12,17 @@ from toolkit.io import bvh
 
 def run(
     clip: Annotated[Path, typer.Option(help="A BVH file of the 100STYLE skeleton.")],
-    style: Annotated[str, typer.Option(help="Whose style vector.")],
+    style: Annotated[str, typer.Option(help="Style of the clip.")],
     parameters: verbs.Published = None,
     model: verbs.TrainedRun = None,
     start: Annotated[int, typer.Option(help="First frame (100STYLE: START of Frame_Cuts.csv).")] = 0,
-    stop: Annotated[int | None, typer.Option(help="Last frame, not included; the end where not given.")] = None,
-    beside: Annotated[str, typer.Option(help="Comma-separated styles to compare with.")] = "Zombie,Aeroplane",
+    stop: Annotated[int | None, typer.Option(help="Frame after the last; default: the end.")] = None,
+    beside: Annotated[str, typer.Option(help="Comma-separated styles for comparison.")] = "Zombie,Aeroplane",
 ) -> None:
-    """Predict every next frame of a real clip from own features and phases; the right style must win clearly."""
+    """Errors of the predicted next frames of a real clip with its own style, compared with other styles.
+
+    The inputs are the features and phases of the clip. Its own style must have clearly smaller errors.
+    """
     net, bank = published.either(model, parameters)
     motion = bvh.load(clip)
     names = [style, *(s for s in beside.split(",") if s and s != style)]
@@ -28,4 +31,4 @@ def run(
     for row in rows:
         right, left = row["contact_correlation"]
         print(f"{row['style']:<18}{row['joint_mse']:>10.4f}{right:>17.3f}{left:>7.3f}{row['phase_error']:>13.3f}")
-    print(f"{row['frames']} frames; joint MSE in the model's normalised units, where predicting the mean gives about 1")
+    print(f"{row['frames']} frames; joint MSE in the model's normalised units; the mean pose has about 1")

@@ -1,4 +1,4 @@
-"""Realism: the procedural neutral walk measured beside recorded neutral walks, straight parts only."""
+"""Measures of the procedural neutral walk, compared with the straight parts of recorded neutral walks."""
 
 from itertools import pairwise
 from pathlib import Path
@@ -12,9 +12,9 @@ from toolkit import datasets
 from toolkit.datasets import procedural
 from toolkit.motion import Clip, contacts, root_frames
 
-RATE = 30.0  # Hz; all motion is brought to the slowest recording's rate, or jerk could not be compared
-SHORTEST = 2.0  # seconds of a straight part
-STRAIGHT = 0.35  # rad/s of turning, at most
+RATE = 30.0  # Hz, of the slowest recording; all motion is resampled to it, because jerk depends on the rate
+SHORTEST = 2.0  # seconds, least length of a straight part
+STRAIGHT = 0.35  # rad/s, highest turning rate of a straight part
 MEASURES = {
     "speed (m/s)": 2,
     "cadence (steps/min)": 0,
@@ -33,12 +33,12 @@ MEASURES = {
     "jerk of the ankles (m/s3)": 0,
 }  # name: decimals
 EXCEPTIONS = {
-    "hips bob per stride (mm)": "the hips stay a little below what both legs reach, smoothed over time, so they rise less",
-    "knee flexion, least (deg)": "no leg is stretched beyond 0.998 of its length: there a millimetre snaps the knee",
-    "knee flexion, range (deg)": "follows from the least flexion; the greatest is as in the recordings",
-    "ankle, range (deg)": "toes bend at the toe joint only while the foot stands, and push off less at a slow pace",
-    "jerk of the hips (m/s3)": "planned motion has neither tremor nor the noise of markers",
-    "stance ratio of a toe": "a planned toe stays planted to the frame, a recorded one drifts out of the limits",
+    "hips bob per stride (mm)": "the hips stay below the smoothed reach of both legs, so they rise less",
+    "knee flexion, least (deg)": "a leg has at most 0.998 of its length, because a nearly straight knee moves too fast",
+    "knee flexion, range (deg)": "follows from the least flexion; the greatest flexion is as in the recordings",
+    "ankle, range (deg)": "the toe joint bends only during the stance, and the foot pushes off less at a slow pace",
+    "jerk of the hips (m/s3)": "procedural motion has neither tremor nor marker noise",
+    "stance ratio of a toe": "a procedural toe is planted until lift-off, a recorded one drifts earlier",
 }
 
 
@@ -46,12 +46,12 @@ def run(
     data: Annotated[Path | None, typer.Option(help="Folder that holds 100style/ and bandai/.")] = None,
     style: Annotated[str, typer.Option(help="Procedural style.")] = "Neutral",
 ) -> None:
-    """Measure the procedural neutral walk beside 100STYLE's and Bandai-Namco's; mark what lies outside their range."""
+    """Measures of a procedural walk, compared with recorded neutral walks of 100STYLE and Bandai-Namco."""
     real: dict[str, list[dict[str, float]]] = {}
     for title, folder, choice in (("100STYLE", "100style", {"styles": "Neutral", "gaits": "FW"}),
                                   ("Bandai", "bandai", {"styles": "normal", "gaits": "walk"})):
         if data is None or not (data / folder).is_dir():
-            print(f"{title}: no {'--data' if data is None else data / folder}; without it nothing is compared with it")
+            print(f"{title}: no {'--data' if data is None else data / folder}; no comparison with this dataset")
             continue
         clips = datasets.load(folder, data / folder, **choice)
         real[title] = [measure(part) for clip in clips for part in straight_parts(clip)]
@@ -60,7 +60,7 @@ def run(
 
     counts = {title: f"{title} ({len(rows)})" for title, rows in real.items()}
     print(f"{'':<30}" + "".join(f"{c:>18}" for c in counts.values())
-          + "".join(f"{f'ours, {pace:.2f} m/s':>18}" for pace in paces.values()))
+          + "".join(f"{f'procedural, {pace:.2f} m/s':>22}" for pace in paces.values()))
     outside = []
     for name, decimals in MEASURES.items():
         line = f"{name:<30}"
@@ -71,16 +71,16 @@ def run(
         for row in made.values():
             beyond = bool(every) and not min(every) <= row[name] <= max(every)
             outside += [name] if beyond and name not in outside else []
-            line += f"{f'{row[name]:.{decimals}f}' + (' *' if beyond else '  '):>18}"
+            line += f"{f'{row[name]:.{decimals}f}' + (' *' if beyond else '  '):>22}"
         print(line)
     if real:
         print(f"* outside the range of all {sum(map(len, real.values()))} recorded parts: {len(outside)} of {len(MEASURES)}")
     for name in outside:
-        print(f"  {name}: {EXCEPTIONS.get(name, 'not explained')}")
+        print(f"  {name}: {EXCEPTIONS.get(name, 'unexplained')}")
 
 
 def straight_parts(clip: Clip) -> list[Clip]:
-    """Parts of at least `SHORTEST` seconds in which somebody walks forwards without turning, at `RATE`."""
+    """Parts of at least `SHORTEST` seconds of walking forwards without turns, at `RATE`."""
     clip = clip.resample(RATE)
     roots = root_frames(clip)
     half = round(RATE / 2)
@@ -105,7 +105,7 @@ def measure(clip: Clip) -> dict[str, float]:
     apart = (at["left_foot"] - at["right_foot"]) @ ahead
     strides = np.flatnonzero((apart[:-1] < 0) & (apart[1:] >= 0))
     if len(strides) < 2:
-        raise ValueError(f"{clip.name}: a part of {clip.seconds:.1f} s holds no whole stride")
+        raise ValueError(f"{clip.name}: a part of {clip.seconds:.1f} s has no whole stride")
     first, last = strides[0], strides[-1]
     steps = 2 * (len(strides) - 1)
     seconds = (last - first) / RATE

@@ -1,4 +1,4 @@
-"""New styles and blends: what held-out styles gain by fine-tuning, and whether blends go evenly from style to style."""
+"""New styles before and after fine-tuning, and blends of two styles by FiLM, compared with one-hot."""
 
 import hashlib
 from collections.abc import Sequence
@@ -19,9 +19,9 @@ from toolkit.networks.bank import StyleBank
 from toolkit.styles import plausibility
 from toolkit.training import loss
 
-WALKS = ("FW", "walk")  # gaits that are recognised, at the speed of the recording
-SETTLE, WALK = 150, 390  # frames of a walk that are not judged; of all of it
-STEPS = 9  # blends on the line between two styles, both ends included
+WALKS = ("FW", "walk")  # gaits whose clips give a style its speed
+SETTLE, WALK = 150, 390  # frames: start of a walk that is not measured; whole walk
+STEPS = 9  # blends between two styles, with both styles
 COLUMNS = {"rank": (6, 2), "between": (9, 1), "step": (6, 2), "stretch": (9, 1), "drawn": (7, 2), "depth": (7, 1)}
 HELD_OUT = {"procedural": "Zombie,Crouch,LimpLeft,HighKnees,Akimbo", "bandai": "old,proud,exhausted"}
 GAITS = {"procedural": "FW,BW,SW,TR1", "bandai": "walk,run,walk-back,walk-left,walk-right,walk-turn-left,walk-turn-right"}
@@ -30,15 +30,18 @@ GAITS = {"procedural": "FW,BW,SW,TR1", "bandai": "walk,run,walk-back,walk-left,w
 def run(
     data: Annotated[str, typer.Option(help=f"Dataset: {', '.join(HELD_OUT)}.")] = "procedural",
     root: Annotated[Path | None, typer.Option(help="Folder that holds it.")] = None,
-    held_out: Annotated[str | None, typer.Option(help="Comma-separated styles that training must not see.")] = None,
-    steps: Annotated[int, typer.Option(min=1, help="Training of each model; 10,000 take some minutes.")] = 10_000,
+    held_out: Annotated[str | None, typer.Option(help="Comma-separated new styles, which training does not use.")] = None,
+    steps: Annotated[int, typer.Option(min=1, help="Training steps of each model; 10,000 take some minutes.")] = 10_000,
     pairs: Annotated[int, typer.Option(help="Pairs of styles to blend.")] = 20,
     seconds: Annotated[float, typer.Option(help="Length of each procedural clip.")] = 30.0,
-    onehot: Annotated[bool, typer.Option(help="Train LPN one-hot too, to blend with.")] = True,
-    keep: Annotated[Path | None, typer.Option(help="Folder for trained models; what it has is not trained again.")] = None,
-    seed: Annotated[int, typer.Option(help="Of training and pairs.")] = 0,
+    onehot: Annotated[bool, typer.Option(help="Compare the blends with those of LPN one-hot.")] = True,
+    keep: Annotated[Path | None, typer.Option(help="Folder for trained models; models in it are not trained again.")] = None,
+    seed: Annotated[int, typer.Option(help="Seed of training and pairs.")] = 0,
 ) -> None:
-    """Train without some styles, add them and measure before and after; then blend pairs of styles, FiLM beside one-hot."""
+    """New styles, compared with the styles of training; blends of two styles by FiLM, compared with one-hot.
+
+    A model is trained without some styles, which every method then adds. Blends are walks between two styles.
+    """
     if data not in HELD_OUT:
         raise ValueError(f"unknown data {data!r}; there is {', '.join(HELD_OUT)}")
     new = (held_out or HELD_OUT[data]).split(",")
@@ -49,8 +52,7 @@ def run(
     walks = {s: max((c for c in clips if c.style == s and c.gait in WALKS), key=lambda c: c.seconds) for s in found.styles}
     speeds = {style: metrics.speed(clip) for style, clip in walks.items()}
     judge = recognition.train(found, seed)
-    told = f"the recogniser takes {judge.accuracy(found):.0%} of their clips for what they are"
-    print(f"{found.n_frames:,} frames of {len(found.styles)} styles; {told}")
+    print(f"{found.n_frames:,} frames of {len(found.styles)} styles; {judge.accuracy(found):.0%} of clips are recognised")
     net = _trained("lpn-film", found, known, steps, keep, seed)
     _adding(net, found, [walks[s] for s in new], judge, speeds)
     if pairs:
@@ -74,7 +76,7 @@ def _trained(name: str, data: Features, known: tuple[str, ...], steps: int, keep
 
 def _adding(net: training.Run, data: Features, walks: list[Clip], judge: recognition.Recogniser,
             speeds: dict[str, float]) -> None:
-    """The styles of ``walks`` by every method, from this one clip of each and from all but the test frames."""
+    """Add the styles of ``walks`` by every method, from this one clip of each style and from all but the test frames."""
     model, bank, new = net.model, net.bank, tuple(clip.style for clip in walks)
     learnt, test = splits.split(data, 0.2, 0, new)
     sources = {f"one clip, {sum(c.seconds for c in walks) / len(new):.0f} s": features.build(walks),
@@ -84,9 +86,9 @@ def _adding(net: training.Run, data: Features, walks: list[Clip], judge: recogni
     told = styles.separation(before, names).silhouette.values()
     right, sure = _recognised(model, bank, judge, speeds)
     print(f"\nnew styles: {', '.join(new)}")
-    print("error on test frames; silhouette of their clips among the known styles' (the least of any new style);")
-    print("how many are recognised when they walk (mean probability); seconds for each style")
-    print(f"{'method':<11}{'learnt from':<17}{'error':>7}{'silhouette':>15}{'recognised':>17}{'s':>6}")
+    print("error on test frames; mean silhouette of the new styles' clips among the known styles' (least of any style);")
+    print("number of styles recognised in closed loop (mean probability); seconds per style")
+    print(f"{'method':<11}{'data':<17}{'error':>7}{'silhouette':>15}{'recognised':>17}{'s':>6}")
     apart = f"{sum(told) / len(told):.2f} ({min(told):.2f})"
     print(f"{'known styles':<35}{apart:>15}{f'{right}/{len(bank)} ({sure:.2f})':>17}")
     frozen, vectors = _fingerprint(model), bank.vectors.clone()
@@ -100,11 +102,11 @@ def _adding(net: training.Run, data: Features, walks: list[Clip], judge: recogni
             right, sure = _recognised(model, own, judge, speeds)
             print(f"{method:<11}{source:<17}{error:>7.3f}{_silhouette(made, method, learnt, before, names):>15}"
                   f"{f'{right}/{len(new)} ({sure:.2f})':>17}{made.seconds / len(new):>6.0f}", flush=True)
-    print("gating, experts and the vectors of the known styles: the same bits after every run")
+    print("gating, experts and the vectors of the known styles are bitwise equal after every run")
 
 
 def _silhouette(made: styles.NewStyles, method: str, data: Features, known: torch.Tensor, names: list[str]) -> str:
-    """Mean and least silhouette of the new styles' clips among the known ones; a vector alone has no clips."""
+    """Mean and least silhouette of the new styles' clips among the known ones; not defined for the method vector."""
     if method == "vector":
         return "–"
     vectors, labels = styles.clip_vectors(made.model, data)
@@ -130,7 +132,7 @@ def _walk(model: Model, vectors: torch.Tensor, speeds: list[float], judge: recog
 
 def _blending(name: str, net: training.Run, judge: recognition.Recogniser, speeds: dict[str, float], pairs: int,
               seed: int) -> None:
-    """Walk the lines between pairs of styles."""
+    """Measure walks with blends between pairs of styles."""
     model, bank = net.model, net.bank
     lines = list(combinations(bank.names, 2))
     lines = [lines[i] for i in torch.randperm(len(lines), generator=torch.Generator().manual_seed(seed))[:pairs].tolist()]
@@ -142,10 +144,10 @@ def _blending(name: str, net: training.Run, judge: recognition.Recogniser, speed
     positions = torch.stack([split_joints(s.joints)["position"] for s in states])
     stretch = plausibility.bone_stretch(model.layout, positions).view(len(lines), STEPS)
     depth = plausibility.penetration(model.layout, positions).view(len(lines), STEPS)
-    print(f"\n{name}: {len(lines)} lines between two styles, {STEPS} blends each")
+    print(f"\n{name}: {len(lines)} pairs of styles, {STEPS} blends each")
     print("rank: rank correlation of the share with the recogniser's odds; between: blends with odds from 1:9 to 9:1; step:")
-    print("largest step of the probability; stretch: of the worst bone as predicted, %; drawn: as drawn, half and half, %;")
-    print("depth: self-penetration, cm")
+    print("largest step of the probability; stretch: largest relative bone length error of the network's output, %; drawn:")
+    print("that of the recorded clip of the equal blend, %; depth: self-penetration, cm")
     print(f"{'':<38}" + "".join(f"{k:>{w}}" for k, (w, _) in COLUMNS.items()))
     rows = []
     for i, (a, b) in enumerate(lines):
@@ -164,7 +166,7 @@ def _text(row: Sequence[float]) -> str:
 
 
 def _drawn(clip: Clip) -> float:
-    """Largest relative error of any bone in any frame of a recorded clip."""
+    """Largest relative bone length error in any frame of a recorded clip."""
     skeleton, positions = clip.skeleton, clip.global_positions
     bones = [j for j, p in enumerate(skeleton.parents) if p >= 0 and float(skeleton.offsets[j].norm()) > 1e-3]
     length = skeleton.offsets[bones].norm(dim=-1)
@@ -173,6 +175,6 @@ def _drawn(clip: Clip) -> float:
 
 
 def _fingerprint(model: Model) -> str:
-    """Of gating and experts, to the bit."""
+    """Hash of gating and experts."""
     parts = [*model.gating.state_dict().values(), *model.experts.state_dict().values()]
     return hashlib.sha256(b"".join(t.numpy().tobytes() for t in parts)).hexdigest()

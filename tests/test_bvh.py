@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from strategies import clips, human_clip
 
-from experiments import bvh as bench
+from experiments.speed import bvh as bench
 from toolkit.io import bvh, decimals
 from toolkit.motion import rotations as R
 

@@ -11,7 +11,7 @@ from experiments.seven_models import failures, hundred, interpolation, load, mod
 from toolkit.features import pack_joints
 
 STYLES = "Neutral,PendulumHands,Zombie"
-PLAN = models.Plan("tiny", 4, walk=4.0, radius=0.2, lessons=30)
+PLAN = models.Plan("tiny", 4, walk=4.0, radius=0.2, recogniser_steps=30)
 SOURCE = {"data": "procedural", "root": None, "styles": STYLES, "gaits": "FW", "clip_seconds": 8.0}
 
 
@@ -150,7 +150,7 @@ def test_a_stopped_run_goes_on_from_its_checkpoint(data, tmp_path):
 def test_other_settings_and_bad_names_are_refused_in_one_line(data, folder, capsys):
     with pytest.raises(ValueError, match=r"other settings .*steps: expected 4, got 5"):
         models.settle(folder, models.Plan("tiny", 5), data, SOURCE)
-    with pytest.raises(ValueError, match=r"lpn-film-0.* was trained in another way \(steps: expected 5, got 4\)"):
+    with pytest.raises(ValueError, match=r"lpn-film-0.* was trained with other settings \(steps: expected 5, got 4\)"):
         models.trained(data, models.Plan("tiny", 5).config("lpn-film", 0), folder)
     for arguments, said in (
         ([], "--data is missing"),

@@ -5,7 +5,7 @@ import pytest
 import torch
 
 import toolkit as tk
-from experiments import runtime as bench
+from experiments.speed import runtime as bench
 from toolkit import runtime
 from toolkit.networks import Sizes
 from toolkit.runtime import Command, crowd

@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import toolkit as tk
-from experiments.fit import best_known
+from experiments.speed.fit import best_known
 from toolkit.phases.sinusoids import Sinusoids, fit, frequencies
 
 FPS = 60.0

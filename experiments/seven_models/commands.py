@@ -9,21 +9,21 @@ from experiments.seven_models import failures, hundred, load, models
 from toolkit import datasets, networks
 from toolkit.cli import verbs
 
-app = typer.Typer(invoke_without_command=True, help="Train and measure the seven models of Table 2 side by side.")
+app = typer.Typer(invoke_without_command=True)
 
-Names = Annotated[str | None, typer.Option(help="Comma-separated names; all where not given.")]
-Out = Annotated[Path, typer.Option(help="Folder of the runs; what it holds is not done again.")]
+Names = Annotated[str | None, typer.Option(help="Comma-separated names; default: all.")]
+Out = Annotated[Path, typer.Option(help="Folder of the runs; finished runs in it are not repeated.")]
 OUT = Path("out/comparison")
 ONE_STEP = {"shared": ("MSE", 1, 4), "mse": ("own MSE", 1, 4), "other": ("other", 1, 4), "bone": ("bone mm", 1000, 2)}
 LOOP = {"hands": ("hands", 1, 2), "together": ("together", 1, 2), "recognised": ("style", 1, 2), "speed": ("speed", 1, 2),
         "skate": ("skate", 100, 1), "skate_ik": ("with IK", 100, 1), "path": ("path cm", 100, 1),
         "upright": ("upright", 1, 2)}
 EXPLAINED = (
-    "MSE: held-out frames, columns that all models predict (trajectory, joints, contacts), in the data's deviations; own",
-    "MSE: all that a model predicts; other: the same with another style's vector; bone: mean error of a bone's length.",
-    "hands: range of motion as a share of the data's (0: stuck), together: how far both hands' correlation is from the",
-    "data's, of styles whose hands move; style: share of styles that the recogniser names; speed: share of the command;",
-    "skate: cm/s in contact, without and with foot IK; path: from an eight; upright: share of styles that stay up.",
+    "MSE: error on held-out frames of the outputs that all models have (trajectory, joints, contacts), in the data's",
+    "deviations; own MSE: of all outputs of a model; other: the same with another style's vector; bone: mean error of bone",
+    "lengths. hands: range of motion / that of the data (0: stuck); together: difference of both hands' correlation from",
+    "the data's; both for styles whose hands move. style: share of recognised styles; speed / commanded speed; skate: cm/s",
+    "in contact, without and with foot IK; path: distance from an eight; upright: share of styles that do not fall.",
 )
 
 
@@ -37,12 +37,15 @@ def compare(
     clip_seconds: Annotated[float, typer.Option(help="Length of procedural clips.")] = 20.0,
     names: Annotated[str, typer.Option("--models", help="Comma-separated names, or all.")] = "all",
     seeds: Annotated[int, typer.Option(min=1, help="Runs of every model, with seeds 0, 1, …")] = 3,
-    steps: Annotated[int, typer.Option(min=1, help="Minibatches of every run.")] = 4000,
+    steps: Annotated[int, typer.Option(min=1, help="Training steps of every run.")] = 4000,
     size: Annotated[str, typer.Option(help=f"Sizes of the networks: {', '.join(models.SIZES)}.")] = "small",
     out: Out = OUT,
-    device: Annotated[str, typer.Option(help="Where to train: cpu, cuda.")] = "cpu",
+    device: Annotated[str, typer.Option(help="Device of the training: cpu, cuda.")] = "cpu",
 ) -> None:
-    """Train every model on the same data, seeds and budget; measure one step ahead and in closed loop; store and print."""
+    """The seven models of Table 2, trained on the same data, compared one step ahead and in closed loop.
+
+    All models have the same seeds and budget. The results are stored and printed.
+    """
     if context.invoked_subcommand is not None:
         return
     if data is None:
@@ -55,14 +58,14 @@ def compare(
     source = {"data": data, "root": None if root is None else str(root.resolve()), "styles": styles, "gaits": gaits,
               "clip_seconds": clip_seconds if data == "procedural" else None}
     found = load(**source)
-    print(f"{_said(source)}: {found.n_frames:,} frames of {len(found.styles)} styles")
+    print(f"{_described(source)}: {found.n_frames:,} frames of {len(found.styles)} styles")
     show(models.compare(found, source, models.Plan(size, steps, device), chosen, seeds, out, progress=True))
     print(f"wrote {out / 'comparison.json'}")
 
 
 @app.command()
 def table2() -> None:
-    """Print Table 2's parameter counts, counted from built modules at the paper's sizes (25 joints, 95 styles)."""
+    """Parameters of the built models at the paper's sizes (25 joints, 95 styles), compared with the printed Table 2."""
     rows = networks.table2()
     print(f"{'':<14}{'A.S.N.':>12}{'S.M.N.':>12}{'P.S.R.':>10}   printed:{'A.S.N.':>12}{'S.M.N.':>12}{'P.S.R.':>10}")
     for row in rows:
@@ -75,7 +78,10 @@ def table2() -> None:
 
 @app.command("failures")
 def failures_(out: Out = OUT) -> None:
-    """The failure cases of section 5.1 on a finished comparison: numbers, verdicts, pictures in OUT/failures."""
+    """The failure cases of section 5.1, tested on the runs of a finished comparison.
+
+    Prints numbers and results, and draws pictures in OUT/failures.
+    """
     from experiments.seven_models import figures
     from toolkit import view
 
@@ -101,19 +107,22 @@ def failures_(out: Out = OUT) -> None:
 @app.command("hundred")
 def hundred_(
     parameters: Annotated[Path, typer.Option("--published", help=verbs.PUBLISHED)],
-    out: Annotated[Path, typer.Option(help="Folder to write, laid out like 100STYLE.")],
+    out: Annotated[Path, typer.Option(help="Folder for the clips, in the layout of 100STYLE.")],
     styles: Names = None,
     seconds: Annotated[float, typer.Option(help="Length of each of a style's four clips.")] = 12.0,
-    seed: Annotated[int, typer.Option(help="Of the paths.")] = 0,
+    seed: Annotated[int, typer.Option(help="Seed of the paths.")] = 0,
 ) -> None:
-    """Make a hundred-style set by rolling out the published parameters; it favours their own kind of network."""
+    """Make clips of a hundred styles with the published parameters, in the layout of 100STYLE.
+
+    Such data favour networks of the same kind.
+    """
     fallen = hundred.write(parameters, out, styles and styles.split(","), seconds, seed)
-    print(f"left out, the character fell: {', '.join(fallen) or 'none'}")
+    print(f"without clips in which the character fell: {', '.join(fallen) or 'none'}")
     print(f"wrote {len(list(out.glob('*.bvh')))} clips; compare with --data 100style --root {out}")
 
 
 def _notes(rows: list) -> dict[tuple[int, str], list[str]]:
-    """Models by why their style network's printed number differs from the counted one."""
+    """Models by the reason why the printed number of their style network differs from the counted one."""
     found: dict[tuple[int, str], list[str]] = {}
     for row in rows:
         if row.note:
@@ -121,17 +130,17 @@ def _notes(rows: list) -> dict[tuple[int, str], list[str]]:
     return found
 
 
-def _said(source: dict) -> str:
-    """Where data come from, in words."""
+def _described(source: dict) -> str:
+    """Description of the data."""
     seconds = source["clip_seconds"]
     parts = Path(source["data"]).name, source["styles"], source["gaits"], seconds and f"{seconds:g} s per clip"
     return "; ".join(part.replace(",", ", ") for part in parts if part)
 
 
 def show(table: dict) -> None:
-    """Print a comparison, as `experiments.seven_models.models.compare` made it."""
+    """Print the result of `experiments.seven_models.models.compare`."""
     settings, on = table["settings"], table["machine"]
-    print(f"\n{_said(settings['source'])}: {len(settings['frames'])} styles; {settings['size']} sizes, "
+    print(f"\n{_described(settings['source'])}: {len(settings['frames'])} styles; {settings['size']} sizes, "
           f"{settings['seeds']} seeds, {settings['steps']:,} steps of {settings['batch']} frames")
     print(f"{on['device']}, {on['cores']} cores, {on['threads']} threads, torch {on['torch']}")
     print(f"\n{'one step ahead':<16}" + "".join(f"{title:>18}" for title, *_ in ONE_STEP.values()))
@@ -147,7 +156,7 @@ def show(table: dict) -> None:
         counts, (mean, spread) = model["counts"], model["frame"]
         print(f"{name:<16}" + "".join(f"{counts[k]:>14,}" for k in ("synthesis", "style", "per_style"))
               + f"{f'{mean:.2f} ± {spread:.2f}':>18}{model['mean']['seconds']:>14.0f}")
-    print("\nmean ± deviation over the seeds, every style counting the same.", *EXPLAINED, sep="\n")
+    print("\nmean ± deviation over the seeds of means over the styles.", *EXPLAINED, sep="\n")
     print(f"The recogniser names {table['recogniser']:.0%} of the data's own style clips rightly.")
 
 

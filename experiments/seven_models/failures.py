@@ -1,6 +1,6 @@
-"""The failure cases of Mason et al. 2022, section 5.1, as measurements on a comparison's runs: does our data show them?
+"""The failure cases of Mason et al. 2022, section 5.1, tested on the runs of a comparison.
 
-A case shows what the paper says where it comes out in every seed.
+A case confirms the paper if the measures of every seed do.
 """
 
 import dataclasses
@@ -33,15 +33,15 @@ from toolkit.motion import Clip
 from toolkit.runtime import CharacterState, Command
 from toolkit.training import Run
 
-STUCK = 0.5  # share of the data's range below which they count as stuck
-NO_GLOBAL_PHASE = ("ArmsAtOtherFrequency", "PendulumHands", "Swimming")  # the paper's examples and ours: always told
-COUNTS, COMMON = (4, 8, 16), 4  # numbers of styles, and how many of them all have: these are compared
+STUCK = 0.5  # range of the hands / that of the data, below which hands are stuck
+NO_GLOBAL_PHASE = ("ArmsAtOtherFrequency", "PendulumHands", "Swimming")  # styles without a global phase, always reported
+COUNTS, COMMON = (4, 8, 16), 4  # numbers of styles; number of styles in all of them, which are compared
 CAPACITY = BLENDED = ("lpn-onehot", "lpn-resad", "lpn-film")
 
 
 @dataclass(frozen=True)
 class Case:
-    """A failure case: the paper's ``claim``, numbers in ``rows`` by model, the ``verdict``, and what there is to draw."""
+    """A failure case: the paper's ``claim``, numbers in ``rows`` by model, the ``verdict``, and the data to draw."""
 
     section: str
     title: str
@@ -51,7 +51,7 @@ class Case:
     drawn: dict
 
     def __str__(self) -> str:
-        """What is printed."""
+        """The text to print."""
         columns = next(iter(self.rows.values()))
         head = f"{'':<16}" + "".join(f"{column:>18}" for column in columns)
         body = (f"{name:<16}" + "".join(f"{value:>18.3f}" for value in row.values()) for name, row in self.rows.items())
@@ -59,7 +59,7 @@ class Case:
 
 
 def stuck_hands(table: dict, model: str, than: str, section: str, title: str, claim: str) -> Case:
-    """Hands in closed loop of a model and of another: range as a share of the data's, and whether they move together."""
+    """Range and correlation of the hands in closed loop of two models, relative to the data."""
     runs = {name: table["models"][name]["runs"] for name in (model, than)}
     moving = [style for style, row in runs[model][0]["styles"].items() if row["hands_data"] > MOVING]
 
@@ -77,17 +77,17 @@ def stuck_hands(table: dict, model: str, than: str, section: str, title: str, cl
     worst = max(share, key=lambda style: share[style][1] - share[style][0])
     told = list(dict.fromkeys([*(style for style in NO_GLOBAL_PHASE if style in share), worst]))
     verdict = (f"{_shown(stiffer)} that the hands of {model} move less than those of {than}, in the {len(moving)} styles "
-               f"whose hands move; {_shown(apart)} that they keep less well together. Of the data's range, here and there: "
-               + ", ".join(f"{style} {share[style][0]:.2f} and {share[style][1]:.2f}" for style in told))
+               f"whose hands move; {_shown(apart)} that their correlation is farther from the data's. Range / the data's of "
+               f"{model} and {than}: " + ", ".join(f"{s} {share[s][0]:.2f} and {share[s][1]:.2f}" for s in told))
     return Case(section, title, claim, rows, verdict, {"style": told[0], "models": (model, than)})
 
 
 def capacity(data: Features, plan: Plan, folder: Path, progress: bool = False) -> Case:
-    """Error of the same few styles as the number of styles grows that a model has to hold.
+    """Error of the same few styles as a function of the number of styles in a model.
 
-    All have the same budget. So with more styles, every model sees fewer frames of each. Runs of fewer styles are trained
-    here (seed 0) and stored. They have the first styles of the data, in the data's order: the frames that a style holds out
-    depend on its place among the styles, and so all models are compared on the same frames.
+    All runs have the same budget, so with more styles every model has fewer training steps per style. Runs with fewer styles
+    are trained here (seed 0) and stored. They have the first styles of the data in the data's order, because the held-out
+    frames of a style depend on its index: so all models are compared on the same frames.
     """
     order = data.styles
     counts = [n for n in COUNTS if n < len(order)] + [len(order)]
@@ -105,17 +105,17 @@ def capacity(data: Features, plan: Plan, folder: Path, progress: bool = False) -
     grown = {name: row[f"{counts[-1]} styles"] / row[f"{counts[0]} styles"] for name, row in errors.items()}
     holds = all(grown["lpn-film"] < grown[name] for name in CAPACITY if name != "lpn-film")
     least = min(CAPACITY, key=lambda name: errors[name][f"{counts[-1]} styles"])
-    said = ", ".join(f"{name} {g:.2f}" for name, g in grown.items())
+    factors = ", ".join(f"{name} {g:.2f}" for name, g in grown.items())
     return Case(
         "5.1.2", "Large numbers of styles",
         "one-hot and residual adapters only shift one hidden layer: artifacts with many styles, which FiLM has not.", errors,
-        f"{'shows' if holds else 'does not show'} (one seed): with {counts[-1]} styles instead of {counts[0]}, the error of "
-        f"the same {COMMON} styles is times {said}; the lowest then has {least}", {"counts": counts, "errors": errors},
+        f"{'shows' if holds else 'does not show'} (one seed): from {counts[0]} to {counts[-1]} styles, the error of the "
+        f"same {COMMON} styles grows by factors of {factors}; {least} is the best", {"counts": counts, "errors": errors},
     )
 
 
 def blends(data: Features, runs: dict[str, list[Run]], folder: Path) -> Case:
-    """How far a walk stays in one style while its vector goes to another's, and then jumps."""
+    """Change of a walk while its style vector is interpolated to that of another style."""
     recogniser, pairs = judge(data, folder), interpolation.style_pairs(data.styles)
     curves = {name: [interpolation.blend_walks(run, data, recogniser, pairs) for run in of] for name, of in runs.items()}
     numbers = {name: [c.numbers() for c in found] for name, found in curves.items()}
@@ -126,16 +126,16 @@ def blends(data: Features, runs: dict[str, list[Run]], folder: Path) -> Case:
     return Case(
         "5.1.2", "Interpolation", "one-hot keeps the first style until the interpolation is complete; FiLM blends smoothly.",
         rows | {"data, blended": even.numbers()},
-        f"{_shown(later)} that one-hot keeps the first style for longer than FiLM; {_shown(wider)} that its widest step, as "
-        f"the recogniser sees it, is wider, and {_shown(rougher)} that its gait's is. The last row is how sharp the "
-        "recogniser itself is: clips blended evenly, frame by frame",
+        f"{_shown(later)} that one-hot keeps the first style longer than FiLM; {_shown(wider)} that its largest step of the "
+        f"recogniser's odds is larger, and {_shown(rougher)} that its largest step of the gait is larger. The last row is "
+        "for clips that are blended linearly, and shows the recogniser's own boundary",
         {"pairs": pairs, "shares": interpolation.shares(), "data": even}
         | {"models": {name: interpolation.mean(found) for name, found in curves.items()}},
     )
 
 
 def _shown(differences: list[float]) -> str:
-    """Verdict on differences, one per seed, that all ought to be positive."""
+    """Whether the differences, one per seed, are all positive, in words."""
     least, most = min(differences), max(differences)
     if any(d != d for d in differences):
         return "cannot say"
@@ -144,7 +144,7 @@ def _shown(differences: list[float]) -> str:
 
 
 def walks(data: Features, folder: Path, models: Sequence[str], style: str) -> dict[str, Clip]:
-    """A style's walk of some models of a folder (seed 0), after a style clip of the data, to look at."""
+    """Walks of some models of a folder (seed 0) in a style, after a style clip of the data, to draw."""
     clips, plan = data.clips[style][:], stored_plan(folder)
     pace = usual_speed(clips)
     shown = {"data": _treadmill(data.layout, nearest(clips, pace)[0], pace)}
@@ -156,7 +156,7 @@ def walks(data: Features, folder: Path, models: Sequence[str], style: str) -> di
 
 
 def _treadmill(layout: Layout, joints: Tensor, pace: float) -> Clip:
-    """A style clip ``[240, 12 J]``, which does not say where it went, straight ahead."""
+    """Clip of a style clip ``[240, 12 J]``, which has no path, moved straight ahead."""
     root = torch.zeros(len(joints), 4)
     root[:, 1], root[:, 3] = torch.arange(len(joints)) * (pace / FPS), 1.0
     state = CharacterState(root[:, None], root[:, None], joints, *[joints[:, :0]] * 8)
@@ -164,28 +164,28 @@ def _treadmill(layout: Layout, joints: Tensor, pace: float) -> Clip:
 
 
 def stored_plan(folder: Path) -> Plan:
-    """How the runs of a folder were trained."""
+    """Settings of the runs in a folder."""
     settings = read_json(folder / SETTINGS)
     return Plan(settings["size"], settings["steps"])
 
 
 def cases(data: Features, folder: Path, progress: bool = False) -> list[Case]:
-    """All cases, on a folder's comparison; what they take beyond its runs is trained and stored there.
+    """All cases for the comparison in a folder; additional runs are trained and stored there.
 
     Raises
     ------
     ValueError
-        If the comparison is not finished, or lacks one of the models.
+        If the comparison is not finished, or one of the models is missing.
     """
     table = read_json(folder / TABLE)
     if missing := {"pfnn-film", "mann-film", *CAPACITY} - table["models"].keys():
-        raise ValueError(f"{folder}: the comparison there lacks {', '.join(sorted(missing))}; run it with --models all")
+        raise ValueError(f"{folder}: its comparison has no {', '.join(sorted(missing))}; run it with --models all")
     plan = stored_plan(folder)
     runs = {name: [trained(data, plan.config(name, seed), folder) for seed in range(table["settings"]["seeds"])]
             for name in BLENDED}
     return [
         stuck_hands(table, "pfnn-film", "lpn-film", "5.1.1", "No global phase",
-                    "the PFNN's one phase follows the feet, so hands and arms get stuck, or do not swing together."),
+                    "the one phase of the PFNN follows the feet, so hands and arms get stuck or do not swing together."),
         capacity(data, plan, folder, progress),
         blends(data, runs, folder),
         stuck_hands(table, "mann-film", "lpn-film", "5.1.3", "No phase features",

@@ -1,4 +1,4 @@
-"""Pictures of a comparison of models: errors like Figure 10 of Mason et al. 2022, and the failure cases of section 5.1."""
+"""Figures of a comparison of models: errors like Figure 10 of Mason et al. 2022, and the failure cases of section 5.1."""
 
 import os
 from collections.abc import Mapping, Sequence
@@ -23,13 +23,13 @@ def errors(table: Mapping) -> Picture:
 
 
 def closed_loop(table: Mapping) -> Picture:
-    """What the error does not show: hands' range, style, foot skate and path of every model's own walks."""
+    """Measures in closed loop of every model: range of the hands, recognised styles, foot skate and path."""
     return bars(table, {"hands": ("hands: range / data's", 1), "recognised": ("styles recognised", 1),
                         "skate": ("foot skate, cm/s", 100), "path": ("from the path, cm", 100)})
 
 
 def bars(table: Mapping, measures: Mapping[str, tuple[str, float]]) -> Picture:
-    """A panel per measure ``{key: (title, scale)}`` of the table of `experiments seven-models`, a bar per model."""
+    """A panel per measure ``{key: (title, scale)}`` of a comparison's table, with a bar per model."""
     figure, axes = _panels(len(measures), height=0.38 * len(table["models"]) + 1.2)
     names = list(table["models"])
     for axis, (key, (title, scale)) in zip(axes, measures.items(), strict=True):
@@ -44,7 +44,7 @@ def bars(table: Mapping, measures: Mapping[str, tuple[str, float]]) -> Picture:
 
 
 def capacity(case: Case) -> Picture:
-    """Error of the same styles against the number of styles that a model holds."""
+    """Error of the same styles as a function of the number of styles in a model."""
     figure, (axis,) = _panels(1, width=6.5, height=3.6)
     counts = case.drawn["counts"]
     for name, row in case.rows.items():
@@ -58,11 +58,11 @@ def capacity(case: Case) -> Picture:
 
 
 def interpolation(case: Case) -> Picture:
-    """Odds of the second style, and how far the gait is, along the blend: a thin line per pair, their mean thick."""
+    """Odds of the second style and position of the gait as functions of the blend: a thin line per pair, a thick mean."""
     curves = case.drawn["models"] | {"data, blended": case.drawn["data"]}
     figure, axes = _panels(2, width=10.0, height=4.0)
-    for axis, kind, title in zip(axes, ("odds", "gait"), ("recogniser's odds of the second style", "share of the way, gait"),
-                                 strict=True):
+    titles = {"odds": "recogniser's odds of the second style", "gait": "position of the gait between both styles"}
+    for axis, (kind, title) in zip(axes, titles.items(), strict=True):
         axis.plot((0, 1), (0, 1), color=GRID, lw=6, zorder=0)
         for name, found in curves.items():
             lines = getattr(found, kind)[found.recognised]
@@ -70,14 +70,14 @@ def interpolation(case: Case) -> Picture:
                 axis.plot(case.drawn["shares"], line, color=_colour(name), lw=0.7, alpha=0.35)
             if len(lines):
                 axis.plot(case.drawn["shares"], lines.mean(0), color=_colour(name), lw=2.6, label=name)
-        axis.set(ylim=(-0.3, 1.3), xlabel="second style's share of the vector")
+        axis.set(ylim=(-0.3, 1.3), xlabel="weight of the second style")
         axis.set_title(title, loc="left", size=10, color=INK)
     axes[0].legend(frameon=False, fontsize=9)
     return figure
 
 
 def hands(clips: Mapping[str, Clip], seconds: float = 3.0) -> Picture:
-    """How far ahead of the hips both hands are over time (as Figures 5 and 9 show in pictures), a panel per clip."""
+    """Forward positions of both hands relative to the hips over time (compare Figures 5 and 9), a panel per clip."""
     figure, axes = _panels(len(clips), height=2.8)
     for axis, (name, clip) in zip(axes, clips.items(), strict=True):
         part = clip.cut(0, round(seconds * clip.fps))
@@ -102,7 +102,7 @@ def save(figure: Picture, path: str | os.PathLike) -> None:
 
 
 def _colour(name: str) -> str:
-    """Of a modulation; a synthesis network without gating is paler, what is no model grey."""
+    """Colour of a modulation; paler for PFNN and MANN, grey for data."""
     colours = {"film": PALETTE[0], "onehot": PALETTE[2], "resad": PALETTE[1]}
     synthesis, _, style = name.partition("-")
     return colours.get(style, QUIET) + {"pfnn": "88", "mann": "bb"}.get(synthesis, "")

@@ -1,8 +1,8 @@
-"""A hundred-style set where the recorded one is not at hand: the published parameters, rolled out along varied paths.
+"""Clips of a hundred styles without the recordings: rollouts of the published parameters along random paths.
 
-Such data favour their own kind of network. An LPN-FiLM made them: every frame is, but for the IK, what one can predict
-exactly from the frame before, its local phases and a FiLM vector, with the artifacts of one and without the surprises of a
-person. So they tell how models cope with a hundred styles, and not which one models people best.
+Such data favour networks of the same kind. An LPN-FiLM made them, so every frame (without the IK) can be predicted exactly
+from the previous frame, its local phases and a FiLM vector. They show how models handle a hundred styles, but not which
+model is best for recorded motion.
 """
 
 import dataclasses
@@ -27,37 +27,37 @@ GAITS = {
     "BW": (math.pi, (0.4, 0.9)),
     "SW": (math.pi / 2, (0.4, 0.8)),
     "TR1": (0.0, (-0.5, 2.5)),
-}  # angle from facing to going, and range of speeds, m/s; below 0 stands
-WARM_UP = 2.0  # seconds from standing on that are left out
-LEG = (1.2, 3.0)  # seconds of one speed and one rate of turning
-TURNING = 1.2  # radians per second, at most
+}  # angle from facing to velocity, and range of speeds, m/s; negative speeds are standing
+WARM_UP = 2.0  # seconds at the start that are removed
+SEGMENT = (1.2, 3.0)  # seconds of constant speed and turning rate
+TURNING = 1.2  # radians per second, highest turning rate
 
 
 def write(folder: str | os.PathLike, out: str | os.PathLike, styles: Sequence[str] | None = None, seconds: float = 12.0,
           seed: int = 0) -> list[str]:
-    """Roll the published parameters out and write them as 100STYLE is laid out, for ``--data 100style --root OUT``.
+    """Write rollouts of the published parameters in the layout of 100STYLE, for ``--data 100style --root OUT``.
 
     Parameters
     ----------
     folder
         The published parameters (`toolkit.published.load`).
     out
-        Folder to write; it must not hold a dataset.
+        Output folder, without a dataset.
     styles
-        Which; all hundred where not given.
+        Names; by default all hundred.
     seconds
-        Length of each of a style's clips, one per key of `GAITS`.
+        Length of each clip; a style has one clip per key of `GAITS`.
     seed
-        Of the paths; every style has its own.
+        Seed of the paths, which are different for every style.
 
     Returns
     -------
     list of str
-        Clips that were left out, because the character fell.
+        Clips that were not written because the character fell.
     """
     fallen: list[str] = []
     names = list(styles or published.STYLES)
-    about = "rolled out of the published parameters of LPN-FiLM"
+    about = "rollout of the published parameters of LPN-FiLM"
     infos = [StyleInfo(name, about, symmetric=False, stochastic=False, notes="computed, not recorded") for name in names]
 
     def standing() -> Iterator[Clip]:
@@ -72,7 +72,7 @@ def write(folder: str | os.PathLike, out: str | os.PathLike, styles: Sequence[st
 
 
 def roll_out(folder: str | os.PathLike, styles: Sequence[str], seconds: float = 12.0, seed: int = 0) -> Iterator[Clip]:
-    """Clips of styles, gait by gait; all styles of a gait walk as one crowd, each along a path of its own."""
+    """Clips of styles, gait by gait; all styles of a gait walk in one crowd, each along its own path."""
     model, bank = published.load(folder)
     vectors, warm = torch.stack([bank[style] for style in styles]), round(WARM_UP * FPS)
     for number, gait in enumerate(GAITS):
@@ -84,7 +84,7 @@ def roll_out(folder: str | os.PathLike, styles: Sequence[str], seconds: float = 
 
 
 def commands(gait: str, count: int, frames: int, draw: torch.Generator) -> list[Command]:
-    """Commands for a crowd: random speeds and curves, each kept for some seconds."""
+    """Commands for a crowd: random speeds and turning rates that are constant for some seconds."""
     angle, (slowest, fastest) = GAITS[gait]
     side = 1.0 if gait != "SW" else torch.where(torch.rand(count, generator=draw) < 0.5, -1.0, 1.0)
     speeds, rates = (_steps(count, frames, draw, *limits) for limits in ((slowest, fastest), (-TURNING, TURNING)))
@@ -95,13 +95,13 @@ def commands(gait: str, count: int, frames: int, draw: torch.Generator) -> list[
 
 
 def _steps(count: int, frames: int, draw: torch.Generator, low: float, high: float) -> Tensor:
-    """Random numbers ``[frames, count]`` between two limits that change now and then."""
+    """Piecewise constant random numbers ``[frames, count]`` between two limits."""
     rows = torch.empty(frames, count)
     for i in range(count):
         at = 0
         while at < frames:
             length, value = torch.rand(2, generator=draw).tolist()
-            end = at + round((LEG[0] + (LEG[1] - LEG[0]) * length) * FPS)
+            end = at + round((SEGMENT[0] + (SEGMENT[1] - SEGMENT[0]) * length) * FPS)
             rows[at:end, i] = low + (high - low) * value
             at = end
     return rows

@@ -1,4 +1,4 @@
-"""What lies between two styles (Mason et al. 2022, section 5.1.2): walks along a blend of style vectors, as curves."""
+"""Interpolation of two styles (Mason et al. 2022, section 5.1.2): measures of walks as functions of the blend."""
 
 import torch
 
@@ -10,12 +10,12 @@ from toolkit.runtime import Command
 from toolkit.training import Run
 
 PAIRS, BLENDS = 6, 11  # pairs of styles, blends from one to the other
-FIGURE_8 = ("BentForward", "LeanBack")  # the paper's pair, taken first where the data have it
-SECONDS = 4.0  # of a walk that are looked at
+FIGURE_8 = ("BentForward", "LeanBack")  # the paper's pair, the first one if the data have it
+SECONDS = 4.0  # measured seconds of a walk
 
 
 def style_pairs(styles: list[str]) -> list[tuple[str, str]]:
-    """`PAIRS` pairs of different styles, the paper's first where the data have it."""
+    """`PAIRS` pairs of different styles, the paper's pair first if the data have it."""
     draw, pairs = splits.generator(0), [FIGURE_8] if set(FIGURE_8) <= set(styles) else []
     while len(pairs) < min(PAIRS, len(styles) * (len(styles) - 1) // 2):
         a, b = (styles[i] for i in torch.randperm(len(styles), generator=draw)[:2].tolist())
@@ -25,7 +25,7 @@ def style_pairs(styles: list[str]) -> list[tuple[str, str]]:
 
 
 def blend_walks(run: Run, data: Features, recogniser: Recogniser, pairs: list[tuple[str, str]]) -> Curves:
-    """Walks in all blends of all pairs, as one crowd, each at the blend of both styles' usual speeds."""
+    """Walks with all blends of all pairs in one crowd, each at the blend of both styles' usual speeds."""
     speeds = {style: usual_speed(data.clips[style][:]) for pair in pairs for style in pair}
     blends = [(a, b, t) for a, b in pairs for t in shares()]
     vectors = torch.stack([run.bank.blend({a: 1 - t, b: t}) for a, b, t in blends])
@@ -37,14 +37,14 @@ def blend_walks(run: Run, data: Features, recogniser: Recogniser, pairs: list[tu
 
 
 def blend_data(data: Features, recogniser: Recogniser, pairs: list[tuple[str, str]]) -> Curves:
-    """The same of two style clips that are blended frame by frame: an even blend, and so the recogniser's own edge."""
+    """The same for two style clips that are blended linearly frame by frame, which shows the recogniser's own boundary."""
     ends = [[nearest(y, usual_speed(y))[0] for y in (data.clips[style][:] for style in pair)] for pair in pairs]
     blended = torch.stack([torch.stack([torch.lerp(a, b, t) for t in shares()]) for a, b in ends])
     return blend_curves(blended, recogniser, pairs)
 
 
 def shares() -> list[float]:
-    """The second style's share of each blend."""
+    """The weight of the second style in each blend."""
     return [i / (BLENDS - 1) for i in range(BLENDS)]
 
 

@@ -1,4 +1,4 @@
-"""Train and measure every model on the same data, seeds and budget; runs are stored whole, so that a stopped one goes on."""
+"""Train and measure all models with the same data, seeds and budget; runs and measures are stored and can be resumed."""
 
 import dataclasses
 import json
@@ -28,8 +28,8 @@ from toolkit.networks.bank import StyleBank
 from toolkit.runtime import FPS, CharacterState, Command
 from toolkit.training import Config, Run
 
-WARM_UP, PACE = 2.0, 1.0  # seconds of a walk straight ahead that are not measured; m/s round the eight
-MOVING = 0.06  # metres of range from which hands count as moving
+WARM_UP, PACE = 2.0, 1.0  # seconds at the start of a walk that are not measured; m/s along the eight
+MOVING = 0.06  # metres, least range of moving hands
 HANDS = ("hands", "hands_data", "swing", "swing_data", "together")
 SETTINGS, TABLE = "settings.json", "comparison.json"
 SIZES = {
@@ -37,38 +37,37 @@ SIZES = {
     "small": Sizes(hidden=128, gating=16, film_channels=16, film_kernel=9, film_dense=128, rank=16, dropout=0.1),
     "medium": Sizes.small(),
     "paper": Sizes(),
-}  # what ``--size`` means
+}  # values of ``--size``
 
-
-#: Rates of the style modulation as shares of the rest's. FiLM's convolutions die of high ones. Tables of styles need high
-#: ones, a one-hot's most of all, or short training hardly finds them: a row learns only in its own style's minibatches.
+#: Learning rates of the style modulation, relative to the other rates. High rates destroy FiLM's convolutions. Tables of
+#: styles need high rates, one-hot the highest, because a row is trained only by the minibatches of its own style.
 STYLE_RATES = {"film": 0.1, "onehot": 10.0, "resad": 1.0}
 
 
 @dataclass(frozen=True)
 class Plan:
-    """How all runs of a folder are trained, and how long they are watched."""
+    """Settings of training and measurement for all runs in a folder."""
 
     size: str = "small"  # a key of `SIZES`
-    steps: int = 4000  # budget of every run, minibatches
+    steps: int = 4000  # training steps of every run
     device: str = "cpu"
-    walk: float = 8.0  # seconds of the walk straight ahead that are measured, at least 4
-    radius: float = 1.5  # metres, of the eight's two loops
-    lessons: int = recognition.STEPS  # minibatches of the recogniser
+    walk: float = 8.0  # measured seconds of the straight walk, at least 4
+    radius: float = 1.5  # metres, of both loops of the eight
+    recogniser_steps: int = recognition.STEPS  # training steps of the recogniser
 
     def config(self, model: str, seed: int) -> Config:
-        """How one run is trained: all alike but for `STYLE_RATES`."""
+        """Training settings of one run: equal for all runs except `STYLE_RATES`."""
         return Config.quick(model=model, sizes=SIZES[self.size], steps=self.steps, seed=seed, device=self.device,
                             style_rate=STYLE_RATES[model.split("-")[1]], evaluate_every=max(1, self.steps // 4))
 
 
 def settle(folder: Path, plan: Plan, data: Features, source: dict) -> dict:
-    """Write down what a folder compares, and give it back; ``source`` says where the data come from.
+    """Store the settings of a folder, or compare them with the stored ones, and return them; ``source`` describes the data.
 
     Raises
     ------
     ValueError
-        If it holds a comparison of other data, size or budget.
+        If the folder holds a comparison of other data, size or budget.
     """
     own = {"size": plan.size, "steps": plan.steps, "frames": {s: len(x) for s, x in data.inputs.items()}}
     path = folder / SETTINGS
@@ -81,18 +80,18 @@ def settle(folder: Path, plan: Plan, data: Features, source: dict) -> dict:
 
 
 def trained(data: Features, config: Config, folder: Path, progress: bool = False) -> Run:
-    """The run of a config in a folder: read, or trained first, from its checkpoint on where there is one.
+    """The run of a config in a folder: read from its file, or trained, from its checkpoint if there is one.
 
     Raises
     ------
     ValueError
-        If the stored run or checkpoint was trained in another way.
+        If the stored run or checkpoint was trained with other settings.
     """
     path = folder / "runs" / f"{config.model}-{config.seed}.safetensors"
     if path.exists():
         run = training.load(path)
         if why := model_files.difference(config.fixed(), run.config.fixed()):
-            raise ValueError(f"{path}: was trained in another way ({why}); choose another --out")
+            raise ValueError(f"{path}: was trained with other settings ({why}); choose another --out")
         return run
     path.parent.mkdir(parents=True, exist_ok=True)
     checkpoint = path.with_suffix(".checkpoint")
@@ -102,21 +101,21 @@ def trained(data: Features, config: Config, folder: Path, progress: bool = False
     return run
 
 
-def judge(data: Features, folder: Path, lessons: int = recognition.STEPS) -> Recogniser:
-    """The folder's recogniser of the data's styles, trained first where there is none."""
+def judge(data: Features, folder: Path, steps: int = recognition.STEPS) -> Recogniser:
+    """The recogniser of the data's styles in a folder: read from its file, or trained."""
     path = folder / "recogniser.safetensors"
     if not path.exists():
-        recognition.train(data, steps=lessons).save(path)
+        recognition.train(data, steps=steps).save(path)
     return Recogniser.load(path)
 
 
 def measured(run: Run, data: Features, plan: Plan, recogniser: Recogniser, folder: Path) -> dict:
-    """The measures of a run in a folder: read, or taken first.
+    """The measures of a run in a folder: read from their file, or computed.
 
     Returns
     -------
     dict
-        ``styles``: style to its measures; all the others are means, see `over_styles`.
+        ``styles``: style to its measures; the other values are means, see `over_styles`.
     """
     path = folder / "measures" / f"{run.config.model}-{run.config.seed}.json"
     if not path.exists():
@@ -130,7 +129,7 @@ def measured(run: Run, data: Features, plan: Plan, recogniser: Recogniser, folde
 
 
 def over_styles(styles: dict[str, dict[str, float]]) -> dict[str, float]:
-    """Means of measures over the styles; of hands over those whose hands move in the data."""
+    """Means of measures over the styles; measures of hands only over styles whose hands move in the data."""
     moving = [row for row in styles.values() if row["hands_data"] > MOVING]
     every = list(styles.values())
     return {key: average([row[key] for row in (moving if key in HANDS else every)]) for key in every[0]}
@@ -138,16 +137,16 @@ def over_styles(styles: dict[str, dict[str, float]]) -> dict[str, float]:
 
 def closed_loop(model: Model, bank: StyleBank, data: Features, recogniser: Recogniser,
                 plan: Plan) -> dict[str, dict[str, float]]:
-    """What every style does on its own: straight ahead at the data's usual speed of that style, then round an eight.
+    """Measures of every style in closed loop: straight ahead at the style's usual speed in the data, then along an eight.
 
     Returns
     -------
     dict
-        Per style: ``upright`` (1, or 0 where it fell or a number is not finite); ``speed``, share of the command; ``skate``
-        and ``skate_ik``, m/s of the toes in contact, without and with foot IK, the worse foot; ``path``, metres from the
-        eight; ``hands``, the hands' range as a share of that in the style clips which are nearest in velocity, which is
-        ``hands_data`` metres; ``swing`` and ``swing_data``, the correlation of both hands, and ``together``, how far apart
-        these are; ``probability`` that the recogniser gives to the right style, and whether that is the ``recognised`` one.
+        Per style: ``upright`` (1, or 0 if it fell or a value is not finite); ``speed`` / commanded speed; ``skate`` and
+        ``skate_ik``, m/s of the toes in contact without and with foot IK, for the worse foot; ``path``, metres from the
+        eight; ``hands``, the range of the hands divided by that in the style clips with the nearest velocity,
+        ``hands_data`` metres; ``swing`` and ``swing_data``, the correlation of both hands, and ``together``, their absolute
+        difference; ``probability`` of the right style by the recogniser, and whether it is ``recognised``.
     """
     speeds = {style: usual_speed(data.clips[style][:]) for style in data.styles}
     vectors = torch.stack([bank[style] for style in data.styles])
@@ -169,7 +168,7 @@ def closed_loop(model: Model, bank: StyleBank, data: Features, recogniser: Recog
 
 
 def states(model: Model, commands: Sequence, vectors: Tensor, first: CharacterState | None = None) -> list[CharacterState]:
-    """All states of a crowd, one character per style vector; the vectors themselves, which may be large, are left out."""
+    """All states of a crowd, one character per style vector, without the vectors, which may be large."""
     return [dataclasses.replace(s, style=s.style[:, :0]) for s in runtime.states(model, commands, vectors, first)]
 
 
@@ -187,7 +186,7 @@ def _gait(model: Model, walk: list[CharacterState], laps: list[CharacterState], 
 
 
 def frame_time(model: Model, style: Tensor, runs: int = 5, frames: int = 60) -> tuple[float, float]:
-    """Mean and deviation, over some runs, of the milliseconds that one character's next frame takes."""
+    """Mean and deviation over some runs of the time for a frame of one character, milliseconds."""
     command, times = Command((0.0, 1.0)), []
     with torch.inference_mode():
         state = runtime.start(model, style)
@@ -201,18 +200,18 @@ def frame_time(model: Model, style: Tensor, runs: int = 5, frames: int = 60) -> 
 
 def compare(data: Features, source: dict, plan: Plan, models: Sequence[str], seeds: int, folder: Path,
             progress: bool = False) -> dict:
-    """Train and measure models with seeds 0, 1 …; what the folder holds already is not done again.
+    """Train and measure models with seeds 0, 1 …; finished runs in the folder are not repeated.
 
-    Two processes may work on different models in one folder.
+    Several processes may work on different models in one folder.
 
     Returns
     -------
     dict
-        What is also stored as `TABLE`: ``settings``, ``machine``, ``baselines`` and ``models``. A model has its parameter
-        ``counts``, the milliseconds of a ``frame``, its ``runs`` in the order of the seeds, and of every measure the
-        ``mean`` and the ``spread`` (deviation) over the seeds.
+        The content of `TABLE`: ``settings``, ``machine``, ``baselines`` and ``models``. A model has its parameter
+        ``counts``, the milliseconds of a ``frame``, its ``runs`` in the order of the seeds, and the ``mean`` and ``spread``
+        (deviation) of every measure over the seeds.
     """
-    settings, recogniser = settle(folder, plan, data, source), judge(data, folder, plan.lessons)
+    settings, recogniser = settle(folder, plan, data, source), judge(data, folder, plan.recogniser_steps)
     found, frame, counts = {name: [] for name in models}, {}, {}
     jobs = [(name, seed) for seed in range(seeds) for name in models]
     for name, seed in tqdm(jobs, desc="compare", unit="run", disable=None if progress else True):
@@ -242,18 +241,18 @@ def _spread(values: list[float]) -> tuple[float, float]:
 
 
 def average(values: Sequence[float]) -> float:
-    """Mean of those values that are numbers."""
+    """Mean of the values that are not NaN."""
     return float(torch.tensor(values, dtype=torch.float64).nanmean())
 
 
 def machine(device: str) -> dict[str, str | int]:
-    """What the times were taken on."""
+    """Description of the machine."""
     where = torch.cuda.get_device_name(device) if device.startswith("cuda") else platform.machine()
     return {"device": where, "cores": os.cpu_count() or 1, "threads": torch.get_num_threads(), "torch": torch.__version__}
 
 
 def read_json(path: Path) -> dict:
-    """What `write_json` wrote; a file that is damaged or not there is a one-line ValueError."""
+    """Read a file of `write_json`; ValueError if it is damaged or missing."""
     try:
         return json.loads(path.read_text(encoding="utf-8"))
     except FileNotFoundError:

@@ -1,1 +1,1 @@
-"""The ablation and the comparison of Park et al. 2021, with their baselines: ``python -m experiments stylization``."""
+"""Ablation and comparison of Park et al. 2021, with the baselines: ``python -m experiments stylization``."""

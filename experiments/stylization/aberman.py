@@ -1,11 +1,11 @@
 """Baseline of Table 2: unpaired style transfer by AdaIN over 1-D convolutions (Aberman et al. 2020).
 
-All joints of a frame are one vector; filters run over time only. A content encoder with instance normalisation drops the
-style, a style encoder keeps it, and a decoder puts it back as the means and deviations of its channels.
+All joints of a frame are one vector; filters run over time only. A content encoder with instance normalisation removes the
+style, a style encoder keeps it, and a decoder applies it as the means and deviations of its channels.
 
 Departures from that paper: both encoders read the features of Park et al. 2021 (there: rotations for the content, positions
-for the style, and a second style encoder for videos, which nothing here needs), and the training is ours: cross entropy
-with R1, and its batch, rates and weights, so that the two systems differ in their networks and not in their game.
+for the style, and a second style encoder for videos, which is not needed here). Loss, R1, batch, learning rates and weights
+are those of `toolkit.stylization`, so that the two systems differ only in their networks.
 """
 
 from itertools import pairwise
@@ -24,13 +24,13 @@ from toolkit.stylization.training import Config
 
 WIDTHS = (96, 144, 192)  # channels after the first layer and after each of the two halvings of time
 KERNEL = 7  # frames
-MARGIN = 5.0  # of the triplet loss: how much nearer codes of one style shall be than codes of two
+MARGIN = 5.0  # of the triplet loss: least difference of the distances to codes of another and of the same style
 
 
 class Block(nn.Module):
     """Residual block [B, C, T] → [B, C', T]: normalise, leaky ReLU, convolve, twice.
 
-    ``norm`` is None, ``"instance"``, or the length of a code from which the means and deviations are computed.
+    ``norm`` is None, ``"instance"``, or the length of a style code that gives the means and deviations.
     """
 
     def __init__(self, inputs: int, outputs: int, norm: int | str | None = None):
@@ -75,9 +75,9 @@ class Aberman(nn.Module):
     Parameters
     ----------
     statistics
-        Between physical units, outside, and z-scores, inside.
+        Mean and deviation, to convert the physical units of the input to z-scores.
     style
-        Numbers S of a style code.
+        Length S of a style code.
     """
 
     def __init__(self, statistics: Statistics, style: int = 64):
@@ -90,18 +90,18 @@ class Aberman(nn.Module):
         self.leave = nn.Conv1d(WIDTHS[0], features, KERNEL, padding="same")
 
     def encode(self, z: Tensor) -> Tensor:
-        """Style codes [B, S] of z-scores [B, 7, T, N]; the largest value over time, so that any length will do."""
+        """Style codes [B, S] of z-scores [B, 7, T, N] of any length: the maximum over time."""
         return self.code(self.style(flat(z)).amax(-1))
 
     def decode(self, z: Tensor, code: Tensor) -> Tensor:
-        """z-scores [B, 7, T, N] of the content of others and style codes."""
+        """z-scores [B, 7, T, N] with the content of z and style codes."""
         h = self.content(flat(z))
         for block in self.decoder:
             h = block(functional.interpolate(h, scale_factor=2.0, mode="linear"), code)
         return unflat(self.leave(functional.leaky_relu(h, 0.2)))
 
     def code_of(self, x: Tensor, domain: Tensor | None = None) -> Tensor:
-        """Style codes [B, S] of references [B, 7, T, N]; a reference needs no label."""
+        """Style codes [B, S] of references [B, 7, T, N]; the domain is not used."""
         return self.encode(self.statistics.apply(x))
 
     def translate(self, x: Tensor, code: Tensor) -> Tensor:
@@ -110,7 +110,7 @@ class Aberman(nn.Module):
 
 
 class Discriminator(nn.Module):
-    """Is this a real motion of the domain? Logits [B] of z-scores [B, 7, T, N] and domains [B]."""
+    """Logits [B] that z-scores [B, 7, T, N] are real motions of domains [B]."""
 
     def __init__(self, joints: int, domains: int):
         super().__init__()
@@ -124,15 +124,15 @@ class Discriminator(nn.Module):
 def fit(motions: Motions, config: Config, progress: bool = False) -> Aberman:
     """Train by adversarial, content and triplet losses (that paper's section 3.3).
 
-    Of the config it takes iterations, batch, seed, betas, the rates of generator and discriminator and their decay, and the
-    weights ``adv``, ``r1``, and ``id`` for the content loss.
+    It uses the iterations, batch, seed and betas of the config, the rates of generator and discriminator with their decay,
+    and the weights ``adv``, ``r1``, and ``id`` for the content loss.
     """
     with torch.random.fork_rng(devices=[]):
         torch.manual_seed(mix(config.seed, 0))
         model = Aberman(motions.statistics())
-        judge = Discriminator(motions.x.shape[-1], len(motions.domains))
+        discriminator = Discriminator(motions.x.shape[-1], len(motions.domains))
     adams = [torch.optim.Adam(network.parameters(), config.rates[name], config.betas)
-             for network, name in ((model, "generator"), (judge, "discriminator"))]
+             for network, name in ((model, "generator"), (discriminator, "discriminator"))]
     decays = [CosineAnnealingLR(adam, config.iterations, config.final_rate * adam.defaults["lr"]) for adam in adams]
     z, domain, draw, weights = model.statistics.apply(motions.x), motions.domain, generator(config.seed, 1), config.weights
     members = [(domain == d).nonzero()[:, 0] for d in range(len(motions.domains))]
@@ -144,13 +144,13 @@ def fit(motions: Motions, config: Config, progress: bool = False) -> Aberman:
         fake, same = model.decode(torch.cat((source, source)), torch.cat((wanted, own))).chunk(2)
 
         real = reference.clone().requires_grad_()
-        logits = judge(real, target)
-        game = losses.discriminator(logits, judge(fake.detach(), target))
-        _descend(adams[1], game + weights["r1"] * losses.r1(logits, real))
+        logits = discriminator(real, target)
+        adversarial = losses.discriminator(logits, discriminator(fake.detach(), target))
+        _descend(adams[1], adversarial + weights["r1"] * losses.r1(logits, real))
 
         apart = functional.triplet_margin_loss(wanted, alike, own, margin=MARGIN, reduction="none")
         apart = torch.where(domain[rows] == target, 0.0, apart).mean()
-        fooled = weights["adv"] * losses.adversarial(judge(fake, target))
+        fooled = weights["adv"] * losses.adversarial(discriminator(fake, target))
         _descend(adams[0], fooled + weights["id"] * losses.content(source, same) + apart)
         for decay in decays:
             decay.step()

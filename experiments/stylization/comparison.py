@@ -1,7 +1,7 @@
-"""The ablation and the comparison of Park et al. 2021 (Tables 1 and 2): ``python -m experiments stylization``.
+"""Ablation and comparison of Park et al. 2021 (Tables 1 and 2): ``python -m experiments stylization``.
 
-Half of the takes train the judges, the other half the generators, but for a fifth, whose windows are the sources and
-references of the evaluation.
+Half of the takes train the classifiers that judge the results. The other half trains the generators, without a fifth, whose
+windows are the sources and references of the evaluation.
 """
 
 import json
@@ -31,7 +31,7 @@ from toolkit.stylization.networks import Stylizer
 from toolkit.stylization.restyling import stylize
 from toolkit.stylization.training import Config
 
-app = typer.Typer(invoke_without_command=True, help="The ablation and the comparison of Park et al. 2021.")
+app = typer.Typer(invoke_without_command=True)
 
 OUT = Path("out/stylization")
 ABLATION = {"adv+cyc+id": LOSSES[:3], "adv+cyc+id+sty": LOSSES[:4], "adv+cyc+id+sty+ds": LOSSES}
@@ -41,24 +41,24 @@ PAPER = {
     "noise": dict(zip(ABLATION, ((14.14, 57.92), (8.58, 77.86), (9.09, 72.64)), strict=True)),
     "reference": {FULL: (6.82, 60.86), "Aberman 2020": (15.86, 42.81), "Holden 2016": (14.10, 37.99)},
 }  # FMD and recognition accuracy of the content, %
-JUDGES, TEST = 0.5, 0.2  # shares of the takes: the judges' of all, the test's of the generators'
+JUDGES, TEST = 0.5, 0.2  # share of all takes for the classifiers; share of the other takes for the test
 MEASURES = {"fmd": ("FMD", 1, 2), "content": ("content %", 100, 1), "style": ("style %", 100, 1),
             "diversity": ("diversity cm", 100, 2), "change": ("change cm", 100, 2),
             "contact_f1": ("contact F1", 1, 2), "contact_raw": ("raw F1", 1, 2)}  # title, scale, decimals
 EXPLAINED = (
-    "FMD: Fréchet distance of the content judge's features from the generators' training motions; content: results whose",
-    "source's content the judge names; style: results whose target style another judge names; diversity: mean distance of a",
-    "joint between two results for one source and style; change: between source and result; contact F1: agreement of foot",
-    "contacts after foot-skate removal, raw: before it. mean ± deviation over the seeds. paper: other data, its own judge.",
+    "FMD: Fréchet distance of the content classifier's features from those of the generators' training motions; content,",
+    "style: results whose content, target style is recognised; diversity: mean distance of a joint between two results for",
+    "one source and style; change: the same between source and result; contact F1: agreement of foot contacts after",
+    "foot-skate removal, raw: before it. mean ± deviation over the seeds. paper: other data, its own classifier.",
 )
 
 
 @dataclass(frozen=True)
 class Plan:
-    """What is compared: all runs of a folder share it.
+    """Settings of all runs in a folder.
 
     ``data`` in words; ``iterations`` of every run; ``small`` networks and fast settings or the paper's; at most ``sources``
-    windows restyled; ``epochs`` of the judges.
+    restyled windows; ``epochs`` of the classifiers.
     """
 
     data: str
@@ -68,54 +68,59 @@ class Plan:
     epochs: int = 5
 
     def config(self, losses: tuple[str, ...], seed: int) -> Config:
-        """How one of the stylizers is trained."""
+        """Training settings of one stylizer."""
         return (Config.quick if self.small else Config)(losses=losses, iterations=self.iterations, seed=seed)
 
 
 @app.callback()
 def run(
     context: typer.Context,
-    out: Annotated[Path, typer.Option(help="Folder of the runs; what it holds is not done again.")] = OUT,
+    out: Annotated[Path, typer.Option(help="Folder of the runs; finished runs in it are not repeated.")] = OUT,
     data: Annotated[str, typer.Option(help=f"Dataset: {', '.join(datasets.DATASETS)}.")] = "bandai",
     root: Annotated[Path | None, typer.Option(help="Folder that holds the dataset.")] = None,
-    styles: Annotated[str | None, typer.Option(help="Comma-separated domains; all where not given.")] = None,
-    gaits: Annotated[str | None, typer.Option(help="Comma-separated contents; all where not given.")] = None,
-    iterations: Annotated[int, typer.Option(min=1, help="Of every run; 100,000 in the paper.")] = 2000,
-    small: Annotated[bool, typer.Option(help="Small networks and fast settings, or the paper's.")] = True,
-    seeds: Annotated[str, typer.Option(help="Comma-separated; one run of every model for each.")] = "0",
+    styles: Annotated[str | None, typer.Option(help="Comma-separated domains; default: all.")] = None,
+    gaits: Annotated[str | None, typer.Option(help="Comma-separated contents; default: all.")] = None,
+    iterations: Annotated[int, typer.Option(min=1, help="Training iterations of every run; 100,000 in the paper.")] = 2000,
+    small: Annotated[bool, typer.Option(help="Small networks and fast settings instead of the paper's.")] = True,
+    seeds: Annotated[str, typer.Option(help="Comma-separated; every model has one run per seed.")] = "0",
     mirror: Annotated[bool, typer.Option(help="Add mirror images, as the paper does.")] = True,
-    sources: Annotated[int, typer.Option(min=2, help="Windows restyled, at most.")] = 100,
-    epochs: Annotated[int, typer.Option(min=1, help="Of the judges' training.")] = 5,
+    sources: Annotated[int, typer.Option(min=2, help="Largest number of restyled windows.")] = 100,
+    epochs: Annotated[int, typer.Option(min=1, help="Training epochs of the classifiers.")] = 5,
 ) -> None:
-    """Train and judge the stylizer with the losses of Table 1 and the baselines of Table 2; store and print."""
+    """The losses of Park et al. 2021 (Table 1), and their stylizer compared with two methods (Table 2).
+
+    Trains and evaluates all models; stores and prints the results.
+    """
     if context.invoked_subcommand is not None:
         return
     chosen = [None if names is None else names.split(",") for names in (styles, gaits)]
     motions = build(datasets.load(data, root, *chosen), mirror=mirror)
-    said = " ".join([data, f"{len(motions):,} windows of", ", ".join(motions.domains), "in", ", ".join(motions.contents)])
-    print(said)
+    domains, contents = (", ".join(names) for names in (motions.domains, motions.contents))
+    described = f"{data} {len(motions):,} windows of {domains} in {contents}"
+    print(described)
     try:
         numbers = [int(seed) for seed in seeds.split(",")]
     except ValueError as error:
-        raise ValueError(f"--seeds are whole numbers with commas between, got {seeds!r}") from error
-    show(compare(motions, Plan(said, iterations, small, sources, epochs), numbers, out, progress=True))
+        raise ValueError(f"--seeds must be comma-separated whole numbers, got {seeds!r}") from error
+    show(compare(motions, Plan(described, iterations, small, sources, epochs), numbers, out, progress=True))
     print(f"wrote {out / 'comparison.json'}")
 
 
 def compare(motions: Motions, plan: Plan, seeds: Sequence[int], folder: Path, progress: bool = False) -> dict:
-    """Train and judge every model with every seed; what the folder holds already is not done again.
+    """Train and evaluate every model with every seed; finished runs in the folder are not repeated.
 
     Returns
     -------
     dict
-        What is also stored as ``comparison.json``: ``settings``, ``machine``, ``judges`` (their accuracy on the generators'
-        takes), ``unchanged`` and ``real`` (the judgement on sources given back as they are, for every domain, and on all
-        test windows in their own), and by ``noise`` and by ``reference`` each model's runs, a row of measures per seed.
+        The content of ``comparison.json``: ``settings``, ``machine``, ``judges`` (accuracy of the classifiers on the
+        generators' takes), ``unchanged`` (measures of unchanged sources with every other domain as target) and ``real``
+        (measures of all test windows with their own domain), and for ``noise`` and ``reference`` the runs of each model, a
+        row of measures per seed.
 
     Raises
     ------
     ValueError
-        If the folder holds a comparison with other settings, or a style or content has too few takes to be split.
+        If the folder holds a comparison with other settings, or a style or content has too few takes for the split.
     """
     _settle(folder, plan)
     others, own = split(motions, JUDGES, 0)
@@ -123,7 +128,7 @@ def compare(motions: Motions, plan: Plan, seeds: Sequence[int], folder: Path, pr
     for label in ("domain", "content"):
         names, parts = getattr(motions, f"{label}s"), [getattr(part, label) for part in (own, train, test)]
         if lacks := [name for k, name in enumerate(names) if not all((part == k).any() for part in parts)]:
-            raise ValueError(f"{label} {', '.join(lacks)}: too few takes to split between judges, training and test")
+            raise ValueError(f"{label} {', '.join(lacks)}: too few takes to split between classifiers, training and test")
     order = torch.randperm(len(test), generator=generator(0))
     sources = test.select(order[: plan.sources].sort().values)
     judges = _judges(own, train, plan, folder, progress)
@@ -154,7 +159,7 @@ def compare(motions: Motions, plan: Plan, seeds: Sequence[int], folder: Path, pr
 
 
 def trained(name: str, motions: Motions, plan: Plan, seed: int, folder: Path, progress: bool = False) -> Model:
-    """One of the models: a stylizer is read from the folder, or trained on from its checkpoint; a baseline is trained."""
+    """One of the models: a stylizer is read from the folder or trained from its checkpoint; a baseline is trained."""
     if name in BASELINES:
         return BASELINES[name](motions, plan.config(LOSSES, seed), progress)
     path = folder / "runs" / f"{_slug(name)}-{seed}.safetensors"
@@ -190,13 +195,13 @@ def _slug(name: str) -> str:
 
 
 def show(table: dict) -> None:
-    """Print a comparison, as `experiments seven-models` made it."""
+    """Print the result of `compare`."""
     settings, on = table["settings"], table["machine"]
     print(f"\n{settings['iterations']:,} iterations, {'small' if settings['small'] else 'the paper’s'} networks")
     print("seeds " + ", ".join(map(str, settings["seeds"])) + "; windows: "
           + ", ".join(f"{k} {n:,}" for k, n in settings["windows"].items()))
     print(f"{on['device']}, {on['cores']} cores, {on['threads']} threads, torch {on['torch']}")
-    print("judges on the generators' half: " + ", ".join(f"{k} {100 * v:.1f} %" for k, v in table["judges"].items()))
+    print("classifiers on the generators' takes: " + ", ".join(f"{k} {100 * v:.1f} %" for k, v in table["judges"].items()))
     for by, title in (("noise", "Table 1: codes from noise"), ("reference", "Table 2: codes from references")):
         print(f"\n{title:<30}{'paper FMD':>11}{'content %':>11}" + "".join(f"{t:>14}" for t, *_ in MEASURES.values()))
         for name in ("real", "unchanged"):
@@ -217,7 +222,7 @@ def _cell(runs: list[dict], key: str) -> str:
 
 
 def restyled(model: Stylizer, source: Clip, references: dict[str, Clip], seeds: Sequence[int]) -> dict[str, Clip]:
-    """A clip and what becomes of it, by what to call it: in each domain by some noises and by the reference given for it."""
+    """A clip and its restyled versions by label: for each domain with some noises and with its reference."""
     rows = {f"{source.style}: source": source}
     for domain, reference in references.items():
         rows |= {f"{domain}, noise {seed}": stylize(model, source, domain, seed) for seed in seeds}
@@ -227,17 +232,17 @@ def restyled(model: Stylizer, source: Clip, references: dict[str, Clip], seeds: 
 
 @app.command()
 def strip(
-    model: Annotated[Path, typer.Option(help="What train-stylizer wrote.")],
-    domains: Annotated[str, typer.Option(help="Two or so target styles, with commas between.")],
+    model: Annotated[Path, typer.Option(help="File of train-stylizer.")],
+    domains: Annotated[str, typer.Option(help="Comma-separated target styles.")],
     source: Annotated[str, typer.Option(help="Style of the source.")],
     content: Annotated[str, typer.Option(help="Content of source and references, the first clip of each style.")],
     out: Annotated[Path, typer.Option(help="The picture to write (PNG).")],
     data: Annotated[str, typer.Option(help=f"Dataset: {', '.join(datasets.DATASETS)}.")] = "bandai",
     root: Annotated[Path | None, typer.Option(help="Folder that holds the dataset.")] = None,
-    start: Annotated[float, typer.Option(help="Second of the source from which it is shown.")] = 0.0,
-    seconds: Annotated[float, typer.Option(help="How much of it is shown.")] = 2.0,
+    start: Annotated[float, typer.Option(help="First second of the source to show.")] = 0.0,
+    seconds: Annotated[float, typer.Option(help="Seconds to show.")] = 2.0,
 ) -> None:
-    """Draw a strip per row: the source, three noises and a reference for each domain (Figure 1)."""
+    """Draw the source and, for each domain, its results with three noises and a reference (Figure 1)."""
     from toolkit import view
 
     names = domains.split(",")

@@ -1,12 +1,11 @@
 """Baseline of Table 2: motion editing with Gram matrices (Holden, Saito, Komura 2016, section 7.2).
 
-A convolutional autoencoder over time learns hidden units of motion, with no labels. To restyle, the hidden units of the
-source are moved by gradient descent until their Gram matrix (which units fire together, whenever that is) is the
-reference's, while they stay near where they were.
+A convolutional autoencoder over time learns hidden units of motion without labels. To restyle a source, gradient descent
+changes its hidden units until their Gram matrix (correlations of the units, independent of time) equals the reference's,
+with a penalty for the change.
 
-Departures from that paper: the decoder has weights of its own and unpools by copying, the features are those of Park et al.
-2021 (positions and quaternions, no velocities and contacts), and both terms are means, so that one weight serves any
-length.
+Departures from that paper: the decoder has its own weights and unpools by copying, the features are those of Park et al.
+2021 (positions and quaternions, no velocities and contacts), and both terms are means, so that one weight fits any length.
 """
 
 import torch
@@ -19,8 +18,8 @@ from toolkit.stylization.data import CHANNELS, Motions, Statistics
 from toolkit.stylization.training import Config
 
 SPARSITY = 1e-5  # weight of the sum of absolute weights per hidden unit
-CORRUPTED = 0.2  # share of the input's numbers that the autoencoder must do without
-RATE, BATCH, ENOUGH = 1e-3, 32, 5000  # of training: Adam's rate, windows per iteration, iterations until it has converged
+CORRUPTED = 0.2  # share of the input values that are set to zero in training
+RATE, BATCH, ENOUGH = 1e-3, 32, 5000  # of training: Adam's rate, windows per iteration, iterations until convergence
 
 
 class Holden(nn.Module):
@@ -29,14 +28,14 @@ class Holden(nn.Module):
     Parameters
     ----------
     statistics
-        Between physical units, outside, and z-scores, inside.
+        Mean and deviation, to convert the physical units of the input to z-scores.
     hidden, kernel
         Hidden units H and the width of a filter in frames.
     style_weight
-        Of the Gram matrices' distance, beside 1 for the hidden units'. Chosen on Bandai's walks and runs, where 5 moves
-        the style of a quarter of the results, 20 of nearly all, and 40 only costs content.
+        Weight of the Gram matrices' distance, relative to the hidden units'. Chosen on walks and runs of Bandai, where 5
+        changes the style of a quarter of the results, 20 of nearly all, and 40 only loses content.
     steps, rate
-        Of the gradient descent (Adam) that edits.
+        Gradient descent (Adam) of the editing.
     """
 
     def __init__(self, statistics: Statistics, hidden: int = 256, kernel: int = 25, *, style_weight: float = 20.0,
@@ -57,7 +56,7 @@ class Holden(nn.Module):
 
     @torch.no_grad()
     def code_of(self, x: Tensor, domain: Tensor | None = None) -> Tensor:
-        """Gram matrices [B, H, H] of references [B, 7, T, N]; a reference needs no label."""
+        """Gram matrices [B, H, H] of references [B, 7, T, N]; the domain is not used."""
         return gram(self.encode(self.statistics.apply(x)))
 
     @torch.no_grad()
@@ -73,12 +72,12 @@ class Holden(nn.Module):
         return self.statistics.invert(self.decode(hidden.relu()))
 
     def energy(self, hidden: Tensor, content: Tensor, code: Tensor) -> Tensor:
-        """What editing makes small, [B]: mean squares of the way from the content and of the way to the Gram matrices."""
+        """Objective [B] of the editing: mean squared distances to the content and to the Gram matrices."""
         return (hidden - content).square().mean((1, 2)) + self.style_weight * (gram(hidden) - code).square().mean((1, 2))
 
 
 def flat(x: Tensor) -> Tensor:
-    """[B, 7, T, N] as [B, 7 N, T]: all numbers of a frame in one vector."""
+    """[B, 7, T, N] as [B, 7 N, T]: all features of a frame in one vector."""
     return x.transpose(2, 3).flatten(1, 2)
 
 
@@ -93,9 +92,9 @@ def gram(hidden: Tensor) -> Tensor:
 
 
 def fit(motions: Motions, config: Config, progress: bool = False) -> Holden:
-    """Train the autoencoder to give back motions of which it sees a part.
+    """Train the autoencoder to reconstruct motions from a part of their features.
 
-    Of the config it takes iterations (at most `ENOUGH`) and seed; with its batch of 8, few iterations leave it undertrained.
+    It uses the iterations (at most `ENOUGH`) and the seed of the config; the config's batch of 8 would need more iterations.
     """
     with torch.random.fork_rng(devices=[]):
         torch.manual_seed(mix(config.seed, 0))

@@ -1,7 +1,7 @@
-"""Fuzzing led by coverage, by atheris: ``python tests/fuzz/guided.py TARGET [-runs=N] [-seed=N] …`` (libFuzzer's flags).
+"""Coverage-guided fuzzing with atheris: ``python tests/robustness/guided.py TARGET [-runs=N] …`` (libFuzzer's flags).
 
-The readers, seeds and mutations are those of ``python -m experiments fuzz``; half of the mutations are libFuzzer's own. An
-input that is neither read nor refused in one line ends the run and stays in a file called ``crash-…``.
+Readers, seeds and half of the mutations are those of ``python -m experiments fuzz``; the other mutations are libFuzzer's. An
+input that is neither read nor refused with one line stops the run and is stored in a file ``crash-…``.
 """
 
 import random
@@ -12,12 +12,12 @@ from pathlib import Path
 
 import atheris
 
-with atheris.instrument_imports(include=["toolkit"], exclude=["toolkit.io.decimals"]):  # that is compiled
+with atheris.instrument_imports(include=["toolkit"], exclude=["toolkit.io.decimals"]):  # which is compiled
     from robustness.fuzz import targets, trials
 
 
 def main(target: str, flags: list[str]) -> None:
-    """Fuzz the first reader of a target until the flags' budget is spent."""
+    """Fuzz the first reader of a target, with the budget of the flags."""
     warnings.simplefilter("ignore")
     folder = Path(tempfile.mkdtemp())
     reader = targets.make(folder, target)[target][0]
@@ -35,7 +35,7 @@ def main(target: str, flags: list[str]) -> None:
         rng = random.Random(seed)
         try:
             made = reader.mutate(rng, data) if rng.random() < 0.5 else atheris.Mutate(data, most)
-        except Exception:  # no longer what the mutations of its kind can read
+        except Exception:  # the mutation cannot parse its input
             made = atheris.Mutate(data, most)
         return made[:most]
 

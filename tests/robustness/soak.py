@@ -1,4 +1,4 @@
-"""Soak: every style for ten minutes under random commands and random style blends; nothing may fall, freeze or blow up."""
+"""Soak test: every style for ten minutes with random commands and blends, compared with limits for falls and slides."""
 
 import math
 from dataclasses import dataclass, fields
@@ -18,32 +18,32 @@ from toolkit.motion.ik import SIDES
 from toolkit.runtime import FPS, CharacterState, Command
 
 CHUNK = 300  # frames whose poses are in memory at a time
-MISBEHAVES = "Drunk"  # style 23 of the published parameters, as is known
-#: Ways of being steered: share of the segments, lowest and highest speed in m/s, and where the character looks.
+MISBEHAVES = "Drunk"  # style 23 of the published parameters, which is known to fall
+#: Kinds of commands: share of the segments, lowest and highest speed in m/s, and facing.
 WAYS = {
     "stand": (0.15, 0.0, 0.0, "ahead"), "walk": (0.3, 0.5, 1.5, "ahead"), "run": (0.1, 2.0, 3.5, "ahead"),
     "wander": (0.15, 0.5, 1.5, "ahead"), "strafe": (0.15, 0.5, 1.3, "elsewhere"), "keep": (0.15, 0.5, 1.5, "zero"),
 }
-SEGMENT = (0.5, 8.0)  # seconds that a way lasts
-WOBBLE = 1.0  # radians per square root of a second, how fast the heading of "wander" strays
-KEYS = (0.1, 4.0)  # seconds between the corners of a blend's path
-LOW, HIGH = 0.35, 1.6  # shares of the hips' height at rest, below and above which a character is down
-WINDOW, TURN = 5.0, 2.0  # seconds of steady walking that are judged, and how many of them it may take to turn round
-WALK, STEADY = (0.5, 1.5), 0.9  # m/s, and share of the speed that is left in the mean velocity
-STUCK = 0.2  # share of the way asked for
-SKATE = 0.05  # m/s, median of a style in steady walking
+SEGMENT = (0.5, 8.0)  # seconds of a segment with one kind of command
+WOBBLE = 1.0  # radians per square root of a second, random walk of the heading in "wander"
+KEYS = (0.1, 4.0)  # seconds between two key blends
+LOW, HIGH = 0.35, 1.6  # limits of the hips' height / height at rest; outside of them a character is down
+WINDOW, TURN = 5.0, 2.0  # seconds of a window of steady walking; seconds of it for a turn, which are not measured
+WALK, STEADY = (0.5, 1.5), 0.9  # limits of steady walking: m/s; least |mean velocity| / mean speed
+STUCK = 0.2  # share of the commanded distance, below which a character is stuck
+SKATE = 0.05  # m/s, limit of a style's median in steady walking
 PERCENTILES = (50, 90, 99, 100)
-CARRIED = tuple(f.name for f in fields(CharacterState) if f.name not in ("history", "style"))  # the root is in the pose
+CARRIED = tuple(f.name for f in fields(CharacterState) if f.name not in ("history", "style"))  # the pose includes the root
 
 
 def run(
     model: verbs.TrainedRun = None,
     parameters: verbs.Published = None,
-    skip: Annotated[str | None, typer.Option(help=f"Styles to leave out; of the published, {MISBEHAVES}.")] = None,
-    seconds: Annotated[float, typer.Option(min=1.0, help="How long each style is driven.")] = 600.0,
-    seed: Annotated[int, typer.Option(help="Of the commands and blends.")] = 0,
+    skip: Annotated[str | None, typer.Option(help=f"Styles to exclude; of the published, {MISBEHAVES}.")] = None,
+    seconds: Annotated[float, typer.Option(min=1.0, help="Duration for each style.")] = 600.0,
+    seed: Annotated[int, typer.Option(help="Seed of commands and blends.")] = 0,
 ) -> None:
-    """Drive all styles at once through random commands and blends; count what is not finite, falls, slides or is stuck."""
+    """Falls, slides and stops of every style with random commands and blends, compared with limits; status 1 if exceeded."""
     net, bank = published.either(model, parameters)
     without = (MISBEHAVES if parameters and skip is None else skip or "").split(",")
     bank = bank.select(name for name in bank if name not in without)
@@ -58,14 +58,14 @@ def run(
 
 @dataclass(frozen=True, eq=False)
 class Course:
-    """What N characters are asked for in each of F frames; character i is at home in style i.
+    """Commands and blends for N characters in F frames; the main style of character i is style i.
 
     Parameters
     ----------
     velocity, facing : Tensor [F, N, 2]
         Commands, world; a facing of zero keeps the current one.
     styles : Tensor [F, N, 3]
-        The home style and two others, by number.
+        Indices of the main style and two others.
     shares : Tensor [F, N, 3]
         Their weights, which sum to one.
     """
@@ -77,23 +77,23 @@ class Course:
 
     @classmethod
     def random(cls, characters: int, frames: int, seed: int) -> "Course":
-        """Stops, walks, runs and strafes, sudden turns in between; paths through triangles of styles, from home to home."""
+        """Stops, walks, runs and sidesteps with sudden turns; blends from the main style to two others and back."""
         draw = torch.Generator().manual_seed(seed)
         columns = [(*_steering(frames, draw), *_blending(i, characters, frames, draw)) for i in range(characters)]
         return cls(*(torch.stack(column, 1) for column in zip(*columns, strict=True)))
 
     def blend(self, frame: int, vectors: Tensor) -> Tensor:
-        """Style vectors ``[N, D]`` of a frame, of those of all styles ``[N, D]``."""
+        """Style vectors ``[N, D]`` of a frame, from those of all styles ``[N, D]``."""
         return torch.einsum("nk,nkd->nd", self.shares[frame], vectors[self.styles[frame]])
 
 
 @dataclass(frozen=True, eq=False)
 class Watched:
-    """What was seen of N characters over F frames; metres and seconds.
+    """Observations of N characters over F frames; metres and seconds.
 
     ``finite`` and ``upright [F, N]`` bool; ``hips [F, N]``, their height, and ``rest``, that of the rest pose;
     ``root [F, N, 2]``; ``contact [F, N, 2]`` bool, right and left; ``sliding`` and ``plain [F, N, 2]``, horizontal speed of
-    the toes with foot IK and as the network has them.
+    the toes with foot IK and in the network's output.
     """
 
     finite: Tensor
@@ -107,7 +107,7 @@ class Watched:
 
 
 def watch(model, vectors: Tensor, course: Course, *, progress: bool = False) -> Watched:
-    """Drive a compiled model, or a plain one, through a course; ``vectors [N, D]`` are the styles'."""
+    """Run a compiled or plain model with a course; ``vectors [N, D]`` are those of the styles."""
     state, parts, last = runtime.start(model, course.blend(0, vectors)), [], None
     frames = range(len(course.velocity))
     bar = tqdm(total=len(frames), desc="soak", unit="frame", disable=None if progress else True)
@@ -128,7 +128,7 @@ def watch(model, vectors: Tensor, course: Course, *, progress: bool = False) -> 
 
 
 def _look(model, states: list[CharacterState], last: Tensor | None) -> tuple[dict[str, Tensor], Tensor]:
-    """Series of `Watched` over some frames, and the toes of the last ``[N, 2, 2, 3]``, given those of the frame before."""
+    """The arrays of `Watched` for some frames, and the last toes ``[N, 2, 2, 3]``, given those before the first frame."""
     layout, skeleton = model.layout, model.layout.skeleton
     rotations, roots = (torch.stack(side) for side in zip(*(runtime.pose(model, s) for s in states), strict=True))
     positions = forward_kinematics(skeleton, rotations, roots)[1]
@@ -148,11 +148,12 @@ def _look(model, states: list[CharacterState], last: Tensor | None) -> tuple[dic
 
 
 def judge(seen: Watched, course: Course, names: list[str]) -> list[dict]:
-    """A row of measures per style; ``failed`` says in words what is wrong with it, and is empty where nothing is.
+    """A row of measures per style; ``failed`` describes what is wrong, and is empty for a style without failures.
 
-    A character is down where it is not upright or its hips are outside of `LOW` to `HIGH` of their height at rest. Where it
-    was asked to walk steadily over a window, it is stuck if after the time to turn it got less than `STUCK` of the way, and
-    glides if it made no step. A style slides if in steady walking its toes in contact do, half of the time.
+    A character is down if it is not upright or the height of its hips is outside of `LOW` to `HIGH` times that at rest. In a
+    window with commands for steady walking it is stuck if, after the time for a turn, it moves less than `STUCK` of the
+    commanded distance, and glides if it makes no step. A style slides if the median speed of its toes in contact in steady
+    walking exceeds `SKATE`.
     """
     down = seen.finite & ~(seen.upright & (seen.hips > LOW * seen.rest) & (seen.hips < HIGH * seen.rest))
     walking, got, steps = _windows(seen, course)
@@ -180,7 +181,7 @@ def judge(seen: Watched, course: Course, names: list[str]) -> list[dict]:
 
 
 def _windows(seen: Watched, course: Course) -> tuple[Tensor, Tensor, Tensor]:
-    """Of every window ``[W, N]``: whether to walk steadily was asked, how much of the way was reached, and landings."""
+    """For every window ``[W, N]``: whether it has steady walking, share of the commanded distance, number of landings."""
     length = min(round(WINDOW * FPS), len(seen.root) - 1)
 
     def total(series: Tensor) -> Tensor:
@@ -198,7 +199,7 @@ def _windows(seen: Watched, course: Course) -> tuple[Tensor, Tensor, Tensor]:
 
 
 def _onsets(now: Tensor) -> Tensor:
-    """Where a run of true values begins."""
+    """First frames of runs of true values."""
     return now & ~torch.cat((torch.zeros_like(now[:1]), now[:-1]))
 
 
@@ -208,14 +209,14 @@ def _percentiles(speeds: Tensor) -> list[float]:
 
 
 def _moment(course: Course, frame: int, i: int, names: list[str]) -> str:
-    """A frame in words: when, in which blend, under which command."""
+    """Description of a frame: time, blend and speed."""
     parts = zip(course.styles[frame, i].tolist(), course.shares[frame, i].tolist(), strict=True)
     blend = " + ".join(f"{share:.0%} {names[style]}" for style, share in parts if share > 0.005)
     return f"{frame / FPS:.1f} s ({blend}, {float(course.velocity[frame, i].norm()):.1f} m/s)"
 
 
 def _steering(frames: int, draw: torch.Generator) -> tuple[Tensor, Tensor]:
-    """Velocity and facing ``[F, 2]`` of one character: ways of `WAYS` one after the other, each with a new heading."""
+    """Velocity and facing ``[F, 2]`` for one character: random segments of the kinds of `WAYS`, each with a new heading."""
     velocity, facing, start = torch.zeros(frames, 2), torch.zeros(frames, 2), 0
     shares = torch.tensor([way[0] for way in WAYS.values()])
     while start < frames:
@@ -223,8 +224,8 @@ def _steering(frames: int, draw: torch.Generator) -> tuple[Tensor, Tensor]:
         _, slow, fast, look = WAYS[name]
         length, speed, heading, elsewhere = torch.rand(4, generator=draw).tolist()
         stop = min(frames, start + round(FPS * (SEGMENT[0] + length * (SEGMENT[1] - SEGMENT[0]))))
-        strayed = torch.randn(stop - start, generator=draw).cumsum(0) * (WOBBLE / FPS**0.5 if name == "wander" else 0.0)
-        ahead = _direction(math.tau * heading + strayed)
+        turned = torch.randn(stop - start, generator=draw).cumsum(0) * (WOBBLE / FPS**0.5 if name == "wander" else 0.0)
+        ahead = _direction(math.tau * heading + turned)
         velocity[start:stop] = (slow + speed * (fast - slow)) * ahead
         facing[start:stop] = {"ahead": ahead, "elsewhere": _direction(torch.tensor(math.tau * elsewhere)),
                               "zero": torch.zeros(2)}[look]
@@ -233,7 +234,7 @@ def _steering(frames: int, draw: torch.Generator) -> tuple[Tensor, Tensor]:
 
 
 def _blending(home: int, styles: int, frames: int, draw: torch.Generator) -> tuple[Tensor, Tensor]:
-    """Styles and shares ``[F, 3]`` of one character: from home by two points of a triangle back home, then by another's."""
+    """Styles and shares ``[F, 3]`` of one character: from its main style by two random blends back to it, and again."""
     others, shares = torch.empty(frames, 3, dtype=torch.long), torch.empty(frames, 3)
     start, alone = 0, torch.tensor([1.0, 0.0, 0.0])
     while start < frames:
@@ -248,7 +249,7 @@ def _blending(home: int, styles: int, frames: int, draw: torch.Generator) -> tup
 
 
 def _barycentric(draw: torch.Generator) -> Tensor:
-    """A point of a triangle, all as likely."""
+    """Weights of a uniformly distributed point in a triangle."""
     shares = -torch.rand(3, generator=draw).clamp_min(1e-6).log()
     return shares / shares.sum()
 
@@ -257,7 +258,7 @@ def _direction(angle: Tensor) -> Tensor:
     return torch.stack((angle.sin(), angle.cos()), -1)
 
 
-#: What is shown of a row: title, width, decimals.
+#: Printed columns: title, width, decimals.
 COLUMNS = {
     "bad": ("bad", 6, 0), "falls": ("falls", 6, 0), "down": ("down s", 7, 1), "low": ("low", 6, 2),
     "high": ("high", 6, 2), "mean": ("mean", 7, 2), **{p: (f"{p} %", 7, 2) for p in PERCENTILES},
@@ -267,19 +268,19 @@ COLUMNS = {
 
 
 def table(rows: list[dict]) -> list[str]:
-    """Lines: a row per style, and what is wrong with some."""
+    """Lines of the table: a row per style, then the failures."""
     lines = [f"{'style':<20}" + "".join(f"{title:>{width}}" for title, width, _ in COLUMNS.values())]
     lines += [f"{row['style']:<20}" + "".join(f"{row[k]:>{w}.{d}f}" for k, (_, w, d) in COLUMNS.items()) for row in rows]
     lines += [
-        "bad: frames with a number that is not finite; low, high: of the hips, m; mean to 100 %: speed of toes in contact,",
+        "bad: frames with a value that is not finite; low, high: of the hips, m; mean to 100 %: speed of toes in contact,",
         "cm/s, with foot IK, then mean and 99 % without; in steady walking, speed: share of the command, steps/s: landings,",
-        f"slide: median of toes in contact, stuck: times that it went at under {STUCK:.0%}, glides: times without a step",
+        f"slide: median of toes in contact, stuck: events with under {STUCK:.0%} of the distance, glides: without steps",
     ]
     return lines + [f"{row['style']}: {row['failed']}" for row in rows if row["failed"]]
 
 
 def summary(rows: list[dict], seen: Watched, seconds: float) -> str:
-    """The whole run in one line."""
+    """Summary of the run in one line."""
     slide = seen.sliding[seen.contact & seen.finite[..., None]]
     skate = ", ".join(f"{p} % {value:.2f}" for p, value in zip(PERCENTILES, _percentiles(slide), strict=True))
     bad, falls, stuck, glides = (sum(row[k] for row in rows) for k in ("bad", "falls", "stuck", "glides"))

@@ -1,4 +1,4 @@
-"""Kills, full disks, read-only folders, two at once: whatever happens, a file is the old one, the new one or not there."""
+"""Kills, full disks, read-only folders, two processes: afterwards a file is the old one, the new one or absent."""
 
 import contextlib
 import os
@@ -18,12 +18,12 @@ import typer
 from robustness.faults.jobs import Job, ended, files_of, prepare, start
 
 JOBS = "fetch", "preprocess", "train", "export"
-SMALL = 50_000  # bytes that a file may have where the disk is "full"
+SMALL = 50_000  # bytes, largest file on the "full" disk
 
 
 @dataclass
 class Score:
-    """What kills did: how many, how many of them left a temporary file, and how many files or runs were bad."""
+    """Counts: kills, kills with a temporary file, lost and half-written files, equal results, left temporary files."""
 
     kills: int = 0
     writing: int = 0
@@ -38,11 +38,11 @@ class Score:
 
 
 def run(
-    kills: Annotated[int, typer.Option(min=1, help="Of each job, at random moments.")] = 50,
-    seed: Annotated[int, typer.Option(help="Of the moments.")] = 0,
-    only: Annotated[str | None, typer.Option(help=f"Some of {', '.join(JOBS)}, comma-separated; or all.")] = None,
+    kills: Annotated[int, typer.Option(min=1, help="Kills of each job, at random times.")] = 50,
+    seed: Annotated[int, typer.Option(help="Seed of the times.")] = 0,
+    only: Annotated[str | None, typer.Option(help=f"Comma-separated jobs: {', '.join(JOBS)}; default: all.")] = None,
 ) -> None:
-    """Kill, starve and lock out fetch, preprocess, train and export; exit status 1 if anything was lost or half-written."""
+    """Files of fetch, preprocess, train and export after kills and faults, compared with undisturbed runs; else status 1."""
     if not hasattr(os, "fork"):
         raise ValueError("this measurement needs a system that can fork: Linux or macOS")
     chosen = JOBS if only is None else only.split(",")
@@ -60,9 +60,9 @@ def run(
             print(f"{job.name:<12}{score.kills:>7}{score.writing:>9}{score.lost:>6}{score.half:>6}{score.equal:>7}"
                   f"{time.perf_counter() - began:>6.0f}", flush=True)
             bad += [] if score.passed else [f"{job.name}: killed"]
-        print("writing: a temporary file lay there; lost: old and whole files that were gone; half: neither the old nor the")
-        print("new one; equal: the same command then gave what an undisturbed one gives")
-        print(f"\n{'':<12}{'what it says, and what is wrong with the files':<20}")
+        print("writing: kills while a temporary file existed; lost: missing old files; half: files that are neither the old")
+        print("nor the new one; equal: the next run gives the files of an undisturbed run")
+        print(f"\n{'':<12}{'fault, problem of the files, message':<20}")
         for job in jobs:
             for fault in (full_disk, read_only, two_at_once):
                 said, wrong = fault(job, base)
@@ -75,7 +75,7 @@ def run(
 
 
 def killed(job: Job, base: Path, kills: int, seed: int = 0) -> Score:
-    """Kill a job again and again at moments spread over its time, every other while it writes; look; let it finish."""
+    """Kill a job at random times, every second time while it writes; check the files; run the job to its end."""
     folder, score, rng = base / "disturbed", Score(), random.Random(f"{seed} {job.name}")
     reference, lasts = job.undisturbed(base)
     while score.kills < kills:
@@ -87,7 +87,7 @@ def killed(job: Job, base: Path, kills: int, seed: int = 0) -> Score:
             time.sleep(0.0002)
         os.kill(child, signal.SIGKILL)
         if not os.WIFSIGNALED(os.waitpid(child, 0)[1]):
-            lasts *= 0.97  # it was done before
+            lasts *= 0.97  # the job was finished
             continue
         score.kills += 1
         score.writing += bool(_temporary(folder))
@@ -96,13 +96,13 @@ def killed(job: Job, base: Path, kills: int, seed: int = 0) -> Score:
         status, said = ended(start(job.work, folder), folder)
         equal = status == 0 and job.contents(folder) == reference
         score.equal += equal
-        for problem in (*lost, *half, *([] if equal else [f"not as undisturbed, status {status}: {said[-300:]}"])):
+        for problem in (*lost, *half, *([] if equal else [f"different result, status {status}: {said[-300:]}"])):
             print(f"  {job.name}, kill {score.kills}: {problem}", file=sys.stderr)
     return score
 
 
 def full_disk(job: Job, base: Path) -> tuple[str, str]:
-    """No file may grow beyond `SMALL` bytes; then there is room again."""
+    """Files are limited to `SMALL` bytes, then unlimited again."""
     import resource
 
     def work(folder: Path) -> None:
@@ -114,7 +114,7 @@ def full_disk(job: Job, base: Path) -> tuple[str, str]:
 
 
 def read_only(job: Job, base: Path) -> tuple[str, str]:
-    """The folder cannot be written to; then it can."""
+    """The folder is read-only, then writable again."""
 
     def work(folder: Path) -> None:
         folder.chmod(0o555)
@@ -125,7 +125,7 @@ def read_only(job: Job, base: Path) -> tuple[str, str]:
 
 
 def _no_superuser() -> None:
-    """Give up the right to write what is read-only (CAP_DAC_OVERRIDE), if the process has it."""
+    """Give up the capability CAP_DAC_OVERRIDE, which allows root to write read-only files."""
     import ctypes
 
     libc = ctypes.CDLL(None)
@@ -137,7 +137,7 @@ def _no_superuser() -> None:
 
 
 def two_at_once(job: Job, base: Path) -> tuple[str, str]:
-    """The same command twice at the same time: both finish, or one refuses, and the files are whole."""
+    """Two equal processes at the same time: both finish, or one refuses, and the files are whole."""
     folder = base / "disturbed"
     reference = job.undisturbed(base)[0]
     job.place(folder)
@@ -161,12 +161,12 @@ def _refused(job: Job, work: Callable[[Path], object], base: Path) -> tuple[str,
     wrong = [*lost, *half] + ([] if status == 2 and _one_line(said) else [f"status {status}"])
     status, _ = ended(start(job.work, folder), folder)
     if status or job.contents(folder) != reference:
-        wrong.append("not as undisturbed afterwards")
+        wrong.append("differs from an undisturbed run afterwards")
     return said.strip(), ", ".join(wrong)
 
 
 def _bad(job: Job, folder: Path, reference: dict[str, object]) -> tuple[list[str], list[str]]:
-    """Old files that are gone, and files that are neither old nor new nor a stage on the way."""
+    """Missing old files, and files that are neither old nor new nor a valid intermediate state."""
     found = {name: path.read_bytes() for name, path in files_of(folder)}
     lost, half = [f"{name} is lost" for name in job.old if name not in found], []
     for name, data in found.items():
@@ -185,6 +185,6 @@ def _temporary(folder: Path) -> list[Path]:
 
 
 def _one_line(said: str) -> bool:
-    """Whether the last that was said, below a progress bar, is an error that names a file."""
+    """Whether the last line, after a progress bar, is an error that names a file."""
     last = said.splitlines()[-1] if said else ""
     return last.startswith("error: ") and "/" in last and "Traceback" not in said

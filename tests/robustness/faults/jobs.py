@@ -1,4 +1,4 @@
-"""What is disturbed: fetch, preprocess, train and export, small, each in a process of its own."""
+"""Jobs for the fault tests: small runs of fetch, preprocess, train and export, each in its own process."""
 
 import contextlib
 import functools
@@ -27,25 +27,25 @@ from toolkit.motion import Clip
 
 @dataclass(frozen=True, eq=False)
 class Job:
-    """What is disturbed.
+    """A job that is disturbed.
 
-    ``work`` writes into a folder, and goes on with what it finds there. ``stage`` reads files that other names than the
-    reference's may lie under, or that grow, or raises. ``content`` is what of a file's bytes two runs have in common.
+    ``work`` writes into a folder, and continues from the files in it. ``stage`` checks files that are not in the reference
+    or that grow, and raises ValueError for a damaged one. ``content`` extracts the part of a file that is equal in all runs.
     """
 
     name: str
     work: Callable[[Path], object]
     old: dict[str, bytes] = field(default_factory=dict)
     stage: Callable[[Path], object] | None = None
-    staged: str = r"(?!)"  # names that ``stage`` judges
+    staged: str = r"(?!)"  # names of files for ``stage``
     content: Callable[[bytes], object] = bytes
 
     def undisturbed(self, base: Path) -> tuple[dict[str, object], float]:
-        """What the files hold where it was left alone, and how many seconds it takes."""
+        """Contents of the files of an undisturbed run, and its seconds."""
         if self not in _UNDISTURBED:
             folder = base / "undisturbed"
             self.place(folder)
-            finish(self.work, folder)  # once to compile and to fill caches
+            finish(self.work, folder)  # compiles and fills caches
             self.place(folder)
             began = time.perf_counter()
             finish(self.work, folder)
@@ -53,11 +53,11 @@ class Job:
         return _UNDISTURBED[self]
 
     def contents(self, folder: Path) -> dict[str, object]:
-        """Its files, as far as two runs agree."""
+        """Contents of the files that are equal in all runs."""
         return {name: self.content(path.read_bytes()) for name, path in files_of(folder)}
 
     def place(self, folder: Path) -> None:
-        """An empty folder but for the old files."""
+        """Make a folder with only the old files."""
         shutil.rmtree(folder, ignore_errors=True)
         folder.mkdir()
         for name, data in self.old.items():
@@ -68,7 +68,7 @@ _UNDISTURBED: dict[Job, tuple[dict[str, object], float]] = {}
 
 
 def prepare(base: Path, ends: contextlib.ExitStack) -> list[Job]:
-    """The four jobs, small, and what they read."""
+    """The four jobs, and the files that they read."""
     root, stored = base / "data", base / "store"
     finish(lambda _: procedural.write(root, ["Neutral", "Zombie"], ["FW", "SW"], 5.0), base)
     finish(lambda _: store.preprocess("100style", root, stored, workers=1), base)
@@ -117,7 +117,7 @@ def prepare(base: Path, ends: contextlib.ExitStack) -> list[Job]:
 
 
 def files_of(folder: Path) -> Iterator[tuple[str, Path]]:
-    """Names and paths of the files that carry their final names."""
+    """Names and paths of all files that are not temporary."""
     for path in sorted(folder.rglob("*")):
         name = path.relative_to(folder)
         if path.is_file() and not any(part.startswith(".") for part in name.parts):
@@ -125,7 +125,7 @@ def files_of(folder: Path) -> Iterator[tuple[str, Path]]:
 
 
 def _weights(data: bytes) -> object:
-    """The tensors of a file; its times differ from run to run."""
+    """The tensors of a file, without its times, which differ in every run."""
     try:
         return {name: tensor.numpy().tobytes() for name, tensor in safetensors.torch.load(data).items()}
     except safetensors.SafetensorError as error:
@@ -140,7 +140,7 @@ def _command(*words: object) -> None:
 
 
 def start(work: Callable[[Path], object], folder: Path, log: str = "one") -> int:
-    """A process of its own that does the work, with everything imported already; its number."""
+    """Fork a process that does the work; returns its id."""
     sys.stdout.flush()
     if child := os.fork():
         return child
@@ -163,13 +163,13 @@ def start(work: Callable[[Path], object], folder: Path, log: str = "one") -> int
 
 
 def ended(child: int, folder: Path, log: str = "one") -> tuple[int, str]:
-    """Exit status of a process, and what it said."""
+    """Exit status and messages of a process."""
     status = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
     return status, (folder.parent / f"{log}.log").read_text(encoding="utf-8", errors="replace")
 
 
 def finish(work: Callable[[Path], object], folder: Path) -> None:
-    """Do the work, left alone; a ValueError where that fails."""
+    """Do the work without disturbance; ValueError if it fails."""
     status, said = ended(start(work, folder), folder)
     if status:
         raise ValueError(f"an undisturbed run failed: {said[-500:]}")
@@ -177,7 +177,7 @@ def finish(work: Callable[[Path], object], folder: Path) -> None:
 
 @contextlib.contextmanager
 def _serving(content: bytes) -> Iterator[str]:
-    """Address of a slow server of one file, in a process of its own, that goes on where it is asked to."""
+    """Address of a slow server of one file in its own process, which supports ranges."""
 
     class Handler(http.server.BaseHTTPRequestHandler):
         def do_GET(self) -> None:

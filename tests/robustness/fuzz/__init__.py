@@ -1,4 +1,4 @@
-"""Rubbish for every reader: mutated files and command lines, each of which must be read or refused in one clear line."""
+"""Fuzzing of all readers: mutated files and command lines, each of which must be read or refused with one clear line."""
 
 import contextlib
 import re
@@ -16,13 +16,13 @@ from robustness.fuzz import targets
 from robustness.fuzz.trials import Reader, trial
 from tqdm import tqdm
 
-SHARES = {"bvh": 0.55, "csv": 0.3, "model": 0.1, "store": 0.02, "cli": 0.03}  # of all inputs
-ROOM = 1 << 30  # bytes of address space that reading may take on top of what the process has
+SHARES = {"bvh": 0.55, "csv": 0.3, "model": 0.1, "store": 0.02, "cli": 0.03}  # share of the inputs by target
+ROOM = 1 << 30  # bytes of additional address space for reading
 
 
 @dataclass
 class Tally:
-    """How the inputs of a target went; ``failures`` maps what went wrong to how often, and its shortest input."""
+    """Results of a target; ``failures`` maps a failure to its count and its shortest input."""
 
     inputs: int = 0
     accepted: int = 0
@@ -34,12 +34,12 @@ class Tally:
 
 
 def run(
-    inputs: Annotated[int, typer.Option(min=1, help="In all; a target has its share of them.")] = 1_000_000,
+    inputs: Annotated[int, typer.Option(min=1, help="Number of all inputs; each target has its share.")] = 1_000_000,
     target: Annotated[str, typer.Option(help="bvh, csv, model, store, cli, or all.")] = "all",
     seed: Annotated[int, typer.Option(help="The same seed gives the same inputs.")] = 0,
-    out: Annotated[Path, typer.Option(help="Folder for inputs that show a failure.")] = Path("out/fuzz"),
+    out: Annotated[Path, typer.Option(help="Folder for inputs with failures.")] = Path("out/fuzz"),
 ) -> None:
-    """Feed mutated files and command lines to every reader; exit status 1 unless each was read or refused in one line."""
+    """Mutated files and command lines for all readers: each must be read or refused with one line, else exit status 1."""
     torch.set_num_threads(1)
     with tempfile.TemporaryDirectory() as folder:
         readers = targets.make(Path(folder), target)
@@ -52,13 +52,13 @@ def run(
 
 
 def fuzz(readers: list[Reader], inputs: int, seed: int, title: str = "") -> Tally:
-    """Try ``inputs`` inputs, as many on every reader."""
+    """Try ``inputs`` inputs, the same number for every reader."""
     tally, before, last = Tally(), _memory(), readers[0]
     with warnings.catch_warnings(), _limited():
         warnings.simplefilter("error")
         warnings.simplefilter("ignore", UserWarning)
         for number in tqdm(range(inputs), desc=title, unit="input", disable=None):
-            reader = readers[number * len(readers) // inputs]  # one after the other: some need each other's whole files
+            reader = readers[number * len(readers) // inputs]  # in turn: some need valid files of others
             if reader is not last:
                 last.path.write_bytes(last.seeds[0])
                 last = reader
@@ -79,13 +79,13 @@ def fuzz(readers: list[Reader], inputs: int, seed: int, title: str = "") -> Tall
 
 
 def _kind(said: str) -> str:
-    """A message without what differs from input to input."""
+    """A message without names and numbers of the input."""
     said = said.split(": ", 1)[-1] if ": " in said else said
     return re.sub(r"'[^']*'|\"[^\"]*\"|\([^)]*\)|[-+]?\d[\d.e+-]*", "…", said)[:60]
 
 
 def _memory() -> float:
-    """The most memory that the process ever had, MB; 0 where the system does not say."""
+    """Peak memory of the process, MB; 0 if unknown."""
     try:
         import resource
     except ImportError:
@@ -95,7 +95,7 @@ def _memory() -> float:
 
 @contextlib.contextmanager
 def _limited() -> Iterator[None]:
-    """Inside, the process gets `ROOM` more memory and no more, where the system can say so."""
+    """Limit the additional memory of the process to `ROOM` within the context, if the system can."""
     try:
         import resource
 
@@ -118,7 +118,7 @@ def _print(tallies: dict[str, Tally]) -> None:
         refused, failed = sum(t.refused.values()), sum(count for count, _ in t.failures.values())
         print(f"{name:<8}{t.inputs:>10,}{t.accepted:>10,}{refused:>10,}{len(+t.refused):>7}{t.deep:>10,}{t.slowest:>8.3f}"
               f"{t.memory:>9.0f}{failed:>8,}")
-    print("deep: read, or refused for what stands behind the header; s/kB: the slowest, of the processor; MB more: at most")
+    print("deep: read, or refused because of content after the header; s/kB: CPU time of the slowest; MB more: peak")
     for name, t in tallies.items():
         for kind, count in t.refused.most_common(8):
             print(f"  {name:<6}{count:>9,}  {kind}")

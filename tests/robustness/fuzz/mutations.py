@@ -1,4 +1,4 @@
-"""How files go wrong: tokens, lines, bytes, encodings, JSON values, tables of tensors."""
+"""Mutations of files: tokens, lines, bytes, encodings, JSON values, tables of tensors."""
 
 import contextlib
 import json
@@ -19,14 +19,14 @@ RUBBISH = (b"\0", b"\0" * 64, b"\xef\xbb\xbf", b"\xff\xfe", b"\xe2\x80\xa8", b"\
            b"\r\n", b"\n" * 9, b"\t", b"\xf0\x9f\xa6\xb6")
 VALUES = (None, True, False, -1, 0, 1, 3, 2**31, 2**63, 10**12, 10**30, 0.5, 1e308, math.nan, math.inf, "", "x", "Hips",
           "-1", "\0", "\ud800", [], {}, [[]], [0], ["a", "a"], {"a": 1}, [math.nan] * 3, "@deep")
-LONGEST = 200_000  # bytes that a text grows to
-DEEP = "[" * 3000  # what "@deep" becomes in a JSON text
+LONGEST = 200_000  # bytes, longest mutated text
+DEEP = "[" * 3000  # replaces "@deep" in a JSON text
 
 Mutate = Callable[[random.Random, bytes], bytes]
 
 
 def text(rng: random.Random, data: bytes) -> bytes:
-    """A text file with a few mistakes in its tokens, lines or bytes."""
+    """A text file with a few mutated tokens, lines or bytes."""
     for _ in range(rng.choice((1, 1, 1, 2, 2, 3, 5, 9))):
         data = rng.choice(_TEXT)(rng, data)[:LONGEST]
     return data
@@ -82,7 +82,7 @@ def _encoding(rng: random.Random, data: bytes) -> bytes:
 
 
 def _frames(rng: random.Random, data: bytes) -> bytes:
-    """Another number of frames, or a header that lies about it."""
+    """Another number of frames, or a header with a wrong number."""
     if rng.random() < 0.5:
         return re.sub(rb"(?<=Frames:)[^\n]*", b" " + rng.choice(NUMBERS), data, count=1)
     more, row = rng.choice((0, 1, 2, 50)), data[data.rstrip().rfind(b"\n") + 1 :]
@@ -90,7 +90,7 @@ def _frames(rng: random.Random, data: bytes) -> bytes:
 
 
 def _nested(rng: random.Random, data: bytes) -> bytes:
-    """A long chain of joints; a long chain of End Sites."""
+    """A long chain of joints or End Sites."""
     deep, at = rng.choice((1, 3, 30, 300)), data.find(b"End Site")
     name = rng.choice((b"JOINT n%d", b"End Site %d"))
     chain = b"".join(name % i + b"\n{\nOFFSET 0 1 0\n" for i in range(deep)) + b"}\n" * deep
@@ -107,7 +107,7 @@ _TEXT: tuple[Mutate, ...] = (
 
 
 def tree(rng: random.Random, node: object) -> object:
-    """What JSON holds, with one node of it another, missing or added."""
+    """A JSON value with one node changed, removed or added."""
     if isinstance(node, dict | list) and node and rng.random() < 0.85:
         keys = list(node) if isinstance(node, dict) else range(len(node))
         key, made = rng.choice(keys), dict(node) if isinstance(node, dict) else list(node)
@@ -124,7 +124,7 @@ def tree(rng: random.Random, node: object) -> object:
 
 
 def json_text(rng: random.Random, data: bytes) -> bytes:
-    """A JSON file with wrong values, or with wrong bytes."""
+    """A JSON file with wrong values or wrong bytes."""
     if rng.random() < 0.2:
         return _bytes(rng, data)
     return _dumps(tree(rng, json.loads(data))).encode(errors="replace")
@@ -135,7 +135,7 @@ def _dumps(value: object) -> str:
 
 
 def tensors(rng: random.Random, data: bytes) -> bytes:
-    """A safetensors file with wrong values in a part of its metadata, its table of tensors or its bytes."""
+    """A safetensors file with wrong values in its metadata, its table of tensors or its bytes."""
     end = 8 + int.from_bytes(data[:8], "little")
     header, body = json.loads(data[8:end]), bytearray(data[end:])
     kind = rng.randrange(10)
@@ -159,7 +159,7 @@ def tensors(rng: random.Random, data: bytes) -> bytes:
 
 
 def tensors_of_size(rng: random.Random, data: bytes) -> bytes:
-    """The same, of the size that the whole file had."""
+    """`tensors` with the size of the original file."""
     return (tensors(rng, data) + bytes(len(data)))[: len(data)]
 
 

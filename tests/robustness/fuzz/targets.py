@@ -1,4 +1,4 @@
-"""What is fuzzed: every reader of files, and the command line, each with whole inputs to start from."""
+"""Targets of the fuzzing: all readers of files and the command line, with valid inputs as seeds."""
 
 import contextlib
 import io
@@ -44,7 +44,7 @@ Frame Time: 0.033333
 0 0 0 0 0 0 1.5 90 9 0 1e1 -3
 """
 TINY = networks.Sizes(hidden=4, experts=2, gating=4, film_channels=2, film_kernel=5, film_dense=4)
-WORK = {  # what a command line does once all is checked; here it is not done
+WORK = {  # functions that a command calls after its checks; they are replaced here
     "toolkit.training.distributed": ("start",), "toolkit.features": ("build",), "toolkit.features.store": ("preprocess",),
     "toolkit.training": ("fit",), "toolkit.cli.demo": ("greet", "make"), "toolkit.runtime.crowd": ("walk",),
     "toolkit.runtime": ("states",), "toolkit.datasets.procedural": ("load", "write"),
@@ -59,12 +59,12 @@ VALUES = ("", "x", "-", "--", "0", "1", "-1", "3", "0.05", "nan", "inf", "-inf",
           "adv", "sty,ds")
 
 
-class _Reached(ValueError):  # noqa: N818 (no error)
-    """A command line passed all checks and would now do its work."""
+class _Reached(ValueError):  # noqa: N818 (not an error)
+    """A command line passed all checks."""
 
 
 def make(folder: Path, target: str = "all") -> dict[str, list[Reader]]:
-    """Readers by target; what they need is made in ``folder``, and stays in use."""
+    """Readers by target; their files are made in ``folder``, which must not be deleted during use."""
     makers = {"bvh": _bvh, "csv": _csv, "model": _model, "store": _store, "cli": _cli}
     if target not in (*makers, "all"):
         raise ValueError(f"unknown target {target!r}; there is {', '.join(makers)}, all")
@@ -75,7 +75,7 @@ def make(folder: Path, target: str = "all") -> dict[str, list[Reader]]:
 
 
 def _bvh(folder: Path) -> list[Reader]:
-    seeds = [CARRIER] * 3  # short, so that a mutation is likely to matter
+    seeds = [CARRIER] * 3  # short, so that a mutation probably has an effect
     for clip in (procedural.load(["Neutral"], ["FW"], seconds=0.2)[0], *_recorded()):
         bvh.save(clip.cut(0, 3), folder / "seed.bvh")
         seeds.append((folder / "seed.bvh").read_bytes())
@@ -86,7 +86,7 @@ def _bvh(folder: Path) -> list[Reader]:
         assert len(clip) * len(clip.skeleton) <= max(path.stat().st_size, bvh.SMALL), "more than the file can hold"
 
     def numbers(path: Path) -> None:
-        """The compiled reader of decimals beside Python's own."""
+        """The compiled reader of decimals, compared with Python's."""
         rows = [line.split() for line in path.read_bytes().decode("latin-1").splitlines() if line.strip()]
         columns = np.empty((len(rows[0]) if rows else 1, len(rows)))
         if not rows or not decimals.read(np.fromfile(path, np.uint8), 0, columns):
@@ -100,7 +100,7 @@ def _bvh(folder: Path) -> list[Reader]:
 
 
 def _recorded() -> Iterator:
-    """One file of each public dataset that is here."""
+    """One file of each public dataset on this machine."""
     for name in ("100style", "bandai", "xia"):
         if datasets.available(name):
             yield datasets.load(name, styles=next(iter(s for s, gaits in datasets.contents(name).items() if gaits)))[0]
@@ -114,7 +114,7 @@ def _csv(folder: Path) -> list[Reader]:
 
 
 def _model(folder: Path) -> list[Reader]:
-    """Runs, models, banks, checkpoints, learned phases; and the published parameters, which have no header."""
+    """Runs, models, banks, checkpoints and the published parameters, which have no header."""
     data = features.build(procedural.load(["Neutral", "Zombie"], ["FW"], 7.0))
     config = training.Config.quick(steps=1, sizes=TINY, batch=4)
     training.fit(data, config, folder / "run.checkpoint").save(folder / "run.safetensors")
@@ -136,7 +136,7 @@ def _model(folder: Path) -> list[Reader]:
 
 
 def _store(folder: Path) -> list[Reader]:
-    """A store's manifest; a partition of it, whose size the manifest knows."""
+    """The manifest of a store, and a partition, whose size is in the manifest."""
     root, out = folder / "data", folder / "store"
     procedural.write(root, ["Neutral", "Zombie"], ["FW"], 4.5)
     store.preprocess("100style", root, out, workers=1)
@@ -154,7 +154,7 @@ def _store(folder: Path) -> list[Reader]:
 
 
 def _cli(folder: Path) -> list[Reader]:
-    """Any verb with any options; what takes long is not done, and files are written to the working folder only."""
+    """Any verb with any options; long work is replaced, and files are written only to the working folder."""
     from toolkit import __main__ as command_line
 
     (folder / "folder").mkdir(exist_ok=True)
@@ -209,4 +209,4 @@ def _cli(folder: Path) -> list[Reader]:
 
 
 def _reached(*_, **__) -> None:
-    raise _Reached("would work now")
+    raise _Reached("all checks passed")

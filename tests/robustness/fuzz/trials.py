@@ -1,4 +1,4 @@
-"""One input for one reader, and how it went."""
+"""One input for one reader, and the result."""
 
 import random
 import signal
@@ -13,10 +13,10 @@ from robustness.fuzz.mutations import Mutate
 
 @dataclass(frozen=True)
 class Reader:
-    """What is fuzzed: the file's path, how to read it, whole files to start from, and how to spoil them.
+    """A target: the path of its file, the function that reads it, valid files as seeds, and their mutation.
 
-    ``read`` raises ValueError or OSError for what it refuses, and AssertionError where it accepted what it should not.
-    A refusal that matches ``deep`` (a regular expression) came from behind the file's header.
+    ``read`` raises ValueError or OSError to refuse a file, and AssertionError if it accepted a wrong file. A refusal that
+    matches ``deep`` (a regular expression) is about content after the file's header.
     """
 
     name: str
@@ -27,22 +27,22 @@ class Reader:
     deep: str
 
     def input(self, seed: int, number: int) -> bytes:
-        """Input ``number`` of a seed, the same whatever came before."""
+        """Input ``number`` of a seed, independent of other inputs."""
         rng = random.Random(f"{self.name} {seed} {number}")
         return self.mutate(rng, rng.choice(self.seeds))
 
 
 class _Hang(BaseException):
-    """More processor time than an input may take."""
+    """The input exceeded its CPU time."""
 
 
 def trial(reader: Reader, data: bytes) -> tuple[str, str, float]:
-    """Read one input: ``accepted``, ``refused`` or ``failed``; what was said; CPU seconds per kB (from 1 kB on)."""
+    """Read one input: ``accepted``, ``refused`` or ``failed``; the message; CPU seconds per kB, for 1 kB or more."""
 
     def hang(*_) -> None:
         raise _Hang
 
-    reader.path.unlink(missing_ok=True)  # never write into what may still be mapped
+    reader.path.unlink(missing_ok=True)  # the old file may still be mapped
     reader.path.write_bytes(data)
     size = max(1.0, len(data) / 1000)
     began = time.process_time()

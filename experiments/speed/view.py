@@ -1,4 +1,4 @@
-"""Viewing: how fast the mannequin is drawn, encoded and answers a slider, off screen, beside the software renderer."""
+"""Speed of drawing, encoding and slider response, off screen: the OpenGL renderer compared with the software renderer."""
 
 import asyncio
 import io
@@ -12,7 +12,7 @@ import typer
 from PIL import Image
 
 TARGET = 60.0  # pyvista pictures per second of one character at 1024 x 768
-LATENCY = 80.0  # milliseconds from slider to picture, of which the browser's part is not measured here
+LATENCY = 80.0  # milliseconds from slider to picture, with the browser's part, which is not measured here
 
 
 def run(
@@ -20,7 +20,10 @@ def run(
     width: Annotated[int, typer.Option(help="Pixels.")] = 1024,
     height: Annotated[int, typer.Option(help="Pixels.")] = 768,
 ) -> None:
-    """Pictures per second, by the clock and by the processor: the second holds on a machine that is busy with other work."""
+    """Pictures per second of the OpenGL renderer, compared with the software renderer and a target; slider latency.
+
+    Wall times include other load on the machine; CPU times do not.
+    """
     from toolkit import datasets, phases
     from toolkit.motion import contacts
     from toolkit.view import stage
@@ -34,7 +37,7 @@ def run(
     feet = [contacts.detect(clip).numpy() for clip in clips]
     subjects = [stage.Subject(clip, on) for clip, on in zip(clips, feet, strict=True)]
     size = width, height
-    print(f"{width} x {height}, {frames} pictures each       median   fastest   processor time")
+    print(f"{width} x {height}, {frames} pictures each       median   fastest   CPU time")
 
     def drawing(name: str, renderer: type, cast: list, count: int) -> tuple[float, np.ndarray]:
         scene = renderer(cast, size)
@@ -57,7 +60,7 @@ def run(
     player = Player(clips, contacts=feet, phases=[phases.extract(clip) for clip in clips], size=size)
     _row("player, two side by side, dials", _times(lambda k: player.seek(k % len(player.clip)), frames))
     player.close()
-    print(f"one character {'meets' if rate >= TARGET else 'MISSES'} {TARGET:g} pictures/s (fastest of clock and processor)")
+    print(f"one character {'meets' if rate >= TARGET else 'MISSES'} {TARGET:g} pictures/s (wall or CPU time)")
     player_size = 640, 480
     waits = asyncio.run(_latency(lambda: Player(clips[0], contacts=feet[0], size=player_size), frames // 2))
     for name, wait in waits.items():
@@ -68,7 +71,7 @@ def run(
 
 
 def _times(work: Callable[[int], object], count: int) -> np.ndarray:
-    """Seconds [count, 2] that ``work(k)`` takes by the clock and of the processor, after three that do not count."""
+    """Wall and CPU seconds [count, 2] of ``work(k)``, after three calls that are not measured."""
     for k in range(3):
         work(k)
     times = []
@@ -80,16 +83,16 @@ def _times(work: Callable[[int], object], count: int) -> np.ndarray:
 
 
 def _row(name: str, times: np.ndarray) -> float:
-    """Print a line and return the pictures per second that an idle machine gives at least."""
+    """Print a line and return the pictures per second of an idle machine, at least."""
     median, fastest, processor = np.median(times[:, 0]), times[:, 0].min(), np.median(times[:, 1])
     print(f"{name:32}{1e3 * median:8.1f} ms{1e3 * fastest:7.1f} ms{1e3 * processor:8.1f} ms = {1 / processor:5.0f}/s")
     return 1 / min(median, processor)
 
 
 async def _latency(make: Callable, count: int) -> dict[str, list[float]]:
-    """Milliseconds from a slider's change, which another thread makes, to the new picture; paused and playing."""
+    """Milliseconds from a change of a slider (in another thread) to the new picture; paused and playing."""
     player, waits = make(), {}
-    player.image.observe(lambda change: setattr(player.image, "seen", change["new"]), "number")  # a page that keeps up
+    player.image.observe(lambda change: setattr(player.image, "seen", change["new"]), "number")  # a page without delay
     for name, playing in (("paused", False), ("playing", True)):
         player.playing, waits[name] = playing, []
         for k in range(count):

@@ -1,4 +1,4 @@
-"""Reading BVH: from the file to the world positions of every joint, beside the Python packages that do the same."""
+"""Speed of reading BVH, from the file to the world positions of every joint, compared with other Python packages."""
 
 import contextlib
 import importlib.metadata
@@ -63,9 +63,9 @@ PEERS = {"pybvh": _pybvh, "upc-pymotion": _pymotion, "bvhsdk": _bvhsdk, "bvhio":
 
 
 def run(
-    file: Annotated[Path | None, typer.Option(help="A BVH file; 3,000 procedural frames where not given.")] = None,
+    file: Annotated[Path | None, typer.Option(help="A BVH file; default: 3,000 procedural frames.")] = None,
 ) -> None:
-    """Time BVH file to world positions on one core, beside the peers of the extra `bench`."""
+    """Time from a BVH file to world positions on one core, compared with the Python packages of the extra `bench`."""
     torch.set_num_threads(1)
     with tempfile.TemporaryDirectory() as folder:
         if file is None:
@@ -90,7 +90,7 @@ def _compare(file: Path) -> None:
         try:
             with _quiet():
                 theirs = read(str(file))
-        except Exception as error:  # a peer's own fault, whatever it is
+        except Exception as error:  # whatever the other package raises
             notes[package] = f"{name}: cannot read this file ({type(error).__name__}: {error})"
             continue
         works[name] = lambda read=read: read(str(file))
@@ -101,7 +101,7 @@ def _compare(file: Path) -> None:
     costs = _costs(works)
 
     print(f"{file.name}: {len(clip):,} frames, {len(joints)} joints, {size:.1f} MB; CPU time of one core, best of several")
-    print(f"{'file to world positions':<26}{'ms':>9}{'MB/s':>8}{'frames/s':>11}{'to ours':>9}{'largest difference':>21}")
+    print(f"{'file to world positions':<26}{'ms':>9}{'MB/s':>8}{'frames/s':>11}{'relative':>9}{'largest difference':>21}")
     for name, seconds in costs.items():
         print(f"{name:<26}{seconds * 1000:>9.2f}{size / seconds:>8.1f}{len(clip) / seconds:>11,.0f}"
               f"{seconds / costs['toolkit']:>8.2f}x{notes.pop(name, ''):>21}")
@@ -117,7 +117,7 @@ def _quiet() -> Iterator[None]:
 
 
 def _costs(works: dict[str, Callable[[], object]], budget: float = 2.0) -> dict[str, float]:
-    """Least CPU time of each; they take turns, and each runs as often as fits in ``budget`` seconds, at least once."""
+    """Least CPU time of each; they run in turn, each for about ``budget`` seconds, at least once."""
     costs: dict[str, list[float]] = {name: [] for name in works}
     while waiting := [name for name, spent in costs.items() if sum(spent) < budget and len(spent) < 50]:
         for name in waiting:

@@ -1,4 +1,4 @@
-"""The sinusoid fit: windows per second beside scipy's `curve_fit`, and residuals beside the best that is known."""
+"""Speed of the sinusoid fit, compared with scipy's `curve_fit`, and residuals, compared with the best known ones."""
 
 import time
 from collections.abc import Callable
@@ -10,12 +10,12 @@ import typer
 
 
 def run(
-    clips: Annotated[list[Path] | None, typer.Option(help="BVH files; procedural clips where none is given.")] = None,
-    windows: Annotated[int, typer.Option(min=1, help="How many windows scipy fits.")] = 500,
-    continuity: Annotated[float, typer.Option(help="Weight of the extra row with continuity.")] = 0.2,
-    seed: Annotated[int, typer.Option(help="Of the choice of windows.")] = 0,
+    clips: Annotated[list[Path] | None, typer.Option(help="BVH files; default: procedural clips.")] = None,
+    windows: Annotated[int, typer.Option(min=1, help="Number of windows that scipy fits.")] = 500,
+    continuity: Annotated[float, typer.Option(help="Weight of continuity in an additional row.")] = 0.2,
+    seed: Annotated[int, typer.Option(help="Seed of the choice of windows.")] = 0,
 ) -> None:
-    """Fit a sinusoid in every window of one second, one core and one thread: speed and residuals beside scipy's."""
+    """Speed and residuals of the sinusoid fit in windows of one second, compared with scipy's `curve_fit`, on one core."""
     import torch
 
     from toolkit import datasets
@@ -61,14 +61,15 @@ def run(
         np.array([float(linked[c].residual[f, limb]) for c, f, limb in picked]))
     row("curve_fit, FFT start", started_time, windows, started)
     row("curve_fit, plain start", plain_time, windows, plain)
-    print(f"{total:,} windows of 61 frames by ours, {windows} of them by scipy; processor time, one thread.\n"
-          "plain, FFT: times as fast as curve_fit so started (without bounds, which is its faster way).\n"
-          "Last columns: % of windows whose residual is over the best known (ours, curve_fit with bounds from eight\n"
-          "starts, a dense grid polished) by so much; curve_fit that gives up is worse by infinity.")
+    print(f"{total:,} windows of 61 frames by the toolkit, {windows} of them by scipy; CPU time, one thread.\n"
+          "plain, FFT: speed-up over curve_fit from this start (without bounds, which is faster for curve_fit).\n"
+          "Last columns: % of windows with a residual above the best known by this much. Best known: the least residual of\n"
+          "the toolkit, of curve_fit with bounds from eight starts, and of a refined dense grid. If curve_fit fails, its\n"
+          "residual is infinite.")
 
 
 def _least_time(job: Callable, repeats: int = 5) -> tuple:
-    """What the job gives, and the least processor time in seconds that it took."""
+    """Result of a job, and its least CPU time, seconds."""
     times = []
     for _ in range(repeats):
         start = time.process_time()
@@ -86,20 +87,20 @@ def _times(window: np.ndarray, fps: float) -> np.ndarray:
 
 
 def _curve_fit(window: np.ndarray, frequency: float, shift: float, *, fps: float = 60.0, bounded: bool = False) -> float:
-    """Residual that `scipy.optimize.curve_fit` ends with from one start; infinite where it gives up."""
+    """Residual of `scipy.optimize.curve_fit` from one start; infinite if it fails."""
     from scipy.optimize import curve_fit
 
     t, low, high = _times(window, fps), window.min(), window.max()
     limits = {"bounds": ([0, 0.25, -1, low - 1e-9], [high - low + 1e-9, 4, 1, high + 1e-9])} if bounded else {}
     try:
         found = curve_fit(_sinusoid, t, window, [(high - low) / 2, frequency, shift, window.mean()], **limits)[0]
-    except RuntimeError:  # too many steps
+    except RuntimeError:  # too many evaluations
         return np.inf
     return float(np.sqrt(np.mean((_sinusoid(t, *found) - window) ** 2)))
 
 
 def _fft_start(window: np.ndarray, fps: float = 60.0) -> tuple[float, float]:
-    """Frequency and shift of the largest peak of the zero-padded spectrum, inside the bounds."""
+    """Frequency and shift of the largest peak of the zero-padded spectrum within the bounds."""
     size = 8 * len(window)
     spectrum = np.fft.rfft(window - window.mean(), size)
     hertz = np.fft.rfftfreq(size, 1 / fps)
@@ -110,10 +111,10 @@ def _fft_start(window: np.ndarray, fps: float = 60.0) -> tuple[float, float]:
 
 
 def best_known(window: np.ndarray, fps: float = 60.0, frequencies: int = 300, phases: int = 64) -> float:
-    """Least residual within the bounds that slow means find, none of them shared with `toolkit.phases.sinusoids`.
+    """Least residual within the bounds by slow methods that share no code with `toolkit.phases.sinusoids`.
 
-    Every frequency and phase of a dense grid with the best amplitude and offset in their box; its five best valleys over
-    frequency polished by scipy's bounded `least_squares`; and `curve_fit` with bounds from eight starts.
+    A dense grid of frequencies and phases with the best amplitude and offset within the bounds; its five best valleys over
+    frequency, refined by scipy's bounded `least_squares`; and `curve_fit` with bounds from eight starts.
     """
     from scipy.optimize import least_squares
 

@@ -1,4 +1,4 @@
-"""A training step: the plainest form of it beside ours, the least it could take, and what each costs in test error."""
+"""Speed of a training step, compared with a plain implementation and the least possible time, and its held-out error."""
 
 import contextlib
 import os
@@ -24,22 +24,22 @@ from toolkit.training.run import Config
 
 STYLES = ("Neutral", "Zombie", "Strut", "Old")
 REDUCED = Sizes(hidden=128, film_channels=32, film_dense=256, dropout=0.1)
-TARGETS = {"ours": 1.5, "ours, one clip": 5.0}  # times as fast as the plainest form
+TARGETS = {"toolkit": 1.5, "toolkit, one clip": 5.0}  # speed relative to the plain form
 
 
 @dataclass(frozen=True)
 class Form:
-    """One way to take a step; ``blend``, ``convolve`` and ``adam`` say whether these three are done our way."""
+    """Implementation of a training step: the flags select the toolkit's way for three parts."""
 
-    blend: bool = True  # scale inputs by their gates, one product; else blend weights sample by sample
-    convolve: bool = True  # spectra of tiles; else torch's convolution
+    blend: bool = True  # scale inputs by their gates, one product; else blend the weights of every sample
+    convolve: bool = True  # by spectra of tiles; else torch's convolution
     adam: bool = True  # fused; else a loop over tensors
-    clips: int = 32  # style clips of a minibatch
+    clips: int = 32  # style clips per minibatch
     precision: str = "32"
 
     @contextlib.contextmanager
-    def ways(self) -> Iterator[None]:
-        """Inside, networks and optimiser do it this way."""
+    def patched(self) -> Iterator[None]:
+        """Use this implementation in networks and optimiser within the context."""
         plain = torch.optim.Adam
         with contextlib.ExitStack() as stack:
             if not self.blend:
@@ -54,24 +54,27 @@ class Form:
 
 PLAIN = Form(blend=False, convolve=False, adam=False)
 FORMS = {
-    "plainest": PLAIN,
-    "plainest, fused Adam": replace(PLAIN, adam=True),
-    "plainest, one product": replace(PLAIN, blend=True),
-    "plainest, tiles": replace(PLAIN, convolve=True),
-    "ours": Form(),
-    "ours, bf16": Form(precision="bf16"),
-    "ours, one clip": Form(clips=1),
-    "ours, one clip, bf16": Form(clips=1, precision="bf16"),
+    "plain": PLAIN,
+    "plain, fused Adam": replace(PLAIN, adam=True),
+    "plain, one product": replace(PLAIN, blend=True),
+    "plain, tiles": replace(PLAIN, convolve=True),
+    "toolkit": Form(),
+    "toolkit, bf16": Form(precision="bf16"),
+    "toolkit, one clip": Form(clips=1),
+    "toolkit, one clip, bf16": Form(clips=1, precision="bf16"),
 }
-LEARNT = ("plainest", "ours", "ours, bf16", "ours, one clip", "ours, one clip, bf16")
+TRAINED = ("plain", "toolkit", "toolkit, bf16", "toolkit, one clip", "toolkit, one clip, bf16")
 
 
 def run(
-    repeats: Annotated[int, typer.Option(min=1, help="The median of so many steps is printed.")] = 9,
-    steps: Annotated[int, typer.Option(min=0, help="Steps of the trainings that are compared; 0: none.")] = 400,
-    seeds: Annotated[int, typer.Option(min=1, help="Trainings of each form.")] = 2,
+    repeats: Annotated[int, typer.Option(min=1, help="Steps; the median is printed.")] = 9,
+    steps: Annotated[int, typer.Option(min=0, help="Training steps for the comparison of errors; 0: no comparison.")] = 400,
+    seeds: Annotated[int, typer.Option(min=1, help="Trainings per implementation.")] = 2,
 ) -> None:
-    """Milliseconds of a step at the paper's sizes, batch 32; then held-out error after the same steps at reduced sizes."""
+    """Milliseconds of a training step, compared with a plain implementation and the least possible time; held-out errors.
+
+    Times are for the paper's sizes and a batch of 32, errors for reduced sizes after the same number of steps.
+    """
     torch.set_num_threads(len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1)
     data = features.build(datasets.load("procedural", styles=list(STYLES), gaits=["FW"], seconds=30.0))
     _times(data, repeats)
@@ -80,7 +83,7 @@ def run(
 
 
 def _times(data: Features, repeats: int) -> None:
-    """A table of times; all forms step the same model, in turns, so that all meet the same weather."""
+    """A table of times; all implementations train the same model in turn, so that other load affects all of them."""
     model = networks.build("lpn-film", data.layout, len(STYLES), None, networks.normalisers("lpn-film", data)).train()
     count = sum(p.numel() for p in model.parameters())
     seconds: dict[str, list[float]] = {name: [] for name in FORMS}
@@ -89,7 +92,7 @@ def _times(data: Features, repeats: int) -> None:
         for name, form in FORMS.items():
             config = Config(clips_per_batch=form.clips, precision=form.precision)
             fabric = distributed.start(config)
-            with form.ways():
+            with form.patched():
                 adam = optimisers.setdefault(form.adam, training.optimiser(model, config))
                 objective = fabric.setup_module(distributed.Objective(model, config.bone_weight, 0, 1))
                 batches = Minibatches(data, config.batch, form.clips, config.seed)
@@ -104,10 +107,10 @@ def _times(data: Features, repeats: int) -> None:
     rates, update = {p: _product_rate(p) for p in ("32", "bf16")}, 7 * 4 * count / _bandwidth()
     print(f"a step of {count:,} parameters, batch 32, {torch.get_num_threads()} threads, median of {repeats}")
     speeds = ", ".join(f"{rate / 1e9:.0f} GFLOP/s ({precision})" for precision, rate in rates.items())
-    print(f"floor: its products at the rate of a large one, {speeds},")
-    print(f"and 7 numbers per parameter for Adam at the rate of a copy, {1e3 * update:.0f} ms")
-    print(f"{'':<24}{'ms':>8}{'times as fast':>15}{'GFLOP':>8}{'floor ms':>10}")
-    plain = float(np.median(seconds["plainest"]))
+    print(f"floor: its matrix products at the rate of a large one, {speeds},")
+    print(f"and 7 memory accesses per parameter for Adam at the rate of a copy, {1e3 * update:.0f} ms")
+    print(f"{'':<24}{'ms':>8}{'speed-up':>15}{'GFLOP':>8}{'floor ms':>10}")
+    plain = float(np.median(seconds["plain"]))
     for name, form in FORMS.items():
         own = float(np.median(seconds[name]))
         floor = flops[name] / rates[form.precision] + update
@@ -117,16 +120,16 @@ def _times(data: Features, repeats: int) -> None:
 
 
 def _errors(data: Features, steps: int, seeds: int) -> None:
-    """A table of held-out errors; the same seed means the same start, frames and dropout."""
+    """A table of held-out errors; the same seed gives the same initial weights, frames and dropout."""
     print(f"\nheld-out error after {steps} steps, {REDUCED.hidden} hidden units, {REDUCED.film_channels} filters, "
           f"{len(STYLES)} procedural styles, seeds 0 to {seeds - 1}")
     print(f"{'':<24}{'mean':>8}{'seeds':>30}{'other style':>13}{'s':>7}")
-    for name in LEARNT:
+    for name in TRAINED:
         form, errors, others, began = FORMS[name], [], [], time.perf_counter()
         for seed in range(seeds):
             config = Config(sizes=REDUCED, steps=steps, clips_per_batch=form.clips, precision=form.precision, seed=seed,
                             rate=1e-3, style_rate=0.1, final_rate=0.01, max_gradient=1.0)
-            with form.ways():
+            with form.patched():
                 overall = training.fit(data, config).table()[-1]
             errors.append(overall["error"])
             others.append(overall["other"])

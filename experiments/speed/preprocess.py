@@ -1,4 +1,4 @@
-"""The whole pipeline: BVH files to a store of features, phases and contacts, and minibatches from it."""
+"""Speed of preprocessing, from BVH files to a store of features, and of minibatches from the store and from memory."""
 
 import os
 import subprocess
@@ -18,16 +18,16 @@ from toolkit.training import minibatches
 
 GAITS = ("FW", "BW", "FR", "SW", "ID")
 DATASET = 4_055_978  # frames of 100STYLE
-FEW = 10  # files of the small run
+FEW = 10  # files in the small run
 
 
 def run(
-    files: Annotated[int, typer.Option(min=2 * FEW, help="Files of the large run, five of a style.")] = 200,
-    seconds: Annotated[float, typer.Option(help="Length of a file; 100STYLE's mean is 84 s.")] = 84.0,
+    files: Annotated[int, typer.Option(min=2 * FEW, help="Files in the large run, five per style.")] = 200,
+    seconds: Annotated[float, typer.Option(help="Length of a file; the mean of 100STYLE is 84 s.")] = 84.0,
     workers: Annotated[int, typer.Option(min=1, help="Processes.")] = 2,
     steps: Annotated[int, typer.Option(help="Minibatches to read.")] = 500,
 ) -> None:
-    """Store a few and many procedural files; then read minibatches from the store and from memory."""
+    """Frames per second of preprocessing, few files compared with many; minibatches from a store compared with memory."""
     with tempfile.TemporaryDirectory() as folder:
         drawn = Path(folder) / "drawn"
         procedural.write(drawn, "Neutral", GAITS, seconds)
@@ -43,20 +43,20 @@ def run(
             print(f"{n:>6}{frames:>12,}{elapsed:>8.1f}{cpu:>8.1f}{rate:>10,.0f}{peak / 1e6:>9,.0f}{size:>13,.0f}")
         print(f"100STYLE, {DATASET:,} frames, at this rate: {DATASET / rate / 60:.1f} min (target: under 6; "
               f"ai4animationpy: under 5 without phases), {DATASET * size / 1e9:.2f} GB")
-        print(f"{workers} processes, from the start of Python to the last checksum; peak: resident memory of all of them; "
-              f"in CPU time alone {DATASET * cpu / frames / 60 / workers:.1f} min")
+        print(f"{workers} processes, from the start of Python to the last checksum; peak: resident memory of all processes; "
+              f"by CPU time {DATASET * cpu / frames / 60 / workers:.1f} min")
 
         root, out = (Path(folder) / f"{kind}{FEW}" for kind in ("data", "store"))
         sources = {"in memory": features.build(datasets.load("100style", root)), "store": store.load(out)}
         print(f"\n{'32 frames and':<28}" + "".join(f"{name:>12}" for name in sources) + "   minibatches/s")
-        kinds = {"1 style clip": (1, 0.0), "1 style clip, 30% straying": (1, 0.3), "32 style clips": (32, 0.0)}
-        for title, (clips, stray) in kinds.items():
-            rates = {name: _rate(data, clips, stray, steps) for name, data in sources.items()}
+        kinds = {"1 style clip": (1, 0.0), "1 style clip, 30% mixed up": (1, 0.3), "32 style clips": (32, 0.0)}
+        for title, (clips, mixed) in kinds.items():
+            rates = {name: _rate(data, clips, mixed, steps) for name, data in sources.items()}
             print(f"{title:<28}" + "".join(f"{rate:>12,.0f}" for rate in rates.values()))
 
 
 def _multiply(drawn: Path, root: Path, styles: int) -> None:
-    """A dataset of many styles whose files are links to those of one."""
+    """A dataset of many styles, whose files are links to the files of one style."""
     root.mkdir()
     names = [f"Style{i}" for i in range(styles)]
     for table in ("Frame_Cuts.csv", "Dataset_List.csv"):
@@ -70,7 +70,7 @@ def _multiply(drawn: Path, root: Path, styles: int) -> None:
 
 
 def _measured(command: list[str]) -> tuple[float, float, float]:
-    """Seconds, seconds of processor time and peak resident memory, bytes, of a command and the processes that it starts."""
+    """Seconds, seconds of CPU time and peak resident memory, bytes, of a command with its child processes."""
     import psutil
 
     began, before, peak = time.perf_counter(), os.times(), 0
@@ -91,11 +91,11 @@ def _measured(command: list[str]) -> tuple[float, float, float]:
     return time.perf_counter() - began, cpu, peak
 
 
-def _rate(data: Features, clips: int, stray: float, steps: int) -> float:
-    """Minibatches per second of one process with one thread."""
+def _rate(data: Features, clips: int, mixed: float, steps: int) -> float:
+    """Minibatches per second of one thread; ``mixed`` is the share of frames with a pose mix-up."""
     threads = torch.get_num_threads()
     torch.set_num_threads(1)
-    batches = minibatches.Minibatches(data, 32, clips, 0, stray)
+    batches = minibatches.Minibatches(data, 32, clips, 0, mixed)
     began = time.perf_counter()
     for step in range(steps):
         batches[step]

@@ -1,4 +1,4 @@
-"""Generation: how fast the procedural dataset is made, beside forward kinematics of the same frames."""
+"""Speed of the procedural dataset, compared with forward kinematics of the same frames."""
 
 import hashlib
 import time
@@ -16,9 +16,12 @@ TARGET = 20_000  # frames per second of one core
 
 def run(
     seconds: Annotated[float, typer.Option(help="Length of each clip.")] = 20.0,
-    repeats: Annotated[int, typer.Option(help="The median of so many is printed.")] = 5,
+    repeats: Annotated[int, typer.Option(help="Repetitions; the median is printed.")] = 5,
 ) -> None:
-    """Frames per second of one core (process time, one thread), and whether the same seed gives the same bytes."""
+    """Frames per second of the procedural dataset on one core, compared with forward kinematics; does a seed repeat?
+
+    Times are process times of one thread. Clips of the same seed must be the same bytes.
+    """
     threads = torch.get_num_threads()
     torch.set_num_threads(1)
     try:
@@ -39,11 +42,11 @@ def run(
     print(f"{len(clips)} clips of {seconds:g} s, {frames:,} frames; one core, median of {repeats}")
     print(f"generation          {rate:>10,.0f} frames/s   (target {TARGET:,}: {'met' if rate >= TARGET else 'MISSED'})")
     print(f"forward kinematics  {frames / float(np.median(kinematics)):>10,.0f} frames/s   of the same frames")
-    print(f"same seed           {'the same bytes' if len(hashes) == 1 else 'OTHER BYTES'}, {' '.join(sorted(hashes))}")
+    print(f"same seed           {'the same bytes' if len(hashes) == 1 else 'DIFFERENT BYTES'}, {' '.join(sorted(hashes))}")
 
 
 def digest(clips: list[Clip]) -> str:
-    """Fingerprint of the clips' numbers."""
+    """Hash of the arrays of clips."""
     data = hashlib.sha256()
     for clip in clips:
         data.update(clip.rotations.numpy().tobytes() + clip.root_positions.numpy().tobytes())

@@ -1,4 +1,4 @@
-"""Stylization: how fast a clip of 1,000 frames is restyled, by networks of the paper's size."""
+"""Speed of stylisation: restyling a clip of 1,000 frames with networks of the paper's size, compared with real time."""
 
 import time
 from collections.abc import Callable
@@ -20,10 +20,13 @@ TARGET = 1.0  # seconds for 1,000 frames on two cores
 
 def run(
     frames: Annotated[int, typer.Option(help="Length of the clip at 30 Hz.")] = 1000,
-    repeats: Annotated[int, typer.Option(help="The median of so many is printed.")] = 5,
-    threads: Annotated[int, typer.Option(help="Processor cores to use.")] = 2,
+    repeats: Annotated[int, typer.Option(help="Repetitions; the median is printed.")] = 5,
+    threads: Annotated[int, typer.Option(help="Number of threads.")] = 2,
 ) -> None:
-    """Seconds to restyle a clip, part by part, and how many times faster than it plays; random weights cost the same."""
+    """Seconds to restyle a clip, step by step, compared with its duration (real time).
+
+    The weights are random, which does not change the speed.
+    """
     (walk,) = datasets.load("procedural", styles=["Neutral"], gaits=["FW"], seconds=frames / FPS + 1)
     clip = walk.resample(FPS).cut(0, frames)
     motions = build([clip])
@@ -48,13 +51,13 @@ def run(
     for name, (wall, processor) in times.items():
         rate = len(clip) / wall
         speed = f"{rate:>10,.0f} frames/s{rate / FPS:>7.0f} x real time"
-        print(f"{name:<24}{wall:>8.3f} s, {processor:.3f} s of processors {speed}")
+        print(f"{name:<24}{wall:>8.3f} s, {processor:.3f} s of CPU time {speed}")
     whole = times["all of stylize()"][0] * 1000 / len(clip)
     print(f"1,000 frames in {whole:.2f} s   (target {TARGET:g} s: {'met' if whole < TARGET else 'MISSED'})")
 
 
 def _seconds(work: Callable[[], object]) -> tuple[float, float]:
-    """Wall time and processor time; where they differ, the machine had other work."""
+    """Wall time and CPU time."""
     start = time.perf_counter(), time.process_time()
     work()
     return time.perf_counter() - start[0], time.process_time() - start[1]

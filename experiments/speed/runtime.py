@@ -1,4 +1,4 @@
-"""Run time: the compiled model beside the floor of the machine, the plain one and its peers; and how equal it is."""
+"""Speed and equality of the compiled model, compared with the limit of the machine, plain PyTorch and other runtimes."""
 
 import copy
 import dataclasses
@@ -18,10 +18,10 @@ from toolkit.cli import verbs
 from toolkit.evaluation import metrics
 from toolkit.networks import Model
 
-ONE, MANY, MANY_FRAMES, MANY_PLAIN = 1.3, 1.25, 1.6, 21.0  # targets: times the floor, and how many times plain einsum
-FRAME = 100.0  # microseconds for the whole frame of one of 64 characters
-PEERS = (1, 64)  # characters at which peers are timed beside
-SPEEDS = 0.8, 1.6  # metres per second of the rollouts that must be equal
+ONE, MANY, MANY_FRAMES, MANY_PLAIN = 1.3, 1.25, 1.6, 21.0  # targets: time / floor, and speed-up over plain einsum
+FRAME = 100.0  # microseconds per character for the whole frame of 64 characters
+PEERS = (1, 64)  # numbers of characters for the comparison
+SPEEDS = 0.8, 1.6  # metres per second of the rollouts that are compared
 
 
 def run(
@@ -29,13 +29,16 @@ def run(
     parameters: verbs.Published = None,
     characters: Annotated[str, typer.Option(help="Comma-separated numbers of characters.")] = "1,2,4,8,16,32,64,128,256,512",
     threads: Annotated[str, typer.Option(help="Comma-separated numbers of threads.")] = "1,2",
-    rounds: Annotated[int, typer.Option(min=1, help="Of ten calls each; medians are printed.")] = 10,
-    peers: Annotated[bool, typer.Option(help="Time ONNX Runtime and torch.compile, too.")] = True,
+    rounds: Annotated[int, typer.Option(min=1, help="Rounds of ten calls; medians are printed.")] = 10,
+    peers: Annotated[bool, typer.Option(help="Also time ONNX Runtime and torch.compile.")] = True,
     equality: Annotated[bool, typer.Option("--equality", help="Compare rollouts with the plain model instead.")] = False,
-    styles: Annotated[int, typer.Option(min=1, help="How many styles of the bank to compare.")] = 20,
-    plot: Annotated[Path | None, typer.Option(help="Picture of the cost per character to write.")] = None,
+    styles: Annotated[int, typer.Option(min=1, help="Number of styles to compare.")] = 20,
+    plot: Annotated[Path | None, typer.Option(help="File for a plot of the cost per character.")] = None,
 ) -> None:
-    """Network and whole frame (features, network, trajectory, foot and arm IK), beside what the machine allows."""
+    """Times of the network and of a whole frame, compared with the machine's limit, plain PyTorch and other runtimes.
+
+    A whole frame has features, network, trajectory, foot and arm IK.
+    """
     net, bank = published.either(model, parameters)
     before = torch.get_num_threads()
     torch.set_num_threads(1)
@@ -58,16 +61,16 @@ def run(
 
 
 def _floor(model: Model, count: int, rate: float, speed: float) -> float:
-    """Seconds in which a core can read all weights once, or do the multiply-adds, whichever is longer."""
+    """Least seconds: the longer of reading all weights once and of the multiply-adds, on one core."""
     weights = sum(layer.weight.numel() for layer in (*model.experts.layers, *model.gating.layers))
     return max(4 * weights / speed, count * weights / rate)
 
 
 def _times(works: dict[str, Callable[[], object]], rounds: int,
            clock: Callable[[], float] = time.thread_time) -> dict[str, float]:
-    """Median seconds of each, in rounds of ten calls one after another, of which the first two do not count.
+    """Median seconds of each, in rounds of ten calls, of which the first two are not measured.
 
-    The clock of the thread's own processor time goes on being right on a machine that is busy with other work.
+    The CPU time of the thread is not affected by other load on the machine.
     """
     taken: dict[str, list[float]] = {name: [] for name in works}
     for _ in range(rounds):
@@ -81,7 +84,7 @@ def _times(works: dict[str, Callable[[], object]], rounds: int,
 
 
 def _machine(fast, rounds: int) -> tuple[float, float]:
-    """Multiply-adds and bytes per second of one core: the best of what was tried, in arrays that fit this model."""
+    """Multiply-adds and bytes per second of one core: the best of several kernels, with arrays of this model's sizes."""
     from numba import njit
 
     from toolkit.runtime.compiled import network
@@ -99,9 +102,9 @@ def _machine(fast, rounds: int) -> tuple[float, float]:
     near, bias = np.ones(128 * 512, np.float32), np.zeros((1, 512), np.float32)
     done = _times({
         "sum": lambda: total(weights), "torch": lambda: square @ square, "numpy": lambda: square.numpy() @ square.numpy(),
-        "ours": lambda: network.blended_layer(x, gates, near, bias, y),
+        "toolkit": lambda: network.blended_layer(x, gates, near, bias, y),
     }, rounds)
-    rates = {name: 1024**3 / done[name] for name in ("torch", "numpy")} | {"ours": 64 * 128 * 512 / done["ours"]}
+    rates = {name: 1024**3 / done[name] for name in ("torch", "numpy")} | {"toolkit": 64 * 128 * 512 / done["toolkit"]}
     best, speed = max(rates, key=rates.__getitem__), weights.nbytes / done["sum"]
     print(f"one core: {rates[best] / 1e9:.1f} G multiply-adds/s ({best}), "
           f"{speed / 1e9:.1f} GB/s from {weights.nbytes / 1e6:.1f} MB")
@@ -109,7 +112,7 @@ def _machine(fast, rounds: int) -> tuple[float, float]:
 
 
 def _beside(net: Model, fast, bank, rounds: int, rate: float, speed: float, peers: bool) -> None:
-    """Network and frame of one character and of many, on one core."""
+    """Network and frame of one character and of many, on one core, compared with the floor and with others."""
     half = runtime.compile(net, precision="bfloat16")
     for count in PEERS:
         x, phases, style = _inputs(net, bank, count)
@@ -121,8 +124,8 @@ def _beside(net: Model, fast, bank, rounds: int, rate: float, speed: float, peer
             "torch, inputs scaled by gates": lambda x=x, p=phases, s=style: net.predict(x, p, s),
             **({"ONNX Runtime": _onnx(net, x, phases, style), "torch.compile": _torch_compile(net, x, phases, style)}
                if peers else {}),
-            "ours": lambda x=x, p=phases, s=style: fast.predict(x, p, s),
-            "ours, bfloat16 weights": lambda x=x, p=phases, s=style: half.predict(x, p, s),
+            "toolkit": lambda x=x, p=phases, s=style: fast.predict(x, p, s),
+            "toolkit, bfloat16 weights": lambda x=x, p=phases, s=style: half.predict(x, p, s),
         }
         for name in [name for name, work in works.items() if isinstance(work, str)]:
             print(f"{name}: {works.pop(name)}")
@@ -131,17 +134,17 @@ def _beside(net: Model, fast, bank, rounds: int, rate: float, speed: float, peer
             for name, seconds in done.items():
                 error = float(((works[name]() - right) / net.outputs_std).square().mean().sqrt())
                 print(f"{name:40}{1e6 * seconds:9.0f}{1e6 * seconds / count:9.1f}{seconds / floor:9.2f}{error:10.1e}")
-            both = {f"whole frame, {name}": _frame(m, bank, count) for name, m in (("plain", net), ("ours", fast))}
+            both = {f"whole frame, {name}": _frame(m, bank, count) for name, m in (("plain", net), ("toolkit", fast))}
             frames = _times(both, rounds)
         for name, seconds in frames.items():
             print(f"{name:40}{1e6 * seconds:9.0f}{1e6 * seconds / count:9.1f}{seconds / floor:9.2f}")
-        ours, frame, plain = done["ours"], frames["whole frame, ours"], done["plain einsum weight blend (torch)"]
+        own, frame, plain = done["toolkit"], frames["whole frame, toolkit"], done["plain einsum weight blend (torch)"]
         if count == 1:
-            _verdict(f"network ≤ {ONE} × floor", ours <= ONE * floor)
+            _verdict(f"network ≤ {ONE} × floor", own <= ONE * floor)
             _verdict(f"whole frame ≤ {MANY_FRAMES} × the network's floor", frame <= MANY_FRAMES * floor)
         else:
-            _verdict(f"network ≤ {MANY} × floor", ours <= MANY * floor)
-            _verdict(f"network {plain / ours:.1f} × as fast as einsum (target {MANY_PLAIN:g})", plain >= MANY_PLAIN * ours)
+            _verdict(f"network ≤ {MANY} × floor", own <= MANY * floor)
+            _verdict(f"network {plain / own:.1f} × as fast as einsum (target {MANY_PLAIN:g})", plain >= MANY_PLAIN * own)
             _verdict(f"whole frame ≤ {FRAME:g} µs each ({1 / 60 / frame * count:.0f} characters at 60 Hz)",
                      frame <= 1e-6 * FRAME * count)
 
@@ -151,7 +154,7 @@ def _verdict(what: str, met: bool) -> None:
 
 
 def _inputs(net: Model, bank, count: int) -> tuple[Tensor, Tensor, Tensor]:
-    """Different frames, phases and styles for every character."""
+    """Inputs, phases and styles, different for every character."""
     seeded = torch.Generator().manual_seed(0)
     kinds = map(net.normaliser, ("inputs", "phases"))
     x, phases = (n.invert(torch.randn(count, len(n.mean), generator=seeded)) for n in kinds)
@@ -159,7 +162,7 @@ def _inputs(net: Model, bank, count: int) -> tuple[Tensor, Tensor, Tensor]:
 
 
 def _einsum(net: Model, x: Tensor, phases: Tensor, style: Tensor) -> Tensor:
-    """The network as the paper writes it: weights are blended for every character, then used."""
+    """The network as in the paper: the weights are blended for every character."""
     h, gates = net.normaliser("inputs").apply(x), net.gating(net.normaliser("phases").apply(phases))
     for i, layer in enumerate(net.experts.layers):
         blended = torch.einsum("bk,kij->bij", gates, layer.weight)
@@ -169,18 +172,18 @@ def _einsum(net: Model, x: Tensor, phases: Tensor, style: Tensor) -> Tensor:
 
 
 def _torch_compile(net: Model, x: Tensor, phases: Tensor, style: Tensor) -> Callable[[], Tensor] | str:
-    """The plain model through torch.compile, or why not."""
+    """The plain model in torch.compile, or the reason why it cannot run."""
     made = torch.compile(net.predict, dynamic=False)
     try:
         with torch.inference_mode():
             made(x, phases, style)
-    except Exception as error:  # whatever its compilers raise
+    except Exception as error:  # whatever the compilers raise
         return f"not here ({str(error).splitlines()[0][:80]}); it needs a C++ compiler"
     return lambda: made(x, phases, style)
 
 
 def _onnx(net: Model, x: Tensor, phases: Tensor, style: Tensor) -> Callable[[], Tensor] | str:
-    """The plain model in ONNX Runtime, or why not."""
+    """The plain model in ONNX Runtime, or the reason why it cannot run."""
     try:
         import onnxruntime
 
@@ -195,7 +198,7 @@ def _onnx(net: Model, x: Tensor, phases: Tensor, style: Tensor) -> Callable[[], 
 
 
 def _frame(model, bank, count: int) -> Callable[[], object]:
-    """A second has passed since they started; every call is the next frame of them all, with its pose."""
+    """A function that computes the next frame and pose of all characters, one second after their start."""
     state = runtime.start(model, bank.vectors[torch.arange(count) % len(bank)])
     command = runtime.straight(1.2, 0.1)[0]
 
@@ -210,7 +213,7 @@ def _frame(model, bank, count: int) -> Callable[[], object]:
 
 
 def _sweep(net: Model, bank, counts: Iterable[int], threads: int, rounds: int) -> list[float]:
-    """Seconds of a whole frame for one of so many characters, printed."""
+    """Print and return the seconds of a whole frame per character for each number of characters."""
     fast, costs = runtime.compile(net, threads=threads), []
     print(f"\nwhole frame, {threads} thread{'s' * (threads > 1)}{'':6}{'ms':>9}{'µs each':>9}{'at 60 Hz':>10}{'state':>10}")
     for count in counts:
@@ -225,7 +228,7 @@ def _sweep(net: Model, bank, counts: Iterable[int], threads: int, rounds: int) -
 
 
 def _equal(net: Model, fast, bank, styles: int) -> None:
-    """Rollouts of 600 frames, compared with each other and with the plain one in double precision."""
+    """Rollouts of 600 frames of the compiled and the plain model, compared with each other and with double precision."""
     names = list(bank)[:: max(1, len(bank) // styles)][:styles]
     vectors, (slow, quick) = torch.stack([bank[name] for name in names]), SPEEDS
     ways = (slow, 3.0, (0.0, 1.0)), (quick, 3.0, (1.0, 0.0)), (slow, 4.0, (1.0, 1.0))
@@ -240,8 +243,8 @@ def _equal(net: Model, fast, bank, styles: int) -> None:
     for name, other in (("compiled", "plain"), ("compiled", "double precision"), ("plain", "double precision")):
         pairs = list(zip(clips[name], clips[other], strict=True))
         apart = torch.stack([(a.global_positions - b.global_positions).norm(dim=-1).amax(-1) for a, b in pairs])
-        told = ", ".join(f"{1e3 * float(apart[:, f - 1].max()):.3g} mm at {f}" for f in (1, 60, 300, 600))
-        print(f"\n{name} beside {other}: {len(names)} styles; farthest joint of any {told}")
+        distances = ", ".join(f"{1e3 * float(apart[:, f - 1].max()):.3g} mm at {f}" for f in (1, 60, 300, 600))
+        print(f"\n{name} and {other}: {len(names)} styles; largest distance of a joint {distances}")
         print(f"{'':24}{'mean':>10}{'difference':>12}{'spread over styles':>20}")
         for what, measure in MEASURES.items():
             now, was = torch.tensor([[float(measure(clip)) for clip in pair] for pair in pairs]).T
