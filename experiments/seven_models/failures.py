@@ -85,9 +85,9 @@ def stuck_hands(table: dict, model: str, than: str, section: str, title: str, cl
 def capacity(data: Features, plan: Plan, folder: Path, progress: bool = False) -> Case:
     """Error of the same few styles as a function of the number of styles in a model.
 
-    All have the same budget. So with more styles, every model sees fewer frames of each. Runs of fewer styles are trained
-    here (seed 0) and stored. They have the first styles of the data, in the data's order: the frames that a style holds out
-    depend on its place among the styles, and so all models are compared on the same frames.
+    All runs have the same budget, so with more styles every model has fewer training steps per style. Runs with fewer styles
+    are trained here (seed 0) and stored. They have the first styles of the data in the data's order, because the held-out
+    frames of a style depend on its index: so all models are compared on the same frames.
     """
     order = data.styles
     counts = [n for n in COUNTS if n < len(order)] + [len(order)]

@@ -28,8 +28,8 @@ from toolkit.networks.bank import StyleBank
 from toolkit.runtime import FPS, CharacterState, Command
 from toolkit.training import Config, Run
 
-WARM_UP, PACE = 2.0, 1.0  # seconds of a walk straight ahead that are not measured; m/s round the eight
-MOVING = 0.06  # metres of range from which hands count as moving
+WARM_UP, PACE = 2.0, 1.0  # seconds at the start of a walk that are not measured; m/s along the eight
+MOVING = 0.06  # metres, least range of moving hands
 HANDS = ("hands", "hands_data", "swing", "swing_data", "together")
 SETTINGS, TABLE = "settings.json", "comparison.json"
 SIZES = {

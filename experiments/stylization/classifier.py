@@ -49,7 +49,7 @@ class Classifier(nn.Module):
 
     def features(self, x: Tensor) -> Tensor:
         """Features [B, 256] of motions [B, 7, T, N], physical units."""
-        return self.trunk(self.statistics.apply(x)).mean((2, 3))
+        return self.trunk(self.statistics.apply(x).transpose(2, 3)).mean((2, 3))
 
     def forward(self, x: Tensor) -> Tensor:
         """Logits [B, C] of motions [B, 7, T, N], physical units."""

@@ -31,25 +31,15 @@ SOURCES: dict[str, Source | Coherent] = {"hybrid": Hybrid(), "contact": Contact(
 
 @dataclass(frozen=True, eq=False)
 class Phases:
-    """Local phases of F frames and four limbs, in the order of `LIMBS`.
+    """Local phases of F frames and four limbs, in the order of `LIMBS`; all but ``vector`` are ``[F, 4]``."""
 
-    Parameters
-    ----------
-    vector : Tensor [F, 4, 2]
-        Phase features, equation (1): speed · amplitude · (sin, cos), metres per second.
-    phase, frequency, amplitude, residual : Tensor [F, 4]
-        The fitted sinusoid at the frame: radians in [0, 2π), Hz, amplitude and residual in units of the normalised source.
-    source, fit : Tensor [F, 4]
-        The normalised, smoothed source and the value of the fitted sinusoid at the frame.
-    """
-
-    vector: Tensor
-    phase: Tensor
-    frequency: Tensor
-    amplitude: Tensor
-    residual: Tensor
-    source: Tensor
-    fit: Tensor
+    vector: Tensor  # [F, 4, 2] phase features, equation (1): speed · amplitude · (sin, cos), metres per second
+    phase: Tensor  # of the fitted sinusoid at the frame, radians in [0, 2π)
+    frequency: Tensor  # of the sinusoid, Hz
+    amplitude: Tensor  # of the sinusoid, in units of the normalised source
+    residual: Tensor  # of the fit, in units of the normalised source
+    source: Tensor  # normalised and smoothed
+    fit: Tensor  # value of the sinusoid
     __repr__ = summary
 
 

@@ -40,29 +40,15 @@ MAX_GRADIENT = 1.0  # norm to which gradients are clipped
 class NewStyles:
     """Result of `fine_tune`.
 
-    Parameters
-    ----------
-    names
-        The new styles.
-    bank
-        The given bank with the new vectors.
-    model
-        The model with the tuned generator. It shares the memory of gating and experts with the given model; without a tuned
-        generator it is the given model.
-    method
-        One of `METHODS`.
-    seconds
-        Duration, with the computation of features.
-    losses
-        Loss of every step.
+    ``model`` shares the memory of gating and experts with the given model; without a tuned generator it is the given model.
     """
 
-    names: tuple[str, ...]
-    bank: StyleBank
-    model: Model
-    method: str
-    seconds: float
-    losses: list[float]
+    names: tuple[str, ...]  # the new styles
+    bank: StyleBank  # the given bank with the new vectors
+    model: Model  # the model with the tuned generator
+    method: str  # one of `METHODS`
+    seconds: float  # duration, with the computation of features
+    losses: list[float]  # of every step
     __repr__ = summary
 
 

@@ -25,39 +25,21 @@ SETTLE = 2.0  # seconds at the start of a walk that are not measured
 
 @dataclass(frozen=True, eq=False)
 class Strain:
-    """Bone stretch and self-penetration in S walks.
+    """Bone stretch and self-penetration in S walks, means over the frames.
 
-    Parameters
-    ----------
-    bone_stretch : Tensor [S]
-        Largest relative error of a bone length in the network's output, mean over the frames. The clips of
-        `toolkit.runtime.record` have constant bone lengths.
-    penetration : Tensor [S]
-        Penetration depth of the deepest pair of a limb with a limb, the trunk or the head, metres, mean over the frames.
-        Some styles have a depth of their own (hands in pockets).
+    Bone lengths are those of the network's output; the clips of `toolkit.runtime.record` have constant ones. Some styles
+    have a penetration of their own (hands in pockets).
     """
 
-    bone_stretch: Tensor
-    penetration: Tensor
+    bone_stretch: Tensor  # [S] largest relative error of a bone length
+    penetration: Tensor  # [S] depth of the deepest pair of a limb with a limb, the trunk or the head, metres
     __repr__ = summary
 
 
 def strain(model: Model, vectors: Tensor, speed: float = 1.0, seconds: float = 5.0) -> Strain:
-    """Bone stretch and self-penetration of characters that walk straight ahead.
+    """Bone stretch and self-penetration of characters that walk straight ahead with style vectors ``[S, D]``.
 
-    Parameters
-    ----------
-    model
-        The model of the characters.
-    vectors : Tensor [S, D]
-        One style vector per character.
-    speed, seconds
-        Metres per second and duration; the first `SETTLE` seconds are not measured.
-
-    Raises
-    ------
-    ValueError
-        If the duration is not longer than that.
+    ``speed`` is in m/s. The first `SETTLE` of the ``seconds`` are not measured; ValueError if there are no others.
     """
     if seconds <= SETTLE:
         raise ValueError(f"strain is measured after {SETTLE:g} s of walking, got seconds = {seconds:g}")

@@ -80,24 +80,15 @@ def embed(vectors: Tensor, method: str = "tsne", seed: int = 0) -> Tensor:
 
 @dataclass(frozen=True)
 class Separation:
-    """How well the vectors of clips separate their styles.
+    """How well the vectors of clips separate their styles: three measures by style.
 
-    Parameters
-    ----------
-    silhouette
-        Style to the mean silhouette of its clips: (b − a) / max(a, b), where a is the mean distance to the other clips of
-        the style and b to those of the nearest other style. 1: far from all others; 0: between two; negative: nearer to
-        another style.
-    ratio
-        Style to the distance between its mean and the nearest other mean, divided by the root-mean-square distance of its
-        clips from their mean.
-    found
-        Style to the share of its clips whose nearest mean is that of their own style (without the clip itself).
+    The silhouette of a clip is (b − a) / max(a, b), where a is the mean distance to the other clips of its style and b to
+    those of the nearest other style. 1: far from all others; 0: between two; negative: nearer to another style.
     """
 
-    silhouette: dict[str, float]
-    ratio: dict[str, float]
-    found: dict[str, float]
+    silhouette: dict[str, float]  # mean over the clips
+    ratio: dict[str, float]  # distance to the nearest other mean / root-mean-square distance of the clips from their mean
+    found: dict[str, float]  # share of clips whose nearest mean is that of their own style (without the clip itself)
     __repr__ = summary
 
 

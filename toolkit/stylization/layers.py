@@ -126,21 +126,10 @@ class Block(nn.Module):
         return (shortcut + residual) / math.sqrt(2)
 
 
-class Lift(nn.Conv2d):
-    """The first 1×1 convolution, ``[B, C, N, T]`` of z-scores ``[B, 7, T, N]``."""
-
-    def __init__(self, channels: int):
-        super().__init__(7, channels, 1)
-
-    def forward(self, x: Tensor) -> Tensor:
-        """Convolution in the layout ``[B, C, N, T]``."""
-        return super().forward(x.transpose(2, 3))
-
-
 def encoder(graph: SkeletonGraph, channels: int, norm: str = "none") -> nn.Sequential:
-    """1×1 convolution and two ST-Resblks (Table 3a, b, d): ``[B, 4 C, N/4, T/4]`` of z-scores ``[B, 7, T, N]``."""
+    """1×1 convolution and two ST-Resblks (Table 3a, b, d): ``[B, 4 C, N/4, T/4]`` of z-scores ``[B, 7, N, T]``."""
     blocks = (Block(channels << k, channels << k + 1, graph, k, "down", norm) for k in range(POOLINGS))
-    return nn.Sequential(Lift(channels), *blocks)
+    return nn.Sequential(nn.Conv2d(7, channels, 1), *blocks)
 
 
 def trunk(graph: SkeletonGraph, channels: int) -> nn.Sequential:

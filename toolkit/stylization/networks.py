@@ -55,7 +55,7 @@ class Generator(nn.Module):
 
     def encode(self, x: Tensor) -> Tensor:
         """Content ``[B, 4 C, N/4, T/4]`` of ``x [B, 7, T, N]`` (equation 2)."""
-        return self.encoder(x)
+        return self.encoder(x.transpose(2, 3))
 
     def decode(self, content: Tensor, code: Tensor) -> Tensor:
         """Motion ``[B, 7, T, N]`` of content in the style of ``code [B, S]`` (equation 3)."""
@@ -82,7 +82,7 @@ class Summary(nn.Module):
 
     def forward(self, x: Tensor) -> Tensor:
         """Features of motions of at least 64 frames."""
-        return functional.leaky_relu(self.whole(self.trunk(x)), SLOPE).mean((2, 3))
+        return functional.leaky_relu(self.whole(self.trunk(x.transpose(2, 3))), SLOPE).mean((2, 3))
 
 
 class StyleEncoder(nn.Module):
@@ -156,13 +156,7 @@ class Stylizer(nn.Module):
         return self.graph.skeleton
 
     def domain(self, name: str | int | Tensor) -> Tensor:
-        """Numbers ``[B]`` or ``[1]`` of domains, from a name, a number or numbers.
-
-        Raises
-        ------
-        ValueError
-            If the name is unknown.
-        """
+        """Indices ``[B]`` or ``[1]`` of domains, from a name, an index or indices."""
         if isinstance(name, str):
             if name not in self.domains:
                 raise ValueError(f"unknown domain {name!r}; the model has {', '.join(self.domains)}")

@@ -84,8 +84,8 @@ class _Measured:
         facing = R.inverse(root_frames(clip).rotations)[:, None].expand(-1, len(clip.skeleton), -1)
         self.axes = R.to_matrix(R.multiply(facing, self.rotations)).mean(0)  # rows: the body's axes in joint coordinates
         self.legs = {j for side in SIDES for j in self.skeleton.ancestors(self.skeleton.role(f"{side}_foot"))}
-        chain = self.skeleton.ancestors(self.skeleton.role("right_shoulder"))
-        self.spine = [j for j in self.skeleton.ancestors(self.skeleton.role("left_shoulder")) if j in chain]  # from the chest down
+        left, right = (self.skeleton.ancestors(self.skeleton.role(f"{side}_shoulder")) for side in ("left", "right"))
+        self.spine = [j for j in left if j in right]  # from the chest down
         leg = sum(float(self.skeleton.offsets[self.skeleton.role(f"left_{part}")].norm()) for part in ("knee", "foot"))
         self.scale = leg / LEG
 
@@ -171,7 +171,8 @@ def _build(clip: Clip) -> tuple[Shape, ...]:
     m = _Measured(clip)
     s, shapes, drawn = m.scale, [], set()
     for side in SIDES:
-        drawn.update(j for part in ("hip", "shoulder") for j in clip.skeleton.ancestors(clip.skeleton.role(f"{side}_{part}")))
+        for part in ("hip", "shoulder"):
+            drawn.update(clip.skeleton.ancestors(clip.skeleton.role(f"{side}_{part}")))
         for build_limb in (_limb, _foot, _hand):
             shapes += build_limb(m, side, s, drawn)
     shapes += _torso(m, s) + _head(m, s, drawn)

@@ -60,9 +60,9 @@ def run(
             print(f"{job.name:<12}{score.kills:>7}{score.writing:>9}{score.lost:>6}{score.half:>6}{score.equal:>7}"
                   f"{time.perf_counter() - began:>6.0f}", flush=True)
             bad += [] if score.passed else [f"{job.name}: killed"]
-        print("writing: a temporary file lay there; lost: old and whole files that were gone; half: neither the old nor the")
-        print("new one; equal: the same command then gave what an undisturbed one gives")
-        print(f"\n{'':<12}{'what it says, and what is wrong with the files':<20}")
+        print("writing: kills while a temporary file existed; lost: missing old files; half: files that are neither the old")
+        print("nor the new one; equal: the next run gives the files of an undisturbed run")
+        print(f"\n{'':<12}{'fault, problem of the files, message':<20}")
         for job in jobs:
             for fault in (full_disk, read_only, two_at_once):
                 said, wrong = fault(job, base)
@@ -96,7 +96,7 @@ def killed(job: Job, base: Path, kills: int, seed: int = 0) -> Score:
         status, said = ended(start(job.work, folder), folder)
         equal = status == 0 and job.contents(folder) == reference
         score.equal += equal
-        for problem in (*lost, *half, *([] if equal else [f"not as undisturbed, status {status}: {said[-300:]}"])):
+        for problem in (*lost, *half, *([] if equal else [f"different result, status {status}: {said[-300:]}"])):
             print(f"  {job.name}, kill {score.kills}: {problem}", file=sys.stderr)
     return score
 
