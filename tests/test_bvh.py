@@ -65,15 +65,34 @@ def test_a_file_worked_out_by_hand(tmp_path):
         lambda t: t.replace(" 90 0", " +9.0e+1\t0.  "),
         lambda t: t.replace(" 90 0", " 90.0000000000000000000000 -0 "),
         lambda t: t.rstrip(),
+        lambda t: re.sub("ROOT|JOINT|End Site|[XYZ](position|rotation)|OFFSET|CHANNELS", lambda m: m[0].lower(), t),
     ],
     ids=["crlf", "byte-order mark", "brace behind the name", "spaces and blank lines", "odd spacing", "exponent", "cr",
-         "signs, points, tabs", "more digits than a double holds", "no last line end"],
+         "signs, points, tabs", "more digits than a double holds", "no last line end", "keywords in lower case"],
 )
 def test_ways_to_write_the_same_file(tmp_path, change):
     clip, same = (bvh.load(write(tmp_path, text)) for text in (GOOD, change(GOOD)))
     assert same.skeleton.names == clip.skeleton.names
     assert same.fps == clip.fps
     torch.testing.assert_close(same.global_positions, clip.global_positions)
+
+
+def test_joints_may_be_called_like_end_sites(tmp_path):
+    """A leaf with channels is a joint and keeps its rotation; an End Site takes a name that is free."""
+    joint = "JOINT {}\n{{\nOFFSET 0 1 0\nCHANNELS 3 Zrotation Xrotation Yrotation\n{}}}\n"
+    end = "End Site\n{\nOFFSET 0 5 0\n}\n"
+    inner = end + joint.format("HeadEnd", "") + joint.format("Head2End", "") + joint.format("Toe_End", end + end)
+    text = "HIERARCHY\nROOT Head\n{\nOFFSET 0 0 0\n" + inner + "}\nMOTION\nFrames: 1\nFrame Time: 0.1\n"
+    clip = bvh.load(write(tmp_path, text + "10 20 30 0 0 0 0 0 40"))
+    names = ("Head", "Head3End", "HeadEnd", "Head2End", "Toe_End", "Toe_EndEnd", "Toe_End2End")
+    assert clip.skeleton.names == names
+    assert clip.skeleton.ends == ("Head3End", "Toe_EndEnd", "Toe_End2End")
+    bvh.save(clip, tmp_path / "again.bvh")
+    again = bvh.load(tmp_path / "again.bvh")
+    assert (again.skeleton.names, again.skeleton.ends) == (names, clip.skeleton.ends)
+    torch.testing.assert_close(again.rotations, clip.rotations, atol=1e-6, rtol=0)
+    assert [bool((q != R.identity()).any()) for q in clip.rotations[0]] == [False, False, True, False, True, False, False]
+    assert clip.without_ends().skeleton.names == ("Head", "HeadEnd", "Head2End", "Toe_End")
 
 
 @st.composite

@@ -331,7 +331,7 @@ def test_skeletons_that_no_body_fits_are_refused(tmp_path):
         tk.export.gltf.save(clip, tmp_path / "dot.glb")
     with pytest.raises(ValueError, match=r"dot\.bvh: cannot find its left_hand"):
         tk.export.retarget(clip, SKELETON)
-    flat = replace(SKELETON, names=[f"My{n}" for n in SKELETON.names], offsets=torch.zeros(28, 3), roles=None)
+    flat = replace(SKELETON, names=[f"My{n}" for n in SKELETON.names], offsets=torch.zeros(28, 3), roles=None, ends=None)
     with pytest.raises(ValueError, match="legs have no length"):
         tk.export.retarget(tk.Clip(flat, tk.motion.rotations.identity(3, 28), torch.zeros(3, 3), 60.0), SKELETON)
     assert not list(tmp_path.iterdir())

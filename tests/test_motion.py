@@ -1,3 +1,4 @@
+import dataclasses
 import itertools
 import math
 
@@ -159,6 +160,17 @@ def test_a_joints_own_name_wins_over_a_role():
     assert [skeleton.names[skeleton.role(name)] for name in ("left_hand", "left_foot")] == ["left_wrist", "left_ankle"]
     assert skeleton.names[skeleton.index("left_toe")] == "left_foot"
     assert [skeleton.names[j] for j in skeleton.ancestors("left_hand")] == [*names[8:4:-1], "pelvis"]
+
+
+def test_end_sites_are_leaves_that_are_named_or_called_so():
+    tree = ("a", "b", "bEnd", "c_End"), (-1, 0, 1, 0), torch.ones(4, 3)
+    assert Skeleton(*tree).ends == ("bEnd", "c_End")
+    skeleton = Skeleton(*tree, ends=("bEnd",))
+    assert [skeleton.is_end(j) for j in range(4)] == [False, False, True, False]
+    assert Skeleton(**skeleton.to_dict()).ends == ("bEnd",)
+    assert tk.features.Layout(human()) != tk.features.Layout(dataclasses.replace(human(), ends=()))
+    with pytest.raises(ValueError, match="End Sites must be leaves of the tree; these are not: b, d"):
+        Skeleton(*tree, ends=("b", "bEnd", "d"))
 
 
 def test_names_that_are_roles_of_other_joints_change_nothing(walk_clip):

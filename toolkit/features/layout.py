@@ -46,7 +46,7 @@ class Layout:
     Notes
     -----
 
-    Two layouts are equal if their skeletons have the same joints in the same tree, and they have the same phase.
+    Two layouts are equal if their skeletons have the same joints and End Sites in the same tree, and the same phase.
     """
 
     skeleton: Skeleton
@@ -70,7 +70,8 @@ class Layout:
 
     def __eq__(self, other: object) -> bool:
         return (isinstance(other, Layout) and self.skeleton.names == other.skeleton.names
-                and self.skeleton.parents == other.skeleton.parents and self.phase == other.phase)
+                and self.skeleton.parents == other.skeleton.parents and self.phase == other.phase
+                and set(self.skeleton.ends) == set(other.skeleton.ends))
 
     def __hash__(self) -> int:
         return hash((self.skeleton.names, self.skeleton.parents, self.phase))
@@ -139,9 +140,7 @@ class Layout:
 
     def to_json(self) -> str:
         """Text for a checkpoint's metadata."""
-        s = self.skeleton
-        return json.dumps({"names": s.names, "parents": s.parents, "offsets": s.offsets.tolist(), "roles": s.roles,
-                           "phase": self.phase})
+        return json.dumps({**self.skeleton.to_dict(), "phase": self.phase})
 
     @classmethod
     def from_json(cls, text: str) -> "Layout":

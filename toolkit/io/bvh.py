@@ -28,7 +28,7 @@ def load(path: str | os.PathLike, *, unit: float = CENTIMETRE, style: str = "", 
 
     Any channel order, positions on any joint, End Sites and line endings. Position channels replace a joint's OFFSET: where
     they stay constant they become the skeleton's offset; a root that never moves above a joint that does (Bandai-Namco's
-    ``joint_Root``) is merged into it. End Sites become leaves named ``<parent>End``.
+    ``joint_Root``) is merged into it. End Sites become leaves named ``<parent>End``, ``<parent>2End`` and so on.
 
     Parameters
     ----------
@@ -50,7 +50,7 @@ def load(path: str | os.PathLike, *, unit: float = CENTIMETRE, style: str = "", 
     except OSError as error:
         raise BVHError(f"{path}: cannot be read ({error.strerror})") from error
     header, motion = _split(path, data)
-    names, parents, offsets, channels = _parse_hierarchy(path, header)
+    names, parents, offsets, channels, ends = _parse_hierarchy(path, header)
     columns, fps = _parse_motion(path, data, motion, sum(len(c) for c in channels))
 
     if len(names) * columns.shape[1] > max(len(data), SMALL):  # joints without channels cost the file nothing
@@ -75,7 +75,7 @@ def load(path: str | os.PathLike, *, unit: float = CENTIMETRE, style: str = "", 
         joint = max(moving, key=moving.get)
         raise BVHError(f"{path}: joint {names[joint]} changes its distance to its parent by up to "
                        f"{moving[joint] * 1000:.0f} mm; only rigid skeletons are supported")
-    skeleton = Skeleton(tuple(names), tuple(parents), offsets)
+    skeleton = Skeleton(tuple(names), tuple(parents), offsets, ends=tuple(ends))
     try:
         return Clip(skeleton, R.unroll(rotations), root_positions, fps, style, gait, path.name)
     except ValueError as error:
@@ -145,9 +145,11 @@ def _split(path: Path, data: bytes) -> tuple[list[str], int]:
     return lines[1:-1], motion.end()
 
 
-def _parse_hierarchy(path: Path, lines: list[str]) -> tuple[list[str], list[int], list[list[float]], list[list[str]]]:
+def _parse_hierarchy(path: Path, lines: list[str]) -> tuple[list[str], list[int], list[list[float]], list[list[str]],
+                                                            list[str]]:
+    """Names, parents, offsets and channels of all points, and the names of the End Sites among them."""
     names, parents, offsets, channels, stack = [], [], [], [], []
-    joint, waiting, ends = -1, False, set()
+    joint, waiting, ends, taken = -1, False, set(), set()
 
     def fail(number: int, problem: str) -> BVHError:
         return BVHError(f"{path}, line {number}: {problem}")
@@ -166,10 +168,8 @@ def _parse_hierarchy(path: Path, lines: list[str]) -> tuple[list[str], list[int]
             if stack and stack[-1] in ends:
                 raise fail(number, f"unexpected {words[0]} inside an End Site")
             name = names[stack[-1]] + "End" if key == "END" else " ".join(words[1:])
-            if name in names:
-                if key != "END":
-                    raise fail(number, f"joint {name} appears twice")
-                name = f"{name[:-3]}{sum(n.startswith(name[:-3]) and n.endswith('End') for n in names) + 1}End"
+            if key != "END" and name in taken:
+                raise fail(number, f"joint {name} appears twice")
             names.append(name)
             parents.append(stack[-1] if stack else -1)
             offsets.append([0.0, 0.0, 0.0])
@@ -177,6 +177,8 @@ def _parse_hierarchy(path: Path, lines: list[str]) -> tuple[list[str], list[int]
             joint, waiting = len(names) - 1, True
             if key == "END":
                 ends.add(joint)
+            else:
+                taken.add(name)
         elif key == "{":
             if not waiting:
                 raise fail(number, "unexpected {")
@@ -193,9 +195,9 @@ def _parse_hierarchy(path: Path, lines: list[str]) -> tuple[list[str], list[int]
                 raise fail(number, f"OFFSET needs three numbers, got {' '.join(words[1:])!r}") from None
             if len(offsets[stack[-1]]) != 3 or not all(abs(x) < LARGEST for x in offsets[stack[-1]]):
                 raise fail(number, f"OFFSET needs three finite numbers, got {' '.join(words[1:])!r}")
-        elif key == "CHANNELS" and stack:
+        elif key == "CHANNELS" and stack and stack[-1] not in ends:
             known = {f"{a}{kind}" for a in "XYZ" for kind in ("position", "rotation")}
-            wanted = words[2:]
+            wanted = [word.capitalize() for word in words[2:]]
             if words[1:2] != [str(len(wanted))] or not set(wanted) <= known or len(set(wanted)) != len(wanted):
                 got = " ".join(words[1:])
                 raise fail(number, f"CHANNELS needs its count and names like Xposition or Yrotation, got {got!r}")
@@ -205,7 +207,11 @@ def _parse_hierarchy(path: Path, lines: list[str]) -> tuple[list[str], list[int]
     if stack or waiting or not names:
         problem = f"MOTION inside joint {names[joint if waiting else stack[-1]]}, a brace is missing" if names else "no ROOT"
         raise fail(len(lines) + 2, problem)
-    return names, parents, offsets, channels
+    for j in sorted(ends):  # after all joints, which keep their names
+        tried = (f"{names[parents[j]]}{number}End" for number in ("", *range(2, len(names) + 2)))
+        names[j] = next(name for name in tried if name not in taken)
+        taken.add(names[j])
+    return names, parents, offsets, channels, [names[j] for j in sorted(ends)]
 
 
 def _words(lines: list[str]) -> Iterator[tuple[int, list[str]]]:

@@ -31,7 +31,7 @@ class Skeleton:
     Parameters
     ----------
     names
-        J unique names. A leaf whose name ends in ``End`` is a BVH End Site: it has an offset and no rotation of its own.
+        J unique names.
     parents
         J indices; the root comes first with -1, every parent comes before its children.
     offsets : Tensor [J, 3]
@@ -39,17 +39,21 @@ class Skeleton:
         kinematics takes them to a motion's device and dtype.
     roles
         What each limb is called here, for the keys of `ROLES`; found from the names and the tree where not given.
+    ends
+        Names of the leaves that are BVH End Sites: an offset, and no rotation of their own. Where not given, all leaves
+        whose names end in ``End``.
 
     Raises
     ------
     ValueError
-        If the lengths differ, a name repeats or a parent does not come before its child.
+        If the lengths differ, a name repeats, a parent does not come before its child or an End Site is no leaf.
     """
 
     names: tuple[str, ...]
     parents: tuple[int, ...]
     offsets: Tensor
     roles: dict[str, str] | None = None
+    ends: tuple[str, ...] | None = None
 
     def __post_init__(self):
         set_ = object.__setattr__
@@ -66,13 +70,21 @@ class Skeleton:
         if self.parents[0] != -1 or any(not 0 <= p < j for j, p in enumerate(self.parents[1:], 1)):
             raise ValueError("the root must come first with parent -1, and every parent before its children")
         set_(self, "roles", find_roles(self.names, self.parents) if self.roles is None else dict(self.roles))
+        leaves = [name for j, name in enumerate(self.names) if j and j not in self.parents]
+        set_(self, "ends", tuple(self.ends if self.ends is not None else (x for x in leaves if x.endswith("End"))))
+        if wrong := [name for name in self.ends if name not in leaves]:
+            raise ValueError(f"End Sites must be leaves of the tree; these are not: {', '.join(map(str, wrong))}")
 
     def __len__(self) -> int:
         return len(self.names)
 
     def __repr__(self) -> str:
-        ends = sum(map(self.is_end, range(len(self))))
-        return summary(self, {"joints": len(self), "end_sites": ends, "names": self.names, "roles": self.roles})
+        return summary(self, {"joints": len(self), "end_sites": len(self.ends), "names": self.names, "roles": self.roles})
+
+    def to_dict(self) -> dict:
+        """What it is made of, as JSON holds it: ``Skeleton(**described)`` makes it again."""
+        return {"names": self.names, "parents": self.parents, "offsets": self.offsets.tolist(), "roles": self.roles,
+                "ends": self.ends}
 
     def index(self, name: str) -> int:
         """Index of a joint by its name or, where no joint has this name, by its role."""
@@ -89,7 +101,7 @@ class Skeleton:
 
     def is_end(self, joint: int) -> bool:
         """Whether a point is an End Site."""
-        return self.names[joint].endswith("End") and joint not in self.parents
+        return self.names[joint] in self.ends
 
     def tip(self, role: str) -> int:
         """Index of the End Site that extends the joint with a role; of that joint where there is none of any length."""
@@ -335,7 +347,7 @@ class Clip:
         old = self.skeleton
         kept = [j for j in range(len(old)) if not old.is_end(j)]
         parents = [kept.index(old.parents[j]) if j else -1 for j in kept]
-        skeleton = Skeleton([old.names[j] for j in kept], parents, old.offsets[kept], old.roles)
+        skeleton = Skeleton([old.names[j] for j in kept], parents, old.offsets[kept], old.roles, ())
         return self.replace(skeleton=skeleton, rotations=self.rotations[:, kept])
 
     def moved(self, turn: float = 0.0, shift: Sequence[float] = (0.0, 0.0, 0.0)) -> "Clip":

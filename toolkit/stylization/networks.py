@@ -185,9 +185,8 @@ class Stylizer(nn.Module):
 
     def parts(self) -> tuple[dict[str, Tensor], dict]:
         """Its tensors and its description, in the form of `toolkit.io.model_files`."""
-        s = self.skeleton
-        body = {"names": s.names, "parents": s.parents, "offsets": s.offsets.tolist(), "roles": s.roles}
-        description = {"domains": self.domains, "sizes": dataclasses.asdict(self.sizes), "skeleton": body}
+        description = {"domains": self.domains, "sizes": dataclasses.asdict(self.sizes),
+                       "skeleton": self.skeleton.to_dict()}
         return {f"stylizer.{k}": v for k, v in self.state_dict().items()}, description
 
     def save(self, path: str | os.PathLike) -> None:
