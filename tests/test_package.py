@@ -84,6 +84,28 @@ def test_public_names_are_listed_and_there():
         tk.nothing  # noqa: B018
 
 
+def test_every_module_is_an_attribute_of_its_package_right_after_import():
+    """And nothing else has its name; in a fresh state for each package, as imports of one module bring others along."""
+    code = """
+        import pkgutil, sys, toolkit
+        walk = pkgutil.walk_packages(toolkit.__path__, "toolkit.")
+        packages = ["toolkit", *(m.name for m in walk if m.ispkg and m.name != "toolkit.cli")]  # cli is no library
+        for package in packages:
+            for name in [name for name in sys.modules if name.split(".")[0] == "toolkit"]:
+                del sys.modules[name]
+            import toolkit
+            found = toolkit
+            for part in package.split(".")[1:]:
+                found = getattr(found, part)
+            there = dict(vars(found))
+            for name in {m.name for m in pkgutil.iter_modules(found.__path__)} - {"cli", "__main__"}:
+                module = there[name] if name in there else found.__getattr__(name)
+                assert module is sys.modules[f"{package}.{name}"], f"{package}.{name} is {module}"
+    """
+    done = python(textwrap.dedent(code))
+    assert done.returncode == 0, done.stderr
+
+
 def test_without_the_view_extra_one_line_names_it(tmp_path):
     code = f"""
         import sys

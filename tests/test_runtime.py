@@ -178,6 +178,21 @@ def test_bad_commands_are_refused(small_run):
         runtime.record(small_run.model, [])
     with pytest.raises(ValueError, match="must be finite"):
         runtime.straight(math.nan, 1.0)
+    for speed, seconds in ((0.0, None), (math.nan, None), (1.0, -1.0), (1.0, math.inf)):
+        with pytest.raises(ValueError, match="speed must be positive, seconds not negative and both finite"):
+            runtime.follow([(0.0, 0.0), (0.0, 1.0)], speed, seconds)
+    with pytest.raises(ValueError, match="all finite"):
+        runtime.follow([(0.0, 0.0), (0.0, math.nan)])
+    for value in (1.0, (1.0,), (1.0, 2.0, 3.0), torch.zeros(1, 1, 2), torch.zeros(4, 1), []):
+        for what in ("velocity", "facing"):
+            with pytest.raises(ValueError, match=rf"^{what} must be one pair \(x, z\), or \[B, 2\] of all .*; got .+$"):
+                runtime.Command(**{what: value})
+    for value in ((math.nan, 0.0), (0.0, -math.inf), torch.tensor([[0.0, 1.0], [math.nan, 1.0]])):
+        with pytest.raises(ValueError, match=r"^velocity must be finite; got .*(nan|inf).*$"):
+            runtime.Command(value)
+    state = runtime.start(small_run.model, small_run.bank.vectors[:1].repeat(3, 1))
+    with pytest.raises(ValueError, match="a command for 3 characters needs one pair of numbers or 3, got 2"):
+        runtime.step(small_run.model, state, runtime.Command((0.0, 1.0), torch.ones(2, 2)))
     with pytest.raises(ValueError, match="style needs"):
         runtime.rollout(small_run.model, runtime.straight(1.0, 0.1), torch.zeros(7))
 

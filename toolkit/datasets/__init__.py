@@ -7,9 +7,12 @@ fetch`` puts it (`toolkit.datasets.home`).
 
 import difflib
 import os
+import pkgutil
 from collections import Counter
 from collections.abc import Callable
 from types import ModuleType
+
+import lazy_loader
 
 from toolkit.datasets import bandai, home, procedural, style100, xia
 from toolkit.datasets.takes import Names, Take
@@ -17,6 +20,7 @@ from toolkit.motion import Clip
 
 __all__ = ["DATASETS", "Take", "available", "bandai", "contents", "home", "load", "may_mirror", "procedural", "style100",
            "where", "xia"]
+__getattr__ = lazy_loader.attach(__name__, [module.name for module in pkgutil.iter_modules(__path__)])[0]
 
 DATASETS = {"procedural": procedural, "100style": style100, "bandai": bandai, "xia": xia}
 

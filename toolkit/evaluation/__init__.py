@@ -1,7 +1,7 @@
 """Measures of motion that the error one step ahead does not show, and classifiers of motion."""
 
+import pkgutil
+
 import lazy_loader
 
-__getattr__, __dir__, __all__ = lazy_loader.attach(
-    __name__, ["metrics", "models", "phases", "recognition"]
-)
+__getattr__, __dir__, __all__ = lazy_loader.attach(__name__, [module.name for module in pkgutil.iter_modules(__path__)])

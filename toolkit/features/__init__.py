@@ -1,5 +1,7 @@
 """Features of motion (Mason et al. 2022, section 3.2): columns, x, z and y of clips, and a store of them on the disk."""
 
+import pkgutil
+
 import lazy_loader
 
 from toolkit.features import layout, splits
@@ -32,4 +34,4 @@ __all__ = ["CHANNELS", "CLIP_FRAMES", "CLIP_HOP", "FRAME_KINDS", "KINDS", "Featu
            "OwnFeatures", "Rows", "Split", "build", "check_style", "check_style_clips", "clip_starts", "frames",
            "group_features", "joint_features", "layout", "moments", "own_features", "pack_joints", "split_joints", "splits",
            "style_clips", "usable"]
-__getattr__ = lazy_loader.attach(__name__, ["store"])[0]  # imported when it is first used
+__getattr__ = lazy_loader.attach(__name__, [module.name for module in pkgutil.iter_modules(__path__)])[0]

@@ -4,6 +4,7 @@
 >>> ph.vector.shape          # frames, limbs (left hand, right hand, left foot, right foot), (sin, cos)
 """
 
+import pkgutil
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -22,7 +23,7 @@ from toolkit.phases.windows import normalise, smooth
 __all__ = ["LIMBS", "SOURCES", "Coherent", "Contact", "ContactFree", "Hybrid", "Phases", "Sinusoids", "Source", "Velocity",
            "curves", "extract", "extract_group", "fit", "local_positions", "named", "normalise", "smooth",
            "windows"]
-__getattr__ = lazy_loader.attach(__name__, ["learned"])[0]  # which imports this package
+__getattr__ = lazy_loader.attach(__name__, [module.name for module in pkgutil.iter_modules(__path__)])[0]
 
 #: Sources by name; `named` also knows "learned", which is read from its file.
 SOURCES: dict[str, Source | Coherent] = {"hybrid": Hybrid(), "contact": Contact(), "contact-free": ContactFree(),

@@ -1,5 +1,7 @@
 """A character under control, one frame at a time (Mason et al. 2022, section 4.4): state, commands, step, foot lock."""
 
+import pkgutil
+
 import lazy_loader
 
 from toolkit.runtime.frame import (
@@ -17,4 +19,5 @@ from toolkit.runtime.steering import Command, Pilot, follow, govern, steer, stra
 
 __all__ = ["FPS", "CharacterState", "Command", "Pilot", "compile", "follow", "govern", "pose", "record", "rollout", "start",
            "states", "steer", "step", "straight", "world_joints"]
-__getattr__ = lazy_loader.attach(__name__, ["crowd"], {"compiled": ["compile"]})[0]  # numba takes a second to import
+__getattr__ = lazy_loader.attach(__name__, [module.name for module in pkgutil.iter_modules(__path__)],
+                                 {"compiled": ["compile"]})[0]  # numba takes a second to import

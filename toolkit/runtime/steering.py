@@ -11,7 +11,7 @@ import torch
 from torch import Tensor
 
 from toolkit.motion import trajectory
-from toolkit.motion.tensors import as_tensor, summary
+from toolkit.motion.tensors import as_tensor, shown, summary
 from toolkit.runtime.state import CharacterState
 
 FPS = trajectory.FPS
@@ -27,12 +27,23 @@ N_FUTURE = len(trajectory.SAMPLES) - trajectory.CURRENT
 class Command:
     """What the hand asks for: ``velocity`` (x, z) in m/s and ``facing`` (x, z), both in the world.
 
-    Each is a pair of numbers for all characters or a tensor ``[B, 2]``. A zero facing keeps the current one.
+    Each is a pair of finite numbers for all characters or ``[B, 2]``; anything else is a ValueError. A zero facing keeps the
+    current one.
     """
 
     velocity: Sequence[float] | Tensor = (0.0, 0.0)
     facing: Sequence[float] | Tensor = (0.0, 1.0)
     __repr__ = summary
+
+    def __post_init__(self):
+        for what, value in (("velocity", self.velocity), ("facing", self.facing)):
+            if type(value) is tuple and len(value) == 2 and all(type(v) is float and math.isfinite(v) for v in value):
+                continue  # the rest takes ten times as long
+            pairs = as_tensor(value, what).detach()
+            if pairs.dim() not in (1, 2) or pairs.shape[-1] != 2:
+                raise ValueError(f"{what} must be one pair (x, z), or [B, 2] of all characters; got {shown(value)}")
+            if not pairs.is_meta and not math.isfinite(pairs.sum()):
+                raise ValueError(f"{what} must be finite; got {shown(pairs.tolist())}")
 
 
 Pilot = Callable[[CharacterState], Command]
@@ -44,8 +55,11 @@ def steer(state: CharacterState, command: Command) -> tuple[Tensor, Tensor, Tens
     Ours: while the command is to stand, the pull works against any movement; the network drifts by 10 to 25 cm/s otherwise.
     """
     like = {"dtype": state.velocity.dtype, "device": state.velocity.device}
-    wanted = torch.as_tensor(command.velocity, **like).expand_as(state.velocity)
-    look = torch.as_tensor(command.facing, **like).expand_as(state.facing)
+    wanted, look = (torch.as_tensor(value, **like).reshape(-1, 2) for value in (command.velocity, command.facing))
+    for pairs in (wanted, look):
+        if len(pairs) not in (1, len(state.velocity)):
+            raise ValueError(f"a command for {len(state.velocity)} characters needs one pair of numbers or "
+                             f"{len(state.velocity)}, got {len(pairs)}")
     look = torch.where(look.norm(dim=-1, keepdim=True) > 1e-6, look, state.facing)
     velocity = torch.lerp(state.velocity, wanted, GAIN)
     facing = turn(state.facing, look, GAIN)
@@ -108,8 +122,10 @@ def follow(points: Sequence[Sequence[float]], speed: float = 1.2, seconds: float
     """
     path = as_tensor(points, "points", torch.float64).cpu()
     legs = (path[1:] - path[:-1]).norm(dim=-1)
-    if path.dim() != 2 or path.shape[1] != 2 or not len(legs) or float(legs.min()) < 1e-6:
-        raise ValueError(f"a path needs two or more different (x, z) points, got {list(path.shape)}")
+    if path.dim() != 2 or path.shape[1] != 2 or not len(legs) or not bool(((legs > 1e-6) & legs.isfinite()).all()):
+        raise ValueError(f"a path needs two or more different (x, z) points, all finite; got {list(path.shape)}")
+    if not (0 < speed < math.inf and (seconds is None or 0 <= seconds < math.inf)):
+        raise ValueError(f"speed must be positive, seconds not negative and both finite; got {speed} and {seconds}")
     ends = legs.cumsum(0)
 
     def point(distance: float) -> Tensor:

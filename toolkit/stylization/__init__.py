@@ -5,6 +5,10 @@
 >>> old = tk.stylization.stylize(run.stylizer, clip, domain="exhausted", seed=3)
 """
 
+import pkgutil
+
+import lazy_loader
+
 from toolkit.stylization.data import Motions, Statistics, build, split
 from toolkit.stylization.graph import SkeletonGraph
 from toolkit.stylization.networks import Discriminator, Sizes, Stylizer
@@ -13,3 +17,4 @@ from toolkit.stylization.training import Config, Run, fit, load
 
 __all__ = ["Config", "Discriminator", "Motions", "Run", "Sizes", "SkeletonGraph", "Statistics", "Stylizer", "build", "fit",
            "load", "split", "style_code", "stylize"]
+__getattr__ = lazy_loader.attach(__name__, [module.name for module in pkgutil.iter_modules(__path__)])[0]
