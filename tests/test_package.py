@@ -252,7 +252,7 @@ def test_bad_input_gets_one_line_and_leaves_nothing(tmp_path, small_run, refused
     junk.write_bytes(b"junk")
     empty.mkdir()
     walk = ("rollout", "--out", tmp_path / "out.bvh", "--model", run, "--style")
-    assert "cut.bvh, line" in refused("export", "clip", cut, tmp_path / "out.html")
+    assert "cut.bvh, line" in refused("export", "clip", cut, "--out", tmp_path / "out.html")
     assert "unknown style 'Zombi'; close to it: Zombie" in refused(*walk, "Zombi")
     assert "sum to 1" in refused(*walk, "Zombie=0.5,Neutral=0.1")
     assert "written like" in refused(*walk, "Zombie=much")

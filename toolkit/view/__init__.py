@@ -9,7 +9,7 @@ _NEEDS = ("anywidget", "ipywidgets", "matplotlib", "PIL", "plotly", "pyvista", "
 if _missing := [name for name in _NEEDS if find_spec(name) is None]:
     raise ImportError(f'pages, pictures and widgets need {", ".join(_missing)}: pip install ".[view]"')
 
-__getattr__, __dir__, __all__ = lazy_loader.attach(__name__, [module.name for module in pkgutil.iter_modules(__path__)], {  # a web page needs no pyvista, a strip no plotly
+__getattr__, __dir__, __all__ = lazy_loader.attach(__name__, [module.name for module in pkgutil.iter_modules(__path__)], {
     "animation": ["animate", "contact_sheet", "crowd", "loop"],
     "controller": ["Controller"],
     "explorer": ["StyleExplorer", "explore"],
