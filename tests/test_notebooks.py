@@ -1,4 +1,4 @@
-"""Hygiene of the notebooks as files; nbval runs them."""
+"""Checks of the notebooks as files; nbval runs them."""
 
 import ast
 import json
@@ -9,7 +9,7 @@ import pytest
 
 NOTEBOOKS = sorted((Path(__file__).parents[1] / "notebooks").glob("*.ipynb"))
 LONGEST = 15  # lines of a code cell
-EXERCISE = "# exercise"  # how the first line of a cell starts in which the reader writes code, and may define functions
+EXERCISE = "# exercise"  # first words of a cell in which the reader writes code; only such a cell may define functions
 
 
 @pytest.fixture(params=NOTEBOOKS, ids=lambda path: path.stem)
@@ -75,6 +75,20 @@ def test_library_code_is_imported_not_defined_again(notebook):
         nodes = ast.walk(ast.parse(plain(source)))
         defined = [node for node in nodes if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef)]
         assert not defined or source.lower().startswith(EXERCISE), source
+
+
+def test_it_imports_the_package_and_no_experiment(notebook):
+    nodes = [node for source in code(notebook) for node in ast.walk(ast.parse(plain(source)))]
+    modules = {alias.name for node in nodes if isinstance(node, ast.Import) for alias in node.names}
+    modules |= {node.module for node in nodes if isinstance(node, ast.ImportFrom)}
+    assert "toolkit" in modules
+    assert not [name for name in modules if name.split(".")[0] in ("experiments", "tests", "robustness")]
+
+
+def test_no_private_names_of_the_package(notebook):
+    nodes = [node for source in code(notebook) for node in ast.walk(ast.parse(plain(source)))]
+    names = [node.attr for node in nodes if isinstance(node, ast.Attribute)]
+    assert not [name for name in names if name.startswith("_") and not name.endswith("__")]
 
 
 def test_the_fast_setting_is_read(notebook):
