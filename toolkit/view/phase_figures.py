@@ -43,10 +43,8 @@ def phase_figure(clip: Clip, phases: ph.Phases, contacts=None, truth=None, *, st
     truth
         The true phases [F, 4] where they are known, radians. They are drawn as a thin dark line: the fit with the true phase
         in place of its own, without the constant lag between the two.
-    start, stop
-        Seconds that are shown.
-    title
-        Heading.
+    start, stop, title
+        Seconds that are shown; the heading.
 
     Raises
     ------
@@ -121,11 +119,9 @@ def principal_axes(clip: Clip, source: str | ph.Hybrid | ph.ContactFree = "hybri
         whose axes are used if it is fitted, and else computed from the clip.
     second
         The moment; by default the middle.
-    backend
-        "plotly" gives a `plotly.graph_objects.Figure`, "pyvista" a `pyvista.Plotter` (off screen) to ``show()`` or to take a
-        ``screenshot(path)`` of.
-    title
-        Heading, in plotly.
+    backend, title
+        "plotly" gives a `plotly.graph_objects.Figure` with the heading, "pyvista" a `pyvista.Plotter` (off screen) to
+        ``show()`` or to take a ``screenshot(path)`` of.
 
     Raises
     ------
@@ -179,10 +175,8 @@ def phase_manifold(phases: Mapping[str, ph.Phases], fps: float = 60.0, *, window
 
     Parameters
     ----------
-    phases
-        Phases of each style.
-    fps
-        Frames per second of all of them.
+    phases, fps
+        Phases of each style, and the frames per second of all.
     window
         Seconds: a point is all the phase vectors of so long a stretch; 0 for those of one frame.
     backend, title
