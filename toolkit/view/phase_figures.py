@@ -131,16 +131,21 @@ def principal_axes(clip: Clip, source: str | ph.Hybrid | ph.ContactFree = "hybri
         If pyvista finds no OpenGL.
     """
     _check(backend)
-    axes = _axes(clip, ph.named(source) if isinstance(source, str) else source)
+    source = ph.named(source) if isinstance(source, str) else source
+    hybrid = isinstance(source, ph.Hybrid)
+    free = source.contact_free if hybrid else source
+    if not isinstance(free, ph.ContactFree):
+        raise ValueError(f"principal axes are those of a contact-free or hybrid source, not of {source!r}")
+    axes = (free if free.axes else free.fitted([clip])).axes
     frame = len(clip) // 2 if second is None else round(second * clip.fps)
     if not 0 <= frame < len(clip):
         raise ValueError(f"no frame at {second} s; the clip lasts {clip.seconds:.2f} s")
     hips = clip.skeleton.index("hips")
     turn, place = clip.global_rotations[frame, hips], clip.global_positions[frame, hips]
     parts = []
-    for limb, axis in axes.items():
+    for limb in [limb for limb in ph.LIMBS if not hybrid or source.choice(clip, limb) == "contact-free"]:
         path = R.rotate(turn, ph.local_positions(clip, limb)) + place
-        arrow, plane = _arrow_and_plane(path.mean(0).numpy(), R.rotate(turn, axis.float()).numpy())
+        arrow, plane = _arrow_and_plane(path.mean(0).numpy(), R.rotate(turn, axes[limb].float()).numpy())
         parts.append((limb.replace("_", " "), COLORS[limb.split("_")[0]], path.numpy(), arrow, plane))
     if backend == "pyvista":
         return _axes_pyvista(clip, frame, parts)
@@ -224,16 +229,6 @@ def _check(backend: str) -> None:
         raise ValueError(f"the backend must be 'plotly' or 'pyvista', not {backend!r}")
     if backend == "pyvista" and not opengl_works():
         raise RuntimeError(f"pyvista finds no OpenGL here; take backend='plotly', or on Debian or Ubuntu: {INSTALL}")
-
-
-def _axes(clip: Clip, source: ph.Hybrid | ph.ContactFree) -> dict[str, torch.Tensor]:
-    """Principal axis [3] of each limb that the source measures contact-free, in the hips' frame."""
-    hybrid = isinstance(source, ph.Hybrid)
-    free = source.contact_free if hybrid else source
-    if not isinstance(free, ph.ContactFree):
-        raise ValueError(f"principal axes are those of a contact-free or hybrid source, not of {source!r}")
-    free = free if free.axes else free.fitted([clip])
-    return {limb: free.axes[limb] for limb in ph.LIMBS if not hybrid or source.choice(clip, limb) == "contact-free"}
 
 
 def _arrow_and_plane(centre: np.ndarray, axis: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
