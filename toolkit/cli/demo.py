@@ -44,20 +44,10 @@ def embedded(folder: Path) -> Path:
 
 def make(folder: Path, seconds: float = 35.0, *, data_seconds: float = 60.0, seed: int = 0,
          progress: bool = False) -> list[Path]:
-    """Train a small LPN-FiLM on procedural motion and let it walk a figure of eight through a style blend.
+    """Train a small LPN-FiLM for some seconds on procedural motion and let it walk a figure of eight through a style blend.
 
-    Parameters
-    ----------
-    folder
-        Where the walk is written as BVH, page and strip, with measurements, the model and a page to steer it in.
-    seconds
-        Time budget of the training.
-    data_seconds
-        Length of each of the twelve procedural clips.
-    seed
-        Of the data and the training.
-    progress
-        Show bars.
+    Each of the twelve clips is ``data_seconds`` long. The ``folder`` gets the walk as BVH, page and strip, the measurements,
+    the model and a page to steer it in.
     """
     from toolkit import view
 

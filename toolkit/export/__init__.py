@@ -43,10 +43,8 @@ def write(clip: Clip, path: str | os.PathLike, *, title: str = "Motion", source:
 
     Parameters
     ----------
-    clip
-        The motion.
-    path
-        The file; its suffix, one of `SUFFIXES`, selects the format.
+    clip, path
+        The motion and the file, whose suffix, one of `SUFFIXES`, selects the format.
     title
         Name of the motion in a page or picture.
     source

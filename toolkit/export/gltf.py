@@ -57,7 +57,7 @@ def save(clip: Clip, path: str | os.PathLike) -> None:
         "nodes": nodes,
         "meshes": [{"name": "Mannequin", "primitives": primitives}],
         "skins": [skin],
-        "materials": [_material(tone, body.COLORS[tone]) for tone in tones],
+        "materials": [{"name": tone, "pbrMetallicRoughness": _material(body.COLORS[tone])} for tone in tones],
     }
     if len(clip) > 1:
         document["animations"] = [_animation(buffer, clip, turns) | {"name": title}]
@@ -132,10 +132,9 @@ def _primitive(buffer: _Buffer, shapes: Sequence, bind: Tensor) -> dict:
     return {"attributes": attributes, "indices": indices}
 
 
-def _material(tone: str, color: str) -> dict:
+def _material(color: str) -> dict:
     linear = [(int(color[i : i + 2], 16) / 255) ** 2.2 for i in (1, 3, 5)]
-    surface = {"baseColorFactor": [*linear, 1.0], "metallicFactor": 0.0, "roughnessFactor": 0.8}
-    return {"name": tone, "pbrMetallicRoughness": surface}
+    return {"baseColorFactor": [*linear, 1.0], "metallicFactor": 0.0, "roughnessFactor": 0.8}
 
 
 def _animation(buffer: _Buffer, clip: Clip, turns: np.ndarray) -> dict:

@@ -39,10 +39,8 @@ def animate(clips: Clip | Sequence[Clip], path: str | os.PathLike, *, labels: Se
         One clip or several.
     path
         File to write: ``.gif``, ``.png`` or ``.apng`` (animated), ``.webp`` or ``.mp4`` (H.264, needs PyAV).
-    labels
-        Text of each cell; by default style and gait, else the clip's name.
-    columns
-        Cells per row; by default all in one row.
+    labels, columns
+        Text of each cell, by default style and gait, else the clip's name; cells per row, by default all.
     fps
         Pictures per second.
     height
@@ -51,12 +49,10 @@ def animate(clips: Clip | Sequence[Clip], path: str | os.PathLike, *, labels: Se
         Degrees: the camera's angle from the facing direction (90 is from the right side) and above the floor.
     contacts
         Foot contacts [F, 2] (right, left), above one half where a foot stands, or one array per clip; shown on the feet.
-    caption
-        Text below the picture.
+    caption, progress
+        Text below the picture; whether to show a bar.
     colors
         Number of colours of a ``.gif``: fewer make a smaller file.
-    progress
-        Show a bar.
 
     Raises
     ------
@@ -125,10 +121,8 @@ def crowd(clips: Sequence[Clip], path: str | os.PathLike, *, fps: float = 12.5, 
         One per character, of one skeleton, length and rate.
     path, colors, progress
         As in `animate`.
-    fps
-        Pictures per second; 0 writes the last frame alone.
-    width
-        Pixels.
+    fps, width
+        Pictures per second, 0 for the last frame alone; pixels.
     view, elevation
         Degrees: the camera's angle about the vertical and above the floor.
 

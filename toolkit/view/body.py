@@ -1,9 +1,7 @@
 """A mannequin that fits any skeleton: rounded cones fixed to joints, used by every renderer.
 
-A rounded cone is the convex hull of two spheres, scaled along one direction. The software renderer, pyvista and the browser
-draw the same shapes (`Shape`); the last two also blend them over to neighbouring joints (`toolkit.view.skin`). Skeletons
-differ in their local axes (Bandai-Namco's bones lie along X), so a direction such as "forward in the head's frame" is
-measured on the clip.
+A rounded cone is the convex hull of two spheres, scaled along one direction. Skeletons differ in their local axes
+(Bandai-Namco's bones lie along X), so a direction such as "forward in the head's frame" is measured on the clip.
 """
 
 from dataclasses import dataclass, replace
@@ -118,15 +116,9 @@ class _Measured:
         turn = R.normalize(local) if float(local.norm()) > 1e-3 else R.identity()
         turn = R.to_matrix(R.multiply(R.between(R.rotate(turn, self.onward(lower)), R.normalize(self.onward(upper))), turn))
         turn, bone = turn.double().numpy(), bone.double().numpy()
-        moved = shape.place.copy()
-        if below:
-            moved[:, 3] -= bone
-            moved = turn.T @ moved
-        else:
-            moved = turn @ moved
-            moved[:, 3] += bone
-        origin = bone if below else np.zeros(3)
-        at = float((np.linalg.inv(shape.place[:, :3]) @ (origin - shape.place[:, 3]))[1])
+        shift = np.column_stack((np.zeros((3, 3)), bone))
+        moved = turn.T @ (shape.place - shift) if below else turn @ shape.place + shift
+        at = float((np.linalg.inv(shape.place[:, :3]) @ (below * bone - shape.place[:, 3]))[1])
         return replace(shape, bends=(*shape.bends, Bend(joint, moved, at, width if below else -width)))
 
     def palm(self, side: str) -> Tensor:

@@ -34,10 +34,8 @@ class Controller(Corners):
         A model and its style bank, e.g. of `toolkit.pretrained`.
     styles
         The triangle's corners, three names of the bank; by default its first three.
-    speed
-        Walking speed, metres per second; can be set later.
-    size
-        Pixels of the picture: width, height.
+    speed, size
+        Walking speed in metres per second, which can be set later; width and height of the picture in pixels.
 
     Attributes
     ----------

@@ -1,6 +1,5 @@
 """The space of styles as a map: hover names a style, click plays it, and a ring dragged between points plays the blend."""
 
-import io
 from collections.abc import Callable, Mapping, Sequence
 
 import anywidget
@@ -8,7 +7,6 @@ import ipywidgets as widgets
 import plotly.graph_objects as go
 import torch
 import traitlets
-from matplotlib.figure import Figure
 from plotly.offline import get_plotlyjs
 from scipy.spatial import Delaunay, QhullError
 from torch import Tensor
@@ -20,7 +18,7 @@ from toolkit.networks.bank import StyleBank
 from toolkit.styles.space import embed
 from toolkit.view.figures import INK, QUIET, style_space
 from toolkit.view.frontend import in_notebook, static
-from toolkit.view.picture import PAPER
+from toolkit.view.picture import PAPER, Picture
 from toolkit.view.style_blender import StyleBlender
 
 SIDE = 560  # pixels of the map, both ways
@@ -154,15 +152,13 @@ class StyleExplorer(StyleBlender):
 
     def _repr_mimebundle_(self, **kwargs) -> dict:
         """The widget, and a picture of the map for pages without widgets (a notebook on GitHub, nbconvert)."""
-        figure = Figure(figsize=(7, 6), facecolor=PAPER, layout="constrained")
+        figure = Picture(figsize=(7, 6), facecolor=PAPER, layout="constrained", dpi=110)
         axes = figure.subplots()
         axes.plot(*self.points.T.numpy(), "o", color="#7b68c4", markersize=5)
         for name, place in zip(self._bank.names, self.points.tolist(), strict=True):
             axes.annotate(name, place, fontsize=6, color=INK, xytext=(3, 3), textcoords="offset points")
         axes.set(title="Style space", xticks=[], yticks=[], aspect="equal")
-        picture = io.BytesIO()
-        figure.savefig(picture, format="png", dpi=110)
-        return super()._repr_mimebundle_(**kwargs) | {"image/png": picture.getvalue()}
+        return super()._repr_mimebundle_(**kwargs) | {"image/png": figure._repr_png_()}
 
     def _inside(self, place: Tensor) -> tuple[Tensor, int]:
         """The point of the triangulation nearest to a place outside, and its triangle."""

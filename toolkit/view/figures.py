@@ -28,10 +28,8 @@ def style_space(vectors, names: Sequence[str], labels: Sequence[str] | None = No
         S names, shown on hover, and as text where there are at most forty.
     labels
         S groups, with a colour and an entry of the legend each.
-    marked
-        Further points, name -> position [2], shown as stars, such as a blend.
-    title
-        Heading.
+    marked, title
+        Further points, name -> position [2], shown as stars, such as a blend; the heading.
 
     Raises
     ------
@@ -65,11 +63,9 @@ def training_curves(history: Sequence[Mapping] | Mapping[str, Sequence], *, titl
 
     Parameters
     ----------
-    history
+    history, title
         A row per evaluation with ``step`` and numbers such as ``train`` and ``test``, or the same as columns. ``elapsed``
-        is shown on hover. Values that are not positive are left out.
-    title
-        Heading.
+        is shown on hover. Values that are not positive are left out. The heading.
 
     Raises
     ------

@@ -1,7 +1,4 @@
-"""Drawings on the floor around a character: its path, a footprint for every contact, the trajectory window.
-
-Each is a `Layer`: triangles of one colour whose corners move with the frame, so that any renderer can draw it.
-"""
+"""Drawings on the floor around a character: its path, a footprint for every contact, the trajectory window."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -19,7 +16,7 @@ ARROW = np.array([[0, 0.09], [0.05, -0.05], [0, -0.02], [-0.05, -0.05]])  # side
 
 @dataclass(frozen=True, eq=False)
 class Layer:
-    """Flat triangles of one colour."""
+    """Flat triangles of one colour, whose corners move with the frame; any renderer can draw them."""
 
     kind: str  # "path", "contacts" or "trajectory": shown and hidden together
     color: str

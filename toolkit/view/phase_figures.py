@@ -43,10 +43,8 @@ def phase_figure(clip: Clip, phases: ph.Phases, contacts=None, truth=None, *, st
     truth
         The true phases [F, 4] where they are known, radians. They are drawn as a thin dark line: the fit with the true phase
         in place of its own, without the constant lag between the two.
-    start, stop
-        Seconds that are shown.
-    title
-        Heading.
+    start, stop, title
+        Seconds that are shown; the heading.
 
     Raises
     ------
@@ -121,11 +119,9 @@ def principal_axes(clip: Clip, source: str | ph.Hybrid | ph.ContactFree = "hybri
         whose axes are used if it is fitted, and else computed from the clip.
     second
         The moment; by default the middle.
-    backend
-        "plotly" gives a `plotly.graph_objects.Figure`, "pyvista" a `pyvista.Plotter` (off screen) to ``show()`` or to take a
-        ``screenshot(path)`` of.
-    title
-        Heading, in plotly.
+    backend, title
+        "plotly" gives a `plotly.graph_objects.Figure` with the heading, "pyvista" a `pyvista.Plotter` (off screen) to
+        ``show()`` or to take a ``screenshot(path)`` of.
 
     Raises
     ------
@@ -135,16 +131,21 @@ def principal_axes(clip: Clip, source: str | ph.Hybrid | ph.ContactFree = "hybri
         If pyvista finds no OpenGL.
     """
     _check(backend)
-    axes = _axes(clip, ph.named(source) if isinstance(source, str) else source)
+    source = ph.named(source) if isinstance(source, str) else source
+    hybrid = isinstance(source, ph.Hybrid)
+    free = source.contact_free if hybrid else source
+    if not isinstance(free, ph.ContactFree):
+        raise ValueError(f"principal axes are those of a contact-free or hybrid source, not of {source!r}")
+    axes = (free if free.axes else free.fitted([clip])).axes
     frame = len(clip) // 2 if second is None else round(second * clip.fps)
     if not 0 <= frame < len(clip):
         raise ValueError(f"no frame at {second} s; the clip lasts {clip.seconds:.2f} s")
     hips = clip.skeleton.role("hips")
     turn, place = clip.global_rotations[frame, hips], clip.global_positions[frame, hips]
     parts = []
-    for limb, axis in axes.items():
+    for limb in [limb for limb in ph.LIMBS if not hybrid or source.choice(clip, limb) == "contact-free"]:
         path = R.rotate(turn, ph.local_positions(clip, limb)) + place
-        arrow, plane = _arrow_and_plane(path.mean(0).numpy(), R.rotate(turn, axis.float()).numpy())
+        arrow, plane = _arrow_and_plane(path.mean(0).numpy(), R.rotate(turn, axes[limb].float()).numpy())
         parts.append((limb.replace("_", " "), COLORS[limb.split("_")[0]], path.numpy(), arrow, plane))
     if backend == "pyvista":
         return _axes_pyvista(clip, frame, parts)
@@ -179,10 +180,8 @@ def phase_manifold(phases: Mapping[str, ph.Phases], fps: float = 60.0, *, window
 
     Parameters
     ----------
-    phases
-        Phases of each style.
-    fps
-        Frames per second of all of them.
+    phases, fps
+        Phases of each style, and the frames per second of all.
     window
         Seconds: a point is all the phase vectors of so long a stretch; 0 for those of one frame.
     backend, title
@@ -230,16 +229,6 @@ def _check(backend: str) -> None:
         raise ValueError(f"the backend must be 'plotly' or 'pyvista', not {backend!r}")
     if backend == "pyvista" and not opengl_works():
         raise RuntimeError(f"pyvista finds no OpenGL here; take backend='plotly', or on Debian or Ubuntu: {INSTALL}")
-
-
-def _axes(clip: Clip, source: ph.Hybrid | ph.ContactFree) -> dict[str, torch.Tensor]:
-    """Principal axis [3] of each limb that the source measures contact-free, in the hips' frame."""
-    hybrid = isinstance(source, ph.Hybrid)
-    free = source.contact_free if hybrid else source
-    if not isinstance(free, ph.ContactFree):
-        raise ValueError(f"principal axes are those of a contact-free or hybrid source, not of {source!r}")
-    free = free if free.axes else free.fitted([clip])
-    return {limb: free.axes[limb] for limb in ph.LIMBS if not hybrid or source.choice(clip, limb) == "contact-free"}
 
 
 def _arrow_and_plane(centre: np.ndarray, axis: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -42,14 +42,10 @@ def strip(clips: Clip | Sequence[Clip], path: str | os.PathLike | None = None, *
         As in `toolkit.view.animate`; a label is the text of a row.
     path
         PNG file to write (any format matplotlib knows).
-    frames
-        Poses per row.
-    start, stop
-        Seconds of the clips that are shown (default: all).
-    title
-        Text above the picture.
-    width, dpi
-        Inches and pixels per inch.
+    frames, start, stop
+        Poses per row; the seconds of the clips that are shown (default: all).
+    title, width, dpi
+        Text above the picture; inches and pixels per inch.
 
     Raises
     ------

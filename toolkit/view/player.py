@@ -12,7 +12,7 @@ import math
 import threading
 import time
 from collections.abc import Sequence
-from contextlib import contextmanager, suppress
+from contextlib import suppress
 from html import escape
 
 import ipywidgets as widgets
@@ -45,16 +45,13 @@ def play(clips: Clip | Sequence[Clip], *, labels: Sequence[str] | None = None, c
     labels
         Names of the clips; by default style and gait, else the clip's name.
     contacts
-        Foot contacts [F, 2] (right, left), above one half where a foot stands, or one array (or None) per clip; shown on the
-        feet and as footprints on the floor.
+        Foot contacts [F, 2] (right, left), above one half where a foot stands, or one array (or None) per clip.
     phases
         Local phases, `toolkit.phases.Phases` or vectors [F, 4, 2], or one (or None) per clip; shown as a dial per limb.
     together
         Show the clips in one scene, each in its place, instead of side by side.
-    size
-        Pixels of the picture: width, height.
-    playing
-        Start at once.
+    size, playing
+        Pixels of the picture, width and height; whether to start at once.
 
     Raises
     ------
@@ -90,9 +87,9 @@ class Player(widgets.VBox):
         self._size, self._together = size, together
         self._scenes: list[renderers.PyvistaRenderer | renderers.SoftwareRenderer] = []
         self._frame, self._stale, self._fine, self._touched = 0.0, False, False, time.monotonic()
-        self._wake = self._task = self._own = None
+        self._wake = self._task = None
         self.image = Screen(size)
-        self.image.observe(self._answered, "seen")
+        self.image.observe(lambda _change: self._notify(), "seen")
         self._title = widgets.HTML()
         self._play = widgets.ToggleButton(icon="play", tooltip="Play or pause", layout={"width": "44px"})
         self._slider = widgets.IntSlider(min=0, max=0, readout=False, layout={"flex": "1", "min_width": "120px"})
@@ -173,8 +170,7 @@ class Player(widgets.VBox):
         for kind in ("contacts", "phases"):
             self._switches[kind].disabled = all(getattr(character, kind) is None for character in characters)
         self._frame = self._frame % len(self.clip)
-        with self._quiet():
-            self._slider.max = len(self.clip) - 1
+        self._slider.value, self._slider.max = self.frame, len(self.clip) - 1
         names = ", ".join(map(escape, labels))
         self._title.value = f"<b>{names}</b> &nbsp;{self.clip.seconds:.1f} s at {self.clip.fps:g} Hz"
         self._show()
@@ -196,8 +192,8 @@ class Player(widgets.VBox):
 
     def _changed(self, change: dict) -> None:
         """A widget changed (any thread): store what is wanted."""
-        if threading.current_thread() is self._own:
-            return
+        if change["owner"] is self._slider and change["new"] == self.frame:
+            return  # the slider follows the clip
         self._touched = time.monotonic()
         if change["owner"] is self._slider:
             self._frame = float(self._slider.value)
@@ -209,12 +205,8 @@ class Player(widgets.VBox):
                     other.playing = False
         self._refresh()
 
-    def _answered(self, _change: dict) -> None:
-        """The page shows a picture (any thread)."""
-        if self.playing:
-            self._notify()
-
     def _notify(self) -> None:
+        """Wake the task (any thread)."""
         if self._wake is not None and not self._loop.is_closed():
             self._loop.call_soon_threadsafe(self._wake.set)
 
@@ -223,13 +215,6 @@ class Player(widgets.VBox):
         self._notify()
         if threading.current_thread() is threading.main_thread() and not self.playing:
             self._show()
-
-    @contextmanager
-    def _quiet(self):
-        """While active, changes of widgets in this thread are the player's own and not the user's."""
-        self._own = threading.current_thread()
-        yield
-        self._own = None
 
     def _picture(self, frame: int, fine: bool) -> Image.Image:
         """All cells with their overlays (main thread)."""
@@ -254,10 +239,9 @@ class Player(widgets.VBox):
         self._stale, self._fine = False, fine
         frame = min(int(self._frame), len(self.clip) - 1)
         self.image.put(self._picture(frame, fine))
-        with self._quiet():
-            if not self.playing or self.image.number % 6 == 0:  # each is a message of its own
-                self._clock.value = f"{frame / self.clip.fps:.2f} / {self.clip.seconds:.2f} s"
-                self._slider.value = frame
+        if not self.playing or self.image.number % 6 == 0:  # each of the two is a message
+            self._clock.value = f"{frame / self.clip.fps:.2f} / {self.clip.seconds:.2f} s"
+            self._slider.value = self.frame
 
     async def _run(self) -> None:
         """Draw the newest state; during playback the frame follows the clock, however long drawing takes."""
