@@ -265,6 +265,17 @@ def test_bad_input_gets_one_line_and_leaves_nothing(tmp_path, small_run, refused
     assert {p.name for p in tmp_path.iterdir()} == {"cut.bvh", "empty", "junk.safetensors", "run.safetensors"}
 
 
+def test_a_datasets_name_means_the_dataset_where_a_folder_has_that_name(tmp_path, monkeypatch, refused):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "bandai").mkdir()
+    (tmp_path / "recordings").mkdir()
+    train = ("train", "--out", tmp_path / "new.safetensors", "--data")
+    assert "bandai: no matching BVH file in recordings" in refused(*train, "bandai", "--root", "recordings")
+    assert "recordings: holds no store" in refused(*train, "recordings")
+    (tmp_path / "bandai" / "manifest.json").write_text("{}", encoding="utf-8")
+    assert "bandai/manifest.json" in refused(*train, "bandai")
+
+
 def test_a_checkpoint_of_another_layout_is_refused(tmp_path, small_run, walk_clip):
     small_run.save(tmp_path / "run.safetensors")
     other = tk.features.Layout(walk_clip.without_ends().skeleton)

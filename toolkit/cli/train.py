@@ -42,7 +42,7 @@ def train(
         **budget, model=model, patience=patience, seed=seed, device=device, processes=processes, precision=precision)
     export.check(out, ())
     distributed.start(config)  # before the data, so that all processes read them at once
-    if store.is_store(data) or Path(data).is_dir():
+    if store.is_store(data) or (data not in datasets.DATASETS and Path(data).is_dir()):
         if root or gaits or mirror or clip_seconds is not None:
             raise ValueError(f"{data}: a store has its own --root, --gaits and --mirror; choose among its --styles")
         found = store.load(data, styles)
