@@ -262,6 +262,16 @@ def test_two_processes_equal_one(tmp_path, launcher):
         torch.testing.assert_close(a, b, atol=1e-4, rtol=0)
 
 
+def test_only_several_processes_need_lightning_fabric(monkeypatch):
+    monkeypatch.setitem(sys.modules, "lightning_fabric", None)
+    training.distributed._start.cache_clear()
+    with pytest.raises(ImportError, match=r'^several processes need the extra "scale": pip install "\.\[scale\]"$'):
+        training.fit(waves(), dataclasses.replace(QUICK, processes=2))
+    assert len(training.fit(waves(), dataclasses.replace(QUICK, steps=2, precision="bf16")).history) == 1
+    with pytest.raises(ValueError, match=r"^1 × 'cuda:99': .+$"):
+        training.fit(waves(), dataclasses.replace(QUICK, device="cuda:99"))
+
+
 def test_it_stops_early_with_the_best_weights_also_after_a_resume(tmp_path):
     config = dataclasses.replace(QUICK, steps=400, sizes=WIDER, rate=3e-2, final_rate=1.0, evaluate_every=5, patience=3)
     straight = training.fit(waves(), config)

@@ -94,7 +94,7 @@ def _times(data: Features, repeats: int) -> None:
             fabric = distributed.start(config)
             with form.patched():
                 adam = optimisers.setdefault(form.adam, loop.optimiser(model, config))
-                objective = fabric.setup_module(distributed.Objective(model, config.bone_weight, 0, 1))
+                objective = fabric.setup_module(distributed.Objective(model, config.bone_weight, precision=config.precision))
                 batches = Minibatches(data, config.batch, form.clips, config.seed)
                 counter = FlopCounterMode(display=False) if turn < 0 else contextlib.nullcontext()
                 began = time.perf_counter()

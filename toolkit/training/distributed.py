@@ -1,4 +1,4 @@
-"""Training on several processes or GPUs, by Lightning Fabric: each takes its share of every minibatch.
+"""Training on one process, or on several processes or GPUs by Lightning Fabric: each takes its share of every minibatch.
 
 What they do together equals what one process does, up to rounding: the frames of a minibatch are dealt out in turn, each
 process encodes the style clips of its own frames, dropout falls as it would on the whole minibatch, and the gradients are
@@ -8,7 +8,8 @@ averaged by frames.
 import contextlib
 import functools
 import os
-from typing import TYPE_CHECKING
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, ClassVar
 
 import torch
 import torch.nn.functional as F
@@ -17,7 +18,7 @@ from torch.overrides import TorchFunctionMode
 
 from toolkit.networks import Model
 from toolkit.training.loss import loss_terms
-from toolkit.training.run import PRECISIONS, Config
+from toolkit.training.run import Config
 
 if TYPE_CHECKING:
     from lightning_fabric import Fabric
@@ -28,8 +29,25 @@ def first() -> bool:
     return int(os.environ.get("RANK") or os.environ.get("LOCAL_RANK") or 0) == 0
 
 
-def start(config: Config) -> "Fabric":
-    """Device, processes and precision of a config.
+@dataclass(frozen=True)
+class Alone:
+    """One process: what training asks of a `Fabric`, without Lightning Fabric."""
+
+    device: torch.device
+    world_size: ClassVar[int] = 1
+    global_rank: ClassVar[int] = 0
+
+    def setup_module(self, module: nn.Module) -> nn.Module:
+        """The module on the device."""
+        return module.to(self.device)
+
+    def backward(self, loss: Tensor) -> None:
+        """Compute gradients."""
+        loss.backward()
+
+
+def start(config: Config) -> "Fabric | Alone":
+    """Device and processes of a config.
 
     With several processes, the first call starts the others: they run the same command from its beginning. Under
     ``torchrun``, which starts them itself, on one machine or many, this joins them.
@@ -38,24 +56,28 @@ def start(config: Config) -> "Fabric":
     ------
     ValueError
         If there is no such device here.
+    ImportError
+        If several processes are asked for and Lightning Fabric is not installed.
     """
-    return _start(config.device, config.processes, config.precision)
+    return _start(config.device, config.processes)
 
 
 @functools.cache
-def _start(device: str, processes: int, precision: str) -> "Fabric":
-    from lightning_fabric import Fabric  # not at import: it takes a second
-
+def _start(device: str, processes: int) -> "Fabric | Alone":
     kind, nodes = torch.device(device), 1
     if "TORCHELASTIC_RUN_ID" in os.environ:
         processes, nodes = (int(os.environ[name]) for name in ("LOCAL_WORLD_SIZE", "GROUP_WORLD_SIZE"))
-    several = processes * nodes > 1
-    devices = [kind.index] if kind.type != "cpu" and kind.index is not None and not several else processes
     try:
-        fabric = Fabric(accelerator=kind.type, devices=devices, num_nodes=nodes, strategy="ddp" if several else "auto",
-                        precision=PRECISIONS[precision])
-    except (RuntimeError, ValueError) as error:
-        raise ValueError(f"{processes} × {device!r}: {error}") from error
+        if processes * nodes == 1:
+            torch.empty(0, device=kind)
+            return Alone(kind)
+        from lightning_fabric import Fabric
+
+        fabric = Fabric(accelerator=kind.type, devices=processes, num_nodes=nodes, strategy="ddp")
+    except ImportError:
+        raise ImportError('several processes need the extra "scale": pip install ".[scale]"') from None
+    except (AssertionError, RuntimeError, ValueError) as error:
+        raise ValueError(f"{processes} × {device!r}: {str(error).splitlines()[0]}") from error
     fabric.launch()
     return fabric
 
@@ -71,11 +93,14 @@ class Objective(nn.Module):
         Of the bone-length loss.
     rank, processes
         Which process of how many.
+    precision
+        Of the products of the networks, see `Config.precision`.
     """
 
-    def __init__(self, model: Model, bone_weight: float, rank: int, processes: int):
+    def __init__(self, model: Model, bone_weight: float, rank: int = 0, processes: int = 1, precision: str = "32"):
         super().__init__()
         self.model, self.bone_weight, self.rank, self.processes = model, bone_weight, rank, processes
+        self.precision = precision
 
     def forward(self, x: Tensor, p: Tensor, z: Tensor, y: Tensor, style: int) -> Tensor:
         """Loss, mean squared error and bone-length error ``[3]``, whose mean over the processes is the minibatch's.
@@ -85,11 +110,12 @@ class Objective(nn.Module):
         """
         rows = torch.arange(self.rank, len(x), self.processes, device=x.device)
         clips, which = (rows % len(y)).unique(return_inverse=True)
-        with self._dropout(clips, len(y)):
-            styles = self.model.encode(y[clips], style)
-        with self._dropout(rows, len(x)):
-            predicted = self.model(x[rows], p[rows], styles if len(styles) == 1 else styles[which])
-        mse, bone = loss_terms(self.model, predicted, z[rows])
+        with torch.autocast(x.device.type, torch.bfloat16, enabled=self.precision == "bf16"):
+            with self._dropout(clips, len(y)):
+                styles = self.model.encode(y[clips], style)
+            with self._dropout(rows, len(x)):
+                predicted = self.model(x[rows], p[rows], styles if len(styles) == 1 else styles[which])
+            mse, bone = loss_terms(self.model, predicted, z[rows])
         return torch.stack((mse + self.bone_weight * bone, mse, bone)) * (len(rows) * self.processes / len(x))
 
     def _dropout(self, rows: Tensor, whole: int) -> contextlib.AbstractContextManager:

@@ -26,7 +26,7 @@ from toolkit.networks import Model
 from toolkit.networks.bank import StyleBank
 from toolkit.training import distributed
 from toolkit.training.checkpoint import Checkpoint, Saver, starting
-from toolkit.training.distributed import Objective
+from toolkit.training.distributed import Alone, Objective
 from toolkit.training.loss import baselines, evaluate, make_bank
 from toolkit.training.minibatches import DROPOUT, INIT, Minibatches
 from toolkit.training.run import Config, Run, load, pretrained
@@ -105,7 +105,8 @@ def fit(data: Features, config: Config | None = None, checkpoint: str | os.PathL
                                networks.normalisers(config.model, train)).to(fabric.device)
     adam = optimiser(model, config)
     state = restore(checkpoint, model, adam, config) if checkpoint and resume and Path(checkpoint).exists() else State()
-    objective = fabric.setup_module(Objective(model, config.bone_weight, fabric.global_rank, fabric.world_size))
+    objective = fabric.setup_module(Objective(model, config.bone_weight, fabric.global_rank, fabric.world_size,
+                                             config.precision))
     total = None if config.seconds else config.steps or max(1, round((config.epochs or 90) * batches.steps_per_epoch))
 
     def save() -> None:
@@ -183,7 +184,7 @@ def optimiser(model: Model, config: Config) -> torch.optim.Adam:
     return torch.optim.Adam([{"params": rest}, {"params": style}], lr=config.rate, fused=True)
 
 
-def step(fabric: "Fabric", objective: torch.nn.Module, adam: torch.optim.Adam, batches: Minibatches, config: Config,
+def step(fabric: "Fabric | Alone", objective: torch.nn.Module, adam: torch.optim.Adam, batches: Minibatches, config: Config,
          number: int, rate: float) -> dict[str, float]:
     """One step of gradient descent; its loss, mean squared error and bone-length error.
 
@@ -223,7 +224,7 @@ def step(fabric: "Fabric", objective: torch.nn.Module, adam: torch.optim.Adam, b
     return values
 
 
-def _mean(fabric: "Fabric", *numbers: float) -> list[float]:
+def _mean(fabric: "Fabric | Alone", *numbers: float) -> list[float]:
     """Means over the processes: all of them must decide the same."""
     if fabric.world_size == 1:
         return list(numbers)

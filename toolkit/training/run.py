@@ -15,7 +15,7 @@ from toolkit.motion.tensors import summary
 from toolkit.networks import MODELS, Model, Sizes
 from toolkit.networks.bank import StyleBank
 
-PRECISIONS = {"32": "32-true", "bf16": "bf16-mixed"}  # ours to Lightning Fabric's
+PRECISIONS = ("32", "bf16")
 
 
 @dataclass(frozen=True)
