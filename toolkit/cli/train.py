@@ -28,8 +28,9 @@ def train(
     small: Annotated[bool, typer.Option("--small", help="Small sizes and fast settings; 30 s without a budget.")] = False,
     seed: Seed = 0,
     device: Device = "cpu",
-    processes: Annotated[int, typer.Option(help="Processes that share each minibatch, with --device cuda one GPU each; on "
-                                           "several machines use `torchrun … -m toolkit train …` instead.")] = 1,
+    processes: Annotated[int, typer.Option(help="Processes that share each minibatch (the extra `scale`), with --device "
+                                           "cuda one GPU each; on several machines use "
+                                           "`torchrun … -m toolkit train …` instead.")] = 1,
     precision: Annotated[str, typer.Option(help="32, or bf16: faster on a GPU or with many style clips.")] = "32",
     log: Annotated[Path | None, typer.Option(help="Folder for TensorBoard curves (the extra `scale`).")] = None,
     slim: Annotated[bool, typer.Option("--slim", help="Write a small file, to which no style can be added.")] = False,

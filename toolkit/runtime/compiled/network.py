@@ -113,7 +113,23 @@ def _tile(rows: int):
     """``tile(y, y0, who, shares, first, x, x0, w, w0, n)``: y[who[r], y0 + c] += shares[r] Σᵢ x[x0, i, r] w[w0, i, c].
 
     The flat x and w hold, from x0 and w0, n lines of ``rows`` and of `COLUMNS` numbers; r counts from ``first`` in ``who``
-    and ``shares``. Written in the compiler's own vectors, because loops over small arrays are not kept in registers.
+    and ``shares``.
+
+    It is written in LLVM's instructions because numba leaves the sums of such loops in memory: the same loops in Python take
+    10 times as long for one character and 29 to 66 times for several, and one matrix product by torch 1.5 and 2.8 times.
+    What is generated, where ``v`` counts the `VECTORS` of a line and every ``total`` is `LANES` numbers in registers::
+
+        total[chain][r][v] = 0
+        for start in range(0, n, chains):
+            for chain in range(chains):                      # unrolled, as the loops inside it are
+                i = start + chain
+                loaded[v] = w[line i, lanes v]               # bfloat16: shifted into the upper half of a float32
+                for r in range(rows):
+                    total[chain][r][v] += x[line i, r] * loaded[v]      # one fused multiply-add
+        for r in range(rows):
+            y[who[r], y0 + lanes v] += shares[r] * sum(total[chain][r][v] for all chains)
+
+    Chains are independent sums: an addition waits for the one before it, and a short tile has too few of them otherwise.
     """
     chains = max(1, CHAINS // (rows * VECTORS))
     number, index, byte = ir.FloatType(), ir.IntType(32), ir.IntType(8)
@@ -125,24 +141,24 @@ def _tile(rows: int):
         word = number if w.dtype == types.float32 else ir.IntType(16)
 
         def generate(context, builder, signature, arguments):
-            def data(i):
+            def data(i):  # argument i, an array, as a structure of its pointer and shape
                 return context.make_array(signature.args[i])(context, builder, arguments[i])
 
-            def at(array, *offsets):
+            def at(array, *offsets):  # pointer to a number that lies so far from the first
                 for offset in offsets:
                     array = builder.gep(array, [offset])
                 return array
 
-            def vectors(array, *offsets, of=number):
+            def vectors(array, *offsets, of=number):  # pointer to `LANES` numbers from there
                 return builder.bitcast(at(array, *offsets), ir.VectorType(of, LANES).as_pointer())
 
-            def widen(loaded):
+            def widen(loaded):  # weights to float32: the bits of a bfloat16 are a float32's upper half
                 if word is number:
                     return loaded
                 raised = builder.shl(builder.zext(loaded, indices), ir.Constant(indices, [16] * LANES))
                 return builder.bitcast(raised, vector)
 
-            def spread(value):
+            def spread(value):  # one number in all lanes
                 one = builder.insert_element(unset, value, index(0))
                 return builder.shuffle_vector(one, unset, ir.Constant(indices, [0] * LANES))
 
@@ -155,6 +171,7 @@ def _tile(rows: int):
 
             fused = intrinsic_of(f"fma.v{LANES}f32", vector, vector, vector, vector)
             prefetch = intrinsic_of("prefetch.p0", ir.VoidType(), byte.as_pointer(), index, index, index)
+            # places on the stack, which LLVM turns into registers
             total = [[[cgutils.alloca_once_value(builder, zero) for _ in range(VECTORS)] for _ in range(rows)]
                      for _ in range(chains)]
             with cgutils.for_range_slice(builder, whole(0), count, whole(chains)) as (start, _):
