@@ -18,7 +18,8 @@ from toolkit.motion import Clip, RootFrames, contacts, root_frames, trajectory
 from toolkit.motion import rotations as R
 from toolkit.motion.tensors import few, summary
 
-KINDS = ("inputs", "phases", "outputs", "clips")
+KINDS = ("inputs", "phases", "outputs", "clips")  # each has a normaliser
+FRAME_KINDS = KINDS[:3]  # those with a row per frame
 CLIP_FRAMES, CLIP_HOP = 240, 120
 TOO_SHORT = (f"{{}}: {{}} frames hold no whole trajectory window; it takes {trajectory.PAST} before and "
              f"{trajectory.FUTURE + 1} after a frame")

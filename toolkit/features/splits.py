@@ -22,7 +22,7 @@ def split(data: Features, share: float, seed: int, styles: tuple[str, ...]) -> t
     masks = known.held_out if known else held_out(data, share, seed, styles)
 
     def take(masks: dict[str, Tensor], statistics: dict[str, Normaliser] | None) -> Features:
-        found = {kind: getattr(data, kind) for kind in ("inputs", "phases", "outputs", "takes")}
+        found = {kind: getattr(data, kind) for kind in (*FRAME_KINDS, "takes")}
         pick = {kind: {s: rows[s].select(mask) if isinstance(rows[s], Rows) else rows[s][mask] for s, mask in masks.items()}
                 for kind, rows in found.items()}
         clips = {s: data.clips[s] for s in styles}

@@ -31,7 +31,7 @@ def load(path: str | os.PathLike, *, unit: float = CENTIMETRE, style: str = "", 
 
     Channels may have any order, and any joint may have positions. Position channels replace a joint's OFFSET; where they are
     constant they become the skeleton's offset. A root whose only child moves relative to it (Bandai-Namco's ``joint_Root``)
-    is merged with that child. End Sites become leaves named ``<parent>End``.
+    is merged with that child. End Sites become leaves named ``<parent>End``, ``<parent>2End`` and so on.
 
     Parameters
     ----------
@@ -131,10 +131,11 @@ def _split(path: Path, data: bytes) -> tuple[list[str], int]:
     return lines[1:-1], motion.end()
 
 
-def _parse_hierarchy(path: Path, lines: list[str]) -> tuple[list[str], list[int], list[list[float]], list[list[str]]]:
-    """Names, parents, offsets in the file's unit and channels of every joint."""
+def _parse_hierarchy(path: Path, lines: list[str]) -> tuple[list[str], list[int], list[list[float]], list[list[str]],
+                                                            list[str]]:
+    """Names, parents, offsets and channels of all joints and End Sites, and the names of the End Sites."""
     names, parents, offsets, channels, stack = [], [], [], [], []
-    waiting, ends = False, set()
+    waiting, ends, taken = False, set(), set()
 
     def fail(number: int, problem: str) -> BVHError:
         return BVHError(f"{path}, line {number}: {problem}")
@@ -156,10 +157,10 @@ def _parse_hierarchy(path: Path, lines: list[str]) -> tuple[list[str], list[int]
             if key == "END":
                 name = names[stack[-1]] + "End"
                 ends.add(len(names))
-            if name in names:
-                if key != "END":
-                    raise fail(number, f"joint {name} appears twice")
-                name = f"{name[:-3]}{sum(n.startswith(name[:-3]) and n.endswith('End') for n in names) + 1}End"
+            elif name in taken:
+                raise fail(number, f"joint {name} appears twice")
+            else:
+                taken.add(name)
             names.append(name)
             parents.append(stack[-1] if stack else -1)
             offsets.append([0.0, 0.0, 0.0])

@@ -27,12 +27,16 @@ _SIDE = re.compile(r"Left|Right|left|right|[_.][LR](?=$|End$)|^[LR](?=[A-Z])")  
 
 @dataclass(frozen=True, eq=False)
 class Skeleton:
-    """A tree of J joints; ValueError if lengths differ, a name repeats or a parent does not come before its child."""
+    """A tree of J joints and End Sites.
 
-    names: tuple[str, ...]  # unique; a leaf whose name ends in End is a BVH End Site: it has an offset and no rotation
+    ValueError if lengths differ, a name repeats, a parent does not come before its child or an End Site is no leaf.
+    """
+
+    names: tuple[str, ...]  # J unique ones
     parents: tuple[int, ...]  # the root comes first with -1, every parent before its children
     offsets: Tensor  # [J, 3] from the parent, in the parent's frame, metres, float32 on the CPU; the root's is not used
     roles: dict[str, str] | None = None  # role of `ROLES` to joint name; by default found from the names and the tree
+    ends: tuple[str, ...] | None = None  # leaves that are End Sites (no rotation); by default those with names in ...End
 
     def __post_init__(self):
         set_ = object.__setattr__
@@ -61,7 +65,7 @@ class Skeleton:
         return summary(self, {"joints": len(self), "end_sites": len(self.ends), "names": self.names, "roles": self.roles})
 
     def to_dict(self) -> dict:
-        """What it is made of, as JSON holds it: ``Skeleton(**described)`` makes it again."""
+        """The fields as values for JSON; ``Skeleton(**fields)`` is an equal skeleton."""
         return {"names": self.names, "parents": self.parents, "offsets": self.offsets.tolist(), "roles": self.roles,
                 "ends": self.ends}
 
@@ -158,7 +162,7 @@ def find_roles(names: Sequence[str], parents: Sequence[int]) -> dict[str, str]:
     chains = {("hand", "wrist"): ("hand", "elbow", "shoulder"), ("toe",): ("toe", "foot", "knee", "hip")}
     found = [_SIDE.search(name) for name in names]
     initials = [match[0].strip("_.")[0].lower() if match else "" for match in found]
-    for side in ("left", "right"):
+    for side in SIDES:
         for words, parts in chains.items():
             named = (j for j, n in enumerate(names) if initials[j] == side[0] and any(w in n.lower() for w in words))
             joint = next(named, -1)

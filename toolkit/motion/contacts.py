@@ -5,7 +5,6 @@ from torch import Tensor
 
 from toolkit.motion.clip import FEET, Clip
 
-FEET = ("right", "left")  # the order of the network's contact outputs
 BALL = 0.01  # thickness of the floor, metres
 
 

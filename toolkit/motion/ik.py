@@ -60,7 +60,6 @@ def two_bone(a: Tensor, b: Tensor, c: Tensor, target: Tensor, pole: Tensor | Non
     return a + along * line + height * across, a + distance * line
 
 
-SIDES = ("right", "left")
 SLACK = 0.15  # metres that a locked toe may stay behind its prediction
 RETURN = 10.0  # per second: decay rate of the offset of a released toe from its prediction
 
@@ -127,7 +126,7 @@ def turn_arms(skeleton: Skeleton, rotations: Tensor, root: Tensor, wanted: Tenso
     turned, positions = forward_kinematics(skeleton, rotations, root)
     arms = [[skeleton.role(f"{side}_{part}") for side in FEET] for part in ("shoulder", "elbow", "hand")]
     chain = [[skeleton.parents[joint] for joint in arms[0]], *arms]
-    ends = [skeleton.end_site(f"{side}_hand") for side in SIDES]
+    ends = [skeleton.end_site(f"{side}_hand") for side in FEET]
     for joints, children in pairwise([*chain, ends] if not set(ends) & set(arms[-1]) else chain):
         bone = R.rotate(turned[..., joints, :], skeleton.offsets[children].to(rotations))
         aim = R.between(bone, wanted[..., children, :] - positions[..., joints, :])

@@ -12,7 +12,7 @@ import torch
 from torch import Tensor
 
 from toolkit.motion import rotations as R
-from toolkit.motion.clip import Clip, Skeleton, local_rotations, root_frames
+from toolkit.motion.clip import SIDES, Clip, Skeleton, local_rotations, root_frames
 from toolkit.motion.contacts import standing_height
 from toolkit.motion.tensors import as_tensor
 

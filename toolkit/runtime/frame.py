@@ -15,7 +15,8 @@ from tqdm import tqdm
 from toolkit.features import Layout, pack_joints, split_joints
 from toolkit.motion import Clip, local_rotations, trajectory
 from toolkit.motion import rotations as R
-from toolkit.motion.ik import SIDES, foot_lock, plant_feet, turn_arms
+from toolkit.motion.clip import FEET
+from toolkit.motion.ik import foot_lock, plant_feet, turn_arms
 from toolkit.motion.tensors import as_tensor, shown
 from toolkit.networks.phase import advance, amid_a_stride
 from toolkit.runtime.state import CharacterState, vectors_of

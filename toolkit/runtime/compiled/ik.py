@@ -49,7 +49,7 @@ class Body(NamedTuple):
         joints, parents = list(skeleton.feature_joints), skeleton.parents
         arms = [[skeleton.role(f"{side}_{part}") for side in FEET] for part in ("shoulder", "elbow", "hand")]
         chain = [[parents[joint] for joint in arms[0]], *arms]
-        ends = [skeleton.end_site(f"{side}_hand") for side in SIDES]
+        ends = [skeleton.end_site(f"{side}_hand") for side in FEET]
         bones = pairwise([*chain, ends] if not set(ends) & set(arms[-1]) else chain)
         return cls(
             parents=np.array(parents), offsets=skeleton.offsets.double().numpy(),
