@@ -67,11 +67,9 @@ def _merge(parts: Iterable[tuple[int, Tensor, Tensor]]) -> tuple[int, Tensor, Te
     parts = iter(parts)
     n, mean, variance = next(parts)
     for more, mean_there, variance_there in parts:
-        share = more / max(1, n + more)
-        apart = mean_there - mean
+        n, share, apart = n + more, more / max(1, n + more), mean_there - mean
         mean = mean + share * apart
         variance = variance + share * (variance_there - variance) + share * (1 - share) * apart.square()
-        n += more
     return n, mean, variance
 
 

@@ -84,12 +84,7 @@ def load(path: str | os.PathLike, *, unit: float = CENTIMETRE, style: str = "", 
 def save(clip: Clip, path: str | os.PathLike, *, unit: float = CENTIMETRE, order: str = "YXZ") -> None:
     """Write a BVH file, whole or not at all.
 
-    Parameters
-    ----------
-    clip : the motion
-    path : the file to write
-    unit : metres of one unit of length in the file; all common datasets use centimetres
-    order : rotation channels of every joint; the default is 100STYLE's
+    ``unit`` is the length of one unit in the file, metres. ``order`` is that of every joint's rotation channels.
     """
     skeleton, lines, visited = clip.skeleton, ["HIERARCHY"], []
 
@@ -131,8 +126,7 @@ def _split(path: Path, data: bytes) -> tuple[list[str], int]:
     return lines[1:-1], motion.end()
 
 
-def _parse_hierarchy(path: Path, lines: list[str]) -> tuple[list[str], list[int], list[list[float]], list[list[str]],
-                                                            list[str]]:
+def _parse_hierarchy(path: Path, lines: list[str]) -> tuple[list[str], list[int], list[list], list[list[str]], list[str]]:
     """Names, parents, offsets and channels of all joints and End Sites, and the names of the End Sites."""
     names, parents, offsets, channels, stack = [], [], [], [], []
     waiting, ends, taken = False, set(), set()

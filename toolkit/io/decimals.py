@@ -52,8 +52,7 @@ def read(data: np.ndarray, at: int, columns: np.ndarray) -> bool:
                 at += 1
             exponent, first = 0, at
             while at < end and at < first + 3 and ZERO <= data[at] <= ZERO + 9:
-                exponent = exponent * 10 + (data[at] - ZERO)
-                at += 1
+                exponent, at = exponent * 10 + (data[at] - ZERO), at + 1
             if at == first:
                 return False
             places += exponent if down else -exponent

@@ -16,11 +16,10 @@ from toolkit.motion import rotations as R
 from toolkit.motion.tensors import as_tensor, summary, through_numpy
 
 SIDES = ("left", "right")
-FEET = SIDES[::-1]  # the order of contacts, as the published network predicts them, and of whatever has two legs or arms
+FEET = SIDES[::-1]  # the order of contacts in the published network, and of all pairs of legs or arms
 LIMBS = tuple(f"{side}_{part}" for part in ("hand", "foot") for side in SIDES)  # the order of local phases
 ROLES = ("hips", *(f"{side}_{part}" for side in SIDES
                    for part in ("shoulder", "elbow", "hand", "hip", "knee", "foot", "toe")))
-
 UNIT = 1e-3  # how far a quaternion's length may be from 1: files with four decimals pass, and long products in float32
 _SIDE = re.compile(r"Left|Right|left|right|[_.][LR](?=$|End$)|^[LR](?=[A-Z])")  # LeftHand, Hand_L, LThumb
 
@@ -65,9 +64,8 @@ class Skeleton:
         return summary(self, {"joints": len(self), "end_sites": len(self.ends), "names": self.names, "roles": self.roles})
 
     def to_dict(self) -> dict:
-        """The fields as values for JSON; ``Skeleton(**fields)`` is an equal skeleton."""
-        return {"names": self.names, "parents": self.parents, "offsets": self.offsets.tolist(), "roles": self.roles,
-                "ends": self.ends}
+        """The fields as values for JSON; ``Skeleton(**fields)`` makes the skeleton again."""
+        return {f.name: getattr(self, f.name) for f in dataclasses.fields(self)} | {"offsets": self.offsets.tolist()}
 
     def index(self, name: str) -> int:
         """Index of a joint by its name or, where no joint has this name, by its role."""
@@ -95,7 +93,7 @@ class Skeleton:
     @cached_property
     def feature_joints(self) -> tuple[int, ...]:
         """Joints that the features describe (section 3.2): all but End Sites, and the End Sites of the hands."""
-        hands = {self.end_site(side) for side in ("left_hand", "right_hand")}
+        hands = {self.end_site(f"{side}_hand") for side in SIDES}
         return tuple(j for j in range(len(self)) if not self.is_end(j) or j in hands)
 
     @cached_property
@@ -144,7 +142,7 @@ class Skeleton:
     @cached_property
     def trunk(self) -> list[int]:
         """Joints above both shoulders, from the chest up to the root."""
-        left, right = (self.ancestors(self.role(f"{side}_shoulder")) for side in ("left", "right"))
+        left, right = (self.ancestors(self.role(f"{side}_shoulder")) for side in SIDES)
         return [j for j in left if j in right]
 
     @cached_property
@@ -322,7 +320,7 @@ class Clip:
         pairs = list(self.skeleton.mirror_pairs)
         parents = torch.tensor(self.skeleton.parents[1:], dtype=torch.long, device=world.device)
         misfit = (choices[:, None] * offsets[1:] - offsets[pairs[1:]]).square().sum(-1)
-        misfits = misfit.new_zeros(4, len(pairs)).index_add(1, parents, misfit)  # squared metres, of each joint's bones
+        misfits = misfit.new_zeros(4, len(pairs)).index_add(1, parents, misfit)  # square metres, of each joint's bones
         root = R.multiply(R.inverse(root_frames(self).rotations), self.rotations[:, 0])
         mean = R.to_matrix(torch.cat((root[:, None], self.rotations[:, 1:]), 1)).mean(0)
         own = world.expand(len(pairs), 3).clone()

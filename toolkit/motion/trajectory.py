@@ -19,16 +19,11 @@ def sample(roots: RootFrames, frames: Tensor, offsets: tuple[int, ...] = SAMPLES
     ----------
     roots : root frames of F frames at 60 Hz
     frames : Tensor [N], the frames that the trajectory is relative to
-    offsets : S frame numbers relative to those; all samples must lie inside the clip
+    offsets : S frame numbers relative to those; ValueError if a sample falls outside the clip
 
     Returns
     -------
     positions, directions : Tensor [N, S, 2], x (left) and z (forward) of the root, metres, and of its unit facing direction
-
-    Raises
-    ------
-    ValueError
-        If a sample falls outside the clip.
     """
     at = frames[:, None] + torch.tensor(offsets, device=frames.device)
     if int(at.min()) < 0 or int(at.max()) >= len(roots.rotations):

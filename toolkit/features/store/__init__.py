@@ -75,19 +75,18 @@ def preprocess(data: str, root: str | os.PathLike | None, out: str | os.PathLike
     recorded, out = datasets._module(data, root).SOURCE, Path(out).resolve()
     root = recorded.folder(root).resolve()
     tables = ("Frame_Cuts.csv", "Dataset_List.csv") if data == "100style" else ()
-    settings = {
+    settings = json.loads(json.dumps({
         "version": toolkit.__version__, "data": data, "styles": styles, "gaits": gaits, "source": source,
         "mirror": mirror is not None, "fps": trajectory.FPS, "window": trajectory.SAMPLES,
         "clip": [features.CLIP_FRAMES, features.CLIP_HOP], "held_out": held_out, "seed": seed,
         "tables": {path.name: files.sha256(path) for name in tables for path in root.rglob(name)},
-    }
+    }))
     by_style: dict[str, list[tuple[int, Take]]] = defaultdict(list)
     for number, take in enumerate(recorded.choose(root, styles, gaits)):
         by_style[take.style].append((number, take))
     jobs = [Partition(data, root, out, source, style, tuple(takes),
                       frozenset(t.gait for _, t in takes if mirror and mirror(t)))
             for style, takes in sorted(by_style.items())]
-    settings = json.loads(json.dumps(settings))
     with _alone(out):
         return _make(out, settings, jobs, workers, scheduler, progress)
 
