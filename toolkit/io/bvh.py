@@ -4,7 +4,6 @@ import itertools
 import os
 import re
 from collections import defaultdict
-from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -134,7 +133,9 @@ def _parse_hierarchy(path: Path, lines: list[str]) -> tuple[list[str], list[int]
     def fail(number: int, problem: str) -> BVHError:
         return BVHError(f"{path}, line {number}: {problem}")
 
-    for number, words in _words(lines):
+    statements = ((number, part.split()) for number, line in enumerate(lines, 2)
+                  for part in re.split("([{}])", line) if part.strip())  # a brace may follow a name
+    for number, words in statements:
         key = words[0].upper()
         if waiting and key != "{":
             raise fail(number, f"expected {{ after joint {names[-1]}, got {' '.join(words)[:40]!r}")
@@ -189,14 +190,6 @@ def _parse_hierarchy(path: Path, lines: list[str]) -> tuple[list[str], list[int]
         names[j] = next(name for name in tried if name not in taken)
         taken.add(names[j])
     return names, parents, offsets, channels, [names[j] for j in sorted(ends)]
-
-
-def _words(lines: list[str]) -> Iterator[tuple[int, list[str]]]:
-    """Line number and words of each statement of the header; a brace is a statement, even behind a name."""
-    for number, line in enumerate(lines, 2):
-        for part in re.split("([{}])", line):
-            if words := part.split():
-                yield number, words
 
 
 def _parse_motion(path: Path, data: bytes, start: int, width: int) -> tuple[np.ndarray, float]:

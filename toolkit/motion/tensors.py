@@ -9,8 +9,7 @@ import numpy as np
 import torch
 from torch import Tensor, nn
 
-WIDTH, LINES = 125, 5  # columns and lines of a representation
-NAMES = 6  # names that are shown of a longer list
+WIDTH, LINES, NAMES = 125, 5, 6  # columns and lines of a representation, and names that it shows of a list
 
 
 def as_tensor(values: Any, what: str, like: Tensor | torch.dtype | None = None) -> Tensor:
