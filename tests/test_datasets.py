@@ -202,7 +202,7 @@ def test_real_recordings_are_mirrored(recordings):
     for kind, clips in recordings.items():
         for clip in clips:
             mirrored = clip.mirrored()
-            reflected = (clip.global_positions * torch.tensor([-1.0, 1, 1]))[:, list(clip.skeleton.twins)]
+            reflected = (clip.global_positions * torch.tensor([-1.0, 1, 1]))[:, list(clip.skeleton.mirror_pairs)]
             error = (mirrored.global_positions - reflected).norm(dim=-1).max()
             assert error < (0.035 if kind == "xia" else 0.01), (clip.name, error)
             twice = mirrored.mirrored().global_positions

@@ -73,8 +73,8 @@ def test_mirroring_swaps_sides_and_negates_x(walk_clip):
     here, there = frames(walk_clip), frames(walk_clip.mirrored())
     positions = [split_joints(r.inputs[:, layout.inputs["joints"]])["position"] for r in (here, there)]
     skeleton = walk_clip.skeleton
-    twins = [layout.names.index(skeleton.names[skeleton.twins[j]]) for j in skeleton.feature_joints]
-    assert float((positions[0][:, twins] * torch.tensor([-1.0, 1, 1]) - positions[1]).abs().max()) < 0.01
+    pairs = [layout.names.index(skeleton.names[skeleton.mirror_pairs[j]]) for j in skeleton.feature_joints]
+    assert float((positions[0][:, pairs] * torch.tensor([-1.0, 1, 1]) - positions[1]).abs().max()) < 0.01
 
 
 def test_packing_refuses_what_does_not_fit(walk_clip):

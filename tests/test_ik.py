@@ -122,10 +122,10 @@ def test_two_bone_folds_where_the_target_is_on_the_root():
 
 
 def walked(contacts: torch.Tensor, predicted: torch.Tensor) -> tuple[torch.Tensor, torch.Tensor]:
-    """Targets of `ik.hold` over the frames of predicted toes ``[F, 2, 3]``, and how fast they part from them."""
+    """Targets of `ik.foot_lock` over the frames of predicted toes ``[F, 2, 3]``, and how fast they part from them."""
     toes, drift = [predicted[0]], [torch.zeros(2, 2, dtype=predicted.dtype)]
     for frame in range(1, len(predicted)):
-        new = ik.hold(toes[-1], drift[-1], predicted[frame - 1], predicted[frame], contacts[frame], LEFT, 1 / 60)
+        new = ik.foot_lock(toes[-1], drift[-1], predicted[frame - 1], predicted[frame], contacts[frame], LEFT, 1 / 60)
         toes.append(new[0])
         drift.append(new[1])
     return torch.stack(toes), torch.stack(drift)
@@ -172,7 +172,7 @@ def test_a_body_that_turns_or_shifts_does_not_cross_its_legs():
 
 
 def held_slowly(toe, drift, before, predicted, other, contact, inwards, seconds) -> tuple[list[float], list[float]]:
-    """`ik.hold` of one toe, in plain numbers (x, z): the closed form of a critically damped spring of 10 per second."""
+    """`ik.foot_lock` of one toe, in plain numbers (x, z): the closed form of a critically damped spring of 10 per second."""
     offset = [a - b for a, b in zip(toe, before, strict=True)]
     behind = [a - b for a, b in zip(toe, predicted, strict=True)]
     if math.hypot(*behind) > 0.15:
@@ -200,7 +200,7 @@ def test_every_toe_of_a_crowd_is_held_as_in_a_slow_loop(crowd):
     contacts = torch.rand(crowd, 2, **shape)
     contacts[0, 0], contacts[-1, 1] = 0.5, 0.51  # as likely as not is no contact
     left = R.normalize(torch.randn(crowd, 2, **shape))
-    found, speeds = ik.hold(toes, drift, before, predicted, contacts, left, 0.02)
+    found, speeds = ik.foot_lock(toes, drift, before, predicted, contacts, left, 0.02)
     torch.testing.assert_close(found[..., 1], predicted[..., 1])
     for c in range(crowd):
         for foot, sign in enumerate((1, -1)):
@@ -363,7 +363,7 @@ def test_a_hand_without_an_end_site_keeps_its_orientation(walk_clip):
     ik.turn_arms,
 ])
 def test_an_end_site_ends_up_without_a_rotation_of_its_own(poses, solve):
-    """Networks predict one for the tips of hands; a file has no room for it."""
+    """Networks predict one for the end sites of hands; a file has no room for it."""
     skeleton, rotations, root = poses
     places = forward_kinematics(skeleton, waved(poses), root)[1]
     ends = [j for j in range(len(skeleton)) if skeleton.is_end(j)]

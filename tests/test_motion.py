@@ -62,7 +62,7 @@ def test_local_rotations_undo_forward_kinematics(clip):
 @given(seeds)
 def test_mirror_reflects_every_point(seed):
     clip = human_clip(seed)
-    reflected = (clip.global_positions * MIRROR)[:, list(clip.skeleton.twins)]
+    reflected = (clip.global_positions * MIRROR)[:, list(clip.skeleton.mirror_pairs)]
     torch.testing.assert_close(clip.mirrored().global_positions, reflected, atol=1e-5, rtol=0)
 
 
@@ -81,7 +81,7 @@ def test_mirror_of_a_pose_with_one_raised_arm():
     rotations[:, clip.skeleton.index("LeftShoulder")] = R.from_euler(torch.tensor([0.0, 0.0, 1.5]), "YXZ")
     rotations[:, clip.skeleton.index("RightShoulder")] = R.from_euler(torch.tensor([0.0, 0.0, 1.3]), "YXZ")
     clip = clip.replace(rotations=rotations)
-    reflected = (clip.global_positions * MIRROR)[:, list(clip.skeleton.twins)]
+    reflected = (clip.global_positions * MIRROR)[:, list(clip.skeleton.mirror_pairs)]
     torch.testing.assert_close(clip.mirrored().global_positions, reflected, atol=1e-5, rtol=0)
 
 
@@ -141,7 +141,7 @@ def test_roles_and_names():
     skeleton = human()
     assert skeleton.index("left_elbow") == skeleton.index("LeftElbow")
     assert skeleton.roles["right_knee"] == "RightKnee"
-    assert skeleton.names[skeleton.twins[skeleton.index("LeftToe")]] == "RightToe"
+    assert skeleton.names[skeleton.mirror_pairs[skeleton.index("LeftToe")]] == "RightToe"
     assert [skeleton.names[j] for j in range(len(skeleton)) if j not in skeleton.feature_joints] == ["HeadEnd"]
     with pytest.raises(ValueError, match=r"unknown joint 'Tail'.*Hips, Chest"):
         skeleton.index("Tail")

@@ -5,29 +5,11 @@ import pkgutil
 import lazy_loader
 
 from toolkit.features import layout, splits
-from toolkit.features.features import (
-    CLIP_FRAMES,
-    CLIP_HOP,
-    FRAME_KINDS,
-    KINDS,
-    Features,
-    Frames,
-    Normaliser,
-    OwnFeatures,
-    Rows,
-    Split,
-    build,
-    check_style,
-    check_style_clips,
-    clip_starts,
-    frames,
-    group_features,
-    joint_features,
-    moments,
-    own_features,
-    style_clips,
-    usable,
-)
+
+from toolkit.features.features import (CLIP_FRAMES, CLIP_HOP, FRAME_KINDS, KINDS, Features, Frames,  # isort: skip
+                                       Normaliser, OwnFeatures, Rows, Split, build, check_style, check_style_clips,
+                                       clip_starts, frames, group_features, joint_features, moments, own_features,
+                                       style_clips, usable)
 from toolkit.features.layout import CHANNELS, Layout, pack_joints, split_joints
 
 __all__ = ["CHANNELS", "CLIP_FRAMES", "CLIP_HOP", "FRAME_KINDS", "KINDS", "Features", "Frames", "Layout", "Normaliser",

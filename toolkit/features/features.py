@@ -1,6 +1,6 @@
 """Features of Mason et al. 2022, section 3.2: input frames x, output frames z and style clips y, on any skeleton.
 
-What a frame has by itself (`OwnFeatures`) is computed once; x, z and y are derived from it.
+The features of each frame by itself (`OwnFeatures`) are computed once; x, z and y are derived from them.
 """
 
 import difflib
@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 import torch
 from torch import Tensor
+from tqdm import tqdm
 
 from toolkit import phases
 from toolkit.features.layout import CHANNELS, Layout, pack_joints
@@ -17,25 +18,25 @@ from toolkit.motion import Clip, RootFrames, contacts, root_frames, trajectory
 from toolkit.motion import rotations as R
 from toolkit.motion.tensors import few, summary
 
-KINDS = ("inputs", "phases", "outputs", "clips")  # of numbers that a model works with, each with a normaliser
+KINDS = ("inputs", "phases", "outputs", "clips")  # each has a normaliser
 FRAME_KINDS = KINDS[:3]  # those with a row per frame
 CLIP_FRAMES, CLIP_HOP = 240, 120
 TOO_SHORT = (f"{{}}: {{}} frames hold no whole trajectory window; it takes {trajectory.PAST} before and "
              f"{trajectory.FUTURE + 1} after a frame")
-CHUNK = 1 << 18  # numbers at a time in sums over all rows
+CHUNK = 1 << 18  # numbers in memory at a time in sums over all rows
 
 
 @dataclass(frozen=True)
 class Normaliser:
-    """Column-wise z-score. ``mean`` and ``std`` ``[D]`` are computed in float64; a constant column has std 1."""
+    """Column-wise z-score; statistics are computed in float64."""
 
-    mean: Tensor
-    std: Tensor
+    mean: Tensor  # [D]
+    std: Tensor  # [D], 1 for a constant column
     __repr__ = summary
 
     @classmethod
     def of(cls, *rows: "Tensor | Rows") -> "Normaliser":
-        """Statistics over all rows of tensors ``[..., D]``, a part of them in memory at a time."""
+        """Statistics over all rows of tensors ``[..., D]``."""
         return cls.merged((moments(r) for r in rows), rows[0][:1].dtype)
 
     @classmethod
@@ -56,14 +57,9 @@ class Normaliser:
 def moments(rows: "Tensor | Rows") -> tuple[int, Tensor, Tensor]:
     """Number, mean ``[D]`` and variance ``[D]`` of rows ``[..., D]``, float64."""
     step = max(1, CHUNK // max(1, rows[:1].numel()))
-
-    def parts() -> Iterator[tuple[int, Tensor, Tensor]]:
-        for i in range(0, max(1, len(rows)), step):
-            part = rows[i : i + step].flatten(0, -2).double()
-            mean = part.sum(0) / max(1, len(part))
-            yield len(part), mean, (part - mean).square().sum(0) / max(1, len(part))
-
-    return _merge(parts())
+    parts = (rows[i : i + step].flatten(0, -2).double() for i in range(0, max(1, len(rows)), step))
+    return _merge((len(part), (mean := part.sum(0) / max(1, len(part))),
+                   (part - mean).square().sum(0) / max(1, len(part))) for part in parts)
 
 
 def _merge(parts: Iterable[tuple[int, Tensor, Tensor]]) -> tuple[int, Tensor, Tensor]:
@@ -71,27 +67,24 @@ def _merge(parts: Iterable[tuple[int, Tensor, Tensor]]) -> tuple[int, Tensor, Te
     parts = iter(parts)
     n, mean, variance = next(parts)
     for more, mean_there, variance_there in parts:
-        share = more / max(1, n + more)
-        apart = mean_there - mean
+        n, share, apart = n + more, more / max(1, n + more), mean_there - mean
         mean = mean + share * apart
         variance = variance + share * (variance_there - variance) + share * (1 - share) * apart.square()
-        n += more
     return n, mean, variance
 
 
 @dataclass(frozen=True, eq=False)
 class OwnFeatures:
-    """What each of F frames at 60 Hz has by itself, physical units; the frames of several clips may follow each other.
+    """Features of each of F frames by itself, 60 Hz, physical units, of one clip or several in a row.
 
-    ``roots``, the root frames in the world; ``joints [F, 12 J]`` in the frame's own root frame; ``phases [F, 8]``;
-    ``contacts [F, 2]``. A frame's x and z also look at its neighbours: they are derived, for frames `usable` for that.
+    x and z of a frame also depend on its neighbours. They are derived, for frames that are `usable`.
     """
 
     layout: Layout
-    roots: RootFrames
-    joints: Tensor
-    phases: Tensor
-    contacts: Tensor
+    roots: RootFrames  # in the world
+    joints: Tensor  # [F, 12 J] in the frame's own root frame
+    phases: Tensor  # [F, 8]
+    contacts: Tensor  # [F, 2]
     __repr__ = summary
 
     def inputs(self, at: Tensor) -> Tensor:
@@ -102,7 +95,7 @@ class OwnFeatures:
     def outputs(self, at: Tensor) -> Tensor:
         """z ``[N, Dz]`` of frames ``at [N]``: the next frames, seen from the root frames of these."""
         after, offsets = at + 1, tuple(o + 1 for o in trajectory.SAMPLES[trajectory.CURRENT :])
-        positions, directions = trajectory.sample(self.roots, at, offsets)  # of the next frames first
+        positions, directions = trajectory.sample(self.roots, at, offsets)  # those of the next frames come first
         there = self.phases[after]
         return self.layout.pack_output(
             trajectory=torch.cat((positions, directions), -1),
@@ -117,7 +110,7 @@ class OwnFeatures:
 
 
 def _seen_from(block: Tensor, position: Tensor, direction: Tensor) -> Tensor:
-    """Joint block ``[N, 12 J]`` from where its root is at ``position [N, 2]`` and faces ``direction [N, 2]`` (x, z)."""
+    """Joint block ``[N, 12 J]`` in the frame where its root has ``position [N, 2]`` and ``direction [N, 2]`` (x, z)."""
     x, y, z = block.unflatten(-1, (-1, len(CHANNELS), 3)).unbind(-1)
     sin, cos = direction[:, :, None, None].unbind(1)
     seen = torch.stack((cos * x + sin * z, y, cos * z - sin * x), -1)
@@ -126,13 +119,7 @@ def _seen_from(block: Tensor, position: Tensor, direction: Tensor) -> Tensor:
 
 
 def own_features(clip: Clip, ph: phases.Phases) -> OwnFeatures:
-    """What each frame of a clip has by itself; ``ph`` are its phases.
-
-    Raises
-    ------
-    ValueError
-        If the clip is not at 60 Hz.
-    """
+    """Features of each frame of a clip by itself, given its phases; ValueError if the clip is not at 60 Hz."""
     if clip.fps != trajectory.FPS:
         raise ValueError(f"{clip.name}: features need {trajectory.FPS} Hz, the clip has {clip.fps:g}; use clip.resample(60)")
     layout, roots = Layout(clip.skeleton), root_frames(clip)
@@ -149,45 +136,31 @@ def joint_features(clip: Clip, roots: RootFrames) -> Tensor:
 
 
 def usable(n: int, device: torch.device | None = None) -> Tensor:
-    """Those of the frames 0 … n - 1 of a clip whose whole trajectory window, and the next frame's, lies inside."""
+    """Those of the frames 0 … n - 1 of a clip whose trajectory window, and the next frame's, lie inside the clip."""
     return torch.arange(trajectory.PAST, max(trajectory.PAST, n - trajectory.FUTURE - 1), device=device)
 
 
 def clip_starts(n: int, device: torch.device | None = None) -> Tensor:
-    """First frames of the style clips of a clip of n frames: every `CLIP_HOP` as long as `CLIP_FRAMES` follow."""
+    """First frames of the style clips of a clip of n frames: every `CLIP_HOP` frames, `CLIP_FRAMES` long."""
     return torch.arange(0, max(0, n - CLIP_FRAMES + 1), CLIP_HOP, device=device)
 
 
 @dataclass(frozen=True, eq=False)
 class Frames:
-    """Features of N usable frames of one clip at 60 Hz, physical units.
+    """Features of N usable frames of one clip at 60 Hz, physical units."""
 
-    ``inputs [N, 48 + 12 J]``, ``phases [N, 8]``, ``outputs [N, 42 + 12 J]``; ``index [N]`` are their frame numbers.
-    """
-
-    inputs: Tensor
-    phases: Tensor
-    outputs: Tensor
-    index: Tensor
+    inputs: Tensor  # [N, 48 + 12 J]
+    phases: Tensor  # [N, 8]
+    outputs: Tensor  # [N, 42 + 12 J]
+    index: Tensor  # [N] frame numbers
     __repr__ = summary
 
 
 def frames(clip: Clip, ph: phases.Phases | None = None, start: int = 0, stop: int | None = None) -> Frames:
     """x, p and z of every frame whose trajectory window lies inside the clip (section 3.2).
 
-    Parameters
-    ----------
-    clip
-        Motion at 60 Hz.
-    ph
-        Its phases; extracted with the hybrid source where not given.
-    start, stop
-        Only frames in this range; the rest of the clip still serves as their past and future.
-
-    Raises
-    ------
-    ValueError
-        If the clip is not at 60 Hz or no frame has its whole window inside.
+    ``ph`` are the clip's phases, by default those of the hybrid source. ``start`` and ``stop`` limit the frames, not their
+    past and future. ValueError if the clip is not at 60 Hz or no frame has its whole window inside.
     """
     own = own_features(clip, phases.extract(clip) if ph is None else ph)
     at = usable(len(clip), own.joints.device)
@@ -198,20 +171,17 @@ def frames(clip: Clip, ph: phases.Phases | None = None, start: int = 0, stop: in
 
 
 def style_clips(clip: Clip, start: int = 0, stop: int | None = None) -> Tensor:
-    """Style clips y ``[M, 240, 12 J]``: joint features of 240 frames, hop 120; M = 0 where the range is shorter."""
+    """Style clips y ``[M, 240, 12 J]``: joint features of 240 frames, hop 120; M = 0 if the range is shorter."""
     block = joint_features(clip, root_frames(clip))[start:stop]
     return block[clip_starts(len(block), block.device)[:, None] + torch.arange(CLIP_FRAMES, device=block.device)]
 
 
 @dataclass(frozen=True, eq=False)
 class Rows:
-    """Rows that are derived when they are read: indexing, as of a tensor's first axis, gives a tensor.
+    """Rows that are derived when they are indexed (as the first axis of a tensor), which gives a tensor."""
 
-    ``derive`` gives the rows of frame numbers; ``at [N]`` are the frame numbers of all rows.
-    """
-
-    derive: Callable[[Tensor], Tensor]
-    at: Tensor
+    derive: Callable[[Tensor], Tensor]  # rows of frame numbers
+    at: Tensor  # [N] frame numbers of all rows
     __repr__ = summary
 
     def __len__(self) -> int:
@@ -222,39 +192,33 @@ class Rows:
         return self.derive(at) if at.dim() else self.derive(at[None])[0]
 
     def select(self, mask: Tensor) -> "Rows":
-        """Those of the rows for which a mask ``[N]`` holds, still to be derived."""
+        """Those of the rows where a mask ``[N]`` is true, still to be derived."""
         return Rows(self.derive, self.at[mask])
 
 
 @dataclass(frozen=True, eq=False)
 class Split:
-    """Which rows are held out: made with ``share`` and ``seed``, ``held_out[style] [N]`` bool, statistics of all others."""
+    """Held-out rows of a store."""
 
-    share: float
+    share: float  # of all rows
     seed: int
-    held_out: dict[str, Tensor]
-    statistics: dict[str, Normaliser]
+    held_out: dict[str, Tensor]  # [N] bool by style
+    statistics: dict[str, Normaliser]  # of the other rows, by kind
     __repr__ = summary
 
 
 @dataclass(frozen=True, eq=False)
 class Features:
-    """Features of a dataset, by style; physical units.
-
-    ``inputs[style] [N, Dx]``, ``phases[style] [N, 8]``, ``outputs[style] [N, Dz]``, ``clips[style] [M, 240, 12 J]`` and
-    ``takes[style] [N]``, the number of the clip that each row comes from (a mirror image has its original's). All but the
-    last are tensors, or `Rows` where they come from a store. A store also knows a ``split``, and features that are the
-    training rows of one their ``statistics``.
-    """
+    """Features of a dataset, by style; physical units. Those of a store are `Rows`."""
 
     layout: Layout
-    inputs: dict[str, Tensor | Rows]
-    phases: dict[str, Tensor | Rows]
-    outputs: dict[str, Tensor | Rows]
-    clips: dict[str, Tensor | Rows]
-    takes: dict[str, Tensor]
-    split: Split | None = None
-    statistics: dict[str, Normaliser] | None = None
+    inputs: dict[str, Tensor | Rows]  # [N, Dx]
+    phases: dict[str, Tensor | Rows]  # [N, 8]
+    outputs: dict[str, Tensor | Rows]  # [N, Dz]
+    clips: dict[str, Tensor | Rows]  # [M, 240, 12 J]
+    takes: dict[str, Tensor]  # [N] number of each row's clip; a mirror image has its original's
+    split: Split | None = None  # of a store
+    statistics: dict[str, Normaliser] | None = None  # of the training rows of a store
 
     def __repr__(self) -> str:
         seconds, clips = self.n_frames / trajectory.FPS, sum(map(len, self.clips.values()))
@@ -277,28 +241,21 @@ class Features:
 
 
 def build(clips: Clip | Iterable[Clip], *, source: str | phases.Source = "hybrid",
-          mirror: bool | Callable[[Clip], bool] = False, short: str = "raise",
-          progress: bool = False) -> Features:
+          mirror: bool | Callable[[Clip], bool] = False, short: str = "raise", progress: bool = False) -> Features:
     """Features of many clips, resampled to 60 Hz.
 
     Parameters
     ----------
-    clips
-        Motions of one skeleton, or one motion, labelled with style and gait. Those of one style and gait share phase axes.
-    source
-        Phase source, see `toolkit.phases`.
-    mirror
-        Add clips' mirror images: of all, or of those for which a function says so. Only symmetric styles should be, and
-        idling never (section 3.2).
-    short
-        ``"raise"``: a clip that holds no whole window is an error; ``"skip"``: it is left out.
-    progress
-        Show a bar.
+    clips : one motion or several of one skeleton, labelled with style and gait; those of one style and gait share phase axes
+    source : phase source, see `toolkit.phases`
+    mirror : add mirror images of all clips or of those that a function chooses: symmetric styles, never idling (section 3.2)
+    short : ``"raise"``: a clip that holds no whole window is an error; ``"skip"``: it is left out
+    progress : show a bar
 
     Raises
     ------
     ValueError
-        If there is no clip, skeletons differ, a clip is too short, or a style has no run of 240 frames for a style clip.
+        If there is no clip, skeletons differ, a clip is too short, or a style has no clip of 240 frames.
     """
     clips = [clips] if isinstance(clips, Clip) else list(clips)
     if not clips:
@@ -310,20 +267,20 @@ def build(clips: Clip | Iterable[Clip], *, source: str | phases.Source = "hybrid
             raise ValueError(f"{clip.name}: its joints differ from those of {clips[0].name}")
         groups[clip.style, clip.gait].append((take, clip))
     parts: dict[str, dict[str, list[Tensor]]] = {kind: defaultdict(list) for kind in (*KINDS, "takes")}
-    for (style, _), members in _bar(sorted(groups.items()), progress):
+    for (style, _), members in tqdm(sorted(groups.items()), "features", unit="group", disable=None if progress else True):
         for take, own in group_features(members, source, mirror, short):
             at, starts = (find(len(own.joints), own.joints.device) for find in (usable, clip_starts))
             rows = own.inputs(at), own.phases[at], own.outputs(at), own.style_clips(starts), torch.full_like(at, take)
             for kind, values in zip(parts, rows, strict=True):
                 parts[kind][style].append(values)
     found = {kind: {style: torch.cat(values) for style, values in by_style.items()} for kind, by_style in parts.items()}
-    for style in {c.style: None for c in clips}:
+    for style in dict.fromkeys(clip.style for clip in clips):
         check_style_clips(style, len(found["clips"].get(style, ())))
     return Features(layout, **found)
 
 
 class UnknownStyleError(KeyError, ValueError):
-    """A style that a bank or a dataset does not have; the message lists close names."""
+    """A style that a bank or a dataset lacks; the message lists close names."""
 
     __str__ = Exception.__str__  # a KeyError quotes its message
 
@@ -331,23 +288,22 @@ class UnknownStyleError(KeyError, ValueError):
 def check_style(name: str, names: Iterable[str]) -> None:
     """Raise an `UnknownStyleError` unless ``name`` is one of ``names``."""
     names = list(names)
-    if name in names:
-        return
-    by_lower = {n.lower(): n for n in names}
-    close = [by_lower[n] for n in difflib.get_close_matches(str(name).lower(), by_lower, cutoff=0.5)]
-    there = f"close to it: {', '.join(close)}" if close else f"there is {few(names)}"
-    raise UnknownStyleError(f"unknown style {name!r}; {there}")
+    if name not in names:
+        by_lower = {n.lower(): n for n in names}
+        close = [by_lower[n] for n in difflib.get_close_matches(str(name).lower(), by_lower, cutoff=0.5)]
+        there = f"close to it: {', '.join(close)}" if close else f"there is {few(names)}"
+        raise UnknownStyleError(f"unknown style {name!r}; {there}")
 
 
 def check_style_clips(style: str, n: int) -> None:
-    """Refuse a style without style clips."""
+    """Raise a ValueError if a style has no style clips."""
     if not n:
         raise ValueError(f"style {style!r} has no clip of {CLIP_FRAMES} frames (4 s at 60 Hz) to learn the style from")
 
 
 def group_features(members: Iterable[tuple[int, Clip]], source: str | phases.Source, mirror: bool | Callable[[Clip], bool],
                    short: str) -> Iterator[tuple[int, OwnFeatures]]:
-    """Take number and own features of every clip of one style and gait, each followed by its mirror image's; see `build`."""
+    """Take number and `OwnFeatures` of every clip of one style and gait and of its mirror image; see `build`."""
     chosen: list[tuple[int, Clip]] = []
     for take, clip in members:
         clip = clip.resample(trajectory.FPS)
@@ -361,9 +317,3 @@ def group_features(members: Iterable[tuple[int, Clip]], source: str | phases.Sou
     found = phases.extract_group([clip for _, clip in chosen], source) if chosen else []
     for (take, clip), ph in zip(chosen, found, strict=True):
         yield take, own_features(clip, ph)
-
-
-def _bar(items: list, progress: bool):
-    from tqdm import tqdm
-
-    return tqdm(items, desc="features", unit="group", disable=None if progress else True)

@@ -1,4 +1,4 @@
-"""Held-out frames, and the streams of random numbers that choose them (Mason et al. 2022, section 4.3)."""
+"""Held-out frames, and the random streams that choose them (Mason et al. 2022, section 4.3)."""
 
 import contextlib
 import dataclasses
@@ -10,9 +10,9 @@ from torch import Tensor
 
 from toolkit.features.features import FRAME_KINDS, Features, Normaliser, Rows
 
-SPLIT_FRAMES = 240  # held-out frames come in contiguous windows of this length: neighbours are almost the same frame
-SPLIT_TAKES = 20  # from so many takes on, whole takes are held out: no frame near a held-out one is trained on
-SPLIT = 1  # the stream that draws held-out frames; those of `toolkit.training.minibatches` have other numbers
+SPLIT_FRAMES = 240  # held-out frames form contiguous windows of this length, because neighbours are almost equal
+SPLIT_TAKES = 20  # of a style with at least this many takes, whole takes are held out
+SPLIT = 1  # number of the random stream; those of `toolkit.training.minibatches` have others
 
 
 def split(data: Features, share: float, seed: int, styles: tuple[str, ...]) -> tuple[Features, Features]:
@@ -22,8 +22,9 @@ def split(data: Features, share: float, seed: int, styles: tuple[str, ...]) -> t
     masks = known.held_out if known else held_out(data, share, seed, styles)
 
     def take(masks: dict[str, Tensor], statistics: dict[str, Normaliser] | None) -> Features:
-        pick = {kind: {s: _select(getattr(data, kind)[s], mask) for s, mask in masks.items()}
-                for kind in (*FRAME_KINDS, "takes")}
+        found = {kind: getattr(data, kind) for kind in (*FRAME_KINDS, "takes")}
+        pick = {kind: {s: rows[s].select(mask) if isinstance(rows[s], Rows) else rows[s][mask] for s, mask in masks.items()}
+                for kind, rows in found.items()}
         clips = {s: data.clips[s] for s in styles}
         return dataclasses.replace(data, clips=clips, split=None, statistics=statistics, **pick)
 
@@ -31,15 +32,11 @@ def split(data: Features, share: float, seed: int, styles: tuple[str, ...]) -> t
     return kept, take({s: masks[s] for s in styles}, None)
 
 
-def _select(rows: Tensor | Rows, mask: Tensor) -> Tensor | Rows:
-    return rows.select(mask) if isinstance(rows, Rows) else rows[mask]
-
-
 def held_out(data: Features, share: float, seed: int, styles: tuple[str, ...]) -> dict[str, Tensor]:
-    """Which rows of each style are held out, ``[N]`` bool.
+    """Which rows of each style are held out, ``[N]`` bool: about ``share`` of every style.
 
-    About ``share`` of every style: whole takes where a style has `SPLIT_TAKES` of them, otherwise random windows of 4 s,
-    contiguous in a take; a style shorter than that gives the share at its end. A take and its mirror image count as one.
+    They are whole takes if a style has at least `SPLIT_TAKES` of them, else random windows of 4 s, each inside a take; in a
+    style shorter than that they are its end. A take and its mirror image count as one.
     """
     masks = {}
     for i, style in enumerate(styles):
@@ -57,12 +54,12 @@ def held_out(data: Features, share: float, seed: int, styles: tuple[str, ...]) -
 
 
 def generator(*numbers: int) -> torch.Generator:
-    """A generator of random numbers for one stream: the same numbers, the same stream."""
+    """A random generator whose stream depends on the numbers."""
     return torch.Generator().manual_seed(mix(*numbers))
 
 
 def mix(*numbers: int) -> int:
-    """One seed of several numbers."""
+    """One seed from several numbers."""
     return int(np.random.SeedSequence(numbers).generate_state(1, np.uint64)[0] >> np.uint64(1))
 
 

@@ -1,9 +1,9 @@
-"""Biovision Hierarchy files: read and written in metres, seconds and radians, whatever the file's own units and order."""
+"""BVH files: read and written in metres, seconds and radians, whatever unit and channel order the file has."""
 
+import itertools
 import os
 import re
 from collections import defaultdict
-from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -15,34 +15,33 @@ from toolkit.motion import Clip, Skeleton
 from toolkit.motion import rotations as R
 
 CENTIMETRE = 0.01
-SMALL = 1_000_000  # joints times frames that any file may have
-LARGEST = 1e30  # units of length: what a file may say, and what float32 holds in any unit
+SMALL = 1_000_000  # joints times frames that a file of any size may have
+LARGEST = 1e30  # limit of lengths in the file's unit; in any unit float32 holds them
+_MOTION = re.compile(rb"[\r\n][^\S\r\n]*MOTION[^\S\r\n]*(?=[\r\n]|\Z)", re.IGNORECASE)
+_TIMING = re.compile(rb"\s*Frames[^\r\n:]*:([^\r\n]*)[\r\n]\s*Frame Time[^\r\n:]*:([^\r\n]*)", re.IGNORECASE)
 
 
 class BVHError(ValueError):
-    """A file that is not a readable BVH; the message names the file and the line."""
+    """A file that cannot be read as BVH; the message names the file and the line."""
 
 
 def load(path: str | os.PathLike, *, unit: float = CENTIMETRE, style: str = "", gait: str = "") -> Clip:
     """Read a BVH file.
 
-    Any channel order, positions on any joint, End Sites and line endings. Position channels replace a joint's OFFSET: where
-    they stay constant they become the skeleton's offset; a root that never moves above a joint that does (Bandai-Namco's
-    ``joint_Root``) is merged into it. End Sites become leaves named ``<parent>End``, ``<parent>2End`` and so on.
+    Channels may have any order, and any joint may have positions. Position channels replace a joint's OFFSET; where they are
+    constant they become the skeleton's offset. A root whose only child moves relative to it (Bandai-Namco's ``joint_Root``)
+    is merged with that child. End Sites become leaves named ``<parent>End``, ``<parent>2End`` and so on.
 
     Parameters
     ----------
-    path
-        The file.
-    unit
-        Metres of one unit of length in the file.
-    style, gait
-        Labels for the clip.
+    path : the file
+    unit : metres of one unit of length in the file
+    style, gait : labels for the clip
 
     Raises
     ------
     BVHError
-        If the file is truncated, its frame count is wrong, a number is missing or not finite, or the text is no BVH.
+        If the file is not BVH or truncated, its frame count is wrong, or a number is missing or not finite.
     """
     path = Path(path)
     try:
@@ -52,21 +51,20 @@ def load(path: str | os.PathLike, *, unit: float = CENTIMETRE, style: str = "", 
     header, motion = _split(path, data)
     names, parents, offsets, channels, ends = _parse_hierarchy(path, header)
     columns, fps = _parse_motion(path, data, motion, sum(len(c) for c in channels))
-
-    if len(names) * columns.shape[1] > max(len(data), SMALL):  # joints without channels cost the file nothing
-        size = f"{len(names)} joints in {columns.shape[1]} frames"
-        raise BVHError(f"{path}: {size}, of which only {len(columns)} channels move")
-    rotations, offsets = _rotations(torch.from_numpy(columns), channels), np.asarray(offsets) * unit
-    positions = _positions(columns, channels, offsets, unit)
+    if len(names) * columns.shape[1] > max(len(data), SMALL):  # joints without channels take no bytes per frame
+        raise BVHError(f"{path}: {len(names)} joints in {columns.shape[1]} frames, but only {len(columns)} channels")
+    number = itertools.count()
+    rows = [{channel: next(number) for channel in of_joint} for of_joint in channels]  # of columns
+    rotations, offsets = _rotations(torch.from_numpy(columns), rows), np.asarray(offsets) * unit
+    positions, moving = _positions(columns, rows, offsets, unit), {}
     for j, moves in positions.items():
         if not (np.abs(moves) < LARGEST * unit).all():
-            raise BVHError(f"{path}: the positions of joint {names[j]} are not of this world, beyond {LARGEST:g}")
-    for j, moves in positions.items():
+            raise BVHError(f"{path}: positions of joint {names[j]} are beyond {LARGEST:g} units")
         offsets[j] = np.median(moves, axis=0)
-    spread = {j: float(np.ptp(moves, axis=0).max()) for j, moves in positions.items() if j}
-    moving = {j: s for j, s in spread.items() if s > 1e-3}
+        if j and (spread := float(np.ptp(moves, axis=0).max())) > 1e-3:
+            moving[j] = spread
     root_positions = torch.from_numpy(positions[0])
-    if 1 in moving and parents.count(0) == 1:  # the real root hangs below a carrier: merge the two
+    if 1 in moving and parents.count(0) == 1:  # the joint below the root moves: merge the two
         root_positions = root_positions + R.rotate(rotations[:, 0].double(), torch.from_numpy(positions[1]))
         rotations = torch.cat((R.multiply(rotations[:, 0], rotations[:, 1])[:, None], rotations[:, 2:]), 1)
         names, parents, offsets = names[1:], [p - 1 for p in parents[1:]], offsets[1:]
@@ -85,36 +83,22 @@ def load(path: str | os.PathLike, *, unit: float = CENTIMETRE, style: str = "", 
 def save(clip: Clip, path: str | os.PathLike, *, unit: float = CENTIMETRE, order: str = "YXZ") -> None:
     """Write a BVH file, whole or not at all.
 
-    Parameters
-    ----------
-    clip
-        The motion.
-    path
-        The file to write.
-    unit
-        Metres of one unit of length in the file (0.01: centimetres, as in all common datasets).
-    order
-        Rotation channels of every joint; the default is 100STYLE's.
+    ``unit`` is the length of one unit in the file, metres. ``order`` is that of every joint's rotation channels.
     """
-    skeleton = clip.skeleton
-    lines = ["HIERARCHY"]
-    children = [[c for c, p in enumerate(skeleton.parents) if p == j] for j in range(len(skeleton))]
-    visited = []
+    skeleton, lines, visited = clip.skeleton, ["HIERARCHY"], []
 
     def write(joint: int, depth: int) -> None:
-        tab = "\t" * depth
-        end = skeleton.is_end(joint)
+        tab, end = "\t" * depth, skeleton.is_end(joint)
+        offset = (skeleton.offsets[joint].double() / unit if depth else torch.zeros(3)).tolist()
         lines.append(f"{tab}End Site" if end else f"{tab}{'JOINT' if depth else 'ROOT'} {skeleton.names[joint]}")
-        lines.append(tab + "{")
-        offset = skeleton.offsets[joint].double() / unit if depth else torch.zeros(3)
-        lines.append(f"{tab}\tOFFSET " + " ".join(f"{v:.6f}" for v in offset.tolist()))
+        lines.extend((tab + "{", f"{tab}\tOFFSET " + " ".join(f"{v:.6f}" for v in offset)))
         if not end:
             visited.append(joint)
-            channels = [f"{a}rotation" for a in order]
-            channels = channels if depth else [f"{a}position" for a in "XYZ"] + channels
+            channels = [f"{a}position" for a in ("" if depth else "XYZ")] + [f"{a}rotation" for a in order]
             lines.append(f"{tab}\tCHANNELS {len(channels)} {' '.join(channels)}")
-        for child in children[joint]:
-            write(child, depth + 1)
+        for child, parent in enumerate(skeleton.parents):
+            if parent == joint:
+                write(child, depth + 1)
         lines.append(tab + "}")
 
     write(0, 0)
@@ -126,16 +110,12 @@ def save(clip: Clip, path: str | os.PathLike, *, unit: float = CENTIMETRE, order
         np.savetxt(file, rows, fmt="%.6f")
 
 
-_MOTION = re.compile(rb"[\r\n][^\S\r\n]*MOTION[^\S\r\n]*(?=[\r\n]|\Z)", re.IGNORECASE)
-_TIMING = re.compile(rb"\s*Frames[^\r\n:]*:([^\r\n]*)[\r\n]\s*Frame Time[^\r\n:]*:([^\r\n]*)", re.IGNORECASE)
-
-
 def _lines(data: bytes) -> list[str]:
     return data.decode(errors="replace").splitlines()
 
 
 def _split(path: Path, data: bytes) -> tuple[list[str], int]:
-    """Header lines, and where MOTION ends."""
+    """Header lines, and the offset in bytes behind MOTION."""
     motion = _MOTION.search(data)
     lines = _lines(data[: motion.end()] if motion else data)
     if not lines or not lines[0].lstrip("\ufeff").strip().upper().startswith("HIERARCHY"):
@@ -145,16 +125,17 @@ def _split(path: Path, data: bytes) -> tuple[list[str], int]:
     return lines[1:-1], motion.end()
 
 
-def _parse_hierarchy(path: Path, lines: list[str]) -> tuple[list[str], list[int], list[list[float]], list[list[str]],
-                                                            list[str]]:
-    """Names, parents, offsets and channels of all points, and the names of the End Sites among them."""
+def _parse_hierarchy(path: Path, lines: list[str]) -> tuple[list[str], list[int], list[list], list[list[str]], list[str]]:
+    """Names, parents, offsets and channels of all joints and End Sites, and the names of the End Sites."""
     names, parents, offsets, channels, stack = [], [], [], [], []
-    joint, waiting, ends, taken = -1, False, set(), set()
+    waiting, ends, taken = False, set(), set()
 
     def fail(number: int, problem: str) -> BVHError:
         return BVHError(f"{path}, line {number}: {problem}")
 
-    for number, words in _words(lines):
+    statements = ((number, part.split()) for number, line in enumerate(lines, 2)
+                  for part in re.split("([{}])", line) if part.strip())  # a brace may follow a name
+    for number, words in statements:
         key = words[0].upper()
         if waiting and key != "{":
             raise fail(number, f"expected {{ after joint {names[-1]}, got {' '.join(words)[:40]!r}")
@@ -163,72 +144,52 @@ def _parse_hierarchy(path: Path, lines: list[str]) -> tuple[list[str], list[int]
                 raise fail(number, f"unexpected {words[0]}")
             if len(words) < 2:
                 raise fail(number, f"{words[0]} without a name")
+            name = " ".join(words[1:])
             if not "".join(words).isprintable():
-                raise fail(number, f"a joint's name has characters that cannot be printed: {' '.join(words[1:])[:40]!r}")
+                raise fail(number, f"a joint's name has characters that cannot be printed: {name[:40]!r}")
             if stack and stack[-1] in ends:
                 raise fail(number, f"unexpected {words[0]} inside an End Site")
-            name = names[stack[-1]] + "End" if key == "END" else " ".join(words[1:])
-            if key != "END" and name in taken:
+            if key == "END":
+                name = names[stack[-1]] + "End"
+                ends.add(len(names))
+            elif name in taken:
                 raise fail(number, f"joint {name} appears twice")
+            else:
+                taken.add(name)
             names.append(name)
             parents.append(stack[-1] if stack else -1)
             offsets.append([0.0, 0.0, 0.0])
             channels.append([])
-            joint, waiting = len(names) - 1, True
-            if key == "END":
-                ends.add(joint)
-            else:
-                taken.add(name)
-        elif key == "{":
-            if not waiting:
-                raise fail(number, "unexpected {")
-            stack.append(joint)
+            waiting = True
+        elif key == "{" and waiting:
+            stack.append(len(names) - 1)
             waiting = False
-        elif key == "}":
-            if not stack:
-                raise fail(number, "unexpected }")
+        elif key == "}" and stack:
             stack.pop()
         elif key == "OFFSET" and stack:
             try:
                 offsets[stack[-1]] = [float(w) for w in words[1:4]]
             except ValueError:
-                raise fail(number, f"OFFSET needs three numbers, got {' '.join(words[1:])!r}") from None
+                offsets[stack[-1]] = []
             if len(offsets[stack[-1]]) != 3 or not all(abs(x) < LARGEST for x in offsets[stack[-1]]):
                 raise fail(number, f"OFFSET needs three finite numbers, got {' '.join(words[1:])!r}")
         elif key == "CHANNELS" and stack and stack[-1] not in ends:
             known = {f"{a}{kind}" for a in "XYZ" for kind in ("position", "rotation")}
             wanted = [word.capitalize() for word in words[2:]]
             if words[1:2] != [str(len(wanted))] or not set(wanted) <= known or len(set(wanted)) != len(wanted):
-                got = " ".join(words[1:])
-                raise fail(number, f"CHANNELS needs its count and names like Xposition or Yrotation, got {got!r}")
+                raise fail(number, "CHANNELS needs its count and names like Xposition or Yrotation, got "
+                           f"{' '.join(words[1:])!r}")
             channels[stack[-1]] = wanted
         else:
             raise fail(number, f"unexpected {' '.join(words)[:40]!r}")
     if stack or waiting or not names:
-        problem = f"MOTION inside joint {names[joint if waiting else stack[-1]]}, a brace is missing" if names else "no ROOT"
+        problem = f"MOTION inside joint {names[-1 if waiting else stack[-1]]}, a brace is missing" if names else "no ROOT"
         raise fail(len(lines) + 2, problem)
     for j in sorted(ends):  # after all joints, which keep their names
         tried = (f"{names[parents[j]]}{number}End" for number in ("", *range(2, len(names) + 2)))
         names[j] = next(name for name in tried if name not in taken)
         taken.add(names[j])
     return names, parents, offsets, channels, [names[j] for j in sorted(ends)]
-
-
-def _words(lines: list[str]) -> Iterator[tuple[int, list[str]]]:
-    """Words of the header by line; braces stand alone even where a file writes them behind a name."""
-    for number, line in enumerate(lines, 2):
-        words = line.replace("{", " { ").replace("}", " } ").split()
-        run: list[str] = []
-        for word in words:
-            if word in "{}":
-                if run:
-                    yield number, run
-                yield number, [word]
-                run = []
-            else:
-                run.append(word)
-        if run:
-            yield number, run
 
 
 def _parse_motion(path: Path, data: bytes, start: int, width: int) -> tuple[np.ndarray, float]:
@@ -251,58 +212,47 @@ def _parse_motion(path: Path, data: bytes, start: int, width: int) -> tuple[np.n
         rows = [(below, line) for below, line in enumerate(_lines(data[timing.end() :])) if line.strip()]
         if frames != len(rows) or not frames:
             raise fail(timing.end(1), f"header says {frames} frames, the file holds {len(rows)}")
-        read = []  # not one array of a size that the file only claims
+        read = []  # no array of the size that the header claims: the file may be shorter
         for below, line in rows:
-            try:
-                read.append(np.array(_numbers(line, width)))
-            except ValueError as error:
-                raise fail(timing.end(), str(error), below) from None
+            words, numbers = line.split(), []
+            if len(words) != width:
+                raise fail(timing.end(), f"expected {width} numbers, got {len(words)}", below)
+            for i, word in enumerate(words, 1):
+                try:
+                    numbers.append(float(word.replace("_", "?")))  # only Python accepts 1_000
+                except ValueError:
+                    numbers.append(np.nan)
+                if not np.isfinite(numbers[-1]):
+                    raise fail(timing.end(), f"channel {i} is not a finite number: {word!r}", below)
+            read.append(np.array(numbers))
         columns = np.stack(read, 1)
     fps = 1.0 / frame_time
     return columns, float(round(fps)) if abs(fps - round(fps)) < 0.02 else fps
 
 
-def _numbers(line: str, width: int) -> list[float]:
-    words, numbers = line.split(), []
-    if len(words) != width:
-        raise ValueError(f"expected {width} numbers, got {len(words)}")
-    for i, word in enumerate(words, 1):
-        try:
-            numbers.append(float(word.replace("_", "?")))  # Python alone reads 1_000
-        except ValueError:
-            numbers.append(np.nan)
-        if not np.isfinite(numbers[-1]):
-            raise ValueError(f"channel {i} is not a finite number: {word!r}")
-    return numbers
-
-
-def _rotations(columns: Tensor, channels: list[list[str]]) -> Tensor:
-    """Local rotations ``[F, J, 4]``; joints that turn in the same order are done at once."""
-    rotations = R.identity(columns.shape[1], len(channels))
-    alike, first = defaultdict(dict), 0
-    for j, names in enumerate(channels):
-        turns = {c[0]: i for i, c in enumerate(names, first) if c.endswith("rotation")}
-        if turns:
+def _rotations(columns: Tensor, rows: list[dict[str, int]]) -> Tensor:
+    """Local rotations ``[F, J, 4]``; joints with the same channel order are converted together."""
+    rotations, alike = R.identity(columns.shape[1], len(rows)), defaultdict(dict)
+    for j, channels in enumerate(rows):
+        if turns := {c[0]: i for c, i in channels.items() if c.endswith("rotation")}:
             alike["".join(turns)][j] = list(turns.values())
-        first += len(names)
     for order, turns in alike.items():
         order += "".join(axis for axis in "XYZ" if axis not in order)
         for start in range(0, columns.shape[1], 2048):  # a few MB at a time
             part = columns[:, start : start + 2048]
             angles = torch.zeros(3, len(turns), part.shape[1])
-            for i, places in enumerate(zip(*turns.values(), strict=True)):
-                angles[i] = torch.deg2rad(part[list(places)])
+            for i, axis in enumerate(zip(*turns.values(), strict=True)):
+                angles[i] = torch.deg2rad(part[list(axis)])
             rotations[start : start + 2048, list(turns)] = R.from_euler(angles.permute(2, 1, 0), order)
     return rotations
 
 
-def _positions(columns: np.ndarray, channels: list[list[str]], offsets: np.ndarray, unit: float) -> dict[int, np.ndarray]:
-    """Metres ``[F, 3]`` from the parent, of the root and of every joint with position channels."""
-    positions, first = {}, 0
-    for j, names in enumerate(channels):
-        moves = {R.AXES[c[0]]: i for i, c in enumerate(names, first) if c.endswith("position")}
+def _positions(columns: np.ndarray, rows: list[dict[str, int]], offsets: np.ndarray, unit: float) -> dict[int, np.ndarray]:
+    """Positions ``[F, 3]`` relative to the parent, metres, of the root and of every joint with position channels."""
+    positions = {}
+    for j, channels in enumerate(rows):
+        moves = {R.AXES[c[0]]: i for c, i in channels.items() if c.endswith("position")}
         if moves or not j:
             positions[j] = np.repeat(offsets[j : j + 1], columns.shape[1], axis=0)
             positions[j][:, list(moves)] = columns[list(moves.values())].T * unit
-        first += len(names)
     return positions

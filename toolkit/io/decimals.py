@@ -1,4 +1,4 @@
-"""Rows of decimal numbers in a file's bytes: the compiled part of `toolkit.io.bvh`."""
+"""Compiled parser for rows of decimal numbers, used by `toolkit.io.bvh`."""
 
 import numpy as np
 from numba import njit
@@ -11,8 +11,8 @@ TAB, NEWLINE, RETURN, SPACE, PLUS, MINUS, POINT, ZERO, UPPER_E, LOWER_E = b"\t\n
 def read(data: np.ndarray, at: int, columns: np.ndarray) -> bool:
     """Fill ``columns [C, F]`` with the F rows of C numbers that ``data`` (bytes) holds from ``at`` to its end.
 
-    Every number is the double nearest to what is written: up to 2⁵³ the digits and the power of ten are exact, and one
-    division or product rounds once (Clinger 1990). False where the rows are not these, or a number is longer than that.
+    Every number is the nearest double to its decimal text: digits up to 2⁵³ and the power of ten are exact, and their
+    quotient or product is rounded once (Clinger 1990). Returns False if the rows differ, or a number has more digits.
     """
     width, rows = columns.shape
     row = column = 0
@@ -52,8 +52,7 @@ def read(data: np.ndarray, at: int, columns: np.ndarray) -> bool:
                 at += 1
             exponent, first = 0, at
             while at < end and at < first + 3 and ZERO <= data[at] <= ZERO + 9:
-                exponent = exponent * 10 + (data[at] - ZERO)
-                at += 1
+                exponent, at = exponent * 10 + (data[at] - ZERO), at + 1
             if at == first:
                 return False
             places += exponent if down else -exponent

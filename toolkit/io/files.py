@@ -10,14 +10,10 @@ from typing import BinaryIO
 
 @contextlib.contextmanager
 def atomic_write(path: str | os.PathLike) -> Iterator[BinaryIO]:
-    """Open a binary file that takes its name when it was written whole and is on the disk; folders are made.
+    """Open a binary file under the name ``.NAME.….partial``, and rename it when it is complete and on the disk.
 
-    Until then it is called ``.NAME.….partial``. A process that is killed while it writes leaves such a file behind.
-
-    Raises
-    ------
-    OSError
-        If it cannot be written; nothing is left of it, and an older file stays as it was.
+    Missing folders are created. OSError if the file cannot be written: the partial file is removed, and an older file stays
+    as it was. A process that is killed while it writes leaves the partial file behind.
     """
     path = Path(path)
     path.parent.mkdir(parents=True, exist_ok=True)

@@ -1,7 +1,7 @@
-"""Files of weights: one safetensors file, whose metadata holds JSON. Reading one never runs code.
+"""Model files: one safetensors file, whose metadata holds JSON. Reading one never runs code.
 
-A file holds one or more parts (a ``model``, a style ``bank``, a training ``run``), each named in the metadata, so that what
-needs only one of them can read any file that has it.
+A file holds one or more parts (a ``model``, a style ``bank``, a training ``run``), each named in the metadata. A reader that
+needs one part accepts every file that has it.
 """
 
 import contextlib
@@ -23,19 +23,12 @@ FORMAT = "toolkit 1"
 def write(path: str | os.PathLike, tensors: dict[str, Tensor], parts: dict[str, Any]) -> None:
     """Write a file, whole or not at all; the same content gives the same bytes.
 
-    Parameters
-    ----------
-    path
-        The file.
-    tensors
-        By name; a name starts with its part's: ``model.gating.…``.
-    parts
-        Part's name to what JSON can hold.
+    ``parts`` are values for JSON by name; the name of a tensor starts with that of its part: ``model.gating.…``.
     """
     metadata = {"format": FORMAT, **{name: json.dumps(value) for name, value in parts.items()}}
     packed = save({name: t.detach().cpu().contiguous() for name, t in tensors.items()}, metadata)
     size = 8 + int.from_bytes(packed[:8], "little")
-    header = json.loads(packed[8:size])  # its metadata come in another order in every process
+    header = json.loads(packed[8:size])  # the order of its metadata differs between processes
     header["__metadata__"] = metadata
     text = json.dumps(header, separators=(",", ":"), ensure_ascii=False).encode()
     text += b" " * (-len(text) % 8)
@@ -45,13 +38,7 @@ def write(path: str | os.PathLike, tensors: dict[str, Tensor], parts: dict[str, 
 
 
 def read(path: str | os.PathLike, part: str) -> tuple[dict[str, Tensor], dict[str, Any]]:
-    """Tensors and parts of a file that holds at least ``part``.
-
-    Raises
-    ------
-    ValueError
-        If it cannot be read, is of another kind or version, or lacks the part.
-    """
+    """Tensors and parts of a file; ValueError if it cannot be read, has another format, or lacks ``part``."""
     path = Path(path)
     try:
         with safe_open(path, framework="pt") as file:
@@ -75,7 +62,7 @@ def read(path: str | os.PathLike, part: str) -> tuple[dict[str, Tensor], dict[st
 
 @contextlib.contextmanager
 def intact(path: str | os.PathLike, what: str) -> Iterator[None]:
-    """Inside, whatever Python raises where a value is not of the kind that was written is one line: ``what`` is damaged."""
+    """Inside, an error from a value of the wrong kind becomes a ValueError of one line: ``what`` is damaged."""
     try:
         yield
     except (AttributeError, IndexError, KeyError, OverflowError, RuntimeError, TypeError, ValueError) as error:
@@ -83,7 +70,7 @@ def intact(path: str | os.PathLike, what: str) -> Iterator[None]:
 
 
 def plain(error: Exception) -> str:
-    """What an error says, in one printable line that is not too long: it may quote the file."""
+    """The message of an error, which may quote a file, as one printable line of at most 300 characters."""
     return " ".join("".join(c if c.isprintable() else " " for c in str(error)).split())[:300]
 
 

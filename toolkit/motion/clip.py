@@ -1,4 +1,4 @@
-"""Skeleton and Clip: what a moving body is. Metres, seconds, Y up; every operation returns a new object."""
+"""Skeleton and Clip. Metres, seconds, Y up; every operation returns a new object."""
 
 import dataclasses
 import math
@@ -16,44 +16,26 @@ from toolkit.motion import rotations as R
 from toolkit.motion.tensors import as_tensor, summary, through_numpy
 
 SIDES = ("left", "right")
-FEET = SIDES[::-1]  # the order of contacts, as the published network predicts them, and of whatever has two legs or arms
+FEET = SIDES[::-1]  # the order of contacts in the published network, and of all pairs of legs or arms
 LIMBS = tuple(f"{side}_{part}" for part in ("hand", "foot") for side in SIDES)  # the order of local phases
 ROLES = ("hips", *(f"{side}_{part}" for side in SIDES
                    for part in ("shoulder", "elbow", "hand", "hip", "knee", "foot", "toe")))
-
 UNIT = 1e-3  # how far a quaternion's length may be from 1: files with four decimals pass, and long products in float32
+_SIDE = re.compile(r"Left|Right|left|right|[_.][LR](?=$|End$)|^[LR](?=[A-Z])")  # LeftHand, Hand_L, LThumb
 
 
 @dataclass(frozen=True, eq=False)
 class Skeleton:
-    """A tree of points.
+    """A tree of J joints and End Sites.
 
-    Parameters
-    ----------
-    names
-        J unique names.
-    parents
-        J indices; the root comes first with -1, every parent comes before its children.
-    offsets : Tensor [J, 3]
-        Position of each joint in its parent's frame, metres. The root's is not used. They are kept as float32 on the CPU;
-        kinematics takes them to a motion's device and dtype.
-    roles
-        What each limb is called here, for the keys of `ROLES`; found from the names and the tree where not given.
-    ends
-        Names of the leaves that are BVH End Sites: an offset, and no rotation of their own. Where not given, all leaves
-        whose names end in ``End``.
-
-    Raises
-    ------
-    ValueError
-        If the lengths differ, a name repeats, a parent does not come before its child or an End Site is no leaf.
+    ValueError if lengths differ, a name repeats, a parent does not come before its child or an End Site is no leaf.
     """
 
-    names: tuple[str, ...]
-    parents: tuple[int, ...]
-    offsets: Tensor
-    roles: dict[str, str] | None = None
-    ends: tuple[str, ...] | None = None
+    names: tuple[str, ...]  # J unique ones
+    parents: tuple[int, ...]  # the root comes first with -1, every parent before its children
+    offsets: Tensor  # [J, 3] from the parent, in the parent's frame, metres, float32 on the CPU; the root's is not used
+    roles: dict[str, str] | None = None  # role of `ROLES` to joint name; by default found from the names and the tree
+    ends: tuple[str, ...] | None = None  # leaves that are End Sites (no rotation); by default those with names in ...End
 
     def __post_init__(self):
         set_ = object.__setattr__
@@ -82,9 +64,8 @@ class Skeleton:
         return summary(self, {"joints": len(self), "end_sites": len(self.ends), "names": self.names, "roles": self.roles})
 
     def to_dict(self) -> dict:
-        """What it is made of, as JSON holds it: ``Skeleton(**described)`` makes it again."""
-        return {"names": self.names, "parents": self.parents, "offsets": self.offsets.tolist(), "roles": self.roles,
-                "ends": self.ends}
+        """The fields as values for JSON; ``Skeleton(**fields)`` makes the skeleton again."""
+        return {f.name: getattr(self, f.name) for f in dataclasses.fields(self)} | {"offsets": self.offsets.tolist()}
 
     def index(self, name: str) -> int:
         """Index of a joint by its name or, where no joint has this name, by its role."""
@@ -94,7 +75,7 @@ class Skeleton:
         return self.names.index(joint)
 
     def role(self, role: str) -> int:
-        """Index of the joint that has a role; names do not count: SMPL's left_hand is not its wrist, which has that role."""
+        """Index of the joint with a role, whatever the names: in SMPL the joint left_wrist has the role left_hand."""
         if self.roles.get(role) not in self.names:
             raise ValueError(f"no joint has the role {role!r}; the skeleton has {', '.join(self.names)}")
         return self.names.index(self.roles[role])
@@ -103,16 +84,16 @@ class Skeleton:
         """Whether a point is an End Site."""
         return self.names[joint] in self.ends
 
-    def tip(self, role: str) -> int:
-        """Index of the End Site that extends the joint with a role; of that joint where there is none of any length."""
+    def end_site(self, role: str) -> int:
+        """Index of the End Site below the joint with a role; of the joint itself if it has none longer than 0.1 mm."""
         joint = self.role(role)
         ends = (j for j, p in enumerate(self.parents) if p == joint and self.is_end(j))
         return next((j for j in ends if float(self.offsets[j].norm()) > 1e-4), joint)
 
     @cached_property
     def feature_joints(self) -> tuple[int, ...]:
-        """Joints that the features describe (section 3.2): all but End Sites, except those that extend a hand."""
-        hands = {self.tip(side) for side in ("left_hand", "right_hand")}
+        """Joints that the features describe (section 3.2): all but End Sites, and the End Sites of the hands."""
+        hands = {self.end_site(f"{side}_hand") for side in SIDES}
         return tuple(j for j in range(len(self)) if not self.is_end(j) or j in hands)
 
     @cached_property
@@ -122,7 +103,7 @@ class Skeleton:
         return tuple(position.get(self.parents[j], -1) for j in self.feature_joints)
 
     def levels(self, device: torch.device) -> list[tuple[Tensor, Tensor]]:
-        """Joints by depth below the root, as (joints, their parents): kinematics runs over these. Kept for the next call."""
+        """Indices of the joints and of their parents, one pair for each depth below the root; cached by device."""
         kept = self.__dict__.setdefault("_levels", {})
         if device not in kept:
             depth = [0] * len(self)
@@ -130,7 +111,7 @@ class Skeleton:
                 depth[j] = depth[p] + 1
             groups = [[j for j, d in enumerate(depth) if d == level] for level in range(1, max(depth) + 1)]
             with torch.inference_mode(False):  # the next call may need gradients
-                kept[device] = [tuple(torch.tensor(side, device=device) for side in (g, [self.parents[j] for j in g]))
+                kept[device] = [(torch.tensor(g, device=device), torch.tensor([self.parents[j] for j in g], device=device))
                                 for g in groups]
         return kept[device]
 
@@ -143,7 +124,7 @@ class Skeleton:
     @cached_property
     @torch.inference_mode(False)
     def facing_axis(self) -> Tensor:
-        """The signed axis of the hips' frame nearest to the body's forward: (right hip → left hip) × (hips → chest)."""
+        """The signed axis ``[3]`` of the hips' frame nearest to (right hip → left hip) × (hips → chest)."""
         rest = self.rest_positions
         left = rest[self.role("left_hip")] - rest[self.role("right_hip")]
         forward = torch.linalg.cross(left, rest[self.trunk[0]] - rest[self.role("hips")])
@@ -151,7 +132,7 @@ class Skeleton:
         return torch.eye(3)[largest] * forward[largest].sign()
 
     def ancestors(self, joint: int | str) -> list[int]:
-        """Indices from the parent of a joint (its index, or what `index` takes) up to the root."""
+        """Indices from the parent of a joint (its index, name or role) up to the root."""
         above, j = [], self.parents[self.index(joint) if isinstance(joint, str) else joint]
         while j >= 0:
             above.append(j)
@@ -161,37 +142,27 @@ class Skeleton:
     @cached_property
     def trunk(self) -> list[int]:
         """Joints above both shoulders, from the chest up to the root."""
-        left, right = (self.ancestors(self.role(f"{side}_shoulder")) for side in ("left", "right"))
+        left, right = (self.ancestors(self.role(f"{side}_shoulder")) for side in SIDES)
         return [j for j in left if j in right]
 
     @cached_property
-    def twins(self) -> tuple[int, ...]:
+    def mirror_pairs(self) -> tuple[int, ...]:
         """For each joint the index of its left/right counterpart, itself where it has none."""
-        return tuple(self.names.index(t) if (t := _swap_side(n)) in self.names else j for j, n in enumerate(self.names))
-
-
-def _side(name: str) -> str | None:
-    """ "left" or "right" as the common naming schemes write it: LeftHand, Hand_L, LThumb."""
-    match = _SIDE.search(name)
-    return None if match is None else ("left" if match[0].strip("_.")[0] in "Ll" else "right")
-
-
-def _swap_side(name: str) -> str:
-    swap = {"Left": "Right", "left": "right", "L": "R"}
-    swap |= {b: a for a, b in swap.items()}
-    return _SIDE.sub(lambda m: m[0].replace(word := m[0].strip("_."), swap[word]), name, count=1)
-
-
-_SIDE = re.compile(r"Left|Right|left|right|[_.][LR](?=$|End$)|^[LR](?=[A-Z])")
+        swap = {"Left": "Right", "left": "right", "L": "R"}
+        swap |= {b: a for a, b in swap.items()}
+        other = [_SIDE.sub(lambda m: m[0].replace(w := m[0].strip("_."), swap[w]), n, count=1) for n in self.names]
+        return tuple(self.names.index(n) if n in self.names else j for j, n in enumerate(other))
 
 
 def find_roles(names: Sequence[str], parents: Sequence[int]) -> dict[str, str]:
-    """Limb roles from the names of hands and toes and the chains above them (the keys found of `ROLES`)."""
+    """Roles (those of `ROLES` that are found) from the names of hands and toes and the chains of parents above them."""
     roles = {"hips": next((n for n in names if n.lower().endswith(("hips", "pelvis"))), names[0])}
     chains = {("hand", "wrist"): ("hand", "elbow", "shoulder"), ("toe",): ("toe", "foot", "knee", "hip")}
+    found = [_SIDE.search(name) for name in names]
+    initials = [match[0].strip("_.")[0].lower() if match else "" for match in found]
     for side in SIDES:
         for words, parts in chains.items():
-            named = (j for j, n in enumerate(names) if _side(n) == side and any(w in n.lower() for w in words))
+            named = (j for j, n in enumerate(names) if initials[j] == side[0] and any(w in n.lower() for w in words))
             joint = next(named, -1)
             for part in parts:
                 if joint > 0:
@@ -202,7 +173,7 @@ def find_roles(names: Sequence[str], parents: Sequence[int]) -> dict[str, str]:
 
 def forward_kinematics(skeleton: Skeleton, rotations: Tensor, root_positions: Tensor) -> tuple[Tensor, Tensor]:
     """Global rotations ``[..., J, 4]`` and positions ``[..., J, 3]`` of local rotations and the root's position."""
-    local = rotations.movedim((-1, -2), (0, 1)).contiguous()  # every number of a joint lies beside the next frame's
+    local = rotations.movedim((-1, -2), (0, 1)).contiguous()  # a component's frames lie side by side
     turned, positions = torch.empty_like(local), torch.empty_like(local[:3])
     turned[:, 0], positions[:, 0] = local[:, 0], root_positions.movedim(-1, 0)
     offsets = skeleton.offsets.to(rotations).T.reshape(3, -1, *[1] * (rotations.dim() - 2))
@@ -214,42 +185,25 @@ def forward_kinematics(skeleton: Skeleton, rotations: Tensor, root_positions: Te
 
 
 def local_rotations(skeleton: Skeleton, global_rotations: Tensor) -> Tensor:
-    """Rotations ``[..., J, 4]`` relative to the parent, of global ones: the inverse of `forward_kinematics`."""
+    """Rotations ``[..., J, 4]`` relative to the parents, from global rotations: the inverse of `forward_kinematics`."""
     above = R.inverse(global_rotations[..., list(skeleton.parents[1:]), :])
     return torch.cat((global_rotations[..., :1, :], R.multiply(above, global_rotations[..., 1:, :])), -2)
 
 
 @dataclass(frozen=True, eq=False)
 class Clip:
-    """A recorded motion.
+    """A motion of F frames. Tensors keep their device and floating dtype; arrays and lists become float32.
 
-    Parameters
-    ----------
-    skeleton
-        Whose motion it is, J joints.
-    rotations : Tensor [F, J, 4]
-        Unit quaternions (to within `UNIT`) relative to the parent (the root's to the world). A tensor keeps its device and
-        floating dtype, which the positions get too; arrays and lists become float32.
-    root_positions : Tensor [F, 3]
-        Metres.
-    fps
-        Frames per second.
-    style, gait, name
-        Labels; ``name`` says where it came from and appears in error messages.
-
-    Raises
-    ------
-    ValueError
-        If shapes do not agree, there is no frame, a number is not finite, or a quaternion's length is not 1.
+    ValueError if shapes do not agree, there is no frame, a number is not finite, or a quaternion's length is not 1.
     """
 
-    skeleton: Skeleton
-    rotations: Tensor
-    root_positions: Tensor
-    fps: float
+    skeleton: Skeleton  # of J joints
+    rotations: Tensor  # [F, J, 4] unit quaternions (to within `UNIT`) relative to the parent, the root's to the world
+    root_positions: Tensor  # [F, 3] metres, on the device and in the dtype of the rotations
+    fps: float  # frames per second
     style: str = ""
     gait: str = ""
-    name: str = "clip"
+    name: str = "clip"  # where the motion came from; error messages begin with it
 
     def __post_init__(self):
         object.__setattr__(self, "rotations", as_tensor(self.rotations, "rotations"))
@@ -258,22 +212,20 @@ class Clip:
         if self.rotations.shape != (frames, joints, 4) or self.root_positions.shape != (frames, 3) or not frames:
             raise ValueError(f"{self.name}: expected rotations [F, {joints}, 4] and root positions [F, 3], F >= 1; got "
                              f"{list(self.rotations.shape)} and {list(self.root_positions.shape)}")
-        if not self.rotations.is_meta:  # the meta device keeps shapes and no numbers
-            self._check_numbers()
         if not (self.fps > 0 and math.isfinite(self.fps)):
             raise ValueError(f"{self.name}: frames per second must be positive, got {self.fps}")
-
-    def _check_numbers(self) -> None:
+        if self.rotations.is_meta:  # the meta device keeps shapes and no numbers
+            return
         squares = torch.einsum("fjc,fjc->fj", self.rotations, self.rotations)
         low, high = (float(x) for x in squares.aminmax())
-        if not 1 - 2 * UNIT < low <= high < 1 + 2 * UNIT:  # not with NaN either
+        if not 1 - 2 * UNIT < low <= high < 1 + 2 * UNIT:  # false with NaN
             frame, joint = (~((squares - 1).abs() < 2 * UNIT)).nonzero()[0].tolist()
             q = self.rotations[frame, joint]
             if not bool(q.isfinite().all()):
                 raise ValueError(f"{self.name}: rotations of frame {frame} are not finite")
             raise ValueError(f"{self.name}: rotations must be quaternions of length 1; in frame {frame} that of "
                              f"{self.skeleton.names[joint]} has length {float(q.norm()):.4g}")
-        if not math.isfinite(self.root_positions.detach().sum(dtype=torch.float64)):  # one pass; a double cannot overflow
+        if not math.isfinite(self.root_positions.detach().sum(dtype=torch.float64)):  # float64 cannot overflow here
             frame = int((~torch.isfinite(self.root_positions)).any(1).nonzero()[0])
             raise ValueError(f"{self.name}: root positions of frame {frame} are not finite")
 
@@ -308,7 +260,7 @@ class Clip:
         return dataclasses.replace(self, **changes)
 
     def cut(self, start: int = 0, stop: int | None = None) -> "Clip":
-        """Frames ``start`` to ``stop`` (not included; clamped to the end)."""
+        """Frames ``start`` to ``stop`` (not included, at most the number of frames); ValueError if there are none."""
         stop = len(self) if stop is None else min(stop, len(self))
         if not 0 <= start < stop:
             raise ValueError(f"{self.name}: cannot cut frames {start} to {stop} from {len(self)}")
@@ -335,12 +287,9 @@ class Clip:
             return self.replace(fps=fps)
         old = np.arange(len(self)) / self.fps
         new = np.arange(math.floor(old[-1] * fps + 1e-6) + 1) / fps
-
-        def spline(values: Tensor) -> Tensor:
-            return through_numpy(lambda v: scipy.interpolate.CubicSpline(old, v)(new), values)
-
-        rotations_ = R.normalize(spline(R.unroll(self.rotations)))
-        return self.replace(rotations=rotations_, root_positions=spline(self.root_positions), fps=fps)
+        quaternions, positions = (through_numpy(lambda v: scipy.interpolate.CubicSpline(old, v)(new), values)
+                                  for values in (R.unroll(self.rotations), self.root_positions))
+        return self.replace(rotations=R.normalize(quaternions), root_positions=positions, fps=fps)
 
     def without_ends(self) -> "Clip":
         """The same motion on the skeleton without End Sites."""
@@ -361,54 +310,49 @@ class Clip:
     def mirrored(self) -> "Clip":
         """Left and right exchanged: the motion reflected in the plane x = 0.
 
-        A reflected frame is left-handed, so each joint's own axes are reflected too. Rigs differ in which of their axes
-        runs sideways; it is the reflection (of one axis, or of all three) that turns the bones below a joint into those
-        below its twin, and, where a bone along one axis leaves a choice, keeps the joint's mean rotation nearest to its
-        mirror image. A joint without a counterpart mirrors onto itself.
+        The reflection makes each joint's frame left-handed, so one or all three of its own axes are reflected too. Rigs
+        differ in which axis runs sideways. We choose the reflection that maps the bones below a joint to those below its
+        counterpart; where several do, the one with the mean rotation nearest to the mirror image. A joint without a
+        counterpart is mirrored onto itself.
         """
         world, *choices = as_tensor([[-1, 1, 1], [-1, 1, 1], [1, -1, 1], [1, 1, -1], [-1, -1, -1]], "signs", self.rotations)
         choices, offsets = torch.stack(choices), self.skeleton.offsets.to(self.rotations)
-        twins = list(self.skeleton.twins)
+        pairs = list(self.skeleton.mirror_pairs)
         parents = torch.tensor(self.skeleton.parents[1:], dtype=torch.long, device=world.device)
-        misfit = (choices[:, None] * offsets[1:] - offsets[twins[1:]]).square().sum(-1)
-        misfits = misfit.new_zeros(4, len(twins)).index_add(1, parents, misfit)  # squared metres, of each joint's bones
+        misfit = (choices[:, None] * offsets[1:] - offsets[pairs[1:]]).square().sum(-1)
+        misfits = misfit.new_zeros(4, len(pairs)).index_add(1, parents, misfit)  # square metres, of each joint's bones
         root = R.multiply(R.inverse(root_frames(self).rotations), self.rotations[:, 0])
         mean = R.to_matrix(torch.cat((root[:, None], self.rotations[:, 1:]), 1)).mean(0)
-        own = world.expand(len(twins), 3).clone()
+        own = world.expand(len(pairs), 3).clone()
         for j, p in enumerate(self.skeleton.parents):
-            images = (world if p < 0 else own[p])[:, None] * mean[twins[j]] * choices[:, None]
+            images = (world if p < 0 else own[p])[:, None] * mean[pairs[j]] * choices[:, None]
             own[j] = choices[((images * mean[j]).sum((-2, -1)) - misfits[:, j] / 0.01**2).argmax(keepdim=True)]
         matrices = R.to_matrix(self.global_rotations)
-        mirrored = R.from_matrix(world[:, None] * matrices[:, twins] * own[:, None, :])
+        mirrored = R.from_matrix(world[:, None] * matrices[:, pairs] * own[:, None, :])
         return self.replace(rotations=R.unroll(local_rotations(self.skeleton, mirrored)),
                             root_positions=self.root_positions * world)
 
 
 def on_cpu(clips: Clip | Iterable[Clip]) -> list[Clip]:
-    """One or more clips as a list, float32 on the CPU: what is drawn and what networks of that dtype take."""
+    """One or more clips as a list, float32 on the CPU."""
     return [clip.to("cpu", torch.float32) for clip in ([clips] if isinstance(clips, Clip) else clips)]
 
 
 @dataclass(frozen=True, eq=False)
 class RootFrames:
-    """The character's own frame at every frame: hips projected on the floor, turned to the facing direction.
+    """The root's coordinate frame in each of F frames: at the hips' projection on the floor, turned to the facing."""
 
-    ``positions [F, 3]`` (y = 0) in metres and ``rotations [F, 4]`` about the vertical.
-    """
-
-    positions: Tensor
-    rotations: Tensor
+    positions: Tensor  # [F, 3] metres, y = 0
+    rotations: Tensor  # [F, 4] about the vertical
     __repr__ = summary
 
     def to_local(self, points: Tensor) -> Tensor:
         """World points ``[F, ..., 3]`` in this frame."""
-        lead = (len(points), *[1] * (points.dim() - 2))
-        return R.rotate(R.inverse(self.rotations).view(*lead, 4), points - self.positions.view(*lead, 3))
+        return self.turn_to_local(points - self.positions.view(len(points), *[1] * (points.dim() - 2), 3))
 
     def turn_to_local(self, vectors: Tensor) -> Tensor:
         """World directions or velocities ``[F, ..., 3]`` in this frame."""
-        lead = (len(vectors), *[1] * (vectors.dim() - 2))
-        return R.rotate(R.inverse(self.rotations).view(*lead, 4), vectors)
+        return R.rotate(R.inverse(self.rotations).view(len(vectors), *[1] * (vectors.dim() - 2), 4), vectors)
 
 
 def root_frames(clip: Clip) -> RootFrames:

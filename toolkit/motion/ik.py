@@ -1,4 +1,4 @@
-"""Inverse kinematics: where the joints of a limb go so that its end is where it should be. Torch, any leading shape."""
+"""Inverse kinematics of legs and arms, and the foot lock. Tensors of any leading shape."""
 
 import math
 from itertools import pairwise
@@ -11,33 +11,26 @@ from toolkit.motion.clip import FEET, Skeleton, forward_kinematics, local_rotati
 from toolkit.motion.tensors import as_tensor
 
 
-def two_bone(
-    a: Tensor, b: Tensor, c: Tensor, target: Tensor, pole: Tensor | None = None, *, soft: float | Tensor = 0.01
-) -> tuple[Tensor, Tensor]:
+def two_bone(a: Tensor, b: Tensor, c: Tensor, target: Tensor, pole: Tensor | None = None, *,
+             soft: float | Tensor = 0.01) -> tuple[Tensor, Tensor]:
     """Bend a limb of two bones so that its end meets a target; the law of cosines with a soft limit near full stretch.
 
-    The bones keep their lengths. Within the last `soft` of full stretch the end follows the target ever more slowly and
-    never reaches full stretch, so that a knee does not snap straight (there its angle changes infinitely fast with
-    distance). A target nearer than the folded limb can reach is pushed out to where it can.
+    The bones keep their lengths. Over the last `soft` of the full length the end follows the target ever more slowly and
+    never reaches full stretch, where the angle of the knee changes infinitely fast with the distance. A target nearer than
+    the folded limb can reach is moved out to where it can.
 
     Parameters
     ----------
-    a, b, c : Tensor [..., 3]
-        Positions of the limb's root, middle and end as they are now (hip, knee, ankle); they give the bones' lengths and,
-        without a pole, the side to bend to.
-    target : Tensor [..., 3]
-        Where the end should be, metres.
-    pole : Tensor [..., 3], optional
-        Direction (not a point) that the middle joint bends towards, any length; by default the side that it bends to now,
-        carried along by the shortest turn of the line from `a` to `c` into that from `a` to the target. It should not be
-        parallel to the line from `a` to the target; if it is, some direction across is taken.
-    soft : float or Tensor [..., 1]
-        Share of the full length over which the limit acts; 0 is a hard limit.
+    a, b, c : Tensor [..., 3], positions of the limb's root, middle and end before (hip, knee, ankle), metres
+    target : Tensor [..., 3], wanted position of the end, metres
+    pole : Tensor [..., 3]
+        Direction (not a point) that the middle joint bends towards, of any length, not parallel to the line from `a` to the
+        target. By default the limb bends to the same side as before, turned with the line from `a` to its end.
+    soft : share of the full length over which the limit acts, a number or Tensor [..., 1]; 0 is a hard limit
 
     Returns
     -------
-    middle, end : Tensor [..., 3]
-        New positions of `b` and `c`.
+    middle, end : Tensor [..., 3], new positions of `b` and `c`
 
     Raises
     ------
@@ -58,9 +51,7 @@ def two_bone(
     over = (wanted - (full - margin)).clamp_min(0.0)
     distance = torch.where(over > 0, full - margin * torch.exp(-over / margin), wanted)
     distance = torch.maximum(distance, (upper - lower).abs() + 1e-6 * full)
-
-    side = R.rotate(R.between(c - a, line), b - a) if pole is None else pole
-    side = R.normalize(side)
+    side = R.normalize(R.rotate(R.between(c - a, line), b - a) if pole is None else pole)
     across = side - (side * line).sum(-1, keepdim=True) * line
     aside = torch.linalg.cross(line, R.least_axis(line))
     across = R.normalize(torch.where(across.norm(dim=-1, keepdim=True) > 1e-5, across, aside))
@@ -69,41 +60,33 @@ def two_bone(
     return a + along * line + height * across, a + distance * line
 
 
-SLACK = 0.15  # metres that a held toe may stay behind its prediction
-RETURN = 10.0  # per second: how fast a toe that was let go comes back to its prediction
+SLACK = 0.15  # metres that a locked toe may stay behind its prediction
+RETURN = 10.0  # per second: decay rate of the offset of a released toe from its prediction
 
 
-def hold(
-    toes: Tensor, drift: Tensor, before: Tensor, predicted: Tensor, contacts: Tensor, left: Tensor, seconds: float
-) -> tuple[Tensor, Tensor]:
-    """Hold toes in contact where they landed (foot-contact IK, Mason et al. 2022, section 4.4).
+def foot_lock(toes: Tensor, drift: Tensor, before: Tensor, predicted: Tensor, contacts: Tensor, left: Tensor,
+              seconds: float) -> tuple[Tensor, Tensor]:
+    """Lock toes in contact where they landed (foot-contact IK, Mason et al. 2022, section 4.4).
 
-    Departure from the paper, where a toe's target stays where it was by a share that grows with the contact: a share below
-    1 creeps in every frame of whose contact the network is not sure, and lets go within a frame or two. Ours holds a toe
-    wholly while contact is more likely than not. What then parts it from its prediction dies away as a critically damped
-    spring that starts from rest, so that nothing pops. Only x and z are held; the height stays the network's. A toe is
-    dragged along once it is `SLACK` behind, or a quarter of the way sideways to where the other one should be, so that a
-    character that turns on the spot does not cross its legs.
+    Departure from the paper: there a toe's target stays where it was by a share that grows with the contact. A share below 1
+    makes the toe slide in every frame of uncertain contact, and releases it within a frame or two. We lock a toe fully while
+    its contact is above one half. After that, its offset from the prediction decays like a critically damped spring that
+    starts at rest, so that the toe does not jump. Only x and z are locked; the height is the network's. A toe is moved along
+    once it is `SLACK` behind its prediction, or sideways by a quarter of the distance to the other toe, so that a character
+    that turns on the spot does not cross its legs.
 
     Parameters
     ----------
-    toes : Tensor [..., 2, 3]
-        Targets of the frame before, right and left, world, metres.
-    drift : Tensor [..., 2, 2]
-        How fast they were parting from their predictions (x, z), m/s.
-    before, predicted : Tensor [..., 2, 3]
-        The network's toes in the frame before and now.
-    contacts : Tensor [..., 2]
-        Now, in [0, 1].
-    left : Tensor [..., 2]
-        Unit vector (x, z) to the character's left.
-    seconds
-        Between the frames.
+    toes : Tensor [..., 2, 3], targets in the frame before, right and left, world, metres
+    drift : Tensor [..., 2, 2], velocity (x, z) of their offset from the predictions, m/s
+    before, predicted : Tensor [..., 2, 3], the network's toes in the frame before and in this one
+    contacts : Tensor [..., 2], in this frame, in [0, 1]
+    left : Tensor [..., 2], unit vector (x, z) to the character's left
+    seconds : between the frames
 
     Returns
     -------
-    toes, drift : Tensor [..., 2, 3], [..., 2, 2]
-        Of this frame.
+    toes, drift : Tensor [..., 2, 3] and [..., 2, 2], of this frame
     """
     offset, behind = (toes - before)[..., ::2], (toes - predicted)[..., ::2]
     behind = behind * (SLACK / behind.norm(dim=-1, keepdim=True).clamp_min(SLACK))
@@ -118,23 +101,10 @@ def hold(
 
 
 def plant_feet(skeleton: Skeleton, rotations: Tensor, root: Tensor, toes: Tensor) -> Tensor:
-    """Bend the legs so that the toes meet their targets; the feet keep their orientation (foot-contact IK, section 4.4).
+    """Local rotations ``[..., J, 4]`` with the legs bent so that the toes meet their targets (foot-contact IK, section 4.4).
 
-    Parameters
-    ----------
-    skeleton
-        With the roles hip, knee, foot and toe on both sides.
-    rotations : Tensor [..., J, 4]
-        Local rotations.
-    root : Tensor [..., 3]
-        Root position.
-    toes : Tensor [..., 2, 3]
-        Targets, right and left, world.
-
-    Returns
-    -------
-    Tensor [..., J, 4]
-        New local rotations.
+    The feet keep their orientation. ``rotations [..., J, 4]`` are local, ``root [..., 3]`` is the root's position and
+    ``toes [..., 2, 3]`` are the targets, right and left, in the world, metres.
     """
     turned, positions = forward_kinematics(skeleton, rotations, root)
     legs = [[skeleton.role(f"{side}_{part}") for side in FEET] for part in ("hip", "knee", "foot", "toe")]
@@ -148,29 +118,16 @@ def plant_feet(skeleton: Skeleton, rotations: Tensor, root: Tensor, toes: Tensor
 
 
 def turn_arms(skeleton: Skeleton, rotations: Tensor, root: Tensor, wanted: Tensor) -> Tensor:
-    """Turn every arm bone so that its end points at its predicted position: rotation follows position (section 4.4).
+    """Local rotations ``[..., J, 4]`` with every arm bone turned towards its predicted end position (section 4.4).
 
-    Parameters
-    ----------
-    skeleton
-        With the roles shoulder, elbow and hand on both sides.
-    rotations : Tensor [..., J, 4]
-        Local rotations.
-    root : Tensor [..., 3]
-        Root position.
-    wanted : Tensor [..., J, 3]
-        Predicted positions, world; rows of joints outside the arms are not read.
-
-    Returns
-    -------
-    Tensor [..., J, 4]
-        New local rotations.
+    ``rotations [..., J, 4]`` are local, ``root [..., 3]`` is the root's position and ``wanted [..., J, 3]`` are predicted
+    positions in the world, metres; only rows of arm joints are read.
     """
     turned, positions = forward_kinematics(skeleton, rotations, root)
     arms = [[skeleton.role(f"{side}_{part}") for side in FEET] for part in ("shoulder", "elbow", "hand")]
     chain = [[skeleton.parents[joint] for joint in arms[0]], *arms]
-    tips = [skeleton.tip(f"{side}_hand") for side in FEET]
-    for joints, children in pairwise([*chain, tips] if not set(tips) & set(arms[-1]) else chain):
+    ends = [skeleton.end_site(f"{side}_hand") for side in FEET]
+    for joints, children in pairwise([*chain, ends] if not set(ends) & set(arms[-1]) else chain):
         bone = R.rotate(turned[..., joints, :], skeleton.offsets[children].to(rotations))
         aim = R.between(bone, wanted[..., children, :] - positions[..., joints, :])
         turned[..., joints, :] = R.multiply(aim, turned[..., joints, :])

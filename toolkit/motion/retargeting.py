@@ -1,9 +1,9 @@
-"""A motion on another skeleton: how each part of the body is turned is kept, lengths are the new skeleton's.
+"""Retargeting: the world rotations of a motion on another skeleton, with that skeleton's bone lengths.
 
-Rigs differ in names, in joints along the spine and in their local axes (Bandai-Namco's bones lie along x). So each joint of
-the clip is first given its axes in a T-pose: for hips and legs the signed coordinate axes nearest to the body's own over the
-clip, turned so that the bone lies where the new skeleton's does; for arms, which hang most of the time, bone and axis of the
-elbow; for spine, neck, head and hands the axes of the joint before.
+Rigs differ in names, in joints along the spine and in their local axes (Bandai-Namco's bones lie along x). We first estimate
+the axes that each joint of the clip has in a T-pose. For hips and legs they are the signed coordinate axes nearest to the
+body's own axes over the clip, turned so that the bone points where the new skeleton's does. Arms hang most of the time, so
+theirs come from the bone and the axis of the elbow. Spine, neck, head and hands take those of their parent.
 """
 
 from itertools import pairwise
@@ -13,26 +13,20 @@ from torch import Tensor
 
 from toolkit.motion import rotations as R
 from toolkit.motion.clip import SIDES, Clip, Skeleton, local_rotations, root_frames
+from toolkit.motion.contacts import standing_height
 from toolkit.motion.tensors import as_tensor
 
-STRAIGHT = 0.02  # sine of the mean bend of an arm that shows no axis
-PARTS = {  # of a limb, from the trunk outwards
-    "arm": ("collar", "shoulder", "elbow", "hand"),
-    "leg": ("hip", "knee", "foot", "toe"),
-}
+STRAIGHT = 0.02  # below this sine of its mean bend, an arm has no visible axis
+PARTS = {"arm": ("collar", "shoulder", "elbow", "hand"), "leg": ("hip", "knee", "foot", "toe")}  # from the trunk outwards
 
 
 def retarget(clip: Clip, skeleton: Skeleton) -> Clip:
     """The clip on a skeleton whose zero rotations are a T-pose facing +z, as 100STYLE's are.
 
-    Rotations in the world are kept by role, along spine and neck by their share of the way; the root's path is scaled as the
-    legs are, and its height such that the toes stand. Joints without a counterpart follow their parents. A clip on the same
-    tree of the same names comes back as it is, with its own lengths.
-
-    Raises
-    ------
-    ValueError
-        If the clip's skeleton lacks one of the limbs, or its legs have no length.
+    Limbs keep their world rotations by role; spine and neck are interpolated along their length. The root's path is scaled
+    by the ratio of the leg lengths, and shifted so that the toes stand. Joints without a counterpart follow their parents.
+    A clip whose skeleton has the same names and parents is returned as it is, with its own lengths. ValueError if the clip's
+    skeleton lacks one of the limbs, or its legs have no length.
     """
     own = clip.skeleton
     if (own.names, own.parents) == (skeleton.names, skeleton.parents):
@@ -48,18 +42,12 @@ def retarget(clip: Clip, skeleton: Skeleton) -> Clip:
     scale = _leg(skeleton) / _leg(own)
     made = clip.replace(skeleton=skeleton, rotations=R.unroll(local_rotations(skeleton, world)),
                         root_positions=scale * clip.global_positions[:, own.role("hips")])
-    return made.moved(shift=(0.0, scale * _stand(clip) - _stand(made), 0.0))
+    return made.moved(shift=(0.0, scale * float(standing_height(clip)) - float(standing_height(made)), 0.0))
 
 
 def _leg(skeleton: Skeleton) -> float:
     """Hip to ankle along the bones, metres."""
     return sum(float(skeleton.offsets[skeleton.role(f"left_{part}")].norm()) for part in ("knee", "foot"))
-
-
-def _stand(clip: Clip) -> float:
-    """How high the lower toe is where it is lowest, metres."""
-    toes = clip.global_positions[:, [clip.skeleton.role(f"{side}_toe") for side in SIDES], 1]
-    return float(toes.amin(1).quantile(0.05))
 
 
 def _axes(clip: Clip, joint: int) -> Tensor:
@@ -69,7 +57,7 @@ def _axes(clip: Clip, joint: int) -> Tensor:
 
 
 def _onward(clip: Clip, joint: int, axes: Tensor) -> Tensor:
-    """Axes of a joint from its parent's: rigs turn them against each other by quarters of a turn, motion by less."""
+    """Axes of a joint from its parent's: rigs turn them by multiples of 90 degrees, motion by less."""
     return R.multiply(R.inverse(_nearest(clip.rotations[:, joint])), axes)
 
 
@@ -77,7 +65,7 @@ def _nearest(turns: Tensor) -> Tensor:
     """The rotation ``[4]`` that takes coordinate axes to coordinate axes and is nearest to the mean of ``turns [F, 4]``."""
     mean = R.to_matrix(turns).mean(0)
     axes, left = torch.zeros_like(mean), mean.clone()
-    for _ in range(2):  # the two clearest axes, one after the other
+    for _ in range(2):  # the two largest entries in turn
         row, column = divmod(int(left.abs().argmax()), 3)
         axes[row, column] = mean[row, column].sign()
         left[row], left[:, column] = 0.0, 0.0
@@ -133,12 +121,12 @@ def _limbs(clip: Clip, skeleton: Skeleton) -> dict[int, Tensor]:
 
 
 def _part(skeleton: Skeleton, side: str, part: str) -> int:
-    """A part of a limb; a collar is what a shoulder hangs on."""
+    """Index of a part of a limb; a collar is the parent of a shoulder."""
     return skeleton.parents[skeleton.role(f"{side}_shoulder")] if part == "collar" else skeleton.role(f"{side}_{part}")
 
 
 def _arm(clip: Clip, side: str, joint: int, bone: Tensor, wanted: Tensor) -> Tensor:
-    """Axes of an arm in the T-pose, where an elbow bends forward: about the vertical. Straight arms are like the rest."""
+    """Axes of an arm in the T-pose, where the elbow's axis is vertical; a straight arm is treated like a leg."""
     shoulder, elbow, hand = (clip.skeleton.role(f"{side}_{part}") for part in ("shoulder", "elbow", "hand"))
     upper, lower = (clip.global_positions[:, b] - clip.global_positions[:, a] for a, b in ((shoulder, elbow), (elbow, hand)))
     bent = torch.linalg.cross(R.normalize(upper), R.normalize(lower))

@@ -32,14 +32,10 @@ def multiply(a: Tensor, b: Tensor) -> Tensor:
 
 
 def multiply_parts(a: Sequence[Tensor], b: Sequence[Tensor]) -> tuple[Tensor, Tensor, Tensor, Tensor]:
-    """`multiply` of quaternions given as four tensors, one per component: the fastest way where each is contiguous."""
+    """`multiply` of quaternions given as four tensors, one per component; fastest if each is contiguous."""
     (aw, ax, ay, az), (bw, bx, by, bz) = a, b
-    return (
-        aw * bw - ax * bx - ay * by - az * bz,
-        aw * bx + ax * bw + ay * bz - az * by,
-        aw * by - ax * bz + ay * bw + az * bx,
-        aw * bz + ax * by - ay * bx + az * bw,
-    )
+    return (aw * bw - ax * bx - ay * by - az * bz, aw * bx + ax * bw + ay * bz - az * by,
+            aw * by - ax * bz + ay * bw + az * bx, aw * bz + ax * by - ay * bx + az * bw)
 
 
 def inverse(q: Tensor) -> Tensor:
@@ -85,7 +81,7 @@ def between(a: Tensor, b: Tensor) -> Tensor:
 
 
 def least_axis(v: Tensor) -> Tensor:
-    """The coordinate axis ``[..., 3]`` of the smallest component of vectors ``[..., 3]``: it is never parallel to them."""
+    """The coordinate axis ``[..., 3]`` of the smallest component of vectors ``[..., 3]``; never parallel to them."""
     return (torch.arange(3, device=v.device) == v.abs().argmin(-1, keepdim=True)).to(v.dtype)
 
 
@@ -103,16 +99,10 @@ def from_matrix(m: Tensor) -> Tensor:
     m00, m11, m22 = m[..., 0, 0], m[..., 1, 1], m[..., 2, 2]
     x, y, z = m[..., 2, 1] - m[..., 1, 2], m[..., 0, 2] - m[..., 2, 0], m[..., 1, 0] - m[..., 0, 1]
     xy, xz, yz = m[..., 1, 0] + m[..., 0, 1], m[..., 0, 2] + m[..., 2, 0], m[..., 2, 1] + m[..., 1, 2]
-    rows = torch.stack(
-        (
-            torch.stack((1 + m00 + m11 + m22, x, y, z), -1),
-            torch.stack((x, 1 + m00 - m11 - m22, xy, xz), -1),
-            torch.stack((y, xy, 1 - m00 + m11 - m22, yz), -1),
-            torch.stack((z, xz, yz, 1 - m00 - m11 + m22), -1),
-        ),
-        -2,
-    )  # four multiples of the same quaternion; the one with the largest diagonal is the best conditioned
-    best = rows.diagonal(dim1=-2, dim2=-1).argmax(-1)
+    parts = (1 + m00 + m11 + m22, x, y, z, x, 1 + m00 - m11 - m22, xy, xz,
+             y, xy, 1 - m00 + m11 - m22, yz, z, xz, yz, 1 - m00 - m11 + m22)
+    rows = torch.stack(parts, -1).unflatten(-1, (4, 4))  # four multiples of one quaternion
+    best = rows.diagonal(dim1=-2, dim2=-1).argmax(-1)  # the best conditioned
     q = normalize(rows.gather(-2, best[..., None, None].expand(*best.shape, 1, 4)).squeeze(-2))
     return torch.where(q[..., :1] < 0, -q, q)
 
@@ -145,8 +135,8 @@ def from_euler(angles: Tensor, order: str) -> Tensor:
 def to_euler(q: Tensor, order: str) -> Tensor:
     """Intrinsic Euler angles ``[..., 3]`` in radians, ``order`` of three different axes; inverse of `from_euler`.
 
-    Near gimbal lock the first and the third angle alone mean little; the third is what is left after the first, so that
-    together they are right. At the lock it is 0.
+    Near gimbal lock the first and the third angle are uncertain; the third is computed from the first, so that their product
+    is right. At the lock it is 0.
     """
     i, j, k = (AXES[a] for a in order)
     sign = 1.0 if (j - i) % 3 == 1 else -1.0
@@ -164,7 +154,7 @@ def slerp(a: Tensor, b: Tensor, t: Tensor | float) -> Tensor:
     t = as_tensor(t, "t", a)
     dot = (a * b).sum(-1)
     b = torch.where(dot[..., None] < 0, -b, b)
-    near = dot.abs() > 1 - 1e-7  # as good as linear; the arc cosine there has no finite gradient, which 0 keeps out
+    near = dot.abs() > 1 - 1e-7  # linear here: acos has no finite gradient at 1, so it gets 0
     angle = torch.acos(torch.where(near, 0.0, dot.abs()))
     wa = torch.where(near, 1 - t, ((1 - t) * angle).sin() / angle.sin())
     wb = torch.where(near, t, (t * angle).sin() / angle.sin())

@@ -1,4 +1,4 @@
-"""Tensors of numbers in any form, functions of arrays on tensors, and short representations of objects that hold tensors."""
+"""Conversion of numbers to tensors, array functions on tensors, and short representations of objects with tensors."""
 
 import dataclasses
 import textwrap
@@ -9,27 +9,14 @@ import numpy as np
 import torch
 from torch import Tensor, nn
 
-WIDTH, LINES = 125, 5  # columns and lines of a representation
-NAMES = 6  # names that are shown of a longer list
+WIDTH, LINES, NAMES = 125, 5, 6  # columns and lines of a representation, and names that it shows of a list
 
 
 def as_tensor(values: Any, what: str, like: Tensor | torch.dtype | None = None) -> Tensor:
-    """Numbers as a floating tensor.
+    """A tensor, an array, a number, or nested lists of them as a floating tensor.
 
-    Parameters
-    ----------
-    values
-        A tensor, an array, a number, or nested lists of them.
-    what
-        What they are, for the error.
-    like
-        Gives the device and the dtype, or is the dtype. Without it a floating tensor stays as it is, and all else gets
-        torch's default dtype.
-
-    Raises
-    ------
-    ValueError
-        If they are no numbers, or rows differ in length.
+    ``like`` gives device and dtype, or is the dtype; by default a floating tensor stays as it is, and all else gets torch's
+    default dtype. ValueError, which says ``what`` they are, if they are not numbers or rows differ in length.
     """
     if not isinstance(values, Tensor):
         try:
@@ -47,15 +34,12 @@ def as_tensor(values: Any, what: str, like: Tensor | torch.dtype | None = None) 
 
 
 def through_numpy(function: Callable[[np.ndarray], np.ndarray], values: Tensor) -> Tensor:
-    """A function of a float64 array, for scipy and numba: its result has the device and the dtype of ``values``.
-
-    A RuntimeError if ``values`` need a gradient, which would be lost.
-    """
+    """A function's result on a float64 array, as a tensor like ``values``; RuntimeError if these need a gradient."""
     return torch.from_numpy(np.ascontiguousarray(function(values.double().cpu().numpy()))).to(values)
 
 
 def summary(thing: Any, facts: Mapping[str, Any] | None = None) -> str:
-    """A representation of at most `LINES` lines that shows shapes, never whole tensors; by default a dataclass's fields."""
+    """A representation of at most `LINES` lines, with shapes of tensors; ``facts`` are by default a dataclass's fields."""
     if facts is None:
         facts = {f.name: getattr(thing, f.name) for f in dataclasses.fields(thing)}
     text = f"{type(thing).__name__}({', '.join(f'{name}={shown(value)}' for name, value in facts.items())})"
@@ -63,7 +47,7 @@ def summary(thing: Any, facts: Mapping[str, Any] | None = None) -> str:
 
 
 def shown(value: Any) -> str:
-    """A value in a few words: a tensor's shape, dtype and device (float32 and cpu go unsaid), the first of many names."""
+    """A value in a few words: a tensor's shape, its dtype unless float32, its device unless cpu; the first of many names."""
     match value:
         case Tensor():
             odd = (str(value.dtype).removeprefix("torch."), str(value.device))
@@ -87,6 +71,6 @@ def shown(value: Any) -> str:
 
 
 def few(names: Iterable[str]) -> str:
-    """Names, of which the first `NAMES` are shown where there are many."""
+    """The first `NAMES` names, and how many more there are."""
     names = list(names)
     return ", ".join(names[:NAMES]) + (f" and {len(names) - NAMES} more" if len(names) > NAMES else "")

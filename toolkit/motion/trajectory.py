@@ -1,4 +1,4 @@
-"""The trajectory window: where the root was and will be, seen from where it is (Mason et al. 2022, section 3.2)."""
+"""The trajectory window: past and future of the root in its present frame (Mason et al. 2022, section 3.2)."""
 
 import torch
 from torch import Tensor
@@ -17,22 +17,13 @@ def sample(roots: RootFrames, frames: Tensor, offsets: tuple[int, ...] = SAMPLES
 
     Parameters
     ----------
-    roots
-        Root frames of F frames at 60 Hz.
-    frames : Tensor [N]
-        Frames to stand in.
-    offsets
-        Which frames to look at from there (S of them); all must lie inside the clip.
+    roots : root frames of F frames at 60 Hz
+    frames : Tensor [N], the frames that the trajectory is relative to
+    offsets : S frame numbers relative to those; ValueError if a sample falls outside the clip
 
     Returns
     -------
-    positions, directions : Tensor [N, S, 2]
-        x (left) and z (forward) of the root's position, metres, and of its unit facing direction.
-
-    Raises
-    ------
-    ValueError
-        If a sample falls outside the clip.
+    positions, directions : Tensor [N, S, 2], x (left) and z (forward) of the root, metres, and of its unit facing direction
     """
     at = frames[:, None] + torch.tensor(offsets, device=frames.device)
     if int(at.min()) < 0 or int(at.max()) >= len(roots.rotations):
@@ -46,6 +37,6 @@ def sample(roots: RootFrames, frames: Tensor, offsets: tuple[int, ...] = SAMPLES
 
 
 def heading(rotations: Tensor) -> tuple[Tensor, Tensor]:
-    """Sine and cosine of the angle of rotations ``[..., 4]`` about the vertical; they are also where +z points, (x, z)."""
+    """Sine and cosine of the angle of rotations ``[..., 4]`` about the vertical: x and z of the rotated +Z."""
     w, _, y, _ = rotations.unbind(-1)
     return 2 * w * y, w * w - y * y

@@ -28,7 +28,7 @@ def local_positions(clip: Clip, limb: str) -> Tensor:
     """
     skeleton = clip.skeleton
     hips = skeleton.role("hips")
-    end = skeleton.tip(limb) if limb.endswith("hand") else skeleton.role(limb.replace("foot", "toe"))
+    end = skeleton.end_site(limb) if limb.endswith("hand") else skeleton.role(limb.replace("foot", "toe"))
     reach = clip.global_positions[:, end] - clip.global_positions[:, hips]
     return R.rotate(R.inverse(clip.global_rotations[:, hips]), reach)
 

@@ -16,7 +16,7 @@ from toolkit.features import Layout, pack_joints, split_joints
 from toolkit.motion import Clip, local_rotations, trajectory
 from toolkit.motion import rotations as R
 from toolkit.motion.clip import FEET
-from toolkit.motion.ik import hold, plant_feet, turn_arms
+from toolkit.motion.ik import foot_lock, plant_feet, turn_arms
 from toolkit.motion.tensors import as_tensor, shown
 from toolkit.networks.phase import advance, amid_a_stride
 from toolkit.runtime.state import CharacterState, vectors_of
@@ -112,7 +112,7 @@ def step(model, state: CharacterState, command: Command) -> CharacterState:
     )
     before, predicted = (_predicted_toes(layout, s) for s in (state, new))
     left = torch.stack((new_root[:, 3], -new_root[:, 2]), -1)
-    toes, drift = hold(state.toes, state.drift, before, predicted, contacts, left, 1 / FPS)
+    toes, drift = foot_lock(state.toes, state.drift, before, predicted, contacts, left, 1 / FPS)
     return dataclasses.replace(new, toes=toes, drift=drift)
 
 

@@ -35,7 +35,7 @@ class CharacterState:
     toes : Tensor [B, 2, 3]
         Where foot IK puts the toes, world, right and left.
     drift : Tensor [B, 2, 2]
-        How fast they part from where the network predicts them, see `toolkit.motion.ik.hold`.
+        How fast they part from where the network predicts them, see `toolkit.motion.ik.foot_lock`.
     """
 
     history: Tensor

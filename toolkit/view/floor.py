@@ -66,7 +66,7 @@ def _footprints(clip: Clip, contacts: np.ndarray) -> list[Layer]:
     for i, side in enumerate(FEET):
         if f"{side}_toe" not in clip.skeleton.roles:
             continue
-        ankle, end = clip.skeleton.role(f"{side}_foot"), clip.skeleton.tip(f"{side}_toe")
+        ankle, end = clip.skeleton.role(f"{side}_foot"), clip.skeleton.end_site(f"{side}_toe")
         starts, stops = np.flatnonzero(np.diff(np.r_[0, contacts[:, i] > 0.5, 0])).reshape(-1, 2).T
         heel, toe = (clip.global_positions[(starts + stops) // 2, j][:, [0, 2]].double().numpy() for j in (ankle, end))
         length = np.linalg.norm(toe - heel, axis=1, keepdims=True)

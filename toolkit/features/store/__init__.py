@@ -1,12 +1,12 @@
-"""A whole dataset's features on disk: computed once, in parallel, and memory-mapped in training.
+"""Features of a dataset on disk: computed once, in parallel, and memory-mapped in training.
 
-A store is a folder: one safetensors file per style with each frame's own features (`toolkit.features.OwnFeatures`, float32,
-1,268 bytes per frame of the 100STYLE skeleton), from which x and z are derived when they are read; ``split.safetensors``,
-the held-out rows and the statistics of the others; and ``manifest.json``: settings, clips, checksums of sources and files.
+A store is a folder with one safetensors file per style, ``split.safetensors`` and ``manifest.json``. The file of a style
+holds its `toolkit.features.OwnFeatures` (float32, 1,268 bytes per frame of the 100STYLE skeleton); x and z are derived when
+they are read. The split holds the held-out rows and the statistics of the others, the manifest settings and checksums.
 
-Every file takes its name when it is whole and on the disk, and the manifest is written after each. What the manifest lists
-is therefore there, and a stopped run goes on with what it does not list. The same settings on the same kind of processor
-give the same bytes, in whatever order and on however many processes or machines.
+A file gets its name when it is complete, and the manifest is written after it. Every file in the manifest is therefore
+complete, and an interrupted run continues with the other styles. The same settings on the same kind of processor give the
+same bytes, whatever the order and the number of processes or machines.
 """
 
 import contextlib
@@ -37,50 +37,37 @@ from toolkit.motion import trajectory
 __all__ = ["is_store", "load", "preprocess"]
 
 SPLIT = "split.safetensors"
-GROWTH = 2  # bytes of a store per byte of BVH, at most: 1.8 for 100STYLE and for Bandai-Namco at 60 Hz
+GROWTH = 2  # upper limit of bytes of a store per byte of BVH; 1.8 for 100STYLE and for Bandai-Namco at 60 Hz
 
 
 def preprocess(data: str, root: str | os.PathLike | None, out: str | os.PathLike, *, styles: list[str] | None = None,
                gaits: list[str] | None = None, source: str = "hybrid", mirror: Callable[[Take], bool] | None = None,
                workers: int | None = None, scheduler: str | None = None, held_out: float = 0.1, seed: int = 0,
                progress: bool = False) -> bool:
-    """Compute the features, phases, contacts and split of a dataset's files into a store, or go on where a run stopped.
+    """Compute the features, phases, contacts and split of a dataset's files into a store, or continue an interrupted run.
 
-    Takes that hold no whole trajectory window are left out.
+    Takes that hold no whole trajectory window are left out. False if the store was finished already, with right checksums.
 
     Parameters
     ----------
-    data, root, styles, gaits
-        As of `toolkit.datasets.load`; a dataset of files.
-    out
-        The store's folder. One run at a time may write to it.
-    source
-        Name of a phase source.
-    mirror
-        For which takes mirror images are added.
-    workers
-        Processes; as many as processors where not given. 1: no other process than this one.
-    scheduler
-        Address of a Dask scheduler whose workers do the work instead; they see the folders under the same paths.
-    held_out, seed
-        Share of every style's rows that is held out, and what chooses them (see `toolkit.features.splits.held_out`).
-    progress
-        Show a bar with the time left.
-
-    Returns
-    -------
-    bool
-        False if the store was finished already: all its checksums, and those of the sources, are right.
+    data, root, styles, gaits : as in `toolkit.datasets.load`; a dataset of files
+    out : the store's folder; one run at a time may write to it
+    source : name of a phase source
+    mirror : true for takes whose mirror images are added
+    workers : number of processes, by default that of the processors; 1 starts no other process
+    scheduler : address of a Dask scheduler whose workers are used instead; they need the folders under the same paths
+    held_out, seed : share of every style's rows that is held out, and the seed (see `toolkit.features.splits.held_out`)
+    progress : show a bar with the time left
 
     Raises
     ------
     ValueError
         If files cannot be read or hold no style clip (all other styles are stored; the message names each file), or the
-        store was made with other settings or of other files.
+        store was made with other settings or from other files.
     OSError
         If the folder cannot be written to, there is too little space or another process writes to it.
     KeyboardInterrupt
-        When interrupted, after the styles in work were stored.
+        After an interrupt, when the styles that were begun are stored.
     """
     if data == "procedural":
         raise ValueError("the procedural dataset is computed, not read from files; there is nothing to preprocess")
@@ -88,26 +75,25 @@ def preprocess(data: str, root: str | os.PathLike | None, out: str | os.PathLike
     recorded, out = datasets._module(data, root).SOURCE, Path(out).resolve()
     root = recorded.folder(root).resolve()
     tables = ("Frame_Cuts.csv", "Dataset_List.csv") if data == "100style" else ()
-    settings = {
+    settings = json.loads(json.dumps({
         "version": toolkit.__version__, "data": data, "styles": styles, "gaits": gaits, "source": source,
         "mirror": mirror is not None, "fps": trajectory.FPS, "window": trajectory.SAMPLES,
         "clip": [features.CLIP_FRAMES, features.CLIP_HOP], "held_out": held_out, "seed": seed,
         "tables": {path.name: files.sha256(path) for name in tables for path in root.rglob(name)},
-    }
+    }))
     by_style: dict[str, list[tuple[int, Take]]] = defaultdict(list)
     for number, take in enumerate(recorded.choose(root, styles, gaits)):
         by_style[take.style].append((number, take))
     jobs = [Partition(data, root, out, source, style, tuple(takes),
                       frozenset(t.gait for _, t in takes if mirror and mirror(t)))
             for style, takes in sorted(by_style.items())]
-    settings = json.loads(json.dumps(settings))
     with _alone(out):
         return _make(out, settings, jobs, workers, scheduler, progress)
 
 
 def _make(out: Path, settings: dict[str, Any], jobs: list[Partition], workers: int | None, scheduler: str | None,
           progress: bool) -> bool:
-    """Make what a store lacks; False where it lacks nothing."""
+    """Compute the missing parts of a store; False if there are none."""
     manifest = _begin(out, settings)
     todo = _remaining(out, manifest, jobs, progress)
     if manifest["finished"]:
@@ -115,7 +101,6 @@ def _make(out: Path, settings: dict[str, Any], jobs: list[Partition], workers: i
     need = GROWTH * sum(job.size * (2 if job.mirrored else 1) for job in todo)
     if need > (free := shutil.disk_usage(out).free):
         raise OSError(f"{out}: the store needs about {need / 1e9:.1f} GB more, {free / 1e9:.1f} GB are free")
-
     entries, broken = manifest["partitions"], []
     bar = tqdm(desc="preprocess", total=sum(job.size for job in todo), unit="B", unit_scale=True,
                disable=None if progress else True)
@@ -131,8 +116,8 @@ def _make(out: Path, settings: dict[str, Any], jobs: list[Partition], workers: i
             entries[job.style] = entry
             files.write_manifest(out, manifest)
         if broken:
-            raise ValueError(f"{len(broken)} of {len(jobs)} styles could not be stored, the others are; mend these or move "
-                             f"them away and run the same command again: {'; '.join(sorted(broken))}")
+            raise ValueError(f"{len(broken)} of {len(jobs)} styles could not be stored; repair or remove these files and "
+                             f"run the same command again: {'; '.join(sorted(broken))}")
         bar.set_description("statistics")
         _finish(out, manifest, pool)
     return True
@@ -140,7 +125,7 @@ def _make(out: Path, settings: dict[str, Any], jobs: list[Partition], workers: i
 
 @contextlib.contextmanager
 def _alone(out: Path) -> Iterator[None]:
-    """Inside, no other process writes to the store; a lock that a killed one held is free."""
+    """Inside, no other process writes to the store. The lock of a killed process is free."""
     out.parent.mkdir(parents=True, exist_ok=True)
     lock = out.with_name(f".{out.name}.lock")
     try:
@@ -156,17 +141,14 @@ def is_store(path: str | os.PathLike) -> bool:
 
 
 def load(path: str | os.PathLike, styles: list[str] | None = None) -> Features:
-    """Features of a finished store, or of some of its styles: read from the files when they are indexed.
+    """Features of a finished store, or of some of its styles, read from the files when they are indexed.
 
-    Raises
-    ------
-    ValueError
-        If there is no finished store, a file is damaged or a style is not in it.
+    ValueError if there is no finished store, a file is damaged or a style is not in it.
     """
     path = Path(path)
     manifest = files.read_manifest(path)
     if not manifest["finished"]:
-        raise ValueError(f"{path}: the store is not finished; run the command that makes it again to go on")
+        raise ValueError(f"{path}: the store is not finished; run the command that makes it again to continue")
     entries, settings = manifest["partitions"], manifest["settings"]
     for style in styles or ():
         check_style(style, tuple(entries))
@@ -181,7 +163,7 @@ def load(path: str | os.PathLike, styles: list[str] | None = None) -> Features:
 
 
 def _begin(out: Path, settings: dict[str, Any]) -> dict[str, Any]:
-    """The manifest of the store in a folder; of a new one where the folder is empty or not there."""
+    """The manifest of the store in a folder, or of a new store if the folder is empty or missing."""
     if is_store(out):
         manifest = files.read_manifest(out)
         if why := difference(manifest["settings"], settings):
@@ -198,10 +180,9 @@ def _begin(out: Path, settings: dict[str, Any]) -> dict[str, Any]:
 
 
 def _remaining(out: Path, manifest: dict[str, Any], jobs: list[Partition], progress: bool) -> list[Partition]:
-    """Partitions still to be made; the checksums of all others are right, and their sources have not changed."""
+    """Partitions to be made; ValueError if sources have changed, while damaged partitions are made again."""
     entries, by_style = manifest["partitions"], {job.style: job for job in jobs}
-    changed = [style for style in (by_style.keys() | entries.keys() if manifest["finished"] else entries)
-               if style not in by_style or style not in entries]
+    changed = list(by_style.keys() ^ entries.keys() if manifest["finished"] else entries.keys() - by_style.keys())
     done = [job for job in jobs if job.style in entries]
     for job in tqdm(done, desc="checking", unit="style", disable=None if progress and done else True):
         if job.checksums() != entries[job.style]["sources"]:
@@ -209,15 +190,14 @@ def _remaining(out: Path, manifest: dict[str, Any], jobs: list[Partition], progr
         elif not files.is_whole(out, entries[job.style]):
             del entries[job.style]
     if changed:
-        raise ValueError(f"{out}: the files of style {min(changed)} are not those that the store was made of; "
-                         "use another folder")
+        raise ValueError(f"{out}: the files of style {min(changed)} are not those of the store; use another folder")
     todo = [job for job in jobs if job.style not in entries]
     manifest["finished"] = manifest["finished"] and not todo and files.is_whole(out, manifest["split"])
     return todo
 
 
 def _finish(out: Path, manifest: dict[str, Any], pool: Executor) -> None:
-    """Write the split, and the manifest of a whole store."""
+    """Write the split, and the manifest of a finished store."""
     entries, settings = dict(sorted(manifest["partitions"].items())), manifest["settings"]
     found = partition.read(out, entries)
     held_out = splits.held_out(found, settings["held_out"], settings["seed"], tuple(entries))

@@ -18,7 +18,7 @@ MANIFEST = "manifest.json"
 
 
 def write(path: Path, tensors: dict[str, Tensor]) -> dict[str, Any]:
-    """Write a file, whole or not at all; its size and checksum."""
+    """Write a file, whole or not at all; returns its size and checksum."""
     packed = save(tensors)
     with atomic_write(path) as file:
         file.write(packed)
@@ -28,12 +28,12 @@ def write(path: Path, tensors: dict[str, Tensor]) -> dict[str, Any]:
 def read(path: Path, entry: dict[str, Any]) -> dict[str, Tensor]:
     """Memory-mapped tensors of a file that the manifest lists."""
     if not path.is_file() or path.stat().st_size != entry["bytes"]:
-        raise ValueError(f"{path}: missing or not whole; run the command that makes the store again to mend it")
+        raise ValueError(f"{path}: missing or not whole; run the command that makes the store again")
     try:
         with safe_open(path, framework="pt") as file:
             return {name: file.get_tensor(name) for name in file.keys()}  # noqa: SIM118 (not a dict)
     except SafetensorError as error:
-        raise ValueError(f"{path}: damaged ({plain(error)}); remove it and run the command that makes the store") from error
+        raise ValueError(f"{path}: damaged ({plain(error)}); remove it and make the store again") from error
 
 
 def write_manifest(out: Path, manifest: dict[str, Any]) -> None:
@@ -44,7 +44,7 @@ def write_manifest(out: Path, manifest: dict[str, Any]) -> None:
 
 
 def read_manifest(path: Path) -> dict[str, Any]:
-    """The manifest of a store; a ValueError where there is none."""
+    """The manifest of a store; ValueError if there is none or it is damaged."""
     try:
         manifest = json.loads((path / MANIFEST).read_text(encoding="utf-8"))
     except FileNotFoundError:
@@ -57,7 +57,7 @@ def read_manifest(path: Path) -> dict[str, Any]:
     with intact(path / MANIFEST, "the manifest"):
         entries = manifest["partitions"]
         if manifest["finished"] and not entries:
-            raise ValueError("finished, and without a style")
+            raise ValueError("finished without a style")
         for entry in (*entries.values(), *([manifest["split"]] if manifest["finished"] else [])):
             file, size = entry["file"], entry["bytes"]
             if not file.isprintable() or Path(file).name != file or not isinstance(size, int) or not entry["sha256"]:
@@ -73,7 +73,7 @@ def read_manifest(path: Path) -> dict[str, Any]:
 
 
 def is_whole(out: Path, entry: dict[str, Any]) -> bool:
-    """Whether a file that the manifest lists is there and has its checksum."""
+    """Whether a file in the manifest exists and has its checksum."""
     path = out / entry["file"]
     return path.is_file() and sha256(path) == entry["sha256"]
 

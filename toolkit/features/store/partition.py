@@ -1,4 +1,4 @@
-"""One style of a store: computed from its files, read back, summed up."""
+"""One style of a store: computed, read back, and its statistics."""
 
 from collections import defaultdict
 from dataclasses import dataclass
@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 import torch
-from torch import Tensor
 
 from toolkit import datasets, features
 from toolkit.datasets import Take
@@ -20,7 +19,7 @@ from toolkit.motion import RootFrames
 
 @dataclass(frozen=True)
 class Partition:
-    """One style's files, the unit of work: they need nothing of the others (a style's gaits do not share phase axes)."""
+    """The files of one style. Partitions are independent, because phase axes are shared only within a style and gait."""
 
     data: str
     root: Path
@@ -41,7 +40,7 @@ class Partition:
 
 
 def make(job: Partition) -> dict[str, Any]:
-    """Compute and write one partition; its entry in the manifest."""
+    """Compute and write one partition; returns its entry in the manifest."""
     with one_thread():
         sources = job.checksums()
         groups: dict[str, list] = defaultdict(list)
@@ -49,8 +48,7 @@ def make(job: Partition) -> dict[str, Any]:
         for (number, _), clip in zip(job.takes, loaded, strict=True):
             groups[clip.gait].append((number, clip))
         del loaded, clip
-        parts: list[OwnFeatures] = []
-        clips = []
+        parts, clips = [], []
         for gait in sorted(groups):
             for number, own in features.group_features(groups.pop(gait), job.source, gait in job.mirrored, "skip"):
                 parts.append(own)
@@ -62,14 +60,16 @@ def make(job: Partition) -> dict[str, Any]:
         layout = parts[0].layout
         if any(own.layout != layout for own in parts):
             raise ValueError(f"{job.takes[0][1].path}: the skeletons of style {job.style} differ")
-        tensors = {name: torch.cat([_tensors(own)[name] for own in parts]) for name in _tensors(parts[0])}
+        found = [{"positions": own.roots.positions, "rotations": own.roots.rotations, "joints": own.joints,
+                  "phases": own.phases, "contacts": own.contacts} for own in parts]
+        tensors = {name: torch.cat([t[name] for t in found]) for name in found[0]}
         file = f"{job.style}.safetensors"
         return {"file": file, **files.write(job.out / file, tensors), "frames": len(tensors["joints"]),
                 "layout": layout.to_json(), "clips": clips, "sources": sources}
 
 
 def read(path: Path, entries: dict[str, dict[str, Any]]) -> Features:
-    """Features of the styles of manifest entries: what is derived when it is read."""
+    """Features of the styles of manifest entries, as `Rows`."""
     kinds: dict[str, dict[str, Any]] = {kind: {} for kind in (*features.KINDS, "takes")}
     layout = Layout.from_json(next(iter(entries.values()))["layout"])
     for style, entry in entries.items():
@@ -99,8 +99,3 @@ def moments(path: Path, style: str, entry: dict[str, Any], held_out: np.ndarray)
         rows = {kind: getattr(found, kind)[style] for kind in features.KINDS}
         rows |= {kind: rows[kind].select(kept) for kind in features.FRAME_KINDS}
         return {kind: tuple(np.asarray(x) for x in features.moments(r)) for kind, r in rows.items()}
-
-
-def _tensors(own: OwnFeatures) -> dict[str, Tensor]:
-    return {"positions": own.roots.positions, "rotations": own.roots.rotations, "joints": own.joints, "phases": own.phases,
-            "contacts": own.contacts}

@@ -1,4 +1,4 @@
-"""Who does the work of a store: processes of this machine, or those of a Dask cluster."""
+"""Workers that compute a store: processes of this machine or of a Dask cluster."""
 
 import contextlib
 import signal
@@ -13,7 +13,7 @@ import torch
 
 @contextlib.contextmanager
 def executor(workers: int | None, scheduler: str | None) -> Iterator[Executor]:
-    """What runs jobs: a Dask scheduler's workers, or ``workers`` processes of this machine (1: this one)."""
+    """An executor of a Dask scheduler's workers or of ``workers`` processes of this machine (1: this one)."""
     if scheduler:
         try:
             from dask.distributed import Client
@@ -25,14 +25,15 @@ def executor(workers: int | None, scheduler: str | None) -> Iterator[Executor]:
         with ThreadPoolExecutor(1) as pool:
             yield pool
     else:
-        with ProcessPoolExecutor(workers, get_context("spawn"), _ignore_interrupts) as pool:
+        ignore = signal.SIGINT, signal.SIG_IGN  # Ctrl-C goes to every process; this one handles it
+        with ProcessPoolExecutor(workers, get_context("spawn"), signal.signal, ignore) as pool:
             yield pool
 
 
 def completed(pool: Executor, function: Callable, jobs: list[tuple]) -> Iterator[tuple[tuple, Any]]:
-    """Jobs and their results as they come; a ValueError is a result.
+    """Jobs and their results in the order of completion; a ValueError is a result.
 
-    Where the caller stops or is interrupted, no further job is begun; an interrupt still gives the results of those begun.
+    If the caller stops or is interrupted, no further job begins. An interrupt still gives the results of those begun.
     """
     futures = {pool.submit(function, *job): job for job in jobs}
 
@@ -40,8 +41,8 @@ def completed(pool: Executor, function: Callable, jobs: list[tuple]) -> Iterator
         for future in as_completed(list(futures)):
             job, error = futures.pop(future), future.exception()
             if isinstance(error, BrokenProcessPool):
-                raise OSError("a worker process died, perhaps for want of memory; run the same command again to go on, "
-                              "with fewer workers") from error
+                raise OSError("a worker process died, perhaps out of memory; run the same command again with fewer "
+                              "workers") from error
             yield job, error if isinstance(error, ValueError) else future.result()
 
     try:
@@ -56,13 +57,9 @@ def completed(pool: Executor, function: Callable, jobs: list[tuple]) -> Iterator
             future.cancel()
 
 
-def _ignore_interrupts() -> None:
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C goes to every process; the first one decides
-
-
 @contextlib.contextmanager
 def one_thread() -> Iterator[None]:
-    """Inside, torch uses one thread: the processes share the processors, and sums do not depend on the number."""
+    """Inside, torch uses one thread: processes share the processors, and sums do not depend on the number of threads."""
     before = torch.get_num_threads()
     torch.set_num_threads(1)
     try:

@@ -187,7 +187,7 @@ def _toes(history, joints, rules, place):
 
 @njit(nogil=True)
 def _hold(toes, drift, before, predicted, contacts, left, rules, new_toes, new_drift):
-    """`toolkit.motion.ik.hold` of one character."""
+    """`toolkit.motion.ik.foot_lock` of one character."""
     seconds = 1 / rules.fps
     fade = math.exp(-rules.let_go * seconds)
     for side in range(2):

@@ -49,8 +49,8 @@ class Body(NamedTuple):
         joints, parents = list(skeleton.feature_joints), skeleton.parents
         arms = [[skeleton.role(f"{side}_{part}") for side in FEET] for part in ("shoulder", "elbow", "hand")]
         chain = [[parents[joint] for joint in arms[0]], *arms]
-        tips = [skeleton.tip(f"{side}_hand") for side in FEET]
-        bones = pairwise([*chain, tips] if not set(tips) & set(arms[-1]) else chain)
+        ends = [skeleton.end_site(f"{side}_hand") for side in FEET]
+        bones = pairwise([*chain, ends] if not set(ends) & set(arms[-1]) else chain)
         return cls(
             parents=np.array(parents), offsets=skeleton.offsets.double().numpy(),
             features=np.array([joints.index(j if j in joints else parents[j]) for j in range(len(skeleton))]),
