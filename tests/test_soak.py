@@ -33,6 +33,10 @@ class Harmed:
         return self.harm(state, self.frame) if self.start <= self.frame < self.stop else state
 
 
+tk.runtime.step.register(Harmed)(Harmed.step)
+tk.runtime.pose.register(Harmed)(lambda harmed, state, **options: harmed.model.pose(state, **options))
+
+
 def changed(state, **parts):
     """A state with functions applied to some of its parts, of the one character."""
     new = {name: getattr(state, name).clone() for name in parts}

@@ -18,7 +18,7 @@ import typer
 from experiments.seven_models.models import machine, write_json
 from experiments.stylization import aberman, classifier, holden
 from experiments.stylization.classifier import Classifier
-from experiments.stylization.evaluation import Judges, Model, accuracy, evaluate, pairs
+from experiments.stylization.evaluation import Judges, accuracy, evaluate, pairs
 from toolkit import datasets
 from toolkit.features.splits import generator
 from toolkit.io import model_files
@@ -157,7 +157,7 @@ def compare(motions: Motions, plan: Plan, seeds: Sequence[int], folder: Path, pr
     return table
 
 
-def trained(name: str, motions: Motions, plan: Plan, seed: int, folder: Path, progress: bool = False) -> Model:
+def trained(name: str, motions: Motions, plan: Plan, seed: int, folder: Path, progress: bool = False) -> torch.nn.Module:
     """One of the models: a stylizer is read from the folder or trained from its checkpoint; a baseline is trained."""
     if name in BASELINES:
         return BASELINES[name](motions, plan.config(LOSSES, seed), progress)

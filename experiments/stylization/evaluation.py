@@ -5,7 +5,6 @@ The classifiers must be trained on other clips than the stylizer.
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Protocol
 
 import torch
 from torch import Tensor
@@ -17,21 +16,12 @@ from toolkit.features.splits import generator
 from toolkit.motion import Clip, Skeleton, contacts
 from toolkit.motion import rotations as R
 from toolkit.stylization.data import FPS, Motions, to_clip
+from toolkit.stylization.networks import Stylizer
 from toolkit.stylization.restyling import lock_feet
 
 LOOSE = {"height": 0.03, "speed": 1.5}  # metres, m/s: limits of a contact before foot-skate removal
 STEPPING = 1.0  # landings per second, least for walking or running
 BATCH = 64  # motions per forward pass
-
-
-class Model(Protocol):
-    """A model that restyles: `Stylizer`, or a baseline of Table 2."""
-
-    def code_of(self, x: Tensor, domain: Tensor) -> Tensor:
-        """Style codes [B, …] of references [B, 7, T, N] of domains [B]."""
-
-    def translate(self, x: Tensor, code: Tensor) -> Tensor:
-        """Motions [B, 7, T, N] in the style of codes [B, …]."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,14 +47,14 @@ def accuracy(model: Classifier, x: Tensor, labels: Tensor) -> float:
 
 
 @torch.no_grad()
-def evaluate(model: Model, sources: Motions, references: Motions, judges: Judges, *, by: str = "noise",
+def evaluate(model: Stylizer, sources: Motions, references: Motions, judges: Judges, *, by: str = "noise",
              seed: int = 0) -> dict[str, float]:
     """Restyle every source to every other domain, twice, and measure the results.
 
     Parameters
     ----------
     model
-        The model; style codes from noise also need its ``code_from`` and ``sizes``.
+        A stylizer, or another model with its methods `code_of` and `translate` (the baselines of Table 2).
     sources, references
         Motions that the model was not trained on.
     judges

@@ -109,17 +109,15 @@ def pose(plan: Plan, feet: dict[str, Foot]) -> tuple[Tensor, Tensor]:
     ankles = torch.zeros(frames, 2, 3, dtype=torch.float64)
     yaws, pitches, toes, airs, slacks, kicks = (np.zeros((frames, 2)) for _ in range(6))
     ceiling = np.full(frames, 9.0)
-    for i, name in enumerate(SIDES):
-        if name in feet:
-            foot = feet[name]
-            yaws[:, i], pitches[:, i], airs[:, i] = foot.yaw, foot.pitch, foot.air
-            slacks[:, i], kicks[:, i] = foot.slack, foot.kick
-            toes[:, i] = foot.pitch - np.minimum(foot.pitch, 0) * foot.flatness
-            turned = _foot_rotation(yaws[:, i], pitches[:, i])
-            ankles[:, i] = torch.from_numpy(foot.toe) - R.rotate(turned, _FOOT)
-            gap = (ankles[:, i] - offsets[:, i]).numpy() - hips
-            flat = np.minimum(np.hypot(gap[:, 0], gap[:, 2]), 0.9 * length)
-            ceiling = np.minimum(ceiling, gap[:, 1] + 0.1 * foot.air + np.sqrt((0.999 * length) ** 2 - flat**2))
+    for name, foot in feet.items():
+        i = SIDES.index(name)
+        yaws[:, i], pitches[:, i], airs[:, i] = foot.yaw, foot.pitch, foot.air
+        slacks[:, i], kicks[:, i] = foot.slack, foot.kick
+        toes[:, i] = foot.pitch - np.minimum(foot.pitch, 0) * foot.flatness
+        ankles[:, i] = torch.from_numpy(foot.toe) - R.rotate(_foot_rotation(foot.yaw, foot.pitch), _FOOT)
+        gap = (ankles[:, i] - offsets[:, i]).numpy() - hips
+        flat = np.minimum(np.hypot(gap[:, 0], gap[:, 2]), 0.9 * length)
+        ceiling = np.minimum(ceiling, gap[:, 1] + 0.1 * foot.air + np.sqrt((0.999 * length) ** 2 - flat**2))
     low = (1 - run) * _below(ceiling, 4) + run * _below(ceiling, 9)
     hips[:, 1] = (wanted + low - np.sqrt((wanted - low) ** 2 + 0.002**2)) / 2
     hips = torch.from_numpy(hips)

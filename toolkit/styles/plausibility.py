@@ -83,18 +83,9 @@ def segment_distance(a: Tensor, b: Tensor, c: Tensor, d: Tensor) -> Tensor:
 
 
 def check(model: Model, bank: StyleBank, blend: Mapping[str, float], speed: float = 1.0, seconds: float = 5.0) -> dict:
-    """Strain of a blend, compared with that of its styles, with a warning where it is clearly larger.
+    """`Strain` of a blend and the largest of its styles: a dict with ``bone_stretch``, ``usual_bone_stretch`` and so on.
 
-    Returns
-    -------
-    dict
-        ``bone_stretch`` and ``penetration`` of the blend, and the largest values of its styles, ``usual_bone_stretch`` and
-        ``usual_penetration``; see `Strain`.
-
-    Warns
-    -----
-    UserWarning
-        If the bone stretch exceeds that of every style by `STRETCH`, or the penetration by `DEPTH`.
+    It warns if the blend exceeds all of its styles by `STRETCH` or `DEPTH`.
     """
     vectors = torch.stack([bank.blend(blend), *(bank[name] for name in blend)])
     found = strain(model, vectors, speed, seconds)

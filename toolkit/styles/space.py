@@ -18,23 +18,9 @@ PERPLEXITY = 30.0  # of t-SNE, about the number of neighbours; at most a third o
 
 @torch.no_grad()
 def clip_vectors(model: Model, data: Features, clips: int = 50) -> tuple[Tensor, list[str]]:
-    """Style vectors of single clips, as Figure 11 shows them.
+    """Style vectors ``[N, D]`` of single style clips (Figure 11), and the style of each.
 
-    Parameters
-    ----------
-    model
-        A model with a FiLM generator.
-    data
-        Its style clips are encoded.
-    clips
-        Largest number of clips of each style, evenly spaced.
-
-    Returns
-    -------
-    vectors : Tensor [N, D]
-        One per clip.
-    styles : list of str
-        The style of each.
+    The model needs a FiLM generator. A style has at most ``clips`` clips, evenly spaced.
     """
     vectors, styles = [], []
     for style, y in data.clips.items():
