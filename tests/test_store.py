@@ -73,7 +73,12 @@ def test_the_split_and_its_statistics_are_recorded(made, in_memory):
         for kind, normaliser in train.normalisers().items():
             assert torch.equal(normaliser.mean, expected[0].normalisers()[kind].mean)
             assert torch.equal(normaliser.std, expected[0].normalisers()[kind].std)
-    assert tk.features.store.load(made, styles=["ProceduralZombie"]).split is None
+    part = tk.features.store.load(made, styles=["ProceduralZombie"])
+    assert part.split is None
+    whole = tk.training.split(stored, 0.1, 0, STYLES)[1]
+    for data in (part, stored, in_memory):  # one style holds out what it does among all
+        held = tk.training.split(data, 0.1, 0, ("ProceduralZombie",))[1]
+        assert torch.equal(held.inputs["ProceduralZombie"][:], whole.inputs["ProceduralZombie"][:])
 
 
 def test_training_from_it_gives_the_same_weights(made, in_memory):

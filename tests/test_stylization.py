@@ -133,6 +133,9 @@ def test_a_split_parts_no_take(walks):
     for part in (first, second):
         assert {(int(d), int(c)) for d, c in zip(part.domain, part.content, strict=True)} == {(0, 0), (0, 1), (1, 0), (1, 1)}
     assert torch.equal(first.take, st.split(st.build(many, mirror=True), 0.5, seed=1)[0].take)
+    name = second.domains[1]
+    alone = st.split(st.build([clip for clip in many if clip.style == name], mirror=True), 0.5, seed=1)[1]
+    assert torch.equal(alone.x[:, :3], second.select(second.domain == 1).x[:, :3])  # as without the other domain
 
 
 def test_z_scores_do_not_depend_on_a_quaternions_sign(motions):

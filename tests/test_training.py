@@ -127,6 +127,16 @@ def test_held_out_frames_are_windows_apart_from_the_training_frames():
         assert not (where[:, None] == torch.tensor([0])).all()
 
 
+def test_a_style_holds_out_the_same_frames_whichever_others_there_are():
+    data = waves(frames=3000, styles=4)
+    whole = splits.held_out(data, 0.1, 0, tuple(data.styles))
+    for some in (("style2",), ("style3", "style1", "style2")):
+        for style, rows in splits.held_out(data, 0.1, 0, some).items():
+            assert torch.equal(rows, whole[style])
+    assert len({tuple(rows[:3000].tolist()) for rows in whole.values()}) == 4  # a stream for each
+    assert splits.mix(3, "Zombie") == 691408046533145781  # on every machine
+
+
 def test_loss_is_mse_and_bone_length_of_equation_5():
     model = tiny_model()
     predicted, target = torch.randn(3, 2, model.layout.n_outputs).unbind(1)

@@ -86,17 +86,17 @@ def capacity(data: Features, plan: Plan, folder: Path, progress: bool = False) -
     """Error of the same few styles as a function of the number of styles in a model.
 
     All runs have the same budget, so with more styles every model has fewer training steps per style. Runs with fewer styles
-    are trained here (seed 0) and stored. They have the first styles of the data in the data's order, because the held-out
-    frames of a style depend on its index: so all models are compared on the same frames.
+    are trained here (seed 0) and stored. The held-out frames of a style do not depend on the other styles, so all models are
+    compared on the same frames.
     """
-    order = data.styles
+    order = [data.styles[i] for i in torch.randperm(len(data.styles), generator=splits.generator(0)).tolist()]
     counts = [n for n in COUNTS if n < len(order)] + [len(order)]
     share = plan.config("lpn-film", 0).held_out
     scale = splits.split(data, share, 0, tuple(data.styles))[0].normalisers()["outputs"]
     errors: dict[str, dict[str, float]] = {name: {} for name in CAPACITY}
     jobs = [(n, name) for n in counts for name in CAPACITY]
     for n, name in tqdm(jobs, desc="capacity", unit="run", disable=None if progress else True):
-        styles, config, where = tuple(order[:n]), plan.config(name, 0), folder
+        styles, config, where = tuple(s for s in data.styles if s in order[:n]), plan.config(name, 0), folder
         if n < len(order):
             config, where = dataclasses.replace(config, styles=styles), folder / "capacity" / str(n)
         run = trained(data, config, where, progress)

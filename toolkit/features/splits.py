@@ -2,6 +2,7 @@
 
 import contextlib
 import dataclasses
+import hashlib
 from collections.abc import Iterator
 
 import numpy as np
@@ -17,9 +18,9 @@ SPLIT = 1  # number of the random stream; those of `toolkit.training.minibatches
 
 def split(data: Features, share: float, seed: int, styles: tuple[str, ...]) -> tuple[Features, Features]:
     """Training and held-out frames of ``styles``, in that order; style clips stay with the training frames."""
-    known = data.split if styles == tuple(data.styles) else None
-    known = known if known and (known.share, known.seed) == (share, seed) else None
-    masks = known.held_out if known else held_out(data, share, seed, styles)
+    known = data.split if data.split and (data.split.share, data.split.seed) == (share, seed) else None
+    masks = {s: known.held_out[s] for s in styles} if known else held_out(data, share, seed, styles)
+    statistics = known.statistics if known and styles == tuple(data.styles) else None
 
     def take(masks: dict[str, Tensor], statistics: dict[str, Normaliser] | None) -> Features:
         found = {kind: getattr(data, kind) for kind in (*FRAME_KINDS, "takes")}
@@ -28,24 +29,24 @@ def split(data: Features, share: float, seed: int, styles: tuple[str, ...]) -> t
         clips = {s: data.clips[s] for s in styles}
         return dataclasses.replace(data, clips=clips, split=None, statistics=statistics, **pick)
 
-    kept = take({s: ~masks[s] for s in styles}, known.statistics if known else None)
-    return kept, take({s: masks[s] for s in styles}, None)
+    return take({s: ~masks[s] for s in styles}, statistics), take(masks, None)
 
 
 def held_out(data: Features, share: float, seed: int, styles: tuple[str, ...]) -> dict[str, Tensor]:
     """Which rows of each style are held out, ``[N]`` bool: about ``share`` of every style.
 
     They are whole takes if a style has at least `SPLIT_TAKES` of them, else random windows of 4 s, each inside a take; in a
-    style shorter than that they are its end. A take and its mirror image count as one.
+    style shorter than that they are its end. A take and its mirror image count as one. What a style holds out does not
+    depend on the other styles.
     """
     masks = {}
-    for i, style in enumerate(styles):
+    for style in styles:
         n, takes = len(data.takes[style]), data.takes[style].unique()
         windows = [(data.takes[style] == take).nonzero()[:, 0] for take in takes]
         if len(windows) < SPLIT_TAKES:
             windows = [w for take in windows for w in take.split(SPLIT_FRAMES)]
         target, chosen = round(share * n), torch.zeros(n, dtype=torch.bool)
-        for w in torch.randperm(len(windows), generator=generator(seed, SPLIT, i)).tolist():
+        for w in torch.randperm(len(windows), generator=generator(seed, SPLIT, style)).tolist():
             if (need := target - int(chosen.sum())) <= 0:
                 break
             chosen[windows[w] if len(takes) >= SPLIT_TAKES else windows[w][-need:]] = True
@@ -53,13 +54,15 @@ def held_out(data: Features, share: float, seed: int, styles: tuple[str, ...]) -
     return masks
 
 
-def generator(*numbers: int) -> torch.Generator:
-    """A random generator whose stream depends on the numbers."""
-    return torch.Generator().manual_seed(mix(*numbers))
+def generator(*keys: int | str) -> torch.Generator:
+    """A random generator whose stream depends on the numbers and names."""
+    return torch.Generator().manual_seed(mix(*keys))
 
 
-def mix(*numbers: int) -> int:
-    """One seed from several numbers."""
+def mix(*keys: int | str) -> int:
+    """One seed from several numbers and names, the same on every machine."""
+    numbers = [int.from_bytes(hashlib.sha256(key.encode()).digest()[:8], "little") if isinstance(key, str) else key
+               for key in keys]
     return int(np.random.SeedSequence(numbers).generate_state(1, np.uint64)[0] >> np.uint64(1))
 
 

@@ -215,7 +215,8 @@ def _aimed(skeleton: Skeleton, world: Tensor, root: Tensor, wanted: Tensor) -> T
 def split(motions: Motions, share: float, seed: int) -> tuple[Motions, Motions]:
     """Two sets of windows with different takes; the second has about ``share`` of the takes of every domain and content.
 
-    A take and its mirror image are in the same set. The same seed gives the same split.
+    A take and its mirror image are in the same set. The same seed gives the same split; what is chosen of a domain and
+    content does not depend on the others.
 
     Raises
     ------
@@ -229,7 +230,7 @@ def split(motions: Motions, share: float, seed: int) -> tuple[Motions, Motions]:
     originals = {t: (d, c) for t, d, c in labels}  # the original's labels, which come before its mirror image's
     for d, c in sorted(set(originals.values())):
         takes = torch.tensor(sorted(t for t, kind in originals.items() if kind == (d, c)))
-        order = torch.randperm(len(takes), generator=generator(seed, d, c))
+        order = torch.randperm(len(takes), generator=generator(seed, motions.domains[d], motions.contents[c]))
         second[takes[order[: round(share * len(takes))]]] = True
     mask = second[motions.take]
     return motions.select(~mask), motions.select(mask)
