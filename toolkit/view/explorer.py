@@ -132,11 +132,11 @@ class StyleExplorer(StyleBlender):
         triangle = int(self._triangles.find_simplex(place.numpy()))
         if triangle < 0:
             place, triangle = self._inside(place)
-        corners = self._triangles.simplices[triangle].tolist()
-        first, *edges = self.points[corners]
-        second, third = torch.linalg.solve(torch.stack([e - first for e in edges], 1), place - first).tolist()
-        shares = [max(0.0, w) for w in (1 - second - third, second, third)]
-        return {self._bank.names[i]: w / sum(shares) for i, w in zip(corners, shares, strict=True) if w > 1e-6}
+        transform = self._triangles.transform[triangle]  # to barycentric coordinates
+        first, second = transform[:2] @ (place.numpy() - transform[2])
+        shares = [max(0.0, float(w)) for w in (first, second, 1 - first - second)]
+        styles = [self._bank.names[i] for i in self._triangles.simplices[triangle]]
+        return {name: w / sum(shares) for name, w in zip(styles, shares, strict=True) if w > 1e-6}
 
     def aim(self, blend: dict[str, float]) -> None:
         """Play a blend of up to three styles, from any thread; of several calls in a row only the newest is played."""

@@ -12,7 +12,7 @@ import numpy as np
 from scipy.ndimage import uniform_filter, zoom
 from scipy.spatial.transform import Rotation
 
-from toolkit.view.body import Shape, bounds
+from toolkit.view.body import Shape
 
 FAR = -1e9
 COARSE = 4  # shadows are soft, so their pixels are this many times larger
@@ -55,7 +55,8 @@ class Canvas:
         places = np.asarray(places, dtype=np.float64)
         backs = np.linalg.inv(places[:, :, :3])
         for shape, place, back, color in zip(shapes, places, backs, colors, strict=True):
-            rows, columns = self._span(*bounds((shape,), place[None]))
+            r, ends = np.array(shape.radii)[:, None], place[:2, 3] + np.array([[0.0], [shape.length]]) * place[:2, 1]
+            rows, columns = self._span((ends - r).min(0), (ends + r).max(0))
             depth = _depth(shape, place[:, 3], back, self.x[columns], self.y[rows, None])
             nearer = depth > self.depth[rows, columns]
             self.depth[rows, columns][nearer] = depth[nearer]
