@@ -3,7 +3,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 PYTHON := python3
 
-.PHONY: env demo test coverage lab docs wheel clean
+.PHONY: env chromium demo test coverage lab docs wheel clean
 
 env: $(VENV)/.complete
 
@@ -15,6 +15,16 @@ $(VENV)/.complete: pyproject.toml constraints.txt
 	PYTHONWARNINGS=ignore $(BIN)/pip install --quiet --constraint constraints.txt --no-build-isolation --editable ".[dev]"
 	$(BIN)/python -m toolkit.view.opengl
 	touch $@
+
+chromium:  # for tests/browser, which are skipped where there is none
+	@for name in chromium chromium-browser google-chrome; do command -v $$name && exit; done; \
+	if [ "$$(id -u)" = 0 ] && command -v apt-get > /dev/null; then \
+	    echo "Installing Chromium into the system, as root: apt-get install chromium"; \
+	    apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -qq --no-install-recommends chromium > /dev/null 2>&1; \
+	else \
+	    echo "Chromium is missing. Debian: sudo apt-get install chromium. Elsewhere: install it, or Google Chrome, on the PATH."; \
+	    exit 1; \
+	fi
 
 demo: env
 	$(BIN)/python -m toolkit demo --out out/demo

@@ -106,6 +106,27 @@ def test_every_module_is_an_attribute_of_its_package_right_after_import():
     assert done.returncode == 0, done.stderr
 
 
+@pytest.mark.parametrize(("there", "user", "said", "status"), [
+    ("chromium", 0, "{bin}/chromium", 0),
+    ("google-chrome", 1000, "{bin}/google-chrome", 0),
+    ("apt-get", 0, "Installing Chromium into the system, as root: apt-get install chromium", 0),
+    ("apt-get", 1000, "Chromium is missing. Debian: sudo apt-get install chromium. Elsewhere: ", 2),
+])
+def test_make_chromium_finds_it_or_says_what_it_installs(tmp_path, there, user, said, status):
+    make = shutil.which("make") or pytest.skip("no make here")
+    commands = {"id": f"echo {user}", there: f'echo "$@" >> {tmp_path}/called'}
+    for name, line in commands.items():
+        (tmp_path / name).write_text(f"#!/bin/sh\n{line}\n", encoding="utf-8")
+        (tmp_path / name).chmod(0o755)
+    done = subprocess.run([make, "chromium"], cwd=REPOSITORY, env={"PATH": str(tmp_path)}, capture_output=True, text=True,
+                          check=False)
+    assert (done.returncode, len(done.stdout.splitlines())) == (status, 1)
+    assert done.stdout.startswith(said.format(bin=tmp_path))
+    called = tmp_path / "called"
+    assert (called.read_text(encoding="utf-8").split() if called.exists() else []) == (
+        ["update", "-qq", "install", "-qq", "--no-install-recommends", "chromium"] if said.startswith("Installing") else [])
+
+
 def test_without_the_view_extra_one_line_names_it(tmp_path):
     code = f"""
         import sys

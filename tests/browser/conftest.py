@@ -20,7 +20,7 @@ ARTEFACTS = Path(__file__).resolve().parents[2] / "out" / "browser"
 @pytest.fixture(scope="session")
 def browser():
     if CHROMIUM is None:
-        pytest.skip("no Chromium found (Debian: apt-get install chromium)")
+        pytest.skip("no Chromium found (make chromium)")
     sync_api = pytest.importorskip("playwright.sync_api", reason="needs Playwright: pip install playwright")
     with sync_api.sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
