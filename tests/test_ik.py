@@ -167,7 +167,7 @@ def test_a_body_that_turns_or_shifts_does_not_cross_its_legs():
     predicted = torch.tensor([[-0.1, 0.0, 0.0], [0.1, 0.0, 0.0]], dtype=torch.float64).repeat(30, 1, 1)
     predicted[:, :, 0] -= torch.arange(30)[:, None] / 60
     toes, _ = walked(torch.ones(30, 2), predicted)
-    assert (toes - predicted)[-1, :, 0].tolist() == pytest.approx([0.05, 0.15])  # a quarter of 20 cm; outwards `SLACK`
+    assert (toes - predicted)[-1, :, 0].tolist() == pytest.approx([0.05, ik.SLACK])  # a quarter of 20 cm; outwards `SLACK`
     assert float((toes[:, 1] - toes[:, 0])[:, 0].min()) > 0.1
 
 
@@ -175,8 +175,8 @@ def held_slowly(toe, drift, before, predicted, other, contact, inwards, seconds)
     """`ik.foot_lock` of one toe, in plain numbers (x, z): the closed form of a critically damped spring of 10 per second."""
     offset = [a - b for a, b in zip(toe, before, strict=True)]
     behind = [a - b for a, b in zip(toe, predicted, strict=True)]
-    if math.hypot(*behind) > 0.15:
-        behind = [0.15 * x / math.hypot(*behind) for x in behind]
+    if math.hypot(*behind) > 0.3:
+        behind = [0.3 * x / math.hypot(*behind) for x in behind]
     if contact > 0.5:
         now = behind
     else:

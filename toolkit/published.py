@@ -23,6 +23,11 @@ from toolkit.training import Run
 
 DATASET = "lpn-film-100style"  # what `toolkit.datasets.fetch` calls them
 
+TRAINED = 95  # the first of `STYLES`; the others were kept for fine-tuning, and their speeds are not published
+
+#: Sample offsets of the published run: 1/6 s apart in the past, 1/5 s apart in the future.
+SAMPLES = (-60, -50, -40, -30, -20, -10, 0, 12, 24, 36, 48, 60)
+
 #: Style names by index: the 95 trained ones, then the five that were kept for fine-tuning.
 STYLES = (
     "Aeroplane", "Akimbo", "Angry", "ArmsAboveHead", "ArmsBehindBack", "ArmsBySide", "ArmsFolded", "Balance", "BeatChest",
@@ -45,7 +50,7 @@ def available() -> bool:
     return home.folder(DATASET).is_dir()
 
 
-def load(folder: str | os.PathLike | None = None) -> Run:
+def load(folder: str | os.PathLike | None = None, *, calibrated: bool = False) -> Run:
     """The published model and its 100 style vectors, ``model, bank = load(folder)``.
 
     The model has no FiLM generator: only the style vectors that it gave were published.
@@ -55,6 +60,9 @@ def load(folder: str | os.PathLike | None = None) -> Run:
     folder
         Where ``Xmean.bin``, ``cp0_a0.bin``, ``Style_000_scale1.bin`` … lie; None or ``"lpn-film-100style"`` for where
         data lies on this machine (`toolkit.datasets.home`).
+    calibrated
+        Give the mean over the dropout of training, see `toolkit.networks.Model`: one step ahead of real motion the joint
+        error falls by half. Not as published, and slower.
 
     Raises
     ------
@@ -76,10 +84,10 @@ def load(folder: str | os.PathLike | None = None) -> Run:
             raise ValueError(f"{path}: expected {' × '.join(map(str, shape))} finite float32 numbers, got {values.size}")
         return torch.from_numpy(values.reshape(shape))
 
-    layout, sizes = Layout(SKELETON), Sizes()
+    layout, sizes = Layout(SKELETON, samples=SAMPLES), Sizes()
     files = {"inputs": ("X", layout.n_inputs), "phases": ("GT_X", layout.n_phases), "outputs": ("Y", layout.n_outputs)}
     normalisers = {kind: Normaliser(read(f"{f}mean", n), read(f"{f}std", n)) for kind, (f, n) in files.items()}
-    model = build("lpn-film", layout, len(STYLES), sizes, normalisers, generator=False)
+    model = build("lpn-film", layout, len(STYLES), sizes, normalisers, generator=False, calibrated=calibrated)
     with torch.no_grad():
         for i, layer in enumerate(model.gating.layers):
             layer.weight.copy_(read(f"wc{i}_w", *layer.weight.shape))
@@ -91,7 +99,9 @@ def load(folder: str | os.PathLike | None = None) -> Run:
                 layer.bias[k] = read(f"cp{i}_b{k}", n_out)
     parts = ("scale1", "shift1", "scale2", "shift2")
     vectors = torch.stack([torch.cat([read(f"Style_{i:03d}_{p}", sizes.hidden) for p in parts]) for i in range(len(STYLES))])
-    return Run(model, StyleBank(STYLES, vectors))
+    speeds = torch.full((len(STYLES),), math.nan)
+    speeds[:TRAINED] = read("Walk_Velocities", TRAINED) / 12
+    return Run(model, StyleBank(STYLES, vectors, speeds))
 
 
 def either(file: str | os.PathLike | None, folder: str | os.PathLike | None) -> Run:
@@ -140,6 +150,7 @@ def one_step(model: Model, bank: StyleBank, clip: Clip, style: str, frames: tupl
     ValueError
         If the clip's joints are not the model's, the style is unknown or no frame has a whole window.
     """
+    samples = model.layout.samples
     joints, own = model.layout.names, Layout(clip.skeleton).names
     if joints != own:
         odd = next((n for n in (*own, *joints) if n not in joints or n not in own), "their order")
@@ -148,9 +159,9 @@ def one_step(model: Model, bank: StyleBank, clip: Clip, style: str, frames: tupl
     start, stop = round(frames[0] * scale), None if frames[1] is None else round(frames[1] * scale)
     clip = clip.resample(trajectory.FPS)
     stop = len(clip) if stop is None else min(stop, len(clip))
-    first = max(0, start - trajectory.PAST)
-    clip = clip.cut(first, min(len(clip), stop + trajectory.FUTURE + 1))
-    rows = features.frames(clip, phases.extract(clip), start - first, stop - first)
+    first = max(0, start + samples[0])
+    clip = clip.cut(first, min(len(clip), stop + samples[-1] + 1))
+    rows = features.frames(clip, phases.extract(clip), start - first, stop - first, samples)
     p, target = model.observe(rows.phases, rows.outputs)
     z = model.predict(rows.inputs, p, bank[style])
     error = (z - target) / model.normaliser("outputs").std

@@ -6,8 +6,9 @@ import torch
 from torch import Tensor
 
 from toolkit.features import Layout
-from toolkit.motion import Clip, Skeleton, contacts
-from toolkit.motion.clip import SIDES
+from toolkit.motion import Clip, Skeleton
+from toolkit.motion.clip import FEET, SIDES
+from toolkit.motion.contacts import detect, velocities
 from toolkit.motion.tensors import as_tensor
 
 
@@ -32,16 +33,63 @@ def foot_skate(clip: Clip, contact: Tensor | None = None) -> dict[str, float]:
     ValueError
         If the contacts do not have the clip's frames.
     """
-    contact = contacts.detect(clip, speed=math.inf) if contact is None else as_tensor(contact, "contacts", clip.rotations)
-    if contact.shape != (len(clip), len(contacts.FEET)):
-        raise ValueError(f"contacts of {len(clip)} frames have the shape [{len(clip)}, 2], got {list(contact.shape)}")
+    contact = detect(clip, speed=math.inf) if contact is None else _checked(clip, contact)
     result = {}
-    for i, side in enumerate(contacts.FEET):
+    for i, side in enumerate(FEET):
         toe = clip.global_positions[:, clip.skeleton.role(f"{side}_toe")]
-        speed = contacts.velocities(toe, clip.fps)[:, [0, 2]].norm(dim=-1)
+        speed = velocities(toe, clip.fps)[:, [0, 2]].norm(dim=-1)
         weight = contact[:, i] > 0.5
         result[side] = float((speed * weight).sum() / weight.sum()) if weight.any() else math.nan
     return result
+
+
+def _checked(clip: Clip, contacts: Tensor) -> Tensor:
+    contacts = as_tensor(contacts, "contacts", clip.rotations)
+    if contacts.shape != (len(clip), len(FEET)):
+        raise ValueError(f"contacts of {len(clip)} frames have the shape [{len(clip)}, 2], got {list(contacts.shape)}")
+    return contacts
+
+
+def feet(clip: Clip, contacts: Tensor | None = None) -> dict[str, float]:
+    """What feet do, in four numbers that tell sliding, swing and haste apart; compare them with those of real motion.
+
+    Parameters
+    ----------
+    clip
+        The motion.
+    contacts : Tensor [F, 2], optional
+        Contacts in [0, 1], right and left, for example those of a network; where not given those of
+        `toolkit.motion.contacts.detect`: a toe that is low and slow, so that skate is under its limit of speed.
+
+    Returns
+    -------
+    dict
+        ``skate``, mean horizontal speed of toes in contact, m/s; ``clearance``, metres: how high a toe is lifted between two
+        contacts over where it stands (mean over the swings of both feet); ``steps``, landings per second; ``acceleration``,
+        99th percentile of the toes', m/s². NaN where there is no contact or no swing.
+
+    Raises
+    ------
+    ValueError
+        If contacts are not of the clip's frames, or the clip has fewer than three frames.
+    """
+    contact = detect(clip) if contacts is None else _checked(clip, contacts)
+    if len(clip) < 3:
+        raise ValueError(f"{clip.name}: acceleration needs three frames, got {len(clip)}")
+    toes = clip.global_positions[:, [clip.skeleton.role(f"{side}_toe") for side in FEET]]
+    velocity, contact = velocities(toes, clip.fps), contact > 0.5
+    swings = []
+    for side in range(len(FEET)):
+        on, height = contact[:, side], toes[:, side, 1]
+        stand = on.nonzero()[:, 0]
+        swings += [float(height[a + 1 : b].max() - height[on].median())
+                   for a, b in zip(stand[:-1].tolist(), stand[1:].tolist(), strict=True) if b > a + 1]
+    return {
+        "skate": float(velocity[..., [0, 2]].norm(dim=-1)[contact].mean()),
+        "clearance": sum(swings) / len(swings) if swings else math.nan,
+        "steps": step_rate(contact.float(), clip.fps),
+        "acceleration": float((velocity[2:] - velocity[1:-1]).mul(clip.fps).norm(dim=-1).flatten().quantile(0.99)),
+    }
 
 
 def step_rate(contact: Tensor, fps: float) -> float:
@@ -71,7 +119,7 @@ def upright(clip: Clip) -> bool:
 def on_feet(skeleton: Skeleton, height: Tensor) -> Tensor:
     """Whether the chest is above the hips and the hips above both ankles ``[...]``, from heights of joints ``[..., J]``."""
     hips, chest = height[..., skeleton.role("hips")], height[..., skeleton.trunk[0]]
-    ankles = height[..., [skeleton.role(f"{side}_foot") for side in contacts.FEET]].amax(-1)
+    ankles = height[..., [skeleton.role(f"{side}_foot") for side in FEET]].amax(-1)
     return (chest > hips) & (hips > ankles)
 
 

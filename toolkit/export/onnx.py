@@ -16,7 +16,7 @@ import torch
 from torch import Tensor, nn
 
 from toolkit.io.files import atomic_write
-from toolkit.motion.trajectory import FPS, SAMPLES
+from toolkit.motion.trajectory import FPS
 from toolkit.networks import Model
 from toolkit.networks.bank import StyleBank
 from toolkit.networks.phase import amid_a_stride
@@ -121,7 +121,7 @@ def _metadata(model: Model, bank: StyleBank | None) -> dict:
     columns = {"x": layout.inputs, "z": layout.outputs}
     return {
         "model": model.name, "layout": json.loads(layout.to_json()), "joints": layout.names,
-        "samples": list(SAMPLES), "fps": FPS,
+        "samples": list(layout.samples), "fps": FPS,
         "columns": {name: {block: [s.start, s.stop] for block, s in slices.items()} for name, slices in columns.items()},
         "start": {"phases": phase.tolist(), "joints": pose.tolist()}, "styles": [] if bank is None else bank.names,
     }

@@ -21,8 +21,6 @@ from toolkit.motion.tensors import few, summary
 KINDS = ("inputs", "phases", "outputs", "clips")  # each has a normaliser
 FRAME_KINDS = KINDS[:3]  # those with a row per frame
 CLIP_FRAMES, CLIP_HOP = 240, 120
-TOO_SHORT = (f"{{}}: {{}} frames hold no whole trajectory window; it takes {trajectory.PAST} before and "
-             f"{trajectory.FUTURE + 1} after a frame")
 CHUNK = 1 << 18  # numbers in memory at a time in sums over all rows
 
 
@@ -89,12 +87,12 @@ class OwnFeatures:
 
     def inputs(self, at: Tensor) -> Tensor:
         """x ``[N, Dx]`` of frames ``at [N]``."""
-        window = torch.cat(trajectory.sample(self.roots, at), -1)
+        window = torch.cat(trajectory.sample(self.roots, at, self.layout.samples), -1)
         return self.layout.pack_input(trajectory=window, joints=self.joints[at])
 
     def outputs(self, at: Tensor) -> Tensor:
         """z ``[N, Dz]`` of frames ``at [N]``: the next frames, seen from the root frames of these."""
-        after, offsets = at + 1, tuple(o + 1 for o in trajectory.SAMPLES[trajectory.CURRENT :])
+        after, offsets = at + 1, tuple(o + 1 for o in self.layout.ahead)
         positions, directions = trajectory.sample(self.roots, at, offsets)  # those of the next frames come first
         there = self.phases[after]
         return self.layout.pack_output(
@@ -118,11 +116,11 @@ def _seen_from(block: Tensor, position: Tensor, direction: Tensor) -> Tensor:
     return seen.flatten(1)
 
 
-def own_features(clip: Clip, ph: phases.Phases) -> OwnFeatures:
+def own_features(clip: Clip, ph: phases.Phases, samples: tuple[int, ...] = trajectory.SAMPLES) -> OwnFeatures:
     """Features of each frame of a clip by itself, given its phases; ValueError if the clip is not at 60 Hz."""
     if clip.fps != trajectory.FPS:
         raise ValueError(f"{clip.name}: features need {trajectory.FPS} Hz, the clip has {clip.fps:g}; use clip.resample(60)")
-    layout, roots = Layout(clip.skeleton), root_frames(clip)
+    layout, roots = Layout(clip.skeleton, samples=samples), root_frames(clip)
     return OwnFeatures(layout, roots, joint_features(clip, roots), ph.vector.flatten(1), contacts.detect(clip))
 
 
@@ -135,9 +133,14 @@ def joint_features(clip: Clip, roots: RootFrames) -> Tensor:
     return pack_joints(roots.to_local(positions), *R.to_forward_up(turns), velocity)
 
 
-def usable(n: int, device: torch.device | None = None) -> Tensor:
+def usable(n: int, samples: tuple[int, ...] = trajectory.SAMPLES, device: torch.device | None = None) -> Tensor:
     """Those of the frames 0 … n - 1 of a clip whose trajectory window, and the next frame's, lie inside the clip."""
-    return torch.arange(trajectory.PAST, max(trajectory.PAST, n - trajectory.FUTURE - 1), device=device)
+    return torch.arange(-samples[0], max(-samples[0], n - samples[-1] - 1), device=device)
+
+
+def _too_short(clip: Clip, samples: tuple[int, ...]) -> ValueError:
+    return ValueError(f"{clip.name}: {len(clip)} frames hold no whole trajectory window; it takes {-samples[0]} before and "
+                      f"{samples[-1] + 1} after a frame")
 
 
 def clip_starts(n: int, device: torch.device | None = None) -> Tensor:
@@ -156,17 +159,19 @@ class Frames:
     __repr__ = summary
 
 
-def frames(clip: Clip, ph: phases.Phases | None = None, start: int = 0, stop: int | None = None) -> Frames:
+def frames(clip: Clip, ph: phases.Phases | None = None, start: int = 0, stop: int | None = None,
+           samples: tuple[int, ...] = trajectory.SAMPLES) -> Frames:
     """x, p and z of every frame whose trajectory window lies inside the clip (section 3.2).
 
-    ``ph`` are the clip's phases, by default those of the hybrid source. ``start`` and ``stop`` limit the frames, not their
-    past and future. ValueError if the clip is not at 60 Hz or no frame has its whole window inside.
+    ``ph`` are the clip's phases, by default those of the hybrid source; ``samples`` are the window's offsets, see `Layout`.
+    ``start`` and ``stop`` limit the frames, not their past and future. ValueError if the clip is not at 60 Hz or no frame has
+    its whole window inside.
     """
-    own = own_features(clip, phases.extract(clip) if ph is None else ph)
-    at = usable(len(clip), own.joints.device)
+    own = own_features(clip, phases.extract(clip) if ph is None else ph, samples)
+    at = usable(len(clip), samples, own.joints.device)
     at = at[(at >= start) & (at < (len(clip) if stop is None else stop))]
     if not len(at):
-        raise ValueError(TOO_SHORT.format(clip.name, len(clip)))
+        raise _too_short(clip, samples)
     return Frames(own.inputs(at), own.phases[at], own.outputs(at), at)
 
 
@@ -241,7 +246,8 @@ class Features:
 
 
 def build(clips: Clip | Iterable[Clip], *, source: str | phases.Source = "hybrid",
-          mirror: bool | Callable[[Clip], bool] = False, short: str = "raise", progress: bool = False) -> Features:
+          mirror: bool | Callable[[Clip], bool] = False, short: str = "raise",
+          samples: tuple[int, ...] = trajectory.SAMPLES, progress: bool = False) -> Features:
     """Features of many clips, resampled to 60 Hz.
 
     Parameters
@@ -250,6 +256,7 @@ def build(clips: Clip | Iterable[Clip], *, source: str | phases.Source = "hybrid
     source : phase source, see `toolkit.phases`
     mirror : add mirror images of all clips or of those that a function chooses: symmetric styles, never idling (section 3.2)
     short : ``"raise"``: a clip that holds no whole window is an error; ``"skip"``: it is left out
+    samples : offsets of the trajectory window, see `Layout`; those of a model where the features are for it
     progress : show a bar
 
     Raises
@@ -260,16 +267,17 @@ def build(clips: Clip | Iterable[Clip], *, source: str | phases.Source = "hybrid
     clips = [clips] if isinstance(clips, Clip) else list(clips)
     if not clips:
         raise ValueError("no clips to build features from")
-    layout = Layout(clips[0].skeleton)
+    layout = Layout(clips[0].skeleton, samples=samples)
     groups: dict[tuple[str, str], list[tuple[int, Clip]]] = defaultdict(list)
     for take, clip in enumerate(clips):
-        if Layout(clip.skeleton) != layout:
+        if Layout(clip.skeleton, samples=samples) != layout:
             raise ValueError(f"{clip.name}: its joints differ from those of {clips[0].name}")
         groups[clip.style, clip.gait].append((take, clip))
     parts: dict[str, dict[str, list[Tensor]]] = {kind: defaultdict(list) for kind in (*KINDS, "takes")}
     for (style, _), members in tqdm(sorted(groups.items()), "features", unit="group", disable=None if progress else True):
-        for take, own in group_features(members, source, mirror, short):
-            at, starts = (find(len(own.joints), own.joints.device) for find in (usable, clip_starts))
+        for take, own in group_features(members, source, mirror, short, samples):
+            n, device = len(own.joints), own.joints.device
+            at, starts = usable(n, samples, device), clip_starts(n, device)
             rows = own.inputs(at), own.phases[at], own.outputs(at), own.style_clips(starts), torch.full_like(at, take)
             for kind, values in zip(parts, rows, strict=True):
                 parts[kind][style].append(values)
@@ -302,18 +310,18 @@ def check_style_clips(style: str, n: int) -> None:
 
 
 def group_features(members: Iterable[tuple[int, Clip]], source: str | phases.Source, mirror: bool | Callable[[Clip], bool],
-                   short: str) -> Iterator[tuple[int, OwnFeatures]]:
+                   short: str, samples: tuple[int, ...] = trajectory.SAMPLES) -> Iterator[tuple[int, OwnFeatures]]:
     """Take number and `OwnFeatures` of every clip of one style and gait and of its mirror image; see `build`."""
     chosen: list[tuple[int, Clip]] = []
     for take, clip in members:
         clip = clip.resample(trajectory.FPS)
-        if not len(usable(len(clip), clip.rotations.device)):
+        if not len(usable(len(clip), samples)):
             if short == "skip":
                 continue
-            raise ValueError(TOO_SHORT.format(clip.name, len(clip)))
+            raise _too_short(clip, samples)
         chosen.append((take, clip))
         if mirror(clip) if callable(mirror) else mirror:
             chosen.append((take, clip.mirrored()))
     found = phases.extract_group([clip for _, clip in chosen], source) if chosen else []
     for (take, clip), ph in zip(chosen, found, strict=True):
-        yield take, own_features(clip, ph)
+        yield take, own_features(clip, ph, samples)

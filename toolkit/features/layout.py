@@ -24,8 +24,8 @@ CHANNELS = ("position", "forward", "up", "velocity")  # three numbers each, per 
 class Layout:
     """Names of the columns of x, z and y for a skeleton of J feature joints.
 
-    For J = 25 x has 348 columns, z 342 and a frame of y 300. `inputs` and `outputs` map block names to slices; `joints` is
-    J × (position 3, forward 3, up 3, velocity 3), `trajectory` is samples × (x, z, direction x, direction z).
+    For J = 25 and 12 samples x has 348 columns, z 342 and a frame of y 300. `inputs` and `outputs` map blocks to slices;
+    `joints` is J × (position 3, forward 3, up 3, velocity 3), `trajectory` is samples × (x, z, direction x, direction z).
 
     Data always have the four limbs' local phases. Models may know less: see ``phase``.
 
@@ -37,30 +37,38 @@ class Layout:
         ``"local"``: the phase vectors of four limbs; p has 8 columns, z as many of phases and of phase updates.
         ``"global"``: one angle, radians; p has 1 column, z only its update (327 columns for J = 25). ``"none"``: neither has
         any (326).
+    samples
+        Offsets of the trajectory window in frames at 60 Hz, ascending: past ones, 0, future ones.
 
     Raises
     ------
     ValueError
-        If there is no such phase.
+        If there is no such phase, or the offsets are not as they must be.
 
     Notes
     -----
 
-    Two layouts are equal if their skeletons have the same joints and End Sites in the same tree, and the same phase.
+    Two layouts are equal if their skeletons have the same joints and End Sites in the same tree, the same phase and samples.
     """
 
     skeleton: Skeleton
     phase: str = "local"
+    samples: tuple[int, ...] = trajectory.SAMPLES
     inputs: dict[str, slice] = field(init=False)
     outputs: dict[str, slice] = field(init=False)
 
     def __post_init__(self):
         if self.phase not in PHASES:
             raise ValueError(f"the phase of a layout is one of {', '.join(PHASES)}; got {self.phase!r}")
-        future = len(trajectory.SAMPLES) - trajectory.CURRENT
+        offsets = tuple(self.samples)
+        if not (all(isinstance(o, int) for o in offsets) and offsets == tuple(sorted(set(offsets))) and 0 in offsets
+                and -trajectory.PAST <= offsets[0] < 0 < offsets[-1]):
+            raise ValueError(f"samples are ascending whole frames from {-trajectory.PAST} on: past ones, 0, future ones; "
+                             f"got {list(offsets)}")
+        object.__setattr__(self, "samples", offsets)
         joints = 12 * len(self.skeleton.feature_joints)
-        widths_in = {"trajectory": 4 * len(trajectory.SAMPLES), "joints": joints}
-        widths_out = {"trajectory": 4 * future, "joints": joints,
+        widths_in = {"trajectory": 4 * len(offsets), "joints": joints}
+        widths_out = {"trajectory": 4 * len(self.ahead), "joints": joints,
                       **dict.fromkeys(PHASES[self.phase][1], self.n_phases), "contacts": len(contacts.FEET)}
         object.__setattr__(self, "inputs", _slices(widths_in))
         object.__setattr__(self, "outputs", _slices(widths_out))
@@ -71,10 +79,20 @@ class Layout:
     def __eq__(self, other: object) -> bool:
         return (isinstance(other, Layout) and self.skeleton.names == other.skeleton.names
                 and self.skeleton.parents == other.skeleton.parents and self.phase == other.phase
-                and set(self.skeleton.ends) == set(other.skeleton.ends))
+                and self.samples == other.samples and set(self.skeleton.ends) == set(other.skeleton.ends))
 
     def __hash__(self) -> int:
-        return hash((self.skeleton.names, self.skeleton.parents, self.phase))
+        return hash((self.skeleton.names, self.skeleton.parents, self.phase, self.samples))
+
+    @property
+    def behind(self) -> tuple[int, ...]:
+        """Offsets of the past samples, frames."""
+        return self.samples[: self.samples.index(0)]
+
+    @property
+    def ahead(self) -> tuple[int, ...]:
+        """Offsets of the current sample, 0, and of the future ones."""
+        return self.samples[self.samples.index(0) :]
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -140,14 +158,14 @@ class Layout:
 
     def to_json(self) -> str:
         """Text for a checkpoint's metadata."""
-        return json.dumps({**self.skeleton.to_dict(), "phase": self.phase})
+        return json.dumps({**self.skeleton.to_dict(), "phase": self.phase, "samples": self.samples})
 
     @classmethod
     def from_json(cls, text: str) -> "Layout":
-        """Inverse of `to_json`; text without a phase is of a local one."""
+        """Inverse of `to_json`; text without a phase is of a local one, without samples of every tenth frame."""
         fields = json.loads(text)
-        phase = fields.pop("phase", "local")
-        return cls(Skeleton(**fields), phase)
+        phase, samples = fields.pop("phase", "local"), fields.pop("samples", trajectory.SAMPLES)
+        return cls(Skeleton(**fields), phase, tuple(samples))
 
 
 def _slices(widths: dict[str, int]) -> dict[str, slice]:

@@ -1,6 +1,7 @@
 """Inverse kinematics of legs and arms, and the foot lock. Tensors of any leading shape."""
 
 import math
+from collections.abc import Callable
 from itertools import pairwise
 
 import torch
@@ -60,7 +61,7 @@ def two_bone(a: Tensor, b: Tensor, c: Tensor, target: Tensor, pole: Tensor | Non
     return a + along * line + height * across, a + distance * line
 
 
-SLACK = 0.15  # metres that a locked toe may stay behind its prediction
+SLACK = 0.3  # metres that a locked toe may stay behind its prediction
 RETURN = 10.0  # per second: decay rate of the offset of a released toe from its prediction
 
 
@@ -115,6 +116,36 @@ def plant_feet(skeleton: Skeleton, rotations: Tensor, root: Tensor, toes: Tensor
         turned[..., joints, :] = R.multiply(aim, turned[..., joints, :])
     follow = [skeleton.parents[j] if skeleton.is_end(j) else j for j in range(len(skeleton))]
     return local_rotations(skeleton, turned[..., follow, :])
+
+
+def solve_legs(skeleton: Skeleton, turned: Callable[[int], Tensor], root: Tensor, toes: Tensor) -> list[Tensor]:
+    """Where `plant_feet` puts knees, feet and toes, of world rotations.
+
+    Parameters
+    ----------
+    skeleton
+        With the roles hip, knee, foot and toe on both sides.
+    turned
+        From a joint's index to its world rotation ``[..., 4]``.
+    root : Tensor [..., 3]
+        Root position.
+    toes : Tensor [..., 2, 3]
+        Targets, right and left, world.
+
+    Returns
+    -------
+    list of Tensor [..., 2, 3]
+        Positions of the knees, the feet and the toes, right and left.
+    """
+    ends = [skeleton.role(f"{side}_toe") for side in FEET]
+    places = {0: root}
+    for j in sorted({j for end in ends for j in (end, *skeleton.ancestors(end))} - {0}):
+        above = skeleton.parents[j]
+        places[j] = places[above] + R.rotate(turned(above), skeleton.offsets[j].to(root))
+    a, b, c, toe = (torch.stack([places[skeleton.role(f"{side}_{part}")] for side in FEET], -2)
+                    for part in ("hip", "knee", "foot", "toe"))
+    middle, end = two_bone(a, b, c, toes - (toe - c))
+    return [middle, end, end + (toe - c)]
 
 
 def turn_arms(skeleton: Skeleton, rotations: Tensor, root: Tensor, wanted: Tensor) -> Tensor:

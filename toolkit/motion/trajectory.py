@@ -6,13 +6,12 @@ from torch import Tensor
 from toolkit.motion.clip import RootFrames
 
 FPS = 60
-#: Sample offsets in frames at 60 Hz: six past ones, the current frame, five future ones.
+#: Sample offsets in frames at 60 Hz where a `toolkit.features.Layout` has no others: six past ones, now, five future ones.
 SAMPLES = tuple(range(-60, 60, 10))
-PAST, FUTURE = -SAMPLES[0], SAMPLES[-1]
-CURRENT = SAMPLES.index(0)
+PAST = -SAMPLES[0]  # frames of the past that a character keeps; no offset reaches further back
 
 
-def sample(roots: RootFrames, frames: Tensor, offsets: tuple[int, ...] = SAMPLES) -> tuple[Tensor, Tensor]:
+def sample(roots: RootFrames, frames: Tensor, offsets: tuple[int, ...]) -> tuple[Tensor, Tensor]:
     """Trajectory around given frames, each in the root frame of its own frame.
 
     Parameters

@@ -17,7 +17,7 @@ __all__ = ["MODELS", "BlendedLinear", "CatmullRom", "Experts", "Film", "FilmGene
 
 
 def build(name: str, layout: Layout, n_styles: int, sizes: Sizes | None = None,
-          normalisers: dict[str, Normaliser] | None = None, *, generator: bool = True) -> Model:
+          normalisers: dict[str, Normaliser] | None = None, *, generator: bool = True, calibrated: bool = False) -> Model:
     """A new model with random weights (from torch's global generator), set to predict.
 
     Parameters
@@ -35,14 +35,16 @@ def build(name: str, layout: Layout, n_styles: int, sizes: Sizes | None = None,
         nothing.
     generator
         Whether it can make style vectors, of clips or of a table; without, it needs them given.
+    calibrated
+        Outside of training, give the mean over the dropout of training; see `Model`.
 
     Raises
     ------
     ValueError
-        If there is no model of that name.
+        If there is no model of that name, or it has no FiLM to calibrate.
     """
     _check(name)
-    return Model(name, layout, n_styles, sizes or Sizes(), normalisers or {}, generator).eval()
+    return Model(name, layout, n_styles, sizes or Sizes(), normalisers or {}, generator, calibrated).eval()
 
 
 def normalisers(name: str, data: Features) -> dict[str, Normaliser]:

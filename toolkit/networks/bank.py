@@ -13,6 +13,8 @@ from toolkit.features import check_style
 from toolkit.io import model_files
 from toolkit.motion.tensors import as_tensor, summary
 
+WALK = 1.0  # m/s, of a bank that knows no speed
+
 
 @dataclass(frozen=True, eq=False)
 class StyleBank(Mapping[str, Tensor]):
@@ -24,6 +26,8 @@ class StyleBank(Mapping[str, Tensor]):
         S unique names.
     vectors : Tensor [S, D]
         Their style vectors, in the same order.
+    speeds : Tensor [S], optional
+        At which a style is natural, m/s; not a number where nobody knows.
 
     Raises
     ------
@@ -33,6 +37,7 @@ class StyleBank(Mapping[str, Tensor]):
 
     names: tuple[str, ...]
     vectors: Tensor
+    speeds: Tensor | None = None
     __eq__, __hash__ = object.__eq__, object.__hash__
 
     def __post_init__(self):
@@ -40,6 +45,10 @@ class StyleBank(Mapping[str, Tensor]):
         object.__setattr__(self, "vectors", as_tensor(self.vectors, "style vectors"))
         if self.vectors.dim() != 2 or len(self.vectors) != len(self.names):
             raise ValueError(f"{len(self.names)} styles need vectors [{len(self.names)}, D], got {list(self.vectors.shape)}")
+        speeds = torch.full((len(self.names),), math.nan) if self.speeds is None else as_tensor(self.speeds, "speeds")
+        object.__setattr__(self, "speeds", speeds)
+        if speeds.shape != (len(self.names),):
+            raise ValueError(f"{len(self.names)} styles need speeds [{len(self.names)}], got {list(speeds.shape)}")
         if repeated := sorted({n for n in self.names if self.names.count(n) > 1}):
             raise ValueError(f"style names repeat: {', '.join(repeated)}")
         if bad := [n for n, ok in zip(self.names, self.vectors.isfinite().all(-1).tolist(), strict=True) if not ok]:
@@ -96,13 +105,26 @@ class StyleBank(Mapping[str, Tensor]):
             warnings.warn(f"the blend extrapolates ({', '.join(outside)}): the model has seen no motion there", stacklevel=2)
         return torch.stack([share * self[name] for name, share in shares.items()]).sum(0)
 
-    def add(self, name: str, vector: Tensor) -> "StyleBank":
+    def speed(self, style: str | Mapping[str, float]) -> float:
+        """The speed in m/s at which a style, or a blend by weights, is natural.
+
+        A style of unknown speed has the mean of the bank's known ones, `WALK` where there are none.
+        """
+        known = self.speeds[self.speeds.isfinite()]
+        usual = known.mean() if len(known) else torch.tensor(WALK)
+        speeds = torch.where(self.speeds.isfinite(), self.speeds, usual)
+        blend = {style: 1.0} if isinstance(style, str) else style
+        for name in blend:
+            check_style(name, self.names)
+        return sum(float(share) * float(speeds[self.names.index(name)]) for name, share in blend.items())
+
+    def add(self, name: str, vector: Tensor, speed: float = math.nan) -> "StyleBank":
         """A new bank with one more style; a name that exists gets the new vector."""
         vector = as_tensor(vector, f"the vector of style {name!r}", self.vectors)
         if vector.shape != self.vectors.shape[1:]:
             raise ValueError(f"style {name!r} needs a vector [{self.vectors.shape[1]}], got {list(vector.shape)}")
-        rows = {**self, name: vector}
-        return StyleBank(tuple(rows), torch.stack([*rows.values()]))
+        rows, speeds = {**self, name: vector}, self._speeds() | {name: speed}
+        return StyleBank(tuple(rows), torch.stack([*rows.values()]), torch.tensor([*speeds.values()]))
 
     def merge(self, other: "StyleBank") -> "StyleBank":
         """A new bank with another's styles after its own.
@@ -116,13 +138,23 @@ class StyleBank(Mapping[str, Tensor]):
             raise ValueError(f"vectors [{self.vectors.shape[1]}] cannot be merged with vectors [{other.vectors.shape[1]}]")
         if differ := [n for n in other if n in self and not torch.equal(self[n], other[n])]:
             raise ValueError(f"both banks have {', '.join(differ)}, with different vectors; `add` one of them")
-        rows = {**self, **other}
-        return StyleBank(tuple(rows), torch.stack([*rows.values()]))
+        rows, speeds = {**self, **other}, other._speeds() | self._speeds()
+        return StyleBank(tuple(rows), torch.stack([*rows.values()]), torch.tensor([speeds[name] for name in rows]))
 
     def select(self, names: Iterable[str]) -> "StyleBank":
         """A new bank of some of the styles, in the order given."""
         names = tuple(names)
-        return StyleBank(names, torch.stack([self[name] for name in names]))
+        speeds = self._speeds()
+        return StyleBank(names, torch.stack([self[name] for name in names]), torch.tensor([speeds[n] for n in names]))
+
+    def _speeds(self) -> dict[str, float]:
+        """Speeds by name."""
+        return dict(zip(self.names, self.speeds.tolist(), strict=True))
+
+    @property
+    def tensors(self) -> dict[str, Tensor]:
+        """What a file holds of it, beside the names."""
+        return {"bank.vectors": self.vectors, "bank.speeds": self.speeds}
 
     def nearest(self, style: str | Tensor, k: int = 5) -> list[tuple[str, float]]:
         """The ``k`` styles whose vectors are nearest to a style's (not counting itself) or to a vector ``[D]``.
@@ -139,7 +171,7 @@ class StyleBank(Mapping[str, Tensor]):
 
     def save(self, path: str | os.PathLike) -> None:
         """Write to a safetensors file, whole or not at all."""
-        model_files.write(path, {"bank.vectors": self.vectors}, {"bank": list(self.names)})
+        model_files.write(path, self.tensors, {"bank": list(self.names)})
 
     @classmethod
     def load(cls, path: str | os.PathLike) -> "StyleBank":
@@ -150,4 +182,4 @@ class StyleBank(Mapping[str, Tensor]):
     def from_parts(cls, path: str | os.PathLike, tensors: dict[str, Tensor], parts: dict) -> "StyleBank":
         """The bank among what `toolkit.io.model_files.read` returned for ``path``."""
         with model_files.intact(path, "the style bank"):
-            return cls(tuple(parts["bank"]), tensors["bank.vectors"])
+            return cls(tuple(parts["bank"]), tensors["bank.vectors"], tensors.get("bank.speeds"))

@@ -9,6 +9,8 @@ from collections.abc import Callable
 import torch
 from torch import Tensor, nn
 
+SAMPLES = 32  # whose blended weights are in memory at a time
+
 
 class BlendedLinear(nn.Module):
     """A dense layer whose weights are a blend of K experts': y = x (Σ αᵢ Wᵢ) + Σ αᵢ bᵢ.
@@ -35,6 +37,20 @@ class BlendedLinear(nn.Module):
         """``x [B, n_in]`` and ``gates [B, K]`` to ``[B, n_out]``."""
         scaled = (gates[:, :, None] * x[:, None, :]).flatten(1)
         return torch.addmm(gates @ self.bias, scaled, self.weight.flatten(0, 1))
+
+    def scatter(self, x: Tensor, gates: Tensor) -> Tensor:
+        """Σᵢ xᵢ² Wᵢⱼ² ``[B, n_out]`` of the blended weights W: y's variance per unit of relative variance of each input.
+
+        It needs the blended weights themselves, which are formed for a few samples at a time.
+        """
+        if torch.compiler.is_exporting():
+            return self._scatter(x, gates)
+        parts = zip(x.split(SAMPLES), gates.split(SAMPLES), strict=True)
+        return torch.cat([self._scatter(*part) for part in parts])
+
+    def _scatter(self, x: Tensor, gates: Tensor) -> Tensor:
+        blended = torch.einsum("bk,kij->bij", gates, self.weight)
+        return torch.einsum("bi,bij->bj", x.square(), blended.square())
 
 
 class Experts(nn.Module):

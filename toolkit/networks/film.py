@@ -1,5 +1,7 @@
 """Style as feature-wise linear modulation (FiLM; Mason et al. 2022, section 4.2): a clip of motion to scales and shifts."""
 
+import math
+
 import torch
 import torch.nn.functional as F
 from torch import Tensor, nn
@@ -7,6 +9,7 @@ from torch import Tensor, nn
 from toolkit.networks.convolution import Convolution
 
 EPSILON = 1e-6  # added to the deviation, as in the published network
+LARGEST = 60.0  # of an exponent whose exponential is still finite when it is multiplied by a tail of zero
 
 
 def layer_norm(f: Tensor, epsilon: float = EPSILON) -> Tensor:
@@ -41,8 +44,36 @@ class Film(nn.Module):
         ``f [B, hidden]``; ``style [B, 4 hidden]``, or ``[1, 4 hidden]`` or ``[4 hidden]`` for one style in the whole batch.
         The layer's inputs x and the gates do not count.
         """
-        gamma, beta = style[..., 2 * layer * self.hidden : 2 * (layer + 1) * self.hidden].chunk(2, -1)
+        gamma, beta = self._part(layer, style)
         return F.elu(gamma * layer_norm(f) + beta)
+
+    def expected(self, layer: int, f: Tensor, style: Tensor, variance: Tensor) -> Tensor:
+        """Mean of `forward` where each F is a normal variable with mean ``f`` and ``variance [B, hidden]``.
+
+        Dropout before a layer leaves the mean of F as it is and adds to its variance; layer normalisation divides by the
+        deviation of the sum. Without dropout it divides by less, and what follows meets another scale than in training. So
+        here s² = var(f) + mean variance, u = γ (f − mean f) / s + β, and h = E[ELU(u + |γ| √variance / s · ε)], ε normal.
+        """
+        gamma, beta = self._part(layer, style)
+        deviation = (f.var(-1, keepdim=True) + variance.mean(-1, keepdim=True)).sqrt() + EPSILON
+        u = gamma * (f - f.mean(-1, keepdim=True)) / deviation + beta
+        return expected_elu(u, gamma.abs() * variance.sqrt() / deviation)
+
+    def _part(self, layer: int, style: Tensor) -> tuple[Tensor, Tensor]:
+        """γ and β of a layer."""
+        return style[..., 2 * layer * self.hidden : 2 * (layer + 1) * self.hidden].chunk(2, -1)
+
+
+def expected_elu(mean: Tensor, deviation: Tensor) -> Tensor:
+    """E[ELU(X)] of normal variables of a mean and a deviation (any shape).
+
+    m Φ(m/s) + s φ(m/s) of the positive side, exp(m + s²/2) Φ(−m/s − s) − Φ(−m/s) of the negative one.
+    """
+    s = deviation.clamp_min(1e-6)
+    z = mean / s
+    density = torch.exp(-0.5 * z * z) / math.sqrt(2 * math.pi)
+    tail = torch.exp((mean + 0.5 * s * s).clamp_max(LARGEST)) * torch.special.ndtr(-z - s)
+    return mean * torch.special.ndtr(z) + s * density + tail - torch.special.ndtr(-z)
 
 
 def fold(weight: Tensor, bias: Tensor, gamma: Tensor, beta: Tensor,

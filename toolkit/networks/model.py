@@ -97,14 +97,19 @@ class Model(nn.Module):
     generator
         Whether it can make style vectors: has FiLM's generator, or its table. Without, 9 in 10 of the paper's parameters are
         saved.
+    calibrated
+        Outside of training, give the mean over the dropout of training instead of leaving dropout out (moment matching, see
+        `toolkit.networks.film.Film.expected`). For FiLM only; it may be switched at any time.
     """
 
     def __init__(self, name: str, layout: Layout, n_styles: int, sizes: Sizes, normalisers: dict[str, Normaliser],
-                 generator: bool = True):
+                 generator: bool = True, calibrated: bool = False):
         super().__init__()
+        if calibrated and not name.endswith("film"):
+            raise ValueError(f"only models with FiLM can be calibrated, got {name}")
         synthesis, style = name.split("-")
         layout = dataclasses.replace(layout, phase=PHASE[synthesis])
-        self.name, self.layout, self.n_styles, self.sizes = name, layout, n_styles, sizes
+        self.name, self.layout, self.n_styles, self.sizes, self.calibrated = name, layout, n_styles, sizes, calibrated
         n_in, n_out, s = layout.n_inputs, layout.n_outputs, sizes
         widths = dict(zip(KINDS, (n_in, layout.n_phases, n_out, layout.n_clip), strict=True))
         if not set(normalisers) <= set(KINDS):
@@ -144,7 +149,19 @@ class Model(nn.Module):
     def forward(self, x: Tensor, phases: Tensor, style: Tensor) -> Tensor:
         """Output frames ``[B, Dz]`` of ``x [B, Dx]``, ``phases [B, n_phases]`` and ``style [B or 1, D]``; all normalised."""
         gates = self.gating(phases, x)
-        return self.experts(x, gates, lambda layer, f, inputs: self.modulation(layer, f, style, inputs, gates))
+
+        def modulate(layer: int, f: Tensor, inputs: Tensor) -> Tensor:
+            if self.training or not self.calibrated:
+                return self.modulation(layer, f, style, inputs, gates)
+            scatter = self.experts.layers[layer].scatter(inputs, gates)
+            return self.modulation.expected(layer, f, style, self.dropped * scatter)
+
+        return self.experts(x, gates, modulate)
+
+    @property
+    def dropped(self) -> float:
+        """Relative variance q / (1 − q) of an input of which training drops a share q."""
+        return self.sizes.dropout / (1 - self.sizes.dropout)
 
     def encode(self, clips: Tensor | None, style: int | Tensor | None = None) -> Tensor:
         """Style vectors.
@@ -246,7 +263,7 @@ class Model(nn.Module):
         tensors = {k: v for k, v in self.state_dict().items() if generator or not k.startswith("modulation.generator.")}
         description = {
             "name": self.name, "layout": json.loads(self.layout.to_json()), "n_styles": self.n_styles,
-            "sizes": dataclasses.asdict(self.sizes), "generator": generator,
+            "sizes": dataclasses.asdict(self.sizes), "generator": generator, "calibrated": self.calibrated,
         }
         return {f"model.{k}": v for k, v in tensors.items()}, description
 
@@ -284,10 +301,11 @@ class Model(nn.Module):
             if not isinstance(d["n_styles"], int):
                 raise ValueError(f"n_styles must be a whole number, got {d['n_styles']!r}")
             with torch.device("meta"):  # no memory, no random numbers: the file has them all
-                model = cls(name, stored, d["n_styles"], sizes, {}, d["generator"])
+                model = cls(name, stored, d["n_styles"], sizes, {}, d["generator"], d.get("calibrated", False))
         if layout is not None and stored != dataclasses.replace(layout, phase=stored.phase):
             described = (
-                {"joints": own.names, "parents": own.parents, "points": own.skeleton.names} for own in (layout, stored)
+                {"joints": own.names, "parents": own.parents, "points": own.skeleton.names, "samples": own.samples}
+                for own in (layout, stored)
             )
             raise ValueError(f"{path}: the layout differs in {model_files.difference(*described)}")
         own = {k.removeprefix("model."): v.float() for k, v in tensors.items() if k.startswith("model.")}

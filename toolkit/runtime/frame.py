@@ -16,11 +16,11 @@ from toolkit.features import Layout, pack_joints, split_joints
 from toolkit.motion import Clip, local_rotations, trajectory
 from toolkit.motion import rotations as R
 from toolkit.motion.clip import FEET
-from toolkit.motion.ik import foot_lock, plant_feet, turn_arms
+from toolkit.motion.ik import foot_lock, plant_feet, solve_legs, turn_arms
 from toolkit.motion.tensors import as_tensor, shown
 from toolkit.networks.phase import advance, amid_a_stride
 from toolkit.runtime.state import CharacterState, vectors_of
-from toolkit.runtime.steering import N_FUTURE, Command, Pilot, govern, steer, unit
+from toolkit.runtime.steering import Command, Pilot, govern, steer, unit
 
 FPS = trajectory.FPS
 CORRECTION = 0.85  # share of the network's prediction in the next frame's trajectory
@@ -63,7 +63,7 @@ def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0),
     if not root.is_meta and not bool(root.isfinite().all() & look.any(-1).all()):
         raise ValueError(f"position and facing must be finite, and facing not zero; got {shown(position)}, {shown(facing)}")
     state = CharacterState(
-        history=root[:, None].repeat(1, trajectory.PAST + 1, 1), future=root[:, None].repeat(1, N_FUTURE, 1),
+        history=root[:, None].repeat(1, trajectory.PAST + 1, 1), future=root[:, None].repeat(1, len(layout.ahead), 1),
         joints=_orthonormal(joints.expand(len(style), -1)), phase=phase.expand(len(style), -1), style=style,
         velocity=torch.zeros_like(look), facing=look, drive=torch.ones_like(look[:, :1]), contacts=torch.ones_like(look),
         toes=look.new_zeros(len(look), 2, 3), drift=look.new_zeros(len(look), 2, 2),
@@ -87,14 +87,14 @@ def step(model, state: CharacterState, command: Command) -> CharacterState:
     trajectory are blends of the prediction and of what was (section 4.4 and the published run's constants).
     """
     layout: Layout = model.layout
-    velocity, facing, future = steer(state, command)
+    velocity, facing, future = steer(state, command, layout.ahead)
     root = state.root
-    past = state.history[:, [trajectory.PAST + o for o in trajectory.SAMPLES[: trajectory.CURRENT]]]
+    past = state.history[:, [trajectory.PAST + o for o in layout.behind]]
     window = _to_local(torch.cat((past, future), 1), root)
     z = model.predict(layout.pack_input(trajectory=window, joints=state.joints), state.phase, state.style)
     out = layout.unpack_output(z)
 
-    predicted = out["trajectory"].unflatten(-1, (N_FUTURE, 4))
+    predicted = out["trajectory"].unflatten(-1, (-1, 4))
     predicted = torch.cat((predicted[..., :2], unit(predicted[..., 2:])), -1)
     predicted = _to_world(predicted, root)
     new_root = predicted[:, 0]
@@ -113,7 +113,8 @@ def step(model, state: CharacterState, command: Command) -> CharacterState:
     before, predicted = (_predicted_toes(layout, s) for s in (state, new))
     left = torch.stack((new_root[:, 3], -new_root[:, 2]), -1)
     toes, drift = foot_lock(state.toes, state.drift, before, predicted, contacts, left, 1 / FPS)
-    return dataclasses.replace(new, toes=toes, drift=drift)
+    new = dataclasses.replace(new, toes=toes, drift=drift)
+    return dataclasses.replace(new, joints=_planted(layout, new))
 
 
 Styles = Tensor | Callable[[int], Tensor]
@@ -206,6 +207,22 @@ def world_joints(layout: Layout, state: CharacterState) -> dict[str, Tensor]:
     world = {name: R.rotate(turn, values) for name, values in local.items()}
     floor = torch.stack((root[:, 0], torch.zeros_like(root[:, 0]), root[:, 1]), -1)
     return world | {"position": world["position"] + floor[:, None]}
+
+
+def _planted(layout: Layout, state: CharacterState) -> Tensor:
+    """The pose ``[B, 12 J]`` with knees, feet and toes where foot IK puts them; the next frame is predicted from it."""
+    skeleton, world = layout.skeleton, world_joints(layout, state)
+    turned = R.from_forward_up(world["forward"], world["up"])
+    joints = {j: i for i, j in enumerate(skeleton.feature_joints)}
+    solved = solve_legs(skeleton, lambda j: turned[:, joints[j]], world["position"][:, 0], state.toes)
+    parts, root = split_joints(state.joints), state.root
+    floor = torch.stack((root[:, 0], torch.zeros_like(root[:, 0]), root[:, 1]), -1)
+    back = R.yaw(-torch.atan2(root[:, 2], root[:, 3]))[:, None]
+    position = parts["position"].clone()
+    for part, places in zip(("knee", "foot", "toe"), solved, strict=True):
+        at = [joints[skeleton.index(f"{side}_{part}")] for side in FEET]
+        position[:, at] = R.rotate(back, places - floor[:, None])
+    return pack_joints(**parts | {"position": position})
 
 
 def _predicted_toes(layout: Layout, state: CharacterState) -> Tensor:

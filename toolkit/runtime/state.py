@@ -18,10 +18,10 @@ class CharacterState:
     ----------
     history : Tensor [B, 61, 4]
         World (x, z, direction x, direction z) of the root, one second ago to now.
-    future : Tensor [B, 6, 4]
-        The same for now and every ten frames ahead.
+    future : Tensor [B, S, 4]
+        The same for now and at the future offsets of the model's layout.
     joints : Tensor [B, 12 J]
-        The pose, in the current root frame.
+        The pose, in the current root frame; knees, feet and toes are where foot IK puts them.
     phase : Tensor [B, n_phases]
         As the model knows it: 8 numbers of local phases, one angle, or nothing.
     style : Tensor [B, S]

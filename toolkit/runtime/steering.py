@@ -20,7 +20,6 @@ POSITION_BIAS, DIRECTION_BIAS = 0.75, 1.25  # exponents of the blend from the ne
 PROPORTIONAL, INTEGRAL, MAX_DRIVE = 1.5, 0.8, 12.0  # ours: gains of `govern` (of the lag; per second), and its limit
 RETURN, SLOW = 3.0, 0.3  # ours: how strongly `steer` works against movement while standing; m/s from which one walks
 LOOKAHEAD = 0.5  # seconds that a pilot looks ahead
-N_FUTURE = len(trajectory.SAMPLES) - trajectory.CURRENT
 
 
 @dataclass(frozen=True)
@@ -49,8 +48,11 @@ class Command:
 Pilot = Callable[[CharacterState], Command]
 
 
-def steer(state: CharacterState, command: Command) -> tuple[Tensor, Tensor, Tensor]:
-    """Smoothed velocity and facing ``[B, 2]``, and the future trajectory ``[B, 6, 4]`` bent towards them (world).
+def steer(state: CharacterState, command: Command,
+          ahead: Sequence[int] = trajectory.SAMPLES[trajectory.SAMPLES.index(0) :]) -> tuple[Tensor, Tensor, Tensor]:
+    """Smoothed velocity and facing ``[B, 2]``, and the future trajectory ``[B, S, 4]`` bent towards them (world).
+
+    ``ahead`` are the offsets of the S samples from now on, frames (`toolkit.features.Layout.ahead`).
 
     Ours: while the command is to stand, the pull works against any movement; the network drifts by 10 to 25 cm/s otherwise.
     """
@@ -63,13 +65,13 @@ def steer(state: CharacterState, command: Command) -> tuple[Tensor, Tensor, Tens
     look = torch.where(look.norm(dim=-1, keepdim=True) > 1e-6, look, state.facing)
     velocity = torch.lerp(state.velocity, wanted, GAIN)
     facing = turn(state.facing, look, GAIN)
-    t = torch.linspace(0.0, 1.0, N_FUTURE, **like)[1:]
+    t = torch.tensor(ahead[1:], **like) / ahead[-1]
     w_position, w_direction = 1 - (1 - t) ** POSITION_BIAS, 1 - (1 - t) ** DIRECTION_BIAS
     steps = state.future[:, 1:, :2] - state.future[:, :-1, :2]
-    interval = (trajectory.SAMPLES[1] - trajectory.SAMPLES[0]) / FPS
+    seconds = torch.tensor(ahead, **like).diff()[:, None] / FPS
     standing = (1.0 - velocity.norm(dim=-1, keepdim=True) / SLOW).clamp_min(0.0)
-    pull = (state.drive * velocity - RETURN * standing * _moved(state, -1)) * interval
-    steps = torch.lerp(steps, pull[:, None].expand_as(steps), w_position[:, None])
+    pull = state.drive * velocity - RETURN * standing * _moved(state, -1)
+    steps = torch.lerp(steps, pull[:, None] * seconds, w_position[:, None])
     positions = state.root[:, None, :2] + steps.cumsum(1)
     directions = turn(state.future[:, 1:, 2:], facing[:, None].expand_as(steps), w_direction)
     return velocity, facing, torch.cat((state.root[:, None], torch.cat((positions, directions), -1)), 1)

@@ -133,7 +133,7 @@ def _features(model: Model, clips: Clip | Sequence[Clip], name: str | None, mirr
         if why := difference(expected, got):
             raise ValueError(f"{clip.name}: not the model's skeleton; it differs in {why}")
     named = clips if name is None else [clip.replace(style=name) for clip in clips]
-    return features.build(named, mirror=mirror, short="skip")
+    return features.build(named, mirror=mirror, short="skip", samples=model.layout.samples)
 
 
 def _prior(model: Model, bank: StyleBank | None) -> tuple[Tensor, Tensor]:

@@ -136,7 +136,7 @@ class Run:
         config = None if self.config is None else dataclasses.asdict(self.config)
         numbers = {"config": config, "history": self.history, "held_out": self.held_out,
                    "baselines": self.baselines}
-        model_files.write(path, tensors | {"bank.vectors": self.bank.vectors},
+        model_files.write(path, tensors | self.bank.tensors,
                       {"model": description, "bank": list(self.bank.names), "run": numbers})
 
     def table(self) -> list[dict[str, str | float]]:

@@ -158,7 +158,7 @@ class Controller(Corners):
         if self.recording:
             self._recorded.append((rotations[0].clone(), root[0].clone()))
         state = self.state
-        past = [trajectory.PAST + o for o in trajectory.SAMPLES[: trajectory.CURRENT]]
+        past = [trajectory.PAST + o for o in self._model.layout.behind]
         parts = (root, rotations, state.history[:, past], state.future, state.contacts, state.phase)
         message = np.concatenate([part.numpy().ravel() for part in parts]).astype(np.float32)
         self.send({"kind": "frame", "frame": self.frames, "input": self._input["id"]}, [message.tobytes()])

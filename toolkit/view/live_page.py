@@ -79,7 +79,7 @@ def pack(model, bank, half: bool = False) -> dict[str, Any]:
             "experts": {"count": len(experts[0].weight),
                         "widths": [experts[0].weight.shape[1], *(layer.bias.shape[1] for layer in experts)],
                         "layers": [numbers(panels(layer.weight, layer.bias), half) for layer in experts]},
-            "epsilon": EPSILON,
+            "epsilon": EPSILON, "dropped": model.dropped if model.calibrated else 0.0,
         },
         "rules": _plain(frame.Rules.of(layout)._asdict() | channels),
         "body": _plain(ik.Body.of(layout.skeleton)._asdict()),

@@ -16,7 +16,6 @@ from torch import Tensor
 
 from toolkit.features.layout import Layout
 from toolkit.motion import trajectory
-from toolkit.runtime import steering
 from toolkit.runtime.compiled import frame, ik, network
 from toolkit.runtime.frame import CharacterState, pose, start, step
 from toolkit.runtime.steering import Command
@@ -50,6 +49,8 @@ class CompiledModel:
             raise ValueError(f"only lpn-film can be compiled, got {name}")
         if precision not in network.PRECISIONS:
             raise ValueError(f"precision is one of {', '.join(network.PRECISIONS)}; got {precision!r}")
+        if model.calibrated and precision != "float32":
+            raise ValueError(f"a calibrated model needs precision float32, got {precision!r}")
         if not 0 <= skip < 1 / model.sizes.experts:
             raise ValueError(f"skip must be in [0, 1/{model.sizes.experts}), or no expert might be left; got {skip}")
         if not isinstance(threads, int) or threads < 1:
@@ -60,7 +61,8 @@ class CompiledModel:
         for name in ("phases_mean", "phases_std", "outputs_mean"):  # what `toolkit.runtime.start` asks a model for
             setattr(self, name, getattr(model, name).clone())
         self.weights = network.Weights.of(model, precision)
-        self._shapes = {"history": (trajectory.PAST + 1, 4), "future": (steering.N_FUTURE, 4), "drive": (1,),
+        self.dropped = np.float32(model.dropped if model.calibrated else 0.0)
+        self._shapes = {"history": (trajectory.PAST + 1, 4), "future": (len(self.layout.ahead), 4), "drive": (1,),
                         "joints": (self.layout.n_clip,), "phase": (self.layout.n_phases,), "style": (self.style_size,),
                         "velocity": (2,), "facing": (2,), "contacts": (2,), "toes": (2, 3), "drift": (2, 2)}
         self._rules, self._body = frame.Rules.of(self.layout), ik.Body.of(self.layout.skeleton)
@@ -87,8 +89,8 @@ class CompiledModel:
 
         def advance(start: int, stop: int) -> None:
             frame.steer(old, wanted, look, self._rules, x, new, start, stop)
-            network.predict(x, old.phase, old.style, self.weights, self.skip, z, start, stop)
-            frame.follow(old, z, self._rules, new, start, stop)
+            network.predict(x, old.phase, old.style, self.weights, self.skip, self.dropped, z, start, stop)
+            frame.follow(old, z, self._rules, self._body, new, start, stop)
 
         self._share(advance, count)
         return CharacterState(**dict(zip(new._fields, map(torch.from_numpy, new[:-1]), strict=False)), style=state.style)
@@ -109,7 +111,7 @@ class CompiledModel:
                 raise ValueError(f"{name} needs {width} columns, got shape {list(value.shape)}")
             given.append(np.ascontiguousarray(value.detach().expand(len(x), width).numpy(), np.float32))
         z = np.empty((len(x), self.layout.n_outputs), np.float32)
-        self._share(partial(network.predict, *given, self.weights, self.skip, z), len(x))
+        self._share(partial(network.predict, *given, self.weights, self.skip, self.dropped, z), len(x))
         return torch.from_numpy(z)
 
     def _array(self, state: CharacterState, name: str) -> np.ndarray:

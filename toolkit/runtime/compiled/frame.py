@@ -12,9 +12,12 @@ import numpy as np
 from numba import njit
 
 from toolkit.features.layout import CHANNELS
-from toolkit.motion import ik, trajectory
+from toolkit.motion import ik as held
+from toolkit.motion import trajectory
 from toolkit.motion.clip import FEET
+from toolkit.networks import phase
 from toolkit.runtime import frame, steering
+from toolkit.runtime.compiled import ik
 from toolkit.runtime.state import CharacterState
 
 State = namedtuple("State", sorted(CharacterState.__dataclass_fields__, key="style".__eq__))
@@ -36,7 +39,7 @@ class Rules(NamedTuple):
     position_shares: np.ndarray
     direction_shares: np.ndarray
     half_second: int
-    interval: float
+    seconds: np.ndarray
     fps: float
     gain: float
     correction: float
@@ -47,23 +50,24 @@ class Rules(NamedTuple):
     slow: float
     slack: float
     let_go: float
+    pull: float
 
     @classmethod
     def of(cls, layout) -> "Rules":
         """Those of a layout."""
-        t = np.linspace(0.0, 1.0, steering.N_FUTURE)
+        t = np.array(layout.ahead) / layout.ahead[-1]
         return cls(
             trajectory_in=layout.inputs["trajectory"].start, joints_in=layout.inputs["joints"].start,
             trajectory_out=layout.outputs["trajectory"].start, joints_out=layout.outputs["joints"].start,
             phases=layout.outputs["phases"].start, updates=layout.outputs["phase_updates"].start,
             contacts=layout.outputs["contacts"].start,
             toes=tuple(layout.names.index(layout.skeleton.roles[f"{side}_toe"]) for side in FEET),
-            samples=np.array(trajectory.SAMPLES) + trajectory.PAST, position_shares=1 - (1 - t) ** steering.POSITION_BIAS,
+            samples=np.array(layout.samples) + trajectory.PAST, position_shares=1 - (1 - t) ** steering.POSITION_BIAS,
             direction_shares=1 - (1 - t) ** steering.DIRECTION_BIAS, half_second=trajectory.FPS // 2,
-            interval=(trajectory.SAMPLES[1] - trajectory.SAMPLES[0]) / trajectory.FPS, fps=float(trajectory.FPS),
+            seconds=np.diff(layout.ahead, prepend=0) / trajectory.FPS, fps=float(trajectory.FPS),
             gain=steering.GAIN, correction=frame.CORRECTION, proportional=steering.PROPORTIONAL,
             integral=steering.INTEGRAL, max_drive=steering.MAX_DRIVE, stand_still=steering.RETURN, slow=steering.SLOW,
-            slack=ik.SLACK, let_go=ik.RETURN,
+            slack=held.SLACK, let_go=held.RETURN, pull=phase.PULL,
         )
 
 
@@ -154,16 +158,15 @@ def steer(old, wanted, look, rules, x, new, start, stop):
 
         moved = _moved(history, len(history) - 1, rules)
         against = rules.stand_still * max(1.0 - math.hypot(vx, vz) / rules.slow, 0.0)
-        pull_x = (drive * vx - against * moved[0]) * rules.interval
-        pull_z = (drive * vz - against * moved[1]) * rules.interval
+        pull_x, pull_z = drive * vx - against * moved[0], drive * vz - against * moved[1]
         root_x, root_z = _pair(history[-1])
         sin, cos = np.float64(history[-1, 2]), np.float64(history[-1, 3])
         px, pz = root_x, root_z
         bent[0] = history[-1]
         for s in range(1, len(future)):
             share = rules.position_shares[s]
-            px += _lerp(np.float64(future[s, 0]) - future[s - 1, 0], pull_x, share)
-            pz += _lerp(np.float64(future[s, 1]) - future[s - 1, 1], pull_z, share)
+            px += _lerp(np.float64(future[s, 0]) - future[s - 1, 0], pull_x * rules.seconds[s], share)
+            pz += _lerp(np.float64(future[s, 1]) - future[s - 1, 1], pull_z * rules.seconds[s], share)
             dx, dz = _turn2(_pair(future[s, 2:]), facing, rules.direction_shares[s])
             bent[s, 0], bent[s, 1], bent[s, 2], bent[s, 3] = px, pz, dx, dz
         for s in range(len(rules.samples)):
@@ -236,8 +239,17 @@ def _joints(was, now, turn, shift, rules, joints):
         joints[j + POSITION + 2] += shift[1]
 
 
+@njit(nogil=True)
+def _advance(phase, update, predicted, pull, new):
+    """`toolkit.networks.phase.advance` of one limb."""
+    (dx, dy), (x, y) = _pair(update), _pair(phase)
+    x, y = x + dx, y + dy
+    share = min(pull * math.hypot(dx, dy) / max(math.hypot(x, y), 1e-6), 0.5)
+    new[0], new[1] = _lerp(x, predicted[0], share), _lerp(y, predicted[1], share)
+
+
 @njit(cache=True, nogil=True)
-def follow(old, z, rules, new, start, stop):
+def follow(old, z, rules, body, new, start, stop):
     """Fill the rest of the new state from the network's outputs ``z [N, Dz]`` (section 4.4)."""
     width, count = old.joints.shape[1], old.phase.shape[1]
     before, predicted = np.empty((2, 3)), np.empty((2, 3))
@@ -267,11 +279,12 @@ def follow(old, z, rules, new, start, stop):
         dx, dz = root_x - new_x, root_z - new_z
         shift = new_cos * dx - new_sin * dz, new_sin * dx + new_cos * dz
         _joints(old.joints[b], out[rules.joints_out : rules.joints_out + width], turn, shift, rules, new.joints[b])
-        for i in range(count):
-            new.phase[b, i] = 0.5 * (old.phase[b, i] + out[rules.updates + i] + out[rules.phases + i])
+        for i in range(0, count, 2):
+            _advance(old.phase[b, i:], out[rules.updates + i :], out[rules.phases + i :], rules.pull, new.phase[b, i:])
         for side in range(2):
             new.contacts[b, side] = min(max(out[rules.contacts + side], 0.0), 1.0)
         _toes(old.history[b], old.joints[b], rules, before)
         _toes(history, new.joints[b], rules, predicted)
         left = new_cos, -new_sin
         _hold(old.toes[b], old.drift[b], before, predicted, new.contacts[b], left, rules, new.toes[b], new.drift[b])
+        ik.plant(body, new.toes[b], history[-1], new.joints[b])

@@ -31,6 +31,8 @@ class Body(NamedTuple):
         Points that follow their parents ``[E]``.
     legs
         Hip, knee, foot and toe, right and left ``[2, 4]``.
+    chains
+        All points from the hips to the toes, but the hips, parents before children ``[C]``.
     arms
         Arm joints and the points at their bones' other ends, from the body outwards ``[A, 2]``.
     """
@@ -41,12 +43,14 @@ class Body(NamedTuple):
     own: np.ndarray
     ends: np.ndarray
     legs: np.ndarray
+    chains: np.ndarray
     arms: np.ndarray
 
     @classmethod
     def of(cls, skeleton) -> "Body":
         """That of a skeleton."""
         joints, parents = list(skeleton.feature_joints), skeleton.parents
+        toes = [skeleton.role(f"{side}_toe") for side in FEET]
         arms = [[skeleton.role(f"{side}_{part}") for side in FEET] for part in ("shoulder", "elbow", "hand")]
         chain = [[parents[joint] for joint in arms[0]], *arms]
         ends = [skeleton.end_site(f"{side}_hand") for side in FEET]
@@ -57,6 +61,7 @@ class Body(NamedTuple):
             own=np.array([joints.index(j) if j in joints else -1 for j in range(len(skeleton))]),
             ends=np.array([j for j in range(len(skeleton)) if skeleton.is_end(j)], dtype=np.int64),
             legs=np.array([[skeleton.role(f"{side}_{part}") for part in ("hip", "knee", "foot", "toe")] for side in FEET]),
+            chains=np.array(sorted({j for toe in toes for j in (toe, *skeleton.ancestors(toe))} - {0})),
             arms=np.array([pair for level in bones for pair in zip(*level, strict=True)]),
         )
 
@@ -217,6 +222,31 @@ def _plant_feet(body, turned, places, toes):
         lower = _between(_plus(c, b, -1.0), _plus(end, middle, -1.0))
         _write(turned, hip, _multiply(upper, _read(turned, hip)))
         _write(turned, knee, _multiply(lower, _read(turned, knee)))
+
+
+@njit(nogil=True)
+def plant(body, toes, root, joints):
+    """Put knees, feet and toes of a pose ``[12 J]`` where foot IK has them: `toolkit.motion.ik.solve_legs`."""
+    places = np.empty((len(body.parents), 3))
+    places[0, 0], places[0, 1], places[0, 2] = _triple(joints)
+    for i in range(len(body.chains)):
+        j = body.chains[i]
+        above = body.parents[j]
+        block = joints[12 * body.features[above] :]
+        bone = _rotate(_from_forward_up(_triple(block[FORWARD:]), _triple(block[UP:])), _triple(body.offsets[j]))
+        places[j, 0], places[j, 1], places[j, 2] = _plus(_triple(places[above]), bone)
+    sin, cos = np.float64(root[2]), np.float64(root[3])
+    length = max(math.hypot(sin, cos), 1e-12)
+    for side in range(2):
+        hip, knee, foot, toe = body.legs[side]
+        a, b, c, tip = _triple(places[hip]), _triple(places[knee]), _triple(places[foot]), _triple(places[toe])
+        x, z = np.float64(toes[side, 0]) - root[0], np.float64(toes[side, 2]) - root[1]
+        target = _heading((-sin / length, cos / length), (x, np.float64(toes[side, 1]), z))
+        sole = _plus(tip, c, -1.0)
+        middle, end = _two_bone(a, b, c, _plus(target, sole, -1.0))
+        for point, place in ((knee, middle), (foot, end), (toe, _plus(end, sole))):
+            at = 12 * body.own[point]
+            joints[at], joints[at + 1], joints[at + 2] = place
 
 
 @njit(cache=True, nogil=True)

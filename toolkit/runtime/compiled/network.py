@@ -6,6 +6,7 @@ to end. Many are limited by arithmetic: a tile of up to `ROWS` characters by one
 scale finished tiles, so that scaled inputs are never formed and an expert that a character does not need costs it nothing.
 """
 
+import math
 from typing import NamedTuple
 
 import llvmlite.binding
@@ -17,7 +18,7 @@ from numba.core import cgutils
 from numba.extending import intrinsic
 
 from toolkit.features import FRAME_KINDS
-from toolkit.networks.film import EPSILON
+from toolkit.networks.film import EPSILON, LARGEST
 
 LANES = 16  # numbers in a vector; processors with shorter ones take several for it
 WIDE = bool(llvmlite.binding.get_host_cpu_features().get("avx512f"))
@@ -313,11 +314,53 @@ def _gates(phases, weights, skip, gates):
             gates[b] /= gates[b].sum()
 
 
+@njit(nogil=True, fastmath={"reassoc", "nsz", "contract"})
+def _scatter(x, gates, weight, bias, dropped, variance):
+    """dropped · Σᵢ xᵢ² (Σₖ αₖ Wₖᵢⱼ)² of one character: `toolkit.networks.BlendedLinear.scatter`."""
+    experts, columns = bias.shape
+    n = weight.size // (experts * columns)
+    line, total = np.empty(COLUMNS, np.float32), np.empty(COLUMNS, np.float32)
+    for first in range(0, columns, COLUMNS):
+        total[:] = _ZERO
+        for i in range(n):
+            line[:] = _ZERO
+            for k in range(experts):
+                at = (k * columns + first) * n + i * COLUMNS
+                share = gates[k] * x[i]
+                for c in range(COLUMNS):
+                    line[c] += share * weight[at + c]
+            for c in range(COLUMNS):
+                total[c] += line[c] * line[c]
+        for c in range(COLUMNS):
+            variance[first + c] = dropped * total[c]
+
+
+@njit(nogil=True)
+def _expected(y, variance, gamma, beta):
+    """`toolkit.networks.film.Film.expected` in place."""
+    size, mean, square, spread = len(gamma), 0.0, 0.0, 0.0
+    for i in range(size):
+        mean += y[i] / size
+        spread += variance[i] / size
+    for i in range(size):
+        square += (y[i] - mean) ** 2
+    scale = 1 / (math.sqrt(square / (size - 1) + spread) + EPSILON)
+    half = math.sqrt(0.5)
+    for i in range(size):
+        m = gamma[i] * (y[i] - mean) * scale + beta[i]
+        s = max(abs(gamma[i]) * math.sqrt(variance[i]) * scale, 1e-6)
+        at = m / s
+        below = 0.5 * math.erfc(at * half)
+        tail = math.exp(min(m + 0.5 * s * s, LARGEST)) * 0.5 * math.erfc((at + s) * half)
+        y[i] = m * (1 - below) + s * math.exp(-0.5 * at * at) / math.sqrt(2 * math.pi) + tail - below
+
+
 @njit(cache=True, nogil=True)
-def predict(x, phases, style, weights, skip, z, start, stop):
+def predict(x, phases, style, weights, skip, dropped, z, start, stop):
     """Fill rows ``start`` to ``stop`` of ``z [N, Dz]`` with next frames, physical units: `toolkit.networks.Model.predict`.
 
-    ``x [N, Dx]``, ``phases [N, 8]``, ``style [N or 1, 4 hidden]``.
+    ``x [N, Dx]``, ``phases [N, 8]``, ``style [N or 1, 4 hidden]``; ``dropped`` is `toolkit.networks.Model.dropped` of a
+    calibrated model, 0 of others.
     """
     hidden, room = style.shape[1] // 4, min(stop - start, BATCH)
     widths = weights.biases[0].shape[1], weights.biases[1].shape[1], weights.biases[2].shape[1]
@@ -325,6 +368,7 @@ def predict(x, phases, style, weights, skip, z, start, stop):
     scaled, gates = np.zeros((room, n), np.float32), np.empty((room, len(weights.biases[0])), np.float32)
     first, second = np.empty((room, widths[0]), np.float32), np.empty((room, widths[1]), np.float32)
     last, bits = np.empty((room, widths[2]), np.float32), np.empty(hidden, np.int32)
+    variance = np.empty(max(widths[0], widths[1]), np.float32)
     for begin in range(start, stop, BATCH):
         end = min(begin + BATCH, stop)
         count = end - begin
@@ -338,7 +382,11 @@ def predict(x, phases, style, weights, skip, z, start, stop):
             blended_layer(inputs, gates, weights.experts[layer], weights.biases[layer], outputs)
             for b in range(count):
                 vector = style[begin + b if len(style) > 1 else 0, 2 * layer * hidden : 2 * (layer + 1) * hidden]
-                _modulate(outputs[b], vector[:hidden], vector[hidden:], bits)
+                if dropped > 0:
+                    _scatter(inputs[b], gates[b], weights.experts[layer], weights.biases[layer], dropped, variance)
+                    _expected(outputs[b], variance, vector[:hidden], vector[hidden:])
+                else:
+                    _modulate(outputs[b], vector[:hidden], vector[hidden:], bits)
             inputs, outputs = outputs, second[:count]
         blended_layer(inputs, gates, weights.experts[2], weights.biases[2], last[:count])
         mean, deviation = weights.means[2], weights.deviations[2]

@@ -9,7 +9,7 @@
 import { copy, follow, steer } from "./frame.js";
 import { Network } from "./network.js";
 import { numbers } from "./numbers.js";
-import { pose } from "./pose.js";
+import { plant, pose } from "./pose.js";
 
 export class Character {
   constructor({ network, rules, body, start }) {
@@ -33,6 +33,7 @@ export class Character {
     steer(state, command, rules, x, spare);
     this.network.predict(x, state.phase, style, z);
     follow(state, z, rules, spare);
+    plant(spare, this.body, rules);
     [this.state, this.spare] = [spare, state];
   }
 

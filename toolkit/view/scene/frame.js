@@ -49,14 +49,14 @@ export function steer(old, command, rules, x, next) {
   next.drive[0] = govern(history, drive, velocity, rules);
 
   const against = rules.stand_still * Math.max(1 - Math.hypot(...velocity) / rules.slow, 0);
-  const pull = moved(history, 0, rules).map((v, i) => (drive * velocity[i] - against * v) * rules.interval);
+  const pull = moved(history, 0, rules).map((v, i) => drive * velocity[i] - against * v);
   const rootX = history[here], rootZ = history[here + 1], sin = history[here + 2], cos = history[here + 3];
   let px = rootX, pz = rootZ;
   bent.set(history.subarray(here));
   for (let s = 1; s < rules.position_shares.length; s++) {
     const at = 4 * s, share = rules.position_shares[s];
-    px += lerp(future[at] - future[at - 4], pull[0], share);
-    pz += lerp(future[at + 1] - future[at - 3], pull[1], share);
+    px += lerp(future[at] - future[at - 4], pull[0] * rules.seconds[s], share);
+    pz += lerp(future[at + 1] - future[at - 3], pull[1] * rules.seconds[s], share);
     bent[at] = px, bent[at + 1] = pz;
     bent.set(turn(future[at + 2], future[at + 3], facing[0], facing[1], rules.direction_shares[s]), at + 2);
   }
@@ -139,8 +139,11 @@ export function follow(old, z, rules, next) {
   const [x, z1, newSin, newCos] = history.subarray(here), dx = rootX - x, dz = rootZ - z1;
   const around = unit([sin * newCos - cos * newSin, cos * newCos + sin * newSin]);
   pose(old.joints, z, around, [newCos * dx - newSin * dz, newSin * dx + newCos * dz], rules, next.joints);
-  for (let i = 0; i < next.phase.length; i++)
-    next.phase[i] = 0.5 * (old.phase[i] + z[rules.updates + i] + z[rules.phases + i]);
+  for (let i = 0; i < next.phase.length; i += 2) { // limb by limb, as networks/phase.py's advance
+    const update = [0, 1].map((k) => z[rules.updates + i + k]), total = update.map((v, k) => old.phase[i + k] + v);
+    const share = Math.min((rules.pull * Math.hypot(...update)) / Math.max(Math.hypot(...total), 1e-6), 0.5);
+    for (const k of [0, 1]) next.phase[i + k] = lerp(total[k], z[rules.phases + i + k], share);
+  }
   for (const side of [0, 1]) next.contacts[side] = clamp(z[rules.contacts + side], 0, 1);
   hold(old, toes(old, rules), toes(next, rules), [newCos, -newSin], rules, next);
 }

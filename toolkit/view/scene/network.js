@@ -3,7 +3,7 @@
 // network = {
 //   means, deviations: numbers of x, phases and z,
 //   gating, experts: {widths: [in, hidden, hidden, out], layers: [numbers]},  experts also {count: K}
-//   epsilon: added to a deviation
+//   epsilon: added to a deviation;  dropped: variance of an input under dropout, of a calibrated model; 0 of others
 // }
 // A layer is panels × inputs × 8: the weights of eight outputs lie together, in the order in which they are read, once a frame.
 // Its last input is a one, whose weights are the biases. Those of the experts follow each other: input i of expert k is
@@ -26,6 +26,21 @@ function multiply(w, x, y) {
   }
 }
 
+// complementary error function, to 1.2e-7 of its value (Press et al., Numerical Recipes)
+function erfc(v) {
+  const t = 1 / (1 + 0.5 * Math.abs(v)), terms = [0.17087277, -0.82215223, 1.48851587, -1.13520398, 0.27886807, -0.18628806,
+    0.09678418, 0.37409196, 1.00002368];
+  const value = t * Math.exp(-v * v - 1.26551223 + t * terms.reduce((sum, term) => term + t * sum, 0));
+  return v >= 0 ? value : 2 - value;
+}
+
+// E[ELU(X)] of a normal variable: networks/film.py's expected_elu
+function expectedElu(m, deviation) {
+  const s = Math.max(deviation, 1e-6), at = m / s, below = 0.5 * erfc(at * Math.SQRT1_2);
+  const tail = Math.exp(Math.min(m + 0.5 * s * s, 60)) * 0.5 * erfc((at + s) * Math.SQRT1_2);
+  return m * (1 - below) + (s * Math.exp(-0.5 * at * at)) / Math.sqrt(2 * Math.PI) + tail - below;
+}
+
 const elu = (v) => (v > 0 ? v : Math.expm1(v));
 
 // inputs of a layer, and the one behind them
@@ -38,8 +53,8 @@ function inputs(n) {
 const panels = (n) => new Float64Array(Math.ceil(n / PANEL) * PANEL);
 
 export class Network {
-  constructor({ means, deviations, gating, experts, epsilon }) {
-    Object.assign(this, { means: means.map(numbers), deviations: deviations.map(numbers), epsilon });
+  constructor({ means, deviations, gating, experts, epsilon, dropped }) {
+    Object.assign(this, { means: means.map(numbers), deviations: deviations.map(numbers), epsilon, dropped });
     this.gating = gating.layers.map((layer, i) => ({
       weights: numbers(layer), x: inputs(gating.widths[i]), y: panels(gating.widths[i + 1]),
     }));
@@ -56,8 +71,8 @@ export class Network {
     this.gate(phase);
     for (let i = 0; i < x.length; i++) first.x[i] = (x[i] - mean[i]) / deviation[i];
     const width = style.length / 4;
-    this.modulate(this.blend(first), style, 0, width, second.x);
-    this.modulate(this.blend(second), style, 2 * width, width, third.x);
+    this.modulate(first, style, 0, width, second.x);
+    this.modulate(second, style, 2 * width, width, third.x);
     const y = this.blend(third);
     for (let i = 0; i < z.length; i++) z[i] = y[i] * scale[i] + shift[i];
   }
@@ -85,12 +100,37 @@ export class Network {
     return y;
   }
 
-  // ELU(γ ∘ LN(y) + β), with γ at a place of the style vector and β behind it
-  modulate(y, style, at, width, result) {
-    let mean = 0, square = 0;
+  // variance that dropout would add to each output of a layer: Σᵢ (xᵢ Σₖ αₖ Wₖᵢⱼ)², times `dropped`; scaled inputs are those of blend
+  scatter({ weights, x, y, scaled }) {
+    const n = x.length, count = this.gates.length, spread = new Float64Array(y.length);
+    for (let o = 0, p = 0; o < y.length; o += PANEL, p += PANEL * n * count) {
+      for (let i = 0; i < n - 1; i++) { // the last input is the one of the biases
+        for (let c = 0; c < PANEL; c++) {
+          let v = 0;
+          for (let k = 0; k < count; k++) v += scaled[k * n + i] * weights[p + PANEL * (k * n + i) + c];
+          spread[o + c] += this.dropped * v * v;
+        }
+      }
+    }
+    return spread;
+  }
+
+  // ELU(γ ∘ LN(y) + β) of a layer, with γ at a place of the style vector and β behind it; its mean over dropout if calibrated
+  modulate(layer, style, at, width, result) {
+    const y = this.blend(layer), spread = this.dropped ? this.scatter(layer) : null;
+    let mean = 0, square = 0, added = 0;
     for (let i = 0; i < width; i++) mean += y[i];
     mean /= width;
     for (let i = 0; i < width; i++) square += (y[i] - mean) ** 2;
+    if (spread) {
+      for (let i = 0; i < width; i++) added += spread[i] / width;
+      const scale = 1 / (Math.sqrt(square / (width - 1) + added) + this.epsilon);
+      for (let i = 0; i < width; i++) {
+        const gamma = style[at + i];
+        result[i] = expectedElu(gamma * (y[i] - mean) * scale + style[at + width + i], Math.abs(gamma) * Math.sqrt(spread[i]) * scale);
+      }
+      return;
+    }
     const scale = 1 / (Math.sqrt(square / (width - 1)) + this.epsilon);
     for (let i = 0; i < width; i++) result[i] = elu(style[at + i] * (y[i] - mean) * scale + style[at + width + i]);
   }

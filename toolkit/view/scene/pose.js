@@ -81,6 +81,23 @@ function plantFeet(body, turned, places, toes) {
   });
 }
 
+// Puts knees, feet and toes of a state's pose where foot IK has them, in its root frame (compiled/ik.py's plant).
+export function plant({ history, joints, toes }, body, rules) {
+  const read = (joint, channel) => Array.from(joints.subarray(rules.width * joint + rules[channel]).subarray(0, 3));
+  const [x, z, sin, cos] = history.subarray(history.length - 4), [s, c] = unit([sin, cos]), places = [read(0, "position")];
+  for (const j of body.chains) {
+    const above = body.parents[j], joint = body.features[above];
+    places[j] = plus(places[above], rotate(fromForwardUp(read(joint, "forward"), read(joint, "up")), body.offsets[j]));
+  }
+  body.legs.forEach(([hip, knee, foot, toe], side) => {
+    const [tx, ty, tz] = toes.subarray(3 * side, 3 * side + 3), sole = minus(places[toe], places[foot]);
+    const target = [c * (tx - x) - s * (tz - z), ty, c * (tz - z) + s * (tx - x)];
+    const [middle, end] = twoBone(places[hip], places[knee], places[foot], minus(target, sole));
+    [[knee, middle], [foot, end], [toe, plus(end, sole)]].forEach(([point, place]) =>
+      joints.set(place, rules.width * body.own[point] + rules.position));
+  });
+}
+
 // Fills local rotations [J' * 4] and the root's position [3]; feet, arms: whether their IK acts.
 export function pose({ history, joints, toes }, body, rules, { feet, arms }, rotations, root) {
   const [x, z, sin, cos] = history.subarray(history.length - 4), [s, c] = unit([sin, cos]);
