@@ -164,8 +164,8 @@ def frames(clip: Clip, ph: phases.Phases | None = None, start: int = 0, stop: in
     """x, p and z of every frame whose trajectory window lies inside the clip (section 3.2).
 
     ``ph`` are the clip's phases, by default those of the hybrid source; ``samples`` are the window's offsets, see `Layout`.
-    ``start`` and ``stop`` limit the frames, not their past and future. ValueError if the clip is not at 60 Hz or no frame has
-    its whole window inside.
+    ``start`` and ``stop`` limit the frames, not their past and future. ValueError if the clip is not at 60 Hz or no frame
+    has its whole window inside.
     """
     own = own_features(clip, phases.extract(clip) if ph is None else ph, samples)
     at = usable(len(clip), samples, own.joints.device)

@@ -35,7 +35,8 @@ class Controller(Corners):
     styles
         The triangle's corners, three names of the bank; by default its first three.
     speed, size
-        Walking speed in metres per second, which can be set later; width and height of the picture in pixels.
+        Walking speed in metres per second, by default the first style's natural one, which can be set later; width and
+        height of the picture in pixels.
 
     Attributes
     ----------
@@ -67,12 +68,13 @@ class Controller(Corners):
     status = traitlets.Unicode("").tag(sync=True)
     _task: asyncio.Task | None = None  # a script has none: there `advance` moves the character
 
-    def __init__(self, model, bank, *, styles: Sequence[str] | None = None, speed: float = 1.0,
+    def __init__(self, model, bank, *, styles: Sequence[str] | None = None, speed: float | None = None,
                  size: tuple[int, int] = (640, 480)):
         names = (list(bank.names) * 3)[:3] if styles is None else list(styles)
         if len(names) != 3:
             raise ValueError(f"a triangle has three styles, got {names}")
         self._model, self._bank = model, bank
+        speed = min(max(bank.speed(names[0]), 0.1), 3.0) if speed is None else speed
         self._vector = self._target = bank.blend(dict.fromkeys(names, 0.0) | {names[0]: 1.0})
         self.state = runtime.start(model, self._vector)
         self._facing = 0.0

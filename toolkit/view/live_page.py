@@ -89,7 +89,7 @@ def pack(model, bank, half: bool = False) -> dict[str, Any]:
         "vectors": numbers(bank.vectors),
         "turn": controller.TURN, "run": controller.RUN, "ease": controller.EASE,
         "bvh": _bvh(model, state),
-        "traits": {"names": corners, "weights": [1.0, 0.0, 0.0], "speed": 1.0},
+        "traits": {"names": corners, "weights": [1.0, 0.0, 0.0], "speed": round(bank.speed(corners[0]), 2)},
     }
 
 
