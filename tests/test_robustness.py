@@ -317,7 +317,7 @@ with tempfile.TemporaryDirectory() as base:
 def python(*words):
     tests = Path(__file__).parent
     environment = os.environ | {"OMP_NUM_THREADS": "1", "PYTHONPATH": f"{tests.parent}{os.pathsep}{tests}"}
-    return subprocess.run([sys.executable, *words], env=environment, capture_output=True, text=True, timeout=200)
+    return subprocess.run([sys.executable, *words], env=environment, capture_output=True, text=True, timeout=500)
 
 
 @needs_fork
