@@ -133,7 +133,7 @@ def joint_features(clip: Clip, roots: RootFrames) -> Tensor:
     return pack_joints(roots.to_local(positions), *R.to_forward_up(turns), velocity)
 
 
-def usable(n: int, samples: tuple[int, ...] = trajectory.SAMPLES, device: torch.device | None = None) -> Tensor:
+def usable(n: int, device: torch.device | None = None, samples: tuple[int, ...] = trajectory.SAMPLES) -> Tensor:
     """Those of the frames 0 … n - 1 of a clip whose trajectory window, and the next frame's, lie inside the clip."""
     return torch.arange(-samples[0], max(-samples[0], n - samples[-1] - 1), device=device)
 
@@ -168,7 +168,7 @@ def frames(clip: Clip, ph: phases.Phases | None = None, start: int = 0, stop: in
     has its whole window inside.
     """
     own = own_features(clip, phases.extract(clip) if ph is None else ph, samples)
-    at = usable(len(clip), samples, own.joints.device)
+    at = usable(len(clip), own.joints.device, samples)
     at = at[(at >= start) & (at < (len(clip) if stop is None else stop))]
     if not len(at):
         raise _too_short(clip, samples)
@@ -277,7 +277,7 @@ def build(clips: Clip | Iterable[Clip], *, source: str | phases.Source = "hybrid
     for (style, _), members in tqdm(sorted(groups.items()), "features", unit="group", disable=None if progress else True):
         for take, own in group_features(members, source, mirror, short, samples):
             n, device = len(own.joints), own.joints.device
-            at, starts = usable(n, samples, device), clip_starts(n, device)
+            at, starts = usable(n, device, samples), clip_starts(n, device)
             rows = own.inputs(at), own.phases[at], own.outputs(at), own.style_clips(starts), torch.full_like(at, take)
             for kind, values in zip(parts, rows, strict=True):
                 parts[kind][style].append(values)
@@ -315,7 +315,7 @@ def group_features(members: Iterable[tuple[int, Clip]], source: str | phases.Sou
     chosen: list[tuple[int, Clip]] = []
     for take, clip in members:
         clip = clip.resample(trajectory.FPS)
-        if not len(usable(len(clip), samples)):
+        if not len(usable(len(clip), clip.rotations.device, samples)):
             if short == "skip":
                 continue
             raise _too_short(clip, samples)

@@ -11,7 +11,7 @@ SAMPLES = tuple(range(-60, 60, 10))
 PAST = -SAMPLES[0]  # frames of the past that a character keeps; no offset reaches further back
 
 
-def sample(roots: RootFrames, frames: Tensor, offsets: tuple[int, ...]) -> tuple[Tensor, Tensor]:
+def sample(roots: RootFrames, frames: Tensor, offsets: tuple[int, ...] = SAMPLES) -> tuple[Tensor, Tensor]:
     """Trajectory around given frames, each in the root frame of its own frame.
 
     Parameters

@@ -72,9 +72,8 @@ def extract_group(clips: Sequence[Clip], source: str | Source = "hybrid",
 
     Notes
     -----
-    Equation (1) leaves open which speed and amplitude it means. Here the plain choice: the mean speed over one second in the
-    hips' frame, and the amplitude of the fitted sinusoid. Others agree better with the phases that the published network
-    predicts on one take, and worse on another.
+    Equation (1) leaves open which speed and amplitude it means. Here the plain mean of the speed over one second, in the
+    hips' frame, and the amplitude, at the fitted frequency, in the half second that the published run fitted to.
     """
     if isinstance(source, str):
         source = named(source)
@@ -104,7 +103,8 @@ def _extract(clip: Clip, source: Source, half_window: float | None) -> Phases:
     speed = torch.stack([windows.speed(local_positions(clip, limb).double(), clip.fps) for limb in LIMBS], 1)
     direction = torch.stack((found.phase.sin(), found.phase.cos()), -1)
     direction = torch.nn.functional.normalize(smooth(direction, clip.fps), dim=-1)
-    magnitude = smooth(speed * found.amplitude, clip.fps).clamp_min(0.0)
+    strength = windows.amplitude(curve.double(), found.frequency.double(), clip.fps)
+    magnitude = smooth(speed * strength, clip.fps).clamp_min(0.0)
     value = found.amplitude * found.phase.sin() + found.offset
     phase = torch.atan2(direction[..., 0], direction[..., 1]) % (2 * torch.pi)
     columns = (magnitude[..., None] * direction, phase, found.frequency, found.amplitude, found.residual, curve, value)

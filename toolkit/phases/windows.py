@@ -1,8 +1,9 @@
-"""Measures in a window around every frame: its length, z-score, smoothing, speed.
+"""Measures in a window around every frame: its length, z-score, smoothing, amplitude, speed.
 
 Curves are ``[F, ...]``, best in float64. The length of a window is given by half of it, in seconds.
 """
 
+import math
 
 import scipy
 import torch
@@ -47,6 +48,20 @@ def smooth(curves: Tensor, fps: float) -> Tensor:
     """Second-order zero-phase Butterworth low-pass at `CUTOFF` along the first axis."""
     low_pass = scipy.signal.butter(2, CUTOFF, fs=fps, output="sos")
     return through_numpy(lambda c: scipy.signal.sosfiltfilt(low_pass, c, axis=0), curves)
+
+
+def amplitude(curves: Tensor, frequency: Tensor, fps: float) -> Tensor:
+    """Amplitude ``[F, L]`` of the least-squares sinusoid of known ``frequency [F, L]`` in half a second around each frame.
+
+    At most the range of the curve there, as in the published fit, whose window this is.
+    """
+    half = max(2, round(SHORT * fps))
+    windows = torch.nn.functional.pad(curves.T[:, None], (half, half), mode="reflect")[:, 0].T.unfold(0, 2 * half + 1, 1)
+    angle = 2 * math.pi * frequency[..., None] * torch.arange(-half, half + 1, device=curves.device) / fps
+    sine, cosine = angle.sin(), angle.cos()
+    cosine = cosine - cosine.mean(-1, keepdim=True)  # at right angles to the constant; the sine already is, and to this
+    a, b = ((windows * wave).sum(-1) / wave.square().sum(-1) for wave in (sine, cosine))
+    return torch.minimum(torch.hypot(a, b), windows.amax(-1) - windows.amin(-1))
 
 
 def speed(positions: Tensor, fps: float) -> Tensor:

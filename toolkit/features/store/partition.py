@@ -80,7 +80,7 @@ def read(path: Path, entries: dict[str, dict[str, Any]]) -> Features:
             own = OwnFeatures(layout, RootFrames(t["positions"], t["rotations"]), t["joints"], t["phases"], t["contacts"])
         at, starts, takes, first = [], [], [], 0
         for clip in entry["clips"]:
-            at.append(first + features.usable(clip["frames"], layout.samples))
+            at.append(first + features.usable(clip["frames"], samples=layout.samples))
             starts.append(first + features.clip_starts(clip["frames"]))
             takes.append(torch.full((len(at[-1]),), clip["take"]))
             first += clip["frames"]
