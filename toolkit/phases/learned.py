@@ -75,16 +75,8 @@ class Convolution(nn.Module):
 class PeriodicAutoencoder(nn.Module):
     """Windows ``[B, C, T]`` of C curves → latent curve → sinusoid → the windows again (DeepPhase, section 4).
 
-    Parameters
-    ----------
-    curves
-        C, of the input.
-    hidden
-        Width of the layer between input and latent curve.
-    samples
-        T, odd; also the length of the kernels, so that each convolution covers the whole window.
-    rate
-        Samples per second.
+    ``hidden`` is the width of the layer before the latent curve, ``rate`` the samples per second. ``samples`` (T, odd) is
+    also the length of the kernels, so that each convolution covers the whole window.
     """
 
     def __init__(self, curves: int = CURVES, hidden: int = 12, samples: int = SAMPLES, rate: float = RATE):

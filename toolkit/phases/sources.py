@@ -16,8 +16,6 @@ from toolkit.motion import rotations as R
 from toolkit.motion.clip import LIMBS
 from toolkit.motion.tensors import as_tensor, summary
 
-#: The published order of the phases.
-
 Source = Callable[[Clip, str], Tensor]
 
 
