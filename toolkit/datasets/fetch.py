@@ -122,6 +122,7 @@ def fetch(name: str, root: str | os.PathLike | None = None, source: str | os.Pat
     """Fetch a dataset, or go on where that was cut; nothing is done if it is there already. Returns the folder's record.
 
     The record has name, title, source, date, sha256, terms, files, bytes and found, and the comment of the archive.
+
     Parameters
     ----------
     name
@@ -132,8 +133,6 @@ def fetch(name: str, root: str | os.PathLike | None = None, source: str | os.Pat
         A file, or the address of another copy, in place of the public home.
     sha256
         What the archive must have, in place of the published checksum.
-    progress
-        Show bars on a terminal.
 
     Raises
     ------

@@ -39,12 +39,8 @@ class Source:
     def load(self, root: str | os.PathLike | None = None, styles: Names = None, gaits: Names = None) -> list[Clip]:
         """Clips of the dataset, by path.
 
-        Parameters
-        ----------
-        root
-            A folder with the files, at any depth; by default the dataset's folder on this machine.
-        styles, gaits
-            Names to keep; None for all that the folder has.
+        ``root`` is a folder with the files, at any depth; by default the dataset's folder on this machine. ``styles`` and
+        ``gaits`` are names to keep; None for all that the folder has.
 
         Raises
         ------

@@ -174,14 +174,10 @@ class Learned:
             Training data: five windows per second of each clip, at each of `SPEEDS`.
         steps, batch
             Number of minibatches, and of windows in each.
-        rate
-            Highest learning rate of Adam, with a one-cycle schedule.
-        hidden
-            Width of the networks.
+        rate, hidden
+            Highest learning rate of Adam, with a one-cycle schedule; width of the networks.
         seed
             The same seed gives the same networks.
-        progress
-            Show a progress bar.
 
         Raises
         ------
@@ -220,9 +216,9 @@ class Learned:
             turned = (phase + (torch.pi if factor < 0 else 0.0)) % (2 * torch.pi)
             columns.append((latent[:, HALF] * factor, turned, _growth(phase, clip.fps), amplitude * abs(factor),
                             offset * factor, residual * abs(factor)))
-        found = (torch.stack(column, 1).to(clip.rotations.device, torch.float64) for column in zip(*columns, strict=True))
-        curve, *rest = found
-        return curve, Sinusoids(*rest)
+        curve, *found = (torch.stack(column, 1).to(clip.rotations.device, torch.float64)
+                         for column in zip(*columns, strict=True))
+        return curve, Sinusoids(*found)
 
     def save(self, path: str | os.PathLike) -> None:
         """Write networks and factors to one safetensors file."""

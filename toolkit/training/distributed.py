@@ -50,7 +50,6 @@ def start(config: Config) -> "Fabric | Alone":
     """Device and processes of a config.
 
     ValueError if there is no such device; ImportError if several processes need Lightning Fabric and it is not installed.
-
     With several processes, the first call starts the others: they run the same command from its beginning. Under
     ``torchrun``, which starts them itself, on one machine or many, this joins them.
     """

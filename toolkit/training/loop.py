@@ -72,10 +72,8 @@ def fit(data: Features, config: Config | None = None, checkpoint: str | os.PathL
         Features; a share is held out and never trained on.
     config
         How; the paper's way where not given.
-    checkpoint
-        File for the state of the run, written now and then and when it is interrupted.
-    resume
-        Go on from the checkpoint if there is one.
+    checkpoint, resume
+        File for the state of the run, written now and then and when it is interrupted; go on from it if it exists.
     progress
         Show a bar.
     on_step
