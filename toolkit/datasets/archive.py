@@ -10,32 +10,15 @@ from pathlib import Path, PurePosixPath
 
 from tqdm import tqdm
 
-DAMAGED = (  # what `zipfile` raises for files that are no whole archive, depending on where they are spoilt
-    zipfile.BadZipFile, zlib.error, lzma.LZMAError, EOFError, NotImplementedError, UnicodeDecodeError,
-)
+DAMAGED = (zipfile.BadZipFile, zlib.error, lzma.LZMAError, EOFError, NotImplementedError,
+           UnicodeDecodeError)  # what `zipfile` raises for files that are not a whole archive
 
-def unpack(
-    archive: Path, folder: Path, place: Callable[[str], str | None], limit: int, progress: bool = False
-) -> str:
-    """Unpack some members of a zip archive.
 
-    Parameters
-    ----------
-    archive
-        The file.
-    folder
-        Where to; made if it is not there.
-    place
-        Where a member goes inside the folder, by its name in the archive; None for those that are left out.
-    limit
-        How many bytes all that is unpacked may have.
-    progress
-        Show a bar on a terminal.
+def unpack(archive: Path, folder: Path, place: Callable[[str], str | None], limit: int, progress: bool = False) -> str:
+    """Unpack some members of a zip archive into a folder, which is made if it is not there; returns the archive's comment.
 
-    Returns
-    -------
-    str
-        The archive's comment (GitHub's archives name their commit there).
+    ``place`` gives the path of a member in the folder from its name in the archive, or None to leave it out. ``limit`` is
+    the largest number of bytes that may be unpacked. GitHub's archives name their commit in the comment.
 
     Raises
     ------
@@ -68,21 +51,14 @@ def unpack(
 
 
 def room(folder: Path, size: int, purpose: str) -> None:
-    """Refuse what the disk has no room for.
-
-    Raises
-    ------
-    OSError
-        If fewer than ``size`` bytes are free where the folder is.
-    """
+    """OSError if fewer than ``size`` bytes are free on the disk of the folder."""
     free = shutil.disk_usage(folder).free
     if free < size:
         raise OSError(f"{folder}: {size:,} bytes are needed to {purpose}, the disk has {free:,} free")
 
 
-def _members(
-    archive: Path, file: zipfile.ZipFile, place: Callable[[str], str | None]
-) -> dict[PurePosixPath, zipfile.ZipInfo]:
+def _members(archive: Path, file: zipfile.ZipFile,
+             place: Callable[[str], str | None]) -> dict[PurePosixPath, zipfile.ZipInfo]:
     """The members to unpack by their path in the folder. One that means harm spoils the archive, wanted or not."""
     members: dict[PurePosixPath, zipfile.ZipInfo] = {}
     seen = set()

@@ -31,20 +31,11 @@ def notes(part: Path) -> dict:
 
 
 def download(url: str, part: Path, size: int | None, limit: int, *, trusted: bool, progress: bool = False) -> None:
-    """Download a file, going on with what is there of it if it is still the same on the server.
+    """Download a file to ``part``, going on with what is there of it if it is still the same on the server.
 
-    Parameters
-    ----------
-    url
-        Of the file.
-    part
-        Where it grows; beside it, ``.json`` says what the server called it.
-    size, limit
-        Its bytes, if known, and how many it may have otherwise.
-    trusted
-        It has a known checksum: a server that cannot say whether the file has changed is then asked to go on, too.
-    progress
-        Show a bar on a terminal.
+    A ``.json`` beside ``part`` has what the server called the file. ``size`` is its number of bytes, if known, ``limit`` the
+    largest one allowed otherwise. With ``trusted`` (the checksum is known), a download also goes on if the server cannot say
+    whether the file has changed.
 
     Raises
     ------

@@ -28,32 +28,16 @@ RECORD = "toolkit-data.json"  # in a fetched folder: what it is, from where and 
 
 @dataclass(frozen=True)
 class Origin:
-    """The public home of a dataset.
-
-    Parameters
-    ----------
-    title, terms
-        What it is, and under which conditions.
-    url
-        Of the zip archive.
-    keep
-        Matches the members of the archive that are unpacked; its group ``path`` is where to.
-    unpacked
-        About how many bytes they have; four times as many are refused.
-    check
-        Reads the unpacked folder as the package will, and says what it holds.
-    size, sha256
-        Of the archive, where they are known.
-    """
+    """The public home of a dataset."""
 
     title: str
-    terms: str
-    url: str
-    keep: re.Pattern
-    unpacked: int
-    check: Callable[[Path], str]
-    size: int | None = None
-    sha256: str | None = None
+    terms: str  # conditions of use
+    url: str  # of the zip archive
+    keep: re.Pattern  # matches the members of the archive that are unpacked; its group ``path`` is where to
+    unpacked: int  # about how many bytes they have; four times as many are refused
+    check: Callable[[Path], str]  # reads the unpacked folder as the package will, and says what it holds
+    size: int | None = None  # of the archive, bytes
+    sha256: str | None = None  # of the archive
 
     def place(self, member: str) -> str | None:
         """Where a member of the archive goes in the dataset's folder; None for what is left out."""
@@ -121,13 +105,7 @@ ORIGINS = {
 
 
 def record(folder: str | os.PathLike) -> dict | None:
-    """What is known of a folder that was fetched; None for any other.
-
-    Raises
-    ------
-    ValueError
-        If something was taken out of it since.
-    """
+    """What is known of a folder that was fetched, None for any other; ValueError if files were removed from it since."""
     folder = Path(folder)
     if not (folder / RECORD).is_file():
         return None
@@ -139,15 +117,11 @@ def record(folder: str | os.PathLike) -> dict | None:
     return known
 
 
-def fetch(
-    name: str,
-    root: str | os.PathLike | None = None,
-    source: str | os.PathLike | None = None,
-    sha256: str | None = None,
-    *,
-    progress: bool = False,
-) -> dict:
-    """Fetch a dataset, or go on where that was cut; nothing is done where it is there already.
+def fetch(name: str, root: str | os.PathLike | None = None, source: str | os.PathLike | None = None,
+          sha256: str | None = None, *, progress: bool = False) -> dict:
+    """Fetch a dataset, or go on where that was cut; nothing is done if it is there already. Returns the folder's record.
+
+    The record has name, title, source, date, sha256, terms, files, bytes and found, and the comment of the archive.
 
     Parameters
     ----------
@@ -159,13 +133,6 @@ def fetch(
         A file, or the address of another copy, in place of the public home.
     sha256
         What the archive must have, in place of the published checksum.
-    progress
-        Show bars on a terminal.
-
-    Returns
-    -------
-    dict
-        The record of the folder: name, title, source, date, sha256, terms, files, bytes, found; comment of the archive.
 
     Raises
     ------

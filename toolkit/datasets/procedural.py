@@ -56,14 +56,10 @@ def generate(style: str | Style, gait: str = "FW", seconds: float = 8.0, seed: i
 
     Parameters
     ----------
-    style
-        A name in `STYLES`, or a `Style`.
-    gait
-        One of `GAITS`; it selects the speed and direction of the path.
-    seconds
-        Length.
-    seed
-        Seed of the path and of the style's noise.
+    style, gait
+        A name in `STYLES` or a `Style`, and one of `GAITS`, which selects the speed and direction of the path.
+    seconds, seed
+        Length; seed of the path and of the style's noise.
     path : Tensor [F, 3], optional
         Path to follow instead: x, z in metres and facing in radians (0 is +Z, positive turns left) at 60 Hz.
 

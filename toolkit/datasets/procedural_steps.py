@@ -51,14 +51,6 @@ def _curve(t: np.ndarray, times: Sequence[np.ndarray], values: ArrayLike, stop: 
     return spline(np.clip(t, times[0, 0], times[-1, -1] if stop is None else stop))
 
 
-def _usual(style: Style, forward: np.ndarray, sideways: np.ndarray) -> np.ndarray:
-    """Usual walking speed in a direction: lower backwards, lowest sideways."""
-    norm = np.hypot(forward, sideways)
-    along = np.divide(forward, norm, out=np.ones_like(norm), where=norm > 1e-6)
-    back = np.where(along < 0, 0.65, 1.0)
-    return style.speed * np.hypot(along * back, (1 - along**2) ** 0.5 * 0.5)
-
-
 class Plan:
     """Pace, stride phase (``clock``) and footsteps along a path of F frames."""
 
@@ -71,7 +63,9 @@ class Plan:
         self.sideways, self.ahead = step[:, 0] * c - step[:, 1] * s, step[:, 0] * s + step[:, 1] * c
         self.turning = step[:, 2]
         self.speed = np.hypot(self.sideways, self.ahead)
-        self.pace = self.speed / _usual(style, self.ahead, self.sideways)
+        along = np.divide(self.ahead, self.speed, out=np.ones_like(self.speed), where=self.speed > 1e-6)
+        slower = np.where(along < 0, 0.65, 1.0)  # the usual speed is lower backwards and lowest sideways
+        self.pace = self.speed / (style.speed * np.hypot(along * slower, (1 - along**2) ** 0.5 * 0.5))
         x = np.clip((self.pace - 1.3) / 0.6, 0, 1)
         self.running = smooth(x * x * (3 - 2 * x), 4)
         self.stepping = [side for side in SIDES if not style.leg(side).raised]

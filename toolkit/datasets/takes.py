@@ -27,40 +27,20 @@ class Take:
 
 @dataclass(frozen=True)
 class Source:
-    """Where the files of a dataset are and how they are named.
+    """Where the files of a dataset are and how they are named."""
 
-    Parameters
-    ----------
-    name
-        Name of the dataset in `toolkit.datasets.load`.
-    pattern
-        Matches the file names of the dataset; its groups are ``style`` and ``gait``.
-    layout
-        Description of a folder of this dataset, for error messages.
-    home
-        Where users get the dataset, for error messages.
-    gaits
-        The ``gait`` group to the label of the clip; a group that is not listed is its own label.
-    unit
-        Metres of one unit of length in the files.
-    """
-
-    name: str
-    pattern: re.Pattern
-    layout: str
-    home: str
-    gaits: Mapping[str, str] = field(default_factory=dict)
-    unit: float = bvh.CENTIMETRE
+    name: str  # in `toolkit.datasets.load`
+    pattern: re.Pattern  # of the file names; its groups are ``style`` and ``gait``
+    layout: str  # description of a folder of this dataset, for error messages
+    home: str  # where users get the dataset, for error messages
+    gaits: Mapping[str, str] = field(default_factory=dict)  # group ``gait``: label of the clip; others are their own label
+    unit: float = bvh.CENTIMETRE  # metres of one unit of length in the files
 
     def load(self, root: str | os.PathLike | None = None, styles: Names = None, gaits: Names = None) -> list[Clip]:
         """Clips of the dataset, by path.
 
-        Parameters
-        ----------
-        root
-            A folder with the files, at any depth; by default the dataset's folder on this machine.
-        styles, gaits
-            Names to keep; None for all that the folder has.
+        ``root`` is a folder with the files, at any depth; by default the dataset's folder on this machine. ``styles`` and
+        ``gaits`` are names to keep; None for all that the folder has.
 
         Raises
         ------
@@ -90,11 +70,8 @@ class Source:
                known_styles: Iterable[str] = ()) -> list[Take]:
         """The takes of some styles and gaits (None: all).
 
-        Raises
-        ------
-        ValueError
-            If a name is unknown, or no file matches a style or gait of the call. A style of ``known_styles`` and a gait of
-            `gaits` is known even if the folder has no file of it.
+        ValueError if a name is unknown, or no file matches a style or gait of the call. A style of ``known_styles`` and a
+        gait of `gaits` is known even if the folder has no file of it.
         """
         takes = self.find(root)
         wanted_styles = _check_names(styles, {t.style for t in takes} | set(known_styles), "style", self.name)

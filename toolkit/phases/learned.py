@@ -75,16 +75,8 @@ class Convolution(nn.Module):
 class PeriodicAutoencoder(nn.Module):
     """Windows ``[B, C, T]`` of C curves → latent curve → sinusoid → the windows again (DeepPhase, section 4).
 
-    Parameters
-    ----------
-    curves
-        C, of the input.
-    hidden
-        Width of the layer between input and latent curve.
-    samples
-        T, odd; also the length of the kernels, so that each convolution covers the whole window.
-    rate
-        Samples per second.
+    ``hidden`` is the width of the layer before the latent curve, ``rate`` the samples per second. ``samples`` (T, odd) is
+    also the length of the kernels, so that each convolution covers the whole window.
     """
 
     def __init__(self, curves: int = CURVES, hidden: int = 12, samples: int = SAMPLES, rate: float = RATE):
@@ -182,14 +174,10 @@ class Learned:
             Training data: five windows per second of each clip, at each of `SPEEDS`.
         steps, batch
             Number of minibatches, and of windows in each.
-        rate
-            Highest learning rate of Adam, with a one-cycle schedule.
-        hidden
-            Width of the networks.
+        rate, hidden
+            Highest learning rate of Adam, with a one-cycle schedule; width of the networks.
         seed
             The same seed gives the same networks.
-        progress
-            Show a progress bar.
 
         Raises
         ------
@@ -228,9 +216,9 @@ class Learned:
             turned = (phase + (torch.pi if factor < 0 else 0.0)) % (2 * torch.pi)
             columns.append((latent[:, HALF] * factor, turned, _growth(phase, clip.fps), amplitude * abs(factor),
                             offset * factor, residual * abs(factor)))
-        found = (torch.stack(column, 1).to(clip.rotations.device, torch.float64) for column in zip(*columns, strict=True))
-        curve, *rest = found
-        return curve, Sinusoids(*rest)
+        curve, *found = (torch.stack(column, 1).to(clip.rotations.device, torch.float64)
+                         for column in zip(*columns, strict=True))
+        return curve, Sinusoids(*found)
 
     def save(self, path: str | os.PathLike) -> None:
         """Write networks and factors to one safetensors file."""

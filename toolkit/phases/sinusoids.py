@@ -120,11 +120,6 @@ def fit(source: Tensor, fps: float, half_window: float = 0.5, continuity: float 
             path = smoothest(np.sqrt(error / n), here, here * np.exp(1j * theta))
             found[limb, 0] = found[limb, path, :, np.arange(len(source))].T
     theta, u, v, offset, error = found[:, 0].swapaxes(0, 1)
-    columns = (
-        np.arctan2(v, u) % (2 * np.pi),
-        np.clip(theta / per_frame, MIN_FREQUENCY, MAX_FREQUENCY),
-        np.minimum(np.hypot(u, v), high - low),
-        np.clip(offset, low, high),
-        np.sqrt(error / n),
-    )
+    columns = (np.arctan2(v, u) % (2 * np.pi), np.clip(theta / per_frame, MIN_FREQUENCY, MAX_FREQUENCY),
+               np.minimum(np.hypot(u, v), high - low), np.clip(offset, low, high), np.sqrt(error / n))
     return Sinusoids(*(torch.from_numpy(column.T.copy()).to(source) for column in columns))

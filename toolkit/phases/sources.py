@@ -1,8 +1,8 @@
 """Source functions: one curve per limb, whose cycles define the limb's phase (Mason et al. 2022, section 4.1).
 
 A source is any function ``source(clip, limb) -> Tensor [F]``, limb one of `LIMBS`; curves are float64 on the clip's device,
-whatever its dtype. One that learns from several clips also
-has ``fitted(clips) -> source``; `toolkit.phases.extract` calls it with the clips of a style and gait.
+whatever its dtype. One that learns from several clips also has ``fitted(clips) -> source``; `toolkit.phases.extract` calls
+it with the clips of a style and gait.
 """
 
 from collections.abc import Callable, Sequence
@@ -15,8 +15,6 @@ from toolkit.motion import Clip, contacts
 from toolkit.motion import rotations as R
 from toolkit.motion.clip import LIMBS
 from toolkit.motion.tensors import as_tensor, summary
-
-#: The published order of the phases.
 
 Source = Callable[[Clip, str], Tensor]
 

@@ -149,18 +149,11 @@ def _peaks(gains, grid, peaks):
 
 @compiled
 def minima(curve, low, high, grid, out):
-    """The best local minima of every window's error over frequency.
+    """Write the best M local minima of every window's error over frequency to ``out`` float64 [M, 5, F], best first.
 
-    Parameters
-    ----------
-    curve : float64 [F + 2 half]
-    low, high : float64 [F]
-        Smallest and largest value of each window.
-    grid : float64 [G]
-        Angles per frame; the first and last are the bounds.
-    out : float64 [M, 5, F]
-        Receives angle per frame, u, v, b and squared error of the best M minima, best first; the error of missing ones is
-        infinite.
+    A row is angle per frame, u, v, b and squared error, which is infinite where there is no such minimum. ``curve`` has
+    [F + 2 half] samples; ``low`` and ``high`` [F] are the extremes of each window; ``grid`` [G] has the angles per frame,
+    its ends the bounds. All are float64.
     """
     frames, count, size = len(low), len(out), len(grid)
     half = (len(curve) - frames) // 2
@@ -237,12 +230,8 @@ def minima(curve, low, high, grid, out):
 def smoothest(cost, here, ahead):
     """The path through candidates with the least sum of costs and jumps (Viterbi 1967), as ``[F]`` indices.
 
-    Parameters
-    ----------
-    cost : float64 [M, F]
-        Cost of each candidate; infinite if it does not exist.
-    here, ahead : complex128 [M, F]
-        A jump is the distance of ``here`` from ``ahead`` of the previous frame.
+    ``cost`` [M, F], float64, is infinite for a candidate that does not exist. A jump is the distance of ``here`` from
+    ``ahead`` of the previous frame, both complex128 [M, F].
     """
     count, frames = cost.shape
     total = cost[:, 0].copy()

@@ -18,22 +18,12 @@ from toolkit.motion.tensors import summary
 
 @dataclass(frozen=True, eq=False)
 class Checkpoint:
-    """Everything that the rest of a run depends on, as one file, written whole or not at all.
+    """Everything that the rest of a run depends on, as one file, written whole or not at all."""
 
-    Parameters
-    ----------
-    part
-        What the file calls the run's numbers.
-    networks, adams
-        What is trained, and the optimisers, by name.
-    config
-        Settings that must not change when the run is resumed, as JSON holds them.
-    """
-
-    part: str
-    networks: dict[str, nn.Module]
-    adams: dict[str, torch.optim.Adam]
-    config: dict[str, Any]
+    part: str  # name of the run's numbers in the file
+    networks: dict[str, nn.Module]  # what is trained
+    adams: dict[str, torch.optim.Adam]  # the optimisers
+    config: dict[str, Any]  # settings that must not change when the run is resumed, as JSON holds them
     __repr__ = summary
 
     def save(self, path: str | os.PathLike, numbers: dict[str, Any], more: dict[str, Tensor] | None = None,
@@ -47,10 +37,7 @@ class Checkpoint:
     def load(self, path: str | os.PathLike) -> tuple[dict[str, Any], dict[str, Tensor]]:
         """Set networks and optimisers, as they are at the start of the run, to what a file holds; its numbers and tensors.
 
-        Raises
-        ------
-        ValueError
-            If it is no such checkpoint, or of another config or other data.
+        ValueError if it is not such a checkpoint, or one of another config or other data.
         """
         tensors, parts = model_files.read(path, self.part)
         buffers = {f"{name}.{k}": v.cpu() for name, network in self.networks.items() for k, v in network.named_buffers()}
@@ -83,18 +70,9 @@ def starting(tensors: dict[str, Tensor], start: str) -> dict[str, Tensor]:
 class Saver(contextlib.AbstractContextManager):
     """Saves a run every so many seconds, when it is interrupted and when it is done; always between two steps.
 
-    Inside, the first Ctrl-C lets the step end, saves and raises KeyboardInterrupt; the second interrupts at once.
-
-    Parameters
-    ----------
-    save
-        Writes the checkpoint.
-    every
-        Seconds from one checkpoint to the next.
-    elapsed
-        Seconds that the run took until it was stopped.
-    agree
-        Means over all processes, which must stop at the same step.
+    Inside, the first Ctrl-C lets the step end, saves and raises KeyboardInterrupt; the second interrupts at once. ``every``
+    and ``elapsed`` (before the run was stopped) are in seconds. ``agree`` gives the means of numbers over all processes,
+    which must stop at the same step.
     """
 
     def __init__(self, save: Callable[[], None], every: float, elapsed: float = 0.0,

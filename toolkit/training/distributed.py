@@ -49,15 +49,9 @@ class Alone:
 def start(config: Config) -> "Fabric | Alone":
     """Device and processes of a config.
 
+    ValueError if there is no such device; ImportError if several processes need Lightning Fabric and it is not installed.
     With several processes, the first call starts the others: they run the same command from its beginning. Under
     ``torchrun``, which starts them itself, on one machine or many, this joins them.
-
-    Raises
-    ------
-    ValueError
-        If there is no such device here.
-    ImportError
-        If several processes are asked for and Lightning Fabric is not installed.
     """
     return _start(config.device, config.processes)
 
@@ -83,19 +77,7 @@ def _start(device: str, processes: int) -> "Fabric | Alone":
 
 
 class Objective(nn.Module):
-    """Loss of equation 5 over this process's share of a minibatch.
-
-    Parameters
-    ----------
-    model
-        What is trained.
-    bone_weight
-        Of the bone-length loss.
-    rank, processes
-        Which process of how many.
-    precision
-        Of the products of the networks, see `Config.precision`.
-    """
+    """Loss of equation 5 over the share of a minibatch that process ``rank`` has; ``precision`` as in `Config`."""
 
     def __init__(self, model: Model, bone_weight: float, rank: int = 0, processes: int = 1, precision: str = "32"):
         super().__init__()

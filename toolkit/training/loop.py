@@ -72,10 +72,8 @@ def fit(data: Features, config: Config | None = None, checkpoint: str | os.PathL
         Features; a share is held out and never trained on.
     config
         How; the paper's way where not given.
-    checkpoint
-        File for the state of the run, written now and then and when it is interrupted.
-    resume
-        Go on from the checkpoint if there is one.
+    checkpoint, resume
+        File for the state of the run, written now and then and when it is interrupted; go on from it if it exists.
     progress
         Show a bar.
     on_step
@@ -160,10 +158,7 @@ def fit(data: Features, config: Config | None = None, checkpoint: str | os.PathL
 def restore(path: str | os.PathLike, model: Model, adam: torch.optim.Adam, config: Config) -> State:
     """Set a model, as it is at the start of the run, and its optimiser to what a checkpoint holds; where the run was.
 
-    Raises
-    ------
-    ValueError
-        If it is no checkpoint, or of another layout, config or data.
+    ValueError if it is not a checkpoint, or one of another layout, config or data.
     """
     Model.from_parts(path, *model_files.read(path, "checkpoint"), model.layout)  # says what differs in the layout
     numbers, tensors = _checkpoint(model, adam, config).load(path)
@@ -186,25 +181,9 @@ def optimiser(model: Model, config: Config) -> torch.optim.Adam:
 
 def step(fabric: "Fabric | Alone", objective: torch.nn.Module, adam: torch.optim.Adam, batches: Minibatches, config: Config,
          number: int, rate: float) -> dict[str, float]:
-    """One step of gradient descent; its loss, mean squared error and bone-length error.
+    """Gradient descent on minibatch ``number`` at learning rate ``rate``; its loss, mean squared and bone-length error.
 
-    Parameters
-    ----------
-    fabric, objective
-        What `toolkit.training.distributed.start` gives, and a `toolkit.training.distributed.Objective` that it has set up.
-    adam
-        What `optimiser` gives.
-    batches, number
-        Minibatches, and which.
-    config
-        How.
-    rate
-        Learning rate.
-
-    Raises
-    ------
-    ValueError
-        If the loss is not finite.
+    `distributed.start` gives ``fabric``, which has set up the ``objective``; ValueError if the loss is not finite.
     """
     model = objective.model
     x, p, z, y = (rows.to(fabric.device) for rows in batches[number])

@@ -1,6 +1,5 @@
 """What a training step sees: held-out windows, and minibatches of one style each (Mason et al. 2022, section 4.3)."""
 
-
 import torch
 from torch import Tensor
 
@@ -20,16 +19,8 @@ class Minibatches:
     short training hardly listens to the style vector and a character stays in whatever style it starts in; a strayed pose
     does not, and the network learns to lead it back to the style that the vector says.
 
-    Parameters
-    ----------
-    data
-        Features to train on.
-    batch, clips
-        Frames and style clips of a minibatch.
-    seed
-        The same seed, the same minibatches.
-    stray
-        Share of frames whose input pose strays.
+    ``batch`` and ``clips`` are the numbers of frames and style clips of a minibatch, ``stray`` the share of frames whose
+    input pose strays. The same ``seed`` gives the same minibatches.
 
     Raises
     ------
