@@ -36,10 +36,8 @@ def phase_figure(clip: Clip, phases: ph.Phases, contacts=None, truth=None, *, st
 
     Parameters
     ----------
-    clip, phases
-        The motion, F frames, and its phases, from `toolkit.phases.extract`.
-    contacts
-        Foot contacts [F, 2] (right, left), above one half where a foot stands.
+    clip, phases, contacts
+        The motion, its phases, and its foot contacts [F, 2] (right, left), above one half where a foot stands.
     truth
         The true phases [F, 4] where they are known, radians. They are drawn as a thin dark line: the fit with the true phase
         in place of its own, without the constant lag between the two.
@@ -180,10 +178,8 @@ def phase_manifold(phases: Mapping[str, ph.Phases], fps: float = 60.0, *, window
 
     Parameters
     ----------
-    phases, fps
-        Phases of each style, and the frames per second of all.
-    window
-        Seconds: a point is all the phase vectors of so long a stretch; 0 for those of one frame.
+    phases, fps, window
+        Phases of each style, frames per second, and the seconds of phase vectors that are one point; 0 for one frame's.
     backend, title
         As in `principal_axes`; plotly shows two components, pyvista three.
 
@@ -245,7 +241,6 @@ def _xyz(points: np.ndarray) -> dict[str, np.ndarray]:
 
 
 def _axes_pyvista(clip: Clip, frame: int, parts: list[tuple]):
-    """`principal_axes` in pyvista."""
     import pyvista as pv
 
     from toolkit.view.renderers import Character, PyvistaRenderer
@@ -264,7 +259,6 @@ def _axes_pyvista(clip: Clip, frame: int, parts: list[tuple]):
 
 
 def _manifold_pyvista(paths: dict[str, np.ndarray]):
-    """`phase_manifold` of three components, a tube each."""
     import pyvista as pv
 
     plotter = pv.Plotter(off_screen=True, window_size=(900, 800))
