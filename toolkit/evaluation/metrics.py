@@ -186,7 +186,7 @@ def frechet_distance(a: Tensor, b: Tensor) -> float:
     ``|μa − μb|² + tr(Σa + Σb − 2 (Σa Σb)^½)``. With the features of a motion classifier it is the Fréchet Motion Distance
     (Park et al. 2021, section 7). It is biased upwards for small sets: compare only values of sets of the same size.
 
-    The sets are ``a [M, D]`` and ``b [K, D]``; M and K may differ and be smaller than D.
+    The features are ``a [M, D]`` and ``b [K, D]``; M and K may differ and be smaller than D.
 
     Raises
     ------

@@ -42,8 +42,8 @@ def write(clip: Clip, path: str | os.PathLike, *, title: str = "Motion", source:
     """Write a clip as motion (.bvh, .glb), web page (.html), strip of poses (.png) or film; missing folders are made.
 
     The suffix of the path, one of `SUFFIXES`, selects the format. ``title`` names the motion in a page or picture.
-    ``source``, the motion it was made from, is shown beside it in pages, pictures and films. ``progress`` shows a bar while a
-    film is drawn.
+    ``source``, the motion it was made from, is shown beside it in pages, pictures and films. ``progress`` shows a bar while
+    a film is drawn.
 
     Raises
     ------

@@ -34,7 +34,7 @@ def save(model: Model, path: str | os.PathLike, bank: StyleBank | None = None) -
     features), ``columns`` (of x and z by name), ``samples`` (offsets of the trajectory, frames), ``fps``, ``start`` (a phase
     and a pose to begin with) and ``styles``.
 
-    The files that were written are returned; each is written whole or not at all.
+    Returns the files that were written, each whole or not at all. ``bank`` holds the styles of the model.
 
     Raises
     ------

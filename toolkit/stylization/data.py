@@ -159,9 +159,9 @@ def windows(clip: Clip, frames: int = FRAMES) -> tuple[Tensor, Tensor]:
 def to_clip(x: Tensor, root_velocity: Tensor, source: Clip) -> Clip:
     """The clip of features: the inverse of `describe`, with the skeleton's bones.
 
-    ``x [7, F, N]`` are features at 30 Hz. ``root_velocity [F, 3]`` is integrated from the first frame of the ``source``, a
-    prepared clip. As in the paper's figures the positions of a network take precedence over its rotations: a bone without
-    siblings points at its predicted end, and the rotation gives only its twist.
+    ``x [7, F, N]`` are features at 30 Hz; those of the root joint give its rotation and height. ``root_velocity [F, 3]`` is
+    integrated from the first frame of the ``source``, a prepared clip. As in the paper's figures the positions of a network
+    take precedence over its rotations: a bone without siblings points at its predicted end, the rotation gives its twist.
     """
     first = root_frames(source.cut(0, 1))
     dx, dz, turn = (root_velocity[:-1].double() / FPS).T
@@ -192,7 +192,7 @@ def _aimed(skeleton: Skeleton, world: Tensor, root: Tensor, wanted: Tensor) -> T
 def split(motions: Motions, share: float, seed: int) -> tuple[Motions, Motions]:
     """Two sets of windows with different takes; the second has about ``share`` of the takes of every domain and content.
 
-    A take and its mirror image are in the same set. What is chosen of a domain and content does not depend on the others.
+    A take and its mirror image are in the same set. What a seed chooses of a domain and content does not depend on the others.
 
     Raises
     ------

@@ -52,7 +52,7 @@ class Resample(nn.Module):
     """Graph pooling (``"down"``) and unpooling (``"up"``) between ``level`` and the next (section 5.2).
 
     Down, nodes and pairs of frames are averaged. Up, nodes are copied and frames interpolated linearly, each at its time.
-    The published code stretches them to the ends; here contacts keep their times and long clips are restyled as their parts.
+    The published code stretches them to the ends; here contacts keep their times and a long clip is restyled like its parts.
     """
 
     def __init__(self, graph: SkeletonGraph, level: int, direction: str):

@@ -16,7 +16,7 @@ RELEASE = 0.25  # seconds from the locked place of a toe to its place in the net
 
 def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 0, *, reference: Clip | None = None,
             code: Tensor | None = None, feet: bool = True) -> Clip:
-    """Restyle a clip, with the root path (section 4), the bones and the foot contacts of the source.
+    """Restyle a clip, with the rate, root path (section 4), bones, End Sites and foot contacts of the source.
 
     Parameters
     ----------

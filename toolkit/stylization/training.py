@@ -227,11 +227,11 @@ def terms_of(stylizer: Stylizer, discriminator: Discriminator, batch: dict[str, 
 
 def _step(stylizer: Stylizer, discriminator: Discriminator, adams: dict[str, torch.optim.Adam], batch: dict[str, Tensor],
           config: Config, n: int) -> dict[str, float]:
-    """One step of D, then of the others; codes from noise in even iterations, from references (for G alone) in odd ones."""
+    """One step of D, then one of the others; all loss terms."""
     share = 0.5 * (1 + math.cos(math.pi * n / config.iterations))
     for name, adam in adams.items():
         adam.param_groups[0]["lr"] = config.rates[name] * (config.final_rate + (1 - config.final_rate) * share)
-    from_noise = n % 2 == 0
+    from_noise = n % 2 == 0  # in odd iterations codes come from references and train G alone, as in the published code
     made = translations(stylizer, batch, config, from_noise)
 
     x = batch["x"].requires_grad_()
