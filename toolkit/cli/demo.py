@@ -38,7 +38,8 @@ def embedded(folder: Path) -> Path:
     """Write the page that steers the embedded model."""
     from toolkit import view
 
-    return view.web(*training.pretrained(), folder / "embedded.html", title="The embedded model under your control", half=True)
+    title = "The embedded model under your control"
+    return view.web(*training.pretrained(), folder / "embedded.html", title=title, half=True)
 
 
 def make(folder: Path, seconds: float = 35.0, *, data_seconds: float = 60.0, seed: int = 0,

@@ -192,7 +192,7 @@ def _aimed(skeleton: Skeleton, world: Tensor, root: Tensor, wanted: Tensor) -> T
 def split(motions: Motions, share: float, seed: int) -> tuple[Motions, Motions]:
     """Two sets of windows with different takes; the second has about ``share`` of the takes of every domain and content.
 
-    A take and its mirror image are in the same set. What a seed chooses of a domain and content does not depend on the others.
+    A take and its mirror image are in the same set. What a seed chooses of a domain and content depends on no other one.
 
     Raises
     ------

@@ -37,7 +37,7 @@ def phase_figure(clip: Clip, phases: ph.Phases, contacts=None, truth=None, *, st
     Parameters
     ----------
     clip, phases, contacts
-        The motion, its phases, and its foot contacts [F, 2] (right, left), above one half where a foot stands.
+        The motion, its phases (`toolkit.phases.extract`), and contacts [F, 2] (right, left), above 0.5 where a foot stands.
     truth
         The true phases [F, 4] where they are known, radians. They are drawn as a thin dark line: the fit with the true phase
         in place of its own, without the constant lag between the two.
@@ -178,8 +178,10 @@ def phase_manifold(phases: Mapping[str, ph.Phases], fps: float = 60.0, *, window
 
     Parameters
     ----------
-    phases, fps, window
-        Phases of each style, frames per second, and the seconds of phase vectors that are one point; 0 for one frame's.
+    phases, fps
+        Phases of each style, and the frames per second of all.
+    window
+        Seconds: a point is all the phase vectors of so long a stretch; 0 for those of one frame.
     backend, title
         As in `principal_axes`; plotly shows two components, pyvista three.
 

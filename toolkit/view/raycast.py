@@ -162,8 +162,8 @@ def _depth(shape: Shape, centre: np.ndarray, back: np.ndarray, x: np.ndarray, y:
     """Largest z ``[H, W]`` of a shape at camera x ``[W]`` and y ``[H, 1]``; NaN outside its silhouette.
 
     ``back`` [3, 3] transforms camera space, relative to ``centre``, to the cone's frame. There a line of sight is o + s·d
-    with a unit vector d and o orthogonal to it. On the cone, radial distance · cos + y · sin = first radius; the sine is the
-    difference of the radii over the distance of the centres.
+    with a unit vector d and o orthogonal to it. On the cone, radial distance · cos + y · sin = first radius, where the sine
+    is the difference of the radii over the distance of the centres.
     """
     (first, second), length = shape.radii, shape.length
     speed = np.linalg.norm(back[:, 2])
