@@ -15,18 +15,9 @@ from toolkit.motion.tensors import as_tensor
 def foot_skate(clip: Clip, contact: Tensor | None = None) -> dict[str, float]:
     """Mean horizontal speed of each toe while it is in contact, m/s.
 
-    Parameters
-    ----------
-    clip
-        The motion.
-    contact : Tensor [F, 2], optional
-        Contacts in [0, 1], right and left, for example those of a network. By default a toe is in contact when it is low, at
-        any speed: a speed limit would exclude the skating that is measured.
-
-    Returns
-    -------
-    dict
-        ``right`` and ``left``; NaN for a foot that is never in contact.
+    ``contact [F, 2]`` is in [0, 1], right and left, for example of a network. By default a toe is in contact when it is low,
+    at any speed: a speed limit would exclude the skating that is measured. The result has ``right`` and ``left``; NaN for a
+    foot that is never in contact.
 
     Raises
     ------
@@ -126,19 +117,9 @@ def on_feet(skeleton: Skeleton, height: Tensor) -> Tensor:
 def posture(layout: Layout, positions: Tensor) -> dict[str, Tensor]:
     """Mean posture and step length, from joint positions in the root frame as a network predicts them.
 
-    Parameters
-    ----------
-    layout
-        Names the J joints.
-    positions : Tensor [F, ..., J, 3]
-        Positions over some seconds, metres.
-
-    Returns
-    -------
-    dict
-        Each ``[...]``, metres: means over the frames of ``hips_height``, ``hand_height`` (of both) and ``arm_spread`` (left
-        hand to right hand, sideways); ``step_length``, the fore and aft distance of the ankles (95th percentile); and
-        ``bone_stretch``, the mean absolute error of the bone lengths.
+    Of ``positions [F, ..., J, 3]`` over some seconds, metres, each ``[...]``: the means of ``hips_height``, ``hand_height``
+    (of both) and ``arm_spread`` (left to right hand, sideways); ``step_length``, the fore and aft distance of the ankles
+    (95th percentile); and ``bone_stretch``, the mean absolute error of the bone lengths. ``layout`` names the J joints.
     """
     role = {r: positions[..., layout.names.index(n), :] for r, n in layout.skeleton.roles.items() if n in layout.names}
     rest = layout.skeleton.rest_positions[list(layout.skeleton.feature_joints)].to(positions)
@@ -158,19 +139,9 @@ def hand_swing(layout: Layout, positions: Tensor) -> dict[str, Tensor]:
 
     A mean pose has a low mean squared error, but its arms do not move (Mason et al. 2022, sections 5.1 and 5.2.2).
 
-    Parameters
-    ----------
-    layout
-        Names the J joints.
-    positions : Tensor [F, ..., J, 3]
-        Positions over some seconds, metres.
-
-    Returns
-    -------
-    dict
-        ``range [..., 2]``: root-mean-square distance of the left and the right hand from their mean positions, metres;
-        ``together [...]``: correlation of the fore and aft motion of both hands: 1 if they swing together, -1 if they swing
-        alternately, NaN if one does not move.
+    Of ``positions [F, ..., J, 3]`` over some seconds, metres: ``range [..., 2]``, the root-mean-square distance of the left
+    and the right hand from their mean positions, metres; and ``together [...]``, the correlation of the fore and aft motion
+    of both hands: 1 if they swing together, -1 if alternately, NaN if one does not move. ``layout`` names the J joints.
     """
     hands = positions[..., [layout.names.index(layout.skeleton.roles[f"{side}_hand"]) for side in SIDES], :]
     moved = hands - hands.mean(0)
@@ -191,8 +162,7 @@ def path_error(clip: Clip, points: Tensor) -> float:
 def phase_error(phase: Tensor, truth: Tensor) -> tuple[Tensor, Tensor]:
     """Mean circular distance of two phases after subtraction of their constant lag.
 
-    The start of a cycle is a convention: the cycle of a foot may start at the middle of its contact or at toe-off. Unrelated
-    phases have an error near π/2.
+    The start of a cycle is a convention: the cycle of a foot may start at the middle of its contact or at toe-off.
 
     Parameters
     ----------
@@ -202,7 +172,7 @@ def phase_error(phase: Tensor, truth: Tensor) -> tuple[Tensor, Tensor]:
     Returns
     -------
     error, lag : Tensor [...]
-        Radians: the mean over the frames, in [0, π], and the lead of ``phase``, in [−π, π].
+        Radians: the mean over the frames in [0, π], near π/2 for unrelated phases, and the lead of ``phase`` in [−π, π].
     """
     gap = (phase - truth).double()
     lag = torch.atan2(gap.sin().mean(0), gap.cos().mean(0))
@@ -216,11 +186,7 @@ def frechet_distance(a: Tensor, b: Tensor) -> float:
     ``|μa − μb|² + tr(Σa + Σb − 2 (Σa Σb)^½)``. With the features of a motion classifier it is the Fréchet Motion Distance
     (Park et al. 2021, section 7). It is biased upwards for small sets: compare only values of sets of the same size.
 
-    Parameters
-    ----------
-    a : Tensor [M, D]
-    b : Tensor [K, D]
-        Features; M and K may differ and be smaller than D.
+    The features are ``a [M, D]`` and ``b [K, D]``; M and K may differ and be smaller than D.
 
     Raises
     ------

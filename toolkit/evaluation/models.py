@@ -73,22 +73,10 @@ def _velocity(clips: Tensor) -> Tensor:
 def hands(layout: Layout, joints: Tensor, clips: Tensor, speed: float) -> dict[str, float]:
     """Movement of the hands in a walk, compared with the style clips that are nearest to it in velocity.
 
-    Parameters
-    ----------
-    layout
-        Names the J joints.
-    joints : Tensor [F, 12 J]
-        Joint features of the walk, at least `WINDOW` frames.
-    clips : Tensor [M, 240, 12 J]
-        Style clips of the data.
-    speed
-        Of the walk, m/s.
-
-    Returns
-    -------
-    dict
-        ``hands``, the range (`metrics.hand_swing`) as a share of ``hands_data``, the data's range in metres; ``swing`` and
-        ``swing_data``, the correlation of the two hands; ``together``, the absolute difference of these two.
+    The walk has features ``joints [F, 12 J]``, at least `WINDOW` frames, and a ``speed`` in m/s; the style clips of the data
+    are ``clips [M, 240, 12 J]``. The result has ``hands``, the range (`metrics.hand_swing`) as a share of ``hands_data``,
+    the data's range in metres; ``swing`` and ``swing_data``, the correlation of the two hands; ``together``, the absolute
+    difference of these two.
     """
     windows = joints.unfold(0, WINDOW, WINDOW).transpose(1, 2)
     made, real = (metrics.hand_swing(layout, split_joints(y)["position"].transpose(0, 1))

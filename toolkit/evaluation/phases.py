@@ -31,7 +31,9 @@ def measure(name: str, clip: Clip, truth: procedural.Truth, kind: str, sources: 
     pace = ph.windows.mean(truth.frequency.double(), ph.windows.SECOND, clip.fps)
     inner = torch.arange(len(clip))
     inner = (inner >= clip.fps) & (inner < len(clip) - clip.fps)
-    still = [_still(clip, limb) for limb in ph.LIMBS]
+    away = [ph.local_positions(clip, limb) for limb in ph.LIMBS]
+    moved = [float((x - x.mean(0)).square().sum(-1).mean().sqrt()) for x in away]
+    still = [limb.endswith("hand") and m < STILL for limb, m in zip(ph.LIMBS, moved, strict=True)]
     phase, frequency = {}, {}
     for label, source in sources.items():
         found = ph.extract(clip, source)
@@ -60,9 +62,3 @@ def kind(style: procedural.Style) -> str:
     if style.asymmetry or legs[0] != legs[1]:
         return "asymmetric"
     return "no global phase" if any(arm.ratio != 1 or arm.phase for arm in arms) else "cyclic"
-
-
-def _still(clip: Clip, limb: str) -> bool:
-    """Whether a hand hardly moves in the hips' frame."""
-    away = ph.local_positions(clip, limb)
-    return limb.endswith("hand") and float((away - away.mean(0)).square().sum(-1).mean().sqrt()) < STILL

@@ -24,18 +24,9 @@ LEAST = 0.2  # least deviation of a column as a share of the mean deviation of i
 
 
 class Recogniser(nn.Module):
-    """Probabilities of styles; `train` makes one.
+    """Probabilities of S styles from 12 J joint features; `train` makes one.
 
-    Two strided convolutions over time, their mean and maximum over time, and one dense layer.
-
-    Parameters
-    ----------
-    styles
-        S names.
-    normaliser
-        Statistics of the 12 J joint features.
-    hidden
-        Filters of both convolutions.
+    Two strided convolutions over time with ``hidden`` filters, their mean and maximum over time, and one dense layer.
     """
 
     def __init__(self, styles: tuple[str, ...], normaliser: Normaliser, hidden: int = 64):
@@ -57,17 +48,9 @@ class Recogniser(nn.Module):
 
     @torch.no_grad()
     def probabilities(self, joints: Tensor) -> Tensor:
-        """Probability of each style for a motion.
+        """Probability ``[..., S]`` of each style for a motion: the mean over windows of one second, `HOP` frames apart.
 
-        Parameters
-        ----------
-        joints : Tensor [..., F, 12 J]
-            Joint features in the root frame, physical units, at 60 Hz; F is at least `WINDOW`.
-
-        Returns
-        -------
-        Tensor [..., S]
-            Mean over windows of one second, `HOP` frames apart.
+        ``joints [..., F, 12 J]`` are joint features in the root frame, physical units, at 60 Hz; F is at least `WINDOW`.
 
         Raises
         ------
@@ -77,11 +60,9 @@ class Recogniser(nn.Module):
         if joints.dim() < 2 or joints.shape[-2] < WINDOW or joints.shape[-1] != len(self.mean):
             raise ValueError(f"a style is recognised from [..., F, {len(self.mean)}] with at least {WINDOW} frames F, "
                              f"got {list(joints.shape)}")
-        lead = joints.shape[:-2]
-        windows = joints.flatten(0, -3) if lead else joints[None]
-        windows = windows.unfold(1, WINDOW, HOP).transpose(2, 3)  # [N, W, WINDOW, 12 J]
-        logits = self((windows.flatten(0, 1).to(self.mean) - self.mean) / self.std)
-        return torch.softmax(logits, -1).unflatten(0, windows.shape[:2]).mean(1).reshape(*lead, -1)
+        windows = joints.unfold(-2, WINDOW, HOP).transpose(-1, -2)  # [..., W, WINDOW, 12 J]
+        logits = self((windows.flatten(0, -3).to(self.mean) - self.mean) / self.std)
+        return torch.softmax(logits, -1).unflatten(0, windows.shape[:-2]).mean(-2)
 
     def of_clip(self, clip: Clip) -> Tensor:
         """Probability ``[S]`` of each style for a clip of at least one second."""
@@ -120,15 +101,7 @@ def train(data: Features, seed: int = 0, steps: int = STEPS) -> Recogniser:
 
     It is used on the poses of models, which are smoother than the data's and have a small offset. Therefore a nearly
     constant column is not scaled to unit deviation, and training adds offsets and noise to the windows and drops columns.
-
-    Parameters
-    ----------
-    data
-        Features of at least two styles.
-    seed
-        The same seed gives the same recogniser.
-    steps
-        Number of minibatches.
+    The same seed gives the same recogniser; ``steps`` is the number of minibatches.
 
     Raises
     ------
@@ -146,8 +119,7 @@ def train(data: Features, seed: int = 0, steps: int = STEPS) -> Recogniser:
     for _ in range(steps):
         labels = torch.randint(len(data.styles), (BATCH,), generator=draw)
         windows = torch.stack([_window(data.clips[data.styles[i]], draw) for i in labels]).to(model.mean)
-        windows = (windows - model.mean) / model.std
-        windows = windows + OFFSET * torch.randn(BATCH, 1, windows.shape[-1], generator=draw)
+        windows = (windows - model.mean) / model.std + OFFSET * torch.randn(BATCH, 1, windows.shape[-1], generator=draw)
         windows = windows + JITTER * torch.randn(windows.shape, generator=draw)
         windows = windows * (torch.rand(BATCH, 1, windows.shape[-1], generator=draw) > DROPPED)
         loss = F.cross_entropy(model(windows), labels)

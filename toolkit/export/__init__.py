@@ -41,16 +41,9 @@ def write(clip: Clip, path: str | os.PathLike, *, title: str = "Motion", source:
           progress: bool = False) -> None:
     """Write a clip as motion (.bvh, .glb), web page (.html), strip of poses (.png) or film; missing folders are made.
 
-    Parameters
-    ----------
-    clip, path
-        The motion and the file, whose suffix, one of `SUFFIXES`, selects the format.
-    title
-        Name of the motion in a page or picture.
-    source
-        The motion it was made from, shown beside it in pages, pictures and films.
-    progress
-        Show a bar while a film is drawn.
+    The suffix of the path, one of `SUFFIXES`, selects the format. ``title`` names the motion in a page or picture.
+    ``source``, the motion it was made from, is shown beside it in pages, pictures and films. ``progress`` shows a bar while
+    a film is drawn.
 
     Raises
     ------

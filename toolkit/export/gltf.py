@@ -88,10 +88,7 @@ class _Buffer:
 
 
 def _bind_pose(skeleton: Skeleton, shapes: Sequence) -> Tensor:
-    """World matrices ``[J, 4, 4]`` of the joints in the bind pose.
-
-    A bend places the same cone in the frames of two neighbouring joints, which gives the rotation between the two.
-    """
+    """World matrices ``[J, 4, 4]`` of the bind pose, from the cone that each bend places in the frames of two joints."""
     turns = R.identity(len(skeleton)).double()
     for shape in shapes:
         for bend in shape.bends:

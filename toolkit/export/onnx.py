@@ -34,19 +34,7 @@ def save(model: Model, path: str | os.PathLike, bank: StyleBank | None = None) -
     features), ``columns`` (of x and z by name), ``samples`` (offsets of the trajectory, frames), ``fps``, ``start`` (a phase
     and a pose to begin with) and ``styles``.
 
-    Parameters
-    ----------
-    model
-        Any of the seven.
-    path
-        The file to write.
-    bank
-        Its styles.
-
-    Returns
-    -------
-    list of Path
-        The files that were written, each whole or not at all.
+    Returns the files that were written, each whole or not at all. ``bank`` holds the styles of the model.
 
     Raises
     ------

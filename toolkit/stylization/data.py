@@ -81,21 +81,14 @@ class Motions:
 
     def select(self, rows: Tensor) -> "Motions":
         """Some of the windows, by a mask or by indices, with the same domains and contents."""
-        chosen = {name: value[rows] for name, value in vars(self).items() if isinstance(value, Tensor)}
-        return dataclasses.replace(self, **chosen)
+        return dataclasses.replace(self, **{k: v[rows] for k, v in vars(self).items() if isinstance(v, Tensor)})
 
 
 def build(clips: Sequence[Clip], domains: Sequence[str] | None = None, mirror: bool = False) -> Motions:
     """Windows of clips (section 4): 30 Hz, 64 frames, half overlapping; a shorter clip repeats its first and last frame.
 
-    Parameters
-    ----------
-    clips
-        The ``style`` of a clip is its domain, the ``gait`` its content.
-    domains
-        Styles to keep, in the order of their indices; by default all, sorted.
-    mirror
-        Add the mirror image of every clip; left and right are exchanged in its content, too.
+    The ``style`` of a clip is its domain, the ``gait`` its content. ``domains`` are the styles to keep, in the order of
+    their indices; by default all, sorted. ``mirror`` adds mirror images, with left and right exchanged in the content, too.
 
     Raises
     ------
@@ -108,15 +101,12 @@ def build(clips: Sequence[Clip], domains: Sequence[str] | None = None, mirror: b
     kept = [prepare(clip) for clip in clips if clip.style in names]
     if not kept:
         raise ValueError("motions need at least one clip, got none")
-    graph = SkeletonGraph.of(kept[0].skeleton)
-    parts: list[tuple[Tensor, Tensor]] = []
-    labels: list[tuple[int, str, int]] = []
+    graph, parts, labels = SkeletonGraph.of(kept[0].skeleton), [], []
     for take, clip in enumerate(kept):
         check_skeleton(clip, graph.skeleton)
         for version in (clip, _mirrored(clip)) if mirror else (clip,):
-            x, velocity = windows(version)
-            parts.append((x, velocity))
-            labels += [(names.index(clip.style), version.gait, take)] * len(x)
+            parts.append(windows(version))
+            labels += [(names.index(clip.style), version.gait, take)] * len(parts[-1][0])
     contents = tuple(sorted({content for _, content, _ in labels}))
     x, velocity = (torch.cat(column) for column in zip(*parts, strict=True))
     domain, content, take = torch.tensor([(d, contents.index(c), t) for d, c, t in labels]).T
@@ -169,22 +159,9 @@ def windows(clip: Clip, frames: int = FRAMES) -> tuple[Tensor, Tensor]:
 def to_clip(x: Tensor, root_velocity: Tensor, source: Clip) -> Clip:
     """The clip of features: the inverse of `describe`, with the skeleton's bones.
 
-    The positions and rotations of a network agree only roughly. As in the paper's figures the positions take precedence: a
-    bone without siblings points at its predicted end, and the rotation gives only its twist.
-
-    Parameters
-    ----------
-    x : Tensor [7, F, N]
-        Features; those of the root joint give its rotation and height.
-    root_velocity : Tensor [F, 3]
-        Integrated from the first frame of the source.
-    source
-        A prepared clip with the skeleton, the start and the labels.
-
-    Returns
-    -------
-    Clip
-        F frames at 30 Hz.
+    ``x [7, F, N]`` are features at 30 Hz; those of the root joint give its rotation and height. ``root_velocity [F, 3]`` is
+    integrated from the first frame of the ``source``, a prepared clip. As in the paper's figures the positions of a network
+    take precedence over its rotations: a bone without siblings points at its predicted end, the rotation gives its twist.
     """
     first = root_frames(source.cut(0, 1))
     dx, dz, turn = (root_velocity[:-1].double() / FPS).T
@@ -215,8 +192,7 @@ def _aimed(skeleton: Skeleton, world: Tensor, root: Tensor, wanted: Tensor) -> T
 def split(motions: Motions, share: float, seed: int) -> tuple[Motions, Motions]:
     """Two sets of windows with different takes; the second has about ``share`` of the takes of every domain and content.
 
-    A take and its mirror image are in the same set. The same seed gives the same split; what is chosen of a domain and
-    content does not depend on the others.
+    A take and its mirror image are in the same set. What a seed chooses of a domain and content depends on no other one.
 
     Raises
     ------

@@ -75,14 +75,13 @@ class SkeletonGraph:
 def body_parts(parents: Sequence[int]) -> list[list[int]]:
     """Chains of joints: the trunk and the limbs of a body, found from the shape of the tree alone.
 
-    A chain starts at the root and continues with the largest subtree that has no sibling of the same shape. Limbs come in
-    pairs, so each starts a new chain; the spine continues between the legs and between the arms up to the head.
+    A chain continues with the largest subtree that has no sibling of the same shape. Limbs come in pairs, so each starts a
+    new chain; the spine continues between the legs and between the arms up to the head.
     """
     children: list[list[int]] = [[] for _ in parents]
     for joint, parent in enumerate(parents[1:], 1):
         children[parent].append(joint)
-    shapes: dict[int, tuple] = {}
-    sizes: dict[int, int] = {}
+    shapes, sizes = {}, {}
     for joint in reversed(range(len(parents))):
         shapes[joint] = tuple(sorted(shapes[c] for c in children[joint]))
         sizes[joint] = 1 + sum(sizes[c] for c in children[joint])

@@ -17,8 +17,7 @@ SLOPE = 0.2  # of the leaky ReLU
 class GraphConv(nn.Module):
     """Spatial graph convolution (equation 1): the mean over each of the three subsets, each with its own weights.
 
-    With ``pool`` the same product pools the nodes. The layer is linear, so channels are mixed after pooling, which costs
-    less.
+    With ``pool`` the same product pools the nodes; channels are mixed after pooling, which costs less.
     """
 
     def __init__(self, inputs: int, outputs: int, graph: SkeletonGraph, level: int, pool: bool = False):
@@ -52,9 +51,8 @@ class AdaIN(nn.Module):
 class Resample(nn.Module):
     """Graph pooling (``"down"``) and unpooling (``"up"``) between ``level`` and the next (section 5.2).
 
-    Down, nodes and pairs of frames are averaged. Up, nodes are copied and frames interpolated linearly. A new sample lies
-    where its time is: the mean of frames 0 and 1 is half way between them. The published code stretches the samples to the
-    ends. Here foot contacts keep their times, and a long clip is restyled like its parts.
+    Down, nodes and pairs of frames are averaged. Up, nodes are copied and frames interpolated linearly, each at its time.
+    The published code stretches them to the ends; here contacts keep their times and a long clip is restyled like its parts.
     """
 
     def __init__(self, graph: SkeletonGraph, level: int, direction: str):
@@ -91,25 +89,15 @@ class SpatialTemporal(nn.Module):
 class Block(nn.Module):
     """Residual block of two ST-GCN units, pre-activation: (shortcut + residual) / √2.
 
-    Parameters
-    ----------
-    inputs, outputs
-        Channels.
-    graph, level
-        The finer of the two levels that the block connects.
-    direction
-        ``"down"`` (ST-Resblk) or ``"up"`` (ST-AdaINResblk).
-    norm
-        ``"none"`` (E and D), ``"in"`` (encoder of G) or ``"adain"`` (decoder of G).
-    code
-        Length of the style code, for ``"adain"``.
+    ``inputs`` and ``outputs`` are numbers of channels, ``level`` is the finer of the two levels that the block connects. The
+    ``direction`` is "down" (ST-Resblk) or "up" (ST-AdaINResblk), the ``norm`` "none" (E and D), "in" (encoder of G) or
+    "adain" (decoder of G), for which ``code`` is the length of the style code.
     """
 
     def __init__(self, inputs: int, outputs: int, graph: SkeletonGraph, level: int, direction: str, norm: str = "none",
                  code: int = 0):
         super().__init__()
-        coarse = level + 1
-        middle, to = (inputs, coarse) if direction == "down" else (outputs, level)
+        middle, to = (inputs, level + 1) if direction == "down" else (outputs, level)
         self.first = SpatialTemporal(inputs, middle, graph, level, direction)
         self.second = SpatialTemporal(middle, outputs, graph, to)
         self.shortcut = nn.Conv2d(inputs, outputs, 1, bias=False)

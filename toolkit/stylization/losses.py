@@ -44,7 +44,7 @@ def style(code: Tensor, found: Tensor) -> Tensor:
 def diversity(first: Tensor, second: Tensor) -> Tensor:
     """Diversity-sensitive loss (equation 11), to be maximised: mean difference of a motion's results with two codes.
 
-    Departure from equation 11: the term of a motion is at most `DIVERSE`, as in the paper that introduced this loss (Yang et
-    al. 2019). Without the bound it exceeds the adversarial loss in short runs, and the results diverge.
+    Departure from equation 11: the term of a motion is at most `DIVERSE`, as in Yang et al. 2019, who introduced this loss.
+    Without the bound it exceeds the adversarial loss in short runs, and the results diverge.
     """
     return (first - second).abs().mean((1, 2, 3)).clamp(max=DIVERSE).mean()

@@ -11,17 +11,8 @@ from toolkit.motion import rotations as R
 def medley(clips: Sequence[Clip], overlap: float = 0.5) -> Clip:
     """Several clips in one: each starts where the clip before it ends, with the same facing, and the two are cross-faded.
 
-    Parameters
-    ----------
-    clips
-        Clips of one skeleton and rate.
-    overlap
-        Duration of a cross-fade of poses and paths, seconds.
-
-    Returns
-    -------
-    Clip
-        With the labels of the first clip, but a ``gait`` that lists all gaits.
+    The clips have one skeleton and rate. Poses and paths are cross-faded for ``overlap`` seconds. The result has the labels
+    of the first clip, but a ``gait`` that lists all gaits.
 
     Raises
     ------
@@ -37,8 +28,7 @@ def medley(clips: Sequence[Clip], overlap: float = 0.5) -> Clip:
     whole, share = clips[0], torch.linspace(0, 1, fade + 2)[1:-1]
     share = share * share * (3 - 2 * share)
     for clip in clips[1:]:
-        here = root_frames(whole.cut(len(whole) - fade))
-        there = root_frames(clip.cut(0, 1))
+        here, there = root_frames(whole.cut(len(whole) - fade)), root_frames(clip.cut(0, 1))
         turn = 2 * torch.atan2(*R.multiply(here.rotations[0], R.inverse(there.rotations[0]))[[2, 0]])
         clip = clip.moved(float(turn))
         clip = clip.moved(shift=(here.positions[0] - root_frames(clip.cut(0, 1)).positions[0]).tolist())

@@ -185,8 +185,7 @@ class Stylizer(nn.Module):
 
     def parts(self) -> tuple[dict[str, Tensor], dict]:
         """Its tensors and its description, in the form of `toolkit.io.model_files`."""
-        description = {"domains": self.domains, "sizes": dataclasses.asdict(self.sizes),
-                       "skeleton": self.skeleton.to_dict()}
+        description = {"domains": self.domains, "sizes": dataclasses.asdict(self.sizes), "skeleton": self.skeleton.to_dict()}
         return {f"stylizer.{k}": v for k, v in self.state_dict().items()}, description
 
     def save(self, path: str | os.PathLike) -> None:
@@ -215,10 +214,9 @@ def build(graph: SkeletonGraph, domains: tuple[str, ...], sizes: Sizes | None = 
           statistics: Statistics | None = None) -> tuple[Stylizer, Discriminator]:
     """New networks; without statistics z-scores are physical units.
 
-    Weights are drawn from torch's global generator (He initialisation), with two departures that save iterations. The last
-    layer of G starts at zero, so the first outputs are the mean pose; D would reject noise before G has learnt anything. The
-    last layer of E and the layers that read codes start at `CODE_GAIN` of He's deviation: otherwise E's codes would spread
-    over ±3, while F's (after tanh) stay within ±1.
+    Weights are drawn from torch's global generator (He initialisation), with two departures. The last layer of G starts at
+    zero: the first outputs are the mean pose, not noise that D would reject. The last layer of E and the layers that read
+    codes start at `CODE_GAIN` of He's deviation: otherwise E's codes would spread over ±3, while F's stay within ±1.
     """
     sizes = sizes or Sizes()
     shape = (CHANNELS, 1, graph.sizes[0])

@@ -16,14 +16,12 @@ RELEASE = 0.25  # seconds from the locked place of a toe to its place in the net
 
 def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 0, *, reference: Clip | None = None,
             code: Tensor | None = None, feet: bool = True) -> Clip:
-    """Restyle a clip, with the root path (section 4), the bones and the foot contacts of the source.
+    """Restyle a clip, with the rate, root path (section 4), bones, End Sites and foot contacts of the source.
 
     Parameters
     ----------
-    model
-        The ``stylizer`` of `toolkit.stylization.fit` or `Stylizer.load`.
-    clip
-        The source, any rate and length, on the model's skeleton.
+    model, clip
+        The ``stylizer`` of `toolkit.stylization.fit`, and a source of any rate and length on the model's skeleton.
     domain, seed
         Style, and seed of its noise (equation 6); the same seed gives the same result.
     reference
@@ -32,11 +30,6 @@ def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 
         A style code of `style_code`, or an interpolation of such codes (section 7.1).
     feet
         Whether to remove foot skate.
-
-    Returns
-    -------
-    Clip
-        At the source's rate and on its skeleton, with End Sites.
 
     Raises
     ------
@@ -69,8 +62,7 @@ def style_code(model: Stylizer, domain: str | None = None, seed: int = 0, *, ref
     if reference is None:
         if domain is None:
             raise ValueError(f"say which style: domain= (one of {', '.join(model.domains)}), reference= or code=")
-        noise = torch.randn(1, model.sizes.latent, generator=generator(seed))
-        return model.code_from(noise, domain)[0]
+        return model.code_from(torch.randn(1, model.sizes.latent, generator=generator(seed)), domain)[0]
     source = prepare(reference)
     check_skeleton(source, model.skeleton)
     x = describe(source)[0][None] if len(source) >= FRAMES else windows(source)[0]
@@ -80,15 +72,9 @@ def style_code(model: Stylizer, domain: str | None = None, seed: int = 0, *, ref
 def lock_feet(clip: Clip, source: Clip) -> Clip:
     """Foot-skate removal (section 7): during a stance of the source, the toe is locked at its mean position in the clip.
 
-    A standing toe has the height of the source's, and no toe is below the source's lowest. The whole body moves up or down
-    by the mean height error of standing toes within `RELEASE` of a frame, so that legs need not stretch. The shift of a toe
-    fades over `RELEASE` before and after a stance. `toolkit.motion.ik.plant_feet` bends the legs, with constant bone lengths
-    and foot orientations.
-
-    Parameters
-    ----------
-    clip, source
-        Two clips of as many frames with the same timing, on one skeleton with toes.
+    Both clips have the same length, rate and skeleton. A standing toe has the height of the source's, and no toe is below
+    the source's lowest. The whole body moves up or down by the mean height error of standing toes within `RELEASE` of a
+    frame, so that legs need not stretch. The shift of a toe fades over `RELEASE` before and after a stance.
     """
     standing = contacts.detect(source) > 0.5
     toes = [clip.skeleton.role(f"{side}_toe") for side in contacts.FEET]
@@ -103,8 +89,7 @@ def lock_feet(clip: Clip, source: Clip) -> Clip:
     targets = made + torch.stack(shift, 1)
     targets[..., 1].clamp_(min=float(height.min()))
     root = clip.root_positions + rise
-    rotations = plant_feet(clip.skeleton, clip.rotations, root, targets)
-    return clip.replace(rotations=rotations, root_positions=root)
+    return clip.replace(rotations=plant_feet(clip.skeleton, clip.rotations, root, targets), root_positions=root)
 
 
 def _shift(toe: Tensor, height: Tensor, standing: Tensor, release: int) -> Tensor:

@@ -36,9 +36,7 @@ class Config:
     iterations: int = 100_000  # style codes come from noise and from references by turns
     batch: int = 8
     sizes: Sizes = field(default_factory=Sizes)
-    rates: dict[str, float] = field(
-        default_factory=lambda: dict(zip(NETWORKS, (1e-4, 1e-6, 1e-4, 1e-6), strict=True))
-    )  # Adam's
+    rates: dict[str, float] = field(default_factory=lambda: dict(zip(NETWORKS, (1e-4, 1e-6) * 2, strict=True)))  # Adam's
     betas: tuple[float, float] = (0.9, 0.99)  # of the published code; the paper: (0.99, 0.999), which is slow for a GAN
     final_rate: float = 1.0  # rates at the end as a share of the first, on a cosine between; 1: constant
     weights: dict[str, float] = field(default_factory=lambda: dict.fromkeys((*losses.LOSSES, "r1"), 1.0))  # λ
@@ -65,8 +63,8 @@ class Config:
     def quick(cls, **changes) -> "Config":
         """Five minutes on one core: small networks, high rates that decay; content, diversity and R1 weighted up.
 
-        With weights of 1, G's gradient of the adversarial loss is about twenty times that of each other loss. Over 100,000
-        iterations this evens out; over few, G would learn to please D long before it learns to keep a motion.
+        With weights of 1, G's gradient of the adversarial loss is about twenty times that of each other loss. Over few
+        iterations G would learn to please D long before it learns to keep a motion.
         """
         settings = {"sizes": Sizes.small(), "iterations": 1200, "final_rate": 0.1,
                     "rates": dict(zip(NETWORKS, (2e-3, 1e-3, 1e-3, 1e-3), strict=True)),
@@ -114,8 +112,7 @@ def load(path: str | os.PathLike) -> Run:
 class Batches:
     """What iteration n sees, as a pure function of the seed and n.
 
-    Domains are equally likely, of sources and of targets. There are two references and two noises each, for the diversity
-    loss.
+    Domains are equally likely, of sources and of targets. The diversity loss needs two references and two noises each.
     """
 
     def __init__(self, motions: Motions, z: Tensor, config: Config):
@@ -146,14 +143,10 @@ def fit(motions: Motions, config: Config | None = None, checkpoint: str | os.Pat
 
     Parameters
     ----------
-    motions
-        What to learn from.
-    config
-        How; the paper's way where not given.
-    checkpoint
-        File for the state of the run, written now and then and when it is interrupted.
-    resume
-        Go on from the checkpoint if there is one.
+    motions, config
+        What to learn from, and how; by default the paper's way.
+    checkpoint, resume
+        File for the state of the run, written now and then and when it is interrupted; whether to go on from it.
     progress
         Show a bar.
     on_step
@@ -234,14 +227,11 @@ def terms_of(stylizer: Stylizer, discriminator: Discriminator, batch: dict[str, 
 
 def _step(stylizer: Stylizer, discriminator: Discriminator, adams: dict[str, torch.optim.Adam], batch: dict[str, Tensor],
           config: Config, n: int) -> dict[str, float]:
-    """One step of D, then one of the others; all loss terms.
-
-    Codes come from noise in even iterations and from references in odd ones, which train G alone, as in the published code.
-    """
+    """One step of D, then one of the others; all loss terms."""
     share = 0.5 * (1 + math.cos(math.pi * n / config.iterations))
     for name, adam in adams.items():
         adam.param_groups[0]["lr"] = config.rates[name] * (config.final_rate + (1 - config.final_rate) * share)
-    from_noise = n % 2 == 0
+    from_noise = n % 2 == 0  # in odd iterations codes come from references and train G alone, as in the published code
     made = translations(stylizer, batch, config, from_noise)
 
     x = batch["x"].requires_grad_()

@@ -37,14 +37,10 @@ def explore(model: Model, bank: StyleBank, *, points: Tensor | None = None, grou
         A model and its styles, three or more.
     points
         Positions of the styles on the map, ``[S, 2]``; by default the t-SNE of their vectors (`toolkit.styles.embed`).
-    groups
-        S labels, a colour each.
-    joined
-        Pairs of styles to draw a line between.
-    make_clip
-        Takes ``{style: weight}`` and returns the motion to play; by default the model walks straight ahead.
-    size
-        Pixels of the picture of the motion.
+    groups, joined
+        S labels, a colour each; pairs of styles to draw a line between.
+    make_clip, size
+        Takes ``{style: weight}`` and returns the motion to play, by default a walk straight ahead; pixels of its picture.
     """
     points = embed(bank.vectors) if points is None else torch.as_tensor(points)
     figure = chart(bank, points, groups, joined)
@@ -82,19 +78,8 @@ class StyleExplorer(StyleBlender):
     A place between styles stands for a blend of three: its barycentric weights in the triangle around it, from the Delaunay
     triangulation of the points. A place outside of all triangles stands for the nearest place inside.
 
-    Parameters
-    ----------
-    model, bank, points, make_clip, size
-        As in `explore`.
-    figure
-        The map as a plotly figure; by default made from the points.
-
-    Attributes
-    ----------
-    map
-        The `StyleMap`.
-    weights, player, triangle
-        As of the blender; assigning weights also moves the ring.
+    The parameters are those of `explore`, with the ``figure`` of the map, by default made from the points. ``map`` is the
+    `StyleMap`; ``weights``, ``player`` and ``triangle`` are those of the blender. Assigning weights also moves the ring.
 
     Raises
     ------
@@ -103,8 +88,7 @@ class StyleExplorer(StyleBlender):
     """
 
     def __init__(self, model: Model, bank: StyleBank, points: Tensor, figure: go.Figure | None = None, *,
-                 make_clip: Callable[[dict[str, float]], Clip] | None = None,
-                 size: tuple[int, int] = (480, 420)):
+                 make_clip: Callable[[dict[str, float]], Clip] | None = None, size: tuple[int, int] = (480, 420)):
         walk = runtime.straight(SPEED, SETTLE + SECONDS)
 
         def play(blend: dict[str, float]) -> Clip:
@@ -171,7 +155,6 @@ class StyleExplorer(StyleBlender):
         return nearest[edge], next(i for i, t in enumerate(self._triangles.simplices.tolist()) if ends <= set(t))
 
     def _place(self) -> list[float]:
-        """Position of the blend on the map."""
         return sum(share * self.points[self._bank.names.index(name)] for name, share in self.weights.items()).tolist()
 
     def _clicked(self, _widget, message: dict, _buffers) -> None:

@@ -41,7 +41,6 @@ def write(picture: Image.Image, cell: tuple[int, int, int, int], labels: Sequenc
 
 @cache
 def _text(text: str, size: int) -> Image.Image:
-    """A text as a mask, kept for the next picture."""
     font = ImageFont.load_default(size)
     mask = Image.new("L", tuple(math.ceil(x) + 1 for x in font.getbbox(text)[2:]))
     ImageDraw.Draw(mask).text((0, 0), text, 255, font)

@@ -36,10 +36,8 @@ def phase_figure(clip: Clip, phases: ph.Phases, contacts=None, truth=None, *, st
 
     Parameters
     ----------
-    clip, phases
-        The motion, F frames, and its phases, from `toolkit.phases.extract`.
-    contacts
-        Foot contacts [F, 2] (right, left), above one half where a foot stands.
+    clip, phases, contacts
+        The motion, its phases (`toolkit.phases.extract`), and contacts [F, 2] (right, left), above 0.5 where a foot stands.
     truth
         The true phases [F, 4] where they are known, radians. They are drawn as a thin dark line: the fit with the true phase
         in place of its own, without the constant lag between the two.
@@ -245,7 +243,6 @@ def _xyz(points: np.ndarray) -> dict[str, np.ndarray]:
 
 
 def _axes_pyvista(clip: Clip, frame: int, parts: list[tuple]):
-    """`principal_axes` in pyvista."""
     import pyvista as pv
 
     from toolkit.view.renderers import Character, PyvistaRenderer
@@ -264,7 +261,6 @@ def _axes_pyvista(clip: Clip, frame: int, parts: list[tuple]):
 
 
 def _manifold_pyvista(paths: dict[str, np.ndarray]):
-    """`phase_manifold` of three components, a tube each."""
     import pyvista as pv
 
     plotter = pv.Plotter(off_screen=True, window_size=(900, 800))

@@ -161,10 +161,9 @@ class Canvas:
 def _depth(shape: Shape, centre: np.ndarray, back: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.ndarray:
     """Largest z ``[H, W]`` of a shape at camera x ``[W]`` and y ``[H, 1]``; NaN outside its silhouette.
 
-    ``back`` [3, 3] transforms camera space, relative to ``centre``, to the cone's frame. In that frame a line of sight is
-    o + s·d, with a unit vector d and o orthogonal to it. The surface is two spheres on the y axis and the cone that touches
-    both. The cone's normal leans by an angle whose sine is the difference of the radii over the distance of the centres;
-    there, radial distance · cos + y · sin = first radius.
+    ``back`` [3, 3] transforms camera space, relative to ``centre``, to the cone's frame. There a line of sight is o + s·d
+    with a unit vector d and o orthogonal to it. On the cone, radial distance · cos + y · sin = first radius, where the sine
+    is the difference of the radii over the distance of the centres.
     """
     (first, second), length = shape.radii, shape.length
     speed = np.linalg.norm(back[:, 2])

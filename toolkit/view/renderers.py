@@ -107,10 +107,7 @@ class Scene:
 
 
 class PyvistaRenderer(Scene):
-    """pyvista without its slowest parts, multi-sampling and lights: light is computed per vertex, as in the browser.
-
-    The shadow is a coarse body projected onto the floor.
-    """
+    """pyvista without multi-sampling and lights, its slowest parts: light is per vertex, the shadow a coarse flat body."""
 
     def __init__(self, characters: Sequence[Character], size: tuple[int, int]):
         import pyvista as pv
