@@ -45,9 +45,8 @@ def save(clip: Clip, path: str | os.PathLike) -> None:
         nodes[parent].setdefault("children", []).append(j)
     title = " ".join(x for x in (clip.style, clip.gait) if x) or clip.name
     nodes.append({"name": "Mannequin", "mesh": 0, "skin": 0})
-    tones = list(dict.fromkeys(shape.tone for shape in shapes))
-    primitives = [_primitive(buffer, [shape for shape in shapes if shape.tone == tone], bind) | {"material": i}
-                  for i, tone in enumerate(tones)]
+    surfaces = [[shape for shape in shapes if shape.tone == tone] for tone in dict.fromkeys(shape.tone for shape in shapes)]
+    primitives = [_primitive(buffer, surface, bind) | {"material": i} for i, surface in enumerate(surfaces)]
     inverse = torch.linalg.inv(bind).transpose(1, 2).float().numpy()  # glTF's matrices are written column by column
     skin = {"joints": list(range(len(skeleton))), "skeleton": 0, "inverseBindMatrices": buffer.add(inverse, "MAT4")}
     document = {
@@ -57,7 +56,7 @@ def save(clip: Clip, path: str | os.PathLike) -> None:
         "nodes": nodes,
         "meshes": [{"name": "Mannequin", "primitives": primitives}],
         "skins": [skin],
-        "materials": [{"name": tone, "pbrMetallicRoughness": _material(body.COLORS[tone])} for tone in tones],
+        "materials": [_material(surface[0].tone, body.colors(surface)[0]) for surface in surfaces],
     }
     if len(clip) > 1:
         document["animations"] = [_animation(buffer, clip, turns) | {"name": title}]
@@ -129,9 +128,9 @@ def _primitive(buffer: _Buffer, shapes: Sequence, bind: Tensor) -> dict:
     return {"attributes": attributes, "indices": indices}
 
 
-def _material(color: str) -> dict:
-    linear = [(int(color[i : i + 2], 16) / 255) ** 2.2 for i in (1, 3, 5)]
-    return {"baseColorFactor": [*linear, 1.0], "metallicFactor": 0.0, "roughnessFactor": 0.8}
+def _material(tone: str, color: np.ndarray) -> dict:
+    surface = {"baseColorFactor": [*(c**2.2 for c in color.tolist()), 1.0], "metallicFactor": 0.0, "roughnessFactor": 0.8}
+    return {"name": tone, "pbrMetallicRoughness": surface}
 
 
 def _animation(buffer: _Buffer, clip: Clip, turns: np.ndarray) -> dict:

@@ -72,9 +72,9 @@ def training_curves(history: Sequence[Mapping] | Mapping[str, Sequence], *, titl
     ValueError
         If there are no rows or no ``step``.
     """
-    rows = list(history) if not isinstance(history, Mapping) else [
-        dict(zip(history, values, strict=True)) for values in zip(*history.values(), strict=True)
-    ]
+    if isinstance(history, Mapping):
+        history = [dict(zip(history, values, strict=True)) for values in zip(*history.values(), strict=True)]
+    rows = list(history)
     if not rows or any("step" not in row for row in rows):
         raise ValueError(f"a training history needs rows with 'step'; got {len(rows)} rows")
     names = [n for n in dict.fromkeys(k for row in rows for k in row) if n not in ("step", "elapsed", "epoch")]

@@ -20,7 +20,6 @@ from toolkit.view import page
 
 CORNERS = "Neutral", "Zombie", "Aeroplane"  # the triangle's first corners, if the bank has them
 PANEL = 8  # outputs whose weights are stored together, see ``scene/network.js``
-START = "globalThis.view = toolkitScene.character(stage, data);"
 
 
 def web(model, bank, path: str | os.PathLike, *, title: str = "A character under control",
@@ -56,7 +55,8 @@ def web(model, bank, path: str | os.PathLike, *, title: str = "A character under
     bank = bank.select(dict.fromkeys(order))
     size = sum(layer.weight.numel() for layer in model.experts.layers) / 1e6
     caption = f"A neural network of {size:.1f} million weights makes every frame in this page: no server, no installation."
-    return page.write(path, title, caption, pack(model, bank, half), START)
+    start = "globalThis.view = toolkitScene.character(stage, data);"
+    return page.write(path, title, caption, pack(model, bank, half), start)
 
 
 def pack(model, bank, half: bool = False) -> dict[str, Any]:

@@ -183,17 +183,12 @@ class PyvistaRenderer(Scene):
     def _read(self, scale: int) -> np.ndarray:
         """The camera's picture, drawn ``scale`` times larger and averaged."""
         width, height = (scale * n for n in self.size)
-        window = self.plotter.render_window
-        picture = np.empty((height, width, 3), np.uint8)
-        if scale > 1:
-            window.SetSize(width, height)
+        window, picture = self.plotter.render_window, np.empty((height, width, 3), np.uint8)
+        window.SetSize(width, height)
         self.grid.prop.line_width = scale
         window.Render()
         window.GetPixelData(0, 0, width - 1, height - 1, 0, self._to_vtk(picture.reshape(-1, 3)), 0)  # the same memory
-        if scale == 1:
-            return picture[::-1]
-        window.SetSize(*self.size)
-        return np.asarray(Image.fromarray(picture[::-1]).reduce(scale))
+        return picture[::-1] if scale == 1 else np.asarray(Image.fromarray(picture[::-1]).reduce(scale))
 
     def _lit(self, normals: np.ndarray, colors: np.ndarray) -> np.ndarray:
         """Colour of every vertex [S V, 3] uint8: matt, with light from sky, floor and one lamp, as in the browser."""

@@ -38,10 +38,7 @@ class StyleTriangle(Corners):
 
 
 def corners(bank, weights: Mapping[str, float], others: Iterable[str]) -> tuple[list[str], list[float]]:
-    """Three styles and their shares, which sum to one, from one to three weights; ``others`` fill up, with share zero.
-
-    A ValueError if a style is not in the bank, or weights are negative or all zero.
-    """
+    """Three styles and their shares, which sum to one, of a blend of one to three; ``others`` fill up, with share zero."""
     for name in weights:
         bank[name]
     shares = [float(w) for w in weights.values()]

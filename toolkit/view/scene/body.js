@@ -5,17 +5,17 @@
 //   shapes: [{joint, place, length, radii: [r0, r1], color, foot, bends: [{joint, place, at, width}]}],
 // }
 // place: 12 numbers, a 3x4 matrix by rows, from the shape's own frame (first sphere at the origin, second at +Y * length) to the
-// joint's. A bend hands vertices over to its joint: half of it at y = at, all of it at y = at + width.
+// joint's. Vertices follow a bend's joint by half at y = at, and wholly at y = at + width.
 //
-// Vertices are posed here, not on the GPU: 0.3 ms, where a browser that draws in software needs ten times as much.
+// Vertices are posed here, not on the GPU: this takes 0.3 ms, and a browser that draws in software would take ten times as long.
 import * as THREE from "three";
 
 const CONTACT = "#35c46a", RINGS = 4;
-// linear light of the plain look: sun, sky and ground, as in view/renderers.py
+// linear light where no lights are drawn (plain): sun, sky and ground, as in view/renderers.py
 const SUN = [0.477, 0.467, 0.445], SKY = [0.716, 0.716, 0.716], GROUND = [0.493, 0.468, 0.427];
 const GAMMA = Uint8Array.from({ length: 1025 }, (_, i) => 255 * (i / 1024) ** (1 / 2.2));
 
-// Rings of a rounded cone: [radius, y, normal's radius, normal's y] each, more of them where it bends.
+// Rings of a rounded cone, each [radius, y, normal's radius, normal's y]; more rings where it bends.
 function profile({ length, radii: [r0, r1], bends }, caps) {
   const tilt = Math.asin((r0 - r1) / length), c = Math.cos(tilt), s = Math.sin(tilt), rings = [];
   const cap = (from, to, r, y) => {
@@ -25,7 +25,7 @@ function profile({ length, radii: [r0, r1], bends }, caps) {
     }
   };
   cap(-Math.PI / 2, tilt, r0, 0);
-  for (let i = 1; bends.length && i <= RINGS; i++) { // closer to the ends
+  for (let i = 1; bends.length && i <= RINGS; i++) { // denser at the ends
     const t = 0.5 - 0.5 * Math.cos((Math.PI * i) / (RINGS + 1));
     rings.push([(r0 + t * (r1 - r0)) * c, r0 * s + t * (length + (r1 - r0) * s), c, s]);
   }
@@ -42,7 +42,7 @@ function multiply(a, i, b, j, c, k) {
 }
 
 export class Body {
-  // detail: [vertices around, rings in a cap]; light: direction towards the lamp; plain: lit here, drawn without lights
+  // detail: [vertices around, rings in a cap]; light: direction towards the lamp; plain: light is computed here, not by WebGL
   constructor(skeleton, detail, light, plain) {
     const [around, caps] = detail, index = [], coarse = [];
     Object.assign(this, { skeleton, plain, light: light.clone().normalize(), touching: {} });
@@ -52,7 +52,7 @@ export class Body {
     this.parts = skeleton.shapes.map((shape) => {
       const rings = profile(shape, caps), first = vertices, count = rings.length * around;
       const hosts = [{ joint: shape.joint, place: shape.place }, ...shape.bends];
-      const thin = Math.hypot(shape.place[2], shape.place[6], shape.place[10]); // normals go with the inverse transpose
+      const thin = Math.hypot(shape.place[2], shape.place[6], shape.place[10]); // normals are transformed by the inverse transpose
       const points = new Float32Array(4 * hosts.length * count), normals = new Float32Array(3 * hosts.length * count);
       rings.forEach(([x, y, nx, ny], i) => {
         const given = shape.bends.map(({ at, width }) => {
@@ -100,7 +100,7 @@ export class Body {
     this.paint();
   }
 
-  // A coarse body pressed flat onto the floor along the light: a shadow that costs next to nothing.
+  // A coarse body projected onto the floor along the light: a cheap shadow.
   shadow(color) {
     const { x, y, z } = this.light, mesh = new THREE.Mesh(this.flat, new THREE.MeshBasicMaterial({ color, fog: false }));
     mesh.frustumCulled = mesh.matrixAutoUpdate = false;
@@ -148,14 +148,14 @@ export class Body {
     }
   }
 
-  // {left: bool, right: bool}: feet that stand are coloured
+  // {left: bool, right: bool}: standing feet have their own colour
   setContacts(contacts) {
     const same = ["left", "right"].every((foot) => !!this.touching[foot] === !!contacts[foot]);
     this.touching = { ...contacts };
-    if (!same && !this.plain) this.paint(); // the plain look is painted with every pose
+    if (!same && !this.plain) this.paint(); // with plain, every pose is painted
   }
 
-  // colours of all vertices, and in the plain look the light on them: matt, under a sky, over a bright floor, one lamp
+  // colours of all vertices; with plain also their light: matt, with light from sky, floor and one lamp
   paint() {
     const color = this.color.array, normal = this.normal.array, { x, y, z } = this.light;
     for (const { foot, first, count, tones } of this.parts) {

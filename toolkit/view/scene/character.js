@@ -1,10 +1,10 @@
-// A character whose network runs in the page itself, in place of the kernel of a notebook (view/controller.py).
+// A character whose network runs in the page, without the kernel of a notebook (view/controller.py).
 //
-// Character(data) steps and poses; Kernel(data) also follows the hand and the triangle, and is the `model` of controller.js.
+// Character(data) steps and poses. Kernel(data) also takes user input and the triangle's blend; it is the `model` of controller.js.
 // data = {
 //   network, rules, body: see network.js, frame.js, pose.js;  start: the state in the first frame;  skeleton: see scene.js
 //   styles: [names], vectors: numbers [styles * D];  turn, run, ease: as in view/controller.py
-//   bvh: {header, joints, centimetre} of a recording;  traits: what controller.js reads first
+//   bvh: {header, joints, centimetre} of a recording;  traits: first values for controller.js
 // }
 import { copy, follow, steer } from "./frame.js";
 import { Network } from "./network.js";
@@ -43,7 +43,7 @@ export class Character {
   }
 }
 
-const LONGEST = 0.1; // seconds between two pictures that are made up for
+const LONGEST = 0.1; // seconds: a longer pause between two pictures is not made up for
 
 export class Kernel {
   constructor(data) {
@@ -87,7 +87,7 @@ export class Kernel {
     if (message.kind === "closed") cancelAnimationFrame(this.handle);
   }
 
-  // the style vector that the triangle's marker asks for
+  // the style vector of the blend at the triangle's marker
   target() {
     const { names, weights, styles } = this.traits, vector = new Float64Array(this.size);
     names.forEach((name, corner) => {
@@ -97,7 +97,7 @@ export class Kernel {
     return vector;
   }
 
-  // the hand's wish as a command in the world
+  // the user's input as a command in world coordinates
   command() {
     const { move: [right, ahead], turn, run, heading } = this.input, { data, traits } = this;
     const fast = traits.speed * (run ? data.run : 1);
@@ -131,7 +131,7 @@ export class Kernel {
     this.emit("msg:custom", { kind: "frame", frame: this.frame, input: this.input.id }, [buffer]);
   }
 
-  // Frames at their own rate, whatever the screen's: those that are due when it shows a picture, the nearest whole number of them.
+  // Frames at their own rate, independent of the screen's: for each picture of the screen the frames that are due, rounded.
   run() {
     const tick = (now) => {
       this.handle = requestAnimationFrame(tick);
@@ -142,7 +142,7 @@ export class Kernel {
       try {
         for (let i = 0; i < steps; i++) this.step();
         if (steps) this.show();
-      } catch (error) { // shown in the view
+      } catch (error) { // shown in the page
         cancelAnimationFrame(this.handle);
         this.set("status", `stopped: ${error}`);
         throw error;
@@ -151,7 +151,7 @@ export class Kernel {
     this.handle = requestAnimationFrame(tick);
   }
 
-  // what was recorded as BVH text, angles in degrees about Y, X and Z
+  // the recording as BVH text, angles in degrees about Y, X and Z
   bvh() {
     const { header, joints, centimetre } = this.data.bvh, degree = Math.PI / 180, text = (v) => v.toFixed(6);
     const rows = this.recorded.map(([root, q]) => {

@@ -1,4 +1,4 @@
-// Live control: the page sends what the hand wants, the kernel sends poses, the newest one is drawn.
+// Live control: the page sends user input, the kernel sends poses, the newest one is drawn.
 //
 // Traits: skeleton (see scene.js), styles [names], names [3], weights [3], speed, feet, arms, recording, status, and size
 //   [width, height] of the picture, pixels; without one it fills its element
@@ -46,7 +46,7 @@ const CSS = `
 `;
 const WALK = "W A S D to walk, Q E to turn, Shift to run", TOUCH = "Push the stick to walk, drag to look around";
 
-// The trajectory of a second before and after: an arrow per sample, flat on the floor.
+// The trajectory window of a second before and after: an arrow per sample, flat on the floor.
 function arrows(scene) {
   const shape = new THREE.Shape([[0, 0.09], [0.05, -0.05], [0, -0.02], [-0.05, -0.05]].map(([x, y]) => new THREE.Vector2(x, y)));
   const geometry = new THREE.ShapeGeometry(shape).rotateX(Math.PI / 2); // +y becomes +z
@@ -69,7 +69,7 @@ function arrows(scene) {
   };
 }
 
-// A dial per limb: the hand points at the phase and is as long as the phase vector.
+// A dial per limb: its pointer shows the phase and is as long as the phase vector.
 function dials(parent) {
   const box = make("div", "tkc-dials", parent);
   const hands = LIMBS.map((limb) => {
@@ -91,7 +91,7 @@ function dials(parent) {
   };
 }
 
-// What the hand wants: keys held in the stage or wherever, the stick on it, or a gamepad. `read` gives the wish in the camera's frame.
+// User input: held keys, the on-screen stick or a gamepad. `read` gives it in the camera's frame.
 function hand(stage, keys, stick, changed) {
   const held = new Set(), knob = stick.firstChild;
   let push = [0, 0];
@@ -135,7 +135,7 @@ function hand(stage, keys, stick, changed) {
 
 export function render({ model, el }) {
   const root = make("div", "tkc", el);
-  root.dataset.lmSuppressShortcuts = "true"; // keys meant for the character are not JupyterLab's
+  root.dataset.lmSuppressShortcuts = "true"; // keys for the character are no shortcuts of JupyterLab
   make("style", "", root, { textContent: CSS });
   const size = model.get("size"), view = make("div", "tkc-view", root);
   if (size) Object.assign(view.style, { maxWidth: `${size[0]}px`, aspectRatio: size.join(" / ") });
@@ -195,7 +195,7 @@ export function render({ model, el }) {
   function refresh() {
     const names = model.get("names");
     names.forEach((name, i) => (menus[i].value = name));
-    root.classList.toggle("tkc-long", names[1].length + names[2].length > 19); // side by side they would meet
+    root.classList.toggle("tkc-long", names[1].length + names[2].length > 19); // side by side they would overlap
     slider.value = model.get("speed");
     reading.textContent = `${model.get("speed").toFixed(2)} m/s`;
     for (const [trait, toggle] of toggles) toggle.ariaPressed = String(model.get(trait));
@@ -204,7 +204,7 @@ export function render({ model, el }) {
   for (const event of watched) model.on(event, refresh);
   refresh();
 
-  // frames that came and are not drawn yet; what was asked for when; rates for whoever measures
+  // frames that are not drawn yet; times of the inputs; rates, for measurements
   const joints = model.get("skeleton").parents.length, asked = new Map(), waiting = [];
   const stats = { received: 0, drawn: 0, delays: [], frame: 0 };
   let pose = null, late = 0, arrived = performance.now(), input = 0, last = "", first = true, handle = 0, counted = performance.now();
@@ -218,8 +218,8 @@ export function render({ model, el }) {
     if (stats.received % 15 === 1) model.send({ kind: "seen", frame: message.frame });
   }
 
-  // A network may bring frames in bunches: each is drawn in its turn, but the newest while the hand waits for an answer, and
-  // what makes others wait for long is passed over.
+  // A network may deliver frames in groups. Each is drawn in turn, but only the newest while an input waits for its answer;
+  // frames that would delay others for long are skipped.
   function next() {
     late = waiting.length > 1 ? late + 1 : 0;
     if (asked.size) waiting.splice(0, waiting.length - 1);
@@ -231,7 +231,7 @@ export function render({ model, el }) {
   function ask() {
     const { stick: [x, y], ...keys } = wish.read();
     let heading = null;
-    if (x || y) { // the stick pushes the character where it points on the screen
+    if (x || y) { // the stick moves the character in the direction that it points to on the screen
       const to = scene.controls.target, from = scene.camera.position;
       const length = Math.hypot(to.x - from.x, to.z - from.z) || 1, ax = (to.x - from.x) / length, az = (to.z - from.z) / length;
       heading = [ax * y - az * x, az * y + ax * x].map((v) => Math.round(200 * v) / 200);
@@ -253,13 +253,13 @@ export function render({ model, el }) {
     ground.show(trajectory);
     locals.phases.hidden = phase.length < 2 * LIMBS.length;
     phases.box.hidden = !shown.phases || locals.phases.hidden;
-    if (!phases.box.hidden && stats.drawn % 3 === 0) phases.show(phase); // the page around the picture costs more than the picture
+    if (!phases.box.hidden && stats.drawn % 3 === 0) phases.show(phase); // updating the page takes longer than the picture
     scene.follow(place[0], place[2], { jump: first });
     if (shown.chase) turnBehind(Math.atan2(trajectory[4 * NOW + 2], trajectory[4 * NOW + 3]));
     first = false;
   }
 
-  // the camera goes slowly round to where the character comes from
+  // the camera slowly turns to behind the character
   function turnBehind(facing) {
     const { target } = scene.controls, offset = scene.camera.position.clone().sub(target);
     const apart = facing + Math.PI - Math.atan2(offset.x, offset.z), angle = Math.atan2(Math.sin(apart), Math.cos(apart));
@@ -281,7 +281,7 @@ export function render({ model, el }) {
     draw();
     scene.render();
     stats.drawn += 1;
-    if (stats.drawn % 60 === 0) { // a slow machine gets a cheaper picture instead of a slower one
+    if (stats.drawn % 60 === 0) { // on a slow machine the picture gets simpler, not slower
       if (60000 / (now - counted) < 24 && scene.quality < 3) scene.setQuality(scene.quality + 1);
       counted = now;
     }

@@ -1,10 +1,10 @@
-// Entry of the bundle. A widget gets `render`, a module importer the exports; a page that inlines the text finds them on globalThis.
+// Entry of the bundle. A widget uses `render`, an importing module the exports, a page with the code inline `globalThis`.
 import { Kernel } from "./character.js";
 import { render } from "./controller.js";
 import { make, player } from "./player.js";
 import { Scene } from "./scene.js";
 
-// A character that needs no notebook: in an element, from what view/live_page.py packed.
+// A character in an element of a page without a notebook, from the data of view/live_page.py.
 function character(element, data) {
   const kernel = new Kernel(data);
   kernel.download = (text) => { // a recording

@@ -1,4 +1,4 @@
-// Arrays of numbers inside a page: base64 of what Python wrote, little-endian.
+// Arrays of numbers inside a page, which Python wrote: base64, little-endian.
 const HALVES = (() => { // every float16
   let table;
   return () => (table ??= Float32Array.from({ length: 65536 }, (_, bits) => {

@@ -10,7 +10,7 @@ import { Scene } from "./scene.js";
 
 const COLORS = ["#7b68c4", "#2fa596", "#d6598b", "#c9a227", "#5b8def", "#8a8f98"];
 const FOOT = { right: "#e39a6c", left: "#6a9fcb" };
-const STILL = 12; // frames of rest before a paused picture gets smooth edges
+const STILL = 12; // pictures without a change before a paused picture gets smooth edges
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2];
 const CSS = `
 .tkv{--ink:#2b323b;--soft:#6d7580;--line:#ddd8ce;--paper:#fbfaf7;--accent:#7b68c4;display:flex;flex-direction:column;gap:12px;
@@ -65,7 +65,7 @@ export class Track {
     this.path = this.steady(Math.round(0.35 * clip.fps));
   }
 
-  // the root's way over the floor [F * 2] without its sway, for the camera: the mean of 2 n + 1 frames
+  // the root's path on the floor [F * 2] without its sway, for the camera: the mean of 2 n + 1 frames
   steady(n) {
     const path = new Float32Array(2 * this.frames), sum = [0, 0], at = (f) => 3 * Math.min(Math.max(f, 0), this.frames - 1);
     for (let f = -n; f <= n; f++) sum[0] += this.root[at(f)], sum[1] += this.root[at(f) + 2];
@@ -80,7 +80,7 @@ export class Track {
     return Math.min((seconds % this.seconds) * this.fps, this.frames - 1);
   }
 
-  // sets .place [3], .rotations [J * 4] and the camera's .centre [2] to a moment between two frames
+  // sets .place [3], .rotations [J * 4] and the camera's .centre [2] for a moment between two frames
   sample(frame) {
     const a = Math.min(Math.floor(frame), this.frames - 1), b = Math.min(a + 1, this.frames - 1), t = frame - a;
     this.centre = [0, 1].map((i) => this.path[2 * a + i] * (1 - t) + this.path[2 * b + i] * t);
@@ -144,7 +144,7 @@ class Styles {
   }
 }
 
-// The bar below: style weights as stacked areas, contacts as bars, the moment as a line.
+// The bar below: style weights as stacked areas, contacts as bars, the current moment as a line.
 function drawTimeline(canvas, track, seconds, duration) {
   const ratio = Math.min(devicePixelRatio, 2), w = canvas.clientWidth * ratio, h = canvas.clientHeight * ratio;
   if (!w) return;
@@ -239,7 +239,7 @@ export function player(element, { clips, speed = 1, playing = true }) {
     }
   }
 
-  let leader = shown[0].scene, moved = false, rest = 0; // frames since anything moved
+  let leader = shown[0].scene, moved = false, rest = 0; // pictures since anything moved
   shown.forEach(({ scene }) => scene.controls.addEventListener("change", () => (moved = true)));
   shown.forEach(({ scene }) => scene.canvas.addEventListener("pointerdown", () => (leader = scene)));
   shown.forEach(({ scene }) => scene.canvas.addEventListener("wheel", () => (leader = scene), { passive: true }));
@@ -293,11 +293,11 @@ export function player(element, { clips, speed = 1, playing = true }) {
     event.preventDefault();
   });
 
-  // one loop; slow machines get a cheaper picture instead of a slower one
+  // one loop; on slow machines the picture gets simpler, not slower
   let last = performance.now(), slow = 0, count = 0, handle = 0;
   function tick(now) {
     if (!root.isConnected) return dispose();
-    const passed = Math.min(Math.max(now - last, 0) / 1000, 0.25); // the first tick may lie before `last`
+    const passed = Math.min(Math.max(now - last, 0) / 1000, 0.25); // the first tick may be earlier than `last`
     last = now;
     if (state.playing) {
       state.seconds = (state.seconds + passed * state.speed) % duration;

@@ -5,7 +5,7 @@ import { Body } from "./body.js";
 
 const SKY = "#f3f1ec", FLOOR = "#eae6de", GRID = "#d8d3c8", SHADE = "#cdc8be", PLAIN = { back: "#efece6", line: "#cbc5b9" };
 
-// does this browser draw on the processor?
+// whether this browser draws on the processor
 function drawsInSoftware() {
   const gl = document.createElement("canvas").getContext("webgl2");
   const info = gl?.getExtension("WEBGL_debug_renderer_info");
@@ -13,7 +13,7 @@ function drawsInSoftware() {
   gl?.getExtension("WEBGL_lose_context")?.loseContext();
   return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
 }
-let software; // found out when the first scene is made
+let software; // known once the first scene is made
 
 function floorTexture(anisotropy) {
   const canvas = document.createElement("canvas");
@@ -36,8 +36,8 @@ function floorTexture(anisotropy) {
   return texture;
 }
 
-// The floor where the processor draws, and a floor that fills the picture takes longer than all the rest: bands every metre
-// that fade into a background of the floor's colour.
+// The floor where the processor draws: bands every metre that fade into a background of the floor's colour. A floor that fills
+// the picture would take longer than everything else.
 function plainFloor(reach = 13, width = 0.03) {
   const position = [], color = [], index = [], line = new THREE.Color(PLAIN.line), back = new THREE.Color(PLAIN.back);
   for (let i = 1 - reach; i < reach; i++)
@@ -87,7 +87,7 @@ export class Scene {
     const canvas = document.createElement("canvas");
     const context = canvas.getContext("webgl2", { alpha: false, antialias: !software, powerPreference: "high-performance" });
     this.renderer = new THREE.WebGLRenderer({ canvas, context });
-    if (software) { // colours go to the screen as they are
+    if (software) { // colours reach the screen unchanged
       THREE.ColorManagement.enabled = false;
       this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace;
     }
@@ -163,7 +163,7 @@ export class Scene {
     this.trail[1].geometry.setDrawRange(0, 6 * Math.max(0, Math.floor(frame)));
   }
 
-  // camera, light and floor go along with a point on the floor; jump: at once
+  // camera, light and floor follow a point on the floor; jump: at once
   follow(x, z, { smooth = 0.12, jump = false, camera = true } = {}) {
     const target = this.controls.target, k = jump ? 1 : smooth;
     if (camera) {
@@ -176,13 +176,13 @@ export class Scene {
     this.sun.position.copy(this.light).add(this.sun.target.position);
   }
 
-  // same viewpoint as another scene, relative to where each body faces at first
+  // the viewpoint of another scene, relative to where each body faces at first
   lookLike(other) {
     this.camera.position.copy(other.camera.position).sub(other.controls.target)
       .applyAxisAngle(this.camera.up, this.facing - other.facing).add(this.controls.target);
   }
 
-  // 0 finest, 1 no fine pixels, 2 a pressed shadow, 3 coarse pixels: for slow machines
+  // 0 finest, 1 no fine pixels, 2 a projected shadow, 3 coarse pixels: for slow machines
   setQuality(level) {
     this.renderer.shadowMap.enabled = this.sun.castShadow = this.shade.visible = level < 2;
     this.flat.visible = level >= 2;
@@ -201,7 +201,7 @@ export class Scene {
     this.camera.updateProjectionMatrix();
   }
 
-  // still: a picture that stays for a while, with smooth edges
+  // still: a picture that stays, drawn with smooth edges
   render({ still = false } = {}) {
     if (still !== this.still) {
       this.still = still;

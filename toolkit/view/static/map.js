@@ -1,4 +1,4 @@
-// A map of styles, drawn by Plotly (prepended to this module), with a ring to drag over it. Model: figure, place.
+// A map of styles, drawn by Plotly (its code comes before this module), with a ring to drag. Traits: figure, place.
 const LOOK = {
   position: "absolute", width: "22px", height: "22px", margin: "-14px 0 0 -14px", borderRadius: "50%", cursor: "grab",
   border: "3px solid #2b323b", background: "rgba(43, 50, 59, 0.12)", boxShadow: "0 0 0 2px white", touchAction: "none",

@@ -1,6 +1,6 @@
-// A picture that the kernel replaces, as JPEG. The page answers with the picture's number once it is shown, so that the kernel
-// keeps pace; every other one, for an answer takes the kernel as long as a tenth of a picture.
-const WAITING = 3; // a network may bring several at once: each is shown in its turn
+// A JPEG picture that the kernel replaces. The page sends back the number of every other picture that it shows, so that the
+// kernel knows how fast the page is; an answer takes the kernel a tenth of the time of a picture.
+const WAITING = 3; // a network may deliver several at once: each is shown in turn
 
 function render({ model, el }) {
   const [width, height] = model.get("size"), canvas = Object.assign(document.createElement("canvas"), { width, height });

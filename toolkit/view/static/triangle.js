@@ -1,10 +1,10 @@
-// A barycentric triangle: drag the marker, the model's `weights` (three numbers that sum to one) follow.
+// A barycentric triangle with a marker to drag. Traits: names [3], weights [3], which sum to one.
 const CORNERS = [[110, 26], [196, 172], [24, 172]], COLORS = ["#7b68c4", "#2fa596", "#d6598b"];
 const CSS = `.tk-triangle{width:220px;color:#2b323b;font:13px system-ui,sans-serif;touch-action:none;user-select:none}
 .tk-triangle svg{display:block;cursor:pointer;overflow:visible}.tk-triangle svg:focus{outline:none}.tk-triangle svg:focus-visible .marker{stroke:#7b68c4}
 .tk-triangle text{font:600 12px system-ui,sans-serif;fill:#2b323b}.tk-triangle .share{font-weight:400;fill:#6d7580}`;
 
-// weights of a point, clamped to the triangle: negative shares go to the others
+// weights of a point; outside of the triangle, negative ones become zero and the others are scaled to sum to one
 function weightsAt([x, y]) {
   const [[ax, ay], [bx, by], [cx, cy]] = CORNERS, d = (by - cy) * (ax - cx) + (cx - bx) * (ay - cy);
   const a = ((by - cy) * (x - cx) + (cx - bx) * (y - cy)) / d, b = ((cy - ay) * (x - cx) + (ax - cx) * (y - cy)) / d;
