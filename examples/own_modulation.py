@@ -64,7 +64,7 @@ CONFIG = tk.training.Config.quick(steps=STEPS, sizes=SIZES)
 takes = tk.datasets.load("procedural", styles=("Neutral", "Zombie", "Aeroplane"), gaits="FW", seconds=SECONDS)
 data = tk.features.build(takes)
 TRAINED_ON, HELD_OUT = splits.split(data, CONFIG.held_out, CONFIG.seed, tuple(data.styles))
-BATCHES = minibatches.Minibatches(TRAINED_ON, CONFIG.batch, CONFIG.clips_per_batch, CONFIG.seed, CONFIG.stray)
+BATCHES = minibatches.Minibatches(TRAINED_ON, CONFIG.batch, CONFIG.clips_per_batch, CONFIG.seed, CONFIG.pose_mixup)
 
 errors, clips = {}, {}
 for name in ("lpn-film", "lpn-lowrank"):

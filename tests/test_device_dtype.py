@@ -130,7 +130,7 @@ META = {  # what runs on any device, numbers or not
     "steering.steer": lambda m: (runtime.steer(m.state, m.command),
                                  runtime.steer(m.state, runtime.Command(m.state.velocity.cpu() if m.state.velocity.is_cuda
                                                                         else m.state.velocity, [0, 1]))),
-    "steering.govern": lambda m: runtime.govern(m.state, m.state.velocity),
+    "steering.speed_controller": lambda m: runtime.speed_controller(m.state, m.state.velocity),
     "steering.follow": lambda m: [runtime.follow([(0, 0), (0, 3)], seconds=0.1)[5](m.state).velocity],
     "steering.towards": lambda m: steering.towards(m.state, torch.tensor([1.0, 2.0], dtype=torch.float64,
                                                                            device=m.root.device), (0, 1), 1.0).velocity,

@@ -82,7 +82,8 @@ def test_the_split_and_its_statistics_are_recorded(made, in_memory):
 
 
 def test_training_from_it_gives_the_same_weights(made, in_memory):
-    config = tk.training.Config(sizes=TINY, steps=6, batch=16, clips_per_batch=4, stray=0.3, evaluate_every=3, rate=1e-3)
+    config = tk.training.Config(sizes=TINY, steps=6, batch=16, clips_per_batch=4, pose_mixup=0.3, evaluate_every=3,
+                                rate=1e-3)
     runs = [tk.training.fit(data, config) for data in (tk.features.store.load(made), in_memory)]
     for a, b in zip(*(run.model.state_dict().values() for run in runs), strict=True):
         assert torch.equal(a, b)

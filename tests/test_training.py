@@ -41,7 +41,7 @@ def waves(joints: int = 4, styles: int = 2, frames: int = 700) -> Features:
 
 WIDER = dataclasses.replace(TINY, hidden=64, dropout=0.05)
 QUICK = Config(sizes=TINY, steps=12, batch=16, clips_per_batch=4, evaluate_every=5,
-               rate=1e-3, final_rate=0.1, max_gradient=1.0, stray=0.2)
+               rate=1e-3, final_rate=0.1, max_gradient=1.0, pose_mixup=0.2)
 
 
 SCRIPT = """
@@ -99,7 +99,7 @@ def test_minibatches_cycle_through_styles_and_frames():
 
 def test_only_poses_stray_and_only_towards_others():
     data = waves(styles=3)
-    plain, strayed = minibatches.Minibatches(data, 64, 1, 4), minibatches.Minibatches(data, 64, 1, 4, stray=0.5)
+    plain, strayed = minibatches.Minibatches(data, 64, 1, 4), minibatches.Minibatches(data, 64, 1, 4, pose_mixup=0.5)
     joints = data.layout.inputs["joints"]
     (x, *rest), (moved, *same) = plain[7], strayed[7]
     assert all(torch.equal(a, b) for a, b in zip(rest, same, strict=True))
@@ -374,7 +374,7 @@ def test_time_as_the_budget():
     ({"seconds": 0}, "seconds must be positive"),
     ({"batch": 8, "clips_per_batch": 9}, "clips_per_batch must be from 1 to batch, got 9 and 8"),
     ({"rate": 0.0}, "rate must be positive"),
-    ({"stray": 2.0}, r"stray must be in \[0, 1\]"),
+    ({"pose_mixup": 2.0}, r"pose_mixup must be in \[0, 1\]"),
     ({"held_out": 1.0}, r"held_out must be in \[0, 1\)"),
     ({"seed": -1}, "seed must not be negative"),
     ({"model": "lpn"}, "unknown model 'lpn'; there is pfnn-onehot, lpn-onehot"),

@@ -19,7 +19,7 @@ from toolkit.io.files import atomic_write
 from toolkit.motion.trajectory import FPS
 from toolkit.networks import Model
 from toolkit.networks.bank import StyleBank
-from toolkit.networks.phase import amid_a_stride
+from toolkit.networks.phase import initial_pose
 
 OPSET = 18
 BANK = ".styles.safetensors"  # ending of the file of style vectors beside the graph
@@ -105,7 +105,7 @@ def _quiet() -> Iterator[None]:
 
 
 def _metadata(model: Model, bank: StyleBank | None) -> dict:
-    layout, (phase, pose) = model.layout, amid_a_stride(model)
+    layout, (phase, pose) = model.layout, initial_pose(model)
     columns = {"x": layout.inputs, "z": layout.outputs}
     return {
         "model": model.name, "layout": json.loads(layout.to_json()), "joints": layout.names,

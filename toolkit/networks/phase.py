@@ -71,7 +71,7 @@ def advance(layout: Layout, phase: Tensor, out: dict[str, Tensor]) -> Tensor:
     return (phase + out["phase_updates"]) % math.tau if layout.phase == "global" else phase
 
 
-def amid_a_stride(model) -> tuple[Tensor, Tensor]:
+def initial_pose(model) -> tuple[Tensor, Tensor]:
     """A phase ``[n_phases]`` and a pose ``[12 J]`` for a character that stands and is about to step.
 
     The phase is two deviations from the mean of the data, the pose their mean. Without phases the pose has to say it: hands

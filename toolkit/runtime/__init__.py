@@ -15,9 +15,9 @@ from toolkit.runtime.frame import (
     world_joints,
 )
 from toolkit.runtime.state import CharacterState
-from toolkit.runtime.steering import Command, Pilot, follow, govern, steer, straight
+from toolkit.runtime.steering import Command, Pilot, follow, speed_controller, steer, straight
 
-__all__ = ["FPS", "CharacterState", "Command", "Pilot", "compile", "follow", "govern", "pose", "record", "rollout", "start",
-           "states", "steer", "step", "straight", "world_joints"]
+__all__ = ["FPS", "CharacterState", "Command", "Pilot", "compile", "follow", "pose", "record", "rollout",
+           "speed_controller", "start", "states", "steer", "step", "straight", "world_joints"]
 __getattr__ = lazy_loader.attach(__name__, [module.name for module in pkgutil.iter_modules(__path__)],
                                  {"compiled": ["compile"]})[0]  # numba takes a second to import

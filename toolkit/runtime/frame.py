@@ -18,9 +18,9 @@ from toolkit.motion import rotations as R
 from toolkit.motion.clip import FEET
 from toolkit.motion.ik import foot_lock, plant_feet, solve_legs, turn_arms
 from toolkit.motion.tensors import as_tensor, shown
-from toolkit.networks.phase import advance, amid_a_stride
+from toolkit.networks.phase import advance, initial_pose
 from toolkit.runtime.state import CharacterState, vectors_of
-from toolkit.runtime.steering import Command, Pilot, govern, steer, unit
+from toolkit.runtime.steering import Command, Pilot, speed_controller, steer, unit
 
 FPS = trajectory.FPS
 CORRECTION = 0.85  # share of the network's prediction in the next frame's trajectory
@@ -54,7 +54,7 @@ def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0),
     if not hasattr(model, "layout"):
         raise ValueError(f"expected a model (of a run: run.model), got {shown(model)}")
     layout: Layout = model.layout
-    phase, joints = amid_a_stride(model)
+    phase, joints = initial_pose(model)
     style = vectors_of(style, joints)
     if style.shape[1] != (size := getattr(model, "style_size", style.shape[1])):
         raise ValueError(f"style needs {size} columns, got shape {list(style.shape)}")
@@ -108,7 +108,7 @@ def step(model, state: CharacterState, command: Command) -> CharacterState:
     contacts = out["contacts"].clamp(0.0, 1.0)
     new = dataclasses.replace(
         state, history=torch.cat((state.history[:, 1:], new_root[:, None]), 1), future=ahead, joints=joints, phase=phase,
-        velocity=velocity, facing=facing, drive=govern(state, velocity), contacts=contacts,
+        velocity=velocity, facing=facing, drive=speed_controller(state, velocity), contacts=contacts,
     )
     before, predicted = (_predicted_toes(layout, s) for s in (state, new))
     left = torch.stack((new_root[:, 3], -new_root[:, 2]), -1)

@@ -29,7 +29,7 @@ class CharacterState:
     velocity, facing : Tensor [B, 2]
         The smoothed command.
     drive : Tensor [B, 1]
-        How much faster than the command the trajectory pulls, see `govern`.
+        How much faster than the command the trajectory pulls, see `speed_controller`.
     contacts : Tensor [B, 2]
         Predicted foot contacts, right and left, in [0, 1].
     toes : Tensor [B, 2, 3]

@@ -17,7 +17,7 @@ from toolkit.runtime.state import CharacterState
 FPS = trajectory.FPS
 GAIN = 0.25  # share of the way that the smoothed target moves to the command in a frame
 POSITION_BIAS, DIRECTION_BIAS = 0.75, 1.25  # exponents of the blend from the network's trajectory to the target
-PROPORTIONAL, INTEGRAL, MAX_DRIVE = 1.5, 0.8, 12.0  # ours: gains of `govern` (of the lag; per second), and its limit
+PROPORTIONAL, INTEGRAL, MAX_DRIVE = 1.5, 0.8, 12.0  # ours: gains (of the lag; per second) and limit of `speed_controller`
 RETURN, SLOW = 3.0, 0.3  # ours: how strongly `steer` works against movement while standing; m/s from which one walks
 LOOKAHEAD = 0.5  # seconds that a pilot looks ahead
 
@@ -77,7 +77,7 @@ def steer(state: CharacterState, command: Command,
     return velocity, facing, torch.cat((state.root[:, None], torch.cat((positions, directions), -1)), 1)
 
 
-def govern(state: CharacterState, velocity: Tensor) -> Tensor:
+def speed_controller(state: CharacterState, velocity: Tensor) -> Tensor:
     """Drive ``[B, 1]`` of the next frame: grows while the character is slower than its command, shrinks while it is faster.
 
     Networks follow the blended trajectory at a fraction of its speed that depends on the style (the published demo hides it

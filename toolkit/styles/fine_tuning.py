@@ -169,7 +169,7 @@ def _descend(model: Model, bank: StyleBank | None, data: Features, learnt: list[
              progress: bool) -> list[float]:
     """Train ``learnt`` and return the losses; ``vector(index of the style, clips)`` computes a vector ``[1, D]`` from it."""
     batches = Minibatches(data, min(BATCH, *map(len, data.inputs.values())), 1, seed)
-    joints, draw, total = model.layout.inputs["joints"], splits.generator(seed, minibatches.STRAY), steps * len(data.styles)
+    joints, draw, total = model.layout.inputs["joints"], splits.generator(seed, minibatches.MIXUP), steps * len(data.styles)
     poses = _walks(model, bank) if bank is not None else model.inputs_mean[None, joints]
     mean, deviation = _prior(model, bank)
     adam, losses = torch.optim.Adam(learnt, lr=RATES[method], fused=True), []

@@ -95,7 +95,7 @@ def fit(data: Features, config: Config | None = None, checkpoint: str | os.PathL
     train, test = splits.split(data, config.held_out, config.seed, config.styles or tuple(data.styles))
     if config.patience and not any(map(len, test.inputs.values())):
         raise ValueError(f"patience needs held-out frames; held_out={config.held_out} of these data are none")
-    batches = Minibatches(train, config.batch, config.clips_per_batch, config.seed, config.stray)
+    batches = Minibatches(train, config.batch, config.clips_per_batch, config.seed, config.pose_mixup)
     if batches.fewest < fabric.world_size:
         raise ValueError(f"{fabric.world_size} processes cannot share a minibatch of {batches.fewest} frames")
     with seeded(fabric.device, config.seed, INIT):

@@ -5,7 +5,7 @@ from torch import Tensor
 
 from toolkit.features import Features, splits
 
-INIT, SPLIT, FRAMES, CLIPS, STRAY, DROPOUT = range(6)  # what draws random numbers; each from streams of its own
+INIT, SPLIT, FRAMES, CLIPS, MIXUP, DROPOUT = range(6)  # what draws random numbers; each from streams of its own
 
 
 class Minibatches:
@@ -14,13 +14,13 @@ class Minibatches:
     A minibatch holds frames of one style; styles come round-robin in a fixed order, frames without replacement within one
     pass of a style, style clips independently of the frames. An epoch is one pass of the shortest style (section 4.3).
 
-    Departure from the paper, off unless asked for: some frames' input poses stray, blended with a random frame's of any
-    style by a random share, while their targets stay. One step ahead a real input pose gives its style away, so that a
-    short training hardly listens to the style vector and a character stays in whatever style it starts in; a strayed pose
-    does not, and the network learns to lead it back to the style that the vector says.
+    Departure from the paper, off by default: pose mix-up. The input pose of some frames is blended, by a random share, with
+    the pose of a random frame of any style; the target stays the same. A real input pose shows its style. Therefore a short
+    training hardly uses the style vector, and a character keeps the style in which it starts. A mixed pose does not show its
+    style, so the network learns to return to the style of the vector.
 
-    ``batch`` and ``clips`` are the numbers of frames and style clips of a minibatch, ``stray`` the share of frames whose
-    input pose strays. The same ``seed`` gives the same minibatches.
+    ``batch`` and ``clips`` are the numbers of frames and style clips of a minibatch, ``pose_mixup`` is the share of frames
+    with a mixed input pose. The same ``seed`` gives the same minibatches.
 
     Raises
     ------
@@ -28,8 +28,9 @@ class Minibatches:
         If a style has no frames or no style clips.
     """
 
-    def __init__(self, data: Features, batch: int, clips: int, seed: int, stray: float = 0.0):
-        self.data, self.batch, self.clips, self.seed, self.stray, self.styles = data, batch, clips, seed, stray, data.styles
+    def __init__(self, data: Features, batch: int, clips: int, seed: int, pose_mixup: float = 0.0):
+        self.data, self.batch, self.clips, self.seed = data, batch, clips, seed
+        self.pose_mixup, self.styles = pose_mixup, data.styles
         for style in self.styles:
             if not len(data.inputs[style]) or not len(data.clips[style]):
                 raise ValueError(f"style {style!r} has {len(data.inputs[style])} frames and {len(data.clips[style])} style "
@@ -51,18 +52,18 @@ class Minibatches:
         draw = splits.generator(self.seed, CLIPS, step)
         clips = torch.randint(len(data.clips[style]), (self.clips,), generator=draw)
         x = data.inputs[style][rows]
-        if self.stray:
-            x = self._strayed(x, step)
+        if self.pose_mixup:
+            x = self._mixed_up(x, step)
         return x, data.phases[style][rows], data.outputs[style][rows], data.clips[style][clips]
 
-    def _strayed(self, x: Tensor, step: int) -> Tensor:
+    def _mixed_up(self, x: Tensor, step: int) -> Tensor:
         """``x`` with the poses of some frames moved a random part of the way to those of frames of any style."""
-        draw, joints = splits.generator(self.seed, STRAY, step), self.data.layout.inputs["joints"]
+        draw, joints = splits.generator(self.seed, MIXUP, step), self.data.layout.inputs["joints"]
         others = torch.randint(len(self.styles), (len(x),), generator=draw).tolist()
         places = torch.rand(len(x), generator=draw).tolist()
         how_far, which = torch.rand(2, len(x), 1, generator=draw)
         x = x.clone()
-        for i in (which[:, 0] < self.stray).nonzero()[:, 0].tolist():
+        for i in (which[:, 0] < self.pose_mixup).nonzero()[:, 0].tolist():
             rows = self.data.inputs[self.styles[others[i]]]
             x[i, joints] += how_far[i] * (rows[int(places[i] * len(rows))][joints] - x[i, joints])
         return x

@@ -36,7 +36,7 @@ class Config:
     final_rate: float = 1.0  # learning rate at the end as a share of the first, on a cosine between; 1: constant
     max_gradient: float | None = None  # norm to which gradients are clipped; rates from 1e-3 on spike without
     bone_weight: float = 1.0  # of the bone-length loss
-    stray: float = 0.0  # share of frames whose input pose strays to another style's (see Minibatches); the paper: 0
+    pose_mixup: float = 0.0  # share of frames whose input pose is mixed with another frame's (see Minibatches); the paper: 0
     held_out: float = 0.1  # share of every style's frames kept for the test error
     evaluate_every: int = 1000  # steps between test errors in the history
     save_every: float = 120.0  # seconds between checkpoints
@@ -62,8 +62,8 @@ class Config:
                              f"{self.style_rate} and {self.final_rate}")
         if self.seed < 0:
             raise ValueError(f"seed must not be negative, got {self.seed}")
-        if not 0 <= self.stray <= 1:
-            raise ValueError(f"stray must be in [0, 1], got {self.stray}")
+        if not 0 <= self.pose_mixup <= 1:
+            raise ValueError(f"pose_mixup must be in [0, 1], got {self.pose_mixup}")
         if not 0 <= self.held_out < 1:
             raise ValueError(f"held_out must be in [0, 1), got {self.held_out}")
         if self.evaluate_every < 1:
@@ -84,7 +84,7 @@ class Config:
     def quick(cls, **changes) -> "Config":
         """Half a minute on two cores: small sizes, one style clip per minibatch, straying poses, a high rate that decays."""
         settings = {"sizes": Sizes.small(), "batch": 64, "clips_per_batch": 1, "rate": 2e-3, "style_rate": 0.1,
-                    "stray": 0.3, "final_rate": 0.01, "max_gradient": 1.0}
+                    "pose_mixup": 0.3, "final_rate": 0.01, "max_gradient": 1.0}
         if not changes.keys() & {"epochs", "steps", "seconds"}:
             settings["seconds"] = 30.0
         return cls(**(settings | changes))
@@ -92,6 +92,7 @@ class Config:
     @classmethod
     def from_json(cls, stored: dict) -> "Config":
         """A config as JSON holds it."""
+        stored = {"pose_mixup" if name == "stray" else name: value for name, value in stored.items()}  # files before 0.2
         return cls(**{**stored, "sizes": Sizes(**stored["sizes"]), "styles": tuple(stored["styles"])})
 
     def fixed(self) -> dict:
