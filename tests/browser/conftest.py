@@ -71,14 +71,16 @@ class Notebook:
     def run_all(self, seconds: float = 120) -> None:
         """Run every cell, once the kernel is connected, and wait for the last one; an error in a cell is raised."""
         self.page.set_default_timeout(1000 * seconds)
-        self.page.evaluate("""async () => {
-            const { sessionContext } = jupyterapp.shell.currentWidget;
+        failed = self.page.evaluate("""async () => {
+            const { content, sessionContext } = jupyterapp.shell.currentWidget;
             await sessionContext.ready;
             await sessionContext.session.kernel.info;
-            await jupyterapp.commands.execute("notebook:run-all-cells");
+            const done = await jupyterapp.commands.execute("notebook:run-all-cells");
+            const outputs = content.widgets.flatMap((cell) => cell.model.outputs?.toJSON() ?? []);
+            const error = outputs.find((output) => output.output_type === "error");
+            return error ? `${error.ename}: ${error.evalue}\\n${error.traceback.join("\\n")}` : done ? "" : "not all ran";
         }""")
-        failed = self.page.locator('.jp-Notebook [data-mime-type="application/vnd.jupyter.error"]')
-        assert failed.count() == 0, failed.first.text_content()
+        assert not failed, failed
 
 
 @pytest.fixture
