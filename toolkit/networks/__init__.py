@@ -1,4 +1,4 @@
-"""Networks of Mason et al. 2022: gated experts that synthesise motion, and what modulates them with style."""
+"""Networks of Mason et al. 2022: gated experts that synthesise motion, and their style modulation."""
 
 import dataclasses
 
@@ -18,25 +18,25 @@ __all__ = ["MODELS", "BlendedLinear", "CatmullRom", "Experts", "Film", "FilmGene
 
 def build(name: str, layout: Layout, n_styles: int, sizes: Sizes | None = None,
           normalisers: dict[str, Normaliser] | None = None, *, generator: bool = True, calibrated: bool = False) -> Model:
-    """A new model with random weights (from torch's global generator), set to predict.
+    """A new model with random weights (from torch's global generator), in evaluation mode.
 
     Parameters
     ----------
     name
         One of `MODELS`.
     layout
-        Columns of x, p, z and y in the data; the model's own `Model.layout` has the phase that it knows.
+        Columns of x, p, z and y in the data. `Model.layout` differs from it in the columns of the phase.
     n_styles
         Styles to learn.
     sizes
-        The paper's where not given.
+        By default those of the paper.
     normalisers
-        Of ``inputs``, ``phases``, ``outputs``, ``clips``, as the function `normalisers` makes them; those not given change
-        nothing.
+        Of ``inputs``, ``phases``, ``outputs``, ``clips``, as the function `normalisers` makes them. A missing normaliser is
+        the identity.
     generator
-        Whether it can make style vectors, of clips or of a table; without, it needs them given.
+        Whether the model has a FiLM generator or a style table. Without it the model cannot make style vectors.
     calibrated
-        Outside of training, give the mean over the dropout of training; see `Model`.
+        In evaluation mode, compute the expected output under dropout; see `Model`.
 
     Raises
     ------

@@ -1,10 +1,10 @@
-"""Style as a shift of one hidden layer, a row of a table per style: one-hot labels and residual adapters (section 5).
+"""Style as a shift of one hidden layer, one table row per style: one-hot labels and residual adapters (section 5).
 
-Both are the paper's comparisons from the literature (Holden et al. 2017; Mason et al. 2018). A style vector is all that a
-style has of its own, so that vectors can be stored and blended as those of FiLM can. Neither normalises a layer.
+The paper compares FiLM with both (Holden et al. 2017; Mason et al. 2018). A style vector holds all parameters of one style,
+so vectors can be stored and blended like those of FiLM. Neither normalises a layer.
 
-Ours, as the paper does not say how tables start: every style's shift is a random code of unit variance, which a short
-training can already tell from others'. From zero, 600 minibatches of 64 did not teach one-hot models that styles differ.
+The paper does not say how tables are initialised. We draw each style's shift from a normal distribution of unit variance, so
+a short training can tell styles apart. With zeros, one-hot models had not learnt it after 600 minibatches of 64.
 """
 
 import math
@@ -15,12 +15,12 @@ from torch import Tensor, nn
 
 
 class StyleTable(nn.Module):
-    """Style vectors that are learnt as they are, one row per style: what these modulations have for a generator.
+    """Style vectors as learnt parameters, one row per style. It takes the place of FiLM's generator.
 
     Parameters
     ----------
     start : Tensor [S, D]
-        What the vectors of S styles start as.
+        Initial vectors of S styles.
     """
 
     def __init__(self, start: Tensor):
@@ -28,12 +28,12 @@ class StyleTable(nn.Module):
         self.vectors = nn.Parameter(start)
 
     def forward(self, style: int | Tensor | None) -> Tensor:
-        """Style vectors ``[1, D]`` of a style by its number, ``[M, D]`` of numbers ``[M]``.
+        """Style vectors: ``[1, D]`` for one style number, ``[M, D]`` for numbers ``[M]``.
 
         Raises
         ------
         ValueError
-            If there is no such number, or none is given.
+            If a number is unknown, or None is given.
         """
         styles = len(self.vectors)
         if style is None:
@@ -45,16 +45,16 @@ class StyleTable(nn.Module):
 
 
 class OneHot(nn.Module):
-    """A one-hot style label beside x: all it can do is to shift the first hidden layer, by a row of each expert's weights.
+    """A one-hot style label beside x. Its only effect: a shift of the first hidden layer by a row of each expert's weights.
 
     Parameters
     ----------
     experts
-        K experts or control points, each with a shift of its own; gates blend them as they blend weights.
+        K experts or control points, each with its own shift; gates blend shifts in the same way as weights.
     hidden
         Units of a hidden layer.
     styles
-        Rows of the table; 0 for none, where vectors are all that is left of it.
+        Rows of the table; 0 for a model without a table, which only takes style vectors.
     """
 
     def __init__(self, experts: int, hidden: int, styles: int):
@@ -72,9 +72,9 @@ class OneHot(nn.Module):
 class ResidualAdapter(nn.Module):
     """A linear layer per style, parallel to the second hidden layer: h₂ = ELU(F + x A + b).
 
-    ``rank=None``: A is a full matrix. Otherwise it is a CP decomposition, A = V diag(Σ αᵢ cᵢ) U, of which the coefficients c
-    have a row for each expert or control point and so follow the phase. Vectors are A, b or V, c, U, b; blends of vectors
-    blend these, and so, with the decomposition, not quite the shifts that they make.
+    ``rank=None``: A is a full matrix. Otherwise it is a CP decomposition, A = V diag(Σ αᵢ cᵢ) U. The coefficients c have a
+    row for each expert or control point, so they follow the phase. A style vector is (A, b) or (V, c, U, b). With the
+    decomposition, a blend of vectors is not exactly a blend of the shifts, because A is a product.
 
     Parameters
     ----------
@@ -97,7 +97,7 @@ class ResidualAdapter(nn.Module):
         self.generator = StyleTable(self._start(styles)) if styles else None
 
     def _start(self, styles: int) -> Tensor:
-        """A = 0, b a random code; of a decomposition V in the experts' range, c = 1, U = 0: more zeros would stay zero."""
+        """A = 0 and b is random. In a decomposition V is random, c = 1 and U = 0: with more zeros, gradients are zero."""
         *factors, b = (torch.zeros(styles, width) for width in self.widths)
         if len(factors) > 1:
             bound = math.sqrt(6.0 / self.widths[0])

@@ -13,7 +13,7 @@ from toolkit.features import check_style
 from toolkit.io import model_files
 from toolkit.motion.tensors import as_tensor, summary
 
-WALK = 1.0  # m/s, of a bank that knows no speed
+WALK = 1.0  # m/s, used if a bank has no known speed
 
 
 @dataclass(frozen=True, eq=False)
@@ -27,7 +27,7 @@ class StyleBank(Mapping[str, Tensor]):
     vectors : Tensor [S, D]
         Their style vectors, in the same order.
     speeds : Tensor [S], optional
-        At which a style is natural, m/s; not a number where nobody knows.
+        Natural speed of each style, m/s; NaN if unknown.
 
     Raises
     ------
@@ -76,19 +76,19 @@ class StyleBank(Mapping[str, Tensor]):
         blend
             Style to weight. Weights sum to one; negative ones extrapolate.
         *deeper
-            Blends of the next hidden layers, where they shall differ: the legs of one style and the manner of another. A
-            FiLM vector (γ1, β1, γ2, β2) has two equal parts, one per layer, so it takes one more.
+            Blends of the next hidden layers, if they differ from the first. A FiLM vector (γ1, β1, γ2, β2) has two equal
+            parts, one per hidden layer, so it takes one more blend.
 
         Raises
         ------
         ValueError
-            If a style is unknown, a weight is not finite, they do not sum to one, or the vectors cannot be cut into so many
-            equal parts.
+            If a style is unknown, a weight is not finite, weights do not sum to one, or the length of the vectors is not a
+            multiple of the number of blends.
 
         Warns
         -----
         UserWarning
-            If a weight is outside of [0, 1]: such a vector lies beyond what any style taught the model.
+            If a weight is outside of [0, 1]: the vector is then outside the range of the known styles.
         """
         if deeper:
             if self.vectors.shape[1] % (1 + len(deeper)):
@@ -106,9 +106,9 @@ class StyleBank(Mapping[str, Tensor]):
         return torch.stack([share * self[name] for name, share in shares.items()]).sum(0)
 
     def speed(self, style: str | Mapping[str, float]) -> float:
-        """The speed in m/s at which a style, or a blend by weights, is natural.
+        """The natural speed of a style or a blend, m/s.
 
-        A style of unknown speed has the mean of the bank's known ones, `WALK` where there are none.
+        A style of unknown speed counts with the mean of the bank's known speeds, or with `WALK` if none is known.
         """
         known = self.speeds[self.speeds.isfinite()]
         usual = known.mean() if len(known) else torch.tensor(WALK)
@@ -132,7 +132,7 @@ class StyleBank(Mapping[str, Tensor]):
         Raises
         ------
         ValueError
-            If the vectors are of another length, or the two know a style of the same name by different vectors.
+            If the vectors differ in length, or a style is in both banks with different vectors.
         """
         if self.vectors.shape[1] != other.vectors.shape[1]:
             raise ValueError(f"vectors [{self.vectors.shape[1]}] cannot be merged with vectors [{other.vectors.shape[1]}]")
@@ -153,7 +153,7 @@ class StyleBank(Mapping[str, Tensor]):
 
     @property
     def tensors(self) -> dict[str, Tensor]:
-        """What a file holds of it, beside the names."""
+        """The tensors that a file stores; names are stored separately."""
         return {"bank.vectors": self.vectors, "bank.speeds": self.speeds}
 
     def nearest(self, style: str | Tensor, k: int = 5) -> list[tuple[str, float]]:

@@ -8,15 +8,15 @@ import torch.nn.functional as F
 from torch import Tensor, nn
 
 TILE = 40  # frames convolved at once; divides a style clip's 240 and, after pooling, 120
-MANY, WIDE = 4, 16  # clips and frames of the kernel from which on tiles are faster
+MANY, WIDE = 4, 16  # tiles are faster from this number of clips and this kernel width (frames) on
 
 
 class Convolution(nn.Conv1d):
     """A convolution over time that keeps the length; beyond both ends there are zeros.
 
-    Many clips and a wide kernel are convolved on the processor as products of spectra, tile by tile (overlap-save): with 25
-    frames a sixth of the multiplications, and the same result up to rounding (of bfloat16: half as much again as without).
-    Few clips, narrow kernels and other devices take torch's own way.
+    On the CPU, many clips with a wide kernel are convolved in the frequency domain, tile by tile (overlap-save). A kernel of
+    25 frames then needs a sixth of the multiplications. The result is the same up to rounding (with bfloat16, rounding
+    errors are 1.5 times as large). Few clips, narrow kernels and other devices use torch's convolution.
 
     Parameters
     ----------
@@ -50,9 +50,9 @@ class Convolution(nn.Conv1d):
 @functools.cache
 @torch.inference_mode(False)  # training may need them later
 def _waves(n: int) -> tuple[Tensor, Tensor]:
-    """Real Fourier transform of n samples, real parts above imaginary ones, ``[2 (n/2 + 1), n]``; and what leads back.
+    """Matrices of the real Fourier transform of n samples, ``[2 (n/2 + 1), n]``, real parts above imaginary; and inverse.
 
-    ``[TILE, 2 (n/2 + 1)]``: to the first samples, from a spectrum whose real and imaginary parts take turns.
+    The inverse, ``[TILE, 2 (n/2 + 1)]``, gives the first samples from a spectrum with interleaved real and imaginary parts.
     """
     angles = 2 * math.pi / n * torch.outer(torch.arange(n // 2 + 1), torch.arange(n)).double()
     waves = torch.stack((angles.cos(), -angles.sin()))

@@ -1,4 +1,4 @@
-"""Gated experts (Mason et al. 2022, section 4.1): K sets of weights for one small network, blended anew for every sample.
+"""Gated experts (Mason et al. 2022, section 4.1): K sets of weights for one small network, blended for every sample.
 
 Shapes: B samples, K experts, D features.
 """
@@ -9,15 +9,15 @@ from collections.abc import Callable
 import torch
 from torch import Tensor, nn
 
-SAMPLES = 32  # whose blended weights are in memory at a time
+SAMPLES = 32  # number of samples whose blended weights are in memory at a time
 
 
 class BlendedLinear(nn.Module):
-    """A dense layer whose weights are a blend of K experts': y = x (Σ αᵢ Wᵢ) + Σ αᵢ bᵢ.
+    """A dense layer whose weights are a blend of those of K experts: y = x (Σ αᵢ Wᵢ) + Σ αᵢ bᵢ.
 
-    The blend is never formed: Σ αᵢ (x Wᵢ) is one product of the inputs, scaled by each gate and laid side by side
-    ``[B, K n_in]``, with the experts' weights stacked ``[K n_in, n_out]``. For 32 samples that is five times as fast as
-    blending weights sample by sample, and as fast for one.
+    Blended weights are not computed. Σ αᵢ (x Wᵢ) is one matrix product: the inputs times each gate, side by side
+    ``[B, K n_in]``, times the stacked weights of the experts ``[K n_in, n_out]``. For 32 samples this is five times as fast
+    as to blend the weights for each sample; for one sample both take the same time.
 
     Parameters
     ----------
@@ -41,7 +41,7 @@ class BlendedLinear(nn.Module):
     def scatter(self, x: Tensor, gates: Tensor) -> Tensor:
         """Σᵢ xᵢ² Wᵢⱼ² ``[B, n_out]`` of the blended weights W: y's variance per unit of relative variance of each input.
 
-        It needs the blended weights themselves, which are formed for a few samples at a time.
+        It needs the blended weights, and computes them for a few samples at a time.
         """
         if torch.compiler.is_exporting():
             return self._scatter(x, gates)
@@ -54,7 +54,7 @@ class BlendedLinear(nn.Module):
 
 
 class Experts(nn.Module):
-    """The motion synthesis network Φ: three blended layers, whose two hidden ones a style modulates.
+    """The motion synthesis network Φ: three blended layers. The style modulates the two hidden layers.
 
     Parameters
     ----------
@@ -82,8 +82,8 @@ class Experts(nn.Module):
         gates : Tensor [B, K]
             Blending coefficients.
         modulate
-            ``(layer, F [B, hidden], x [B, n]) -> h [B, hidden]``: the activation of hidden layer 0 or 1, where the style
-            comes in, given what the layer made of which inputs.
+            ``(layer, F [B, hidden], x [B, n]) -> h [B, hidden]``: the styled activation of hidden layer 0 or 1, from the
+            layer's linear output F and its inputs x.
         """
         *hidden, last = self.layers
         for i, layer in enumerate(hidden):

@@ -9,11 +9,11 @@ from torch import Tensor, nn
 from toolkit.networks.convolution import Convolution
 
 EPSILON = 1e-6  # added to the deviation, as in the published network
-LARGEST = 60.0  # of an exponent whose exponential is still finite when it is multiplied by a tail of zero
+LARGEST = 60.0  # largest exponent; its exponential is finite, so its product with a tail of zero is zero
 
 
 def layer_norm(f: Tensor, epsilon: float = EPSILON) -> Tensor:
-    """``f`` with mean 0 and (unbiased) standard deviation 1 over its last axis; nothing learnt (equation 3)."""
+    """``f`` with mean 0 and (unbiased) standard deviation 1 over its last axis; no learnt parameters (equation 3)."""
     centred = f - f.mean(-1, keepdim=True)
     return centred / (f.std(-1, keepdim=True) + epsilon)
 
@@ -26,7 +26,7 @@ class Film(nn.Module):
     hidden
         Units of a hidden layer.
     generator
-        The network Ψ that makes style vectors of clips (equation 2); none where vectors are all that is left of it.
+        The network Ψ that makes style vectors of clips (equation 2); None for a model that only takes style vectors.
     """
 
     def __init__(self, hidden: int, generator: "FilmGenerator | None"):
@@ -42,17 +42,17 @@ class Film(nn.Module):
         """h = ELU(γ ∘ LN(F) + β) (equation 3) of hidden layer 0 or 1.
 
         ``f [B, hidden]``; ``style [B, 4 hidden]``, or ``[1, 4 hidden]`` or ``[4 hidden]`` for one style in the whole batch.
-        The layer's inputs x and the gates do not count.
+        The layer's inputs x and the gates are not used.
         """
         gamma, beta = self._part(layer, style)
         return F.elu(gamma * layer_norm(f) + beta)
 
     def expected(self, layer: int, f: Tensor, style: Tensor, variance: Tensor) -> Tensor:
-        """Mean of `forward` where each F is a normal variable with mean ``f`` and ``variance [B, hidden]``.
+        """Mean of `forward` if each F is a normal variable with mean ``f`` and ``variance [B, hidden]``.
 
-        Dropout before a layer leaves the mean of F as it is and adds to its variance; layer normalisation divides by the
-        deviation of the sum. Without dropout it divides by less, and what follows meets another scale than in training. So
-        here s² = var(f) + mean variance, u = γ (f − mean f) / s + β, and h = E[ELU(u + |γ| √variance / s · ε)], ε normal.
+        Dropout before a layer keeps the mean of F and adds to its variance. Without dropout, layer normalisation divides by
+        a smaller deviation, so the next layer's inputs have another scale than in training. Therefore we use
+        s² = var(f) + mean variance, u = γ (f − mean f) / s + β, and h = E[ELU(u + |γ| √variance / s · ε)], ε normal.
         """
         gamma, beta = self._part(layer, style)
         deviation = (f.var(-1, keepdim=True) + variance.mean(-1, keepdim=True)).sqrt() + EPSILON
@@ -65,9 +65,9 @@ class Film(nn.Module):
 
 
 def expected_elu(mean: Tensor, deviation: Tensor) -> Tensor:
-    """E[ELU(X)] of normal variables of a mean and a deviation (any shape).
+    """E[ELU(X)] of normal variables with the given means and deviations (any shape).
 
-    m Φ(m/s) + s φ(m/s) of the positive side, exp(m + s²/2) Φ(−m/s − s) − Φ(−m/s) of the negative one.
+    The positive side gives m Φ(m/s) + s φ(m/s), the negative side exp(m + s²/2) Φ(−m/s − s) − Φ(−m/s).
     """
     s = deviation.clamp_min(1e-6)
     z = mean / s
@@ -80,10 +80,10 @@ def fold(weight: Tensor, bias: Tensor, gamma: Tensor, beta: Tensor,
          deviation: Tensor | None = None) -> tuple[Tensor, Tensor]:
     """A style folded into a layer's own weights: FiLM as a multi-task dynamical system (section 5.3.1, equation 6).
 
-    Without ``deviation`` it is the paper's equation, which leaves layer normalisation out: x W' + b' = γ ∘ (x W + b) + β
-    for every x. With it x W' + b' = γ ∘ LN(x W + b) + β, exact only for inputs whose F = x W + b deviates that much:
-    taking its mean away is linear and folds for all inputs at once, the division by its deviation is not. So a style is
-    new weights up to one number per layer and frame.
+    Without ``deviation`` it is the paper's equation, which omits layer normalisation: x W' + b' = γ ∘ (x W + b) + β for
+    every x. With it x W' + b' = γ ∘ LN(x W + b) + β, but only for inputs whose F = x W + b has this deviation. To subtract
+    the mean is linear, so it folds for all inputs; to divide by the deviation is not. So a style is equivalent to new
+    weights, except for one factor per layer and frame.
 
     Parameters
     ----------
@@ -110,11 +110,11 @@ def fold(weight: Tensor, bias: Tensor, gamma: Tensor, beta: Tensor,
 class FilmGenerator(nn.Module):
     """The FiLM generator Ψ (equation 2): two convolutions over time, each with max-pooling, and two dense layers.
 
-    The paper prints 35,668,530 parameters for it; that is this network with its convolutions counted without their input
-    channels. It has 39,214,592 at the paper's sizes.
+    It has 39,214,592 parameters at the paper's sizes. The paper prints 35,668,530, which is the number without the input
+    channels of the convolutions.
 
-    Departure from the paper, which uses γ raw and does not say how it starts: the last layer's bias starts at γ = 1, β = 0,
-    so that training starts from plain layer normalisation and not from hidden layers that are almost zero.
+    The paper does not say how γ is initialised. We initialise the last layer's bias with γ = 1, β = 0. So training starts
+    from plain layer normalisation, and not from hidden layers that are almost zero.
 
     Parameters
     ----------

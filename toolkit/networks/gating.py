@@ -1,6 +1,6 @@
 """How the experts' weights are blended, frame by frame: by a gating network (LPN, MANN) or by a phase alone (PFNN).
 
-Each takes the phases p and the input frames x, looks at one of them, and gives coefficients ``[B, K]`` that sum to one.
+Each takes the phases p and the input frames x, uses one of them, and gives coefficients ``[B, K]`` that sum to one.
 """
 
 import math
@@ -37,7 +37,7 @@ class Gating(nn.Module):
             nn.init.zeros_(layer.bias)
 
     def forward(self, phases: Tensor, x: Tensor | None = None) -> Tensor:
-        """Normalised ``phases [B, n_in]`` to gates ``[B, K]``; x does not count."""
+        """Normalised ``phases [B, n_in]`` to gates ``[B, K]``; x is not used."""
         first, second, last = self.layers
         h = F.elu(first(self.dropout(phases)))
         h = F.elu(second(self.dropout(h)))
@@ -45,13 +45,13 @@ class Gating(nn.Module):
 
 
 class VelocityGating(Gating):
-    """The gating of the MANN (Zhang et al. 2018; section 5.1.3): velocities of hands and feet, which x holds, take the place
-    of phases.
+    """The gating of the MANN (Zhang et al. 2018; section 5.1.3): its inputs are the velocities of hands and feet in x
+    instead of phases.
 
     Parameters
     ----------
     columns
-        Of x, to look at.
+        The columns of x that it uses.
     hidden, experts, dropout
         As of `Gating`.
     """
@@ -61,17 +61,17 @@ class VelocityGating(Gating):
         self.columns = list(columns)
 
     def forward(self, phases: Tensor, x: Tensor) -> Tensor:
-        """Normalised ``x [B, Dx]`` to gates ``[B, K]``; the phases do not count."""
+        """Normalised ``x [B, Dx]`` to gates ``[B, K]``; the phases are not used."""
         return super().forward(x[:, self.columns])
 
 
 class CatmullRom(nn.Module):
-    """The phase function of the PFNN (Holden et al. 2017; section 5): no network, but a closed curve through K sets
-    of weights, which lie evenly around the circle of the phase.
+    """The phase function of the PFNN (Holden et al. 2017; section 5): a closed spline through K sets of weights,
+    at equal distances of the phase.
 
-    A point of a Catmull-Rom spline is a blend of its four nearest control points, with coefficients that depend on how far
-    away they are (in steps of 2π/K) and nothing else. So this is a gating like the others, whose coefficients sum to one and
-    may be negative, for the same blended layers. It has nothing to learn.
+    A point of a Catmull-Rom spline is a blend of its four nearest control points. The coefficients depend only on the
+    distances to them (in steps of 2π/K). So this is a gating for the same blended layers as the others. Its coefficients
+    sum to one and may be negative. It has no parameters.
 
     Parameters
     ----------
@@ -86,7 +86,7 @@ class CatmullRom(nn.Module):
         self.points = points
 
     def forward(self, phase: Tensor, x: Tensor | None = None) -> Tensor:
-        """``phase [B, 1]``, an angle in radians, to gates ``[B, K]``; x does not count."""
+        """``phase [B, 1]``, an angle in radians, to gates ``[B, K]``; x is not used."""
         along = phase * (self.points / math.tau) - torch.arange(self.points, device=phase.device)
         d = ((along + self.points / 2) % self.points - self.points / 2).abs()
         near, far = 1 + d * d * (1.5 * d - 2.5), 2 + d * (d * (2.5 - 0.5 * d) - 4)

@@ -32,7 +32,7 @@ MODELS = {
     "mann-film": "gated experts on velocities of hands and feet, style by FiLM",
     "lpn-film": "gated experts on local phases, style by FiLM after layer normalisation (the paper's model)",
 }
-PHASE = {"lpn": "local", "pfnn": "global", "mann": "none"}  # what a synthesis network knows of phase
+PHASE = {"lpn": "local", "pfnn": "global", "mann": "none"}  # phase representation of each synthesis network
 
 
 @dataclass(frozen=True)
@@ -57,7 +57,7 @@ class Sizes:
 
     @classmethod
     def small(cls) -> "Sizes":
-        """About 3 million parameters: half a minute of training on two cores, and not for as many styles as the paper's."""
+        """About 3 million parameters: half a minute of training on two cores, for fewer styles than the paper's sizes."""
         return cls(hidden=256, film_channels=32, film_kernel=9, film_dense=256, dropout=0.1)
 
 
@@ -78,28 +78,28 @@ def evaluating(network: nn.Module) -> Iterator[None]:
 class Model(nn.Module):
     """One of the seven models: ẑ = Φ(x; Ω(p), Ψ(y)) (equation 4). Make one with `toolkit.networks.build`.
 
-    `predict`, `observe` and `style_vector` speak physical units; `forward` and `encode`, for training, normalised ones.
-    `predict` and `style_vector` work in evaluation mode, without dropout, also while the model is in training mode.
+    `predict`, `observe` and `style_vector` use physical units; `forward` and `encode`, for training, use normalised ones.
+    `predict` and `style_vector` always run in evaluation mode, without dropout.
 
     Parameters
     ----------
     name
         Which model of `MODELS`.
     layout
-        Columns of x, p, z and y in the data. `layout` of the model is the same with the phase that it knows.
+        Columns of x, p, z and y in the data. The attribute `layout` differs from it in the columns of the phase.
     n_styles
-        Styles it is meant for. FiLM needs no number of its own for them; models with a table of styles have a row for each.
+        Number of styles. Models with a table of styles have one row for each; the size of FiLM does not depend on it.
     sizes
         Its sizes.
     normalisers
-        For each of ``inputs``, ``phases``, ``outputs``, ``clips``, in the model's own columns; those not given change
-        nothing.
+        For each of ``inputs``, ``phases``, ``outputs``, ``clips``, in the model's own columns. A missing normaliser is the
+        identity.
     generator
-        Whether it can make style vectors: has FiLM's generator, or its table. Without, 9 in 10 of the paper's parameters are
-        saved.
+        Whether the model has FiLM's generator or the style table, which make style vectors. Without it, LPN-FiLM has about
+        10% of the paper's parameters.
     calibrated
-        Outside of training, give the mean over the dropout of training instead of leaving dropout out (moment matching, see
-        `toolkit.networks.film.Film.expected`). For FiLM only; it may be switched at any time.
+        In evaluation mode, compute the expected output under dropout, instead of the output without dropout (moment
+        matching, see `toolkit.networks.film.Film.expected`). For FiLM only. It can be switched at any time.
     """
 
     def __init__(self, name: str, layout: Layout, n_styles: int, sizes: Sizes, normalisers: dict[str, Normaliser],
@@ -169,7 +169,7 @@ class Model(nn.Module):
         Parameters
         ----------
         clips : Tensor [M, 240, 12 J]
-            Normalised style clips, which FiLM's generator makes vectors of (equation 2).
+            Normalised style clips, from which FiLM's generator computes vectors (equation 2).
         style
             The style's number, or numbers ``[M]``, which models with a table of styles look up.
 
@@ -181,7 +181,7 @@ class Model(nn.Module):
         Raises
         ------
         ValueError
-            If the model has neither generator nor table any more, or the table no such style.
+            If the model has neither generator nor table, or the table does not have the style.
         """
         generator = self.modulation.generator
         if generator is None:
@@ -190,10 +190,10 @@ class Model(nn.Module):
         return generator(style) if isinstance(generator, StyleTable) else generator(clips)
 
     def observe(self, phases: Tensor, outputs: Tensor) -> tuple[Tensor, Tensor]:
-        """Data as this model sees them: phases ``[B, 8]`` and output frames ``[B, Dz]`` of data to its own columns.
+        """Convert phases ``[B, 8]`` and output frames ``[B, Dz]`` of data to this model's columns, in physical units.
 
-        Physical units. The same for local phases; for a global one an angle and its update (see
-        `toolkit.networks.phase.global_phase`); without phases these columns are left out.
+        Local phases are unchanged. A model with a global phase gets an angle and its update (see
+        `toolkit.networks.phase.global_phase`). For a model without phases these columns are left out.
         """
         return phase.observe(self.layout, phases, outputs)
 
@@ -202,16 +202,16 @@ class Model(nn.Module):
         return phase.advance(self.layout, phases, out)
 
     def predict(self, x: Tensor, phases: Tensor, style: Tensor) -> Tensor:
-        """The next frame, in physical units, on the model's device and in its dtype; arrays and lists will do, too.
+        """The next frame, in physical units, on the model's device and in its dtype; arrays and lists are accepted.
 
-        The model predicts in evaluation mode and without gradients, whatever its mode.
+        The model always predicts in evaluation mode and without gradients.
 
         Parameters
         ----------
         x : Tensor [B, Dx]
             Input frames.
         phases : Tensor [B, n_phases]
-            Phases as the model knows them: 8 columns of local ones, an angle, or no column.
+            Phases in the model's form: 8 columns of local phases, one angle, or no column.
         style : Tensor [B, D] or [D]
             Style vectors, or one for all.
 
@@ -223,7 +223,7 @@ class Model(nn.Module):
         Raises
         ------
         ValueError
-            If a width is another.
+            If a number of columns is wrong.
         """
         given, like = [], self.outputs_mean
         for what, value, width in (("x", x, self.layout.n_inputs), ("phases", phases, self.layout.n_phases),
@@ -238,7 +238,7 @@ class Model(nn.Module):
     def style_vector(self, clips: Tensor, style: int | None = None) -> Tensor:
         """One style vector ``[D]``: the mean over clips ``[M, 240, 12 J]`` in physical units (section 4.4).
 
-        Models with a table of styles look at ``style``, the style's number, and not at the clips.
+        Models with a table of styles use ``style``, the style's number, and not the clips.
         """
         if isinstance(self.modulation.generator, StyleTable):
             return self.encode(None, style)[0].detach()
@@ -281,12 +281,12 @@ class Model(nn.Module):
         path
             The file.
         layout
-            The layout that its data must have had.
+            The expected layout of its training data.
 
         Raises
         ------
         ValueError
-            If the file is no model's or the model's layout is another.
+            If the file does not hold a model, or the model has another layout.
         """
         return cls.from_parts(path, *model_files.read(path, "model"), layout)
 
@@ -300,7 +300,7 @@ class Model(nn.Module):
                 raise ValueError(f"unknown model {name!r}")
             if not isinstance(d["n_styles"], int):
                 raise ValueError(f"n_styles must be a whole number, got {d['n_styles']!r}")
-            with torch.device("meta"):  # no memory, no random numbers: the file has them all
+            with torch.device("meta"):  # no memory and no random numbers: all values are in the file
                 model = cls(name, stored, d["n_styles"], sizes, {}, d["generator"], d.get("calibrated", False))
         if layout is not None and stored != dataclasses.replace(layout, phase=stored.phase):
             described = (

@@ -9,7 +9,7 @@ from toolkit.datasets.procedural import SKELETON
 from toolkit.features import Layout
 from toolkit.networks.model import MODELS, Model, Sizes
 
-N_STYLES = 95  # of 100STYLE, trained on
+N_STYLES = 95  # training styles of 100STYLE
 #: Table 2 as printed: animation synthesis network, style modulation network, per style at run time.
 PRINTED = {
     "pfnn-onehot": (2_436_380, 194_560, 2_048),
@@ -33,12 +33,12 @@ class Row:
     name
         The model.
     synthesis, style, per_style
-        Of the synthesis network with its gating, of the style modulation network for all styles, and what a style costs at
-        run time (the paper's A.S.N., S.M.N. and P.S.R.); counted.
+        Counted parameters of the synthesis network with its gating, of the style modulation network for all styles, and of
+        one style at run time (the paper's A.S.N., S.M.N. and P.S.R.).
     printed
         The same three in the paper.
     style_as_printed
-        The style modulation network, counted as the paper seems to.
+        Parameters of the style modulation network, counted as the paper seems to count them.
     note
         Why a printed number differs from the counted one; empty where none does.
     """
@@ -64,7 +64,7 @@ def counts(model: Model) -> dict[str, int]:
 def table2() -> list[Row]:
     """Table 2, counted from the seven models at the paper's sizes: 25 joints, 95 styles. Takes no memory for weights.
 
-    All numbers are the paper's but one: a FiLM generator has 39,214,592 parameters where the paper prints 35,668,530.
+    All numbers but one equal the paper's: a FiLM generator has 39,214,592 parameters, the paper prints 35,668,530.
     """
     layout, rows = Layout(SKELETON), []
     for name in MODELS:

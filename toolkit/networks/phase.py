@@ -1,6 +1,6 @@
-"""What a model knows of the four limbs' local phases: all of them (LPN), one global angle (PFNN), or nothing (MANN).
+"""How a model represents the four limbs' local phases: all of them (LPN), one global angle (PFNN), or not at all (MANN).
 
-Data always hold local phases; what depends on a model's kind, its `Layout.phase`, is here.
+Data always hold local phases. This module holds all that depends on the model's representation, `Layout.phase`.
 """
 
 import dataclasses
@@ -19,9 +19,9 @@ ABOUT_TO_STEP = (-1.0, 0.0, 1.0, 0.0, 1.0, 0.0, -1.0, 0.0)  # (sin, cos) of the 
 def global_phase(p: Tensor) -> Tensor:
     """The global phase ``[..., 1]``, an angle in [0, 2π), of local phases ``[..., 8]``.
 
-    It is the angle of the right foot's phase vector minus the left's. The feet of a walk are half a cycle apart, so both
-    agree on it; of a hopping leg and a raised one, the leg that moves has its way. The vectors follow foot contacts where
-    there are any, as the PFNN's phase does (section 5.1.1). While both feet stand or move alike it is noise, and may jump.
+    It is the angle of the right foot's phase vector minus the left's. In a walk the feet are half a cycle apart, so both
+    give the same angle. If only one leg moves, its vector determines the angle. Like the PFNN's phase, the vectors follow
+    foot contacts if there are any (section 5.1.1). While both feet stand or move alike, the angle is noise and may jump.
     """
     feet = p.unflatten(-1, (len(LIMBS), 2))
     sin, cos = (feet[..., LIMBS.index("right_foot"), :] - feet[..., LIMBS.index("left_foot"), :]).unbind(-1)
@@ -56,12 +56,12 @@ def normalisers(layout: Layout, data: Features) -> dict[str, Normaliser]:
 def advance(layout: Layout, phase: Tensor, out: dict[str, Tensor]) -> Tensor:
     """The phase of the next frame, of this frame's ``phase`` and the blocks ``out`` of a predicted frame (physical units).
 
-    Phase plus update, modulo 2π, for a global one. For local phases the sum q = p + Δp̂ of each limb is drawn to the
-    predicted p̂ by a share `PULL` · ‖Δp̂‖ / ‖q‖, at most one half.
+    A global phase is the phase plus its update, modulo 2π. For local phases, the sum q = p + Δp̂ of each limb moves towards
+    the predicted p̂ by a share `PULL` · ‖Δp̂‖ / ‖q‖, at most one half.
 
     Departure from the published run, where the share is always one half. In closed loop that shrinks amplitudes: steps get
-    rarer, and feet slide to keep up. A pull that goes by how far the phase moved, and not by time, is a twentieth or so of
-    a walk's, keeps sums from drifting, and cannot hold a phase in place, where a character would glide.
+    rarer and feet slide. Our share is proportional to the change of the phase; in a walk it is about a twentieth. It keeps
+    the sums from drifting. It cannot stop a phase, which would make the character glide.
     """
     if layout.phase == "local":
         update, predicted = (out[name].unflatten(-1, (-1, 2)) for name in ("phase_updates", "phases"))
@@ -74,9 +74,9 @@ def advance(layout: Layout, phase: Tensor, out: dict[str, Tensor]) -> Tensor:
 def initial_pose(model) -> tuple[Tensor, Tensor]:
     """A phase ``[n_phases]`` and a pose ``[12 J]`` for a character that stands and is about to step.
 
-    The phase is two deviations from the mean of the data, the pose their mean. Without phases the pose has to say it: hands
-    and feet are two deviations ahead of or behind their means, and on their way back (from the mean pose a MANN glided for
-    four seconds before it stepped).
+    The phase is two deviations from the mean of the data; the pose is the mean pose. In a model without phases, the pose
+    must start the step: hands and feet are two deviations ahead of or behind their means, and move back (from the mean pose
+    a MANN glided for four seconds before it stepped).
     """
     layout, pose = model.layout, model.outputs_mean[model.layout.outputs["joints"]]
     about_to_step = torch.tensor(ABOUT_TO_STEP, dtype=pose.dtype, device=pose.device)

@@ -14,22 +14,22 @@ from toolkit.runtime.compiled import CompiledModel, compile
 from toolkit.runtime.frame import FPS, pose, start, step
 from toolkit.runtime.steering import LOOKAHEAD, towards
 
-INNER, APART, ROOM = 2.0, 1.35, 2.0  # innermost ring's radius, distance of rings, and of characters on one, metres
-SETTLED = 3.0  # seconds until all walk as they go on
+INNER, APART, ROOM = 2.0, 1.35, 2.0  # metres: innermost radius, distance of rings, distance on a ring
+SETTLED = 3.0  # seconds of walking before the recording starts
 
 
 @dataclass(frozen=True, eq=False)
 class Crowd:
-    """What N characters did.
+    """Recorded motion of N characters.
 
     Parameters
     ----------
     clips
         One per character.
     blends
-        Style to share, of each.
+        Style name to share, one blend per character.
     seconds
-        Processing time of a frame of all of them: commands, step and pose.
+        Median processing time of one frame for all characters: commands, step and pose.
     """
 
     clips: list[Clip]
@@ -39,7 +39,7 @@ class Crowd:
 
     @property
     def report(self) -> str:
-        """How fast it was."""
+        """The processing time as text."""
         many = len(self.clips)
         return (f"{many} characters, {len(self.clips[0])} frames: {1e3 * self.seconds:.2f} ms a frame, "
                 f"{1e6 * self.seconds / many:.0f} µs each, {1 / FPS / self.seconds:.1f} times as fast as life")
@@ -47,22 +47,22 @@ class Crowd:
 
 def walk(model, bank, characters: int = 100, seconds: float = 10.0, *, speed: float = 1.1, seed: int = 0,
          threads: int = 1, progress: bool = False) -> Crowd:
-    """Let characters walk in rings around a place, every other ring the other way.
+    """Let characters walk on rings around the origin; neighbouring rings walk in opposite directions.
 
     Parameters
     ----------
     model, bank
         An LPN-FiLM, plain or compiled, and its styles.
     characters
-        How many.
+        Number of characters.
     seconds
-        How long, after `SETTLED` seconds that are not recorded.
+        Recorded time, after `SETTLED` seconds that are not recorded.
     speed
         Metres per second.
     seed
-        Of the blends.
+        Random seed of the blends.
     threads
-        Processor cores to share.
+        Number of processor threads.
     progress
         Show a bar.
     """
@@ -92,7 +92,7 @@ def walk(model, bank, characters: int = 100, seconds: float = 10.0, *, speed: fl
 
 
 def _places(characters: int) -> tuple[Tensor, Tensor, Tensor]:
-    """Radius, angle and way round (1 or -1) of each, ``[N]``: as far apart on every ring, of which there are enough."""
+    """Radius, angle and walking direction (1 or -1) of each character, ``[N]``; all rings have the same density."""
     radii = INNER + APART * torch.arange(characters)
     rings = 1 + int((math.tau * radii.cumsum(0) < ROOM * characters).sum())
     radii = radii[:rings]
@@ -105,13 +105,13 @@ def _places(characters: int) -> tuple[Tensor, Tensor, Tensor]:
 
 
 def _on_ring(radii: Tensor, angles: Tensor, ways: Tensor) -> tuple[Tensor, Tensor]:
-    """(x, z) and walking direction of angles on rings, each ``[N, 2]``."""
+    """Position (x, z) and walking direction at angles on rings, each ``[N, 2]``."""
     out = torch.stack((angles.sin(), angles.cos()), -1)
     return radii[:, None] * out, ways[:, None] * torch.stack((out[:, 1], -out[:, 0]), -1)
 
 
 def _blends(names: list[str], characters: int, seeded: torch.Generator) -> list[dict[str, float]]:
-    """Two styles each, another pair or other shares for every character."""
+    """A random blend of two styles for each character."""
     blends = []
     for _ in range(characters):
         pair = torch.randperm(len(names), generator=seeded)[:2].tolist()

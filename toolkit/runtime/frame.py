@@ -33,13 +33,12 @@ def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0),
     Parameters
     ----------
     model
-        Its mean pose is taken. The phase is far from its mean, amid a stride: a mean phase is none, and from there some
-        styles glide for seconds before they step. For the same reason hands and feet are amid a stride where the model has
-        no phase.
+        It gives the mean pose. The initial phase is not the mean phase but one in mid-stride: from the mean phase, some
+        styles glide for seconds before they step. For a model without phases, the pose has hands and feet in mid-stride.
     style : Tensor [S] or [B, S]
-        Style vector or one per character; an array or a list will do, here and below.
+        Style vector, or one per character. Arrays and lists are accepted, here and below.
     position, facing
-        World (x, z) of the root, metres, and where it looks; pairs or ``[B, 2]``.
+        World position (x, z) of the root, metres, and its facing direction (x, z); pairs or ``[B, 2]``.
 
     Returns
     -------
@@ -49,7 +48,7 @@ def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0),
     Raises
     ------
     ValueError
-        If that is no model or style vector, or the pairs are of another number of characters, not finite, or face nowhere.
+        If the model or style is invalid, a pair does not fit the characters or is not finite, or facing is zero.
     """
     if not hasattr(model, "layout"):
         raise ValueError(f"expected a model (of a run: run.model), got {shown(model)}")
@@ -72,7 +71,7 @@ def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0),
 
 
 def _pairs(values, what: str, style: Tensor) -> Tensor:
-    """World (x, z) ``[B, 2]`` of one pair for all of B characters or of one for each."""
+    """World (x, z) ``[B, 2]``, from one pair for all B characters or from one pair for each."""
     pairs = as_tensor(values, what, style)
     if pairs.shape not in ((2,), (1, 2), (len(style), 2)):
         raise ValueError(f"{what} must be one pair (x, z), or [{len(style)}, 2] of all characters; got {list(pairs.shape)}")
@@ -83,8 +82,8 @@ def _pairs(values, what: str, style: Tensor) -> Tensor:
 def step(model, state: CharacterState, command: Command) -> CharacterState:
     """The next frame, 1/60 s later.
 
-    The future trajectory is drawn from the network's towards the command, the network predicts, and pose, phase and
-    trajectory are blends of the prediction and of what was (section 4.4 and the published run's constants).
+    The future trajectory is blended towards the command. The network predicts the next frame. Pose, phase and trajectory are
+    blends of this prediction and the previous values (section 4.4, with the constants of the published run).
     """
     layout: Layout = model.layout
     velocity, facing, future = steer(state, command, layout.ahead)
@@ -129,7 +128,7 @@ def states(model, commands: Sequence[Command | Pilot], style: Styles, first: Cha
     at = style if callable(style) else (lambda _: style)
     state = start(model, at(0)) if first is None else first
     for frame, command in enumerate(tqdm(commands, desc="rollout", unit="frame", disable=None if progress else True)):
-        with torch.no_grad():  # not around the yield: the caller would run in this mode too
+        with torch.no_grad():  # not around the yield: the caller would lose its gradients
             state = state.with_style(at(frame))
             state = step(model, state, command(state) if callable(command) else command)
         yield state
@@ -137,25 +136,25 @@ def states(model, commands: Sequence[Command | Pilot], style: Styles, first: Cha
 
 def rollout(model, commands: Sequence[Command | Pilot], style: Styles, ik: bool = True, first: CharacterState | None = None,
             progress: bool = False) -> Clip:
-    """Drive one character through commands and record it.
+    """Let one character follow commands, and record its motion.
 
     Parameters
     ----------
     model
-        What `toolkit.networks.build`, `toolkit.training.load` or `toolkit.published.load` give.
+        A model from `toolkit.networks.build`, `toolkit.training.load` or `toolkit.published.load`.
     commands
-        One per frame, 60 Hz: a command, or a function from the state to one.
+        One per frame at 60 Hz: a command, or a function that computes it from the state.
     style : Tensor [S] or callable
-        Style vector, or a function from the frame number to one.
+        Style vector, or a function that computes it from the frame number.
     ik
         Hold feet in contact in place, and turn arm bones to the predicted positions.
     first
-        State to start from; standing at the origin where not given.
+        Initial state; by default the character stands at the origin.
 
     Returns
     -------
     Clip
-        On the model's whole skeleton, bones of constant length.
+        Motion on the model's whole skeleton, with constant bone lengths.
     """
     recorded = list(states(model, commands, style, first, progress))
     if not recorded:
@@ -164,14 +163,14 @@ def rollout(model, commands: Sequence[Command | Pilot], style: Styles, ik: bool 
 
 
 def record(model, recorded: Iterable[CharacterState], *, feet: bool = True, arms: bool = True, character: int = 0) -> Clip:
-    """The motion of one character of a run of states, see `rollout`; ``feet`` and ``arms`` switch their IK.
+    """The motion of one character in a sequence of states, see `rollout`; ``feet`` and ``arms`` switch their IK on.
 
     A ValueError if there are no states.
     """
     recorded = list(recorded)
     if not recorded:
         raise ValueError("no frames to record: a rollout needs at least one command")
-    names = [f.name for f in dataclasses.fields(CharacterState) if f.name != "style"]  # which can be large, and is not drawn
+    names = [f.name for f in dataclasses.fields(CharacterState) if f.name != "style"]  # large and not needed here
     merged = {name: torch.stack([getattr(s, name)[character] for s in recorded]) for name in names}
     merged = CharacterState(**merged, style=merged["history"].new_empty(len(recorded), 0))
     return Clip(model.layout.skeleton, *pose(model, merged, feet=feet, arms=arms), FPS, name="rollout")

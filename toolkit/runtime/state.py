@@ -19,23 +19,23 @@ class CharacterState:
     history : Tensor [B, 61, 4]
         World (x, z, direction x, direction z) of the root, one second ago to now.
     future : Tensor [B, S, 4]
-        The same for now and at the future offsets of the model's layout.
+        The same for the present frame and the future offsets of the model's layout.
     joints : Tensor [B, 12 J]
         The pose, in the current root frame; knees, feet and toes are where foot IK puts them.
     phase : Tensor [B, n_phases]
-        As the model knows it: 8 numbers of local phases, one angle, or nothing.
+        Phase in the model's form: 8 numbers of local phases, one angle, or no column.
     style : Tensor [B, S]
         Style vector.
     velocity, facing : Tensor [B, 2]
         The smoothed command.
     drive : Tensor [B, 1]
-        How much faster than the command the trajectory pulls, see `speed_controller`.
+        Factor on the commanded velocity in the target trajectory, see `speed_controller`.
     contacts : Tensor [B, 2]
         Predicted foot contacts, right and left, in [0, 1].
     toes : Tensor [B, 2, 3]
         Where foot IK puts the toes, world, right and left.
     drift : Tensor [B, 2, 2]
-        How fast they part from where the network predicts them, see `toolkit.motion.ik.foot_lock`.
+        Velocity (x, z) of their offset from the network's prediction, see `toolkit.motion.ik.foot_lock`.
     """
 
     history: Tensor
@@ -62,7 +62,7 @@ class CharacterState:
 
 
 def vectors_of(style, like: Tensor, characters: int | None = None) -> Tensor:
-    """A style argument as vectors ``[B, S]``, one for each of ``characters`` where that is given; all else is refused."""
+    """A style argument as vectors ``[B, S]``, one for each of ``characters`` if given; ValueError if it is not a vector."""
     if isinstance(style, str | Mapping):
         raise ValueError(f"a style is a vector, bank[name] or bank.blend({{name: weight}}); got {shown(style)}")
     vectors = torch.atleast_2d(as_tensor(style, "a style", like))

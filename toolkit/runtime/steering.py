@@ -1,4 +1,4 @@
-"""What the hand asks for, and how it bends the trajectory (Mason et al. 2022, section 4.4; Zhang et al. 2018).
+"""User commands, and how they are blended into the predicted trajectory (Mason et al. 2022, section 4.4; Zhang et al. 2018).
 
 Shapes: B characters; world (x, z), metres and seconds.
 """
@@ -15,16 +15,16 @@ from toolkit.motion.tensors import as_tensor, shown, summary
 from toolkit.runtime.state import CharacterState
 
 FPS = trajectory.FPS
-GAIN = 0.25  # share of the way that the smoothed target moves to the command in a frame
+GAIN = 0.25  # share of the difference between smoothed target and command that a frame removes
 POSITION_BIAS, DIRECTION_BIAS = 0.75, 1.25  # exponents of the blend from the network's trajectory to the target
 PROPORTIONAL, INTEGRAL, MAX_DRIVE = 1.5, 0.8, 12.0  # ours: gains (of the lag; per second) and limit of `speed_controller`
-RETURN, SLOW = 3.0, 0.3  # ours: how strongly `steer` works against movement while standing; m/s from which one walks
+RETURN, SLOW = 3.0, 0.3  # ours: gain of `steer` against movement while standing; below this speed (m/s) it acts
 LOOKAHEAD = 0.5  # seconds that a pilot looks ahead
 
 
 @dataclass(frozen=True)
 class Command:
-    """What the hand asks for: ``velocity`` (x, z) in m/s and ``facing`` (x, z), both in the world.
+    """A user command: ``velocity`` (x, z) in m/s and ``facing`` (x, z), both in the world.
 
     Each is a pair of finite numbers for all characters or ``[B, 2]``; anything else is a ValueError. A zero facing keeps the
     current one.
@@ -37,7 +37,7 @@ class Command:
     def __post_init__(self):
         for what, value in (("velocity", self.velocity), ("facing", self.facing)):
             if type(value) is tuple and len(value) == 2 and all(type(v) is float and math.isfinite(v) for v in value):
-                continue  # the rest takes ten times as long
+                continue  # the checks below take ten times as long
             pairs = as_tensor(value, what).detach()
             if pairs.dim() not in (1, 2) or pairs.shape[-1] != 2:
                 raise ValueError(f"{what} must be one pair (x, z), or [B, 2] of all characters; got {shown(value)}")
@@ -50,11 +50,11 @@ Pilot = Callable[[CharacterState], Command]
 
 def steer(state: CharacterState, command: Command,
           ahead: Sequence[int] = trajectory.SAMPLES[trajectory.SAMPLES.index(0) :]) -> tuple[Tensor, Tensor, Tensor]:
-    """Smoothed velocity and facing ``[B, 2]``, and the future trajectory ``[B, S, 4]`` bent towards them (world).
+    """Smoothed velocity and facing ``[B, 2]``, and the future trajectory ``[B, S, 4]`` blended towards them (world).
 
-    ``ahead`` are the offsets of the S samples from now on, frames (`toolkit.features.Layout.ahead`).
+    ``ahead`` are the offsets of the present and future samples, S in all, in frames (`toolkit.features.Layout.ahead`).
 
-    Ours: while the command is to stand, the pull works against any movement; the network drifts by 10 to 25 cm/s otherwise.
+    Ours: while the command is to stand, the target velocity opposes any movement; the network would drift by 10 to 25 cm/s.
     """
     like = {"dtype": state.velocity.dtype, "device": state.velocity.device}
     wanted, look = (torch.as_tensor(value, **like).reshape(-1, 2) for value in (command.velocity, command.facing))
@@ -80,10 +80,10 @@ def steer(state: CharacterState, command: Command,
 def speed_controller(state: CharacterState, velocity: Tensor) -> Tensor:
     """Drive ``[B, 1]`` of the next frame: grows while the character is slower than its command, shrinks while it is faster.
 
-    Networks follow the blended trajectory at a fraction of its speed that depends on the style (the published demo hides it
-    in a table of target speeds "in its own units", several times what the character reaches). Ours closes the loop with a
-    proportional-integral controller in steps, whose gains grow with the drive, so that a command is in m/s for every model
-    and style. Without the proportional part some styles swing between walk and run, or stay in a run.
+    Networks follow the blended trajectory at a fraction of its speed, and this fraction depends on the style. The published
+    demo compensates for it by a table of target speeds "in its own units", several times the speed reached. We use an
+    incremental proportional-integral controller instead. Its gains grow with the drive. So a command is in m/s for every
+    model and style. Without the proportional part some styles alternate between walk and run, or stay in a run.
     """
     wanted, heading = velocity.norm(dim=-1, keepdim=True), unit(velocity)
 
@@ -120,7 +120,7 @@ def follow(points: Sequence[Sequence[float]], speed: float = 1.2, seconds: float
     speed
         Metres per second.
     seconds
-        How long; as long as the path takes where not given.
+        Duration; by default the time that the path takes.
     """
     path = as_tensor(points, "points", torch.float64).cpu()
     legs = (path[1:] - path[:-1]).norm(dim=-1)
@@ -145,7 +145,7 @@ def follow(points: Sequence[Sequence[float]], speed: float = 1.2, seconds: float
 
 
 def towards(state: CharacterState, goal: Tensor, facing: Tensor, speed: float) -> Command:
-    """Head for where a path is `LOOKAHEAD` later, ``goal [2]`` or ``[B, 2]``: late characters catch up, early ones wait."""
+    """Command towards ``goal [2]`` or ``[B, 2]``, a path's point `LOOKAHEAD` later; late characters walk faster."""
     velocity = (goal.to(state.root) - state.root[:, :2]) / LOOKAHEAD
     fast = velocity.norm(dim=-1, keepdim=True).clamp_min(1e-6)
     return Command(velocity * (1.5 * speed / fast).clamp(max=1.0), facing)
