@@ -36,12 +36,12 @@ SWITCHES = {"path": "Path", "contacts": "Contacts", "trajectory": "Trajectory", 
 def play(clips: Clip | Sequence[Clip], *, labels: Sequence[str] | None = None, contacts=None, phases=None,
          together: bool = False, size: tuple[int, int] = (640, 480),
          playing: bool = False) -> "Player | Figure":
-    """Play one clip or several in a notebook, side by side; outside of notebooks, give a strip picture.
+    """Play one clip or several in a notebook, side by side. Outside of notebooks, return a picture strip.
 
     Parameters
     ----------
     clips
-        One clip or several, which start together; one that is shorter than the longest starts again.
+        One clip or several, which start together. A clip shorter than the longest one repeats.
     labels
         Names of the clips; by default style and gait, else the clip's name.
     contacts
@@ -75,7 +75,7 @@ class Player(widgets.VBox):
     clips
         The motions that are shown.
     rate
-        Pictures per second at most; fewer leave more of the processor to others.
+        Maximal number of pictures per second; a lower rate needs less processor time.
     """
 
     _current: "Player | None" = None
@@ -121,7 +121,7 @@ class Player(widgets.VBox):
 
     @property
     def clip(self) -> Clip:
-        """The motion that is shown, of several the longest, whose frames are counted."""
+        """The clip that is shown; of several clips the longest, which defines the frame numbers."""
         return max(self.clips, key=lambda clip: clip.seconds)
 
     @property
@@ -239,7 +239,7 @@ class Player(widgets.VBox):
         self._stale, self._fine = False, fine
         frame = min(int(self._frame), len(self.clip) - 1)
         self.image.put(self._picture(frame, fine))
-        if not self.playing or self.image.number % 6 == 0:  # each of the two is a message
+        if not self.playing or self.image.number % 6 == 0:  # each update is a message
             self._clock.value = f"{frame / self.clip.fps:.2f} / {self.clip.seconds:.2f} s"
             self._slider.value = self.frame
 
