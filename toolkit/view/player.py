@@ -1,7 +1,7 @@
 """Playback in a notebook: pyvista draws off screen, the picture is sent as JPEG to a widget, other widgets control it.
 
 Widget callbacks may run in any thread (ipykernel 7 handles comms in subshells), and VTK fails without an error outside of
-the main thread. So callbacks only store what is wanted; one asyncio task on the main loop draws the newest state. The page
+the main thread. So callbacks only store the user's input; one asyncio task on the main loop draws the newest state. The page
 answers every other picture that it shows, and the task waits for the answers: a slow page gets fewer pictures, and a closed
 page gets one every `PATIENCE` seconds.
 """
@@ -191,7 +191,7 @@ class Player(widgets.VBox):
         return super()._repr_mimebundle_(**kwargs) | {"image/jpeg": base64.b64encode(self.image.value).decode("ascii")}
 
     def _changed(self, change: dict) -> None:
-        """A widget changed (any thread): store what is wanted."""
+        """A widget changed (any thread): store the new values."""
         if change["owner"] is self._slider and change["new"] == self.frame:
             return  # the slider follows the clip
         self._touched = time.monotonic()
