@@ -1,7 +1,7 @@
 """The authors' published parameters of LPN-FiLM, 100 styles, run by this package's own networks.
 
 Published beside Mason et al. 2022 (github.com/ianxmason/local-phases) as raw little-endian float32 files, for research and
-education: the user brings the folder, nothing of it is part of this package.
+education. This package does not contain them: the user provides the folder.
 """
 
 import math
@@ -21,7 +21,7 @@ from toolkit.networks import Model, Sizes, build
 from toolkit.networks.bank import StyleBank
 from toolkit.training import Run
 
-DATASET = "lpn-film-100style"  # what `toolkit.datasets.fetch` calls them
+DATASET = "lpn-film-100style"  # their name in `toolkit.datasets.fetch`
 
 TRAINED = 95  # the first of `STYLES`; the others were kept for fine-tuning, and their speeds are not published
 
@@ -58,11 +58,11 @@ def load(folder: str | os.PathLike | None = None, *, calibrated: bool = False) -
     Parameters
     ----------
     folder
-        Where ``Xmean.bin``, ``cp0_a0.bin``, ``Style_000_scale1.bin`` … lie; None or ``"lpn-film-100style"`` for where
-        data lies on this machine (`toolkit.datasets.home`).
+        Folder of ``Xmean.bin``, ``cp0_a0.bin``, ``Style_000_scale1.bin`` …; None or ``"lpn-film-100style"`` for the folder
+        of downloaded data (`toolkit.datasets.home`).
     calibrated
-        Give the mean over the dropout of training, see `toolkit.networks.Model`: one step ahead of real motion the joint
-        error falls by half. Not as published, and slower.
+        Compute the expected output under dropout, see `toolkit.networks.Model`. It halves the joint error of one-step
+        predictions on real motion, but it is slower and differs from the published run.
 
     Raises
     ------
@@ -105,9 +105,9 @@ def load(folder: str | os.PathLike | None = None, *, calibrated: bool = False) -
 
 
 def either(file: str | os.PathLike | None, folder: str | os.PathLike | None) -> Run:
-    """A model and its style bank: of a training run's ``file``, of the published ``folder``, the embedded one for neither.
+    """A model and its style bank, from a training run's ``file`` or the published ``folder``; by default the embedded one.
 
-    The ``folder`` may be ``lpn-film-100style``, for where data lies on this machine.
+    The ``folder`` may be ``lpn-film-100style``, for the folder of downloaded data.
 
     Raises
     ------
@@ -124,7 +124,7 @@ def either(file: str | os.PathLike | None, folder: str | os.PathLike | None) -> 
 def one_step(model: Model, bank: StyleBank, clip: Clip, style: str, frames: tuple[int, int | None] = (0, None)) -> dict:
     """How well a model predicts the next frame of a real clip from this package's own features and phases.
 
-    With the published parameters it is the strongest check there is that the pipeline means what the paper means.
+    With the published parameters, this is the strongest check that features and phases agree with the paper's.
 
     Parameters
     ----------
@@ -135,15 +135,15 @@ def one_step(model: Model, bank: StyleBank, clip: Clip, style: str, frames: tupl
     style
         Name in the bank.
     frames
-        First and last (not included) frame to predict from, at the clip's rate. Up to a second round them gives their
-        trajectory and phases; frames without a whole window are left out.
+        First and last (not included) frame to predict from, at the clip's rate. Their trajectory and phases use up to a
+        second before and after; frames without a whole window are left out.
 
     Returns
     -------
     dict
         ``style``; the number of ``frames`` evaluated; ``joint_mse``, mean squared error of the 12 J joint features in the
         model's normalised units; ``contact_correlation`` [2], right and left; ``phase_error``, Σ(predicted − own)² / Σ own²,
-        not a number where the model predicts no phases.
+        NaN if the model predicts no phases.
 
     Raises
     ------

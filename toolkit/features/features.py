@@ -93,7 +93,7 @@ class OwnFeatures:
     def outputs(self, at: Tensor) -> Tensor:
         """z ``[N, Dz]`` of frames ``at [N]``: the next frames, seen from the root frames of these."""
         after, offsets = at + 1, tuple(o + 1 for o in self.layout.ahead)
-        positions, directions = trajectory.sample(self.roots, at, offsets)  # those of the next frames come first
+        positions, directions = trajectory.sample(self.roots, at, offsets)  # the first sample is the next frame's root
         there = self.phases[after]
         return self.layout.pack_output(
             trajectory=torch.cat((positions, directions), -1),
@@ -108,7 +108,7 @@ class OwnFeatures:
 
 
 def _seen_from(block: Tensor, position: Tensor, direction: Tensor) -> Tensor:
-    """Joint block ``[N, 12 J]`` in the frame where its root has ``position [N, 2]`` and ``direction [N, 2]`` (x, z)."""
+    """Joint block ``[N, 12 J]`` in a frame in which its root has ``position [N, 2]`` and ``direction [N, 2]`` (x, z)."""
     x, y, z = block.unflatten(-1, (-1, len(CHANNELS), 3)).unbind(-1)
     sin, cos = direction[:, :, None, None].unbind(1)
     seen = torch.stack((cos * x + sin * z, y, cos * z - sin * x), -1)
@@ -134,7 +134,7 @@ def joint_features(clip: Clip, roots: RootFrames) -> Tensor:
 
 
 def usable(n: int, device: torch.device | None = None, samples: tuple[int, ...] = trajectory.SAMPLES) -> Tensor:
-    """Those of the frames 0 … n - 1 of a clip whose trajectory window, and the next frame's, lie inside the clip."""
+    """Frames of a clip of n frames whose trajectory window, and that of the next frame, lie inside the clip."""
     return torch.arange(-samples[0], max(-samples[0], n - samples[-1] - 1), device=device)
 
 
@@ -183,9 +183,9 @@ def style_clips(clip: Clip, start: int = 0, stop: int | None = None) -> Tensor:
 
 @dataclass(frozen=True, eq=False)
 class Rows:
-    """Rows that are derived when they are indexed (as the first axis of a tensor), which gives a tensor."""
+    """Rows that are computed on demand: indexing, as on the first axis of a tensor, gives a tensor."""
 
-    derive: Callable[[Tensor], Tensor]  # rows of frame numbers
+    derive: Callable[[Tensor], Tensor]  # computes rows from frame numbers
     at: Tensor  # [N] frame numbers of all rows
     __repr__ = summary
 
@@ -197,7 +197,7 @@ class Rows:
         return self.derive(at) if at.dim() else self.derive(at[None])[0]
 
     def select(self, mask: Tensor) -> "Rows":
-        """Those of the rows where a mask ``[N]`` is true, still to be derived."""
+        """The rows where a mask ``[N]`` is true, also computed on demand."""
         return Rows(self.derive, self.at[mask])
 
 
@@ -221,7 +221,7 @@ class Features:
     phases: dict[str, Tensor | Rows]  # [N, 8]
     outputs: dict[str, Tensor | Rows]  # [N, Dz]
     clips: dict[str, Tensor | Rows]  # [M, 240, 12 J]
-    takes: dict[str, Tensor]  # [N] number of each row's clip; a mirror image has its original's
+    takes: dict[str, Tensor]  # [N] number of each row's clip; a mirror image has the number of its original
     split: Split | None = None  # of a store
     statistics: dict[str, Normaliser] | None = None  # of the training rows of a store
 
@@ -252,11 +252,11 @@ def build(clips: Clip | Iterable[Clip], *, source: str | phases.Source = "hybrid
 
     Parameters
     ----------
-    clips : one motion or several of one skeleton, labelled with style and gait; those of one style and gait share phase axes
+    clips : one or several of one skeleton, labelled with style and gait; clips of the same style and gait share phase axes
     source : phase source, see `toolkit.phases`
     mirror : add mirror images of all clips or of those that a function chooses: symmetric styles, never idling (section 3.2)
     short : ``"raise"``: a clip that holds no whole window is an error; ``"skip"``: it is left out
-    samples : offsets of the trajectory window, see `Layout`; those of a model where the features are for it
+    samples : offsets of the trajectory window, see `Layout`; they must be those of the model that uses the features
     progress : show a bar
 
     Raises
@@ -290,7 +290,7 @@ def build(clips: Clip | Iterable[Clip], *, source: str | phases.Source = "hybrid
 class UnknownStyleError(KeyError, ValueError):
     """A style that a bank or a dataset lacks; the message lists close names."""
 
-    __str__ = Exception.__str__  # a KeyError quotes its message
+    __str__ = Exception.__str__  # KeyError would put its message in quotes
 
 
 def check_style(name: str, names: Iterable[str]) -> None:
@@ -311,7 +311,7 @@ def check_style_clips(style: str, n: int) -> None:
 
 def group_features(members: Iterable[tuple[int, Clip]], source: str | phases.Source, mirror: bool | Callable[[Clip], bool],
                    short: str, samples: tuple[int, ...] = trajectory.SAMPLES) -> Iterator[tuple[int, OwnFeatures]]:
-    """Take number and `OwnFeatures` of every clip of one style and gait and of its mirror image; see `build`."""
+    """Pairs (take number, `OwnFeatures`) of every clip of one style and gait and of its mirror image; see `build`."""
     chosen: list[tuple[int, Clip]] = []
     for take, clip in members:
         clip = clip.resample(trajectory.FPS)

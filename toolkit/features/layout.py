@@ -1,4 +1,4 @@
-"""Which column of x, z and y holds what (Mason et al. 2022, section 3.2), on any skeleton: the only place that knows."""
+"""The columns of x, z and y (Mason et al. 2022, section 3.2), for any skeleton. No other module defines columns."""
 
 import json
 from dataclasses import dataclass, field
@@ -12,7 +12,7 @@ from toolkit.motion import Skeleton, contacts, trajectory
 from toolkit.motion.tensors import summary
 
 N_PHASES = 2 * len(phases.LIMBS)
-PHASES = {  # what a model knows of phase: columns of p, and blocks of z that are as wide
+PHASES = {  # phase of a model: columns of p, and the blocks of z of the same width
     "local": (N_PHASES, ("phases", "phase_updates")),
     "global": (1, ("phase_updates",)),
     "none": (0, ()),
@@ -27,23 +27,23 @@ class Layout:
     For J = 25 and 12 samples x has 348 columns, z 342 and a frame of y 300. `inputs` and `outputs` map blocks to slices;
     `joints` is J × (position 3, forward 3, up 3, velocity 3), `trajectory` is samples × (x, z, direction x, direction z).
 
-    Data always have the four limbs' local phases. Models may know less: see ``phase``.
+    Data always have the four limbs' local phases. A model may use fewer columns: see ``phase``.
 
     Parameters
     ----------
     skeleton
-        Whose joints.
+        Skeleton of the data.
     phase
-        ``"local"``: the phase vectors of four limbs; p has 8 columns, z as many of phases and of phase updates.
-        ``"global"``: one angle, radians; p has 1 column, z only its update (327 columns for J = 25). ``"none"``: neither has
-        any (326).
+        ``"local"``: the phase vectors of four limbs; p has 8 columns, z has 8 of phases and 8 of phase updates.
+        ``"global"``: one angle, radians; p has 1 column, z only its update (327 columns for J = 25). ``"none"``: p and z
+        have no phase columns (z: 326).
     samples
         Offsets of the trajectory window in frames at 60 Hz, ascending: past ones, 0, future ones.
 
     Raises
     ------
     ValueError
-        If there is no such phase, or the offsets are not as they must be.
+        If the phase is unknown, or the offsets are not ascending whole frames as described above.
 
     Notes
     -----
@@ -101,7 +101,7 @@ class Layout:
 
     @property
     def parents(self) -> tuple[int, ...]:
-        """Parents of the feature joints among them, -1 for the root."""
+        """Parents of the feature joints, as indices into them; -1 for the root."""
         return self.skeleton.feature_parents
 
     @property
@@ -162,7 +162,7 @@ class Layout:
 
     @classmethod
     def from_json(cls, text: str) -> "Layout":
-        """Inverse of `to_json`; text without a phase is of a local one, without samples of every tenth frame."""
+        """Inverse of `to_json`; by default the phase is local and the samples are every tenth frame."""
         fields = json.loads(text)
         phase, samples = fields.pop("phase", "local"), fields.pop("samples", trajectory.SAMPLES)
         return cls(Skeleton(**fields), phase, tuple(samples))

@@ -12,7 +12,7 @@ from torch import Tensor
 from toolkit.features.features import FRAME_KINDS, Features, Normaliser, Rows
 
 SPLIT_FRAMES = 240  # held-out frames form contiguous windows of this length, because neighbours are almost equal
-SPLIT_TAKES = 20  # of a style with at least this many takes, whole takes are held out
+SPLIT_TAKES = 20  # if a style has at least this many takes, whole takes are held out
 SPLIT = 1  # number of the random stream; those of `toolkit.training.minibatches` have others
 
 
@@ -35,9 +35,9 @@ def split(data: Features, share: float, seed: int, styles: tuple[str, ...]) -> t
 def held_out(data: Features, share: float, seed: int, styles: tuple[str, ...]) -> dict[str, Tensor]:
     """Which rows of each style are held out, ``[N]`` bool: about ``share`` of every style.
 
-    They are whole takes if a style has at least `SPLIT_TAKES` of them, else random windows of 4 s, each inside a take; in a
-    style shorter than that they are its end. A take and its mirror image count as one. What a style holds out does not
-    depend on the other styles.
+    They are whole takes if a style has at least `SPLIT_TAKES` of them, else random windows of 4 s, each inside a take. In a
+    style shorter than 4 s they are its last frames. A take and its mirror image count as one. The held-out frames of a style
+    do not depend on the other styles.
     """
     masks = {}
     for style in styles:

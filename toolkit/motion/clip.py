@@ -20,7 +20,7 @@ FEET = SIDES[::-1]  # the order of contacts in the published network, and of all
 LIMBS = tuple(f"{side}_{part}" for part in ("hand", "foot") for side in SIDES)  # the order of local phases
 ROLES = ("hips", *(f"{side}_{part}" for side in SIDES
                    for part in ("shoulder", "elbow", "hand", "hip", "knee", "foot", "toe")))
-UNIT = 1e-3  # how far a quaternion's length may be from 1: files with four decimals pass, and long products in float32
+UNIT = 1e-3  # tolerance of a quaternion's length: accepts files with four decimals, and long products in float32
 _SIDE = re.compile(r"Left|Right|left|right|[_.][LR](?=$|End$)|^[LR](?=[A-Z])")  # LeftHand, Hand_L, LThumb
 
 
@@ -33,8 +33,8 @@ class Skeleton:
 
     names: tuple[str, ...]  # J unique ones
     parents: tuple[int, ...]  # the root comes first with -1, every parent before its children
-    offsets: Tensor  # [J, 3] from the parent, in the parent's frame, metres, float32 on the CPU; the root's is not used
-    roles: dict[str, str] | None = None  # role of `ROLES` to joint name; by default found from the names and the tree
+    offsets: Tensor  # [J, 3] from the parent, in its frame, metres, float32 on the CPU; the root's offset is not used
+    roles: dict[str, str] | None = None  # from a role of `ROLES` to a joint name; by default found from names and tree
     ends: tuple[str, ...] | None = None  # leaves that are End Sites (no rotation); by default those with names in ...End
 
     def __post_init__(self):
@@ -75,7 +75,7 @@ class Skeleton:
         return self.names.index(joint)
 
     def role(self, role: str) -> int:
-        """Index of the joint with a role, whatever the names: in SMPL the joint left_wrist has the role left_hand."""
+        """Index of the joint with a role, which may differ from its name: SMPL's left_wrist has the role left_hand."""
         if self.roles.get(role) not in self.names:
             raise ValueError(f"no joint has the role {role!r}; the skeleton has {', '.join(self.names)}")
         return self.names.index(self.roles[role])
@@ -85,7 +85,7 @@ class Skeleton:
         return self.names[joint] in self.ends
 
     def end_site(self, role: str) -> int:
-        """Index of the End Site below the joint with a role; of the joint itself if it has none longer than 0.1 mm."""
+        """Index of the End Site below the joint with a role; the joint itself if it has no End Site beyond 0.1 mm."""
         joint = self.role(role)
         ends = (j for j, p in enumerate(self.parents) if p == joint and self.is_end(j))
         return next((j for j in ends if float(self.offsets[j].norm()) > 1e-4), joint)
@@ -155,7 +155,7 @@ class Skeleton:
 
 
 def find_roles(names: Sequence[str], parents: Sequence[int]) -> dict[str, str]:
-    """Roles (those of `ROLES` that are found) from the names of hands and toes and the chains of parents above them."""
+    """Those roles of `ROLES` that can be found from the names of hands and toes and the chains of their parents."""
     roles = {"hips": next((n for n in names if n.lower().endswith(("hips", "pelvis"))), names[0])}
     chains = {("hand", "wrist"): ("hand", "elbow", "shoulder"), ("toe",): ("toe", "foot", "knee", "hip")}
     found = [_SIDE.search(name) for name in names]
@@ -173,7 +173,7 @@ def find_roles(names: Sequence[str], parents: Sequence[int]) -> dict[str, str]:
 
 def forward_kinematics(skeleton: Skeleton, rotations: Tensor, root_positions: Tensor) -> tuple[Tensor, Tensor]:
     """Global rotations ``[..., J, 4]`` and positions ``[..., J, 3]`` of local rotations and the root's position."""
-    local = rotations.movedim((-1, -2), (0, 1)).contiguous()  # a component's frames lie side by side
+    local = rotations.movedim((-1, -2), (0, 1)).contiguous()  # the frames of one component are contiguous
     turned, positions = torch.empty_like(local), torch.empty_like(local[:3])
     turned[:, 0], positions[:, 0] = local[:, 0], root_positions.movedim(-1, 0)
     offsets = skeleton.offsets.to(rotations).T.reshape(3, -1, *[1] * (rotations.dim() - 2))
@@ -311,8 +311,8 @@ class Clip:
         """Left and right exchanged: the motion reflected in the plane x = 0.
 
         The reflection makes each joint's frame left-handed, so one or all three of its own axes are reflected too. Rigs
-        differ in which axis runs sideways. We choose the reflection that maps the bones below a joint to those below its
-        counterpart; where several do, the one with the mean rotation nearest to the mirror image. A joint without a
+        differ in which axis points sideways. We choose the reflection that maps the bones below a joint to those below its
+        counterpart. If several do, we choose the one whose mean rotation is nearest to the mirror image. A joint without a
         counterpart is mirrored onto itself.
         """
         world, *choices = as_tensor([[-1, 1, 1], [-1, 1, 1], [1, -1, 1], [1, 1, -1], [-1, -1, -1]], "signs", self.rotations)
@@ -340,7 +340,7 @@ def on_cpu(clips: Clip | Iterable[Clip]) -> list[Clip]:
 
 @dataclass(frozen=True, eq=False)
 class RootFrames:
-    """The root's coordinate frame in each of F frames: at the hips' projection on the floor, turned to the facing."""
+    """The root's coordinate frame in each of F frames: origin below the hips on the floor, z axis in facing direction."""
 
     positions: Tensor  # [F, 3] metres, y = 0
     rotations: Tensor  # [F, 4] about the vertical

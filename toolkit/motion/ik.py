@@ -16,9 +16,9 @@ def two_bone(a: Tensor, b: Tensor, c: Tensor, target: Tensor, pole: Tensor | Non
              soft: float | Tensor = 0.01) -> tuple[Tensor, Tensor]:
     """Bend a limb of two bones so that its end meets a target; the law of cosines with a soft limit near full stretch.
 
-    The bones keep their lengths. Over the last `soft` of the full length the end follows the target ever more slowly and
-    never reaches full stretch, where the angle of the knee changes infinitely fast with the distance. A target nearer than
-    the folded limb can reach is moved out to where it can.
+    The bones keep their lengths. Over the last share `soft` of the full length, the end follows the target more and more
+    slowly. It never reaches full stretch, where the angle of the knee changes infinitely fast with the distance. A target
+    too near for the folded limb is moved out to the nearest distance that the limb can reach.
 
     Parameters
     ----------
@@ -69,12 +69,12 @@ def foot_lock(toes: Tensor, drift: Tensor, before: Tensor, predicted: Tensor, co
               seconds: float) -> tuple[Tensor, Tensor]:
     """Lock toes in contact where they landed (foot-contact IK, Mason et al. 2022, section 4.4).
 
-    Departure from the paper: there a toe's target stays where it was by a share that grows with the contact. A share below 1
-    makes the toe slide in every frame of uncertain contact, and releases it within a frame or two. We lock a toe fully while
+    Departure from the paper: there a toe's target is a blend of its last position and the prediction, weighted by contact.
+    With a weight below 1 the toe slides in each frame, and is released within a frame or two. We lock a toe fully while
     its contact is above one half. After that, its offset from the prediction decays like a critically damped spring that
-    starts at rest, so that the toe does not jump. Only x and z are locked; the height is the network's. A toe is moved along
-    once it is `SLACK` behind its prediction, or sideways by a quarter of the distance to the other toe, so that a character
-    that turns on the spot does not cross its legs.
+    starts at rest, so that the toe does not jump. Only x and z are locked; the height is the network's. The offset of a toe
+    is at most `SLACK`, and its part towards the other toe at most a quarter of their distance, so that the legs do not cross
+    when a character turns on the spot.
 
     Parameters
     ----------
@@ -119,14 +119,14 @@ def plant_feet(skeleton: Skeleton, rotations: Tensor, root: Tensor, toes: Tensor
 
 
 def solve_legs(skeleton: Skeleton, turned: Callable[[int], Tensor], root: Tensor, toes: Tensor) -> list[Tensor]:
-    """Where `plant_feet` puts knees, feet and toes, of world rotations.
+    """Positions where `plant_feet` puts knees, feet and toes, from world rotations.
 
     Parameters
     ----------
     skeleton
         With the roles hip, knee, foot and toe on both sides.
     turned
-        From a joint's index to its world rotation ``[..., 4]``.
+        Function from a joint's index to its world rotation ``[..., 4]``.
     root : Tensor [..., 3]
         Root position.
     toes : Tensor [..., 2, 3]

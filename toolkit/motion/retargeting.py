@@ -2,8 +2,8 @@
 
 Rigs differ in names, in joints along the spine and in their local axes (Bandai-Namco's bones lie along x). We first estimate
 the axes that each joint of the clip has in a T-pose. For hips and legs they are the signed coordinate axes nearest to the
-body's own axes over the clip, turned so that the bone points where the new skeleton's does. Arms hang most of the time, so
-theirs come from the bone and the axis of the elbow. Spine, neck, head and hands take those of their parent.
+body's own axes over the clip, turned so that the bone has the direction of the new skeleton's bone. Arms mostly hang, so
+their axes are found from the bone and the elbow's axis. Spine, neck, head and hands have the axes of their parent.
 """
 
 from itertools import pairwise
@@ -16,7 +16,7 @@ from toolkit.motion.clip import SIDES, Clip, Skeleton, local_rotations, root_fra
 from toolkit.motion.contacts import standing_height
 from toolkit.motion.tensors import as_tensor
 
-STRAIGHT = 0.02  # below this sine of its mean bend, an arm has no visible axis
+STRAIGHT = 0.02  # sine of the mean bend below which an arm's elbow axis cannot be found
 PARTS = {"arm": ("collar", "shoulder", "elbow", "hand"), "leg": ("hip", "knee", "foot", "toe")}  # from the trunk outwards
 
 
@@ -24,9 +24,9 @@ def retarget(clip: Clip, skeleton: Skeleton) -> Clip:
     """The clip on a skeleton whose zero rotations are a T-pose facing +z, as 100STYLE's are.
 
     Limbs keep their world rotations by role; spine and neck are interpolated along their length. The root's path is scaled
-    by the ratio of the leg lengths, and shifted so that the toes stand. Joints without a counterpart follow their parents.
-    A clip whose skeleton has the same names and parents is returned as it is, with its own lengths. ValueError if the clip's
-    skeleton lacks one of the limbs, or its legs have no length.
+    by the ratio of the leg lengths, and shifted so that the toes stand on the floor. Joints without a counterpart follow
+    their parents. A clip whose skeleton has the same names and parents is returned unchanged, with its own bone lengths.
+    ValueError if the clip's skeleton lacks one of the limbs, or its legs have no length.
     """
     own = clip.skeleton
     if (own.names, own.parents) == (skeleton.names, skeleton.parents):
@@ -57,12 +57,12 @@ def _axes(clip: Clip, joint: int) -> Tensor:
 
 
 def _onward(clip: Clip, joint: int, axes: Tensor) -> Tensor:
-    """Axes of a joint from its parent's: rigs turn them by multiples of 90 degrees, motion by less."""
+    """Axes of a joint from those of its parent: rigs turn them by multiples of 90 degrees, motion turns them by less."""
     return R.multiply(R.inverse(_nearest(clip.rotations[:, joint])), axes)
 
 
 def _nearest(turns: Tensor) -> Tensor:
-    """The rotation ``[4]`` that takes coordinate axes to coordinate axes and is nearest to the mean of ``turns [F, 4]``."""
+    """The rotation ``[4]`` that maps coordinate axes to coordinate axes and is nearest to the mean of ``turns [F, 4]``."""
     mean = R.to_matrix(turns).mean(0)
     axes, left = torch.zeros_like(mean), mean.clone()
     for _ in range(2):  # the two largest entries in turn

@@ -101,8 +101,8 @@ def from_matrix(m: Tensor) -> Tensor:
     xy, xz, yz = m[..., 1, 0] + m[..., 0, 1], m[..., 0, 2] + m[..., 2, 0], m[..., 2, 1] + m[..., 1, 2]
     parts = (1 + m00 + m11 + m22, x, y, z, x, 1 + m00 - m11 - m22, xy, xz,
              y, xy, 1 - m00 + m11 - m22, yz, z, xz, yz, 1 - m00 - m11 + m22)
-    rows = torch.stack(parts, -1).unflatten(-1, (4, 4))  # four multiples of one quaternion
-    best = rows.diagonal(dim1=-2, dim2=-1).argmax(-1)  # the best conditioned
+    rows = torch.stack(parts, -1).unflatten(-1, (4, 4))  # each row is a multiple of the same quaternion
+    best = rows.diagonal(dim1=-2, dim2=-1).argmax(-1)  # the best conditioned row
     q = normalize(rows.gather(-2, best[..., None, None].expand(*best.shape, 1, 4)).squeeze(-2))
     return torch.where(q[..., :1] < 0, -q, q)
 

@@ -15,8 +15,8 @@ WIDTH, LINES, NAMES = 125, 5, 6  # columns and lines of a representation, and na
 def as_tensor(values: Any, what: str, like: Tensor | torch.dtype | None = None) -> Tensor:
     """A tensor, an array, a number, or nested lists of them as a floating tensor.
 
-    ``like`` gives device and dtype, or is the dtype; by default a floating tensor stays as it is, and all else gets torch's
-    default dtype. ValueError, which says ``what`` they are, if they are not numbers or rows differ in length.
+    ``like`` is a tensor with the wanted device and dtype, or a dtype. By default a floating tensor is unchanged, and other
+    values get torch's default dtype. ValueError, which names ``what``, if they are not numbers or rows differ in length.
     """
     if not isinstance(values, Tensor):
         try:
@@ -34,7 +34,7 @@ def as_tensor(values: Any, what: str, like: Tensor | torch.dtype | None = None) 
 
 
 def through_numpy(function: Callable[[np.ndarray], np.ndarray], values: Tensor) -> Tensor:
-    """A function's result on a float64 array, as a tensor like ``values``; RuntimeError if these need a gradient."""
+    """Result of a function of float64 arrays, as a tensor like ``values``; RuntimeError if ``values`` need a gradient."""
     return torch.from_numpy(np.ascontiguousarray(function(values.double().cpu().numpy()))).to(values)
 
 
@@ -47,7 +47,7 @@ def summary(thing: Any, facts: Mapping[str, Any] | None = None) -> str:
 
 
 def shown(value: Any) -> str:
-    """A value in a few words: a tensor's shape, its dtype unless float32, its device unless cpu; the first of many names."""
+    """A short text for a value. For a tensor: shape, dtype if not float32, device if not cpu; for names: the first few."""
     match value:
         case Tensor():
             odd = (str(value.dtype).removeprefix("torch."), str(value.device))

@@ -6,7 +6,7 @@ from torch import Tensor
 from toolkit.motion.clip import RootFrames
 
 FPS = 60
-#: Sample offsets in frames at 60 Hz where a `toolkit.features.Layout` has no others: six past ones, now, five future ones.
+#: Default sample offsets of a `toolkit.features.Layout`, in frames at 60 Hz: six past ones, the present, five future ones.
 SAMPLES = tuple(range(-60, 60, 10))
 PAST = -SAMPLES[0]  # frames of the past that a character keeps; no offset reaches further back
 
@@ -22,7 +22,7 @@ def sample(roots: RootFrames, frames: Tensor, offsets: tuple[int, ...] = SAMPLES
 
     Returns
     -------
-    positions, directions : Tensor [N, S, 2], x (left) and z (forward) of the root, metres, and of its unit facing direction
+    positions, directions : Tensor [N, S, 2], (x left, z forward) of the root in metres and of its unit facing direction
     """
     at = frames[:, None] + torch.tensor(offsets, device=frames.device)
     if int(at.min()) < 0 or int(at.max()) >= len(roots.rotations):

@@ -50,7 +50,7 @@ class Convolution(nn.Conv1d):
 @functools.cache
 @torch.inference_mode(False)  # training may need them later
 def _waves(n: int) -> tuple[Tensor, Tensor]:
-    """Matrices of the real Fourier transform of n samples, ``[2 (n/2 + 1), n]``, real parts above imaginary; and inverse.
+    """Matrices of the real Fourier transform of n samples (``[2 (n/2 + 1), n]``, real above imaginary) and of its inverse.
 
     The inverse, ``[TILE, 2 (n/2 + 1)]``, gives the first samples from a spectrum with interleaved real and imaginary parts.
     """

@@ -1,4 +1,4 @@
-"""A model: gated experts, their gating, a style modulation, and the normalisers between physical units and its own.
+"""A model: gated experts, their gating, a style modulation, and the normalisers of physical units.
 
 Synthesis networks and modulations are independent parts; `MODELS` are the combinations of the paper's Table 2.
 """

@@ -1,4 +1,4 @@
-"""A crowd: many characters at once through the compiled runtime, each in a style blend of its own, walking in rings."""
+"""A crowd: many characters at once through the compiled runtime, each with its own style blend, walking on rings."""
 
 import math
 import time

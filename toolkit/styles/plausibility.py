@@ -19,7 +19,7 @@ from toolkit.networks.bank import StyleBank
 
 LEG = 0.87  # metres, distance of hip and ankle in the body of `RADII`
 RADII = {"forearm": 0.032, "trunk": 0.10, "head": 0.09, "thigh": 0.062, "shank": 0.042, "foot": 0.034}  # metres
-STRETCH, DEPTH = 0.03, 0.02  # limits of a warning for a blend: share of a bone length, metres, more than its styles have
+STRETCH, DEPTH = 0.03, 0.02  # warn if a blend exceeds its styles by more: share of a bone length, metres
 SETTLE = 2.0  # seconds at the start of a walk that are not measured
 
 

@@ -1,4 +1,4 @@
-"""What a training run needs to go on where it stopped: a file of its state, and when that is written."""
+"""Checkpoints: the file from which a training run is resumed, and when it is written."""
 
 import contextlib
 import os
@@ -18,7 +18,7 @@ from toolkit.motion.tensors import summary
 
 @dataclass(frozen=True, eq=False)
 class Checkpoint:
-    """Everything that the rest of a run depends on, as one file, written whole or not at all."""
+    """The full state of a run as one file; an interrupted write leaves no partial file."""
 
     part: str  # name of the run's numbers in the file
     networks: dict[str, nn.Module]  # what is trained
@@ -35,9 +35,9 @@ class Checkpoint:
         model_files.write(path, tensors | (more or {}), {**parts, self.part: {**numbers, "config": self.config}})
 
     def load(self, path: str | os.PathLike) -> tuple[dict[str, Any], dict[str, Tensor]]:
-        """Set networks and optimisers, as they are at the start of the run, to what a file holds; its numbers and tensors.
+        """Load a file into the newly built networks and optimisers; returns the file's numbers and tensors.
 
-        ValueError if it is not such a checkpoint, or one of another config or other data.
+        ValueError if the file is not a checkpoint of this kind, or belongs to another config or other data.
         """
         tensors, parts = model_files.read(path, self.part)
         buffers = {f"{name}.{k}": v.cpu() for name, network in self.networks.items() for k, v in network.named_buffers()}
@@ -63,16 +63,16 @@ class Checkpoint:
 
 
 def starting(tensors: dict[str, Tensor], start: str) -> dict[str, Tensor]:
-    """The tensors whose names start so, by the rest of their names."""
+    """The tensors whose names begin with ``start``, by the rest of their names."""
     return {name.removeprefix(start): value for name, value in tensors.items() if name.startswith(start)}
 
 
 class Saver(contextlib.AbstractContextManager):
     """Saves a run every so many seconds, when it is interrupted and when it is done; always between two steps.
 
-    Inside, the first Ctrl-C lets the step end, saves and raises KeyboardInterrupt; the second interrupts at once. ``every``
-    and ``elapsed`` (before the run was stopped) are in seconds. ``agree`` gives the means of numbers over all processes,
-    which must stop at the same step.
+    Inside, the first Ctrl-C ends the step, saves and raises KeyboardInterrupt; the second interrupts at once. ``every`` and
+    ``elapsed`` (time before the run was resumed) are in seconds. ``agree`` computes the means of numbers over all processes,
+    so that all stop at the same step.
     """
 
     def __init__(self, save: Callable[[], None], every: float, elapsed: float = 0.0,
@@ -100,11 +100,11 @@ class Saver(contextlib.AbstractContextManager):
 
     @property
     def elapsed(self) -> float:
-        """Seconds that the run took, those before it was stopped included."""
+        """Training time in seconds, with the time before the run was resumed."""
         return time.perf_counter() - self.began
 
     def stepped(self, on_step: Callable[..., None] | None, *arguments: Any) -> float:
-        """End a step: call ``on_step``, save where it is time; seconds that the run took, the same in all processes."""
+        """End a step: call ``on_step``, save if due; returns the training time in seconds, the same in all processes."""
         if on_step:
             try:
                 on_step(*arguments)
@@ -115,6 +115,6 @@ class Saver(contextlib.AbstractContextManager):
             self.save()
             self.saved = time.perf_counter()
         if stop:
-            self.agree(0.0)  # nobody leaves before the file is written
+            self.agree(0.0)  # all processes wait until the file is written
             raise KeyboardInterrupt
         return elapsed

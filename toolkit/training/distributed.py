@@ -1,8 +1,8 @@
 """Training on one process, or on several processes or GPUs by Lightning Fabric: each takes its share of every minibatch.
 
-What they do together equals what one process does, up to rounding: the frames of a minibatch are dealt out in turn, each
-process encodes the style clips of its own frames, dropout falls as it would on the whole minibatch, and the gradients are
-averaged by frames.
+The result equals that of one process, up to rounding. The frames of a minibatch are dealt out in turn. Each process encodes
+the style clips of its own frames. Dropout masks are those of the whole minibatch. Gradients are averaged, weighted by the
+number of frames.
 """
 
 import contextlib
@@ -25,13 +25,13 @@ if TYPE_CHECKING:
 
 
 def first() -> bool:
-    """Whether this is the process that talks and writes; the others only help."""
+    """True on rank 0."""
     return int(os.environ.get("RANK") or os.environ.get("LOCAL_RANK") or 0) == 0
 
 
 @dataclass(frozen=True)
 class Alone:
-    """One process: what training asks of a `Fabric`, without Lightning Fabric."""
+    """One process: the methods of a `Fabric` that training uses, without Lightning Fabric."""
 
     device: torch.device
     world_size: ClassVar[int] = 1
@@ -47,7 +47,7 @@ class Alone:
 
 
 def start(config: Config) -> "Fabric | Alone":
-    """Device and processes of a config.
+    """Set up device and processes of a config.
 
     ValueError if there is no such device; ImportError if several processes need Lightning Fabric and it is not installed.
     With several processes, the first call starts the others: they run the same command from its beginning. Under
@@ -85,10 +85,10 @@ class Objective(nn.Module):
         self.precision = precision
 
     def forward(self, x: Tensor, p: Tensor, z: Tensor, y: Tensor, style: int) -> Tensor:
-        """Loss, mean squared error and bone-length error ``[3]``, whose mean over the processes is the minibatch's.
+        """Loss, mean squared error and bone-length error ``[3]``; their means over the processes are those of the minibatch.
 
-        Of a whole normalised minibatch of the style with this number: ``x [B, Dx]``, ``p [B, n_phases]``, ``z [B, Dz]``, and
-        ``y [M, 240, 12 J]``, of which frame i has the clip i modulo M.
+        The arguments are a whole normalised minibatch of one style: ``x [B, Dx]``, ``p [B, n_phases]``, ``z [B, Dz]``,
+        ``y [M, 240, 12 J]`` and the style's number. Frame i uses clip i modulo M.
         """
         rows = torch.arange(self.rank, len(x), self.processes, device=x.device)
         clips, which = (rows % len(y)).unique(return_inverse=True)
@@ -105,7 +105,7 @@ class Objective(nn.Module):
 
 
 class _Share(TorchFunctionMode):
-    """Inside, dropout of some rows is what falls on them when all of the ``whole`` are dropped out at once."""
+    """Inside, dropout of some rows uses these rows of the dropout mask of the ``whole`` minibatch."""
 
     def __init__(self, rows: Tensor, whole: int):
         super().__init__()

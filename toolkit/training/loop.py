@@ -1,7 +1,7 @@
 """Training (Mason et al. 2022, section 4.3): one plain loop over a config.
 
-What step n does is a pure function of the seed and n: its frames, its style clips and its dropout. A run that was stopped
-and resumed therefore ends with the same weights as one that was not, bit for bit.
+Frames, style clips and dropout of step n depend only on the seed and n. A run that was stopped and resumed therefore ends
+with the same weights as a run without a stop, bit for bit.
 """
 
 import contextlib
@@ -41,10 +41,10 @@ LOG_EVERY = 10  # steps between the training losses that TensorBoard shows
 
 @dataclass(eq=False)
 class State:
-    """Where a run is: after ``step`` steps and ``elapsed`` seconds.
+    """State of a run after ``step`` steps and ``elapsed`` seconds.
 
-    ``losses`` are the last step's; ``history`` has a row per evaluation; ``best`` are the weights with the least held-out
-    error in it, kept where the run may stop early.
+    ``losses`` are those of the last step; ``history`` has a row per evaluation. ``best`` are the weights with the least
+    held-out error so far; they are kept only if the run may stop early.
     """
 
     step: int = 0
@@ -56,7 +56,7 @@ class State:
 
     @property
     def stalled(self) -> int:
-        """Evaluations since the best one; 0 where nothing was held out, and rows say None."""
+        """Evaluations since the best one; 0 if nothing was held out (errors in the history are then None)."""
         errors = [row["held_out"] for row in self.history if row["held_out"] is not None]
         return len(errors) - 1 - errors.index(min(errors)) if errors else 0
 
@@ -71,9 +71,9 @@ def fit(data: Features, config: Config | None = None, checkpoint: str | os.PathL
     data
         Features; a share is held out and never trained on.
     config
-        How; the paper's way where not given.
+        Training settings; by default those of the paper.
     checkpoint, resume
-        File for the state of the run, written now and then and when it is interrupted; go on from it if it exists.
+        File for the state of the run, written at intervals and on an interrupt; whether to resume from it if it exists.
     progress
         Show a bar.
     on_step
@@ -86,7 +86,7 @@ def fit(data: Features, config: Config | None = None, checkpoint: str | os.PathL
     ValueError
         If a style is unknown or has no frames, or the checkpoint is of another layout or config.
     KeyboardInterrupt
-        When interrupted, after the checkpoint was written.
+        If interrupted; the checkpoint is written first.
     """
     config = config or Config()
     fabric, first = distributed.start(config), distributed.first()
@@ -156,11 +156,11 @@ def fit(data: Features, config: Config | None = None, checkpoint: str | os.PathL
 
 
 def restore(path: str | os.PathLike, model: Model, adam: torch.optim.Adam, config: Config) -> State:
-    """Set a model, as it is at the start of the run, and its optimiser to what a checkpoint holds; where the run was.
+    """Load a checkpoint into a newly built model and its optimiser; returns the state of the run.
 
-    ValueError if it is not a checkpoint, or one of another layout, config or data.
+    ValueError if it is not a checkpoint, or belongs to another layout, config or other data.
     """
-    Model.from_parts(path, *model_files.read(path, "checkpoint"), model.layout)  # says what differs in the layout
+    Model.from_parts(path, *model_files.read(path, "checkpoint"), model.layout)  # its error names the difference of layouts
     numbers, tensors = _checkpoint(model, adam, config).load(path)
     with model_files.intact(path, "the checkpoint"):
         state = State(**numbers, best=starting(tensors, "best."))
@@ -204,21 +204,21 @@ def step(fabric: "Fabric | Alone", objective: torch.nn.Module, adam: torch.optim
 
 
 def _mean(fabric: "Fabric | Alone", *numbers: float) -> list[float]:
-    """Means over the processes: all of them must decide the same."""
+    """Means over the processes, so that all of them make the same decisions."""
     if fabric.world_size == 1:
         return list(numbers)
     return fabric.all_reduce(torch.tensor(numbers, dtype=torch.float64, device=fabric.device), reduce_op="mean").tolist()
 
 
 def _held_out(model: Model, train: Features, test: Features) -> float | None:
-    """The test error on at most 1,000 frames of every style, its vector of at most 8 clips; each style counts the same."""
+    """Test error, the mean over styles; at most 1,000 frames per style, and style vectors from at most 8 clips."""
     errors = evaluate(model, make_bank(model, train, 8), test, 1000)
     return sum(e["mse"] for e in errors.values()) / len(errors) if errors else None
 
 
 @contextlib.contextmanager
 def _tensorboard(folder: str | os.PathLike | None, step: int) -> Iterator[Callable[[dict[str, float], int], None]]:
-    """What draws numbers of a step into curves in the folder, where those after ``step`` are forgotten; or does nothing."""
+    """A function that logs numbers of a step to the folder, if any; older entries for steps after ``step`` are dropped."""
     if folder is None:
         yield lambda numbers, step: None
         return

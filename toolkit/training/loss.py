@@ -1,4 +1,4 @@
-"""The loss of Mason et al. 2022 (equation 5), errors on held-out frames, and two baselines to hold beside them."""
+"""The loss of Mason et al. 2022 (equation 5), errors on held-out frames, and two baselines for comparison."""
 
 import torch
 from torch import Tensor
@@ -12,7 +12,7 @@ from toolkit.networks.model import evaluating
 def loss_terms(model: Model, predicted: Tensor, target: Tensor) -> tuple[Tensor, Tensor]:
     """Mean squared error and bone-length loss (equation 5) of normalised outputs ``[B, Dz]``.
 
-    The bone-length loss is the mean over samples and bones of how far a bone's length, in metres, is from the target's.
+    The bone-length loss is the mean absolute error of bone lengths, in metres, over samples and bones.
     """
     layout, normaliser = model.layout, model.normaliser("outputs")
     bones = [(j, p) for j, p in enumerate(layout.parents) if p >= 0]
@@ -28,7 +28,7 @@ def loss_terms(model: Model, predicted: Tensor, target: Tensor) -> tuple[Tensor,
 def make_bank(model: Model, data: Features, clips: int | None = None) -> StyleBank:
     """Mean style vector of every style, over all its style clips or over ``clips`` of them, evenly spread.
 
-    Models with a table of styles have one each; the styles of ``data`` must be those they were trained on, in that order.
+    A model with a table of styles gives its rows; ``data`` must have the styles of its training, in the same order.
     """
 
     def picked(y: Tensor | Rows) -> Tensor:
@@ -41,7 +41,7 @@ def make_bank(model: Model, data: Features, clips: int | None = None) -> StyleBa
 def evaluate(model: Model, bank: StyleBank, data: Features, frames: int | None = None) -> dict[str, dict[str, float]]:
     """Error of every style with frames in ``data``: ``mse`` of normalised outputs, ``bone`` length error in metres.
 
-    ``frames`` of them, evenly spread, or all; in evaluation mode.
+    It uses ``frames`` frames of each style, evenly spread, or all. The model runs in evaluation mode.
     """
     errors, device = {}, model.outputs_mean.device
     for style in data.styles:
@@ -63,8 +63,8 @@ def evaluate(model: Model, bank: StyleBank, data: Features, frames: int | None =
 def baselines(model: Model, data: Features) -> dict[str, dict[str, float]]:
     """Mean squared error of two predictions that need no learning, per style with frames in ``data``.
 
-    ``mean`` predicts the training data's mean; ``repeat`` the current frame once more (what x does not hold of it, the
-    contacts, at their mean).
+    ``mean`` predicts the mean of the training data. ``repeat`` predicts the current frame again, with the mean contacts
+    because x does not hold contacts.
     """
     normaliser = model.normaliser("outputs")
     errors = {}
@@ -78,9 +78,9 @@ def baselines(model: Model, data: Features) -> dict[str, dict[str, float]]:
 
 
 def repeat_frame(layout: Layout, x: Tensor, phases: Tensor, mean: Tensor) -> Tensor:
-    """Output frames ``[N, Dz]`` that say nothing will change: pose, trajectory and phases as they are in the input.
+    """Output frames ``[N, Dz]`` without any change: pose, trajectory and phases as they are in the input.
 
-    A global phase goes on at its mean rate: it never rests, and standing still its one column would outweigh all others.
+    A global phase continues at its mean rate: it never rests. Without a change, its one column would dominate the error.
     """
     trajectory, future = x[:, layout.inputs["trajectory"]], layout.outputs["trajectory"]
     blocks = {name: mean[columns].expand(len(x), -1) for name, columns in layout.outputs.items()}  # contacts at their mean

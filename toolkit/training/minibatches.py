@@ -1,18 +1,18 @@
-"""What a training step sees: held-out windows, and minibatches of one style each (Mason et al. 2022, section 4.3)."""
+"""Minibatches of one style each (Mason et al. 2022, section 4.3)."""
 
 import torch
 from torch import Tensor
 
 from toolkit.features import Features, splits
 
-INIT, SPLIT, FRAMES, CLIPS, MIXUP, DROPOUT = range(6)  # what draws random numbers; each from streams of its own
+INIT, SPLIT, FRAMES, CLIPS, MIXUP, DROPOUT = range(6)  # uses of random numbers, each with its own streams
 
 
 class Minibatches:
     """Frames and style clips of any step, as a pure function of the seed and the step.
 
-    A minibatch holds frames of one style; styles come round-robin in a fixed order, frames without replacement within one
-    pass of a style, style clips independently of the frames. An epoch is one pass of the shortest style (section 4.3).
+    A minibatch holds frames of one style; the styles take turns in a fixed order. Frames are drawn without replacement in
+    one pass of a style, style clips independently of them. An epoch is one pass of the shortest style (section 4.3).
 
     Departure from the paper, off by default: pose mix-up. The input pose of some frames is blended, by a random share, with
     the pose of a random frame of any style; the target stays the same. A real input pose shows its style. Therefore a short

@@ -1,4 +1,4 @@
-"""A training run: the config that asks for one, and what comes out of it as one file."""
+"""A training run: its config, and its result as one file."""
 
 import dataclasses
 import json
@@ -27,23 +27,23 @@ class Config:
     styles: tuple[str, ...] = ()  # which, in the fixed order in which minibatches cycle through them; empty: all
     epochs: float | None = None  # passes of the shortest style; 90 in the paper
     steps: int | None = None  # minibatches
-    seconds: float | None = None  # wall time; what it reaches depends on the machine, unlike the other two
+    seconds: float | None = None  # wall time; unlike with epochs and steps, the result depends on the machine
     patience: int | None = None  # stop after so many evaluations without a better held-out error, and keep the best weights
     batch: int = 32  # frames of one style per minibatch
     clips_per_batch: int = 32  # style clips per minibatch, shared by its frames; 1 takes a third of the time of 32
     rate: float = 1e-4  # Adam's learning rate at the start
-    style_rate: float = 1.0  # the style modulation's rate as a share of that; its convolutions die of rates from 1e-3 on
-    final_rate: float = 1.0  # learning rate at the end as a share of the first, on a cosine between; 1: constant
-    max_gradient: float | None = None  # norm to which gradients are clipped; rates from 1e-3 on spike without
+    style_rate: float = 1.0  # rate of the style modulation / rate; its convolutions fail at rates from 1e-3 on
+    final_rate: float = 1.0  # last learning rate / first, with cosine decay between them; 1: constant
+    max_gradient: float | None = None  # norm to which gradients are clipped; without it, losses spike at rates from 1e-3 on
     bone_weight: float = 1.0  # of the bone-length loss
     pose_mixup: float = 0.0  # share of frames whose input pose is mixed with another frame's (see Minibatches); the paper: 0
     held_out: float = 0.1  # share of every style's frames kept for the test error
     evaluate_every: int = 1000  # steps between test errors in the history
     save_every: float = 120.0  # seconds between checkpoints
     seed: int = 0
-    precision: str = "32"  # bits of a number; "bf16": bfloat16 products by autocast, weights and Adam in 32
+    precision: str = "32"  # "32": float32; "bf16": products in bfloat16 by autocast, weights and Adam in float32
     device: str = "cpu"
-    processes: int = 1  # on this machine, each with its device; torchrun, which knows of more machines, overrules it
+    processes: int = 1  # on this machine, each with its own device; torchrun overrides it
     __repr__ = summary
 
     def __post_init__(self):
@@ -82,7 +82,7 @@ class Config:
 
     @classmethod
     def quick(cls, **changes) -> "Config":
-        """Half a minute on two cores: small sizes, one style clip per minibatch, straying poses, a high rate that decays."""
+        """Half a minute on two cores: small sizes, one style clip per minibatch, pose mix-up, a high rate that decays."""
         settings = {"sizes": Sizes.small(), "batch": 64, "clips_per_batch": 1, "rate": 2e-3, "style_rate": 0.1,
                     "pose_mixup": 0.3, "final_rate": 0.01, "max_gradient": 1.0}
         if not changes.keys() & {"epochs", "steps", "seconds"}:
@@ -96,18 +96,18 @@ class Config:
         return cls(**{**stored, "sizes": Sizes(**stored["sizes"]), "styles": tuple(stored["styles"])})
 
     def fixed(self) -> dict:
-        """What must not change when a run is resumed, as JSON holds it."""
+        """The settings that must not change when a run is resumed, as JSON values."""
         free = {"save_every", "device", "processes"} | ({"evaluate_every"} if self.patience is None else set())
         return json.loads(json.dumps({k: v for k, v in dataclasses.asdict(self).items() if k not in free}))
 
 
 @dataclass(eq=False)
 class Run:
-    """A model and its style bank, as training made them or a file had them; it unpacks as ``model, bank = run``.
+    """A model and its style bank, from training or from a file; it unpacks as ``model, bank = run``.
 
-    ``config`` is None where the toolkit did not train it; then there are no numbers either. ``held_out[style]`` and
+    ``config`` is None if the toolkit did not train the model; then there are no errors either. ``held_out[style]`` and
     ``baselines[style]`` are mean squared errors of normalised outputs on held-out frames: ``mse``; ``other``, with another
-    style's vector (where it is not much larger, the model does not listen to the vector); and the ``mean`` and ``repeat`` of
+    style's vector (if it is not much larger than ``mse``, the model ignores the vector); ``mean`` and ``repeat``, see
     `baselines`. ``bone`` is the error of bone lengths, metres. ``history`` has a row per evaluation.
     """
 
@@ -128,8 +128,8 @@ class Run:
     def save(self, path: str | os.PathLike, *, slim: bool = False) -> None:
         """Write model, bank and numbers to one safetensors file; `Model.load` and `StyleBank.load` read it too.
 
-        ``slim`` leaves out the FiLM generator and keeps 16 bits of the experts: a third of the size or less, to run with the
-        bank's styles.
+        ``slim`` leaves out the FiLM generator and stores the experts in 16 bits. The file has a third of the size or less,
+        and can only be used with the bank's styles.
         """
         tensors, description = self.model.parts(generator=not slim)
         if slim:
@@ -141,7 +141,7 @@ class Run:
                       {"model": description, "bank": list(self.bank.names), "run": numbers})
 
     def table(self) -> list[dict[str, str | float]]:
-        """Held-out error beside both baselines: a row per style and one over all styles, each style counting the same."""
+        """Held-out error and both baselines: a row per style, and a row with the means over styles."""
         if not self.held_out:
             return []
         rows = [{"style": s, "error": e["mse"], **{k: v for k, v in e.items() if k != "mse"}, **self.baselines[s]}
@@ -151,7 +151,7 @@ class Run:
 
 
 def load(path: str | os.PathLike) -> Run:
-    """Read a run that `Run.save` wrote; a file that is none is a one-line ValueError."""
+    """Read a run that `Run.save` wrote; ValueError for any other file."""
     tensors, parts = model_files.read(path, "run")
     model, bank = Model.from_parts(path, tensors, parts, None), StyleBank.from_parts(path, tensors, parts)
     with model_files.intact(path, "the record of the run"):
@@ -165,7 +165,7 @@ def pretrained() -> Run:
     """The embedded default, ``model, bank = pretrained()``: a small LPN-FiLM and its style vectors. No network access.
 
     It was trained on procedural styles. It comes without the FiLM generator, so it cannot make style vectors of new clips.
-    `toolkit/data/README.md` has the data and the command.
+    `toolkit/data/README.md` describes the data and the command.
     """
     with resources.as_file(resources.files("toolkit") / "data" / "pretrained.safetensors") as path:
         return load(path)

@@ -35,8 +35,8 @@ class Controller(Corners):
     styles
         The triangle's corners, three names of the bank; by default its first three.
     speed, size
-        Walking speed in metres per second, by default the first style's natural one, which can be set later; width and
-        height of the picture in pixels.
+        Walking speed in metres per second, by default the natural speed of the first style (it can be changed later); width
+        and height of the picture in pixels.
 
     Attributes
     ----------
@@ -66,7 +66,7 @@ class Controller(Corners):
     arms = traitlets.Bool(True).tag(sync=True)
     recording = traitlets.Bool(False).tag(sync=True)
     status = traitlets.Unicode("").tag(sync=True)
-    _task: asyncio.Task | None = None  # a script has none: there `advance` moves the character
+    _task: asyncio.Task | None = None  # None in a script, where `advance` moves the character
 
     def __init__(self, model, bank, *, styles: Sequence[str] | None = None, speed: float | None = None,
                  size: tuple[int, int] = (640, 480)):
@@ -92,7 +92,7 @@ class Controller(Corners):
 
     @Corners.blend.setter
     def blend(self, weights: Mapping[str, float]) -> None:
-        """Style to share at the marker; assign up to three styles of the bank to move it."""
+        """Blend at the marker (style to share); assign up to three styles of the bank to move the marker."""
         names, shares = corners(self._bank, weights, [*self.names, *self._bank.names])
         with self.hold_sync():
             self.names, self.weights = names, shares
@@ -106,7 +106,7 @@ class Controller(Corners):
         return Clip(self._model.layout.skeleton, rotations, roots, FPS, name="controller")
 
     def steer(self, ahead: float = 0.0, right: float = 0.0, turn: float = 0.0, *, run: bool = False) -> None:
-        """Steer from a program, as held keys do: shares in [-1, 1] ahead, to the right and of turning left."""
+        """Steer from a program instead of keys: shares in [-1, 1] of walking ahead, walking right and turning left."""
         self._input |= {"move": [right, ahead], "turn": turn, "run": run, "heading": None}
 
     def advance(self, frames: int = 1) -> None:

@@ -1,7 +1,7 @@
 """Playback in a notebook: pyvista draws off screen, the picture is sent as JPEG to a widget, other widgets control it.
 
 Widget callbacks may run in any thread (ipykernel 7 handles comms in subshells), and VTK fails without an error outside of
-the main thread. So callbacks only store what is wanted; one asyncio task on the main loop draws the newest state. The page
+the main thread. So callbacks only store the user's input; one asyncio task on the main loop draws the newest state. The page
 answers every other picture that it shows, and the task waits for the answers: a slow page gets fewer pictures, and a closed
 page gets one every `PATIENCE` seconds.
 """
@@ -36,12 +36,12 @@ SWITCHES = {"path": "Path", "contacts": "Contacts", "trajectory": "Trajectory", 
 def play(clips: Clip | Sequence[Clip], *, labels: Sequence[str] | None = None, contacts=None, phases=None,
          together: bool = False, size: tuple[int, int] = (640, 480),
          playing: bool = False) -> "Player | Figure":
-    """Play one clip or several in a notebook, side by side; outside of notebooks, give a strip picture.
+    """Play one clip or several in a notebook, side by side. Outside of notebooks, return a picture strip.
 
     Parameters
     ----------
     clips
-        One clip or several, which start together; one that is shorter than the longest starts again.
+        One clip or several, which start together. A clip shorter than the longest one repeats.
     labels
         Names of the clips; by default style and gait, else the clip's name.
     contacts
@@ -75,7 +75,7 @@ class Player(widgets.VBox):
     clips
         The motions that are shown.
     rate
-        Pictures per second at most; fewer leave more of the processor to others.
+        Maximal number of pictures per second; a lower rate needs less processor time.
     """
 
     _current: "Player | None" = None
@@ -121,7 +121,7 @@ class Player(widgets.VBox):
 
     @property
     def clip(self) -> Clip:
-        """The motion that is shown, of several the longest, whose frames are counted."""
+        """The clip that is shown; of several clips the longest, which defines the frame numbers."""
         return max(self.clips, key=lambda clip: clip.seconds)
 
     @property
@@ -191,7 +191,7 @@ class Player(widgets.VBox):
         return super()._repr_mimebundle_(**kwargs) | {"image/jpeg": base64.b64encode(self.image.value).decode("ascii")}
 
     def _changed(self, change: dict) -> None:
-        """A widget changed (any thread): store what is wanted."""
+        """A widget changed (any thread): store the new values."""
         if change["owner"] is self._slider and change["new"] == self.frame:
             return  # the slider follows the clip
         self._touched = time.monotonic()
@@ -239,7 +239,7 @@ class Player(widgets.VBox):
         self._stale, self._fine = False, fine
         frame = min(int(self._frame), len(self.clip) - 1)
         self.image.put(self._picture(frame, fine))
-        if not self.playing or self.image.number % 6 == 0:  # each of the two is a message
+        if not self.playing or self.image.number % 6 == 0:  # each update is a message
             self._clock.value = f"{frame / self.clip.fps:.2f} / {self.clip.seconds:.2f} s"
             self._slider.value = self.frame
 

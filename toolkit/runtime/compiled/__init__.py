@@ -1,7 +1,7 @@
-"""The runtime compiled for a processor: `toolkit.runtime` for N characters at once, equal to it and many times as fast.
+"""The runtime compiled for a processor: `toolkit.runtime` for N characters at once, many times as fast.
 
-`network` has the network, `frame` what a frame does around it, `ik` the pose to draw. Everything is compiled by numba when
-it is first used, for the processor at hand, and kept on disk.
+`network` has the network, `frame` the rest of a step, `ik` the pose to draw. Numba compiles each function for the present
+processor at its first use, and stores it on disk.
 """
 
 import time
@@ -20,12 +20,12 @@ from toolkit.runtime.compiled import frame, ik, network
 from toolkit.runtime.frame import CharacterState, pose, start, step
 from toolkit.runtime.steering import Command
 
-WORTHWHILE = 8  # characters from which a thread of their own pays; so many are computed together
+WORTHWHILE = 8  # least number of characters for one thread; this many are computed together
 KERNELS = (frame.steer, network.predict, frame.follow, ik.pose)
 
 
 class CompiledModel:
-    """A model that steps by itself; make one with `toolkit.runtime.compile`, and give it wherever a model is asked for.
+    """A model with compiled `step` and `pose`, made by `toolkit.runtime.compile`; use it in place of a model.
 
     Its weights are copies: later training of the model does not change it.
 
@@ -38,9 +38,9 @@ class CompiledModel:
     skip
         Experts of lower weight are left out.
     threads
-        Characters are shared among so many, at least `WORTHWHILE` to each.
+        Number of threads that share the characters, at least `WORTHWHILE` characters each.
     seconds, compiled
-        How long it took to have the kernels ready, and how many of them had to be compiled; the others were on the disk.
+        Time to prepare the kernels, and the number of kernels that were compiled; the others were read from disk.
     """
 
     def __init__(self, model, precision: str = "float32", skip: float = 0.0, threads: int = 1):
@@ -58,7 +58,7 @@ class CompiledModel:
         self.layout: Layout = model.layout
         self.name, self.sizes, self.style_size = model.name, model.sizes, model.style_size
         self.precision, self.skip, self.threads = precision, float(skip), threads
-        for name in ("phases_mean", "phases_std", "outputs_mean"):  # what `toolkit.runtime.start` asks a model for
+        for name in ("phases_mean", "phases_std", "outputs_mean"):  # needed by `toolkit.runtime.start`
             setattr(self, name, getattr(model, name).clone())
         self.weights = network.Weights.of(model, precision)
         self.dropped = np.float32(model.dropped if model.calibrated else 0.0)
@@ -115,7 +115,7 @@ class CompiledModel:
         return torch.from_numpy(z)
 
     def _array(self, state: CharacterState, name: str) -> np.ndarray:
-        """A part of a state as the kernels take it. They do not look at bounds, so shapes are checked here."""
+        """A part of a state as an array for the kernels. They do not check bounds, so shapes are checked here."""
         tensor = getattr(state, name)
         if name == "style" and not tensor.stride(0):  # one style for all: not copied for each
             tensor = tensor[:1]
@@ -126,7 +126,7 @@ class CompiledModel:
         return np.ascontiguousarray(array, np.float32)
 
     def _share(self, work: Callable[[int, int], None], count: int) -> None:
-        """Do work on ranges of so many characters, a thread each."""
+        """Call ``work`` on ranges that divide ``count`` characters, one thread per range."""
         threads = min(self.threads, count // WORTHWHILE)
         if threads <= 1:
             work(0, count)
@@ -151,8 +151,8 @@ pose.register(CompiledModel)(CompiledModel.pose)
 def compile(model, *, precision: str = "float32", skip: float = 0.0, threads: int = 1) -> CompiledModel:
     """The same model compiled for this processor, to take its place in `toolkit.runtime` and in `toolkit.view.Controller`.
 
-    The first time on a machine takes a while, which the result's representation tells; later it is read from the disk.
-    ``docs/runtime.md`` says how fast it is and how equal.
+    The first call on a machine compiles; the result's representation shows the time. Later calls read the code from disk.
+    ``docs/runtime.md`` gives times, and differences from the plain model.
 
     Parameters
     ----------
@@ -162,15 +162,15 @@ def compile(model, *, precision: str = "float32", skip: float = 0.0, threads: in
         Of the experts' weights: ``"float32"``, or ``"bfloat16"``, which takes half the memory and, for one character, two
         thirds of the time; outputs differ by about 5e-4 of their deviation.
     skip
-        Leave out experts whose weight for a character is below this, and scale up the others: what a frame loses is at most
-        this share for each of them.
+        Leave out experts whose weight for a character is below this, and scale up the others. A frame loses at most this
+        share for each expert that is left out.
     threads
-        Processor cores among which characters are shared, at least eight to each.
+        Number of threads that share the characters, at least eight characters each.
 
     Raises
     ------
     ValueError
-        If it is another model, or an option is out of its range.
+        If the model is not an LPN-FiLM, or an option is out of its range.
     """
     return CompiledModel(model, precision, skip, threads)
 

@@ -1,7 +1,7 @@
-"""What a frame does before and after its network, for many characters at once: `toolkit.runtime.step` in scalar loops.
+"""The computations of a step before and after the network, for many characters: `toolkit.runtime.step` in scalar loops.
 
-Each function is that module's of the same name, or a part of it; numbers are doubles between reading and writing. Constants
-come in as `Rules`, so that compiled code kept on disk never holds an old one.
+Each function corresponds to the function of that name in `toolkit.runtime`, or to a part of it, and computes in doubles.
+Constants are arguments (`Rules`), so that compiled code on disk never holds an old constant.
 """
 
 import math
@@ -54,7 +54,7 @@ class Rules(NamedTuple):
 
     @classmethod
     def of(cls, layout) -> "Rules":
-        """Those of a layout."""
+        """The rules of a layout."""
         t = np.array(layout.ahead) / layout.ahead[-1]
         return cls(
             trajectory_in=layout.inputs["trajectory"].start, joints_in=layout.inputs["joints"].start,
@@ -93,7 +93,7 @@ def _triple(row, at):
 
 @njit(nogil=True)
 def _write(row, at, turn, x, y, z):
-    """A vector turned about the vertical, by an angle's (sine, cosine)."""
+    """Write a vector that is turned about the vertical by the angle with this (sine, cosine)."""
     row[at], row[at + 1], row[at + 2] = turn[1] * x + turn[0] * z, y, turn[1] * z - turn[0] * x
 
 
@@ -139,7 +139,7 @@ def _govern(history, drive, velocity, rules):
 
 @njit(cache=True, nogil=True)
 def steer(old, wanted, look, rules, x, new, start, stop):
-    """Fill x, and of the new state velocity, facing, drive and the future bent towards the command (section 4.4).
+    """Fill x, and velocity, facing, drive and future of the new state (section 4.4).
 
     ``wanted``, ``look`` are the command's velocity and facing ``[N or 1, 2]``, ``x [N, Dx]``.
     """
@@ -180,7 +180,7 @@ def steer(old, wanted, look, rules, x, new, start, stop):
 
 @njit(nogil=True)
 def _toes(history, joints, rules, place):
-    """Where the pose has the toes ``[2, 3]``, world."""
+    """Positions of the pose's toes ``[2, 3]``, world."""
     x, z = _unit2(np.float64(history[-1, 2]), np.float64(history[-1, 3]))
     for side in range(2):
         p = joints[12 * rules.toes[side] : 12 * rules.toes[side] + 3]
@@ -220,7 +220,7 @@ def _hold(toes, drift, before, predicted, contacts, left, rules, new_toes, new_d
 
 @njit(nogil=True)
 def _joints(was, now, turn, shift, rules, joints):
-    """The new pose ``[12 J]``: halfway between the prediction and where velocities lead, seen from the new root frame."""
+    """The new pose ``[12 J]`` in the new root frame; positions are means of the predicted and the integrated ones."""
     for j in range(0, len(was), 12):
         x, y, z = _triple(now, j + POSITION)
         dx, dy, dz = _triple(now, j + VELOCITY)

@@ -24,15 +24,15 @@ class Body(NamedTuple):
     parents, offsets
         ``[J']``, ``[J', 3]``.
     features
-        For each point the feature joint whose rotation it has: its own, or its parent's ``[J']``.
+        For each point the index of the feature joint that gives its rotation, its own or its parent's ``[J']``.
     own
-        For each point its own feature joint, -1 where it has none ``[J']``.
+        For each point the index of its own feature joint, -1 if it has none ``[J']``.
     ends
         Points that follow their parents ``[E]``.
     legs
         Hip, knee, foot and toe, right and left ``[2, 4]``.
     chains
-        All points from the hips to the toes, but the hips, parents before children ``[C]``.
+        All points from the hips to the toes, without the hips; parents come before children ``[C]``.
     arms
         Arm joints and the points at their bones' other ends, from the body outwards ``[A, 2]``.
     """
@@ -48,7 +48,7 @@ class Body(NamedTuple):
 
     @classmethod
     def of(cls, skeleton) -> "Body":
-        """That of a skeleton."""
+        """The arrays of a skeleton."""
         joints, parents = list(skeleton.feature_joints), skeleton.parents
         toes = [skeleton.role(f"{side}_toe") for side in FEET]
         arms = [[skeleton.role(f"{side}_{part}") for side in FEET] for part in ("shoulder", "elbow", "hand")]
@@ -94,7 +94,7 @@ def _unit(a):
 
 @njit(nogil=True)
 def _across(a):
-    """A unit vector at right angles to a unit vector: across the axis that is farthest from it."""
+    """A unit vector perpendicular to a unit vector: its cross product with the coordinate axis farthest from it."""
     x, y, z = abs(a[0]), abs(a[1]), abs(a[2])
     axis = (1.0, 0.0, 0.0) if x <= y and x <= z else (0.0, 1.0, 0.0) if y <= z else (0.0, 0.0, 1.0)
     return _unit(_cross(a, axis))
@@ -120,7 +120,7 @@ def _rotate(q, v):
 
 @njit(nogil=True)
 def _heading(heading, v):
-    """A vector of the root frame in the world's, given the root's (sine, cosine)."""
+    """A vector of the root frame in world coordinates, from the (sine, cosine) of the root's heading."""
     return heading[1] * v[0] + heading[0] * v[2], v[1], heading[1] * v[2] - heading[0] * v[0]
 
 
@@ -191,7 +191,7 @@ def _write(q, j, value):
 
 @njit(nogil=True)
 def _kinematics(body, turned, places):
-    """Places ``[J', 3]`` of all points but the root, of world rotations ``[J', 4]`` and the root's place."""
+    """Positions ``[J', 3]`` of all points but the root, from world rotations ``[J', 4]`` and the root's position."""
     for j in range(1, len(body.parents)):
         parent = body.parents[j]
         bone = _rotate(_read(turned, parent), _triple(body.offsets[j]))
@@ -226,7 +226,7 @@ def _plant_feet(body, turned, places, toes):
 
 @njit(nogil=True)
 def plant(body, toes, root, joints):
-    """Put knees, feet and toes of a pose ``[12 J]`` where foot IK has them: `toolkit.motion.ik.solve_legs`."""
+    """Set knees, feet and toes of a pose ``[12 J]`` to their positions by foot IK, see `toolkit.motion.ik.solve_legs`."""
     places = np.empty((len(body.parents), 3))
     places[0, 0], places[0, 1], places[0, 2] = _triple(joints)
     for i in range(len(body.chains)):

@@ -1,9 +1,9 @@
 """LPN-FiLM's network for many characters at once: normalisers, gating, experts, FiLM (Mason et al. 2022, sections 4.1, 4.2).
 
 A blended layer is Σ αₖ (x Wₖ). Weights are stored once, in the order in which they are read: for each expert and each panel
-of `COLUMNS` outputs, the rows one after another. One character is limited by memory, which this reads through once from end
-to end. Many are limited by arithmetic: a tile of up to `ROWS` characters by one panel is summed in registers, and gates
-scale finished tiles, so that scaled inputs are never formed and an expert that a character does not need costs it nothing.
+of `COLUMNS` outputs, the rows one after another. For one character, memory limits the speed; this order reads it once from
+start to end. For many, arithmetic limits it: a tile of up to `ROWS` characters by one panel is summed in registers. Gates
+scale finished tiles. So no scaled inputs are stored, and an expert with a zero gate takes no time.
 """
 
 import math
@@ -20,13 +20,13 @@ from numba.extending import intrinsic
 from toolkit.features import FRAME_KINDS
 from toolkit.networks.film import EPSILON, LARGEST
 
-LANES = 16  # numbers in a vector; processors with shorter ones take several for it
+LANES = 16  # numbers in a vector; processors with shorter vectors use several
 WIDE = bool(llvmlite.binding.get_host_cpu_features().get("avx512f"))
 ROWS, VECTORS = (8, 2) if WIDE else (4, 1)  # of the largest tile: what fits in the registers
 COLUMNS = VECTORS * LANES
-CHAINS = 8  # sums that a processor needs under way to be busy: short tiles split theirs
-AHEAD = 4096  # weights ahead of a tall tile that a processor is told to fetch; for short tiles it is quicker by itself
-BATCH = 128  # characters whose inputs stay near the processor
+CHAINS = 8  # parallel sums that keep a processor busy; short tiles split their sums to reach it
+AHEAD = 4096  # distance of prefetched weights in tall tiles; short tiles are faster without prefetch
+BATCH = 128  # number of characters whose inputs fit in the cache
 PRECISIONS = {"float32": np.float32, "bfloat16": np.uint16}
 
 _LOG2E, _LN2_HIGH, _LN2_LOW = np.float32(1.44269504), np.float32(0.693359375), np.float32(-2.12194440e-4)
@@ -35,7 +35,7 @@ _ZERO, _ONE, _HALF, _LOWEST, _EPSILON = (np.float32(v) for v in (0.0, 1.0, 0.5, 
 
 
 class Weights(NamedTuple):
-    """What the kernel reads; float32 but for ``experts``.
+    """The weights that the kernel reads; float32, except for ``experts``.
 
     Parameters
     ----------
@@ -80,7 +80,7 @@ class Weights(NamedTuple):
 
     @property
     def bytes(self) -> int:
-        """Of everything that one character's step reads."""
+        """Number of bytes that a step of one character reads."""
         return sum(array.nbytes for part in self for array in part)
 
 
@@ -89,7 +89,7 @@ def _array(tensor: torch.Tensor) -> np.ndarray:
 
 
 def _columns(values: np.ndarray) -> np.ndarray:
-    """Zeros after the last column, up to whole panels."""
+    """Values with zeros after the last column, so that panels are full."""
     return np.pad(values, [(0, 0)] * (values.ndim - 1) + [(0, -values.shape[-1] % COLUMNS)])
 
 
@@ -103,7 +103,7 @@ def _packed(weight: np.ndarray, precision: str) -> np.ndarray:
 
 
 def _aligned(size: int, dtype: type) -> np.ndarray:
-    """Room that starts where a cache line starts: else every vector lies in two."""
+    """An array aligned to a cache line; otherwise every vector would lie in two cache lines."""
     line, width = 64, np.dtype(dtype).itemsize
     room = np.empty(size * width + line, np.uint8)
     first = -room.ctypes.data % line
@@ -130,7 +130,7 @@ def _tile(rows: int):
         for r in range(rows):
             y[who[r], y0 + lanes v] += shares[r] * sum(total[chain][r][v] for all chains)
 
-    Chains are independent sums: an addition waits for the one before it, and a short tile has too few of them otherwise.
+    Chains are independent sums. An addition must wait for the previous one of its sum, and a short tile has only few sums.
     """
     chains = max(1, CHAINS // (rows * VECTORS))
     number, index, byte = ir.FloatType(), ir.IntType(32), ir.IntType(8)
@@ -212,13 +212,13 @@ _tile8, _tile4, _tile2, _tile1 = (_tile(rows) for rows in (8, 4, 2, 1))
 
 @njit(nogil=True)
 def _height(left):
-    """Rows of the next tile, where some characters are left."""
+    """Rows of the next tile, from the number of characters that are left."""
     return ROWS if left >= ROWS else 4 if left >= 4 else 2 if left >= 2 else 1
 
 
 @njit(nogil=True)
 def _pack(x, rows, n, packed):
-    """Inputs of some rows of x as the tiles read them: for each tile, its rows' first numbers, then their second …"""
+    """Inputs of some rows of x in the order of the tiles: per tile the first number of all its rows, then the second …"""
     at = 0
     while at < len(rows):
         height = _height(len(rows) - at)
@@ -287,7 +287,7 @@ def _modulate(y, gamma, beta, bits):
 
 @njit(nogil=True)
 def _gates(phases, weights, skip, gates):
-    """Gating coefficients; those below ``skip`` become zero, and the others make up for them."""
+    """Gating coefficients; those below ``skip`` become zero, and the others are scaled to sum to one."""
     mean, deviation = weights.means[1], weights.deviations[1]
     widest = max(len(weights.gating_biases[0]), len(weights.gating_biases[1]), len(mean), gates.shape[1])
     h, y = np.empty(widest, np.float32), np.empty(widest, np.float32)
