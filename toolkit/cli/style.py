@@ -45,7 +45,7 @@ def add(
     record = {"style": name, "clips": [file.name for file in files], "method": made.method, "steps": steps, "seed": seed,
               "seconds": round(made.seconds, 1)}
     new = {"bank": list(made.bank.names), "added": [*parts.get("added", []), record]}
-    model_files.write(out, tensors | {"bank.vectors": made.bank.vectors}, parts | new)
+    model_files.write(out, tensors | made.bank.tensors, parts | new)
     first, last = (sum(part) / len(part) if part else math.nan for part in (made.losses[:20], made.losses[-20:]))
     print(f"{METHODS[made.method]}: loss {first:.3f} → {last:.3f} in {made.seconds:.0f} s")
     _print_near(made.bank, name)
