@@ -102,7 +102,6 @@ META = {  # what runs on any device, numbers or not
     "ik.plant_feet": lambda m: ik.plant_feet(m.skeleton, m.q, m.root, m.points[:, :2]),
     "ik.turn_arms": lambda m: ik.turn_arms(m.skeleton, m.q, m.root, m.points + 0.01),
     "windows.normalise": lambda m: windows.normalise(m.curves, 60.0),
-    "windows.amplitude": lambda m: windows.amplitude(m.curves, 1 + m.curves.abs(), 60.0),
     "windows.speed": lambda m: windows.speed(m.root, 60.0),
     "windows.mean": lambda m: windows.mean(m.curves, 0.5, 60.0),
     "sources.local_positions": lambda m: [phases.local_positions(m.clip, limb) for limb in phases.LIMBS],

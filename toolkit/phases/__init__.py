@@ -72,8 +72,8 @@ def extract_group(clips: Sequence[Clip], source: str | Source = "hybrid",
 
     Notes
     -----
-    Equation (1) leaves open which speed and amplitude it means. Here the plain mean of the speed over one second, in the
-    hips' frame, and the amplitude, at the fitted frequency, in the half second that the published run fitted to.
+    The feature is p = ‖v‖ a (sin φ, cos φ). ``a`` is the amplitude of the fitted sinusoid (equation 1). The paper leaves
+    open which speed ‖v‖ is: here the root-mean-square over one second, in the hips' frame.
     """
     if isinstance(source, str):
         source = named(source)
@@ -103,8 +103,7 @@ def _extract(clip: Clip, source: Source, half_window: float | None) -> Phases:
     speed = torch.stack([windows.speed(local_positions(clip, limb).double(), clip.fps) for limb in LIMBS], 1)
     direction = torch.stack((found.phase.sin(), found.phase.cos()), -1)
     direction = torch.nn.functional.normalize(smooth(direction, clip.fps), dim=-1)
-    strength = windows.amplitude(curve.double(), found.frequency.double(), clip.fps)
-    magnitude = smooth(speed * strength, clip.fps).clamp_min(0.0)
+    magnitude = smooth(speed * found.amplitude.double(), clip.fps).clamp_min(0.0)
     value = found.amplitude * found.phase.sin() + found.offset
     phase = torch.atan2(direction[..., 0], direction[..., 1]) % (2 * torch.pi)
     columns = (magnitude[..., None] * direction, phase, found.frequency, found.amplitude, found.residual, curve, value)
