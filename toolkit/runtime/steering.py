@@ -144,7 +144,7 @@ def follow(points: Sequence[Sequence[float]], speed: float = 1.2, seconds: float
     return [pilot(frame / FPS * speed) for frame in range(frames)]
 
 
-def towards(state: CharacterState, goal: Tensor, facing: Tensor, speed: float) -> Command:
+def towards(state: CharacterState, goal: Tensor, facing: Tensor, speed: float | Tensor) -> Command:
     """Command towards ``goal [2]`` or ``[B, 2]``, a path's point `LOOKAHEAD` later; late characters walk faster."""
     velocity = (goal.to(state.root) - state.root[:, :2]) / LOOKAHEAD
     fast = velocity.norm(dim=-1, keepdim=True).clamp_min(1e-6)

@@ -111,7 +111,8 @@ def fine_tune(model: Model, clips: Clip | Sequence[Clip] | Features, name: str |
     if method == "vector":
         vectors = torch.nn.Parameter(_start(model, bank, data))
         losses = _descend(model, bank, data, [vectors], lambda style, _: vectors[style, None], method, steps, seed, progress)
-        made = StyleBank(tuple(data.styles), vectors.detach())
+        speeds = torch.tensor([features.natural_speed(data.clips[style][:]) for style in data.styles])
+        made = StyleBank(tuple(data.styles), vectors.detach(), speeds)
     else:
         if method == "generator":
             frozen = [*model.gating.parameters(), *model.experts.parameters(), *model.buffers()]
