@@ -52,6 +52,16 @@ def speed(positions: Tensor, fps: float) -> Tensor:
     return mean(torch.gradient(positions, spacing=1 / fps, dim=0)[0].square().sum(-1), SECOND, fps).sqrt()
 
 
+def regression(curve: Tensor, wave: Tensor, half: float, fps: float) -> tuple[Tensor, Tensor, Tensor]:
+    """Amplitude, offset and residual ``[F]`` of the curve as a multiple of a wave, by least squares in each window."""
+    c, w = (mean(x, half, fps) for x in (curve, wave))
+    cc, ww, cw = (mean(x, half, fps) for x in (curve.square(), wave.square(), curve * wave))
+    amplitude = ((cw - c * w) / (ww - w * w).clamp_min(1e-9)).clamp_min(0.0)
+    offset = c - amplitude * w
+    residual = cc - 2 * (amplitude * cw + offset * c) + amplitude**2 * ww + 2 * amplitude * offset * w + offset**2
+    return amplitude, offset, residual.clamp_min(0.0).sqrt()
+
+
 def mean(values: Tensor, half: float, fps: float) -> Tensor:
     """Mean of ``values [F, ...]`` over the window around each frame; end values are repeated beyond the ends."""
     frames = round(half * fps)
