@@ -18,7 +18,7 @@ from toolkit.motion.clip import Skeleton
 
 SPIKE = 0.08  # seconds, width of the median filter that removes spikes of single frames
 NOISE = 0.02  # seconds, standard deviation of the Gaussian that removes noise
-NEARBY = 1.0  # seconds before and after a frame in which the limits are sought
+NEARBY = 0.6  # seconds before and after a frame in which the limits are sought
 BEFORE = 0.3  # seconds, less than a swing: the toe is not lower than in its stance
 SURE = 1.5  # largest evidence of one frame
 WALK = 0.6  # share of a cycle in which a foot stands in a walk
@@ -42,7 +42,7 @@ class Steps:
     """
 
     speed: float = 0.1
-    share: float = 0.08
+    share: float = 0.1
     height: float = 0.04
     raised: float = 0.05
     penalty: float = 0.03
