@@ -23,6 +23,7 @@ BEFORE = 0.3  # seconds, less than a swing: the toe is not lower than in its sta
 SURE = 1.5  # largest evidence of one frame
 WALK = 0.6  # share of a cycle in which a foot stands in a walk
 EARLY = 1 / 3  # weight of the touch-down, against the middle of a stance, where a stance changes its share
+NONE = 1e-6  # metres, of a limb that is none
 SLIP = 0.2  # largest speed of a foot that slips while it stands, leg lengths per second
 
 
@@ -80,13 +81,21 @@ class Steps:
 
 
 def limb_length(skeleton: Skeleton, limb: str) -> float:
-    """Length of the bones from hip to toe or from shoulder to hand, metres."""
+    """Length of the bones from hip to toe or from shoulder to hand, metres.
+
+    Raises
+    ------
+    ValueError
+        If the end of the limb is not below its start, or the limb has no length.
+    """
     side, part = limb.split("_")
-    start, joint = (skeleton.role(f"{side}_{role}") for role in (("shoulder", "hand") if part == "hand" else ("hip", "toe")))
-    length = 0.0
-    while joint != start:
-        length += float(skeleton.offsets[joint].norm())
-        joint = skeleton.parents[joint]
+    start, end = (skeleton.role(f"{side}_{role}") for role in (("shoulder", "hand") if part == "hand" else ("hip", "toe")))
+    chain = [end, *skeleton.ancestors(end)]
+    bones = chain[: chain.index(start)] if start in chain else []
+    length = float(skeleton.offsets[bones].norm(dim=-1).sum())
+    if length < NONE:
+        raise ValueError(f"{limb}: {length:g} m of bones from {skeleton.names[start]} down to {skeleton.names[end]}; "
+                         "check the roles of the skeleton")
     return length
 
 
