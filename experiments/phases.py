@@ -92,15 +92,19 @@ def _labels(sources: dict[str, ph.Source], folder: Path | None, seconds: float, 
     else:
         print(f"no labelled recordings: {home.folder(labels.NAME)} does not exist")
     print(f"{'degrees, labelled':<26}{'frames':>8}{'floor':>14}" + "".join(f"{name:>14}" for name in sources))
+    failed = []
     for name, take in takes:
         errors = {"floor": labels.floor(take), **{label: labels.errors(take, source) for label, source in sources.items()}}
         for i, side in enumerate(FEET):
             frames = f"{int(take.labelled.sum()):>8}" if i == 0 else " " * 8
             numbers = "".join(_number(error[i], "°", 14) for error in errors.values())
             print(f"{f'{name[:19]:<20}{side}':<26}{frames}{numbers}")
+            if "hybrid" in errors and errors["hybrid"][i] > min(LABEL_LIMIT, errors["floor"][i] + FLOOR_LIMIT):
+                failed.append(f"{name} {side} {float(errors['hybrid'][i]):.1f}°")
     print("Feet in moving frames, less a constant lag of each. The label is straight between the touch-downs of both feet,\n"
           "the floor between those of one. The contact source is the paper's, and was the default's for feet.\n"
-          f"Limits of the default source: {LABEL_LIMIT:g}°, and {FLOOR_LIMIT:g}° above the floor.")
+          f"Limits of hybrid, the default: {LABEL_LIMIT:g}°, {FLOOR_LIMIT:g}° above the floor: "
+          f"{'; '.join(failed) or 'all kept'}")
 
 
 def failures(row: Row) -> list[str]:
