@@ -312,7 +312,7 @@ def check_style(name: str, names: Iterable[str]) -> None:
     if name not in names:
         by_lower = {n.lower(): n for n in names}
         close = [by_lower[n] for n in difflib.get_close_matches(str(name).lower(), by_lower, cutoff=0.5)]
-        there = f"close to it: {', '.join(close)}" if close else f"there is {few(names)}"
+        there = f"close to it: {', '.join(close)}" if close else f"known: {few(names)}"
         raise UnknownStyleError(f"unknown style {name!r}; {there}")
 
 
