@@ -39,11 +39,12 @@ def commands(frames, count):
     return [Command(1.2 * way, way) for way in ways]
 
 
+@pytest.mark.parametrize("calibrated", [False, True])
 @pytest.mark.parametrize("sizes", [Sizes(hidden=40, experts=3, gating=7), Sizes(hidden=96)])
-def test_the_network_is_the_models_for_any_size_and_number_of_characters(small_run, sizes):
+def test_the_network_is_the_models_for_any_size_and_number_of_characters(small_run, sizes, calibrated):
     """Sizes that fill no panel and numbers that fill no tile; 131 is more than are computed at once."""
     torch.manual_seed(1)
-    model = tk.networks.build("lpn-film", small_run.model.layout, 2, sizes, generator=False)
+    model = tk.networks.build("lpn-film", small_run.model.layout, 2, sizes, generator=False, calibrated=calibrated)
     compiled = runtime.compile(model)
     for count in (1, 2, 3, 7, 13, 131):
         assert errors(model, compiled, count)[0] < 1e-4
