@@ -75,6 +75,7 @@ def interpret(recording: Recording, path: Path, unit: float | str = "auto", up: 
     known = _roles(recording, path, roles or {}, found)
     if not look:
         found.doubts.clear()
+    found.doubts.extend(recording.doubts)
     fps = _rate(recording, found)
     if look:
         body = Body(recording, known)
