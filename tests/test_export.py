@@ -179,9 +179,10 @@ def test_retargeting_gives_a_rig_of_other_axes_the_same_pose(style):
 
 
 def test_retargeting_real_rigs_keeps_bones_and_directions(shared):
+    """Exactly without foot IK."""
     for file in (next((shared / "bandai").rglob("*walk*.bvh")), sorted((shared / "xia").glob("*.bvh"))[0]):
         clip = tk.bvh.load(file)
-        made = tk.export.retarget(clip, SKELETON)
+        made = tk.export.retarget(clip, SKELETON, feet=False)
         assert made.skeleton.names == SKELETON.names
         for a, b in (("hip", "knee"), ("knee", "foot"), ("shoulder", "elbow"), ("elbow", "hand")):
             for side in ("left", "right"):
@@ -329,7 +330,7 @@ def test_skeletons_that_no_body_fits_are_refused(tmp_path):
     clip = tk.Clip(dot, tk.motion.rotations.identity(3, 2), torch.zeros(3, 3), 60.0, name="dot.bvh")
     with pytest.raises(ValueError, match=r"dot\.bvh: no bone is long enough"):
         tk.export.gltf.save(clip, tmp_path / "dot.glb")
-    with pytest.raises(ValueError, match=r"dot\.bvh: cannot find its left_hand"):
+    with pytest.raises(ValueError, match=r"dot\.bvh: cannot find its left_shoulder, "):
         tk.export.retarget(clip, SKELETON)
     flat = replace(SKELETON, names=[f"My{n}" for n in SKELETON.names], offsets=torch.zeros(28, 3), roles=None, ends=None)
     with pytest.raises(ValueError, match="legs have no length"):
