@@ -9,6 +9,7 @@ from toolkit import export, published
 from toolkit.cli.verbs import Published, Selection, TrainedRun
 from toolkit.datasets.procedural import SKELETON
 from toolkit.io import bvh
+from toolkit.motion import Clip, retargeting, rotations
 
 SKELETONS = {"100style": SKELETON}
 
@@ -48,20 +49,30 @@ def onnx(
 def clip(
     source: Annotated[Path, typer.Argument(metavar="IN.bvh", help="Motion to read.")],
     out: Annotated[Path, typer.Option(help=f"File to write: {', '.join(export.SUFFIXES)}.")],
-    skeleton: Annotated[str | None, typer.Option(help=f"Retarget to another skeleton: {', '.join(SKELETONS)}.")] = None,
+    skeleton: Annotated[str | None, typer.Option(help=f"Retarget to a skeleton: {', '.join(SKELETONS)}, or a file of it, "
+                                                 "best with a T-pose.")] = None,
     unit: Annotated[float, typer.Option(min=1e-6, help="Metres of one unit of length in IN.bvh.")] = bvh.CENTIMETRE,
 ) -> None:
     """Convert a BVH file to glTF (skinned mannequin with its animation), BVH, web page, strip of poses or film."""
     export.check(out)
-    if skeleton is not None and skeleton not in SKELETONS:
-        raise ValueError(f"--skeleton is one of {', '.join(SKELETONS)}; got {skeleton!r}")
     if out.exists() and out.samefile(source):
         raise ValueError(f"{out}: is the file that is read; give another to write")
     motion = bvh.load(source, unit=unit)
     if skeleton is not None:
-        motion = export.retarget(motion, SKELETONS[skeleton])
+        before, motion = motion, export.retarget(motion, _target(skeleton))
+        print(retargeting.report(before, motion))
     export.write(motion, out, title=source.stem, progress=True)
     _wrote(out)
+
+
+def _target(skeleton: str) -> Clip:
+    """The skeleton that an option names: a T-pose of one of `SKELETONS`, or the motion of a file."""
+    if skeleton in SKELETONS:
+        known = SKELETONS[skeleton]
+        return Clip(known, rotations.identity(1, len(known)), [[0.0, 0.0, 0.0]], 60.0, name=skeleton)
+    if not Path(skeleton).is_file():
+        raise ValueError(f"--skeleton is one of {', '.join(SKELETONS)}, or a file; got {skeleton!r}")
+    return bvh.load(skeleton)
 
 
 def _wrote(*files: Path) -> None:

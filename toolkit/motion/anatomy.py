@@ -24,6 +24,7 @@ from toolkit.motion.tensors import as_tensor, summary
 
 LIMB_ROLES = tuple(role for role in ROLES if not role.endswith("toe"))  # a rig without toes stands on its ankles
 PARTS = {"arm": ("collar", "shoulder", "elbow", "hand"), "leg": ("hip", "knee", "foot", "toe")}  # from the trunk outwards
+SHORT = 0.01  # metres; a shorter leg is none
 STRAIGHT = 0.02  # sine of the mean bend below which an arm's elbow axis cannot be found
 NEAR = 0.85  # cosine up to which axes count as turned by multiples of 90 degrees
 STILL = 1e-3  # change of quaternions up to which a clip shows one pose
@@ -71,7 +72,7 @@ def measure(rig: Clip | Skeleton) -> Anatomy:
         found = _posed(skeleton, clip.rotations[0], upright=True) if still else _moving(clip)
     if found is None:
         raise ValueError(f"{name}: its zero rotations are no standing figure; give a file of it with a T-pose or a motion")
-    if found.leg < 1e-3:
+    if found.leg < SHORT:
         raise ValueError(f"{name}: its legs have no length")
     return found
 

@@ -82,8 +82,8 @@ class Report:
     skate: tuple[float, float]  # speed of toes in contact over the floor: of the clip (scaled), and of the result
 
     def __str__(self) -> str:
-        return (f"limbs {self.direction:.1f}° off on average, {self.worst:.1f}° at most; toes in contact {self.above:.1f} cm "
-                f"off their height, {self.below:.1f} cm below the floor at most; "
+        return (f"limbs {self.direction:.1f}° off on average, {self.worst:.1f}° at most; toes in contact "
+                f"{self.above:.1f} cm off their height, {self.below:.1f} cm below the floor at most; "
                 f"foot skate {self.skate[0]:.1f} → {self.skate[1]:.1f} cm/s")
 
 
