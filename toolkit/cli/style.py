@@ -28,7 +28,7 @@ def add(
     mirror: Annotated[bool, typer.Option("--mirror", help="Use mirror images too; for symmetric styles.")] = False,
     seed: Seed = 0,
 ) -> None:
-    """Learn a style from one clip or more (4 s or more each); everything else in the file keeps the same bits.
+    """Learn a style from one clip or more (2 s or more each, better 4 s); everything else in the file keeps the same bits.
 
     A model that has its FiLM generator fine-tunes a copy of it. For one that was stored without, such as the embedded one,
     the style vector itself is optimised.
@@ -47,7 +47,14 @@ def add(
     new = {"bank": list(made.bank.names), "added": [*parts.get("added", []), record]}
     model_files.write(out, tensors | made.bank.tensors, parts | new)
     first, last = (sum(part) / len(part) if part else math.nan for part in (made.losses[:20], made.losses[-20:]))
-    print(f"{METHODS[made.method]}: loss {first:.3f} → {last:.3f} in {made.seconds:.0f} s")
+    print(f"{METHODS[made.method]}: loss {first:.3f} → {last:.3f} in {made.seconds:.0f} s, kept step {made.best}")
+    error = made.held_out[name]
+    print("Held-out frames: mean squared error {before:.3f} before, {after:.3f} after; {repeat:.3f} by repeating the frame, "
+          "{mean:.3f} by the mean".format(**error))
+    if error["after"] >= error["before"]:
+        print("Adding did not help: no step was better than the start, and the start was kept. Use more or longer clips.")
+    elif error["after"] >= error["repeat"]:
+        print("The model predicts this style no better than repeating the frame: use more or longer clips.")
     _print_near(made.bank, name)
     print(f"wrote {out}; next: python -m toolkit rollout --model {out} --style {name} --out walk.html")
 

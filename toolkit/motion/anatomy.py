@@ -94,7 +94,7 @@ def limb(skeleton: Skeleton, side: str, kind: str) -> dict[str, int]:
     return joints
 
 
-def _chains(skeleton: Skeleton) -> tuple[list[int], list[int]]:
+def chains(skeleton: Skeleton) -> tuple[list[int], list[int]]:
     """Joints of the spine, from hips to chest, and of the neck, from chest to head."""
     chest, spine, hips = skeleton.trunk[0], skeleton.trunk[::-1], skeleton.role("hips")
     ends = [j for j, name in enumerate(skeleton.names) if name.lower().endswith("head") and chest in skeleton.ancestors(j)]
@@ -120,7 +120,7 @@ def _posed(skeleton: Skeleton, local: Tensor, *, upright: bool) -> Anatomy | Non
     if body is None:
         return None
     axes, bones = {}, {}
-    spine, neck = _chains(skeleton)
+    spine, neck = chains(skeleton)
     own = R.inverse(turned)
     for joint in (*spine, *neck):
         axes[joint] = R.multiply(own[joint], body)
@@ -185,7 +185,7 @@ def _straight(skeleton: Skeleton, body: Tensor, places: Tensor) -> bool:
 def _moving(clip: Clip) -> Anatomy:
     """The anatomy from a motion."""
     skeleton, axes, bones = clip.skeleton, {}, {}
-    spine, neck = _chains(skeleton)
+    spine, neck = chains(skeleton)
     axes[spine[0]] = _axes(clip, spine[0])
     for chain in (spine, neck):
         for parent, joint in pairwise(chain):
