@@ -195,7 +195,7 @@ def test_the_best_step_is_kept_and_its_held_out_error_reported(small_run, monkey
     assert found["after"] < found["before"]
     assert 0 < made.best <= 120
     assert {"mean", "repeat"} <= set(found)
-    monkeypatch.setitem(fine_tuning.RATES, "vector", 30.0)  # every step makes it worse
+    monkeypatch.setitem(fine_tuning.RATES, "vector", 1e4)  # every step makes it worse
     worse = tk.styles.fine_tune(model, data, None, bank, method="vector", steps=80)
     assert worse.best == 0
     assert worse.held_out["WideLegs"]["after"] == worse.held_out["WideLegs"]["before"] == found["before"]
