@@ -19,7 +19,9 @@ import torch
 from torch import Tensor
 
 from toolkit.motion import rotations as R
-from toolkit.motion.clip import ROLES, SIDES, Clip, Skeleton, forward_kinematics, root_frames
+from toolkit.motion.clip import Clip, root_frames
+from toolkit.motion.roles import ROLES, SIDES
+from toolkit.motion.skeleton import Skeleton, forward_kinematics
 from toolkit.motion.tensors import as_tensor, summary
 
 LIMB_ROLES = tuple(role for role in ROLES if not role.endswith("toe"))  # a rig without toes stands on its ankles

@@ -4,7 +4,9 @@ import torch
 
 from toolkit.motion import rotations as R
 from toolkit.motion.anatomy import LIMB_ROLES, chains
-from toolkit.motion.clip import ROLES, Clip, Skeleton, local_rotations
+from toolkit.motion.clip import Clip
+from toolkit.motion.roles import ROLES
+from toolkit.motion.skeleton import Skeleton, local_rotations
 
 RIGID = 0.003  # metres that a joint may move in the frame of the joint above a twist bone, which then is left out
 TWIST = ("twist", "roll")  # parts of names of joints that only share a limb's rotation

@@ -13,9 +13,11 @@ from torch import Tensor
 
 from toolkit.motion import rotations as R
 from toolkit.motion.anatomy import Anatomy, limb, measure, with_toes
-from toolkit.motion.clip import FEET, SIDES, Clip, Skeleton, forward_kinematics, local_rotations
+from toolkit.motion.clip import Clip
 from toolkit.motion.contacts import detect, standing_height, velocities
 from toolkit.motion.ik import two_bone
+from toolkit.motion.roles import SIDES
+from toolkit.motion.skeleton import FEET, Skeleton, forward_kinematics, local_rotations
 from toolkit.motion.tensors import through_numpy
 
 SAME = 0.002  # metres that bones of equal names may differ, so that a clip counts as being on the skeleton already
