@@ -1,13 +1,16 @@
 """The verb `export`: a character in a web page, its network as ONNX, a clip in any kind of file."""
 
+import json
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
 from toolkit import export, published
-from toolkit.cli.verbs import Published, Selection, TrainedRun
+from toolkit.cli.rollout import blend_of
+from toolkit.cli.verbs import Names, Published, Selection, TrainedRun
 from toolkit.datasets.procedural import SKELETON
+from toolkit.export import pack as packs
 from toolkit.io import bvh
 from toolkit.motion import Clip, retargeting, rotations
 
@@ -63,6 +66,35 @@ def clip(
         print(retargeting.report(before, motion))
     export.write(motion, out, title=source.stem, progress=True)
     _wrote(out)
+
+
+@app.command("pack")
+def pack(
+    out: Annotated[Path, typer.Option(help="Folder to write: the cycles and manifest.json.")],
+    style: Annotated[list[str], typer.Option(help="A style or a blend like Zombie=0.5,Old=0.5; once for each.")],
+    model: TrainedRun = None,
+    parameters: Published = None,
+    gaits: Annotated[Names | None, typer.Option(parser=Names, metavar="A,B,…", help=f"Of {', '.join(packs.GAITS)}; by "
+                                                "default all.")] = None,
+    formats: Annotated[Names | None, typer.Option(parser=Names, metavar="A,B", help="glb, bvh; by default both.")] = None,
+    in_place: Annotated[bool, typer.Option("--in-place", help="Without the steady movement of the root.")] = False,
+    skeleton: Annotated[str | None, typer.Option(help=f"Retarget to a skeleton: {', '.join(SKELETONS)}, or a file of it, "
+                                                 "best with a T-pose.")] = None,
+) -> None:
+    """Write looping cycles of styles (forward, back, left, right, run, idle) for games, and a manifest of them."""
+    if out.exists() and not out.is_dir():
+        raise ValueError(f"{out}: is a file; a folder is needed")
+    styles = {name: blend_of(name) for name in style}
+    made = packs.write(*published.either(model, parameters), out, styles, gaits=gaits or tuple(packs.GAITS),
+                       formats=formats or tuple(packs.WRITERS), in_place=in_place,
+                       target=None if skeleton is None else _target(skeleton), progress=True)
+    rows = json.loads(made.read_text(encoding="utf-8"))["clips"]
+    print(f"{'cycle':<28}{'m/s':>6}{'s':>7}{'seam cm/s':>11}{'usual':>7}")
+    for row in rows:
+        error = row["loop_error"]
+        print(f"{row['style'] + ' ' + row['gait']:<28}{row['speed']:>6.2f}{row['duration']:>7.2f}"
+              f"{error['velocity_cm_s']:>11.1f}{error['ordinary_velocity_change_cm_s']:>7.1f}")
+    print(f"wrote {len(rows)} cycles and {made}")
 
 
 def _target(skeleton: str) -> Clip:
