@@ -122,12 +122,14 @@ def _seen_from(block: Tensor, position: Tensor, direction: Tensor) -> Tensor:
     return seen.flatten(1)
 
 
-def own_features(clip: Clip, ph: phases.Phases, samples: tuple[int, ...] = trajectory.SAMPLES) -> OwnFeatures:
+def own_features(clip: Clip, ph: phases.Phases, samples: tuple[int, ...] = trajectory.SAMPLES,
+                 contact_height: float | None = None) -> OwnFeatures:
     """Features of each frame of a clip by itself, given its phases; ValueError if the clip is not at 60 Hz."""
     if clip.fps != trajectory.FPS:
         raise ValueError(f"{clip.name}: features need {trajectory.FPS} Hz, the clip has {clip.fps:g}; use clip.resample(60)")
     layout, roots = Layout(clip.skeleton, samples=samples), root_frames(clip)
-    return OwnFeatures(layout, roots, joint_features(clip, roots), ph.vector.flatten(1), contacts.detect(clip))
+    return OwnFeatures(layout, roots, joint_features(clip, roots), ph.vector.flatten(1),
+                       contacts.detect(clip, height=contact_height))
 
 
 def joint_features(clip: Clip, roots: RootFrames) -> Tensor:
@@ -253,7 +255,8 @@ class Features:
 
 def build(clips: Clip | Iterable[Clip], *, source: str | phases.Source = "hybrid",
           mirror: bool | Callable[[Clip], bool] = False, short: str = "raise",
-          samples: tuple[int, ...] = trajectory.SAMPLES, progress: bool = False) -> Features:
+          samples: tuple[int, ...] = trajectory.SAMPLES, contact_height: float | None = None,
+          progress: bool = False) -> Features:
     """Features of many clips, resampled to 60 Hz.
 
     Parameters
@@ -263,6 +266,7 @@ def build(clips: Clip | Iterable[Clip], *, source: str | phases.Source = "hybrid
     mirror : add mirror images of all clips or of those that a function chooses: symmetric styles, never idling (section 3.2)
     short : ``"raise"``: a clip that holds no whole window is an error; ``"skip"``: it is left out
     samples : offsets of the trajectory window, see `Layout`; they must be those of the model that uses the features
+    contact_height : height up to which a toe stands, metres; by default it follows from each clip (`contacts.detect`)
     progress : show a bar
 
     Raises
@@ -282,7 +286,7 @@ def build(clips: Clip | Iterable[Clip], *, source: str | phases.Source = "hybrid
     parts: dict[str, dict[str, list[Tensor]]] = {kind: defaultdict(list) for kind in (*KINDS, "takes")}
     repeated: dict[str, list[Tensor]] = defaultdict(list)  # style clips of styles without a long clip
     for (style, _), members in tqdm(sorted(groups.items()), "features", unit="group", disable=None if progress else True):
-        for take, own in group_features(members, source, mirror, short, samples):
+        for take, own in group_features(members, source, mirror, short, samples, contact_height):
             n, device = len(own.joints), own.joints.device
             at, starts = usable(n, device, samples), clip_starts(n, device)
             rows = own.inputs(at), own.phases[at], own.outputs(at), own.style_clips(starts), torch.full_like(at, take)
@@ -322,7 +326,8 @@ def check_style_clips(style: str, n: int) -> None:
 
 
 def group_features(members: Iterable[tuple[int, Clip]], source: str | phases.Source, mirror: bool | Callable[[Clip], bool],
-                   short: str, samples: tuple[int, ...] = trajectory.SAMPLES) -> Iterator[tuple[int, OwnFeatures]]:
+                   short: str, samples: tuple[int, ...] = trajectory.SAMPLES,
+                   contact_height: float | None = None) -> Iterator[tuple[int, OwnFeatures]]:
     """Pairs (take number, `OwnFeatures`) of every clip of one style and gait and of its mirror image; see `build`."""
     chosen: list[tuple[int, Clip]] = []
     for take, clip in members:
@@ -336,4 +341,4 @@ def group_features(members: Iterable[tuple[int, Clip]], source: str | phases.Sou
             chosen.append((take, clip.mirrored()))
     found = phases.extract_group([clip for _, clip in chosen], source) if chosen else []
     for (take, clip), ph in zip(chosen, found, strict=True):
-        yield take, own_features(clip, ph, samples)
+        yield take, own_features(clip, ph, samples, contact_height)

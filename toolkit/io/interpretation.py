@@ -28,6 +28,7 @@ USUAL = 1.7  # metres: the height that a body of unknown unit gets
 SAMPLES = 48  # frames that are looked at
 UPRIGHT = 0.75  # cosine between an axis and the mean direction from feet to head that is safe
 NOTHING = 1e-3  # of the longest bone: a limb that is shorter is none
+DRIFT = 0.05  # metres over a clip: a floor that moves by more is doubtful
 FAR = 0.25  # metres: a floor farther from zero is doubtful
 AXES = ("x", "y", "z", "-x", "-y", "-z")
 _TURNS = {"x": (0, 0, 90), "-x": (0, 0, -90), "-y": (180, 0, 0), "z": (-90, 0, 0), "-z": (90, 0, 0)}  # to y, degrees
@@ -40,7 +41,9 @@ class Findings:
     unit: float = 1.0  # metres of one unit of the file
     up: str = "y"  # axis of the file
     height: float = math.nan  # metres, of the body along its bones when it stands
-    floor: float = math.nan  # metres: height of a toe that stands
+    floor: float = math.nan  # metres: height of a toe that stands, in the middle of the clip
+    drift: float = math.nan  # metres: change of that height over the clip
+    upright: bool = False  # whether the head is above the feet, by half of the height or more, in most frames
     rules: dict[str, str] = field(default_factory=dict)  # by role: what showed it
     doubts: list[str] = field(default_factory=list)
 
@@ -72,6 +75,7 @@ def interpret(recording: Recording, path: Path, unit: float | str = "auto", up: 
     known = _roles(recording, path, roles or {}, found)
     if not look:
         found.doubts.clear()
+    found.doubts.extend(recording.doubts)
     fps = _rate(recording, found)
     if look:
         body = Body(recording, known)
@@ -82,6 +86,7 @@ def interpret(recording: Recording, path: Path, unit: float | str = "auto", up: 
         if unit == "auto":
             found.unit = _unit(body, recording, found)
         found.height = body.height * found.unit
+        found.upright = body.stands(found.up)
     rotations, positions = recording.rotations, recording.root_positions * found.unit
     if found.up in _TURNS:
         turn = R.from_euler(torch.deg2rad(torch.tensor(_TURNS[found.up], dtype=torch.float64)), "XYZ")
@@ -90,7 +95,10 @@ def interpret(recording: Recording, path: Path, unit: float | str = "auto", up: 
     skeleton = Skeleton(recording.names, recording.parents, recording.offsets * found.unit, known, recording.ends)
     clip = Clip(skeleton, rotations, positions, fps, name=path.name)
     if look and "left_toe" in known and "right_toe" in known:
-        found.floor = float(contacts.standing_height(clip))
+        floor = contacts.floor_height(clip)
+        found.floor, found.drift = float(floor[len(floor) // 2]), float(floor[-1] - floor[0])
+        if abs(found.drift) > DRIFT:
+            found.doubts.append(f"the floor moves by {found.drift:+.2f} m over the clip; contacts follow it, heights do not")
         if abs(found.floor) > FAR:
             found.doubts.append(f"the feet stand at {found.floor:.2f} m instead of 0; "
                                 f"clip.moved(shift=(0, {-found.floor:.2f}, 0)) moves the floor")
@@ -166,6 +174,14 @@ class Body:
         aside = float((self.points[0, left] - self.points[0, right]).norm()) / 2
         down = math.sqrt(max(0.0, float((self.points[0, left] - self.points[0, hips]).norm()) ** 2 - aside**2))
         return 1.08 * self.leg + trunk + down
+
+    def stands(self, up: str) -> bool:
+        """Whether the head is above the feet, by half of the height or more, in most frames."""
+        if not self.height > 0:
+            return False
+        axis = "xyz".index(up[-1])
+        above = (self.points[:, self.head[-1]] - self.middle("foot"))[:, axis] * (-1.0 if up[0] == "-" else 1.0)
+        return float((above > 0.5 * self.height).double().mean()) > 0.5
 
 
 def _roles(recording: Recording, path: Path, given: Mapping[str, str], found: Findings) -> dict[str, str]:
@@ -255,17 +271,17 @@ def _unit(body: Body, recording: Recording, found: Findings) -> float:
     tall, said = body.height, recording.unit
     if not tall > 0:
         unit = said or UNITS["cm"]
-        found.doubts.append(f"no head and legs show the unit of length: {_named(unit)} is assumed; unit= decides")
+        found.doubts.append(f"no head and legs show the unit of length: {named(unit)} is assumed; unit= decides")
         return unit
     fits = [u for u in (*filter(None, (said,)), *UNITS.values()) if PEOPLE[0] <= u * tall <= PEOPLE[1]]
     if fits:
         if said and abs(fits[0] / said - 1) > 0.02:
-            found.doubts.append(f"in the file's unit, {_named(said)}, the body is {said * tall:.3g} m tall: "
-                                f"{_named(fits[0])} is assumed; unit= decides")
+            found.doubts.append(f"in the file's unit, {named(said)}, the body is {said * tall:.3g} m tall: "
+                                f"{named(fits[0])} is assumed; unit= decides")
         return fits[0]
     for unit in filter(None, (said, UNITS["cm"], UNITS["m"])):
         if FIGURES[0] <= unit * tall <= FIGURES[1]:
-            found.doubts.append(f"with a unit of {_named(unit)} the body is {unit * tall:.2f} m tall; unit= decides")
+            found.doubts.append(f"with a unit of {named(unit)} the body is {unit * tall:.2f} m tall; unit= decides")
             return unit
     unit = USUAL / tall
     found.doubts.append(f"in no known unit the body of {tall:.4g} units is as tall as people: it is scaled to {USUAL} m; "
@@ -273,6 +289,7 @@ def _unit(body: Body, recording: Recording, found: Findings) -> float:
     return unit
 
 
-def _named(unit: float) -> str:
+def named(unit: float) -> str:
+    """A unit of length in words."""
     name = next((n for n, metres in UNITS.items() if abs(unit / metres - 1) < 0.005), None)
     return f"{unit:g} m ({name})" if name else f"{unit:g} m"

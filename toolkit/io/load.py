@@ -10,8 +10,8 @@ from toolkit.io.recording import Recording
 from toolkit.motion import Clip
 
 READERS = {  # by suffix: module with ``read(path) -> Recording``, imported when it is first used
-    ".bvh": "toolkit.io.bvh", ".glb": "toolkit.io.gltf_reader", ".gltf": "toolkit.io.gltf_reader",
-    ".vrm": "toolkit.io.gltf_reader", ".vrma": "toolkit.io.gltf_reader", ".fbx": "toolkit.io.fbx", ".amc": "toolkit.io.amc",
+    ".bvh": "toolkit.io.bvh", ".glb": "toolkit.io.gltf", ".gltf": "toolkit.io.gltf",
+    ".vrm": "toolkit.io.gltf", ".vrma": "toolkit.io.gltf", ".fbx": "toolkit.io.fbx", ".amc": "toolkit.io.amc",
     ".npz": "toolkit.io.npz", ".npy": "toolkit.io.npz",
 }
 
