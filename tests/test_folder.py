@@ -122,17 +122,19 @@ def test_what_is_left_out_is_said(tmp_path, motions, walk):
         shutil.copy(source, tmp_path / f"{style}_{gait}.bvh")
     tk.bvh.save(walk.cut(0, 60), tmp_path / "Short_walk.bvh")
     tk.bvh.save(walk, tmp_path / "Inches_walk.bvh", unit=0.0254)
+    small = dataclasses.replace(walk.skeleton, offsets=0.6 * walk.skeleton.offsets)
+    tk.bvh.save(walk.replace(skeleton=small, root_positions=0.6 * walk.root_positions), tmp_path / "Child_walk.bvh")
     (tmp_path / "Broken_walk.bvh").write_text("HIERARCHY\nROOT Hips\n{\n OFFSET 0 0 0\n")
     tk.bvh.save(with_extras(walk, twists=False), tmp_path / "Rich_walk.bvh")
     found = folder.survey(tmp_path)
-    assert {take.style for take in found.takes} == {"Neutral", "Zombie", "Rich"}
+    assert {take.style for take in found.takes} == {"Neutral", "Zombie", "Rich", "Inches"}
     why = {path.name: reason for path, reason in found.left_out.items()}
-    assert set(why) == {"Short_walk.bvh", "Inches_walk.bvh", "Broken_walk.bvh"}
+    assert set(why) == {"Short_walk.bvh", "Child_walk.bvh", "Broken_walk.bvh"}
     assert "1.0 s; a clip of 1.9 s is needed" in why["Short_walk.bvh"]
     assert "line 4" in why["Broken_walk.bvh"]
-    assert "another size" in why["Inches_walk.bvh"]
+    assert "another size" in why["Child_walk.bvh"]
     lines = list(found.lines(tmp_path))
-    assert lines[0] == "5 files, 1,500 frames, 0.4 minutes; 28 body joints of 41"
+    assert lines[0] == "6 files, 1,800 frames, 0.5 minutes; 28 body joints of 41"
     assert "  Neutral run: 1 files, 300 frames, 5.0 s" in lines
     assert "left out: 3 files" in lines
 

@@ -281,7 +281,7 @@ def test_style_add_refuses_in_one_line_and_writes_nothing(tmp_path, small_run, c
         said = capsys.readouterr().err.strip().splitlines()
         return said[-1]
 
-    assert "no BVH file" in refused(clips=tmp_path / "empty")
+    assert "no motion file" in refused(clips=tmp_path / "empty")
     assert "the bank has Zombie already" in refused(name="Zombie")
     assert "must not be empty nor hold" in refused(name="a=b")
     assert "is a folder" in refused(out=tmp_path / "empty")

@@ -7,11 +7,11 @@ from typing import Annotated
 import typer
 
 from toolkit import export, published
+from toolkit.cli import motion_files
 from toolkit.cli.rollout import blend_of
-from toolkit.cli.verbs import Names, Published, Selection, TrainedRun
+from toolkit.cli.verbs import Names, Published, Roles, Selection, TrainedRun, Unit, Up
 from toolkit.datasets.procedural import SKELETON
 from toolkit.export import pack as packs
-from toolkit.io import bvh
 from toolkit.motion import Clip, retargeting, rotations
 
 SKELETONS = {"100style": SKELETON}
@@ -50,17 +50,19 @@ def onnx(
 
 @app.command("clip")
 def clip(
-    source: Annotated[Path, typer.Argument(metavar="IN.bvh", help="Motion to read.")],
+    source: Annotated[Path, typer.Argument(metavar="IN", help="Motion file: BVH, glTF, VRM, FBX, AMC, NPZ.")],
     out: Annotated[Path, typer.Option(help=f"File to write: {', '.join(export.SUFFIXES)}.")],
     skeleton: Annotated[str | None, typer.Option(help=f"Retarget to a skeleton: {', '.join(SKELETONS)}, or a file of it, "
                                                  "best with a T-pose.")] = None,
-    unit: Annotated[float, typer.Option(min=1e-6, help="Metres of one unit of length in IN.bvh.")] = bvh.CENTIMETRE,
+    unit: Unit = "auto",
+    up: Up = "auto",
+    roles: Roles = None,
 ) -> None:
-    """Convert a BVH file to glTF (skinned mannequin with its animation), BVH, web page, strip of poses or film."""
+    """Convert a motion file to glTF (skinned mannequin with its animation), BVH, web page, strip of poses or film."""
     export.check(out)
     if out.exists() and out.samefile(source):
         raise ValueError(f"{out}: is the file that is read; give another to write")
-    motion = bvh.load(source, unit=unit)
+    motion = motion_files.read(source, unit, up, roles)
     if skeleton is not None:
         before, motion = motion, export.retarget(motion, _target(skeleton))
         print(retargeting.report(before, motion))
@@ -104,7 +106,7 @@ def _target(skeleton: str) -> Clip:
         return Clip(known, rotations.identity(1, len(known)), [[0.0, 0.0, 0.0]], 60.0, name=skeleton)
     if not Path(skeleton).is_file():
         raise ValueError(f"--skeleton is one of {', '.join(SKELETONS)}, or a file; got {skeleton!r}")
-    return bvh.load(skeleton)
+    return motion_files.read(Path(skeleton))
 
 
 def _wrote(*files: Path) -> None:

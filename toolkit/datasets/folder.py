@@ -1,7 +1,8 @@
 """A folder of one's own recordings: any files that can be read, with style and gait from a table, folders or names.
 
 The table ``labels.csv`` has the columns ``file`` (path in the folder), ``style`` and, if wanted, ``gait``; files that it
-does not list are left out. Without it the style is the name of the first sub-folder, and the gait that of the second one.
+does not list are left out. Columns ``unit`` and ``up`` decide what was guessed wrongly (`toolkit.load`). Without the table
+the style is the name of the first sub-folder, and the gait that of the second one.
 What folders do not give comes from the file's name, whose words are separated by ``_``, ``-`` or blanks: a word of `GAITS`
 is the gait, and of the others the first that is not common to all files is the style.
 
@@ -11,7 +12,6 @@ Clips have the body joints alone (`toolkit.motion.pruning`), and all the same on
 import csv
 import os
 import re
-import warnings
 from collections import defaultdict
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
@@ -21,7 +21,8 @@ from pathlib import Path
 from tqdm import tqdm
 
 from toolkit.datasets.takes import Names, Source, Take
-from toolkit.io import bvh
+from toolkit.io import interpretation
+from toolkit.io.load import READERS, read
 from toolkit.motion import Clip, trajectory
 from toolkit.motion.pruning import pruned
 
@@ -33,7 +34,15 @@ GAITS |= dict.fromkeys(("idle", "idling", "stand", "standing"), "ID")
 GAITS |= {gait.lower(): gait for gait in ("FW", "BW", "SW", "FR", "BR", "SR", "ID", "TR1", "TR2", "TR3")}
 SHORTEST = (trajectory.SAMPLES[-1] - trajectory.SAMPLES[0] + 2) / trajectory.FPS  # seconds of a clip with one usable frame
 ALIKE = 1.3  # ratio of sizes up to which two bodies are used together
-SUFFIXES = (".bvh",)
+SUFFIXES = tuple(READERS)
+
+
+@dataclass(frozen=True)
+class OwnTake(Take):
+    """A file with what its table says about it."""
+
+    unit: float | str = "auto"
+    up: str = "auto"
 
 
 @dataclass(frozen=True)
@@ -83,10 +92,7 @@ class Own(Source):
     def read(self, takes: Iterable[Take]) -> Iterator[Clip]:
         """Labelled clips of takes, with their body joints."""
         for take in tqdm(list(takes), desc="files", unit="file", disable=None):
-            with warnings.catch_warnings():
-                warnings.simplefilter("ignore", UserWarning)  # `survey` has listed them
-                clip = _load(take)
-            yield pruned(clip)
+            yield pruned(_load(take)[0])  # `survey` has listed the doubts
 
 
 SOURCE = Own("folder", re.compile(".*"), f"recordings ({', '.join(SUFFIXES)}), and {TABLE} or a sub-folder per style", "")
@@ -115,18 +121,16 @@ def _survey(folder: Path, _files: tuple) -> Survey:
     doubts: dict[Path, list[str]] = {}
     for take in tqdm(takes, desc="reading", unit="file", disable=None if len(takes) > 20 else True):
         try:
-            with warnings.catch_warnings(record=True) as caught:
-                warnings.simplefilter("always")
-                whole = _load(take)
-                clip = pruned(whole)
+            whole, doubtful = _load(take)
+            clip = pruned(whole)
         except (ValueError, OSError, ImportError) as error:
             left_out[take.path] = str(error).removeprefix(f"{take.path}: ").removeprefix(f"{take.path.name}: ")
             continue
         if clip.seconds < SHORTEST:
             left_out[take.path] = f"{clip.seconds:.1f} s; a clip of {SHORTEST:.1f} s is needed"
             continue
-        if caught:
-            doubts[take.path] = [str(warning.message) for warning in caught]
+        if doubtful:
+            doubts[take.path] = doubtful
         shape = clip.skeleton.names, clip.skeleton.parents, _height(clip)
         shape = next((known for known in rigs if known[:2] == shape[:2] and 1 / ALIKE < known[2] / shape[2] < ALIKE), shape)
         rigs[shape].append((take, len(clip), clip.seconds, len(whole.skeleton)))
@@ -150,7 +154,7 @@ def labelled(folder: Path) -> tuple[list[Take], dict[Path, str]]:
     files = [path for path in sorted(folder.rglob("*")) if path.suffix.lower() in SUFFIXES and path.is_file()]
     if (folder / TABLE).is_file():
         table = _table(folder)
-        return ([Take(path, *table[path]) for path in files if path in table],
+        return ([OwnTake(path, *table[path]) for path in files if path in table],
                 {path: f"not listed in {TABLE}" for path in files if path not in table})
     words = {path: [w for w in re.split(r"[\W_]+", path.stem) if w and not w.isdigit()] for path in files}
     common = set.intersection(*map(set, words.values())) if len(files) > 1 else set()
@@ -160,12 +164,12 @@ def labelled(folder: Path) -> tuple[list[Take], dict[Path, str]]:
         gait = above[1] if len(above) > 1 else next((GAITS[w.lower()] for w in words[path] if w.lower() in GAITS), "")
         named = [w for w in words[path] if w.lower() not in GAITS]
         named = [w for w in named if w not in common] or named or [path.stem]
-        takes.append(Take(path, above[0] if above else named[0], GAITS.get(gait.lower(), gait)))
+        takes.append(OwnTake(path, above[0] if above else named[0], GAITS.get(gait.lower(), gait)))
     return takes, {}
 
 
-def _table(folder: Path) -> dict[Path, tuple[str, str]]:
-    """Style and gait of each file that the table lists."""
+def _table(folder: Path) -> dict[Path, tuple]:
+    """Style, gait, unit and up axis of each file that the table lists."""
     place, found = folder / TABLE, {}
     with place.open(encoding="utf-8-sig", newline="") as text:
         rows = csv.DictReader(text, skipinitialspace=True)
@@ -175,12 +179,21 @@ def _table(folder: Path) -> dict[Path, tuple[str, str]]:
             path, style = folder / (row["file"] or "").strip(), (row["style"] or "").strip()
             if not style or not path.is_file():
                 raise ValueError(f"{place}, line {number}: {f'no file {path}' if style else 'no style'}")
-            found[path] = style, (row.get("gait") or "").strip()
+            gait, unit, up = ((row.get(column) or "").strip() for column in ("gait", "unit", "up"))
+            try:
+                unit = float(unit)
+            except ValueError:
+                unit = unit or "auto"
+            found[path] = style, gait, unit, up or "auto"
     return found
 
 
-def _load(take: Take) -> Clip:
-    return bvh.load(take.path, style=take.style, gait=take.gait)
+def _load(take: OwnTake) -> tuple[Clip, list[str]]:
+    """The clip of a file, with a floor far from zero moved there, and what is doubtful about it."""
+    clip, found = interpretation.interpret(read(take.path), take.path, take.unit, take.up)
+    if abs(found.floor) > interpretation.FAR:
+        clip = clip.moved(shift=(0.0, -found.floor, 0.0))
+    return clip.replace(style=take.style, gait=take.gait), found.doubts
 
 
 def _height(clip: Clip) -> float:
