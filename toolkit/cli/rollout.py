@@ -24,7 +24,7 @@ def rollout(
     export.check(out)
     net, bank = published.either(model, parameters)
     commands = runtime.straight(speed, seconds)
-    states = list(runtime.states(net, commands, bank.blend(_blend(style)), progress=True))
+    states = list(runtime.states(net, commands, bank.blend(blend_of(style)), progress=True))
     clip = runtime.record(net, states, feet=ik, arms=ik).replace(style=style, gait="FW")
     export.write(clip, out, title=style, progress=True)
     low, high = metrics.hips_height(clip)
@@ -33,7 +33,8 @@ def rollout(
           f"foot skate right {skate['right'] * 100:.1f} left {skate['left'] * 100:.1f} cm/s; wrote {out}")
 
 
-def _blend(text: str) -> dict[str, float]:
+def blend_of(text: str) -> dict[str, float]:
+    """Shares by style, of a style's name or a blend like Zombie=0.5,Old=0.5; ValueError if it is neither."""
     if "=" not in text:
         return {text: 1.0}
     try:

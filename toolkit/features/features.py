@@ -21,6 +21,7 @@ from toolkit.motion.tensors import few, summary
 KINDS = ("inputs", "phases", "outputs", "clips")  # each has a normaliser
 FRAME_KINDS = KINDS[:3]  # those with a row per frame
 CLIP_FRAMES, CLIP_HOP = 240, 120
+SHORTEST = trajectory.SAMPLES[-1] - trajectory.SAMPLES[0] + 2  # frames of a clip with one usable frame
 CHUNK = 1 << 18  # numbers in memory at a time in sums over all rows
 
 
@@ -101,9 +102,14 @@ class OwnFeatures:
             phases=there, phase_updates=there - self.phases[at], contacts=self.contacts[after],
         )
 
-    def style_clips(self, starts: Tensor) -> Tensor:
-        """y ``[M, 240, 12 J]``: joint features of the frames from ``starts [M]`` on."""
+    def style_clips(self, starts: Tensor, lengths: Tensor | None = None) -> Tensor:
+        """y ``[M, 240, 12 J]``: joint features of the frames from ``starts [M]`` on.
+
+        With ``lengths [M]`` they are those of that many frames, repeated: a style that is only shown for less than 240.
+        """
         frames, width = self.joints.shape
+        if lengths is not None:
+            return self.joints[starts[:, None] + torch.arange(CLIP_FRAMES, device=starts.device) % lengths[:, None]]
         return self.joints.as_strided((max(0, frames - CLIP_FRAMES + 1), CLIP_FRAMES, width), (width, width, 1))[starts]
 
 
@@ -266,7 +272,7 @@ def build(clips: Clip | Iterable[Clip], *, source: str | phases.Source = "hybrid
     Raises
     ------
     ValueError
-        If there is no clip, skeletons differ, a clip is too short, or a style has no clip of 240 frames.
+        If there is no clip, skeletons differ, a clip is too short, or a style has no clip with a whole window.
     """
     clips = [clips] if isinstance(clips, Clip) else list(clips)
     if not clips:
@@ -278,6 +284,7 @@ def build(clips: Clip | Iterable[Clip], *, source: str | phases.Source = "hybrid
             raise ValueError(f"{clip.name}: {why}, compared with {clips[0].name}")
         groups[clip.style, clip.gait].append((take, clip))
     parts: dict[str, dict[str, list[Tensor]]] = {kind: defaultdict(list) for kind in (*KINDS, "takes")}
+    repeated: dict[str, list[Tensor]] = defaultdict(list)  # style clips of styles without a long clip
     for (style, _), members in tqdm(sorted(groups.items()), "features", unit="group", disable=None if progress else True):
         for take, own in group_features(members, source, mirror, short, samples, contact_height):
             n, device = len(own.joints), own.joints.device
@@ -285,6 +292,11 @@ def build(clips: Clip | Iterable[Clip], *, source: str | phases.Source = "hybrid
             rows = own.inputs(at), own.phases[at], own.outputs(at), own.style_clips(starts), torch.full_like(at, take)
             for kind, values in zip(parts, rows, strict=True):
                 parts[kind][style].append(values)
+            if not len(starts):
+                repeated[style].append(own.style_clips(at[:1] * 0, torch.full_like(at[:1], n)))
+    for style, values in parts["clips"].items():
+        if not any(map(len, values)):
+            parts["clips"][style] = repeated[style]
     found = {kind: {style: torch.cat(values) for style, values in by_style.items()} for kind, by_style in parts.items()}
     for style in dict.fromkeys(clip.style for clip in clips):
         check_style_clips(style, len(found["clips"].get(style, ())))
@@ -310,7 +322,7 @@ def check_style(name: str, names: Iterable[str]) -> None:
 def check_style_clips(style: str, n: int) -> None:
     """Raise a ValueError if a style has no style clips."""
     if not n:
-        raise ValueError(f"style {style!r} has no clip of {CLIP_FRAMES} frames (4 s at 60 Hz) to learn the style from")
+        raise ValueError(f"style {style!r} has no clip of {SHORTEST} frames (1.9 s at 60 Hz) to learn the style from")
 
 
 def group_features(members: Iterable[tuple[int, Clip]], source: str | phases.Source, mirror: bool | Callable[[Clip], bool],

@@ -13,7 +13,7 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from toolkit.io.nodes import Node, printable, record
+from toolkit.io.nodes import Node, frame_rate, printable, record, sample_times
 from toolkit.io.recording import Recording
 from toolkit.motion import rotations as R
 from toolkit.motion.clip import SIDES
@@ -25,8 +25,7 @@ PATHS = {"translation": 3, "rotation": 4, "scale": 3}
 BONES = {"shoulder": "UpperArm", "elbow": "LowerArm", "hand": "Hand", "hip": "UpperLeg", "knee": "LowerLeg", "foot": "Foot",
          "toe": "Toes"}  # our roles to VRM's bones, without the side
 VALUES = 2_000_000  # values of a JSON text, which takes up to 70 bytes for each
-SMALL = 1_000_000  # joints times frames that a file of any size may have
-RATES = (30.0, 24.0, 25.0, 60.0, 50.0, 48.0, 120.0, 100.0, 240.0)  # tried where key frames are not at equal distances
+ZEROS = 1_000_000  # numbers of an accessor without data
 USUAL = 30.0  # frames per second where the keys say nothing
 
 
@@ -96,7 +95,7 @@ class _File:
                 nodes[child].parent = j
         for skin in _dicts(self.document, "skins"):
             for j in _indices(skin, "joints", len(nodes)):
-                nodes[j].joint = True
+                nodes[j].joint = nodes[j].skinned = True
         roles = self._roles(nodes)
         frames, fps = self._animate(nodes, wanted)
         if any(node.joint for node in nodes) and all(len(node.rotation) == 1 for node in nodes):
@@ -125,13 +124,8 @@ class _File:
         if not channels:
             return 1, USUAL
         times = [times for *_, times, _, _ in channels]
-        begin, rate = min(t[0] for t in times), _rate(times)
-        length = (max(t[-1] for t in times) - begin) * rate
-        joints = sum(node.joint for node in nodes) + len({j for j, *_ in channels})
-        if not length < max(SMALL, self.size / 3) / max(joints, 1):
-            raise ValueError(f"{length:.0f} frames of {joints} joints are more than {self.size} bytes can hold")
-        frames = round(length) + 1
-        at = begin + np.arange(frames) / rate
+        rate = frame_rate(times, USUAL)
+        at = sample_times(times, rate, sum(node.joint for node in nodes) + len({j for j, *_ in channels}), self.size)
         for j, what, keys, accessor, kind in channels:
             width = PATHS[what]
             values = self._array(accessor, width)
@@ -143,7 +137,7 @@ class _File:
                 track = track[:1]
             setattr(nodes[j], what, torch.from_numpy(track[:, [3, 0, 1, 2]]) if what == "rotation" else track)
             nodes[j].joint = nodes[j].joint or (len(track) > 1 and what != "scale")
-        return frames, rate
+        return len(at), rate
 
     def _channels(self, wanted: str | int | None, count: int) -> list[tuple]:
         """Node, path, key times, accessor of the values and interpolation of each channel."""
@@ -179,7 +173,7 @@ class _File:
             raise ValueError(f"accessor {index} has the wrong type for an animation")
         if "bufferView" in accessor:
             values = self._view(accessor, kind, count, width)
-        elif count * width <= max(SMALL, self.size):
+        elif count * width <= max(ZEROS, self.size):
             values = np.zeros((count, width), kind)
         else:
             raise ValueError(f"accessor {index} has {count} values and no data")
@@ -269,22 +263,6 @@ def _pose(node: dict) -> tuple[np.ndarray, Tensor, np.ndarray]:
     turn = _numbers(node, "rotation", 4, (0.0, 0.0, 0.0, 1.0))[None]
     return (_numbers(node, "translation", 3, (0.0, 0.0, 0.0))[None], torch.from_numpy(_unit(turn)[:, [3, 0, 1, 2]]),
             _numbers(node, "scale", 3, (1.0, 1.0, 1.0))[None])
-
-
-def _rate(times: list[np.ndarray]) -> float:
-    """Frames per second at which all keys lie on frames."""
-    keys = max(times, key=len) if len(times) > 64 else np.concatenate(times)
-    keys = np.unique(np.round(keys, 5))
-    length = float(keys[-1] - keys[0])
-    if len(keys) < 2:
-        return USUAL
-    rate = (len(keys) - 1) / length
-    tried = [float(round(rate)) if abs(rate - round(rate)) < 0.02 else rate] if rate >= RATES[0] / 2 else []
-    for rate in (*tried, *RATES):
-        places = (keys - keys[0]) * rate
-        if np.abs(places - np.round(places)).max() < 0.05:
-            return rate
-    return USUAL
 
 
 def _sample(keys: np.ndarray, values: np.ndarray, at: np.ndarray, kind: str, turn: bool) -> np.ndarray:

@@ -14,9 +14,10 @@ from toolkit.motion.tensors import few
 
 RIGID = 1e-3  # part of the skeleton's size by which a joint may move against its parent and be called rigid
 STRETCH = 0.05  # part of the skeleton's size by which a bone may stretch and be read with its median length
-SMALL = 2  # joints of a branch that is left out if it cannot be part of a rigid skeleton: eyes, props, helpers
+FEW = 2  # joints of a branch that is left out if it cannot be part of a rigid skeleton: eyes, props, helpers
 SEVERAL = 10  # joints of a second tree that is worth a word
-SHOWN = 6  # digits of a scale
+RATES = (30.0, 24.0, 25.0, 60.0, 50.0, 48.0, 120.0, 100.0, 240.0)  # tried where key frames are not at equal distances
+MOST = 1_000_000  # joints times frames that a file of any size may have
 _HELPER = re.compile(r"(?:^|[\W_])ik(?:[\W_]|$)|IK", re.ASCII)
 _END = re.compile(r"(?:end|nub)\d*$", re.IGNORECASE)
 
@@ -31,12 +32,46 @@ class Node:
     rotation: Tensor  # [F or 1, 4] w first, float64
     scale: np.ndarray  # [F or 1, 3]
     joint: bool = False  # animated, in a skin, or a bone by its type
+    skinned: bool = False  # a skin follows it
     plain: bool = True  # no mesh, camera or light: may be the tip of a bone
 
 
 def printable(name: object) -> str:
     """A node's name without characters that cannot be printed."""
     return "".join(c if c.isprintable() else "\ufffd" for c in str(name)).strip()
+
+
+def frame_rate(times: Sequence[np.ndarray], usual: float) -> float:
+    """Frames per second at which all key times (seconds, one array for each curve) lie on frames.
+
+    It is the keys' own rate if they are at equal distances and at least 12 a second, otherwise ``usual`` or the first of
+    `RATES` that meets them, otherwise ``usual``.
+    """
+    keys = max(times, key=len) if len(times) > 64 else np.concatenate(times)
+    keys = np.unique(np.round(keys, 5))
+    if len(keys) < 2:
+        return usual
+    own = (len(keys) - 1) / float(keys[-1] - keys[0])
+    own = float(round(own)) if abs(own - round(own)) < 0.02 else own
+    for rate in ([own] if own >= 12 else []) + [usual, *RATES]:
+        places = (keys - keys[0]) * rate
+        if np.abs(places - np.round(places)).max() < 0.05:
+            return rate
+    return usual
+
+
+def sample_times(times: Sequence[np.ndarray], rate: float, joints: int, size: int) -> np.ndarray:
+    """Times ``[F]`` of the frames from the first key to the last; one frame if there is no key.
+
+    ValueError if a file of ``size`` bytes cannot hold so many frames of so many joints.
+    """
+    if not times:
+        return np.zeros(1)
+    begin, end = min(t[0] for t in times), max(t[-1] for t in times)
+    length = (end - begin) * rate
+    if not length < max(MOST, size / 3) / max(joints, 1):
+        raise ValueError(f"{length:.0f} frames of {joints} joints are more than {size} bytes can hold")
+    return begin + np.arange(round(length) + 1) / rate
 
 
 def record(nodes: Sequence[Node], frames: int, fps: float, *, format_: str, unit: float | None, up: str | None,
@@ -65,6 +100,8 @@ def record(nodes: Sequence[Node], frames: int, fps: float, *, format_: str, unit
     root, dropped = tree.merged(root, sizes)
     kept, offsets = [], np.zeros((len(nodes), 3))
     size, scales = max(sizes.values()), {root: tree.world_scale(root)}
+    for j in tree.chain(root):
+        _scale(nodes[j], tree.children[j], doubts)
     stack = [root]
     while stack:
         j = stack.pop()
@@ -116,10 +153,12 @@ class _Tree:
             stack.extend(self.children[self.order[-1]])
         if len(self.order) != len(nodes):
             raise ValueError("some nodes are their own ancestors")
-        self.count = [int(node.joint) for node in nodes]
+        self.count, self.skinned = [int(node.joint) for node in nodes], [int(node.skinned) for node in nodes]
         for j in reversed(self.order):
             if nodes[j].parent >= 0:
                 self.count[nodes[j].parent] += self.count[j]
+                self.skinned[nodes[j].parent] += self.skinned[j]
+        self.skin = any(self.skinned)
 
     def top(self, doubts: list[str]) -> int:
         """The uppermost joint of the largest skeleton: a joint, or a node with several large branches."""
@@ -128,7 +167,7 @@ class _Tree:
             raise ValueError("there are no joints in it: no skin, no animated node, no bone")
         while at < 0 or not self.nodes[at].joint:
             branches.sort(key=lambda j: -self.count[j])
-            if at >= 0 and len(branches) > 1 and self.count[branches[1]] > SMALL:
+            if at >= 0 and len(branches) > 1 and self.count[branches[1]] > FEW:
                 if not all(self._several(j) for j in branches[:2]):
                     return at
                 doubts.append(f"the file holds several skeletons; that of {self.nodes[branches[0]].name} was read")
@@ -143,8 +182,9 @@ class _Tree:
         return self.count[j] >= SEVERAL and not self.nodes[j].joint
 
     def droppable(self, j: int) -> bool:
-        """Whether a branch is a helper of the rig or too small to be a limb."""
-        return self.count[j] <= SMALL or bool(_HELPER.search(self.nodes[j].name))
+        """Whether a branch is a helper of the rig, which no skin follows, or too small to be a limb."""
+        unused = self.skin and not self.skinned[j]
+        return self.count[j] <= FEW or unused or bool(_HELPER.search(self.nodes[j].name))
 
     def lengths(self, root: int) -> dict[int, float]:
         """For each node below a joint the length of the bones between them, in the first frame."""
@@ -179,16 +219,17 @@ class _Tree:
             scale = scale * np.prod(np.abs(np.median(self.nodes[j].scale, axis=0))) ** (1 / 3)
         return np.abs(scale)
 
+    def chain(self, j: int) -> list[int]:
+        """A node after its ancestors, from the top."""
+        above = [j]
+        while self.nodes[above[-1]].parent >= 0:
+            above.append(self.nodes[above[-1]].parent)
+        return above[::-1]
+
     def world(self, j: int) -> tuple[Tensor, np.ndarray]:
         """Rotations ``[F or 1, 4]`` and positions ``[F or 1, 3]`` of a node in the world."""
-        chain = [j]
-        while self.nodes[chain[-1]].parent >= 0:
-            chain.append(self.nodes[chain[-1]].parent)
         turned, place, scale = R.identity(1).double(), np.zeros((1, 3)), np.ones(3)
-        for j in reversed(chain):
-            node = self.nodes[j]
-            if (np.median(node.scale, axis=0) < 0).any():
-                raise ValueError(f"node {node.name} is mirrored by a negative scale; apply the scale in Blender first")
+        for node in (self.nodes[i] for i in self.chain(j)):
             place = place + R.rotate(turned, torch.from_numpy(node.translation * scale)).numpy()
             turned = R.multiply(*torch.broadcast_tensors(turned, node.rotation))
             scale = np.median(node.scale, axis=0) * float(np.prod(scale) ** (1 / 3))
@@ -203,7 +244,7 @@ def _scale(node: Node, children: Sequence[int], doubts: list[str]) -> np.ndarray
             raise ValueError(f"node {node.name} is mirrored by a negative scale; apply the scale in Blender first")
         largest = float(scale.max())
         if largest and float(np.ptp(node.scale, axis=0).max()) > RIGID * largest:
-            doubts.append(f"the scale of joint {node.name} changes; its median {largest:.{SHOWN}g} is used")
+            doubts.append(f"the scale of joint {node.name} changes; its median {largest:.6g} is used")
         elif float(np.ptp(scale)) > RIGID * largest:
             doubts.append(f"joint {node.name} is scaled by different factors along its axes")
     return scale
