@@ -48,13 +48,13 @@ class Origin:
 def _check_100style(folder: Path) -> str:
     takes, cuts, styles = style100.SOURCE.find(folder), style100.frame_cuts(folder), style100.styles(folder)
     named = sum((take.style, take.gait) in cuts for take in takes)
-    bvh.load(takes[0].path)
+    bvh.load(takes[0].path, unit=bvh.CENTIMETRE, up="y")
     return f"{named} of the {len(cuts)} takes of {len(styles)} styles that its tables name"
 
 
 def _check_bandai(folder: Path) -> str:
     takes = bandai.SOURCE.find(folder)
-    bvh.load(takes[0].path)
+    bvh.load(takes[0].path, unit=bvh.CENTIMETRE, up="y")
     return f"{len(takes)} takes of {len({take.style for take in takes})} styles"
 
 
