@@ -10,11 +10,10 @@ import typer
 from torch import Tensor
 from tqdm import tqdm
 
-import toolkit as tk
 from toolkit import published, runtime
 from toolkit.cli import verbs
 from toolkit.evaluation import metrics
-from toolkit.motion import Clip
+from toolkit.io import bvh
 from toolkit.motion.contacts import velocities
 from toolkit.networks import Model
 from toolkit.networks.bank import StyleBank
@@ -39,6 +38,7 @@ def run(
     seconds: Annotated[float, typer.Option(min=2.0, help="Duration of each walk, after a warm-up of 4 s.")] = 10.0,
     speed: Annotated[float, typer.Option(help="Metres per second of the second walk.")] = 1.0,
     real: Annotated[Path | None, typer.Option(help="A BVH file of real walking, measured in the same way.")] = None,
+    start: Annotated[int, typer.Option(help="First frame of the real walking.")] = 0,
 ) -> None:
     """Feet and speed of every style in closed loop, at its natural speed and at a common one, and the error on a path."""
     net, bank = published.either(model, parameters)
@@ -61,7 +61,8 @@ def run(
         for what, choose in (("median", torch.nanmedian), ("worst", lambda v: v.nan_to_num(-math.inf).max())):
             print(f"{what:<34}" + _cells({k: float(choose(torch.tensor([r[k] for r in rows]))) for k in COLUMNS}))
         if real is not None:
-            print(f"{'real: ' + real.stem:<34}" + _cells(take(tk.bvh.load(real))))
+            feet = metrics.feet(bvh.load(real).cut(start))
+            print(f"{'real: ' + real.stem:<34}" + _cells(dict.fromkeys(COLUMNS, math.nan) | feet))
         failed = {name: why for name, row in zip(names, rows, strict=True) if (why := _exceeded(row))}
         print(f"{len(names) - len(failed)} of {len(names)} styles upright, at {1 - SPEED_LIMIT:.0%} of the speed or more, "
               f"skate after IK up to {SKATE_LIMIT:g} cm/s" + "".join(f"; {name}: {why}" for name, why in failed.items()))
@@ -81,12 +82,6 @@ def walk(net: Model, bank: StyleBank, speeds: Sequence[float], seconds: float) -
     first = round(WARM_UP * runtime.FPS)
     toes, seen = torch.stack(toes[first:], 1), seen[first:]
     return [_measure(net, seen, toes[i], i, speeds[i]) for i in range(len(bank))]
-
-
-def take(clip: Clip) -> dict[str, float]:
-    """The measures of `COLUMNS` that a real clip has; its contacts are detected."""
-    feet = metrics.feet(clip)
-    return dict.fromkeys(COLUMNS, math.nan) | feet
 
 
 def eight(radius: float) -> Tensor:

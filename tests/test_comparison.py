@@ -154,8 +154,8 @@ def test_other_settings_and_bad_names_are_refused_in_one_line(data, folder, caps
         models.trained(data, models.Plan("tiny", 5).config("lpn-film", 0), folder)
     for arguments, said in (
         ([], "--data is missing"),
-        (["--data", "procedural", "--size", "huge"], "unknown size 'huge'; there is tiny, small"),
-        (["--data", "procedural", "--models", "lpn-film,gan"], "unknown model 'gan'; there is pfnn-onehot"),
+        (["--data", "procedural", "--size", "huge"], "unknown size 'huge'; known: tiny, small"),
+        (["--data", "procedural", "--models", "lpn-film,gan"], "unknown model 'gan'; known: pfnn-onehot"),
         (["failures", "--out", "nowhere"], "nowhere"),
     ):
         assert main(["seven-models", *arguments]) == 2

@@ -179,9 +179,10 @@ def test_retargeting_gives_a_rig_of_other_axes_the_same_pose(style):
 
 
 def test_retargeting_real_rigs_keeps_bones_and_directions(shared):
+    """Exactly without foot IK."""
     for file in (next((shared / "bandai").rglob("*walk*.bvh")), sorted((shared / "xia").glob("*.bvh"))[0]):
         clip = tk.bvh.load(file)
-        made = tk.export.retarget(clip, SKELETON)
+        made = tk.export.retarget(clip, SKELETON, feet=False)
         assert made.skeleton.names == SKELETON.names
         for a, b in (("hip", "knee"), ("knee", "foot"), ("shoulder", "elbow"), ("elbow", "hand")):
             for side in ("left", "right"):
@@ -329,9 +330,9 @@ def test_skeletons_that_no_body_fits_are_refused(tmp_path):
     clip = tk.Clip(dot, tk.motion.rotations.identity(3, 2), torch.zeros(3, 3), 60.0, name="dot.bvh")
     with pytest.raises(ValueError, match=r"dot\.bvh: no bone is long enough"):
         tk.export.gltf.save(clip, tmp_path / "dot.glb")
-    with pytest.raises(ValueError, match=r"dot\.bvh: cannot find its left_hand"):
+    with pytest.raises(ValueError, match=r"dot\.bvh: cannot find its left_shoulder, "):
         tk.export.retarget(clip, SKELETON)
-    flat = replace(SKELETON, names=[f"My{n}" for n in SKELETON.names], offsets=torch.zeros(28, 3), roles=None, ends=None)
+    flat = replace(SKELETON, offsets=0.01 * SKELETON.offsets)
     with pytest.raises(ValueError, match="legs have no length"):
         tk.export.retarget(tk.Clip(flat, tk.motion.rotations.identity(3, 28), torch.zeros(3, 3), 60.0), SKELETON)
     assert not list(tmp_path.iterdir())
@@ -346,7 +347,7 @@ def test_bad_input_gets_one_line_and_leaves_nothing(tmp_path, zombie, capsys):
         f"clip {cut} --out {new}/a.glb": "cut.bvh, line 4",
         f"clip {tmp_path}/no.bvh --out {new}/a.glb": "cannot be read",
         f"clip {source} --out {new}/a.fbx": "can write .bvh, .html",
-        f"clip {source} --out {new}/a.glb --skeleton cmu": "is one of 100style; got 'cmu'",
+        f"clip {source} --out {new}/a.glb --skeleton cmu": "is one of 100style, or a file; got 'cmu'",
         f"onnx --out {new}/a.txt": "can write .onnx",
         f"onnx --out {new}/a.onnx --model {source}": "not a whole safetensors",
         f"web --out {new}/a.htm": "can write .html",

@@ -277,8 +277,18 @@ def test_short_clips_are_left_out_where_that_is_asked_for(two_walks, walk_clip):
     assert sorted(set(data.takes["Neutral"].tolist())) == [1, 2]
     data = features.build([two_walks[0], short.replace(gait="SR")], source="contact", short="skip")  # a gait with none
     assert data.takes["Neutral"].tolist() == [0] * 139
-    with pytest.raises(ValueError, match=r"^style 'Neutral' has no clip of 240 frames \(4 s at 60 Hz\) to learn the style"):
+    with pytest.raises(ValueError, match=r"^style 'Neutral' has no clip of 112 frames \(1\.9 s at 60 Hz\) to learn"):
         features.build([short], short="skip")
+
+
+def test_a_style_with_short_clips_only_has_style_clips_that_repeat(two_walks, walk_clip):
+    short = walk_clip.cut(0, 130).replace(style="Short")
+    data = features.build([short, *two_walks], source="contact")
+    assert data.clips["Short"].shape == (1, 240, 300)
+    assert torch.equal(data.clips["Short"][0, 130:], data.clips["Short"][0, :110])
+    assert len(data.clips["Neutral"]) == len(features.build(two_walks, source="contact").clips["Neutral"])
+    both = features.build([short.replace(style="Neutral"), *two_walks], source="contact")  # a long clip is there
+    assert len(both.clips["Neutral"]) == len(data.clips["Neutral"])
 
 
 def test_normalisers_are_over_all_styles(two_walks):
@@ -300,11 +310,21 @@ def test_bad_clips_are_refused_by_name(walk_clip):
         tk.features.build([])
     with pytest.raises(ValueError, match=r"^short: 80 " + WINDOW):
         tk.features.build([walk_clip.cut(0, 80).replace(name="short")])
-    with pytest.raises(ValueError, match="'Neutral' has no clip of 240 frames"):
-        tk.features.build([walk_clip.cut(0, 200)])
     with pytest.raises(ValueError, match="features need 60 Hz, the clip has 30"):
         frames(walk_clip.resample(30))
     names = ("first", "second", "third")
     clips = [c.replace(name=n) for c, n in zip((walk_clip, walk_clip, walk_clip.without_ends()), names, strict=True)]
-    with pytest.raises(ValueError, match=r"^third: its joints differ from those of first$"):
+    with pytest.raises(ValueError, match=r"^third: its joints differ, compared with first$"):
         tk.features.build(clips)
+
+
+def test_the_same_file_at_two_scales_is_not_mixed(tmp_path):
+    clip = tk.datasets.load("procedural", styles=["Neutral"], gaits=["FW"], seconds=6.0)[0]
+    tk.bvh.save(clip, tmp_path / "walk.bvh")
+    small, large = (tk.bvh.load(tmp_path / "walk.bvh", unit=unit, up="y", style="Neutral") for unit in (0.01, 0.0254))
+    with pytest.raises(ValueError, match=r"^walk\.bvh: its bones are 2\.54 times as long; unit= decides, compared with"):
+        tk.features.build([small, large])
+    assert tk.features.Layout(small.skeleton) != tk.features.Layout(large.skeleton)
+    assert tk.features.Layout(small.skeleton) == tk.features.Layout(tk.load(tmp_path / "walk.bvh").skeleton)
+    grown = tk.Skeleton(clip.skeleton.names, clip.skeleton.parents, 1.15 * clip.skeleton.offsets)  # a tall person
+    assert tk.features.Layout(small.skeleton) == tk.features.Layout(grown)

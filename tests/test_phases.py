@@ -243,7 +243,7 @@ def test_phases_agree_with_what_the_published_network_predicts(shared):
 
 
 @pytest.mark.parametrize(("source", "message"), [
-    ("hybird", "unknown phase source 'hybird'; there are hybrid"),
+    ("hybird", "unknown phase source 'hybird'; known: hybrid"),
     (lambda clip, limb: torch.zeros(3), "one finite number per frame"),
     (lambda clip, limb: torch.full((len(clip),), math.nan), "one finite number per frame"),
 ])
@@ -401,7 +401,7 @@ def test_sources_go_by_their_names():
     with pytest.raises(ValueError) as error:  # noqa: PT011
         tk.phases.named("Hybrid")
     assert str(error.value) == ("unknown phase source 'Hybrid'; "
-                                "there are hybrid, contact, contact-free, velocity, coherent, learned")
+                                "known: hybrid, contact, contact-free, velocity, coherent, learned")
 
 
 def test_fields_are_what_they_say(walk_clip):

@@ -22,7 +22,7 @@ def test_vectors_by_name():
 def test_unknown_style_lists_close_names():
     with pytest.raises(ValueError, match="unknown style 'zombi'; close to it: Zombie"):
         BANK["zombi"]
-    with pytest.raises(ValueError, match="unknown style 'xyz'; there is Neutral, Zombie, Old"):
+    with pytest.raises(ValueError, match="unknown style 'xyz'; known: Neutral, Zombie, Old"):
         BANK.blend({"xyz": 1.0})
 
 
@@ -130,9 +130,9 @@ def test_an_easing_of_ones_own():
 
 
 def test_transitions_are_checked():
-    with pytest.raises(ValueError, match="rising seconds"):
+    with pytest.raises(ValueError, match="times of a transition must increase"):
         tk.styles.transition(BANK, {2: "Old", 1: "Zombie"})
-    with pytest.raises(ValueError, match="unknown easing 'bounce'; there is linear"):
+    with pytest.raises(ValueError, match="unknown easing 'bounce'; known: linear"):
         tk.styles.transition(BANK, {0: "Old"}, "bounce")
     with pytest.raises(ValueError, match="close to it: Zombie"):
         tk.styles.transition(BANK, {0: "zombi"})
@@ -185,6 +185,29 @@ def test_learning_lowers_the_loss_and_is_repeatable(small_run, method):
     assert sum(made.losses[-10:]) < 0.97 * sum(made.losses[:10])
 
 
+def test_the_best_step_is_kept_and_its_held_out_error_reported(small_run, monkeypatch):
+    from toolkit.styles import fine_tuning
+
+    data = tk.features.build(tk.datasets.load("procedural", styles=["WideLegs"], gaits=["FW"], seconds=6.0))
+    model, bank = small_run.model, small_run.bank
+    made = tk.styles.fine_tune(model, data, None, bank, method="vector", steps=120)
+    found = made.held_out["WideLegs"]
+    assert found["after"] < found["before"]
+    assert 0 < made.best <= 120
+    assert {"mean", "repeat"} <= set(found)
+    monkeypatch.setitem(fine_tuning.RATES, "vector", 1e4)  # every step makes it worse
+    worse = tk.styles.fine_tune(model, data, None, bank, method="vector", steps=80)
+    assert worse.best == 0
+    assert worse.held_out["WideLegs"]["after"] == worse.held_out["WideLegs"]["before"] == found["before"]
+    assert any(torch.equal(worse.bank["WideLegs"], bank[style]) for style in bank)
+
+
+def test_a_clip_too_short_to_hold_frames_out_keeps_the_last_step(small_run, crouch):
+    made = tk.styles.fine_tune(small_run.model, crouch.cut(0, 113), "Mine", small_run.bank, method="vector", steps=5)
+    assert made.best == 5
+    assert math.isnan(made.held_out["Mine"]["after"])
+
+
 def test_the_embedded_model_learns_a_style_from_one_clip():
     model, bank = tk.pretrained()
     arms = tk.datasets.procedural.Arm(out=20, forward=45, elbow=95, swing=4, elbow_swing=4)
@@ -213,14 +236,14 @@ def test_what_cannot_be_learnt_is_refused_in_one_line(small_run, crouch):
     slim = tk.pretrained().model
     with pytest.raises(ValueError, match="the bank has Zombie already"):
         tk.styles.fine_tune(model, crouch, "Zombie", bank)
-    with pytest.raises(ValueError, match="unknown method 'magic'; there is generator, vector, forward"):
+    with pytest.raises(ValueError, match="unknown method 'magic'; known: generator, vector, forward"):
         tk.styles.fine_tune(model, crouch, "Mine", bank, method="magic")
     with pytest.raises(ValueError, match="needs a FiLM generator, and this model has none; use method 'vector'"):
         tk.styles.fine_tune(slim, crouch, "Mine", method="generator")
     with pytest.raises(ValueError, match="not the model's skeleton; it differs in joints"):
         tk.styles.fine_tune(model, crouch.without_ends(), "Mine", bank)
-    with pytest.raises(ValueError, match="no clip of 240 frames"):
-        tk.styles.fine_tune(model, crouch.cut(0, 200), "Mine", bank)
+    with pytest.raises(ValueError, match="no clip of 112 frames"):
+        tk.styles.fine_tune(model, crouch.cut(0, 111), "Mine", bank)
 
 
 def test_style_add_writes_the_same_file_with_one_vector_more(tmp_path, small_run, crouch, capsys):
@@ -230,7 +253,10 @@ def test_style_add_writes_the_same_file_with_one_vector_more(tmp_path, small_run
     with pytest.raises(SystemExit) as done:
         main([*f"style add --model {run} --clips {clips} --name Mine --out {out} --steps 5".split()])
     assert done.value.code == 0
-    assert "near it: " in capsys.readouterr().out
+    said = capsys.readouterr().out
+    assert "near it: " in said
+    assert "Held-out frames: mean squared error " in said
+    assert " by repeating the frame" in said
     with safe_open(run, "pt") as old, safe_open(out, "pt") as new:
         assert set(old.keys()) == set(new.keys())
         kept = [k for k in old.keys() if not k.startswith("bank.")]  # noqa: SIM118 (not a dict)
@@ -255,7 +281,7 @@ def test_style_add_refuses_in_one_line_and_writes_nothing(tmp_path, small_run, c
         said = capsys.readouterr().err.strip().splitlines()
         return said[-1]
 
-    assert "no BVH file" in refused(clips=tmp_path / "empty")
+    assert "no motion file" in refused(clips=tmp_path / "empty")
     assert "the bank has Zombie already" in refused(name="Zombie")
     assert "must not be empty nor hold" in refused(name="a=b")
     assert "is a folder" in refused(out=tmp_path / "empty")
@@ -315,7 +341,7 @@ def test_maps_are_checked(monkeypatch):
     monkeypatch.setitem(__import__("sys").modules, "umap", None)
     with pytest.raises(ValueError, match="needs the package umap-learn: pip install umap-learn"):
         tk.styles.embed(torch.randn(5, 3), "umap")
-    with pytest.raises(ValueError, match="unknown embedding 'som'; there is tsne, pca, umap"):
+    with pytest.raises(ValueError, match="unknown embedding 'som'; known: tsne, pca, umap"):
         tk.styles.embed(torch.randn(5, 3), "som")
     with pytest.raises(ValueError, match="three or more"):
         tk.styles.embed(torch.randn(2, 3))

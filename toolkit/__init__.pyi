@@ -18,6 +18,8 @@ from . import (
 )
 from .evaluation import metrics as metrics
 from .io import bvh as bvh
+from .io.inspection import inspect as inspect
+from .io.load import load as load
 from .motion import Clip as Clip
 from .motion import Skeleton as Skeleton
 from .motion import contacts as contacts

@@ -8,6 +8,7 @@ from toolkit.cli import verbs
 VERBS = {
     "demo": ("toolkit.cli.demo:app", "Make something to look at in a minute."),
     "data": ("toolkit.cli.data:app", "Download datasets and show what they hold."),
+    "inspect": ("toolkit.cli.inspect:inspect", "Show what a motion file holds, and how it is understood."),
     "preprocess": ("toolkit.cli.preprocess:preprocess", "Compute features, phases and contacts of all files into a store."),
     "train": ("toolkit.cli.train:train", "Train a model and print its error on held-out frames."),
     "rollout": ("toolkit.cli.rollout:rollout", "Walk straight ahead in a style, write the motion and print measurements."),

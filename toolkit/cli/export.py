@@ -1,14 +1,18 @@
 """The verb `export`: a character in a web page, its network as ONNX, a clip in any kind of file."""
 
+import json
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
 from toolkit import export, published
-from toolkit.cli.verbs import Published, Selection, TrainedRun
+from toolkit.cli import motion_files
+from toolkit.cli.rollout import blend_of
+from toolkit.cli.verbs import Names, Published, Roles, Selection, TrainedRun, Unit, Up
 from toolkit.datasets.procedural import SKELETON
-from toolkit.io import bvh
+from toolkit.export import pack as packs
+from toolkit.motion import Clip, retargeting, rotations
 
 SKELETONS = {"100style": SKELETON}
 
@@ -46,22 +50,63 @@ def onnx(
 
 @app.command("clip")
 def clip(
-    source: Annotated[Path, typer.Argument(metavar="IN.bvh", help="Motion to read.")],
+    source: Annotated[Path, typer.Argument(metavar="IN", help="Motion file: BVH, glTF, VRM, FBX, AMC, NPZ.")],
     out: Annotated[Path, typer.Option(help=f"File to write: {', '.join(export.SUFFIXES)}.")],
-    skeleton: Annotated[str | None, typer.Option(help=f"Retarget to another skeleton: {', '.join(SKELETONS)}.")] = None,
-    unit: Annotated[float, typer.Option(min=1e-6, help="Metres of one unit of length in IN.bvh.")] = bvh.CENTIMETRE,
+    skeleton: Annotated[str | None, typer.Option(help=f"Retarget to a skeleton: {', '.join(SKELETONS)}, or a file of it, "
+                                                 "best with a T-pose.")] = None,
+    unit: Unit = "auto",
+    up: Up = "auto",
+    roles: Roles = None,
 ) -> None:
-    """Convert a BVH file to glTF (skinned mannequin with its animation), BVH, web page, strip of poses or film."""
+    """Convert a motion file to glTF (skinned mannequin with its animation), BVH, web page, strip of poses or film."""
     export.check(out)
-    if skeleton is not None and skeleton not in SKELETONS:
-        raise ValueError(f"--skeleton is one of {', '.join(SKELETONS)}; got {skeleton!r}")
     if out.exists() and out.samefile(source):
         raise ValueError(f"{out}: is the file that is read; give another to write")
-    motion = bvh.load(source, unit=unit)
+    motion = motion_files.read(source, unit, up, roles)
     if skeleton is not None:
-        motion = export.retarget(motion, SKELETONS[skeleton])
+        before, motion = motion, export.retarget(motion, _target(skeleton))
+        print(retargeting.report(before, motion))
     export.write(motion, out, title=source.stem, progress=True)
     _wrote(out)
+
+
+@app.command("pack")
+def pack(
+    out: Annotated[Path, typer.Option(help="Folder to write: the cycles and manifest.json.")],
+    style: Annotated[list[str], typer.Option(help="A style or a blend like Zombie=0.5,Old=0.5; once for each.")],
+    model: TrainedRun = None,
+    parameters: Published = None,
+    gaits: Annotated[Names | None, typer.Option(parser=Names, metavar="A,B,…", help=f"Of {', '.join(packs.GAITS)}; by "
+                                                "default all.")] = None,
+    formats: Annotated[Names | None, typer.Option(parser=Names, metavar="A,B", help="glb, bvh; by default both.")] = None,
+    in_place: Annotated[bool, typer.Option("--in-place", help="Without the steady movement of the root.")] = False,
+    skeleton: Annotated[str | None, typer.Option(help=f"Retarget to a skeleton: {', '.join(SKELETONS)}, or a file of it, "
+                                                 "best with a T-pose.")] = None,
+) -> None:
+    """Write looping cycles of styles (forward, back, left, right, run, idle) for games, and a manifest of them."""
+    if out.exists() and not out.is_dir():
+        raise ValueError(f"{out}: is a file; a folder is needed")
+    styles = {name: blend_of(name) for name in style}
+    made = packs.write(*published.either(model, parameters), out, styles, gaits=gaits or tuple(packs.GAITS),
+                       formats=formats or tuple(packs.WRITERS), in_place=in_place,
+                       target=None if skeleton is None else _target(skeleton), progress=True)
+    rows = json.loads(made.read_text(encoding="utf-8"))["clips"]
+    print(f"{'cycle':<28}{'m/s':>6}{'s':>7}{'seam cm/s':>11}{'usual':>7}")
+    for row in rows:
+        error = row["loop_error"]
+        print(f"{row['style'] + ' ' + row['gait']:<28}{row['speed']:>6.2f}{row['duration']:>7.2f}"
+              f"{error['velocity_cm_s']:>11.1f}{error['ordinary_velocity_change_cm_s']:>7.1f}")
+    print(f"wrote {len(rows)} cycles and {made}")
+
+
+def _target(skeleton: str) -> Clip:
+    """The skeleton that an option names: a T-pose of one of `SKELETONS`, or the motion of a file."""
+    if skeleton in SKELETONS:
+        known = SKELETONS[skeleton]
+        return Clip(known, rotations.identity(1, len(known)), [[0.0, 0.0, 0.0]], 60.0, name=skeleton)
+    if not Path(skeleton).is_file():
+        raise ValueError(f"--skeleton is one of {', '.join(SKELETONS)}, or a file; got {skeleton!r}")
+    return motion_files.read(Path(skeleton))
 
 
 def _wrote(*files: Path) -> None:

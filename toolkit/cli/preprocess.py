@@ -6,12 +6,13 @@ from typing import Annotated
 import typer
 
 from toolkit import datasets
+from toolkit.cli.train import show
 from toolkit.cli.verbs import Mirror, Root, Selection
 from toolkit.features import store
 
 
 def preprocess(
-    data: Annotated[str, typer.Option(help="Dataset of files: 100style, bandai, xia.")],
+    data: Annotated[str, typer.Option(help="Dataset of files: 100style, bandai, xia; or a folder of your own.")],
     out: Annotated[Path, typer.Option(help="Folder of the store; the same command continues a stopped run.")],
     root: Root = None,
     styles: Selection = None,
@@ -22,6 +23,10 @@ def preprocess(
     scheduler: Annotated[str | None, typer.Option(help="Address of a Dask scheduler that distributes the work.")] = None,
 ) -> None:
     """Compute features, phases and contacts of all files into a store, which `train --data OUT` reads from the disk."""
+    if data not in datasets.DATASETS and Path(data).is_dir():
+        data, root = "folder", Path(data)
+    if data == "folder":
+        show(root)
     mirrored = datasets.may_mirror(data, root) if mirror else None
     made = store.preprocess(data, root, out, styles=styles, gaits=gaits, source=source, mirror=mirrored, workers=workers,
                             scheduler=scheduler, progress=True)

@@ -23,7 +23,7 @@ def rollout(
     """Walk straight ahead in a style, write the motion and print measurements: speed, hips' height and foot skate."""
     export.check(out)
     net, bank = published.either(model, parameters)
-    blend = _blend(style)
+    blend = blend_of(style)
     vector, speed = bank.blend(blend), bank.speed(blend) if speed is None else speed
     states = list(runtime.states(net, runtime.straight(speed, seconds), vector, progress=True))
     clip = runtime.record(net, states, feet=ik, arms=ik).replace(style=style, gait="FW")
@@ -34,7 +34,8 @@ def rollout(
           f"foot skate right {skate['right'] * 100:.1f} left {skate['left'] * 100:.1f} cm/s; wrote {out}")
 
 
-def _blend(text: str) -> dict[str, float]:
+def blend_of(text: str) -> dict[str, float]:
+    """Shares by style, of a style's name or a blend like Zombie=0.5,Old=0.5; ValueError if it is neither."""
     if "=" not in text:
         return {text: 1.0}
     try:

@@ -8,8 +8,12 @@ from typing import Annotated
 import typer
 
 from toolkit import export
-from toolkit.cli.verbs import Seed, TrainedRun
-from toolkit.io import bvh, model_files
+from toolkit.cli import motion_files
+from toolkit.cli.verbs import Roles, Seed, TrainedRun, Unit, Up
+from toolkit.io import model_files
+from toolkit.io.load import READERS
+from toolkit.motion import Clip, Skeleton
+from toolkit.motion.retargeting import report, retarget
 from toolkit.networks import Model
 from toolkit.networks.bank import StyleBank
 from toolkit.styles.fine_tuning import METHODS, STEPS, fine_tune
@@ -19,7 +23,7 @@ app = typer.Typer(no_args_is_help=True, add_completion=False, help="Add styles t
 
 @app.command("add")
 def add(
-    clips: Annotated[Path, typer.Option(help="A BVH file of the style, or a folder of them; whole files are used.")],
+    clips: Annotated[Path, typer.Option(help="A motion file of the style, or a folder of them; whole files are used.")],
     name: Annotated[str, typer.Option(help="Name of the new style.")],
     out: Annotated[Path, typer.Option(help="File to write: as --model, with one more style.")],
     model: TrainedRun = None,
@@ -27,27 +31,37 @@ def add(
     steps: Annotated[int, typer.Option(min=1, help="Steps of gradient descent.")] = STEPS,
     mirror: Annotated[bool, typer.Option("--mirror", help="Use mirror images too; for symmetric styles.")] = False,
     seed: Seed = 0,
+    unit: Unit = "auto",
+    up: Up = "auto",
+    roles: Roles = None,
 ) -> None:
-    """Learn a style from one clip or more (4 s or more each); everything else in the file keeps the same bits.
+    """Learn a style from one clip or more (2 s or more each, better 4 s); everything else in the file keeps the same bits.
 
-    A model that has its FiLM generator fine-tunes a copy of it. For one that was stored without, such as the embedded one,
-    the style vector itself is optimised.
+    Motion of another rig is retargeted to the model's skeleton. A model that has its FiLM generator fine-tunes a copy of it.
+    For one that was stored without, such as the embedded one, the style vector itself is optimised.
     """
-    files = sorted(clips.rglob("*.bvh")) if clips.is_dir() else [clips]
+    files = [path for path in sorted(clips.rglob("*")) if path.suffix.lower() in READERS] if clips.is_dir() else [clips]
     if not files:
-        raise ValueError(f"{clips}: no BVH file in this folder")
+        raise ValueError(f"{clips}: no motion file ({', '.join(READERS)}) in this folder")
     if not name.strip() or any(c in name for c in "=,"):
         raise ValueError(f"a style's name must not be empty nor hold '=' or ',', got {name!r}")
     export.check(out, ())
     tensors, parts, network, bank = _read(model)
-    made = fine_tune(network, [bvh.load(file) for file in files], name, bank, method=method, steps=steps, mirror=mirror,
-                     seed=seed, progress=True)
+    shown = [_fitted(motion_files.read(file, unit, up, roles), network.layout.skeleton) for file in files]
+    made = fine_tune(network, shown, name, bank, method=method, steps=steps, mirror=mirror, seed=seed, progress=True)
     record = {"style": name, "clips": [file.name for file in files], "method": made.method, "steps": steps, "seed": seed,
               "seconds": round(made.seconds, 1)}
     new = {"bank": list(made.bank.names), "added": [*parts.get("added", []), record]}
     model_files.write(out, tensors | made.bank.tensors, parts | new)
     first, last = (sum(part) / len(part) if part else math.nan for part in (made.losses[:20], made.losses[-20:]))
-    print(f"{METHODS[made.method]}: loss {first:.3f} → {last:.3f} in {made.seconds:.0f} s")
+    print(f"{METHODS[made.method]}: loss {first:.3f} → {last:.3f} in {made.seconds:.0f} s, kept step {made.best}")
+    error = made.held_out[name]
+    print("Held-out frames: mean squared error {before:.3f} before, {after:.3f} after; {repeat:.3f} by repeating the frame, "
+          "{mean:.3f} by the mean".format(**error))
+    if error["after"] >= error["before"]:
+        print("Adding did not help: no step was better than the start, and the start was kept. Use more or longer clips.")
+    elif error["after"] >= error["repeat"]:
+        print("The model predicts this style no better than repeating the frame: use more or longer clips.")
     _print_near(made.bank, name)
     print(f"wrote {out}; next: python -m toolkit rollout --model {out} --style {name} --out walk.html")
 
@@ -58,6 +72,17 @@ def list_(model: TrainedRun = None) -> None:
     bank = _read(model)[3]
     for name in bank:
         _print_near(bank, name)
+
+
+def _fitted(clip: Clip, skeleton: Skeleton) -> Clip:
+    """The clip on the model's skeleton."""
+    if not any(map(skeleton.is_end, range(len(skeleton)))):
+        clip = clip.without_ends()
+    if (clip.skeleton.names, clip.skeleton.parents) == (skeleton.names, skeleton.parents):
+        return clip
+    made = retarget(clip, skeleton)
+    print(f"{clip.name}: retargeted; {report(clip, made)}")
+    return made
 
 
 def _print_near(bank: StyleBank, name: str) -> None:

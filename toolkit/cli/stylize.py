@@ -6,9 +6,9 @@ from typing import Annotated
 import typer
 
 from toolkit import export
-from toolkit.cli.verbs import Seed
+from toolkit.cli import motion_files
+from toolkit.cli.verbs import Roles, Seed, Unit, Up
 from toolkit.evaluation import metrics
-from toolkit.io import bvh
 from toolkit.motion import contacts
 from toolkit.stylization.networks import Stylizer
 from toolkit.stylization.restyling import stylize
@@ -16,12 +16,15 @@ from toolkit.stylization.restyling import stylize
 
 def stylize_clip(
     model: Annotated[Path, typer.Option(help="File that train-stylizer wrote.")],
-    clip: Annotated[Path, typer.Option(help="BVH file to restyle, on the skeleton of the training data.")],
+    clip: Annotated[Path, typer.Option(help="Motion file to restyle, on the skeleton of the training data.")],
     out: Annotated[Path, typer.Option(help=f"File to write: {', '.join(export.SUFFIXES)} (pictures: beside the source).")],
     domain: Annotated[str | None, typer.Option(help="Target style; with --reference, the style of that clip.")] = None,
     seed: Seed = 0,
-    reference: Annotated[Path | None, typer.Option(help="BVH file whose style is used instead of noise.")] = None,
+    reference: Annotated[Path | None, typer.Option(help="Motion file whose style is used instead of noise.")] = None,
     feet: Annotated[bool, typer.Option(help="Remove foot skate.")] = True,
+    unit: Unit = "auto",
+    up: Up = "auto",
+    roles: Roles = None,
 ) -> None:
     """Give a clip another style, from noise or from a reference clip; print the foot skate before and after.
 
@@ -31,8 +34,9 @@ def stylize_clip(
     stylizer = Stylizer.load(model)
     if domain is None:
         raise ValueError(f"say which style by --domain: {', '.join(stylizer.domains)}")
-    source = bvh.load(clip)
-    made = stylize(stylizer, source, domain, seed, reference=None if reference is None else bvh.load(reference), feet=feet)
+    source = motion_files.read(clip, unit, up, roles)
+    other = None if reference is None else motion_files.read(reference, unit, up, roles)
+    made = stylize(stylizer, source, domain, seed, reference=other, feet=feet)
     export.write(made, out, title=domain, source=source, progress=True)
     standing = contacts.detect(source)
     before, after = (sum(metrics.foot_skate(c, standing[: len(c)]).values()) * 50 for c in (source, made))

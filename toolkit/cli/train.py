@@ -12,8 +12,16 @@ from toolkit.features import store
 from toolkit.training import distributed
 
 
+def show(root: Path | None) -> None:
+    """Print what is used of a folder of one's own, and what is left out and why."""
+    folder = datasets.folder.SOURCE.folder(root)
+    for line in datasets.folder.survey(folder).lines(folder):
+        print(line)
+
+
 def train(
-    data: Annotated[str, typer.Option(help=f"Dataset: {', '.join(datasets.DATASETS)}; or the folder of a store.")],
+    data: Annotated[str, typer.Option(help=f"Dataset: {', '.join(datasets.DATASETS)}; or the folder of a store, or of "
+                                      "recordings of your own.")],
     out: Annotated[Path, typer.Option(help="File to write: model, style bank and training record (safetensors).")],
     root: Root = None,
     styles: Selection = None,
@@ -43,12 +51,18 @@ def train(
         **budget, model=model, patience=patience, seed=seed, device=device, processes=processes, precision=precision)
     export.check(out, ())
     distributed.start(config)  # before the data, so that all processes read them at once
-    if store.is_store(data) or (data not in datasets.DATASETS and Path(data).is_dir()):
+    if data not in datasets.DATASETS and Path(data).is_dir() and not store.is_store(data):
+        if root is not None:
+            raise ValueError(f"{data}: is the folder to read; --root is for datasets with a name")
+        data, root = "folder", Path(data)
+    if store.is_store(data):
         if root or gaits or mirror or clip_seconds is not None:
             raise ValueError(f"{data}: a store has its own --root, --gaits and --mirror; choose among its --styles")
         found = store.load(data, styles)
     else:
         options = {} if clip_seconds is None else {"seconds": clip_seconds}
+        if data == "folder" and distributed.first():
+            show(root)
         clips = datasets.load(data, root, styles, gaits, **options)
         found = features.build(clips, mirror=datasets.may_mirror(data, root) if mirror else False, short="skip",
                                progress=distributed.first())

@@ -7,7 +7,7 @@ import sys
 from collections.abc import Mapping
 from importlib import import_module
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 from typer.core import TyperCommand, TyperGroup
@@ -20,6 +20,22 @@ class Names(list):
         super().__init__(text.split(","))
 
 
+def _unit(text: str) -> float | str:
+    """Metres, or the name of a unit."""
+    try:
+        return float(text)
+    except ValueError:
+        return text
+
+
+def _roles(text: str) -> dict[str, str]:
+    """Joints by role, from ROLE=JOINT separated by commas."""
+    pairs = [pair.split("=", 1) for pair in text.split(",")]
+    if any(len(pair) < 2 for pair in pairs):
+        raise typer.BadParameter(f"expected ROLE=JOINT,…, for example left_toe=LToe; got {text!r}")
+    return {role.strip(): joint for role, joint in pairs}
+
+
 PUBLISHED = "Folder of the published parameters, or lpn-film-100style once fetched."
 Published = Annotated[Path | None, typer.Option("--published", help=PUBLISHED)]
 TrainedRun = Annotated[Path | None, typer.Option("--model", help="File of a trained model; by default the embedded one.")]
@@ -29,6 +45,11 @@ Mirror = Annotated[bool, typer.Option("--mirror", help="Add mirror images (100ST
 Seed = Annotated[int, typer.Option(help="The same seed gives the same result.")]
 Device = Annotated[str, typer.Option(help="cpu, cuda, …")]
 Resume = Annotated[bool, typer.Option("--resume", help="Continue from OUT.checkpoint, which a stopped run leaves.")]
+Unit = Annotated[Any, typer.Option("--unit", parser=_unit, metavar="METRES", help="Metres of one unit of length in a "
+                                   "motion file, or m, cm, mm, inch, dm, CMU; by default from the body's height.")]
+Up = Annotated[str, typer.Option("--up", help="Axis of a motion file that points up: x, y, z, -x, -y, -z, or auto.")]
+Roles = Annotated[Any, typer.Option("--roles", parser=_roles, metavar="ROLE=JOINT,…", help="Joints by role, for example "
+                                    "left_toe=LToe, in place of those that were found.")]
 ClipSeconds = Annotated[float | None, typer.Option(help="Length of each procedural clip.")]
 
 

@@ -14,15 +14,15 @@ from types import ModuleType
 
 import lazy_loader
 
-from toolkit.datasets import bandai, home, procedural, style100, xia
+from toolkit.datasets import bandai, folder, home, procedural, style100, xia
 from toolkit.datasets.takes import Names, Take
 from toolkit.motion import Clip
 
-__all__ = ["DATASETS", "Take", "available", "bandai", "contents", "home", "load", "may_mirror", "procedural", "style100",
-           "where", "xia"]
+__all__ = ["DATASETS", "Take", "available", "bandai", "contents", "folder", "home", "load", "may_mirror", "procedural",
+           "style100", "where", "xia"]
 __getattr__ = lazy_loader.attach(__name__, [module.name for module in pkgutil.iter_modules(__path__)])[0]
 
-DATASETS = {"procedural": procedural, "100style": style100, "bandai": bandai, "xia": xia}
+DATASETS = {"procedural": procedural, "100style": style100, "bandai": bandai, "xia": xia, "folder": folder}
 
 
 def load(name: str, root: str | os.PathLike | None = None, styles: Names = None, gaits: Names = None,
@@ -32,7 +32,7 @@ def load(name: str, root: str | os.PathLike | None = None, styles: Names = None,
     Parameters
     ----------
     name
-        ``"procedural"``, ``"100style"``, ``"bandai"`` or ``"xia"``.
+        ``"procedural"``, ``"100style"``, ``"bandai"`` or ``"xia"``; ``"folder"`` for a folder of your own.
     root
         The folder that holds the files; the procedural dataset has none.
     styles, gaits

@@ -48,13 +48,13 @@ class Origin:
 def _check_100style(folder: Path) -> str:
     takes, cuts, styles = style100.SOURCE.find(folder), style100.frame_cuts(folder), style100.styles(folder)
     named = sum((take.style, take.gait) in cuts for take in takes)
-    bvh.load(takes[0].path)
+    bvh.load(takes[0].path, unit=bvh.CENTIMETRE, up="y")
     return f"{named} of the {len(cuts)} takes of {len(styles)} styles that its tables name"
 
 
 def _check_bandai(folder: Path) -> str:
     takes = bandai.SOURCE.find(folder)
-    bvh.load(takes[0].path)
+    bvh.load(takes[0].path, unit=bvh.CENTIMETRE, up="y")
     return f"{len(takes)} takes of {len({take.style for take in takes})} styles"
 
 
@@ -143,7 +143,7 @@ def fetch(name: str, root: str | os.PathLike | None = None, source: str | os.Pat
         If the server cannot be reached, or the disk has no room: then what came stays, and the same call goes on from there.
     """
     if name not in ORIGINS:
-        raise ValueError(f"{name!r} cannot be fetched; there are {', '.join(ORIGINS)}")
+        raise ValueError(f"{name!r} cannot be fetched; known: {', '.join(ORIGINS)}")
     origin, folder = ORIGINS[name], Path(root or home.folder(name)).absolute()
     source, expected = str(source or origin.url), sha256 or origin.sha256 or ""
     folder.parent.mkdir(parents=True, exist_ok=True)

@@ -88,7 +88,7 @@ class Source:
     def read(self, takes: list[Take]) -> Iterator[Clip]:
         """Labelled clips of takes; more than 20 show a progress bar on a terminal."""
         for take in tqdm(takes, desc=self.name, unit="file", disable=None if len(takes) > 20 else True):
-            yield bvh.load(take.path, unit=self.unit, style=take.style, gait=take.gait)
+            yield bvh.load(take.path, unit=self.unit, up="y", style=take.style, gait=take.gait)
 
 
 def _check_names(names: Names, known: Iterable[str], what: str, dataset: str) -> list[str]:

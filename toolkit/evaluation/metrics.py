@@ -8,7 +8,7 @@ from torch import Tensor
 from toolkit.features import Layout
 from toolkit.motion import Clip, Skeleton
 from toolkit.motion.clip import FEET, SIDES
-from toolkit.motion.contacts import detect, velocities
+from toolkit.motion.contacts import HEIGHT, detect, velocities
 from toolkit.motion.tensors import as_tensor
 
 
@@ -24,7 +24,7 @@ def foot_skate(clip: Clip, contact: Tensor | None = None) -> dict[str, float]:
     ValueError
         If the contacts do not have the clip's frames.
     """
-    contact = detect(clip, speed=math.inf) if contact is None else _checked(clip, contact)
+    contact = detect(clip, height=HEIGHT, speed=math.inf) if contact is None else _checked(clip, contact)
     result = {}
     for i, side in enumerate(FEET):
         toe = clip.global_positions[:, clip.skeleton.role(f"{side}_toe")]

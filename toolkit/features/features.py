@@ -22,6 +22,7 @@ from toolkit.motion.tensors import few, summary
 KINDS = ("inputs", "phases", "outputs", "clips")  # each has a normaliser
 FRAME_KINDS = KINDS[:3]  # those with a row per frame
 CLIP_FRAMES, CLIP_HOP = 240, 120
+SHORTEST = trajectory.SAMPLES[-1] - trajectory.SAMPLES[0] + 2  # frames of a clip with one usable frame
 CHUNK = 1 << 18  # numbers in memory at a time in sums over all rows
 
 
@@ -102,9 +103,14 @@ class OwnFeatures:
             phases=there, phase_updates=there - self.phases[at], contacts=self.contacts[after],
         )
 
-    def style_clips(self, starts: Tensor) -> Tensor:
-        """y ``[M, 240, 12 J]``: joint features of the frames from ``starts [M]`` on."""
+    def style_clips(self, starts: Tensor, lengths: Tensor | None = None) -> Tensor:
+        """y ``[M, 240, 12 J]``: joint features of the frames from ``starts [M]`` on.
+
+        With ``lengths [M]`` they are those of that many frames, repeated: a style that is only shown for less than 240.
+        """
         frames, width = self.joints.shape
+        if lengths is not None:
+            return self.joints[starts[:, None] + torch.arange(CLIP_FRAMES, device=starts.device) % lengths[:, None]]
         return self.joints.as_strided((max(0, frames - CLIP_FRAMES + 1), CLIP_FRAMES, width), (width, width, 1))[starts]
 
 
@@ -117,12 +123,14 @@ def _seen_from(block: Tensor, position: Tensor, direction: Tensor) -> Tensor:
     return seen.flatten(1)
 
 
-def own_features(clip: Clip, ph: phases.Phases, samples: tuple[int, ...] = trajectory.SAMPLES) -> OwnFeatures:
+def own_features(clip: Clip, ph: phases.Phases, samples: tuple[int, ...] = trajectory.SAMPLES,
+                 contact_height: float | None = None) -> OwnFeatures:
     """Features of each frame of a clip by itself, given its phases; ValueError if the clip is not at 60 Hz."""
     if clip.fps != trajectory.FPS:
         raise ValueError(f"{clip.name}: features need {trajectory.FPS} Hz, the clip has {clip.fps:g}; use clip.resample(60)")
     layout, roots = Layout(clip.skeleton, samples=samples), root_frames(clip)
-    return OwnFeatures(layout, roots, joint_features(clip, roots), ph.vector.flatten(1), contacts.detect(clip))
+    return OwnFeatures(layout, roots, joint_features(clip, roots), ph.vector.flatten(1),
+                       contacts.detect(clip, height=contact_height))
 
 
 def joint_features(clip: Clip, roots: RootFrames) -> Tensor:
@@ -260,7 +268,8 @@ class Features:
 
 def build(clips: Clip | Iterable[Clip], *, source: str | phases.Source = "hybrid",
           mirror: bool | Callable[[Clip], bool] = False, short: str = "raise",
-          samples: tuple[int, ...] = trajectory.SAMPLES, progress: bool = False) -> Features:
+          samples: tuple[int, ...] = trajectory.SAMPLES, contact_height: float | None = None,
+          progress: bool = False) -> Features:
     """Features of many clips, resampled to 60 Hz.
 
     Parameters
@@ -270,12 +279,13 @@ def build(clips: Clip | Iterable[Clip], *, source: str | phases.Source = "hybrid
     mirror : add mirror images of all clips or of those that a function chooses: symmetric styles, never idling (section 3.2)
     short : ``"raise"``: a clip that holds no whole window is an error; ``"skip"``: it is left out
     samples : offsets of the trajectory window, see `Layout`; they must be those of the model that uses the features
+    contact_height : height up to which a toe stands, metres; by default it follows from each clip (`contacts.detect`)
     progress : show a bar
 
     Raises
     ------
     ValueError
-        If there is no clip, skeletons differ, a clip is too short, or a style has no clip of 240 frames.
+        If there is no clip, skeletons differ, a clip is too short, or a style has no clip with a whole window.
     """
     clips = [clips] if isinstance(clips, Clip) else list(clips)
     if not clips:
@@ -283,17 +293,23 @@ def build(clips: Clip | Iterable[Clip], *, source: str | phases.Source = "hybrid
     layout = Layout(clips[0].skeleton, samples=samples)
     groups: dict[tuple[str, str], list[tuple[int, Clip]]] = defaultdict(list)
     for take, clip in enumerate(clips):
-        if Layout(clip.skeleton, samples=samples) != layout:
-            raise ValueError(f"{clip.name}: its joints differ from those of {clips[0].name}")
+        if why := Layout(clip.skeleton, samples=samples).difference(layout):
+            raise ValueError(f"{clip.name}: {why}, compared with {clips[0].name}")
         groups[clip.style, clip.gait].append((take, clip))
     parts: dict[str, dict[str, list[Tensor]]] = {kind: defaultdict(list) for kind in (*KINDS, "takes")}
+    repeated: dict[str, list[Tensor]] = defaultdict(list)  # style clips of styles without a long clip
     for (style, _), members in tqdm(sorted(groups.items()), "features", unit="group", disable=None if progress else True):
-        for take, own in group_features(members, source, mirror, short, samples):
+        for take, own in group_features(members, source, mirror, short, samples, contact_height):
             n, device = len(own.joints), own.joints.device
             at, starts = usable(n, device, samples), clip_starts(n, device)
             rows = own.inputs(at), own.phases[at], own.outputs(at), own.style_clips(starts), torch.full_like(at, take)
             for kind, values in zip(parts, rows, strict=True):
                 parts[kind][style].append(values)
+            if not len(starts):
+                repeated[style].append(own.style_clips(at[:1] * 0, torch.full_like(at[:1], n)))
+    for style, values in parts["clips"].items():
+        if not any(map(len, values)):
+            parts["clips"][style] = repeated[style]
     found = {kind: {style: torch.cat(values) for style, values in by_style.items()} for kind, by_style in parts.items()}
     for style in dict.fromkeys(clip.style for clip in clips):
         check_style_clips(style, len(found["clips"].get(style, ())))
@@ -312,18 +328,19 @@ def check_style(name: str, names: Iterable[str]) -> None:
     if name not in names:
         by_lower = {n.lower(): n for n in names}
         close = [by_lower[n] for n in difflib.get_close_matches(str(name).lower(), by_lower, cutoff=0.5)]
-        there = f"close to it: {', '.join(close)}" if close else f"there is {few(names)}"
+        there = f"close to it: {', '.join(close)}" if close else f"known: {few(names)}"
         raise UnknownStyleError(f"unknown style {name!r}; {there}")
 
 
 def check_style_clips(style: str, n: int) -> None:
     """Raise a ValueError if a style has no style clips."""
     if not n:
-        raise ValueError(f"style {style!r} has no clip of {CLIP_FRAMES} frames (4 s at 60 Hz) to learn the style from")
+        raise ValueError(f"style {style!r} has no clip of {SHORTEST} frames (1.9 s at 60 Hz) to learn the style from")
 
 
 def group_features(members: Iterable[tuple[int, Clip]], source: str | phases.Source, mirror: bool | Callable[[Clip], bool],
-                   short: str, samples: tuple[int, ...] = trajectory.SAMPLES) -> Iterator[tuple[int, OwnFeatures]]:
+                   short: str, samples: tuple[int, ...] = trajectory.SAMPLES,
+                   contact_height: float | None = None) -> Iterator[tuple[int, OwnFeatures]]:
     """Pairs (take number, `OwnFeatures`) of every clip of one style and gait and of its mirror image; see `build`."""
     chosen: list[tuple[int, Clip]] = []
     for take, clip in members:
@@ -337,4 +354,4 @@ def group_features(members: Iterable[tuple[int, Clip]], source: str | phases.Sou
             chosen.append((take, clip.mirrored()))
     found = phases.extract_group([clip for _, clip in chosen], source) if chosen else []
     for (take, clip), ph in zip(chosen, found, strict=True):
-        yield take, own_features(clip, ph, samples)
+        yield take, own_features(clip, ph, samples, contact_height)

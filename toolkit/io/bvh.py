@@ -4,19 +4,23 @@ import itertools
 import os
 import re
 from collections import defaultdict
+from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
 import torch
 from torch import Tensor
 
+from toolkit.io import interpretation
 from toolkit.io.files import atomic_write
-from toolkit.motion import Clip, Skeleton
+from toolkit.io.recording import Recording
+from toolkit.motion import Clip
 from toolkit.motion import rotations as R
 
 CENTIMETRE = 0.01
 SMALL = 1_000_000  # joints times frames that a file of any size may have
 LARGEST = 1e30  # limit of lengths in the file's unit; in any unit float32 holds them
+MOVED = 2.5e-3  # of the longest bone: a change of a joint's distance to its parent that is no rounding
 _MOTION = re.compile(rb"[\r\n][^\S\r\n]*MOTION[^\S\r\n]*(?=[\r\n]|\Z)", re.IGNORECASE)
 _TIMING = re.compile(rb"\s*Frames[^\r\n:]*:([^\r\n]*)[\r\n]\s*Frame Time[^\r\n:]*:([^\r\n]*)", re.IGNORECASE)
 
@@ -25,23 +29,44 @@ class BVHError(ValueError):
     """A file that cannot be read as BVH; the message names the file and the line."""
 
 
-def load(path: str | os.PathLike, *, unit: float = CENTIMETRE, style: str = "", gait: str = "") -> Clip:
-    """Read a BVH file.
-
-    Channels may have any order, and any joint may have positions. Position channels replace a joint's OFFSET; where they are
-    constant they become the skeleton's offset. A root whose only child moves relative to it (Bandai-Namco's ``joint_Root``)
-    is merged with that child. End Sites become leaves named ``<parent>End``, ``<parent>2End`` and so on.
+def load(path: str | os.PathLike, *, unit: float | str = "auto", up: str = "auto", roles: Mapping[str, str] | None = None,
+         style: str = "", gait: str = "") -> Clip:
+    """Read a BVH file as `toolkit.load` does; with ``unit`` and ``up`` given, nothing is guessed.
 
     Parameters
     ----------
     path : the file
-    unit : metres of one unit of length in the file
+    unit : metres of one unit of length in the file, or "auto"
+    up : the file's axis that points up: "x", "y", "z", "-x", "-y", "-z", or "auto"
+    roles : joints by role (`toolkit.motion.ROLES`), where names and tree do not show them
     style, gait : labels for the clip
 
     Raises
     ------
     BVHError
         If the file is not BVH or truncated, its frame count is wrong, or a number is missing or not finite.
+    ValueError
+        If unit, up or roles do not fit.
+    """
+    recording = read(path)
+    try:
+        return interpretation.load(recording, Path(path), unit, up, roles, style, gait)
+    except ValueError as error:
+        raise BVHError(f"{path}: {str(error).removeprefix(f'{Path(path).name}: ')}") from error
+
+
+def read(path: str | os.PathLike) -> Recording:
+    """The motion in a BVH file, in its own unit and axes.
+
+    Channels may have any order, and any joint may have positions. Position channels replace a joint's OFFSET, or add to it
+    in files where all of them stay near zero, as MakeHuman's do; where they are constant they become the skeleton's offset.
+    A root whose only child moves relative to it (Bandai-Namco's ``joint_Root``) is merged with that child. End Sites become
+    leaves named ``<parent>End``, ``<parent>2End`` and so on.
+
+    Raises
+    ------
+    BVHError
+        As `load`.
     """
     path = Path(path)
     try:
@@ -55,13 +80,15 @@ def load(path: str | os.PathLike, *, unit: float = CENTIMETRE, style: str = "", 
         raise BVHError(f"{path}: {len(names)} joints in {columns.shape[1]} frames, but only {len(columns)} channels")
     number = itertools.count()
     rows = [{channel: next(number) for channel in of_joint} for of_joint in channels]  # of columns
-    rotations, offsets = _rotations(torch.from_numpy(columns), rows), np.asarray(offsets) * unit
-    positions, moving = _positions(columns, rows, offsets, unit), {}
+    rotations, offsets = _rotations(torch.from_numpy(columns), rows), np.asarray(offsets)
+    positions, moving = _positions(columns, rows, offsets), {}
     for j, moves in positions.items():
-        if not (np.abs(moves) < LARGEST * unit).all():
+        if not (np.abs(moves) < LARGEST).all():
             raise BVHError(f"{path}: positions of joint {names[j]} are beyond {LARGEST:g} units")
         offsets[j] = np.median(moves, axis=0)
-        if j and (spread := float(np.ptp(moves, axis=0).max())) > 1e-3:
+    longest = max(np.linalg.norm(offsets[1:], axis=1), default=0.0)
+    for j, moves in positions.items():
+        if j and (spread := float(np.ptp(moves, axis=0).max())) > MOVED * longest:
             moving[j] = spread
     root_positions = torch.from_numpy(positions[0])
     if 1 in moving and parents.count(0) == 1:  # the joint below the root moves: merge the two
@@ -71,13 +98,10 @@ def load(path: str | os.PathLike, *, unit: float = CENTIMETRE, style: str = "", 
         moving = {j - 1: s for j, s in moving.items() if j > 1}
     if moving:
         joint = max(moving, key=moving.get)
-        raise BVHError(f"{path}: joint {names[joint]} changes its distance to its parent by up to "
-                       f"{moving[joint] * 1000:.0f} mm; only rigid skeletons are supported")
-    skeleton = Skeleton(tuple(names), tuple(parents), offsets, ends=tuple(ends))
-    try:
-        return Clip(skeleton, R.unroll(rotations), root_positions, fps, style, gait, path.name)
-    except ValueError as error:
-        raise BVHError(f"{path}: {str(error).removeprefix(path.name + ': ')}") from error
+        raise BVHError(f"{path}: joint {names[joint]} changes its distance to its parent by up to {moving[joint]:.4g} units "
+                       "of the file; only rigid skeletons are supported")
+    return Recording("BVH", tuple(names), tuple(parents), torch.from_numpy(offsets), R.unroll(rotations), root_positions,
+                     fps, tuple(ends))
 
 
 def save(clip: Clip, path: str | os.PathLike, *, unit: float = CENTIMETRE, order: str = "YXZ") -> None:
@@ -247,12 +271,16 @@ def _rotations(columns: Tensor, rows: list[dict[str, int]]) -> Tensor:
     return rotations
 
 
-def _positions(columns: np.ndarray, rows: list[dict[str, int]], offsets: np.ndarray, unit: float) -> dict[int, np.ndarray]:
-    """Positions ``[F, 3]`` relative to the parent, metres, of the root and of every joint with position channels."""
+def _positions(columns: np.ndarray, rows: list[dict[str, int]], offsets: np.ndarray) -> dict[int, np.ndarray]:
+    """Positions ``[F, 3]`` relative to the parent of the root and of every joint with position channels."""
     positions = {}
     for j, channels in enumerate(rows):
         moves = {R.AXES[c[0]]: i for c, i in channels.items() if c.endswith("position")}
         if moves or not j:
             positions[j] = np.repeat(offsets[j : j + 1], columns.shape[1], axis=0)
-            positions[j][:, list(moves)] = columns[list(moves.values())].T * unit
+            positions[j][:, list(moves)] = columns[list(moves.values())].T
+    below = [j for j in positions if j]
+    if below and sum(np.abs(np.median(positions[j], 0)).sum() for j in below) < 0.1 * np.abs(offsets[below]).sum():
+        for j in below:
+            positions[j] += offsets[j]
     return positions

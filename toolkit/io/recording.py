@@ -20,3 +20,4 @@ class Recording:
     unit: float | None = None  # metres of one unit where the format or the file says so
     up: str | None = None  # "x", "y" or "z" where the format or the file says so
     roles: dict[str, str] | None = None  # from a role to a joint where the file says so (VRM)
+    doubts: tuple[str, ...] = ()  # what the reader assumed, left out or rounded; one sentence each

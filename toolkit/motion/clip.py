@@ -1,8 +1,7 @@
-"""Skeleton and Clip. Metres, seconds, Y up; every operation returns a new object."""
+"""Clip: a motion of a skeleton. Metres, seconds, Y up; every operation returns a new object."""
 
 import dataclasses
 import math
-import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -13,181 +12,14 @@ import torch
 from torch import Tensor
 
 from toolkit.motion import rotations as R
+from toolkit.motion.roles import SIDES as SIDES
+from toolkit.motion.skeleton import FEET as FEET
+from toolkit.motion.skeleton import LIMBS as LIMBS
+from toolkit.motion.skeleton import Skeleton, forward_kinematics, local_rotations
 from toolkit.motion.tensors import as_tensor, summary, through_numpy
 
-SIDES = ("left", "right")
-FEET = SIDES[::-1]  # the order of contacts in the published network, and of all pairs of legs or arms
-LIMBS = tuple(f"{side}_{part}" for part in ("hand", "foot") for side in SIDES)  # the order of local phases
-ROLES = ("hips", *(f"{side}_{part}" for side in SIDES
-                   for part in ("shoulder", "elbow", "hand", "hip", "knee", "foot", "toe")))
+ASKEW = 0.35  # distance of unit vectors: bones that a reflection of axes maps worse need another reflection
 UNIT = 1e-3  # tolerance of a quaternion's length: accepts files with four decimals, and long products in float32
-_SIDE = re.compile(r"Left|Right|left|right|[_.][LR](?=$|End$)|^[LR](?=[A-Z])")  # LeftHand, Hand_L, LThumb
-
-
-@dataclass(frozen=True, eq=False)
-class Skeleton:
-    """A tree of J joints and End Sites.
-
-    ValueError if lengths differ, a name repeats, a parent does not come before its child or an End Site is no leaf.
-    """
-
-    names: tuple[str, ...]  # J unique ones
-    parents: tuple[int, ...]  # the root comes first with -1, every parent before its children
-    offsets: Tensor  # [J, 3] from the parent, in its frame, metres, float32 on the CPU; the root's offset is not used
-    roles: dict[str, str] | None = None  # from a role of `ROLES` to a joint name; by default found from names and tree
-    ends: tuple[str, ...] | None = None  # leaves that are End Sites (no rotation); by default those with names in ...End
-
-    def __post_init__(self):
-        set_ = object.__setattr__
-        set_(self, "names", tuple(self.names))
-        set_(self, "parents", tuple(int(p) for p in self.parents))
-        offsets = as_tensor(self.offsets, "offsets", torch.float32)
-        set_(self, "offsets", offsets if offsets.is_meta else offsets.cpu())
-        n = len(self.names)
-        if len(self.parents) != n or self.offsets.shape != (n, 3):
-            raise ValueError(f"{n} joint names need {n} parents and offsets [{n}, 3]; got {len(self.parents)} parents "
-                             f"and offsets {list(self.offsets.shape)}")
-        if len(set(self.names)) != n:
-            raise ValueError(f"joint names repeat: {sorted({x for x in self.names if self.names.count(x) > 1})}")
-        if self.parents[0] != -1 or any(not 0 <= p < j for j, p in enumerate(self.parents[1:], 1)):
-            raise ValueError("the root must come first with parent -1, and every parent before its children")
-        set_(self, "roles", find_roles(self.names, self.parents) if self.roles is None else dict(self.roles))
-        leaves = [name for j, name in enumerate(self.names) if j and j not in self.parents]
-        set_(self, "ends", tuple(self.ends if self.ends is not None else (x for x in leaves if x.endswith("End"))))
-        if wrong := [name for name in self.ends if name not in leaves]:
-            raise ValueError(f"End Sites must be leaves of the tree; these are not: {', '.join(map(str, wrong))}")
-
-    def __len__(self) -> int:
-        return len(self.names)
-
-    def __repr__(self) -> str:
-        return summary(self, {"joints": len(self), "end_sites": len(self.ends), "names": self.names, "roles": self.roles})
-
-    def to_dict(self) -> dict:
-        """The fields as values for JSON; ``Skeleton(**fields)`` makes the skeleton again."""
-        return {f.name: getattr(self, f.name) for f in dataclasses.fields(self)} | {"offsets": self.offsets.tolist()}
-
-    def index(self, name: str) -> int:
-        """Index of a joint by its name or, where no joint has this name, by its role."""
-        joint = name if name in self.names else self.roles.get(name)
-        if joint not in self.names:
-            raise ValueError(f"unknown joint {name!r}; the skeleton has {', '.join(self.names)}")
-        return self.names.index(joint)
-
-    def role(self, role: str) -> int:
-        """Index of the joint with a role, which may differ from its name: SMPL's left_wrist has the role left_hand."""
-        if self.roles.get(role) not in self.names:
-            raise ValueError(f"no joint has the role {role!r}; the skeleton has {', '.join(self.names)}")
-        return self.names.index(self.roles[role])
-
-    def is_end(self, joint: int) -> bool:
-        """Whether a point is an End Site."""
-        return self.names[joint] in self.ends
-
-    def end_site(self, role: str) -> int:
-        """Index of the End Site below the joint with a role; the joint itself if it has no End Site beyond 0.1 mm."""
-        joint = self.role(role)
-        ends = (j for j, p in enumerate(self.parents) if p == joint and self.is_end(j))
-        return next((j for j in ends if float(self.offsets[j].norm()) > 1e-4), joint)
-
-    @cached_property
-    def feature_joints(self) -> tuple[int, ...]:
-        """Joints that the features describe (section 3.2): all but End Sites, and the End Sites of the hands."""
-        hands = {self.end_site(f"{side}_hand") for side in SIDES}
-        return tuple(j for j in range(len(self)) if not self.is_end(j) or j in hands)
-
-    @cached_property
-    def feature_parents(self) -> tuple[int, ...]:
-        """Parents of `feature_joints`, as indices into them."""
-        position = {j: i for i, j in enumerate(self.feature_joints)}
-        return tuple(position.get(self.parents[j], -1) for j in self.feature_joints)
-
-    def levels(self, device: torch.device) -> list[tuple[Tensor, Tensor]]:
-        """Indices of the joints and of their parents, one pair for each depth below the root; cached by device."""
-        kept = self.__dict__.setdefault("_levels", {})
-        if device not in kept:
-            depth = [0] * len(self)
-            for j, p in enumerate(self.parents[1:], 1):
-                depth[j] = depth[p] + 1
-            groups = [[j for j, d in enumerate(depth) if d == level] for level in range(1, max(depth) + 1)]
-            with torch.inference_mode(False):  # the next call may need gradients
-                kept[device] = [(torch.tensor(g, device=device), torch.tensor([self.parents[j] for j in g], device=device))
-                                for g in groups]
-        return kept[device]
-
-    @cached_property
-    @torch.inference_mode(False)
-    def rest_positions(self) -> Tensor:
-        """Positions ``[J, 3]`` with every rotation zero, the root at the origin."""
-        return forward_kinematics(self, R.identity(len(self), dtype=torch.float32), torch.zeros(3))[1]
-
-    @cached_property
-    @torch.inference_mode(False)
-    def facing_axis(self) -> Tensor:
-        """The signed axis ``[3]`` of the hips' frame nearest to (right hip → left hip) × (hips → chest)."""
-        rest = self.rest_positions
-        left = rest[self.role("left_hip")] - rest[self.role("right_hip")]
-        forward = torch.linalg.cross(left, rest[self.trunk[0]] - rest[self.role("hips")])
-        largest = forward.abs().argmax()
-        return torch.eye(3)[largest] * forward[largest].sign()
-
-    def ancestors(self, joint: int | str) -> list[int]:
-        """Indices from the parent of a joint (its index, name or role) up to the root."""
-        above, j = [], self.parents[self.index(joint) if isinstance(joint, str) else joint]
-        while j >= 0:
-            above.append(j)
-            j = self.parents[j]
-        return above
-
-    @cached_property
-    def trunk(self) -> list[int]:
-        """Joints above both shoulders, from the chest up to the root."""
-        left, right = (self.ancestors(self.role(f"{side}_shoulder")) for side in SIDES)
-        return [j for j in left if j in right]
-
-    @cached_property
-    def mirror_pairs(self) -> tuple[int, ...]:
-        """For each joint the index of its left/right counterpart, itself where it has none."""
-        swap = {"Left": "Right", "left": "right", "L": "R"}
-        swap |= {b: a for a, b in swap.items()}
-        other = [_SIDE.sub(lambda m: m[0].replace(w := m[0].strip("_."), swap[w]), n, count=1) for n in self.names]
-        return tuple(self.names.index(n) if n in self.names else j for j, n in enumerate(other))
-
-
-def find_roles(names: Sequence[str], parents: Sequence[int]) -> dict[str, str]:
-    """Those roles of `ROLES` that can be found from the names of hands and toes and the chains of their parents."""
-    roles = {"hips": next((n for n in names if n.lower().endswith(("hips", "pelvis"))), names[0])}
-    chains = {("hand", "wrist"): ("hand", "elbow", "shoulder"), ("toe",): ("toe", "foot", "knee", "hip")}
-    found = [_SIDE.search(name) for name in names]
-    initials = [match[0].strip("_.")[0].lower() if match else "" for match in found]
-    for side in SIDES:
-        for words, parts in chains.items():
-            named = (j for j, n in enumerate(names) if initials[j] == side[0] and any(w in n.lower() for w in words))
-            joint = next(named, -1)
-            for part in parts:
-                if joint > 0:
-                    roles[f"{side}_{part}"] = names[joint]
-                    joint = parents[joint]
-    return roles
-
-
-def forward_kinematics(skeleton: Skeleton, rotations: Tensor, root_positions: Tensor) -> tuple[Tensor, Tensor]:
-    """Global rotations ``[..., J, 4]`` and positions ``[..., J, 3]`` of local rotations and the root's position."""
-    local = rotations.movedim((-1, -2), (0, 1)).contiguous()  # the frames of one component are contiguous
-    turned, positions = torch.empty_like(local), torch.empty_like(local[:3])
-    turned[:, 0], positions[:, 0] = local[:, 0], root_positions.movedim(-1, 0)
-    offsets = skeleton.offsets.to(rotations).T.reshape(3, -1, *[1] * (rotations.dim() - 2))
-    for joints, parents in skeleton.levels(rotations.device):
-        above = turned[:, parents]
-        turned[:, joints] = torch.stack(R.multiply_parts(above, local[:, joints]))
-        positions[:, joints] = positions[:, parents] + torch.stack(R.rotate_parts(above, offsets[:, joints]))
-    return tuple(x.movedim((0, 1), (-1, -2)).contiguous() for x in (turned, positions))
-
-
-def local_rotations(skeleton: Skeleton, global_rotations: Tensor) -> Tensor:
-    """Rotations ``[..., J, 4]`` relative to the parents, from global rotations: the inverse of `forward_kinematics`."""
-    above = R.inverse(global_rotations[..., list(skeleton.parents[1:]), :])
-    return torch.cat((global_rotations[..., :1, :], R.multiply(above, global_rotations[..., 1:, :])), -2)
 
 
 @dataclass(frozen=True, eq=False)
@@ -292,11 +124,13 @@ class Clip:
         return self.replace(rotations=R.normalize(quaternions), root_positions=positions, fps=fps)
 
     def without_ends(self) -> "Clip":
-        """The same motion on the skeleton without End Sites."""
+        """The same motion on the skeleton without End Sites; a role that an End Site had goes to its parent."""
         old = self.skeleton
         kept = [j for j in range(len(old)) if not old.is_end(j)]
-        parents = [kept.index(old.parents[j]) if j else -1 for j in kept]
-        skeleton = Skeleton([old.names[j] for j in kept], parents, old.offsets[kept], old.roles, ())
+        parents, names = [kept.index(old.parents[j]) if j else -1 for j in kept], [old.names[j] for j in kept]
+        roles = {role: name if name in names else old.names[old.parents[old.names.index(name)]]
+                 for role, name in old.roles.items()}
+        skeleton = Skeleton(names, parents, old.offsets[kept], roles, ())
         return self.replace(skeleton=skeleton, rotations=self.rotations[:, kept])
 
     def moved(self, turn: float = 0.0, shift: Sequence[float] = (0.0, 0.0, 0.0)) -> "Clip":
@@ -310,27 +144,54 @@ class Clip:
     def mirrored(self) -> "Clip":
         """Left and right exchanged: the motion reflected in the plane x = 0.
 
-        The reflection makes each joint's frame left-handed, so one or all three of its own axes are reflected too. Rigs
-        differ in which axis points sideways. We choose the reflection that maps the bones below a joint to those below its
-        counterpart. If several do, we choose the one whose mean rotation is nearest to the mirror image. A joint without a
-        counterpart is mirrored onto itself.
+        The reflection makes each joint's frame left-handed, so the frame is reflected, too, see `frame_reflections`. A joint
+        without a counterpart is mirrored onto itself.
         """
-        world, *choices = as_tensor([[-1, 1, 1], [-1, 1, 1], [1, -1, 1], [1, 1, -1], [-1, -1, -1]], "signs", self.rotations)
-        choices, offsets = torch.stack(choices), self.skeleton.offsets.to(self.rotations)
         pairs = list(self.skeleton.mirror_pairs)
-        parents = torch.tensor(self.skeleton.parents[1:], dtype=torch.long, device=world.device)
-        misfit = (choices[:, None] * offsets[1:] - offsets[pairs[1:]]).square().sum(-1)
-        misfits = misfit.new_zeros(4, len(pairs)).index_add(1, parents, misfit)  # square metres, of each joint's bones
         root = R.multiply(R.inverse(root_frames(self).rotations), self.rotations[:, 0])
         mean = R.to_matrix(torch.cat((root[:, None], self.rotations[:, 1:]), 1)).mean(0)
-        own = world.expand(len(pairs), 3).clone()
-        for j, p in enumerate(self.skeleton.parents):
-            images = (world if p < 0 else own[p])[:, None] * mean[pairs[j]] * choices[:, None]
-            own[j] = choices[((images * mean[j]).sum((-2, -1)) - misfits[:, j] / 0.01**2).argmax(keepdim=True)]
-        matrices = R.to_matrix(self.global_rotations)
-        mirrored = R.from_matrix(world[:, None] * matrices[:, pairs] * own[:, None, :])
-        return self.replace(rotations=R.unroll(local_rotations(self.skeleton, mirrored)),
+        world = as_tensor([-1, 1, 1], "signs", self.rotations)
+        mirrored = world[:, None] * R.to_matrix(self.global_rotations)[:, pairs] @ frame_reflections(self.skeleton, mean)
+        return self.replace(rotations=R.unroll(local_rotations(self.skeleton, R.from_matrix(mirrored))),
                             root_positions=self.root_positions * world)
+
+
+def frame_reflections(skeleton: Skeleton, mean: Tensor) -> Tensor:
+    """Reflections ``[J, 3, 3]`` of the joints' frames onto those of their counterparts, for a motion reflected in x = 0.
+
+    Rigs differ in which of a joint's axes points sideways. We choose the reflection of one or all three axes that maps the
+    bones below a joint to those below its counterpart. If several do, we choose the one that maps the mean local rotations
+    ``mean [J, 3, 3]`` best. If none does, it is the orthogonal matrix that fits bones and means best (Procrustes).
+    """
+    choices = torch.diag_embed(as_tensor([[-1, 1, 1], [1, -1, 1], [1, 1, -1], [-1, -1, -1]], "signs", mean))
+    pairs, offsets = list(skeleton.mirror_pairs), skeleton.offsets.to(mean)
+    bones = [[] for _ in pairs]
+    for j, p in enumerate(skeleton.parents[1:], 1):
+        if skeleton.parents[pairs[j]] == pairs[p]:
+            bones[p].append(j)
+    own = mean.new_zeros(len(pairs), 3, 3)
+    for j, p in enumerate(skeleton.parents):
+        if pairs[j] < j:
+            own[j] = own[pairs[j]].T
+            continue
+        here, there = offsets[bones[j]], offsets[[pairs[k] for k in bones[j]]]
+        above = choices[0] if p < 0 else own[p]
+        rotation = mean[pairs[j]].T @ above @ mean[j]  # that which a reflection of j's frame should be
+        misfit = (here @ choices.mT - there).square().sum((-2, -1)) / 0.01**2
+        best = int(((choices * rotation).sum((-2, -1)) - misfit).argmax())
+        long = here.norm(dim=-1) > 0.01
+        apart = R.normalize(here[long]) @ choices[best].mT - R.normalize(there[long])
+        if float(apart.norm(dim=-1).amax() if len(apart) else 0.0) < ASKEW:
+            own[j] = choices[best]
+            continue
+        target = rotation + there.T @ here / 0.0003**2  # a bone of 3 cm weighs 10,000 times as much as the mean
+        if pairs[j] == j:  # a reflection that is its own inverse
+            normal = torch.linalg.eigh(target + target.T).eigenvectors[:, 0]
+            own[j] = torch.eye(3).to(mean) - 2 * torch.outer(normal, normal)
+        else:
+            u, _, v = torch.linalg.svd(target)
+            own[j] = u @ torch.diag(torch.stack((*u.new_ones(2), -torch.linalg.det(u @ v).sign()))) @ v
+    return own
 
 
 def on_cpu(clips: Clip | Iterable[Clip]) -> list[Clip]:

@@ -3,36 +3,83 @@
 import torch
 from torch import Tensor
 
-from toolkit.motion.clip import FEET, Clip
+from toolkit.motion.clip import Clip
+from toolkit.motion.skeleton import FEET
 
 BALL = 0.01  # thickness of the floor, metres
+HEIGHT = 0.01  # d_max of the paper, metres
+REACH = 0.06  # metres above the floor in which a slow toe may stand: markers and feet differ, a lifted foot is higher
+DRIFT = 0.02  # metres over a clip: a floor that rises or falls by less is level
 
 
-def detect(clip: Clip, *, height: float = 0.01, speed: float = 0.15, majority: int = 5,
+def detect(clip: Clip, *, height: float | None = None, speed: float = 0.15, majority: int = 5,
            floor: float | None = None) -> Tensor:
     """Contacts ``[F, 2]`` of the right and the left foot: 1 in contact, 0 otherwise.
 
     A foot is in contact when its toe is low and slow; a majority vote over the neighbouring frames then removes flicker.
 
+    Departure from the paper: there d_max is 1 cm for all clips. In recordings with markers on the toes, a standing toe moves
+    up and down by several centimetres, and 1 cm leaves out most of a step. By default d_max follows from the clip, see
+    `standing_range`, and is 1 cm or more.
+
     Parameters
     ----------
     clip : the motion, at any rate
-    height : d_max, metres; a toe is low when it is at most this and `BALL` above the floor
+    height : d_max, metres; a toe is low when it is at most this and `BALL` above the floor; by default `standing_range`
     speed : v_max, metres per second
     majority : half the width of the vote, in frames at 60 Hz
-    floor : height of a standing toe joint, metres; by default the clip's `standing_height`, because rigs differ
+    floor : height of a standing toe joint, metres; by default that of `floor_height`, because rigs differ
     """
-    toes = clip.global_positions[:, [clip.skeleton.role(f"{side}_toe") for side in FEET]]
-    low = toes[..., 1] - (standing_height(clip) if floor is None else floor) <= height + BALL
+    toes = _toes(clip)
+    above = toes[..., 1] - (floor_height(clip)[:, None] if floor is None else floor)
     slow = velocities(toes, clip.fps).norm(dim=-1) <= speed
+    low = above <= (standing_range(above, slow) if height is None else height) + BALL
     half = max(1, round(majority * clip.fps / 60))
     votes = torch.nn.functional.pad((low & slow).to(toes.dtype).T[:, None], (half, half), mode="replicate")
     return torch.nn.functional.avg_pool1d(votes, 2 * half + 1, stride=1)[:, 0].T.round()
 
 
+def standing_range(above: Tensor, slow: Tensor) -> Tensor:
+    """Height ``[2]`` up to which each toe stands, metres: the 95th percentile of its heights where it is low and slow.
+
+    ``above [F, 2]`` are heights above the floor, ``slow [F, 2]`` says where a toe is slow. Only heights up to `REACH` count.
+    """
+    standing = slow & (above <= REACH)
+    ranges = [above[on, side].quantile(0.95) if bool((on := standing[:, side]).any()) else above.new_tensor(HEIGHT)
+              for side in range(2)]
+    return torch.stack(ranges).clamp_min(HEIGHT)
+
+
+def floor_height(clip: Clip) -> Tensor:
+    """Height ``[F]`` of a toe joint that stands on the floor, metres; a straight line where the floor drifts.
+
+    The line goes through the lowest toe of each second, by the median of the slopes between pairs of them (Theil and Sen). A
+    line that falls or rises by less than `DRIFT` over the clip, or that fits little better than a level floor, is level.
+    """
+    lower, seconds = _toes(clip)[..., 1].amin(1), max(1, round(clip.fps))
+    level = standing_height(clip).expand(len(clip))
+    lowest = torch.stack([part.amin() for part in lower.split(seconds) if len(part) > seconds // 2 or len(clip) < seconds])
+    if len(lowest) < 4:
+        return level
+    at = torch.arange(len(lowest), device=lower.device)
+    first, second = torch.triu_indices(len(lowest), len(lowest), 1, device=lower.device)
+    slope = ((lowest[second] - lowest[first]) / (second - first)).median()
+    tilted = lowest - slope * at
+    spread = [(x - x.median()).abs().median() for x in (lowest, tilted)]
+    if float(slope.abs()) * len(lowest) < DRIFT or float(spread[1]) > 0.5 * float(spread[0]):
+        return level
+    line = slope * torch.arange(len(clip), device=lower.device) / seconds
+    return line + (lower - line).quantile(0.05)
+
+
 def standing_height(clip: Clip) -> Tensor:
     """Height of a toe joint that stands on the floor, metres: the 5th percentile of the lower toe's height."""
-    return clip.global_positions[:, [clip.skeleton.role(f"{side}_toe") for side in FEET], 1].amin(1).quantile(0.05)
+    return _toes(clip)[..., 1].amin(1).quantile(0.05)
+
+
+def _toes(clip: Clip) -> Tensor:
+    """Positions ``[F, 2, 3]`` of the right and the left toe."""
+    return clip.global_positions[:, [clip.skeleton.role(f"{side}_toe") for side in FEET]]
 
 
 def velocities(positions: Tensor, fps: float) -> Tensor:

@@ -1,142 +1,210 @@
-"""Retargeting: the world rotations of a motion on another skeleton, with that skeleton's bone lengths.
+"""Retargeting: a motion on the skeleton of another humanoid, with that skeleton's bone lengths, axes and rest pose.
 
-Rigs differ in names, in joints along the spine and in their local axes (Bandai-Namco's bones lie along x). We first estimate
-the axes that each joint of the clip has in a T-pose. For hips and legs they are the signed coordinate axes nearest to the
-body's own axes over the clip, turned so that the bone has the direction of the new skeleton's bone. Arms mostly hang, so
-their axes are found from the bone and the elbow's axis. Spine, neck, head and hands have the axes of their parent.
+Limbs keep their directions in the world (`toolkit.motion.anatomy` says what is compared), the path is scaled by leg length,
+and legs are bent a little where another leg or foot would slide, sink or float. `report` measures the error of a result.
 """
 
-from itertools import pairwise
+import math
+from dataclasses import dataclass
 
+import numpy as np
 import torch
 from torch import Tensor
 
 from toolkit.motion import rotations as R
-from toolkit.motion.clip import SIDES, Clip, Skeleton, local_rotations, root_frames
-from toolkit.motion.contacts import standing_height
-from toolkit.motion.tensors import as_tensor
+from toolkit.motion.anatomy import Anatomy, limb, measure, with_toes
+from toolkit.motion.clip import Clip
+from toolkit.motion.contacts import detect, standing_height, velocities
+from toolkit.motion.ik import two_bone
+from toolkit.motion.roles import SIDES
+from toolkit.motion.skeleton import FEET, Skeleton, forward_kinematics, local_rotations
+from toolkit.motion.tensors import through_numpy
 
-STRAIGHT = 0.02  # sine of the mean bend below which an arm's elbow axis cannot be found
-PARTS = {"arm": ("collar", "shoulder", "elbow", "hand"), "leg": ("hip", "knee", "foot", "toe")}  # from the trunk outwards
+SAME = 0.002  # metres that bones of equal names may differ, so that a clip counts as being on the skeleton already
+TOE = 0.02, 0.12  # height of a standing toe joint, shares of the leg: a usual one, and the largest that is believed
+SOFT = 0.01  # share of a leg's length over which it follows more and more slowly, near full stretch
+BONES = (("hip", "knee"), ("knee", "foot"), ("shoulder", "elbow"), ("elbow", "hand"))
 
 
-def retarget(clip: Clip, skeleton: Skeleton) -> Clip:
-    """The clip on a skeleton whose zero rotations are a T-pose facing +z, as 100STYLE's are.
+def retarget(clip: Clip, target: Skeleton | Clip, *, feet: bool = True) -> Clip:
+    """The clip on another skeleton.
 
-    Limbs keep their world rotations by role; spine and neck are interpolated along their length. The root's path is scaled
-    by the ratio of the leg lengths, and shifted so that the toes stand on the floor. Joints without a counterpart follow
-    their parents. A clip whose skeleton has the same names and parents is returned unchanged, with its own bone lengths.
-    ValueError if the clip's skeleton lacks one of the limbs, or its legs have no length.
+    Limbs keep their world directions by role; spine and neck are interpolated along their length. The path of the hips is
+    scaled by the ratio of the leg lengths, and shifted so that the toes stand on the floor y = 0. Twist bones, fingers and
+    other joints without a counterpart follow their parents in the rest pose.
+
+    Parameters
+    ----------
+    clip
+        A motion with the roles of `toolkit.motion.anatomy.LIMB_ROLES`. Without a toe or a collar the ankle stands on the
+        floor, and the shoulder follows the chest.
+    target
+        The skeleton, if its zero rotations are a standing figure (a T-pose, an A-pose, arms that hang), facing any way. Or a
+        clip of it, from whose first frame or motion its axes are measured. A clip whose skeleton is equal to within `SAME`
+        is returned unchanged.
+    feet
+        Bend the legs so that feet in contact move as in the clip, at its height above the floor, and none is below it.
+
+    Raises
+    ------
+    ValueError
+        If one of the two has not the roles, has legs without length, or its axes cannot be measured.
     """
-    own = clip.skeleton
-    if (own.names, own.parents) == (skeleton.names, skeleton.parents):
+    skeleton = target if isinstance(target, Skeleton) else target.skeleton
+    if _same(clip.skeleton, skeleton):
         return clip
-    if lacking := [role for role in skeleton.roles if role not in own.roles]:
-        raise ValueError(f"{clip.name}: cannot find its {', '.join(lacking)} among {', '.join(own.names)}")
-    if not _leg(own):
-        raise ValueError(f"{clip.name}: its legs have no length")
-    turned = _limbs(clip, skeleton) | _trunk(clip, skeleton)
-    world = clip.rotations.new_empty(len(clip), len(skeleton), 4)
-    for joint, parent in enumerate(skeleton.parents):
-        world[:, joint] = turned[joint] if joint in turned else world[:, parent]
-    scale = _leg(skeleton) / _leg(own)
-    made = clip.replace(skeleton=skeleton, rotations=R.unroll(local_rotations(skeleton, world)),
-                        root_positions=scale * clip.global_positions[:, own.role("hips")])
-    return made.moved(shift=(0.0, scale * float(standing_height(clip)) - float(standing_height(made)), 0.0))
+    source, goal = measure(clip), measure(target)
+    clip = clip.replace(skeleton=source.skeleton)
+    turned = _limbs(clip, source, goal) | _trunk(clip, source, goal)
+    scale = goal.leg / source.leg
+    middle = scale * _middle(clip)
+    made = _compose(clip, goal, turned, middle)
+    stands = scale * float(standing_height(clip))
+    if not 0 <= stands <= TOE[1] * goal.leg:  # the clip's floor is elsewhere
+        stands = TOE[0] * goal.leg
+    standing = detect(clip) > 0.5
+    rises = (scale * (_toes(clip)[..., 1] - standing_height(clip)) - _toes(made)[..., 1])[standing]
+    lift = stands + float(rises.median() if len(rises) else -standing_height(made))
+    middle[:, 1] += lift
+    made = made.moved(shift=(0.0, lift, 0.0))
+    if feet:
+        made = _compose(clip, goal, _plant(clip, made, turned, scale, stands), middle)
+    return made.replace(skeleton=skeleton)
 
 
-def _leg(skeleton: Skeleton) -> float:
+@dataclass(frozen=True)
+class Report:
+    """The error of a retargeted clip. Angles in degrees, lengths in cm, speeds in cm/s."""
+
+    scale: float  # of the path: the ratio of the leg lengths
+    direction: float  # mean angle between the bones of arms and legs here and there
+    worst: float  # its largest value
+    below: float  # how far a toe is below its standing height at most
+    above: float  # how far a toe in contact is from its height in the clip (scaled), on average
+    skate: tuple[float, float]  # speed of toes in contact over the floor: of the clip (scaled), and of the result
+
+    def __str__(self) -> str:
+        return (f"limbs {self.direction:.1f}° off on average, {self.worst:.1f}° at most; toes in contact "
+                f"{self.above:.1f} cm off their height, {self.below:.1f} cm below the floor at most; "
+                f"foot skate {self.skate[0]:.1f} → {self.skate[1]:.1f} cm/s")
+
+
+def report(clip: Clip, made: Clip) -> Report:
+    """How far a result of `retarget` is from its clip."""
+    clip, made = (c.replace(skeleton=with_toes(c.skeleton)) for c in (clip, made))
+    angles, contact = [], detect(clip)
+    for side in SIDES:
+        for upper, lower in BONES:
+            bones = [R.normalize(c.global_positions[:, c.skeleton.role(f"{side}_{lower}")]
+                                 - c.global_positions[:, c.skeleton.role(f"{side}_{upper}")]) for c in (clip, made)]
+            angles.append(2 * torch.asin(((bones[0] - bones[1]).norm(dim=-1) / 2).clamp(max=1.0)))
+    angles = torch.rad2deg(torch.stack(angles))
+    scale = math.prod(_leg(c) ** sign for c, sign in ((made, 1), (clip, -1)))
+    toes = _toes(made)
+    height, standing = 100 * (toes[..., 1] - standing_height(made)), contact > 0.5
+    off = (height - 100 * scale * (_toes(clip)[..., 1] - standing_height(clip))).abs()
+    speeds = [100 * velocities(by * _toes(c), c.fps)[..., ::2].norm(dim=-1) for c, by in ((clip, scale), (made, 1.0))]
+    above, *skate = (float(v[standing].mean()) if bool(standing.any()) else 0.0 for v in (off, *speeds))
+    return Report(scale, float(angles.mean()), float(angles.max()), max(0.0, -float(height.min())), above, tuple(skate))
+
+
+def _same(own: Skeleton, other: Skeleton) -> bool:
+    if (own.names, own.parents) != (other.names, other.parents):
+        return False
+    return float((own.offsets - other.offsets)[1:].norm(dim=-1).amax()) < SAME if len(own) > 1 else True
+
+
+def _leg(clip: Clip) -> float:
     """Hip to ankle along the bones, metres."""
-    return sum(float(skeleton.offsets[skeleton.role(f"left_{part}")].norm()) for part in ("knee", "foot"))
+    joints = [clip.global_positions[0, clip.skeleton.role(f"left_{part}")] for part in ("hip", "knee", "foot")]
+    return float((joints[1] - joints[0]).norm() + (joints[2] - joints[1]).norm())
 
 
-def _axes(clip: Clip, joint: int) -> Tensor:
-    """Axes of a joint's frame nearest to the body's left, up and forward over the clip, as a rotation ``[4]``."""
-    facing = R.inverse(root_frames(clip).rotations)
-    return R.inverse(_nearest(R.multiply(facing, clip.global_rotations[:, joint])))
+def _middle(clip: Clip) -> Tensor:
+    """Middle of the two hip joints ``[F, 3]``."""
+    return clip.global_positions[:, [clip.skeleton.role(f"{side}_hip") for side in SIDES]].mean(1)
 
 
-def _onward(clip: Clip, joint: int, axes: Tensor) -> Tensor:
-    """Axes of a joint from those of its parent: rigs turn them by multiples of 90 degrees, motion turns them by less."""
-    return R.multiply(R.inverse(_nearest(clip.rotations[:, joint])), axes)
+def _toes(clip: Clip) -> Tensor:
+    """Toes ``[F, 2, 3]``, right and left."""
+    return clip.global_positions[:, [clip.skeleton.role(f"{side}_toe") for side in FEET]]
 
 
-def _nearest(turns: Tensor) -> Tensor:
-    """The rotation ``[4]`` that maps coordinate axes to coordinate axes and is nearest to the mean of ``turns [F, 4]``."""
-    mean = R.to_matrix(turns).mean(0)
-    axes, left = torch.zeros_like(mean), mean.clone()
-    for _ in range(2):  # the two largest entries in turn
-        row, column = divmod(int(left.abs().argmax()), 3)
-        axes[row, column] = mean[row, column].sign()
-        left[row], left[:, column] = 0.0, 0.0
-    missing = int((axes.abs().sum(0) == 0).nonzero()[0])
-    axes[:, missing] = torch.linalg.cross(axes[:, (missing + 1) % 3], axes[:, (missing + 2) % 3])
-    return R.from_matrix(axes)
+def _turn(clip: Clip, source: Anatomy, joint: int) -> Tensor:
+    """How far a joint has turned from the T-pose ``[F, 4]``."""
+    return R.multiply(clip.global_rotations[:, joint], source.axes[joint])
 
 
-def _aim(axes: Tensor, bone: Tensor, wanted: Tensor) -> Tensor:
-    """Axes ``[4]`` turned the shortest way so that the new skeleton's bone ``wanted`` [3] lies along the clip's."""
-    return R.multiply(R.between(R.normalize(R.rotate(axes, wanted)), R.normalize(bone)), axes)
+def _limbs(clip: Clip, source: Anatomy, goal: Anatomy) -> dict[int, Tensor]:
+    """World rotations ``[F, 4]`` of arms and legs."""
+    turned = {}
+    for side in SIDES:
+        for kind in ("arm", "leg"):
+            joints, there = (limb(rig.skeleton, side, kind) for rig in (source, goal))
+            for part in joints.keys() & there.keys():
+                turned[there[part]] = R.multiply(_turn(clip, source, joints[part]), R.inverse(goal.axes[there[part]]))
+    return turned
 
 
-def _trunk(clip: Clip, skeleton: Skeleton) -> dict[int, Tensor]:
+def _trunk(clip: Clip, source: Anatomy, goal: Anatomy) -> dict[int, Tensor]:
     """World rotations ``[F, 4]`` of hips, spine, neck and head."""
-    chains = []
-    for s in (clip.skeleton, skeleton):
-        chest, spine = s.trunk[0], s.trunk[::-1]
-        head = next((j for j, name in enumerate(s.names) if name.lower().endswith("head")), chest)
-        above = [head, *s.ancestors(head)]
-        neck = above[: above.index(chest) + 1][::-1] if chest in above else [chest]
-        hips = s.role("hips")
-        chains.append((spine[spine.index(hips) if hips in spine else 0 :], neck))
-    first = chains[0][0][0]
-    turned, axes = {}, {first: _axes(clip, first)}
-    for from_, to in zip(*chains, strict=True):
-        for parent, joint in pairwise(from_):
-            axes[joint] = _onward(clip, joint, axes[parent])
-        world = [R.multiply(clip.global_rotations[:, j], axes[j]) for j in from_]
+    turned = {}
+    for from_, to in ((source.spine, goal.spine), (source.neck, goal.neck)):
+        world = [_turn(clip, source, j) for j in from_]
         for i, joint in enumerate(to):
             place = i / max(len(to) - 1, 1) * (len(from_) - 1)
             below = min(int(place), max(len(from_) - 2, 0))
-            turned[joint] = R.slerp(world[below], world[min(below + 1, len(from_) - 1)], place - below)
+            turn = R.slerp(world[below], world[min(below + 1, len(from_) - 1)], place - below)
+            turned[joint] = R.multiply(turn, R.inverse(goal.axes[joint]))
     return turned
 
 
-def _limbs(clip: Clip, skeleton: Skeleton) -> dict[int, Tensor]:
-    """World rotations ``[F, 4]`` of arms and legs."""
-    own, turned = clip.skeleton, {}
-    for side in SIDES:
-        for limb, parts in PARTS.items():
-            axes = None
-            for part, onward in zip(parts, (*parts[1:], None), strict=True):
-                joint, there = _part(own, side, part), _part(skeleton, side, part)
-                if onward is None:
-                    axes = _onward(clip, joint, axes) if limb == "arm" else _axes(clip, joint)
-                else:
-                    bone, wanted = (s.offsets[_part(s, side, onward)].to(clip.rotations) for s in (own, skeleton))
-                    bent = limb == "arm" and part != "collar"
-                    axes = _arm(clip, side, joint, bone, wanted) if bent else _aim(_axes(clip, joint), bone, wanted)
-                turned[there] = R.multiply(clip.global_rotations[:, joint], axes)
+def _compose(clip: Clip, goal: Anatomy, turned: dict[int, Tensor], middle: Tensor) -> Clip:
+    """The clip of world rotations; the other joints keep their rest pose, and the hip joints have that middle ``[F, 3]``."""
+    skeleton, rest = goal.skeleton, goal.rest.to(clip.rotations)
+    world: list[Tensor] = []
+    for joint, parent in enumerate(skeleton.parents):
+        if joint in turned and not skeleton.is_end(joint):
+            world.append(turned[joint])
+        else:
+            world.append(rest[0].expand(len(clip), 4) if parent < 0 else R.multiply(world[parent], rest[joint]))
+    local = R.normalize(R.unroll(local_rotations(skeleton, torch.stack(world, 1))))
+    hips = [skeleton.role(f"{side}_hip") for side in SIDES]
+    placed = forward_kinematics(skeleton, local, torch.zeros_like(middle))[1][:, hips].mean(1)
+    return clip.replace(skeleton=skeleton, rotations=local, root_positions=middle - placed)
+
+
+def _plant(clip: Clip, made: Clip, turned: dict[int, Tensor], scale: float,
+           floor: float) -> dict[int, Tensor]:
+    """The world rotations with legs bent so that toes in contact move over the floor as the clip's do.
+
+    ``floor`` is the height of a standing toe. A toe keeps its mean place in each contact. Its correction is interpolated
+    between contacts.
+    """
+    skeleton = made.skeleton
+    wanted, toes, contact = scale * _toes(clip), _toes(made), detect(clip)
+    wanted = torch.cat((wanted[..., :1], wanted[..., 1:2] - scale * standing_height(clip) + floor, wanted[..., 2:]), -1)
+    turned = dict(turned)
+    for foot, side in enumerate(FEET):
+        hip, knee, ankle = (skeleton.role(f"{side}_{part}") for part in ("hip", "knee", "foot"))
+        a, b, c = (made.global_positions[:, j] for j in (hip, knee, ankle))
+        standing = (contact[:, foot] > 0.5).cpu().numpy()
+        shift = through_numpy(lambda gap, standing=standing: _corrections(gap, standing), wanted[:, foot] - toes[:, foot])
+        shift[:, 1] = torch.maximum(shift[:, 1], floor - toes[:, foot, 1])
+        full = ((b - a).norm(dim=-1) + (c - b).norm(dim=-1))[:, None]
+        soft = (1 - (c - a).norm(dim=-1, keepdim=True) / full).clamp(0.0, SOFT)  # a leg without correction keeps its bend
+        middle, end = two_bone(a, b, c, c + shift, soft=soft)
+        for joint, old, new in ((hip, b - a, middle - a), (knee, c - b, end - middle)):
+            turned[joint] = R.multiply(R.between(old, new), turned[joint])
     return turned
 
 
-def _part(skeleton: Skeleton, side: str, part: str) -> int:
-    """Index of a part of a limb; a collar is the parent of a shoulder."""
-    return skeleton.parents[skeleton.role(f"{side}_shoulder")] if part == "collar" else skeleton.role(f"{side}_{part}")
-
-
-def _arm(clip: Clip, side: str, joint: int, bone: Tensor, wanted: Tensor) -> Tensor:
-    """Axes of an arm in the T-pose, where the elbow's axis is vertical; a straight arm is treated like a leg."""
-    shoulder, elbow, hand = (clip.skeleton.role(f"{side}_{part}") for part in ("shoulder", "elbow", "hand"))
-    upper, lower = (clip.global_positions[:, b] - clip.global_positions[:, a] for a, b in ((shoulder, elbow), (elbow, hand)))
-    bent = torch.linalg.cross(R.normalize(upper), R.normalize(lower))
-    along, hinge = R.normalize(bone), R.rotate(R.inverse(clip.global_rotations[:, joint]), bent).mean(0)
-    hinge = hinge - along * (along @ hinge)
-    if float(hinge.norm()) < STRAIGHT:
-        return _aim(_axes(clip, joint), bone, wanted)
-    hinge = R.normalize(hinge)
-    down = as_tensor([0.0, -1.0 if side == "left" else 1.0, 0.0], "down", wanted)
-    across = R.normalize(wanted)
-    source = torch.stack((along, hinge, torch.linalg.cross(along, hinge)), 1)
-    target = torch.stack((across, down, torch.linalg.cross(across, down)), 1)
-    return R.from_matrix(source @ target.T)
+def _corrections(gap: np.ndarray, standing: np.ndarray) -> np.ndarray:
+    """Corrections ``[F, 3]`` of a toe from its gap to the clip's: in each contact the gap without its horizontal mean."""
+    frames = np.flatnonzero(standing)
+    if not len(frames):
+        return np.zeros_like(gap)
+    kept = gap[frames].copy()
+    for contact in np.split(np.arange(len(frames)), np.flatnonzero(np.diff(frames) > 1) + 1):
+        kept[contact, ::2] -= kept[contact, ::2].mean(0)
+    return np.stack([np.interp(np.arange(len(gap)), frames, column) for column in kept.T], 1).astype(gap.dtype)

@@ -96,7 +96,7 @@ def named(source: str) -> Source:
 
         return pretrained()
     if source not in SOURCES:
-        raise ValueError(f"unknown phase source {source!r}; there are {', '.join((*SOURCES, 'learned'))}")
+        raise ValueError(f"unknown phase source {source!r}; known: {', '.join((*SOURCES, 'learned'))}")
     return SOURCES[source]
 
 

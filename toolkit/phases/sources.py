@@ -49,9 +49,12 @@ def curves(clip: Clip, source: Source) -> Tensor:
 
 @dataclass(frozen=True)
 class Contact:
-    """The 0/1 foot contact (section 4.1.2). Hands have no contact: their curve and their phase feature are 0."""
+    """The 0/1 foot contact (section 4.1.2). Hands have no contact: their curve and their phase feature are 0.
 
-    height: float = 0.01
+    ``height`` and ``speed`` are the limits of `toolkit.motion.contacts.detect`.
+    """
+
+    height: float | None = None
     speed: float = 0.15
 
     def __call__(self, clip: Clip, limb: str) -> Tensor:

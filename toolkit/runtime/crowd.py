@@ -42,7 +42,7 @@ class Crowd:
         """The processing time as text."""
         many = len(self.clips)
         return (f"{many} characters, {len(self.clips[0])} frames: {1e3 * self.seconds:.2f} ms a frame, "
-                f"{1e6 * self.seconds / many:.0f} µs each, {1 / FPS / self.seconds:.1f} times as fast as life")
+                f"{1e6 * self.seconds / many:.0f} µs each, {1 / FPS / self.seconds:.1f} times real time")
 
 
 def walk(model, bank, characters: int = 100, seconds: float = 10.0, *, speed: float | None = None, seed: int = 0,
@@ -67,7 +67,7 @@ def walk(model, bank, characters: int = 100, seconds: float = 10.0, *, speed: fl
         Show a bar.
     """
     if characters < 1:
-        raise ValueError(f"a crowd needs characters, got {characters}")
+        raise ValueError(f"characters must be 1 or more, got {characters}")
     compiled = model if isinstance(model, CompiledModel) else compile(model, threads=threads)
     radii, angles, ways = _places(characters)
     blends = _blends(list(bank), characters, torch.Generator().manual_seed(seed))

@@ -17,7 +17,7 @@ from toolkit.runtime.state import CharacterState
 FPS = trajectory.FPS
 GAIN = 0.25  # share of the difference between smoothed target and command that a frame removes
 POSITION_BIAS, DIRECTION_BIAS = 0.75, 1.25  # exponents of the blend from the network's trajectory to the target
-PROPORTIONAL, INTEGRAL, MAX_DRIVE = 1.5, 0.8, 12.0  # ours: gains (of the lag; per second) and limit of `speed_controller`
+PROPORTIONAL, INTEGRAL, MAX_DRIVE = 1.5, 1.6, 12.0  # ours: gains (of the lag; per second) and limit of `speed_controller`
 RETURN, SLOW = 3.0, 0.3  # ours: gain of `steer` against movement while standing; below this speed (m/s) it acts
 LOOKAHEAD = 0.5  # seconds that a pilot looks ahead
 

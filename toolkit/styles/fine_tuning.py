@@ -18,7 +18,7 @@ from toolkit.motion.tensors import summary
 from toolkit.networks import Film, FilmGenerator, Model
 from toolkit.networks.bank import StyleBank
 from toolkit.training import minibatches
-from toolkit.training.loss import evaluate, loss_terms, make_bank
+from toolkit.training.loss import baselines, evaluate, loss_terms, make_bank
 from toolkit.training.minibatches import Minibatches
 
 METHODS = {
@@ -33,6 +33,8 @@ MIX_UP = 0.5  # share of frames with a pose mix-up
 WALK = 1.0, 3.0  # speed in m/s and seconds of the walks whose poses are mixed in
 PRIOR = 0.15  # weight of the mean squared z-score of a vector among the bank's
 SPREAD = 0.3  # standard deviation of style vectors without a bank
+HELD_OUT = 0.15  # share of each new style's frames
+EVERY = 40  # steps per new style between two measurements of the held-out error
 MAX_GRADIENT = 1.0  # norm to which gradients are clipped
 
 
@@ -49,6 +51,8 @@ class NewStyles:
     method: str  # one of `METHODS`
     seconds: float  # duration, with the computation of features
     losses: list[float]  # of every step
+    best: int  # the step whose vector was kept: that of the smallest held-out error; 0 for the initial one
+    held_out: dict[str, dict[str, float]]  # of each new style: errors ``before``, ``after``, ``mean`` and ``repeat``
     __repr__ = summary
 
 
@@ -63,12 +67,17 @@ def fine_tune(model: Model, clips: Clip | Sequence[Clip] | Features, name: str |
     near those of the bank, because one clip does not show all motions. Without the penalty the error on the clip is lower,
     but the character slides.
 
+    A share of the frames is held out (`HELD_OUT`). Their error is measured every `EVERY` steps, and the best step is kept,
+    which may be the initial one. ``before`` is that error with the best style of the bank (method ``"vector"``) or with the
+    vector that the generator computes without fine-tuning; ``mean`` and ``repeat`` are those of
+    `toolkit.training.loss.baselines`. Clips that are too short to hold frames out keep the last step.
+
     Parameters
     ----------
     model
         A trained model. It is not changed.
     clips
-        Motion on the model's skeleton, at least four seconds without a break; or features of it.
+        Motion on the model's skeleton, at least 1.9 seconds without a break, better four or more; or features of it.
     name
         Name of the style. By default every clip keeps its own style, and all are learnt together.
     bank
@@ -102,26 +111,63 @@ def fine_tune(model: Model, clips: Clip | Sequence[Clip] | Features, name: str |
     has_generator = isinstance(getattr(model.modulation, "generator", None), FilmGenerator)
     method = method or ("generator" if has_generator else "vector")
     if method not in METHODS:
-        raise ValueError(f"unknown method {method!r}; there is {', '.join(METHODS)}")
+        raise ValueError(f"unknown method {method!r}; known: {', '.join(METHODS)}")
     if method != "vector" and not has_generator:
         raise ValueError(f"method {method!r} needs a FiLM generator, and this model has none; use method 'vector'")
     if known := [style for style in data.styles if bank is not None and style in bank.names]:
         raise ValueError(f"the bank has {', '.join(known)} already; choose another name")
-    losses: list[float] = []
+    styles = tuple(data.styles)
+    kept, aside = splits.split(data, HELD_OUT, seed, styles)
     if method == "vector":
-        vectors = torch.nn.Parameter(_start(model, bank, data))
-        losses = _descend(model, bank, data, [vectors], lambda style, _: vectors[style, None], method, steps, seed, progress)
-        speeds = torch.tensor([features.natural_speed(data.clips[style][:]) for style in data.styles])
-        made = StyleBank(tuple(data.styles), vectors.detach(), speeds)
+        learnt = [torch.nn.Parameter(_start(model, bank, kept))]
+        speeds = torch.tensor([features.natural_speed(data.clips[style][:]) for style in styles])
+
+        def made() -> StyleBank:
+            return StyleBank(styles, learnt[0].detach().clone(), speeds)
     else:
         if method == "generator":
             frozen = [*model.gating.parameters(), *model.experts.parameters(), *model.buffers()]
             model = copy.deepcopy(model, {id(tensor): tensor for tensor in frozen})
-            learnt = list(model.modulation.parameters())
-            losses = _descend(model, bank, data, learnt, lambda _, y: model.encode(y), method, steps, seed, progress)
-        made = make_bank(model, data)
-    bank = made if bank is None else bank.merge(made)
-    return NewStyles(made.names, bank, model, method, time.perf_counter() - began, losses)
+        learnt = list(model.modulation.parameters())
+
+        def made() -> StyleBank:
+            return make_bank(model, kept)
+
+    def error() -> dict[str, float]:
+        return {style: row["mse"] for style, row in evaluate(model, made(), aside).items()}
+
+    before = error()
+    vector = (lambda style, _: learnt[0][style, None]) if method == "vector" else (lambda _, y: model.encode(y))
+    descent = _Descent(learnt, error, before)
+    if method != "forward":
+        _descend(model, bank, kept, descent, vector, method, steps, seed, progress)
+    new = made()
+    floors = baselines(model, aside)
+    errors = {style: {"before": before.get(style, math.nan), "after": descent.errors.get(style, math.nan)}
+              | floors.get(style, dict.fromkeys(("mean", "repeat"), math.nan)) for style in styles}
+    bank = new if bank is None else bank.merge(new)
+    return NewStyles(new.names, bank, model, method, time.perf_counter() - began, descent.losses, descent.best, errors)
+
+
+class _Descent:
+    """What is learnt, the loss of every step, and the best values so far by the mean held-out error of the styles."""
+
+    def __init__(self, learnt: list[Tensor], error: Callable[[], dict[str, float]], before: dict[str, float]):
+        self.learnt, self.error, self.errors = learnt, error, before
+        self.losses: list[float] = []
+        self.best, self.values = 0, [tensor.detach().clone() for tensor in learnt]
+
+    def judge(self, step: int) -> None:
+        """Measure the held-out error after ``step`` steps."""
+        errors = self.error()
+        if not errors or sum(errors.values()) < sum(self.errors.values()):
+            self.best, self.errors, self.values = step, errors, [tensor.detach().clone() for tensor in self.learnt]
+
+    @torch.no_grad()
+    def restore(self) -> None:
+        """Set what is learnt to its best values."""
+        for tensor, value in zip(self.learnt, self.values, strict=True):
+            tensor.copy_(value)
 
 
 def _features(model: Model, clips: Clip | Sequence[Clip], name: str | None, mirror: bool) -> Features:
@@ -165,15 +211,18 @@ def _walks(model: Model, bank: StyleBank) -> Tensor:
     return torch.cat([state.joints for state in states[::10]])
 
 
-def _descend(model: Model, bank: StyleBank | None, data: Features, learnt: list[Tensor],
-             vector: Callable[[int, Tensor], Tensor], method: str, steps: int, seed: int,
-             progress: bool) -> list[float]:
-    """Train ``learnt`` and return the losses; ``vector(index of the style, clips)`` computes a vector ``[1, D]`` from it."""
+def _descend(model: Model, bank: StyleBank | None, data: Features, descent: _Descent,
+             vector: Callable[[int, Tensor], Tensor], method: str, steps: int, seed: int, progress: bool) -> None:
+    """Train what is learnt and set it to its best step.
+
+    ``vector(index of the style, clips)`` computes a vector ``[1, D]`` from it.
+    """
+    learnt = descent.learnt
     batches = Minibatches(data, min(BATCH, *map(len, data.inputs.values())), 1, seed)
     joints, draw, total = model.layout.inputs["joints"], splits.generator(seed, minibatches.MIXUP), steps * len(data.styles)
     poses = _walks(model, bank) if bank is not None else model.inputs_mean[None, joints]
     mean, deviation = _prior(model, bank)
-    adam, losses = torch.optim.Adam(learnt, lr=RATES[method], fused=True), []
+    adam = torch.optim.Adam(learnt, lr=RATES[method], fused=True)
     for step in tqdm(range(total), desc=METHODS[method].split(" (")[0], unit="step", disable=not progress):
         adam.param_groups[0]["lr"] = RATES[method] * (1 + math.cos(math.pi * step / total)) / 2
         x, p, z, y = batches[step]
@@ -189,5 +238,7 @@ def _descend(model: Model, bank: StyleBank | None, data: Features, learnt: list[
             tensor.grad = gradient
         torch.nn.utils.clip_grad_norm_(learnt, MAX_GRADIENT)
         adam.step()
-        losses.append(loss.item())
-    return losses
+        descent.losses.append(loss.item())
+        if (step + 1) % (EVERY * len(data.styles)) == 0 or step + 1 == total:
+            descent.judge(step + 1)
+    descent.restore()

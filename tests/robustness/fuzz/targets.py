@@ -5,6 +5,7 @@ import copy
 import io
 import json
 import random
+import warnings
 from collections.abc import Iterator
 from pathlib import Path
 from unittest import mock
@@ -66,7 +67,7 @@ def make(folder: Path, target: str = "all") -> dict[str, list[Reader]]:
     """Readers by target; their files are made in ``folder``, which must not be deleted during use."""
     makers = {"bvh": _bvh, "csv": _csv, "model": _model, "store": _store, "cli": _cli}
     if target not in (*makers, "all"):
-        raise ValueError(f"unknown target {target!r}; there is {', '.join(makers)}, all")
+        raise ValueError(f"unknown target {target!r}; known: {', '.join(makers)}, all")
     folder = folder.resolve()
     for name in makers:
         (folder / name).mkdir(parents=True, exist_ok=True)
@@ -80,7 +81,9 @@ def _bvh(folder: Path) -> list[Reader]:
         seeds.append((folder / "seed.bvh").read_bytes())
 
     def read(path: Path) -> None:
-        clip = bvh.load(path)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            clip = bvh.load(path)
         assert clip.skeleton.offsets.isfinite().all(), "offsets that are not finite"
         assert len(clip) * len(clip.skeleton) <= max(path.stat().st_size, bvh.SMALL), "more than the file can hold"
 

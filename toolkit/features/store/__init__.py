@@ -74,7 +74,7 @@ def preprocess(data: str, root: str | os.PathLike | None, out: str | os.PathLike
     phases.named(source)
     recorded, out = datasets._module(data, root).SOURCE, Path(out).resolve()
     root = recorded.folder(root).resolve()
-    tables = ("Frame_Cuts.csv", "Dataset_List.csv") if data == "100style" else ()
+    tables = {"100style": ("Frame_Cuts.csv", "Dataset_List.csv"), "folder": (datasets.folder.TABLE,)}.get(data, ())
     settings = json.loads(json.dumps({
         "version": toolkit.__version__, "data": data, "styles": styles, "gaits": gaits, "source": source,
         "mirror": mirror is not None, "fps": trajectory.FPS, "window": trajectory.SAMPLES,

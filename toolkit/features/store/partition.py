@@ -2,6 +2,7 @@
 
 from collections import defaultdict
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -44,7 +45,10 @@ def make(job: Partition) -> dict[str, Any]:
     with one_thread():
         sources = job.checksums()
         groups: dict[str, list] = defaultdict(list)
-        loaded = datasets.load(job.data, job.root, job.style, sorted({take.gait for _, take in job.takes}))
+        if job.data == "folder":  # without reading the rest of the folder
+            loaded = datasets.folder.SOURCE.read([take for _, take in job.takes])
+        else:
+            loaded = datasets.load(job.data, job.root, job.style, sorted({take.gait for _, take in job.takes}))
         for (number, _), clip in zip(job.takes, loaded, strict=True):
             groups[clip.gait].append((number, clip))
         del loaded, clip
@@ -54,12 +58,12 @@ def make(job: Partition) -> dict[str, Any]:
                 parts.append(own)
                 clips.append({"take": number, "gait": gait, "frames": len(own.joints)})
         try:
-            features.check_style_clips(job.style, sum(len(features.clip_starts(c["frames"])) for c in clips))
+            features.check_style_clips(job.style, len(clips))
         except ValueError as error:
             raise ValueError(f"{job.takes[0][1].path}: {error}") from None
         layout = parts[0].layout
-        if any(own.layout != layout for own in parts):
-            raise ValueError(f"{job.takes[0][1].path}: the skeletons of style {job.style} differ")
+        if why := next(filter(None, (own.layout.difference(layout) for own in parts)), ""):
+            raise ValueError(f"{job.takes[0][1].path}: the skeletons of style {job.style} differ: {why}")
         found = [{"positions": own.roots.positions, "rotations": own.roots.rotations, "joints": own.joints,
                   "phases": own.phases, "contacts": own.contacts} for own in parts]
         tensors = {name: torch.cat([t[name] for t in found]) for name in found[0]}
@@ -85,11 +89,21 @@ def read(path: Path, entries: dict[str, dict[str, Any]]) -> Features:
             takes.append(torch.full((len(at[-1]),), clip["take"]))
             first += clip["frames"]
         at, starts = torch.cat(at), torch.cat(starts)
-        derived = (own.inputs, at), (own.phases.__getitem__, at), (own.outputs, at), (own.style_clips, starts)
+        y = own.style_clips
+        if not len(starts):  # only short clips: each is repeated
+            lengths = torch.tensor([clip["frames"] for clip in entry["clips"]])
+            starts = lengths.cumsum(0) - lengths
+            y = partial(_repeated, own, dict(zip(starts.tolist(), lengths.tolist(), strict=True)))
+        derived = (own.inputs, at), (own.phases.__getitem__, at), (own.outputs, at), (y, starts)
         for kind, (derive, index) in zip(features.KINDS, derived, strict=True):
             kinds[kind][style] = Rows(derive, index)
         kinds["takes"][style] = torch.cat(takes)
     return Features(layout, **kinds)
+
+
+def _repeated(own: OwnFeatures, lengths: dict[int, int], starts: torch.Tensor) -> torch.Tensor:
+    """Style clips of whole takes, given the frames of the take that begins at each start."""
+    return own.style_clips(starts, torch.tensor([lengths[start] for start in starts.tolist()]))
 
 
 def moments(path: Path, style: str, entry: dict[str, Any], held_out: np.ndarray) -> dict[str, tuple]:

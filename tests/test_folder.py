@@ -1,0 +1,174 @@
+"""Training on a folder of one's own."""
+
+import dataclasses
+import shutil
+
+import pytest
+import torch
+
+import toolkit as tk
+from toolkit.__main__ import main
+from toolkit.datasets import folder
+from toolkit.datasets.procedural import SKELETON
+from toolkit.motion.pruning import body_joints, pruned
+
+GAITS = {"walk": "FW", "run": "FR"}
+
+
+def called(arguments: str) -> int:
+    """Exit status of the command line."""
+    try:
+        return main(arguments.split())
+    except SystemExit as done:
+        return done.code
+
+
+def with_extras(clip: tk.Clip, *, twists: bool = True) -> tk.Clip:
+    """The clip on a rig with a root below, fingers, a jaw, a twist bone in each forearm, and a sword."""
+    old = clip.skeleton
+    names, parents, offsets, turns = ["Reference"], [-1], [torch.zeros(3)], [tk.motion.rotations.identity(len(clip))]
+    spot = {}
+
+    def add(name, parent, offset, turn):
+        names.append(name)
+        parents.append(parent)
+        offsets.append(offset)
+        turns.append(turn)
+        return len(names) - 1
+
+    still = tk.motion.rotations.identity(len(clip))
+    for j, name in enumerate(old.names):
+        above, offset = (0, torch.zeros(3)) if j == 0 else (spot[old.parents[j]], old.offsets[j])
+        if twists and name.endswith("Wrist"):
+            above, offset = add(f"{name[:-5]}ForearmTwist", above, offset / 2, still), offset / 2
+        spot[j] = add(name, above, offset, clip.rotations[:, j])
+        if name.endswith("Wrist"):
+            for finger in range(5):
+                add(f"{name}Finger{finger}", spot[j], torch.tensor([0.08, 0.0, 0.01 * finger]), still)
+        if name == "Head":
+            add("Jaw", spot[j], torch.tensor([0.0, -0.02, 0.05]), still)
+        if name == "RightWrist":
+            add("Sword", spot[j], torch.tensor([0.0, 0.0, 0.5]), still)
+    skeleton = tk.Skeleton(names, parents, torch.stack(offsets), old.roles, old.ends)
+    return tk.Clip(skeleton, torch.stack(turns, 1), clip.root_positions, clip.fps, clip.style, clip.gait, "rig")
+
+
+@pytest.fixture(scope="module")
+def walk() -> tk.Clip:
+    return tk.datasets.load("procedural", styles=["Neutral"], gaits=["FW"], seconds=5.0)[0]
+
+
+@pytest.fixture(scope="module")
+def motions(tmp_path_factory) -> "dict[tuple[str, str], object]":
+    """BVH files of two styles and two gaits."""
+    place, found = tmp_path_factory.mktemp("motions"), {}
+    for style in ("Neutral", "Zombie"):
+        for word, gait in GAITS.items():
+            clip = tk.datasets.load("procedural", styles=[style], gaits=[gait], seconds=5.0)[0]
+            found[style, word] = place / f"{style}_{word}_01.bvh"
+            tk.bvh.save(clip, found[style, word])
+    return found
+
+
+def test_body_joints_are_those_of_the_plain_rig(walk):
+    rig = with_extras(walk)
+    assert len(rig.skeleton) > len(SKELETON) + 12
+    assert {rig.skeleton.names[j] for j in body_joints(rig.skeleton)} >= set(SKELETON.names)
+    small = pruned(rig)
+    assert set(small.skeleton.names) == set(SKELETON.names)  # the twist bones, too
+    torch.testing.assert_close(small.global_positions[:, [small.skeleton.index(n) for n in SKELETON.names]],
+                               walk.global_positions, atol=1e-5, rtol=0)
+    assert pruned(walk) is walk
+    assert small.skeleton.roles == walk.skeleton.roles
+
+
+def test_a_twist_bone_that_moves_the_limb_is_kept(walk):
+    rig = with_extras(walk)
+    turned, twist = rig.rotations.clone(), rig.skeleton.index("LeftForearmTwist")
+    swing = torch.linspace(0, 1, len(rig))
+    turned[:, twist] = tk.motion.rotations.from_axis_angle(torch.tensor([0.0, 1.0, 0.0]).expand(len(rig), 3), swing)
+    names = pruned(rig.replace(rotations=turned)).skeleton.names
+    assert "LeftForearmTwist" in names
+    assert "RightForearmTwist" not in names
+
+
+def test_rigs_without_the_roles_are_refused(walk):
+    bare = dataclasses.replace(walk.skeleton, roles={"hips": "Hips"})
+    with pytest.raises(ValueError, match="cannot find its left_shoulder, "):
+        body_joints(bare)
+
+
+@pytest.mark.parametrize("layout", ["names", "folders", "style folders", "table"])
+def test_style_and_gait_come_from_names_folders_or_a_table(tmp_path, motions, layout):
+    rows = ["file, style, gait"]
+    for number, ((style, gait), source) in enumerate(motions.items()):
+        name = {"names": f"actor_{style}_{gait}_0{number}.bvh", "folders": f"{style}/{gait}/{number}.bvh",
+                "style folders": f"{style}/take {gait} {number}.bvh", "table": f"deep/{number}.bvh"}[layout]
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(source, tmp_path / name)
+        rows.append(f"{name}, {style}, {gait}")
+    if layout == "table":
+        (tmp_path / "labels.csv").write_text("\n".join(rows[:-1]))
+    found = folder.survey(tmp_path)
+    expected = set(motions) if layout != "table" else set(list(motions)[:-1])
+    assert {(take.style, take.gait) for take in found.takes} == expected
+    assert list(found.left_out.values()) == (["not listed in labels.csv"] if layout == "table" else [])
+    clips = tk.datasets.load("folder", tmp_path, styles=["Zombie"])
+    assert {clip.gait for clip in clips} == {gait for style, gait in expected if style == "Zombie"}
+
+
+def test_what_is_left_out_is_said(tmp_path, motions, walk):
+    for (style, gait), source in motions.items():
+        shutil.copy(source, tmp_path / f"{style}_{gait}.bvh")
+    tk.bvh.save(walk.cut(0, 60), tmp_path / "Short_walk.bvh")
+    tk.bvh.save(walk, tmp_path / "Inches_walk.bvh", unit=0.0254)
+    small = dataclasses.replace(walk.skeleton, offsets=0.6 * walk.skeleton.offsets)
+    tk.bvh.save(walk.replace(skeleton=small, root_positions=0.6 * walk.root_positions), tmp_path / "Child_walk.bvh")
+    (tmp_path / "Broken_walk.bvh").write_text("HIERARCHY\nROOT Hips\n{\n OFFSET 0 0 0\n")
+    tk.bvh.save(with_extras(walk, twists=False), tmp_path / "Rich_walk.bvh")
+    found = folder.survey(tmp_path)
+    assert {take.style for take in found.takes} == {"Neutral", "Zombie", "Rich", "Inches"}
+    why = {path.name: reason for path, reason in found.left_out.items()}
+    assert set(why) == {"Short_walk.bvh", "Child_walk.bvh", "Broken_walk.bvh"}
+    assert "1.0 s; a clip of 1.9 s is needed" in why["Short_walk.bvh"]
+    assert "line 4" in why["Broken_walk.bvh"]
+    assert "another size" in why["Child_walk.bvh"]
+    lines = list(found.lines(tmp_path))
+    assert lines[0] == "6 files, 1,800 frames, 0.5 minutes; 28 body joints of 41"
+    assert "  Neutral run: 1 files, 300 frames, 5.0 s" in lines
+    assert "left out: 3 files" in lines
+
+
+@pytest.mark.parametrize(("table", "said"), [
+    ("name,style\na.bvh,Old\n", "expected the columns file, style, gait; got name, style"),
+    ("file,style\nb.bvh,Old\n", "line 2: no file"),
+    ("file,style\na.bvh,\n", "line 2: no style"),
+])
+def test_bad_tables_are_refused_in_a_line(tmp_path, motions, table, said):
+    shutil.copy(next(iter(motions.values())), tmp_path / "a.bvh")
+    (tmp_path / "labels.csv").write_text(table)
+    with pytest.raises(ValueError, match="labels") as error:
+        folder.survey(tmp_path)
+    assert said in str(error.value)
+    assert "\n" not in str(error.value)
+
+
+def test_a_folder_of_nothing_is_refused(tmp_path):
+    with pytest.raises(ValueError, match="no file can be used; expected recordings"):
+        folder.survey(tmp_path)
+    (tmp_path / "a.bvh").write_text("nothing")
+    with pytest.raises(ValueError, match=r"no file can be used \(a.bvh: .*expected HIERARCHY"):
+        folder.survey(tmp_path)
+
+
+def test_a_model_is_trained_on_a_folder(tmp_path, motions, capsys):
+    data, out = tmp_path / "data", tmp_path / "run.safetensors"
+    data.mkdir()
+    for (style, gait), source in motions.items():
+        shutil.copy(source, data / f"{style}_{gait}.bvh")
+    assert called(f"preprocess --data {data} --out {tmp_path / 'store'} --workers 1") == 0
+    assert tk.features.store.load(tmp_path / "store").styles == ["Neutral", "Zombie"]
+    assert called(f"train --data {data} --out {out} --small --epochs 0.5") == 0
+    said = capsys.readouterr().out
+    assert said.count("4 files, 1,200 frames, 0.3 minutes; 28 body joints of 28") == 2
+    assert tk.training.load(out).bank.names == ("Neutral", "Zombie")

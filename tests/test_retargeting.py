@@ -1,0 +1,198 @@
+"""Retargeting between humanoids of other rest poses, local axes, proportions and joints."""
+
+from collections.abc import Callable
+
+import pytest
+import torch
+
+import toolkit as tk
+from toolkit.cli.export import SKELETONS
+from toolkit.datasets.procedural import SKELETON
+from toolkit.motion import local_rotations, retargeting
+from toolkit.motion import rotations as R
+from toolkit.motion.anatomy import measure
+
+POSES = ("T-pose", "A-pose", "hanging", "along x", "along y")
+
+
+def turn(side: float, degrees: float) -> torch.Tensor:
+    """About z, so that the arm of a side is lowered."""
+    return R.from_axis_angle(torch.tensor([0.0, 0.0, -side]), torch.deg2rad(torch.tensor(degrees)))
+
+
+def frames_of(pose: str, offsets: torch.Tensor) -> torch.Tensor:
+    """World rotations [J, 4] of the local frames of joints in a T-pose that faces +z."""
+    own = R.identity(len(SKELETON))
+    down = {"A-pose": 50.0, "hanging": 85.0}.get(pose)
+    for j, name in enumerate(SKELETON.names):
+        side = 1.0 if name.startswith("Left") else -1.0
+        if down and any(part in name for part in ("Shoulder", "Elbow", "Wrist")):
+            own[j] = R.inverse(turn(side, down))  # zero rotation is the lowered arm
+        elif pose.startswith("along"):
+            below = [k for k, p in enumerate(SKELETON.parents) if p == j] or [j]
+            axis = torch.eye(3)["xy".index(pose[-1])]
+            own[j] = R.between(axis, offsets[below].mean(0) if len(below) > 1 else offsets[below[0]])
+    return own
+
+
+def rig(pose: str, *, arms: float = 1.0, legs: float = 1.0, hips: float = 1.0, turned: torch.Tensor | None = None,
+        joints: Callable[[list, list, list], None] | None = None) -> tk.Clip:
+    """One frame of a rig in T-pose, with its own names, proportions and local frames."""
+    offsets = SKELETON.offsets.clone()
+    for j, name in enumerate(SKELETON.names):
+        offsets[j] *= arms if any(part in name for part in ("Elbow", "Wrist")) else 1.0
+        offsets[j] *= legs if any(part in name for part in ("Knee", "Ankle")) else 1.0
+        offsets[j] *= hips if name.endswith("Hip") else 1.0
+    own = frames_of(pose, offsets)
+    if turned is not None:  # zero rotations face another way or lie on their back
+        own = R.multiply(own, R.inverse(turned))
+    local = offsets.clone()
+    parents = list(SKELETON.parents)
+    local[1:] = R.rotate(R.inverse(own[parents[1:]]), offsets[1:])
+    rows = [f"rig:{name}" for name in SKELETON.names], parents, [*local]
+    roles = {role: f"rig:{name}" for role, name in SKELETON.roles.items()}
+    if joints is not None:
+        rows, roles, own = joints(*rows, roles, own)
+    skeleton = tk.Skeleton(rows[0], rows[1], torch.stack(rows[2]), roles)
+    return tk.Clip(skeleton, local_rotations(skeleton, own[None]), torch.tensor([[0.0, 0.95, 0.0]]), 60.0, name=pose)
+
+
+def with_twists(names: list, parents: list, offsets: list, roles: dict, own: torch.Tensor) -> tuple:
+    """A joint in the middle of each upper arm and thigh, a finger on each hand, a root above the hips."""
+    order, rows = ["root"], {"root": (None, torch.zeros(3), R.identity(4)[0])}
+    for j, name in enumerate(names):
+        above = "root" if parents[j] < 0 else names[parents[j]]
+        offset = offsets[j]
+        if any(part in name for part in ("Elbow", "Knee")):
+            rows[f"{name}Twist"] = above, offset / 2, own[parents[j]]
+            order.append(f"{name}Twist")
+            above, offset = f"{name}Twist", offset / 2
+        rows[name] = above, offset, own[j]
+        order.append(name)
+        if name.endswith("Wrist"):
+            rows[f"{name}Thumb"] = name, torch.tensor([0.03, 0.02, 0.03]), own[j]
+            order.append(f"{name}Thumb")
+    made = [order, [-1 if rows[n][0] is None else order.index(rows[n][0]) for n in order], [rows[n][1] for n in order]]
+    return made, roles, torch.stack([rows[n][2] for n in order])
+
+
+def without_toes(names: list, parents: list, offsets: list, roles: dict, own: torch.Tensor) -> tuple:
+    """No toes, and shoulders fixed to the chest."""
+    kept = [j for j, name in enumerate(names) if "Toe" not in name and "Collar" not in name]
+    offsets = [o if "Collar" not in names[parents[j]] else o + offsets[parents[j]] for j, o in enumerate(offsets)]
+    above = [parents[p] if p >= 0 and p not in kept else p for p in parents]
+    made = [[names[j] for j in kept], [kept.index(above[j]) if j else -1 for j in kept], [offsets[j] for j in kept]]
+    return made, {role: name for role, name in roles.items() if "toe" not in role}, own[kept]
+
+
+def copied(clip: tk.Clip, skeleton: tk.Skeleton) -> tk.Clip:
+    """The floor that retargeting must beat: local rotations copied by role."""
+    local = R.identity(len(clip), len(skeleton))
+    for role in skeleton.roles.keys() & clip.skeleton.roles.keys():
+        local[:, skeleton.role(role)] = clip.rotations[:, clip.skeleton.role(role)]
+    return tk.Clip(skeleton, local, clip.root_positions, clip.fps)
+
+
+@pytest.fixture(scope="module")
+def walk() -> tk.Clip:
+    clip = tk.datasets.load("procedural", styles=["BentForward"], gaits=["FW"], seconds=5.0)[0]
+    return clip.moved(turn=0.7, shift=(2.0, 0.0, -1.0))
+
+
+@pytest.mark.parametrize("pose", POSES)
+def test_there_and_back_keeps_the_directions_of_limbs(walk, pose):
+    """Onto a rig with shorter legs, longer arms and wider hips; then back to the first one."""
+    target = rig(pose, arms=1.2, legs=0.8, hips=1.15)
+    made = retargeting.retarget(walk, target)
+    assert made.skeleton == target.skeleton
+    there, back = retargeting.report(walk, made), retargeting.retarget(made, SKELETON)
+    again = retargeting.report(walk, back)
+    for found, limit in ((there, 2.0), (again, 2.0)):
+        assert found.direction < limit, found
+        assert found.above < 0.3, found
+        assert found.below < 0.5, found
+        assert found.skate[1] < 1.5 * found.skate[0] + 0.5, found
+    assert there.scale == pytest.approx(0.8, abs=1e-4)
+    assert (back.global_positions - walk.global_positions).norm(dim=-1).mean() < 0.02
+    naive = copied(walk, target.skeleton)
+    if pose != "T-pose":
+        assert retargeting.report(walk, naive).direction > 10 * there.direction
+
+
+@pytest.mark.parametrize("pose", POSES)
+def test_equal_proportions_come_back(walk, pose):
+    """To 1 cm where the axes are measured over the motion: a foot's "flat" is known to about a degree."""
+    made = retargeting.retarget(walk, rig(pose))
+    back = retargeting.retarget(made, tk.Clip(SKELETON, R.identity(1, len(SKELETON)), torch.zeros(1, 3), 60.0))
+    limit = 0.01 if "along" in pose else 0.002
+    assert (back.global_positions - walk.global_positions).norm(dim=-1).max() < limit
+
+
+@pytest.mark.parametrize("pose", ["T-pose", "A-pose", "hanging"])
+@pytest.mark.parametrize("turned", [(0.0, 1.0, 0.0), (1.0, 0.0, 0.0), (0.0, 0.0, 1.0)])
+def test_zero_rotations_may_face_any_way(walk, pose, turned):
+    """A skeleton alone, without a frame of it: Z up, facing sideways, lying on its side."""
+    target = rig(pose, turned=R.from_axis_angle(torch.tensor(turned), torch.tensor(torch.pi / 2)))
+    made = retargeting.retarget(walk, target.skeleton)
+    assert retargeting.report(walk, made).direction < 0.1
+    assert (made.global_positions - walk.global_positions).norm(dim=-1).max() < 0.002
+
+
+def test_feet_stay_where_they_stand(walk):
+    target = rig("A-pose", legs=0.75, hips=1.6)
+    slid, kept = (retargeting.report(walk, retargeting.retarget(walk, target, feet=feet)) for feet in (False, True))
+    assert slid.direction < 0.01  # without foot IK the directions are exact
+    assert kept.direction < 3.0
+    assert kept.skate[1] <= slid.skate[1] + 1e-3
+    assert kept.skate[1] < kept.skate[0] + 0.5
+
+
+@pytest.mark.parametrize("pose", ["A-pose", "along y"])
+def test_twist_bones_fingers_and_a_root_follow(walk, pose):
+    target = rig(pose, joints=with_twists)
+    made = retargeting.retarget(walk, target)
+    assert len(made.skeleton) == len(SKELETON) + 7
+    assert retargeting.report(walk, made).direction < 0.5
+    for name in SKELETON.names:
+        ours = made.global_positions[:, made.skeleton.index(f"rig:{name}")]
+        assert (ours - walk.global_positions[:, SKELETON.index(name)]).norm(dim=-1).max() < 0.01, name
+    extra = made.skeleton.index("rig:LeftWristThumb")
+    assert torch.allclose(made.rotations[:, extra].abs(), target.rotations[:, extra].abs(), atol=1e-5)
+    back = retargeting.retarget(made, SKELETON)
+    assert (back.global_positions - walk.global_positions).norm(dim=-1).max() < 0.02
+
+
+def test_missing_toes_and_collars_are_tolerated(walk):
+    target = rig("A-pose", joints=without_toes)
+    made = retargeting.retarget(walk, target)
+    assert retargeting.report(walk, made).direction < 3.0
+    assert abs(float(made.global_positions[..., 1].min())) < 0.12
+    back = retargeting.retarget(made, SKELETON)
+    assert retargeting.report(walk, back).direction < 6.0
+    assert float(back.global_positions[..., SKELETON.index("HeadEnd"), 1].median()) > 1.2
+
+
+def test_the_floor_is_found(walk):
+    made = retargeting.retarget(walk.moved(shift=(0.0, -3.0, 0.0)), rig("A-pose"))
+    assert 0.0 < float(tk.contacts.standing_height(made)) < 0.05
+
+
+def test_a_rig_whose_zero_rotations_show_nothing_needs_a_clip(walk):
+    target = rig("along y")
+    with pytest.raises(ValueError, match="no standing figure"):
+        retargeting.retarget(walk, target.skeleton)
+    assert measure(target).leg == pytest.approx(0.869, abs=1e-3)
+
+
+def test_real_rigs_onto_each_other(shared):
+    """Bandai-Namco's bones lie along x, CMU's legs are spread at zero rotations."""
+    files = [file for folder, name in (("bandai", "dataset-2_walk_normal*.bvh"), ("xia", "*_01_*.bvh"))
+             for file in sorted((shared / folder).rglob(name))[:1]]
+    if len(files) < 2:
+        pytest.skip("no walks of Bandai-Namco and Xia")
+    first, second = (tk.bvh.load(file) for file in files)
+    for clip, target in ((first, second), (second, first), (first, SKELETONS["100style"])):
+        found = retargeting.report(clip, retargeting.retarget(clip, target))
+        assert found.direction < 4.0, found
+        assert found.above < 0.5, found
+        assert retargeting.report(clip, retargeting.retarget(clip, target, feet=False)).direction < 0.05

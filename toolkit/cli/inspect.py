@@ -1,0 +1,32 @@
+"""The verb `inspect`: what a motion file holds, and how it is understood."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from toolkit.cli.verbs import Roles, Unit, Up
+from toolkit.io import inspection
+
+
+def inspect(
+    file: Annotated[Path, typer.Argument(help="Motion file: BVH, glTF, VRM, FBX, AMC, NPZ.")],
+    unit: Unit = "auto",
+    up: Up = "auto",
+    roles: Roles = None,
+    picture: Annotated[Path | None, typer.Option(help="Strip of poses to write: .png.")] = None,
+) -> None:
+    """Print joints, height, unit, up axis, floor, rate, roles, mirror pairs and contacts of a motion file, and doubts.
+
+    `--unit`, `--up` and `--roles` decide what was guessed wrongly; other verbs take them too.
+    """
+    if picture is not None and picture.suffix.lower() != ".png":
+        raise ValueError(f"{picture}: a strip of poses is a .png file")
+    found = inspection.inspect(file, unit, up, roles)
+    print(found)
+    if picture is not None:
+        from toolkit import view  # imported on demand: it needs the drawing libraries
+
+        floor = found.floor if abs(found.floor) < float("inf") else 0.0
+        view.strip(found.clip.moved(shift=(0.0, -floor, 0.0)), picture)
+        print(f"wrote {picture}")

@@ -1,0 +1,201 @@
+"""A folder of one's own recordings: any files that can be read, with style and gait from a table, folders or names.
+
+The table ``labels.csv`` has the columns ``file`` (path in the folder), ``style`` and, if wanted, ``gait``; files that it
+does not list are left out. Columns ``unit`` and ``up`` decide what was guessed wrongly (`toolkit.load`). Without the table
+the style is the name of the first sub-folder, and the gait that of the second one.
+What folders do not give comes from the file's name, whose words are separated by ``_``, ``-`` or blanks: a word of `GAITS`
+is the gait, and of the others the first that is not common to all files is the style.
+
+Clips have the body joints alone (`toolkit.motion.pruning`), and all the same ones.
+"""
+
+import csv
+import os
+import re
+from collections import defaultdict
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+from functools import lru_cache
+from pathlib import Path
+
+from tqdm import tqdm
+
+from toolkit.datasets.takes import Names, Source, Take
+from toolkit.io import interpretation
+from toolkit.io.load import READERS, read
+from toolkit.motion import Clip, trajectory
+from toolkit.motion.pruning import pruned
+
+TABLE = "labels.csv"
+COLUMNS = "file", "style", "gait"
+GAITS = {word: word for word in ("walk", "run", "jog", "sneak", "crawl", "hop", "skip", "jump", "dance", "turn")}
+GAITS |= {"walking": "walk", "running": "run", "jogging": "jog"}
+GAITS |= dict.fromkeys(("idle", "idling", "stand", "standing"), "ID")
+GAITS |= {gait.lower(): gait for gait in ("FW", "BW", "SW", "FR", "BR", "SR", "ID", "TR1", "TR2", "TR3")}
+SHORTEST = (trajectory.SAMPLES[-1] - trajectory.SAMPLES[0] + 2) / trajectory.FPS  # seconds of a clip with one usable frame
+ALIKE = 1.3  # ratio of sizes up to which two bodies are used together
+SUFFIXES = tuple(READERS)
+
+
+@dataclass(frozen=True)
+class OwnTake(Take):
+    """A file with what its table says about it."""
+
+    unit: float | str = "auto"
+    up: str = "auto"
+
+
+@dataclass(frozen=True)
+class Survey:
+    """What a folder holds for a training."""
+
+    takes: tuple[Take, ...]  # that are used
+    frames: dict[Path, int]  # of the used files, at their own rate
+    seconds: dict[Path, float]
+    joints: tuple[int, int]  # body joints of the used files, and the most joints that one of them has
+    left_out: dict[Path, str]  # files and why
+    doubts: dict[Path, list[str]] = field(default_factory=dict)  # warnings about used files
+
+    def lines(self, root: Path) -> Iterator[str]:
+        """What is used, by style and gait, and what is left out and why."""
+        minutes = sum(self.seconds.values()) / 60
+        yield (f"{len(self.takes)} files, {sum(self.frames.values()):,} frames, {minutes:.1f} minutes; "
+               f"{self.joints[0]} body joints of {self.joints[1]}")
+        groups: dict[tuple[str, str], list[Path]] = defaultdict(list)
+        for take in self.takes:
+            groups[take.style, take.gait].append(take.path)
+        for (style, gait), paths in sorted(groups.items()):
+            yield (f"  {' '.join(filter(None, (style, gait)))}: {len(paths)} files, "
+                   f"{sum(self.frames[p] for p in paths):,} frames, {sum(self.seconds[p] for p in paths):.1f} s")
+        for path, found in self.doubts.items():
+            yield from (f"  doubtful: {path.relative_to(root)}: {doubt}" for doubt in found)
+        if self.left_out:
+            yield f"left out: {len(self.left_out)} files"
+        for path, why in self.left_out.items():
+            yield f"  {path.relative_to(root)}: {why}"
+
+
+@dataclass(frozen=True)
+class Own(Source):
+    """The recordings of a folder, as the other datasets have them."""
+
+    def find(self, root: str | os.PathLike | None) -> list[Take]:
+        """All takes of a folder that can be used; ValueError if there is none."""
+        return list(survey(root).takes)
+
+    def folder(self, root: str | os.PathLike | None) -> Path:
+        """The folder, which must be given."""
+        if root is None:
+            raise ValueError("a folder of one's own needs its path: root=FOLDER")
+        return super().folder(root)
+
+    def read(self, takes: Iterable[Take]) -> Iterator[Clip]:
+        """Labelled clips of takes, with their body joints."""
+        for take in tqdm(list(takes), desc="files", unit="file", disable=None):
+            yield pruned(_load(take)[0])  # `survey` has listed the doubts
+
+
+SOURCE = Own("folder", re.compile(".*"), f"recordings ({', '.join(SUFFIXES)}), and {TABLE} or a sub-folder per style", "")
+
+
+def load(root: str | os.PathLike | None = None, styles: Names = None, gaits: Names = None) -> list[Clip]:
+    """Clips of a folder, see `toolkit.datasets.takes.Source.load`."""
+    return SOURCE.load(root, styles, gaits)
+
+
+def survey(root: str | os.PathLike) -> Survey:
+    """Reads every file of a folder and says what a training can use; ValueError if that is nothing.
+
+    The files must have the same body joints, and people of about the same size (`ALIKE`). Where they differ, those of the
+    larger number of frames are used.
+    """
+    folder = SOURCE.folder(root)
+    files = ((path, path.stat()) for path in sorted(folder.rglob("*")) if path.is_file())
+    return _survey(folder, tuple((path, about.st_size, about.st_mtime_ns) for path, about in files))
+
+
+@lru_cache(maxsize=1)  # a training asks twice
+def _survey(folder: Path, _files: tuple) -> Survey:
+    takes, left_out = labelled(folder)
+    rigs: dict[tuple, list[tuple[Take, int, float, int]]] = defaultdict(list)
+    doubts: dict[Path, list[str]] = {}
+    for take in tqdm(takes, desc="reading", unit="file", disable=None if len(takes) > 20 else True):
+        try:
+            whole, doubtful = _load(take)
+            clip = pruned(whole)
+        except (ValueError, OSError, ImportError) as error:
+            left_out[take.path] = str(error).removeprefix(f"{take.path}: ").removeprefix(f"{take.path.name}: ")
+            continue
+        if clip.seconds < SHORTEST:
+            left_out[take.path] = f"{clip.seconds:.1f} s; a clip of {SHORTEST:.1f} s is needed"
+            continue
+        if doubtful:
+            doubts[take.path] = doubtful
+        shape = clip.skeleton.names, clip.skeleton.parents, _height(clip)
+        shape = next((known for known in rigs if known[:2] == shape[:2] and 1 / ALIKE < known[2] / shape[2] < ALIKE), shape)
+        rigs[shape].append((take, len(clip), clip.seconds, len(whole.skeleton)))
+    if not rigs:
+        why = "; ".join(f"{path.name}: {reason}" for path, reason in list(left_out.items())[:3])
+        raise ValueError(f"{folder}: no file can be used{f' ({why})' if why else ''}; expected {SOURCE.layout}")
+    most = max(rigs, key=lambda shape: sum(frames for _, frames, *_ in rigs[shape]))
+    for shape, rows in rigs.items():
+        if shape != most:
+            differ = "a body of another size" if shape[:2] == most[:2] else "other joints"
+            left_out |= {take.path: f"{differ} than most files; `export clip --skeleton` retargets it" for take, *_ in rows}
+    rows = rigs[most]
+    used = tuple(take for take, *_ in rows)
+    return Survey(used, {take.path: frames for take, frames, *_ in rows}, {take.path: s for take, _, s, _ in rows},
+                  (len(most[0]), max(joints for *_, joints in rows)), left_out,
+                  {path: found for path, found in doubts.items() if path not in left_out})
+
+
+def labelled(folder: Path) -> tuple[list[Take], dict[Path, str]]:
+    """Files of a folder with style and gait, and those that the table leaves out."""
+    files = [path for path in sorted(folder.rglob("*")) if path.suffix.lower() in SUFFIXES and path.is_file()]
+    if (folder / TABLE).is_file():
+        table = _table(folder)
+        return ([OwnTake(path, *table[path]) for path in files if path in table],
+                {path: f"not listed in {TABLE}" for path in files if path not in table})
+    words = {path: [w for w in re.split(r"[\W_]+", path.stem) if w and not w.isdigit()] for path in files}
+    common = set.intersection(*map(set, words.values())) if len(files) > 1 else set()
+    takes = []
+    for path in files:
+        above = path.relative_to(folder).parts[:-1]
+        gait = above[1] if len(above) > 1 else next((GAITS[w.lower()] for w in words[path] if w.lower() in GAITS), "")
+        named = [w for w in words[path] if w.lower() not in GAITS]
+        named = [w for w in named if w not in common] or named or [path.stem]
+        takes.append(OwnTake(path, above[0] if above else named[0], GAITS.get(gait.lower(), gait)))
+    return takes, {}
+
+
+def _table(folder: Path) -> dict[Path, tuple]:
+    """Style, gait, unit and up axis of each file that the table lists."""
+    place, found = folder / TABLE, {}
+    with place.open(encoding="utf-8-sig", newline="") as text:
+        rows = csv.DictReader(text, skipinitialspace=True)
+        if not {"file", "style"} <= set(rows.fieldnames or ()):
+            raise ValueError(f"{place}: expected the columns {', '.join(COLUMNS)}; got {', '.join(rows.fieldnames or ())}")
+        for number, row in enumerate(rows, 2):
+            path, style = folder / (row["file"] or "").strip(), (row["style"] or "").strip()
+            if not style or not path.is_file():
+                raise ValueError(f"{place}, line {number}: {f'no file {path}' if style else 'no style'}")
+            gait, unit, up = ((row.get(column) or "").strip() for column in ("gait", "unit", "up"))
+            try:
+                unit = float(unit)
+            except ValueError:
+                unit = unit or "auto"
+            found[path] = style, gait, unit, up or "auto"
+    return found
+
+
+def _load(take: OwnTake) -> tuple[Clip, list[str]]:
+    """The clip of a file, with a floor far from zero moved there, and what is doubtful about it."""
+    clip, found = interpretation.interpret(read(take.path), take.path, take.unit, take.up)
+    if abs(found.floor) > interpretation.FAR:
+        clip = clip.moved(shift=(0.0, -found.floor, 0.0))
+    return clip.replace(style=take.style, gait=take.gait), found.doubts
+
+
+def _height(clip: Clip) -> float:
+    """Sum of the lengths of all bones, metres."""
+    return float(clip.skeleton.offsets[1:].norm(dim=-1).sum())

@@ -1,0 +1,165 @@
+"""Skeleton: joints in a tree, their roles and counterparts; forward kinematics."""
+
+import dataclasses
+from dataclasses import dataclass
+from functools import cached_property
+
+import torch
+from torch import Tensor
+
+from toolkit.motion import rotations as R
+from toolkit.motion.roles import SIDES, find_roles, mirror_pairs
+from toolkit.motion.tensors import as_tensor, summary
+
+FEET = SIDES[::-1]  # the order of contacts in the published network, and of all pairs of legs or arms
+LIMBS = tuple(f"{side}_{part}" for part in ("hand", "foot") for side in SIDES)  # the order of local phases
+
+
+@dataclass(frozen=True, eq=False)
+class Skeleton:
+    """A tree of J joints and End Sites.
+
+    ValueError if lengths differ, a name repeats, a parent does not come before its child or an End Site is no leaf.
+    """
+
+    names: tuple[str, ...]  # J unique ones
+    parents: tuple[int, ...]  # the root comes first with -1, every parent before its children
+    offsets: Tensor  # [J, 3] from the parent, in its frame, metres, float32 on the CPU; the root's offset is not used
+    roles: dict[str, str] | None = None  # from a role of `ROLES` to a joint name; by default found from names and tree
+    ends: tuple[str, ...] | None = None  # leaves that are End Sites (no rotation); by default those with names in ...End
+
+    def __post_init__(self):
+        set_ = object.__setattr__
+        set_(self, "names", tuple(self.names))
+        set_(self, "parents", tuple(int(p) for p in self.parents))
+        offsets = as_tensor(self.offsets, "offsets", torch.float32)
+        set_(self, "offsets", offsets if offsets.is_meta else offsets.cpu())
+        n = len(self.names)
+        if len(self.parents) != n or self.offsets.shape != (n, 3):
+            raise ValueError(f"{n} joint names need {n} parents and offsets [{n}, 3]; got {len(self.parents)} parents "
+                             f"and offsets {list(self.offsets.shape)}")
+        if len(set(self.names)) != n:
+            raise ValueError(f"joint names repeat: {sorted({x for x in self.names if self.names.count(x) > 1})}")
+        if self.parents[0] != -1 or any(not 0 <= p < j for j, p in enumerate(self.parents[1:], 1)):
+            raise ValueError("the root must come first with parent -1, and every parent before its children")
+        leaves = [name for j, name in enumerate(self.names) if j and j not in self.parents]
+        set_(self, "ends", tuple(self.ends if self.ends is not None else (x for x in leaves if x.endswith("End"))))
+        if wrong := [name for name in self.ends if name not in leaves]:
+            raise ValueError(f"End Sites must be leaves of the tree; these are not: {', '.join(map(str, wrong))}")
+        if self.roles is None:
+            lengths = None if self.offsets.is_meta else self.offsets.norm(dim=-1).tolist()
+            set_(self, "roles", find_roles(self.names, self.parents, lengths, self.ends))
+        set_(self, "roles", dict(self.roles))
+
+    def __len__(self) -> int:
+        return len(self.names)
+
+    def __repr__(self) -> str:
+        return summary(self, {"joints": len(self), "end_sites": len(self.ends), "names": self.names, "roles": self.roles})
+
+    def to_dict(self) -> dict:
+        """The fields as values for JSON; ``Skeleton(**fields)`` makes the skeleton again."""
+        return {f.name: getattr(self, f.name) for f in dataclasses.fields(self)} | {"offsets": self.offsets.tolist()}
+
+    def index(self, name: str) -> int:
+        """Index of a joint by its name or, where no joint has this name, by its role."""
+        joint = name if name in self.names else self.roles.get(name)
+        if joint not in self.names:
+            raise ValueError(f"unknown joint {name!r}; the skeleton has {', '.join(self.names)}")
+        return self.names.index(joint)
+
+    def role(self, role: str) -> int:
+        """Index of the joint with a role, which may differ from its name: SMPL's left_wrist has the role left_hand."""
+        if self.roles.get(role) not in self.names:
+            raise ValueError(f"no joint has the role {role!r}; the skeleton has {', '.join(self.names)}")
+        return self.names.index(self.roles[role])
+
+    def is_end(self, joint: int) -> bool:
+        """Whether a point is an End Site."""
+        return self.names[joint] in self.ends
+
+    def end_site(self, role: str) -> int:
+        """Index of the End Site below the joint with a role; the joint itself if it has no End Site beyond 0.1 mm."""
+        joint = self.role(role)
+        ends = (j for j, p in enumerate(self.parents) if p == joint and self.is_end(j))
+        return next((j for j in ends if float(self.offsets[j].norm()) > 1e-4), joint)
+
+    @cached_property
+    def feature_joints(self) -> tuple[int, ...]:
+        """Joints that the features describe (section 3.2): all but End Sites, and the End Sites of hands or in a role."""
+        kept = {self.end_site(f"{side}_hand") for side in SIDES}
+        return tuple(j for j, name in enumerate(self.names)
+                     if name not in self.ends or j in kept or name in self.roles.values())
+
+    @cached_property
+    def feature_parents(self) -> tuple[int, ...]:
+        """Parents of `feature_joints`, as indices into them."""
+        position = {j: i for i, j in enumerate(self.feature_joints)}
+        return tuple(position.get(self.parents[j], -1) for j in self.feature_joints)
+
+    def levels(self, device: torch.device) -> list[tuple[Tensor, Tensor]]:
+        """Indices of the joints and of their parents, one pair for each depth below the root; cached by device."""
+        kept = self.__dict__.setdefault("_levels", {})
+        if device not in kept:
+            depth = [0] * len(self)
+            for j, p in enumerate(self.parents[1:], 1):
+                depth[j] = depth[p] + 1
+            groups = [[j for j, d in enumerate(depth) if d == level] for level in range(1, max(depth) + 1)]
+            with torch.inference_mode(False):  # the next call may need gradients
+                kept[device] = [(torch.tensor(g, device=device), torch.tensor([self.parents[j] for j in g], device=device))
+                                for g in groups]
+        return kept[device]
+
+    @cached_property
+    @torch.inference_mode(False)
+    def rest_positions(self) -> Tensor:
+        """Positions ``[J, 3]`` with every rotation zero, the root at the origin."""
+        return forward_kinematics(self, R.identity(len(self), dtype=torch.float32), torch.zeros(3))[1]
+
+    @cached_property
+    @torch.inference_mode(False)
+    def facing_axis(self) -> Tensor:
+        """The signed axis ``[3]`` of the hips' frame nearest to (right hip → left hip) × (hips → chest)."""
+        rest = self.rest_positions
+        left = rest[self.role("left_hip")] - rest[self.role("right_hip")]
+        forward = torch.linalg.cross(left, rest[self.trunk[0]] - rest[self.role("hips")])
+        largest = forward.abs().argmax()
+        return torch.eye(3)[largest] * forward[largest].sign()
+
+    def ancestors(self, joint: int | str) -> list[int]:
+        """Indices from the parent of a joint (its index, name or role) up to the root."""
+        above, j = [], self.parents[self.index(joint) if isinstance(joint, str) else joint]
+        while j >= 0:
+            above.append(j)
+            j = self.parents[j]
+        return above
+
+    @cached_property
+    def trunk(self) -> list[int]:
+        """Joints above both shoulders, from the chest up to the root."""
+        left, right = (self.ancestors(self.role(f"{side}_shoulder")) for side in SIDES)
+        return [j for j in left if j in right]
+
+    @cached_property
+    def mirror_pairs(self) -> tuple[int, ...]:
+        """For each joint the index of its left/right counterpart, itself where it has none; from roles, tree and names."""
+        return mirror_pairs(self.names, self.parents, self.roles)
+
+
+def forward_kinematics(skeleton: Skeleton, rotations: Tensor, root_positions: Tensor) -> tuple[Tensor, Tensor]:
+    """Global rotations ``[..., J, 4]`` and positions ``[..., J, 3]`` of local rotations and the root's position."""
+    local = rotations.movedim((-1, -2), (0, 1)).contiguous()  # the frames of one component are contiguous
+    turned, positions = torch.empty_like(local), torch.empty_like(local[:3])
+    turned[:, 0], positions[:, 0] = local[:, 0], root_positions.movedim(-1, 0)
+    offsets = skeleton.offsets.to(rotations).T.reshape(3, -1, *[1] * (rotations.dim() - 2))
+    for joints, parents in skeleton.levels(rotations.device):
+        above = turned[:, parents]
+        turned[:, joints] = torch.stack(R.multiply_parts(above, local[:, joints]))
+        positions[:, joints] = positions[:, parents] + torch.stack(R.rotate_parts(above, offsets[:, joints]))
+    return tuple(x.movedim((0, 1), (-1, -2)).contiguous() for x in (turned, positions))
+
+
+def local_rotations(skeleton: Skeleton, global_rotations: Tensor) -> Tensor:
+    """Rotations ``[..., J, 4]`` relative to the parents, from global rotations: the inverse of `forward_kinematics`."""
+    above = R.inverse(global_rotations[..., list(skeleton.parents[1:]), :])
+    return torch.cat((global_rotations[..., :1, :], R.multiply(above, global_rotations[..., 1:, :])), -2)
