@@ -21,6 +21,7 @@ CENTIMETRE = 0.01
 SMALL = 1_000_000  # joints times frames that a file of any size may have
 LARGEST = 1e30  # limit of lengths in the file's unit; in any unit float32 holds them
 MOVED = 2.5e-3  # of the longest bone: a change of a joint's distance to its parent that is no rounding
+RATES = (24.0, 25.0, 30.0, 48.0, 50.0, 60.0, 72.0, 75.0, 90.0, 100.0, 120.0, 144.0, 180.0, 200.0, 240.0, 250.0)  # usual ones
 CHANNELS = frozenset(f"{axis}{kind}" for axis in "XYZ" for kind in ("position", "rotation"))
 _MOTION = re.compile(rb"[\r\n][^\S\r\n]*MOTION[^\S\r\n]*(?=[\r\n]|\Z)", re.IGNORECASE)
 _TIMING = re.compile(rb"\s*Frames[^\r\n:]*:([^\r\n]*)[\r\n]\s*Frame Time[^\r\n:]*:([^\r\n]*)", re.IGNORECASE)
@@ -248,8 +249,16 @@ def _parse_motion(path: Path, data: bytes, start: int, width: int) -> tuple[np.n
                     raise fail(timing.end(), f"channel {i} is not a finite number: {word!r}", below)
             read.append(np.array(numbers))
         columns = np.stack(read, 1)
-    fps = 1.0 / frame_time
-    return columns, float(round(fps)) if abs(fps - round(fps)) < 0.02 else fps
+    return columns, _rate(timing[2].decode(errors="replace").strip(), frame_time)
+
+
+def _rate(text: str, frame_time: float) -> float:
+    """Frames per second of a frame time, which files round: 0.033333 and 0.0333 are 30 Hz, 0.0083 is 120 Hz."""
+    fps, unit = 1.0 / frame_time, 10.0 ** -len(text.partition(".")[2])  # of the last decimal
+    if abs(fps - round(fps)) < 0.02:
+        return float(round(fps))
+    near = min(RATES, key=lambda rate: abs(fps - rate))
+    return near if abs(1 / near - frame_time) < unit and abs(fps / near - 1) < 0.015 else fps
 
 
 def _rotations(columns: Tensor, rows: list[dict[str, int]]) -> Tensor:

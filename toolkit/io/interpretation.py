@@ -122,7 +122,7 @@ def _roles(recording: Recording, path: Path, given: Mapping[str, str], found: Fi
         either = [role.removeprefix("left_") for role in lacking if role.replace("left", "right") in lacking
                   and role.startswith("left")]
         one = [role.replace("_", " ") for role in lacking if role.split("_")[1] not in either]
-        found.doubts.append(f"no joint was found for {', '.join((*either, *one))}: not taken for a person; roles= names them")
+        found.doubts.append(f"no joint was found for {', '.join((*either, *one))}: not taken for a person; roles= decides")
     found.rules = {role: rule for role, (_, rule) in known.items()}
     return {role: joint for role, (joint, _) in known.items()}
 
