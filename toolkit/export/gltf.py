@@ -91,7 +91,7 @@ def _bind_pose(skeleton: Skeleton, shapes: Sequence) -> Tensor:
     turns = R.identity(len(skeleton)).double()
     for shape in shapes:
         for bend in shape.bends:
-            below = skeleton.parents[bend.joint] == shape.joint
+            below = shape.joint in skeleton.ancestors(bend.joint)
             lower = bend.joint if below else shape.joint
             upper, own = (shape.place, bend.place) if below else (bend.place, shape.place)
             turns[lower] = R.from_matrix(torch.from_numpy(upper[:, :3] @ np.linalg.inv(own[:, :3])))

@@ -55,7 +55,7 @@ def retarget(clip: Clip, target: Skeleton | Clip, *, feet: bool = True) -> Clip:
         return clip
     source, goal = measure(clip), measure(target)
     clip = clip.replace(skeleton=source.skeleton)
-    turned = _limbs(clip, source, goal) | _trunk(clip, source, goal)
+    turned = _turned(clip, source, goal)
     scale = goal.leg / source.leg
     middle = scale * _middle(clip)
     made = _compose(clip, goal, turned, middle)
@@ -130,32 +130,30 @@ def _toes(clip: Clip) -> Tensor:
     return clip.global_positions[:, [clip.skeleton.role(f"{side}_toe") for side in FEET]]
 
 
-def _turn(clip: Clip, source: Anatomy, joint: int) -> Tensor:
-    """How far a joint has turned from the T-pose ``[F, 4]``."""
-    return R.multiply(clip.global_rotations[:, joint], source.axes[joint])
+def leaders(source: Anatomy, goal: Anatomy) -> dict[int, tuple[int, int, float]]:
+    """For each joint of the goal that follows the source: two joints there, and how far it is from the first to the second.
 
-
-def _limbs(clip: Clip, source: Anatomy, goal: Anatomy) -> dict[int, Tensor]:
-    """World rotations ``[F, 4]`` of arms and legs."""
-    turned = {}
+    Arms and legs follow the joint with the same role, spine and neck the place at the same share of their length.
+    """
+    found = {}
     for side in SIDES:
         for kind in ("arm", "leg"):
             joints, there = (limb(rig.skeleton, side, kind) for rig in (source, goal))
-            for part in joints.keys() & there.keys():
-                turned[there[part]] = R.multiply(_turn(clip, source, joints[part]), R.inverse(goal.axes[there[part]]))
-    return turned
-
-
-def _trunk(clip: Clip, source: Anatomy, goal: Anatomy) -> dict[int, Tensor]:
-    """World rotations ``[F, 4]`` of hips, spine, neck and head."""
-    turned = {}
+            found |= {there[part]: (joints[part], joints[part], 0.0) for part in joints if part in there}
     for from_, to in ((source.spine, goal.spine), (source.neck, goal.neck)):
-        world = [_turn(clip, source, j) for j in from_]
         for i, joint in enumerate(to):
             place = i / max(len(to) - 1, 1) * (len(from_) - 1)
             below = min(int(place), max(len(from_) - 2, 0))
-            turn = R.slerp(world[below], world[min(below + 1, len(from_) - 1)], place - below)
-            turned[joint] = R.multiply(turn, R.inverse(goal.axes[joint]))
+            found[joint] = from_[below], from_[min(below + 1, len(from_) - 1)], place - below
+    return found
+
+
+def _turned(clip: Clip, source: Anatomy, goal: Anatomy) -> dict[int, Tensor]:
+    """World rotations ``[F, 4]`` of the joints that have `leaders`: turned from the T-pose as far as these."""
+    turned = {}
+    for joint, (a, b, share) in leaders(source, goal).items():
+        first, second = (R.multiply(clip.global_rotations[:, j], source.axes[j]) for j in (a, b))
+        turned[joint] = R.multiply(R.slerp(first, second, share) if share else first, R.inverse(goal.axes[joint]))
     return turned
 
 
