@@ -16,6 +16,9 @@ from toolkit.motion import Clip, retargeting, rotations
 
 SKELETONS = {"100style": SKELETON}
 
+Figure = Annotated[Path | None, typer.Option("--character", help="glTF or VRM file with a skinned mesh, in place of the "
+                                             "mannequin.")]
+
 app = typer.Typer(no_args_is_help=True, add_completion=False,
                   help="Write files for other programs: web page, ONNX, glTF, BVH.")
 
@@ -28,12 +31,14 @@ def web(
     title: Annotated[str, typer.Option(help="Heading of the page.")] = "A character in any style",
     styles: Selection = None,
     half: Annotated[bool, typer.Option("--half", help="Store numbers in 16 bits: half the size.")] = False,
+    character: Figure = None,
 ) -> None:
     """Write one page with network, styles and scene; opened by a double click, it shows a character to steer."""
     from toolkit import view  # imported on demand: it needs the drawing libraries
 
     export.check(out, (".html",))
-    _wrote(view.web(*published.either(model, parameters), out, title=title, styles=styles, half=half))
+    _wrote(view.web(*published.either(model, parameters), out, title=title, styles=styles, half=half,
+                    character=character))
 
 
 @app.command("onnx")
@@ -54,6 +59,7 @@ def clip(
     out: Annotated[Path, typer.Option(help=f"File to write: {', '.join(export.SUFFIXES)}.")],
     skeleton: Annotated[str | None, typer.Option(help=f"Retarget to a skeleton: {', '.join(SKELETONS)}, or a file of it, "
                                                  "best with a T-pose.")] = None,
+    character: Figure = None,
     unit: Unit = "auto",
     up: Up = "auto",
     roles: Roles = None,
@@ -66,7 +72,7 @@ def clip(
     if skeleton is not None:
         before, motion = motion, export.retarget(motion, _target(skeleton))
         print(retargeting.report(before, motion))
-    export.write(motion, out, title=source.stem, progress=True)
+    export.write(motion, out, title=source.stem, progress=True, character=character)
     _wrote(out)
 
 
@@ -82,14 +88,24 @@ def pack(
     in_place: Annotated[bool, typer.Option("--in-place", help="Without the steady movement of the root.")] = False,
     skeleton: Annotated[str | None, typer.Option(help=f"Retarget to a skeleton: {', '.join(SKELETONS)}, or a file of it, "
                                                  "best with a T-pose.")] = None,
+    character: Figure = None,
 ) -> None:
     """Write looping cycles of styles (forward, back, left, right, run, idle) for games, and a manifest of them."""
     if out.exists() and not out.is_dir():
         raise ValueError(f"{out}: is a file; a folder is needed")
     styles = {name: blend_of(name) for name in style}
+    target, writers = None if skeleton is None else _target(skeleton), packs.WRITERS
+    if character is not None:
+        from toolkit.export import character_gltf
+        from toolkit.view.character import Character
+
+        if skeleton is not None:
+            raise ValueError("give --skeleton or --character, whose rig it is")
+        figure = Character.load(character)
+        target, writers = figure.rest, writers | {"glb": lambda clip, path: character_gltf.save(clip, path, figure)}
     made = packs.write(*published.either(model, parameters), out, styles, gaits=gaits or tuple(packs.GAITS),
                        formats=formats or tuple(packs.WRITERS), in_place=in_place,
-                       target=None if skeleton is None else _target(skeleton), progress=True)
+                       target=target, writers=writers, progress=True)
     rows = json.loads(made.read_text(encoding="utf-8"))["clips"]
     print(f"{'cycle':<28}{'m/s':>6}{'s':>7}{'seam cm/s':>11}{'usual':>7}")
     for row in rows:

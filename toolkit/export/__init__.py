@@ -38,19 +38,36 @@ def check(path: str | os.PathLike, suffixes: Sequence[str] = SUFFIXES) -> Path:
 
 
 def write(clip: Clip, path: str | os.PathLike, *, title: str = "Motion", source: Clip | None = None,
-          progress: bool = False) -> None:
+          progress: bool = False, character: str | os.PathLike | None = None) -> None:
     """Write a clip as motion (.bvh, .glb), web page (.html), strip of poses (.png) or film; missing folders are made.
 
     The suffix of the path, one of `SUFFIXES`, selects the format. ``title`` names the motion in a page or picture.
     ``source``, the motion it was made from, is shown beside it in pages, pictures and films. ``progress`` shows a bar while
-    a film is drawn.
+    a film is drawn. ``character`` is a glTF or VRM file with a skinned mesh: its file with the motion on it (.glb), its
+    rig's motion (.bvh), or a page in which it walks (.html).
 
     Raises
     ------
     ValueError
-        If the suffix is unknown.
+        If the suffix is unknown, or one that a character cannot be written to.
     """
     path = check(path)
+    if character is not None:
+        from toolkit.export import character_gltf
+        from toolkit.view.character import Character
+
+        figure = Character.load(character)
+        if path.suffix == ".glb":
+            character_gltf.save(clip, path, figure)
+        elif path.suffix == ".bvh":
+            bvh.save(figure.fitted(clip), path)
+        elif path.suffix == ".html":
+            from toolkit import view
+
+            view.html([clip], path, title=title, character=figure)
+        else:
+            raise ValueError(f"{path}: a character is written to .glb, .bvh or .html")
+        return
     if path.suffix in (".bvh", ".glb"):
         (bvh if path.suffix == ".bvh" else gltf).save(clip, path)
         return

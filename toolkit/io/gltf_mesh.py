@@ -21,6 +21,7 @@ class SkinnedMesh:
     names: tuple[str, ...]  # J, unique
     parents: tuple[int, ...]  # the root comes first with -1
     nodes: tuple[int, ...]  # J, number of each joint's node in the file
+    above: np.ndarray  # [4, 4] world transform of the node above the root
     rest: np.ndarray  # [J, 4, 4] world transforms of the joints in the pose of the nodes
     bind: np.ndarray  # [J, 4, 4] the same in the pose in which the mesh was bound to them
     points: np.ndarray  # [V, 3] in the world, in the bind pose
@@ -119,8 +120,10 @@ class _Reader:
         points, joints, weights, colors = (np.concatenate([row[i] for row in rows]) for i in (0, 2, 3, 4))
         triangles = np.concatenate([row[1] + count for row, count in zip(rows, counts, strict=False)])
         names = _unique([printable(self.nodes[j].get("name", "")) or f"node{j}" for j in order])
+        top = self.parents[order[0]]
         return SkinnedMesh(names, tuple(at.get(self.parents[j], -1) for j in order), tuple(order),
-                           np.stack([self.place(j) for j in order]), bind, points, triangles, joints, weights, colors)
+                           self.place(top) if top >= 0 else np.eye(4), np.stack([self.place(j) for j in order]), bind,
+                           points, triangles, joints, weights, colors)
 
     def _tree(self, joints: set[int]) -> list[int]:
         """Joints and the nodes between them, parents first, below one root."""
