@@ -314,5 +314,17 @@ def test_bad_clips_are_refused_by_name(walk_clip):
         frames(walk_clip.resample(30))
     names = ("first", "second", "third")
     clips = [c.replace(name=n) for c, n in zip((walk_clip, walk_clip, walk_clip.without_ends()), names, strict=True)]
-    with pytest.raises(ValueError, match=r"^third: its joints differ from those of first$"):
+    with pytest.raises(ValueError, match=r"^third: its joints differ, compared with first$"):
         tk.features.build(clips)
+
+
+def test_the_same_file_at_two_scales_is_not_mixed(tmp_path):
+    clip = tk.datasets.load("procedural", styles=["Neutral"], gaits=["FW"], seconds=6.0)[0]
+    tk.bvh.save(clip, tmp_path / "walk.bvh")
+    small, large = (tk.bvh.load(tmp_path / "walk.bvh", unit=unit, up="y", style="Neutral") for unit in (0.01, 0.0254))
+    with pytest.raises(ValueError, match=r"^walk\.bvh: its bones are 2\.54 times as long; unit= decides, compared with"):
+        tk.features.build([small, large])
+    assert tk.features.Layout(small.skeleton) != tk.features.Layout(large.skeleton)
+    assert tk.features.Layout(small.skeleton) == tk.features.Layout(tk.load(tmp_path / "walk.bvh").skeleton)
+    grown = tk.Skeleton(clip.skeleton.names, clip.skeleton.parents, 1.15 * clip.skeleton.offsets)  # a tall person
+    assert tk.features.Layout(small.skeleton) == tk.features.Layout(grown)

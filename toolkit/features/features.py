@@ -280,8 +280,8 @@ def build(clips: Clip | Iterable[Clip], *, source: str | phases.Source = "hybrid
     layout = Layout(clips[0].skeleton, samples=samples)
     groups: dict[tuple[str, str], list[tuple[int, Clip]]] = defaultdict(list)
     for take, clip in enumerate(clips):
-        if Layout(clip.skeleton, samples=samples) != layout:
-            raise ValueError(f"{clip.name}: its joints differ from those of {clips[0].name}")
+        if why := Layout(clip.skeleton, samples=samples).difference(layout):
+            raise ValueError(f"{clip.name}: {why}, compared with {clips[0].name}")
         groups[clip.style, clip.gait].append((take, clip))
     parts: dict[str, dict[str, list[Tensor]]] = {kind: defaultdict(list) for kind in (*KINDS, "takes")}
     repeated: dict[str, list[Tensor]] = defaultdict(list)  # style clips of styles without a long clip

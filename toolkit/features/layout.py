@@ -11,6 +11,7 @@ from toolkit import phases
 from toolkit.motion import Skeleton, contacts, trajectory
 from toolkit.motion.tensors import summary
 
+SIZES = 1.4  # largest ratio of the sizes of two skeletons of one layout
 N_PHASES = 2 * len(phases.LIMBS)
 PHASES = {  # phase of a model: columns of p, and the blocks of z of the same width
     "local": (N_PHASES, ("phases", "phase_updates")),
@@ -48,7 +49,8 @@ class Layout:
     Notes
     -----
 
-    Two layouts are equal if their skeletons have the same joints and End Sites in the same tree, the same phase and samples.
+    Two layouts are equal if their skeletons have the same joints and End Sites in the same tree and similar size, the same
+    phase and samples, see `difference`.
     """
 
     skeleton: Skeleton
@@ -77,12 +79,25 @@ class Layout:
         return summary(self, {"inputs": self.n_inputs, "outputs": self.n_outputs, "phase": self.phase, "joints": self.names})
 
     def __eq__(self, other: object) -> bool:
-        return (isinstance(other, Layout) and self.skeleton.names == other.skeleton.names
-                and self.skeleton.parents == other.skeleton.parents and self.phase == other.phase
-                and self.samples == other.samples and set(self.skeleton.ends) == set(other.skeleton.ends))
+        return isinstance(other, Layout) and not self.difference(other)
 
     def __hash__(self) -> int:
         return hash((self.skeleton.names, self.skeleton.parents, self.phase, self.samples))
+
+    def difference(self, other: "Layout") -> str:
+        """What differs from another layout, in words; empty if they are equal.
+
+        Bones of people differ in length, so that only a size is compared, the sum of all bones: the same file in two units
+        differs by a factor of 1.7 or more. Skeletons without lengths, on the meta device, have any size.
+        """
+        a, b = self.skeleton, other.skeleton
+        if a.names != b.names or a.parents != b.parents or set(a.ends) != set(b.ends):
+            return "its joints differ"
+        if not (a.offsets.is_meta or b.offsets.is_meta):
+            sizes = [float(s.offsets[1:].norm(dim=-1).sum()) for s in (a, b)]
+            if max(sizes) > SIZES * min(sizes):
+                return f"its bones are {sizes[0] / max(sizes[1], 1e-9):.3g} times as long; unit= decides"
+        return "" if (self.phase, self.samples) == (other.phase, other.samples) else "its phase or its samples differ"
 
     @property
     def behind(self) -> tuple[int, ...]:

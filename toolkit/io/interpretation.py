@@ -261,9 +261,9 @@ def _up(body: Body, recording: Recording, found: Findings) -> str:
 
 
 def _on_floor(body: Body, heights: Tensor, standing: bool = False) -> bool:
-    """Whether the lowest point of heights ``[S, J]`` is near zero, as if there were the floor, and the hips low."""
+    """Whether heights ``[S, J]`` begin near zero, as if there were the floor, with the hips near it or, standing, above."""
     low, hips = float(heights.amin()), float(heights[:, body.index("hips")].median())
-    return abs(low) < 0.15 * body.leg and (standing or hips < 0.4 * body.leg)
+    return abs(low) < 0.15 * body.leg if standing else abs(low) < 0.3 * body.leg and hips < 0.4 * body.leg
 
 
 def _unit(body: Body, recording: Recording, found: Findings) -> float:

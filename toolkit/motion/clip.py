@@ -18,6 +18,7 @@ from toolkit.motion.skeleton import LIMBS as LIMBS
 from toolkit.motion.skeleton import Skeleton, forward_kinematics, local_rotations
 from toolkit.motion.tensors import as_tensor, summary, through_numpy
 
+ASKEW = 0.35  # distance of unit vectors: bones that a reflection of axes maps worse need another reflection
 UNIT = 1e-3  # tolerance of a quaternion's length: accepts files with four decimals, and long products in float32
 
 
@@ -143,27 +144,54 @@ class Clip:
     def mirrored(self) -> "Clip":
         """Left and right exchanged: the motion reflected in the plane x = 0.
 
-        The reflection makes each joint's frame left-handed, so one or all three of its own axes are reflected too. Rigs
-        differ in which axis points sideways. We choose the reflection that maps the bones below a joint to those below its
-        counterpart. If several do, we choose the one whose mean rotation is nearest to the mirror image. A joint without a
-        counterpart is mirrored onto itself.
+        The reflection makes each joint's frame left-handed, so the frame is reflected, too, see `frame_reflections`. A joint
+        without a counterpart is mirrored onto itself.
         """
-        world, *choices = as_tensor([[-1, 1, 1], [-1, 1, 1], [1, -1, 1], [1, 1, -1], [-1, -1, -1]], "signs", self.rotations)
-        choices, offsets = torch.stack(choices), self.skeleton.offsets.to(self.rotations)
         pairs = list(self.skeleton.mirror_pairs)
-        parents = torch.tensor(self.skeleton.parents[1:], dtype=torch.long, device=world.device)
-        misfit = (choices[:, None] * offsets[1:] - offsets[pairs[1:]]).square().sum(-1)
-        misfits = misfit.new_zeros(4, len(pairs)).index_add(1, parents, misfit)  # square metres, of each joint's bones
         root = R.multiply(R.inverse(root_frames(self).rotations), self.rotations[:, 0])
         mean = R.to_matrix(torch.cat((root[:, None], self.rotations[:, 1:]), 1)).mean(0)
-        own = world.expand(len(pairs), 3).clone()
-        for j, p in enumerate(self.skeleton.parents):
-            images = (world if p < 0 else own[p])[:, None] * mean[pairs[j]] * choices[:, None]
-            own[j] = choices[((images * mean[j]).sum((-2, -1)) - misfits[:, j] / 0.01**2).argmax(keepdim=True)]
-        matrices = R.to_matrix(self.global_rotations)
-        mirrored = R.from_matrix(world[:, None] * matrices[:, pairs] * own[:, None, :])
-        return self.replace(rotations=R.unroll(local_rotations(self.skeleton, mirrored)),
+        world = as_tensor([-1, 1, 1], "signs", self.rotations)
+        mirrored = world[:, None] * R.to_matrix(self.global_rotations)[:, pairs] @ frame_reflections(self.skeleton, mean)
+        return self.replace(rotations=R.unroll(local_rotations(self.skeleton, R.from_matrix(mirrored))),
                             root_positions=self.root_positions * world)
+
+
+def frame_reflections(skeleton: Skeleton, mean: Tensor) -> Tensor:
+    """Reflections ``[J, 3, 3]`` of the joints' frames onto those of their counterparts, for a motion reflected in x = 0.
+
+    Rigs differ in which of a joint's axes points sideways. We choose the reflection of one or all three axes that maps the
+    bones below a joint to those below its counterpart. If several do, we choose the one that maps the mean local rotations
+    ``mean [J, 3, 3]`` best. If none does, it is the orthogonal matrix that fits bones and means best (Procrustes).
+    """
+    choices = torch.diag_embed(as_tensor([[-1, 1, 1], [1, -1, 1], [1, 1, -1], [-1, -1, -1]], "signs", mean))
+    pairs, offsets = list(skeleton.mirror_pairs), skeleton.offsets.to(mean)
+    bones = [[] for _ in pairs]
+    for j, p in enumerate(skeleton.parents[1:], 1):
+        if skeleton.parents[pairs[j]] == pairs[p]:
+            bones[p].append(j)
+    own = mean.new_zeros(len(pairs), 3, 3)
+    for j, p in enumerate(skeleton.parents):
+        if pairs[j] < j:
+            own[j] = own[pairs[j]].T
+            continue
+        here, there = offsets[bones[j]], offsets[[pairs[k] for k in bones[j]]]
+        above = choices[0] if p < 0 else own[p]
+        rotation = mean[pairs[j]].T @ above @ mean[j]  # that which a reflection of j's frame should be
+        misfit = (here @ choices.mT - there).square().sum((-2, -1)) / 0.01**2
+        best = int(((choices * rotation).sum((-2, -1)) - misfit).argmax())
+        long = here.norm(dim=-1) > 0.01
+        apart = R.normalize(here[long]) @ choices[best].mT - R.normalize(there[long])
+        if float(apart.norm(dim=-1).amax() if len(apart) else 0.0) < ASKEW:
+            own[j] = choices[best]
+            continue
+        target = rotation + there.T @ here / 0.0003**2  # a bone of 3 cm weighs 10,000 times as much as the mean
+        if pairs[j] == j:  # a reflection that is its own inverse
+            normal = torch.linalg.eigh(target + target.T).eigenvectors[:, 0]
+            own[j] = torch.eye(3).to(mean) - 2 * torch.outer(normal, normal)
+        else:
+            u, _, v = torch.linalg.svd(target)
+            own[j] = u @ torch.diag(torch.stack((*u.new_ones(2), -torch.linalg.det(u @ v).sign()))) @ v
+    return own
 
 
 def on_cpu(clips: Clip | Iterable[Clip]) -> list[Clip]:

@@ -58,6 +58,8 @@ def read(name: str) -> JointName:
             side = _SIDES[word]
         else:
             rest.append(word)
+    if not rest:  # L5 is a vertebra
+        return JointName("", {}, local.lower(), False)
     plain = "".join(rest) + "".join(re.findall(r"\d+", local))
     if any(word in _HELPERS for word in rest) or local.startswith("__"):  # MakeHuman's joints at a bone's start
         return JointName(side, {}, plain, True)

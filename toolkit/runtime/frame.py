@@ -219,7 +219,7 @@ def _planted(layout: Layout, state: CharacterState) -> Tensor:
     back = R.yaw(-torch.atan2(root[:, 2], root[:, 3]))[:, None]
     position = parts["position"].clone()
     for part, places in zip(("knee", "foot", "toe"), solved, strict=True):
-        at = [joints[skeleton.index(f"{side}_{part}")] for side in FEET]
+        at = [joints[skeleton.role(f"{side}_{part}")] for side in FEET]
         position[:, at] = R.rotate(back, places - floor[:, None])
     return pack_joints(**parts | {"position": position})
 

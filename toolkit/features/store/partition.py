@@ -62,8 +62,8 @@ def make(job: Partition) -> dict[str, Any]:
         except ValueError as error:
             raise ValueError(f"{job.takes[0][1].path}: {error}") from None
         layout = parts[0].layout
-        if any(own.layout != layout for own in parts):
-            raise ValueError(f"{job.takes[0][1].path}: the skeletons of style {job.style} differ")
+        if why := next(filter(None, (own.layout.difference(layout) for own in parts)), ""):
+            raise ValueError(f"{job.takes[0][1].path}: the skeletons of style {job.style} differ: {why}")
         found = [{"positions": own.roots.positions, "rotations": own.roots.rotations, "joints": own.joints,
                   "phases": own.phases, "contacts": own.contacts} for own in parts]
         tensors = {name: torch.cat([t[name] for t in found]) for name in found[0]}

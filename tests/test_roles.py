@@ -1,0 +1,163 @@
+"""Roles, mirror pairs, units and axes on rigs with the names of common exporters."""
+
+import re
+
+import pytest
+import rigs
+import torch
+
+import toolkit as tk
+from toolkit.io import interpretation
+from toolkit.motion import joint_names, root_frames
+from toolkit.motion import rotations as R
+
+
+def facing(clip: tk.Clip) -> float:
+    """Mean cosine between where the hips face and where they go."""
+    forward = R.rotate(root_frames(clip).rotations, torch.tensor([0.0, 0.0, 1.0]))[1:, ::2]
+    travel = clip.global_positions[:, clip.skeleton.role("hips")].diff(dim=0)[:, ::2]
+    return float(torch.nn.functional.cosine_similarity(forward, travel, dim=1).mean())
+
+
+def written(clip: tk.Clip, path, convention: rigs.Convention) -> tk.Clip:
+    """The clip as a file in the unit and with the up axis of a convention."""
+    turn = R.from_euler(torch.tensor([torch.pi / 2 if convention.up == "z" else 0.0, 0.0, 0.0]), "XYZ")
+    rotations = torch.cat((R.multiply(turn, clip.rotations[:, :1]), clip.rotations[:, 1:]), 1)
+    turned = clip.replace(rotations=rotations, root_positions=R.rotate(turn, clip.root_positions))
+    tk.bvh.save(turned, path, unit=convention.unit)
+    return clip
+
+
+@pytest.mark.parametrize("turned", [False, True], ids=["same axes", "axes along the bones"])
+@pytest.mark.parametrize("name", rigs.TABLE)
+def test_a_walk_of_each_convention_is_understood(tmp_path, name, turned):
+    convention = rigs.TABLE[name]
+    made = written(rigs.walk(name, turned), tmp_path / "walk.bvh", convention)
+    found = tk.inspect(tmp_path / "walk.bvh")
+    assert found.doubts == []
+    assert found.roles == rigs.roles(convention)
+    assert (found.unit, found.up) == (convention.unit, convention.up)
+    assert found.height == pytest.approx(1.77, abs=0.04)
+    assert found.upright
+    clip = found.clip
+    for joint in ("left_hand", "right_toe", "hips"):
+        there = made.global_positions[:, made.skeleton.names.index(found.roles[joint])]
+        torch.testing.assert_close(clip.global_positions[:, clip.skeleton.role(joint)], there, atol=1e-4, rtol=0)
+    mirrored = clip.mirrored()
+    assert facing(clip) > 0.95
+    assert facing(mirrored) > 0.95
+    image = clip.global_positions[:, list(clip.skeleton.mirror_pairs)] * torch.tensor([-1.0, 1.0, 1.0])
+    torch.testing.assert_close(mirrored.global_positions, image, atol=2e-3, rtol=0)
+    torch.testing.assert_close(mirrored.mirrored().global_positions, clip.global_positions, atol=2e-5, rtol=0)
+
+
+@pytest.mark.parametrize("name", rigs.TABLE)
+def test_every_sided_joint_has_its_counterpart(name):
+    convention = rigs.TABLE[name]
+    skeleton = rigs.walk(name, seconds=0.5).skeleton
+    skeleton = tk.Skeleton(skeleton.names, skeleton.parents, skeleton.offsets, None, skeleton.ends)
+    said = [joint_names.read(joint) for joint in skeleton.names]
+    for j, other in enumerate(skeleton.mirror_pairs):
+        assert skeleton.mirror_pairs[other] == j
+        assert (said[j].side == "") == (j == other), skeleton.names[j]
+        if said[j].side:
+            swapped = {"left": convention.sides[1], "right": convention.sides[0]}[said[j].side]
+            assert said[other].plain == said[j].plain
+            assert swapped in skeleton.names[other]
+
+
+@pytest.mark.parametrize(
+    ("name", "side", "part"),
+    [("mixamorig:LeftUpLeg", "left", "hip"), ("Bip01 R Calf", "right", "knee"), ("lfemur", "left", "hip"),
+     ("lowerback", "", None), ("rShldr", "right", "shoulder"), ("hand_l", "left", "hand"), ("L5", "", None),
+     ("lefthand", "left", "hand"), ("Character1_LeftForeArm", "left", "elbow"), ("upperarm_twist_01_r", "right", None),
+     ("RThumb", "right", "finger"), ("ik_foot_l", "left", None), ("rig|b_l_ball_jnt", "left", "toe"), ("Hips", "", "hips"),
+     ("J_Bip_R_LowerArm", "right", "elbow"), ("LHipJoint", "left", "hip"), ("radius", "", "elbow"), ("", "", None)])
+def test_names_state_side_and_part(name, side, part):
+    found = joint_names.read(name)
+    assert found.side == side
+    assert (part in found.parts) if part else not found.parts
+
+
+def test_the_unit_follows_from_the_height(tmp_path):
+    clip, path = rigs.walk("LaFAN1", seconds=1.0), tmp_path / "walk.bvh"
+    for unit in interpretation.UNITS.values():
+        tk.bvh.save(clip, path, unit=unit)
+        found = tk.inspect(path)
+        assert (found.unit, found.doubts) == (unit, [])
+    tk.bvh.save(clip, path, unit=0.04)  # 44 units tall
+    with pytest.warns(UserWarning, match=r"walk\.bvh: in no known unit the body of 43\.\d+ units .* unit= decides"):
+        guessed = tk.load(path)
+    assert tk.inspect(path).height == pytest.approx(1.7)
+    assert tk.load(path, unit=0.04, up="y").global_positions.allclose(clip.global_positions, atol=1e-4)
+    assert guessed.global_positions.std() < clip.global_positions.std()
+
+
+@pytest.mark.parametrize("up", interpretation.AXES)
+def test_the_up_axis_follows_from_the_body(tmp_path, up):
+    clip, path = rigs.walk("LaFAN1", seconds=1.0), tmp_path / "walk.bvh"
+    turn = {"y": (0, 0, 0), "-y": (180, 0, 0), "z": (90, 0, 0), "-z": (-90, 0, 0), "x": (0, 0, -90), "-x": (0, 0, 90)}[up]
+    turn = R.from_euler(torch.deg2rad(torch.tensor(turn, dtype=torch.float32)), "XYZ")
+    rotations = torch.cat((R.multiply(turn, clip.rotations[:, :1]), clip.rotations[:, 1:]), 1)
+    tk.bvh.save(clip.replace(rotations=rotations, root_positions=R.rotate(turn, clip.root_positions)), path)
+    found = tk.inspect(path)
+    assert (found.up, found.doubts) == (up, [])
+    torch.testing.assert_close(found.clip.global_positions, clip.global_positions, atol=1e-4, rtol=0)
+    torch.testing.assert_close(tk.load(path, up=up).rotations, found.clip.rotations)
+
+
+def test_what_is_not_safe_is_said(tmp_path):
+    clip, path = rigs.walk("LaFAN1", seconds=2.0), tmp_path / "walk.bvh"
+    lying = R.identity(*clip.rotations.shape[:2])
+    lying[:, 0] = R.from_euler(torch.tensor([-torch.pi / 2, 0.0, 0.0]), "XYZ")
+    deep = clip.root_positions - torch.tensor([0.0, 3.0, 0.0])
+    long = rigs.walk("LaFAN1", seconds=8.0)
+    rising = long.root_positions + torch.linspace(-0.15, 0.15, len(long))[:, None] * torch.tensor([0.0, 1.0, 0.0])
+    low = torch.tensor([0.0, 0.15, 0.0]).expand(len(clip), 3)
+    for changed, doubt in ((clip.replace(rotations=lying, root_positions=low), "stands along -?z or lies with y up"),
+                           (clip.replace(root_positions=deep), r"the feet stand at -2\.98 m instead of 0"),
+                           (clip.resample(1.0), "1 frames per second is no usual rate"),
+                           (long.replace(root_positions=rising), r"the floor moves by \+0\.30 m over the clip")):
+        tk.bvh.save(changed, path)
+        with pytest.warns(UserWarning, match=doubt):
+            tk.load(path)
+        assert any(re.search(doubt, said) for said in tk.inspect(path).doubts)
+    tk.bvh.save(clip, path)
+    path.write_text(path.read_text().replace("Frame Time: 0.01666667", "Frame Time: 16.6667"))
+    with pytest.warns(UserWarning, match="16.6667 s was taken for milliseconds: 60 Hz"):
+        assert tk.load(path).fps == 60.0
+
+
+def test_roles_unit_and_up_that_do_not_fit_are_refused(tmp_path):
+    path = tmp_path / "walk.bvh"
+    tk.bvh.save(rigs.walk("LaFAN1", seconds=0.5), path)
+    for options, problem in (
+        ({"roles": {"left_wing": "LeftArm"}}, "'left_wing' is no role; the roles are hips"),
+        ({"roles": {"left_hand": "LeftPaw"}}, "no joint 'LeftPaw' for the role left_hand"),
+        ({"roles": {"left_knee": "LeftFoot"}}, r"left_foot \(LeftFoot\) is not below left_knee \(LeftFoot\)"),
+        ({"unit": 0.0}, "unit is metres of one unit"), ({"unit": "parsec"}, "auto, m, cm"), ({"up": "w"}, "one of auto, x"),
+    ):
+        with pytest.raises(ValueError, match=problem) as caught:
+            tk.load(path, **options)
+        assert "\n" not in str(caught.value)
+    given = tk.load(path, roles={"left_toe": "LeftFoot"})
+    assert given.skeleton.roles["left_toe"] == "LeftFoot"
+    assert tk.inspect(path, roles={"left_toe": "LeftFoot"}).rules["left_toe"] == "given"
+
+
+def test_a_leg_without_length_is_no_leg(tmp_path):
+    clip = rigs.walk("LaFAN1", seconds=0.5)
+    offsets = clip.skeleton.offsets.clone()
+    offsets[[clip.skeleton.names.index(name) for name in ("LeftLeg", "LeftFoot")]] = 2e-7
+    path = tmp_path / "walk.bvh"
+    tk.bvh.save(clip.replace(skeleton=tk.Skeleton(clip.skeleton.names, clip.skeleton.parents, offsets)), path)
+    with pytest.warns(UserWarning, match="are at the same place"):
+        clip = tk.load(path)
+    assert "left_knee" not in clip.skeleton.roles
+    assert "right_knee" in clip.skeleton.roles
+
+
+def test_files_of_other_kinds_are_refused_in_a_line(tmp_path):
+    for name in ("walk.c3d", "walk", "walk.zip"):
+        with pytest.raises(ValueError, match=r"no reader for this kind of file; there are readers for \.bvh"):
+            tk.load(tmp_path / name)
