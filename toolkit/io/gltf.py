@@ -98,7 +98,7 @@ class _File:
                 nodes[j].joint = nodes[j].skinned = True
         roles = self._roles(nodes)
         frames, fps = self._animate(nodes, wanted)
-        if any(node.joint for node in nodes) and all(len(node.rotation) == 1 for node in nodes):
+        if any(node.joint for node in nodes) and all(len(n.rotation) == len(n.translation) == 1 for n in nodes):
             self.doubts.append("no joint is animated; the pose of the nodes is given as it is")
         return record(nodes, frames, fps, format_="glTF", unit=1.0, up="y", roles=roles, doubts=self.doubts)
 
