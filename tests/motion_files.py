@@ -55,8 +55,8 @@ def glb(document, data):
     return struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks
 
 
-def fbx(records, version=7400):
-    """A binary FBX file of records ``(name, properties, children)``; a tuple of type letter and array is a packed array."""
+def fbx(records, version=7400, *, pack_arrays=True):
+    """A binary FBX file of records ``(name, properties, children)``."""
     head, size = ("<QQQB", 25) if version >= 7500 else ("<IIIB", 13)
 
     def value(x):
@@ -70,9 +70,9 @@ def fbx(records, version=7400):
             case str():
                 return b"S" + struct.pack("<I", len(x.encode())) + x.encode()
             case np.ndarray():
-                packed = zlib.compress(x.tobytes())
+                data = zlib.compress(x.tobytes()) if pack_arrays else x.tobytes()
                 letter = {"f4": b"f", "f8": b"d", "i8": b"l", "i4": b"i"}[x.dtype.str[1:]]
-                return letter + struct.pack("<III", len(x), 1, len(packed)) + packed
+                return letter + struct.pack("<III", len(x), pack_arrays, len(data)) + data
 
     def pack(of, at):
         name, properties, children = of
@@ -96,7 +96,7 @@ def table(**values):
                                  for name, value in values.items()])
 
 
-def fbx_scene(models, curves, *, settings=None, version=7400):
+def fbx_scene(models, curves, *, settings=None, version=7400, pack_arrays=True):
     """A scene of models ``{name: (parent, properties)}`` and of curves.
 
     ``curves`` are ``{(model, property, axis): (times, values, flags, data)}``.
@@ -120,7 +120,8 @@ def fbx_scene(models, curves, *, settings=None, version=7400):
         objects.append(("AnimationCurve", [5000 + i, "\0\x01AnimCurve", ""], [(n, p, []) for n, p in parts]))
         links.append(("C", ["OP", 5000 + i, nodes[model, what], f"d|{axis}"], []))
     wide = {"UpAxis": [1], "UpAxisSign": [1], "UnitScaleFactor": [1.0], "TimeMode": [6]} | (settings or {})
-    return fbx([("GlobalSettings", [], [table(**wide)]), ("Objects", [], objects), ("Connections", [], links)], version)
+    return fbx([("GlobalSettings", [], [table(**wide)]), ("Objects", [], objects), ("Connections", [], links)], version,
+               pack_arrays=pack_arrays)
 
 
 def acclaim(clip, *, seed=0, degrees=True, order="XYZ", digits=9):

@@ -36,6 +36,7 @@ class FBXError(ValueError):
     """A file that cannot be read as FBX; the message names the file."""
 
 
+@np.errstate(invalid="ignore", over="ignore")
 def read(path: str | os.PathLike, animation: str | int | None = None) -> Recording:
     """Read the motion of a binary FBX file, version 7 (2011 and later).
 

@@ -33,6 +33,7 @@ class GLTFError(ValueError):
     """A file that cannot be read as glTF; the message names the file."""
 
 
+@np.errstate(invalid="ignore", over="ignore")
 def read(path: str | os.PathLike, animation: str | int | None = None) -> Recording:
     """Read the motion of a glTF file.
 
@@ -153,10 +154,10 @@ class _File:
         samplers, channels = _dicts(animation, "samplers"), []
         for channel in _dicts(animation, "channels"):
             target = _dict(channel, "target")
-            if target.get("path") not in PATHS or "node" not in target:
+            if _hashable(target.get("path")) not in PATHS or "node" not in target:
                 continue  # weights of blend shapes, or a target of an extension
             sampler = samplers[_index(channel, "sampler", len(samplers))]
-            kind, times = sampler.get("interpolation", "LINEAR"), self._array(sampler.get("input"), 1)[:, 0]
+            kind, times = _hashable(sampler.get("interpolation", "LINEAR")), self._array(sampler.get("input"), 1)[:, 0]
             if kind not in ("LINEAR", "STEP", "CUBICSPLINE"):
                 raise ValueError(f"unknown interpolation {str(kind)[:20]!r}")
             if not len(times) or not (np.diff(times) > 0).all():
