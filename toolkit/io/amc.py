@@ -258,6 +258,8 @@ def _motion(data: bytes, bones: _Skeleton) -> tuple[np.ndarray, bool]:
             raise ValueError(f"frame 1: {name[:40]!r} is no bone of the skeleton, or appears twice")
         if len(words) - 1 != (wanted := len(bones.dofs[index[name]])):
             raise ValueError(f"frame 1: {name} has {len(words) - 1} numbers, the skeleton says {wanted}")
+    if not listed:
+        raise ValueError("frame 1 has no bones")
     if 2 * frames * len(bones.names) > max(SMALL, len(data) // 2):
         raise ValueError(f"{frames} frames of {len(bones.names)} bones are more than {len(data)} bytes can hold")
     width = 1 + sum(len(words) - 1 for words in listed)

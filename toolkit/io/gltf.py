@@ -33,6 +33,7 @@ class GLTFError(ValueError):
     """A file that cannot be read as glTF; the message names the file."""
 
 
+@np.errstate(invalid="ignore", over="ignore")
 def read(path: str | os.PathLike, animation: str | int | None = None) -> Recording:
     """Read the motion of a glTF file.
 
@@ -98,7 +99,7 @@ class _File:
                 nodes[j].joint = nodes[j].skinned = True
         roles = self._roles(nodes)
         frames, fps = self._animate(nodes, wanted)
-        if any(node.joint for node in nodes) and all(len(node.rotation) == 1 for node in nodes):
+        if any(node.joint for node in nodes) and all(len(n.rotation) == len(n.translation) == 1 for n in nodes):
             self.doubts.append("no joint is animated; the pose of the nodes is given as it is")
         return record(nodes, frames, fps, format_="glTF", unit=1.0, up="y", roles=roles, doubts=self.doubts)
 
@@ -153,10 +154,10 @@ class _File:
         samplers, channels = _dicts(animation, "samplers"), []
         for channel in _dicts(animation, "channels"):
             target = _dict(channel, "target")
-            if target.get("path") not in PATHS or "node" not in target:
+            if _hashable(target.get("path")) not in PATHS or "node" not in target:
                 continue  # weights of blend shapes, or a target of an extension
             sampler = samplers[_index(channel, "sampler", len(samplers))]
-            kind, times = sampler.get("interpolation", "LINEAR"), self._array(sampler.get("input"), 1)[:, 0]
+            kind, times = _hashable(sampler.get("interpolation", "LINEAR")), self._array(sampler.get("input"), 1)[:, 0]
             if kind not in ("LINEAR", "STEP", "CUBICSPLINE"):
                 raise ValueError(f"unknown interpolation {str(kind)[:20]!r}")
             if not len(times) or not (np.diff(times) > 0).all():

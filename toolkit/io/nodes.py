@@ -14,6 +14,7 @@ from toolkit.motion.tensors import few
 
 RIGID = 1e-3  # part of the skeleton's size by which a joint may move against its parent and be called rigid
 STRETCH = 0.05  # part of the skeleton's size by which a bone may stretch and be read with its median length
+MERGED = 0.25  # joints that may be merged with the one below them, as a share of the joints below
 FEW = 2  # joints of a branch that is left out if it cannot be part of a rigid skeleton: eyes, props, helpers
 SEVERAL = 10  # joints of a second tree that is worth a word
 RATES = (30.0, 24.0, 25.0, 60.0, 50.0, 48.0, 120.0, 100.0, 240.0)  # tried where key frames are not at equal distances
@@ -201,11 +202,12 @@ class _Tree:
 
     def merged(self, root: int, sizes: dict[int, float]) -> tuple[int, set[int]]:
         """The lowest joint that carries the whole skeleton and moves against its parent, and the branches left out."""
-        at, best, dropped, aside = root, root, set(), set()
+        at, best, above, dropped, aside = root, root, 0, set(), set()
         while branches := [j for j in self.children[at] if self.count[j]]:
             main = max(branches, key=lambda j: self.count[j])
             aside |= set(self.children[at]) - {main}
-            if not all(self.droppable(j) for j in branches if j != main):
+            above += 1
+            if above > MERGED * self.count[main] or not all(self.droppable(j) for j in branches if j != main):
                 break
             at, moves = main, self.nodes[main].translation * self.world_scale(at)
             if len(moves) > 1 and float(np.ptp(moves, axis=0).max()) > RIGID * max(sizes.values()):

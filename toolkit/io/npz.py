@@ -23,7 +23,7 @@ from toolkit.motion.clip import SIDES
 BODY = humanml3d.NAMES
 SMPL = (*BODY, "left_hand", "right_hand")
 PARENTS = (*humanml3d.PARENTS, 20, 21)
-BODIES = {66: "SMPL-H", 72: "SMPL", 156: "SMPL-H", 165: "SMPL-X", 63: "SMPL"}  # by the width of poses
+WIDTHS = (66, 72, 156, 165)  # of poses: SMPL-H's body, SMPL, SMPL-H and SMPL-X with hands
 RATES = ("mocap_framerate", "mocap_frame_rate", "fps", "frame_rate", "framerate")
 JOINTS = ("posed_joints", "joints", "positions", "new_joints", "joints3d", "motion", "arr_0")
 VECTORS = ("new_joint_vecs", "vectors", "motion", "arr_0")
@@ -60,6 +60,7 @@ class NPZError(ValueError):
     """A NumPy file that cannot be read as motion; the message names the file."""
 
 
+@np.errstate(invalid="ignore", over="ignore")
 def read(path: str | os.PathLike) -> Recording:
     """Read a NumPy file.
 
@@ -117,19 +118,20 @@ def _recording(arrays: Mapping[str, np.ndarray]) -> Recording:
 def _poses(arrays: Mapping[str, np.ndarray]) -> Tensor | None:
     """Axis-angle vectors ``[F, J, 3]`` of SMPL's joints; None if there are none."""
     if "poses" in arrays and arrays["poses"].ndim > 1:
-        return _vectors(_tensor(arrays, "poses"), "poses", BODIES)
+        return _vectors(_tensor(arrays, "poses"), "poses", WIDTHS)
     for root, body in (("root_orient", "pose_body"), ("global_orient", "body_pose")):
         if root in arrays and body in arrays:
             first, rest = _tensor(arrays, root), _tensor(arrays, body)
-            if len(first) != len(rest):
+            parts = _vectors(first, root, (3,)), _vectors(rest, body, (63, 69))
+            if len(parts[0]) != len(parts[1]):
                 raise ValueError(f"{root} and {body} differ in their frames: {len(first)} and {len(rest)}")
-            return torch.cat((_vectors(first, root, (3,)), _vectors(rest, body, (63, 69))), 1)
+            return torch.cat(parts, 1)
     return None
 
 
-def _vectors(values: Tensor, name: str, widths: Mapping | tuple) -> Tensor:
-    flat = values.flatten(1)
-    if flat.shape[1] not in widths or not len(flat):
+def _vectors(values: Tensor, name: str, widths: tuple[int, ...]) -> Tensor:
+    flat = values.flatten(1) if values.dim() > 1 else values[None]
+    if values.dim() < 2 or flat.shape[1] not in widths or not len(flat):
         raise ValueError(f"{name} should be [F, {' or '.join(map(str, widths))}], got {list(values.shape)}")
     return flat.unflatten(1, (-1, 3))
 
@@ -160,7 +162,7 @@ def _smpl(arrays: Mapping[str, np.ndarray], poses: Tensor) -> Recording:
     rate = _rate(arrays)
     if not rate:
         doubts.append(f"the file has no frame rate; {USUAL:g} Hz was assumed")
-    return Recording(f"{BODIES.get(3 * poses.shape[1], 'SMPL')} poses", SMPL[:count], PARENTS[:count],
+    return Recording("SMPL poses", SMPL[:count], PARENTS[:count],
                      offsets, R.unroll(turns.float()), place, rate or USUAL, unit=1.0, roles=dict(ROLES),
                      doubts=tuple(doubts))
 
