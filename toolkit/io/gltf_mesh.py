@@ -166,9 +166,9 @@ class _Reader:
                 continue  # points and lines
             points = self.file._array(attributes["POSITION"], 3)
             corners = self.file._array(primitive["indices"], 1)[:, 0] if "indices" in primitive else np.arange(len(points))
-            triangles = corners[: len(corners) // 3 * 3].astype(np.int64).reshape(-1, 3)
-            if len(triangles) and int(triangles.max()) >= len(points):
+            if not ((corners >= 0) & (corners < len(points))).all():
                 raise ValueError("a triangle has a vertex that does not exist")
+            triangles = corners[: len(corners) // 3 * 3].astype(np.int64).reshape(-1, 3)
             if skin is None:
                 joints, weights = np.zeros((len(points), SLOTS), int), np.eye(1, SLOTS).repeat(len(points), 0)
                 joints += at[host]
@@ -176,7 +176,7 @@ class _Reader:
                 if not {"JOINTS_0", "WEIGHTS_0"} <= attributes.keys():
                     raise ValueError("a skinned mesh has no weights")
                 own, weights = (self.file._array(attributes[k], SLOTS) for k in ("JOINTS_0", "WEIGHTS_0"))
-                if len(own) != len(points) or len(weights) != len(points) or (len(own) and int(own.max()) >= len(skin)):
+                if not len(own) == len(weights) == len(points) or not ((own >= 0) & (own < len(skin))).all():
                     raise ValueError("the weights of a mesh do not fit its vertices and joints")
                 weights = np.maximum(weights, 0)
                 weights = np.where(weights.sum(1, keepdims=True) > 1e-6, weights, np.eye(1, SLOTS))

@@ -86,7 +86,7 @@ class Scene:
                 for one, frame in zip(self.characters, frames, strict=True) if one.figure is not None]
 
     def lit(self, normals: np.ndarray, tones: np.ndarray) -> np.ndarray:
-        """Colour [V, 3] uint8 of vertices with colours ``tones`` [V, 3]: matt, lit by sky, floor and one lamp (as in a page)."""
+        """Colour [V, 3] uint8 of vertices with ``tones`` [V, 3]: matt, lit by sky, floor and one lamp, as in a page."""
         up = 0.5 + 0.5 * normals[:, 1:2]
         lamp = np.clip(normals @ (self.light / np.linalg.norm(self.light)), 0, None)[:, None]
         linear = (tones**2.2).astype(np.float32) * (GROUND + up * (SKY - GROUND) + lamp * SUN)
