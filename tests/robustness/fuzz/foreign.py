@@ -5,7 +5,7 @@ import json
 import random
 import struct
 import zipfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import numpy as np
@@ -15,6 +15,7 @@ from robustness.fuzz.trials import Reader
 
 from toolkit.datasets import procedural
 from toolkit.io import amc, fbx, gltf, npz
+from toolkit.io.fbx_records import Records
 from toolkit.io.nodes import MOST
 from toolkit.io.recording import Recording
 
@@ -91,12 +92,27 @@ def _fbx(folder: Path) -> list[Reader]:
     curves = {(name, what, axis): (np.arange(4) / 30, rng.normal(0, 9, 4), [8 | 0x400] * 2 + [4, 8], rng.normal(size=(4, 4)))
               for name, what in (("hips", "Lcl Translation"), ("spine", "Lcl Rotation")) for axis in "XYZ"}
     seeds = fbx_scene(models, curves), fbx_scene(models, curves, version=7500, pack_arrays=False)
+    spans = {seed: list(_values(Records(seed), 27, len(seed))) for seed in seeds}
 
     def mutate(rng: random.Random, data: bytes) -> bytes:
-        return mutations.flipped(rng, data, in_place=rng.random() < 0.8)
+        if rng.random() < 0.3:
+            return mutations.flipped(rng, data, in_place=rng.random() < 0.5)
+        whole = data
+        for _ in range(rng.choice((1, 1, 2, 4))):
+            start, end = rng.choice(spans[whole])
+            data = data[:start] + mutations.flipped(rng, data[start:end], in_place=True)[: end - start] + data[end:]
+        return data
 
-    deep = "^(?!.*(it is no FBX|only binary|damaged at byte))"
+    deep = "^(?!.*(it is no FBX|only binary))"
     return [Reader("fbx", folder / "a.fbx", _checked(fbx.read), seeds, mutate, deep)]
+
+
+def _values(records: Records, start: int, end: int) -> Iterator[tuple[int, int]]:
+    """Where the properties of all records are."""
+    for record in records.records(start, end):
+        if record.properties[0]:
+            yield record.properties[1:]
+        yield from _values(records, *record.children)
 
 
 def _amc(folder: Path) -> list[Reader]:
@@ -165,12 +181,14 @@ def _npz(folder: Path) -> list[Reader]:
 def _forged(rng: random.Random, parts: dict[str, np.ndarray], name: str) -> bytes:
     """An archive with a header that does not fit its array."""
     file = io.BytesIO()
-    with zipfile.ZipFile(file, "w", rng.choice((zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED))) as archive:
+    how = rng.choice((zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED))
+    with zipfile.ZipFile(file, "w") as archive:
         for each, values in parts.items():
             head = {"descr": values.dtype.str, "fortran_order": False, "shape": values.shape}
             if each == name:
                 key = rng.choice([*head])
                 head[key] = rng.choice({"descr": DTYPES, "shape": SHAPES, "fortran_order": (True, 1, None)}[key])
             text = repr(head).encode() + b"\n"
-            archive.writestr(each + ".npy", b"\x93NUMPY\1\0" + struct.pack("<H", len(text)) + text + values.tobytes())
+            data = b"\x93NUMPY\1\0" + struct.pack("<H", len(text)) + text + values.tobytes()
+            archive.writestr(zipfile.ZipInfo(each + ".npy"), data, how)  # with a date that does not change
     return file.getvalue()
