@@ -1,9 +1,12 @@
 """Export to other programs: clips as motion, web page, picture or film, networks as ONNX."""
 
 import os
+import pkgutil
 from collections.abc import Sequence
 from importlib import import_module
 from pathlib import Path
+
+import lazy_loader
 
 from toolkit.export import gltf, onnx
 from toolkit.io import bvh
@@ -11,6 +14,7 @@ from toolkit.motion import Clip
 from toolkit.motion.retargeting import retarget
 
 __all__ = ["SUFFIXES", "check", "gltf", "onnx", "retarget", "write"]
+__getattr__ = lazy_loader.attach(__name__, [module.name for module in pkgutil.iter_modules(__path__)])[0]
 SUFFIXES = (".bvh", ".html", ".png", ".mp4", ".gif", ".webp", ".apng", ".glb")  # .png: a strip of poses
 
 

@@ -2,7 +2,8 @@
 
 import base64
 import os
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 
@@ -17,7 +18,7 @@ from toolkit.motion import rotations as R
 from toolkit.motion.anatomy import measure, with_toes
 from toolkit.motion.contacts import standing_height
 from toolkit.motion.retargeting import leaders, retarget
-from toolkit.motion.roles import SIDES
+from toolkit.motion.roles import ROLES, SIDES
 from toolkit.motion.skeleton import local_rotations
 
 HIGH = 0.15  # metres: a toe that is higher above the lowest vertex tells nothing about the sole
@@ -33,10 +34,11 @@ class Character:
     points: np.ndarray  # [V, 3] of that pose, float32
 
     @classmethod
-    def load(cls, path: str | os.PathLike) -> "Character":
+    def load(cls, path: str | os.PathLike, roles: Mapping[str, str] | None = None) -> "Character":
         """Read a character from a .glb, .gltf or .vrm file.
 
-        The points stand in the pose of the file's nodes, or in the bind pose if that one shows no standing figure.
+        The points stand in the pose of the file's nodes, or in the bind pose if that one shows no standing figure. ``roles``
+        are joints by role (`toolkit.motion.ROLES`), in place of those that are found by their names.
 
         Raises
         ------
@@ -46,7 +48,7 @@ class Character:
         path = Path(path)
         mesh, errors = gltf_mesh.read(path), []
         for pose in (mesh.rest, mesh.bind):
-            rest = _clip(mesh, pose, path.name)
+            rest = _clip(mesh, pose, path.name, roles or {})
             try:
                 measure(rest)
             except ValueError as error:
@@ -141,7 +143,7 @@ def _matrices(rotations: Tensor, positions: Tensor) -> np.ndarray:
     return made
 
 
-def _clip(mesh: SkinnedMesh, pose: np.ndarray, name: str) -> Clip:
+def _clip(mesh: SkinnedMesh, pose: np.ndarray, name: str, roles: Mapping[str, str]) -> Clip:
     """One frame of the rig from world transforms ``[J, 4, 4]``, whose scales are left out of the rotations."""
     axes = pose[:, :3, :3] / np.linalg.norm(pose[:, :3, :3], axis=1, keepdims=True).clip(1e-12)
     turned, places = R.from_matrix(torch.from_numpy(axes)), torch.from_numpy(pose[:, :3, 3])
@@ -150,4 +152,7 @@ def _clip(mesh: SkinnedMesh, pose: np.ndarray, name: str) -> Clip:
     offsets[1:] = R.rotate(R.inverse(turned[above]), places[1:] - places[above])
     leaves = [n for j, n in enumerate(mesh.names) if j and j not in mesh.parents and n.lower().endswith(("end", "nub"))]
     skeleton = Skeleton(mesh.names, mesh.parents, offsets.float(), ends=leaves)
+    if unknown := [f"{role}={joint}" for role, joint in roles.items() if role not in ROLES or joint not in mesh.names]:
+        raise ValueError(f"{name}: no such role or joint: {', '.join(unknown)}")
+    skeleton = replace(skeleton, roles=skeleton.roles | dict(roles))
     return Clip(skeleton, R.normalize(local_rotations(skeleton, turned[None]).float()), places[:1].float(), 60.0, name=name)

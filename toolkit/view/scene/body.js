@@ -45,7 +45,7 @@ export class Body {
   // detail: [vertices around, rings in a cap]; light: direction towards the lamp; plain: light is computed here, not by WebGL
   constructor(skeleton, detail, light, plain) {
     const [around, caps] = detail, index = [], coarse = [];
-    Object.assign(this, { skeleton, plain, light: light.clone().normalize(), touching: {} });
+    Object.assign(this, { skeleton, plain, light: light.clone().normalize(), touching: {}, scale: 1 }); // scale of its path
     this.world = new Float32Array(12 * skeleton.parents.length);
     this.local = new Float32Array(12);
     let vertices = 0;

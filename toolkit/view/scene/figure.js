@@ -71,6 +71,7 @@ export class Figure extends Body {
                           points: decode(mesh.points, Float32Array), normals: decode(mesh.normals, Float32Array),
                           inverse: decode(mesh.inverse, Float32Array), hosts: decode(mesh.joints, Uint16Array),
                           shares: Float32Array.from(decode(mesh.weights, Uint8Array), (w) => w / 255) });
+    this.scale = mesh.follow?.scale ?? 1;
     this.rest = mesh.follow && Float32Array.from(mesh.follow.rest.flat());
     this.matrices = new Float32Array(12 * mesh.parents.length);
     this.tones = Float32Array.from(tones, (v) => (v / 255) ** 2.2);
