@@ -80,3 +80,15 @@ def without_toes(names: list, parents: list, offsets: list, roles: dict, own: to
     above = [parents[p] if p >= 0 and p not in kept else p for p in parents]
     made = [[names[j] for j in kept], [kept.index(above[j]) if j else -1 for j in kept], [offsets[j] for j in kept]]
     return made, {role: name for role, name in roles.items() if "toe" not in role}, own[kept]
+
+
+def with_soles(names: list, parents: list, offsets: list, roles: dict, own: torch.Tensor) -> tuple:
+    """Feet that end straight below the ankle."""
+    (names, parents, offsets), _, own = without_toes(names, parents, offsets, roles, own)
+    for side in ("left", "right"):
+        ankle = names.index(roles[f"{side}_foot"])
+        names, parents = [*names, f"{names[ankle]}End"], [*parents, ankle]
+        offsets = [*offsets, torch.tensor([0.0, -0.08, 0.0])]
+        own = torch.cat((own, own[ankle : ankle + 1]))
+        roles = roles | {f"{side}_toe": names[-1]}
+    return [names, parents, offsets], roles, own

@@ -2,7 +2,7 @@
 
 import pytest
 import torch
-from posed_rigs import POSES, rig, with_twists, without_toes
+from posed_rigs import POSES, rig, with_soles, with_twists, without_toes
 
 import toolkit as tk
 from toolkit.cli.export import SKELETONS
@@ -99,6 +99,17 @@ def test_missing_toes_and_collars_are_tolerated(walk):
     assert float(back.global_positions[..., SKELETON.index("HeadEnd"), 1].median()) > 1.2
 
 
+def test_a_toe_straight_below_the_ankle_shows_no_direction(walk):
+    """An End Site under the ankle has the role of a toe."""
+    target = rig("hanging", joints=with_soles)
+    made = retargeting.retarget(walk, target)
+    assert retargeting.report(walk, made).direction < 3.0
+    feet = [made.global_rotations[:, made.skeleton.index(f"rig:{side}Ankle")] for side in ("Left", "Right")]
+    ahead = [R.rotate(foot, torch.tensor([0.0, 0.0, 1.0]))[:, 1].abs().median() for foot in feet]
+    assert max(ahead) < 0.4  # flat on the floor most of the time
+    assert retargeting.report(walk, retargeting.retarget(made, SKELETON)).direction < 6.0
+
+
 def test_the_floor_is_found(walk):
     made = retargeting.retarget(walk.moved(shift=(0.0, -3.0, 0.0)), rig("A-pose"))
     assert 0.0 < float(tk.contacts.standing_height(made)) < 0.05
@@ -109,6 +120,34 @@ def test_a_rig_whose_zero_rotations_show_nothing_needs_a_clip(walk):
     with pytest.raises(ValueError, match="no standing figure"):
         retargeting.retarget(walk, target.skeleton)
     assert measure(target).leg == pytest.approx(0.869, abs=1e-3)
+
+
+FOREIGN = {  # file: degrees that its limbs may be off on 100STYLE's skeleton on average
+    "rpm.glb": 1.5, "pybvh__cmu_12_01_walk.bvh": 3.0, "animateddrawings__jesse_dance.bvh": 1.5, "test.vrma": 0.5,
+    "pymo__AV_8Walk_Meredith_HVHA_Rep1.bvh": 2.0, "bvh-python__test_mocapbank.bvh": 3.0, "makehuman__tpose.bvh": 0.5,
+    "unihumanoid_headeronly__daz_friendry_herarchy.bvh": 0.5, "soma.npz": 2.0,
+    "unihumanoid_headeronly__mocapdatacom_hierarchy_2.bvh": 0.5,
+}
+
+
+@pytest.mark.filterwarnings("ignore::UserWarning")  # doubts about units and floors
+@pytest.mark.parametrize("name", FOREIGN)
+def test_foreign_rigs_in_both_directions(shared, walk, name):
+    file = shared / "foreign" / name
+    if not file.is_file():
+        pytest.skip("no foreign files")
+    clip = tk.load(file).cut(0, 400)
+    made = retargeting.retarget(clip, SKELETON)
+    found = retargeting.report(clip, made)
+    assert found.direction < FOREIGN[name], found
+    assert found.skate[1] < 1.3 * found.skate[0] + 1.0, found
+    there = retargeting.retarget(walk, clip)
+    found = retargeting.report(walk, there)
+    assert found.direction < 3.0, found
+    assert found.above < 0.5, found
+    forward = R.rotate(tk.motion.root_frames(there).rotations, torch.tensor([0.0, 0.0, 1.0]))
+    expected = R.rotate(tk.motion.root_frames(walk).rotations, torch.tensor([0.0, 0.0, 1.0]))
+    assert (forward * expected).sum(-1).mean() > 0.95  # it faces where the walk does
 
 
 def test_real_rigs_onto_each_other(shared):

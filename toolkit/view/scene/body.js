@@ -159,19 +159,19 @@ export class Body {
   paint() {
     for (const { foot, first, count, tones } of this.parts) {
       const tone = tones[Number(!!this.touching[foot])], end = 3 * (first + count);
-      if (this.plain) this.shade(3 * first, end, (i, k) => tone[k]);
+      if (this.plain) this.shade(3 * first, end, tone);
       else for (let i = 3 * first; i < end; i += 3) this.color.array.set(tone, i);
     }
     this.color.needsUpdate = true;
   }
 
-  // light on the vertices whose numbers are at `from` up to `end`; tone(place, channel) is a vertex's colour in linear light
-  shade(from, end, tone) {
-    const color = this.color.array, normal = this.normal.array, { x, y, z } = this.light;
-    for (let i = from; i < end; i += 3) {
+  // light on the vertices whose numbers are at `from` up to `end`; tones are one colour or one for each, in linear light
+  shade(from, end, tones) {
+    const color = this.color.array, normal = this.normal.array, { x, y, z } = this.light, step = tones.length > 3 ? 3 : 0;
+    for (let i = from, at = 0; i < end; i += 3, at += step) {
       const up = 0.5 + 0.5 * normal[i + 1], lamp = Math.max(normal[i] * x + normal[i + 1] * y + normal[i + 2] * z, 0);
       for (let k = 0; k < 3; k++)
-        color[i + k] = GAMMA[Math.min(1024 * tone(i, k) * (GROUND[k] + up * (SKY[k] - GROUND[k]) + lamp * SUN[k]), 1024) | 0];
+        color[i + k] = GAMMA[Math.min(1024 * tones[at + k] * (GROUND[k] + up * (SKY[k] - GROUND[k]) + lamp * SUN[k]), 1024) | 0];
     }
   }
 

@@ -156,7 +156,7 @@ export class Figure extends Body {
   setContacts() {}
 
   paint() {
-    if (this.plain && this.tones) this.shade(0, this.tones.length, (i, k) => this.tones[i + k]);
+    if (this.plain && this.tones) this.shade(0, this.tones.length, this.tones);
     this.color.needsUpdate = true;
   }
 }
