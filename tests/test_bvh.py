@@ -277,3 +277,12 @@ def test_the_benchmark_compares_with_peers_and_says_which_are_missing(tmp_path, 
     assert re.search(r"torch [\d.+a-z]+ .*x +0\.5000\d units", said)
     assert re.search(r"numpy [\d.]+: cannot read this file \(IndexError", said)
     assert "not installed: absent; pip install absent" in said
+
+
+@pytest.mark.parametrize(("text", "fps"), [
+    ("0.033333", 30), ("0.0333", 30), (".033", 30), ("0.0083", 120), (".0083333", 120), ("0.0167", 60), ("0.04", 25),
+    ("0.0417", 24),
+    ("0.033367", 1 / 0.033367), ("0.0417083750417", 1 / 0.0417083750417), ("0.016", 62.5), ("0.0125", 80),
+    ("3.33333e-2", 30)])
+def test_frame_times_are_rounded_numbers(tmp_path, text, fps):
+    assert load(write(tmp_path, GOOD.replace("0.033333", text))).fps == pytest.approx(fps, abs=1e-9)

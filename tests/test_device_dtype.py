@@ -18,14 +18,15 @@ from toolkit.evaluation import metrics
 from toolkit.features import Layout
 from toolkit.motion import contacts, ik, trajectory
 from toolkit.motion import rotations as R
+from toolkit.motion.clip import frame_reflections
 from toolkit.motion.tensors import through_numpy
 from toolkit.phases import coherent, sinusoids, sources, windows
 from toolkit.runtime import steering
 
 FACTORIES = (torch.zeros, torch.ones, torch.empty, torch.full, torch.arange, torch.linspace, torch.logspace, torch.eye,
              torch.tensor, torch.rand, torch.randn, torch.fft.fftfreq, torch.fft.rfftfreq)
-MODULES = (R, tk.motion.clip, trajectory, contacts, ik, phases, windows, sources, coherent, sinusoids, tk.features.features,
-           tk.features.layout, metrics, runtime.frame, steering)
+MODULES = (R, tk.motion.clip, tk.motion.skeleton, trajectory, contacts, ik, phases, windows, sources, coherent, sinusoids,
+           tk.features.features, tk.features.layout, metrics, runtime.frame, steering)
 AUTOMATIC = "hybrid", "contact", "contact-free", "velocity", "coherent", "learned"
 
 
@@ -83,15 +84,19 @@ META = {  # what runs on any device, numbers or not
     "rotations.to_euler": lambda m: R.to_euler(m.q, "YXZ"),
     "rotations.slerp": lambda m: (R.slerp(m.q[:-1], m.q[1:], 0.3), R.slerp(m.q[0], m.q[1], m.turn[: m.q.shape[1]])),
     "rotations.unroll": lambda m: R.unroll(m.q),
-    "clip.forward_kinematics": lambda m: tk.motion.forward_kinematics(m.skeleton, m.q, m.root),
-    "clip.local_rotations": lambda m: tk.motion.local_rotations(m.skeleton, m.clip.global_rotations),
+    "skeleton.forward_kinematics": lambda m: tk.motion.forward_kinematics(m.skeleton, m.q, m.root),
+    "skeleton.local_rotations": lambda m: tk.motion.local_rotations(m.skeleton, m.clip.global_rotations),
     "clip.root_frames": lambda m: tk.motion.root_frames(m.clip),
     "clip.RootFrames": lambda m: (tk.motion.root_frames(m.clip).to_local(m.points),
                                   tk.motion.root_frames(m.clip).turn_to_local(m.points)),
     "clip.Clip": lambda m: (m.clip[10:20], m.clip.cut(10, 20), m.clip.without_ends(), m.clip.mirrored(),
                             m.clip.moved(0.3, (1.0, 0.0, 2.0)), m.clip.replace(fps=30.0), m.clip.resample(m.clip.fps)),
+    "clip.frame_reflections": lambda m: frame_reflections(m.skeleton, R.to_matrix(m.q).mean(0)),
     "trajectory.heading": lambda m: trajectory.heading(m.q),
     "contacts.detect": lambda m: (contacts.detect(m.clip), contacts.detect(m.clip, floor=0.02)),
+    "contacts.floor_height": lambda m: contacts.floor_height(m.clip),
+    "contacts.line": lambda m: contacts.line(m.points[:, 0, 1], 30, 0.0),
+    "contacts.standing_range": lambda m: contacts.standing_range(m.points[:, :2, 1], m.on > 0.5),
     "contacts.standing_height": lambda m: contacts.standing_height(m.clip),
     "contacts.velocities": lambda m: (contacts.velocities(m.points, 60.0), contacts.velocities(m.points[:1], 60.0)),
     "ik.two_bone": lambda m: (ik.two_bone(m.v, m.v + 0.1, m.v.flip(-1), m.v - 0.2),
@@ -174,7 +179,7 @@ NUMBERS = {  # what looks at numbers, or goes through scipy and numba
 }
 CASES = META | NUMBERS
 #: No tensors, or always the CPU's.
-ELSEWHERE = {"clip.find_roles", "clip.on_cpu", "features.check_style", "features.check_style_clips"}
+ELSEWHERE = {"clip.on_cpu", "features.check_style", "features.check_style_clips"}
 
 
 def tensors(value) -> list[torch.Tensor]:

@@ -21,6 +21,8 @@ CENTIMETRE = 0.01
 SMALL = 1_000_000  # joints times frames that a file of any size may have
 LARGEST = 1e30  # limit of lengths in the file's unit; in any unit float32 holds them
 MOVED = 2.5e-3  # of the longest bone: a change of a joint's distance to its parent that is no rounding
+RATES = (24.0, 25.0, 30.0, 48.0, 50.0, 60.0, 72.0, 75.0, 90.0, 100.0, 120.0, 144.0, 180.0, 200.0, 240.0, 250.0)  # usual ones
+CHANNELS = frozenset(f"{axis}{kind}" for axis in "XYZ" for kind in ("position", "rotation"))
 _MOTION = re.compile(rb"[\r\n][^\S\r\n]*MOTION[^\S\r\n]*(?=[\r\n]|\Z)", re.IGNORECASE)
 _TIMING = re.compile(rb"\s*Frames[^\r\n:]*:([^\r\n]*)[\r\n]\s*Frame Time[^\r\n:]*:([^\r\n]*)", re.IGNORECASE)
 
@@ -81,18 +83,16 @@ def read(path: str | os.PathLike) -> Recording:
     number = itertools.count()
     rows = [{channel: next(number) for channel in of_joint} for of_joint in channels]  # of columns
     rotations, offsets = _rotations(torch.from_numpy(columns), rows), np.asarray(offsets)
-    positions, moving = _positions(columns, rows, offsets), {}
-    for j, moves in positions.items():
-        if not (np.abs(moves) < LARGEST).all():
-            raise BVHError(f"{path}: positions of joint {names[j]} are beyond {LARGEST:g} units")
-        offsets[j] = np.median(moves, axis=0)
-    longest = max(np.linalg.norm(offsets[1:], axis=1), default=0.0)
-    for j, moves in positions.items():
-        if j and (spread := float(np.ptp(moves, axis=0).max())) > MOVED * longest:
-            moving[j] = spread
+    placed, positions = _positions(columns, rows, offsets)
+    if not (near := (np.abs(positions) < LARGEST).all((1, 2))).all():
+        raise BVHError(f"{path}: positions of joint {names[placed[near.argmin()]]} are beyond {LARGEST:g} units")
+    offsets[placed] = np.median(positions, axis=1)
+    limit = MOVED * max(np.linalg.norm(offsets[1:], axis=1), default=0.0)
+    spreads = zip(placed[1:], np.ptp(positions[1:], axis=1).max(1, initial=0.0).tolist(), strict=True)
+    moving = {j: spread for j, spread in spreads if spread > limit}
     root_positions = torch.from_numpy(positions[0])
     if 1 in moving and parents.count(0) == 1:  # the joint below the root moves: merge the two
-        root_positions = root_positions + R.rotate(rotations[:, 0].double(), torch.from_numpy(positions[1]))
+        root_positions = root_positions + R.rotate(rotations[:, 0].double(), torch.from_numpy(positions[placed.index(1)]))
         rotations = torch.cat((R.multiply(rotations[:, 0], rotations[:, 1])[:, None], rotations[:, 2:]), 1)
         names, parents, offsets = names[1:], [p - 1 for p in parents[1:]], offsets[1:]
         moving = {j - 1: s for j, s in moving.items() if j > 1}
@@ -158,7 +158,7 @@ def _parse_hierarchy(path: Path, lines: list[str]) -> tuple[list[str], list[int]
         return BVHError(f"{path}, line {number}: {problem}")
 
     statements = ((number, part.split()) for number, line in enumerate(lines, 2)
-                  for part in re.split("([{}])", line) if part.strip())  # a brace may follow a name
+                  for part in (re.split("([{}])", line) if "{" in line or "}" in line else (line,)) if part.strip())
     for number, words in statements:
         key = words[0].upper()
         if waiting and key != "{":
@@ -198,9 +198,8 @@ def _parse_hierarchy(path: Path, lines: list[str]) -> tuple[list[str], list[int]
             if len(offsets[stack[-1]]) != 3 or not all(abs(x) < LARGEST for x in offsets[stack[-1]]):
                 raise fail(number, f"OFFSET needs three finite numbers, got {' '.join(words[1:])!r}")
         elif key == "CHANNELS" and stack and stack[-1] not in ends:
-            known = {f"{a}{kind}" for a in "XYZ" for kind in ("position", "rotation")}
             wanted = [word.capitalize() for word in words[2:]]
-            if words[1:2] != [str(len(wanted))] or not set(wanted) <= known or len(set(wanted)) != len(wanted):
+            if words[1:2] != [str(len(wanted))] or not CHANNELS.issuperset(wanted) or len(set(wanted)) != len(wanted):
                 raise fail(number, "CHANNELS needs its count and names like Xposition or Yrotation, got "
                            f"{' '.join(words[1:])!r}")
             channels[stack[-1]] = wanted
@@ -250,8 +249,16 @@ def _parse_motion(path: Path, data: bytes, start: int, width: int) -> tuple[np.n
                     raise fail(timing.end(), f"channel {i} is not a finite number: {word!r}", below)
             read.append(np.array(numbers))
         columns = np.stack(read, 1)
-    fps = 1.0 / frame_time
-    return columns, float(round(fps)) if abs(fps - round(fps)) < 0.02 else fps
+    return columns, _rate(timing[2].decode(errors="replace").strip(), frame_time)
+
+
+def _rate(text: str, frame_time: float) -> float:
+    """Frames per second of a frame time, which files round: 0.033333 and 0.0333 are 30 Hz, 0.0083 is 120 Hz."""
+    fps, unit = 1.0 / frame_time, 10.0 ** -len(text.partition(".")[2])  # of the last decimal
+    if abs(fps - round(fps)) < 0.02:
+        return float(round(fps))
+    near = min(RATES, key=lambda rate: abs(fps - rate))
+    return near if abs(1 / near - frame_time) < unit and abs(fps / near - 1) < 0.015 else fps
 
 
 def _rotations(columns: Tensor, rows: list[dict[str, int]]) -> Tensor:
@@ -271,16 +278,15 @@ def _rotations(columns: Tensor, rows: list[dict[str, int]]) -> Tensor:
     return rotations
 
 
-def _positions(columns: np.ndarray, rows: list[dict[str, int]], offsets: np.ndarray) -> dict[int, np.ndarray]:
-    """Positions ``[F, 3]`` relative to the parent of the root and of every joint with position channels."""
-    positions = {}
-    for j, channels in enumerate(rows):
-        moves = {R.AXES[c[0]]: i for c, i in channels.items() if c.endswith("position")}
-        if moves or not j:
-            positions[j] = np.repeat(offsets[j : j + 1], columns.shape[1], axis=0)
-            positions[j][:, list(moves)] = columns[list(moves.values())].T
-    below = [j for j in positions if j]
-    if below and sum(np.abs(np.median(positions[j], 0)).sum() for j in below) < 0.1 * np.abs(offsets[below]).sum():
-        for j in below:
-            positions[j] += offsets[j]
-    return positions
+def _positions(columns: np.ndarray, rows: list[dict[str, int]], offsets: np.ndarray) -> tuple[list[int], np.ndarray]:
+    """The root and every joint with position channels, and their positions ``[N, F, 3]`` relative to the parent."""
+    placed = [j for j, channels in enumerate(rows) if not j or any(c.endswith("position") for c in channels)]
+    positions = np.repeat(offsets[placed][:, None], columns.shape[1], axis=1)
+    for n, j in enumerate(placed):
+        moves = {R.AXES[c[0]]: i for c, i in rows[j].items() if c.endswith("position")}
+        positions[n][:, list(moves)] = columns[list(moves.values())].T
+    if len(placed) > 1:
+        below = offsets[placed[1:]]
+        if np.abs(np.median(positions[1:], axis=1)).sum() < 0.1 * np.abs(below).sum():  # relative to OFFSET
+            positions[1:] += below[:, None]
+    return placed, positions

@@ -163,6 +163,8 @@ def frame_reflections(skeleton: Skeleton, mean: Tensor) -> Tensor:
     bones below a joint to those below its counterpart. If several do, we choose the one that maps the mean local rotations
     ``mean [J, 3, 3]`` best. If none does, it is the orthogonal matrix that fits bones and means best (Procrustes).
     """
+    if mean.is_meta:
+        return torch.empty_like(mean)
     choices = torch.diag_embed(as_tensor([[-1, 1, 1], [1, -1, 1], [1, 1, -1], [-1, -1, -1]], "signs", mean))
     pairs, offsets = list(skeleton.mirror_pairs), skeleton.offsets.to(mean)
     bones = [[] for _ in pairs]
@@ -187,7 +189,7 @@ def frame_reflections(skeleton: Skeleton, mean: Tensor) -> Tensor:
         target = rotation + there.T @ here / 0.0003**2  # a bone of 3 cm weighs 10,000 times as much as the mean
         if pairs[j] == j:  # a reflection that is its own inverse
             normal = torch.linalg.eigh(target + target.T).eigenvectors[:, 0]
-            own[j] = torch.eye(3).to(mean) - 2 * torch.outer(normal, normal)
+            own[j] = torch.eye(3, dtype=mean.dtype, device=mean.device) - 2 * torch.outer(normal, normal)
         else:
             u, _, v = torch.linalg.svd(target)
             own[j] = u @ torch.diag(torch.stack((*u.new_ones(2), -torch.linalg.det(u @ v).sign()))) @ v

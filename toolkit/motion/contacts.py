@@ -1,5 +1,7 @@
 """Foot contacts: when a toe stands on the floor (Mason et al. 2022, section 4.1.2)."""
 
+import math
+
 import torch
 from torch import Tensor
 
@@ -44,32 +46,36 @@ def standing_range(above: Tensor, slow: Tensor) -> Tensor:
 
     ``above [F, 2]`` are heights above the floor, ``slow [F, 2]`` says where a toe is slow. Only heights up to `REACH` count.
     """
-    standing = slow & (above <= REACH)
-    ranges = [above[on, side].quantile(0.95) if bool((on := standing[:, side]).any()) else above.new_tensor(HEIGHT)
-              for side in range(2)]
-    return torch.stack(ranges).clamp_min(HEIGHT)
+    standing = above.where(slow & (above <= REACH), math.nan)
+    return standing.nanquantile(0.95, dim=0).nan_to_num(HEIGHT).clamp_min(HEIGHT)
 
 
 def floor_height(clip: Clip) -> Tensor:
-    """Height ``[F]`` of a toe joint that stands on the floor, metres; a straight line where the floor drifts.
+    """Height ``[F]`` of a toe joint that stands on the floor, metres; a straight `line` where the floor drifts."""
+    return line(_toes(clip)[..., 1].amin(1), max(1, round(clip.fps)), DRIFT)
 
-    The line goes through the lowest toe of each second, by the median of the slopes between pairs of them (Theil and Sen). A
-    line that falls or rises by less than `DRIFT` over the clip, or that fits little better than a level floor, is level.
+
+def line(lower: Tensor, part: int, drift: float) -> Tensor:
+    """The floor ``[F]`` below a lower toe's heights ``lower [F]``.
+
+    It goes through the lowest toe of each ``part`` of so many frames, by the median of the slopes between pairs of them
+    (Theil and Sen). A line that changes by less than ``drift``, or that fits little better than a level floor, is level.
     """
-    lower, seconds = _toes(clip)[..., 1].amin(1), max(1, round(clip.fps))
-    level = standing_height(clip).expand(len(clip))
-    lowest = torch.stack([part.amin() for part in lower.split(seconds) if len(part) > seconds // 2 or len(clip) < seconds])
-    if len(lowest) < 4:
+    level = lower.quantile(0.05).expand(len(lower))
+    if lower.is_meta or len(lower) < 4 * part:
+        return level
+    lowest = lower[: len(lower) // part * part].view(-1, part).amin(1)
+    if float(lowest.amax() - lowest.amin()) < drift:
         return level
     at = torch.arange(len(lowest), device=lower.device)
     first, second = torch.triu_indices(len(lowest), len(lowest), 1, device=lower.device)
     slope = ((lowest[second] - lowest[first]) / (second - first)).median()
     tilted = lowest - slope * at
     spread = [(x - x.median()).abs().median() for x in (lowest, tilted)]
-    if float(slope.abs()) * len(lowest) < DRIFT or float(spread[1]) > 0.5 * float(spread[0]):
+    if float(slope.abs()) * len(lowest) < drift or float(spread[1]) > 0.5 * float(spread[0]):
         return level
-    line = slope * torch.arange(len(clip), device=lower.device) / seconds
-    return line + (lower - line).quantile(0.05)
+    tilt = slope * torch.arange(len(lower), device=lower.device) / part
+    return tilt + (lower - tilt).quantile(0.05)
 
 
 def standing_height(clip: Clip) -> Tensor:

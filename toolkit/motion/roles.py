@@ -2,6 +2,8 @@
 
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
+from functools import lru_cache
+from itertools import pairwise
 
 from toolkit.motion import joint_names
 from toolkit.motion.joint_names import JointName
@@ -10,6 +12,7 @@ SIDES = ("left", "right")
 LIMBS = {"arm": ("shoulder", "elbow", "hand"), "leg": ("hip", "knee", "foot")}  # from the trunk outwards
 ROLES = ("hips", *(f"{side}_{part}" for side in SIDES for part in (*LIMBS["arm"], *LIMBS["leg"], "toe")))
 _OTHER = {"left": "right", "right": "left"}
+NOTHING = 1e-3  # of the longest bone: a bone between two roles that is shorter is none
 SHORT = 0.05  # of a shin's length: a bone below the ankle that is shorter shows no toe
 
 Found = dict[str, tuple[str, str]]  # role: joint, and the rule that found it
@@ -35,6 +38,11 @@ def find(names: Sequence[str], parents: Sequence[int], lengths: Sequence[float] 
     lengths : J lengths of the bones to the parents, in any unit; by default all are equal
     ends : names of the End Sites
     """
+    return dict(_find(tuple(names), tuple(parents), tuple(lengths or ()), tuple(ends)))
+
+
+@lru_cache(64)
+def _find(names: tuple[str, ...], parents: tuple[int, ...], lengths: tuple[float, ...], ends: tuple[str, ...]) -> Found:
     said, ending = joint_names.read_all(names), set(ends)
     tree = Tree(parents, lengths or [1.0] * len(names),
                 frozenset(j for j, name in enumerate(names) if name in ending))
@@ -149,6 +157,23 @@ def _hips(said: list[JointName], tree: Tree, found: Mapping[str, tuple[int, str]
     return (above("hip")[-1], "where the legs meet") if above("hip") else (0, "the root")
 
 
+def misfits(names: Sequence[str], parents: Sequence[int], lengths: Sequence[float],
+            roles: Mapping[str, str]) -> list[tuple[str, list[str]]]:
+    """What is impossible about roles, in words, with the roles that are: a limb out of order or without length."""
+    up, size, problems = Tree(parents, lengths).up, max(lengths[1:], default=0.0), []
+    for side in SIDES:
+        for chain in LIMBS.values():
+            have = [f"{side}_{part}" for part in chain if f"{side}_{part}" in roles]
+            for a, b in pairwise(have):
+                path = up(names.index(roles[b]))
+                upper = names.index(roles[a])
+                if upper not in path[1:]:
+                    problems.append((f"{b} ({roles[b]}) is not below {a} ({roles[a]})", have))
+                elif sum(lengths[j] for j in path[: path.index(upper)]) < NOTHING * size:
+                    problems.append((f"{a} ({roles[a]}) and {b} ({roles[b]}) are at the same place", have))
+    return problems
+
+
 def mirror_pairs(names: Sequence[str], parents: Sequence[int], roles: Mapping[str, str]) -> tuple[int, ...]:
     """For each joint the index of its left or right counterpart, itself where it has none.
 
@@ -187,6 +212,13 @@ def head(names: Sequence[str], parents: Sequence[int], lengths: Sequence[float],
 
     The head is the joint called so. Without one it is the end of the longest path between the arms.
     """
+    return list(_head(tuple(names), tuple(parents), tuple(lengths), tuple(roles.items())))
+
+
+@lru_cache(64)
+def _head(names: tuple[str, ...], parents: tuple[int, ...], lengths: tuple[float, ...],
+          items: tuple[tuple[str, str], ...]) -> list[int]:
+    roles = dict(items)
     said, tree = joint_names.read_all(names), Tree(parents, lengths)
     arms = [tree.up(names.index(roles[f"{side}_shoulder"]))[::-1] for side in SIDES if f"{side}_shoulder" in roles]
     if len(arms) < 2:

@@ -163,5 +163,8 @@ def slerp(a: Tensor, b: Tensor, t: Tensor | float) -> Tensor:
 
 def unroll(q: Tensor) -> Tensor:
     """Quaternions ``[F, ..., 4]`` with signs chosen so that neighbouring frames are close."""
-    flips = 1 - 2 * ((q[1:] * q[:-1]).sum(-1, keepdim=True) < 0).to(q.dtype)
-    return torch.cat((q[:1], q[1:] * flips.cumprod(0)))
+    w, x, y, z = (q[1:] * q[:-1]).unbind(-1)
+    apart = w + x + y + z < 0
+    if not (q.is_meta or bool(apart.any())):
+        return q
+    return torch.cat((q[:1], q[1:] * (1 - 2 * apart.to(q.dtype)[..., None]).cumprod(0)))

@@ -136,9 +136,10 @@ class Skeleton:
 
     @cached_property
     def trunk(self) -> list[int]:
-        """Joints above both shoulders, from the chest up to the root."""
+        """Joints above both shoulders, from the chest up to the hips, or up to the root if these are no part of it."""
         left, right = (self.ancestors(self.role(f"{side}_shoulder")) for side in SIDES)
-        return [j for j in left if j in right]
+        trunk, hips = [j for j in left if j in right], self.role("hips")
+        return trunk[: trunk.index(hips) + 1] if hips in trunk else trunk
 
     @cached_property
     def mirror_pairs(self) -> tuple[int, ...]:
