@@ -4,6 +4,7 @@ import dataclasses
 import shutil
 
 import pytest
+import rigs
 import torch
 
 import toolkit as tk
@@ -80,6 +81,17 @@ def test_body_joints_are_those_of_the_plain_rig(walk):
                                walk.global_positions, atol=1e-5, rtol=0)
     assert pruned(walk) is walk
     assert small.skeleton.roles == walk.skeleton.roles
+
+
+@pytest.mark.parametrize(("name", "joints"), [("Reallusion", 22), ("MakeHuman", 34), ("Unreal", 23), ("Mixamo", 28)])
+def test_body_joints_of_known_rigs(name, joints):
+    rich = rigs.walk(name)
+    rich = rich.replace(skeleton=dataclasses.replace(rich.skeleton, roles=None))
+    small = pruned(rich)
+    assert len(small.skeleton) == joints
+    for role, joint in small.skeleton.roles.items():
+        places = rich.global_positions[:, rich.skeleton.index(joint)], small.global_positions[:, small.skeleton.role(role)]
+        assert (places[0] - places[1]).abs().max() < 1e-3, role
 
 
 def test_a_twist_bone_that_moves_the_limb_is_kept(walk):
