@@ -92,10 +92,11 @@ def test_twist_bones_fingers_and_a_root_follow(walk, pose):
 def test_missing_toes_and_collars_are_tolerated(walk):
     target = rig("A-pose", joints=without_toes)
     made = retargeting.retarget(walk, target)
-    assert retargeting.report(walk, made).direction < 3.0
-    assert abs(float(made.global_positions[..., 1].min())) < 0.12
+    assert retargeting.report(walk, made).direction < 1.0
+    assert 0.04 < float(made.global_positions[..., 1].min()) < 0.12  # of an ankle
     back = retargeting.retarget(made, SKELETON)
-    assert retargeting.report(walk, back).direction < 6.0
+    assert retargeting.report(walk, back).direction < 1.0
+    assert -0.03 < float(back.global_positions[..., 1].min()) < 0.05
     assert float(back.global_positions[..., SKELETON.index("HeadEnd"), 1].median()) > 1.2
 
 
