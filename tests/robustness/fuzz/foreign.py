@@ -14,7 +14,7 @@ from robustness.fuzz import mutations
 from robustness.fuzz.trials import Reader
 
 from toolkit.datasets import procedural
-from toolkit.io import amc, fbx, gltf, npz
+from toolkit.io import amc, fbx, gltf, gltf_mesh, npz
 from toolkit.io.fbx_records import Records
 from toolkit.io.nodes import MOST
 from toolkit.io.recording import Recording
@@ -82,7 +82,42 @@ def _gltf(folder: Path) -> list[Reader]:
         return glb(document, bytes(body)).replace(b'"@deep"', mutations.DEEP.encode())
 
     deep = "^(?!.*(neither|expected glTF|JSON|cut off))"
-    return [Reader("gltf", folder / "a.glb", _checked(gltf.read), seeds, mutate, deep)]
+    return [Reader("gltf", folder / "a.glb", _checked(gltf.read), seeds, mutate, deep),
+            Reader("mesh", folder / "b.glb", _whole_mesh, (_skinned(),), mutate, deep)]
+
+
+def _skinned() -> bytes:
+    """A file with a mesh over two joints and one that hangs on a joint."""
+    nodes = [{"name": "Armature", "scale": [0.01] * 3, "children": [1, 3]}, {"name": "hips", "children": [2, 4]},
+             {"name": "spine", "translation": [0, 100, 0]}, {"name": "body", "mesh": 0, "skin": 0},
+             {"name": "hat", "mesh": 1}]
+    doc, rng = Document(nodes), np.random.default_rng(0)
+    points = doc.add(rng.normal(size=(6, 3)).astype(np.float32))
+    inverse = doc.add(np.eye(4, dtype=np.float32)[None].repeat(2, 0).reshape(8, 4))
+    doc.json["accessors"][inverse] |= {"type": "MAT4", "count": 2}
+    shares, joints = rng.random((6, 4)).astype(np.float32), rng.integers(0, 2, (6, 4))
+    skin = {"JOINTS_0": doc.add(joints.astype("u1")), "WEIGHTS_0": doc.add(shares), "POSITION": points}
+    triangles = doc.add(np.arange(6, dtype="<u2"))
+    doc.json |= {
+        "skins": [{"joints": [1, 2], "inverseBindMatrices": inverse}],
+        "meshes": [{"primitives": [{"attributes": skin, "indices": triangles, "material": 0}]},
+                   {"primitives": [{"attributes": {"POSITION": points}}]}],
+        "materials": [{"pbrMetallicRoughness": {"baseColorFactor": [1, 0.5, 0, 1]}}]}
+    return doc.glb()
+
+
+def _whole_mesh(path: Path) -> None:
+    """Compares a mesh that was read with what one must be."""
+    made = gltf_mesh.read(path)
+    count, joints = len(made.points), len(made.names)
+    assert made.triangles.size == 0 or 0 <= made.triangles.min() <= made.triangles.max() < count, "no such vertex"
+    assert made.joints.size == 0 or 0 <= made.joints.min() <= made.joints.max() < joints, "no such joint"
+    assert all(np.isfinite(x).all() for x in (made.points, made.weights, made.rest, made.bind)), "not finite"
+    assert np.abs(made.weights.sum(1) - 1).max(initial=0.0) < 1e-4, "weights that do not sum to 1"
+    assert made.parents[0] == -1, "no root"
+    assert all(0 <= p < j for j, p in enumerate(made.parents[1:], 1)), "a parent after its child"
+    assert len(set(made.names)) == joints, "names that repeat"
+    assert count <= path.stat().st_size, "more than the file can hold"
 
 
 def _fbx(folder: Path) -> list[Reader]:
