@@ -585,9 +585,9 @@ def test_numpy_files_that_cannot_be_read(tmp_path):
 def test_numpy_files_that_unpack_to_much_more(tmp_path):
     bomb = written(tmp_path / "a.npz", packed(poses=np.zeros((200_000, 72))))  # 115 MB of zeros in 0.1 MB
     tracemalloc.start()
-    refused(npz.read, bomb, "unpacks to .* bytes")
+    refused(npz.read, bomb, "unpacks to .* bytes|does not fit")
     head = b"\x93NUMPY\1\0v\0{'descr': '<f8', 'fortran_order': False, 'shape': (1000000000000, 263), }"
-    refused(npz.read, written(tmp_path / "b.npy", head.ljust(127) + b"\n" + b"\0" * 64), "cut off")
+    refused(npz.read, written(tmp_path / "b.npy", head.ljust(127) + b"\n" + b"\0" * 64), "does not fit")
     assert tracemalloc.get_traced_memory()[1] < 1e7
     tracemalloc.stop()
 

@@ -27,7 +27,7 @@ ORDERS = ("ZYX", "YZX", "XZY", "ZXY", "YXZ", "XYZ", "ZYX")  # of the product, by
 BONES, PLAIN = (b"LimbNode", b"Limb", b"Root"), (b"LimbNode", b"Limb", b"Root", b"Null")
 CONSTANT, CUBIC, TCB, USER = 0x2, 0x8, 0x200, 0x400  # flags of a key
 NEXT, CLAMP, TIME_INDEPENDENT, PROGRESSIVE, WEIGHTED = 0x100, 0x1000, 0x2000, 0x4000, 0x3000000
-OBJECTS = 100_000  # limit for objects and connections of the kinds that are read
+OBJECTS = 50_000  # limit for objects and connections of the kinds that are read
 LARGEST = 1e30
 _ONES, _ZEROS = (1.0, 1.0, 1.0), (0.0, 0.0, 0.0)
 

@@ -19,6 +19,7 @@ FEW = 2  # joints of a branch that is left out if it cannot be part of a rigid s
 SEVERAL = 10  # joints of a second tree that is worth a word
 RATES = (30.0, 24.0, 25.0, 60.0, 50.0, 48.0, 120.0, 100.0, 240.0)  # tried where key frames are not at equal distances
 MOST = 1_000_000  # joints times frames that a file of any size may have
+LIMIT = 50_000  # nodes of a file
 _HELPER = re.compile(r"(?:^|[\W_])ik(?:[\W_]|$)|IK", re.ASCII)
 _END = re.compile(r"(?:end|nub)\d*$", re.IGNORECASE)
 
@@ -70,7 +71,7 @@ def sample_times(times: Sequence[np.ndarray], rate: float, joints: int, size: in
         return np.zeros(1)
     begin, end = min(t[0] for t in times), max(t[-1] for t in times)
     length = (end - begin) * rate
-    if not length < max(MOST, size / 3) / max(joints, 1):
+    if not length < max(MOST, size / 8) / max(joints, 1):
         raise ValueError(f"{length:.0f} frames of {joints} joints are more than {size} bytes can hold")
     return begin + np.arange(round(length) + 1) / rate
 
@@ -190,6 +191,7 @@ class _Tree:
     def lengths(self, root: int) -> dict[int, float]:
         """For each node below a joint the length of the bones between them, in the first frame."""
         below, scale, stack = {root: 0.0}, {root: self.world_scale(root)}, [root]
+        self.scales = scale
         while stack:
             j = stack.pop()
             for child in self.children[j]:
@@ -209,7 +211,7 @@ class _Tree:
             above += 1
             if above > MERGED * self.count[main] or not all(self.droppable(j) for j in branches if j != main):
                 break
-            at, moves = main, self.nodes[main].translation * self.world_scale(at)
+            at, moves = main, self.nodes[main].translation * self.scales[at]
             if len(moves) > 1 and float(np.ptp(moves, axis=0).max()) > RIGID * max(sizes.values()):
                 best, dropped = main, set(aside)
         return best, dropped

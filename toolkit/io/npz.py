@@ -1,6 +1,5 @@
 """NumPy files (.npz, .npy) with motion: SMPL, SMPL-H, SMPL-X and AMASS, HumanML3D, and Kimodo's SOMA skeleton."""
 
-import io
 import lzma
 import math
 import os
@@ -10,6 +9,7 @@ import zipfile
 import zlib
 from collections.abc import Mapping
 from pathlib import Path
+from typing import BinaryIO
 
 import numpy as np
 import torch
@@ -30,7 +30,7 @@ VECTORS = ("new_joint_vecs", "vectors", "motion", "arr_0")
 USUAL = 30.0  # frames per second where the file says nothing
 RIGID = 0.01  # metres, or part of the height, by which given or fitted joints may miss their place
 LARGEST = 1e6  # metres and radians
-PACKED, ROOM = 8, 50_000_000  # a file may unpack to its size times the first, plus the second, bytes
+PACKED, ROOM = 3, 30_000_000  # arrays may have the file's size times the first, plus the second, bytes as float64
 ROLES = {"hips": "pelvis"} | {f"{side}_{part}": f"{side}_{name}" for side in SIDES for part, name in {
     "shoulder": "shoulder", "elbow": "elbow", "hand": "wrist", "hip": "hip", "knee": "knee", "foot": "ankle",
     "toe": "foot"}.items()}
@@ -256,18 +256,18 @@ def _arrays(path: Path) -> dict[str, np.ndarray]:
         begin, size = file.read(4), path.stat().st_size
         file.seek(0)
         if begin[:2] != b"PK":
-            return {"arr_0": _array(io.BytesIO(file.read()), size)}
-        wanted, arrays, room = _WANTED, {}, PACKED * size + ROOM
+            return {"arr_0": _array(file, size, PACKED * size + ROOM)}
+        arrays, room = {}, PACKED * size + ROOM
         with zipfile.ZipFile(file) as packed:
             for member in packed.infolist():
                 name = member.filename.removesuffix(".npy")
-                if name not in wanted or name in arrays:
+                if name not in _WANTED or name in arrays:
                     continue
-                room -= member.file_size
-                if room < 0:
+                if member.file_size > room:
                     raise ValueError(f"array {name} unpacks to {member.file_size} bytes, from a file of {size}")
                 with packed.open(member) as stream:
-                    arrays[name] = _array(stream, member.file_size)
+                    arrays[name] = _array(stream, member.file_size, room)
+                room -= 8 * arrays[name].size
         return arrays
 
 
@@ -275,8 +275,8 @@ _WANTED = {"poses", "trans", "transl", "translation", "root_orient", "pose_body"
            "global_rot_mats", *RATES, *JOINTS, *VECTORS}
 
 
-def _array(stream: io.BufferedIOBase, size: int) -> np.ndarray:
-    """The array of a .npy stream of ``size`` bytes."""
+def _array(stream: BinaryIO, size: int, room: int) -> np.ndarray:
+    """The array of a .npy stream of ``size`` bytes; ValueError if it would have more than ``room`` bytes as float64."""
     version = np.lib.format.read_magic(stream)
     if version == (1, 0):
         shape, fortran, dtype = np.lib.format.read_array_header_1_0(stream)
@@ -286,15 +286,12 @@ def _array(stream: io.BufferedIOBase, size: int) -> np.ndarray:
         raise ValueError(f"version {version} of the format holds no numbers")
     if dtype.hasobject:
         raise ValueError("it holds Python objects, which could run code; save plain arrays with numpy.savez")
+    if dtype.kind not in "fiub":
+        return np.zeros(0)  # names and the like
     count = math.prod(shape)
-    if dtype.kind not in "fiub" or count * dtype.itemsize > size:
-        return np.zeros(0) if dtype.kind not in "fiub" else _short(count * dtype.itemsize, size)
-    data = stream.read(count * dtype.itemsize)
-    if len(data) < count * dtype.itemsize:
-        _short(count * dtype.itemsize, len(data))
+    wanted = count * dtype.itemsize
+    data = stream.read(wanted) if wanted <= size and 8 * count <= room else b""
+    if len(data) < wanted or 8 * count > room:
+        raise ValueError(f"an array {list(shape)[:4]} of {wanted} bytes does not fit into the file's {size} bytes")
     values = np.frombuffer(data, dtype, count)
     return values.reshape(shape[::-1]).T if fortran else values.reshape(shape)
-
-
-def _short(wanted: int, found: int) -> np.ndarray:
-    raise ValueError(f"the file is cut off: an array needs {wanted} bytes, {found} are there")
