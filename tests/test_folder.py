@@ -147,7 +147,7 @@ def test_what_is_left_out_is_said(tmp_path, motions, walk):
     assert "another size" in why["Child_walk.bvh"]
     lines = list(found.lines(tmp_path))
     assert lines[0] == "6 files, 1,800 frames, 0.5 minutes; 28 body joints of 41"
-    assert "  Neutral run: 1 files, 300 frames, 5.0 s" in lines
+    assert "  Neutral run: 1 file, 300 frames, 5.0 s" in lines
     assert "left out: 3 files" in lines
 
 

@@ -59,18 +59,18 @@ class Survey:
     def lines(self, root: Path) -> Iterator[str]:
         """What is used, by style and gait, and what is left out and why."""
         minutes = sum(self.seconds.values()) / 60
-        yield (f"{len(self.takes)} files, {sum(self.frames.values()):,} frames, {minutes:.1f} minutes; "
+        yield (f"{_files(len(self.takes))}, {sum(self.frames.values()):,} frames, {minutes:.1f} minutes; "
                f"{self.joints[0]} body joints of {self.joints[1]}")
         groups: dict[tuple[str, str], list[Path]] = defaultdict(list)
         for take in self.takes:
             groups[take.style, take.gait].append(take.path)
         for (style, gait), paths in sorted(groups.items()):
-            yield (f"  {' '.join(filter(None, (style, gait)))}: {len(paths)} files, "
+            yield (f"  {' '.join(filter(None, (style, gait)))}: {_files(len(paths))}, "
                    f"{sum(self.frames[p] for p in paths):,} frames, {sum(self.seconds[p] for p in paths):.1f} s")
         for path, found in self.doubts.items():
             yield from (f"  doubtful: {path.relative_to(root)}: {doubt}" for doubt in found)
         if self.left_out:
-            yield f"left out: {len(self.left_out)} files"
+            yield f"left out: {_files(len(self.left_out))}"
         for path, why in self.left_out.items():
             yield f"  {path.relative_to(root)}: {why}"
 
@@ -124,7 +124,7 @@ def _survey(folder: Path, _files: tuple) -> Survey:
             whole, doubtful = _load(take)
             clip = pruned(whole)
         except (ValueError, OSError, ImportError) as error:
-            left_out[take.path] = str(error).removeprefix(f"{take.path}: ").removeprefix(f"{take.path.name}: ")
+            left_out[take.path] = str(error).removeprefix(str(take.path)).removeprefix(take.path.name).lstrip(",: ")
             continue
         if clip.seconds < SHORTEST:
             left_out[take.path] = f"{clip.seconds:.1f} s; a clip of {SHORTEST:.1f} s is needed"
@@ -186,6 +186,10 @@ def _table(folder: Path) -> dict[Path, tuple]:
                 unit = unit or "auto"
             found[path] = style, gait, unit, up or "auto"
     return found
+
+
+def _files(count: int) -> str:
+    return f"{count} file{'s' * (count != 1)}"
 
 
 def _load(take: OwnTake) -> tuple[Clip, list[str]]:

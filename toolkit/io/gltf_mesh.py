@@ -43,7 +43,8 @@ def read(path: str | os.PathLike) -> SkinnedMesh:
     """
     path = Path(path)
     try:
-        return _Reader(path).mesh()
+        with np.errstate(all="ignore"):  # numbers that are not finite are refused
+            return _Reader(path).mesh()
     except gltf.GLTFError:
         raise
     except (ValueError, IndexError, np.linalg.LinAlgError) as error:
