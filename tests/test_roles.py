@@ -161,3 +161,32 @@ def test_files_of_other_kinds_are_refused_in_a_line(tmp_path):
     for name in ("walk.c3d", "walk", "walk.zip"):
         with pytest.raises(ValueError, match=r"no reader for this kind of file; there are readers for \.bvh"):
             tk.load(tmp_path / name)
+
+
+@pytest.mark.parametrize("turned", [False, True], ids=["same axes", "axes along the bones"])
+@pytest.mark.parametrize("name", ["LaFAN1", "CMU", "Unreal", "Daz Genesis 8", "MakeHuman", "Second Life"])
+def test_names_that_say_nothing_leave_the_shape_of_the_tree(tmp_path, name, turned):
+    clip = rigs.walk(name, turned)
+    old = clip.skeleton
+    names = [f"{'tip' if joint in old.ends else 'node'}{j}" for j, joint in enumerate(old.names)]
+    ends = [names[old.names.index(end)] for end in old.ends]
+    clip = clip.replace(skeleton=tk.Skeleton(names, old.parents, old.offsets, {}, ends))
+    written(clip, tmp_path / "walk.bvh", rigs.TABLE[name])
+    found = tk.inspect(tmp_path / "walk.bvh")
+    assert found.doubts == ["the joints' names say nothing, so that roles are from the shape of the tree; roles= decides"]
+    assert (found.unit, found.up) == (rigs.TABLE[name].unit, rigs.TABLE[name].up)
+    called = {role: f"node{old.names.index(joint)}" for role, joint in rigs.roles(rigs.TABLE[name]).items()
+              if joint not in old.ends}
+    assert called.items() <= found.roles.items()
+    assert facing(found.clip) > 0.95
+    assert facing(found.clip.mirrored()) > 0.95
+
+
+def test_sides_that_are_exchanged_are_noticed(tmp_path):
+    """As by a program whose axes are left-handed."""
+    clip = rigs.walk("LaFAN1", seconds=1.0)
+    names = [joint.replace("Left", "?").replace("Right", "Left").replace("?", "Right") for joint in clip.skeleton.names]
+    exchanged = tk.Skeleton(names, clip.skeleton.parents, clip.skeleton.offsets)
+    tk.bvh.save(clip.replace(skeleton=exchanged), tmp_path / "walk.bvh")
+    with pytest.warns(UserWarning, match="joints called left are on the right of the body"):
+        tk.load(tmp_path / "walk.bvh")

@@ -16,7 +16,7 @@ def inspect(
     roles: Roles = None,
     picture: Annotated[Path | None, typer.Option(help="Strip of poses to write: .png.")] = None,
 ) -> None:
-    """Print joints, height, unit, up axis, floor, rate, roles, mirror pairs and contacts of a motion file, and doubts.
+    """Show what a motion file holds, and how it is understood: joints, height, unit, axes, floor, roles, contacts, doubts.
 
     `--unit`, `--up` and `--roles` decide what was guessed wrongly; other verbs take them too.
     """

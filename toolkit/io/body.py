@@ -24,11 +24,12 @@ UPRIGHT = 0.5  # of the height: how far the head of an upright body is above its
 class Body:
     """Points of the joints with roles and of the head over at most `SAMPLES` frames, in the unit of the file."""
 
-    def __init__(self, recording: Recording, roles: Mapping[str, str]):
+    def __init__(self, recording: Recording, roles: Mapping[str, str], whole: bool = False):
         self.names, self.parents, self.ends = recording.names, recording.parents, recording.ends
         self.recording, self.roles = recording, roles
         self.lengths = recording.offsets.norm(dim=-1).tolist()
         self.head = head(recording.names, recording.parents, self.lengths, roles)  # path from the root, maybe empty
+        self.needed = range(len(self.names)) if whole else ()  # joints besides those with roles
         self.joint = {role: self.names.index(name) for role, name in roles.items() if role in ROLES}
 
     def has(self, *parts: str) -> bool:
@@ -40,7 +41,7 @@ class Body:
         """Positions ``[S, 3]`` by joint of all with roles, of the head and of those above them, float64."""
         recording = self.recording
         frames = np.linspace(0, len(recording.rotations) - 1, min(len(recording.rotations), SAMPLES)).astype(int)
-        needed: set[int] = set(self.head)
+        needed: set[int] = {*self.head, *self.needed}
         for joint in self.joint.values():
             while joint >= 0 and joint not in needed:
                 needed.add(joint)
@@ -105,6 +106,19 @@ class Body:
         """Whether the head is above the feet in most frames, by `UPRIGHT` of the height."""
         above = self.standing[:, "xyz".index(up[-1])] * (-1.0 if up[0] == "-" else 1.0)
         return bool(len(above)) and float((above > UPRIGHT * self.height).mean()) > 0.5
+
+    @property
+    def swapped(self) -> bool:
+        """Whether the joints called left are on the right of a body that goes where its toes point, or its knees bend."""
+        if not (len(self.standing) and self.has("knee", "toe")):
+            return False
+        toes = self.middle("toe") - self.middle("foot")
+        knees = self.middle("knee") - (self.middle("hip") + self.middle("foot")) / 2
+        ahead = toes if np.linalg.norm(toes, axis=1).mean() > 0.1 * self.leg else knees
+        left = np.cross(self.standing, ahead)
+        apart = self.points[self.joint["left_hip"]] - self.points[self.joint["right_hip"]]
+        size = np.linalg.norm(left, axis=1) * np.linalg.norm(apart, axis=1)
+        return float(((left * apart).sum(1) / size.clip(1e-12)).mean()) < -0.5
 
     def floor(self, up: str) -> tuple[float, float]:
         """Height of a toe that stands, in the middle of the clip, and its change over the clip; NaN without toes."""

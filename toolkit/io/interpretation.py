@@ -16,7 +16,7 @@ import torch
 
 from toolkit.io.body import Body
 from toolkit.io.recording import Recording
-from toolkit.motion import Clip, Skeleton
+from toolkit.motion import Clip, Skeleton, shape
 from toolkit.motion import rotations as R
 from toolkit.motion.roles import ROLES, find, misfits
 
@@ -73,6 +73,8 @@ def interpret(recording: Recording, path: Path, unit: float | str = "auto", up: 
     known = _roles(recording, path, roles or {}, found)
     if not look:
         found.doubts.clear()
+    if shape.RULE in found.rules.values():
+        found.doubts.append("the joints' names say nothing, so that roles are from the shape of the tree; roles= decides")
     found.doubts.extend(recording.doubts)
     fps = _rate(recording, found)
     if look:
@@ -83,6 +85,8 @@ def interpret(recording: Recording, path: Path, unit: float | str = "auto", up: 
             found.up = _up(body, recording, found)
         if unit == "auto":
             found.unit = _unit(body, recording, found)
+        if body.swapped:
+            found.doubts.append("the joints called left are on the right of the body, or it bends backwards; roles= decides")
         found.height = body.height * found.unit
         found.upright = body.upright(found.up)
         found.floor, found.drift = (found.unit * value for value in body.floor(found.up))
@@ -104,6 +108,9 @@ def _roles(recording: Recording, path: Path, given: Mapping[str, str], found: Fi
     """Roles by names and tree, those that the file states, and those of the call, with the rule that found each."""
     lengths = recording.offsets.norm(dim=-1).tolist()
     known = find(recording.names, recording.parents, lengths, recording.ends)
+    if len(known) == 1:  # hips, which every tree has
+        points = Body(recording, {}, whole=True).points
+        known |= shape.find(recording.names, recording.parents, lengths, recording.ends, np.stack(list(points.values()), 1))
     known |= {role: (joint, "the file") for role, joint in (recording.roles or {}).items() if role in ROLES}
     for role, joint in given.items():
         if role not in ROLES:
