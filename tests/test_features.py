@@ -328,3 +328,11 @@ def test_the_same_file_at_two_scales_is_not_mixed(tmp_path):
     assert tk.features.Layout(small.skeleton) == tk.features.Layout(tk.load(tmp_path / "walk.bvh").skeleton)
     grown = tk.Skeleton(clip.skeleton.names, clip.skeleton.parents, 1.15 * clip.skeleton.offsets)  # a tall person
     assert tk.features.Layout(small.skeleton) == tk.features.Layout(grown)
+
+
+def test_a_clip_of_another_scale_than_the_models_is_not_learnt_from(small_run):
+    clip = tk.datasets.load("procedural", styles=["Neutral"], gaits=["FW"], seconds=6.0)[0]
+    skeleton = tk.Skeleton(clip.skeleton.names, clip.skeleton.parents, 100 * clip.skeleton.offsets)
+    large = clip.replace(skeleton=skeleton, root_positions=100 * clip.root_positions)
+    with pytest.raises(ValueError, match="its bones are 100 times as long; unit= decides, compared with the model"):
+        tk.styles.fine_tune(small_run.model, [large], name="Large", bank=small_run.bank, steps=1)

@@ -4,12 +4,15 @@ import dataclasses
 import shutil
 
 import pytest
+import rigs
 import torch
+from posed_rigs import rig, with_twists
 
 import toolkit as tk
 from toolkit.__main__ import main
 from toolkit.datasets import folder
 from toolkit.datasets.procedural import SKELETON
+from toolkit.motion import retargeting
 from toolkit.motion.pruning import body_joints, pruned
 
 GAITS = {"walk": "FW", "run": "FR"}
@@ -71,10 +74,10 @@ def motions(tmp_path_factory) -> "dict[tuple[str, str], object]":
 
 
 def test_body_joints_are_those_of_the_plain_rig(walk):
-    rig = with_extras(walk)
-    assert len(rig.skeleton) > len(SKELETON) + 12
-    assert {rig.skeleton.names[j] for j in body_joints(rig.skeleton)} >= set(SKELETON.names)
-    small = pruned(rig)
+    rich = with_extras(walk)
+    assert len(rich.skeleton) > len(SKELETON) + 12
+    assert {rich.skeleton.names[j] for j in body_joints(rich.skeleton)} >= set(SKELETON.names)
+    small = pruned(rich)
     assert set(small.skeleton.names) == set(SKELETON.names)  # the twist bones, too
     torch.testing.assert_close(small.global_positions[:, [small.skeleton.index(n) for n in SKELETON.names]],
                                walk.global_positions, atol=1e-5, rtol=0)
@@ -82,12 +85,23 @@ def test_body_joints_are_those_of_the_plain_rig(walk):
     assert small.skeleton.roles == walk.skeleton.roles
 
 
+@pytest.mark.parametrize(("name", "joints"), [("Reallusion", 22), ("MakeHuman", 34), ("Unreal", 23), ("Mixamo", 28)])
+def test_body_joints_of_known_rigs(name, joints):
+    rich = rigs.walk(name)
+    rich = rich.replace(skeleton=dataclasses.replace(rich.skeleton, roles=None))
+    small = pruned(rich)
+    assert len(small.skeleton) == joints
+    for role, joint in small.skeleton.roles.items():
+        places = rich.global_positions[:, rich.skeleton.index(joint)], small.global_positions[:, small.skeleton.role(role)]
+        assert (places[0] - places[1]).abs().max() < 1e-3, role
+
+
 def test_a_twist_bone_that_moves_the_limb_is_kept(walk):
-    rig = with_extras(walk)
-    turned, twist = rig.rotations.clone(), rig.skeleton.index("LeftForearmTwist")
-    swing = torch.linspace(0, 1, len(rig))
-    turned[:, twist] = tk.motion.rotations.from_axis_angle(torch.tensor([0.0, 1.0, 0.0]).expand(len(rig), 3), swing)
-    names = pruned(rig.replace(rotations=turned)).skeleton.names
+    rich = with_extras(walk)
+    turned, twist = rich.rotations.clone(), rich.skeleton.index("LeftForearmTwist")
+    swing = torch.linspace(0, 1, len(rich))
+    turned[:, twist] = tk.motion.rotations.from_axis_angle(torch.tensor([0.0, 1.0, 0.0]).expand(len(rich), 3), swing)
+    names = pruned(rich.replace(rotations=turned)).skeleton.names
     assert "LeftForearmTwist" in names
     assert "RightForearmTwist" not in names
 
@@ -135,8 +149,21 @@ def test_what_is_left_out_is_said(tmp_path, motions, walk):
     assert "another size" in why["Child_walk.bvh"]
     lines = list(found.lines(tmp_path))
     assert lines[0] == "6 files, 1,800 frames, 0.5 minutes; 28 body joints of 41"
-    assert "  Neutral run: 1 files, 300 frames, 5.0 s" in lines
+    assert "  Neutral run: 1 file, 300 frames, 5.0 s" in lines
     assert "left out: 3 files" in lines
+
+
+def test_files_of_other_rigs_can_be_retargeted(tmp_path, motions, walk):
+    for (style, gait), source in motions.items():
+        shutil.copy(source, tmp_path / f"{style}_{gait}.bvh")
+    other = retargeting.retarget(walk, rig("A-pose", joints=with_twists))
+    tk.bvh.save(other, tmp_path / "Other_walk.bvh")
+    plain = folder.survey(tmp_path)
+    assert [path.name for path in plain.left_out] == ["Other_walk.bvh"]
+    target = tk.Clip(SKELETON, tk.motion.rotations.identity(1, len(SKELETON)), torch.zeros(1, 3), 60.0)
+    clips = tk.datasets.load("folder", tmp_path, target=target)
+    assert {clip.style for clip in clips} == {"Neutral", "Zombie", "Other"}
+    assert {clip.skeleton.names for clip in clips} == {SKELETON.names}
 
 
 @pytest.mark.parametrize(("table", "said"), [

@@ -292,7 +292,7 @@ def test_a_datasets_name_means_the_dataset_where_a_folder_has_that_name(tmp_path
     (tmp_path / "recordings").mkdir()
     train = ("train", "--out", tmp_path / "new.safetensors", "--data")
     assert "bandai: no matching BVH file in recordings" in refused(*train, "bandai", "--root", "recordings")
-    assert "recordings: holds no store" in refused(*train, "recordings")
+    assert "recordings: no file can be used; expected recordings" in refused(*train, "recordings")
     (tmp_path / "bandai" / "manifest.json").write_text("{}", encoding="utf-8")
     assert "bandai/manifest.json" in refused(*train, "bandai")
 

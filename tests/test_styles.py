@@ -246,6 +246,27 @@ def test_what_cannot_be_learnt_is_refused_in_one_line(small_run, crouch):
         tk.styles.fine_tune(model, crouch.cut(0, 111), "Mine", bank)
 
 
+def test_a_foreign_rigs_walk_by_three_commands(tmp_path, small_run, crouch, capsys):
+    """A-pose, shorter legs, twist bones, inches: inspect, style add, rollout."""
+    from posed_rigs import rig, with_twists
+
+    walk = tk.motion.retargeting.retarget(crouch, rig("A-pose", legs=0.9, joints=with_twists))
+    tk.bvh.save(walk, tmp_path / "walk.bvh", unit=0.0254)
+    small_run.save(tmp_path / "run.safetensors")
+    run, new, file = (tmp_path / name for name in ("run.safetensors", "new.safetensors", "walk.bvh"))
+    for command in (
+        f"inspect {file}", f"style add --model {run} --clips {file} --name Mine --out {new} --steps 5",
+        f"rollout --model {new} --style Mine --seconds 1 --out {tmp_path}/made.bvh",
+    ):
+        with pytest.raises(SystemExit) as done:
+            main(command.split())
+        assert done.value.code == 0
+    said = capsys.readouterr().out
+    assert "inch" in said
+    assert "walk.bvh: retargeted; limbs " in said
+    assert len(tk.bvh.load(tmp_path / "made.bvh", unit=0.01, up="y")) == 60
+
+
 def test_style_add_writes_the_same_file_with_one_vector_more(tmp_path, small_run, crouch, capsys):
     run, out, clips = tmp_path / "run.safetensors", tmp_path / "new.safetensors", tmp_path / "clips"
     small_run.save(run)

@@ -9,12 +9,13 @@ import typer
 from toolkit import export, published
 from toolkit.cli import motion_files
 from toolkit.cli.rollout import blend_of
+from toolkit.cli.skeletons import Target, target
 from toolkit.cli.verbs import Names, Published, Roles, Selection, TrainedRun, Unit, Up
-from toolkit.datasets.procedural import SKELETON
 from toolkit.export import pack as packs
-from toolkit.motion import Clip, retargeting, rotations
+from toolkit.motion import retargeting
 
-SKELETONS = {"100style": SKELETON}
+Figure = Annotated[Path | None, typer.Option("--character", help="glTF or VRM file with a skinned mesh, in place of the "
+                                             "mannequin.")]
 
 app = typer.Typer(no_args_is_help=True, add_completion=False,
                   help="Write files for other programs: web page, ONNX, glTF, BVH.")
@@ -28,12 +29,14 @@ def web(
     title: Annotated[str, typer.Option(help="Heading of the page.")] = "A character in any style",
     styles: Selection = None,
     half: Annotated[bool, typer.Option("--half", help="Store numbers in 16 bits: half the size.")] = False,
+    character: Figure = None,
 ) -> None:
     """Write one page with network, styles and scene; opened by a double click, it shows a character to steer."""
     from toolkit import view  # imported on demand: it needs the drawing libraries
 
     export.check(out, (".html",))
-    _wrote(view.web(*published.either(model, parameters), out, title=title, styles=styles, half=half))
+    _wrote(view.web(*published.either(model, parameters), out, title=title, styles=styles, half=half,
+                    character=character))
 
 
 @app.command("onnx")
@@ -52,8 +55,8 @@ def onnx(
 def clip(
     source: Annotated[Path, typer.Argument(metavar="IN", help="Motion file: BVH, glTF, VRM, FBX, AMC, NPZ.")],
     out: Annotated[Path, typer.Option(help=f"File to write: {', '.join(export.SUFFIXES)}.")],
-    skeleton: Annotated[str | None, typer.Option(help=f"Retarget to a skeleton: {', '.join(SKELETONS)}, or a file of it, "
-                                                 "best with a T-pose.")] = None,
+    skeleton: Target = None,
+    character: Figure = None,
     unit: Unit = "auto",
     up: Up = "auto",
     roles: Roles = None,
@@ -64,9 +67,9 @@ def clip(
         raise ValueError(f"{out}: is the file that is read; give another to write")
     motion = motion_files.read(source, unit, up, roles)
     if skeleton is not None:
-        before, motion = motion, export.retarget(motion, _target(skeleton))
+        before, motion = motion, export.retarget(motion, target(skeleton))
         print(retargeting.report(before, motion))
-    export.write(motion, out, title=source.stem, progress=True)
+    export.write(motion, out, title=source.stem, progress=True, character=character)
     _wrote(out)
 
 
@@ -80,16 +83,25 @@ def pack(
                                                 "default all.")] = None,
     formats: Annotated[Names | None, typer.Option(parser=Names, metavar="A,B", help="glb, bvh; by default both.")] = None,
     in_place: Annotated[bool, typer.Option("--in-place", help="Without the steady movement of the root.")] = False,
-    skeleton: Annotated[str | None, typer.Option(help=f"Retarget to a skeleton: {', '.join(SKELETONS)}, or a file of it, "
-                                                 "best with a T-pose.")] = None,
+    skeleton: Target = None,
+    character: Figure = None,
 ) -> None:
     """Write looping cycles of styles (forward, back, left, right, run, idle) for games, and a manifest of them."""
     if out.exists() and not out.is_dir():
         raise ValueError(f"{out}: is a file; a folder is needed")
     styles = {name: blend_of(name) for name in style}
+    rig, writers = None if skeleton is None else target(skeleton), packs.WRITERS
+    if character is not None:
+        from toolkit.export import character_gltf
+        from toolkit.view.character import Character
+
+        if skeleton is not None:
+            raise ValueError("give --skeleton or --character, whose rig it is")
+        figure = Character.load(character)
+        rig, writers = figure.rest, writers | {"glb": lambda clip, path: character_gltf.save(clip, path, figure)}
     made = packs.write(*published.either(model, parameters), out, styles, gaits=gaits or tuple(packs.GAITS),
                        formats=formats or tuple(packs.WRITERS), in_place=in_place,
-                       target=None if skeleton is None else _target(skeleton), progress=True)
+                       target=rig, writers=writers, progress=True)
     rows = json.loads(made.read_text(encoding="utf-8"))["clips"]
     print(f"{'cycle':<28}{'m/s':>6}{'s':>7}{'seam cm/s':>11}{'usual':>7}")
     for row in rows:
@@ -97,16 +109,6 @@ def pack(
         print(f"{row['style'] + ' ' + row['gait']:<28}{row['speed']:>6.2f}{row['duration']:>7.2f}"
               f"{error['velocity_cm_s']:>11.1f}{error['ordinary_velocity_change_cm_s']:>7.1f}")
     print(f"wrote {len(rows)} cycles and {made}")
-
-
-def _target(skeleton: str) -> Clip:
-    """The skeleton that an option names: a T-pose of one of `SKELETONS`, or the motion of a file."""
-    if skeleton in SKELETONS:
-        known = SKELETONS[skeleton]
-        return Clip(known, rotations.identity(1, len(known)), [[0.0, 0.0, 0.0]], 60.0, name=skeleton)
-    if not Path(skeleton).is_file():
-        raise ValueError(f"--skeleton is one of {', '.join(SKELETONS)}, or a file; got {skeleton!r}")
-    return motion_files.read(Path(skeleton))
 
 
 def _wrote(*files: Path) -> None:

@@ -7,15 +7,17 @@ from typing import Annotated
 import typer
 
 from toolkit import datasets, export, features, networks, training
+from toolkit.cli.skeletons import Target, target
 from toolkit.cli.verbs import ClipSeconds, Device, Mirror, Resume, Root, Seed, Selection
 from toolkit.features import store
+from toolkit.motion import Clip
 from toolkit.training import distributed
 
 
-def show(root: Path | None) -> None:
+def show(root: Path | None, rig: Clip | None = None) -> None:
     """Print what is used of a folder of one's own, and what is left out and why."""
     folder = datasets.folder.SOURCE.folder(root)
-    for line in datasets.folder.survey(folder).lines(folder):
+    for line in datasets.folder.survey(folder, rig).lines(folder):
         print(line)
 
 
@@ -26,6 +28,7 @@ def train(
     root: Root = None,
     styles: Selection = None,
     gaits: Selection = None,
+    skeleton: Target = None,
     mirror: Mirror = False,
     clip_seconds: ClipSeconds = None,
     model: Annotated[str, typer.Option(help=f"One of {', '.join(networks.MODELS)}.")] = "lpn-film",
@@ -61,8 +64,12 @@ def train(
         found = store.load(data, styles)
     else:
         options = {} if clip_seconds is None else {"seconds": clip_seconds}
+        if skeleton is not None:
+            if data != "folder":
+                raise ValueError("--skeleton is for a folder of your own recordings")
+            options["target"] = target(skeleton)
         if data == "folder" and distributed.first():
-            show(root)
+            show(root, options.get("target"))
         clips = datasets.load(data, root, styles, gaits, **options)
         found = features.build(clips, mirror=datasets.may_mirror(data, root) if mirror else False, short="skip",
                                progress=distributed.first())

@@ -14,7 +14,7 @@ import os
 import re
 from collections import defaultdict
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from pathlib import Path
 
@@ -25,6 +25,7 @@ from toolkit.io import interpretation
 from toolkit.io.load import READERS, read
 from toolkit.motion import Clip, trajectory
 from toolkit.motion.pruning import pruned
+from toolkit.motion.retargeting import retarget
 
 TABLE = "labels.csv"
 COLUMNS = "file", "style", "gait"
@@ -59,18 +60,18 @@ class Survey:
     def lines(self, root: Path) -> Iterator[str]:
         """What is used, by style and gait, and what is left out and why."""
         minutes = sum(self.seconds.values()) / 60
-        yield (f"{len(self.takes)} files, {sum(self.frames.values()):,} frames, {minutes:.1f} minutes; "
+        yield (f"{_files(len(self.takes))}, {sum(self.frames.values()):,} frames, {minutes:.1f} minutes; "
                f"{self.joints[0]} body joints of {self.joints[1]}")
         groups: dict[tuple[str, str], list[Path]] = defaultdict(list)
         for take in self.takes:
             groups[take.style, take.gait].append(take.path)
         for (style, gait), paths in sorted(groups.items()):
-            yield (f"  {' '.join(filter(None, (style, gait)))}: {len(paths)} files, "
+            yield (f"  {' '.join(filter(None, (style, gait)))}: {_files(len(paths))}, "
                    f"{sum(self.frames[p] for p in paths):,} frames, {sum(self.seconds[p] for p in paths):.1f} s")
         for path, found in self.doubts.items():
             yield from (f"  doubtful: {path.relative_to(root)}: {doubt}" for doubt in found)
         if self.left_out:
-            yield f"left out: {len(self.left_out)} files"
+            yield f"left out: {_files(len(self.left_out))}"
         for path, why in self.left_out.items():
             yield f"  {path.relative_to(root)}: {why}"
 
@@ -79,9 +80,11 @@ class Survey:
 class Own(Source):
     """The recordings of a folder, as the other datasets have them."""
 
+    target: Clip | None = None  # of a rig that all are retargeted to
+
     def find(self, root: str | os.PathLike | None) -> list[Take]:
         """All takes of a folder that can be used; ValueError if there is none."""
-        return list(survey(root).takes)
+        return list(survey(root, self.target).takes)
 
     def folder(self, root: str | os.PathLike | None) -> Path:
         """The folder, which must be given."""
@@ -92,39 +95,40 @@ class Own(Source):
     def read(self, takes: Iterable[Take]) -> Iterator[Clip]:
         """Labelled clips of takes, with their body joints."""
         for take in tqdm(list(takes), desc="files", unit="file", disable=None):
-            yield pruned(_load(take)[0])  # `survey` has listed the doubts
+            yield _fitted(_load(take)[0], self.target)  # `survey` has listed the doubts
 
 
 SOURCE = Own("folder", re.compile(".*"), f"recordings ({', '.join(SUFFIXES)}), and {TABLE} or a sub-folder per style", "")
 
 
-def load(root: str | os.PathLike | None = None, styles: Names = None, gaits: Names = None) -> list[Clip]:
-    """Clips of a folder, see `toolkit.datasets.takes.Source.load`."""
-    return SOURCE.load(root, styles, gaits)
+def load(root: str | os.PathLike | None = None, styles: Names = None, gaits: Names = None, *,
+         target: Clip | None = None) -> list[Clip]:
+    """Clips of a folder, see `toolkit.datasets.takes.Source.load`; with ``target`` all on the rig of that clip."""
+    return replace(SOURCE, target=target).load(root, styles, gaits)
 
 
-def survey(root: str | os.PathLike) -> Survey:
+def survey(root: str | os.PathLike, target: Clip | None = None) -> Survey:
     """Reads every file of a folder and says what a training can use; ValueError if that is nothing.
 
     The files must have the same body joints, and people of about the same size (`ALIKE`). Where they differ, those of the
-    larger number of frames are used.
+    larger number of frames are used. With ``target``, a clip of a rig, all are retargeted to it.
     """
     folder = SOURCE.folder(root)
     files = ((path, path.stat()) for path in sorted(folder.rglob("*")) if path.is_file())
-    return _survey(folder, tuple((path, about.st_size, about.st_mtime_ns) for path, about in files))
+    return _survey(folder, tuple((path, about.st_size, about.st_mtime_ns) for path, about in files), target)
 
 
 @lru_cache(maxsize=1)  # a training asks twice
-def _survey(folder: Path, _files: tuple) -> Survey:
+def _survey(folder: Path, _signature: tuple, target: Clip | None) -> Survey:
     takes, left_out = labelled(folder)
     rigs: dict[tuple, list[tuple[Take, int, float, int]]] = defaultdict(list)
     doubts: dict[Path, list[str]] = {}
     for take in tqdm(takes, desc="reading", unit="file", disable=None if len(takes) > 20 else True):
         try:
             whole, doubtful = _load(take)
-            clip = pruned(whole)
+            clip = _fitted(whole, target)
         except (ValueError, OSError, ImportError) as error:
-            left_out[take.path] = str(error).removeprefix(f"{take.path}: ").removeprefix(f"{take.path.name}: ")
+            left_out[take.path] = str(error).removeprefix(str(take.path)).removeprefix(take.path.name).lstrip(",: ")
             continue
         if clip.seconds < SHORTEST:
             left_out[take.path] = f"{clip.seconds:.1f} s; a clip of {SHORTEST:.1f} s is needed"
@@ -141,7 +145,7 @@ def _survey(folder: Path, _files: tuple) -> Survey:
     for shape, rows in rigs.items():
         if shape != most:
             differ = "a body of another size" if shape[:2] == most[:2] else "other joints"
-            left_out |= {take.path: f"{differ} than most files; `export clip --skeleton` retargets it" for take, *_ in rows}
+            left_out |= {take.path: f"{differ} than most files; --skeleton retargets all files" for take, *_ in rows}
     rows = rigs[most]
     used = tuple(take for take, *_ in rows)
     return Survey(used, {take.path: frames for take, frames, *_ in rows}, {take.path: s for take, _, s, _ in rows},
@@ -186,6 +190,15 @@ def _table(folder: Path) -> dict[Path, tuple]:
                 unit = unit or "auto"
             found[path] = style, gait, unit, up or "auto"
     return found
+
+
+def _fitted(clip: Clip, target: Clip | None) -> Clip:
+    """The body joints of a clip, or the clip on a rig."""
+    return pruned(clip) if target is None else retarget(clip, target)
+
+
+def _files(count: int) -> str:
+    return f"{count} file{'s' * (count != 1)}"
 
 
 def _load(take: OwnTake) -> tuple[Clip, list[str]]:

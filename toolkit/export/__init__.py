@@ -1,9 +1,12 @@
 """Export to other programs: clips as motion, web page, picture or film, networks as ONNX."""
 
 import os
+import pkgutil
 from collections.abc import Sequence
 from importlib import import_module
 from pathlib import Path
+
+import lazy_loader
 
 from toolkit.export import gltf, onnx
 from toolkit.io import bvh
@@ -11,6 +14,7 @@ from toolkit.motion import Clip
 from toolkit.motion.retargeting import retarget
 
 __all__ = ["SUFFIXES", "check", "gltf", "onnx", "retarget", "write"]
+__getattr__ = lazy_loader.attach(__name__, [module.name for module in pkgutil.iter_modules(__path__)])[0]
 SUFFIXES = (".bvh", ".html", ".png", ".mp4", ".gif", ".webp", ".apng", ".glb")  # .png: a strip of poses
 
 
@@ -38,19 +42,36 @@ def check(path: str | os.PathLike, suffixes: Sequence[str] = SUFFIXES) -> Path:
 
 
 def write(clip: Clip, path: str | os.PathLike, *, title: str = "Motion", source: Clip | None = None,
-          progress: bool = False) -> None:
+          progress: bool = False, character: str | os.PathLike | None = None) -> None:
     """Write a clip as motion (.bvh, .glb), web page (.html), strip of poses (.png) or film; missing folders are made.
 
     The suffix of the path, one of `SUFFIXES`, selects the format. ``title`` names the motion in a page or picture.
     ``source``, the motion it was made from, is shown beside it in pages, pictures and films. ``progress`` shows a bar while
-    a film is drawn.
+    a film is drawn. ``character`` is a glTF or VRM file with a skinned mesh: its file with the motion on it (.glb), its
+    rig's motion (.bvh), or a page in which it walks (.html).
 
     Raises
     ------
     ValueError
-        If the suffix is unknown.
+        If the suffix is unknown, or one that a character cannot be written to.
     """
     path = check(path)
+    if character is not None:
+        from toolkit.export import character_gltf
+        from toolkit.view.character import Character
+
+        figure = Character.load(character)
+        if path.suffix == ".glb":
+            character_gltf.save(clip, path, figure)
+        elif path.suffix == ".bvh":
+            bvh.save(figure.fitted(clip), path)
+        elif path.suffix == ".html":
+            from toolkit import view
+
+            view.html([clip], path, title=title, character=figure)
+        else:
+            raise ValueError(f"{path}: a character is written to .glb, .bvh or .html")
+        return
     if path.suffix in (".bvh", ".glb"):
         (bvh if path.suffix == ".bvh" else gltf).save(clip, path)
         return

@@ -36,7 +36,7 @@ def save(clip: Clip, path: str | os.PathLike) -> None:
     skeleton, shapes = clip.skeleton, body.build(clip)
     if not shapes:
         raise ValueError(f"{clip.name}: no bone is long enough to be given a body")
-    bind, buffer = _bind_pose(skeleton, shapes), _Buffer()
+    bind, buffer = _bind_pose(skeleton, shapes), Buffer()
     turns = R.normalize(R.unroll(clip.rotations).double())[..., [1, 2, 3, 0]].float().numpy()
     nodes = [{"name": name, "translation": skeleton.offsets[j].tolist(), "rotation": turns[0, j].tolist()}
              for j, name in enumerate(skeleton.names)]
@@ -62,14 +62,14 @@ def save(clip: Clip, path: str | os.PathLike) -> None:
         document["animations"] = [_animation(buffer, clip, turns) | {"name": title}]
     document |= {"buffers": [{"byteLength": len(buffer.data)}], "bufferViews": buffer.views, "accessors": buffer.accessors}
     with atomic_write(path) as file:
-        file.write(_container(document, bytes(buffer.data)))
+        file.write(container(document, bytes(buffer.data)))
 
 
-class _Buffer:
+class Buffer:
     """The binary part and its description: one view and one accessor per array."""
 
-    def __init__(self):
-        self.data, self.views, self.accessors = bytearray(), [], []
+    def __init__(self, data: bytes = b"", views: Sequence[dict] = (), accessors: Sequence[dict] = ()):
+        self.data, self.views, self.accessors = bytearray(data + b"\0" * (-len(data) % 4)), list(views), list(accessors)
 
     def add(self, values: np.ndarray, kind: str, target: int | None = None, *, bounds: bool = False) -> int:
         """Index of the accessor of an array ``[N, ...]`` of float32, uint32 or uint16."""
@@ -91,7 +91,7 @@ def _bind_pose(skeleton: Skeleton, shapes: Sequence) -> Tensor:
     turns = R.identity(len(skeleton)).double()
     for shape in shapes:
         for bend in shape.bends:
-            below = skeleton.parents[bend.joint] == shape.joint
+            below = shape.joint in skeleton.ancestors(bend.joint)
             lower = bend.joint if below else shape.joint
             upper, own = (shape.place, bend.place) if below else (bend.place, shape.place)
             turns[lower] = R.from_matrix(torch.from_numpy(upper[:, :3] @ np.linalg.inv(own[:, :3])))
@@ -101,7 +101,7 @@ def _bind_pose(skeleton: Skeleton, shapes: Sequence) -> Tensor:
     return matrices
 
 
-def _primitive(buffer: _Buffer, shapes: Sequence, bind: Tensor) -> dict:
+def _primitive(buffer: Buffer, shapes: Sequence, bind: Tensor) -> dict:
     """The shapes of one colour as one surface in the bind pose."""
     from toolkit.view.skin import surface, weights
 
@@ -133,7 +133,7 @@ def _material(tone: str, color: np.ndarray) -> dict:
     return {"name": tone, "pbrMetallicRoughness": surface}
 
 
-def _animation(buffer: _Buffer, clip: Clip, turns: np.ndarray) -> dict:
+def _animation(buffer: Buffer, clip: Clip, turns: np.ndarray) -> dict:
     """Rotations of joints that move and the root's translation."""
     times = buffer.add((np.arange(len(clip)) / clip.fps).astype(np.float32), "SCALAR", bounds=True)
     moving = np.flatnonzero(np.ptp(clip.rotations.numpy(), axis=0).max(1) > STILL).tolist()
@@ -148,7 +148,7 @@ def _animation(buffer: _Buffer, clip: Clip, turns: np.ndarray) -> dict:
     }
 
 
-def _container(document: dict, data: bytes) -> bytes:
+def container(document: dict, data: bytes) -> bytes:
     """The .glb file: a header, a JSON chunk and a binary chunk, each a multiple of four bytes long."""
     text = json.dumps(document, separators=(",", ":"), ensure_ascii=False).encode()
     text += b" " * (-len(text) % 4)

@@ -20,7 +20,7 @@ CMU = 120.0  # frames per second of CMU's recordings; the files do not say
 CMU_LENGTH, INCH = 0.45, 0.0254  # in CMU's files one unit is 1 / 0.45 inches
 ORDER = ("tx", "ty", "tz", "rx", "ry", "rz")  # of the root's numbers, by default
 LARGEST = 1e30  # limit of lengths and angles
-BONES = 10_000  # limit for the bones of a skeleton
+BONES, BYTES = 10_000, 5_000_000  # limits for the bones and the size of an .asf file
 SMALL = 1_000_000  # joints and End Sites times frames that a file of any size may have
 LIMBS = {"shoulder": "humerus", "elbow": "radius", "hand": "wrist", "hip": "femur", "knee": "tibia", "foot": "foot",
          "toe": "toes"}  # our roles to Vicon's bones, which begin with l or r
@@ -52,7 +52,7 @@ def read(path: str | os.PathLike, asf: str | os.PathLike | None = None, fps: flo
     rest = path.suffix.lower() == ".asf"
     skeleton = path if rest else Path(asf) if asf is not None else _beside(path)
     try:
-        bones = _Skeleton(_text(skeleton))
+        bones = _Skeleton(_text(skeleton, BYTES))
     except AMCError:
         raise
     except ValueError as error:
@@ -68,8 +68,10 @@ def read(path: str | os.PathLike, asf: str | os.PathLike | None = None, fps: flo
         raise AMCError(f"{path}: {error}") from error
 
 
-def _text(path: Path) -> bytes:
+def _text(path: Path, most: int | None = None) -> bytes:
     try:
+        if most is not None and path.stat().st_size > most:
+            raise AMCError(f"{path}: a skeleton should not have more than {most} bytes")
         return path.read_bytes()
     except OSError as error:
         raise AMCError(f"{path}: cannot be read ({error.strerror})") from error
@@ -241,15 +243,18 @@ def _dof(words: list[str], name: str) -> list[str]:
 
 def _motion(data: bytes, bones: _Skeleton) -> tuple[np.ndarray, bool]:
     """The numbers ``[D, F]`` of all bones in the skeleton's order, and whether angles are in degrees."""
+    data = data.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
     start = _FRAME.search(data)
     if not start:
         raise ValueError("no frame in it: expected a line with the number 1")
     head = data[: start.start()].upper()
     in_degrees = b":DEGREES" in head or (b":RADIANS" not in head and bones.degrees)
     body = data[start.start() :]
-    frames = len(_FRAME.findall(body))
+    frames = sum(1 for _ in _FRAME.finditer(body))
     second = _FRAME.search(body, start.end() - start.start())
     first = body[start.end() - start.start() : second.start() if second else len(body)]
+    if first.count(b"\n") > 2 * len(bones.names) + BONES:
+        raise ValueError(f"frame 1 has more lines than the skeleton's {len(bones.names)} bones")
     listed = [words for words in map(bytes.split, first.splitlines()) if words]
     names = [words[0].decode(errors="replace") for words in listed]
     index = {name: j for j, name in enumerate(bones.names)}
@@ -258,8 +263,12 @@ def _motion(data: bytes, bones: _Skeleton) -> tuple[np.ndarray, bool]:
             raise ValueError(f"frame 1: {name[:40]!r} is no bone of the skeleton, or appears twice")
         if len(words) - 1 != (wanted := len(bones.dofs[index[name]])):
             raise ValueError(f"frame 1: {name} has {len(words) - 1} numbers, the skeleton says {wanted}")
-    if 2 * frames * len(bones.names) > max(SMALL, len(data) // 2):
+    if not listed:
+        raise ValueError("frame 1 has no bones")
+    if 2 * frames * (len(bones.names) + 4) > max(SMALL, len(data) // 4):
         raise ValueError(f"{frames} frames of {len(bones.names)} bones are more than {len(data)} bytes can hold")
+    if body.count(b"\n") > 2 * frames * (1 + len(listed)) + BONES:
+        raise ValueError(f"{frames} frames of {len(listed)} bones should have fewer lines")
     width = 1 + sum(len(words) - 1 for words in listed)
     rows = _rows(body, [words[0] for words in listed], frames, width)
     given, at = {}, 1
@@ -284,6 +293,7 @@ def _rows(body: bytes, names: list[bytes], frames: int, width: int) -> np.ndarra
         said = found[at].decode(errors="replace")[:40] if at < len(found) else "its end"
         raise ValueError(f"frame {at // len(names) + 1}: expected {names[at % len(names)].decode(errors='replace')[:40]}, "
                          f"got {said!r}")
+    del found
     joined = _NAME.sub(b" ", body)  # a line per bone: join those of a frame
     lines = [line for line in joined.splitlines() if line.strip()]
     step = 1 + len(names)

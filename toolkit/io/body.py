@@ -110,7 +110,7 @@ class Body:
     @property
     def swapped(self) -> bool:
         """Whether the joints called left are on the right of a body that goes where its toes point, or its knees bend."""
-        if not (len(self.standing) and self.has("knee", "toe")):
+        if not (len(self.standing) and self.has("hip", "knee", "toe")):
             return False
         toes = self.middle("toe") - self.middle("foot")
         knees = self.middle("knee") - (self.middle("hip") + self.middle("foot")) / 2

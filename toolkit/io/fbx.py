@@ -27,7 +27,7 @@ ORDERS = ("ZYX", "YZX", "XZY", "ZXY", "YXZ", "XYZ", "ZYX")  # of the product, by
 BONES, PLAIN = (b"LimbNode", b"Limb", b"Root"), (b"LimbNode", b"Limb", b"Root", b"Null")
 CONSTANT, CUBIC, TCB, USER = 0x2, 0x8, 0x200, 0x400  # flags of a key
 NEXT, CLAMP, TIME_INDEPENDENT, PROGRESSIVE, WEIGHTED = 0x100, 0x1000, 0x2000, 0x4000, 0x3000000
-OBJECTS = 100_000  # limit for objects and connections of the kinds that are read
+OBJECTS = 50_000  # limit for objects and connections of the kinds that are read
 LARGEST = 1e30
 _ONES, _ZEROS = (1.0, 1.0, 1.0), (0.0, 0.0, 0.0)
 
@@ -36,6 +36,7 @@ class FBXError(ValueError):
     """A file that cannot be read as FBX; the message names the file."""
 
 
+@np.errstate(invalid="ignore", over="ignore")
 def read(path: str | os.PathLike, animation: str | int | None = None) -> Recording:
     """Read the motion of a binary FBX file, version 7 (2011 and later).
 
@@ -333,7 +334,7 @@ def _slopes(times: np.ndarray, values: np.ndarray, flags: np.ndarray, data: np.n
     ends = np.zeros(len(times), bool)
     ends[[0, -1]] = True
     auto = np.where(flags & PROGRESSIVE, np.where(ends, 0.0, np.sign(auto) * np.minimum(np.abs(auto), limit)), auto)
-    user = (flags & USER > 0) & (flags & TCB == 0)
-    right = np.where(user, data[:, 0], auto)
-    left = np.where(user, np.append(0.0, data[:-1, 1]), auto)
+    own = (flags & CUBIC > 0) & ((flags & USER == 0) | (flags & TCB > 0))
+    right = np.where(own, auto, data[:, 0])
+    left = np.where(own, auto, np.append(0.0, data[:-1, 1]))
     return tuple(np.nan_to_num(x, nan=0.0, posinf=0.0, neginf=0.0) for x in (right, left))

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 MAGIC = b"Kaydara FBX Binary  \0"
-PACKED, ROOM = 8, 50_000_000  # arrays may unpack to the file's size times the first, plus the second, bytes
+PACKED, ROOM = 3, 50_000_000  # arrays may unpack to the file's size times the first, plus the second, bytes
 _SCALARS = {b"Y": "<h", b"C": "<B", b"B": "<B", b"I": "<i", b"F": "<f", b"D": "<d", b"L": "<q"}
 _ARRAYS = {b"f": "<f4", b"d": "<f8", b"l": "<i8", b"i": "<i4", b"b": "u1", b"c": "u1"}
 

@@ -13,7 +13,7 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from toolkit.io.nodes import Node, frame_rate, printable, record, sample_times
+from toolkit.io.nodes import LIMIT, Node, frame_rate, printable, record, sample_times
 from toolkit.io.recording import Recording
 from toolkit.motion import rotations as R
 from toolkit.motion.clip import SIDES
@@ -33,6 +33,7 @@ class GLTFError(ValueError):
     """A file that cannot be read as glTF; the message names the file."""
 
 
+@np.errstate(invalid="ignore", over="ignore")
 def read(path: str | os.PathLike, animation: str | int | None = None) -> Recording:
     """Read the motion of a glTF file.
 
@@ -80,12 +81,19 @@ class _File:
             raise ValueError("it is neither a GLB file nor JSON text") from error
         if not isinstance(self.document, dict) or not str(_dict(self.document, "asset").get("version", "")).startswith("2."):
             raise ValueError("expected glTF version 2; older files can be converted in Blender")
-        self.buffers = {}
-        self.doubts = []
+        self.buffers, self.lists, self.doubts = {}, {}, []
+
+    def _list(self, key: str) -> list[dict]:
+        """A list of the document, checked once."""
+        if key not in self.lists:
+            self.lists[key] = _dicts(self.document, key)
+        return self.lists[key]
 
     def recording(self, wanted: str | int | None) -> Recording:
         """The chosen animation on the largest skeleton."""
-        described = _dicts(self.document, "nodes")
+        described = self._list("nodes")
+        if len(described) > LIMIT:
+            raise ValueError(f"more than {LIMIT} nodes")
         nodes = [Node(printable(node.get("name", "")), -1, *_pose(node), plain=not any(
             key in node for key in ("mesh", "camera", "extensions"))) for node in described]
         for j, node in enumerate(described):
@@ -93,12 +101,12 @@ class _File:
                 if nodes[child].parent >= 0:
                     raise ValueError(f"node {child} has two parents")
                 nodes[child].parent = j
-        for skin in _dicts(self.document, "skins"):
+        for skin in self._list("skins"):
             for j in _indices(skin, "joints", len(nodes)):
                 nodes[j].joint = nodes[j].skinned = True
         roles = self._roles(nodes)
         frames, fps = self._animate(nodes, wanted)
-        if any(node.joint for node in nodes) and all(len(node.rotation) == 1 for node in nodes):
+        if any(node.joint for node in nodes) and all(len(n.rotation) == len(n.translation) == 1 for n in nodes):
             self.doubts.append("no joint is animated; the pose of the nodes is given as it is")
         return record(nodes, frames, fps, format_="glTF", unit=1.0, up="y", roles=roles, doubts=self.doubts)
 
@@ -141,7 +149,7 @@ class _File:
 
     def _channels(self, wanted: str | int | None, count: int) -> list[tuple]:
         """Node, path, key times, accessor of the values and interpolation of each channel."""
-        animations = _dicts(self.document, "animations")
+        animations = self._list("animations")
         names = [printable(a.get("name", i)) for i, a in enumerate(animations)]
         if wanted is None and len(animations) > 1:
             self.doubts.append(f"the file holds {len(animations)} animations ({few(names)}); the first was read")
@@ -153,10 +161,10 @@ class _File:
         samplers, channels = _dicts(animation, "samplers"), []
         for channel in _dicts(animation, "channels"):
             target = _dict(channel, "target")
-            if target.get("path") not in PATHS or "node" not in target:
+            if _hashable(target.get("path")) not in PATHS or "node" not in target:
                 continue  # weights of blend shapes, or a target of an extension
             sampler = samplers[_index(channel, "sampler", len(samplers))]
-            kind, times = sampler.get("interpolation", "LINEAR"), self._array(sampler.get("input"), 1)[:, 0]
+            kind, times = _hashable(sampler.get("interpolation", "LINEAR")), self._array(sampler.get("input"), 1)[:, 0]
             if kind not in ("LINEAR", "STEP", "CUBICSPLINE"):
                 raise ValueError(f"unknown interpolation {str(kind)[:20]!r}")
             if not len(times) or not (np.diff(times) > 0).all():
@@ -166,7 +174,7 @@ class _File:
 
     def _array(self, index: object, width: int) -> np.ndarray:
         """The values ``[N, width]`` of an accessor, float64."""
-        accessors = _dicts(self.document, "accessors")
+        accessors = self._list("accessors")
         accessor = accessors[_index({"accessor": index}, "accessor", len(accessors))]
         kind, count = COMPONENTS.get(_hashable(accessor.get("componentType"))), _whole(accessor, "count")
         if kind is None or WIDTHS.get(_hashable(accessor.get("type"))) != width:
@@ -193,14 +201,14 @@ class _File:
 
     def _view(self, of: dict, kind: str, count: int, width: int) -> np.ndarray:
         """Values ``[count, width]`` where they lie in a buffer."""
-        views = _dicts(self.document, "bufferViews")
+        views = self._list("bufferViews")
         view = views[_index(of, "bufferView", len(views))]
         if "EXT_meshopt_compression" in _dict(view, "extensions"):
             raise ValueError("its animation is compressed by EXT_meshopt_compression; unpack it with gltf-transform")
         element = np.dtype(kind).itemsize * width if kind else 0
         stride = _whole(view, "byteStride", element) or element
         start, size, offset = (_whole(*x, 0) for x in ((view, "byteOffset"), (view, "byteLength"), (of, "byteOffset")))
-        buffer = self._buffer(_index(view, "buffer", len(_dicts(self.document, "buffers"))))
+        buffer = self._buffer(_index(view, "buffer", len(self._list("buffers"))))
         end = offset + (count - 1) * stride + element if count else 0
         if not element or stride < element or end > size or start + size > len(buffer):
             raise ValueError("an accessor reaches beyond its buffer")
@@ -208,7 +216,7 @@ class _File:
 
     def _buffer(self, index: int) -> memoryview | bytes:
         if index not in self.buffers:
-            uri = _dicts(self.document, "buffers")[index].get("uri")
+            uri = self._list("buffers")[index].get("uri")
             if uri is None:
                 self.buffers[index] = self.binary or b""
             elif not isinstance(uri, str):

@@ -44,18 +44,19 @@ _PARTS = {"turn": 1, "velocity": 2, "height": 1, "positions": 63, "rotations": 1
 def to_vectors(joints: Tensor) -> Tensor:
     """The representation ``[F, 263]`` of joint positions ``[F + 1, 22, 3]`` in the order of `NAMES`, metres.
 
-    Position and direction on the floor do not matter. Heights are taken as they are: HumanML3D's clips have their lowest
-    point at 0, and bone lengths of one person.
+    Position and direction on the floor do not matter: the first frame is turned to face +z, as in the dataset. Heights are
+    taken as they are: HumanML3D's clips have their lowest point at 0, and bone lengths of one person.
     """
     joints = as_tensor(joints, "joints")
     if joints.dim() != 3 or joints.shape[1:] != (len(NAMES), 3) or len(joints) < 2:
         raise ValueError(f"expected joints [F + 1, {len(NAMES)}, 3], F >= 1, got {list(joints.shape)}")
+    joints = R.rotate(facing(joints[:1]), joints)
     turn = facing(joints)
     step, moves = R.multiply(turn[1:], R.inverse(turn[:-1])), joints[1:] - joints[:-1]
     local = joints - joints[:, :1] * joints.new_tensor([1.0, 0.0, 1.0])
     feet = [NAMES.index(name) for name in FEET]
     parts = {
-        "turn": step[:, 2].clamp(-1, 1).asin()[:, None],
+        "turn": (step[:, 2] * step[:, 0].sign()).clamp(-1, 1).asin()[:, None],
         "velocity": R.rotate(turn[1:], moves[:, 0])[:, ::2],
         "height": joints[:-1, 0, 1:2],
         "positions": R.rotate(turn[:-1, None], local[:-1, 1:]),

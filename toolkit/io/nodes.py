@@ -14,10 +14,12 @@ from toolkit.motion.tensors import few
 
 RIGID = 1e-3  # part of the skeleton's size by which a joint may move against its parent and be called rigid
 STRETCH = 0.05  # part of the skeleton's size by which a bone may stretch and be read with its median length
+MERGED = 0.25  # joints that may be merged with the one below them, as a share of the joints below
 FEW = 2  # joints of a branch that is left out if it cannot be part of a rigid skeleton: eyes, props, helpers
 SEVERAL = 10  # joints of a second tree that is worth a word
 RATES = (30.0, 24.0, 25.0, 60.0, 50.0, 48.0, 120.0, 100.0, 240.0)  # tried where key frames are not at equal distances
 MOST = 1_000_000  # joints times frames that a file of any size may have
+LIMIT = 50_000  # nodes of a file
 _HELPER = re.compile(r"(?:^|[\W_])ik(?:[\W_]|$)|IK", re.ASCII)
 _END = re.compile(r"(?:end|nub)\d*$", re.IGNORECASE)
 
@@ -69,7 +71,7 @@ def sample_times(times: Sequence[np.ndarray], rate: float, joints: int, size: in
         return np.zeros(1)
     begin, end = min(t[0] for t in times), max(t[-1] for t in times)
     length = (end - begin) * rate
-    if not length < max(MOST, size / 3) / max(joints, 1):
+    if not length < max(MOST, size / 8) / max(joints, 1):
         raise ValueError(f"{length:.0f} frames of {joints} joints are more than {size} bytes can hold")
     return begin + np.arange(round(length) + 1) / rate
 
@@ -189,6 +191,7 @@ class _Tree:
     def lengths(self, root: int) -> dict[int, float]:
         """For each node below a joint the length of the bones between them, in the first frame."""
         below, scale, stack = {root: 0.0}, {root: self.world_scale(root)}, [root]
+        self.scales = scale
         while stack:
             j = stack.pop()
             for child in self.children[j]:
@@ -201,13 +204,14 @@ class _Tree:
 
     def merged(self, root: int, sizes: dict[int, float]) -> tuple[int, set[int]]:
         """The lowest joint that carries the whole skeleton and moves against its parent, and the branches left out."""
-        at, best, dropped, aside = root, root, set(), set()
+        at, best, above, dropped, aside = root, root, 0, set(), set()
         while branches := [j for j in self.children[at] if self.count[j]]:
             main = max(branches, key=lambda j: self.count[j])
             aside |= set(self.children[at]) - {main}
-            if not all(self.droppable(j) for j in branches if j != main):
+            above += 1
+            if above > MERGED * self.count[main] or not all(self.droppable(j) for j in branches if j != main):
                 break
-            at, moves = main, self.nodes[main].translation * self.world_scale(at)
+            at, moves = main, self.nodes[main].translation * self.scales[at]
             if len(moves) > 1 and float(np.ptp(moves, axis=0).max()) > RIGID * max(sizes.values()):
                 best, dropped = main, set(aside)
         return best, dropped

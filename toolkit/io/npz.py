@@ -1,6 +1,5 @@
 """NumPy files (.npz, .npy) with motion: SMPL, SMPL-H, SMPL-X and AMASS, HumanML3D, and Kimodo's SOMA skeleton."""
 
-import io
 import lzma
 import math
 import os
@@ -10,6 +9,7 @@ import zipfile
 import zlib
 from collections.abc import Mapping
 from pathlib import Path
+from typing import BinaryIO
 
 import numpy as np
 import torch
@@ -23,14 +23,14 @@ from toolkit.motion.clip import SIDES
 BODY = humanml3d.NAMES
 SMPL = (*BODY, "left_hand", "right_hand")
 PARENTS = (*humanml3d.PARENTS, 20, 21)
-BODIES = {66: "SMPL-H", 72: "SMPL", 156: "SMPL-H", 165: "SMPL-X", 63: "SMPL"}  # by the width of poses
+WIDTHS = (66, 72, 156, 165)  # of poses: SMPL-H's body, SMPL, SMPL-H and SMPL-X with hands
 RATES = ("mocap_framerate", "mocap_frame_rate", "fps", "frame_rate", "framerate")
 JOINTS = ("posed_joints", "joints", "positions", "new_joints", "joints3d", "motion", "arr_0")
 VECTORS = ("new_joint_vecs", "vectors", "motion", "arr_0")
 USUAL = 30.0  # frames per second where the file says nothing
 RIGID = 0.01  # metres, or part of the height, by which given or fitted joints may miss their place
 LARGEST = 1e6  # metres and radians
-PACKED, ROOM = 8, 50_000_000  # a file may unpack to its size times the first, plus the second, bytes
+PACKED, ROOM = 3, 30_000_000  # arrays may have the file's size times the first, plus the second, bytes as float64
 ROLES = {"hips": "pelvis"} | {f"{side}_{part}": f"{side}_{name}" for side in SIDES for part, name in {
     "shoulder": "shoulder", "elbow": "elbow", "hand": "wrist", "hip": "hip", "knee": "knee", "foot": "ankle",
     "toe": "foot"}.items()}
@@ -60,6 +60,7 @@ class NPZError(ValueError):
     """A NumPy file that cannot be read as motion; the message names the file."""
 
 
+@np.errstate(invalid="ignore", over="ignore")
 def read(path: str | os.PathLike) -> Recording:
     """Read a NumPy file.
 
@@ -117,19 +118,20 @@ def _recording(arrays: Mapping[str, np.ndarray]) -> Recording:
 def _poses(arrays: Mapping[str, np.ndarray]) -> Tensor | None:
     """Axis-angle vectors ``[F, J, 3]`` of SMPL's joints; None if there are none."""
     if "poses" in arrays and arrays["poses"].ndim > 1:
-        return _vectors(_tensor(arrays, "poses"), "poses", BODIES)
+        return _vectors(_tensor(arrays, "poses"), "poses", WIDTHS)
     for root, body in (("root_orient", "pose_body"), ("global_orient", "body_pose")):
         if root in arrays and body in arrays:
             first, rest = _tensor(arrays, root), _tensor(arrays, body)
-            if len(first) != len(rest):
+            parts = _vectors(first, root, (3,)), _vectors(rest, body, (63, 69))
+            if len(parts[0]) != len(parts[1]):
                 raise ValueError(f"{root} and {body} differ in their frames: {len(first)} and {len(rest)}")
-            return torch.cat((_vectors(first, root, (3,)), _vectors(rest, body, (63, 69))), 1)
+            return torch.cat(parts, 1)
     return None
 
 
-def _vectors(values: Tensor, name: str, widths: Mapping | tuple) -> Tensor:
-    flat = values.flatten(1)
-    if flat.shape[1] not in widths or not len(flat):
+def _vectors(values: Tensor, name: str, widths: tuple[int, ...]) -> Tensor:
+    flat = values.flatten(1) if values.dim() > 1 else values[None]
+    if values.dim() < 2 or flat.shape[1] not in widths or not len(flat):
         raise ValueError(f"{name} should be [F, {' or '.join(map(str, widths))}], got {list(values.shape)}")
     return flat.unflatten(1, (-1, 3))
 
@@ -160,7 +162,7 @@ def _smpl(arrays: Mapping[str, np.ndarray], poses: Tensor) -> Recording:
     rate = _rate(arrays)
     if not rate:
         doubts.append(f"the file has no frame rate; {USUAL:g} Hz was assumed")
-    return Recording(f"{BODIES.get(3 * poses.shape[1], 'SMPL')} poses", SMPL[:count], PARENTS[:count],
+    return Recording("SMPL poses", SMPL[:count], PARENTS[:count],
                      offsets, R.unroll(turns.float()), place, rate or USUAL, unit=1.0, roles=dict(ROLES),
                      doubts=tuple(doubts))
 
@@ -254,18 +256,18 @@ def _arrays(path: Path) -> dict[str, np.ndarray]:
         begin, size = file.read(4), path.stat().st_size
         file.seek(0)
         if begin[:2] != b"PK":
-            return {"arr_0": _array(io.BytesIO(file.read()), size)}
-        wanted, arrays, room = _WANTED, {}, PACKED * size + ROOM
+            return {"arr_0": _array(file, size, PACKED * size + ROOM)}
+        arrays, room = {}, PACKED * size + ROOM
         with zipfile.ZipFile(file) as packed:
             for member in packed.infolist():
                 name = member.filename.removesuffix(".npy")
-                if name not in wanted or name in arrays:
+                if name not in _WANTED or name in arrays:
                     continue
-                room -= member.file_size
-                if room < 0:
+                if member.file_size > room:
                     raise ValueError(f"array {name} unpacks to {member.file_size} bytes, from a file of {size}")
                 with packed.open(member) as stream:
-                    arrays[name] = _array(stream, member.file_size)
+                    arrays[name] = _array(stream, member.file_size, room)
+                room -= 8 * arrays[name].size
         return arrays
 
 
@@ -273,8 +275,8 @@ _WANTED = {"poses", "trans", "transl", "translation", "root_orient", "pose_body"
            "global_rot_mats", *RATES, *JOINTS, *VECTORS}
 
 
-def _array(stream: io.BufferedIOBase, size: int) -> np.ndarray:
-    """The array of a .npy stream of ``size`` bytes."""
+def _array(stream: BinaryIO, size: int, room: int) -> np.ndarray:
+    """The array of a .npy stream of ``size`` bytes; ValueError if it would have more than ``room`` bytes as float64."""
     version = np.lib.format.read_magic(stream)
     if version == (1, 0):
         shape, fortran, dtype = np.lib.format.read_array_header_1_0(stream)
@@ -284,15 +286,12 @@ def _array(stream: io.BufferedIOBase, size: int) -> np.ndarray:
         raise ValueError(f"version {version} of the format holds no numbers")
     if dtype.hasobject:
         raise ValueError("it holds Python objects, which could run code; save plain arrays with numpy.savez")
+    if dtype.kind not in "fiub":
+        return np.zeros(0)  # names and the like
     count = math.prod(shape)
-    if dtype.kind not in "fiub" or count * dtype.itemsize > size:
-        return np.zeros(0) if dtype.kind not in "fiub" else _short(count * dtype.itemsize, size)
-    data = stream.read(count * dtype.itemsize)
-    if len(data) < count * dtype.itemsize:
-        _short(count * dtype.itemsize, len(data))
+    wanted = count * dtype.itemsize
+    data = stream.read(wanted) if wanted <= size and 8 * count <= room else b""
+    if len(data) < wanted or 8 * count > room:
+        raise ValueError(f"an array {list(shape)[:4]} of {wanted} bytes does not fit into the file's {size} bytes")
     values = np.frombuffer(data, dtype, count)
     return values.reshape(shape[::-1]).T if fortran else values.reshape(shape)
-
-
-def _short(wanted: int, found: int) -> np.ndarray:
-    raise ValueError(f"the file is cut off: an array needs {wanted} bytes, {found} are there")

@@ -1,10 +1,10 @@
 """Motion data: rotations, skeleton and clip, root trajectory, foot contacts, inverse kinematics, retargeting."""
 
-from toolkit.motion import contacts, ik, loops, retargeting, rotations, trajectory
+from toolkit.motion import contacts, ik, loops, pruning, retargeting, rotations, trajectory
 
 from toolkit.motion.roles import ROLES, find_roles  # isort: skip
 from toolkit.motion.skeleton import Skeleton, forward_kinematics, local_rotations  # isort: skip
 from toolkit.motion.clip import Clip, RootFrames, on_cpu, root_frames  # isort: skip
 
 __all__ = ["ROLES", "Clip", "RootFrames", "Skeleton", "contacts", "find_roles", "forward_kinematics", "ik",
-           "local_rotations", "loops", "on_cpu", "retargeting", "root_frames", "rotations", "trajectory"]
+           "local_rotations", "loops", "on_cpu", "pruning", "retargeting", "root_frames", "rotations", "trajectory"]

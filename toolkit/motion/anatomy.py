@@ -26,6 +26,7 @@ from toolkit.motion.tensors import as_tensor, summary
 
 LIMB_ROLES = tuple(role for role in ROLES if not role.endswith("toe"))  # a rig without toes stands on its ankles
 PARTS = {"arm": ("collar", "shoulder", "elbow", "hand"), "leg": ("hip", "knee", "foot", "toe")}  # from the trunk outwards
+STEEP = 0.3  # sine between a foot's bone and the vertical below which it does not show where the foot points
 SHORT = 0.01  # metres; a shorter leg is none
 STRAIGHT = 0.02  # sine of the mean bend below which an arm's elbow axis cannot be found
 NEAR = 0.85  # cosine up to which axes count as turned by multiples of 90 degrees
@@ -167,6 +168,8 @@ def _swing(along: Tensor, side: str, part: str) -> Tensor | None:
         return R.identity(1)[0].to(along)
     if part == "foot":
         flat = along * as_tensor([1.0, 0.0, 1.0], "plane", along)
+        if float(flat.norm()) < STEEP * float(along.norm()):  # an End Site below the ankle
+            return R.identity(1)[0].to(along)
         ahead = as_tensor([0.0, 0.0, 1.0], "ahead", along)
         return R.between(flat, ahead) if float(flat[2]) > 0.2 * float(flat.norm()) else None
     wanted = as_tensor(_canonical(side, part), "wanted", along)
@@ -258,7 +261,8 @@ def _flat(clip: Clip, joint: int, foot: int, bone: Tensor | None) -> Tensor:
     up = torch.zeros_like(ahead)
     up[:, 1] = 1.0
     if bone is not None and float(bone.norm()) > 1e-3:
-        ahead = R.rotate(world[:, foot], bone)
+        along = R.normalize(R.rotate(world[:, foot], bone))
+        ahead = ahead if float(along[:, ::2].norm(dim=-1).mean()) < STEEP else along
     up, ahead = (R.normalize(R.rotate(R.inverse(world[:, joint]), v).mean(0)) for v in (up, ahead))
     left = R.normalize(torch.linalg.cross(up, ahead))
     found = R.from_matrix(torch.stack((left, up, torch.linalg.cross(left, up)), 1))

@@ -1,11 +1,13 @@
 """Body joints: the part of a rig that a model of locomotion needs, without fingers, face, twist bones, clothes and props."""
 
+from itertools import pairwise
+
 import torch
 
 from toolkit.motion import rotations as R
 from toolkit.motion.anatomy import LIMB_ROLES, chains
 from toolkit.motion.clip import Clip
-from toolkit.motion.roles import ROLES
+from toolkit.motion.roles import LIMBS, ROLES, SIDES
 from toolkit.motion.skeleton import Skeleton, local_rotations
 
 RIGID = 0.003  # metres that a joint may move in the frame of the joint above a twist bone, which then is left out
@@ -31,12 +33,16 @@ def body_joints(skeleton: Skeleton) -> list[int]:
 def pruned(clip: Clip) -> Clip:
     """The same motion of the body joints alone; the clip itself if it has no others.
 
-    A twist bone within a limb is left out, too, where the joint below it stays in place to within `RIGID`.
+    A bone that splits a limb's, such as a twist bone, is left out, too, where the joint below it stays in place to within
+    `RIGID`.
     """
     old = clip.skeleton
     kept = body_joints(old)
     roles, places, turned = set(old.roles.values()), clip.global_positions, clip.global_rotations
-    for joint in [j for j in kept if old.names[j] not in roles and any(word in old.names[j].lower() for word in TWIST)]:
+    split = {j for side in SIDES for parts in LIMBS.values() for upper, lower in pairwise(parts)
+             for j in old.ancestors(old.role(f"{side}_{lower}")) if old.role(f"{side}_{upper}") in old.ancestors(j)}
+    split |= {j for j in kept if any(word in old.names[j].lower() for word in TWIST)}
+    for joint in [j for j in kept if j in split and old.names[j] not in roles]:
         below = [j for j in kept if _above(old, j, kept) == joint]
         above = _above(old, joint, kept)
         if above >= 0 and below:

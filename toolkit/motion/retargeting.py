@@ -5,7 +5,7 @@ and legs are bent a little where another leg or foot would slide, sink or float.
 """
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import torch
@@ -21,7 +21,7 @@ from toolkit.motion.skeleton import FEET, Skeleton, forward_kinematics, local_ro
 from toolkit.motion.tensors import through_numpy
 
 SAME = 0.002  # metres that bones of equal names may differ, so that a clip counts as being on the skeleton already
-TOE = 0.02, 0.12  # height of a standing toe joint, shares of the leg: a usual one, and the largest that is believed
+TOE, ANKLE = (0.02, 0.12), (0.1, 0.2)  # height of a standing joint, shares of the leg: usual, and the largest believed
 SOFT = 0.01  # share of a leg's length over which it follows more and more slowly, near full stretch
 BONES = (("hip", "knee"), ("knee", "foot"), ("shoulder", "elbow"), ("elbow", "hand"))
 
@@ -55,13 +55,16 @@ def retarget(clip: Clip, target: Skeleton | Clip, *, feet: bool = True) -> Clip:
         return clip
     source, goal = measure(clip), measure(target)
     clip = clip.replace(skeleton=source.skeleton)
-    turned = _limbs(clip, source, goal) | _trunk(clip, source, goal)
+    turned = _turned(clip, source, goal)
+    standing, there = _standing(source.skeleton, goal.skeleton)
+    clip, goal = clip.replace(skeleton=standing), replace(goal, skeleton=there)
     scale = goal.leg / source.leg
     middle = scale * _middle(clip)
     made = _compose(clip, goal, turned, middle)
     stands = scale * float(standing_height(clip))
-    if not 0 <= stands <= TOE[1] * goal.leg:  # the clip's floor is elsewhere
-        stands = TOE[0] * goal.leg
+    usual, most = TOE if goal.skeleton.roles["left_toe"] != goal.skeleton.roles["left_foot"] else ANKLE
+    if not 0 <= stands <= most * goal.leg:  # the clip's floor is elsewhere
+        stands = usual * goal.leg
     standing = detect(clip) > 0.5
     rises = (scale * (_toes(clip)[..., 1] - standing_height(clip)) - _toes(made)[..., 1])[standing]
     lift = stands + float(rises.median() if len(rises) else -standing_height(made))
@@ -91,7 +94,8 @@ class Report:
 
 def report(clip: Clip, made: Clip) -> Report:
     """How far a result of `retarget` is from its clip."""
-    clip, made = (c.replace(skeleton=with_toes(c.skeleton)) for c in (clip, made))
+    skeletons = _standing(with_toes(clip.skeleton), with_toes(made.skeleton))
+    clip, made = (c.replace(skeleton=skeleton) for c, skeleton in zip((clip, made), skeletons, strict=True))
     angles, contact = [], detect(clip)
     for side in SIDES:
         for upper, lower in BONES:
@@ -114,6 +118,14 @@ def _same(own: Skeleton, other: Skeleton) -> bool:
     return float((own.offsets - other.offsets)[1:].norm(dim=-1).amax()) < SAME if len(own) > 1 else True
 
 
+def _standing(*skeletons: Skeleton) -> list[Skeleton]:
+    """The skeletons with the ankles in the role of the toes, if one of them has no toes: ankles compare with ankles."""
+    toes = [f"{side}_toe" for side in SIDES]
+    if all(s.roles[toe] != s.roles[toe.replace("toe", "foot")] for s in skeletons for toe in toes):
+        return list(skeletons)
+    return [replace(s, roles=s.roles | {toe: s.roles[toe.replace("toe", "foot")] for toe in toes}) for s in skeletons]
+
+
 def _leg(clip: Clip) -> float:
     """Hip to ankle along the bones, metres."""
     joints = [clip.global_positions[0, clip.skeleton.role(f"left_{part}")] for part in ("hip", "knee", "foot")]
@@ -130,32 +142,30 @@ def _toes(clip: Clip) -> Tensor:
     return clip.global_positions[:, [clip.skeleton.role(f"{side}_toe") for side in FEET]]
 
 
-def _turn(clip: Clip, source: Anatomy, joint: int) -> Tensor:
-    """How far a joint has turned from the T-pose ``[F, 4]``."""
-    return R.multiply(clip.global_rotations[:, joint], source.axes[joint])
+def leaders(source: Anatomy, goal: Anatomy) -> dict[int, tuple[int, int, float]]:
+    """For each joint of the goal that follows the source: two joints there, and how far it is from the first to the second.
 
-
-def _limbs(clip: Clip, source: Anatomy, goal: Anatomy) -> dict[int, Tensor]:
-    """World rotations ``[F, 4]`` of arms and legs."""
-    turned = {}
+    Arms and legs follow the joint with the same role, spine and neck the place at the same share of their length.
+    """
+    found = {}
     for side in SIDES:
         for kind in ("arm", "leg"):
             joints, there = (limb(rig.skeleton, side, kind) for rig in (source, goal))
-            for part in joints.keys() & there.keys():
-                turned[there[part]] = R.multiply(_turn(clip, source, joints[part]), R.inverse(goal.axes[there[part]]))
-    return turned
-
-
-def _trunk(clip: Clip, source: Anatomy, goal: Anatomy) -> dict[int, Tensor]:
-    """World rotations ``[F, 4]`` of hips, spine, neck and head."""
-    turned = {}
+            found |= {there[part]: (joints[part], joints[part], 0.0) for part in joints if part in there}
     for from_, to in ((source.spine, goal.spine), (source.neck, goal.neck)):
-        world = [_turn(clip, source, j) for j in from_]
         for i, joint in enumerate(to):
             place = i / max(len(to) - 1, 1) * (len(from_) - 1)
             below = min(int(place), max(len(from_) - 2, 0))
-            turn = R.slerp(world[below], world[min(below + 1, len(from_) - 1)], place - below)
-            turned[joint] = R.multiply(turn, R.inverse(goal.axes[joint]))
+            found[joint] = from_[below], from_[min(below + 1, len(from_) - 1)], place - below
+    return found
+
+
+def _turned(clip: Clip, source: Anatomy, goal: Anatomy) -> dict[int, Tensor]:
+    """World rotations ``[F, 4]`` of the joints that have `leaders`: turned from the T-pose as far as these."""
+    turned = {}
+    for joint, (a, b, share) in leaders(source, goal).items():
+        first, second = (R.multiply(clip.global_rotations[:, j], source.axes[j]) for j in (a, b))
+        turned[joint] = R.multiply(R.slerp(first, second, share) if share else first, R.inverse(goal.axes[joint]))
     return turned
 
 

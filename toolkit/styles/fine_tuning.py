@@ -180,7 +180,11 @@ def _features(model: Model, clips: Clip | Sequence[Clip], name: str | None, mirr
         if why := difference(expected, got):
             raise ValueError(f"{clip.name}: not the model's skeleton; it differs in {why}")
     named = clips if name is None else [clip.replace(style=name) for clip in clips]
-    return features.build(named, mirror=mirror, short="skip", samples=model.layout.samples)
+    data = features.build(named, mirror=mirror, short="skip", samples=model.layout.samples)
+    if why := features.Layout(data.layout.skeleton, samples=model.layout.samples).difference(
+            features.Layout(skeleton, samples=model.layout.samples)):
+        raise ValueError(f"{clips[0].name}: {why}, compared with the model's skeleton")
+    return data
 
 
 def _prior(model: Model, bank: StyleBank | None) -> tuple[Tensor, Tensor]:

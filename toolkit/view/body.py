@@ -83,12 +83,21 @@ class _Measured:
         self.axes = R.to_matrix(R.multiply(facing, self.rotations)).mean(0)  # rows: the body's axes in joint coordinates
         self.legs = {j for side in SIDES for j in self.skeleton.ancestors(self.skeleton.role(f"{side}_foot"))}
         left, right = (self.skeleton.ancestors(self.skeleton.role(f"{side}_shoulder")) for side in ("left", "right"))
-        self.spine = [j for j in left if j in right]  # from the chest down
-        leg = sum(float(self.skeleton.offsets[self.skeleton.role(f"left_{part}")].norm()) for part in ("knee", "foot"))
-        self.scale = leg / LEG
+        self.spine = [j for j in left if j in right]  # from the chest down to the hips
+        if (hips := self.skeleton.role("hips")) in self.spine:
+            self.spine = self.spine[: self.spine.index(hips) + 1]
+        hip, knee, foot = (self.skeleton.role(f"left_{part}") for part in ("hip", "knee", "foot"))
+        self.scale = float(self.bone(hip, knee).norm() + self.bone(knee, foot).norm()) / LEG
 
     def children(self, joint: int) -> list[int]:
         return [j for j, p in enumerate(self.skeleton.parents) if p == joint]
+
+    def bone(self, upper: int, lower: int) -> Tensor:
+        """From a joint to one below it, in the frame of the upper one; twist bones may lie between."""
+        if self.skeleton.parents[lower] == upper:
+            return self.skeleton.offsets[lower]
+        gap = self.positions[:, lower] - self.positions[:, upper]
+        return R.rotate(R.inverse(self.rotations[:, upper]), gap).mean(0)
 
     def up(self, joint: int) -> Tensor:
         """Along the bones that continue a joint of the trunk, so that a bent spine has its own up direction."""
@@ -109,10 +118,12 @@ class _Measured:
 
         The limb counts as straight where the lower bone continues the upper one, with the clip's mean twist.
         """
-        below = self.skeleton.parents[joint] == shape.joint
+        below = shape.joint in self.skeleton.ancestors(joint)
         lower, upper = (joint, shape.joint) if below else (shape.joint, joint)
-        bone = self.skeleton.offsets[lower]
-        local = R.unroll(self.clip.rotations[:, lower]).mean(0)
+        bone, local = self.bone(upper, lower), self.clip.rotations[:, lower]
+        if self.skeleton.parents[lower] != upper:
+            local = R.multiply(R.inverse(self.rotations[:, upper]), self.rotations[:, lower])
+        local = R.unroll(local).mean(0)
         turn = R.normalize(local) if float(local.norm()) > 1e-3 else R.identity()
         turn = R.to_matrix(R.multiply(R.between(R.rotate(turn, self.onward(lower)), R.normalize(self.onward(upper))), turn))
         turn, bone = turn.double().numpy(), bone.double().numpy()
@@ -186,14 +197,14 @@ def _limb(m: _Measured, side: str, s: float, drawn: set[int]) -> list[Shape]:
     shapes = []
     for upper, lower in (("hip", "knee"), ("knee", "foot"), ("shoulder", "elbow"), ("elbow", "hand")):
         a, b = m.skeleton.role(f"{side}_{upper}"), m.skeleton.role(f"{side}_{lower}")
-        bone, (r0, r1) = m.skeleton.offsets[b], RADII[upper]
+        bone, (r0, r1) = m.bone(a, b), RADII[upper]
         flesh = cone(a, 0.06 * bone, 0.94 * bone, (r0 * s, r1 * s), side)
         if lower != "foot":  # a foot does not continue its shin
             flesh = m.bend(flesh, b, 0.1 * s if lower == "hand" else 1.6 * r1 * s)
         if upper in ("knee", "elbow"):
             flesh = m.bend(flesh, m.skeleton.parents[a], 1.6 * r0 * s)
         shapes += [flesh, cone(b, ZERO, ZERO, (1.04 * r1 * s,) * 2, "joint")]
-        drawn.update((a, b))
+        drawn.update((a, b), m.skeleton.ancestors(b))
     shoulder = m.skeleton.role(f"{side}_shoulder")
     collar, bone = m.skeleton.parents[shoulder], m.skeleton.offsets[shoulder]
     return [*shapes, cone(shoulder, ZERO, ZERO, (0.056 * s,) * 2, "joint"),

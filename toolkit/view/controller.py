@@ -6,6 +6,7 @@ seconds (a closed tab, a cleared output) the kernel stops, until a page asks aga
 
 import asyncio
 import math
+import os
 from collections.abc import Mapping, Sequence
 
 import numpy as np
@@ -14,7 +15,8 @@ import traitlets
 
 from toolkit import runtime
 from toolkit.motion import Clip, trajectory
-from toolkit.runtime import FPS, Command
+from toolkit.runtime import FPS, CharacterState, Command
+from toolkit.view.character import Character
 from toolkit.view.frontend import running_loop, static
 from toolkit.view.page import skeleton_data
 from toolkit.view.triangle import Corners, corners
@@ -23,6 +25,13 @@ PATIENCE = 2.0  # seconds without a message from the page after which the charac
 TURN = 2.0  # radians per second while a turn key is held
 RUN = 2.2  # speed of a run, relative to walking
 EASE = 0.12  # share of the difference to the marker's blend that a frame removes
+
+
+def example(model, bank, state: CharacterState, character: Character | None) -> Clip:
+    """A clip of a model's skeleton: one frame for the mannequin, a walk from whose steps a character's height is found."""
+    if character is None:
+        return runtime.record(model, [state])
+    return runtime.rollout(model, runtime.straight(1.0, 2.0), bank.vectors[0])
 
 
 class Controller(Corners):
@@ -37,6 +46,9 @@ class Controller(Corners):
     speed, size
         Walking speed in metres per second, by default the natural speed of the first style (it can be changed later); width
         and height of the picture in pixels.
+    character
+        A glTF or VRM file with a skinned mesh, drawn in place of the mannequin. It follows the model's joints without foot
+        IK of its own.
 
     Attributes
     ----------
@@ -69,7 +81,8 @@ class Controller(Corners):
     _task: asyncio.Task | None = None  # None in a script, where `advance` moves the character
 
     def __init__(self, model, bank, *, styles: Sequence[str] | None = None, speed: float | None = None,
-                 size: tuple[int, int] = (640, 480)):
+                 size: tuple[int, int] = (640, 480),
+                 character: str | os.PathLike | Character | None = None):
         names = (list(bank.names) * 3)[:3] if styles is None else list(styles)
         if len(names) != 3:
             raise ValueError(f"a triangle has three styles, got {names}")
@@ -81,7 +94,8 @@ class Controller(Corners):
         self._input = {"id": 0, "move": [0.0, 0.0], "turn": 0.0, "run": False, "heading": None}
         self.frames = self._seen = 0
         self._recorded: list[tuple[torch.Tensor, torch.Tensor]] = []
-        skeleton = skeleton_data(runtime.record(model, [self.state]))
+        character = Character.of(character)
+        skeleton = skeleton_data(example(model, bank, self.state, character), character)
         super().__init__(names=names, weights=[1.0, 0.0, 0.0], styles=list(bank.names), speed=speed, size=list(size),
                          skeleton=skeleton)
         self.on_msg(self._receive)

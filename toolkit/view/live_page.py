@@ -17,13 +17,15 @@ from toolkit.features import CHANNELS, FRAME_KINDS, Layout
 from toolkit.io import bvh
 from toolkit.networks.film import EPSILON
 from toolkit.view import page
+from toolkit.view.character import Character
 
 CORNERS = "Neutral", "Zombie", "Aeroplane"  # the triangle's first corners, if the bank has them
 PANEL = 8  # outputs whose weights are stored together, see ``scene/network.js``
 
 
 def web(model, bank, path: str | os.PathLike, *, title: str = "A character under control",
-        styles: Sequence[str] | None = None, half: bool = False) -> Path:
+        styles: Sequence[str] | None = None, half: bool = False,
+        character: str | os.PathLike | Character | None = None) -> Path:
     """Write a page with a character that keyboard, touch, gamepad and a style triangle steer; opened by a double click.
 
     The whole runtime is in the page: features, network, trajectory, foot and arm IK, 60 frames a second. ``docs/runtime.md``
@@ -40,6 +42,9 @@ def web(model, bank, path: str | os.PathLike, *, title: str = "A character under
     half
         Store the experts' weights as float16, rounded to 3 decimal digits: half the file. The embedded model's are float16
         already.
+    character
+        A glTF or VRM file with a skinned mesh, drawn in place of the mannequin. It follows the model's joints without foot
+        IK of its own.
 
     Raises
     ------
@@ -56,10 +61,10 @@ def web(model, bank, path: str | os.PathLike, *, title: str = "A character under
     size = sum(layer.weight.numel() for layer in model.experts.layers) / 1e6
     caption = f"A neural network of {size:.1f} million weights makes every frame in this page: no server, no installation."
     start = "globalThis.view = toolkitScene.character(stage, data);"
-    return page.write(path, title, caption, pack(model, bank, half), start)
+    return page.write(path, title, caption, pack(model, bank, half, Character.of(character)), start)
 
 
-def pack(model, bank, half: bool = False) -> dict[str, Any]:
+def pack(model, bank, half: bool = False, character: Character | None = None) -> dict[str, Any]:
     """The data of ``scene/character.js``, which describes the format."""
     from toolkit.runtime.compiled import frame, ik  # imported on demand: numba is slow to import
     from toolkit.view import controller
@@ -84,7 +89,7 @@ def pack(model, bank, half: bool = False) -> dict[str, Any]:
         "rules": _plain(frame.Rules.of(layout)._asdict() | channels),
         "body": _plain(ik.Body.of(layout.skeleton)._asdict()),
         "start": {name: value[0].flatten().tolist() for name, value in vars(state).items() if name != "style"},
-        "skeleton": page.skeleton_data(runtime.record(model, [state])),
+        "skeleton": page.skeleton_data(controller.example(model, bank, state, character), character),
         "styles": list(bank.names),
         "vectors": numbers(bank.vectors),
         "turn": controller.TURN, "run": controller.RUN, "ease": controller.EASE,

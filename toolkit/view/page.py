@@ -16,6 +16,7 @@ from toolkit.io.files import atomic_write
 from toolkit.motion import Clip
 from toolkit.motion import rotations as R
 from toolkit.view import body
+from toolkit.view.character import Character
 from toolkit.view.frontend import static
 from toolkit.view.picture import cast, steady_frames
 
@@ -23,7 +24,7 @@ UNIT = 32767  # int16 steps of a quaternion's component
 
 
 def html(clips: Clip | Sequence[Clip], path: str | os.PathLike, *, title: str, caption: str = "", labels=None, contacts=None,
-         styles=None) -> Path:
+         styles=None, character: str | os.PathLike | Character | None = None) -> Path:
     """Write a page with the motion of clips, which opens by double click in any browser.
 
     Poses are stored as 16-bit quaternions and float32 root positions: about 1 MB a minute at 60 Hz, beside 0.6 MB of
@@ -40,6 +41,8 @@ def html(clips: Clip | Sequence[Clip], path: str | os.PathLike, *, title: str, c
     styles
         Weights of a style blend over time: ``{name: [F]}``, or one such mapping (or None) per clip. Three styles or more are
         shown as a polygon with a moving marker.
+    character
+        A glTF or VRM file with a skinned mesh, drawn in place of the mannequin (`toolkit.view.character.Character`).
 
     Raises
     ------
@@ -51,7 +54,8 @@ def html(clips: Clip | Sequence[Clip], path: str | os.PathLike, *, title: str, c
     if len(clips) > 9 or len(styles) != len(clips):
         raise ValueError(f"a page shows 1 to 9 clips with a style mapping each; got {len(clips)} clips, "
                          f"{len(styles)} style mappings")
-    packed = [pack(*row) for row in zip(clips, labels, contacts, styles, strict=True)]
+    figure = Character.of(character)
+    packed = [pack(*row, figure) for row in zip(clips, labels, contacts, styles, strict=True)]
     return write(path, title, caption, {"clips": packed}, "globalThis.view = toolkitScene.player(stage, data);")
 
 
@@ -73,8 +77,11 @@ def write(path: str | os.PathLike, title: str, caption: str, data: dict[str, Any
     return Path(path)
 
 
-def pack(clip: Clip, text: str, contacts: np.ndarray | None = None, weights: Mapping | None = None) -> dict:
+def pack(clip: Clip, text: str, contacts: np.ndarray | None = None, weights: Mapping | None = None,
+         character: Character | None = None) -> dict:
     """A clip as the browser's player takes it (``scene/player.js`` describes the format)."""
+    if character is not None:
+        clip = character.fitted(clip)
     joints = [j for j in range(len(clip.skeleton)) if not clip.skeleton.is_end(j)]
     rotations = R.unroll(R.normalize(clip.rotations[:, joints]))
     styles = None
@@ -88,7 +95,7 @@ def pack(clip: Clip, text: str, contacts: np.ndarray | None = None, weights: Map
         "fps": clip.fps,
         "frames": len(clip),
         "facing": float(steady_frames(clip, 0.5)[1][0]),
-        "skeleton": skeleton_data(clip),
+        "skeleton": skeleton_data(clip) if character is None else tree(clip) | {"mesh": character.packed()},
         "joints": joints,
         "root": _base64(clip.root_positions.numpy(), np.float32),
         "rotations": _base64(rotations.numpy() * UNIT, np.int16),
@@ -97,8 +104,13 @@ def pack(clip: Clip, text: str, contacts: np.ndarray | None = None, weights: Map
     }
 
 
-def skeleton_data(clip: Clip) -> dict:
-    """Skeleton and mannequin as the browser's scene takes them (``scene/body.js`` describes the format)."""
+def skeleton_data(clip: Clip, character: Character | None = None) -> dict:
+    """Skeleton and mannequin as the browser's scene takes them (``scene/body.js`` describes the format).
+
+    A ``character`` takes the mannequin's place and follows the clip's joints (``scene/figure.js``).
+    """
+    if character is not None:
+        return tree(clip) | {"mesh": character.packed(character.following(clip))}
     shapes = [
         {"joint": s.joint, "place": s.place.round(6).ravel().tolist(), "length": round(s.length, 6),
          "radii": [round(r, 6) for r in s.radii], "color": body.COLORS[s.tone], "foot": s.foot,
@@ -106,8 +118,13 @@ def skeleton_data(clip: Clip) -> dict:
                     "width": round(b.width, 6)} for b in s.bends]}
         for s in body.build(clip)
     ]
+    return tree(clip) | {"shapes": shapes}
+
+
+def tree(clip: Clip) -> dict:
+    """Parents and offsets of a clip's skeleton."""
     offsets = [[round(x, 6) for x in offset] for offset in clip.skeleton.offsets.tolist()]
-    return {"parents": list(clip.skeleton.parents), "offsets": offsets, "shapes": shapes}
+    return {"parents": list(clip.skeleton.parents), "offsets": offsets}
 
 
 def unpack(packed: Mapping, clip: Clip) -> Clip:

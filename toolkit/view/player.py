@@ -9,6 +9,7 @@ page gets one every `PATIENCE` seconds.
 import asyncio
 import base64
 import math
+import os
 import threading
 import time
 from collections.abc import Sequence
@@ -22,6 +23,7 @@ from PIL import Image
 
 from toolkit.motion import Clip
 from toolkit.view import overlay, renderers
+from toolkit.view.character import Character
 from toolkit.view.frontend import Screen, in_notebook, require_main_thread, running_loop
 from toolkit.view.picture import INK, PAPER, cast, per_clip, strip
 
@@ -29,13 +31,14 @@ IDLE = 600.0  # seconds of playback without user input after which it pauses
 RATE = 60.0  # pictures per second at most
 AHEAD = 3  # pictures that may be unanswered during playback
 REST = 0.25  # seconds of pause before the picture is drawn again with smooth edges
+STRIP = 8  # pictures of a strip
 PATIENCE = 2.0  # seconds after which the next picture is drawn without an answer
 SWITCHES = {"path": "Path", "contacts": "Contacts", "trajectory": "Trajectory", "phases": "Phases"}
 
 
 def play(clips: Clip | Sequence[Clip], *, labels: Sequence[str] | None = None, contacts=None, phases=None,
-         together: bool = False, size: tuple[int, int] = (640, 480),
-         playing: bool = False) -> "Player | Figure":
+         together: bool = False, size: tuple[int, int] = (640, 480), playing: bool = False,
+         character: str | os.PathLike | Character | None = None) -> "Player | Figure":
     """Play one clip or several in a notebook, side by side. Outside of notebooks, return a picture strip.
 
     Parameters
@@ -52,6 +55,9 @@ def play(clips: Clip | Sequence[Clip], *, labels: Sequence[str] | None = None, c
         Show the clips in one scene, each in its place, instead of side by side.
     size, playing
         Pixels of the picture, width and height; whether to start at once.
+    character
+        A glTF or VRM file with a skinned mesh, drawn in place of the mannequin; the clips are put on its rig
+        (`toolkit.view.character.Character`).
 
     Raises
     ------
@@ -59,8 +65,24 @@ def play(clips: Clip | Sequence[Clip], *, labels: Sequence[str] | None = None, c
         If there is no clip, or labels, contacts or phases do not fit the clips.
     """
     if not in_notebook():
-        return strip(clips, contacts=contacts, labels=labels)
-    return Player(clips, labels=labels, contacts=contacts, phases=phases, together=together, size=size, playing=playing)
+        return strip(clips, contacts=contacts, labels=labels) if character is None else _figure_strip(clips, character)
+    return Player(clips, labels=labels, contacts=contacts, phases=phases, together=together, size=size, playing=playing,
+                  character=character)
+
+
+def _figure_strip(clips: Clip | Sequence[Clip], character: str | os.PathLike | Character) -> Figure:
+    """Pictures of a character at even times, a row for each clip."""
+    clips, figure = [clips] if isinstance(clips, Clip) else list(clips), Character.of(character)
+    sheet = Figure(figsize=(1.4 * STRIP, 1.9 * len(clips)), facecolor=PAPER)
+    for row, clip in enumerate(clips):
+        fitted = figure.fitted(clip)
+        scene = renderers.best([renderers.Character(fitted, figure=figure)], (280, 380))
+        for column, frame in enumerate(np.linspace(0, len(clip) - 1, STRIP).round().astype(int).tolist()):
+            axes = sheet.add_axes((column / STRIP, 1 - (row + 1) / len(clips), 1 / STRIP, 1 / len(clips)))
+            axes.imshow(scene.draw([frame], fine=True))
+            axes.set_axis_off()
+        scene.close()
+    return sheet
 
 
 class Player(widgets.VBox):
@@ -81,8 +103,10 @@ class Player(widgets.VBox):
     _current: "Player | None" = None
 
     def __init__(self, clips: Clip | Sequence[Clip], *, labels: Sequence[str] | None = None, contacts=None, phases=None,
-                 together: bool = False, size: tuple[int, int] = (640, 480), playing: bool = False):
+                 together: bool = False, size: tuple[int, int] = (640, 480), playing: bool = False,
+                 character: str | os.PathLike | Character | None = None):
         require_main_thread()
+        self._figure = Character.of(character)
         self.rate = RATE
         self._size, self._together = size, together
         self._scenes: list[renderers.PyvistaRenderer | renderers.SoftwareRenderer] = []
@@ -154,8 +178,10 @@ class Player(widgets.VBox):
         """Show other clips, from the current frame on if they are long enough; arguments as in `play`."""
         require_main_thread()
         clips, labels, contacts = cast(clips, labels, contacts)
-        rows = zip(clips, contacts, per_clip("phases", phases, clips, 4, 2), labels, strict=True)
-        characters = [renderers.Character(*row) for row in rows]
+        shown = clips if self._figure is None else [self._figure.fitted(clip) for clip in clips]
+        rows = zip(shown, contacts, per_clip("phases", phases, clips, 4, 2), labels, strict=True)
+        characters = [renderers.Character(*row, self._figure) for row in rows]
+        clips = shown
         casts = [characters] if self._together else [[character] for character in characters]
         self._columns = len(casts) if len(casts) < 4 else math.ceil(math.sqrt(len(casts)))
         self._cell = self._size[0] // self._columns, self._size[1] // -(-len(casts) // self._columns)

@@ -5,6 +5,7 @@ import json
 import math
 import random
 import re
+import struct
 from collections.abc import Callable
 
 import numpy as np
@@ -19,6 +20,8 @@ RUBBISH = (b"\0", b"\0" * 64, b"\xef\xbb\xbf", b"\xff\xfe", b"\xe2\x80\xa8", b"\
            b"\r\n", b"\n" * 9, b"\t", b"\xf0\x9f\xa6\xb6")
 VALUES = (None, True, False, -1, 0, 1, 3, 2**31, 2**63, 10**12, 10**30, 0.5, 1e308, math.nan, math.inf, "", "x", "Hips",
           "-1", "\0", "\ud800", [], {}, [[]], [0], ["a", "a"], {"a": 1}, [math.nan] * 3, "@deep")
+WHOLE = (0, 1, 2, 3, 7, 255, 256, 65535, 2**31 - 1, 2**31, 2**32 - 1, 2**63 - 1, 2**63, 2**64 - 1)
+FLOATS = (math.nan, math.inf, -math.inf, 0.0, -1.0, 1e30, 3e38, 1e-40)
 LONGEST = 200_000  # bytes, longest mutated text
 DEEP = "[" * 3000  # replaces "@deep" in a JSON text
 
@@ -104,6 +107,30 @@ _TEXT: tuple[Mutate, ...] = (
     _token(_TOKEN, lambda rng, old: rng.choice((b"", old + b" " + old, old + rng.choice(RUBBISH)))),
     _lines, _bytes, _encoding, _frames, _nested,
 )
+
+
+def flipped(rng: random.Random, data: bytes, *, in_place: bool = False) -> bytes:
+    """A binary file with a few wrong bits, whole numbers or floats, or, unless ``in_place``, a part less or more."""
+    for _ in range(rng.choice((1, 1, 1, 2, 4, 8))):
+        at = rng.randrange(len(data) + 1)
+        match rng.randrange(3 * in_place, 8):
+            case 0:
+                data = _bytes(rng, data)
+            case 1:
+                data = data[:at]
+            case 2:
+                to = rng.randrange(len(data) + 1)
+                data = data[:at] + data[to : to + rng.choice((1, 4, 16, 64))] + data[at:]
+            case 3 | 4:
+                size = rng.choice((1, 2, 4, 8))
+                new = (rng.choice(WHOLE) % 256**size).to_bytes(size, "little")
+                data = data[:at] + new + data[at + len(new) :]
+            case 5:
+                new = struct.pack(rng.choice(("<f", "<d")), rng.choice(FLOATS))
+                data = data[:at] + new + data[at + len(new) :]
+            case _ if at < len(data):
+                data = data[:at] + bytes([data[at] ^ 1 << rng.randrange(8)]) + data[at + 1 :]
+    return data
 
 
 def tree(rng: random.Random, node: object) -> object:

@@ -2,6 +2,7 @@
 
 import contextlib
 import copy
+import functools
 import io
 import json
 import random
@@ -11,7 +12,7 @@ from pathlib import Path
 from unittest import mock
 
 import numpy as np
-from robustness.fuzz import mutations
+from robustness.fuzz import foreign, mutations
 from robustness.fuzz.trials import Reader
 from typer.core import TyperCommand
 
@@ -66,6 +67,7 @@ class _Reached(ValueError):  # noqa: N818 (not an error)
 def make(folder: Path, target: str = "all") -> dict[str, list[Reader]]:
     """Readers by target; their files are made in ``folder``, which must not be deleted during use."""
     makers = {"bvh": _bvh, "csv": _csv, "model": _model, "store": _store, "cli": _cli}
+    makers |= {name: functools.partial(foreign.make, name) for name in ("gltf", "fbx", "amc", "npz")}
     if target not in (*makers, "all"):
         raise ValueError(f"unknown target {target!r}; known: {', '.join(makers)}, all")
     folder = folder.resolve()

@@ -45,7 +45,7 @@ export class Body {
   // detail: [vertices around, rings in a cap]; light: direction towards the lamp; plain: light is computed here, not by WebGL
   constructor(skeleton, detail, light, plain) {
     const [around, caps] = detail, index = [], coarse = [];
-    Object.assign(this, { skeleton, plain, light: light.clone().normalize(), touching: {} });
+    Object.assign(this, { skeleton, plain, light: light.clone().normalize(), touching: {}, scale: 1 }); // scale of its path
     this.world = new Float32Array(12 * skeleton.parents.length);
     this.local = new Float32Array(12);
     let vertices = 0;
@@ -157,20 +157,22 @@ export class Body {
 
   // colours of all vertices; with plain also their light: matt, with light from sky, floor and one lamp
   paint() {
-    const color = this.color.array, normal = this.normal.array, { x, y, z } = this.light;
     for (const { foot, first, count, tones } of this.parts) {
-      const tone = tones[Number(!!this.touching[foot])];
-      for (let i = 3 * first, end = 3 * (first + count); i < end; i += 3) {
-        if (!this.plain) {
-          color.set(tone, i);
-          continue;
-        }
-        const up = 0.5 + 0.5 * normal[i + 1], lamp = Math.max(normal[i] * x + normal[i + 1] * y + normal[i + 2] * z, 0);
-        for (let k = 0; k < 3; k++)
-          color[i + k] = GAMMA[Math.min(1024 * tone[k] * (GROUND[k] + up * (SKY[k] - GROUND[k]) + lamp * SUN[k]), 1024) | 0];
-      }
+      const tone = tones[Number(!!this.touching[foot])], end = 3 * (first + count);
+      if (this.plain) this.shade(3 * first, end, tone);
+      else for (let i = 3 * first; i < end; i += 3) this.color.array.set(tone, i);
     }
     this.color.needsUpdate = true;
+  }
+
+  // light on the vertices whose numbers are at `from` up to `end`; tones are one colour or one for each, in linear light
+  shade(from, end, tones) {
+    const color = this.color.array, normal = this.normal.array, { x, y, z } = this.light, step = tones.length > 3 ? 3 : 0;
+    for (let i = from, at = 0; i < end; i += 3, at += step) {
+      const up = 0.5 + 0.5 * normal[i + 1], lamp = Math.max(normal[i] * x + normal[i + 1] * y + normal[i + 2] * z, 0);
+      for (let k = 0; k < 3; k++)
+        color[i + k] = GAMMA[Math.min(1024 * tones[at + k] * (GROUND[k] + up * (SKY[k] - GROUND[k]) + lamp * SUN[k]), 1024) | 0];
+    }
   }
 
   dispose() {

@@ -58,10 +58,10 @@ function arrows(scene) {
   const matrix = new THREE.Matrix4();
   return {
     mesh,
-    show(points) {
+    show(points, scale) {
       for (let i = 0; i < SAMPLES; i++) {
         const [x, z, dx, dz] = points.subarray(4 * i, 4 * i + 4);
-        matrix.makeRotationY(Math.atan2(dx, dz)).setPosition(x, 0.008, z);
+        matrix.makeRotationY(Math.atan2(dx, dz)).setPosition(scale * x, 0.008, scale * z);
         mesh.setMatrixAt(i, matrix);
       }
       mesh.instanceMatrix.needsUpdate = true;
@@ -250,11 +250,11 @@ export function render({ model, el }) {
     scene.setPose(place, rotations);
     scene.setContacts(shown.contacts ? { right: contacts[0] > 0.5, left: contacts[1] > 0.5 } : {});
     ground.mesh.visible = shown.trajectory;
-    ground.show(trajectory);
+    ground.show(trajectory, scene.body.scale);
     locals.phases.hidden = phase.length < 2 * LIMBS.length;
     phases.box.hidden = !shown.phases || locals.phases.hidden;
     if (!phases.box.hidden && stats.drawn % 3 === 0) phases.show(phase); // updating the page takes longer than the picture
-    scene.follow(place[0], place[2], { jump: first });
+    scene.follow(scene.body.scale * place[0], scene.body.scale * place[2], { jump: first });
     if (shown.chase) turnBehind(Math.atan2(trajectory[4 * NOW + 2], trajectory[4 * NOW + 3]));
     first = false;
   }

@@ -2,6 +2,7 @@
 import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { Body } from "./body.js";
+import { Figure } from "./figure.js";
 
 const SKY = "#f3f1ec", FLOOR = "#eae6de", GRID = "#d8d3c8", SHADE = "#cdc8be", PLAIN = { back: "#efece6", line: "#cbc5b9" };
 
@@ -119,7 +120,8 @@ export class Scene {
     this.floor.add(this.shade);
     this.scene.add(this.floor);
 
-    this.body = new Body(skeleton, software ? [10, 2] : [24, 6], this.light, software);
+    this.body = skeleton.mesh ? new Figure(skeleton, this.light, software)
+      : new Body(skeleton, software ? [10, 2] : [24, 6], this.light, software);
     this.flat = this.body.shadow(SHADE);
     this.scene.add(this.body.mesh, this.flat);
 

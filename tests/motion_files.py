@@ -1,0 +1,179 @@
+"""Small files of other tools' formats, written for tests: glTF, FBX, ASF and AMC, NumPy."""
+
+import io
+import json
+import struct
+import zlib
+
+import numpy as np
+import torch
+
+import toolkit as tk
+from toolkit.io import npz
+from toolkit.motion import retargeting
+from toolkit.motion import rotations as R
+
+TYPES = {"f4": 5126, "i2": 5122, "u2": 5123, "u1": 5121, "i1": 5120, "u4": 5125}
+SECOND = 46186158000
+
+
+class Document:
+    """A glTF document and its buffer; arrays are added to it."""
+
+    def __init__(self, nodes, **more):
+        self.json = {"asset": {"version": "2.0"}, "nodes": nodes, "bufferViews": [], "accessors": [], **more}
+        self.data = b""
+
+    def add(self, values, **more):
+        values = np.ascontiguousarray(values)
+        kind = {0: "SCALAR", 1: "SCALAR", 3: "VEC3", 4: "VEC4"}[1 if values.ndim == 1 else values.shape[1]]
+        self.json["bufferViews"].append({"buffer": 0, "byteOffset": len(self.data), "byteLength": values.nbytes})
+        self.json["accessors"].append({"bufferView": len(self.json["bufferViews"]) - 1, "count": len(values), "type": kind,
+                                       "componentType": TYPES[values.dtype.str[1:]], **more})
+        self.data += values.tobytes() + b"\0" * (-values.nbytes % 4)
+        return len(self.json["accessors"]) - 1
+
+    def animate(self, *tracks, name="walk"):
+        """Add an animation: node, path, times, values, interpolation (and more fields of the values' accessor)."""
+        made = {"name": name, "channels": [], "samplers": []}
+        for node, what, times, values, kind, *more in tracks:
+            made["channels"].append({"sampler": len(made["samplers"]), "target": {"node": node, "path": what}})
+            made["samplers"].append({"input": self.add(np.float32(times)), "output": self.add(values, **(more or [{}])[0]),
+                                     "interpolation": kind})
+        self.json.setdefault("animations", []).append(made)
+        return self
+
+    def glb(self):
+        self.json["buffers"] = [{"byteLength": len(self.data)}]
+        return glb(self.json, self.data)
+
+
+def glb(document, data):
+    text = json.dumps(document).encode()
+    text += b" " * (-len(text) % 4)
+    chunks = b"".join(struct.pack("<I4s", len(x), kind) + x for x, kind in ((text, b"JSON"), (data, b"BIN\0")))
+    return struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks
+
+
+def fbx(records, version=7400, *, pack_arrays=True):
+    """A binary FBX file of records ``(name, properties, children)``."""
+    head, size = ("<QQQB", 25) if version >= 7500 else ("<IIIB", 13)
+
+    def value(x):
+        match x:
+            case bool():
+                return b"C" + struct.pack("<B", x)
+            case int():
+                return b"L" + struct.pack("<q", x)
+            case float():
+                return b"D" + struct.pack("<d", x)
+            case str():
+                return b"S" + struct.pack("<I", len(x.encode())) + x.encode()
+            case np.ndarray():
+                data = zlib.compress(x.tobytes()) if pack_arrays else x.tobytes()
+                letter = {"f4": b"f", "f8": b"d", "i8": b"l", "i4": b"i"}[x.dtype.str[1:]]
+                return letter + struct.pack("<III", len(x), pack_arrays, len(data)) + data
+
+    def pack(of, at):
+        name, properties, children = of
+        body = b"".join(map(value, properties))
+        start = at + size + len(name) + len(body)
+        inside = b""
+        for child in children:
+            inside += pack(child, start + len(inside))
+        inside += b"\0" * size if children else b""
+        return struct.pack(head, start + len(inside), len(properties), len(body), len(name)) + name.encode() + body + inside
+
+    made = b"Kaydara FBX Binary  \0\x1a\0" + struct.pack("<I", version)
+    for of in records:
+        made += pack(of, len(made))
+    return made + b"\0" * size
+
+
+def table(**values):
+    """A record of properties."""
+    return ("Properties70", [], [("P", [name.replace("_", " "), "", "", "A", *value], [])
+                                 for name, value in values.items()])
+
+
+def fbx_scene(models, curves, *, settings=None, version=7400, pack_arrays=True):
+    """A scene of models ``{name: (parent, properties)}`` and of curves.
+
+    ``curves`` are ``{(model, property, axis): (times, values, flags, data)}``.
+    """
+    ids = {name: 10 + i for i, name in enumerate(models)}
+    objects = [("Model", [ids[name], f"{name}\0\x01Model", "LimbNode"], [table(**values)])
+               for name, (_, values) in models.items()]
+    links = [("C", ["OO", ids[name], ids.get(parent, 0)], []) for name, (parent, _) in models.items()]
+    objects.append(("AnimationStack", [1, "Take\0\x01AnimStack", ""], []))
+    objects.append(("AnimationLayer", [2, "Base\0\x01AnimLayer", ""], []))
+    links.append(("C", ["OO", 2, 1], []))
+    nodes = {}
+    for i, ((model, what, axis), (times, values, flags, data)) in enumerate(curves.items()):
+        if (model, what) not in nodes:
+            nodes[model, what] = 1000 + len(nodes)
+            objects.append(("AnimationCurveNode", [nodes[model, what], "T\0\x01AnimCurveNode", ""], []))
+            links += [("C", ["OO", nodes[model, what], 2], []), ("C", ["OP", nodes[model, what], ids[model], what], [])]
+        parts = [("KeyTime", [np.round(np.array(times) * SECOND).astype("<i8")]), ("KeyValueFloat", [np.float32(values)]),
+                 ("KeyAttrFlags", [np.array(flags, "<i4")]), ("KeyAttrDataFloat", [np.float32(data).ravel()]),
+                 ("KeyAttrRefCount", [np.ones(len(times), "<i4")])]
+        objects.append(("AnimationCurve", [5000 + i, "\0\x01AnimCurve", ""], [(n, p, []) for n, p in parts]))
+        links.append(("C", ["OP", 5000 + i, nodes[model, what], f"d|{axis}"], []))
+    wide = {"UpAxis": [1], "UpAxisSign": [1], "UnitScaleFactor": [1.0], "TimeMode": [6]} | (settings or {})
+    return fbx([("GlobalSettings", [], [table(**wide)]), ("Objects", [], objects), ("Connections", [], links)], version,
+               pack_arrays=pack_arrays)
+
+
+def acclaim(clip, *, seed=0, degrees=True, order="XYZ", digits=9):
+    """A clip as ASF and AMC text: a bone for each joint but the root, named like it, with axes turned at random.
+
+    A bone reaches from the parent joint to the joint, and has the parent joint's rotation.
+    """
+    skeleton, rng = clip.skeleton, np.random.default_rng(seed)
+    turn = 180 / np.pi if degrees else 1.0
+    axes = torch.from_numpy(rng.uniform(-2, 2, (len(skeleton), 3)))
+    frames = [R.from_euler(a.flip(0), order[::-1]) for a in axes]
+    bones, hierarchy, numbers = [], {}, {}
+    for j, p in enumerate(skeleton.parents[1:], 1):
+        length = float(skeleton.offsets[j].double().norm())
+        direction = (skeleton.offsets[j].double() / max(length, 1e-12)).tolist()
+        dof = "dof rx ry rz" if p else ""
+        bones.append(f"begin\n id {j}\n name b{j}\n direction {' '.join(map(str, direction))}\n length {length!r}\n"
+                     f" axis {' '.join(str(x) for x in (axes[j] * turn).tolist())} {order}\n {dof}\nend")
+        hierarchy.setdefault(f"b{p}" if p else "root", []).append(f"b{j}")
+        if p:
+            own = R.multiply(R.multiply(R.inverse(frames[j]), clip.rotations[:, p].double()), frames[j])
+            numbers[f"b{j}"] = R.to_euler(own, "ZYX").flip(-1) * turn
+    own = R.multiply(R.multiply(R.inverse(frames[0]), clip.rotations[:, 0].double()), frames[0])
+    numbers = {"root": torch.cat((clip.root_positions.double(), R.to_euler(own, "ZYX").flip(-1) * turn), 1)} | numbers
+    asf = "\n".join([
+        ":version 1.10", ":units", "mass 1.0", "length 1.0", f"angle {'deg' if degrees else 'rad'}", ":root",
+        "order TX TY TZ RX RY RZ", f"axis {order}", "position 0 0 0",
+        f"orientation {' '.join(str(x) for x in (axes[0] * turn).tolist())}", ":bonedata", *bones, ":hierarchy", "begin",
+        *[f" {parent} {' '.join(below)}" for parent, below in hierarchy.items()], "end", ""])
+    rows = [f":FULLY-SPECIFIED\n:{'DEGREES' if degrees else 'RADIANS'}"]
+    for f in range(len(clip)):
+        rows.append(str(f + 1))
+        rows += [" ".join([name, *[f"{x:.{digits}g}" for x in values[f].tolist()]]) for name, values in numbers.items()]
+    return asf, "\n".join(rows) + "\n"
+
+
+def smpl_walk(seconds=1.0):
+    """A procedural walk on SMPL's joints."""
+    clip = tk.datasets.load("procedural", styles=["Neutral"], gaits=["FW"], seconds=seconds)[0]
+    offsets = npz._rest(22).float()
+    offsets[1:] += 0.02 * torch.randn(21, 3, generator=torch.Generator().manual_seed(0))
+    return retargeting.retarget(clip, tk.Skeleton(npz.BODY, npz.PARENTS[:22], offsets, roles=npz.ROLES, ends=()))
+
+
+def axis_angles(q):
+    """Rotation vectors of quaternions."""
+    q = torch.where(q[..., :1] < 0, -q, q).double()
+    sine = q[..., 1:].norm(dim=-1, keepdim=True)
+    return 2 * torch.atan2(sine, q[..., :1]) * q[..., 1:] / sine.clamp_min(1e-12)
+
+
+def packed(**arrays):
+    file = io.BytesIO()
+    np.savez_compressed(file, **{name: np.asarray(value) for name, value in arrays.items()})
+    return file.getvalue()

@@ -1,0 +1,250 @@
+"""The skinned mesh of a glTF file (.glb, .gltf, .vrm): vertices, triangles, weights and colours over its skeleton."""
+
+import io
+import os
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from toolkit.io import gltf
+from toolkit.io.nodes import printable
+
+SLOTS = 4  # joints that a vertex may follow
+GREY = 0.8  # linear base colour where the file gives none
+
+
+@dataclass(frozen=True, eq=False)
+class SkinnedMesh:
+    """A mesh over the nodes of a file, in metres with y up. The tree of J joints holds all joints of the skin."""
+
+    names: tuple[str, ...]  # J, unique
+    parents: tuple[int, ...]  # the root comes first with -1
+    nodes: tuple[int, ...]  # J, number of each joint's node in the file
+    above: np.ndarray  # [4, 4] world transform of the node above the root
+    rest: np.ndarray  # [J, 4, 4] world transforms of the joints in the pose of the nodes
+    bind: np.ndarray  # [J, 4, 4] the same in the pose in which the mesh was bound to them
+    points: np.ndarray  # [V, 3] in the world, in the bind pose
+    triangles: np.ndarray  # [T, 3]
+    joints: np.ndarray  # [V, 4]
+    weights: np.ndarray  # [V, 4] with sum 1
+    colors: np.ndarray  # [V, 3] uint8, base colour (sRGB); a texture is read at each vertex
+
+
+def read(path: str | os.PathLike) -> SkinnedMesh:
+    """Read the skinned meshes of a glTF file as one mesh; meshes that hang on a joint without a skin are included.
+
+    Morph targets are left out, and of textures only the base colour is used.
+
+    Raises
+    ------
+    toolkit.io.gltf.GLTFError
+        If the file is not glTF or damaged, holds no skinned mesh, or its mesh is compressed.
+    """
+    path = Path(path)
+    try:
+        with np.errstate(all="ignore"):  # numbers that are not finite are refused
+            return _Reader(path).mesh()
+    except gltf.GLTFError:
+        raise
+    except (ValueError, IndexError, np.linalg.LinAlgError) as error:
+        raise gltf.GLTFError(f"{path}: {error}") from error
+
+
+class _Reader:
+    """A file's nodes with their world transforms."""
+
+    def __init__(self, path: Path):
+        self.file = gltf._File(path)
+        self.document = self.file.document
+        self.nodes = gltf._dicts(self.document, "nodes")
+        self.parents = [-1] * len(self.nodes)
+        for j, node in enumerate(self.nodes):
+            for child in gltf._indices(node, "children", len(self.nodes)):
+                if self.parents[child] >= 0 or child == j:
+                    raise ValueError(f"node {child} has two parents")
+                self.parents[child] = j
+        self.world: dict[int, np.ndarray] = {}
+        self.images: dict[int, np.ndarray | None] = {}
+
+    def place(self, j: int) -> np.ndarray:
+        """World transform ``[4, 4]`` of a node."""
+        chain = [j]
+        while self.parents[chain[-1]] >= 0 and chain[-1] not in self.world:
+            chain.append(self.parents[chain[-1]])
+            if len(chain) > len(self.nodes):
+                raise ValueError("some nodes are their own ancestors")
+        for k in reversed(chain):
+            if k not in self.world:
+                above = self.world[self.parents[k]] if self.parents[k] >= 0 else np.eye(4)
+                self.world[k] = above @ _transform(self.nodes[k])
+        return self.world[j]
+
+    def mesh(self) -> SkinnedMesh:
+        """All meshes that follow joints, as one."""
+        skins = gltf._dicts(self.document, "skins")
+        listed = [gltf._indices(skin, "joints", len(self.nodes)) for skin in skins]
+        skinned = [(j, gltf._index(node, "skin", len(skins))) for j, node in enumerate(self.nodes)
+                   if "mesh" in node and "skin" in node]
+        if not skinned:
+            raise ValueError("it holds no skinned mesh, so there is no character to draw")
+        inverse: dict[int, np.ndarray] = {}
+        for skin, joints in zip(skins, listed, strict=True):
+            if "inverseBindMatrices" in skin:
+                matrices = self.file._array(skin["inverseBindMatrices"], 16).reshape(-1, 4, 4).swapaxes(1, 2)
+            else:
+                matrices = np.eye(4)[None].repeat(len(joints), 0)
+            if len(matrices) < len(joints):
+                raise ValueError("a skin has fewer inverse bind matrices than joints")
+            for j, matrix in zip(joints, matrices, strict=False):
+                inverse.setdefault(j, matrix)
+        order = self._tree({j for joints in listed for j in joints})
+        at = {j: i for i, j in enumerate(order)}
+        first = next(j for j in order if j in inverse)
+        shift = self.place(first) @ inverse[first]  # from the space of the mesh to the world
+        bind = np.empty((len(order), 4, 4))
+        for i, j in enumerate(order):
+            if j in inverse:
+                bind[i] = shift @ np.linalg.inv(inverse[j])
+            else:
+                bind[i] = self.place(j)
+                if (above := self.parents[j]) in at:
+                    bind[i] = bind[at[above]] @ np.linalg.inv(self.place(above)) @ bind[i]
+        parts = [self._primitives(j, listed[skin], at, shift) for j, skin in skinned]
+        parts += [self._primitives(j, None, at, bind[at[a]] @ np.linalg.inv(self.place(a)) @ self.place(j), a)
+                  for j, node in enumerate(self.nodes) if "mesh" in node and "skin" not in node
+                  and (a := self._above(j, at)) is not None]
+        rows = [row for part in parts for row in part]
+        if not rows:
+            raise ValueError("its meshes have no triangles")
+        counts = np.cumsum([0, *(len(row[0]) for row in rows)])
+        points, joints, weights, colors = (np.concatenate([row[i] for row in rows]) for i in (0, 2, 3, 4))
+        triangles = np.concatenate([row[1] + count for row, count in zip(rows, counts, strict=False)])
+        names = _unique([printable(self.nodes[j].get("name", "")) or f"node{j}" for j in order])
+        top = self.parents[order[0]]
+        return SkinnedMesh(names, tuple(at.get(self.parents[j], -1) for j in order), tuple(order),
+                           self.place(top) if top >= 0 else np.eye(4), np.stack([self.place(j) for j in order]), bind,
+                           points, triangles, joints, weights, colors)
+
+    def _tree(self, joints: set[int]) -> list[int]:
+        """Joints and the nodes between them, parents first, below one root."""
+        paths = []
+        for j in joints:
+            self.place(j)  # refuses circles
+            path = [j]
+            while self.parents[path[-1]] >= 0:
+                path.append(self.parents[path[-1]])
+            paths.append(path[::-1])
+        shared = 0
+        while all(len(path) > shared for path in paths) and len({path[shared] for path in paths}) == 1:
+            shared += 1
+        if not shared:
+            raise ValueError("the joints of its skins have no common ancestor")
+        kept = {j for path in paths for j in path[shared - 1 :]}
+        found, stack = [], [paths[0][shared - 1]]
+        while stack:
+            j = stack.pop()
+            found.append(j)
+            stack += [c for c in reversed(gltf._indices(self.nodes[j], "children", len(self.nodes))) if c in kept]
+        return found
+
+    def _above(self, j: int, at: dict[int, int]) -> int | None:
+        """The joint that a node hangs on."""
+        while j >= 0 and j not in at:
+            j = self.parents[j]
+        return j if j >= 0 else None
+
+    def _primitives(self, node: int, skin: list[int] | None, at: dict[int, int], place: np.ndarray,
+                    host: int = -1) -> list[tuple[np.ndarray, ...]]:
+        """Points, triangles, joints, weights and colours of each primitive of a node's mesh."""
+        meshes = gltf._dicts(self.document, "meshes")
+        found = []
+        for primitive in gltf._dicts(meshes[gltf._index(self.nodes[node], "mesh", len(meshes))], "primitives"):
+            if "KHR_draco_mesh_compression" in gltf._dict(primitive, "extensions"):
+                raise ValueError("its mesh is compressed by KHR_draco_mesh_compression; unpack it with gltf-transform")
+            attributes = gltf._dict(primitive, "attributes")
+            if primitive.get("mode", 4) != 4 or "POSITION" not in attributes:
+                continue  # points and lines
+            points = self.file._array(attributes["POSITION"], 3)
+            corners = self.file._array(primitive["indices"], 1)[:, 0] if "indices" in primitive else np.arange(len(points))
+            if not ((corners >= 0) & (corners < len(points))).all():
+                raise ValueError("a triangle has a vertex that does not exist")
+            triangles = corners[: len(corners) // 3 * 3].astype(np.int64).reshape(-1, 3)
+            if skin is None:
+                joints, weights = np.zeros((len(points), SLOTS), int), np.eye(1, SLOTS).repeat(len(points), 0)
+                joints += at[host]
+            else:
+                if not {"JOINTS_0", "WEIGHTS_0"} <= attributes.keys():
+                    raise ValueError("a skinned mesh has no weights")
+                own, weights = (self.file._array(attributes[k], SLOTS) for k in ("JOINTS_0", "WEIGHTS_0"))
+                if not len(own) == len(weights) == len(points) or not ((own >= 0) & (own < len(skin))).all():
+                    raise ValueError("the weights of a mesh do not fit its vertices and joints")
+                weights = np.maximum(weights, 0)
+                weights = np.where(weights.sum(1, keepdims=True) > 1e-6, weights, np.eye(1, SLOTS))
+                joints = np.array([at[j] for j in skin])[own.astype(int)]
+            found.append((points @ place[:3, :3].T + place[:3, 3], triangles, joints,
+                          weights / weights.sum(1, keepdims=True), self._colors(primitive, attributes, len(points))))
+        return found
+
+    def _colors(self, primitive: dict, attributes: dict, count: int) -> np.ndarray:
+        """Base colour ``[V, 3]`` uint8 of each vertex: the material's colour times its texture there."""
+        materials = gltf._dicts(self.document, "materials")
+        material = materials[gltf._index(primitive, "material", len(materials))] if "material" in primitive else {}
+        surface = gltf._dict(material, "pbrMetallicRoughness")
+        linear = gltf._numbers(surface, "baseColorFactor", 4, (1.0,) * 4)[:3] if surface else np.full(3, GREY)
+        tone = np.clip(linear, 0, 1)[None].repeat(count, 0) ** (1 / 2.2)
+        texture = gltf._dict(surface, "baseColorTexture")
+        image = self._image(texture) if texture else None
+        place = f"TEXCOORD_{texture.get('texCoord', 0)}"
+        if image is not None and place in attributes:
+            u, v = (self.file._array(attributes[place], 2) % 1.0).T
+            rows, columns = (v * len(image)).astype(int), (u * image.shape[1]).astype(int)
+            tone = tone * image[np.minimum(rows, len(image) - 1), np.minimum(columns, image.shape[1] - 1)] / 255
+        return (255 * tone + 0.5).astype(np.uint8)
+
+    def _image(self, texture: dict) -> np.ndarray | None:
+        """Pixels ``[H, W, 3]`` of a texture that lies in the file; None if it cannot be read."""
+        textures, images = (gltf._dicts(self.document, key) for key in ("textures", "images"))
+        source = textures[gltf._index(texture, "index", len(textures))].get("source")
+        if type(source) is not int or not 0 <= source < len(images) or "bufferView" not in images[source]:
+            return None
+        if source not in self.images:
+            views = gltf._dicts(self.document, "bufferViews")
+            view = views[gltf._index(images[source], "bufferView", len(views))]
+            start, size = (gltf._whole(view, key, 0) for key in ("byteOffset", "byteLength"))
+            data = self.file._buffer(gltf._index(view, "buffer", len(gltf._dicts(self.document, "buffers"))))
+            try:
+                from PIL import Image  # of the extra "view"
+
+                with Image.open(io.BytesIO(bytes(data[start : start + size]))) as picture:
+                    picture.thumbnail((1024, 1024))
+                    self.images[source] = np.asarray(picture.convert("RGB"))
+            except (ImportError, OSError, ValueError, SyntaxError):
+                self.images[source] = None
+        return self.images[source]
+
+
+def _transform(node: dict) -> np.ndarray:
+    """Transform ``[4, 4]`` of a node relative to its parent."""
+    if "matrix" in node:
+        return gltf._numbers(node, "matrix", 16).reshape(4, 4).T
+    x, y, z, w = gltf._unit(gltf._numbers(node, "rotation", 4, (0.0, 0.0, 0.0, 1.0))[None])[0]
+    made = np.eye(4)
+    made[:3, :3] = [[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+                    [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+                    [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]]
+    made[:3, :3] *= gltf._numbers(node, "scale", 3, (1.0,) * 3)
+    made[:3, 3] = gltf._numbers(node, "translation", 3, (0.0,) * 3)
+    return made
+
+
+def _unique(names: list[str]) -> tuple[str, ...]:
+    """Names with numbers where they repeat."""
+    made: list[str] = []
+    for name in names:
+        new, number = name, 1
+        while new in made:
+            number += 1
+            new = f"{name}_{number}"
+        made.append(new)
+    return tuple(made)

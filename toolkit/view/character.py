@@ -1,0 +1,158 @@
+"""Your own character: the skinned mesh of a glTF or VRM file, drawn in place of the mannequin."""
+
+import base64
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
+
+import numpy as np
+import torch
+from torch import Tensor
+
+from toolkit.io import gltf_mesh
+from toolkit.io.gltf_mesh import SkinnedMesh
+from toolkit.motion import Clip, Skeleton
+from toolkit.motion import rotations as R
+from toolkit.motion.anatomy import measure, with_toes
+from toolkit.motion.contacts import standing_height
+from toolkit.motion.retargeting import leaders, retarget
+from toolkit.motion.roles import ROLES, SIDES
+from toolkit.motion.skeleton import local_rotations
+
+HIGH = 0.15  # metres: a toe that is higher above the lowest vertex tells nothing about the sole
+
+
+@dataclass(frozen=True, eq=False)
+class Character:
+    """A skinned mesh over a humanoid rig, in metres; linear blend skinning of rigid joints."""
+
+    path: Path
+    mesh: SkinnedMesh
+    rest: Clip  # one frame of the rig, in the pose in which the points are
+    points: np.ndarray  # [V, 3] of that pose, float32
+
+    @classmethod
+    def load(cls, path: str | os.PathLike, roles: Mapping[str, str] | None = None) -> "Character":
+        """Read a character from a .glb, .gltf or .vrm file.
+
+        The points stand in the pose of the file's nodes, or in the bind pose if that one shows no standing figure. ``roles``
+        are joints by role (`toolkit.motion.ROLES`), in place of those that are found by their names.
+
+        Raises
+        ------
+        ValueError
+            If the file cannot be read or holds no skinned mesh, or its joints are not a humanoid's.
+        """
+        path = Path(path)
+        mesh, errors = gltf_mesh.read(path), []
+        for pose in (mesh.rest, mesh.bind):
+            rest = _clip(mesh, pose, path.name, roles or {})
+            try:
+                measure(rest)
+            except ValueError as error:
+                errors.append(error)
+                continue
+            moved = pose @ np.linalg.inv(mesh.bind)
+            homogeneous = np.concatenate((mesh.points, np.ones((len(mesh.points), 1))), 1)
+            points = sum(mesh.weights[:, k, None] * np.einsum("vij,vj->vi", moved[mesh.joints[:, k], :3], homogeneous)
+                         for k in range(mesh.joints.shape[1]))
+            return cls(path, mesh, rest, points.astype(np.float32))
+        raise errors[0]
+
+    @classmethod
+    def of(cls, given: "str | os.PathLike | Character | None") -> "Character | None":
+        """A character from its file; a character or None as it is."""
+        return given if given is None or isinstance(given, cls) else cls.load(given)
+
+    @property
+    def skeleton(self) -> Skeleton:
+        """The rig's skeleton."""
+        return self.rest.skeleton
+
+    def fitted(self, clip: Clip) -> Clip:
+        """A clip on the character's rig (`toolkit.motion.retargeting`), with the soles of its mesh on the floor."""
+        made = retarget(clip, self.rest)
+        return made if made is clip else made.moved(shift=(0.0, self.sole(made), 0.0))
+
+    def following(self, clip: Clip) -> dict:
+        """How the rig follows the joints of a clip's skeleton frame by frame, without foot IK; the clip shows its heights.
+
+        ``scene/figure.js`` describes the format.
+        """
+        source, goal = measure(clip), measure(self.rest)
+        made = self.fitted(clip)
+        hips = [[rig.role(f"{side}_hip") for side in SIDES] for rig in (source.skeleton, goal.skeleton)]
+        scale = goal.leg / source.leg
+        heights = [c.global_positions[:, joints, 1].mean() for c, joints in zip((clip, made), hips, strict=True)]
+        rules = [[joint, a, b, round(share, 6), *source.axes[a].tolist(), *source.axes[b].tolist(),
+                  *R.inverse(goal.axes[joint]).tolist()] for joint, (a, b, share) in leaders(source, goal).items()]
+        return {"rules": rules, "rest": goal.rest.tolist(), "scale": scale, "hips": hips,
+                "lift": float(heights[1] - scale * heights[0])}
+
+    def packed(self, follow: dict | None = None) -> dict:
+        """The mesh as the browser's scene takes it (``scene/figure.js`` describes the format)."""
+        shares = np.floor(255 * self.mesh.weights + 1e-6).astype(np.uint8)
+        shares[np.arange(len(shares)), self.mesh.weights.argmax(1)] += (255 - shares.sum(1)).astype(np.uint8)
+        arrays = {"inverse": (self.inverse_rest, "<f4"), "points": (self.points, "<f4"), "normals": (self.normals, "<f4"),
+                  "triangles": (self.mesh.triangles, "<u4"), "joints": (self.mesh.joints, "<u2"), "weights": (shares, "u1"),
+                  "colors": (self.mesh.colors, "u1")}
+        offsets = [[round(x, 6) for x in offset] for offset in self.skeleton.offsets.tolist()]
+        return {"parents": list(self.skeleton.parents), "offsets": offsets, "follow": follow} | {
+            name: base64.b64encode(np.ascontiguousarray(values, kind).tobytes()).decode("ascii")
+            for name, (values, kind) in arrays.items()}
+
+    def sole(self, clip: Clip) -> float:
+        """Metres by which a clip on the rig must be lifted so that the soles of the mesh stand on the floor."""
+        toes = [with_toes(self.skeleton).role(f"{side}_toe") for side in SIDES]
+        rise = float(self.rest.global_positions[0, toes, 1].amin()) - float(self.points[:, 1].min())
+        return rise - float(standing_height(clip.replace(skeleton=with_toes(clip.skeleton)))) if rise < HIGH else 0.0
+
+    @cached_property
+    def inverse_rest(self) -> np.ndarray:
+        """Inverse world transforms ``[J, 3, 4]`` of the joints in the rest pose."""
+        return np.linalg.inv(_matrices(self.rest.global_rotations[0], self.rest.global_positions[0]))[:, :3]
+
+    def pose(self, rotations: Tensor, positions: Tensor) -> tuple[np.ndarray, np.ndarray]:
+        """Vertices and unit normals ``[V, 3]`` for global rotations ``[J, 4]`` and positions ``[J, 3]`` of the rig."""
+        inverse = np.concatenate((self.inverse_rest, np.tile([[[0.0, 0.0, 0.0, 1.0]]], (len(self.skeleton), 1, 1))), 1)
+        moved = (_matrices(rotations, positions) @ inverse)[:, :3].astype(np.float32)
+        blended = np.einsum("vk,vkij->vij", self.mesh.weights.astype(np.float32), moved[self.mesh.joints])
+        points = np.einsum("vij,vj->vi", blended[..., :3], self.points) + blended[..., 3]
+        normals = np.einsum("vij,vj->vi", blended[..., :3], self.normals)
+        return points, normals / np.linalg.norm(normals, axis=1, keepdims=True).clip(1e-9)
+
+    @cached_property
+    def normals(self) -> np.ndarray:
+        """Unit normals ``[V, 3]`` in the rest pose; vertices at the same place share theirs."""
+        corners = self.points[self.mesh.triangles]
+        faces = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        _, same = np.unique(self.points.round(5), axis=0, return_inverse=True)
+        total = np.zeros((same.max() + 1, 3))
+        for corner in self.mesh.triangles.T:
+            np.add.at(total, same.ravel()[corner], faces)
+        normals = total[same.ravel()]
+        return (normals / np.linalg.norm(normals, axis=1, keepdims=True).clip(1e-12)).astype(np.float32)
+
+
+def _matrices(rotations: Tensor, positions: Tensor) -> np.ndarray:
+    """Rigid transforms ``[J, 4, 4]``."""
+    made = np.tile(np.eye(4), (len(rotations), 1, 1))
+    made[:, :3, :3], made[:, :3, 3] = R.to_matrix(rotations).numpy(), positions.numpy()
+    return made
+
+
+def _clip(mesh: SkinnedMesh, pose: np.ndarray, name: str, roles: Mapping[str, str]) -> Clip:
+    """One frame of the rig from world transforms ``[J, 4, 4]``, whose scales are left out of the rotations."""
+    axes = pose[:, :3, :3] / np.linalg.norm(pose[:, :3, :3], axis=1, keepdims=True).clip(1e-12)
+    turned, places = R.from_matrix(torch.from_numpy(axes)), torch.from_numpy(pose[:, :3, 3])
+    offsets = torch.zeros(len(pose), 3, dtype=torch.float64)
+    above = list(mesh.parents[1:])
+    offsets[1:] = R.rotate(R.inverse(turned[above]), places[1:] - places[above])
+    leaves = [n for j, n in enumerate(mesh.names) if j and j not in mesh.parents and n.lower().endswith(("end", "nub"))]
+    skeleton = Skeleton(mesh.names, mesh.parents, offsets.float(), ends=leaves)
+    if unknown := [f"{role}={joint}" for role, joint in roles.items() if role not in ROLES or joint not in mesh.names]:
+        raise ValueError(f"{name}: no such role or joint: {', '.join(unknown)}")
+    skeleton = replace(skeleton, roles=skeleton.roles | dict(roles))
+    return Clip(skeleton, R.normalize(local_rotations(skeleton, turned[None]).float()), places[:1].float(), 60.0, name=name)
