@@ -1,7 +1,8 @@
-"""Phase sources, compared with the true phases, frequencies and contacts of procedural clips."""
+"""Phase sources, compared with the true phases, frequencies and contacts of procedural clips, and with labelled phases."""
 
 import math
 from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import Annotated
 
 import torch
@@ -9,11 +10,15 @@ import typer
 from torch import Tensor
 
 from toolkit import phases as ph
-from toolkit.datasets import procedural
+from toolkit.datasets import home, procedural
+from toolkit.evaluation import labels
 from toolkit.evaluation.phases import CASES, STILL, Row, kind, measure
+from toolkit.motion.contacts import FEET
 
 STAGGERING = ("Neutral", "Zombie")  # styles that are also measured with the random steps of the Drunk
 FREQUENCY_LIMIT, F1_LIMIT = 0.03, 0.95
+PLANNED = ("Neutral", "Old", "Zombie", "Drunk")  # styles that are labelled by their true contacts
+LABEL_LIMIT, FLOOR_LIMIT = 20.0, 10.0  # degrees, of the default source: in all, and above the floor of the labels
 
 
 @dataclass(frozen=True)
@@ -39,8 +44,10 @@ def run(
     seconds: Annotated[float, typer.Option(help="Length of each clip.")] = 30.0,
     seed: Annotated[int, typer.Option(help="Seed of the clips.")] = 0,
     source: Annotated[str, typer.Option(help="Comma-separated phase sources.")] = ",".join((*ph.SOURCES, "learned")),
+    labelled: Annotated[Path | None, typer.Option(
+        help=f"Folder of labelled takes (Holden et al. 2017); default: {labels.NAME} in the folder of datasets.")] = None,
 ) -> None:
-    """Errors of the phase sources, compared with the true phases, frequencies and contacts of procedural clips."""
+    """Errors of the phase sources, compared with the truth about procedural clips and with phases labelled by a person."""
     sources = {name: ph.named(name) for name in source.split(",")}
     named = {name: procedural.STYLES.get(name, name) for name in (styles.split(",") if styles else procedural.STYLES)}
     if styles is None:
@@ -73,6 +80,31 @@ def run(
     limits = ", ".join(f"{part.source} {limbs} {part.limit:g}°" for limbs, part in PARTS.items())
     print(f"Limits for cyclic styles: {limits}, "
           f"frequency {FREQUENCY_LIMIT:.0%}, F1 {F1_LIMIT}: {'; '.join(failed) or 'all kept'}")
+    print()
+    _labels(sources, labelled, seconds, seed)
+
+
+def _labels(sources: dict[str, ph.Source], folder: Path | None, seconds: float, seed: int) -> None:
+    """Print the errors against labelled phases: procedural transitions, and the takes of the folder if there are any."""
+    takes = [(f"{style} TR1", labels.planned(style, "TR1", seconds, seed)) for style in PLANNED]
+    if folder is not None or home.folder(labels.NAME).is_dir():
+        takes += [(take.clip.name, take) for take in labels.read(folder or home.folder(labels.NAME))]
+    else:
+        print(f"no labelled recordings: {home.folder(labels.NAME)} does not exist")
+    print(f"{'degrees, labelled':<26}{'frames':>8}{'floor':>14}" + "".join(f"{name:>14}" for name in sources))
+    failed = []
+    for name, take in takes:
+        errors = {"floor": labels.floor(take), **{label: labels.errors(take, source) for label, source in sources.items()}}
+        for i, side in enumerate(FEET):
+            frames = f"{int(take.labelled.sum()):>8}" if i == 0 else " " * 8
+            numbers = "".join(_number(error[i], "°", 14) for error in errors.values())
+            print(f"{f'{name[:19]:<20}{side}':<26}{frames}{numbers}")
+            if "hybrid" in errors and errors["hybrid"][i] > min(LABEL_LIMIT, errors["floor"][i] + FLOOR_LIMIT):
+                failed.append(f"{name} {side} {float(errors['hybrid'][i]):.1f}°")
+    print("Feet in moving frames, less a constant lag of each. The label is straight between the touch-downs of both feet,\n"
+          "the floor between those of one. The contact source is the paper's, and was the default's for feet.\n"
+          f"Limits of hybrid, the default: {LABEL_LIMIT:g}°, {FLOOR_LIMIT:g}° above the floor: "
+          f"{'; '.join(failed) or 'all kept'}")
 
 
 def failures(row: Row) -> list[str]:

@@ -43,7 +43,7 @@ def run(
     A model is trained without some styles, which every method then adds. Blends are walks between two styles.
     """
     if data not in HELD_OUT:
-        raise ValueError(f"unknown data {data!r}; there is {', '.join(HELD_OUT)}")
+        raise ValueError(f"unknown data {data!r}; known: {', '.join(HELD_OUT)}")
     new = (held_out or HELD_OUT[data]).split(",")
     options = {"seconds": seconds} if data == "procedural" else {}
     clips = datasets.load(data, root, gaits=GAITS[data].split(","), **options)

@@ -81,12 +81,12 @@ def test_the_shared_error_against_a_slow_loop_and_of_the_mean(data):
         assert error == pytest.approx(tk.evaluation.models.shared_baselines(data, 0.1, 0)["mean"], rel=1e-4)
 
 
-def test_usual_speed_and_the_clips_nearest_to_it(data):
+def test_natural_speed_and_the_clips_nearest_to_it(data):
     n, still = data.layout.n_joints, torch.zeros(240, data.layout.n_joints, 3)
     ways = ((0.0, 1.2), (0.0, 0.8), (0.0, -1.0), (1.0, 0.1), (0.0, 1.3))
     clips = torch.stack([pack_joints(still, still, still, torch.tensor([x, 0.0, z]).expand(240, n, 3)) for x, z in ways])
-    assert tk.evaluation.models.usual_speed(clips) == pytest.approx(1.2)
-    assert tk.evaluation.models.usual_speed(clips[2:4]) == 1.0  # nobody walks ahead
+    assert tk.features.natural_speed(clips) == pytest.approx(1.2)
+    assert math.isnan(tk.features.natural_speed(clips[2:4]))  # nobody walks ahead
     chosen = tk.evaluation.models.nearest(clips, 1.25)
     assert not any(torch.equal(clip, clips[2]) for clip in chosen)
     assert torch.equal(chosen[-1], clips[3])
@@ -154,8 +154,8 @@ def test_other_settings_and_bad_names_are_refused_in_one_line(data, folder, caps
         models.trained(data, models.Plan("tiny", 5).config("lpn-film", 0), folder)
     for arguments, said in (
         ([], "--data is missing"),
-        (["--data", "procedural", "--size", "huge"], "unknown size 'huge'; there is tiny, small"),
-        (["--data", "procedural", "--models", "lpn-film,gan"], "unknown model 'gan'; there is pfnn-onehot"),
+        (["--data", "procedural", "--size", "huge"], "unknown size 'huge'; known: tiny, small"),
+        (["--data", "procedural", "--models", "lpn-film,gan"], "unknown model 'gan'; known: pfnn-onehot"),
         (["failures", "--out", "nowhere"], "nowhere"),
     ):
         assert main(["seven-models", *arguments]) == 2

@@ -20,7 +20,7 @@ from toolkit.motion import contacts, ik, trajectory
 from toolkit.motion import rotations as R
 from toolkit.motion.clip import frame_reflections
 from toolkit.motion.tensors import through_numpy
-from toolkit.phases import coherent, sinusoids, sources, windows
+from toolkit.phases import coherent, sinusoids, sources, steps, windows
 from toolkit.runtime import steering
 
 FACTORIES = (torch.zeros, torch.ones, torch.empty, torch.full, torch.arange, torch.linspace, torch.logspace, torch.eye,
@@ -107,12 +107,11 @@ META = {  # what runs on any device, numbers or not
     "ik.plant_feet": lambda m: ik.plant_feet(m.skeleton, m.q, m.root, m.points[:, :2]),
     "ik.turn_arms": lambda m: ik.turn_arms(m.skeleton, m.q, m.root, m.points + 0.01),
     "windows.normalise": lambda m: windows.normalise(m.curves, 60.0),
-    "windows.amplitude": lambda m: windows.amplitude(m.curves, 1 + m.curves.abs(), 60.0),
     "windows.speed": lambda m: windows.speed(m.root, 60.0),
     "windows.mean": lambda m: windows.mean(m.curves, 0.5, 60.0),
     "sources.local_positions": lambda m: [phases.local_positions(m.clip, limb) for limb in phases.LIMBS],
     "coherent.wavelets": lambda m: coherent.wavelets(m.curves, 60.0, 2.5).abs(),
-    "coherent.regression": lambda m: coherent.regression(m.turn, m.turn.sin(), 0.5, 60.0),
+    "windows.regression": lambda m: windows.regression(m.turn, m.turn.sin(), 0.5, 60.0),
     "features.joint_features": lambda m: tk.features.joint_features(m.clip, tk.motion.root_frames(m.clip)),
     "features.style_clips": lambda m: tk.features.style_clips(m.clip),
     "features.moments": lambda m: tk.features.moments(m.root)[1:],
@@ -157,7 +156,9 @@ NUMBERS = {  # what looks at numbers, or goes through scipy and numba
     "sinusoids.fit": lambda m: (phases.fit(m.curves, 60.0), phases.fit(m.curves[:200], 60.0, continuity=1.0)),
     "sinusoids.frequencies": lambda m: sinusoids.frequencies(1.0),
     "coherent.ridge": lambda m: coherent.ridge(m.points[..., 0].abs().T, 6, 0.5),
-    "coherent.contact_signal": lambda m: coherent.contact_signal((torch.sin(20 * m.root[:, 2]) > 0).to(m.q)).real,
+    "steps.signal": lambda m: steps.signal((torch.sin(20 * m.root[:, 2]) > 0).to(m.q)).real,
+    "steps.Steps": lambda m: [steps.Steps()(m.clip, limb) for limb in phases.LIMBS],
+    "sinusoids.along": lambda m: list(vars(sinusoids.along(torch.exp(1j * m.turn), m.turn.sin(), 60.0, 0.5)).values()),
     "coherent.denoised": lambda m: coherent.denoised(torch.complex(m.root, m.root.flip(-1)), 1).real,
     "features.own_features": lambda m: tk.features.own_features(m.clip, phases.extract(m.clip)),
     "features.frames": lambda m: tk.features.frames(m.clip),

@@ -541,7 +541,7 @@ def test_the_command_shows_size_and_terms_and_asks(root, server, capsys, monkeyp
 
 
 @pytest.mark.parametrize(("arguments", "problem"), [
-    (["xia"], "'xia' cannot be fetched; there are 100style, lpn-film-100style, bandai"),
+    (["xia"], "'xia' cannot be fetched; known: 100style, lpn-film-100style, bandai"),
     (["bandai", "--sha256", "abc"], "--sha256 expects 64 hexadecimal digits, got 'abc'"),
 ])
 def test_bad_arguments(arguments, problem, capsys):

@@ -213,7 +213,7 @@ def test_tables_are_looked_up_by_number(name):
     assert torch.equal(model.style_vector(torch.zeros(5, 240, 48), 0), rows[0])
     with pytest.raises(ValueError, match=r"has styles 0 to 1, got \[2\]"):
         model.encode(None, 2)
-    with pytest.raises(ValueError, match="keeps its 2 styles in a table, not in clips: say which by number"):
+    with pytest.raises(ValueError, match="has a table of 2 styles"):
         model.encode(torch.zeros(1, 240, 48))
 
 
@@ -256,7 +256,7 @@ def test_wrong_clips_sizes_names_and_normalisers():
     model = tiny_model()
     with pytest.raises(ValueError, match=r"\[M, 240, 48\], got \[1, 100, 48\]"):
         model.style_vector(torch.zeros(1, 100, 48))
-    with pytest.raises(ValueError, match="unknown model 'lpn'; there is pfnn-onehot, lpn-onehot, "):
+    with pytest.raises(ValueError, match="unknown model 'lpn'; known: pfnn-onehot, lpn-onehot, "):
         networks.build("lpn", tree(4), 2)
     with pytest.raises(ValueError, match="hidden must be a whole number from 1, got 0"):
         Sizes(hidden=0)

@@ -354,7 +354,7 @@ def test_blender_makes_the_motion_of_its_weights(monkeypatch, clip):
     assert base64.b64decode(shown["image/jpeg"]) == blender.player.image.value
     assert "application/vnd.jupyter.widget-view+json" in shown
     for wrong, message in (
-        ({"X": 1}, "unknown style 'X'; there is A, B, C, D"),
+        ({"X": 1}, "unknown style 'X'; known: A, B, C, D"),
         ({"A": -1}, "weights >= 0"),
         ({}, "one to"),
     ):

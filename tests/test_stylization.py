@@ -447,7 +447,7 @@ def test_bad_input_is_one_line(walks, model, motions, tmp_path):
         model.code_of(torch.zeros(1, 7, 32, 23), "Zombie")
     with pytest.raises(ValueError, match="no clip of Old; the clips have Neutral, Zombie"):
         st.build(walks, domains=["Old"])
-    with pytest.raises(ValueError, match="unknown loss style; there are adv, cyc"):
+    with pytest.raises(ValueError, match="unknown loss style; known: adv, cyc"):
         training.Config(losses=("adv", "style"))
     with pytest.raises(ValueError, match="no motion of Zombie"):
         st.fit(motions.select(motions.domain == 0), training.Config.quick(sizes=SMALL, iterations=1))

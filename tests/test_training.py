@@ -306,7 +306,7 @@ def test_it_stops_early_with_the_best_weights_also_after_a_resume(tmp_path):
 
 
 def test_patience_with_nothing_held_out_is_refused():
-    with pytest.raises(ValueError, match=r"patience needs held-out frames; held_out=0\.0001 of these data are none"):
+    with pytest.raises(ValueError, match=r"patience needs held-out frames; held_out=0\.0001 leaves none of these data"):
         training.fit(waves(), dataclasses.replace(QUICK, patience=3, held_out=1e-4))
 
 
@@ -377,7 +377,7 @@ def test_time_as_the_budget():
     ({"pose_mixup": 2.0}, r"pose_mixup must be in \[0, 1\]"),
     ({"held_out": 1.0}, r"held_out must be in \[0, 1\)"),
     ({"seed": -1}, "seed must not be negative"),
-    ({"model": "lpn"}, "unknown model 'lpn'; there is pfnn-onehot, lpn-onehot"),
+    ({"model": "lpn"}, "unknown model 'lpn'; known: pfnn-onehot, lpn-onehot"),
     ({"evaluate_every": 0}, "evaluate_every must be a whole number from 1, got 0"),
     ({"patience": 0}, "patience must be a whole number from 1"),
     ({"patience": 1, "held_out": 0.0}, "needs held-out frames; got 1 and held_out 0.0"),

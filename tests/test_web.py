@@ -115,9 +115,11 @@ def test_every_float16_is_read_as_it_was_written(node):
     assert np.array_equal(np.array(seen, np.float32), finite.astype(np.float32))
 
 
-def test_a_step_from_anywhere_is_pythons(node, small_run):
+@pytest.mark.parametrize("calibrated", [False, True])
+def test_a_step_from_anywhere_is_pythons(node, small_run, calibrated):
     """Forty states that no walk leads to, with feet crossed, commands to stand, to run and to look nowhere."""
-    model, g = small_run.model, torch.Generator().manual_seed(0)
+    model, g = copy.deepcopy(small_run.model), torch.Generator().manual_seed(0)
+    model.calibrated = calibrated
     first, count = tk.runtime.start(model, small_run.bank["Zombie"].expand(40, -1)), 40
     states = {name: value.double() for name, value in vars(first).items()}
     spreads = {"history": 0.02, "future": 0.1, "joints": 0.1, "phase": 0.5, "velocity": 1.0, "toes": 0.1, "drift": 1.0}

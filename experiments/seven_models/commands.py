@@ -51,10 +51,10 @@ def compare(
     if data is None:
         raise ValueError(f"--data is missing: a dataset ({', '.join(datasets.DATASETS)}) or the folder of a store")
     if size not in models.SIZES:
-        raise ValueError(f"unknown size {size!r}; there is {', '.join(models.SIZES)}")
+        raise ValueError(f"unknown size {size!r}; known: {', '.join(models.SIZES)}")
     chosen = tuple(networks.MODELS) if names == "all" else tuple(names.split(","))
     if unknown := [name for name in chosen if name not in networks.MODELS]:
-        raise ValueError(f"unknown model {unknown[0]!r}; there is {', '.join(networks.MODELS)}")
+        raise ValueError(f"unknown model {unknown[0]!r}; known: {', '.join(networks.MODELS)}")
     source = {"data": data, "root": None if root is None else str(root.resolve()), "styles": styles, "gaits": gaits,
               "clip_seconds": clip_seconds if data == "procedural" else None}
     found = load(**source)

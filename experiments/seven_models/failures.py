@@ -27,8 +27,8 @@ from experiments.seven_models.models import (
     trained,
 )
 from toolkit import runtime
-from toolkit.evaluation.models import nearest, shared_error, usual_speed
-from toolkit.features import Features, Layout, splits
+from toolkit.evaluation.models import nearest, shared_error
+from toolkit.features import Features, Layout, natural_speed, splits
 from toolkit.motion import Clip
 from toolkit.runtime import CharacterState, Command
 from toolkit.training import Run
@@ -146,7 +146,7 @@ def _shown(differences: list[float]) -> str:
 def walks(data: Features, folder: Path, models: Sequence[str], style: str) -> dict[str, Clip]:
     """Walks of some models of a folder (seed 0) in a style, after a style clip of the data, to draw."""
     clips, plan = data.clips[style][:], stored_plan(folder)
-    pace = usual_speed(clips)
+    pace = natural_speed(clips)
     shown = {"data": _treadmill(data.layout, nearest(clips, pace)[0], pace)}
     commands, warm = [Command((0.0, pace))] * round((WARM_UP + 4) * FPS), round(WARM_UP * FPS)
     for name in models:

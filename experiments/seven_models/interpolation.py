@@ -3,9 +3,9 @@
 import torch
 
 from experiments.seven_models.models import FPS, WARM_UP, states
-from toolkit.evaluation.models import Curves, blend_curves, nearest, usual_speed
+from toolkit.evaluation.models import Curves, blend_curves, nearest
 from toolkit.evaluation.recognition import Recogniser
-from toolkit.features import Features, splits
+from toolkit.features import Features, natural_speed, splits
 from toolkit.runtime import Command
 from toolkit.training import Run
 
@@ -26,10 +26,9 @@ def style_pairs(styles: list[str]) -> list[tuple[str, str]]:
 
 def blend_walks(run: Run, data: Features, recogniser: Recogniser, pairs: list[tuple[str, str]]) -> Curves:
     """Walks with all blends of all pairs in one crowd, each at the blend of both styles' usual speeds."""
-    speeds = {style: usual_speed(data.clips[style][:]) for pair in pairs for style in pair}
     blends = [(a, b, t) for a, b in pairs for t in shares()]
     vectors = torch.stack([run.bank.blend({a: 1 - t, b: t}) for a, b, t in blends])
-    velocity = torch.tensor([[0.0, (1 - t) * speeds[a] + t * speeds[b]] for a, b, t in blends])
+    velocity = torch.tensor([[0.0, run.bank.speed({a: 1 - t, b: t})] for a, b, t in blends])
     commands = [Command(velocity)] * round((WARM_UP + SECONDS) * FPS)
     walk = states(run.model, commands, vectors)[round(WARM_UP * FPS) :]
     joints = torch.stack([s.joints for s in walk], 1).nan_to_num()
@@ -38,7 +37,7 @@ def blend_walks(run: Run, data: Features, recogniser: Recogniser, pairs: list[tu
 
 def blend_data(data: Features, recogniser: Recogniser, pairs: list[tuple[str, str]]) -> Curves:
     """The same for two style clips that are blended linearly frame by frame, which shows the recogniser's own boundary."""
-    ends = [[nearest(y, usual_speed(y))[0] for y in (data.clips[style][:] for style in pair)] for pair in pairs]
+    ends = [[nearest(y, natural_speed(y))[0] for y in (data.clips[style][:] for style in pair)] for pair in pairs]
     blended = torch.stack([torch.stack([torch.lerp(a, b, t) for t in shares()]) for a, b in ends])
     return blend_curves(blended, recogniser, pairs)
 

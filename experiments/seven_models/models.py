@@ -18,7 +18,7 @@ from tqdm import tqdm
 from experiments.closed_loop import eight
 from toolkit import networks, runtime, training
 from toolkit.evaluation import metrics, recognition
-from toolkit.evaluation.models import hands, shared_baselines, shared_error, usual_speed
+from toolkit.evaluation.models import hands, shared_baselines, shared_error
 from toolkit.evaluation.recognition import Recogniser
 from toolkit.features import Features, splits
 from toolkit.io import model_files
@@ -148,7 +148,7 @@ def closed_loop(model: Model, bank: StyleBank, data: Features, recogniser: Recog
         ``hands_data`` metres; ``swing`` and ``swing_data``, the correlation of both hands, and ``together``, their absolute
         difference; ``probability`` of the right style by the recogniser, and whether it is ``recognised``.
     """
-    speeds = {style: usual_speed(data.clips[style][:]) for style in data.styles}
+    speeds = {style: bank.speed(style) for style in data.styles}
     vectors = torch.stack([bank[style] for style in data.styles])
     velocity = torch.tensor([[0.0, speeds[style]] for style in data.styles])
     warm = round(WARM_UP * FPS)

@@ -26,7 +26,7 @@ def data_fetch(
 ) -> None:
     """Download a dataset, after showing its size and terms. A download that was interrupted continues."""
     if name not in ORIGINS:
-        raise ValueError(f"{name!r} cannot be fetched; there are {', '.join(ORIGINS)}")
+        raise ValueError(f"{name!r} cannot be fetched; known: {', '.join(ORIGINS)}")
     if sha256 and not re.fullmatch("[0-9a-fA-F]{64}", sha256):
         raise ValueError(f"--sha256 expects 64 hexadecimal digits, got {sha256!r}")
     origin, folder = ORIGINS[name], root or home.folder(name)

@@ -17,14 +17,15 @@ def rollout(
     model: TrainedRun = None,
     parameters: Published = None,
     seconds: Annotated[float, typer.Option(help="Length of the motion.")] = 10.0,
-    speed: Annotated[float, typer.Option(help="Metres per second.")] = 1.2,
+    speed: Annotated[float | None, typer.Option(help="Metres per second; default: natural for the style.")] = None,
     ik: Annotated[bool, typer.Option(help="Foot and arm IK.")] = True,
 ) -> None:
     """Walk straight ahead in a style, write the motion and print measurements: speed, hips' height and foot skate."""
     export.check(out)
     net, bank = published.either(model, parameters)
-    commands = runtime.straight(speed, seconds)
-    states = list(runtime.states(net, commands, bank.blend(blend_of(style)), progress=True))
+    blend = blend_of(style)
+    vector, speed = bank.blend(blend), bank.speed(blend) if speed is None else speed
+    states = list(runtime.states(net, runtime.straight(speed, seconds), vector, progress=True))
     clip = runtime.record(net, states, feet=ik, arms=ik).replace(style=style, gait="FW")
     export.write(clip, out, title=style, progress=True)
     low, high = metrics.hips_height(clip)

@@ -143,7 +143,7 @@ def fetch(name: str, root: str | os.PathLike | None = None, source: str | os.Pat
         If the server cannot be reached, or the disk has no room: then what came stays, and the same call goes on from there.
     """
     if name not in ORIGINS:
-        raise ValueError(f"{name!r} cannot be fetched; there are {', '.join(ORIGINS)}")
+        raise ValueError(f"{name!r} cannot be fetched; known: {', '.join(ORIGINS)}")
     origin, folder = ORIGINS[name], Path(root or home.folder(name)).absolute()
     source, expected = str(source or origin.url), sha256 or origin.sha256 or ""
     folder.parent.mkdir(parents=True, exist_ok=True)

@@ -8,7 +8,7 @@ from torch import Tensor
 
 from toolkit.evaluation import metrics
 from toolkit.evaluation.recognition import Recogniser
-from toolkit.features import FRAME_KINDS, Features, Layout, Normaliser, split_joints, splits
+from toolkit.features import FRAME_KINDS, Features, Layout, Normaliser, mean_velocity, split_joints, splits
 from toolkit.networks import Model
 from toolkit.networks.bank import StyleBank
 from toolkit.training import loss
@@ -54,20 +54,9 @@ def _shared(layout: Layout, z: Tensor) -> Tensor:
     return torch.cat([z[..., layout.outputs[name]] for name in SHARED], -1)
 
 
-def usual_speed(clips: Tensor) -> float:
-    """Median speed, m/s, of those style clips ``[M, 240, 12 J]`` that walk ahead; 1 where none does."""
-    ahead = _velocity(clips)
-    forward = ahead[(ahead[:, 1] > 0.2) & (ahead[:, 1] > 2 * ahead[:, 0].abs()), 1]
-    return float(forward.median()) if len(forward) else 1.0
-
-
 def nearest(clips: Tensor, speed: float) -> Tensor:
     """The `ALIKE` of style clips whose mean velocity, in the root frame, is nearest to ``speed`` m/s straight ahead."""
-    return clips[(_velocity(clips) - torch.tensor([0.0, speed])).norm(dim=-1).argsort(stable=True)[:ALIKE]]
-
-
-def _velocity(clips: Tensor) -> Tensor:
-    return split_joints(clips)["velocity"][:, :, 0, [0, 2]].mean(1)
+    return clips[(mean_velocity(clips) - torch.tensor([0.0, speed])).norm(dim=-1).argsort(stable=True)[:ALIKE]]
 
 
 def hands(layout: Layout, joints: Tensor, clips: Tensor, speed: float) -> dict[str, float]:

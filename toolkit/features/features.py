@@ -4,6 +4,7 @@ The features of each frame by itself (`OwnFeatures`) are computed once; x, z and
 """
 
 import difflib
+import math
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
@@ -13,7 +14,7 @@ from torch import Tensor
 from tqdm import tqdm
 
 from toolkit import phases
-from toolkit.features.layout import CHANNELS, Layout, pack_joints
+from toolkit.features.layout import CHANNELS, Layout, pack_joints, split_joints
 from toolkit.motion import Clip, RootFrames, contacts, root_frames, trajectory
 from toolkit.motion import rotations as R
 from toolkit.motion.tensors import few, summary
@@ -154,6 +155,18 @@ def _too_short(clip: Clip, samples: tuple[int, ...]) -> ValueError:
 def clip_starts(n: int, device: torch.device | None = None) -> Tensor:
     """First frames of the style clips of a clip of n frames: every `CLIP_HOP` frames, `CLIP_FRAMES` long."""
     return torch.arange(0, max(0, n - CLIP_FRAMES + 1), CLIP_HOP, device=device)
+
+
+def mean_velocity(clips: Tensor) -> Tensor:
+    """Mean velocity (x, z) ``[M, 2]`` of style clips ``[M, 240, 12 J]`` in the root frame, m/s."""
+    return split_joints(clips)["velocity"][:, :, 0, [0, 2]].mean(1)
+
+
+def natural_speed(clips: Tensor) -> float:
+    """Median speed, m/s, of those style clips ``[M, 240, 12 J]`` that walk ahead; NaN if none does."""
+    x, z = mean_velocity(clips).T
+    ahead = z[(z > 0.2) & (z > 2 * x.abs())]
+    return float(ahead.median()) if len(ahead) else math.nan
 
 
 @dataclass(frozen=True, eq=False)
@@ -315,7 +328,7 @@ def check_style(name: str, names: Iterable[str]) -> None:
     if name not in names:
         by_lower = {n.lower(): n for n in names}
         close = [by_lower[n] for n in difflib.get_close_matches(str(name).lower(), by_lower, cutoff=0.5)]
-        there = f"close to it: {', '.join(close)}" if close else f"there is {few(names)}"
+        there = f"close to it: {', '.join(close)}" if close else f"known: {few(names)}"
         raise UnknownStyleError(f"unknown style {name!r}; {there}")
 
 

@@ -55,4 +55,4 @@ def normalisers(name: str, data: Features) -> dict[str, Normaliser]:
 
 def _check(name: str) -> None:
     if name not in MODELS:
-        raise ValueError(f"unknown model {name!r}; there is {', '.join(MODELS)}")
+        raise ValueError(f"unknown model {name!r}; known: {', '.join(MODELS)}")

@@ -37,7 +37,7 @@ class StyleTable(nn.Module):
         """
         styles = len(self.vectors)
         if style is None:
-            raise ValueError(f"this model keeps its {styles} styles in a table, not in clips: say which by number")
+            raise ValueError(f"this model has a table of {styles} styles: give the style's number")
         style = torch.atleast_1d(torch.as_tensor(style))
         if bool(((style < 0) | (style >= styles)).any()):
             raise ValueError(f"this model has styles 0 to {styles - 1}, got {style.tolist()}")

@@ -102,7 +102,7 @@ class StyleBank(Mapping[str, Tensor]):
         if not shares or abs(sum(shares.values()) - 1) > 1e-4:
             raise ValueError(f"the weights of a blend must sum to 1, got {sum(shares.values()):g}")
         if outside := [f"{name} {share:g}" for name, share in shares.items() if not -1e-4 <= share <= 1 + 1e-4]:
-            warnings.warn(f"the blend extrapolates ({', '.join(outside)}): the model has seen no motion there", stacklevel=2)
+            warnings.warn(f"the blend extrapolates ({', '.join(outside)}): the model never saw such styles", stacklevel=2)
         return torch.stack([share * self[name] for name, share in shares.items()]).sum(0)
 
     def speed(self, style: str | Mapping[str, float]) -> float:

@@ -16,12 +16,13 @@ from toolkit.motion import Clip
 from toolkit.motion.tensors import summary
 from toolkit.phases import windows
 from toolkit.phases.coherent import Coherent
-from toolkit.phases.sinusoids import Sinusoids, fit
+from toolkit.phases.sinusoids import Sinusoids, along, fit
 from toolkit.phases.sources import LIMBS, Contact, ContactFree, Hybrid, Source, Velocity, curves, local_positions
+from toolkit.phases.steps import Steps
 from toolkit.phases.windows import normalise, smooth
 
-__all__ = ["LIMBS", "SOURCES", "Coherent", "Contact", "ContactFree", "Hybrid", "Phases", "Sinusoids", "Source", "Velocity",
-           "curves", "extract", "extract_group", "fit", "local_positions", "named", "normalise", "smooth",
+__all__ = ["LIMBS", "SOURCES", "Coherent", "Contact", "ContactFree", "Hybrid", "Phases", "Sinusoids", "Source", "Steps",
+           "Velocity", "curves", "extract", "extract_group", "fit", "local_positions", "named", "normalise", "smooth",
            "windows"]
 __getattr__ = lazy_loader.attach(__name__, [module.name for module in pkgutil.iter_modules(__path__)])[0]
 
@@ -60,7 +61,8 @@ def extract_group(clips: Sequence[Clip], source: str | Source = "hybrid",
     source
         A name of `SOURCES`, "learned" or a function ``(clip, limb) -> Tensor [F]``. If the source has a method
         ``fitted(clips)``, the source that it returns is used. If the source has a method ``sinusoids(clip) -> (curve
-        [F, 4], Sinusoids)``, no sinusoid is fitted.
+        [F, 4], Sinusoids)``, no sinusoid is fitted. If it has a method ``signal(curve) -> complex Tensor [F]`` that does not
+        return None, the phase is the angle of that signal, and only amplitude and offset are fitted.
     half_window
         Half the length of the fit's window, seconds; by default the duration of about half a cycle of each limb, at least
         half a second (`windows.half_window`).
@@ -72,8 +74,8 @@ def extract_group(clips: Sequence[Clip], source: str | Source = "hybrid",
 
     Notes
     -----
-    Equation (1) leaves open which speed and amplitude it means. Here the plain mean of the speed over one second, in the
-    hips' frame, and the amplitude, at the fitted frequency, in the half second that the published run fitted to.
+    The feature is p = ‖v‖ a (sin φ, cos φ). ``a`` is the amplitude of the fitted sinusoid (equation 1). The paper leaves
+    open which speed ‖v‖ is: here the root-mean-square over one second, in the hips' frame.
     """
     if isinstance(source, str):
         source = named(source)
@@ -94,7 +96,7 @@ def named(source: str) -> Source:
 
         return pretrained()
     if source not in SOURCES:
-        raise ValueError(f"unknown phase source {source!r}; there are {', '.join((*SOURCES, 'learned'))}")
+        raise ValueError(f"unknown phase source {source!r}; known: {', '.join((*SOURCES, 'learned'))}")
     return SOURCES[source]
 
 
@@ -103,8 +105,7 @@ def _extract(clip: Clip, source: Source, half_window: float | None) -> Phases:
     speed = torch.stack([windows.speed(local_positions(clip, limb).double(), clip.fps) for limb in LIMBS], 1)
     direction = torch.stack((found.phase.sin(), found.phase.cos()), -1)
     direction = torch.nn.functional.normalize(smooth(direction, clip.fps), dim=-1)
-    strength = windows.amplitude(curve.double(), found.frequency.double(), clip.fps)
-    magnitude = smooth(speed * strength, clip.fps).clamp_min(0.0)
+    magnitude = smooth(speed * found.amplitude.double(), clip.fps).clamp_min(0.0)
     value = found.amplitude * found.phase.sin() + found.offset
     phase = torch.atan2(direction[..., 0], direction[..., 1]) % (2 * torch.pi)
     columns = (magnitude[..., None] * direction, phase, found.frequency, found.amplitude, found.residual, curve, value)
@@ -113,10 +114,12 @@ def _extract(clip: Clip, source: Source, half_window: float | None) -> Phases:
 
 def _fitted(clip: Clip, source: Source, half_window: float | None) -> tuple[Tensor, Sinusoids]:
     columns = []
+    stepped = getattr(source, "signal", lambda raw: None)
     for raw in curves(clip, source).split(1, dim=1):
         half = windows.half_window(raw[:, 0], clip.fps) if half_window is None else half_window
         curve = smooth(normalise(raw, clip.fps, max(half, windows.SECOND)), clip.fps)
-        found = fit(curve, clip.fps, half)
+        signal = stepped(raw[:, 0])
+        found = fit(curve, clip.fps, half) if signal is None else along(signal[:, None], curve, clip.fps, half)
         columns.append((curve, found.phase, found.frequency, found.amplitude, found.offset, found.residual))
     curve, *found = (torch.cat(column, 1) for column in zip(*columns, strict=True))
     return curve, Sinusoids(*found)

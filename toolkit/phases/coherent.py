@@ -9,14 +9,12 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
-import numpy as np
-import scipy
 import torch
 from torch import Tensor
 
 from toolkit.motion import Clip
-from toolkit.phases import windows
-from toolkit.phases.sinusoids import MAX_FREQUENCY, MIN_FREQUENCY, Sinusoids
+from toolkit.phases import steps, windows
+from toolkit.phases.sinusoids import Sinusoids, along
 from toolkit.phases.sources import Hybrid, Source, curves
 
 BANDS = torch.logspace(math.log2(0.35), math.log2(2.5), 64, base=2, dtype=torch.float64)  # Hz, tried as cadence
@@ -33,8 +31,7 @@ class Coherent:
     coherence. The phase is the angle of (1 − R²) z + R² ẑ. A limb with an independent rhythm has R² near 0 and keeps its own
     phase, so the phase stays local.
 
-    Contacts give the phase of a foot directly, also for irregular steps: a curve of 0 and 1 has the angle 0 in the middle of
-    each contact and π in the middle of each swing, and is linear in time between them (as in Holden et al. 2017).
+    The steps of a foot give its phase directly (`toolkit.phases.steps`), as in `Hybrid`.
     """
 
     base: Source = field(default_factory=Hybrid)
@@ -53,7 +50,6 @@ class Coherent:
         """The base's curves, normalised and smoothed ``[F, 4]``, and the sinusoid of each limb at each frame."""
         raw = curves(clip, self.base)
         waves = wavelets(raw - raw.mean(0), clip.fps, self.cycles)
-        contact = ((raw == 0) | (raw == 1)).all(0) & (raw.diff(dim=0).count_nonzero(0) > 2)
         hop = max(1, round(HOP * clip.fps))
         columns = []
         for i in range(raw.shape[1]):
@@ -63,12 +59,9 @@ class Coherent:
             z = waves[below, at] * (1 - share) + waves[below + 1, at] * share
             half = windows.half_window(raw[:, i], clip.fps)
             curve = windows.smooth(windows.normalise(raw[:, [i]], clip.fps, half), clip.fps)[:, 0]
-            signal = contact_signal(raw[:, i]) if contact[i] else denoised(z, i)
-            phase = (signal.angle() + math.pi / 2) % (2 * math.pi)  # so that its sine is the real part
-            turns = (signal[1:] * signal[:-1].conj()).angle() / (2 * math.pi)
-            frequency = windows.mean(torch.cat((turns[:1], turns)), half, clip.fps) * clip.fps
-            frequency = frequency.clamp(MIN_FREQUENCY, MAX_FREQUENCY)
-            columns.append((curve, phase, frequency, *regression(curve, phase.sin(), half, clip.fps)))
+            stepped = steps.signal(raw[:, i])
+            found = along(denoised(z, i) if stepped is None else stepped, curve, clip.fps, half)
+            columns.append((curve, *vars(found).values()))
         curve, *found = (torch.stack(column, 1) for column in zip(*columns, strict=True))
         return curve, Sinusoids(*found)
 
@@ -101,26 +94,6 @@ def ridge(power: Tensor, hop: int, penalty: float) -> Tensor:
     knots = torch.tensor([*reversed(path), path[0]], dtype=power.dtype, device=power.device)
     at = torch.arange(power.shape[1], dtype=power.dtype, device=power.device) / hop
     return torch.lerp(knots[at.long()], knots[at.long() + 1], at - at.long())
-
-
-def regression(curve: Tensor, wave: Tensor, half: float, fps: float) -> tuple[Tensor, Tensor, Tensor]:
-    """Amplitude, offset and residual ``[F]`` of the curve as a multiple of a wave, by least squares in each window."""
-    c, w = (windows.mean(x, half, fps) for x in (curve, wave))
-    cc, ww, cw = (windows.mean(x, half, fps) for x in (curve.square(), wave.square(), curve * wave))
-    amplitude = ((cw - c * w) / (ww - w * w).clamp_min(1e-9)).clamp_min(0.0)
-    offset = c - amplitude * w
-    residual = cc - 2 * (amplitude * cw + offset * c) + amplitude**2 * ww + 2 * amplitude * offset * w + offset**2
-    return amplitude, offset, residual.clamp_min(0.0).sqrt()
-
-
-def contact_signal(contact: Tensor) -> Tensor:
-    """Complex signal ``[F]`` of a 0/1 curve with at least three changes: angle 0 in the middle of ones, π of zeros."""
-    value = contact.cpu().numpy()
-    change = np.flatnonzero(np.diff(value)) + 0.5
-    middle = (change[1:] + change[:-1]) / 2
-    angle = np.pi * (np.arange(len(middle)) + (value[int(middle[0])] == 0))
-    grow = scipy.interpolate.interp1d(middle, angle, fill_value="extrapolate", assume_sorted=True)
-    return torch.exp(1j * torch.from_numpy(grow(np.arange(len(value)))).to(contact))
 
 
 def denoised(z: Tensor, limb: int) -> Tensor:

@@ -36,6 +36,7 @@ from toolkit.motion import Clip, root_frames
 from toolkit.motion.clip import LIMBS, SIDES
 from toolkit.motion.tensors import summary, through_numpy
 from toolkit.phases.sinusoids import MAX_FREQUENCY, MIN_FREQUENCY, Sinusoids
+from toolkit.phases.steps import limb_length
 from toolkit.phases.windows import SECOND, mean
 
 RATE = 20.0  # Hz, of the windows' samples
@@ -126,15 +127,10 @@ def limb_curves(clip: Clip, limb: str) -> Tensor:
     """
     side, part = limb.split("_")
     skeleton, positions = clip.skeleton, clip.global_positions
-    roles = ("shoulder", "elbow", "hand") if part == "hand" else ("hip", "knee", "toe")
-    start, middle, end = (skeleton.role(f"{side}_{role}") for role in roles)
-    above, chain = end, [end]
-    while above != start:
-        above = skeleton.parents[above]
-        chain.append(above)
-    length = skeleton.offsets[chain[:-1]].to(positions).norm(dim=-1).sum()
+    roles = ("elbow", "hand") if part == "hand" else ("knee", "toe")
+    middle, end = (skeleton.role(f"{side}_{role}") for role in roles)
     reach = positions[:, [middle, end]] - positions[:, [skeleton.role("hips")]]
-    local = root_frames(clip).turn_to_local(reach) / length
+    local = root_frames(clip).turn_to_local(reach) / limb_length(skeleton, limb)
     if side == "right":
         local = torch.cat((-local[..., :1], local[..., 1:]), -1)
     return torch.gradient(local, spacing=1 / clip.fps, dim=0)[0].flatten(1)

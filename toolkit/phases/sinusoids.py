@@ -36,6 +36,7 @@ import torch
 from torch import Tensor
 
 from toolkit.motion.tensors import summary
+from toolkit.phases import windows
 
 MIN_FREQUENCY, MAX_FREQUENCY = 0.25, 4.0
 DENSITY = 6.0  # grid frequencies per additional cycle in the window, and per factor e
@@ -123,3 +124,16 @@ def fit(source: Tensor, fps: float, half_window: float = 0.5, continuity: float 
     columns = (np.arctan2(v, u) % (2 * np.pi), np.clip(theta / per_frame, MIN_FREQUENCY, MAX_FREQUENCY),
                np.minimum(np.hypot(u, v), high - low), np.clip(offset, low, high), np.sqrt(error / n))
     return Sinusoids(*(torch.from_numpy(column.T.copy()).to(source) for column in columns))
+
+
+def along(signal: Tensor, curve: Tensor, fps: float, half_window: float) -> Sinusoids:
+    """The sinusoids of ``curve [F, ...]`` whose phase is known: the angle of a complex ``signal [F, ...]`` plus π / 2.
+
+    So a sinusoid is highest where the signal is real and positive. The frequency is the mean growth of the phase in the
+    window; amplitude and offset are the least-squares ones for that phase.
+    """
+    phase = (signal.angle() + math.pi / 2) % (2 * math.pi)
+    turns = (signal[1:] * signal[:-1].conj()).angle() / (2 * math.pi)
+    frequency = windows.mean(torch.cat((turns[:1], turns)), half_window, fps) * fps
+    return Sinusoids(phase, frequency.clamp(MIN_FREQUENCY, MAX_FREQUENCY),
+                     *windows.regression(curve, phase.sin(), half_window, fps))

@@ -15,6 +15,8 @@ from toolkit.motion import Clip, contacts
 from toolkit.motion import rotations as R
 from toolkit.motion.clip import LIMBS
 from toolkit.motion.tensors import as_tensor, summary
+from toolkit.phases import steps
+from toolkit.phases.steps import Steps
 
 Source = Callable[[Clip, str], Tensor]
 
@@ -111,9 +113,13 @@ class Hybrid:
     """Contacts for feet that touch the floor, contact-free for hands and for feet that never do (section 4.1.3).
 
     ``least`` is the share of frames in contact below which a foot counts as never touching.
+
+    Departure from the paper: the contacts are those of `Steps`, and a foot's phase follows from the middles of its stances
+    and swings (`toolkit.phases.steps.signal`) instead of a sinusoid fitted to them. In a regular walk both are the same.
+    `Contact` is the paper's source.
     """
 
-    contact: Source = field(default_factory=Contact)
+    contact: Source = field(default_factory=Steps)
     contact_free: ContactFree = field(default_factory=ContactFree)
     least: float = 0.02
 
@@ -139,3 +145,7 @@ class Hybrid:
     def __call__(self, clip: Clip, limb: str) -> Tensor:
         """Source curve ``[F]``."""
         return (self.contact if self.choice(clip, limb) == "contact" else self.contact_free)(clip, limb)
+
+    def signal(self, curve: Tensor) -> Tensor | None:
+        """The complex signal ``[F]`` of the steps in a contact curve; None for other curves, which need a fit."""
+        return steps.signal(curve)

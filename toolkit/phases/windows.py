@@ -1,9 +1,7 @@
-"""Measures in a window around every frame: its length, z-score, smoothing, amplitude, speed.
+"""Measures in a window around every frame: its length, z-score, smoothing, speed.
 
 Curves are ``[F, ...]``, best in float64. The length of a window is given by half of it, in seconds.
 """
-
-import math
 
 import scipy
 import torch
@@ -12,10 +10,9 @@ from torch import Tensor
 from toolkit.motion.tensors import through_numpy
 
 SECOND = 0.5  # half of the one-second window
-SHORT = 0.25  # half of the published fit's window: 15 frames at 60 Hz
 CUTOFF = 4.0  # Hz, of the Butterworth filter
 CYCLES = 1.05  # periods in a window; more smooth changes of pace, exactly one gives frequency errors up to 3 %
-LONGEST = 2.0  # seconds, of a period
+SHORTEST, LONGEST = 0.25, 2.0  # seconds, of a period
 LEAST = 0.2  # least autocorrelation of a periodic curve
 
 
@@ -28,7 +25,7 @@ def half_window(curve: Tensor, fps: float) -> float:
     n, longest = len(curve), min(round(LONGEST * fps), len(curve) - 2)
     fast = curve.double() - mean(curve.double(), LONGEST / 2, fps)
     correlation = torch.fft.irfft(torch.fft.rfft(fast, 2 * n).abs() ** 2)[:n]
-    lags = torch.arange(round(SHORT * fps), longest, device=curve.device)
+    lags = torch.arange(round(SHORTEST * fps), longest, device=curve.device)
     here = correlation[lags]
     peaks = lags[(here > correlation[lags - 1]) & (here >= correlation[lags + 1]) & (here > LEAST * correlation[0])]
     if not len(peaks) or correlation[0] < 1e-12:
@@ -50,23 +47,19 @@ def smooth(curves: Tensor, fps: float) -> Tensor:
     return through_numpy(lambda c: scipy.signal.sosfiltfilt(low_pass, c, axis=0), curves)
 
 
-def amplitude(curves: Tensor, frequency: Tensor, fps: float) -> Tensor:
-    """Amplitude ``[F, L]`` of the least-squares sinusoid of known ``frequency [F, L]`` in half a second around each frame.
-
-    At most the range of the curve there, as in the published fit, whose window this is.
-    """
-    half = max(2, round(SHORT * fps))
-    windows = torch.nn.functional.pad(curves.T[:, None], (half, half), mode="reflect")[:, 0].T.unfold(0, 2 * half + 1, 1)
-    angle = 2 * math.pi * frequency[..., None] * torch.arange(-half, half + 1, device=curves.device) / fps
-    sine, cosine = angle.sin(), angle.cos()
-    cosine = cosine - cosine.mean(-1, keepdim=True)  # at right angles to the constant; the sine already is, and to this
-    a, b = ((windows * wave).sum(-1) / wave.square().sum(-1) for wave in (sine, cosine))
-    return torch.minimum(torch.hypot(a, b), windows.amax(-1) - windows.amin(-1))
-
-
 def speed(positions: Tensor, fps: float) -> Tensor:
-    """Mean speed ``[F]`` over one second of positions ``[F, 3]``."""
-    return mean(torch.gradient(positions, spacing=1 / fps, dim=0)[0].norm(dim=-1), SECOND, fps)
+    """Root-mean-square speed ``[F]`` over one second of positions ``[F, 3]``."""
+    return mean(torch.gradient(positions, spacing=1 / fps, dim=0)[0].square().sum(-1), SECOND, fps).sqrt()
+
+
+def regression(curve: Tensor, wave: Tensor, half: float, fps: float) -> tuple[Tensor, Tensor, Tensor]:
+    """Amplitude, offset and residual ``[F]`` of the curve as a multiple of a wave, by least squares in each window."""
+    c, w = (mean(x, half, fps) for x in (curve, wave))
+    cc, ww, cw = (mean(x, half, fps) for x in (curve.square(), wave.square(), curve * wave))
+    amplitude = ((cw - c * w) / (ww - w * w).clamp_min(1e-9)).clamp_min(0.0)
+    offset = c - amplitude * w
+    residual = cc - 2 * (amplitude * cw + offset * c) + amplitude**2 * ww + 2 * amplitude * offset * w + offset**2
+    return amplitude, offset, residual.clamp_min(0.0).sqrt()
 
 
 def mean(values: Tensor, half: float, fps: float) -> Tensor:

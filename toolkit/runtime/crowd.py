@@ -42,10 +42,10 @@ class Crowd:
         """The processing time as text."""
         many = len(self.clips)
         return (f"{many} characters, {len(self.clips[0])} frames: {1e3 * self.seconds:.2f} ms a frame, "
-                f"{1e6 * self.seconds / many:.0f} µs each, {1 / FPS / self.seconds:.1f} times as fast as life")
+                f"{1e6 * self.seconds / many:.0f} µs each, {1 / FPS / self.seconds:.1f} times real time")
 
 
-def walk(model, bank, characters: int = 100, seconds: float = 10.0, *, speed: float = 1.1, seed: int = 0,
+def walk(model, bank, characters: int = 100, seconds: float = 10.0, *, speed: float | None = None, seed: int = 0,
          threads: int = 1, progress: bool = False) -> Crowd:
     """Let characters walk on rings around the origin; neighbouring rings walk in opposite directions.
 
@@ -58,7 +58,7 @@ def walk(model, bank, characters: int = 100, seconds: float = 10.0, *, speed: fl
     seconds
         Recorded time, after `SETTLED` seconds that are not recorded.
     speed
-        Metres per second.
+        Metres per second; by default the mean, in each ring, of the natural speeds.
     seed
         Random seed of the blends.
     threads
@@ -67,10 +67,13 @@ def walk(model, bank, characters: int = 100, seconds: float = 10.0, *, speed: fl
         Show a bar.
     """
     if characters < 1:
-        raise ValueError(f"a crowd needs characters, got {characters}")
+        raise ValueError(f"characters must be 1 or more, got {characters}")
     compiled = model if isinstance(model, CompiledModel) else compile(model, threads=threads)
     radii, angles, ways = _places(characters)
     blends = _blends(list(bank), characters, torch.Generator().manual_seed(seed))
+    speeds = torch.tensor([bank.speed(blend) if speed is None else speed for blend in blends])
+    for radius in radii.unique():
+        speeds[radii == radius] = speeds[radii == radius].mean()
     position, facing = _on_ring(radii, angles, ways)
     state = start(compiled, torch.stack([bank.blend(blend) for blend in blends]), position, facing)
     poses, taken = [], []
@@ -78,8 +81,8 @@ def walk(model, bank, characters: int = 100, seconds: float = 10.0, *, speed: fl
         frames = range(round((SETTLED + seconds) * FPS))
         for frame in tqdm(frames, desc="crowd", unit="frame", disable=None if progress else True):
             began = time.perf_counter()
-            goal, tangent = _on_ring(radii, angles + ways * speed / radii * (frame / FPS + LOOKAHEAD), ways)
-            state = step(compiled, state, towards(state, goal, tangent, speed))
+            goal, tangent = _on_ring(radii, angles + ways * speeds / radii * (frame / FPS + LOOKAHEAD), ways)
+            state = step(compiled, state, towards(state, goal, tangent, speeds[:, None]))
             drawn = pose(compiled, state)
             taken.append(time.perf_counter() - began)
             if frame >= SETTLED * FPS:

@@ -67,7 +67,7 @@ def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0),
         velocity=torch.zeros_like(look), facing=look, drive=torch.ones_like(look[:, :1]), contacts=torch.ones_like(look),
         toes=look.new_zeros(len(look), 2, 3), drift=look.new_zeros(len(look), 2, 2),
     )
-    return dataclasses.replace(state, toes=_predicted_toes(layout, state))
+    return dataclasses.replace(state, toes=predicted_toes(layout, state))
 
 
 def _pairs(values, what: str, style: Tensor) -> Tensor:
@@ -83,8 +83,14 @@ def step(model, state: CharacterState, command: Command) -> CharacterState:
     """The next frame, 1/60 s later.
 
     The future trajectory is blended towards the command. The network predicts the next frame. Pose, phase and trajectory are
-    blends of this prediction and the previous values (section 4.4, with the constants of the published run).
+    blends of this prediction and the previous values (section 4.4, with the constants of the published run). The pose after
+    foot IK is the next input.
     """
+    return planted(model.layout, state, predicted(model, state, command))
+
+
+def predicted(model, state: CharacterState, command: Command) -> CharacterState:
+    """The next frame before foot IK; its ``toes`` and ``drift`` are those of ``state``."""
     layout: Layout = model.layout
     velocity, facing, future = steer(state, command, layout.ahead)
     root = state.root
@@ -93,11 +99,10 @@ def step(model, state: CharacterState, command: Command) -> CharacterState:
     z = model.predict(layout.pack_input(trajectory=window, joints=state.joints), state.phase, state.style)
     out = layout.unpack_output(z)
 
-    predicted = out["trajectory"].unflatten(-1, (-1, 4))
-    predicted = torch.cat((predicted[..., :2], unit(predicted[..., 2:])), -1)
-    predicted = _to_world(predicted, root)
-    new_root = predicted[:, 0]
-    ahead = torch.lerp(future, predicted, CORRECTION)
+    path = out["trajectory"].unflatten(-1, (-1, 4))
+    path = _to_world(torch.cat((path[..., :2], unit(path[..., 2:])), -1), root)
+    new_root = path[:, 0]
+    ahead = torch.lerp(future, path, CORRECTION)
     ahead = torch.cat((new_root[:, None], torch.cat((ahead[..., :2], unit(ahead[..., 2:])), -1)[:, 1:]), 1)
 
     was, now = split_joints(state.joints), split_joints(out["joints"])
@@ -105,15 +110,19 @@ def step(model, state: CharacterState, command: Command) -> CharacterState:
     joints = _to_frame(_orthonormal(pack_joints(**now | {"position": position})), root, new_root)
     phase = advance(layout, state.phase, out)
     contacts = out["contacts"].clamp(0.0, 1.0)
-    new = dataclasses.replace(
+    return dataclasses.replace(
         state, history=torch.cat((state.history[:, 1:], new_root[:, None]), 1), future=ahead, joints=joints, phase=phase,
         velocity=velocity, facing=facing, drive=speed_controller(state, velocity), contacts=contacts,
     )
-    before, predicted = (_predicted_toes(layout, s) for s in (state, new))
-    left = torch.stack((new_root[:, 3], -new_root[:, 2]), -1)
-    toes, drift = foot_lock(state.toes, state.drift, before, predicted, contacts, left, 1 / FPS)
+
+
+def planted(layout: Layout, state: CharacterState, new: CharacterState) -> CharacterState:
+    """The frame ``new``, which follows ``state``, after foot lock and foot IK."""
+    before, toes = (predicted_toes(layout, s) for s in (state, new))
+    left = torch.stack((new.root[:, 3], -new.root[:, 2]), -1)
+    toes, drift = foot_lock(state.toes, state.drift, before, toes, new.contacts, left, 1 / FPS)
     new = dataclasses.replace(new, toes=toes, drift=drift)
-    return dataclasses.replace(new, joints=_planted(layout, new))
+    return dataclasses.replace(new, joints=_with_legs(layout, new))
 
 
 Styles = Tensor | Callable[[int], Tensor]
@@ -208,7 +217,7 @@ def world_joints(layout: Layout, state: CharacterState) -> dict[str, Tensor]:
     return world | {"position": world["position"] + floor[:, None]}
 
 
-def _planted(layout: Layout, state: CharacterState) -> Tensor:
+def _with_legs(layout: Layout, state: CharacterState) -> Tensor:
     """The pose ``[B, 12 J]`` with knees, feet and toes where foot IK puts them; the next frame is predicted from it."""
     skeleton, world = layout.skeleton, world_joints(layout, state)
     turned = R.from_forward_up(world["forward"], world["up"])
@@ -224,7 +233,8 @@ def _planted(layout: Layout, state: CharacterState) -> Tensor:
     return pack_joints(**parts | {"position": position})
 
 
-def _predicted_toes(layout: Layout, state: CharacterState) -> Tensor:
+def predicted_toes(layout: Layout, state: CharacterState) -> Tensor:
+    """World positions ``[B, 2, 3]`` of the right and left toe in the pose."""
     toes = [layout.names.index(layout.skeleton.roles[f"{side}_toe"]) for side in FEET]
     return world_joints(layout, state)["position"][:, toes]
 

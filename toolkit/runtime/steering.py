@@ -17,7 +17,7 @@ from toolkit.runtime.state import CharacterState
 FPS = trajectory.FPS
 GAIN = 0.25  # share of the difference between smoothed target and command that a frame removes
 POSITION_BIAS, DIRECTION_BIAS = 0.75, 1.25  # exponents of the blend from the network's trajectory to the target
-PROPORTIONAL, INTEGRAL, MAX_DRIVE = 1.5, 0.8, 12.0  # ours: gains (of the lag; per second) and limit of `speed_controller`
+PROPORTIONAL, INTEGRAL, MAX_DRIVE = 1.5, 1.6, 12.0  # ours: gains (of the lag; per second) and limit of `speed_controller`
 RETURN, SLOW = 3.0, 0.3  # ours: gain of `steer` against movement while standing; below this speed (m/s) it acts
 LOOKAHEAD = 0.5  # seconds that a pilot looks ahead
 
@@ -144,7 +144,7 @@ def follow(points: Sequence[Sequence[float]], speed: float = 1.2, seconds: float
     return [pilot(frame / FPS * speed) for frame in range(frames)]
 
 
-def towards(state: CharacterState, goal: Tensor, facing: Tensor, speed: float) -> Command:
+def towards(state: CharacterState, goal: Tensor, facing: Tensor, speed: float | Tensor) -> Command:
     """Command towards ``goal [2]`` or ``[B, 2]``, a path's point `LOOKAHEAD` later; late characters walk faster."""
     velocity = (goal.to(state.root) - state.root[:, :2]) / LOOKAHEAD
     fast = velocity.norm(dim=-1, keepdim=True).clamp_min(1e-6)

@@ -111,7 +111,7 @@ def fine_tune(model: Model, clips: Clip | Sequence[Clip] | Features, name: str |
     has_generator = isinstance(getattr(model.modulation, "generator", None), FilmGenerator)
     method = method or ("generator" if has_generator else "vector")
     if method not in METHODS:
-        raise ValueError(f"unknown method {method!r}; there is {', '.join(METHODS)}")
+        raise ValueError(f"unknown method {method!r}; known: {', '.join(METHODS)}")
     if method != "vector" and not has_generator:
         raise ValueError(f"method {method!r} needs a FiLM generator, and this model has none; use method 'vector'")
     if known := [style for style in data.styles if bank is not None and style in bank.names]:
@@ -120,9 +120,10 @@ def fine_tune(model: Model, clips: Clip | Sequence[Clip] | Features, name: str |
     kept, aside = splits.split(data, HELD_OUT, seed, styles)
     if method == "vector":
         learnt = [torch.nn.Parameter(_start(model, bank, kept))]
+        speeds = torch.tensor([features.natural_speed(data.clips[style][:]) for style in styles])
 
         def made() -> StyleBank:
-            return StyleBank(styles, learnt[0].detach().clone())
+            return StyleBank(styles, learnt[0].detach().clone(), speeds)
     else:
         if method == "generator":
             frozen = [*model.gating.parameters(), *model.experts.parameters(), *model.buffers()]

@@ -49,7 +49,7 @@ def embed(vectors: Tensor, method: str = "tsne", seed: int = 0) -> Tensor:
         If the method is unknown or its package missing, or there are fewer than three vectors.
     """
     if method not in EMBEDDINGS:
-        raise ValueError(f"unknown embedding {method!r}; there is {', '.join(EMBEDDINGS)}")
+        raise ValueError(f"unknown embedding {method!r}; known: {', '.join(EMBEDDINGS)}")
     if vectors.dim() != 2 or len(vectors) < 3:
         raise ValueError(f"a map needs three or more vectors [N, D], got {list(vectors.shape)}")
     module, name, package = EMBEDDINGS[method]

@@ -47,9 +47,9 @@ def transition(bank: StyleBank, stops: Mapping[float, str | Mapping[str, float]]
     """
     seconds = [float(second) for second in stops]
     if not seconds or any(b <= a for a, b in pairwise(seconds)):
-        raise ValueError(f"a transition needs stops at rising seconds, got {seconds}")
+        raise ValueError(f"the times of a transition must increase, got {seconds}")
     if not callable(easing) and easing not in EASINGS:
-        raise ValueError(f"unknown easing {easing!r}; there is {', '.join(EASINGS)}")
+        raise ValueError(f"unknown easing {easing!r}; known: {', '.join(EASINGS)}")
     ease = easing if callable(easing) else EASINGS[easing]
     vectors = [bank.blend({stop: 1.0} if isinstance(stop, str) else stop) for stop in stops.values()]
 

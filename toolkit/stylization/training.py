@@ -48,7 +48,7 @@ class Config:
 
     def __post_init__(self):
         if unknown := sorted(set(self.losses) - set(losses.LOSSES)):
-            raise ValueError(f"unknown loss {', '.join(unknown)}; there are {', '.join(losses.LOSSES)}")
+            raise ValueError(f"unknown loss {', '.join(unknown)}; known: {', '.join(losses.LOSSES)}")
         if "adv" not in self.losses:
             raise ValueError(f"the losses need adv, which alone asks for a style; got {', '.join(self.losses) or 'none'}")
         for name, known in (("rates", NETWORKS), ("weights", (*losses.LOSSES, "r1"))):

@@ -94,7 +94,7 @@ def fit(data: Features, config: Config | None = None, checkpoint: str | os.PathL
         check_style(style, data.styles)
     train, test = splits.split(data, config.held_out, config.seed, config.styles or tuple(data.styles))
     if config.patience and not any(map(len, test.inputs.values())):
-        raise ValueError(f"patience needs held-out frames; held_out={config.held_out} of these data are none")
+        raise ValueError(f"patience needs held-out frames; held_out={config.held_out} leaves none of these data")
     batches = Minibatches(train, config.batch, config.clips_per_batch, config.seed, config.pose_mixup)
     if batches.fewest < fabric.world_size:
         raise ValueError(f"{fabric.world_size} processes cannot share a minibatch of {batches.fewest} frames")
@@ -165,7 +165,7 @@ def restore(path: str | os.PathLike, model: Model, adam: torch.optim.Adam, confi
     with model_files.intact(path, "the checkpoint"):
         state = State(**numbers, best=starting(tensors, "best."))
         if not (state.step >= 0 and state.elapsed >= 0 and isinstance(state.stalled, int)):
-            raise ValueError(f"step {state.step}, {state.elapsed} s")
+            raise ValueError(f"its step is {state.step} and its time {state.elapsed} s")
     return state
 
 

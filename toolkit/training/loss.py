@@ -3,7 +3,7 @@
 import torch
 from torch import Tensor
 
-from toolkit.features import FRAME_KINDS, Features, Layout, Rows
+from toolkit.features import FRAME_KINDS, Features, Layout, Rows, natural_speed
 from toolkit.networks import Model
 from toolkit.networks.bank import StyleBank
 from toolkit.networks.model import evaluating
@@ -26,7 +26,7 @@ def loss_terms(model: Model, predicted: Tensor, target: Tensor) -> tuple[Tensor,
 
 
 def make_bank(model: Model, data: Features, clips: int | None = None) -> StyleBank:
-    """Mean style vector of every style, over all its style clips or over ``clips`` of them, evenly spread.
+    """Mean style vector of every style, over its style clips or over ``clips`` of them, evenly spread; and natural speeds.
 
     A model with a table of styles gives its rows; ``data`` must have the styles of its training, in the same order.
     """
@@ -34,8 +34,11 @@ def make_bank(model: Model, data: Features, clips: int | None = None) -> StyleBa
     def picked(y: Tensor | Rows) -> Tensor:
         return y[:] if clips is None or len(y) <= clips else y[torch.linspace(0, len(y) - 1, clips).long()]
 
-    vectors = [model.style_vector(picked(y), number) for number, y in enumerate(data.clips.values())]
-    return StyleBank(tuple(data.clips), torch.stack(vectors).cpu())
+    vectors, speeds = [], []
+    for number, y in enumerate(map(picked, data.clips.values())):
+        vectors.append(model.style_vector(y, number))
+        speeds.append(natural_speed(y))
+    return StyleBank(tuple(data.clips), torch.stack(vectors).cpu(), torch.tensor(speeds))
 
 
 def evaluate(model: Model, bank: StyleBank, data: Features, frames: int | None = None) -> dict[str, dict[str, float]]:

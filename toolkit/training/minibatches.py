@@ -34,7 +34,7 @@ class Minibatches:
         for style in self.styles:
             if not len(data.inputs[style]) or not len(data.clips[style]):
                 raise ValueError(f"style {style!r} has {len(data.inputs[style])} frames and {len(data.clips[style])} style "
-                                 "clips to train on; it needs some of both")
+                                 "clips to train on; it needs both")
         shortest = min(len(x) for x in data.inputs.values())
         self.steps_per_epoch = max(1, shortest // batch) * len(self.styles)
         self.fewest = min(batch, shortest)  # frames of a minibatch

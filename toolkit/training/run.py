@@ -48,7 +48,7 @@ class Config:
 
     def __post_init__(self):
         if self.model not in MODELS:
-            raise ValueError(f"unknown model {self.model!r}; there is {', '.join(MODELS)}")
+            raise ValueError(f"unknown model {self.model!r}; known: {', '.join(MODELS)}")
         budgets = {k: v for k in ("epochs", "steps", "seconds") if (v := getattr(self, k)) is not None}
         if len(budgets) > 1:
             raise ValueError(f"give one of epochs, steps and seconds, got {' and '.join(budgets)}")

@@ -47,7 +47,7 @@ def run(
         raise ValueError("this measurement needs a system that can fork: Linux or macOS")
     chosen = JOBS if only is None else only.split(",")
     if unknown := [name for name in chosen if name not in JOBS]:
-        raise ValueError(f"unknown job {unknown[0]!r}; there are {', '.join(JOBS)}")
+        raise ValueError(f"unknown job {unknown[0]!r}; known: {', '.join(JOBS)}")
     torch.set_num_threads(1)
     bad = []
     with tempfile.TemporaryDirectory() as made, contextlib.ExitStack() as ends:

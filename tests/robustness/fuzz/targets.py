@@ -69,7 +69,7 @@ def make(folder: Path, target: str = "all") -> dict[str, list[Reader]]:
     makers = {"bvh": _bvh, "csv": _csv, "model": _model, "store": _store, "cli": _cli}
     makers |= {name: functools.partial(foreign.make, name) for name in ("gltf", "fbx", "amc", "npz")}
     if target not in (*makers, "all"):
-        raise ValueError(f"unknown target {target!r}; there is {', '.join(makers)}, all")
+        raise ValueError(f"unknown target {target!r}; known: {', '.join(makers)}, all")
     folder = folder.resolve()
     for name in makers:
         (folder / name).mkdir(parents=True, exist_ok=True)

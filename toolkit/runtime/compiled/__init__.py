@@ -72,7 +72,7 @@ class CompiledModel:
         self.seconds, self.compiled = time.perf_counter() - began, self._misses() - known
 
     def __getattr__(self, name: str):
-        raise AttributeError(f"a compiled model has no {name!r}: it only runs; give the model that it was compiled from")
+        raise AttributeError(f"a compiled model has no {name!r}; use the model from which it was compiled")
 
     def __repr__(self) -> str:
         ready = f"{self.compiled} kernels compiled" if self.compiled else "kernels ready"

@@ -27,6 +27,7 @@ COLUMNS = VECTORS * LANES
 CHAINS = 8  # parallel sums that keep a processor busy; short tiles split their sums to reach it
 AHEAD = 4096  # distance of prefetched weights in tall tiles; short tiles are faster without prefetch
 BATCH = 128  # number of characters whose inputs fit in the cache
+LINES = 32  # rows of weights of all experts that fit in the first cache
 PRECISIONS = {"float32": np.float32, "bfloat16": np.uint16}
 
 _LOG2E, _LN2_HIGH, _LN2_LOW = np.float32(1.44269504), np.float32(0.693359375), np.float32(-2.12194440e-4)
@@ -316,23 +317,33 @@ def _gates(phases, weights, skip, gates):
 
 @njit(nogil=True, fastmath={"reassoc", "nsz", "contract"})
 def _scatter(x, gates, weight, bias, dropped, variance):
-    """dropped · Σᵢ xᵢ² (Σₖ αₖ Wₖᵢⱼ)² of one character: `toolkit.networks.BlendedLinear.scatter`."""
+    """dropped · Σᵢ xᵢ² (Σₖ αₖ Wₖᵢⱼ)² ``[B, columns]``: `toolkit.networks.BlendedLinear.scatter`.
+
+    The weights must be blended for each character. `LINES` rows of a panel of all experts stay in the cache meanwhile. Four
+    experts at a time are summed in registers.
+    """
     experts, columns = bias.shape
     n = weight.size // (experts * columns)
-    line, total = np.empty(COLUMNS, np.float32), np.empty(COLUMNS, np.float32)
+    line, at, share = np.empty(COLUMNS, np.float32), np.zeros(4, np.int64), np.zeros(4, np.float32)
+    variance[:] = _ZERO
     for first in range(0, columns, COLUMNS):
-        total[:] = _ZERO
-        for i in range(n):
-            line[:] = _ZERO
-            for k in range(experts):
-                at = (k * columns + first) * n + i * COLUMNS
-                share = gates[k] * x[i]
-                for c in range(COLUMNS):
-                    line[c] += share * weight[at + c]
-            for c in range(COLUMNS):
-                total[c] += line[c] * line[c]
-        for c in range(COLUMNS):
-            variance[first + c] = dropped * total[c]
+        for top in range(0, n, LINES):
+            for b in range(len(x)):
+                for i in range(top, min(top + LINES, n)):
+                    line[:] = _ZERO
+                    for group in range(0, experts, 4):
+                        for k in range(4):
+                            there = group + k < experts
+                            at[k] = ((group + k if there else 0) * columns + first) * n + i * COLUMNS
+                            share[k] = gates[b, group + k] * x[b, i] if there else _ZERO
+                        w0, w1 = weight[at[0] : at[0] + COLUMNS], weight[at[1] : at[1] + COLUMNS]
+                        w2, w3 = weight[at[2] : at[2] + COLUMNS], weight[at[3] : at[3] + COLUMNS]
+                        s0, s1, s2, s3 = share[0], share[1], share[2], share[3]
+                        for c in range(COLUMNS):
+                            line[c] += s0 * w0[c] + s1 * w1[c] + s2 * w2[c] + s3 * w3[c]
+                    total = variance[b, first : first + COLUMNS]
+                    for c in range(COLUMNS):
+                        total[c] += dropped * line[c] * line[c]
 
 
 @njit(nogil=True)
@@ -368,7 +379,7 @@ def predict(x, phases, style, weights, skip, dropped, z, start, stop):
     scaled, gates = np.zeros((room, n), np.float32), np.empty((room, len(weights.biases[0])), np.float32)
     first, second = np.empty((room, widths[0]), np.float32), np.empty((room, widths[1]), np.float32)
     last, bits = np.empty((room, widths[2]), np.float32), np.empty(hidden, np.int32)
-    variance = np.empty(max(widths[0], widths[1]), np.float32)
+    variance = np.empty((room, max(widths[0], widths[1])) if dropped > 0 else (1, 1), np.float32)
     for begin in range(start, stop, BATCH):
         end = min(begin + BATCH, stop)
         count = end - begin
@@ -380,11 +391,12 @@ def predict(x, phases, style, weights, skip, dropped, z, start, stop):
         inputs, outputs = scaled[:count], first[:count]
         for layer in range(2):
             blended_layer(inputs, gates, weights.experts[layer], weights.biases[layer], outputs)
+            if dropped > 0:
+                _scatter(inputs, gates, weights.experts[layer], weights.biases[layer], dropped, variance)
             for b in range(count):
                 vector = style[begin + b if len(style) > 1 else 0, 2 * layer * hidden : 2 * (layer + 1) * hidden]
                 if dropped > 0:
-                    _scatter(inputs[b], gates[b], weights.experts[layer], weights.biases[layer], dropped, variance)
-                    _expected(outputs[b], variance, vector[:hidden], vector[hidden:])
+                    _expected(outputs[b], variance[b], vector[:hidden], vector[hidden:])
                 else:
                     _modulate(outputs[b], vector[:hidden], vector[hidden:], bits)
             inputs, outputs = outputs, second[:count]
