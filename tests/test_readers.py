@@ -507,6 +507,8 @@ def test_our_motion_through_joint_positions_and_back(smpl, tmp_path):
     assert made.fps == 60
     assert not made.doubts
     assert (world(made) - smpl.global_positions).abs().max() < 1e-4
+    more = torch.cat((smpl.global_positions, torch.randn(len(smpl), 30, 3)), 1)  # SMPL-H with fingers, which are left out
+    assert npz.read(written(tmp_path / "c.npz", packed(joints=more, fps=60))).names == npz.BODY
     np.save(tmp_path / "b.npy", smpl.global_positions.numpy())
     assert "20 Hz was assumed" in npz.read(tmp_path / "b.npy").doubts[0]
 
