@@ -563,6 +563,7 @@ def test_kimodo_files_are_exact(shared):
     path = shared / "foreign" / "soma.npz"
     made = npz.read(path)
     assert made.names[0] == "Hips"
+    assert [made.roles[role] for role in ("left_hip", "left_knee", "right_hand")] == ["LeftLeg", "LeftShin", "RightHand"]
     assert (world(made) - torch.from_numpy(np.load(path)["posed_joints"])).abs().max() < 1e-4
 
 

@@ -53,6 +53,9 @@ SOMA = {  # parent by joint (github.com/nv-tlabs/kimodo, kimodo/skeleton/definit
     **{side + name: parent if parent == "Hips" else side + parent for side in ("Left", "Right") for name, parent in {
         "Leg": "Hips", "Shin": "Leg", "Foot": "Shin", "ToeBase": "Foot"}.items()},
 }
+SOMA_ROLES = {"hips": "Hips"} | {f"{side}_{part}": side.title() + name for side in SIDES for part, name in {
+    "shoulder": "Arm", "elbow": "ForeArm", "hand": "Hand", "hip": "Leg", "knee": "Shin", "foot": "Foot",
+    "toe": "ToeBase"}.items()}  # LeftLeg is the hip here, not the knee as in other rigs
 _DAMAGED = (zipfile.BadZipFile, zlib.error, lzma.LZMAError, struct.error, tokenize.TokenError, EOFError, KeyError,
             NotImplementedError, OverflowError, RuntimeError, SyntaxError, TypeError, ValueError)
 
@@ -200,7 +203,7 @@ def _kimodo(arrays: Mapping[str, np.ndarray]) -> Recording:
     rate = _rate(arrays)
     return Recording(
         "Kimodo joints", names, parents, offsets, R.unroll(local.float()), joints[:, 0], rate or USUAL, unit=1.0, up="y",
-        ends=tuple(name for name in names if name.endswith("End")), roles=dict(ROLES) if names == BODY else None,
+        ends=tuple(name for name in names if name.endswith("End")), roles=dict(ROLES if names == BODY else SOMA_ROLES),
         doubts=() if rate else (f"the file has no frame rate; {USUAL:g} Hz was assumed, as Kimodo's",))
 
 
