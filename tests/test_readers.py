@@ -163,7 +163,7 @@ def test_a_root_that_stays_while_the_hips_travel(tmp_path):
 def test_bones_that_stretch_are_said_and_limbs_that_fly_refused(tmp_path):
     limbs = [{"name": f"arm{i}", "translation": [0, 1, 0], "children": [i + 1]} for i in range(1, 4)]
     nodes = [{"name": "hips", "children": [1]}, *limbs, {"name": "hand", "translation": [0, 1, 0]}]
-    for far, said in ((0.1, "moves against its parent"), (3.0, None)):
+    for far, said in ((0.1, "joints that move against their parents by up to 0.1 units"), (3.0, None)):
         places = np.float32([[0, 1 + far * f, 0] for f in (0, 0, 1)])
         doc = Document([*nodes], skins=[{"joints": [0, 1, 2, 3, 4]}]).animate(
             (2, "translation", np.arange(3) / 30, places, "LINEAR"), (0, "rotation", [0, 0.1], quaternions([0, 1]), "STEP"))
@@ -172,6 +172,25 @@ def test_bones_that_stretch_are_said_and_limbs_that_fly_refused(tmp_path):
             assert said in gltf.read(path).doubts[0]
         else:
             refused(gltf.read, path, "arm2 changes its distance to its parent by up to 3 units")
+
+
+def test_limbs_without_a_skin_stay_under_a_spine_that_stretches(tmp_path):
+    """A skin for the head alone, as avatars have it in some engines, makes the legs no helpers of the rig."""
+    nodes = [{"name": "hips", "children": [1, 4, 6]},
+             *[{"name": f"spine{i}", "translation": [0, 1, 0], "children": [i + 1] if i < 3 else []} for i in range(1, 4)],
+             {"name": "leg_l", "translation": [1, 0, 0], "children": [5]}, {"name": "foot_l", "translation": [0, -4, 0]},
+             {"name": "leg_r", "translation": [-1, 0, 0], "children": [7]}, {"name": "foot_r", "translation": [0, -4, 0]},
+             *[{"name": f"finger{i}", "translation": [0, 1, 0]} for i in range(20)]]
+    nodes[3]["children"] = list(range(8, 28))
+    places, legs = np.float32([[0, 1 + 0.01 * f, 0] for f in range(3)]), np.float32([[1 + 0.01 * f, 0, 0] for f in range(3)])
+    for width in (20, 1):  # many fingers in the skin, then one
+        doc = Document(nodes, skins=[{"joints": [1, 2, 3, *range(8, 8 + width)]}]).animate(
+            (1, "translation", np.arange(3) / 30, places, "LINEAR"), (4, "translation", np.arange(3) / 30, legs, "LINEAR"),
+            *[(j, "rotation", [0, 0.1], quaternions([0, 1]), "LINEAR") for j in (4, 5, 6, 7)],
+            (0, "rotation", [0, 0.1], quaternions([0, 1]), "LINEAR"))
+        made = gltf.read(written(tmp_path / "a.glb", doc.glb()))
+        assert {"hips", "leg_l", "foot_l", "leg_r", "foot_r"} <= set(made.names)
+        assert "leg_l, spine1" in made.doubts[0]
 
 
 def test_a_rig_without_animation_gives_its_rest_pose(tmp_path):
