@@ -163,7 +163,7 @@ def test_a_root_that_stays_while_the_hips_travel(tmp_path):
 def test_bones_that_stretch_are_said_and_limbs_that_fly_refused(tmp_path):
     limbs = [{"name": f"arm{i}", "translation": [0, 1, 0], "children": [i + 1]} for i in range(1, 4)]
     nodes = [{"name": "hips", "children": [1]}, *limbs, {"name": "hand", "translation": [0, 1, 0]}]
-    for far, said in ((0.1, "moves against its parent"), (3.0, None)):
+    for far, said in ((0.1, "joints that move against their parents by up to 0.1 units"), (3.0, None)):
         places = np.float32([[0, 1 + far * f, 0] for f in (0, 0, 1)])
         doc = Document([*nodes], skins=[{"joints": [0, 1, 2, 3, 4]}]).animate(
             (2, "translation", np.arange(3) / 30, places, "LINEAR"), (0, "rotation", [0, 0.1], quaternions([0, 1]), "STEP"))
@@ -172,6 +172,25 @@ def test_bones_that_stretch_are_said_and_limbs_that_fly_refused(tmp_path):
             assert said in gltf.read(path).doubts[0]
         else:
             refused(gltf.read, path, "arm2 changes its distance to its parent by up to 3 units")
+
+
+def test_limbs_without_a_skin_stay_under_a_spine_that_stretches(tmp_path):
+    """A skin for the head alone, as avatars have it in some engines, makes the legs no helpers of the rig."""
+    nodes = [{"name": "hips", "children": [1, 4, 6]},
+             *[{"name": f"spine{i}", "translation": [0, 1, 0], "children": [i + 1] if i < 3 else []} for i in range(1, 4)],
+             {"name": "leg_l", "translation": [1, 0, 0], "children": [5]}, {"name": "foot_l", "translation": [0, -4, 0]},
+             {"name": "leg_r", "translation": [-1, 0, 0], "children": [7]}, {"name": "foot_r", "translation": [0, -4, 0]},
+             *[{"name": f"finger{i}", "translation": [0, 1, 0]} for i in range(20)]]
+    nodes[3]["children"] = list(range(8, 28))
+    places, legs = np.float32([[0, 1 + 0.01 * f, 0] for f in range(3)]), np.float32([[1 + 0.01 * f, 0, 0] for f in range(3)])
+    for width in (20, 1):  # many fingers in the skin, then one
+        doc = Document(nodes, skins=[{"joints": [1, 2, 3, *range(8, 8 + width)]}]).animate(
+            (1, "translation", np.arange(3) / 30, places, "LINEAR"), (4, "translation", np.arange(3) / 30, legs, "LINEAR"),
+            *[(j, "rotation", [0, 0.1], quaternions([0, 1]), "LINEAR") for j in (4, 5, 6, 7)],
+            (0, "rotation", [0, 0.1], quaternions([0, 1]), "LINEAR"))
+        made = gltf.read(written(tmp_path / "a.glb", doc.glb()))
+        assert {"hips", "leg_l", "foot_l", "leg_r", "foot_r"} <= set(made.names)
+        assert "leg_l, spine1" in made.doubts[0]
 
 
 def test_a_rig_without_animation_gives_its_rest_pose(tmp_path):
@@ -507,6 +526,8 @@ def test_our_motion_through_joint_positions_and_back(smpl, tmp_path):
     assert made.fps == 60
     assert not made.doubts
     assert (world(made) - smpl.global_positions).abs().max() < 1e-4
+    more = torch.cat((smpl.global_positions, torch.randn(len(smpl), 30, 3)), 1)  # SMPL-H with fingers, which are left out
+    assert npz.read(written(tmp_path / "c.npz", packed(joints=more, fps=60))).names == npz.BODY
     np.save(tmp_path / "b.npy", smpl.global_positions.numpy())
     assert "20 Hz was assumed" in npz.read(tmp_path / "b.npy").doubts[0]
 
@@ -561,6 +582,7 @@ def test_kimodo_files_are_exact(shared):
     path = shared / "foreign" / "soma.npz"
     made = npz.read(path)
     assert made.names[0] == "Hips"
+    assert [made.roles[role] for role in ("left_hip", "left_knee", "right_hand")] == ["LeftLeg", "LeftShin", "RightHand"]
     assert (world(made) - torch.from_numpy(np.load(path)["posed_joints"])).abs().max() < 1e-4
 
 
@@ -604,6 +626,6 @@ def test_shared_gltf_vrma_and_fbx_files(shared):
     assert (vrma.fps, len(vrma.rotations), vrma.roles["left_toe"], vrma.doubts) == (30, 91, "leftToes", ())
     assert (skeleton.fps, len(skeleton.rotations), len(skeleton.names)) == (24, 21, 17)
     assert (skeleton.unit, skeleton.up) == (0.01, "y")
-    places = world(skeleton)[0]  # two bones as ufbx 0.20 evaluates them in the first frame
+    places = world(skeleton)[0]  # two bones as ufbx 0.23 evaluates them in the first frame
     for name, place in (("Bone.006", (-702.1617, 3.6215, 0.0028)), ("Bone.013", (2949.1419, 3.6216, 0.0045))):
         assert places[skeleton.names.index(name)].numpy() == pytest.approx(place, abs=1e-2)

@@ -13,7 +13,7 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from toolkit.io.nodes import LIMIT, Node, frame_rate, printable, record, sample_times
+from toolkit.io.nodes import LIMIT, MOST, Node, frame_rate, printable, record, sample_times
 from toolkit.io.recording import Recording
 from toolkit.motion import rotations as R
 from toolkit.motion.clip import SIDES
@@ -25,7 +25,6 @@ PATHS = {"translation": 3, "rotation": 4, "scale": 3}
 BONES = {"shoulder": "UpperArm", "elbow": "LowerArm", "hand": "Hand", "hip": "UpperLeg", "knee": "LowerLeg", "foot": "Foot",
          "toe": "Toes"}  # our roles to VRM's bones, without the side
 VALUES = 2_000_000  # values of a JSON text, which takes up to 70 bytes for each
-ZEROS = 1_000_000  # numbers of an accessor without data
 USUAL = 30.0  # frames per second where the keys say nothing
 
 
@@ -55,8 +54,8 @@ def read(path: str | os.PathLike, animation: str | int | None = None) -> Recordi
     path = Path(path)
     try:
         return _File(path).recording(animation)
-    except GLTFError:
-        raise
+    except OSError as error:
+        raise GLTFError(f"{path}: cannot be read ({error.strerror})") from error
     except ValueError as error:
         raise GLTFError(f"{path}: {error}") from error
 
@@ -66,10 +65,7 @@ class _File:
 
     def __init__(self, path: Path):
         self.path = path
-        try:
-            data = path.read_bytes()
-        except OSError as error:
-            raise GLTFError(f"{path}: cannot be read ({error.strerror})") from error
+        data = path.read_bytes()
         self.size, text, self.binary = len(data), data, None
         if data[:4] == b"glTF":
             text, self.binary = _chunks(data)
@@ -181,7 +177,7 @@ class _File:
             raise ValueError(f"accessor {index} has the wrong type for an animation")
         if "bufferView" in accessor:
             values = self._view(accessor, kind, count, width)
-        elif count * width <= max(ZEROS, self.size):
+        elif count * width <= max(MOST, self.size):
             values = np.zeros((count, width), kind)
         else:
             raise ValueError(f"accessor {index} has {count} values and no data")

@@ -100,7 +100,7 @@ def record(nodes: Sequence[Node], frames: int, fps: float, *, format_: str, unit
     root = tree.top(doubts)
     sizes = tree.lengths(root)
     root, dropped = tree.merged(root, sizes)
-    kept, offsets = [], np.zeros((len(nodes), 3))
+    kept, stretched, offsets = [], {}, np.zeros((len(nodes), 3))
     size, scales = max(sizes.values()), {root: tree.world_scale(root)}
     for j in tree.chain(root):
         _scale(nodes[j], tree.children[j], doubts)
@@ -114,17 +114,19 @@ def record(nodes: Sequence[Node], frames: int, fps: float, *, format_: str, unit
             moves = nodes[child].translation * scales[j]
             offsets[child] = np.median(moves, axis=0)
             spread = float(np.ptp(moves, axis=0).max()) if len(moves) > 1 else 0.0
-            if spread > RIGID * size:
+            if spread > STRETCH * size:
                 if tree.droppable(child):
                     dropped.add(child)
                     continue
-                if spread > STRETCH * size:
-                    raise ValueError(f"joint {nodes[child].name} changes its distance to its parent by up to {spread:.4g} "
-                                     "units; only rigid skeletons are supported")
-                doubts.append(f"joint {nodes[child].name} moves against its parent by up to {spread:.3g} units; its median "
-                              "place is used")
+                raise ValueError(f"joint {nodes[child].name} changes its distance to its parent by up to {spread:.4g} "
+                                 "units; only rigid skeletons are supported")
+            if spread > RIGID * size:
+                stretched[nodes[child].name] = spread
             scales[child] = _scale(nodes[child], tree.children[child], doubts) * float(np.prod(scales[j]) ** (1 / 3))
             stack.append(child)
+    if stretched:
+        doubts.append(f"joints that move against their parents by up to {max(stretched.values()):.3g} units have their "
+                      f"median places: {few(stretched)}")
     if left := [nodes[j].name for j in sorted(dropped) if tree.count[j]]:
         doubts.append(f"joints that move against the skeleton were left out: {few(left)}")
     names, place = _unique([nodes[j].name or f"node{j}" for j in kept]), {j: i for i, j in enumerate(kept)}
@@ -188,6 +190,11 @@ class _Tree:
         unused = self.skin and not self.skinned[j]
         return self.count[j] <= FEW or unused or bool(_HELPER.search(self.nodes[j].name))
 
+    def _helper(self, j: int, moving: list[bool]) -> bool:
+        """Whether a branch beside the main one is no limb: without skin, and small or moving against its parents."""
+        unused = not self.skinned[j] and (self.count[j] <= FEW or (self.skin and moving[j]))
+        return unused or bool(_HELPER.search(self.nodes[j].name))
+
     def lengths(self, root: int) -> dict[int, float]:
         """For each node below a joint the length of the bones between them, in the first frame."""
         below, scale, stack = {root: 0.0}, {root: self.world_scale(root)}, [root]
@@ -205,14 +212,21 @@ class _Tree:
     def merged(self, root: int, sizes: dict[int, float]) -> tuple[int, set[int]]:
         """The lowest joint that carries the whole skeleton and moves against its parent, and the branches left out."""
         at, best, above, dropped, aside = root, root, 0, set(), set()
+        most, large, few_lost = RIGID * max(sizes.values()), STRETCH * max(sizes.values()), False
+        moving = [len(node.translation) > 1 and float(np.ptp(node.translation, axis=0).max()) * float(np.max(
+            self.scales.get(node.parent, 1.0))) > large for node in self.nodes]
+        for j in reversed(self.order):
+            if self.nodes[j].parent >= 0:
+                moving[self.nodes[j].parent] |= moving[j]
         while branches := [j for j in self.children[at] if self.count[j]]:
             main = max(branches, key=lambda j: self.count[j])
             aside |= set(self.children[at]) - {main}
             above += 1
-            if above > MERGED * self.count[main] or not all(self.droppable(j) for j in branches if j != main):
+            if above > MERGED * self.count[main] or not all(self._helper(j, moving) for j in branches if j != main):
                 break
+            few_lost = few_lost or any(j != main and not _HELPER.search(self.nodes[j].name) for j in branches)
             at, moves = main, self.nodes[main].translation * self.scales[at]
-            if len(moves) > 1 and float(np.ptp(moves, axis=0).max()) > RIGID * max(sizes.values()):
+            if len(moves) > 1 and float(np.ptp(moves, axis=0).max()) > (large if few_lost else most):
                 best, dropped = main, set(aside)
         return best, dropped
 

@@ -24,6 +24,7 @@ BODY = humanml3d.NAMES
 SMPL = (*BODY, "left_hand", "right_hand")
 PARENTS = (*humanml3d.PARENTS, 20, 21)
 WIDTHS = (66, 72, 156, 165)  # of poses: SMPL-H's body, SMPL, SMPL-H and SMPL-X with hands
+COUNTS = {22: 22, 24: 24, 52: 22, 55: 22}  # joints of HumanML3D, SMPL, SMPL-H and SMPL-X, and how many of them are read
 RATES = ("mocap_framerate", "mocap_frame_rate", "fps", "frame_rate", "framerate")
 JOINTS = ("posed_joints", "joints", "positions", "new_joints", "joints3d", "motion", "arr_0")
 VECTORS = ("new_joint_vecs", "vectors", "motion", "arr_0")
@@ -52,6 +53,9 @@ SOMA = {  # parent by joint (github.com/nv-tlabs/kimodo, kimodo/skeleton/definit
     **{side + name: parent if parent == "Hips" else side + parent for side in ("Left", "Right") for name, parent in {
         "Leg": "Hips", "Shin": "Leg", "Foot": "Shin", "ToeBase": "Foot"}.items()},
 }
+SOMA_ROLES = {"hips": "Hips"} | {f"{side}_{part}": side.title() + name for side in SIDES for part, name in {
+    "shoulder": "Arm", "elbow": "ForeArm", "hand": "Hand", "hip": "Leg", "knee": "Shin", "foot": "Foot",
+    "toe": "ToeBase"}.items()}  # LeftLeg is the hip here, not the knee as in other rigs
 _DAMAGED = (zipfile.BadZipFile, zlib.error, lzma.LZMAError, struct.error, tokenize.TokenError, EOFError, KeyError,
             NotImplementedError, OverflowError, RuntimeError, SyntaxError, TypeError, ValueError)
 
@@ -71,8 +75,8 @@ def read(path: str | os.PathLike) -> Recording:
       fingers and face are left out. Bone lengths come from the file if it has ``joints [F, 22 or more, 3]``. SMPL's own are
       part of a licensed model that we do not have: then the lengths are those of an average person, and a doubt says so.
     - ``posed_joints [F, J, 3]`` and ``global_rot_mats [F, J, 3, 3]``, J = 22 (SMPL) or 30 (SOMA), as Kimodo writes them.
-    - ``[F, 22, 3]``, joint positions in HumanML3D's order, or ``[F, 263]``, its numbers (`toolkit.io.humanml3d`). A rigid
-      skeleton is fitted to the positions.
+    - ``[F, 22, 24, 52 or 55, 3]``, joint positions in SMPL's order (HumanML3D has the first 22), or ``[F, 263]``, its
+      numbers (`toolkit.io.humanml3d`). A rigid skeleton is fitted to the positions.
 
     Raises
     ------
@@ -106,10 +110,11 @@ def _recording(arrays: Mapping[str, np.ndarray]) -> Recording:
         if shapes.get(name, ())[1:] == (humanml3d.WIDTH,):
             return _fitted(humanml3d.to_joints(_tensor(arrays, name)), "HumanML3D", humanml3d.FPS, 1.0, "y")
     for name in JOINTS:
-        if shapes.get(name, ())[1:] == (len(BODY), 3):
+        if (shape := shapes.get(name, ()))[2:] == (3,) and shape[1] in COUNTS:
             rate = _rate(arrays)
             doubts = () if rate else (f"the file has no frame rate; {humanml3d.FPS:g} Hz was assumed, as in HumanML3D",)
-            return _fitted(_tensor(arrays, name), "joint positions", rate or humanml3d.FPS, None, None, doubts)
+            joints = _tensor(arrays, name)[:, : COUNTS[shape[1]]]
+            return _fitted(joints, "joint positions", rate or humanml3d.FPS, None, None, doubts)
     held = ", ".join(f"{name} {list(shape)}" for name, shape in list(shapes.items())[:6])
     raise ValueError("no motion in it; expected poses and trans (SMPL, AMASS), joints [F, 22, 3], or HumanML3D's [F, 263]; "
                      f"it has {held if held.isprintable() and held else 'none of these'}")
@@ -198,7 +203,7 @@ def _kimodo(arrays: Mapping[str, np.ndarray]) -> Recording:
     rate = _rate(arrays)
     return Recording(
         "Kimodo joints", names, parents, offsets, R.unroll(local.float()), joints[:, 0], rate or USUAL, unit=1.0, up="y",
-        ends=tuple(name for name in names if name.endswith("End")), roles=dict(ROLES) if names == BODY else None,
+        ends=tuple(name for name in names if name.endswith("End")), roles=dict(ROLES if names == BODY else SOMA_ROLES),
         doubts=() if rate else (f"the file has no frame rate; {USUAL:g} Hz was assumed, as Kimodo's",))
 
 
@@ -206,13 +211,14 @@ def _fitted(joints: Tensor, format_: str, fps: float, unit: float | None, up: st
             doubts: tuple[str, ...] = ()) -> Recording:
     if not len(joints):
         raise ValueError("no frame in it")
-    offsets, rotations, error = positions.fit(humanml3d.PARENTS, _rest(len(BODY)), joints)
+    count = joints.shape[1]
+    offsets, rotations, error = positions.fit(PARENTS[:count], _rest(count), joints)
     height = float((joints.amax(1) - joints.amin(1)).max())
     if error > RIGID * height:
         doubts += ("its bones change their lengths: joints of the rigid skeleton miss the recorded ones by up to "
                    f"{100 * error / height:.2g} % of the height",)
-    return Recording(format_, BODY, humanml3d.PARENTS, offsets, R.unroll(rotations.float()), joints[:, 0], fps, unit=unit,
-                     up=up, roles=dict(ROLES), doubts=doubts)
+    return Recording(format_, SMPL[:count], PARENTS[:count], offsets, R.unroll(rotations.float()), joints[:, 0], fps,
+                     unit=unit, up=up, roles=dict(ROLES), doubts=doubts)
 
 
 def _world(parents: tuple[int, ...], local: Tensor) -> Tensor:
