@@ -115,6 +115,7 @@ META = {  # what runs on any device, numbers or not
     "features.joint_features": lambda m: tk.features.joint_features(m.clip, tk.motion.root_frames(m.clip)),
     "features.style_clips": lambda m: tk.features.style_clips(m.clip),
     "features.moments": lambda m: tk.features.moments(m.root)[1:],
+    "features.mean_velocity": lambda m: tk.features.mean_velocity(tk.features.style_clips(m.clip)),
     "features.Normaliser": lambda m: (n := tk.features.Normaliser.of(m.root), n.invert(n.apply(m.root))),
     "layout.pack_joints": lambda m: tk.features.pack_joints(*[m.points] * 4),
     "layout.split_joints": lambda m: tk.features.split_joints(tk.features.pack_joints(*[m.points] * 4)),
@@ -127,6 +128,9 @@ META = {  # what runs on any device, numbers or not
     "state.CharacterState": lambda m: (m.state.with_style(m.bank["Neutral"]), m.state.root),
     "frame.step": lambda m: runtime.step(m.model, m.state, m.command),
     "frame.pose": lambda m: runtime.pose(m.model, m.state),
+    "frame.predicted": lambda m: runtime.frame.predicted(m.model, m.state, m.command),
+    "frame.planted": lambda m: runtime.frame.planted(m.model.layout, m.state, m.state),
+    "frame.predicted_toes": lambda m: runtime.frame.predicted_toes(m.model.layout, m.state),
     "frame.world_joints": lambda m: runtime.world_joints(m.model.layout, m.state),
     "frame.states": lambda m: list(runtime.states(m.model, [m.command] * 3, m.bank["Zombie"])),
     "frame.record": lambda m: runtime.record(m.model, iter([m.state, m.state])),
@@ -180,7 +184,7 @@ NUMBERS = {  # what looks at numbers, or goes through scipy and numba
 }
 CASES = META | NUMBERS
 #: No tensors, or always the CPU's.
-ELSEWHERE = {"clip.on_cpu", "features.check_style", "features.check_style_clips"}
+ELSEWHERE = {"clip.on_cpu", "features.check_style", "features.check_style_clips", "features.natural_speed"}
 
 
 def tensors(value) -> list[torch.Tensor]:
