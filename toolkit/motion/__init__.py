@@ -1,5 +1,9 @@
 """Motion data: rotations, skeleton and clip, root trajectory, foot contacts, inverse kinematics, retargeting."""
 
+import pkgutil
+
+import lazy_loader
+
 from toolkit.motion import contacts, ik, loops, pruning, retargeting, rotations, trajectory
 
 from toolkit.motion.roles import ROLES, find_roles  # isort: skip
@@ -8,3 +12,4 @@ from toolkit.motion.clip import Clip, RootFrames, on_cpu, root_frames  # isort: 
 
 __all__ = ["ROLES", "Clip", "RootFrames", "Skeleton", "contacts", "find_roles", "forward_kinematics", "ik",
            "local_rotations", "loops", "on_cpu", "pruning", "retargeting", "root_frames", "rotations", "trajectory"]
+__getattr__ = lazy_loader.attach(__name__, [module.name for module in pkgutil.iter_modules(__path__)])[0]
