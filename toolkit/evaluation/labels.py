@@ -70,7 +70,8 @@ def _read(file: Path) -> Take:
     name = file.name.removesuffix("_footsteps.txt")
     clip = bvh.load(file.with_name(f"{name}.bvh"), unit=UNIT)
     try:
-        rows = [[int(word) - 1 for word in line.split()] for line in file.read_text(encoding="utf-8").splitlines() if line.strip()]
+        lines = file.read_text(encoding="utf-8").splitlines()
+        rows = [[int(word) - 1 for word in line.split()] for line in lines if line.strip()]
         gait = np.loadtxt(file.with_name(f"{name}.gait"), ndmin=2)
     except (OSError, ValueError) as error:
         raise ValueError(f"{file}: unreadable, or {name}.gait is ({str(error).splitlines()[0]})") from error
