@@ -7,8 +7,8 @@ import numpy as np
 import torch
 
 from toolkit.export.gltf import STILL, Buffer, container
-from toolkit.io import gltf
 from toolkit.io.files import atomic_write
+from toolkit.io.gltf_file import Document
 from toolkit.motion import Clip
 from toolkit.motion import rotations as R
 from toolkit.view.character import Character
@@ -25,7 +25,7 @@ def save(clip: Clip, path: str | os.PathLike, character: Character) -> None:
     ValueError
         If the character's file keeps its numbers outside of itself; then a .glb is needed.
     """
-    file = gltf._File(character.path)
+    file = Document(character.path)
     document = copy.deepcopy(file.document)
     if file.binary is None or len(document.get("buffers", ())) != 1:
         raise ValueError(f"{character.path}: keeps its mesh in other files; convert it to one .glb first")

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from toolkit.io import gltf
+from toolkit.io.gltf_file import Document, index_of, indices_of, member, members, numbers_of, unit, whole_of
 from toolkit.io.nodes import printable
 
 SLOTS = 4  # joints that a vertex may follow
@@ -55,12 +56,12 @@ class _Reader:
     """A file's nodes with their world transforms."""
 
     def __init__(self, path: Path):
-        self.file = gltf._File(path)
+        self.file = Document(path)
         self.document = self.file.document
-        self.nodes = gltf._dicts(self.document, "nodes")
+        self.nodes = members(self.document, "nodes")
         self.parents = [-1] * len(self.nodes)
         for j, node in enumerate(self.nodes):
-            for child in gltf._indices(node, "children", len(self.nodes)):
+            for child in indices_of(node, "children", len(self.nodes)):
                 if self.parents[child] >= 0 or child == j:
                     raise ValueError(f"node {child} has two parents")
                 self.parents[child] = j
@@ -82,16 +83,16 @@ class _Reader:
 
     def mesh(self) -> SkinnedMesh:
         """All meshes that follow joints, as one."""
-        skins = gltf._dicts(self.document, "skins")
-        listed = [gltf._indices(skin, "joints", len(self.nodes)) for skin in skins]
-        skinned = [(j, gltf._index(node, "skin", len(skins))) for j, node in enumerate(self.nodes)
+        skins = members(self.document, "skins")
+        listed = [indices_of(skin, "joints", len(self.nodes)) for skin in skins]
+        skinned = [(j, index_of(node, "skin", len(skins))) for j, node in enumerate(self.nodes)
                    if "mesh" in node and "skin" in node]
         if not skinned:
             raise ValueError("it holds no skinned mesh, so there is no character to draw")
         inverse: dict[int, np.ndarray] = {}
         for skin, joints in zip(skins, listed, strict=True):
             if "inverseBindMatrices" in skin:
-                matrices = self.file._array(skin["inverseBindMatrices"], 16).reshape(-1, 4, 4).swapaxes(1, 2)
+                matrices = self.file.array(skin["inverseBindMatrices"], 16).reshape(-1, 4, 4).swapaxes(1, 2)
             else:
                 matrices = np.eye(4)[None].repeat(len(joints), 0)
             if len(matrices) < len(joints):
@@ -145,7 +146,7 @@ class _Reader:
         while stack:
             j = stack.pop()
             found.append(j)
-            stack += [c for c in reversed(gltf._indices(self.nodes[j], "children", len(self.nodes))) if c in kept]
+            stack += [c for c in reversed(indices_of(self.nodes[j], "children", len(self.nodes))) if c in kept]
         return found
 
     def _above(self, j: int, at: dict[int, int]) -> int | None:
@@ -157,16 +158,16 @@ class _Reader:
     def _primitives(self, node: int, skin: list[int] | None, at: dict[int, int], place: np.ndarray,
                     host: int = -1) -> list[tuple[np.ndarray, ...]]:
         """Points, triangles, joints, weights and colours of each primitive of a node's mesh."""
-        meshes = gltf._dicts(self.document, "meshes")
+        meshes = members(self.document, "meshes")
         found = []
-        for primitive in gltf._dicts(meshes[gltf._index(self.nodes[node], "mesh", len(meshes))], "primitives"):
-            if "KHR_draco_mesh_compression" in gltf._dict(primitive, "extensions"):
+        for primitive in members(meshes[index_of(self.nodes[node], "mesh", len(meshes))], "primitives"):
+            if "KHR_draco_mesh_compression" in member(primitive, "extensions"):
                 raise ValueError("its mesh is compressed by KHR_draco_mesh_compression; unpack it with gltf-transform")
-            attributes = gltf._dict(primitive, "attributes")
+            attributes = member(primitive, "attributes")
             if primitive.get("mode", 4) != 4 or "POSITION" not in attributes:
                 continue  # points and lines
-            points = self.file._array(attributes["POSITION"], 3)
-            corners = self.file._array(primitive["indices"], 1)[:, 0] if "indices" in primitive else np.arange(len(points))
+            points = self.file.array(attributes["POSITION"], 3)
+            corners = self.file.array(primitive["indices"], 1)[:, 0] if "indices" in primitive else np.arange(len(points))
             if not ((corners >= 0) & (corners < len(points))).all():
                 raise ValueError("a triangle has a vertex that does not exist")
             triangles = corners[: len(corners) // 3 * 3].astype(np.int64).reshape(-1, 3)
@@ -176,7 +177,7 @@ class _Reader:
             else:
                 if not {"JOINTS_0", "WEIGHTS_0"} <= attributes.keys():
                     raise ValueError("a skinned mesh has no weights")
-                own, weights = (self.file._array(attributes[k], SLOTS) for k in ("JOINTS_0", "WEIGHTS_0"))
+                own, weights = (self.file.array(attributes[k], SLOTS) for k in ("JOINTS_0", "WEIGHTS_0"))
                 if not len(own) == len(weights) == len(points) or not ((own >= 0) & (own < len(skin))).all():
                     raise ValueError("the weights of a mesh do not fit its vertices and joints")
                 weights = np.maximum(weights, 0)
@@ -188,31 +189,31 @@ class _Reader:
 
     def _colors(self, primitive: dict, attributes: dict, count: int) -> np.ndarray:
         """Base colour ``[V, 3]`` uint8 of each vertex: the material's colour times its texture there."""
-        materials = gltf._dicts(self.document, "materials")
-        material = materials[gltf._index(primitive, "material", len(materials))] if "material" in primitive else {}
-        surface = gltf._dict(material, "pbrMetallicRoughness")
-        linear = gltf._numbers(surface, "baseColorFactor", 4, (1.0,) * 4)[:3] if surface else np.full(3, GREY)
+        materials = members(self.document, "materials")
+        material = materials[index_of(primitive, "material", len(materials))] if "material" in primitive else {}
+        surface = member(material, "pbrMetallicRoughness")
+        linear = numbers_of(surface, "baseColorFactor", 4, (1.0,) * 4)[:3] if surface else np.full(3, GREY)
         tone = np.clip(linear, 0, 1)[None].repeat(count, 0) ** (1 / 2.2)
-        texture = gltf._dict(surface, "baseColorTexture")
+        texture = member(surface, "baseColorTexture")
         image = self._image(texture) if texture else None
         place = f"TEXCOORD_{texture.get('texCoord', 0)}"
         if image is not None and place in attributes:
-            u, v = (self.file._array(attributes[place], 2) % 1.0).T
+            u, v = (self.file.array(attributes[place], 2) % 1.0).T
             rows, columns = (v * len(image)).astype(int), (u * image.shape[1]).astype(int)
             tone = tone * image[np.minimum(rows, len(image) - 1), np.minimum(columns, image.shape[1] - 1)] / 255
         return (255 * tone + 0.5).astype(np.uint8)
 
     def _image(self, texture: dict) -> np.ndarray | None:
         """Pixels ``[H, W, 3]`` of a texture that lies in the file; None if it cannot be read."""
-        textures, images = (gltf._dicts(self.document, key) for key in ("textures", "images"))
-        source = textures[gltf._index(texture, "index", len(textures))].get("source")
+        textures, images = (members(self.document, key) for key in ("textures", "images"))
+        source = textures[index_of(texture, "index", len(textures))].get("source")
         if type(source) is not int or not 0 <= source < len(images) or "bufferView" not in images[source]:
             return None
         if source not in self.images:
-            views = gltf._dicts(self.document, "bufferViews")
-            view = views[gltf._index(images[source], "bufferView", len(views))]
-            start, size = (gltf._whole(view, key, 0) for key in ("byteOffset", "byteLength"))
-            data = self.file._buffer(gltf._index(view, "buffer", len(gltf._dicts(self.document, "buffers"))))
+            views = members(self.document, "bufferViews")
+            view = views[index_of(images[source], "bufferView", len(views))]
+            start, size = (whole_of(view, key, 0) for key in ("byteOffset", "byteLength"))
+            data = self.file.buffer(index_of(view, "buffer", len(members(self.document, "buffers"))))
             try:
                 from PIL import Image  # of the extra "view"
 
@@ -227,14 +228,14 @@ class _Reader:
 def _transform(node: dict) -> np.ndarray:
     """Transform ``[4, 4]`` of a node relative to its parent."""
     if "matrix" in node:
-        return gltf._numbers(node, "matrix", 16).reshape(4, 4).T
-    x, y, z, w = gltf._unit(gltf._numbers(node, "rotation", 4, (0.0, 0.0, 0.0, 1.0))[None])[0]
+        return numbers_of(node, "matrix", 16).reshape(4, 4).T
+    x, y, z, w = unit(numbers_of(node, "rotation", 4, (0.0, 0.0, 0.0, 1.0))[None])[0]
     made = np.eye(4)
     made[:3, :3] = [[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
                     [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
                     [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]]
-    made[:3, :3] *= gltf._numbers(node, "scale", 3, (1.0,) * 3)
-    made[:3, 3] = gltf._numbers(node, "translation", 3, (0.0,) * 3)
+    made[:3, :3] *= numbers_of(node, "scale", 3, (1.0,) * 3)
+    made[:3, 3] = numbers_of(node, "translation", 3, (0.0,) * 3)
     return made
 
 
