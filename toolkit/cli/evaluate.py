@@ -27,7 +27,7 @@ def evaluate(
                                                     "recognition (the style of a file as in `train`).")] = None,
     out: Annotated[Path | None, typer.Option(help="JSON file for the rows of the table.")] = None,
 ) -> None:
-    """Measure motion files with the field's measures (docs/measures.md), and real ones for comparison.
+    """Measure motion files with the field's measures, beside real ones.
 
     Files that cannot be read or measured are named, and left out.
     """

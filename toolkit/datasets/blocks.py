@@ -1,6 +1,6 @@
 """Training, validation and test parts of a dataset without leaks, as lists of takes and frames.
 
-Neighbouring frames are almost equal, and the features of a frame reach 60 frames back and 61 ahead. So the parts are whole
+Neighbouring frames are almost equal, and the features of a frame reach 60 frames back and 51 ahead. So the parts are whole
 takes, or contiguous blocks with `GAP` frames between them that belong to no part. A block's mirror image belongs to the part
 of the block. `toolkit.datasets.leaks` checks these rules in any list.
 """
@@ -18,7 +18,7 @@ from toolkit.datasets import bandai, style100
 from toolkit.io.files import atomic_write
 
 PARTS = "train", "validation", "test"
-GAP = 240  # frames at 60 Hz between blocks of one take: a style clip, which is longer than the window of a frame (122)
+GAP = 240  # frames at 60 Hz between blocks of one take: a style clip, which is longer than the window of a frame (112)
 SHARE = 0.1  # of a take (of a style's takes) for validation, and for the test
 LEAST = 240  # frames of a block: one style clip
 
