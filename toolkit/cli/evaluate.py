@@ -14,7 +14,7 @@ from toolkit.cli.verbs import Roles, Unit, Up
 from toolkit.datasets import folder as own
 from toolkit.evaluation.recognition import Recogniser
 from toolkit.io.files import atomic_write
-from toolkit.motion import Clip
+from toolkit.motion import Clip, root_frames
 
 
 def evaluate(
@@ -32,7 +32,8 @@ def evaluate(
     Files that cannot be read or measured are named, and left out.
     """
     judge = None if recogniser is None else Recogniser.load(recogniser)
-    clips, truth = ({} if place is None else _clips(place, unit, up, roles) for place in (folder, real))
+    clips, truth = ({} if place is None else _clips(place, real is not None, judge, unit, up, roles)
+                    for place in (folder, real))
     if real is not None and clips.keys() == truth.keys():
         truth = {name: truth[name] for name in clips}
     elif len(clips) == len(truth) > 1:
@@ -46,8 +47,9 @@ def evaluate(
             file.write((json.dumps({"rows": rows, "notes": table.notes}, indent=1) + "\n").encode())
 
 
-def _clips(place: Path, unit: float | str, up: str, roles: dict[str, str] | None) -> dict[str, Clip]:
-    """Clips of a folder by path in it without suffix, or of one file, with the styles that the folder gives."""
+def _clips(place: Path, paired: bool, judge: Recogniser | None, unit: float | str, up: str,
+           roles: dict[str, str] | None) -> dict[str, Clip]:
+    """Clips of a folder that can be measured, by path in it without suffix, with the styles that the folder gives."""
     if place.is_file():
         takes = [own.OwnTake(place, "", "")]
     elif place.is_dir():
@@ -59,12 +61,15 @@ def _clips(place: Path, unit: float | str, up: str, roles: dict[str, str] | None
         path = take.path
         try:
             clip = motion_files.read(path, unit, up, roles).replace(style=take.style, gait=take.gait)
-            if len(clip) < 2:
-                raise ValueError("one frame is no motion")
-            for side in ("left", "right"):
-                clip.skeleton.role(f"{side}_toe")
+            for measure in evaluation.measures.CLIP.values():
+                measure(clip)
+            if paired:
+                root_frames(clip)
+            if judge is not None:
+                judge.embed(clip)
         except (ValueError, OSError, ImportError) as error:
-            print(f"left out: {path.name}: {str(error).removeprefix(f'{path}: ')}", file=sys.stderr)
+            why = str(error).removeprefix(f"{path}: ").removeprefix(f"{path.name}: ")
+            print(f"left out: {path.name}: {why}", file=sys.stderr)
             continue
         clips[path.relative_to(place).with_suffix("").as_posix() if place.is_dir() else path.stem] = clip
     if not clips:
