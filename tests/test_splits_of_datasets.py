@@ -95,8 +95,10 @@ def planted(split, kind):
         made["test"].append({"style": style, "gait": gait, "start": start, "stop": stop, "mirror": True})
     elif kind == "twin by name":
         made["train"].append([f"{style}_M", gait, held.start, held.stop])
+    elif kind == "twin by list":
+        made["validation"].append([style, gait, start, stop, True])
     elif kind == "twin beside":
-        made["train"].append([style, f"{gait}_M", held.stop + 100, held.stop + 400])
+        made["train"].append([style, f"{gait}_mirror", held.stop + 100, held.stop + 400])
     elif kind == "same take":
         made["whole_takes"] = True
     elif kind == "unseen style":
@@ -104,7 +106,8 @@ def planted(split, kind):
     return made
 
 
-@pytest.mark.parametrize("kind", ["overlap", "gap", "twin", "twin by name", "twin beside", "same take", "unseen style"])
+@pytest.mark.parametrize("kind", ["overlap", "gap", "twin", "twin by name", "twin by list", "twin beside", "same take",
+                                  "unseen style"])
 def test_planted_leaks_of_every_kind_are_found(tables, tmp_path, capsys, kind):
     found = leaks.find(made := planted(tk.datasets.split("100style", root=tables), kind))
     word = kind.split(" by ")[0].split(" beside")[0]

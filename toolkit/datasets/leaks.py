@@ -34,9 +34,9 @@ def find(split: Split | Mapping[str, Any] | str | os.PathLike) -> list[str]:
         A `toolkit.datasets.blocks.Split`, a JSON file, or what such a file holds: ``train``, ``validation`` and ``test``
         (one may be missing); and, if wanted, ``gap``, frames between blocks of different parts of one take (by default
         `GAP`); ``whole_takes``, true if no take may be in two parts; ``unseen``, styles of the test alone.
-        A block is ``[style, gait, start, stop]``, or an object with these names; ``"mirror": true`` is a mirror image, and
-        so is a style or gait that ends in ``_M``. A name alone is a whole take; ``M012345`` is the mirror image of
-        ``012345``, as in HumanML3D.
+        A block is ``[style, gait, start, stop]``, with ``true`` at the end for a mirror image, or an object with these names
+        and ``"mirror": true``. A style or gait that ends in ``_M`` or ``_mirror`` is a mirror image, too. A name alone is a
+        whole take; ``M012345`` is the mirror image of ``012345``, as in HumanML3D.
 
     Returns
     -------
@@ -96,8 +96,8 @@ def _entry(part: str, block: Any, place: str) -> _Entry:
     known = {"style", "gait", "start", "stop", "mirror"}
     if isinstance(block, str):
         block = {"gait": block}
-    elif isinstance(block, list | tuple) and len(block) == 4:
-        block = dict(zip(("style", "gait", "start", "stop"), block, strict=True))
+    elif isinstance(block, list | tuple) and len(block) in (4, 5):
+        block = dict(zip(("style", "gait", "start", "stop", "mirror"), block, strict=False))
     if not isinstance(block, Mapping) or not block.keys() <= known or "gait" not in block:
         raise ValueError(f"{place}: expected [style, gait, start, stop], an object with these names, or the name of a take; "
                          f"got {block!r}")
@@ -107,5 +107,5 @@ def _entry(part: str, block: Any, place: str) -> _Entry:
         raise ValueError(f"{place}: style and gait are names, mirror is true or false; got {style!r}, {gait!r}, {mirror!r}")
     if not isinstance(start, int) or not (isinstance(stop, int) or stop == math.inf) or not 0 <= start < stop:
         raise ValueError(f"{place}: expected frame numbers 0 <= start < stop, got {start!r} and {stop!r}")
-    original = tuple(re.sub(r"_M$|^M(?=\d+$)", "", text) for text in (style, gait))
+    original = tuple(re.sub(r"_(M|[Mm]irror(ed)?)$|^M(?=\d+$)", "", text) for text in (style, gait))
     return _Entry(part, original, start, stop, mirror or original != (style, gait))
