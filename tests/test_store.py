@@ -59,6 +59,9 @@ def test_it_gives_the_features_of_build_bit_for_bit(made, in_memory):
             some = torch.tensor([5, 0, len(rows) - 1])
             assert torch.equal(rows[some], expected[some])
             assert torch.equal(rows[3], expected[3])
+    for style in STYLES:
+        assert torch.equal(stored.frames[style], in_memory.frames[style])
+        assert torch.equal(stored.spans[style], in_memory.spans[style])
     takes = {style: len(stored.takes[style]) / (420 - 111) for style in STYLES}
     assert takes == {STYLES[0]: 5, STYLES[1]: 3}  # of a symmetric style all but idling twice, of the other none
 

@@ -12,6 +12,7 @@ import pytest
 import torch
 from test_networks import TINY, tiny_model, tree
 
+import toolkit as tk
 from toolkit import networks, training
 from toolkit.features import Features, splits
 from toolkit.styles import StyleBank
@@ -135,6 +136,42 @@ def test_a_style_holds_out_the_same_frames_whichever_others_there_are():
             assert torch.equal(rows, whole[style])
     assert len({tuple(rows[:3000].tolist()) for rows in whole.values()}) == 4  # a stream for each
     assert splits.mix(3, "Zombie") == 691408046533145781  # on every machine
+
+
+def poses(rows):
+    """The joints' heights in frames of joint features ``[..., 12 J]``: the same in a motion and in its mirror image."""
+    heights = rows.unflatten(-1, (-1, 12))[..., 1].flatten(0, -2)
+    return {tuple(row) for row in (1e5 * heights.sort(-1).values).round().long().tolist()}
+
+
+@pytest.mark.parametrize("seed", [0, 1])
+@pytest.mark.parametrize("clips", [
+    {"seconds": 30.0, "gaits": ["FW"], "mirror": True}, {"seconds": 9.0, "gaits": ["FW", "FR", "TR1"], "mirror": False},
+    {"seconds": 8.0, "gaits": ["FW"], "mirror": False},  # no whole style clip is free: its longest stretch is repeated
+])
+def test_style_clips_of_a_training_share_no_frame_with_what_is_held_out(clips, seed):
+    made = tk.datasets.load("procedural", styles=["Zombie"], gaits=clips["gaits"], seconds=clips["seconds"])
+    data = tk.features.build(made, mirror=clips["mirror"])
+    train, test = splits.split(data, 0.1, seed, ("Zombie",))
+    joints = data.layout.inputs["joints"]
+    shown = poses(train.clips["Zombie"])
+    windows = test.frames["Zombie"][:, None] + torch.arange(-60, 52)
+    near = poses(data.inputs["Zombie"][torch.isin(data.frames["Zombie"], windows)][:, joints])
+    assert len(near) > 60
+    assert poses(data.clips["Zombie"]) & near  # some clips of the data do
+    assert not shown & near
+    assert train.clips["Zombie"].shape[1:] == data.clips["Zombie"].shape[1:]
+    learnt = poses(train.inputs["Zombie"][:, joints])
+    assert not learnt & poses(test.inputs["Zombie"][:, joints])  # nor is a mirror image of a held-out frame learnt
+    assert len(train.inputs["Zombie"]) + len(test.inputs["Zombie"]) == len(data.inputs["Zombie"])
+    assert torch.equal(splits.split(data, 0.1, seed, ("Zombie",))[0].clips["Zombie"], train.clips["Zombie"])
+
+
+def test_a_style_too_short_for_clips_of_its_own_is_doubted():
+    data = tk.features.build(tk.datasets.load("procedural", styles=["Zombie"], gaits=["FW"], seconds=2.5))
+    with pytest.warns(UserWarning, match="style 'Zombie' is too short to hold out frames"):
+        train, _ = splits.split(data, 0.1, 0, ("Zombie",))
+    assert torch.equal(train.clips["Zombie"], data.clips["Zombie"])
 
 
 def test_loss_is_mse_and_bone_length_of_equation_5():

@@ -1,4 +1,4 @@
-"""The verb `data`: download datasets, list their styles, count their frames, write the procedural one."""
+"""The verb `data`: download datasets, list their styles, count their frames, split them, write the procedural one."""
 
 import re
 import sys
@@ -10,7 +10,7 @@ from tqdm import tqdm
 
 from toolkit import datasets
 from toolkit.cli.verbs import ClipSeconds, Root, Seed, Selection
-from toolkit.datasets import home, procedural
+from toolkit.datasets import blocks, home, leaks, procedural
 from toolkit.datasets.fetch import ORIGINS, RECORD, fetch, record
 
 app = typer.Typer(no_args_is_help=True, add_completion=False, help="Download datasets and show what they hold.")
@@ -67,6 +67,35 @@ def data_list(
     """List the styles of a dataset, and how many takes of each gait the folder holds."""
     for style, gaits in datasets.contents(name, root).items():
         print(f"{style:<20}" + (", ".join(f"{gait} {n}" for gait, n in gaits.items()) or "no file here"))
+
+
+@app.command("split")
+def data_split(
+    name: Annotated[str, typer.Argument(help="Dataset: 100style, bandai.")],
+    out: Annotated[Path, typer.Option(help="JSON file to write.")],
+    root: Root = None,
+) -> None:
+    """Write training, validation and test parts without leaks, as lists of takes and frames."""
+    made = datasets.split(name, root)
+    made.save(out)
+    for part in blocks.PARTS:
+        of_part = getattr(made, part)
+        print(f"{part:<11}{len(of_part):>6} blocks{sum(b.stop - b.start for b in of_part):>11,} frames")
+    print(f"unseen styles, in the test alone: {', '.join(made.unseen) or 'none'}; wrote {out}")
+
+
+@app.command("leaks")
+def data_leaks(split: Annotated[Path, typer.Argument(help="JSON file of a split, as `data split` writes it.")]) -> None:
+    """Find leaks in any split; exit status 1 if there are any.
+
+    They are overlaps, gaps that are too small, mirror images, takes in two parts, and unseen styles in the training.
+    """
+    found = leaks.find(split)
+    for line in found:
+        print(line)
+    if found:
+        raise typer.Exit(1)
+    print(f"no leak in {split}")
 
 
 @app.command("write")

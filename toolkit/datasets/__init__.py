@@ -15,11 +15,12 @@ from types import ModuleType
 import lazy_loader
 
 from toolkit.datasets import bandai, folder, home, procedural, style100, xia
+from toolkit.datasets.blocks import split
 from toolkit.datasets.takes import Names, Take
 from toolkit.motion import Clip
 
 __all__ = ["DATASETS", "Take", "available", "bandai", "contents", "folder", "home", "load", "may_mirror", "procedural",
-           "style100", "where", "xia"]
+           "split", "style100", "where", "xia"]
 __getattr__ = lazy_loader.attach(__name__, [module.name for module in pkgutil.iter_modules(__path__)])[0]
 
 DATASETS = {"procedural": procedural, "100style": style100, "bandai": bandai, "xia": xia, "folder": folder}

@@ -43,8 +43,12 @@ class Recogniser(nn.Module):
 
     def forward(self, windows: Tensor) -> Tensor:
         """Logits ``[B, S]`` of normalised ``windows [B, WINDOW, 12 J]``."""
+        return self.out(self.hidden_features(windows))
+
+    def hidden_features(self, windows: Tensor) -> Tensor:
+        """Input ``[B, 2 hidden]`` of the last layer, of normalised ``windows [B, WINDOW, 12 J]``."""
         h = F.elu(self.second(F.elu(self.first(windows.transpose(1, 2)))))
-        return self.out(torch.cat((h.mean(-1), h.amax(-1)), -1))
+        return torch.cat((h.mean(-1), h.amax(-1)), -1)
 
     @torch.no_grad()
     def probabilities(self, joints: Tensor) -> Tensor:
@@ -57,17 +61,25 @@ class Recogniser(nn.Module):
         ValueError
             If there are fewer frames, or the number of columns differs from that of training.
         """
+        windows = self._windows(joints)
+        logits = self(windows.flatten(0, -3))
+        return torch.softmax(logits, -1).unflatten(0, windows.shape[:-2]).mean(-2)
+
+    def _windows(self, joints: Tensor) -> Tensor:
+        """Normalised windows ``[..., W, WINDOW, 12 J]`` of joint features ``[..., F, 12 J]``."""
         if joints.dim() < 2 or joints.shape[-2] < WINDOW or joints.shape[-1] != len(self.mean):
             raise ValueError(f"a style is recognised from [..., F, {len(self.mean)}] with at least {WINDOW} frames F, "
                              f"got {list(joints.shape)}")
-        windows = joints.unfold(-2, WINDOW, HOP).transpose(-1, -2)  # [..., W, WINDOW, 12 J]
-        logits = self((windows.flatten(0, -3).to(self.mean) - self.mean) / self.std)
-        return torch.softmax(logits, -1).unflatten(0, windows.shape[:-2]).mean(-2)
+        return (joints.unfold(-2, WINDOW, HOP).transpose(-1, -2).to(self.mean) - self.mean) / self.std
 
     def of_clip(self, clip: Clip) -> Tensor:
         """Probability ``[S]`` of each style for a clip of at least one second."""
-        clip = clip.resample(trajectory.FPS)
-        return self.probabilities(features.joint_features(clip, root_frames(clip)))
+        return self.probabilities(_joints(clip))
+
+    @torch.no_grad()
+    def embed(self, clip: Clip) -> Tensor:
+        """`hidden_features` ``[W, 2 hidden]`` of the W windows of a clip of at least one second."""
+        return self.hidden_features(self._windows(_joints(clip)))
 
     def confusion(self, data: Features) -> Tensor:
         """Row i, column j of ``[S, S]``: mean probability of style j over the style clips of style i in ``data``."""
@@ -128,6 +140,11 @@ def train(data: Features, seed: int = 0, steps: int = STEPS) -> Recogniser:
         adam.step()
         schedule.step()
     return model.eval()
+
+
+def _joints(clip: Clip) -> Tensor:
+    clip = clip.resample(trajectory.FPS)
+    return features.joint_features(clip, root_frames(clip))
 
 
 def _window(clips: Tensor | features.Rows, draw: torch.Generator) -> Tensor:

@@ -157,6 +157,24 @@ def clip_starts(n: int, device: torch.device | None = None) -> Tensor:
     return torch.arange(0, max(0, n - CLIP_FRAMES + 1), CLIP_HOP, device=device)
 
 
+def clip_spans(starts: Tensor, length: int) -> Tensor:
+    """Rows ``[M, 2]`` of `Features.spans` for style clips that begin at frames ``starts [M]``."""
+    return torch.stack((starts, torch.full_like(starts, length)), -1)
+
+
+class Numbering:
+    """Numbers for the frames of a style's recordings, one recording after the other, with a space between them."""
+
+    def __init__(self):
+        self._take, self._first, self._next = None, 0, 0
+
+    def first(self, take: int, n: int) -> int:
+        """Number of the first frame of a recording of n frames; a mirror image, the same take again, has the same."""
+        if take != self._take:
+            self._take, self._first, self._next = take, self._next, self._next + n + CLIP_FRAMES
+        return self._first
+
+
 def mean_velocity(clips: Tensor) -> Tensor:
     """Mean velocity (x, z) ``[M, 2]`` of style clips ``[M, 240, 12 J]`` in the root frame, m/s."""
     return split_joints(clips)["velocity"][:, :, 0, [0, 2]].mean(1)
@@ -245,6 +263,9 @@ class Features:
     takes: dict[str, Tensor]  # [N] number of each row's clip; a mirror image has the number of its original
     split: Split | None = None  # of a store
     statistics: dict[str, Normaliser] | None = None  # of the training rows of a store
+    # Which frames of the recordings these are; a style's recordings are numbered through, a mirror image as its original.
+    frames: dict[str, Tensor] | None = None  # [N] frame of each row
+    spans: dict[str, Tensor] | None = None  # [M, 2] first frame of each style clip, and the number of its different frames
 
     def __repr__(self) -> str:
         seconds, clips = self.n_frames / trajectory.FPS, sum(map(len, self.clips.values()))
@@ -296,20 +317,23 @@ def build(clips: Clip | Iterable[Clip], *, source: str | phases.Source = "hybrid
         if why := Layout(clip.skeleton, samples=samples).difference(layout):
             raise ValueError(f"{clip.name}: {why}, compared with {clips[0].name}")
         groups[clip.style, clip.gait].append((take, clip))
-    parts: dict[str, dict[str, list[Tensor]]] = {kind: defaultdict(list) for kind in (*KINDS, "takes")}
-    repeated: dict[str, list[Tensor]] = defaultdict(list)  # style clips of styles without a long clip
+    parts: dict[str, dict[str, list[Tensor]]] = {kind: defaultdict(list) for kind in (*KINDS, "takes", "frames", "spans")}
+    repeated: dict[str, list[tuple[Tensor, Tensor]]] = defaultdict(list)  # clips, spans of styles without a long recording
+    numbers: dict[str, Numbering] = defaultdict(Numbering)
     for (style, _), members in tqdm(sorted(groups.items()), "features", unit="group", disable=None if progress else True):
         for take, own in group_features(members, source, mirror, short, samples, contact_height):
             n, device = len(own.joints), own.joints.device
-            at, starts = usable(n, device, samples), clip_starts(n, device)
-            rows = own.inputs(at), own.phases[at], own.outputs(at), own.style_clips(starts), torch.full_like(at, take)
+            at, starts, first = usable(n, device, samples), clip_starts(n, device), numbers[style].first(take, n)
+            rows = (own.inputs(at), own.phases[at], own.outputs(at), own.style_clips(starts), torch.full_like(at, take),
+                    first + at, clip_spans(first + starts, CLIP_FRAMES))
             for kind, values in zip(parts, rows, strict=True):
                 parts[kind][style].append(values)
             if not len(starts):
-                repeated[style].append(own.style_clips(at[:1] * 0, torch.full_like(at[:1], n)))
+                whole = at[:1] * 0
+                repeated[style].append((own.style_clips(whole, whole + n), clip_spans(whole + first, n)))
     for style, values in parts["clips"].items():
-        if not any(map(len, values)):
-            parts["clips"][style] = repeated[style]
+        if not any(map(len, values)) and repeated[style]:
+            parts["clips"][style], parts["spans"][style] = map(list, zip(*repeated[style], strict=True))
     found = {kind: {style: torch.cat(values) for style, values in by_style.items()} for kind, by_style in parts.items()}
     for style in dict.fromkeys(clip.style for clip in clips):
         check_style_clips(style, len(found["clips"].get(style, ())))

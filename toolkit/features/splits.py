@@ -3,53 +3,98 @@
 import contextlib
 import dataclasses
 import hashlib
+import math
+import warnings
 from collections.abc import Iterator
 
 import numpy as np
 import torch
 from torch import Tensor
 
-from toolkit.features.features import FRAME_KINDS, Features, Normaliser, Rows
+from toolkit.features.features import CLIP_FRAMES, FRAME_KINDS, Features, Normaliser, Rows
 
 SPLIT_FRAMES = 240  # held-out frames form contiguous windows of this length, because neighbours are almost equal
 SPLIT_TAKES = 20  # if a style has at least this many takes, whole takes are held out
+STRETCH = 60  # frames that show a style where no whole style clip is free of held-out frames: one second
 SPLIT = 1  # number of the random stream; those of `toolkit.training.minibatches` have others
 
 
 def split(data: Features, share: float, seed: int, styles: tuple[str, ...]) -> tuple[Features, Features]:
-    """Training and held-out frames of ``styles``, in that order; style clips stay with the training frames."""
+    """Training and held-out frames of ``styles``, in that order.
+
+    The style clips of the training frames are those of `style_clips`; the held-out frames come with all.
+    """
     known = data.split if data.split and (data.split.share, data.split.seed) == (share, seed) else None
     masks = {s: known.held_out[s] for s in styles} if known else held_out(data, share, seed, styles)
     statistics = known.statistics if known and styles == tuple(data.styles) else None
 
-    def take(masks: dict[str, Tensor], statistics: dict[str, Normaliser] | None) -> Features:
-        found = {kind: getattr(data, kind) for kind in (*FRAME_KINDS, "takes")}
+    def take(masks: dict[str, Tensor], statistics: dict[str, Normaliser] | None, training: bool) -> Features:
+        found = {kind: rows for kind in (*FRAME_KINDS, "takes", "frames") if (rows := getattr(data, kind)) is not None}
         pick = {kind: {s: rows[s].select(mask) if isinstance(rows[s], Rows) else rows[s][mask] for s, mask in masks.items()}
                 for kind, rows in found.items()}
-        clips = {s: data.clips[s] for s in styles}
-        return dataclasses.replace(data, clips=clips, split=None, statistics=statistics, **pick)
+        clips = {s: style_clips(data, s, ~masks[s]) if training else data.clips[s] for s in styles}
+        return dataclasses.replace(data, clips=clips, split=None, statistics=statistics, spans=None, **pick)
 
-    return take({s: ~masks[s] for s in styles}, statistics), take(masks, None)
+    return take({s: ~masks[s] for s in styles}, statistics, True), take(masks, None, False)
+
+
+def style_clips(data: Features, style: str, held_out: Tensor) -> Tensor | Rows:
+    """Style clips that share no frame with the windows of the rows ``held_out [N]`` of a style, nor with mirror images.
+
+    If every clip shares one, the longest remaining stretch of each is repeated, if it lasts `STRETCH` frames or more. All
+    clips, with a warning, if there is none; and all if the data do not say from which frames they come.
+    """
+    clips = data.clips[style]
+    if data.frames is None or data.spans is None or not held_out.any():
+        return clips
+    samples, (starts, lengths) = data.layout.samples, data.spans[style].T
+    window = torch.arange(samples[0], samples[-1] + 2, device=starts.device)
+    taken = (data.frames[style][held_out.to(starts.device)][:, None] + window).unique()
+    column = torch.arange(CLIP_FRAMES, device=starts.device)
+    free = ~torch.isin(starts[:, None] + column % lengths[:, None], taken)
+    if (whole := free.all(1)).any():
+        return clips.select(whole) if isinstance(clips, Rows) else clips[whole]
+    stretches = [(i, *_longest(row[:length].tolist())) for i, (row, length) in enumerate(zip(free, lengths, strict=True))]
+    kept = [clips[i][first + column % length] for i, first, length in stretches if length >= STRETCH]
+    if kept:
+        return torch.stack(kept)
+    warnings.warn(f"style {style!r} is too short to hold out frames: its style clips share frames with their windows",
+                  stacklevel=3)
+    return clips
+
+
+def _longest(free: list[bool]) -> tuple[int, int]:
+    """First index and length of the longest run of True."""
+    best, run = (0, 0), 0
+    for i, yes in enumerate(free):
+        run = run + 1 if yes else 0
+        best = max(best, (i + 1 - run, run), key=lambda found: found[1])
+    return best
 
 
 def held_out(data: Features, share: float, seed: int, styles: tuple[str, ...]) -> dict[str, Tensor]:
     """Which rows of each style are held out, ``[N]`` bool: about ``share`` of every style.
 
     They are whole takes if a style has at least `SPLIT_TAKES` of them, else random windows of 4 s, each inside a take. In a
-    style shorter than 4 s they are its last frames. A take and its mirror image count as one. The held-out frames of a style
-    do not depend on the other styles.
+    style shorter than 4 s they are its last frames. A frame and its mirror image count as one. The held-out frames of a
+    style do not depend on the other styles.
     """
     masks = {}
     for style in styles:
         n, takes = len(data.takes[style]), data.takes[style].unique()
-        windows = [(data.takes[style] == take).nonzero()[:, 0] for take in takes]
+        frames = torch.arange(n) if data.frames is None else data.frames[style]
+        windows = [frames[data.takes[style] == take].unique() for take in takes]
         if len(windows) < SPLIT_TAKES:
             windows = [w for take in windows for w in take.split(SPLIT_FRAMES)]
         target, chosen = round(share * n), torch.zeros(n, dtype=torch.bool)
         for w in torch.randperm(len(windows), generator=generator(seed, SPLIT, style)).tolist():
             if (need := target - int(chosen.sum())) <= 0:
                 break
-            chosen[windows[w] if len(takes) >= SPLIT_TAKES else windows[w][-need:]] = True
+            rows = torch.isin(frames, windows[w])
+            if len(takes) < SPLIT_TAKES:
+                images = int(rows.sum()) // len(windows[w])  # 2 with mirror images
+                rows = torch.isin(frames, windows[w][-math.ceil(need / images) :])
+            chosen |= rows
         masks[style] = chosen
     return masks
 

@@ -11,7 +11,8 @@ import torch
 
 from toolkit import datasets, features
 from toolkit.datasets import Take
-from toolkit.features import Features, Layout, OwnFeatures, Rows
+from toolkit.features import Features, Layout, OwnFeatures, Rows, splits
+from toolkit.features.features import Numbering, clip_spans
 from toolkit.features.store import files
 from toolkit.features.store.workers import one_thread
 from toolkit.io.model_files import intact
@@ -74,7 +75,7 @@ def make(job: Partition) -> dict[str, Any]:
 
 def read(path: Path, entries: dict[str, dict[str, Any]]) -> Features:
     """Features of the styles of manifest entries, as `Rows`."""
-    kinds: dict[str, dict[str, Any]] = {kind: {} for kind in (*features.KINDS, "takes")}
+    kinds: dict[str, dict[str, Any]] = {kind: {} for kind in (*features.KINDS, "takes", "frames", "spans")}
     layout = Layout.from_json(next(iter(entries.values()))["layout"])
     for style, entry in entries.items():
         t = files.read(path / entry["file"], entry)
@@ -82,22 +83,26 @@ def read(path: Path, entries: dict[str, dict[str, Any]]) -> Features:
             if {len(x) for x in t.values()} != {entry["frames"]}:
                 raise ValueError(f"expected {entry['frames']} frames")
             own = OwnFeatures(layout, RootFrames(t["positions"], t["rotations"]), t["joints"], t["phases"], t["contacts"])
-        at, starts, takes, first = [], [], [], 0
+        at, starts, takes, shifts, place, first = [], [], [], [], Numbering(), 0
         for clip in entry["clips"]:
             at.append(first + features.usable(clip["frames"], samples=layout.samples))
             starts.append(first + features.clip_starts(clip["frames"]))
             takes.append(torch.full((len(at[-1]),), clip["take"]))
+            shifts.append(place.first(clip["take"], clip["frames"]) - first)
             first += clip["frames"]
+        kinds["frames"][style] = torch.cat([rows + shift for rows, shift in zip(at, shifts, strict=True)])
+        spans = [clip_spans(rows + shift, features.CLIP_FRAMES) for rows, shift in zip(starts, shifts, strict=True)]
         at, starts = torch.cat(at), torch.cat(starts)
         y = own.style_clips
         if not len(starts):  # only short clips: each is repeated
             lengths = torch.tensor([clip["frames"] for clip in entry["clips"]])
             starts = lengths.cumsum(0) - lengths
+            spans = [torch.stack((starts + torch.tensor(shifts), lengths), -1)]
             y = partial(_repeated, own, dict(zip(starts.tolist(), lengths.tolist(), strict=True)))
         derived = (own.inputs, at), (own.phases.__getitem__, at), (own.outputs, at), (y, starts)
         for kind, (derive, index) in zip(features.KINDS, derived, strict=True):
             kinds[kind][style] = Rows(derive, index)
-        kinds["takes"][style] = torch.cat(takes)
+        kinds["takes"][style], kinds["spans"][style] = torch.cat(takes), torch.cat(spans)
     return Features(layout, **kinds)
 
 
@@ -107,9 +112,9 @@ def _repeated(own: OwnFeatures, lengths: dict[int, int], starts: torch.Tensor) -
 
 
 def moments(path: Path, style: str, entry: dict[str, Any], held_out: np.ndarray) -> dict[str, tuple]:
-    """`toolkit.features.moments` of a style's rows that are not held out, and of its style clips."""
+    """`toolkit.features.moments` of a style's rows that are not held out, and of the style clips of these."""
     with one_thread():
         found, kept = read(path, {style: entry}), ~torch.from_numpy(held_out)
-        rows = {kind: getattr(found, kind)[style] for kind in features.KINDS}
-        rows |= {kind: rows[kind].select(kept) for kind in features.FRAME_KINDS}
+        rows = {kind: getattr(found, kind)[style].select(kept) for kind in features.FRAME_KINDS}
+        rows["clips"] = splits.style_clips(found, style, ~kept)
         return {kind: tuple(np.asarray(x) for x in features.moments(r)) for kind, r in rows.items()}

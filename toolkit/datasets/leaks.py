@@ -1,0 +1,111 @@
+"""Leaks between the parts of a split: frames of the test that a training has seen, as they are or nearly so."""
+
+import json
+import math
+import os
+import re
+from collections import defaultdict
+from collections.abc import Iterator, Mapping
+from itertools import combinations
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from toolkit.datasets.blocks import GAP, PARTS, Split
+
+
+class _Entry(NamedTuple):
+    part: str
+    take: tuple[str, str]  # style and gait (or name) of the original
+    start: int
+    stop: float
+    mirror: bool
+
+    def __str__(self) -> str:
+        frames = "all frames" if math.isinf(self.stop) else f"frames {self.start} to {self.stop}"
+        return f"{frames}{' mirrored' if self.mirror else ''} of {self.part}"
+
+
+def find(split: Split | Mapping[str, Any] | str | os.PathLike) -> list[str]:
+    """Leaks in a split, one line each; an empty list if there is none.
+
+    Parameters
+    ----------
+    split
+        A `toolkit.datasets.blocks.Split`, a JSON file, or what such a file holds: ``train``, ``validation`` and ``test``
+        (one may be missing); and, if wanted, ``gap``, frames between blocks of different parts of one take (by default
+        `GAP`); ``whole_takes``, true if no take may be in two parts; ``unseen``, styles of the test alone.
+        A block is ``[style, gait, start, stop]``, with ``true`` at the end for a mirror image, or an object with these names
+        and ``"mirror": true``. A style or gait that ends in ``_M`` or ``_mirror`` is a mirror image, too. A name alone is a
+        whole take; ``M012345`` is the mirror image of ``012345``, as in HumanML3D.
+
+    Returns
+    -------
+    list of str
+        Kinds: ``overlap``, ``gap`` (too small), ``twin`` (a mirror image of the other part's frames), ``same take``,
+        ``unseen style``.
+
+    Raises
+    ------
+    ValueError
+        If the file or a block is not in this form.
+    """
+    if isinstance(split, Split):
+        what, split = split.dataset, split.to_json()
+    elif isinstance(split, Mapping):
+        what = "split"
+    else:
+        what, path = os.fspath(split), Path(split)
+        try:
+            split = json.loads(path.read_text(encoding="utf-8"))
+        except ValueError as error:
+            raise ValueError(f"{path}: no JSON file ({error})") from None
+    if not isinstance(split, Mapping) or sum(part in split for part in PARTS) < 2:
+        raise ValueError(f"{what}: expected an object with lists of blocks, at least two of {', '.join(PARTS)}")
+    gap, whole, unseen = split.get("gap", GAP), split.get("whole_takes", False), split.get("unseen", [])
+    if not (isinstance(gap, int) and gap >= 0 and isinstance(whole, bool) and isinstance(unseen, list | tuple)):
+        raise ValueError(f"{what}: expected gap, a number of frames; whole_takes, true or false; unseen, a list of styles; "
+                         f"got {gap!r}, {whole!r}, {unseen!r}")
+    takes: dict[tuple[str, str], list[_Entry]] = defaultdict(list)
+    for part in PARTS:
+        for number, block in enumerate(split.get(part, [])):
+            entry = _entry(part, block, f"{what}: block {number} of {part}")
+            takes[entry.take].append(entry)
+    return [line for entries in takes.values() for line in _leaks(entries, gap, whole, unseen)]
+
+
+def _leaks(entries: list[_Entry], gap: int, whole: bool, unseen: list[str]) -> Iterator[str]:
+    """Leaks between blocks of one take."""
+    style, gait = entries[0].take
+    name = f"{style} {gait}".strip()
+    for entry in entries:
+        if style in unseen and entry.part != "test":
+            yield f"unseen style: {name}, {entry}; {style} is for the test alone"
+    for a, b in combinations(sorted(entries, key=lambda entry: (entry.start, entry.stop)), 2):
+        if a.part == b.part:
+            continue
+        between = b.start - a.stop
+        if not whole and between >= gap:
+            continue
+        kind = "twin" if a.mirror != b.mirror else "same take" if whole else "overlap" if between < 0 else "gap"
+        why = f"; {between:g} frames between them, expected {gap}" if kind == "gap" else ""
+        yield f"{kind}: {name}, {a} and {b}{why}"
+
+
+def _entry(part: str, block: Any, place: str) -> _Entry:
+    """A block of a list; ValueError, which names the place, if it is none."""
+    known = {"style", "gait", "start", "stop", "mirror"}
+    if isinstance(block, str):
+        block = {"gait": block}
+    elif isinstance(block, list | tuple) and len(block) in (4, 5):
+        block = dict(zip(("style", "gait", "start", "stop", "mirror"), block, strict=False))
+    if not isinstance(block, Mapping) or not block.keys() <= known or "gait" not in block:
+        raise ValueError(f"{place}: expected [style, gait, start, stop], an object with these names, or the name of a take; "
+                         f"got {block!r}")
+    style, gait = block.get("style", ""), block["gait"]
+    start, stop, mirror = block.get("start", 0), block.get("stop", math.inf), block.get("mirror", False)
+    if not all(isinstance(text, str) for text in (style, gait)) or not isinstance(mirror, bool):
+        raise ValueError(f"{place}: style and gait are names, mirror is true or false; got {style!r}, {gait!r}, {mirror!r}")
+    if not isinstance(start, int) or not (isinstance(stop, int) or stop == math.inf) or not 0 <= start < stop:
+        raise ValueError(f"{place}: expected frame numbers 0 <= start < stop, got {start!r} and {stop!r}")
+    original = tuple(re.sub(r"_(M|[Mm]irror(ed)?)$|^M(?=\d+$)", "", text) for text in (style, gait))
+    return _Entry(part, original, start, stop, mirror or original != (style, gait))
