@@ -7,8 +7,10 @@ import sys
 from pathlib import Path
 
 import pytest
+import torch
 
 import toolkit as tk
+from toolkit.__main__ import main
 
 LOADED = """
 import warnings
@@ -26,7 +28,8 @@ print(tk.__file__, len(clip), *(one.message for one in said if "compiled code" i
 def installed(tmp_path):
     """A folder with a copy of the package, without caches and without permission to write; a home like this."""
     site = tmp_path / "site"
-    shutil.copytree(Path(tk.__file__).parent, site / "toolkit", ignore=shutil.ignore_patterns("__pycache__", "scene", "static"))
+    ignored = shutil.ignore_patterns("__pycache__", "scene", "static")
+    shutil.copytree(Path(tk.__file__).parent, site / "toolkit", ignore=ignored)
     folders = [site, *(path for path in site.rglob("*") if path.is_dir())]
     for folder in folders:
         folder.chmod(0o555)
@@ -49,10 +52,115 @@ def test_a_read_only_install_without_a_home_reads_and_says_where_a_cache_would_g
     code = LOADED.format(file=str(tmp_path / "walk.bvh"), copy=str(tmp_path / "copy.bvh"))
     kept = {k: v for k, v in os.environ.items() if k not in ("NUMBA_CACHE_DIR", "XDG_CACHE_HOME", "PYTHONPATH")}
     env = kept | {"PYTHONPATH": str(installed), "HOME": str(installed / "nobody"), "OMP_NUM_THREADS": "1"}
-    done = subprocess.run(as_another([sys.executable, "-B", "-c", code]), cwd=tmp_path, env=env, capture_output=True, text=True)
+    command = as_another([sys.executable, "-B", "-c", code])
+    done = subprocess.run(command, cwd=tmp_path, env=env, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
     module, frames, *said = done.stdout.strip().split("|")
     assert module == str(installed / "toolkit" / "__init__.py")
     assert frames == "120"
     assert len(said) == 1, said
     assert "NUMBA_CACHE_DIR" in said[0]
+
+
+def forged(folder: Path) -> dict[str, Path]:
+    """Small model files whose sizes promise gigabytes, by loader."""
+    from toolkit.evaluation.recognition import Recogniser
+    from toolkit.features import Normaliser
+    from toolkit.io import model_files
+    from toolkit.phases.learned import PARTS, Learned, PeriodicAutoencoder
+    from toolkit.stylization.graph import SkeletonGraph
+    from toolkit.stylization.networks import Sizes, build
+
+    skeleton = tk.datasets.load("procedural", styles=["Neutral"], gaits=["FW"], seconds=2.0)[0].without_ends().skeleton
+    sizes = Sizes(channels=1, code=1, latent=1, hidden=2)
+    stylizer = build(SkeletonGraph.of(skeleton), ("old",), sizes)[0]
+    recogniser = Recogniser(("a", "b"), Normaliser(torch.zeros(12), torch.ones(12)), 2)
+    learned = Learned({part: PeriodicAutoencoder(hidden=1) for part in PARTS}, dict.fromkeys(PARTS, 1.0))
+    files = {}
+    for made, part, change in (
+        (stylizer, "stylizer", lambda about: about["sizes"].update(channels=2000)),
+        (recogniser, "recogniser", lambda about: about.update(hidden=6000)),
+        (learned, "learned", lambda about: about["hidden"].update(hand=2_000_000)),
+    ):
+        made.save(folder / part)
+        tensors, parts = model_files.read(folder / part, part)
+        change(parts[part])
+        files[part] = folder / f"{part}.safetensors"
+        model_files.write(files[part], {}, parts)
+        if part == "recogniser":
+            model_files.write(files[part], {k: v for k, v in tensors.items() if k.endswith(("mean", "std"))}, parts)
+    return files
+
+
+MEASURED = """
+import resource, sys
+import toolkit as tk
+from toolkit.__main__ import main
+from toolkit.evaluation.recognition import Recogniser
+from toolkit.phases.learned import Learned
+from toolkit.stylization.networks import Stylizer
+before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+resource.setrlimit(resource.RLIMIT_DATA, (8 << 30, 8 << 30))
+load = {"stylizer": Stylizer.load, "recogniser": Recogniser.load, "learned": Learned.load,
+        "bvh": lambda path: tk.load(path, unit=0.01, up="y").resample(60.0)}[sys.argv[1]]
+try:
+    load(sys.argv[2])
+    print("read")
+except ValueError as error:
+    print(error)
+print((resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before) // 1024)
+"""
+
+
+def taken(kind: str, path: Path) -> tuple[str, int]:
+    """What a loader says about a file, and the megabytes that it took at most."""
+    if sys.platform != "linux":
+        pytest.skip("memory is measured on Linux")
+    done = subprocess.run([sys.executable, "-c", MEASURED, kind, str(path)], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    message, megabytes = done.stdout.splitlines()
+    return message, int(megabytes)
+
+
+@pytest.mark.parametrize("kind", ["stylizer", "recogniser", "learned"])
+def test_sizes_in_a_model_file_take_no_memory_before_they_are_checked(kind, tmp_path):
+    path = forged(tmp_path)[kind]
+    assert path.stat().st_size < 20_000
+    message, megabytes = taken(kind, path)
+    assert message.startswith(f"{path}: the {kind}")
+    assert "differs in tensor" in message
+    assert megabytes < 200
+
+
+def test_a_slow_recording_is_not_resampled_into_gigabytes(tmp_path):
+    rows = "0 0 0 0 0 0\n" * 9000
+    channels = "CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation"
+    header = f"HIERARCHY\nROOT hips\n{{\nOFFSET 0 0 0\n{channels}\n}}\n"
+    path = tmp_path / "slow.bvh"
+    path.write_text(f"{header}MOTION\nFrames: 9000\nFrame Time: 3.9\n{rows}")
+    message, megabytes = taken("bvh", path)
+    assert "0.25641 Hz" in message
+    assert megabytes < 200
+
+
+@pytest.mark.parametrize("seconds", ["1e7", "1e300", "inf", "nan", "-1"])
+def test_a_rollout_without_end_is_refused_before_it_starts(seconds, capsys):
+    with pytest.raises(SystemExit) as stopped:
+        main(["rollout", "--style", "Neutral", "--out", "never.bvh", "--seconds", seconds])
+    assert stopped.value.code == 2
+    assert "--seconds" in capsys.readouterr().err
+    with pytest.raises(ValueError, match="at most 86400"):
+        tk.runtime.straight(1.0, float(seconds))
+    with pytest.raises(ValueError, match="at most"):
+        tk.runtime.follow([(0.0, 0.0), (1.0, 0.0)], seconds=float(seconds))
+
+
+def test_a_path_without_end_is_refused():
+    with pytest.raises(ValueError, match="at most"):
+        tk.runtime.follow([(0.0, 0.0), (1e30, 0.0)])
+
+
+def test_a_very_long_frame_time_is_no_error_about_its_sign(tmp_path):
+    path = tmp_path / "slow.bvh"
+    path.write_text("HIERARCHY\nROOT hips\n{\nOFFSET 0 0 0\nCHANNELS 1 Xrotation\n}\nMOTION\nFrames: 1\nFrame Time: 80\n0\n")
+    assert tk.bvh.load(path, unit=0.01, up="y").fps == pytest.approx(1 / 80)

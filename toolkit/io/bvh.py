@@ -255,7 +255,7 @@ def _parse_motion(path: Path, data: bytes, start: int, width: int) -> tuple[np.n
 def _rate(text: str, frame_time: float) -> float:
     """Frames per second of a frame time, which files round: 0.033333 and 0.0333 are 30 Hz, 0.0083 is 120 Hz."""
     fps, unit = 1.0 / frame_time, 10.0 ** -len(text.partition(".")[2])  # of the last decimal
-    if abs(fps - round(fps)) < 0.02:
+    if fps > 0.5 and abs(fps - round(fps)) < 0.02:
         return float(round(fps))
     near = min(RATES, key=lambda rate: abs(fps - rate))
     return near if abs(1 / near - frame_time) < unit and abs(fps / near - 1) < 0.015 else fps
