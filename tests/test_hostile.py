@@ -1,5 +1,7 @@
 """Hostile files, names and machines: what comes from outside is refused in one line, or read without harm."""
 
+import asyncio
+import json
 import os
 import shutil
 import subprocess
@@ -164,3 +166,58 @@ def test_a_very_long_frame_time_is_no_error_about_its_sign(tmp_path):
     path = tmp_path / "slow.bvh"
     path.write_text("HIERARCHY\nROOT hips\n{\nOFFSET 0 0 0\nCHANNELS 1 Xrotation\n}\nMOTION\nFrames: 1\nFrame Time: 80\n0\n")
     assert tk.bvh.load(path, unit=0.01, up="y").fps == pytest.approx(1 / 80)
+
+
+PLANTED = ("<img src=x onerror=window.hacked=1>", "</script><script>window.hacked=1</script>", "<!--<script>", "$\\frac$",
+           "a%{x}b")
+
+
+def test_no_text_from_outside_reaches_html_as_html(walk_clip, tmp_path):
+    pytest.importorskip("ipywidgets")
+    from toolkit.view import figures, frontend, page, phase_figures, picture, player
+
+    clips = [walk_clip.cut(0, 60).replace(style=text) for text in PLANTED]
+    written = page.html(clips, tmp_path / "page.html", title=PLANTED[0], caption=PLANTED[1], labels=PLANTED,
+                        styles=[{text: torch.ones(60) for text in PLANTED}] * len(clips)).read_text("utf-8")
+    assert "<img" not in written
+    data = written.split('id="data">')[1].split("</script>")[0]
+    assert "<" not in data
+    assert [clip["label"] for clip in json.loads(data)["clips"]] == list(PLANTED)
+
+    shown = player.Player(clips, size=(160, 120))
+    assert "<img" not in shown._title.value
+    assert shown._title.value.count("<") == 2  # of its own <b>
+    shown.close()
+    picture.strip(clips[3], title=PLANTED[3])._repr_png_()  # no formula
+
+    points = torch.rand(len(PLANTED), 2)
+    rows = [{"step": 1, **dict.fromkeys(PLANTED, 1.0)}]
+    phases = dict.fromkeys(PLANTED, tk.phases.extract(walk_clip))
+    for figure in (figures.style_space(points, PLANTED, PLANTED, marked={PLANTED[0]: [0, 0]}, title=PLANTED[0]),
+                   figures.training_curves(rows, title=PLANTED[0]), figures.trajectory_figure(clips, title=PLANTED[0]),
+                   phase_figures.phase_manifold(phases, walk_clip.fps, title=PLANTED[0])):
+        assert not {text for text in PLANTED[:3] if text in json.dumps(figure.to_dict(), default=str)}
+        assert "%{x}b" not in str([trace.hovertemplate for trace in figure.data])
+    assert frontend.escape(PLANTED[0]) == "&lt;img src=x onerror=window.hacked=1&gt;"
+
+
+def test_an_error_in_a_widget_is_shown_as_text(walk_clip):
+    pytest.importorskip("ipywidgets")
+    from toolkit.networks.bank import StyleBank
+    from toolkit.view.style_blender import StyleBlender
+
+    def fails(_blend):
+        raise ValueError(f"{PLANTED[0]}.bvh: cannot be read")
+
+    async def drag():
+        shown = StyleBlender(StyleBank(("A", "B", "C"), torch.eye(3)), lambda _blend: walk_clip.cut(0, 30), size=(160, 120))
+        shown._make_clip = fails
+        shown.triangle.weights = [0.0, 1.0, 0.0]
+        for _ in range(200):
+            await asyncio.sleep(0.02)
+            if "ValueError" in shown._status.value:
+                break
+        shown.close()
+        return shown._status.value
+
+    assert asyncio.run(drag()) == "<b>ValueError</b>: &lt;img src=x onerror=window.hacked=1&gt;.bvh: cannot be read"
