@@ -13,6 +13,7 @@ import torch
 
 import toolkit as tk
 from toolkit.__main__ import main
+from toolkit.io.files import atomic_write
 
 LOADED = """
 import warnings
@@ -98,6 +99,7 @@ MEASURED = """
 import resource, sys
 import toolkit as tk
 from toolkit.__main__ import main
+from toolkit.io.files import atomic_write
 from toolkit.evaluation.recognition import Recogniser
 from toolkit.phases.learned import Learned
 from toolkit.stylization.networks import Stylizer
@@ -221,3 +223,34 @@ def test_an_error_in_a_widget_is_shown_as_text(walk_clip):
         return shown._status.value
 
     assert asyncio.run(drag()) == "<b>ValueError</b>: &lt;img src=x onerror=window.hacked=1&gt;.bvh: cannot be read"
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="needs pipes with names")
+def test_only_regular_files_are_read_and_written(tmp_path):
+    os.mkfifo(tmp_path / "pipe.bvh")
+    (tmp_path / "endless.bvh").symlink_to("/dev/zero")
+    for name in ("pipe.bvh", "endless.bvh"):
+        for read in (tk.load, tk.bvh.load, tk.training.load):
+            with pytest.raises(ValueError, match=rf"{name}: cannot be read \(a device, pipe or socket is no file\)"):
+                read(tmp_path / name)
+        with pytest.raises(OSError, match="a device, pipe or socket is no file"), atomic_write(tmp_path / name):
+            pass
+        assert not (tmp_path / name).is_file()
+    with pytest.raises(OSError, match="cannot be written"), atomic_write(tmp_path):
+        pass
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["endless.bvh", "pipe.bvh"]
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has other permissions")
+def test_writing_keeps_links_and_permissions(tmp_path):
+    private, link, dangling = tmp_path / "private", tmp_path / "link", tmp_path / "dangling"
+    private.write_bytes(b"old")
+    private.chmod(0o600)
+    link.symlink_to(private)
+    dangling.symlink_to(tmp_path / "new")
+    for path in (link, dangling):
+        with atomic_write(path) as file:
+            file.write(b"new")
+        assert path.is_symlink()
+    assert private.read_bytes() == (tmp_path / "new").read_bytes() == b"new"
+    assert private.stat().st_mode & 0o777 == 0o600

@@ -11,7 +11,7 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from toolkit.io import interpretation
+from toolkit.io import files, interpretation
 from toolkit.io.files import atomic_write
 from toolkit.io.recording import Recording
 from toolkit.motion import Clip
@@ -72,6 +72,7 @@ def read(path: str | os.PathLike) -> Recording:
     """
     path = Path(path)
     try:
+        files.status(path)
         data = path.read_bytes()
     except OSError as error:
         raise BVHError(f"{path}: cannot be read ({error.strerror})") from error

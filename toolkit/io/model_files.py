@@ -16,7 +16,7 @@ from safetensors import SafetensorError, safe_open
 from safetensors.torch import save
 from torch import Tensor, nn
 
-from toolkit.io.files import atomic_write
+from toolkit.io.files import atomic_write, status
 
 FORMAT = "toolkit 1"
 COMPUTED = 100_000_000  # bytes of buffers that no file holds, which a module of any file may compute
@@ -43,6 +43,7 @@ def read(path: str | os.PathLike, part: str) -> tuple[dict[str, Tensor], dict[st
     """Tensors and parts of a file; ValueError if it cannot be read, has another format, or lacks ``part``."""
     path = Path(path)
     try:
+        status(path)
         with safe_open(path, framework="pt") as file:
             metadata = file.metadata() or {}
             tensors = {name: file.get_tensor(name).clone() for name in file.keys()}  # noqa: SIM118 (not a dict)
