@@ -16,7 +16,7 @@ def rollout(
     out: Annotated[Path, typer.Option(help=f"File to write: {', '.join(export.SUFFIXES)} (.png: a strip).")],
     model: TrainedRun = None,
     parameters: Published = None,
-    seconds: Annotated[float, typer.Option(help="Length of the motion.")] = 10.0,
+    seconds: Annotated[float, typer.Option(help="Length of the motion.", min=0.02, max=3600)] = 10.0,
     speed: Annotated[float | None, typer.Option(help="Metres per second; default: natural for the style.")] = None,
     ik: Annotated[bool, typer.Option(help="Foot and arm IK.")] = True,
 ) -> None:

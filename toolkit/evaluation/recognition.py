@@ -100,12 +100,10 @@ class Recogniser(nn.Module):
     def load(cls, path: str | os.PathLike) -> "Recogniser":
         """Read a file of `save`; ValueError for any other file."""
         tensors, parts = model_files.read(path, "recogniser")
-        own = {name.removeprefix("recogniser."): t for name, t in tensors.items() if name.startswith("recogniser.")}
         with model_files.intact(path, "the recogniser"):
             about = parts["recogniser"]
-            made = cls(about["styles"], Normaliser(own["mean"], own["std"]), about["hidden"])
-            made.load_state_dict(own)
-        return made.eval()
+            normaliser = Normaliser(tensors["recogniser.mean"], tensors["recogniser.std"])
+            return model_files.restore(lambda: cls(about["styles"], normaliser, about["hidden"]), tensors, "recogniser.")
 
 
 def train(data: Features, seed: int = 0, steps: int = STEPS) -> Recogniser:

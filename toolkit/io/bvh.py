@@ -11,7 +11,7 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from toolkit.io import interpretation
+from toolkit.io import files, interpretation
 from toolkit.io.files import atomic_write
 from toolkit.io.recording import Recording
 from toolkit.motion import Clip
@@ -72,6 +72,7 @@ def read(path: str | os.PathLike) -> Recording:
     """
     path = Path(path)
     try:
+        files.status(path)
         data = path.read_bytes()
     except OSError as error:
         raise BVHError(f"{path}: cannot be read ({error.strerror})") from error
@@ -255,7 +256,7 @@ def _parse_motion(path: Path, data: bytes, start: int, width: int) -> tuple[np.n
 def _rate(text: str, frame_time: float) -> float:
     """Frames per second of a frame time, which files round: 0.033333 and 0.0333 are 30 Hz, 0.0083 is 120 Hz."""
     fps, unit = 1.0 / frame_time, 10.0 ** -len(text.partition(".")[2])  # of the last decimal
-    if abs(fps - round(fps)) < 0.02:
+    if fps > 0.5 and abs(fps - round(fps)) < 0.02:
         return float(round(fps))
     near = min(RATES, key=lambda rate: abs(fps - rate))
     return near if abs(1 / near - frame_time) < unit and abs(fps / near - 1) < 0.015 else fps

@@ -1,13 +1,14 @@
 """Compiled parser for rows of decimal numbers, used by `toolkit.io.bvh`."""
 
 import numpy as np
-from numba import njit
+
+from toolkit.io.compilation import compiled
 
 POWERS = 10.0 ** np.arange(23)  # the powers of ten that a double holds exactly
 TAB, NEWLINE, RETURN, SPACE, PLUS, MINUS, POINT, ZERO, UPPER_E, LOWER_E = b"\t\n\r +-.0Ee"
 
 
-@njit(cache=True, nogil=True)
+@compiled()
 def read(data: np.ndarray, at: int, columns: np.ndarray) -> bool:
     """Fill ``columns [C, F]`` with the F rows of C numbers that ``data`` (bytes) holds from ``at`` to its end.
 

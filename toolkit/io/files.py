@@ -1,31 +1,50 @@
-"""Files that are written whole or not at all."""
+"""Files that are read only if they have an end, and written whole or not at all."""
 
 import contextlib
+import errno
 import os
+import stat
 import uuid
 from collections.abc import Iterator
 from pathlib import Path
 from typing import BinaryIO
 
 
+def status(path: str | os.PathLike) -> os.stat_result | None:
+    """The status of a regular file, None of a missing one; OSError for folders, devices, pipes and sockets."""
+    try:
+        found = os.stat(path)
+    except FileNotFoundError:
+        return None
+    if stat.S_ISDIR(found.st_mode):
+        raise OSError(errno.EISDIR, os.strerror(errno.EISDIR), os.fspath(path))
+    if not stat.S_ISREG(found.st_mode):
+        raise OSError(errno.EINVAL, "a device, pipe or socket is no file", os.fspath(path))
+    return found
+
+
 @contextlib.contextmanager
 def atomic_write(path: str | os.PathLike) -> Iterator[BinaryIO]:
     """Open a binary file under the name ``.NAME.….partial``, and rename it when it is complete and on the disk.
 
-    Missing folders are created. OSError if the file cannot be written: the partial file is removed, and an older file stays
-    as it was. A process that is killed while it writes leaves the partial file behind.
+    Missing folders are created. A link is followed, and an older file keeps its permissions. OSError if the file cannot be
+    written, or the path is a device, pipe or socket: the partial file is removed, and an older file stays as it was. A
+    process that is killed while it writes leaves the partial file behind.
     """
-    path = Path(path)
+    path = Path(os.path.realpath(path)) if os.path.islink(path) else Path(path)
     path.parent.mkdir(parents=True, exist_ok=True)
     partial = path.with_name(f".{path.name}.{uuid.uuid4().hex[:8]}.partial")
     try:
+        older = status(path)
         with partial.open("xb") as file:
+            if older:
+                partial.chmod(stat.S_IMODE(older.st_mode))
             yield file
             file.flush()
             os.fsync(file.fileno())
         os.replace(partial, path)
     except OSError as error:
-        if error.errno and error.filename in (None, os.fspath(partial)):
+        if error.errno and error.filename in (None, os.fspath(partial), os.fspath(path)):
             raise OSError(error.errno, f"cannot be written ({error.strerror})", os.fspath(path)) from error
         raise
     finally:

@@ -7,17 +7,19 @@ needs one part accepts every file that has it.
 import contextlib
 import json
 import os
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
+import torch
 from safetensors import SafetensorError, safe_open
 from safetensors.torch import save
-from torch import Tensor
+from torch import Tensor, nn
 
-from toolkit.io.files import atomic_write
+from toolkit.io.files import atomic_write, status
 
 FORMAT = "toolkit 1"
+COMPUTED = 100_000_000  # bytes of buffers that no file holds, which a module of any file may compute
 
 
 def write(path: str | os.PathLike, tensors: dict[str, Tensor], parts: dict[str, Any]) -> None:
@@ -41,6 +43,7 @@ def read(path: str | os.PathLike, part: str) -> tuple[dict[str, Tensor], dict[st
     """Tensors and parts of a file; ValueError if it cannot be read, has another format, or lacks ``part``."""
     path = Path(path)
     try:
+        status(path)
         with safe_open(path, framework="pt") as file:
             metadata = file.metadata() or {}
             tensors = {name: file.get_tensor(name).clone() for name in file.keys()}  # noqa: SIM118 (not a dict)
@@ -58,6 +61,34 @@ def read(path: str | os.PathLike, part: str) -> tuple[dict[str, Tensor], dict[st
     if part not in parts:
         raise ValueError(f"{path}: expected a {part} in it, got {', '.join(sorted(parts)) or 'nothing'}")
     return tensors, parts
+
+
+def restore(build: Callable[[], nn.Module], tensors: dict[str, Tensor], start: str) -> nn.Module:
+    """The module that ``build`` makes with the tensors whose names begin with ``start``, in evaluation mode.
+
+    The module is first built on the meta device, which takes no memory, and its shapes are compared with those of the
+    tensors: sizes in a file cannot take more memory than its tensors do. Random numbers are not used.
+
+    Raises
+    ------
+    ValueError
+        If a tensor is missing or unknown, or has another shape, or buffers that are not in the file are too large.
+    """
+    own = {name.removeprefix(start): value for name, value in tensors.items() if name.startswith(start)}
+    with torch.device("meta"):
+        module = build()
+    expected = module.state_dict()
+    shapes = ({name: list(value.shape) for name, value in values.items()} for values in (expected, own))
+    if why := difference(*shapes):
+        raise ValueError(f"it differs in tensor {why}")
+    computed = sum(value.nbytes for name, value in module.named_buffers() if name not in expected)
+    if computed > COMPUTED:
+        raise ValueError(f"its buffers would take {computed:.3g} bytes")
+    if computed:
+        with torch.random.fork_rng(devices=[]):
+            module = build()
+    module.load_state_dict({name: value.to(expected[name].dtype) for name, value in own.items()}, assign=not computed)
+    return module.eval()
 
 
 @contextlib.contextmanager

@@ -19,6 +19,7 @@ from toolkit.motion.skeleton import Skeleton, forward_kinematics, local_rotation
 from toolkit.motion.tensors import as_tensor, summary, through_numpy
 
 ASKEW = 0.35  # distance of unit vectors: bones that a reflection of axes maps worse need another reflection
+SLOWEST, MANY = 10, 1_000_000  # new frames per old one, joints times frames: where both are passed, no resampling
 UNIT = 1e-3  # tolerance of a quaternion's length: accepts files with four decimals, and long products in float32
 
 
@@ -112,11 +113,19 @@ class Clip:
         return self if q is self.rotations else self.replace(rotations=q, root_positions=self.root_positions.to(q))
 
     def resample(self, fps: float) -> "Clip":
-        """The same motion at another rate, by cubic splines (so that velocities stay continuous)."""
+        """The same motion at another rate, by cubic splines (so that velocities stay continuous).
+
+        ValueError if the rate is not positive, or the motion is slow and long: more than `SLOWEST` times its frames, and
+        `MANY` joints times frames.
+        """
         if not (fps > 0 and math.isfinite(fps)):
             raise ValueError(f"{self.name}: cannot resample to {fps} frames per second")
         if fps == self.fps or len(self) < 2:
             return self.replace(fps=fps)
+        frames = (len(self) - 1) / self.fps * fps + 1
+        if frames > SLOWEST * len(self) and frames * len(self.skeleton) > MANY:
+            raise ValueError(f"{self.name}: {len(self)} frames at {self.fps:g} Hz are {frames:.3g} frames at {fps:g} Hz; if "
+                             "its rate is wrong, correct it by replace(fps=…)")
         old = np.arange(len(self)) / self.fps
         new = np.arange(math.floor(old[-1] * fps + 1e-6) + 1) / fps
         quaternions, positions = (through_numpy(lambda v: scipy.interpolate.CubicSpline(old, v)(new), values)

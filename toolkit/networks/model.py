@@ -300,17 +300,13 @@ class Model(nn.Module):
                 raise ValueError(f"unknown model {name!r}")
             if not isinstance(d["n_styles"], int):
                 raise ValueError(f"n_styles must be a whole number, got {d['n_styles']!r}")
-            with torch.device("meta"):  # no memory and no random numbers: all values are in the file
-                model = cls(name, stored, d["n_styles"], sizes, {}, d["generator"], d.get("calibrated", False))
         if layout is not None and stored != dataclasses.replace(layout, phase=stored.phase):
             described = (
                 {"joints": own.names, "parents": own.parents, "points": own.skeleton.names, "samples": own.samples}
                 for own in (layout, stored)
             )
             raise ValueError(f"{path}: the layout differs in {model_files.difference(*described)}")
-        own = {k.removeprefix("model."): v.float() for k, v in tensors.items() if k.startswith("model.")}
-        shapes = {k: list(v.shape) for k, v in model.state_dict().items()}
-        if why := model_files.difference(shapes, {k: list(v.shape) for k, v in own.items()}):
-            raise ValueError(f"{path}: the model differs in tensor {why}")
-        model.load_state_dict(own, assign=True)
-        return model.eval()
+        with model_files.intact(path, "the model"):
+            generator, calibrated = d["generator"], d.get("calibrated", False)
+            return model_files.restore(lambda: cls(name, stored, d["n_styles"], sizes, {}, generator, calibrated), tensors,
+                                       "model.")

@@ -228,9 +228,10 @@ class Learned:
         tensors, parts = model_files.read(path, "learned")
         with model_files.intact(path, "the learned source in it"):
             described = parts["learned"]
-            networks = nn.ModuleDict({part: PeriodicAutoencoder(hidden=described["hidden"][part]) for part in PARTS}).eval()
-            own = {name.removeprefix("learned."): value for name, value in tensors.items() if name.startswith("learned.")}
-            networks.load_state_dict(own)
+            hidden = described["hidden"]
+            networks = model_files.restore(
+                lambda: nn.ModuleDict({part: PeriodicAutoencoder(hidden=hidden[part]) for part in PARTS}), tensors,
+                "learned.")
             return cls(dict(networks.items()), {part: float(described["factors"][part]) for part in PARTS})
 
 

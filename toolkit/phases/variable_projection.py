@@ -3,12 +3,11 @@
 import math
 
 import numpy as np
-from numba import njit
 
-compiled = njit(cache=True, nogil=True, error_model="numpy")
+from toolkit.io.compilation import compiled
 
 
-@compiled
+@compiled(error_model="numpy")
 def _in_ball(p, q, alpha, beta, radius):
     """The (u, v) no longer than ``radius`` that minimises αu² + βv² − 2pu − 2qv.
 
@@ -31,7 +30,7 @@ def _in_ball(p, q, alpha, beta, radius):
     return u * scale, v * scale
 
 
-@compiled
+@compiled(error_model="numpy")
 def _project(gs, gc, g1, ss, cc, c1, n, spread):
     """The best (u, v, b) within the bounds for one frequency, and its gain, from the inner products of a window.
 
@@ -45,7 +44,7 @@ def _project(gs, gc, g1, ss, cc, c1, n, spread):
     return u, v, b, 2 * (u * gs + v * gc + b * g1) - u * u * ss - v * v * cc - b * b * n - 2 * b * v * c1
 
 
-@compiled
+@compiled(error_model="numpy")
 def _evaluate(odd, even, g1, theta, spread):
     """`_project` at angle ``theta`` per frame, and the derivative of the gain with respect to it.
 
@@ -87,7 +86,7 @@ def _evaluate(odd, even, g1, theta, spread):
     return u, v, b, gain, 2 * (u * ts - v * tc - b * v * c1_slope) + (u * u - v * v) * twice_slope / 2
 
 
-@compiled
+@compiled(error_model="numpy")
 def _refine(odd, even, g1, gg, theta, ends, spread):
     """The peak of the gain between ``ends`` (two angles and their gains): Newton on its slope from ``theta``.
 
@@ -125,7 +124,7 @@ def _refine(odd, even, g1, gg, theta, ends, spread):
     return theta, u, v, b, gain
 
 
-@compiled
+@compiled(error_model="numpy")
 def _peaks(gains, grid, peaks):
     """Peaks of the gain on the grid, one row each: upper estimate of the gain, index, first angle per frame.
 
@@ -147,7 +146,7 @@ def _peaks(gains, grid, peaks):
     return found
 
 
-@compiled
+@compiled(error_model="numpy")
 def minima(curve, low, high, grid, out):
     """Write the best M local minima of every window's error over frequency to ``out`` float64 [M, 5, F], best first.
 
@@ -226,7 +225,7 @@ def minima(curve, low, high, grid, out):
                 out[place, 3, frame], out[place, 4, frame] = b + middle, max(gg - gain, 0.0)
 
 
-@compiled
+@compiled(error_model="numpy")
 def smoothest(cost, here, ahead):
     """The path through candidates with the least sum of costs and jumps (Viterbi 1967), as ``[F]`` indices.
 

@@ -19,6 +19,7 @@ GAIN = 0.25  # share of the difference between smoothed target and command that 
 POSITION_BIAS, DIRECTION_BIAS = 0.75, 1.25  # exponents of the blend from the network's trajectory to the target
 PROPORTIONAL, INTEGRAL, MAX_DRIVE = 1.5, 1.6, 12.0  # ours: gains (of the lag; per second) and limit of `speed_controller`
 RETURN, SLOW = 3.0, 0.3  # ours: gain of `steer` against movement while standing; below this speed (m/s) it acts
+LONGEST = 86_400.0  # seconds that `straight` and `follow` command: a day
 LOOKAHEAD = 0.5  # seconds that a pilot looks ahead
 
 
@@ -103,9 +104,10 @@ def _moved(state: CharacterState, now: int) -> Tensor:
 
 
 def straight(speed: float = 1.2, seconds: float = 10.0, facing: Sequence[float] = (0.0, 1.0)) -> list[Command]:
-    """Commands that walk straight ahead at ``speed`` m/s; a ValueError where a number is not finite or time is negative."""
-    if not (math.isfinite(speed) and 0 <= seconds < math.inf):
-        raise ValueError(f"speed and seconds must be finite and seconds not negative, got {speed} and {seconds}")
+    """Commands that walk straight ahead at ``speed`` m/s; ValueError if it is not finite or the time not 0 to `LONGEST`."""
+    if not (math.isfinite(speed) and 0 <= seconds <= LONGEST):
+        raise ValueError(f"speed and seconds must be finite and seconds not negative, at most {LONGEST:g}; got {speed} and "
+                         f"{seconds}")
     forward = unit(as_tensor(facing, "facing", torch.float64))
     return [Command(tuple((speed * forward).tolist()), tuple(forward.tolist()))] * round(seconds * FPS)
 
@@ -126,9 +128,11 @@ def follow(points: Sequence[Sequence[float]], speed: float = 1.2, seconds: float
     legs = (path[1:] - path[:-1]).norm(dim=-1)
     if path.dim() != 2 or path.shape[1] != 2 or not len(legs) or not bool(((legs > 1e-6) & legs.isfinite()).all()):
         raise ValueError(f"a path needs two or more different (x, z) points, all finite; got {list(path.shape)}")
-    if not (0 < speed < math.inf and (seconds is None or 0 <= seconds < math.inf)):
-        raise ValueError(f"speed must be positive, seconds not negative and both finite; got {speed} and {seconds}")
     ends = legs.cumsum(0)
+    lasts = float(ends[-1]) / max(speed, 1e-300) if seconds is None else seconds
+    if not (0 < speed < math.inf and 0 <= lasts <= LONGEST):
+        raise ValueError("speed must be positive, seconds not negative and both finite, with at most "
+                         f"{LONGEST:g} seconds in all; got {speed} and {lasts}")
 
     def point(distance: float) -> Tensor:
         leg = min(int((ends <= distance).sum()), len(legs) - 1)
@@ -140,8 +144,7 @@ def follow(points: Sequence[Sequence[float]], speed: float = 1.2, seconds: float
         tangent = ahead - goal if float((ahead - goal).norm()) > 1e-6 else path[-1] - path[-2]
         return lambda state: towards(state, goal, tangent, speed)
 
-    frames = math.ceil((float(ends[-1]) / speed if seconds is None else seconds) * FPS)
-    return [pilot(frame / FPS * speed) for frame in range(frames)]
+    return [pilot(frame / FPS * speed) for frame in range(math.ceil(lasts * FPS))]
 
 
 def towards(state: CharacterState, goal: Tensor, facing: Tensor, speed: float | Tensor) -> Command:

@@ -81,9 +81,9 @@ def body_parts(parents: Sequence[int]) -> list[list[int]]:
     children: list[list[int]] = [[] for _ in parents]
     for joint, parent in enumerate(parents[1:], 1):
         children[parent].append(joint)
-    shapes, sizes = {}, {}
+    shapes, sizes, known = {}, {}, {}  # the number of a joint's subtree: equal for subtrees of the same shape
     for joint in reversed(range(len(parents))):
-        shapes[joint] = tuple(sorted(shapes[c] for c in children[joint]))
+        shapes[joint] = known.setdefault(tuple(sorted(shapes[c] for c in children[joint])), len(known))
         sizes[joint] = 1 + sum(sizes[c] for c in children[joint])
     chains, heads = [], [0]
     while heads:

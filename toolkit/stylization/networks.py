@@ -204,10 +204,9 @@ class Stylizer(nn.Module):
         with model_files.intact(path, "the stylizer in it"):
             described = parts["stylizer"]
             graph = SkeletonGraph.of(Skeleton(**described["skeleton"]))
-            model = build(graph, tuple(described["domains"]), Sizes(**described["sizes"]))[0]
-            own = {k.removeprefix("stylizer."): v for k, v in tensors.items() if k.startswith("stylizer.")}
-            model.load_state_dict(own)
-        return model.eval()
+            domains, sizes, shape = tuple(described["domains"]), Sizes(**described["sizes"]), (CHANNELS, 1, graph.sizes[0])
+            return model_files.restore(lambda: cls(graph, domains, sizes, Statistics(torch.zeros(shape), torch.ones(shape))),
+                                       tensors, "stylizer.")
 
 
 def build(graph: SkeletonGraph, domains: tuple[str, ...], sizes: Sizes | None = None,

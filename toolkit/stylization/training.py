@@ -22,7 +22,7 @@ from toolkit.motion.tensors import summary
 from toolkit.stylization import losses
 from toolkit.stylization.data import Motions
 from toolkit.stylization.networks import Discriminator, Sizes, Stylizer, build
-from toolkit.training.checkpoint import Checkpoint, Saver, starting
+from toolkit.training.checkpoint import Checkpoint, Saver
 
 INIT, BATCH = range(2)  # what draws random numbers
 NETWORKS = ("generator", "encoder", "mapping", "discriminator")
@@ -104,8 +104,8 @@ def load(path: str | os.PathLike) -> Run:
         stored = numbers["config"]
         config = Config(**stored | {"sizes": Sizes(**stored["sizes"]), "losses": tuple(stored["losses"]),
                                     "betas": tuple(stored["betas"])})
-        discriminator = Discriminator(stylizer.graph, stylizer.sizes, len(stylizer.domains)).eval()
-        discriminator.load_state_dict(starting(tensors, "discriminator."))
+        discriminator = model_files.restore(
+            lambda: Discriminator(stylizer.graph, stylizer.sizes, len(stylizer.domains)), tensors, "discriminator.")
         return Run(stylizer, discriminator, config, numbers["history"])
 
 

@@ -17,7 +17,7 @@ from toolkit.networks import Model
 from toolkit.networks.bank import StyleBank
 from toolkit.styles.space import embed
 from toolkit.view.figures import INK, QUIET, style_space
-from toolkit.view.frontend import in_notebook, static
+from toolkit.view.frontend import escape, in_notebook, static
 from toolkit.view.picture import PAPER, Picture
 from toolkit.view.style_blender import StyleBlender
 
@@ -140,7 +140,8 @@ class StyleExplorer(StyleBlender):
         axes = figure.subplots()
         axes.plot(*self.points.T.numpy(), "o", color="#7b68c4", markersize=5)
         for name, place in zip(self._bank.names, self.points.tolist(), strict=True):
-            axes.annotate(name, place, fontsize=6, color=INK, xytext=(3, 3), textcoords="offset points")
+            axes.annotate(name, place, fontsize=6, color=INK, xytext=(3, 3), textcoords="offset points",
+                          parse_math=False)
         axes.set(title="Style space", xticks=[], yticks=[], aspect="equal")
         return super()._repr_mimebundle_(**kwargs) | {"image/png": figure._repr_png_()}
 
@@ -158,8 +159,9 @@ class StyleExplorer(StyleBlender):
         return sum(share * self.points[self._bank.names.index(name)] for name, share in self.weights.items()).tolist()
 
     def _clicked(self, _widget, message: dict, _buffers) -> None:
-        if message.get("style") in self._bank.names:
-            self.aim({message["style"]: 1.0})
+        shown = {escape(name): name for name in self._bank.names}
+        if message.get("style") in shown:
+            self.aim({shown[message["style"]]: 1.0})
 
     def _dragged(self, change: dict) -> None:
         """The user moved the ring; `_follow` moves it too, but only to the position of the blend."""

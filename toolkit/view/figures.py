@@ -7,6 +7,7 @@ import plotly.graph_objects as go
 
 from toolkit.motion import Clip, on_cpu
 from toolkit.view.body import PALETTE
+from toolkit.view.frontend import escape
 
 INK, QUIET, GRID = "#2b323b", "#8a8f98", "#e4e0d8"
 LAYOUT = {
@@ -45,15 +46,16 @@ def style_space(vectors, names: Sequence[str], labels: Sequence[str] | None = No
     for i, group in enumerate(dict.fromkeys(groups)):
         own = [k for k, g in enumerate(groups) if g == group]
         figure.add_scatter(
-            x=points[own, 0], y=points[own, 1], text=[names[k] for k in own], name=group or "styles",
+            x=points[own, 0], y=points[own, 1], text=[escape(names[k]) for k in own], name=escape(group) or "styles",
             mode="markers+text" if len(names) <= 40 else "markers", textposition="top center", textfont={"size": 11},
             marker={"size": 11, "color": PALETTE[i % len(PALETTE)], "line": {"color": "white", "width": 1.5}},
-            hovertemplate="<b>%{text}</b><br>" + group + "<extra></extra>", showlegend=labels is not None,
+            showlegend=labels is not None,
+            hovertemplate="<b>%{text}</b>" + ("<br>%{fullData.name}" if group else "") + "<extra></extra>",
         )
     for name, place in (marked or {}).items():
         x, y = _array(place)
-        figure.add_scatter(x=[x], y=[y], text=[name], name=name, mode="markers+text", textposition="bottom center",
-                           marker={"size": 16, "color": INK, "symbol": "star"})
+        figure.add_scatter(x=[x], y=[y], text=[escape(name)], name=escape(name), mode="markers+text",
+                           textposition="bottom center", marker={"size": 16, "color": INK, "symbol": "star"})
     plain = {"showticklabels": False, "zeroline": False}
     return finish(figure, title, 620, plain, plain | {"scaleanchor": "x"})
 
@@ -82,10 +84,11 @@ def training_curves(history: Sequence[Mapping] | Mapping[str, Sequence], *, titl
     for i, name in enumerate(names):
         kept = [r for r in rows if isinstance(r.get(name), int | float) and r[name] > 0]
         if kept:
-            figure.add_scatter(x=[r["step"] for r in kept], y=[r[name] for r in kept], name=name, mode="lines+markers",
-                               customdata=[r.get("elapsed", float("nan")) for r in kept], marker={"size": 5},
+            figure.add_scatter(x=[r["step"] for r in kept], y=[r[name] for r in kept], name=escape(name),
+                               mode="lines+markers", marker={"size": 5},
+                               customdata=[r.get("elapsed", float("nan")) for r in kept],
                                line={"color": PALETTE[i % len(PALETTE)], "width": 2.5},
-                               hovertemplate=f"{name} %{{y:.4g}} at step %{{x:,}}, %{{customdata:.0f}} s<extra></extra>")
+                               hovertemplate="%{fullData.name} %{y:.4g} at step %{x:,}, %{customdata:.0f} s<extra></extra>")
     return finish(figure, title, 420, {"title": "step"}, {"title": "error", "type": "log"})
 
 
@@ -103,7 +106,7 @@ def trajectory_figure(clips: Clip | Sequence[Clip], target=None, *, labels: Sequ
         Names of the clips, and the heading.
     """
     clips = on_cpu(clips)
-    labels = [c.style or c.name for c in clips] if labels is None else list(labels)
+    labels = [escape(x) for x in ([c.style or c.name for c in clips] if labels is None else labels)]
     figure = go.Figure()
     if target is not None:
         path = _array(target)
@@ -114,7 +117,7 @@ def trajectory_figure(clips: Clip | Sequence[Clip], target=None, *, labels: Sequ
         color = PALETTE[i % len(PALETTE)]
         figure.add_scatter(x=x, y=z, name=name, mode="lines", line={"color": color, "width": 2.5},
                            customdata=np.arange(len(clip)) / clip.fps,
-                           hovertemplate="%{customdata:.2f} s<extra>" + name + "</extra>")
+                           hovertemplate="%{customdata:.2f} s<extra>%{fullData.name}</extra>")
         marks = np.unique((np.arange(0, clip.seconds) * clip.fps).round().astype(int).clip(max=len(clip) - 1))
         figure.add_scatter(x=x[marks], y=z[marks], name=f"{name}, each second", mode="markers", showlegend=False,
                            hoverinfo="skip", marker={"size": 7, "color": color})
@@ -125,7 +128,7 @@ def finish(figure: go.Figure, title: str, height: int, x: Mapping, y: Mapping, *
     """The figure with the layout of all charts; ``x`` and ``y`` are further properties of the axes."""
     figure.update_xaxes(gridcolor=GRID, **x)
     figure.update_yaxes(gridcolor=GRID, **y)
-    return figure.update_layout(**LAYOUT, title=title, height=height, **layout)
+    return figure.update_layout(**LAYOUT, title=escape(title), height=height, **layout)
 
 
 def _array(values) -> np.ndarray:

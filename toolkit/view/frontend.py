@@ -1,14 +1,19 @@
 """What widgets share: files for the browser, the notebook's event loop and main thread, a picture that changes often."""
 
 import asyncio
+import html
 import io
+import json
 import sys
 import threading
 from importlib import resources
+from typing import Any
 
 import anywidget
 import traitlets
 from PIL import Image
+
+from toolkit.motion.names import printable
 
 QUALITY = 88  # of the JPEG of a screen
 
@@ -16,6 +21,16 @@ QUALITY = 88  # of the JPEG of a screen
 def static(name: str) -> str:
     """Text of a file for the browser."""
     return (resources.files("toolkit.view") / "static" / name).read_text(encoding="utf-8")
+
+
+def escape(text: object) -> str:
+    """A text as HTML shows it, and plotly, which reads some tags in names and labels."""
+    return html.escape(printable(text))
+
+
+def embed(data: Any) -> str:
+    """JSON for a script element: no text in it can end the element or start a comment."""
+    return json.dumps(data, allow_nan=False).replace("<", "\\u003c")
 
 
 def in_notebook() -> bool:

@@ -1,8 +1,6 @@
 """One self-contained HTML file that plays clips in any browser: no network, no installation, made without OpenGL."""
 
 import base64
-import html as escaping
-import json
 import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -17,7 +15,7 @@ from toolkit.motion import Clip
 from toolkit.motion import rotations as R
 from toolkit.view import body
 from toolkit.view.character import Character
-from toolkit.view.frontend import static
+from toolkit.view.frontend import embed, escape, static
 from toolkit.view.picture import cast, steady_frames
 
 UNIT = 32767  # int16 steps of a quaternion's component
@@ -65,9 +63,9 @@ def write(path: str | os.PathLike, title: str, caption: str, data: dict[str, Any
     ``start`` is JavaScript that starts the page, from its element ``stage``, ``data`` and the scene's code ``toolkitScene``.
     """
     page = Template(static("page.html")).substitute(
-        title=escaping.escape(title),
-        caption=f"<p>{escaping.escape(caption)}</p>" if caption else "",
-        data=json.dumps(data, allow_nan=False).replace("</", "<\\/"),
+        title=escape(title),
+        caption=f"<p>{escape(caption)}</p>" if caption else "",
+        data=embed(data),
         licence=static("THREE-LICENSE").strip(),
         bundle=static("scene.js"),
         start=start,

@@ -17,6 +17,7 @@ from toolkit.motion import rotations as R
 from toolkit.view import body
 from toolkit.view.body import COLORS, CONTACT, PALETTE
 from toolkit.view.figures import GRID, INK, LAYOUT, QUIET, finish
+from toolkit.view.frontend import escape
 from toolkit.view.opengl import INSTALL, opengl_works
 from toolkit.view.picture import per_clip
 from toolkit.view.skin import Skin, placements
@@ -166,7 +167,7 @@ def principal_axes(clip: Clip, source: str | ph.Hybrid | ph.ContactFree = "hybri
     eye = R.rotate(root_frames(clip).rotations[frame], torch.tensor([-1.5, 0.5, 1.3]))  # from the right, in front
     camera = {"up": {"x": 0, "y": 1, "z": 0}, "eye": dict(zip("xyz", eye.tolist(), strict=True))}
     hidden = {f"{axis}axis": {"visible": False} for axis in "xyz"}
-    return figure.update_layout(**LAYOUT, title=title or f"Principal axes, {clip.style} {clip.gait}", height=620,
+    return figure.update_layout(**LAYOUT, title=escape(title or f"Principal axes, {clip.style} {clip.gait}"), height=620,
                                 scene={"aspectmode": "data", "camera": camera} | hidden)
 
 
@@ -204,21 +205,21 @@ def phase_manifold(phases: Mapping[str, ph.Phases], fps: float = 60.0, *, window
         return _manifold_pyvista(paths)
     columns = min(len(paths), 3)
     rows = math.ceil(len(paths) / columns)
-    figure = make_subplots(rows, columns, subplot_titles=list(paths), shared_xaxes="all", shared_yaxes="all",
-                           horizontal_spacing=0.02, vertical_spacing=0.08)
+    figure = make_subplots(rows, columns, subplot_titles=[escape(style) for style in paths], shared_xaxes="all",
+                           shared_yaxes="all", horizontal_spacing=0.02, vertical_spacing=0.08)
     grey = np.concatenate([np.append(p[:, :2], [[np.nan, np.nan]], 0) for p in paths.values()])
     for i, (style, path) in enumerate(paths.items()):
         cell = {"row": i // columns + 1, "col": i % columns + 1}
         figure.add_scatter(x=grey[:, 0], y=grey[:, 1], mode="lines", hoverinfo="skip", **cell,
                            line={"color": GRID, "width": 1})
-        figure.add_scatter(x=path[:, 0], y=path[:, 1], name=style, mode="lines", **cell,
+        figure.add_scatter(x=path[:, 0], y=path[:, 1], name=escape(style), mode="lines", **cell,
                            line={"color": PALETTE[i % len(PALETTE)], "width": 1.6},
                            customdata=(np.arange(len(path)) + (size - 1) / 2) / fps,
-                           hovertemplate=f"<b>{style}</b> %{{customdata:.2f}} s<extra></extra>")
+                           hovertemplate="<b>%{fullData.name}</b> %{customdata:.2f} s<extra></extra>")
     figure.update_xaxes(showticklabels=False, showgrid=False, zeroline=False)
     figure.update_yaxes(showticklabels=False, showgrid=False, zeroline=False, scaleanchor="x")
     first, second, _ = pca.explained_variance_ratio_
-    title = f"{title or 'Phase manifold'}: two components, {first:.0%} and {second:.0%} of the variance"
+    title = escape(f"{title or 'Phase manifold'}: two components, {first:.0%} and {second:.0%} of the variance")
     return figure.update_layout(**LAYOUT, title=title, height=80 + 330 * rows, showlegend=False).update_layout(margin_t=84)
 
 

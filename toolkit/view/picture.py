@@ -71,13 +71,13 @@ def strip(clips: Clip | Sequence[Clip], path: str | os.PathLike | None = None, *
     FigureCanvasAgg(figure)
     total = figure.get_figheight()
     if title:
-        figure.text(0.2 / width, 1 - 0.23 / total, title, size=13, weight="bold", color=INK, va="center")
+        figure.text(0.2 / width, 1 - 0.23 / total, title, size=13, weight="bold", color=INK, va="center", parse_math=False)
     for i, (image, text, shot) in enumerate(zip(images, labels, shots, strict=True)):
         axes = figure.add_axes((0, sum(heights[i + 1 :]) / total, 1, heights[i] / total))
         axes.imshow(image, extent=(0, width, 0, heights[i]), aspect="auto", interpolation="antialiased")
         axes.set_axis_off()
         axes.set(xlim=(0, width), ylim=(0, heights[i]))
-        axes.text(0.2, heights[i] - 0.12, text, size=12, weight="bold", color=INK, va="top")
+        axes.text(0.2, heights[i] - 0.12, text, size=12, weight="bold", color=INK, va="top", parse_math=False)
         for k, t in enumerate(shot.times):
             axes.text((k + 0.5) * width / frames, 0.07, f"{t:.2f} s", size=7, color=INK, alpha=0.6, ha="center")
     if path is not None:

@@ -14,7 +14,6 @@ import threading
 import time
 from collections.abc import Sequence
 from contextlib import suppress
-from html import escape
 
 import ipywidgets as widgets
 import numpy as np
@@ -24,7 +23,7 @@ from PIL import Image
 from toolkit.motion import Clip
 from toolkit.view import overlay, renderers
 from toolkit.view.character import Character
-from toolkit.view.frontend import Screen, in_notebook, require_main_thread, running_loop
+from toolkit.view.frontend import Screen, escape, in_notebook, require_main_thread, running_loop
 from toolkit.view.picture import INK, PAPER, cast, per_clip, strip
 
 IDLE = 600.0  # seconds of playback without user input after which it pauses

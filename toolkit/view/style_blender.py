@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping
 import ipywidgets as widgets
 
 from toolkit.motion import Clip
-from toolkit.view.frontend import require_main_thread, running_loop
+from toolkit.view.frontend import escape, require_main_thread, running_loop
 from toolkit.view.player import RATE, Player
 from toolkit.view.triangle import StyleTriangle, corners
 
@@ -127,7 +127,7 @@ class StyleBlender(widgets.HBox):
             try:
                 clip = await asyncio.to_thread(self._make, self.weights)
             except Exception as error:  # shown beside the triangle: nothing else would report it
-                self._status.value = f"<b>{type(error).__name__}</b>: {error}"
+                self._status.value = f"<b>{type(error).__name__}</b>: {escape(error)}"
                 return
             finally:
                 self.player.rate = RATE

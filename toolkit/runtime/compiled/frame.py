@@ -12,6 +12,7 @@ import numpy as np
 from numba import njit
 
 from toolkit.features.layout import CHANNELS
+from toolkit.io.compilation import compiled
 from toolkit.motion import ik as held
 from toolkit.motion import trajectory
 from toolkit.motion.clip import FEET
@@ -137,7 +138,7 @@ def _govern(history, drive, velocity, rules):
     return min(max(drive + max(drive, 1.0) * push, 0.0), rules.max_drive)
 
 
-@njit(cache=True, nogil=True)
+@compiled()
 def steer(old, wanted, look, rules, x, new, start, stop):
     """Fill x, and velocity, facing, drive and future of the new state (section 4.4).
 
@@ -248,7 +249,7 @@ def _advance(phase, update, predicted, pull, new):
     new[0], new[1] = _lerp(x, predicted[0], share), _lerp(y, predicted[1], share)
 
 
-@njit(cache=True, nogil=True)
+@compiled()
 def follow(old, z, rules, body, new, start, stop):
     """Fill the rest of the new state from the network's outputs ``z [N, Dz]`` (section 4.4)."""
     width, count = old.joints.shape[1], old.phase.shape[1]

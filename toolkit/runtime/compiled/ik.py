@@ -11,6 +11,7 @@ import numpy as np
 from numba import njit
 
 from toolkit.features.layout import CHANNELS
+from toolkit.io.compilation import compiled
 from toolkit.motion.clip import FEET
 
 FORWARD, UP = (3 * CHANNELS.index(name) for name in ("forward", "up"))
@@ -249,7 +250,7 @@ def plant(body, toes, root, joints):
             joints[at], joints[at + 1], joints[at + 2] = place
 
 
-@njit(cache=True, nogil=True)
+@compiled()
 def pose(histories, poses, toes, body, feet, arms, rotations, roots, start, stop):
     """Fill rows ``start`` to ``stop`` of local rotations ``[N, J', 4]`` and root positions ``[N, 3]`` (section 4.4).
 

@@ -18,6 +18,7 @@ from numba.core import cgutils
 from numba.extending import intrinsic
 
 from toolkit.features import FRAME_KINDS
+from toolkit.io.compilation import compiled
 from toolkit.networks.film import EPSILON, LARGEST
 
 LANES = 16  # numbers in a vector; processors with shorter vectors use several
@@ -230,7 +231,7 @@ def _pack(x, rows, n, packed):
         at += height
 
 
-@njit(cache=True, nogil=True)
+@compiled()
 def blended_layer(x, gates, weight, bias, y):
     """y = Σ αₖ (x Wₖ + bₖ); a gate of zero leaves its expert out."""
     count, (experts, columns) = len(x), bias.shape
@@ -366,7 +367,7 @@ def _expected(y, variance, gamma, beta):
         y[i] = m * (1 - below) + s * math.exp(-0.5 * at * at) / math.sqrt(2 * math.pi) + tail - below
 
 
-@njit(cache=True, nogil=True)
+@compiled()
 def predict(x, phases, style, weights, skip, dropped, z, start, stop):
     """Fill rows ``start`` to ``stop`` of ``z [N, Dz]`` with next frames, physical units: `toolkit.networks.Model.predict`.
 

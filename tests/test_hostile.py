@@ -1,0 +1,256 @@
+"""Hostile files, names and machines: what comes from outside is refused in one line, or read without harm."""
+
+import asyncio
+import json
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+import torch
+
+import toolkit as tk
+from toolkit.__main__ import main
+from toolkit.io.files import atomic_write
+
+LOADED = """
+import warnings
+with warnings.catch_warnings(record=True) as said:
+    warnings.simplefilter("always")
+    import toolkit as tk
+    clip = tk.bvh.load({file!r}, unit=0.01, up="y")
+    tk.bvh.save(clip, {copy!r})
+    tk.phases.extract(clip)
+print(tk.__file__, len(clip), *(one.message for one in said if "compiled code" in str(one.message)), sep="|")
+"""
+
+
+@pytest.fixture
+def installed(tmp_path):
+    """A folder with a copy of the package, without caches and without permission to write; a home like this."""
+    site = tmp_path / "site"
+    ignored = shutil.ignore_patterns("__pycache__", "scene", "static")
+    shutil.copytree(Path(tk.__file__).parent, site / "toolkit", ignore=ignored)
+    folders = [site, *(path for path in site.rglob("*") if path.is_dir())]
+    for folder in folders:
+        folder.chmod(0o555)
+    yield site
+    for folder in folders:
+        folder.chmod(0o755)
+
+
+def as_another(command: list[str]) -> list[str]:
+    """A command without the privileges of root, as which the tests may run."""
+    if not hasattr(os, "geteuid") or os.geteuid():
+        return command
+    if shutil.which("setpriv") is None:
+        pytest.skip("root may write everywhere, and setpriv is missing, which takes that away")
+    return ["setpriv", "--inh-caps=-all", "--bounding-set=-all", *command]
+
+
+def test_a_read_only_install_without_a_home_reads_and_says_where_a_cache_would_go(installed, walk_clip, tmp_path):
+    tk.bvh.save(walk_clip.cut(0, 120), tmp_path / "walk.bvh")
+    code = LOADED.format(file=str(tmp_path / "walk.bvh"), copy=str(tmp_path / "copy.bvh"))
+    kept = {k: v for k, v in os.environ.items() if k not in ("NUMBA_CACHE_DIR", "XDG_CACHE_HOME", "PYTHONPATH")}
+    env = kept | {"PYTHONPATH": str(installed), "HOME": str(installed / "nobody"), "OMP_NUM_THREADS": "1"}
+    command = as_another([sys.executable, "-B", "-c", code])
+    done = subprocess.run(command, cwd=tmp_path, env=env, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    module, frames, *said = done.stdout.strip().split("|")
+    assert module == str(installed / "toolkit" / "__init__.py")
+    assert frames == "120"
+    assert len(said) == 1, said
+    assert "NUMBA_CACHE_DIR" in said[0]
+
+
+def forged(folder: Path) -> dict[str, Path]:
+    """Small model files whose sizes promise gigabytes, by loader."""
+    from toolkit.evaluation.recognition import Recogniser
+    from toolkit.features import Normaliser
+    from toolkit.io import model_files
+    from toolkit.phases.learned import PARTS, Learned, PeriodicAutoencoder
+    from toolkit.stylization.graph import SkeletonGraph
+    from toolkit.stylization.networks import Sizes, build
+
+    skeleton = tk.datasets.load("procedural", styles=["Neutral"], gaits=["FW"], seconds=2.0)[0].without_ends().skeleton
+    sizes = Sizes(channels=1, code=1, latent=1, hidden=2)
+    stylizer = build(SkeletonGraph.of(skeleton), ("old",), sizes)[0]
+    recogniser = Recogniser(("a", "b"), Normaliser(torch.zeros(12), torch.ones(12)), 2)
+    learned = Learned({part: PeriodicAutoencoder(hidden=1) for part in PARTS}, dict.fromkeys(PARTS, 1.0))
+    files = {}
+    for made, part, change in (
+        (stylizer, "stylizer", lambda about: about["sizes"].update(channels=2000)),
+        (recogniser, "recogniser", lambda about: about.update(hidden=6000)),
+        (learned, "learned", lambda about: about["hidden"].update(hand=2_000_000)),
+    ):
+        made.save(folder / part)
+        tensors, parts = model_files.read(folder / part, part)
+        change(parts[part])
+        files[part] = folder / f"{part}.safetensors"
+        model_files.write(files[part], {}, parts)
+        if part == "recogniser":
+            model_files.write(files[part], {k: v for k, v in tensors.items() if k.endswith(("mean", "std"))}, parts)
+    return files
+
+
+MEASURED = """
+import resource, sys
+import toolkit as tk
+from toolkit.__main__ import main
+from toolkit.io.files import atomic_write
+from toolkit.evaluation.recognition import Recogniser
+from toolkit.phases.learned import Learned
+from toolkit.stylization.networks import Stylizer
+before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+resource.setrlimit(resource.RLIMIT_DATA, (8 << 30, 8 << 30))
+load = {"stylizer": Stylizer.load, "recogniser": Recogniser.load, "learned": Learned.load,
+        "bvh": lambda path: tk.load(path, unit=0.01, up="y").resample(60.0)}[sys.argv[1]]
+try:
+    load(sys.argv[2])
+    print("read")
+except ValueError as error:
+    print(error)
+print((resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before) // 1024)
+"""
+
+
+def taken(kind: str, path: Path) -> tuple[str, int]:
+    """What a loader says about a file, and the megabytes that it took at most."""
+    if sys.platform != "linux":
+        pytest.skip("memory is measured on Linux")
+    done = subprocess.run([sys.executable, "-c", MEASURED, kind, str(path)], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    message, megabytes = done.stdout.splitlines()
+    return message, int(megabytes)
+
+
+@pytest.mark.parametrize("kind", ["stylizer", "recogniser", "learned"])
+def test_sizes_in_a_model_file_take_no_memory_before_they_are_checked(kind, tmp_path):
+    path = forged(tmp_path)[kind]
+    assert path.stat().st_size < 20_000
+    message, megabytes = taken(kind, path)
+    assert message.startswith(f"{path}: the {kind}")
+    assert "differs in tensor" in message
+    assert megabytes < 200
+
+
+def test_a_slow_recording_is_not_resampled_into_gigabytes(tmp_path):
+    rows = "0 0 0 0 0 0\n" * 9000
+    channels = "CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation"
+    header = f"HIERARCHY\nROOT hips\n{{\nOFFSET 0 0 0\n{channels}\n}}\n"
+    path = tmp_path / "slow.bvh"
+    path.write_text(f"{header}MOTION\nFrames: 9000\nFrame Time: 3.9\n{rows}")
+    message, megabytes = taken("bvh", path)
+    assert "0.25641 Hz" in message
+    assert megabytes < 200
+
+
+@pytest.mark.parametrize("seconds", ["1e7", "1e300", "inf", "nan", "-1"])
+def test_a_rollout_without_end_is_refused_before_it_starts(seconds, capsys):
+    with pytest.raises(SystemExit) as stopped:
+        main(["rollout", "--style", "Neutral", "--out", "never.bvh", "--seconds", seconds])
+    assert stopped.value.code == 2
+    assert "--seconds" in capsys.readouterr().err
+    with pytest.raises(ValueError, match="at most 86400"):
+        tk.runtime.straight(1.0, float(seconds))
+    with pytest.raises(ValueError, match="at most"):
+        tk.runtime.follow([(0.0, 0.0), (1.0, 0.0)], seconds=float(seconds))
+
+
+def test_a_path_without_end_is_refused():
+    with pytest.raises(ValueError, match="at most"):
+        tk.runtime.follow([(0.0, 0.0), (1e30, 0.0)])
+
+
+def test_a_very_long_frame_time_is_no_error_about_its_sign(tmp_path):
+    path = tmp_path / "slow.bvh"
+    path.write_text("HIERARCHY\nROOT hips\n{\nOFFSET 0 0 0\nCHANNELS 1 Xrotation\n}\nMOTION\nFrames: 1\nFrame Time: 80\n0\n")
+    assert tk.bvh.load(path, unit=0.01, up="y").fps == pytest.approx(1 / 80)
+
+
+PLANTED = ("<img src=x onerror=window.hacked=1>", "</script><script>window.hacked=1</script>", "<!--<script>", "$\\frac$",
+           "a%{x}b")
+
+
+def test_no_text_from_outside_reaches_html_as_html(walk_clip, tmp_path):
+    pytest.importorskip("ipywidgets")
+    from toolkit.view import figures, frontend, page, phase_figures, picture, player
+
+    clips = [walk_clip.cut(0, 60).replace(style=text) for text in PLANTED]
+    written = page.html(clips, tmp_path / "page.html", title=PLANTED[0], caption=PLANTED[1], labels=PLANTED,
+                        styles=[{text: torch.ones(60) for text in PLANTED}] * len(clips)).read_text("utf-8")
+    assert "<img" not in written
+    data = written.split('id="data">')[1].split("</script>")[0]
+    assert "<" not in data
+    assert [clip["label"] for clip in json.loads(data)["clips"]] == list(PLANTED)
+
+    shown = player.Player(clips, size=(160, 120))
+    assert "<img" not in shown._title.value
+    assert shown._title.value.count("<") == 2  # of its own <b>
+    shown.close()
+    picture.strip(clips[3], title=PLANTED[3])._repr_png_()  # no formula
+
+    points = torch.rand(len(PLANTED), 2)
+    rows = [{"step": 1, **dict.fromkeys(PLANTED, 1.0)}]
+    phases = dict.fromkeys(PLANTED, tk.phases.extract(walk_clip))
+    for figure in (figures.style_space(points, PLANTED, PLANTED, marked={PLANTED[0]: [0, 0]}, title=PLANTED[0]),
+                   figures.training_curves(rows, title=PLANTED[0]), figures.trajectory_figure(clips, title=PLANTED[0]),
+                   phase_figures.phase_manifold(phases, walk_clip.fps, title=PLANTED[0])):
+        assert not {text for text in PLANTED[:3] if text in json.dumps(figure.to_dict(), default=str)}
+        assert "%{x}b" not in str([trace.hovertemplate for trace in figure.data])
+    assert frontend.escape(PLANTED[0]) == "&lt;img src=x onerror=window.hacked=1&gt;"
+
+
+def test_an_error_in_a_widget_is_shown_as_text(walk_clip):
+    pytest.importorskip("ipywidgets")
+    from toolkit.networks.bank import StyleBank
+    from toolkit.view.style_blender import StyleBlender
+
+    def fails(_blend):
+        raise ValueError(f"{PLANTED[0]}.bvh: cannot be read")
+
+    async def drag():
+        shown = StyleBlender(StyleBank(("A", "B", "C"), torch.eye(3)), lambda _blend: walk_clip.cut(0, 30), size=(160, 120))
+        shown._make_clip = fails
+        shown.triangle.weights = [0.0, 1.0, 0.0]
+        for _ in range(200):
+            await asyncio.sleep(0.02)
+            if "ValueError" in shown._status.value:
+                break
+        shown.close()
+        return shown._status.value
+
+    assert asyncio.run(drag()) == "<b>ValueError</b>: &lt;img src=x onerror=window.hacked=1&gt;.bvh: cannot be read"
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="needs pipes with names")
+def test_only_regular_files_are_read_and_written(tmp_path):
+    os.mkfifo(tmp_path / "pipe.bvh")
+    (tmp_path / "endless.bvh").symlink_to("/dev/zero")
+    for name in ("pipe.bvh", "endless.bvh"):
+        for read in (tk.load, tk.bvh.load, tk.training.load):
+            with pytest.raises(ValueError, match=rf"{name}: cannot be read \(a device, pipe or socket is no file\)"):
+                read(tmp_path / name)
+        with pytest.raises(OSError, match="a device, pipe or socket is no file"), atomic_write(tmp_path / name):
+            pass
+        assert not (tmp_path / name).is_file()
+    with pytest.raises(OSError, match="cannot be written"), atomic_write(tmp_path):
+        pass
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["endless.bvh", "pipe.bvh"]
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has other permissions")
+def test_writing_keeps_links_and_permissions(tmp_path):
+    private, link, dangling = tmp_path / "private", tmp_path / "link", tmp_path / "dangling"
+    private.write_bytes(b"old")
+    private.chmod(0o600)
+    link.symlink_to(private)
+    dangling.symlink_to(tmp_path / "new")
+    for path in (link, dangling):
+        with atomic_write(path) as file:
+            file.write(b"new")
+        assert path.is_symlink()
+    assert private.read_bytes() == (tmp_path / "new").read_bytes() == b"new"
+    assert private.stat().st_mode & 0o777 == 0o600

@@ -1,0 +1,48 @@
+"""Functions compiled by numba, whose machine code is kept on disk where a folder for it can be written."""
+
+import contextlib
+import functools
+import pickle
+import warnings
+from collections.abc import Callable, Iterator
+
+from numba import njit
+from numba.core.caching import FunctionCache
+
+
+class Cache(FunctionCache):
+    """numba's cache; a file of it that cannot be read or written counts as missing."""
+
+    @contextlib.contextmanager
+    def _guard_against_spurious_io_errors(self) -> Iterator[None]:
+        with contextlib.suppress(OSError, EOFError, pickle.UnpicklingError):
+            yield
+
+
+def compiled(**options) -> Callable:
+    """Decorator: `numba.njit` that releases the GIL, with a cache on disk.
+
+    numba keeps the cache beside the module or in the user's cache folder. Where neither can be written (a read-only install
+    in a container, a user without home), the function is compiled again in each process.
+
+    Warns
+    -----
+    UserWarning
+        Once in a process, if there is no folder for the cache.
+    """
+
+    def decorate(function: Callable) -> Callable:
+        made = njit(nogil=True, **options)(function)
+        try:
+            made._cache = Cache(function)  # as `enable_caching` does
+        except (OSError, RuntimeError):
+            _without_cache()
+        return made
+
+    return decorate
+
+
+@functools.cache
+def _without_cache() -> None:
+    warnings.warn("no folder for compiled code can be written, so each process compiles it again, which takes seconds; "
+                  "set NUMBA_CACHE_DIR to a folder that you may write", stacklevel=3)
