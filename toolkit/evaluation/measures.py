@@ -112,7 +112,7 @@ def npss(clip: Clip, real: Clip) -> float:
     the numbers, weighted by the real clip's power. The numbers are world quaternions of all joints, as in Harvey et al. 2020
     and RSMT; the source has Euler angles. Signs of quaternions are made continuous, and equal to the real clip's.
 
-    Source: section 4 of the paper; github.com/cr7anand/neural_temporal_models, ``metrics.py``.
+    Source: github.com/cr7anand/neural_temporal_models, ``metrics.py``.
     """
     check_pair(clip, real)
     truth = R.unroll(real.global_rotations.double())
@@ -145,7 +145,7 @@ def global_position(clip: Clip, real: Clip) -> float:
     """Global position error: mean distance of the joints in the world from those of the real clip, metres, lower is better.
 
     The mean per-joint position error (Ionescu et al. 2014, Human3.6M) without alignment. It is L2P of Harvey et al. 2020
-    (*Robust motion in-betweening*, section 4.4) in metres, per joint: theirs is the norm over all joints of z-scores, whose
+    (*Robust motion in-betweening*) in metres, per joint: theirs is the norm over all joints of z-scores, whose
     statistics differ from one training set to the next.
     """
     check_pair(clip, real)
@@ -153,7 +153,7 @@ def global_position(clip: Clip, real: Clip) -> float:
 
 
 def global_quaternion(clip: Clip, real: Clip) -> float:
-    """Global quaternion error L2Q (Harvey et al. 2020, section 4.4): no unit, lower is better.
+    """Global quaternion error L2Q (Harvey et al. 2020): no unit, lower is better.
 
     The norm of the difference of all joints' world quaternions, mean over the frames. It grows with the number of joints. Of
     the two signs of a quaternion the one nearer to the real clip's counts.
