@@ -1,11 +1,13 @@
 """Hostile files, names and machines: what comes from outside is refused in one line, or read without harm."""
 
 import asyncio
+import dataclasses
 import json
 import os
 import shutil
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import pytest
@@ -254,3 +256,113 @@ def test_writing_keeps_links_and_permissions(tmp_path):
         assert path.is_symlink()
     assert private.read_bytes() == (tmp_path / "new").read_bytes() == b"new"
     assert private.stat().st_mode & 0o777 == 0o600
+
+
+def renamed(clip: tk.Clip, old: str, new: str) -> tk.Clip:
+    """The clip with another name of a joint."""
+    skeleton = clip.skeleton
+    swap = {old: new}
+    return clip.replace(skeleton=tk.Skeleton(
+        [swap.get(name, name) for name in skeleton.names], skeleton.parents, skeleton.offsets,
+        {role: swap.get(name, name) for role, name in skeleton.roles.items()}, [swap.get(x, x) for x in skeleton.ends]))
+
+
+@pytest.mark.parametrize("name", ["a\nJOINT b", "a\rb", "a\x1b[31mb", "a\u2028b", "a\u202eb", "a\udc80b", "", 7])
+def test_names_that_no_program_can_show_are_refused_where_they_enter(name, walk_clip):
+    from toolkit.networks.bank import StyleBank
+
+    with pytest.raises(ValueError, match="name") as said:
+        renamed(walk_clip, walk_clip.skeleton.names[3], name)
+    assert str(said.value).isprintable()
+    with pytest.raises(ValueError, match="name"):
+        StyleBank((name,), torch.zeros(1, 4))
+    if name:
+        with pytest.raises(ValueError, match="name"):
+            walk_clip.replace(style=name)
+    if isinstance(name, str):
+        assert walk_clip.replace(name=name).name.isprintable()
+
+
+KEPT = ("骨盤", "تكتب", "क्षि", "نیم\u200cفاصله", "MOTION", "JOINT", "End Site", "a b", "x}", " a",
+        "a  b")
+
+
+@pytest.mark.parametrize("name", KEPT)
+def test_a_bvh_file_keeps_every_name_or_is_not_written(name, walk_clip, tmp_path):
+    clip = renamed(walk_clip.cut(0, 5), walk_clip.skeleton.names[3], name)
+    if "}" in name or name != " ".join(name.split()):
+        with pytest.raises(ValueError, match="cannot hold the joint name"):
+            tk.bvh.save(clip, tmp_path / "a.bvh")
+        return
+    tk.bvh.save(clip, tmp_path / "a.bvh")
+    assert tk.bvh.load(tmp_path / "a.bvh", unit=0.01, up="y").skeleton.names[3] == name
+
+
+def test_a_page_takes_a_joint_called_motion(tmp_path):
+    from toolkit.view import live_page
+
+    model, bank = tk.pretrained()
+    layout = dataclasses.replace(model.layout, skeleton=renamed(
+        tk.Clip(model.layout.skeleton, torch.eye(4)[:1].expand(1, len(model.layout.skeleton), 4), torch.zeros(1, 3), 60.0),
+        model.layout.skeleton.names[3], "MOTION").skeleton)
+    model.layout = layout
+    packed = live_page.pack(model, bank.select(["Neutral"]))
+    assert packed["bvh"]["header"].endswith("}\n")
+    assert "JOINT MOTION" in packed["bvh"]["header"]
+
+
+def test_a_file_name_that_is_not_utf_8_is_read_and_shown(walk_clip, tmp_path):
+    path = Path(os.fsdecode(os.fsencode(tmp_path) + b"/walk\xff.bvh"))
+    try:
+        tk.bvh.save(walk_clip.cut(0, 5), path)
+    except OSError:
+        pytest.skip("this file system takes UTF-8 names only")
+    clip = tk.bvh.load(path, unit=0.01, up="y")
+    assert clip.name == "walk\\udcff.bvh"
+    tk.view.html(clip, tmp_path / "a.html", title=path.name)
+
+
+def timed(work, *given) -> float:
+    """Least processor time of three runs, seconds."""
+    def once() -> float:
+        began = time.process_time()
+        work(*given)
+        return time.process_time() - began
+
+    return min(once() for _ in range(3))
+
+
+def tree(folder: Path, joints: int, ends: int, deep: bool) -> Path:
+    """A BVH file with many joints or End Sites."""
+    lines, open_ = ["HIERARCHY", "ROOT j0", "{", "OFFSET 0 0 0", "CHANNELS 1 Xrotation"], 1
+    for j in range(1, joints):
+        lines += [f"JOINT j{j}", "{", "OFFSET 0 1 0", "CHANNELS 1 Xrotation", *([] if deep else ["}"])]
+        open_ += deep
+    lines += ["End Site", "{", "OFFSET 0 1 0", "}"] * ends + ["}"] * open_
+    lines += ["MOTION", "Frames: 1", "Frame Time: 0.01", " ".join("0" * joints)]
+    path = folder / f"{joints}-{ends}-{deep}.bvh"
+    path.write_text("\n".join(lines))
+    return path
+
+
+@pytest.mark.parametrize(("joints", "ends"), [(1, 2000), (2000, 1)])
+def test_time_grows_with_the_file_and_not_with_its_square(joints, ends, tmp_path):
+    small, large = (tree(tmp_path, joints * k if joints > 1 else 1, ends * k if ends > 1 else 1, False) for k in (1, 8))
+    read = lambda path: tk.bvh.load(path, unit=0.01, up="y")  # noqa: E731
+    read(small)
+    assert timed(read, large) < 24 * timed(read, small) + 0.1
+
+
+def test_a_bank_of_many_names_is_made_in_time():
+    from toolkit.networks.bank import StyleBank
+
+    def make(n: int) -> None:
+        StyleBank(tuple(map(str, range(n))), torch.zeros(n, 2))
+
+    assert timed(make, 32_000) < 24 * timed(make, 4_000) + 0.1
+
+
+def test_a_long_chain_of_joints_is_read_and_written(tmp_path):
+    clip = tk.bvh.load(tree(tmp_path, 1500, 1, True), unit=0.01, up="y")
+    tk.bvh.save(clip, tmp_path / "copy.bvh")
+    assert tk.bvh.load(tmp_path / "copy.bvh", unit=0.01, up="y").skeleton.names == clip.skeleton.names

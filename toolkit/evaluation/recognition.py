@@ -14,6 +14,7 @@ from toolkit import features
 from toolkit.features import CHANNELS, Features, Normaliser, splits
 from toolkit.io import model_files
 from toolkit.motion import Clip, root_frames, trajectory
+from toolkit.motion.names import checked
 from toolkit.motion.tensors import summary
 
 WINDOW = 60  # frames of an input, one second
@@ -31,7 +32,7 @@ class Recogniser(nn.Module):
 
     def __init__(self, styles: tuple[str, ...], normaliser: Normaliser, hidden: int = 64):
         super().__init__()
-        self.styles, self.hidden = tuple(styles), hidden
+        self.styles, self.hidden = checked(styles, "a style"), hidden
         self.register_buffer("mean", normaliser.mean.float())
         self.register_buffer("std", normaliser.std.float())
         self.first = nn.Conv1d(len(normaliser.mean), hidden, 8, stride=4)

@@ -15,6 +15,7 @@ from toolkit.io import files, interpretation
 from toolkit.io.files import atomic_write
 from toolkit.io.recording import Recording
 from toolkit.motion import Clip
+from toolkit.motion import names as names_
 from toolkit.motion import rotations as R
 
 CENTIMETRE = 0.01
@@ -108,11 +109,21 @@ def read(path: str | os.PathLike) -> Recording:
 def save(clip: Clip, path: str | os.PathLike, *, unit: float = CENTIMETRE, order: str = "YXZ") -> None:
     """Write a BVH file, whole or not at all.
 
-    ``unit`` is the length of one unit in the file, metres. ``order`` is that of every joint's rotation channels.
+    ``unit`` is the length of one unit in the file, metres. ``order`` is that of every joint's rotation channels. ValueError
+    for a joint's name that would be read differently: with braces, or with spaces that are not single ones within it.
     """
     skeleton, lines, visited = clip.skeleton, ["HIERARCHY"], []
-
-    def write(joint: int, depth: int) -> None:
+    if wrong := [name for name in skeleton.names if name != " ".join(name.split()) or "{" in name or "}" in name]:
+        raise ValueError(f"{clip.name}: a BVH file cannot hold the joint name {wrong[0]!r}; rename it")
+    children = defaultdict(list)
+    for joint, parent in enumerate(skeleton.parents):
+        children[parent].append(joint)
+    waiting = [(0, 0)]  # joints to write with their depths, and (-1, depth) for a closing brace; the last comes first
+    while waiting:
+        joint, depth = waiting.pop()
+        if joint < 0:
+            lines.append("\t" * depth + "}")
+            continue
         tab, end = "\t" * depth, skeleton.is_end(joint)
         offset = (skeleton.offsets[joint].double() / unit if depth else torch.zeros(3)).tolist()
         lines.append(f"{tab}End Site" if end else f"{tab}{'JOINT' if depth else 'ROOT'} {skeleton.names[joint]}")
@@ -121,12 +132,7 @@ def save(clip: Clip, path: str | os.PathLike, *, unit: float = CENTIMETRE, order
             visited.append(joint)
             channels = [f"{a}position" for a in ("" if depth else "XYZ")] + [f"{a}rotation" for a in order]
             lines.append(f"{tab}\tCHANNELS {len(channels)} {' '.join(channels)}")
-        for child, parent in enumerate(skeleton.parents):
-            if parent == joint:
-                write(child, depth + 1)
-        lines.append(tab + "}")
-
-    write(0, 0)
+        waiting += [(-1, depth), *((child, depth + 1) for child in reversed(children[joint]))]
     angles = torch.rad2deg(R.to_euler(clip.rotations[:, visited].double(), order)).flatten(1)
     rows = torch.cat((clip.root_positions.double() / unit, angles), 1).cpu().numpy()
     lines += ["MOTION", f"Frames: {len(clip)}", f"Frame Time: {1 / clip.fps:.8f}"]
@@ -170,7 +176,7 @@ def _parse_hierarchy(path: Path, lines: list[str]) -> tuple[list[str], list[int]
             if len(words) < 2:
                 raise fail(number, f"{words[0]} without a name")
             name = " ".join(words[1:])
-            if not "".join(words).isprintable():
+            if not names_.shows(name):
                 raise fail(number, f"a joint's name has characters that cannot be printed: {name[:40]!r}")
             if stack and stack[-1] in ends:
                 raise fail(number, f"unexpected {words[0]} inside an End Site")
@@ -209,8 +215,9 @@ def _parse_hierarchy(path: Path, lines: list[str]) -> tuple[list[str], list[int]
     if stack or waiting or not names:
         problem = f"MOTION inside joint {names[-1 if waiting else stack[-1]]}, a brace is missing" if names else "no ROOT"
         raise fail(len(lines) + 2, problem)
+    numbers = defaultdict(lambda: itertools.chain(("",), itertools.count(2)))  # of the End Sites of each joint
     for j in sorted(ends):  # after all joints, which keep their names
-        tried = (f"{names[parents[j]]}{number}End" for number in ("", *range(2, len(names) + 2)))
+        tried = (f"{names[parents[j]]}{number}End" for number in numbers[parents[j]])
         names[j] = next(name for name in tried if name not in taken)
         taken.add(names[j])
     return names, parents, offsets, channels, [names[j] for j in sorted(ends)]

@@ -12,6 +12,7 @@ import torch
 from torch import Tensor
 
 from toolkit.motion import rotations as R
+from toolkit.motion.names import checked, printable
 from toolkit.motion.roles import SIDES as SIDES
 from toolkit.motion.skeleton import FEET as FEET
 from toolkit.motion.skeleton import LIMBS as LIMBS
@@ -39,6 +40,10 @@ class Clip:
     name: str = "clip"  # where the motion came from; error messages begin with it
 
     def __post_init__(self):
+        object.__setattr__(self, "name", printable(self.name))
+        for what, label in (("style", self.style), ("gait", self.gait)):
+            if label:
+                checked((label,), f"{self.name}: a {what}")
         object.__setattr__(self, "rotations", as_tensor(self.rotations, "rotations"))
         object.__setattr__(self, "root_positions", as_tensor(self.root_positions, "root positions", self.rotations))
         frames, joints = self.rotations.shape[0], len(self.skeleton)
@@ -136,7 +141,8 @@ class Clip:
         """The same motion on the skeleton without End Sites; a role that an End Site had goes to its parent."""
         old = self.skeleton
         kept = [j for j in range(len(old)) if not old.is_end(j)]
-        parents, names = [kept.index(old.parents[j]) if j else -1 for j in kept], [old.names[j] for j in kept]
+        place = {j: i for i, j in enumerate(kept)} | {-1: -1}
+        parents, names = [place[old.parents[j]] for j in kept], [old.names[j] for j in kept]
         roles = {role: name if name in names else old.names[old.parents[old.names.index(name)]]
                  for role, name in old.roles.items()}
         skeleton = Skeleton(names, parents, old.offsets[kept], roles, ())

@@ -16,6 +16,7 @@ ALIKE = 0.1  # relative difference of two limbs of a pair
 LONG = 0.25  # of the longest limb: one that is shorter is no arm or leg
 TINY = 0.04  # of a limb: a bone that is shorter is part of the next
 NEAR = 0.85  # of the longest: bones that are as long, of which the outer ones count
+MOST, MANY = 24, 200  # children of a joint, and pairs of like limbs, of a body; more are no body
 STRAIGHT = 0.996  # cosine between bones that are one bone if it is never less: 5 degrees
 
 
@@ -28,13 +29,18 @@ def find(names: Sequence[str], parents: Sequence[int], lengths: Sequence[float],
 
 def _find(names: Sequence[str], parents: Sequence[int], lengths: Sequence[float], ends: Sequence[str],
           points: np.ndarray) -> Found:
-    tree = Tree(parents, lengths, frozenset(j for j, name in enumerate(names) if name in set(ends)))
+    leaves = frozenset(ends)
+    tree = Tree(parents, lengths, frozenset(j for j, name in enumerate(names) if name in leaves))
     reach = [0.0] * len(names)
     for j in reversed(range(1, len(names))):
         reach[parents[j]] = max(reach[parents[j]], reach[j] + lengths[j])
-    pairs = [(p, a, b) for p, below in sorted(tree.children.items()) if p >= 0 for a, b in combinations(below, 2)
+    longest = max(reach)
+    pairs = [(p, a, b) for p, below in sorted(tree.children.items()) if p >= 0 and len(below) <= MOST
+             for a, b in combinations(below, 2)
              if abs((ra := reach[a] + lengths[a]) - (rb := reach[b] + lengths[b])) < ALIKE * max(ra, rb)
-             and min(ra, rb) > LONG * max(reach)]
+             and min(ra, rb) > LONG * longest]
+    if len(pairs) > MANY:
+        return {}
     for (hips, *legs), (chest, *arms) in combinations(pairs, 2):
         if hips == chest or hips not in tree.up(chest) or any(leg in tree.up(chest) for leg in legs):
             continue

@@ -1,6 +1,7 @@
 """Skeleton: joints in a tree, their roles and counterparts; forward kinematics."""
 
 import dataclasses
+from collections import Counter
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -8,6 +9,7 @@ import torch
 from torch import Tensor
 
 from toolkit.motion import rotations as R
+from toolkit.motion.names import checked
 from toolkit.motion.roles import SIDES, find_roles, mirror_pairs
 from toolkit.motion.tensors import as_tensor, summary
 
@@ -30,7 +32,7 @@ class Skeleton:
 
     def __post_init__(self):
         set_ = object.__setattr__
-        set_(self, "names", tuple(self.names))
+        set_(self, "names", checked(self.names, "a joint"))
         set_(self, "parents", tuple(int(p) for p in self.parents))
         offsets = as_tensor(self.offsets, "offsets", torch.float32)
         set_(self, "offsets", offsets if offsets.is_meta else offsets.cpu())
@@ -38,11 +40,12 @@ class Skeleton:
         if len(self.parents) != n or self.offsets.shape != (n, 3):
             raise ValueError(f"{n} joint names need {n} parents and offsets [{n}, 3]; got {len(self.parents)} parents "
                              f"and offsets {list(self.offsets.shape)}")
-        if len(set(self.names)) != n:
-            raise ValueError(f"joint names repeat: {sorted({x for x in self.names if self.names.count(x) > 1})}")
+        if repeated := sorted(name for name, times in Counter(self.names).items() if times > 1):
+            raise ValueError(f"joint names repeat: {repeated}")
         if self.parents[0] != -1 or any(not 0 <= p < j for j, p in enumerate(self.parents[1:], 1)):
             raise ValueError("the root must come first with parent -1, and every parent before its children")
-        leaves = [name for j, name in enumerate(self.names) if j and j not in self.parents]
+        inner = {0, *self.parents}
+        leaves = {name: None for j, name in enumerate(self.names) if j not in inner}
         set_(self, "ends", tuple(self.ends if self.ends is not None else (x for x in leaves if x.endswith("End"))))
         if wrong := [name for name in self.ends if name not in leaves]:
             raise ValueError(f"End Sites must be leaves of the tree; these are not: {', '.join(map(str, wrong))}")
@@ -76,7 +79,11 @@ class Skeleton:
 
     def is_end(self, joint: int) -> bool:
         """Whether a point is an End Site."""
-        return self.names[joint] in self.ends
+        return self.names[joint] in self._ends
+
+    @cached_property
+    def _ends(self) -> frozenset[str]:
+        return frozenset(self.ends)
 
     def end_site(self, role: str) -> int:
         """Index of the End Site below the joint with a role; the joint itself if it has no End Site beyond 0.1 mm."""
@@ -87,9 +94,8 @@ class Skeleton:
     @cached_property
     def feature_joints(self) -> tuple[int, ...]:
         """Joints that the features describe (section 3.2): all but End Sites, and the End Sites of hands or in a role."""
-        kept = {self.end_site(f"{side}_hand") for side in SIDES}
-        return tuple(j for j, name in enumerate(self.names)
-                     if name not in self.ends or j in kept or name in self.roles.values())
+        kept, named = {self.end_site(f"{side}_hand") for side in SIDES}, set(self.roles.values())
+        return tuple(j for j, name in enumerate(self.names) if name not in self._ends or j in kept or name in named)
 
     @cached_property
     def feature_parents(self) -> tuple[int, ...]:

@@ -3,6 +3,7 @@
 import math
 import os
 import warnings
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
@@ -11,6 +12,7 @@ from torch import Tensor
 
 from toolkit.features import check_style
 from toolkit.io import model_files
+from toolkit.motion.names import checked
 from toolkit.motion.tensors import as_tensor, summary
 
 WALK = 1.0  # m/s, used if a bank has no known speed
@@ -41,7 +43,7 @@ class StyleBank(Mapping[str, Tensor]):
     __eq__, __hash__ = object.__eq__, object.__hash__
 
     def __post_init__(self):
-        object.__setattr__(self, "names", tuple(self.names))
+        object.__setattr__(self, "names", checked(self.names, "a style"))
         object.__setattr__(self, "vectors", as_tensor(self.vectors, "style vectors"))
         if self.vectors.dim() != 2 or len(self.vectors) != len(self.names):
             raise ValueError(f"{len(self.names)} styles need vectors [{len(self.names)}, D], got {list(self.vectors.shape)}")
@@ -49,7 +51,7 @@ class StyleBank(Mapping[str, Tensor]):
         object.__setattr__(self, "speeds", speeds)
         if speeds.shape != (len(self.names),):
             raise ValueError(f"{len(self.names)} styles need speeds [{len(self.names)}], got {list(speeds.shape)}")
-        if repeated := sorted({n for n in self.names if self.names.count(n) > 1}):
+        if repeated := sorted(name for name, times in Counter(self.names).items() if times > 1):
             raise ValueError(f"style names repeat: {', '.join(repeated)}")
         if bad := [n for n, ok in zip(self.names, self.vectors.isfinite().all(-1).tolist(), strict=True) if not ok]:
             raise ValueError(f"the style vector of {', '.join(bad)} is not finite")

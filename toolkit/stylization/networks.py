@@ -10,6 +10,7 @@ from torch.nn import functional
 
 from toolkit.io import model_files
 from toolkit.motion import Skeleton
+from toolkit.motion.names import checked
 from toolkit.motion.tensors import summary
 from toolkit.stylization.data import CHANNELS, FRAMES, Statistics
 from toolkit.stylization.graph import POOLINGS, SkeletonGraph
@@ -140,9 +141,10 @@ class Stylizer(nn.Module):
 
     def __init__(self, graph: SkeletonGraph, domains: tuple[str, ...], sizes: Sizes, statistics: Statistics):
         super().__init__()
+        domains = checked(domains, "a domain")
         if len(set(domains)) != len(domains) or not domains:
             raise ValueError(f"domains need one or more different names, got {', '.join(domains) or 'none'}")
-        self.graph, self.domains, self.sizes, self.statistics = graph, tuple(domains), sizes, statistics
+        self.graph, self.domains, self.sizes, self.statistics = graph, domains, sizes, statistics
         self.generator = Generator(graph, sizes)
         self.encoder = StyleEncoder(graph, sizes, len(domains))
         self.mapping = MappingNetwork(sizes, len(domains))

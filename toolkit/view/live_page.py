@@ -124,6 +124,8 @@ def _bvh(model, state) -> dict[str, Any]:
     """The header of a recording's file, and its joints in the order of their channels."""
     with tempfile.TemporaryDirectory() as folder:
         bvh.save(runtime.record(model, [state]), Path(folder) / "one.bvh")
-        header, _ = (Path(folder) / "one.bvh").read_text(encoding="utf-8").split("MOTION")
-    joints = [model.layout.skeleton.index(name) for name in re.findall(r"(?:ROOT|JOINT) (.+)", header)]
+        text = (Path(folder) / "one.bvh").read_text(encoding="utf-8")
+    header = text[: text.rindex("\nMOTION\n") + 1]
+    names = re.findall(r"^\t*(?:ROOT|JOINT) (.+)$", header, re.MULTILINE)
+    joints = [model.layout.skeleton.index(name) for name in names]
     return {"header": header, "joints": joints, "centimetre": bvh.CENTIMETRE}
