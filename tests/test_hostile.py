@@ -366,3 +366,19 @@ def test_a_long_chain_of_joints_is_read_and_written(tmp_path):
     clip = tk.bvh.load(tree(tmp_path, 1500, 1, True), unit=0.01, up="y")
     tk.bvh.save(clip, tmp_path / "copy.bvh")
     assert tk.bvh.load(tmp_path / "copy.bvh", unit=0.01, up="y").skeleton.names == clip.skeleton.names
+
+
+@pytest.mark.parametrize("wrong", [{"turn": float("nan")}, {"move": [1.0]}, {"move": "ab"}, {"heading": [float("inf"), 0.0]},
+                                   {"turn": None}, {"id": {}}, {"turn": 1e300}])
+def test_a_controller_goes_on_after_a_message_of_the_wrong_kind(wrong):
+    pytest.importorskip("ipywidgets")
+    from toolkit.view.controller import Controller
+
+    control = Controller(*tk.pretrained())
+    good = {"kind": "input", "id": 1, "move": [0.0, 1.0], "turn": 0.0, "run": False, "heading": None}
+    control._handle_custom_msg(good, [])
+    control._handle_custom_msg(good | wrong, [])
+    control.advance(2)
+    assert control._input["move"] == [0.0, 1.0]
+    assert bool(control.state.root.isfinite().all())
+    control.close()
