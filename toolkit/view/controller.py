@@ -120,6 +120,12 @@ class Controller(Corners):
             self._loop.call_soon_threadsafe(self._task.cancel)
         super().close()
 
+    @traitlets.validate("speed")
+    def _finite(self, proposal: dict) -> float:
+        if not math.isfinite(proposal["value"]):
+            raise traitlets.TraitError(f"the speed must be finite, got {proposal['value']}")
+        return proposal["value"]
+
     @traitlets.observe("names", "weights")
     def _aim(self, _change: dict) -> None:
         self._target = self._bank.blend(self.blend)
