@@ -155,7 +155,7 @@ def test_a_rollout_without_end_is_refused_before_it_starts(seconds, capsys):
         main(["rollout", "--style", "Neutral", "--out", "never.bvh", "--seconds", seconds])
     assert stopped.value.code == 2
     assert "--seconds" in capsys.readouterr().err
-    with pytest.raises(ValueError, match="at most 86400"):
+    with pytest.raises(ValueError, match=r"at most 86400|finite and seconds not negative"):
         tk.runtime.straight(1.0, float(seconds))
     with pytest.raises(ValueError, match="at most"):
         tk.runtime.follow([(0.0, 0.0), (1.0, 0.0)], seconds=float(seconds))
@@ -366,3 +366,22 @@ def test_a_long_chain_of_joints_is_read_and_written(tmp_path):
     clip = tk.bvh.load(tree(tmp_path, 1500, 1, True), unit=0.01, up="y")
     tk.bvh.save(clip, tmp_path / "copy.bvh")
     assert tk.bvh.load(tmp_path / "copy.bvh", unit=0.01, up="y").skeleton.names == clip.skeleton.names
+
+
+@pytest.mark.parametrize("wrong", [{"turn": float("nan")}, {"move": [1.0]}, {"move": "ab"}, {"heading": [float("inf"), 0.0]},
+                                   {"turn": None}, {"id": {}}, {"turn": 1e300}])
+def test_a_controller_goes_on_after_a_message_of_the_wrong_kind(wrong):
+    traitlets = pytest.importorskip("traitlets")
+    pytest.importorskip("ipywidgets")
+    from toolkit.view.controller import Controller
+
+    control = Controller(*tk.pretrained())
+    good = {"kind": "input", "id": 1, "move": [0.0, 1.0], "turn": 0.0, "run": False, "heading": None}
+    control._handle_custom_msg(good, [])
+    control._handle_custom_msg(good | wrong, [])
+    with pytest.raises(traitlets.TraitError, match="finite"):
+        control.speed = float("nan")
+    control.advance(2)
+    assert control._input["move"] == [0.0, 1.0]
+    assert bool(control.state.root.isfinite().all())
+    control.close()

@@ -105,9 +105,10 @@ def _moved(state: CharacterState, now: int) -> Tensor:
 
 def straight(speed: float = 1.2, seconds: float = 10.0, facing: Sequence[float] = (0.0, 1.0)) -> list[Command]:
     """Commands that walk straight ahead at ``speed`` m/s; ValueError if it is not finite or the time not 0 to `LONGEST`."""
-    if not (math.isfinite(speed) and 0 <= seconds <= LONGEST):
-        raise ValueError(f"speed and seconds must be finite and seconds not negative, at most {LONGEST:g}; got {speed} and "
-                         f"{seconds}")
+    if not (math.isfinite(speed) and 0 <= seconds < math.inf):
+        raise ValueError(f"speed and seconds must be finite and seconds not negative, got {speed} and {seconds}")
+    if seconds > LONGEST:
+        raise ValueError(f"commands are for at most {LONGEST:g} seconds, got {seconds:g}")
     forward = unit(as_tensor(facing, "facing", torch.float64))
     return [Command(tuple((speed * forward).tolist()), tuple(forward.tolist()))] * round(seconds * FPS)
 

@@ -134,6 +134,12 @@ class Controller(Corners):
             self._loop.call_soon_threadsafe(self._task.cancel)
         super().close()
 
+    @traitlets.validate("speed")
+    def _finite(self, proposal: dict) -> float:
+        if not math.isfinite(proposal["value"]):
+            raise traitlets.TraitError(f"the speed must be finite, got {proposal['value']}")
+        return proposal["value"]
+
     @traitlets.observe("names", "weights")
     def _aim(self, _change: dict) -> None:
         self._target = self._bank.blend(self.blend)
@@ -146,7 +152,7 @@ class Controller(Corners):
     def _receive(self, _widget, message: dict, _buffers) -> None:
         """A message of a page (any thread): store it, wake the task."""
         if message["kind"] == "input":
-            self._input = {name: message[name] for name in self._input}
+            self._input = _valid(message) or self._input
         self._seen = -math.inf if message["kind"] == "closed" else self.frames
         if self._task is not None and message["kind"] != "closed":
             self._loop.call_soon_threadsafe(self._wake.set)
@@ -193,3 +199,19 @@ class Controller(Corners):
                 await asyncio.sleep(max(0.002, due - self._loop.time()))
         except Exception as error:  # shown in the page: nothing else would report it
             self.status = f"stopped: {type(error).__name__}: {error}"
+
+
+def _valid(message: Mapping) -> dict | None:
+    """The input in a message of a page: numbers that are finite and of the right count; None for any other message."""
+    def pair(values) -> list[float]:
+        x, y = map(float, values)
+        return [x, y]
+
+    try:
+        heading = message["heading"]
+        found = {"id": int(message["id"]), "move": pair(message["move"]), "turn": float(message["turn"]),
+                 "run": bool(message["run"]), "heading": None if heading is None else pair(heading)}
+    except (KeyError, OverflowError, TypeError, ValueError):
+        return None
+    numbers = (*found["move"], found["turn"], *(found["heading"] or ()))
+    return found if all(abs(x) <= 2 for x in numbers) else None
