@@ -1,6 +1,6 @@
-"""Make the pictures of these pages again: ``python docs/pictures.py [--published FOLDER]``, three minutes on one core.
+"""Make the pictures of these pages again, in three minutes on one core.
 
-Without the folder of the published parameters (Mason et al. 2022), the pictures in ``side_by_side`` stay as they are.
+``python docs/pictures.py [--published FOLDER --real FOLDER]``. Without the folder of the published parameters (Mason et al. 2022), the pictures in ``side_by_side`` stay as they are.
 """
 
 from pathlib import Path
@@ -53,7 +53,27 @@ def blended(model, bank, seconds: float = 2.0) -> tk.Clip:
     return tk.runtime.rollout(model, commands, style=style).cut(120)
 
 
-def main(published: Annotated[Path | None, typer.Option(help="Folder of the published parameters.")] = None) -> None:
+def feet(run, real: tk.Clip, seconds: float = 4.0) -> None:
+    """Write a picture of the right toe's height and speed over time, in a real walk and in a model's at the same speed."""
+    from matplotlib.figure import Figure
+
+    figure = Figure((10, 4.2), layout="constrained")
+    high, fast = figure.subplots(2, 1, sharex=True)
+    walk = rollout(*run, "Neutral", tk.metrics.speed(real), seconds + 4.0)
+    for clip, label, colour in ((real, "real take, Neutral FW", "0.45"), (walk, "published network", "C1")):
+        toe = clip.cut(120, 120 + round(seconds * clip.fps)).global_positions[:, clip.skeleton.role("right_toe")]
+        time = torch.arange(len(toe)) / clip.fps
+        speed = tk.contacts.velocities(toe, clip.fps)[:, [0, 2]].norm(dim=-1)
+        high.plot(time, 100 * (toe[:, 1] - tk.contacts.standing_height(clip).mean()), colour, label=label)
+        fast.plot(time, speed, colour)
+    high.set_ylabel("height of the toe, cm")
+    fast.set(ylabel="its speed, m/s", xlabel="seconds")
+    high.legend(ncols=2, loc="upper right")
+    figure.savefig(OUT / "feet.png", dpi=110)
+
+
+def main(published: Annotated[Path | None, typer.Option(help="Folder of the published parameters.")] = None,
+         real: Annotated[Path | None, typer.Option(help="Folder of 100STYLE, for the picture of feet.")] = None) -> None:
     """Make every picture in this folder again."""
     torch.set_num_threads(1)
     for folder in ("styles", "side_by_side"):
@@ -76,6 +96,8 @@ def main(published: Annotated[Path | None, typer.Option(help="Folder of the publ
     if published is None:
         return
     authors = tk.published.load(published)
+    if real is not None:
+        feet(authors, tk.datasets.load("100style", real, styles=["Neutral"], gaits=["FW"])[0])
     for style, name in tqdm(BESIDE.items(), desc="side by side"):
         speed = procedural.STYLES[style].speed
         clips = {"procedural data": walks[style], "embedded model": rollout(*embedded, style, speed),
