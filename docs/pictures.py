@@ -1,6 +1,7 @@
 """Make the pictures of these pages again, in three minutes on one core.
 
-``python docs/pictures.py [--published FOLDER --real FOLDER]``. Without the folder of the published parameters (Mason et al. 2022), the pictures in ``side_by_side`` stay as they are.
+``python docs/pictures.py [--published FOLDER --real FOLDER]``. Without the folder of the published parameters (Mason et
+al. 2022), the pictures in ``side_by_side`` stay as they are.
 """
 
 from pathlib import Path
