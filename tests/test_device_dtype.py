@@ -115,6 +115,7 @@ META = {  # what runs on any device, numbers or not
     "features.joint_features": lambda m: tk.features.joint_features(m.clip, tk.motion.root_frames(m.clip)),
     "features.style_clips": lambda m: tk.features.style_clips(m.clip),
     "features.moments": lambda m: tk.features.moments(m.root)[1:],
+    "features.clip_spans": lambda m: tk.features.features.clip_spans(torch.arange(3, device=m.root.device), 240),
     "features.mean_velocity": lambda m: tk.features.mean_velocity(tk.features.style_clips(m.clip)),
     "features.Normaliser": lambda m: (n := tk.features.Normaliser.of(m.root), n.invert(n.apply(m.root))),
     "layout.pack_joints": lambda m: tk.features.pack_joints(*[m.points] * 4),

@@ -16,7 +16,7 @@ from robustness.fuzz import foreign, mutations
 from robustness.fuzz.trials import Reader
 from typer.core import TyperCommand
 
-from toolkit import datasets, features, networks, published, training
+from toolkit import datasets, features, networks, published, runtime, training
 from toolkit.datasets import procedural, style100
 from toolkit.features import store
 from toolkit.io import bvh, decimals
@@ -165,6 +165,7 @@ def _cli(folder: Path) -> list[Reader]:
     """Any verb with any options; long work is replaced, and files are written only to the working folder."""
     from toolkit import __main__ as command_line
 
+    runtime.compile(training.pretrained().model)  # `demo crowd` compiles too, for longer than an input may take
     (folder / "folder").mkdir(exist_ok=True)
     for name, data in (("bad.bvh", CARRIER[:-40]), ("good.bvh", CARRIER), ("bad.safetensors", b"\0" * 64)):
         (folder / name).write_bytes(data)
