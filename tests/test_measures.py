@@ -282,8 +282,8 @@ def test_the_verb_measures_anybodys_files(tmp_path, capsys, walks):
     with pytest.raises(SystemExit, match="0"):
         main(["evaluate", str(tmp_path / "made"), "--real", str(tmp_path / "real"), "--out", str(out)])
     shown = capsys.readouterr()
-    assert "left out: broken.bvh: " in shown.err
-    assert "left out: short.bvh: foot skate needs two frames at 20 Hz, the clip lasts 0.05 s" in shown.err
+    assert "left out: broken.bvh: " in shown.out
+    assert "left out: short.bvh: foot skate needs two frames at 20 Hz, the clip lasts 0.05 s" in shown.out
     assert "skate-smoodi" in shown.out
     made, truth = json.loads(out.read_text())["rows"]
     assert made["skate-rsmt"] == pytest.approx(measures.skate_rsmt(walks[0]), rel=0.02)

@@ -2,7 +2,6 @@
 
 import json
 import math
-import sys
 from pathlib import Path
 from typing import Annotated
 
@@ -69,7 +68,7 @@ def _clips(place: Path, paired: bool, judge: Recogniser | None, unit: float | st
                 judge.embed(clip)
         except (ValueError, OSError, ImportError) as error:
             why = str(error).removeprefix(f"{path}: ").removeprefix(f"{path.name}: ")
-            print(f"left out: {path.name}: {why}", file=sys.stderr)
+            print(f"left out: {path.name}: {why}")
             continue
         clips[path.relative_to(place).with_suffix("").as_posix() if place.is_dir() else path.stem] = clip
     if not clips:
