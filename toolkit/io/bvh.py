@@ -169,7 +169,7 @@ def _parse_hierarchy(path: Path, lines: list[str]) -> tuple[list[str], list[int]
     for number, words in statements:
         key = words[0].upper()
         if waiting and key != "{":
-            raise fail(number, f"expected {{ after joint {names[-1]}, got {' '.join(words)[:40]!r}")
+            raise fail(number, f"expected {{ after joint {names[-1]!r}, got {' '.join(words)[:40]!r}")
         if key in ("ROOT", "JOINT", "END"):
             if (key != "ROOT" and not stack) or (key == "ROOT" and names):
                 raise fail(number, f"unexpected {words[0]}")
