@@ -56,6 +56,7 @@ SOMA = {  # parent by joint (github.com/nv-tlabs/kimodo, kimodo/skeleton/definit
 SOMA_ROLES = {"hips": "Hips"} | {f"{side}_{part}": side.title() + name for side in SIDES for part, name in {
     "shoulder": "Arm", "elbow": "ForeArm", "hand": "Hand", "hip": "Leg", "knee": "Shin", "foot": "Foot",
     "toe": "ToeBase"}.items()}  # LeftLeg is the hip here, not the knee as in other rigs
+# what numpy raises for files that are not whole
 _DAMAGED = (zipfile.BadZipFile, zlib.error, lzma.LZMAError, struct.error, tokenize.TokenError, EOFError, KeyError,
             NotImplementedError, OverflowError, RuntimeError, SyntaxError, TypeError, ValueError)
 
