@@ -38,7 +38,7 @@ SKIPPED = (
 class Result:
     """What a command measured.
 
-    A column is ``[title]`` for text, or ``[title, decimals]`` or ``[title, decimals, scale]``: the table shows scale × value.
+    A column is ``[title]`` for text, ``[title, decimals]`` or ``[title, decimals, scale]``: the table shows scale × value.
     A value is a number, text, None, or a list of numbers, one per seed: the table shows mean ± standard deviation.
     A number that is not finite is stored as None, and an absent value stays empty in the table.
     """

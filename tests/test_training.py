@@ -201,7 +201,7 @@ def test_features_of_a_list_have_its_parts():
     assert not poses(train.clips["Zombie"]) & poses(test.inputs["Zombie"][:, joints])
     run = training.fit(data, dataclasses.replace(QUICK, steps=2, clips_per_batch=1))
     assert run.held_out.keys() == {"Zombie"}
-    with pytest.raises(ValueError, match="Neutral.*: the split of made has no block of this take"):
+    with pytest.raises(ValueError, match=r"Neutral.*: the split of made has no block of this take"):
         splits.listed(clips, dataclasses.replace(parts, train=parts.train[:2]))
     with pytest.raises(ValueError, match="none of these clips is in the training part"):
         splits.listed([c for c in clips if c.style == "Old"], parts)
