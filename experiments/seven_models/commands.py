@@ -18,13 +18,15 @@ OUT = Path("out/comparison")
 ONE_STEP = {"shared": ("MSE", 1, 4), "mse": ("own MSE", 1, 4), "other": ("other", 1, 4), "bone": ("bone mm", 1000, 2)}
 LOOP = {"hands": ("hands", 1, 2), "together": ("together", 1, 2), "recognised": ("style", 1, 2), "speed": ("speed", 1, 2),
         "skate": ("skate", 100, 1), "skate_ik": ("with IK", 100, 1), "path": ("path cm", 100, 1),
-        "steps": ("steps/s", 1, 2), "clavicle": ("clavicle cm", 100, 1), "hand": ("hand cm", 100, 1), "upright": ("upright", 1, 2)}
+        "steps": ("steps/s", 1, 2), "clavicle": ("clavicle cm", 100, 1), "hand": ("hand cm", 100, 1),
+        "upright": ("upright", 1, 2)}
 EXPLAINED = (
     "MSE: error on held-out frames of the outputs that all models have (trajectory, joints, contacts), in the data's",
     "deviations; own MSE: of all outputs of a model; other: the same with another style's vector; bone: mean error of bone",
     "lengths. hands: range of motion / that of the data (0: stuck); together: difference of both hands' correlation from",
     "the data's; both for styles whose hands move. style: share of recognised styles; speed / commanded speed; skate: cm/s",
-    "in contact, without and with foot IK; path: distance from an eight; upright: share of styles that do not fall.",
+    "in contact, without and with foot IK; path: distance from an eight; clavicle, hand: distance of their mean pose from",
+    "the data's; upright: share of styles that do not fall.",
 )
 
 
@@ -175,7 +177,7 @@ def show(table: dict) -> None:
               + f"{f'{mean:.2f} ± {spread:.2f}':>18}{model['mean']['processor']:>14.0f}{len(model['runs']):>14}")
     print("\nmean ± deviation over the seeds of means over the styles.", *EXPLAINED, sep="\n")
     if math.isfinite(table["recogniser"]):
-        print(f"The recogniser, trained on the training part, names {table['recogniser']:.0%} of the held-out seconds rightly.")
+        print(f"The recogniser is trained on the training part; it names {table['recogniser']:.0%} of held-out seconds rightly.")
 
 
 def _cell(model: dict, key: str, scale: float, decimals: int) -> str:
