@@ -177,7 +177,7 @@ def show(table: dict) -> None:
               + f"{f'{mean:.2f} ± {spread:.2f}':>18}{model['mean']['processor']:>14.0f}{len(model['runs']):>14}")
     print("\nmean ± deviation over the seeds of means over the styles.", *EXPLAINED, sep="\n")
     if math.isfinite(table["recogniser"]):
-        print(f"The recogniser is trained on the training part; it names {table['recogniser']:.0%} of held-out seconds rightly.")
+        print(f"The recogniser, trained on the training part, names {table['recogniser']:.0%} of held-out seconds rightly.")
 
 
 def _cell(model: dict, key: str, scale: float, decimals: int) -> str:
