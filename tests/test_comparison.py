@@ -183,11 +183,26 @@ def test_failure_cases_are_written_and_drawn(folder, monkeypatch, capsys):
         monkeypatch.setattr(interpolation, name, value)
     call("failures", "--out", folder)
     said = capsys.readouterr().out
-    assert [line.split()[0] for line in said.splitlines() if line.startswith("5.1")] == ["5.1.1", "5.1.2", "5.1.2", "5.1.3"]
+    sections = [line.split()[0] for line in said.splitlines() if line.startswith("5.1")]
+    assert sections == ["5.1.1", "5.1.2", "5.1.2", "5.1.2", "5.1.3"]
     assert "2 styles" in said
     pictures = {path.name for path in (folder / "failures").glob("*.png")}
     assert {"errors.png", "closed_loop.png", "interpolation.png", "large_numbers_of_styles.png"} <= pictures
     assert {"no_global_phase.png", "no_global_phase_strip.png", "no_phase_features.png"} <= pictures
+
+
+def test_artifacts_are_distances_from_the_data_beside_their_floor():
+    def runs(clavicle):
+        rows = {"a": {"clavicle": clavicle, "hand": 0.1, "clavicle_data": 0.004, "hand_data": 0.01},
+                "b": {"clavicle": 3 * clavicle, "hand": math.nan, "clavicle_data": 0.002, "hand_data": 0.01}}
+        return {"runs": [{"styles": rows}]}
+
+    case = failures.artifacts({"models": {"lpn-onehot": runs(0.02), "lpn-resad": runs(0.03), "lpn-film": runs(0.01)}})
+    assert case.rows["lpn-film"]["clavicle, cm"] == pytest.approx([2.0])
+    assert case.rows["lpn-film"]["worst clavicle, cm"] == pytest.approx([3.0])
+    assert case.rows["data, other clips"]["clavicle, cm"] == pytest.approx([0.3])
+    assert case.verdict.startswith("shows (by +2.00 to +2.00 in 1 seed) that one-hot and adapters are farther")
+    assert case.verdict.count("does not show (by +0.00 to +0.00 in 1 seed)") == 1
 
 
 def test_verdicts_need_every_seed():
@@ -204,8 +219,8 @@ def test_stuck_hands_are_told_from_moving_ones():
     table = {"models": {"pfnn-film": runs(0.3), "lpn-film": runs(0.9)}}
     case = failures.stuck_hands(table, "pfnn-film", "lpn-film", "5.1.1", "No global phase", "claim")
     assert case.rows["pfnn-film"] == {
-        "range / data": pytest.approx(0.3), "|corr. - data's|": pytest.approx(0.7),
-        "styles below 0.5": 1.0, "recognised": 1.0,
+        "range / data": pytest.approx([0.3, 0.3]), "|corr. - data's|": pytest.approx([0.7, 0.7]),
+        "styles below 0.5": [1, 1], "recognised": [1.0, 1.0],
     }
     assert case.drawn["style"] == "Swimming"
     assert case.verdict.count("shows (") == 2

@@ -111,8 +111,8 @@ def store_(name: Annotated[str, typer.Option(help="Name of the stored result.")]
 @app.command("recorded")
 def recorded_(model: Annotated[str, typer.Option(help="Which model's runs.")] = "lpn-film", result: Named = None,
               out: Out = OUT) -> None:
-    """Held-out recordings, followed by the runs of a comparison with --listed: the field's measures beside the recordings'."""
-    settings, root = models.read_json(out / models.SETTINGS), None
+    """Held-out recordings, followed by the runs of a comparison with --listed: the field's measures."""
+    settings = models.read_json(out / models.SETTINGS)
     source = settings["source"]
     if not source.get("listed"):
         raise ValueError(f"{out}: its comparison was not made with --listed, so no take is held out as a whole")
@@ -146,7 +146,11 @@ def vectors_(model: Annotated[str, typer.Option(help="Which model's runs.")] = "
 
 
 @app.command("failures")
-def failures_(out: Out = OUT) -> None:
+def failures_(
+    out: Out = OUT,
+    capacity: Annotated[bool, typer.Option(help="Also train models with fewer styles, to compare errors.")] = True,
+    result: Annotated[str | None, typer.Option(help="Store the cases as docs/results/RESULT-CASE.json.")] = None,
+) -> None:
     """The failure cases of section 5.1, tested on the runs of a finished comparison.
 
     Prints numbers and results, and draws pictures in OUT/failures.
@@ -154,8 +158,9 @@ def failures_(out: Out = OUT) -> None:
     from experiments.seven_models import figures
     from toolkit import view
 
-    data = load(**models.read_json(out / models.SETTINGS)["source"])
-    found = failures.cases(data, out, progress=True)
+    settings = models.read_json(out / models.SETTINGS)
+    data = load(**settings["source"])
+    found = failures.cases(data, out, progress=True, capacity_too=capacity)
     folder = out / "failures"
     folder.mkdir(exist_ok=True)
     figures.save(figures.errors(models.read_json(out / models.TABLE)), folder / "errors.png")
@@ -163,6 +168,12 @@ def failures_(out: Out = OUT) -> None:
     for case in found:
         print(f"\n{case}")
         name = case.title.lower().replace(" ", "_")
+        if result is not None:
+            stored = results.case(f"{result}-{name.replace('_', '-')}", f"{case.section} {case.title}: {case.claim}",
+                                  _command(settings) + ", then failures", case, {"styles": len(settings["frames"])})
+            print(f"wrote {stored.save()}")
+        if not case.drawn:
+            continue
         if "style" in case.drawn:
             walks = failures.walks(data, out, case.drawn["models"], case.drawn["style"])
             figures.save(figures.hands(walks), folder / f"{name}.png")

@@ -100,7 +100,7 @@ def followed(model: Model, some: Sequence[Moment], vectors: Tensor) -> list[Clip
 
 
 def compared(runs: Sequence[Run], clips: Iterable[Clip], recogniser: Recogniser) -> list[dict]:
-    """Rows, one for each measure: of the runs, of two floors (another style's vector, standing still) and of the real ones."""
+    """Rows, one for each measure: the runs, two floors (another style's vector, standing still) and the recordings."""
     some = [m for m in moments(clips) if m.clip.style in runs[0].bank.names]
     real = [m.real for m in some]
     table: dict[str, dict[str, list[float]]] = {}
