@@ -109,8 +109,8 @@ def artifacts(table: dict) -> Case:
     if "ceiling" in table:
         rows["published"] = row([table["ceiling"]])
     rows["data, other clips"] = row(next(iter(runs.values()))[:1], "_data")
-    return Case("5.1.2", "Artifacts", "with many styles, one-hot and adapters get artifacts in shoulders and hands, FiLM not.",
-                rows, "; ".join(verdicts), {})
+    claim = "with many styles, one-hot and adapters get artifacts in shoulders and hands; FiLM does not."
+    return Case("5.1.2", "Artifacts", claim, rows, "; ".join(verdicts), {})
 
 
 def capacity(data: Features, plan: Plan, folder: Path, progress: bool = False) -> Case:
