@@ -11,6 +11,7 @@ from . import (
     phases,
     published,
     runtime,
+    shots,
     styles,
     stylization,
     training,

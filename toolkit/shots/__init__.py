@@ -1,0 +1,5 @@
+"""Shots: paths, styles, speeds and pauses planned over time, and characters that keep to them."""
+
+from toolkit.shots.shot import Hold, Point, Shot, SpeedKey, StyleKey, load, parse, save
+
+__all__ = ["Hold", "Point", "Shot", "SpeedKey", "StyleKey", "load", "parse", "save"]
