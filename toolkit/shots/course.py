@@ -91,8 +91,8 @@ class Curve:
 
     def tangent(self, distance: float) -> Pair:
         """The unit direction at an arc length."""
-        ax, az = self.point(max(distance, SPACING) - SPACING)
-        bx, bz = self.point(min(distance, self.length - SPACING) + SPACING)
+        distance = min(max(distance, 0.0), self.length)
+        (ax, az), (bx, bz) = self.point(max(distance - SPACING, 0.0)), self.point(distance + SPACING)
         size = max(math.hypot(bx - ax, bz - az), 1e-12)
         return (bx - ax) / size, (bz - az) / size
 

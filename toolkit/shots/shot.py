@@ -17,6 +17,7 @@ from toolkit.motion import Clip
 from toolkit.motion.tensors import shown
 from toolkit.networks.bank import StyleBank
 from toolkit.runtime import CharacterState, Command, record, start, step
+from toolkit.shots import feasibility
 from toolkit.shots.course import FPS, LONGEST, Course, Curve, Heading, between, command
 from toolkit.shots.keys import FAST, Hold, Point, SpeedKey, StyleKey, build, direction, entries, number, pair, rising
 
@@ -125,14 +126,12 @@ class Shot:
         """Write a JSON file, whole or not at all."""
         save([self], path)
 
-    def plan(self, bank: StyleBank) -> tuple[Course, Heading]:
-        """Where the character should be and face; a ValueError if a style is unknown."""
+    def plan(self, bank: StyleBank | None = None) -> tuple[Course, Heading]:
+        """Where the character should be and face; ``bank`` is needed without speeds. A ValueError if a style is unknown."""
         curve = Curve([(p.x, p.z) for p in self.path], self.smooth)
-        keys = self.speeds
-        if not keys:
-            keys = [SpeedKey(key.time, natural_speed(bank, key), key.easing) for key in self.styles]
+        keys = self.speeds or self._natural(bank)
         speeds = [key.time for key in keys], [key.speed for key in keys], [key.easing for key in keys]
-        arrivals = [(at, p.time) for at, p in zip(curve.knots[1:], self.path[1:], strict=True) if p.time is not None]
+        arrivals = [(curve.knots[k], time) for k, time in self._timed]
         holds = [(hold.time, hold.distance, hold.seconds) for hold in self.holds]
         turns = [None if p.facing is None else math.atan2(*p.facing) for p in self.path]
         return Course(curve, speeds, arrivals, holds, self.duration), Heading(curve, self.facing, self.look_at, turns)
@@ -174,10 +173,41 @@ class Shot:
         clip = record(model, self.states(model, bank), feet=self.feet, arms=self.arms)
         return clip.replace(name=self.name)
 
+    def check(self, model, bank: StyleBank) -> list[str]:
+        """What cannot be met and why, a line each; empty if all can. The shot is tried, without drawing.
 
-def natural_speed(bank: StyleBank, key: StyleKey) -> float:
-    """Speed at which the blend of a key is natural, m/s: the mean over its layers."""
-    return min(max(sum(bank.speed(blend) for blend in key.layers) / len(key.layers), 0.0), FAST)
+        Raises
+        ------
+        ValueError
+            If a style is not in the bank.
+        """
+        course, heading = self.plan(bank)
+        keys = self._natural(bank)
+        times, speeds, easings = ([getattr(key, name) for key in keys] for name in ("time", "speed", "easing"))
+
+        def natural(now: float) -> float:
+            a, b, weight = between(times, easings, now)
+            return speeds[a] + weight * (speeds[b] - speeds[a])
+
+        timed = [(k, course.curve.knots[k], time) for k, time in self._timed]
+        lines = [f"path[{timed[k][0]}] is too far away to be reached at {timed[k][2]:g} s" for k in course.late]
+        if course.end is None or course.end > (len(course.distance) - 1) / FPS + 1e-9:
+            lines.append(f"the end of the path is not reached in {(len(course.distance) - 1) / FPS:g} s: "
+                         f"{course.curve.length - course.distance[-1]:.1f} m are left")
+        lines += [f"holds[{k}] is after the end of the path, {course.curve.length:.2f} m long" for k, hold in
+                  enumerate(self.holds) if hold.distance is not None and hold.distance > course.curve.length]
+        places = [tuple(state.root[0, :2].tolist()) for state in self.states(model, bank, (course, heading))]
+        return lines + feasibility.planned(course, natural) + feasibility.walked(course, timed, places)
+
+    @property
+    def _timed(self) -> list[tuple[int, float]]:
+        """Index and time of the points with a time, without the first point."""
+        return [(k, point.time) for k, point in enumerate(self.path) if k and point.time is not None]
+
+    def _natural(self, bank: StyleBank) -> list[SpeedKey]:
+        """The natural speed at every style key: of blends by layer, the mean of the layers."""
+        speeds = [sum(bank.speed(blend) for blend in key.layers) / len(key.layers) for key in self.styles]
+        return [SpeedKey(key.time, min(max(v, 0.0), FAST), key.easing) for key, v in zip(self.styles, speeds, strict=True)]
 
 
 def shifted(state: CharacterState, angle: float) -> CharacterState:
