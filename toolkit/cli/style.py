@@ -61,7 +61,7 @@ def add(
     if not made.best and made.losses:
         print("Adding did not help: no step was better than the start, and the start was kept. Use more or longer clips.")
     elif error["after"] >= error["before"]:
-        print("Adding did not help on these frames, which played no part in the choice of the step: use more or longer clips.")
+        print("Adding did not help on these frames, which did not choose the step: use more or longer clips.")
     elif error["after"] >= error["repeat"]:
         print("The model predicts this style no better than repeating the frame: use more or longer clips.")
     _print_near(made.bank, name)
