@@ -70,8 +70,8 @@ def fine_tune(model: Model, clips: Clip | Sequence[Clip] | Features, name: str |
     A share of the frames is held out (`HELD_OUT`). The error on half of them is measured every `EVERY` steps, and the best
     step is kept, which may be the initial one. The errors in the result are those of the other half, which played no part in
     this choice. ``before`` is the error with the best style of the bank (method ``"vector"``) or with the vector that the
-    generator computes without fine-tuning; ``mean`` and ``repeat`` are those of `toolkit.training.loss.baselines`. Clips that
-    are too short to hold frames out keep the last step.
+    generator computes without fine-tuning; ``mean`` and ``repeat`` are those of `toolkit.training.loss.baselines`. Clips
+    that are too short to hold frames out keep the last step.
 
     Parameters
     ----------
