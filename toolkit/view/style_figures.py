@@ -160,3 +160,16 @@ def columns_figure(tables: Mapping[str, Mapping[str, Sequence[float]]], *, title
     figure.update_yaxes(gridcolor=GRID, autorange="reversed")
     layout = LAYOUT | {"margin": {"l": 110, "r": 20, "t": 64, "b": 70}}
     return figure.update_layout(**layout, title=escape(title), height=140 + 34 * len(models))
+
+
+def curves_figure(x, curves: Mapping[str, Sequence[float]], x_title: str, y_title: str, *, title: str = "",
+                  marks: Mapping[str, float] | None = None, dots: bool = False) -> go.Figure:
+    """Curves over the same ``x``, a colour each; ``marks`` are vertical lines, name -> x."""
+    figure = go.Figure()
+    for k, (name, y) in enumerate(curves.items()):
+        figure.add_scatter(x=np.asarray(x), y=np.asarray(y), name=escape(name), mode="lines+markers" if dots else "lines",
+                           line={"color": WHEEL[k % len(WHEEL)], "width": 2.5}, marker={"size": 6})
+    for name, place in (marks or {}).items():
+        figure.add_vline(x=place, line={"color": QUIET, "dash": "dot", "width": 1}, annotation_text=escape(name),
+                         annotation_font_size=11)
+    return finish(figure, title, 400, {"title": x_title}, {"title": y_title})
