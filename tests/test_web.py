@@ -158,6 +158,34 @@ def test_a_step_from_anywhere_is_pythons(node, small_run, calibrated):
         assert torch.allclose(mine, values, rtol=0, atol=1e-6), f"{name}: {float((mine - values).abs().max())}"
 
 
+@pytest.mark.parametrize("calibrated", [False, True])
+def test_many_at_once_walk_as_each_alone_with_and_without_webassembly(node, small_run, calibrated):
+    model = copy.deepcopy(small_run.model)
+    model.calibrated = calibrated
+    seen = node("""
+        const { Character, advance } = await scene("character");
+        const { Network } = await scene("network");
+        const walk = (network, n, alone) => {
+            const crowd = Array.from({ length: n }, () => new Character(given.data, network));
+            for (let t = 0; t < 40; t++) {
+                const commands = crowd.map((_, c) => ({ velocity: [0.3 * c, 1], facing: [Math.sin(c), Math.cos(c)] }));
+                const styles = crowd.map((_, c) => given.styles[c % 2]);
+                if (alone) crowd.forEach((one, c) => one.step(commands[c], styles[c]));
+                else advance(crowd, commands, styles);
+            }
+            return crowd.map((one) => (one.pose(), [...one.root, ...one.rotations]));
+        };
+        const plain = new Network(given.data.network, { plain: true }), fast = new Network(given.data.network);
+        result = { simd: Boolean(fast.simd), expected: walk(plain, 6, true), plain: walk(plain, 6), few: walk(fast, 3),
+                   alone: walk(fast, 6, true), many: walk(fast, 6) };
+    """, data=live_page.pack(model, small_run.bank), styles=small_run.bank.vectors.tolist())
+    assert seen["simd"]
+    expected = np.array(seen["expected"])
+    assert np.abs(expected[1:] - expected[0]).max() > 0.1
+    for kind in ("plain", "few", "alone", "many"):
+        assert np.abs(np.array(seen[kind]) - expected[: len(seen[kind])]).max() < 1e-9, kind
+
+
 @pytest.mark.parametrize(("style", "half", "bound"), [("Neutral", False, 0.5), ("Zombie", False, 0.5), ("Old", True, 5.0)])
 def test_javascript_walks_as_python_does(node, trained, style, half, bound):
     model, bank = trained

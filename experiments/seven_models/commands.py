@@ -109,7 +109,7 @@ def hundred_(
     parameters: Annotated[Path, typer.Option("--published", help=verbs.PUBLISHED)],
     out: Annotated[Path, typer.Option(help="Folder for the clips, in the layout of 100STYLE.")],
     styles: Names = None,
-    seconds: Annotated[float, typer.Option(help="Length of each of a style's four clips.")] = 12.0,
+    seconds: Annotated[float, typer.Option(help="Length of each of a style's eight clips.")] = 12.0,
     seed: Annotated[int, typer.Option(help="Seed of the paths.")] = 0,
 ) -> None:
     """Make clips of a hundred styles with the published parameters, in the layout of 100STYLE.

@@ -1,6 +1,6 @@
 // A character whose network runs in the page, without the kernel of a notebook (view/controller.py).
 //
-// Character(data) steps and poses. Kernel(data) also takes user input and the triangle's blend; it is the `model` of controller.js.
+// Character(data) steps and poses; advance steps many, which share a network, at once. Kernel(data) also takes user input and the triangle's blend; it is the `model` of controller.js.
 // data = {
 //   network, rules, body: see network.js, frame.js, pose.js;  start: the state in the first frame;  skeleton: see scene.js
 //   styles: [names], vectors: numbers [styles * D];  turn, run, ease: as in view/controller.py
@@ -12,9 +12,9 @@ import { numbers } from "./numbers.js";
 import { plant, pose } from "./pose.js";
 
 export class Character {
-  constructor({ network, rules, body, start }) {
-    const [x, , z] = network.means.map(numbers);
-    Object.assign(this, { rules, body, first: start, network: new Network(network) });
+  constructor({ network, rules, body, start }, shared = new Network(network)) {
+    const [x, , z] = shared.means;
+    Object.assign(this, { rules, body, first: start, network: shared });
     this.x = new Float64Array(x.length);
     this.z = new Float64Array(z.length);
     this.rotations = new Float64Array(4 * body.parents.length);
@@ -29,17 +29,25 @@ export class Character {
 
   // the next frame: command {velocity, facing}, metres per second and directions (x, z) in the world; a style vector
   step(command, style) {
-    const { state, spare, rules, x, z } = this;
-    steer(state, command, rules, x, spare);
-    this.network.predict(x, state.phase, style, z);
-    follow(state, z, rules, spare);
-    plant(spare, this.body, rules);
-    [this.state, this.spare] = [spare, state];
+    advance([this], [command], [style]);
   }
 
   // sets .rotations [J' * 4], local, and .root [3]
   pose(ik = { feet: true, arms: true }) {
     pose(this.state, this.body, this.rules, ik, this.rotations, this.root);
+  }
+}
+
+// The next frame of characters that share a network, each with its command and style; the weights are read once for all.
+export function advance(characters, commands, styles) {
+  const [{ network, rules }] = characters;
+  characters.forEach(({ state, spare, x }, c) => steer(state, commands[c], rules, x, spare));
+  network.predict(characters.map(({ state, x, z }, c) => ({ x, z, phase: state.phase, style: styles[c] })));
+  for (const character of characters) {
+    const { state, spare, body, z } = character;
+    follow(state, z, rules, spare);
+    plant(spare, body, rules);
+    [character.state, character.spare] = [spare, state];
   }
 }
 
