@@ -17,7 +17,7 @@ LONGEST, WIDEST = 15, 88  # lines of a code cell, characters of a line
 MAY_DEFINE = "# exercise", "# by hand"
 #: Notebooks that do not have the frame of the course yet.
 UNFRAMED = {"05_style_space", "06_seven_models", "07_a_new_style", "08_motion_stylisation",
-            "02_phase_sources", "03_training_on_a_subset", "04_playback_and_style_interpolation"}
+            "03_training_on_a_subset", "04_playback_and_style_interpolation"}
 FRAMED = [path for path in NOTEBOOKS if path.stem not in UNFRAMED]
 
 #: What stands before a number that is not a result: sections, equations, other notebooks, years of papers.
