@@ -12,6 +12,7 @@ from . import (
     phases,
     published,
     runtime,
+    shots,
     styles,
     stylization,
     training,

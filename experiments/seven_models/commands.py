@@ -1,5 +1,6 @@
 """Command line: ``python -m experiments seven-models`` trains, measures and shows the seven models of Table 2."""
 
+import math
 from pathlib import Path
 from typing import Annotated
 
@@ -17,7 +18,7 @@ OUT = Path("out/comparison")
 ONE_STEP = {"shared": ("MSE", 1, 4), "mse": ("own MSE", 1, 4), "other": ("other", 1, 4), "bone": ("bone mm", 1000, 2)}
 LOOP = {"hands": ("hands", 1, 2), "together": ("together", 1, 2), "recognised": ("style", 1, 2), "speed": ("speed", 1, 2),
         "skate": ("skate", 100, 1), "skate_ik": ("with IK", 100, 1), "path": ("path cm", 100, 1),
-        "upright": ("upright", 1, 2)}
+        "steps": ("steps/s", 1, 2), "clavicle": ("clavicle cm", 100, 1), "hand": ("hand cm", 100, 1), "upright": ("upright", 1, 2)}
 EXPLAINED = (
     "MSE: error on held-out frames of the outputs that all models have (trajectory, joints, contacts), in the data's",
     "deviations; own MSE: of all outputs of a model; other: the same with another style's vector; bone: mean error of bone",
@@ -39,12 +40,16 @@ def compare(
     seeds: Annotated[int, typer.Option(min=1, help="Runs of every model, with seeds 0, 1, …")] = 3,
     steps: Annotated[int, typer.Option(min=1, help="Training steps of every run.")] = 4000,
     size: Annotated[str, typer.Option(help=f"Sizes of the networks: {', '.join(models.SIZES)}.")] = "small",
+    listed: Annotated[bool, typer.Option("--listed", help="Hold out the test part of the dataset's list (`data split`).")]
+    = False,
     out: Out = OUT,
     device: Annotated[str, typer.Option(help="Device of the training: cpu, cuda.")] = "cpu",
+    scheduler: Annotated[str | None, typer.Option(help="Address of a Dask scheduler whose workers share the runs.")] = None,
 ) -> None:
     """The seven models of Table 2, trained on the same data, compared one step ahead and in closed loop.
 
-    All models have the same seeds and budget. The results are stored and printed.
+    All runs have the same number of steps. The results are stored and printed; runs of other seeds or models that the folder
+    of the same comparison already holds are in the table, too.
     """
     if context.invoked_subcommand is not None:
         return
@@ -56,10 +61,10 @@ def compare(
     if unknown := [name for name in chosen if name not in networks.MODELS]:
         raise ValueError(f"unknown model {unknown[0]!r}; known: {', '.join(networks.MODELS)}")
     source = {"data": data, "root": None if root is None else str(root.resolve()), "styles": styles, "gaits": gaits,
-              "clip_seconds": clip_seconds if data == "procedural" else None}
+              "clip_seconds": clip_seconds if data == "procedural" else None, "listed": listed}
     found = load(**source)
     print(f"{_described(source)}: {found.n_frames:,} frames of {len(found.styles)} styles")
-    show(models.compare(found, source, models.Plan(size, steps, device), chosen, seeds, out, progress=True))
+    show(models.compare(found, source, models.Plan(size, steps, device), chosen, seeds, out, True, scheduler))
     print(f"wrote {out / 'comparison.json'}")
 
 
@@ -74,6 +79,16 @@ def table2() -> None:
         print(f"{row.name:<14}{counted}{'':<11}{printed}")
     for (as_printed, note), names in _notes(rows).items():
         print(f"S.M.N. of {', '.join(names)}: {note}; counted so, {as_printed:,}")
+
+
+@app.command("ceiling")
+def ceiling_(parameters: Annotated[Path, typer.Option("--published", help=verbs.PUBLISHED)], out: Out = OUT) -> None:
+    """The same measures of the published network, on data that it made: the best that a model can do there."""
+    settings = models.read_json(out / models.SETTINGS)
+    data, plan = load(**settings["source"]), models.Plan(settings["size"], settings["steps"])
+    recogniser = models.judge(data, out)
+    models.ceiling(parameters, data, recogniser, plan, out)
+    show(models.collect(data, plan, recogniser, out))
 
 
 @app.command("failures")
@@ -109,7 +124,7 @@ def hundred_(
     parameters: Annotated[Path, typer.Option("--published", help=verbs.PUBLISHED)],
     out: Annotated[Path, typer.Option(help="Folder for the clips, in the layout of 100STYLE.")],
     styles: Names = None,
-    seconds: Annotated[float, typer.Option(help="Length of each of a style's four clips.")] = 12.0,
+    seconds: Annotated[float, typer.Option(help="Length of each of a style's eight clips.")] = 12.0,
     seed: Annotated[int, typer.Option(help="Seed of the paths.")] = 0,
 ) -> None:
     """Make clips of a hundred styles with the published parameters, in the layout of 100STYLE.
@@ -141,23 +156,26 @@ def show(table: dict) -> None:
     """Print the result of `experiments.seven_models.models.compare`."""
     settings, on = table["settings"], table["machine"]
     print(f"\n{_described(settings['source'])}: {len(settings['frames'])} styles; {settings['size']} sizes, "
-          f"{settings['seeds']} seeds, {settings['steps']:,} steps of {settings['batch']} frames")
+          f"{settings['steps']:,} steps of {settings['batch']} frames")
     print(f"{on['device']}, {on['cores']} cores, {on['threads']} threads, torch {on['torch']}")
     print(f"\n{'one step ahead':<16}" + "".join(f"{title:>18}" for title, *_ in ONE_STEP.values()))
-    for name, model in table["models"].items():
+    rows = table["models"] | ({"ceiling": {"mean": table["ceiling"], "spread": {}}} if "ceiling" in table else {})
+    for name, model in rows.items():
         print(f"{name:<16}" + "".join(f"{_cell(model, key, *how):>18}" for key, (_, *how) in ONE_STEP.items()))
-    for name, (mean, spread) in table["baselines"].items():
-        print(f"{name:<16}{f'{mean:.4f} ± {spread:.4f}':>18}")
+    for name, error in table["baselines"].items():
+        print(f"{name:<16}{error:>18.4f}")
     print(f"\n{'closed loop':<16}" + "".join(f"{title:>14}" for title, *_ in LOOP.values()))
-    for name, model in table["models"].items():
+    for name, model in rows.items():
         print(f"{name:<16}" + "".join(f"{_cell(model, key, *how):>14}" for key, (_, *how) in LOOP.items()))
-    print(f"\n{'cost':<16}{'synthesis':>14}{'style':>14}{'per style':>14}{'ms per frame':>18}{'training s':>14}")
+    print(f"\n{'cost':<16}{'synthesis':>14}{'style':>14}{'per style':>14}{'ms per frame':>18}{'processor s':>14}"
+          f"{'seeds':>14}")
     for name, model in table["models"].items():
         counts, (mean, spread) = model["counts"], model["frame"]
         print(f"{name:<16}" + "".join(f"{counts[k]:>14,}" for k in ("synthesis", "style", "per_style"))
-              + f"{f'{mean:.2f} ± {spread:.2f}':>18}{model['mean']['seconds']:>14.0f}")
+              + f"{f'{mean:.2f} ± {spread:.2f}':>18}{model['mean']['processor']:>14.0f}{len(model['runs']):>14}")
     print("\nmean ± deviation over the seeds of means over the styles.", *EXPLAINED, sep="\n")
-    print(f"The recogniser names {table['recogniser']:.0%} of the data's own style clips rightly.")
+    if math.isfinite(table["recogniser"]):
+        print(f"The recogniser, trained on the training part, names {table['recogniser']:.0%} of the held-out seconds rightly.")
 
 
 def _cell(model: dict, key: str, scale: float, decimals: int) -> str:
