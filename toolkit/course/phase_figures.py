@@ -44,7 +44,7 @@ def cycle(clip: Clip, phase: Tensor, first: int, last: int, limb: str = "left_ha
         figure.add_scatter(**state, mode="lines" if place == 1 else "lines+markers", line={"color": line, "width": 4},
                            marker={"size": 12, "color": P}, row=1, col=place)
     figure.frames = [go.Frame(data=state, traces=[2, 3, 4], name=str(k)) for k, state in enumerate(states)]
-    figure.update_xaxes(range=[-0.7, 0.7], row=1, col=1).update_yaxes(range=[0, 1.7], scaleanchor="x", row=1, col=1)
+    figure.update_xaxes(range=[-0.7, 0.7], row=1, col=1).update_yaxes(range=[0, 1.9], scaleanchor="x", row=1, col=1)
     figure.update_xaxes(visible=False, row=1, col=2).update_yaxes(visible=False, scaleanchor="x2", row=1, col=2)
     figure.update_xaxes(title="seconds", row=1, col=3)
     labels = [f"{f / clip.fps:.2f} s" for f in frames.tolist()]
