@@ -174,7 +174,7 @@ def one_step(model: Model, bank: StyleBank, test: Features, scale: Normaliser) -
 
 
 def resampled(data: Features, layout: Layout) -> Features:
-    """Features of a store, with the trajectory window of another layout; rows whose window leaves their take are left out."""
+    """Features of a store, with the trajectory window of another layout, without rows whose window leaves their take."""
     reach, kinds = layout.samples[-1] - data.layout.samples[-1], {kind: {} for kind in features.FRAME_KINDS}
     for style in data.styles:
         at, takes = data.inputs[style].at, data.takes[style]

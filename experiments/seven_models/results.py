@@ -15,8 +15,8 @@ COLUMNS = {
     "path": ["path, cm", 1, 100], "parameters": ["parameters", 0], "per_style": ["per style", 0],
     "minutes": ["processor minutes", 1], "step_ms": ["ms per step", 0],
 }
-KEYS = ("shared", "joints", "other", "mse", "bone", "recognised", "upright", "hands", "together", "clavicle", "hand", "skate",
-        "skate_ik", "steps", "speed", "path")
+KEYS = ("shared", "joints", "other", "mse", "bone", "recognised", "upright", "hands", "together", "clavicle", "hand",
+        "skate", "skate_ik", "steps", "speed", "path")
 
 
 def comparison(name: str, about: str, command: str, table: dict) -> Result:
