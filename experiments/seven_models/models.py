@@ -28,6 +28,7 @@ from toolkit.networks import Model, Sizes
 from toolkit.networks.bank import StyleBank
 from toolkit.runtime import FPS, CharacterState, Command
 from toolkit.training import Config, Run
+from toolkit.training.run import STYLE_RATES
 
 WARM_UP, PACE = 2.0, 1.0  # seconds at the start of a walk that are not measured; m/s along the eight
 MOVING = 0.06  # metres, least range of moving hands
@@ -40,10 +41,6 @@ SIZES = {
     "medium": Sizes.small(),
     "paper": Sizes(),
 }  # values of ``--size``
-
-#: Learning rates of the style modulation, relative to the other rates. High rates destroy FiLM's convolutions. Tables of
-#: styles need high rates, one-hot the highest, because a row is trained only by the minibatches of its own style.
-STYLE_RATES = {"film": 0.1, "onehot": 10.0, "resad": 1.0}
 
 
 @dataclass(frozen=True)
@@ -58,10 +55,9 @@ class Plan:
     recogniser_steps: int | None = None  # training steps of the recogniser; by default 20 per style, at least 200
 
     def config(self, model: str, seed: int) -> Config:
-        """Training settings of one run: equal for all runs except `STYLE_RATES`."""
+        """Training settings of one run: equal for all runs except `toolkit.training.run.STYLE_RATES`."""
         return Config.quick(model=model, sizes=SIZES[self.size], steps=self.steps, seed=seed, device=self.device,
-                            style_rate=STYLE_RATES[model.split("-")[1]], evaluate_every=max(1, self.steps // 2),
-                            held_out=HELD_OUT)
+                            evaluate_every=max(1, self.steps // 2), held_out=HELD_OUT)
 
 
 def load(data: str, root: str | None, styles: str | None, gaits: str | None, clip_seconds: float | None,
