@@ -105,6 +105,11 @@ def test_what_is_not_finite_is_stored_as_nothing(tmp_path):
     assert Result.load("gaps", tmp_path).markdown().splitlines()[2:] == ["|  |", "| 1.00 |"]
 
 
+def test_rows_without_a_value_in_the_columns_that_are_shown_are_left_out(folder):
+    assert "repeat" in Result.load("small", folder).markdown(["model", "mse"])
+    assert "repeat" not in Result.load("small", folder).markdown(["model", "skate", "walks"])
+
+
 def test_the_command_writes_pages(tmp_path, monkeypatch, folder, capsys):
     page = tmp_path / "page.md"
     page.write_text("<!-- table small: walks -->\n<!-- end -->\n")
