@@ -1,6 +1,6 @@
 """Ablation and comparison of Park et al. 2021 (Tables 1 and 2): ``python -m experiments stylization``.
 
-All methods have the same processor time, the same clips and generators of nearly one size; Holden's has its own. Every run is
+All methods have the same processor time, the same clips and generators of nearly one size (but Holden's). Every run is
 resumed from its checkpoint and stored as a small file when it is done, so that the command goes on where it was stopped.
 """
 
@@ -19,7 +19,7 @@ from experiments.stylization import aberman, convolutional, evaluation, holden, 
 from experiments.stylization.floors import FLOORS
 from experiments.stylization.judges import Judges
 from experiments.stylization.sets import Task
-from experiments.tables import RESULTS, Result
+from experiments.tables import Result
 from toolkit import datasets
 from toolkit.features.splits import generator
 from toolkit.io import model_files
@@ -38,7 +38,8 @@ OURS = {"ours": LOSSES, "ours without ds": LOSSES[:4], "ours without sty and ds"
 METHODS = (*OURS, "1-D convolutions", "Aberman et al. 2020", "Holden et al. 2016")
 GRAPH, DENSE = networks.build, convolutional.build
 PAPER = {"noise": {"ours": (9.09, 0.7264), "ours without ds": (8.58, 0.7786), "ours without sty and ds": (14.14, 0.5792)},
-         "reference": {"ours": (6.82, 0.6086), "Aberman et al. 2020": (15.86, 0.4281), "Holden et al. 2016": (14.10, 0.3799)}}
+         "reference": {"ours": (6.82, 0.6086), "Aberman et al. 2020": (15.86, 0.4281),
+                       "Holden et al. 2016": (14.10, 0.3799)}}
 RECIPE: dict[str, dict] = {
     "the recipe": {}, "content losses of squares": {"squared": True}, "a source's code from its own window":
     {"other_window": False}, "no training as an autoencoder first": {"warm_up": 0}, "ds as in the paper": {"fading": False},
@@ -55,7 +56,7 @@ COLUMNS: dict[str, list] = {
 
 @dataclass(frozen=True)
 class Plan:
-    """Settings of all runs in a folder: the processor time of each training, sources at most, and the part that is scored."""
+    """Settings of all runs in a folder: processor time of each training, sources at most, and the part that is scored."""
 
     seconds: float
     sources: int = 64
@@ -108,7 +109,8 @@ def measure(method: str, task: Task, plan: Plan, seed: int, folder: Path, name: 
         model, numbers = trained(method, task.train, plan.config(seed), folder / "runs" / path.stem, progress)
         judges, found = _judges(task, plan.part), {}
         for by in evaluation.WAYS if isinstance(model, Stylizer) else evaluation.WAYS[1:]:
-            found[by] = evaluation.evaluate(model, _sources(task, plan), task.references[plan.part], judges, by=by, seed=seed)
+            found[by] = evaluation.evaluate(model, _sources(task, plan), task.references[plan.part], judges, by=by,
+                                            seed=seed)
         write_json(path, {"seed": seed, **numbers, "measures": found})
     return json.loads(path.read_text(encoding="utf-8"))
 
@@ -128,7 +130,8 @@ def trained(method: str, motions: Motions, config: Config, path: Path, progress:
         run.save(path.with_suffix(".safetensors"))
     checkpoint.unlink(missing_ok=True)
     last = run.history[-1] if run.history else {"step": 0, "elapsed": 0.0}
-    return run.stylizer, {"seconds": last["elapsed"], "iterations": last["step"], "parameters": _size(run.stylizer.generator)}
+    return run.stylizer, {"seconds": last["elapsed"], "iterations": last["step"],
+                          "parameters": _size(run.stylizer.generator)}
 
 
 def summary(name: str, task: Task, plan: Plan, folder: Path) -> Result:
@@ -140,7 +143,8 @@ def summary(name: str, task: Task, plan: Plan, folder: Path) -> Result:
     lines = [{"method": "real motion", **held, "diversity": evaluation.own_diversity(task.train)}]
     for floor, make in FLOORS.items():
         made = make(task.train)(sources.select(rows), target)
-        lines.append({"method": floor, **evaluation.measures(sources.select(rows), target, [made], judges), "diversity": None})
+        found = evaluation.measures(sources.select(rows), target, [made], judges)
+        lines.append({"method": floor, **found, "diversity": None})
     numbers: dict[str, dict] = {}
     for method in METHODS:
         found = [json.loads(path.read_text(encoding="utf-8"))
@@ -154,8 +158,8 @@ def summary(name: str, task: Task, plan: Plan, folder: Path) -> Result:
             lines.append({"method": method, "codes": by, **values, **printed})
     seeds = max((len(found["seed"]) for found in numbers.values()), default=0)
     lines = [{key: value for key, value in line.items() if key in COLUMNS} for line in lines]
-    about = (f"Bandai-Namco {name}, {', '.join(real.domains)} in {', '.join(real.contents)}; {plan.seconds:g} seconds of one "
-             f"processor thread for each training, {plan.part} windows; mean ± deviation over the seeds")
+    about = (f"Bandai-Namco {name}, {', '.join(real.domains)} in {', '.join(real.contents)}; {plan.seconds:g} seconds of "
+             f"one processor thread for each training, {plan.part} windows; mean ± deviation over the seeds")
     settings = {**{k: v for k, v in asdict(plan).items() if k != "iterations"}, "most seeds of a method": seeds,
                 "training windows": len(task.train), "scored windows": len(real), "restyled sources": len(sources),
                 "styles": len(real.domains), "contents": len(real.contents), **machine("cpu")}
@@ -165,7 +169,7 @@ def summary(name: str, task: Task, plan: Plan, folder: Path) -> Result:
 
 @app.command()
 def recipe(
-    out: Annotated[Path, typer.Option(help="Folder of the runs; finished runs in it are not repeated.")] = Path("out/recipe"),
+    out: Annotated[Path, typer.Option(help="Folder of the runs; finished runs are not repeated.")] = Path("out/recipe"),
     data: Annotated[str, typer.Option(help=f"One of {', '.join(sets.SETS)}.")] = "dataset-2",
     iterations: Annotated[int, typer.Option(min=1, help="Training iterations of each run.")] = 2000,
     seed: Annotated[int, typer.Option(help="Seed of all runs.")] = 0,
