@@ -181,7 +181,7 @@ def cases(data: Features, folder: Path, progress: bool = False) -> list[Case]:
     if missing := {"pfnn-film", "mann-film", *CAPACITY} - table["models"].keys():
         raise ValueError(f"{folder}: its comparison has no {', '.join(sorted(missing))}; run it with --models all")
     plan = stored_plan(folder)
-    runs = {name: [trained(data, plan.config(name, seed), folder) for seed in range(table["settings"]["seeds"])]
+    runs = {name: [trained(data, plan.config(name, run["seed"]), folder) for run in table["models"][name]["runs"]]
             for name in BLENDED}
     return [
         stuck_hands(table, "pfnn-film", "lpn-film", "5.1.1", "No global phase",

@@ -14,7 +14,7 @@ from toolkit.motion.names import checked
 from toolkit.motion.tensors import summary
 from toolkit.stylization.data import CHANNELS, FRAMES, Statistics
 from toolkit.stylization.graph import POOLINGS, SkeletonGraph
-from toolkit.stylization.layers import SLOPE, AdaIN, Block, encoder, he_init, trunk
+from toolkit.stylization.layers import SLOPE, AdaIN, Block, Pointwise, encoder, he_init, trunk
 
 SHRINK = 2**POOLINGS  # frames per frame of the coarsest level
 CODE_GAIN = 0.3  # share of He's deviation for layers that write or read style codes
@@ -52,7 +52,7 @@ class Generator(nn.Module):
         self.encoder = encoder(graph, c, "in")
         self.decoder = nn.ModuleList(Block(c << level + 1, c << level, graph, level, "up", "adain", sizes.code)
                                      for level in reversed(range(POOLINGS)))
-        self.lower = nn.Conv2d(c, CHANNELS, 1)
+        self.lower = Pointwise(c, CHANNELS)
 
     def encode(self, x: Tensor) -> Tensor:
         """Content ``[B, 4 C, N/4, T/4]`` of ``x [B, 7, T, N]`` (equation 2)."""

@@ -1,20 +1,21 @@
 // A character whose network runs in the page, without the kernel of a notebook (view/controller.py).
 //
-// Character(data) steps and poses. Kernel(data) also takes user input and the triangle's blend; it is the `model` of controller.js.
+// Character(data) steps and poses; advance steps many, which share a network, at once. Kernel(data) also takes user input and the triangle's blend; it is the `model` of controller.js.
 // data = {
 //   network, rules, body: see network.js, frame.js, pose.js;  start: the state in the first frame;  skeleton: see scene.js
 //   styles: [names], vectors: numbers [styles * D];  turn, run, ease: as in view/controller.py
+//   others: [{style, radius, angle, way, speed}]: characters that walk on rings around the start, of a crowd; [] without
 //   bvh: {header, joints, centimetre} of a recording;  traits: first values for controller.js
 // }
-import { copy, follow, steer } from "./frame.js";
+import { copy, follow, stand, steer, unit } from "./frame.js";
 import { Network } from "./network.js";
 import { numbers } from "./numbers.js";
 import { plant, pose } from "./pose.js";
 
 export class Character {
-  constructor({ network, rules, body, start }) {
-    const [x, , z] = network.means.map(numbers);
-    Object.assign(this, { rules, body, first: start, network: new Network(network) });
+  constructor({ network, rules, body, start }, shared = new Network(network)) {
+    const [x, , z] = shared.means;
+    Object.assign(this, { rules, body, first: start, network: shared });
     this.x = new Float64Array(x.length);
     this.z = new Float64Array(z.length);
     this.rotations = new Float64Array(4 * body.parents.length);
@@ -29,12 +30,7 @@ export class Character {
 
   // the next frame: command {velocity, facing}, metres per second and directions (x, z) in the world; a style vector
   step(command, style) {
-    const { state, spare, rules, x, z } = this;
-    steer(state, command, rules, x, spare);
-    this.network.predict(x, state.phase, style, z);
-    follow(state, z, rules, spare);
-    plant(spare, this.body, rules);
-    [this.state, this.spare] = [spare, state];
+    advance([this], [command], [style]);
   }
 
   // sets .rotations [J' * 4], local, and .root [3]
@@ -43,12 +39,43 @@ export class Character {
   }
 }
 
+// The next frame of characters that share a network, each with its command and style; the weights are read once for all.
+export function advance(characters, commands, styles) {
+  const [{ network, rules }] = characters;
+  characters.forEach(({ state, spare, x }, c) => steer(state, commands[c], rules, x, spare));
+  network.predict(characters.map(({ state, x, z }, c) => ({ x, z, phase: state.phase, style: styles[c] })));
+  for (const character of characters) {
+    const { state, spare, body, z } = character;
+    follow(state, z, rules, spare);
+    plant(spare, body, rules);
+    [character.state, character.spare] = [spare, state];
+  }
+}
+
 const LONGEST = 0.1; // seconds: a longer pause between two pictures is not made up for
+
+// A character that walks on a ring around the origin, in a style of its own; way: 1 or -1
+class Walker {
+  constructor(data, network, vectors, { style, radius, angle, way, speed }) {
+    const size = vectors.length / data.styles.length, at = [Math.sin(angle), Math.cos(angle)];
+    Object.assign(this, { radius, way, speed, style: vectors.slice(size * style, size * (style + 1)) });
+    this.character = new Character(data, network);
+    this.character.state = stand(this.character.state, at.map((v) => radius * v), [way * at[1], -way * at[0]]);
+  }
+
+  // along the ring, and back to it where it has left it
+  command() {
+    const { history } = this.character.state, [x, z] = history.slice(-4), distance = Math.hypot(x, z) || 1, { way } = this;
+    const back = (this.radius - distance) / distance, ahead = unit([(way * z) / distance + back * x, (-way * x) / distance + back * z]);
+    return { velocity: ahead.map((v) => this.speed * v), facing: ahead };
+  }
+}
 
 export class Kernel {
   constructor(data) {
     const { styles, vectors, rules, start } = data;
     Object.assign(this, { data, fps: rules.fps, character: new Character(data), vectors: numbers(vectors), listeners: {} });
+    this.others = data.others.map((one) => new Walker(data, this.character.network, this.vectors, one));
     this.size = this.vectors.length / styles.length;
     this.traits = { styles, skeleton: data.skeleton, feet: true, arms: true, recording: false, status: "", ...data.traits };
     this.input = { id: 0, move: [0, 0], turn: 0, run: false, heading: null };
@@ -113,7 +140,9 @@ export class Kernel {
   step() {
     const { style, character, data, traits } = this, target = this.target();
     for (let i = 0; i < style.length; i++) style[i] += data.ease * (target[i] - style[i]);
-    character.step(this.command(), style);
+    const others = this.others.map((other) => other.character);
+    advance([character, ...others], [this.command(), ...this.others.map((other) => other.command())],
+            [style, ...this.others.map((other) => other.style)]);
     this.frame += 1;
     if (!traits.recording) return;
     character.pose(traits);
@@ -128,6 +157,8 @@ export class Kernel {
     const parts = [character.root, character.rotations, ...past.map((i) => state.history.subarray(4 * i, 4 * i + 4)),
                    state.future, state.contacts, state.phase];
     const buffer = Float32Array.from(parts.flatMap((part) => [...part]));
+    for (const { character: other } of this.others) other.pose(this.traits);
+    this.emit("msg:custom", { kind: "others" }, [this.others.map(({ character: { root, rotations } }) => [root, rotations])]);
     this.emit("msg:custom", { kind: "frame", frame: this.frame, input: this.input.id }, [buffer]);
   }
 
