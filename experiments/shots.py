@@ -28,8 +28,8 @@ def run(
     net, bank = published.either(model, parameters)
     net = net if plain else runtime.compile(net)
     print("Distances in cm, skate in cm/s of toes in contact, of the worse foot; floor: runtime.follow")
-    print(f"{'shot':<18}{'s':>6}{'mean':>7}{'worst':>7}{'floor':>7}{'worst':>7}  {'end':>5}{'floor':>7}{'skate':>7}{'floor':>7}"
-          "  arrivals (s, cm); check")
+    print(f"{'shot':<18}{'s':>6}{'mean':>7}{'worst':>7}{'floor':>7}{'worst':>7}  {'end':>5}{'floor':>7}{'skate':>7}"
+          f"{'floor':>7}  arrivals (s, cm); check")
     for file in sorted(folder.glob("*.json")):
         for shot in shots.load(file):
             print(row(net, bank, shot))

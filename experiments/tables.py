@@ -27,7 +27,8 @@ NUMBER = re.compile(r"(?<![\w.,/-])[−-]?\d[\d,]*(?:\.\d+)?(?![\w/-]|\.\d)(?P<p
 #: Parts of a page that state no result: code, what a page cites, links' addresses, places in a paper, years of papers.
 SKIPPED = (
     r"```.*?```", r"<!-- cited -->.*?<!-- end -->", r"<!--.*?-->", r"`[^`]*`", r"\]\([^)]*\)", r"!\[[^\]]*\]",
-    r"(?i)\b(?:sections?|tables?|fig(?:ures?|s)?\.?|eq(?:uations?|s)?\.?|notebooks?|versions?|datasets?) \(?[A-Z]?\d[\d.]*\)?"
+    r"(?i)\b(?:sections?|tables?|fig(?:ures?|s)?\.?|eq(?:uations?|s)?\.?|notebooks?|versions?|datasets?) "
+    r"\(?[A-Z]?\d[\d.]*\)?"
     r"(?:(?:,| and|–| to) \(?\d[\d.]*\)?)*",
     r"\b(?:et al\.|[A-Z]\w+,?) \(?(?:19|20)\d\d\)?", r"\[\d+\]",
 )
@@ -37,8 +38,8 @@ SKIPPED = (
 class Result:
     """What a command measured.
 
-    A column is ``[title]`` for text, or ``[title, decimals]`` or ``[title, decimals, scale]``; the table shows scale × value.
-    A value is a number, text, None, or a list of numbers, one per seed, of which the table shows mean ± standard deviation.
+    A column is ``[title]`` for text, ``[title, decimals]`` or ``[title, decimals, scale]``: the table shows scale × value.
+    A value is a number, text, None, or a list of numbers, one per seed: the table shows mean ± standard deviation.
     A number that is not finite is stored as None, and an absent value stays empty in the table.
     """
 
@@ -103,8 +104,10 @@ def cell(value: Any, decimals: int | None = None, scale: float = 1) -> str:
     """A value as a table shows it."""
     if value is None or isinstance(value, str):
         return value or ""
+    if isinstance(value, float) and not math.isfinite(value):
+        return ""
     if isinstance(value, list):
-        known = [v for v in value if v is not None]
+        known = [v for v in value if v is not None and math.isfinite(v)]
         if len(known) < 2:
             return cell(known[0] if known else None, decimals, scale)
         return f"{cell(statistics.mean(known), decimals, scale)} ± {cell(statistics.stdev(known), decimals, scale)}"

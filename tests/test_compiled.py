@@ -188,7 +188,7 @@ def test_a_crowd_walks_its_rings(pretrained, tmp_path):
     made = crowd.walk(compiled, bank, 12, 2.0)
     assert len({clip.style for clip in made.clips}) == 12
     assert all(sum(blend.values()) == pytest.approx(1.0) for blend in made.blends)
-    radii = crowd._places(12)[0]
+    radii = crowd.places(12)[0]
     reached = torch.stack([clip.root_positions[:, ::2].norm(dim=-1).mean() for clip in made.clips])
     assert float((reached - radii).abs().max()) < 0.5
     assert min(tk.metrics.speed(clip) for clip in made.clips) > 0.6

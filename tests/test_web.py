@@ -13,6 +13,8 @@ from walks import COMMANDS, WALK, apart, commands
 
 import toolkit as tk
 from toolkit import view
+from toolkit.runtime import crowd
+from toolkit.runtime import crowd
 from toolkit.view import live_page, page
 
 SCENE = Path(page.__file__).parent / "scene"
@@ -156,6 +158,37 @@ def test_a_step_from_anywhere_is_pythons(node, small_run, calibrated):
         if name == "rotations":
             mine, values = ((q.view(count, -1, 4) * q.view(count, -1, 4)[..., :1].sign()).flatten(1) for q in (mine, values))
         assert torch.allclose(mine, values, rtol=0, atol=1e-6), f"{name}: {float((mine - values).abs().max())}"
+
+
+def test_a_crowd_starts_as_pythons_and_walks_its_rings(node, trained, tmp_path):
+    model, bank = trained
+    data = live_page.pack(model, bank, characters=6)
+    assert [one["style"] for one in data["others"]] == [1, 2, 3, 4, 5]
+    seen = node("""
+        const { Kernel } = await scene("character");
+        const kernel = new Kernel(given.data), plain = ({ state }) =>
+            Object.fromEntries(Object.entries(state).map(([name, values]) => [name, [...values]]));
+        result = { started: kernel.others.map(({ character }) => plain(character)), drawn: 0 };
+        kernel.on("msg:custom", (message, [poses]) => message.kind === "others" && (result.drawn = poses.length));
+        for (let i = 0; i < 300; i++) kernel.step();
+        kernel.show();
+        result.roots = kernel.others.map(({ character }) => [...character.root]);
+        result.user = [...kernel.character.root];
+    """, data=data)
+    radii, angles, ways = crowd.places(5)
+    place, facing = (torch.stack(pair, -1) for pair in (
+        (radii * angles.sin(), radii * angles.cos()), (ways * angles.cos(), -ways * angles.sin())))
+    expected = tk.runtime.start(model, bank.vectors[1:6], place, facing)
+    for name in ("history", "future", "facing", "toes", "joints"):
+        started = torch.tensor([one[name] for one in seen["started"]])
+        assert torch.allclose(started, getattr(expected, name).flatten(1), atol=1e-5), name
+    assert seen["drawn"] == 5
+    roots = torch.tensor(seen["roots"])
+    assert float((roots[:, ::2].norm(dim=-1) - radii).abs().max()) < 0.7
+    assert float((roots[:, ::2] - place).norm(dim=-1).min()) > 0.5
+    assert np.hypot(*seen["user"][::2]) < 0.5
+    with pytest.raises(ValueError, match="characters must be 1 or more, got 0"):
+        view.web(model, bank, tmp_path / "x.html", characters=0)
 
 
 @pytest.mark.parametrize("calibrated", [False, True])

@@ -30,13 +30,14 @@ def web(
     styles: Selection = None,
     half: Annotated[bool, typer.Option("--half", help="Store numbers in 16 bits: half the size.")] = False,
     character: Figure = None,
+    characters: Annotated[int, typer.Option(min=1, help="Number of characters; all but the first walk on rings.")] = 1,
 ) -> None:
     """Write one page with network, styles and scene; opened by a double click, it shows a character to steer."""
     from toolkit import view  # imported on demand: it needs the drawing libraries
 
     export.check(out, (".html",))
     _wrote(view.web(*published.either(model, parameters), out, title=title, styles=styles, half=half,
-                    character=character))
+                    character=character, characters=characters))
 
 
 @app.command("onnx")

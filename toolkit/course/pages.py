@@ -15,6 +15,10 @@ NAME = "toolkit"  # of plotly's renderer
 LOADED = 'data-toolkit="plotly"'  # marks plotly's code: the site loads its own copy in its place
 
 
+#: Folds the code of cells with the tag ``hide-input`` in the pages of nbconvert; it opens under the pointer.
+FOLDED = ".celltag_hide-input .jp-InputArea:not(:hover) .jp-Editor { max-height: 1.6em; overflow: hidden; opacity: .5 }"
+
+
 class Page:
     """Something to show as HTML."""
 
@@ -40,7 +44,7 @@ def charts() -> str:
     """Make figures of plotly show themselves by `Renderer`, and return plotly's code for a page."""
     pio.renderers[NAME] = Renderer()
     pio.renderers.default = NAME
-    return f"<script {LOADED}>{get_plotlyjs()}</script>"
+    return f"<script {LOADED}>{get_plotlyjs()}</script><style>{FOLDED}</style>"
 
 
 def chart(figure) -> str:

@@ -73,8 +73,7 @@ def read(path: str | os.PathLike) -> Recording:
     """
     path = Path(path)
     try:
-        files.status(path)
-        data = path.read_bytes()
+        data = files.read(path)
     except OSError as error:
         raise BVHError(f"{path}: cannot be read ({error.strerror})") from error
     header, motion = _split(path, data)

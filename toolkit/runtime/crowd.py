@@ -69,7 +69,7 @@ def walk(model, bank, characters: int = 100, seconds: float = 10.0, *, speed: fl
     if characters < 1:
         raise ValueError(f"characters must be 1 or more, got {characters}")
     compiled = model if isinstance(model, CompiledModel) else compile(model, threads=threads)
-    radii, angles, ways = _places(characters)
+    radii, angles, ways = places(characters)
     blends = _blends(list(bank), characters, torch.Generator().manual_seed(seed))
     speeds = torch.tensor([bank.speed(blend) if speed is None else speed for blend in blends])
     for radius in radii.unique():
@@ -94,7 +94,7 @@ def walk(model, bank, characters: int = 100, seconds: float = 10.0, *, speed: fl
     return Crowd(clips, blends, float(torch.tensor(taken).median()))
 
 
-def _places(characters: int) -> tuple[Tensor, Tensor, Tensor]:
+def places(characters: int) -> tuple[Tensor, Tensor, Tensor]:
     """Radius, angle and walking direction (1 or -1) of each character, ``[N]``; all rings have the same density."""
     radii = INNER + APART * torch.arange(characters)
     rings = 1 + int((math.tau * radii.cumsum(0) < ROOM * characters).sum())

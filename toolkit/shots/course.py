@@ -15,11 +15,11 @@ ACCELERATION = 1.5  # m/s², of the planned speed
 SETTLE = 1.0  # seconds of standing at the end of a shot without a duration
 LONGEST = 600.0  # seconds of a shot
 LEAD = 0.35  # seconds that the commanded velocity and facing are ahead of the plan: the delay of the runtime
-ALONG, ACROSS = 3.0, 5.0  # 1/s: gains of the distances behind the plan and beside the curve
+ALONG, ACROSS = 4.0, 8.0  # 1/s: gains of the distances behind the plan and beside the curve
 BEHIND, BEFORE = 1.5, 0.5  # metres of the curve, around the planned place, on which a character is searched
 FASTEST = 64.0  # largest scale of the speeds, for an arrival time
-LARGEST = 1.0  # m/s, of the correction
-NEAR = 0.05  # metres: a standing character that is as close to its place is left alone
+LARGEST = 2.0  # m/s, of the correction
+NEAR = 0.06  # metres: a standing character that is as close to its place is left alone
 
 #: Interpolation weight as a function of the time share, both from 0 to 1.
 EASINGS: dict[str, Callable[[float], float]] = {
@@ -229,8 +229,8 @@ def command(course: Course, heading: Heading, frame: int, place: Pair) -> tuple[
     facing = math.sin(angle), math.cos(angle)
     (x, z), (tx, tz) = curve.point(here), curve.tangent(lead)
     behind, across_x, across_z = planned - here, x - place[0], z - place[1]
-    if course.speed[ahead] == 0 and math.hypot(behind, across_x, across_z) < NEAR:
-        return (0.0, 0.0), facing
     vx, vz = ALONG * behind * tx + ACROSS * across_x, ALONG * behind * tz + ACROSS * across_z
     share = min(1.0, LARGEST / max(math.hypot(vx, vz), 1e-12))
+    if course.speed[ahead] == 0:
+        share *= max(1 - NEAR / max(math.hypot(behind, across_x, across_z), 1e-12), 0.0)
     return (course.speed[ahead] * tx + share * vx, course.speed[ahead] * tz + share * vz), facing

@@ -3,49 +3,69 @@
 import math
 from collections.abc import Callable
 
-from toolkit.shots.course import FPS, Course, nearest
+from toolkit.shots.course import FPS, Course, Pair, nearest
 
-FASTER = 1.5  # times its natural speed that a style is asked for at most
-TURN, SIDEWAYS = math.radians(150), 3.0  # largest turn of the path, rad/s, and acceleration across it, m/s²
-REACH, SLOW = 0.1, 0.05  # metres to both sides, to measure a turn; m/s that are as good as standing
+FASTER = 2.5  # times its natural speed that a style is asked for at most: beyond it, styles fall behind or become a run
+OFF, LAG = 0.25, 0.4  # metres beside the path, and behind the plan, that are a miss
+REACH, SLOW = 0.2, 0.05  # metres to both sides, to measure a turn; m/s that are as good as standing
 SECONDS, NEAR, BESIDE = 0.2, 0.15, 0.10  # limits of arrivals, s and m, and of the mean distance from the path, m
 
 
-def planned(course: Course, natural: Callable[[float], float]) -> list[str]:
-    """Where the plan asks most beyond the style, in speed and in turning; ``natural`` is the natural speed at a time."""
-    fast, tight = (FASTER, ""), (1.0, "")
-    for frame in range(1, len(course.distance)):
-        now, at, speed = frame / FPS, course.distance[frame], course.speed[frame]
-        if speed < SLOW:
-            continue
-        if (over := speed / max(natural(now), SLOW)) > fast[0]:
-            fast = over, (f"at {now:.1f} s the speed is {speed:.2f} m/s, {over:.1f} times the natural speed of the style: "
-                          "slow down, leave more time, or choose a faster style")
-        (ax, az), (bx, bz) = course.curve.tangent(at - REACH), course.curve.tangent(at + REACH)
-        bend = abs(math.atan2(ax * bz - az * bx, ax * bx + az * bz)) / (2 * REACH)
-        if (over := max(bend * speed / TURN, bend * speed * speed / SIDEWAYS)) > tight[0]:
-            tight = over, (f"at {now:.1f} s, after {at:.1f} m, the turn is too tight: radius {1 / bend:.2f} m at "
-                           f"{speed:.2f} m/s; widen the path or slow down there")
-    return [line for _, line in (fast, tight) if line]
+def missed(course: Course, natural: Callable[[float], float], arrivals: list[tuple[int, float, float]],
+           places: list[Pair]) -> list[str]:
+    """What a character missed and why, a line each.
 
-
-def walked(course: Course, arrivals: list[tuple[int, float, float]], places: list[tuple[float, float]]) -> list[str]:
-    """What a character missed: ``arrivals`` are (point, distance along the curve, time), ``places`` its roots by frame."""
-    found = []
-    apart = beside(course, places)
-    if (mean := sum(apart) / len(apart)) > BESIDE:
-        found.append(f"the character is {100 * mean:.0f} cm from the path on average, {100 * max(apart):.0f} cm at most")
+    Parameters
+    ----------
+    course
+        What was planned.
+    natural
+        Natural speed of the style at a time.
+    arrivals
+        Point, distance along the curve and time of the points with a time.
+    places
+        The root at each frame, from frame 1 on.
+    """
+    apart, found = beside(course, places), []
+    fast = max(range(len(places)), key=lambda k: course.speed[k + 1] / max(natural((k + 1) / FPS), SLOW))
+    if course.speed[fast + 1] > FASTER * max(natural((fast + 1) / FPS), SLOW):
+        found.append(f"at {(fast + 1) / FPS:.1f} s {_speed(course, natural, fast + 1)}: slow down or choose a faster style")
+    if max(apart) > OFF:
+        worst = apart.index(max(apart))
+        turn = min(range(max(worst + 1 - FPS, 1), worst + 2), key=lambda k: radius(course, course.distance[k]))
+        at, speed = course.distance[turn], course.speed[turn]
+        found.append(f"at {(worst + 1) / FPS:.1f} s the character is {100 * apart[worst]:.0f} cm from the path: the "
+                     f"turn after {at:.1f} m, of radius {radius(course, at):.1f} m, is too tight at {speed:.2f} m/s; widen "
+                     "it or slow down there")
+    elif (mean := sum(apart) / len(apart)) > BESIDE:
+        found.append(f"the character is {100 * mean:.0f} cm from the path on average")
+    lags = [course.distance[k] - nearest(course.curve, place, course.distance[k]) for k, place in enumerate(places, 1)]
+    if max(lags) > LAG:
+        late = next(k for k, lag in enumerate(lags, 1) if lag > LAG)
+        found.append(f"from {late / FPS:.1f} s on the character is behind the plan: {_speed(course, natural, late)}; "
+                     "slow down or leave more time")
     for point, distance, time in arrivals:
-        if round(time * FPS) > len(places) + 1:
-            continue
-        seconds, metres = arrival(course.curve.point(distance), time, places)
-        if abs(seconds) > SECONDS or metres > NEAR:
-            late = f"{abs(seconds):.2f} s {'late' if seconds > 0 else 'early'}, " if abs(seconds) > SECONDS else ""
-            found.append(f"path[{point}], asked for at {time:g} s, is met {late}{100 * metres:.0f} cm away")
+        if round(time * FPS) <= len(places):
+            seconds, metres = arrival(course.curve.point(distance), time, places)
+            if seconds or metres > NEAR:
+                when = "never" if seconds == math.inf else f"{abs(seconds):.1f} s {'late' if seconds > 0 else 'early'}"
+                found.append(f"path[{point}] is met {when}: at {time:g} s the character is {100 * metres:.0f} cm away")
     return found
 
 
-def beside(course: Course, places: list[tuple[float, float]]) -> list[float]:
+def _speed(course: Course, natural: Callable[[float], float], frame: int) -> str:
+    speed, usual = course.speed[frame], max(natural(frame / FPS), SLOW)
+    return f"the speed is {speed:.2f} m/s, {speed / usual:.1f} times that of the style"
+
+
+def radius(course: Course, at: float) -> float:
+    """Radius of the curve at an arc length, metres."""
+    at = min(max(at, REACH), max(course.curve.length - REACH, REACH))
+    (ax, az), (bx, bz) = course.curve.tangent(at - REACH), course.curve.tangent(at + REACH)
+    return 2 * REACH / max(abs(math.atan2(ax * bz - az * bx, ax * bx + az * bz)), 1e-3)
+
+
+def beside(course: Course, places: list[Pair]) -> list[float]:
     """Distance from the curve of each place, metres; ``places[0]`` is that of frame 1."""
     apart = []
     for frame, (x, z) in enumerate(places, 1):
@@ -54,7 +74,7 @@ def beside(course: Course, places: list[tuple[float, float]]) -> list[float]:
     return apart
 
 
-def arrival(goal: tuple[float, float], time: float, places: list[tuple[float, float]]) -> tuple[float, float]:
+def arrival(goal: Pair, time: float, places: list[Pair]) -> tuple[float, float]:
     """When a character is within `NEAR` of a place, seconds after ``time``, and how near it comes within `SECONDS` of it.
 
     Only places within two seconds of the time count. The first number is 0 if the character is `NEAR` within `SECONDS`, and

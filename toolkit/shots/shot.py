@@ -197,7 +197,7 @@ class Shot:
         lines += [f"holds[{k}] is after the end of the path, {course.curve.length:.2f} m long" for k, hold in
                   enumerate(self.holds) if hold.distance is not None and hold.distance > course.curve.length]
         places = [tuple(state.root[0, :2].tolist()) for state in self.states(model, bank, (course, heading))]
-        return lines + feasibility.planned(course, natural) + feasibility.walked(course, timed, places)
+        return lines + feasibility.missed(course, natural, timed, places)
 
     @property
     def _timed(self) -> list[tuple[int, float]]:
@@ -247,7 +247,7 @@ def load(path: str | os.PathLike) -> list[Shot]:
     try:
         return parse(scene)
     except ValueError as error:
-        raise ValueError(f"{path}: {_line(error)}") from None
+        raise ValueError(f"{path}: {error}") from None
 
 
 def _line(error: Exception) -> str:
@@ -260,7 +260,10 @@ def parse(scene) -> list[Shot]:
         raise ValueError("expected an object with the fields version and shots")
     if scene["version"] != VERSION or isinstance(scene["version"], bool):
         raise ValueError(f"version {shown(scene['version'])}; this toolkit reads version {VERSION}")
-    shots = entries(scene["shots"], Shot, "shots", build(Shot))
+    try:
+        shots = entries(scene["shots"], Shot, "shots", build(Shot))
+    except ValueError as error:
+        raise ValueError(_line(error)) from None
     if not shots:
         raise ValueError("shots: one or more are needed")
     return list(shots)

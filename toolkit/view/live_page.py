@@ -25,7 +25,7 @@ PANEL = 8  # outputs whose weights are stored together, see ``scene/network.js``
 
 def web(model, bank, path: str | os.PathLike, *, title: str = "A character under control",
         styles: Sequence[str] | None = None, half: bool = False,
-        character: str | os.PathLike | Character | None = None) -> Path:
+        character: str | os.PathLike | Character | None = None, characters: int = 1) -> Path:
     """Write a page with a character that keyboard, touch, gamepad and a style triangle steer; opened by a double click.
 
     The whole runtime is in the page: features, network, trajectory, foot and arm IK, 60 frames a second. ``docs/runtime.md``
@@ -45,26 +45,32 @@ def web(model, bank, path: str | os.PathLike, *, title: str = "A character under
     character
         A glTF or VRM file with a skinned mesh, drawn in place of the mannequin. It follows the model's joints without foot
         IK of its own.
+    characters
+        Number of characters. All but the first, which the user steers, walk on rings around the start, each in the next
+        style of the bank at its natural speed. The page computes all of them together.
 
     Raises
     ------
     ValueError
-        If it is another model, its numbers are not finite or too large for float16, or a style is unknown.
+        If it is another model, its numbers are not finite or too large for float16, a style is unknown, or there is no
+        character.
     """
     name = getattr(model, "name", type(model).__name__)
     if name != "lpn-film":
         raise ValueError(f"only lpn-film runs in a page, got {name}")
     if styles is not None and (not styles or isinstance(styles, str)):
         raise ValueError(f"styles must be a list of one name or more, got {styles!r}")
+    if characters < 1:
+        raise ValueError(f"characters must be 1 or more, got {characters}")
     order = [*(name for name in CORNERS if name in bank.names), *bank.names] if styles is None else styles
     bank = bank.select(dict.fromkeys(order))
     size = sum(layer.weight.numel() for layer in model.experts.layers) / 1e6
     caption = f"A neural network of {size:.1f} million weights makes every frame in this page: no server, no installation."
     start = "globalThis.view = toolkitScene.character(stage, data);"
-    return page.write(path, title, caption, pack(model, bank, half, Character.of(character)), start)
+    return page.write(path, title, caption, pack(model, bank, half, Character.of(character), characters), start)
 
 
-def pack(model, bank, half: bool = False, character: Character | None = None) -> dict[str, Any]:
+def pack(model, bank, half: bool = False, character: Character | None = None, characters: int = 1) -> dict[str, Any]:
     """The data of ``scene/character.js``, which describes the format."""
     from toolkit.runtime.compiled import frame, ik  # imported on demand: numba is slow to import
     from toolkit.view import controller
@@ -93,9 +99,19 @@ def pack(model, bank, half: bool = False, character: Character | None = None) ->
         "styles": list(bank.names),
         "vectors": numbers(bank.vectors),
         "turn": controller.TURN, "run": controller.RUN, "ease": controller.EASE,
+        "others": _others(bank, characters - 1),
         "bvh": _bvh(model, state),
         "traits": {"names": corners, "weights": [1.0, 0.0, 0.0], "speed": round(bank.speed(corners[0]), 2)},
     }
+
+
+def _others(bank, count: int) -> list[dict[str, float]]:
+    """Characters on rings, as `toolkit.runtime.crowd` places them, each in another style than its neighbours."""
+    from toolkit.runtime import crowd  # imported on demand: numba is slow to import
+
+    rows = zip(*(values.tolist() for values in crowd.places(count)), strict=True) if count else ()
+    return [{"style": (i + 1) % len(bank.names), "radius": radius, "angle": angle, "way": way,
+             "speed": bank.speed(bank.names[(i + 1) % len(bank.names)])} for i, (radius, angle, way) in enumerate(rows)]
 
 
 def numbers(values: Tensor, half: bool = False) -> dict[str, str]:

@@ -4,9 +4,10 @@
 // data = {
 //   network, rules, body: see network.js, frame.js, pose.js;  start: the state in the first frame;  skeleton: see scene.js
 //   styles: [names], vectors: numbers [styles * D];  turn, run, ease: as in view/controller.py
+//   others: [{style, radius, angle, way, speed}]: characters that walk on rings around the start, of a crowd; [] without
 //   bvh: {header, joints, centimetre} of a recording;  traits: first values for controller.js
 // }
-import { copy, follow, steer } from "./frame.js";
+import { copy, follow, stand, steer, unit } from "./frame.js";
 import { Network } from "./network.js";
 import { numbers } from "./numbers.js";
 import { plant, pose } from "./pose.js";
@@ -53,10 +54,28 @@ export function advance(characters, commands, styles) {
 
 const LONGEST = 0.1; // seconds: a longer pause between two pictures is not made up for
 
+// A character that walks on a ring around the origin, in a style of its own; way: 1 or -1
+class Walker {
+  constructor(data, network, vectors, { style, radius, angle, way, speed }) {
+    const size = vectors.length / data.styles.length, at = [Math.sin(angle), Math.cos(angle)];
+    Object.assign(this, { radius, way, speed, style: vectors.slice(size * style, size * (style + 1)) });
+    this.character = new Character(data, network);
+    this.character.state = stand(this.character.state, at.map((v) => radius * v), [way * at[1], -way * at[0]]);
+  }
+
+  // along the ring, and back to it where it has left it
+  command() {
+    const { history } = this.character.state, [x, z] = history.slice(-4), distance = Math.hypot(x, z) || 1, { way } = this;
+    const back = (this.radius - distance) / distance, ahead = unit([(way * z) / distance + back * x, (-way * x) / distance + back * z]);
+    return { velocity: ahead.map((v) => this.speed * v), facing: ahead };
+  }
+}
+
 export class Kernel {
   constructor(data) {
     const { styles, vectors, rules, start } = data;
     Object.assign(this, { data, fps: rules.fps, character: new Character(data), vectors: numbers(vectors), listeners: {} });
+    this.others = data.others.map((one) => new Walker(data, this.character.network, this.vectors, one));
     this.size = this.vectors.length / styles.length;
     this.traits = { styles, skeleton: data.skeleton, feet: true, arms: true, recording: false, status: "", ...data.traits };
     this.input = { id: 0, move: [0, 0], turn: 0, run: false, heading: null };
@@ -121,7 +140,9 @@ export class Kernel {
   step() {
     const { style, character, data, traits } = this, target = this.target();
     for (let i = 0; i < style.length; i++) style[i] += data.ease * (target[i] - style[i]);
-    character.step(this.command(), style);
+    const others = this.others.map((other) => other.character);
+    advance([character, ...others], [this.command(), ...this.others.map((other) => other.command())],
+            [style, ...this.others.map((other) => other.style)]);
     this.frame += 1;
     if (!traits.recording) return;
     character.pose(traits);
@@ -136,6 +157,8 @@ export class Kernel {
     const parts = [character.root, character.rotations, ...past.map((i) => state.history.subarray(4 * i, 4 * i + 4)),
                    state.future, state.contacts, state.phase];
     const buffer = Float32Array.from(parts.flatMap((part) => [...part]));
+    for (const { character: other } of this.others) other.pose(this.traits);
+    this.emit("msg:custom", { kind: "others" }, [this.others.map(({ character: { root, rotations } }) => [root, rotations])]);
     this.emit("msg:custom", { kind: "frame", frame: this.frame, input: this.input.id }, [buffer]);
   }
 

@@ -6,6 +6,20 @@
 
 export const copy = (state) => Object.fromEntries(Object.entries(state).map(([name, values]) => [name, Float64Array.from(values)]));
 
+// a state that stands still, at a place [x, z], with a direction [sin, cos]
+export function stand(state, place, facing) {
+  const moved = copy(state), [x, z, sin, cos] = state.history.slice(-4), s = facing[0] * cos - facing[1] * sin;
+  const c = facing[0] * sin + facing[1] * cos, turned = (dx, dz) => [c * dx + s * dz, c * dz - s * dx];
+  for (const window of [moved.history, moved.future])
+    for (let i = 0; i < window.length; i += 4) window.set([...place, ...facing], i);
+  moved.facing.set(facing);
+  for (let i = 0; i < moved.toes.length; i += 3) {
+    const [dx, dz] = turned(state.toes[i] - x, state.toes[i + 2] - z);
+    moved.toes[i] = place[0] + dx, moved.toes[i + 2] = place[1] + dz;
+  }
+  return moved;
+}
+
 const lerp = (a, b, share) => a + share * (b - a);
 const clamp = (v, low, high) => Math.min(Math.max(v, low), high);
 

@@ -5,7 +5,8 @@
 //   many(y, w, x, gates, rows, experts, panels, tiles): a column is a character; x is tiles × rows × 4, gates tiles × experts × 4
 //   one(y, w, x, gates, rows, experts, panels): a column is every fourth row of one character; x is rows, gates experts
 // y is characters × panels × 8. The first four arguments are addresses in bytes. So weights are read once for all characters.
-const I32 = 0x7f, V128 = 0x7b, COLUMNS = 4, DOUBLE = 8, OUTPUTS = 8, LANES = 2, PAIR = [0, 1];
+export const I32 = 0x7f, V128 = 0x7b;
+const COLUMNS = 4, DOUBLE = 8, OUTPUTS = 8, LANES = 2, PAIR = [0, 1];
 const EACH = Array.from({ length: COLUMNS }, (_, c) => c);
 
 function leb(n) { // unsigned
@@ -18,19 +19,20 @@ const list = (items) => [leb(items.length), items];
 const name = (text) => list([...text].map((c) => c.charCodeAt(0)));
 
 // instructions of WebAssembly, as nested lists of bytes
-const get = (i) => [0x20, leb(i)];
-const put = (i, value) => [value, 0x21, leb(i)];
-const constant = (n) => [0x41, n < 64 ? n : [(n & 127) | 128, n >> 7]]; // 0 up to 8191
+export const get = (i) => [0x20, leb(i)];
+export const put = (i, value) => [value, 0x21, leb(i)];
+export const constant = (n) => [0x41, n < 64 ? n : [(n & 127) | 128, n >> 7]]; // 0 up to 8191
 const add = (a, b) => [a, b, 0x6a], times = (a, b) => [a, b, 0x6c];
-const advance = (i, by) => put(i, add(get(i), by));
-const until = (i, end, ...body) => [0x03, 0x40, body, get(i), end, 0x49, 0x0d, 0, 0x0b]; // do … while i < end
+export const advance = (i, by) => put(i, add(get(i), by));
+export const until = (i, end, ...body) => [0x03, 0x40, body, get(i), end, 0x49, 0x0d, 0, 0x0b]; // do … while i < end
 const vector = (op) => [0xfd, leb(op)];
 const zero = [vector(12), Array(16).fill(0)];
-const load = (address, offset) => [address, vector(0), 0, leb(offset)];
+export const load = (address, offset) => [address, vector(0), 0, leb(offset)];
 const splat = (address, offset) => [address, vector(10), 0, leb(offset)]; // one double in both lanes
 const singles = (address, offset) => [address, vector(93), 0, leb(offset), vector(95)]; // two float32 as doubles
-const store = (address, offset, value) => [address, value, vector(11), 0, leb(offset)];
-const plus = (a, b) => [a, b, vector(240)], product = (a, b) => [a, b, vector(242)];
+export const store = (address, offset, value) => [address, value, vector(11), 0, leb(offset)];
+export const plus = (a, b) => [a, b, vector(240)], product = (a, b) => [a, b, vector(242)];
+export const bodyOf = (locals, code) => sized([list(locals), code, 0x0b]); // of a function; locals = [[count, type]]
 
 function compute(many) {
   const [y, w, x, gates, rows, experts, panels] = Array.from({ length: 7 }, (_, i) => i), first = many ? 8 : 7;
@@ -74,26 +76,26 @@ function compute(many) {
         advance(expertAt, times(get(rows), constant(4 * OUTPUTS))), advance(expert, constant(1))),
       advance(panel, constant(1))),
   ];
-  return sized([list([[10, I32], [1 + 3 * COLUMNS, V128]]), code, 0x0b]);
+  return bodyOf([[10, I32], [1 + 3 * COLUMNS, V128]], code);
 }
 
-// bytes of the module: it imports page.memory and exports many and one
-export function assemble() {
-  const signature = (n) => [0x60, list(Array(n).fill(I32)), 0], section = (id, content) => [id, sized(content)];
+// Bytes of a module that imports page.memory and exports functions {name: [number of parameters, body]}.
+export function assemble(functions) {
+  const section = (id, items) => [id, sized(list(items))], bodies = Object.values(functions);
   return Uint8Array.from([
-    0, "asm".split("").map((c) => c.charCodeAt(0)), 1, 0, 0, 0,
-    section(1, list([signature(8), signature(7)])),
-    section(2, list([[name("page"), name("memory"), 2, 0, 1]])),
-    section(3, list([0, 1])),
-    section(7, list([[name("many"), 0, 0], [name("one"), 0, 1]])),
-    section(10, list([compute(true), compute(false)])),
+    0, 97, 115, 109, 1, 0, 0, 0, // "\0asm", version 1
+    section(1, bodies.map(([parameters]) => [0x60, list(Array(parameters).fill(I32)), 0])),
+    section(2, [[name("page"), name("memory"), 2, 0, 1]]),
+    section(3, bodies.map((_, i) => i)),
+    section(7, Object.keys(functions).map((text, i) => [name(text), 0, i])),
+    section(10, bodies.map(([, body]) => body)),
   ].flat(Infinity));
 }
 
 // {many, one, memory}; null where the browser has no SIMD or its page forbids WebAssembly
 export function kernel() {
   try {
-    const memory = new WebAssembly.Memory({ initial: 1 }), made = new WebAssembly.Module(assemble());
+    const memory = new WebAssembly.Memory({ initial: 1 }), made = new WebAssembly.Module(assemble({ many: [8, compute(true)], one: [7, compute(false)] }));
     return { ...new WebAssembly.Instance(made, { page: { memory } }).exports, memory };
   } catch {
     return null;

@@ -1,0 +1,95 @@
+"""Speed of a page's network and frame, for one character and many, beside the limit of the processor: Node and Chromium."""
+
+import json
+import shutil
+import subprocess
+import tempfile
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from toolkit import published
+from toolkit.cli import verbs
+from toolkit.view import live_page
+
+SCENE = Path(live_page.__file__).parent / "scene"
+SCRIPT = Path(__file__).with_suffix(".js")
+ADDRESS = "http://scene.invalid/"  # answered here, not by a network
+BROWSERS = "chromium", "chromium-browser", "google-chrome"
+FRAME = 1e3 / 60  # milliseconds
+
+
+def run(
+    model: verbs.TrainedRun = None,
+    parameters: verbs.Published = None,
+    characters: Annotated[str, typer.Option(help="Comma-separated numbers of characters.")] = "1,2,4,8,16,32,64",
+    rounds: Annotated[int, typer.Option(min=1, help="Rounds; the shortest time is printed.")] = 60,
+) -> None:
+    """Milliseconds of a page's network and whole frame (without pose and picture), by JavaScript and by WebAssembly SIMD.
+
+    The floor is the longer of two times: all weights are read once, as fast as a plain SIMD loop sums them; and all
+    multiply-adds, as fast as eight sums in registers make them. Both are measured in doubles, on one core.
+    """
+    net, bank = published.either(model, parameters)
+    data, counts = live_page.pack(net, bank), [int(n) for n in characters.split(",")]
+    for name, measure in (("Node", _node), ("Chromium", _chromium)):
+        found = measure(data, counts, rounds)
+        if found is None:
+            print(f"{name}: not found")
+            continue
+        rate, speed = found["floor"]["sums"], found["floor"]["bytes"]
+        print(f"{name}: {found['weights'] / 1e6:.1f} million weights, {rate / 1e9:.1f} G multiply-adds/s, {speed / 1e9:.1f} GB/s, "
+              f"pose with IK {found['pose']:.3f} ms a character")
+        print(f"{'':20}{'characters':>10}{'network':>9}{'each':>8}{'× floor':>9}{'frame':>9}{'each':>8}{'of 1/60 s':>11}")
+        for row in found["rows"]:
+            count, network, frame = row["count"], row["network"], row["frame"]
+            floor = 1e3 * max(4 * found["weights"] / speed, count * found["weights"] / rate)
+            print(f"{row['kind']:20}{count:10}{network:9.2f}{network / count:8.3f}{network / floor:9.2f}{frame:9.2f}"
+                  f"{frame / count:8.3f}{frame / FRAME:11.0%}")
+
+
+def _node(data: dict, counts: list[int], rounds: int) -> dict | None:
+    program = shutil.which("node")
+    if program is None:
+        return None
+    with tempfile.TemporaryDirectory() as folder:
+        given = Path(folder) / "given.json"
+        given.write_text(json.dumps({"data": data, "counts": counts, "rounds": rounds}), encoding="utf-8")
+        (Path(folder) / "run.mjs").write_text(f"""
+            import {{ readFileSync }} from "node:fs";
+            import {{ measure }} from {json.dumps(SCRIPT.as_uri())};
+            const {{ data, counts, rounds }} = JSON.parse(readFileSync({json.dumps(str(given))}));
+            const load = (name) => import({json.dumps(SCENE.as_uri())} + `/${{name}}.js`);
+            console.log(JSON.stringify(await measure(load, data, counts, rounds)));
+        """, encoding="utf-8")
+        done = subprocess.run([program, Path(folder) / "run.mjs"], capture_output=True, text=True, check=True)
+    return json.loads(done.stdout)
+
+
+def _chromium(data: dict, counts: list[int], rounds: int) -> dict | None:
+    program = next(filter(None, map(shutil.which, BROWSERS)), None)
+    try:
+        from playwright.sync_api import sync_playwright
+    except ImportError:
+        return None
+    if program is None:
+        return None
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=program, args=["--no-sandbox"])
+        page = browser.new_page()
+
+        def answer(route) -> None:
+            name = route.request.url.removeprefix(ADDRESS)
+            path = SCRIPT if name == SCRIPT.name else SCENE / name
+            route.fulfill(body=path.read_bytes() if name else b"<p>", content_type="text/javascript" if name else "text/html")
+
+        page.route(f"{ADDRESS}**", answer)
+        page.goto(ADDRESS)
+        page.set_default_timeout(600_000)
+        found = page.evaluate("""async ([script, data, counts, rounds]) => {
+            const { measure } = await import(`/${script}`);
+            return measure((name) => import(`/${name}.js`), data, counts, rounds);
+        }""", [SCRIPT.name, data, counts, rounds])
+        browser.close()
+    return found
