@@ -16,7 +16,7 @@ LONGEST, WIDEST = 15, 88  # lines of a code cell, characters of a line
 #: cells may define functions.
 MAY_DEFINE = "# exercise", "# by hand"
 #: Notebooks that do not have the frame of the course yet.
-UNFRAMED = {"03_training_on_a_subset", "04_playback_and_style_interpolation"}
+UNFRAMED = {"04_playback_and_style_interpolation"}
 FRAMED = [path for path in NOTEBOOKS if path.stem not in UNFRAMED]
 
 #: What stands before a number that is not a result: sections, equations, other notebooks, years of papers.

@@ -16,7 +16,7 @@ LOADED = 'data-toolkit="plotly"'  # marks plotly's code: the site loads its own 
 
 
 #: Folds the code of cells with the tag ``hide-input`` in the pages of nbconvert; it opens under the pointer.
-FOLDED = ".celltag_hide-input .jp-InputArea:not(:hover) .jp-Editor { max-height: 1.6em; overflow: hidden; opacity: .5 }"
+FOLDED = ".celltag_hide-input .jp-InputArea:not(:hover) .cm-editor { max-height: 1.6em; overflow: hidden; opacity: .5 }"
 
 
 class Page:
