@@ -16,8 +16,7 @@ LONGEST, WIDEST = 15, 88  # lines of a code cell, characters of a line
 #: cells may define functions.
 MAY_DEFINE = "# exercise", "# by hand"
 #: Notebooks that do not have the frame of the course yet.
-UNFRAMED = {"04_playback_and_style_interpolation",
-            "07_seven_models", "08b_restyle"}
+UNFRAMED = {"07_seven_models", "08b_restyle"}
 FRAMED = [path for path in NOTEBOOKS if path.stem not in UNFRAMED]
 
 #: What stands before a number that is not a result: sections, equations, other notebooks, years of papers.
