@@ -104,8 +104,10 @@ def cell(value: Any, decimals: int | None = None, scale: float = 1) -> str:
     """A value as a table shows it."""
     if value is None or isinstance(value, str):
         return value or ""
+    if isinstance(value, float) and not math.isfinite(value):
+        return ""
     if isinstance(value, list):
-        known = [v for v in value if v is not None]
+        known = [v for v in value if v is not None and math.isfinite(v)]
         if len(known) < 2:
             return cell(known[0] if known else None, decimals, scale)
         return f"{cell(statistics.mean(known), decimals, scale)} ± {cell(statistics.stdev(known), decimals, scale)}"

@@ -68,7 +68,7 @@ def load(data: str, root: str | None, styles: str | None, gaits: str | None, cli
          listed: bool = False) -> Features:
     """Features of a dataset or a store, with the same held-out frames for every seed.
 
-    They are those that the store names, those of the dataset's list (`toolkit.datasets.split`) if ``listed``, or random ones.
+    They are those of a store, or of the dataset's list (`toolkit.datasets.split`) if ``listed``, or random ones.
     """
     chosen = [None if names is None else names.split(",") for names in (styles, gaits)]
     if store.is_store(data):
@@ -126,7 +126,7 @@ def trained(data: Features, config: Config, folder: Path, progress: bool = False
 
 
 def judge(data: Features, folder: Path, steps: int | None = None) -> Recogniser:
-    """The recogniser of the data's styles in a folder: read from its file, or trained on the training frames' style clips."""
+    """The recogniser of a folder: read from its file, or trained on the style clips of the training frames."""
     path = folder / "recogniser.safetensors"
     if not path.exists():
         train = splits.split(data, HELD_OUT, 0, tuple(data.styles))[0]

@@ -79,7 +79,7 @@ def posture_error(layout: Layout, joints: Tensor, clips: Tensor, speed: float) -
     """Distance of the mean pose of the shoulders and hands in a walk from that in the style clips nearest to it in velocity.
 
     The arguments are those of `hands`. The result has ``clavicle`` and ``hand``, metres, the mean of both sides: shoulders
-    are seen from the end of the trunk, hands from their shoulder, so they show clavicles and arms alone. ``clavicle_data`` and
+    are seen from the chest and hands from their shoulder, so they show clavicles and arms alone. ``clavicle_data`` and
     ``hand_data`` are the same between one style clip of the data and the others: what even the data would have.
     """
     skeleton, place = layout.skeleton, layout.names.index
