@@ -120,7 +120,8 @@ def test_doing_nothing_keeps_all_content_and_moves_no_style(motions, judges):
     assert found["change"] == pytest.approx(0, abs=0.1)
     assert found["contact_f1"] == found["acceleration"] == 1.0
     assert found["bone"] < 1e-5
-    assert found["both"] == found["movement"] == 0.0
+    assert found["both"] == 0.0
+    assert found["movement"] < 0.1
 
 
 def test_pasting_the_reference_moves_all_style_and_loses_the_content(motions, judges):
@@ -296,7 +297,7 @@ def test_the_convolutional_baseline_is_as_large_and_trains_in_the_same_way(motio
 @pytest.fixture(scope="module")
 def task(motions) -> sets.Task:
     parts = {"test": motions, "validation": motions}
-    return sets.Task(motions, parts, parts, dict.fromkeys(sets.PARTS, {"content": motions, "style": motions}))
+    return sets.Task(motions, parts, parts, {part: {"content": motions, "style": motions} for part in sets.PARTS})
 
 
 @pytest.fixture(scope="module")

@@ -67,7 +67,7 @@ def few_takes(motions: Motions, styles: tuple[str, ...], contents: Mapping[str, 
     sources = {name: few.select(part[chosen & judged] == k) for k, name in enumerate(PARTS)}
     judges = {name: {"content": named.select(part[judged] != k), "style": common.select(part[chosen] != k)}
               for k, name in enumerate(PARTS)}
-    alike = _contents(common, {**contents, **OTHERS})
+    alike = _contents(common, {name: {**OTHERS, **contents}.get(name, name) for name in motions.contents})
     references = {name: alike.select(part[chosen] == k) for k, name in enumerate(PARTS)}
     return Task(common.select(part[chosen] >= len(PARTS)), sources, references, judges)
 

@@ -45,9 +45,9 @@ class Sizes:
 class Generator(nn.Module):
     """Motion stylizer G (Table 3a): content encoder with IN, decoder with AdaIN; z-scores in and out.
 
-    In Table 3, the skip connections of the text are the shortcuts of the blocks, which have no normalisation. Unpooling makes
-    the joints of a body part equal, and shared weights can hardly part them again. So a `Sizes.detailed` generator departs:
-    `Skip` adds the features of the first layer to those before the last one, which has weights of its own for every joint.
+    In Table 3, the skip connections of the text are the shortcuts of the blocks, which have no normalisation. Unpooling
+    makes the joints of a body part equal, and shared weights can hardly part them again. So a `Sizes.detailed` generator
+    departs: `Skip` adds the features of the first layer before the last one, which has weights for every joint.
     """
 
     def __init__(self, graph: SkeletonGraph, sizes: Sizes):
