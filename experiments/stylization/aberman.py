@@ -1,8 +1,8 @@
-"""Baseline of Table 2 in its authors' own form: unpaired style transfer by AdaIN over 1-D convolutions (Aberman et al. 2020).
+"""Baseline of Table 2 in its authors' own form: unpaired style transfer by AdaIN and 1-D convolutions (Aberman et al. 2020).
 
 The content is read from rotations, the style from positions. Each convolution of the content encoder is followed by instance
-normalisation, and one residual block of the decoder has AdaIN. The output is rotations; forward kinematics gives positions, so
-that bones keep their lengths. D judges short pieces of motion. Losses: LSGAN with feature matching, triplets of style codes,
+normalisation, and one residual block of the decoder has AdaIN. The output is rotations; forward kinematics gives positions,
+so bones keep their lengths. D judges short pieces of motion. Losses: LSGAN with feature matching, triplets of style codes,
 and reconstruction of a motion with the style of another of its domain.
 
 Departures: widths for which the generator is about as large as ours, the rates, decay, batch and R1 of our config, no second

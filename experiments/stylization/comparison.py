@@ -1,6 +1,6 @@
 """Ablation and comparison of Park et al. 2021 (Tables 1 and 2): ``python -m experiments stylization``.
 
-All methods have the same processor time, the same clips and generators of nearly one size; Holden's has its own. Every run is
+All methods have the same processor time, the same clips and generators of nearly one size (but Holden's). Every run is
 resumed from its checkpoint and stored as a small file when it is done, so that the command goes on where it was stopped.
 """
 
@@ -15,11 +15,11 @@ import torch
 import typer
 
 from experiments.seven_models.models import machine, write_json
-from experiments.stylization import aberman, convolutional, evaluation, holden, sets
+from experiments.stylization import aberman, convolutional, evaluation, holden, sets, speed
 from experiments.stylization.floors import FLOORS
 from experiments.stylization.judges import Judges
 from experiments.stylization.sets import Task
-from experiments.tables import RESULTS, Result
+from experiments.tables import Result
 from toolkit import datasets
 from toolkit.features.splits import generator
 from toolkit.io import model_files
@@ -38,7 +38,8 @@ OURS = {"ours": LOSSES, "ours without ds": LOSSES[:4], "ours without sty and ds"
 METHODS = (*OURS, "1-D convolutions", "Aberman et al. 2020", "Holden et al. 2016")
 GRAPH, DENSE = networks.build, convolutional.build
 PAPER = {"noise": {"ours": (9.09, 0.7264), "ours without ds": (8.58, 0.7786), "ours without sty and ds": (14.14, 0.5792)},
-         "reference": {"ours": (6.82, 0.6086), "Aberman et al. 2020": (15.86, 0.4281), "Holden et al. 2016": (14.10, 0.3799)}}
+         "reference": {"ours": (6.82, 0.6086), "Aberman et al. 2020": (15.86, 0.4281),
+                       "Holden et al. 2016": (14.10, 0.3799)}}
 RECIPE: dict[str, dict] = {
     "the recipe": {}, "content losses of squares": {"squared": True}, "a source's code from its own window":
     {"other_window": False}, "no training as an autoencoder first": {"warm_up": 0}, "ds as in the paper": {"fading": False},
@@ -55,7 +56,7 @@ COLUMNS: dict[str, list] = {
 
 @dataclass(frozen=True)
 class Plan:
-    """Settings of all runs in a folder: the processor time of each training, sources at most, and the part that is scored."""
+    """Settings of all runs in a folder: processor time of each training, sources at most, and the part that is scored."""
 
     seconds: float
     sources: int = 64
@@ -108,7 +109,8 @@ def measure(method: str, task: Task, plan: Plan, seed: int, folder: Path, name: 
         model, numbers = trained(method, task.train, plan.config(seed), folder / "runs" / path.stem, progress)
         judges, found = _judges(task, plan.part), {}
         for by in evaluation.WAYS if isinstance(model, Stylizer) else evaluation.WAYS[1:]:
-            found[by] = evaluation.evaluate(model, _sources(task, plan), task.references[plan.part], judges, by=by, seed=seed)
+            found[by] = evaluation.evaluate(model, _sources(task, plan), task.references[plan.part], judges, by=by,
+                                            seed=seed)
         write_json(path, {"seed": seed, **numbers, "measures": found})
     return json.loads(path.read_text(encoding="utf-8"))
 
@@ -123,12 +125,17 @@ def trained(method: str, motions: Motions, config: Config, path: Path, progress:
     path.parent.mkdir(parents=True, exist_ok=True)
     checkpoint, make = path.with_suffix(".checkpoint"), DENSE if method not in OURS else GRAPH
     config = replace(config, losses=OURS.get(method, LOSSES))
-    run = training.fit(motions, config, checkpoint, progress=progress, networks=make, clock=time.process_time)
-    if make is GRAPH:
-        run.save(path.with_suffix(".safetensors"))
+    stored = path.with_suffix(".safetensors")
+    if stored.exists():
+        run = training.load(stored)
+    else:
+        run = training.fit(motions, config, checkpoint, progress=progress, networks=make, clock=time.process_time)
+        if make is GRAPH:
+            run.save(stored)
     checkpoint.unlink(missing_ok=True)
     last = run.history[-1] if run.history else {"step": 0, "elapsed": 0.0}
-    return run.stylizer, {"seconds": last["elapsed"], "iterations": last["step"], "parameters": _size(run.stylizer.generator)}
+    return run.stylizer, {"seconds": last["elapsed"], "iterations": last["step"],
+                          "parameters": _size(run.stylizer.generator)}
 
 
 def summary(name: str, task: Task, plan: Plan, folder: Path) -> Result:
@@ -140,7 +147,8 @@ def summary(name: str, task: Task, plan: Plan, folder: Path) -> Result:
     lines = [{"method": "real motion", **held, "diversity": evaluation.own_diversity(task.train)}]
     for floor, make in FLOORS.items():
         made = make(task.train)(sources.select(rows), target)
-        lines.append({"method": floor, **evaluation.measures(sources.select(rows), target, [made], judges), "diversity": None})
+        found = evaluation.measures(sources.select(rows), target, [made], judges)
+        lines.append({"method": floor, **found, "diversity": None})
     numbers: dict[str, dict] = {}
     for method in METHODS:
         found = [json.loads(path.read_text(encoding="utf-8"))
@@ -154,8 +162,8 @@ def summary(name: str, task: Task, plan: Plan, folder: Path) -> Result:
             lines.append({"method": method, "codes": by, **values, **printed})
     seeds = max((len(found["seed"]) for found in numbers.values()), default=0)
     lines = [{key: value for key, value in line.items() if key in COLUMNS} for line in lines]
-    about = (f"Bandai-Namco {name}, {', '.join(real.domains)} in {', '.join(real.contents)}; {plan.seconds:g} seconds of one "
-             f"processor thread for each training, {plan.part} windows; mean ± deviation over the seeds")
+    about = (f"Bandai-Namco {name}, {', '.join(real.domains)} in {', '.join(real.contents)}; {plan.seconds:g} seconds of "
+             f"one processor thread for each training, {plan.part} windows; mean ± deviation over the seeds")
     settings = {**{k: v for k, v in asdict(plan).items() if k != "iterations"}, "most seeds of a method": seeds,
                 "training windows": len(task.train), "scored windows": len(real), "restyled sources": len(sources),
                 "styles": len(real.domains), "contents": len(real.contents), **machine("cpu")}
@@ -165,7 +173,7 @@ def summary(name: str, task: Task, plan: Plan, folder: Path) -> Result:
 
 @app.command()
 def recipe(
-    out: Annotated[Path, typer.Option(help="Folder of the runs; finished runs in it are not repeated.")] = Path("out/recipe"),
+    out: Annotated[Path, typer.Option(help="Folder of the runs; finished runs are not repeated.")] = Path("out/recipe"),
     data: Annotated[str, typer.Option(help=f"One of {', '.join(sets.SETS)}.")] = "dataset-2",
     iterations: Annotated[int, typer.Option(min=1, help="Training iterations of each run.")] = 2000,
     seed: Annotated[int, typer.Option(help="Seed of all runs.")] = 0,
@@ -221,10 +229,31 @@ def curve(
     rows.append({"iteration": run.history[-1]["step"], "seconds": seconds,
                  **_both_ways(run.stylizer, task, plan, seed)["dissimilar"]})
     columns = {"iteration": ["iteration", 0], "seconds": ["seconds", 0], **{k: COLUMNS[k] for k in list(COLUMNS)[2:9]}}
-    result = Result("stylisation-curve", f"Bandai-Namco {data}, the recipe, codes from references of another content, "
+    result = Result("stylisation-progress", f"Bandai-Namco {data}, the recipe, codes from references of another content, "
                     "validation windows, one seed", f"python -m experiments stylization curve --data {data} --seconds "
                     f"{seconds:g} --store", columns, [{k: row[k] for k in columns} for row in rows],
                     {"seconds": seconds, "seed": seed, **machine("cpu")})
+    print(result.markdown() + (f"wrote {result.save()}" if store else ""))
+
+
+@app.command("speed")
+def show_speed(
+    channels: Annotated[str, typer.Option(help="Comma-separated: channels of the first layer.")] = "16,64",
+    iterations: Annotated[int, typer.Option(min=4, help="Timed iterations of each run.")] = 8,
+    repeats: Annotated[int, typer.Option(min=1, help="Runs of each form; the median counts.")] = 3,
+    store: Annotated[bool, typer.Option(help="Write the table's file in docs/results.")] = False,
+) -> None:
+    """Processor time of a training iteration on one thread, with and without what makes it faster."""
+    torch.set_num_threads(1)
+    widths = _numbers(channels, "--channels")
+    found = [speed.milliseconds(width, iterations, repeats) for width in widths]
+    columns = {"form": ["an iteration, each row with what the rows above have"],
+               **{f"ms_{width}": [f"{width} channels, ms", 0] for width in widths}}
+    rows = [{"form": name, **{f"ms_{width}": times[name] for width, times in zip(widths, found, strict=True)}}
+            for name in speed.FORMS]
+    result = Result("stylisation-speed", "Processor time of a training iteration of the stylizer on one thread, batch 8, 23 "
+                    "joints", "python -m experiments stylization speed --store", columns, rows,
+                    {"iterations": iterations, "repeats": repeats, **machine("cpu")})
     print(result.markdown() + (f"wrote {result.save()}" if store else ""))
 
 
@@ -268,11 +297,11 @@ def _words(text: str, known: Sequence[str]) -> list[str]:
     return names
 
 
-def _numbers(text: str) -> list[int]:
+def _numbers(text: str, option: str = "--seeds") -> list[int]:
     try:
         return [int(number) for number in text.split(",")]
     except ValueError as error:
-        raise ValueError(f"--seeds must be comma-separated whole numbers, got {text!r}") from error
+        raise ValueError(f"{option} must be comma-separated whole numbers, got {text!r}") from error
 
 
 def restyled(model: Stylizer, source: Clip, references: dict[str, Clip], seeds: Sequence[int]) -> dict[str, Clip]:

@@ -1,7 +1,7 @@
 """Baseline of Table 2: the same system with 1-D convolutions in place of graph convolutions.
 
 All joints of a frame are one vector, and filters run over time only, as in Aberman et al. 2020. Everything else is that of
-`toolkit.stylization`: instance normalisation and AdaIN, a shortcut around each block, codes by domain from references and from
+`toolkit.stylization`: instance normalisation and AdaIN, a shortcut around each block, codes by domain from references and
 noise, losses, recipe. So a difference in the results is a difference of the networks.
 """
 
@@ -14,7 +14,7 @@ from experiments.stylization.holden import flat, unflat
 from toolkit.stylization import networks
 from toolkit.stylization.data import CHANNELS, Statistics
 from toolkit.stylization.graph import SkeletonGraph
-from toolkit.stylization.layers import SLOPE, AdaIN, he_init
+from toolkit.stylization.layers import SLOPE, AdaIN, Skip, he_init
 from toolkit.stylization.networks import Discriminator, Sizes, Stylizer
 
 KERNEL = 5  # frames
@@ -54,7 +54,10 @@ class Encoder(nn.Module):
 
     def forward(self, z: Tensor) -> Tensor:
         """``[B, C, T/4]``."""
-        h = self.enter(flat(z))
+        return self.shrink(self.enter(flat(z)))
+
+    def shrink(self, h: Tensor) -> Tensor:
+        """The blocks alone."""
         for block in self.blocks:
             h = functional.avg_pool1d(block(h), 2)
         return h
@@ -67,18 +70,20 @@ class Generator(nn.Module):
         super().__init__()
         self.encoder = Encoder(joints, sizes, "in")
         self.decoder = nn.ModuleList(Block(a, b, "adain", sizes.code) for a, b in pairwise(widths(sizes)[::-1]))
+        self.skip = Skip(sizes.code, widths(sizes)[0]) if sizes.detailed else None
         self.lower = nn.Conv1d(widths(sizes)[0], CHANNELS * joints, 1)
 
-    def encode(self, z: Tensor) -> Tensor:
-        """Content ``[B, C, 1, T/4]``."""
-        return self.encoder(z)[:, :, None]
+    def encode(self, z: Tensor) -> tuple[Tensor, ...]:
+        """Content ``[B, C, 1, T/4]``, and what the skip connection needs."""
+        early = self.encoder.enter(flat(z))
+        return self.encoder.shrink(early)[:, :, None], *(() if self.skip is None else (early[:, :, None],))
 
-    def decode(self, content: Tensor, code: Tensor) -> Tensor:
+    def decode(self, content: tuple[Tensor, ...], code: Tensor) -> Tensor:
         """Motion ``[B, 7, T, N]`` of content in the style of ``code [B, S]``."""
-        h = content[:, :, 0]
+        h, *early = content[0][:, :, 0], *content[1:]
         for block in self.decoder:
             h = block(functional.interpolate(h, scale_factor=2.0, mode="linear"), code)
-        return unflat(self.lower(h))
+        return unflat(self.lower(h if self.skip is None else h + self.skip(*early, code)[:, :, 0]))
 
     def forward(self, z: Tensor, code: Tensor) -> Tensor:
         """``z [B, 7, T, N]``, T a multiple of 4, in the style of ``code [B, S]``."""
@@ -115,6 +120,6 @@ def build(graph: SkeletonGraph, domains: tuple[str, ...], sizes: Sizes | None = 
                     nn.init.zeros_(layer.bias)
     nn.init.zeros_(stylizer.generator.lower.weight)
     for module in stylizer.generator.modules():
-        if isinstance(module, AdaIN):
-            module.affine.weight.data.mul_(networks.CODE_GAIN)
+        if isinstance(module, AdaIN | Skip):
+            (module.affine if isinstance(module, AdaIN) else module.gain).weight.data.mul_(networks.CODE_GAIN)
     return stylizer, discriminator

@@ -1,4 +1,4 @@
-"""What is compared: clips for training, for validation (to choose a recipe) and for the test (scored once), from two datasets.
+"""What is compared: clips for training, for validation (to choose a recipe) and for the test (scored once), of two datasets.
 
 Dataset 2 has many takes of each style and content. Half of the takes train the judges, the other half is the generators'.
 
@@ -18,14 +18,14 @@ from toolkit.stylization.data import Motions, build, split
 
 PARTS = ("test", "validation")
 STYLES = ("feminine", "masculinity", "not-confident", "old", "tired")  # of dataset 1: those that a judge can tell apart
-CONTENTS = {"bow": "bow", "bye": "wave", "byebye": "wave", "run": "run", "dash": "run", "walk": "walk"}  # judged, and as what
+CONTENTS = {"bow": "bow", "bye": "wave", "byebye": "wave", "run": "run", "dash": "run", "walk": "walk"}  # judged as
 OTHERS = {"guide": "guide", "walk-back": "walk", "walk-left": "walk", "walk-right": "walk"}  # of references only
 SETS = ("dataset-1", "dataset-2")
 
 
 @dataclass(frozen=True)
 class Task:
-    """``train`` for the generators; by part ("test", "validation") the ``sources``, the ``references``, and for its judges of
+    """``train`` for the generators; by part ("test", "validation") the ``sources``, the ``references``, and for judges of
     "content" and "style" the motions they learn from, ``judged[part][label]``.
     """
 
@@ -67,7 +67,7 @@ def few_takes(motions: Motions, styles: tuple[str, ...], contents: Mapping[str, 
     sources = {name: few.select(part[chosen & judged] == k) for k, name in enumerate(PARTS)}
     judges = {name: {"content": named.select(part[judged] != k), "style": common.select(part[chosen] != k)}
               for k, name in enumerate(PARTS)}
-    alike = _contents(common, {**contents, **OTHERS})
+    alike = _contents(common, {name: {**OTHERS, **contents}.get(name, name) for name in motions.contents})
     references = {name: alike.select(part[chosen] == k) for k, name in enumerate(PARTS)}
     return Task(common.select(part[chosen] >= len(PARTS)), sources, references, judges)
 

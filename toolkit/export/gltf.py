@@ -34,8 +34,6 @@ def save(clip: Clip, path: str | os.PathLike) -> None:
 
     clip = clip.to("cpu", torch.float32)
     skeleton, shapes = clip.skeleton, body.build(clip)
-    if not shapes:
-        raise ValueError(f"{clip.name}: no bone is long enough to be given a body")
     bind, buffer = _bind_pose(skeleton, shapes), Buffer()
     turns = R.normalize(R.unroll(clip.rotations).double())[..., [1, 2, 3, 0]].float().numpy()
     nodes = [{"name": name, "translation": skeleton.offsets[j].tolist(), "rotation": turns[0, j].tolist()}

@@ -1,6 +1,6 @@
 """Shots: paths, styles, speeds and pauses planned over time, and characters that keep to them."""
 
 from toolkit.shots import pilots
-from toolkit.shots.shot import Hold, Point, Shot, SpeedKey, StyleKey, load, parse, save
+from toolkit.shots.shot import VERSION, Hold, Point, Shot, SpeedKey, StyleKey, data, load, parse, save
 
-__all__ = ["Hold", "Point", "Shot", "SpeedKey", "StyleKey", "load", "parse", "pilots", "save"]
+__all__ = ["VERSION", "Hold", "Point", "Shot", "SpeedKey", "StyleKey", "data", "load", "parse", "pilots", "save"]

@@ -27,6 +27,36 @@ class Pointwise(nn.Conv2d):
         return made.unflatten(2, x.shape[2:])
 
 
+class PerJoint(nn.Module):
+    """Linear layer with weights of its own for every joint: ``[B, outputs, N, T]`` of ``[B, inputs, N, T]``."""
+
+    def __init__(self, inputs: int, outputs: int, joints: int):
+        super().__init__()
+        self.weight = nn.Parameter(torch.zeros(joints, outputs, inputs))
+        self.bias = nn.Parameter(torch.zeros(outputs, joints, 1))
+
+    def forward(self, x: Tensor) -> Tensor:
+        """One matrix product per joint."""
+        batch, _, joints, frames = x.shape
+        made = self.weight @ x.permute(2, 1, 0, 3).reshape(joints, -1, batch * frames)
+        return made.view(joints, -1, batch, frames).permute(2, 1, 0, 3) + self.bias
+
+
+class Skip(nn.Module):
+    """Early features for a decoder, without their mean over time; a style code scales each channel.
+
+    It keeps the details of a movement. The mean pose, which holds much of the style, is left out.
+    """
+
+    def __init__(self, code: int, channels: int):
+        super().__init__()
+        self.gain = nn.Linear(code, channels)
+
+    def forward(self, early: Tensor, code: Tensor) -> Tensor:
+        """``[B, C, N, T]`` of ``early [B, C, N, T]`` and codes ``[B, S]``."""
+        return (1 + self.gain(code)[:, :, None, None]) * (early - early.mean(-1, keepdim=True))
+
+
 class GraphConv(nn.Module):
     """Spatial graph convolution (equation 1): the mean over each of the three subsets, each with its own weights.
 
@@ -63,7 +93,8 @@ class AdaIN(nn.Module):
 
 def halved(x: Tensor) -> Tensor:
     """Means of pairs of frames, ``[..., T/2]`` of ``[..., T]``."""
-    return torch.lerp(x[..., ::2], x[..., 1::2], 0.5)
+    even = x[..., : x.shape[-1] // 2 * 2]  # of an odd number, the last one is dropped
+    return torch.lerp(even[..., ::2], even[..., 1::2], 0.5)
 
 
 class Resample(nn.Module):

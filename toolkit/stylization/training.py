@@ -1,7 +1,7 @@
 """Training of the stylizer (Park et al. 2021, section 6 and appendix A.2): one plain loop over a config, and checkpoints.
 
 What iteration n does is a pure function of the seed and n, so that a run that was stopped and resumed ends with the same
-weights as one that was not, bit for bit. (With a budget of time the rates follow the clock, and only the batches are the same.)
+weights as one that was not, bit for bit. (With a budget of time the rates follow the clock; the batches are still the same.)
 """
 
 import contextlib
@@ -51,7 +51,7 @@ class Config:
     other_window: bool = False  # a source's own code is that of another window of its domain, so that it holds no content
     fading: bool = False  # "ds" only for codes from noise, with a constant second result, and its weight falls to 0
     warm_up: int = 0  # first iterations, which train G and E alone by "id", as an autoencoder
-    encoder_learns: bool = False  # E is trained in the iterations with references, too (equation 12; the published code: G alone)
+    encoder_learns: bool = False  # iterations with references train E, too (equation 12), not G alone (the published code)
     r1_every: int = 1  # iterations from one R1 term to the next, with as many times its weight
     log_every: int = 100  # iterations per row of the history
     save_every: float = 120.0  # seconds between checkpoints
@@ -76,15 +76,15 @@ class Config:
 
     @classmethod
     def quick(cls, **changes) -> "Config":
-        """Minutes on one core: small networks, high rates that decay, other weights, and all departures.
+        """Minutes on one core: small networks, high rates that decay, a stronger R1, and all departures.
 
-        With weights of 1, G's gradient of the adversarial loss is about twenty times that of each other loss. Over few
-        iterations G would learn to please D long before it learns to keep a motion.
+        All λ are the paper's. With content losses of squares, G's gradient of the adversarial loss would be about twenty
+        times that of each other one: it would learn to please D long before it learns to keep a motion.
         """
         settings = {"sizes": Sizes.small(), "iterations": 2000, "final_rate": 0.1, "squared": False, "other_window": True,
-                    "fading": True, "warm_up": 300, "r1_every": 4,
+                    "fading": True, "warm_up": 300, "encoder_learns": True, "r1_every": 4,
                     "rates": dict(zip(NETWORKS, (2e-3, 1e-3, 1e-3, 1e-3), strict=True)),
-                    "weights": {"adv": 1.0, "cyc": 3.0, "id": 3.0, "sty": 1.0, "ds": 3.0, "r1": 5.0}}
+                    "weights": dict.fromkeys(losses.LOSSES, 1.0) | {"r1": 5.0}}
         return cls(**(settings | changes))
 
     def fixed(self) -> dict:
@@ -139,7 +139,7 @@ class Batches:
             raise ValueError(f"no motion of {', '.join(empty)} to train on")
 
     def __getitem__(self, n: int) -> dict[str, Tensor]:
-        """``x``, ``domain`` and ``kin`` of the sources; ``target`` domains; ``references [2, B, …]``, ``noise [2, B, 16]``."""
+        """Sources' ``x``, ``domain``, ``kin``; the ``target`` domains; ``references [2, B, …]``, ``noise [2, B, 16]``."""
         b, draw = self.config.batch, generator(self.config.seed, BATCH, n)
         source, target = torch.randint(len(self.rows), (2, b), generator=draw)
         places = torch.rand(4, b, generator=draw)
@@ -238,8 +238,8 @@ def translations(stylizer: Stylizer, batch: dict[str, Tensor], config: Config, f
         made["own"] = stylizer.encoder(batch["kin" if config.other_window else "x"], batch["domain"])
     if "id" in config.losses:
         names, codes = [*names, "same"], [*codes, made["own"]]
-    motions = stylizer.generator.decode(content.repeat(len(codes), 1, 1, 1), torch.cat(codes)).chunk(len(codes))
-    return made | dict(zip(names, motions, strict=True))
+    motions = stylizer.generator.decode(tuple(part.repeat(len(codes), 1, 1, 1) for part in content), torch.cat(codes))
+    return made | dict(zip(names, motions.chunk(len(codes)), strict=True))
 
 
 def terms_of(stylizer: Stylizer, discriminator: Discriminator, batch: dict[str, Tensor], made: dict[str, Tensor],
@@ -268,7 +268,7 @@ def _step(stylizer: Stylizer, discriminator: Discriminator, adams: dict[str, tor
         _descend(config.weights["id"] * rebuilt, [adams["generator"], adams["encoder"]])
         return _finite({"id": rebuilt.item()}, n)
     from_noise = n % 2 == 0  # in odd iterations codes come from references
-    learning = ("generator", *(["encoder"] if from_noise or config.encoder_learns else []), *(["mapping"] if from_noise else []))
+    learning = NETWORKS[:3] if from_noise else NETWORKS[: 1 + config.encoder_learns]
     with _frozen(*(getattr(stylizer, name) for name in NETWORKS[:3] if name not in learning)):
         made = translations(stylizer, batch, config, from_noise)
 

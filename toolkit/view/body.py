@@ -25,6 +25,8 @@ RADII = {  # upper joint's role -> radii at the two ends of the bone below it
     "hip": (0.077, 0.054), "knee": (0.053, 0.035), "foot": (0.041, 0.030),
     "shoulder": (0.049, 0.037), "elbow": (0.037, 0.027),
 }
+LARGEST = 1e6  # metres from the origin that are drawn
+SMALLEST = 1e-6  # of a mannequin, where 1 is a person
 ZERO = torch.zeros(3)
 UP = torch.tensor([0.0, 1.0, 0.0])
 
@@ -162,9 +164,18 @@ _BUILT: WeakKeyDictionary[Clip, tuple[Shape, ...]] = WeakKeyDictionary()  # an e
 
 
 def build(clip: Clip) -> tuple[Shape, ...]:
-    """The mannequin of a clip's skeleton; skeletons without hips, shoulders, elbows and feet get plain bones."""
+    """The mannequin of a clip's skeleton; skeletons without hips, shoulders, elbows and feet get plain bones.
+
+    ValueError if no bone is long enough to be drawn, or the motion is too large for numbers of 32 bits.
+    """
     if clip not in _BUILT:
-        _BUILT[clip] = _build(clip)
+        reach = max(float(clip.skeleton.offsets.abs().max()), float(clip.root_positions.abs().max()))
+        if reach > LARGEST:
+            raise ValueError(f"{clip.name}: its positions reach {reach:.3g} m, and at most {LARGEST:g} m can be drawn; "
+                             "the unit of length may be wrong (--unit)")
+        if not (shapes := _build(clip)):
+            raise ValueError(f"{clip.name}: no bone is long enough to be given a body")
+        _BUILT[clip] = shapes
     return _BUILT[clip]
 
 
@@ -172,6 +183,8 @@ def _build(clip: Clip) -> tuple[Shape, ...]:
     if not has_roles(clip, "shoulder", "elbow", "hip", "foot"):
         return _bones(clip, set(), 1.0)
     m = _Measured(clip)
+    if m.scale < SMALLEST:
+        return _bones(clip, set(), 1.0)
     s, shapes, drawn = m.scale, [], set()
     for side in SIDES:
         for part in ("hip", "shoulder"):

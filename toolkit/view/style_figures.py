@@ -173,3 +173,16 @@ def curves_figure(x, curves: Mapping[str, Sequence[float]], x_title: str, y_titl
         figure.add_vline(x=place, line={"color": QUIET, "dash": "dot", "width": 1}, annotation_text=escape(name),
                          annotation_font_size=11)
     return finish(figure, title, 400, {"title": x_title}, {"title": y_title})
+
+
+def graph_figure(graph, place: Tensor) -> Figure:
+    """The levels of a `toolkit.stylization.SkeletonGraph`, a panel each; ``place [2, N]`` are x and y of its joints."""
+    levels = len(graph.sizes)
+    figure = Picture(figsize=(2.9 * levels, 3.4), dpi=80, layout="constrained")
+    for level, axes in enumerate(figure.subplots(1, levels, sharex=True, sharey=True)):
+        for node, parent in enumerate(graph.parents[level][1:], 1):
+            axes.plot(-place[0, [node, parent]], place[1, [node, parent]], color="#c9ccd1", linewidth=3)
+        axes.plot(-place[0], place[1], "o", color=WHEEL[level])
+        axes.set(title=f"{graph.sizes[level]} nodes", xlabel="metres", aspect="equal")
+        place = place @ graph.pool(level) if level < levels - 1 else place
+    return figure
