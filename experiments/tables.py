@@ -23,14 +23,14 @@ from toolkit.io.files import atomic_write
 DOCS = Path(__file__).parents[1] / "docs"
 RESULTS = DOCS / "results"
 TABLE = re.compile(r"(<!-- table ([\w-]+)(?:: ([\w -]+))? -->\n).*?(<!-- end -->)", re.DOTALL)
-NUMBER = re.compile(r"(?<![\w.,/-])[−-]?\d[\d,]*(?:\.\d+)?(?![\w/-]|\.\d)(?P<percent> ?%)?")
+NUMBER = re.compile(r"(?<![\w.,/-])[−-]?\d+(?:,\d{3})*(?:\.\d+)?(?![\w/-]|[.,]\d)(?P<percent> ?%)?")
 #: Parts of a page that state no result: code, what a page cites, links' addresses, places in a paper, years of papers.
 SKIPPED = (
     r"```.*?```", r"<!-- cited -->.*?<!-- end -->", r"<!--.*?-->", r"`[^`]*`", r"\]\([^)]*\)", r"!\[[^\]]*\]",
     r"(?i)\b(?:sections?|tables?|fig(?:ures?|s)?\.?|eq(?:uations?|s)?\.?|notebooks?|versions?|datasets?) "
     r"\(?[A-Z]?\d[\d.]*\)?"
     r"(?:(?:,| and|–| to) \(?\d[\d.]*\)?)*",
-    r"\b(?:et al\.|[A-Z]\w+,?) \(?(?:19|20)\d\d\)?", r"\[\d+\]",
+    r"§ ?[\d.]+(?:, ?\d[\d.]*)*", r"\b(?:et al\.|[A-Z]\w+,?) \(?(?:19|20)\d\d\)?", r"\[\d+\]",
 )
 
 

@@ -104,6 +104,17 @@ def test_fitted_vectors_have_less_error_and_the_model_stays_the_same():
     assert not torch.equal(part["style0"], run.bank["style0"])
 
 
+def test_a_training_may_end_with_fitted_vectors():
+    data, config = waves(), dataclasses.replace(QUICK, steps=100)
+    plain, fitted = (training.fit(data, dataclasses.replace(config, refit=steps)) for steps in (0, 30))
+    assert all(torch.equal(a, b) for a, b in zip(plain.model.parameters(), fitted.model.parameters(), strict=True))
+    assert fitted.table()[-1]["error"] < plain.table()[-1]["error"]
+    table = training.fit(data, dataclasses.replace(QUICK, model="lpn-resad", steps=5, refit=3))
+    assert torch.equal(table.bank.vectors, training.make_bank(table.model, data).vectors)
+    with pytest.raises(ValueError, match="refit must not be negative, got -1"):
+        dataclasses.replace(QUICK, refit=-1)
+
+
 def test_ways_to_make_vectors_are_compared_on_the_same_frames(clips, embedded, monkeypatch):
     data = tk.features.build(clips)
     run = training.fit(data, training.Config.quick(sizes=QUICK.sizes, steps=20, evaluate_every=20))
