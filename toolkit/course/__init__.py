@@ -9,7 +9,7 @@ import lazy_loader
 __getattr__, __dir__, __all__ = lazy_loader.attach(__name__, ["exercises"], {
     "checks": ["Exercise", "Verdict", "check", "exercises_of"],
     "claims": ["claim", "learnt"],
-    "pages": ["film", "show", "steer"],
+    "pages": ["film", "show", "steer", "two_bone"],
     "sequence": ["LESSONS", "Lesson", "here"],
     "symbols": ["SYMBOLS", "symbols"],
 })

@@ -10,6 +10,7 @@ from plotly.offline import get_plotlyjs
 
 from toolkit.motion import Clip
 from toolkit.view import live_page, page
+from toolkit.view.frontend import static
 
 NAME = "toolkit"  # of plotly's renderer
 LOADED = 'data-toolkit="plotly"'  # marks plotly's code: the site loads its own copy in its place
@@ -80,3 +81,8 @@ def steer(model, bank, *, title: str = "Walk: W A S D, blend: drag the marker", 
     with tempfile.TemporaryDirectory() as folder:
         path = live_page.web(model, bank, Path(folder, "walk.html"), title=title, half=True, **options)
         return show(path.read_text(encoding="utf-8"), height)
+
+
+def two_bone() -> Page:
+    """A leg of two bones whose ankle follows the pointer, with the law of cosines beside it."""
+    return show(static("two_bone.html"), 420)
