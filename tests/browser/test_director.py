@@ -24,7 +24,8 @@ ODD = {  # arrivals, pauses, easings, straight lines, a facing at a point, a sty
                  "styles": [[0, "Neutral"], [2, {"Zombie": 0.5, "Old": 0.5}, "jump"], [4, "Strut", "in"]],
                  "holds": [{"seconds": 1, "distance": 3.5}], "duration": 7},
     "looks": {"path": [[0, 0], [2, 0.5], [2, 2]], "smooth": False, "look_at": [0, 3], "arms": False, "duration": 5,
-              "styles": [[0, [{"Neutral": 1}, {"Zombie": 1}]], [2, "Old", "out"]], "speeds": [[0, 0.5, "smoother"], [3, 1.0]]},
+              "styles": [[0, [{"Neutral": 1}, {"Zombie": 1}]], [2, "Old", "out"]],
+              "speeds": [[0, 0.5, "smoother"], [3, 1.0]]},
     "too fast": {"path": [[0, 0], [0, 2], [0.4, 2.2], [0, 0.5]], "styles": "Zombie", "speeds": [[0, 2.5]], "duration": 4},
 }
 
@@ -91,15 +92,15 @@ def double() -> tuple:
 
 
 def apart(clip, motion) -> torch.Tensor:
-    """Distance of the root and of the farthest joint in each frame ``[F, 2]``, mm."""
-    root, rotations = (torch.tensor([frame[i] for frame in motion], dtype=torch.float64) for i in (0, 1))
+    """Distance of the root and of the farthest joint in each frame ``[F, 2]``, mm; of poses [(root, rotations)]."""
+    root, rotations = (torch.tensor(values, dtype=torch.float64) for values in zip(*motion, strict=True))
     other = dataclasses.replace(clip, rotations=rotations.unflatten(-1, (-1, 4)), root_positions=root)
     joints = (other.global_positions - clip.global_positions).norm(dim=-1)
     return 1e3 * torch.stack((joints[:, 0], joints.amax(-1)), -1)
 
 
 def test_the_same_shots_give_the_same_courses_motion_and_words(open_page, empty):
-    """Prints how far the page's motion is from that of plain Python in double precision (``-s`` shows it)."""
+    """Prints how far the page, and Python in float32, are from plain Python in double precision: root, farthest joint."""
     model, bank = double()
     scenes = {"along_a_wall": tk.shots.load(EXAMPLES / "along_a_wall.json")[0]}
     scenes |= {name: tk.shots.parse({"version": 1, "shots": [shot]})[0] for name, shot in ODD.items()}
@@ -110,8 +111,9 @@ def test_the_same_shots_give_the_same_courses_motion_and_words(open_page, empty)
         assert desk.shots == [shot], name
         found = desk.page.evaluate("""() => {
             const { course, heading } = view.desk.takes[0], { curve } = course;
-            return { x: curve.x, z: curve.z, at: curve.at, knots: curve.knots, distance: course.distance, speed: course.speed,
-                     late: course.late, angles: course.distance.map((d) => heading.angle(d, [0.3, 0.2])),
+            return { x: curve.x, z: curve.z, at: curve.at, knots: curve.knots, late: course.late,
+                     distance: course.distance, speed: course.speed,
+                     angles: course.distance.map((d) => heading.angle(d, [0.3, 0.2])),
                      motion: view.desk.motion(0).map((parts) => parts.map((part) => [...part])),
                      words: [...document.querySelectorAll(".tkd-say p")].map((line) => line.textContent) };
         }""")
@@ -125,8 +127,11 @@ def test_the_same_shots_give_the_same_courses_motion_and_words(open_page, empty)
         clip = runtime.record(model, shot.states(model, bank), feet=shot.feet, arms=shot.arms)
         far = apart(clip, found["motion"])
         last = min(600, len(far))
-        measured[name] = {"frames": last, "root, mm": float(far[:last, 0].max()), "joint, mm": float(far[:last, 1].max())}
-        assert measured[name]["root, mm"] < 1.0, name
+        single = shot.render(*tk.pretrained())
+        rough = apart(clip, zip(single.root_positions.tolist(), single.rotations.flatten(1).tolist(), strict=True))
+        measured[name] = {"frames": last, "page, mm": far[:last].amax(0).tolist(),
+                          "float32, mm": rough[:last].amax(0).tolist()}
+        assert far[:last, 0].max() < 1.0, name
         if name != "along_a_wall":
             said = shot.check(model, bank)
             assert found["words"] == said, name
@@ -286,6 +291,30 @@ def test_a_thumb_plans_on_a_phone(open_page, empty):
     assert desk.errors == []
 
 
+def test_a_change_computes_only_what_it_changes(open_page, empty):
+    page = open_page(empty).page
+    shot = {"path": [[0, 0], [1, 2], [-1, 3], [0, 4]], "styles": [[0, "Neutral"], [3, "Zombie"]],
+            "speeds": [[0, 1.0], [3, 0.8]]}
+    page.evaluate("(shot) => view.open({ version: 1, shots: [shot] })", shot)
+    edits = ("shot.path[3].x = 1", "shot.styles[1].blend = { Old: 1 }", "shot.speeds[1].speed = 1.1", "shot.seed = 4",
+             "shot.holds.push({ seconds: 1, time: 3, distance: null })", "shot.path[3].facing = [1, 0]",
+             "shot.duration = 3", "shot.path[0].x = 0.1", "shot.path.splice(2, 1)")
+    begun = []
+    for edit in edits:
+        page.evaluate("() => view.desk.motion(0)")
+        page.wait_for_function(DONE, timeout=120_000)
+        page.evaluate(f"() => view.desk.change(([shot]) => void ({edit}))")
+        begun.append(page.evaluate("() => view.desk.stats.since"))
+        same = page.evaluate("""() => {
+            const { desk } = view, fresh = new desk.constructor(desk.data, desk.scene, () => {});
+            return JSON.stringify(desk.motion(0)) === JSON.stringify(fresh.motion(0));
+        }""")
+        assert same, edit
+    assert begun[0] > 60
+    assert begun[1] > 120
+    assert begun[3] == 0
+
+
 def test_every_control_has_a_name(open_page, empty):
     desk = open_page(empty)
     page = desk.page
@@ -297,8 +326,8 @@ def test_every_control_has_a_name(open_page, empty):
         if press:
             desk.press(press)
             page.wait_for_timeout(100)
-        nameless = page.evaluate("""() => [...document.querySelectorAll('button,select,input,[tabindex],[role]')].filter((one) =>
-            !(one.getAttribute('aria-label') || one.ariaLabel || one.textContent.trim() || one.labels?.[0]?.textContent.trim()))
+        nameless = page.evaluate("""() => [...document.querySelectorAll(".tkd :is(button,select,input,[tabindex],[role])")]
+            .filter((one) => !(one.ariaLabel || one.textContent.trim() || one.labels?.[0]?.textContent.trim()))
             .map((one) => one.outerHTML)""")
         assert nameless == []
 

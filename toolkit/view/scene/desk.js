@@ -91,7 +91,9 @@ export class Desk {
     this.shots.forEach((shot, k) => {
       const at = known[k] === text(shot) ? k : known.indexOf(text(shot));
       takes[k] = this.takes[at < 0 ? k : at];
-      making[k] = at < 0 ? new Take(shot, this, new Character(this.data, this.network), now) : this.making[at];
+      const older = [this.takes[k], this.making[k]].filter(Boolean);
+      making[k] = at < 0 ? new Take(shot, this, new Character(this.data, this.network), now, older) : this.making[at];
+      if (at < 0) this.stats.since = making[k].frames.length; // the first frame that is computed again
     });
     Object.assign(this, { takes, making });
     this.due();

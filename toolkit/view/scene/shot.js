@@ -6,9 +6,9 @@
 // desk: {rules, limits, styles: [names], vectors, size, speeds: [m/s]}, see view/director.py
 import { advance, Character } from "./character.js";
 import { between, command, Course, Curve, EASINGS, Heading, keyed, nearest, round } from "./course.js";
-import { stand } from "./frame.js";
+import { copy, stand } from "./frame.js";
 
-const FAR = 1000, FAST = 20, MANY = 256, LONGEST = 600, SEEDS = 2 ** 31 - 1, GOLDEN = (Math.sqrt(5) - 1) / 2;
+const FAR = 1000, FAST = 20, MANY = 256, LONGEST = 600, SEEDS = 2 ** 31 - 1, EVERY = 30, GOLDEN = (Math.sqrt(5) - 1) / 2;
 const SCENE = ["version", "shots", "apart", "walls"]; // a page shows each character alone; toolkit.shots keeps them apart
 const FIELDS = {
   Point: ["x", "z", "time", "facing"], StyleKey: ["time", "blend", "easing"], SpeedKey: ["time", "speed", "easing"],
@@ -195,10 +195,31 @@ function shifted(phase, angle) {
   }
 }
 
-// A character on its way through a shot, asked for at a time in ms. `frames` has what draws each: {history, joints, toes, contacts}.
+// Number of frames from the first on that two plans {shot, course, heading} cannot tell apart: their commands and styles are the same.
+function shared({ shot, course: a, heading }, { shot: before, course: b, heading: other }) {
+  const { FPS, LEAD, BEFORE, SPACING } = a.rules, key = ({ seed, facing, look_at: look }) => JSON.stringify([seed, facing, look]);
+  if (key(shot) !== key(before)) return 0;
+  const differs = (count, same) => {
+    for (let k = 0; k < count; k++) if (!same(k)) return k;
+    return Infinity;
+  };
+  const [c, d] = [a.curve, b.curve], most = (one, two) => Math.max(one.length, two.length);
+  const sample = differs(most(c.at, d.at), (k) => c.x[k] === d.x[k] && c.z[k] === d.z[k] && c.at[k] === d.at[k]);
+  const knot = differs(most(c.knots, d.knots), (k) => c.knots[k] === d.knots[k] && heading.offsets[k] === other.offsets[k]);
+  const metres = Math.min(sample < Infinity ? c.at[sample - 1] ?? 0 : sample, knot < Infinity ? c.knots[knot - 1] ?? 0 : knot);
+  const style = differs(most(shot.styles, before.styles), (k) => JSON.stringify(shot.styles[k]) === JSON.stringify(before.styles[k]));
+  const seconds = style < Infinity ? shot.styles[style - 1]?.time ?? -1 : style, ahead = round(LEAD * FPS);
+  const at = (row, frame) => row[Math.min(frame, row.length - 1)];
+  const same = (frame) => at(a.distance, frame) === at(b.distance, frame) && at(a.speed, frame) === at(b.speed, frame);
+  return Math.min(a.distance.length, differs(a.distance.length, (frame) => frame / FPS <= seconds && same(frame)
+    && same(frame + ahead) && at(a.distance, frame + ahead) + BEFORE + 4 * SPACING < metres));
+}
+
+// A character on its way through a shot, asked for at a time in ms. It goes on from where it differs from older takes.
+// `frames` has what draws each: {history, joints, toes, contacts}; `kept` the whole state every EVERY frames.
 export class Take {
-  constructor(shot, desk, character, since = 0) {
-    Object.assign(this, { shot, ...plan(shot, desk), character, since, frames: [], places: [] });
+  constructor(shot, desk, character, since = 0, older = []) {
+    Object.assign(this, { shot, ...plan(shot, desk), character, since, frames: [], places: [], kept: [] });
     const { course, heading } = this, place = course.curve.point(0), angle = heading.angle(0, place);
     this.count = course.distance.length - 1;
     this.styles = keysOf(shot.styles, (key) => vectorOf(key.blend, desk));
@@ -206,12 +227,19 @@ export class Take {
     character.state = stand(character.first, place, [Math.sin(angle), Math.cos(angle)]);
     character.spare = stand(character.first, place, [Math.sin(angle), Math.cos(angle)]);
     for (const { phase } of [character.state, character.spare]) shifted(phase, 2 * Math.PI * ((shot.seed * GOLDEN) % 1));
+    for (const old of older) {
+      const frame = EVERY * Math.floor(Math.min(shared(this, old), old.frames.length, this.count) / EVERY), { kept } = old;
+      if (frame <= this.frames.length || !kept[frame / EVERY]) continue;
+      Object.assign(this, { frames: old.frames.slice(0, frame), places: old.places.slice(0, frame), kept: kept.slice(0, frame / EVERY) });
+      character.state = copy(kept[frame / EVERY]);
+    }
   }
 
   // the next frame; whether there is one
   step() {
     const { character, frames, styles: { times, easings, values }, style } = this, frame = frames.length;
     if (frame >= this.count) return false;
+    if (frame % EVERY === 0) this.kept.push(copy(character.state));
     const { history } = character.state, [x, z] = history.subarray(history.length - 4);
     const [a, b, weight] = between(times, easings, frame / this.course.rules.FPS);
     for (let i = 0; i < style.length; i++) style[i] = values[a][i] + weight * (values[b][i] - values[a][i]);

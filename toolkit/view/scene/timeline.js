@@ -107,7 +107,7 @@ export function timeline(parent, desk, { select, edit, seek, ghosts }) {
     draw(selected, seconds) {
       const { shot, rules: { FPS }, limits: { FASTER, SLOW } } = desk, { course, count, natural } = take(), all = items();
       if (!held) {
-        length = Math.max(count / FPS, ...all.map((item) => item.time), 1);
+        length = Math.max(...desk.shots.map((_, k) => desk.take(k).count / FPS), ...all.map((item) => item.time), 1);
         most = Math.max(1.2 * Math.max(...course.speed, ...shot.speeds.map((key) => key.speed)), 0.5);
       }
       const w = Math.max(svg.clientWidth, 1), step = STEPS.find((s) => out(s) - out(0) > 34) ?? 120, marks = [];
