@@ -55,9 +55,9 @@ def chart(figure) -> str:
 
 
 def show(html: str, height: int) -> Page:
-    """A whole page in a frame, ``height`` pixels high."""
-    return Page(f'<iframe srcdoc="{escape(html)}" style="width: 100%; height: {height}px; border: 0" '
-                'loading="lazy" title="A page that needs no kernel"></iframe>')
+    """A page in a frame, ``height`` pixels high. The frame has an origin of its own, so it rests when out of sight."""
+    return Page(f'<iframe srcdoc="{escape(html)}" sandbox="allow-scripts allow-downloads" allow="gamepad; fullscreen" '
+                f'style="width: 100%; height: {height}px; border: 0" loading="lazy" title="A page without a kernel"></iframe>')
 
 
 def film(clips: Clip | list[Clip], *, title: str = "", caption: str = "", height: int = 420, **options) -> Page:
