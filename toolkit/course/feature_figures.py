@@ -81,7 +81,8 @@ def window(positions: Tensor, facings: Tensor) -> go.Figure:
         own, ahead = positions[pick], facings[pick]
         _arrows(figure, own, own + 0.2 * ahead, name, colour)
         figure.add_scatter(x=own[:, 0].numpy(), y=own[:, 1].numpy(), mode="text", showlegend=False,
-                           textposition="middle right", text=[f"   {s / 60:+.2f} s" for s, p in zip(SAMPLES, pick, strict=True) if p])
+                           textposition="middle right",
+                           text=[f"   {s / 60:+.2f} s" for s, p in zip(SAMPLES, pick, strict=True) if p])
     return finish(figure, "The trajectory window in the root frame", 560, LEFT | {"range": [1.2, -1.2]},
                   {"title": "metres ahead", "scaleanchor": "x"})
 

@@ -55,7 +55,7 @@ def chart(figure) -> str:
 
 
 def show(html: str, height: int) -> Page:
-    """A page in a frame, ``height`` pixels high. The frame has an origin of its own, so it rests when out of sight."""
+    """A page in a frame, ``height`` pixels high. It has an origin of its own, so it rests when out of sight."""
     return Page(f'<iframe srcdoc="{escape(html)}" sandbox="allow-scripts allow-downloads" allow="gamepad; fullscreen" '
                 f'style="width: 100%; height: {height}px; border: 0" loading="lazy" title="A page without a kernel"></iframe>')
 
