@@ -276,6 +276,8 @@ def test_measures_of_other_runs_in_the_folder_stay_in_the_table(data, folder, mo
     assert [run["seed"] for run in film["runs"]] == [0, 3]
     assert film["mean"]["processor"] == pytest.approx(held["processor"] + 1)
     assert film["spread"]["shared"] == 0
+    assert film["mean"]["trained"] == PLAN.steps
+    assert film["mean"]["steps"] < 10  # of the feet, per second
 
 
 def test_the_runs_of_a_comparison_may_be_spread_by_a_scheduler(data, folder, tmp_path, monkeypatch):

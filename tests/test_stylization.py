@@ -119,7 +119,7 @@ def test_windows_overlap_by_half_and_short_clips_are_padded(walks):
 
 
 def test_mirror_images_keep_their_take_and_exchange_left_and_right():
-    turns = [human_clip(seed, 70).replace(style="a", gait="walk-turn-left", name=str(seed)) for seed in range(2)]
+    turns = [human_clip(seed, 64).replace(style="a", gait="walk-turn-left", name=str(seed)) for seed in range(2)]
     found = st.build(turns, mirror=True)
     assert found.contents == ("walk-turn-left", "walk-turn-right")
     assert found.take.tolist() == [0, 0, 1, 1]
@@ -434,7 +434,7 @@ def test_training_ends_when_its_time_is_spent_and_goes_on_with_what_is_left(moti
 
 def test_training_learns_to_rebuild_and_to_tell_apart(motions):
     sizes = networks.Sizes(channels=8, code=8, latent=4, hidden=16)
-    run = st.fit(motions, training.Config.quick(sizes=sizes, batch=4, iterations=40, warm_up=0, log_every=10))
+    run = st.fit(motions, training.Config.quick(sizes=sizes, batch=4, iterations=40, warm_up=0, squared=True, log_every=10))
     assert run.history[-1]["id"] < 0.8 * run.history[0]["id"]
     assert run.history[-1]["d"] < run.history[0]["d"]
 

@@ -20,7 +20,8 @@ Names = Annotated[str | None, typer.Option(help="Comma-separated names; default:
 Out = Annotated[Path, typer.Option(help="Folder of the runs; finished runs in it are not repeated.")]
 OUT = Path("out/comparison")
 Named = Annotated[str | None, typer.Option(help="Store the result under this name in docs/results.")]
-ONE_STEP = {"shared": ("MSE", 1, 4), "mse": ("own MSE", 1, 4), "other": ("other", 1, 4), "bone": ("bone mm", 1000, 2)}
+ONE_STEP = {"shared": ("MSE", 1, 4), "joints": ("of joints", 1, 4), "mse": ("own MSE", 1, 4), "other": ("other", 1, 4),
+            "bone": ("bone mm", 1000, 2)}
 LOOP = {"hands": ("hands", 1, 2), "together": ("together", 1, 2), "recognised": ("style", 1, 2), "speed": ("speed", 1, 2),
         "skate": ("skate", 100, 1), "skate_ik": ("with IK", 100, 1), "path": ("path cm", 100, 1),
         "steps": ("steps/s", 1, 2), "clavicle": ("clavicle cm", 100, 1), "hand": ("hand cm", 100, 1),

@@ -6,35 +6,35 @@ from experiments.seven_models.failures import Case
 from experiments.tables import Result
 
 COLUMNS = {
-    "model": ["model"], "seeds": ["seeds", 0], "shared": ["MSE", 4], "other": ["own MSE, another style's vector", 3],
+    "model": ["model"], "seeds": ["seeds", 0], "shared": ["MSE", 4], "joints": ["MSE of joints", 4],
+    "other": ["own MSE, another style's vector", 3],
     "mse": ["own MSE", 4], "bone": ["bone, mm", 2, 1000], "recognised": ["recognised, %", 0, 100],
     "upright": ["upright, %", 0, 100], "hands": ["hand range", 2], "together": ["hand correlation", 2],
     "clavicle": ["clavicle, cm", 2, 100], "hand": ["hand, cm", 1, 100], "skate": ["skate", 1, 100],
-    "skate_ik": ["skate with IK", 1, 100], "steps_per_s": ["steps/s", 2], "speed": ["speed", 2],
+    "skate_ik": ["skate with IK", 1, 100], "steps": ["steps/s", 2], "speed": ["speed", 2],
     "path": ["path, cm", 1, 100], "parameters": ["parameters", 0], "per_style": ["per style", 0],
     "minutes": ["processor minutes", 1], "step_ms": ["ms per step", 0],
 }
-KEYS = ("shared", "other", "mse", "bone", "recognised", "upright", "hands", "together", "clavicle", "hand", "skate",
-        "skate_ik", "speed", "path")
+KEYS = ("shared", "joints", "other", "mse", "bone", "recognised", "upright", "hands", "together", "clavicle", "hand",
+        "skate", "skate_ik", "steps", "speed", "path")
 
 
 def comparison(name: str, about: str, command: str, table: dict) -> Result:
     """The table of `experiments.seven_models.models.collect`: floors, ceiling, and the models with a value for each seed."""
-    rows = [{"model": f"floor: {what}", "shared": error} for what, error in
-            (("predicting the mean", table["baselines"]["mean"]), ("repeating the frame", table["baselines"]["repeat"]))]
+    floors, say = table["baselines"], {"mean": "floor: predicting the mean", "repeat": "floor: repeating the frame"}
+    rows = [{"model": text, "shared": floors[name], "joints": floors[f"{name}, joints"]} for name, text in say.items()]
     settings = table["settings"]
     for model, found in table["models"].items():
         runs, counts = found["runs"], found["counts"]
         rows.append({
-            "model": model, "seeds": len(runs), **{key: [run[key] for run in runs] for key in KEYS if key in runs[0]},
-            "steps_per_s": [_steps(run) for run in runs], "parameters": counts["synthesis"] + counts["style"],
+            "model": model, "seeds": len(runs), **{key: [run[key] for run in runs] for key in KEYS},
+            "parameters": counts["synthesis"] + counts["style"],
             "per_style": counts["per_style"], "minutes": [run["processor"] / 60 for run in runs],
-            "step_ms": [1000 * run["processor"] / run["steps"] for run in runs],
+            "step_ms": [1000 * run["processor"] / run["trained"] for run in runs],
         })
     if "ceiling" in table:
         top = table["ceiling"]
-        rows.append({"model": "the published network", **{key: top[key] for key in KEYS if key in top},
-                     "steps_per_s": _steps(top)})
+        rows.append({"model": "the published network", **{key: top[key] for key in KEYS if key in top}})
     first = next(iter(table["models"].values()))["runs"][0]["styles"]
     floors = {f"{part}: between clips of the data, cm": 100 * sum(row[f"{part}_data"] for row in first.values()) / len(first)
               for part in ("clavicle", "hand")}
@@ -51,11 +51,6 @@ def comparison(name: str, about: str, command: str, table: dict) -> Result:
     about_settings = {"size": settings["size"], "steps": settings["steps"], "batch": settings["batch"],
                       "styles": len(settings["frames"]), "frames": sum(settings["frames"].values())}
     return Result(name, about, command, COLUMNS, rows, about_settings, numbers)
-
-
-def _steps(run: dict) -> float:
-    values = [row["steps"] for row in run["styles"].values() if row["steps"] == row["steps"]]
-    return sum(values) / len(values)
 
 
 def case(name: str, about: str, command: str, found: Case, settings: dict) -> Result:

@@ -15,7 +15,7 @@ import torch
 import typer
 
 from experiments.seven_models.models import machine, write_json
-from experiments.stylization import aberman, convolutional, evaluation, holden, sets
+from experiments.stylization import aberman, convolutional, evaluation, holden, sets, speed
 from experiments.stylization.floors import FLOORS
 from experiments.stylization.judges import Judges
 from experiments.stylization.sets import Task
@@ -125,9 +125,13 @@ def trained(method: str, motions: Motions, config: Config, path: Path, progress:
     path.parent.mkdir(parents=True, exist_ok=True)
     checkpoint, make = path.with_suffix(".checkpoint"), DENSE if method not in OURS else GRAPH
     config = replace(config, losses=OURS.get(method, LOSSES))
-    run = training.fit(motions, config, checkpoint, progress=progress, networks=make, clock=time.process_time)
-    if make is GRAPH:
-        run.save(path.with_suffix(".safetensors"))
+    stored = path.with_suffix(".safetensors")
+    if stored.exists():
+        run = training.load(stored)
+    else:
+        run = training.fit(motions, config, checkpoint, progress=progress, networks=make, clock=time.process_time)
+        if make is GRAPH:
+            run.save(stored)
     checkpoint.unlink(missing_ok=True)
     last = run.history[-1] if run.history else {"step": 0, "elapsed": 0.0}
     return run.stylizer, {"seconds": last["elapsed"], "iterations": last["step"],
@@ -225,10 +229,31 @@ def curve(
     rows.append({"iteration": run.history[-1]["step"], "seconds": seconds,
                  **_both_ways(run.stylizer, task, plan, seed)["dissimilar"]})
     columns = {"iteration": ["iteration", 0], "seconds": ["seconds", 0], **{k: COLUMNS[k] for k in list(COLUMNS)[2:9]}}
-    result = Result("stylisation-curve", f"Bandai-Namco {data}, the recipe, codes from references of another content, "
+    result = Result("stylisation-progress", f"Bandai-Namco {data}, the recipe, codes from references of another content, "
                     "validation windows, one seed", f"python -m experiments stylization curve --data {data} --seconds "
                     f"{seconds:g} --store", columns, [{k: row[k] for k in columns} for row in rows],
                     {"seconds": seconds, "seed": seed, **machine("cpu")})
+    print(result.markdown() + (f"wrote {result.save()}" if store else ""))
+
+
+@app.command("speed")
+def show_speed(
+    channels: Annotated[str, typer.Option(help="Comma-separated: channels of the first layer.")] = "16,64",
+    iterations: Annotated[int, typer.Option(min=4, help="Timed iterations of each run.")] = 8,
+    repeats: Annotated[int, typer.Option(min=1, help="Runs of each form; the median counts.")] = 3,
+    store: Annotated[bool, typer.Option(help="Write the table's file in docs/results.")] = False,
+) -> None:
+    """Processor time of a training iteration on one thread, with and without what makes it faster."""
+    torch.set_num_threads(1)
+    widths = _numbers(channels, "--channels")
+    found = [speed.milliseconds(width, iterations, repeats) for width in widths]
+    columns = {"form": ["an iteration, each row with what the rows above have"],
+               **{f"ms_{width}": [f"{width} channels, ms", 0] for width in widths}}
+    rows = [{"form": name, **{f"ms_{width}": times[name] for width, times in zip(widths, found, strict=True)}}
+            for name in speed.FORMS]
+    result = Result("stylisation-speed", "Processor time of a training iteration of the stylizer on one thread, batch 8, 23 "
+                    "joints", "python -m experiments stylization speed --store", columns, rows,
+                    {"iterations": iterations, "repeats": repeats, **machine("cpu")})
     print(result.markdown() + (f"wrote {result.save()}" if store else ""))
 
 
@@ -272,11 +297,11 @@ def _words(text: str, known: Sequence[str]) -> list[str]:
     return names
 
 
-def _numbers(text: str) -> list[int]:
+def _numbers(text: str, option: str = "--seeds") -> list[int]:
     try:
         return [int(number) for number in text.split(",")]
     except ValueError as error:
-        raise ValueError(f"--seeds must be comma-separated whole numbers, got {text!r}") from error
+        raise ValueError(f"{option} must be comma-separated whole numbers, got {text!r}") from error
 
 
 def restyled(model: Stylizer, source: Clip, references: dict[str, Clip], seeds: Sequence[int]) -> dict[str, Clip]:
