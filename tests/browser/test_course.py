@@ -79,9 +79,9 @@ def test_the_ankle_follows_the_pointer(open_html):
     frame.wait_for_selector("#leg")
     before = frame.locator("#d").inner_text()
     box = frame.locator("svg").bounding_box()
-    page.mouse.move(box["x"] + 190, box["y"] + 200)
+    page.mouse.move(box["x"] + 190, box["y"] + 150)
     page.mouse.down()
-    page.mouse.move(box["x"] + 300, box["y"] + 390)
+    page.mouse.move(box["x"] + 340, box["y"] + 240)
     page.mouse.up()
     after = frame.locator("#d").inner_text()
     assert after != before

@@ -42,7 +42,8 @@ def triangles(weights: Tensor, measured: tuple[Tensor, Tensor], names: Sequence[
                            line={"color": LINE, "width": 1}, row=1, col=column)
         corner = {int(i): name for i, name in zip(np.asarray(weights).argmax(0), names, strict=True)}
         figure.add_scatter(x=x, y=y, mode="markers+text", text=[corner.get(i, "") for i in range(len(x))],
-                           textposition="top center", marker={"size": 15, "color": mixtures(weights)}, row=1, col=column,
+                           textposition="top center", cliponaxis=False,
+                           marker={"size": 15, "color": mixtures(weights)}, row=1, col=column,
                            customdata=100 * np.asarray(weights), hovertemplate="<br>".join(
                                f"{name} %{{customdata[{k}]:.0f}} %" for k, name in enumerate(names)) + "<extra></extra>")
     figure.update_xaxes(visible=False, range=[-0.15, 1.15], row=1, col=1).update_yaxes(visible=False, row=1, col=1)
