@@ -137,9 +137,9 @@ class Toy:
         """What each loss is for, ``[R]`` each.
 
         ``inside``: share of results that the judge accepts (adv); ``content``: correlation of the results' x with the
-        source's, without its sign: 1 if the content can be restored, even from its mirror image (cyc); ``own``: mean distance of a point from itself in its own style (id);
-        ``version``: share of the variance of the references' y that the results reproduce, 1 is all (sty); ``spread``:
-        mean distance of the results of two noises (ds).
+        source's, without its sign: 1 if the content can be restored, even from its mirror image (cyc); ``own``: mean
+        distance of a point from itself in its own style (id); ``version``: share of the variance of the references' y that
+        the results reproduce, 1 is all (sty); ``spread``: mean distance of the results of two noises (ds).
         """
         x, made = self.results(200)
         runs, every = len(self.losses), x.expand(len(self.losses), 200, 2)
