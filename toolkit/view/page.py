@@ -109,14 +109,7 @@ def skeleton_data(clip: Clip, character: Character | None = None) -> dict:
     """
     if character is not None:
         return tree(clip) | {"mesh": character.packed(character.following(clip))}
-    shapes = [
-        {"joint": s.joint, "place": s.place.round(6).ravel().tolist(), "length": round(s.length, 6),
-         "radii": [round(r, 6) for r in s.radii], "color": body.COLORS[s.tone], "foot": s.foot,
-         "bends": [{"joint": b.joint, "place": b.place.round(6).ravel().tolist(), "at": round(b.at, 6),
-                    "width": round(b.width, 6)} for b in s.bends]}
-        for s in body.build(clip)
-    ]
-    return tree(clip) | {"shapes": shapes}
+    return tree(clip) | {"mesh": body.build(clip).packed(clip.skeleton)}
 
 
 def tree(clip: Clip) -> dict:

@@ -1,6 +1,7 @@
 // A character whose network runs in the page, without the kernel of a notebook (view/controller.py).
 //
-// Character(data) steps and poses; advance steps many, which share a network, at once. Kernel(data) also takes user input and the triangle's blend; it is the `model` of controller.js.
+// Character(data) steps and poses; advance steps many, which share a network, at once. Kernel(data) also takes user input and the
+// triangle's blend; it is the `model` of controller.js.
 // data = {
 //   network, rules, body: see network.js, frame.js, pose.js;  start: the state in the first frame;  skeleton: see scene.js
 //   styles: [names], vectors: numbers [styles * D];  turn, run, ease: as in view/controller.py
@@ -66,7 +67,8 @@ class Walker {
   // along the ring, and back to it where it has left it
   command() {
     const { history } = this.character.state, [x, z] = history.slice(-4), distance = Math.hypot(x, z) || 1, { way } = this;
-    const back = (this.radius - distance) / distance, ahead = unit([(way * z) / distance + back * x, (-way * x) / distance + back * z]);
+    const back = (this.radius - distance) / distance;
+    const ahead = unit([(way * z) / distance + back * x, (-way * x) / distance + back * z]);
     return { velocity: ahead.map((v) => this.speed * v), facing: ahead };
   }
 }

@@ -120,8 +120,7 @@ export class Scene {
     this.floor.add(this.shade);
     this.scene.add(this.floor);
 
-    this.body = skeleton.mesh ? new Figure(skeleton, this.light, software)
-      : new Body(skeleton, software ? [10, 2] : [24, 6], this.light, software);
+    this.body = new (skeleton.mesh.own ? Figure : Body)(skeleton, this.light, software);
     this.flat = this.body.shadow(SHADE);
     this.scene.add(this.body.mesh, this.flat);
 
