@@ -1,8 +1,8 @@
 """A mannequin that fits any skeleton: one smooth skinned surface, used by every renderer and by glTF export.
 
 It is modelled in a bind pose: limbs stretched, arms and legs spread, feet flat, facing +z. A humanoid's comes from
-`toolkit.motion.anatomy`, so that its local axes and its pose of zero rotations do not matter; that of another creature is the
-first frame of the clip. Flesh is rounded cones (`toolkit.view.surface`), in metres of a body whose legs are `LEG` long.
+`toolkit.motion.anatomy`, so that its local axes and its pose of zero rotations do not matter; that of another creature is
+the first frame of the clip. Flesh is rounded cones (`toolkit.view.surface`), in metres of a body whose legs are `LEG` long.
 """
 
 from collections.abc import Callable
@@ -27,7 +27,7 @@ COLORS = {"left": "#6a9fcb", "right": "#e39a6c", "middle": "#ebe6dd", "joint": "
 CONTACT = "#35c46a"
 PALETTE = ("#7b68c4", "#2fa596", "#d6598b", "#c9a227", "#5b8def", "#8a8f98")  # styles and curves, in order
 PARTS = {  # in the order in which they are joined
-    "trunk": Part(0.06, 0.0), "legs": Part(0.008, 0.05), "feet": Part(0.03, 0.03), "arms": Part(0.008, 0.05),
+    "trunk": Part(0.06, 0.0), "legs": Part(0.008, 0.05), "feet": Part(0.045, 0.04), "arms": Part(0.008, 0.05),
     "hands": Part(0.02, 0.025), "neck": Part(0.02, 0.05), "head": Part(0.03, 0.02), "bones": Part(0.01, 0.02),
 }
 SPREAD = {"arm": 50.0, "leg": 9.0}  # degrees from the T-pose: arms downwards, legs outwards
@@ -88,26 +88,30 @@ def has_roles(clip: Clip, *parts: str) -> bool:
     return all(f"{side}_{part}" in clip.skeleton.roles for side in SIDES for part in parts)
 
 
-_BUILT: WeakKeyDictionary[Clip, Mannequin] = WeakKeyDictionary()  # an entry lives as long as its clip
+_BUILT: WeakKeyDictionary[Clip, dict[int, Mannequin]] = WeakKeyDictionary()  # an entry lives as long as its clip
 _KEPT: dict[tuple, Mannequin] = {}
 
 
-def build(clip: Clip) -> Mannequin:
+def build(clip: Clip, vertices: int = VERTICES) -> Mannequin:
     """The mannequin of a clip's skeleton; skeletons that are no humanoids get plain bones.
+
+    It has about as many ``vertices``.
 
     Raises
     ------
     ValueError
         If no bone is long enough to be given a body.
     """
-    if clip not in _BUILT:
+    made = _BUILT.setdefault(clip, {})
+    if vertices not in made:
         pose = _Pose.of(clip)
-        if pose.key not in _KEPT:
+        key = vertices, *pose.key
+        if key not in _KEPT:
             if len(_KEPT) >= KEPT:
                 del _KEPT[next(iter(_KEPT))]
-            _KEPT[pose.key] = _build(pose, clip.name)
-        _BUILT[clip] = _KEPT[pose.key]
-    return _BUILT[clip]
+            _KEPT[key] = _build(pose, clip.name, vertices)
+        made[vertices] = _KEPT[key]
+    return made[vertices]
 
 
 @dataclass(frozen=True, eq=False)
@@ -166,7 +170,7 @@ def _rise(clip: Clip, toe: int) -> float:
     return round(float(clip.global_positions[:, toe, 1].quantile(0.05).clamp(0.0, 0.12)), 2)
 
 
-def _build(pose: _Pose, name: str) -> Mannequin:
+def _build(pose: _Pose, name: str, vertices: int) -> Mannequin:
     cones, scale = _humanoid(pose) if pose.body else ([], 1.0)
     cones += _bones(pose, {cone.joint for cone in cones}, scale)
     if not cones:
@@ -175,7 +179,7 @@ def _build(pose: _Pose, name: str) -> Mannequin:
     model = [_grown(cone, *pivots[cone.joint]) for cone in cones]
     field = Field(model, PARTS)
     area = sum(np.pi * (2 * np.linalg.norm(c.end - c.start) + sum(c.radii)) * sum(c.radii) * (1 + c.by) / 2 for c in model)
-    points, normals, triangles = polygonise(field, (0.45 * area / VERTICES) ** 0.5)
+    points, normals, triangles = polygonise(field, (0.45 * area / vertices) ** 0.5)
     light = field.openness(points, normals)
     near = field.each(points)
     near -= near.min(1, keepdims=True)

@@ -102,14 +102,15 @@ def pack(clip: Clip, text: str, contacts: np.ndarray | None = None, weights: Map
     }
 
 
-def skeleton_data(clip: Clip, character: Character | None = None) -> dict:
+def skeleton_data(clip: Clip, vertices: int = body.VERTICES, *, character: Character | None = None) -> dict:
     """Skeleton and mannequin as the browser's scene takes them (``scene/body.js`` describes the format).
 
-    A ``character`` takes the mannequin's place and follows the clip's joints (``scene/figure.js``).
+    The mannequin has about as many ``vertices``. A ``character`` takes the mannequin's place and follows the clip's
+    joints (``scene/figure.js``).
     """
     if character is not None:
         return tree(clip) | {"mesh": character.packed(character.following(clip))}
-    return tree(clip) | {"mesh": body.build(clip).packed(clip.skeleton)}
+    return tree(clip) | {"mesh": body.build(clip, vertices).packed(clip.skeleton)}
 
 
 def tree(clip: Clip) -> dict:

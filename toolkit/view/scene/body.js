@@ -88,6 +88,9 @@ export function unpack(mesh) {
            shares: Float32Array.from(decode(mesh.weights, Uint8Array), (w) => w / 255) };
 }
 
+// how much of a vertex's colour is that of the trunk, with its ambient light, linear
+export const trunkOf = ({ marks }, v) => (marks[MARKS * v + 2] / 255) * (marks[MARKS * v + 3] / 255) ** 2.2;
+
 // Fewer triangles, for a shadow: vertices of a cell in the bind pose become one of them.
 function coarse(points, triangles, cell = 0.06) {
   const first = new Map(), kept = [];
@@ -107,11 +110,12 @@ function coarse(points, triangles, cell = 0.06) {
 }
 
 export class Body {
-  // light: direction towards the lamp; plain: light is computed here, not by WebGL
-  constructor(skeleton, light, plain) {
+  // light: direction towards the lamp; plain: light is computed here, not by WebGL; tint [3]: added to the trunk, linear
+  constructor(skeleton, light, plain, tint) {
     Object.assign(this, { skeleton, plain, light: light.clone().normalize(), touching: {}, scale: 1, ...unpack(skeleton.mesh) });
     this.tree = new Tree(skeleton); // scale: of its path
     this.matrices = new Float32Array(this.inverse.length);
+    if (tint) this.tones.forEach((_, i) => (this.tones[i] += tint[i % 3] * trunkOf(this, Math.floor(i / 3))));
     const count = this.points.length, index = new THREE.BufferAttribute(this.triangles, 1);
     const attribute = (array, ...more) => new THREE.BufferAttribute(array, 3, ...more).setUsage(THREE.DynamicDrawUsage);
     this.geometry = new THREE.BufferGeometry().setIndex(index);

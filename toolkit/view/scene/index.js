@@ -1,6 +1,7 @@
 // Entry of the bundle. A widget uses `render`, an importing module the exports, a page with the code inline `globalThis`.
 import { Kernel } from "./character.js";
 import { render } from "./controller.js";
+import { Crowd } from "./crowd.js";
 import { make, player } from "./player.js";
 import { Scene } from "./scene.js";
 
@@ -17,6 +18,6 @@ function character(element, data) {
   return { kernel, ...element.toolkit };
 }
 
-globalThis.toolkitScene = { Scene, character, player };
+globalThis.toolkitScene = { Crowd, Scene, character, player };
 export { Scene, character, player };
 export default { render };

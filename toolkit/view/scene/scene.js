@@ -2,6 +2,7 @@
 import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { Body } from "./body.js";
+import { Bodies, Crowd } from "./crowd.js";
 import { Figure } from "./figure.js";
 
 const SKY = "#f3f1ec", FLOOR = "#eae6de", GRID = "#d8d3c8", SHADE = "#cdc8be", PLAIN = { back: "#efece6", line: "#cbc5b9" };
@@ -146,6 +147,12 @@ export class Scene {
     this.body.setContacts(contacts);
   }
 
+  // more bodies, of one skeleton, in colours of their own
+  addCrowd(skeleton, tints) {
+    this.crowd = new (software ? Bodies : Crowd)(skeleton, tints, this.light, SHADE);
+    this.scene.add(...this.crowd.meshes);
+  }
+
   // the path on the floor, points [F * 3]; null removes it
   setTrail(points) {
     for (const mesh of this.trail ?? []) {
@@ -217,6 +224,7 @@ export class Scene {
     this.controls.dispose();
     this.setTrail(null);
     this.body.dispose();
+    this.crowd?.dispose();
     this.renderer.dispose();
     this.renderer.forceContextLoss();
     this.canvas.remove();
