@@ -186,7 +186,8 @@ def test_a_crowd_looks_the_same_drawn_by_either_way(open_page, tmp_path):
     page.wait_for_function("() => view.kernel.frame > 30")
     seen = page.evaluate("""() => {
         cancelAnimationFrame(view.kernel.handle);
-        const { scene, kernel } = view, others = kernel.others.map(({ character: { root, rotations } }) => [root, rotations]);
+        const { scene, kernel } = view;
+        const others = kernel.others.map(({ character: { root, rotations } }) => [root, rotations]);
         const gl = scene.renderer.getContext(), [w, h] = [scene.canvas.width, scene.canvas.height];
         const picture = () => {
             scene.render();

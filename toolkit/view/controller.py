@@ -95,7 +95,7 @@ class Controller(Corners):
         self.frames = self._seen = 0
         self._recorded: list[tuple[torch.Tensor, torch.Tensor]] = []
         character = Character.of(character)
-        skeleton = skeleton_data(example(model, bank, self.state, character), character=character)
+        skeleton = skeleton_data(example(model, bank, self.state, character), character)
         super().__init__(names=names, weights=[1.0, 0.0, 0.0], styles=list(bank.names), speed=speed, size=list(size),
                          skeleton=skeleton)
         self.on_msg(self._receive)

@@ -102,7 +102,7 @@ def pack(clip: Clip, text: str, contacts: np.ndarray | None = None, weights: Map
     }
 
 
-def skeleton_data(clip: Clip, vertices: int = body.VERTICES, *, character: Character | None = None) -> dict:
+def skeleton_data(clip: Clip, character: Character | None = None, *, vertices: int = body.VERTICES) -> dict:
     """Skeleton and mannequin as the browser's scene takes them (``scene/body.js`` describes the format).
 
     The mannequin has about as many ``vertices``. A ``character`` takes the mannequin's place and follows the clip's

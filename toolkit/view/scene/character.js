@@ -162,7 +162,8 @@ export class Kernel {
                    state.future, state.contacts, state.phase];
     const buffer = Float32Array.from(parts.flatMap((part) => [...part]));
     for (const { character: other } of this.others) other.pose(this.traits);
-    this.emit("msg:custom", { kind: "others" }, [this.others.map(({ character: { root, rotations } }) => [root, rotations])]);
+    if (this.others.length)
+      this.emit("msg:custom", { kind: "others" }, [this.others.map(({ character: { root, rotations } }) => [root, rotations])]);
     this.emit("msg:custom", { kind: "frame", frame: this.frame, input: this.input.id }, [buffer]);
   }
 
