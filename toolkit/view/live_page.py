@@ -102,7 +102,8 @@ def pack(model, bank, half: bool = False, character: Character | None = None, ch
         "vectors": numbers(bank.vectors),
         "turn": controller.TURN, "run": controller.RUN, "ease": controller.EASE,
         "others": _others(bank, characters - 1),
-        "crowd": None if characters < 2 else page.skeleton_data(controller.example(model, bank, state, None), vertices=VERTICES),
+        "crowd": page.skeleton_data(controller.example(model, bank, state, None), vertices=VERTICES)
+                 if characters > 1 else None,
         "bvh": _bvh(model, state),
         "traits": {"names": corners, "weights": [1.0, 0.0, 0.0], "speed": round(bank.speed(corners[0]), 2)},
     }

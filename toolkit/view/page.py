@@ -54,6 +54,8 @@ def html(clips: Clip | Sequence[Clip], path: str | os.PathLike, *, title: str, c
                          f"{len(styles)} style mappings")
     figure = Character.of(character)
     packed = [pack(*row, figure) for row in zip(clips, labels, contacts, styles, strict=True)]
+    for i, clip in enumerate(packed):  # a skeleton and its mesh are stored once
+        clip["skeleton"] = next((k for k in range(i) if packed[k]["skeleton"] == clip["skeleton"]), clip["skeleton"])
     return write(path, title, caption, {"clips": packed}, "globalThis.view = toolkitScene.player(stage, data);")
 
 
