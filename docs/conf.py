@@ -74,8 +74,9 @@ LINKS = {"](../docs/": "](../", "](docs/": "](", "](../notebooks/": "](notebooks
          "](../toolkit/data/README.md": "](embedded_model.md",
          "](../CONTRIBUTING.md": "](contributing.md", "](../CHANGELOG.md": "](changelog.md",
          "](README.md": "](index.md", "](../README.md": "](index.md"}
-#: Scripts that plotly loads from other servers.
-FETCHED = re.compile(r'<script[^>]*src="https?://[^>]*></script>|<script type="module">import "https?://[^<]*</script>')
+#: Scripts that plotly loads from other servers, and the copy of plotly that each notebook brings.
+FETCHED = re.compile(r'<script[^>]*src="https?://[^>]*></script>|<script type="module">import "https?://[^<]*</script>'
+                     r'|<script data-toolkit="plotly">.*?</script>', re.DOTALL)
 STATE = "application/vnd.jupyter.widget-state+json"  # megabytes of widget state, useless without a kernel
 #: The output of a controller without a kernel; the page that runs without Python replaces it.
 CONTROLLER = re.compile(r"<pre><span></span>&lt;toolkit\.view\.controller\.Controller object at [^<]*</pre>")

@@ -15,6 +15,7 @@ GROUPS = {
     "Runtime and styles": ("runtime", "styles"),
     "Motion stylisation": ("stylization",),
     "Measures, pictures and exports": ("evaluation", "view", "export"),
+    "The course": ("course",),
     "The command line": ("cli",),
 }
 INTRODUCTION = """

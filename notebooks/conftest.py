@@ -1,6 +1,12 @@
-"""Environment of the notebooks' kernels in tests: no window, still pictures, one thread each, small runs."""
+"""Environment of the notebooks' kernels in tests: no window, still pictures, one thread each, small runs.
+
+After the cells of a notebook, its folded solutions run in the same kernel.
+"""
 
 import os
+import re
+
+import nbformat
 
 for name, value in {
     "PYVISTA_OFF_SCREEN": "true",
@@ -10,3 +16,22 @@ for name, value in {
     "TOOLKIT_FAST": "1",
 }.items():
     os.environ.setdefault(name, value)
+
+SOLUTION = re.compile(r"<summary>Solution</summary>\s*```python\n(.*?)\n```\s*</details>", re.DOTALL)
+
+
+def solutions(notebook) -> list[str]:
+    """Code of the folded solutions; the last line of each, which checks it, must be true."""
+    texts = ["".join(cell["source"]) for cell in notebook["cells"] if cell["cell_type"] == "markdown"]
+    found = [code for text in texts for code in SOLUTION.findall(text)]
+    return [re.sub(r"(.*\Z)", r"assert \1", code, count=1) for code in found]
+
+
+def pytest_collection_modifyitems(items):
+    """Add the solutions of a notebook after its last cell."""
+    files = {item.parent: item for item in items if item.nodeid.split("::")[0].endswith(".ipynb")}
+    for file, last in files.items():
+        for number, code in enumerate(solutions(file.nb), 1):
+            cell = nbformat.v4.new_code_cell(code)
+            place = {"cell_num": last.cell_num + number, "cell": cell, "options": last.options.copy()}
+            items.insert(items.index(last) + number, type(last).from_parent(file, name=f"Solution {number}", **place))

@@ -3,6 +3,7 @@
 import collections
 import dataclasses
 import hashlib
+import http.client
 import http.server
 import io
 import json
@@ -16,8 +17,6 @@ import subprocess
 import sys
 import threading
 import time
-import types
-import urllib.request
 import zipfile
 from pathlib import Path
 
@@ -42,6 +41,10 @@ class Server(http.server.ThreadingHTTPServer):
 
     @property
     def url(self) -> str:
+        return f"https://127.0.0.1:{self.server_port}/data.zip"  # see `unencrypted`
+
+    @property
+    def plain(self) -> str:
         return f"http://127.0.0.1:{self.server_port}/data.zip"
 
 
@@ -53,10 +56,10 @@ class Handler(http.server.BaseHTTPRequestHandler):
         self.protocol_version = "HTTP/1.1" if deed == "chunked" else "HTTP/1.0"
         self.close_connection = True
         if deed.isdigit():
-            self.send_response(int(deed))
+            self.send_response(int(deed))  # with the address to go to, if it redirects
             self.send_header("Content-Length", "0")
             if deed.startswith("3"):
-                self.send_header("Location", "/elsewhere.zip" if server.plan is not None else "")
+                self.send_header("Location", number[0] if number else "/elsewhere.zip")
             self.end_headers()
             return
         data, start = server.content, 0
@@ -131,8 +134,20 @@ def server(members):
         thread.join()
 
 
+class Unencrypted(http.client.HTTPConnection):
+    """In place of an encrypted connection, so that the server needs no certificate."""
+
+    def __init__(self, *given, context=None, check_hostname=None, **named):
+        super().__init__(*given, **named)
+
+
 @pytest.fixture
-def root(tmp_path, monkeypatch, server) -> Path:
+def unencrypted(monkeypatch):
+    monkeypatch.setattr(http.client, "HTTPSConnection", Unencrypted)
+
+
+@pytest.fixture
+def root(tmp_path, monkeypatch, server, unencrypted) -> Path:
     """An empty data home whose 100style comes from the server, its size and checksum known."""
     monkeypatch.setenv("TOOLKIT_DATA", str(tmp_path / "home"))
     monkeypatch.setattr(download, "STALL", 0.6)
@@ -216,7 +231,7 @@ def test_a_server_that_stays_bad_is_given_up_and_gone_on_with_later(root, server
 def test_a_home_that_is_not_there_is_said_in_plain_words(root):
     said = r"/none\.zip: cannot be reached \(.*refused\); is there a network\?; nothing came$"
     with pytest.raises(OSError, match=said):
-        get(source="http://127.0.0.1:9/none.zip")
+        get(source="https://127.0.0.1:9/none.zip")
 
 
 def test_a_server_without_ranges_starts_again(root, server):
@@ -314,15 +329,151 @@ def test_an_answer_that_stays_no(root, server, plan, problem):
     assert not root.exists()
 
 
-def test_https_does_not_lead_to_http(tmp_path, monkeypatch):
-    class Reply(types.SimpleNamespace):
-        __enter__ = lambda self: self  # noqa: E731
-        __exit__ = lambda *_: None  # noqa: E731
+@pytest.mark.parametrize("hops", [["http"], ["http", "https"], ["https", "http", "https"]])
+def test_no_hop_is_unencrypted_without_a_checksum(root, server, monkeypatch, hops):
+    publish(monkeypatch, server, size=None, sha256=None)
+    addresses = [server.url if hop == "https" else server.plain for hop in hops]
+    server.plan.extend(f"302 {address}" for address in addresses)
+    with pytest.raises(ValueError, match=rf"the server leads to {server.plain}, which is not encrypted"):
+        get()
+    assert len(server.requests) == hops.index("http") + 1
+    assert not root.exists()
+    server.plan.clear()
+    server.plan.extend(f"302 {address}" for address in addresses)
+    publish(monkeypatch, server)  # the checksum is known
+    assert get()["files"] == 5
 
-    reply = Reply(status=200, reason="OK", url="http://example.org/x", headers={})
-    monkeypatch.setattr(urllib.request, "urlopen", lambda *_, **__: reply)
-    with pytest.raises(ValueError, match=r"leads to http://example.org/x, which is not encrypted"):
-        download.download("https://example.org/x", tmp_path / "a.part", None, 10, trusted=False)
+
+def test_an_unencrypted_address_needs_a_checksum(root, server, monkeypatch):
+    publish(monkeypatch, server, size=None, sha256=None)
+    with pytest.raises(ValueError, match=rf"{server.plain}: is not encrypted; give an https address, or .*--sha256"):
+        get(source=server.plain)
+    assert not server.requests
+    digest = hashlib.sha256(server.content).hexdigest()
+    assert get(source=server.plain, sha256=digest)["sha256"] == digest
+
+
+def test_a_redirect_leads_to_the_web_only(root, server):
+    server.plan.append("302 ftp://127.0.0.1/data.zip")
+    with pytest.raises(ValueError, match=r"leads to ftp://127\.0\.0\.1/data\.zip"):
+        get()
+
+
+def test_contents_have_a_checksum_where_the_archive_has_none(root, server, monkeypatch, members, tmp_path):
+    for name, data in members.items():
+        if name.startswith("100STYLE/") and data and not name.endswith(".npz"):
+            path = tmp_path / "own" / name.removeprefix("100STYLE/")
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(data)
+    right = fetch.contents(tmp_path / "own")
+    publish(monkeypatch, server, size=None, sha256=None, contents="0" * 64)
+    with pytest.raises(ValueError, match=rf"expected files of the checksum 0+, got {right}; --sha256 accepts another"):
+        get()
+    assert left(root) == []
+    assert get(sha256=hashlib.sha256(server.content).hexdigest())["files"] == 5
+    shutil.rmtree(root)
+    publish(monkeypatch, server, size=None, sha256=None, contents=right)
+    assert get()["files"] == 5
+    shutil.rmtree(root)
+    server.content = zipped(members | {"100STYLE/more.txt": b"planted"})
+    with pytest.raises(ValueError, match="expected files of the checksum"):
+        get()
+
+
+def test_a_checksum_of_contents_uses_the_identifiers_of_git(tmp_path):
+    (tmp_path / "a").write_bytes(b"")
+    (tmp_path / "b").mkdir()
+    (tmp_path / "b" / "c").write_bytes(b"hello\n")
+    lines = "e69de29bb2d1d6434b8b29ae775ad8c2e48c5391 a\nce013625030ba8dba906f756967f9e9ca394464a b/c\n"
+    assert fetch.contents(tmp_path) == hashlib.sha256(lines.encode()).hexdigest()
+
+
+def test_each_public_home_is_fixed_and_checked():
+    for origin in fetch.ORIGINS.values():
+        assert origin.url.startswith("https://")
+        assert origin.sha256 or origin.contents
+        assert origin.sha256 or re.search(r"/[0-9a-f]{40}$", origin.url)  # a commit, not a branch
+
+
+@pytest.mark.skipif(os.name == "nt", reason="needs links and owners")
+@pytest.mark.parametrize("planted", ["archive.part", "archive.json", "archive.zip", "unpacked", "", "hard"])
+def test_a_planted_link_is_not_followed(root, server, tmp_path, planted):
+    target = tmp_path / "precious"
+    work = root.with_name(".100style.fetch")
+    work.parent.mkdir(parents=True)
+    if planted in ("", "unpacked"):
+        target.mkdir()
+        (target / "file").write_text("keep")
+    else:
+        target.write_text("keep")
+    if planted:
+        work.mkdir()
+    if planted == "hard":
+        os.link(target, work / "archive.part")
+    else:
+        (work / planted if planted else work).symlink_to(target)
+    with pytest.raises(ValueError, match=r"is a link, or another user's; remove .*\.100style\.fetch to download in safety"):
+        get()
+    assert (target / "file" if target.is_dir() else target).read_text() == "keep"
+    assert not server.requests
+
+
+@pytest.mark.skipif(not hasattr(os, "geteuid") or os.geteuid() != 0, reason="only root gives files away")
+def test_a_folder_of_another_user_is_not_used(root, server):
+    work = root.with_name(".100style.fetch")
+    work.mkdir(parents=True)
+    os.chown(work, 12345, 12345)
+    with pytest.raises(ValueError, match="another user's"):
+        get()
+    assert not server.requests
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has other permissions")
+def test_the_folder_of_a_download_is_private(root, server):
+    work = root.with_name(".100style.fetch")
+    work.mkdir(parents=True)
+    work.chmod(0o777)
+    server.plan.extend(["500"] * 20)
+    with pytest.raises(OSError, match="500"):
+        get()
+    assert work.stat().st_mode & 0o777 == 0o700
+
+
+@pytest.mark.parametrize("notes", ["", "{", "[]", "7", "null", '{"url": 1}', "[" * 5000, '{"url": "URL", "validator": 7}',
+                                   '{"url": "URL", "validator": "", "total": "x"}', "\udcff", "9" * 5000])
+def test_damaged_notes_are_none(root, server, notes):
+    work = root.with_name(".100style.fetch")
+    work.mkdir(parents=True)
+    (work / "archive.part").write_bytes(b"half")
+    (work / "archive.json").write_bytes(notes.replace("URL", server.url).encode(errors="surrogateescape"))
+    assert get()["files"] == 5
+    assert "Range" not in server.requests[0]
+
+
+@pytest.mark.parametrize("change", [lambda r: "", lambda r: "[]", lambda r: "{", lambda r: r.replace('"files"', '"fils"'),
+                                    lambda r: r.replace('"files": 5', '"files": "5"'), lambda r: "[" * 5000,
+                                    lambda r: r.replace('"date": "2', '"date": "\\u001b2')])
+def test_a_damaged_record_is_said_in_one_line(root, change, capsys):
+    get()
+    (root / fetch.RECORD).write_text(change((root / fetch.RECORD).read_text()))
+    with pytest.raises(ValueError, match=rf"{fetch.RECORD}: damaged; move the folder away to fetch it again"):
+        get()
+    assert main_status(["data", "fetch", "100style"]) == 2
+    assert len(capsys.readouterr().err.splitlines()) == 1
+
+
+@pytest.mark.parametrize("more", [{"100STYLE/Old.txt": b"", "100STYLE/Old.txt/a.bvh": b""},
+                                  {"100STYLE/b.txt/a.bvh": b"", "100STYLE/B.txt": b""},
+                                  {"100STYLE/" + "a" * 250 + ".bvh": b""}, {"100STYLE/a\x1b[31m.bvh": b""}])
+def test_an_archive_that_no_disk_can_hold_does_not_stay(root, server, members, monkeypatch, more):
+    right, server.content = server.content, zipped(members | more)
+    publish(monkeypatch, server)
+    with pytest.raises(ValueError, match=r"refused, .*refused .removed; the same"):
+        get()
+    assert left(root) == []
+    server.content = right
+    publish(monkeypatch, server)
+    assert get()["files"] == 5
 
 
 def special(kind: int) -> zipfile.ZipInfo:
@@ -480,7 +631,7 @@ def test_two_at_once_do_not_mix(root, server):
 def command(root: Path, server, *more: str, script: str = "") -> list[str]:
     digest = hashlib.sha256(server.content).hexdigest()
     code = f"import sys; from toolkit.__main__ import main; {script or 0}; sys.exit(main(sys.argv[1:]))"
-    return [sys.executable, "-c", code, "data", "fetch", "100style", "--root", str(root), "--from", server.url,
+    return [sys.executable, "-c", code, "data", "fetch", "100style", "--root", str(root), "--from", server.plain,
             "--sha256", digest, "--yes", *more]
 
 
@@ -551,16 +702,21 @@ def test_bad_arguments(arguments, problem, capsys):
 
 def test_the_layouts_of_the_other_archives(shared, tmp_path, monkeypatch):
     monkeypatch.setenv("TOOLKIT_DATA", str(tmp_path / "home"))
-    lpn = "local-phases-f779/animation-demo/Unity/Assets/Demo/Parameters/LPN/"
-    files = {lpn + p.name: p.read_bytes() for p in (shared / "lpn_film_100style").glob("*.bin")}
+    lpn = "local-phases-f779/animation-demo/Unity/Assets/Demo/Parameters/"
+    files = {f"{lpn}{'Multiclip_All_Velocity_100_FC' if 'Velocities' in p.name else 'LPN'}/{p.name}": p.read_bytes()
+             for p in (shared / "lpn_film_100style").glob("*.bin")}
     take = next((shared / "bandai" / "dataset-2").glob("*_walk_*.bvh"))
     top = "Bandai-Namco-Research-Motiondataset-master/"
     part = f"{top}dataset/Bandai-Namco-Research-Motiondataset-2/"
     moves = {f"{top}README.md": b"", f"{part}data/data/{take.name}": take.read_bytes(), f"{part}LICENSE": b"CC BY-NC",
-             f"{part}data.zip": b"version https://git-lfs.github.com/spec/v1"}
+             f"{part}data.zip": b"version https://git-lfs.github.com/spec/v1", f"{top}utils/blender/LICENSE": b"MIT"}
     for name, content in (("lpn-film-100style", files | {"local-phases-f779/ReadMe.md": b""}), ("bandai", moves)):
         (tmp_path / "copy.zip").write_bytes(zipped(content))
-        fetch.fetch(name, source=tmp_path / "copy.zip")
+        if name == "bandai":  # a part of it
+            with pytest.raises(ValueError, match="expected files of the checksum"):
+                fetch.fetch(name, source=tmp_path / "copy.zip")
+        given = {"sha256": hashlib.sha256((tmp_path / "copy.zip").read_bytes()).hexdigest()} if name == "bandai" else {}
+        fetch.fetch(name, source=tmp_path / "copy.zip", **given)
     _, bank = tk.published.load()
     assert len(bank) == 100
     assert tk.published.available()

@@ -3,18 +3,47 @@
 import ast
 import json
 import re
+from functools import cache
 from pathlib import Path
 
 import pytest
 
+import toolkit as tk
+
 NOTEBOOKS = sorted((Path(__file__).parents[1] / "notebooks").glob("*.ipynb"))
-LONGEST = 15  # lines of a code cell
-EXERCISE = "# exercise"  # first words of a cell in which the reader writes code; only such a cell may define functions
+LONGEST, WIDEST = 15, 88  # lines of a code cell, characters of a line
+#: First words of a cell in which the reader writes code, or that computes by hand what the library computes; only such
+#: cells may define functions.
+MAY_DEFINE = "# exercise", "# by hand"
+
+#: What stands before a number that is not a result: sections, equations, other notebooks, years of papers.
+LABEL = re.compile(
+    r"(?:sections?|equations?|figures?|tables?|fig\.|notebooks?|exercises?|chapter|layer|version|dataset|et al\.|"
+    r"\d\d\d\d and|Komura|Lee|Shin|[A-Z]\w+ 20\d\d;)\s*\(?[\d.]+[a-z]?(?:(?:,| and| to|–)\s*[\d.]+[a-z]?)*\)?", re.I)
+NUMBER = re.compile(r"(?<![\w.])\d[\d,]*(?:\.\d+)?(?![\w]*\.\d|[a-z]?\.ipynb)")
+#: Words that compare two results.
+COMPARES = re.compile(
+    r"\b(smaller|smallest|larger|largest|better|best|worse|worst|fewer|fewest|wins?|beats?|closest|nearest|higher|highest|"
+    r"lower|lowest|faster|fastest|slower|slowest|twice|about half|(?:more|less) (?:often|than)|(?:the|in) (?:most|least)|"
+    r"(?:does|do|did) not (?:help|work|move|change)|fails?)\b", re.I)
+MARK = re.compile(r"<!--\s*(cited|general):?\s*(.*?)-->", re.S)
 
 
 @pytest.fixture(params=NOTEBOOKS, ids=lambda path: path.stem)
 def notebook(request) -> dict:
-    return json.loads(request.param.read_text(encoding="utf-8"))
+    return read(request.param)
+
+
+@pytest.fixture(params=NOTEBOOKS, ids=lambda path: path.stem)
+def lesson(request) -> tuple:
+    """A notebook of the course: its entry in the sequence and its content."""
+    number = request.param.stem.split("_")[0]
+    return tk.course.LESSONS[number], read(request.param)
+
+
+@cache
+def read(path: Path) -> dict:
+    return json.loads(path.read_text(encoding="utf-8"))
 
 
 def code(notebook) -> list[str]:
@@ -22,16 +51,52 @@ def code(notebook) -> list[str]:
     return ["".join(cell["source"]) for cell in notebook["cells"] if cell["cell_type"] == "code"]
 
 
+def prose(notebook) -> list[str]:
+    """Sources of the Markdown cells."""
+    return ["".join(cell["source"]) for cell in notebook["cells"] if cell["cell_type"] == "markdown"]
+
+
 def plain(source: str) -> str:
     """The Python of a cell: lines with a magic or a shell command become empty."""
     return "\n".join("" if line.lstrip().startswith(("%", "!")) else line for line in source.splitlines())
 
 
+def words(text: str) -> str:
+    """Prose without code, formulas, links, pictures, HTML tags, and comments."""
+    for pattern in (r"```.*?```", r"`[^`]*`", r"\$\$.*?\$\$", r"\$[^$]*\$", r"<!--.*?-->",
+                    r"\[\d\d[ab]?\]\([^)]*\)", r"!\[[^\]]*\]\([^)]*\)", r"(?<=\])\([^)]*\)", r"<[^>]*>", r"^#+ .*$",
+                    r"^\s*\d+\.\s", r"\*[A-Z][^*\n]*\*"):
+        text = re.sub(pattern, " ", text, flags=re.S | re.M)
+    return text
+
+
+def numbers(text: str) -> set[float]:
+    return {float(x.replace(",", "").rstrip(".")) for x in NUMBER.findall(LABEL.sub(" ", text))}
+
+
+def calls(notebook, *names: str) -> list[ast.Call]:
+    """Calls of functions of the course in the code cells."""
+    nodes = (node for source in code(notebook) for node in ast.walk(ast.parse(plain(source))))
+    return [node for node in nodes if isinstance(node, ast.Call) and ast.unparse(node.func) in
+            {f"tk.course.{name}" for name in names}]
+
+
+def literals(nodes) -> set[float]:
+    """Numbers that are written in code, also as percent of a share."""
+    found = {float(n.value) for node in nodes for n in ast.walk(node)
+             if isinstance(n, ast.Constant) and isinstance(n.value, int | float) and not isinstance(n.value, bool)}
+    return found | {round(100 * x, 6) for x in found}
+
+
+# --- every notebook
+
+
 def test_there_are_notebooks_and_each_has_a_number_of_its_own():
-    numbers = [path.name[:2] for path in NOTEBOOKS]
-    assert all(re.fullmatch(r"\d\d_[a-z0-9_]+\.ipynb", path.name) for path in NOTEBOOKS)
+    numbers = [path.name.split("_")[0] for path in NOTEBOOKS]
+    assert all(re.fullmatch(r"\d\d[ab]?_[a-z0-9_]+\.ipynb", path.name) for path in NOTEBOOKS)
     assert numbers
     assert len(set(numbers)) == len(numbers)
+    assert {path.name for path in NOTEBOOKS} <= {lesson.file for lesson in tk.course.LESSONS.values()}
 
 
 def test_nothing_of_a_run_is_stored(notebook):
@@ -55,12 +120,12 @@ def test_it_opens_with_its_question_and_the_words_outnumber_the_code(notebook):
     first = notebook["cells"][0]
     assert first["cell_type"] == "markdown"
     assert "".join(first["source"]).startswith("# ")
-    assert sum(cell["cell_type"] == "markdown" for cell in notebook["cells"]) >= 5
+    assert len(prose(notebook)) >= 5
 
 
 def test_cells_are_short_and_few(notebook):
     cells = code(notebook)
-    assert 10 <= len(cells) <= 25
+    assert 8 <= len(cells) <= 40
     for source in cells:
         assert 0 < len(source.splitlines()) <= LONGEST, source
 
@@ -74,7 +139,7 @@ def test_library_code_is_imported_not_defined_again(notebook):
     for source in code(notebook):
         nodes = ast.walk(ast.parse(plain(source)))
         defined = [node for node in nodes if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef)]
-        assert not defined or source.lower().startswith(EXERCISE), source
+        assert not defined or source.lower().startswith(MAY_DEFINE), source
 
 
 def test_it_imports_the_package_and_no_experiment(notebook):
@@ -99,3 +164,103 @@ def test_no_path_of_one_machine(notebook):
     text = "\n".join("".join(cell["source"]) for cell in notebook["cells"])
     found = re.findall(r"""["'`(\s](?:/(?:home|Users|root|work|tmp|mnt|media|opt|var|usr)/|[A-Z]:\\)\S*""", text)
     assert not found
+
+
+# --- notebooks of the course
+
+
+def test_it_is_in_the_sequence_and_opens_with_goals_minutes_and_needs(lesson):
+    entry, notebook = lesson
+    first = "".join(notebook["cells"][0]["source"])
+    assert re.search(r"^!\[[^\]]+\]\(\.\./docs/\S+\.(?:webp|gif|apng)\)", first, re.M), "a moving picture of the result"
+    assert "**You will be able to**" in first
+    assert f"**Time:** about {entry.minutes} minutes." in first
+    needs = re.search(r"\*\*Before this notebook:\*\* (.*?)\.\s", first, re.S).group(1)
+    assert tuple(re.findall(r"\[(\d\d[ab]?)\]", needs)) == entry.needs
+    assert [call.args[0].value for call in calls(notebook, "here")] == [entry.number]
+
+
+def test_a_question_is_asked_before_the_run_and_answered_by_it(lesson):
+    _, notebook = lesson
+    texts = ["".join(cell["source"]) for cell in notebook["cells"]]
+    asked = [i for i, text in enumerate(texts) if "**Before you run.**" in text]
+    told = [i for i, text in enumerate(texts) if text.startswith("# after the run") and "tk.course.claim(" in text]
+    assert asked
+    assert told
+    assert asked[0] < told[0]
+
+
+def test_it_ends_with_what_was_learnt_and_five_questions_with_folded_answers(lesson):
+    _, notebook = lesson
+    assert len(calls(notebook, "learnt")) == 1
+    (quiz,) = [text for text in prose(notebook) if text.startswith("## Five questions")]
+    assert quiz.count("<details>") == quiz.count("</details>") == 5
+    assert len(re.findall(r"<summary>[^<]+\?</summary>\n\n", quiz)) == 5
+
+
+def test_at_least_three_exercises_are_checked_and_have_folded_solutions(lesson):
+    entry, notebook = lesson
+    known = list(tk.course.exercises_of(entry.number))
+    assert len(known) >= 3
+    assert [call.args[0].value for call in calls(notebook, "check")] == known
+    solved = re.findall(r"<summary>Solution</summary>\n\n```python\n(.*?)\n```\n\n?</details>", "\n".join(prose(notebook)),
+                        re.S)
+    assert [re.match(r'tk\.course\.check\("([^"]+)", ', text.splitlines()[-1]).group(1) for text in solved] == known
+
+
+def test_lines_are_narrow(lesson):
+    for source in ["".join(cell["source"]) for cell in lesson[1]["cells"]]:
+        wide = [line for line in source.splitlines() if len(line) > WIDEST and not re.match(r"!?\[|\||\$\$|<details>", line)]
+        assert not wide
+
+
+def test_cells_that_say_results_and_the_last_one_are_folded(lesson):
+    cells = [cell for cell in lesson[1]["cells"] if cell["cell_type"] == "code"]
+    for cell in cells:
+        source = "".join(cell["source"])
+        folded = "hide-input" in cell["metadata"].get("tags", []) and cell["metadata"]["jupyter"]["source_hidden"]
+        says = source.startswith("# after the run") or "tk.course.learnt(" in source or cell is cells[-1]
+        assert folded or not says, source
+
+
+# --- what prose says is what the run shows
+
+
+def test_no_markdown_cell_has_a_number_that_no_assert_holds(lesson):
+    """A number in prose comes from an assert, or is named in ``<!-- cited: … -->`` as cited, defined or set."""
+    _, notebook = lesson
+    trees = [ast.parse(plain(source)) for source in code(notebook)]
+    held = literals([n.test for tree in trees for n in ast.walk(tree) if isinstance(n, ast.Assert)])
+    held |= literals([arg for call in calls(notebook, "claim") for arg in call.args[1:]])
+    for text in prose(notebook):
+        cited = {x for kind, marked in MARK.findall(text) if kind == "cited" for x in numbers(marked)}
+        assert not numbers(words(text)) - held - cited, text
+
+
+def test_no_markdown_cell_compares_results(lesson):
+    """A sentence that compares results is said by ``claim`` or ``learnt``; ``<!-- general -->`` marks what needs no run."""
+    for text in prose(lesson[1]):
+        if "general" not in {kind for kind, _ in MARK.findall(text)}:
+            compared = COMPARES.findall(words(re.sub(r"^.*\*\*Before you run\.\*\*(?:.|\n(?!\n))*", "", text, flags=re.M)))
+            assert not compared, text
+
+
+def test_claims_take_their_numbers_from_the_run(lesson):
+    """In the constant part of a claim's sentence, a number stands only if the claim's condition has it."""
+    found = [(call.args[0], call.args[1:]) for call in calls(lesson[1], "claim")]
+    found += [(key, [value]) for call in calls(lesson[1], "learnt") for key, value in
+              zip(call.args[0].keys, call.args[0].values, strict=True)]
+    for sentence, conditions in found:
+        parts = sentence.values if isinstance(sentence, ast.JoinedStr) else [sentence]
+        text = "".join(part.value for part in parts if isinstance(part, ast.Constant))
+        assert not numbers(words(text)) - literals(conditions), text
+        assert not any(isinstance(node, ast.Constant) for node in conditions), text  # a condition that cannot fail
+
+
+@pytest.mark.parametrize(("text", "expected"), [
+    ("An error of 12.5° at 4 Hz", {12.5, 4}), ("section 4.1.2 and notebook 02", set()), ("`cut(0, 60)` and $x^2$", set()),
+    ("Mason et al. 2022, equation (3)", set()), ("35,668,530 numbers", {35668530}), ("34 % of it", {34}),
+    ("Mason, Starke and Komura 2022", set()), ("[02a](02a_phase.ipynb) and 348 numbers", {348}),
+])
+def test_numbers_of_prose(text, expected):
+    assert numbers(words(text)) == expected

@@ -2,12 +2,13 @@
 
 import math
 
+import numpy as np
 import pytest
 import torch
 
 import toolkit as tk
 from toolkit import runtime
-from toolkit.datasets import style100
+from toolkit.datasets import parameters, style100
 
 
 @pytest.fixture(scope="module")
@@ -22,8 +23,6 @@ def walk(shared):
 
 def direct(folder, x, phases, index):
     """The equations of section 4, written out sample by sample in float64 from the raw files."""
-    import numpy as np
-
     def read(name, *shape):
         return torch.from_numpy(np.fromfile(folder / f"{name}.bin", "<f4").reshape(shape)).double()
 
@@ -141,6 +140,24 @@ def test_missing_and_damaged_files_are_named(tmp_path):
         tk.published.load(tmp_path / "nowhere")
     with pytest.raises(ValueError, match=r"Xmean\.bin: missing; expected 348 float32"):
         tk.published.load(tmp_path)
+    for name, shape in parameters.SHAPES.items():
+        with (tmp_path / f"{name}.bin").open("wb") as file:
+            file.truncate(4 * math.prod(shape))
+    assert parameters.check(tmp_path) == "parameters of 100 styles"
     torch.full((348,), math.nan).numpy().tofile(tmp_path / "Xmean.bin")
-    with pytest.raises(ValueError, match=r"Xmean\.bin: expected 348 finite"):
+    with pytest.raises(ValueError, match=r"Xmean\.bin: expected 348 float32 numbers that are finite"):
         tk.published.load(tmp_path)
+
+
+def test_sizes_are_checked_before_anything_is_read(tmp_path, monkeypatch):
+    for name, shape in parameters.SHAPES.items():
+        with (tmp_path / f"{name}.bin").open("wb") as file:
+            file.truncate(4 * math.prod(shape))
+    monkeypatch.setattr(np, "fromfile", lambda *_: pytest.fail("a file was read"))
+    for name in ("Xmean", "Walk_Velocities"):
+        with (tmp_path / f"{name}.bin").open("r+b") as file:
+            file.truncate(2_500_000_000)
+        with pytest.raises(ValueError, match=rf"{name}\.bin: expected .* float32 numbers, got 2,500,000,000 bytes"):
+            tk.published.load(tmp_path)
+        with (tmp_path / f"{name}.bin").open("r+b") as file:
+            file.truncate(4 * math.prod(parameters.SHAPES[name]))

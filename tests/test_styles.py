@@ -202,6 +202,20 @@ def test_the_best_step_is_kept_and_its_held_out_error_reported(small_run, monkey
     assert any(torch.equal(worse.bank["WideLegs"], bank[style]) for style in bank)
 
 
+def test_the_frames_of_the_reported_errors_do_not_choose_the_step(small_run, monkeypatch):
+    from toolkit.styles import fine_tuning
+
+    looked, evaluate = [], fine_tuning.evaluate
+    monkeypatch.setattr(fine_tuning, "evaluate", lambda model, bank, data, **options: looked.append(data) or evaluate(
+        model, bank, data, **options))
+    data = tk.features.build(tk.datasets.load("procedural", styles=["WideLegs"], gaits=["FW"], seconds=6.0))
+    tk.styles.fine_tune(small_run.model, data, None, small_run.bank, method="generator", steps=80)
+    before, start, middle, last, after = (set(part.frames["WideLegs"].tolist()) for part in looked)
+    assert before == after != set()
+    assert start == middle == last != set()
+    assert not before & start
+
+
 def test_a_clip_too_short_to_hold_frames_out_keeps_the_last_step(small_run, crouch):
     made = tk.styles.fine_tune(small_run.model, crouch.cut(0, 113), "Mine", small_run.bank, method="vector", steps=5)
     assert made.best == 5

@@ -1,5 +1,6 @@
 import dataclasses
 import json
+import math
 import os
 import random
 import re
@@ -163,15 +164,61 @@ def test_style_clips_of_a_training_share_no_frame_with_what_is_held_out(clips, s
     assert train.clips["Zombie"].shape[1:] == data.clips["Zombie"].shape[1:]
     learnt = poses(train.inputs["Zombie"][:, joints])
     assert not learnt & poses(test.inputs["Zombie"][:, joints])  # nor is a mirror image of a held-out frame learnt
-    assert len(train.inputs["Zombie"]) + len(test.inputs["Zombie"]) == len(data.inputs["Zombie"])
+    frames = train.frames["Zombie"], test.frames["Zombie"]
+    assert (frames[0][:, None] - frames[1]).abs().min() == 112  # the windows share no frame, and none is left out needlessly
+    assert len(frames[1]) == round(0.1 * len(data.inputs["Zombie"]))
+    neither = len(data.inputs["Zombie"]) - sum(map(len, frames))
+    assert 0 < neither <= 2 * 111 * (1 + clips["mirror"]) * len(made) * math.ceil(len(frames[1]) / 240)
     assert torch.equal(splits.split(data, 0.1, seed, ("Zombie",))[0].clips["Zombie"], train.clips["Zombie"])
 
 
 def test_a_style_too_short_for_clips_of_its_own_is_doubted():
     data = tk.features.build(tk.datasets.load("procedural", styles=["Zombie"], gaits=["FW"], seconds=2.5))
-    with pytest.warns(UserWarning, match="style 'Zombie' is too short to hold out frames"):
-        train, _ = splits.split(data, 0.1, 0, ("Zombie",))
+    with pytest.warns(UserWarning, match="style 'Zombie' is too short to hold out frames") as doubts:
+        train, test = splits.split(data, 0.1, 0, ("Zombie",))
+    assert len(doubts) == 2  # its frames, and its style clips
     assert torch.equal(train.clips["Zombie"], data.clips["Zombie"])
+    assert len(train.inputs["Zombie"]) + len(test.inputs["Zombie"]) == len(data.inputs["Zombie"])
+
+
+def test_features_of_a_list_have_its_parts():
+    clips = tk.datasets.load("procedural", styles=["Zombie", "Neutral", "Old"], gaits=["FW", "FR"], seconds=12.0)
+    block = tk.datasets.blocks.Block
+    parts = tk.datasets.blocks.Split("made", [block("Zombie", "FW", 100, 400), block("Zombie", "FR", 10, 700),
+                                              block("Neutral", "FW", 0, 720), block("Neutral", "FR", 0, 720)],
+                                     [block("Zombie", "FR", 800, 820)], [block("Zombie", "FW", 520, 9999),
+                                     block("Old", "FW", 0, 720)], unseen=("Old",))
+    data = splits.listed(clips, parts)
+    assert data.styles == ["Neutral", "Zombie"]
+    for share, seed in ((0.1, 0), (0.3, 5)):  # which do not matter
+        train, test = splits.split(data, share, seed, ("Zombie", "Neutral"))
+        assert {s: len(x) for s, x in test.inputs.items()} == {"Zombie": 720 - 420 - 112 + 1, "Neutral": 0}
+        assert len(train.inputs["Zombie"]) == 300 + 690 - 2 * 111
+    joints, walk = data.layout.inputs["joints"], next(c for c in clips if (c.style, c.gait) == ("Zombie", "FW"))
+    last = tk.features.build(walk.cut(420, 720))  # block 520: the clip begins where the first block of its take begins
+    torch.testing.assert_close(test.inputs["Zombie"][:, joints], last.inputs["Zombie"][:, joints])
+    assert not poses(train.inputs["Zombie"][:, joints]) & poses(test.inputs["Zombie"][:, joints])
+    assert not poses(train.clips["Zombie"]) & poses(test.inputs["Zombie"][:, joints])
+    run = training.fit(data, dataclasses.replace(QUICK, steps=2, clips_per_batch=1))
+    assert run.held_out.keys() == {"Zombie"}
+    with pytest.raises(ValueError, match=r"Neutral.*: the split of made has no block of this take"):
+        splits.listed(clips, dataclasses.replace(parts, train=parts.train[:2]))
+    with pytest.raises(ValueError, match="none of these clips is in the training part"):
+        splits.listed([c for c in clips if c.style == "Old"], parts)
+
+
+def test_takes_of_bandai_are_found_in_their_list(shared):
+    root = shared / "bandai" / "dataset-2"
+    if not root.is_dir():
+        pytest.skip(f"no recordings: {root} does not exist")
+    parts = tk.datasets.split("bandai", root)
+    clips = tk.datasets.load("bandai", root, styles=["active"], gaits=["run"])
+    data = splits.listed(clips, parts)
+    train, test = splits.split(data, 0.1, 0, ("active",))
+    wanted = {part: {block.gait for block in getattr(parts, part)} for part in ("train", "test")}
+    names = [c.name.removesuffix(".bvh") for c in clips if c.name.removesuffix(".bvh") in wanted["train"] | wanted["test"]]
+    assert {names[i] for i in train.takes["active"].tolist()} <= wanted["train"]
+    assert {names[i] for i in test.takes["active"].tolist()} <= wanted["test"]
 
 
 def test_loss_is_mse_and_bone_length_of_equation_5():

@@ -1,6 +1,7 @@
 """What ``import toolkit`` offers: for the loader, which imports it on first use, and for type checkers."""
 
 from . import (
+    course,
     datasets,
     evaluation,
     export,
@@ -11,6 +12,7 @@ from . import (
     phases,
     published,
     runtime,
+    shots,
     styles,
     stylization,
     training,

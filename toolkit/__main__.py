@@ -12,6 +12,7 @@ VERBS = {
     "preprocess": ("toolkit.cli.preprocess:preprocess", "Compute features, phases and contacts of all files into a store."),
     "train": ("toolkit.cli.train:train", "Train a model and print its error on held-out frames."),
     "rollout": ("toolkit.cli.rollout:rollout", "Walk straight ahead in a style, write the motion and print measurements."),
+    "shot": ("toolkit.cli.shot:shot", "Render a file of shots, say what cannot be met, and write the motion."),
     "evaluate": ("toolkit.cli.evaluate:evaluate", "Measure motion files with the field's measures, beside real ones."),
     "export": ("toolkit.cli.export:app", "Write files for other programs: web page, ONNX, glTF, BVH."),
     "style": ("toolkit.cli.style:app", "Add styles to a trained model, and list its styles."),

@@ -1,19 +1,18 @@
 """The authors' published parameters of LPN-FiLM, 100 styles, run by this package's own networks.
 
-Published beside Mason et al. 2022 (github.com/ianxmason/local-phases) as raw little-endian float32 files, for research and
-education. This package does not contain them: the user provides the folder.
+Published beside Mason et al. 2022 (github.com/ianxmason/local-phases) as raw little-endian float32 files
+(`toolkit.datasets.parameters`), for research and education. This package does not contain them: the user provides the
+folder.
 """
 
 import math
 import os
 from pathlib import Path
 
-import numpy as np
 import torch
-from torch import Tensor
 
 from toolkit import features, phases, training
-from toolkit.datasets import home
+from toolkit.datasets import home, parameters
 from toolkit.datasets.procedural import SKELETON
 from toolkit.features import Layout, Normaliser
 from toolkit.motion import Clip, trajectory
@@ -23,7 +22,7 @@ from toolkit.training import Run
 
 DATASET = "lpn-film-100style"  # their name in `toolkit.datasets.fetch`
 
-TRAINED = 95  # the first of `STYLES`; the others were kept for fine-tuning, and their speeds are not published
+TRAINED = parameters.TRAINED  # the first of `STYLES`; the others were kept for fine-tuning
 
 #: Sample offsets of the published run: 1/6 s apart in the past, 1/5 s apart in the future.
 SAMPLES = (-60, -50, -40, -30, -20, -10, 0, 12, 24, 36, 48, 60)
@@ -71,36 +70,23 @@ def load(folder: str | os.PathLike | None = None, *, calibrated: bool = False) -
     """
     if folder is None or os.fspath(folder) == DATASET:
         folder = home.find(DATASET, "Xmean.bin, cp0_a0.bin, …", "https://github.com/ianxmason/local-phases")
-    folder = Path(folder)
-    if not folder.is_dir():
-        raise ValueError(f"{folder}: no such folder; expected the published parameters (Xmean.bin, cp0_a0.bin, …)")
-
-    def read(name: str, *shape: int) -> Tensor:
-        path = folder / f"{name}.bin"
-        if not path.is_file():
-            raise ValueError(f"{path}: missing; expected {' × '.join(map(str, shape))} float32 numbers")
-        values = np.fromfile(path, "<f4")
-        if values.size != np.prod(shape) or not np.isfinite(values).all():
-            raise ValueError(f"{path}: expected {' × '.join(map(str, shape))} finite float32 numbers, got {values.size}")
-        return torch.from_numpy(values.reshape(shape))
-
+    read = {name: torch.from_numpy(values) for name, values in parameters.read(Path(folder)).items()}
     layout, sizes = Layout(SKELETON, samples=SAMPLES), Sizes()
-    files = {"inputs": ("X", layout.n_inputs), "phases": ("GT_X", layout.n_phases), "outputs": ("Y", layout.n_outputs)}
-    normalisers = {kind: Normaliser(read(f"{f}mean", n), read(f"{f}std", n)) for kind, (f, n) in files.items()}
+    files = {"inputs": "X", "phases": "GT_X", "outputs": "Y"}
+    normalisers = {kind: Normaliser(read[f"{file}mean"], read[f"{file}std"]) for kind, file in files.items()}
     model = build("lpn-film", layout, len(STYLES), sizes, normalisers, generator=False, calibrated=calibrated)
     with torch.no_grad():
         for i, layer in enumerate(model.gating.layers):
-            layer.weight.copy_(read(f"wc{i}_w", *layer.weight.shape))
-            layer.bias.copy_(read(f"wc{i}_b", *layer.bias.shape))
+            layer.weight.copy_(read[f"wc{i}_w"])
+            layer.bias.copy_(read[f"wc{i}_b"])
         for i, layer in enumerate(model.experts.layers):
-            n_in, n_out = layer.weight.shape[1:]
             for k in range(sizes.experts):
-                layer.weight[k] = read(f"cp{i}_a{k}", n_out, n_in).T
-                layer.bias[k] = read(f"cp{i}_b{k}", n_out)
-    parts = ("scale1", "shift1", "scale2", "shift2")
-    vectors = torch.stack([torch.cat([read(f"Style_{i:03d}_{p}", sizes.hidden) for p in parts]) for i in range(len(STYLES))])
+                layer.weight[k] = read[f"cp{i}_a{k}"].T
+                layer.bias[k] = read[f"cp{i}_b{k}"]
+    of_style = ([read[f"Style_{i:03d}_{part}"] for part in parameters.STYLE_PARTS] for i in range(len(STYLES)))
+    vectors = torch.stack([torch.cat(parts) for parts in of_style])
     speeds = torch.full((len(STYLES),), math.nan)
-    speeds[:TRAINED] = read("Walk_Velocities", TRAINED) / 12
+    speeds[:TRAINED] = read["Walk_Velocities"] / 12
     return Run(model, StyleBank(STYLES, vectors, speeds))
 
 

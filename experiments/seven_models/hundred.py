@@ -24,8 +24,12 @@ from toolkit.runtime import FPS, Command
 
 GAITS = {
     "FW": (0.0, (0.5, 1.6)),
+    "FR": (0.0, (1.6, 3.0)),
     "BW": (math.pi, (0.4, 0.9)),
+    "BR": (math.pi, (0.9, 1.8)),
     "SW": (math.pi / 2, (0.4, 0.8)),
+    "SR": (math.pi / 2, (0.8, 1.6)),
+    "ID": (0.0, (-1.0, 0.0)),
     "TR1": (0.0, (-0.5, 2.5)),
 }  # angle from facing to velocity, and range of speeds, m/s; negative speeds are standing
 WARM_UP = 2.0  # seconds at the start that are removed
@@ -86,8 +90,9 @@ def roll_out(folder: str | os.PathLike, styles: Sequence[str], seconds: float = 
 def commands(gait: str, count: int, frames: int, draw: torch.Generator) -> list[Command]:
     """Commands for a crowd: random speeds and turning rates that are constant for some seconds."""
     angle, (slowest, fastest) = GAITS[gait]
-    side = 1.0 if gait != "SW" else torch.where(torch.rand(count, generator=draw) < 0.5, -1.0, 1.0)
-    speeds, rates = (_steps(count, frames, draw, *limits) for limits in ((slowest, fastest), (-TURNING, TURNING)))
+    side = 1.0 if gait not in ("SW", "SR") else torch.where(torch.rand(count, generator=draw) < 0.5, -1.0, 1.0)
+    turning = 0.0 if gait == "ID" else TURNING
+    speeds, rates = (_steps(count, frames, draw, *limits) for limits in ((slowest, fastest), (-turning, turning)))
     facing = rates.cumsum(0) / FPS
     going = facing + angle * side
     velocity = speeds.clamp_min(0.0)[..., None] * torch.stack((going.sin(), going.cos()), -1)

@@ -16,32 +16,31 @@ from torch import Tensor
 from tqdm import tqdm
 
 from experiments.closed_loop import eight
-from toolkit import networks, runtime, training
+from toolkit import datasets, features, networks, published, runtime, training
 from toolkit.evaluation import metrics, recognition
-from toolkit.evaluation.models import hands, shared_baselines, shared_error
+from toolkit.evaluation.models import block_errors, hands, over_columns, posture_error, shared_baselines
 from toolkit.evaluation.recognition import Recogniser
-from toolkit.features import Features, splits
+from toolkit.features import Features, Layout, Normaliser, Split, natural_speed, splits, store
+from toolkit.features.store.workers import completed, executor
 from toolkit.io import model_files
 from toolkit.io.files import atomic_write
 from toolkit.networks import Model, Sizes
 from toolkit.networks.bank import StyleBank
 from toolkit.runtime import FPS, CharacterState, Command
 from toolkit.training import Config, Run
+from toolkit.training.run import STYLE_RATES
 
 WARM_UP, PACE = 2.0, 1.0  # seconds at the start of a walk that are not measured; m/s along the eight
 MOVING = 0.06  # metres, least range of moving hands
 HANDS = ("hands", "hands_data", "swing", "swing_data", "together")
-SETTINGS, TABLE = "settings.json", "comparison.json"
+SETTINGS, TABLE, CEILING = "settings.json", "comparison.json", "ceiling.json"
+HELD_OUT = 0.1  # share of every style's frames
 SIZES = {
     "tiny": Sizes(hidden=32, experts=4, gating=16, film_channels=8, film_kernel=5, film_dense=32, dropout=0.0),
     "small": Sizes(hidden=128, gating=16, film_channels=16, film_kernel=9, film_dense=128, rank=16, dropout=0.1),
     "medium": Sizes.small(),
     "paper": Sizes(),
 }  # values of ``--size``
-
-#: Learning rates of the style modulation, relative to the other rates. High rates destroy FiLM's convolutions. Tables of
-#: styles need high rates, one-hot the highest, because a row is trained only by the minibatches of its own style.
-STYLE_RATES = {"film": 0.1, "onehot": 10.0, "resad": 1.0}
 
 
 @dataclass(frozen=True)
@@ -53,12 +52,33 @@ class Plan:
     device: str = "cpu"
     walk: float = 8.0  # measured seconds of the straight walk, at least 4
     radius: float = 1.5  # metres, of both loops of the eight
-    recogniser_steps: int = recognition.STEPS  # training steps of the recogniser
+    recogniser_steps: int | None = None  # training steps of the recogniser; by default 20 per style, at least 200
 
     def config(self, model: str, seed: int) -> Config:
-        """Training settings of one run: equal for all runs except `STYLE_RATES`."""
+        """Training settings of one run: equal for all runs except `toolkit.training.run.STYLE_RATES`."""
         return Config.quick(model=model, sizes=SIZES[self.size], steps=self.steps, seed=seed, device=self.device,
-                            style_rate=STYLE_RATES[model.split("-")[1]], evaluate_every=max(1, self.steps // 4))
+                            evaluate_every=max(1, self.steps // 2), held_out=HELD_OUT)
+
+
+def load(data: str, root: str | None, styles: str | None, gaits: str | None, clip_seconds: float | None,
+         listed: bool = False) -> Features:
+    """Features of a dataset or a store, with the same held-out frames for every seed.
+
+    They are those of a store, or of the dataset's list (`toolkit.datasets.split`) if ``listed``, or random ones.
+    """
+    chosen = [None if names is None else names.split(",") for names in (styles, gaits)]
+    if store.is_store(data):
+        if root or gaits or listed:
+            raise ValueError(f"{data}: a store allows no --root, --gaits and --listed, only --styles")
+        found = store.load(data, chosen[0])
+    else:
+        options = {"seconds": clip_seconds} if data == "procedural" else {}
+        clips = datasets.load(data, root, *chosen, **options)
+        if listed:
+            return splits.listed(clips, datasets.split(data, root), progress=True)
+        found = features.build(clips, short="skip", progress=True)
+    held_out = found.split or Split(None, None, splits.held_out(found, HELD_OUT, 0, tuple(found.styles)))
+    return dataclasses.replace(found, split=dataclasses.replace(held_out, share=None, seed=None))
 
 
 def settle(folder: Path, plan: Plan, data: Features, source: dict) -> dict:
@@ -101,11 +121,12 @@ def trained(data: Features, config: Config, folder: Path, progress: bool = False
     return run
 
 
-def judge(data: Features, folder: Path, steps: int = recognition.STEPS) -> Recogniser:
-    """The recogniser of the data's styles in a folder: read from its file, or trained."""
+def judge(data: Features, folder: Path, steps: int | None = None) -> Recogniser:
+    """The recogniser of a folder: read from its file, or trained on the style clips of the training frames."""
     path = folder / "recogniser.safetensors"
     if not path.exists():
-        recognition.train(data, steps=steps).save(path)
+        train = splits.split(data, HELD_OUT, 0, tuple(data.styles))[0]
+        recognition.train(train, steps=steps or max(recognition.STEPS, 20 * len(data.styles))).save(path)
     return Recogniser.load(path)
 
 
@@ -119,13 +140,60 @@ def measured(run: Run, data: Features, plan: Plan, recogniser: Recogniser, folde
     """
     path = folder / "measures" / f"{run.config.model}-{run.config.seed}.json"
     if not path.exists():
-        train, test = splits.split(data, run.config.held_out, run.config.seed, tuple(data.styles))
-        shared = shared_error(run.model, run.bank, test, train.normalisers()["outputs"])
-        loop = closed_loop(run.model, run.bank, data, recogniser, plan)
-        styles = {s: {"shared": shared[s], **run.held_out[s], **loop[s]} for s in shared}
-        write_json(path, {"seconds": run.history[-1]["elapsed"], "steps": run.history[-1]["step"], "styles": styles})
-    found = read_json(path)
-    return found | over_styles(found["styles"])
+        styles = both(run.model, run.bank, data, recogniser, plan)
+        last = run.history[-1]
+        write_json(path, {"seed": run.config.seed, "seconds": last["elapsed"], "processor": last["processor"],
+                          "steps": last["step"], "history": run.history, "counts": networks.counts(run.model),
+                          "frame": frame_time(run.model, run.bank.vectors[0]),
+                          "styles": {s: row | run.held_out[s] for s, row in styles.items()}})
+    return read_json(path)
+
+
+def both(model: Model, bank: StyleBank, data: Features, recogniser: Recogniser, plan: Plan) -> dict[str, dict[str, float]]:
+    """Measures of every style: those of `one_step` on held-out frames, and those of `closed_loop`."""
+    train, test = splits.split(data, HELD_OUT, 0, tuple(data.styles))
+    errors = one_step(model, bank, test, train.normalisers()["outputs"])
+    loop = closed_loop(model, bank, data, recogniser, plan)
+    return {s: {**errors[s], **loop[s]} for s in errors}
+
+
+def one_step(model: Model, bank: StyleBank, test: Features, scale: Normaliser) -> dict[str, dict[str, float]]:
+    """``joints``: the error of the joint features; ``shared``: that of all columns that all models predict (`shared_error`).
+
+    A model with another trajectory window, such as the published network, sees and predicts its own, and has no ``shared``.
+    """
+    if model.layout.samples == test.layout.samples:
+        return {style: {"shared": over_columns(test.layout, found), "joints": found["joints"]}
+                for style, found in block_errors(model, bank, test, scale).items()}
+    test = resampled(test, model.layout)
+    return {style: {"joints": found["joints"]} for style, found in block_errors(model, bank, test, scale).items()}
+
+
+def resampled(data: Features, layout: Layout) -> Features:
+    """Features of a store, with the trajectory window of another layout, without rows whose window leaves their take."""
+    reach, kinds = layout.samples[-1] - data.layout.samples[-1], {kind: {} for kind in features.FRAME_KINDS}
+    for style in data.styles:
+        at, takes = data.inputs[style].at, data.takes[style]
+        own = dataclasses.replace(data.inputs[style].derive.__self__, layout=layout)
+        last = {int(take): int(at[takes == take].max()) for take in takes.unique()}
+        inside = at <= torch.tensor([last[int(take)] for take in takes]) - max(0, reach)
+        for kind, derive in zip(kinds, (own.inputs, own.phases.__getitem__, own.outputs), strict=True):
+            kinds[kind][style] = features.Rows(derive, at[inside])
+    return dataclasses.replace(data, layout=layout, split=None, statistics=None, frames=None, **kinds)
+
+
+def ceiling(parameters: str | os.PathLike, data: Features, recogniser: Recogniser, plan: Plan, folder: Path) -> dict:
+    """The measures of the network that made the data: read from their file, or computed.
+
+    ``parameters`` is the folder of the published ones. Foot IK has changed the data, so its error is not 0.
+    """
+    path = folder / CEILING
+    if not path.exists():
+        model, bank = published.load(parameters)
+        speeds = [natural_speed(data.clips[style][:]) for style in data.styles]
+        bank = StyleBank(tuple(data.styles), torch.stack([bank[style] for style in data.styles]), torch.tensor(speeds))
+        write_json(path, {"styles": both(model, bank, data, recogniser, plan)})
+    return read_json(path)
 
 
 def over_styles(styles: dict[str, dict[str, float]]) -> dict[str, float]:
@@ -146,7 +214,8 @@ def closed_loop(model: Model, bank: StyleBank, data: Features, recogniser: Recog
         ``skate_ik``, m/s of the toes in contact without and with foot IK, for the worse foot; ``path``, metres from the
         eight; ``hands``, the range of the hands divided by that in the style clips with the nearest velocity,
         ``hands_data`` metres; ``swing`` and ``swing_data``, the correlation of both hands, and ``together``, their absolute
-        difference; ``probability`` of the right style by the recogniser, and whether it is ``recognised``.
+        difference; ``clavicle`` and ``hand``, metres from the data's mean pose, see `posture_error`; ``steps`` per second;
+        ``probability`` of the right style by the recogniser, and whether it is ``recognised``, in the straight walk.
     """
     speeds = {style: bank.speed(style) for style in data.styles}
     vectors = torch.stack([bank[style] for style in data.styles])
@@ -156,11 +225,13 @@ def closed_loop(model: Model, bank: StyleBank, data: Features, recogniser: Recog
     walk = states(model, [Command(velocity)] * (warm + round(plan.walk * FPS)), vectors)[warm:]
     laps = states(model, runtime.follow(course.tolist(), PACE), vectors)
     joints = torch.stack([s.joints for s in walk], 1)  # [B, F, 12 J]
-    seen = recogniser.probabilities(torch.cat((joints, torch.stack([s.joints for s in laps], 1)), 1).nan_to_num())
+    seen = recogniser.probabilities(joints.nan_to_num())
     rows = {}
     for i, style in enumerate(data.styles):
         row = _gait(model, walk, laps, course, i)
-        row |= hands(data.layout, joints[i], data.clips[style][:], row["speed"])
+        clips = data.clips[style][:]
+        row |= hands(data.layout, joints[i], clips, row["speed"])
+        row |= posture_error(data.layout, joints[i], clips, row["speed"])
         right = recogniser.styles.index(style)
         row |= {"probability": float(seen[i, right]), "recognised": float(seen[i].argmax() == right)}
         rows[style] = row | {"speed": row["speed"] / speeds[style]}
@@ -178,11 +249,12 @@ def _gait(model: Model, walk: list[CharacterState], laps: list[CharacterState], 
         plain, clip = (runtime.record(model, walk, feet=ik, arms=ik, character=i) for ik in (False, True))
         lap = runtime.record(model, laps, feet=False, arms=False, character=i)
     except ValueError:  # a Clip refuses numbers that are not finite
-        return {"upright": 0.0} | dict.fromkeys(("speed", "skate", "skate_ik", "path"), math.nan)
+        return {"upright": 0.0} | dict.fromkeys(("speed", "skate", "skate_ik", "path", "steps"), math.nan)
     skate, skate_ik = (max((v for v in metrics.foot_skate(c, contact).values() if not math.isnan(v)), default=math.nan)
                        for c in (plain, clip))
     return {"upright": float(metrics.upright(clip) and metrics.upright(lap)), "speed": metrics.speed(clip),
-            "skate": skate, "skate_ik": skate_ik, "path": metrics.path_error(lap, course)}
+            "skate": skate, "skate_ik": skate_ik, "path": metrics.path_error(lap, course),
+            "steps": metrics.feet(clip, contact)["steps"]}
 
 
 def frame_time(model: Model, style: Tensor, runs: int = 5, frames: int = 60) -> tuple[float, float]:
@@ -198,41 +270,102 @@ def frame_time(model: Model, style: Tensor, runs: int = 5, frames: int = 60) -> 
     return statistics.mean(times[1:]), statistics.stdev(times[1:])  # the first run warms up
 
 
+def job(source: dict, plan: Plan, name: str, seed: int, folder: Path) -> None:
+    """Train and measure one run of a comparison, in a process that may be on another machine."""
+    data = load(**source)
+    run = trained(data, plan.config(name, seed), folder)
+    measured(run, data, plan, judge(data, folder, plan.recogniser_steps), folder)
+
+
 def compare(data: Features, source: dict, plan: Plan, models: Sequence[str], seeds: int, folder: Path,
-            progress: bool = False) -> dict:
+            progress: bool = False, scheduler: str | None = None) -> dict:
     """Train and measure models with seeds 0, 1 …; finished runs in the folder are not repeated.
 
-    Several processes may work on different models in one folder.
+    ``scheduler`` is the address of a Dask scheduler whose workers share the runs; they need the data and the folder under
+    the same paths.
 
     Returns
     -------
     dict
-        The content of `TABLE`: ``settings``, ``machine``, ``baselines`` and ``models``. A model has its parameter
-        ``counts``, the milliseconds of a ``frame``, its ``runs`` in the order of the seeds, and the ``mean`` and ``spread``
-        (deviation) of every measure over the seeds.
+        The content of `TABLE`, see `collect`.
     """
-    settings, recogniser = settle(folder, plan, data, source), judge(data, folder, plan.recogniser_steps)
-    found, frame, counts = {name: [] for name in models}, {}, {}
+    recogniser = judge(data, folder, plan.recogniser_steps)
+    settle(folder, plan, data, source)
     jobs = [(name, seed) for seed in range(seeds) for name in models]
-    for name, seed in tqdm(jobs, desc="compare", unit="run", disable=None if progress else True):
-        run = trained(data, plan.config(name, seed), folder, progress)
-        found[name].append(measured(run, data, plan, recogniser, folder))
-        if seed == 0:
-            frame[name], counts[name] = frame_time(run.model, run.bank.vectors[0]), networks.counts(run.model)
-    config = plan.config(models[0], 0)
-    baselines = [shared_baselines(data, config.held_out, seed) for seed in range(seeds)]
+    bar = tqdm(total=len(jobs), desc="compare", unit="run", disable=None if progress else True)
+    if scheduler:
+        with executor(None, scheduler) as pool:
+            for _, result in completed(pool, job, [(source, plan, *one, folder) for one in jobs]):
+                if isinstance(result, ValueError):
+                    raise result
+                bar.update()
+    else:
+        for name, seed in jobs:
+            measured(trained(data, plan.config(name, seed), folder, progress), data, plan, recogniser, folder)
+            bar.update()
+    return collect(data, plan, recogniser, folder)
+
+
+def collect(data: Features, plan: Plan, recogniser: Recogniser, folder: Path) -> dict:
+    """The measures of all finished runs in a folder, of any model and seed; written to `TABLE`.
+
+    Returns
+    -------
+    dict
+        ``settings``, ``machine``, ``baselines``, ``recogniser`` (share of held-out windows that it names rightly) and
+        ``models``. A model has its parameter ``counts``, the milliseconds of a ``frame``, its ``runs`` in the order of the
+        seeds, and the ``mean`` and ``spread`` (deviation) of every measure over the seeds; ``ceiling`` is a run, too.
+    """
+    for path in (folder / "measures").glob("*.json"):
+        _complete(path, folder, data)
+    found = {name: sorted((_run(read_json(path)) for path in (folder / "measures").glob(f"{name}-*.json")),
+                          key=lambda run: run["seed"]) for name in networks.MODELS}
+    config = plan.config("lpn-film", 0)
     table = {
-        "settings": settings | {"seeds": seeds, "batch": config.batch, "rate": config.rate, "style_rates": STYLE_RATES},
-        "machine": machine(plan.device), "recogniser": recogniser.accuracy(data),
-        "baselines": {name: _spread([b[name] for b in baselines]) for name in baselines[0]},
-        "models": {name: {"counts": counts[name], "frame": frame[name], **_summary(runs)} for name, runs in found.items()},
+        "settings": read_json(folder / SETTINGS) | {"batch": config.batch, "rate": config.rate, "style_rates": STYLE_RATES},
+        "machine": machine(plan.device), "recogniser": accuracy(recogniser, data),
+        "baselines": shared_baselines(data, HELD_OUT, 0),
+        "models": {name: {"counts": runs[0]["counts"], "frame": runs[0]["frame"], **_summary(runs)}
+                   for name, runs in found.items() if runs},
     }
+    if (folder / CEILING).exists():
+        table["ceiling"] = _run(read_json(folder / CEILING))
     write_json(folder / TABLE, table)
     return table
 
 
+def _complete(path: Path, folder: Path, data: Features) -> None:
+    """Add what the measures of an older run lack: the error of the joints."""
+    held = read_json(path)
+    if not all("joints" in row for row in held["styles"].values()):
+        run = training.load(folder / "runs" / f"{path.stem}.safetensors")
+        train, test = splits.split(data, HELD_OUT, 0, tuple(data.styles))
+        for style, errors in one_step(run.model, run.bank, test, train.normalisers()["outputs"]).items():
+            held["styles"][style] |= errors
+        write_json(path, held)
+
+
+def accuracy(recogniser: Recogniser, data: Features) -> float:
+    """Share of the seconds of held-out motion that are recognised, mean over the styles; a second is 60 frames in a row."""
+    test = splits.split(data, HELD_OUT, 0, tuple(data.styles))[1]
+    joints, right = data.layout.inputs["joints"], []
+    for number, style in enumerate(recogniser.styles):
+        rows = torch.arange(len(test.inputs[style]) // recognition.WINDOW * recognition.WINDOW).view(-1, recognition.WINDOW)
+        together = test.frames[style][rows][:, -1] - test.frames[style][rows][:, 0] == recognition.WINDOW - 1
+        if together.any():
+            windows = test.inputs[style][rows[together].flatten()][:, joints].unflatten(0, (-1, recognition.WINDOW))
+            right.append(float((recogniser.probabilities(windows).argmax(-1) == number).float().mean()))
+    return average(right)
+
+
+def _run(held: dict) -> dict:
+    """A run's measures with their means over the styles; ``trained`` is its number of training steps."""
+    return {"trained": held.get("steps", 0)} | held | over_styles(held["styles"])
+
+
 def _summary(runs: list[dict]) -> dict:
-    spreads = {key: _spread([run[key] for run in runs]) for key in runs[0] if key != "styles"}
+    keys = [key for key, value in runs[0].items() if isinstance(value, int | float) and key != "seed"]
+    spreads = {key: _spread([run[key] for run in runs]) for key in keys}
     return {"runs": runs, "mean": {k: v[0] for k, v in spreads.items()}, "spread": {k: v[1] for k, v in spreads.items()}}
 
 

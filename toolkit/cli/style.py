@@ -58,8 +58,10 @@ def add(
     error = made.held_out[name]
     print("Held-out frames: mean squared error {before:.3f} before, {after:.3f} after; {repeat:.3f} by repeating the frame, "
           "{mean:.3f} by the mean".format(**error))
-    if error["after"] >= error["before"]:
+    if not made.best and made.losses:
         print("Adding did not help: no step was better than the start, and the start was kept. Use more or longer clips.")
+    elif error["after"] >= error["before"]:
+        print("Adding did not help on these frames, which did not choose the step: use more or longer clips.")
     elif error["after"] >= error["repeat"]:
         print("The model predicts this style no better than repeating the frame: use more or longer clips.")
     _print_near(made.bank, name)

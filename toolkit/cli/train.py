@@ -61,7 +61,7 @@ def train(
     if store.is_store(data):
         if root or gaits or mirror or clip_seconds is not None:
             raise ValueError(f"{data}: a store has its own --root, --gaits and --mirror; choose among its --styles")
-        found = store.load(data, styles)
+        found = store.load(data, styles, check=True, progress=distributed.first())
     else:
         options = {} if clip_seconds is None else {"seconds": clip_seconds}
         if skeleton is not None:

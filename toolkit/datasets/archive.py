@@ -12,6 +12,7 @@ from tqdm import tqdm
 
 DAMAGED = (zipfile.BadZipFile, zlib.error, lzma.LZMAError, EOFError, NotImplementedError,
            UnicodeDecodeError)  # what `zipfile` raises for files that are not a whole archive
+LONGEST = 200  # bytes of a name of a file or folder; file systems take up to 255
 
 
 def unpack(archive: Path, folder: Path, place: Callable[[str], str | None], limit: int, progress: bool = False) -> str:
@@ -24,7 +25,8 @@ def unpack(archive: Path, folder: Path, place: Callable[[str], str | None], limi
     ------
     ValueError
         If the file is not a whole zip archive, is locked by a password, holds more than the limit, two members of one
-        name, a link, a device, or a path that leads out of the folder: then nothing was unpacked. Or if a member is damaged.
+        name, a file where another member needs a folder, a link, a device, a name that no file can have, or a path that
+        leads out of the folder: then nothing was unpacked. Or if a member is damaged.
     OSError
         If the disk has no room, which is asked first.
     """
@@ -66,6 +68,8 @@ def _members(archive: Path, file: zipfile.ZipFile,
         name, path = info.orig_filename, PurePosixPath(info.orig_filename)
         if path.is_absolute() or ".." in path.parts or any(c in name for c in "\\:\0") or not path.parts:
             raise ValueError(f"{archive}: refused, its member {name!r} leads out of the folder")
+        if not name.isprintable() or any(len(part.encode()) > LONGEST for part in path.parts):
+            raise ValueError(f"{archive}: refused, its member {name[:LONGEST]!r} has a name that no file should have")
         kind = stat.S_IFMT(info.external_attr >> 16)
         if kind not in (0, stat.S_IFREG, stat.S_IFDIR):
             raise ValueError(f"{archive}: refused, its member {name!r} is a link or a device, not a file")
@@ -77,4 +81,7 @@ def _members(archive: Path, file: zipfile.ZipFile,
             raise ValueError(f"{archive}: refused, it holds {target!r} twice")
         seen.add(key)
         members[PurePosixPath(target)] = info
+    for path in members:
+        if inside := next((above for above in path.parents if above.as_posix().casefold() in seen), None):
+            raise ValueError(f"{archive}: refused, {str(inside)!r} is a file in it, and {str(path)!r} needs a folder there")
     return members

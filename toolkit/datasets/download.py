@@ -14,20 +14,49 @@ from pathlib import Path
 
 from tqdm import tqdm
 
-from toolkit.io.files import atomic_write
+from toolkit.io.files import atomic_write, parsed, read
 
 STALL = 30.0  # seconds without a connection or a byte after which a try has failed
 TRIES = 5  # in a row that brought nothing new
+NOTES = 100_000  # bytes of notes about a file
 
 
 class _TryError(Exception):
     """A try that failed, and another may not."""
 
 
+class _Hops(urllib.request.HTTPRedirectHandler):
+    """Follows redirects to https, and to http only where the checksum of the file is known."""
+
+    def __init__(self, trusted: bool):
+        self.trusted = trusted
+
+    def redirect_request(self, request, reply, code, reason, headers, address):
+        """The next request; ValueError if its address is not encrypted."""
+        if not _safe(address, self.trusted):
+            raise ValueError(f"{request.full_url}: the server leads to {address}, which is not encrypted")
+        return super().redirect_request(request, reply, code, reason, headers, address)
+
+
+def _safe(address: str, trusted: bool) -> bool:
+    return address.lower().startswith(("https://", "http://") if trusted else "https://")
+
+
 def notes(part: Path) -> dict:
-    """What the server called the file that lies in ``part``, whole or not: url, validator, total; empty if not known."""
+    """What the server called the file that lies in ``part``, whole or not: url, validator, total.
+
+    Empty if that is not known, or the notes are damaged.
+    """
     file = part.with_suffix(".json")
-    return json.loads(file.read_text(encoding="utf-8")) if part.exists() and file.exists() else {}
+    if not (part.is_file() and file.is_file() and file.stat().st_size < NOTES):
+        return {}
+    try:
+        known = parsed(read(file))
+    except ValueError:
+        return {}
+    kinds = {"url": str, "validator": str, "total": int | None}
+    whole = isinstance(known, dict) and all(isinstance(known.get(key), kind) for key, kind in kinds.items())
+    return known if whole else {}
 
 
 def download(url: str, part: Path, size: int | None, limit: int, *, trusted: bool, progress: bool = False) -> None:
@@ -40,10 +69,13 @@ def download(url: str, part: Path, size: int | None, limit: int, *, trusted: boo
     Raises
     ------
     ValueError
-        If the server refuses, leads from https to http, or sends more or fewer bytes than known.
+        If the server refuses, or sends more or fewer bytes than known; if the address, or one that a server leads to, is not
+        https and not ``trusted``.
     OSError
         If nothing new came in `TRIES` tries.
     """
+    if not _safe(url, trusted):
+        raise ValueError(f"{url}: is not encrypted; give an https address, or the file's checksum (--sha256)")
     best = failures = 0
     with tqdm(total=size, unit="B", unit_scale=True, desc="download", disable=None if progress else True) as bar:
         while True:
@@ -67,17 +99,15 @@ def _receive(url: str, part: Path, size: int | None, limit: int, trusted: bool, 
             return
         headers |= {"Range": f"bytes={have}-"} if have else {}
         headers |= {"If-Range": known["validator"]} if have and known["validator"] else {}
-    with _open(urllib.request.Request(url, headers=headers)) as reply:
+    with _open(urllib.request.Request(url, headers=headers), trusted) as reply:
         code = f"{reply.status} {str(reply.reason).splitlines()[-1]}"  # of redirects without end urllib says more
-        if url.startswith("https:") and not reply.url.startswith("https:"):
-            raise ValueError(f"{url}: the server leads to {reply.url}, which is not encrypted")
         if reply.status in (408, 425, 429) or reply.status >= 500:
             raise _TryError(f"the server answers {code}")
         if reply.status not in (200, 206, 416):
             raise ValueError(f"{url}: the server answers {code}")
-        span = re.fullmatch(r"bytes (?:(\d+)-\d+|\*)/(\d+|\*)", reply.headers.get("Content-Range", ""))
+        span = re.fullmatch(r"bytes (?:([0-9]+)-[0-9]+|\*)/([0-9]+|\*)", reply.headers.get("Content-Range", ""))
         total = span[2] if span else reply.headers.get("Content-Length", "")
-        total = int(total) if total.isdigit() else None
+        total = int(total) if re.fullmatch("[0-9]{1,18}", total) else None
         validator = reply.headers.get("ETag", "")
         if not validator or validator.startswith("W/"):
             validator = reply.headers.get("Last-Modified", "")
@@ -108,10 +138,10 @@ def _receive(url: str, part: Path, size: int | None, limit: int, trusted: bool, 
         raise _TryError(f"the file should have {size or total:,} bytes and ended after {have:,}")
 
 
-def _open(request: urllib.request.Request) -> http.client.HTTPResponse | urllib.error.HTTPError:
+def _open(request: urllib.request.Request, trusted: bool) -> http.client.HTTPResponse | urllib.error.HTTPError:
     """The server's answer, refusals included."""
     try:
-        return urllib.request.urlopen(request, timeout=STALL)
+        return urllib.request.build_opener(_Hops(trusted)).open(request, timeout=STALL)
     except urllib.error.HTTPError as refusal:
         return refusal
     except urllib.error.URLError as error:

@@ -10,6 +10,7 @@ import json
 import os
 import re
 import shutil
+import stat
 from collections.abc import Callable
 from dataclasses import dataclass
 from datetime import UTC, datetime
@@ -17,10 +18,10 @@ from pathlib import Path
 
 import filelock
 
-from toolkit.datasets import archive, bandai, home, style100
+from toolkit.datasets import archive, bandai, home, parameters, style100
 from toolkit.datasets.download import download, notes
 from toolkit.io import bvh
-from toolkit.io.files import atomic_write
+from toolkit.io.files import atomic_write, parsed, read
 
 LARGEST = 4_000_000_000  # bytes of an archive whose size is not known: GitHub's hold whole projects
 RECORD = "toolkit-data.json"  # in a fetched folder: what it is, from where and when, its checksum and terms
@@ -38,6 +39,7 @@ class Origin:
     check: Callable[[Path], str]  # reads the unpacked folder as the package will, and says what it holds
     size: int | None = None  # of the archive, bytes
     sha256: str | None = None  # of the archive
+    contents: str | None = None  # `contents` of what is unpacked, where the archive is packed anew for each request
 
     def place(self, member: str) -> str | None:
         """Where a member of the archive goes in the dataset's folder; None for what is left out."""
@@ -58,22 +60,6 @@ def _check_bandai(folder: Path) -> str:
     return f"{len(takes)} takes of {len({take.style for take in takes})} styles"
 
 
-def _check_published(folder: Path) -> str:
-    """All files are there and of the right size; `toolkit.published.load` reads their numbers."""
-    widths = {"X": 348, "Y": 342, "GT_X": 8}
-    sizes = {f"{name}{part}": n for name, n in widths.items() for part in ("mean", "std")}
-    sizes |= {f"Style_{i:03d}_{part}": 512 for i in range(100) for part in ("scale1", "shift1", "scale2", "shift2")}
-    for layer, (n_in, n_out) in enumerate(((348, 512), (512, 512), (512, 342))):
-        sizes |= {f"cp{layer}_{kind}{k}": n_out * (n_in if kind == "a" else 1) for kind in "ab" for k in range(8)}
-    for layer, (n_in, n_out) in enumerate(((8, 32), (32, 32), (32, 8))):
-        sizes |= {f"wc{layer}_w": n_out * n_in, f"wc{layer}_b": n_out}
-    for name, n in sizes.items():
-        path = folder / f"{name}.bin"
-        if not path.is_file() or path.stat().st_size != 4 * n:
-            raise ValueError(f"{path}: expected {n} float32 numbers")
-    return "parameters of 100 styles"
-
-
 ORIGINS = {
     "100style": Origin(
         title="100STYLE: a hundred styles of locomotion, 4 million frames (Mason, Starke, Komura 2022)",
@@ -89,27 +75,56 @@ ORIGINS = {
         title="LPN-FiLM as trained by its authors, 100 styles (Mason, Starke, Komura 2022)",
         terms="research and education only, no commercial use, no redistribution; https://github.com/ianxmason/local-phases",
         url="https://codeload.github.com/ianxmason/local-phases/zip/f779488480182ba756db691c607893a8db558605",
-        keep=re.compile(r"(?:.*/Parameters/LPN/)?(?P<path>[^/]+\.bin)"),
+        keep=re.compile(r"(?:.*/Parameters/(?:LPN|Multiclip_All_Velocity_100_FC)/)?(?P<path>[^/]+\.bin)"),
         unpacked=21_000_000,
-        check=_check_published,
+        check=parameters.check,
+        contents="0025d51a628eabedf58b44c5715dcb94b229ce923904050073bcd64eeea09006",
     ),
     "bandai": Origin(
         title="Bandai-Namco Research motion datasets 1 and 2: 22 styles of everyday motion (Bandai Namco Research 2022)",
         terms=f"CC BY-NC 4.0: no commercial use; {bandai.SOURCE.home}",
-        url="https://codeload.github.com/BandaiNamcoResearchInc/Bandai-Namco-Research-Motiondataset/zip/refs/heads/master",
-        keep=re.compile(r"(?:[^/]+/dataset/)?(?P<path>(?!__MACOSX/).+(?:\.bvh|/LICENSE))"),
+        url="https://codeload.github.com/BandaiNamcoResearchInc/Bandai-Namco-Research-Motiondataset/zip/"
+            "74ead3ba1ae4696404e6086233779f60de8bf9ef",
+        keep=re.compile(r"(?:[^/]+/dataset/)?(?P<path>(?!__MACOSX/|[^/]+/utils/).+(?:\.bvh|/LICENSE))"),
         unpacked=560_000_000,
         check=_check_bandai,
+        contents="17d75e8b96a5e8693e179414af8240d4b9eac8ed6b660e170e65e93d6dc8cdc7",
     ),
 }
 
 
+def contents(folder: Path) -> str:
+    """SHA-256 of the lines ``ID PATH`` of a folder's files, sorted by path; the ID is the one that git gives to the content.
+
+    For the files of a commit, ``git ls-tree -r`` lists the same identifiers.
+    """
+    lines = []
+    for path in sorted(folder.rglob("*"), key=lambda path: path.relative_to(folder).as_posix()):
+        if path.is_file():
+            digest = hashlib.sha1(b"blob %d\0" % path.stat().st_size, usedforsecurity=False)
+            with path.open("rb") as file:
+                while chunk := file.read(1 << 20):
+                    digest.update(chunk)
+            lines.append(f"{digest.hexdigest()} {path.relative_to(folder).as_posix()}\n")
+    return hashlib.sha256("".join(lines).encode()).hexdigest()
+
+
 def record(folder: str | os.PathLike) -> dict | None:
-    """What is known of a folder that was fetched, None for any other; ValueError if files were removed from it since."""
+    """What is known of a folder that was fetched, None for any other.
+
+    ValueError if the record is damaged, or files were removed from the folder since.
+    """
     folder = Path(folder)
     if not (folder / RECORD).is_file():
         return None
-    known = json.loads((folder / RECORD).read_text(encoding="utf-8"))
+    try:
+        known = parsed(read(folder / RECORD))
+        if not all(known[key] >= 0 for key in ("files", "bytes")):
+            raise ValueError("numbers below 0")
+        if not all(known[key].isprintable() for key in ("date", "found", "source", "sha256")):
+            raise ValueError("texts that cannot be shown")
+    except (ValueError, KeyError, TypeError, AttributeError) as error:
+        raise ValueError(f"{folder / RECORD}: damaged; move the folder away to fetch it again") from error
     files, size = _extent(folder)
     if files < known["files"] or size < known["bytes"]:
         raise ValueError(f"{folder}: {known['files']} files of {known['bytes']:,} bytes were fetched, {files} of {size:,} "
@@ -132,20 +147,20 @@ def fetch(name: str, root: str | os.PathLike | None = None, source: str | os.Pat
     source
         A file, or the address of another copy, in place of the public home.
     sha256
-        What the archive must have, in place of the published checksum.
+        What the archive must have, in place of the published checksum of the archive or of its contents.
 
     Raises
     ------
     ValueError
-        If the dataset is unknown, the folder is in use or holds something else, or what came is not what it should be: then
-        it was removed (a file of the user's stays).
+        If the dataset is unknown, the folder is in use or holds something else, an address is not https and the checksum of
+        the archive is not known, or what came is not what it should be: then it was removed (a file of the user's stays).
     OSError
         If the server cannot be reached, or the disk has no room: then what came stays, and the same call goes on from there.
     """
     if name not in ORIGINS:
         raise ValueError(f"{name!r} cannot be fetched; known: {', '.join(ORIGINS)}")
     origin, folder = ORIGINS[name], Path(root or home.folder(name)).absolute()
-    source, expected = str(source or origin.url), sha256 or origin.sha256 or ""
+    source = str(source or origin.url)
     folder.parent.mkdir(parents=True, exist_ok=True)
     work, lock = (folder.with_name(f".{folder.name}.{kind}") for kind in ("fetch", "lock"))
     try:
@@ -153,7 +168,7 @@ def fetch(name: str, root: str | os.PathLike | None = None, source: str | os.Pat
             if not (known := record(folder)):
                 if folder.is_dir() and any(folder.iterdir()):
                     raise ValueError(f"{folder}: holds something else; move it away, or give another folder (--root)")
-                known = _into(work, origin, source, expected.lower(), name, progress)
+                known = _into(work, origin, source, sha256, name, progress)
                 if folder.is_dir():  # an empty one, which Windows would not replace
                     folder.rmdir()
                 (work / "unpacked").replace(folder)
@@ -167,13 +182,33 @@ def fetch(name: str, root: str | os.PathLike | None = None, source: str | os.Pat
         raise
 
 
-def _into(work: Path, origin: Origin, source: str, expected: str, name: str, progress: bool) -> dict:
+def _private(work: Path) -> None:
+    """Make the folder of a download, or take the one that an earlier try left, so that nobody else can write to it.
+
+    ValueError if somebody else may have put something there: a link, or anything of another user.
+    """
+    with contextlib.suppress(FileExistsError):
+        work.mkdir(mode=0o700)
+    _own(work, work, stat.S_ISDIR)
+    work.chmod(0o700)
+    for path in work.iterdir():
+        _own(path, work, stat.S_ISDIR if path.name == "unpacked" else stat.S_ISREG)
+
+
+def _own(path: Path, work: Path, kind: Callable[[int], bool]) -> None:
+    found = path.lstat()
+    foreign = hasattr(os, "geteuid") and found.st_uid != os.geteuid()
+    if foreign or not kind(found.st_mode) or (stat.S_ISREG(found.st_mode) and found.st_nlink > 1):
+        raise ValueError(f"{path}: is a link, or another user's; remove {work} to download in safety")
+
+
+def _into(work: Path, origin: Origin, source: str, sha256: str | None, name: str, progress: bool) -> dict:
     """A checked dataset with its record in ``work / "unpacked"``."""
-    limit, file = 4 * origin.unpacked, Path(source)
+    limit, file, expected = 4 * origin.unpacked, Path(source), (sha256 or origin.sha256 or "").lower()
     remote = source.startswith(("https://", "http://"))
     if not remote and not file.is_file():
         raise ValueError(f"{source}: no such file; an address starts with https:// or http://")
-    work.mkdir(exist_ok=True)
+    _private(work)
     if remote:
         file = work / "archive.zip"
         size = origin.size if expected == origin.sha256 else None
@@ -195,6 +230,9 @@ def _into(work: Path, origin: Origin, source: str, expected: str, name: str, pro
                              "--sha256 accepts another archive")
         comment = archive.unpack(file, unpacked, origin.place, limit, progress)
         found = origin.check(unpacked)
+        if origin.contents and not sha256 and (inside := contents(unpacked)) != origin.contents:
+            raise ValueError(f"{source}: expected files of the checksum {origin.contents}, got {inside}; "
+                             "--sha256 accepts another archive")
     except ValueError as error:
         shutil.rmtree(work if remote else unpacked, ignore_errors=True)
         with contextlib.suppress(OSError):  # not empty: it holds what came of a download

@@ -242,12 +242,12 @@ class Rows:
 
 @dataclass(frozen=True, eq=False)
 class Split:
-    """Held-out rows of a store."""
+    """Held-out rows, of a store or of a list; those of a list have no share and no seed."""
 
-    share: float  # of all rows
-    seed: int
+    share: float | None  # of all rows
+    seed: int | None
     held_out: dict[str, Tensor]  # [N] bool by style
-    statistics: dict[str, Normaliser]  # of the other rows, by kind
+    statistics: dict[str, Normaliser] | None = None  # of the training rows, by kind
     __repr__ = summary
 
 
@@ -261,7 +261,7 @@ class Features:
     outputs: dict[str, Tensor | Rows]  # [N, Dz]
     clips: dict[str, Tensor | Rows]  # [M, 240, 12 J]
     takes: dict[str, Tensor]  # [N] number of each row's clip; a mirror image has the number of its original
-    split: Split | None = None  # of a store
+    split: Split | None = None  # of a store or of a list
     statistics: dict[str, Normaliser] | None = None  # of the training rows of a store
     # Which frames of the recordings these are; a style's recordings are numbered through, a mirror image as its original.
     frames: dict[str, Tensor] | None = None  # [N] frame of each row

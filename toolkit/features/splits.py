@@ -1,17 +1,24 @@
-"""Held-out frames, and the random streams that choose them (Mason et al. 2022, section 4.3)."""
+"""Held-out frames, and the random streams that choose them (Mason et al. 2022, section 4.3).
+
+Neighbouring frames are almost equal, and the features of a frame reach 60 frames back and 51 ahead. Frames whose window
+overlaps that of a held-out frame are therefore in neither part.
+"""
 
 import contextlib
 import dataclasses
 import hashlib
 import math
 import warnings
-from collections.abc import Iterator
+from collections import defaultdict
+from collections.abc import Iterable, Iterator
 
 import numpy as np
 import torch
 from torch import Tensor
 
-from toolkit.features.features import CLIP_FRAMES, FRAME_KINDS, Features, Normaliser, Rows
+from toolkit import datasets
+from toolkit.features.features import CLIP_FRAMES, FRAME_KINDS, Features, Normaliser, Rows, Split, build
+from toolkit.motion import Clip
 
 SPLIT_FRAMES = 240  # held-out frames form contiguous windows of this length, because neighbours are almost equal
 SPLIT_TAKES = 20  # if a style has at least this many takes, whole takes are held out
@@ -22,9 +29,12 @@ SPLIT = 1  # number of the random stream; those of `toolkit.training.minibatches
 def split(data: Features, share: float, seed: int, styles: tuple[str, ...]) -> tuple[Features, Features]:
     """Training and held-out frames of ``styles``, in that order.
 
-    The style clips of the training frames are those of `style_clips`; the held-out frames come with all.
+    Their windows share no frame (`apart`). The style clips of the training frames are those of `style_clips`; the held-out
+    frames come with all. Features of a list (`listed`) have its parts, whatever ``share`` and ``seed``.
     """
-    known = data.split if data.split and (data.split.share, data.split.seed) == (share, seed) else None
+    known = data.split
+    if known and known.share is not None and (known.share, known.seed) != (share, seed):
+        known = None
     masks = {s: known.held_out[s] for s in styles} if known else held_out(data, share, seed, styles)
     statistics = known.statistics if known and styles == tuple(data.styles) else None
 
@@ -35,7 +45,64 @@ def split(data: Features, share: float, seed: int, styles: tuple[str, ...]) -> t
         clips = {s: style_clips(data, s, ~masks[s]) if training else data.clips[s] for s in styles}
         return dataclasses.replace(data, clips=clips, split=None, statistics=statistics, spans=None, **pick)
 
-    return take({s: ~masks[s] for s in styles}, statistics, True), take(masks, None, False)
+    learnt = {s: apart(data, s, masks[s]) for s in styles}
+    return take(learnt, statistics, True), take(masks, None, False)
+
+
+def apart(data: Features, style: str, held_out: Tensor) -> Tensor:
+    """Rows ``[N]`` bool of a style whose windows share no frame with those of the rows ``held_out [N]``.
+
+    In a style that is too short for any, those that are not held out, with a warning; and these if the data do not say from
+    which frames they come.
+    """
+    rest = ~held_out
+    if data.frames is None or not held_out.any() or not rest.any():
+        return rest
+    at, aside = data.frames[style], data.frames[style][held_out.to(data.frames[style].device)].unique()
+    reach = data.layout.samples[-1] + 1 - data.layout.samples[0]  # a window's last frame minus its first one
+    after = torch.searchsorted(aside, at)
+    behind, ahead = aside[(after - 1).clamp_min(0)], aside[after.clamp_max(len(aside) - 1)]
+    free = torch.minimum((at - behind).abs(), (ahead - at).abs()).to(rest.device) > reach
+    if not free.any():
+        warnings.warn(f"style {style!r} is too short to hold out frames: it is trained on frames that overlap their windows",
+                      stacklevel=3)
+        return rest
+    return free
+
+
+def listed(clips: Iterable[Clip], parts: datasets.blocks.Split, **options) -> Features:
+    """Features of the training and test blocks of a list (`toolkit.datasets.split`); `split` has the same parts.
+
+    The clips are cut into the blocks before anything is computed, so no window reaches from one part into another. The
+    blocks of the validation and the styles that only the test has are left out. ``options`` are those of `features.build`.
+
+    Raises
+    ------
+    ValueError
+        If the list has no blocks of a clip, or no clip has a training block.
+    """
+    blocks: dict[tuple[str, str], list[tuple[datasets.blocks.Block, bool | None]]] = defaultdict(list)
+    for part, held in (("train", False), ("validation", None), ("test", True)):
+        for block in getattr(parts, part):
+            blocks[block.style, block.gait].append((block, held))
+    pieces, aside = [], []
+    for clip in clips:
+        if clip.style in parts.unseen:
+            continue
+        found = blocks.get((clip.style, clip.gait)) or blocks.get((clip.style, clip.name.removesuffix(".bvh")))
+        if not found:
+            raise ValueError(f"{clip.name}: the split of {parts.dataset} has no block of this take")
+        first = min(block.start for block, _ in found)  # the clip begins there
+        for block, held in found:
+            start, stop = block.start - first, min(block.stop - first, len(clip))
+            if held is not None and start < stop:
+                pieces.append(clip.cut(start, stop))
+                aside.append(held)
+    if all(aside):
+        raise ValueError(f"none of these clips is in the training part of the split of {parts.dataset}")
+    data = build(pieces, **{"short": "skip"} | options)
+    numbers = torch.tensor(aside).nonzero()[:, 0]
+    return dataclasses.replace(data, split=Split(None, None, {s: torch.isin(at, numbers) for s, at in data.takes.items()}))
 
 
 def style_clips(data: Features, style: str, held_out: Tensor) -> Tensor | Rows:

@@ -15,7 +15,7 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from toolkit.io import humanml3d, positions
+from toolkit.io import files, humanml3d, positions
 from toolkit.io.recording import Recording
 from toolkit.motion import rotations as R
 from toolkit.motion.clip import SIDES
@@ -259,6 +259,7 @@ def _tensor(arrays: Mapping[str, np.ndarray], name: str) -> Tensor:
 
 def _arrays(path: Path) -> dict[str, np.ndarray]:
     """Arrays of numbers by name; none is unpacked that is larger than the file allows, and no Python object is made."""
+    files.status(path)
     with path.open("rb") as file:
         begin, size = file.read(4), path.stat().st_size
         file.seek(0)

@@ -33,7 +33,7 @@ MIX_UP = 0.5  # share of frames with a pose mix-up
 WALK = 1.0, 3.0  # speed in m/s and seconds of the walks whose poses are mixed in
 PRIOR = 0.15  # weight of the mean squared z-score of a vector among the bank's
 SPREAD = 0.3  # standard deviation of style vectors without a bank
-HELD_OUT = 0.15  # share of each new style's frames
+HELD_OUT = 0.2  # share of each new style's frames: half of them choose the step, half are reported
 EVERY = 40  # steps per new style between two measurements of the held-out error
 MAX_GRADIENT = 1.0  # norm to which gradients are clipped
 
@@ -51,7 +51,7 @@ class NewStyles:
     method: str  # one of `METHODS`
     seconds: float  # duration, with the computation of features
     losses: list[float]  # of every step
-    best: int  # the step whose vector was kept: that of the smallest held-out error; 0 for the initial one
+    best: int  # the step whose vector was kept; 0 for the initial one
     held_out: dict[str, dict[str, float]]  # of each new style: errors ``before``, ``after``, ``mean`` and ``repeat``
     __repr__ = summary
 
@@ -67,10 +67,11 @@ def fine_tune(model: Model, clips: Clip | Sequence[Clip] | Features, name: str |
     near those of the bank, because one clip does not show all motions. Without the penalty the error on the clip is lower,
     but the character slides.
 
-    A share of the frames is held out (`HELD_OUT`). Their error is measured every `EVERY` steps, and the best step is kept,
-    which may be the initial one. ``before`` is that error with the best style of the bank (method ``"vector"``) or with the
-    vector that the generator computes without fine-tuning; ``mean`` and ``repeat`` are those of
-    `toolkit.training.loss.baselines`. Clips that are too short to hold frames out keep the last step.
+    A share of the frames is held out (`HELD_OUT`). The error on half of them is measured every `EVERY` steps, and the best
+    step is kept, which may be the initial one. The errors in the result are those of the other half, which played no part in
+    this choice. ``before`` is the error with the best style of the bank (method ``"vector"``) or with the vector that the
+    generator computes without fine-tuning; ``mean`` and ``repeat`` are those of `toolkit.training.loss.baselines`. Clips
+    that are too short to hold frames out keep the last step.
 
     Parameters
     ----------
@@ -118,6 +119,7 @@ def fine_tune(model: Model, clips: Clip | Sequence[Clip] | Features, name: str |
         raise ValueError(f"the bank has {', '.join(known)} already; choose another name")
     styles = tuple(data.styles)
     kept, aside = splits.split(data, HELD_OUT, seed, styles)
+    choosing, reported = splits.split(aside, 0.5, seed, styles)
     if method == "vector":
         learnt = [torch.nn.Parameter(_start(model, bank, kept))]
         speeds = torch.tensor([features.natural_speed(data.clips[style][:]) for style in styles])
@@ -133,17 +135,16 @@ def fine_tune(model: Model, clips: Clip | Sequence[Clip] | Features, name: str |
         def made() -> StyleBank:
             return make_bank(model, kept)
 
-    def error() -> dict[str, float]:
-        return {style: row["mse"] for style, row in evaluate(model, made(), aside).items()}
+    def error(frames: Features) -> dict[str, float]:
+        return {style: row["mse"] for style, row in evaluate(model, made(), frames).items()}
 
-    before = error()
+    before = error(reported)
     vector = (lambda style, _: learnt[0][style, None]) if method == "vector" else (lambda _, y: model.encode(y))
-    descent = _Descent(learnt, error, before)
+    descent = _Descent(learnt, lambda: error(choosing))
     if method != "forward":
         _descend(model, bank, kept, descent, vector, method, steps, seed, progress)
-    new = made()
-    floors = baselines(model, aside)
-    errors = {style: {"before": before.get(style, math.nan), "after": descent.errors.get(style, math.nan)}
+    new, after, floors = made(), error(reported), baselines(model, reported)
+    errors = {style: {"before": before.get(style, math.nan), "after": after.get(style, math.nan)}
               | floors.get(style, dict.fromkeys(("mean", "repeat"), math.nan)) for style in styles}
     bank = new if bank is None else bank.merge(new)
     return NewStyles(new.names, bank, model, method, time.perf_counter() - began, descent.losses, descent.best, errors)
@@ -152,8 +153,8 @@ def fine_tune(model: Model, clips: Clip | Sequence[Clip] | Features, name: str |
 class _Descent:
     """What is learnt, the loss of every step, and the best values so far by the mean held-out error of the styles."""
 
-    def __init__(self, learnt: list[Tensor], error: Callable[[], dict[str, float]], before: dict[str, float]):
-        self.learnt, self.error, self.errors = learnt, error, before
+    def __init__(self, learnt: list[Tensor], error: Callable[[], dict[str, float]]):
+        self.learnt, self.error, self.errors = learnt, error, error()
         self.losses: list[float] = []
         self.best, self.values = 0, [tensor.detach().clone() for tensor in learnt]
 

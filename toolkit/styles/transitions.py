@@ -9,16 +9,7 @@ from torch import Tensor
 
 from toolkit.networks.bank import StyleBank
 from toolkit.runtime import FPS
-
-#: Interpolation weight as a function of the time share, both from 0 to 1.
-EASINGS: dict[str, Callable[[float], float]] = {
-    "linear": lambda t: t,
-    "smooth": lambda t: t * t * (3 - 2 * t),  # starts and ends slowly
-    "smoother": lambda t: t**3 * (t * (6 * t - 15) + 10),  # and with zero acceleration there
-    "in": lambda t: t * t,  # starts slowly
-    "out": lambda t: t * (2 - t),  # ends slowly
-    "jump": lambda t: float(t >= 1),  # constant, then changes at once
-}
+from toolkit.shots.course import EASINGS
 
 
 def transition(bank: StyleBank, stops: Mapping[float, str | Mapping[str, float]],

@@ -7,6 +7,7 @@ with the same weights as a run without a stop, bit for bit.
 import contextlib
 import math
 import os
+import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from functools import partial
@@ -41,7 +42,7 @@ LOG_EVERY = 10  # steps between the training losses that TensorBoard shows
 
 @dataclass(eq=False)
 class State:
-    """State of a run after ``step`` steps and ``elapsed`` seconds.
+    """State of a run after ``step`` steps, ``elapsed`` seconds and ``processor`` seconds of this process.
 
     ``losses`` are those of the last step; ``history`` has a row per evaluation. ``best`` are the weights with the least
     held-out error so far; they are kept only if the run may stop early.
@@ -49,6 +50,7 @@ class State:
 
     step: int = 0
     elapsed: float = 0.0
+    processor: float = 0.0
     losses: dict[str, float] = field(default_factory=dict)
     history: list[dict] = field(default_factory=list)
     best: dict[str, Tensor] = field(default_factory=dict)
@@ -115,7 +117,8 @@ def fit(data: Features, config: Config | None = None, checkpoint: str | os.PathL
 
     def assess(draw: Callable[[dict[str, float], int], None]) -> None:
         error = _held_out(model, train, test)
-        state.history.append({"step": state.step, "elapsed": state.elapsed, **state.losses, "held_out": error})
+        state.history.append({"step": state.step, "elapsed": state.elapsed, "processor": state.processor, **state.losses,
+                              "held_out": error})
         if config.patience and state.stalled == 0:
             state.best = {name: value.clone() for name, value in model.state_dict().items()}
         draw({} if error is None else {"held_out": error}, state.step)
@@ -123,7 +126,7 @@ def fit(data: Features, config: Config | None = None, checkpoint: str | os.PathL
     bar = tqdm(total=total or config.seconds, initial=state.step if total else state.elapsed, desc="training",
                unit="step" if total else "s", disable=not (progress and first),
                bar_format=None if total else "{l_bar}{bar}| {n:.0f}/{total:.0f} s, {remaining} left{postfix}")
-    smooth = math.nan
+    smooth, before = math.nan, time.process_time() - state.processor
     saver = Saver(save, config.save_every, state.elapsed, partial(_mean, fabric))
     with saver, _tensorboard(log if first else None, state.step) as draw, bar:
         model.train()
@@ -134,7 +137,7 @@ def fit(data: Features, config: Config | None = None, checkpoint: str | os.PathL
             with seeded(fabric.device, config.seed, DROPOUT, state.step):
                 state.losses = step(fabric, objective, adam, batches, config, state.step, rate)
             state.step += 1
-            state.elapsed = saver.elapsed
+            state.elapsed, state.processor = saver.elapsed, time.process_time() - before
             smooth = state.losses["loss"] if math.isnan(smooth) else 0.98 * smooth + 0.02 * state.losses["loss"]
             bar.set_postfix(loss=f"{smooth:.3f}", refresh=False)
             bar.update((state.step if total else min(state.elapsed, config.seconds)) - bar.n)

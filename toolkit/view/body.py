@@ -34,6 +34,8 @@ SPREAD = {"arm": 50.0, "leg": 9.0}  # degrees from the T-pose: arms downwards, l
 GROWN = {"hand": 2.7, "foot": 1.4, "head": 1.8}  # modelled so many times larger, for finer polygons
 FINGERS = ((0.032, 0.074, 17), (0.0105, 0.084, 6), (-0.0105, 0.078, -6), (-0.031, 0.06, -17))  # across, length, degrees
 SHARES, TONES = 0.012, 0.004  # metres over which vertices near two joints follow both, and over which colours change
+LARGEST = 1e6  # metres from the origin that are drawn
+TALL = 1.8  # metres: other creatures are modelled at this size
 VERTICES = 3700  # about as many, for a body of any shape
 KEPT = 16  # bodies
 TABLE = np.array([to_rgb(color) for color in COLORS.values()])  # [len(COLORS), 3]
@@ -100,10 +102,14 @@ def build(clip: Clip, vertices: int = VERTICES) -> Mannequin:
     Raises
     ------
     ValueError
-        If no bone is long enough to be given a body.
+        If no bone is long enough to be given a body, or the motion is too large for numbers of 32 bits.
     """
     made = _BUILT.setdefault(clip, {})
     if vertices not in made:
+        reach = max(float(clip.skeleton.offsets.abs().max()), float(clip.root_positions.abs().max()))
+        if reach > LARGEST:
+            raise ValueError(f"{clip.name}: its positions reach {reach:.3g} m, and at most {LARGEST:g} m can be drawn; "
+                             "the unit of length may be wrong (--unit)")
         pose = _Pose.of(clip)
         key = vertices, *pose.key
         if key not in _KEPT:
@@ -171,12 +177,12 @@ def _rise(clip: Clip, toe: int) -> float:
 
 
 def _build(pose: _Pose, name: str, vertices: int) -> Mannequin:
-    cones, scale = _humanoid(pose) if pose.body else ([], 1.0)
+    cones, scale = _humanoid(pose) if pose.body else ([], max(float(np.ptp(pose.places, axis=0).max()) / TALL, 1e-6))
     cones += _bones(pose, {cone.joint for cone in cones}, scale)
     if not cones:
         raise ValueError(f"{name}: no bone is long enough to be given a body")
     pivots = _pivots(pose)
-    model = [_grown(cone, *pivots[cone.joint]) for cone in cones]
+    model = [_grown(cone, *pivots[cone.joint], scale) for cone in cones]
     field = Field(model, PARTS)
     area = sum(np.pi * (2 * np.linalg.norm(c.end - c.start) + sum(c.radii)) * sum(c.radii) * (1 + c.by) / 2 for c in model)
     points, normals, triangles = polygonise(field, (0.45 * area / vertices) ** 0.5)
@@ -185,15 +191,16 @@ def _build(pose: _Pose, name: str, vertices: int) -> Mannequin:
     near -= near.min(1, keepdims=True)
     weights = np.zeros((len(points), len(pose.skeleton)))
     for i, cone in enumerate(cones):
-        weights[:, cone.joint] = np.maximum(weights[:, cone.joint], np.exp(-near[:, i] / (SHARES * scale)))
+        weights[:, cone.joint] = np.maximum(weights[:, cone.joint], np.exp(-near[:, i] / SHARES))
     joints, weights = strongest(weights)
     tones, feet = np.zeros((len(points), len(COLORS))), np.zeros((len(points), 2))
     for i, cone in enumerate(cones):
-        share, tone = np.exp(-near[:, i] / (TONES * scale)), list(COLORS).index(cone.tone)
+        share, tone = np.exp(-near[:, i] / TONES), list(COLORS).index(cone.tone)
         tones[:, tone] = np.maximum(tones[:, tone], share)
         if cone.foot:
             feet[:, FEET.index(cone.foot)] = np.maximum(feet[:, FEET.index(cone.foot)], share)
     factors, centres = (np.array([pivots[j][i] for j in range(len(pose.skeleton))]) for i in (0, 1))
+    points *= scale
     back = (1 / factors[joints] - 1)[..., None] * (points[:, None] - centres[joints])
     points = points + (weights[..., None] * back).sum(1)
     inverse = np.concatenate((pose.turned.swapaxes(1, 2), -pose.turned.swapaxes(1, 2) @ pose.places[..., None]), 2)
@@ -213,9 +220,10 @@ def _pivots(pose: _Pose) -> list[tuple[float, np.ndarray]]:
     return found
 
 
-def _grown(cone: Cone, factor: float, centre: np.ndarray) -> Cone:
-    start, end = (centre + factor * (point - centre) for point in (cone.start, cone.end))
-    return replace(cone, start=start, end=end, radii=tuple(factor * r for r in cone.radii))
+def _grown(cone: Cone, factor: float, centre: np.ndarray, scale: float) -> Cone:
+    """The cone as it is modelled: in metres of a person, larger by a factor about a point."""
+    start, end = ((centre + factor * (point - centre)) / scale for point in (cone.start, cone.end))
+    return replace(cone, start=start, end=end, radii=tuple(factor * r / scale for r in cone.radii))
 
 
 def _bones(pose: _Pose, drawn: set[int], scale: float) -> list[Cone]:
@@ -229,9 +237,9 @@ def _bones(pose: _Pose, drawn: set[int], scale: float) -> list[Cone]:
     for j, p in enumerate(pose.skeleton.parents):
         start, end = pose.places[[p, j]]
         length = float(np.linalg.norm(end - start))
-        least = 0.06 * scale if pose.body and j not in fingers else 0.008
+        least = 0.06 * scale if pose.body and j not in fingers else 0.008 * min(scale, 1.0)
         if p >= 0 and j not in toes and length > least and not (p in drawn and (j in drawn or pose.skeleton.is_end(j))):
-            r = min(max(0.16 * length, 0.008), 0.045 * scale)
+            r = min(max(0.16 * length, 0.008), 0.045 * scale) if pose.body else min(0.16 * length, 0.06 * scale)
             cones.append(Cone(p, start, end, (r, 0.8 * r), "middle", "bones"))
     return cones
 

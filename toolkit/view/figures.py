@@ -1,5 +1,6 @@
 """Charts by plotly: the space of styles, training, trajectories. Everything takes plain tensors or arrays."""
 
+import colorsys
 from collections.abc import Mapping, Sequence
 
 import numpy as np
@@ -10,11 +11,18 @@ from toolkit.view.body import PALETTE
 from toolkit.view.frontend import escape
 
 INK, QUIET, GRID = "#2b323b", "#8a8f98", "#e4e0d8"
+TIMES = "step", "elapsed", "processor", "epoch"  # of a row of a training history; the other numbers are errors
 LAYOUT = {
     "template": "plotly_white", "font": {"family": "system-ui, sans-serif", "size": 13, "color": INK},
     "paper_bgcolor": "#fbfaf7", "plot_bgcolor": "#fbfaf7", "margin": {"l": 60, "r": 20, "t": 48, "b": 44},
     "hovermode": "closest",
 }
+
+
+def colours(n: int) -> list[str]:
+    """``n`` different colours: those of the palette, then hues that lie far from one another."""
+    more = (colorsys.hls_to_rgb((0.13 + 0.381966 * k) % 1, 0.32 + 0.12 * (k % 3), 0.55) for k in range(n - len(PALETTE)))
+    return [*PALETTE[:n], *("#" + "".join(f"{round(255 * c):02x}" for c in rgb) for rgb in more)]
 
 
 def style_space(vectors, names: Sequence[str], labels: Sequence[str] | None = None, *, marked: Mapping | None = None,
@@ -43,12 +51,13 @@ def style_space(vectors, names: Sequence[str], labels: Sequence[str] | None = No
         raise ValueError(f"{len(names)} names need positions [{len(names)}, 2] and as many labels; got "
                          f"{list(points.shape)} and {len(groups)}")
     figure = go.Figure()
-    for i, group in enumerate(dict.fromkeys(groups)):
+    kinds = list(dict.fromkeys(groups))
+    for group, colour in zip(kinds, colours(len(kinds)), strict=True):
         own = [k for k, g in enumerate(groups) if g == group]
         figure.add_scatter(
             x=points[own, 0], y=points[own, 1], text=[escape(names[k]) for k in own], name=escape(group) or "styles",
             mode="markers+text" if len(names) <= 40 else "markers", textposition="top center", textfont={"size": 11},
-            marker={"size": 11, "color": PALETTE[i % len(PALETTE)], "line": {"color": "white", "width": 1.5}},
+            marker={"size": 11, "color": colour, "line": {"color": "white", "width": 1.5}},
             showlegend=labels is not None,
             hovertemplate="<b>%{text}</b>" + ("<br>%{fullData.name}" if group else "") + "<extra></extra>",
         )
@@ -67,7 +76,7 @@ def training_curves(history: Sequence[Mapping] | Mapping[str, Sequence], *, titl
     ----------
     history, title
         A row per evaluation with ``step`` and numbers such as ``train`` and ``test``, or the same as columns. ``elapsed``
-        is shown on hover. Values that are not positive are left out. The heading.
+        is shown on hover, ``processor`` (seconds of it) is not. Values that are not positive are left out. The heading.
 
     Raises
     ------
@@ -79,15 +88,15 @@ def training_curves(history: Sequence[Mapping] | Mapping[str, Sequence], *, titl
     rows = list(history)
     if not rows or any("step" not in row for row in rows):
         raise ValueError(f"a training history needs rows with 'step'; got {len(rows)} rows")
-    names = [n for n in dict.fromkeys(k for row in rows for k in row) if n not in ("step", "elapsed", "epoch")]
+    names = [n for n in dict.fromkeys(k for row in rows for k in row) if n not in TIMES]
     figure = go.Figure()
-    for i, name in enumerate(names):
+    for name, colour in zip(names, colours(len(names)), strict=True):
         kept = [r for r in rows if isinstance(r.get(name), int | float) and r[name] > 0]
         if kept:
             figure.add_scatter(x=[r["step"] for r in kept], y=[r[name] for r in kept], name=escape(name),
                                mode="lines+markers", marker={"size": 5},
                                customdata=[r.get("elapsed", float("nan")) for r in kept],
-                               line={"color": PALETTE[i % len(PALETTE)], "width": 2.5},
+                               line={"color": colour, "width": 2.5},
                                hovertemplate="%{fullData.name} %{y:.4g} at step %{x:,}, %{customdata:.0f} s<extra></extra>")
     return finish(figure, title, 420, {"title": "step"}, {"title": "error", "type": "log"})
 
@@ -112,9 +121,8 @@ def trajectory_figure(clips: Clip | Sequence[Clip], target=None, *, labels: Sequ
         path = _array(target)
         figure.add_scatter(x=-path[:, 0], y=path[:, 1], name="asked for", mode="lines", hoverinfo="skip",
                            line={"color": QUIET, "width": 8}, opacity=0.35)
-    for i, (clip, name) in enumerate(zip(clips, labels, strict=True)):
+    for clip, name, color in zip(clips, labels, colours(len(clips)), strict=True):
         x, z = -_array(clip.root_positions)[:, 0], _array(clip.root_positions)[:, 2]  # seen from above, +X is on the left
-        color = PALETTE[i % len(PALETTE)]
         figure.add_scatter(x=x, y=z, name=name, mode="lines", line={"color": color, "width": 2.5},
                            customdata=np.arange(len(clip)) / clip.fps,
                            hovertemplate="%{customdata:.2f} s<extra>%{fullData.name}</extra>")

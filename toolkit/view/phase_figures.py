@@ -15,8 +15,8 @@ from toolkit.evaluation import metrics
 from toolkit.motion import Clip, root_frames
 from toolkit.motion import rotations as R
 from toolkit.view import body
-from toolkit.view.body import COLORS, CONTACT, PALETTE
-from toolkit.view.figures import GRID, INK, LAYOUT, QUIET, finish
+from toolkit.view.body import COLORS, CONTACT
+from toolkit.view.figures import GRID, INK, LAYOUT, QUIET, colours, finish
 from toolkit.view.frontend import escape
 from toolkit.view.opengl import INSTALL, opengl_works
 from toolkit.view.picture import per_clip
@@ -206,12 +206,12 @@ def phase_manifold(phases: Mapping[str, ph.Phases], fps: float = 60.0, *, window
     figure = make_subplots(rows, columns, subplot_titles=[escape(style) for style in paths], shared_xaxes="all",
                            shared_yaxes="all", horizontal_spacing=0.02, vertical_spacing=0.08)
     grey = np.concatenate([np.append(p[:, :2], [[np.nan, np.nan]], 0) for p in paths.values()])
-    for i, (style, path) in enumerate(paths.items()):
+    for i, ((style, path), colour) in enumerate(zip(paths.items(), colours(len(paths)), strict=True)):
         cell = {"row": i // columns + 1, "col": i % columns + 1}
         figure.add_scatter(x=grey[:, 0], y=grey[:, 1], mode="lines", hoverinfo="skip", **cell,
                            line={"color": GRID, "width": 1})
         figure.add_scatter(x=path[:, 0], y=path[:, 1], name=escape(style), mode="lines", **cell,
-                           line={"color": PALETTE[i % len(PALETTE)], "width": 1.6},
+                           line={"color": colour, "width": 1.6},
                            customdata=(np.arange(len(path)) + (size - 1) / 2) / fps,
                            hovertemplate="<b>%{fullData.name}</b> %{customdata:.2f} s<extra></extra>")
     figure.update_xaxes(showticklabels=False, showgrid=False, zeroline=False)
@@ -265,7 +265,7 @@ def _manifold_pyvista(paths: dict[str, np.ndarray]):
     plotter = pv.Plotter(off_screen=True, window_size=(900, 800))
     plotter.set_background(LAYOUT["paper_bgcolor"])
     reach = max(float(np.abs(path).max()) for path in paths.values())
-    for i, (style, path) in enumerate(paths.items()):
-        plotter.add_mesh(pv.lines_from_points(path).tube(radius=0.008 * reach), color=PALETTE[i % len(PALETTE)], label=style)
+    for (style, path), colour in zip(paths.items(), colours(len(paths)), strict=True):
+        plotter.add_mesh(pv.lines_from_points(path).tube(radius=0.008 * reach), color=colour, label=style)
     plotter.add_legend(bcolor=None, face="rectangle")
     return plotter

@@ -28,6 +28,7 @@ class Partition:
     out: Path
     source: str
     style: str
+    file: str  # name of the file to write
     takes: tuple[tuple[int, Take], ...]  # with their numbers in the dataset
     mirrored: frozenset[str]  # gaits
 
@@ -68,8 +69,7 @@ def make(job: Partition) -> dict[str, Any]:
         found = [{"positions": own.roots.positions, "rotations": own.roots.rotations, "joints": own.joints,
                   "phases": own.phases, "contacts": own.contacts} for own in parts]
         tensors = {name: torch.cat([t[name] for t in found]) for name in found[0]}
-        file = f"{job.style}.safetensors"
-        return {"file": file, **files.write(job.out / file, tensors), "frames": len(tensors["joints"]),
+        return {"file": job.file, **files.write(job.out / job.file, tensors), "frames": len(tensors["joints"]),
                 "layout": layout.to_json(), "clips": clips, "sources": sources}
 
 
@@ -112,9 +112,10 @@ def _repeated(own: OwnFeatures, lengths: dict[int, int], starts: torch.Tensor) -
 
 
 def moments(path: Path, style: str, entry: dict[str, Any], held_out: np.ndarray) -> dict[str, tuple]:
-    """`toolkit.features.moments` of a style's rows that are not held out, and of the style clips of these."""
+    """`toolkit.features.moments` of a style's training rows, and of their style clips (`toolkit.features.splits.split`)."""
     with one_thread():
-        found, kept = read(path, {style: entry}), ~torch.from_numpy(held_out)
+        found, held_out = read(path, {style: entry}), torch.from_numpy(held_out)
+        kept = splits.apart(found, style, held_out)
         rows = {kind: getattr(found, kind)[style].select(kept) for kind in features.FRAME_KINDS}
-        rows["clips"] = splits.style_clips(found, style, ~kept)
+        rows["clips"] = splits.style_clips(found, style, held_out)
         return {kind: tuple(np.asarray(x) for x in features.moments(r)) for kind, r in rows.items()}

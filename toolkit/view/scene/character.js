@@ -74,19 +74,10 @@ class Walker {
   }
 }
 
-export class Kernel {
-  constructor(data) {
-    const { styles, vectors, rules, start } = data;
-    Object.assign(this, { data, fps: rules.fps, character: new Character(data), vectors: numbers(vectors), listeners: {} });
-    this.others = data.others.map((one) => new Walker(data, this.character.network, this.vectors, one));
-    this.size = this.vectors.length / styles.length;
-    const crowd = data.crowd && { skeleton: data.crowd, tints: data.others.map(({ tint }) => tint) };
-    this.traits = { styles, skeleton: data.skeleton, crowd, feet: true, arms: true, recording: false, status: "", ...data.traits };
-    this.input = { id: 0, move: [0, 0], turn: 0, run: false, heading: null };
-    this.facing = Math.atan2(...start.facing);
-    this.style = this.target();
-    this.frame = this.due = this.last = this.handle = 0;
-    this.recorded = [];
+// Traits of a page without a notebook, as a widget's model has them.
+export class Model {
+  constructor(traits = {}) {
+    Object.assign(this, { traits, listeners: {} });
   }
 
   get(name) {
@@ -94,7 +85,6 @@ export class Kernel {
   }
 
   set(name, value) {
-    if (name === "recording") value ? (this.recorded = []) : this.download?.(this.bvh());
     this.traits[name] = value;
     this.emit(`change:${name}`);
   }
@@ -111,6 +101,28 @@ export class Kernel {
 
   emit(event, ...what) {
     for (const listener of this.listeners[event] ?? []) listener(...what);
+  }
+}
+
+export class Kernel extends Model {
+  constructor(data) {
+    super();
+    const { styles, vectors, rules, start } = data;
+    Object.assign(this, { data, fps: rules.fps, character: new Character(data), vectors: numbers(vectors) });
+    this.others = data.others.map((one) => new Walker(data, this.character.network, this.vectors, one));
+    this.size = this.vectors.length / styles.length;
+    const crowd = data.crowd && { skeleton: data.crowd, tints: data.others.map(({ tint }) => tint) };
+    this.traits = { styles, skeleton: data.skeleton, crowd, feet: true, arms: true, recording: false, status: "", ...data.traits };
+    this.input = { id: 0, move: [0, 0], turn: 0, run: false, heading: null };
+    this.facing = Math.atan2(...start.facing);
+    this.style = this.target();
+    this.frame = this.due = this.last = this.handle = 0;
+    this.recorded = [];
+  }
+
+  set(name, value) {
+    if (name === "recording") value ? (this.recorded = []) : this.download?.(this.bvh());
+    super.set(name, value);
   }
 
   send(message) {
@@ -187,19 +199,23 @@ export class Kernel {
     this.handle = requestAnimationFrame(tick);
   }
 
-  // the recording as BVH text, angles in degrees about Y, X and Z
   bvh() {
-    const { header, joints, centimetre } = this.data.bvh, degree = Math.PI / 180, text = (v) => v.toFixed(6);
-    const rows = this.recorded.map(([root, q]) => {
-      const row = Array.from(root, (v) => v / centimetre);
-      for (const j of joints) {
-        const [w, x, y, z] = q.subarray(4 * j, 4 * j + 4), sine = Math.min(Math.max(2 * (w * x - y * z), -1), 1);
-        const angles = [Math.atan2(2 * (w * y + x * z), 1 - 2 * (x * x + y * y)), Math.asin(sine),
-                        Math.atan2(2 * (w * z + x * y), 1 - 2 * (x * x + z * z))];
-        row.push(...angles.map((a) => a / degree));
-      }
-      return row.map(text).join(" ");
-    });
-    return [`${header}MOTION`, `Frames: ${rows.length}`, `Frame Time: ${(1 / this.fps).toFixed(8)}`, ...rows, ""].join("\n");
+    return bvh(this.data.bvh, this.recorded, this.fps);
   }
+}
+
+// frames [[root, rotations]] as BVH text, angles in degrees about Y, X and Z
+export function bvh({ header, joints, centimetre }, frames, fps) {
+  const degree = Math.PI / 180, text = (v) => v.toFixed(6);
+  const rows = frames.map(([root, q]) => {
+    const row = Array.from(root, (v) => v / centimetre);
+    for (const j of joints) {
+      const [w, x, y, z] = q.subarray(4 * j, 4 * j + 4), sine = Math.min(Math.max(2 * (w * x - y * z), -1), 1);
+      const angles = [Math.atan2(2 * (w * y + x * z), 1 - 2 * (x * x + y * y)), Math.asin(sine),
+                      Math.atan2(2 * (w * z + x * y), 1 - 2 * (x * x + z * z))];
+      row.push(...angles.map((a) => a / degree));
+    }
+    return row.map(text).join(" ");
+  });
+  return [`${header}MOTION`, `Frames: ${rows.length}`, `Frame Time: ${(1 / fps).toFixed(8)}`, ...rows, ""].join("\n");
 }

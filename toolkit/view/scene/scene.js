@@ -121,9 +121,8 @@ export class Scene {
     this.floor.add(this.shade);
     this.scene.add(this.floor);
 
-    this.body = new (skeleton.mesh.own ? Figure : Body)(skeleton, this.light, software);
-    this.flat = this.body.shadow(SHADE);
-    this.scene.add(this.body.mesh, this.flat);
+    this.bodies = [];
+    this.body = this.add();
 
     this.camera = new THREE.PerspectiveCamera(36, 1, 0.1, 60);
     this.controls = new OrbitControls(this.camera, this.canvas);
@@ -137,6 +136,25 @@ export class Scene {
     this.setQuality(software ? 2 : 0);
     this.observer = new ResizeObserver(() => { this.resize(); this.render(this); });
     this.observer.observe(element);
+  }
+
+  // One more body like the first; a ghost is pale and has no shadow. `show` hides it again.
+  add({ ghost = false } = {}) {
+    const { skeleton } = this;
+    const body = new (skeleton.mesh.own ? Figure : Body)(skeleton, this.light, software);
+    this.bodies.push(body);
+    this.scene.add(body.mesh);
+    if (ghost) {
+      Object.assign(body.mesh.material, { transparent: true, opacity: 0.35 });
+      body.mesh.castShadow = false;
+    } else this.scene.add((body.projected = body.shadow(SHADE)));
+    this.show(body, true);
+    return body;
+  }
+
+  show(body, on) {
+    body.mesh.visible = on;
+    if (body.projected) body.projected.visible = on && this.quality >= 2;
   }
 
   setPose(root, rotations) {
@@ -193,8 +211,8 @@ export class Scene {
   // 0 finest, 1 no fine pixels, 2 a projected shadow, 3 coarse pixels: for slow machines
   setQuality(level) {
     this.renderer.shadowMap.enabled = this.sun.castShadow = this.shade.visible = level < 2;
-    this.flat.visible = level >= 2;
     this.quality = level;
+    for (const body of this.bodies) this.show(body, body.mesh.visible);
     this.resize();
   }
 
@@ -223,7 +241,7 @@ export class Scene {
     this.observer.disconnect();
     this.controls.dispose();
     this.setTrail(null);
-    this.body.dispose();
+    for (const body of this.bodies) body.dispose();
     this.crowd?.dispose();
     this.renderer.dispose();
     this.renderer.forceContextLoss();

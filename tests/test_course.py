@@ -1,0 +1,115 @@
+"""The frame of the notebooks: map, checked exercises, sentences, figures without a kernel."""
+
+import re
+import subprocess
+import sys
+from importlib.util import find_spec
+from xml.etree import ElementTree
+
+import plotly.graph_objects as go
+import pytest
+import torch
+
+import toolkit as tk
+from toolkit.course.checks import Exercise, differs, equals, same_as
+from toolkit.course.sequence import picture
+
+WRITTEN = [number for number, lesson in tk.course.LESSONS.items() if find_spec(f"toolkit.course.exercises.{lesson.name}")]
+
+
+def test_a_lesson_comes_after_those_it_needs():
+    order = list(tk.course.LESSONS)
+    assert order == sorted(order)
+    for number, lesson in tk.course.LESSONS.items():
+        assert number == lesson.number
+        assert set(lesson.needs) < set(order)
+        assert number not in lesson.needs
+    assert len({lesson.place for lesson in tk.course.LESSONS.values()}) == len(order)
+
+
+def test_the_map_has_every_lesson_and_lights_one():
+    root = ElementTree.fromstring(picture("02a"))
+    texts = [node.text for node in root.iter("{http://www.w3.org/2000/svg}text")]
+    assert [text.split()[0] for text in texts[::2]] == list(tk.course.LESSONS)
+    assert picture("02a").count('fill="#7b3fb5"') == 1
+    with pytest.raises(ValueError, match="no notebook '10'"):
+        tk.course.here("10")
+
+
+def test_figures_ask_no_server_and_use_code_that_the_map_brings():
+    page = tk.course.here("00").html
+    assert "window.Plotly = Plotly" in page
+    bundle = go.Figure().add_scatter(y=[1, 2])._repr_mimebundle_()
+    assert set(bundle) == {"application/vnd.plotly.v1+json", "text/html"}
+    assert "http" not in re.sub(r"https://plot(ly|\.ly)[^\"]*", "", bundle["text/html"])
+    assert "Plotly.newPlot" in bundle["text/html"]
+
+
+def test_a_film_is_a_page_in_a_frame(hop):
+    html = tk.course.film(hop, title='A "hop"').html
+    assert html.startswith('<iframe srcdoc="&lt;!doctype html&gt;')
+    assert html.count("<") == 2  # nothing of the page ends the frame
+
+
+@pytest.fixture(scope="module")
+def hop() -> tk.Clip:
+    return tk.datasets.load("procedural", styles="HopLeft", gaits="FW", seconds=1.0)[0]
+
+
+def test_claims_stand_only_if_they_are_true():
+    assert tk.course.claim("2 < 3", 2 < 3)._repr_markdown_() == "2 < 3"
+    assert tk.course.learnt({"a": True, "b": torch.tensor(True)})._repr_markdown_() == "* a\n* b"
+    with pytest.raises(AssertionError, match=r"condition 2 of 2 does not hold.*: one"):
+        tk.course.claim("one", True, 2 < 1)
+    with pytest.raises(AssertionError):
+        tk.course.learnt({"a": True, "b": False})
+    with pytest.raises(ValueError, match="give the conditions"):
+        tk.course.claim("all is well")
+
+
+def test_differences_do_not_tell_the_answer():
+    assert not differs(torch.ones(2) + 1e-5, torch.ones(2), 1e-3)
+    assert differs(1, torch.ones(2), 1e-3) == "the result has the shape [], and [2] is right"
+    assert differs([1.0, 2.0], torch.ones(2), 1e-3) == "the shape is right, but the numbers are not"
+    assert differs(float("nan"), 1.0, 1e-3)
+    assert differs(1.5, 2.0, 1e-3) == "1.5 is not right"
+    assert not differs({"a"}, {"a"}, 0)
+    assert differs(["a"], {"a"}, 0)
+
+
+def test_judges_know_wrong_answers():
+    judge = same_as(lambda x: 2 * x, lambda: [(1.0,), (3.0,)], {"halved": lambda x: x / 2})
+    assert judge(lambda x: x + x) == ""
+    assert judge(lambda x: x / 2) == "halved"
+    assert judge(lambda x: 2.0) == "hidden case 2 of 2: 2 is not right."
+    assert judge(lambda x: None) == "the function returns nothing yet."
+    assert judge(3) == "a function is needed, not int."
+    assert equals(4, {"that is its square": 16})(16) == "that is its square"
+
+
+def test_check_says_what_is_wrong(monkeypatch):
+    assert tk.course.check("00.2", lambda speed, fps: speed / fps)
+    for answer in (..., 3, lambda speed, fps: ..., lambda speed, fps: speed, lambda: 1):
+        verdict = tk.course.check("00.2", answer)
+        assert not verdict
+        assert "Hint: in one second" in str(verdict)
+    assert "raised TypeError" in str(verdict)
+    with pytest.raises(ValueError, match=r"no exercise '00\.9'; there are 00\.1, 00\.2"):
+        tk.course.check("00.9", 1)
+    with pytest.raises(ValueError, match="no exercise 'x'"):
+        tk.course.check("x", 1)
+
+
+@pytest.mark.parametrize("number", WRITTEN)
+def test_exercises_are_numbered_and_refuse_trivial_answers(number):
+    known = tk.course.exercises_of(number)
+    assert list(known) == [f"{number}.{i + 1}" for i in range(len(known))]
+    for name, exercise in known.items():
+        assert isinstance(exercise, Exercise)
+        for nothing in (..., 0, 1, "", {}, lambda *_: 0.0, lambda *_: torch.zeros(1), lambda first, *_: first):
+            assert not tk.course.check(name, nothing), (name, nothing)
+
+
+def test_importing_the_toolkit_does_not_import_the_course():
+    code = "import sys, toolkit; print('toolkit.course' in sys.modules, 'plotly' in sys.modules)"
+    assert subprocess.check_output([sys.executable, "-c", code], text=True).split() == ["False", "False"]

@@ -1,0 +1,123 @@
+"""Stored results: every table of the pages equals its file, and the prose states no number that no file holds."""
+
+import math
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from experiments import tables
+from experiments.tables import DOCS, RESULTS, Result
+
+PAGES = sorted(DOCS.glob("*.md"))
+STATED = ()  # pages whose prose states results
+
+
+@pytest.fixture
+def folder(tmp_path):
+    """A folder with one result, of two seeds."""
+    columns = {"model": ["model"], "mse": ["MSE", 4], "skate": ["skate, cm/s", 1, 100], "walks": ["walks", 0]}
+    rows = [{"model": "lpn-film", "mse": [0.0402, 0.0422], "skate": [0.1204, 0.1304], "walks": 98},
+            {"model": "repeat", "mse": [0.185], "skate": None}]
+    Result("small", "Two seeds.", "python -m experiments …", columns, rows, {"frames": 1536000},
+           {"share": 0.914}).save(tmp_path)
+    return tmp_path
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda path: path.stem)
+def test_the_tables_of_a_page_are_those_of_its_results(page):
+    text = page.read_text(encoding="utf-8")
+    assert tables.fill(text) == text, "run: python -m experiments tables"
+    assert text.count("<!-- table ") == len(tables.TABLE.findall(text)), "a table without its end"
+
+
+def test_the_prose_of_pages_states_only_stored_numbers():
+    pages = [(DOCS / f"{page}.md").read_text(encoding="utf-8") for page in STATED]
+    assert [found for text in pages for found in tables.unsupported(text)] == []
+
+
+def test_every_result_is_shown_or_named_on_a_page():
+    text = "".join(page.read_text(encoding="utf-8") for page in PAGES)
+    named = {name for _, name, _, _ in tables.TABLE.findall(text)}
+    named |= {name for listed in re.findall(r"<!-- results ([\w -]+) -->", text) for name in listed.split()}
+    assert named == {path.stem for path in RESULTS.glob("*.json")}
+
+
+@pytest.mark.parametrize("path", sorted(RESULTS.glob("*.json")), ids=lambda path: path.stem)
+def test_a_stored_result_says_what_it_is_and_reads_back(path, tmp_path):
+    result = Result.load(path.stem)
+    assert result.about
+    assert "python -m " in result.command
+    assert result.save(tmp_path).read_bytes() == path.read_bytes()
+    assert path.stat().st_size < 200_000
+
+
+def test_a_table_is_drawn_and_drawn_again_the_same(folder):
+    page = "Before.\n\n<!-- table small -->\nold\n<!-- end -->\n\nAfter.\n"
+    drawn = tables.fill(page, folder)
+    assert drawn == ("Before.\n\n<!-- table small -->\n| model | MSE | skate, cm/s | walks |\n| --- | --- | --- | --- |\n"
+                     "| lpn-film | 0.0412 ± 0.0014 | 12.5 ± 0.7 | 98 |\n| repeat | 0.1850 |  |  |\n"
+                     "<!-- end -->\n\nAfter.\n")
+    assert tables.fill(drawn, folder) == drawn
+    assert "| model | walks |" in tables.fill(page.replace("small", "small: model walks"), folder)
+
+
+@pytest.mark.parametrize("said", [
+    "an error of 0.0412", "12.5 cm/s", "12.04 cm/s", "1,536,000 frames", "91 %", "91.4 % of them", "98 styles",
+    "a spread of 0.0014", "as in section 5.1 and Table 2", "Mason et al. 2022", "`--steps 4000`", "[notebook](06_x.ipynb)",
+    "<!-- cited -->7.7<!-- end -->",
+])
+def test_numbers_of_the_result_and_of_no_result(folder, said):
+    assert tables.unsupported(f"<!-- table small -->\n<!-- end -->\n{said}.", folder) == []
+
+
+@pytest.mark.parametrize("number", ["0.0413", "12.6", "92 %", "97", "0.05", "5", "−0.0412", "1,536,001"])
+def test_numbers_that_no_result_holds_are_found(folder, number):
+    (found,) = tables.unsupported(f"<!-- table small -->\n<!-- end -->\nText with {number} in it.", folder)
+    assert found.startswith(f"{number} in: …")
+
+
+def test_a_page_may_name_a_result_without_a_table(folder):
+    assert tables.unsupported("<!-- results small -->\n98 styles", folder) == []
+    assert len(tables.unsupported("98 styles", folder)) == 1
+
+
+def test_wrong_results_are_errors_in_one_line(folder):
+    (folder / "broken.json").write_text("{")
+    (folder / "other.json").write_text('{"a": 1}')
+    for call, said in (
+        (lambda: tables.fill("<!-- table none -->\n<!-- end -->", folder), r"none.json: no such result; known: broken"),
+        (lambda: tables.fill("<!-- table small: model gpu -->\n<!-- end -->", folder), "small has no column gpu; columns: "),
+        (lambda: Result.load("broken", folder), r"broken.json: is not a result"),
+        (lambda: Result.load("other", folder), r"other.json: is not a result"),
+        (lambda: Result("x", "", "", {"a": ["a"]}, [{"b": 1}]), "x: a row has b, which no column shows"),
+    ):
+        with pytest.raises(ValueError, match=said) as error:
+            call()
+        assert "\n" not in str(error.value)
+
+
+def test_what_is_not_finite_is_stored_as_nothing(tmp_path):
+    Result("gaps", "a", "b", {"v": ["v", 2]}, [{"v": math.nan}, {"v": [1.0, math.inf]}]).save(tmp_path)
+    assert [row["v"] for row in Result.load("gaps", tmp_path).rows] == [None, [1.0, None]]
+    assert Result.load("gaps", tmp_path).markdown().splitlines()[2:] == ["|  |", "| 1.00 |"]
+
+
+def test_the_command_writes_pages(tmp_path, monkeypatch, folder, capsys):
+    page = tmp_path / "page.md"
+    page.write_text("<!-- table small: walks -->\n<!-- end -->\n")
+    monkeypatch.setattr(tables, "DOCS", tmp_path)
+    monkeypatch.setattr(tables, "RESULTS", folder)
+    tables.run()
+    assert "| 98 |" in page.read_text()
+    assert "page.md" in capsys.readouterr().out
+    tables.run()
+    assert capsys.readouterr().out == ""
+
+
+def test_the_command_line_knows_it():
+    done = subprocess.run([sys.executable, "-m", "experiments", "tables", "--help"], capture_output=True, text=True,
+                          cwd=Path(__file__).parents[1])
+    assert "stored results" in done.stdout

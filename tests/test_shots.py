@@ -1,0 +1,268 @@
+import dataclasses
+import json
+import math
+import re
+from pathlib import Path
+
+import pytest
+import torch
+from hypothesis import given
+from hypothesis import strategies as st
+
+import toolkit as tk
+from toolkit.shots import Shot, pilots
+from toolkit.shots.course import FPS, Course, Curve
+from toolkit.shots.feasibility import arrival, beside
+
+S_PATH = Shot([(0, 0), (1, 2, 2.5), (-1, 4), (0, 6, 7.0)],
+              [(0, "Neutral"), (2, "Neutral"), (3, {"Zombie": 0.5, "Neutral": 0.5})])
+
+
+@pytest.fixture(scope="module")
+def embedded():
+    model, bank = tk.pretrained()
+    return tk.runtime.compile(model), bank
+
+
+def walked(model, bank, shot):
+    """Course; the root's place and the contacts at each frame."""
+    plan = shot.plan(bank)
+    states = list(shot.states(model, bank, plan))
+    return plan[0], [tuple(s.root[0, :2].tolist()) for s in states], torch.cat([s.contacts for s in states])
+
+
+numbers = st.floats(-50, 50)
+times = st.lists(st.floats(0, 100), min_size=1, max_size=5, unique=True).map(sorted)
+
+
+@st.composite
+def some_shots(draw):
+    steps = draw(st.lists(st.tuples(st.floats(0.02, 5), st.floats(-3, 3)), min_size=1, max_size=6))
+    z = x = 0.0
+    points = [(0.0, 0.0)]
+    for dz, dx in steps:
+        z, x = z + dz, x + dx
+        points.append((x, z))
+    easing = st.sampled_from(["smooth", "linear", "jump"])
+    facing, duration = draw(st.sampled_from([None, (0.0, 1.0)])), draw(st.sampled_from([None, 3.0]))
+    return Shot(points, [(t, draw(st.sampled_from(["Neutral", "Zombie"])), draw(easing)) for t in draw(times)],
+                [(t, draw(st.floats(0, 3)), draw(easing)) for t in draw(times)],
+                [{"seconds": 1.0, "time": t} for t in draw(times)], smooth=draw(st.booleans()),
+                seed=draw(st.integers(0, 99)), facing=facing, duration=duration)
+
+
+@given(some_shots())
+def test_a_shot_survives_its_file(tmp_path_factory, shot):
+    path = tmp_path_factory.mktemp("shots") / "shot.json"
+    shot.save(path)
+    assert Shot.load(path) == shot
+
+
+@given(some_shots())
+def test_a_plan_is_finite_and_never_goes_back(shot):
+    course, heading = shot.plan()
+    assert all(0 <= a <= b <= course.curve.length for a, b in zip(course.distance, course.distance[1:], strict=False))
+    assert len(course.distance) == len(course.speed)
+    assert all(map(math.isfinite, course.speed))
+    assert all(math.isfinite(heading.angle(at, (1.0, 1.0))) for at in course.distance[::60])
+
+
+def test_a_scene_holds_several_shots(tmp_path):
+    path = tmp_path / "scene.json"
+    tk.shots.save([S_PATH, dataclasses.replace(S_PATH, seed=3)], path)
+    assert [shot.seed for shot in tk.shots.load(path)] == [0, 3]
+    with pytest.raises(ValueError, match="holds 2 shots"):
+        Shot.load(path)
+
+
+def test_the_examples_are_valid_and_small(embedded):
+    files = sorted((Path(__file__).parents[1] / "examples" / "shots").glob("*.json"))
+    assert len(files) >= 9
+    for file in files:
+        assert file.stat().st_size < 30_000
+        for shot in tk.shots.load(file):
+            shot.plan(embedded[1])
+
+
+def test_a_shot_gives_the_same_bits_every_time_and_a_seed_other_steps(embedded):
+    short = dataclasses.replace(S_PATH, duration=2.0)
+    a, b = (short.render(*embedded) for _ in range(2))
+    assert torch.equal(a.rotations, b.rotations)
+    assert torch.equal(a.root_positions, b.root_positions)
+    assert len(a) == 2 * FPS
+    other = dataclasses.replace(short, seed=1).render(*embedded)
+    assert (other.rotations - a.rotations).abs().max() > 0.1
+    loose = dataclasses.replace(short, feet=False, arms=False).render(*embedded)
+    assert (loose.rotations - a.rotations).abs().max() > 1e-3
+
+
+@pytest.mark.parametrize("style", ["Neutral", "Old", "Strut"])
+def test_the_character_keeps_to_its_path_and_its_times(embedded, style):
+    speed = embedded[1].speed(style)
+    shot = dataclasses.replace(S_PATH, styles=style, path=[(0, 0), (1, 2, 3.4 / speed), (-1, 4), (0, 6, 9.5 / speed)])
+    course, places, contacts = walked(*embedded, shot)
+    apart = beside(course, places)
+    assert sum(apart) / len(apart) < 0.07
+    for k in (1, 3):
+        seconds, metres = arrival(course.curve.point(course.curve.knots[k]), shot.path[k].time, places)
+        assert seconds == 0
+        assert metres < 0.1
+    assert shot.check(*embedded) == []
+    skate = tk.metrics.foot_skate(shot.render(*embedded), contacts)
+    assert max(skate.values()) < 0.01
+
+
+def test_a_hold_stands_and_a_direction_is_kept(embedded):
+    shot = Shot([(0, 0), (0, 4)], "Neutral", holds=[{"time": 3.0, "seconds": 2.0}], facing=(1.0, 0.0))
+    states = list(shot.states(*embedded))
+    stand = torch.cat([s.root[:, :2] for s in states[round(3.8 * FPS) : round(4.8 * FPS)]])
+    assert (stand - stand[0]).norm(dim=-1).max() < 0.1
+    assert states[200].root[0, 2] > 0.9  # faces +x
+    assert states[-1].root[0, 1] == pytest.approx(4.0, abs=0.15)
+
+
+def test_a_look_at_point_is_faced(embedded):
+    shot = Shot([(0, 0), (0, 4)], "Neutral", [(0, 0.6)], look_at=(3.0, 2.0))
+    for state in list(shot.states(*embedded))[90:300:30]:
+        x, z, dx, dz = state.root[0].tolist()
+        aim = math.atan2(3.0 - x, 2.0 - z)
+        assert abs(math.remainder(math.atan2(dx, dz) - aim, math.tau)) < 0.45
+
+
+@pytest.mark.parametrize(("changes", "said"), [
+    ({"speeds": [(0, 6.0)], "path": [(0, 0), (0, 30)]}, "times that of the style"),
+    ({"speeds": [(0, 2.0)], "path": [(0, 0), (0, 2.5), (0.15, 2.5), (0.15, 0)]}, "too tight"),
+    ({"path": [(0, 0), (0, 5, 0.5)]}, "too far away to be reached at 0.5 s"),
+    ({"path": [(0, 0), (0, 8, 3.0)]}, "path[1] is met"),
+    ({"duration": 2.0, "path": [(0, 0), (0, 9)]}, "the end of the path is not reached in 2 s"),
+    ({"path": [(0, 0), (0, 2)], "holds": [{"distance": 5, "seconds": 1}]}, "holds[0] is after the end"),
+])
+def test_check_says_what_cannot_be_met(embedded, changes, said):
+    lines = dataclasses.replace(Shot([(0, 0), (0, 3)], "Neutral"), **changes).check(*embedded)
+    assert any(said in line for line in lines), lines
+    assert all("\n" not in line for line in lines)
+
+
+GOOD = {"path": [[0, 0], [0, 3]], "styles": [{"time": 0, "blend": "Neutral"}]}
+BAD = [
+    ({"path": [[0, 0]]}, "path: two or more points"),
+    ({"path": [[0, 0], [0, math.nan]]}, "path[1]: z must be a number"),
+    ({"path": [[0, 0], [0, 1e9]]}, "path[1]: z must be a number"),
+    ({"path": [[0, 0], [0, 0]]}, "path[1]: is less than 1 cm"),
+    ({"path": [[0, 0, None], [0, 1, 3], [0, 2, 2]]}, "times must increase"),
+    ({"path": [[0, 0, 1], [0, 1]]}, "path[0]: the first point has the time 0"),
+    ({"path": "straight"}, "path must be a list"),
+    ({"path": [[0, 0], {"x": 0, "y": 1}]}, "path[1]: unknown field 'y'"),
+    ({"path": [[0, 0], {"x": 0}]}, "path[1]: missing 1 required"),
+    ({"path": [[0, 0], [0, 1, 2, [0, 0]]]}, "facing must not be zero"),
+    ({"styles": []}, "styles: one or more keys"),
+    ({"styles": [{"time": 1, "blend": "Old"}, {"time": 1, "blend": "Old"}]}, "styles[1]: times must increase"),
+    ({"styles": [{"time": k / 10, "blend": "Old"} for k in range(1000)]}, "styles: at most 256 entries, got 1000"),
+    ({"styles": [{"time": 0, "blend": {"Old": 0.4}}]}, "styles[0]: the weights of a blend must sum to 1"),
+    ({"styles": [{"time": 0, "blend": {}}]}, "styles[0]: a blend is"),
+    ({"styles": [{"time": 0, "blend": "Old", "easing": "bounce"}]}, "styles[0]: easing must be one of"),
+    ({"speeds": [{"time": 0, "speed": -1}]}, "speeds[0]: speed must be a number from 0"),
+    ({"speeds": [{"time": 0, "speed": True}]}, "speeds[0]: speed must be a number"),
+    ({"holds": [{"seconds": 1}]}, "holds[0]: a hold needs either"),
+    ({"facing": [0, 1], "look_at": [1, 1]}, "either facing or look_at"),
+    ({"seed": 1.5}, "seed must be a whole number"),
+    ({"duration": 1e9}, "duration must be a number"),
+    ({"name": "a\nb"}, "name must be a line"),
+    ({"colour": "red"}, "unknown field 'colour'"),
+]
+
+
+@pytest.mark.parametrize(("changes", "said"), BAD, ids=[said for _, said in BAD])
+def test_a_bad_field_is_one_clear_line(tmp_path, changes, said):
+    path = tmp_path / "bad.json"
+    path.write_text(json.dumps({"version": 1, "shots": [GOOD | changes]}))
+    with pytest.raises(ValueError, match=re.escape(said)) as caught:
+        Shot.load(path)
+    assert str(path) in str(caught.value)
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("text", ["", "[]", "{", '{"version": 2, "shots": []}', '{"version": 1, "shots": []}', "[" * 100_000,
+                                  '{"version": 1, "shots": [3]}', "NaN"])
+def test_a_file_that_holds_no_shots_is_refused(tmp_path, text):
+    path = tmp_path / "bad.json"
+    path.write_text(text, encoding="utf-8")
+    with pytest.raises(ValueError, match=r"^[^\n]+$"):
+        tk.shots.load(path)
+
+
+words = st.text(max_size=5)
+junk = st.recursive(st.none() | st.booleans() | st.floats() | st.integers() | words,
+                    lambda inner: st.lists(inner, max_size=4) | st.dictionaries(words, inner, max_size=4), max_leaves=8)
+
+
+@given(st.sampled_from([field.name for field in dataclasses.fields(Shot)]), junk)
+def test_junk_in_a_field_is_refused_in_one_line_or_makes_a_plan(field, value):
+    said = ""
+    try:
+        tk.shots.parse({"version": 1, "shots": [GOOD | {"speeds": [[0, 1]], field: value}]})[0].plan(tk.pretrained().bank)
+    except ValueError as error:
+        said = str(error)
+    assert "\n" not in said
+
+
+def test_an_unknown_style_is_named(embedded):
+    shot = Shot([(0, 0), (0, 3)], "Zombi")
+    for call in (shot.render, shot.check):
+        with pytest.raises(ValueError, match="Zombie"):
+            call(*embedded)
+
+
+def test_the_curve_goes_through_its_points_and_knows_a_circle():
+    points = [(2 * math.sin(a), 2 * math.cos(a)) for a in (k * math.pi / 8 for k in range(17))]
+    curve = Curve(points, smooth=True)
+    assert curve.length == pytest.approx(4 * math.pi, rel=2e-3)
+    for (x, z), at in zip(points, curve.knots, strict=True):
+        assert curve.point(at) == pytest.approx((x, z), abs=1e-9)
+    assert curve.tangent(0.0) == pytest.approx((1.0, 0.0), abs=0.05)
+
+
+def test_a_plan_meets_times_and_pauses():
+    curve = Curve([(0, 0), (0, 10)], smooth=False)
+    course = Course(curve, ([0.0], [1.0], ["linear"]), [(4.0, 6.0)], [(None, 5.0, 2.0)], None)
+    assert course.distance[360] == pytest.approx(4.0, abs=0.02)
+    assert sum(abs(at - 5.0) < 1e-6 for at in course.distance) == pytest.approx(2 * FPS, abs=3)
+    assert course.distance[-1] == 10.0
+
+
+def test_pilots_combine(embedded):
+    model, bank = embedded
+    ring = pilots.orbit((2.0, 0.0), 2.0, 1.0)
+    pilot = pilots.sequence((6.0, ring), (3.0, pilots.stop()))
+    states = list(tk.runtime.states(model, pilots.commands(pilot, 9.0), bank["Neutral"]))
+    apart = [math.dist(s.root[0, :2].tolist(), (2.0, 0.0)) for s in states[120:360]]
+    assert max(abs(r - 2.0) for r in apart) < 0.3
+    assert states[-1].root.sub(states[-60].root).norm() < 0.15
+
+
+def test_a_follower_keeps_its_distance(embedded):
+    model, bank = embedded
+    leader = lambda t: (0.0, 2.0 + 0.8 * t)  # noqa: E731
+    states = list(tk.runtime.states(model, pilots.commands(pilots.follow(leader, 1.2), 8.0), bank["Neutral"]))
+    for frame in range(240, 480, 40):
+        assert math.dist(states[frame].root[0, :2].tolist(), leader(frame / FPS)) == pytest.approx(1.2, abs=0.3)
+    walk = pilots.path([(0, 0), (0, 5)], 1.0)
+    nearest = [min(math.dist(s.root[0, :2].tolist(), (0.1, 2.5)) for s in
+                   tk.runtime.states(model, pilots.commands(pilot, 8.0), bank["Neutral"]))
+               for pilot in (walk, pilots.keep_distance(walk, lambda t: [(0.1, 2.5)], 0.7))]
+    assert nearest[0] < 0.2
+    assert nearest[1] > 0.5
+    half = pilots.mix(pilots.stop(), walk, lambda t: 0.5)
+    command = half(states[0], 2.0)
+    assert torch.allclose(command.velocity, 0.5 * walk(states[0], 2.0).velocity.float())
+
+
+def test_the_verb_writes_a_motion(tmp_path, capsys):
+    file, out = tmp_path / "shot.json", tmp_path / "walk.bvh"
+    Shot([(0, 0), (0, 1)], "Neutral", duration=1.0).save(file)
+    from toolkit.__main__ import main
+
+    with pytest.raises(SystemExit, match="0"):
+        main(["shot", str(file), "--out", str(out)])
+    assert len(tk.bvh.load(out)) == 60
+    assert "not reached in 1 s" in capsys.readouterr().err

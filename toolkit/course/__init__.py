@@ -1,0 +1,15 @@
+"""What the notebooks of the course share: the map, checked exercises, sentences that a run can refute, and live figures.
+
+Each result of the course is said by `claim` or `learnt`, which compare the sentence with the run. A figure of `show` or
+`film` answers without a kernel: in JupyterLab, in the HTML of nbconvert and on the site.
+"""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach(__name__, ["exercises"], {
+    "checks": ["Exercise", "Verdict", "check", "exercises_of"],
+    "claims": ["claim", "learnt"],
+    "pages": ["film", "show", "steer", "two_bone"],
+    "sequence": ["LESSONS", "Lesson", "here"],
+    "symbols": ["SYMBOLS", "symbols"],
+})

@@ -1,0 +1,128 @@
+"""Exercises that check an answer with cases which the notebook does not show."""
+
+import importlib
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from html import escape
+from typing import Any
+
+import torch
+
+from toolkit.course.sequence import LESSONS
+
+Judge = Callable[[Any], str]
+
+
+@dataclass(frozen=True)
+class Exercise:
+    """How an answer is judged, and a hint for those who have not begun."""
+
+    judge: Judge  # takes an answer, returns what is wrong with it, or "" where it is right
+    hint: str
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What `check` found; true if the answer is right."""
+
+    name: str
+    right: bool
+    text: str
+
+    def __bool__(self) -> bool:
+        return self.right
+
+    def __repr__(self) -> str:
+        return f"{'✓' if self.right else '○'} {self.name}: {self.text}"
+
+    def _repr_html_(self) -> str:
+        return (f'<div style="border-left: 5px solid {"#2fa596" if self.right else "#e3a13a"}; padding: 4px 12px">'
+                f"<b>{escape(self.name)}</b> {escape(self.text)}</div>")
+
+
+def check(name: str, answer: Any) -> Verdict:
+    """Judge an answer with hidden cases, and give a hint if it is wrong.
+
+    Parameters
+    ----------
+    name
+        Number of the notebook and of the exercise, such as "02a.1".
+    answer
+        A function or a value, as the exercise asks for; ``...`` if there is no answer yet.
+
+    Raises
+    ------
+    ValueError
+        If there is no such exercise.
+    """
+    number = name.partition(".")[0]
+    known = exercises_of(number) if number in LESSONS else {}
+    if name not in known:
+        raise ValueError(f"no exercise {name!r}; there are {', '.join(known) or ', '.join(LESSONS)}")
+    exercise = known[name]
+    try:
+        wrong = "no answer yet." if answer is ... else exercise.judge(answer)
+    except Exception as error:  # of the reader's function
+        wrong = f"your answer raised {type(error).__name__}: {error}."
+    text = f"{wrong[:1].upper()}{wrong[1:]} Hint: {exercise.hint}" if wrong else "Right."
+    return Verdict(name, not wrong, text)
+
+
+def exercises_of(number: str) -> dict[str, Exercise]:
+    """Exercises of a notebook, by name."""
+    return importlib.import_module(f"toolkit.course.exercises.{LESSONS[number].name}").EXERCISES
+
+
+def same_as(right: Callable, cases: Callable[[], Sequence[tuple]], wrong: Mapping[str, Callable] | None = None,
+            tolerance: float = 1e-3) -> Judge:
+    """A judge that compares a function with the right one.
+
+    Parameters
+    ----------
+    right, cases
+        The right function, and a function that returns the arguments of each call.
+    wrong
+        What to say to known wrong answers: text -> the function that gives such an answer.
+    tolerance
+        Largest difference, relative to the largest number of the right result.
+    """
+
+    def judge(answer) -> str:
+        if not callable(answer):
+            return f"a function is needed, not {type(answer).__name__}."
+        every = list(cases())
+        for i, case in enumerate(every):
+            got, want = answer(*case), right(*case)
+            if got is ... or got is None:
+                return "the function returns nothing yet."
+            if difference := differs(got, want, tolerance):
+                known = (text for text, other in (wrong or {}).items() if not differs(got, other(*case), tolerance))
+                return next(known, f"hidden case {i + 1} of {len(every)}: {difference}.")
+        return ""
+
+    return judge
+
+
+def equals(right: Any, wrong: Mapping[str, Any] | None = None, tolerance: float = 1e-3) -> Judge:
+    """A judge that compares a value with the right one; ``wrong`` has values in place of functions, as in `same_as`."""
+
+    def judge(answer) -> str:
+        if not (difference := differs(answer, right, tolerance)):
+            return ""
+        return next((text for text, other in (wrong or {}).items() if not differs(answer, other, tolerance)),
+                    f"{difference}.")
+
+    return judge
+
+
+def differs(got: Any, want: Any, tolerance: float) -> str:
+    """How two results differ, without the right one; "" where they agree."""
+    if isinstance(want, str | set | dict | bool) or want is None:
+        return "" if type(got) is type(want) and got == want else f"{got!r} is not right"
+    got, want = (torch.as_tensor(x).detach().to("cpu", torch.float64) for x in (got, want))
+    if got.shape != want.shape:
+        return f"the result has the shape {list(got.shape)}, and {list(want.shape)} is right"
+    off = (got - want).abs().max() if want.numel() else torch.zeros(())
+    if off <= tolerance * max(1e-9, float(want.abs().max())):
+        return ""
+    return "the shape is right, but the numbers are not" if want.ndim else f"{float(got):.4g} is not right"

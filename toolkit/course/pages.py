@@ -1,0 +1,88 @@
+"""Figures that answer without a kernel: plotly with its code once a notebook, and pages of the 3D scene in a frame."""
+
+import tempfile
+from html import escape
+from pathlib import Path
+
+import plotly.io as pio
+from plotly.io.base_renderers import MimetypeRenderer
+from plotly.offline import get_plotlyjs
+
+from toolkit.motion import Clip
+from toolkit.view import live_page, page
+from toolkit.view.frontend import static
+
+NAME = "toolkit"  # of plotly's renderer
+LOADED = 'data-toolkit="plotly"'  # marks plotly's code: the site loads its own copy in its place
+
+
+#: Folds the code of cells with the tag ``hide-input`` in the pages of nbconvert; it opens under the pointer.
+FOLDED = ".celltag_hide-input .jp-InputArea:not(:hover) .cm-editor { max-height: 1.6em; overflow: hidden; opacity: .5 }"
+
+
+class Page:
+    """Something to show as HTML."""
+
+    def __init__(self, html: str):
+        self.html = html
+
+    def __repr__(self) -> str:
+        return f"a figure as {len(self.html) / 1e6:.1f} MB of HTML"
+
+    def _repr_html_(self) -> str:
+        return self.html
+
+
+class Renderer(MimetypeRenderer):
+    """A figure for JupyterLab, and as HTML for pages, which asks no server for anything."""
+
+    def to_mimebundle(self, fig_dict: dict) -> dict:
+        """The figure in both forms."""
+        return {"application/vnd.plotly.v1+json": fig_dict, "text/html": chart(fig_dict)}
+
+
+def charts() -> str:
+    """Make figures of plotly show themselves by `Renderer`, and return plotly's code for a page."""
+    pio.renderers[NAME] = Renderer()
+    pio.renderers.default = NAME
+    return f"<script {LOADED}>{get_plotlyjs()}</script><style>{FOLDED}</style>"
+
+
+def chart(figure) -> str:
+    """A plotly figure as a part of a page that has plotly's code (`charts`)."""
+    return pio.to_html(figure, include_plotlyjs=False, include_mathjax=False, full_html=False, auto_play=False,
+                       validate=False, config={"responsive": True, "displaylogo": False})
+
+
+def show(html: str, height: int) -> Page:
+    """A whole page in a frame, ``height`` pixels high."""
+    return Page(f'<iframe srcdoc="{escape(html)}" style="width: 100%; height: {height}px; border: 0" '
+                'loading="lazy" title="A page that needs no kernel"></iframe>')
+
+
+def film(clips: Clip | list[Clip], *, title: str = "", caption: str = "", height: int = 420, **options) -> Page:
+    """Clips as a film that plays in the page: drag to turn, wheel to zoom.
+
+    Parameters
+    ----------
+    clips, title, caption
+        One clip or several side by side; heading and the line below it.
+    height, options
+        Pixels; ``labels``, ``contacts`` and ``styles`` as in `toolkit.view.html`.
+    """
+    title = title or (clips.style if isinstance(clips, Clip) else "Motion")
+    with tempfile.TemporaryDirectory() as folder:
+        path = page.html(clips, Path(folder, "film.html"), title=title, caption=caption, **options)
+        return show(path.read_text(encoding="utf-8"), height)
+
+
+def steer(model, bank, *, title: str = "Walk: W A S D, blend: drag the marker", height: int = 560, **options) -> Page:
+    """A character that keys, touch and a style triangle steer. The network runs in the page (`toolkit.view.web`)."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = live_page.web(model, bank, Path(folder, "walk.html"), title=title, half=True, **options)
+        return show(path.read_text(encoding="utf-8"), height)
+
+
+def two_bone() -> Page:
+    """A leg of two bones whose ankle follows the pointer, with the law of cosines beside it."""
+    return show(static("two_bone.html"), 420)

@@ -1,0 +1,6 @@
+"""Shots: paths, styles, speeds and pauses planned over time, and characters that keep to them."""
+
+from toolkit.shots import pilots
+from toolkit.shots.shot import VERSION, Hold, Point, Shot, SpeedKey, StyleKey, data, load, parse, save
+
+__all__ = ["VERSION", "Hold", "Point", "Shot", "SpeedKey", "StyleKey", "data", "load", "parse", "pilots", "save"]

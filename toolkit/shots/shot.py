@@ -1,0 +1,273 @@
+"""A shot: what one character does, as data that a small JSON file holds."""
+
+import dataclasses
+import json
+import math
+import os
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from pathlib import Path
+
+import torch
+from torch import Tensor
+
+from toolkit.io.files import atomic_write, status
+from toolkit.motion import Clip
+from toolkit.motion.tensors import shown
+from toolkit.networks.bank import StyleBank
+from toolkit.runtime import CharacterState, Command, record, start, step
+from toolkit.shots import feasibility
+from toolkit.shots.course import FPS, LONGEST, Course, Curve, Heading, between, command
+from toolkit.shots.keys import FAST, Hold, Point, SpeedKey, StyleKey, build, direction, entries, number, pair, rising
+
+VERSION = 1
+LARGEST_FILE = 10_000_000  # bytes
+GOLDEN = (math.sqrt(5) - 1) / 2  # the share of a cycle by which the next seed starts later
+
+
+@dataclass(frozen=True)
+class Shot:
+    """What one character does: a path through points, keys over time, pauses.
+
+    Parameters
+    ----------
+    path
+        Two or more `Point`, or pairs (x, z), each at least 1 cm from the next. The first is where the character starts, at
+        time 0; the speed on the way to a point with a time is scaled so that the character is there in time.
+    styles
+        One or more `StyleKey`, or pairs (time, style or blend). Also the name of one style.
+    speeds
+        `SpeedKey`, or pairs (time, m/s); without any, the natural speed of the blend at each time.
+    holds
+        `Hold`: pauses.
+    smooth
+        A smooth curve through the points; otherwise straight lines.
+    facing
+        Direction (x, z) in which the character faces all the time; by default along the path. Facings of points go before.
+    look_at
+        Point (x, z) that the character faces all the time; not together with ``facing``.
+    feet, arms
+        Foot and arm IK.
+    seed
+        Where in its gait cycle the character starts.
+    duration
+        Seconds; by default until one second after the end of the path is reached.
+    name
+        Of the clip.
+
+    Raises
+    ------
+    ValueError
+        If a field is not as described: one line that names the field and the entry.
+    """
+
+    path: Sequence[Point]
+    styles: Sequence[StyleKey]
+    speeds: Sequence[SpeedKey] = ()
+    holds: Sequence[Hold] = ()
+    smooth: bool = True
+    facing: tuple[float, float] | None = None
+    look_at: tuple[float, float] | None = None
+    feet: bool = True
+    arms: bool = True
+    seed: int = 0
+    duration: float | None = None
+    name: str = "shot"
+
+    def __post_init__(self):
+        put = lambda name, value: object.__setattr__(self, name, value)  # noqa: E731
+        styles = [(0.0, self.styles)] if isinstance(self.styles, str) else self.styles
+        put("path", entries(self.path, Point, "path", build(Point)))
+        put("styles", entries(styles, StyleKey, "styles", build(StyleKey)))
+        put("speeds", entries(self.speeds, SpeedKey, "speeds", build(SpeedKey)))
+        put("holds", entries(self.holds, Hold, "holds", build(Hold)))
+        if len(self.path) < 2:
+            raise ValueError(f"path: two or more points are needed, got {len(self.path)}")
+        for k, (a, b) in enumerate(pairwise(self.path)):
+            if math.hypot(b.x - a.x, b.z - a.z) < 0.01:
+                raise ValueError(f"path[{k + 1}]: is less than 1 cm from the point before it")
+        rising(tuple(p for p in self.path[1:] if p.time is not None), "path, points with a time")
+        if self.path[0].time not in (None, 0.0):
+            raise ValueError(f"path[0]: the first point has the time 0, got {self.path[0].time:g}")
+        if any(p.time == 0 for p in self.path[1:]):
+            raise ValueError("path: only the first point can have the time 0")
+        if not self.styles:
+            raise ValueError("styles: one or more keys are needed")
+        rising(self.styles, "styles")
+        rising(self.speeds, "speeds")
+        if len({len(key.layers) for key in self.styles} - {1}) > 1:
+            raise ValueError("styles: all blends by layer need the same number of layers")
+        for name in ("smooth", "feet", "arms"):
+            if not isinstance(getattr(self, name), bool):
+                raise ValueError(f"{name} must be true or false, got {shown(getattr(self, name))}")
+        if self.facing is not None and self.look_at is not None:
+            raise ValueError("give either facing or look_at, not both")
+        if self.facing is not None:
+            put("facing", direction(self.facing, "facing"))
+        if self.look_at is not None:
+            put("look_at", pair(self.look_at, "look_at"))
+        if isinstance(self.seed, bool) or not isinstance(self.seed, int) or not 0 <= self.seed < 2**31:
+            raise ValueError(f"seed must be a whole number from 0 to {2**31 - 1}, got {shown(self.seed)}")
+        if self.duration is not None:
+            put("duration", number(self.duration, "duration", 1 / FPS, LONGEST))
+        if not isinstance(self.name, str) or not self.name.isprintable() or len(self.name) > 100:
+            raise ValueError(f"name must be a line of up to 100 characters, got {shown(self.name)}")
+
+    @classmethod
+    def load(cls, path: str | os.PathLike) -> "Shot":
+        """The shot of a JSON file with one shot; a ValueError of one line if the file or a field is not valid."""
+        shots = load(path)
+        if len(shots) != 1:
+            raise ValueError(f"{path}: holds {len(shots)} shots; read them with toolkit.shots.load")
+        return shots[0]
+
+    def save(self, path: str | os.PathLike) -> None:
+        """Write a JSON file, whole or not at all."""
+        save([self], path)
+
+    def plan(self, bank: StyleBank | None = None) -> tuple[Course, Heading]:
+        """Where the character should be and face; ``bank`` is needed without speeds. A ValueError if a style is unknown."""
+        curve = Curve([(p.x, p.z) for p in self.path], self.smooth)
+        keys = self.speeds or self._natural(bank)
+        speeds = [key.time for key in keys], [key.speed for key in keys], [key.easing for key in keys]
+        arrivals = [(curve.knots[k], time) for k, time in self._timed]
+        holds = [(hold.time, hold.distance, hold.seconds) for hold in self.holds]
+        turns = [None if p.facing is None else math.atan2(*p.facing) for p in self.path]
+        return Course(curve, speeds, arrivals, holds, self.duration), Heading(curve, self.facing, self.look_at, turns)
+
+    def style(self, bank: StyleBank) -> Callable[[int], Tensor]:
+        """The style vector ``[S]`` of every frame."""
+        vectors = [bank.blend(*key.layers) for key in self.styles]
+        times, easings = [key.time for key in self.styles], [key.easing for key in self.styles]
+
+        def at(frame: int) -> Tensor:
+            a, b, weight = between(times, easings, frame / FPS)
+            return vectors[a] + weight * (vectors[b] - vectors[a]) if weight else vectors[a]
+
+        return at
+
+    def states(self, model, bank: StyleBank, plan: tuple[Course, Heading] | None = None) -> Iterable[CharacterState]:
+        """Yield the state of every frame; ``model`` plain or compiled."""
+        course, heading = self.plan(bank) if plan is None else plan
+        style, place = self.style(bank), course.curve.point(0.0)
+        angle = heading.angle(0.0, place)
+        state = start(model, style(0), place, (math.sin(angle), math.cos(angle)))
+        state = shifted(state, math.tau * (self.seed * GOLDEN % 1))
+        for frame in range(len(course.distance) - 1):
+            x, z = state.root[0, :2].tolist()
+            with torch.no_grad():
+                state = step(model, state.with_style(style(frame)), Command(*command(course, heading, frame, (x, z))))
+            yield state
+
+    def render(self, model, bank: StyleBank) -> Clip:
+        """The motion, 60 frames a second: the same bits every time.
+
+        Parameters
+        ----------
+        model
+            Plain, or compiled by `toolkit.runtime.compile` (ten times as fast; its last bits differ).
+        bank
+            The model's styles.
+        """
+        clip = record(model, self.states(model, bank), feet=self.feet, arms=self.arms)
+        return clip.replace(name=self.name)
+
+    def check(self, model, bank: StyleBank) -> list[str]:
+        """What cannot be met and why, a line each; empty if all can. The shot is tried, without drawing.
+
+        Raises
+        ------
+        ValueError
+            If a style is not in the bank.
+        """
+        course, heading = self.plan(bank)
+        keys = self._natural(bank)
+        times, speeds, easings = ([getattr(key, name) for key in keys] for name in ("time", "speed", "easing"))
+
+        def natural(now: float) -> float:
+            a, b, weight = between(times, easings, now)
+            return speeds[a] + weight * (speeds[b] - speeds[a])
+
+        timed = [(k, course.curve.knots[k], time) for k, time in self._timed]
+        lines = [f"path[{timed[k][0]}] is too far away to be reached at {timed[k][2]:g} s" for k in course.late]
+        if course.end is None or course.end > (len(course.distance) - 1) / FPS + 1e-9:
+            lines.append(f"the end of the path is not reached in {(len(course.distance) - 1) / FPS:g} s: "
+                         f"{course.curve.length - course.distance[-1]:.1f} m are left")
+        lines += [f"holds[{k}] is after the end of the path, {course.curve.length:.2f} m long" for k, hold in
+                  enumerate(self.holds) if hold.distance is not None and hold.distance > course.curve.length]
+        places = [tuple(state.root[0, :2].tolist()) for state in self.states(model, bank, (course, heading))]
+        return lines + feasibility.missed(course, natural, timed, places)
+
+    @property
+    def _timed(self) -> list[tuple[int, float]]:
+        """Index and time of the points with a time, without the first point."""
+        return [(k, point.time) for k, point in enumerate(self.path) if k and point.time is not None]
+
+    def _natural(self, bank: StyleBank) -> list[SpeedKey]:
+        """The natural speed at every style key: of blends by layer, the mean of the layers."""
+        speeds = [sum(bank.speed(blend) for blend in key.layers) / len(key.layers) for key in self.styles]
+        return [SpeedKey(key.time, min(max(v, 0.0), FAST), key.easing) for key, v in zip(self.styles, speeds, strict=True)]
+
+
+def shifted(state: CharacterState, angle: float) -> CharacterState:
+    """A state with every phase later by an angle; a model without phases keeps its state."""
+    if not angle or not state.phase.shape[1]:
+        return state
+    if state.phase.shape[1] == 1:
+        return dataclasses.replace(state, phase=(state.phase + angle) % math.tau)
+    s, c = math.sin(angle), math.cos(angle)
+    x, y = state.phase[:, 0::2], state.phase[:, 1::2]
+    return dataclasses.replace(state, phase=torch.stack((c * x - s * y, s * x + c * y), -1).flatten(1))
+
+
+def save(shots: Iterable[Shot], path: str | os.PathLike) -> None:
+    """Write the shots of a scene, one per character, to a JSON file, whole or not at all."""
+    with atomic_write(path) as file:
+        file.write((json.dumps(data(shots), indent=1, ensure_ascii=False, allow_nan=False) + "\n").encode())
+
+
+def data(shots: Iterable[Shot]) -> dict:
+    """The scene of shots as `parse` reads it and a file holds it."""
+    return {"version": VERSION, "shots": [_data(shot) for shot in shots]}
+
+
+def _data(value):
+    """Dataclasses as dictionaries without the fields that have their default."""
+    if dataclasses.is_dataclass(value):
+        return {f.name: _data(v) for f in dataclasses.fields(value) if (v := getattr(value, f.name)) != f.default}
+    return [_data(v) for v in value] if isinstance(value, tuple) else value
+
+
+def load(path: str | os.PathLike) -> list[Shot]:
+    """The shots of a JSON file, one per character; a ValueError of one line if the file or a field is not valid."""
+    found = status(path)
+    if found is not None and found.st_size > LARGEST_FILE:
+        raise ValueError(f"{path}: {found.st_size} bytes, a file of shots has at most {LARGEST_FILE}")
+    try:
+        scene = json.loads(Path(path).read_text(encoding="utf-8"))
+    except (ValueError, RecursionError) as error:
+        raise ValueError(f"{path}: not a JSON file of shots ({_line(error)})") from None
+    try:
+        return parse(scene)
+    except ValueError as error:
+        raise ValueError(f"{path}: {error}") from None
+
+
+def _line(error: Exception) -> str:
+    return " ".join(str(error).split())
+
+
+def parse(scene) -> list[Shot]:
+    """The shots of a scene: a dictionary of ``version`` and ``shots``, as `json` reads it from a file."""
+    if not isinstance(scene, Mapping) or set(scene) != {"version", "shots"}:
+        raise ValueError("expected an object with the fields version and shots")
+    if scene["version"] != VERSION or isinstance(scene["version"], bool):
+        raise ValueError(f"version {shown(scene['version'])}; this toolkit reads version {VERSION}")
+    try:
+        shots = entries(scene["shots"], Shot, "shots", build(Shot))
+    except ValueError as error:
+        raise ValueError(_line(error)) from None
+    if not shots:
+        raise ValueError("shots: one or more are needed")
+    return list(shots)
