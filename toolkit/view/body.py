@@ -237,7 +237,7 @@ def _bones(pose: _Pose, drawn: set[int], scale: float) -> list[Cone]:
     for j, p in enumerate(pose.skeleton.parents):
         start, end = pose.places[[p, j]]
         length = float(np.linalg.norm(end - start))
-        least = 0.06 * scale if pose.body and j not in fingers else 0.008 * min(scale, 1.0)
+        least = 0.06 * scale if pose.body and j not in fingers else 0.008
         if p >= 0 and j not in toes and length > least and not (p in drawn and (j in drawn or pose.skeleton.is_end(j))):
             r = min(max(0.16 * length, 0.008), 0.045 * scale) if pose.body else min(0.16 * length, 0.06 * scale)
             cones.append(Cone(p, start, end, (r, 0.8 * r), "middle", "bones"))
