@@ -8,7 +8,7 @@ import torch
 
 import toolkit as tk
 from experiments.__main__ import main
-from experiments.seven_models import failures, hundred, interpolation, load, models
+from experiments.seven_models import failures, hundred, interpolation, load, models, results
 from toolkit.features import pack_joints
 
 STYLES = "Neutral,PendulumHands,Zombie"
@@ -331,6 +331,19 @@ def test_the_network_that_made_the_data_is_the_ceiling(data, folder, monkeypatch
         (folder / models.CEILING).unlink(missing_ok=True)
     assert table["ceiling"]["shared"] == pytest.approx(table["models"]["lpn-film"]["mean"]["shared"], rel=1e-5)
     assert table["ceiling"]["styles"].keys() == set(data.styles)
+
+
+def test_the_stored_result_of_a_comparison_has_floors_ceiling_and_every_model(folder):
+    table = models.read_json(folder / models.TABLE)
+    table["ceiling"] = table["models"]["lpn-film"]["runs"][0]
+    found = results.comparison("x", "about", "command", table)
+    assert [row["model"] for row in found.rows] == [
+        "floor: predicting the mean", "floor: repeating the frame", *tk.networks.MODELS, "the published network"]
+    film = next(row for row in found.rows if row["model"] == "lpn-film")
+    assert film["shared"] == [found.rows[-1]["shared"]]
+    assert film["step_ms"][0] == pytest.approx(1000 * 60 * film["minutes"][0] / PLAN.steps)
+    assert found.settings["styles"] == 3
+    assert "nan" not in found.markdown()
 
 
 def test_a_style_clip_on_a_treadmill_is_the_data_again(data):
