@@ -85,7 +85,10 @@ class Config:
                     "fading": True, "warm_up": 300, "encoder_learns": True, "r1_every": 4,
                     "rates": dict(zip(NETWORKS, (2e-3, 1e-3, 1e-3, 1e-3), strict=True)),
                     "weights": dict.fromkeys(losses.LOSSES, 1.0) | {"r1": 5.0}}
-        return cls(**(settings | changes))
+        settings |= changes
+        if "warm_up" not in changes:
+            settings["warm_up"] = min(settings["warm_up"], settings["iterations"] // 5)
+        return cls(**settings)
 
     def fixed(self) -> dict:
         """What must not change when a run is resumed, as JSON holds it."""
