@@ -96,7 +96,7 @@ def test_there_are_notebooks_and_each_has_a_number_of_its_own():
     assert all(re.fullmatch(r"\d\d[ab]?_[a-z0-9_]+\.ipynb", path.name) for path in NOTEBOOKS)
     assert numbers
     assert len(set(numbers)) == len(numbers)
-    assert {path.name for path in NOTEBOOKS} <= {lesson.file for lesson in tk.course.LESSONS.values()}
+    assert {path.name for path in NOTEBOOKS} == {lesson.file for lesson in tk.course.LESSONS.values()}
 
 
 def test_nothing_of_a_run_is_stored(notebook):

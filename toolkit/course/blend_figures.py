@@ -42,7 +42,8 @@ def triangles(weights: Tensor, measured: tuple[Tensor, Tensor], names: Sequence[
                            line={"color": LINE, "width": 1}, row=1, col=column)
         corner = {int(i): name for i, name in zip(np.asarray(weights).argmax(0), names, strict=True)}
         figure.add_scatter(x=x, y=y, mode="markers+text", text=[corner.get(i, "") for i in range(len(x))],
-                           textposition="top center", marker={"size": 15, "color": mixtures(weights)}, row=1, col=column,
+                           textposition="top center", cliponaxis=False,
+                           marker={"size": 15, "color": mixtures(weights)}, row=1, col=column,
                            customdata=100 * np.asarray(weights), hovertemplate="<br>".join(
                                f"{name} %{{customdata[{k}]:.0f}} %" for k, name in enumerate(names)) + "<extra></extra>")
     figure.update_xaxes(visible=False, range=[-0.15, 1.15], row=1, col=1).update_yaxes(visible=False, row=1, col=1)
@@ -64,11 +65,11 @@ def footprints(path: Tensor, toes: Tensor, stands: Tensor, weights: Tensor, name
         Of the three styles.
     """
     figure = go.Figure()
-    figure.add_scatter(x=path[:, 1], y=path[:, 0], mode="lines", name="commanded path",
+    figure.add_scatter(x=path[:, 1].numpy(), y=path[:, 0].numpy(), mode="lines", name="commanded path",
                        line={"color": "#e4dfd5", "width": 14})
     for i, (foot, symbol) in enumerate((("right", "circle-open"), ("left", "square-open"))):
         on = stands[:, i] > 0.5
-        figure.add_scatter(x=toes[on, i, 2], y=toes[on, i, 0], mode="markers", name=f"{foot} foot",
+        figure.add_scatter(x=toes[on, i, 2].numpy(), y=toes[on, i, 0].numpy(), mode="markers", name=f"{foot} foot",
                            marker={"symbol": symbol, "size": 8, "color": mixtures(weights[on]), "line": {"width": 2}})
     for name, colour in zip(names, PALETTE, strict=False):
         figure.add_scatter(x=[None], y=[None], mode="markers", name=name, marker={"color": colour, "size": 12})
@@ -82,7 +83,7 @@ def follows(seconds: Tensor, curves: Mapping[str, tuple[Tensor, Tensor]]) -> go.
     for i, ((weight, measured), colour) in enumerate(zip(curves.values(), PALETTE[1:], strict=False), 1):
         for name, curve, line in (("weight", weight, {"color": "#c9ccd1", "width": 9}),
                                   ("measured", measured, {"color": colour, "width": 2.5})):
-            figure.add_scatter(x=seconds, y=curve, name=name, line=line, showlegend=i == 1, row=i, col=1)
+            figure.add_scatter(x=seconds.numpy(), y=curve.numpy(), name=name, line=line, showlegend=i == 1, row=i, col=1)
     figure.update_xaxes(title="seconds", row=len(curves), col=1)
     return finish(figure, "The body follows the weights", 440, {}, {}, margin_t=84)
 
@@ -90,8 +91,9 @@ def follows(seconds: Tensor, curves: Mapping[str, tuple[Tensor, Tensor]]) -> go.
 def toe_speeds(seconds: Tensor, stands: Tensor, curves: Mapping[str, Tensor]) -> go.Figure:
     """Speed of a toe over the floor, cm/s, [F] each; green where the foot stands, [F]."""
     figure = go.Figure()
-    figure.add_scatter(x=seconds, y=np.where(stands > 0.5, 80, 0), fill="tozeroy", mode="none", name="contact",
+    seconds = seconds.numpy()
+    figure.add_scatter(x=seconds, y=np.where(stands.numpy() > 0.5, 80, 0), fill="tozeroy", mode="none", name="contact",
                        line={"shape": "hv"}, fillcolor="rgba(53, 196, 106, 0.22)")
     for (name, curve), colour in zip(curves.items(), (PALETTE[2], CONTACT, QUIET), strict=False):
-        figure.add_scatter(x=seconds, y=curve, name=name, line={"color": colour, "width": 2.5})
+        figure.add_scatter(x=seconds, y=curve.numpy(), name=name, line={"color": colour, "width": 2.5})
     return finish(figure, "Right toe", 360, {"title": "seconds"}, {"title": "speed over the floor, cm/s", "range": [0, 80]})

@@ -1,6 +1,5 @@
 """Figures of the notebooks on the network and its training."""
 
-import math
 from collections.abc import Mapping, Sequence
 
 import numpy as np
@@ -13,7 +12,7 @@ from torch import Tensor
 from toolkit.course.feature_figures import slider
 from toolkit.course.notation import SYMBOLS
 from toolkit.view.body import COLORS, CONTACT, PALETTE
-from toolkit.view.figures import INK, QUIET, colours, finish
+from toolkit.view.figures import colours, finish
 
 STYLE, OUTPUT = SYMBOLS["γ, β"][0], SYMBOLS["z"][0]
 
@@ -60,11 +59,11 @@ def gates(seconds: Tensor, alpha: Tensor, stands: Tensor, title: str) -> go.Figu
     """Shares of the experts [F, K] over time, stacked, and below them the contacts [F, 2] (right, left)."""
     figure = make_subplots(2, 1, shared_xaxes=True, row_heights=[5, 1], vertical_spacing=0.05)
     for k, colour in enumerate(colours(alpha.shape[1])):
-        figure.add_scatter(x=seconds, y=alpha[:, k], stackgroup="one", name=f"expert {k + 1}", mode="none", fillcolor=colour,
-                           row=1, col=1)
+        figure.add_scatter(x=seconds.numpy(), y=alpha[:, k].numpy(), stackgroup="one", name=f"expert {k + 1}", mode="none",
+                           fillcolor=colour, row=1, col=1)
     for i, foot in enumerate(("right", "left")):
-        figure.add_scatter(x=seconds, y=np.where(stands[:, i] > 0.5, foot, None), mode="lines", name=f"{foot} foot stands",
-                           line={"color": COLORS[foot], "width": 12}, row=2, col=1)
+        figure.add_scatter(x=seconds.numpy(), y=np.where(stands[:, i].numpy() > 0.5, foot, None), mode="lines",
+                           name=f"{foot} foot stands", line={"color": COLORS[foot], "width": 12}, row=2, col=1)
     figure.update_yaxes(title="share α", range=[0, 1], row=1, col=1).update_xaxes(title="seconds", row=2, col=1)
     return finish(figure, title, 440, {}, {})
 
@@ -121,8 +120,8 @@ def confusions(tables: Mapping[str, Tensor], styles: Sequence[str]) -> go.Figure
     figure = make_subplots(1, len(tables), subplot_titles=list(tables), shared_yaxes=True, horizontal_spacing=0.04)
     for column, table in enumerate(tables.values(), 1):
         text = [[f"{v:.2f}" for v in row] for row in table.tolist()]
-        figure.add_heatmap(z=table.log(), x=list(styles), y=list(styles), text=text, texttemplate="%{text}", zmin=-4, zmax=1,
-                           colorscale="Magma_r", showscale=False, row=1, col=column,
+        figure.add_heatmap(z=table.log().numpy(), x=list(styles), y=list(styles), text=text, texttemplate="%{text}",
+                           zmin=-4, zmax=1, colorscale="Magma_r", showscale=False, row=1, col=column,
                            hovertemplate="frames of %{y}, vector of %{x}: %{text}<extra></extra>")
         figure.update_xaxes(title="style vector", row=1, col=column)
     figure.update_yaxes(title="frames of", autorange="reversed", row=1, col=1)
@@ -136,17 +135,6 @@ def pairs(table: pd.DataFrame, title: str, axis: str) -> go.Figure:
     for column, colour in zip(table.columns, (PALETTE[2], CONTACT), strict=True):
         figure.add_bar(y=list(table.index), x=table[column], name=column, orientation="h", marker={"color": colour})
     return finish(figure, title, 160 + 44 * len(table), {"title": axis}, {"autorange": "reversed"})
-
-
-def curves(seconds: Tensor, lines: Mapping[str, Tensor], title: str, axis: str) -> go.Figure:
-    """Curves over time; those whose name begins with "weight" are wide and pale."""
-    figure = go.Figure()
-    names = list(lines)
-    for name, colour in zip(names, colours(math.ceil(len(names))), strict=True):
-        pale = name.startswith("weight")
-        figure.add_scatter(x=seconds, y=lines[name], name=name, opacity=0.4 if pale else 1,
-                           line={"color": QUIET if pale else colour, "width": 8 if pale else 2.5})
-    return finish(figure, title, 380, {"title": "seconds"}, {"title": axis, "color": INK})
 
 
 def _both(parents: Sequence[int], pose: Tensor) -> list[dict]:

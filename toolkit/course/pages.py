@@ -55,9 +55,9 @@ def chart(figure) -> str:
 
 
 def show(html: str, height: int) -> Page:
-    """A whole page in a frame, ``height`` pixels high."""
-    return Page(f'<iframe srcdoc="{escape(html)}" style="width: 100%; height: {height}px; border: 0" '
-                'loading="lazy" title="A page that needs no kernel"></iframe>')
+    """A page in a frame, ``height`` pixels high. It has an origin of its own, so it rests when out of sight."""
+    return Page(f'<iframe srcdoc="{escape(html)}" sandbox="allow-scripts allow-downloads" allow="gamepad; fullscreen" '
+                f'style="width: 100%; height: {height}px; border: 0" loading="lazy" title="Live figure"></iframe>')
 
 
 def film(clips: Clip | list[Clip], *, title: str = "", caption: str = "", height: int = 420, **options) -> Page:
@@ -85,4 +85,4 @@ def steer(model, bank, *, title: str = "Walk: W A S D, blend: drag the marker", 
 
 def two_bone() -> Page:
     """A leg of two bones whose ankle follows the pointer, with the law of cosines beside it."""
-    return show(static("two_bone.html"), 420)
+    return show(static("two_bone.html"), 270)

@@ -65,7 +65,8 @@ def frequencies(t: Tensor, window: Tensor, fits: Mapping[float, tuple[Tensor, fl
         The frequency of the smallest residual; the slider starts near it.
     """
     figure = make_subplots(1, 2, subplot_titles=["The window (grey) and a sinusoid", "Residual r(f)"])
-    figure.add_scatter(x=t, y=window, name="curve", line={"color": QUIET, "width": 5}, row=1, col=1)
+    t, fits = t.numpy(), {f: (wave.numpy(), r) for f, (wave, r) in fits.items()}
+    figure.add_scatter(x=t, y=window.numpy(), name="curve", line={"color": QUIET, "width": 5}, row=1, col=1)
     hertz, residuals = list(fits), [r for _, r in fits.values()]
     figure.add_scatter(x=hertz, y=residuals, name="residual", line={"color": INK, "width": 2}, row=1, col=2)
     states = [[{"x": t, "y": wave}, {"x": [f], "y": [r]}] for f, (wave, r) in fits.items()]
@@ -84,7 +85,7 @@ def stacked(seconds: Tensor, curves: Mapping[str, Tensor], title: str, *, stop: 
     """Curves [F] below one another over the same seconds, each with an axis of its own."""
     figure = make_subplots(len(curves), 1, shared_xaxes=True, vertical_spacing=0.04)
     for i, (name, curve) in enumerate(curves.items(), 1):
-        figure.add_scatter(x=seconds, y=curve, name=name, row=i, col=1,
+        figure.add_scatter(x=seconds.numpy(), y=curve.numpy(), name=name, row=i, col=1,
                            line={"color": P if "phase" in name else COLORS["left"], "width": 2})
         figure.update_yaxes(title={"text": name.replace(", ", "<br>"), "font": {"size": 11}}, row=i, col=1)
     figure.update_xaxes(range=[1, stop]).update_xaxes(title="seconds", row=len(curves), col=1)
@@ -96,7 +97,7 @@ def prepared(seconds: Tensor, raw: Tensor, normalised: Tensor, smoothed: Tensor,
     figure = go.Figure()
     for name, curve, line in (("raw", raw, {"color": QUIET, "width": 2}), ("normalised", normalised, {"color": PALETTE[3]}),
                               ("and smoothed", smoothed, {"color": COLORS["left"], "width": 3})):
-        figure.add_scatter(x=seconds, y=curve, name=name, line=line)
+        figure.add_scatter(x=seconds.numpy(), y=curve.numpy(), name=name, line=line)
     return finish(figure, title, 340, {"title": "seconds", "range": [1, 6]}, {})
 
 
