@@ -13,6 +13,7 @@ import torch
 import toolkit as tk
 from toolkit import runtime
 from toolkit.view import director
+from toolkit.view.character import Character
 
 from .conftest import ARTEFACTS
 
@@ -237,6 +238,8 @@ def test_a_shot_is_made_by_hand(open_page, empty, tmp_path):
         assert (clip.root_positions - walked.root_positions).norm(dim=-1).max() < 0.03
     joints = [clips[0].skeleton.names.index(name) for name in walked.skeleton.names]
     assert (clips[0].global_positions[:, joints] - walked.global_positions).norm(dim=-1).max() < 0.05
+
+    assert len(Character.load(glb).points) > 1000  # the mannequin's skin
 
     desk.press("Remove this character")
     with page.expect_file_chooser() as chooser:

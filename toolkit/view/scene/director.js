@@ -2,6 +2,7 @@
 //
 // Traits of the model: data (of view/director.py's pack), scene {version, shots} as a file holds it, and height, pixels, or null to
 // fill the element. The scene is sent to the kernel after every change that undo knows.
+import { unpack } from "./body.js";
 import { bvh } from "./character.js";
 import { Desk } from "./desk.js";
 import { colorOf, floorMap } from "./floor_map.js";
@@ -107,7 +108,7 @@ export function render({ model, el }) {
   const name = (ending) => `${desk.shot.name.replace(/[^\w.+-]+/g, "_") || "shot"}.${ending}`;
   button(bar, "Save", "Save the shots as JSON", () => download("shots.json", JSON.stringify(desk.scene, null, 1) + "\n"));
   button(bar, "GLB", "Export the motion of this character as GLB", () =>
-    download(name("glb"), glb({ ...data.skeleton, names: data.joints }, desk.motion(desk.selected), fps, desk.shot.name)));
+    download(name("glb"), glb({ ...data.skeleton, names: data.joints }, desk.motion(desk.selected), fps, desk.shot.name, skin)));
   button(bar, "BVH", "Export the motion of this character as BVH", () =>
     download(name("bvh"), bvh(data.bvh, desk.motion(desk.selected), fps)));
   const tools = make("div", "tkd-tools", floor);
@@ -123,6 +124,7 @@ export function render({ model, el }) {
   } catch {
     stage.textContent = "This browser offers no WebGL, which the character needs.";
   }
+  const skin = data.skeleton.mesh.own ? null : unpack(data.skeleton.mesh); // a character's own mesh has joints of its own
   const bodies = scene ? [scene.body] : [], pale = [];
 
   function download(as, content) {

@@ -147,6 +147,10 @@ export class Scene {
     if (ghost) {
       Object.assign(body.mesh.material, { transparent: true, opacity: 0.35 });
       body.mesh.castShadow = false;
+      const depth = new THREE.Mesh(body.mesh.geometry, new THREE.MeshBasicMaterial({ colorWrite: false, transparent: true }));
+      depth.frustumCulled = false; // only the nearest surface of a ghost is seen
+      [depth.renderOrder, body.mesh.renderOrder] = [1, 2];
+      body.mesh.add(depth);
     } else this.scene.add((body.projected = body.shadow(SHADE)));
     this.show(body, true);
     return body;

@@ -71,13 +71,13 @@ export function shotForm(parent, desk, { select, edit, remove }) {
       for (const style of desk.styles)
         make("option", "", menu, { value: style, textContent: style, disabled: style !== name && names.includes(style) });
       menu.value = name;
-      menu.style.borderLeft = `8px solid ${hueOf(desk.styles, name)}`;
       menu.onchange = () => change((one) => {
         one.blend = Object.fromEntries(Object.entries(one.blend).map(([other, w]) => [other === name ? menu.value : other, w]));
       });
       const slider = make("input", "", row, { type: "range", min: 0, max: 100, ariaLabel: `Share of ${name}, percent` });
       const text = make("span", "", row), percent = () => Math.round(100 * (here().blend[name] ?? 0));
       slider.refresh = () => {
+        menu.style.borderLeft = `8px solid ${hueOf(desk, name)}`;
         slider.value = percent();
         text.textContent = `${percent()} %`;
       };

@@ -12,11 +12,13 @@ const STEPS = [0.5, 1, 2, 5, 10, 20, 60]; // seconds between lines
 const WORDS = { arrivals: "Arrival", ghosts: "Onion skin", styles: "Style key", speeds: "Speed key", holds: "Pause" };
 
 export const HEIGHT = RULER + BAND + SPEED + PAUSE + 4;
-export function hueOf(styles, name) {
-  const k = styles.indexOf(name);
-  return `hsl(${(k * 137.5 + 250) % 360} 48% ${54 + 11 * (k % 3)}%)`;
-}
 const layersOf = (blend) => (Array.isArray(blend) ? blend : [blend]);
+
+// colour of a style, different from those of the other styles that the shots use
+export function hueOf({ styles, shots }, name) {
+  const used = new Set(shots.flatMap((shot) => shot.styles.flatMap((key) => Object.keys(flat(key.blend)))));
+  return `hsl(${(styles.filter((style) => used.has(style)).indexOf(name) * 137.5 + 250) % 360} 48% 66%)`;
+}
 
 // weights by style of a blend; of blends by layer, the mean
 const flat = (blend) => layersOf(blend).reduce((sum, layer, _, all) => {
@@ -131,7 +133,7 @@ export function timeline(parent, desk, { select, edit, seek, ghosts }) {
           floor[i] += v;
           top.push(`${x} ${(RULER + BAND * Math.min(floor[i], 1)).toFixed(1)}`);
         }
-        set(path, { d: `M${top.join("L")}L${low.join("L")}Z`, fill: hueOf(desk.styles, used[n]) });
+        set(path, { d: `M${top.join("L")}L${low.join("L")}Z`, fill: hueOf(desk, used[n]) });
       });
       pool(names, "text", shot.styles.length).forEach((text, k) => {
         const from = out(times[k]), free = (k + 1 < times.length ? out(times[k + 1]) : w - PAD) - from - 14;
