@@ -8,7 +8,7 @@ import torch
 from test_training import QUICK, waves
 
 import toolkit as tk
-from experiments.seven_models import recorded, results, vectors
+from experiments.seven_models import models, recorded, results, vectors
 from toolkit import training
 from toolkit.training.vectors import refit
 
@@ -62,6 +62,28 @@ def test_followed_recordings_stay_near_them_and_floors_are_farther(clips, embedd
     assert "nan" not in drawn
 
 
+def test_rows_of_a_store_with_another_window_are_those_that_are_built_with_it(clips):
+    clip, samples = clips[0], (*range(-60, 0, 10), *range(0, 61, 12))  # that of the published network
+    own = tk.features.own_features(clip, tk.phases.extract(clip))
+    at = tk.features.usable(len(clip))
+    rows = {"inputs": own.inputs, "phases": own.phases.__getitem__, "outputs": own.outputs}
+    kinds = {kind: {"Neutral": tk.features.Rows(derive, at)} for kind, derive in rows.items()}
+    data = tk.features.Features(own.layout, clips={"Neutral": own.style_clips(torch.tensor([0]))},
+                                takes={"Neutral": torch.zeros(len(at), dtype=torch.long)}, **kinds)
+    layout = tk.features.Layout(clip.skeleton, samples=samples)
+    made, wanted = models.resampled(data, layout), tk.features.frames(clip, samples=samples)
+    torch.testing.assert_close(made.inputs["Neutral"][:], wanted.inputs)
+    torch.testing.assert_close(made.outputs["Neutral"][:], wanted.outputs)
+    torch.testing.assert_close(made.phases["Neutral"][:], wanted.phases)
+
+
+def test_the_rate_of_the_style_modulation_is_that_of_the_model():
+    for model, rate in (("lpn-film", 0.1), ("pfnn-resad", 1.0), ("lpn-onehot", 10.0)):
+        assert training.Config.quick(model=model).style_rate == rate
+        assert models.Plan().config(model, 0).style_rate == rate
+    assert training.Config.quick(model="lpn-resad", style_rate=0.5).style_rate == 0.5
+
+
 def test_fitted_vectors_have_less_error_and_the_model_stays_the_same():
     data = waves()
     train, test = training.split(data, 0.2, 0, tuple(data.styles))
@@ -80,6 +102,17 @@ def test_fitted_vectors_have_less_error_and_the_model_stays_the_same():
     part = refit(run.model, run.bank, only, steps=2)
     assert torch.equal(part["style1"], run.bank["style1"])
     assert not torch.equal(part["style0"], run.bank["style0"])
+
+
+def test_a_training_may_end_with_fitted_vectors():
+    data, config = waves(), dataclasses.replace(QUICK, steps=100)
+    plain, fitted = (training.fit(data, dataclasses.replace(config, refit=steps)) for steps in (0, 30))
+    assert all(torch.equal(a, b) for a, b in zip(plain.model.parameters(), fitted.model.parameters(), strict=True))
+    assert fitted.table()[-1]["error"] < plain.table()[-1]["error"]
+    table = training.fit(data, dataclasses.replace(QUICK, model="lpn-resad", steps=5, refit=3))
+    assert torch.equal(table.bank.vectors, training.make_bank(table.model, data).vectors)
+    with pytest.raises(ValueError, match="refit must not be negative, got -1"):
+        dataclasses.replace(QUICK, refit=-1)
 
 
 def test_ways_to_make_vectors_are_compared_on_the_same_frames(clips, embedded, monkeypatch):

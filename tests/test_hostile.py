@@ -580,3 +580,38 @@ def test_a_file_name_that_cannot_be_shown_gives_no_style(walk_clip, tmp_path):
     tk.bvh.save(walk_clip, tmp_path / "a\x1b[31mb" / "walk.bvh")
     with pytest.raises(ValueError, match=r"name of .*a style has characters that cannot be printed"):
         folder.survey(tmp_path)
+
+
+MACHINES = {  # changes of the environment (None: without the variable), and options of Python
+    "C locale": ({"LC_ALL": "C", "LANG": None, "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"}, ()),
+    "ASCII output": ({"PYTHONIOENCODING": "ascii"}, ()),
+    "no home": (dict.fromkeys(("HOME", "USERPROFILE", "XDG_CACHE_HOME", "XDG_DATA_HOME", "TOOLKIT_DATA")), ()),
+    "without asserts": ({}, ("-O",)),
+    "without docstrings": ({}, ("-OO",)),
+}
+VISITED = """
+import sys
+from toolkit.__main__ import main
+source, out = sys.argv[1:]
+sys.exit(main(["export", "clip", source, "--out", out]) or main(["inspect", out]))
+"""
+
+
+@pytest.mark.parametrize("machine", MACHINES)
+def test_commands_run_on_odd_machines(machine, walk_clip, tmp_path):
+    name, (changes, options) = "walk_歩く_مشي_é", MACHINES[machine]
+    try:
+        source, out = tmp_path / f"{name}.bvh", tmp_path / f"{name} copy.bvh"
+        tk.bvh.save(renamed(walk_clip.cut(0, 30), walk_clip.skeleton.names[3], name), source)
+    except UnicodeEncodeError:
+        pytest.skip("file names on this machine are ASCII")
+    env = {key: value for key, value in os.environ.items() if key not in changes}
+    env |= {key: value for key, value in changes.items() if value is not None}
+    env["PYTHONPATH"] = str(Path(tk.__file__).parents[1])
+    command = [sys.executable, *options, "-c", VISITED, os.fsencode(source), os.fsencode(out)]
+    done = subprocess.run(command, env=env, capture_output=True, cwd=tmp_path)
+    assert b"Traceback" not in done.stderr, done.stderr.decode(errors="replace")[-400:]
+    assert out.exists(), done.stderr
+    assert name in tk.bvh.load(out, unit=0.01, up="y").skeleton.names
+    if machine in ("C locale", "ASCII output"):
+        assert done.stdout.isascii()

@@ -434,7 +434,9 @@ def test_training_ends_when_its_time_is_spent_and_goes_on_with_what_is_left(moti
 
 def test_training_learns_to_rebuild_and_to_tell_apart(motions):
     sizes = networks.Sizes(channels=8, code=8, latent=4, hidden=16)
-    run = st.fit(motions, training.Config.quick(sizes=sizes, batch=4, iterations=40, warm_up=0, squared=True, log_every=10))
+    weights = {"adv": 1.0, "cyc": 10.0, "id": 10.0, "sty": 1.0, "ds": 3.0, "r1": 5.0}
+    settings = {"sizes": sizes, "batch": 4, "iterations": 40, "warm_up": 0, "squared": True, "log_every": 10}
+    run = st.fit(motions, training.Config.quick(**settings, weights=weights))
     assert run.history[-1]["id"] < 0.8 * run.history[0]["id"]
     assert run.history[-1]["d"] < run.history[0]["d"]
 
@@ -548,6 +550,22 @@ def test_the_command_line_trains_and_restyles(tmp_path, walks, model, capsys):
     assert done.value.code == 0
     assert {p.name for p in (tmp_path / "new").iterdir()} == {"run.safetensors"}
     assert st.load(tmp_path / "new" / "run.safetensors").stylizer.domains == ("Neutral", "Zombie")
+
+
+def test_the_stylizer_in_the_package_brings_a_clip_nearer_to_each_style_than_to_any_other():
+    """By the mean pose, on paths that it was not trained on."""
+    model = st.pretrained()
+    assert sum(p.numel() for p in model.parameters()) < 1e6
+
+    def pose(clip):
+        return model.statistics.apply(data.describe(data.prepare(clip))[0]).mean(1)
+
+    walks = {s: tk.datasets.load("procedural", styles=s, gaits="FW", seconds=4.0, seed=9)[0] for s in model.domains}
+    for style in model.domains:
+        if style != "Neutral":
+            made = st.stylize(model, walks["Neutral"], style, seed=1)
+            assert tk.metrics.upright(made)
+            assert min(walks, key=lambda s: float((pose(walks[s]) - pose(made)).norm())) == style
 
 
 def test_bandais_skeleton_is_the_papers_size(shared):

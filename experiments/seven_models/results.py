@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 from experiments.seven_models.failures import Case
+from experiments.seven_models.models import SIZES
 from experiments.tables import Result
 
 COLUMNS = {
@@ -48,7 +49,11 @@ def comparison(name: str, about: str, command: str, table: dict) -> Result:
         numbers["styles recognised"]["published"] = sum(r["recognised"] for r in table["ceiling"]["styles"].values())
         numbers["styles of the published network that are not recognised"] = [
             s for s, row in table["ceiling"]["styles"].items() if not row["recognised"]]
-    about_settings = {"size": settings["size"], "steps": settings["steps"], "batch": settings["batch"],
+        joints = sorted(row["joints"] for row in table["ceiling"]["styles"].values())
+        numbers["joints of the published network: worst style, mean of the others"] = [
+            joints[-1], sum(joints[:-1]) / max(1, len(joints) - 1)]
+    about_settings = {"size": settings["size"], "hidden": SIZES[settings["size"]].hidden, "steps": settings["steps"],
+                      "batch": settings["batch"], "style rates": settings["style_rates"],
                       "styles": len(settings["frames"]), "frames": sum(settings["frames"].values())}
     return Result(name, about, command, COLUMNS, rows, about_settings, numbers)
 
@@ -56,7 +61,8 @@ def comparison(name: str, about: str, command: str, table: dict) -> Result:
 def case(name: str, about: str, command: str, found: Case, settings: dict) -> Result:
     """A failure case: its rows, with the columns that they have."""
     keys = list(next(iter(found.rows.values())))
-    columns = {"model": ["model"], **{key: [key, 0 if key.startswith(("of ", "styles below")) else 3] for key in keys}}
+    whole = {key: key.startswith(("of ", "styles below")) for key in keys}
+    columns = {"model": ["model"], **{key: [key.replace("|", ""), 0 if whole[key] else 3] for key in keys}}
     return Result(name, about, command, columns, [{"model": model, **row} for model, row in found.rows.items()], settings,
                   {"verdict": found.verdict})
 

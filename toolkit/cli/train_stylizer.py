@@ -38,7 +38,7 @@ def train_stylizer(
         if root is not None:
             raise ValueError(f"{data}: is the folder to read; --root is for datasets with a name")
         data, root = "folder", Path(data)
-    budget = {} if iterations is None else {"iterations": iterations}
+    budget: dict[str, float] = {} if iterations is None else {"iterations": iterations}
     if minutes is not None:
         budget = {"iterations": iterations or 10**9, "seconds": 60 * minutes}
     config = (Config.quick if small else Config)(losses=tuple(losses.split(",")), seed=seed, device=device, **budget)

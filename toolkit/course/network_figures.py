@@ -10,7 +10,7 @@ from plotly.subplots import make_subplots
 from torch import Tensor
 
 from toolkit.course.feature_figures import slider
-from toolkit.course.symbols import SYMBOLS
+from toolkit.course.notation import SYMBOLS
 from toolkit.view.body import COLORS, CONTACT, PALETTE
 from toolkit.view.figures import colours, finish
 

@@ -12,7 +12,7 @@ from torch import Tensor
 
 from toolkit import phases as ph
 from toolkit.course.feature_figures import slider
-from toolkit.course.symbols import SYMBOLS
+from toolkit.course.notation import SYMBOLS
 from toolkit.motion import Clip, root_frames
 from toolkit.view.body import COLORS, PALETTE
 from toolkit.view.figures import INK, QUIET, colours, finish

@@ -74,10 +74,10 @@ def sample_times(times: Sequence[np.ndarray], rate: float, joints: int, size: in
         return np.zeros(1)
     begin, end = min(t[0] for t in times), max(t[-1] for t in times)
     length = (end - begin) * rate
-    if length > FRAMES:
-        raise ValueError(f"{length:.0f} frames, more than {FRAMES}")
     if not length < max(MOST, size / 8) / max(joints, 1):
         raise ValueError(f"{length:.0f} frames of {joints} joints are more than {size} bytes can hold")
+    if length > FRAMES:
+        raise ValueError(f"{length:.0f} frames, more than {FRAMES}")
     return begin + np.arange(round(length) + 1) / rate
 
 

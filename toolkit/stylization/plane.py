@@ -137,9 +137,9 @@ class Toy:
         """What each loss is for, ``[R]`` each.
 
         ``inside``: share of results that the judge accepts (adv); ``content``: correlation of the results' x with the
-        source's, 1 if the content is kept (cyc); ``own``: mean distance of a point from itself in its own style (id);
-        ``version``: share of the variance of the references' y that the results reproduce, 1 is all (sty); ``spread``:
-        mean distance of the results of two noises (ds).
+        source's, without its sign: 1 if the content can be restored, even from its mirror image (cyc); ``own``: mean
+        distance of a point from itself in its own style (id); ``version``: share of the variance of the references' y that
+        the results reproduce, 1 is all (sty); ``spread``: mean distance of the results of two noises (ds).
         """
         x, made = self.results(200)
         runs, every = len(self.losses), x.expand(len(self.losses), 200, 2)
@@ -147,7 +147,7 @@ class Toy:
         copied = self.restyle(every, self.code_of(references.expand(runs, 200, 2)))[..., 1]
         return {
             "inside": (outside(made, 1) < 0.01).float().mean((1, 2)),
-            "content": torch.stack([_correlation(made[:, k, :, 0], x[:, 0]) for k in range(len(NOISES))]).mean(0),
+            "content": torch.stack([_correlation(made[:, k, :, 0], x[:, 0]) for k in range(len(NOISES))]).abs().mean(0),
             "own": (self.restyle(every, self.code_of(every)) - x).norm(dim=-1).mean(1),
             "version": 1 - (copied - references[:, 1]).square().mean(1) / references[:, 1].var(),
             "spread": (made[:, 0] - made[:, -1]).norm(dim=-1).mean(1),

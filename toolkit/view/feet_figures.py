@@ -16,18 +16,16 @@ from toolkit.view.figures import GRID, LAYOUT, QUIET, finish
 from toolkit.view.frontend import escape
 from toolkit.view.style_figures import WHEEL
 
-THIGH, SHANK = 0.43, 0.42  # metres, of the leg in the figure
+HIP, KNEE, ANKLE = (torch.tensor([x]) for x in ((0.0, 0.0, 0.0), (0.0, -0.43, 0.1), (0.0, -0.8, 0.0)))  # of the leg, metres
 
 
 def leg_figure(soft: float = 0.05, title: str = "Move the slider: the ankle follows the target") -> go.Figure:
     """A leg seen from the side; a slider moves the target of the ankle down, past the reach of the leg."""
-    hip, targets = torch.zeros(1, 3), torch.linspace(0.35, 1.0, 27)
-    knee, ankle = torch.tensor([[0.0, -THIGH, 0.1]]), torch.tensor([[0.0, -0.8, 0.0]])
-    lines, angles = [], []
+    targets, lines, angles = np.linspace(0.35, 1.0, 27), [], []
     for target in targets:
-        middle, end = two_bone(hip, knee, ankle, torch.tensor([[0.0, -float(target), 0.05]]), soft=soft)
-        leg = torch.cat((hip, middle, end))[:, [2, 1]]
-        lines.append(leg)
+        middle, end = two_bone(HIP, KNEE, ANKLE, torch.tensor([[0.0, -target, 0.05]], dtype=torch.float32), soft=soft)
+        leg = torch.cat((HIP, middle, end))[:, [2, 1]]
+        lines.append(leg.numpy())
         a, b = leg[0] - leg[1], leg[2] - leg[1]
         angles.append(float(torch.rad2deg(torch.acos((a @ b / (a.norm() * b.norm())).clamp(-1, 1)))))
     figure = make_subplots(1, 2, column_widths=[0.45, 0.55], horizontal_spacing=0.14)

@@ -1,10 +1,12 @@
 // A character whose network runs in the page, without the kernel of a notebook (view/controller.py).
 //
-// Character(data) steps and poses; advance steps many, which share a network, at once. Kernel(data) also takes user input and the triangle's blend; it is the `model` of controller.js.
+// Character(data) steps and poses; advance steps many, which share a network, at once. Kernel(data) also takes user input and the
+// triangle's blend; it is the `model` of controller.js.
 // data = {
 //   network, rules, body: see network.js, frame.js, pose.js;  start: the state in the first frame;  skeleton: see scene.js
 //   styles: [names], vectors: numbers [styles * D];  turn, run, ease: as in view/controller.py
-//   others: [{style, radius, angle, way, speed}]: characters that walk on rings around the start, of a crowd; [] without
+//   others: [{style, radius, angle, way, speed, tint}]: characters that walk on rings around the start, of a crowd; [] without
+//   crowd: the skeleton of these bodies, or null
 //   bvh: {header, joints, centimetre} of a recording;  traits: first values for controller.js
 // }
 import { copy, follow, stand, steer, unit } from "./frame.js";
@@ -66,7 +68,8 @@ class Walker {
   // along the ring, and back to it where it has left it
   command() {
     const { history } = this.character.state, [x, z] = history.slice(-4), distance = Math.hypot(x, z) || 1, { way } = this;
-    const back = (this.radius - distance) / distance, ahead = unit([(way * z) / distance + back * x, (-way * x) / distance + back * z]);
+    const back = (this.radius - distance) / distance;
+    const ahead = unit([(way * z) / distance + back * x, (-way * x) / distance + back * z]);
     return { velocity: ahead.map((v) => this.speed * v), facing: ahead };
   }
 }
@@ -108,7 +111,8 @@ export class Kernel extends Model {
     Object.assign(this, { data, fps: rules.fps, character: new Character(data), vectors: numbers(vectors) });
     this.others = data.others.map((one) => new Walker(data, this.character.network, this.vectors, one));
     this.size = this.vectors.length / styles.length;
-    this.traits = { styles, skeleton: data.skeleton, feet: true, arms: true, recording: false, status: "", ...data.traits };
+    const crowd = data.crowd && { skeleton: data.crowd, tints: data.others.map(({ tint }) => tint) };
+    this.traits = { styles, skeleton: data.skeleton, crowd, feet: true, arms: true, recording: false, status: "", ...data.traits };
     this.input = { id: 0, move: [0, 0], turn: 0, run: false, heading: null };
     this.facing = Math.atan2(...start.facing);
     this.style = this.target();
@@ -170,7 +174,8 @@ export class Kernel extends Model {
                    state.future, state.contacts, state.phase];
     const buffer = Float32Array.from(parts.flatMap((part) => [...part]));
     for (const { character: other } of this.others) other.pose(this.traits);
-    this.emit("msg:custom", { kind: "others" }, [this.others.map(({ character: { root, rotations } }) => [root, rotations])]);
+    if (this.others.length)
+      this.emit("msg:custom", { kind: "others" }, [this.others.map(({ character: { root, rotations } }) => [root, rotations])]);
     this.emit("msg:custom", { kind: "frame", frame: this.frame, input: this.input.id }, [buffer]);
   }
 

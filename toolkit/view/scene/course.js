@@ -169,7 +169,8 @@ export function nearest(curve, place, distance) {
 export class Heading {
   constructor(curve, direction, look, turns) {
     Object.assign(this, { curve, direction, look, easings: turns.map(() => "linear") });
-    this.offsets = turns.map((angle, k) => (angle === null ? 0 : wrapped(angle - this.rule(curve.knots[k], curve.point(curve.knots[k])))));
+    const rule = (at) => this.rule(at, curve.point(at));
+    this.offsets = turns.map((angle, k) => (angle === null ? 0 : wrapped(angle - rule(curve.knots[k]))));
   }
 
   rule(distance, place) {

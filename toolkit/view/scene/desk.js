@@ -7,6 +7,7 @@ import { Network } from "./network.js";
 import { numbers } from "./numbers.js";
 import { data as sceneOf, parse, shot as checked, Take } from "./shot.js";
 
+const othersOf = ({ version, shots, ...more }) => more; // fields of a scene that are kept for its file
 const SLICE = 25, BATCH = 4, DEEP = 200; // ms of computing at once; frames between looks at the clock; steps that can be undone
 
 export class Desk {
@@ -14,6 +15,7 @@ export class Desk {
     const { course: rules, limits, styles, speeds } = data, vectors = numbers(data.vectors);
     Object.assign(this, { data, rules, limits, styles, speeds, vectors, size: vectors.length / styles.length, changed });
     Object.assign(this, { shots: parse(scene, styles), takes: [], making: [], past: [], future: [], held: null, stats: { ms: [] } });
+    this.more = othersOf(scene);
     this.network = new Network(data.network);
     this.drawn = new Character(data, this.network);
     this.channel = new MessageChannel();
@@ -27,16 +29,23 @@ export class Desk {
   }
 
   get scene() {
-    return sceneOf(this.shots);
+    return sceneOf(this.shots, this.more);
   }
 
   // Replaces the shots. `edit` gets a copy of them and may change it; an Error of one line if the result is not valid.
   change(edit) {
     const before = JSON.stringify(this.scene), draft = JSON.parse(JSON.stringify(this.shots)), old = this.shots;
-    const made = (edit(draft) ?? draft).map((shot) => checked(shot, this.styles)), after = JSON.stringify(sceneOf(made));
+    const made = (edit(draft) ?? draft).map((shot) => checked(shot, this.styles)), after = JSON.stringify(sceneOf(made, this.more));
     if (after === before) return;
     this.put(made, old);
     if (this.held === null) this.keep(before);
+  }
+
+  // Replaces everything by what a file holds; an Error of one line if it is not valid.
+  open(scene) {
+    const shots = parse(scene, this.styles);
+    this.more = othersOf(scene);
+    this.change(() => shots);
   }
 
   // the changes from begin to end are one step of undo
@@ -82,7 +91,9 @@ export class Desk {
     this.shots.forEach((shot, k) => {
       const at = known[k] === text(shot) ? k : known.indexOf(text(shot));
       takes[k] = this.takes[at < 0 ? k : at];
-      making[k] = at < 0 ? Object.assign(new Take(shot, this, new Character(this.data, this.network)), { since: now }) : this.making[at];
+      const older = [this.takes[k], this.making[k]].filter(Boolean);
+      making[k] = at < 0 ? new Take(shot, this, new Character(this.data, this.network), now, older) : this.making[at];
+      if (at < 0) this.stats.since = making[k].frames.length; // the first frame that is computed again
     });
     Object.assign(this, { takes, making });
     this.due();

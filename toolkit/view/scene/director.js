@@ -1,4 +1,4 @@
-// A desk for shots: a floor map (floor_map.js), a timeline (timeline.js) and the characters in 3-D, computed in the browser (desk.js).
+// A desk for shots: a floor map, a timeline, a form, and the characters in 3-D, computed in the browser (desk.js).
 //
 // Traits of the model: data (of view/director.py's pack), scene {version, shots} as a file holds it, and height, pixels, or null to
 // fill the element. The scene is sent to the kernel after every change that undo knows.
@@ -8,9 +8,9 @@ import { colorOf, floorMap } from "./floor_map.js";
 import { glb } from "./gltf.js";
 import { make } from "./player.js";
 import { Scene } from "./scene.js";
-import { blendAt, missed, parse, speedOf } from "./shot.js";
-import { EASINGS } from "./course.js";
-import { hueOf, timeline } from "./timeline.js";
+import { missed } from "./shot.js";
+import { button, shotForm } from "./shot_form.js";
+import { timeline } from "./timeline.js";
 
 const CSS = `
 .tkd{--ink:#2b323b;--soft:#6d7580;--line:#ddd8ce;--accent:#7b68c4;display:grid;gap:8px;height:100%;min-height:0;color:var(--ink);
@@ -19,54 +19,62 @@ const CSS = `
 .tkd *{box-sizing:border-box}.tkd [hidden]{display:none!important}
 .tkd button,.tkd select,.tkd input{font:inherit;color:inherit}
 .tkd button,.tkd select,.tkd input:not([type=range],[type=checkbox]){border:1px solid var(--line);background:#fff;border-radius:8px;height:30px;padding:0 9px}
-.tkd button{cursor:pointer}.tkd button:disabled{opacity:.4;cursor:default}.tkd :focus-visible{outline:2px solid var(--accent);outline-offset:1px}
+.tkd button{cursor:pointer}.tkd button:disabled{opacity:.4;cursor:default}.tkd:focus{outline:none}
+.tkd :focus-visible{outline:2px solid var(--accent);outline-offset:1px}
 .tkd button[aria-pressed=true],.tkd button[aria-selected=true]{background:#efecfa;border-color:#c9c0ec;color:#4c3fa0}
-.tkd-bar,.tkd-row{display:flex;flex-wrap:wrap;gap:6px;align-items:center}.tkd-bar{grid-area:bar}.tkd-bar [role=tablist]{display:flex;gap:4px;flex-wrap:wrap;margin-right:auto}
+.tkd-bar,.tkd-row{display:flex;flex-wrap:wrap;gap:6px;align-items:center}.tkd-bar{grid-area:bar}
+.tkd-bar [role=tablist]{display:flex;gap:4px;flex-wrap:wrap;margin-right:auto}
 .tkd-bar [role=tab]{max-width:14em;overflow:hidden;text-overflow:ellipsis;white-space:nowrap;border-bottom:3px solid var(--tone)!important}
 .tkd-box{position:relative;min-height:0;min-width:0;overflow:hidden;border-radius:12px;background:#f3f1ec}
 .tkd-stage{position:absolute;inset:0}.tkd-stage canvas{display:block}
 .tkd-tools{position:absolute;left:8px;top:8px;display:flex;gap:5px}
 .tkd-say{display:grid;gap:4px}.tkd-say p{margin:0;padding:3px 9px;border-radius:8px;background:#fff4e0;color:#7a4b00;overflow-wrap:anywhere}
 .tkd-say .bad{background:#fde4e1;color:#8c1d13}
-.tkd-map,.tkd-time{display:block;width:100%;touch-action:none;user-select:none;-webkit-user-select:none}.tkd-map{height:100%;cursor:grab}
-.tkd-map.drawing{cursor:crosshair}.tkd path{stroke-linejoin:round}.tkd .hollow{fill:none}.tkd .grid{stroke:#ddd8ce;stroke-width:1}.tkd .axes{stroke:#b9b2a3;stroke-width:1.5}
-.tkd-map .plan{stroke-width:3}.tkd-map .walked{stroke-width:1.5;stroke:#2b323b;stroke-opacity:.45}.tkd .off{stroke:#d03a2b;stroke-width:4;stroke-linecap:round}
-.tkd-map .stroke{stroke:var(--accent);stroke-width:3;stroke-dasharray:6 4}.tkd-map circle{stroke-width:2.5;cursor:move}.tkd-map circle.on{fill:var(--ink)}
+.tkd-map,.tkd-time{display:block;width:100%;touch-action:none;user-select:none;-webkit-user-select:none}
+.tkd-map{height:100%;cursor:grab}
+.tkd-map.drawing{cursor:crosshair}.tkd path{stroke-linejoin:round}.tkd .hollow{fill:none}.tkd .grid{stroke:#ddd8ce;stroke-width:1}
+.tkd .axes{stroke:#b9b2a3;stroke-width:1.5}
+.tkd-map .plan{stroke-width:3}.tkd-map .walked{stroke-width:1.5;stroke:#2b323b;stroke-opacity:.45}
+.tkd .off{stroke:#d03a2b;stroke-width:4;stroke-linecap:round}
+.tkd-map .stroke{stroke:var(--accent);stroke-width:3;stroke-dasharray:6 4}.tkd-map circle{stroke-width:2.5;cursor:move}
+.tkd-map circle.on{fill:var(--ink)}
 .tkd-map .person{stroke:#fff;stroke-width:1}.tkd-map text{font-size:11px;fill:var(--soft);pointer-events:none}
-.tkd-low{grid-area:time;background:#fbfaf7;border-radius:12px;overflow:hidden}.tkd-time text{font-size:10px;fill:var(--soft);pointer-events:none}.tkd-time .names text{font-size:11px;fill:#1d232b}
+.tkd-low{grid-area:time;background:#fbfaf7;border-radius:12px;overflow:hidden}
+.tkd-time text{font-size:10px;fill:var(--soft);pointer-events:none}.tkd-time .names text{font-size:11px;fill:#1d232b}
 .tkd-time .ruler{fill:#efece5;cursor:ew-resize}.tkd-time .speed{stroke:#2b323b;stroke-width:1.5}.tkd-time .off{stroke-width:3}
-.tkd-time .now{stroke:var(--accent);stroke-width:2;pointer-events:none}.tkd-time .grid,.tkd-time .speed,.tkd-time .off{pointer-events:none}
-.tkd-time .pause{fill:#c9a22755}.tkd-time g path.key{fill:#fff;stroke:#2b323b;stroke-width:1.6;cursor:grab}.tkd-time g path.key.on{fill:#2b323b}
+.tkd-time .now{stroke:var(--accent);stroke-width:2;pointer-events:none}
+.tkd-time .grid,.tkd-time .speed,.tkd-time .off{pointer-events:none}
+.tkd-time .pause{fill:#c9a22755}.tkd-time g path.key{fill:#fff;stroke:#2b323b;stroke-width:1.6;cursor:grab}
+.tkd-time g path.key.on{fill:#2b323b}
 .tkd-time g path.ghosts{stroke:#7b68c4}.tkd-time g path.holds{stroke:#8a6d10}
 .tkd-side,.tkd-form{display:flex;flex-direction:column;gap:8px}.tkd-side{grid-area:side;overflow:auto;padding:2px}
 .tkd-side h3{margin:0;font-size:14px}.tkd-side label{display:grid;grid-template-columns:84px 1fr;gap:6px;align-items:center}
 .tkd-side label input,.tkd-side label select{min-width:0;width:100%}.tkd-side input[type=checkbox]{width:auto;justify-self:start}
-.tkd-mix{display:grid;grid-template-columns:10px minmax(0,1.3fr) minmax(0,1fr) 38px 26px;gap:5px;align-items:center}.tkd-mix i{width:10px;height:18px;border-radius:3px}
-.tkd-mix button{padding:0;height:26px}.tkd-mix select,.tkd-mix input{min-width:0;width:100%}.tkd-clock{font-variant-numeric:tabular-nums;color:var(--soft);min-width:7.5em}
-@media(max-width:900px){.tkd{display:flex;flex-direction:column;overflow:auto}.tkd>*{flex:none}.tkd-box{height:clamp(190px,28dvh,420px)}.tkd-side{overflow:visible;order:1}.tkd-say{order:-1}}
+.tkd-mix{display:grid;grid-template-columns:minmax(0,1.3fr) minmax(0,1fr) 38px 26px;gap:5px;align-items:center}
+.tkd-mix button{padding:0;height:26px}.tkd-mix select,.tkd-mix input{min-width:0;width:100%}
+.tkd-clock{font-variant-numeric:tabular-nums;color:var(--soft);min-width:7.5em}
+@media(max-width:900px){.tkd{display:flex;flex-direction:column;overflow:auto}.tkd>*{flex:none}
+.tkd-box{height:clamp(190px,28dvh,420px)}.tkd-side{overflow:visible;order:1}.tkd-say{order:-1}}
 `;
-const NUMBERS = { path: ["x", "z", "time"], styles: ["time"], speeds: ["time", "speed"], holds: ["time", "distance", "seconds"] };
-const UNITS = { x: "x, m", z: "z, m", time: "time, s", speed: "speed, m/s", distance: "at, m", seconds: "lasts, s" };
-const TITLES = { path: "Point", styles: "Style key", speeds: "Speed key", holds: "Pause", ghosts: "Onion skin" };
-const BUSY = 150, STILL = 12; // ms between pictures while a motion is computed; pictures without a change before a paused picture gets smooth edges
+const BUSY = 150, STILL = 12; // ms between pictures while a motion is computed; unchanged pictures before one with smooth edges
 
 export function render({ model, el }) {
-  const root = make("div", "tkd", el);
+  const root = make("div", "tkd", el, { tabIndex: -1 });
   root.dataset.lmSuppressShortcuts = "true"; // keys are no shortcuts of JupyterLab
   if (model.get("height")) root.style.height = `${model.get("height")}px`;
   make("style", "", root, { textContent: CSS });
   const data = model.get("data"), ghosts = [];
-  let selected = null, playing = false, last = 0, handle = 0, moved = true, rest = 0, painted = 0, shown = "", sent = "", rebuilt = "";
+  let selected = null, playing = false, last = 0, handle = 0, moved = true, rest = 0, painted = 0, focused = null, shown, arriving = false;
   const desk = new Desk(data, model.get("scene"), changed);
   desk.seconds = 0;
   const fps = desk.rules.FPS;
 
   const bar = make("div", "tkd-bar", root), tabs = make("div", "", bar, { role: "tablist", ariaLabel: "Characters" });
-  const button = (parent, text, label, act) => make("button", "", parent, { type: "button", textContent: text, ariaLabel: label, title: label, onclick: act });
   const view = make("div", "tkd-box", root), stage = make("div", "tkd-stage", view), floor = make("div", "tkd-box", root);
   view.style.gridArea = "stage", floor.style.gridArea = "map";
-  const aside = make("div", "tkd-side", root), side = make("div", "tkd-form", aside, { role: "form", ariaLabel: "What is selected" }), low = make("div", "tkd-low", root);
+  const aside = make("div", "tkd-side", root), low = make("div", "tkd-low", root);
   const map = floorMap(floor, desk, { select, edit }), time = timeline(low, desk, { select, edit, seek, ghosts });
+  const form = shotForm(aside, desk, { select, edit, remove: removeSelected });
   const say = make("div", "tkd-say", aside, { role: "status", ariaLabel: "What cannot be met" });
 
   button(bar, "+", "Add a character", () => edit((shots) => {
@@ -100,7 +108,8 @@ export function render({ model, el }) {
   button(bar, "Save", "Save the shots as JSON", () => download("shots.json", JSON.stringify(desk.scene, null, 1) + "\n"));
   button(bar, "GLB", "Export the motion of this character as GLB", () =>
     download(name("glb"), glb({ ...data.skeleton, names: data.joints }, desk.motion(desk.selected), fps, desk.shot.name)));
-  button(bar, "BVH", "Export the motion of this character as BVH", () => download(name("bvh"), bvh(data.bvh, desk.motion(desk.selected), fps)));
+  button(bar, "BVH", "Export the motion of this character as BVH", () =>
+    download(name("bvh"), bvh(data.bvh, desk.motion(desk.selected), fps)));
   const tools = make("div", "tkd-tools", floor);
   const pen = button(tools, "Draw", "Draw the path with the next drag", () => map.toggle());
   button(tools, "Fit", "Show all paths", () => { map.fit(); changed("look"); });
@@ -133,8 +142,9 @@ export function render({ model, el }) {
     }
   }
   function open(made) {
-    const shots = parse(made, desk.styles);
-    desk.change(() => shots);
+    const before = desk.shots;
+    desk.open(made);
+    if (desk.shots === before) return;
     map.fit();
     changed("look");
   }
@@ -159,34 +169,17 @@ export function render({ model, el }) {
   function changed(what) {
     const busy = what === "frames" && desk.making.some(Boolean);
     if (!busy || performance.now() - painted > BUSY) moved = true;
-    if (what !== "kept") return;
-    const now = JSON.stringify(desk.scene);
-    if (now === sent) return;
-    sent = now;
+    if (what !== "kept" || arriving) return;
     model.set("scene", desk.scene);
     model.save_changes();
   }
   const arrived = () => {
-    const made = JSON.stringify(model.get("scene"));
-    if (made !== sent) sent = made, open(JSON.parse(made));
+    arriving = true; // it is not sent back
+    open(JSON.parse(JSON.stringify(model.get("scene"))));
+    arriving = false;
   };
   model.on("change:scene", arrived);
 
-  // adds a key at the present time, with the values that are there, and selects it
-  function addKey(list) {
-    const at = Math.round(100 * desk.seconds) / 100;
-    edit((shots) => {
-      const { [list]: keys } = shots[desk.selected], there = keys.findIndex((key) => key.time !== null && Math.abs(key.time - at) < 0.02);
-      if (there >= 0) return void (selected = { list, k: there });
-      const { course } = desk.take(desk.selected), frame = Math.min(Math.round(at * fps), course.speed.length - 1);
-      const made = { styles: { blend: list === "styles" && blendAt(keys, at) }, speeds: { speed: Math.round(100 * (course.speed[frame] || speedOf(shots[desk.selected].styles[0].blend, desk))) / 100 },
-                     holds: { seconds: 1, distance: null } }[list];
-      keys.push({ time: at, ...made, ...(list === "holds" ? {} : { easing: "smooth" }) });
-      keys.sort((a, b) => (a.time ?? 0) - (b.time ?? 0));
-      selected = { list, k: keys.findIndex((key) => key.time === at) };
-    });
-    changed("look");
-  }
   function removeSelected() {
     const { list, k } = selected;
     selected = null;
@@ -196,89 +189,10 @@ export function render({ model, el }) {
     changed("look");
   }
 
-  // the form of what is selected; its fields are kept while the same thing is selected
-  function form() {
-    const { shot } = desk, list = selected?.list === "arrivals" ? "path" : selected?.list, k = selected?.k, key = list && list !== "ghosts" ? shot[list][k] : null;
-    const kind = JSON.stringify([list, k, desk.selected, key?.blend && Object.keys(key.blend), key && list === "holds" && key.time === null, !!shot.look_at, !!shot.facing]);
-    const own = (act) => edit((shots) => void act(list ? shots[desk.selected][list][k] : shots[desk.selected]));
-    if (kind !== rebuilt) {
-      rebuilt = kind;
-      side.replaceChildren();
-      make("h3", "", side, { textContent: list ? `${TITLES[list]} ${k + 1}` : "Shot" });
-      const field = (text, read, write, more = {}, tag = "input") => {
-        const label = make("label", "", side, { textContent: text }), input = make(tag, "", label, more);
-        input.refresh = () => { if (document.activeElement !== input || input.type !== "number") input[input.type === "checkbox" ? "checked" : "value"] = read() ?? ""; };
-        input.onchange = () => { write(input.type === "checkbox" ? input.checked : input.type === "number" ? (input.value === "" ? null : Number(input.value)) : input.value); input.blur(); };
-        return input;
-      };
-      const here = () => desk.shot[list]?.[k], choices = (input, values) => values.forEach((v) => make("option", "", input, { value: v, textContent: v }));
-      if (key) {
-        for (const n of NUMBERS[list]) {
-          if (list === "holds" && (n === "time" ? key.time === null : n === "distance" && key.time !== null)) continue;
-          field(UNITS[n], () => here()?.[n], (v) => own((one) => (one[n] = v)), { type: "number", step: "any" });
-        }
-        const degrees = (pair) => (pair ? Math.round((Math.atan2(...pair) * 1800) / Math.PI) / 10 : null);
-        const turned = (v) => (v === null ? null : [Math.sin((v * Math.PI) / 180), Math.cos((v * Math.PI) / 180)].map((x) => Math.round(1e6 * x) / 1e6));
-        if (list === "path") field("faces, °", () => degrees(here()?.facing), (v) => own((one) => (one.facing = turned(v))), { type: "number", step: "any" });
-        if (key.easing) choices(field("easing", () => here()?.easing, (v) => own((one) => (one.easing = v)), {}, "select"), Object.keys(EASINGS));
-        if (list === "styles" && !Array.isArray(key.blend)) mixer(key, own, here);
-        if (list === "styles" && Array.isArray(key.blend)) make("p", "", side, { textContent: "A blend by layer: it is kept; change it in the file." });
-      } else if (!list) {
-        field("name", () => desk.shot.name, (v) => own((one) => (one.name = v)), { type: "text", maxLength: 100 });
-        field("seed", () => desk.shot.seed, (v) => own((one) => (one.seed = v ?? 0)), { type: "number", step: 1, min: 0 });
-        field("duration, s", () => desk.shot.duration, (v) => own((one) => (one.duration = v)), { type: "number", step: "any" });
-        const faces = field("faces", () => (desk.shot.look_at ? "a point" : desk.shot.facing ? "a direction" : "the path"), (v) => own((one) => {
-          one.look_at = v === "a point" ? [0, 0] : null;
-          one.facing = v === "a direction" ? [0, 1] : null;
-        }), {}, "select");
-        choices(faces, ["the path", "a direction", "a point"]);
-        const goal = shot.look_at ? "look_at" : shot.facing && "facing";
-        if (goal) ["x", "z"].forEach((axis, i) => field(`${goal === "facing" ? "to " : ""}${axis}`, () => desk.shot[goal]?.[i], (v) => own((one) => (one[goal][i] = v ?? 0)), { type: "number", step: "any" }));
-        for (const [n, text] of [["smooth", "smooth path"], ["feet", "foot IK"], ["arms", "arm IK"]]) field(text, () => desk.shot[n], (v) => own((one) => (one[n] = v)), { type: "checkbox" });
-      }
-      const row = make("div", "tkd-row", side);
-      if (list) button(row, "Delete", `Delete this ${TITLES[list].toLowerCase()}`, removeSelected);
-      if (!list || list === "path") button(row, "+ point", "Add a point to the path", () => edit((shots) => {
-        const { path } = shots[desk.selected], at = list ? k : path.length - 1, [a, b] = [path[at], path[at + 1]], from = b ? null : path[at - 1];
-        const place = b ? { x: (a.x + b.x) / 2, z: (a.z + b.z) / 2 } : { x: 2 * a.x - from.x, z: 2 * a.z - from.z };
-        path.splice(at + 1, 0, { ...place, time: null, facing: null });
-        selected = { list: "path", k: at + 1 };
-      }));
-      for (const [what, text] of [["styles", "+ style"], ["speeds", "+ speed"], ["holds", "+ pause"]]) button(row, text, `Add a ${TITLES[what].toLowerCase()} at this time`, () => addKey(what));
-    }
-    for (const input of side.querySelectorAll("input,select")) input.refresh?.();
-  }
-
-  // a row per style of a key's blend: its name, its share, away with it; the others keep their proportions
-  function mixer(key, own, here) {
-    const names = Object.keys(key.blend);
-    const share = (one, name, value) => {
-      const others = Object.keys(one.blend).filter((n) => n !== name), sum = others.reduce((s, n) => s + one.blend[n], 0);
-      for (const n of others) one.blend[n] = sum > 1e-9 ? ((1 - value) * one.blend[n]) / sum : (1 - value) / others.length;
-      one.blend[name] = others.length ? value : 1;
-    };
-    names.forEach((n, i) => {
-      const row = make("div", "tkd-mix", side);
-      make("i", "", row).style.background = hueOf(desk.styles, n);
-      const menu = make("select", "", row, { ariaLabel: `Style ${i + 1}` });
-      for (const style of desk.styles) make("option", "", menu, { value: style, textContent: style, disabled: style !== n && names.includes(style) });
-      menu.value = n;
-      menu.onchange = () => own((one) => (one.blend = Object.fromEntries(Object.entries(one.blend).map(([m, w]) => [m === n ? menu.value : m, w]))));
-      const slider = make("input", "", row, { type: "range", min: 0, max: 100, ariaLabel: `Share of ${n}, percent` }), text = make("span", "", row);
-      slider.refresh = () => { slider.value = 100 * (here()?.blend[n] ?? 0); text.textContent = `${Math.round(100 * (here()?.blend[n] ?? 0))} %`; };
-      slider.onpointerdown = () => desk.begin();
-      slider.oninput = () => own((one) => share(one, n, slider.value / 100));
-      slider.onchange = () => desk.end();
-      const away = button(row, "×", `Take ${n} out of the blend`, () => own((one) => { share(one, n, 0); delete one.blend[n]; }));
-      away.disabled = names.length < 2;
-    });
-    button(side, "+ style in this blend", "Add a style to this blend", () => own((one) => share(one, desk.styles.find((style) => !(style in one.blend)), 1 / (names.length + 1))));
-  }
-
   function head() {
     while (tabs.children.length > desk.shots.length) tabs.lastChild.remove();
     desk.shots.forEach((shot, k) => {
-      const tab = tabs.children[k] ?? button(tabs, "", "", () => { desk.selected = k; selected = null; changed("look"); });
+      const tab = tabs.children[k] ?? button(tabs, "", "", () => (desk.selected = k, selected = null, changed("look")));
       tab.role = "tab", tab.ariaSelected = String(k === desk.selected);
       tab.style.setProperty("--tone", colorOf(k));
       if (tab.textContent !== shot.name) tab.textContent = tab.title = tab.ariaLabel = shot.name;
@@ -291,7 +205,8 @@ export function render({ model, el }) {
 
   function words() {
     if (desk.making.some(Boolean)) return;
-    const lines = desk.shots.flatMap((shot, k) => missed(desk.take(k), desk.limits).map((line) => (desk.shots.length > 1 ? `${shot.name}: ${line}` : line)));
+    const whose = ({ name: who }) => (desk.shots.length > 1 ? `${who}: ` : "");
+    const lines = desk.shots.flatMap((shot, k) => missed(desk.take(k), desk.limits).map((line) => whose(shot) + line));
     const text = lines.join("\n");
     if (text === shown) return;
     shown = text;
@@ -309,10 +224,13 @@ export function render({ model, el }) {
 
   function paint(still) {
     const frame = Math.round(desk.seconds * fps) - 1;
-    if (selected && !["ghosts"].includes(selected.list) && !desk.shot[selected.list === "arrivals" ? "path" : selected.list][selected.k]) selected = null;
-    head(), form(), words();
+    const rows = { ...desk.shot, ghosts, arrivals: desk.shot.path };
+    if (selected && rows[selected.list][selected.k] === undefined) selected = null;
+    head(), form.draw(selected), words();
     map.draw(selected, Math.max(frame, 0));
     time.draw(selected, desk.seconds);
+    if (focused && (!focused.isConnected || focused.disabled) && document.activeElement === document.body)
+      root.focus({ preventScroll: true }); // the keys go on
     if (!scene) return;
     desk.shots.forEach((_, k) => pose(bodies, k, k, desk.seconds, false));
     ghosts.forEach((seconds, i) => pose(pale, i, desk.selected, seconds, true));
@@ -336,10 +254,12 @@ export function render({ model, el }) {
     } else if (++rest === STILL) paint(true);
   }
 
+  root.addEventListener("focusin", (event) => (focused = event.target));
   root.addEventListener("keydown", (event) => {
-    const typing = /INPUT|SELECT/.test(event.target.tagName) && event.target.type !== "range", command = event.ctrlKey || event.metaKey;
+    const command = event.ctrlKey || event.metaKey, { target } = event;
+    const typing = /INPUT|SELECT/.test(target.tagName) && target.type !== "range";
     if (command && /^[zy]$/i.test(event.key)) event.key.toLowerCase() === "y" || event.shiftKey ? desk.redo() : desk.undo();
-    else if (!typing && event.key === " " && event.target.tagName !== "BUTTON") run(!playing);
+    else if (!typing && event.key === " " && target.tagName !== "BUTTON") run(!playing);
     else if (!typing && selected && (event.key === "Delete" || event.key === "Backspace")) removeSelected();
     else return;
     event.preventDefault(), event.stopPropagation();
@@ -347,7 +267,7 @@ export function render({ model, el }) {
   const sizes = new ResizeObserver(() => changed("look"));
   sizes.observe(floor), sizes.observe(low);
   map.fit();
-  el.toolkit = { desk, scene, map, ghosts, seek, run, get stats() { return desk.stats; } };
+  el.toolkit = { desk, scene, map, ghosts, seek, run, open, get stats() { return desk.stats; } };
   handle = requestAnimationFrame(tick);
   return () => {
     cancelAnimationFrame(handle);

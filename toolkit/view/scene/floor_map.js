@@ -8,6 +8,9 @@ import { beside } from "./shot.js";
 const NS = "http://www.w3.org/2000/svg", COLORS = ["#7b68c4", "#2fa596", "#d6598b", "#c9a227", "#5b8def", "#8a8f98"];
 const CLOSE = 14, ROUGH = 0.08, LEAST = 0.3, SPREAD = 1.15; // pixels; metres of a drawn path that are left out; shortest path; margin
 
+const TICKS = [1, 2, 5, 10, 20, 50, 100, 200]; // metres between lines
+const clamp = (v, low, high) => Math.min(Math.max(v, low), high);
+
 export const colorOf = (k) => COLORS[k % COLORS.length];
 
 export function draw(parent, tag, attributes = {}) {
@@ -60,14 +63,14 @@ export function floorMap(parent, desk, { select, edit }) {
 
   // all paths in view
   function fit() {
-    const all = desk.shots.flatMap((shot) => shot.path), span = (name) => [all.map((p) => p[name])].map((v) => [Math.min(...v), Math.max(...v)])[0];
-    const [x0, x1] = span("x"), [z0, z1] = span("z"), [w, h] = middle();
-    centre = [(x0 + x1) / 2, (z0 + z1) / 2];
-    scale = Math.min(Math.max(Math.min((2 * w) / (SPREAD * (x1 - x0) + 1), (2 * h) / (SPREAD * (z1 - z0) + 1)), 4), 120);
+    const all = desk.shots.flatMap((shot) => shot.path), ends = ["x", "z"].map((name) => all.map((p) => p[name]));
+    const low = ends.map((v) => Math.min(...v)), high = ends.map((v) => Math.max(...v));
+    centre = low.map((v, i) => (v + high[i]) / 2);
+    scale = clamp(Math.min(...middle().map((half, i) => (2 * half) / (SPREAD * (high[i] - low[i]) + 1))), 4, 120);
   }
 
   function zoom(factor, [x, z]) {
-    const next = Math.min(Math.max(scale * factor, 2), 400);
+    const next = clamp(scale * factor, 2, 400);
     centre = [x + ((centre[0] - x) * scale) / next, z + ((centre[1] - z) * scale) / next];
     scale = next;
   }
@@ -114,13 +117,13 @@ export function floorMap(parent, desk, { select, edit }) {
       spread = now;
     } else if (line) line.push(place);
     else if (held?.pan) centre = centre.map((v, i) => v + held.pan[i] - place[i]);
-    else if (held && Math.hypot(place[0] - held.from[0], place[1] - held.from[1]) * scale > 2) move(held.k, place), held.from = [1e9, 0];
+    else if (held && distance(place, held.from) * scale > 2) move(held.k, place), held.from = [1e9, 0];
     desk.changed("look");
   });
   const end = (event) => {
     if (!hands.delete(event.pointerId)) return;
     if (line) {
-      const path = simple(line, ROUGH), length = line.reduce((sum, p, k) => (k ? sum + Math.hypot(p[0] - line[k - 1][0], p[1] - line[k - 1][1]) : 0), 0);
+      const path = simple(line, ROUGH), length = line.reduce((sum, place, k) => (k ? sum + distance(place, line[k - 1]) : 0), 0);
       line = null;
       if (length > LEAST) edit((shots) => void (shots[desk.selected].path = path.map(point)));
       toggle(false);
@@ -145,7 +148,8 @@ export function floorMap(parent, desk, { select, edit }) {
     move(k, [x + step[0], z + step[1]]);
   });
 
-  const apart = () => { const [a, b] = [...hands.values()]; return Math.max(Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY), 1); };
+  const distance = ([ax, az], [bx, bz]) => Math.hypot(ax - bx, az - bz);
+  const apart = () => Math.max(distance(...[...hands.values()].map((hand) => [hand.clientX, hand.clientY])), 1);
   const point = ([x, z]) => ({ x: tidy(x), z: tidy(z), time: null, facing: null });
   const move = (k, [x, z]) => edit((shots) => void Object.assign(shots[desk.selected].path[k], { x: tidy(x), z: tidy(z) }));
 
@@ -161,9 +165,9 @@ export function floorMap(parent, desk, { select, edit }) {
     svg, fit, toggle, out,
     get drawing() { return drawing; },
     draw(selected, frame) {
-      const [w, h] = middle(), step = [1, 2, 5, 10, 20, 50, 100, 200].find((n) => n * scale > 18) ?? 500, ticks = [];
-      for (let x = Math.ceil((centre[0] - w / scale) / step) * step; x < centre[0] + w / scale; x += step) ticks.push(`M${out([x, 0])[0]} 0v${2 * h}`);
-      for (let z = Math.ceil((centre[1] - h / scale) / step) * step; z < centre[1] + h / scale; z += step) ticks.push(`M0 ${out([0, z])[1]}h${2 * w}`);
+      const [w, h] = middle(), step = TICKS.find((n) => n * scale > 18) ?? 500, ticks = [], first = (v) => Math.ceil(v / step) * step;
+      for (let x = first(centre[0] - w / scale); x < centre[0] + w / scale; x += step) ticks.push(`M${out([x, 0])[0]} 0v${2 * h}`);
+      for (let z = first(centre[1] - h / scale); z < centre[1] + h / scale; z += step) ticks.push(`M0 ${out([0, z])[1]}h${2 * w}`);
       set(grid, { d: ticks.join("") });
       const [ox, oz] = out([0, 0]);
       set(axes, { d: `M${ox} 0v${2 * h}M0 ${oz}h${2 * w}` });
@@ -171,20 +175,24 @@ export function floorMap(parent, desk, { select, edit }) {
       const count = desk.shots.length;
       pool(lines, "path", 2 * count).forEach((path, i) => {
         const k = i >> 1, take = desk.take(k), walked = i & 1, own = k === desk.selected;
-        set(path, { class: `hollow ${walked ? "walked" : "plan"}`, d: trace(walked ? take.places : curveOf(take)), stroke: colorOf(k), opacity: own ? 1 : 0.45 });
+        set(path, { class: `hollow ${walked ? "walked" : "plan"}`, d: trace(walked ? take.places : curveOf(take)), stroke: colorOf(k),
+                    opacity: own ? 1 : 0.45 });
       });
-      const take = desk.take(desk.selected), apart = beside(take), { OFF } = desk.limits;
-      set(off, { d: apart.flatMap((v, k) => (v > OFF && k ? [`M${out(take.places[k - 1])}L${out(take.places[k])}`] : [])).join("") });
+      const take = desk.take(desk.selected), { OFF } = desk.limits;
+      const missed = beside(take).flatMap((apart, k) => (apart > OFF && k ? [trace([take.places[k - 1], take.places[k]])] : []));
+      set(off, { d: missed.join("") });
       pool(people, "path", count).forEach((path, k) => {
         const found = desk.pose(k, frame);
         if (!found) return path.setAttribute("d", "");
-        const { frames } = desk.take(k), [x, z, sin, cos] = frames[Math.min(frame, frames.length - 1)].history, [px, pz] = out([x, z]);
-        set(path, { d: "M0-11L7 8L0 4L-7 8Z", class: "person", fill: colorOf(k), transform: `translate(${px} ${pz})rotate(${(-Math.atan2(sin, cos) * 180) / Math.PI})` });
+        const { frames } = desk.take(k), [x, z, sin, cos] = frames[Math.min(frame, frames.length - 1)].history;
+        const turn = (-Math.atan2(sin, cos) * 180) / Math.PI, transform = `translate(${out([x, z]).join(" ")})rotate(${turn})`;
+        set(path, { d: "M0-11L7 8L0 4L-7 8Z", class: "person", fill: colorOf(k), transform });
       });
       pool(points, "circle", desk.shot.path.length).forEach((circle, k) => {
         const p = desk.shot.path[k], [cx, cy] = out([p.x, p.z]), on = selected?.list === "path" && selected.k === k;
-        set(circle, { cx, cy, r: on ? 8 : 6, class: on ? "on" : "", fill: k ? "#fff" : colorOf(desk.selected), stroke: colorOf(desk.selected), tabindex: 0, role: "button", "data-k": k,
-                      "aria-label": `Point ${k + 1} of the path at x ${p.x}, z ${p.z}: arrow keys move it, Delete removes it` });
+        const label = `Point ${k + 1} of the path at x ${p.x}, z ${p.z}: arrow keys move it, Delete removes it`, tone = colorOf(desk.selected);
+        set(circle, { cx, cy, r: on ? 8 : 6, class: on ? "on" : "", fill: k ? "#fff" : tone, stroke: tone, tabindex: 0, role: "button",
+                      "data-k": k, "aria-label": label });
       });
       set(stroke, { d: line ? trace(line) : "" });
     },

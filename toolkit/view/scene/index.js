@@ -2,6 +2,7 @@
 import { Kernel, Model } from "./character.js";
 import { render as controller } from "./controller.js";
 import { render as director } from "./director.js";
+import { Crowd } from "./crowd.js";
 import { make, player } from "./player.js";
 import { Scene } from "./scene.js";
 
@@ -26,6 +27,6 @@ function desk(element, { scene, ...data }) {
 
 const render = ({ model, el }) => (model.get("data") ? director : controller)({ model, el });
 
-globalThis.toolkitScene = { Scene, character, director: desk, player };
+globalThis.toolkitScene = { Crowd, Scene, character, director: desk, player };
 export { Scene, character, desk as director, player };
 export default { render };

@@ -2,6 +2,7 @@
 import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { Body } from "./body.js";
+import { Bodies, Crowd } from "./crowd.js";
 import { Figure } from "./figure.js";
 
 const SKY = "#f3f1ec", FLOOR = "#eae6de", GRID = "#d8d3c8", SHADE = "#cdc8be", PLAIN = { back: "#efece6", line: "#cbc5b9" };
@@ -140,8 +141,7 @@ export class Scene {
   // One more body like the first; a ghost is pale and has no shadow. `show` hides it again.
   add({ ghost = false } = {}) {
     const { skeleton } = this;
-    const body = skeleton.mesh ? new Figure(skeleton, this.light, software)
-      : new Body(skeleton, software ? [10, 2] : [24, 6], this.light, software);
+    const body = new (skeleton.mesh.own ? Figure : Body)(skeleton, this.light, software);
     this.bodies.push(body);
     this.scene.add(body.mesh);
     if (ghost) {
@@ -163,6 +163,12 @@ export class Scene {
 
   setContacts(contacts) {
     this.body.setContacts(contacts);
+  }
+
+  // more bodies, of one skeleton, in colours of their own
+  addCrowd(skeleton, tints) {
+    this.crowd = new (software ? Bodies : Crowd)(skeleton, tints, this.light, SHADE);
+    this.scene.add(...this.crowd.meshes);
   }
 
   // the path on the floor, points [F * 3]; null removes it
@@ -236,6 +242,7 @@ export class Scene {
     this.controls.dispose();
     this.setTrail(null);
     for (const body of this.bodies) body.dispose();
+    this.crowd?.dispose();
     this.renderer.dispose();
     this.renderer.forceContextLoss();
     this.canvas.remove();

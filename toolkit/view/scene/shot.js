@@ -6,9 +6,10 @@
 // desk: {rules, limits, styles: [names], vectors, size, speeds: [m/s]}, see view/director.py
 import { advance, Character } from "./character.js";
 import { between, command, Course, Curve, EASINGS, Heading, keyed, nearest, round } from "./course.js";
-import { stand } from "./frame.js";
+import { copy, stand } from "./frame.js";
 
-const FAR = 1000, FAST = 20, MANY = 256, LONGEST = 600, SEEDS = 2 ** 31 - 1, GOLDEN = (Math.sqrt(5) - 1) / 2;
+const FAR = 1000, FAST = 20, MANY = 256, LONGEST = 600, SEEDS = 2 ** 31 - 1, EVERY = 30, GOLDEN = (Math.sqrt(5) - 1) / 2;
+const SCENE = ["version", "shots", "apart", "walls"]; // a page shows each character alone; toolkit.shots keeps them apart
 const FIELDS = {
   Point: ["x", "z", "time", "facing"], StyleKey: ["time", "blend", "easing"], SpeedKey: ["time", "speed", "easing"],
   Hold: ["seconds", "time", "distance"],
@@ -90,7 +91,8 @@ export function shot(value, styles) {
   const keys = typeof given.styles === "string" ? [[0, given.styles]] : given.styles ?? [];
   const made = {
     path,
-    styles: entries(keys, "styles", "StyleKey", (k) => ({ time: time(k.time), blend: blend(k.blend, styles), easing: easing(k.easing) })),
+    styles: entries(keys, "styles", "StyleKey",
+      (k) => ({ time: time(k.time), blend: blend(k.blend, styles), easing: easing(k.easing) })),
     speeds: entries(given.speeds ?? [], "speeds", "SpeedKey",
       (k) => ({ time: time(k.time), speed: number(k.speed, "speed", 0, FAST), easing: easing(k.easing) })),
     holds: entries(given.holds ?? [], "holds", "Hold", (h) => {
@@ -100,8 +102,8 @@ export function shot(value, styles) {
     }),
     smooth: given.smooth ?? true, facing: optional(given.facing, (v) => direction(v, "facing")),
     look_at: optional(given.look_at, (v) => pair(v, "look_at")), feet: given.feet ?? true, arms: given.arms ?? true,
-    seed: number(given.seed ?? 0, "seed", 0, SEEDS), duration: optional(given.duration, (v) => number(v, "duration", 1 / 60, LONGEST)),
-    name: given.name ?? "shot",
+    seed: number(given.seed ?? 0, "seed", 0, SEEDS), name: given.name ?? "shot",
+    duration: optional(given.duration, (v) => number(v, "duration", 1 / 60, LONGEST)),
   };
   demand(path.length > 1, `path: two or more points are needed, got ${path.length}`);
   path.forEach((p, k) => demand(!k || Math.hypot(p.x - path[k - 1].x, p.z - path[k - 1].z) >= 0.01,
@@ -117,39 +119,42 @@ export function shot(value, styles) {
   for (const name of ["smooth", "feet", "arms"]) demand(typeof made[name] === "boolean", `${name} must be true or false`);
   demand(!made.facing || !made.look_at, "give either facing or look_at, not both");
   demand(Number.isInteger(made.seed), "seed must be a whole number");
-  demand(typeof made.name === "string" && made.name.length <= 100 && !/\p{C}/u.test(made.name), "name must be a line of up to 100 characters");
+  const named = typeof made.name === "string" && made.name.length <= 100 && !/\p{C}/u.test(made.name);
+  demand(named, "name must be a line of up to 100 characters");
   return made;
 }
 
 // The shots of a scene {version, shots}; an Error of one line.
 export function parse(scene, styles) {
-  demand(isObject(scene) && Object.keys(scene).sort().join() === "shots,version", "expected an object with the fields version and shots");
+  demand(isObject(scene) && "version" in scene && "shots" in scene, "expected an object with the fields version and shots");
+  for (const name of Object.keys(scene)) demand(SCENE.includes(name), `unknown field ${JSON.stringify(name).slice(0, 60)}`);
   demand(scene.version === 1, "this page reads version 1 of shots");
   demand(Array.isArray(scene.shots) && scene.shots.length, "shots: one or more are needed");
   return entries(scene.shots, "shots", "Shot", (value) => shot(value, styles));
 }
 
-// the scene of shots, as a file holds it: fields without a value are left out
-export function data(shots) {
+// the scene of shots, as a file holds it: fields without a value are left out; more: its other fields
+export function data(shots, more = {}) {
   const lean = (value) => {
     if (Array.isArray(value)) return value.map(lean);
     if (!isObject(value)) return value;
     return Object.fromEntries(Object.entries(value).filter(([, v]) => v !== null).map(([name, v]) => [name, lean(v)]));
   };
-  return { version: 1, shots: lean(shots) };
+  return { version: 1, shots: lean(shots), ...more };
 }
 
 const layersOf = (blend) => (Array.isArray(blend) ? blend : [blend]);
 
 // natural speed of a blend: of blends by layer, the mean
 export function speedOf(blend, { styles, speeds }) {
-  const layers = layersOf(blend), of = (layer) => Object.entries(layer).reduce((sum, [name, w]) => sum + w * speeds[styles.indexOf(name)], 0);
-  return layers.reduce((sum, layer) => sum + of(layer), 0) / layers.length;
+  const layers = layersOf(blend), each = layers.flatMap((layer) => Object.entries(layer));
+  return each.reduce((sum, [name, weight]) => sum + weight * speeds[styles.indexOf(name)], 0) / layers.length;
 }
 
 // the blend of style keys at a time; of blends by layer, that of the key before
 export function blendAt(keys, time) {
-  const [a, b, weight] = between(keys.map((key) => key.time), keys.map((key) => key.easing), time), [from, to] = [keys[a].blend, keys[b].blend];
+  const [a, b, weight] = between(keys.map((key) => key.time), keys.map((key) => key.easing), time);
+  const from = keys[a].blend, to = keys[b].blend;
   if (!weight || Array.isArray(from) || Array.isArray(to)) return from;
   const made = Object.fromEntries(Object.entries(from).map(([name, w]) => [name, (1 - weight) * w]));
   for (const [name, w] of Object.entries(to)) made[name] = (made[name] ?? 0) + weight * w;
@@ -184,13 +189,37 @@ export function plan(shot, desk) {
 // every phase later by an angle
 function shifted(phase, angle) {
   const s = Math.sin(angle), c = Math.cos(angle);
-  for (let i = 0; angle && i + 1 < phase.length; i += 2) phase.set([c * phase[i] - s * phase[i + 1], s * phase[i] + c * phase[i + 1]], i);
+  for (let i = 0; angle && i + 1 < phase.length; i += 2) {
+    const x = phase[i], y = phase[i + 1];
+    phase.set([c * x - s * y, s * x + c * y], i);
+  }
 }
 
-// A character on its way through a shot. `frames` has what is needed to draw each: {history, joints, toes, contacts}.
+// Number of frames from the first on that two plans {shot, course, heading} cannot tell apart: their commands and styles are the same.
+function shared({ shot, course: a, heading }, { shot: before, course: b, heading: other }) {
+  const { FPS, LEAD, BEFORE, SPACING } = a.rules, key = ({ seed, facing, look_at: look }) => JSON.stringify([seed, facing, look]);
+  if (key(shot) !== key(before)) return 0;
+  const differs = (count, same) => {
+    for (let k = 0; k < count; k++) if (!same(k)) return k;
+    return Infinity;
+  };
+  const [c, d] = [a.curve, b.curve], most = (one, two) => Math.max(one.length, two.length);
+  const sample = differs(most(c.at, d.at), (k) => c.x[k] === d.x[k] && c.z[k] === d.z[k] && c.at[k] === d.at[k]);
+  const knot = differs(most(c.knots, d.knots), (k) => c.knots[k] === d.knots[k] && heading.offsets[k] === other.offsets[k]);
+  const metres = Math.min(sample < Infinity ? c.at[sample - 1] ?? 0 : sample, knot < Infinity ? c.knots[knot - 1] ?? 0 : knot);
+  const style = differs(most(shot.styles, before.styles), (k) => JSON.stringify(shot.styles[k]) === JSON.stringify(before.styles[k]));
+  const seconds = style < Infinity ? shot.styles[style - 1]?.time ?? -1 : style, ahead = round(LEAD * FPS);
+  const at = (row, frame) => row[Math.min(frame, row.length - 1)];
+  const same = (frame) => at(a.distance, frame) === at(b.distance, frame) && at(a.speed, frame) === at(b.speed, frame);
+  return Math.min(a.distance.length, differs(a.distance.length, (frame) => frame / FPS <= seconds && same(frame)
+    && same(frame + ahead) && at(a.distance, frame + ahead) + BEFORE + 4 * SPACING < metres));
+}
+
+// A character on its way through a shot, asked for at a time in ms. It goes on from where it differs from older takes.
+// `frames` has what draws each: {history, joints, toes, contacts}; `kept` the whole state every EVERY frames.
 export class Take {
-  constructor(shot, desk, character) {
-    Object.assign(this, { shot, ...plan(shot, desk), character, frames: [], places: [] });
+  constructor(shot, desk, character, since = 0, older = []) {
+    Object.assign(this, { shot, ...plan(shot, desk), character, since, frames: [], places: [], kept: [] });
     const { course, heading } = this, place = course.curve.point(0), angle = heading.angle(0, place);
     this.count = course.distance.length - 1;
     this.styles = keysOf(shot.styles, (key) => vectorOf(key.blend, desk));
@@ -198,12 +227,19 @@ export class Take {
     character.state = stand(character.first, place, [Math.sin(angle), Math.cos(angle)]);
     character.spare = stand(character.first, place, [Math.sin(angle), Math.cos(angle)]);
     for (const { phase } of [character.state, character.spare]) shifted(phase, 2 * Math.PI * ((shot.seed * GOLDEN) % 1));
+    for (const old of older) {
+      const frame = EVERY * Math.floor(Math.min(shared(this, old), old.frames.length, this.count) / EVERY), { kept } = old;
+      if (frame <= this.frames.length || !kept[frame / EVERY]) continue;
+      Object.assign(this, { frames: old.frames.slice(0, frame), places: old.places.slice(0, frame), kept: kept.slice(0, frame / EVERY) });
+      character.state = copy(kept[frame / EVERY]);
+    }
   }
 
   // the next frame; whether there is one
   step() {
     const { character, frames, styles: { times, easings, values }, style } = this, frame = frames.length;
     if (frame >= this.count) return false;
+    if (frame % EVERY === 0) this.kept.push(copy(character.state));
     const { history } = character.state, [x, z] = history.subarray(history.length - 4);
     const [a, b, weight] = between(times, easings, frame / this.course.rules.FPS);
     for (let i = 0; i < style.length; i++) style[i] = values[a][i] + weight * (values[b][i] - values[a][i]);
@@ -233,27 +269,38 @@ function radius({ curve }, distance, { REACH }) {
 
 // What a take misses and why, a line each (Shot.check).
 export function missed(take, limits) {
-  const { course, natural, timed, places, shot } = take, { curve, distance, speed, rules: { FPS } } = course, { SLOW } = limits, lines = [];
-  const usual = (frame) => Math.max(keyed(natural, frame / FPS), SLOW), seconds = (distance.length - 1) / FPS, plain = (v) => String(Number(v.toPrecision(6)));
-  const said = (frame) => `the speed is ${speed[frame].toFixed(2)} m/s, ${(speed[frame] / usual(frame)).toFixed(1)} times that of the style`;
-  const best = (count, better, first = 0) => { let at = first; for (let k = first; k < count; k++) if (better(k, at)) at = k; return at; };
+  const { course, natural, timed, places, shot } = take, { curve, distance, speed, rules: { FPS } } = course, lines = [];
+  const seconds = (distance.length - 1) / FPS, plain = (v) => String(Number(v.toPrecision(6)));
+  const usual = (frame) => Math.max(keyed(natural, frame / FPS), limits.SLOW), times = (frame) => speed[frame] / usual(frame);
+  const said = (frame) => `the speed is ${speed[frame].toFixed(2)} m/s, ${times(frame).toFixed(1)} times that of the style`;
+  const best = (count, better, first = 0) => {
+    let at = first;
+    for (let k = first; k < count; k++) if (better(k, at)) at = k;
+    return at;
+  };
   for (const k of course.late) lines.push(`path[${timed[k][0]}] is too far away to be reached at ${plain(timed[k][2])} s`);
   if (course.end === null || course.end > seconds + 1e-9)
     lines.push(`the end of the path is not reached in ${plain(seconds)} s: ${(curve.length - distance.at(-1)).toFixed(1)} m are left`);
   shot.holds.forEach((hold, k) => {
-    if (hold.distance !== null && hold.distance > curve.length) lines.push(`holds[${k}] is after the end of the path, ${curve.length.toFixed(2)} m long`);
+    if (hold.distance === null || hold.distance <= curve.length) return;
+    lines.push(`holds[${k}] is after the end of the path, ${curve.length.toFixed(2)} m long`);
   });
   if (!places.length) return lines;
-  const fast = best(places.length + 1, (a, b) => speed[a] / usual(a) > speed[b] / usual(b), 1);
-  if (speed[fast] > limits.FASTER * usual(fast)) lines.push(`at ${(fast / FPS).toFixed(1)} s ${said(fast)}: slow down or choose a faster style`);
-  const apart = beside(take), worst = best(apart.length, (a, b) => apart[a] > apart[b]), mean = apart.reduce((sum, v) => sum + v, 0) / apart.length;
+  const fast = best(places.length + 1, (a, b) => times(a) > times(b), 1);
+  if (speed[fast] > limits.FASTER * usual(fast))
+    lines.push(`at ${(fast / FPS).toFixed(1)} s ${said(fast)}: slow down or choose a faster style`);
+  const apart = beside(take), worst = best(apart.length, (a, b) => apart[a] > apart[b]);
+  const mean = apart.reduce((sum, v) => sum + v, 0) / apart.length;
   if (apart[worst] > limits.OFF) {
-    const tight = (k) => radius(course, distance[k], limits), turn = best(worst + 2, (a, b) => tight(a) < tight(b), Math.max(worst + 1 - FPS, 1));
-    lines.push(`at ${((worst + 1) / FPS).toFixed(1)} s the character is ${(100 * apart[worst]).toFixed(0)} cm from the path: the turn after `
-      + `${distance[turn].toFixed(1)} m, of radius ${tight(turn).toFixed(1)} m, is too tight at ${speed[turn].toFixed(2)} m/s; widen it or slow down there`);
+    const tight = (k) => radius(course, distance[k], limits);
+    const turn = best(worst + 2, (a, b) => tight(a) < tight(b), Math.max(worst + 1 - FPS, 1));
+    lines.push(`at ${((worst + 1) / FPS).toFixed(1)} s the character is ${(100 * apart[worst]).toFixed(0)} cm from the path: the turn `
+      + `after ${distance[turn].toFixed(1)} m, of radius ${tight(turn).toFixed(1)} m, is too tight at ${speed[turn].toFixed(2)} m/s; `
+      + "widen it or slow down there");
   } else if (mean > limits.BESIDE) lines.push(`the character is ${(100 * mean).toFixed(0)} cm from the path on average`);
   const late = places.findIndex((place, k) => distance[k + 1] - nearest(curve, place, distance[k + 1]) > limits.LAG) + 1;
-  if (late) lines.push(`from ${(late / FPS).toFixed(1)} s on the character is behind the plan: ${said(late)}; slow down or leave more time`);
+  if (late)
+    lines.push(`from ${(late / FPS).toFixed(1)} s on the character is behind the plan: ${said(late)}; slow down or leave more time`);
   for (const [point, at, time] of timed) {
     if (round(time * FPS) > places.length) continue;
     const [wait, metres] = arrival(curve.point(at), time, places, limits, FPS);
