@@ -89,3 +89,17 @@ def test_the_ankle_follows_the_pointer(open_html):
     page.mouse.click(box["x"] + 190, box["y"] + 160)
     assert 0 < float(frame.locator("#angle").inner_text()) < 180
     assert wrong == []
+
+
+def test_jupyterlab_shows_the_map_a_figure_and_a_film(open_notebook):
+    notebook = open_notebook("course.ipynb", [
+        "import toolkit as tk\ntk.course.here('01')",
+        "tk.view.training_curves([{'step': k, 'loss': 1 / k} for k in (1, 2, 3)])",
+        "tk.course.film(tk.datasets.load('procedural', styles='Old', gaits='FW', seconds=2.0))",
+    ])
+    notebook.run_all(200)
+    page = notebook.page
+    page.wait_for_selector(".jp-OutputArea svg[role=img]")
+    page.wait_for_selector(".js-plotly-plot .scatterlayer .trace", timeout=60_000)
+    page.wait_for_selector("iframe[srcdoc]")
+    assert notebook.errors == []

@@ -1,5 +1,6 @@
 """Figures that answer without a kernel: plotly with its code once a notebook, and pages of the 3D scene in a frame."""
 
+import json
 import tempfile
 from html import escape
 from pathlib import Path
@@ -38,7 +39,8 @@ class Renderer(MimetypeRenderer):
 
     def to_mimebundle(self, fig_dict: dict) -> dict:
         """The figure in both forms."""
-        return {"application/vnd.plotly.v1+json": fig_dict, "text/html": chart(fig_dict)}
+        plain = json.loads(pio.json.to_json_plotly(fig_dict))
+        return {"application/vnd.plotly.v1+json": plain, "text/html": chart(fig_dict)}
 
 
 def charts() -> str:
