@@ -4,13 +4,14 @@ import math
 import re
 from pathlib import Path
 
+import numpy as np
 import pytest
 import torch
 from hypothesis import given
 from hypothesis import strategies as st
 
 import toolkit as tk
-from toolkit.shots import Shot, pilots
+from toolkit.shots import Preview, Scene, Shot, apart, pilots
 from toolkit.shots.course import FPS, Course, Curve
 from toolkit.shots.feasibility import arrival, beside
 
@@ -73,6 +74,59 @@ def test_a_scene_holds_several_shots(tmp_path):
     assert [shot.seed for shot in tk.shots.load(path)] == [0, 3]
     with pytest.raises(ValueError, match="holds 2 shots"):
         Shot.load(path)
+
+
+MEET = [Shot([(0, 0), (0, 6)], "Neutral"), Shot([(0.05, 6), (0.05, 0)], "Old", seed=1)]
+
+
+def test_those_who_keep_apart_do_and_the_others_walk_through_each_other(tmp_path, embedded):
+    path = tmp_path / "scene.json"
+    nearest = []
+    for scene in (Scene(MEET), Scene(MEET, 1.0, [((-3, 2), (-2, 2))])):
+        scene.save(path)
+        assert Scene.load(path) == scene
+        assert tk.shots.load(path) == MEET
+        places = torch.stack([s.root[:, :2] for s in scene.states(*embedded)])
+        nearest.append(float((places[:, 0] - places[:, 1]).norm(dim=-1).min()))
+        assert (places[-1] - torch.tensor([[0.0, 6.0], [0.05, 0.0]])).norm(dim=-1).max() < 0.3
+    assert nearest[0] < 0.3
+    assert nearest[1] > 0.6
+
+
+def test_velocities_of_those_who_keep_apart():
+    places, ahead = np.array([[0.0, 0.0], [0.0, 2.0]]), np.array([[0.0, 1.0], [0.0, -1.0]])
+    safe = apart.velocities(places, ahead, ahead, 0.8)
+    assert safe[0, 0] * safe[1, 0] < 0  # each to its own side
+    assert np.allclose(safe[0], -safe[1])
+    assert np.allclose(apart.velocities(places, ahead, -ahead, 0.8, np.zeros((0, 2, 2))), -ahead)  # they part: nothing to do
+    walls = np.array([[[-5.0, 0.6], [5.0, 0.6]]])
+    assert apart.velocities(places[:1], ahead[:1], ahead[:1], 0.8, walls)[0, 1] < 0.11
+
+
+@pytest.mark.parametrize(("arguments", "said"), [
+    (([],), "shots: one or more"), ((MEET, -1.0), "apart must be a number"), ((MEET, math.nan), "apart must be a number"),
+    ((MEET, None, [((0, 0), (1, 0))]), "give apart"), ((MEET, 1.0, [((0, 0), (0, 0))]), "walls[0]: start and end"),
+    ((MEET, 1.0, ["x"]), "walls[0]: expected the fields"), (([MEET[0], MEET[0]], 1.0), "shots[0] and shots[1] start 0.00 m"),
+])
+def test_a_bad_scene_is_one_clear_line(arguments, said):
+    with pytest.raises(ValueError, match=re.escape(said)) as caught:
+        Scene(*arguments)
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("compiled", [True, False])
+def test_a_preview_has_the_bits_of_a_render_and_keeps_what_does_not_change(embedded, compiled):
+    model = embedded[0] if compiled else tk.pretrained().model
+    shot = Shot([(0, 0), (0.5, 1), (0, 2)], "Neutral", [(0, 1.0)], duration=1.5)
+    preview = Preview(model, embedded[1])
+    late = dataclasses.replace(shot, styles=[(0, "Neutral"), (0.8, "Neutral"), (1.0, "Zombie")])
+    for asked, kept in ((shot, 0), (shot, 90), (late, 49), (dataclasses.replace(late, seed=4), 0)):
+        made, alone = preview.render(asked), asked.render(model, embedded[1])
+        assert preview.kept == kept
+        assert torch.equal(made.rotations, alone.rotations)
+        assert torch.equal(made.root_positions, alone.root_positions)
+    stepped = tk.runtime.record(model, asked.states(model, embedded[1]))
+    assert torch.equal(stepped.rotations, alone.rotations)
 
 
 def test_the_examples_are_valid_and_small(embedded):

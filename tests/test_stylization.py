@@ -435,8 +435,8 @@ def test_training_ends_when_its_time_is_spent_and_goes_on_with_what_is_left(moti
 def test_training_learns_to_rebuild_and_to_tell_apart(motions):
     sizes = networks.Sizes(channels=8, code=8, latent=4, hidden=16)
     weights = {"adv": 1.0, "cyc": 10.0, "id": 10.0, "sty": 1.0, "ds": 3.0, "r1": 5.0}
-    run = st.fit(motions, training.Config.quick(sizes=sizes, batch=4, iterations=40, warm_up=0, squared=True, weights=weights,
-                                                log_every=10))
+    settings = {"sizes": sizes, "batch": 4, "iterations": 40, "warm_up": 0, "squared": True, "log_every": 10}
+    run = st.fit(motions, training.Config.quick(**settings, weights=weights))
     assert run.history[-1]["id"] < 0.8 * run.history[0]["id"]
     assert run.history[-1]["d"] < run.history[0]["d"]
 

@@ -44,6 +44,7 @@ RECIPE: dict[str, dict] = {
     "the recipe": {}, "content losses of squares": {"squared": True}, "a source's code from its own window":
     {"other_window": False}, "no training as an autoencoder first": {"warm_up": 0}, "ds as in the paper": {"fading": False},
     "E learns from noise alone": {"encoder_learns": False}, "R1 in every iteration": {"r1_every": 1},
+    "a generator as in Table 3": {"sizes": replace(networks.Sizes.small(), detailed=False)},
 }  # what the recipe is without one of its departures
 COLUMNS: dict[str, list] = {
     "method": ["method"], "codes": ["style code from"], "fmd": ["FMD", 0], "domain_fmd": ["FMD per style", 0],

@@ -20,13 +20,14 @@ def shot(
 ) -> None:
     """Render a file of shots, say what cannot be met, and write the motion."""
     export.check(out)
-    scene = shots.load(file)
+    scene = shots.Scene.load(file)
+    if seed is not None:
+        scene = dataclasses.replace(scene, shots=[dataclasses.replace(asked, seed=seed) for asked in scene.shots])
     net, bank = published.either(model, parameters)
-    for k, asked in enumerate(scene):
-        asked = asked if seed is None else dataclasses.replace(asked, seed=seed)
-        path = out if len(scene) == 1 else out.with_stem(f"{out.stem}_{k}")
+    for k, asked in enumerate(scene.shots if scene.apart is None else ()):
         for line in asked.check(net, bank):
             print(f"shot {k}: {line}", file=sys.stderr)
-        clip = asked.render(net, bank)
+    for k, (asked, clip) in enumerate(zip(scene.shots, scene.render(net, bank), strict=True)):
+        path = out if len(scene.shots) == 1 else out.with_stem(f"{out.stem}_{k}")
         export.write(clip, path, title=asked.name, progress=True)
         print(f"{asked.name}: {len(clip)} frames, {clip.seconds:.1f} s; wrote {path}")

@@ -16,10 +16,11 @@ from toolkit.io.files import atomic_write, status
 from toolkit.motion import Clip
 from toolkit.motion.tensors import shown
 from toolkit.networks.bank import StyleBank
-from toolkit.runtime import CharacterState, Command, record, start, step
+from toolkit.runtime import CharacterState, Command, start, step
 from toolkit.shots import feasibility
-from toolkit.shots.course import FPS, LONGEST, Course, Curve, Heading, between, command
+from toolkit.shots.course import FPS, LONGEST, Course, Curve, Heading, Pair, between, command
 from toolkit.shots.keys import FAST, Hold, Point, SpeedKey, StyleKey, build, direction, entries, number, pair, rising
+from toolkit.shots.preview import Preview
 
 VERSION = 1
 LARGEST_FILE = 10_000_000  # bytes
@@ -147,13 +148,16 @@ class Shot:
 
         return at
 
+    def first(self, model, bank: StyleBank, plan: tuple[Course, Heading]) -> CharacterState:
+        """The character at the start of the path, before the first frame."""
+        place = plan[0].curve.point(0.0)
+        angle = plan[1].angle(0.0, place)
+        return shifted(start(model, self.style(bank)(0), place, (math.sin(angle), math.cos(angle))), self.turn)
+
     def states(self, model, bank: StyleBank, plan: tuple[Course, Heading] | None = None) -> Iterable[CharacterState]:
         """Yield the state of every frame; ``model`` plain or compiled."""
         course, heading = self.plan(bank) if plan is None else plan
-        style, place = self.style(bank), course.curve.point(0.0)
-        angle = heading.angle(0.0, place)
-        state = start(model, style(0), place, (math.sin(angle), math.cos(angle)))
-        state = shifted(state, math.tau * (self.seed * GOLDEN % 1))
+        style, state = self.style(bank), self.first(model, bank, (course, heading))
         for frame in range(len(course.distance) - 1):
             x, z = state.root[0, :2].tolist()
             with torch.no_grad():
@@ -170,8 +174,7 @@ class Shot:
         bank
             The model's styles.
         """
-        clip = record(model, self.states(model, bank), feet=self.feet, arms=self.arms)
-        return clip.replace(name=self.name)
+        return Preview(model, bank).render(self)
 
     def check(self, model, bank: StyleBank) -> list[str]:
         """What cannot be met and why, a line each; empty if all can. The shot is tried, without drawing.
@@ -181,8 +184,13 @@ class Shot:
         ValueError
             If a style is not in the bank.
         """
-        course, heading = self.plan(bank)
-        keys = self._natural(bank)
+        plan = self.plan(bank)
+        states = Preview(model, bank).states(self, plan)
+        return self.unmet(bank, plan, [tuple(place) for place in states.root[:, :2].tolist()])
+
+    def unmet(self, bank: StyleBank, plan: tuple[Course, Heading], places: list[Pair]) -> list[str]:
+        """What `check` says of a character that was at these places (x, z), from frame 1 on."""
+        course, keys = plan[0], self._natural(bank)
         times, speeds, easings = ([getattr(key, name) for key in keys] for name in ("time", "speed", "easing"))
 
         def natural(now: float) -> float:
@@ -196,8 +204,12 @@ class Shot:
                          f"{course.curve.length - course.distance[-1]:.1f} m are left")
         lines += [f"holds[{k}] is after the end of the path, {course.curve.length:.2f} m long" for k, hold in
                   enumerate(self.holds) if hold.distance is not None and hold.distance > course.curve.length]
-        places = [tuple(state.root[0, :2].tolist()) for state in self.states(model, bank, (course, heading))]
         return lines + feasibility.missed(course, natural, timed, places)
+
+    @property
+    def turn(self) -> float:
+        """The angle by which the character starts later in its gait cycle: of the seed."""
+        return math.tau * (self.seed * GOLDEN % 1)
 
     @property
     def _timed(self) -> list[tuple[int, float]]:
@@ -210,13 +222,14 @@ class Shot:
         return [SpeedKey(key.time, min(max(v, 0.0), FAST), key.easing) for key, v in zip(self.styles, speeds, strict=True)]
 
 
-def shifted(state: CharacterState, angle: float) -> CharacterState:
-    """A state with every phase later by an angle; a model without phases keeps its state."""
-    if not angle or not state.phase.shape[1]:
+def shifted(state: CharacterState, angle: float | Sequence[float]) -> CharacterState:
+    """A state with every phase later by an angle, or by one per character; a model without phases keeps its state."""
+    angle = torch.tensor(angle, dtype=torch.float64).reshape(-1, 1)
+    if not angle.any() or not state.phase.shape[1]:
         return state
     if state.phase.shape[1] == 1:
-        return dataclasses.replace(state, phase=(state.phase + angle) % math.tau)
-    s, c = math.sin(angle), math.cos(angle)
+        return dataclasses.replace(state, phase=(state.phase + angle.to(state.phase)) % math.tau)
+    s, c = angle.sin().to(state.phase), angle.cos().to(state.phase)
     x, y = state.phase[:, 0::2], state.phase[:, 1::2]
     return dataclasses.replace(state, phase=torch.stack((c * x - s * y, s * x + c * y), -1).flatten(1))
 
@@ -241,6 +254,11 @@ def _data(value):
 
 def load(path: str | os.PathLike) -> list[Shot]:
     """The shots of a JSON file, one per character; a ValueError of one line if the file or a field is not valid."""
+    return read(path, parse)
+
+
+def read(path: str | os.PathLike, parse: Callable):
+    """What ``parse`` makes of a JSON file; a ValueError of one line, with the path, if the file or a field is not valid."""
     found = status(path)
     if found is not None and found.st_size > LARGEST_FILE:
         raise ValueError(f"{path}: {found.st_size} bytes, a file of shots has at most {LARGEST_FILE}")
@@ -259,9 +277,9 @@ def _line(error: Exception) -> str:
 
 
 def parse(scene) -> list[Shot]:
-    """The shots of a scene: a dictionary of ``version`` and ``shots``, as `json` reads it from a file."""
-    if not isinstance(scene, Mapping) or set(scene) != {"version", "shots"}:
-        raise ValueError("expected an object with the fields version and shots")
+    """The shots of a scene, a dictionary as `json` reads it from a file; `toolkit.shots.Scene` has its other fields too."""
+    if not isinstance(scene, Mapping) or not {"version", "shots"} <= set(scene) <= {"version", "shots", "apart", "walls"}:
+        raise ValueError("expected an object with the fields version and shots, and perhaps apart and walls")
     if scene["version"] != VERSION or isinstance(scene["version"], bool):
         raise ValueError(f"version {shown(scene['version'])}; this toolkit reads version {VERSION}")
     try:

@@ -75,9 +75,10 @@ class Director(anywidget.AnyWidget):
     @traitlets.validate("scene")
     def _valid(self, proposal: dict) -> dict:
         try:
-            return _of(self._bank, shots.parse(proposal["value"]))
+            _of(self._bank, shots.parse(proposal["value"]))
         except ValueError as error:
             raise traitlets.TraitError(str(error)) from None
+        return proposal["value"]  # as it came: another form would be sent back, over newer changes of the page
 
 
 def web(model, bank, path: str | os.PathLike, shots: Iterable[Shot] | None = None, *, title: str = "Plan a shot",

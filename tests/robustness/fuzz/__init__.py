@@ -17,7 +17,7 @@ from robustness.fuzz.trials import Reader, trial
 from tqdm import tqdm
 
 SHARES = {"bvh": 0.3, "csv": 0.15, "gltf": 0.12, "fbx": 0.12, "amc": 0.12, "npz": 0.08, "model": 0.06, "store": 0.02,
-          "cli": 0.03}  # share of the inputs by target
+          "cli": 0.03, "shot": 0.02}  # share of the inputs by target
 ROOM = 1 << 30  # bytes of additional address space for reading; an input may take 10 times its size and 200 MB of memory
 
 
@@ -36,7 +36,7 @@ class Tally:
 
 def run(
     inputs: Annotated[int, typer.Option(min=1, help="Number of all inputs; each target has its share.")] = 1_000_000,
-    target: Annotated[str, typer.Option(help="bvh, csv, gltf, fbx, amc, npz, model, store, cli, or all.")] = "all",
+    target: Annotated[str, typer.Option(help="bvh, csv, gltf, fbx, amc, npz, model, store, cli, shot, or all.")] = "all",
     seed: Annotated[int, typer.Option(help="The same seed gives the same inputs.")] = 0,
     out: Annotated[Path, typer.Option(help="Folder for inputs with failures.")] = Path("out/fuzz"),
 ) -> None:

@@ -16,7 +16,7 @@ from robustness.fuzz import foreign, mutations
 from robustness.fuzz.trials import Reader
 from typer.core import TyperCommand
 
-from toolkit import datasets, features, networks, runtime, training
+from toolkit import datasets, features, networks, runtime, shots, training
 from toolkit.datasets import parameters, procedural, style100
 from toolkit.features import store
 from toolkit.io import bvh, decimals
@@ -66,7 +66,7 @@ class _Reached(ValueError):  # noqa: N818 (not an error)
 
 def make(folder: Path, target: str = "all") -> dict[str, list[Reader]]:
     """Readers by target; their files are made in ``folder``, which must not be deleted during use."""
-    makers = {"bvh": _bvh, "csv": _csv, "model": _model, "store": _store, "cli": _cli}
+    makers = {"bvh": _bvh, "csv": _csv, "model": _model, "store": _store, "cli": _cli, "shot": _shot}
     makers |= {name: functools.partial(foreign.make, name) for name in ("gltf", "fbx", "amc", "npz")}
     if target not in (*makers, "all"):
         raise ValueError(f"unknown target {target!r}; known: {', '.join(makers)}, all")
@@ -163,6 +163,29 @@ def _store(folder: Path) -> list[Reader]:
     spoilt = dict.fromkeys(names, mutations.tensors_of_size) | {"manifest.json": mutations.json_text}
     return [Reader(name, out / name, read, ((out / name).read_bytes(),), mutate, "(?!.*(damaged|no store|the format))")
             for name, mutate in spoilt.items()]
+
+
+def _shot(folder: Path) -> list[Reader]:
+    """A file of shots; one that is read must give finite plans."""
+    bank = training.pretrained().bank
+    ways = [{"path": [[0, 0], [1, 2, 2.5], {"x": -1, "z": 4, "facing": [1, 0]}], "styles": [[0, "Neutral"]], "seed": 3},
+            {"path": [[2, 0], [2, 5]], "styles": [[0, {"Old": 0.5, "Zombie": 0.5}, "linear"], [2, "Tiptoe", "jump"]],
+             "speeds": [[0, 0.8], [3, 1.2]], "holds": [{"seconds": 1, "distance": 2}], "look_at": [0, 0], "duration": 9}]
+    scene = json.dumps({"version": 1, "shots": ways, "apart": 1.0, "walls": [[[5, 5], [6, 6]]]}).encode()
+
+    def read(path: Path) -> None:
+        for asked in shots.Scene.load(path).shots[:4]:
+            course, heading = asked.plan(bank)
+            assert np.isfinite([*course.distance, *course.speed]).all(), "a plan that is not finite"
+            assert np.isfinite(heading.angle(course.distance[-1], (1.0, 1.0))), "a heading that is not finite"
+
+    def named(path: Path) -> None:
+        try:
+            read(path)
+        except ValueError as error:  # of a style: the bank does not know the file
+            raise error if str(path) in str(error) else ValueError(f"{path}: {error}") from None
+
+    return [Reader("shot", folder / "shots.json", named, (scene,), mutations.json_text, "(?!.*not a JSON)")]
 
 
 def _cli(folder: Path) -> list[Reader]:

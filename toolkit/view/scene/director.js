@@ -64,7 +64,7 @@ export function render({ model, el }) {
   if (model.get("height")) root.style.height = `${model.get("height")}px`;
   make("style", "", root, { textContent: CSS });
   const data = model.get("data"), ghosts = [];
-  let selected = null, playing = false, last = 0, handle = 0, moved = true, rest = 0, painted = 0, focused = null, shown, sent;
+  let selected = null, playing = false, last = 0, handle = 0, moved = true, rest = 0, painted = 0, focused = null, shown, arriving = false;
   const desk = new Desk(data, model.get("scene"), changed);
   desk.seconds = 0;
   const fps = desk.rules.FPS;
@@ -142,7 +142,9 @@ export function render({ model, el }) {
     }
   }
   function open(made) {
+    const before = desk.shots;
     desk.open(made);
+    if (desk.shots === before) return;
     map.fit();
     changed("look");
   }
@@ -167,16 +169,14 @@ export function render({ model, el }) {
   function changed(what) {
     const busy = what === "frames" && desk.making.some(Boolean);
     if (!busy || performance.now() - painted > BUSY) moved = true;
-    if (what !== "kept") return;
-    const now = JSON.stringify(desk.scene);
-    if (now === sent) return;
-    sent = now;
+    if (what !== "kept" || arriving) return;
     model.set("scene", desk.scene);
     model.save_changes();
   }
   const arrived = () => {
-    const made = JSON.stringify(model.get("scene"));
-    if (made !== sent) sent = made, open(JSON.parse(made));
+    arriving = true; // it is not sent back
+    open(JSON.parse(JSON.stringify(model.get("scene"))));
+    arriving = false;
   };
   model.on("change:scene", arrived);
 

@@ -1,0 +1,176 @@
+"""A scene: the shots of several characters, who can keep apart, in one JSON file."""
+
+import json
+import math
+import os
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import torch
+from torch import Tensor
+
+from toolkit.io.files import atomic_write
+from toolkit.motion import Clip
+from toolkit.networks.bank import StyleBank
+from toolkit.runtime import CharacterState, Command, pose, start, step
+from toolkit.shots import apart as avoidance
+from toolkit.shots.course import FPS, LONGEST, Course, Heading, command, nearest
+from toolkit.shots.keys import build, entries, number, pair
+from toolkit.shots.shot import VERSION, Shot, _data, parse, read, shifted
+
+WAIT = 0.4  # metres behind its plan at which the plan of a character who keeps apart waits
+FASTER, SLOWEST = 1.3, 0.3  # times the planned speed, and m/s: such a character's largest speed
+MARGIN = 0.5  # metres between a root and a wall
+
+
+@dataclass(frozen=True)
+class Wall:
+    """A straight wall between two different points (x, z), metres."""
+
+    start: tuple[float, float]
+    end: tuple[float, float]
+
+    def __post_init__(self):
+        for name in ("start", "end"):
+            object.__setattr__(self, name, pair(getattr(self, name), name))
+        if math.dist(self.start, self.end) < 0.01:
+            raise ValueError("start and end are less than 1 cm apart")
+
+
+@dataclass(frozen=True)
+class Scene:
+    """The shots of several characters.
+
+    Parameters
+    ----------
+    shots
+        One `Shot` per character.
+    apart
+        Least distance of two characters' roots, metres: they leave their paths to keep it, and wait where they cannot. By
+        default they do not see each other, and each is rendered for itself.
+    walls
+        `Wall`, or pairs of its ends, that are avoided; only with ``apart``.
+
+    Raises
+    ------
+    ValueError
+        If a field is not as described, or two characters who keep apart start closer.
+    """
+
+    shots: Sequence[Shot]
+    apart: float | None = None
+    walls: Sequence[Wall] = ()
+
+    def __post_init__(self):
+        put = lambda name, value: object.__setattr__(self, name, value)  # noqa: E731
+        put("shots", entries(self.shots, Shot, "shots", build(Shot)))
+        put("walls", entries(self.walls, Wall, "walls", build(Wall)))
+        if not self.shots:
+            raise ValueError("shots: one or more are needed")
+        if self.apart is None:
+            if self.walls:
+                raise ValueError("walls are only avoided by characters who keep apart: give apart, metres")
+            return
+        put("apart", number(self.apart, "apart", 0.1, 5.0))
+        firsts = [(shot.path[0].x, shot.path[0].z) for shot in self.shots]
+        for b, there in enumerate(firsts):
+            for a, here in enumerate(firsts[:b]):
+                if math.dist(here, there) < self.apart:
+                    raise ValueError(f"shots[{a}] and shots[{b}] start {math.dist(here, there):.2f} m from each other, "
+                                     f"closer than apart, {self.apart:g} m")
+
+    @classmethod
+    def load(cls, path: str | os.PathLike) -> "Scene":
+        """The scene of a JSON file; a ValueError of one line if the file or a field is not valid."""
+        return read(path, cls.parse)
+
+    @classmethod
+    def parse(cls, scene) -> "Scene":
+        """A scene from a dictionary of ``version``, ``shots`` and perhaps ``apart`` and ``walls``, as `json` reads it."""
+        shots = parse(scene)
+        return cls(shots, scene.get("apart"), scene.get("walls", ()))
+
+    def save(self, path: str | os.PathLike) -> None:
+        """Write a JSON file, whole or not at all."""
+        with atomic_write(path) as file:
+            held = {"version": VERSION, **_data(self)}
+            file.write((json.dumps(held, indent=1, ensure_ascii=False, allow_nan=False) + "\n").encode())
+
+    def states(self, model, bank: StyleBank, plans: Sequence[tuple[Course, Heading]] | None = None
+               ) -> Iterator[CharacterState]:
+        """Yield the state of all characters together at every frame, until all plans have ended.
+
+        Where they keep apart, the plan of a character waits while others hold the character up for more than `WAIT`.
+        """
+        plans = [shot.plan(bank) for shot in self.shots] if plans is None else plans
+        styles = [shot.style(bank) for shot in self.shots]
+        state, clocks = _start(model, self.shots, styles, plans), [0] * len(plans)
+        lasts = [len(course.distance) - 1 for course, _ in plans]
+        most = max(lasts) if self.apart is None else min(2 * max(lasts), round(LONGEST * FPS))
+        for _ in range(most):
+            if all(clock >= last for clock, last in zip(clocks, lasts, strict=True)):
+                return
+            places = [tuple(place) for place in state.root[:, :2].tolist()]
+            asked = [command(*plan, clock, place) for plan, clock, place in zip(plans, clocks, places, strict=True)]
+            velocities, facings = (np.array(pairs) for pairs in zip(*asked, strict=True))
+            if self.apart is not None:
+                velocities = self._kept(state, plans, clocks, velocities)
+            vectors = torch.stack([style(clock) for style, clock in zip(styles, clocks, strict=True)])
+            clocks = [clock if self.apart is not None and _held_up(course, clock, place) else clock + 1
+                      for (course, _), clock, place in zip(plans, clocks, places, strict=True)]
+            with torch.no_grad():
+                state = step(model, state.with_style(vectors), Command(*map(torch.from_numpy, (velocities, facings))))
+            yield state
+
+    @property
+    def _walls(self) -> np.ndarray:
+        return np.array([(wall.start, wall.end) for wall in self.walls])
+
+    def _kept(self, state: CharacterState, plans, clocks: list[int], wanted: np.ndarray) -> np.ndarray:
+        """Velocities ``[N, 2]`` that keep the characters apart and off the walls."""
+        speeds = [max(plan[0].speed[min(clock, len(plan[0].speed) - 1)], SLOWEST) for plan, clock in
+                  zip(plans, clocks, strict=True)]
+        most = FASTER * np.array(speeds)[:, None]
+        places, moving = (values.double().numpy() for values in (state.root[:, :2], state.velocity))
+        safe = avoidance.velocities(places, moving, _limited(wanted, most), self.apart, self._walls, MARGIN)
+        return _limited(safe, most)
+
+    def render(self, model, bank: StyleBank) -> list[Clip]:
+        """The motion of each character, see `Shot.render`; those who keep apart are rendered together, at one length."""
+        if self.apart is None:
+            return [shot.render(model, bank) for shot in self.shots]
+        drawn = []
+        with torch.no_grad():
+            for state in self.states(model, bank):
+                drawn.append(self._pose(model, state))
+        rotations, roots = (torch.stack(parts, 1) for parts in zip(*drawn, strict=True))
+        return [Clip(model.layout.skeleton, r, p, FPS, name=shot.name)
+                for r, p, shot in zip(rotations, roots, self.shots, strict=True)]
+
+    def _pose(self, model, state: CharacterState) -> tuple[Tensor, Tensor]:
+        """The pose of every character, each with its own IK."""
+        wanted = [(shot.feet, shot.arms) for shot in self.shots]
+        made = {kind: pose(model, state, feet=kind[0], arms=kind[1]) for kind in set(wanted)}
+        if len(made) == 1:
+            return made[wanted[0]]
+        return tuple(torch.stack([made[kind][part][k] for k, kind in enumerate(wanted)]) for part in (0, 1))
+
+
+def _start(model, shots: Sequence[Shot], styles, plans) -> CharacterState:
+    """All characters at the start of their paths, each at the place in its gait cycle that its seed gives."""
+    places = [course.curve.point(0.0) for course, _ in plans]
+    angles = [heading.angle(0.0, place) for (_, heading), place in zip(plans, places, strict=True)]
+    looks = [(math.sin(angle), math.cos(angle)) for angle in angles]
+    state = start(model, torch.stack([style(0) for style in styles]), places, looks)
+    return shifted(state, [shot.turn for shot in shots])
+
+
+def _held_up(course: Course, clock: int, place: tuple[float, float]) -> bool:
+    planned = course.distance[min(clock, len(course.distance) - 1)]
+    return planned - nearest(course.curve, place, planned) > WAIT
+
+
+def _limited(velocities: np.ndarray, most: np.ndarray) -> np.ndarray:
+    return velocities * np.minimum(most / np.maximum(np.linalg.norm(velocities, axis=-1, keepdims=True), 1e-9), 1.0)
+
