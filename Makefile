@@ -8,7 +8,8 @@ PYTHON := python3
 env: $(VENV)/.complete
 
 $(VENV)/.complete: pyproject.toml constraints.txt
-	@echo "Installing into $(VENV): a few minutes, once."
+	@echo "Installing into $(VENV): a few minutes, once. As root on Debian or Ubuntu, it also installs libegl1 and"
+	@echo "libgl1-mesa-dri into the system by apt-get, if pyvista finds no OpenGL."
 	$(PYTHON) -m venv $(VENV)
 	$(BIN)/pip install --quiet --constraint constraints.txt pip setuptools
 	$(BIN)/pip install --quiet --constraint constraints.txt torch
@@ -32,6 +33,7 @@ demo: env
 test: env
 	$(BIN)/ruff check
 	$(BIN)/lint-imports
+	$(BIN)/mypy
 	$(BIN)/python -m pytest --numprocesses 2 --dist loadfile --nbval-lax --nbval-current-env --nbval-cell-timeout 120 tests notebooks
 
 coverage: env
@@ -50,4 +52,4 @@ wheel: env
 	$(BIN)/pip wheel --quiet --no-deps --no-build-isolation --wheel-dir dist .
 
 clean:
-	rm -rf out build dist docs/api docs/notebooks *.egg-info .pytest_cache .ruff_cache .hypothesis
+	rm -rf out build dist docs/api docs/notebooks *.egg-info .mypy_cache .pytest_cache .ruff_cache .hypothesis

@@ -104,7 +104,7 @@ def main(published: Annotated[Path | None, typer.Option(help="Folder of the publ
         clips = {"procedural data": walks[style], "embedded model": rollout(*embedded, style, speed),
                  "Mason et al. 2022": rollout(*authors, name, speed)}
         tk.view.animate([looped(clip) for clip in clips.values()], OUT / "side_by_side" / f"{style}.gif", labels=list(clips),
-                        height=120, colors=28, caption="Right: with the parameters published by the authors.")
+                        height=120, colors=48, caption="Right: with the parameters published by the authors.")
 
 
 if __name__ == "__main__":

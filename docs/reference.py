@@ -12,7 +12,7 @@ GROUPS = {
     "Motion and files": ("motion", "io", "datasets"),
     "From motion to numbers": ("phases", "features"),
     "Networks and training": ("networks", "training", "published"),
-    "Runtime and styles": ("runtime", "styles"),
+    "Runtime, shots and styles": ("runtime", "shots", "styles"),
     "Motion stylisation": ("stylization",),
     "Measures, pictures and exports": ("evaluation", "view", "export"),
     "The course": ("course",),

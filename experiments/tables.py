@@ -23,14 +23,14 @@ from toolkit.io.files import atomic_write
 DOCS = Path(__file__).parents[1] / "docs"
 RESULTS = DOCS / "results"
 TABLE = re.compile(r"(<!-- table ([\w-]+)(?:: ([\w -]+))? -->\n).*?(<!-- end -->)", re.DOTALL)
-NUMBER = re.compile(r"(?<![\w.,/-])[−-]?\d[\d,]*(?:\.\d+)?(?![\w/-]|\.\d)(?P<percent> ?%)?")
+NUMBER = re.compile(r"(?<![\w.,/-])[−-]?\d+(?:,\d{3})*(?:\.\d+)?(?![\w/-]|[.,]\d)(?P<percent> ?%)?")
 #: Parts of a page that state no result: code, what a page cites, links' addresses, places in a paper, years of papers.
 SKIPPED = (
     r"```.*?```", r"<!-- cited -->.*?<!-- end -->", r"<!--.*?-->", r"`[^`]*`", r"\]\([^)]*\)", r"!\[[^\]]*\]",
     r"(?i)\b(?:sections?|tables?|fig(?:ures?|s)?\.?|eq(?:uations?|s)?\.?|notebooks?|versions?|datasets?) "
     r"\(?[A-Z]?\d[\d.]*\)?"
     r"(?:(?:,| and|–| to) \(?\d[\d.]*\)?)*",
-    r"\b(?:et al\.|[A-Z]\w+,?) \(?(?:19|20)\d\d\)?", r"\[\d+\]",
+    r"§ ?[\d.]+(?:, ?\d[\d.]*)*", r"\b(?:et al\.|[A-Z]\w+,?) \(?(?:19|20)\d\d\)?", r"\[\d+\]",
 )
 
 
@@ -81,13 +81,13 @@ class Result:
             raise ValueError(f"{path}: is not a result ({error})") from None
 
     def markdown(self, keys: Sequence[str] = ()) -> str:
-        """The table, of all columns or of some."""
+        """The table, of all columns or of some; rows that have only their first cell are left out."""
         if unknown := [key for key in keys if key not in self.columns]:
             raise ValueError(f"result {self.name} has no column {unknown[0]}; columns: {', '.join(self.columns)}")
         chosen = {key: self.columns[key] for key in keys or self.columns}
         head = [[column[0] for column in chosen.values()], ["---"] * len(chosen)]
         body = [[cell(row.get(key), *column[1:]) for key, column in chosen.items()] for row in self.rows]
-        return "".join(f"| {' | '.join(line)} |\n" for line in head + body)
+        return "".join(f"| {' | '.join(line)} |\n" for line in head + [row for row in body if any(row[1:]) or len(row) == 1])
 
     def stated(self) -> Iterator[float]:
         """All numbers of the result as its table or prose may show them: values, means, deviations, each also scaled."""
@@ -104,8 +104,10 @@ def cell(value: Any, decimals: int | None = None, scale: float = 1) -> str:
     """A value as a table shows it."""
     if value is None or isinstance(value, str):
         return value or ""
+    if isinstance(value, float) and not math.isfinite(value):
+        return ""
     if isinstance(value, list):
-        known = [v for v in value if v is not None]
+        known = [v for v in value if v is not None and math.isfinite(v)]
         if len(known) < 2:
             return cell(known[0] if known else None, decimals, scale)
         return f"{cell(statistics.mean(known), decimals, scale)} ± {cell(statistics.stdev(known), decimals, scale)}"

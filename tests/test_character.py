@@ -90,7 +90,9 @@ def test_the_mesh_of_a_file_is_read_whole(hero):
     assert len(found.skeleton) == 35
     assert found.mesh.weights.sum(1) == pytest.approx(1.0)
     assert 1.2 < np.ptp(found.points[:, 1]) < 1.8
-    assert len(np.unique(found.mesh.colors, axis=0)) == 5
+    seen = found.mesh.colors.astype(int)  # those of the vertices: blue on the left, orange on the right, light between
+    assert [(seen[:, 2] - seen[:, 0] > 40).mean() > 0.1, (seen[:, 0] - seen[:, 2] > 60).mean() > 0.1] == [True, True]
+    assert (seen.min(1) > 190).mean() > 0.1
     points, normals = found.pose(found.rest.global_rotations[0], found.rest.global_positions[0])
     np.testing.assert_allclose(points, found.points, atol=1e-5)
     assert np.linalg.norm(normals, axis=1) == pytest.approx(1.0, abs=1e-4)
@@ -154,9 +156,9 @@ def test_a_texture_colours_the_vertices(hero, tmp_path):
     document_["buffers"][0]["byteLength"] = len(data)
     document_["materials"][0]["pbrMetallicRoughness"] = {"baseColorTexture": {"index": 0}}
     (tmp_path / "painted.glb").write_bytes(container(document_, data))
-    colors = Character.load(tmp_path / "painted.glb").mesh.colors
-    assert (colors[:count] == [0, 0, 255]).all()
-    assert (colors[count:] != [0, 0, 255]).any(1).all()
+    own, colors = (Character.load(path).mesh.colors.astype(int) for path in (hero, tmp_path / "painted.glb"))
+    np.testing.assert_allclose(colors, own * [0, 0, 1], atol=1)  # times the vertices' own colours
+    assert colors[:, 2].max() > 200
 
 
 @pytest.mark.parametrize("renderer", ["PyvistaRenderer", "SoftwareRenderer"])

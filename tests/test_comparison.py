@@ -1,6 +1,7 @@
 """The comparison of the seven models: what it measures against answers that are known, and one small run of all of it."""
 
 import math
+from pathlib import Path
 
 import pytest
 import torch
@@ -182,11 +183,26 @@ def test_failure_cases_are_written_and_drawn(folder, monkeypatch, capsys):
         monkeypatch.setattr(interpolation, name, value)
     call("failures", "--out", folder)
     said = capsys.readouterr().out
-    assert [line.split()[0] for line in said.splitlines() if line.startswith("5.1")] == ["5.1.1", "5.1.2", "5.1.2", "5.1.3"]
+    sections = [line.split()[0] for line in said.splitlines() if line.startswith("5.1")]
+    assert sections == ["5.1.1", "5.1.2", "5.1.2", "5.1.2", "5.1.3"]
     assert "2 styles" in said
     pictures = {path.name for path in (folder / "failures").glob("*.png")}
     assert {"errors.png", "closed_loop.png", "interpolation.png", "large_numbers_of_styles.png"} <= pictures
     assert {"no_global_phase.png", "no_global_phase_strip.png", "no_phase_features.png"} <= pictures
+
+
+def test_artifacts_are_distances_from_the_data_beside_their_floor():
+    def runs(clavicle):
+        rows = {"a": {"clavicle": clavicle, "hand": 0.1, "clavicle_data": 0.004, "hand_data": 0.01},
+                "b": {"clavicle": 3 * clavicle, "hand": math.nan, "clavicle_data": 0.002, "hand_data": 0.01}}
+        return {"runs": [{"styles": rows}]}
+
+    case = failures.artifacts({"models": {"lpn-onehot": runs(0.02), "lpn-resad": runs(0.03), "lpn-film": runs(0.01)}})
+    assert case.rows["lpn-film"]["clavicle, cm"] == pytest.approx([2.0])
+    assert case.rows["lpn-film"]["worst clavicle, cm"] == pytest.approx([3.0])
+    assert case.rows["data, other clips"]["clavicle, cm"] == pytest.approx([0.3])
+    assert case.verdict.startswith("shows (by +2.00 to +2.00 in 1 seed) that one-hot and adapters are farther")
+    assert case.verdict.count("does not show (by +0.00 to +0.00 in 1 seed)") == 1
 
 
 def test_verdicts_need_every_seed():
@@ -203,8 +219,8 @@ def test_stuck_hands_are_told_from_moving_ones():
     table = {"models": {"pfnn-film": runs(0.3), "lpn-film": runs(0.9)}}
     case = failures.stuck_hands(table, "pfnn-film", "lpn-film", "5.1.1", "No global phase", "claim")
     assert case.rows["pfnn-film"] == {
-        "range / data": pytest.approx(0.3), "|corr. - data's|": pytest.approx(0.7),
-        "styles below 0.5": 1.0, "recognised": 1.0,
+        "range / data": pytest.approx([0.3, 0.3]), "|corr. - data's|": pytest.approx([0.7, 0.7]),
+        "styles below 0.5": [1, 1], "recognised": [1.0, 1.0],
     }
     assert case.drawn["style"] == "Swimming"
     assert case.verdict.count("shows (") == 2
@@ -233,6 +249,90 @@ def test_pairs_are_different_and_begin_with_the_papers():
     assert all(a != b for a, b in pairs)
 
 
+def test_every_seed_is_tested_on_the_same_frames_and_the_recogniser_has_not_seen_them(data, monkeypatch):
+    first, other = (tk.training.split(data, models.HELD_OUT, seed, tuple(data.styles)) for seed in (0, 7))
+    for style in data.styles:
+        assert torch.equal(first[1].frames[style], other[1].frames[style])
+    seen = []
+    monkeypatch.setattr(tk.evaluation.recognition, "train", lambda train, steps: seen.append((train, steps)) or 1 / 0)
+    with pytest.raises(ZeroDivisionError):
+        models.judge(data, Path("nowhere"))
+    (train, steps), = seen
+    assert steps == 200
+    assert {s: len(x) for s, x in train.clips.items()} == {s: len(x) for s, x in first[0].clips.items()}
+
+
+def test_measures_of_other_runs_in_the_folder_stay_in_the_table(data, folder, monkeypatch):
+    monkeypatch.setattr(models, "frame_time", lambda *_: (1.0, 0.1))
+    before = models.read_json(folder / models.TABLE)
+    again = models.compare(data, SOURCE, PLAN, ("lpn-film",), 1, folder)
+    assert again["models"].keys() == before["models"].keys()
+    held = models.read_json(folder / "measures" / "lpn-film-0.json")
+    models.write_json(folder / "measures" / "lpn-film-3.json", held | {"seed": 3, "processor": held["processor"] + 2})
+    try:
+        film = models.compare(data, SOURCE, PLAN, ("lpn-film",), 1, folder)["models"]["lpn-film"]
+    finally:
+        (folder / "measures" / "lpn-film-3.json").unlink()
+    assert [run["seed"] for run in film["runs"]] == [0, 3]
+    assert film["mean"]["processor"] == pytest.approx(held["processor"] + 1)
+    assert film["spread"]["shared"] == 0
+    assert film["mean"]["trained"] == PLAN.steps
+    assert film["mean"]["steps"] < 10  # of the feet, per second
+
+
+def test_the_runs_of_a_comparison_may_be_spread_by_a_scheduler(data, folder, tmp_path, monkeypatch):
+    from concurrent.futures import ThreadPoolExecutor
+    from contextlib import contextmanager
+
+    @contextmanager
+    def pool(workers, scheduler):
+        assert (workers, scheduler) == (None, "tcp://somewhere:8786")
+        with ThreadPoolExecutor(1) as found:
+            yield found
+
+    monkeypatch.setattr(models, "executor", pool)
+    monkeypatch.setattr(models, "frame_time", lambda *_: (1.0, 0.1))
+    table = models.compare(data, SOURCE, PLAN, ("pfnn-onehot", "pfnn-film"), 1, tmp_path, scheduler="tcp://somewhere:8786")
+    alone = models.read_json(folder / models.TABLE)["models"]
+    for name in ("pfnn-onehot", "pfnn-film"):
+        assert table["models"][name]["mean"]["shared"] == pytest.approx(alone[name]["mean"]["shared"])
+
+
+def test_the_mean_pose_of_arms_and_its_floor(data):
+    """A raised shoulder and a moved hand, known to the millimetre."""
+    layout, still = data.layout, torch.zeros(240, 2)
+    rest = joints_of(still, layout)
+    other, lifted = rest.clone(), rest.clone()
+    side = layout.names.index(layout.skeleton.roles["left_hand"])
+    arm = [layout.names.index(layout.skeleton.roles[f"left_{part}"]) for part in ("shoulder", "elbow", "hand")]
+    other[:, side, 2] += 0.1
+    lifted[:, arm, 1] += 0.04  # the whole arm, so the clavicle alone is wrong
+
+    def packed(positions):
+        nothing = torch.zeros_like(positions)
+        return pack_joints(positions, nothing, nothing, nothing)
+
+    clips = torch.stack([packed(rest), packed(other)])
+    found = tk.evaluation.models.posture_error(layout, packed(lifted), clips[:1], 0.0)
+    assert found == pytest.approx({"clavicle": 0.02, "hand": 0.0, "clavicle_data": 0.0, "hand_data": 0.0}, abs=1e-6)
+    found = tk.evaluation.models.posture_error(layout, packed(rest), clips, 0.0)
+    assert found == pytest.approx({"clavicle": 0.0, "hand": 0.025, "clavicle_data": 0.0, "hand_data": 0.05}, abs=1e-6)
+
+
+def test_the_network_that_made_the_data_is_the_ceiling(data, folder, monkeypatch):
+    run = tk.training.load(folder / "runs" / "lpn-film-0.safetensors")
+    bank = tk.styles.StyleBank(("Old", *run.bank.names), torch.cat((run.bank.vectors[:1], run.bank.vectors)))
+    monkeypatch.setattr(models.published, "load", lambda path: (run.model, bank))
+    monkeypatch.setattr(models, "Plan", lambda *_: PLAN)
+    try:
+        call("ceiling", "--published", "x", "--out", folder)
+        table = models.read_json(folder / models.TABLE)
+    finally:
+        (folder / models.CEILING).unlink(missing_ok=True)
+    assert table["ceiling"]["shared"] == pytest.approx(table["models"]["lpn-film"]["mean"]["shared"], rel=1e-5)
+    assert table["ceiling"]["styles"].keys() == set(data.styles)
+
+
 def test_a_style_clip_on_a_treadmill_is_the_data_again(data):
     clip = failures._treadmill(data.layout, data.clips["Zombie"][0], 1.0)
     wanted = tk.features.split_joints(data.clips["Zombie"][0])["position"]
@@ -248,13 +348,15 @@ def test_commands_of_a_gait_go_where_the_gait_says(gait):
     torch.testing.assert_close(facing.norm(dim=-1), torch.ones(600, 5))
     speed = velocity.norm(dim=-1)
     along, across = (velocity * facing).sum(-1), velocity[..., 0] * facing[..., 1] - velocity[..., 1] * facing[..., 0]
-    aim = {"FW": (speed, 0 * speed), "TR1": (speed, 0 * speed), "BW": (-speed, 0 * speed), "SW": (0 * speed, across)}[gait]
+    ahead = {"BW": -speed, "BR": -speed, "SW": 0 * speed, "SR": 0 * speed}.get(gait, speed)
+    aim = ahead, across if gait in ("SW", "SR") else 0 * speed
     torch.testing.assert_close(along, aim[0], atol=1e-5, rtol=0)
     torch.testing.assert_close(across, aim[1], atol=1e-5, rtol=0)
     low, high = hundred.GAITS[gait][1]
     assert max(0.0, low) - 1e-5 <= speed.min()
     assert speed.max() <= high + 1e-5
-    assert (gait == "TR1") == bool((speed == 0).any())
+    assert (gait in ("TR1", "ID")) == bool((speed == 0).any())
+    assert (gait == "ID") == bool((speed == 0).all())
     turning = torch.linalg.cross(*(torch.nn.functional.pad(f, (0, 1)) for f in (facing[:-1], facing[1:])))[..., 2].abs()
     assert turning.max() * 60 <= hundred.TURNING + 1e-3
 

@@ -13,7 +13,8 @@ from experiments import __main__ as experiments
 from toolkit import __main__ as verbs
 
 DOCS = Path(__file__).parents[1] / "docs"
-RUN = ("index", "gallery", "phase_sources", "adding_a_dataset", "adding_a_model")  # whose code is run from top to bottom
+#: Pages whose code is run from top to bottom.
+RUN = ("index", "gallery", "phase_sources", "adding_a_dataset", "adding_a_model", "shots")
 PAGES = sorted(DOCS.glob("*.md"))
 ROW = re.compile(r"^\| `(?P<call>.+?)` \| `(?P<said>.+)` \|$", re.MULTILINE)
 

@@ -15,7 +15,7 @@ import toolkit as tk
 from toolkit.__main__ import main
 from toolkit.datasets.procedural import SKELETON
 from toolkit.networks.bank import StyleBank
-from toolkit.view import body, skin
+from toolkit.view import body
 
 DOCS = Path(__file__).parents[1] / "docs"
 
@@ -63,12 +63,8 @@ def seen_by_vtk(path: Path, second: float) -> np.ndarray:
 
 
 def drawn(clip: tk.Clip, frame: int) -> np.ndarray:
-    """Vertices of the toolkit's own skin, those of one colour after those of another."""
-    shapes = body.build(clip)
-    own = skin.Skin(shapes)
-    points = own.points(skin.placements(shapes, clip.global_rotations[frame], clip.global_positions[frame]))
-    tones = [shape.tone for shape in shapes]
-    return np.concatenate([points[own.owners == i] for t in dict.fromkeys(tones) for i, s in enumerate(tones) if s == t])
+    """Vertices of the toolkit's own skin."""
+    return body.build(clip).skin.pose(clip.global_rotations[frame], clip.global_positions[frame])[0]
 
 
 def check_gltf(clip: tk.Clip, path: Path) -> None:

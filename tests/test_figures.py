@@ -6,7 +6,7 @@ import torch
 
 import toolkit as tk
 from toolkit import phases as ph
-from toolkit.view import phase_figure, phase_manifold, principal_axes
+from toolkit.view import figures, phase_figure, phase_manifold, principal_axes
 from toolkit.view.opengl import opengl_works
 
 needs_opengl = pytest.mark.skipif(not opengl_works(), reason="VTK finds no OpenGL here")
@@ -122,3 +122,14 @@ def test_pyvista_draws_the_same(hop):
     picture = plotter.screenshot(return_img=True).astype(int)
     plotter.close()
     assert picture.std() > 2
+
+
+def test_colours_never_repeat():
+    assert figures.colours(4) == list(figures.PALETTE[:4])
+    assert len(set(figures.colours(40))) == 40
+    assert figures.colours(40)[:6] == list(figures.PALETTE)
+
+
+def test_training_curves_leave_out_times():
+    rows = [{"step": k, "elapsed": 1.0, "processor": 2.0, "loss": 0.1} for k in (1, 2)]
+    assert [trace.name for trace in figures.training_curves(rows).data] == ["loss"]

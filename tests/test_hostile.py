@@ -4,10 +4,12 @@ import asyncio
 import dataclasses
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
 import time
+import warnings
 from pathlib import Path
 
 import pytest
@@ -243,6 +245,76 @@ def test_only_regular_files_are_read_and_written(tmp_path):
     assert sorted(path.name for path in tmp_path.iterdir()) == ["endless.bvh", "pipe.bvh"]
 
 
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="needs pipes with names")
+@pytest.mark.parametrize("kind", ["pipe", "endless"])
+def test_devices_behind_references_are_not_read(kind, walk_clip, tmp_path):
+    """A file beside the one that is read: a skeleton, a buffer, a table, a manifest. Without a check, reading never ends."""
+    from toolkit.datasets import leaks, parameters, style100
+    from toolkit.features import store
+
+    def plant(path: Path) -> Path:
+        path.parent.mkdir(exist_ok=True)
+        os.mkfifo(path) if kind == "pipe" else path.symlink_to("/dev/zero")
+        return path
+
+    (tmp_path / "a.amc").write_text(":FULLY-SPECIFIED\n1\nroot 0 0 0 0 0 0\n")
+    plant(tmp_path / "a.asf")
+    plant(tmp_path / "a.bin")
+    document = {"asset": {"version": "2.0"}, "buffers": [{"uri": "a.bin", "byteLength": 8}],
+                "bufferViews": [{"buffer": 0, "byteLength": 8}],
+                "accessors": [{"bufferView": 0, "componentType": 5126, "type": "SCALAR", "count": 2}],
+                "nodes": [{"name": "a"}, {"name": "b", "children": [0]}],
+                "animations": [{"samplers": [{"input": 0, "output": 0}],
+                                "channels": [{"sampler": 0, "target": {"node": 0, "path": "rotation"}}]}]}
+    (tmp_path / "a.gltf").write_text(json.dumps(document))
+    plant(tmp_path / "table" / "Frame_Cuts.csv")
+    plant(tmp_path / "store" / "manifest.json")
+    plant(tmp_path / "parameters" / "Xmean.bin")
+    for read in (lambda: tk.load(tmp_path / "a.amc"), lambda: tk.load(tmp_path / "a.gltf"),
+                 lambda: tk.io.amc.read(tmp_path / "a.asf"), lambda: tk.io.fbx.read(tmp_path / "a.asf"),
+                 lambda: tk.io.npz.read(tmp_path / "a.bin"), lambda: style100.frame_cuts(tmp_path / "table"),
+                 lambda: leaks.find(tmp_path / "a.bin"), lambda: store.load(tmp_path / "store"),
+                 lambda: parameters.check(tmp_path / "parameters")):
+        with pytest.raises((ValueError, OSError)) as said:
+            read()
+        assert str(tmp_path) in f"{said.value} {getattr(said.value, 'filename', '')}"
+
+
+@pytest.mark.parametrize("text", ["[" + "[]," * 1_500_000 + "0]", "[" * 100_000, '{"a":' * 50_000 + "0" + "}" * 50_000])
+def test_json_text_of_many_or_deep_values_is_refused(text, tmp_path):
+    from toolkit.datasets import leaks
+    from toolkit.features import store
+
+    (tmp_path / "manifest.json").write_text(text)
+    for read, path in ((leaks.find, tmp_path / "manifest.json"), (store.load, tmp_path)):
+        with pytest.raises(ValueError, match=r"manifest\.json.*(more than 2000000 values|nested too deeply)"):
+            read(path)
+
+
+@pytest.mark.skipif(not hasattr(os, "geteuid") or os.geteuid() != 0, reason="only root gives files away")
+def test_writing_keeps_the_owner(tmp_path):
+    path = tmp_path / "theirs"
+    path.write_bytes(b"old")
+    path.chmod(0o640)
+    os.chown(path, 12345, 23456)
+    with atomic_write(path) as file:
+        assert not file.closed
+        file.write(b"new")
+    found = path.stat()
+    assert (found.st_uid, found.st_gid, found.st_mode & 0o777) == (12345, 23456, 0o640)
+    assert path.read_bytes() == b"new"
+
+
+def test_everything_is_written_whole_or_not_at_all():
+    """No other way to write a file but `atomic_write`, except the part of a download, which is for that."""
+    found = set()
+    for path in Path(tk.__file__).parent.rglob("*.py"):
+        text = path.read_text(encoding="utf-8")
+        if re.search(r"write_text\(|write_bytes\(|tofile\(|(?<!av\.)open\([^)\n]*[\"'][wax]b?\+?[\"']", text):
+            found.add(path.name)
+    assert found == {"files.py", "download.py", "archive.py"}
+
+
 @pytest.mark.skipif(os.name == "nt", reason="Windows has other permissions")
 def test_writing_keeps_links_and_permissions(tmp_path):
     private, link, dangling = tmp_path / "private", tmp_path / "link", tmp_path / "dangling"
@@ -385,3 +457,161 @@ def test_a_controller_goes_on_after_a_message_of_the_wrong_kind(wrong):
     assert control._input["move"] == [0.0, 1.0]
     assert bool(control.state.root.isfinite().all())
     control.close()
+
+
+@pytest.mark.parametrize("state", [
+    *({"weights": weights} for weights in ([float("nan"), 0, 0], [float("inf"), 0, 0], [0, 0, 0], [1e308, 1e308, 1e308],
+                                           ["a", 0, 0], [1, 0], None, [-5, 3, 3])),
+    *({"names": names} for names in (["x", "y", "z"], [], [1, 2, 3])), {"speed": float("nan")}, {"speed": "a"}])
+def test_a_controller_keeps_its_state_when_a_page_sends_a_wrong_one(state):
+    traitlets = pytest.importorskip("traitlets")
+    pytest.importorskip("ipywidgets")
+    from toolkit.view.controller import Controller
+
+    control = Controller(*tk.pretrained())
+    before = control.names, control.weights, control.blend, control.speed
+    with pytest.raises(traitlets.TraitError):
+        control.set_state(state)
+    assert (control.names, control.weights, control.blend, control.speed) == before
+    control.advance(2)
+    assert bool(control.state.root.isfinite().all())
+    control.close()
+
+
+def spoilt_model(value: float):
+    model, bank = tk.pretrained()
+    with torch.no_grad():
+        model.experts.layers[1].bias[3, 7] = value
+    return model, bank
+
+
+@pytest.mark.parametrize("value", [float("nan"), float("inf")])
+def test_weights_that_are_not_finite_are_not_written_or_read(value, tmp_path):
+    from toolkit import view
+
+    model, bank = spoilt_model(value)
+    said = "not finite|must be finite"
+    with pytest.raises(ValueError, match=said):
+        view.web(model, bank, tmp_path / "page.html")
+    pytest.importorskip("onnxscript")
+    with pytest.raises(ValueError, match=said):
+        tk.export.onnx.save(model, tmp_path / "a.onnx", bank)
+    assert not list(tmp_path.iterdir())
+    model.save(tmp_path / "model.safetensors")
+    with pytest.raises(ValueError, match=r"model\.safetensors: the model is damaged \(the tensor experts.*not finite"):
+        tk.networks.Model.load(tmp_path / "model.safetensors")
+
+
+@pytest.mark.parametrize("unit", ["1e308", "1e30", "1e7", "1e-9", "1e-300"])
+@pytest.mark.parametrize("suffix", [".png", ".glb", ".html", ".gif"])
+def test_a_body_of_any_size_is_drawn_or_refused_in_one_line(unit, suffix, walk_clip, tmp_path, capsys):
+    tk.bvh.save(walk_clip.cut(0, 5), tmp_path / "good.bvh")
+    out = tmp_path / f"a{suffix}"
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", RuntimeWarning)
+        assert main(["export", "clip", str(tmp_path / "good.bvh"), "--out", str(out), "--unit", unit, "--up", "y"]) == 2
+    error = capsys.readouterr().err.splitlines()[-1]
+    assert re.match(r"error: good\.bvh: .*(not finite|at most 1e\+06 m|no bone)", error)
+    assert not out.exists()
+
+
+STORED = ("../up", "split", "Old", "old", "a/b", "é 骨", "con", "x" * 200)
+
+
+def test_a_store_takes_styles_of_any_name(walk_clip, tmp_path):
+    from toolkit.features import store
+    from toolkit.features.store import files
+
+    folder, out = tmp_path / "in", tmp_path / "parts" / "out"
+    folder.mkdir()
+    rows = [f"{number}.bvh,{name},walk" for number, name in enumerate(STORED)]
+    (folder / "labels.csv").write_text("\n".join(["file,style,gait", *rows]), encoding="utf-8")
+    for number in range(len(STORED)):
+        tk.bvh.save(walk_clip, folder / f"{number}.bvh")
+    assert store.preprocess("folder", folder, out, workers=1)
+    assert sorted(store.load(out, check=True).styles) == sorted(STORED)
+    assert sorted(path.name for path in out.parent.iterdir()) == [".out.lock", "out"]
+    stored = [path.name for path in out.iterdir()]
+    assert len({name.casefold() for name in stored}) == len(stored) == len(STORED) + 2
+    assert all(re.fullmatch(r"[A-Za-z0-9_.-]{1,120}", name) for name in stored)
+    assert files.names(["Neutral", "Old-Man_2"]) == {"Neutral": "Neutral.safetensors", "Old-Man_2": "Old-Man_2.safetensors"}
+
+
+def test_a_changed_store_is_found_when_its_checksums_are_looked_at(walk_clip, tmp_path):
+    from toolkit.features import store
+
+    (tmp_path / "in").mkdir()
+    tk.bvh.save(walk_clip, tmp_path / "in" / "Neutral_walk.bvh")
+    store.preprocess("folder", tmp_path / "in", tmp_path / "out", workers=1)
+    path = next(path for path in (tmp_path / "out").glob("*.safetensors") if path.name != "split.safetensors")
+    data = bytearray(path.read_bytes())
+    data[-3] ^= 1
+    path.unlink()
+    path.write_bytes(data)
+    assert store.load(tmp_path / "out").n_frames  # the sizes are right
+    with pytest.raises(ValueError, match=rf"{path.name}: is not the file that was stored; run the command"):
+        store.load(tmp_path / "out", check=True)
+    assert main(["train", "--data", str(tmp_path / "out"), "--out", str(tmp_path / "run.safetensors"), "--small"]) == 2
+    assert store.preprocess("folder", tmp_path / "in", tmp_path / "out", workers=1)
+    assert store.load(tmp_path / "out", check=True).n_frames
+
+
+@pytest.mark.parametrize("change", [{"style": "a\x1b[31mb"}, {"style": ""}, {"gait": "a\nb"}, {"gait": 7}])
+def test_names_in_a_manifest_are_checked(change, walk_clip, tmp_path):
+    from toolkit.features import store
+
+    (tmp_path / "in").mkdir()
+    tk.bvh.save(walk_clip, tmp_path / "in" / "Neutral_walk.bvh")
+    store.preprocess("folder", tmp_path / "in", tmp_path / "out", workers=1)
+    path = tmp_path / "out" / "manifest.json"
+    manifest = json.loads(path.read_text())
+    ((style, entry),) = manifest["partitions"].items()
+    entry["clips"][0]["gait"] = change.get("gait", "walk")
+    path.write_text(json.dumps(manifest | {"partitions": {change.get("style", style): entry}}))
+    with pytest.raises(ValueError, match=r"manifest\.json: the manifest is damaged \(.*a (style|gait)") as said:
+        store.load(tmp_path / "out")
+    assert str(said.value).isprintable()
+
+
+def test_a_file_name_that_cannot_be_shown_gives_no_style(walk_clip, tmp_path):
+    from toolkit.datasets import folder
+
+    (tmp_path / "a\x1b[31mb").mkdir()
+    tk.bvh.save(walk_clip, tmp_path / "a\x1b[31mb" / "walk.bvh")
+    with pytest.raises(ValueError, match=r"name of .*a style has characters that cannot be printed"):
+        folder.survey(tmp_path)
+
+
+MACHINES = {  # changes of the environment (None: without the variable), and options of Python
+    "C locale": ({"LC_ALL": "C", "LANG": None, "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"}, ()),
+    "ASCII output": ({"PYTHONIOENCODING": "ascii"}, ()),
+    "no home": (dict.fromkeys(("HOME", "USERPROFILE", "XDG_CACHE_HOME", "XDG_DATA_HOME", "TOOLKIT_DATA")), ()),
+    "without asserts": ({}, ("-O",)),
+    "without docstrings": ({}, ("-OO",)),
+}
+VISITED = """
+import sys
+from toolkit.__main__ import main
+source, out = sys.argv[1:]
+sys.exit(main(["export", "clip", source, "--out", out]) or main(["inspect", out]))
+"""
+
+
+@pytest.mark.parametrize("machine", MACHINES)
+def test_commands_run_on_odd_machines(machine, walk_clip, tmp_path):
+    name, (changes, options) = "walk_歩く_مشي_é", MACHINES[machine]
+    try:
+        source, out = tmp_path / f"{name}.bvh", tmp_path / f"{name} copy.bvh"
+        tk.bvh.save(renamed(walk_clip.cut(0, 30), walk_clip.skeleton.names[3], name), source)
+    except UnicodeEncodeError:
+        pytest.skip("file names on this machine are ASCII")
+    env = {key: value for key, value in os.environ.items() if key not in changes}
+    env |= {key: value for key, value in changes.items() if value is not None}
+    env["PYTHONPATH"] = str(Path(tk.__file__).parents[1])
+    command = [sys.executable, *options, "-c", VISITED, os.fsencode(source), os.fsencode(out)]
+    done = subprocess.run(command, env=env, capture_output=True, cwd=tmp_path)
+    assert b"Traceback" not in done.stderr, done.stderr.decode(errors="replace")[-400:]
+    assert out.exists(), done.stderr
+    assert name in tk.bvh.load(out, unit=0.01, up="y").skeleton.names
+    if machine in ("C locale", "ASCII output"):
+        assert done.stdout.isascii()

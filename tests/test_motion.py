@@ -201,7 +201,7 @@ def test_names_that_are_roles_of_other_joints_change_nothing(walk_clip):
             contact, learned.sinusoids(clip)[0], tk.metrics.hips_height(clip), tk.metrics.speed(clip),
             tk.metrics.on_feet(skeleton, clip.global_positions[..., 1]), list(tk.metrics.foot_skate(clip).values()),
             tk.metrics.path_error(clip, torch.zeros(2, 2) + torch.arange(2.0)), *Body.of(skeleton), *shoes,
-            *(shape.place for shape in body.build(clip)), [shape.joint for shape in body.build(clip)],
+            body.build(clip).skin.points, body.build(clip).skin.joints,
             tk.features.Layout(skeleton).limbs, retargeted.rotations, retargeted.root_positions,
         ]
 

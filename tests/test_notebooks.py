@@ -15,10 +15,6 @@ LONGEST, WIDEST = 15, 88  # lines of a code cell, characters of a line
 #: First words of a cell in which the reader writes code, or that computes by hand what the library computes; only such
 #: cells may define functions.
 MAY_DEFINE = "# exercise", "# by hand"
-#: Notebooks that do not have the frame of the course yet.
-UNFRAMED = {"05_style_space", "06_seven_models", "07_a_new_style", "08_motion_stylisation",
-            "02_phase_sources", "03_training_on_a_subset", "04_playback_and_style_interpolation"}
-FRAMED = [path for path in NOTEBOOKS if path.stem not in UNFRAMED]
 
 #: What stands before a number that is not a result: sections, equations, other notebooks, years of papers.
 LABEL = re.compile(
@@ -38,7 +34,7 @@ def notebook(request) -> dict:
     return read(request.param)
 
 
-@pytest.fixture(params=FRAMED, ids=lambda path: path.stem)
+@pytest.fixture(params=NOTEBOOKS, ids=lambda path: path.stem)
 def lesson(request) -> tuple:
     """A notebook of the course: its entry in the sequence and its content."""
     number = request.param.stem.split("_")[0]
@@ -99,7 +95,8 @@ def test_there_are_notebooks_and_each_has_a_number_of_its_own():
     numbers = [path.name.split("_")[0] for path in NOTEBOOKS]
     assert all(re.fullmatch(r"\d\d[ab]?_[a-z0-9_]+\.ipynb", path.name) for path in NOTEBOOKS)
     assert numbers
-    assert len({path.name.split("_")[0] for path in FRAMED}) == len(FRAMED)
+    assert len(set(numbers)) == len(numbers)
+    assert {path.name for path in NOTEBOOKS} == {lesson.file for lesson in tk.course.LESSONS.values()}
 
 
 def test_nothing_of_a_run_is_stored(notebook):

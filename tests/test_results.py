@@ -12,7 +12,7 @@ from experiments import tables
 from experiments.tables import DOCS, RESULTS, Result
 
 PAGES = sorted(DOCS.glob("*.md"))
-STATED = ()  # pages whose prose states results
+STATED = ("comparison", "recipes", "reproducing")  # pages whose prose states results
 
 
 @pytest.fixture
@@ -103,6 +103,11 @@ def test_what_is_not_finite_is_stored_as_nothing(tmp_path):
     Result("gaps", "a", "b", {"v": ["v", 2]}, [{"v": math.nan}, {"v": [1.0, math.inf]}]).save(tmp_path)
     assert [row["v"] for row in Result.load("gaps", tmp_path).rows] == [None, [1.0, None]]
     assert Result.load("gaps", tmp_path).markdown().splitlines()[2:] == ["|  |", "| 1.00 |"]
+
+
+def test_rows_without_a_value_in_the_columns_that_are_shown_are_left_out(folder):
+    assert "repeat" in Result.load("small", folder).markdown(["model", "mse"])
+    assert "repeat" not in Result.load("small", folder).markdown(["model", "skate", "walks"])
 
 
 def test_the_command_writes_pages(tmp_path, monkeypatch, folder, capsys):

@@ -1,5 +1,6 @@
 """Park et al. 2021: the skeleton graph, the networks, the losses, training, and restyling a clip."""
 
+import dataclasses
 import math
 import os
 import signal
@@ -103,9 +104,12 @@ def test_windows_describe_the_clip_and_turn_back_into_it(walks):
 def test_windows_overlap_by_half_and_short_clips_are_padded(walks):
     clip = data.prepare(walks[0])
     x, velocity = data.windows(clip)
-    assert x.shape == (len(clip) // 32 - 1, 7, 64, 23)
+    assert x.shape == (math.ceil(len(clip) / 32) - 1, 7, 64, 23)
     torch.testing.assert_close(x[1], data.describe(clip)[0][:, 32:96])
     torch.testing.assert_close(velocity[1], data.describe(clip)[1][32:96])
+    torch.testing.assert_close(x[-1], data.describe(clip)[0][:, -64:])  # no frame is left out
+    assert len(data.windows(clip.cut(0, 64))[0]) == 1
+    assert len(data.windows(clip.cut(0, 65))[0]) == 2
     short, at_rest = data.windows(clip.cut(0, 40))
     assert short.shape == (1, 7, 64, 23)
     torch.testing.assert_close(short[0][:, 12:52], data.describe(clip.cut(0, 40))[0])
@@ -115,7 +119,7 @@ def test_windows_overlap_by_half_and_short_clips_are_padded(walks):
 
 
 def test_mirror_images_keep_their_take_and_exchange_left_and_right():
-    turns = [human_clip(seed, 70).replace(style="a", gait="walk-turn-left", name=str(seed)) for seed in range(2)]
+    turns = [human_clip(seed, 64).replace(style="a", gait="walk-turn-left", name=str(seed)) for seed in range(2)]
     found = st.build(turns, mirror=True)
     assert found.contents == ("walk-turn-left", "walk-turn-right")
     assert found.take.tolist() == [0, 0, 1, 1]
@@ -247,6 +251,9 @@ def test_losses_are_what_the_equations_say():
     assert float(losses.adversarial(logits[1])) == pytest.approx(-sum(math.log(p) for p in sigmoid[1]) / 3, rel=1e-5)
     pairs = list(zip(x.flatten().tolist(), y.flatten().tolist(), strict=True))
     assert float(losses.content(x, y)) == pytest.approx(sum((a - b) ** 2 for a, b in pairs) / len(pairs), rel=1e-5)
+    norms = (x - y).movedim(1, -1).reshape(-1, 7).tolist()  # of the seven numbers of a joint in a frame
+    slow = sum(math.sqrt(sum(v * v for v in joint)) for joint in norms) / len(norms)
+    assert float(losses.content(x, y, squared=False)) == pytest.approx(slow, rel=1e-4)
     near = x[0] + 0.1 * (y[0] - x[0])
     apart = [abs(a - b) for a, b in zip(x[0].flatten().tolist(), near.flatten().tolist(), strict=True)]
     assert sum(apart) / len(apart) < losses.DIVERSE < float((x[1] - y[1]).abs().mean())
@@ -272,6 +279,31 @@ def test_r1_is_half_the_squared_slope():
     torch.testing.assert_close(weight.grad, (4 * weight * x**2).sum(0).detach() / 3)
 
 
+def test_a_detailed_generator_keeps_a_movement_by_its_skip_and_tells_the_joints_of_a_part_apart(graph):
+    torch.manual_seed(0)
+    sizes = networks.Sizes(channels=4, code=8, latent=4, hidden=16, detailed=True)
+    generator = networks.build(graph, ("a", "b"), sizes)[0].generator
+    torch.nn.init.normal_(generator.lower.weight)
+    x, code = torch.randn(2, 7, 16, 21), torch.randn(2, 8)
+    h = torch.randn(2, 4, 21, 16)
+    slow = torch.stack([torch.einsum("oc,bct->bot", generator.lower.weight[n], h[:, :, n]) for n in range(21)], 2)
+    torch.testing.assert_close(generator.lower(h), slow + generator.lower.bias)
+    early = generator.encoder[0](x.transpose(2, 3))
+    added = generator.skip(early, code)
+    torch.testing.assert_close(added.mean(-1), torch.zeros(2, 4, 21), atol=1e-5, rtol=0)
+    torch.testing.assert_close(generator.skip(early + 3.0, code), added)  # the mean pose does not pass
+    with torch.no_grad():
+        made = generator(x, code)
+        plain = networks.Generator(graph, networks.Sizes(channels=4, code=8, latent=4, hidden=16))
+        for block in plain.decoder:  # without residuals: unpooled features are equal within a part, and stay so
+            for unit in (block.first, block.second):
+                torch.nn.init.zeros_(unit.temporal.weight)
+        flat = plain(x, code)
+    part = [j for j in range(21) if graph.clusters[1][graph.clusters[0][j]] == 1]
+    assert (flat[..., part] - flat[..., part[:1]]).abs().max() < 1e-4
+    assert (made[..., part] - made[..., part[:1]]).abs().max() > 0.1
+
+
 @pytest.mark.parametrize("from_noise", [True, False])
 def test_one_pass_gives_the_losses_that_the_equations_give_one_by_one(motions, model, from_noise):
     config = training.Config(batch=3, sizes=SMALL)
@@ -292,6 +324,14 @@ def test_one_pass_gives_the_losses_that_the_equations_give_one_by_one(motions, m
     }
     for name, value in slow.items():
         torch.testing.assert_close(terms[name], value, rtol=1e-4, atol=1e-5)
+    recipe = training.Config.quick(batch=3, sizes=SMALL, warm_up=0)
+    made = training.translations(model, batch, recipe, from_noise)
+    terms = training.terms_of(model, discriminator, batch, made, recipe)
+    assert ("ds" in terms) == from_noise
+    assert not from_noise or not made["second"].requires_grad
+    own, rebuilt = e(batch["kin"], y), g(x, e(batch["kin"], y)) - x
+    torch.testing.assert_close(made["own"], own)
+    torch.testing.assert_close(terms["id"], rebuilt.norm(dim=1).mean(), rtol=1e-3, atol=1e-4)
     fewer = training.Config(batch=3, sizes=SMALL, losses=("adv", "cyc"))
     assert set(training.terms_of(model, discriminator, batch, training.translations(model, batch, fewer, True), fewer)) == {
         "adv", "cyc"}
@@ -299,7 +339,7 @@ def test_one_pass_gives_the_losses_that_the_equations_give_one_by_one(motions, m
 
 def test_training_goes_on_from_a_checkpoint_as_if_it_had_not_stopped(motions, tmp_path):
     def config(**changes):
-        return training.Config.quick(sizes=SMALL, batch=2, iterations=7, log_every=2, **changes)
+        return training.Config.quick(sizes=SMALL, batch=2, iterations=7, warm_up=2, log_every=2, **changes)
 
     def stop(step, _):
         if step == 3:
@@ -314,7 +354,7 @@ def test_training_goes_on_from_a_checkpoint_as_if_it_had_not_stopped(motions, tm
     assert [row["step"] for row in resumed.history] == [2, 4, 6]
     assert [row["id"] for row in resumed.history] == [row["id"] for row in whole.history]
     with pytest.raises(ValueError, match=r"checkpoint: the run to resume differs in iterations: expected 9, got 7"):
-        st.fit(motions, training.Config.quick(sizes=SMALL, batch=2, iterations=9, log_every=2), tmp_path / "checkpoint")
+        st.fit(motions, dataclasses.replace(config(), iterations=9), tmp_path / "checkpoint")
     with pytest.raises(ValueError, match="had other data"):
         st.fit(motions.select(motions.take < 3), config(), tmp_path / "checkpoint")
     whole.save(tmp_path / "run.safetensors")
@@ -327,7 +367,7 @@ def test_training_goes_on_from_a_checkpoint_as_if_it_had_not_stopped(motions, tm
 
 @pytest.mark.parametrize("ctrl_c", [True, False])
 def test_an_interrupted_training_loses_nothing(motions, tmp_path, ctrl_c):
-    config = training.Config.quick(sizes=SMALL, batch=2, iterations=6, log_every=2)
+    config = training.Config.quick(sizes=SMALL, batch=2, iterations=6, warm_up=2, log_every=2)
     steps = []
 
     def interrupt(step, _):
@@ -350,7 +390,12 @@ def _weights(run: st.Run) -> list[torch.Tensor]:
     return [*run.stylizer.state_dict().values(), *run.discriminator.state_dict().values()]
 
 
-def test_noise_trains_g_e_and_f_and_references_train_g(motions):
+@pytest.mark.parametrize(("changes", "wanted"), [
+    ({"encoder_learns": False}, [{"generator"}, {"generator", "encoder", "mapping"}, {"generator"}]),
+    ({}, [{"generator", "encoder"}, {"generator", "encoder", "mapping"}, {"generator", "encoder"}]),
+    ({"warm_up": 4}, [{"generator", "encoder"}] * 3),
+])
+def test_noise_trains_g_e_and_f_and_references_train_g_or_g_and_e(motions, changes, wanted):
     before: dict[str, list[torch.Tensor]] = {}
     changed: list[set[str]] = []
 
@@ -360,13 +405,38 @@ def test_noise_trains_g_e_and_f_and_references_train_g(motions):
             changed.append({n for n in now if any(not torch.equal(a, b) for a, b in zip(now[n], before[n], strict=True))})
         before.update(now)
 
-    st.fit(motions, training.Config.quick(sizes=SMALL, batch=2, iterations=4), on_step=watch)
-    assert changed == [{"generator"}, {"generator", "encoder", "mapping"}, {"generator"}]
+    settings = {"sizes": SMALL, "batch": 2, "iterations": 4, "warm_up": 0} | changes
+    st.fit(motions, training.Config.quick(**settings), on_step=watch)
+    assert changed == wanted
+
+
+def test_r1_every_fourth_iteration_weighs_as_much(motions):
+    run = st.fit(motions, training.Config.quick(sizes=SMALL, batch=2, iterations=5, warm_up=0, log_every=1))
+    assert ["r1" in row for row in run.history] == [True, False, False, False, True]
+
+
+def test_training_ends_when_its_time_is_spent_and_goes_on_with_what_is_left(motions, tmp_path):
+    config = training.Config.quick(sizes=SMALL, batch=2, iterations=1000, seconds=6.0, warm_up=0, log_every=1)
+    ticks = iter(range(10**6))
+
+    def stop(step, _):
+        if step == 2:
+            raise RuntimeError("stopped")
+
+    with pytest.raises(RuntimeError, match="stopped"):  # the clock shows a second more whenever it is read
+        st.fit(motions, dataclasses.replace(config, save_every=0.0), tmp_path / "checkpoint", on_step=stop,
+               clock=lambda: float(next(ticks)))
+    run = st.fit(motions, config, tmp_path / "checkpoint", clock=lambda: float(next(ticks)))
+    assert run.history[-1]["step"] == len(run.history) == 6
+    with pytest.raises(ValueError, match="training needs some seconds, got 0"):
+        training.Config(seconds=0)
 
 
 def test_training_learns_to_rebuild_and_to_tell_apart(motions):
     sizes = networks.Sizes(channels=8, code=8, latent=4, hidden=16)
-    run = st.fit(motions, training.Config.quick(sizes=sizes, batch=4, iterations=40, log_every=10))
+    weights = {"adv": 1.0, "cyc": 10.0, "id": 10.0, "sty": 1.0, "ds": 3.0, "r1": 5.0}
+    settings = {"sizes": sizes, "batch": 4, "iterations": 40, "warm_up": 0, "squared": True, "log_every": 10}
+    run = st.fit(motions, training.Config.quick(**settings, weights=weights))
     assert run.history[-1]["id"] < 0.8 * run.history[0]["id"]
     assert run.history[-1]["d"] < run.history[0]["d"]
 
@@ -470,12 +540,32 @@ def test_the_command_line_trains_and_restyles(tmp_path, walks, model, capsys):
     torch.testing.assert_close(made.global_positions, wanted.global_positions, atol=1e-4, rtol=0)
     assert main(call.split()) == 2
     assert "say which style by --domain: Neutral, Zombie" in capsys.readouterr().err
+    shipped = st.pretrained()
+    again = [*call.replace(f"--model {tmp_path}/model.safetensors ", "").split(), "--domain", shipped.domains[-1]]
+    with pytest.raises(SystemExit):
+        main(again)
     train = f"train-stylizer --data procedural --styles Neutral,Zombie --gaits FW --out {tmp_path}/new/run.safetensors"
     with pytest.raises(SystemExit) as done:
-        main([*train.split(), "--small", "--iterations", "2"])
+        main([*train.split(), "--small", "--iterations", "2", "--minutes", "1"])
     assert done.value.code == 0
     assert {p.name for p in (tmp_path / "new").iterdir()} == {"run.safetensors"}
     assert st.load(tmp_path / "new" / "run.safetensors").stylizer.domains == ("Neutral", "Zombie")
+
+
+def test_the_stylizer_in_the_package_brings_a_clip_nearer_to_each_style_than_to_any_other():
+    """By the mean pose, on paths that it was not trained on."""
+    model = st.pretrained()
+    assert sum(p.numel() for p in model.parameters()) < 1e6
+
+    def pose(clip):
+        return model.statistics.apply(data.describe(data.prepare(clip))[0]).mean(1)
+
+    walks = {s: tk.datasets.load("procedural", styles=s, gaits="FW", seconds=4.0, seed=9)[0] for s in model.domains}
+    for style in model.domains:
+        if style != "Neutral":
+            made = st.stylize(model, walks["Neutral"], style, seed=1)
+            assert tk.metrics.upright(made)
+            assert min(walks, key=lambda s: float((pose(walks[s]) - pose(made)).norm())) == style
 
 
 def test_bandais_skeleton_is_the_papers_size(shared):

@@ -207,6 +207,20 @@ def test_features_of_a_list_have_its_parts():
         splits.listed([c for c in clips if c.style == "Old"], parts)
 
 
+def test_takes_of_bandai_are_found_in_their_list(shared):
+    root = shared / "bandai" / "dataset-2"
+    if not root.is_dir():
+        pytest.skip(f"no recordings: {root} does not exist")
+    parts = tk.datasets.split("bandai", root)
+    clips = tk.datasets.load("bandai", root, styles=["active"], gaits=["run"])
+    data = splits.listed(clips, parts)
+    train, test = splits.split(data, 0.1, 0, ("active",))
+    wanted = {part: {block.gait for block in getattr(parts, part)} for part in ("train", "test")}
+    names = [c.name.removesuffix(".bvh") for c in clips if c.name.removesuffix(".bvh") in wanted["train"] | wanted["test"]]
+    assert {names[i] for i in train.takes["active"].tolist()} <= wanted["train"]
+    assert {names[i] for i in test.takes["active"].tolist()} <= wanted["test"]
+
+
 def test_loss_is_mse_and_bone_length_of_equation_5():
     model = tiny_model()
     predicted, target = torch.randn(3, 2, model.layout.n_outputs).unbind(1)

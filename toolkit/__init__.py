@@ -9,5 +9,5 @@ Glossary of shapes: B batch, F frames, J joints, K experts, D features. Metres, 
 
 import lazy_loader
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 __getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)  # a module is imported when it is first used

@@ -6,25 +6,33 @@ from typing import Annotated
 
 import typer
 
-from experiments.seven_models import failures, hundred, load, models
-from toolkit import datasets, networks
+from experiments.seven_models import failures, hundred, load, models, recorded, results, vectors
+from experiments.tables import Result
+from toolkit import datasets, networks, training
 from toolkit.cli import verbs
+from toolkit.evaluation.recognition import Recogniser
+from toolkit.features import store
+from toolkit.training.vectors import STEPS
 
 app = typer.Typer(invoke_without_command=True)
 
 Names = Annotated[str | None, typer.Option(help="Comma-separated names; default: all.")]
 Out = Annotated[Path, typer.Option(help="Folder of the runs; finished runs in it are not repeated.")]
 OUT = Path("out/comparison")
-ONE_STEP = {"shared": ("MSE", 1, 4), "mse": ("own MSE", 1, 4), "other": ("other", 1, 4), "bone": ("bone mm", 1000, 2)}
+Named = Annotated[str | None, typer.Option(help="Store the result under this name in docs/results.")]
+ONE_STEP = {"shared": ("MSE", 1, 4), "joints": ("of joints", 1, 4), "mse": ("own MSE", 1, 4), "other": ("other", 1, 4),
+            "bone": ("bone mm", 1000, 2)}
 LOOP = {"hands": ("hands", 1, 2), "together": ("together", 1, 2), "recognised": ("style", 1, 2), "speed": ("speed", 1, 2),
         "skate": ("skate", 100, 1), "skate_ik": ("with IK", 100, 1), "path": ("path cm", 100, 1),
-        "steps": ("steps/s", 1, 2), "clavicle": ("clavicle cm", 100, 1), "hand": ("hand cm", 100, 1), "upright": ("upright", 1, 2)}
+        "steps": ("steps/s", 1, 2), "clavicle": ("clavicle cm", 100, 1), "hand": ("hand cm", 100, 1),
+        "upright": ("upright", 1, 2)}
 EXPLAINED = (
     "MSE: error on held-out frames of the outputs that all models have (trajectory, joints, contacts), in the data's",
     "deviations; own MSE: of all outputs of a model; other: the same with another style's vector; bone: mean error of bone",
     "lengths. hands: range of motion / that of the data (0: stuck); together: difference of both hands' correlation from",
     "the data's; both for styles whose hands move. style: share of recognised styles; speed / commanded speed; skate: cm/s",
-    "in contact, without and with foot IK; path: distance from an eight; upright: share of styles that do not fall.",
+    "in contact, without and with foot IK; path: distance from an eight; clavicle, hand: distance of their mean pose from",
+    "the data's; upright: share of styles that do not fall.",
 )
 
 
@@ -91,8 +99,59 @@ def ceiling_(parameters: Annotated[Path, typer.Option("--published", help=verbs.
     show(models.collect(data, plan, recogniser, out))
 
 
+@app.command("store")
+def store_(name: Annotated[str, typer.Option(help="Name of the stored result.")],
+           about: Annotated[str, typer.Option(help="A sentence: the data and the budget.")], out: Out = OUT) -> None:
+    """Store the table of a comparison as a result that the pages of docs/ draw (`python -m experiments tables`)."""
+    settings = models.read_json(out / models.SETTINGS)
+    data, plan = load(**settings["source"]), models.Plan(settings["size"], settings["steps"])
+    table = models.collect(data, plan, models.judge(data, out), out)
+    print(f"wrote {results.comparison(name, about, _command(settings), table).save()}")
+
+
+@app.command("recorded")
+def recorded_(model: Annotated[str, typer.Option(help="Which model's runs.")] = "lpn-film", result: Named = None,
+              out: Out = OUT) -> None:
+    """Held-out recordings, followed by the runs of a comparison with --listed: the field's measures."""
+    settings = models.read_json(out / models.SETTINGS)
+    source = settings["source"]
+    if not source.get("listed"):
+        raise ValueError(f"{out}: its comparison was not made with --listed, so no take is held out as a whole")
+    root = source["root"]
+    parts = datasets.split(source["data"], root)
+    names = {block.gait for block in parts.test if block.style in settings["frames"]}
+    clips = [clip for clip in datasets.load(source["data"], root) if clip.name.removesuffix(".bvh") in names]
+    runs = [training.load(path) for path in sorted((out / "runs").glob(f"{model}-*.safetensors"))]
+    if not runs:
+        raise ValueError(f"{out}: has no run of {model}")
+    rows = recorded.compared(runs, clips, Recogniser.load(out / "recogniser.safetensors"))
+    about = f"{len(clips)} held-out takes of {len(settings['frames'])} styles, followed for {recorded.SECONDS:g} s each time"
+    _written(results.recorded(result or "recorded", about, _command(settings) + f", then recorded --model {model}", rows,
+                              {"takes": len(clips), "styles": len(settings["frames"]), "seeds": len(runs),
+                               "seconds": recorded.SECONDS, "walks": len(recorded.moments(clips))}), result)
+
+
+@app.command("vectors")
+def vectors_(model: Annotated[str, typer.Option(help="Which model's runs.")] = "lpn-film", result: Named = None,
+             out: Out = OUT) -> None:
+    """Style vectors of one clip, of the mean of many, and fitted to frames, on held-out frames and in closed loop."""
+    settings = models.read_json(out / models.SETTINGS)
+    data = load(**settings["source"])
+    runs = [training.load(path) for path in sorted((out / "runs").glob(f"{model}-*.safetensors"))]
+    rows = vectors.compared(runs, data, models.judge(data, out), progress=True)
+    _written(results.vectors(result or "vectors", f"{model}, {len(settings['frames'])} styles",
+                             _command(settings) + f", then vectors --model {model}", rows,
+                             {"styles": len(settings["frames"]), "seeds": len(runs), "steps": settings["steps"],
+                              "held-out frames of a style": vectors.FRAMES, "steps for each style": STEPS}),
+             result)
+
+
 @app.command("failures")
-def failures_(out: Out = OUT) -> None:
+def failures_(
+    out: Out = OUT,
+    capacity: Annotated[bool, typer.Option(help="Also train models with fewer styles, to compare errors.")] = True,
+    result: Annotated[str | None, typer.Option(help="Store the cases as docs/results/RESULT-CASE.json.")] = None,
+) -> None:
     """The failure cases of section 5.1, tested on the runs of a finished comparison.
 
     Prints numbers and results, and draws pictures in OUT/failures.
@@ -100,8 +159,9 @@ def failures_(out: Out = OUT) -> None:
     from experiments.seven_models import figures
     from toolkit import view
 
-    data = load(**models.read_json(out / models.SETTINGS)["source"])
-    found = failures.cases(data, out, progress=True)
+    settings = models.read_json(out / models.SETTINGS)
+    data = load(**settings["source"])
+    found = failures.cases(data, out, progress=True, capacity_too=capacity)
     folder = out / "failures"
     folder.mkdir(exist_ok=True)
     figures.save(figures.errors(models.read_json(out / models.TABLE)), folder / "errors.png")
@@ -109,6 +169,12 @@ def failures_(out: Out = OUT) -> None:
     for case in found:
         print(f"\n{case}")
         name = case.title.lower().replace(" ", "_")
+        if result is not None:
+            stored = results.case(f"{result}-{name.replace('_', '-')}", f"{case.section} {case.title}: {case.claim}",
+                                  _command(settings) + ", then failures", case, {"styles": len(settings["frames"])})
+            print(f"wrote {stored.save()}")
+        if not case.drawn:
+            continue
         if "style" in case.drawn:
             walks = failures.walks(data, out, case.drawn["models"], case.drawn["style"])
             figures.save(figures.hands(walks), folder / f"{name}.png")
@@ -134,6 +200,24 @@ def hundred_(
     fallen = hundred.write(parameters, out, styles and styles.split(","), seconds, seed)
     print(f"without clips in which the character fell: {', '.join(fallen) or 'none'}")
     print(f"wrote {len(list(out.glob('*.bvh')))} clips; compare with --data 100style --root {out}")
+
+
+def _written(found: Result, result: str | None) -> None:
+    """Print a result, and store it if it has a name."""
+    print(f"{found.about}\n{found.markdown()}")
+    if result is not None:
+        print(f"wrote {found.save()}")
+
+
+def _command(settings: dict) -> str:
+    """The command of a comparison, with the places of this machine left out."""
+    source = settings["source"]
+    data = "STORE" if store.is_store(source["data"]) else source["data"]
+    options = {"styles": source["styles"], "gaits": source["gaits"], "root": source["root"] and "ROOT"}
+    words = [f"--{name} {value}" for name, value in options.items() if value]
+    words += ["--listed"] if source.get("listed") else []
+    return " ".join(["python -m experiments seven-models --data", data, *words, f"--size {settings['size']}",
+                     f"--steps {settings['steps']}"])
 
 
 def _notes(rows: list) -> dict[tuple[int, str], list[str]]:
@@ -175,7 +259,7 @@ def show(table: dict) -> None:
               + f"{f'{mean:.2f} ± {spread:.2f}':>18}{model['mean']['processor']:>14.0f}{len(model['runs']):>14}")
     print("\nmean ± deviation over the seeds of means over the styles.", *EXPLAINED, sep="\n")
     if math.isfinite(table["recogniser"]):
-        print(f"The recogniser, trained on the training part, names {table['recogniser']:.0%} of the held-out seconds rightly.")
+        print(f"The recogniser, trained on the training part, names {table['recogniser']:.0%} of held-out seconds rightly.")
 
 
 def _cell(model: dict, key: str, scale: float, decimals: int) -> str:

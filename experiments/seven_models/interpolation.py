@@ -9,7 +9,7 @@ from toolkit.features import Features, natural_speed, splits
 from toolkit.runtime import Command
 from toolkit.training import Run
 
-PAIRS, BLENDS = 6, 11  # pairs of styles, blends from one to the other
+PAIRS, BLENDS = 50, 11  # pairs of styles, blends from one to the other
 FIGURE_8 = ("BentForward", "LeanBack")  # the paper's pair, the first one if the data have it
 SECONDS = 4.0  # measured seconds of a walk
 

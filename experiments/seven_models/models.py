@@ -18,9 +18,9 @@ from tqdm import tqdm
 from experiments.closed_loop import eight
 from toolkit import datasets, features, networks, published, runtime, training
 from toolkit.evaluation import metrics, recognition
-from toolkit.evaluation.models import hands, posture_error, shared_baselines, shared_error
+from toolkit.evaluation.models import block_errors, hands, over_columns, posture_error, shared_baselines
 from toolkit.evaluation.recognition import Recogniser
-from toolkit.features import Features, Split, natural_speed, splits, store
+from toolkit.features import Features, Layout, Normaliser, Split, natural_speed, splits, store
 from toolkit.features.store.workers import completed, executor
 from toolkit.io import model_files
 from toolkit.io.files import atomic_write
@@ -28,6 +28,7 @@ from toolkit.networks import Model, Sizes
 from toolkit.networks.bank import StyleBank
 from toolkit.runtime import FPS, CharacterState, Command
 from toolkit.training import Config, Run
+from toolkit.training.run import STYLE_RATES
 
 WARM_UP, PACE = 2.0, 1.0  # seconds at the start of a walk that are not measured; m/s along the eight
 MOVING = 0.06  # metres, least range of moving hands
@@ -40,10 +41,6 @@ SIZES = {
     "medium": Sizes.small(),
     "paper": Sizes(),
 }  # values of ``--size``
-
-#: Learning rates of the style modulation, relative to the other rates. High rates destroy FiLM's convolutions. Tables of
-#: styles need high rates, one-hot the highest, because a row is trained only by the minibatches of its own style.
-STYLE_RATES = {"film": 0.1, "onehot": 10.0, "resad": 1.0}
 
 
 @dataclass(frozen=True)
@@ -58,17 +55,16 @@ class Plan:
     recogniser_steps: int | None = None  # training steps of the recogniser; by default 20 per style, at least 200
 
     def config(self, model: str, seed: int) -> Config:
-        """Training settings of one run: equal for all runs except `STYLE_RATES`."""
+        """Training settings of one run: equal for all runs except `toolkit.training.run.STYLE_RATES`."""
         return Config.quick(model=model, sizes=SIZES[self.size], steps=self.steps, seed=seed, device=self.device,
-                            style_rate=STYLE_RATES[model.split("-")[1]], evaluate_every=max(1, self.steps // 2),
-                            held_out=HELD_OUT)
+                            evaluate_every=max(1, self.steps // 2), held_out=HELD_OUT)
 
 
 def load(data: str, root: str | None, styles: str | None, gaits: str | None, clip_seconds: float | None,
          listed: bool = False) -> Features:
     """Features of a dataset or a store, with the same held-out frames for every seed.
 
-    They are those that the store names, those of the dataset's list (`toolkit.datasets.split`) if ``listed``, or random ones.
+    They are those of a store, or of the dataset's list (`toolkit.datasets.split`) if ``listed``, or random ones.
     """
     chosen = [None if names is None else names.split(",") for names in (styles, gaits)]
     if store.is_store(data):
@@ -126,7 +122,7 @@ def trained(data: Features, config: Config, folder: Path, progress: bool = False
 
 
 def judge(data: Features, folder: Path, steps: int | None = None) -> Recogniser:
-    """The recogniser of the data's styles in a folder: read from its file, or trained on the training frames' style clips."""
+    """The recogniser of a folder: read from its file, or trained on the style clips of the training frames."""
     path = folder / "recogniser.safetensors"
     if not path.exists():
         train = splits.split(data, HELD_OUT, 0, tuple(data.styles))[0]
@@ -154,11 +150,36 @@ def measured(run: Run, data: Features, plan: Plan, recogniser: Recogniser, folde
 
 
 def both(model: Model, bank: StyleBank, data: Features, recogniser: Recogniser, plan: Plan) -> dict[str, dict[str, float]]:
-    """Measures of every style: `shared_error` one step ahead on held-out frames, and those of `closed_loop`."""
+    """Measures of every style: those of `one_step` on held-out frames, and those of `closed_loop`."""
     train, test = splits.split(data, HELD_OUT, 0, tuple(data.styles))
-    shared = shared_error(model, bank, test, train.normalisers()["outputs"])
+    errors = one_step(model, bank, test, train.normalisers()["outputs"])
     loop = closed_loop(model, bank, data, recogniser, plan)
-    return {s: {"shared": shared[s], **loop[s]} for s in shared}
+    return {s: {**errors[s], **loop[s]} for s in errors}
+
+
+def one_step(model: Model, bank: StyleBank, test: Features, scale: Normaliser) -> dict[str, dict[str, float]]:
+    """``joints``: the error of the joint features; ``shared``: that of all columns that all models predict (`shared_error`).
+
+    A model with another trajectory window, such as the published network, sees and predicts its own, and has no ``shared``.
+    """
+    if model.layout.samples == test.layout.samples:
+        return {style: {"shared": over_columns(test.layout, found), "joints": found["joints"]}
+                for style, found in block_errors(model, bank, test, scale).items()}
+    test = resampled(test, model.layout)
+    return {style: {"joints": found["joints"]} for style, found in block_errors(model, bank, test, scale).items()}
+
+
+def resampled(data: Features, layout: Layout) -> Features:
+    """Features of a store, with the trajectory window of another layout, without rows whose window leaves their take."""
+    reach, kinds = layout.samples[-1] - data.layout.samples[-1], {kind: {} for kind in features.FRAME_KINDS}
+    for style in data.styles:
+        at, takes = data.inputs[style].at, data.takes[style]
+        own = dataclasses.replace(data.inputs[style].derive.__self__, layout=layout)
+        last = {int(take): int(at[takes == take].max()) for take in takes.unique()}
+        inside = at <= torch.tensor([last[int(take)] for take in takes]) - max(0, reach)
+        for kind, derive in zip(kinds, (own.inputs, own.phases.__getitem__, own.outputs), strict=True):
+            kinds[kind][style] = features.Rows(derive, at[inside])
+    return dataclasses.replace(data, layout=layout, split=None, statistics=None, frames=None, **kinds)
 
 
 def ceiling(parameters: str | os.PathLike, data: Features, recogniser: Recogniser, plan: Plan, folder: Path) -> dict:
@@ -295,6 +316,8 @@ def collect(data: Features, plan: Plan, recogniser: Recogniser, folder: Path) ->
         ``models``. A model has its parameter ``counts``, the milliseconds of a ``frame``, its ``runs`` in the order of the
         seeds, and the ``mean`` and ``spread`` (deviation) of every measure over the seeds; ``ceiling`` is a run, too.
     """
+    for path in (folder / "measures").glob("*.json"):
+        _complete(path, folder, data)
     found = {name: sorted((_run(read_json(path)) for path in (folder / "measures").glob(f"{name}-*.json")),
                           key=lambda run: run["seed"]) for name in networks.MODELS}
     config = plan.config("lpn-film", 0)
@@ -311,6 +334,17 @@ def collect(data: Features, plan: Plan, recogniser: Recogniser, folder: Path) ->
     return table
 
 
+def _complete(path: Path, folder: Path, data: Features) -> None:
+    """Add what the measures of an older run lack: the error of the joints."""
+    held = read_json(path)
+    if not all("joints" in row for row in held["styles"].values()):
+        run = training.load(folder / "runs" / f"{path.stem}.safetensors")
+        train, test = splits.split(data, HELD_OUT, 0, tuple(data.styles))
+        for style, errors in one_step(run.model, run.bank, test, train.normalisers()["outputs"]).items():
+            held["styles"][style] |= errors
+        write_json(path, held)
+
+
 def accuracy(recogniser: Recogniser, data: Features) -> float:
     """Share of the seconds of held-out motion that are recognised, mean over the styles; a second is 60 frames in a row."""
     test = splits.split(data, HELD_OUT, 0, tuple(data.styles))[1]
@@ -325,8 +359,8 @@ def accuracy(recogniser: Recogniser, data: Features) -> float:
 
 
 def _run(held: dict) -> dict:
-    """A run's measures with their means over the styles."""
-    return held | over_styles(held["styles"])
+    """A run's measures with their means over the styles; ``trained`` is its number of training steps."""
+    return {"trained": held.get("steps", 0)} | held | over_styles(held["styles"])
 
 
 def _summary(runs: list[dict]) -> dict:

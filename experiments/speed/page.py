@@ -39,8 +39,8 @@ def run(
             print(f"{name}: not found")
             continue
         rate, speed = found["floor"]["sums"], found["floor"]["bytes"]
-        print(f"{name}: {found['weights'] / 1e6:.1f} million weights, {rate / 1e9:.1f} G multiply-adds/s, {speed / 1e9:.1f} GB/s, "
-              f"pose with IK {found['pose']:.3f} ms a character")
+        print(f"{name}: {found['weights'] / 1e6:.1f} million weights, {rate / 1e9:.1f} G multiply-adds/s, "
+              f"{speed / 1e9:.1f} GB/s, pose with IK {found['pose']:.3f} ms a character")
         print(f"{'':20}{'characters':>10}{'network':>9}{'each':>8}{'× floor':>9}{'frame':>9}{'each':>8}{'of 1/60 s':>11}")
         for row in found["rows"]:
             count, network, frame = row["count"], row["network"], row["frame"]
@@ -82,7 +82,8 @@ def _chromium(data: dict, counts: list[int], rounds: int) -> dict | None:
         def answer(route) -> None:
             name = route.request.url.removeprefix(ADDRESS)
             path = SCRIPT if name == SCRIPT.name else SCENE / name
-            route.fulfill(body=path.read_bytes() if name else b"<p>", content_type="text/javascript" if name else "text/html")
+            route.fulfill(body=path.read_bytes() if name else b"<p>",
+                          content_type="text/javascript" if name else "text/html")
 
         page.route(f"{ADDRESS}**", answer)
         page.goto(ADDRESS)

@@ -1,159 +1,181 @@
-"""Baseline of Table 2: unpaired style transfer by AdaIN over 1-D convolutions (Aberman et al. 2020).
+"""Baseline of Table 2 in its authors' own form: unpaired style transfer by AdaIN and 1-D convolutions (Aberman et al. 2020).
 
-All joints of a frame are one vector; filters run over time only. A content encoder with instance normalisation removes the
-style, a style encoder keeps it, and a decoder applies it as the means and deviations of its channels.
+The content is read from rotations, the style from positions. Each convolution of the content encoder is followed by instance
+normalisation, and one residual block of the decoder has AdaIN. The output is rotations; forward kinematics gives positions,
+so bones keep their lengths. D judges short pieces of motion. Losses: LSGAN with feature matching, triplets of style codes,
+and reconstruction of a motion with the style of another of its domain.
 
-Departures from that paper: both encoders read the features of Park et al. 2021 (there: rotations for the content, positions
-for the style, and a second style encoder for videos, which is not needed here). Loss, R1, batch, learning rates and weights
-are those of `toolkit.stylization`, so that the two systems differ only in their networks.
+Departures: widths for which the generator is about as large as ours, the rates, decay, batch and R1 of our config, no second
+style encoder for videos and so no joint embedding; D sees positions and their velocities in the root frame.
 """
 
-from itertools import pairwise
+import time
 
 import torch
 from torch import Tensor, nn
 from torch.nn import functional
-from torch.optim.lr_scheduler import CosineAnnealingLR
-from tqdm.auto import trange
 
-from experiments.stylization.holden import flat, unflat
+from experiments.stylization.holden import budget, flat, unflat
 from toolkit.features.splits import generator, mix
+from toolkit.motion import Skeleton
+from toolkit.motion import rotations as R
 from toolkit.stylization import losses
-from toolkit.stylization.data import CHANNELS, Motions, Statistics
+from toolkit.stylization.data import FPS, Motions, Statistics
+from toolkit.stylization.layers import SLOPE
 from toolkit.stylization.training import Config
 
-WIDTHS = (96, 144, 192)  # channels after the first layer and after each of the two halvings of time
-KERNEL = 7  # frames
+WIDTHS = (28, 40)  # channels after each of the two halvings of time
+KERNEL, STYLE = 5, 64  # frames; length of a style code
 MARGIN = 5.0  # of the triplet loss: least difference of the distances to codes of another and of the same style
+TRIPLET, MATCHING = 0.3, 0.5  # weights beside those of adversarial and reconstruction loss, which are 1
 
 
-class Block(nn.Module):
-    """Residual block [B, C, T] → [B, C', T]: normalise, leaky ReLU, convolve, twice.
+def convolution(inputs: int, outputs: int) -> nn.Conv1d:
+    """A convolution that keeps the number of frames."""
+    return nn.Conv1d(inputs, outputs, KERNEL, padding="same", padding_mode="replicate")
 
-    ``norm`` is None, ``"instance"``, or the length of a style code that gives the means and deviations.
-    """
 
-    def __init__(self, inputs: int, outputs: int, norm: int | str | None = None):
+class Residual(nn.Module):
+    """x + two convolutions, each normalised over time and, with a style code, given its means and deviations."""
+
+    def __init__(self, width: int, style: int = 0):
         super().__init__()
-        self.norm = norm
-        self.convolutions = nn.ModuleList(nn.Conv1d(width, outputs, KERNEL, padding="same") for width in (inputs, outputs))
-        self.across = nn.Conv1d(inputs, outputs, 1, bias=False)
-        if isinstance(norm, int):
-            self.moments = nn.ModuleList(nn.Linear(norm, 2 * width) for width in (inputs, outputs))
+        self.convolutions = nn.ModuleList(convolution(width, width) for _ in range(2))
+        self.moments = nn.ModuleList(nn.Linear(style, 2 * width) for _ in range(2)) if style else None
 
     def forward(self, x: Tensor, code: Tensor | None = None) -> Tensor:
-        """``[B, C', T]`` of ``[B, C, T]``."""
-        skip = self.across(x)
-        for i, convolution in enumerate(self.convolutions):
-            x = x if self.norm is None else functional.instance_norm(x)
+        """``[B, C, T]`` of ``[B, C, T]``."""
+        h = x
+        for i, layer in enumerate(self.convolutions):
+            h = functional.instance_norm(layer(h))
             if code is not None:
                 scale, shift = self.moments[i](code)[..., None].chunk(2, 1)
-                x = (1 + scale) * x + shift
-            x = convolution(functional.leaky_relu(x, 0.2))
-        return (x + skip) / 2**0.5
+                h = (1 + scale) * h + shift
+            h = h if i else functional.leaky_relu(h, SLOPE)
+        return x + h
 
 
-class Encoder(nn.Module):
-    """Convolution over time and two blocks that halve it: [B, 7 N, T] → [B, 192, T/4]."""
+class Generator(nn.Module):
+    """Rotations ``[B, 4 N, T]`` and a style code to rotations ``[B, 4 N, T]``, z-scores."""
 
-    def __init__(self, features: int, norm: str | None = None):
+    def __init__(self, joints: int):
         super().__init__()
-        self.enter = nn.Conv1d(features, WIDTHS[0], KERNEL, padding="same")
-        self.blocks = nn.ModuleList(Block(a, b, norm) for a, b in pairwise(WIDTHS))
+        a, b = WIDTHS
+        self.down = nn.ModuleList((convolution(4 * joints, a), convolution(a, b)))
+        self.content, self.styled = Residual(b), Residual(b, STYLE)
+        self.up = nn.ModuleList((convolution(b, a), convolution(a, 4 * joints)))
+
+    def forward(self, x: Tensor, code: Tensor) -> Tensor:
+        """T is a multiple of 4."""
+        for layer in self.down:
+            x = functional.avg_pool1d(functional.leaky_relu(functional.instance_norm(layer(x)), SLOPE), 2)
+        x = self.styled(self.content(x), code)
+        for layer in self.up:
+            x = layer(functional.interpolate(functional.leaky_relu(x, SLOPE), scale_factor=2.0))
+        return x
+
+
+class Trunk(nn.Module):
+    """Two convolutions, each of which halves time: ``[B, C, T/4]``."""
+
+    def __init__(self, inputs: int):
+        super().__init__()
+        self.layers = nn.ModuleList(convolution(a, b) for a, b in zip((inputs, WIDTHS[0]), WIDTHS, strict=True))
 
     def forward(self, x: Tensor) -> Tensor:
-        """``[B, 192, T/4]`` of ``[B, 7 N, T]``."""
-        x = self.enter(x)
-        for block in self.blocks:
-            x = functional.avg_pool1d(block(x), 2)
-        return functional.leaky_relu(x, 0.2)
+        """Of ``[B, C, T]``."""
+        for layer in self.layers:
+            x = functional.avg_pool1d(functional.leaky_relu(layer(x), SLOPE), 2)
+        return x
 
 
 class Aberman(nn.Module):
-    """Content encoder, style encoder and decoder.
+    """Generator and style encoder on a skeleton; statistics convert physical units to z-scores."""
 
-    Parameters
-    ----------
-    statistics
-        Mean and deviation, to convert the physical units of the input to z-scores.
-    style
-        Length S of a style code.
-    """
-
-    def __init__(self, statistics: Statistics, style: int = 64):
+    def __init__(self, statistics: Statistics, skeleton: Skeleton):
         super().__init__()
-        features = CHANNELS * statistics.mean.shape[-1]
-        self.statistics = statistics
-        self.content, self.style = Encoder(features, "instance"), Encoder(features)
-        self.code = nn.Linear(WIDTHS[-1], style)
-        self.decoder = nn.ModuleList(Block(a, b, style) for a, b in pairwise(WIDTHS[::-1]))
-        self.leave = nn.Conv1d(WIDTHS[0], features, KERNEL, padding="same")
+        joints = len(skeleton)
+        self.statistics, self.skeleton = statistics, skeleton
+        self.generator, self.style, self.code = Generator(joints), Trunk(3 * joints), nn.Linear(WIDTHS[-1], STYLE)
 
     def encode(self, z: Tensor) -> Tensor:
-        """Style codes [B, S] of z-scores [B, 7, T, N] of any length: the maximum over time."""
-        return self.code(self.style(flat(z)).amax(-1))
+        """Style codes [B, S] of z-scores [B, 7, T, N]: the maximum over time."""
+        return self.code(self.style(flat(z[:, :3])).amax(-1))
 
-    def decode(self, z: Tensor, code: Tensor) -> Tensor:
-        """z-scores [B, 7, T, N] with the content of z and style codes."""
-        h = self.content(flat(z))
-        for block in self.decoder:
-            h = block(functional.interpolate(h, scale_factor=2.0, mode="linear"), code)
-        return unflat(self.leave(functional.leaky_relu(h, 0.2)))
+    def decode(self, x: Tensor, code: Tensor) -> Tensor:
+        """Motions [B, 7, T, N] with the content and the height of x and style codes, physical units."""
+        z = torch.cat((torch.zeros_like(x[:, :3]), self.statistics.apply(x)[:, 3:]), 1)
+        made = unflat(self.generator(flat(z[:, 3:]), code), 4)
+        turned = self.statistics.invert(torch.cat((z[:, :3], made), 1))[:, 3:]
+        return torch.cat((self._positions(turned, x[:, :3, :, :1]), turned), 1)
 
+    def _positions(self, rotations: Tensor, root: Tensor) -> Tensor:
+        """Forward kinematics: positions [B, 3, T, N] of rotations [B, 4, T, N] in the root frame; ``root [B, 3, T, 1]``."""
+        q, parents = rotations.permute(0, 2, 3, 1), list(self.skeleton.parents)
+        bones = R.rotate(q[:, :, parents[1:]], self.skeleton.offsets[1:]).unbind(2)
+        places = [root[..., 0].transpose(1, 2)]
+        for joint, parent in enumerate(parents[1:]):
+            places.append(places[parent] + bones[joint])
+        return torch.stack(places, 2).permute(0, 3, 1, 2)
+
+    @torch.no_grad()
     def code_of(self, x: Tensor, domain: Tensor | None = None) -> Tensor:
         """Style codes [B, S] of references [B, 7, T, N]; the domain is not used."""
         return self.encode(self.statistics.apply(x))
 
+    @torch.no_grad()
     def translate(self, x: Tensor, code: Tensor) -> Tensor:
         """Motions [B, 7, T, N] with the content of x in the style of the codes; T must be a multiple of 4."""
-        return self.statistics.invert(self.decode(self.statistics.apply(x), code))
+        return self.decode(x, code)
 
 
 class Discriminator(nn.Module):
-    """Logits [B] that z-scores [B, 7, T, N] are real motions of domains [B]."""
+    """Values ``[B, T/4]`` of pieces of motion of domains [B], and the features they come from, the mean over time."""
 
     def __init__(self, joints: int, domains: int):
         super().__init__()
-        self.trunk, self.heads = Encoder(CHANNELS * joints), nn.Linear(WIDTHS[-1], domains)
+        self.trunk, self.heads = Trunk(6 * joints), nn.Conv1d(WIDTHS[-1], domains, 1)
 
-    def forward(self, z: Tensor, domain: Tensor) -> Tensor:
-        """``[B]``."""
-        return self.heads(self.trunk(flat(z)).mean(-1)).gather(1, domain[:, None])[:, 0]
+    def forward(self, z: Tensor, domain: Tensor) -> tuple[Tensor, Tensor]:
+        """Of z-scores ``[B, 7, T, N]``."""
+        speed = functional.pad(z[:, :3].diff(dim=2) * FPS / 10, (0, 0, 0, 1))
+        h = self.trunk(flat(torch.cat((z[:, :3], speed), 1)))
+        return self.heads(h)[torch.arange(len(z)), domain], h.mean(-1)
 
 
 def fit(motions: Motions, config: Config, progress: bool = False) -> Aberman:
-    """Train by adversarial, content and triplet losses (that paper's section 3.3).
-
-    It uses the iterations, batch, seed and betas of the config, the rates of generator and discriminator with their decay,
-    and the weights ``adv``, ``r1``, and ``id`` for the content loss.
-    """
+    """Train for the time or the iterations of the config."""
     with torch.random.fork_rng(devices=[]):
         torch.manual_seed(mix(config.seed, 0))
-        model = Aberman(motions.statistics())
+        model = Aberman(motions.statistics(), motions.skeleton)
         discriminator = Discriminator(motions.x.shape[-1], len(motions.domains))
-    adams = [torch.optim.Adam(network.parameters(), config.rates[name], config.betas)
+    adams = [torch.optim.Adam(network.parameters(), config.rates[name], config.betas, fused=True)
              for network, name in ((model, "generator"), (discriminator, "discriminator"))]
-    decays = [CosineAnnealingLR(adam, config.iterations, config.final_rate * adam.defaults["lr"]) for adam in adams]
-    z, domain, draw, weights = model.statistics.apply(motions.x), motions.domain, generator(config.seed, 1), config.weights
+    domain, draw, statistics = motions.domain, generator(config.seed, 1), model.statistics
+    x = statistics.invert(statistics.apply(motions.x))  # every quaternion with the sign of the mean
     members = [(domain == d).nonzero()[:, 0] for d in range(len(motions.domains))]
-    for _ in trange(config.iterations, desc="Aberman 2020", disable=not progress):
-        rows, others = torch.randint(len(z), (2, config.batch), generator=draw)
-        kin = torch.stack([_one_of(members[d], draw) for d in domain[others]])  # other references of the same style
-        source, reference, target = z[rows], z[others], domain[others]
-        wanted, alike, own = model.encode(torch.cat((reference, z[kin], source))).chunk(3)
-        fake, same = model.decode(torch.cat((source, source)), torch.cat((wanted, own))).chunk(2)
+    for step, rate in budget(config, "Aberman 2020", progress, time.process_time):
+        for adam, name in zip(adams, ("generator", "discriminator"), strict=True):
+            adam.param_groups[0]["lr"] = rate * config.rates[name]
+        rows, others = torch.randint(len(x), (2, config.batch), generator=draw)
+        kin, alike = (torch.stack([_one_of(members[d], draw) for d in domain[r]]) for r in (rows, others))
+        source, reference, target = x[rows], statistics.apply(x[others]), domain[others]
+        wanted, same, own = model.encode(torch.cat((reference, statistics.apply(x[torch.cat((alike, kin))])))).chunk(3)
+        fake, rebuilt = map(statistics.apply, model.decode(torch.cat((source, source)), torch.cat((wanted, own))).chunk(2))
 
-        real = reference.clone().requires_grad_()
-        logits = discriminator(real, target)
-        adversarial = losses.discriminator(logits, discriminator(fake.detach(), target))
-        _descend(adams[1], adversarial + weights["r1"] * losses.r1(logits, real))
+        real = reference.requires_grad_(step % config.r1_every == 0)
+        values, matched = discriminator(real, target)
+        judged = (values - 1).square().mean() + discriminator(fake.detach(), target)[0].square().mean()
+        if real.requires_grad:
+            judged = judged + config.r1_every * losses.r1(values.mean(1), real)
+        _descend(adams[1], judged)
 
-        apart = functional.triplet_margin_loss(wanted, alike, own, margin=MARGIN, reduction="none")
+        values, found = discriminator(fake, target)
+        apart = functional.triplet_margin_loss(wanted, same, own, margin=MARGIN, reduction="none")
         apart = torch.where(domain[rows] == target, 0.0, apart).mean()
-        fooled = weights["adv"] * losses.adversarial(discriminator(fake, target))
-        _descend(adams[0], fooled + weights["id"] * losses.content(source, same) + apart)
-        for decay in decays:
-            decay.step()
+        matching = (found - matched.detach()).abs().mean()
+        kept = (rebuilt - statistics.apply(source)).abs().mean()
+        _descend(adams[0], (values - 1).square().mean() + kept + TRIPLET * apart + MATCHING * matching)
     return model.eval()
 
 

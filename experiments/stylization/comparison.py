@@ -1,14 +1,13 @@
 """Ablation and comparison of Park et al. 2021 (Tables 1 and 2): ``python -m experiments stylization``.
 
-Half of the takes train the classifiers that judge the results. The other half trains the generators, without a fifth, whose
-windows are the sources and references of the evaluation.
+All methods have the same processor time, the same clips and generators of nearly one size (but Holden's). Every run is
+resumed from its checkpoint and stored as a small file when it is done, so that the command goes on where it was stopped.
 """
 
 import json
-import statistics
 import time
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Annotated
 
@@ -16,15 +15,17 @@ import torch
 import typer
 
 from experiments.seven_models.models import machine, write_json
-from experiments.stylization import aberman, classifier, holden
-from experiments.stylization.classifier import Classifier
-from experiments.stylization.evaluation import Judges, accuracy, evaluate, pairs
+from experiments.stylization import aberman, convolutional, evaluation, holden, sets, speed
+from experiments.stylization.floors import FLOORS
+from experiments.stylization.judges import Judges
+from experiments.stylization.sets import Task
+from experiments.tables import Result
 from toolkit import datasets
 from toolkit.features.splits import generator
 from toolkit.io import model_files
 from toolkit.motion import Clip
-from toolkit.stylization import training
-from toolkit.stylization.data import Motions, build, split
+from toolkit.stylization import networks, training
+from toolkit.stylization.data import Motions
 from toolkit.stylization.losses import LOSSES
 from toolkit.stylization.networks import Stylizer
 from toolkit.stylization.restyling import stylize
@@ -33,141 +34,244 @@ from toolkit.stylization.training import Config
 app = typer.Typer(invoke_without_command=True)
 
 OUT = Path("out/stylization")
-ABLATION = {"adv+cyc+id": LOSSES[:3], "adv+cyc+id+sty": LOSSES[:4], "adv+cyc+id+sty+ds": LOSSES}
-FULL = "adv+cyc+id+sty+ds"
-BASELINES = {"Aberman 2020": aberman.fit, "Holden 2016": holden.fit}
-PAPER = {
-    "noise": dict(zip(ABLATION, ((14.14, 57.92), (8.58, 77.86), (9.09, 72.64)), strict=True)),
-    "reference": {FULL: (6.82, 60.86), "Aberman 2020": (15.86, 42.81), "Holden 2016": (14.10, 37.99)},
-}  # FMD and recognition accuracy of the content, %
-JUDGES, TEST = 0.5, 0.2  # share of all takes for the classifiers; share of the other takes for the test
-MEASURES = {"fmd": ("FMD", 1, 2), "content": ("content %", 100, 1), "style": ("style %", 100, 1),
-            "diversity": ("diversity cm", 100, 2), "change": ("change cm", 100, 2),
-            "contact_f1": ("contact F1", 1, 2), "contact_raw": ("raw F1", 1, 2)}  # title, scale, decimals
-EXPLAINED = (
-    "FMD: Fréchet distance of the content classifier's features from those of the generators' training motions; content,",
-    "style: results whose content, target style is recognised; diversity: mean distance of a joint between two results for",
-    "one source and style; change: the same between source and result; contact F1: agreement of foot contacts after",
-    "foot-skate removal, raw: before it. mean ± deviation over the seeds. paper: other data, its own classifier.",
-)
+OURS = {"ours": LOSSES, "ours without ds": LOSSES[:4], "ours without sty and ds": LOSSES[:3]}
+METHODS = (*OURS, "1-D convolutions", "Aberman et al. 2020", "Holden et al. 2016")
+GRAPH, DENSE = networks.build, convolutional.build
+PAPER = {"noise": {"ours": (9.09, 0.7264), "ours without ds": (8.58, 0.7786), "ours without sty and ds": (14.14, 0.5792)},
+         "reference": {"ours": (6.82, 0.6086), "Aberman et al. 2020": (15.86, 0.4281),
+                       "Holden et al. 2016": (14.10, 0.3799)}}
+RECIPE: dict[str, dict] = {
+    "the recipe": {}, "content losses of squares": {"squared": True}, "a source's code from its own window":
+    {"other_window": False}, "no training as an autoencoder first": {"warm_up": 0}, "ds as in the paper": {"fading": False},
+    "E learns from noise alone": {"encoder_learns": False}, "R1 in every iteration": {"r1_every": 1},
+    "a generator as in Table 3": {"sizes": replace(networks.Sizes.small(), detailed=False)},
+}  # what the recipe is without one of its departures
+COLUMNS: dict[str, list] = {
+    "method": ["method"], "codes": ["style code from"], "fmd": ["FMD", 0], "domain_fmd": ["FMD per style", 0],
+    "content": ["content, %", 0, 100], "style": ["style, %", 0, 100], "both": ["both, %", 0, 100],
+    "movement": ["style without mean pose, %", 0, 100], "diversity": ["diversity, °", 1], "bone": ["bone error, cm", 1, 100],
+    "contact_f1": ["contact F1", 2], "acceleration": ["acceleration", 2], "paper_fmd": ["the paper: FMD", 1],
+    "paper_content": ["the paper: content, %", 0, 100],
+}
 
 
 @dataclass(frozen=True)
 class Plan:
-    """Settings of all runs in a folder.
+    """Settings of all runs in a folder: processor time of each training, sources at most, and the part that is scored."""
 
-    ``data`` in words; ``iterations`` of every run; ``small`` networks and fast settings or the paper's; at most ``sources``
-    restyled windows; ``epochs`` of the classifiers.
-    """
+    seconds: float
+    sources: int = 64
+    part: str = "test"
+    iterations: int = 10**9
 
-    data: str
-    iterations: int
-    small: bool = False
-    sources: int = 100
-    epochs: int = 5
-
-    def config(self, losses: tuple[str, ...], seed: int) -> Config:
-        """Training settings of one stylizer."""
-        return (Config.quick if self.small else Config)(losses=losses, iterations=self.iterations, seed=seed)
+    def config(self, seed: int, **changes) -> Config:
+        """Training settings of one model."""
+        return Config.quick(seed=seed, seconds=self.seconds, iterations=self.iterations, **changes)
 
 
 @app.callback()
 def run(
     context: typer.Context,
     out: Annotated[Path, typer.Option(help="Folder of the runs; finished runs in it are not repeated.")] = OUT,
-    data: Annotated[str, typer.Option(help=f"Dataset: {', '.join(datasets.DATASETS)}.")] = "bandai",
-    root: Annotated[Path | None, typer.Option(help="Folder that holds the dataset.")] = None,
-    styles: Annotated[str | None, typer.Option(help="Comma-separated domains; default: all.")] = None,
-    gaits: Annotated[str | None, typer.Option(help="Comma-separated contents; default: all.")] = None,
-    iterations: Annotated[int, typer.Option(min=1, help="Training iterations of every run; 100,000 in the paper.")] = 2000,
-    small: Annotated[bool, typer.Option(help="Small networks and fast settings instead of the paper's.")] = True,
-    seeds: Annotated[str, typer.Option(help="Comma-separated; every model has one run per seed.")] = "0",
-    mirror: Annotated[bool, typer.Option(help="Add mirror images, as the paper does.")] = True,
-    sources: Annotated[int, typer.Option(min=2, help="Largest number of restyled windows.")] = 100,
-    epochs: Annotated[int, typer.Option(min=1, help="Training epochs of the classifiers.")] = 5,
+    data: Annotated[str, typer.Option(help=f"Comma-separated: {', '.join(sets.SETS)}.")] = ",".join(sets.SETS),
+    seconds: Annotated[float, typer.Option(min=1, help="Processor time of each training.")] = 90.0,
+    seeds: Annotated[str, typer.Option(help="Comma-separated; every method has one run per seed.")] = "0,1,2",
+    methods: Annotated[str, typer.Option(help="Comma-separated.")] = ",".join(METHODS),
+    part: Annotated[str, typer.Option(help=f"What is scored: {', '.join(sets.PARTS)}.")] = "test",
+    sources: Annotated[int, typer.Option(min=2, help="Largest number of restyled windows.")] = 64,
+    store: Annotated[bool, typer.Option(help="Write the tables' files in docs/results.")] = False,
 ) -> None:
     """The losses of Park et al. 2021 (Table 1), and their stylizer compared with two methods (Table 2).
 
-    Trains and evaluates all models; stores and prints the results.
+    Trains and measures all methods with every seed on one thread, and prints the tables.
     """
     if context.invoked_subcommand is not None:
         return
-    chosen = [None if names is None else names.split(",") for names in (styles, gaits)]
-    motions = build(datasets.load(data, root, *chosen), mirror=mirror)
-    domains, contents = (", ".join(names) for names in (motions.domains, motions.contents))
-    described = f"{data} {len(motions):,} windows of {domains} in {contents}"
-    print(described)
-    try:
-        numbers = [int(seed) for seed in seeds.split(",")]
-    except ValueError as error:
-        raise ValueError(f"--seeds must be comma-separated whole numbers, got {seeds!r}") from error
-    show(compare(motions, Plan(described, iterations, small, sources, epochs), numbers, out, progress=True))
-    print(f"wrote {out / 'comparison.json'}")
+    torch.set_num_threads(1)
+    chosen, names = _words(data, sets.SETS), _words(methods, METHODS)
+    plan, numbers = Plan(seconds, sources, part), _numbers(seeds)
+    _settle(out, plan)
+    tasks = {name: sets.load(name) for name in chosen}
+    for seed in numbers:
+        for name, task in tasks.items():
+            for method in names:
+                measure(method, task, plan, seed, out, name, progress=True)
+    for name, task in tasks.items():
+        result = summary(name, task, plan, out)
+        print(f"\n{result.about}\n\n{result.markdown()}")
+        if store:
+            print(f"wrote {result.save()}")
 
 
-def compare(motions: Motions, plan: Plan, seeds: Sequence[int], folder: Path, progress: bool = False) -> dict:
-    """Train and evaluate every model with every seed; finished runs in the folder are not repeated.
-
-    Returns
-    -------
-    dict
-        The content of ``comparison.json``: ``settings``, ``machine``, ``judges`` (accuracy of the classifiers on the
-        generators' takes), ``unchanged`` (measures of unchanged sources with every other domain as target) and ``real``
-        (measures of all test windows with their own domain), and for ``noise`` and ``reference`` the runs of each model, a
-        row of measures per seed.
-
-    Raises
-    ------
-    ValueError
-        If the folder holds a comparison with other settings, or a style or content has too few takes for the split.
-    """
-    _settle(folder, plan)
-    others, own = split(motions, JUDGES, 0)
-    train, test = split(others, TEST, 1)
-    for label in ("domain", "content"):
-        names, parts = getattr(motions, f"{label}s"), [getattr(part, label) for part in (own, train, test)]
-        if lacks := [name for k, name in enumerate(names) if not all((part == k).any() for part in parts)]:
-            raise ValueError(f"{label} {', '.join(lacks)}: too few takes to split between classifiers, training and test")
-    order = torch.randperm(len(test), generator=generator(0))
-    sources = test.select(order[: plan.sources].sort().values)
-    judges = _judges(own, train, plan, folder, progress)
-    rows, target = pairs(sources)
-    table = {
-        "settings": {**asdict(plan), "seeds": list(seeds), "windows": {"judges": len(own), "training": len(train),
-                     "test": len(test), "sources": len(sources)}}, "machine": machine("cpu"),
-        "judges": {"content": accuracy(judges.content, others.x, others.content),
-                   "style": accuracy(judges.style, others.x, others.domain)},
-        "unchanged": judges.judge(sources.x[rows], sources.content[rows], target),
-        "real": judges.judge(test.x, test.content, test.domain),
-        "noise": {name: [] for name in ABLATION}, "reference": {name: [] for name in (*ABLATION, *BASELINES)},
-    }
-    for seed in seeds:
-        for name in (*ABLATION, *BASELINES):
-            path = folder / "measures" / f"{_slug(name)}-{seed}.json"
-            if not path.exists():
-                began = time.perf_counter()
-                model = trained(name, train, plan, seed, folder, progress)
-                seconds = time.perf_counter() - began
-                ways = ("noise", "reference") if name in ABLATION else ("reference",)
-                found = {by: evaluate(model, sources, test, judges, by=by, seed=seed) for by in ways}
-                write_json(path, {by: {"seed": seed, "training_seconds": seconds, **row} for by, row in found.items()})
-            for by, row in json.loads(path.read_text(encoding="utf-8")).items():
-                table[by][name].append(row)
-    write_json(folder / "comparison.json", table)
-    return table
-
-
-def trained(name: str, motions: Motions, plan: Plan, seed: int, folder: Path, progress: bool = False) -> torch.nn.Module:
-    """One of the models: a stylizer is read from the folder or trained from its checkpoint; a baseline is trained."""
-    if name in BASELINES:
-        return BASELINES[name](motions, plan.config(LOSSES, seed), progress)
-    path = folder / "runs" / f"{_slug(name)}-{seed}.safetensors"
+def measure(method: str, task: Task, plan: Plan, seed: int, folder: Path, name: str, progress: bool = False) -> dict:
+    """Measures of one run by the way its codes are made; trained and measured, or read if that was done."""
+    path = folder / "measures" / f"{name}-{_slug(method)}-{seed}.json"
     if not path.exists():
-        path.parent.mkdir(parents=True, exist_ok=True)
-        checkpoint = path.with_suffix(".checkpoint")
-        training.fit(motions, plan.config(ABLATION[name], seed), checkpoint, progress=progress).save(path)
-        checkpoint.unlink(missing_ok=True)
-    return Stylizer.load(path)
+        model, numbers = trained(method, task.train, plan.config(seed), folder / "runs" / path.stem, progress)
+        judges, found = _judges(task, plan.part), {}
+        for by in evaluation.WAYS if isinstance(model, Stylizer) else evaluation.WAYS[1:]:
+            found[by] = evaluation.evaluate(model, _sources(task, plan), task.references[plan.part], judges, by=by,
+                                            seed=seed)
+        write_json(path, {"seed": seed, **numbers, "measures": found})
+    return json.loads(path.read_text(encoding="utf-8"))
+
+
+def trained(method: str, motions: Motions, config: Config, path: Path, progress: bool = False) -> tuple:
+    """One of the models, and numbers of its training. A stylizer is resumed from its checkpoint."""
+    start = time.process_time()
+    if method in ("Aberman et al. 2020", "Holden et al. 2016"):
+        model = (aberman if method.startswith("Aberman") else holden).fit(motions, config, progress)
+        generators = [model.generator] if method.startswith("Aberman") else [model.encoder, model.decoder]
+        return model, {"seconds": time.process_time() - start, "parameters": sum(map(_size, generators))}
+    path.parent.mkdir(parents=True, exist_ok=True)
+    checkpoint, make = path.with_suffix(".checkpoint"), DENSE if method not in OURS else GRAPH
+    config = replace(config, losses=OURS.get(method, LOSSES))
+    stored = path.with_suffix(".safetensors")
+    if stored.exists():
+        run = training.load(stored)
+    else:
+        run = training.fit(motions, config, checkpoint, progress=progress, networks=make, clock=time.process_time)
+        if make is GRAPH:
+            run.save(stored)
+    checkpoint.unlink(missing_ok=True)
+    last = run.history[-1] if run.history else {"step": 0, "elapsed": 0.0}
+    return run.stylizer, {"seconds": last["elapsed"], "iterations": last["step"],
+                          "parameters": _size(run.stylizer.generator)}
+
+
+def summary(name: str, task: Task, plan: Plan, folder: Path) -> Result:
+    """The table of a dataset from all finished runs in the folder; floors and real motion are measured."""
+    judges, sources = _judges(task, plan.part), _sources(task, plan)
+    rows, target = evaluation.pairs(sources)
+    real = task.sources[plan.part]
+    held = judges.judge(real.x, real.content, real.domain)
+    lines = [{"method": "real motion", **held, "diversity": evaluation.own_diversity(task.train)}]
+    for floor, make in FLOORS.items():
+        made = make(task.train)(sources.select(rows), target)
+        found = evaluation.measures(sources.select(rows), target, [made], judges)
+        lines.append({"method": floor, **found, "diversity": None})
+    numbers: dict[str, dict] = {}
+    for method in METHODS:
+        found = [json.loads(path.read_text(encoding="utf-8"))
+                 for path in sorted((folder / "measures").glob(f"{name}-{_slug(method)}-[0-9]*.json"))]
+        if not found:
+            continue
+        numbers[method] = {key: [run[key] for run in found] for key in found[0] if key != "measures"}
+        for by in found[0]["measures"]:
+            values = {key: [run["measures"][by][key] for run in found] for key in found[0]["measures"][by] if key in COLUMNS}
+            printed = dict(zip(("paper_fmd", "paper_content"), PAPER.get(by, {}).get(method, ()), strict=False))
+            lines.append({"method": method, "codes": by, **values, **printed})
+    seeds = max((len(found["seed"]) for found in numbers.values()), default=0)
+    lines = [{key: value for key, value in line.items() if key in COLUMNS} for line in lines]
+    about = (f"Bandai-Namco {name}, {', '.join(real.domains)} in {', '.join(real.contents)}; {plan.seconds:g} seconds of "
+             f"one processor thread for each training, {plan.part} windows; mean ± deviation over the seeds")
+    settings = {**{k: v for k, v in asdict(plan).items() if k != "iterations"}, "most seeds of a method": seeds,
+                "training windows": len(task.train), "scored windows": len(real), "restyled sources": len(sources),
+                "styles": len(real.domains), "contents": len(real.contents), **machine("cpu")}
+    command = f"python -m experiments stylization --data {name} --seconds {plan.seconds:g} --store"
+    return Result(f"stylisation-{name}", about, command, COLUMNS, lines, settings, {"runs": numbers})
+
+
+@app.command()
+def recipe(
+    out: Annotated[Path, typer.Option(help="Folder of the runs; finished runs are not repeated.")] = Path("out/recipe"),
+    data: Annotated[str, typer.Option(help=f"One of {', '.join(sets.SETS)}.")] = "dataset-2",
+    iterations: Annotated[int, typer.Option(min=1, help="Training iterations of each run.")] = 2000,
+    seed: Annotated[int, typer.Option(help="Seed of all runs.")] = 0,
+    store: Annotated[bool, typer.Option(help="Write the table's file in docs/results.")] = False,
+) -> None:
+    """What each departure of the recipe from the paper is worth: without each in turn, on the validation windows."""
+    torch.set_num_threads(1)
+    plan = Plan(1e9, part="validation", iterations=iterations)
+    _settle(out, plan)
+    task, rows = sets.load(data), []
+    for name, changes in RECIPE.items():
+        path = out / "measures" / f"{data}-{_slug(name)}-{seed}.json"
+        if not path.exists():
+            checkpoint = out / f"{path.stem}.checkpoint"
+            made = training.fit(task.train, plan.config(seed, **changes), checkpoint, progress=True, clock=time.process_time)
+            write_json(path, _both_ways(made.stylizer, task, plan, seed)
+                       | {"seconds": made.history[-1]["elapsed"] if made.history else 0.0})
+            checkpoint.unlink(missing_ok=True)
+        found = json.loads(path.read_text(encoding="utf-8"))
+        rows += [{"method": name if name == "the recipe" else f"instead: {name}", "codes": by, **found[by],
+                  "seconds": found["seconds"]} for by in ("noise", "dissimilar")]
+    columns = {**{k: COLUMNS[k] for k in list(COLUMNS)[:9]}, "contact_f1": COLUMNS["contact_f1"], "seconds": ["seconds", 0]}
+    about = f"Bandai-Namco {data}, {iterations:,} iterations, one seed, validation windows"
+    rows = [{k: v for k, v in row.items() if k in columns} for row in rows]
+    result = Result("stylisation-recipe", about, f"python -m experiments stylization recipe --data {data} --iterations "
+                    f"{iterations} --store", columns, rows, {"iterations": iterations, "seed": seed, **machine("cpu")})
+    print(f"{about}\n\n{result.markdown()}" + (f"wrote {result.save()}" if store else ""))
+
+
+@app.command()
+def curve(
+    data: Annotated[str, typer.Option(help=f"One of {', '.join(sets.SETS)}.")] = "dataset-2",
+    seconds: Annotated[float, typer.Option(min=1, help="Processor time of the training.")] = 600.0,
+    points: Annotated[int, typer.Option(min=1, help="Measurements.")] = 8,
+    seed: Annotated[int, typer.Option(help="Seed of the run.")] = 0,
+    store: Annotated[bool, typer.Option(help="Write the table's file in docs/results.")] = False,
+) -> None:
+    """The measures of the recipe over its training, on the validation windows."""
+    torch.set_num_threads(1)
+    task, plan, rows, spent = sets.load(data), Plan(seconds, part="validation"), [], 0.0
+    began = time.process_time()
+
+    def look(step: int, stylizer: Stylizer) -> None:
+        nonlocal spent
+        now = time.process_time()
+        if now - began - spent >= (len(rows) + 1) * seconds / (points + 1):
+            found = _both_ways(stylizer, task, plan, seed)["dissimilar"]
+            rows.append({"iteration": step, "seconds": now - began - spent, **found})
+            spent += time.process_time() - now
+
+    run = training.fit(task.train, plan.config(seed, log_every=10), progress=True, on_step=look,
+                       clock=lambda: time.process_time() - spent)
+    rows.append({"iteration": run.history[-1]["step"], "seconds": seconds,
+                 **_both_ways(run.stylizer, task, plan, seed)["dissimilar"]})
+    columns = {"iteration": ["iteration", 0], "seconds": ["seconds", 0], **{k: COLUMNS[k] for k in list(COLUMNS)[2:9]}}
+    result = Result("stylisation-progress", f"Bandai-Namco {data}, the recipe, codes from references of another content, "
+                    "validation windows, one seed", f"python -m experiments stylization curve --data {data} --seconds "
+                    f"{seconds:g} --store", columns, [{k: row[k] for k in columns} for row in rows],
+                    {"seconds": seconds, "seed": seed, **machine("cpu")})
+    print(result.markdown() + (f"wrote {result.save()}" if store else ""))
+
+
+@app.command("speed")
+def show_speed(
+    channels: Annotated[str, typer.Option(help="Comma-separated: channels of the first layer.")] = "16,64",
+    iterations: Annotated[int, typer.Option(min=4, help="Timed iterations of each run.")] = 8,
+    repeats: Annotated[int, typer.Option(min=1, help="Runs of each form; the median counts.")] = 3,
+    store: Annotated[bool, typer.Option(help="Write the table's file in docs/results.")] = False,
+) -> None:
+    """Processor time of a training iteration on one thread, with and without what makes it faster."""
+    torch.set_num_threads(1)
+    widths = _numbers(channels, "--channels")
+    found = [speed.milliseconds(width, iterations, repeats) for width in widths]
+    columns = {"form": ["an iteration, each row with what the rows above have"],
+               **{f"ms_{width}": [f"{width} channels, ms", 0] for width in widths}}
+    rows = [{"form": name, **{f"ms_{width}": times[name] for width, times in zip(widths, found, strict=True)}}
+            for name in speed.FORMS]
+    result = Result("stylisation-speed", "Processor time of a training iteration of the stylizer on one thread, batch 8, 23 "
+                    "joints", "python -m experiments stylization speed --store", columns, rows,
+                    {"iterations": iterations, "repeats": repeats, **machine("cpu")})
+    print(result.markdown() + (f"wrote {result.save()}" if store else ""))
+
+
+def _both_ways(stylizer: Stylizer, task: Task, plan: Plan, seed: int) -> dict[str, dict]:
+    stylizer.eval()
+    return {by: evaluation.evaluate(stylizer, _sources(task, plan), task.references[plan.part], _judges(task, plan.part),
+                                    by=by, seed=seed) for by in ("noise", "dissimilar")}
+
+
+def _judges(task: Task, part: str) -> Judges:
+    return Judges.train(task.judged[part], task.train)
+
+
+def _sources(task: Task, plan: Plan) -> Motions:
+    motions = task.sources[plan.part]
+    order = torch.randperm(len(motions), generator=generator(0))
+    return motions.select(order[: plan.sources].sort().values)
 
 
 def _settle(folder: Path, plan: Plan) -> None:
@@ -179,45 +283,26 @@ def _settle(folder: Path, plan: Plan) -> None:
         write_json(path, own)
 
 
-def _judges(own: Motions, real: Motions, plan: Plan, folder: Path, progress: bool) -> Judges:
-    made = {}
-    for label in ("content", "domain"):
-        path = folder / f"{label}.safetensors"
-        if not path.exists():
-            classifier.fit(own, label, epochs=plan.epochs, progress=progress).save(path)
-        made[label] = Classifier.load(path, own.graph)
-    return Judges(made["content"], made["domain"], classifier.features(made["content"], real.x))
+def _size(network: torch.nn.Module) -> int:
+    return sum(p.numel() for p in network.parameters())
 
 
 def _slug(name: str) -> str:
-    return name.lower().replace(" ", "-").replace("+", "-")
+    return "-".join("".join(c if c.isalnum() else " " for c in name.lower()).split())
 
 
-def show(table: dict) -> None:
-    """Print the result of `compare`."""
-    settings, on = table["settings"], table["machine"]
-    print(f"\n{settings['iterations']:,} iterations, {'small' if settings['small'] else 'the paper’s'} networks")
-    print("seeds " + ", ".join(map(str, settings["seeds"])) + "; windows: "
-          + ", ".join(f"{k} {n:,}" for k, n in settings["windows"].items()))
-    print(f"{on['device']}, {on['cores']} cores, {on['threads']} threads, torch {on['torch']}")
-    print("classifiers on the generators' takes: " + ", ".join(f"{k} {100 * v:.1f} %" for k, v in table["judges"].items()))
-    for by, title in (("noise", "Table 1: codes from noise"), ("reference", "Table 2: codes from references")):
-        print(f"\n{title:<30}{'paper FMD':>11}{'content %':>11}" + "".join(f"{t:>14}" for t, *_ in MEASURES.values()))
-        for name in ("real", "unchanged"):
-            cells = "".join(f"{_cell([table[name]], key):>14}" for key in ("fmd", "content", "style"))
-            print(f"{name + ' motion':<30}{'':>22}{cells}")
-        for name, runs in table[by].items():
-            printed = PAPER[by].get(name, ())
-            print(f"{name:<30}" + "".join(f"{v:>11.2f}" for v in printed).rjust(22)
-                  + "".join(f"{_cell(runs, key):>14}" for key in MEASURES))
-    print("", *EXPLAINED, sep="\n")
+def _words(text: str, known: Sequence[str]) -> list[str]:
+    names = text.split(",")
+    if unknown := [name for name in names if name not in known]:
+        raise ValueError(f"unknown: {', '.join(unknown)}; known: {', '.join(known)}")
+    return names
 
 
-def _cell(runs: list[dict], key: str) -> str:
-    _, scale, decimals = MEASURES[key]
-    values = [scale * row[key] for row in runs]
-    spread = f" ± {statistics.stdev(values):.{decimals}f}" if len(values) > 1 else ""
-    return f"{statistics.mean(values):.{decimals}f}{spread}"
+def _numbers(text: str, option: str = "--seeds") -> list[int]:
+    try:
+        return [int(number) for number in text.split(",")]
+    except ValueError as error:
+        raise ValueError(f"{option} must be comma-separated whole numbers, got {text!r}") from error
 
 
 def restyled(model: Stylizer, source: Clip, references: dict[str, Clip], seeds: Sequence[int]) -> dict[str, Clip]:

@@ -1,55 +1,31 @@
-"""Evaluation of restyled motions (Park et al. 2021, section 7): realism, content preservation and style.
-
-The classifiers must be trained on other clips than the stylizer.
-"""
+"""Evaluation of restyled motions (Park et al. 2021, section 7): realism, content preservation, style and diversity."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import torch
 from torch import Tensor
 
-from experiments.stylization import classifier
-from experiments.stylization.classifier import Classifier
+from experiments.stylization.judges import Judges
 from toolkit.evaluation import metrics
 from toolkit.features.splits import generator
 from toolkit.motion import Clip, Skeleton, contacts
 from toolkit.motion import rotations as R
 from toolkit.stylization.data import FPS, Motions, to_clip
 from toolkit.stylization.networks import Stylizer
-from toolkit.stylization.restyling import lock_feet
 
-LOOSE = {"height": 0.03, "speed": 1.5}  # metres, m/s: limits of a contact before foot-skate removal
+LOOSE = {"height": 0.03, "speed": 1.5}  # metres, m/s: limits of a contact before feet are held
 STEPPING = 1.0  # landings per second, least for walking or running
 BATCH = 64  # motions per forward pass
-
-
-@dataclass(frozen=True, eq=False)
-class Judges:
-    """A classifier of contents, one of styles, and the content classifier's features ``real [K, 256]`` of real motions."""
-
-    content: Classifier
-    style: Classifier
-    real: Tensor
-
-    def judge(self, x: Tensor, content: Tensor, domain: Tensor) -> dict[str, float]:
-        """``fmd`` of motions x [M, 7, T, N]; shares with recognised ``content`` [M] and ``style`` (domain [M])."""
-        return {
-            "fmd": metrics.frechet_distance(classifier.features(self.content, x), self.real),
-            "content": accuracy(self.content, x, content),
-            "style": accuracy(self.style, x, domain),
-        }
-
-
-def accuracy(model: Classifier, x: Tensor, labels: Tensor) -> float:
-    """Share of motions [M, 7, T, N] whose label [M] the classifier recognises."""
-    return float((classifier.recognise(model, x) == labels).float().mean())
+STEPS = 100  # sources of the foot contacts, at most
+WAYS = ("noise", "reference", "dissimilar")
+SLIDE = range(-16, 17, 2)  # frames by which one motion is moved over another to compare them
+PAIRS = 400  # of real motions, for their own diversity
 
 
 @torch.no_grad()
 def evaluate(model: Stylizer, sources: Motions, references: Motions, judges: Judges, *, by: str = "noise",
              seed: int = 0) -> dict[str, float]:
-    """Restyle every source to every other domain, twice, and measure the results.
+    """Restyle every source to every other domain, twice, and measure the results (`measures`).
 
     Parameters
     ----------
@@ -58,43 +34,52 @@ def evaluate(model: Stylizer, sources: Motions, references: Motions, judges: Jud
     sources, references
         Motions that the model was not trained on.
     judges
-        Classifiers trained on other motions than the model.
+        Classifiers that were not trained on these motions.
     by
-        Source of the style codes: ``"noise"`` (Table 1) or ``"reference"`` (Table 2), a random motion of the domain.
+        Source of the style codes: ``"noise"`` (Table 1), ``"reference"`` (Table 2), a random motion of the domain, or
+        ``"dissimilar"``, one of another content than the source's.
     seed
         Seed of noise and references.
-
-    Returns
-    -------
-    dict
-        ``fmd``, ``content`` and ``style`` of all results (`Judges.judge`); the mean distance of a joint, metres, between the
-        two results (``diversity``) and between source and result (``change``); and the agreement of the foot contacts of
-        results and sources, for sources that walk or run: ``contact_f1`` after foot-skate removal, and ``contact_raw``
-        before it, with looser limits.
 
     Raises
     ------
     ValueError
         If ``by`` is unknown.
     """
-    if by not in ("noise", "reference"):
-        raise ValueError(f"style codes come from by='noise' or by='reference', got {by!r}")
+    if by not in WAYS:
+        raise ValueError(f"style codes come from by= one of {', '.join(WAYS)}, got {by!r}")
     rows, target = pairs(sources)
-    x, draw = sources.x[rows], generator(seed, len(rows))
-    members = [(references.domain == d).nonzero()[:, 0] for d in range(len(references.domains))]
-    made = []
+    x, draw, made = sources.x[rows], generator(seed, len(rows)), []
     for _ in range(2):
         if by == "noise":
             codes = model.code_from(torch.randn(len(rows), model.sizes.latent, generator=draw), target)
         else:
-            chosen = torch.stack([members[d][torch.randint(len(members[d]), (), generator=draw)] for d in target])
+            fits = references.domain == target[:, None]  # [P, R]
+            if by == "dissimilar":
+                other = torch.tensor([[name != own for name in references.contents] for own in sources.contents])
+                fits &= other[sources.content[rows]][:, references.content]
+            chosen = torch.multinomial(fits.float(), 1, generator=draw)[:, 0]
             codes = _in_batches(model.code_of, references.x[chosen], target)
         made.append(_in_batches(model.translate, x, codes))
+    return measures(sources.select(rows), target, made, judges)
+
+
+def measures(sources: Motions, target: Tensor, made: list[Tensor], judges: Judges) -> dict[str, float]:
+    """Measures of results ``[P, 7, T, N]`` (a list, to compare two for the same source) of sources and target domains [P].
+
+    Those of `Judges.judge`; ``diversity``, the mean angle (degrees) between the joints of the first two results, and
+    ``change``, between sources and results; ``bone``, the mean error of a bone's length (metres) in the positions;
+    ``contact_f1``, the agreement of foot contacts of sources that walk or run with their results', before feet are held;
+    ``acceleration``, the mean acceleration of the results' joints as a share of the sources'.
+    """
+    several = len(made)
     return {
-        **judges.judge(torch.cat(made), sources.content[rows].repeat(2), target.repeat(2)),
-        "diversity": distance(*made),
-        "change": distance(x, made[0]),
-        **contact_agreement(sources.select(rows), made[0]),
+        **judges.judge(torch.cat(made), sources.content.repeat(several), target.repeat(several)),
+        "diversity": float(angles(*made[:2]).mean()) if several > 1 else 0.0,
+        "change": float(angles(sources.x, made[0]).mean()),
+        "bone": bone_error(made[0], sources.skeleton),
+        "contact_f1": contact_agreement(sources, made[0]),
+        "acceleration": float(acceleration(made[0]).mean() / acceleration(sources.x).mean()),
     }
 
 
@@ -107,22 +92,48 @@ def pairs(sources: Motions) -> tuple[Tensor, Tensor]:
     return tuple((torch.arange(len(sources.domains)) != sources.domain[:, None]).nonzero().T)
 
 
-def distance(a: Tensor, b: Tensor) -> float:
-    """Mean distance of a joint between two sets of motions [M, 7, T, N], metres."""
-    return float((a[:, :3] - b[:, :3]).norm(dim=1).mean())
+def angles(a: Tensor, b: Tensor) -> Tensor:
+    """Mean angle [P] in degrees (geodesic distance of rotations) between the joints of motions ``[P, 7, T, N]``.
+
+    The middle half of a is compared with the frames of b at the same times, or a little earlier or later (`SLIDE`), where
+    the two agree most: so that two walks out of step are not called different.
+    """
+    frames = a.shape[2]
+    start, half = frames // 4, frames // 2
+    moves = [start + k for k in SLIDE if 0 <= start + k <= frames - half]
+    q = a[:, 3:, start : start + half]
+    turned = [2 * (q * b[:, 3:, s : s + half]).sum(1).abs().clamp(max=1).acos().mean((1, 2)) for s in moves]
+    return torch.stack(turned).amin(0).rad2deg()
 
 
-def contact_agreement(sources: Motions, made: Tensor) -> dict[str, float]:
-    """``contact_f1`` and ``contact_raw`` (see `evaluate`) of the results [M, 7, T, N] of sources."""
-    before, after = ([clip_of(*motion, sources.skeleton) for motion in zip(x, sources.root_velocity, strict=True)]
-                     for x in (sources.x, made))
-    locked = [lock_feet(*pair) for pair in zip(after, before, strict=True)]
+def own_diversity(motions: Motions, seed: int = 0) -> float:
+    """`angles` between two real motions of one domain and one content from different takes, the mean over random pairs."""
+    alike = (motions.domain == motions.domain[:, None]) & (motions.content == motions.content[:, None])
+    first, second = (alike & (motions.take != motions.take[:, None])).nonzero().T
+    if not len(first):
+        return float("nan")
+    chosen = torch.randperm(len(first), generator=generator(seed))[:PAIRS]
+    return float(angles(motions.x[first[chosen]], motions.x[second[chosen]]).mean())
 
-    def standing(clips: list[Clip], **limits: float) -> Tensor:
-        return torch.stack([contacts.detect(clip, **limits) for clip in clips])
 
-    return {"contact_f1": contact_f1(standing(before), standing(locked)),
-            "contact_raw": contact_f1(standing(before, **LOOSE), standing(after, **LOOSE))}
+def bone_error(x: Tensor, skeleton: Skeleton) -> float:
+    """Mean difference of the bones' lengths in the positions of motions ``[P, 7, T, N]`` to the skeleton's, metres."""
+    bones = (x[:, :3, :, 1:] - x[:, :3, :, list(skeleton.parents[1:])]).norm(dim=1)
+    return float((bones - skeleton.offsets[1:].norm(dim=-1)).abs().mean())
+
+
+def acceleration(x: Tensor) -> Tensor:
+    """Mean magnitude [P] of the joints' accelerations in the root frame, m/s²."""
+    return x[:, :3].diff(n=2, dim=2).norm(dim=1).mean((1, 2)) * FPS**2
+
+
+def contact_agreement(sources: Motions, made: Tensor) -> float:
+    """`contact_f1` of the results [M, 7, T, N] of sources, by loose limits and for at most `STEPS` of them."""
+    chosen = torch.randperm(len(made), generator=generator(0, len(made)))[:STEPS]
+    sources, made = sources.select(chosen), made[chosen]
+    before, after = (torch.stack([contacts.detect(clip_of(*motion, sources.skeleton), **LOOSE)
+                                  for motion in zip(x, sources.root_velocity, strict=True)]) for x in (sources.x, made))
+    return contact_f1(before, after)
 
 
 def clip_of(x: Tensor, root_velocity: Tensor, skeleton: Skeleton) -> Clip:

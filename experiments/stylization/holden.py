@@ -8,10 +8,14 @@ Departures from that paper: the decoder has its own weights and unpools by copyi
 2021 (positions and quaternions, no velocities and contacts), and both terms are means, so that one weight fits any length.
 """
 
+import math
+import time
+from collections.abc import Callable, Iterator
+
 import torch
 from torch import Tensor, nn
 from torch.nn import functional
-from tqdm.auto import trange
+from tqdm.auto import tqdm
 
 from toolkit.features.splits import generator, mix
 from toolkit.stylization.data import CHANNELS, Motions, Statistics
@@ -77,13 +81,24 @@ class Holden(nn.Module):
 
 
 def flat(x: Tensor) -> Tensor:
-    """[B, 7, T, N] as [B, 7 N, T]: all features of a frame in one vector."""
+    """[B, C, T, N] as [B, C N, T]: all features of a frame in one vector."""
     return x.transpose(2, 3).flatten(1, 2)
 
 
-def unflat(x: Tensor) -> Tensor:
+def unflat(x: Tensor, channels: int = CHANNELS) -> Tensor:
     """Inverse of `flat`."""
-    return x.unflatten(1, (CHANNELS, -1)).transpose(2, 3)
+    return x.unflatten(1, (channels, -1)).transpose(2, 3)
+
+
+def budget(config: Config, name: str, progress: bool = False,
+           clock: Callable[[], float] = time.process_time) -> Iterator[tuple[int, float]]:
+    """Steps and their rates (as a share of the first, on the config's cosine) until its iterations or seconds are spent."""
+    began, step = clock(), 0
+    with tqdm(desc=name, unit="step", disable=not progress) as bar:
+        while (done := max(step / config.iterations, (clock() - began) / config.seconds)) < 1:
+            yield step, config.final_rate + (1 - config.final_rate) * (1 + math.cos(math.pi * done)) / 2
+            step += 1
+            bar.update()
 
 
 def gram(hidden: Tensor) -> Tensor:
@@ -94,14 +109,16 @@ def gram(hidden: Tensor) -> Tensor:
 def fit(motions: Motions, config: Config, progress: bool = False) -> Holden:
     """Train the autoencoder to reconstruct motions from a part of their features.
 
-    It uses the iterations (at most `ENOUGH`) and the seed of the config; the config's batch of 8 would need more iterations.
+    It uses the time or iterations (at most `ENOUGH`) and the seed of the config, and a larger batch.
     """
     with torch.random.fork_rng(devices=[]):
         torch.manual_seed(mix(config.seed, 0))
         model = Holden(motions.statistics())
         draw, z = generator(config.seed, 1), model.statistics.apply(motions.x)
         adam = torch.optim.Adam(model.parameters(), RATE)
-        for _ in trange(min(config.iterations, ENOUGH), desc="Holden 2016", disable=not progress):
+        for step, _ in budget(config, "Holden 2016", progress):
+            if step == ENOUGH:
+                break
             real = z[torch.randint(len(z), (BATCH,), generator=draw)]
             error = (model.decode(model.encode(functional.dropout(real, CORRUPTED))) - real).square().mean()
             loss = error + SPARSITY * sum(p.abs().sum() for p in model.parameters()) / len(model.encoder.bias)

@@ -8,7 +8,7 @@ import pytest
 
 from .conftest import ARTEFACTS
 
-NOTEBOOK = Path(__file__).resolve().parents[2] / "notebooks" / "04_playback_and_style_interpolation.ipynb"
+NOTEBOOK = Path(__file__).resolve().parents[2] / "notebooks" / "04_blending.ipynb"
 DRAWN = "() => document.querySelector('.tkc').parentElement.toolkit.stats.drawn"
 
 START = """

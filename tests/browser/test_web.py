@@ -178,6 +178,41 @@ def test_a_thumb_on_the_stick_walks_on_a_phone(open_page, embedded):
     assert live.errors == []
 
 
+def test_a_crowd_looks_the_same_drawn_by_either_way(open_page, tmp_path):
+    """On the processor, as this browser draws, and instanced on the GPU."""
+    path = tk.view.web(*tk.pretrained(), tmp_path / "crowd.html", characters=6)
+    live = open_page(path)
+    page = live.page
+    page.wait_for_function("() => view.kernel.frame > 30")
+    seen = page.evaluate("""() => {
+        cancelAnimationFrame(view.kernel.handle);
+        const { scene, kernel } = view;
+        const others = kernel.others.map(({ character: { root, rotations } }) => [root, rotations]);
+        const gl = scene.renderer.getContext(), [w, h] = [scene.canvas.width, scene.canvas.height];
+        const picture = () => {
+            scene.render();
+            const pixels = new Uint8Array(4 * w * h);
+            gl.readPixels(0, 0, w, h, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+            return pixels;
+        };
+        const apart = (a, b) => a.reduce((n, v, i) => n + (Math.abs(v - b[i]) > 24), 0) / a.length;
+        scene.crowd.pose(others);
+        const mine = picture(), bodies = scene.crowd;
+        for (const mesh of bodies.meshes) mesh.visible = false;
+        const empty = picture(), { skeleton, tints } = kernel.get("crowd");
+        const instanced = new toolkitScene.Crowd(skeleton, tints, scene.light, "#cdc8be");
+        scene.scene.add(...instanced.meshes);
+        instanced.pose(others);
+        const theirs = picture(), moved = others.map(([[x, , z]]) => Math.hypot(x, z));
+        return { count: others.length, shown: apart(mine, empty), apart: apart(mine, theirs), moved };
+    }""")
+    assert seen["count"] == 5
+    assert seen["shown"] > 0.01
+    assert seen["apart"] < 0.1 * seen["shown"]
+    page.screenshot(path=ARTEFACTS / "crowd.png")
+    assert live.errors == []
+
+
 def test_frames_keep_their_own_rate(open_page, embedded):
     """Sixty in a second of the page's clock, whether it draws more often or seldom."""
     page = open_page(embedded).page

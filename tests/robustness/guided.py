@@ -27,7 +27,7 @@ def main(target: str, flags: list[str]) -> None:
         (corpus / str(number)).write_bytes(seed)
 
     def one(data: bytes) -> None:
-        outcome, said, _ = trials.trial(reader, data)
+        outcome, said, *_ = trials.trial(reader, data)
         if outcome == "failed":
             raise RuntimeError(said)
 

@@ -13,6 +13,7 @@ from toolkit import datasets, features, published, runtime, training
 from toolkit.cli.verbs import Published, Seed, TrainedRun
 from toolkit.evaluation import metrics
 from toolkit.io import bvh
+from toolkit.io.files import atomic_write
 from toolkit.networks.bank import StyleBank
 from toolkit.runtime import FPS, crowd
 from toolkit.styles.transitions import transition
@@ -95,10 +96,15 @@ def make(folder: Path, seconds: float = 35.0, *, data_seconds: float = 60.0, see
     centres = [round(legs * len(clip) / 4) for legs in (0.12, 1, 2, 3.9)]  # of each style alone and of all three
     starts = [min(max(0, centre - 60), len(clip) - 120) for centre in centres]
     view.strip([clip.cut(start, start + 120) for start in starts], files[2], labels=[*STYLES, "all three"])
-    files[3].write_text("\n".join(report) + "\n", encoding="utf-8")
+    _write(files[3], report)
     run.save(files[4])
     view.web(run.model, run.bank, files[5], title="Trained in under a minute, and under your control")
     return files
+
+
+def _write(path: Path, lines: list[str]) -> None:
+    with atomic_write(path) as file:
+        file.write(("\n".join(lines) + "\n").encode())
 
 
 @app.callback(invoke_without_command=True)
@@ -144,6 +150,6 @@ def demo_crowd(
     files = [out / name for name in ("crowd.gif", "crowd.png", "crowd.txt")]
     view.crowd([clip.cut(stop=3 * FPS) for clip in made.clips], files[0], fps=8.0, width=640, colors=64, progress=True)
     view.crowd(made.clips, files[1], fps=0, width=1200)
-    files[2].write_text("\n".join([made.report, *(clip.style for clip in made.clips)]) + "\n", encoding="utf-8")
+    _write(files[2], [made.report, *(clip.style for clip in made.clips)])
     for file in files:
         print(f"  {file}")

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from toolkit import export, published
+from toolkit import export, published, shots
 from toolkit.cli import motion_files
 from toolkit.cli.rollout import blend_of
 from toolkit.cli.skeletons import Target, target
@@ -38,6 +38,26 @@ def web(
     export.check(out, (".html",))
     _wrote(view.web(*published.either(model, parameters), out, title=title, styles=styles, half=half,
                     character=character, characters=characters))
+
+
+@app.command("director")
+def director(
+    out: Annotated[Path, typer.Option(help="Page to write: .html.")],
+    file: Annotated[Path | None, typer.Option("--shots", help="JSON file of the first shots.")] = None,
+    model: TrainedRun = None,
+    parameters: Published = None,
+    title: Annotated[str, typer.Option(help="Heading of the page.")] = "Plan a shot",
+    styles: Selection = None,
+    half: Annotated[bool, typer.Option("--half", help="Store numbers in 16 bits: half the size.")] = False,
+    character: Figure = None,
+) -> None:
+    """Write one page in which shots are planned: a floor map, a timeline of styles, the characters that walk at once."""
+    from toolkit.view import director as desk  # imported on demand: it needs the drawing libraries
+
+    export.check(out, (".html",))
+    first = None if file is None else shots.load(file)
+    _wrote(desk.web(*published.either(model, parameters), out, first, title=title, styles=styles, half=half,
+                    character=character))
 
 
 @app.command("onnx")

@@ -20,7 +20,8 @@ def preprocess(
     source: Annotated[str, typer.Option(help="Phase source.")] = "hybrid",
     mirror: Mirror = False,
     workers: Annotated[int | None, typer.Option(min=1, help="Processes; by default one per processor.")] = None,
-    scheduler: Annotated[str | None, typer.Option(help="Address of a Dask scheduler that distributes the work.")] = None,
+    scheduler: Annotated[str | None, typer.Option(help="Address of a Dask scheduler that distributes the work; whoever "
+                                           "reaches it runs code there.")] = None,
 ) -> None:
     """Compute features, phases and contacts of all files into a store, which `train --data OUT` reads from the disk."""
     if data not in datasets.DATASETS and Path(data).is_dir():

@@ -10,14 +10,14 @@ from toolkit.cli import motion_files
 from toolkit.cli.verbs import Roles, Seed, Unit, Up
 from toolkit.evaluation import metrics
 from toolkit.motion import contacts
-from toolkit.stylization.networks import Stylizer
+from toolkit.stylization.networks import Stylizer, pretrained
 from toolkit.stylization.restyling import stylize
 
 
 def stylize_clip(
-    model: Annotated[Path, typer.Option(help="File that train-stylizer wrote.")],
     clip: Annotated[Path, typer.Option(help="Motion file to restyle, on the skeleton of the training data.")],
     out: Annotated[Path, typer.Option(help=f"File to write: {', '.join(export.SUFFIXES)} (pictures: beside the source).")],
+    model: Annotated[Path | None, typer.Option(help="File of train-stylizer; by default the embedded one.")] = None,
     domain: Annotated[str | None, typer.Option(help="Target style; with --reference, the style of that clip.")] = None,
     seed: Seed = 0,
     reference: Annotated[Path | None, typer.Option(help="Motion file whose style is used instead of noise.")] = None,
@@ -31,7 +31,7 @@ def stylize_clip(
     Another --seed gives another variant of the style.
     """
     export.check(out)
-    stylizer = Stylizer.load(model)
+    stylizer = pretrained() if model is None else Stylizer.load(model)
     if domain is None:
         raise ValueError(f"say which style by --domain: {', '.join(stylizer.domains)}")
     source = motion_files.read(clip, unit, up, roles)

@@ -37,6 +37,8 @@ def train(
     patience: Annotated[int | None, typer.Option(help="Stop after so many test errors (one every 1000 steps) without a "
                                                  "better one, and keep the best weights.")] = None,
     small: Annotated[bool, typer.Option("--small", help="Small sizes and fast settings; 30 s without a budget.")] = False,
+    refit: Annotated[int, typer.Option(help="Steps per style that fit FiLM's style vectors to frames after the training, "
+                                       "such as 100; 0: means over clips, as in the paper.")] = 0,
     seed: Seed = 0,
     device: Device = "cpu",
     processes: Annotated[int, typer.Option(help="Processes that share each minibatch (the extra `scale`), with --device "
@@ -51,7 +53,8 @@ def train(
     budget = {"epochs": epochs, "seconds": None if minutes is None else 60 * minutes}
     budget = {name: value for name, value in budget.items() if value is not None}
     config = (training.Config.quick if small else training.Config)(
-        **budget, model=model, patience=patience, seed=seed, device=device, processes=processes, precision=precision)
+        **budget, model=model, patience=patience, refit=refit, seed=seed, device=device, processes=processes,
+        precision=precision)
     export.check(out, ())
     distributed.start(config)  # before the data, so that all processes read them at once
     if data not in datasets.DATASETS and Path(data).is_dir() and not store.is_store(data):
@@ -61,7 +64,7 @@ def train(
     if store.is_store(data):
         if root or gaits or mirror or clip_seconds is not None:
             raise ValueError(f"{data}: a store has its own --root, --gaits and --mirror; choose among its --styles")
-        found = store.load(data, styles)
+        found = store.load(data, styles, check=True, progress=distributed.first())
     else:
         options = {} if clip_seconds is None else {"seconds": clip_seconds}
         if skeleton is not None:

@@ -4,12 +4,14 @@ Each result of the course is said by `claim` or `learnt`, which compare the sent
 `film` answers without a kernel: in JupyterLab, in the HTML of nbconvert and on the site.
 """
 
+import pkgutil
+
 import lazy_loader
 
-__getattr__, __dir__, __all__ = lazy_loader.attach(__name__, ["exercises"], {
+__getattr__, __dir__, __all__ = lazy_loader.attach(__name__, [module.name for module in pkgutil.iter_modules(__path__)], {
     "checks": ["Exercise", "Verdict", "check", "exercises_of"],
     "claims": ["claim", "learnt"],
-    "pages": ["film", "show", "steer"],
+    "pages": ["film", "show", "steer", "two_bone"],
     "sequence": ["LESSONS", "Lesson", "here"],
-    "symbols": ["SYMBOLS", "symbols"],
+    "notation": ["SYMBOLS", "symbols"],
 })

@@ -10,7 +10,7 @@ from plotly.subplots import make_subplots
 from torch import Tensor
 
 from toolkit import features
-from toolkit.course.symbols import SYMBOLS
+from toolkit.course.notation import SYMBOLS
 from toolkit.features import Layout
 from toolkit.motion import Clip, Skeleton
 from toolkit.motion.trajectory import SAMPLES
@@ -41,8 +41,8 @@ def carried(clip: Clip, frame: int, positions: int = 24) -> go.Figure:
         angle = 2 * math.pi * k / positions
         there = clip.moved(turn=angle, shift=(1.6 * math.sin(angle), 0.0, 1.6 * math.cos(angle)))
         there = there.moved(shift=(-clip.root_positions[60] * torch.tensor([1.0, 0.0, 1.0])).tolist())
-        x = features.frames(there, start=60, stop=61).inputs[0]
-        states.append([_bones_3d(there, 60), go.Bar(y=x), go.Bar(y=there.global_positions[60].flatten())])
+        x = features.frames(there, start=60, stop=61).inputs[0].numpy()
+        states.append([_bones_3d(there, 60), go.Bar(y=x), go.Bar(y=there.global_positions[60].flatten().numpy())])
     for trace, place in zip(states[0], ((1, 1), (1, 2), (2, 2)), strict=True):
         figure.add_trace(trace, *place)
     figure.data[1].marker.color, figure.data[2].marker.color = X, QUIET
@@ -80,7 +80,8 @@ def window(positions: Tensor, facings: Tensor) -> go.Figure:
         pick = [np.sign(s) == sign for s in SAMPLES]
         own, ahead = positions[pick], facings[pick]
         _arrows(figure, own, own + 0.2 * ahead, name, colour)
-        figure.add_scatter(x=own[:, 0], y=own[:, 1], mode="text", showlegend=False, textposition="middle right",
+        figure.add_scatter(x=own[:, 0].numpy(), y=own[:, 1].numpy(), mode="text", showlegend=False,
+                           textposition="middle right",
                            text=[f"   {s / 60:+.2f} s" for s, p in zip(SAMPLES, pick, strict=True) if p])
     return finish(figure, "The trajectory window in the root frame", 560, LEFT | {"range": [1.2, -1.2]},
                   {"title": "metres ahead", "scaleanchor": "x"})
@@ -94,7 +95,7 @@ def row(x: Tensor, layout: Layout) -> go.Figure:
     figure = make_subplots(1, 2, subplot_titles=["from the left side", "from above"])
     for column, pick in ((1, [2, 1]), (2, [0, 2])):
         for j, parent in enumerate(layout.parents):
-            bone = place[[max(parent, 0), j]][:, pick]
+            bone = place[[max(parent, 0), j]][:, pick].numpy()
             figure.add_scatter(x=bone[:, 0], y=bone[:, 1], mode="lines+markers", hoverinfo="text", text=layout.names[j],
                                line={"color": _tone(layout.names[j]), "width": 3}, showlegend=False, row=1, col=column)
         _arrows(figure, place[:, pick], (place + velocity / 8)[:, pick], "movement in ⅛ s", PALETTE[2], column == 1,
@@ -107,7 +108,7 @@ def row(x: Tensor, layout: Layout) -> go.Figure:
 
 def skeleton(bones: Skeleton) -> go.Figure:
     """The skeleton from the front with all rotations zero; joints that are not in the features are hollow."""
-    rest, figure = bones.rest_positions, go.Figure()
+    rest, figure = bones.rest_positions.numpy(), go.Figure()
     for j, parent in enumerate(bones.parents):
         line = rest[[max(parent, 0), j]]
         figure.add_scatter(x=line[:, 0], y=line[:, 1], mode="lines", showlegend=False, hoverinfo="skip",
@@ -137,7 +138,7 @@ def paths(curves: Mapping[str, Tensor], title: str) -> go.Figure:
     figure = go.Figure()
     for i, (name, path) in enumerate(curves.items()):
         line = {"color": "#cfd3da", "width": 10} if i == 0 else {"color": PALETTE[i - 1], "width": 2}
-        figure.add_scatter(x=path[:, 0], y=path[:, 1], mode="lines", name=name, line=line)
+        figure.add_scatter(x=path[:, 0].numpy(), y=path[:, 1].numpy(), mode="lines", name=name, line=line)
     return finish(figure, title, 480, LEFT, {"title": "metres ahead", "scaleanchor": "x"})
 
 
@@ -149,7 +150,7 @@ def contacts(clip: Clip, stands: Tensor, height: Tensor, speed: Tensor, limits: 
         top = float(curve.max())
         figure.add_scatter(x=seconds, y=np.where(stands > 0.5, top, 0), fill="tozeroy", mode="none", name="contact",
                            line={"shape": "hv"}, fillcolor="rgba(53, 196, 106, 0.25)", showlegend=i == 1, row=i, col=1)
-        for name, values, line in (("toe", curve, {"color": COLORS["left"], "width": 2}),
+        for name, values, line in (("toe", curve.numpy(), {"color": COLORS["left"], "width": 2}),
                                    ("limit", np.full(len(seconds), limit), {"color": INK, "dash": "dash", "width": 1})):
             figure.add_scatter(x=seconds, y=values, name=name, line=line, showlegend=i == 1, row=i, col=1)
         figure.update_yaxes(title=label, row=i, col=1)
@@ -161,10 +162,10 @@ def footprints(clip: Clip, stands: Tensor) -> go.Figure:
     """Paths of both toes from above, with a mark where they stand; ``stands`` [F, 2] right, left."""
     figure = go.Figure()
     for i, foot in enumerate(("right", "left")):
-        toe = clip.global_positions[:, clip.skeleton.index(f"{foot}_toe")]
+        toe = clip.global_positions[:, clip.skeleton.index(f"{foot}_toe")].numpy()
         figure.add_scatter(x=toe[:, 2], y=toe[:, 0], mode="lines", showlegend=False,
                            line={"color": COLORS[foot], "width": 1})
-        held = toe[stands[:, i] > 0.5]
+        held = toe[stands[:, i].numpy() > 0.5]
         figure.add_scatter(x=held[:, 2], y=held[:, 0], mode="markers", name=f"{foot} toe in contact",
                            marker={"color": COLORS[foot], "size": 9, "line": {"color": CONTACT, "width": 1.5}})
     return finish(figure, "Footprints", 320, {"title": "world z, metres"}, {"title": "world x, metres", "scaleanchor": "x"})
@@ -190,7 +191,7 @@ def _bones_3d(clip: Clip, frame: int) -> go.Scatter3d:
 
 def _arrows(figure: go.Figure, start: Tensor, end: Tensor, name: str, colour: str, legend: bool = True, **place) -> None:
     gap = torch.full_like(start[:, :1], math.nan)
-    x, y = (torch.stack((start[:, k], end[:, k], gap[:, 0]), 1).flatten() for k in (0, 1))
+    x, y = (torch.stack((start[:, k], end[:, k], gap[:, 0]), 1).flatten().numpy() for k in (0, 1))
     figure.add_scatter(x=x, y=y, mode="lines+markers", name=name, marker=ARROW | {"size": [0, 10, 0] * len(start)},
                        line={"color": colour, "width": 2}, showlegend=legend, hoverinfo="skip", **place)
 

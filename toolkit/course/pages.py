@@ -10,13 +10,14 @@ from plotly.offline import get_plotlyjs
 
 from toolkit.motion import Clip
 from toolkit.view import live_page, page
+from toolkit.view.frontend import static
 
 NAME = "toolkit"  # of plotly's renderer
 LOADED = 'data-toolkit="plotly"'  # marks plotly's code: the site loads its own copy in its place
 
 
 #: Folds the code of cells with the tag ``hide-input`` in the pages of nbconvert; it opens under the pointer.
-FOLDED = ".celltag_hide-input .jp-InputArea:not(:hover) { max-height: 1.6em; overflow: hidden; opacity: .5 }"
+FOLDED = ".celltag_hide-input .jp-InputArea:not(:hover) .cm-editor { max-height: 1.6em; overflow: hidden; opacity: .5 }"
 
 
 class Page:
@@ -54,9 +55,9 @@ def chart(figure) -> str:
 
 
 def show(html: str, height: int) -> Page:
-    """A whole page in a frame, ``height`` pixels high."""
-    return Page(f'<iframe srcdoc="{escape(html)}" style="width: 100%; height: {height}px; border: 0" '
-                'loading="lazy" title="A page that needs no kernel"></iframe>')
+    """A page in a frame, ``height`` pixels high. It has an origin of its own, so it rests when out of sight."""
+    return Page(f'<iframe srcdoc="{escape(html)}" sandbox="allow-scripts allow-downloads" allow="gamepad; fullscreen" '
+                f'style="width: 100%; height: {height}px; border: 0" loading="lazy" title="Live figure"></iframe>')
 
 
 def film(clips: Clip | list[Clip], *, title: str = "", caption: str = "", height: int = 420, **options) -> Page:
@@ -80,3 +81,8 @@ def steer(model, bank, *, title: str = "Walk: W A S D, blend: drag the marker", 
     with tempfile.TemporaryDirectory() as folder:
         path = live_page.web(model, bank, Path(folder, "walk.html"), title=title, half=True, **options)
         return show(path.read_text(encoding="utf-8"), height)
+
+
+def two_bone() -> Page:
+    """A leg of two bones whose ankle follows the pointer, with the law of cosines beside it."""
+    return show(static("two_bone.html"), 270)

@@ -12,7 +12,7 @@ from torch import Tensor
 
 from toolkit import phases as ph
 from toolkit.course.feature_figures import slider
-from toolkit.course.symbols import SYMBOLS
+from toolkit.course.notation import SYMBOLS
 from toolkit.motion import Clip, root_frames
 from toolkit.view.body import COLORS, PALETTE
 from toolkit.view.figures import INK, QUIET, colours, finish
@@ -44,7 +44,7 @@ def cycle(clip: Clip, phase: Tensor, first: int, last: int, limb: str = "left_ha
         figure.add_scatter(**state, mode="lines" if place == 1 else "lines+markers", line={"color": line, "width": 4},
                            marker={"size": 12, "color": P}, row=1, col=place)
     figure.frames = [go.Frame(data=state, traces=[2, 3, 4], name=str(k)) for k, state in enumerate(states)]
-    figure.update_xaxes(range=[-0.7, 0.7], row=1, col=1).update_yaxes(range=[0, 1.7], scaleanchor="x", row=1, col=1)
+    figure.update_xaxes(range=[-0.7, 0.7], row=1, col=1).update_yaxes(range=[0, 1.9], scaleanchor="x", row=1, col=1)
     figure.update_xaxes(visible=False, row=1, col=2).update_yaxes(visible=False, scaleanchor="x2", row=1, col=2)
     figure.update_xaxes(title="seconds", row=1, col=3)
     labels = [f"{f / clip.fps:.2f} s" for f in frames.tolist()]
@@ -65,7 +65,8 @@ def frequencies(t: Tensor, window: Tensor, fits: Mapping[float, tuple[Tensor, fl
         The frequency of the smallest residual; the slider starts near it.
     """
     figure = make_subplots(1, 2, subplot_titles=["The window (grey) and a sinusoid", "Residual r(f)"])
-    figure.add_scatter(x=t, y=window, name="curve", line={"color": QUIET, "width": 5}, row=1, col=1)
+    t, fits = t.numpy(), {f: (wave.numpy(), r) for f, (wave, r) in fits.items()}
+    figure.add_scatter(x=t, y=window.numpy(), name="curve", line={"color": QUIET, "width": 5}, row=1, col=1)
     hertz, residuals = list(fits), [r for _, r in fits.values()]
     figure.add_scatter(x=hertz, y=residuals, name="residual", line={"color": INK, "width": 2}, row=1, col=2)
     states = [[{"x": t, "y": wave}, {"x": [f], "y": [r]}] for f, (wave, r) in fits.items()]
@@ -84,7 +85,7 @@ def stacked(seconds: Tensor, curves: Mapping[str, Tensor], title: str, *, stop: 
     """Curves [F] below one another over the same seconds, each with an axis of its own."""
     figure = make_subplots(len(curves), 1, shared_xaxes=True, vertical_spacing=0.04)
     for i, (name, curve) in enumerate(curves.items(), 1):
-        figure.add_scatter(x=seconds, y=curve, name=name, row=i, col=1,
+        figure.add_scatter(x=seconds.numpy(), y=curve.numpy(), name=name, row=i, col=1,
                            line={"color": P if "phase" in name else COLORS["left"], "width": 2})
         figure.update_yaxes(title={"text": name.replace(", ", "<br>"), "font": {"size": 11}}, row=i, col=1)
     figure.update_xaxes(range=[1, stop]).update_xaxes(title="seconds", row=len(curves), col=1)
@@ -96,7 +97,7 @@ def prepared(seconds: Tensor, raw: Tensor, normalised: Tensor, smoothed: Tensor,
     figure = go.Figure()
     for name, curve, line in (("raw", raw, {"color": QUIET, "width": 2}), ("normalised", normalised, {"color": PALETTE[3]}),
                               ("and smoothed", smoothed, {"color": COLORS["left"], "width": 3})):
-        figure.add_scatter(x=seconds, y=curve, name=name, line=line)
+        figure.add_scatter(x=seconds.numpy(), y=curve.numpy(), name=name, line=line)
     return finish(figure, title, 340, {"title": "seconds", "range": [1, 6]}, {})
 
 

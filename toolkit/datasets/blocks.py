@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from toolkit.datasets import bandai, style100
-from toolkit.io.files import atomic_write
+from toolkit.io.files import atomic_write, status
 
 PARTS = "train", "validation", "test"
 GAP = 240  # frames at 60 Hz between blocks of one take: a style clip, which is longer than the window of a frame (112)
@@ -127,6 +127,7 @@ def _bandai(root: str | os.PathLike | None) -> Split:
 
 def _frames(path: Path) -> int:
     """Number of frames that a BVH file states."""
+    status(path)
     with path.open(encoding="utf-8", errors="replace") as text:
         for line in text:
             if line.startswith("Frames:") and (number := line.removeprefix("Frames:").strip()).isdigit():

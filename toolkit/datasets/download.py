@@ -14,7 +14,7 @@ from pathlib import Path
 
 from tqdm import tqdm
 
-from toolkit.io.files import atomic_write
+from toolkit.io.files import atomic_write, parsed, read
 
 STALL = 30.0  # seconds without a connection or a byte after which a try has failed
 TRIES = 5  # in a row that brought nothing new
@@ -51,8 +51,8 @@ def notes(part: Path) -> dict:
     if not (part.is_file() and file.is_file() and file.stat().st_size < NOTES):
         return {}
     try:
-        known = json.loads(file.read_text(encoding="utf-8"))
-    except (ValueError, RecursionError):
+        known = parsed(read(file))
+    except ValueError:
         return {}
     kinds = {"url": str, "validator": str, "total": int | None}
     whole = isinstance(known, dict) and all(isinstance(known.get(key), kind) for key, kind in kinds.items())

@@ -21,7 +21,7 @@ import filelock
 from toolkit.datasets import archive, bandai, home, parameters, style100
 from toolkit.datasets.download import download, notes
 from toolkit.io import bvh
-from toolkit.io.files import atomic_write
+from toolkit.io.files import atomic_write, parsed, read
 
 LARGEST = 4_000_000_000  # bytes of an archive whose size is not known: GitHub's hold whole projects
 RECORD = "toolkit-data.json"  # in a fetched folder: what it is, from where and when, its checksum and terms
@@ -118,12 +118,12 @@ def record(folder: str | os.PathLike) -> dict | None:
     if not (folder / RECORD).is_file():
         return None
     try:
-        known = json.loads((folder / RECORD).read_text(encoding="utf-8"))
+        known = parsed(read(folder / RECORD))
         if not all(known[key] >= 0 for key in ("files", "bytes")):
             raise ValueError("numbers below 0")
         if not all(known[key].isprintable() for key in ("date", "found", "source", "sha256")):
             raise ValueError("texts that cannot be shown")
-    except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
+    except (ValueError, KeyError, TypeError, AttributeError) as error:
         raise ValueError(f"{folder / RECORD}: damaged; move the folder away to fetch it again") from error
     files, size = _extent(folder)
     if files < known["files"] or size < known["bytes"]:

@@ -24,6 +24,7 @@ from toolkit.datasets.takes import Names, Source, Take
 from toolkit.io import interpretation
 from toolkit.io.load import READERS, read
 from toolkit.motion import Clip, trajectory
+from toolkit.motion.names import printable
 from toolkit.motion.pruning import pruned
 from toolkit.motion.retargeting import retarget
 
@@ -69,11 +70,11 @@ class Survey:
             yield (f"  {' '.join(filter(None, (style, gait)))}: {_files(len(paths))}, "
                    f"{sum(self.frames[p] for p in paths):,} frames, {sum(self.seconds[p] for p in paths):.1f} s")
         for path, found in self.doubts.items():
-            yield from (f"  doubtful: {path.relative_to(root)}: {doubt}" for doubt in found)
+            yield from (printable(f"  doubtful: {path.relative_to(root)}: {doubt}") for doubt in found)
         if self.left_out:
             yield f"left out: {_files(len(self.left_out))}"
         for path, why in self.left_out.items():
-            yield f"  {path.relative_to(root)}: {why}"
+            yield printable(f"  {path.relative_to(root)}: {why}")
 
 
 @dataclass(frozen=True)

@@ -1,6 +1,5 @@
 """Leaks between the parts of a split: frames of the test that a training has seen, as they are or nearly so."""
 
-import json
 import math
 import os
 import re
@@ -11,6 +10,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from toolkit.datasets.blocks import GAP, PARTS, Split
+from toolkit.io import files
 
 
 class _Entry(NamedTuple):
@@ -56,7 +56,7 @@ def find(split: Split | Mapping[str, Any] | str | os.PathLike) -> list[str]:
     else:
         what, path = os.fspath(split), Path(split)
         try:
-            split = json.loads(path.read_text(encoding="utf-8"))
+            split = files.parsed(files.read(path))
         except ValueError as error:
             raise ValueError(f"{path}: no JSON file ({error})") from None
     if not isinstance(split, Mapping) or sum(part in split for part in PARTS) < 2:

@@ -16,7 +16,7 @@ import numpy as np
 
 from toolkit.datasets.takes import Names, Source
 from toolkit.io import bvh
-from toolkit.io.files import atomic_write
+from toolkit.io.files import atomic_write, status
 from toolkit.motion import Clip
 
 GAITS = {
@@ -212,6 +212,7 @@ def _table(root: str | os.PathLike | None, name: str) -> tuple[Path, list[tuple[
     path = next(iter(sorted(folder.rglob(name))), None)
     if path is None:
         raise ValueError(f"100style: no {name} in {folder}; expected {SOURCE.layout}; get it at {SOURCE.home}")
+    status(path)
     with path.open(encoding="utf-8-sig", errors="replace", newline="") as file:
         reader = csv.DictReader(file, restval="")
         try:

@@ -12,17 +12,23 @@ from tqdm import tqdm
 from toolkit.datasets import home
 from toolkit.io import bvh
 from toolkit.motion import Clip
+from toolkit.motion.names import checked
 
 Names = str | Iterable[str] | None
 
 
 @dataclass(frozen=True)
 class Take:
-    """One recorded file, with the style and the gait that its name gives."""
+    """One recorded file, with the style and the gait that its name gives; ValueError if one cannot be shown."""
 
     path: Path
     style: str
     gait: str
+
+    def __post_init__(self):
+        for what, name in (("a style", self.style), ("a gait", self.gait)):
+            if name:
+                checked((name,), f"{self.path}: {what}")
 
 
 @dataclass(frozen=True)

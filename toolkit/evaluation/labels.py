@@ -5,6 +5,7 @@ in between. A foot's own phase is another one: where the left step comes early o
 right foot does not. `floor` measures this difference, which no local phase can be free of.
 """
 
+import io
 import math
 import os
 from dataclasses import dataclass
@@ -17,7 +18,7 @@ from torch import Tensor
 from toolkit import phases as ph
 from toolkit.datasets import procedural
 from toolkit.evaluation import metrics
-from toolkit.io import bvh
+from toolkit.io import bvh, files
 from toolkit.motion import Clip
 from toolkit.motion.contacts import FEET
 from toolkit.motion.tensors import summary
@@ -70,9 +71,9 @@ def _read(file: Path) -> Take:
     name = file.name.removesuffix("_footsteps.txt")
     clip = bvh.load(file.with_name(f"{name}.bvh"), unit=UNIT)
     try:
-        lines = file.read_text(encoding="utf-8").splitlines()
+        lines = files.read(file).decode().splitlines()
         rows = [[int(word) - 1 for word in line.split()] for line in lines if line.strip()]
-        gait = np.loadtxt(file.with_name(f"{name}.gait"), ndmin=2)
+        gait = np.loadtxt(io.BytesIO(files.read(file.with_name(f"{name}.gait"))), ndmin=2)
     except (OSError, ValueError) as error:
         raise ValueError(f"{file}: unreadable, or {name}.gait is ({str(error).splitlines()[0]})") from error
     right, left = (torch.tensor([row[i] for row in rows if len(row) > i]) for i in range(2))

@@ -1,5 +1,6 @@
 """Measures that compare models: error on the columns that all of them predict, hand movement, and blends of two styles."""
 
+from collections import defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -19,34 +20,54 @@ ALIKE = 4  # style clips that a walk is compared with: those nearest to it in ve
 
 
 @torch.no_grad()
-def shared_error(model: Model, bank: StyleBank, test: Features, scale: Normaliser) -> dict[str, float]:
-    """Mean squared error per style over `SHARED`, each column in standard deviations of the data.
+def block_errors(model: Model, bank: StyleBank, test: Features, scale: Normaliser) -> dict[str, dict[str, float]]:
+    """Mean squared error per style of every block of `SHARED`, each column in standard deviations of the data.
 
-    The full errors of two models are not comparable, because only some models predict local phases or a global phase.
     ``scale`` are the statistics of the training data's ``outputs``.
     """
     errors = {}
     for style in (s for s in test.styles if len(test.inputs[s])):
-        rows, total = torch.arange(len(test.inputs[style])), 0.0
+        rows, totals = torch.arange(len(test.inputs[style])), dict.fromkeys(SHARED, 0.0)
         for part in rows.split(1024):
             x, p, z = (getattr(test, kind)[style][part] for kind in FRAME_KINDS)
             p, wanted = model.observe(p, z)
-            off = _shared(model.layout, model.predict(x, p, bank[style]) - wanted) / _shared(test.layout, scale.std)
-            total += len(part) * float(off.square().mean())
-        errors[style] = total / len(rows)
+            off = model.predict(x, p, bank[style]) - wanted
+            for block in SHARED:
+                columns = off[:, model.layout.outputs[block]] / scale.std[test.layout.outputs[block]]
+                totals[block] += len(part) * float(columns.square().mean())
+        errors[style] = {block: total / len(rows) for block, total in totals.items()}
     return errors
 
 
+def shared_error(model: Model, bank: StyleBank, test: Features, scale: Normaliser) -> dict[str, float]:
+    """Mean squared error per style over all columns of `SHARED`, see `block_errors`.
+
+    The full errors of two models are not comparable, because only some models predict local phases or a global phase.
+    """
+    return {style: over_columns(test.layout, found) for style, found in block_errors(model, bank, test, scale).items()}
+
+
+def over_columns(layout: Layout, errors: dict[str, float]) -> float:
+    """Mean over the columns of `SHARED`, from the mean of each block."""
+    widths = {block: layout.outputs[block].stop - layout.outputs[block].start for block in SHARED}
+    return sum(widths[block] * errors[block] for block in SHARED) / sum(widths.values())
+
+
 def shared_baselines(data: Features, held_out: float, seed: int) -> dict[str, float]:
-    """`shared_error`, mean over styles, of two guesses: the training data's ``mean``, and the current frame (``repeat``)."""
+    """`shared_error`, mean over styles, of two guesses: the training data's ``mean``, and the current frame (``repeat``).
+
+    ``mean, joints`` and ``repeat, joints`` are the errors of the joint features alone.
+    """
     train, test = splits.split(data, held_out, seed, tuple(data.styles))
     normaliser = train.normalisers()["outputs"]
-    errors: dict[str, list[float]] = {"mean": [], "repeat": []}
+    errors: dict[str, list[float]] = defaultdict(list)
     for style in (s for s in test.styles if len(test.inputs[s])):
         x, p, z = (getattr(test, kind)[style][:] for kind in FRAME_KINDS)
         still = loss.repeat_frame(data.layout, x, p, normaliser.mean)
         for name, guess in (("mean", normaliser.mean), ("repeat", still)):
-            errors[name].append(float(_shared(data.layout, (z - guess) / normaliser.std).square().mean()))
+            off = ((z - guess) / normaliser.std).square()
+            errors[name].append(float(_shared(data.layout, off).mean()))
+            errors[f"{name}, joints"].append(float(off[:, data.layout.outputs["joints"]].mean()))
     return {name: sum(values) / len(values) for name, values in errors.items()}
 
 
@@ -79,7 +100,7 @@ def posture_error(layout: Layout, joints: Tensor, clips: Tensor, speed: float) -
     """Distance of the mean pose of the shoulders and hands in a walk from that in the style clips nearest to it in velocity.
 
     The arguments are those of `hands`. The result has ``clavicle`` and ``hand``, metres, the mean of both sides: shoulders
-    are seen from the end of the trunk, hands from their shoulder, so they show clavicles and arms alone. ``clavicle_data`` and
+    are seen from the chest and hands from their shoulder, so they show clavicles and arms alone. ``clavicle_data`` and
     ``hand_data`` are the same between one style clip of the data and the others: what even the data would have.
     """
     skeleton, place = layout.skeleton, layout.names.index

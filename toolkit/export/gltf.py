@@ -7,14 +7,12 @@ from collections.abc import Sequence
 
 import numpy as np
 import torch
-from torch import Tensor
 
 from toolkit.io.files import atomic_write
-from toolkit.motion import Clip, Skeleton, forward_kinematics
+from toolkit.motion import Clip
 from toolkit.motion import rotations as R
 
 COMPONENTS = {"f4": 5126, "u4": 5125, "u2": 5123}  # numpy's types to glTF's
-SLOTS = 4  # joints that a vertex may follow in glTF's JOINTS_0 and WEIGHTS_0
 STILL = 1e-6  # a channel that changes by less is left out, quaternion components and metres
 VERTICES, INDICES = 34962, 34963  # targets of glTF's buffer views
 
@@ -23,20 +21,17 @@ def save(clip: Clip, path: str | os.PathLike) -> None:
     """Write a clip as binary glTF, whole or not at all; a ValueError if no bone is long enough for a body.
 
     The file has a node per joint and end site, under its name. The mannequin of `toolkit.view` is a skinned mesh with a
-    material per colour; every vertex follows up to three joints. The animation holds the joints' rotations and the root's
+    colour per vertex; every vertex follows up to four joints. The animation holds the joints' rotations and the root's
     translation at the clip's rate, linear between frames; joints that keep their rotation have no channel. Metres, y up,
     facing +z at zero rotation, as glTF demands.
 
-    In the bind pose all rotations are zero, but limbs are straight where the skin bends (`toolkit.view.body.Bend`), so that
-    one inverse bind matrix per joint gives exactly the skin of the toolkit's own pictures.
+    The vertices are those of the mannequin's bind pose (`toolkit.view.body`), so that one inverse bind matrix per joint
+    gives exactly the skin of the toolkit's own pictures.
     """
     from toolkit.view import body  # imported on demand: it needs the drawing libraries
 
     clip = clip.to("cpu", torch.float32)
-    skeleton, shapes = clip.skeleton, body.build(clip)
-    if not shapes:
-        raise ValueError(f"{clip.name}: no bone is long enough to be given a body")
-    bind, buffer = _bind_pose(skeleton, shapes), Buffer()
+    skeleton, mannequin, buffer = clip.skeleton, body.build(clip), Buffer()
     turns = R.normalize(R.unroll(clip.rotations).double())[..., [1, 2, 3, 0]].float().numpy()
     nodes = [{"name": name, "translation": skeleton.offsets[j].tolist(), "rotation": turns[0, j].tolist()}
              for j, name in enumerate(skeleton.names)]
@@ -45,18 +40,17 @@ def save(clip: Clip, path: str | os.PathLike) -> None:
         nodes[parent].setdefault("children", []).append(j)
     title = " ".join(x for x in (clip.style, clip.gait) if x) or clip.name
     nodes.append({"name": "Mannequin", "mesh": 0, "skin": 0})
-    surfaces = [[shape for shape in shapes if shape.tone == tone] for tone in dict.fromkeys(shape.tone for shape in shapes)]
-    primitives = [_primitive(buffer, surface, bind) | {"material": i} for i, surface in enumerate(surfaces)]
-    inverse = torch.linalg.inv(bind).transpose(1, 2).float().numpy()  # glTF's matrices are written column by column
+    inverse = np.zeros((len(skeleton), 4, 4), np.float32)  # glTF's matrices are written column by column
+    inverse[:, :, :3], inverse[:, 3, 3] = mannequin.skin.inverse.swapaxes(1, 2), 1.0
     skin = {"joints": list(range(len(skeleton))), "skeleton": 0, "inverseBindMatrices": buffer.add(inverse, "MAT4")}
     document = {
         "asset": {"version": "2.0", "generator": "toolkit"},
         "scene": 0,
         "scenes": [{"name": title, "nodes": [0, len(skeleton)]}],
         "nodes": nodes,
-        "meshes": [{"name": "Mannequin", "primitives": primitives}],
+        "meshes": [{"name": "Mannequin", "primitives": [_primitive(buffer, mannequin) | {"material": 0}]}],
         "skins": [skin],
-        "materials": [_material(surface[0].tone, body.colors(surface)[0]) for surface in surfaces],
+        "materials": [{"name": "Mannequin", "pbrMetallicRoughness": {"metallicFactor": 0.0, "roughnessFactor": 0.8}}],
     }
     if len(clip) > 1:
         document["animations"] = [_animation(buffer, clip, turns) | {"name": title}]
@@ -86,51 +80,18 @@ class Buffer:
         return len(self.accessors) - 1
 
 
-def _bind_pose(skeleton: Skeleton, shapes: Sequence) -> Tensor:
-    """World matrices ``[J, 4, 4]`` of the bind pose, from the cone that each bend places in the frames of two joints."""
-    turns = R.identity(len(skeleton)).double()
-    for shape in shapes:
-        for bend in shape.bends:
-            below = shape.joint in skeleton.ancestors(bend.joint)
-            lower = bend.joint if below else shape.joint
-            upper, own = (shape.place, bend.place) if below else (bend.place, shape.place)
-            turns[lower] = R.from_matrix(torch.from_numpy(upper[:, :3] @ np.linalg.inv(own[:, :3])))
-    rotations, positions = forward_kinematics(skeleton, turns, skeleton.offsets[0].double())
-    matrices = torch.eye(4, dtype=torch.float64).repeat(len(skeleton), 1, 1)
-    matrices[:, :3, :3], matrices[:, :3, 3] = R.to_matrix(rotations), positions
-    return matrices
-
-
-def _primitive(buffer: Buffer, shapes: Sequence, bind: Tensor) -> dict:
-    """The shapes of one colour as one surface in the bind pose."""
-    from toolkit.view.skin import surface, weights
-
-    rows, triangles, count = [], [], 0
-    for shape in shapes:
-        vertices, normals, faces = surface(shape)
-        triangles.append(faces + count)
-        count += len(vertices)
-        world = bind[shape.joint].numpy() @ np.vstack((shape.place, np.eye(4)[3]))
-        normals = normals @ np.linalg.inv(world[:3, :3])  # the inverse transpose: the cone may be thinned
-        normals = normals / np.linalg.norm(normals, axis=1, keepdims=True)
-        shares = np.pad(weights(shape, vertices[:, 1]), ((0, 0), (0, 1)))
-        hosts = [shape.joint, *(bend.joint for bend in shape.bends)]
-        joints = (shares > 0) * np.array(hosts + [0] * (SLOTS - len(hosts)))
-        rows.append((vertices @ world[:3, :3].T + world[:3, 3], normals, joints, shares))
-    points, normals, joints, shares = map(np.concatenate, zip(*rows, strict=True))
+def _primitive(buffer: Buffer, mannequin) -> dict:
+    """The surface in the bind pose, its colours in linear light."""
+    skin = mannequin.skin
     attributes = {
-        "POSITION": buffer.add(points.astype(np.float32), "VEC3", VERTICES, bounds=True),
-        "NORMAL": buffer.add(normals.astype(np.float32), "VEC3", VERTICES),
-        "JOINTS_0": buffer.add(joints.astype(np.uint16), "VEC4", VERTICES),
-        "WEIGHTS_0": buffer.add(shares.astype(np.float32), "VEC4", VERTICES),
+        "POSITION": buffer.add(skin.points, "VEC3", VERTICES, bounds=True),
+        "NORMAL": buffer.add(skin.normals, "VEC3", VERTICES),
+        "JOINTS_0": buffer.add(skin.joints.astype(np.uint16), "VEC4", VERTICES),
+        "WEIGHTS_0": buffer.add(skin.weights, "VEC4", VERTICES),
+        "COLOR_0": buffer.add((mannequin.colors() ** 2.2).astype(np.float32), "VEC3", VERTICES),
     }
-    indices = buffer.add(np.concatenate(triangles).astype(np.uint32).reshape(-1), "SCALAR", INDICES)
+    indices = buffer.add(skin.triangles.astype(np.uint32).reshape(-1), "SCALAR", INDICES)
     return {"attributes": attributes, "indices": indices}
-
-
-def _material(tone: str, color: np.ndarray) -> dict:
-    surface = {"baseColorFactor": [*(c**2.2 for c in color.tolist()), 1.0], "metallicFactor": 0.0, "roughnessFactor": 0.8}
-    return {"name": tone, "pbrMetallicRoughness": surface}
 
 
 def _animation(buffer: Buffer, clip: Clip, turns: np.ndarray) -> dict:

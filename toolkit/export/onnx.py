@@ -16,6 +16,7 @@ import torch
 from torch import Tensor, nn
 
 from toolkit.io.files import atomic_write
+from toolkit.io.model_files import finite
 from toolkit.motion.trajectory import FPS
 from toolkit.networks import Model
 from toolkit.networks.bank import StyleBank
@@ -39,7 +40,7 @@ def save(model: Model, path: str | os.PathLike, bank: StyleBank | None = None) -
     Raises
     ------
     ValueError
-        If the bank's vectors are not this model's.
+        If the bank's vectors are not this model's, or a weight is not finite.
     ImportError
         If the package onnxscript is not there.
     """
@@ -61,6 +62,7 @@ def graph(model: Model, bank: StyleBank | None = None):
         import onnxscript  # noqa: F401  # torch.onnx works with it, and asks for it late
     except ImportError:
         raise ImportError('ONNX needs the extra "export": pip install ".[export]"') from None
+    finite(model.state_dict())
     widths = {"x": model.layout.n_inputs, "phases": model.layout.n_phases, "style": model.style_size}
     example = {name: torch.zeros(3 if name == "style" else 2, width) for name, width in widths.items() if width}
     axes = {"x": "batch", "phases": torch.export.Dim.DYNAMIC, "style": "styles"}  # the second takes the name of the first

@@ -89,7 +89,7 @@ def listed(clips: Iterable[Clip], parts: datasets.blocks.Split, **options) -> Fe
     for clip in clips:
         if clip.style in parts.unseen:
             continue
-        found = blocks.get((clip.style, clip.gait)) or blocks.get((clip.style, clip.name))
+        found = blocks.get((clip.style, clip.gait)) or blocks.get((clip.style, clip.name.removesuffix(".bvh")))
         if not found:
             raise ValueError(f"{clip.name}: the split of {parts.dataset} has no block of this take")
         first = min(block.start for block, _ in found)  # the clip begins there

@@ -13,6 +13,7 @@ import numpy as np
 import torch
 from torch import Tensor
 
+from toolkit.io import files
 from toolkit.io.recording import Recording
 from toolkit.motion import rotations as R
 
@@ -72,7 +73,7 @@ def _text(path: Path, most: int | None = None) -> bytes:
     try:
         if most is not None and path.stat().st_size > most:
             raise AMCError(f"{path}: a skeleton should not have more than {most} bytes")
-        return path.read_bytes()
+        return files.read(path)
     except OSError as error:
         raise AMCError(f"{path}: cannot be read ({error.strerror})") from error
 

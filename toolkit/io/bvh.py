@@ -19,6 +19,7 @@ from toolkit.motion import names as names_
 from toolkit.motion import rotations as R
 
 CENTIMETRE = 0.01
+JOINTS = 20_000  # of a file, with End Sites
 SMALL = 1_000_000  # joints times frames that a file of any size may have
 LARGEST = 1e30  # limit of lengths in the file's unit; in any unit float32 holds them
 MOVED = 2.5e-3  # of the longest bone: a change of a joint's distance to its parent that is no rounding
@@ -73,8 +74,7 @@ def read(path: str | os.PathLike) -> Recording:
     """
     path = Path(path)
     try:
-        files.status(path)
-        data = path.read_bytes()
+        data = files.read(path)
     except OSError as error:
         raise BVHError(f"{path}: cannot be read ({error.strerror})") from error
     header, motion = _split(path, data)
@@ -187,6 +187,8 @@ def _parse_hierarchy(path: Path, lines: list[str]) -> tuple[list[str], list[int]
                 raise fail(number, f"joint {name} appears twice")
             else:
                 taken.add(name)
+            if len(names) >= JOINTS:
+                raise fail(number, f"more than {JOINTS} joints and End Sites")
             names.append(name)
             parents.append(stack[-1] if stack else -1)
             offsets.append([0.0, 0.0, 0.0])

@@ -13,6 +13,7 @@ import numpy as np
 import torch
 from torch import Tensor
 
+from toolkit.io import files
 from toolkit.io.fbx_records import Record, Records
 from toolkit.io.nodes import Node, frame_rate, printable, record, sample_times
 from toolkit.io.recording import Recording
@@ -52,7 +53,7 @@ def read(path: str | os.PathLike, animation: str | int | None = None) -> Recordi
     """
     path = Path(path)
     try:
-        return _Scene(path.read_bytes()).recording(animation)
+        return _Scene(files.read(path)).recording(animation)
     except OSError as error:
         raise FBXError(f"{path}: cannot be read ({error.strerror})") from error
     except ValueError as error:

@@ -2,12 +2,15 @@
 
 import contextlib
 import errno
+import json
 import os
 import stat
 import uuid
 from collections.abc import Iterator
 from pathlib import Path
-from typing import BinaryIO
+from typing import Any, BinaryIO
+
+VALUES = 2_000_000  # of a JSON text
 
 
 def status(path: str | os.PathLike) -> os.stat_result | None:
@@ -23,13 +26,33 @@ def status(path: str | os.PathLike) -> os.stat_result | None:
     return found
 
 
+def read(path: str | os.PathLike) -> bytes:
+    """The bytes of a regular file; OSError for anything else, before it is opened: reading a pipe may never end."""
+    if status(path) is None:
+        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), os.fspath(path))
+    return Path(path).read_bytes()
+
+
+def parsed(text: str | bytes) -> Any:
+    """The value of a JSON text; ValueError if it is none, or has so many or so deeply nested values that it takes too much.
+
+    A value takes up to 70 bytes, and one byte of the text may be enough for it.
+    """
+    if sum(text.count(sign) for sign in (",[{" if isinstance(text, str) else (b",", b"[", b"{"))) > VALUES:
+        raise ValueError(f"its JSON text has more than {VALUES} values")
+    try:
+        return json.loads(text)
+    except RecursionError:
+        raise ValueError("its JSON text is nested too deeply") from None
+
+
 @contextlib.contextmanager
 def atomic_write(path: str | os.PathLike) -> Iterator[BinaryIO]:
     """Open a binary file under the name ``.NAME.….partial``, and rename it when it is complete and on the disk.
 
-    Missing folders are created. A link is followed, and an older file keeps its permissions. OSError if the file cannot be
-    written, or the path is a device, pipe or socket: the partial file is removed, and an older file stays as it was. A
-    process that is killed while it writes leaves the partial file behind.
+    Missing folders are created. A link is followed, and an older file keeps its permissions and its owner. OSError if the
+    file cannot be written, or the path is a device, pipe or socket: the partial file is removed, and an older file stays as
+    it was. A process that is killed while it writes leaves the partial file behind.
     """
     path = Path(os.path.realpath(path)) if os.path.islink(path) else Path(path)
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -38,7 +61,7 @@ def atomic_write(path: str | os.PathLike) -> Iterator[BinaryIO]:
         older = status(path)
         with partial.open("xb") as file:
             if older:
-                partial.chmod(stat.S_IMODE(older.st_mode))
+                _keep(file.fileno(), partial, older)
             yield file
             file.flush()
             os.fsync(file.fileno())
@@ -49,3 +72,12 @@ def atomic_write(path: str | os.PathLike) -> Iterator[BinaryIO]:
         raise
     finally:
         partial.unlink(missing_ok=True)
+
+
+def _keep(number: int, path: Path, older: os.stat_result) -> None:
+    """Give an open file the owner of an older one, if this user may, and its permissions."""
+    made = os.fstat(number)
+    if (made.st_uid, made.st_gid) != (older.st_uid, older.st_gid) and hasattr(os, "fchown"):
+        with contextlib.suppress(PermissionError):
+            os.fchown(number, older.st_uid, older.st_gid)
+    path.chmod(stat.S_IMODE(older.st_mode))

@@ -29,7 +29,7 @@ class SkinnedMesh:
     triangles: np.ndarray  # [T, 3]
     joints: np.ndarray  # [V, 4]
     weights: np.ndarray  # [V, 4] with sum 1
-    colors: np.ndarray  # [V, 3] uint8, base colour (sRGB); a texture is read at each vertex
+    colors: np.ndarray  # [V, 3] uint8, base colour (sRGB) with that of the vertex; a texture is read at each vertex
 
 
 def read(path: str | os.PathLike) -> SkinnedMesh:
@@ -188,12 +188,21 @@ class _Reader:
         return found
 
     def _colors(self, primitive: dict, attributes: dict, count: int) -> np.ndarray:
-        """Base colour ``[V, 3]`` uint8 of each vertex: the material's colour times its texture there."""
+        """Base colour ``[V, 3]`` uint8 of each vertex: the material's colour, its own and the texture there, multiplied."""
         materials = members(self.document, "materials")
         material = materials[index_of(primitive, "material", len(materials))] if "material" in primitive else {}
         surface = member(material, "pbrMetallicRoughness")
         linear = numbers_of(surface, "baseColorFactor", 4, (1.0,) * 4)[:3] if surface else np.full(3, GREY)
-        tone = np.clip(linear, 0, 1)[None].repeat(count, 0) ** (1 / 2.2)
+        linear = np.asarray(linear)[None].repeat(count, 0)
+        if "COLOR_0" in attributes:
+            index = attributes["COLOR_0"]
+            accessors = self.file.listed("accessors")
+            wide = accessors[index_of(attributes, "COLOR_0", len(accessors))].get("type") == "VEC4"
+            given = self.file.array(index, 4 if wide else 3)[:, :3]
+            if len(given) != count:
+                raise ValueError("the colours of a mesh do not fit its vertices")
+            linear = linear * given
+        tone = np.clip(linear, 0, 1) ** (1 / 2.2)
         texture = member(surface, "baseColorTexture")
         image = self._image(texture) if texture else None
         place = f"TEXCOORD_{texture.get('texCoord', 0)}"

@@ -7,7 +7,7 @@ needs one part accepts every file that has it.
 import contextlib
 import json
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -16,9 +16,10 @@ from safetensors import SafetensorError, safe_open
 from safetensors.torch import save
 from torch import Tensor, nn
 
-from toolkit.io.files import atomic_write, status
+from toolkit.io.files import atomic_write, parsed, status
 
 FORMAT = "toolkit 1"
+TENSORS = 10_000  # of a file
 COMPUTED = 100_000_000  # bytes of buffers that no file holds, which a module of any file may compute
 
 
@@ -46,6 +47,8 @@ def read(path: str | os.PathLike, part: str) -> tuple[dict[str, Tensor], dict[st
         status(path)
         with safe_open(path, framework="pt") as file:
             metadata = file.metadata() or {}
+            if len(file.keys()) > TENSORS:
+                raise ValueError(f"{path}: has {len(file.keys())} tensors, more than {TENSORS}")
             tensors = {name: file.get_tensor(name).clone() for name in file.keys()}  # noqa: SIM118 (not a dict)
     except OSError as error:
         raise ValueError(f"{path}: cannot be read ({error.strerror or 'no such file'})") from error
@@ -55,8 +58,8 @@ def read(path: str | os.PathLike, part: str) -> tuple[dict[str, Tensor], dict[st
     if found != FORMAT:
         raise ValueError(f"{path}: expected the format {FORMAT!r}, got {found!r}")
     try:
-        parts = {name: json.loads(text) for name, text in metadata.items()}
-    except (ValueError, RecursionError) as error:
+        parts = {name: parsed(text) for name, text in metadata.items()}
+    except ValueError as error:
         raise ValueError(f"{path}: its metadata is damaged ({plain(error)})") from error
     if part not in parts:
         raise ValueError(f"{path}: expected a {part} in it, got {', '.join(sorted(parts)) or 'nothing'}")
@@ -72,7 +75,8 @@ def restore(build: Callable[[], nn.Module], tensors: dict[str, Tensor], start: s
     Raises
     ------
     ValueError
-        If a tensor is missing or unknown, or has another shape, or buffers that are not in the file are too large.
+        If a tensor is missing or unknown, has another shape or numbers that are not finite, or buffers that are not in the
+        file are too large.
     """
     own = {name.removeprefix(start): value for name, value in tensors.items() if name.startswith(start)}
     with torch.device("meta"):
@@ -81,6 +85,7 @@ def restore(build: Callable[[], nn.Module], tensors: dict[str, Tensor], start: s
     shapes = ({name: list(value.shape) for name, value in values.items()} for values in (expected, own))
     if why := difference(*shapes):
         raise ValueError(f"it differs in tensor {why}")
+    finite(own)
     computed = sum(value.nbytes for name, value in module.named_buffers() if name not in expected)
     if computed > COMPUTED:
         raise ValueError(f"its buffers would take {computed:.3g} bytes")
@@ -89,6 +94,13 @@ def restore(build: Callable[[], nn.Module], tensors: dict[str, Tensor], start: s
             module = build()
     module.load_state_dict({name: value.to(expected[name].dtype) for name, value in own.items()}, assign=not computed)
     return module.eval()
+
+
+def finite(tensors: Mapping[str, Tensor]) -> None:
+    """ValueError if a number of a tensor is not finite; it names the tensor."""
+    for name, value in tensors.items():
+        if not bool(value.isfinite().all()):
+            raise ValueError(f"the tensor {name} has numbers that are not finite")
 
 
 @contextlib.contextmanager

@@ -18,6 +18,7 @@ MERGED = 0.25  # joints that may be merged with the one below them, as a share o
 FEW = 2  # joints of a branch that is left out if it cannot be part of a rigid skeleton: eyes, props, helpers
 SEVERAL = 10  # joints of a second tree that is worth a word
 RATES = (30.0, 24.0, 25.0, 60.0, 50.0, 48.0, 120.0, 100.0, 240.0)  # tried where key frames are not at equal distances
+FRAMES = 500_000  # of an animation, and keys of a curve: more than two hours at 60 Hz
 MOST = 1_000_000  # joints times frames that a file of any size may have
 LIMIT = 50_000  # nodes of a file
 _HELPER = re.compile(r"(?:^|[\W_])ik(?:[\W_]|$)|IK", re.ASCII)
@@ -49,6 +50,8 @@ def frame_rate(times: Sequence[np.ndarray], usual: float) -> float:
     It is the keys' own rate if they are at equal distances and at least 12 a second, otherwise ``usual`` or the first of
     `RATES` that meets them, otherwise ``usual``.
     """
+    if (most := max(map(len, times))) > FRAMES:
+        raise ValueError(f"a curve of {most} keys, more than {FRAMES}")
     keys = max(times, key=len) if len(times) > 64 else np.concatenate(times)
     keys = np.unique(np.round(keys, 5))
     if len(keys) < 2:
@@ -73,6 +76,8 @@ def sample_times(times: Sequence[np.ndarray], rate: float, joints: int, size: in
     length = (end - begin) * rate
     if not length < max(MOST, size / 8) / max(joints, 1):
         raise ValueError(f"{length:.0f} frames of {joints} joints are more than {size} bytes can hold")
+    if length > FRAMES:
+        raise ValueError(f"{length:.0f} frames, more than {FRAMES}")
     return begin + np.arange(round(length) + 1) / rate
 
 

@@ -15,7 +15,7 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from toolkit.io import humanml3d, positions
+from toolkit.io import files, humanml3d, positions
 from toolkit.io.recording import Recording
 from toolkit.motion import rotations as R
 from toolkit.motion.clip import SIDES
@@ -31,6 +31,7 @@ VECTORS = ("new_joint_vecs", "vectors", "motion", "arr_0")
 USUAL = 30.0  # frames per second where the file says nothing
 RIGID = 0.01  # metres, or part of the height, by which given or fitted joints may miss their place
 LARGEST = 1e6  # metres and radians
+FITTED = 1_400_000  # joint positions to which a skeleton is fitted: 17 minutes at 60 Hz
 PACKED, ROOM = 3, 30_000_000  # arrays may have the file's size times the first, plus the second, bytes as float64
 ROLES = {"hips": "pelvis"} | {f"{side}_{part}": f"{side}_{name}" for side in SIDES for part, name in {
     "shoulder": "shoulder", "elbow": "elbow", "hand": "wrist", "hip": "hip", "knee": "knee", "foot": "ankle",
@@ -213,6 +214,8 @@ def _fitted(joints: Tensor, format_: str, fps: float, unit: float | None, up: st
     if not len(joints):
         raise ValueError("no frame in it")
     count = joints.shape[1]
+    if len(joints) * count > FITTED:
+        raise ValueError(f"{len(joints)} frames of {count} joints are more than {FITTED} positions; cut the file")
     offsets, rotations, error = positions.fit(PARENTS[:count], _rest(count), joints)
     height = float((joints.amax(1) - joints.amin(1)).max())
     if error > RIGID * height:
@@ -259,6 +262,7 @@ def _tensor(arrays: Mapping[str, np.ndarray], name: str) -> Tensor:
 
 def _arrays(path: Path) -> dict[str, np.ndarray]:
     """Arrays of numbers by name; none is unpacked that is larger than the file allows, and no Python object is made."""
+    files.status(path)
     with path.open("rb") as file:
         begin, size = file.read(4), path.stat().st_size
         file.seek(0)

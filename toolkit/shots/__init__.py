@@ -3,6 +3,7 @@
 from toolkit.shots import pilots
 from toolkit.shots.preview import Preview
 from toolkit.shots.scene import Scene
-from toolkit.shots.shot import Hold, Point, Shot, SpeedKey, StyleKey, load, parse, save
+from toolkit.shots.shot import VERSION, Hold, Point, Shot, SpeedKey, StyleKey, data, load, parse, save
 
-__all__ = ["Hold", "Point", "Preview", "Scene", "Shot", "SpeedKey", "StyleKey", "load", "parse", "pilots", "save"]
+__all__ = ["VERSION", "Hold", "Point", "Preview", "Scene", "Shot", "SpeedKey", "StyleKey", "data", "load", "parse",
+           "pilots", "save"]

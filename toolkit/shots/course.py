@@ -65,7 +65,7 @@ class Curve:
             tangents[-1] = [2 * slopes[-1][i] - tangents[-2][i] for i in (0, 1)]
         self.x, self.z, self.at, self.knots = [points[0][0]], [points[0][1]], [0.0], [0.0]
         for k, chord in enumerate(chords):
-            steps = math.ceil(chord / SPACING)
+            steps = math.ceil(chord / SPACING - 1e-9)
             for step in range(1, steps + 1):
                 t = step / steps
                 u = 1 - t

@@ -236,9 +236,13 @@ def shifted(state: CharacterState, angle: float | Sequence[float]) -> CharacterS
 
 def save(shots: Iterable[Shot], path: str | os.PathLike) -> None:
     """Write the shots of a scene, one per character, to a JSON file, whole or not at all."""
-    scene = {"version": VERSION, "shots": [_data(shot) for shot in shots]}
     with atomic_write(path) as file:
-        file.write((json.dumps(scene, indent=1, ensure_ascii=False, allow_nan=False) + "\n").encode())
+        file.write((json.dumps(data(shots), indent=1, ensure_ascii=False, allow_nan=False) + "\n").encode())
+
+
+def data(shots: Iterable[Shot]) -> dict:
+    """The scene of shots as `parse` reads it and a file holds it."""
+    return {"version": VERSION, "shots": [_data(shot) for shot in shots]}
 
 
 def _data(value):

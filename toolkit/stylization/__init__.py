@@ -1,8 +1,9 @@
 """Diverse motion stylisation (Park, Jang and Lee 2021): a GAN that restyles a clip by a reference clip or by noise.
 
+>>> old = tk.stylization.stylize(tk.stylization.pretrained(), clip, domain="Old", seed=3)
 >>> motions = tk.stylization.build(tk.datasets.load("bandai", dataset=2), mirror=True)
 >>> run = tk.stylization.fit(motions, tk.stylization.Config.quick())
->>> old = tk.stylization.stylize(run.stylizer, clip, domain="exhausted", seed=3)
+>>> tired = tk.stylization.stylize(run.stylizer, clip, domain="exhausted", seed=3)
 """
 
 import pkgutil
@@ -11,10 +12,10 @@ import lazy_loader
 
 from toolkit.stylization.data import Motions, Statistics, build, split
 from toolkit.stylization.graph import SkeletonGraph
-from toolkit.stylization.networks import Discriminator, Sizes, Stylizer
+from toolkit.stylization.networks import Discriminator, Sizes, Stylizer, pretrained
 from toolkit.stylization.restyling import style_code, stylize
 from toolkit.stylization.training import Config, Run, fit, load
 
 __all__ = ["Config", "Discriminator", "Motions", "Run", "Sizes", "SkeletonGraph", "Statistics", "Stylizer", "build", "fit",
-           "load", "split", "style_code", "stylize"]
+           "load", "pretrained", "split", "style_code", "stylize"]
 __getattr__ = lazy_loader.attach(__name__, [module.name for module in pkgutil.iter_modules(__path__)])[0]

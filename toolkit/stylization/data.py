@@ -146,14 +146,18 @@ def describe(clip: Clip) -> tuple[Tensor, Tensor]:
 
 
 def windows(clip: Clip, frames: int = FRAMES) -> tuple[Tensor, Tensor]:
-    """``[M, 7, T, N]`` and ``[M, T, 3]``: a window every half window of a prepared clip; padding has no root velocity."""
+    """``[M, 7, T, N]`` and ``[M, T, 3]``: a window every half window of a prepared clip; padding has no root velocity.
+
+    Every frame is in a window: the last one ends with the clip and may overlap more.
+    """
     x, velocity = describe(clip)
     if (lack := frames - len(clip)) > 0:
         front, back = lack // 2, lack - lack // 2
         x = torch.cat((x[:, :1].expand(-1, front, -1), x, x[:, -1:].expand(-1, back, -1)), 1)
         velocity = nn.functional.pad(torch.cat((velocity[:-1], velocity[:1] * 0)), (0, 0, front, back))
-    cut = x.unfold(1, frames, frames // 2).permute(1, 0, 3, 2)
-    return cut.contiguous(), velocity.unfold(0, frames, frames // 2).transpose(1, 2).contiguous()
+    last = x.shape[1] - frames
+    starts = [*range(0, last, frames // 2), last]
+    return (torch.stack([x[:, s : s + frames] for s in starts]), torch.stack([velocity[s : s + frames] for s in starts]))
 
 
 def to_clip(x: Tensor, root_velocity: Tensor, source: Clip) -> Clip:

@@ -1,7 +1,7 @@
 """The losses of Park et al. 2021 (section 6.2), each a mean over the batch and over a motion's or a code's numbers.
 
-Where the paper writes a norm, these losses take a mean: of squares for the two content losses, of magnitudes for L1. So they
-do not depend on the numbers of frames and joints, and are comparable with weights of 1.
+Where the paper writes a norm over a motion, these losses take a mean: for the two content losses of squares or of the norms
+of single joints, for L1 of magnitudes. So they do not depend on the numbers of frames and joints.
 """
 
 import torch
@@ -31,9 +31,13 @@ def r1(real: Tensor, x: Tensor) -> Tensor:
     return slope.square().flatten(1).sum(1).mean() / 2
 
 
-def content(x: Tensor, rebuilt: Tensor) -> Tensor:
-    """Cycle and identity loss (equations 8 and 9): mean squared difference of z-scores ``[B, 7, T, N]``."""
-    return functional.mse_loss(rebuilt, x)
+def content(x: Tensor, rebuilt: Tensor, squared: bool = True) -> Tensor:
+    """Cycle and identity loss (equations 8 and 9): mean difference of z-scores ``[B, 7, T, N]``, squared per number.
+
+    Not ``squared``, it is the mean norm of a joint's seven differences in a frame, as in the published code: the gradient
+    does not vanish as the difference becomes small.
+    """
+    return functional.mse_loss(rebuilt, x) if squared else (rebuilt - x).square().sum(1).add(1e-8).sqrt().mean()
 
 
 def style(code: Tensor, found: Tensor) -> Tensor:

@@ -3,6 +3,7 @@
 import dataclasses
 import os
 from dataclasses import dataclass
+from importlib import resources
 
 import torch
 from torch import Tensor, nn
@@ -14,7 +15,7 @@ from toolkit.motion.names import checked
 from toolkit.motion.tensors import summary
 from toolkit.stylization.data import CHANNELS, FRAMES, Statistics
 from toolkit.stylization.graph import POOLINGS, SkeletonGraph
-from toolkit.stylization.layers import SLOPE, AdaIN, Block, encoder, he_init, trunk
+from toolkit.stylization.layers import SLOPE, AdaIN, Block, PerJoint, Pointwise, Skip, encoder, he_init, trunk
 
 SHRINK = 2**POOLINGS  # frames per frame of the coarsest level
 CODE_GAIN = 0.3  # share of He's deviation for layers that write or read style codes
@@ -28,22 +29,25 @@ class Sizes:
     code: int = 64  # length of a style code
     latent: int = 16  # length of z
     hidden: int = 512  # of the mapping network; its third layer has twice as many
+    detailed: bool = False  # G has a skip connection and a last layer per joint, unlike Table 3
 
     def __post_init__(self):
         for name, value in dataclasses.asdict(self).items():
-            if not isinstance(value, int) or value < 1:
+            if not isinstance(value, int) or value < (name != "detailed"):
                 raise ValueError(f"sizes: {name} must be a whole number from 1, got {value!r}")
 
     @classmethod
     def small(cls) -> "Sizes":
         """A fifteenth of the parameters, for training on a CPU."""
-        return cls(channels=16, hidden=128)
+        return cls(channels=16, hidden=128, detailed=True)
 
 
 class Generator(nn.Module):
     """Motion stylizer G (Table 3a): content encoder with IN, decoder with AdaIN; z-scores in and out.
 
-    The skip connections of the paper are the shortcuts of the blocks, which have no normalisation.
+    In Table 3, the skip connections of the text are the shortcuts of the blocks, which have no normalisation. Unpooling
+    makes the joints of a body part equal, and shared weights can hardly part them again. So a `Sizes.detailed` generator
+    departs: `Skip` adds the features of the first layer before the last one, which has weights for every joint.
     """
 
     def __init__(self, graph: SkeletonGraph, sizes: Sizes):
@@ -52,17 +56,20 @@ class Generator(nn.Module):
         self.encoder = encoder(graph, c, "in")
         self.decoder = nn.ModuleList(Block(c << level + 1, c << level, graph, level, "up", "adain", sizes.code)
                                      for level in reversed(range(POOLINGS)))
-        self.lower = nn.Conv2d(c, CHANNELS, 1)
+        self.skip = Skip(sizes.code, c) if sizes.detailed else None
+        self.lower = PerJoint(c, CHANNELS, graph.sizes[0]) if sizes.detailed else Pointwise(c, CHANNELS)
 
-    def encode(self, x: Tensor) -> Tensor:
-        """Content ``[B, 4 C, N/4, T/4]`` of ``x [B, 7, T, N]`` (equation 2)."""
-        return self.encoder(x.transpose(2, 3))
+    def encode(self, x: Tensor) -> tuple[Tensor, ...]:
+        """Content ``[B, 4 C, N/4, T/4]`` of ``x [B, 7, T, N]`` (equation 2), and what the skip connection needs."""
+        early = self.encoder[0](x.transpose(2, 3))
+        return self.encoder[1:](early), *(() if self.skip is None else (early,))
 
-    def decode(self, content: Tensor, code: Tensor) -> Tensor:
+    def decode(self, content: tuple[Tensor, ...], code: Tensor) -> Tensor:
         """Motion ``[B, 7, T, N]`` of content in the style of ``code [B, S]`` (equation 3)."""
+        made, *early = content
         for block in self.decoder:
-            content = block(content, code)
-        return self.lower(content).transpose(2, 3)
+            made = block(made, code)
+        return self.lower(made if self.skip is None else made + self.skip(*early, code)).transpose(2, 3)
 
     def forward(self, x: Tensor, code: Tensor) -> Tensor:
         """``x [B, 7, T, N]``, T a multiple of 4, in the style of ``code [B, S]``."""
@@ -190,9 +197,11 @@ class Stylizer(nn.Module):
         description = {"domains": self.domains, "sizes": dataclasses.asdict(self.sizes), "skeleton": self.skeleton.to_dict()}
         return {f"stylizer.{k}": v for k, v in self.state_dict().items()}, description
 
-    def save(self, path: str | os.PathLike) -> None:
-        """Write weights, statistics, skeleton and domain names to one safetensors file."""
+    def save(self, path: str | os.PathLike, *, slim: bool = False) -> None:
+        """Write weights, statistics, skeleton and domain names to one safetensors file; ``slim`` weights have 16 bits."""
         tensors, description = self.parts()
+        if slim:
+            tensors = {k: v if k.startswith("stylizer.statistics.") else v.half() for k, v in tensors.items()}
         model_files.write(path, tensors, {"stylizer": description})
 
     @classmethod
@@ -211,6 +220,12 @@ class Stylizer(nn.Module):
                                        tensors, "stylizer.")
 
 
+def pretrained() -> Stylizer:
+    """The stylizer in the package, a small one trained on procedural clips. `toolkit/data/README.md` describes it."""
+    with resources.as_file(resources.files("toolkit") / "data" / "stylizer.safetensors") as path:
+        return Stylizer.load(path)
+
+
 def build(graph: SkeletonGraph, domains: tuple[str, ...], sizes: Sizes | None = None,
           statistics: Statistics | None = None) -> tuple[Stylizer, Discriminator]:
     """New networks; without statistics z-scores are physical units.
@@ -227,6 +242,7 @@ def build(graph: SkeletonGraph, domains: tuple[str, ...], sizes: Sizes | None = 
         he_init(network)
     nn.init.zeros_(stylizer.generator.lower.weight)
     with torch.no_grad():
-        for layer in (stylizer.encoder.branches, *(m.affine for m in stylizer.modules() if isinstance(m, AdaIN))):
+        readers = (m.affine if isinstance(m, AdaIN) else m.gain for m in stylizer.modules() if isinstance(m, AdaIN | Skip))
+        for layer in (stylizer.encoder.branches, *readers):
             layer.weight.mul_(CODE_GAIN)
     return stylizer, discriminator

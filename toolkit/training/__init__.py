@@ -5,6 +5,7 @@ from toolkit.training.loop import fit
 from toolkit.training.loss import baselines, evaluate, loss_terms, make_bank
 from toolkit.training.minibatches import Minibatches
 from toolkit.training.run import Config, Run, load, pretrained
+from toolkit.training.vectors import refit
 
 __all__ = ["Config", "Minibatches", "Run", "baselines", "evaluate", "fit", "load", "loss_terms", "make_bank", "pretrained",
-           "split"]
+           "refit", "split"]

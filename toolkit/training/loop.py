@@ -25,12 +25,14 @@ from toolkit.io import model_files
 from toolkit.motion.tensors import summary
 from toolkit.networks import Model
 from toolkit.networks.bank import StyleBank
+from toolkit.networks.film import FilmGenerator
 from toolkit.training import distributed
 from toolkit.training.checkpoint import Checkpoint, Saver, starting
 from toolkit.training.distributed import Alone, Objective
 from toolkit.training.loss import baselines, evaluate, make_bank
 from toolkit.training.minibatches import DROPOUT, INIT, Minibatches
 from toolkit.training.run import Config, Run, load, pretrained
+from toolkit.training.vectors import refit
 
 if TYPE_CHECKING:
     from lightning_fabric import Fabric
@@ -152,6 +154,9 @@ def fit(data: Features, config: Config | None = None, checkpoint: str | os.PathL
         model.load_state_dict(state.best)
     model.eval()
     bank = make_bank(model, train)
+    if config.refit and isinstance(model.modulation.generator, FilmGenerator):
+        bank = refit(model.cpu(), bank, train, config.refit, config.seed, config.pose_mixup, progress and first)
+        model.to(fabric.device)
     held_out, shifted = evaluate(model, bank, test), StyleBank(bank.names, bank.vectors.roll(1, 0))
     for style, error in (evaluate(model, shifted, test) if len(bank) > 1 else {}).items():
         held_out[style]["other"] = error["mse"]

@@ -16,6 +16,9 @@ from toolkit.networks import MODELS, Model, Sizes
 from toolkit.networks.bank import StyleBank
 
 PRECISIONS = ("32", "bf16")
+#: Learning rate of the style modulation / other rates in `Config.quick`. High rates destroy FiLM's convolutions. Tables of
+#: styles need high rates, one-hot the highest, because a row is trained only by the minibatches of its own style.
+STYLE_RATES = {"film": 0.1, "onehot": 10.0, "resad": 1.0}
 
 
 @dataclass(frozen=True)
@@ -37,6 +40,7 @@ class Config:
     max_gradient: float | None = None  # norm to which gradients are clipped; without it, losses spike at rates from 1e-3 on
     bone_weight: float = 1.0  # of the bone-length loss
     pose_mixup: float = 0.0  # share of frames whose input pose is mixed with another frame's (see Minibatches); the paper: 0
+    refit: int = 0  # steps per style that fit style vectors to frames after the training (`training.vectors.refit`); FiLM
     held_out: float = 0.1  # share of every style's frames kept for the test error
     evaluate_every: int = 1000  # steps between test errors in the history
     save_every: float = 120.0  # seconds between checkpoints
@@ -60,6 +64,8 @@ class Config:
         if not (0 < self.rate < math.inf and 0 <= self.style_rate < math.inf and 0 <= self.final_rate <= 1):
             raise ValueError(f"rate must be positive, style_rate not negative and final_rate in [0, 1]; got {self.rate}, "
                              f"{self.style_rate} and {self.final_rate}")
+        if self.refit < 0:
+            raise ValueError(f"refit must not be negative, got {self.refit}")
         if self.seed < 0:
             raise ValueError(f"seed must not be negative, got {self.seed}")
         if not 0 <= self.pose_mixup <= 1:
@@ -83,8 +89,9 @@ class Config:
     @classmethod
     def quick(cls, **changes) -> "Config":
         """Half a minute on two cores: small sizes, one style clip per minibatch, pose mix-up, a high rate that decays."""
-        settings = {"sizes": Sizes.small(), "batch": 64, "clips_per_batch": 1, "rate": 2e-3, "style_rate": 0.1,
-                    "pose_mixup": 0.3, "final_rate": 0.01, "max_gradient": 1.0}
+        settings = {"sizes": Sizes.small(), "batch": 64, "clips_per_batch": 1, "rate": 2e-3, "pose_mixup": 0.3,
+                    "final_rate": 0.01, "max_gradient": 1.0,
+                    "style_rate": STYLE_RATES.get(str(changes.get("model", cls.model)).rpartition("-")[2], 1.0)}
         if not changes.keys() & {"epochs", "steps", "seconds"}:
             settings["seconds"] = 30.0
         return cls(**(settings | changes))
@@ -97,7 +104,7 @@ class Config:
 
     def fixed(self) -> dict:
         """The settings that must not change when a run is resumed, as JSON values."""
-        free = {"save_every", "device", "processes"} | ({"evaluate_every"} if self.patience is None else set())
+        free = {"save_every", "device", "processes", "refit"} | ({"evaluate_every"} if self.patience is None else set())
         return json.loads(json.dumps({k: v for k, v in dataclasses.asdict(self).items() if k not in free}))
 
 

@@ -12,6 +12,7 @@ if _missing := [name for name in _NEEDS if find_spec(name) is None]:
 __getattr__, __dir__, __all__ = lazy_loader.attach(__name__, [module.name for module in pkgutil.iter_modules(__path__)], {
     "animation": ["animate", "contact_sheet", "crowd", "loop"],
     "controller": ["Controller"],
+    "director": ["Director"],
     "explorer": ["StyleExplorer", "explore"],
     "figures": ["style_space", "training_curves", "trajectory_figure"],
     "live_page": ["web"],

@@ -16,8 +16,8 @@ from toolkit.io.files import atomic_write
 from toolkit.motion import Clip, on_cpu
 from toolkit.motion import rotations as R
 from toolkit.view import body
+from toolkit.view.canvas import Canvas
 from toolkit.view.picture import FLOOR, INK, PAPER, Shot, cast, steady_frames
-from toolkit.view.raycast import Canvas
 
 LINE, GRID = "#bfbab0", 0.5  # lines on the floor; metres between them
 BOTTOM = -0.3  # metres of floor shown below the feet
@@ -137,21 +137,21 @@ def crowd(clips: Sequence[Clip], path: str | os.PathLike, *, fps: float = 12.5, 
     first = clips[0]
     at = np.arange(max(1, round(first.seconds * fps))) / fps if fps else np.array([first.seconds])
     frames = np.minimum(np.round(at * first.fps).astype(int), len(first) - 1)
-    still, shapes = np.zeros((len(first), 3)), body.build(first)
-    shots = [Shot(clip, None, frames, still, np.radians(view), np.radians(elevation), shapes) for clip in clips]
+    still = np.zeros((len(first), 3))
+    shots = [Shot(clip, None, frames, still, np.radians(view), np.radians(elevation)) for clip in clips]
     camera = shots[0].camera
-    low, high = body.bounds(shapes, np.stack([shot.places for shot in shots]))
-    (x0, y0), (x1, y1) = low[:2] - MARGIN, high[:2] + MARGIN
+    x0, y0 = np.min([shot.low for shot in shots], 0)[:2] - MARGIN
+    x1, y1 = np.max([shot.high for shot in shots], 0)[:2] + MARGIN
     tints = [np.array(to_rgb(body.PALETTE[i % len(body.PALETTE)])) for i in range(len(clips))]
-    looks = [(1 - TINT) * body.colors(shapes) + TINT * tint for tint in tints]
-    lamp = camera @ np.array([-0.35, 1.0, 0.25])
+    looks = [shot.body.light[:, None] * ((1 - TINT) * shot.body.tones @ body.TABLE + TINT * tint)
+             for shot, tint in zip(shots, tints, strict=True)]
+    lamp = shots[0].tilt.T @ camera @ np.array([-0.35, 1.0, 0.25])
 
     def drawn() -> Iterator[Image.Image]:
         for k in tqdm(range(len(frames)), desc=path.name, disable=not progress):
             canvas = Canvas((x0, x1, y0, y1), FINE * width / (x1 - x0), camera)
             for shot, look in zip(shots, looks, strict=True):
-                canvas.draw(shapes, shot.places[k], look)
-                canvas.shadow(shapes, shot.places[k], lamp)
+                shot.draw(canvas, k, lamp, colors=look)
             yield _image(_on_floor(canvas, np.eye(3)[::2], [2 * GRID, 2 * GRID], [0, 0]))
 
     return _write(drawn(), path, fps or 1.0, colors)

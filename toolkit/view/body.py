@@ -1,10 +1,13 @@
-"""A mannequin that fits any skeleton: rounded cones fixed to joints, used by every renderer.
+"""A mannequin that fits any skeleton: one smooth skinned surface, used by every renderer and by glTF export.
 
-A rounded cone is the convex hull of two spheres, scaled along one direction. Skeletons differ in their local axes
-(Bandai-Namco's bones lie along X), so a direction such as "forward in the head's frame" is measured on the clip.
+It is modelled in a bind pose: limbs stretched, arms and legs spread, feet flat, facing +z. A humanoid's comes from
+`toolkit.motion.anatomy`, so that its local axes and its pose of zero rotations do not matter; that of another creature is
+the first frame of the clip. Flesh is rounded cones (`toolkit.view.surface`), in metres of a body whose legs are `LEG` long.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import cached_property
 from itertools import pairwise
 from weakref import WeakKeyDictionary
 
@@ -13,144 +16,73 @@ import torch
 from matplotlib.colors import to_rgb
 from torch import Tensor
 
-from toolkit.motion import Clip, root_frames
+from toolkit.motion import Clip, Skeleton, anatomy, forward_kinematics
 from toolkit.motion import rotations as R
 from toolkit.motion.clip import FEET, SIDES
+from toolkit.view.skin import Skin, strongest
+from toolkit.view.surface import Cone, Field, Part, polygonise
 
 LEG = 0.87  # hip to ankle in metres of the body that the radii below are written for
 COLORS = {"left": "#6a9fcb", "right": "#e39a6c", "middle": "#ebe6dd", "joint": "#46505c", "face": "#2b323b"}
 CONTACT = "#35c46a"
 PALETTE = ("#7b68c4", "#2fa596", "#d6598b", "#c9a227", "#5b8def", "#8a8f98")  # styles and curves, in order
-RADII = {  # upper joint's role -> radii at the two ends of the bone below it
-    "hip": (0.077, 0.054), "knee": (0.053, 0.035), "foot": (0.041, 0.030),
-    "shoulder": (0.049, 0.037), "elbow": (0.037, 0.027),
+PARTS = {  # in the order in which they are joined
+    "trunk": Part(0.06, 0.0), "legs": Part(0.008, 0.05), "feet": Part(0.045, 0.04), "arms": Part(0.008, 0.05),
+    "hands": Part(0.02, 0.025), "neck": Part(0.02, 0.05), "head": Part(0.03, 0.02), "bones": Part(0.01, 0.02),
 }
-ZERO = torch.zeros(3)
-UP = torch.tensor([0.0, 1.0, 0.0])
+SPREAD = {"arm": 50.0, "leg": 9.0}  # degrees from the T-pose: arms downwards, legs outwards
+GROWN = {"hand": 2.7, "foot": 1.4, "head": 1.8}  # modelled so many times larger, for finer polygons
+FINGERS = ((0.032, 0.074, 17), (0.0105, 0.084, 6), (-0.0105, 0.078, -6), (-0.031, 0.06, -17))  # across, length, degrees
+SHARES, TONES = 0.012, 0.004  # metres over which vertices near two joints follow both, and over which colours change
+LARGEST = 1e6  # metres from the origin that are drawn
+TALL = 1.8  # metres: other creatures are modelled at this size
+VERTICES = 3700  # about as many, for a body of any shape
+KEPT = 16  # bodies
+TABLE = np.array([to_rgb(color) for color in COLORS.values()])  # [len(COLORS), 3]
 
 
 @dataclass(frozen=True, eq=False)
-class Bend:
-    """The part of a shape's surface that follows another joint."""
+class Mannequin:
+    """The body of a skeleton."""
 
-    joint: int  # the other joint
-    place: np.ndarray  # [3, 4], from the cone's own frame to that joint's, with the limb straight
-    at: float  # metres along the cone's axis, where half of the surface follows the other joint
-    width: float  # metres; at ``at + width`` all of it does
+    skin: Skin
+    cones: tuple[Cone, ...]  # its flesh in the bind pose, e.g. for shadows
+    tones: np.ndarray  # [V, len(COLORS)] share of each colour
+    feet: np.ndarray  # [V, 2] share of the right and the left foot
+    light: np.ndarray  # [V] ambient light, 0 to 1
 
+    def colors(self, contacts: np.ndarray | None = None, tint: np.ndarray | None = None) -> np.ndarray:
+        """Colour of every vertex [V, 3], 0 to 1.
 
-@dataclass(frozen=True, eq=False)
-class Shape:
-    """One rounded cone."""
-
-    joint: int  # the joint it is fixed to
-    place: np.ndarray  # [3, 4], from the cone's own frame (spheres at the origin and at +Y · length) to the joint's, metres
-    length: float  # distance of the two spheres, metres
-    radii: tuple[float, float]
-    tone: str  # key of `COLORS`
-    foot: str = ""  # "left" or "right" where contacts are shown
-    bends: tuple[Bend, ...] = ()  # towards the joints beyond its ends, at most one each
-
-
-def cone(joint: int, start: Tensor, end: Tensor, radii: tuple[float, float], tone: str, *, thin: Tensor | None = None,
-         by: float = 1.0, foot: str = "") -> Shape:
-    """Rounded cone from ``start`` to ``end`` [3] in the joint's frame, its thickness along ``thin`` scaled by ``by``."""
-    start, end = (np.asarray(v, dtype=np.float64) for v in (start, end))
-    length = np.linalg.norm(end - start)
-    y = (end - start) / length if length > 1e-6 else np.eye(3)[1]
-    across = np.eye(3)[np.abs(y).argmin()]
-    z = across if thin is None else np.asarray(thin, dtype=np.float64)
-    z = z - y * (y @ z)
-    z = z if np.linalg.norm(z) > 1e-3 else np.cross(y, across)
-    z = z / np.linalg.norm(z)
-    length = max(float(length), 1.1 * abs(radii[0] - radii[1]), 1e-4)
-    return Shape(joint, np.stack((np.cross(y, z), y, z * by, start), 1), length, tuple(map(float, radii)), tone, foot)
-
-
-def _snap(v: Tensor) -> Tensor:
-    """The signed coordinate axis nearest to a direction [3]."""
-    i = v.abs().argmax()
-    return torch.eye(3)[i] * v[i].sign()
-
-
-class _Measured:
-    """Directions and positions in the joints' own frames, averaged over a clip."""
-
-    def __init__(self, clip: Clip):
-        self.clip, self.skeleton = clip, clip.skeleton
-        self.positions, self.rotations = clip.global_positions, clip.global_rotations
-        facing = R.inverse(root_frames(clip).rotations)[:, None].expand(-1, len(clip.skeleton), -1)
-        self.axes = R.to_matrix(R.multiply(facing, self.rotations)).mean(0)  # rows: the body's axes in joint coordinates
-        self.legs = {j for side in SIDES for j in self.skeleton.ancestors(self.skeleton.role(f"{side}_foot"))}
-        left, right = (self.skeleton.ancestors(self.skeleton.role(f"{side}_shoulder")) for side in ("left", "right"))
-        self.spine = [j for j in left if j in right]  # from the chest down to the hips
-        if (hips := self.skeleton.role("hips")) in self.spine:
-            self.spine = self.spine[: self.spine.index(hips) + 1]
-        hip, knee, foot = (self.skeleton.role(f"left_{part}") for part in ("hip", "knee", "foot"))
-        self.scale = float(self.bone(hip, knee).norm() + self.bone(knee, foot).norm()) / LEG
-
-    def children(self, joint: int) -> list[int]:
-        return [j for j, p in enumerate(self.skeleton.parents) if p == joint]
-
-    def bone(self, upper: int, lower: int) -> Tensor:
-        """From a joint to one below it, in the frame of the upper one; twist bones may lie between."""
-        if self.skeleton.parents[lower] == upper:
-            return self.skeleton.offsets[lower]
-        gap = self.positions[:, lower] - self.positions[:, upper]
-        return R.rotate(R.inverse(self.rotations[:, upper]), gap).mean(0)
-
-    def up(self, joint: int) -> Tensor:
-        """Along the bones that continue a joint of the trunk, so that a bent spine has its own up direction."""
-        along = sum((self.skeleton.offsets[j] for j in self.children(joint) if j not in self.legs), ZERO)
-        return _snap(along if float(along.norm()) > 0.02 else self.axes[joint, 1])
-
-    def forward(self, joint: int) -> Tensor:
-        return _snap(self.axes[joint, 2] * (1 - self.up(joint).abs()))
-
-    def onward(self, joint: int) -> Tensor:
-        """Along the bones that continue any joint, else along the bone that ends there."""
-        below = self.children(joint)
-        offsets = self.skeleton.offsets[[j for j in below if j not in self.legs] or below].sum(0)
-        return R.normalize(offsets if float(offsets.norm()) > 0.02 else self.skeleton.offsets[joint])
-
-    def bend(self, shape: Shape, joint: int, width: float) -> Shape:
-        """The shape with a bend towards the joint below or above its own, over ``width`` metres to either side.
-
-        The limb counts as straight where the lower bone continues the upper one, with the clip's mean twist.
+        Feet (right, left) in contact by ``contacts`` [2] have a colour of their own; ``tint`` [3] is that of the trunk.
         """
-        below = shape.joint in self.skeleton.ancestors(joint)
-        lower, upper = (joint, shape.joint) if below else (shape.joint, joint)
-        bone, local = self.bone(upper, lower), self.clip.rotations[:, lower]
-        if self.skeleton.parents[lower] != upper:
-            local = R.multiply(R.inverse(self.rotations[:, upper]), self.rotations[:, lower])
-        local = R.unroll(local).mean(0)
-        turn = R.normalize(local) if float(local.norm()) > 1e-3 else R.identity()
-        turn = R.to_matrix(R.multiply(R.between(R.rotate(turn, self.onward(lower)), R.normalize(self.onward(upper))), turn))
-        turn, bone = turn.double().numpy(), bone.double().numpy()
-        shift = np.column_stack((np.zeros((3, 3)), bone))
-        moved = turn.T @ (shape.place - shift) if below else turn @ shape.place + shift
-        at = float((np.linalg.inv(shape.place[:, :3]) @ (below * bone - shape.place[:, 3]))[1])
-        return replace(shape, bends=(*shape.bends, Bend(joint, moved, at, width if below else -width)))
+        table = TABLE.copy()
+        if tint is not None:
+            table[list(COLORS).index("middle")] = tint
+        found = self.tones @ table
+        if contacts is not None:
+            found += (self.feet @ np.asarray(contacts, float))[:, None] * (np.array(to_rgb(CONTACT)) - found)
+        return found * self.light[:, None]
 
-    def palm(self, side: str) -> Tensor:
-        """Direction of a palm in the hand's frame: the elbow's axis, or sideways for an arm that stays straight."""
-        shoulder, elbow, hand = (self.skeleton.role(f"{side}_{part}") for part in ("shoulder", "elbow", "hand"))
-        upper, lower = (self.positions[:, b] - self.positions[:, a] for a, b in ((shoulder, elbow), (elbow, hand)))
-        axis = R.rotate(R.inverse(self.rotations[:, hand]), torch.linalg.cross(upper, lower)).mean(0)
-        return R.normalize(axis if float(axis.norm()) > 1e-3 else self.axes[hand, 0])
+    @cached_property
+    def radii(self) -> np.ndarray:
+        """Radii [C, 2] of the cones."""
+        return np.array([cone.radii for cone in self.cones])
 
-    def pair(self, part: str, frame: int) -> tuple[Tensor, Tensor]:
-        """Mean positions of the left and the right joint of that role, in the frame of another joint."""
-        both = [self.positions[:, self.skeleton.role(f"{side}_{part}")] for side in SIDES]
-        turn = R.inverse(self.rotations[:, frame])
-        left, right = (R.rotate(turn, joint - self.positions[:, frame]).mean(0) for joint in both)
-        return left, right
+    def flesh(self, rotations: Tensor, positions: Tensor) -> np.ndarray:
+        """Ends ``[..., C, 2, 3]`` of the cones, for global rotations ``[..., J, 4]`` and positions ``[..., J, 3]``."""
+        joints = [cone.joint for cone in self.cones]
+        inverse = self.skin.inverse[joints]
+        ends = np.array([(cone.start, cone.end) for cone in self.cones])
+        ends = ends @ inverse[..., :3].swapaxes(1, 2) + inverse[:, None, :, 3]
+        turned = R.to_matrix(rotations[..., joints, :]).double().numpy()
+        return ends @ turned.swapaxes(-1, -2) + positions[..., joints, None, :].double().numpy()
 
-    def standing(self, foot: int, direction: Tensor, frame: int) -> Tensor:
-        """World ``direction`` (broadcast [F, 3]) in a joint's frame, averaged over the frames in which the foot is low."""
-        height = self.positions[:, foot, 1]
-        low = height <= height.quantile(0.2)
-        return R.normalize(R.rotate(R.inverse(self.rotations[low, frame]), direction.expand(len(height), 3)[low]).mean(0))
+    def packed(self, skeleton: Skeleton) -> dict:
+        """The body as the browser's scene takes it (``scene/body.js`` describes the format)."""
+        trunk = self.tones[:, [list(COLORS).index("middle")]]
+        marks = np.concatenate((self.feet[:, ::-1], trunk, self.light[:, None]), 1)
+        return self.skin.packed(skeleton, (255 * self.colors()).round(), marks) | {"own": False, "follow": None}
 
 
 def has_roles(clip: Clip, *parts: str) -> bool:
@@ -158,156 +90,287 @@ def has_roles(clip: Clip, *parts: str) -> bool:
     return all(f"{side}_{part}" in clip.skeleton.roles for side in SIDES for part in parts)
 
 
-_BUILT: WeakKeyDictionary[Clip, tuple[Shape, ...]] = WeakKeyDictionary()  # an entry lives as long as its clip
+_BUILT: WeakKeyDictionary[Clip, dict[int, Mannequin]] = WeakKeyDictionary()  # an entry lives as long as its clip
+_KEPT: dict[tuple, Mannequin] = {}
 
 
-def build(clip: Clip) -> tuple[Shape, ...]:
-    """The mannequin of a clip's skeleton; skeletons without hips, shoulders, elbows and feet get plain bones."""
-    if clip not in _BUILT:
-        _BUILT[clip] = _build(clip)
-    return _BUILT[clip]
+def build(clip: Clip, vertices: int = VERTICES) -> Mannequin:
+    """The mannequin of a clip's skeleton; skeletons that are no humanoids get plain bones.
+
+    It has about as many ``vertices``.
+
+    Raises
+    ------
+    ValueError
+        If no bone is long enough to be given a body, or the motion is too large for numbers of 32 bits.
+    """
+    made = _BUILT.setdefault(clip, {})
+    if vertices not in made:
+        reach = max(float(clip.skeleton.offsets.abs().max()), float(clip.root_positions.abs().max()))
+        if reach > LARGEST:
+            raise ValueError(f"{clip.name}: its positions reach {reach:.3g} m, and at most {LARGEST:g} m can be drawn; "
+                             "the unit of length may be wrong (--unit)")
+        pose = _Pose.of(clip)
+        key = vertices, *pose.key
+        if key not in _KEPT:
+            if len(_KEPT) >= KEPT:
+                del _KEPT[next(iter(_KEPT))]
+            _KEPT[key] = _build(pose, clip.name, vertices)
+        made[vertices] = _KEPT[key]
+    return made[vertices]
 
 
-def _build(clip: Clip) -> tuple[Shape, ...]:
-    if not has_roles(clip, "shoulder", "elbow", "hip", "foot"):
-        return _bones(clip, set(), 1.0)
-    m = _Measured(clip)
-    s, shapes, drawn = m.scale, [], set()
-    for side in SIDES:
-        for part in ("hip", "shoulder"):
-            drawn.update(clip.skeleton.ancestors(clip.skeleton.role(f"{side}_{part}")))
-        for build_limb in (_limb, _foot, _hand):
-            shapes += build_limb(m, side, s, drawn)
-    shapes += _torso(m, s) + _head(m, s, drawn)
-    return (*shapes, *_bones(clip, drawn, s))
+@dataclass(frozen=True, eq=False)
+class _Pose:
+    """The bind pose of a skeleton."""
+
+    skeleton: Skeleton
+    places: np.ndarray  # [J, 3] of the joints, metres
+    turned: np.ndarray  # [J, 3, 3] their axes
+    body: dict[int, np.ndarray]  # joint of a humanoid -> left, up and forward [3, 3] there, as columns
+    neck: list[int]  # from the chest to the head
+    rises: tuple[float, ...]  # height of the left and right toe above the sole, metres
+
+    @classmethod
+    def of(cls, clip: Clip) -> "_Pose":
+        clip = clip.to("cpu", torch.float32)
+        try:
+            found = anatomy.measure(clip)
+        except ValueError:
+            turned, places = forward_kinematics(clip.skeleton, clip.rotations[0], torch.zeros(3))
+            return cls(clip.skeleton, places.double().numpy(), R.to_matrix(turned).double().numpy(), {}, [], ())
+        skeleton, tilts = found.skeleton, {}
+        for side, sign in zip(SIDES, (1.0, -1.0), strict=True):
+            for kind, degrees in (("arm", -SPREAD["arm"]), ("leg", SPREAD["leg"])):
+                turn = R.from_axis_angle(torch.tensor([0.0, 0.0, 1.0]), torch.tensor(np.radians(sign * degrees)).float())
+                tilts |= {joint: turn for part, joint in anatomy.limb(skeleton, side, kind).items() if part != "collar"}
+        turned, body = [], {}
+        for j, parent in enumerate(skeleton.parents):
+            if j in found.axes:
+                tilt = tilts.get(j, R.identity(1)[0])
+                turned.append(R.multiply(tilt, R.inverse(found.axes[j].float())))
+                body[j] = R.to_matrix(tilt).double().numpy()
+            else:
+                turned.append(found.rest[j].float() if parent < 0 else R.multiply(turned[parent], found.rest[j].float()))
+        turned = torch.stack(turned)
+        local = torch.cat((turned[:1], R.multiply(R.inverse(turned[list(skeleton.parents[1:])]), turned[1:])))
+        places = forward_kinematics(skeleton, local, torch.zeros(3))[1].double().numpy()
+        rises = tuple(_rise(clip, skeleton.role(f"{side}_toe")) for side in SIDES)
+        return cls(skeleton, places, R.to_matrix(turned).double().numpy(), body, found.neck, rises)
+
+    @property
+    def key(self) -> tuple:
+        """Equal for poses that have the same body."""
+        numbers = np.concatenate((self.places.ravel(), self.turned.ravel(), self.rises))
+        return self.skeleton.names, self.skeleton.parents, tuple(self.neck), (200 * numbers).round().astype(int).tobytes()
+
+    def children(self, joint: int) -> list[int]:
+        return [j for j, p in enumerate(self.skeleton.parents) if p == joint]
+
+    def below(self, joint: int) -> list[int]:
+        return [j for j in range(len(self.skeleton)) if j == joint or joint in self.skeleton.ancestors(j)]
 
 
-def _bones(clip: Clip, drawn: set[int], scale: float) -> tuple[Shape, ...]:
-    """Plain capsules for the joints that are not drawn yet: fingers, tails, props, other creatures."""
-    shapes = []
-    for j, p in enumerate(clip.skeleton.parents):
-        length = float(clip.skeleton.offsets[j].norm())
-        if p >= 0 and j not in drawn and length > 0.008:
-            r = min(max(0.16 * length, 0.008), 0.045 * scale)
-            shapes.append(cone(p, ZERO, clip.skeleton.offsets[j], (r, 0.8 * r), "middle"))
-    return tuple(shapes)
+def _rise(clip: Clip, toe: int) -> float:
+    """Height of a toe, or of an ankle without toe, above the sole: that of its lowest frames, in whole centimetres."""
+    return round(float(clip.global_positions[:, toe, 1].quantile(0.05).clamp(0.0, 0.12)), 2)
 
 
-def _limb(m: _Measured, side: str, s: float, drawn: set[int]) -> list[Shape]:
-    shapes = []
-    for upper, lower in (("hip", "knee"), ("knee", "foot"), ("shoulder", "elbow"), ("elbow", "hand")):
-        a, b = m.skeleton.role(f"{side}_{upper}"), m.skeleton.role(f"{side}_{lower}")
-        bone, (r0, r1) = m.bone(a, b), RADII[upper]
-        flesh = cone(a, 0.06 * bone, 0.94 * bone, (r0 * s, r1 * s), side)
-        if lower != "foot":  # a foot does not continue its shin
-            flesh = m.bend(flesh, b, 0.1 * s if lower == "hand" else 1.6 * r1 * s)
-        if upper in ("knee", "elbow"):
-            flesh = m.bend(flesh, m.skeleton.parents[a], 1.6 * r0 * s)
-        shapes += [flesh, cone(b, ZERO, ZERO, (1.04 * r1 * s,) * 2, "joint")]
-        drawn.update((a, b), m.skeleton.ancestors(b))
-    shoulder = m.skeleton.role(f"{side}_shoulder")
-    collar, bone = m.skeleton.parents[shoulder], m.skeleton.offsets[shoulder]
-    return [*shapes, cone(shoulder, ZERO, ZERO, (0.056 * s,) * 2, "joint"),
-            cone(collar, ZERO, 0.86 * bone, (0.046 * s, 0.05 * s), "middle")]
+def _build(pose: _Pose, name: str, vertices: int) -> Mannequin:
+    cones, scale = _humanoid(pose) if pose.body else ([], max(float(np.ptp(pose.places, axis=0).max()) / TALL, 1e-6))
+    cones += _bones(pose, {cone.joint for cone in cones}, scale)
+    if not cones:
+        raise ValueError(f"{name}: no bone is long enough to be given a body")
+    pivots = _pivots(pose)
+    model = [_grown(cone, *pivots[cone.joint], scale) for cone in cones]
+    field = Field(model, PARTS)
+    area = sum(np.pi * (2 * np.linalg.norm(c.end - c.start) + sum(c.radii)) * sum(c.radii) * (1 + c.by) / 2 for c in model)
+    points, normals, triangles = polygonise(field, (0.45 * area / vertices) ** 0.5)
+    light = field.openness(points, normals)
+    near = field.each(points)
+    near -= near.min(1, keepdims=True)
+    weights = np.zeros((len(points), len(pose.skeleton)))
+    for i, cone in enumerate(cones):
+        weights[:, cone.joint] = np.maximum(weights[:, cone.joint], np.exp(-near[:, i] / SHARES))
+    joints, weights = strongest(weights)
+    tones, feet = np.zeros((len(points), len(COLORS))), np.zeros((len(points), 2))
+    for i, cone in enumerate(cones):
+        share, tone = np.exp(-near[:, i] / TONES), list(COLORS).index(cone.tone)
+        tones[:, tone] = np.maximum(tones[:, tone], share)
+        if cone.foot:
+            feet[:, FEET.index(cone.foot)] = np.maximum(feet[:, FEET.index(cone.foot)], share)
+    factors, centres = (np.array([pivots[j][i] for j in range(len(pose.skeleton))]) for i in (0, 1))
+    points *= scale
+    back = (1 / factors[joints] - 1)[..., None] * (points[:, None] - centres[joints])
+    points = points + (weights[..., None] * back).sum(1)
+    inverse = np.concatenate((pose.turned.swapaxes(1, 2), -pose.turned.swapaxes(1, 2) @ pose.places[..., None]), 2)
+    skin = Skin(points.astype(np.float32), normals.astype(np.float32), triangles, joints, weights, inverse)
+    feet /= np.maximum(tones.sum(1, keepdims=True), 1)
+    return Mannequin(skin, tuple(cones), tones / tones.sum(1, keepdims=True), feet, light)
 
 
-def _foot(m: _Measured, side: str, s: float, drawn: set[int]) -> list[Shape]:
-    ankle = m.skeleton.role(f"{side}_foot")
-    if f"{side}_toe" not in m.skeleton.roles:
-        return []
-    toe = m.skeleton.role(f"{side}_toe")
-    to_toe = m.skeleton.offsets[toe]
-    up = m.standing(ankle, UP, ankle)
-    forward = R.normalize(to_toe - up * (up @ to_toe))
-    r0, r1 = 0.038 * s, 0.036 * s
-    rise = float(m.positions[:, toe, 1].quantile(0.05).clamp(0.0, 0.05 * s))  # of the joint above the sole
-    sole = float(up @ to_toe) - rise
-    heel = up * (sole + r0) - 0.012 * s * forward
-    ball_of_foot = to_toe + up * (r1 - rise)
-    flat = m.standing(ankle, UP, toe)
-    ahead = m.standing(ankle, R.rotate(m.rotations[:, ankle], forward.expand(len(m.positions), 3)), toe)
-    end = 0.038 * s * ahead + flat * (0.027 * s - rise)
-    drawn.update(m.children(ankle) + m.children(toe))
-    return [
-        cone(ankle, ZERO, 0.75 * ball_of_foot, (0.042 * s, 0.034 * s), side, foot=side),
-        cone(ankle, heel, ball_of_foot, (r0, r1), side, foot=side),
-        cone(toe, flat * (r1 - rise), end, (0.99 * r1, 0.027 * s), side, foot=side),
-    ]
+def _pivots(pose: _Pose) -> list[tuple[float, np.ndarray]]:
+    """For each joint how many times larger it is modelled, and about which point [3]."""
+    found = [(1.0, np.zeros(3)) for _ in pose.places]
+    if pose.body:
+        roots = {pose.skeleton.role(f"{side}_{part}"): GROWN[part] for side in SIDES for part in ("hand", "foot")}
+        for joint, factor in (roots | ({pose.neck[-1]: GROWN["head"]} if len(pose.neck) > 1 else {})).items():
+            for j in pose.below(joint):
+                found[j] = factor, pose.places[joint]
+    return found
 
 
-def _hand(m: _Measured, side: str, s: float, drawn: set[int]) -> list[Shape]:
-    hand = m.skeleton.role(f"{side}_hand")
-    end = next((j for j in m.children(hand) if m.skeleton.is_end(j)), hand)
-    bone = m.skeleton.offsets[end if float(m.skeleton.offsets[end].norm()) > 0.02 else hand]
-    along, r = R.normalize(bone), 0.043 * s
-    drawn.add(end)
-    return [cone(hand, 0.035 * s * along, 0.13 * s * along, (r, 0.75 * r), side, thin=m.palm(side), by=0.55)]
+def _grown(cone: Cone, factor: float, centre: np.ndarray, scale: float) -> Cone:
+    """The cone as it is modelled: in metres of a person, larger by a factor about a point."""
+    start, end = ((centre + factor * (point - centre)) / scale for point in (cone.start, cone.end))
+    return replace(cone, start=start, end=end, radii=tuple(factor * r / scale for r in cone.radii))
 
 
-def _torso(m: _Measured, s: float) -> list[Shape]:
-    hips, chest = m.skeleton.role("hips"), m.spine[0]
-    a, b = m.pair("hip", hips)
-    middle, half = (a + b) / 2 + 0.025 * s * m.up(hips), 0.062 * s * R.normalize(a - b)
-    shapes = [cone(hips, middle + half, middle - half, (0.1 * s,) * 2, "middle", thin=m.forward(hips), by=0.9)]
-    for upper, lower in pairwise(m.spine):
-        part = cone(lower, ZERO, m.skeleton.offsets[upper], (0.088 * s, 0.092 * s), "joint", thin=m.forward(lower), by=0.86)
-        part = m.bend(part, upper, 0.07 * s)
-        shapes.append(part if lower == hips else m.bend(part, m.skeleton.parents[lower], 0.07 * s))
-    a, b = m.pair("shoulder", chest)
-    wide = min(max(0.39 * float((a - b).norm()), 0.125 * s), 0.152 * s)
-    top = (a + b) / 2 - m.up(chest) * 0.6 * wide
-    bottom = top - m.up(chest) * 0.17 * s
-    ribs = cone(chest, bottom, top, (0.76 * wide, wide), "middle", thin=m.forward(chest), by=0.74)
-    return [*shapes, m.bend(ribs, m.skeleton.parents[chest], 0.07 * s) if chest != hips else ribs]
+def _bones(pose: _Pose, drawn: set[int], scale: float) -> list[Cone]:
+    """Plain rounded bones for the joints that carry no flesh yet: fingers, tails, props, other creatures.
+
+    A humanoid's toes are left out, and short bones that are no fingers, such as those of a face.
+    """
+    role, cones = pose.skeleton.role, []
+    fingers, toes = ({j for side in SIDES for j in pose.below(role(f"{side}_{part}"))} if pose.body else set()
+                     for part in ("hand", "foot"))
+    for j, p in enumerate(pose.skeleton.parents):
+        start, end = pose.places[[p, j]]
+        length = float(np.linalg.norm(end - start))
+        least = 0.06 * scale if pose.body and j not in fingers else 0.008
+        if p >= 0 and j not in toes and length > least and not (p in drawn and (j in drawn or pose.skeleton.is_end(j))):
+            r = min(max(0.16 * length, 0.008), 0.045 * scale) if pose.body else min(0.16 * length, 0.06 * scale)
+            cones.append(Cone(p, start, end, (r, 0.8 * r), "middle", "bones"))
+    return cones
 
 
-def _head(m: _Measured, s: float, drawn: set[int]) -> list[Shape]:
-    skeleton = m.skeleton
-    head = next((j for j, n in enumerate(skeleton.names) if "head" in n.lower() and not skeleton.is_end(j)), None)
-    if head is None:
-        return []
-    shapes, j = [], head
-    while j not in m.spine and j > 0:  # the neck, down to the chest
-        p = skeleton.parents[j]
-        last = p in m.spine  # the lowest part widens into the shoulders
-        start, r0, tone = (0.45, 0.088, "middle") if last and j != head else (0.0, 0.05, "joint")
-        neck = cone(p, start * skeleton.offsets[j], skeleton.offsets[j], (r0 * s, 0.05 * s), tone)
-        neck = neck if last else m.bend(neck, skeleton.parents[p], 0.04 * s)
-        shapes.append(m.bend(neck, j, 0.04 * s))
-        drawn.add(j)
-        j = p
-    drawn.update(m.children(head))
-    up, forward = m.up(head), m.forward(head)
-    left, eyes = torch.linalg.cross(up, forward), (0.096 * up + 0.072 * forward) * s
-    skull = cone(head, (0.045 * up + 0.022 * forward) * s, (0.118 * up + 0.008 * forward) * s, (0.068 * s, 0.09 * s),
-                 "middle", thin=left, by=0.86)
-    face = cone(head, eyes + 0.026 * s * left, eyes - 0.026 * s * left, (0.032 * s,) * 2, "face", thin=up, by=0.7)
-    return [*shapes, skull, face]
+def _humanoid(pose: _Pose) -> tuple[list[Cone], float]:
+    """Flesh of a humanoid, and how many times larger it is than the body of the radii."""
+    places, role = pose.places, pose.skeleton.role
+    leg = places[[role(f"left_{part}") for part in ("hip", "knee", "foot")]]
+    s, cones = np.linalg.norm(np.diff(leg, axis=0), axis=1).sum() / LEG, []
+
+    def put(joint: int, start: np.ndarray, end: np.ndarray, radii: tuple[float, float], tone: str, part: str,
+            **more) -> None:
+        cones.append(Cone(joint, start, end, (s * radii[0], s * radii[1]), tone, part, **more))
+
+    _trunk(pose, s, put)
+    _head(pose, s, put)
+    for side, rise in zip(SIDES, pose.rises, strict=True):
+        _leg(pose, side, s, put)
+        _foot(pose, side, rise, s, put)
+        _arm(pose, side, s, put)
+        _hand(pose, side, s, put)
+    return cones, s
 
 
-def colors(shapes: tuple[Shape, ...], contacts: np.ndarray | None = None) -> np.ndarray:
-    """Colour of every shape [S, 3], 0 to 1; feet (right, left) in contact by ``contacts`` [2] have a colour of their own."""
-    table = np.array([to_rgb(COLORS[s.tone]) for s in shapes])
-    if contacts is not None:
-        table[[bool(s.foot and contacts[FEET.index(s.foot)]) for s in shapes]] = to_rgb(CONTACT)
-    return table
+def _between(a: np.ndarray, b: np.ndarray, share: float) -> np.ndarray:
+    return a + share * (b - a)
 
 
-def placements(shapes: tuple[Shape, ...], rotations: Tensor, positions: Tensor) -> np.ndarray:
-    """World placement ``[..., S, 3, 4]`` of shapes, from global rotations ``[..., J, 4]`` and positions ``[..., J, 3]``."""
-    return place([s.joint for s in shapes], [s.place for s in shapes], rotations, positions)
+LEFT, UP, AHEAD = np.eye(3)
 
 
-def place(joints, local, rotations: Tensor, positions: Tensor) -> np.ndarray:
-    """World placement ``[..., *N, 3, 4]`` of frames ``local`` [*N, 3, 4] that are fixed to ``joints`` [*N]."""
-    world = R.to_matrix(rotations[..., joints, :]) @ torch.from_numpy(np.array(local)).float()
-    world[..., 3] += positions[..., joints, :]
-    return world.numpy()
+def _trunk(pose: _Pose, s: float, put: Callable) -> None:
+    role, places = pose.skeleton.role, pose.places
+    hips, spine = role("hips"), pose.skeleton.trunk[::-1]
+    left, right = (places[role(f"{side}_hip")] for side in SIDES)
+    middle = (left + right) / 2
+    for side, hip in zip(SIDES, (left, right), strict=True):  # the pelvis and the seat
+        put(hips, middle + s * 0.03 * UP, _between(middle, hip, 0.5) + s * 0.03 * UP, (0.1, 0.1), side, "trunk",
+            thin=AHEAD, by=0.88)
+        low = _between(middle, hip, 0.75) - s * (0.02 * AHEAD + 0.045 * UP)
+        put(hips, _between(middle, hip, 0.6) - s * 0.025 * AHEAD, low, (0.08, 0.074), side, "trunk")
+    spine = spine[spine.index(hips) if hips in spine else 0 :]
+    for lower, upper in pairwise(spine):
+        start = _between(places[lower], places[upper], 0.6) if lower == hips and len(spine) > 2 else places[lower]
+        put(lower, start, places[upper], (0.116, 0.112), "middle", "trunk", thin=AHEAD, by=0.76)
+    chest = spine[-1]
+    left, right = (places[role(f"{side}_shoulder")] for side in SIDES)
+    top, width = (left + right) / 2, min(max(0.37 * np.linalg.norm(left - right) / s, 0.125), 0.15)
+    low = np.array([top[0], max(places[chest][1], top[1] - s * 0.24), _between(places[chest], top, 0.3)[2]])
+    put(chest, low + s * 0.01 * AHEAD, top - s * (0.75 * width * UP - 0.01 * AHEAD), (0.86 * width, width), "middle",
+        "trunk", thin=AHEAD, by=0.72)
+    for side, shoulder in zip(SIDES, (left, right), strict=True):
+        collar = pose.skeleton.parents[role(f"{side}_shoulder")]
+        put(collar, _between(top, shoulder, 0.3) + s * 0.01 * UP, _between(top, shoulder, 0.92), (0.05, 0.05), "middle",
+            "trunk")
+        breast = _between(top, shoulder, 0.55) + s * (0.04 * AHEAD - 0.075 * UP)
+        put(chest, breast, _between(breast, top - s * 0.06 * UP + s * 0.045 * AHEAD, 0.6), (0.062, 0.06), "middle", "trunk")
 
 
-def bounds(shapes: tuple[Shape, ...], places: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Lowest and highest coordinates [3] that shapes at ``places`` [..., S, 3, 4] reach."""
-    ends = np.stack((places[..., 3], places[..., 3] + places[..., 1] * np.array([[s.length] for s in shapes])), -2)
-    radii = np.array([s.radii for s in shapes])[..., None]
-    axes = tuple(range(ends.ndim - 1))
-    return (ends - radii).min(axes), (ends + radii).max(axes)
+def _head(pose: _Pose, s: float, put: Callable) -> None:
+    if len(pose.neck) < 2:
+        return
+    places, head = pose.places, pose.neck[-1]
+    for lower, upper in pairwise(pose.neck):
+        start = _between(places[lower], places[upper], 0.4 if lower == pose.neck[0] else 0.0)
+        put(lower, start, places[upper] + s * 0.01 * UP, (0.058, 0.05), "middle", "neck")
+    at = places[head]
+    put(head, at + s * (0.05 * UP + 0.03 * AHEAD), at + s * (0.122 * UP + 0.012 * AHEAD), (0.066, 0.09), "middle", "head",
+        thin=LEFT, by=0.86)
+    put(head, at + s * (0.022 * UP + 0.062 * AHEAD), at + s * (0.05 * UP + 0.05 * AHEAD), (0.03, 0.05), "middle", "head")
+    eyes = at + s * (0.102 * UP + 0.075 * AHEAD)
+    put(head, eyes - s * 0.03 * LEFT, eyes + s * 0.03 * LEFT, (0.033, 0.033), "face", "head", thin=UP, by=0.75)
+
+
+def _leg(pose: _Pose, side: str, s: float, put: Callable) -> None:
+    hip, knee, foot = (pose.skeleton.role(f"{side}_{part}") for part in ("hip", "knee", "foot"))
+    a, b, c = pose.places[[hip, knee, foot]]
+    middle, calf = _between(a, b, 0.4) + s * 0.008 * AHEAD, _between(b, c, 0.27) - s * 0.014 * AHEAD
+    put(hip, a, middle, (0.08, 0.075), side, "legs")
+    put(hip, middle, b, (0.075, 0.052), side, "legs")
+    put(knee, b, calf, (0.05, 0.053), side, "legs")
+    put(knee, calf, _between(b, c, 0.97), (0.053, 0.034), side, "legs")
+    put(knee, b + s * 0.012 * AHEAD, b + s * (0.012 * AHEAD - 0.02 * UP), (0.042, 0.04), side, "legs")
+
+
+def _foot(pose: _Pose, side: str, rise: float, s: float, put: Callable) -> None:
+    ankle, toe = (pose.skeleton.role(f"{side}_{part}") for part in ("foot", "toe"))
+    left, up, ahead = pose.body[ankle].T
+    inner = -left if side == "left" else left
+    at, ball = pose.places[[ankle, toe]]
+    if toe == ankle or (ball - at) @ ahead < 0.03 * s:  # no toe, or one below the ankle
+        sole = min(at @ up - max(rise, 0.05 * s), ball @ up)
+        toe, ball = ankle, at + 0.12 * s * ahead
+    else:
+        sole = ball @ up - min(rise, 0.05 * s)
+    ball = ball + up * (sole - ball @ up)
+    heel = at + up * (sole - at @ up) - 0.028 * s * ahead
+    place = [heel + 0.036 * s * up, ball + s * (0.018 * inner + 0.03 * up), ball - s * (0.02 * inner - 0.027 * up)]
+    put(ankle, place[0], place[1], (0.036, 0.03), side, "feet", foot=side)
+    put(ankle, place[0], place[2], (0.035, 0.027), side, "feet", foot=side)
+    put(ankle, at - 0.005 * s * ahead, _between(at, ball, 0.72) + 0.012 * s * up, (0.037, 0.034), side, "feet", foot=side)
+    put(ankle, at, heel + 0.045 * s * up, (0.036, 0.033), side, "feet", foot=side)
+    put(toe, place[1], ball + s * (0.05 * ahead + 0.012 * inner + 0.024 * up), (0.03, 0.024), side, "feet", foot=side)
+    put(toe, place[2], ball + s * (0.036 * ahead - 0.012 * inner + 0.023 * up), (0.027, 0.023), side, "feet", foot=side)
+
+
+def _arm(pose: _Pose, side: str, s: float, put: Callable) -> None:
+    shoulder, elbow, hand = (pose.skeleton.role(f"{side}_{part}") for part in ("shoulder", "elbow", "hand"))
+    a, b, c = pose.places[[shoulder, elbow, hand]]
+    put(shoulder, a, _between(a, b, 0.25), (0.054, 0.052), side, "arms")
+    put(shoulder, _between(a, b, 0.25), b, (0.05, 0.036), side, "arms")
+    bulge = _between(b, c, 0.25)
+    put(elbow, b, bulge, (0.036, 0.041), side, "arms")
+    put(elbow, bulge, c, (0.041, 0.026), side, "arms")
+
+
+def _hand(pose: _Pose, side: str, s: float, put: Callable) -> None:
+    hand = pose.skeleton.role(f"{side}_hand")
+    along, back, thumb = pose.body[hand].T * np.array([[1.0 if side == "left" else -1.0], [1.0], [1.0]])
+    at = pose.places[hand]
+    own = [j for j in pose.children(hand) if pose.children(j)]  # the rig's own fingers
+    for across, length, degrees in FINGERS:
+        knuckle = at + s * (0.09 * along + across * thumb)
+        put(hand, at + s * (0.012 * along + 0.5 * across * thumb), knuckle, (0.0155, 0.0105), "middle", "hands")
+        if len(own) < 3:
+            angle = np.radians(degrees)
+            out = np.cos(angle) * along + np.sin(angle) * thumb
+            middle = knuckle + s * length * 0.5 * (out - 0.2 * back)
+            put(hand, knuckle, middle, (0.0092, 0.0086), "middle", "hands")
+            put(hand, middle, middle + s * length * 0.5 * (out - 0.6 * back), (0.0086, 0.0074), "middle", "hands")
+    if len(own) < 3:
+        root, joint = at + s * (0.022 * along + 0.016 * thumb), at + s * (0.062 * along + 0.052 * thumb - 0.014 * back)
+        put(hand, root, joint, (0.016, 0.0115), "middle", "hands")
+        put(hand, joint, joint + s * (0.036 * along + 0.012 * thumb - 0.01 * back), (0.011, 0.0085), "middle", "hands")

@@ -1,6 +1,5 @@
 """Your own character: the skinned mesh of a glTF or VRM file, drawn in place of the mannequin."""
 
-import base64
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -20,6 +19,7 @@ from toolkit.motion.contacts import standing_height
 from toolkit.motion.retargeting import leaders, retarget
 from toolkit.motion.roles import ROLES, SIDES
 from toolkit.motion.skeleton import local_rotations
+from toolkit.view.skin import Skin
 
 HIGH = 0.15  # metres: a toe that is higher above the lowest vertex tells nothing about the sole
 
@@ -32,6 +32,7 @@ class Character:
     mesh: SkinnedMesh
     rest: Clip  # one frame of the rig, in the pose in which the points are
     points: np.ndarray  # [V, 3] of that pose, float32
+    moved: np.ndarray  # [J, 4, 4] what the joints did from the pose in which the mesh was bound to that pose
 
     @classmethod
     def load(cls, path: str | os.PathLike, roles: Mapping[str, str] | None = None) -> "Character":
@@ -58,7 +59,7 @@ class Character:
             homogeneous = np.concatenate((mesh.points, np.ones((len(mesh.points), 1))), 1)
             points = sum(mesh.weights[:, k, None] * np.einsum("vij,vj->vi", moved[mesh.joints[:, k], :3], homogeneous)
                          for k in range(mesh.joints.shape[1]))
-            return cls(path, mesh, rest, points.astype(np.float32))
+            return cls(path, mesh, rest, points.astype(np.float32), moved)
         raise errors[0]
 
     @classmethod
@@ -93,15 +94,7 @@ class Character:
 
     def packed(self, follow: dict | None = None) -> dict:
         """The mesh as the browser's scene takes it (``scene/figure.js`` describes the format)."""
-        shares = np.floor(255 * self.mesh.weights + 1e-6).astype(np.uint8)
-        shares[np.arange(len(shares)), self.mesh.weights.argmax(1)] += (255 - shares.sum(1)).astype(np.uint8)
-        arrays = {"inverse": (self.inverse_rest, "<f4"), "points": (self.points, "<f4"), "normals": (self.normals, "<f4"),
-                  "triangles": (self.mesh.triangles, "<u4"), "joints": (self.mesh.joints, "<u2"), "weights": (shares, "u1"),
-                  "colors": (self.mesh.colors, "u1")}
-        offsets = [[round(x, 6) for x in offset] for offset in self.skeleton.offsets.tolist()]
-        return {"parents": list(self.skeleton.parents), "offsets": offsets, "follow": follow} | {
-            name: base64.b64encode(np.ascontiguousarray(values, kind).tobytes()).decode("ascii")
-            for name, (values, kind) in arrays.items()}
+        return self.skin.packed(self.skeleton, self.mesh.colors) | {"own": True, "follow": follow}
 
     def sole(self, clip: Clip) -> float:
         """Metres by which a clip on the rig must be lifted so that the soles of the mesh stand on the floor."""
@@ -110,25 +103,23 @@ class Character:
         return rise - float(standing_height(clip.replace(skeleton=with_toes(clip.skeleton)))) if rise < HIGH else 0.0
 
     @cached_property
-    def inverse_rest(self) -> np.ndarray:
-        """Inverse world transforms ``[J, 3, 4]`` of the joints in the rest pose."""
-        return np.linalg.inv(_matrices(self.rest.global_rotations[0], self.rest.global_positions[0]))[:, :3]
+    def skin(self) -> Skin:
+        """The mesh over the rig's joints, in the pose in which the file binds it."""
+        pose = _matrices(self.rest.global_rotations[0], self.rest.global_positions[0])
+        mesh = self.mesh
+        return Skin(mesh.points.astype(np.float32), self.normals, mesh.triangles, mesh.joints, mesh.weights,
+                    (np.linalg.inv(pose) @ self.moved)[:, :3])
 
     def pose(self, rotations: Tensor, positions: Tensor) -> tuple[np.ndarray, np.ndarray]:
         """Vertices and unit normals ``[V, 3]`` for global rotations ``[J, 4]`` and positions ``[J, 3]`` of the rig."""
-        inverse = np.concatenate((self.inverse_rest, np.tile([[[0.0, 0.0, 0.0, 1.0]]], (len(self.skeleton), 1, 1))), 1)
-        moved = (_matrices(rotations, positions) @ inverse)[:, :3].astype(np.float32)
-        blended = np.einsum("vk,vkij->vij", self.mesh.weights.astype(np.float32), moved[self.mesh.joints])
-        points = np.einsum("vij,vj->vi", blended[..., :3], self.points) + blended[..., 3]
-        normals = np.einsum("vij,vj->vi", blended[..., :3], self.normals)
-        return points, normals / np.linalg.norm(normals, axis=1, keepdims=True).clip(1e-9)
+        return self.skin.pose(rotations, positions)
 
     @cached_property
     def normals(self) -> np.ndarray:
-        """Unit normals ``[V, 3]`` in the rest pose; vertices at the same place share theirs."""
-        corners = self.points[self.mesh.triangles]
+        """Unit normals ``[V, 3]`` where the mesh is bound; vertices at the same place share theirs."""
+        corners = self.mesh.points[self.mesh.triangles]
         faces = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-        _, same = np.unique(self.points.round(5), axis=0, return_inverse=True)
+        _, same = np.unique(self.mesh.points.round(5), axis=0, return_inverse=True)
         total = np.zeros((same.max() + 1, 3))
         for corner in self.mesh.triangles.T:
             np.add.at(total, same.ravel()[corner], faces)

@@ -11,6 +11,7 @@ from toolkit.view.body import PALETTE
 from toolkit.view.frontend import escape
 
 INK, QUIET, GRID = "#2b323b", "#8a8f98", "#e4e0d8"
+TIMES = "step", "elapsed", "processor", "epoch"  # of a row of a training history; the other numbers are errors
 LAYOUT = {
     "template": "plotly_white", "font": {"family": "system-ui, sans-serif", "size": 13, "color": INK},
     "paper_bgcolor": "#fbfaf7", "plot_bgcolor": "#fbfaf7", "margin": {"l": 60, "r": 20, "t": 48, "b": 44},
@@ -75,7 +76,7 @@ def training_curves(history: Sequence[Mapping] | Mapping[str, Sequence], *, titl
     ----------
     history, title
         A row per evaluation with ``step`` and numbers such as ``train`` and ``test``, or the same as columns. ``elapsed``
-        is shown on hover. Values that are not positive are left out. The heading.
+        is shown on hover, ``processor`` (seconds of it) is not. Values that are not positive are left out. The heading.
 
     Raises
     ------
@@ -87,7 +88,7 @@ def training_curves(history: Sequence[Mapping] | Mapping[str, Sequence], *, titl
     rows = list(history)
     if not rows or any("step" not in row for row in rows):
         raise ValueError(f"a training history needs rows with 'step'; got {len(rows)} rows")
-    names = [n for n in dict.fromkeys(k for row in rows for k in row) if n not in ("step", "elapsed", "epoch")]
+    names = [n for n in dict.fromkeys(k for row in rows for k in row) if n not in TIMES]
     figure = go.Figure()
     for name, colour in zip(names, colours(len(names)), strict=True):
         kept = [r for r in rows if isinstance(r.get(name), int | float) and r[name] > 0]

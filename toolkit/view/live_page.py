@@ -10,16 +10,18 @@ from typing import Any
 
 import numpy as np
 import torch
+from matplotlib.colors import to_rgb
 from torch import Tensor
 
 from toolkit import runtime
 from toolkit.features import CHANNELS, FRAME_KINDS, Layout
 from toolkit.io import bvh
 from toolkit.networks.film import EPSILON
-from toolkit.view import page
+from toolkit.view import body, page
 from toolkit.view.character import Character
 
 CORNERS = "Neutral", "Zombie", "Aeroplane"  # the triangle's first corners, if the bank has them
+VERTICES = 900  # of each body in a crowd
 PANEL = 8  # outputs whose weights are stored together, see ``scene/network.js``
 
 
@@ -60,8 +62,8 @@ def web(model, bank, path: str | os.PathLike, *, title: str = "A character under
         raise ValueError(f"only lpn-film runs in a page, got {name}")
     if styles is not None and (not styles or isinstance(styles, str)):
         raise ValueError(f"styles must be a list of one name or more, got {styles!r}")
-    if characters < 1:
-        raise ValueError(f"characters must be 1 or more, got {characters}")
+    if characters < 1 or (characters > 1 and character is not None):
+        raise ValueError(f"characters must be 1 or more, and 1 with a character of your own; got {characters}")
     order = [*(name for name in CORNERS if name in bank.names), *bank.names] if styles is None else styles
     bank = bank.select(dict.fromkeys(order))
     size = sum(layer.weight.numel() for layer in model.experts.layers) / 1e6
@@ -100,17 +102,21 @@ def pack(model, bank, half: bool = False, character: Character | None = None, ch
         "vectors": numbers(bank.vectors),
         "turn": controller.TURN, "run": controller.RUN, "ease": controller.EASE,
         "others": _others(bank, characters - 1),
+        "crowd": page.skeleton_data(controller.example(model, bank, state, None), vertices=VERTICES)
+                 if characters > 1 else None,
         "bvh": _bvh(model, state),
         "traits": {"names": corners, "weights": [1.0, 0.0, 0.0], "speed": round(bank.speed(corners[0]), 2)},
     }
 
 
-def _others(bank, count: int) -> list[dict[str, float]]:
+def _others(bank, count: int) -> list[dict[str, Any]]:
     """Characters on rings, as `toolkit.runtime.crowd` places them, each in another style than its neighbours."""
     from toolkit.runtime import crowd  # imported on demand: numba is slow to import
 
     rows = zip(*(values.tolist() for values in crowd.places(count)), strict=True) if count else ()
-    return [{"style": (i + 1) % len(bank.names), "radius": radius, "angle": angle, "way": way,
+    tints = [((np.array(to_rgb(color)) ** 2.2 - np.array(to_rgb(body.COLORS["middle"])) ** 2.2) * 0.6).round(4).tolist()
+             for color in body.PALETTE]
+    return [{"style": (i + 1) % len(bank.names), "radius": radius, "angle": angle, "way": way, "tint": tints[i % len(tints)],
              "speed": bank.speed(bank.names[(i + 1) % len(bank.names)])} for i, (radius, angle, way) in enumerate(rows)]
 
 

@@ -54,6 +54,8 @@ def html(clips: Clip | Sequence[Clip], path: str | os.PathLike, *, title: str, c
                          f"{len(styles)} style mappings")
     figure = Character.of(character)
     packed = [pack(*row, figure) for row in zip(clips, labels, contacts, styles, strict=True)]
+    for i, clip in enumerate(packed):  # a skeleton and its mesh are stored once
+        clip["skeleton"] = next((k for k in range(i) if packed[k]["skeleton"] == clip["skeleton"]), clip["skeleton"])
     return write(path, title, caption, {"clips": packed}, "globalThis.view = toolkitScene.player(stage, data);")
 
 
@@ -102,21 +104,15 @@ def pack(clip: Clip, text: str, contacts: np.ndarray | None = None, weights: Map
     }
 
 
-def skeleton_data(clip: Clip, character: Character | None = None) -> dict:
+def skeleton_data(clip: Clip, character: Character | None = None, *, vertices: int = body.VERTICES) -> dict:
     """Skeleton and mannequin as the browser's scene takes them (``scene/body.js`` describes the format).
 
-    A ``character`` takes the mannequin's place and follows the clip's joints (``scene/figure.js``).
+    The mannequin has about as many ``vertices``. A ``character`` takes the mannequin's place and follows the clip's
+    joints (``scene/figure.js``).
     """
     if character is not None:
         return tree(clip) | {"mesh": character.packed(character.following(clip))}
-    shapes = [
-        {"joint": s.joint, "place": s.place.round(6).ravel().tolist(), "length": round(s.length, 6),
-         "radii": [round(r, 6) for r in s.radii], "color": body.COLORS[s.tone], "foot": s.foot,
-         "bends": [{"joint": b.joint, "place": b.place.round(6).ravel().tolist(), "at": round(b.at, 6),
-                    "width": round(b.width, 6)} for b in s.bends]}
-        for s in body.build(clip)
-    ]
-    return tree(clip) | {"shapes": shapes}
+    return tree(clip) | {"mesh": body.build(clip, vertices).packed(clip.skeleton)}
 
 
 def tree(clip: Clip) -> dict:

@@ -20,7 +20,6 @@ from toolkit.view.figures import GRID, INK, LAYOUT, QUIET, colours, finish
 from toolkit.view.frontend import escape
 from toolkit.view.opengl import INSTALL, opengl_works
 from toolkit.view.picture import per_clip
-from toolkit.view.skin import Skin, placements
 
 HUES = [[0.0, "#7b68c4"], [0.25, "#2fa596"], [0.5, "#e3c15a"], [0.75, "#d6598b"], [1.0, "#7b68c4"]]  # 0 and 2 pi alike
 AXIS, SIDE = "#7b3fb5", 0.34  # colour of a principal axis, metres along the edge of its plane
@@ -148,11 +147,10 @@ def principal_axes(clip: Clip, source: str | ph.Hybrid | ph.ContactFree = "hybri
         parts.append((limb.replace("_", " "), COLORS[limb.split("_")[0]], path.numpy(), arrow, plane))
     if backend == "pyvista":
         return _axes_pyvista(clip, frame, parts)
-    shapes = body.build(clip)
-    skin = Skin(shapes)
-    vertices = skin.points(placements(shapes, clip.global_rotations[frame], clip.global_positions[frame]))
-    i, j, k = skin.triangles.T
-    figure = go.Figure(go.Mesh3d(**_xyz(vertices), i=i, j=j, k=k, facecolor=body.colors(shapes)[skin.owners[i]], name="body",
+    mannequin = body.build(clip)
+    vertices, _ = mannequin.skin.pose(clip.global_rotations[frame], clip.global_positions[frame])
+    i, j, k = mannequin.skin.triangles.T
+    figure = go.Figure(go.Mesh3d(**_xyz(vertices), i=i, j=j, k=k, vertexcolor=mannequin.colors(), name="body",
                                  hoverinfo="skip", lighting={"ambient": 0.65, "diffuse": 0.5, "specular": 0.1}))
     for limb, color, path, arrow, plane in parts:
         first = limb == parts[0][0]

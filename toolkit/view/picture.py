@@ -15,7 +15,7 @@ from scipy.ndimage import gaussian_filter1d
 from toolkit.io.files import atomic_write
 from toolkit.motion import Clip, on_cpu, root_frames
 from toolkit.view import body
-from toolkit.view.raycast import Canvas, orbit
+from toolkit.view.canvas import Canvas, orbit
 
 PAPER, FLOOR, INK = "#f7f6f3", "#dedbd4", "#2b323b"
 BOTTOM = -0.26  # metres of floor shown below the feet
@@ -88,8 +88,8 @@ def strip(clips: Clip | Sequence[Clip], path: str | os.PathLike | None = None, *
 
 def _row(shot: "Shot", spacing: float, scale: float, top: float) -> np.ndarray:
     """Picture [H, W, 3] of a shot's frames side by side, on a floor that fades into the paper at the horizon."""
-    canvas = Canvas((0.0, spacing * len(shot.places), BOTTOM, top), scale, shot.camera[0])
-    for k in range(len(shot.places)):
+    canvas = Canvas((0.0, spacing * len(shot.frames), BOTTOM, top), scale, shot.camera[0])
+    for k in range(len(shot.frames)):
         shot.draw(canvas, k, (-0.35, 1.0, 0.3), shift=(k + 0.5) * spacing)
     y = np.linspace(top, BOTTOM, canvas.height)
     blend = np.clip((0.16 - y) / 0.2, 0, 1)[:, None]
@@ -98,30 +98,39 @@ def _row(shot: "Shot", spacing: float, scale: float, top: float) -> np.ndarray:
 
 
 class Shot:
-    """Some ``frames`` [N] of a clip as a camera sees them: ``places`` [N, S, 3, 4] of the body's shapes in camera space.
+    """Some ``frames`` [N] of a clip as a camera sees them.
 
     The point ``path`` [F, 3] of the floor is at the origin of camera space. The camera's angles are those of
-    `toolkit.view.raycast.orbit`; there may be an azimuth for each of the frames. ``reach`` and ``top`` are the largest
-    distances of the body from the origin to the left or right, and upwards, in metres.
+    `toolkit.view.canvas.orbit`; there may be an azimuth for each of the frames. ``low`` and ``high`` [3] are bounds of the
+    body in camera space; ``reach`` and ``top`` are its largest distances from the origin to the left or right, and upwards.
+    Metres.
     """
 
     def __init__(self, clip: Clip, contacts: np.ndarray | None, frames: np.ndarray, path: np.ndarray,
-                 azimuth: np.ndarray | float, elevation: float, shapes: tuple[body.Shape, ...] | None = None):
-        self.clip, self.times, self.shapes = clip, frames / clip.fps, shapes or body.build(clip)
+                 azimuth: np.ndarray | float, elevation: float):
+        self.clip, self.frames, self.times, self.body = clip, frames, frames / clip.fps, body.build(clip)
         self.camera, self.tilt = orbit(azimuth, elevation), orbit(0.0, elevation)
         self.contacts = None if contacts is None else contacts[frames] > 0.5
-        places = body.placements(self.shapes, clip.global_rotations[frames], clip.global_positions[frames])
-        places = places.astype(np.float64)
-        places[..., 3] -= path[frames, None]
-        self.places = self.camera[..., None, :, :] @ places
-        low, high = body.bounds(self.shapes, self.places)
-        self.reach, self.top = max(-low[0], high[0]), high[1]
+        self.path = path[frames]
+        ends = self.body.flesh(clip.global_rotations[frames], clip.global_positions[frames])
+        self.ends = (ends - self.path[:, None, None]) @ self.camera.swapaxes(-1, -2)[..., None, :, :]
+        self.low, self.high = (f(self.ends, (0, 1, 2)) for f in (np.min, np.max))
+        thick = self.body.radii.max()
+        self.low, self.high = self.low - thick, self.high + thick
+        self.reach, self.top = max(-self.low[0], self.high[0]), self.high[1]
 
-    def draw(self, canvas: Canvas, k: int, lamp: Sequence[float], shift: float = 0.0) -> None:
-        """Draw one of the frames with its shadow, ``shift`` metres to the right; the lamp goes along with the camera."""
-        places = self.places[k] + np.array([[0, 0, 0, shift], [0, 0, 0, 0], [0, 0, 0, 0]])
-        canvas.draw(self.shapes, places, body.colors(self.shapes, None if self.contacts is None else self.contacts[k]))
-        canvas.shadow(self.shapes, places, self.tilt @ np.array(lamp), (shift, 0, 0))
+    def draw(self, canvas: Canvas, k: int, lamp: Sequence[float], shift: float = 0.0,
+             colors: np.ndarray | None = None) -> None:
+        """Draw one of the frames with its shadow, ``shift`` metres to the right; the lamp goes along with the camera.
+
+        ``colors`` [V, 3] of the vertices may be others than the body's.
+        """
+        frame, camera, right = self.frames[k], self.camera[k] if self.camera.ndim == 3 else self.camera, (shift, 0, 0)
+        points, normals = self.body.skin.pose(self.clip.global_rotations[frame], self.clip.global_positions[frame])
+        if colors is None:
+            colors = self.body.colors(None if self.contacts is None else self.contacts[k])
+        canvas.draw((points - self.path[k]) @ camera.T + right, normals @ camera.T, self.body.skin.triangles, colors)
+        canvas.shadow(self.ends[k] + right, self.body.radii, self.tilt @ np.array(lamp), right)
 
 
 def cast(clips: Clip | Sequence[Clip], labels: Sequence[str] | None, contacts) -> tuple[list[Clip], list[str], list]:

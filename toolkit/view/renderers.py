@@ -14,11 +14,10 @@ from PIL import Image, ImageDraw
 from toolkit.motion import Clip
 from toolkit.motion import rotations as R
 from toolkit.view import body, floor
+from toolkit.view.canvas import Canvas, orbit
 from toolkit.view.character import Character as Figure
 from toolkit.view.opengl import explain_missing_opengl, opengl_works
 from toolkit.view.picture import steady_frames
-from toolkit.view.raycast import Canvas, orbit
-from toolkit.view.skin import HOSTS, Skin, placements
 
 BACK, SHADE, LINES = "#efece6", "#cdc8be", "#cbc5b9"
 LIGHT = torch.tensor([-0.08, 1.0, 0.51])  # towards the lamp, facing +Z
@@ -61,11 +60,9 @@ class Scene:
         """Show other characters."""
         self.characters = list(characters)
         clips = [character.clip for character in characters]
-        self.bodies = [body.build(one.clip) if one.figure is None else () for one in characters]
-        self.shapes = sum(self.bodies, ())
-        self.figures = [one for one in characters if one.figure is not None]
-        self._places = [placements(shapes, clip.global_rotations, clip.global_positions) if shapes
-                        else np.zeros((len(clip), 0, HOSTS, 3, 4)) for shapes, clip in zip(self.bodies, clips, strict=True)]
+        self.bodies = [body.build(one.clip) if one.figure is None else None for one in characters]
+        self.skins = [one.figure.skin if mannequin is None else mannequin.skin
+                      for one, mannequin in zip(self.characters, self.bodies, strict=True)]
         self.paths, facings = zip(*(steady_frames(clip, 0.8) for clip in clips), strict=True)
         self.facing = float(facings[0][0])
         self.light = R.rotate(R.yaw(torch.tensor(self.facing)), LIGHT).numpy()  # towards the lamp
@@ -76,14 +73,10 @@ class Scene:
         """Colour that tells a character from the others in the scene."""
         return body.PALETTE[character % len(body.PALETTE)]
 
-    def places(self, frames: Sequence[int]) -> np.ndarray:
-        """Placement of every shape by each of its joints [S, HOSTS, 3, 4], with each character at its frame."""
-        return np.concatenate([places[frame] for places, frame in zip(self._places, frames, strict=True)])
-
     def meshes(self, frames: Sequence[int]) -> list[tuple[np.ndarray, np.ndarray]]:
-        """Vertices and normals [V, 3] of every figure."""
-        return [one.figure.pose(one.clip.global_rotations[frame], one.clip.global_positions[frame])
-                for one, frame in zip(self.characters, frames, strict=True) if one.figure is not None]
+        """Vertices and normals [V, 3] of every character."""
+        return [skin.pose(one.clip.global_rotations[frame], one.clip.global_positions[frame])
+                for one, skin, frame in zip(self.characters, self.skins, frames, strict=True)]
 
     def lit(self, normals: np.ndarray, tones: np.ndarray) -> np.ndarray:
         """Colour [V, 3] uint8 of vertices with ``tones`` [V, 3]: matt, lit by sky, floor and one lamp, as in a page."""
@@ -92,17 +85,15 @@ class Scene:
         linear = (tones**2.2).astype(np.float32) * (GROUND + up * (SKY - GROUND) + lamp * SUN)
         return (255 * np.clip(linear, 0, 1) ** np.float32(1 / 2.2)).astype(np.uint8)
 
-    def colors(self, frames: Sequence[int]) -> np.ndarray:
-        """Colour of every shape [S, 3]: standing feet have their own, and so have the trunks of several characters."""
-        tables = []
-        for i, (character, shapes, frame) in enumerate(zip(self.characters, self.bodies, frames, strict=True)):
-            lit = character.contacts is not None and "contacts" in self.shown
-            table = body.colors(shapes, character.contacts[frame] > 0.5 if lit else None)
-            if len(self.characters) > 1 and shapes:
-                trunk = [s.tone == "middle" for s in shapes]
-                table[trunk] += TINT * (np.array(to_rgb(self.color(i))) - table[trunk])
-            tables.append(table.reshape(-1, 3))
-        return np.concatenate(tables)
+    def colors(self, frames: Sequence[int]) -> list[np.ndarray]:
+        """Colours [V, 3] of every character's vertices: standing feet have their own, and so have trunks of several."""
+        found, middle = [], np.array(to_rgb(body.COLORS["middle"]))
+        for i, (one, mannequin, frame) in enumerate(zip(self.characters, self.bodies, frames, strict=True)):
+            on = one.contacts is not None and "contacts" in self.shown
+            tint = middle + TINT * (np.array(to_rgb(self.color(i))) - middle) if len(self.characters) > 1 else None
+            found.append(one.figure.mesh.colors / 255 if mannequin is None
+                         else mannequin.colors(one.contacts[frame] > 0.5 if on else None, tint))
+        return found
 
     def marks(self, frames: Sequence[int]) -> list[tuple[floor.Layer, np.ndarray]]:
         """Layers on the floor, the lower ones first, with their corners [V, 2]; those of a hidden layer are one point."""
@@ -122,7 +113,7 @@ class Scene:
 
 
 class PyvistaRenderer(Scene):
-    """pyvista without multi-sampling and lights, its slowest parts: light is per vertex, the shadow a coarse flat body."""
+    """pyvista without multi-sampling and lights, its slowest parts: light is per vertex, the shadow a flat body."""
 
     def __init__(self, characters: Sequence[Character], size: tuple[int, int]):
         import pyvista as pv
@@ -146,10 +137,9 @@ class PyvistaRenderer(Scene):
         """Show other characters."""
         super().load(characters)
         mesh = self.pv.PolyData.from_regular_faces
-        skins = [Skin(self.shapes, around=14, along=3), Skin(self.shapes, around=6, along=1)] if self.shapes else []
-        self.skin, self.coarse = skins or (None, None)
-        self.body, self.flat = (self._mesh(skin) for skin in (self.skin, self.coarse))
-        self.tones = [one.figure.mesh.colors / 255 for one in self.figures]
+        first = np.cumsum([0, *(len(skin.points) for skin in self.skins)])
+        faces = np.concatenate([skin.triangles + k for skin, k in zip(self.skins, first, strict=False)])
+        self.body, self.flat = (mesh(np.zeros((first[-1], 3), np.float32), faces) for _ in range(2))
         self.body.point_data["rgb"] = np.zeros((self.body.n_points, 3), np.uint8)
         marks = self.marks([0] * len(self.characters))
         counts = [len(corners) for _, corners in marks]
@@ -159,17 +149,9 @@ class PyvistaRenderer(Scene):
             np.concatenate([layer.triangles + k for (layer, _), k in zip(marks, first, strict=True)]))
         tones = np.repeat([255 * np.array(to_rgb(layer.color)) for layer, _ in marks], counts, axis=0)
         self.floor.point_data["rgb"] = tones.astype(np.uint8)
-        self._add(self.body, "body", culling=False if self.figures else "back")
+        self._add(self.body, "body", culling=False if None in self.bodies else "back")
         self.plotter.add_mesh(self.flat, name="shadow", color=SHADE, lighting=False, render=False)
         self._add(self.floor, "floor")
-
-    def _mesh(self, skin: Skin | None):
-        """One surface of the mannequins' skin and the figures."""
-        count, faces = (0, []) if skin is None else (len(skin.owners), [skin.triangles])
-        for one in self.figures:
-            faces.append(one.figure.mesh.triangles + count)
-            count += len(one.figure.points)
-        return self.pv.PolyData.from_regular_faces(np.zeros((count, 3), np.float32), np.concatenate(faces))
 
     def _grid(self, reach: int = 14):
         """Lines a metre apart, fading into the background."""
@@ -184,12 +166,9 @@ class PyvistaRenderer(Scene):
 
     def draw(self, frames: Sequence[int], *, fine: bool = False) -> np.ndarray:
         """Picture [H, W, 3] uint8 with each character at its frame; ``fine`` with smooth edges, in three times the time."""
-        places, figures = self.places(frames), self.meshes(frames)
-        surfaces = [*([self.skin.pose(places)] if self.skin else []), *figures]
-        tones = [*([self.colors(frames)[self.skin.owners]] if self.skin else []), *self.tones]
-        self.body.points[:], normals = (np.concatenate(part) for part in zip(*surfaces, strict=True))
-        self.body.point_data["rgb"][:] = self.lit(normals, np.concatenate(tones))
-        points = np.concatenate([*([self.coarse.points(places)] if self.coarse else []), *(mesh[0] for mesh in figures)])
+        points, normals = (np.concatenate(part) for part in zip(*self.meshes(frames), strict=True))
+        self.body.points[:] = points
+        self.body.point_data["rgb"][:] = self.lit(normals, np.concatenate(self.colors(frames)))
         self.flat.points[:] = points - points[:, 1:2] * (self.light / self.light[1])
         self.flat.points[:, 1] = 0.003
         self.floor.points[:, [0, 2]] = np.concatenate([corners for _, corners in self.marks(frames)])
@@ -231,12 +210,13 @@ class SoftwareRenderer(Scene):
         camera, metres, middle = orbit(-a, TILT), 0.57 * distance, self.height * np.cos(TILT)  # as high as with pyvista
         window = (-metres * width / height / 2, metres * width / height / 2, middle - metres / 2, middle + metres / 2)
         canvas = Canvas(window, height / metres, camera)
-        places = self.places(frames)[:, 0].astype(np.float64)
-        places[..., 3] -= centre
-        places = camera @ places
-        if self.shapes:
-            canvas.draw(self.shapes, places, self.colors(frames))
-            canvas.shadow(self.shapes, places, camera @ self.light)
+        meshes, lamp = self.meshes(frames), camera @ self.light
+        for one, mannequin, skin, (points, normals), colors, frame in zip(
+                self.characters, self.bodies, self.skins, meshes, self.colors(frames), frames, strict=True):
+            canvas.draw((points - centre) @ camera.T, normals @ camera.T, skin.triangles, colors)
+            if mannequin is not None:
+                ends = mannequin.flesh(one.clip.global_rotations[frame], one.clip.global_positions[frame])
+                canvas.shadow((ends - centre) @ camera.T, mannequin.radii, lamp)
         ground = Image.new("RGB", (canvas.width, canvas.height), BACK)
         draw = ImageDraw.Draw(ground)
         for layer, corners in self.marks(frames):
@@ -245,18 +225,4 @@ class SoftwareRenderer(Scene):
             for triangle in pixels[layer.triangles]:
                 draw.polygon(triangle.ravel().tolist(), fill=layer.color)
         picture = canvas.image(np.asarray(ground, np.float32) / 255, np.array(to_rgb(BACK)))[:height, :width]
-        picture = Image.fromarray((255 * np.clip(picture, 0, 1)).astype(np.uint8))
-        draw, triangles, tones, depths = ImageDraw.Draw(picture), [], [], []
-        for one, (points, normals) in zip(self.figures, self.meshes(frames), strict=True):
-            seen = (points - centre) @ camera.T
-            pixels = np.stack(((seen[:, 0] - window[0]) * canvas.scale, (window[3] - seen[:, 1]) * canvas.scale), 1)
-            faces = one.figure.mesh.triangles
-            colors = self.lit(normals, one.figure.mesh.colors / 255)
-            triangles.append(pixels[faces])
-            tones.append(colors[faces].mean(1).astype(int))
-            depths.append(seen[faces, 2].mean(1))
-        if triangles:  # the far ones first
-            triangles, tones, depths = (np.concatenate(part) for part in (triangles, tones, depths))
-            for i in np.argsort(depths):
-                draw.polygon(triangles[i].ravel().tolist(), fill=tuple(tones[i]))
-        return np.asarray(picture)
+        return (255 * np.clip(picture, 0, 1)).astype(np.uint8)

@@ -1,84 +1,79 @@
-"""Linear blend skinning: vertices near a joint follow two joints, so that limbs bend as one surface.
+"""Linear blend skinning: every vertex follows up to four joints, whose transforms are added up by weight.
 
-The transforms of both joints are added up by weight, as game engines do. The same shapes (`toolkit.view.body.Shape`) are
-skinned here for pyvista and in the browser (``scene/body.js``); the software renderer draws exact cones, which do not bend.
+This is what game engines do. Pictures and pyvista skin here, pages in the browser (``scene/body.js``).
 """
 
-from collections.abc import Sequence
+import base64
+from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
+from scipy.sparse import csr_array
 from torch import Tensor
 
-from toolkit.view.body import Shape, place
+from toolkit.motion import Skeleton
+from toolkit.motion import rotations as R
 
-HOSTS = 3  # joints that a shape's vertices follow: its own and at most one beyond each end
-FLANK = 4  # rings between the two caps
+SLOTS = 4  # joints that a vertex may follow
 
 
+@dataclass(frozen=True, eq=False)
 class Skin:
-    """The surface of S shapes as one buffer of vertices, with ``around`` vertices around and ``along`` rings in each cap.
+    """A surface of V vertices over the J joints of a skeleton, in its bind pose, metres."""
 
-    ``triangles`` [T, 3] are indices of vertices, shape after shape; ``owners`` [S V] is the shape of each vertex.
-    """
+    points: np.ndarray  # [V, 3] float32
+    normals: np.ndarray  # [V, 3] float32, unit
+    triangles: np.ndarray  # [T, 3]
+    joints: np.ndarray  # [V, SLOTS]
+    weights: np.ndarray  # [V, SLOTS] with sum 1
+    inverse: np.ndarray  # [J, 3, 4] inverse world transforms of the joints in the bind pose
 
-    def __init__(self, shapes: Sequence[Shape], around: int = 16, along: int = 5):
-        parts = [surface(shape, around, along) for shape in shapes]
-        points, normals, triangles = (np.stack([part[i] for part in parts]) for i in range(3))
-        count = points.shape[1]
-        self.triangles = (triangles + count * np.arange(len(shapes))[:, None, None]).reshape(-1, 3)
-        self.owners = np.repeat(np.arange(len(shapes)), count)
-        shares = np.stack([weights(shape, y) for shape, y in zip(shapes, points[..., 1], strict=True)])[..., None]
-        thin = np.array([np.linalg.norm(shape.place[:, 2]) for shape in shapes])[:, None]
-        normals[..., 2] /= thin**2  # normals are transformed by the inverse transpose
-        homogeneous = np.concatenate((points, np.ones_like(points[..., :1])), -1)
-        self._points = (shares * homogeneous[:, :, None]).reshape(len(shapes), count, -1).astype(np.float32)
-        self._normals = (shares * normals[:, :, None]).reshape(len(shapes), count, -1).astype(np.float32)
+    @cached_property
+    def _shares(self) -> csr_array:
+        """Weights ``[V, J]``."""
+        rows = np.repeat(np.arange(len(self.points)), self.joints.shape[1])
+        shape = len(self.points), len(self.inverse)
+        return csr_array((self.weights.ravel().astype(np.float32), (rows, self.joints.ravel())), shape)
 
-    def pose(self, places: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Vertices and unit normals [S V, 3] in the world, for `placements` [S, HOSTS, 3, 4]."""
-        normals = self._normals @ places[..., :3].swapaxes(2, 3).reshape(len(places), -1, 3)
-        normals /= np.sqrt(np.einsum("svi,svi->sv", normals, normals))[..., None]
-        return self.points(places), normals.reshape(-1, 3)
+    def pose(self, rotations: Tensor, positions: Tensor) -> tuple[np.ndarray, np.ndarray]:
+        """Vertices and unit normals ``[V, 3]`` for global rotations ``[J, 4]`` and positions ``[J, 3]``."""
+        moved = R.to_matrix(rotations).double().numpy() @ self.inverse
+        moved[..., 3] += positions.double().numpy()
+        blended = (self._shares @ moved.reshape(len(moved), 12).astype(np.float32)).reshape(-1, 3, 4)
+        points = np.einsum("vij,vj->vi", blended[..., :3], self.points) + blended[..., 3]
+        normals = np.einsum("vij,vj->vi", blended[..., :3], self.normals)
+        normals /= np.sqrt(np.einsum("vi,vi->v", normals, normals)).clip(1e-9)[:, None]
+        return points, normals
 
-    def points(self, places: np.ndarray) -> np.ndarray:
-        """The vertices [S V, 3] alone."""
-        return (self._points @ places.swapaxes(2, 3).reshape(len(places), -1, 3)).reshape(-1, 3)
+    def packed(self, skeleton: Skeleton, colors: np.ndarray, marks: np.ndarray | None = None) -> dict:
+        """The surface as the browser's scene takes it (``scene/body.js`` describes the format).
 
-
-def weights(shape: Shape, y: np.ndarray) -> np.ndarray:
-    """Skinning weights [V, HOSTS] of a shape's own joint and its bends' joints, at heights ``y`` [V] in its own frame."""
-    shares = np.zeros((len(y), HOSTS))
-    for i, bend in enumerate(shape.bends, start=1):
-        t = np.clip(0.5 + 0.5 * (y - bend.at) / bend.width, 0, 1)
-        shares[:, i] = t * t * (3 - 2 * t)
-    shares[:, 0] = 1 - shares.sum(1)
-    return shares
-
-
-def placements(shapes: Sequence[Shape], rotations: Tensor, positions: Tensor) -> np.ndarray:
-    """World placement ``[..., S, HOSTS, 3, 4]`` of S shapes by each joint that they follow.
-
-    From global rotations ``[..., J, 4]`` and positions ``[..., J, 3]``.
-    """
-    hosts = [[(s.joint, s.place), *((bend.joint, bend.place) for bend in s.bends)] for s in shapes]
-    hosts = [row + row[:1] * (HOSTS - len(row)) for row in hosts]  # the own joint again, with weight zero
-    joints, places = ([[host[i] for host in row] for row in hosts] for i in (0, 1))
-    return place(joints, places, rotations, positions)
+        ``colors`` [V, 3] are 0 to 255. ``marks`` [V, 4] are shares (0 to 1) of the left foot, the right foot and the trunk,
+        and the ambient light.
+        """
+        shares = np.floor(255 * self.weights + 1e-6).astype(np.uint8)
+        shares[np.arange(len(shares)), self.weights.argmax(1)] += (255 - shares.sum(1)).astype(np.uint8)
+        low, size = self.points.min(0), np.ptp(self.points, axis=0).clip(1e-9)
+        arrays = {"inverse": (self.inverse, "<f4"), "points": ((self.points - low) / size * 65535 + 0.5, "<u2"),
+                  "normals": ((self.normals * 127).round(), "i1"), "triangles": (self.triangles, "<u2"),
+                  "joints": (self.joints, "<u2"), "weights": (shares, "u1"), "colors": (colors, "u1"),
+                  "marks": (np.zeros((0, 4)) if marks is None else (255 * marks).round(), "u1")}
+        if len(self.points) > 65535:
+            arrays["triangles"] = (self.triangles, "<u4")
+        if len(self.inverse) < 256:
+            arrays["joints"] = (self.joints, "u1")
+        offsets = [[round(x, 6) for x in offset] for offset in skeleton.offsets.tolist()]
+        return {"parents": list(skeleton.parents), "offsets": offsets, "low": low.tolist(), "size": size.tolist()} | {
+            name: base64.b64encode(np.ascontiguousarray(np.asarray(values).astype(kind)).tobytes()).decode("ascii")
+            for name, (values, kind) in arrays.items()}
 
 
-def surface(shape: Shape, around: int = 16, along: int = 5) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Vertices [V, 3] and normals [V, 3] in the cone's own frame, and triangles [T, 3]."""
-    (r0, r1), h = shape.radii, shape.length
-    tilt = np.arcsin((r0 - r1) / h)
-    flank = 0.5 - 0.5 * np.cos(np.pi * np.arange(1, FLANK + 1) / (FLANK + 1))  # denser at the ends, where it bends
-    caps = np.linspace(-np.pi / 2, tilt, along + 1), np.linspace(tilt, np.pi / 2, along + 1)
-    angles = np.concatenate((caps[0], np.full(FLANK, tilt), caps[1]))
-    share = np.concatenate((np.zeros(along + 1), flank, np.ones(along + 1)))  # from one sphere to the other
-    turn = np.linspace(0, 2 * np.pi, around, endpoint=False)
-    ring = np.stack((np.cos(turn), np.zeros(around), np.sin(turn)), 1)
-    normals = np.cos(angles)[:, None, None] * ring + np.sin(angles)[:, None, None] * np.eye(3)[1]
-    vertices = normals * (r0 + share * (r1 - r0))[:, None, None] + (share * h)[:, None, None] * np.eye(3)[1]
-    i, k = np.meshgrid(np.arange(len(angles) - 1), np.arange(around), indexing="ij")
-    a, b = i * around + k, i * around + (k + 1) % around
-    triangles = np.concatenate((np.stack((a, a + around, b), -1), np.stack((b, a + around, b + around), -1)), 0)
-    return vertices.reshape(-1, 3), normals.reshape(-1, 3), triangles.reshape(-1, 3)
+def strongest(weights: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Joints and weights ``[V, SLOTS]``, the largest first, of weights ``[V, J]`` or more columns; their sum is 1."""
+    if weights.shape[1] < SLOTS:
+        weights = np.pad(weights, ((0, 0), (0, SLOTS - weights.shape[1])))
+    joints = np.argsort(-weights, axis=1, kind="stable")[:, :SLOTS]
+    kept = np.take_along_axis(weights, joints, 1)
+    kept = np.where(kept < 0.01 * kept[:, :1], 0.0, kept)
+    joints = np.where(kept > 0, joints, 0)
+    return joints, (kept / kept.sum(1, keepdims=True)).astype(np.float32)

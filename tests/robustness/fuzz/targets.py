@@ -16,8 +16,8 @@ from robustness.fuzz import foreign, mutations
 from robustness.fuzz.trials import Reader
 from typer.core import TyperCommand
 
-from toolkit import datasets, features, networks, published, runtime, shots, training
-from toolkit.datasets import procedural, style100
+from toolkit import datasets, features, networks, runtime, shots, training
+from toolkit.datasets import parameters, procedural, style100
 from toolkit.features import store
 from toolkit.io import bvh, decimals
 from toolkit.networks.bank import StyleBank
@@ -139,8 +139,12 @@ def _model(folder: Path) -> list[Reader]:
     found = [Reader(name, folder / name, read, ((folder / name).read_bytes(),), mutations.tensors, deep)
              for name, reads in readers.items() for read in reads]
     means = np.linspace(-1, 1, new.layout.n_inputs, dtype="<f4").tobytes()
-    return [*found, Reader("Xmean.bin", folder / "Xmean.bin", lambda path: published.load(path.parent), (means,),
-                           mutations.text, "Xstd")]
+
+    def numbers(path: Path) -> None:
+        with mock.patch.object(parameters, "SHAPES", {"Xmean": (new.layout.n_inputs,)}):
+            parameters.read(path.parent)
+
+    return [*found, Reader("Xmean.bin", folder / "Xmean.bin", numbers, (means,), mutations.text, "that are finite")]
 
 
 def _store(folder: Path) -> list[Reader]:

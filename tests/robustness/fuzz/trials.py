@@ -10,6 +10,8 @@ from pathlib import Path
 
 from robustness.fuzz.mutations import Mutate
 
+TIMES, ROOM = 10, 200_000_000  # bytes of memory for each byte of a file, and for any file
+
 
 @dataclass(frozen=True)
 class Reader:
@@ -36,8 +38,33 @@ class _Hang(BaseException):
     """The input exceeded its CPU time."""
 
 
-def trial(reader: Reader, data: bytes) -> tuple[str, str, float]:
-    """Read one input: ``accepted``, ``refused`` or ``failed``; the message; CPU seconds per kB, for 1 kB or more."""
+def resident() -> int:
+    """Bytes of memory that the process has now, from which its peak is counted again; 0 where the system cannot say."""
+    try:
+        Path("/proc/self/clear_refs").write_text("5", encoding="ascii")
+    except OSError:
+        return 0
+    return _status("VmRSS")
+
+
+def peak() -> int:
+    """Largest number of bytes that the process has had since `resident`."""
+    try:
+        return _status("VmHWM")
+    except OSError:
+        return 0
+
+
+def _status(key: str) -> int:
+    line = next(x for x in Path("/proc/self/status").read_text(encoding="ascii").splitlines() if x.startswith(key))
+    return 1024 * int(line.split()[1])
+
+
+def trial(reader: Reader, data: bytes) -> tuple[str, str, float, int]:
+    """Read one input: ``accepted``, ``refused`` or ``failed``; the message; CPU seconds per kB; bytes of memory.
+
+    Reading may take `TIMES` times the input's bytes and `ROOM` in memory, where the system says how much it was.
+    """
 
     def hang(*_) -> None:
         raise _Hang
@@ -46,7 +73,7 @@ def trial(reader: Reader, data: bytes) -> tuple[str, str, float]:
     reader.path.write_bytes(data)
     size = max(1.0, len(data) / 1000)
     began = time.process_time()
-    before = signal.signal(signal.SIGPROF, hang)
+    had, before = resident(), signal.signal(signal.SIGPROF, hang)
     signal.setitimer(signal.ITIMER_PROF, size)
     try:
         reader.read(reader.path)
@@ -64,7 +91,10 @@ def trial(reader: Reader, data: bytes) -> tuple[str, str, float]:
     finally:
         signal.setitimer(signal.ITIMER_PROF, 0)
         signal.signal(signal.SIGPROF, before)
-    return outcome, said, (time.process_time() - began) / size
+    taken = peak() - had if had else 0
+    if taken > TIMES * len(data) + ROOM:
+        outcome, said = "failed", f"takes {taken / 1e6:.0f} MB of memory"
+    return outcome, said, (time.process_time() - began) / size, taken
 
 
 def _place(error: BaseException) -> str:

@@ -36,7 +36,6 @@ from toolkit.motion import trajectory
 
 __all__ = ["is_store", "load", "preprocess"]
 
-SPLIT = "split.safetensors"
 GROWTH = 2  # upper limit of bytes of a store per byte of BVH; 1.8 for 100STYLE and for Bandai-Namco at 60 Hz
 
 
@@ -84,7 +83,8 @@ def preprocess(data: str, root: str | os.PathLike | None, out: str | os.PathLike
     by_style: dict[str, list[tuple[int, Take]]] = defaultdict(list)
     for number, take in enumerate(recorded.choose(root, styles, gaits)):
         by_style[take.style].append((number, take))
-    jobs = [Partition(data, root, out, source, style, tuple(takes),
+    named = files.names(by_style)
+    jobs = [Partition(data, root, out, source, style, named[style], tuple(takes),
                       frozenset(t.gait for _, t in takes if mirror and mirror(t)))
             for style, takes in sorted(by_style.items())]
     with _alone(out):
@@ -140,8 +140,11 @@ def is_store(path: str | os.PathLike) -> bool:
     return (Path(path) / files.MANIFEST).is_file()
 
 
-def load(path: str | os.PathLike, styles: list[str] | None = None) -> Features:
+def load(path: str | os.PathLike, styles: list[str] | None = None, *, check: bool = False,
+         progress: bool = False) -> Features:
     """Features of a finished store, or of some of its styles, read from the files when they are indexed.
+
+    The size of each file is compared with the manifest, and with ``check`` its checksum, for which the files are read once.
 
     ValueError if there is no finished store, a file is damaged or a style is not in it.
     """
@@ -152,11 +155,18 @@ def load(path: str | os.PathLike, styles: list[str] | None = None) -> Features:
     entries, settings = manifest["partitions"], manifest["settings"]
     for style in styles or ():
         check_style(style, tuple(entries))
-    found = partition.read(path, {style: entries[style] for style in styles or entries})
+    chosen = {style: entries[style] for style in styles or entries}
+    if check:
+        stored = [*chosen.values(), manifest["split"]]
+        for entry in tqdm(stored, desc="checking", unit="file", disable=None if progress else True):
+            if not files.is_whole(path, entry):
+                raise ValueError(f"{path / entry['file']}: is not the file that was stored; run the command that makes the "
+                                 "store again")
+    found = partition.read(path, chosen)
     if tuple(found.styles) != tuple(entries):
         return found
-    tensors = files.read(path / SPLIT, manifest["split"])
-    with intact(path / SPLIT, "the split"):
+    tensors = files.read(path / files.SPLIT, manifest["split"])
+    with intact(path / files.SPLIT, "the split"):
         statistics = {kind: Normaliser(tensors[f"{kind}.mean"], tensors[f"{kind}.std"]) for kind in features.KINDS}
         held_out = {style: tensors[f"held_out.{style}"] for style in entries}
     return dataclasses.replace(found, split=Split(settings["held_out"], settings["seed"], held_out, statistics))
@@ -208,5 +218,6 @@ def _finish(out: Path, manifest: dict[str, Any], pool: Executor) -> None:
         parts = (by_style[style][kind] for style in entries)
         normaliser = Normaliser.merged((int(n), torch.from_numpy(m), torch.from_numpy(v)) for n, m, v in parts)
         tensors |= {f"{kind}.mean": normaliser.mean, f"{kind}.std": normaliser.std}
-    manifest |= {"finished": True, "rows": found.n_frames, "split": {"file": SPLIT, **files.write(out / SPLIT, tensors)}}
+    split = {"file": files.SPLIT, **files.write(out / files.SPLIT, tensors)}
+    manifest |= {"finished": True, "rows": found.n_frames, "split": split}
     files.write_manifest(out, manifest)

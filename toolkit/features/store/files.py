@@ -2,6 +2,9 @@
 
 import hashlib
 import json
+import re
+from collections import Counter
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
@@ -10,11 +13,28 @@ from safetensors.torch import save
 from torch import Tensor
 
 from toolkit.features.layout import Layout
-from toolkit.io.files import atomic_write
+from toolkit.io.files import atomic_write, parsed
+from toolkit.io.files import read as read_bytes
 from toolkit.io.model_files import intact, plain
+from toolkit.motion.names import checked
 
 FORMAT = "toolkit store 1"
+SPLIT = "split.safetensors"
+RESERVED = re.compile("split|con|prn|aux|nul|com[0-9]|lpt[0-9]", re.IGNORECASE)  # the file above, and devices of Windows
 MANIFEST = "manifest.json"
+
+
+def names(styles: Iterable[str]) -> dict[str, str]:
+    """The name of each style's file, which every file system takes and keeps apart from the others."""
+    styles = tuple(styles)
+    alike = Counter(style.casefold() for style in styles)
+    found = {}
+    for style in styles:
+        word = re.sub(r"[^A-Za-z0-9_-]+", "-", style)[:60]
+        if word != style or alike[style.casefold()] > 1 or RESERVED.fullmatch(style):
+            word += "." + hashlib.sha256(style.encode()).hexdigest()[:16]
+        found[style] = f"{word}.safetensors"
+    return found
 
 
 def write(path: Path, tensors: dict[str, Tensor]) -> dict[str, Any]:
@@ -46,10 +66,10 @@ def write_manifest(out: Path, manifest: dict[str, Any]) -> None:
 def read_manifest(path: Path) -> dict[str, Any]:
     """The manifest of a store; ValueError if there is none or it is damaged."""
     try:
-        manifest = json.loads((path / MANIFEST).read_text(encoding="utf-8"))
+        manifest = parsed(read_bytes(path / MANIFEST))
     except FileNotFoundError:
         raise ValueError(f"{path}: holds no store (no {MANIFEST})") from None
-    except (ValueError, RecursionError) as error:
+    except ValueError as error:
         raise ValueError(f"{path / MANIFEST}: damaged ({plain(error)})") from error
     found = manifest.get("format") if isinstance(manifest, dict) else None
     if found != FORMAT:
@@ -62,7 +82,9 @@ def read_manifest(path: Path) -> dict[str, Any]:
             file, size = entry["file"], entry["bytes"]
             if not file.isprintable() or Path(file).name != file or not isinstance(size, int) or not entry["sha256"]:
                 raise ValueError(f"a file called {file!r} of {size!r} bytes")
+        checked(entries, "a style")
         for entry in entries.values():
+            checked((clip["gait"] for clip in entry["clips"] if clip["gait"]), "a gait")
             Layout.from_json(entry["layout"])
             frames, takes = ([clip[key] for clip in entry["clips"]] for key in ("frames", "take"))
             if not all(isinstance(n, int) and 0 <= n < 2**31 for n in (*frames, *takes)) or sum(frames) != entry["frames"]:

@@ -28,6 +28,7 @@ class Partition:
     out: Path
     source: str
     style: str
+    file: str  # name of the file to write
     takes: tuple[tuple[int, Take], ...]  # with their numbers in the dataset
     mirrored: frozenset[str]  # gaits
 
@@ -68,8 +69,7 @@ def make(job: Partition) -> dict[str, Any]:
         found = [{"positions": own.roots.positions, "rotations": own.roots.rotations, "joints": own.joints,
                   "phases": own.phases, "contacts": own.contacts} for own in parts]
         tensors = {name: torch.cat([t[name] for t in found]) for name in found[0]}
-        file = f"{job.style}.safetensors"
-        return {"file": file, **files.write(job.out / file, tensors), "frames": len(tensors["joints"]),
+        return {"file": job.file, **files.write(job.out / job.file, tensors), "frames": len(tensors["joints"]),
                 "layout": layout.to_json(), "clips": clips, "sources": sources}
 
 

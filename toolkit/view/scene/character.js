@@ -1,10 +1,12 @@
 // A character whose network runs in the page, without the kernel of a notebook (view/controller.py).
 //
-// Character(data) steps and poses; advance steps many, which share a network, at once. Kernel(data) also takes user input and the triangle's blend; it is the `model` of controller.js.
+// Character(data) steps and poses; advance steps many, which share a network, at once. Kernel(data) also takes user input and the
+// triangle's blend; it is the `model` of controller.js.
 // data = {
 //   network, rules, body: see network.js, frame.js, pose.js;  start: the state in the first frame;  skeleton: see scene.js
 //   styles: [names], vectors: numbers [styles * D];  turn, run, ease: as in view/controller.py
-//   others: [{style, radius, angle, way, speed}]: characters that walk on rings around the start, of a crowd; [] without
+//   others: [{style, radius, angle, way, speed, tint}]: characters that walk on rings around the start, of a crowd; [] without
+//   crowd: the skeleton of these bodies, or null
 //   bvh: {header, joints, centimetre} of a recording;  traits: first values for controller.js
 // }
 import { copy, follow, stand, steer, unit } from "./frame.js";
@@ -66,23 +68,16 @@ class Walker {
   // along the ring, and back to it where it has left it
   command() {
     const { history } = this.character.state, [x, z] = history.slice(-4), distance = Math.hypot(x, z) || 1, { way } = this;
-    const back = (this.radius - distance) / distance, ahead = unit([(way * z) / distance + back * x, (-way * x) / distance + back * z]);
+    const back = (this.radius - distance) / distance;
+    const ahead = unit([(way * z) / distance + back * x, (-way * x) / distance + back * z]);
     return { velocity: ahead.map((v) => this.speed * v), facing: ahead };
   }
 }
 
-export class Kernel {
-  constructor(data) {
-    const { styles, vectors, rules, start } = data;
-    Object.assign(this, { data, fps: rules.fps, character: new Character(data), vectors: numbers(vectors), listeners: {} });
-    this.others = data.others.map((one) => new Walker(data, this.character.network, this.vectors, one));
-    this.size = this.vectors.length / styles.length;
-    this.traits = { styles, skeleton: data.skeleton, feet: true, arms: true, recording: false, status: "", ...data.traits };
-    this.input = { id: 0, move: [0, 0], turn: 0, run: false, heading: null };
-    this.facing = Math.atan2(...start.facing);
-    this.style = this.target();
-    this.frame = this.due = this.last = this.handle = 0;
-    this.recorded = [];
+// Traits of a page without a notebook, as a widget's model has them.
+export class Model {
+  constructor(traits = {}) {
+    Object.assign(this, { traits, listeners: {} });
   }
 
   get(name) {
@@ -90,7 +85,6 @@ export class Kernel {
   }
 
   set(name, value) {
-    if (name === "recording") value ? (this.recorded = []) : this.download?.(this.bvh());
     this.traits[name] = value;
     this.emit(`change:${name}`);
   }
@@ -107,6 +101,28 @@ export class Kernel {
 
   emit(event, ...what) {
     for (const listener of this.listeners[event] ?? []) listener(...what);
+  }
+}
+
+export class Kernel extends Model {
+  constructor(data) {
+    super();
+    const { styles, vectors, rules, start } = data;
+    Object.assign(this, { data, fps: rules.fps, character: new Character(data), vectors: numbers(vectors) });
+    this.others = data.others.map((one) => new Walker(data, this.character.network, this.vectors, one));
+    this.size = this.vectors.length / styles.length;
+    const crowd = data.crowd && { skeleton: data.crowd, tints: data.others.map(({ tint }) => tint) };
+    this.traits = { styles, skeleton: data.skeleton, crowd, feet: true, arms: true, recording: false, status: "", ...data.traits };
+    this.input = { id: 0, move: [0, 0], turn: 0, run: false, heading: null };
+    this.facing = Math.atan2(...start.facing);
+    this.style = this.target();
+    this.frame = this.due = this.last = this.handle = 0;
+    this.recorded = [];
+  }
+
+  set(name, value) {
+    if (name === "recording") value ? (this.recorded = []) : this.download?.(this.bvh());
+    super.set(name, value);
   }
 
   send(message) {
@@ -158,7 +174,8 @@ export class Kernel {
                    state.future, state.contacts, state.phase];
     const buffer = Float32Array.from(parts.flatMap((part) => [...part]));
     for (const { character: other } of this.others) other.pose(this.traits);
-    this.emit("msg:custom", { kind: "others" }, [this.others.map(({ character: { root, rotations } }) => [root, rotations])]);
+    if (this.others.length)
+      this.emit("msg:custom", { kind: "others" }, [this.others.map(({ character: { root, rotations } }) => [root, rotations])]);
     this.emit("msg:custom", { kind: "frame", frame: this.frame, input: this.input.id }, [buffer]);
   }
 
@@ -182,19 +199,23 @@ export class Kernel {
     this.handle = requestAnimationFrame(tick);
   }
 
-  // the recording as BVH text, angles in degrees about Y, X and Z
   bvh() {
-    const { header, joints, centimetre } = this.data.bvh, degree = Math.PI / 180, text = (v) => v.toFixed(6);
-    const rows = this.recorded.map(([root, q]) => {
-      const row = Array.from(root, (v) => v / centimetre);
-      for (const j of joints) {
-        const [w, x, y, z] = q.subarray(4 * j, 4 * j + 4), sine = Math.min(Math.max(2 * (w * x - y * z), -1), 1);
-        const angles = [Math.atan2(2 * (w * y + x * z), 1 - 2 * (x * x + y * y)), Math.asin(sine),
-                        Math.atan2(2 * (w * z + x * y), 1 - 2 * (x * x + z * z))];
-        row.push(...angles.map((a) => a / degree));
-      }
-      return row.map(text).join(" ");
-    });
-    return [`${header}MOTION`, `Frames: ${rows.length}`, `Frame Time: ${(1 / this.fps).toFixed(8)}`, ...rows, ""].join("\n");
+    return bvh(this.data.bvh, this.recorded, this.fps);
   }
+}
+
+// frames [[root, rotations]] as BVH text, angles in degrees about Y, X and Z
+export function bvh({ header, joints, centimetre }, frames, fps) {
+  const degree = Math.PI / 180, text = (v) => v.toFixed(6);
+  const rows = frames.map(([root, q]) => {
+    const row = Array.from(root, (v) => v / centimetre);
+    for (const j of joints) {
+      const [w, x, y, z] = q.subarray(4 * j, 4 * j + 4), sine = Math.min(Math.max(2 * (w * x - y * z), -1), 1);
+      const angles = [Math.atan2(2 * (w * y + x * z), 1 - 2 * (x * x + y * y)), Math.asin(sine),
+                      Math.atan2(2 * (w * z + x * y), 1 - 2 * (x * x + z * z))];
+      row.push(...angles.map((a) => a / degree));
+    }
+    return row.map(text).join(" ");
+  });
+  return [`${header}MOTION`, `Frames: ${rows.length}`, `Frame Time: ${(1 / fps).toFixed(8)}`, ...rows, ""].join("\n");
 }

@@ -143,7 +143,9 @@ export function render({ model, el }) {
   const stage = make("div", "tkc-stage", view, { tabIndex: 0, role: "application", ariaLabel: "Character: W A S D, Q E, Shift" });
   let scene;
   try {
-    scene = new Scene(stage, model.get("skeleton"), { facing: 0, distance: 4.2 });
+    const crowd = model.get("crowd"); // of a page
+    scene = new Scene(stage, model.get("skeleton"), { facing: 0, distance: crowd ? 7 : 4.2 });
+    if (crowd) scene.addCrowd(crowd.skeleton, crowd.tints);
   } catch (error) {
     view.textContent = "This browser offers no WebGL, which the character needs.";
     return undefined;
@@ -208,7 +210,9 @@ export function render({ model, el }) {
   const joints = model.get("skeleton").parents.length, asked = new Map(), waiting = [];
   const stats = { received: 0, drawn: 0, delays: [], frame: 0 };
   let pose = null, late = 0, arrived = performance.now(), input = 0, last = "", first = true, handle = 0, counted = performance.now();
+  let others = [];
   function receive(message, [bytes]) {
+    if (message.kind === "others") others = bytes;
     if (message.kind !== "frame") return;
     waiting.push([new Float32Array(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength)), message.input]);
     if (waiting.length > WAITING) waiting.shift();
@@ -248,6 +252,7 @@ export function render({ model, el }) {
     const take = (n) => pose.subarray(at, (at += n));
     const place = take(3), rotations = take(4 * joints), trajectory = take(4 * SAMPLES), contacts = take(2), phase = take(8);
     scene.setPose(place, rotations);
+    scene.crowd?.pose(others);
     scene.setContacts(shown.contacts ? { right: contacts[0] > 0.5, left: contacts[1] > 0.5 } : {});
     ground.mesh.visible = shown.trajectory;
     ground.show(trajectory, scene.body.scale);

@@ -1,6 +1,8 @@
 // Entry of the bundle. A widget uses `render`, an importing module the exports, a page with the code inline `globalThis`.
-import { Kernel } from "./character.js";
-import { render } from "./controller.js";
+import { Kernel, Model } from "./character.js";
+import { render as controller } from "./controller.js";
+import { render as director } from "./director.js";
+import { Crowd } from "./crowd.js";
 import { make, player } from "./player.js";
 import { Scene } from "./scene.js";
 
@@ -13,10 +15,18 @@ function character(element, data) {
     setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
   };
   kernel.run();
-  render({ model: kernel, el: element });
+  controller({ model: kernel, el: element });
   return { kernel, ...element.toolkit };
 }
 
-globalThis.toolkitScene = { Scene, character, player };
-export { Scene, character, player };
+// A desk for shots, from the data of view/director.py.
+function desk(element, { scene, ...data }) {
+  director({ model: new Model({ data, scene, height: null }), el: element });
+  return element.toolkit;
+}
+
+const render = ({ model, el }) => (model.get("data") ? director : controller)({ model, el });
+
+globalThis.toolkitScene = { Crowd, Scene, character, director: desk, player };
+export { Scene, character, desk as director, player };
 export default { render };

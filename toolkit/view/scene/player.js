@@ -1,5 +1,6 @@
 // Recorded clips side by side with play, scrub, speed, style weights and contacts over time.
 //
+// skeleton: see scene.js, or the number of the clip that has the same
 // player(element, {clips: [{label, fps, frames, facing, skeleton, joints, root, rotations, contacts, styles}]})
 //   joints     indices of the joints that rotate (the others keep the identity)
 //   root       base64 float32 [F, 3], metres;  rotations  base64 int16 [F, joints, 4], units of 1/32767, w x y z
@@ -186,6 +187,7 @@ function drawTimeline(canvas, track, seconds, duration) {
 }
 
 export function player(element, { clips, speed = 1, playing = true }) {
+  for (const clip of clips) clip.skeleton = clips[clip.skeleton]?.skeleton ?? clip.skeleton;
   const root = make("div", "tkv", element);
   make("style", "", root, { textContent: CSS });
   const views = make("div", "tkv-views", root);

@@ -2,6 +2,7 @@
 import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { Body } from "./body.js";
+import { Bodies, Crowd } from "./crowd.js";
 import { Figure } from "./figure.js";
 
 const SKY = "#f3f1ec", FLOOR = "#eae6de", GRID = "#d8d3c8", SHADE = "#cdc8be", PLAIN = { back: "#efece6", line: "#cbc5b9" };
@@ -120,10 +121,8 @@ export class Scene {
     this.floor.add(this.shade);
     this.scene.add(this.floor);
 
-    this.body = skeleton.mesh ? new Figure(skeleton, this.light, software)
-      : new Body(skeleton, software ? [10, 2] : [24, 6], this.light, software);
-    this.flat = this.body.shadow(SHADE);
-    this.scene.add(this.body.mesh, this.flat);
+    this.bodies = [];
+    this.body = this.add();
 
     this.camera = new THREE.PerspectiveCamera(36, 1, 0.1, 60);
     this.controls = new OrbitControls(this.camera, this.canvas);
@@ -139,12 +138,37 @@ export class Scene {
     this.observer.observe(element);
   }
 
+  // One more body like the first; a ghost is pale and has no shadow. `show` hides it again.
+  add({ ghost = false } = {}) {
+    const { skeleton } = this;
+    const body = new (skeleton.mesh.own ? Figure : Body)(skeleton, this.light, software);
+    this.bodies.push(body);
+    this.scene.add(body.mesh);
+    if (ghost) {
+      Object.assign(body.mesh.material, { transparent: true, opacity: 0.35 });
+      body.mesh.castShadow = false;
+    } else this.scene.add((body.projected = body.shadow(SHADE)));
+    this.show(body, true);
+    return body;
+  }
+
+  show(body, on) {
+    body.mesh.visible = on;
+    if (body.projected) body.projected.visible = on && this.quality >= 2;
+  }
+
   setPose(root, rotations) {
     this.body.pose(root, rotations);
   }
 
   setContacts(contacts) {
     this.body.setContacts(contacts);
+  }
+
+  // more bodies, of one skeleton, in colours of their own
+  addCrowd(skeleton, tints) {
+    this.crowd = new (software ? Bodies : Crowd)(skeleton, tints, this.light, SHADE);
+    this.scene.add(...this.crowd.meshes);
   }
 
   // the path on the floor, points [F * 3]; null removes it
@@ -187,8 +211,8 @@ export class Scene {
   // 0 finest, 1 no fine pixels, 2 a projected shadow, 3 coarse pixels: for slow machines
   setQuality(level) {
     this.renderer.shadowMap.enabled = this.sun.castShadow = this.shade.visible = level < 2;
-    this.flat.visible = level >= 2;
     this.quality = level;
+    for (const body of this.bodies) this.show(body, body.mesh.visible);
     this.resize();
   }
 
@@ -217,7 +241,8 @@ export class Scene {
     this.observer.disconnect();
     this.controls.dispose();
     this.setTrail(null);
-    this.body.dispose();
+    for (const body of this.bodies) body.dispose();
+    this.crowd?.dispose();
     this.renderer.dispose();
     this.renderer.forceContextLoss();
     this.canvas.remove();

@@ -1,18 +1,16 @@
-"""A small software renderer for rounded cones: exact silhouettes and shading with numpy alone, no OpenGL.
+"""A small software renderer of smooth surfaces: a depth buffer, soft shadows and shading, no OpenGL.
 
-Parallel projection: camera space is x right, y up, z towards the viewer. Each shape is intersected in its own frame, where
-it is two spheres and the cone that touches both. Drawing finds depths only; normals and light are computed once at the end,
-for the visible pixels.
+Parallel projection: camera space is x right, y up, z towards the viewer. Drawing finds the nearest triangle of every pixel;
+normals and light are computed once at the end, for the visible pixels.
 """
 
-import math
 from collections.abc import Sequence
 
 import numpy as np
 from scipy.ndimage import uniform_filter, zoom
 from scipy.spatial.transform import Rotation
 
-from toolkit.view.body import Shape
+from toolkit.io.compilation import compiled
 
 FAR = -1e9
 COARSE = 4  # shadows are soft, so their pixels are this many times larger
@@ -41,7 +39,7 @@ class Canvas:
         self.depth = np.full((self.height, self.width), FAR, np.float32)
         self.owner = np.zeros((self.height, self.width), np.int32)
         self.shade = np.zeros((-(-self.height // COARSE), -(-self.width // COARSE)), np.float32)
-        self._drawn = []
+        self._drawn, self._triangles = [], 0
 
     def _span(self, low: np.ndarray, high: np.ndarray, step: int = 1) -> tuple[slice, slice]:
         """Rows and columns, ``step`` pixels each, that hold camera space from ``low`` to ``high`` [2]."""
@@ -50,28 +48,21 @@ class Canvas:
         r0, r1 = (int(np.clip((self.window[3] - v) * scale, 0, height)) for v in (high[1], low[1]))
         return slice(r0, r1 + 1), slice(c0, c1 + 1)
 
-    def draw(self, shapes: Sequence[Shape], places: np.ndarray, colors: np.ndarray) -> None:
-        """Draw shapes at ``places`` [S, 3, 4] (own frame to camera space) in ``colors`` [S, 3], 0 to 1."""
-        places = np.asarray(places, dtype=np.float64)
-        backs = np.linalg.inv(places[:, :, :3])
-        for shape, place, back, color in zip(shapes, places, backs, colors, strict=True):
-            r, ends = np.array(shape.radii)[:, None], place[:2, 3] + np.array([[0.0], [shape.length]]) * place[:2, 1]
-            rows, columns = self._span((ends - r).min(0), (ends + r).max(0))
-            depth = _depth(shape, place[:, 3], back, self.x[columns], self.y[rows, None])
-            nearer = depth > self.depth[rows, columns]
-            self.depth[rows, columns][nearer] = depth[nearer]
-            self.owner[rows, columns][nearer] = len(self._drawn)
-            self._drawn.append((back, place[:, 3], (*shape.radii, shape.length), color))
+    def draw(self, points: np.ndarray, normals: np.ndarray, triangles: np.ndarray, colors: np.ndarray) -> None:
+        """Draw a surface: vertices and unit normals [V, 3] in camera space, triangles [T, 3], colours [V, 3], 0 to 1."""
+        x, y = (points[:, 0] - self.window[0]) * self.scale - 0.5, (self.window[3] - points[:, 1]) * self.scale - 0.5
+        seen = np.stack((x, y, points[:, 2]), 1).astype(np.float32)
+        fill(self.depth, self.owner, seen, triangles, self._triangles)
+        self._triangles += len(triangles)
+        self._drawn.append((seen[:, :2], normals.astype(np.float32), triangles, colors.astype(np.float32)))
 
-    def shadow(self, shapes: Sequence[Shape], places: np.ndarray, lamp: np.ndarray,
-               floor: Sequence[float] = (0, 0, 0)) -> None:
-        """Darken the floor, which goes through the point ``floor``, below shapes; ``lamp`` points to the light.
+    def shadow(self, ends: np.ndarray, radii: np.ndarray, lamp: np.ndarray, floor: Sequence[float] = (0, 0, 0)) -> None:
+        """Darken the floor, which goes through the point ``floor``, below rounded cones; ``lamp`` points to the light.
 
-        A shape's shadow is the hull of its two spheres' shadows, softer the higher they are.
+        Cones have two spheres each, with centres ``ends`` [C, 2, 3] and ``radii`` [C, 2]. The shadow is the hull of the two
+        spheres' shadows, softer the higher they are.
         """
         up = self.camera[:, 1]
-        length, radii = np.array([s.length for s in shapes]), np.array([s.radii for s in shapes])
-        ends = np.stack((places[:, :, 3], places[:, :, 3] + places[:, :, 1] * length[:, None]), 1)  # [S, 2, 3]
         height = ((ends - floor) @ up).clip(0)
         ends = (ends - height[..., None] / (lamp @ up) * lamp)[..., :2]
         reach = (1.5 * radii + 0.1 * height)[..., None]
@@ -142,50 +133,46 @@ class Canvas:
     def _normals(self, covered: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Normals and colours [N, 3] of the covered pixels."""
         rows, columns = np.nonzero(covered)
-        owner = self.owner[covered]
-        back, centre, ends, colors = (np.array(values, np.float32) for values in zip(*self._drawn, strict=True))
-        points = np.stack((self.x[columns], self.y[rows], self.depth[covered]), 1) - centre[owner]
-        first, second, length = ends.T
-        sine = (first - second) / length
-        points = np.einsum("nij,nj->ni", back[owner], points)
-        y = points[:, 1]
-        second_ball = y > (length + second * sine)[owner]
-        flank = (y > (first * sine)[owner]) & ~second_ball
-        points[second_ball, 1] -= length[owner[second_ball]]
-        radial = np.linalg.norm(points[flank][:, ::2], axis=1)
-        points[flank, 1] = radial * (sine / np.sqrt(1 - sine**2))[owner[flank]]
-        normals = np.einsum("ni,nij->nj", points, back[owner])  # by the inverse transpose
-        return normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-9), colors[owner]
+        first = np.cumsum([0, *(len(part[0]) for part in self._drawn)])
+        triangles = np.concatenate([part[2] + k for part, k in zip(self._drawn, first, strict=False)])
+        corners, normals, colors = (np.concatenate([part[i] for part in self._drawn]) for i in (0, 1, 3))
+        hit = triangles[self.owner[covered]]
+        a, b, c = (corners[hit[:, i]] for i in range(3))
+        pixel = np.stack((columns, rows), 1).astype(np.float32)
+        whole = _cross(b - a, c - a)
+        whole = np.where(np.abs(whole) < 1e-12, 1, whole)
+        u, v = _cross(c - b, pixel - b) / whole, _cross(a - c, pixel - c) / whole
+        share = np.stack((u, v, 1 - u - v), 1).clip(0, 1)[..., None]
+        mixed = (share * normals[hit]).sum(1)
+        mixed *= np.where(mixed[:, 2:] < -0.05, -1, 1)  # the back of an open surface
+        return mixed / np.maximum(np.linalg.norm(mixed, axis=1, keepdims=True), 1e-9), (share * colors[hit]).sum(1)
 
 
-def _depth(shape: Shape, centre: np.ndarray, back: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.ndarray:
-    """Largest z ``[H, W]`` of a shape at camera x ``[W]`` and y ``[H, 1]``; NaN outside its silhouette.
+def _cross(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    return a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
 
-    ``back`` [3, 3] transforms camera space, relative to ``centre``, to the cone's frame. There a line of sight is o + s·d
-    with a unit vector d and o orthogonal to it. On the cone, radial distance · cos + y · sin = first radius, where the sine
-    is the difference of the radii over the distance of the centres.
+
+@compiled(fastmath=False)
+def fill(depth, owner, points, triangles, first):
+    """Keep for each pixel the nearest depth and the number of its triangle, counted from ``first``.
+
+    ``points`` [V, 3] are x and y in pixels, whose centres are at whole numbers, and z towards the viewer.
     """
-    (first, second), length = shape.radii, shape.length
-    speed = np.linalg.norm(back[:, 2])
-    d = back[:, 2] / speed
-    slope = d @ back[:, :2]
-    across = back[:, :2] - np.outer(d, slope)
-    x, y = x - np.float32(centre[0]), y - np.float32(centre[1])
-    (xx, xy), (_, yy) = (across.T @ across).astype(np.float32)
-    oy = np.float32(across[1, 0]) * x + np.float32(across[1, 1]) * y
-    squared = xx * (x * x) + (yy * y + np.float32(2 * xy) * x) * y
-    dy = float(d[1])
-    with np.errstate(invalid="ignore"):
-        s = np.sqrt(first**2 - squared)
-        s = np.fmax(s, length * dy + np.sqrt(second**2 - length**2 * (1 - dy * dy) - squared + (2 * length) * oy))
-        sine = (first - second) / length
-        cosine = math.sqrt(1 - sine**2)
-        steep = dy * sine / cosine
-        width = (first / cosine) - (sine / cosine) * oy  # the cone's radius at o; it shrinks by steep · s
-        a = 1 - dy**2 - steep**2
-        if abs(a) > 1e-9:
-            b = steep * width - dy * oy
-            flank = (np.sqrt(b * b - a * (squared - oy * oy - width * width)) - b) / a
-            at = oy + dy * flank
-            s = np.fmax(s, np.where((at > first * sine) & (at < length + second * sine), flank, np.nan))
-    return np.float32(centre[2]) + (s - np.float32(slope[0]) * x - np.float32(slope[1]) * y) * np.float32(1 / speed)
+    height, width = depth.shape
+    for t in range(len(triangles)):
+        ax, ay, az = points[triangles[t, 0]]
+        bx, by, bz = points[triangles[t, 1]]
+        cx, cy, cz = points[triangles[t, 2]]
+        whole = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
+        if whole == 0:
+            continue
+        left, right = max(int(np.ceil(min(ax, bx, cx))), 0), min(int(np.floor(max(ax, bx, cx))), width - 1)
+        top, bottom = max(int(np.ceil(min(ay, by, cy))), 0), min(int(np.floor(max(ay, by, cy))), height - 1)
+        for row in range(top, bottom + 1):
+            for column in range(left, right + 1):
+                u = ((cx - bx) * (row - by) - (cy - by) * (column - bx)) / whole
+                v = ((ax - cx) * (row - cy) - (ay - cy) * (column - cx)) / whole
+                if u >= -1e-6 and v >= -1e-6 and u + v <= 1.000001:
+                    z = u * az + v * bz + (1 - u - v) * cz
+                    if z > depth[row, column]:
+                        depth[row, column], owner[row, column] = z, first + t

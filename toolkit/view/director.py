@@ -1,0 +1,121 @@
+"""Plan shots by hand: a map for the path, a timeline for styles, speeds and pauses, and the characters that walk it.
+
+The browser computes what it shows, with the runtime of a page (`toolkit.view.live_page`), in a notebook too. The kernel
+keeps the shots as data and renders them.
+"""
+
+import os
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import Any
+
+import anywidget
+import traitlets
+
+from toolkit import shots
+from toolkit.motion import Clip
+from toolkit.shots import Shot, course, feasibility
+from toolkit.view import live_page, page
+from toolkit.view.character import Character
+from toolkit.view.frontend import static
+
+START = (0, 0), (0.6, 2), (-0.6, 4), (0, 6)  # the path of the first shot
+
+
+class Director(anywidget.AnyWidget):
+    """A desk for shots: draw and drag the path, key styles, speeds and pauses, see the character walk it at once.
+
+    Parameters
+    ----------
+    model, bank
+        An LPN-FiLM and its style bank, e.g. of `toolkit.pretrained`.
+    shots
+        The first shots, one per character; by default one along a short path.
+    height
+        Of the widget, pixels.
+    character
+        A glTF or VRM file with a skinned mesh, drawn in place of the mannequin.
+
+    Attributes
+    ----------
+    shots : list of toolkit.shots.Shot
+        The shots as the page shows them; assign others to show them.
+    scene
+        The same as data, as a file holds it: a trait that can be observed.
+
+    Raises
+    ------
+    ValueError
+        If it is another model or a shot names an unknown style.
+    """
+
+    _esm = static("scene.js")
+    data = traitlets.Dict().tag(sync=True)
+    scene = traitlets.Dict().tag(sync=True)
+    height = traitlets.Int(760, min=300).tag(sync=True)
+
+    def __init__(self, model, bank, shots: Iterable[Shot] | None = None, *, height: int = 760,
+                 character: str | os.PathLike | Character | None = None):
+        self._model, self._bank = model, bank
+        super().__init__(data=pack(model, bank, character=Character.of(character)), scene=first(bank, shots), height=height)
+
+    @property
+    def shots(self) -> list[Shot]:
+        """The shots as the page shows them."""
+        return shots.parse(self.scene)
+
+    @shots.setter
+    def shots(self, made: Iterable[Shot]) -> None:
+        self.scene = first(self._bank, made)
+
+    def render(self, character: int = 0) -> Clip:
+        """The motion of a character, by `toolkit.shots.Shot.render`."""
+        return self.shots[character].render(self._model, self._bank)
+
+    @traitlets.validate("scene")
+    def _valid(self, proposal: dict) -> dict:
+        try:
+            return _of(self._bank, shots.parse(proposal["value"]))
+        except ValueError as error:
+            raise traitlets.TraitError(str(error)) from None
+
+
+def web(model, bank, path: str | os.PathLike, shots: Iterable[Shot] | None = None, *, title: str = "Plan a shot",
+        styles: Sequence[str] | None = None, half: bool = False,
+        character: str | os.PathLike | Character | None = None) -> Path:
+    """Write a page with the `Director`, without server or Python; shots are saved to and opened from files.
+
+    The parameters are those of `Director` and `toolkit.view.web`.
+
+    Raises
+    ------
+    ValueError
+        As those.
+    """
+    bank = bank.select(dict.fromkeys(bank.names if styles is None else styles))
+    data = pack(model, bank, half, Character.of(character)) | {"scene": first(bank, shots)}
+    caption = "Draw a path, key styles over time; the character walks it at once, computed in this page."
+    return page.write(path, title, caption, data, "globalThis.view = toolkitScene.director(stage, data);")
+
+
+def pack(model, bank, half: bool = False, character: Character | None = None) -> dict[str, Any]:
+    """The data of ``scene/shot.js``: that of `toolkit.view.live_page.pack`, natural speeds and the constants of shots."""
+    return live_page.pack(model, bank, half, character) | {
+        "speeds": [bank.speed(name) for name in bank.names], "course": constants(course), "limits": constants(feasibility),
+        "joints": list(model.layout.skeleton.names)}
+
+
+def constants(module) -> dict[str, float]:
+    """The numbers of a module by name."""
+    return {name: value for name, value in vars(module).items() if name.isupper() and isinstance(value, int | float)}
+
+
+def first(bank, made: Iterable[Shot] | None) -> dict[str, Any]:
+    """The scene of some shots, or of a first one; a ValueError if a style is unknown."""
+    return _of(bank, [Shot(START, bank.names[0], name="shot 1")] if made is None else list(made))
+
+
+def _of(bank, made: list[Shot]) -> dict[str, Any]:
+    for shot in made:
+        shot.style(bank)
+    return shots.data(made)

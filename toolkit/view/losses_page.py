@@ -1,0 +1,95 @@
+"""A page and a picture of `toolkit.stylization.plane`: a switch for each of the five losses."""
+
+import json
+from collections.abc import Sequence
+
+from matplotlib.figure import Figure
+from matplotlib.patches import Rectangle
+from torch import Tensor
+
+from toolkit.stylization import plane
+from toolkit.stylization.losses import LOSSES
+from toolkit.view.body import PALETTE
+from toolkit.view.picture import Picture
+
+NAMES = {"adv": "the judge accepts", "cyc": "there and back", "id": "own style", "sty": "the code is found again",
+         "ds": "two codes differ"}
+SHOWN = {"inside": "accepted by the judge", "content": "content kept (correlation)", "version": "version copied (share)",
+         "spread": "distance of two noises", "own": "error in the own style"}
+GOOD = {"inside": "1", "content": "1", "version": "1", "spread": "more than 0", "own": "0"}
+RANGE = (-2.2, 2.2)  # of both axes, in pictures
+BOX, SOURCE = "#eeebe4", "#8a8f98"
+
+
+def losses_page(toy: plane.Toy, size: int = 420) -> str:
+    """HTML with a checkbox for each loss: the results of three noises and the measures of the stylizer with these losses.
+
+    Raises
+    ------
+    ValueError
+        If the toy does not have a stylizer for each of `plane.SWITCHES`, in this order.
+    """
+    if toy.losses != list(plane.SWITCHES):
+        raise ValueError(f"the page needs all {len(plane.SWITCHES)} sets of losses (plane.SWITCHES), got {len(toy.losses)}")
+    x, made = toy.results()
+    measures = toy.measures()
+    data = {
+        "x": _rounded(x), "made": _rounded(made), "colours": PALETTE[:3], "losses": LOSSES, "range": RANGE, "size": size,
+        "boxes": [[*(m - h).tolist(), *(2 * h).tolist()] for m, h in zip(plane.MIDDLE, plane.HALF, strict=True)],
+        "measures": [[SHOWN[k], GOOD[k], _rounded(measures[k])] for k in SHOWN],
+    }
+    switches = "".join(f'<label><input type="checkbox" id="{name}" checked> <b>{name}</b> {NAMES[name]}</label>'
+                       for name in LOSSES)
+    return PAGE.replace("SWITCHES", switches).replace("DATA", json.dumps(data)).replace("SIZE", str(size))
+
+
+def losses_figure(toy: plane.Toy, titles: Sequence[str]) -> Figure:
+    """The results of the first stylizers of a toy, a panel each: sources (grey), and the results of three noises."""
+    x, made = toy.results()
+    figure = Picture(figsize=(2.3 * len(titles), 2.8), dpi=90, layout="constrained")
+    for axes, title, results in zip(figure.subplots(1, len(titles), sharey=True), titles, made, strict=False):
+        for middle, half in zip(plane.MIDDLE, plane.HALF, strict=True):
+            axes.add_patch(Rectangle((middle - half).tolist(), *(2 * half).tolist(), color=BOX))
+        axes.scatter(*x.T, color=SOURCE, s=9)
+        for result, colour in zip(results, PALETTE, strict=False):
+            axes.scatter(*result.T, color=colour, s=5 + 14 * (x[:, 0] + 1))
+        axes.set(xlim=RANGE, ylim=RANGE, title=title, xlabel="content", aspect="equal")
+    figure.axes[0].set_ylabel("style")
+    return figure
+
+
+def _rounded(values: Tensor) -> list:
+    return (values.double() * 100).round().div(100).tolist()
+
+
+PAGE = """<!doctype html><meta charset="utf-8"><title>Five losses</title>
+<style>body{font:14px system-ui,sans-serif;color:#2b323b;background:#fbfaf7;margin:8px;display:flex;gap:24px;flex-wrap:wrap}
+label{display:block;margin:6px 0;cursor:pointer}td,th{padding:3px 10px 3px 0;text-align:left}canvas{background:white}
+p{max-width:22em;color:#5d6570}</style>
+<canvas id="plane" width="SIZE" height="SIZE" role="img" aria-label="Sources and results in the plane"></canvas>
+<div><b>Losses that are on</b>SWITCHES<table id="table"></table>
+<p>Grey: plain walks. Colours: the results of three noises. A dot is large where the source was on the right.</p></div>
+<script>
+const d = DATA, c = document.getElementById("plane").getContext("2d");
+const at = v => (v - d.range[0]) / (d.range[1] - d.range[0]) * d.size;
+function dot(p, r, colour) {
+  c.fillStyle = colour; c.beginPath(); c.arc(at(p[0]), d.size - at(p[1]), r, 0, 7); c.fill();
+}
+function draw() {
+  let row = 0;
+  d.losses.forEach((name, i) => { if (!document.getElementById(name).checked) row += 1 << (d.losses.length - 1 - i); });
+  c.clearRect(0, 0, d.size, d.size);
+  c.fillStyle = "#eeebe4";
+  for (const [x, y, w, h] of d.boxes) c.fillRect(at(x), d.size - at(y + h), at(x + w) - at(x), at(y + h) - at(y));
+  c.fillStyle = "#5d6570"; c.font = "13px system-ui";
+  c.fillText("target domain", at(1.05), d.size - at(1)); c.fillText("plain", at(1.05), d.size - at(-1.03));
+  c.fillText("content →", d.size - 80, d.size - 8); c.fillText("style ↑", 6, 16);
+  d.x.forEach(p => dot(p, 2.5, "#8a8f98"));
+  d.made[row].forEach((points, k) => points.forEach((p, i) => dot(p, 2.5 + 1.6 * (d.x[i][0] + 1), d.colours[k])));
+  document.getElementById("table").innerHTML = "<tr><th>measure<th>here<th>good</tr>" + d.measures.map(
+    ([name, good, values]) => `<tr><td>${name}<td>${values[row].toFixed(2)}<td>${good}</tr>`).join("");
+}
+d.losses.forEach(name => document.getElementById(name).addEventListener("change", draw));
+draw();
+</script>
+"""

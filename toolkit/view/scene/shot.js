@@ -1,0 +1,322 @@
+// A shot as data, its plan and the character that walks it (shots/shot.py, shots/keys.py; shots/feasibility.py for what is missed).
+//
+// A shot here has every field of `toolkit.shots.Shot`, with null where there is none:
+//   path [{x, z, time, facing}], styles [{time, blend, easing}], speeds [{time, speed, easing}], holds [{seconds, time, distance}],
+//   smooth, facing, look_at, feet, arms, seed, duration, name;  a blend is weights by style, or a list of them, one for each layer
+// desk: {rules, limits, styles: [names], vectors, size, speeds: [m/s]}, see view/director.py
+import { advance, Character } from "./character.js";
+import { between, command, Course, Curve, EASINGS, Heading, keyed, nearest, round } from "./course.js";
+import { copy, stand } from "./frame.js";
+
+const FAR = 1000, FAST = 20, MANY = 256, LONGEST = 600, SEEDS = 2 ** 31 - 1, EVERY = 30, GOLDEN = (Math.sqrt(5) - 1) / 2;
+const SCENE = ["version", "shots", "apart", "walls"]; // a page shows each character alone; toolkit.shots keeps them apart
+const FIELDS = {
+  Point: ["x", "z", "time", "facing"], StyleKey: ["time", "blend", "easing"], SpeedKey: ["time", "speed", "easing"],
+  Hold: ["seconds", "time", "distance"],
+  Shot: ["path", "styles", "speeds", "holds", "smooth", "facing", "look_at", "feet", "arms", "seed", "duration", "name"],
+};
+
+function demand(right, text) {
+  if (!right) throw new Error(text);
+}
+const isObject = (value) => value !== null && typeof value === "object" && !Array.isArray(value);
+
+function number(value, what, low, high) {
+  demand(typeof value === "number" && value >= low && value <= high, `${what} must be a number from ${low} to ${high}`);
+  return value;
+}
+const optional = (value, read) => (value == null ? null : read(value));
+
+function pair(value, what) {
+  demand(Array.isArray(value) && value.length === 2, `${what} must be a pair (x, z)`);
+  return value.map((v, i) => number(v, `${"xz"[i]} of ${what}`, -FAR, FAR));
+}
+
+function direction(value, what) {
+  const [x, z] = pair(value, what);
+  demand(Math.hypot(x, z) >= 1e-6, `${what} must not be zero`);
+  return [x, z];
+}
+
+// the fields of an object, or of a list of the first ones
+function fields(value, kind) {
+  const known = FIELDS[kind];
+  if (Array.isArray(value) && value.length <= known.length) return Object.fromEntries(value.map((v, i) => [known[i], v]));
+  demand(isObject(value), `expected the fields of a ${kind}`);
+  for (const name of Object.keys(value)) demand(known.includes(name), `unknown field ${JSON.stringify(name).slice(0, 60)}`);
+  return value;
+}
+
+function entries(values, what, kind, read) {
+  demand(Array.isArray(values), `${what} must be a list`);
+  demand(values.length <= MANY, `${what}: at most ${MANY} entries, got ${values.length}`);
+  return values.map((value, k) => {
+    try {
+      return read(fields(value, kind));
+    } catch (error) {
+      throw new Error(`${what}[${k}]: ${error.message}`);
+    }
+  });
+}
+
+const easing = (value = "smooth") => {
+  demand(typeof value === "string" && Object.hasOwn(EASINGS, value), `easing must be one of ${Object.keys(EASINGS).join(", ")}`);
+  return value;
+};
+
+function blend(value, styles) {
+  const layers = typeof value === "string" ? [{ [value]: 1 }] : Array.isArray(value) ? value : [value];
+  demand(layers.length, "a blend is a style's name or weights of styles");
+  for (const layer of layers) {
+    demand(isObject(layer) && Object.keys(layer).length, "a blend is a style's name or weights of styles");
+    const names = Object.keys(layer);
+    for (const name of names) demand(styles.includes(name), `unknown style ${JSON.stringify(name).slice(0, 60)}`);
+    const sum = names.reduce((total, name) => total + number(layer[name], `the weight of ${name}`, -FAR, FAR), 0);
+    demand(Math.abs(sum - 1) <= 1e-4, `the weights of a blend must sum to 1, got ${Number(sum.toFixed(6))}`);
+  }
+  return layers.length > 1 ? layers : layers[0];
+}
+
+function rising(keys, what) {
+  keys.forEach((key, k) => demand(!k || key.time > keys[k - 1].time, `${what}[${k}]: times must increase`));
+}
+
+// A shot from what a file holds; an Error of one line that names the field and the entry.
+export function shot(value, styles) {
+  const given = fields(value, "Shot"), time = (v) => number(v, "time", 0, LONGEST);
+  const path = entries(given.path ?? [], "path", "Point", (p) => ({
+    x: number(p.x, "x", -FAR, FAR), z: number(p.z, "z", -FAR, FAR), time: optional(p.time, time),
+    facing: optional(p.facing, (v) => direction(v, "facing")),
+  }));
+  const keys = typeof given.styles === "string" ? [[0, given.styles]] : given.styles ?? [];
+  const made = {
+    path,
+    styles: entries(keys, "styles", "StyleKey",
+      (k) => ({ time: time(k.time), blend: blend(k.blend, styles), easing: easing(k.easing) })),
+    speeds: entries(given.speeds ?? [], "speeds", "SpeedKey",
+      (k) => ({ time: time(k.time), speed: number(k.speed, "speed", 0, FAST), easing: easing(k.easing) })),
+    holds: entries(given.holds ?? [], "holds", "Hold", (h) => {
+      demand((h.time == null) !== (h.distance == null), "a hold needs either a time or a distance");
+      return { seconds: number(h.seconds, "seconds", 0, LONGEST), time: optional(h.time, time),
+               distance: optional(h.distance, (v) => number(v, "distance", 0, 1e6)) };
+    }),
+    smooth: given.smooth ?? true, facing: optional(given.facing, (v) => direction(v, "facing")),
+    look_at: optional(given.look_at, (v) => pair(v, "look_at")), feet: given.feet ?? true, arms: given.arms ?? true,
+    seed: number(given.seed ?? 0, "seed", 0, SEEDS), name: given.name ?? "shot",
+    duration: optional(given.duration, (v) => number(v, "duration", 1 / 60, LONGEST)),
+  };
+  demand(path.length > 1, `path: two or more points are needed, got ${path.length}`);
+  path.forEach((p, k) => demand(!k || Math.hypot(p.x - path[k - 1].x, p.z - path[k - 1].z) >= 0.01,
+    `path[${k}]: is less than 1 cm from the point before it`));
+  rising(path.slice(1).filter((p) => p.time !== null), "path, points with a time");
+  demand(!path[0].time, "path[0]: the first point has the time 0");
+  demand(path.slice(1).every((p) => p.time !== 0), "path: only the first point can have the time 0");
+  demand(made.styles.length, "styles: one or more keys are needed");
+  rising(made.styles, "styles");
+  rising(made.speeds, "speeds");
+  demand(new Set(made.styles.map((key) => layersOf(key.blend).length).filter((n) => n > 1)).size < 2,
+    "styles: all blends by layer need the same number of layers");
+  for (const name of ["smooth", "feet", "arms"]) demand(typeof made[name] === "boolean", `${name} must be true or false`);
+  demand(!made.facing || !made.look_at, "give either facing or look_at, not both");
+  demand(Number.isInteger(made.seed), "seed must be a whole number");
+  const named = typeof made.name === "string" && made.name.length <= 100 && !/\p{C}/u.test(made.name);
+  demand(named, "name must be a line of up to 100 characters");
+  return made;
+}
+
+// The shots of a scene {version, shots}; an Error of one line.
+export function parse(scene, styles) {
+  demand(isObject(scene) && "version" in scene && "shots" in scene, "expected an object with the fields version and shots");
+  for (const name of Object.keys(scene)) demand(SCENE.includes(name), `unknown field ${JSON.stringify(name).slice(0, 60)}`);
+  demand(scene.version === 1, "this page reads version 1 of shots");
+  demand(Array.isArray(scene.shots) && scene.shots.length, "shots: one or more are needed");
+  return entries(scene.shots, "shots", "Shot", (value) => shot(value, styles));
+}
+
+// the scene of shots, as a file holds it: fields without a value are left out; more: its other fields
+export function data(shots, more = {}) {
+  const lean = (value) => {
+    if (Array.isArray(value)) return value.map(lean);
+    if (!isObject(value)) return value;
+    return Object.fromEntries(Object.entries(value).filter(([, v]) => v !== null).map(([name, v]) => [name, lean(v)]));
+  };
+  return { version: 1, shots: lean(shots), ...more };
+}
+
+const layersOf = (blend) => (Array.isArray(blend) ? blend : [blend]);
+
+// natural speed of a blend: of blends by layer, the mean
+export function speedOf(blend, { styles, speeds }) {
+  const layers = layersOf(blend), each = layers.flatMap((layer) => Object.entries(layer));
+  return each.reduce((sum, [name, weight]) => sum + weight * speeds[styles.indexOf(name)], 0) / layers.length;
+}
+
+// the blend of style keys at a time; of blends by layer, that of the key before
+export function blendAt(keys, time) {
+  const [a, b, weight] = between(keys.map((key) => key.time), keys.map((key) => key.easing), time);
+  const from = keys[a].blend, to = keys[b].blend;
+  if (!weight || Array.isArray(from) || Array.isArray(to)) return from;
+  const made = Object.fromEntries(Object.entries(from).map(([name, w]) => [name, (1 - weight) * w]));
+  for (const [name, w] of Object.entries(to)) made[name] = (made[name] ?? 0) + weight * w;
+  return made;
+}
+
+// style vector of a blend
+function vectorOf(blend, { styles, vectors, size }) {
+  const layers = layersOf(blend), part = size / layers.length, made = new Float64Array(size);
+  layers.forEach((layer, l) => {
+    for (const [name, weight] of Object.entries(layer)) {
+      const at = size * styles.indexOf(name);
+      for (let i = l * part; i < (l + 1) * part; i++) made[i] += weight * vectors[at + i];
+    }
+  });
+  return made;
+}
+
+const keysOf = (keys, value) => ({ times: keys.map((k) => k.time), easings: keys.map((k) => k.easing), values: keys.map(value) });
+const naturalOf = (shot, desk) => keysOf(shot.styles, (key) => Math.min(Math.max(speedOf(key.blend, desk), 0), FAST));
+
+// {course, heading, natural} of a shot
+export function plan(shot, desk) {
+  const curve = new Curve(shot.path.map((p) => [p.x, p.z]), shot.smooth, desk.rules), natural = naturalOf(shot, desk);
+  const speeds = shot.speeds.length ? keysOf(shot.speeds, (key) => key.speed) : natural;
+  const timed = shot.path.flatMap((p, k) => (k && p.time !== null ? [[k, curve.knots[k], p.time]] : []));
+  const turns = shot.path.map((p) => (p.facing ? Math.atan2(...p.facing) : null));
+  return { course: new Course(curve, speeds, timed.map(([, at, time]) => [at, time]), shot.holds, shot.duration),
+           heading: new Heading(curve, shot.facing, shot.look_at, turns), natural, timed };
+}
+
+// every phase later by an angle
+function shifted(phase, angle) {
+  const s = Math.sin(angle), c = Math.cos(angle);
+  for (let i = 0; angle && i + 1 < phase.length; i += 2) {
+    const x = phase[i], y = phase[i + 1];
+    phase.set([c * x - s * y, s * x + c * y], i);
+  }
+}
+
+// Number of frames from the first on that two plans {shot, course, heading} cannot tell apart: their commands and styles are the same.
+function shared({ shot, course: a, heading }, { shot: before, course: b, heading: other }) {
+  const { FPS, LEAD, BEFORE, SPACING } = a.rules, key = ({ seed, facing, look_at: look }) => JSON.stringify([seed, facing, look]);
+  if (key(shot) !== key(before)) return 0;
+  const differs = (count, same) => {
+    for (let k = 0; k < count; k++) if (!same(k)) return k;
+    return Infinity;
+  };
+  const [c, d] = [a.curve, b.curve], most = (one, two) => Math.max(one.length, two.length);
+  const sample = differs(most(c.at, d.at), (k) => c.x[k] === d.x[k] && c.z[k] === d.z[k] && c.at[k] === d.at[k]);
+  const knot = differs(most(c.knots, d.knots), (k) => c.knots[k] === d.knots[k] && heading.offsets[k] === other.offsets[k]);
+  const metres = Math.min(sample < Infinity ? c.at[sample - 1] ?? 0 : sample, knot < Infinity ? c.knots[knot - 1] ?? 0 : knot);
+  const style = differs(most(shot.styles, before.styles), (k) => JSON.stringify(shot.styles[k]) === JSON.stringify(before.styles[k]));
+  const seconds = style < Infinity ? shot.styles[style - 1]?.time ?? -1 : style, ahead = round(LEAD * FPS);
+  const at = (row, frame) => row[Math.min(frame, row.length - 1)];
+  const same = (frame) => at(a.distance, frame) === at(b.distance, frame) && at(a.speed, frame) === at(b.speed, frame);
+  return Math.min(a.distance.length, differs(a.distance.length, (frame) => frame / FPS <= seconds && same(frame)
+    && same(frame + ahead) && at(a.distance, frame + ahead) + BEFORE + 4 * SPACING < metres));
+}
+
+// A character on its way through a shot, asked for at a time in ms. It goes on from where it differs from older takes.
+// `frames` has what draws each: {history, joints, toes, contacts}; `kept` the whole state every EVERY frames.
+export class Take {
+  constructor(shot, desk, character, since = 0, older = []) {
+    Object.assign(this, { shot, ...plan(shot, desk), character, since, frames: [], places: [], kept: [] });
+    const { course, heading } = this, place = course.curve.point(0), angle = heading.angle(0, place);
+    this.count = course.distance.length - 1;
+    this.styles = keysOf(shot.styles, (key) => vectorOf(key.blend, desk));
+    this.style = new Float64Array(desk.size);
+    character.state = stand(character.first, place, [Math.sin(angle), Math.cos(angle)]);
+    character.spare = stand(character.first, place, [Math.sin(angle), Math.cos(angle)]);
+    for (const { phase } of [character.state, character.spare]) shifted(phase, 2 * Math.PI * ((shot.seed * GOLDEN) % 1));
+    for (const old of older) {
+      const frame = EVERY * Math.floor(Math.min(shared(this, old), old.frames.length, this.count) / EVERY), { kept } = old;
+      if (frame <= this.frames.length || !kept[frame / EVERY]) continue;
+      Object.assign(this, { frames: old.frames.slice(0, frame), places: old.places.slice(0, frame), kept: kept.slice(0, frame / EVERY) });
+      character.state = copy(kept[frame / EVERY]);
+    }
+  }
+
+  // the next frame; whether there is one
+  step() {
+    const { character, frames, styles: { times, easings, values }, style } = this, frame = frames.length;
+    if (frame >= this.count) return false;
+    if (frame % EVERY === 0) this.kept.push(copy(character.state));
+    const { history } = character.state, [x, z] = history.subarray(history.length - 4);
+    const [a, b, weight] = between(times, easings, frame / this.course.rules.FPS);
+    for (let i = 0; i < style.length; i++) style[i] = values[a][i] + weight * (values[b][i] - values[a][i]);
+    advance([character], [command(this.course, this.heading, frame, [x, z])], [style]);
+    const { state } = character, place = state.history.slice(-4);
+    frames.push({ history: place, joints: Float32Array.from(state.joints), toes: state.toes.slice(), contacts: state.contacts.slice() });
+    this.places.push([place[0], place[1]]);
+    if (frame + 1 === this.count) this.apart = beside(this);
+    return true;
+  }
+}
+
+// distance from the curve of each place, metres
+export function beside({ course: { curve, distance }, places, count, apart }) {
+  return apart?.length === count ? apart : places.map(([x, z], k) => {
+    const [px, pz] = curve.point(nearest(curve, [x, z], distance[Math.min(k + 1, distance.length - 1)]));
+    return Math.hypot(px - x, pz - z);
+  });
+}
+
+// radius of the curve at an arc length
+function radius({ curve }, distance, { REACH }) {
+  const at = Math.min(Math.max(distance, REACH), Math.max(curve.length - REACH, REACH));
+  const [ax, az] = curve.tangent(at - REACH), [bx, bz] = curve.tangent(at + REACH);
+  return (2 * REACH) / Math.max(Math.abs(Math.atan2(ax * bz - az * bx, ax * bx + az * bz)), 1e-3);
+}
+
+// What a take misses and why, a line each (Shot.check).
+export function missed(take, limits) {
+  const { course, natural, timed, places, shot } = take, { curve, distance, speed, rules: { FPS } } = course, lines = [];
+  const seconds = (distance.length - 1) / FPS, plain = (v) => String(Number(v.toPrecision(6)));
+  const usual = (frame) => Math.max(keyed(natural, frame / FPS), limits.SLOW), times = (frame) => speed[frame] / usual(frame);
+  const said = (frame) => `the speed is ${speed[frame].toFixed(2)} m/s, ${times(frame).toFixed(1)} times that of the style`;
+  const best = (count, better, first = 0) => {
+    let at = first;
+    for (let k = first; k < count; k++) if (better(k, at)) at = k;
+    return at;
+  };
+  for (const k of course.late) lines.push(`path[${timed[k][0]}] is too far away to be reached at ${plain(timed[k][2])} s`);
+  if (course.end === null || course.end > seconds + 1e-9)
+    lines.push(`the end of the path is not reached in ${plain(seconds)} s: ${(curve.length - distance.at(-1)).toFixed(1)} m are left`);
+  shot.holds.forEach((hold, k) => {
+    if (hold.distance === null || hold.distance <= curve.length) return;
+    lines.push(`holds[${k}] is after the end of the path, ${curve.length.toFixed(2)} m long`);
+  });
+  if (!places.length) return lines;
+  const fast = best(places.length + 1, (a, b) => times(a) > times(b), 1);
+  if (speed[fast] > limits.FASTER * usual(fast))
+    lines.push(`at ${(fast / FPS).toFixed(1)} s ${said(fast)}: slow down or choose a faster style`);
+  const apart = beside(take), worst = best(apart.length, (a, b) => apart[a] > apart[b]);
+  const mean = apart.reduce((sum, v) => sum + v, 0) / apart.length;
+  if (apart[worst] > limits.OFF) {
+    const tight = (k) => radius(course, distance[k], limits);
+    const turn = best(worst + 2, (a, b) => tight(a) < tight(b), Math.max(worst + 1 - FPS, 1));
+    lines.push(`at ${((worst + 1) / FPS).toFixed(1)} s the character is ${(100 * apart[worst]).toFixed(0)} cm from the path: the turn `
+      + `after ${distance[turn].toFixed(1)} m, of radius ${tight(turn).toFixed(1)} m, is too tight at ${speed[turn].toFixed(2)} m/s; `
+      + "widen it or slow down there");
+  } else if (mean > limits.BESIDE) lines.push(`the character is ${(100 * mean).toFixed(0)} cm from the path on average`);
+  const late = places.findIndex((place, k) => distance[k + 1] - nearest(curve, place, distance[k + 1]) > limits.LAG) + 1;
+  if (late)
+    lines.push(`from ${(late / FPS).toFixed(1)} s on the character is behind the plan: ${said(late)}; slow down or leave more time`);
+  for (const [point, at, time] of timed) {
+    if (round(time * FPS) > places.length) continue;
+    const [wait, metres] = arrival(curve.point(at), time, places, limits, FPS);
+    if (!wait && metres <= limits.NEAR) continue;
+    const when = wait === Infinity ? "never" : `${Math.abs(wait).toFixed(1)} s ${wait > 0 ? "late" : "early"}`;
+    lines.push(`path[${point}] is met ${when}: at ${plain(time)} s the character is ${(100 * metres).toFixed(0)} cm away`);
+  }
+  return lines;
+}
+
+function arrival([x, z], time, places, { SECONDS, NEAR }, FPS) {
+  const apart = places.map(([px, pz]) => Math.hypot(px - x, pz - z)), frame = (s) => Math.max(round((time + s) * FPS) - 1, 0);
+  const nearby = Math.min(...apart.slice(frame(-SECONDS), frame(SECONDS) + 1));
+  if (nearby <= NEAR) return [0, nearby];
+  let wait = Infinity;
+  for (let k = Math.max(round((time - 2) * FPS), 0); k < Math.min(round((time + 2) * FPS), apart.length); k++)
+    if (apart[k] <= NEAR && Math.abs((k + 1) / FPS - time) < Math.abs(wait)) wait = (k + 1) / FPS - time;
+  return [wait, nearby];
+}
