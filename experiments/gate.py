@@ -15,7 +15,7 @@ from toolkit.shots import Scene, Shot
 
 STYLES = ("Akimbo", "ArmsAboveHead", "BentForward", "BigSteps", "Drunk", "HighKnees", "LeanBack", "LimpLeft", "Neutral",
           "Old", "PendulumHands", "Penguin", "Tiptoe", "WideLegs", "Zombie")  # known to both models
-COLUMNS, ROOM, APART = 10, 1.5, 1.0  # characters of a row; metres between them; metres that they try to keep
+COLUMNS, ROOM, APART = 10, 1.5, 1.2  # characters of a row; metres between them; metres that they try to keep
 WIDTH, SPEED = 3.0, 0.9  # of the gate, metres; m/s
 
 

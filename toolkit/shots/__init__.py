@@ -5,5 +5,5 @@ from toolkit.shots.preview import Preview
 from toolkit.shots.scene import Scene
 from toolkit.shots.shot import VERSION, Hold, Point, Shot, SpeedKey, StyleKey, data, load, parse, save
 
-__all__ = ["VERSION", "Hold", "Point", "Preview", "Scene", "Shot", "SpeedKey", "StyleKey", "data", "load", "parse", "pilots",
-           "save"]
+__all__ = ["VERSION", "Hold", "Point", "Preview", "Scene", "Shot", "SpeedKey", "StyleKey", "data", "load", "parse",
+           "pilots", "save"]
