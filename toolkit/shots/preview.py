@@ -34,7 +34,8 @@ class Preview:
     def __init__(self, model, bank: StyleBank):
         self.model, self.bank, self.kept = model, bank, 0
         self._asked: list[Asked] = []
-        self._first = self._states = None
+        self._first: CharacterState | None = None
+        self._states: CharacterState | None = None
 
     def render(self, shot) -> Clip:
         """The motion of a `toolkit.shots.Shot`."""
@@ -44,13 +45,14 @@ class Preview:
 
     def states(self, shot, plan: tuple[Course, Heading] | None = None) -> CharacterState:
         """The states of a shot's frames, along the leading axis and without their style."""
-        plan, style = shot.plan(self.bank) if plan is None else plan, shot.style(self.bank)
-        first, count = shot.first(self.model, self.bank, plan), len(plan[0].distance) - 1
+        course, heading = plan = shot.plan(self.bank) if plan is None else plan
+        style = shot.style(self.bank)
+        first, count = shot.first(self.model, self.bank, plan), len(course.distance) - 1
         if not count:
             raise ValueError(f"{shot.name}: has no frames")
 
         def ask(frame: int, place: Pair) -> Asked:
-            return *command(*plan, frame, place), style(frame)
+            return *command(course, heading, frame, place), style(frame)
 
         kept = self._unchanged(first, min(count, len(self._asked)), ask)
         asked, states = self._asked[:kept], [_frames(self._states, 0, kept)] if kept else []

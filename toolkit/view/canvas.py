@@ -89,7 +89,7 @@ class Canvas:
         A line crosses each of the horizontal ``axes`` [A, 3] every ``spacing`` metres; the floor below the origin of camera
         space is ``start`` metres from one.
         """
-        covered = 0.0
+        covered = np.zeros(1)
         for axis, apart, first in zip(axes, spacing, start, strict=True):
             slope = (self.camera @ axis)[:2] / [1, self.camera[2, 1] ** 2]  # along the axis, per metre of the picture
             along = slope[0] * self.x + slope[1] * self.y[:, None] + first

@@ -15,7 +15,7 @@ import traitlets
 
 from toolkit import runtime
 from toolkit.motion import Clip, trajectory
-from toolkit.runtime import FPS, CharacterState, Command
+from toolkit.runtime import FPS, Command
 from toolkit.view.character import Character
 from toolkit.view.frontend import running_loop, static
 from toolkit.view.page import skeleton_data
@@ -27,10 +27,8 @@ RUN = 2.2  # speed of a run, relative to walking
 EASE = 0.12  # share of the difference to the marker's blend that a frame removes
 
 
-def example(model, bank, state: CharacterState, character: Character | None) -> Clip:
-    """A clip of a model's skeleton: one frame for the mannequin, a walk from whose steps a character's height is found."""
-    if character is None:
-        return runtime.record(model, [state])
+def example(model, bank) -> Clip:
+    """A walk on a model's skeleton: how high the soles are below the toes, and a character's height, follow from its steps."""
     return runtime.rollout(model, runtime.straight(1.0, 2.0), bank.vectors[0])
 
 
@@ -95,7 +93,7 @@ class Controller(Corners):
         self.frames = self._seen = 0
         self._recorded: list[tuple[torch.Tensor, torch.Tensor]] = []
         character = Character.of(character)
-        skeleton = skeleton_data(example(model, bank, self.state, character), character)
+        skeleton = skeleton_data(example(model, bank), character)
         super().__init__(names=names, weights=[1.0, 0.0, 0.0], styles=list(bank.names), speed=speed, size=list(size),
                          skeleton=skeleton)
         self.on_msg(self._receive)

@@ -78,7 +78,7 @@ def pack(model, bank, half: bool = False, character: Character | None = None, ch
     from toolkit.view import controller
 
     layout: Layout = model.layout
-    state = runtime.start(model, bank.vectors[0])
+    state, walk = runtime.start(model, bank.vectors[0]), controller.example(model, bank)
     corners = (list(bank.names) * 3)[:3]
     channels = {name: 3 * i for i, name in enumerate(CHANNELS)} | {"width": 3 * len(CHANNELS)}
     gating, experts = model.gating.layers, model.experts.layers
@@ -97,12 +97,12 @@ def pack(model, bank, half: bool = False, character: Character | None = None, ch
         "rules": _plain(frame.Rules.of(layout)._asdict() | channels),
         "body": _plain(ik.Body.of(layout.skeleton)._asdict()),
         "start": {name: value[0].flatten().tolist() for name, value in vars(state).items() if name != "style"},
-        "skeleton": page.skeleton_data(controller.example(model, bank, state, character), character),
+        "skeleton": page.skeleton_data(walk, character),
         "styles": list(bank.names),
         "vectors": numbers(bank.vectors),
         "turn": controller.TURN, "run": controller.RUN, "ease": controller.EASE,
         "others": _others(bank, characters - 1),
-        "crowd": page.skeleton_data(controller.example(model, bank, state, None), vertices=VERTICES)
+        "crowd": page.skeleton_data(walk, vertices=VERTICES)
                  if characters > 1 else None,
         "bvh": _bvh(model, state),
         "traits": {"names": corners, "weights": [1.0, 0.0, 0.0], "speed": round(bank.speed(corners[0]), 2)},
