@@ -28,7 +28,7 @@ EASE = 0.12  # share of the difference to the marker's blend that a frame remove
 
 
 def example(model, bank) -> Clip:
-    """A walk on a model's skeleton: how high the soles are below the toes, and a character's height, follow from its steps."""
+    """A walk on a model's skeleton; its steps show the height of toes above the soles, and where a character's floor is."""
     return runtime.rollout(model, runtime.straight(1.0, 2.0), bank.vectors[0])
 
 
