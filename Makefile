@@ -43,7 +43,7 @@ coverage: env
 	$(BIN)/coverage report
 
 lab: env
-	$(BIN)/jupyter lab notebooks --ServerApp.jpserver_extensions="{'toolkit.view.server': True}"
+	$(BIN)/jupyter lab --ServerApp.root_dir=$(CURDIR) --LabApp.default_url=/lab/tree/notebooks --ServerApp.jpserver_extensions="{'toolkit.view.server': True}"
 
 docs: env
 	$(BIN)/sphinx-build -W --keep-going -b html docs out/docs

@@ -245,8 +245,9 @@ def test_pairs_are_different_and_begin_with_the_papers():
     assert interpolation.style_pairs(["a", "b"]) in ([("a", "b")], [("b", "a")])
     pairs = interpolation.style_pairs(["LeanBack", "Old", "BentForward", "Neutral", "Zombie"])
     assert pairs[0] == ("BentForward", "LeanBack")
-    assert len({frozenset(pair) for pair in pairs}) == interpolation.PAIRS
+    assert len({frozenset(pair) for pair in pairs}) == len(pairs) == 10  # all that there are
     assert all(a != b for a, b in pairs)
+    assert len({frozenset(pair) for pair in interpolation.style_pairs(list("abcdefghijklmnop"))}) == interpolation.PAIRS
 
 
 def test_every_seed_is_tested_on_the_same_frames_and_the_recogniser_has_not_seen_them(data, monkeypatch):

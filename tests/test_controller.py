@@ -101,7 +101,7 @@ def test_feet_and_arms_are_switched_apart(control):
 @pytest.mark.parametrize("model", ["pfnn-film", "mann-film"])
 def test_models_with_other_phases_walk_too(model):
     """One angle for the whole body, or no phase: the frame's last part is as long as the model's phase."""
-    clips = tk.datasets.load("procedural", styles=["Neutral", "Old"], gaits=["FW"], seconds=4.5)
+    clips = tk.datasets.load("procedural", styles=["Neutral", "Old"], gaits=["FW"], seconds=8.0)
     run = tk.training.fit(tk.features.build(clips, short="skip"), tk.training.Config.quick(model=model, seconds=1.0))
     control = Controller(run.model, run.bank)
     control.send = lambda content, buffers: control.sent.append(buffers[0])

@@ -32,6 +32,8 @@ def browser():
 def lab(tmp_path_factory):
     """Address and folder of a JupyterLab server."""
     folder = tmp_path_factory.mktemp("lab")
+    (folder / "notebooks").mkdir()
+    (folder / "docs").symlink_to(Path(__file__).parents[2] / "docs")  # pictures of the notebooks
     home = tmp_path_factory.mktemp("home")
     env = os.environ | {"HOME": str(home), "OMP_NUM_THREADS": "1", "PYVISTA_OFF_SCREEN": "true", "TOOLKIT_FAST": "1"}
     log = home / "server.log"
@@ -92,6 +94,7 @@ def open_notebook(browser, lab, request):
     pages = []
 
     def open_(name: str, cells: list[str], start: Path | None = None) -> Notebook:
+        name = name if start is None else f"notebooks/{name}"
         notebook = nbformat.v4.new_notebook() if start is None else nbformat.read(start, as_version=4)
         notebook.cells += [nbformat.v4.new_code_cell(source) for source in cells]
         notebook.metadata["kernelspec"] = {"name": "python3", "display_name": "Python 3", "language": "python"}

@@ -17,7 +17,7 @@ import torch
 from torch import Tensor
 
 from toolkit import datasets
-from toolkit.features.features import CLIP_FRAMES, FRAME_KINDS, Features, Normaliser, Rows, Split, build
+from toolkit.features.features import CLIP_FRAMES, FRAME_KINDS, Features, Rows, Split, build
 from toolkit.motion import Clip
 
 SPLIT_FRAMES = 240  # held-out frames form contiguous windows of this length, because neighbours are almost equal
@@ -38,15 +38,18 @@ def split(data: Features, share: float, seed: int, styles: tuple[str, ...]) -> t
     masks = {s: known.held_out[s] for s in styles} if known else held_out(data, share, seed, styles)
     statistics = known.statistics if known and styles == tuple(data.styles) else None
 
-    def take(masks: dict[str, Tensor], statistics: dict[str, Normaliser] | None, training: bool) -> Features:
-        found = {kind: rows for kind in (*FRAME_KINDS, "takes", "frames") if (rows := getattr(data, kind)) is not None}
-        pick = {kind: {s: rows[s].select(mask) if isinstance(rows[s], Rows) else rows[s][mask] for s, mask in masks.items()}
-                for kind, rows in found.items()}
-        clips = {s: style_clips(data, s, ~masks[s]) if training else data.clips[s] for s in styles}
-        return dataclasses.replace(data, clips=clips, split=None, statistics=statistics, spans=None, **pick)
-
     learnt = {s: apart(data, s, masks[s]) for s in styles}
-    return take(learnt, statistics, True), take(masks, None, False)
+    shown = {s: style_clips(data, s, ~learnt[s]) for s in styles}
+    return dataclasses.replace(select(data, learnt), clips=shown, statistics=statistics), select(data, masks)
+
+
+def select(data: Features, masks: dict[str, Tensor]) -> Features:
+    """The rows ``[N]`` bool of each style, with all its style clips."""
+    found = {kind: rows for kind in (*FRAME_KINDS, "takes", "frames") if (rows := getattr(data, kind)) is not None}
+    pick = {kind: {s: rows[s].select(mask) if isinstance(rows[s], Rows) else rows[s][mask] for s, mask in masks.items()}
+            for kind, rows in found.items()}
+    clips = {s: data.clips[s] for s in masks}
+    return dataclasses.replace(data, clips=clips, split=None, statistics=None, spans=None, **pick)
 
 
 def apart(data: Features, style: str, held_out: Tensor) -> Tensor:

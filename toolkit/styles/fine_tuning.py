@@ -119,7 +119,8 @@ def fine_tune(model: Model, clips: Clip | Sequence[Clip] | Features, name: str |
         raise ValueError(f"the bank has {', '.join(known)} already; choose another name")
     styles = tuple(data.styles)
     kept, aside = splits.split(data, HELD_OUT, seed, styles)
-    choosing, reported = splits.split(aside, 0.5, seed, styles)
+    half = splits.held_out(aside, 0.5, seed, styles)
+    choosing, reported = splits.select(aside, {style: ~mask for style, mask in half.items()}), splits.select(aside, half)
     if method == "vector":
         learnt = [torch.nn.Parameter(_start(model, bank, kept))]
         speeds = torch.tensor([features.natural_speed(data.clips[style][:]) for style in styles])

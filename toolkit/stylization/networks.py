@@ -157,7 +157,7 @@ class Stylizer(nn.Module):
         self.mapping = MappingNetwork(sizes, len(domains))
 
     def __repr__(self) -> str:
-        return summary(self, {"domains": self.domains, "joints": len(self.skeleton), "sizes": self.sizes})
+        return summary(self, {"domains": self.domains, "joints": len(self.skeleton), **dataclasses.asdict(self.sizes)})
 
     @property
     def skeleton(self) -> Skeleton:
