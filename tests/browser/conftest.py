@@ -33,7 +33,7 @@ def lab(tmp_path_factory):
     """Address and folder of a JupyterLab server."""
     folder = tmp_path_factory.mktemp("lab")
     (folder / "notebooks").mkdir()
-    (folder / "docs").symlink_to(Path(__file__).parents[2] / "docs")  # pictures of the notebooks
+    shutil.copytree(Path(__file__).parents[2] / "docs", folder / "docs")  # pictures of the notebooks
     home = tmp_path_factory.mktemp("home")
     env = os.environ | {"HOME": str(home), "OMP_NUM_THREADS": "1", "PYVISTA_OFF_SCREEN": "true", "TOOLKIT_FAST": "1"}
     log = home / "server.log"

@@ -89,7 +89,7 @@ def test_keys_move_and_the_marker_blends(open_notebook, probe):
 
 
 def test_the_playback_notebook_is_steered(open_notebook, probe):
-    notebook = open_notebook("showpiece.ipynb", ["import json\n" + PROBE], start=NOTEBOOK)
+    notebook = open_notebook("showpiece.ipynb", ["import json\n" + PROBE.replace('("probe', '("../probe')], start=NOTEBOOK)
     page = notebook.page
     notebook.run_all(400)
     stage = page.locator(".tkc-stage")
