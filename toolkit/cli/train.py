@@ -38,8 +38,8 @@ def train(
     patience: Annotated[int | None, typer.Option(help="Stop after so many test errors (one every 1000 steps) without a "
                                                  "better one, and keep the best weights.")] = None,
     small: Annotated[bool, typer.Option("--small", help="Small sizes and fast settings; 30 s without a budget.")] = False,
-    refit: Annotated[int, typer.Option(help="Steps per style that fit FiLM's style vectors to frames after the training, "
-                                       "such as 100; 0: means over clips, as in the paper.")] = 0,
+    refit: Annotated[int, typer.Option(help="Steps per style that fit FiLM's style vectors to frames after the training; 0: "
+                                       "means over clips, as in the paper.")] = training.Config.refit,
     seed: Seed = 0,
     device: Device = "cpu",
     processes: Annotated[int, typer.Option(help="Processes that share each minibatch (the extra `scale`), with --device "
@@ -64,7 +64,8 @@ def train(
         data, root = "folder", Path(data)
     if store.is_store(data):
         if root or gaits or mirror or listed or clip_seconds is not None:
-            raise ValueError(f"{data}: a store has its own --root, --gaits, --mirror and --listed; choose among its --styles")
+            raise ValueError(f"{data}: a store has its own --root, --gaits, --mirror and --listed; choose among its "
+                             "--styles")
         found = store.load(data, styles, check=True, progress=distributed.first())
     else:
         options = {} if clip_seconds is None else {"seconds": clip_seconds}
@@ -75,9 +76,9 @@ def train(
         if data == "folder" and distributed.first():
             show(root, options.get("target"))
         clips = datasets.load(data, root, styles, gaits, **options)
-        options = {"mirror": datasets.may_mirror(data, root) if mirror else False, "progress": distributed.first()}
-        found = (splits.listed(clips, datasets.split(data, root), **options) if listed else
-                 features.build(clips, short="skip", **options))
+        mirrored, first = datasets.may_mirror(data, root) if mirror else False, distributed.first()
+        found = (splits.listed(clips, datasets.split(data, root), mirror=mirrored, progress=first) if listed else
+                 features.build(clips, mirror=mirrored, short="skip", progress=first))
     checkpoint = out.with_name(out.name + ".checkpoint")
     if distributed.first():
         print(f"{found.n_frames:,} frames of {len(found.styles)} styles")
