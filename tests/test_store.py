@@ -75,7 +75,7 @@ def test_a_store_of_a_list_has_its_parts_also_if_only_some_styles_are_read(tmp_p
     assert {style: len(x) for style, x in parts[1].inputs.items()} == dict.fromkeys(STYLES, 240 - 111)
     stored = tk.features.store.load(out)
     for styles in (STYLES, STYLES[1:]):
-        found = tk.training.split(tk.features.store.load(out, styles), 0.3, 5, styles)  # which share and seed does not matter
+        found = tk.training.split(tk.features.store.load(out, styles), 0.3, 5, styles)
         for kind in KINDS:
             for own, expected in zip(found, parts, strict=True):
                 assert all(torch.equal(getattr(own, kind)[s][:], getattr(expected, kind)[s]) for s in styles)
