@@ -4,9 +4,9 @@ import dataclasses
 import math
 
 import torch
-from tqdm import tqdm
 
 from toolkit.features import KINDS, Features
+from toolkit.io.progress import progress_bar
 from toolkit.networks import Model
 from toolkit.networks.bank import StyleBank
 from toolkit.networks.model import evaluating
@@ -32,7 +32,7 @@ def refit(model: Model, bank: StyleBank, data: Features, steps: int = STEPS, see
         for parameter in frozen:
             parameter.requires_grad_(False)
         try:
-            for step in tqdm(range(steps * len(learnt)), desc="vectors", unit="step", disable=not progress):
+            for step in progress_bar(range(steps * len(learnt)), desc="vectors", unit="step", show=progress):
                 turn, which = divmod(step, len(learnt))
                 style = batches.styles[which]
                 x, p, z, y = batches[step]
