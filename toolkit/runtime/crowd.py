@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import torch
 from torch import Tensor
-from tqdm import tqdm
 
+from toolkit.io.progress import progress_bar
 from toolkit.motion import Clip
 from toolkit.motion.tensors import summary
 from toolkit.runtime.compiled import CompiledModel, compile
@@ -79,7 +79,7 @@ def walk(model, bank, characters: int = 100, seconds: float = 10.0, *, speed: fl
     poses, taken = [], []
     with torch.no_grad():
         frames = range(round((SETTLED + seconds) * FPS))
-        for frame in tqdm(frames, desc="crowd", unit="frame", disable=None if progress else True):
+        for frame in progress_bar(frames, desc="crowd", unit="frame", show=progress):
             began = time.perf_counter()
             goal, tangent = _on_ring(radii, angles + ways * speeds / radii * (frame / FPS + LOOKAHEAD), ways)
             state = step(compiled, state, towards(state, goal, tangent, speeds[:, None]))
