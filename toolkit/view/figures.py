@@ -21,7 +21,7 @@ LAYOUT = {
 
 def colours(n: int) -> list[str]:
     """``n`` different colours: those of the palette, then hues that lie far from one another."""
-    more = (colorsys.hls_to_rgb((0.13 + 0.381966 * k) % 1, 0.32 + 0.12 * (k % 3), 0.55) for k in range(n - len(PALETTE)))
+    more = (colorsys.hls_to_rgb((0.02 + 0.381966 * k) % 1, 0.32 + 0.12 * (k % 3), 0.55) for k in range(n - len(PALETTE)))
     return [*PALETTE[:n], *("#" + "".join(f"{round(255 * c):02x}" for c in rgb) for rgb in more)]
 
 
