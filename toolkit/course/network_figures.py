@@ -112,7 +112,7 @@ def baselines(table: pd.DataFrame) -> go.Figure:
                                   ("error", "network", PALETTE[0])):
         figure.add_bar(y=list(table.index), x=table[column], name=label, orientation="h", marker={"color": colour})
     return finish(figure, "Error on held-out frames (shorter is better)", 160 + 60 * len(table),
-                  {"type": "log", "title": "mean squared error, normalised units"}, {"autorange": "reversed"})
+                  {"type": "log", "dtick": "D2", "title": "mean squared error, normalised units"}, {"autorange": "reversed"})
 
 
 def confusions(tables: Mapping[str, Tensor], styles: Sequence[str]) -> go.Figure:

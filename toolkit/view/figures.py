@@ -98,7 +98,7 @@ def training_curves(history: Sequence[Mapping] | Mapping[str, Sequence], *, titl
                                customdata=[r.get("elapsed", float("nan")) for r in kept],
                                line={"color": colour, "width": 2.5},
                                hovertemplate="%{fullData.name} %{y:.4g} at step %{x:,}, %{customdata:.0f} s<extra></extra>")
-    return finish(figure, title, 420, {"title": "step"}, {"title": "error", "type": "log"})
+    return finish(figure, title, 420, {"title": "step"}, {"title": "error", "type": "log", "dtick": "D2"})
 
 
 def trajectory_figure(clips: Clip | Sequence[Clip], target=None, *, labels: Sequence[str] | None = None,
