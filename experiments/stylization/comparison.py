@@ -34,7 +34,10 @@ from toolkit.stylization.training import Config
 app = typer.Typer(invoke_without_command=True)
 
 OUT = Path("out/stylization")
-OURS = {"ours": LOSSES, "ours without ds": LOSSES[:4], "ours without sty and ds": LOSSES[:3]}
+OURS: dict[str, dict] = {  # what differs from the recipe
+    "ours": {}, "ours without ds": {"losses": LOSSES[:4]}, "ours without sty and ds": {"losses": LOSSES[:3]},
+    "ours with own window": {"other_window": False, "encoder_learns": False, "warm_up": 150},
+}
 METHODS = (*OURS, "1-D convolutions", "Aberman et al. 2020", "Holden et al. 2016")
 GRAPH, DENSE = networks.build, convolutional.build
 PAPER = {"noise": {"ours": (9.09, 0.7264), "ours without ds": (8.58, 0.7786), "ours without sty and ds": (14.14, 0.5792)},
@@ -125,7 +128,7 @@ def trained(method: str, motions: Motions, config: Config, path: Path, progress:
         return model, {"seconds": time.process_time() - start, "parameters": sum(map(_size, generators))}
     path.parent.mkdir(parents=True, exist_ok=True)
     checkpoint, make = path.with_suffix(".checkpoint"), DENSE if method not in OURS else GRAPH
-    config = replace(config, losses=OURS.get(method, LOSSES))
+    config = replace(config, **OURS.get(method, {}))
     stored = path.with_suffix(".safetensors")
     if stored.exists():
         run = training.load(stored)
