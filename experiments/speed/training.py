@@ -137,7 +137,7 @@ def _errors(data: Features, steps: int, seeds: int) -> None:
         form, errors, others, began = FORMS[name], [], [], time.perf_counter()
         for seed in range(seeds):
             config = Config(sizes=REDUCED, steps=steps, clips_per_batch=form.clips, precision=form.precision, seed=seed,
-                            rate=1e-3, style_rate=0.1, final_rate=0.01, max_gradient=1.0)
+                            rate=1e-3, style_rate=0.1, final_rate=0.01, max_gradient=1.0, refit=0)
             with form.patched():
                 overall = training.fit(data, config).table()[-1]
             errors.append(overall["error"])
