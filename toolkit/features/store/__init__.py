@@ -22,7 +22,6 @@ from typing import Any
 
 import filelock
 import torch
-from tqdm import tqdm
 
 import toolkit
 from toolkit import datasets, features, phases
@@ -32,6 +31,7 @@ from toolkit.features.store import files, partition
 from toolkit.features.store.partition import Partition
 from toolkit.features.store.workers import completed, executor
 from toolkit.io.model_files import difference, intact
+from toolkit.io.progress import progress_bar
 from toolkit.motion import trajectory
 
 __all__ = ["is_store", "load", "preprocess"]
@@ -105,8 +105,8 @@ def _make(out: Path, settings: dict[str, Any], jobs: list[Partition], workers: i
     if need > (free := shutil.disk_usage(out).free):
         raise OSError(f"{out}: the store needs about {need / 1e9:.1f} GB more, {free / 1e9:.1f} GB are free")
     entries, broken = manifest["partitions"], []
-    bar = tqdm(desc="preprocess", total=sum(job.size for job in todo), unit="B", unit_scale=True,
-               disable=None if progress else True)
+    bar = progress_bar(desc="preprocess", total=sum(job.size for job in todo), unit="B", unit_scale=True,
+                       show=progress)
     with executor(workers, scheduler) as pool, bar:
         for (job,), entry in completed(pool, partition.make, [(job,) for job in sorted(todo, key=lambda job: -job.size)]):
             bar.update(job.size)
@@ -161,7 +161,7 @@ def load(path: str | os.PathLike, styles: list[str] | None = None, *, check: boo
     chosen = {style: entries[style] for style in styles or entries}
     if check:
         stored = [*chosen.values(), manifest["split"]]
-        for entry in tqdm(stored, desc="checking", unit="file", disable=None if progress else True):
+        for entry in progress_bar(stored, desc="checking", unit="file", show=progress):
             if not files.is_whole(path, entry):
                 raise ValueError(f"{path / entry['file']}: is not the file that was stored; run the command that makes the "
                                  "store again")
@@ -199,7 +199,7 @@ def _remaining(out: Path, manifest: dict[str, Any], jobs: list[Partition], progr
     entries, by_style = manifest["partitions"], {job.style: job for job in jobs}
     changed = list(by_style.keys() ^ entries.keys() if manifest["finished"] else entries.keys() - by_style.keys())
     done = [job for job in jobs if job.style in entries]
-    for job in tqdm(done, desc="checking", unit="style", disable=None if progress and done else True):
+    for job in progress_bar(done, desc="checking", unit="style", show=bool(progress and done)):
         if job.checksums() != entries[job.style]["sources"]:
             changed.append(job.style)
         elif not files.is_whole(out, entries[job.style]):
