@@ -17,12 +17,12 @@ from toolkit.motion import Clip
 from toolkit.shots import Shot, course, feasibility
 from toolkit.view import live_page, page
 from toolkit.view.character import Character
-from toolkit.view.frontend import static
+from toolkit.view.frontend import CellWidget, static
 
 START = (0, 0), (0.6, 2), (-0.6, 4), (0, 6)  # the path of the first shot
 
 
-class Director(anywidget.AnyWidget):
+class Director(CellWidget, anywidget.AnyWidget):
     """A desk for shots: draw and drag the path, key styles, speeds and pauses, see the character walk it at once.
 
     Parameters
