@@ -59,4 +59,4 @@ wheel: env
 	$(BIN)/pip wheel --quiet --no-deps --no-build-isolation --wheel-dir dist .
 
 clean:
-	rm -rf out build dist docs/api docs/notebooks *.egg-info .mypy_cache .pytest_cache .ruff_cache .hypothesis
+	rm -rf out build dist docs/api docs/docs docs/notebooks *.egg-info .mypy_cache .pytest_cache .ruff_cache .hypothesis

@@ -143,6 +143,41 @@ def test_the_same_shots_give_the_same_courses_motion_and_words(open_page, empty)
     assert desk.errors == []
 
 
+CROSSING = {"version": 1, "apart": 0.9, "walls": [[[1.2, -3], [1.2, 3]]], "shots": [
+    {"path": [[-3, 0], [0, 0.1], [0.6, 2]], "styles": "Neutral", "speeds": [[0, 1.0]]},
+    {"path": [[0, 3], [0, -3]], "styles": [[0, "Zombie"], [3, "Old"]], "speeds": [[0, 0.9]], "seed": 2},
+    {"path": [[-0.4, -3], [0.9, 3]], "styles": "BigSteps", "speeds": [[0, 1.0]], "seed": 3, "arms": False},
+]}
+
+
+def test_those_who_keep_apart_walk_as_in_python(open_page, empty):
+    """Prints how far the page is from plain Python in double precision; the scene keeps its fields, undone and saved."""
+    scene, desk = tk.shots.Scene.parse(CROSSING), open_page(empty)
+    before = desk.page.evaluate("() => view.desk.scene")
+    desk.page.evaluate("(scene) => view.open(scene)", CROSSING)
+    desk.wait()
+    with torch.no_grad():
+        clips = scene.render(*double())
+    for k, clip in enumerate(clips):
+        motion = desk.page.evaluate(f"() => view.desk.motion({k}).map(([root, q]) => [[...root], [...q]])")
+        assert len(motion) == len(clip)
+        off = apart(clip, motion)
+        print(f"character {k}: {len(clip)} frames, root {off[:, 0].max():.6f} mm, joint {off[:, 1].max():.6f} mm")
+        assert off.max() < 1.0
+    alone = scene.shots[0].render(*tk.pretrained())
+    assert float((clips[0].root_positions[:300] - alone.root_positions[:300]).norm(dim=-1).max()) > 0.1
+    assert "All keep 0.9 m apart" in desk.page.locator(".tkd-say").inner_text()
+    assert tk.shots.Scene.parse(desk.page.evaluate("() => view.desk.scene")) == scene
+    desk.page.evaluate("() => view.desk.change((shots) => void (shots[0].path[0].x = -0.2))")
+    desk.wait()
+    with pytest.raises(Exception, match=r"shots\[0\] and shots\[1\] start 0.20 m from each other, closer than apart, 0.9 m"):
+        desk.page.evaluate("() => view.desk.change((shots) => void Object.assign(shots[0].path[0], { x: 0.2, z: 3 }))")
+    desk.press("Undo")
+    desk.press("Undo")
+    assert desk.page.evaluate("() => view.desk.scene") == before
+    assert not desk.errors
+
+
 def test_a_shot_is_made_by_hand(open_page, empty, tmp_path):
     desk = open_page(empty)
     page = desk.page

@@ -1,6 +1,5 @@
 """A scene: the shots of several characters, who can keep apart, in one JSON file."""
 
-import json
 import math
 import os
 from collections.abc import Iterator, Sequence
@@ -10,14 +9,13 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from toolkit.io.files import atomic_write
 from toolkit.motion import Clip
 from toolkit.networks.bank import StyleBank
 from toolkit.runtime import CharacterState, Command, pose, start, step
 from toolkit.shots import apart as avoidance
 from toolkit.shots.course import FPS, LONGEST, Course, Heading, command, nearest
 from toolkit.shots.keys import build, entries, number, pair
-from toolkit.shots.shot import VERSION, Shot, _data, parse, read, shifted
+from toolkit.shots.shot import Shot, parse, read, save, shifted
 
 WAIT = 0.4  # metres behind its plan at which the plan of a character who keeps apart waits
 FASTER, SLOWEST = 1.3, 0.3  # times the planned speed, and m/s: such a character's largest speed
@@ -93,9 +91,7 @@ class Scene:
 
     def save(self, path: str | os.PathLike) -> None:
         """Write a JSON file, whole or not at all."""
-        with atomic_write(path) as file:
-            held = {"version": VERSION, **_data(self)}
-            file.write((json.dumps(held, indent=1, ensure_ascii=False, allow_nan=False) + "\n").encode())
+        save(self, path)
 
     def states(self, model, bank: StyleBank, plans: Sequence[tuple[Course, Heading]] | None = None
                ) -> Iterator[CharacterState]:

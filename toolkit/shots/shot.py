@@ -197,6 +197,11 @@ class Shot:
             a, b, weight = between(times, easings, now)
             return speeds[a] + weight * (speeds[b] - speeds[a])
 
+        def style(now: float) -> str:
+            a, b, weight = between(times, easings, now)
+            (layer, *_) = self.styles[b if weight > 0.5 else a].layers
+            return max(layer, key=layer.get)
+
         timed = [(k, course.curve.knots[k], time) for k, time in self._timed]
         lines = [f"path[{timed[k][0]}] is too far away to be reached at {timed[k][2]:g} s" for k in course.late]
         if course.end is None or course.end > (len(course.distance) - 1) / FPS + 1e-9:
@@ -204,7 +209,7 @@ class Shot:
                          f"{course.curve.length - course.distance[-1]:.1f} m are left")
         lines += [f"holds[{k}] is after the end of the path, {course.curve.length:.2f} m long" for k, hold in
                   enumerate(self.holds) if hold.distance is not None and hold.distance > course.curve.length]
-        return lines + feasibility.missed(course, natural, timed, places)
+        return lines + feasibility.missed(course, natural, style, timed, places)
 
     @property
     def turn(self) -> float:
@@ -235,14 +240,15 @@ def shifted(state: CharacterState, angle: float | Sequence[float]) -> CharacterS
 
 
 def save(shots: Iterable[Shot], path: str | os.PathLike) -> None:
-    """Write the shots of a scene, one per character, to a JSON file, whole or not at all."""
+    """Write the shots of a scene, one per character, or a `Scene`, to a JSON file, whole or not at all."""
     with atomic_write(path) as file:
         file.write((json.dumps(data(shots), indent=1, ensure_ascii=False, allow_nan=False) + "\n").encode())
 
 
 def data(shots: Iterable[Shot]) -> dict:
-    """The scene of shots as `parse` reads it and a file holds it."""
-    return {"version": VERSION, "shots": [_data(shot) for shot in shots]}
+    """Shots, or a `Scene`, as `parse` reads them and a file holds them."""
+    made = _data(shots) if dataclasses.is_dataclass(shots) else {"shots": [_data(shot) for shot in shots]}
+    return {"version": VERSION, **made}
 
 
 def _data(value):

@@ -155,8 +155,7 @@ def fit(data: Features, config: Config | None = None, checkpoint: str | os.PathL
     model.eval()
     bank = make_bank(model, train)
     if config.refit and isinstance(model.modulation.generator, FilmGenerator):
-        bank = refit(model.cpu(), bank, train, config.refit, config.seed, config.pose_mixup, progress and first)
-        model.to(fabric.device)
+        bank = refit(model, bank, train, config.refit, config.seed, config.pose_mixup, progress and first)
     held_out, shifted = evaluate(model, bank, test), StyleBank(bank.names, bank.vectors.roll(1, 0))
     for style, error in (evaluate(model, shifted, test) if len(bank) > 1 else {}).items():
         held_out[style]["other"] = error["mse"]
