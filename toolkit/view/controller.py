@@ -131,6 +131,7 @@ class Controller(CellWidget, Corners):
         if self._task is not None and not self._loop.is_closed():
             self._loop.call_soon_threadsafe(self._task.cancel)
         super().close()
+        self.skeleton = {}
 
     @traitlets.validate("speed")
     def _finite(self, proposal: dict) -> float:

@@ -75,6 +75,11 @@ class Director(CellWidget, anywidget.AnyWidget):
             return made.shots[character].render(self._model, self._bank)
         return made.render(self._model, self._bank)[character]
 
+    def close(self) -> None:
+        """Remove the widget; its shots stay."""
+        super().close()
+        self.data = {}
+
     @traitlets.validate("scene")
     def _valid(self, proposal: dict) -> dict:
         try:

@@ -209,6 +209,7 @@ class Player(CellWidget, widgets.VBox):
             Player._current = None
         for scene in self._scenes:
             scene.close()
+        self._scenes = []  # a notebook keeps every result in `Out`
         super().close()
 
     def _repr_mimebundle_(self, **kwargs) -> dict:
