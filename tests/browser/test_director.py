@@ -146,7 +146,7 @@ def test_the_same_shots_give_the_same_courses_motion_and_words(open_page, empty)
 CROSSING = {"version": 1, "apart": 0.9, "walls": [[[1.2, -3], [1.2, 3]]], "shots": [
     {"path": [[-3, 0], [0, 0.1], [0.6, 2]], "styles": "Neutral", "speeds": [[0, 1.0]]},
     {"path": [[0, 3], [0, -3]], "styles": [[0, "Zombie"], [3, "Old"]], "speeds": [[0, 0.9]], "seed": 2},
-    {"path": [[-0.4, -3], [0.9, 3]], "styles": "BigSteps", "speeds": [[0, 1.0]], "seed": 3, "arms": False},
+    {"path": [[-0.4, -3], [0.9, 3]], "styles": "BigSteps", "speeds": [[0, 1.0]], "seed": 3, "arms": False, "radius": 0.6},
 ]}
 
 
@@ -166,11 +166,11 @@ def test_those_who_keep_apart_walk_as_in_python(open_page, empty):
         assert off.max() < 1.0
     alone = scene.shots[0].render(*tk.pretrained())
     assert float((clips[0].root_positions[:300] - alone.root_positions[:300]).norm(dim=-1).max()) > 0.1
-    assert "All keep 0.9 m apart" in desk.page.locator(".tkd-say").inner_text()
+    assert "All keep 0.9 m apart, or" in desk.page.locator(".tkd-say").inner_text()
     assert tk.shots.Scene.parse(desk.page.evaluate("() => view.desk.scene")) == scene
     desk.page.evaluate("() => view.desk.change((shots) => void (shots[0].path[0].x = -0.2))")
     desk.wait()
-    with pytest.raises(Exception, match=r"shots\[0\] and shots\[1\] start 0.20 m from each other, closer than apart, 0.9 m"):
+    with pytest.raises(Exception, match=r"shots\[0\] and shots\[1\] start 0.20 m from each other, closer than the 0.90 m"):
         desk.page.evaluate("() => view.desk.change((shots) => void Object.assign(shots[0].path[0], { x: 0.2, z: 3 }))")
     desk.press("Undo")
     desk.press("Undo")
