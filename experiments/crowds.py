@@ -34,7 +34,7 @@ def run(
     scene: Annotated[str, typer.Option(help="gate or streams.")] = "gate",
     characters: Annotated[int, typer.Option(min=2, help="Number of characters.")] = 50,
     seeds: Annotated[str, typer.Option(help="Comma-separated seeds of places and blends.")] = "0,2,3",
-    bodies: Annotated[float, typer.Option(help="Metres between two bodies; 0: roots keep 1.2 m, whatever the style.")] = 0.3,
+    bodies: Annotated[float, typer.Option(help="Metres between two bodies; 0: roots keep 1.2 m, whatever the style.")] = 0.4,
     file: Annotated[Path | None, typer.Option(help="Write the scene of the first seed to this file and stop.")] = None,
     save: Annotated[Path | None, typer.Option(help="Add the rows to the result crowds in this folder.")] = None,
 ) -> None:
