@@ -43,7 +43,7 @@ def waves(joints: int = 4, styles: int = 2, frames: int = 700) -> Features:
 
 WIDER = dataclasses.replace(TINY, hidden=64, dropout=0.05)
 QUICK = Config(sizes=TINY, steps=12, batch=16, clips_per_batch=4, evaluate_every=5,
-               rate=1e-3, final_rate=0.1, max_gradient=1.0, pose_mixup=0.2)
+               rate=1e-3, final_rate=0.1, max_gradient=1.0, pose_mixup=0.2, refit=0)
 
 
 SCRIPT = """

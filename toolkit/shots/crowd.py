@@ -9,9 +9,9 @@ from itertools import islice
 
 import torch
 from torch import Tensor
-from tqdm import tqdm
 
 from toolkit import runtime
+from toolkit.io.progress import progress_bar
 from toolkit.motion import Clip
 from toolkit.motion.tensors import summary
 from toolkit.networks.bank import StyleBank
@@ -110,7 +110,7 @@ def walk(model, bank, characters: int = 100, seconds: float = 10.0, *, seed: int
     poses, taken, began = [], [], time.perf_counter()
     with torch.no_grad():
         frames = islice(scene.states(compiled, bank), round(seconds * FPS))
-        for state in tqdm(frames, desc="crowd", unit="frame", disable=None if progress else True):
+        for state in progress_bar(frames, desc="crowd", unit="frame", show=progress):
             poses.append(pose(compiled, state))
             taken.append(time.perf_counter() - began)
             began = time.perf_counter()

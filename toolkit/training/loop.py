@@ -16,12 +16,12 @@ from typing import TYPE_CHECKING
 
 import torch
 from torch import Tensor
-from tqdm.auto import tqdm
 
 from toolkit import networks
 from toolkit.features import KINDS, Features, check_style, splits
 from toolkit.features.splits import seeded
 from toolkit.io import model_files
+from toolkit.io.progress import progress_bar
 from toolkit.motion.tensors import summary
 from toolkit.networks import Model
 from toolkit.networks.bank import StyleBank
@@ -125,9 +125,9 @@ def fit(data: Features, config: Config | None = None, checkpoint: str | os.PathL
             state.best = {name: value.clone() for name, value in model.state_dict().items()}
         draw({} if error is None else {"held_out": error}, state.step)
 
-    bar = tqdm(total=total or config.seconds, initial=state.step if total else state.elapsed, desc="training",
-               unit="step" if total else "s", disable=not (progress and first),
-               bar_format=None if total else "{l_bar}{bar}| {n:.0f}/{total:.0f} s, {remaining} left{postfix}")
+    bar = progress_bar(total=total or config.seconds, initial=state.step if total else state.elapsed, desc="training",
+                       unit="step" if total else "s", show=progress and first,
+                       bar_format=None if total else "{l_bar}{bar}| {n:.0f}/{total:.0f} s, {remaining} left{postfix}")
     smooth, before = math.nan, time.process_time() - state.processor
     saver = Saver(save, config.save_every, state.elapsed, partial(_mean, fabric))
     with saver, _tensorboard(log if first else None, state.step) as draw, bar:
@@ -155,8 +155,7 @@ def fit(data: Features, config: Config | None = None, checkpoint: str | os.PathL
     model.eval()
     bank = make_bank(model, train)
     if config.refit and isinstance(model.modulation.generator, FilmGenerator):
-        bank = refit(model.cpu(), bank, train, config.refit, config.seed, config.pose_mixup, progress and first)
-        model.to(fabric.device)
+        bank = refit(model, bank, train, config.refit, config.seed, config.pose_mixup, progress and first)
     held_out, shifted = evaluate(model, bank, test), StyleBank(bank.names, bank.vectors.roll(1, 0))
     for style, error in (evaluate(model, shifted, test) if len(bank) > 1 else {}).items():
         held_out[style]["other"] = error["mse"]

@@ -150,7 +150,8 @@ def columns_figure(tables: Mapping[str, Mapping[str, Sequence[float]]], *, title
         for model, values in rows.items():
             colour = WHEEL[models.index(model) % len(WHEEL)]
             figure.add_scatter(x=list(values), y=[model] * len(values), mode="markers", row=1, col=k, showlegend=False,
-                               marker={"size": 11, "color": colour}, hovertemplate="%{x:.4g}<extra>%{y}</extra>")
+                               marker={"size": 11, "color": colour}, cliponaxis=False,
+                               hovertemplate="%{x:.4g}<extra>%{y}</extra>")
         for name, value in (floors or {}).get(measure, {}).items():
             figure.add_vline(x=value, line={"color": INK, "dash": "dot"}, row=1, col=k, annotation_text=name,
                              annotation_position="top left", annotation_font_size=11)
