@@ -372,36 +372,6 @@ def test_every_control_has_a_name(open_page, empty):
         assert nameless == []
 
 
-def test_a_change_is_shown_soon(open_page, empty):
-    """Prints milliseconds from a change to the whole motion of ten seconds (``-s`` shows them); only that it comes counts.
-
-    Processor time is that of the page's main thread, which draws meanwhile.
-    """
-    page = open_page(empty).page
-    client = page.context.new_cdp_session(page)
-    client.send("Performance.enable", {"timeDomain": "threadTicks"})
-    shot = {"path": [[0, 0], [1, 4], [0, 9]], "styles": "Neutral", "duration": 10}
-    page.evaluate("(shot) => view.open({ version: 1, shots: [shot] })", shot)
-    found: dict[str, list[float]] = {"elapsed": [], "processor": []}
-    for i in range(8):
-        page.wait_for_function(DONE, timeout=120_000)
-        page.wait_for_timeout(400)
-        before = {row["name"]: row["value"] for row in client.send("Performance.getMetrics")["metrics"]}
-        found["elapsed"].append(page.evaluate("""async (x) => {
-            const start = performance.now();
-            view.desk.change((shots) => void (shots[0].path[1].x = x));
-            while (view.desk.making.some(Boolean)) await new Promise((done) => setTimeout(done));
-            return performance.now() - start;
-        }""", 1.1 + 0.1 * i))
-        after = {row["name"]: row["value"] for row in client.send("Performance.getMetrics")["metrics"]}
-        found["processor"].append(1e3 * (after["TaskDuration"] - before["TaskDuration"]))
-    found = {name: {"best": min(ms), "median": sorted(ms)[len(ms) // 2]} for name, ms in found.items()}
-    print("\n", json.dumps(found, indent=1))
-    ARTEFACTS.mkdir(parents=True, exist_ok=True)
-    (ARTEFACTS / "director-ms.json").write_text(json.dumps(found, indent=1), encoding="utf-8")
-    assert page.evaluate("() => view.desk.takes[0].frames.length") == 600
-
-
 START = """
 import toolkit as tk
 model, bank = tk.pretrained()
