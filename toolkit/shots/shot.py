@@ -56,6 +56,8 @@ class Shot:
         Seconds; by default until one second after the end of the path is reached.
     name
         Of the clip.
+    radius
+        Metres, in a `toolkit.shots.Scene` whose characters keep apart: the share of this one in the distance of two.
 
     Raises
     ------
@@ -75,6 +77,7 @@ class Shot:
     seed: int = 0
     duration: float | None = None
     name: str = "shot"
+    radius: float | None = None
 
     def __post_init__(self):
         put = lambda name, value: object.__setattr__(self, name, value)  # noqa: E731
@@ -112,6 +115,8 @@ class Shot:
             raise ValueError(f"seed must be a whole number from 0 to {2**31 - 1}, got {shown(self.seed)}")
         if self.duration is not None:
             put("duration", number(self.duration, "duration", 1 / FPS, LONGEST))
+        if self.radius is not None:
+            put("radius", number(self.radius, "radius", 0.05, 5.0))
         if not isinstance(self.name, str) or not self.name.isprintable() or len(self.name) > 100:
             raise ValueError(f"name must be a line of up to 100 characters, got {shown(self.name)}")
 
