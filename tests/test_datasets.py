@@ -7,7 +7,7 @@ import pytest
 import torch
 from strategies import human_clip
 
-from toolkit import datasets
+from toolkit import datasets, published
 from toolkit.datasets import style100, xia
 from toolkit.io import bvh
 from toolkit.motion import root_frames
@@ -163,16 +163,9 @@ def test_table1_equals_the_paper(shared):
     assert "\n".join(f"{r.gait}|{r.frames:,}|{r.minutes}|{r.ratio}" for r in rows) == TABLE1
 
 
-def test_published_order(shared):
-    order = style100.published_order(shared / "100style")
-    assert order[:2] + order[94:] == ["Aeroplane", "Akimbo", "Zombie", *style100.HELD_OUT]
-    assert order[23] == "Drunk"
-    assert style100.published_order(reversed(order)) == order
-    for names, match in ((order[:-1], "got 99, without WildArms"), (["Old"], "got 1, without HandsInPockets")):
-        with pytest.raises(ValueError, match=match):
-            style100.published_order(names)
+def test_styles_of_100style(shared):
     infos = style100.styles(shared / "100style")
-    assert sorted(infos) == sorted(order)
+    assert sorted(infos) == sorted(published.STYLES)
     assert [sum(not i.symmetric for i in infos.values()), sum(i.stochastic for i in infos.values())] == [30, 5]
 
 

@@ -73,6 +73,7 @@ def stuck_hands(table: dict, model: str, than: str, section: str, title: str, cl
             "range / data": [average([run["styles"][s]["hands"] for s in moving]) for run in found],
             "|corr. - data's|": [average([run["styles"][s]["together"] for s in moving]) for run in found],
             f"styles below {STUCK}": [sum(run["styles"][s]["hands"] < STUCK for s in moving) for run in found],
+            "of styles": [len(moving)] * len(found),
             "recognised": [run["recognised"] for run in found],
         }
 

@@ -15,7 +15,8 @@ from toolkit.evaluation import metrics
 from toolkit.io import bvh
 from toolkit.io.files import atomic_write
 from toolkit.networks.bank import StyleBank
-from toolkit.runtime import FPS, crowd
+from toolkit.runtime import FPS
+from toolkit.shots import crowd
 from toolkit.styles.transitions import transition
 
 app = typer.Typer(add_completion=False, help="Make something to look at in a minute.")
@@ -138,7 +139,7 @@ def demo_crowd(
     threads: Annotated[int, typer.Option(help="Processor cores to use.")] = 1,
     seed: Seed = 0,
 ) -> None:
-    """Walk a crowd on one processor core, each in its own style blend; write a picture, an animation and the time taken."""
+    """Let two crowds cross, each character in its own style blend; write a picture, an animation and the time taken."""
     print("The runtime is compiled at its first use; that takes a while.")
     net, bank = published.either(model, parameters)
     compiled = runtime.compile(net, threads=threads)

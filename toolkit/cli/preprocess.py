@@ -7,7 +7,7 @@ import typer
 
 from toolkit import datasets
 from toolkit.cli.train import show
-from toolkit.cli.verbs import Mirror, Root, Selection
+from toolkit.cli.verbs import Listed, Mirror, Root, Selection
 from toolkit.features import store
 
 
@@ -19,6 +19,7 @@ def preprocess(
     gaits: Selection = None,
     source: Annotated[str, typer.Option(help="Phase source.")] = "hybrid",
     mirror: Mirror = False,
+    listed: Listed = False,
     workers: Annotated[int | None, typer.Option(min=1, help="Processes; by default one per processor.")] = None,
     scheduler: Annotated[str | None, typer.Option(help="Address of a Dask scheduler that distributes the work; whoever "
                                            "reaches it runs code there.")] = None,
@@ -30,7 +31,7 @@ def preprocess(
         show(root)
     mirrored = datasets.may_mirror(data, root) if mirror else None
     made = store.preprocess(data, root, out, styles=styles, gaits=gaits, source=source, mirror=mirrored, workers=workers,
-                            scheduler=scheduler, progress=True)
+                            scheduler=scheduler, listed=listed, progress=True)
     found = store.load(out)
     print(f"{found.n_frames:,} frames of {len(found.styles)} styles in {out}"
           + ("" if made else ": finished before, all checksums are right, nothing to do"))

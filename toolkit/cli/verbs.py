@@ -43,6 +43,8 @@ TrainedRun = Annotated[Path | None, typer.Option("--model", help="File of a trai
 Root = Annotated[Path | None, typer.Option(help="Folder that holds the dataset.")]
 Selection = Annotated[Names | None, typer.Option(parser=Names, metavar="A,B,…", help="Names to use; by default all.")]
 Mirror = Annotated[bool, typer.Option("--mirror", help="Add mirror images (100STYLE: of symmetric styles).")]
+Listed = Annotated[bool, typer.Option("--listed", help="Train on the training part of the dataset's list (`data split`) and "
+                                      "hold out its test part; 100style and bandai.")]
 Seed = Annotated[int, typer.Option(min=0, max=2**31 - 1, help="The same seed gives the same result.")]
 Device = Annotated[str, typer.Option(help="cpu, cuda, …")]
 Resume = Annotated[bool, typer.Option("--resume", help="Continue from OUT.checkpoint, which a stopped run leaves.")]

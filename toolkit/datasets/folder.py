@@ -17,11 +17,10 @@ from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from pathlib import Path
 
-from tqdm import tqdm
-
 from toolkit.datasets.takes import Names, Source, Take
 from toolkit.io import files, interpretation
 from toolkit.io.load import READERS, read
+from toolkit.io.progress import progress_bar
 from toolkit.motion import Clip, trajectory
 from toolkit.motion.names import printable
 from toolkit.motion.pruning import pruned
@@ -94,7 +93,7 @@ class Own(Source):
 
     def read(self, takes: Iterable[Take]) -> Iterator[Clip]:
         """Labelled clips of takes, with their body joints."""
-        for take in tqdm(list(takes), desc="files", unit="file", disable=None):
+        for take in progress_bar(list(takes), desc="files", unit="file"):
             yield _fitted(_load(take)[0], self.target)  # `survey` has listed the doubts
 
 
@@ -123,7 +122,7 @@ def _survey(folder: Path, _signature: tuple, target: Clip | None) -> Survey:
     takes, left_out = labelled(folder)
     rigs: dict[tuple, list[tuple[Take, int, float, int]]] = defaultdict(list)
     doubts: dict[Path, list[str]] = {}
-    for take in tqdm(takes, desc="reading", unit="file", disable=None if len(takes) > 20 else True):
+    for take in progress_bar(takes, desc="reading", unit="file", show=len(takes) > 20):
         try:
             whole, doubtful = _load(take)
             clip = _fitted(whole, target)

@@ -157,28 +157,6 @@ def styles(root: str | os.PathLike | None = None) -> dict[str, StyleInfo]:
     return infos
 
 
-def published_order(root_or_names: str | os.PathLike | Iterable[str] | None = None) -> list[str]:
-    """Style names in the index order of the published parameters: 95 in alphabetical order, then the five of `HELD_OUT`.
-
-    Parameters
-    ----------
-    root_or_names
-        The dataset's folder, or the 100 names in any order.
-
-    Raises
-    ------
-    ValueError
-        If these are not 100 names that include the five held-out ones.
-    """
-    from_folder = root_or_names is None or isinstance(root_or_names, str | os.PathLike)
-    names = set(styles(root_or_names) if from_folder else root_or_names)
-    if len(names) != 100 or not names >= set(HELD_OUT):
-        missing = sorted(set(HELD_OUT) - names)
-        raise ValueError(f"the published order needs all 100 styles; got {len(names)}"
-                         + (f", without {', '.join(missing)}" if missing else ""))
-    return sorted(names - set(HELD_OUT)) + list(HELD_OUT)
-
-
 def table1(root: str | os.PathLike | None = None) -> list[Table1Row]:
     """The paper's Table 1, counted from ``Frame_Cuts.csv``: eight gaits (TR1 to TR3 merged) and the total.
 

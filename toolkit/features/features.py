@@ -11,10 +11,10 @@ from dataclasses import dataclass
 
 import torch
 from torch import Tensor
-from tqdm import tqdm
 
 from toolkit import phases
 from toolkit.features.layout import CHANNELS, Layout, pack_joints, split_joints
+from toolkit.io.progress import progress_bar
 from toolkit.motion import Clip, RootFrames, contacts, root_frames, trajectory
 from toolkit.motion import rotations as R
 from toolkit.motion.tensors import few, shown, summary
@@ -320,7 +320,7 @@ def build(clips: Clip | Iterable[Clip], *, source: str | phases.Source = "hybrid
     parts: dict[str, dict[str, list[Tensor]]] = {kind: defaultdict(list) for kind in (*KINDS, "takes", "frames", "spans")}
     repeated: dict[str, list[tuple[Tensor, Tensor]]] = defaultdict(list)  # clips, spans of styles without a long recording
     numbers: dict[str, Numbering] = defaultdict(Numbering)
-    for (style, _), members in tqdm(sorted(groups.items()), "features", unit="group", disable=None if progress else True):
+    for (style, _), members in progress_bar(sorted(groups.items()), desc="features", unit="group", show=progress):
         for take, own in group_features(members, source, mirror, short, samples, contact_height):
             n, device = len(own.joints), own.joints.device
             at, starts, first = usable(n, device, samples), clip_starts(n, device), numbers[style].first(take, n)

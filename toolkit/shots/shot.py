@@ -55,6 +55,8 @@ class Shot:
         Seconds; by default until one second after the end of the path is reached.
     name
         Of the clip.
+    radius
+        Metres, in a `toolkit.shots.Scene` whose characters keep apart: the share of this one in the distance of two.
 
     Raises
     ------
@@ -74,6 +76,7 @@ class Shot:
     seed: int = 0
     duration: float | None = None
     name: str = "shot"
+    radius: float | None = None
 
     def __post_init__(self):
         put = lambda name, value: object.__setattr__(self, name, value)  # noqa: E731
@@ -113,6 +116,8 @@ class Shot:
             raise ValueError(f"seed must be a whole number from 0 to {2**31 - 1}, got {shown(self.seed)}")
         if self.duration is not None:
             put("duration", number(self.duration, "duration", 1 / FPS, LONGEST))
+        if self.radius is not None:
+            put("radius", number(self.radius, "radius", 0.05, 5.0))
         if not isinstance(self.name, str) or not self.name.isprintable() or len(self.name) > 100:
             raise ValueError(f"name must be a line of up to 100 characters, got {shown(self.name)}")
 
@@ -198,6 +203,11 @@ class Shot:
             a, b, weight = between(times, easings, now)
             return speeds[a] + weight * (speeds[b] - speeds[a])
 
+        def style(now: float) -> str:
+            a, b, weight = between(times, easings, now)
+            (layer, *_) = self.styles[b if weight > 0.5 else a].layers
+            return max(layer, key=layer.get)
+
         timed = [(k, course.curve.knots[k], time) for k, time in self._timed]
         lines = [f"path[{timed[k][0]}] is too far away to be reached at {timed[k][2]:g} s" for k in course.late]
         if course.end is None or course.end > (len(course.distance) - 1) / FPS + 1e-9:
@@ -205,7 +215,7 @@ class Shot:
                          f"{course.curve.length - course.distance[-1]:.1f} m are left")
         lines += [f"holds[{k}] is after the end of the path, {course.curve.length:.2f} m long" for k, hold in
                   enumerate(self.holds) if hold.distance is not None and hold.distance > course.curve.length]
-        return lines + feasibility.missed(course, natural, timed, places)
+        return lines + feasibility.missed(course, natural, style, timed, places)
 
     @property
     def turn(self) -> float:
@@ -236,19 +246,15 @@ def shifted(state: CharacterState, angle: float | Sequence[float]) -> CharacterS
 
 
 def save(shots: Iterable[Shot], path: str | os.PathLike) -> None:
-    """Write the shots of a scene, one per character, to a JSON file, whole or not at all."""
-    write(data(shots), path)
-
-
-def write(scene: Mapping, path: str | os.PathLike) -> None:
-    """Write the data of a scene to a JSON file, whole or not at all."""
+    """Write the shots of a scene, one per character, or a `Scene`, to a JSON file, whole or not at all."""
     with atomic_write(path) as file:
-        file.write((json.dumps(scene, indent=1, ensure_ascii=False, allow_nan=False) + "\n").encode())
+        file.write((json.dumps(data(shots), indent=1, ensure_ascii=False, allow_nan=False) + "\n").encode())
 
 
 def data(shots: Iterable[Shot]) -> dict:
-    """The scene of shots as `parse` reads it and a file holds it."""
-    return {"version": VERSION, "shots": [_data(shot) for shot in shots]}
+    """Shots, or a `Scene`, as `parse` reads them and a file holds them."""
+    made = _data(shots) if dataclasses.is_dataclass(shots) else {"shots": [_data(shot) for shot in shots]}
+    return {"version": VERSION, **made}
 
 
 def _data(value):

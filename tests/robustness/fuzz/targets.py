@@ -53,7 +53,7 @@ Frame Time: 0.033333
 TINY = networks.Sizes(hidden=4, experts=2, gating=4, film_channels=2, film_kernel=5, film_dense=4)
 WORK = {  # functions that a command calls after its checks; they are replaced here
     "toolkit.training.distributed": ("start",), "toolkit.features": ("build",), "toolkit.features.store": ("preprocess",),
-    "toolkit.training": ("fit",), "toolkit.cli.demo": ("embedded", "make"), "toolkit.runtime.crowd": ("walk",),
+    "toolkit.training": ("fit",), "toolkit.cli.demo": ("embedded", "make"), "toolkit.shots.crowd": ("walk",),
     "toolkit.runtime": ("states",), "toolkit.datasets.procedural": ("load", "write"),
     "toolkit.cli.style": ("fine_tune",), "toolkit.cli.stylize": ("stylize",), "toolkit.cli.train_stylizer": ("build",),
     "toolkit.cli.data": ("fetch",),
