@@ -78,7 +78,7 @@ def feet(run, real: tk.Clip, seconds: float = 4.0) -> None:
 def crowd(model, bank) -> None:
     """Write the animation of two streams that cross, three seconds of it."""
     clips = tk.shots.crowd.walk(model, bank, characters=100, seconds=10.0, progress=True).clips
-    tk.view.crowd([clip.cut(420) for clip in clips], OUT / "crowd.webp", fps=8.0, width=640, colors=64, progress=True)
+    tk.view.crowd([clip.cut(240, 420) for clip in clips], OUT / "crowd.webp", fps=8.0, width=480, colors=48, progress=True)
 
 
 def director(model, bank) -> None:
