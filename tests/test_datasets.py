@@ -141,7 +141,7 @@ def test_bad_arguments_in_one_line(small, arguments, match):
     [
         ("Frame_Cuts.csv", None, "no Frame_Cuts.csv in .*zenodo"),
         ("Frame_Cuts.csv", "", r"line 1: expected the columns STYLE_NAME"),
-        ("Frame_Cuts.csv", "STYLE_NAME,BR_START\nOld,1\n", r"line 1: .*without BR_STOP"),
+        ("Frame_Cuts.csv", "STYLE_NAME,BR_START\nOld,1\n", r"line 1: .*missing: BR_STOP"),
         ("Frame_Cuts.csv", CUTS, "no row"),
         ("Frame_Cuts.csv", CUTS + "\nOld," + ",".join(["N/A"] * 19 + ["x"]), "line 2: TR3 needs two frame numbers"),
         ("Frame_Cuts.csv", CUTS + "\nOld,1,2", "line 2: BW needs two frame numbers"),

@@ -3,6 +3,7 @@
 import math
 from importlib import resources
 from pathlib import Path
+from shlex import quote
 from typing import Annotated
 
 import typer
@@ -65,7 +66,7 @@ def add(
     elif error["after"] >= error["repeat"]:
         print("The model predicts this style no better than repeating the frame: use more or longer clips.")
     _print_near(made.bank, name)
-    print(f"wrote {out}; next: python -m toolkit rollout --model {out} --style {name} --out walk.html")
+    print(f"wrote {out}; next: python -m toolkit rollout --model {quote(str(out))} --style {quote(name)} --out walk.html")
 
 
 @app.command("list")

@@ -15,8 +15,8 @@ from pathlib import Path
 import numpy as np
 
 from toolkit.datasets.takes import Names, Source
-from toolkit.io import bvh
-from toolkit.io.files import atomic_write, status
+from toolkit.io import bvh, files
+from toolkit.io.files import atomic_write
 from toolkit.motion import Clip
 
 GAITS = {
@@ -190,15 +190,7 @@ def _table(root: str | os.PathLike | None, name: str) -> tuple[Path, list[tuple[
     path = next(iter(sorted(folder.rglob(name))), None)
     if path is None:
         raise ValueError(f"100style: no {name} in {folder}; expected {SOURCE.layout}; get it at {SOURCE.home}")
-    status(path)
-    with path.open(encoding="utf-8-sig", errors="replace", newline="") as file:
-        reader = csv.DictReader(file, restval="")
-        try:
-            if missing := [c for c in columns if c not in (reader.fieldnames or [])]:
-                raise ValueError(f"{path}, line 1: expected the columns {', '.join(columns)}; without {', '.join(missing)}")
-            rows = [(reader.line_num, row) for row in reader]
-        except csv.Error as error:
-            raise ValueError(f"{path}, line {reader.line_num + 1}: {error}") from error
+    rows = files.table(path, columns)
     if not rows:
         raise ValueError(f"{path}: the table has no row")
     return path, rows

@@ -88,6 +88,7 @@ def read(path: str | os.PathLike) -> Recording:
     placed, positions = _positions(columns, rows, offsets)
     if not (near := (np.abs(positions) < LARGEST).all((1, 2))).all():
         raise BVHError(f"{path}: positions of joint {names[placed[near.argmin()]]} are beyond {LARGEST:g} units")
+    del data, columns  # five times the bytes of the file
     offsets[placed] = np.median(positions, axis=1)
     limit = MOVED * max(np.linalg.norm(offsets[1:], axis=1), default=0.0)
     spreads = zip(placed[1:], np.ptp(positions[1:], axis=1).max(1, initial=0.0).tolist(), strict=True)
