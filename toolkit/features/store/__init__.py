@@ -42,7 +42,7 @@ GROWTH = 2  # upper limit of bytes of a store per byte of BVH; 1.8 for 100STYLE 
 def preprocess(data: str, root: str | os.PathLike | None, out: str | os.PathLike, *, styles: list[str] | None = None,
                gaits: list[str] | None = None, source: str = "hybrid", mirror: Callable[[Take], bool] | None = None,
                workers: int | None = None, scheduler: str | None = None, held_out: float = 0.1, seed: int = 0,
-               progress: bool = False) -> bool:
+               contact_height: float | None = None, progress: bool = False) -> bool:
     """Compute the features, phases, contacts and split of a dataset's files into a store, or continue an interrupted run.
 
     Takes that hold no whole trajectory window are left out. False if the store was finished already, with right checksums.
@@ -56,6 +56,7 @@ def preprocess(data: str, root: str | os.PathLike | None, out: str | os.PathLike
     workers : number of processes, by default that of the processors; 1 starts no other process
     scheduler : address of a Dask scheduler whose workers are used instead; they need the folders under the same paths
     held_out, seed : share of every style's rows that is held out, and the seed (see `toolkit.features.splits.held_out`)
+    contact_height : as in `toolkit.features.build`
     progress : show a bar with the time left
 
     Raises
@@ -79,13 +80,13 @@ def preprocess(data: str, root: str | os.PathLike | None, out: str | os.PathLike
         "mirror": mirror is not None, "fps": trajectory.FPS, "window": trajectory.SAMPLES,
         "clip": [features.CLIP_FRAMES, features.CLIP_HOP], "held_out": held_out, "seed": seed,
         "tables": {path.name: files.sha256(path) for name in tables for path in root.rglob(name)},
-    }))
+    } | ({} if contact_height is None else {"contact_height": contact_height})))
     by_style: dict[str, list[tuple[int, Take]]] = defaultdict(list)
     for number, take in enumerate(recorded.choose(root, styles, gaits)):
         by_style[take.style].append((number, take))
     named = files.names(by_style)
     jobs = [Partition(data, root, out, source, style, named[style], tuple(takes),
-                      frozenset(t.gait for _, t in takes if mirror and mirror(t)))
+                      frozenset(t.gait for _, t in takes if mirror and mirror(t)), contact_height)
             for style, takes in sorted(by_style.items())]
     with _alone(out):
         return _make(out, settings, jobs, workers, scheduler, progress)
