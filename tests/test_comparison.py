@@ -1,6 +1,12 @@
 """The comparison of the seven models: what it measures against answers that are known, and one small run of all of it."""
 
+import logging
 import math
+import os
+import signal
+import sys
+import threading
+import time
 from pathlib import Path
 
 import pytest
@@ -281,22 +287,32 @@ def test_measures_of_other_runs_in_the_folder_stay_in_the_table(data, folder, mo
     assert film["mean"]["steps"] < 10  # of the feet, per second
 
 
-def test_the_runs_of_a_comparison_may_be_spread_by_a_scheduler(data, folder, tmp_path, monkeypatch):
-    from concurrent.futures import ThreadPoolExecutor
-    from contextlib import contextmanager
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no SIGKILL")
+def test_runs_are_spread_over_the_processes_of_a_cluster_and_one_of_these_may_be_killed(data, folder, tmp_path):
+    distributed = pytest.importorskip("distributed", reason='Dask is not installed: pip install ".[scale]"')
+    killed = []
+    quiet = {"dashboard_address": ":0", "silence_logs": logging.ERROR}
+    with distributed.LocalCluster(n_workers=2, threads_per_worker=2, **quiet) as cluster:
 
-    @contextmanager
-    def pool(workers, scheduler):
-        assert (workers, scheduler) == (None, "tcp://somewhere:8786")
-        with ThreadPoolExecutor(1) as found:
-            yield found
+        def kill():
+            while not (busy := [worker.address for worker in cluster.scheduler.workers.values() if worker.processing]):
+                time.sleep(0.02)
+            nanny = next(nanny for nanny in cluster.workers.values() if nanny.worker_address == busy[0])
+            killed.append(nanny.pid)
+            os.kill(nanny.pid, signal.SIGKILL)
 
-    monkeypatch.setattr(models, "executor", pool)
-    monkeypatch.setattr(models, "frame_time", lambda *_: (1.0, 0.1))
-    table = models.compare(data, SOURCE, PLAN, ("pfnn-onehot", "pfnn-film"), 1, tmp_path, scheduler="tcp://somewhere:8786")
+        killer = threading.Thread(target=kill, daemon=True)
+        killer.start()
+        table = models.compare(data, SOURCE, PLAN, ("pfnn-onehot", "pfnn-film"), 2, tmp_path,
+                               scheduler=cluster.scheduler_address)
+        killer.join(30)
+    assert len(killed) == 1
     alone = models.read_json(folder / models.TABLE)["models"]
     for name in ("pfnn-onehot", "pfnn-film"):
-        assert table["models"][name]["mean"]["shared"] == pytest.approx(alone[name]["mean"]["shared"])
+        runs = table["models"][name]["runs"]
+        assert [run["seed"] for run in runs] == [0, 1]
+        assert runs[0]["shared"] == pytest.approx(alone[name]["mean"]["shared"], rel=1e-4)
+        assert runs[1]["shared"] != pytest.approx(alone[name]["mean"]["shared"], rel=1e-4)
 
 
 def test_the_mean_pose_of_arms_and_its_floor(data):

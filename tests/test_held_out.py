@@ -1,6 +1,7 @@
 """What a finished model is measured with on held-out motion: recordings that it follows, and ways to make style vectors."""
 
 import dataclasses
+import json
 import math
 
 import pytest
@@ -10,7 +11,7 @@ from test_training import QUICK, waves
 import toolkit as tk
 from experiments.seven_models import models, recorded, results, vectors
 from toolkit import training
-from toolkit.training.vectors import refit
+from toolkit.training.vectors import STEPS, refit
 
 
 @pytest.fixture(scope="module")
@@ -104,7 +105,10 @@ def test_fitted_vectors_have_less_error_and_the_model_stays_the_same():
     assert not torch.equal(part["style0"], run.bank["style0"])
 
 
-def test_a_training_may_end_with_fitted_vectors():
+def test_a_training_ends_with_fitted_vectors_unless_they_are_means_of_clips():
+    assert training.Config().refit == training.Config.quick().refit == STEPS > 0
+    stored = json.loads(json.dumps(dataclasses.asdict(QUICK)))
+    assert training.Config.from_json({k: v for k, v in stored.items() if k != "refit"}).refit == 0  # of an older file
     data, config = waves(), dataclasses.replace(QUICK, steps=100)
     plain, fitted = (training.fit(data, dataclasses.replace(config, refit=steps)) for steps in (0, 30))
     assert all(torch.equal(a, b) for a, b in zip(plain.model.parameters(), fitted.model.parameters(), strict=True))

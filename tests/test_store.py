@@ -75,6 +75,33 @@ def test_contacts_follow_the_height_that_is_given(root, tmp_path):
     assert not torch.equal(given, usual)
 
 
+def test_a_store_of_a_list_has_its_parts_also_if_only_some_styles_are_read(tmp_path, capsys, monkeypatch):
+    root, out = tmp_path / "data", tmp_path / "store"
+    procedural.write(root, ["Neutral", "Zombie"], ["FW"], seconds=25.0)
+    assert preprocess(root, out, listed=True, mirror=None)
+    data = tk.features.splits.listed(tk.datasets.load("100style", root), tk.datasets.split("100style", root))
+    parts = tk.training.split(data, 0.1, 0, STYLES)
+    assert {style: len(x) for style, x in parts[1].inputs.items()} == dict.fromkeys(STYLES, 240 - 111)
+    stored = tk.features.store.load(out)
+    for styles in (STYLES, STYLES[1:]):
+        found = tk.training.split(tk.features.store.load(out, styles), 0.3, 5, styles)
+        for kind in KINDS:
+            for own, expected in zip(found, parts, strict=True):
+                assert all(torch.equal(getattr(own, kind)[s][:], getattr(expected, kind)[s]) for s in styles)
+    statistics = tk.training.split(stored, 0.1, 0, STYLES)[0].statistics
+    assert all(torch.equal(statistics[kind].mean, own.mean) for kind, own in parts[0].normalisers().items())
+    trained = []
+    monkeypatch.setattr(tk.training, "fit", lambda data, *_, **__: trained.append(data) or sys.exit(0))
+    train = ["train", "--out", str(tmp_path / "run.safetensors"), "--listed", "--data"]
+    with pytest.raises(SystemExit, match="0"):
+        main([*train, "100style", "--root", str(root)])
+    assert all(torch.equal(trained[0].split.held_out[style], data.split.held_out[style]) for style in STYLES)
+    for other, said in ((str(out), "a store has its own --root, --gaits, --mirror and --listed"),
+                        ("procedural", "no split of 'procedural'; known: 100style, bandai")):
+        assert main([*train, other]) == 2
+        assert said in capsys.readouterr().err
+
+
 def test_the_split_and_its_statistics_are_recorded(made, in_memory):
     stored = tk.features.store.load(made)
     for share, seed in ((0.1, 0), (0.2, 3)):

@@ -6,6 +6,7 @@ import math
 import os
 import platform
 import statistics
+import threading
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -34,6 +35,7 @@ WARM_UP, PACE = 2.0, 1.0  # seconds at the start of a walk that are not measured
 MOVING = 0.06  # metres, least range of moving hands
 HANDS = ("hands", "hands_data", "swing", "swing_data", "together")
 SETTINGS, TABLE, CEILING = "settings.json", "comparison.json", "ceiling.json"
+ALONE = threading.Lock()  # of a process's jobs
 HELD_OUT = 0.1  # share of every style's frames
 SIZES = {
     "tiny": Sizes(hidden=32, experts=4, gating=16, film_channels=8, film_kernel=5, film_dense=32, dropout=0.0),
@@ -55,9 +57,12 @@ class Plan:
     recogniser_steps: int | None = None  # training steps of the recogniser; by default 20 per style, at least 200
 
     def config(self, model: str, seed: int) -> Config:
-        """Training settings of one run: equal for all runs except `toolkit.training.run.STYLE_RATES`."""
+        """Training settings of one run: equal for all runs except `toolkit.training.run.STYLE_RATES`.
+
+        FiLM's style vectors are means over clips, as in the paper; `experiments.seven_models.vectors` compares fitted ones.
+        """
         return Config.quick(model=model, sizes=SIZES[self.size], steps=self.steps, seed=seed, device=self.device,
-                            evaluate_every=max(1, self.steps // 2), held_out=HELD_OUT)
+                            evaluate_every=max(1, self.steps // 2), held_out=HELD_OUT, refit=0)
 
 
 def load(data: str, root: str | None, styles: str | None, gaits: str | None, clip_seconds: float | None,
@@ -271,10 +276,14 @@ def frame_time(model: Model, style: Tensor, runs: int = 5, frames: int = 60) -> 
 
 
 def job(source: dict, plan: Plan, name: str, seed: int, folder: Path) -> None:
-    """Train and measure one run of a comparison, in a process that may be on another machine."""
-    data = load(**source)
-    run = trained(data, plan.config(name, seed), folder)
-    measured(run, data, plan, judge(data, folder, plan.recogniser_steps), folder)
+    """Train and measure one run of a comparison, in a process that may be on another machine.
+
+    A worker may have several threads; they take turns, because torch has one random state for all threads of a process.
+    """
+    with ALONE:
+        data = load(**source)
+        run = trained(data, plan.config(name, seed), folder)
+        measured(run, data, plan, judge(data, folder, plan.recogniser_steps), folder)
 
 
 def compare(data: Features, source: dict, plan: Plan, models: Sequence[str], seeds: int, folder: Path,

@@ -7,7 +7,7 @@ import typer
 
 from toolkit import datasets
 from toolkit.cli.train import show
-from toolkit.cli.verbs import Mirror, Root, Selection
+from toolkit.cli.verbs import Listed, Mirror, Root, Selection
 from toolkit.features import store
 
 
@@ -21,6 +21,7 @@ def preprocess(
     mirror: Mirror = False,
     contact_height: Annotated[float | None, typer.Option(min=0.0, help="Metres up to which a toe stands; by default it "
                                                          "follows from each clip.")] = None,
+    listed: Listed = False,
     workers: Annotated[int | None, typer.Option(min=1, help="Processes; by default one per processor.")] = None,
     scheduler: Annotated[str | None, typer.Option(help="Address of a Dask scheduler that distributes the work; whoever "
                                            "reaches it runs code there.")] = None,
@@ -32,7 +33,7 @@ def preprocess(
         show(root)
     mirrored = datasets.may_mirror(data, root) if mirror else None
     made = store.preprocess(data, root, out, styles=styles, gaits=gaits, source=source, mirror=mirrored, workers=workers,
-                            scheduler=scheduler, contact_height=contact_height, progress=True)
+                            scheduler=scheduler, contact_height=contact_height, listed=listed, progress=True)
     found = store.load(out)
     print(f"{found.n_frames:,} frames of {len(found.styles)} styles in {out}"
           + ("" if made else ": finished before, all checksums are right, nothing to do"))

@@ -8,8 +8,8 @@ import typer
 
 from toolkit import datasets, export, features, networks, training
 from toolkit.cli.skeletons import Target, target
-from toolkit.cli.verbs import ClipSeconds, Device, Mirror, Resume, Root, Seed, Selection
-from toolkit.features import store
+from toolkit.cli.verbs import ClipSeconds, Device, Listed, Mirror, Resume, Root, Seed, Selection
+from toolkit.features import splits, store
 from toolkit.motion import Clip
 from toolkit.training import distributed
 
@@ -30,6 +30,7 @@ def train(
     gaits: Selection = None,
     skeleton: Target = None,
     mirror: Mirror = False,
+    listed: Listed = False,
     clip_seconds: ClipSeconds = None,
     model: Annotated[str, typer.Option(help=f"One of {', '.join(networks.MODELS)}.")] = "lpn-film",
     minutes: Annotated[float | None, typer.Option(help="Time budget of the training.")] = None,
@@ -37,8 +38,8 @@ def train(
     patience: Annotated[int | None, typer.Option(help="Stop after so many test errors (one every 1000 steps) without a "
                                                  "better one, and keep the best weights.")] = None,
     small: Annotated[bool, typer.Option("--small", help="Small sizes and fast settings; 30 s without a budget.")] = False,
-    refit: Annotated[int, typer.Option(help="Steps per style that fit FiLM's style vectors to frames after the training, "
-                                       "such as 100; 0: means over clips, as in the paper.")] = 0,
+    refit: Annotated[int, typer.Option(help="Steps per style that fit FiLM's style vectors to frames after the training; 0: "
+                                       "means over clips, as in the paper.")] = training.Config.refit,
     seed: Seed = 0,
     device: Device = "cpu",
     processes: Annotated[int, typer.Option(help="Processes that share each minibatch (the extra `scale`), with --device "
@@ -62,8 +63,9 @@ def train(
             raise ValueError(f"{data}: is the folder to read; --root is for datasets with a name")
         data, root = "folder", Path(data)
     if store.is_store(data):
-        if root or gaits or mirror or clip_seconds is not None:
-            raise ValueError(f"{data}: a store has its own --root, --gaits and --mirror; choose among its --styles")
+        if root or gaits or mirror or listed or clip_seconds is not None:
+            raise ValueError(f"{data}: a store has its own --root, --gaits, --mirror and --listed; choose among its "
+                             "--styles")
         found = store.load(data, styles, check=True, progress=distributed.first())
     else:
         options = {} if clip_seconds is None else {"seconds": clip_seconds}
@@ -74,8 +76,9 @@ def train(
         if data == "folder" and distributed.first():
             show(root, options.get("target"))
         clips = datasets.load(data, root, styles, gaits, **options)
-        found = features.build(clips, mirror=datasets.may_mirror(data, root) if mirror else False, short="skip",
-                               progress=distributed.first())
+        mirrored, first = datasets.may_mirror(data, root) if mirror else False, distributed.first()
+        found = (splits.listed(clips, datasets.split(data, root), mirror=mirrored, progress=first) if listed else
+                 features.build(clips, mirror=mirrored, short="skip", progress=first))
     checkpoint = out.with_name(out.name + ".checkpoint")
     if distributed.first():
         print(f"{found.n_frames:,} frames of {len(found.styles)} styles")

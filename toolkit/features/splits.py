@@ -76,20 +76,27 @@ def apart(data: Features, style: str, held_out: Tensor) -> Tensor:
 def listed(clips: Iterable[Clip], parts: datasets.blocks.Split, **options) -> Features:
     """Features of the training and test blocks of a list (`toolkit.datasets.split`); `split` has the same parts.
 
-    The clips are cut into the blocks before anything is computed, so no window reaches from one part into another. The
-    blocks of the validation and the styles that only the test has are left out. ``options`` are those of `features.build`.
+    ``options`` are those of `features.build`. ValueError as of `pieces`, or if no clip has a training block.
+    """
+    found = list(pieces(clips, parts))
+    aside = torch.tensor([held for _, _, held in found], dtype=torch.bool)
+    if aside.all():
+        raise ValueError(f"none of these clips is in the training part of the split of {parts.dataset}")
+    data = build([piece for _, piece, _ in found], **{"short": "skip"} | options)
+    return dataclasses.replace(data, split=Split(None, None, {s: aside[at] for s, at in data.takes.items()}))
 
-    Raises
-    ------
-    ValueError
-        If the list has no blocks of a clip, or no clip has a training block.
+
+def pieces(clips: Iterable[Clip], parts: datasets.blocks.Split) -> Iterator[tuple[int, Clip, bool]]:
+    """Number of the clip, piece, and whether it is of the test: the training and test blocks of a list, cut out of clips.
+
+    They are cut before anything is computed, so no window reaches from one part into another. The blocks of the validation
+    and the styles that only the test has are left out. ValueError if the list has no block of a clip.
     """
     blocks: dict[tuple[str, str], list[tuple[datasets.blocks.Block, bool | None]]] = defaultdict(list)
     for part, held in (("train", False), ("validation", None), ("test", True)):
         for block in getattr(parts, part):
             blocks[block.style, block.gait].append((block, held))
-    pieces, aside = [], []
-    for clip in clips:
+    for number, clip in enumerate(clips):
         if clip.style in parts.unseen:
             continue
         found = blocks.get((clip.style, clip.gait)) or blocks.get((clip.style, clip.name.removesuffix(".bvh")))
@@ -99,13 +106,7 @@ def listed(clips: Iterable[Clip], parts: datasets.blocks.Split, **options) -> Fe
         for block, held in found:
             start, stop = block.start - first, min(block.stop - first, len(clip))
             if held is not None and start < stop:
-                pieces.append(clip.cut(start, stop))
-                aside.append(held)
-    if all(aside):
-        raise ValueError(f"none of these clips is in the training part of the split of {parts.dataset}")
-    data = build(pieces, **{"short": "skip"} | options)
-    numbers = torch.tensor(aside).nonzero()[:, 0]
-    return dataclasses.replace(data, split=Split(None, None, {s: torch.isin(at, numbers) for s, at in data.takes.items()}))
+                yield number, clip.cut(start, stop), held
 
 
 def style_clips(data: Features, style: str, held_out: Tensor) -> Tensor | Rows:

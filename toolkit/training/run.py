@@ -14,6 +14,7 @@ from toolkit.io import model_files
 from toolkit.motion.tensors import summary
 from toolkit.networks import MODELS, Model, Sizes
 from toolkit.networks.bank import StyleBank
+from toolkit.training.vectors import STEPS
 
 PRECISIONS = ("32", "bf16")
 #: Learning rate of the style modulation / other rates in `Config.quick`. High rates destroy FiLM's convolutions. Tables of
@@ -23,7 +24,7 @@ STYLE_RATES = {"film": 0.1, "onehot": 10.0, "resad": 1.0}
 
 @dataclass(frozen=True)
 class Config:
-    """How to train; the defaults are the paper's. Give one of ``epochs``, ``steps`` and ``seconds``, or none."""
+    """How to train: as in the paper, but for ``refit``. Give one of ``epochs``, ``steps`` and ``seconds``, or none."""
 
     model: str = "lpn-film"  # one of toolkit.networks.MODELS
     sizes: Sizes = field(default_factory=Sizes)
@@ -40,7 +41,7 @@ class Config:
     max_gradient: float | None = None  # norm to which gradients are clipped; without it, losses spike at rates from 1e-3 on
     bone_weight: float = 1.0  # of the bone-length loss
     pose_mixup: float = 0.0  # share of frames whose input pose is mixed with another frame's (see Minibatches); the paper: 0
-    refit: int = 0  # steps per style that fit style vectors to frames after the training (`training.vectors.refit`); FiLM
+    refit: int = STEPS  # steps per style that fit FiLM's vectors to frames after the training; 0: means of clips (the paper)
     held_out: float = 0.1  # share of every style's frames kept for the test error
     evaluate_every: int = 1000  # steps between test errors in the history
     save_every: float = 120.0  # seconds between checkpoints
@@ -100,7 +101,7 @@ class Config:
     def from_json(cls, stored: dict) -> "Config":
         """A config as JSON holds it."""
         stored = {"pose_mixup" if name == "stray" else name: value for name, value in stored.items()}  # files before 0.2
-        return cls(**{**stored, "sizes": Sizes(**stored["sizes"]), "styles": tuple(stored["styles"])})
+        return cls(**{"refit": 0, **stored, "sizes": Sizes(**stored["sizes"]), "styles": tuple(stored["styles"])})
 
     def fixed(self) -> dict:
         """The settings that must not change when a run is resumed, as JSON values."""

@@ -4,15 +4,15 @@ import dataclasses
 import math
 
 import torch
-from tqdm import tqdm
 
 from toolkit.features import KINDS, Features
+from toolkit.io.progress import progress_bar
 from toolkit.networks import Model
 from toolkit.networks.bank import StyleBank
 from toolkit.networks.model import evaluating
 from toolkit.training.minibatches import Minibatches
 
-STEPS, BATCH, RATE = 100, 128, 0.02  # steps per style, frames of a step, first rate in deviations of the bank's vectors
+STEPS, BATCH, RATE = 30, 64, 0.06  # steps per style, frames of a step, first rate in deviations of the bank's vectors
 
 
 def refit(model: Model, bank: StyleBank, data: Features, steps: int = STEPS, seed: int = 0, pose_mixup: float = 0.3,
@@ -23,27 +23,19 @@ def refit(model: Model, bank: StyleBank, data: Features, steps: int = STEPS, see
     there on, Adam minimises the mean squared error of the normalised outputs over the frames of ``data``, whose styles the
     bank has. ``steps`` is the number of steps for each style; ``pose_mixup`` is that of `Minibatches`.
     """
-    batches = Minibatches(data, BATCH, 1, seed, pose_mixup)
-    scale = bank.vectors.std(0).mean() if len(bank) > 1 else torch.tensor(1.0)
-    learnt = {style: bank[style].clone().requires_grad_() for style in batches.styles}
-    adams = {style: torch.optim.Adam([vector], fused=True) for style, vector in learnt.items()}
-    frozen = [parameter for parameter in model.parameters() if parameter.requires_grad]
-    with evaluating(model), torch.enable_grad():
-        for parameter in frozen:
-            parameter.requires_grad_(False)
-        try:
-            for step in tqdm(range(steps * len(learnt)), desc="vectors", unit="step", disable=not progress):
-                turn, which = divmod(step, len(learnt))
-                style = batches.styles[which]
-                x, p, z, y = batches[step]
-                x, p, z, _ = (model.normaliser(kind).apply(rows) for kind, rows in
-                              zip(KINDS, (x, *model.observe(p, z), y), strict=True))
-                adams[style].param_groups[0]["lr"] = float(scale) * RATE * (1 + math.cos(math.pi * turn / steps)) / 2
-                loss = (model(x, p, learnt[style][None]) - z).square().mean()
-                (learnt[style].grad,) = torch.autograd.grad(loss, learnt[style])
-                adams[style].step()
-        finally:
-            for parameter in frozen:
-                parameter.requires_grad_(True)
-    vectors = torch.stack([learnt[name].detach() if name in learnt else bank[name] for name in bank.names])
+    batches, device = Minibatches(data, BATCH, 1, seed, pose_mixup), model.outputs_mean.device
+    scale = float(bank.vectors.std(0).mean()) if len(bank) > 1 else 1.0
+    vectors = bank.vectors.clone()
+    for which, style in enumerate(progress_bar(batches.styles, desc="vectors", unit="style", show=progress)):
+        vector = bank[style].clone().to(device).requires_grad_()
+        adam = torch.optim.Adam([vector], fused=True)
+        for turn in range(steps):
+            x, p, z, y = (rows.to(device) for rows in batches[turn * len(batches.styles) + which])
+            x, p, z, _ = (model.normaliser(kind).apply(rows) for kind, rows in
+                          zip(KINDS, (x, *model.observe(p, z), y), strict=True))
+            adam.param_groups[0]["lr"] = scale * RATE * (1 + math.cos(math.pi * turn / steps)) / 2
+            with evaluating(model), torch.enable_grad():
+                (vector.grad,) = torch.autograd.grad((model(x, p, vector[None]) - z).square().mean(), vector)
+            adam.step()
+        vectors[bank.names.index(style)] = vector.detach().cpu()
     return dataclasses.replace(bank, vectors=vectors)

@@ -10,9 +10,9 @@ import torch
 from matplotlib.colors import to_rgb
 from PIL import Image, ImageDraw, ImageFont
 from scipy.ndimage import gaussian_filter1d
-from tqdm import tqdm
 
 from toolkit.io.files import atomic_write
+from toolkit.io.progress import progress_bar
 from toolkit.motion import Clip, on_cpu
 from toolkit.motion import rotations as R
 from toolkit.view import body
@@ -72,7 +72,7 @@ def animate(clips: Clip | Sequence[Clip], path: str | os.PathLike, *, labels: Se
     length = max(round(shot.clip.seconds * fps) for shot in shots)
 
     def drawn() -> Iterator[Image.Image]:
-        for k in tqdm(range(max(length, 1)), desc=path.name, disable=not progress):
+        for k in progress_bar(range(max(length, 1)), desc=path.name, show=progress):
             cells = [shot.cell(round(k * shot.clip.fps / fps) % len(shot.clip), *room) for shot in shots]
             yield _sheet(cells, columns, labels, caption)
 
@@ -105,7 +105,7 @@ def contact_sheet(clips: Clip | Sequence[Clip], path: str | os.PathLike | None =
         raise ValueError(f"a contact sheet needs columns, got {columns}")
     reach, _, scale = _room(shots, [], height)
     cells = []
-    for shot in tqdm(shots, desc="contact sheet", disable=not progress):
+    for shot in progress_bar(shots, desc="contact sheet", show=progress):
         poses = np.linspace(*loop(shot.clip, strides), columns, endpoint=False).round().astype(int)
         cells += [shot.cell(frame, reach, shot.top + 0.05, scale) for frame in poses]  # every row as high as it needs
     sheet = _sheet(cells, columns, labels)
@@ -152,7 +152,7 @@ def crowd(clips: Sequence[Clip], path: str | os.PathLike, *, fps: float = 12.5, 
     lamp = shots[0].tilt.T @ camera @ np.array([-0.35, 1.0, 0.25])
 
     def drawn() -> Iterator[Image.Image]:
-        for k in tqdm(range(len(frames)), desc=path.name, disable=not progress):
+        for k in progress_bar(range(len(frames)), desc=path.name, show=progress):
             canvas = Canvas((x0, x1, y0, y1), FINE * width / (x1 - x0), camera)
             for shot, look in zip(shots, looks, strict=True):
                 shot.draw(canvas, k, lamp, colors=look)

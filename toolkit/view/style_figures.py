@@ -150,7 +150,8 @@ def columns_figure(tables: Mapping[str, Mapping[str, Sequence[float]]], *, title
         for model, values in rows.items():
             colour = WHEEL[models.index(model) % len(WHEEL)]
             figure.add_scatter(x=list(values), y=[model] * len(values), mode="markers", row=1, col=k, showlegend=False,
-                               marker={"size": 11, "color": colour}, hovertemplate="%{x:.4g}<extra>%{y}</extra>")
+                               marker={"size": 11, "color": colour}, cliponaxis=False,
+                               hovertemplate="%{x:.4g}<extra>%{y}</extra>")
         for name, value in (floors or {}).get(measure, {}).items():
             figure.add_vline(x=value, line={"color": INK, "dash": "dot"}, row=1, col=k, annotation_text=name,
                              annotation_position="top left", annotation_font_size=11)
@@ -183,6 +184,6 @@ def graph_figure(graph, place: Tensor) -> Figure:
         for node, parent in enumerate(graph.parents[level][1:], 1):
             axes.plot(-place[0, [node, parent]], place[1, [node, parent]], color="#c9ccd1", linewidth=3)
         axes.plot(-place[0], place[1], "o", color=WHEEL[level])
-        axes.set(title=f"{graph.sizes[level]} nodes", xlabel="metres", aspect="equal")
+        axes.set(title=f"{graph.sizes[level]} nodes", xlabel="metres", aspect="equal", xticks=(-0.3, 0.3))
         place = place @ graph.pool(level) if level < levels - 1 else place
     return figure

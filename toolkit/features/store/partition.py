@@ -32,6 +32,7 @@ class Partition:
     takes: tuple[tuple[int, Take], ...]  # with their numbers in the dataset
     mirrored: frozenset[str]  # gaits
     contact_height: float | None = None  # metres
+    parts: datasets.blocks.Split | None = None  # a list whose blocks are stored, instead of whole takes
 
     @property
     def size(self) -> int:
@@ -48,19 +49,25 @@ def make(job: Partition) -> dict[str, Any]:
     with one_thread():
         sources = job.checksums()
         groups: dict[str, list] = defaultdict(list)
+        held_out = {}  # pieces of a list
         if job.data == "folder":  # without reading the rest of the folder
             loaded = datasets.folder.SOURCE.read([take for _, take in job.takes])
         else:
             loaded = datasets.load(job.data, job.root, job.style, sorted({take.gait for _, take in job.takes}))
-        for (number, _), clip in zip(job.takes, loaded, strict=True):
-            groups[clip.gait].append((number, clip))
+        if job.parts is None:
+            for (number, _), clip in zip(job.takes, loaded, strict=True):
+                groups[clip.gait].append((number, clip))
+        else:
+            for number, (_, clip, held_out[number]) in enumerate(splits.pieces(loaded, job.parts)):
+                groups[clip.gait].append((number, clip))
         del loaded, clip
         parts, clips = [], []
         for gait in sorted(groups):
             for number, own in features.group_features(groups.pop(gait), job.source, gait in job.mirrored, "skip",
                                                        contact_height=job.contact_height):
                 parts.append(own)
-                clips.append({"take": number, "gait": gait, "frames": len(own.joints)})
+                clips.append({"take": number, "gait": gait, "frames": len(own.joints)}
+                             | ({"held_out": held_out[number]} if held_out else {}))
         try:
             features.check_style_clips(job.style, len(clips))
         except ValueError as error:
