@@ -220,7 +220,7 @@ BAD = [
     ({"path": [[0, 0, 1], [0, 1]]}, "path[0]: the first point has the time 0"),
     ({"path": "straight"}, "path must be a list"),
     ({"path": [[0, 0], {"x": 0, "y": 1}]}, "path[1]: unknown field 'y'"),
-    ({"path": [[0, 0], {"x": 0}]}, "path[1]: missing 1 required"),
+    ({"path": [[0, 0], {"x": 0}]}, "path[1]: the field z is missing"),
     ({"path": [[0, 0], [0, 1, 2, [0, 0]]]}, "facing must not be zero"),
     ({"styles": []}, "styles: one or more keys"),
     ({"styles": [{"time": 1, "blend": "Old"}, {"time": 1, "blend": "Old"}]}, "styles[1]: times must increase"),

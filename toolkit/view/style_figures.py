@@ -184,6 +184,6 @@ def graph_figure(graph, place: Tensor) -> Figure:
         for node, parent in enumerate(graph.parents[level][1:], 1):
             axes.plot(-place[0, [node, parent]], place[1, [node, parent]], color="#c9ccd1", linewidth=3)
         axes.plot(-place[0], place[1], "o", color=WHEEL[level])
-        axes.set(title=f"{graph.sizes[level]} nodes", xlabel="metres", aspect="equal")
+        axes.set(title=f"{graph.sizes[level]} nodes", xlabel="metres", aspect="equal", xticks=(-0.3, 0.3))
         place = place @ graph.pool(level) if level < levels - 1 else place
     return figure
