@@ -93,6 +93,7 @@ def read(path: str | os.PathLike) -> Recording:
     placed, positions = _positions(columns, rows, offsets)
     if not (near := (np.abs(positions) < LARGEST).all((1, 2))).all():
         raise BVHError(f"{path}: positions of joint {names[placed[near.argmin()]]} are beyond {LARGEST:g} units")
+    doubts = _radians(columns, rows)
     del data, columns  # five times the bytes of the file
     offsets[placed] = np.median(positions, axis=1)
     limit = MOVED * max(np.linalg.norm(offsets[1:], axis=1), default=0.0)
@@ -109,7 +110,7 @@ def read(path: str | os.PathLike) -> Recording:
         raise BVHError(f"{path}: joint {names[joint]} changes its distance to its parent by up to {moving[joint]:.4g} units "
                        "of the file; only rigid skeletons are supported")
     return Recording("BVH", tuple(names), tuple(parents), torch.from_numpy(offsets), rotations, root_positions,
-                     fps, tuple(ends), doubts=_radians(columns, rows))
+                     fps, tuple(ends), doubts=doubts)
 
 
 def _radians(columns: np.ndarray, rows: list[dict[str, int]]) -> tuple[str, ...]:
