@@ -130,11 +130,13 @@ def stand_alone(app, name: str, _template: str, context: dict, _doctree) -> None
 
 
 def steerable(app) -> None:
-    """Write the page with the embedded model, which `index.md` shows."""
+    """Write the pages with the embedded model that `index.md` and `shots.md` show."""
     if app.builder.format == "html":
         folder = Path(app.outdir) / "_static"
         folder.mkdir(parents=True, exist_ok=True)
         tk.view.web(*tk.pretrained(), folder / "controller.html", title="A character under control", half=True)
+        scene = tk.shots.Scene.load(ROOT / "examples" / "shots" / "figure_eight.json")
+        tk.view.director.web(*tk.pretrained(), folder / "director.html", scene, half=True)
 
 
 def whole_signature(_app, _what, _name, _value, _options, signature: str | None, returns: str | None):

@@ -24,15 +24,16 @@ def check(path: str | os.PathLike, suffixes: Sequence[str] = SUFFIXES) -> Path:
     Raises
     ------
     ValueError
-        If the path is a folder, cannot be written to, or has none of the ``suffixes`` (without any, all are accepted).
+        If the path is a folder, device or pipe, cannot be written to, or has none of the ``suffixes`` (without any, all are
+        accepted).
     ImportError
         If a drawing library that the suffix needs is not installed.
     """
     path = Path(path)
     if suffixes and path.suffix not in suffixes:
         raise ValueError(f"{path}: can write {', '.join(suffixes)}, not {path.suffix or 'a file without suffix'!r}")
-    if path.is_dir():
-        raise ValueError(f"{path}: is a folder; a file name is needed")
+    if path.exists() and not path.is_file():
+        raise ValueError(f"{path}: is a {'folder' if path.is_dir() else 'device, pipe or socket'}; a file name is needed")
     folder = next(parent for parent in path.absolute().parents if parent.exists())
     if not (folder.is_dir() and os.access(folder, os.W_OK)):
         raise ValueError(f"{path}: cannot be written, {folder} is not a folder that can be written to")

@@ -143,7 +143,7 @@ def cast(clips: Clip | Sequence[Clip], labels: Sequence[str] | None, contacts) -
 
 
 def per_clip(name: str, values, clips: Sequence[Clip], *shape: int) -> list[np.ndarray | None]:
-    """An array [F, *shape] or None for each clip, from one of them or a list; a ValueError if they do not fit."""
+    """An array ``[F, *shape]`` or None for each clip, from one of them or a list; a ValueError if they do not fit."""
     values = [None] * len(clips) if values is None else values if isinstance(values, list | tuple) else [values]
     values = [None if v is None else np.asarray(getattr(v, "vector", v), dtype=np.float32) for v in values]
     shapes = [None if v is None else v.shape for v in values]

@@ -23,7 +23,7 @@ from PIL import Image
 from toolkit.motion import Clip
 from toolkit.view import overlay, renderers
 from toolkit.view.character import Character
-from toolkit.view.frontend import Screen, escape, in_notebook, require_main_thread, running_loop
+from toolkit.view.frontend import CellWidget, Screen, escape, in_notebook, require_main_thread, running_loop
 from toolkit.view.picture import INK, PAPER, cast, per_clip, strip
 
 IDLE = 600.0  # seconds of playback without user input after which it pauses
@@ -84,7 +84,7 @@ def _figure_strip(clips: Clip | Sequence[Clip], character: str | os.PathLike | C
     return sheet
 
 
-class Player(widgets.VBox):
+class Player(CellWidget, widgets.VBox):
     """Clips with widgets for play, frame, speed and camera, and a switch for everything drawn beside the bodies.
 
     One player plays at a time. The parameters are those of `play`.
@@ -209,6 +209,7 @@ class Player(widgets.VBox):
             Player._current = None
         for scene in self._scenes:
             scene.close()
+        self._scenes = []  # a notebook keeps every result in `Out`
         super().close()
 
     def _repr_mimebundle_(self, **kwargs) -> dict:
