@@ -192,7 +192,8 @@ def test_crowds_cross_and_keep_apart(pretrained, tmp_path):
     roots = torch.stack([clip.root_positions[:, ::2] for clip in made.clips], 1)
     assert min(float((torch.cdist(at, at) + 9 * torch.eye(12)).min()) for at in roots) > 0.9
     through = (roots[-1] - roots[0])[torch.arange(12), torch.arange(1, 13) % 2]  # along the way of each
-    assert float(through.min()) > 3.0
+    assert float(through.min()) > 1.0  # a slow style, which others overtake
+    assert float(through.median()) > 5.0
     picture = tk.view.crowd(made.clips[:3], tmp_path / "crowd.gif", fps=2.0, width=120)
     assert picture.stat().st_size > 1000
     assert "12 characters, 540 frames" in made.report

@@ -122,7 +122,7 @@ def demo_(
         return
     page = embedded(out)
     print(f"Open {page} in a browser: the embedded model walks there.")
-    print(f"Meanwhile motion is generated (a minute), and a small model is trained on it for {60 * minutes:g} s.", flush=True)
+    print(f"Meanwhile motion is generated (a minute), and a small model learns it for {60 * minutes:g} s.", flush=True)
     files = make(out, 60 * minutes, seed=seed, progress=True)
     print(files[3].read_text(encoding="utf-8"))
     print("Look at it:")

@@ -46,7 +46,7 @@ export class Together {
     const most = Math.max(...takes.map((take) => take.count));
     Object.assign(this, { takes, walls: walls.map(({ start, end }) => [start, end]), rules, frames: 0 });
     this.radii = takes.map(({ shot }) => radiusOf(shot, more));
-    this.most = Math.min(2 * most, round(LONGEST * FPS));
+    this.most = Math.min(rules.WAITS * most, round(LONGEST * FPS));
     for (const take of takes) Object.assign(take, { count: most, apart: [], together: true }); // who keeps apart leaves the path
   }
 
@@ -56,13 +56,14 @@ export class Together {
     if (this.frames >= this.most || takes.every((take) => take.clock >= take.course.distance.length - 1)) return false;
     const asked = takes.map((take) => take.ask()), places = takes.map((take) => take.place);
     const moving = takes.map(({ character: { state } }) => [...state.velocity]);
-    const most = takes.map((take) => rules.FASTER * Math.max(take.course.speed[at(take)], rules.SLOWEST));
+    const held = takes.map((take, k) => {
+      const { course: { curve, distance } } = take, planned = distance[at(take)];
+      return planned - nearest(curve, places[k], planned) > rules.WAIT;
+    });
+    const most = takes.map((take, k) => (held[k] ? rules.PATIENT : rules.FASTER) * Math.max(take.course.speed[at(take)], rules.SLOWEST));
     const wanted = asked.map(({ velocity }, k) => limited(velocity, most[k]));
     const commands = asked.map(({ facing }, k) => ({ facing, velocity: limited(safe(k, places, moving, wanted[k], this), most[k]) }));
-    takes.forEach((take, k) => {
-      const planned = take.course.distance[at(take)];
-      if (planned - nearest(take.course.curve, places[k], planned) <= rules.WAIT) take.clock += 1;
-    });
+    takes.forEach((take, k) => (take.clock += held[k] ? 0 : 1));
     advance(takes.map((take) => take.character), commands, takes.map((take) => take.style));
     for (const take of takes) take.note();
     this.frames += 1;
