@@ -19,7 +19,7 @@ from toolkit.evaluation.recognition import WINDOW, Recogniser
 from toolkit.runtime import FPS
 from toolkit.shots import Scene, Shot, StyleKey
 
-GAITS, SECONDS = ("FW", "SW", "TR1"), 12.0  # of the procedural clips that train a recogniser
+GAITS, SECONDS = ("FW",), 12.0  # of the procedural clips that train a recogniser
 LEAST = 0.3  # share of a blend from which a style counts as asked for
 COLUMNS = {
     "model": ["model"], "shots": ["shots"], "keys": ["keys of one style", 0], "right": ["recognised", 0],
@@ -34,14 +34,15 @@ def run(
     model: verbs.TrainedRun = None,
     parameters: verbs.Published = None,
     judge: Annotated[Path | None, typer.Option(help="Recogniser; by default trained on procedural clips.")] = None,
-    count: Annotated[int, typer.Option(help="Number of shots drawn at random.")] = 30,
+    count: Annotated[int, typer.Option(help="Number of shots drawn at random.")] = 16,
     save: Annotated[Path | None, typer.Option(help="Write the rows to docs/results in this folder.")] = None,
 ) -> None:
     """Styles recognised in the second after each key of shots; floors: chance, and the same shot without the key."""
     net, bank = published.either(model, parameters)
     net, seen = runtime.compile(net), Recogniser.load(judge) if judge else trained()
     name = "embedded" if parameters is None else "published"
-    scenes = {"examples": [Scene.load(file) for file in sorted(FOLDER.glob("*.json"))],
+    examples = (Scene.load(file) for file in sorted(FOLDER.glob("*.json")))
+    scenes = {"examples": [scene for scene in examples if scene.apart is None],
               "drawn": [Scene([draw(2 * k + 1, bank) for k in range(count)])]}
     rows = [{"model": name, "shots": kind, **counted(net, bank, seen, made), "styles": len(seen.styles)}
             for kind, made in scenes.items()]
@@ -49,7 +50,7 @@ def run(
         print("  ".join(f"{COLUMNS[key][0]}: {value}" for key, value in row.items()))
     if save is not None:
         known = Result.load("shot-styles", save).rows if (save / "shot-styles.json").exists() else []
-        Result("shot-styles", "styles at the keys of the examples and of 30 shots drawn at random, in the second after each",
+        Result("shot-styles", "styles at the keys of the examples and of shots drawn at random, in the second after each",
                "python -m experiments shot-styles", COLUMNS, [*(r for r in known if r["model"] != name), *rows]).save(save)
 
 

@@ -123,7 +123,8 @@ def test_a_step_from_anywhere_is_pythons(node, small_run, calibrated):
     model.calibrated = calibrated
     first, count = tk.runtime.start(model, small_run.bank["Zombie"].expand(40, -1)), 40
     states = {name: value.double() for name, value in vars(first).items()}
-    spreads = {"history": 0.02, "future": 0.1, "joints": 0.1, "phase": 0.5, "velocity": 1.0, "toes": 0.1, "drift": 1.0}
+    spreads = {"history": 0.02, "future": 0.1, "joints": 0.1, "phase": 0.5, "velocity": 1.0, "toes": 0.1, "drift": 1.0,
+               "drop": 0.05}
     for name, spread in spreads.items():
         states[name] = states[name] + spread * torch.randn(states[name].shape, generator=g, dtype=torch.float64)
     for name in ("history", "future"):

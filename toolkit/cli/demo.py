@@ -97,6 +97,8 @@ def make(folder: Path, seconds: float = 35.0, *, data_seconds: float = 60.0, see
     centres = [round(legs * len(clip) / 4) for legs in (0.12, 1, 2, 3.9)]  # of each style alone and of all three
     starts = [min(max(0, centre - 60), len(clip) - 120) for centre in centres]
     view.strip([clip.cut(start, start + 120) for start in starts], files[2], labels=[*STYLES, "all three"])
+    if error["error"] >= error["repeat"]:
+        report.append("the model predicts no better than repeating the frame: give it more time (--minutes 5)")
     _write(files[3], report)
     run.save(files[4])
     view.web(run.model, run.bank, files[5], title="Trained in under a minute, and under your control")
@@ -120,7 +122,7 @@ def demo_(
         return
     page = embedded(out)
     print(f"Open {page} in a browser: the embedded model walks there.")
-    print(f"Meanwhile motion is generated, and a small model is trained on it for {60 * minutes:g} s.")
+    print(f"Meanwhile motion is generated (a minute), and a small model learns it for {60 * minutes:g} s.", flush=True)
     files = make(out, 60 * minutes, seed=seed, progress=True)
     print(files[3].read_text(encoding="utf-8"))
     print("Look at it:")

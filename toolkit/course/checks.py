@@ -65,7 +65,8 @@ def check(name: str, answer: Any) -> Verdict:
         raise ValueError(f"no exercise {name!r}; there are {', '.join(known) or ', '.join(LESSONS)}")
     exercise = known[name]
     try:
-        wrong = "no answer yet." if answer is ... else exercise.judge(answer)
+        empty = ... in answer.values() if isinstance(answer, dict) else answer is ...
+        wrong = "no answer yet." if empty else exercise.judge(answer)
     except Exception as error:  # of the reader's function
         wrong = f"your answer raised {type(error).__name__}: {error}."
     text = f"{wrong[:1].upper()}{wrong[1:]} Hint: {exercise.hint}" if wrong else "Right."

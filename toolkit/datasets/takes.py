@@ -27,7 +27,7 @@ class Take:
     def __post_init__(self):
         for what, name in (("a style", self.style), ("a gait", self.gait)):
             if name:
-                checked((name,), f"{self.path}: {what}")
+                checked((name,), f"{what} of {self.path}")
 
 
 @dataclass(frozen=True)

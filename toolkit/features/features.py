@@ -17,7 +17,7 @@ from toolkit.features.layout import CHANNELS, Layout, pack_joints, split_joints
 from toolkit.io.progress import progress_bar
 from toolkit.motion import Clip, RootFrames, contacts, root_frames, trajectory
 from toolkit.motion import rotations as R
-from toolkit.motion.tensors import few, summary
+from toolkit.motion.tensors import few, shown, summary
 
 KINDS = ("inputs", "phases", "outputs", "clips")  # each has a normaliser
 FRAME_KINDS = KINDS[:3]  # those with a row per frame
@@ -353,7 +353,7 @@ def check_style(name: str, names: Iterable[str]) -> None:
         by_lower = {n.lower(): n for n in names}
         close = [by_lower[n] for n in difflib.get_close_matches(str(name).lower(), by_lower, cutoff=0.5)]
         there = f"close to it: {', '.join(close)}" if close else f"known: {few(names)}"
-        raise UnknownStyleError(f"unknown style {name!r}; {there}")
+        raise UnknownStyleError(f"unknown style {shown(name)}; {there}")
 
 
 def check_style_clips(style: str, n: int) -> None:

@@ -1,6 +1,5 @@
 """Inverse kinematics of legs and arms, and the foot lock. Tensors of any leading shape."""
 
-import math
 from collections.abc import Callable
 from itertools import pairwise
 
@@ -9,11 +8,13 @@ from torch import Tensor
 
 from toolkit.motion import rotations as R
 from toolkit.motion.clip import FEET, Skeleton, forward_kinematics, local_rotations
+from toolkit.motion.springs import spring
 from toolkit.motion.tensors import as_tensor
 
+SOFT = 0.01  # share of a leg's length over which it stretches more and more slowly
 
 def two_bone(a: Tensor, b: Tensor, c: Tensor, target: Tensor, pole: Tensor | None = None, *,
-             soft: float | Tensor = 0.01) -> tuple[Tensor, Tensor]:
+             soft: float | Tensor = SOFT) -> tuple[Tensor, Tensor]:
     """Bend a limb of two bones so that its end meets a target; the law of cosines with a soft limit near full stretch.
 
     The bones keep their lengths. Over the last share `soft` of the full length, the end follows the target more and more
@@ -62,7 +63,9 @@ def two_bone(a: Tensor, b: Tensor, c: Tensor, target: Tensor, pole: Tensor | Non
 
 
 SLACK = 0.3  # metres that a locked toe may stay behind its prediction
-RETURN = 10.0  # per second: decay rate of the offset of a released toe from its prediction
+RETURN = 10.0  # per second: decay rate of the offset of a released toe from its prediction, and of the hips'
+ROOM, DEEPEST = 0.035, 0.115  # shares of a leg's length: hips sink gently at first over twice this, and at most so far
+FALL, CARRIED = 0.6, 0.5  # m/s, at which they sink at most; share of the last drop that a prediction has
 
 
 def foot_lock(toes: Tensor, drift: Tensor, before: Tensor, predicted: Tensor, contacts: Tensor, left: Tensor,
@@ -91,13 +94,12 @@ def foot_lock(toes: Tensor, drift: Tensor, before: Tensor, predicted: Tensor, co
     """
     offset, behind = (toes - before)[..., ::2], (toes - predicted)[..., ::2]
     behind = behind * (SLACK / behind.norm(dim=-1, keepdim=True).clamp_min(SLACK))
-    push, fade = drift + RETURN * offset, math.exp(-RETURN * seconds)
-    held = contacts[..., None] > 0.5
-    now = torch.where(held, behind, fade * (offset + push * seconds))
+    held, (free, slower) = contacts[..., None] > 0.5, spring(offset, drift, RETURN, seconds)
+    now = torch.where(held, behind, free)
     inwards = torch.stack((left, -left), -2)
     apart = ((predicted.flip(-2) - predicted)[..., ::2] * inwards).sum(-1, keepdim=True).clamp_min(0.0)
     now = now - ((now * inwards).sum(-1, keepdim=True) - apart / 4).clamp_min(0.0) * inwards
-    drift = torch.where(held, (now - offset) / seconds, fade * (drift - RETURN * push * seconds))
+    drift = torch.where(held, (now - offset) / seconds, slower)
     return predicted + torch.stack((now[..., 0], torch.zeros_like(contacts), now[..., 1]), -1), drift
 
 
@@ -118,24 +120,46 @@ def plant_feet(skeleton: Skeleton, rotations: Tensor, root: Tensor, toes: Tensor
     return local_rotations(skeleton, turned[..., follow, :])
 
 
-def solve_legs(skeleton: Skeleton, turned: Callable[[int], Tensor], root: Tensor, toes: Tensor) -> list[Tensor]:
-    """Positions where `plant_feet` puts knees, feet and toes, from world rotations.
+def sink(drop: Tensor, hips: Tensor, ankles: Tensor, length: Tensor, contacts: Tensor, seconds: float) -> Tensor:
+    """How far the hips go down so that the legs reach the ankles of toes in contact.
+
+    Departure from the paper: there a leg that is too short for its target is stretched, and its toe slides. The network
+    predicts hips and toes apart from each other, and a locked toe stays behind its prediction, so that targets are up to
+    7 % of a leg's length too far. The hips sink by what the leg that needs most lacks (smoothly, over `ROOM` on both sides
+    of its reach), at most by `DEEPEST` and with `FALL`. They come back as a critically damped spring. Half of the predicted
+    hips is from those of the frame before, so that they have `CARRIED` of its drop.
 
     Parameters
     ----------
-    skeleton
-        With the roles hip, knee, foot and toe on both sides.
-    turned
-        Function from a joint's index to its world rotation ``[..., 4]``.
-    root : Tensor [..., 3]
-        Root position.
-    toes : Tensor [..., 2, 3]
-        Targets, right and left, world.
+    drop : Tensor [..., 2], metres down and m/s, of the frame before
+    hips, ankles : Tensor [..., 2, 3], predicted hip joints and wanted ankles, right and left, metres
+    length : Tensor [..., 2], of the legs
+    contacts : Tensor [..., 2], a leg counts in full from one half
+    seconds : between the frames
 
     Returns
     -------
-    list of Tensor [..., 2, 3]
-        Positions of the knees, the feet and the toes, right and left.
+    Tensor [..., 2]
+        The drop of this frame.
+    """
+    apart = hips - ankles
+    level = ((1 - SOFT) * length).square() - apart[..., ::2].square().sum(-1)
+    height, room = apart[..., 1] + CARRIED * drop[..., :1], ROOM * length
+    lack = height - torch.maximum(level, (length / 2).square()).sqrt()
+    need = torch.where(lack > room, lack, (lack + room).clamp_min(0.0).square() / (4 * room))
+    need = torch.minimum(need, DEEPEST * length) * (2 * contacts).clamp_max(1.0)
+    need = torch.minimum(need.amax(-1), drop[..., 0] + FALL * seconds)
+    above, speed = spring(drop[..., 0] - need, drop[..., 1], RETURN, seconds)
+    speed = torch.where(above > 0, speed, (need - drop[..., 0]) / seconds)
+    return torch.stack((need + above.clamp_min(0.0), speed), -1)
+
+
+def solve_legs(skeleton: Skeleton, turned: Callable[[int], Tensor], root: Tensor, toes: Tensor, contacts: Tensor,
+               drop: Tensor, seconds: float) -> tuple[list[Tensor], Tensor, Tensor]:
+    """Positions of knees, feet and toes ``[..., 2, 3]`` with the toes at their targets; how far to lower hips; their drop.
+
+    ``turned`` gives the world rotation ``[..., 4]`` of a joint by its index; ``root [..., 3]`` and the targets
+    ``toes [..., 2, 3]`` are in the world; ``contacts``, ``drop`` and ``seconds`` are those of `sink`.
     """
     ends = [skeleton.role(f"{side}_toe") for side in FEET]
     places = {0: root}
@@ -144,8 +168,12 @@ def solve_legs(skeleton: Skeleton, turned: Callable[[int], Tensor], root: Tensor
         places[j] = places[above] + R.rotate(turned(above), skeleton.offsets[j].to(root))
     a, b, c, toe = (torch.stack([places[skeleton.role(f"{side}_{part}")] for side in FEET], -2)
                     for part in ("hip", "knee", "foot", "toe"))
-    middle, end = two_bone(a, b, c, toes - (toe - c))
-    return [middle, end, end + (toe - c)]
+    target = toes - (toe - c)
+    now = sink(drop, a, target, (b - a).norm(dim=-1) + (c - b).norm(dim=-1), contacts, seconds)
+    lower = now[..., 0] - CARRIED * drop[..., 0]
+    down = torch.stack((0 * lower, lower, 0 * lower), -1)[..., None, :]
+    middle, end = two_bone(a - down, b - down, c - down, target)
+    return [middle, end, end + (toe - c)], lower, now
 
 
 def turn_arms(skeleton: Skeleton, rotations: Tensor, root: Tensor, wanted: Tensor) -> Tensor:

@@ -65,7 +65,7 @@ def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0),
         history=root[:, None].repeat(1, trajectory.PAST + 1, 1), future=root[:, None].repeat(1, len(layout.ahead), 1),
         joints=_orthonormal(joints.expand(len(style), -1)), phase=phase.expand(len(style), -1), style=style,
         velocity=torch.zeros_like(look), facing=look, drive=torch.ones_like(look[:, :1]), contacts=torch.ones_like(look),
-        toes=look.new_zeros(len(look), 2, 3), drift=look.new_zeros(len(look), 2, 2),
+        toes=look.new_zeros(len(look), 2, 3), drift=look.new_zeros(len(look), 2, 2), drop=torch.zeros_like(look),
     )
     return dataclasses.replace(state, toes=predicted_toes(layout, state))
 
@@ -90,7 +90,7 @@ def step(model, state: CharacterState, command: Command) -> CharacterState:
 
 
 def predicted(model, state: CharacterState, command: Command) -> CharacterState:
-    """The next frame before foot IK; its ``toes`` and ``drift`` are those of ``state``."""
+    """The next frame before foot IK; its ``toes``, ``drift`` and ``drop`` are those of ``state``."""
     layout: Layout = model.layout
     velocity, facing, future = steer(state, command, layout.ahead)
     root = state.root
@@ -121,8 +121,7 @@ def planted(layout: Layout, state: CharacterState, new: CharacterState) -> Chara
     before, toes = (predicted_toes(layout, s) for s in (state, new))
     left = torch.stack((new.root[:, 3], -new.root[:, 2]), -1)
     toes, drift = foot_lock(state.toes, state.drift, before, toes, new.contacts, left, 1 / FPS)
-    new = dataclasses.replace(new, toes=toes, drift=drift)
-    return dataclasses.replace(new, joints=_with_legs(layout, new))
+    return _with_legs(layout, dataclasses.replace(new, toes=toes, drift=drift))
 
 
 Styles = Tensor | Callable[[int], Tensor]
@@ -217,20 +216,22 @@ def world_joints(layout: Layout, state: CharacterState) -> dict[str, Tensor]:
     return world | {"position": world["position"] + floor[:, None]}
 
 
-def _with_legs(layout: Layout, state: CharacterState) -> Tensor:
-    """The pose ``[B, 12 J]`` with knees, feet and toes where foot IK puts them; the next frame is predicted from it."""
+def _with_legs(layout: Layout, state: CharacterState) -> CharacterState:
+    """A state with the pose after foot IK, from which the next frame is predicted; ``drop`` is of the frame before."""
     skeleton, world = layout.skeleton, world_joints(layout, state)
     turned = R.from_forward_up(world["forward"], world["up"])
     joints = {j: i for i, j in enumerate(skeleton.feature_joints)}
-    solved = solve_legs(skeleton, lambda j: turned[:, joints[j]], world["position"][:, 0], state.toes)
+    solved, lower, drop = solve_legs(skeleton, lambda j: turned[:, joints[j]], world["position"][:, 0], state.toes,
+                                     state.contacts, state.drop, 1 / FPS)
     parts, root = split_joints(state.joints), state.root
     floor = torch.stack((root[:, 0], torch.zeros_like(root[:, 0]), root[:, 1]), -1)
     back = R.yaw(-torch.atan2(root[:, 2], root[:, 3]))[:, None]
     position = parts["position"].clone()
+    position[..., 1] -= lower[:, None]
     for part, places in zip(("knee", "foot", "toe"), solved, strict=True):
         at = [joints[skeleton.role(f"{side}_{part}")] for side in FEET]
         position[:, at] = R.rotate(back, places - floor[:, None])
-    return pack_joints(**parts | {"position": position})
+    return dataclasses.replace(state, joints=pack_joints(**parts | {"position": position}), drop=drop)
 
 
 def predicted_toes(layout: Layout, state: CharacterState) -> Tensor:

@@ -21,8 +21,9 @@ from toolkit.shots.scene import Scene
 from toolkit.shots.shot import Shot
 
 INNER, RING, ROOM = 2.0, 1.35, 2.0  # metres: innermost radius, distance of rings, distance on a ring
-SPACE, ROWS, BEFORE, APART = 1.8, 5, 3.0, 1.2  # metres at the start; rows of a stream; metres before the crossing; apart
+SPACE, ROWS, BEFORE, APART = 2.4, 4, 6.0, 1.2  # metres at the start; rows of a stream; metres before the crossing; apart
 SLOWEST, FASTEST = 0.6, 1.3  # m/s
+BODIES = 0.4  # metres between two bodies
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,7 +79,7 @@ def streams(bank: StyleBank, characters: int = 100, seed: int = 0, *, styles: Se
     for k, blend in enumerate(blends):
         column, row = divmod(k // 2, ROWS)
         place = -BEFORE - SPACE * column, SPACE * (row - (ROWS - 1) / 2)
-        along, aside = (value + rng.uniform(-0.2, 0.2) for value in place)
+        along, aside = (value + rng.uniform(-0.15, 0.15) for value in place)
         ends = [(round(at, 2), round(aside, 2)) for at in (along, along + SPACE * (long + ROWS) + 2 * BEFORE)]
         path = ends if k % 2 else [(aside, at) for at, aside in ends]
         speed = min(max(bank.speed(blend), SLOWEST), FASTEST)
@@ -105,8 +106,8 @@ def walk(model, bank, characters: int = 100, seconds: float = 10.0, *, seed: int
     progress
         Show a bar.
     """
-    scene = streams(bank, characters, seed)
     compiled = model if hasattr(type(model), "roll") else runtime.compile(model, threads=threads)
+    scene = streams(bank, characters, seed).spaced(compiled, bank, BODIES)
     poses, taken, began = [], [], time.perf_counter()
     with torch.no_grad():
         frames = islice(scene.states(compiled, bank), round(seconds * FPS))

@@ -17,12 +17,12 @@ from toolkit.motion import Clip
 from toolkit.shots import Scene, Shot, apart, course, feasibility, scene
 from toolkit.view import live_page, page
 from toolkit.view.character import Character
-from toolkit.view.frontend import static
+from toolkit.view.frontend import CellWidget, static
 
 START = (0, 0), (0.6, 2), (-0.6, 4), (0, 6)  # the path of the first shot
 
 
-class Director(anywidget.AnyWidget):
+class Director(CellWidget, anywidget.AnyWidget):
     """A desk for shots: draw and drag the path, key styles, speeds and pauses, see the character walk it at once.
 
     Parameters
@@ -74,6 +74,11 @@ class Director(anywidget.AnyWidget):
         if made.apart is None:
             return made.shots[character].render(self._model, self._bank)
         return made.render(self._model, self._bank)[character]
+
+    def close(self) -> None:
+        """Remove the widget; its shots stay."""
+        super().close()
+        self.data = {}
 
     @traitlets.validate("scene")
     def _valid(self, proposal: dict) -> dict:

@@ -40,7 +40,8 @@ def map_figure(points, names: Sequence[str], labels: Sequence[str], *, marked: M
     figure, at = style_space(points, names, labels, marked=marked, title=title), np.asarray(points)
     stars = [np.asarray(place) for place in (marked or {}).values()]
     near = np.abs(at[:, None] - np.concatenate([at, *(star[None] for star in stars)])) / np.ptp(at, axis=0)
-    crowded = ((near[..., 0] < 0.12) & (near[..., 1] < 0.035)).sum(1) > 1
+    letters = np.array([*map(len, names), *([10] * len(stars))])
+    crowded = ((near[..., 0] < 0.008 * np.add.outer(letters[: len(at)], letters)) & (near[..., 1] < 0.035)).sum(1) > 1
     alone = {escape(name) for name, other in zip(names, crowded, strict=True) if not other}
     for trace in figure.data[: len(dict.fromkeys(labels))]:
         trace.hovertext, trace.text = trace.text, [name if name in alone else "" for name in trace.text]
@@ -184,6 +185,6 @@ def graph_figure(graph, place: Tensor) -> Figure:
         for node, parent in enumerate(graph.parents[level][1:], 1):
             axes.plot(-place[0, [node, parent]], place[1, [node, parent]], color="#c9ccd1", linewidth=3)
         axes.plot(-place[0], place[1], "o", color=WHEEL[level])
-        axes.set(title=f"{graph.sizes[level]} nodes", xlabel="metres", aspect="equal")
+        axes.set(title=f"{graph.sizes[level]} nodes", xlabel="metres", aspect="equal", xticks=(-0.3, 0.3))
         place = place @ graph.pool(level) if level < levels - 1 else place
     return figure

@@ -65,7 +65,7 @@ class CompiledModel:
         self.dropped = np.float32(model.dropped if model.calibrated else 0.0)
         self._shapes = {"history": (trajectory.PAST + 1, 4), "future": (len(self.layout.ahead), 4), "drive": (1,),
                         "joints": (self.layout.n_clip,), "phase": (self.layout.n_phases,), "style": (self.style_size,),
-                        "velocity": (2,), "facing": (2,), "contacts": (2,), "toes": (2, 3), "drift": (2, 2)}
+                        "velocity": (2,), "facing": (2,), "contacts": (2,), "toes": (2, 3), "drift": (2, 2), "drop": (2,)}
         self._rules, self._body = frame.Rules.of(self.layout), ik.Body.of(self.layout.skeleton)
         known, began = self._misses(), time.perf_counter()
         state = self.step(start(self, torch.zeros(1, self.style_size)), Command())

@@ -52,6 +52,11 @@ class Rules(NamedTuple):
     slack: float
     let_go: float
     pull: float
+    soft: float
+    room: float
+    deepest: float
+    fall: float
+    carried: float
 
     @classmethod
     def of(cls, layout) -> "Rules":
@@ -68,7 +73,8 @@ class Rules(NamedTuple):
             seconds=np.diff(layout.ahead, prepend=0) / trajectory.FPS, fps=float(trajectory.FPS),
             gain=steering.GAIN, correction=frame.CORRECTION, proportional=steering.PROPORTIONAL,
             integral=steering.INTEGRAL, max_drive=steering.MAX_DRIVE, stand_still=steering.RETURN, slow=steering.SLOW,
-            slack=held.SLACK, let_go=held.RETURN, pull=phase.PULL,
+            slack=held.SLACK, let_go=held.RETURN, pull=phase.PULL, soft=held.SOFT, room=held.ROOM, deepest=held.DEEPEST,
+            fall=held.FALL, carried=held.CARRIED,
         )
 
 
@@ -288,4 +294,4 @@ def follow(old, z, rules, body, new, start, stop):
         _toes(history, new.joints[b], rules, predicted)
         left = new_cos, -new_sin
         _hold(old.toes[b], old.drift[b], before, predicted, new.contacts[b], left, rules, new.toes[b], new.drift[b])
-        ik.plant(body, new.toes[b], history[-1], new.joints[b])
+        ik.plant(body, rules, new.toes[b], history[-1], new.contacts[b], old.drop[b], new.drop[b], new.joints[b])

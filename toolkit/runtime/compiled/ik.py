@@ -13,6 +13,7 @@ from numba import njit
 from toolkit.features.layout import CHANNELS
 from toolkit.io.compilation import compiled
 from toolkit.motion.clip import FEET
+from toolkit.motion.ik import SOFT
 
 FORWARD, UP = (3 * CHANNELS.index(name) for name in ("forward", "up"))
 
@@ -162,7 +163,7 @@ def _from_forward_up(forward, up):
 
 
 @njit(nogil=True)
-def _two_bone(a, b, c, target, soft=0.01):
+def _two_bone(a, b, c, target, soft=SOFT):
     upper_bone, lower_bone, reach = _plus(b, a, -1.0), _plus(c, b, -1.0), _plus(target, a, -1.0)
     upper, lower = math.sqrt(_dot(upper_bone, upper_bone)), math.sqrt(_dot(lower_bone, lower_bone))
     wanted = math.sqrt(_dot(reach, reach))
@@ -226,9 +227,21 @@ def _plant_feet(body, turned, places, toes):
 
 
 @njit(nogil=True)
-def plant(body, toes, root, joints):
-    """Set knees, feet and toes of a pose ``[12 J]`` to their positions by foot IK, see `toolkit.motion.ik.solve_legs`."""
-    places = np.empty((len(body.parents), 3))
+def _sink(drop, need, rules):
+    """The last lines of `toolkit.motion.ik.sink`."""
+    seconds, before, speed = 1 / rules.fps, np.float64(drop[0]), np.float64(drop[1])
+    need = min(need, before + rules.fall * seconds)
+    fade, push = math.exp(-rules.let_go * seconds), speed + rules.let_go * (before - need)
+    above = fade * (before - need + push * seconds)
+    if above > 0:
+        return need + above, fade * (speed - rules.let_go * push * seconds)
+    return need, (need - before) / seconds
+
+
+@njit(nogil=True)
+def plant(body, rules, toes, root, contacts, old_drop, new_drop, joints):
+    """Lower a pose ``[12 J]``, and set its knees, feet and toes by foot IK, see `toolkit.motion.ik.solve_legs`."""
+    places, targets, need = np.empty((len(body.parents), 3)), np.empty((2, 3)), 0.0
     places[0, 0], places[0, 1], places[0, 2] = _triple(joints)
     for i in range(len(body.chains)):
         j = body.chains[i]
@@ -237,14 +250,28 @@ def plant(body, toes, root, joints):
         bone = _rotate(_from_forward_up(_triple(block[FORWARD:]), _triple(block[UP:])), _triple(body.offsets[j]))
         places[j, 0], places[j, 1], places[j, 2] = _plus(_triple(places[above]), bone)
     sin, cos = np.float64(root[2]), np.float64(root[3])
-    length = max(math.hypot(sin, cos), 1e-12)
+    length, carried = max(math.hypot(sin, cos), 1e-12), rules.carried * np.float64(old_drop[0])
     for side in range(2):
         hip, knee, foot, toe = body.legs[side]
         a, b, c, tip = _triple(places[hip]), _triple(places[knee]), _triple(places[foot]), _triple(places[toe])
         x, z = np.float64(toes[side, 0]) - root[0], np.float64(toes[side, 2]) - root[1]
-        target = _heading((-sin / length, cos / length), (x, np.float64(toes[side, 1]), z))
-        sole = _plus(tip, c, -1.0)
-        middle, end = _two_bone(a, b, c, _plus(target, sole, -1.0))
+        target = _plus(_heading((-sin / length, cos / length), (x, np.float64(toes[side, 1]), z)), _plus(tip, c, -1.0), -1.0)
+        targets[side, 0], targets[side, 1], targets[side, 2] = target
+        bone, shin, (x, y, z) = _plus(b, a, -1.0), _plus(c, b, -1.0), _plus(a, target, -1.0)
+        full = math.sqrt(_dot(bone, bone)) + math.sqrt(_dot(shin, shin))
+        lack = y + carried - math.sqrt(max(((1 - rules.soft) * full) ** 2 - x * x - z * z, (full / 2) ** 2))
+        room = rules.room * full
+        lack = lack if lack > room else max(lack + room, 0.0) ** 2 / (4 * room)
+        need = max(need, min(lack, rules.deepest * full) * min(2 * np.float64(contacts[side]), 1.0))
+    drop, new_drop[1] = _sink(old_drop, need, rules)
+    new_drop[0] = drop
+    drop -= carried
+    joints[1::12] -= drop
+    for side in range(2):
+        hip, knee, foot, toe = body.legs[side]
+        a, b, c = _triple(places[hip]), _triple(places[knee]), _triple(places[foot])
+        sole, down = _plus(_triple(places[toe]), c, -1.0), (0.0, -drop, 0.0)
+        middle, end = _two_bone(_plus(a, down), _plus(b, down), _plus(c, down), _triple(targets[side]), rules.soft)
         for point, place in ((knee, middle), (foot, end), (toe, _plus(end, sole))):
             at = 12 * body.own[point]
             joints[at], joints[at + 1], joints[at + 2] = place

@@ -3,6 +3,7 @@
 // Together(takes, {apart, walls}, desk) steps them; rules: the constants of both modules by name. Pairs are [x, z].
 import { advance } from "./character.js";
 import { nearest, round } from "./course.js";
+import { radiusOf } from "./shot.js";
 
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1], minus = (a, b) => [a[0] - b[0], a[1] - b[1]], times = (s, v) => [s * v[0], s * v[1]];
 const size = (v) => Math.sqrt(dot(v, v)), limited = (v, most) => times(Math.min(most / Math.max(size(v), 1e-9), 1), v);
@@ -18,11 +19,11 @@ function halfPlane(to, relative, apart, { AT_ONCE, HORIZON }) {
 }
 
 // the velocity of character `a` in all half-planes [normal, least, soft] that is nearest to the one it wants
-function safe(a, places, moving, wanted, { apart, walls, rules }) {
+function safe(a, places, moving, wanted, { radii, walls, rules }) {
   const { NEIGHBOURS, SIGHT, SWEEPS, SOFT, MARGIN, BRAKE } = rules, here = places[a];
   const near = places.map((place, b) => [size(minus(place, here)), b]).filter(([far, b]) => b !== a && far < SIGHT);
   const planes = near.sort(([one], [other]) => one - other).slice(0, NEIGHBOURS).map(([, b]) => {
-    const { normal, change } = halfPlane(minus(places[b], here), minus(moving[a], moving[b]), apart, rules);
+    const { normal, change } = halfPlane(minus(places[b], here), minus(moving[a], moving[b]), radii[a] + radii[b], rules);
     return [normal, dot(normal, moving[a]) + change / 2, SOFT];
   });
   for (const [start, end] of walls) {
@@ -41,10 +42,11 @@ function safe(a, places, moving, wanted, { apart, walls, rules }) {
 }
 
 export class Together {
-  constructor(takes, { apart, walls = [] }, { data: { apart: rules }, rules: { FPS, LONGEST } }) {
+  constructor(takes, { walls = [], ...more }, { data: { apart: rules }, rules: { FPS, LONGEST } }) {
     const most = Math.max(...takes.map((take) => take.count));
-    Object.assign(this, { takes, apart, walls: walls.map(({ start, end }) => [start, end]), rules, frames: 0 });
-    this.most = Math.min(2 * most, round(LONGEST * FPS));
+    Object.assign(this, { takes, walls: walls.map(({ start, end }) => [start, end]), rules, frames: 0 });
+    this.radii = takes.map(({ shot }) => radiusOf(shot, more));
+    this.most = Math.min(rules.WAITS * most, round(LONGEST * FPS));
     for (const take of takes) Object.assign(take, { count: most, apart: [], together: true }); // who keeps apart leaves the path
   }
 
@@ -54,13 +56,14 @@ export class Together {
     if (this.frames >= this.most || takes.every((take) => take.clock >= take.course.distance.length - 1)) return false;
     const asked = takes.map((take) => take.ask()), places = takes.map((take) => take.place);
     const moving = takes.map(({ character: { state } }) => [...state.velocity]);
-    const most = takes.map((take) => rules.FASTER * Math.max(take.course.speed[at(take)], rules.SLOWEST));
+    const held = takes.map((take, k) => {
+      const { course: { curve, distance } } = take, planned = distance[at(take)];
+      return planned - nearest(curve, places[k], planned) > rules.WAIT;
+    });
+    const most = takes.map((take, k) => (held[k] ? rules.PATIENT : rules.FASTER) * Math.max(take.course.speed[at(take)], rules.SLOWEST));
     const wanted = asked.map(({ velocity }, k) => limited(velocity, most[k]));
     const commands = asked.map(({ facing }, k) => ({ facing, velocity: limited(safe(k, places, moving, wanted[k], this), most[k]) }));
-    takes.forEach((take, k) => {
-      const planned = take.course.distance[at(take)];
-      if (planned - nearest(take.course.curve, places[k], planned) <= rules.WAIT) take.clock += 1;
-    });
+    takes.forEach((take, k) => (take.clock += held[k] ? 0 : 1));
     advance(takes.map((take) => take.character), commands, takes.map((take) => take.style));
     for (const take of takes) take.note();
     this.frames += 1;

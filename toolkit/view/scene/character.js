@@ -49,7 +49,7 @@ export function advance(characters, commands, styles) {
   for (const character of characters) {
     const { state, spare, body, z } = character;
     follow(state, z, rules, spare);
-    plant(spare, body, rules);
+    plant(spare, state.drop, body, rules);
     [character.state, character.spare] = [spare, state];
   }
 }

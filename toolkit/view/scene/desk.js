@@ -39,13 +39,13 @@ export class Desk {
 
   // Replaces everything by what a file holds; an Error of one line if it is not valid.
   open(scene) {
-    this.replace(parse(scene, this.styles));
+    this.replace(parse(scene, this.styles), []);
   }
 
-  replace(made) {
+  replace(made, old = this.shots) {
     const before = JSON.stringify(this.scene);
     if (JSON.stringify(sceneOf(made.shots, made.more)) === before) return;
-    this.put(made);
+    this.put(made, old);
     if (this.held === null) this.keep(before);
   }
 
@@ -78,8 +78,8 @@ export class Desk {
     this.undo(this.future, this.past);
   }
 
-  put({ shots, more }) {
-    const old = this.shots, before = JSON.stringify(this.more);
+  put({ shots, more }, old = this.shots) {
+    const before = JSON.stringify(this.more);
     Object.assign(this, { shots, more, selected: Math.min(this.selected, shots.length - 1) });
     this.renew(old, before);
     this.changed("shots");
@@ -92,8 +92,8 @@ export class Desk {
     const same = around === before && (more.apart === undefined || texts.join() === known.join());
     texts.forEach((own, k) => {
       const at = !same ? -1 : known[k] === own ? k : known.indexOf(own);
-      takes[k] = this.takes[at < 0 ? k : at];
-      const older = more.apart === undefined ? [this.takes[k], this.making[k]].filter((take) => take && !take.together) : [];
+      takes[k] = old.length ? this.takes[at < 0 ? k : at] : undefined; // opened: nothing is left of other shots
+      const older = more.apart === undefined ? [takes[k], old.length && this.making[k]].filter((take) => take && !take.together) : [];
       making[k] = at < 0 ? new Take(this.shots[k], this, new Character(this.data, this.network), now, older) : this.making[at];
       if (at < 0) this.stats.since = making[k].frames.length; // the first frame that is computed again
     });

@@ -30,7 +30,7 @@ const CSS = `
 .tkd-box{position:relative;min-height:0;min-width:0;overflow:hidden;border-radius:12px;background:#f3f1ec}
 .tkd-stage{position:absolute;inset:0}.tkd-stage canvas{display:block}
 .tkd-tools{position:absolute;left:8px;top:8px;display:flex;gap:5px}
-.tkd-say{display:grid;gap:4px}.tkd-say p{margin:0;padding:3px 9px;border-radius:8px;background:#fff4e0;color:#7a4b00;overflow-wrap:anywhere}
+.tkd-say{position:absolute;left:8px;right:8px;bottom:8px;max-height:60%;overflow:auto;display:grid;gap:4px;justify-items:start}.tkd-say p{margin:0;padding:3px 9px;border-radius:8px;background:#fff4e0;color:#7a4b00;overflow-wrap:anywhere}
 .tkd-say .bad{background:#fde4e1;color:#8c1d13}
 .tkd-map,.tkd-time{display:block;width:100%;touch-action:none;user-select:none;-webkit-user-select:none}
 .tkd-map{height:100%;cursor:grab}
@@ -52,11 +52,11 @@ const CSS = `
 .tkd-side,.tkd-form{display:flex;flex-direction:column;gap:8px}.tkd-side{grid-area:side;overflow:auto;padding:2px}
 .tkd-side h3{margin:0;font-size:14px}.tkd-side label{display:grid;grid-template-columns:84px 1fr;gap:6px;align-items:center}
 .tkd-side label input,.tkd-side label select{min-width:0;width:100%}.tkd-side input[type=checkbox]{width:auto;justify-self:start}
-.tkd-mix{display:grid;grid-template-columns:minmax(0,1.3fr) minmax(0,1fr) 38px 26px;gap:5px;align-items:center}
+.tkd-mix{display:grid;grid-template-columns:minmax(0,1.3fr) minmax(0,1fr) 42px 26px;gap:5px;align-items:center}
 .tkd-mix button{padding:0;height:26px}.tkd-mix select,.tkd-mix input{min-width:0;width:100%}
 .tkd-clock{font-variant-numeric:tabular-nums;color:var(--soft);min-width:7.5em}
 @media(max-width:900px){.tkd{display:flex;flex-direction:column;overflow:auto}.tkd>*{flex:none}
-.tkd-box{height:clamp(190px,28dvh,420px)}.tkd-side{overflow:visible;order:1}.tkd-say{order:-1}}
+.tkd-box{height:clamp(190px,28dvh,420px)}.tkd-side{overflow:visible;order:1}}
 `;
 const BUSY = 150, LATE = 700; // ms between pictures while a motion is computed; after which the clock says how much is ready
 const STILL = 12; // unchanged pictures before one with smooth edges
@@ -78,11 +78,12 @@ export function render({ model, el }) {
   const aside = make("div", "tkd-side", root), low = make("div", "tkd-low", root);
   const map = floorMap(floor, desk, { select, edit }), time = timeline(low, desk, { select, edit, seek, ghosts });
   const form = shotForm(aside, desk, { select, edit, remove: removeSelected });
-  const say = make("div", "tkd-say", aside, { role: "status", ariaLabel: "What cannot be met" });
+  const say = make("div", "tkd-say", view, { role: "status", ariaLabel: "What cannot be met" });
 
   button(bar, "+ character", "Add a character", () => edit((shots) => {
     const copy = JSON.parse(JSON.stringify(desk.shot)), near = shots.length, right = Math.min(...shots.map(({ path: [{ x }] }) => x));
-    for (const point of copy.path) point.x += right - desk.shot.path[0].x - Math.max(desk.more.apart ?? 0, 1);
+    const room = Math.max(1, desk.more.apart ?? 0, ...shots.map(({ radius }) => 2 * (radius ?? 0)));
+    for (const point of copy.path) point.x += right - desk.shot.path[0].x - room;
     shots.push({ ...copy, name: `shot ${near + 1}`, seed: copy.seed + 1 });
     desk.selected = near;
   }));
@@ -212,9 +213,9 @@ export function render({ model, el }) {
 
   function words() {
     const { more: { apart } } = desk, whose = ({ name: who }) => (desk.shots.length > 1 ? `${who}: ` : "");
-    if (desk.making.some(Boolean) && !problem) return;
-    const lines = apart === undefined ? desk.shots.flatMap((shot, k) => missed(desk.take(k), desk.limits).map((line) => whose(shot) + line))
-      : [`All keep ${apart} m apart: they leave their paths for it, and their plans wait where they are held up.`];
+    if (desk.making.some(Boolean) && !problem && desk.takes.every(Boolean)) return;
+    const lines = !desk.takes.every(Boolean) ? [] : apart === undefined ? desk.shots.flatMap((shot, k) => missed(desk.take(k), desk.limits).map((line) => whose(shot) + line))
+      : [`All keep ${apart} m apart, or their own radii: they leave their paths for it, and their plans wait where they are held up.`];
     const text = [problem, ...lines].join("\n");
     if (text === shown) return;
     shown = text;

@@ -178,7 +178,7 @@ export function floorMap(parent, desk, { select, edit }) {
       set(grid, { d: ticks.join("") });
       const [ox, oz] = out([0, 0]);
       set(axes, { d: `M${ox} 0v${2 * h}M0 ${oz}h${2 * w}` });
-      set(names[0], { x: ox + 5, y: 12 }), set(names[1], { x: 5, y: oz - 5 });
+      set(names[0], { x: ox + 5, y: 2 * h - 6 }), set(names[1], { x: 5, y: oz - 5 });
       const count = desk.shots.length;
       set(walls, { d: (desk.more.walls ?? []).map(({ start, end }) => trace([start, end])).join("") });
       pool(lines, "path", 2 * count).forEach((path, i) => {

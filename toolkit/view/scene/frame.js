@@ -1,7 +1,7 @@
 // What a frame does before and after its network (runtime.py, steering.py; compiled/frame.py, whose functions these are).
 //
 // state: float64 arrays named as those of runtime.CharacterState: history [61 * 4], future [6 * 4], drive [1], joints [12 J], phase,
-//   velocity [2], facing [2], contacts [2], toes [2 * 3], drift [2 * 2]
+//   velocity [2], facing [2], contacts [2], toes [2 * 3], drift [2 * 2], drop [2]
 // rules: compiled/frame.py's Rules, and where a joint's position, forward, up and velocity are in its `width` numbers
 
 export const copy = (state) => Object.fromEntries(Object.entries(state).map(([name, values]) => [name, Float64Array.from(values)]));

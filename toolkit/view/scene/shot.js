@@ -2,7 +2,7 @@
 //
 // A shot here has every field of `toolkit.shots.Shot`, with null where there is none:
 //   path [{x, z, time, facing}], styles [{time, blend, easing}], speeds [{time, speed, easing}], holds [{seconds, time, distance}],
-//   smooth, facing, look_at, feet, arms, seed, duration, name;  a blend is weights by style, or a list of them, one for each layer
+//   smooth, facing, look_at, feet, arms, seed, duration, name, radius;  a blend is weights by style, or a list of them, one for each layer
 // desk: {rules, limits, styles: [names], vectors, size, speeds: [m/s]}, see view/director.py
 import { advance, Character } from "./character.js";
 import { between, command, Course, Curve, EASINGS, Heading, keyed, nearest, round } from "./course.js";
@@ -13,7 +13,7 @@ const SCENE = ["version", "shots", "apart", "walls"];
 const FIELDS = {
   Point: ["x", "z", "time", "facing"], StyleKey: ["time", "blend", "easing"], SpeedKey: ["time", "speed", "easing"],
   Hold: ["seconds", "time", "distance"], Wall: ["start", "end"],
-  Shot: ["path", "styles", "speeds", "holds", "smooth", "facing", "look_at", "feet", "arms", "seed", "duration", "name"],
+  Shot: ["path", "styles", "speeds", "holds", "smooth", "facing", "look_at", "feet", "arms", "seed", "duration", "name", "radius"],
 };
 
 function demand(right, text) {
@@ -104,6 +104,7 @@ export function shot(value, styles) {
     look_at: optional(given.look_at, (v) => pair(v, "look_at")), feet: given.feet ?? true, arms: given.arms ?? true,
     seed: number(given.seed ?? 0, "seed", 0, SEEDS), name: given.name ?? "shot",
     duration: optional(given.duration, (v) => number(v, "duration", 1 / 60, LONGEST)),
+    radius: optional(given.radius, (v) => number(v, "radius", 0.05, 5)),
   };
   demand(path.length > 1, `path: two or more points are needed, got ${path.length}`);
   path.forEach((p, k) => demand(!k || Math.hypot(p.x - path[k - 1].x, p.z - path[k - 1].z) >= 0.01,
@@ -139,11 +140,15 @@ export function parse(scene, styles) {
   return { shots, more: starts(shots, apart === null ? {} : walls.length ? { apart, walls } : { apart }) };
 }
 
+// the share of a character in the distance of two who keep apart
+export const radiusOf = (shot, { apart }) => shot.radius ?? apart / 2;
+
 // the other fields of a scene; an Error if two characters who keep apart start closer
 export function starts(shots, more) {
-  shots.forEach(({ path: [{ x, z }] }, b) => shots.slice(0, b).forEach(({ path: [other] }, a) => {
-    const distance = Math.hypot(x - other.x, z - other.z);
-    demand(!(distance < more.apart), `shots[${a}] and shots[${b}] start ${distance.toFixed(2)} m from each other, closer than apart, ${more.apart} m`);
+  if (more.apart !== undefined) shots.forEach((shot, b) => shots.slice(0, b).forEach((one, a) => {
+    const [{ x, z }, other] = [shot.path[0], one.path[0]], distance = Math.hypot(x - other.x, z - other.z);
+    const least = radiusOf(shot, more) + radiusOf(one, more), pair = `shots[${a}] and shots[${b}] start ${distance.toFixed(2)} m`;
+    demand(!(distance < least), `${pair} from each other, closer than the ${least.toFixed(2)} m that they keep`);
   }));
   return more;
 }
