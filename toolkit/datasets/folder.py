@@ -178,7 +178,7 @@ def _table(folder: Path) -> dict[Path, tuple]:
         path, style, gait, unit, up = (row.get(column, "").strip() for column in (*COLUMNS, "unit", "up"))
         path = folder / path
         if not style or not path.is_file():
-            raise ValueError(f"{place}, line {number}: {f'no file {path}' if style else 'no style'}")
+            raise ValueError(f"{place}, line {number}: {f'no file {str(path)!r}' if style else 'no style'}")
         try:
             unit = float(unit)
         except ValueError:
