@@ -2,6 +2,11 @@
 VENV := .venv
 BIN := $(VENV)/bin
 PYTHON := python3
+INSTALL := $(BIN)/pip install --constraint constraints.txt
+# On Linux, PyPI's torch brings 4.5 GB of CUDA. Without an NVIDIA GPU, we take the small one, if its index can be reached.
+ifeq ($(shell uname -s)$(shell command -v nvidia-smi),Linux)
+TORCH := $(INSTALL) --retries 1 --no-deps --index-url https://download.pytorch.org/whl/cpu torch 2> /dev/null ||
+endif
 
 .PHONY: env chromium demo test coverage lab docs wheel clean
 
@@ -11,9 +16,11 @@ $(VENV)/.complete: pyproject.toml constraints.txt
 	@echo "Installing into $(VENV): a few minutes, once. As root on Debian or Ubuntu, it also installs libegl1 and"
 	@echo "libgl1-mesa-dri into the system by apt-get, if pyvista finds no OpenGL."
 	$(PYTHON) -m venv $(VENV)
-	$(BIN)/pip install --quiet --constraint constraints.txt pip setuptools
-	$(BIN)/pip install --quiet --constraint constraints.txt torch
-	PYTHONWARNINGS=ignore $(BIN)/pip install --quiet --constraint constraints.txt --no-build-isolation --editable ".[dev]"
+	$(INSTALL) --quiet pip setuptools
+	@echo "1 of 2: torch"
+	$(TORCH) $(INSTALL) torch
+	@echo "2 of 2: the other packages"
+	PYTHONWARNINGS=ignore $(INSTALL) --no-build-isolation --editable ".[dev]"
 	$(BIN)/python -m toolkit.view.opengl
 	touch $@
 
@@ -52,4 +59,4 @@ wheel: env
 	$(BIN)/pip wheel --quiet --no-deps --no-build-isolation --wheel-dir dist .
 
 clean:
-	rm -rf out build dist docs/api docs/notebooks *.egg-info .mypy_cache .pytest_cache .ruff_cache .hypothesis
+	rm -rf out build dist docs/api docs/docs docs/notebooks *.egg-info .mypy_cache .pytest_cache .ruff_cache .hypothesis

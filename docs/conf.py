@@ -1,13 +1,15 @@
 """The documentation site: ``make docs``, or ``sphinx-build -W --keep-going -b html docs out/docs``. It needs no network.
 
-The build runs the notebooks at small sizes (``TOOLKIT_FAST=1``), which takes a few minutes on one core. A notebook whose
-code has not changed is not run again; `make clean` deletes the stored results. With ``TOOLKIT_DOCS_NOTEBOOKS=off`` the
-notebooks are shown without results, and the build takes half a minute.
+The build runs the notebooks in full, one after another, on one core: docs/lecturers.md says for how many minutes each.
+Results are stored in ``out/notebooks``, so a notebook whose code has not changed is not run again, and a build that was
+stopped goes on where it was; `make clean` deletes them. With ``TOOLKIT_DOCS_NOTEBOOKS=fast`` the notebooks run at the small
+sizes of the tests, for some minutes in all. With ``off`` they are shown without results.
 """
 
 import dataclasses
 import inspect
 import os
+import platform
 import re
 import sys
 from pathlib import Path
@@ -15,6 +17,7 @@ from pathlib import Path
 import plotly
 from docutils.nodes import SkipNode
 from latex2mathml.converter import convert
+from myst_nb.sphinx_ import NbMetadataCollector
 
 DOCS = Path(__file__).parent
 ROOT = DOCS.parent
@@ -58,14 +61,19 @@ napoleon_use_rtype = False
 napoleon_use_ivar = True
 
 # --- notebooks
-nb_execution_mode = "off" if os.environ.get("TOOLKIT_DOCS_NOTEBOOKS") == "off" else "cache"
-nb_execution_timeout = 300  # seconds a cell
+RUN = os.environ.get("TOOLKIT_DOCS_NOTEBOOKS", "full")
+if RUN not in ("full", "fast", "off"):
+    raise ValueError(f"TOOLKIT_DOCS_NOTEBOOKS is {RUN!r}; use full, fast or off")
+nb_execution_mode = "off" if RUN == "off" else "cache"
+nb_execution_cache_path = str(ROOT / "out" / "notebooks" / RUN)
+nb_execution_timeout = 1800  # seconds a cell
 nb_merge_streams = True
 nb_output_stderr = "remove"  # progress bars
 nb_mime_priority_overrides = [("*", "application/vnd.jupyter.widget-view+json", None)]  # static pictures instead
 nb_ipywidgets_js = {}
-os.environ |= {"TOOLKIT_FAST": "1", "PYVISTA_OFF_SCREEN": "true", "PYVISTA_JUPYTER_BACKEND": "static",
-               "PYVISTA_MULTI_SAMPLES": "0", "OMP_NUM_THREADS": "1", "PLOTLY_RENDERER": "notebook_connected",
+os.environ |= {"TOOLKIT_FAST": "1" if RUN == "fast" else "", "PYVISTA_OFF_SCREEN": "true",
+               "PYVISTA_JUPYTER_BACKEND": "static", "PYVISTA_MULTI_SAMPLES": "0",
+               "OMP_NUM_THREADS": "1", "PLOTLY_RENDERER": "notebook_connected",
                "TOOLKIT_DATA": str(DOCS / "notebooks"),  # no recordings: every build gives the same site
                "PYTHONPATH": os.pathsep.join(filter(None, (str(ROOT), os.environ.get("PYTHONPATH"))))}
 
@@ -82,11 +90,24 @@ STATE = "application/vnd.jupyter.widget-state+json"  # megabytes of widget state
 CONTROLLER = re.compile(r"<pre><span></span>&lt;toolkit\.view\.controller\.Controller object at [^<]*</pre>")
 
 
+#: A link from source code to its documentation; of modules that a package re-exports in part, Sphinx names the package.
+DOCUMENTED = re.compile(r'(?<=/api/)([\w.]+)\.html#([\w.]+)')
+
 #: A note below the title of each notebook.
-SMALL_RUN = """</h1><div class="admonition note"><p class="admonition-title">The small run</p>
-<p>The results on this page come from the small run that the tests use, which takes seconds. Its networks are trained for a
-very short time, and those of motion stylisation are not trained at all. <code>make lab</code> starts JupyterLab for the full
-run. The <a href="{gallery}">gallery</a> shows results of trained networks.</p></div>"""
+NOTE = """</h1><div class="admonition note"><p class="admonition-title">{title}</p>
+<p>{text} <code>make lab</code> starts JupyterLab for a run of your own.</p></div>"""
+SMALL = ("The small run", "The results on this page come from the small run of the tests. Its networks are trained for a "
+         "very short time.")
+
+
+def note(seconds: float | None) -> str:
+    """Say how a notebook was run, and for how long."""
+    if RUN == "off" or seconds is None:
+        return "</h1>"
+    title, text = SMALL if RUN == "fast" else (
+        "The full run", "The results on this page come from the full run, without recordings. It took "
+        f"{max(1, round(seconds / 60))} min on one core ({platform.system()}, {platform.machine()}).")
+    return NOTE.format(title=title, text=text)
 
 
 def lead_links(*event) -> None:
@@ -96,26 +117,40 @@ def lead_links(*event) -> None:
         source[0] = source[0].replace(there, here)
 
 
-def stand_alone(_app, name: str, _template: str, context: dict, _doctree) -> None:
-    """Load plotly from the site and not from other servers; add the note about the small run to notebooks."""
+def documented(link: re.Match) -> str:
+    """A link of `DOCUMENTED` whose anchor begins with the module of its page."""
+    module, name = link.groups()
+    above = module
+    while not name.startswith(f"{above}."):
+        above = above.rpartition(".")[0]
+    return f"{module}.html#{module}{name.removeprefix(above)}"
+
+
+def stand_alone(app, name: str, _template: str, context: dict, _doctree) -> None:
+    """Load plotly from the site and not from other servers; add the note about the run to notebooks."""
     scripts = context.get("script_files", [])
     scripts[:] = [script for script in scripts if getattr(script, "attributes", {}).get("type") != STATE]
     if "body" in context:
         character = f'<iframe class="character" src="{context["pathto"]("_static/controller.html", 1)}"></iframe>'
         context["body"] = CONTROLLER.sub(character, FETCHED.sub("", context["body"]))
+        if name.startswith("_modules/"):
+            context["body"] = DOCUMENTED.sub(documented, context["body"])
         if name.startswith("notebooks/"):
-            context["body"] = context["body"].replace("</h1>", SMALL_RUN.format(gallery=context["pathto"]("gallery")), 1)
+            run = NbMetadataCollector.get_exec_data(app.env, name) or {}
+            context["body"] = context["body"].replace("</h1>", note(run.get("runtime")), 1)
         if "plotly-graph-div" in context["body"]:
             own = context["pathto"]("_static/plotly.min.js", 1)
             context["body"] = f'<script src="{own}"></script>' + context["body"]
 
 
 def steerable(app) -> None:
-    """Write the page with the embedded model, which `index.md` shows."""
+    """Write the pages with the embedded model that `index.md` and `shots.md` show."""
     if app.builder.format == "html":
         folder = Path(app.outdir) / "_static"
         folder.mkdir(parents=True, exist_ok=True)
         tk.view.web(*tk.pretrained(), folder / "controller.html", title="A character under control", half=True)
+        scene = tk.shots.Scene.load(ROOT / "examples" / "shots" / "figure_eight.json")
+        tk.view.director.web(*tk.pretrained(), folder / "director.html", scene, half=True)
 
 
 def whole_signature(_app, _what, _name, _value, _options, signature: str | None, returns: str | None):
@@ -154,4 +189,6 @@ def setup(app) -> None:
 
 notebooks = sorted((ROOT / "notebooks").glob("*.ipynb"))
 reference.put(DOCS / "notebooks", {path.name: path.read_text(encoding="utf-8") for path in notebooks})
+results = sorted((DOCS / "results").glob("*.json"))  # notebooks/ of the checkout is beside docs/, that of the site within
+reference.put(DOCS / "docs" / "results", {path.name: path.read_text(encoding="utf-8") for path in results})
 reference.put(DOCS / "api", reference.pages())

@@ -4,6 +4,8 @@
 al. 2022), the pictures in ``side_by_side`` stay as they are.
 """
 
+import shutil
+import tempfile
 from pathlib import Path
 from typing import Annotated
 
@@ -73,6 +75,36 @@ def feet(run, real: tk.Clip, seconds: float = 4.0) -> None:
     figure.savefig(OUT / "feet.png", dpi=110)
 
 
+def crowd(model, bank) -> None:
+    """Write the animation of two streams that cross, three seconds of it."""
+    clips = tk.shots.crowd.walk(model, bank, characters=100, seconds=10.0, progress=True).clips
+    tk.view.crowd([clip.cut(240, 420) for clip in clips], OUT / "crowd.webp", fps=8.0, width=480, colors=48, progress=True)
+
+
+def director(model, bank) -> None:
+    """Write a picture of the Director with three shots; it needs Chromium and Playwright."""
+    from playwright.sync_api import sync_playwright
+
+    shot, hold = tk.shots.Shot, tk.shots.Hold
+    path = [(0, 0), (1, 2), (-1, 4), (0, 6, 8.0), (-3, 7.5)]
+    anna = shot(path, [(0, "Neutral"), (3, "Zombie"), (6, {"Strut": 0.5, "Old": 0.5})], [(0, 1.0), (4, 0.8)],
+                [hold(1.5, time=8.6)], name="Anna")
+    others = [shot([(2, 5), (0.5, 3.5), (2.5, -1)], "Crouch", name="Ben"),
+              shot([(-2.5, 0), (-2.2, 2.5), (-4, 5.5)], "Aeroplane", name="Cleo")]
+    with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
+        page = tk.view.director.web(model, bank, Path(folder) / "director.html", [anna, *others], half=True)
+        browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=["--no-sandbox"])
+        tab = browser.new_page(viewport={"width": 1280, "height": 760})
+        tab.set_default_timeout(300_000)
+        tab.goto(page.as_uri())
+        tab.wait_for_function("() => globalThis.view?.stats.drawn > 0 && view.desk.takes.every(Boolean)")
+        tab.evaluate("() => (view.ghosts.push(2, 3), view.seek(4), view.desk.changed('look'))")
+        tab.wait_for_timeout(5000)
+        tab.screenshot(path=OUT / "director.png")
+        browser.close()
+    Image.open(OUT / "director.png").convert("RGB").quantize(192).save(OUT / "director.png", optimize=True)
+
+
 def main(published: Annotated[Path | None, typer.Option(help="Folder of the published parameters.")] = None,
          real: Annotated[Path | None, typer.Option(help="Folder of 100STYLE, for the picture of feet.")] = None) -> None:
     """Make every picture in this folder again."""
@@ -91,6 +123,8 @@ def main(published: Annotated[Path | None, typer.Option(help="Folder of the publ
     tk.view.animate(blended(*embedded), OUT / "blend.webp", labels=[", ".join(BLENDED)], fps=12.0, height=240, view=60,
                     progress=True)
     shown = [style for style in ("Neutral", "Zombie", "Strut", "Crouch", "Aeroplane") if style in embedded.bank]
+    crowd(*embedded)
+    director(*embedded)
     rows = [rollout(*embedded, style, procedural.STYLES[style].speed) for style in shown]
     tk.view.strip(rows, OUT / "styles.png", labels=shown, stop=2.0, width=9, dpi=120)
     Image.open(OUT / "styles.png").convert("RGB").quantize(128).save(OUT / "styles.png", optimize=True)

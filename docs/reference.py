@@ -108,7 +108,7 @@ def pages() -> dict[str, str]:
 
 def put(folder: Path, texts: dict[str, str]) -> None:
     """Write files into their own folder. Unchanged files are not touched, and files without a text are deleted."""
-    folder.mkdir(exist_ok=True)
+    folder.mkdir(parents=True, exist_ok=True)
     for path in folder.iterdir():
         if path.is_file() and path.name not in texts:
             path.unlink()

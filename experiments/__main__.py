@@ -15,7 +15,8 @@ EXPERIMENTS = {
                      "The seven models of Table 2, trained on the same data, compared one step ahead and in closed loop."),
     "stylization": ("experiments.stylization.comparison:app",
                     "The losses of Park et al. 2021 (Table 1), and their stylizer compared with two methods (Table 2)."),
-    **{name: experiments.command(f"robustness.{name}") for name in ("soak", "fuzz", "faults", "sizes")},
+    **{name: experiments.command(f"robustness.{name.replace('-', '_')}")
+       for name in ("soak", "fuzz", "faults", "sizes", "long-use")},
 }
 app = verbs.group(EXPERIMENTS, experiments.__doc__)
 

@@ -33,7 +33,7 @@ def run(
           f"{'floor':>7}  arrivals (s, cm); check")
     for file in sorted(folder.glob("*.json")):
         scene = Scene.load(file)
-        if scene.apart is None:  # who keeps apart leaves the path: `experiments.gate`
+        if scene.apart is None:  # who keeps apart leaves the path: `experiments.crowds`
             for shot in scene.shots:
                 print(row(net, bank, shot))
 

@@ -65,7 +65,7 @@ def _trained(name: str, data: Features, known: tuple[str, ...], steps: int, keep
     file = None if keep is None else keep / f"{name}-{len(known)}-{steps}.safetensors"
     if file is not None and file.exists():
         return training.load(file)
-    config = training.Config.quick(model=name, styles=known, steps=steps, seed=seed)
+    config = training.Config.quick(model=name, styles=known, steps=steps, seed=seed, refit=0)
     made = training.fit(data, config, progress=True)
     if file is not None:
         keep.mkdir(parents=True, exist_ok=True)

@@ -78,16 +78,16 @@ def fbx(records, version=7400, *, pack_arrays=True):
         name, properties, children = of
         body = b"".join(map(value, properties))
         start = at + size + len(name) + len(body)
-        inside = b""
+        inside = bytearray()
         for child in children:
             inside += pack(child, start + len(inside))
         inside += b"\0" * size if children else b""
         return struct.pack(head, start + len(inside), len(properties), len(body), len(name)) + name.encode() + body + inside
 
-    made = b"Kaydara FBX Binary  \0\x1a\0" + struct.pack("<I", version)
+    made = bytearray(b"Kaydara FBX Binary  \0\x1a\0" + struct.pack("<I", version))
     for of in records:
         made += pack(of, len(made))
-    return made + b"\0" * size
+    return bytes(made) + b"\0" * size
 
 
 def table(**values):

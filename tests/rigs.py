@@ -166,6 +166,19 @@ TABLE = {
     "Second Life": Convention(
         LOWER, "mPelvis mTorso mChest mChest2 mChest3 mNeck mHead",
         "{}Collar {}Shldr {}ForeArm {}Hand {}Thigh {}Shin {}Foot TOE", unit=0.0254),
+    "OptiTrack Motive": Convention(
+        LR, "Hip Ab Spine2 Spine3 Chest Neck Head", "{}Shoulder {}UArm {}FArm {}Hand {}Thigh {}Shin {}Foot {}Toe"),
+    "Auto-Rig Pro": Convention(
+        LOWER, "root.x spine_01.x spine_02.x spine_03.x spine_04.x neck.x head.x",
+        "shoulder.{} arm_stretch.{} forearm_stretch.{} hand.{} thigh_stretch.{} leg_stretch.{} foot.{} toes_01.{}", unit=1.0,
+        leaves=(("Hip", "thigh_twist.{}"), ("Shoulder", "arm_twist.{}"))),
+    "3ds Max CAT": Convention(
+        LR, "CATRigHub001 CATRigSpine1 CATRigSpine2 CATRigSpine3 CATRigHub002 CATRigNeck CATRigHub003",
+        "CATRig{}ArmCollarbone CATRig{}Arm1 CATRig{}Arm2 CATRig{}ArmPalm CATRig{}Leg1 CATRig{}Leg2 CATRig{}LegAnkle "
+        "CATRig{}LegDigit11"),
+    "Lft and Rgt": Convention(
+        ("Lft", "Rgt"), "Pelvis Spine Spine1 Spine2 Spine3 Neck Head",
+        "{}Clavicle {}UpperArm {}ForeArm {}Hand {}Thigh {}Calf {}Foot {}Toe"),
     "joint suffix": Convention(
         LOWER, "hips_jnt spine_01_jnt spine_02_jnt spine_03_jnt spine_04_jnt neck_jnt head_jnt",
         "{}_clavicle_jnt {}_shoulder_jnt {}_elbow_jnt {}_wrist_jnt {}_hip_jnt {}_knee_jnt {}_ankle_jnt {}_toe_jnt"),

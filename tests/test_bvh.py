@@ -1,4 +1,5 @@
 import itertools
+import math
 import re
 
 import numpy as np
@@ -8,6 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from strategies import clips, human_clip
 
+import toolkit as tk
 from experiments.speed import bvh as bench
 from toolkit.io import bvh, decimals
 from toolkit.motion import rotations as R
@@ -286,3 +288,44 @@ def test_the_benchmark_compares_with_peers_and_says_which_are_missing(tmp_path, 
     ("3.33333e-2", 30)])
 def test_frame_times_are_rounded_numbers(tmp_path, text, fps):
     assert load(write(tmp_path, GOOD.replace("0.033333", text))).fps == pytest.approx(fps, abs=1e-9)
+
+
+@pytest.mark.filterwarnings("ignore:.*no joint was found")
+@pytest.mark.parametrize("change", [
+    lambda text: text.replace(".", ",").encode(), lambda text: text.encode("utf-16"),
+    lambda text: ("\n \n" + text).encode()], ids=["decimal commas", "UTF-16", "empty lines above"])
+def test_files_of_careless_programs(tmp_path, change):
+    text = GOOD.replace("1 90 0", "1 90.25 0")
+    (tmp_path / "odd.bvh").write_bytes(change(text))
+    (tmp_path / "plain.bvh").write_text(text)
+    odd, plain = (tk.bvh.load(tmp_path / name) for name in ("odd.bvh", "plain.bvh"))
+    assert odd.fps == plain.fps
+    assert torch.equal(odd.global_positions, plain.global_positions)
+
+
+def test_two_figures_in_a_file_are_refused(tmp_path):
+    head, motion = GOOD.split("MOTION")
+    (tmp_path / "two.bvh").write_text(head + head.replace("HIERARCHY\n", "") + "MOTION" + motion)
+    with pytest.raises(bvh.BVHError, match="line 16: a second ROOT: the file holds several figures; keep one of them"):
+        tk.bvh.load(tmp_path / "two.bvh")
+
+
+def test_angles_that_may_be_radians_are_doubted(walk_clip, tmp_path):
+    angles = R.to_euler(walk_clip.rotations, "YXZ")
+    small = R.from_euler(angles * math.pi / 180, "YXZ")  # saved in degrees, these are the numbers of the radians
+    tk.bvh.save(walk_clip.replace(rotations=small), tmp_path / "radians.bvh")
+    with pytest.warns(UserWarning, match="no joint turns by more than .* degrees: if the file has radians, convert them"):
+        tk.load(tmp_path / "radians.bvh")
+
+
+@pytest.mark.parametrize("order", ["XYZ", "YXZ", "ZYX", "ZXY"])
+def test_the_compiled_conversion_is_that_of_the_formulas(order):
+    angles = torch.linspace(-9, 9, 200)[:, None, None] * torch.randn(5, 3, generator=torch.Generator().manual_seed(0))
+    halves = (angles / 2).permute(2, 1, 0).contiguous()
+    made, joints = R.identity(200, 7), np.array([0, 2, 3, 5, 6])
+    for start in (0, 130):
+        part = halves[..., start : 130 if start == 0 else 200].contiguous()
+        decimals.compose(part.cos().numpy(), part.sin().numpy(), tuple("XYZ".index(axis) for axis in order), joints,
+                         made.numpy(), start)
+    torch.testing.assert_close(made[:, joints], R.unroll(R.from_euler(angles, order)), atol=1e-6, rtol=0)
+    assert torch.equal(made[:, [1, 4]], R.identity(200, 2))

@@ -3,7 +3,6 @@
 import re
 import subprocess
 import sys
-from importlib.util import find_spec
 from xml.etree import ElementTree
 
 import plotly.graph_objects as go
@@ -14,7 +13,7 @@ import toolkit as tk
 from toolkit.course.checks import Exercise, differs, equals, same_as
 from toolkit.course.sequence import picture
 
-WRITTEN = [number for number, lesson in tk.course.LESSONS.items() if find_spec(f"toolkit.course.exercises.{lesson.name}")]
+WRITTEN = list(tk.course.LESSONS)
 
 
 def test_a_lesson_comes_after_those_it_needs():

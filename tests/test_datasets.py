@@ -7,7 +7,7 @@ import pytest
 import torch
 from strategies import human_clip
 
-from toolkit import datasets
+from toolkit import datasets, published
 from toolkit.datasets import style100, xia
 from toolkit.io import bvh
 from toolkit.motion import root_frames
@@ -141,7 +141,7 @@ def test_bad_arguments_in_one_line(small, arguments, match):
     [
         ("Frame_Cuts.csv", None, "no Frame_Cuts.csv in .*zenodo"),
         ("Frame_Cuts.csv", "", r"line 1: expected the columns STYLE_NAME"),
-        ("Frame_Cuts.csv", "STYLE_NAME,BR_START\nOld,1\n", r"line 1: .*without BR_STOP"),
+        ("Frame_Cuts.csv", "STYLE_NAME,BR_START\nOld,1\n", r"line 1: .*missing: BR_STOP"),
         ("Frame_Cuts.csv", CUTS, "no row"),
         ("Frame_Cuts.csv", CUTS + "\nOld," + ",".join(["N/A"] * 19 + ["x"]), "line 2: TR3 needs two frame numbers"),
         ("Frame_Cuts.csv", CUTS + "\nOld,1,2", "line 2: BW needs two frame numbers"),
@@ -163,16 +163,9 @@ def test_table1_equals_the_paper(shared):
     assert "\n".join(f"{r.gait}|{r.frames:,}|{r.minutes}|{r.ratio}" for r in rows) == TABLE1
 
 
-def test_published_order(shared):
-    order = style100.published_order(shared / "100style")
-    assert order[:2] + order[94:] == ["Aeroplane", "Akimbo", "Zombie", *style100.HELD_OUT]
-    assert order[23] == "Drunk"
-    assert style100.published_order(reversed(order)) == order
-    for names, match in ((order[:-1], "got 99, without WildArms"), (["Old"], "got 1, without HandsInPockets")):
-        with pytest.raises(ValueError, match=match):
-            style100.published_order(names)
+def test_styles_of_100style(shared):
     infos = style100.styles(shared / "100style")
-    assert sorted(infos) == sorted(order)
+    assert sorted(infos) == sorted(published.STYLES)
     assert [sum(not i.symmetric for i in infos.values()), sum(i.stochastic for i in infos.values())] == [30, 5]
 
 

@@ -251,3 +251,13 @@ def test_continuity_takes_the_best_of_all_paths_through_local_minima(continuity)
         assert found.amplitude[:, limb].tolist() == pytest.approx([abs(vector[c]) for c in chosen], abs=1e-9)
         assert found.frequency[:, limb].tolist() == pytest.approx([theta[c] * fps / 2 / np.pi for c in chosen], abs=1e-9)
     assert turned  # not simply the best of every window
+
+
+def test_at_its_ends_a_curve_is_continued_by_its_mirror_image():
+    """The fit at an end equals that in the middle of the curve with its mirror images, of which the end is not repeated."""
+    curve = torch.from_numpy(np.random.default_rng(3).normal(size=(90, 2)).cumsum(0))
+    half = 15
+    longer = torch.cat((curve[1 : half + 1].flip(0), curve, curve[-half - 1 : -1].flip(0)))
+    found, expected = (vars(fit(c, 30.0, half / 30)) for c in (curve, longer))
+    for name in ("frequency", "amplitude", "offset", "residual"):
+        assert torch.allclose(found[name], expected[name][half:-half], atol=1e-9), name

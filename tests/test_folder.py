@@ -167,7 +167,7 @@ def test_files_of_other_rigs_can_be_retargeted(tmp_path, motions, walk):
 
 
 @pytest.mark.parametrize(("table", "said"), [
-    ("name,style\na.bvh,Old\n", "expected the columns file, style, gait; got name, style"),
+    ("name,style\na.bvh,Old\n", "expected the columns file, style; missing: file"),
     ("file,style\nb.bvh,Old\n", "line 2: no file"),
     ("file,style\na.bvh,\n", "line 2: no style"),
 ])

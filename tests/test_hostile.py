@@ -2,6 +2,7 @@
 
 import asyncio
 import dataclasses
+import functools
 import json
 import os
 import re
@@ -280,15 +281,110 @@ def test_devices_behind_references_are_not_read(kind, walk_clip, tmp_path):
         assert str(tmp_path) in f"{said.value} {getattr(said.value, 'filename', '')}"
 
 
-@pytest.mark.parametrize("text", ["[" + "[]," * 1_500_000 + "0]", "[" * 100_000, '{"a":' * 50_000 + "0" + "}" * 50_000])
+@pytest.mark.parametrize("text", ["[" + "[]," * 1_500_000 + "0]", "[" * 100_000, '{"a":' * 50_000 + "0" + "}" * 50_000,
+                                  "[" * 101 + "]" * 101, "9" * 5000], ids=range(5))
 def test_json_text_of_many_or_deep_values_is_refused(text, tmp_path):
     from toolkit.datasets import leaks
     from toolkit.features import store
 
-    (tmp_path / "manifest.json").write_text(text)
-    for read, path in ((leaks.find, tmp_path / "manifest.json"), (store.load, tmp_path)):
-        with pytest.raises(ValueError, match=r"manifest\.json.*(more than 2000000 values|nested too deeply)"):
-            read(path)
+    path = tmp_path / "manifest.json"
+    path.write_text(text)
+    for read, place in ((leaks.find, path), (tk.shots.load, path), (store.load, tmp_path)):
+        with pytest.raises(ValueError, match=r"manifest\.json.*(2000000 values|nested too deeply|thousands of digits)"):
+            read(place)
+
+
+def shot_file(folder: Path, **fields) -> Path:
+    path = folder / "shots.json"
+    shot = {"path": [[0, 0], [0, 2]], "styles": "Neutral", "duration": 1} | fields
+    path.write_text(json.dumps({"version": 1, "shots": [shot]}))
+    return path
+
+
+def test_a_shot_has_no_path_beyond_what_can_be_walked(tmp_path):
+    path = shot_file(tmp_path, path=[[(-1) ** k * 999, k] for k in range(20)])
+    with pytest.raises(ValueError, match=r"shots\.json: shots\[0\]: path: is 379.. m long, a path has at most 12000 m"):
+        tk.shots.load(path)
+
+
+@pytest.mark.parametrize("value", [functools.reduce(lambda held, _: [held], range(80), []), "x" * 10**6,
+                                   ["\x1b[31m" * 10**5], {"\x1b[31m" * 10**5: 1}], ids=range(4))
+def test_a_wrong_value_in_a_shot_is_shown_in_a_short_line(value, tmp_path):
+    _, bank = tk.pretrained()
+    for fields in ({"path": [[value, 0], [0, 2]]}, {"seed": value}, {"styles": [[0, value]]}, {"name": value}):
+        with pytest.raises(ValueError, match=r"shots\.json: shots\[0\]|unknown style") as said:
+            tk.shots.load(shot_file(tmp_path, **fields)).pop().plan(bank)
+        assert str(said.value).isprintable()
+        assert len(str(said.value)) < 1000
+
+
+def test_a_style_that_a_file_of_shots_names_wrongly_is_said_with_the_file(tmp_path, capsys):
+    path = shot_file(tmp_path, styles="Neutrl")
+    assert main(["shot", str(path), "--out", str(tmp_path / "a.bvh")]) == 2
+    assert capsys.readouterr().err.startswith(f"error: {path}: shots[0]: unknown style 'Neutrl'; close to it: Neutral")
+
+
+def test_the_leaks_of_a_large_split_are_found_in_time_and_a_thousand_are_listed(tmp_path):
+    from toolkit.datasets import leaks
+
+    def split(count: int, apart: int) -> dict:
+        return {part: [["a", "FW", first + apart * k, first + apart * k + 9] for k in range(count)]
+                for part, first in (("train", 0), ("test", apart // 2))}
+
+    assert leaks.find(split(40_000, 1000)) == []
+    assert timed(leaks.find, split(40_000, 1000)) < 24 * timed(leaks.find, split(5_000, 1000)) + 0.1
+    found = leaks.find(split(4000, 0))
+    assert len(found) == 1001
+    assert found[-1] == "and more: only 1000 leaks are listed"
+    (line,) = leaks.find({"train": [["a\x1b[31m" * 1000, "F\nW", 0, 9]], "test": [["a\x1b[31m" * 1000, "F\nW", 0, 9]]})
+    assert line.isprintable()
+    assert len(line) < 500
+
+
+@pytest.mark.parametrize("change", [
+    {"train": "abc"}, {"train": 7}, {"train": {"a": 1}}, {"unseen": [["a"]]}, {"gap": "x" * 10**6},
+    {"train": [["x" * 10**6, 0]]}, {"train": [["a", "x" * 10**6, 5, "x" * 10**6]]}, {"train": [["a", "FW", 0, 10**400]]},
+    {"train": [["a", "FW", False, True]]}], ids=range(9))
+def test_what_is_no_split_is_refused_in_a_short_line(change):
+    from toolkit.datasets import leaks
+
+    with pytest.raises(ValueError, match=r"^split: (expected|block 0 of train)") as said:
+        leaks.find({"train": [], "test": []} | change)
+    assert len(str(said.value)) < 500
+
+
+@pytest.mark.parametrize(("table", "said"), [
+    (b"file,style\na.bvh," + b"x" * 200_000, r"line 2: field larger than field limit"),
+    (b"", "line 1: expected the columns"), (b"file,style\na.bvh,\xff\n", "not UTF-8 text, from byte 17 on"),
+    (b"file,style\na\0.bvh,b\n", "line 2: (line contains NUL|no file)"),
+    (b"file,style\n" + b"a.bvh,b\n" * 2_000_001, "a table has at most 16000000"),
+], ids=range(5))
+def test_a_bad_table_of_labels_is_refused_in_one_line(table, said, walk_clip, tmp_path):
+    from toolkit.datasets import folder
+
+    tk.bvh.save(walk_clip.cut(0, 5), tmp_path / "a.bvh")
+    (tmp_path / "labels.csv").write_bytes(table)
+    with pytest.raises(ValueError, match=rf"labels\.csv.*{said}"):
+        folder.labelled(tmp_path)
+
+
+def test_a_measure_uses_the_unit_of_the_table(walk_clip, tmp_path, capsys):
+    tk.bvh.save(walk_clip.cut(0, 60), tmp_path / "a.bvh")
+    (tmp_path / "labels.csv").write_text("file,style,unit\na.bvh,Old,nan\n")
+    assert main(["evaluate", str(tmp_path)]) == 2
+    said = capsys.readouterr()
+    assert said.out == "left out: a.bvh: unit is metres of one unit, or one of auto, m, cm, mm, inch, dm, CMU; got nan\n"
+    assert "no motion file that can be measured" in said.err
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no such file names")
+def test_names_of_files_reach_the_terminal_without_control_characters(walk_clip, tmp_path, capsys):
+    for name in ("good.bvh", "bad\x1b[31m.bvh"):
+        tk.bvh.save(walk_clip.cut(0, 60), tmp_path / name)
+    (tmp_path / "bad\x1b[31m.bvh").write_text("HIERARCHY\n")
+    with pytest.raises(SystemExit, match="0"):
+        main(["evaluate", str(tmp_path)])
+    assert r"left out: bad\x1b[31m.bvh: " in capsys.readouterr().out
 
 
 @pytest.mark.skipif(not hasattr(os, "geteuid") or os.geteuid() != 0, reason="only root gives files away")
@@ -578,7 +674,7 @@ def test_a_file_name_that_cannot_be_shown_gives_no_style(walk_clip, tmp_path):
 
     (tmp_path / "a\x1b[31mb").mkdir()
     tk.bvh.save(walk_clip, tmp_path / "a\x1b[31mb" / "walk.bvh")
-    with pytest.raises(ValueError, match=r"name of .*a style has characters that cannot be printed"):
+    with pytest.raises(ValueError, match=r"the name of a style of .* has characters that cannot be printed"):
         folder.survey(tmp_path)
 
 

@@ -365,8 +365,8 @@ def test_fbx_curves_between_keys(tmp_path):
 def test_fbx_files_that_cannot_be_read(tmp_path):
     whole = fbx_scene({"a": ("", {}), "b": ("a", {})}, {})
     assert "no joint is animated" in fbx_reader.read(written(tmp_path / "a.fbx", whole)).doubts[0]
-    for data, problem in ((b"; FBX 7.3.0 project file\nFBXHeaderExtension:  {", "it is a text FBX; export binary FBX"),
-                          (b"BVH", "it is no FBX file"), (fbx([], 6100), "only binary FBX version 7"),
+    for data, problem in ((b"; FBX 7.3.0 project file\nFBXHeaderExtension:  {", "a text FBX; save it as binary FBX 2011"),
+                          (b"BVH", "it is no FBX file"), (fbx([], 6100), "only binary FBX version 7 can be read; save"),
                           (fbx([]), "no joints"),
                           (whole[:200], "damaged at byte"), (whole[:24], "only binary FBX version 7")):
         assert refused(fbx_reader.read, written(tmp_path / "b.fbx", data), problem) is fbx_reader.FBXError

@@ -327,7 +327,7 @@ def python(*words):
 
 @needs_fork
 def test_a_job_that_there_is_not_is_no_success():
-    with pytest.raises(ValueError, match="unknown job 'exprot'; known: fetch, preprocess, train, export"):
+    with pytest.raises(ValueError, match="unknown job 'exprot'; known: fetch, preprocess, train, export, stylizer"):
         faults.run(kills=1, seed=0, only="export,exprot")
 
 

@@ -173,7 +173,7 @@ def test_names_that_say_nothing_leave_the_shape_of_the_tree(tmp_path, name, turn
     clip = clip.replace(skeleton=tk.Skeleton(names, old.parents, old.offsets, {}, ends))
     written(clip, tmp_path / "walk.bvh", rigs.TABLE[name])
     found = tk.inspect(tmp_path / "walk.bvh")
-    assert found.doubts == ["the joints' names say nothing, so that roles are from the shape of the tree; roles= decides"]
+    assert found.doubts == ["the joints' names say too little, so that roles are from the shape of the tree; roles= decides"]
     assert (found.unit, found.up) == (rigs.TABLE[name].unit, rigs.TABLE[name].up)
     called = {role: f"node{old.names.index(joint)}" for role, joint in rigs.roles(rigs.TABLE[name]).items()
               if joint not in old.ends}
@@ -190,3 +190,32 @@ def test_sides_that_are_exchanged_are_noticed(tmp_path):
     tk.bvh.save(clip.replace(skeleton=exchanged), tmp_path / "walk.bvh")
     with pytest.warns(UserWarning, match="joints called left are on the right of the body"):
         tk.load(tmp_path / "walk.bvh")
+
+
+def test_names_that_say_too_little_leave_the_shape_of_the_tree(tmp_path):
+    """German words: arms and hands are called as in English, legs are not."""
+    german = {"UpLeg": "Oberschenkel", "ForeArm": "Unterarm", "Leg": "Unterschenkel", "Foot": "Fuss", "Toe": "Zehen"}
+    clip = rigs.walk("LaFAN1", seconds=1.0)
+    old, names = clip.skeleton, list(clip.skeleton.names)
+    for side in ("Left", "Right"):
+        names = [f"{side}{german[name.removeprefix(side)]}" if name.removeprefix(side) in german else name for name in names]
+    clip = clip.replace(skeleton=tk.Skeleton(names, old.parents, old.offsets, {}, old.ends))
+    written(clip, tmp_path / "walk.bvh", rigs.TABLE["LaFAN1"])
+    with pytest.warns(UserWarning, match="roles are from the shape of the tree"):
+        found = tk.load(tmp_path / "walk.bvh")
+    roles = rigs.roles(rigs.TABLE["LaFAN1"])
+    assert found.skeleton.roles == {role: names[old.names.index(joint)] for role, joint in roles.items()}
+    assert facing(found) > 0.95
+
+
+@pytest.mark.parametrize(("degrees", "place"), [(-90, (0, 0.12, -0.9)), (90, (0.9, 0.12, 0.9)), (90, (0, 0.6, 0.9))])
+def test_a_body_that_lies_beside_the_origin_is_doubted(tmp_path, degrees, place):
+    """Its feet are near zero along the axis of the body, as those of a standing body are."""
+    clip = rigs.walk("LaFAN1", seconds=1.0)
+    turn = R.from_euler(torch.deg2rad(torch.tensor([float(degrees), 0, 0])), "XYZ")
+    rotations = torch.cat((turn.expand(len(clip), 1, 4), R.identity(len(clip), len(clip.skeleton) - 1)), 1)
+    lying = clip.replace(rotations=rotations, root_positions=torch.tensor(place).float().expand(len(clip), 3))
+    tk.bvh.save(lying, tmp_path / "sleep.bvh")
+    with pytest.warns(UserWarning, match="or lies with y up: .* is taken; up= decides"):
+        tk.load(tmp_path / "sleep.bvh")
+    assert tk.load(tmp_path / "sleep.bvh", unit="cm", up="y").global_positions[..., 1].amax() < 1.2

@@ -10,6 +10,7 @@ import toolkit as tk
 from experiments import closed_loop, tables
 from toolkit import runtime
 from toolkit.features import Layout, split_joints
+from toolkit.networks.phase import advance
 
 
 class Replay:
@@ -123,7 +124,7 @@ def test_a_limbs_phase_is_pulled_by_how_far_it_moved(small_run):
     phase, update, predicted = torch.zeros(1, 8), torch.zeros(1, 8), torch.full((1, 8), 0.5)
     phase[0, :2], update[0, :2] = torch.tensor([1.0, 0.0]), torch.tensor([0.0, 0.1])
     phase[0, 2:4] = torch.tensor([0.0, 2.0])  # a limb that stands still is not pulled
-    new = small_run.model.next_phase(phase, {"phases": predicted, "phase_updates": update})
+    new = advance(small_run.model.layout, phase, {"phases": predicted, "phase_updates": update})
     share = 0.5 * 0.1 / math.hypot(1.0, 0.1)
     assert new[0, :4].tolist() == pytest.approx([1 - share * 0.5, 0.1 + share * 0.4, 0.0, 2.0])
 

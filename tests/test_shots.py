@@ -93,14 +93,27 @@ def test_those_who_keep_apart_do_and_the_others_walk_through_each_other(tmp_path
     assert nearest[1] > 0.6
 
 
+def test_bodies_keep_apart_by_the_reach_of_their_styles(embedded):
+    arms = [dataclasses.replace(shot, styles="Aeroplane") for shot in MEET]
+    nearest = []
+    for scene in (Scene(arms, 1.0), Scene(arms, 1.0).spaced(*embedded, bodies=0.4)):
+        states = list(scene.states(*embedded))[::5]
+        places = torch.stack([tk.runtime.world_joints(embedded[0].layout, s)["position"] for s in states])
+        nearest.append(float(torch.cdist(places[:, 0], places[:, 1]).min()))
+    assert min(scene.radii) > 0.6  # of outstretched arms
+    assert nearest[0] < 0.2 < 0.3 < nearest[1]
+
+
 def test_velocities_of_those_who_keep_apart():
     places, ahead = np.array([[0.0, 0.0], [0.0, 2.0]]), np.array([[0.0, 1.0], [0.0, -1.0]])
-    safe = apart.velocities(places, ahead, ahead, 0.8)
+    safe = apart.velocities(places, ahead, ahead, 0.4)
     assert safe[0, 0] * safe[1, 0] < 0  # each to its own side
     assert np.allclose(safe[0], -safe[1])
-    assert np.allclose(apart.velocities(places, ahead, -ahead, 0.8, np.zeros((0, 2, 2))), -ahead)  # they part: nothing to do
+    wide = apart.velocities(places, ahead, ahead, np.array([0.3, 0.9]))
+    assert abs(wide[0, 0]) > abs(safe[0, 0])
+    assert np.allclose(apart.velocities(places, ahead, -ahead, 0.4, np.zeros((0, 2, 2))), -ahead)  # they part: nothing to do
     walls = np.array([[[-5.0, 0.6], [5.0, 0.6]]])
-    assert apart.velocities(places[:1], ahead[:1], ahead[:1], 0.8, walls)[0, 1] < 0.11
+    assert apart.velocities(places[:1], ahead[:1], ahead[:1], 0.4, walls)[0, 1] < 0.11
 
 
 @pytest.mark.parametrize(("arguments", "said"), [
@@ -207,7 +220,7 @@ BAD = [
     ({"path": [[0, 0, 1], [0, 1]]}, "path[0]: the first point has the time 0"),
     ({"path": "straight"}, "path must be a list"),
     ({"path": [[0, 0], {"x": 0, "y": 1}]}, "path[1]: unknown field 'y'"),
-    ({"path": [[0, 0], {"x": 0}]}, "path[1]: missing 1 required"),
+    ({"path": [[0, 0], {"x": 0}]}, "path[1]: the field z is missing"),
     ({"path": [[0, 0], [0, 1, 2, [0, 0]]]}, "facing must not be zero"),
     ({"styles": []}, "styles: one or more keys"),
     ({"styles": [{"time": 1, "blend": "Old"}, {"time": 1, "blend": "Old"}]}, "styles[1]: times must increase"),

@@ -7,7 +7,7 @@ import torch
 from scipy.linalg import sqrtm
 
 import toolkit as tk
-from experiments.stylization import aberman, comparison, convolutional, evaluation, floors, holden, sets
+from experiments.stylization import aberman, codes, comparison, convolutional, evaluation, floors, holden, sets
 from experiments.stylization.judges import Judge, Judges
 from toolkit.stylization import Config, data, losses, networks
 from toolkit.stylization.medley import medley
@@ -142,6 +142,43 @@ def test_codes_come_by_noise_or_by_reference(motions, judges):
     found = evaluation.evaluate(stylizer, motions.select(torch.tensor([0, 1])), motions, judges)
     assert all(math.isfinite(value) for value in found.values())
     assert found["diversity"] > 0
+
+
+class MeanPose(torch.nn.Module):
+    """Its codes are mean positions, which it adds; a domain's codes are 0 for references where it is ``deaf``."""
+
+    def __init__(self, motions, deaf):
+        super().__init__()
+        self.domains, self.deaf = motions.domains, deaf
+        self.sizes = Sizes(latent=3 * motions.graph.sizes[0])
+
+    def code_of(self, x, domain):
+        return x[:, :3].mean(2).flatten(1) * (0 if self.deaf else 1)
+
+    def code_from(self, z, domain):
+        return z
+
+    def translate(self, x, code):
+        return torch.cat((x[:, :3] + code.view(len(x), 3, 1, -1), x[:, 3:]), 1)
+
+
+def test_codes_that_hold_the_reference_spread_and_are_followed(motions):
+    deaf, faithful = (codes.spreads(MeanPose(motions, deaf), motions, motions) for deaf in (True, False))
+    assert deaf["within"] == deaf["between"] == deaf["follows"] == 0
+    assert deaf["noise"] == pytest.approx(1, abs=0.1)
+    assert faithful["within"] > 0
+    chance = 1 / len(motions.domains) / len(motions.x)  # two equal references have no direction
+    assert 1 - 20 * chance < faithful["follows"] <= 1.0001
+
+
+def test_no_loss_pulls_codes_that_are_equal_and_diversity_widens_the_others(motions):
+    run = tk.stylization.fit(motions, TINY)
+    torch.nn.init.normal_(run.stylizer.generator.lower.weight, std=0.1)
+    found = codes.pulls(run, motions)
+    assert all(len(values) == codes.BATCHES for values in found.values())
+    assert max(found["ds"]) < 0
+    torch.nn.init.zeros_(run.stylizer.encoder.branches.weight)
+    assert all(value == pytest.approx(0, abs=1e-6) for values in codes.pulls(run, motions).values() for value in values)
 
 
 def test_a_window_as_a_clip_is_the_motion_seen_from_its_first_frame(motions):

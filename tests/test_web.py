@@ -13,7 +13,7 @@ from walks import COMMANDS, WALK, apart, commands
 
 import toolkit as tk
 from toolkit import view
-from toolkit.runtime import crowd
+from toolkit.shots import crowd
 from toolkit.view import live_page, page
 
 SCENE = Path(page.__file__).parent / "scene"

@@ -1,4 +1,4 @@
-"""Command line: ``python -m toolkit VERB``. One verb per job; bad input is one line on stderr and exit status 2."""
+"""Stylised character animation, one command for each job. Bad input prints one line and gives exit status 2."""
 
 import logging
 import sys

@@ -68,12 +68,12 @@ def stuck_hands(table: dict, model: str, than: str, section: str, title: str, cl
     def over_styles(name: str, key: str) -> list[float]:
         return [average([run["styles"][style][key] for style in moving]) for run in runs[name]]
 
-    def row(found: list[dict]) -> dict[str, list[float]]:
+    def row(found: list[dict]) -> dict[str, float | list[float]]:
         return {
             "range / data": [average([run["styles"][s]["hands"] for s in moving]) for run in found],
             "|corr. - data's|": [average([run["styles"][s]["together"] for s in moving]) for run in found],
             f"styles below {STUCK}": [sum(run["styles"][s]["hands"] < STUCK for s in moving) for run in found],
-            "of styles": [len(moving)] * len(found),
+            "of styles": len(moving),
             "recognised": [run["recognised"] for run in found],
         }
 

@@ -57,9 +57,12 @@ class Plan:
     recogniser_steps: int | None = None  # training steps of the recogniser; by default 20 per style, at least 200
 
     def config(self, model: str, seed: int) -> Config:
-        """Training settings of one run: equal for all runs except `toolkit.training.run.STYLE_RATES`."""
+        """Training settings of one run: equal for all runs except `toolkit.training.run.STYLE_RATES`.
+
+        FiLM's style vectors are means over clips, as in the paper; `experiments.seven_models.vectors` compares fitted ones.
+        """
         return Config.quick(model=model, sizes=SIZES[self.size], steps=self.steps, seed=seed, device=self.device,
-                            evaluate_every=max(1, self.steps // 2), held_out=HELD_OUT)
+                            evaluate_every=max(1, self.steps // 2), held_out=HELD_OUT, refit=0)
 
 
 def load(data: str, root: str | None, styles: str | None, gaits: str | None, clip_seconds: float | None,

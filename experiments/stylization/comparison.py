@@ -15,7 +15,7 @@ import torch
 import typer
 
 from experiments.seven_models.models import machine, write_json
-from experiments.stylization import aberman, convolutional, evaluation, holden, sets, speed
+from experiments.stylization import aberman, codes, convolutional, evaluation, holden, sets, speed
 from experiments.stylization.floors import FLOORS
 from experiments.stylization.judges import Judges
 from experiments.stylization.sets import Task
@@ -256,6 +256,35 @@ def show_speed(
                     "joints", "python -m experiments stylization speed --store", columns, rows,
                     {"iterations": iterations, "repeats": repeats, **machine("cpu")})
     print(result.markdown() + (f"wrote {result.save()}" if store else ""))
+
+
+@app.command("codes")
+def show_codes(
+    models: Annotated[list[Path], typer.Argument(help="Files of runs; the losses are those of the first one's recipe.")],
+    data: Annotated[str, typer.Option(help=f"One of {', '.join(sets.SETS)}: what they were trained on.")] = "dataset-1",
+    store: Annotated[bool, typer.Option(help="Write the tables' files in docs/results.")] = False,
+) -> None:
+    """What the codes of references hold, on validation windows, and which loss makes them alike, on training windows."""
+    torch.set_num_threads(1)
+    task, runs = sets.load(data), [training.load(path) for path in models]
+    alike = [run for run in runs if replace(run.config, seed=0) == replace(runs[0].config, seed=0)]
+    pulls = [codes.pulls(run, task.train) for run in alike]
+    command, settings = f"python -m experiments stylization codes FILE … --data {data} --store", {**machine("cpu")}
+    titles = {"recipe": ["a source's own code"], "seed": ["seed", 0], "iterations": ["iterations", 0],
+              "between": ["spread between domains", 2], "within": ["within", 3], "noise": ["of noise, within", 2],
+              "degrees": ["two references, °", 1], "degrees_wide": ["their codes further apart, °", 1],
+              "degrees_noise": ["two noises, °", 1], "follows": ["follows the reference", 2]}
+    rows = [{"recipe": f"of {'another' if run.config.other_window else 'its own'} window", "seed": run.config.seed,
+             "iterations": run.history[-1]["step"],
+             **codes.spreads(run.stylizer, task.sources["validation"], task.references["validation"])} for run in runs]
+    spread = Result("stylisation-codes", f"Bandai-Namco {data}, codes of the validation windows", command, titles, rows,
+                    settings | {"codes further apart": codes.AS_WIDE})
+    pull = Result("stylisation-pulls", f"Bandai-Namco {data}, training windows; mean ± deviation over {codes.BATCHES} "
+                  f"batches of {len(alike)} models", command, {"loss": ["loss"], "pull": ["pull, thousandths", 1]},
+                  [{"loss": name, "pull": [1000 * value for found in pulls for value in found[name]]} for name in pulls[0]],
+                  settings | {"batches": codes.BATCHES, "models": len(alike)})
+    for result in (spread, pull):
+        print(f"{result.about}\n\n{result.markdown()}" + (f"wrote {result.save()}" if store else ""))
 
 
 def _both_ways(stylizer: Stylizer, task: Task, plan: Plan, seed: int) -> dict[str, dict]:

@@ -7,6 +7,7 @@ import io
 import itertools
 import json
 import os
+import re
 import resource
 import struct
 import tempfile
@@ -24,13 +25,18 @@ from motion_files import Document, fbx, fbx_scene, packed
 from robustness.fuzz.trials import ROOM, TIMES
 
 import toolkit as tk
+from experiments.tables import Result
 from toolkit.datasets import archive, folder, leaks, style100
+from toolkit.evaluation.recognition import Recogniser
 from toolkit.features import store
 from toolkit.io import amc, bvh, gltf, npz
 from toolkit.io import fbx as fbx_file
 from toolkit.networks import Model
 from toolkit.networks.bank import StyleBank
+from toolkit.phases.learned import Learned
+from toolkit.stylization.networks import Stylizer
 
+PARTS = "model", "bank", "run", "stylizer", "recogniser", "learned"  # of model files
 SLOWER = 2.0  # allowed growth of the time for each byte from the smaller to the larger file
 LEAST = 0.3  # seconds: shorter times say nothing about their growth
 ASF = (":version 1.10\n:units\nmass 1.0\nlength 1.0\nangle deg\n:root\norder TX TY TZ RX RY RZ\naxis XYZ\nposition 0 0 0\n"
@@ -44,7 +50,7 @@ class Case(NamedTuple):
     read: Callable[[Path], object]
 
 
-class Result(NamedTuple):
+class Cost(NamedTuple):
     """What reading one file took."""
 
     size: int  # bytes
@@ -53,13 +59,18 @@ class Result(NamedTuple):
     said: str  # why it was refused; empty if it was read
 
 
+COLUMNS = {"kind": ["kind of file"], "size": ["MB", 1], "memory": ["memory, MB", 0], "small": ["s/MB, smaller file", 2],
+           "large": ["s/MB, larger file", 2], "said": ["larger file"]}
+
+
 def run(
     megabytes: Annotated[float, typer.Option(min=0.1, help="Size of the smaller files.")] = 3.0,
     times: Annotated[int, typer.Option(min=2, help="How much larger the larger files are.")] = 4,
     only: Annotated[str, typer.Option(help="Names of cases that contain this.")] = "",
+    store: Annotated[bool, typer.Option("--store", help="Write the result that the documentation shows.")] = False,
 ) -> None:
     """Memory and time of all readers at two sizes of hostile files: exit status 1 beyond 10 × the file + 200 MB."""
-    failed = []
+    failed, rows = [], []
     print(f"{'case':<26}{'MB':>7}{'× file':>8}{'MB more':>9}{'s':>8}{'s/MB':>8}{'growth':>8}  result")
     for name, case in CASES.items():
         if only not in name:
@@ -74,13 +85,23 @@ def run(
                 failed.append(f"{name}: {one.memory / 1e6:.0f} MB for a file of {one.size / 1e6:.1f} MB")
         if growth > SLOWER:
             failed.append(f"{name}: {growth:.1f} times as long for each byte at {times} times the size")
+        said = re.sub(r"^a file: |^[^ :]+(, line \d+)?: ", "", large.said)
+        speeds = {key: 1e6 * one.seconds / one.size for key, one in (("small", small), ("large", large))}
+        rows.append({"kind": name, "size": large.size / 1e6, "memory": large.memory / 1e6, **speeds,
+                     "said": f"refused: {said[:80]}" if said else "read"})
     for line in failed:
         print(f"FAILED {line}")
+    if store:
+        about = "processor time and memory of reading a file, beyond a small file of the same kind; one thread"
+        command = f"python -m experiments sizes --megabytes {megabytes:g} --times {times}"
+        numbers = {"kinds": len(rows), "failed": len(failed), "refused": sum(row["said"] != "read" for row in rows)}
+        made = Result("sizes", about, command, COLUMNS, rows, {"megabytes": megabytes, "times": times}, numbers)
+        print(f"wrote {made.save()}")
     if failed:
         raise typer.Exit(1)
 
 
-def measured(case: Case, size: int) -> Result:
+def measured(case: Case, size: int) -> Cost:
     """Read a file of about this size in a child process, which has read a small one before."""
     with tempfile.TemporaryDirectory() as place:
         (Path(place) / "first").mkdir()
@@ -104,7 +125,7 @@ def measured(case: Case, size: int) -> Result:
         os.waitpid(child, 0)
         if not text:
             raise ValueError(f"{path.name}: the reader's process died")
-        return Result(path.stat().st_size, *json.loads(text))
+        return Cost(path.stat().st_size, *json.loads(text))
 
 
 def _try(read: Callable[[Path], object], path: Path) -> str:
@@ -160,9 +181,9 @@ def _gltf(document: Callable[[int], Document]) -> Callable[[Path, int], Path]:
 
 def _keys(size: int) -> Document:
     made = Document([{"name": "a", "children": [1], "translation": [0, 1, 0]}, {"name": "b", "translation": [0, 1, 0]}])
-    count = size // 20
-    turns = np.zeros((count, 4), np.float32)
-    turns[:, 3] = 1.0
+    count = size // 32
+    angles = np.arange(count, dtype=np.float32) / 100
+    turns = np.stack((np.sin(angles), 0 * angles, 0 * angles, np.cos(angles)), 1)
     return made.animate((0, "rotation", np.arange(count) / 30, turns, "LINEAR"))
 
 
@@ -204,7 +225,7 @@ def _fbx_packed(place: Path, size: int) -> Path:
 
 
 def _fbx_records(place: Path, size: int) -> Path:
-    models = [("Model", [j, f"m{j}\0\x01Model", "LimbNode"], []) for j in range(size // 60)]
+    models = [("Model", [j + 1, f"m{j}\0\x01Model", "LimbNode"], []) for j in range(size // 60)]
     return _written(place / "a.fbx", fbx([("Objects", [], models), ("Connections", [], [])]))
 
 
@@ -257,10 +278,14 @@ def _labels(place: Path, size: int) -> Path:
     return _written(place / "labels.csv", "file,style\n" + "a.bvh,b\n" * (size // 8))
 
 
-def _split(place: Path, size: int) -> Path:
-    block = {"style": "a", "gait": "FW", "start": 0, "stop": 9}
-    blocks = [block | {"start": 1000 * j, "stop": 1000 * j + 9} for j in range(size // 60)]
-    return _written(place / "split.json", json.dumps({"training": blocks, "test": blocks[:1]}))
+def _split(apart: int) -> Callable[[Path, int], Path]:
+    """A split of blocks of 9 frames of one take, with as many frames between the starts of a part's blocks."""
+    def write(place: Path, size: int) -> Path:
+        train, test = ([["a", "FW", first + apart * j, first + apart * j + 9] for j in range(size // 60)]
+                       for first in (0, apart // 2))
+        return _written(place / "split.json", json.dumps({"train": train, "test": test}))
+
+    return write
 
 
 def _brackets(name: str) -> Callable[[Path, int], Path]:
@@ -273,8 +298,8 @@ def _tensors(place: Path, size: int) -> Path:
 
 
 def _metadata(place: Path, size: int) -> Path:
-    text = "[" + "[]," * (size // 3) + "0]"
-    return _header(place, {"__metadata__": {"format": "toolkit 1", "model": text, "bank": text, "run": text}})
+    text = "[" + "[]," * (size // 3 // len(PARTS)) + "0]"
+    return _header(place, {"__metadata__": {"format": "toolkit 1"} | dict.fromkeys(PARTS, text)})
 
 
 def _numbers(place: Path, size: int) -> Path:
@@ -328,13 +353,18 @@ CASES = {
     "100STYLE table": Case(_table, lambda path: style100.frame_cuts(path.parent)),
     "100STYLE table, commas": Case(_commas, lambda path: style100.frame_cuts(path.parent)),
     "labels.csv": Case(_labels, lambda path: folder.labelled(path.parent)),
-    "split": Case(_split, leaks.find),
+    "split, no leak": Case(_split(1000), leaks.find),
+    "split, leaks": Case(_split(0), leaks.find),
     "split, JSON values": Case(_brackets("split.json"), leaks.find),
+    "shots, JSON values": Case(_brackets("shots.json"), tk.shots.load),
     "manifest, JSON values": Case(_brackets("manifest.json"), lambda path: store.load(path.parent)),
     "model, tensors": Case(_tensors, Model.load),
     "model, metadata": Case(_metadata, Model.load),
     "model, numbers": Case(_numbers, Model.load),
     "run, metadata": Case(_metadata, tk.training.load),
+    "stylizer, metadata": Case(_metadata, Stylizer.load),
+    "recogniser, metadata": Case(_metadata, Recogniser.load),
+    "phases, metadata": Case(_metadata, Learned.load),
     "bank, names": Case(_names, StyleBank.load),
     "archive, members": Case(_members, _unpack),
 }

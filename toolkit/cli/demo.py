@@ -15,7 +15,8 @@ from toolkit.evaluation import metrics
 from toolkit.io import bvh
 from toolkit.io.files import atomic_write
 from toolkit.networks.bank import StyleBank
-from toolkit.runtime import FPS, crowd
+from toolkit.runtime import FPS
+from toolkit.shots import crowd
 from toolkit.styles.transitions import transition
 
 app = typer.Typer(add_completion=False, help="Make something to look at in a minute.")
@@ -96,6 +97,8 @@ def make(folder: Path, seconds: float = 35.0, *, data_seconds: float = 60.0, see
     centres = [round(legs * len(clip) / 4) for legs in (0.12, 1, 2, 3.9)]  # of each style alone and of all three
     starts = [min(max(0, centre - 60), len(clip) - 120) for centre in centres]
     view.strip([clip.cut(start, start + 120) for start in starts], files[2], labels=[*STYLES, "all three"])
+    if error["error"] >= error["repeat"]:
+        report.append("the model predicts no better than repeating the frame: give it more time (--minutes 5)")
     _write(files[3], report)
     run.save(files[4])
     view.web(run.model, run.bank, files[5], title="Trained in under a minute, and under your control")
@@ -119,7 +122,7 @@ def demo_(
         return
     page = embedded(out)
     print(f"Open {page} in a browser: the embedded model walks there.")
-    print(f"Meanwhile motion is generated, and a small model is trained on it for {60 * minutes:g} s.")
+    print(f"Meanwhile motion is generated (a minute), and a small model learns it for {60 * minutes:g} s.", flush=True)
     files = make(out, 60 * minutes, seed=seed, progress=True)
     print(files[3].read_text(encoding="utf-8"))
     print("Look at it:")
@@ -138,7 +141,7 @@ def demo_crowd(
     threads: Annotated[int, typer.Option(help="Processor cores to use.")] = 1,
     seed: Seed = 0,
 ) -> None:
-    """Walk a crowd on one processor core, each in its own style blend; write a picture, an animation and the time taken."""
+    """Let two crowds cross, each character in its own style blend; write a picture, an animation and the time taken."""
     print("The runtime is compiled at its first use; that takes a while.")
     net, bank = published.either(model, parameters)
     compiled = runtime.compile(net, threads=threads)

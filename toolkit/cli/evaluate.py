@@ -14,6 +14,7 @@ from toolkit.datasets import folder as own
 from toolkit.evaluation.recognition import Recogniser
 from toolkit.io.files import atomic_write
 from toolkit.motion import Clip, root_frames
+from toolkit.motion.names import printable
 
 
 def evaluate(
@@ -41,7 +42,8 @@ def evaluate(
     table = evaluation.report(clips.values(), truth.values() if real is not None else None, judge)
     print(table)
     if out is not None:
-        rows = [{k: None if isinstance(v, float) and math.isnan(v) else v for k, v in row.items()} for row in table.rows]
+        rows = [{k: v if not isinstance(v, float) or math.isfinite(v) else None for k, v in row.items()}
+                for row in table.rows]
         with atomic_write(out) as file:
             file.write((json.dumps({"rows": rows, "notes": table.notes}, indent=1) + "\n").encode())
 
@@ -59,7 +61,8 @@ def _clips(place: Path, paired: bool, judge: Recogniser | None, unit: float | st
     for take in takes:
         path = take.path
         try:
-            clip = motion_files.read(path, unit, up, roles).replace(style=take.style, gait=take.gait)
+            metres, axis = (take.unit if unit == "auto" else unit), (take.up if up == "auto" else up)
+            clip = motion_files.read(path, metres, axis, roles).replace(style=take.style, gait=take.gait)
             for measure in evaluation.measures.CLIP.values():
                 measure(clip)
             if paired:
@@ -67,8 +70,8 @@ def _clips(place: Path, paired: bool, judge: Recogniser | None, unit: float | st
             if judge is not None:
                 judge.embed(clip)
         except (ValueError, OSError, ImportError) as error:
-            why = str(error).removeprefix(f"{path}: ").removeprefix(f"{path.name}: ")
-            print(f"left out: {path.name}: {why}")
+            why = str(error).removeprefix(str(path)).removeprefix(path.name).lstrip(",: ")
+            print(printable(f"left out: {path.name}: {why}"))
             continue
         clips[path.relative_to(place).with_suffix("").as_posix() if place.is_dir() else path.stem] = clip
     if not clips:

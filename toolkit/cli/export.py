@@ -55,7 +55,7 @@ def director(
     from toolkit.view import director as desk  # imported on demand: it needs the drawing libraries
 
     export.check(out, (".html",))
-    first = None if file is None else shots.load(file)
+    first = None if file is None else shots.Scene.load(file)
     _wrote(desk.web(*published.either(model, parameters), out, first, title=title, styles=styles, half=half,
                     character=character))
 

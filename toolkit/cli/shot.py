@@ -25,9 +25,12 @@ def shot(
         scene = dataclasses.replace(scene, shots=[dataclasses.replace(asked, seed=seed) for asked in scene.shots])
     net, bank = published.either(model, parameters)
     for k, asked in enumerate(scene.shots if scene.apart is None else ()):
-        for line in asked.check(net, bank):
-            print(f"shot {k}: {line}", file=sys.stderr)
+        try:
+            for line in asked.check(net, bank):
+                print(f"shots[{k}]: {line}", file=sys.stderr)
+        except ValueError as error:
+            raise ValueError(f"{file}: shots[{k}]: {error}") from None
     for k, (asked, clip) in enumerate(zip(scene.shots, scene.render(net, bank), strict=True)):
         path = out if len(scene.shots) == 1 else out.with_stem(f"{out.stem}_{k}")
         export.write(clip, path, title=asked.name, progress=True)
-        print(f"{asked.name}: {len(clip)} frames, {clip.seconds:.1f} s; wrote {path}")
+        print(f"{asked.name or 'shot'}: {len(clip)} frames, {clip.seconds:.1f} s; wrote {path}")

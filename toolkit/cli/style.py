@@ -3,6 +3,7 @@
 import math
 from importlib import resources
 from pathlib import Path
+from shlex import quote
 from typing import Annotated
 
 import typer
@@ -41,8 +42,9 @@ def add(
     For one that was stored without, such as the embedded one, the style vector itself is optimised.
     """
     files = [path for path in sorted(clips.rglob("*")) if path.suffix.lower() in READERS] if clips.is_dir() else [clips]
-    if not files:
-        raise ValueError(f"{clips}: no motion file ({', '.join(READERS)}) in this folder")
+    if not files or not clips.exists():
+        raise ValueError(f"{clips}: no motion file ({', '.join(READERS)}) in this folder" if clips.is_dir() else
+                         f"{clips}: no such file or folder")
     if not name.strip() or any(c in name for c in "=,"):
         raise ValueError(f"a style's name must not be empty nor hold '=' or ',', got {name!r}")
     export.check(out, ())
@@ -65,7 +67,7 @@ def add(
     elif error["after"] >= error["repeat"]:
         print("The model predicts this style no better than repeating the frame: use more or longer clips.")
     _print_near(made.bank, name)
-    print(f"wrote {out}; next: python -m toolkit rollout --model {out} --style {name} --out walk.html")
+    print(f"wrote {out}; next: python -m toolkit rollout --model {quote(str(out))} --style {quote(name)} --out walk.html")
 
 
 @app.command("list")

@@ -4,6 +4,7 @@ import functools
 import io
 import logging
 import sys
+import warnings
 from collections.abc import Mapping
 from importlib import import_module
 from pathlib import Path
@@ -44,7 +45,7 @@ Selection = Annotated[Names | None, typer.Option(parser=Names, metavar="A,B,…"
 Mirror = Annotated[bool, typer.Option("--mirror", help="Add mirror images (100STYLE: of symmetric styles).")]
 Listed = Annotated[bool, typer.Option("--listed", help="Train on the training part of the dataset's list (`data split`) and "
                                       "hold out its test part; 100style and bandai.")]
-Seed = Annotated[int, typer.Option(help="The same seed gives the same result.")]
+Seed = Annotated[int, typer.Option(min=0, max=2**31 - 1, help="The same seed gives the same result.")]
 Device = Annotated[str, typer.Option(help="cpu, cuda, …")]
 Resume = Annotated[bool, typer.Option("--resume", help="Continue from OUT.checkpoint, which a stopped run leaves.")]
 Unit = Annotated[Any, typer.Option("--unit", parser=_unit, metavar="METRES", help="Metres of one unit of length in a "
@@ -89,10 +90,12 @@ def execute(app: TyperGroup, arguments: list[str] | None = None) -> int:
     """Run a command line; returns the exit status. Bad input prints one line on stderr and gives status 2."""
     if isinstance(sys.stdout, io.TextIOWrapper):
         sys.stdout.reconfigure(errors="replace")  # a pipe on Windows cannot encode letters such as → or ±
+    warnings.showwarning = lambda message, *_, **__: _print_error(f"warning: {message}")
     try:
         app(arguments, standalone_mode=True)
     except (ValueError, OSError, ImportError) as error:
-        _print_error(f"error: {error}")
+        place, why = getattr(error, "filename", None), getattr(error, "strerror", None)
+        _print_error(f"error: {place}: {why}" if place and why else f"error: {error}")
         return 2
     except KeyboardInterrupt:
         _print_error("stopped")

@@ -9,8 +9,8 @@ from plotly.subplots import make_subplots
 from scipy.spatial import Delaunay
 from torch import Tensor
 
-from toolkit.view.body import CONTACT, PALETTE
-from toolkit.view.figures import QUIET, finish
+from toolkit.view.body import PALETTE
+from toolkit.view.figures import finish
 
 LINE = "#d9d4c8"
 
@@ -86,14 +86,3 @@ def follows(seconds: Tensor, curves: Mapping[str, tuple[Tensor, Tensor]]) -> go.
             figure.add_scatter(x=seconds.numpy(), y=curve.numpy(), name=name, line=line, showlegend=i == 1, row=i, col=1)
     figure.update_xaxes(title="seconds", row=len(curves), col=1)
     return finish(figure, "The body follows the weights", 440, {}, {}, margin_t=84)
-
-
-def toe_speeds(seconds: Tensor, stands: Tensor, curves: Mapping[str, Tensor]) -> go.Figure:
-    """Speed of a toe over the floor, cm/s, [F] each; green where the foot stands, [F]."""
-    figure = go.Figure()
-    seconds = seconds.numpy()
-    figure.add_scatter(x=seconds, y=np.where(stands.numpy() > 0.5, 80, 0), fill="tozeroy", mode="none", name="contact",
-                       line={"shape": "hv"}, fillcolor="rgba(53, 196, 106, 0.22)")
-    for (name, curve), colour in zip(curves.items(), (PALETTE[2], CONTACT, QUIET), strict=False):
-        figure.add_scatter(x=seconds, y=curve.numpy(), name=name, line={"color": colour, "width": 2.5})
-    return finish(figure, "Right toe", 360, {"title": "seconds"}, {"title": "speed over the floor, cm/s", "range": [0, 80]})

@@ -12,6 +12,10 @@ from toolkit.course.sequence import LESSONS
 
 Judge = Callable[[Any], str]
 
+#: Module of `toolkit.course.exercises` -> numbers of its notebooks.
+MODULES = {"features": ("00", "01"), "phases": ("02a", "02b"), "networks": ("03a", "03b", "07"),
+           "styles": ("04", "05", "06"), "restyling": ("08a", "08b"), "measures": ("09", "11", "12")}
+
 
 @dataclass(frozen=True)
 class Exercise:
@@ -61,7 +65,8 @@ def check(name: str, answer: Any) -> Verdict:
         raise ValueError(f"no exercise {name!r}; there are {', '.join(known) or ', '.join(LESSONS)}")
     exercise = known[name]
     try:
-        wrong = "no answer yet." if answer is ... else exercise.judge(answer)
+        empty = ... in answer.values() if isinstance(answer, dict) else answer is ...
+        wrong = "no answer yet." if empty else exercise.judge(answer)
     except Exception as error:  # of the reader's function
         wrong = f"your answer raised {type(error).__name__}: {error}."
     text = f"{wrong[:1].upper()}{wrong[1:]} Hint: {exercise.hint}" if wrong else "Right."
@@ -70,7 +75,9 @@ def check(name: str, answer: Any) -> Verdict:
 
 def exercises_of(number: str) -> dict[str, Exercise]:
     """Exercises of a notebook, by name."""
-    return importlib.import_module(f"toolkit.course.exercises.{LESSONS[number].name}").EXERCISES
+    module = next(name for name, numbers in MODULES.items() if number in numbers)
+    known = importlib.import_module(f"toolkit.course.exercises.{module}").EXERCISES
+    return {name: exercise for name, exercise in known.items() if name.partition(".")[0] == number}
 
 
 def same_as(right: Callable, cases: Callable[[], Sequence[tuple]], wrong: Mapping[str, Callable] | None = None,

@@ -70,7 +70,7 @@ def slider(labels: Sequence[str], prefix: str, start: int = 0) -> dict:
     """A slider of plotly through the frames "0", "1", … of a figure."""
     now = {"mode": "immediate", "frame": {"duration": 0, "redraw": True}, "transition": {"duration": 0}}
     steps = [{"method": "animate", "label": label, "args": [[str(k)], now]} for k, label in enumerate(labels)]
-    return {"steps": steps, "active": start, "currentvalue": {"prefix": prefix}, "pad": {"t": 30}}
+    return {"steps": steps, "active": start, "currentvalue": {"prefix": prefix}, "pad": {"t": 46}}
 
 
 def window(positions: Tensor, facings: Tensor) -> go.Figure:
@@ -103,7 +103,7 @@ def row(x: Tensor, layout: Layout) -> go.Figure:
     _arrows(figure, trajectory[:, :2], trajectory[:, :2] + 0.2 * trajectory[:, 2:], "trajectory window", X, row=1, col=2)
     figure.update_xaxes(title="metres ahead", row=1, col=1).update_yaxes(title="metres", scaleanchor="x", row=1, col=1)
     figure.update_xaxes(**LEFT, row=1, col=2).update_yaxes(title="metres ahead", scaleanchor="x2", row=1, col=2)
-    return finish(figure, "One row x", 560, {}, {})
+    return finish(figure, "One row x", 560, {}, {}, margin_t=84)
 
 
 def skeleton(bones: Skeleton) -> go.Figure:

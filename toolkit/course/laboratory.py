@@ -1,13 +1,18 @@
-"""The laboratory of phase sources: one source, measured on clips whose true phases are known."""
+"""What several notebooks measure in the same way: sources of phases against the truth, and walks of many characters."""
 
 import dataclasses
 from collections.abc import Mapping, Sequence
 
 import pandas as pd
+import torch
+from torch import Tensor
 
 from toolkit import phases as ph
+from toolkit import runtime
 from toolkit.datasets import procedural
 from toolkit.evaluation.phases import measure
+from toolkit.features import split_joints
+from toolkit.networks import Model
 
 FOUR = ("Neutral", "DragRightLeg", "PendulumHands", "Drunk")  # cyclic, asymmetric, no global phase, stochastic
 
@@ -35,3 +40,12 @@ def trial(sources: Mapping[str, str | ph.Source], cases: Sequence[tuple[str, str
         rows += [(f"{name} {gait}", source, float(error[:2].nanmean()), float(error[2:].nanmean()))
                  for source, error in found.items()]
     return pd.DataFrame(rows, columns=["clip", "source", "hands", "feet"])
+
+
+def walk(model: Model, vectors: Tensor, speed: float = 0.9, seconds: float = 6.0, settled: int = 120) -> Tensor:
+    """Predicted positions ``[settled, S, J, 3]`` of S characters that walk straight ahead, each with its style vector.
+
+    They are the last ``settled`` frames, in the root frame. ``speed`` is in metres per second.
+    """
+    states = list(runtime.states(model, runtime.straight(speed, seconds), vectors))[-settled:]
+    return torch.stack([split_joints(state.joints)["position"] for state in states])

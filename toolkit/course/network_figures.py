@@ -11,7 +11,7 @@ from torch import Tensor
 
 from toolkit.course.feature_figures import slider
 from toolkit.course.notation import SYMBOLS
-from toolkit.view.body import COLORS, CONTACT, PALETTE
+from toolkit.view.body import COLORS, PALETTE
 from toolkit.view.figures import colours, finish
 
 STYLE, OUTPUT = SYMBOLS["γ, β"][0], SYMBOLS["z"][0]
@@ -44,7 +44,7 @@ def poses(parents: Sequence[int], plain: Tensor, sliders: Mapping[str, Mapping[s
         control = slider(list(steps), f"{name}: ")
         for i, step in enumerate(control["steps"]):
             step["args"] = [[f"{k}-{i}"], step["args"][1]]
-        controls.append(control | {"pad": {"t": 30 + 92 * k}})
+        controls.append(control | {"pad": {"t": 46 + 92 * k}})
     figure.frames = frames
     every = torch.cat([plain, *(pose for steps in sliders.values() for pose in steps.values())])
     low, high = float(every[:, 1].min()) - 0.1, float(every[:, 1].max()) + 0.1
@@ -76,10 +76,10 @@ def blend_of_lines(weights: Sequence[float], biases: Sequence[float], steps: int
         figure.add_scatter(x=x, y=weights[k] * x + biases[k], name=f"expert {k + 1}", line={"color": colour, "width": 3})
     shares = np.linspace(0, 1, steps)
     curves = [((1 - a) * weights[0] + a * weights[1]) * x + (1 - a) * biases[0] + a * biases[1] for a in shares]
-    figure.add_scatter(x=x, y=curves[0], name="blend", line={"color": SYMBOLS["α"][0], "width": 6})
+    figure.add_scatter(x=x, y=curves[steps // 2], name="blend", line={"color": SYMBOLS["α"][0], "width": 6})
     figure.frames = [go.Frame(data=[{"x": x, "y": y}], traces=[2], name=str(k)) for k, y in enumerate(curves)]
     return finish(figure, "Two experts of one number each", 400, {"title": "x"}, {"title": "W x + b", "range": [-2, 2]},
-                  sliders=[slider([f"{a:.2f}" for a in shares], "share of expert 2: ")])
+                  sliders=[slider([f"{a:.2f}" for a in shares], "share of expert 2: ", steps // 2)])
 
 
 def modulation(values: Tensor, steps: int = 21) -> go.Figure:
@@ -98,9 +98,9 @@ def modulation(values: Tensor, steps: int = 21) -> go.Figure:
         control = slider([f"{v:.1f}" for v in reach], f"{name} = ", steps // 2)
         for i, step in enumerate(control["steps"]):
             step["args"] = [[f"{name}{i}"], step["args"][1]]
-        controls.append(control | {"pad": {"t": 30 + 92 * k}})
+        controls.append(control | {"pad": {"t": 46 + 92 * k}})
     figure.frames = frames
-    figure.update_yaxes(range=[-6, 6])
+    figure.update_yaxes(range=[-6.5, 6.5])
     return finish(figure, "One hidden layer under a style", 560, {}, {}, showlegend=False, margin_t=84, margin_b=240,
                   sliders=controls)
 
@@ -112,7 +112,7 @@ def baselines(table: pd.DataFrame) -> go.Figure:
                                   ("error", "network", PALETTE[0])):
         figure.add_bar(y=list(table.index), x=table[column], name=label, orientation="h", marker={"color": colour})
     return finish(figure, "Error on held-out frames (shorter is better)", 160 + 60 * len(table),
-                  {"type": "log", "title": "mean squared error, normalised units"}, {"autorange": "reversed"})
+                  {"type": "log", "dtick": "D2", "title": "mean squared error, normalised units"}, {"autorange": "reversed"})
 
 
 def confusions(tables: Mapping[str, Tensor], styles: Sequence[str]) -> go.Figure:
@@ -127,14 +127,6 @@ def confusions(tables: Mapping[str, Tensor], styles: Sequence[str]) -> go.Figure
     figure.update_yaxes(title="frames of", autorange="reversed", row=1, col=1)
     figure.update_yaxes(autorange="reversed")
     return finish(figure, "Error with a right and with a wrong style vector", 470, {}, {}, margin_t=84)
-
-
-def pairs(table: pd.DataFrame, title: str, axis: str) -> go.Figure:
-    """Two bars for each row: without (pink) and with (green) a correction."""
-    figure = go.Figure()
-    for column, colour in zip(table.columns, (PALETTE[2], CONTACT), strict=True):
-        figure.add_bar(y=list(table.index), x=table[column], name=column, orientation="h", marker={"color": colour})
-    return finish(figure, title, 160 + 44 * len(table), {"title": axis}, {"autorange": "reversed"})
 
 
 def _both(parents: Sequence[int], pose: Tensor) -> list[dict]:

@@ -14,7 +14,7 @@ from toolkit import phases as ph
 from toolkit.course.feature_figures import slider
 from toolkit.course.notation import SYMBOLS
 from toolkit.motion import Clip, root_frames
-from toolkit.view.body import COLORS, PALETTE
+from toolkit.view.body import COLORS
 from toolkit.view.figures import INK, QUIET, colours, finish
 
 P = SYMBOLS["p"][0]
@@ -92,15 +92,6 @@ def stacked(seconds: Tensor, curves: Mapping[str, Tensor], title: str, *, stop: 
     return finish(figure, title, 120 + 120 * len(curves), {}, {}, showlegend=False)
 
 
-def prepared(seconds: Tensor, raw: Tensor, normalised: Tensor, smoothed: Tensor, title: str) -> go.Figure:
-    """A raw source, the normalised curve, and the smoothed one, over the same seconds."""
-    figure = go.Figure()
-    for name, curve, line in (("raw", raw, {"color": QUIET, "width": 2}), ("normalised", normalised, {"color": PALETTE[3]}),
-                              ("and smoothed", smoothed, {"color": COLORS["left"], "width": 3})):
-        figure.add_scatter(x=seconds.numpy(), y=curve.numpy(), name=name, line=line)
-    return finish(figure, title, 340, {"title": "seconds", "range": [1, 6]}, {})
-
-
 def bars(table: pd.DataFrame, title: str, axis: str) -> go.Figure:
     """A group of bars for each row, a bar for each column."""
     figure = go.Figure()
@@ -115,14 +106,6 @@ def errors(table: pd.DataFrame, title: str) -> go.Figure:
                                   colorscale="YlOrRd", text=table.round().map(lambda v: "" if np.isnan(v) else f"{v:.0f}"),
                                   texttemplate="%{text}", colorbar={"title": "degrees"}, hoverongaps=False))
     return finish(figure, title, 140 + 30 * len(table), {"showgrid": False}, {"autorange": "reversed", "showgrid": False})
-
-
-def growth(table: pd.DataFrame, title: str, axis: str) -> go.Figure:
-    """A curve for each column over the index."""
-    figure = go.Figure()
-    for name, colour in zip(table.columns, colours(len(table.columns)), strict=True):
-        figure.add_scatter(x=list(table.index), y=table[name], name=str(name), mode="lines+markers", line={"color": colour})
-    return finish(figure, title, 400, {"title": axis}, {"title": "error, degrees", "rangemode": "tozero"})
 
 
 def against(table: pd.DataFrame, measures: list[str], truth: str, kind: str) -> go.Figure:

@@ -5,7 +5,7 @@ from html import escape
 
 from toolkit.course.pages import Page, charts
 
-BOX, GAP = (140, 46), (22, 26)  # width and height of a box and of the space between boxes, in pixels
+BOX, GAP = (150, 46), (20, 26)  # width and height of a box and of the space between boxes, in pixels
 INK, QUIET, LIT, PAPER, LINE = "#2b323b", "#5d6570", "#7b3fb5", "#fbfaf7", "#c9c4b8"
 
 
@@ -14,7 +14,7 @@ class Lesson:
     """One notebook."""
 
     number: str  # such as "02a": the first characters of the file's name
-    name: str  # the rest of the file's name; also the module with its exercises
+    name: str  # the rest of the file's name
     title: str  # short, for the map
     question: str  # that the notebook answers
     minutes: int  # for a reader who runs all cells and does the exercises

@@ -8,7 +8,7 @@ import zlib
 from collections.abc import Callable
 from pathlib import Path, PurePosixPath
 
-from tqdm import tqdm
+from toolkit.io.progress import progress_bar
 
 DAMAGED = (zipfile.BadZipFile, zlib.error, lzma.LZMAError, EOFError, NotImplementedError,
            UnicodeDecodeError)  # what `zipfile` raises for files that are not a whole archive
@@ -38,7 +38,7 @@ def unpack(archive: Path, folder: Path, place: Callable[[str], str | None], limi
                 raise ValueError(f"{archive}: would unpack to {size:,} bytes, more than the {limit:,} that it may have")
             folder.mkdir(parents=True, exist_ok=True)
             room(folder, size, f"unpack {archive.name}")
-            with tqdm(total=size, unit="B", unit_scale=True, desc="unpack", disable=None if progress else True) as bar:
+            with progress_bar(total=size, unit="B", unit_scale=True, desc="unpack", show=progress) as bar:
                 for path, info in members.items():
                     target = folder / path
                     target.parent.mkdir(parents=True, exist_ok=True)

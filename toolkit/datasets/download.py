@@ -15,6 +15,7 @@ from pathlib import Path
 from tqdm import tqdm
 
 from toolkit.io.files import atomic_write, parsed, read
+from toolkit.io.progress import progress_bar
 
 STALL = 30.0  # seconds without a connection or a byte after which a try has failed
 TRIES = 5  # in a row that brought nothing new
@@ -77,7 +78,7 @@ def download(url: str, part: Path, size: int | None, limit: int, *, trusted: boo
     if not _safe(url, trusted):
         raise ValueError(f"{url}: is not encrypted; give an https address, or the file's checksum (--sha256)")
     best = failures = 0
-    with tqdm(total=size, unit="B", unit_scale=True, desc="download", disable=None if progress else True) as bar:
+    with progress_bar(total=size, unit="B", unit_scale=True, desc="download", show=progress) as bar:
         while True:
             try:
                 return _receive(url, part, size, limit, trusted, bar)

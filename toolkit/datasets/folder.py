@@ -9,7 +9,6 @@ is the gait, and of the others the first that is not common to all files is the 
 Clips have the body joints alone (`toolkit.motion.pruning`), and all the same ones.
 """
 
-import csv
 import os
 import re
 from collections import defaultdict
@@ -18,11 +17,10 @@ from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from pathlib import Path
 
-from tqdm import tqdm
-
 from toolkit.datasets.takes import Names, Source, Take
-from toolkit.io import interpretation
+from toolkit.io import files, interpretation
 from toolkit.io.load import READERS, read
+from toolkit.io.progress import progress_bar
 from toolkit.motion import Clip, trajectory
 from toolkit.motion.names import printable
 from toolkit.motion.pruning import pruned
@@ -95,7 +93,7 @@ class Own(Source):
 
     def read(self, takes: Iterable[Take]) -> Iterator[Clip]:
         """Labelled clips of takes, with their body joints."""
-        for take in tqdm(list(takes), desc="files", unit="file", disable=None):
+        for take in progress_bar(list(takes), desc="files", unit="file"):
             yield _fitted(_load(take)[0], self.target)  # `survey` has listed the doubts
 
 
@@ -124,7 +122,7 @@ def _survey(folder: Path, _signature: tuple, target: Clip | None) -> Survey:
     takes, left_out = labelled(folder)
     rigs: dict[tuple, list[tuple[Take, int, float, int]]] = defaultdict(list)
     doubts: dict[Path, list[str]] = {}
-    for take in tqdm(takes, desc="reading", unit="file", disable=None if len(takes) > 20 else True):
+    for take in progress_bar(takes, desc="reading", unit="file", show=len(takes) > 20):
         try:
             whole, doubtful = _load(take)
             clip = _fitted(whole, target)
@@ -157,7 +155,7 @@ def _survey(folder: Path, _signature: tuple, target: Clip | None) -> Survey:
 def labelled(folder: Path) -> tuple[list[Take], dict[Path, str]]:
     """Files of a folder with style and gait, and those that the table leaves out."""
     files = [path for path in sorted(folder.rglob("*")) if path.suffix.lower() in SUFFIXES and path.is_file()]
-    if (folder / TABLE).is_file():
+    if (folder / TABLE).exists():
         table = _table(folder)
         return ([OwnTake(path, *table[path]) for path in files if path in table],
                 {path: f"not listed in {TABLE}" for path in files if path not in table})
@@ -176,20 +174,16 @@ def labelled(folder: Path) -> tuple[list[Take], dict[Path, str]]:
 def _table(folder: Path) -> dict[Path, tuple]:
     """Style, gait, unit and up axis of each file that the table lists."""
     place, found = folder / TABLE, {}
-    with place.open(encoding="utf-8-sig", newline="") as text:
-        rows = csv.DictReader(text, skipinitialspace=True)
-        if not {"file", "style"} <= set(rows.fieldnames or ()):
-            raise ValueError(f"{place}: expected the columns {', '.join(COLUMNS)}; got {', '.join(rows.fieldnames or ())}")
-        for number, row in enumerate(rows, 2):
-            path, style = folder / (row["file"] or "").strip(), (row["style"] or "").strip()
-            if not style or not path.is_file():
-                raise ValueError(f"{place}, line {number}: {f'no file {path}' if style else 'no style'}")
-            gait, unit, up = ((row.get(column) or "").strip() for column in ("gait", "unit", "up"))
-            try:
-                unit = float(unit)
-            except ValueError:
-                unit = unit or "auto"
-            found[path] = style, gait, unit, up or "auto"
+    for number, row in files.table(place, COLUMNS[:2]):
+        path, style, gait, unit, up = (row.get(column, "").strip() for column in (*COLUMNS, "unit", "up"))
+        path = folder / path
+        if not style or not path.is_file():
+            raise ValueError(f"{place}, line {number}: {f'no file {str(path)!r}' if style else 'no style'}")
+        try:
+            unit = float(unit)
+        except ValueError:
+            unit = unit or "auto"
+        found[path] = style, gait, unit, up or "auto"
     return found
 
 

@@ -13,7 +13,6 @@ from pathlib import Path
 
 import numpy as np
 from torch import Tensor
-from tqdm import tqdm
 
 from toolkit.datasets.procedural_body import SKELETON, pose
 from toolkit.datasets.procedural_steps import FPS, Plan, Truth, record, smooth, smooth_noise
@@ -21,6 +20,7 @@ from toolkit.datasets.procedural_styles import STYLES, Arm, Leg, Style
 from toolkit.datasets.style100 import StyleInfo, save
 from toolkit.datasets.takes import Names
 from toolkit.io.files import atomic_write
+from toolkit.io.progress import progress_bar
 from toolkit.motion import Clip
 from toolkit.motion import rotations as R
 
@@ -116,7 +116,7 @@ def write(folder: str | os.PathLike, styles: Names = None, gaits: Names = None, 
     folder = Path(folder)
 
     def clips() -> Iterator[Clip]:
-        for style, gait in tqdm(_pairs(styles, gaits), desc="procedural", unit="clip", disable=None):
+        for style, gait in progress_bar(_pairs(styles, gaits), desc="procedural", unit="clip"):
             clip, known = truth(style, gait, seconds, seed)
             clip = clip.replace(style=f"Procedural{style}")
             with atomic_write(folder / f"{clip.style}_{gait}.npz") as file:

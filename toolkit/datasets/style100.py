@@ -15,8 +15,8 @@ from pathlib import Path
 import numpy as np
 
 from toolkit.datasets.takes import Names, Source
-from toolkit.io import bvh
-from toolkit.io.files import atomic_write, status
+from toolkit.io import bvh, files
+from toolkit.io.files import atomic_write
 from toolkit.motion import Clip
 
 GAITS = {
@@ -157,28 +157,6 @@ def styles(root: str | os.PathLike | None = None) -> dict[str, StyleInfo]:
     return infos
 
 
-def published_order(root_or_names: str | os.PathLike | Iterable[str] | None = None) -> list[str]:
-    """Style names in the index order of the published parameters: 95 in alphabetical order, then the five of `HELD_OUT`.
-
-    Parameters
-    ----------
-    root_or_names
-        The dataset's folder, or the 100 names in any order.
-
-    Raises
-    ------
-    ValueError
-        If these are not 100 names that include the five held-out ones.
-    """
-    from_folder = root_or_names is None or isinstance(root_or_names, str | os.PathLike)
-    names = set(styles(root_or_names) if from_folder else root_or_names)
-    if len(names) != 100 or not names >= set(HELD_OUT):
-        missing = sorted(set(HELD_OUT) - names)
-        raise ValueError(f"the published order needs all 100 styles; got {len(names)}"
-                         + (f", without {', '.join(missing)}" if missing else ""))
-    return sorted(names - set(HELD_OUT)) + list(HELD_OUT)
-
-
 def table1(root: str | os.PathLike | None = None) -> list[Table1Row]:
     """The paper's Table 1, counted from ``Frame_Cuts.csv``: eight gaits (TR1 to TR3 merged) and the total.
 
@@ -212,15 +190,7 @@ def _table(root: str | os.PathLike | None, name: str) -> tuple[Path, list[tuple[
     path = next(iter(sorted(folder.rglob(name))), None)
     if path is None:
         raise ValueError(f"100style: no {name} in {folder}; expected {SOURCE.layout}; get it at {SOURCE.home}")
-    status(path)
-    with path.open(encoding="utf-8-sig", errors="replace", newline="") as file:
-        reader = csv.DictReader(file, restval="")
-        try:
-            if missing := [c for c in columns if c not in (reader.fieldnames or [])]:
-                raise ValueError(f"{path}, line 1: expected the columns {', '.join(columns)}; without {', '.join(missing)}")
-            rows = [(reader.line_num, row) for row in reader]
-        except csv.Error as error:
-            raise ValueError(f"{path}, line {reader.line_num + 1}: {error}") from error
+    rows = files.table(path, columns)
     if not rows:
         raise ValueError(f"{path}: the table has no row")
     return path, rows

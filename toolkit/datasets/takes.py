@@ -7,10 +7,9 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from tqdm import tqdm
-
 from toolkit.datasets import home
 from toolkit.io import bvh
+from toolkit.io.progress import progress_bar
 from toolkit.motion import Clip
 from toolkit.motion.names import checked
 
@@ -28,7 +27,7 @@ class Take:
     def __post_init__(self):
         for what, name in (("a style", self.style), ("a gait", self.gait)):
             if name:
-                checked((name,), f"{self.path}: {what}")
+                checked((name,), f"{what} of {self.path}")
 
 
 @dataclass(frozen=True)
@@ -93,7 +92,7 @@ class Source:
 
     def read(self, takes: list[Take]) -> Iterator[Clip]:
         """Labelled clips of takes; more than 20 show a progress bar on a terminal."""
-        for take in tqdm(takes, desc=self.name, unit="file", disable=None if len(takes) > 20 else True):
+        for take in progress_bar(takes, desc=self.name, unit="file", show=len(takes) > 20):
             yield bvh.load(take.path, unit=self.unit, up="y", style=take.style, gait=take.gait)
 
 

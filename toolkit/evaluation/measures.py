@@ -110,7 +110,8 @@ def npss(clip: Clip, real: Clip) -> float:
     For each number of the pose: the power of its Fourier coefficients over time, normalised to the sum 1; the sum over all
     frequencies of the absolute difference of the cumulated powers of clip and real clip (earth mover's distance); mean over
     the numbers, weighted by the real clip's power. The numbers are world quaternions of all joints, as in Harvey et al. 2020
-    and RSMT; the source has Euler angles. Signs of quaternions are made continuous, and equal to the real clip's.
+    and RSMT; the source has Euler angles. Signs of quaternions are made continuous, and equal to the real clip's. Harvey et
+    al. square only the real part of the coefficients, so their values differ.
 
     Source: github.com/cr7anand/neural_temporal_models, ``metrics.py``.
     """

@@ -1,14 +1,11 @@
-"""Measures that compare models: error on the columns that all of them predict, hand movement, and blends of two styles."""
+"""Measures that compare models: error on the columns that all of them predict, movement of hands, and posture."""
 
 from collections import defaultdict
-from collections.abc import Sequence
-from dataclasses import dataclass
 
 import torch
 from torch import Tensor
 
 from toolkit.evaluation import metrics
-from toolkit.evaluation.recognition import Recogniser
 from toolkit.features import FRAME_KINDS, Features, Layout, Normaliser, mean_velocity, split_joints, splits
 from toolkit.networks import Model
 from toolkit.networks.bank import StyleBank
@@ -118,48 +115,3 @@ def posture_error(layout: Layout, joints: Tensor, clips: Tensor, speed: float) -
         apart = (poses[:1] - poses[1:]).norm(dim=-1)
         found[f"{name}_data"] = float(apart.mean()) if len(poses) > 1 else 0.0
     return found
-
-
-@dataclass(frozen=True, eq=False)
-class Curves:
-    """Of P pairs of styles, T blends from the first style to the second.
-
-    ``odds [P, T]``: what the recogniser gives to the second style, as a share of what it gives to both. ``gait [P, T]``: how
-    far the walk is along the straight line between the walks at both ends, 0 to 1, in the mean and the standard deviation
-    over time of every joint's position. The gait needs no classifier, whose odds may jump where the walk does not.
-    """
-
-    odds: Tensor
-    gait: Tensor
-
-    @property
-    def recognised(self) -> Tensor:
-        """Pairs ``[P]`` of which the recogniser names both ends rightly; `numbers` uses only these."""
-        return (self.odds[:, 0] < 0.5) & (self.odds[:, -1] > 0.5)
-
-    def numbers(self) -> dict[str, float]:
-        """Means over those pairs; NaN where there is none.
-
-        ``widest step`` of the odds and ``gait's widest``: the largest difference between neighbouring blends, 1 / (T - 1)
-        for an even curve; ``crosses at``: the first blend in which the second style is the likelier one; ``rank corr.``:
-        Spearman's, of the gait with the blend; and the number of pairs.
-        """
-        odds, gait = self.odds[self.recognised], self.gait[self.recognised]
-        blend = torch.arange(odds.shape[1], dtype=torch.float64)
-        ranks = [torch.corrcoef(torch.stack((g.argsort().argsort().double(), blend)))[0, 1] for g in gait]
-        columns = {
-            "widest step": odds.diff(dim=1).abs().amax(1), "crosses at": (odds > 0.5).double().argmax(1) / (len(blend) - 1),
-            "gait's widest": gait.diff(dim=1).abs().amax(1), "rank corr.": torch.tensor(ranks),
-        }
-        means = {name: float(column.double().mean()) for name, column in columns.items()}
-        return means | {f"of {len(self.odds)} pairs": float(len(odds))}
-
-
-def blend_curves(joints: Tensor, recogniser: Recogniser, pairs: Sequence[tuple[str, str]]) -> Curves:
-    """Curves of walks ``joints [P, T, F, 12 J]`` along blends from the first to the second style of P ``pairs``."""
-    names = torch.tensor([[recogniser.styles.index(style) for style in pair] for pair in pairs])
-    p = recogniser.probabilities(joints).gather(-1, names[:, None].expand(-1, joints.shape[1], -1)) + 1e-9
-    position = split_joints(joints)["position"].flatten(3)  # [P, T, F, 3 J]
-    gait = torch.cat((position.mean(2), position.std(2)), -1)
-    way = gait[:, -1:] - gait[:, :1]
-    return Curves(p[..., 1] / p.sum(-1), ((gait - gait[:, :1]) * way).sum(-1) / way.square().sum(-1).clamp_min(1e-12))

@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import torch
-from tqdm import tqdm
 
 import toolkit
 from toolkit import runtime
@@ -16,6 +15,7 @@ from toolkit.evaluation import metrics
 from toolkit.export import gltf
 from toolkit.io import bvh
 from toolkit.io.files import atomic_write
+from toolkit.io.progress import progress_bar
 from toolkit.motion import Clip, loops
 from toolkit.motion.retargeting import retarget
 from toolkit.runtime import FPS, Command
@@ -77,7 +77,7 @@ def write(model, bank, folder: str | os.PathLike, styles: Mapping[str, Mapping[s
     vectors = {style: bank.blend(blend) for style, blend in blends.items()}
     folder.mkdir(parents=True, exist_ok=True)
     rows = []
-    for style, blend in tqdm(blends.items(), "pack", unit="style", disable=not progress):
+    for style, blend in progress_bar(blends.items(), desc="pack", unit="style", show=progress):
         pace = bank.speed(blend)
         for gait, cycle in cycles(model, vectors[style], pace, gaits, target):
             closed = loops.in_place(cycle) if in_place else cycle

@@ -11,13 +11,13 @@ from dataclasses import dataclass
 
 import torch
 from torch import Tensor
-from tqdm import tqdm
 
 from toolkit import phases
 from toolkit.features.layout import CHANNELS, Layout, pack_joints, split_joints
+from toolkit.io.progress import progress_bar
 from toolkit.motion import Clip, RootFrames, contacts, root_frames, trajectory
 from toolkit.motion import rotations as R
-from toolkit.motion.tensors import few, summary
+from toolkit.motion.tensors import few, shown, summary
 
 KINDS = ("inputs", "phases", "outputs", "clips")  # each has a normaliser
 FRAME_KINDS = KINDS[:3]  # those with a row per frame
@@ -320,7 +320,7 @@ def build(clips: Clip | Iterable[Clip], *, source: str | phases.Source = "hybrid
     parts: dict[str, dict[str, list[Tensor]]] = {kind: defaultdict(list) for kind in (*KINDS, "takes", "frames", "spans")}
     repeated: dict[str, list[tuple[Tensor, Tensor]]] = defaultdict(list)  # clips, spans of styles without a long recording
     numbers: dict[str, Numbering] = defaultdict(Numbering)
-    for (style, _), members in tqdm(sorted(groups.items()), "features", unit="group", disable=None if progress else True):
+    for (style, _), members in progress_bar(sorted(groups.items()), desc="features", unit="group", show=progress):
         for take, own in group_features(members, source, mirror, short, samples, contact_height):
             n, device = len(own.joints), own.joints.device
             at, starts, first = usable(n, device, samples), clip_starts(n, device), numbers[style].first(take, n)
@@ -353,7 +353,7 @@ def check_style(name: str, names: Iterable[str]) -> None:
         by_lower = {n.lower(): n for n in names}
         close = [by_lower[n] for n in difflib.get_close_matches(str(name).lower(), by_lower, cutoff=0.5)]
         there = f"close to it: {', '.join(close)}" if close else f"known: {few(names)}"
-        raise UnknownStyleError(f"unknown style {name!r}; {there}")
+        raise UnknownStyleError(f"unknown style {shown(name)}; {there}")
 
 
 def check_style_clips(style: str, n: int) -> None:

@@ -8,6 +8,7 @@ import torch
 from torch import Tensor
 
 from toolkit import phases
+from toolkit.io.files import parsed
 from toolkit.motion import Skeleton, contacts, trajectory
 from toolkit.motion.tensors import summary
 
@@ -178,7 +179,7 @@ class Layout:
     @classmethod
     def from_json(cls, text: str) -> "Layout":
         """Inverse of `to_json`; by default the phase is local and the samples are every tenth frame."""
-        fields = json.loads(text)
+        fields = parsed(text)
         phase, samples = fields.pop("phase", "local"), fields.pop("samples", trajectory.SAMPLES)
         return cls(Skeleton(**fields), phase, tuple(samples))
 

@@ -39,10 +39,13 @@ def read(path: str | os.PathLike, asf: str | os.PathLike | None = None, fps: flo
 
     A joint stands where its bone begins and has the bone's name; the last bone of a chain also has an End Site.
 
-    Parameters ---------- path : the .amc file asf : its skeleton; by default the .asf file of the same name, of the part of
-    the name before the first ``_`` (02.asf for
-        02_01.amc), or the only one in the folder
-    fps : frames per second, which the file does not say; by default 120, as CMU's
+    Parameters
+    ----------
+    path, asf
+        The .amc file and its skeleton; by default the .asf file of the same name, of the part of the name before the first
+        ``_`` (02.asf for 02_01.amc), or the only one in the folder.
+    fps
+        Frames per second, which the file does not say; by default 120, as CMU's.
 
     Raises
     ------

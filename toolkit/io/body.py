@@ -107,6 +107,18 @@ class Body:
         above = self.standing[:, "xyz".index(up[-1])] * (-1.0 if up[0] == "-" else 1.0)
         return bool(len(above)) and float((above > UPRIGHT * self.height).mean()) > 0.5
 
+    @cached_property
+    def resting(self) -> str:
+        """The axis along which the body stands where all rotations are zero; empty where it does not."""
+        offsets, feet = self.recording.offsets.numpy(), np.zeros(3)
+        for side in SIDES:
+            j = self.joint[f"{side}_foot"]
+            while j >= 0:
+                feet, j = feet + offsets[j] / 2, self.parents[j]
+        above = offsets[self.head].sum(0) - feet
+        axis = int(np.abs(above).argmax())
+        return ("-" if above[axis] < 0 else "") + "xyz"[axis] if abs(above[axis]) > UPRIGHT * self.height else ""
+
     @property
     def swapped(self) -> bool:
         """Whether the joints called left are on the right of a body that goes where its toes point, or its knees bend."""

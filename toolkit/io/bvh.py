@@ -26,6 +26,7 @@ MOVED = 2.5e-3  # of the longest bone: a change of a joint's distance to its par
 RATES = (24.0, 25.0, 30.0, 48.0, 50.0, 60.0, 72.0, 75.0, 90.0, 100.0, 120.0, 144.0, 180.0, 200.0, 240.0, 250.0)  # usual ones
 CHANNELS = frozenset(f"{axis}{kind}" for axis in "XYZ" for kind in ("position", "rotation"))
 _MOTION = re.compile(rb"[\r\n][^\S\r\n]*MOTION[^\S\r\n]*(?=[\r\n]|\Z)", re.IGNORECASE)
+_POINT, _COMMA = re.compile(rb"\d\.\d"), re.compile(rb"(?<=\d),(?=\d)")  # decimals
 _TIMING = re.compile(rb"\s*Frames[^\r\n:]*:([^\r\n]*)[\r\n]\s*Frame Time[^\r\n:]*:([^\r\n]*)", re.IGNORECASE)
 
 
@@ -77,6 +78,10 @@ def read(path: str | os.PathLike) -> Recording:
         data = files.read(path)
     except OSError as error:
         raise BVHError(f"{path}: cannot be read ({error.strerror})") from error
+    if data[:2] in (b"\xff\xfe", b"\xfe\xff"):
+        data = data.decode("utf-16", errors="replace").encode()
+    if b"," in data and not _POINT.search(data):
+        data = _COMMA.sub(b".", data)
     header, motion = _split(path, data)
     names, parents, offsets, channels, ends = _parse_hierarchy(path, header)
     columns, fps = _parse_motion(path, data, motion, sum(len(c) for c in channels))
@@ -84,10 +89,12 @@ def read(path: str | os.PathLike) -> Recording:
         raise BVHError(f"{path}: {len(names)} joints in {columns.shape[1]} frames, but only {len(columns)} channels")
     number = itertools.count()
     rows = [{channel: next(number) for channel in of_joint} for of_joint in channels]  # of columns
-    rotations, offsets = _rotations(torch.from_numpy(columns), rows), np.asarray(offsets)
+    rotations, offsets = _rotations(columns, rows), np.asarray(offsets)
     placed, positions = _positions(columns, rows, offsets)
     if not (near := (np.abs(positions) < LARGEST).all((1, 2))).all():
         raise BVHError(f"{path}: positions of joint {names[placed[near.argmin()]]} are beyond {LARGEST:g} units")
+    doubts = _radians(columns, rows)
+    del data, columns  # five times the bytes of the file
     offsets[placed] = np.median(positions, axis=1)
     limit = MOVED * max(np.linalg.norm(offsets[1:], axis=1), default=0.0)
     spreads = zip(placed[1:], np.ptp(positions[1:], axis=1).max(1, initial=0.0).tolist(), strict=True)
@@ -95,15 +102,25 @@ def read(path: str | os.PathLike) -> Recording:
     root_positions = torch.from_numpy(positions[0])
     if 1 in moving and parents.count(0) == 1:  # the joint below the root moves: merge the two
         root_positions = root_positions + R.rotate(rotations[:, 0].double(), torch.from_numpy(positions[placed.index(1)]))
-        rotations = torch.cat((R.multiply(rotations[:, 0], rotations[:, 1])[:, None], rotations[:, 2:]), 1)
+        rotations = torch.cat((R.unroll(R.multiply(rotations[:, 0], rotations[:, 1]))[:, None], rotations[:, 2:]), 1)
         names, parents, offsets = names[1:], [p - 1 for p in parents[1:]], offsets[1:]
         moving = {j - 1: s for j, s in moving.items() if j > 1}
     if moving:
         joint = max(moving, key=moving.get)
         raise BVHError(f"{path}: joint {names[joint]} changes its distance to its parent by up to {moving[joint]:.4g} units "
                        "of the file; only rigid skeletons are supported")
-    return Recording("BVH", tuple(names), tuple(parents), torch.from_numpy(offsets), R.unroll(rotations), root_positions,
-                     fps, tuple(ends))
+    return Recording("BVH", tuple(names), tuple(parents), torch.from_numpy(offsets), rotations, root_positions,
+                     fps, tuple(ends), doubts=doubts)
+
+
+def _radians(columns: np.ndarray, rows: list[dict[str, int]]) -> tuple[str, ...]:
+    """A doubt if a motion's angles are so small that they may be radians."""
+    turns = [i for channels in rows for c, i in channels.items() if c.endswith("rotation")]
+    some = columns[turns, :: max(1, columns.shape[1] // 16)]
+    largest, moves = float(np.abs(some).max(initial=0.0)), float(np.ptp(some, axis=1).max(initial=0.0))
+    if len(turns) < 30 or not (moves > 0.3 and largest < 6.5):
+        return ()
+    return (f"no joint turns by more than {largest:.2g} degrees: if the file has radians, convert them",)
 
 
 def save(clip: Clip, path: str | os.PathLike, *, unit: float = CENTIMETRE, order: str = "YXZ") -> None:
@@ -149,11 +166,12 @@ def _split(path: Path, data: bytes) -> tuple[list[str], int]:
     """Header lines, and the offset in bytes behind MOTION."""
     motion = _MOTION.search(data)
     lines = _lines(data[: motion.end()] if motion else data)
-    if not lines or not lines[0].lstrip("\ufeff").strip().upper().startswith("HIERARCHY"):
-        raise BVHError(f"{path}, line 1: expected HIERARCHY, got {(lines or [''])[0][:40]!r}")
+    first = next((i for i, line in enumerate(lines) if line.lstrip("\ufeff").strip()), 0)
+    if not lines or not lines[first].lstrip("\ufeff").strip().upper().startswith("HIERARCHY"):
+        raise BVHError(f"{path}, line {first + 1}: expected HIERARCHY, got {(lines or [''])[first][:40]!r}")
     if not motion:
         raise BVHError(f"{path}, line {len(lines)}: the file ends before MOTION")
-    return lines[1:-1], motion.end()
+    return [""] * first + lines[first + 1 : -1], motion.end()
 
 
 def _parse_hierarchy(path: Path, lines: list[str]) -> tuple[list[str], list[int], list[list], list[list[str]], list[str]]:
@@ -171,7 +189,9 @@ def _parse_hierarchy(path: Path, lines: list[str]) -> tuple[list[str], list[int]
         if waiting and key != "{":
             raise fail(number, f"expected {{ after joint {names[-1]!r}, got {' '.join(words)[:40]!r}")
         if key in ("ROOT", "JOINT", "END"):
-            if (key != "ROOT" and not stack) or (key == "ROOT" and names):
+            if key == "ROOT" and names and not stack:
+                raise fail(number, "a second ROOT: the file holds several figures; keep one of them")
+            if (key == "ROOT") == bool(stack):
                 raise fail(number, f"unexpected {words[0]}")
             if len(words) < 2:
                 raise fail(number, f"{words[0]} without a name")
@@ -271,20 +291,24 @@ def _rate(text: str, frame_time: float) -> float:
     return near if abs(1 / near - frame_time) < unit and abs(fps / near - 1) < 0.015 else fps
 
 
-def _rotations(columns: Tensor, rows: list[dict[str, int]]) -> Tensor:
+def _rotations(columns: np.ndarray, rows: list[dict[str, int]]) -> Tensor:
     """Local rotations ``[F, J, 4]``; joints with the same channel order are converted together."""
+    from toolkit.io import decimals  # compiled, slow to import
+
     rotations, alike = R.identity(columns.shape[1], len(rows)), defaultdict(dict)
     for j, channels in enumerate(rows):
         if turns := {c[0]: i for c, i in channels.items() if c.endswith("rotation")}:
             alike["".join(turns)][j] = list(turns.values())
     for order, turns in alike.items():
         order += "".join(axis for axis in "XYZ" if axis not in order)
+        axes, joints = tuple(R.AXES[axis] for axis in order), np.array(list(turns))
         for start in range(0, columns.shape[1], 2048):  # a few MB at a time
             part = columns[:, start : start + 2048]
-            angles = torch.zeros(3, len(turns), part.shape[1])
-            for i, axis in enumerate(zip(*turns.values(), strict=True)):
-                angles[i] = torch.deg2rad(part[list(axis)])
-            rotations[start : start + 2048, list(turns)] = R.from_euler(angles.permute(2, 1, 0), order)
+            halves = np.zeros((3, len(turns), part.shape[1]), np.float32)
+            for half, of in zip(halves, zip(*turns.values(), strict=True), strict=False):
+                np.multiply(part[list(of)], np.pi / 360, out=half, casting="same_kind")
+            cosines, sines = torch.from_numpy(halves).cos(), torch.from_numpy(halves).sin_()
+            decimals.compose(cosines.numpy(), sines.numpy(), axes, joints, rotations.numpy(), start)
     return rotations
 
 

@@ -181,7 +181,7 @@ class _Scene(Records):
                         plain=model.kind in PLAIN)
             node.joint = model.kind in BONES or len(node.rotation) > 1 or len(node.translation) > 1
             nodes.append(node)
-        scales = [np.median(node.scale, axis=0) for node in nodes]
+        scales = [node.scale[0] if len(node.scale) == 1 else np.median(node.scale, axis=0) for node in nodes]
         for node, model in zip(nodes, self.models.values(), strict=True):
             if model.values.get(b"InheritType", (0,))[:1] == (2,) and node.parent >= 0:  # not scaled by its parent
                 node.scale = node.scale / np.where(scales[node.parent] == 0, 1.0, scales[node.parent])
@@ -286,8 +286,9 @@ def _transform(values: dict[bytes, tuple], moved: dict[bytes, np.ndarray]) -> tu
     if active:
         order = int(_number(values.get(b"RotationOrder", (0,))))
         turned = _turn(angles, ORDERS[order if 0 <= order < len(ORDERS) else 0])
-        before, after = (_turn(_triple(values, name)[None]) for name in (b"PreRotation", b"PostRotation"))
-        turned = R.multiply(R.multiply(before, turned), R.inverse(after))
+        before, after = (_triple(values, name)[None] for name in (b"PreRotation", b"PostRotation"))
+        turned = R.multiply(_turn(before), turned) if before.any() else turned
+        turned = R.multiply(turned, R.inverse(_turn(after))) if after.any() else turned
     else:
         turned = _turn(angles)
     pivot, offset, scale_pivot, scale_offset = (_triple(values, name) for name in (

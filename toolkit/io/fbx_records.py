@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+INSTEAD = "save it as binary FBX 2011 or newer, as Autodesk's free FBX Converter does, or as BVH or GLB"
 MAGIC = b"Kaydara FBX Binary  \0"
 PACKED, ROOM = 3, 50_000_000  # arrays may unpack to the file's size times the first, plus the second, bytes
 _SCALARS = {b"Y": "<h", b"C": "<B", b"B": "<B", b"I": "<i", b"F": "<f", b"D": "<d", b"L": "<q"}
@@ -28,10 +29,10 @@ class Records:
     def __init__(self, data: bytes):
         if not data.startswith(MAGIC):
             if b"FBXHeaderExtension" in data[:4000]:
-                raise ValueError("it is a text FBX; export binary FBX, BVH or GLB instead")
+                raise ValueError(f"it is a text FBX; {INSTEAD}")
             raise ValueError("it is no FBX file")
         if len(data) < 31 or not 7000 <= (version := int.from_bytes(data[23:27], "little")) < 8000:
-            raise ValueError("only binary FBX version 7 can be read; open it in Blender and export BVH or GLB")
+            raise ValueError(f"only binary FBX version 7 can be read; {INSTEAD}")
         self.data, self.room = data, PACKED * len(data) + ROOM
         self.head = "<QQQB" if version >= 7500 else "<IIIB"
 

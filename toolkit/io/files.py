@@ -1,16 +1,19 @@
 """Files that are read only if they have an end, and written whole or not at all."""
 
 import contextlib
+import csv
 import errno
+import io
 import json
 import os
 import stat
 import uuid
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any, BinaryIO
 
-VALUES = 2_000_000  # of a JSON text
+VALUES, DEEPEST = 2_000_000, 100  # of a JSON text: values, and levels of lists and objects
+LARGEST_TABLE = 16_000_000  # bytes
 
 
 def status(path: str | os.PathLike) -> os.stat_result | None:
@@ -41,9 +44,36 @@ def parsed(text: str | bytes) -> Any:
     if sum(text.count(sign) for sign in (",[{" if isinstance(text, str) else (b",", b"[", b"{"))) > VALUES:
         raise ValueError(f"its JSON text has more than {VALUES} values")
     try:
-        return json.loads(text)
+        value = json.loads(text)
     except RecursionError:
         raise ValueError("its JSON text is nested too deeply") from None
+    except ValueError as error:
+        raise ValueError("it has a number of thousands of digits" if "digits" in str(error) else str(error)) from None
+    level = [value]
+    for _ in range(DEEPEST):
+        level = [inner for outer in level if isinstance(outer, dict | list)
+                 for inner in (outer.values() if isinstance(outer, dict) else outer)]
+        if not level:
+            return value
+    raise ValueError("its JSON text is nested too deeply")
+
+
+def table(path: str | os.PathLike, columns: Iterable[str]) -> list[tuple[int, dict[str, str]]]:
+    """Line number and row of a CSV file with these columns and perhaps more; ValueError if it is none or very large."""
+    data = read(path)
+    if len(data) > LARGEST_TABLE:
+        raise ValueError(f"{path}: {len(data)} bytes, a table has at most {LARGEST_TABLE}")
+    try:
+        text = data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise ValueError(f"{path}: not UTF-8 text, from byte {error.start} on") from None
+    reader = csv.DictReader(io.StringIO(text, newline=""), restval="", skipinitialspace=True)
+    try:
+        if missing := [c for c in columns if c not in (reader.fieldnames or ())]:
+            raise ValueError(f"{path}, line 1: expected the columns {', '.join(columns)}; missing: {', '.join(missing)}")
+        return [(reader.line_num, row) for row in reader]
+    except csv.Error as error:
+        raise ValueError(f"{path}, line {reader.line_num + 1}: {error}") from error
 
 
 @contextlib.contextmanager

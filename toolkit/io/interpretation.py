@@ -74,7 +74,7 @@ def interpret(recording: Recording, path: Path, unit: float | str = "auto", up: 
     if not look:
         found.doubts.clear()
     if shape.RULE in found.rules.values():
-        found.doubts.append("the joints' names say nothing, so that roles are from the shape of the tree; roles= decides")
+        found.doubts.append("the joints' names say too little, so that roles are from the shape of the tree; roles= decides")
     found.doubts.extend(recording.doubts)
     fps = _rate(recording, found)
     if look:
@@ -108,10 +108,11 @@ def _roles(recording: Recording, path: Path, given: Mapping[str, str], found: Fi
     """Roles by names and tree, those that the file states, and those of the call, with the rule that found each."""
     lengths = recording.offsets.norm(dim=-1).tolist()
     known = find(recording.names, recording.parents, lengths, recording.ends)
-    if len(known) == 1:  # hips, which every tree has
-        points = Body(recording, {}, whole=True).points
-        known |= shape.find(recording.names, recording.parents, lengths, recording.ends, np.stack(list(points.values()), 1))
-    known |= {role: (joint, "the file") for role, joint in (recording.roles or {}).items() if role in ROLES}
+    stated = {role: (joint, "the file") for role, joint in (recording.roles or {}).items() if role in ROLES}
+    if not {role for role in ROLES if "toe" not in role} <= known.keys() | stated.keys():
+        points = np.stack(list(Body(recording, {}, whole=True).points.values()), 1)
+        known = shape.find(recording.names, recording.parents, lengths, recording.ends, points) or known
+    known |= stated
     for role, joint in given.items():
         if role not in ROLES:
             raise ValueError(f"{path.name}: {role!r} is no role; the roles are {', '.join(ROLES)}")
@@ -154,6 +155,8 @@ def _up(body: Body, recording: Recording, found: Findings) -> str:
     if not len(body.standing):
         found.doubts.append(f"no head and feet show which axis points up: {usual} is assumed; up= decides")
         return usual
+    if recording.up is None and body.resting == "z":  # other axes are those of bones, not of the world
+        usual = "z"
     mean = (body.standing / np.linalg.norm(body.standing, axis=1, keepdims=True).clip(1e-9)).mean(0)
     axis = int(np.abs(mean).argmax())
     seen = ("-" if mean[axis] < 0 else "") + "xyz"[axis]
@@ -163,8 +166,10 @@ def _up(body: Body, recording: Recording, found: Findings) -> str:
     if recording.up and seen != recording.up:
         found.doubts.append(f"the file says that {recording.up} points up, the body stands along {seen}; up= decides")
         return seen
-    lying = [other for other in "xyz" if other not in seen and _on_floor(body, other)]
-    if lying and not _on_floor(body, seen, standing=True) and body.points[0].any():
+    stands = _on_floor(body, seen, standing=True) or not body.points[0].any()
+    lying = [other for other in "xyz" if other not in seen and (
+        _low(body, other) if other == usual else not stands and _on_floor(body, other))]
+    if lying:
         found.doubts.append(f"the body stands along {seen} or lies with {lying[0]} up: {seen} is taken; up= decides")
     return seen
 
@@ -173,6 +178,12 @@ def _on_floor(body: Body, up: str, standing: bool = False) -> bool:
     """Whether the body begins near zero along an axis, as on a floor, with its hips low unless it stands."""
     low, hips = body.along(up).min(), np.median(body.points[body.joint["hips"]][:, "xyz".index(up[-1])])
     return abs(low) < 0.15 * body.leg if standing else abs(low) < 0.3 * body.leg and hips < 0.4 * body.leg
+
+
+def _low(body: Body, up: str) -> bool:
+    """Whether no joint is below zero along an axis, and the hips are at most as high as on all fours or in a bed."""
+    low, hips = body.along(up).min(), np.median(body.points[body.joint["hips"]][:, "xyz".index(up)])
+    return low > -0.1 * body.leg and hips < 1.2 * body.leg
 
 
 def _unit(body: Body, recording: Recording, found: Findings) -> float:

@@ -114,7 +114,8 @@ def intact(path: str | os.PathLike, what: str) -> Iterator[None]:
 
 def plain(error: Exception) -> str:
     """The message of an error, which may quote a file, as one printable line of at most 300 characters."""
-    return " ".join("".join(c if c.isprintable() else " " for c in str(error)).split())[:300]
+    said = f"{error} is missing" if type(error) is KeyError else str(error)
+    return " ".join("".join(c if c.isprintable() else " " for c in said).split())[:300]
 
 
 def difference(expected: dict[str, Any], got: dict[str, Any]) -> str:

@@ -139,7 +139,7 @@ def _poses(arrays: Mapping[str, np.ndarray]) -> Tensor | None:
 def _vectors(values: Tensor, name: str, widths: tuple[int, ...]) -> Tensor:
     flat = values.flatten(1) if values.dim() > 1 else values[None]
     if values.dim() < 2 or flat.shape[1] not in widths or not len(flat):
-        raise ValueError(f"{name} should be [F, {' or '.join(map(str, widths))}], got {list(values.shape)}")
+        raise ValueError(f"{name} should be rotation vectors [F, {' or '.join(map(str, widths))}], got {list(values.shape)}")
     return flat.unflatten(1, (-1, 3))
 
 
@@ -148,6 +148,8 @@ def _smpl(arrays: Mapping[str, np.ndarray], poses: Tensor) -> Recording:
     angle = poses[:, :count].norm(dim=-1)
     turns = R.from_axis_angle(poses[:, :count] / angle.clamp_min(1e-12)[..., None], angle)
     frames, offsets, doubts = len(turns), _rest(count), []
+    if float(angle.max()) > 4 * math.pi:
+        doubts.append(f"a joint turns by {float(angle.max()):.3g} radians: if the file has degrees, convert them")
     given = next((_tensor(arrays, name) for name in ("joints", "Jtr", "posed_joints") if name in arrays
                   and arrays[name].ndim == 3 and arrays[name].shape[0] == frames and arrays[name].shape[1] >= count
                   and arrays[name].shape[2] == 3), None)

@@ -15,9 +15,12 @@ def fit(parents: Sequence[int], rest: Tensor, positions: Tensor) -> tuple[Tensor
     since a twist about the bone cannot be seen. A joint with several children has the rotation that fits their mean
     arrangement best in the sense of least squares (Kabsch 1976). Rigid motion is reproduced exactly.
 
-    Parameters ---------- parents : J, the root first with -1, parents before children rest : Tensor [J, 3], offsets from
-    the parents in the pose of zero rotation; of bones with siblings only the direction in which
-        they point on average is used
+    Parameters
+    ----------
+    parents
+        J, the root first with -1, parents before children.
+    rest : Tensor [J, 3]
+        Offsets from the parents in the pose of zero rotation; of bones with siblings only their mean direction is used.
     positions : Tensor [F, J, 3]
 
     Returns

@@ -43,7 +43,7 @@ class Clip:
         object.__setattr__(self, "name", printable(self.name))
         for what, label in (("style", self.style), ("gait", self.gait)):
             if label:
-                checked((label,), f"{self.name}: a {what}")
+                checked((label,), f"a {what} of {self.name}")
         object.__setattr__(self, "rotations", as_tensor(self.rotations, "rotations"))
         object.__setattr__(self, "root_positions", as_tensor(self.root_positions, "root positions", self.rotations))
         frames, joints = self.rotations.shape[0], len(self.skeleton)

@@ -17,8 +17,8 @@ PARTS = {
     "head": ("head",),
     "neck": ("neck",),
     "collar": ("clavicle", "collar", "collarbone", "clav", "scapula"),
-    "shoulder": ("upperarm", "uparm", "shldr", "humerus", "armupper", "bicep", "arm", "shoulder"),
-    "elbow": ("elbow", "forearm", "lowerarm", "lowarm", "loarm", "radius", "ulna", "armlower", "lowerelbow"),
+    "shoulder": ("upperarm", "uparm", "shldr", "humerus", "armupper", "bicep", "uarm", "arm", "shoulder"),
+    "elbow": ("elbow", "forearm", "lowerarm", "lowarm", "loarm", "farm", "ulna", "radius", "armlower", "lowerelbow"),
     "hand": ("wrist", "hand", "palm"),
     "hip": ("thigh", "upleg", "upperleg", "femur", "legupper", "hip", "leg", "hipjoint"),
     "knee": ("knee", "shin", "calf", "lowerleg", "lowleg", "loleg", "tibia", "leglower", "leg"),
@@ -27,12 +27,12 @@ PARTS = {
     "finger": ("thumb", "index", "middle", "mid", "ring", "pinky", "little", "finger", "fingers", "fingerbase", "metacarpal",
                "carpal", "eye", "breast", "pectoral", "jaw", "tongue"),
 }
-_SIDES = {"left": "left", "l": "left", "lt": "left", "right": "right", "r": "right", "rt": "right"}
+_SIDES = dict.fromkeys(("left", "l", "lt", "lft"), "left") | dict.fromkeys(("right", "r", "rt", "rgt"), "right")
 #: Words of joints that help a skin or a rig and are no joint of the body, and of the tips of bones.
 _HELPERS = frozenset(("twist", "roll", "ik", "fk", "pole", "share", "ctrl", "control", "target", "effector", "helper",
                       "goal", "nub", "end", "tip", "top", "site", "weapon", "prop", "attach", "socket", "dummy",
                       "corrective", "muscle", "jiggle", "offset", "heel", "adjust", "null"))
-_GENERIC = frozenset(("joint", "jnt", "jt", "bone", "bend", "bind", "skin", "node", "def", "jx", "sk"))
+_GENERIC = frozenset(("joint", "jnt", "jt", "bone", "bend", "bind", "skin", "node", "def", "jx", "sk", "stretch"))
 _WORD = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|[A-Z]")
 _KNOWN = frozenset(word for words in PARTS.values() for word in words)
 
@@ -51,8 +51,9 @@ def read(name: str) -> JointName:
     """Side and parts of one name."""
     local = re.split(r"[:|]", name)[-1] or name
     words, side, rest = [], "", []
-    for match in _WORD.finditer(local):
-        words += _split(match[0].lower())
+    for run in re.findall("[A-Za-z]+", local):
+        whole = _split(run.lower())  # LUArm
+        words += whole if len(whole) > 1 else (part for word in _WORD.findall(run) for part in _split(word.lower()))
     for word in words:
         if word in _SIDES and not (side and len(word) == 1):
             side = _SIDES[word]

@@ -24,5 +24,5 @@ def checked(names: Iterable[str], what: str) -> tuple[str, ...]:
         if not isinstance(name, str) or not name:
             raise ValueError(f"{what} must be named by a text, got {name!r:.60}")
         if not shows(name):
-            raise ValueError(f"the name of {what} has characters that cannot be printed: {printable(name)[:60]}")
+            raise ValueError(f"the name of {what} has characters that cannot be printed: {repr(name)[1:-1]:.60}")
     return names

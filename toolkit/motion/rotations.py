@@ -34,8 +34,15 @@ def multiply(a: Tensor, b: Tensor) -> Tensor:
 def multiply_parts(a: Sequence[Tensor], b: Sequence[Tensor]) -> tuple[Tensor, Tensor, Tensor, Tensor]:
     """`multiply` of quaternions given as four tensors, one per component; fastest if each is contiguous."""
     (aw, ax, ay, az), (bw, bx, by, bz) = a, b
-    return (aw * bw - ax * bx - ay * by - az * bz, aw * bx + ax * bw + ay * bz - az * by,
-            aw * by - ax * bz + ay * bw + az * bx, aw * bz + ax * by - ay * bx + az * bw)
+    return (_sum(aw * bw, (ax, bx, -1), (ay, by, -1), (az, bz, -1)), _sum(aw * bx, (ax, bw, 1), (ay, bz, 1), (az, by, -1)),
+            _sum(aw * by, (ax, bz, -1), (ay, bw, 1), (az, bx, 1)), _sum(aw * bz, (ax, by, 1), (ay, bx, -1), (az, bw, 1)))
+
+
+def _sum(total: Tensor, *products: tuple[Tensor, Tensor, int]) -> Tensor:
+    """A sum of products with signs, one pass through the memory for each."""
+    for a, b, sign in products:
+        total = torch.addcmul(total, a, b, value=sign)
+    return total
 
 
 def inverse(q: Tensor) -> Tensor:
@@ -54,8 +61,9 @@ def rotate(q: Tensor, v: Tensor) -> Tensor:
 def rotate_parts(q: Sequence[Tensor], v: Sequence[Tensor]) -> tuple[Tensor, Tensor, Tensor]:
     """`rotate` of quaternions and vectors given by component."""
     (w, x, y, z), (a, b, c) = q, v
-    i, j, k = 2 * (y * c - z * b), 2 * (z * a - x * c), 2 * (x * b - y * a)
-    return a + w * i + y * k - z * j, b + w * j + z * i - x * k, c + w * k + x * j - y * i
+    i, j, k = (2 * _sum(p * q, (r, s, -1)) for p, q, r, s in ((y, c, z, b), (z, a, x, c), (x, b, y, a)))
+    return (_sum(a, (w, i, 1), (y, k, 1), (z, j, -1)), _sum(b, (w, j, 1), (z, i, 1), (x, k, -1)),
+            _sum(c, (w, k, 1), (x, j, 1), (y, i, -1)))
 
 
 def from_axis_angle(axis: Tensor, angle: Tensor) -> Tensor:

@@ -9,6 +9,8 @@ import numpy as np
 import torch
 from torch import Tensor, nn
 
+from toolkit.motion.names import printable
+
 WIDTH, LINES, NAMES = 125, 5, 6  # columns and lines of a representation, and names that it shows of a list
 
 
@@ -63,9 +65,9 @@ def shown(value: Any) -> str:
         case Mapping() if all(isinstance(v, Tensor) for v in value.values()):
             return "{" + few(f"{name}: {shown(v)}" for name, v in value.items()) + "}"
         case Mapping():
-            return "{" + few(map(str, value)) + "}"
+            return "{" + few(printable(str(key)[:60]) for key in value) + "}"
         case list() | tuple():
-            return "(" + few(v if isinstance(v, str) else shown(v) for v in value) + ")"
+            return "(" + few(printable(v[:60]) if isinstance(v, str) else shown(v) for v in value) + ")"
     text = " ".join(repr(value).split())
     return text if len(text) <= 60 else text[:59] + "…"
 

@@ -52,7 +52,7 @@ class Film(nn.Module):
 
         Dropout before a layer keeps the mean of F and adds to its variance. Without dropout, layer normalisation divides by
         a smaller deviation, so the next layer's inputs have another scale than in training. Therefore we use
-        s² = var(f) + mean variance, u = γ (f − mean f) / s + β, and h = E[ELU(u + |γ| √variance / s · ε)], ε normal.
+        s² = var(f) + mean variance, u = γ (f − mean f) / s + β, and h = E[ELU(u + γ √variance / s · ε)], ε normal.
         """
         gamma, beta = self._part(layer, style)
         deviation = (f.var(-1, keepdim=True) + variance.mean(-1, keepdim=True)).sqrt() + EPSILON

@@ -197,10 +197,6 @@ class Model(nn.Module):
         """
         return phase.observe(self.layout, phases, outputs)
 
-    def next_phase(self, phases: Tensor, out: dict[str, Tensor]) -> Tensor:
-        """The phase after ``phases [B, n_phases]``, given the blocks ``out`` of the predicted frame, physical units."""
-        return phase.advance(self.layout, phases, out)
-
     def predict(self, x: Tensor, phases: Tensor, style: Tensor) -> Tensor:
         """The next frame, in physical units, on the model's device and in its dtype; arrays and lists are accepted.
 

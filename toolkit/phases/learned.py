@@ -28,10 +28,10 @@ import numpy as np
 import scipy
 import torch
 from torch import Tensor, nn
-from tqdm.auto import tqdm
 
 from toolkit.datasets import procedural
 from toolkit.io import model_files
+from toolkit.io.progress import progress_bar
 from toolkit.motion import Clip, root_frames
 from toolkit.motion.clip import LIMBS, SIDES
 from toolkit.motion.tensors import summary, through_numpy
@@ -252,7 +252,7 @@ def _descend(network: PeriodicAutoencoder, windows: Tensor, steps: int, batch: i
     """Train with Adam on the reconstruction error; the network is in evaluation mode afterwards."""
     adam = torch.optim.Adam(network.parameters(), lr=rate)
     schedule = torch.optim.lr_scheduler.OneCycleLR(adam, rate, total_steps=steps)
-    with tqdm(range(steps), desc=name, disable=name is None) as bar:
+    with progress_bar(range(steps), desc=name, show=name is not None) as bar:
         for _ in bar:
             some = windows[torch.randint(len(windows), (batch,))]
             loss = nn.functional.mse_loss(network(some), some)

@@ -10,9 +10,9 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 
 import torch
 from torch import Tensor
-from tqdm import tqdm
 
 from toolkit.features import Layout, pack_joints, split_joints
+from toolkit.io.progress import progress_bar
 from toolkit.motion import Clip, local_rotations, trajectory
 from toolkit.motion import rotations as R
 from toolkit.motion.clip import FEET
@@ -135,7 +135,7 @@ def states(model, commands: Sequence[Command | Pilot], style: Styles, first: Cha
     """
     at = style if callable(style) else (lambda _: style)
     state = start(model, at(0)) if first is None else first
-    for frame, command in enumerate(tqdm(commands, desc="rollout", unit="frame", disable=None if progress else True)):
+    for frame, command in enumerate(progress_bar(commands, desc="rollout", unit="frame", show=progress)):
         with torch.no_grad():  # not around the yield: the caller would lose its gradients
             state = state.with_style(at(frame))
             state = step(model, state, command(state) if callable(command) else command)

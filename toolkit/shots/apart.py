@@ -15,7 +15,7 @@ SWEEPS = 12  # of Hildreth's method
 SOFT = 0.1  # share by which half-planes may be missed: of many that exclude each other, all are missed by little
 
 
-def velocities(places: np.ndarray, moving: np.ndarray, wanted: np.ndarray, apart: float,
+def velocities(places: np.ndarray, moving: np.ndarray, wanted: np.ndarray, radii: np.ndarray | float,
                walls: np.ndarray | None = None, margin: float = 0.5) -> np.ndarray:
     """Velocities ``[N, 2]``, m/s, near the wanted ones, that keep N characters apart.
 
@@ -23,8 +23,8 @@ def velocities(places: np.ndarray, moving: np.ndarray, wanted: np.ndarray, apart
     ----------
     places, moving, wanted
         World (x, z) of each character, its present and its wanted velocity, ``[N, 2]``.
-    apart
-        Least distance of two characters, metres.
+    radii
+        Metres, one for all or ``[N]``: the least distance of two characters is the sum of theirs.
     walls
         Both ends of straight walls, ``[W, 2, 2]``.
     margin
@@ -36,6 +36,8 @@ def velocities(places: np.ndarray, moving: np.ndarray, wanted: np.ndarray, apart
     near = near.reshape(count, -1)[:, 1:]
     there = near < count
     near = np.where(there, near, 0)
+    radii = np.broadcast_to(radii, count)
+    apart = radii[:, None] + radii[near]
     normal, least = _half_planes(places[near] - places[:, None], moving[:, None] - moving[near], apart)
     least = np.where(there, (normal * moving[:, None]).sum(-1) + least / 2, -np.inf)
     if walls is not None and len(walls):
@@ -56,7 +58,7 @@ def velocities(places: np.ndarray, moving: np.ndarray, wanted: np.ndarray, apart
     return velocity
 
 
-def _half_planes(to: np.ndarray, relative: np.ndarray, apart: float) -> tuple[np.ndarray, np.ndarray]:
+def _half_planes(to: np.ndarray, relative: np.ndarray, apart: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Normals ``[..., 2]``, and least changes ``[...]`` along them, of relative velocities, to avoid the places ``to``.
 
     The velocities that collide within `HORIZON` are a cone with its apex at zero, cut off by a circle of the radius

@@ -7,12 +7,13 @@ from toolkit.shots.course import FPS, Course, Pair, nearest
 
 FASTER = 2.5  # times its natural speed that a style is asked for at most: beyond it, styles fall behind or become a run
 OFF, LAG = 0.25, 0.4  # metres beside the path, and behind the plan, that are a miss
+EASY = 0.2  # m/s² to the side: a turn that needs less is not why a character leaves its path
 REACH, SLOW = 0.2, 0.05  # metres to both sides, to measure a turn; m/s that are as good as standing
 SECONDS, NEAR, BESIDE = 0.2, 0.15, 0.10  # limits of arrivals, s and m, and of the mean distance from the path, m
 
 
-def missed(course: Course, natural: Callable[[float], float], arrivals: list[tuple[int, float, float]],
-           places: list[Pair]) -> list[str]:
+def missed(course: Course, natural: Callable[[float], float], style: Callable[[float], str],
+           arrivals: list[tuple[int, float, float]], places: list[Pair]) -> list[str]:
     """What a character missed and why, a line each.
 
     Parameters
@@ -21,6 +22,8 @@ def missed(course: Course, natural: Callable[[float], float], arrivals: list[tup
         What was planned.
     natural
         Natural speed of the style at a time.
+    style
+        Its name.
     arrivals
         Point, distance along the curve and time of the points with a time.
     places
@@ -34,9 +37,10 @@ def missed(course: Course, natural: Callable[[float], float], arrivals: list[tup
         worst = apart.index(max(apart))
         turn = min(range(max(worst + 1 - FPS, 1), worst + 2), key=lambda k: radius(course, course.distance[k]))
         at, speed = course.distance[turn], course.speed[turn]
-        found.append(f"at {(worst + 1) / FPS:.1f} s the character is {100 * apart[worst]:.0f} cm from the path: the "
-                     f"turn after {at:.1f} m, of radius {radius(course, at):.1f} m, is too tight at {speed:.2f} m/s; widen "
-                     "it or slow down there")
+        why = (f"the turn after {at:.1f} m, of radius {radius(course, at):.1f} m, is too tight at {speed:.2f} m/s; widen it "
+               "or slow down there") if speed**2 > EASY * radius(course, at) else (
+               f"{style(worst / FPS)} does not keep to it; choose another style there")
+        found.append(f"at {(worst + 1) / FPS:.1f} s the character is {100 * apart[worst]:.0f} cm from the path: {why}")
     elif (mean := sum(apart) / len(apart)) > BESIDE:
         found.append(f"the character is {100 * mean:.0f} cm from the path on average")
     lags = [course.distance[k] - nearest(course.curve, place, course.distance[k]) for k, place in enumerate(places, 1)]

@@ -136,26 +136,26 @@ def entries(values, kind: type, what: str, build: Callable) -> tuple:
         try:
             made.append(value if isinstance(value, kind) else build(value))
         except (TypeError, ValueError) as error:
-            raise ValueError(f"{what}[{k}]: {_plain(error)}") from None
+            raise ValueError(f"{what}[{k}]: {error}") from None
     return tuple(made)
-
-
-def _plain(error: Exception) -> str:
-    """The message of an error, without the name of a constructor."""
-    return str(error).split("__init__() ")[-1]
 
 
 def build(kind: type) -> Callable:
     """A function that makes an object of a kind from a dictionary of its fields, or from a list of the first ones."""
+    known = {field.name: field.default is dataclasses.MISSING for field in dataclasses.fields(kind)}
+
     def build(value):
-        if isinstance(value, Mapping):
-            known = {field.name for field in dataclasses.fields(kind)}
-            if unknown := [key for key in value if key not in known]:
-                raise ValueError(f"unknown field {shown(unknown[0])}; known: {', '.join(sorted(known))}")
-            return kind(**value)
-        if isinstance(value, str) or not isinstance(value, Sequence):
+        if isinstance(value, str) or not isinstance(value, Mapping | Sequence):
             raise ValueError(f"expected the fields of a {kind.__name__}, got {shown(value)}")
-        return kind(*value)
+        if not isinstance(value, Mapping):
+            if len(value) > len(known):
+                raise ValueError(f"{len(value)} fields, a {kind.__name__} has {', '.join(known)}")
+            value = dict(zip(known, value, strict=False))
+        if unknown := [key for key in value if key not in known]:
+            raise ValueError(f"unknown field {shown(unknown[0])}; known: {', '.join(sorted(known))}")
+        if missing := [name for name, needed in known.items() if needed and name not in value]:
+            raise ValueError(f"the field {missing[0]} is missing")
+        return kind(**value)
 
     return build
 

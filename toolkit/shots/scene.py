@@ -1,6 +1,6 @@
 """A scene: the shots of several characters, who can keep apart, in one JSON file."""
 
-import json
+import dataclasses
 import math
 import os
 from collections.abc import Iterator, Sequence
@@ -10,18 +10,19 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from toolkit.io.files import atomic_write
 from toolkit.motion import Clip
 from toolkit.networks.bank import StyleBank
-from toolkit.runtime import CharacterState, Command, pose, start, step
+from toolkit.runtime import CharacterState, Command, pose, start, step, world_joints
 from toolkit.shots import apart as avoidance
 from toolkit.shots.course import FPS, LONGEST, Course, Heading, command, nearest
 from toolkit.shots.keys import build, entries, number, pair
-from toolkit.shots.shot import VERSION, Shot, _data, parse, read, shifted
+from toolkit.shots.shot import Shot, parse, read, save, shifted
 
 WAIT = 0.4  # metres behind its plan at which the plan of a character who keeps apart waits
 FASTER, SLOWEST = 1.3, 0.3  # times the planned speed, and m/s: such a character's largest speed
+PATIENT, WAITS = 0.5, 4  # times the planned speed, of who is held up; times the longest plan after which all end
 MARGIN = 0.5  # metres between a root and a wall
+TRIED = 3 * FPS  # frames of the walk that shows the reach of a style
 
 
 @dataclass(frozen=True)
@@ -47,8 +48,8 @@ class Scene:
     shots
         One `Shot` per character.
     apart
-        Least distance of two characters' roots, metres: they leave their paths to keep it, and wait where they cannot. By
-        default they do not see each other, and each is rendered for itself.
+        Least distance of two characters' roots, metres: they leave their paths to keep it, and wait where they cannot. A
+        shot's ``radius`` takes the place of half of it. By default they do not see each other.
     walls
         `Wall`, or pairs of its ends, that are avoided; only with ``apart``.
 
@@ -76,9 +77,33 @@ class Scene:
         firsts = [(shot.path[0].x, shot.path[0].z) for shot in self.shots]
         for b, there in enumerate(firsts):
             for a, here in enumerate(firsts[:b]):
-                if math.dist(here, there) < self.apart:
+                if math.dist(here, there) < (least := self.radii[a] + self.radii[b]):
                     raise ValueError(f"shots[{a}] and shots[{b}] start {math.dist(here, there):.2f} m from each other, "
-                                     f"closer than apart, {self.apart:g} m")
+                                     f"closer than the {least:.2f} m that they keep")
+
+    @property
+    def radii(self) -> list[float]:
+        """The share of each character in the distance of two who keep apart."""
+        return [shot.radius or self.apart / 2 for shot in self.shots]
+
+    def spaced(self, model, bank: StyleBank, bodies: float = 0.3) -> "Scene":
+        """The scene with a radius for each character such that two bodies are so many metres apart, whose roots keep it.
+
+        The radius is the reach of the joints of the styles, tried in a short walk, and half of ``bodies``.
+        """
+        keys = [(k, key) for k, shot in enumerate(self.shots) for key in shot.styles]
+        vectors = torch.stack([bank.blend(*key.layers) for _, key in keys])
+        ahead = torch.tensor([[0.0, bank.speed(key.layers[0])] for _, key in keys])
+        state, far = start(model, vectors), torch.zeros(len(keys))
+        for frame in range(TRIED):
+            with torch.no_grad():
+                state = step(model, state, Command(ahead))
+            away = world_joints(model.layout, state)["position"][..., [0, 2]] - state.root[:, None, :2]
+            far = far.maximum(away.norm(dim=-1).amax(1)) if frame > TRIED // 3 else far
+        radii = [max(reach for (j, _), reach in zip(keys, far.tolist(), strict=True) if j == k) + bodies / 2
+                 for k in range(len(self.shots))]
+        shots = [dataclasses.replace(shot, radius=round(r, 2)) for shot, r in zip(self.shots, radii, strict=True)]
+        return dataclasses.replace(self, shots=shots)
 
     @classmethod
     def load(cls, path: str | os.PathLike) -> "Scene":
@@ -93,9 +118,7 @@ class Scene:
 
     def save(self, path: str | os.PathLike) -> None:
         """Write a JSON file, whole or not at all."""
-        with atomic_write(path) as file:
-            held = {"version": VERSION, **_data(self)}
-            file.write((json.dumps(held, indent=1, ensure_ascii=False, allow_nan=False) + "\n").encode())
+        save(self, path)
 
     def states(self, model, bank: StyleBank, plans: Sequence[tuple[Course, Heading]] | None = None
                ) -> Iterator[CharacterState]:
@@ -107,18 +130,19 @@ class Scene:
         styles = [shot.style(bank) for shot in self.shots]
         state, clocks = _start(model, self.shots, styles, plans), [0] * len(plans)
         lasts = [len(course.distance) - 1 for course, _ in plans]
-        most = max(lasts) if self.apart is None else min(2 * max(lasts), round(LONGEST * FPS))
+        most = max(lasts) if self.apart is None else min(WAITS * max(lasts), round(LONGEST * FPS))
         for _ in range(most):
             if all(clock >= last for clock, last in zip(clocks, lasts, strict=True)):
                 return
             places = [tuple(place) for place in state.root[:, :2].tolist()]
             asked = [command(*plan, clock, place) for plan, clock, place in zip(plans, clocks, places, strict=True)]
             velocities, facings = (np.array(pairs) for pairs in zip(*asked, strict=True))
+            held = [self.apart is not None and _held_up(course, clock, place)
+                    for (course, _), clock, place in zip(plans, clocks, places, strict=True)]
             if self.apart is not None:
-                velocities = self._kept(state, plans, clocks, velocities)
+                velocities = self._kept(state, plans, clocks, held, velocities)
             vectors = torch.stack([style(clock) for style, clock in zip(styles, clocks, strict=True)])
-            clocks = [clock if self.apart is not None and _held_up(course, clock, place) else clock + 1
-                      for (course, _), clock, place in zip(plans, clocks, places, strict=True)]
+            clocks = [clock + (not waits) for clock, waits in zip(clocks, held, strict=True)]
             with torch.no_grad():
                 state = step(model, state.with_style(vectors), Command(*map(torch.from_numpy, (velocities, facings))))
             yield state
@@ -127,13 +151,14 @@ class Scene:
     def _walls(self) -> np.ndarray:
         return np.array([(wall.start, wall.end) for wall in self.walls])
 
-    def _kept(self, state: CharacterState, plans, clocks: list[int], wanted: np.ndarray) -> np.ndarray:
+    def _kept(self, state: CharacterState, plans, clocks: list[int], held: list[bool],
+              wanted: np.ndarray) -> np.ndarray:
         """Velocities ``[N, 2]`` that keep the characters apart and off the walls."""
         speeds = [max(plan[0].speed[min(clock, len(plan[0].speed) - 1)], SLOWEST) for plan, clock in
                   zip(plans, clocks, strict=True)]
-        most = FASTER * np.array(speeds)[:, None]
+        most = (np.where(held, PATIENT, FASTER) * speeds)[:, None]
         places, moving = (values.double().numpy() for values in (state.root[:, :2], state.velocity))
-        safe = avoidance.velocities(places, moving, _limited(wanted, most), self.apart, self._walls, MARGIN)
+        safe = avoidance.velocities(places, moving, _limited(wanted, most), np.array(self.radii), self._walls, MARGIN)
         return _limited(safe, most)
 
     def render(self, model, bank: StyleBank) -> list[Clip]:

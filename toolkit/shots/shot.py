@@ -7,12 +7,12 @@ import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from pathlib import Path
 
 import torch
 from torch import Tensor
 
-from toolkit.io.files import atomic_write, status
+from toolkit.io import files
+from toolkit.io.files import atomic_write
 from toolkit.motion import Clip
 from toolkit.motion.tensors import shown
 from toolkit.networks.bank import StyleBank
@@ -23,7 +23,6 @@ from toolkit.shots.keys import FAST, Hold, Point, SpeedKey, StyleKey, build, dir
 from toolkit.shots.preview import Preview
 
 VERSION = 1
-LARGEST_FILE = 10_000_000  # bytes
 GOLDEN = (math.sqrt(5) - 1) / 2  # the share of a cycle by which the next seed starts later
 
 
@@ -56,6 +55,8 @@ class Shot:
         Seconds; by default until one second after the end of the path is reached.
     name
         Of the clip.
+    radius
+        Metres, in a `toolkit.shots.Scene` whose characters keep apart: the share of this one in the distance of two.
 
     Raises
     ------
@@ -75,6 +76,7 @@ class Shot:
     seed: int = 0
     duration: float | None = None
     name: str = "shot"
+    radius: float | None = None
 
     def __post_init__(self):
         put = lambda name, value: object.__setattr__(self, name, value)  # noqa: E731
@@ -88,6 +90,8 @@ class Shot:
         for k, (a, b) in enumerate(pairwise(self.path)):
             if math.hypot(b.x - a.x, b.z - a.z) < 0.01:
                 raise ValueError(f"path[{k + 1}]: is less than 1 cm from the point before it")
+        if (length := sum(math.dist((a.x, a.z), (b.x, b.z)) for a, b in pairwise(self.path))) > LONGEST * FAST:
+            raise ValueError(f"path: is {length:.0f} m long, a path has at most {LONGEST * FAST:.0f} m")
         rising(tuple(p for p in self.path[1:] if p.time is not None), "path, points with a time")
         if self.path[0].time not in (None, 0.0):
             raise ValueError(f"path[0]: the first point has the time 0, got {self.path[0].time:g}")
@@ -112,6 +116,8 @@ class Shot:
             raise ValueError(f"seed must be a whole number from 0 to {2**31 - 1}, got {shown(self.seed)}")
         if self.duration is not None:
             put("duration", number(self.duration, "duration", 1 / FPS, LONGEST))
+        if self.radius is not None:
+            put("radius", number(self.radius, "radius", 0.05, 5.0))
         if not isinstance(self.name, str) or not self.name.isprintable() or len(self.name) > 100:
             raise ValueError(f"name must be a line of up to 100 characters, got {shown(self.name)}")
 
@@ -197,6 +203,11 @@ class Shot:
             a, b, weight = between(times, easings, now)
             return speeds[a] + weight * (speeds[b] - speeds[a])
 
+        def style(now: float) -> str:
+            a, b, weight = between(times, easings, now)
+            (layer, *_) = self.styles[b if weight > 0.5 else a].layers
+            return max(layer, key=layer.get)
+
         timed = [(k, course.curve.knots[k], time) for k, time in self._timed]
         lines = [f"path[{timed[k][0]}] is too far away to be reached at {timed[k][2]:g} s" for k in course.late]
         if course.end is None or course.end > (len(course.distance) - 1) / FPS + 1e-9:
@@ -204,7 +215,7 @@ class Shot:
                          f"{course.curve.length - course.distance[-1]:.1f} m are left")
         lines += [f"holds[{k}] is after the end of the path, {course.curve.length:.2f} m long" for k, hold in
                   enumerate(self.holds) if hold.distance is not None and hold.distance > course.curve.length]
-        return lines + feasibility.missed(course, natural, timed, places)
+        return lines + feasibility.missed(course, natural, style, timed, places)
 
     @property
     def turn(self) -> float:
@@ -235,14 +246,15 @@ def shifted(state: CharacterState, angle: float | Sequence[float]) -> CharacterS
 
 
 def save(shots: Iterable[Shot], path: str | os.PathLike) -> None:
-    """Write the shots of a scene, one per character, to a JSON file, whole or not at all."""
+    """Write the shots of a scene, one per character, or a `Scene`, to a JSON file, whole or not at all."""
     with atomic_write(path) as file:
         file.write((json.dumps(data(shots), indent=1, ensure_ascii=False, allow_nan=False) + "\n").encode())
 
 
 def data(shots: Iterable[Shot]) -> dict:
-    """The scene of shots as `parse` reads it and a file holds it."""
-    return {"version": VERSION, "shots": [_data(shot) for shot in shots]}
+    """Shots, or a `Scene`, as `parse` reads them and a file holds them."""
+    made = _data(shots) if dataclasses.is_dataclass(shots) else {"shots": [_data(shot) for shot in shots]}
+    return {"version": VERSION, **made}
 
 
 def _data(value):
@@ -259,21 +271,14 @@ def load(path: str | os.PathLike) -> list[Shot]:
 
 def read(path: str | os.PathLike, parse: Callable):
     """What ``parse`` makes of a JSON file; a ValueError of one line, with the path, if the file or a field is not valid."""
-    found = status(path)
-    if found is not None and found.st_size > LARGEST_FILE:
-        raise ValueError(f"{path}: {found.st_size} bytes, a file of shots has at most {LARGEST_FILE}")
     try:
-        scene = json.loads(Path(path).read_text(encoding="utf-8"))
-    except (ValueError, RecursionError) as error:
-        raise ValueError(f"{path}: not a JSON file of shots ({_line(error)})") from None
+        scene = files.parsed(files.read(path))
+    except ValueError as error:
+        raise ValueError(f"{path}: not a JSON file of shots ({error})") from None
     try:
         return parse(scene)
     except ValueError as error:
         raise ValueError(f"{path}: {error}") from None
-
-
-def _line(error: Exception) -> str:
-    return " ".join(str(error).split())
 
 
 def parse(scene) -> list[Shot]:
@@ -282,10 +287,6 @@ def parse(scene) -> list[Shot]:
         raise ValueError("expected an object with the fields version and shots, and perhaps apart and walls")
     if scene["version"] != VERSION or isinstance(scene["version"], bool):
         raise ValueError(f"version {shown(scene['version'])}; this toolkit reads version {VERSION}")
-    try:
-        shots = entries(scene["shots"], Shot, "shots", build(Shot))
-    except ValueError as error:
-        raise ValueError(_line(error)) from None
-    if not shots:
+    if not (shots := entries(scene["shots"], Shot, "shots", build(Shot))):
         raise ValueError("shots: one or more are needed")
     return list(shots)

@@ -8,11 +8,11 @@ from dataclasses import dataclass
 
 import torch
 from torch import Tensor
-from tqdm.auto import tqdm
 
 from toolkit import features, runtime
 from toolkit.features import KINDS, Features, splits
 from toolkit.io.model_files import difference
+from toolkit.io.progress import progress_bar
 from toolkit.motion import Clip
 from toolkit.motion.tensors import summary
 from toolkit.networks import Film, FilmGenerator, Model
@@ -229,7 +229,7 @@ def _descend(model: Model, bank: StyleBank | None, data: Features, descent: _Des
     poses = _walks(model, bank) if bank is not None else model.inputs_mean[None, joints]
     mean, deviation = _prior(model, bank)
     adam = torch.optim.Adam(learnt, lr=RATES[method], fused=True)
-    for step in tqdm(range(total), desc=METHODS[method].split(" (")[0], unit="step", disable=not progress):
+    for step in progress_bar(range(total), desc=METHODS[method].split(" (")[0], unit="step", show=progress):
         adam.param_groups[0]["lr"] = RATES[method] * (1 + math.cos(math.pi * step / total)) / 2
         x, p, z, y = batches[step]
         other = poses[torch.randint(len(poses), (len(x),), generator=draw)]

@@ -16,10 +16,10 @@ from pathlib import Path
 
 import torch
 from torch import Tensor, nn
-from tqdm.auto import tqdm
 
 from toolkit.features.splits import generator, seeded
 from toolkit.io import model_files
+from toolkit.io.progress import progress_bar
 from toolkit.motion.tensors import summary
 from toolkit.stylization import losses
 from toolkit.stylization.data import Motions
@@ -201,7 +201,7 @@ def fit(motions: Motions, config: Config | None = None, checkpoint: str | os.Pat
         state |= file.load(checkpoint)[0]
     began = clock() - state["elapsed"]
     saver = Saver(lambda: file.save(checkpoint, state) if checkpoint else None, config.save_every)
-    bar = tqdm(total=config.iterations, initial=state["step"], desc="training", unit="step", disable=not progress)
+    bar = progress_bar(total=config.iterations, initial=state["step"], desc="training", unit="step", show=progress)
     with saver, bar:
         while (done := max(state["step"] / config.iterations, state["elapsed"] / config.seconds)) < 1:
             terms = _step(stylizer, discriminator, adams, batches[state["step"]], config, state["step"], done)

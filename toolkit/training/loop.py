@@ -5,8 +5,10 @@ with the same weights as a run without a stop, bit for bit.
 """
 
 import contextlib
+import ctypes
 import math
 import os
+import sys
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
@@ -16,12 +18,12 @@ from typing import TYPE_CHECKING
 
 import torch
 from torch import Tensor
-from tqdm.auto import tqdm
 
 from toolkit import networks
 from toolkit.features import KINDS, Features, check_style, splits
 from toolkit.features.splits import seeded
 from toolkit.io import model_files
+from toolkit.io.progress import progress_bar
 from toolkit.motion.tensors import summary
 from toolkit.networks import Model
 from toolkit.networks.bank import StyleBank
@@ -40,6 +42,7 @@ if TYPE_CHECKING:
 __all__ = ["Config", "Run", "fit", "load", "pretrained"]
 
 LOG_EVERY = 10  # steps between the training losses that TensorBoard shows
+M_TRIM_THRESHOLD, M_MMAP_MAX = -1, -4  # options of glibc's mallopt
 
 
 @dataclass(eq=False)
@@ -125,12 +128,12 @@ def fit(data: Features, config: Config | None = None, checkpoint: str | os.PathL
             state.best = {name: value.clone() for name, value in model.state_dict().items()}
         draw({} if error is None else {"held_out": error}, state.step)
 
-    bar = tqdm(total=total or config.seconds, initial=state.step if total else state.elapsed, desc="training",
-               unit="step" if total else "s", disable=not (progress and first),
-               bar_format=None if total else "{l_bar}{bar}| {n:.0f}/{total:.0f} s, {remaining} left{postfix}")
+    bar = progress_bar(total=total or config.seconds, initial=state.step if total else state.elapsed, desc="training",
+                       unit="step" if total else "s", show=progress and first,
+                       bar_format=None if total else "{l_bar}{bar}| {n:.0f}/{total:.0f} s, {remaining} left{postfix}")
     smooth, before = math.nan, time.process_time() - state.processor
     saver = Saver(save, config.save_every, state.elapsed, partial(_mean, fabric))
-    with saver, _tensorboard(log if first else None, state.step) as draw, bar:
+    with saver, _tensorboard(log if first else None, state.step) as draw, bar, reused_memory():
         model.train()
         while (done := state.step / total if total else state.elapsed / config.seconds) < 1:
             if config.patience and state.stalled >= config.patience:
@@ -160,6 +163,27 @@ def fit(data: Features, config: Config | None = None, checkpoint: str | os.PathL
     for style, error in (evaluate(model, shifted, test) if len(bank) > 1 else {}).items():
         held_out[style]["other"] = error["mse"]
     return Run(model.cpu(), bank, config, state.history, held_out, baselines(model.cpu(), test))
+
+
+@contextlib.contextmanager
+def reused_memory() -> Iterator[None]:
+    """Inside, glibc keeps freed memory; results stay the same.
+
+    Otherwise large tensors return to the system at once, and a third of a step of the paper's size with one style clip goes
+    into mapping and clearing the pages of new gradients.
+    """
+    mallopt = getattr(ctypes.CDLL(None), "mallopt", None) if sys.platform == "linux" else None
+    if mallopt is None:
+        yield
+        return
+    mallopt(M_MMAP_MAX, 0)
+    mallopt(M_TRIM_THRESHOLD, 2**31 - 1)
+    try:
+        yield
+    finally:
+        mallopt(M_MMAP_MAX, 65536)
+        mallopt(M_TRIM_THRESHOLD, 128 * 1024)
+        ctypes.CDLL(None).malloc_trim(0)
 
 
 def restore(path: str | os.PathLike, model: Model, adam: torch.optim.Adam, config: Config) -> State:

@@ -4,9 +4,9 @@ import dataclasses
 import math
 
 import torch
-from tqdm import tqdm
 
 from toolkit.features import KINDS, Features
+from toolkit.io.progress import progress_bar
 from toolkit.networks import Model
 from toolkit.networks.bank import StyleBank
 from toolkit.networks.model import evaluating
@@ -26,7 +26,7 @@ def refit(model: Model, bank: StyleBank, data: Features, steps: int = STEPS, see
     batches, device = Minibatches(data, BATCH, 1, seed, pose_mixup), model.outputs_mean.device
     scale = float(bank.vectors.std(0).mean()) if len(bank) > 1 else 1.0
     vectors = bank.vectors.clone()
-    for which, style in enumerate(tqdm(batches.styles, "vectors", unit="style", disable=not progress)):
+    for which, style in enumerate(progress_bar(batches.styles, desc="vectors", unit="style", show=progress)):
         vector = bank[style].clone().to(device).requires_grad_()
         adam = torch.optim.Adam([vector], fused=True)
         for turn in range(steps):

@@ -10,13 +10,14 @@ import torch
 from matplotlib.colors import to_rgb
 from PIL import Image, ImageDraw, ImageFont
 from scipy.ndimage import gaussian_filter1d
-from tqdm import tqdm
 
 from toolkit.io.files import atomic_write
+from toolkit.io.progress import progress_bar
 from toolkit.motion import Clip, on_cpu
 from toolkit.motion import rotations as R
 from toolkit.view import body
 from toolkit.view.canvas import Canvas
+from toolkit.view.character import Character
 from toolkit.view.picture import FLOOR, INK, PAPER, Shot, cast, steady_frames
 
 LINE, GRID = "#bfbab0", 0.5  # lines on the floor; metres between them
@@ -28,7 +29,8 @@ SUFFIXES = (".gif", ".png", ".apng", ".webp", ".mp4")
 
 def animate(clips: Clip | Sequence[Clip], path: str | os.PathLike, *, labels: Sequence[str] | None = None,
             columns: int | None = None, fps: float = 20.0, height: int = 200, view: float = 45.0, elevation: float = 12.0,
-            contacts=None, caption: str = "", colors: int = 64, progress: bool = False) -> Path:
+            contacts=None, caption: str = "", colors: int = 64, progress: bool = False,
+            character: str | os.PathLike | Character | None = None) -> Path:
     """Write a looping animation of one or more motions, each in its own cell, on a floor whose lines show the travel.
 
     `loop` finds the part of a clip that repeats without a jump. A clip shorter than the longest starts again.
@@ -53,6 +55,8 @@ def animate(clips: Clip | Sequence[Clip], path: str | os.PathLike, *, labels: Se
         Text below the picture; whether to show a bar.
     colors
         Number of colours of a ``.gif``: fewer make a smaller file.
+    character
+        A glTF or VRM file with a skinned mesh, drawn in place of the mannequin; the clips are put on its rig.
 
     Raises
     ------
@@ -62,13 +66,13 @@ def animate(clips: Clip | Sequence[Clip], path: str | os.PathLike, *, labels: Se
         If an ``.mp4`` is asked for and PyAV is missing.
     """
     path = _checked(path)
-    shots, labels = _shots(clips, labels, contacts, view, elevation)
+    shots, labels = _shots(clips, labels, contacts, view, elevation, Character.of(character))
     columns = columns or len(shots)
     room = _room(shots, labels, height)
     length = max(round(shot.clip.seconds * fps) for shot in shots)
 
     def drawn() -> Iterator[Image.Image]:
-        for k in tqdm(range(max(length, 1)), desc=path.name, disable=not progress):
+        for k in progress_bar(range(max(length, 1)), desc=path.name, show=progress):
             cells = [shot.cell(round(k * shot.clip.fps / fps) % len(shot.clip), *room) for shot in shots]
             yield _sheet(cells, columns, labels, caption)
 
@@ -101,7 +105,7 @@ def contact_sheet(clips: Clip | Sequence[Clip], path: str | os.PathLike | None =
         raise ValueError(f"a contact sheet needs columns, got {columns}")
     reach, _, scale = _room(shots, [], height)
     cells = []
-    for shot in tqdm(shots, desc="contact sheet", disable=not progress):
+    for shot in progress_bar(shots, desc="contact sheet", show=progress):
         poses = np.linspace(*loop(shot.clip, strides), columns, endpoint=False).round().astype(int)
         cells += [shot.cell(frame, reach, shot.top + 0.05, scale) for frame in poses]  # every row as high as it needs
     sheet = _sheet(cells, columns, labels)
@@ -148,7 +152,7 @@ def crowd(clips: Sequence[Clip], path: str | os.PathLike, *, fps: float = 12.5, 
     lamp = shots[0].tilt.T @ camera @ np.array([-0.35, 1.0, 0.25])
 
     def drawn() -> Iterator[Image.Image]:
-        for k in tqdm(range(len(frames)), desc=path.name, disable=not progress):
+        for k in progress_bar(range(len(frames)), desc=path.name, show=progress):
             canvas = Canvas((x0, x1, y0, y1), FINE * width / (x1 - x0), camera)
             for shot, look in zip(shots, looks, strict=True):
                 shot.draw(canvas, k, lamp, colors=look)
@@ -189,12 +193,12 @@ def loop(clip: Clip, strides: int = 2) -> tuple[int, int]:
 class _Follow(Shot):
     """A clip seen by a camera that follows at a steady pace."""
 
-    def __init__(self, clip: Clip, contacts: np.ndarray | None, view: float, elevation: float):
+    def __init__(self, clip: Clip, contacts: np.ndarray | None, view: float, elevation: float, figure: Character | None):
         walked, facing = steady_frames(clip, 0.5)
         straight = np.linspace(walked[0], walked[-1], len(walked))
         self.path = straight + gaussian_filter1d(walked - straight, 0.25 * clip.fps, axis=0, mode="wrap")
         azimuth = np.radians(view) - np.arctan2(np.sin(facing).mean(), np.cos(facing).mean())
-        super().__init__(clip, contacts, np.arange(len(clip)), self.path, azimuth, np.radians(elevation))
+        super().__init__(clip, contacts, np.arange(len(clip)), self.path, azimuth, np.radians(elevation), figure)
         travel = (walked[-1] - walked[0]) * (len(walked) / max(len(walked) - 1, 1))  # to where the next round begins
         length = float(np.linalg.norm(travel))
         along = travel / length if length > GRID else np.array([np.sin(facing[0]), 0.0, np.cos(facing[0])])
@@ -221,9 +225,10 @@ def _image(picture: np.ndarray) -> Image.Image:
     return Image.fromarray((255 * picture + 0.5).astype(np.uint8))
 
 
-def _shots(clips, labels, contacts, view: float, elevation: float) -> tuple[list[_Follow], list[str]]:
-    clips, labels, contacts = cast(clips, labels, contacts)
-    return [_Follow(clip, con, view, elevation) for clip, con in zip(clips, contacts, strict=True)], labels
+def _shots(clips, labels, contacts, view: float, elevation: float,
+           figure: Character | None = None) -> tuple[list[_Follow], list[str]]:
+    clips, labels, contacts = cast(clips, labels, contacts, figure)
+    return [_Follow(clip, con, view, elevation, figure) for clip, con in zip(clips, contacts, strict=True)], labels
 
 
 def _room(shots: Sequence[_Follow], labels: Sequence[str], height: int) -> tuple[float, float, float]:

@@ -17,7 +17,7 @@ from toolkit import runtime
 from toolkit.motion import Clip, trajectory
 from toolkit.runtime import FPS, Command
 from toolkit.view.character import Character
-from toolkit.view.frontend import running_loop, static
+from toolkit.view.frontend import CellWidget, running_loop, static
 from toolkit.view.page import skeleton_data
 from toolkit.view.triangle import Corners, corners
 
@@ -32,7 +32,7 @@ def example(model, bank) -> Clip:
     return runtime.rollout(model, runtime.straight(1.0, 2.0), bank.vectors[0])
 
 
-class Controller(Corners):
+class Controller(CellWidget, Corners):
     """A character under control: keys W A S D walk, Q E turn, Shift runs; a stick, a gamepad; a triangle of three styles.
 
     Parameters
@@ -131,6 +131,7 @@ class Controller(Corners):
         if self._task is not None and not self._loop.is_closed():
             self._loop.call_soon_threadsafe(self._task.cancel)
         super().close()
+        self.skeleton = {}
 
     @traitlets.validate("speed")
     def _finite(self, proposal: dict) -> float:

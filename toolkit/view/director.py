@@ -14,15 +14,15 @@ import traitlets
 
 from toolkit import shots
 from toolkit.motion import Clip
-from toolkit.shots import Shot, course, feasibility
+from toolkit.shots import Scene, Shot, apart, course, feasibility, scene
 from toolkit.view import live_page, page
 from toolkit.view.character import Character
-from toolkit.view.frontend import static
+from toolkit.view.frontend import CellWidget, static
 
 START = (0, 0), (0.6, 2), (-0.6, 4), (0, 6)  # the path of the first shot
 
 
-class Director(anywidget.AnyWidget):
+class Director(CellWidget, anywidget.AnyWidget):
     """A desk for shots: draw and drag the path, key styles, speeds and pauses, see the character walk it at once.
 
     Parameters
@@ -30,7 +30,7 @@ class Director(anywidget.AnyWidget):
     model, bank
         An LPN-FiLM and its style bank, e.g. of `toolkit.pretrained`.
     shots
-        The first shots, one per character; by default one along a short path.
+        The first shots, one per character, or a `toolkit.shots.Scene`; by default one shot along a short path.
     height
         Of the widget, pixels.
     character
@@ -54,7 +54,7 @@ class Director(anywidget.AnyWidget):
     scene = traitlets.Dict().tag(sync=True)
     height = traitlets.Int(760, min=300).tag(sync=True)
 
-    def __init__(self, model, bank, shots: Iterable[Shot] | None = None, *, height: int = 760,
+    def __init__(self, model, bank, shots: Iterable[Shot] | Scene | None = None, *, height: int = 760,
                  character: str | os.PathLike | Character | None = None):
         self._model, self._bank = model, bank
         super().__init__(data=pack(model, bank, character=Character.of(character)), scene=first(bank, shots), height=height)
@@ -65,23 +65,31 @@ class Director(anywidget.AnyWidget):
         return shots.parse(self.scene)
 
     @shots.setter
-    def shots(self, made: Iterable[Shot]) -> None:
+    def shots(self, made: Iterable[Shot] | Scene) -> None:
         self.scene = first(self._bank, made)
 
     def render(self, character: int = 0) -> Clip:
-        """The motion of a character, by `toolkit.shots.Shot.render`."""
-        return self.shots[character].render(self._model, self._bank)
+        """The motion of a character, by `toolkit.shots.Scene.render`."""
+        made = Scene.parse(self.scene)
+        if made.apart is None:
+            return made.shots[character].render(self._model, self._bank)
+        return made.render(self._model, self._bank)[character]
+
+    def close(self) -> None:
+        """Remove the widget; its shots stay."""
+        super().close()
+        self.data = {}
 
     @traitlets.validate("scene")
     def _valid(self, proposal: dict) -> dict:
         try:
-            _of(self._bank, shots.parse(proposal["value"]))
+            first(self._bank, Scene.parse(proposal["value"]))
         except ValueError as error:
             raise traitlets.TraitError(str(error)) from None
         return proposal["value"]  # as it came: another form would be sent back, over newer changes of the page
 
 
-def web(model, bank, path: str | os.PathLike, shots: Iterable[Shot] | None = None, *, title: str = "Plan a shot",
+def web(model, bank, path: str | os.PathLike, shots: Iterable[Shot] | Scene | None = None, *, title: str = "Plan a shot",
         styles: Sequence[str] | None = None, half: bool = False,
         character: str | os.PathLike | Character | None = None) -> Path:
     """Write a page with the `Director`, without server or Python; shots are saved to and opened from files.
@@ -103,6 +111,7 @@ def pack(model, bank, half: bool = False, character: Character | None = None) ->
     """The data of ``scene/shot.js``: that of `toolkit.view.live_page.pack`, natural speeds and the constants of shots."""
     return live_page.pack(model, bank, half, character) | {
         "speeds": [bank.speed(name) for name in bank.names], "course": constants(course), "limits": constants(feasibility),
+        "apart": constants(scene) | constants(apart),
         "joints": list(model.layout.skeleton.names)}
 
 
@@ -111,12 +120,10 @@ def constants(module) -> dict[str, float]:
     return {name: value for name, value in vars(module).items() if name.isupper() and isinstance(value, int | float)}
 
 
-def first(bank, made: Iterable[Shot] | None) -> dict[str, Any]:
-    """The scene of some shots, or of a first one; a ValueError if a style is unknown."""
-    return _of(bank, [Shot(START, bank.names[0], name="shot 1")] if made is None else list(made))
-
-
-def _of(bank, made: list[Shot]) -> dict[str, Any]:
-    for shot in made:
+def first(bank, made: Iterable[Shot] | Scene | None) -> dict[str, Any]:
+    """The data of a scene, of some shots, or of a first one; a ValueError if a style is unknown."""
+    made = [Shot(START, bank.names[0], name="shot 1")] if made is None else made
+    made = made if isinstance(made, Scene) else Scene(made)
+    for shot in made.shots:
         shot.style(bank)
     return shots.data(made)

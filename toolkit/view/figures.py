@@ -21,7 +21,7 @@ LAYOUT = {
 
 def colours(n: int) -> list[str]:
     """``n`` different colours: those of the palette, then hues that lie far from one another."""
-    more = (colorsys.hls_to_rgb((0.13 + 0.381966 * k) % 1, 0.32 + 0.12 * (k % 3), 0.55) for k in range(n - len(PALETTE)))
+    more = (colorsys.hls_to_rgb((0.02 + 0.381966 * k) % 1, 0.32 + 0.12 * (k % 3), 0.55) for k in range(n - len(PALETTE)))
     return [*PALETTE[:n], *("#" + "".join(f"{round(255 * c):02x}" for c in rgb) for rgb in more)]
 
 
@@ -98,7 +98,7 @@ def training_curves(history: Sequence[Mapping] | Mapping[str, Sequence], *, titl
                                customdata=[r.get("elapsed", float("nan")) for r in kept],
                                line={"color": colour, "width": 2.5},
                                hovertemplate="%{fullData.name} %{y:.4g} at step %{x:,}, %{customdata:.0f} s<extra></extra>")
-    return finish(figure, title, 420, {"title": "step"}, {"title": "error", "type": "log"})
+    return finish(figure, title, 420, {"title": "step"}, {"title": "error", "type": "log", "dtick": "D2"})
 
 
 def trajectory_figure(clips: Clip | Sequence[Clip], target=None, *, labels: Sequence[str] | None = None,

@@ -6,10 +6,13 @@ import io
 import json
 import sys
 import threading
+import weakref
+from collections.abc import Iterator
 from importlib import resources
-from typing import Any
+from typing import Any, ClassVar
 
 import anywidget
+import ipywidgets as widgets
 import traitlets
 from PIL import Image
 
@@ -51,6 +54,39 @@ def require_main_thread() -> None:
     """Raise RuntimeError outside of the main thread, where VTK draws wrong pictures without an error."""
     if threading.current_thread() is not threading.main_thread():
         raise RuntimeError("the player draws in the main thread only; call it from there (loop.call_soon_threadsafe)")
+
+
+class CellWidget(widgets.Widget):
+    """A widget that is closed, with all its parts, when the notebook cell that made it runs again: no page shows it then."""
+
+    _made: ClassVar[dict[str, tuple[str, list[weakref.ref]]]] = {}  # by cell: its last run, and what that made
+
+    def __init__(self, *arguments, **traits):
+        super().__init__(*arguments, **traits)
+        parent = sys.modules["IPython"].get_ipython().kernel.get_parent() if in_notebook() else {}
+        if cell := parent.get("metadata", {}).get("cellId"):
+            run, made = self._made.get(cell, ("", []))
+            if run != parent["header"]["msg_id"]:
+                for widget in filter(None, [reference() for reference in made]):
+                    widget.close()
+                made = []
+                self._made[cell] = parent["header"]["msg_id"], made
+            made.append(weakref.ref(self))
+
+    def close(self) -> None:
+        """Remove the widget and its parts, which ipywidgets would keep."""
+        for part in _parts(self):
+            part.close()
+        super().close()
+
+
+def _parts(widget: widgets.Widget) -> Iterator[widgets.Widget]:
+    """What a widget consists of: its children, their layouts and styles, the innermost first."""
+    for value in [*widget._trait_values.values()]:
+        for part in value if isinstance(value, tuple) else (value,):
+            if isinstance(part, widgets.Widget):
+                yield from _parts(part)
+                yield part
 
 
 class Screen(anywidget.AnyWidget):

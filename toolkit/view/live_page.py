@@ -17,6 +17,7 @@ from toolkit import runtime
 from toolkit.features import CHANNELS, FRAME_KINDS, Layout
 from toolkit.io import bvh
 from toolkit.networks.film import EPSILON
+from toolkit.shots import crowd
 from toolkit.view import body, page
 from toolkit.view.character import Character
 
@@ -110,9 +111,7 @@ def pack(model, bank, half: bool = False, character: Character | None = None, ch
 
 
 def _others(bank, count: int) -> list[dict[str, Any]]:
-    """Characters on rings, as `toolkit.runtime.crowd` places them, each in another style than its neighbours."""
-    from toolkit.runtime import crowd  # imported on demand: numba is slow to import
-
+    """Characters on rings, as `toolkit.shots.crowd` places them, each in another style than its neighbours."""
     rows = zip(*(values.tolist() for values in crowd.places(count)), strict=True) if count else ()
     tints = [((np.array(to_rgb(color)) ** 2.2 - np.array(to_rgb(body.COLORS["middle"])) ** 2.2) * 0.6).round(4).tolist()
              for color in body.PALETTE]

@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping
 import ipywidgets as widgets
 
 from toolkit.motion import Clip
-from toolkit.view.frontend import escape, require_main_thread, running_loop
+from toolkit.view.frontend import CellWidget, escape, require_main_thread, running_loop
 from toolkit.view.player import RATE, Player
 from toolkit.view.triangle import StyleTriangle, corners
 
@@ -16,7 +16,7 @@ PAUSE = 0.03  # seconds in which changes are collected before a new motion is ma
 BUSY = 15.0  # pictures per second at most while a motion is made: both need Python
 
 
-class StyleBlender(widgets.HBox):
+class StyleBlender(CellWidget, widgets.HBox):
     """A player whose motion follows a blend of three styles.
 
     Parameters

@@ -40,7 +40,8 @@ def map_figure(points, names: Sequence[str], labels: Sequence[str], *, marked: M
     figure, at = style_space(points, names, labels, marked=marked, title=title), np.asarray(points)
     stars = [np.asarray(place) for place in (marked or {}).values()]
     near = np.abs(at[:, None] - np.concatenate([at, *(star[None] for star in stars)])) / np.ptp(at, axis=0)
-    crowded = ((near[..., 0] < 0.12) & (near[..., 1] < 0.035)).sum(1) > 1
+    letters = np.array([*map(len, names), *([10] * len(stars))])
+    crowded = ((near[..., 0] < 0.008 * np.add.outer(letters[: len(at)], letters)) & (near[..., 1] < 0.035)).sum(1) > 1
     alone = {escape(name) for name, other in zip(names, crowded, strict=True) if not other}
     for trace in figure.data[: len(dict.fromkeys(labels))]:
         trace.hovertext, trace.text = trace.text, [name if name in alone else "" for name in trace.text]
@@ -150,7 +151,8 @@ def columns_figure(tables: Mapping[str, Mapping[str, Sequence[float]]], *, title
         for model, values in rows.items():
             colour = WHEEL[models.index(model) % len(WHEEL)]
             figure.add_scatter(x=list(values), y=[model] * len(values), mode="markers", row=1, col=k, showlegend=False,
-                               marker={"size": 11, "color": colour}, hovertemplate="%{x:.4g}<extra>%{y}</extra>")
+                               marker={"size": 11, "color": colour}, cliponaxis=False,
+                               hovertemplate="%{x:.4g}<extra>%{y}</extra>")
         for name, value in (floors or {}).get(measure, {}).items():
             figure.add_vline(x=value, line={"color": INK, "dash": "dot"}, row=1, col=k, annotation_text=name,
                              annotation_position="top left", annotation_font_size=11)
@@ -183,6 +185,6 @@ def graph_figure(graph, place: Tensor) -> Figure:
         for node, parent in enumerate(graph.parents[level][1:], 1):
             axes.plot(-place[0, [node, parent]], place[1, [node, parent]], color="#c9ccd1", linewidth=3)
         axes.plot(-place[0], place[1], "o", color=WHEEL[level])
-        axes.set(title=f"{graph.sizes[level]} nodes", xlabel="metres", aspect="equal")
+        axes.set(title=f"{graph.sizes[level]} nodes", xlabel="metres", aspect="equal", xticks=(-0.3, 0.3))
         place = place @ graph.pool(level) if level < levels - 1 else place
     return figure

@@ -17,7 +17,7 @@ import torch
 import typer
 from robustness.faults.jobs import Job, ended, files_of, prepare, start
 
-JOBS = "fetch", "preprocess", "train", "export"
+JOBS = "fetch", "preprocess", "train", "export", "stylizer", "style", "shot"
 SMALL = 50_000  # bytes, largest file on the "full" disk
 
 
@@ -42,7 +42,7 @@ def run(
     seed: Annotated[int, typer.Option(help="Seed of the times.")] = 0,
     only: Annotated[str | None, typer.Option(help=f"Comma-separated jobs: {', '.join(JOBS)}; default: all.")] = None,
 ) -> None:
-    """Files of fetch, preprocess, train and export after kills and faults, compared with undisturbed runs; else status 1."""
+    """Files of jobs after kills and other faults, compared with those of undisturbed runs; exit status 1 if they differ."""
     if not hasattr(os, "fork"):
         raise ValueError("this measurement needs a system that can fork: Linux or macOS")
     chosen = JOBS if only is None else only.split(",")

@@ -1,8 +1,10 @@
-"""Jobs for the fault tests: small runs of fetch, preprocess, train and export, each in its own process."""
+"""Jobs for the fault tests: small runs of commands that write files, each in its own process."""
 
 import contextlib
 import functools
 import http.server
+import importlib
+import json
 import os
 import re
 import shutil
@@ -17,7 +19,7 @@ from unittest import mock
 
 import safetensors.torch
 
-from toolkit import export, networks, training, view
+from toolkit import export, networks, stylization, training, view
 from toolkit.datasets import procedural
 from toolkit.features import store
 from toolkit.features.store import files
@@ -68,8 +70,10 @@ _UNDISTURBED: dict[Job, tuple[dict[str, object], float]] = {}
 
 
 def prepare(base: Path, ends: contextlib.ExitStack) -> list[Job]:
-    """The four jobs, and the files that they read."""
-    root, stored = base / "data", base / "store"
+    """The jobs, and the files that they read."""
+    root, stored, scene = base / "data", base / "store", base / "shots.json"
+    for verb in ("data", "preprocess", "train", "train_stylizer", "style", "shot"):
+        importlib.import_module(f"toolkit.cli.{verb}")  # here, and not in the time of a job
     finish(lambda _: procedural.write(root, ["Neutral", "Zombie"], ["FW", "SW"], 5.0), base)
     finish(lambda _: store.preprocess("100style", root, stored, workers=1), base)
     with zipfile.ZipFile(base / "data.zip", "w") as archive:
@@ -79,6 +83,10 @@ def prepare(base: Path, ends: contextlib.ExitStack) -> list[Job]:
     digest = files.sha256(base / "data.zip")
     sizes = networks.Sizes(hidden=64, film_channels=8, film_kernel=5, film_dense=64)
     quick = functools.partial(training.Config.quick, save_every=0.1, sizes=sizes)
+    few = functools.partial(stylization.training.Config.quick, save_every=0.1,
+                            sizes=stylization.networks.Sizes(channels=4, code=8, latent=8, hidden=32))
+    ways = [{"path": [[0, 0], [0, 4]], "styles": style, "duration": 3} for style in ("Old", "Zombie")]
+    scene.write_text(json.dumps({"version": 1, "shots": ways}))
     clips, (model, bank) = procedural.load(["Neutral", "Zombie"], ["FW"], 20.0), training.pretrained()
 
     def fetch(folder: Path) -> None:
@@ -89,7 +97,20 @@ def prepare(base: Path, ends: contextlib.ExitStack) -> list[Job]:
 
     def train(folder: Path) -> None:
         with mock.patch.object(training.Config, "quick", quick):
-            _command("train", "--data", stored, "--out", folder / "run.safetensors", "--small", "--epochs", 4, "--resume")
+            _command("train", "--data", stored, "--out", folder / "run.safetensors", "--small", "--epochs", 4, "--refit", 5,
+                     "--resume")
+
+    def train_stylizer(folder: Path) -> None:
+        with mock.patch.object(stylization.training.Config, "quick", few):
+            _command("train-stylizer", "--data", "100style", "--root", root, "--out", folder / "stylizer.safetensors",
+                     "--small", "--iterations", 12, "--resume")
+
+    def add_style(folder: Path) -> None:
+        _command("style", "add", "--clips", next(root.rglob("*Zombie_FW.bvh")), "--name", "Slow", "--steps", 4, "--out",
+                 folder / "model.safetensors")
+
+    def shot(folder: Path) -> None:
+        _command("shot", scene, "--out", folder / "walk.bvh")
 
     def write(clip: Clip, folder: Path) -> None:
         for suffix in (".bvh", ".html", ".glb"):
@@ -97,8 +118,8 @@ def prepare(base: Path, ends: contextlib.ExitStack) -> list[Job]:
         export.onnx.save(model, folder / "network.onnx", bank)
         view.web(model, bank, folder / "page.html", title=clip.style)
 
-    def checkpoint(path: Path) -> None:
-        model_files.read(path, "checkpoint")
+    def checkpoint(path: Path, part: str = "checkpoint") -> None:
+        model_files.read(path, part)
 
     def manifest(path: Path) -> None:
         for entry in files.read_manifest(path.parent)["partitions"].values():
@@ -113,6 +134,10 @@ def prepare(base: Path, ends: contextlib.ExitStack) -> list[Job]:
         Job("preprocess", preprocess, stage=manifest, staged="manifest.json"),
         Job("train", train, {"run.safetensors": b"an older run"}, checkpoint, r".*\.checkpoint", _weights),
         Job("export", functools.partial(write, clips[0]), old_files),
+        Job("stylizer", train_stylizer, {"stylizer.safetensors": b"an older run"},
+            functools.partial(checkpoint, part="stylization_checkpoint"), r".*\.checkpoint", _weights),
+        Job("style", add_style, {"model.safetensors": b"an older model"}, content=_weights),
+        Job("shot", shot, {"walk_0.bvh": b"an older walk", "walk_1.bvh": b"another"}),
     ]
 
 

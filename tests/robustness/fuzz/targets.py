@@ -12,15 +12,21 @@ from pathlib import Path
 from unittest import mock
 
 import numpy as np
+import torch
 from robustness.fuzz import foreign, mutations
 from robustness.fuzz.trials import Reader
 from typer.core import TyperCommand
 
 from toolkit import datasets, features, networks, runtime, shots, training
-from toolkit.datasets import parameters, procedural, style100
+from toolkit.datasets import folder as own
+from toolkit.datasets import leaks, parameters, procedural, style100
+from toolkit.evaluation.recognition import Recogniser
 from toolkit.features import store
 from toolkit.io import bvh, decimals
 from toolkit.networks.bank import StyleBank
+from toolkit.phases import learned
+from toolkit.stylization import networks as stylizers
+from toolkit.stylization.graph import SkeletonGraph
 from toolkit.training import loop
 
 CARRIER = b"""HIERARCHY
@@ -47,7 +53,7 @@ Frame Time: 0.033333
 TINY = networks.Sizes(hidden=4, experts=2, gating=4, film_channels=2, film_kernel=5, film_dense=4)
 WORK = {  # functions that a command calls after its checks; they are replaced here
     "toolkit.training.distributed": ("start",), "toolkit.features": ("build",), "toolkit.features.store": ("preprocess",),
-    "toolkit.training": ("fit",), "toolkit.cli.demo": ("embedded", "make"), "toolkit.runtime.crowd": ("walk",),
+    "toolkit.training": ("fit",), "toolkit.cli.demo": ("embedded", "make"), "toolkit.shots.crowd": ("walk",),
     "toolkit.runtime": ("states",), "toolkit.datasets.procedural": ("load", "write"),
     "toolkit.cli.style": ("fine_tune",), "toolkit.cli.stylize": ("stylize",), "toolkit.cli.train_stylizer": ("build",),
     "toolkit.cli.data": ("fetch",),
@@ -112,13 +118,15 @@ def _recorded() -> Iterator:
 
 def _csv(folder: Path) -> list[Reader]:
     procedural.write(folder, ["Neutral", "Zombie", "Old"], ["FW"], 0.2)
-    tables = {"Frame_Cuts.csv": style100.table1, "Dataset_List.csv": style100.styles}
+    rows = "ProceduralNeutral_FW.bvh,Neutral,walk,0.01,y", "ProceduralOld_FW.bvh,Old,,cm,"
+    (folder / "labels.csv").write_text("\n".join(("file,style,gait,unit,up", *rows)))
+    tables = {"Frame_Cuts.csv": style100.table1, "Dataset_List.csv": style100.styles, "labels.csv": own.labelled}
     return [Reader(name, folder / name, lambda path, table=table: table(path.parent), ((folder / name).read_bytes(),),
                    mutations.text, r"line (?!1:)|no row|no frame") for name, table in tables.items()]
 
 
 def _model(folder: Path) -> list[Reader]:
-    """Runs, models, banks, checkpoints and the published parameters, which have no header."""
+    """Runs, models, banks, checkpoints, stylizers, recognisers, learned phases; published parameters, without a header."""
     data = features.build(procedural.load(["Neutral", "Zombie"], ["FW"], 7.0))
     config = training.Config.quick(steps=1, sizes=TINY, batch=4)
     training.fit(data, config, folder / "run.checkpoint").save(folder / "run.safetensors")
@@ -133,8 +141,15 @@ def _model(folder: Path) -> list[Reader]:
         model = copy.deepcopy(new)
         loop.restore(path, model, loop.optimiser(model, config), config)
 
-    readers = {"run.safetensors": (finite, training.load, networks.Model.load, StyleBank.load),
-               "run.checkpoint": (resume,)}
+    skeleton = data.layout.skeleton
+    sizes = stylizers.Sizes(channels=1, code=1, latent=1, hidden=2)
+    stylizers.build(SkeletonGraph.of(skeleton), ("old",), sizes)[0].save(folder / "stylizer.safetensors")
+    Recogniser(("a", "b"), features.Normaliser(torch.zeros(12), torch.ones(12)), 2).save(folder / "recogniser.safetensors")
+    parts = {part: learned.PeriodicAutoencoder(hidden=1) for part in learned.PARTS}
+    learned.Learned(parts, dict.fromkeys(parts, 1.0)).save(folder / "learned.safetensors")
+    readers = {"run.safetensors": (finite, training.load, networks.Model.load, StyleBank.load), "run.checkpoint": (resume,),
+               "stylizer.safetensors": (stylizers.Stylizer.load,), "recogniser.safetensors": (Recogniser.load,),
+               "learned.safetensors": (learned.Learned.load,)}
     deep = r"(?!.*(not a whole|expected the format|metadata|expected a |cannot be read))"
     found = [Reader(name, folder / name, read, ((folder / name).read_bytes(),), mutations.tensors, deep)
              for name, reads in readers.items() for read in reads]
@@ -166,7 +181,7 @@ def _store(folder: Path) -> list[Reader]:
 
 
 def _shot(folder: Path) -> list[Reader]:
-    """A file of shots; one that is read must give finite plans."""
+    """A file of shots; one that is read must give finite plans. A split, whose leaks are found."""
     bank = training.pretrained().bank
     ways = [{"path": [[0, 0], [1, 2, 2.5], {"x": -1, "z": 4, "facing": [1, 0]}], "styles": [[0, "Neutral"]], "seed": 3},
             {"path": [[2, 0], [2, 5]], "styles": [[0, {"Old": 0.5, "Zombie": 0.5}, "linear"], [2, "Tiptoe", "jump"]],
@@ -185,7 +200,10 @@ def _shot(folder: Path) -> list[Reader]:
         except ValueError as error:  # of a style: the bank does not know the file
             raise error if str(path) in str(error) else ValueError(f"{path}: {error}") from None
 
-    return [Reader("shot", folder / "shots.json", named, (scene,), mutations.json_text, "(?!.*not a JSON)")]
+    split = json.dumps({"train": [["a", "FW", 0, 900], {"gait": "b", "stop": 80}], "test": [["a", "FW", 1200, 1300], "c"],
+                        "gap": 9, "whole_takes": False, "unseen": ["c"]}).encode()
+    return [Reader("shot", folder / "shots.json", named, (scene,), mutations.json_text, "(?!.*not a JSON)"),
+            Reader("split", folder / "split.json", leaks.find, (split,), mutations.json_text, "(?!.*no JSON)")]
 
 
 def _cli(folder: Path) -> list[Reader]:

@@ -1,7 +1,1 @@
-"""Exercises of each notebook: a module with the name of the notebook, and in it ``EXERCISES``."""
-
-import pkgutil
-
-import lazy_loader
-
-__getattr__, __dir__, __all__ = lazy_loader.attach(__name__, [module.name for module in pkgutil.iter_modules(__path__)])
+"""Exercises of the notebooks: each module has some of them in ``EXERCISES``, name -> `toolkit.course.Exercise`."""

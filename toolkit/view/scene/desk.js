@@ -2,26 +2,25 @@
 //
 // Desk(data, scene, changed): data of view/director.py's pack; scene as a file holds it. `changed(what)` is called after a change of
 //   the shots ("shots"), of the undo list ("kept"), and whenever more frames are there ("frames").
+import { Together } from "./apart.js";
 import { Character } from "./character.js";
 import { Network } from "./network.js";
 import { numbers } from "./numbers.js";
-import { data as sceneOf, parse, shot as checked, Take } from "./shot.js";
+import { data as sceneOf, parse, shot as checked, starts, Take } from "./shot.js";
 
-const othersOf = ({ version, shots, ...more }) => more; // fields of a scene that are kept for its file
 const SLICE = 25, BATCH = 4, DEEP = 200; // ms of computing at once; frames between looks at the clock; steps that can be undone
 
 export class Desk {
   constructor(data, scene, changed) {
     const { course: rules, limits, styles, speeds } = data, vectors = numbers(data.vectors);
     Object.assign(this, { data, rules, limits, styles, speeds, vectors, size: vectors.length / styles.length, changed });
-    Object.assign(this, { shots: parse(scene, styles), takes: [], making: [], past: [], future: [], held: null, stats: { ms: [] } });
-    this.more = othersOf(scene);
+    Object.assign(this, { ...parse(scene, styles), takes: [], making: [], past: [], future: [], held: null, stats: { ms: [] } });
     this.network = new Network(data.network);
     this.drawn = new Character(data, this.network);
     this.channel = new MessageChannel();
     this.channel.port1.onmessage = () => this.work();
     this.selected = 0;
-    this.renew([]);
+    this.renew([], null);
   }
 
   get shot() {
@@ -34,18 +33,20 @@ export class Desk {
 
   // Replaces the shots. `edit` gets a copy of them and may change it; an Error of one line if the result is not valid.
   change(edit) {
-    const before = JSON.stringify(this.scene), draft = JSON.parse(JSON.stringify(this.shots)), old = this.shots;
-    const made = (edit(draft) ?? draft).map((shot) => checked(shot, this.styles)), after = JSON.stringify(sceneOf(made, this.more));
-    if (after === before) return;
-    this.put(made, old);
-    if (this.held === null) this.keep(before);
+    const draft = JSON.parse(JSON.stringify(this.shots)), made = (edit(draft) ?? draft).map((shot) => checked(shot, this.styles));
+    this.replace({ shots: made, more: starts(made, this.more) });
   }
 
   // Replaces everything by what a file holds; an Error of one line if it is not valid.
   open(scene) {
-    const shots = parse(scene, this.styles);
-    this.more = othersOf(scene);
-    this.change(() => shots);
+    this.replace(parse(scene, this.styles), []);
+  }
+
+  replace(made, old = this.shots) {
+    const before = JSON.stringify(this.scene);
+    if (JSON.stringify(sceneOf(made.shots, made.more)) === before) return;
+    this.put(made, old);
+    if (this.held === null) this.keep(before);
   }
 
   // the changes from begin to end are one step of undo
@@ -69,7 +70,7 @@ export class Desk {
   undo(from = this.past, to = this.future) {
     if (!from.length) return;
     to.push(JSON.stringify(this.scene));
-    this.put(parse(JSON.parse(from.pop()), this.styles), this.shots);
+    this.put(parse(JSON.parse(from.pop()), this.styles));
     this.changed("kept");
   }
 
@@ -77,25 +78,28 @@ export class Desk {
     this.undo(this.future, this.past);
   }
 
-  put(made, old) {
-    this.shots = made;
-    this.selected = Math.min(this.selected, made.length - 1);
-    this.renew(old);
+  put({ shots, more }, old = this.shots) {
+    const before = JSON.stringify(this.more);
+    Object.assign(this, { shots, more, selected: Math.min(this.selected, shots.length - 1) });
+    this.renew(old, before);
     this.changed("shots");
   }
 
-  // new takes of the shots that are not the same as before
-  renew(old) {
-    const text = (shot) => JSON.stringify({ ...shot, name: "" }), known = old.map(text);
-    const now = performance.now(), takes = [], making = [];
-    this.shots.forEach((shot, k) => {
-      const at = known[k] === text(shot) ? k : known.indexOf(text(shot));
-      takes[k] = this.takes[at < 0 ? k : at];
-      const older = [this.takes[k], this.making[k]].filter(Boolean);
-      making[k] = at < 0 ? new Take(shot, this, new Character(this.data, this.network), now, older) : this.making[at];
+  // new takes of the shots that are not the same as before; of those who keep apart, all or none
+  renew(old, before) {
+    const text = (shot) => JSON.stringify({ ...shot, name: "" }), known = old.map(text), texts = this.shots.map(text);
+    const now = performance.now(), takes = [], making = [], { more } = this, around = JSON.stringify(more);
+    const same = around === before && (more.apart === undefined || texts.join() === known.join());
+    texts.forEach((own, k) => {
+      const at = !same ? -1 : known[k] === own ? k : known.indexOf(own);
+      takes[k] = old.length ? this.takes[at < 0 ? k : at] : undefined; // opened: nothing is left of other shots
+      const older = more.apart === undefined ? [takes[k], old.length && this.making[k]].filter((take) => take && !take.together) : [];
+      making[k] = at < 0 ? new Take(this.shots[k], this, new Character(this.data, this.network), now, older) : this.making[at];
       if (at < 0) this.stats.since = making[k].frames.length; // the first frame that is computed again
     });
     Object.assign(this, { takes, making });
+    if (more.apart === undefined) this.together = null;
+    else if (!same) this.together = new Together([...making], more, this);
     this.due();
   }
 
@@ -105,21 +109,27 @@ export class Desk {
     this.channel.port2.postMessage(null);
   }
 
-  // frames of the selected character first
+  // frames of the selected character first; of all together where they keep apart
   work() {
     this.waits = false;
-    const until = performance.now() + SLICE, order = [this.selected, ...this.making.keys()];
-    for (const k of order) {
-      const take = this.making[k];
-      let more = !!take;
-      while (more && performance.now() < until) for (let i = 0; more && i < BATCH; i++) more = take.step();
+    const until = performance.now() + SLICE, { together, making } = this;
+    const groups = together ? [[together, [...making.keys()]]] : [this.selected, ...making.keys()].map((k) => [making[k], [k]]);
+    for (const [one, members] of groups) {
+      if (!members.some((k) => this.making[k])) continue;
+      let more = true;
+      while (more && performance.now() < until) for (let i = 0; more && i < (together ? 1 : BATCH); i++) more = one.step();
       if (more) break;
-      if (!take) continue;
-      [this.takes[k], this.making[k]] = [take, null];
-      this.stats.ms.push(performance.now() - take.since);
+      this.stats.ms.push(performance.now() - this.making[members[0]].since);
+      for (const k of members) [this.takes[k], this.making[k]] = [this.making[k], null];
     }
     this.changed("frames");
     this.due();
+  }
+
+  // the share of the motion that is there
+  get share() {
+    const rows = this.shots.map((_, k) => this.making[k] ?? this.takes[k]), sum = (name) => rows.reduce((total, take) => total + name(take), 0);
+    return sum((take) => take.frames.length) / Math.max(sum((take) => take.count), 1);
   }
 
   // the newest take of a character that has a frame; before the first is ready, none
@@ -140,7 +150,7 @@ export class Desk {
   // all frames of a character, [[root, rotations]]; it is computed to its end
   motion(k) {
     const take = this.making[k] ?? this.takes[k];
-    while (take.step());
+    while ((this.together ?? take).step());
     return take.frames.map((_, f) => {
       const { root, rotations } = this.pose(k, f);
       return [root.slice(), rotations.slice()];

@@ -4,6 +4,7 @@
 // fill the element. The scene is sent to the kernel after every change that undo knows.
 import { unpack } from "./body.js";
 import { bvh } from "./character.js";
+import { bisectRight } from "./course.js";
 import { Desk } from "./desk.js";
 import { colorOf, floorMap } from "./floor_map.js";
 import { glb } from "./gltf.js";
@@ -24,12 +25,12 @@ const CSS = `
 .tkd :focus-visible{outline:2px solid var(--accent);outline-offset:1px}
 .tkd button[aria-pressed=true],.tkd button[aria-selected=true]{background:#efecfa;border-color:#c9c0ec;color:#4c3fa0}
 .tkd-bar,.tkd-row{display:flex;flex-wrap:wrap;gap:6px;align-items:center}.tkd-bar{grid-area:bar}
-.tkd-bar [role=tablist]{display:flex;gap:4px;flex-wrap:wrap;margin-right:auto}
+.tkd-bar [role=tablist]{display:flex;gap:4px;flex-wrap:wrap;margin-right:auto;max-height:68px;overflow:auto}
 .tkd-bar [role=tab]{max-width:14em;overflow:hidden;text-overflow:ellipsis;white-space:nowrap;border-bottom:3px solid var(--tone)!important}
 .tkd-box{position:relative;min-height:0;min-width:0;overflow:hidden;border-radius:12px;background:#f3f1ec}
 .tkd-stage{position:absolute;inset:0}.tkd-stage canvas{display:block}
 .tkd-tools{position:absolute;left:8px;top:8px;display:flex;gap:5px}
-.tkd-say{display:grid;gap:4px}.tkd-say p{margin:0;padding:3px 9px;border-radius:8px;background:#fff4e0;color:#7a4b00;overflow-wrap:anywhere}
+.tkd-say{position:absolute;left:8px;right:8px;bottom:8px;max-height:60%;overflow:auto;display:grid;gap:4px;justify-items:start}.tkd-say p{margin:0;padding:3px 9px;border-radius:8px;background:#fff4e0;color:#7a4b00;overflow-wrap:anywhere}
 .tkd-say .bad{background:#fde4e1;color:#8c1d13}
 .tkd-map,.tkd-time{display:block;width:100%;touch-action:none;user-select:none;-webkit-user-select:none}
 .tkd-map{height:100%;cursor:grab}
@@ -39,7 +40,7 @@ const CSS = `
 .tkd .off{stroke:#d03a2b;stroke-width:4;stroke-linecap:round}
 .tkd-map .stroke{stroke:var(--accent);stroke-width:3;stroke-dasharray:6 4}.tkd-map circle{stroke-width:2.5;cursor:move}
 .tkd-map circle.on{fill:var(--ink)}
-.tkd-map .person{stroke:#fff;stroke-width:1}.tkd-map text{font-size:11px;fill:var(--soft);pointer-events:none}
+.tkd-map .person{stroke:#fff;stroke-width:1;cursor:pointer}.tkd-map .walls{stroke:#6d7580;stroke-width:5;stroke-linecap:round}.tkd-map text{font-size:11px;fill:var(--soft);pointer-events:none}
 .tkd-low{grid-area:time;background:#fbfaf7;border-radius:12px;overflow:hidden}
 .tkd-time text{font-size:10px;fill:var(--soft);pointer-events:none}.tkd-time .names text{font-size:11px;fill:#1d232b}
 .tkd-time .ruler{fill:#efece5;cursor:ew-resize}.tkd-time .speed{stroke:#2b323b;stroke-width:1.5}.tkd-time .off{stroke-width:3}
@@ -51,13 +52,14 @@ const CSS = `
 .tkd-side,.tkd-form{display:flex;flex-direction:column;gap:8px}.tkd-side{grid-area:side;overflow:auto;padding:2px}
 .tkd-side h3{margin:0;font-size:14px}.tkd-side label{display:grid;grid-template-columns:84px 1fr;gap:6px;align-items:center}
 .tkd-side label input,.tkd-side label select{min-width:0;width:100%}.tkd-side input[type=checkbox]{width:auto;justify-self:start}
-.tkd-mix{display:grid;grid-template-columns:minmax(0,1.3fr) minmax(0,1fr) 38px 26px;gap:5px;align-items:center}
+.tkd-mix{display:grid;grid-template-columns:minmax(0,1.3fr) minmax(0,1fr) 42px 26px;gap:5px;align-items:center}
 .tkd-mix button{padding:0;height:26px}.tkd-mix select,.tkd-mix input{min-width:0;width:100%}
 .tkd-clock{font-variant-numeric:tabular-nums;color:var(--soft);min-width:7.5em}
 @media(max-width:900px){.tkd{display:flex;flex-direction:column;overflow:auto}.tkd>*{flex:none}
-.tkd-box{height:clamp(190px,28dvh,420px)}.tkd-side{overflow:visible;order:1}.tkd-say{order:-1}}
+.tkd-box{height:clamp(190px,28dvh,420px)}.tkd-side{overflow:visible;order:1}}
 `;
-const BUSY = 150, STILL = 12; // ms between pictures while a motion is computed; unchanged pictures before one with smooth edges
+const BUSY = 150, LATE = 700; // ms between pictures while a motion is computed; after which the clock says how much is ready
+const STILL = 12; // unchanged pictures before one with smooth edges
 
 export function render({ model, el }) {
   const root = make("div", "tkd", el, { tabIndex: -1 });
@@ -65,7 +67,7 @@ export function render({ model, el }) {
   if (model.get("height")) root.style.height = `${model.get("height")}px`;
   make("style", "", root, { textContent: CSS });
   const data = model.get("data"), ghosts = [];
-  let selected = null, playing = false, last = 0, handle = 0, moved = true, rest = 0, painted = 0, focused = null, shown, arriving = false;
+  let selected = null, playing = false, last = 0, handle = 0, moved = true, rest = 0, painted = 0, focused = null, shown, arriving = false, problem = "", trailed = null;
   const desk = new Desk(data, model.get("scene"), changed);
   desk.seconds = 0;
   const fps = desk.rules.FPS;
@@ -76,15 +78,16 @@ export function render({ model, el }) {
   const aside = make("div", "tkd-side", root), low = make("div", "tkd-low", root);
   const map = floorMap(floor, desk, { select, edit }), time = timeline(low, desk, { select, edit, seek, ghosts });
   const form = shotForm(aside, desk, { select, edit, remove: removeSelected });
-  const say = make("div", "tkd-say", aside, { role: "status", ariaLabel: "What cannot be met" });
+  const say = make("div", "tkd-say", view, { role: "status", ariaLabel: "What cannot be met" });
 
-  button(bar, "+", "Add a character", () => edit((shots) => {
-    const copy = JSON.parse(JSON.stringify(desk.shot)), near = shots.length;
-    for (const point of copy.path) point.x += 1;
+  button(bar, "+ character", "Add a character", () => edit((shots) => {
+    const copy = JSON.parse(JSON.stringify(desk.shot)), near = shots.length, right = Math.min(...shots.map(({ path: [{ x }] }) => x));
+    const room = Math.max(1, desk.more.apart ?? 0, ...shots.map(({ radius }) => 2 * (radius ?? 0)));
+    for (const point of copy.path) point.x += right - desk.shot.path[0].x - room;
     shots.push({ ...copy, name: `shot ${near + 1}`, seed: copy.seed + 1 });
     desk.selected = near;
   }));
-  const remove = button(bar, "−", "Remove this character", () => edit((shots) => void shots.splice(desk.selected, 1)));
+  const remove = button(bar, "− character", "Remove this character", () => edit((shots) => void shots.splice(desk.selected, 1)));
   const play = button(bar, "▶", "Play", () => run(!playing));
   const clock = make("span", "tkd-clock", bar);
   const undo = button(bar, "↶", "Undo", () => desk.undo()), redo = button(bar, "↷", "Redo", () => desk.redo());
@@ -133,12 +136,13 @@ export function render({ model, el }) {
     setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
   }
   function complain(text) {
-    say.replaceChildren(make("p", "bad", null, { textContent: text }));
-    shown = "";
+    problem = text;
+    changed("look");
   }
   function edit(change) {
     try {
       desk.change(change);
+      problem = "";
     } catch (error) {
       complain(error.message);
     }
@@ -146,6 +150,7 @@ export function render({ model, el }) {
   function open(made) {
     const before = desk.shots;
     desk.open(made);
+    problem = "";
     if (desk.shots === before) return;
     map.fit();
     changed("look");
@@ -202,17 +207,19 @@ export function render({ model, el }) {
     remove.disabled = desk.shots.length < 2;
     undo.disabled = !desk.past.length, redo.disabled = !desk.future.length;
     pen.ariaPressed = String(map.drawing);
-    clock.textContent = `${desk.seconds.toFixed(2)} / ${longest().toFixed(2)} s`;
+    const late = desk.making.some((take) => take && performance.now() - take.since > LATE);
+    clock.textContent = `${desk.seconds.toFixed(2)} / ${longest().toFixed(2)} s${late ? `, ${Math.round(100 * desk.share)} % ready` : ""}`;
   }
 
   function words() {
-    if (desk.making.some(Boolean)) return;
-    const whose = ({ name: who }) => (desk.shots.length > 1 ? `${who}: ` : "");
-    const lines = desk.shots.flatMap((shot, k) => missed(desk.take(k), desk.limits).map((line) => whose(shot) + line));
-    const text = lines.join("\n");
+    const { more: { apart } } = desk, whose = ({ name: who }) => (desk.shots.length > 1 ? `${who}: ` : "");
+    if (desk.making.some(Boolean) && !problem && desk.takes.every(Boolean)) return;
+    const lines = !desk.takes.every(Boolean) ? [] : apart === undefined ? desk.shots.flatMap((shot, k) => missed(desk.take(k), desk.limits).map((line) => whose(shot) + line))
+      : [`All keep ${apart} m apart, or their own radii: they leave their paths for it, and their plans wait where they are held up.`];
+    const text = [problem, ...lines].join("\n");
     if (text === shown) return;
     shown = text;
-    say.replaceChildren(...lines.map((line) => make("p", "", null, { textContent: line })));
+    say.replaceChildren(...[problem, ...lines].flatMap((line, k) => (line ? [make("p", k ? "" : "bad", null, { textContent: line })] : [])));
   }
 
   function pose(list, at, k, seconds, ghost) {
@@ -235,6 +242,10 @@ export function render({ model, el }) {
       root.focus({ preventScroll: true }); // the keys go on
     if (!scene) return;
     desk.shots.forEach((_, k) => pose(bodies, k, k, desk.seconds, false));
+    const take = desk.take(desk.selected), { curve: { x, z, at } } = take.course, planned = take.course.distance[Math.max(frame, 0)];
+    if (take !== trailed) scene.setTrail(Float32Array.from(x.flatMap((v, k) => [v * scene.body.scale, 0, z[k] * scene.body.scale])));
+    trailed = take;
+    scene.showTrail(planned === undefined ? at.length : bisectRight(at, planned) - 1);
     ghosts.forEach((seconds, i) => pose(pale, i, desk.selected, seconds, true));
     bodies.slice(desk.shots.length).concat(pale.slice(ghosts.length)).forEach((body) => scene.show(body, false));
     scene.render({ still });

@@ -46,7 +46,7 @@ export function floorMap(parent, desk, { select, edit }) {
   const svg = draw(parent, "svg", { class: "tkd-map", role: "group", "aria-label": "Floor map: z is up, x is to the left" });
   const grid = draw(svg, "path", { class: "hollow grid" }), axes = draw(svg, "path", { class: "hollow axes" }), lines = draw(svg, "g");
   const names = ["z, m", "x, m"].map((text) => Object.assign(draw(svg, "text"), { textContent: text }));
-  const off = draw(svg, "path", { class: "hollow off" }), stroke = draw(svg, "path", { class: "hollow stroke" });
+  const walls = draw(svg, "path", { class: "hollow walls" }), off = draw(svg, "path", { class: "hollow off" }), stroke = draw(svg, "path", { class: "hollow stroke" });
   const people = draw(svg, "g"), points = draw(svg, "g");
   const hands = new Map(); // pointers that are down
   let centre = [0, 3], scale = 50, drawing = false, line = null, held = null, spread = 0;
@@ -86,13 +86,20 @@ export function floorMap(parent, desk, { select, edit }) {
     return found === null ? null : Math.min(found, desk.shot.path.length - 2);
   }
 
+  // index of the nearest point that a finger beside it means
+  function nearPoint(place) {
+    const far = desk.shot.path.map(({ x, z }) => distance([x, z], place) * scale), least = Math.min(...far);
+    return least < CLOSE ? far.indexOf(least) : undefined;
+  }
+
   svg.addEventListener("pointerdown", (event) => {
     if (event.button) return;
     svg.setPointerCapture(event.pointerId);
     hands.set(event.pointerId, event);
-    const place = into(event), k = event.target.dataset?.k;
+    const place = into(event), k = event.target.dataset?.k ?? nearPoint(place), who = event.target.dataset?.who;
     if (hands.size === 2) spread = apart(), line = held = null;
     else if (drawing) line = [place];
+    else if (k === undefined && who !== undefined) select(null), desk.selected = Number(who);
     else if (k !== undefined || onPath(place) !== null) {
       desk.begin();
       held = { k: Number(k), from: place };
@@ -171,8 +178,9 @@ export function floorMap(parent, desk, { select, edit }) {
       set(grid, { d: ticks.join("") });
       const [ox, oz] = out([0, 0]);
       set(axes, { d: `M${ox} 0v${2 * h}M0 ${oz}h${2 * w}` });
-      set(names[0], { x: ox + 5, y: 12 }), set(names[1], { x: 5, y: oz - 5 });
+      set(names[0], { x: ox + 5, y: 2 * h - 6 }), set(names[1], { x: 5, y: oz - 5 });
       const count = desk.shots.length;
+      set(walls, { d: (desk.more.walls ?? []).map(({ start, end }) => trace([start, end])).join("") });
       pool(lines, "path", 2 * count).forEach((path, i) => {
         const k = i >> 1, take = desk.take(k), walked = i & 1, own = k === desk.selected;
         set(path, { class: `hollow ${walked ? "walked" : "plan"}`, d: trace(walked ? take.places : curveOf(take)), stroke: colorOf(k),
@@ -186,7 +194,7 @@ export function floorMap(parent, desk, { select, edit }) {
         if (!found) return path.setAttribute("d", "");
         const { frames } = desk.take(k), [x, z, sin, cos] = frames[Math.min(frame, frames.length - 1)].history;
         const turn = (-Math.atan2(sin, cos) * 180) / Math.PI, transform = `translate(${out([x, z]).join(" ")})rotate(${turn})`;
-        set(path, { d: "M0-11L7 8L0 4L-7 8Z", class: "person", fill: colorOf(k), transform });
+        set(path, { d: "M0-11L7 8L0 4L-7 8Z", class: "person", fill: colorOf(k), transform, "data-who": k });
       });
       pool(points, "circle", desk.shot.path.length).forEach((circle, k) => {
         const p = desk.shot.path[k], [cx, cy] = out([p.x, p.z]), on = selected?.list === "path" && selected.k === k;

@@ -2,18 +2,18 @@
 //
 // A shot here has every field of `toolkit.shots.Shot`, with null where there is none:
 //   path [{x, z, time, facing}], styles [{time, blend, easing}], speeds [{time, speed, easing}], holds [{seconds, time, distance}],
-//   smooth, facing, look_at, feet, arms, seed, duration, name;  a blend is weights by style, or a list of them, one for each layer
+//   smooth, facing, look_at, feet, arms, seed, duration, name, radius;  a blend is weights by style, or a list of them, one for each layer
 // desk: {rules, limits, styles: [names], vectors, size, speeds: [m/s]}, see view/director.py
 import { advance, Character } from "./character.js";
 import { between, command, Course, Curve, EASINGS, Heading, keyed, nearest, round } from "./course.js";
 import { copy, stand } from "./frame.js";
 
 const FAR = 1000, FAST = 20, MANY = 256, LONGEST = 600, SEEDS = 2 ** 31 - 1, EVERY = 30, GOLDEN = (Math.sqrt(5) - 1) / 2;
-const SCENE = ["version", "shots", "apart", "walls"]; // a page shows each character alone; toolkit.shots keeps them apart
+const SCENE = ["version", "shots", "apart", "walls"];
 const FIELDS = {
   Point: ["x", "z", "time", "facing"], StyleKey: ["time", "blend", "easing"], SpeedKey: ["time", "speed", "easing"],
-  Hold: ["seconds", "time", "distance"],
-  Shot: ["path", "styles", "speeds", "holds", "smooth", "facing", "look_at", "feet", "arms", "seed", "duration", "name"],
+  Hold: ["seconds", "time", "distance"], Wall: ["start", "end"],
+  Shot: ["path", "styles", "speeds", "holds", "smooth", "facing", "look_at", "feet", "arms", "seed", "duration", "name", "radius"],
 };
 
 function demand(right, text) {
@@ -104,6 +104,7 @@ export function shot(value, styles) {
     look_at: optional(given.look_at, (v) => pair(v, "look_at")), feet: given.feet ?? true, arms: given.arms ?? true,
     seed: number(given.seed ?? 0, "seed", 0, SEEDS), name: given.name ?? "shot",
     duration: optional(given.duration, (v) => number(v, "duration", 1 / 60, LONGEST)),
+    radius: optional(given.radius, (v) => number(v, "radius", 0.05, 5)),
   };
   demand(path.length > 1, `path: two or more points are needed, got ${path.length}`);
   path.forEach((p, k) => demand(!k || Math.hypot(p.x - path[k - 1].x, p.z - path[k - 1].z) >= 0.01,
@@ -124,13 +125,32 @@ export function shot(value, styles) {
   return made;
 }
 
-// The shots of a scene {version, shots}; an Error of one line.
+// {shots, more} of a scene, more: {apart, walls} or {}; an Error of one line.
 export function parse(scene, styles) {
   demand(isObject(scene) && "version" in scene && "shots" in scene, "expected an object with the fields version and shots");
   for (const name of Object.keys(scene)) demand(SCENE.includes(name), `unknown field ${JSON.stringify(name).slice(0, 60)}`);
   demand(scene.version === 1, "this page reads version 1 of shots");
   demand(Array.isArray(scene.shots) && scene.shots.length, "shots: one or more are needed");
-  return entries(scene.shots, "shots", "Shot", (value) => shot(value, styles));
+  const walls = entries(scene.walls ?? [], "walls", "Wall", (wall) => ({ start: pair(wall.start, "start"), end: pair(wall.end, "end") }));
+  walls.forEach(({ start: [a, b], end: [c, d] }, k) =>
+    demand(Math.hypot(a - c, b - d) >= 0.01, `walls[${k}]: start and end are less than 1 cm apart`));
+  const apart = optional(scene.apart, (v) => number(v, "apart", 0.1, 5));
+  demand(apart !== null || !walls.length, "walls are only avoided by characters who keep apart: give apart, metres");
+  const shots = entries(scene.shots, "shots", "Shot", (value) => shot(value, styles));
+  return { shots, more: starts(shots, apart === null ? {} : walls.length ? { apart, walls } : { apart }) };
+}
+
+// the share of a character in the distance of two who keep apart
+export const radiusOf = (shot, { apart }) => shot.radius ?? apart / 2;
+
+// the other fields of a scene; an Error if two characters who keep apart start closer
+export function starts(shots, more) {
+  if (more.apart !== undefined) shots.forEach((shot, b) => shots.slice(0, b).forEach((one, a) => {
+    const [{ x, z }, other] = [shot.path[0], one.path[0]], distance = Math.hypot(x - other.x, z - other.z);
+    const least = radiusOf(shot, more) + radiusOf(one, more), pair = `shots[${a}] and shots[${b}] start ${distance.toFixed(2)} m`;
+    demand(!(distance < least), `${pair} from each other, closer than the ${least.toFixed(2)} m that they keep`);
+  }));
+  return more;
 }
 
 // the scene of shots, as a file holds it: fields without a value are left out; more: its other fields
@@ -221,7 +241,7 @@ export class Take {
   constructor(shot, desk, character, since = 0, older = []) {
     Object.assign(this, { shot, ...plan(shot, desk), character, since, frames: [], places: [], kept: [] });
     const { course, heading } = this, place = course.curve.point(0), angle = heading.angle(0, place);
-    this.count = course.distance.length - 1;
+    this.count = course.distance.length - 1, this.clock = 0; // frame of the plan: behind those of the character where it waits
     this.styles = keysOf(shot.styles, (key) => vectorOf(key.blend, desk));
     this.style = new Float64Array(desk.size);
     character.state = stand(character.first, place, [Math.sin(angle), Math.cos(angle)]);
@@ -235,26 +255,43 @@ export class Take {
     }
   }
 
-  // the next frame; whether there is one
-  step() {
-    const { character, frames, styles: { times, easings, values }, style } = this, frame = frames.length;
-    if (frame >= this.count) return false;
-    if (frame % EVERY === 0) this.kept.push(copy(character.state));
-    const { history } = character.state, [x, z] = history.subarray(history.length - 4);
-    const [a, b, weight] = between(times, easings, frame / this.course.rules.FPS);
+  get place() {
+    return [...this.character.state.history.slice(-4, -2)];
+  }
+
+  // sets the style of the next frame; returns its command
+  ask() {
+    const { clock, styles: { times, easings, values }, style } = this;
+    const [a, b, weight] = between(times, easings, clock / this.course.rules.FPS);
     for (let i = 0; i < style.length; i++) style[i] = values[a][i] + weight * (values[b][i] - values[a][i]);
-    advance([character], [command(this.course, this.heading, frame, [x, z])], [style]);
-    const { state } = character, place = state.history.slice(-4);
-    frames.push({ history: place, joints: Float32Array.from(state.joints), toes: state.toes.slice(), contacts: state.contacts.slice() });
+    return command(this.course, this.heading, clock, this.place);
+  }
+
+  // the frame that the character is in is the next one
+  note() {
+    const { state } = this.character, place = state.history.slice(-4);
+    this.frames.push({ history: place, joints: Float32Array.from(state.joints), toes: state.toes.slice(), contacts: state.contacts.slice() });
     this.places.push([place[0], place[1]]);
-    if (frame + 1 === this.count) this.apart = beside(this);
+    this.count = Math.max(this.count, this.frames.length);
+  }
+
+  // the next frame, alone; whether there is one
+  step() {
+    const { character, frames: { length } } = this;
+    if (length >= this.count) return false;
+    if (length % EVERY === 0) this.kept.push(copy(character.state));
+    this.clock = length;
+    const asked = this.ask();
+    advance([character], [asked], [this.style]);
+    this.note();
+    if (length + 1 === this.count) this.apart = beside(this);
     return true;
   }
 }
 
 // distance from the curve of each place, metres
-export function beside({ course: { curve, distance }, places, count, apart }) {
-  return apart?.length === count ? apart : places.map(([x, z], k) => {
+export function beside({ course: { curve, distance }, places, apart }) {
+  return apart ?? places.map(([x, z], k) => {
     const [px, pz] = curve.point(nearest(curve, [x, z], distance[Math.min(k + 1, distance.length - 1)]));
     return Math.hypot(px - x, pz - z);
   });
@@ -265,6 +302,13 @@ function radius({ curve }, distance, { REACH }) {
   const at = Math.min(Math.max(distance, REACH), Math.max(curve.length - REACH, REACH));
   const [ax, az] = curve.tangent(at - REACH), [bx, bz] = curve.tangent(at + REACH);
   return (2 * REACH) / Math.max(Math.abs(Math.atan2(ax * bz - az * bx, ax * bx + az * bz)), 1e-3);
+}
+
+// the style of the largest share at a time; of a blend by layer, in the first layer
+function styleAt({ styles }, now) {
+  const [a, b, weight] = between(styles.map((key) => key.time), styles.map((key) => key.easing), now);
+  const shares = Object.entries(layersOf(styles[weight > 0.5 ? b : a].blend)[0]);
+  return shares.reduce((best, other) => (other[1] > best[1] ? other : best))[0];
 }
 
 // What a take misses and why, a line each (Shot.check).
@@ -294,9 +338,11 @@ export function missed(take, limits) {
   if (apart[worst] > limits.OFF) {
     const tight = (k) => radius(course, distance[k], limits);
     const turn = best(worst + 2, (a, b) => tight(a) < tight(b), Math.max(worst + 1 - FPS, 1));
-    lines.push(`at ${((worst + 1) / FPS).toFixed(1)} s the character is ${(100 * apart[worst]).toFixed(0)} cm from the path: the turn `
-      + `after ${distance[turn].toFixed(1)} m, of radius ${tight(turn).toFixed(1)} m, is too tight at ${speed[turn].toFixed(2)} m/s; `
-      + "widen it or slow down there");
+    const why = speed[turn] ** 2 > limits.EASY * tight(turn)
+      ? `the turn after ${distance[turn].toFixed(1)} m, of radius ${tight(turn).toFixed(1)} m, is too tight at ${speed[turn].toFixed(2)} m/s; `
+        + "widen it or slow down there"
+      : `${styleAt(shot, worst / FPS)} does not keep to it; choose another style there`;
+    lines.push(`at ${((worst + 1) / FPS).toFixed(1)} s the character is ${(100 * apart[worst]).toFixed(0)} cm from the path: ${why}`);
   } else if (mean > limits.BESIDE) lines.push(`the character is ${(100 * mean).toFixed(0)} cm from the path on average`);
   const late = places.findIndex((place, k) => distance[k + 1] - nearest(curve, place, distance[k + 1]) > limits.LAG) + 1;
   if (late)

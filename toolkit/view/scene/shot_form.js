@@ -97,11 +97,11 @@ export function shotForm(parent, desk, { select, edit, remove }) {
   function ofShot({ look_at: look, facing }) {
     plain("name", "name", { type: "text", maxLength: 100 });
     plain("seed", "seed", { type: "number", step: 1, min: 0 });
-    plain("duration, s", "duration");
+    plain("duration, s", "duration", { ...NUMBER, placeholder: "to the end" });
     choose("faces", FACES, () => FACES[desk.shot.look_at ? 2 : desk.shot.facing ? 1 : 0], (one, value) =>
       Object.assign(one, { look_at: value === FACES[2] ? [0, 0] : null, facing: value === FACES[1] ? [0, 1] : null }));
     const goal = look ? "look_at" : facing && "facing";
-    if (goal) ["x of it", "z of it"].forEach((text, i) => field(text, () => here()[goal]?.[i], (one, value) => (one[goal][i] = value)));
+    if (goal) ["x", "z"].forEach((axis, i) => field(look ? `${axis} of it, m` : `to ${axis}`, () => here()[goal]?.[i], (one, value) => (one[goal][i] = value)));
     for (const [name, text] of Object.entries(SWITCHES)) plain(text, name, { type: "checkbox" });
   }
 

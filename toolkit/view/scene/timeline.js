@@ -6,7 +6,7 @@ import { keyed } from "./course.js";
 
 const PAD = 14, RULER = 26, BAND = 44, SPEED = 50, PAUSE = 20, SAMPLES = 160, STEP = 0.1, APART = 0.02; // pixels; seconds
 const TOPS = { arrivals: 17, ghosts: 17, styles: RULER + BAND - 8, speeds: 0, holds: RULER + BAND + SPEED + 11 };
-const GLYPHS = { arrivals: "M0-7h8v6h-8v8", ghosts: "M0-5a4 4 0 1 1 0 8 4 4 0 1 1 0-8M-4 7a4 4 0 0 1 8 0Z", styles: "M0-8L7 0L0 8L-7 0Z",
+const GLYPHS = { arrivals: "M0 7V-7h8v6h-8", ghosts: "M0-5a4 4 0 1 1 0 8 4 4 0 1 1 0-8M-4 7a4 4 0 0 1 8 0Z", styles: "M0-8L7 0L0 8L-7 0Z",
                  speeds: "M-5 0a5 5 0 1 0 10 0a5 5 0 1 0-10 0", holds: "M-5-6h4v12h-4ZM1-6h4v12h-4Z" };
 const STEPS = [0.5, 1, 2, 5, 10, 20, 60]; // seconds between lines
 const WORDS = { arrivals: "Arrival", ghosts: "Onion skin", styles: "Style key", speeds: "Speed key", holds: "Pause" };
@@ -30,7 +30,7 @@ export function timeline(parent, desk, { select, edit, seek, ghosts }) {
   const svg = draw(parent, "svg", { class: "tkd-time", height: HEIGHT, role: "group", "aria-label": "Timeline" });
   const ruler = draw(svg, "rect", { class: "ruler", x: 0, y: 0, height: RULER, tabindex: 0, role: "slider", "aria-label": "Time" });
   const path = (kind) => draw(svg, "path", { class: `hollow ${kind}` }), group = (kind = "") => draw(svg, "g", { class: kind });
-  const ticks = path("grid"), texts = group(), bands = group(), names = group("names"), spans = group();
+  const ticks = path("grid"), texts = group(), bands = group(), names = group("names"), paces = group(), spans = group();
   const speed = path("speed"), fast = path("off"), now = path("now");
   const keys = draw(svg, "g");
   let most = 2, length = 10, held = null;
@@ -112,7 +112,7 @@ export function timeline(parent, desk, { select, edit, seek, ghosts }) {
         length = Math.max(...desk.shots.map((_, k) => desk.take(k).count / FPS), ...all.map((item) => item.time), 1);
         most = Math.max(1.2 * Math.max(...course.speed, ...shot.speeds.map((key) => key.speed)), 0.5);
       }
-      const w = Math.max(svg.clientWidth, 1), step = STEPS.find((s) => out(s) - out(0) > 34) ?? 120, marks = [];
+      const w = Math.max(svg.clientWidth, 1), step = STEPS.find((s) => out(s) - out(0) > 46) ?? 120, marks = [];
       for (let t = 0; t <= length + 1e-9; t += step) marks.push(t);
       set(ruler, { width: w, "aria-valuenow": seconds.toFixed(2), "aria-valuemin": 0, "aria-valuemax": length.toFixed(2) });
       set(ticks, { d: marks.map((t) => `M${out(t)} 0V${HEIGHT}`).join("") });
@@ -141,6 +141,13 @@ export function timeline(parent, desk, { select, edit, seek, ghosts }) {
         set(text, { x: from + 10, y: TOPS.styles + 4 });
         const short = free > 6.4 * name.length ? name : name.slice(0, Math.max(free / 6.4 - 1, 0)) + (free > 12 ? "…" : "");
         if (text.textContent !== short) text.textContent = short;
+      });
+      const words = shot.speeds.length ? shot.speeds.map((key) => [key.time, `${key.speed} m/s`, key.speed])
+        : [[0, "the natural speed of the styles", Math.max(...course.speed)]];
+      pool(paces, "text", words.length).forEach((text, k) => {
+        const [time, word, v] = words[k], free = (words[k + 1] ? out(words[k + 1][0]) : w) - out(time) > 60;
+        set(text, { x: out(time) + 8, y: high(v) - 4 });
+        text.textContent = free ? word : "";
       });
       const line = (has) => course.speed.map((v, k) =>
         (has[k] ? `${k && has[k - 1] ? "L" : "M"}${out(k / FPS).toFixed(1)} ${high(v).toFixed(1)}` : "")).join("");

@@ -1,0 +1,63 @@
+"""What widgets leave behind in a kernel. `python -m experiments long-use` drives a whole one."""
+
+from types import SimpleNamespace
+
+import pytest
+from ipywidgets.widgets.widget import _instances
+from robustness.long_use import leaks
+
+import toolkit as tk
+from toolkit.view.controller import Controller
+from toolkit.view.director import Director
+from toolkit.view.player import Player
+
+
+@pytest.fixture
+def cell(monkeypatch):
+    """The message that runs a cell of JupyterLab."""
+    parent = {"metadata": {"cellId": "first"}, "header": {"msg_id": "1"}}
+    shell = SimpleNamespace(kernel=SimpleNamespace(get_parent=lambda: parent))
+    monkeypatch.setattr("IPython.get_ipython", lambda: shell)
+    return parent
+
+
+def test_a_cell_that_runs_again_closes_what_it_made(cell):
+    trained = tk.pretrained()
+    two = [Controller(*trained) for _ in range(2)]
+    assert all(made.comm for made in two)
+    cell |= {"metadata": {"cellId": "second"}, "header": {"msg_id": "2"}}
+    other = Controller(*trained)
+    cell |= {"metadata": {"cellId": "first"}, "header": {"msg_id": "3"}}
+    again = Controller(*trained)
+    assert [made.comm for made in two] == [None, None]
+    assert other.comm
+    assert again.comm
+    again.close()
+    other.close()
+
+
+def test_without_cells_nothing_is_closed(cell):
+    trained = tk.pretrained()
+    cell["metadata"] = {}
+    made = [Controller(*trained) for _ in range(2)]
+    assert all(one.comm for one in made)
+    for one in made:
+        one.close()
+
+
+def test_a_closed_widget_leaves_no_part(walk_clip):
+    model, bank = tk.pretrained()
+    before = set(_instances)
+    for make in (lambda: Player(walk_clip.cut(0, 60)), lambda: Controller(model, bank), lambda: Director(model, bank)):
+        made = make()
+        assert set(_instances) > before
+        made.close()
+        made.close()  # a second time does no harm
+        assert set(_instances) == before
+
+
+def test_growth_is_seen():
+    flat = [(n, {"memory": 500.0 + n % 3, "tasks": 5, "threads": 9}) for n in range(50, 300, 10)]
+    assert leaks(flat) == []
+    assert leaks([*flat, (300, {"memory": 500.0, "tasks": 6, "threads": 9})]) == ["tasks: 5 → 6"]
+    assert leaks([(n, {"memory": 500.0 + 0.2 * n}) for n in range(50, 300, 10)]) == ["memory: 0.20 MB a cycle"]

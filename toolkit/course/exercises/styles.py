@@ -1,0 +1,96 @@
+"""Exercises of the notebooks on blends, of the space of styles, and of a new style."""
+
+import math
+
+import torch
+
+from toolkit.course.checks import Exercise, same_as
+
+
+def _ease(t):
+    t = torch.as_tensor(t, dtype=torch.float64).clamp(0, 1)
+    return t * t * (3 - 2 * t)
+
+
+def _knee(a, b, d):
+    return torch.acos(torch.as_tensor((a * a + b * b - d * d) / (2 * a * b)))
+
+
+def _barycentric(style, corners):
+    weights = torch.tensor([style[name] for name in corners], dtype=torch.float64)
+    return weights / weights.sum()
+
+
+def _points() -> list[tuple]:
+    draw = torch.Generator().manual_seed(5)
+    return [(torch.randn(6, 4, generator=draw), query) for query in (0, 3, 5)]
+
+
+def _nearest(vectors, query):
+    distance = (vectors - vectors[query]).norm(dim=1)
+    distance[query] = math.inf
+    return int(distance.argmin())
+
+
+def _banks() -> list[tuple]:
+    draw = torch.Generator().manual_seed(6)
+    return [(torch.randn(8, generator=draw), torch.randn(n, 8, generator=draw)) for n in (4, 9)]
+
+
+EXERCISES = {
+    "04.1": Exercise(
+        same_as(_barycentric, lambda: [({"Old": 2.0, "Strut": 1.0, "Zombie": 1.0}, ["Old", "Strut", "Zombie"]),
+                                       ({"A": 0.0, "B": 5.0}, ["B", "A"]), ({"A": 1.0}, ["A"])],
+                {"the weights should sum to one.": lambda style, corners: torch.tensor([style[name] for name in corners]),
+                 "the order should be that of `corners`.": lambda style, corners:
+                 torch.tensor(list(style.values())) / sum(style.values())}),
+        "take the numbers in the order of corners, and divide them by their sum."),
+    "04.2": Exercise(
+        same_as(_ease, lambda: [(torch.linspace(-0.5, 1.5, 21),), (torch.tensor([0.25, 0.75]),)],
+                {"this is the straight line: it starts and stops with a jerk.": lambda t: t.clamp(0, 1),
+                 "clamp t to 0 … 1 first.": lambda t: t * t * (3 - 2 * t)}),
+        "t²(3 − 2t) has the slope zero at 0 and at 1."),
+    "04.3": Exercise(
+        same_as(_knee, lambda: [(0.43, 0.42, 0.7), (0.5, 0.3, 0.3), (1.0, 1.0, 2.0)],
+                {"this is the cosine, not the angle.": lambda a, b, d: torch.cos(_knee(a, b, d)),
+                 "this is the angle by which the knee bends: take π minus it.": lambda a, b, d: torch.pi - _knee(a, b, d)},
+                tolerance=1e-4),
+        "the law of cosines: cos φ = (a² + b² − d²) / 2ab; then math.acos."),
+    "05.1": Exercise(
+        same_as(lambda a, b, t: (1 - t) * a + t * b,
+                lambda: [(torch.tensor([1.0, 2.0]), torch.tensor([3.0, -4.0]), t) for t in (0.0, 0.25, 1.5)],
+                {"at t = 0 the blend must be the first vector.": lambda a, b, t: t * a + (1 - t) * b,
+                 "the weights must sum to one.": lambda a, b, t: a + t * b}),
+        "the weights are 1 − t and t."),
+    "05.2": Exercise(
+        same_as(_nearest, _points,
+                {"this is the query itself: its distance is 0.": lambda vectors, query: query,
+                 "this is the farthest vector.":
+                 lambda vectors, query: int((vectors - vectors[query]).norm(dim=1).argmax())}),
+        "compute the distance of each row from the query's, replace the query's own by infinity, take argmin."),
+    "05.3": Exercise(
+        same_as(lambda length, angle: length * math.cos(angle / 2), lambda: [(0.6, 0.0), (0.6, 2.0), (0.3, 2.6)],
+                {"this is half of the distance between the two positions of the hand.":
+                 lambda length, angle: length * math.sin(angle / 2),
+                 "use half of the angle: the middle is on the line that halves it.":
+                 lambda length, angle: length * math.cos(angle)}),
+        "draw the shoulder and both positions of the hand: an isosceles triangle. Its height is the answer."),
+    "06.1": Exercise(
+        same_as(lambda v, vectors: ((v - vectors.mean(0)) / vectors.std(0)).square().mean(), _banks,
+                {"divide by the standard deviation, not by the variance.":
+                 lambda v, vectors: ((v - vectors.mean(0)) / vectors.var(0)).square().mean(),
+                 "this is the sum; take the mean over the numbers.":
+                 lambda v, vectors: ((v - vectors.mean(0)) / vectors.std(0)).square().sum()}),
+        "subtract vectors.mean(0), divide by vectors.std(0), square, take the mean."),
+    "06.2": Exercise(
+        same_as(lambda t: t * t * (3 - 2 * t), lambda: [(torch.linspace(0, 1, 5),), (torch.tensor(0.25),)],
+                {"this is linear: its slope at both ends is 1.": lambda t: t,
+                 "the slope at the end is not zero.": lambda t: t * t}),
+        "write e(t) = a t² + b t³: which a and b give e(1) = 1 and e'(1) = 0?"),
+    "06.3": Exercise(
+        same_as(lambda before, after, floor: (before - after) / (before - floor),
+                lambda: [(0.4, 0.1, 0.2), (0.9, 0.9, 0.3), (0.5, 0.4, 0.0)],
+                {"this is the share of the error that is left.": lambda before, after, floor: after / before,
+                 "this is the share that remains to go.": lambda before, after, floor: (after - floor) / (before - floor)}),
+        "what was gained, divided by what could be gained."),
+}

@@ -1,0 +1,72 @@
+// Characters of a scene that keep apart and off its walls, on their ways together (Scene of shots/scene.py, shots/apart.py).
+//
+// Together(takes, {apart, walls}, desk) steps them; rules: the constants of both modules by name. Pairs are [x, z].
+import { advance } from "./character.js";
+import { nearest, round } from "./course.js";
+import { radiusOf } from "./shot.js";
+
+const dot = (a, b) => a[0] * b[0] + a[1] * b[1], minus = (a, b) => [a[0] - b[0], a[1] - b[1]], times = (s, v) => [s * v[0], s * v[1]];
+const size = (v) => Math.sqrt(dot(v, v)), limited = (v, most) => times(Math.min(most / Math.max(size(v), 1e-9), 1), v);
+
+// {normal, change}: a half-plane of relative velocities that avoids a place
+function halfPlane(to, relative, apart, { AT_ONCE, HORIZON }) {
+  const distance = Math.max(size(to), 1e-6), close = distance < apart, within = close ? AT_ONCE : HORIZON;
+  const off = minus(relative, times(1 / within, to)), length = Math.max(size(off), 1e-9), [x, z] = to;
+  if (close || dot(off, to) <= -apart * length) return { normal: times(1 / length, off), change: apart / within - length };
+  const leg = Math.sqrt(Math.max(distance ** 2 - apart ** 2, 0)), side = x * off[1] - z * off[0] >= 0 ? 1 : -1;
+  const along = times(1 / distance ** 2, [x * leg - side * z * apart, side * x * apart + z * leg]), normal = [-side * along[1], side * along[0]];
+  return { normal, change: -dot(relative, normal) };
+}
+
+// the velocity of character `a` in all half-planes [normal, least, soft] that is nearest to the one it wants
+function safe(a, places, moving, wanted, { radii, walls, rules }) {
+  const { NEIGHBOURS, SIGHT, SWEEPS, SOFT, MARGIN, BRAKE } = rules, here = places[a];
+  const near = places.map((place, b) => [size(minus(place, here)), b]).filter(([far, b]) => b !== a && far < SIGHT);
+  const planes = near.sort(([one], [other]) => one - other).slice(0, NEIGHBOURS).map(([, b]) => {
+    const { normal, change } = halfPlane(minus(places[b], here), minus(moving[a], moving[b]), radii[a] + radii[b], rules);
+    return [normal, dot(normal, moving[a]) + change / 2, SOFT];
+  });
+  for (const [start, end] of walls) {
+    const way = minus(end, start), share = Math.min(Math.max(dot(minus(here, start), way) / dot(way, way), 0), 1);
+    const to = minus(start, minus(here, times(share, way))), away = Math.max(size(to), 1e-6);
+    planes.push([times(-1 / away, to), (MARGIN - away) / BRAKE, 0]);
+  }
+  const velocity = [...wanted], force = planes.map(() => 0);
+  for (let sweep = 0; sweep < SWEEPS; sweep++)
+    planes.forEach(([normal, least, soft], k) => {
+      const more = Math.max((least - dot(normal, velocity) - soft * force[k]) / (1 + soft), -force[k]);
+      force[k] += more;
+      velocity[0] += more * normal[0], velocity[1] += more * normal[1];
+    });
+  return velocity;
+}
+
+export class Together {
+  constructor(takes, { walls = [], ...more }, { data: { apart: rules }, rules: { FPS, LONGEST } }) {
+    const most = Math.max(...takes.map((take) => take.count));
+    Object.assign(this, { takes, walls: walls.map(({ start, end }) => [start, end]), rules, frames: 0 });
+    this.radii = takes.map(({ shot }) => radiusOf(shot, more));
+    this.most = Math.min(rules.WAITS * most, round(LONGEST * FPS));
+    for (const take of takes) Object.assign(take, { count: most, apart: [], together: true }); // who keeps apart leaves the path
+  }
+
+  // the next frame of all; whether there is one
+  step() {
+    const { takes, rules } = this, at = ({ clock, course: { distance } }) => Math.min(clock, distance.length - 1);
+    if (this.frames >= this.most || takes.every((take) => take.clock >= take.course.distance.length - 1)) return false;
+    const asked = takes.map((take) => take.ask()), places = takes.map((take) => take.place);
+    const moving = takes.map(({ character: { state } }) => [...state.velocity]);
+    const held = takes.map((take, k) => {
+      const { course: { curve, distance } } = take, planned = distance[at(take)];
+      return planned - nearest(curve, places[k], planned) > rules.WAIT;
+    });
+    const most = takes.map((take, k) => (held[k] ? rules.PATIENT : rules.FASTER) * Math.max(take.course.speed[at(take)], rules.SLOWEST));
+    const wanted = asked.map(({ velocity }, k) => limited(velocity, most[k]));
+    const commands = asked.map(({ facing }, k) => ({ facing, velocity: limited(safe(k, places, moving, wanted[k], this), most[k]) }));
+    takes.forEach((take, k) => (take.clock += held[k] ? 0 : 1));
+    advance(takes.map((take) => take.character), commands, takes.map((take) => take.style));
+    for (const take of takes) take.note();
+    this.frames += 1;
+    return true;
+  }
+}
