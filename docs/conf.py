@@ -90,6 +90,9 @@ STATE = "application/vnd.jupyter.widget-state+json"  # megabytes of widget state
 CONTROLLER = re.compile(r"<pre><span></span>&lt;toolkit\.view\.controller\.Controller object at [^<]*</pre>")
 
 
+#: A link from source code to its documentation; of modules that a package re-exports in part, Sphinx names the package.
+DOCUMENTED = re.compile(r'(?<=/api/)([\w.]+)\.html#([\w.]+)')
+
 #: A note below the title of each notebook.
 NOTE = """</h1><div class="admonition note"><p class="admonition-title">{title}</p>
 <p>{text} <code>make lab</code> starts JupyterLab for a run of your own.</p></div>"""
@@ -114,6 +117,15 @@ def lead_links(*event) -> None:
         source[0] = source[0].replace(there, here)
 
 
+def documented(link: re.Match) -> str:
+    """A link of `DOCUMENTED` whose anchor begins with the module of its page."""
+    module, name = link.groups()
+    above = module
+    while not name.startswith(f"{above}."):
+        above = above.rpartition(".")[0]
+    return f"{module}.html#{module}{name.removeprefix(above)}"
+
+
 def stand_alone(app, name: str, _template: str, context: dict, _doctree) -> None:
     """Load plotly from the site and not from other servers; add the note about the run to notebooks."""
     scripts = context.get("script_files", [])
@@ -121,6 +133,8 @@ def stand_alone(app, name: str, _template: str, context: dict, _doctree) -> None
     if "body" in context:
         character = f'<iframe class="character" src="{context["pathto"]("_static/controller.html", 1)}"></iframe>'
         context["body"] = CONTROLLER.sub(character, FETCHED.sub("", context["body"]))
+        if name.startswith("_modules/"):
+            context["body"] = DOCUMENTED.sub(documented, context["body"])
         if name.startswith("notebooks/"):
             run = NbMetadataCollector.get_exec_data(app.env, name) or {}
             context["body"] = context["body"].replace("</h1>", note(run.get("runtime")), 1)

@@ -226,7 +226,7 @@ def test_stuck_hands_are_told_from_moving_ones():
     case = failures.stuck_hands(table, "pfnn-film", "lpn-film", "5.1.1", "No global phase", "claim")
     assert case.rows["pfnn-film"] == {
         "range / data": pytest.approx([0.3, 0.3]), "|corr. - data's|": pytest.approx([0.7, 0.7]),
-        "styles below 0.5": [1, 1], "recognised": [1.0, 1.0],
+        "styles below 0.5": [1, 1], "of styles": 1, "recognised": [1.0, 1.0],
     }
     assert case.drawn["style"] == "Swimming"
     assert case.verdict.count("shows (") == 2

@@ -103,6 +103,7 @@ META = {  # what runs on any device, numbers or not
                               ik.two_bone(m.v, m.v + 0.1, m.v.flip(-1), m.v - 0.2, m.v, soft=0.02)),
     "ik.foot_lock": lambda m: ik.foot_lock(m.points[:, :2], m.points[:, :2, :2], m.points[:, 2:4], m.points[:, 4:6], m.on,
                                            m.v[:, :2], 1 / 60),
+    "ik.sink": lambda m: ik.sink(m.points[:, 0, :2], m.points[:, :2], m.points[:, 2:4], m.points[:, :2, 1], m.on, 1 / 60),
     "ik.solve_legs": lambda m: ik.solve_legs(m.skeleton, lambda j: m.q[:, j], m.root, m.points[:, :2], m.on,
                                           m.points[:, 0, :2], 1 / 60),
     "ik.plant_feet": lambda m: ik.plant_feet(m.skeleton, m.q, m.root, m.points[:, :2]),

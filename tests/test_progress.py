@@ -37,6 +37,7 @@ def test_a_bar_that_is_updated_by_hand_counts_once(capsys, clock):
     shown = capsys.readouterr().err.splitlines()
     assert 4 <= len(shown) <= 8
     assert "100%" in shown[-1]
+    assert len(set(shown)) == len(shown)
 
 
 def test_a_terminal_gets_one_line_that_changes(capsys, monkeypatch):

@@ -7,7 +7,7 @@ import pytest
 import torch
 
 import toolkit as tk
-from experiments import closed_loop
+from experiments import closed_loop, tables
 from toolkit import runtime
 from toolkit.features import Layout, split_joints
 from toolkit.networks.phase import advance
@@ -40,6 +40,7 @@ def replayed(walk_clip):
     joints = model.rows.inputs[0, model.layout.inputs["joints"]]
     state = dataclasses.replace(state, history=world[None, at - 60 : at + 1], future=world[None, at : at + 51 : 10],
                                 joints=joints[None], phase=model.rows.phases[:1])
+    state = dataclasses.replace(state, toes=runtime.frame.predicted_toes(model.layout, state))
     return model, state, at
 
 
@@ -50,9 +51,10 @@ def test_a_perfect_model_replays_the_clip(walk_clip, replayed):
     for _ in range(200):
         state = runtime.step(model, state, runtime.Command((0.0, 5.0), (1.0, 0.0)))
         run.append(state)
-    clip = runtime.record(model, run, feet=False, arms=False)
-    expected = walk_clip.global_positions[at + 1 : at + 201]
+    clip, sunk = runtime.record(model, run, feet=False, arms=False), torch.cat([one.drop[:, 0] for one in run])
+    expected = walk_clip.global_positions[at + 1 : at + 201] - torch.tensor([0.0, 1.0, 0.0]) * sunk[:, None, None]
     assert float((clip.global_positions - expected).abs().max()) < 0.01
+    assert float(sunk[60:].max()) < 0.015  # procedural legs are nearly straight in stance
     assert float((run[-1].phase - model.rows.outputs[199, model.layout.outputs["phases"]]).abs().max()) < 1e-4
 
 
@@ -186,6 +188,23 @@ def test_the_closed_loop_bench_reports_every_style_and_what_fails(small_run, tmp
     assert [line.split()[0] for line in lines[4:8]] == ["Neutral", "Zombie", "median", "worst"]
     assert lines[-1].startswith("0 of 2 styles")
     assert "Neutral: speed 0." in lines[-1]
+
+
+def test_the_closed_loop_bench_keeps_other_rows_of_its_result(small_run, tmp_path, monkeypatch):
+    monkeypatch.setattr(closed_loop, "RESULTS", tmp_path)
+    closed_loop._store({"a": {"skate": 1.0}, "b": {"skate": 2.0}})
+    closed_loop._store({"b": {"skate": 3.0, "which": "Old"}, "c": {}})
+    rows = tables.Result.load(closed_loop.STORED, tmp_path).rows
+    assert rows == [{"walk": "a", "skate": 1.0}, {"walk": "b", "skate": 3.0, "which": "Old"}, {"walk": "c"}]
+
+
+def test_a_perfect_model_predicts_toes_as_fast_as_they_are(walk_clip):
+    """One step ahead, the toes of predicted poses have the speed of the clip's, and of its next frames."""
+    model = Replay(walk_clip)
+    model.predict, model.observe = (lambda x, p, style: model.rows.outputs), lambda p, z: (p, z)
+    found = closed_loop.ahead(model, torch.zeros(1), walk_clip)
+    assert found["before"] == pytest.approx(found["skate"], abs=5e-3)
+    assert found["skate"] < 0.15
 
 
 def test_the_eight_of_the_bench_is_two_closed_loops():

@@ -19,6 +19,8 @@ def preprocess(
     gaits: Selection = None,
     source: Annotated[str, typer.Option(help="Phase source.")] = "hybrid",
     mirror: Mirror = False,
+    contact_height: Annotated[float | None, typer.Option(min=0.0, help="Metres up to which a toe stands; by default it "
+                                                         "follows from each clip.")] = None,
     listed: Listed = False,
     workers: Annotated[int | None, typer.Option(min=1, help="Processes; by default one per processor.")] = None,
     scheduler: Annotated[str | None, typer.Option(help="Address of a Dask scheduler that distributes the work; whoever "
@@ -31,7 +33,7 @@ def preprocess(
         show(root)
     mirrored = datasets.may_mirror(data, root) if mirror else None
     made = store.preprocess(data, root, out, styles=styles, gaits=gaits, source=source, mirror=mirrored, workers=workers,
-                            scheduler=scheduler, listed=listed, progress=True)
+                            scheduler=scheduler, contact_height=contact_height, listed=listed, progress=True)
     found = store.load(out)
     print(f"{found.n_frames:,} frames of {len(found.styles)} styles in {out}"
           + ("" if made else ": finished before, all checksums are right, nothing to do"))

@@ -49,39 +49,32 @@ def write(clip: Clip, path: str | os.PathLike, *, title: str = "Motion", source:
     The suffix of the path, one of `SUFFIXES`, selects the format. ``title`` names the motion in a page or picture.
     ``source``, the motion it was made from, is shown beside it in pages, pictures and films. ``progress`` shows a bar while
     a film is drawn. ``character`` is a glTF or VRM file with a skinned mesh: its file with the motion on it (.glb), its
-    rig's motion (.bvh), or a page in which it walks (.html).
+    rig's motion (.bvh), or a page, picture or film in which it walks.
 
     Raises
     ------
     ValueError
-        If the suffix is unknown, or one that a character cannot be written to.
+        If the suffix is unknown, or the character cannot be read.
     """
-    path = check(path)
+    path, figure = check(path), None
     if character is not None:
         from toolkit.export import character_gltf
         from toolkit.view.character import Character
 
         figure = Character.load(character)
-        if path.suffix == ".glb":
-            character_gltf.save(clip, path, figure)
-        elif path.suffix == ".bvh":
-            bvh.save(figure.fitted(clip), path)
-        elif path.suffix == ".html":
-            from toolkit import view
-
-            view.html([clip], path, title=title, character=figure)
-        else:
-            raise ValueError(f"{path}: a character is written to .glb, .bvh or .html")
-        return
-    if path.suffix in (".bvh", ".glb"):
-        (bvh if path.suffix == ".bvh" else gltf).save(clip, path)
-        return
-    from toolkit import view
-
-    clips, labels = ([clip], None) if source is None else ([source, clip], ["source", title])
-    if path.suffix == ".html":
-        view.html(clips, path, title=title, labels=labels)
-    elif path.suffix == ".png":
-        view.strip(clips, path, labels=labels)
+    if path.suffix == ".bvh":
+        bvh.save(clip if figure is None else figure.fitted(clip), path)
+    elif path.suffix == ".glb" and figure is not None:
+        character_gltf.save(clip, path, figure)
+    elif path.suffix == ".glb":
+        gltf.save(clip, path)
     else:
-        view.animate(clips, path, labels=labels, height=360, progress=progress)
+        from toolkit import view
+
+        clips, labels = ([clip], None) if source is None else ([source, clip], ["source", title])
+        if path.suffix == ".html":
+            view.html(clips, path, title=title, labels=labels, character=figure)
+        elif path.suffix == ".png":
+            view.strip(clips, path, labels=labels, character=figure)
+        else:
+            view.animate(clips, path, labels=labels, height=360, progress=progress, character=figure)

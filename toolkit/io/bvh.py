@@ -301,12 +301,14 @@ def _rotations(columns: np.ndarray, rows: list[dict[str, int]]) -> Tensor:
             alike["".join(turns)][j] = list(turns.values())
     for order, turns in alike.items():
         order += "".join(axis for axis in "XYZ" if axis not in order)
-        halves = np.zeros((3, len(turns), columns.shape[1]), np.float32)
-        for half, of in zip(halves, zip(*turns.values(), strict=True), strict=False):
-            np.multiply(columns[list(of)], np.pi / 360, out=half, casting="same_kind")
-        halves = torch.from_numpy(halves)
-        decimals.compose(halves.cos().numpy(), halves.sin().numpy(), tuple(R.AXES[axis] for axis in order),
-                         np.array(list(turns)), rotations.numpy())
+        axes, joints = tuple(R.AXES[axis] for axis in order), np.array(list(turns))
+        for start in range(0, columns.shape[1], 2048):  # a few MB at a time
+            part = columns[:, start : start + 2048]
+            halves = np.zeros((3, len(turns), part.shape[1]), np.float32)
+            for half, of in zip(halves, zip(*turns.values(), strict=True), strict=False):
+                np.multiply(part[list(of)], np.pi / 360, out=half, casting="same_kind")
+            cosines, sines = torch.from_numpy(halves).cos(), torch.from_numpy(halves).sin_()
+            decimals.compose(cosines.numpy(), sines.numpy(), axes, joints, rotations.numpy(), start)
     return rotations
 
 

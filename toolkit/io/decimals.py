@@ -66,14 +66,19 @@ def read(data: np.ndarray, at: int, columns: np.ndarray) -> bool:
 
 @compiled()
 def compose(cosines: np.ndarray, sines: np.ndarray, axes: tuple[int, int, int], joints: np.ndarray,
-            made: np.ndarray) -> None:
+            made: np.ndarray, first: int) -> None:
     """Write quaternions of N joints into ``made [F, J, 4]``, as `rotations.from_euler` and `rotations.unroll` do.
 
-    ``cosines, sines [3, N, F]`` are of the halves of the angles about three ``axes``. One pass takes a quarter of the time.
+    ``cosines, sines [3, N, P]`` are of the halves of the angles about three ``axes`` in P frames from the ``first``. Earlier
+    ones are in ``made``.
     """
     i, j, k = axes
     sign = np.float32(1.0 if (j - i) % 3 == 1 else -1.0)
     frames, flips, lasts = cosines.shape[2], np.ones(len(joints), np.float32), np.zeros((len(joints), 4), np.float32)
+    if first:
+        for n in range(len(joints)):
+            last = made[first - 1, joints[n]]
+            lasts[n, 0], lasts[n, 1], lasts[n, 2], lasts[n, 3] = last[0], last[1 + i], last[1 + j], last[1 + k]
     for start in range(0, frames, 64):  # frames whose rows stay in the cache
         for n in range(len(joints)):
             joint, flip = joints[n], flips[n]
@@ -86,9 +91,9 @@ def compose(cosines: np.ndarray, sines: np.ndarray, axes: tuple[int, int, int], 
                 if w * lw + x * lx + y * ly + z * lz < 0:
                     flip = -flip
                 lw, lx, ly, lz = w, x, y, z
-                made[f, joint, 0] = flip * w
-                made[f, joint, 1 + i] = flip * x
-                made[f, joint, 1 + j] = flip * y
-                made[f, joint, 1 + k] = flip * z
+                made[first + f, joint, 0] = flip * w
+                made[first + f, joint, 1 + i] = flip * x
+                made[first + f, joint, 1 + j] = flip * y
+                made[first + f, joint, 1 + k] = flip * z
             flips[n] = flip
             lasts[n, 0], lasts[n, 1], lasts[n, 2], lasts[n, 3] = lw, lx, ly, lz

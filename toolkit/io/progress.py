@@ -12,11 +12,12 @@ class _Log:
     """A stream that gets each state of a bar as a line of its own."""
 
     def __init__(self, stream: TextIO):
-        self.stream = stream
+        self.stream, self.last = stream, ""
 
     def write(self, text: str) -> None:
-        if text.strip():
-            self.stream.write(f"{text.strip()}\n")
+        if text.strip() not in ("", self.last):
+            self.last = text.strip()
+            self.stream.write(f"{self.last}\n")
 
     def __getattr__(self, name: str) -> Any:
         return getattr(self.stream, name)

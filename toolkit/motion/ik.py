@@ -65,6 +65,7 @@ def two_bone(a: Tensor, b: Tensor, c: Tensor, target: Tensor, pole: Tensor | Non
 SLACK = 0.3  # metres that a locked toe may stay behind its prediction
 RETURN = 10.0  # per second: decay rate of the offset of a released toe from its prediction, and of the hips'
 ROOM, DEEPEST = 0.035, 0.115  # shares of a leg's length: hips sink gently at first over twice this, and at most so far
+FALL, CARRIED = 0.6, 0.5  # m/s, at which they sink at most; share of the last drop that a prediction has
 
 
 def foot_lock(toes: Tensor, drift: Tensor, before: Tensor, predicted: Tensor, contacts: Tensor, left: Tensor,
@@ -125,7 +126,8 @@ def sink(drop: Tensor, hips: Tensor, ankles: Tensor, length: Tensor, contacts: T
     Departure from the paper: there a leg that is too short for its target is stretched, and its toe slides. The network
     predicts hips and toes apart from each other, and a locked toe stays behind its prediction, so that targets are up to
     7 % of a leg's length too far. The hips sink by what the leg that needs most lacks (smoothly, over `ROOM` on both sides
-    of its reach), at most by `DEEPEST`. They come back as a critically damped spring.
+    of its reach), at most by `DEEPEST` and with `FALL`. They come back as a critically damped spring. Half of the predicted
+    hips is from those of the frame before, so that they have `CARRIED` of its drop.
 
     Parameters
     ----------
@@ -142,17 +144,19 @@ def sink(drop: Tensor, hips: Tensor, ankles: Tensor, length: Tensor, contacts: T
     """
     apart = hips - ankles
     level = ((1 - SOFT) * length).square() - apart[..., ::2].square().sum(-1)
-    lack, room = apart[..., 1] - torch.maximum(level, (length / 2).square()).sqrt(), ROOM * length
+    height, room = apart[..., 1] + CARRIED * drop[..., :1], ROOM * length
+    lack = height - torch.maximum(level, (length / 2).square()).sqrt()
     need = torch.where(lack > room, lack, (lack + room).clamp_min(0.0).square() / (4 * room))
-    need = (torch.minimum(need, DEEPEST * length) * (2 * contacts).clamp_max(1.0)).amax(-1)
+    need = torch.minimum(need, DEEPEST * length) * (2 * contacts).clamp_max(1.0)
+    need = torch.minimum(need.amax(-1), drop[..., 0] + FALL * seconds)
     above, speed = spring(drop[..., 0] - need, drop[..., 1], RETURN, seconds)
     speed = torch.where(above > 0, speed, (need - drop[..., 0]) / seconds)
     return torch.stack((need + above.clamp_min(0.0), speed), -1)
 
 
 def solve_legs(skeleton: Skeleton, turned: Callable[[int], Tensor], root: Tensor, toes: Tensor, contacts: Tensor,
-               drop: Tensor, seconds: float) -> tuple[list[Tensor], Tensor]:
-    """Positions of knees, feet and toes ``[..., 2, 3]`` with the toes at their targets, and how far the hips `sink`.
+               drop: Tensor, seconds: float) -> tuple[list[Tensor], Tensor, Tensor]:
+    """Positions of knees, feet and toes ``[..., 2, 3]`` with the toes at their targets; how far to lower hips; their drop.
 
     ``turned`` gives the world rotation ``[..., 4]`` of a joint by its index; ``root [..., 3]`` and the targets
     ``toes [..., 2, 3]`` are in the world; ``contacts``, ``drop`` and ``seconds`` are those of `sink`.
@@ -165,10 +169,11 @@ def solve_legs(skeleton: Skeleton, turned: Callable[[int], Tensor], root: Tensor
     a, b, c, toe = (torch.stack([places[skeleton.role(f"{side}_{part}")] for side in FEET], -2)
                     for part in ("hip", "knee", "foot", "toe"))
     target = toes - (toe - c)
-    drop = sink(drop, a, target, (b - a).norm(dim=-1) + (c - b).norm(dim=-1), contacts, seconds)
-    down = torch.stack((0 * drop[..., 0], drop[..., 0], 0 * drop[..., 0]), -1)[..., None, :]
+    now = sink(drop, a, target, (b - a).norm(dim=-1) + (c - b).norm(dim=-1), contacts, seconds)
+    lower = now[..., 0] - CARRIED * drop[..., 0]
+    down = torch.stack((0 * lower, lower, 0 * lower), -1)[..., None, :]
     middle, end = two_bone(a - down, b - down, c - down, target)
-    return [middle, end, end + (toe - c)], drop
+    return [middle, end, end + (toe - c)], lower, now
 
 
 def turn_arms(skeleton: Skeleton, rotations: Tensor, root: Tensor, wanted: Tensor) -> Tensor:

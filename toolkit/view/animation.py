@@ -17,6 +17,7 @@ from toolkit.motion import Clip, on_cpu
 from toolkit.motion import rotations as R
 from toolkit.view import body
 from toolkit.view.canvas import Canvas
+from toolkit.view.character import Character
 from toolkit.view.picture import FLOOR, INK, PAPER, Shot, cast, steady_frames
 
 LINE, GRID = "#bfbab0", 0.5  # lines on the floor; metres between them
@@ -28,7 +29,8 @@ SUFFIXES = (".gif", ".png", ".apng", ".webp", ".mp4")
 
 def animate(clips: Clip | Sequence[Clip], path: str | os.PathLike, *, labels: Sequence[str] | None = None,
             columns: int | None = None, fps: float = 20.0, height: int = 200, view: float = 45.0, elevation: float = 12.0,
-            contacts=None, caption: str = "", colors: int = 64, progress: bool = False) -> Path:
+            contacts=None, caption: str = "", colors: int = 64, progress: bool = False,
+            character: str | os.PathLike | Character | None = None) -> Path:
     """Write a looping animation of one or more motions, each in its own cell, on a floor whose lines show the travel.
 
     `loop` finds the part of a clip that repeats without a jump. A clip shorter than the longest starts again.
@@ -53,6 +55,8 @@ def animate(clips: Clip | Sequence[Clip], path: str | os.PathLike, *, labels: Se
         Text below the picture; whether to show a bar.
     colors
         Number of colours of a ``.gif``: fewer make a smaller file.
+    character
+        A glTF or VRM file with a skinned mesh, drawn in place of the mannequin; the clips are put on its rig.
 
     Raises
     ------
@@ -62,7 +66,7 @@ def animate(clips: Clip | Sequence[Clip], path: str | os.PathLike, *, labels: Se
         If an ``.mp4`` is asked for and PyAV is missing.
     """
     path = _checked(path)
-    shots, labels = _shots(clips, labels, contacts, view, elevation)
+    shots, labels = _shots(clips, labels, contacts, view, elevation, Character.of(character))
     columns = columns or len(shots)
     room = _room(shots, labels, height)
     length = max(round(shot.clip.seconds * fps) for shot in shots)
@@ -189,12 +193,12 @@ def loop(clip: Clip, strides: int = 2) -> tuple[int, int]:
 class _Follow(Shot):
     """A clip seen by a camera that follows at a steady pace."""
 
-    def __init__(self, clip: Clip, contacts: np.ndarray | None, view: float, elevation: float):
+    def __init__(self, clip: Clip, contacts: np.ndarray | None, view: float, elevation: float, figure: Character | None):
         walked, facing = steady_frames(clip, 0.5)
         straight = np.linspace(walked[0], walked[-1], len(walked))
         self.path = straight + gaussian_filter1d(walked - straight, 0.25 * clip.fps, axis=0, mode="wrap")
         azimuth = np.radians(view) - np.arctan2(np.sin(facing).mean(), np.cos(facing).mean())
-        super().__init__(clip, contacts, np.arange(len(clip)), self.path, azimuth, np.radians(elevation))
+        super().__init__(clip, contacts, np.arange(len(clip)), self.path, azimuth, np.radians(elevation), figure)
         travel = (walked[-1] - walked[0]) * (len(walked) / max(len(walked) - 1, 1))  # to where the next round begins
         length = float(np.linalg.norm(travel))
         along = travel / length if length > GRID else np.array([np.sin(facing[0]), 0.0, np.cos(facing[0])])
@@ -221,9 +225,10 @@ def _image(picture: np.ndarray) -> Image.Image:
     return Image.fromarray((255 * picture + 0.5).astype(np.uint8))
 
 
-def _shots(clips, labels, contacts, view: float, elevation: float) -> tuple[list[_Follow], list[str]]:
-    clips, labels, contacts = cast(clips, labels, contacts)
-    return [_Follow(clip, con, view, elevation) for clip, con in zip(clips, contacts, strict=True)], labels
+def _shots(clips, labels, contacts, view: float, elevation: float,
+           figure: Character | None = None) -> tuple[list[_Follow], list[str]]:
+    clips, labels, contacts = cast(clips, labels, contacts, figure)
+    return [_Follow(clip, con, view, elevation, figure) for clip, con in zip(clips, contacts, strict=True)], labels
 
 
 def _room(shots: Sequence[_Follow], labels: Sequence[str], height: int) -> tuple[float, float, float]:

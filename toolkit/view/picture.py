@@ -16,6 +16,7 @@ from toolkit.io.files import atomic_write
 from toolkit.motion import Clip, on_cpu, root_frames
 from toolkit.view import body
 from toolkit.view.canvas import Canvas, orbit
+from toolkit.view.character import Character
 
 PAPER, FLOOR, INK = "#f7f6f3", "#dedbd4", "#2b323b"
 BOTTOM = -0.26  # metres of floor shown below the feet
@@ -33,12 +34,12 @@ class Picture(Figure):
 def strip(clips: Clip | Sequence[Clip], path: str | os.PathLike | None = None, *, frames: int = 8,
           labels: Sequence[str] | None = None, start: float = 0.0, stop: float | None = None, view: float = 60.0,
           elevation: float = 9.0, contacts=None, title: str = "", width: float = 12.0,
-          dpi: int = 150) -> Figure:
+          dpi: int = 150, character: str | os.PathLike | Character | None = None) -> Figure:
     """Picture of one or more motions, a row each, time from left to right.
 
     Parameters
     ----------
-    clips, labels, contacts, view, elevation
+    clips, labels, contacts, view, elevation, character
         As in `toolkit.view.animate`; a label is the text of a row.
     path
         PNG file to write (any format matplotlib knows).
@@ -52,7 +53,8 @@ def strip(clips: Clip | Sequence[Clip], path: str | os.PathLike | None = None, *
     ValueError
         If there is no clip or no frame to show, or labels or contacts do not fit the clips.
     """
-    clips, labels, contacts = cast(clips, labels, contacts)
+    own = Character.of(character)
+    clips, labels, contacts = cast(clips, labels, contacts, own)
     if frames < 1:
         raise ValueError(f"a strip needs frames, got {frames}")
     shots = []
@@ -62,7 +64,7 @@ def strip(clips: Clip | Sequence[Clip], path: str | os.PathLike | None = None, *
             raise ValueError(f"{clip.name}: no frame between {start} s and {stop} s; the clip lasts {clip.seconds:.2f} s")
         instants = np.linspace(round(start * clip.fps), end, frames).round().astype(int)
         walked, facing = steady_frames(clip, 0.5)
-        shots.append(Shot(clip, con, instants, walked, np.radians(view) - facing[instants], np.radians(elevation)))
+        shots.append(Shot(clip, con, instants, walked, np.radians(view) - facing[instants], np.radians(elevation), own))
     spacing = max(0.7, *(2 * shot.reach + 0.04 for shot in shots))
     scale, room = 2 * dpi * width / (spacing * frames), max(0.2, 0.34 * spacing * frames / width)  # for the label
     images = [_row(shot, spacing, scale, shot.top + room) for shot in shots]
@@ -103,12 +105,13 @@ class Shot:
     The point ``path`` [F, 3] of the floor is at the origin of camera space. The camera's angles are those of
     `toolkit.view.canvas.orbit`; there may be an azimuth for each of the frames. ``low`` and ``high`` [3] are bounds of the
     body in camera space; ``reach`` and ``top`` are its largest distances from the origin to the left or right, and upwards.
-    Metres.
+    Metres. A ``figure``, on whose rig the clip is, is drawn in place of the mannequin.
     """
 
     def __init__(self, clip: Clip, contacts: np.ndarray | None, frames: np.ndarray, path: np.ndarray,
-                 azimuth: np.ndarray | float, elevation: float):
+                 azimuth: np.ndarray | float, elevation: float, figure: Character | None = None):
         self.clip, self.frames, self.times, self.body = clip, frames, frames / clip.fps, body.build(clip)
+        self.skin, self.own = (self.body.skin, None) if figure is None else (figure.skin, figure.mesh.colors / 255)
         self.camera, self.tilt = orbit(azimuth, elevation), orbit(0.0, elevation)
         self.contacts = None if contacts is None else contacts[frames] > 0.5
         self.path = path[frames]
@@ -126,20 +129,23 @@ class Shot:
         ``colors`` [V, 3] of the vertices may be others than the body's.
         """
         frame, camera, right = self.frames[k], self.camera[k] if self.camera.ndim == 3 else self.camera, (shift, 0, 0)
-        points, normals = self.body.skin.pose(self.clip.global_rotations[frame], self.clip.global_positions[frame])
+        points, normals = self.skin.pose(self.clip.global_rotations[frame], self.clip.global_positions[frame])
+        colors = self.own if colors is None else colors
         if colors is None:
             colors = self.body.colors(None if self.contacts is None else self.contacts[k])
-        canvas.draw((points - self.path[k]) @ camera.T + right, normals @ camera.T, self.body.skin.triangles, colors)
+        canvas.draw((points - self.path[k]) @ camera.T + right, normals @ camera.T, self.skin.triangles, colors)
         canvas.shadow(self.ends[k] + right, self.body.radii, self.tilt @ np.array(lamp), right)
 
 
-def cast(clips: Clip | Sequence[Clip], labels: Sequence[str] | None, contacts) -> tuple[list[Clip], list[str], list]:
-    """Clips with a label and contacts [F, 2] or None for each; a ValueError if they do not fit, or if there is no clip."""
+def cast(clips: Clip | Sequence[Clip], labels: Sequence[str] | None, contacts,
+         figure: Character | None = None) -> tuple[list[Clip], list[str], list]:
+    """Clips, on the rig of a figure, with a label and contacts [F, 2] or None for each; ValueError if they do not fit."""
     clips = on_cpu(clips)
     labels = [" ".join(x for x in (c.style, c.gait) if x) or c.name for c in clips] if labels is None else list(labels)
     if not clips or len(labels) != len(clips):
         raise ValueError(f"expected clips and a label per clip; got {len(clips)} clips, {len(labels)} labels")
-    return clips, labels, per_clip("contacts", contacts, clips, 2)
+    contacts = per_clip("contacts", contacts, clips, 2)
+    return clips if figure is None else [figure.fitted(clip) for clip in clips], labels, contacts
 
 
 def per_clip(name: str, values, clips: Sequence[Clip], *shape: int) -> list[np.ndarray | None]:

@@ -30,7 +30,6 @@ IDLE = 600.0  # seconds of playback without user input after which it pauses
 RATE = 60.0  # pictures per second at most
 AHEAD = 3  # pictures that may be unanswered during playback
 REST = 0.25  # seconds of pause before the picture is drawn again with smooth edges
-STRIP = 8  # pictures of a strip
 PATIENCE = 2.0  # seconds after which the next picture is drawn without an answer
 SWITCHES = {"path": "Path", "contacts": "Contacts", "trajectory": "Trajectory", "phases": "Phases"}
 
@@ -64,24 +63,9 @@ def play(clips: Clip | Sequence[Clip], *, labels: Sequence[str] | None = None, c
         If there is no clip, or labels, contacts or phases do not fit the clips.
     """
     if not in_notebook():
-        return strip(clips, contacts=contacts, labels=labels) if character is None else _figure_strip(clips, character)
+        return strip(clips, contacts=contacts, labels=labels, character=character)
     return Player(clips, labels=labels, contacts=contacts, phases=phases, together=together, size=size, playing=playing,
                   character=character)
-
-
-def _figure_strip(clips: Clip | Sequence[Clip], character: str | os.PathLike | Character) -> Figure:
-    """Pictures of a character at even times, a row for each clip."""
-    clips, figure = [clips] if isinstance(clips, Clip) else list(clips), Character.of(character)
-    sheet = Figure(figsize=(1.4 * STRIP, 1.9 * len(clips)), facecolor=PAPER)
-    for row, clip in enumerate(clips):
-        fitted = figure.fitted(clip)
-        scene = renderers.best([renderers.Character(fitted, figure=figure)], (280, 380))
-        for column, frame in enumerate(np.linspace(0, len(clip) - 1, STRIP).round().astype(int).tolist()):
-            axes = sheet.add_axes((column / STRIP, 1 - (row + 1) / len(clips), 1 / STRIP, 1 / len(clips)))
-            axes.imshow(scene.draw([frame], fine=True))
-            axes.set_axis_off()
-        scene.close()
-    return sheet
 
 
 class Player(CellWidget, widgets.VBox):

@@ -40,7 +40,8 @@ def map_figure(points, names: Sequence[str], labels: Sequence[str], *, marked: M
     figure, at = style_space(points, names, labels, marked=marked, title=title), np.asarray(points)
     stars = [np.asarray(place) for place in (marked or {}).values()]
     near = np.abs(at[:, None] - np.concatenate([at, *(star[None] for star in stars)])) / np.ptp(at, axis=0)
-    crowded = ((near[..., 0] < 0.12) & (near[..., 1] < 0.035)).sum(1) > 1
+    letters = np.array([*map(len, names), *([10] * len(stars))])
+    crowded = ((near[..., 0] < 0.008 * np.add.outer(letters[: len(at)], letters)) & (near[..., 1] < 0.035)).sum(1) > 1
     alone = {escape(name) for name, other in zip(names, crowded, strict=True) if not other}
     for trace in figure.data[: len(dict.fromkeys(labels))]:
         trace.hovertext, trace.text = trace.text, [name if name in alone else "" for name in trace.text]

@@ -42,7 +42,7 @@ GROWTH = 2  # upper limit of bytes of a store per byte of BVH; 1.8 for 100STYLE 
 def preprocess(data: str, root: str | os.PathLike | None, out: str | os.PathLike, *, styles: list[str] | None = None,
                gaits: list[str] | None = None, source: str = "hybrid", mirror: Callable[[Take], bool] | None = None,
                workers: int | None = None, scheduler: str | None = None, held_out: float = 0.1, seed: int = 0,
-               listed: bool = False, progress: bool = False) -> bool:
+               contact_height: float | None = None, listed: bool = False, progress: bool = False) -> bool:
     """Compute the features, phases, contacts and split of a dataset's files into a store, or continue an interrupted run.
 
     Takes that hold no whole trajectory window are left out. False if the store was finished already, with right checksums.
@@ -56,6 +56,7 @@ def preprocess(data: str, root: str | os.PathLike | None, out: str | os.PathLike
     workers : number of processes, by default that of the processors; 1 starts no other process
     scheduler : address of a Dask scheduler whose workers are used instead; they need the folders under the same paths
     held_out, seed : share of every style's rows that is held out, and the seed (see `toolkit.features.splits.held_out`)
+    contact_height : as in `toolkit.features.build`
     listed : store only the training and test blocks of the dataset's list (`toolkit.datasets.split`), and hold out the test
     progress : show a bar with the time left
 
@@ -80,7 +81,8 @@ def preprocess(data: str, root: str | os.PathLike | None, out: str | os.PathLike
         "mirror": mirror is not None, "fps": trajectory.FPS, "window": trajectory.SAMPLES,
         "clip": [features.CLIP_FRAMES, features.CLIP_HOP], "held_out": held_out, "seed": seed,
         "tables": {path.name: files.sha256(path) for name in tables for path in root.rglob(name)},
-    } | ({"listed": True, "held_out": None, "seed": None} if listed else {})))
+    } | ({} if contact_height is None else {"contact_height": contact_height})
+        | ({"listed": True, "held_out": None, "seed": None} if listed else {})))
     parts = datasets.split(data, root) if listed else None
     by_style: dict[str, list[tuple[int, Take]]] = defaultdict(list)
     for number, take in enumerate(recorded.choose(root, styles, gaits)):
@@ -88,7 +90,7 @@ def preprocess(data: str, root: str | os.PathLike | None, out: str | os.PathLike
             by_style[take.style].append((number, take))
     named = files.names(by_style)
     jobs = [Partition(data, root, out, source, style, named[style], tuple(takes),
-                      frozenset(t.gait for _, t in takes if mirror and mirror(t)), parts)
+                      frozenset(t.gait for _, t in takes if mirror and mirror(t)), contact_height, parts)
             for style, takes in sorted(by_style.items())]
     with _alone(out):
         return _make(out, settings, jobs, workers, scheduler, progress)

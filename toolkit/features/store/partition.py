@@ -31,6 +31,7 @@ class Partition:
     file: str  # name of the file to write
     takes: tuple[tuple[int, Take], ...]  # with their numbers in the dataset
     mirrored: frozenset[str]  # gaits
+    contact_height: float | None = None  # metres
     parts: datasets.blocks.Split | None = None  # a list whose blocks are stored, instead of whole takes
 
     @property
@@ -62,7 +63,8 @@ def make(job: Partition) -> dict[str, Any]:
         del loaded, clip
         parts, clips = [], []
         for gait in sorted(groups):
-            for number, own in features.group_features(groups.pop(gait), job.source, gait in job.mirrored, "skip"):
+            for number, own in features.group_features(groups.pop(gait), job.source, gait in job.mirrored, "skip",
+                                                       contact_height=job.contact_height):
                 parts.append(own)
                 clips.append({"take": number, "gait": gait, "frames": len(own.joints)}
                              | ({"held_out": held_out[number]} if held_out else {}))

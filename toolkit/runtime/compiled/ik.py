@@ -230,6 +230,7 @@ def _plant_feet(body, turned, places, toes):
 def _sink(drop, need, rules):
     """The last lines of `toolkit.motion.ik.sink`."""
     seconds, before, speed = 1 / rules.fps, np.float64(drop[0]), np.float64(drop[1])
+    need = min(need, before + rules.fall * seconds)
     fade, push = math.exp(-rules.let_go * seconds), speed + rules.let_go * (before - need)
     above = fade * (before - need + push * seconds)
     if above > 0:
@@ -249,7 +250,7 @@ def plant(body, rules, toes, root, contacts, old_drop, new_drop, joints):
         bone = _rotate(_from_forward_up(_triple(block[FORWARD:]), _triple(block[UP:])), _triple(body.offsets[j]))
         places[j, 0], places[j, 1], places[j, 2] = _plus(_triple(places[above]), bone)
     sin, cos = np.float64(root[2]), np.float64(root[3])
-    length = max(math.hypot(sin, cos), 1e-12)
+    length, carried = max(math.hypot(sin, cos), 1e-12), rules.carried * np.float64(old_drop[0])
     for side in range(2):
         hip, knee, foot, toe = body.legs[side]
         a, b, c, tip = _triple(places[hip]), _triple(places[knee]), _triple(places[foot]), _triple(places[toe])
@@ -258,12 +259,13 @@ def plant(body, rules, toes, root, contacts, old_drop, new_drop, joints):
         targets[side, 0], targets[side, 1], targets[side, 2] = target
         bone, shin, (x, y, z) = _plus(b, a, -1.0), _plus(c, b, -1.0), _plus(a, target, -1.0)
         full = math.sqrt(_dot(bone, bone)) + math.sqrt(_dot(shin, shin))
-        lack = y - math.sqrt(max(((1 - rules.soft) * full) ** 2 - x * x - z * z, (full / 2) ** 2))
+        lack = y + carried - math.sqrt(max(((1 - rules.soft) * full) ** 2 - x * x - z * z, (full / 2) ** 2))
         room = rules.room * full
         lack = lack if lack > room else max(lack + room, 0.0) ** 2 / (4 * room)
         need = max(need, min(lack, rules.deepest * full) * min(2 * np.float64(contacts[side]), 1.0))
     drop, new_drop[1] = _sink(old_drop, need, rules)
     new_drop[0] = drop
+    drop -= carried
     joints[1::12] -= drop
     for side in range(2):
         hip, knee, foot, toe = body.legs[side]

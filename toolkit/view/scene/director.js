@@ -82,7 +82,8 @@ export function render({ model, el }) {
 
   button(bar, "+ character", "Add a character", () => edit((shots) => {
     const copy = JSON.parse(JSON.stringify(desk.shot)), near = shots.length, right = Math.min(...shots.map(({ path: [{ x }] }) => x));
-    for (const point of copy.path) point.x += right - desk.shot.path[0].x - Math.max(desk.more.apart ?? 0, 1);
+    const room = Math.max(1, desk.more.apart ?? 0, ...shots.map(({ radius }) => 2 * (radius ?? 0)));
+    for (const point of copy.path) point.x += right - desk.shot.path[0].x - room;
     shots.push({ ...copy, name: `shot ${near + 1}`, seed: copy.seed + 1 });
     desk.selected = near;
   }));

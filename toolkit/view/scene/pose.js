@@ -82,7 +82,8 @@ function plantFeet(body, turned, places, toes) {
 }
 
 // How far the hips sink, and how fast (ik.py's sink), for what the legs lack.
-function sink([before, speed], need, { fps, let_go }) {
+function sink([before, speed], lack, { fps, let_go, fall }) {
+  const need = Math.min(lack, before + fall / fps);
   const fade = Math.exp(-let_go / fps), push = speed + let_go * (before - need), above = fade * (before - need + push / fps);
   return above > 0 ? [need + above, fade * (speed - let_go * push / fps)] : [need, (need - before) * fps];
 }
@@ -96,19 +97,21 @@ export function plant({ history, joints, toes, contacts, drop }, before, body, r
     places[j] = plus(places[above], rotate(fromForwardUp(read(joint, "forward"), read(joint, "up")), body.offsets[j]));
   }
   let need = 0;
+  const carried = rules.carried * before[0]; // of the last drop the predicted pose has so much
   const targets = body.legs.map(([hip, knee, foot, toe], side) => {
     const [tx, ty, tz] = toes.subarray(3 * side, 3 * side + 3), [a, b, ankle] = [hip, knee, foot].map((joint) => places[joint]);
     const target = minus([c * (tx - x) - s * (tz - z), ty, c * (tz - z) + s * (tx - x)], minus(places[toe], ankle));
     const full = Math.hypot(...minus(b, a)) + Math.hypot(...minus(ankle, b)), [dx, dy, dz] = minus(a, target);
-    const lack = dy - Math.sqrt(Math.max(((1 - rules.soft) * full) ** 2 - dx * dx - dz * dz, (full / 2) ** 2));
+    const lack = dy + carried - Math.sqrt(Math.max(((1 - rules.soft) * full) ** 2 - dx * dx - dz * dz, (full / 2) ** 2));
     const room = rules.room * full, gentle = lack > room ? lack : Math.max(lack + room, 0) ** 2 / (4 * room);
     need = Math.max(need, Math.min(gentle, rules.deepest * full) * Math.min(2 * contacts[side], 1));
     return target;
   });
   drop.set(sink(before, need, rules));
-  for (let at = rules.position + 1; at < joints.length; at += rules.width) joints[at] -= drop[0];
+  const lower = drop[0] - carried;
+  for (let at = rules.position + 1; at < joints.length; at += rules.width) joints[at] -= lower;
   body.legs.forEach(([hip, knee, foot, toe], side) => {
-    const [a, b, ankle] = [hip, knee, foot].map((joint) => plus(places[joint], [0, -drop[0], 0]));
+    const [a, b, ankle] = [hip, knee, foot].map((joint) => plus(places[joint], [0, -lower, 0]));
     const [middle, end] = twoBone(a, b, ankle, targets[side]), sole = minus(places[toe], places[foot]);
     [[knee, middle], [foot, end], [toe, plus(end, sole)]].forEach(([point, place]) =>
       joints.set(place, rules.width * body.own[point] + rules.position));
