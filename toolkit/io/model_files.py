@@ -20,6 +20,7 @@ from toolkit.io.files import atomic_write, parsed, status
 
 FORMAT = "toolkit 1"
 TENSORS = 10_000  # of a file
+METADATA = 16_000_000  # bytes, of the description in a file
 COMPUTED = 100_000_000  # bytes of buffers that no file holds, which a module of any file may compute
 
 
@@ -57,6 +58,8 @@ def read(path: str | os.PathLike, part: str) -> tuple[dict[str, Tensor], dict[st
     found = metadata.pop("format", None)
     if found != FORMAT:
         raise ValueError(f"{path}: expected the format {FORMAT!r}, got {found!r}")
+    if sum(map(len, metadata.values())) > METADATA:
+        raise ValueError(f"{path}: its metadata is larger than {METADATA} bytes")
     try:
         parts = {name: parsed(text) for name, text in metadata.items()}
     except ValueError as error:
