@@ -60,6 +60,13 @@ def test_a_foot_that_stands_on_holds_its_phase_and_goes_on_as_before():
     assert angle[-1] - angle[0] == pytest.approx(360 + 18 * (179 - 96 - 24), abs=40)
 
 
+def test_after_a_last_long_stand_the_angle_goes_on_at_the_rate_of_a_step():
+    rates = np.diff(degrees(steps.signal(curve(6, 8, 12, 8, 12, 8, 112, 5))))
+    assert np.abs(rates[-100:-20]).max() < 1e-9
+    assert (rates[-12:] > 10).all()
+    assert (rates[-12:] < 20).all()
+
+
 @pytest.mark.parametrize("values", [curve(10, 10, 10), curve(50), 0.5 * curve(5, 5, 5, 5, 5), torch.zeros(20)])
 def test_other_curves_and_fewer_than_three_changes_give_no_signal(values):
     assert steps.signal(values) is None
