@@ -3,6 +3,7 @@
 import html
 import pkgutil
 import re
+import shutil
 from pathlib import Path
 
 import pytest
@@ -76,6 +77,7 @@ def test_the_page_of_errors_has_its_tables():
 
 @pytest.mark.parametrize("page", RUN)
 def test_the_code_of_a_page_runs(page, tmp_path, monkeypatch):
+    shutil.copytree(DOCS.parent / "examples", tmp_path / "examples")
     monkeypatch.chdir(tmp_path)
     text = (DOCS / f"{page}.md").read_text(encoding="utf-8")
     blocks = re.findall(r"^```python\n(.*?)^```", text, re.MULTILINE | re.DOTALL)

@@ -3,6 +3,7 @@
 import cmath
 import math
 import re
+import sys
 from dataclasses import replace
 
 import numpy as np
@@ -353,7 +354,8 @@ def test_training_needs_a_clip_and_leaves_the_random_numbers_alone(swinging):
     assert not any(network.training for network in source.networks.values())
 
 
-def test_progress_is_shown_when_asked_for(swinging, capfd):
+def test_progress_is_shown_when_asked_for(swinging, capfd, monkeypatch):
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
     clip = swinging.cut(0, 120)
     Learned.train([clip], steps=4, batch=8, hidden=2)
     assert capfd.readouterr() == ("", "")

@@ -1,5 +1,6 @@
 """The runtime's bookkeeping: frames of reference, commands, blends, recording."""
 
+import copy
 import dataclasses
 import math
 
@@ -92,16 +93,15 @@ def test_arm_ik_brings_hands_to_their_predicted_positions(walk_clip, replayed):
 
 
 def test_a_crowd_moves_as_each_would_alone(small_run):
-    model, bank = small_run.model, small_run.bank
-    vectors = bank.vectors[:2]
+    model, vectors = copy.deepcopy(small_run.model).double(), small_run.bank.vectors[:2].double()
     crowd = runtime.start(model, vectors)
     alone = [runtime.start(model, v) for v in vectors]
     for command in runtime.straight(1.0, 0.5):
         crowd = runtime.step(model, crowd, command)
         alone = [runtime.step(model, s, command) for s in alone]
     for i, state in enumerate(alone):
-        assert float((crowd.joints[i] - state.joints[0]).abs().max()) < 5e-4  # rounding, which thirty frames amplify
-        assert float((crowd.root[i] - state.root[0]).abs().max()) < 1e-4
+        assert float((crowd.joints[i] - state.joints[0]).abs().max()) < 1e-7  # a model of a few steps amplifies rounding
+        assert float((crowd.root[i] - state.root[0]).abs().max()) < 1e-7
 
 
 def test_the_pose_that_is_fed_back_is_the_drawn_one(small_run):
@@ -142,13 +142,13 @@ def test_step_keeps_its_state_and_can_branch(small_run):
 
 def test_the_start_does_not_matter_to_the_motion(small_run):
     """A character that starts elsewhere, facing elsewhere, makes the same moves there."""
-    model, style = small_run.model, small_run.bank.vectors[0]
+    model, style = copy.deepcopy(small_run.model).double(), small_run.bank.vectors[0].double()
     here = runtime.start(model, style)
     there = runtime.start(model, style, position=(5.0, -3.0), facing=(1.0, 0.0))
     for _ in range(30):
         here = runtime.step(model, here, runtime.Command((0.0, 1.0), (0.0, 1.0)))
         there = runtime.step(model, there, runtime.Command((1.0, 0.0), (1.0, 0.0)))
-    assert float((here.joints - there.joints).abs().max()) < 1e-3
+    assert float((here.joints - there.joints).abs().max()) < 1e-6
     assert (there.root[0, :2] - torch.tensor([5.0, -3.0])).tolist() == pytest.approx(
         [float(here.root[0, 1]), -float(here.root[0, 0])], abs=1e-3
     )

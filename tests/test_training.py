@@ -433,7 +433,8 @@ def test_bfloat16_trains_nearly_as_well():
     assert coarse.table()[-1]["error"] < 0.7 * coarse.table()[-1]["repeat"]
 
 
-def test_the_bar_shows_loss_and_time_left(capsys):
+def test_the_bar_shows_loss_and_time_left(capsys, monkeypatch):
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
     for budget in ({"steps": 12}, {"steps": None, "seconds": 0.3}):
         training.fit(waves(), dataclasses.replace(QUICK, **budget), progress=True)
         assert re.search(r"loss=\d+\.\d+", said := capsys.readouterr().err)

@@ -191,7 +191,7 @@ def _treadmill(layout: Layout, joints: Tensor, pace: float) -> Clip:
     """Clip of a style clip ``[240, 12 J]``, which has no path, moved straight ahead."""
     root = torch.zeros(len(joints), 4)
     root[:, 1], root[:, 3] = torch.arange(len(joints)) * (pace / FPS), 1.0
-    state = CharacterState(root[:, None], root[:, None], joints, *[joints[:, :0]] * 8)
+    state = CharacterState(root[:, None], root[:, None], joints, *[joints[:, :0]] * 9)
     return Clip(layout.skeleton, *runtime.pose(layout, state, feet=False), FPS)
 
 

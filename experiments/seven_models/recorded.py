@@ -78,7 +78,7 @@ def beginning(model: Model, some: Sequence[Moment], vectors: Tensor) -> Characte
         joints=x[:, layout.inputs["joints"]], phase=model.observe(p, z)[0], style=vectors, velocity=velocity,
         facing=root[:, 2:], drive=torch.ones(len(some), 1),
         contacts=torch.stack([m.own.contacts[m.at] for m in some]).to(x), toes=x.new_zeros(len(some), 2, 3),
-        drift=x.new_zeros(len(some), 2, 2),
+        drift=x.new_zeros(len(some), 2, 2), drop=x.new_zeros(len(some), 2),
     )
     return dataclasses.replace(state, toes=predicted_toes(layout, state))
 

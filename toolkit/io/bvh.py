@@ -305,8 +305,9 @@ def _rotations(columns: np.ndarray, rows: list[dict[str, int]]) -> Tensor:
         for start in range(0, columns.shape[1], 2048):  # a few MB at a time
             part = columns[:, start : start + 2048]
             halves = np.zeros((3, len(turns), part.shape[1]), np.float32)
-            for half, of in zip(halves, zip(*turns.values(), strict=True), strict=False):
-                np.multiply(part[list(of)], np.pi / 360, out=half, casting="same_kind")
+            with np.errstate(over="ignore"):  # rotations that are not finite are refused later
+                for half, of in zip(halves, zip(*turns.values(), strict=True), strict=False):
+                    np.multiply(part[list(of)], np.pi / 360, out=half, casting="same_kind")
             cosines, sines = torch.from_numpy(halves).cos(), torch.from_numpy(halves).sin_()
             decimals.compose(cosines.numpy(), sines.numpy(), axes, joints, rotations.numpy(), start)
     return rotations
