@@ -20,7 +20,7 @@ from toolkit.shots.shot import Shot, parse, read, save, shifted
 
 WAIT = 0.4  # metres behind its plan at which the plan of a character who keeps apart waits
 FASTER, SLOWEST = 1.3, 0.3  # times the planned speed, and m/s: such a character's largest speed
-PATIENT, WAITS = 0.5, 4  # times the planned speed, of who is held up; times the longest plan after which all end
+WAITS = 4  # times the longest plan after which all end
 MARGIN = 0.5  # metres between a root and a wall
 TRIED = 3 * FPS  # frames of the walk that shows the reach of a style
 
@@ -140,7 +140,7 @@ class Scene:
             held = [self.apart is not None and _held_up(course, clock, place)
                     for (course, _), clock, place in zip(plans, clocks, places, strict=True)]
             if self.apart is not None:
-                velocities = self._kept(state, plans, clocks, held, velocities)
+                velocities = self._kept(state, plans, clocks, velocities)
             vectors = torch.stack([style(clock) for style, clock in zip(styles, clocks, strict=True)])
             clocks = [clock + (not waits) for clock, waits in zip(clocks, held, strict=True)]
             with torch.no_grad():
@@ -151,12 +151,11 @@ class Scene:
     def _walls(self) -> np.ndarray:
         return np.array([(wall.start, wall.end) for wall in self.walls])
 
-    def _kept(self, state: CharacterState, plans, clocks: list[int], held: list[bool],
-              wanted: np.ndarray) -> np.ndarray:
+    def _kept(self, state: CharacterState, plans, clocks: list[int], wanted: np.ndarray) -> np.ndarray:
         """Velocities ``[N, 2]`` that keep the characters apart and off the walls."""
         speeds = [max(plan[0].speed[min(clock, len(plan[0].speed) - 1)], SLOWEST) for plan, clock in
                   zip(plans, clocks, strict=True)]
-        most = (np.where(held, PATIENT, FASTER) * speeds)[:, None]
+        most = FASTER * np.array(speeds)[:, None]
         places, moving = (values.double().numpy() for values in (state.root[:, :2], state.velocity))
         safe = avoidance.velocities(places, moving, _limited(wanted, most), np.array(self.radii), self._walls, MARGIN)
         return _limited(safe, most)

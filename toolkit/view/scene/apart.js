@@ -60,7 +60,7 @@ export class Together {
       const { course: { curve, distance } } = take, planned = distance[at(take)];
       return planned - nearest(curve, places[k], planned) > rules.WAIT;
     });
-    const most = takes.map((take, k) => (held[k] ? rules.PATIENT : rules.FASTER) * Math.max(take.course.speed[at(take)], rules.SLOWEST));
+    const most = takes.map((take) => rules.FASTER * Math.max(take.course.speed[at(take)], rules.SLOWEST));
     const wanted = asked.map(({ velocity }, k) => limited(velocity, most[k]));
     const commands = asked.map(({ facing }, k) => ({ facing, velocity: limited(safe(k, places, moving, wanted[k], this), most[k]) }));
     takes.forEach((take, k) => (take.clock += held[k] ? 0 : 1));
