@@ -65,7 +65,7 @@ def two_bone(a: Tensor, b: Tensor, c: Tensor, target: Tensor, pole: Tensor | Non
 SLACK = 0.3  # metres that a locked toe may stay behind its prediction
 RETURN = 10.0  # per second: decay rate of the offset of a released toe from its prediction, and of the hips'
 ROOM, DEEPEST = 0.035, 0.115  # shares of a leg's length: hips sink gently at first over twice this, and at most so far
-FALL, CARRIED = 0.6, 0.5  # m/s, at which they sink at most; share of the last drop that a prediction has
+FALL = 0.6  # m/s, at which they sink at most
 
 
 def foot_lock(toes: Tensor, drift: Tensor, before: Tensor, predicted: Tensor, contacts: Tensor, left: Tensor,
@@ -126,8 +126,8 @@ def sink(drop: Tensor, hips: Tensor, ankles: Tensor, length: Tensor, contacts: T
     Departure from the paper: there a leg that is too short for its target is stretched, and its toe slides. The network
     predicts hips and toes apart from each other, and a locked toe stays behind its prediction, so that targets are up to
     7 % of a leg's length too far. The hips sink by what the leg that needs most lacks (smoothly, over `ROOM` on both sides
-    of its reach), at most by `DEEPEST` and with `FALL`. They come back as a critically damped spring. Half of the predicted
-    hips is from those of the frame before, so that they have `CARRIED` of its drop.
+    of its reach), at most by `DEEPEST` and with `FALL`. They come back as a critically damped spring. Only the
+    drawn hips sink: where the network got them back, some styles kept them down, and glided.
 
     Parameters
     ----------
@@ -144,7 +144,7 @@ def sink(drop: Tensor, hips: Tensor, ankles: Tensor, length: Tensor, contacts: T
     """
     apart = hips - ankles
     level = ((1 - SOFT) * length).square() - apart[..., ::2].square().sum(-1)
-    height, room = apart[..., 1] + CARRIED * drop[..., :1], ROOM * length
+    height, room = apart[..., 1], ROOM * length
     lack = height - torch.maximum(level, (length / 2).square()).sqrt()
     need = torch.where(lack > room, lack, (lack + room).clamp_min(0.0).square() / (4 * room))
     need = torch.minimum(need, DEEPEST * length) * (2 * contacts).clamp_max(1.0)
@@ -155,8 +155,8 @@ def sink(drop: Tensor, hips: Tensor, ankles: Tensor, length: Tensor, contacts: T
 
 
 def solve_legs(skeleton: Skeleton, turned: Callable[[int], Tensor], root: Tensor, toes: Tensor, contacts: Tensor,
-               drop: Tensor, seconds: float) -> tuple[list[Tensor], Tensor, Tensor]:
-    """Positions of knees, feet and toes ``[..., 2, 3]`` with the toes at their targets; how far to lower hips; their drop.
+               drop: Tensor, seconds: float) -> tuple[list[Tensor], Tensor]:
+    """Positions of knees, feet and toes ``[..., 2, 3]`` with the toes at or near their targets; the drop of the hips.
 
     ``turned`` gives the world rotation ``[..., 4]`` of a joint by its index; ``root [..., 3]`` and the targets
     ``toes [..., 2, 3]`` are in the world; ``contacts``, ``drop`` and ``seconds`` are those of `sink`.
@@ -170,10 +170,8 @@ def solve_legs(skeleton: Skeleton, turned: Callable[[int], Tensor], root: Tensor
                     for part in ("hip", "knee", "foot", "toe"))
     target = toes - (toe - c)
     now = sink(drop, a, target, (b - a).norm(dim=-1) + (c - b).norm(dim=-1), contacts, seconds)
-    lower = now[..., 0] - CARRIED * drop[..., 0]
-    down = torch.stack((0 * lower, lower, 0 * lower), -1)[..., None, :]
-    middle, end = two_bone(a - down, b - down, c - down, target)
-    return [middle, end, end + (toe - c)], lower, now
+    middle, end = two_bone(a, b, c, target)
+    return [middle, end, end + (toe - c)], now
 
 
 def turn_arms(skeleton: Skeleton, rotations: Tensor, root: Tensor, wanted: Tensor) -> Tensor:

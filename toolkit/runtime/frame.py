@@ -203,6 +203,7 @@ def pose(model, state: CharacterState, *, feet: bool = True, arms: bool = True) 
         wanted[:, joints] = world["position"]
         local = turn_arms(skeleton, local, root, wanted)
     if feet:
+        root = root - torch.stack((0 * state.drop[:, 0], state.drop[:, 0], 0 * state.drop[:, 0]), -1)
         local = plant_feet(skeleton, local, root, state.toes)
     return local, root
 
@@ -221,13 +222,12 @@ def _with_legs(layout: Layout, state: CharacterState) -> CharacterState:
     skeleton, world = layout.skeleton, world_joints(layout, state)
     turned = R.from_forward_up(world["forward"], world["up"])
     joints = {j: i for i, j in enumerate(skeleton.feature_joints)}
-    solved, lower, drop = solve_legs(skeleton, lambda j: turned[:, joints[j]], world["position"][:, 0], state.toes,
-                                     state.contacts, state.drop, 1 / FPS)
+    solved, drop = solve_legs(skeleton, lambda j: turned[:, joints[j]], world["position"][:, 0], state.toes,
+                              state.contacts, state.drop, 1 / FPS)
     parts, root = split_joints(state.joints), state.root
     floor = torch.stack((root[:, 0], torch.zeros_like(root[:, 0]), root[:, 1]), -1)
     back = R.yaw(-torch.atan2(root[:, 2], root[:, 3]))[:, None]
     position = parts["position"].clone()
-    position[..., 1] -= lower[:, None]
     for part, places in zip(("knee", "foot", "toe"), solved, strict=True):
         at = [joints[skeleton.role(f"{side}_{part}")] for side in FEET]
         position[:, at] = R.rotate(back, places - floor[:, None])

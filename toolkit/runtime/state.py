@@ -21,7 +21,7 @@ class CharacterState:
     future : Tensor [B, S, 4]
         The same for the present frame and the future offsets of the model's layout.
     joints : Tensor [B, 12 J]
-        The pose, in the current root frame, after foot IK: legs solved, hips lowered.
+        The pose, in the current root frame, after foot IK, with the hips where the network has them.
     phase : Tensor [B, n_phases]
         Phase in the model's form: 8 numbers of local phases, one angle, or no column.
     style : Tensor [B, S]
@@ -37,7 +37,7 @@ class CharacterState:
     drift : Tensor [B, 2, 2]
         Velocity (x, z) of their offset from the network's prediction, see `toolkit.motion.ik.foot_lock`.
     drop : Tensor [B, 2]
-        How far foot IK lowers the hips, and its velocity, see `toolkit.motion.ik.sink`.
+        How far foot IK lowers the drawn hips, and its velocity, see `toolkit.motion.ik.sink`.
     """
 
     history: Tensor

@@ -137,7 +137,7 @@ class CompiledModel:
 
     def pose(self, state: CharacterState, *, feet: bool = True, arms: bool = True) -> tuple[Tensor, Tensor]:
         """`toolkit.runtime.pose`."""
-        given, count = [self._array(state, name) for name in ("history", "joints", "toes")], len(state.history)
+        given, count = [self._array(state, name) for name in ("history", "joints", "toes", "drop")], len(state.history)
         rotations, roots = np.empty((count, len(self.layout.skeleton), 4), np.float32), np.empty((count, 3), np.float32)
         self._share(partial(ik.pose, *given, self._body, bool(feet), bool(arms), rotations, roots), count)
         return torch.from_numpy(rotations), torch.from_numpy(roots)

@@ -56,7 +56,6 @@ class Rules(NamedTuple):
     room: float
     deepest: float
     fall: float
-    carried: float
 
     @classmethod
     def of(cls, layout) -> "Rules":
@@ -74,7 +73,7 @@ class Rules(NamedTuple):
             gain=steering.GAIN, correction=frame.CORRECTION, proportional=steering.PROPORTIONAL,
             integral=steering.INTEGRAL, max_drive=steering.MAX_DRIVE, stand_still=steering.RETURN, slow=steering.SLOW,
             slack=held.SLACK, let_go=held.RETURN, pull=phase.PULL, soft=held.SOFT, room=held.ROOM, deepest=held.DEEPEST,
-            fall=held.FALL, carried=held.CARRIED,
+            fall=held.FALL,
         )
 
 

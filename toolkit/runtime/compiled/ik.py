@@ -240,8 +240,8 @@ def _sink(drop, need, rules):
 
 @njit(nogil=True)
 def plant(body, rules, toes, root, contacts, old_drop, new_drop, joints):
-    """Lower a pose ``[12 J]``, and set its knees, feet and toes by foot IK, see `toolkit.motion.ik.solve_legs`."""
-    places, targets, need = np.empty((len(body.parents), 3)), np.empty((2, 3)), 0.0
+    """Set knees, feet and toes of a pose ``[12 J]``, and the drop, by foot IK, see `toolkit.motion.ik.solve_legs`."""
+    places, need = np.empty((len(body.parents), 3)), 0.0
     places[0, 0], places[0, 1], places[0, 2] = _triple(joints)
     for i in range(len(body.chains)):
         j = body.chains[i]
@@ -250,38 +250,32 @@ def plant(body, rules, toes, root, contacts, old_drop, new_drop, joints):
         bone = _rotate(_from_forward_up(_triple(block[FORWARD:]), _triple(block[UP:])), _triple(body.offsets[j]))
         places[j, 0], places[j, 1], places[j, 2] = _plus(_triple(places[above]), bone)
     sin, cos = np.float64(root[2]), np.float64(root[3])
-    length, carried = max(math.hypot(sin, cos), 1e-12), rules.carried * np.float64(old_drop[0])
+    length = max(math.hypot(sin, cos), 1e-12)
     for side in range(2):
         hip, knee, foot, toe = body.legs[side]
         a, b, c, tip = _triple(places[hip]), _triple(places[knee]), _triple(places[foot]), _triple(places[toe])
         x, z = np.float64(toes[side, 0]) - root[0], np.float64(toes[side, 2]) - root[1]
-        target = _plus(_heading((-sin / length, cos / length), (x, np.float64(toes[side, 1]), z)), _plus(tip, c, -1.0), -1.0)
-        targets[side, 0], targets[side, 1], targets[side, 2] = target
+        sole = _plus(tip, c, -1.0)
+        target = _plus(_heading((-sin / length, cos / length), (x, np.float64(toes[side, 1]), z)), sole, -1.0)
         bone, shin, (x, y, z) = _plus(b, a, -1.0), _plus(c, b, -1.0), _plus(a, target, -1.0)
         full = math.sqrt(_dot(bone, bone)) + math.sqrt(_dot(shin, shin))
-        lack = y + carried - math.sqrt(max(((1 - rules.soft) * full) ** 2 - x * x - z * z, (full / 2) ** 2))
+        lack = y - math.sqrt(max(((1 - rules.soft) * full) ** 2 - x * x - z * z, (full / 2) ** 2))
         room = rules.room * full
         lack = lack if lack > room else max(lack + room, 0.0) ** 2 / (4 * room)
         need = max(need, min(lack, rules.deepest * full) * min(2 * np.float64(contacts[side]), 1.0))
-    drop, new_drop[1] = _sink(old_drop, need, rules)
-    new_drop[0] = drop
-    drop -= carried
-    joints[1::12] -= drop
-    for side in range(2):
-        hip, knee, foot, toe = body.legs[side]
-        a, b, c = _triple(places[hip]), _triple(places[knee]), _triple(places[foot])
-        sole, down = _plus(_triple(places[toe]), c, -1.0), (0.0, -drop, 0.0)
-        middle, end = _two_bone(_plus(a, down), _plus(b, down), _plus(c, down), _triple(targets[side]), rules.soft)
+        middle, end = _two_bone(a, b, c, target, rules.soft)
         for point, place in ((knee, middle), (foot, end), (toe, _plus(end, sole))):
             at = 12 * body.own[point]
             joints[at], joints[at + 1], joints[at + 2] = place
+    new_drop[0], new_drop[1] = _sink(old_drop, need, rules)
 
 
 @compiled()
-def pose(histories, poses, toes, body, feet, arms, rotations, roots, start, stop):
+def pose(histories, poses, toes, drops, body, feet, arms, rotations, roots, start, stop):
     """Fill rows ``start`` to ``stop`` of local rotations ``[N, J', 4]`` and root positions ``[N, 3]`` (section 4.4).
 
-    ``histories [N, 61, 4]``, ``poses [N, 12 J]``, ``toes [N, 2, 3]`` are `toolkit.runtime.CharacterState`'s.
+    ``histories [N, 61, 4]``, ``poses [N, 12 J]``, ``toes [N, 2, 3]`` and ``drops [N, 2]`` are of
+    `toolkit.runtime.CharacterState`.
     """
     points = len(body.parents)
     turned, places = np.empty((points, 4)), np.empty((points, 3))
@@ -301,6 +295,7 @@ def pose(histories, poses, toes, body, feet, arms, rotations, roots, start, stop
             for j in body.ends:
                 turned[j] = turned[body.parents[j]]
         if feet:
+            places[0, 1] -= np.float64(drops[b, 0])
             _plant_feet(body, turned, places, toes[b])
             for j in body.ends:
                 turned[j] = turned[body.parents[j]]

@@ -88,7 +88,7 @@ function sink([before, speed], lack, { fps, let_go, fall }) {
   return above > 0 ? [need + above, fade * (speed - let_go * push / fps)] : [need, (need - before) * fps];
 }
 
-// Lowers a state's pose, and puts knees, feet and toes where foot IK has them (compiled/ik.py's plant); before: the last frame's drop.
+// Puts knees, feet and toes of a pose where foot IK has them, and sets the drop (compiled/ik.py's plant); before: the last frame's.
 export function plant({ history, joints, toes, contacts, drop }, before, body, rules) {
   const read = (joint, channel) => Array.from(joints.subarray(rules.width * joint + rules[channel]).subarray(0, 3));
   const [x, z, sin, cos] = history.subarray(history.length - 4), [s, c] = unit([sin, cos]), places = [read(0, "position")];
@@ -97,29 +97,22 @@ export function plant({ history, joints, toes, contacts, drop }, before, body, r
     places[j] = plus(places[above], rotate(fromForwardUp(read(joint, "forward"), read(joint, "up")), body.offsets[j]));
   }
   let need = 0;
-  const carried = rules.carried * before[0]; // of the last drop the predicted pose has so much
-  const targets = body.legs.map(([hip, knee, foot, toe], side) => {
+  body.legs.forEach(([hip, knee, foot, toe], side) => {
     const [tx, ty, tz] = toes.subarray(3 * side, 3 * side + 3), [a, b, ankle] = [hip, knee, foot].map((joint) => places[joint]);
-    const target = minus([c * (tx - x) - s * (tz - z), ty, c * (tz - z) + s * (tx - x)], minus(places[toe], ankle));
+    const sole = minus(places[toe], ankle), target = minus([c * (tx - x) - s * (tz - z), ty, c * (tz - z) + s * (tx - x)], sole);
     const full = Math.hypot(...minus(b, a)) + Math.hypot(...minus(ankle, b)), [dx, dy, dz] = minus(a, target);
-    const lack = dy + carried - Math.sqrt(Math.max(((1 - rules.soft) * full) ** 2 - dx * dx - dz * dz, (full / 2) ** 2));
+    const lack = dy - Math.sqrt(Math.max(((1 - rules.soft) * full) ** 2 - dx * dx - dz * dz, (full / 2) ** 2));
     const room = rules.room * full, gentle = lack > room ? lack : Math.max(lack + room, 0) ** 2 / (4 * room);
     need = Math.max(need, Math.min(gentle, rules.deepest * full) * Math.min(2 * contacts[side], 1));
-    return target;
-  });
-  drop.set(sink(before, need, rules));
-  const lower = drop[0] - carried;
-  for (let at = rules.position + 1; at < joints.length; at += rules.width) joints[at] -= lower;
-  body.legs.forEach(([hip, knee, foot, toe], side) => {
-    const [a, b, ankle] = [hip, knee, foot].map((joint) => plus(places[joint], [0, -lower, 0]));
-    const [middle, end] = twoBone(a, b, ankle, targets[side]), sole = minus(places[toe], places[foot]);
+    const [middle, end] = twoBone(a, b, ankle, target);
     [[knee, middle], [foot, end], [toe, plus(end, sole)]].forEach(([point, place]) =>
       joints.set(place, rules.width * body.own[point] + rules.position));
   });
+  drop.set(sink(before, need, rules));
 }
 
 // Fills local rotations [J' * 4] and the root's position [3]; feet, arms: whether their IK acts.
-export function pose({ history, joints, toes }, body, rules, { feet, arms }, rotations, root) {
+export function pose({ history, joints, toes, drop }, body, rules, { feet, arms }, rotations, root) {
   const [x, z, sin, cos] = history.subarray(history.length - 4), [s, c] = unit([sin, cos]);
   const world = (joint, channel) => {
     const at = rules.width * joint + rules[channel];
@@ -133,6 +126,7 @@ export function pose({ history, joints, toes }, body, rules, { feet, arms }, rot
     ends();
   }
   if (feet) {
+    places[0][1] -= drop[0];
     plantFeet(body, turned, places, toes);
     ends();
   }
