@@ -313,7 +313,10 @@ def test_the_demo_works_on_a_small_budget(tmp_path):
                                        "controller.html"]
     frames = len(tk.bvh.load(files[0]))
     assert not re.search(r"""(src|href)\s*=\s*["']?https?:""", files[1].read_text(encoding="utf-8"))
-    assert f" {frames:,} frames" in files[3].read_text(encoding="utf-8")
+    report = files[3].read_text(encoding="utf-8")
+    assert f" {frames:,} frames" in report
+    error, repeat = re.search(r"squared error (\S+) .* repeating the frame (\S+)\)", report).groups()
+    assert ("no better than repeating the frame" in report) == (float(error) >= float(repeat))
     weights = demo.blend_weights(frames)
     assert weights.shape == (frames, 3)
     assert (weights.sum(1) - 1).abs().max() < 1e-5
