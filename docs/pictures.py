@@ -71,7 +71,7 @@ def feet(run, real: tk.Clip, seconds: float = 4.0) -> None:
         fast.plot(time, speed, colour)
     high.set_ylabel("height of the toe, cm")
     fast.set(ylabel="its speed, m/s", xlabel="seconds")
-    high.legend(ncols=2, loc="upper right")
+    figure.legend(ncols=2, loc="outside upper center")
     figure.savefig(OUT / "feet.png", dpi=110)
 
 
