@@ -6,6 +6,7 @@ from pathlib import Path
 
 from toolkit.io import interpretation, load
 from toolkit.motion import Clip
+from toolkit.motion.names import printable
 
 
 def read(path: Path, unit: float | str = "auto", up: str = "auto", roles: Mapping[str, str] | None = None) -> Clip:
@@ -14,5 +15,5 @@ def read(path: Path, unit: float | str = "auto", up: str = "auto", roles: Mappin
     if abs(found.floor) > interpretation.FAR:
         clip = clip.moved(shift=(0.0, -found.floor, 0.0))
     for doubt in found.doubts:
-        print(f"{path.name}: {doubt}", file=sys.stderr)
+        print(printable(f"{path.name}: {doubt}"), file=sys.stderr)
     return clip
