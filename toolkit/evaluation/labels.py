@@ -56,10 +56,7 @@ class Take:
 def read(folder: str | os.PathLike) -> list[Take]:
     """The labelled takes of a folder: ``NAME.bvh`` with ``NAME_footsteps.txt`` and ``NAME.gait``.
 
-    Raises
-    ------
-    ValueError
-        If there is none, or its files do not belong together.
+    ValueError if there is none, or its files do not belong together.
     """
     found = sorted(Path(folder).glob("*_footsteps.txt"))
     if not found:

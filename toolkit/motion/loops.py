@@ -2,12 +2,14 @@
 
 from dataclasses import dataclass
 
+import numpy as np
 import torch
 from torch import Tensor
 
 from toolkit.motion import rotations as R
 from toolkit.motion.clip import Clip, root_frames
 from toolkit.motion.contacts import velocities
+from toolkit.motion.tensors import through_numpy
 
 GLANCE = 0.1  # seconds: a difference of velocities counts as that of positions after this time
 PHASE = 0.05  # metres that a difference of 1 between phase vectors counts as
@@ -29,16 +31,13 @@ def find(clip: Clip, shortest: float, longest: float, phases: Tensor | None = No
     The last frame, one cycle after the first, is compared with it: places and velocities of all joints in the root frame,
     and phase vectors.
 
+    ValueError if the clip is shorter than the shortest cycle.
+
     Parameters
     ----------
     clip : a motion that repeats; its first and last frames are only neighbours of a cycle
     shortest, longest : seconds of a cycle
     phases : Tensor [F, P], phase vectors
-
-    Raises
-    ------
-    ValueError
-        If the clip is shorter than the shortest cycle.
     """
     low, high = round(shortest * clip.fps), min(round(longest * clip.fps), len(clip) - 3)
     if not 2 <= low <= high:
@@ -64,10 +63,7 @@ def close(clip: Clip, start: int, frames: int) -> Clip:
     It begins at the origin, faces +z on average and does not turn from cycle to cycle. The differences of rotations, of the
     root's height and of their velocities at the two ends are removed by a cubic over the cycle, half at each end.
 
-    Raises
-    ------
-    ValueError
-        If the cycle and a frame on each side of it are not in the clip.
+    ValueError if the cycle and a frame on each side of it are not in the clip.
     """
     if not 1 <= start < start + frames + 1 < len(clip) or frames < 2:
         raise ValueError(f"{clip.name}: a cycle from frame {start} to {start + frames} needs a frame on each side; the clip "
@@ -125,10 +121,8 @@ def _own(clip: Clip) -> tuple[Tensor, Tensor]:
 
 def _headings(clip: Clip) -> Tensor:
     """Angle of the root frame about the vertical ``[F]``, radians, without jumps."""
-    w, y = root_frames(clip).rotations[:, 0], root_frames(clip).rotations[:, 2]
-    angles = 2 * torch.atan2(y, w)
-    jumps = torch.round(angles.diff() / (2 * torch.pi)) * 2 * torch.pi
-    return torch.cat((angles[:1], angles[1:] - jumps.cumsum(0)))
+    w, _, y, _ = root_frames(clip).rotations.unbind(-1)
+    return through_numpy(np.unwrap, 2 * torch.atan2(y, w))
 
 
 def _cubic(t: Tensor, gap: Tensor, change: Tensor) -> Tensor:

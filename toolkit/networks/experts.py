@@ -17,14 +17,8 @@ class BlendedLinear(nn.Module):
 
     Blended weights are not computed. Σ αᵢ (x Wᵢ) is one matrix product: the inputs times each gate, side by side
     ``[B, K n_in]``, times the stacked weights of the experts ``[K n_in, n_out]``. For 32 samples this is five times as fast
-    as to blend the weights for each sample; for one sample both take the same time.
-
-    Parameters
-    ----------
-    experts
-        K.
-    n_in, n_out
-        Columns of x and y.
+    as to blend the weights for each sample; for one sample both take the same time. The numbers are ``experts``, K, and
+    the columns ``n_in`` of x and ``n_out`` of y.
     """
 
     def __init__(self, experts: int, n_in: int, n_out: int):
@@ -56,14 +50,8 @@ class BlendedLinear(nn.Module):
 class Experts(nn.Module):
     """The motion synthesis network Φ: three blended layers. The style modulates the two hidden layers.
 
-    Parameters
-    ----------
-    experts
-        K.
-    n_in, hidden, n_out
-        Columns of x, of both hidden layers and of z.
-    dropout
-        Share of every layer's inputs that training drops.
+    The numbers are ``experts``, K, and columns of x (``n_in``), of both hidden layers and of z (``n_out``); ``dropout`` is
+    the share of every layer's inputs that training drops.
     """
 
     def __init__(self, experts: int, n_in: int, hidden: int, n_out: int, dropout: float):
@@ -73,17 +61,10 @@ class Experts(nn.Module):
         self.dropout = nn.Dropout(dropout)
 
     def forward(self, x: Tensor, gates: Tensor, modulate: Callable[[int, Tensor, Tensor], Tensor]) -> Tensor:
-        """Output frames ``[B, n_out]``.
+        """Output frames ``[B, n_out]`` of normalised input frames ``x [B, n_in]`` and coefficients ``gates [B, K]``.
 
-        Parameters
-        ----------
-        x : Tensor [B, n_in]
-            Normalised input frames.
-        gates : Tensor [B, K]
-            Blending coefficients.
-        modulate
-            ``(layer, F [B, hidden], x [B, n]) -> h [B, hidden]``: the styled activation of hidden layer 0 or 1, from the
-            layer's linear output F and its inputs x.
+        ``modulate(layer, F [B, hidden], x [B, n]) -> h [B, hidden]`` is the styled activation of hidden layer 0 or 1, from
+        the layer's linear output F and its inputs x.
         """
         *hidden, last = self.layers
         for i, layer in enumerate(hidden):

@@ -23,8 +23,7 @@ class Film(nn.Module):
 
     Parameters
     ----------
-    hidden
-        Units of a hidden layer.
+    hidden : units of a hidden layer
     generator
         The network Ψ that makes style vectors of clips (equation 2); None for a model that only takes style vectors.
     """
@@ -78,7 +77,7 @@ def expected_elu(mean: Tensor, deviation: Tensor) -> Tensor:
 
 def fold(weight: Tensor, bias: Tensor, gamma: Tensor, beta: Tensor,
          deviation: Tensor | None = None) -> tuple[Tensor, Tensor]:
-    """A style folded into a layer's own weights: FiLM as a multi-task dynamical system (section 5.3.1, equation 6).
+    """A style folded into a layer's weights W', b': FiLM as a multi-task dynamical system (section 5.3.1, equation 6).
 
     Without ``deviation`` it is the paper's equation, which omits layer normalisation: x W' + b' = γ ∘ (x W + b) + β for
     every x. With it x W' + b' = γ ∘ LN(x W + b) + β, but only for inputs whose F = x W + b has this deviation. To subtract
@@ -87,19 +86,10 @@ def fold(weight: Tensor, bias: Tensor, gamma: Tensor, beta: Tensor,
 
     Parameters
     ----------
-    weight : Tensor [..., n_in, n_out]
-        Of a layer x W + b; for gated experts, the blended weights.
-    bias : Tensor [..., n_out]
-        b.
-    gamma, beta : Tensor [n_out]
-        Scale and shift of the layer.
-    deviation : Tensor [...]
-        Unbiased standard deviation of F.
-
-    Returns
-    -------
-    tuple of Tensor [..., n_in, n_out] and [..., n_out]
-        W' and b'.
+    weight : Tensor [..., n_in, n_out], of a layer x W + b; for gated experts, the blended weights
+    bias : Tensor [..., n_out], b
+    gamma, beta : Tensor [n_out], scale and shift of the layer
+    deviation : Tensor [...], unbiased standard deviation of F
     """
     if deviation is not None:
         weight, bias = weight - weight.mean(-1, keepdim=True), bias - bias.mean(-1, keepdim=True)
@@ -116,20 +106,9 @@ class FilmGenerator(nn.Module):
     The paper does not say how γ is initialised. We initialise the last layer's bias with γ = 1, β = 0. So training starts
     from plain layer normalisation, and not from hidden layers that are almost zero.
 
-    Parameters
-    ----------
-    n_in
-        Columns of one frame of a style clip (12 J).
-    frames
-        Frames of a style clip.
-    hidden
-        Units of the hidden layers that the style vectors modulate.
-    channels, kernel
-        Filters of both convolutions, and their width in frames.
-    dense
-        Units of the first dense layer.
-    dropout
-        Share of the first dense layer's outputs that training drops.
+    Style clips have ``frames`` frames of ``n_in`` columns (12 J). Both convolutions have ``channels`` filters, ``kernel``
+    frames wide; the first dense layer has ``dense`` units, of which training drops the share ``dropout``. The style vectors
+    modulate layers of ``hidden`` units.
     """
 
     def __init__(self, n_in: int, frames: int, hidden: int, channels: int, kernel: int, dense: int, dropout: float):

@@ -79,27 +79,8 @@ class Model(nn.Module):
     """One of the seven models: ẑ = Φ(x; Ω(p), Ψ(y)) (equation 4). Make one with `toolkit.networks.build`.
 
     `predict`, `observe` and `style_vector` use physical units; `forward` and `encode`, for training, use normalised ones.
-    `predict` and `style_vector` always run in evaluation mode, without dropout.
-
-    Parameters
-    ----------
-    name
-        Which model of `MODELS`.
-    layout
-        Columns of x, p, z and y in the data. The attribute `layout` differs from it in the columns of the phase.
-    n_styles
-        Number of styles. Models with a table of styles have one row for each; the size of FiLM does not depend on it.
-    sizes
-        Its sizes.
-    normalisers
-        For each of ``inputs``, ``phases``, ``outputs``, ``clips``, in the model's own columns. A missing normaliser is the
-        identity.
-    generator
-        Whether the model has FiLM's generator or the style table, which make style vectors. Without it, LPN-FiLM has about
-        10% of the paper's parameters.
-    calibrated
-        In evaluation mode, compute the expected output under dropout, instead of the output without dropout (moment
-        matching, see `toolkit.networks.film.Film.expected`). For FiLM only. It can be switched at any time.
+    `predict` and `style_vector` always run in evaluation mode, without dropout. The attribute `layout` has the columns of
+    the model's own phase; `calibrated` can be switched at any time.
     """
 
     def __init__(self, name: str, layout: Layout, n_styles: int, sizes: Sizes, normalisers: dict[str, Normaliser],
@@ -164,24 +145,10 @@ class Model(nn.Module):
         return self.sizes.dropout / (1 - self.sizes.dropout)
 
     def encode(self, clips: Tensor | None, style: int | Tensor | None = None) -> Tensor:
-        """Style vectors.
+        """Style vectors ``[M, D]``.
 
-        Parameters
-        ----------
-        clips : Tensor [M, 240, 12 J]
-            Normalised style clips, from which FiLM's generator computes vectors (equation 2).
-        style
-            The style's number, or numbers ``[M]``, which models with a table of styles look up.
-
-        Returns
-        -------
-        Tensor [M, D]
-            One per clip, or per number.
-
-        Raises
-        ------
-        ValueError
-            If the model has neither generator nor table, or the table does not have the style.
+        FiLM's generator computes them of normalised style ``clips [M, 240, 12 J]`` (equation 2). A table of styles looks up
+        ``style``, a number or numbers ``[M]``. ValueError if there is neither, or the table does not have the style.
         """
         generator = self.modulation.generator
         if generator is None:
@@ -198,28 +165,17 @@ class Model(nn.Module):
         return phase.observe(self.layout, phases, outputs)
 
     def predict(self, x: Tensor, phases: Tensor, style: Tensor) -> Tensor:
-        """The next frame, in physical units, on the model's device and in its dtype; arrays and lists are accepted.
+        """The next frames ``[B, Dz]``, in physical units, on the model's device and in its dtype.
 
-        The model always predicts in evaluation mode and without gradients.
+        Arrays and lists are accepted. The model always predicts in evaluation mode and without gradients.
+
+        ValueError if a number of columns is wrong.
 
         Parameters
         ----------
-        x : Tensor [B, Dx]
-            Input frames.
-        phases : Tensor [B, n_phases]
-            Phases in the model's form: 8 columns of local phases, one angle, or no column.
-        style : Tensor [B, D] or [D]
-            Style vectors, or one for all.
-
-        Returns
-        -------
-        Tensor [B, Dz]
-            Output frames.
-
-        Raises
-        ------
-        ValueError
-            If a number of columns is wrong.
+        x : Tensor [B, Dx], input frames
+        phases : Tensor [B, n_phases], phases in the model's form: 8 columns of local phases, one angle, or no column
+        style : Tensor [B, D] or [D], style vectors, or one for all
         """
         given, like = [], self.outputs_mean
         for what, value, width in (("x", x, self.layout.n_inputs), ("phases", phases, self.layout.n_phases),
@@ -272,17 +228,7 @@ class Model(nn.Module):
     def load(cls, path: str | os.PathLike, layout: Layout | None = None) -> "Model":
         """Read a model, of `save` or of a training run, ready to predict.
 
-        Parameters
-        ----------
-        path
-            The file.
-        layout
-            The expected layout of its training data.
-
-        Raises
-        ------
-        ValueError
-            If the file does not hold a model, or the model has another layout.
+        ValueError if the file does not hold a model, or its training data had another layout than the expected ``layout``.
         """
         return cls.from_parts(path, *model_files.read(path, "model"), layout)
 

@@ -32,12 +32,9 @@ class Crowd:
 
     Parameters
     ----------
-    clips
-        One per character.
-    blends
-        Style name to share, one blend per character.
-    seconds
-        Median processing time of one frame for all characters: commands, avoidance, step and pose.
+    clips : one per character
+    blends : style name to share, one blend per character
+    seconds : median processing time of one frame for all characters: commands, avoidance, step and pose
     """
 
     clips: list[Clip]
@@ -57,19 +54,13 @@ def streams(bank: StyleBank, characters: int = 100, seed: int = 0, *, styles: Se
             apart: float = APART) -> Scene:
     """A scene of two streams that cross at a right angle: half of the characters walk to +x, half to +z.
 
+    ValueError if there is no character.
+
     Parameters
     ----------
-    bank
-        Gives the natural speeds; each character has a blend of two of ``styles``, by default of all.
-    characters, seed
-        Their number; seed of their blends and places.
-    apart
-        Metres that they keep apart, see `Scene`.
-
-    Raises
-    ------
-    ValueError
-        If there is no character.
+    bank : gives the natural speeds; each character has a blend of two of ``styles``, by default of all
+    characters, seed : their number; seed of their blends and places
+    apart : metres that they keep apart, see `Scene`
     """
     if characters < 1:
         raise ValueError(f"characters must be 1 or more, got {characters}")
@@ -93,18 +84,12 @@ def walk(model, bank, characters: int = 100, seconds: float = 10.0, *, seed: int
 
     Parameters
     ----------
-    model, bank
-        An LPN-FiLM, plain or compiled, and its styles.
-    characters
-        Number of characters.
-    seconds
-        Recorded time, at most.
-    seed
-        Random seed of blends and places.
-    threads
-        Number of processor threads.
-    progress
-        Show a bar.
+    model, bank : an LPN-FiLM, plain or compiled, and its styles
+    characters : number of characters
+    seconds : recorded time, at most
+    seed : random seed of blends and places
+    threads : number of processor threads
+    progress : show a bar
     """
     compiled = model if hasattr(type(model), "roll") else runtime.compile(model, threads=threads)
     scene = streams(bank, characters, seed).spaced(compiled, bank, BODIES)
