@@ -118,9 +118,12 @@ def follow(points: Sequence[Sequence[float]], speed: float = 1.2, seconds: float
 
     Parameters
     ----------
-    points : two or more different (x, z), metres
-    speed : metres per second
-    seconds : duration; by default the time that the path takes
+    points
+        Two or more different (x, z), metres.
+    speed
+        Metres per second.
+    seconds
+        Duration; by default the time that the path takes.
     """
     path = as_tensor(points, "points", torch.float64).cpu()
     legs = (path[1:] - path[:-1]).norm(dim=-1)
