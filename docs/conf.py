@@ -55,7 +55,8 @@ smartquotes = False  # quotation marks in messages and code must not change
 default_role = "py:obj"  # `name` in a docstring is a link if the name exists, else code
 add_module_names = False
 autodoc_default_options = {"exclude-members": "set", "no-value": True}  # matplotlib adds `set` to figures
-suppress_warnings = ["ref.python"]  # an annotation that several classes match gets no link
+suppress_warnings = ["ref.python",  # an annotation that several classes match gets no link
+                     "mystnb.unknown_mime_type"]  # plotly's JSON, beside the HTML that is shown
 autodoc_member_order = "bysource"
 autodoc_typehints = "signature"
 autodoc_preserve_defaults = True
