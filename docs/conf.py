@@ -83,7 +83,6 @@ os.environ |= {"TOOLKIT_FAST": "1" if RUN == "fast" else "", "PYVISTA_OFF_SCREEN
 
 #: Links as GitHub needs them, and the same links as the site needs them.
 LINKS = {"](../docs/": "](../", "](docs/": "](", "](../notebooks/": "](notebooks/",
-         "](../toolkit/data/README.md": "](embedded_model.md",
          "](../CONTRIBUTING.md": "](contributing.md", "](../CHANGELOG.md": "](changelog.md",
          "](README.md": "](index.md", "](../README.md": "](index.md"}
 #: Scripts that plotly loads from other servers, and the copy of plotly that each notebook brings.

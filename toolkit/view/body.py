@@ -7,14 +7,12 @@ the first frame of the clip. Flesh is rounded cones (`toolkit.view.surface`), in
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from functools import cached_property
 from itertools import pairwise
 from weakref import WeakKeyDictionary
 
 import numpy as np
 import torch
 from matplotlib.colors import to_rgb
-from torch import Tensor
 
 from toolkit.motion import Clip, Skeleton, anatomy, forward_kinematics
 from toolkit.motion import rotations as R
@@ -46,7 +44,6 @@ class Mannequin:
     """The body of a skeleton."""
 
     skin: Skin
-    cones: tuple[Cone, ...]  # its flesh in the bind pose, e.g. for shadows
     tones: np.ndarray  # [V, len(COLORS)] share of each colour
     feet: np.ndarray  # [V, 2] share of the right and the left foot
     light: np.ndarray  # [V] ambient light, 0 to 1
@@ -63,20 +60,6 @@ class Mannequin:
         if contacts is not None:
             found += (self.feet @ np.asarray(contacts, float))[:, None] * (np.array(to_rgb(CONTACT)) - found)
         return found * self.light[:, None]
-
-    @cached_property
-    def radii(self) -> np.ndarray:
-        """Radii [C, 2] of the cones."""
-        return np.array([cone.radii for cone in self.cones])
-
-    def flesh(self, rotations: Tensor, positions: Tensor) -> np.ndarray:
-        """Ends ``[..., C, 2, 3]`` of the cones, for global rotations ``[..., J, 4]`` and positions ``[..., J, 3]``."""
-        joints = [cone.joint for cone in self.cones]
-        inverse = self.skin.inverse[joints]
-        ends = np.array([(cone.start, cone.end) for cone in self.cones])
-        ends = ends @ inverse[..., :3].swapaxes(1, 2) + inverse[:, None, :, 3]
-        turned = R.to_matrix(rotations[..., joints, :]).double().numpy()
-        return ends @ turned.swapaxes(-1, -2) + positions[..., joints, None, :].double().numpy()
 
     def packed(self, skeleton: Skeleton) -> dict:
         """The body as the browser's scene takes it (``scene/body.js`` describes the format)."""
@@ -206,7 +189,7 @@ def _build(pose: _Pose, name: str, vertices: int) -> Mannequin:
     inverse = np.concatenate((pose.turned.swapaxes(1, 2), -pose.turned.swapaxes(1, 2) @ pose.places[..., None]), 2)
     skin = Skin(points.astype(np.float32), normals.astype(np.float32), triangles, joints, weights, inverse)
     feet /= np.maximum(tones.sum(1, keepdims=True), 1)
-    return Mannequin(skin, tuple(cones), tones / tones.sum(1, keepdims=True), feet, light)
+    return Mannequin(skin, tones / tones.sum(1, keepdims=True), feet, light)
 
 
 def _pivots(pose: _Pose) -> list[tuple[float, np.ndarray]]:

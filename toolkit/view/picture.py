@@ -115,12 +115,15 @@ class Shot:
         self.camera, self.tilt = orbit(azimuth, elevation), orbit(0.0, elevation)
         self.contacts = None if contacts is None else contacts[frames] > 0.5
         self.path = path[frames]
-        ends = self.body.flesh(clip.global_rotations[frames], clip.global_positions[frames])
-        self.ends = (ends - self.path[:, None, None]) @ self.camera.swapaxes(-1, -2)[..., None, :, :]
-        self.low, self.high = (f(self.ends, (0, 1, 2)) for f in (np.min, np.max))
-        thick = self.body.radii.max()
-        self.low, self.high = self.low - thick, self.high + thick
+        seen = [self._seen(k)[0] for k in range(len(frames))]
+        self.low, self.high = np.min([x.min(0) for x in seen], 0), np.max([x.max(0) for x in seen], 0)
         self.reach, self.top = max(-self.low[0], self.high[0]), self.high[1]
+
+    def _seen(self, k: int) -> tuple[np.ndarray, np.ndarray]:
+        """Vertices and normals [V, 3] of one of the frames in camera space."""
+        frame, camera = self.frames[k], self.camera[k] if self.camera.ndim == 3 else self.camera
+        points, normals = self.skin.pose(self.clip.global_rotations[frame], self.clip.global_positions[frame])
+        return (points - self.path[k]) @ camera.T, normals @ camera.T
 
     def draw(self, canvas: Canvas, k: int, lamp: Sequence[float], shift: float = 0.0,
              colors: np.ndarray | None = None) -> None:
@@ -128,13 +131,10 @@ class Shot:
 
         ``colors`` [V, 3] of the vertices may be others than the body's.
         """
-        frame, camera, right = self.frames[k], self.camera[k] if self.camera.ndim == 3 else self.camera, (shift, 0, 0)
-        points, normals = self.skin.pose(self.clip.global_rotations[frame], self.clip.global_positions[frame])
-        colors = self.own if colors is None else colors
+        right, (points, normals), colors = (shift, 0, 0), self._seen(k), self.own if colors is None else colors
         if colors is None:
             colors = self.body.colors(None if self.contacts is None else self.contacts[k])
-        canvas.draw((points - self.path[k]) @ camera.T + right, normals @ camera.T, self.skin.triangles, colors)
-        canvas.shadow(self.ends[k] + right, self.body.radii, self.tilt @ np.array(lamp), right)
+        canvas.draw(points + right, normals, self.skin.triangles, colors, self.tilt @ np.array(lamp), right)
 
 
 def cast(clips: Clip | Sequence[Clip], labels: Sequence[str] | None, contacts,

@@ -211,12 +211,8 @@ class SoftwareRenderer(Scene):
         window = (-metres * width / height / 2, metres * width / height / 2, middle - metres / 2, middle + metres / 2)
         canvas = Canvas(window, height / metres, camera)
         meshes, lamp = self.meshes(frames), camera @ self.light
-        for one, mannequin, skin, (points, normals), colors, frame in zip(
-                self.characters, self.bodies, self.skins, meshes, self.colors(frames), frames, strict=True):
-            canvas.draw((points - centre) @ camera.T, normals @ camera.T, skin.triangles, colors)
-            if mannequin is not None:
-                ends = mannequin.flesh(one.clip.global_rotations[frame], one.clip.global_positions[frame])
-                canvas.shadow((ends - centre) @ camera.T, mannequin.radii, lamp)
+        for skin, (points, normals), colors in zip(self.skins, meshes, self.colors(frames), strict=True):
+            canvas.draw((points - centre) @ camera.T, normals @ camera.T, skin.triangles, colors, lamp)
         ground = Image.new("RGB", (canvas.width, canvas.height), BACK)
         draw = ImageDraw.Draw(ground)
         for layer, corners in self.marks(frames):
