@@ -14,7 +14,7 @@ error of at most 2 % for the hands of cyclic styles. The network's own frequency
 
 The source in the package (`pretrained`) was trained without the styles of `HELD_OUT`, by
 
->>> Learned.train(training_clips(), seed=0, progress=True).save("toolkit/data/learned_phases.safetensors")
+>>> Learned.train(training_clips(), seed=0, progress=True).save("toolkit/phases/learned.safetensors")
 """
 
 import math
@@ -164,21 +164,14 @@ class Learned:
               seed: int = 0, progress: bool = False) -> "Learned":
         """Train on clips of any skeletons, rates and styles, by the mean squared error of the reconstructed windows.
 
+        ValueError if there is no clip, or a skeleton lacks a limb.
+
         Parameters
         ----------
-        clips
-            Training data: five windows per second of each clip, at each of `SPEEDS`.
-        steps, batch
-            Number of minibatches, and of windows in each.
-        rate, hidden
-            Highest learning rate of Adam, with a one-cycle schedule; width of the networks.
-        seed
-            The same seed gives the same networks.
-
-        Raises
-        ------
-        ValueError
-            If there is no clip, or a skeleton lacks a limb.
+        clips : training data: five windows per second of each clip, at each of `SPEEDS`
+        steps, batch : number of minibatches, and of windows in each
+        rate, hidden : highest learning rate of Adam, with a one-cycle schedule; width of the networks
+        seed : the same seed gives the same networks
         """
         if not clips:
             raise ValueError("a learned source needs at least one clip to train on, got none")
@@ -238,7 +231,7 @@ class Learned:
 @cache
 def pretrained() -> Learned:
     """The source in the package, trained on procedural clips."""
-    with resources.as_file(resources.files("toolkit") / "data" / "learned_phases.safetensors") as path:
+    with resources.as_file(resources.files("toolkit.phases") / "learned.safetensors") as path:
         return Learned.load(path)
 
 

@@ -173,7 +173,7 @@ def pretrained() -> Run:
     """The embedded default, ``model, bank = pretrained()``: a small LPN-FiLM and its style vectors. No network access.
 
     It was trained on procedural styles. It comes without the FiLM generator, so it cannot make style vectors of new clips.
-    `toolkit/data/README.md` describes the data and the command.
+    `docs/embedded_model.md` describes the data and the command.
     """
-    with resources.as_file(resources.files("toolkit") / "data" / "pretrained.safetensors") as path:
+    with resources.as_file(resources.files("toolkit.training") / "pretrained.safetensors") as path:
         return load(path)
