@@ -69,7 +69,7 @@ def read(folder: str | os.PathLike) -> list[Take]:
 
 def _read(file: Path) -> Take:
     name = file.name.removesuffix("_footsteps.txt")
-    clip = bvh.load(file.with_name(f"{name}.bvh"), unit=UNIT)
+    clip = bvh.load(file.with_name(f"{name}.bvh"), unit=UNIT, up="y")
     try:
         lines = files.read(file).decode().splitlines()
         rows = [[int(word) - 1 for word in line.split()] for line in lines if line.strip()]
