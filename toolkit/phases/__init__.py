@@ -54,6 +54,9 @@ def extract_group(clips: Sequence[Clip], source: str | Source = "hybrid",
                   half_window: float | None = None) -> list[Phases]:
     """Local phases of clips of one style and gait, which share the source's principal axes (section 4.1.3).
 
+    The feature is p = ‖v‖ a (sin φ, cos φ). ``a`` is the amplitude of the fitted sinusoid (equation 1). The paper leaves
+    open which speed ‖v‖ is: here the root-mean-square over one second, in the hips' frame.
+
     ValueError if the source's name is unknown, or a clip is shorter than one second.
 
     Parameters
@@ -67,11 +70,6 @@ def extract_group(clips: Sequence[Clip], source: str | Source = "hybrid",
     half_window
         Half the length of the fit's window, seconds; by default the duration of about half a cycle of each limb, at least
         half a second (`windows.half_window`).
-
-    Notes
-    -----
-    The feature is p = ‖v‖ a (sin φ, cos φ). ``a`` is the amplitude of the fitted sinusoid (equation 1). The paper leaves
-    open which speed ‖v‖ is: here the root-mean-square over one second, in the hips' frame.
     """
     if isinstance(source, str):
         source = named(source)
