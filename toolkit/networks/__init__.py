@@ -25,7 +25,8 @@ def build(name: str, layout: Layout, n_styles: int, sizes: Sizes | None = None,
     Parameters
     ----------
     name : one of `MODELS`
-    layout : columns of x, p, z and y in the data; `Model.layout` differs from it in the columns of the phase
+    layout
+        Columns of x, p, z and y in the data. `Model.layout` differs from it in the columns of the phase.
     n_styles : styles to learn; a table of styles has one row for each, the size of FiLM does not depend on it
     sizes : by default those of the paper
     normalisers

@@ -67,7 +67,8 @@ class StyleBank(Mapping[str, Tensor]):
 
         Parameters
         ----------
-        blend : style to weight; weights sum to one; negative ones extrapolate
+        blend
+            Style to weight. Weights sum to one; negative ones extrapolate.
         *deeper
             Blends of the next hidden layers, if they differ from the first. A FiLM vector (γ1, β1, γ2, β2) has two equal
             parts, one per hidden layer, so it takes one more blend.

@@ -70,19 +70,27 @@ class Sinusoids:
 def fit(source: Tensor, fps: float, half_window: float = 0.5) -> Sinusoids:
     """Fit a sinusoid around every frame.
 
-    Bounds as published: a in [0, max − min], f in [0.25, 4] Hz, b in [min, max] of the window. Departure: the published fit
-    added a term for continuity with the neighbours' fits to the root-mean-square error, and used an evolutionary search.
-    Here every frame has the least error of its own window.
-
-    ValueError if the source is not ``[F, L]`` or shorter than half a window, or `fps` is too low for 4 Hz.
-
     Parameters
     ----------
     source : Tensor [F, L]
         One curve per limb, finite; mirrored at its ends. Any device and dtype, which the result has too; the fit itself runs
         on the processor, in float64.
-    fps : frames per second
-    half_window : seconds on either side of the frame
+    fps
+        Frames per second.
+    half_window
+        Seconds on either side of the frame.
+
+    Raises
+    ------
+    ValueError
+        If the source is not ``[F, L]`` or shorter than half a window, or `fps` is too low for 4 Hz.
+
+    Notes
+    -----
+    Bounds as published: a in [0, max − min], f in [0.25, 4] Hz, b in [min, max] of the window.
+
+    Departure: the published fit added a term for continuity with the neighbours' fits to the root-mean-square error, and
+    used an evolutionary search. Here every frame has the least error of its own window.
     """
     from toolkit.phases.variable_projection import minima
 

@@ -37,7 +37,8 @@ def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0),
     model
         It gives the mean pose. The initial phase is not the mean phase but one in mid-stride: from the mean phase, some
         styles glide for seconds before they step. For a model without phases, the pose has hands and feet in mid-stride.
-    style : Tensor [S] or [B, S], style vector, or one per character; arrays and lists are accepted, here and below
+    style : Tensor [S] or [B, S]
+        Style vector, or one per character. Arrays and lists are accepted, here and below.
     position, facing : world position (x, z) of the root, metres, and its facing direction (x, z); pairs or ``[B, 2]``
     """
     if not hasattr(model, "layout"):

@@ -78,9 +78,11 @@ def fine_tune(model: Model, clips: Clip | Sequence[Clip] | Features, name: str |
 
     Parameters
     ----------
-    model : a trained model; it is not changed
+    model
+        A trained model. It is not changed.
     clips : motion on the model's skeleton, at least 1.9 seconds without a break, better four or more; or features of it
-    name : name of the style; by default every clip keeps its own style, and all are learnt together
+    name
+        Name of the style. By default every clip keeps its own style, and all are learnt together.
     bank
         The model's style bank. It gives the poses of the mix-up, the mean and deviation of the penalty, and the initial
         vector of the method ``"vector"``: its best style on the clips. The new styles are added to it.

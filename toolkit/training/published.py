@@ -54,8 +54,6 @@ def load(folder: str | os.PathLike | None = None, *, calibrated: bool = False) -
 
     The model has no FiLM generator: only the style vectors that it gave were published.
 
-    ValueError if a file is missing, of another size, or holds a number that is not finite.
-
     Parameters
     ----------
     folder
@@ -64,6 +62,11 @@ def load(folder: str | os.PathLike | None = None, *, calibrated: bool = False) -
     calibrated
         Compute the expected output under dropout, see `toolkit.networks.Model`. It halves the joint error of one-step
         predictions on real motion, but it is slower and differs from the published run.
+
+    Raises
+    ------
+    ValueError
+        If a file is missing, of another size, or holds a number that is not finite.
     """
     if folder is None or os.fspath(folder) == DATASET:
         folder = home.find(DATASET, "Xmean.bin, cp0_a0.bin, …", "https://github.com/ianxmason/local-phases")
@@ -92,7 +95,10 @@ def either(file: str | os.PathLike | None, folder: str | os.PathLike | None) -> 
 
     The ``folder`` may be ``lpn-film-100style``, for the folder of downloaded data.
 
-    ValueError if both are given.
+    Raises
+    ------
+    ValueError
+        If both are given.
     """
     if file is not None and folder is not None:
         raise ValueError("give either --model FILE or --published FOLDER, not both")
@@ -106,13 +112,14 @@ def one_step(model: Model, bank: StyleBank, clip: Clip, style: str, frames: tupl
 
     With the published parameters, this is the strongest check that features and phases agree with the paper's.
 
-    ValueError if the clip's joints are not the model's, the style is unknown or no frame has a whole window.
-
     Parameters
     ----------
-    model, bank : a model and its style vectors
-    clip : motion of the model's skeleton at any rate, resampled to 60 Hz
-    style : name in the bank
+    model, bank
+        A model and its style vectors.
+    clip
+        Motion of the model's skeleton at any rate, resampled to 60 Hz.
+    style
+        Name in the bank.
     frames
         First and last (not included) frame to predict from, at the clip's rate. Their trajectory and phases use up to a
         second before and after; frames without a whole window are left out.
@@ -123,6 +130,11 @@ def one_step(model: Model, bank: StyleBank, clip: Clip, style: str, frames: tupl
         ``style``; the number of ``frames`` evaluated; ``joint_mse``, mean squared error of the 12 J joint features in the
         model's normalised units; ``contact_correlation`` [2], right and left; ``phase_error``, Σ(predicted − own)² / Σ own²,
         NaN if the model predicts no phases.
+
+    Raises
+    ------
+    ValueError
+        If the clip's joints are not the model's, the style is unknown or no frame has a whole window.
     """
     samples = model.layout.samples
     joints, own = model.layout.names, Layout(clip.skeleton).names
