@@ -56,7 +56,10 @@ class Take:
 def read(folder: str | os.PathLike) -> list[Take]:
     """The labelled takes of a folder: ``NAME.bvh`` with ``NAME_footsteps.txt`` and ``NAME.gait``.
 
-    ValueError if there is none, or its files do not belong together.
+    Raises
+    ------
+    ValueError
+        If there is none, or its files do not belong together.
     """
     found = sorted(Path(folder).glob("*_footsteps.txt"))
     if not found:

@@ -19,7 +19,10 @@ def foot_skate(clip: Clip, contact: Tensor | None = None) -> dict[str, float]:
     at any speed: a speed limit would exclude the skating that is measured. The result has ``right`` and ``left``; NaN for a
     foot that is never in contact.
 
-    ValueError if the contacts do not have the clip's frames.
+    Raises
+    ------
+    ValueError
+        If the contacts do not have the clip's frames.
     """
     contact = detect(clip, height=HEIGHT, speed=math.inf) if contact is None else _checked(clip, contact)
     speeds = velocities(toes_of(clip), clip.fps)[..., [0, 2]].norm(dim=-1)
@@ -36,13 +39,25 @@ def _checked(clip: Clip, contacts: Tensor) -> Tensor:
 def feet(clip: Clip, contacts: Tensor | None = None) -> dict[str, float]:
     """What feet do, in four numbers that tell sliding, swing and haste apart; compare them with those of real motion.
 
-    They are ``skate``, mean horizontal speed of toes in contact, m/s; ``clearance``, metres: a toe's lift between two
-    contacts over where it stands (mean over the swings of both feet); ``steps``, landings per second; ``acceleration``,
-    99th percentile of the toes', m/s². NaN where there is no contact or no swing.
+    Parameters
+    ----------
+    clip
+        The motion.
+    contacts : Tensor [F, 2], optional
+        Contacts in [0, 1], right and left, for example those of a network; where not given those of
+        `toolkit.motion.contacts.detect`: a toe that is low and slow, so that skate is under its limit of speed.
 
-    ``contacts [F, 2]`` are in [0, 1], right and left, for example those of a network; by default those of
-    `toolkit.motion.contacts.detect`: a toe that is low and slow, so that skate is under its limit of speed. ValueError if
-    they are not of the clip's frames, or the clip has fewer than three frames.
+    Returns
+    -------
+    dict
+        ``skate``, mean horizontal speed of toes in contact, m/s; ``clearance``, metres: how high a toe is lifted between two
+        contacts over where it stands (mean over the swings of both feet); ``steps``, landings per second; ``acceleration``,
+        99th percentile of the toes', m/s². NaN where there is no contact or no swing.
+
+    Raises
+    ------
+    ValueError
+        If contacts are not of the clip's frames, or the clip has fewer than three frames.
     """
     contact = detect(clip) if contacts is None else _checked(clip, contacts)
     if len(clip) < 3:
@@ -140,10 +155,19 @@ def path_error(clip: Clip, points: Tensor) -> float:
 
 
 def phase_error(phase: Tensor, truth: Tensor) -> tuple[Tensor, Tensor]:
-    """Mean circular distance of two phases ``[F, ...]`` after subtraction of their constant lag; and this lag. Radians.
+    """Mean circular distance of two phases after subtraction of their constant lag.
 
-    The start of a cycle is a convention: the cycle of a foot may start at the middle of its contact or at toe-off. The
-    distance ``[...]`` is in [0, π], near π/2 for unrelated phases; the lag, by which ``phase`` leads, in [−π, π].
+    The start of a cycle is a convention: the cycle of a foot may start at the middle of its contact or at toe-off.
+
+    Parameters
+    ----------
+    phase, truth : Tensor [F, ...]
+        Radians.
+
+    Returns
+    -------
+    error, lag : Tensor [...]
+        Radians: the mean over the frames in [0, π], near π/2 for unrelated phases, and the lead of ``phase`` in [−π, π].
     """
     gap = (phase - truth).double()
     lag = torch.atan2(gap.sin().mean(0), gap.cos().mean(0))
@@ -159,7 +183,10 @@ def frechet_distance(a: Tensor, b: Tensor) -> float:
 
     The features are ``a [M, D]`` and ``b [K, D]``; M and K may differ and be smaller than D.
 
-    ValueError if a set has fewer than two rows or the widths differ.
+    Raises
+    ------
+    ValueError
+        If a set has fewer than two rows or the widths differ.
     """
     if a.dim() != 2 or b.dim() != 2 or a.shape[1] != b.shape[1] or min(len(a), len(b)) < 2:
         raise ValueError(f"expected features [M, D] and [K, D], M and K at least 2; got {list(a.shape)} and {list(b.shape)}")

@@ -57,7 +57,10 @@ class Recogniser(nn.Module):
 
         ``joints [..., F, 12 J]`` are joint features in the root frame, physical units, at 60 Hz; F is at least `WINDOW`.
 
-        ValueError if there are fewer frames, or the number of columns differs from that of training.
+        Raises
+        ------
+        ValueError
+            If there are fewer frames, or the number of columns differs from that of training.
         """
         windows = self._windows(joints)
         logits = self(windows.flatten(0, -3))
@@ -111,7 +114,10 @@ def train(data: Features, seed: int = 0, steps: int = STEPS) -> Recogniser:
     constant column is not scaled to unit deviation, and training adds offsets and noise to the windows and drops columns.
     The same seed gives the same recogniser; ``steps`` is the number of minibatches.
 
-    ValueError if there are fewer than two styles.
+    Raises
+    ------
+    ValueError
+        If there are fewer than two styles.
     """
     if len(data.styles) < 2:
         raise ValueError(f"a recogniser needs at least two styles, got {', '.join(data.styles)}")

@@ -38,17 +38,21 @@ def report(clips: Clip | Iterable[Clip], real: Clip | Iterable[Clip] | None = No
            recogniser: Recogniser | None = None) -> Report:
     """All measures of clips beside those of real motion.
 
-    ValueError if there is no clip, or a clip is too short or lacks the joints that a measure needs.
-
     Parameters
     ----------
-    clips : one or several; every clip has the same weight
+    clips
+        One or several; every clip has the same weight.
     real
         Real motion, for its own row. Where it has as many clips, and clip i has the joints, the frames and the rate of real
         clip i, the measures of pairs are those of these pairs; else the table leaves them out.
     recogniser
         A recogniser of styles (`toolkit.evaluation.recognition`), best one that saw neither; without it the measures of sets
         are left out. The real row's ``fmd`` is that of every second real clip from the others: what chance gives.
+
+    Raises
+    ------
+    ValueError
+        If there is no clip, or a clip is too short or lacks the joints that a measure needs.
     """
     clips, real = _listed(clips, "clips"), None if real is None else _listed(real, "real")
     columns, notes = list(measures.CLIP), []

@@ -293,8 +293,6 @@ def build(clips: Clip | Iterable[Clip], *, source: str | phases.Source = "hybrid
           progress: bool = False) -> Features:
     """Features of many clips, resampled to 60 Hz.
 
-    ValueError if there is no clip, skeletons differ, a clip is too short, or a style has no clip with a whole window.
-
     Parameters
     ----------
     clips : one or several of one skeleton, labelled with style and gait; clips of the same style and gait share phase axes
@@ -304,6 +302,11 @@ def build(clips: Clip | Iterable[Clip], *, source: str | phases.Source = "hybrid
     samples : offsets of the trajectory window, see `Layout`; they must be those of the model that uses the features
     contact_height : height up to which a toe stands, metres; by default it follows from each clip (`contacts.detect`)
     progress : show a bar
+
+    Raises
+    ------
+    ValueError
+        If there is no clip, skeletons differ, a clip is too short, or a style has no clip with a whole window.
     """
     clips = [clips] if isinstance(clips, Clip) else list(clips)
     if not clips:

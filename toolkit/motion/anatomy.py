@@ -55,8 +55,11 @@ class Anatomy:
 def measure(rig: Clip | Skeleton) -> Anatomy:
     """The anatomy of a skeleton, or of a clip's skeleton.
 
-    ValueError if roles are missing, the legs have no length, or a skeleton is given alone whose zero rotations are no
-    standing figure: then a clip of it is needed.
+    Raises
+    ------
+    ValueError
+        If roles are missing, the legs have no length, or a skeleton is given alone whose zero rotations are no standing
+        figure: then a clip of it is needed.
     """
     clip, skeleton = (None, rig) if isinstance(rig, Skeleton) else (rig, rig.skeleton)
     name = "the skeleton" if clip is None else clip.name

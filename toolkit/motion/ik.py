@@ -15,15 +15,11 @@ SOFT = 0.01  # share of a leg's length over which it stretches more and more slo
 
 def two_bone(a: Tensor, b: Tensor, c: Tensor, target: Tensor, pole: Tensor | None = None, *,
              soft: float | Tensor = SOFT) -> tuple[Tensor, Tensor]:
-    """New middle and end ``[..., 3]`` of a limb of two bones that bends so that its end meets a target.
-
-    It is the law of cosines with a soft limit near full stretch.
+    """Bend a limb of two bones so that its end meets a target; the law of cosines with a soft limit near full stretch.
 
     The bones keep their lengths. Over the last share `soft` of the full length, the end follows the target more and more
     slowly. It never reaches full stretch, where the angle of the knee changes infinitely fast with the distance. A target
     too near for the folded limb is moved out to the nearest distance that the limb can reach.
-
-    ValueError if `soft` is not in [0, 1).
 
     Parameters
     ----------
@@ -33,6 +29,15 @@ def two_bone(a: Tensor, b: Tensor, c: Tensor, target: Tensor, pole: Tensor | Non
         Direction (not a point) that the middle joint bends towards, of any length, not parallel to the line from `a` to the
         target. By default the limb bends to the same side as before, turned with the line from `a` to its end.
     soft : share of the full length over which the limit acts, a number or Tensor [..., 1]; 0 is a hard limit
+
+    Returns
+    -------
+    middle, end : Tensor [..., 3], new positions of `b` and `c`
+
+    Raises
+    ------
+    ValueError
+        If `soft` is not in [0, 1).
     """
     if not isinstance(soft, int | float):
         soft = as_tensor(soft, "soft", a)
@@ -65,7 +70,7 @@ FALL = 0.6  # m/s, at which they sink at most
 
 def foot_lock(toes: Tensor, drift: Tensor, before: Tensor, predicted: Tensor, contacts: Tensor, left: Tensor,
               seconds: float) -> tuple[Tensor, Tensor]:
-    """Lock toes in contact where they landed (foot-contact IK, Mason et al. 2022, section 4.4); this frame's toes and drift.
+    """Lock toes in contact where they landed (foot-contact IK, Mason et al. 2022, section 4.4).
 
     Departure from the paper: there a toe's target is a blend of its last position and the prediction, weighted by contact.
     With a weight below 1 the toe slides in each frame, and is released within a frame or two. We lock a toe fully while
@@ -82,6 +87,10 @@ def foot_lock(toes: Tensor, drift: Tensor, before: Tensor, predicted: Tensor, co
     contacts : Tensor [..., 2], in this frame, in [0, 1]
     left : Tensor [..., 2], unit vector (x, z) to the character's left
     seconds : between the frames
+
+    Returns
+    -------
+    toes, drift : Tensor [..., 2, 3] and [..., 2, 2], of this frame
     """
     offset, behind = (toes - before)[..., ::2], (toes - predicted)[..., ::2]
     behind = behind * (SLACK / behind.norm(dim=-1, keepdim=True).clamp_min(SLACK))
@@ -112,7 +121,7 @@ def plant_feet(skeleton: Skeleton, rotations: Tensor, root: Tensor, toes: Tensor
 
 
 def sink(drop: Tensor, hips: Tensor, ankles: Tensor, length: Tensor, contacts: Tensor, seconds: float) -> Tensor:
-    """How far the hips go down so that the legs reach the ankles of toes in contact: this frame's drop ``[..., 2]``.
+    """How far the hips go down so that the legs reach the ankles of toes in contact.
 
     Departure from the paper: there a leg that is too short for its target is stretched, and its toe slides. The network
     predicts hips and toes apart from each other, and a locked toe stays behind its prediction, so that targets are up to
@@ -127,6 +136,11 @@ def sink(drop: Tensor, hips: Tensor, ankles: Tensor, length: Tensor, contacts: T
     length : Tensor [..., 2], of the legs
     contacts : Tensor [..., 2], a leg counts in full from one half
     seconds : between the frames
+
+    Returns
+    -------
+    Tensor [..., 2]
+        The drop of this frame.
     """
     apart = hips - ankles
     level = ((1 - SOFT) * length).square() - apart[..., ::2].square().sum(-1)

@@ -31,13 +31,16 @@ def find(clip: Clip, shortest: float, longest: float, phases: Tensor | None = No
     The last frame, one cycle after the first, is compared with it: places and velocities of all joints in the root frame,
     and phase vectors.
 
-    ValueError if the clip is shorter than the shortest cycle.
-
     Parameters
     ----------
     clip : a motion that repeats; its first and last frames are only neighbours of a cycle
     shortest, longest : seconds of a cycle
     phases : Tensor [F, P], phase vectors
+
+    Raises
+    ------
+    ValueError
+        If the clip is shorter than the shortest cycle.
     """
     low, high = round(shortest * clip.fps), min(round(longest * clip.fps), len(clip) - 3)
     if not 2 <= low <= high:
@@ -63,7 +66,10 @@ def close(clip: Clip, start: int, frames: int) -> Clip:
     It begins at the origin, faces +z on average and does not turn from cycle to cycle. The differences of rotations, of the
     root's height and of their velocities at the two ends are removed by a cubic over the cycle, half at each end.
 
-    ValueError if the cycle and a frame on each side of it are not in the clip.
+    Raises
+    ------
+    ValueError
+        If the cycle and a frame on each side of it are not in the clip.
     """
     if not 1 <= start < start + frames + 1 < len(clip) or frames < 2:
         raise ValueError(f"{clip.name}: a cycle from frame {start} to {start + frames} needs a frame on each side; the clip "

@@ -33,8 +33,6 @@ def retarget(clip: Clip, target: Skeleton | Clip, *, feet: bool = True) -> Clip:
     scaled by the ratio of the leg lengths, and shifted so that the toes stand on the floor y = 0. Twist bones, fingers and
     other joints without a counterpart follow their parents in the rest pose.
 
-    ValueError if one of the two has not the roles, has legs without length, or its axes cannot be measured.
-
     Parameters
     ----------
     clip
@@ -44,7 +42,13 @@ def retarget(clip: Clip, target: Skeleton | Clip, *, feet: bool = True) -> Clip:
         The skeleton, if its zero rotations are a standing figure (a T-pose, an A-pose, arms that hang), facing any way. Or a
         clip of it, from whose first frame or motion its axes are measured. A clip whose skeleton is equal to within `SAME`
         is returned unchanged.
-    feet : bend the legs so that feet in contact move as in the clip, at its height above the floor, and none is below it
+    feet
+        Bend the legs so that feet in contact move as in the clip, at its height above the floor, and none is below it.
+
+    Raises
+    ------
+    ValueError
+        If one of the two has not the roles, has legs without length, or its axes cannot be measured.
     """
     skeleton = target if isinstance(target, Skeleton) else target.skeleton
     if _same(clip.skeleton, skeleton):

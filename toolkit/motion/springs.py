@@ -14,13 +14,19 @@ def spring(offset: Tensor, velocity: Tensor, rate: float, seconds: float) -> tup
 
     x(t) = (x₀ + (v₀ + λ x₀) t) exp(−λ t) solves ẍ = −2 λ ẋ − λ² x exactly, so that two steps of t / 2 equal one of t.
 
-    ValueError if rate or time is negative.
-
     Parameters
     ----------
-    offset, velocity : of any unit, and the same per second
-    rate : λ, per second: after 1 / λ seconds from rest, 74 % of the offset is left; after 5 / λ, 4 %
-    seconds : time step
+    offset, velocity
+        Of any unit, and the same per second.
+    rate
+        λ, per second: after 1 / λ seconds from rest, 74 % of the offset is left; after 5 / λ, 4 %.
+    seconds
+        Time step.
+
+    Raises
+    ------
+    ValueError
+        If rate or time is negative.
     """
     if rate < 0 or seconds < 0:
         raise ValueError(f"a spring needs a rate and a time of 0 or more, got {rate:g} per second and {seconds:g} s")
@@ -34,7 +40,10 @@ def inertialise(before: Tensor, after: Tensor, fps: float, rate: float) -> Tenso
     The differences of value and velocity at the cut become an offset that decays as a `spring`. After the cut only the new
     motion is needed, so that a transition costs no second evaluation.
 
-    ValueError if a part has fewer than two frames.
+    Raises
+    ------
+    ValueError
+        If a part has fewer than two frames.
     """
     if min(len(before), len(after)) < 2:
         raise ValueError(f"inertialisation needs two frames on both sides of the cut, got {len(before)} and {len(after)}")

@@ -12,15 +12,17 @@ PAST = -SAMPLES[0]  # frames of the past that a character keeps; no offset reach
 
 
 def sample(roots: RootFrames, frames: Tensor, offsets: tuple[int, ...] = SAMPLES) -> tuple[Tensor, Tensor]:
-    """Trajectory around given frames, each in its own root frame: positions and facing directions ``[N, S, 2]``.
-
-    Positions (x left, z forward) are in metres, directions of unit length.
+    """Trajectory around given frames, each in the root frame of its own frame.
 
     Parameters
     ----------
     roots : root frames of F frames at 60 Hz
     frames : Tensor [N], the frames that the trajectory is relative to
     offsets : S frame numbers relative to those; ValueError if a sample falls outside the clip
+
+    Returns
+    -------
+    positions, directions : Tensor [N, S, 2], (x left, z forward) of the root in metres and of its unit facing direction
     """
     at = frames[:, None] + torch.tensor(offsets, device=frames.device)
     if int(at.min()) < 0 or int(at.max()) >= len(roots.rotations):

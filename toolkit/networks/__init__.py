@@ -20,24 +20,28 @@ def build(name: str, layout: Layout, n_styles: int, sizes: Sizes | None = None,
           normalisers: dict[str, Normaliser] | None = None, *, generator: bool = True, calibrated: bool = False) -> Model:
     """A new model with random weights (from torch's global generator), in evaluation mode.
 
-    ValueError if there is no model of that name, or it has no FiLM to calibrate.
-
     Parameters
     ----------
-    name : one of `MODELS`
+    name
+        One of `MODELS`.
     layout
         Columns of x, p, z and y in the data. `Model.layout` differs from it in the columns of the phase.
-    n_styles : styles to learn; a table of styles has one row for each, the size of FiLM does not depend on it
-    sizes : by default those of the paper
+    n_styles
+        Styles to learn.
+    sizes
+        By default those of the paper.
     normalisers
         Of ``inputs``, ``phases``, ``outputs``, ``clips``, as the function `normalisers` makes them. A missing normaliser is
         the identity.
     generator
-        Whether the model has a FiLM generator or a style table. Without it the model cannot make style vectors, and LPN-FiLM
-        has about 10% of the paper's parameters.
+        Whether the model has a FiLM generator or a style table. Without it the model cannot make style vectors.
     calibrated
-        In evaluation mode, compute the expected output under dropout, instead of the output without dropout (moment
-        matching, see `toolkit.networks.film.Film.expected`).
+        In evaluation mode, compute the expected output under dropout; see `Model`.
+
+    Raises
+    ------
+    ValueError
+        If there is no model of that name, or it has no FiLM to calibrate.
     """
     _check(name)
     return Model(name, layout, n_styles, sizes or Sizes(), normalisers or {}, generator, calibrated).eval()

@@ -24,7 +24,10 @@ class StyleTable(nn.Module):
     def forward(self, style: int | Tensor | None) -> Tensor:
         """Style vectors: ``[1, D]`` for one style number, ``[M, D]`` for numbers ``[M]``.
 
-        ValueError if a number is unknown, or None is given.
+        Raises
+        ------
+        ValueError
+            If a number is unknown, or None is given.
         """
         styles = len(self.vectors)
         if style is None:

@@ -61,10 +61,6 @@ class StyleBank(Mapping[str, Tensor]):
     def blend(self, blend: Mapping[str, float], *deeper: Mapping[str, float]) -> Tensor:
         """Barycentric blend ``[D]`` of any number of style vectors, one for all layers or one for each.
 
-        ValueError if a style is unknown, a weight is not finite, weights do not sum to one, or the length of the vectors is
-        not a multiple of the number of blends. UserWarning if a weight is outside of [0, 1]: the vector is then outside the
-        range of the known styles.
-
         Parameters
         ----------
         blend
@@ -72,6 +68,17 @@ class StyleBank(Mapping[str, Tensor]):
         *deeper
             Blends of the next hidden layers, if they differ from the first. A FiLM vector (γ1, β1, γ2, β2) has two equal
             parts, one per hidden layer, so it takes one more blend.
+
+        Raises
+        ------
+        ValueError
+            If a style is unknown, a weight is not finite, weights do not sum to one, or the length of the vectors is not a
+            multiple of the number of blends.
+
+        Warns
+        -----
+        UserWarning
+            If a weight is outside of [0, 1]: the vector is then outside the range of the known styles.
         """
         if deeper:
             if self.vectors.shape[1] % (1 + len(deeper)):
@@ -112,7 +119,10 @@ class StyleBank(Mapping[str, Tensor]):
     def merge(self, other: "StyleBank") -> "StyleBank":
         """A new bank with another's styles after its own.
 
-        ValueError if the vectors differ in length, or a style is in both banks with different vectors.
+        Raises
+        ------
+        ValueError
+            If the vectors differ in length, or a style is in both banks with different vectors.
         """
         if self.vectors.shape[1] != other.vectors.shape[1]:
             raise ValueError(f"vectors [{self.vectors.shape[1]}] cannot be merged with vectors [{other.vectors.shape[1]}]")
@@ -139,7 +149,10 @@ class StyleBank(Mapping[str, Tensor]):
     def nearest(self, style: str | Tensor, k: int = 5) -> list[tuple[str, float]]:
         """The ``k`` styles whose vectors are nearest to a style's (not counting itself) or to a vector ``[D]``.
 
-        Names and Euclidean distances, the nearest first.
+        Returns
+        -------
+        list of (str, float)
+            Names and Euclidean distances, the nearest first.
         """
         known = isinstance(style, str)
         apart = (self.vectors - (self[style] if known else as_tensor(style, "a style", self.vectors))).double().norm(dim=-1)

@@ -61,10 +61,17 @@ class Experts(nn.Module):
         self.dropout = nn.Dropout(dropout)
 
     def forward(self, x: Tensor, gates: Tensor, modulate: Callable[[int, Tensor, Tensor], Tensor]) -> Tensor:
-        """Output frames ``[B, n_out]`` of normalised input frames ``x [B, n_in]`` and coefficients ``gates [B, K]``.
+        """Output frames ``[B, n_out]``.
 
-        ``modulate(layer, F [B, hidden], x [B, n]) -> h [B, hidden]`` is the styled activation of hidden layer 0 or 1, from
-        the layer's linear output F and its inputs x.
+        Parameters
+        ----------
+        x : Tensor [B, n_in]
+            Normalised input frames.
+        gates : Tensor [B, K]
+            Blending coefficients.
+        modulate
+            ``(layer, F [B, hidden], x [B, n]) -> h [B, hidden]``: the styled activation of hidden layer 0 or 1, from the
+            layer's linear output F and its inputs x.
         """
         *hidden, last = self.layers
         for i, layer in enumerate(hidden):

@@ -77,7 +77,7 @@ def expected_elu(mean: Tensor, deviation: Tensor) -> Tensor:
 
 def fold(weight: Tensor, bias: Tensor, gamma: Tensor, beta: Tensor,
          deviation: Tensor | None = None) -> tuple[Tensor, Tensor]:
-    """A style folded into a layer's weights W', b': FiLM as a multi-task dynamical system (section 5.3.1, equation 6).
+    """A style folded into a layer's own weights: FiLM as a multi-task dynamical system (section 5.3.1, equation 6).
 
     Without ``deviation`` it is the paper's equation, which omits layer normalisation: x W' + b' = γ ∘ (x W + b) + β for
     every x. With it x W' + b' = γ ∘ LN(x W + b) + β, but only for inputs whose F = x W + b has this deviation. To subtract
@@ -86,10 +86,19 @@ def fold(weight: Tensor, bias: Tensor, gamma: Tensor, beta: Tensor,
 
     Parameters
     ----------
-    weight : Tensor [..., n_in, n_out], of a layer x W + b; for gated experts, the blended weights
-    bias : Tensor [..., n_out], b
-    gamma, beta : Tensor [n_out], scale and shift of the layer
-    deviation : Tensor [...], unbiased standard deviation of F
+    weight : Tensor [..., n_in, n_out]
+        Of a layer x W + b; for gated experts, the blended weights.
+    bias : Tensor [..., n_out]
+        b.
+    gamma, beta : Tensor [n_out]
+        Scale and shift of the layer.
+    deviation : Tensor [...]
+        Unbiased standard deviation of F.
+
+    Returns
+    -------
+    tuple of Tensor [..., n_in, n_out] and [..., n_out]
+        W' and b'.
     """
     if deviation is not None:
         weight, bias = weight - weight.mean(-1, keepdim=True), bias - bias.mean(-1, keepdim=True)

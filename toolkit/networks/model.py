@@ -145,10 +145,24 @@ class Model(nn.Module):
         return self.sizes.dropout / (1 - self.sizes.dropout)
 
     def encode(self, clips: Tensor | None, style: int | Tensor | None = None) -> Tensor:
-        """Style vectors ``[M, D]``.
+        """Style vectors.
 
-        FiLM's generator computes them of normalised style ``clips [M, 240, 12 J]`` (equation 2). A table of styles looks up
-        ``style``, a number or numbers ``[M]``. ValueError if there is neither, or the table does not have the style.
+        Parameters
+        ----------
+        clips : Tensor [M, 240, 12 J]
+            Normalised style clips, from which FiLM's generator computes vectors (equation 2).
+        style
+            The style's number, or numbers ``[M]``, which models with a table of styles look up.
+
+        Returns
+        -------
+        Tensor [M, D]
+            One per clip, or per number.
+
+        Raises
+        ------
+        ValueError
+            If the model has neither generator nor table, or the table does not have the style.
         """
         generator = self.modulation.generator
         if generator is None:
@@ -165,17 +179,28 @@ class Model(nn.Module):
         return phase.observe(self.layout, phases, outputs)
 
     def predict(self, x: Tensor, phases: Tensor, style: Tensor) -> Tensor:
-        """The next frames ``[B, Dz]``, in physical units, on the model's device and in its dtype.
+        """The next frame, in physical units, on the model's device and in its dtype; arrays and lists are accepted.
 
-        Arrays and lists are accepted. The model always predicts in evaluation mode and without gradients.
-
-        ValueError if a number of columns is wrong.
+        The model always predicts in evaluation mode and without gradients.
 
         Parameters
         ----------
-        x : Tensor [B, Dx], input frames
-        phases : Tensor [B, n_phases], phases in the model's form: 8 columns of local phases, one angle, or no column
-        style : Tensor [B, D] or [D], style vectors, or one for all
+        x : Tensor [B, Dx]
+            Input frames.
+        phases : Tensor [B, n_phases]
+            Phases in the model's form: 8 columns of local phases, one angle, or no column.
+        style : Tensor [B, D] or [D]
+            Style vectors, or one for all.
+
+        Returns
+        -------
+        Tensor [B, Dz]
+            Output frames.
+
+        Raises
+        ------
+        ValueError
+            If a number of columns is wrong.
         """
         given, like = [], self.outputs_mean
         for what, value, width in (("x", x, self.layout.n_inputs), ("phases", phases, self.layout.n_phases),
@@ -228,7 +253,17 @@ class Model(nn.Module):
     def load(cls, path: str | os.PathLike, layout: Layout | None = None) -> "Model":
         """Read a model, of `save` or of a training run, ready to predict.
 
-        ValueError if the file does not hold a model, or its training data had another layout than the expected ``layout``.
+        Parameters
+        ----------
+        path
+            The file.
+        layout
+            The expected layout of its training data.
+
+        Raises
+        ------
+        ValueError
+            If the file does not hold a model, or the model has another layout.
         """
         return cls.from_parts(path, *model_files.read(path, "model"), layout)
 

@@ -28,9 +28,7 @@ CORRECTION = 0.85  # share of the network's prediction in the next frame's traje
 
 def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0),
           facing: Sequence[float] = (0.0, 1.0)) -> CharacterState:
-    """A character standing still in the mean pose of the model's data, on the model's device and in its dtype.
-
-    ValueError if the model or style is invalid, a pair does not fit the characters or is not finite, or facing is zero.
+    """A character standing still in the mean pose of the model's data.
 
     Parameters
     ----------
@@ -39,7 +37,18 @@ def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0),
         styles glide for seconds before they step. For a model without phases, the pose has hands and feet in mid-stride.
     style : Tensor [S] or [B, S]
         Style vector, or one per character. Arrays and lists are accepted, here and below.
-    position, facing : world position (x, z) of the root, metres, and its facing direction (x, z); pairs or ``[B, 2]``
+    position, facing
+        World position (x, z) of the root, metres, and its facing direction (x, z); pairs or ``[B, 2]``.
+
+    Returns
+    -------
+    CharacterState
+        On the model's device and in its dtype.
+
+    Raises
+    ------
+    ValueError
+        If the model or style is invalid, a pair does not fit the characters or is not finite, or facing is zero.
     """
     if not hasattr(model, "layout"):
         raise ValueError(f"expected a model (of a run: run.model), got {shown(model)}")
@@ -135,15 +144,25 @@ def states(model, commands: Sequence[Command | Pilot], style: Styles, first: Cha
 
 def rollout(model, commands: Sequence[Command | Pilot], style: Styles, ik: bool = True, first: CharacterState | None = None,
             progress: bool = False) -> Clip:
-    """Let one character follow commands, and record its motion on the whole skeleton, with constant bone lengths.
+    """Let one character follow commands, and record its motion.
 
     Parameters
     ----------
-    model : a model from `toolkit.networks.build`, `toolkit.training.load` or `toolkit.published.load`
-    commands : one per frame at 60 Hz: a command, or a function that computes it from the state
-    style : Tensor [S] or callable, style vector, or a function that computes it from the frame number
-    ik : hold feet in contact in place, and turn arm bones to the predicted positions
-    first : initial state; by default the character stands at the origin
+    model
+        A model from `toolkit.networks.build`, `toolkit.training.load` or `toolkit.training.published.load`.
+    commands
+        One per frame at 60 Hz: a command, or a function that computes it from the state.
+    style : Tensor [S] or callable
+        Style vector, or a function that computes it from the frame number.
+    ik
+        Hold feet in contact in place, and turn arm bones to the predicted positions.
+    first
+        Initial state; by default the character stands at the origin.
+
+    Returns
+    -------
+    Clip
+        Motion on the model's whole skeleton, with constant bone lengths.
     """
     recorded = list(states(model, commands, style, first, progress))
     if not recorded:

@@ -54,13 +54,19 @@ def streams(bank: StyleBank, characters: int = 100, seed: int = 0, *, styles: Se
             apart: float = APART) -> Scene:
     """A scene of two streams that cross at a right angle: half of the characters walk to +x, half to +z.
 
-    ValueError if there is no character.
-
     Parameters
     ----------
-    bank : gives the natural speeds; each character has a blend of two of ``styles``, by default of all
-    characters, seed : their number; seed of their blends and places
-    apart : metres that they keep apart, see `Scene`
+    bank
+        Gives the natural speeds; each character has a blend of two of ``styles``, by default of all.
+    characters, seed
+        Their number; seed of their blends and places.
+    apart
+        Metres that they keep apart, see `Scene`.
+
+    Raises
+    ------
+    ValueError
+        If there is no character.
     """
     if characters < 1:
         raise ValueError(f"characters must be 1 or more, got {characters}")
@@ -84,12 +90,18 @@ def walk(model, bank, characters: int = 100, seconds: float = 10.0, *, seed: int
 
     Parameters
     ----------
-    model, bank : an LPN-FiLM, plain or compiled, and its styles
-    characters : number of characters
-    seconds : recorded time, at most
-    seed : random seed of blends and places
-    threads : number of processor threads
-    progress : show a bar
+    model, bank
+        An LPN-FiLM, plain or compiled, and its styles.
+    characters
+        Number of characters.
+    seconds
+        Recorded time, at most.
+    seed
+        Random seed of blends and places.
+    threads
+        Number of processor threads.
+    progress
+        Show a bar.
     """
     compiled = model if hasattr(type(model), "roll") else runtime.compile(model, threads=threads)
     scene = streams(bank, characters, seed).spaced(compiled, bank, BODIES)

@@ -18,11 +18,16 @@ def missed(course: Course, natural: Callable[[float], float], style: Callable[[f
 
     Parameters
     ----------
-    course : what was planned
-    natural : natural speed of the style at a time
-    style : its name
-    arrivals : point, distance along the curve and time of the points with a time
-    places : the root at each frame, from frame 1 on
+    course
+        What was planned.
+    natural
+        Natural speed of the style at a time.
+    style
+        Its name.
+    arrivals
+        Point, distance along the curve and time of the points with a time.
+    places
+        The root at each frame, from frame 1 on.
     """
     apart, found = beside(course, places), []
     fast = max(range(len(places)), key=lambda k: course.speed[k + 1] / max(natural((k + 1) / FPS), SLOW))

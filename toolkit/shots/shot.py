@@ -162,15 +162,20 @@ class Shot:
 
         Parameters
         ----------
-        model : plain, or compiled by `toolkit.runtime.compile` (ten times as fast; its last bits differ)
-        bank : the model's styles
+        model
+            Plain, or compiled by `toolkit.runtime.compile` (ten times as fast; its last bits differ).
+        bank
+            The model's styles.
         """
         return Preview(model, bank).render(self)
 
     def check(self, model, bank: StyleBank) -> list[str]:
         """What cannot be met and why, a line each; empty if all can. The shot is tried, without drawing.
 
-        ValueError if a style is not in the bank.
+        Raises
+        ------
+        ValueError
+            If a style is not in the bank.
         """
         plan = self.plan(bank)
         states = Preview(model, bank).states(self, plan)

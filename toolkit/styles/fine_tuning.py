@@ -59,7 +59,7 @@ class NewStyles:
 def fine_tune(model: Model, clips: Clip | Sequence[Clip] | Features, name: str | None = None, bank: StyleBank | None = None,
               *, method: str | None = None, steps: int = STEPS, mirror: bool = False, seed: int = 0,
               progress: bool = False) -> NewStyles:
-    """Learn new styles from one or a few clips; the vectors of all other styles stay bitwise equal.
+    """Learn new styles from one or a few clips, without any change of the other styles.
 
     Departures from the paper, which fine-tunes with the settings of training: there are few steps, and the learning rate
     decays. As in `toolkit.training.Config.quick` some input poses are mixed with other poses (pose mix-up), here with poses
@@ -73,14 +73,12 @@ def fine_tune(model: Model, clips: Clip | Sequence[Clip] | Features, name: str |
     generator computes without fine-tuning; ``mean`` and ``repeat`` are those of `toolkit.training.loss.baselines`. Clips
     that are too short to hold frames out keep the last step.
 
-    ValueError if the clips have another skeleton or are too short, the bank has a style of that name, or the method is
-    unknown or needs a generator that the model does not have.
-
     Parameters
     ----------
     model
         A trained model. It is not changed.
-    clips : motion on the model's skeleton, at least 1.9 seconds without a break, better four or more; or features of it
+    clips
+        Motion on the model's skeleton, at least 1.9 seconds without a break, better four or more; or features of it.
     name
         Name of the style. By default every clip keeps its own style, and all are learnt together.
     bank
@@ -89,10 +87,25 @@ def fine_tune(model: Model, clips: Clip | Sequence[Clip] | Features, name: str |
     method
         One of `METHODS`; by default ``"generator"`` if the model has one, else ``"vector"``, which also works for a model
         that was stored without its generator, such as the embedded one.
-    steps : training steps per new style
-    mirror : learn from the mirror images of the clips, too; for symmetric styles
-    seed : the same seed gives the same vectors
-    progress : show a progress bar
+    steps
+        Training steps per new style.
+    mirror
+        Learn from the mirror images of the clips, too; for symmetric styles.
+    seed
+        The same seed gives the same vectors.
+    progress
+        Show a progress bar.
+
+    Returns
+    -------
+    NewStyles
+        Model and bank with the new styles; the vectors of all other styles are bitwise equal.
+
+    Raises
+    ------
+    ValueError
+        If the clips have another skeleton or are too short, the bank has a style of that name, or the method is unknown or
+        needs a generator that the model does not have.
     """
     began = time.perf_counter()
     data = clips if isinstance(clips, Features) else _features(model, clips, name, mirror)

@@ -33,15 +33,20 @@ def clip_vectors(model: Model, data: Features, clips: int = 50) -> tuple[Tensor,
 def embed(vectors: Tensor, method: str = "tsne", seed: int = 0) -> Tensor:
     """A map of style vectors: points ``[N, 2]`` of ``vectors [N, D]``.
 
-    ValueError if the method is unknown or its package missing, or there are fewer than three vectors.
-
     Parameters
     ----------
-    vectors : three or more
+    vectors
+        Three or more.
     method
         ``"tsne"`` (Figure 11) keeps neighbours together; ``"pca"`` is linear, so blends lie on straight lines; ``"umap"``
         needs the package umap-learn.
-    seed : the same seed gives the same map
+    seed
+        The same seed gives the same map.
+
+    Raises
+    ------
+    ValueError
+        If the method is unknown or its package missing, or there are fewer than three vectors.
     """
     if method not in EMBEDDINGS:
         raise ValueError(f"unknown embedding {method!r}; known: {', '.join(EMBEDDINGS)}")
@@ -76,12 +81,17 @@ class Separation:
 def separation(vectors: Tensor, styles: Sequence[str]) -> Separation:
     """Silhouette, separation and nearest-mean accuracy of every style.
 
-    ValueError if the numbers of vectors and styles differ, or there are fewer styles or clips.
-
     Parameters
     ----------
-    vectors : Tensor [N, D], vectors of single clips, see `clip_vectors`
-    styles : the style of each vector; at least two styles with two clips each
+    vectors : Tensor [N, D]
+        Vectors of single clips, see `clip_vectors`.
+    styles
+        The style of each vector; at least two styles with two clips each.
+
+    Raises
+    ------
+    ValueError
+        If the numbers of vectors and styles differ, or there are fewer styles or clips.
     """
     names = list(dict.fromkeys(styles))
     label = torch.tensor([names.index(s) for s in styles])

@@ -14,20 +14,27 @@ from toolkit.shots.course import EASINGS
 
 def transition(bank: StyleBank, stops: Mapping[float, str | Mapping[str, float]],
                easing: str | Callable[[float], float] = "smooth") -> Callable[[int], Tensor]:
-    """A style that changes from blend to blend: a function from the frame number (60 a second) to the style vector ``[D]``.
-
-    It is a value for the parameter ``style`` of `toolkit.runtime.rollout`.
-
-    ValueError if there is no stop, the times do not increase, the easing is unknown, or a blend is invalid (see
-    `StyleBank.blend`).
+    """A style that changes from blend to blend, for the parameter ``style`` of `toolkit.runtime.rollout`.
 
     Parameters
     ----------
-    bank : bank of the styles
+    bank
+        Bank of the styles.
     stops
         Time in seconds to the style or blend at that time, in order of time. The style is constant before the first and
         after the last stop.
-    easing : one of `EASINGS`, or a function from the time share to the interpolation weight, both from 0 to 1
+    easing
+        One of `EASINGS`, or a function from the time share to the interpolation weight, both from 0 to 1.
+
+    Returns
+    -------
+    callable
+        From the frame number (60 a second) to the style vector ``[D]``.
+
+    Raises
+    ------
+    ValueError
+        If there is no stop, the times do not increase, the easing is unknown, or a blend is invalid (see `StyleBank.blend`).
     """
     seconds = [float(second) for second in stops]
     if not seconds or any(b <= a for a, b in pairwise(seconds)):

@@ -73,18 +73,27 @@ def fit(data: Features, config: Config | None = None, checkpoint: str | os.PathL
         log: str | os.PathLike | None = None) -> Run:
     """Train a model.
 
-    ValueError if a style is unknown or has no frames, or the checkpoint is of another layout or config; KeyboardInterrupt if
-    interrupted; the checkpoint is written first.
-
     Parameters
     ----------
-    data : features; a share is held out and never trained on
-    config : training settings; by default those of the paper
+    data
+        Features; a share is held out and never trained on.
+    config
+        Training settings; by default those of the paper.
     checkpoint, resume
         File for the state of the run, written at intervals and on an interrupt; whether to resume from it if it exists.
-    progress : show a bar
-    on_step : called with the step's number and loss after every step; a KeyboardInterrupt it raises stops the run
-    log : folder for TensorBoard: losses and learning rate every `LOG_EVERY` steps, the held-out error at every evaluation
+    progress
+        Show a bar.
+    on_step
+        Called with the step's number and loss after every step; a KeyboardInterrupt it raises stops the run.
+    log
+        Folder for TensorBoard: losses and learning rate every `LOG_EVERY` steps, the held-out error at every evaluation.
+
+    Raises
+    ------
+    ValueError
+        If a style is unknown or has no frames, or the checkpoint is of another layout or config.
+    KeyboardInterrupt
+        If interrupted; the checkpoint is written first.
     """
     config = config or Config()
     fabric, first = distributed.start(config), distributed.first()

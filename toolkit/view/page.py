@@ -8,7 +8,6 @@ from string import Template
 from typing import Any
 
 import numpy as np
-import torch
 
 from toolkit.io.files import atomic_write
 from toolkit.motion import Clip
@@ -119,15 +118,6 @@ def tree(clip: Clip) -> dict:
     """Parents and offsets of a clip's skeleton."""
     offsets = [[round(x, 6) for x in offset] for offset in clip.skeleton.offsets.tolist()]
     return {"parents": list(clip.skeleton.parents), "offsets": offsets}
-
-
-def unpack(packed: Mapping, clip: Clip) -> Clip:
-    """The clip in packed data, on the skeleton of ``clip``: inverse of `pack` up to its rounding."""
-    rotations = R.identity(packed["frames"], len(clip.skeleton))
-    values = np.frombuffer(base64.b64decode(packed["rotations"]), np.int16).reshape(packed["frames"], -1, 4)
-    rotations[:, packed["joints"]] = R.normalize(torch.from_numpy(values / UNIT).float())
-    root = np.frombuffer(base64.b64decode(packed["root"]), np.float32).reshape(-1, 3)
-    return clip.replace(rotations=rotations, root_positions=torch.from_numpy(root.copy()), fps=packed["fps"])
 
 
 def _base64(values, dtype: type) -> str:

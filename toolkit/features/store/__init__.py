@@ -47,11 +47,6 @@ def preprocess(data: str, root: str | os.PathLike | None, out: str | os.PathLike
 
     Takes that hold no whole trajectory window are left out. False if the store was finished already, with right checksums.
 
-    ValueError if files cannot be read or hold no style clip (all other styles are stored; the message names each file), or
-    the store was made with other settings or from other files; OSError if the folder cannot be written to, there is too
-    little space or another process writes to it; KeyboardInterrupt after an interrupt, when the styles that were begun are
-    stored.
-
     Parameters
     ----------
     data, root, styles, gaits : as in `toolkit.datasets.load`; a dataset of files
@@ -64,6 +59,16 @@ def preprocess(data: str, root: str | os.PathLike | None, out: str | os.PathLike
     contact_height : as in `toolkit.features.build`
     listed : store only the training and test blocks of the dataset's list (`toolkit.datasets.split`), and hold out the test
     progress : show a bar with the time left
+
+    Raises
+    ------
+    ValueError
+        If files cannot be read or hold no style clip (all other styles are stored; the message names each file), or the
+        store was made with other settings or from other files.
+    OSError
+        If the folder cannot be written to, there is too little space or another process writes to it.
+    KeyboardInterrupt
+        After an interrupt, when the styles that were begun are stored.
     """
     if data == "procedural":
         raise ValueError("the procedural dataset is computed, not read from files; there is nothing to preprocess")

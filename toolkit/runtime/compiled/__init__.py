@@ -82,11 +82,22 @@ class CompiledModel:
         return CharacterState(**dict(zip(new._fields, map(torch.from_numpy, new[:-1]), strict=False)), style=state.style)
 
     def roll(self, state: CharacterState, frames: int, ask: Ask) -> CharacterState:
-        """The states after each of ``frames`` steps of one character, along the leading axis; without the large style.
+        """So many `step` calls of one character, the same bits in two thirds of the time.
 
-        They have the same bits as those of `step`, in two thirds of the time. ``state`` is that before the first step.
-        ``ask(number of the step from 0, place (x, z) of the root before it)`` gives the commanded velocity and facing, and
-        the style vector ``[S]``.
+        Parameters
+        ----------
+        state
+            Of one character, before the first step.
+        frames
+            1 or more.
+        ask
+            Function of the number of the step, from 0, and the place (x, z) of the root before it, that gives the commanded
+            velocity and facing, and the style vector ``[S]``.
+
+        Returns
+        -------
+        CharacterState
+            The states after every step, along the leading axis; without the style, as it is large and known.
         """
         if len(state.history) != 1 or frames < 1:
             raise ValueError(f"one character and 1 frame or more are needed, got {len(state.history)} and {frames}")
@@ -173,18 +184,23 @@ def compile(model, *, precision: str = "float32", skip: float = 0.0, threads: in
     The first call on a machine compiles; the result's representation shows the time. Later calls read the code from disk.
     ``docs/runtime.md`` gives times, and differences from the plain model.
 
-    ValueError if the model is not an LPN-FiLM, or an option is out of its range.
-
     Parameters
     ----------
-    model : an LPN-FiLM
+    model
+        An LPN-FiLM.
     precision
         Of the experts' weights: ``"float32"``, or ``"bfloat16"``, which takes half the memory and, for one character, two
         thirds of the time; outputs differ by about 5e-4 of their deviation.
     skip
         Leave out experts whose weight for a character is below this, and scale up the others. A frame loses at most this
         share for each expert that is left out.
-    threads : number of threads that share the characters, at least eight characters each
+    threads
+        Number of threads that share the characters, at least eight characters each.
+
+    Raises
+    ------
+    ValueError
+        If the model is not an LPN-FiLM, or an option is out of its range.
     """
     return CompiledModel(model, precision, skip, threads)
 
