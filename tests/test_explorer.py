@@ -58,6 +58,14 @@ def test_a_drag_plays_the_blend_once(explorer):
     assert explorer.map.place == pytest.approx([2.0, 0.0], abs=1e-6)  # the ring comes back to the map
 
 
+@pytest.mark.parametrize("wrong", [[float("nan"), 1.0], [1.0, float("inf")], [1e308, 1e308]])
+def test_a_place_that_is_none_moves_the_ring_back(explorer, wrong):
+    before, played = explorer.map.place, len(explorer.played)
+    explorer.map.place = wrong  # as a page may set it
+    assert explorer.map.place == before
+    assert len(explorer.played) == played
+
+
 def test_menus_triangle_and_weights_move_the_ring(explorer):
     explorer.weights = {"Zombie": 1, "Crouch": 1}
     assert explorer.map.place == pytest.approx([4.0, 2.25])

@@ -108,8 +108,7 @@ def pack(
     character: Figure = None,
 ) -> None:
     """Write looping cycles of styles (forward, back, left, right, run, idle) for games, and a manifest of them."""
-    if out.exists() and not out.is_dir():
-        raise ValueError(f"{out}: is a file; a folder is needed")
+    export.check(out / packs.MANIFEST, ())
     styles = {name: blend_of(name) for name in style}
     rig, writers = None if skeleton is None else target(skeleton), packs.WRITERS
     if character is not None:

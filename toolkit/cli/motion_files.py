@@ -11,6 +11,7 @@ from toolkit import datasets
 from toolkit.datasets import folder as own
 from toolkit.datasets.procedural import SKELETON
 from toolkit.motion import Clip, rotations
+from toolkit.motion.names import printable
 
 SKELETONS = {"100style": SKELETON}
 Target = Annotated[str | None, typer.Option("--skeleton", help=f"Retarget to a skeleton: {', '.join(SKELETONS)}, or a file "
@@ -21,7 +22,7 @@ def read(path: Path, unit: float | str = "auto", up: str = "auto", roles: Mappin
     """The clip of a motion file (`toolkit.load`), a floor far from zero moved there; doubts are printed on stderr."""
     clip, doubts = own.read_file(path, unit, up, roles)
     for doubt in doubts:
-        print(f"{path.name}: {doubt}", file=sys.stderr)
+        print(printable(f"{path.name}: {doubt}"), file=sys.stderr)
     return clip
 
 

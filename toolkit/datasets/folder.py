@@ -22,7 +22,7 @@ from toolkit.io import files, interpretation
 from toolkit.io.load import READERS, read
 from toolkit.io.progress import progress_bar
 from toolkit.motion import Clip, trajectory
-from toolkit.motion.names import printable
+from toolkit.motion.names import of_file, printable
 from toolkit.motion.pruning import pruned
 from toolkit.motion.retargeting import retarget
 
@@ -173,14 +173,14 @@ def labelled(folder: Path) -> tuple[list[Take], dict[Path, str]]:
         table = _table(folder)
         return ([OwnTake(path, *table[path]) for path in files if path in table],
                 {path: f"not listed in {TABLE}" for path in files if path not in table})
-    words = {path: [w for w in re.split(r"[\W_]+", path.stem) if w and not w.isdigit()] for path in files}
+    words = {path: [w for w in re.split(r"[\W_]+", of_file(path.stem)) if w and not w.isdigit()] for path in files}
     common = set.intersection(*map(set, words.values())) if len(files) > 1 else set()
     takes = []
     for path in files:
-        above = path.relative_to(folder).parts[:-1]
+        above = [of_file(part) for part in path.relative_to(folder).parts[:-1]]
         gait = above[1] if len(above) > 1 else next((GAITS[w.lower()] for w in words[path] if w.lower() in GAITS), "")
         named = [w for w in words[path] if w.lower() not in GAITS]
-        named = [w for w in named if w not in common] or named or [path.stem]
+        named = [w for w in named if w not in common] or named or [of_file(path.stem)]
         takes.append(OwnTake(path, above[0] if above else named[0], GAITS.get(gait.lower(), gait)))
     return takes, {}
 
@@ -190,7 +190,7 @@ def _table(folder: Path) -> dict[Path, tuple]:
     place, found = folder / TABLE, {}
     for number, row in files.table(place, COLUMNS[:2]):
         path, style, gait, unit, up = (row.get(column, "").strip() for column in (*COLUMNS, "unit", "up"))
-        path = folder / path
+        path = folder / os.fsdecode(path.encode())
         if not style or not path.is_file():
             raise ValueError(f"{place}, line {number}: {f'no file {str(path)!r}' if style else 'no style'}")
         try:

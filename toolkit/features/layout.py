@@ -31,21 +31,16 @@ class Layout:
 
     Data always have the four limbs' local phases. A model may use fewer columns: see ``phase``.
 
+    ValueError if the phase is unknown, or the offsets are not ascending whole frames as described above.
+
     Parameters
     ----------
-    skeleton
-        Skeleton of the data.
+    skeleton : skeleton of the data
     phase
         ``"local"``: the phase vectors of four limbs; p has 8 columns, z has 8 of phases and 8 of phase updates.
         ``"global"``: one angle, radians; p has 1 column, z only its update (327 columns for J = 25). ``"none"``: p and z
         have no phase columns (z: 326).
-    samples
-        Offsets of the trajectory window in frames at 60 Hz, ascending: past ones, 0, future ones.
-
-    Raises
-    ------
-    ValueError
-        If the phase is unknown, or the offsets are not ascending whole frames as described above.
+    samples : offsets of the trajectory window in frames at 60 Hz, ascending: past ones, 0, future ones
 
     Notes
     -----

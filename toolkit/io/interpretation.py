@@ -18,7 +18,7 @@ from toolkit.io.body import Body
 from toolkit.io.recording import Recording
 from toolkit.motion import Clip, Skeleton, shape
 from toolkit.motion import rotations as R
-from toolkit.motion.roles import ROLES, find, misfits
+from toolkit.motion.roles import LENGTHS, ROLES, find, misfits
 
 UNITS = {"m": 1.0, "cm": 0.01, "mm": 0.001, "inch": 0.0254, "dm": 0.1, "CMU": 0.05644}  # metres; CMU: 1 / 0.45 inch
 PEOPLE = (1.3, 2.1)  # metres: height of people
@@ -75,11 +75,13 @@ def interpret(recording: Recording, path: Path, unit: float | str = "auto", up: 
         found.doubts.clear()
     if shape.RULE in found.rules.values():
         found.doubts.append("the joints' names say too little, so that roles are from the shape of the tree; roles= decides")
+    found.doubts.extend(f"{known[role]} is taken for the {role.replace('_', ' ')}, because both parts of the limb are then "
+                        "about equally long; roles= decides" for role, rule in found.rules.items() if rule == LENGTHS)
     found.doubts.extend(recording.doubts)
     fps = _rate(recording, found)
     if look:
         body = Body(recording, known)
-        if not body.finite:
+        if not np.isfinite(body.together).all():
             raise ValueError(f"{path.name}: holds rotations or positions that are not finite")
         if up == "auto":
             found.up = _up(body, recording, found)
@@ -110,8 +112,8 @@ def _roles(recording: Recording, path: Path, given: Mapping[str, str], found: Fi
     known = find(recording.names, recording.parents, lengths, recording.ends)
     stated = {role: (joint, "the file") for role, joint in (recording.roles or {}).items() if role in ROLES}
     if not {role for role in ROLES if "toe" not in role} <= known.keys() | stated.keys():
-        points = np.stack(list(Body(recording, {}, whole=True).points.values()), 1)
-        known = shape.find(recording.names, recording.parents, lengths, recording.ends, points) or known
+        known = shape.find(recording.names, recording.parents, lengths, recording.ends,
+                           Body(recording, {}, whole=True).together) or known
     known |= stated
     for role, joint in given.items():
         if role not in ROLES:

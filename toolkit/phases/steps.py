@@ -56,8 +56,7 @@ class Steps:
 
         column = contacts.FEET.index(limb.removesuffix("_foot"))
         cost = self.evidence(clip)[:, column] / clip.fps
-        change = np.broadcast_to([[0j], [self.penalty]], (2, len(cost))).copy()
-        standing = smoothest(np.stack((-cost, cost)), change, change)
+        standing = smoothest(np.stack((-cost, cost), 1), self.penalty * (1.0 - np.eye(2)))
         return torch.from_numpy(standing).to(clip.root_positions)
 
     def evidence(self, clip: Clip) -> np.ndarray:
@@ -83,10 +82,7 @@ class Steps:
 def limb_length(skeleton: Skeleton, limb: str) -> float:
     """Length of the bones from hip to toe or from shoulder to hand, metres.
 
-    Raises
-    ------
-    ValueError
-        If the end of the limb is not below its start, or the limb has no length.
+    ValueError if the end of the limb is not below its start, or the limb has no length.
     """
     side, part = limb.split("_")
     start, end = (skeleton.role(f"{side}_{role}") for role in (("shoulder", "hand") if part == "hand" else ("hip", "toe")))

@@ -43,20 +43,15 @@ class Wall:
 class Scene:
     """The shots of several characters.
 
+    ValueError if a field is not as described, or two characters who keep apart start closer.
+
     Parameters
     ----------
-    shots
-        One `Shot` per character.
+    shots : one `Shot` per character
     apart
         Least distance of two characters' roots, metres: they leave their paths to keep it, and wait where they cannot. A
         shot's ``radius`` takes the place of half of it. By default they do not see each other.
-    walls
-        `Wall`, or pairs of its ends, that are avoided; only with ``apart``.
-
-    Raises
-    ------
-    ValueError
-        If a field is not as described, or two characters who keep apart start closer.
+    walls : `Wall`, or pairs of its ends, that are avoided; only with ``apart``
     """
 
     shots: Sequence[Shot]

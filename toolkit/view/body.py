@@ -127,8 +127,8 @@ class _Pose:
         numbers = np.concatenate((self.places.ravel(), self.turned.ravel(), self.rises))
         return self.skeleton.names, self.skeleton.parents, tuple(self.neck), (200 * numbers).round().astype(int).tobytes()
 
-    def __eq__(self, other: "_Pose") -> bool:
-        return self.key == other.key
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Pose) and self.key == other.key
 
     def __hash__(self) -> int:
         return hash(self.key)

@@ -1,5 +1,6 @@
 """The space of styles as a map: hover names a style, click plays it, and a ring dragged between points plays the blend."""
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 
 import anywidget
@@ -158,7 +159,9 @@ class StyleExplorer(StyleBlender):
 
     def _dragged(self, change: dict) -> None:
         """The user moved the ring; `_follow` moves it too, but only to the position of the blend."""
-        if max(abs(a - b) for a, b in zip(change["new"], self._place(), strict=True)) > 1e-9:
+        if not math.isfinite(sum(change["new"])):
+            self._follow()
+        elif max(abs(a - b) for a, b in zip(change["new"], self._place(), strict=True)) > 1e-9:
             self.aim(self.blend_at(*change["new"]))
 
     def _follow(self, _change: dict | None = None) -> None:

@@ -95,7 +95,7 @@ def pack(model, bank, half: bool = False, character: Character | None = None, ch
                         "layers": [numbers(panels(layer.weight, layer.bias), half) for layer in experts]},
             "epsilon": EPSILON, "dropped": model.dropped if model.calibrated else 0.0,
         },
-        "rules": _plain(frame.Rules.of(layout)._asdict() | channels),
+        "rules": _plain(frame.rules_of(layout)._asdict() | channels),
         "body": _plain(ik.Body.of(layout.skeleton)._asdict()),
         "start": {name: value[0].flatten().tolist() for name, value in vars(state).items() if name != "style"},
         "skeleton": page.skeleton_data(walk, character),

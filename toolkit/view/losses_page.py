@@ -17,7 +17,7 @@ NAMES = {"adv": "the judge accepts", "cyc": "there and back", "id": "own style",
 SHOWN = {"inside": "accepted by the judge", "content": "content kept (correlation)", "version": "version copied (share)",
          "spread": "distance of two noises", "own": "error in the own style"}
 GOOD = {"inside": "1", "content": "1", "version": "1", "spread": "more than 0", "own": "0"}
-RANGE = (-2.2, 2.2)  # of both axes, in pictures
+RANGE = (-2.2, 2.2)  # of both axes, in pictures; results outside are drawn at the edge
 BOX, SOURCE = "#eeebe4", "#8a8f98"
 
 
@@ -31,7 +31,7 @@ def losses_page(toy: plane.Toy, size: int = 420) -> str:
     """
     if toy.losses != list(plane.SWITCHES):
         raise ValueError(f"the page needs all {len(plane.SWITCHES)} sets of losses (plane.SWITCHES), got {len(toy.losses)}")
-    x, made = toy.results()
+    x, made = _shown(toy)
     measures = toy.measures()
     data = {
         "x": _rounded(x), "made": _rounded(made), "colours": PALETTE[:3], "losses": LOSSES, "range": RANGE, "size": size,
@@ -45,7 +45,7 @@ def losses_page(toy: plane.Toy, size: int = 420) -> str:
 
 def losses_figure(toy: plane.Toy, titles: Sequence[str]) -> Figure:
     """The results of the first stylizers of a toy, a panel each: sources (grey), and the results of three noises."""
-    x, made = toy.results()
+    x, made = _shown(toy)
     figure = Picture(figsize=(2.3 * len(titles), 2.8), dpi=90, layout="constrained")
     for axes, title, results in zip(figure.subplots(1, len(titles), sharey=True), titles, made, strict=False):
         for middle, half in zip(plane.MIDDLE, plane.HALF, strict=True):
@@ -56,6 +56,11 @@ def losses_figure(toy: plane.Toy, titles: Sequence[str]) -> Figure:
         axes.set(xlim=RANGE, ylim=RANGE, title=title, xlabel="content", aspect="equal")
     figure.axes[0].set_ylabel("style")
     return figure
+
+
+def _shown(toy: plane.Toy) -> tuple[Tensor, Tensor]:
+    x, made = toy.results()
+    return x, made.clamp(*RANGE)
 
 
 def _rounded(values: Tensor) -> list:

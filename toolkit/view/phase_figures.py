@@ -134,10 +134,12 @@ def principal_axes(clip: Clip, source: str | ph.Hybrid | ph.ContactFree = "hybri
     hips = clip.skeleton.role("hips")
     turn, place = clip.global_rotations[frame, hips], clip.global_positions[frame, hips]
     parts = []
-    for limb in [limb for limb in ph.LIMBS if not hybrid or source.choice(clip, limb) == "contact-free"]:
+    for limb, color in zip(ph.LIMBS, colours(5)[1:], strict=True):  # the first is nearly that of the axes
+        if hybrid and source.choice(clip, limb) != "contact-free":
+            continue
         path = R.rotate(turn, ph.local_positions(clip, limb)) + place
         arrow, plane = _arrow_and_plane(path.mean(0).numpy(), R.rotate(turn, axes[limb].float()).numpy())
-        parts.append((limb.replace("_", " "), COLORS[limb.split("_")[0]], path.numpy(), arrow, plane))
+        parts.append((limb.replace("_", " "), color, path.numpy(), arrow, plane))
     mannequin = body.build(clip)
     vertices, _ = mannequin.skin.pose(clip.global_rotations[frame], clip.global_positions[frame])
     i, j, k = mannequin.skin.triangles.T
