@@ -232,7 +232,7 @@ def test_no_text_from_outside_reaches_html_as_html(walk_clip, tmp_path):
     assert "<img" not in shown._title.value
     assert shown._title.value.count("<") == 2  # of its own <b>
     shown.close()
-    picture.strip(clips[3], title=PLANTED[3])._repr_png_()  # no formula
+    picture.strip(clips[3], labels=[PLANTED[3]])._repr_png_()  # no formula
 
     points = torch.rand(len(PLANTED), 2)
     rows = [{"step": 1, **dict.fromkeys(PLANTED, 1.0)}]

@@ -183,7 +183,7 @@ def test_pilots_keep_to_the_path(walk_clip):
 def test_the_closed_loop_bench_reports_every_style_and_what_fails(small_run, tmp_path, capsys):
     """A model after a few steps slides along: the bench says so."""
     small_run.save(tmp_path / "run.safetensors")
-    closed_loop.run(tmp_path / "run.safetensors", seconds=2.0, speed=6.0)
+    closed_loop.run(tmp_path / "run.safetensors", seconds=2.0, speeds="6")
     lines = capsys.readouterr().out.splitlines()
     assert [line.split()[0] for line in lines[4:8]] == ["Neutral", "Zombie", "median", "worst"]
     assert lines[-1].startswith("0 of 2 styles")

@@ -72,8 +72,7 @@ def _clips(place: Path, paired: bool, judge: Recogniser | None, unit: float | st
             if judge is not None:
                 judge.embed(clip)
         except (ValueError, OSError, ImportError) as error:
-            why = str(error).removeprefix(str(path)).removeprefix(path.name).lstrip(",: ")
-            print(printable(f"left out: {path.name}: {why}"))
+            print(printable(f"left out: {path.name}: {own.reason(error, path)}"))
             continue
         clips[path.relative_to(place).with_suffix("").as_posix() if place.is_dir() else path.stem] = clip
     if not clips:

@@ -8,8 +8,8 @@ import typer
 
 from toolkit import export, published, shots
 from toolkit.cli import motion_files
+from toolkit.cli.motion_files import Target, target
 from toolkit.cli.rollout import blend_of
-from toolkit.cli.skeletons import Target, target
 from toolkit.cli.verbs import Names, Published, Roles, Selection, TrainedRun, Unit, Up
 from toolkit.export import pack as packs
 from toolkit.motion import retargeting

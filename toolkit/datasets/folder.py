@@ -12,7 +12,7 @@ Clips have the body joints alone (`toolkit.motion.pruning`), and all the same on
 import os
 import re
 from collections import defaultdict
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from pathlib import Path
@@ -127,7 +127,7 @@ def _survey(folder: Path, _signature: tuple, target: Clip | None) -> Survey:
             whole, doubtful = _load(take)
             clip = _fitted(whole, target)
         except (ValueError, OSError, ImportError) as error:
-            left_out[take.path] = str(error).removeprefix(str(take.path)).removeprefix(take.path.name).lstrip(",: ")
+            left_out[take.path] = reason(error, take.path)
             continue
         if clip.seconds < SHORTEST:
             left_out[take.path] = f"{clip.seconds:.1f} s; a clip of {SHORTEST:.1f} s is needed"
@@ -150,6 +150,20 @@ def _survey(folder: Path, _signature: tuple, target: Clip | None) -> Survey:
     return Survey(used, {take.path: frames for take, frames, *_ in rows}, {take.path: s for take, _, s, _ in rows},
                   (len(most[0]), max(joints for *_, joints in rows)), left_out,
                   {path: found for path, found in doubts.items() if path not in left_out})
+
+
+def read_file(path: Path, unit: float | str = "auto", up: str = "auto",
+              roles: Mapping[str, str] | None = None) -> tuple[Clip, list[str]]:
+    """The clip of a file (`toolkit.load`), a floor far from zero moved there, and what is doubtful about it."""
+    clip, found = interpretation.interpret(read(path), path, unit, up, roles)
+    if abs(found.floor) > interpretation.FAR:
+        clip = clip.moved(shift=(0.0, -found.floor, 0.0))
+    return clip, found.doubts
+
+
+def reason(error: Exception, path: Path) -> str:
+    """What an error says about a file, without its name."""
+    return str(error).removeprefix(str(path)).removeprefix(path.name).lstrip(",: ")
 
 
 def labelled(folder: Path) -> tuple[list[Take], dict[Path, str]]:
@@ -197,11 +211,8 @@ def _files(count: int) -> str:
 
 
 def _load(take: OwnTake) -> tuple[Clip, list[str]]:
-    """The clip of a file, with a floor far from zero moved there, and what is doubtful about it."""
-    clip, found = interpretation.interpret(read(take.path), take.path, take.unit, take.up)
-    if abs(found.floor) > interpretation.FAR:
-        clip = clip.moved(shift=(0.0, -found.floor, 0.0))
-    return clip.replace(style=take.style, gait=take.gait), found.doubts
+    clip, doubts = read_file(take.path, take.unit, take.up)
+    return clip.replace(style=take.style, gait=take.gait), doubts
 
 
 def _height(clip: Clip) -> float:
