@@ -65,7 +65,8 @@ def add(
     elif error["after"] >= error["before"]:
         print("Adding did not help on these frames, which did not choose the step: use more or longer clips.")
     elif error["after"] >= error["repeat"]:
-        print("The model predicts this style no better than repeating the frame: use more or longer clips.")
+        print("The model predicts this style no better than repeating the frame, which more clips seldom mend. Look at the "
+              "walk;\nto learn the recordings themselves, train on them: python -m toolkit train --data FOLDER")
     _print_near(made.bank, name)
     print(f"wrote {out}; next: python -m toolkit rollout --model {quote(str(out))} --style {quote(name)} --out walk.html")
 
