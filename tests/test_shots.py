@@ -355,8 +355,9 @@ def test_a_body_stands_soon_after_the_command_to(embedded):
     state = tk.runtime.start(model, torch.stack([bank[name] for name in styles]))
     places = []
     for frame in range(240):
+        asked = tk.runtime.Command(torch.tensor([[0.0, 0.9 * (frame < 180)]] * len(styles)))
         with torch.no_grad():
-            state = tk.runtime.step(model, state, tk.runtime.Command(torch.tensor([[0.0, 0.9 * (frame < 180)]] * len(styles))))
+            state = tk.runtime.step(model, state, asked)
         places.append(state.root[:, 1])
     speeds = places[179] - places[119]
     assert speeds.min() > 0.7
