@@ -346,19 +346,3 @@ def test_the_verb_writes_a_motion(tmp_path, capsys):
         main(["shot", str(file), "--out", str(out)])
     assert len(tk.bvh.load(out)) == 60
     assert "not reached in 1 s" in capsys.readouterr().err
-
-
-def test_a_body_stands_soon_after_the_command_to(embedded):
-    """`Scene` commands those who are too fast to stand, since some styles do not walk as slowly as asked."""
-    model, bank = embedded
-    styles = ("Neutral", "BigSteps", "Old", "Zombie", "Drunk")
-    state = tk.runtime.start(model, torch.stack([bank[name] for name in styles]))
-    places = []
-    for frame in range(240):
-        asked = tk.runtime.Command(torch.tensor([[0.0, 0.9 * (frame < 180)]] * len(styles)))
-        with torch.no_grad():
-            state = tk.runtime.step(model, state, asked)
-        places.append(state.root[:, 1])
-    speeds = places[179] - places[119]
-    assert speeds.min() > 0.7
-    assert ((places[239] - places[179]) / speeds).max() < 0.2
