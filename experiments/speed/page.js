@@ -28,14 +28,15 @@ function best(work, rounds) {
 
 // Bytes a second that a plain SIMD loop reads, and multiply-adds in doubles of one that stays in registers.
 function floor(simd, bytes, rounds) {
-  const { advance, assemble, bodyOf, constant, get, I32, load, plus, product, put, store, until, V128 } = simd, chains = 8;
+  const { added, advance, assemble, bodyOf, constant, get, I32, kernel, load, plus, put, store, until, V128 } = simd, chains = 8;
+  const fused = kernel()?.fused;
   const sums = Array.from({ length: chains }, (_, i) => 3 + i), steps = 1 << 20;
   const all = sums.slice(1).reduce((total, i) => plus(total, get(i)), get(sums[0]));
   const read = bodyOf([[1, I32], [chains, V128]], [
     until(0, get(1), sums.map((i) => put(i, plus(get(i), load(get(0), 16 * (i - 3))))), advance(0, constant(16 * chains))),
     store(constant(0), 0, all)]);
   const multiply = bodyOf([[1, I32], [chains + 1, V128]], [
-    until(0, get(1), sums.map((i) => put(i, plus(get(i), product(get(i), get(3 + chains))))), advance(0, constant(1))),
+    until(0, get(1), sums.map((i) => put(i, added(get(i), get(i), get(3 + chains), fused))), advance(0, constant(1))),
     store(constant(0), 0, all)]);
   const memory = new WebAssembly.Memory({ initial: Math.ceil((bytes + 256) / 65536) });
   new Float64Array(memory.buffer).fill(1); // memory that was never written is a single page

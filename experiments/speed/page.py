@@ -1,15 +1,19 @@
-"""Speed of a page's network and frame, for one character and many, beside the limit of the processor: Node and Chromium."""
+"""Speed of a page's network and frame, for one character and many, beside the limit of the processor, and of the kernel."""
 
 import json
+import math
 import shutil
 import subprocess
 import tempfile
+import time
 from pathlib import Path
 from typing import Annotated
 
+import torch
 import typer
 
-from toolkit import published
+from experiments.tables import Result
+from toolkit import published, runtime
 from toolkit.cli import verbs
 from toolkit.view import live_page
 
@@ -18,6 +22,8 @@ SCRIPT = Path(__file__).with_suffix(".js")
 ADDRESS = "http://scene.invalid/"  # answered here, not by a network
 BROWSERS = "chromium", "chromium-browser", "google-chrome"
 FRAME = 1e3 / 60  # milliseconds
+COLUMNS = {"model": ["model"], "where": ["where"], "characters": ["characters", 0], "network": ["network, ms each", 3],
+           "floor": ["its floor", 3], "frame": ["network and frame", 3], "pose": ["pose with IK", 3]}
 
 
 def run(
@@ -25,14 +31,15 @@ def run(
     parameters: verbs.Published = None,
     characters: Annotated[str, typer.Option(help="Comma-separated numbers of characters.")] = "1,2,4,8,16,32,64",
     rounds: Annotated[int, typer.Option(min=1, help="Rounds; the shortest time is printed.")] = 60,
+    save: Annotated[Path | None, typer.Option(help="Add the rows to the result page-speed in this folder.")] = None,
 ) -> None:
-    """Milliseconds of a page's network and whole frame (without pose and picture), by JavaScript and by WebAssembly SIMD.
+    """Milliseconds of a page's network and whole frame (without picture), JavaScript and WebAssembly SIMD; of the kernel.
 
     The floor is the longer of two times: all weights are read once, as fast as a plain SIMD loop sums them; and all
     multiply-adds, as fast as eight sums in registers make them. Both are measured in doubles, on one core.
     """
     net, bank = published.either(model, parameters)
-    data, counts = live_page.pack(net, bank), [int(n) for n in characters.split(",")]
+    data, counts, kept = live_page.pack(net, bank), [int(n) for n in characters.split(",")], []
     for name, measure in (("Node", _node), ("Chromium", _chromium)):
         found = measure(data, counts, rounds)
         if found is None:
@@ -47,6 +54,33 @@ def run(
             floor = 1e3 * max(4 * found["weights"] / speed, count * found["weights"] / rate)
             print(f"{row['kind']:20}{count:10}{network:9.2f}{network / count:8.3f}{network / floor:9.2f}{frame:9.2f}"
                   f"{frame / count:8.3f}{frame / FRAME:11.0%}")
+            if name == "Node":  # a browser has no clock of processor time
+                kept.append({"where": f"{name}, {row['kind']}", "characters": count, "network": network / count,
+                             "floor": floor / count, "frame": frame / count, "pose": found["pose"]})
+    for count in counts:
+        frame, posed = _kernel(net, bank, count, rounds)
+        print(f"kernel, compiled: {count} characters, frame {frame:.3f} ms each, pose {posed:.3f} ms each")
+        kept.append({"where": "kernel, compiled", "characters": count, "frame": frame, "pose": posed})
+    if save is not None:
+        Result("page-speed", f"milliseconds of processor time a character and frame, shortest of {rounds}, one thread",
+               "python -m experiments page", COLUMNS,
+               [{"model": "embedded" if parameters is None else "published"} | row for row in kept]).save(save)
+
+
+def _kernel(net, bank, count: int, rounds: int) -> tuple[float, float]:
+    """Shortest processor time of a frame and of a pose, milliseconds a character."""
+    compiled, best = runtime.compile(net), [math.inf, math.inf]
+    state = runtime.start(compiled, torch.stack([bank[bank.names[k % len(bank.names)]] for k in range(count)]))
+    command = runtime.Command(torch.tensor([[math.sin(k), math.cos(k)] for k in range(count)]))
+    with torch.no_grad():
+        for _ in range(30 + rounds):
+            times = [time.process_time()]
+            state = runtime.step(compiled, state, command)
+            times.append(time.process_time())
+            runtime.pose(compiled, state)
+            times.append(time.process_time())
+            best = [min(old, 1e3 * (b - a) / count) for old, a, b in zip(best, times, times[1:], strict=False)]
+    return best[0], best[1]
 
 
 def _node(data: dict, counts: list[int], rounds: int) -> dict | None:

@@ -1,8 +1,9 @@
 """Characters that keep apart: velocities without collisions, from those that everyone wants (van den Berg et al. 2011).
 
-Optimal reciprocal collision avoidance: for each neighbour, a character keeps to a half-plane of velocities. Both of a pair
-take half of the change that avoids a collision within `HORIZON`. The velocity is the one in all half-planes that is nearest
-to the wanted one, by Hildreth's method (1957). Ours: where none is in all of them, all are missed by little.
+Optimal reciprocal collision avoidance: for each neighbour, a character keeps to a half-plane of velocities. A pair shares
+the change that avoids a collision within `HORIZON`. The velocity is the one in all half-planes that is nearest to the wanted
+one, by Hildreth's method (1957). Ours: the shares, see `_shares`; where no velocity is in all half-planes, all are missed by
+little, those of which the own share is small by more.
 """
 
 import numpy as np
