@@ -4,6 +4,7 @@
 al. 2022), the pictures in ``side_by_side`` stay as they are.
 """
 
+import json
 import shutil
 import tempfile
 from pathlib import Path
@@ -75,6 +76,35 @@ def feet(run, real: tk.Clip, seconds: float = 4.0) -> None:
     figure.savefig(OUT / "feet.png", dpi=110)
 
 
+def restyle(seconds: float = 4.0) -> None:
+    """Write a film of a plain walk that the stylizer in the package restyles, with two noises for each of two styles."""
+    stylizer, walk = tk.stylization.pretrained(), straight("Neutral", seconds)
+    shown = {"plain walk": walk} | {f"{style}, noise {seed}": tk.stylization.stylize(stylizer, walk, style, seed)
+                                    for style in ("Zombie", "Old") for seed in (1, 2)}
+    start, end = tk.view.loop(walk)
+    tk.view.animate([clip.cut(start, end) for clip in shown.values()], OUT / "restyle.webp", labels=list(shown), fps=15.0,
+                    height=170, view=75, progress=True)
+
+
+def progress(name: str = "stylisation-progress-dataset-2") -> None:
+    """Write a picture of the measures of the stylizer over its training, from the stored result."""
+    from matplotlib.figure import Figure
+
+    rows = json.loads((OUT / "results" / f"{name}.json").read_text(encoding="utf-8"))["rows"]
+    figure = Figure((10, 3.2), layout="constrained")
+    parts = {"content": "content", "style": "style", "both": "both", "diversity": "diversity, °"}
+    for axes, (key, title) in zip(figure.subplots(1, len(parts)), parts.items(), strict=True):
+        for codes, colour in (("noise", "C0"), ("reference", "C1"), ("mean-pose shift", "0.5")):
+            own = [row for row in rows if row["codes"] == codes]
+            if len(own) > 1:
+                axes.plot([row["seconds"] for row in own], [row[key] for row in own], colour, marker="o", label=codes)
+            elif key != "diversity":
+                axes.axhline(own[0][key], color=colour, linestyle="--", label=codes)
+        axes.set(title=title, xlabel="seconds", ylim=(0, None if key == "diversity" else 1))
+    figure.legend(*axes.figure.axes[0].get_legend_handles_labels(), ncols=3, loc="outside lower center")
+    figure.savefig(OUT / "stylisation_progress.png", dpi=100)
+
+
 def crowd(model, bank) -> None:
     """Write the animation of two streams that cross, three seconds of it."""
     clips = tk.shots.crowd.walk(model, bank, characters=100, seconds=10.0, progress=True).clips
@@ -112,13 +142,15 @@ def main(published: Annotated[Path | None, typer.Option(help="Folder of the publ
     for folder in ("styles", "side_by_side"):
         (OUT / folder).mkdir(exist_ok=True)
     walks = {style: straight(style) for style in procedural.STYLES}
-    sheet = tk.view.contact_sheet(list(walks.values()), labels=list(walks), height=110, progress=True)
-    sheet.quantize(128).save(OUT / "contact_sheet.png", optimize=True)
+    tk.view.strip(list(map(looped, walks.values())), OUT / "contact_sheet.png", labels=list(walks), width=12, dpi=66)
+    Image.open(OUT / "contact_sheet.png").convert("RGB").quantize(128).save(OUT / "contact_sheet.png", optimize=True)
     gaits = [looped(procedural.generate("Neutral", gait)) for gait in GAITS]
     tk.view.animate(gaits, OUT / "gaits.gif", labels=GAITS, columns=3, height=100, colors=32, progress=True)
     for style, view in tqdm(SHOWN.items(), desc="styles"):
         tk.view.animate(looped(walks[style]), OUT / "styles" / f"{style}.gif", labels=[""], view=view, height=140, colors=40)
 
+    progress()
+    restyle()
     embedded = tk.pretrained()
     tk.view.animate(blended(*embedded), OUT / "blend.webp", labels=[", ".join(BLENDED)], fps=12.0, height=240, view=60,
                     progress=True)

@@ -84,6 +84,12 @@ def test_public_names_are_listed_and_there():
         tk.nothing  # noqa: B018
 
 
+def test_the_package_has_at_most_sixteen_rooms():
+    rooms = [path.name for path in (REPOSITORY / "toolkit").iterdir() if path.is_dir() and path.name != "__pycache__"]
+    assert len(rooms) <= 16, rooms
+    assert not [path.name for path in (REPOSITORY / "toolkit").glob("[!_]*.py")]
+
+
 def test_every_module_is_an_attribute_of_its_package_right_after_import():
     """And nothing else has its name; in a fresh state for each package, as imports of one module bring others along."""
     code = """

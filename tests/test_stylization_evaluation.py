@@ -7,8 +7,9 @@ import torch
 from scipy.linalg import sqrtm
 
 import toolkit as tk
-from experiments.stylization import aberman, codes, comparison, convolutional, evaluation, floors, holden, sets
+from experiments.stylization import aberman, codes, comparison, convolutional, evaluation, floors, holden, looks, sets
 from experiments.stylization.judges import Judge, Judges
+from experiments.stylization.network_judge import NetworkJudges
 from toolkit.stylization import Config, data, networks
 from toolkit.stylization.medley import medley
 from toolkit.stylization.networks import Sizes
@@ -104,6 +105,15 @@ def test_distances_are_of_equally_many_motions(motions, judges):
     wrong = judges.judge(motions.x, motions.content, 1 - motions.domain)
     assert wrong["style"] == wrong["both"] == 0
     assert wrong["domain_fmd"] > 1
+
+
+def test_the_network_judge_names_contents_and_styles(motions):
+    judges = NetworkJudges.train(motions, motions, epochs=40)
+    found = judges.judge(motions.x, motions.content, motions.domain)
+    assert found["fmd"] == pytest.approx(0, abs=1e-3)
+    assert found["content"] > 0.9
+    assert found["both"] > 0.9
+    assert judges.judge(motions.x, motions.content, 1 - motions.domain)["both"] < 0.1
 
 
 def test_pairs_are_every_source_with_every_other_domain(motions):
@@ -371,6 +381,19 @@ def test_a_comparison_does_nothing_twice_and_refuses_other_settings(compared, ta
         comparison._words("ours2", comparison.METHODS)
 
 
+def test_the_recipe_and_its_curve_are_measured_beside_floors(task, tmp_path, monkeypatch, capsys):
+    monkeypatch.setattr(comparison.sets, "load", lambda name: task)
+    monkeypatch.setattr(comparison.Plan, "config", lambda plan, seed, **changes: Config.quick(
+        **{"seed": seed, "seconds": plan.seconds, "iterations": 4, "sizes": TINY.sizes, "warm_up": 1, **changes}))
+    comparison.curve(seconds=1e-3, points=2, sources=2, out=tmp_path / "run.safetensors")
+    lines = capsys.readouterr().out.splitlines()
+    assert [line.split("|")[1].strip() for line in lines[2:]] == ["noise", "reference"] * (len(lines[4:-2]) // 2 + 1) + [
+        "unchanged source", "mean-pose shift"]
+    assert tk.stylization.load(tmp_path / "run.safetensors").history is not None
+    comparison.recipe(out=tmp_path, seconds=1e-3, sources=2, seeds="0,1", rows="the recipe,R1 in every iteration")
+    assert "| instead: R1 in every iteration | reference |" in capsys.readouterr().out
+
+
 def test_no_take_is_in_two_parts():
     clips = [tk.datasets.load("procedural", styles=style, gaits=gait, seconds=2.3, seed=seed)[0]
              for style in ("Neutral", "Zombie", "Old") for gait in ("FW", "SW", "FR", "ID") for seed in range(2)]
@@ -394,16 +417,28 @@ def test_no_take_is_in_two_parts():
         sets.load("dataset-3")
 
 
-def test_the_strip_has_a_source_and_rows_for_every_domain(motions, tmp_path):
+def test_the_strip_has_a_source_and_rows_for_every_domain(motions, tmp_path, capsys):
     stylizer = tk.stylization.fit(motions, TINY).stylizer
     clips = {s: tk.datasets.load("procedural", styles=s, gaits="FW", seconds=3.0)[0] for s in ("Neutral", "Zombie")}
-    rows = comparison.restyled(stylizer, clips["Neutral"], {"Zombie": clips["Zombie"]}, (1, 2))
-    assert list(rows) == ["Neutral: source", "Zombie, noise 1", "Zombie, noise 2", "Zombie, reference"]
-    assert rows["Neutral: source"] is clips["Neutral"]
+    rows = looks.restyled(stylizer, clips["Neutral"], {"Zombie": [clips["Zombie"]]}, (1, 2))
+    assert list(rows) == ["Neutral FW: source", "Zombie, noise 1", "Zombie, noise 2", "Zombie, reference FW"]
+    assert rows["Neutral FW: source"] is clips["Neutral"]
     assert all(abs(len(clip) - len(clips["Neutral"])) < 2 for clip in rows.values())
     stylizer.save(tmp_path / "model.safetensors")
-    comparison.strip(tmp_path / "model.safetensors", "Zombie", "Neutral", "FW", tmp_path / "strip.png", data="procedural")
-    assert (tmp_path / "strip.png").stat().st_size > 10_000
+    looks.strip(tmp_path / "model.safetensors", "Zombie", "Neutral", "FW,FR", tmp_path, data="procedural", seconds=1.0)
+    assert (tmp_path / "FW.png").stat().st_size > 10_000
+    assert (tmp_path / "FR.webp").stat().st_size > 10_000
+    assert "| Neutral, 1,000 frames: source |" in capsys.readouterr().out
+
+
+def test_what_is_measured_of_a_look_is_seen_in_styles_that_have_it():
+    plain, old = (looks.measured(tk.datasets.load("procedural", styles=s, gaits="FW", seconds=4.0)[0])
+                  for s in ("Neutral", "Old"))
+    assert old["stoop"] > plain["stoop"] + 5
+    assert plain["upright"] == old["upright"] == "yes"
+    assert 1 < plain["steps"] < 3
+    assert plain["lift"] > 0.03
+    assert plain["hands"] > 0.2
 
 
 def test_a_medley_goes_on_where_the_last_clip_ended():

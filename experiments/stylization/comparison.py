@@ -15,23 +15,21 @@ import torch
 import typer
 
 from experiments.seven_models.models import machine, write_json
-from experiments.stylization import aberman, codes, convolutional, evaluation, holden, sets, speed
+from experiments.stylization import aberman, codes, convolutional, evaluation, holden, looks, network_judge, sets, speed
 from experiments.stylization.floors import FLOORS
 from experiments.stylization.judges import Judges
 from experiments.stylization.sets import Task
 from experiments.tables import Result
-from toolkit import datasets
-from toolkit.features.splits import generator
 from toolkit.io import model_files
-from toolkit.motion import Clip
 from toolkit.stylization import networks, training
 from toolkit.stylization.data import Motions
 from toolkit.stylization.losses import LOSSES
 from toolkit.stylization.networks import Stylizer
-from toolkit.stylization.restyling import stylize
 from toolkit.stylization.training import Config
 
 app = typer.Typer(invoke_without_command=True)
+app.command()(looks.strip)
+app.command("network-judge")(network_judge.run)
 
 OUT = Path("out/stylization")
 OURS: dict[str, dict] = {  # what differs from the recipe
@@ -45,7 +43,8 @@ PAPER = {"noise": {"ours": (9.09, 0.7264), "ours without ds": (8.58, 0.7786), "o
                        "Holden et al. 2016": (14.10, 0.3799)}}
 RECIPE: dict[str, dict] = {
     "the recipe": {}, "content losses of squares": {"squared": True}, "a source's code from its own window":
-    {"other_window": False}, "no training as an autoencoder first": {"warm_up": 0}, "ds as in the paper": {"fading": False},
+    {"other_window": False}, "no training as an autoencoder first": {"warm_up": 0},
+    "100 iterations as an autoencoder": {"warm_up": 100}, "ds as in the paper": {"fading": False},
     "E learns from noise alone": {"encoder_learns": False}, "R1 in every iteration": {"r1_every": 1},
     "a generator as in Table 3": {"sizes": replace(networks.Sizes.small(), detailed=False)},
 }  # what the recipe is without one of its departures
@@ -111,10 +110,8 @@ def measure(method: str, task: Task, plan: Plan, seed: int, folder: Path, name: 
     path = folder / "measures" / f"{name}-{_slug(method)}-{seed}.json"
     if not path.exists():
         model, numbers = trained(method, task.train, plan.config(seed), folder / "runs" / path.stem, progress)
-        judges, found = _judges(task, plan.part), {}
-        for by in evaluation.WAYS if isinstance(model, Stylizer) else evaluation.WAYS[1:]:
-            found[by] = evaluation.evaluate(model, _sources(task, plan), task.references[plan.part], judges, by=by,
-                                            seed=seed)
+        ways = evaluation.WAYS if isinstance(model, Stylizer) else evaluation.WAYS[1:]
+        found = _scored(model, task, plan, seed, ways, _judges(task, plan.part))
         write_json(path, {"seed": seed, **numbers, "measures": found})
     return json.loads(path.read_text(encoding="utf-8"))
 
@@ -179,31 +176,39 @@ def summary(name: str, task: Task, plan: Plan, folder: Path) -> Result:
 def recipe(
     out: Annotated[Path, typer.Option(help="Folder of the runs; finished runs are not repeated.")] = Path("out/recipe"),
     data: Annotated[str, typer.Option(help=f"One of {', '.join(sets.SETS)}.")] = "dataset-2",
-    iterations: Annotated[int, typer.Option(min=1, help="Training iterations of each run.")] = 2000,
-    seed: Annotated[int, typer.Option(help="Seed of all runs.")] = 0,
+    seconds: Annotated[float, typer.Option(min=1, help="Processor time of each training.")] = 60.0,
+    sources: Annotated[int, typer.Option(min=2, help="Largest number of restyled windows.")] = 64,
+    seeds: Annotated[str, typer.Option(help="Comma-separated.")] = "0",
+    rows: Annotated[str, typer.Option(help=f"Comma-separated: {', '.join(RECIPE)}.")] = ",".join(RECIPE),
     store: Annotated[bool, typer.Option(help="Write the table's file in docs/results.")] = False,
 ) -> None:
     """What each departure of the recipe from the paper is worth: without each in turn, on the validation windows."""
     torch.set_num_threads(1)
-    plan = Plan(1e9, part="validation", iterations=iterations)
+    plan, lines, numbers = Plan(seconds, sources, "validation"), [], _numbers(seeds)
+    columns = dict(list(COLUMNS.items())[:9])
     _settle(out, plan)
-    task, rows = sets.load(data), []
-    for name, changes in RECIPE.items():
-        path = out / "measures" / f"{data}-{_slug(name)}-{seed}.json"
-        if not path.exists():
-            checkpoint = out / f"{path.stem}.checkpoint"
-            made = training.fit(task.train, plan.config(seed, **changes), checkpoint, progress=True, clock=time.process_time)
-            write_json(path, _both_ways(made.stylizer, task, plan, seed)
-                       | {"seconds": made.history[-1]["elapsed"] if made.history else 0.0})
-            checkpoint.unlink(missing_ok=True)
-        found = json.loads(path.read_text(encoding="utf-8"))
-        rows += [{"method": name if name == "the recipe" else f"instead: {name}", "codes": by, **found[by],
-                  "seconds": found["seconds"]} for by in ("noise", "dissimilar")]
-    columns = {**{k: COLUMNS[k] for k in list(COLUMNS)[:9]}, "contact_f1": COLUMNS["contact_f1"], "seconds": ["seconds", 0]}
-    about = f"Bandai-Namco {data}, {iterations:,} iterations, one seed, validation windows"
-    rows = [{k: v for k, v in row.items() if k in columns} for row in rows]
-    result = Result("stylisation-recipe", about, f"python -m experiments stylization recipe --data {data} --iterations "
-                    f"{iterations} --store", columns, rows, {"iterations": iterations, "seed": seed, **machine("cpu")})
+    task = sets.load(data)
+    judges = _judges(task, plan.part)
+    for name in _words(rows, RECIPE):
+        found = []
+        for seed in numbers:
+            path = out / "measures" / f"{data}-{_slug(name)}-{seed}.json"
+            if not path.exists():
+                checkpoint = out / f"{path.stem}.checkpoint"
+                made = training.fit(task.train, plan.config(seed, **RECIPE[name]), checkpoint, progress=True,
+                                    clock=time.process_time)
+                write_json(path, {"iterations": made.history[-1]["step"] if made.history else 0} |
+                           _scored(made.stylizer, task, plan, seed, ("noise", "reference"), judges))
+                checkpoint.unlink(missing_ok=True)
+            found.append(json.loads(path.read_text(encoding="utf-8")))
+        lines += [{"method": name if name == "the recipe" else f"instead: {name}", "codes": by,
+                   "iterations": [one["iterations"] for one in found],
+                   **{key: [one[by][key] for one in found] for key in list(columns)[2:]}} for by in ("noise", "reference")]
+    columns["iterations"] = ["iterations", 0]
+    about = f"Bandai-Namco {data}, {seconds:g} seconds of one processor thread for each training, validation windows"
+    result = Result(f"stylisation-recipe-{data}", about, f"python -m experiments stylization recipe --data {data} --sources "
+                    f"{sources} --seeds {seeds} --store", columns, lines,
+                    {"seconds": seconds, "restyled sources": sources, "seeds": len(numbers), **machine("cpu")})
     print(f"{about}\n\n{result.markdown()}" + (f"wrote {result.save()}" if store else ""))
 
 
@@ -212,31 +217,42 @@ def curve(
     data: Annotated[str, typer.Option(help=f"One of {', '.join(sets.SETS)}.")] = "dataset-2",
     seconds: Annotated[float, typer.Option(min=1, help="Processor time of the training.")] = 600.0,
     points: Annotated[int, typer.Option(min=1, help="Measurements.")] = 8,
+    out: Annotated[Path, typer.Option(help="File for the trained run.")] = OUT / "curve.safetensors",
+    sources: Annotated[int, typer.Option(min=2, help="Largest number of restyled windows.")] = 64,
     seed: Annotated[int, typer.Option(help="Seed of the run.")] = 0,
     store: Annotated[bool, typer.Option(help="Write the table's file in docs/results.")] = False,
 ) -> None:
-    """The measures of the recipe over its training, on the validation windows."""
+    """The measures of the recipe over its training, on the validation windows; the trained run is written, too."""
     torch.set_num_threads(1)
-    task, plan, rows, spent = sets.load(data), Plan(seconds, part="validation"), [], 0.0
-    began = time.process_time()
+    task, plan, rows, spent = sets.load(data), Plan(seconds, sources, "validation"), [], 0.0
+    judges, ways, began = _judges(task, plan.part), ("noise", "reference"), time.process_time()
 
-    def look(step: int, stylizer: Stylizer) -> None:
+    def look(step: int, stylizer: Stylizer, last: bool = False) -> None:
         nonlocal spent
         now = time.process_time()
-        if now - began - spent >= (len(rows) + 1) * seconds / (points + 1):
-            found = _both_ways(stylizer, task, plan, seed)["dissimilar"]
-            rows.append({"iteration": step, "seconds": now - began - spent, **found})
+        if last or now - began - spent >= (len(rows) // len(ways) + 1) * seconds / points:
+            found = _scored(stylizer, task, plan, seed, ways, judges)
+            rows.extend({"codes": by, "iteration": step, "seconds": now - began - spent, **found[by]} for by in ways)
             spent += time.process_time() - now
 
     run = training.fit(task.train, plan.config(seed, log_every=10), progress=True, on_step=look,
                        clock=lambda: time.process_time() - spent)
-    rows.append({"iteration": run.history[-1]["step"], "seconds": seconds,
-                 **_both_ways(run.stylizer, task, plan, seed)["dissimilar"]})
-    columns = {"iteration": ["iteration", 0], "seconds": ["seconds", 0], **{k: COLUMNS[k] for k in list(COLUMNS)[2:9]}}
-    result = Result("stylisation-progress", f"Bandai-Namco {data}, the recipe, codes from references of another content, "
-                    "validation windows, one seed", f"python -m experiments stylization curve --data {data} --seconds "
-                    f"{seconds:g} --store", columns, [{k: row[k] for k in columns} for row in rows],
-                    {"seconds": seconds, "seed": seed, **machine("cpu")})
+    if len(rows) < points * len(ways):
+        look(run.history[-1]["step"], run.stylizer, last=True)
+    out.parent.mkdir(parents=True, exist_ok=True)
+    run.save(out)
+    chosen = _sources(task, plan)
+    pairs, target = evaluation.pairs(chosen)
+    for floor in ("unchanged source", "mean-pose shift"):
+        made = FLOORS[floor](task.train)(chosen.select(pairs), target)
+        rows.append({"codes": floor, **evaluation.measures(chosen.select(pairs), target, [made], judges)})
+    columns = {"codes": COLUMNS["codes"], "iteration": ["iteration", 0], "seconds": ["seconds", 0],
+               **dict(list(COLUMNS.items())[2:9])}
+    command = (f"python -m experiments stylization curve --data {data} --seconds {seconds:g} --points {points} "
+               f"--sources {sources} --store")
+    result = Result(f"stylisation-progress-{data}", f"Bandai-Namco {data}, the recipe, validation windows, one seed; the "
+                    "last rows are floors", command, columns, [{k: row[k] for k in columns if k in row} for row in rows],
+                    {"seconds": seconds, "seed": seed, "restyled sources": len(chosen), **machine("cpu")})
     print(result.markdown() + (f"wrote {result.save()}" if store else ""))
 
 
@@ -290,10 +306,10 @@ def show_codes(
         print(f"{result.about}\n\n{result.markdown()}" + (f"wrote {result.save()}" if store else ""))
 
 
-def _both_ways(stylizer: Stylizer, task: Task, plan: Plan, seed: int) -> dict[str, dict]:
-    stylizer.eval()
-    return {by: evaluation.evaluate(stylizer, _sources(task, plan), task.references[plan.part], _judges(task, plan.part),
-                                    by=by, seed=seed) for by in ("noise", "dissimilar")}
+def _scored(stylizer: Stylizer, task: Task, plan: Plan, seed: int, ways: Sequence[str], judges: Judges) -> dict[str, dict]:
+    """Measures of a stylizer by each of the ways to make its codes."""
+    return {by: evaluation.evaluate(stylizer, _sources(task, plan), task.references[plan.part], judges, by=by, seed=seed)
+            for by in ways}
 
 
 def _judges(task: Task, part: str) -> Judges:
@@ -301,9 +317,7 @@ def _judges(task: Task, part: str) -> Judges:
 
 
 def _sources(task: Task, plan: Plan) -> Motions:
-    motions = task.sources[plan.part]
-    order = torch.randperm(len(motions), generator=generator(0))
-    return motions.select(order[: plan.sources].sort().values)
+    return sets.some(task.sources[plan.part], plan.sources)
 
 
 def _settle(folder: Path, plan: Plan) -> None:
@@ -335,34 +349,3 @@ def _numbers(text: str, option: str = "--seeds") -> list[int]:
         return [int(number) for number in text.split(",")]
     except ValueError as error:
         raise ValueError(f"{option} must be comma-separated whole numbers, got {text!r}") from error
-
-
-def restyled(model: Stylizer, source: Clip, references: dict[str, Clip], seeds: Sequence[int]) -> dict[str, Clip]:
-    """A clip and its restyled versions by label: for each domain with some noises and with its reference."""
-    rows = {f"{source.style}: source": source}
-    for domain, reference in references.items():
-        rows |= {f"{domain}, noise {seed}": stylize(model, source, domain, seed) for seed in seeds}
-        rows[f"{domain}, reference"] = stylize(model, source, domain, reference=reference)
-    return rows
-
-
-@app.command()
-def strip(
-    model: Annotated[Path, typer.Option(help="File of train-stylizer.")],
-    domains: Annotated[str, typer.Option(help="Comma-separated target styles.")],
-    source: Annotated[str, typer.Option(help="Style of the source.")],
-    content: Annotated[str, typer.Option(help="Content of source and references, the first clip of each style.")],
-    out: Annotated[Path, typer.Option(help="The picture to write (PNG).")],
-    data: Annotated[str, typer.Option(help=f"Dataset: {', '.join(datasets.DATASETS)}.")] = "bandai",
-    root: Annotated[Path | None, typer.Option(help="Folder that holds the dataset.")] = None,
-    start: Annotated[float, typer.Option(help="First second of the source to show.")] = 0.0,
-    seconds: Annotated[float, typer.Option(help="Seconds to show.")] = 2.0,
-) -> None:
-    """Draw the source and, for each domain, its results with three noises and a reference (Figure 1)."""
-    from toolkit import view
-
-    names = domains.split(",")
-    clips = {clip.style: clip for clip in reversed(datasets.load(data, root, [source, *names], content))}
-    rows = restyled(Stylizer.load(model), clips[source], {name: clips[name] for name in names}, (1, 2, 3))
-    view.strip(list(rows.values()), out, labels=list(rows), start=start, stop=start + seconds)
-    print(f"wrote {out}")

@@ -22,7 +22,6 @@ SLIDE = range(-16, 17, 2)  # frames by which one motion is moved over another to
 PAIRS = 400  # of real motions, for their own diversity
 
 
-@torch.no_grad()
 def evaluate(model: Stylizer, sources: Motions, references: Motions, judges: Judges, *, by: str = "noise",
              seed: int = 0) -> dict[str, float]:
     """Restyle every source to every other domain, twice, and measure the results (`measures`).
@@ -46,6 +45,13 @@ def evaluate(model: Stylizer, sources: Motions, references: Motions, judges: Jud
     ValueError
         If ``by`` is unknown.
     """
+    rows, target = pairs(sources)
+    return measures(sources.select(rows), target, results(model, sources, references, by, seed), judges)
+
+
+@torch.no_grad()
+def results(model: Stylizer, sources: Motions, references: Motions, by: str, seed: int) -> list[Tensor]:
+    """Every source in every other domain, twice: two tensors ``[P, 7, T, N]`` in the order of `pairs`."""
     if by not in WAYS:
         raise ValueError(f"style codes come from by= one of {', '.join(WAYS)}, got {by!r}")
     rows, target = pairs(sources)
@@ -61,7 +67,7 @@ def evaluate(model: Stylizer, sources: Motions, references: Motions, judges: Jud
             chosen = torch.multinomial(fits.float(), 1, generator=draw)[:, 0]
             codes = _in_batches(model.code_of, references.x[chosen], target)
         made.append(_in_batches(model.translate, x, codes))
-    return measures(sources.select(rows), target, made, judges)
+    return made
 
 
 def measures(sources: Motions, target: Tensor, made: list[Tensor], judges: Judges) -> dict[str, float]:

@@ -14,6 +14,7 @@ import torch
 from torch import Tensor
 
 from toolkit import datasets
+from toolkit.features.splits import generator
 from toolkit.stylization.data import Motions, build, split
 
 PARTS = ("test", "validation")
@@ -70,6 +71,12 @@ def few_takes(motions: Motions, styles: tuple[str, ...], contents: Mapping[str, 
     alike = _contents(common, {name: {**OTHERS, **contents}.get(name, name) for name in motions.contents})
     references = {name: alike.select(part[chosen] == k) for k, name in enumerate(PARTS)}
     return Task(common.select(part[chosen] >= len(PARTS)), sources, references, judges)
+
+
+def some(motions: Motions, count: int) -> Motions:
+    """At most so many windows, chosen at random and always the same."""
+    order = torch.randperm(len(motions), generator=generator(0))
+    return motions.select(order[:count].sort().values)
 
 
 def fifths(motions: Motions) -> Tensor:

@@ -33,7 +33,7 @@ class Picture(Figure):
 
 def strip(clips: Clip | Sequence[Clip], path: str | os.PathLike | None = None, *, frames: int = 8,
           labels: Sequence[str] | None = None, start: float = 0.0, stop: float | None = None, view: float = 60.0,
-          elevation: float = 9.0, contacts=None, title: str = "", width: float = 12.0,
+          elevation: float = 9.0, contacts=None, width: float = 12.0,
           dpi: int = 150, character: str | os.PathLike | Character | None = None) -> Figure:
     """Picture of one or more motions, a row each, time from left to right.
 
@@ -45,8 +45,8 @@ def strip(clips: Clip | Sequence[Clip], path: str | os.PathLike | None = None, *
         PNG file to write (any format matplotlib knows).
     frames, start, stop
         Poses per row; the seconds of the clips that are shown (default: all).
-    title, width, dpi
-        Text above the picture; inches and pixels per inch.
+    width, dpi
+        Inches, and pixels per inch.
 
     Raises
     ------
@@ -69,11 +69,9 @@ def strip(clips: Clip | Sequence[Clip], path: str | os.PathLike | None = None, *
     scale, room = 2 * dpi * width / (spacing * frames), max(0.2, 0.34 * spacing * frames / width)  # for the label
     images = [_row(shot, spacing, scale, shot.top + room) for shot in shots]
     heights = [image.shape[0] / (2 * dpi) for image in images]
-    figure = Picture(figsize=(width, sum(heights) + (0.42 if title else 0.0)), dpi=dpi, facecolor=PAPER)
+    total = sum(heights)
+    figure = Picture(figsize=(width, total), dpi=dpi, facecolor=PAPER)
     FigureCanvasAgg(figure)
-    total = figure.get_figheight()
-    if title:
-        figure.text(0.2 / width, 1 - 0.23 / total, title, size=13, weight="bold", color=INK, va="center", parse_math=False)
     for i, (image, text, shot) in enumerate(zip(images, labels, shots, strict=True)):
         axes = figure.add_axes((0, sum(heights[i + 1 :]) / total, 1, heights[i] / total))
         axes.imshow(image, extent=(0, width, 0, heights[i]), aspect="auto", interpolation="antialiased")
@@ -144,19 +142,17 @@ def cast(clips: Clip | Sequence[Clip], labels: Sequence[str] | None, contacts,
     labels = [" ".join(x for x in (c.style, c.gait) if x) or c.name for c in clips] if labels is None else list(labels)
     if not clips or len(labels) != len(clips):
         raise ValueError(f"expected clips and a label per clip; got {len(clips)} clips, {len(labels)} labels")
-    contacts = per_clip("contacts", contacts, clips, 2)
-    return clips if figure is None else [figure.fitted(clip) for clip in clips], labels, contacts
+    return clips if figure is None else [figure.fitted(clip) for clip in clips], labels, per_clip(contacts, clips)
 
 
-def per_clip(name: str, values, clips: Sequence[Clip], *shape: int) -> list[np.ndarray | None]:
-    """An array ``[F, *shape]`` or None for each clip, from one of them or a list; a ValueError if they do not fit."""
-    values = [None] * len(clips) if values is None else values if isinstance(values, list | tuple) else [values]
-    values = [None if v is None else np.asarray(getattr(v, "vector", v), dtype=np.float32) for v in values]
-    shapes = [None if v is None else v.shape for v in values]
-    if len(values) != len(clips) or any(s not in (None, (len(c), *shape)) for s, c in zip(shapes, clips, strict=True)):
-        raise ValueError(f"{name} must be [F, {', '.join(map(str, shape))}] for each clip of {[len(c) for c in clips]} "
-                         f"frames; got {shapes}")
-    return values
+def per_clip(contacts, clips: Sequence[Clip]) -> list[np.ndarray | None]:
+    """Contacts ``[F, 2]`` or None of each clip, from an array or a list of them; a ValueError if they do not fit."""
+    contacts = [None] * len(clips) if contacts is None else contacts if isinstance(contacts, list | tuple) else [contacts]
+    contacts = [None if feet is None else np.asarray(feet, dtype=np.float32) for feet in contacts]
+    shapes, lengths = [None if feet is None else feet.shape for feet in contacts], [len(clip) for clip in clips]
+    if len(shapes) != len(clips) or any(s not in (None, (n, 2)) for s, n in zip(shapes, lengths, strict=True)):
+        raise ValueError(f"contacts must be [F, 2] for each clip of {lengths} frames; got {shapes}")
+    return contacts
 
 
 def steady_frames(clip: Clip, seconds: float) -> tuple[np.ndarray, np.ndarray]:
