@@ -23,7 +23,7 @@ COLUMNS = {"take": ["take"], "frames": ["frames", 0], "style": ["style"], "error
            "rank": ["rank of the style", 0], "of": ["of", 0], "other": ["nearest other style"], "next": ["its error", 4],
            "repeat": ["repeating the frame", 3], "mean": ["the mean pose", 3]}
 #: Asked of the published network, calibrated, on Neutral_FW.
-AIM = {"take": "aim, calibrated: Neutral_FW.bvh", "error": 0.022, "right": 0.91, "left": 0.91, "phase": 0.20, "rank": 1}
+AIM = {"take": "aim, calibrated: Neutral_FW.bvh", "error": 0.022, "right": 0.91, "left": 0.91, "phase": 0.20}
 
 
 def run(

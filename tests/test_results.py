@@ -57,6 +57,14 @@ def test_feet_in_closed_loop_keep_the_aims_but_for_what_the_network_predicts(spe
     assert ahead["before"] > 4 * ahead["skate"]
 
 
+@pytest.mark.parametrize("speed", ["natural speed", "0.7 m/s", "1 m/s"])
+def test_feet_of_the_embedded_model_stand(speed):
+    now = next(row for row in Result.load("closed-loop").rows if row["walk"] == f"embedded, {speed}")
+    assert now["upright"] == now["styles"] == 25
+    assert now["worst"] <= 0.005
+    assert now["least"] >= 0.95
+
+
 def test_steps_at_the_speed_of_the_real_take_are_as_frequent_as_its_own():
     """Within 10 % of the take's, and of 1.48 a second, which was asked."""
     rows = {row["walk"]: row for row in Result.load("closed-loop").rows}
@@ -76,6 +84,9 @@ def test_one_step_ahead_keeps_the_aims_and_beats_its_floors_where_the_page_says_
     assert now["error"] < now["repeat"] < plain["error"] < plain["mean"] / 10
     assert 1 < now["rank"] <= 10
     assert now["next"] > 0.9 * now["error"]  # the first of the other styles is hardly better
+    ranks = {row["style"]: row["rank"] for row in rows.values() if row["take"].endswith("retargeted")}
+    assert ranks["Strutting"] == ranks["Angry"] == 1
+    assert ranks["Old"] > 60
 
 
 def test_the_pose_that_is_fed_back_loses_the_clearance():
