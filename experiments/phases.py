@@ -105,6 +105,28 @@ def _labels(sources: dict[str, ph.Source], folder: Path | None, seconds: float, 
           "the floor between those of one. The contact source is the paper's, and was the default's for feet.\n"
           f"Limits of hybrid, the default: {LABEL_LIMIT:g}°, {FLOOR_LIMIT:g}° above the floor: "
           f"{'; '.join(failed) or 'all kept'}")
+    for name, take in takes[len(PLANNED):]:
+        titles = "".join(f"{f'{side} {part}':>9}" for side in FEET for part in (1, 2, 3))
+        print(f"\n{f'{name[:24]}, by thirds':<37}{titles}")
+        for what, errors in thirds(take).items():
+            print(f"{what:<37}" + "".join(_number(error, "°", 9) for error in errors.T.flatten()))
+
+
+def thirds(take: labels.Take) -> dict[str, Tensor]:
+    """Mean errors ``[3, 2]`` in the thirds of a take, degrees, less the lag of the whole take, between touch-downs."""
+    columns, frames = [ph.LIMBS.index(f"{side}_foot") for side in FEET], labels.between(take)
+    own = [ph.Steps()(take.clip, f"{side}_foot").diff().gt(0).nonzero()[:, 0] + 1 for side in FEET]
+    found = {"straight between labelled touch-downs": labels.clocks(take, take.right, take.left),
+             "straight between our touch-downs": labels.clocks(take, *own)}
+    found |= {source: ph.extract(take.clip, source).phase[:, columns].double() for source in ("hybrid", "contact")}
+    errors = {}
+    for what, phases in found.items():
+        off = phases - take.label[:, None]
+        off = off - torch.atan2(off[frames].sin().mean(0), off[frames].cos().mean(0))
+        off = torch.atan2(off.sin(), off.cos()).abs().rad2deg()
+        errors[what] = torch.stack([part[kept].mean(0) for part, kept in zip(off.tensor_split(3), frames.tensor_split(3),
+                                                                             strict=True)])
+    return errors
 
 
 def case(style: procedural.Style) -> str:

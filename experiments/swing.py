@@ -46,7 +46,7 @@ def run(
     inference, a vector that is learnt from the take itself, and the embedded model with a procedural walk of the style.
     """
     net, bank = published.either(model, parameters)
-    motion, rows = bvh.load(clip).resample(runtime.FPS), {}
+    motion, rows, speeds = bvh.load(clip).resample(runtime.FPS), {}, {}
     learnt = fine_tune(net, motion.cut(start).replace(style=LEARNT), bank=bank, method="vector").bank[LEARNT]
     other, others = training.pretrained()
     walk = datasets.load("procedural", styles=[style], gaits=["FW"], seconds=12.0)[0]
@@ -56,8 +56,8 @@ def run(
     ):
         net.calibrated = form == "calibrated"
         level, found = feedback(used, vector, real, first)
-        speed = metrics.speed(real.cut(first))
-        walked = closed_loop.walk(used, StyleBank((style,), vector[None]), [speed], 10.0)[0]
+        speeds[real.name] = metrics.speed(real.cut(first))
+        walked = closed_loop.walk(used, StyleBank((style,), vector[None]), [speeds[real.name]], 10.0)[0]
         for name, row in {"the real take": level, **found, WHOLE: {"clearance": walked["clearance"]}}.items():
             of_own = {key: row[key] for key in ("height", "speed") if key in row}
             rows.setdefault(name, {"fed": name, **of_own})[form] = row["clearance"]
@@ -66,7 +66,7 @@ def run(
         Result("swing", f"Toes of the published network in the take {motion.name}: clearance over the standing height, mean "
                "of the swings; 99 % of the height and of the vertical speed with the style's own vector",
                "python -m experiments swing --published DATA/lpn_film_100style --clip DATA/100style/Neutral_FW.bvh "
-               "--style Neutral --start 327 --store", COLUMNS, list(rows.values())).save()
+               "--style Neutral --start 327 --store", COLUMNS, list(rows.values()), numbers={"speeds, m/s": speeds}).save()
 
 
 def feedback(net: Model, style: Tensor, clip: Clip, start: int) -> tuple[dict[str, float], dict[str, dict[str, float]]]:

@@ -3,8 +3,10 @@
 import copy
 import io
 import json
+import math
 import struct
 
+import motion_files
 import numpy as np
 import pytest
 import torch
@@ -248,6 +250,20 @@ def changed(hero, tmp_path, change) -> str:
         gltf_mesh.read(tmp_path / "bad.glb")
     assert "\n" not in str(error.value)
     return str(error.value)
+
+
+@pytest.mark.parametrize(("value", "written"), [("\ud800 half", True), (math.nan, False), (math.inf, False)])
+def test_what_json_cannot_hold_is_left_out_or_said_with_the_file(hero, tmp_path, zombie, value, written):
+    document_, data = parts(hero)
+    document_["extras"] = {"planted": value}
+    (tmp_path / "odd.glb").write_bytes(motion_files.glb(document_, data))
+    character = Character.load(tmp_path / "odd.glb")
+    if written:
+        character_gltf.save(zombie, tmp_path / "walk.glb", character)
+        assert parts(tmp_path / "walk.glb")[0]["extras"] == {"planted": "? half"}
+    else:
+        with pytest.raises(ValueError, match=r"odd\.glb: its JSON text has NaN or Infinity"):
+            character_gltf.save(zombie, tmp_path / "walk.glb", character)
 
 
 def test_files_without_a_character_are_refused_in_a_line(hero, tmp_path):

@@ -503,13 +503,20 @@ def with_picture(doc: Document, side: int) -> None:
     textured(doc, doc.json["meshes"][0]["primitives"][0], np.zeros((60, 2), "f4"), png(side))
 
 
+def many_meshes(doc: Document, count: int) -> None:
+    doc.json["meshes"].append({"primitives": [{"mode": 0}] * count})
+    doc.json["nodes"][1]["children"] = [*range(3, 3 + count)]
+    doc.json["nodes"].extend([{"mesh": 1}] * count)
+
+
 @pytest.mark.parametrize(("spoil", "said"), [
     (lambda doc: with_picture(doc, 12_000), "too many pixels"), (lambda doc: with_picture(doc, 30_000), "too many pixels"),
     (lambda doc: doc.json["nodes"].extend([{}] * 50_000), "more than 50000 nodes"),
     (lambda doc: doc.json["skins"].extend([{"joints": [1]}] * 1000), "more than 1000 skins"),
     (lambda doc: doc.json["meshes"][0]["primitives"].extend(doc.json["meshes"][0]["primitives"] * 100_000), "vertices in"),
     (lambda doc: doc.json["skins"].extend([doc.json["skins"][0] | {"inverseBindMatrices": doc.wide}] * 50), "values from"),
-], ids=["large picture", "larger picture", "nodes", "skins", "primitives", "matrices"])
+    (lambda doc: many_meshes(doc, 5000), "vertices in"),
+], ids=["large picture", "larger picture", "nodes", "skins", "primitives", "matrices", "nodes of many primitives"])
 def test_a_character_takes_no_more_than_its_file_can_hold(spoil, said, tmp_path):
     doc = Document([{"name": "top", "children": [1]}, {"name": "hips"}, {"mesh": 0, "skin": 0}])
     points, weights = doc.add(np.zeros((60, 3), "f4")), doc.add(np.ones((60, 4), "f4"))

@@ -57,6 +57,16 @@ def test_feet_in_closed_loop_keep_the_aims_but_for_what_the_network_predicts(spe
     assert ahead["before"] > 4 * ahead["skate"]
 
 
+def test_steps_at_the_speed_of_the_real_take_are_as_frequent_as_its_own():
+    """Within 10 % of the take's, and of 1.48 a second, which was asked."""
+    rows = {row["walk"]: row for row in Result.load("closed-loop").rows}
+    now = rows["published, 0.7 m/s"]
+    assert now["steps"] == pytest.approx(rows["real: Neutral_FW.bvh"]["steps"], rel=0.1)
+    assert now["steps"] == pytest.approx(1.48, rel=0.1)
+    assert now["upright"] == now["styles"] == 99
+    assert now["least"] >= 0.9
+
+
 def test_one_step_ahead_keeps_the_aims_and_beats_its_floors_where_the_page_says_so():
     rows = {row["take"]: row for row in Result.load("one-step").rows}
     aim, plain, now = (rows[f"{kind}: Neutral_FW.bvh"] for kind in ("aim, calibrated", "published", "published, calibrated"))

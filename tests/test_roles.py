@@ -245,3 +245,15 @@ def test_a_joint_more_in_the_thigh_takes_no_role_and_is_said(tmp_path, walk_clip
     with pytest.warns(UserWarning, match=f"{right} is taken for the left {role}, because both parts of the limb are then"):
         found = tk.load(tmp_path / "more.bvh").skeleton.roles
     assert (found["left_hip"], found["right_knee"]) == ("LeftHip", "RightKnee")
+
+
+def test_a_path_that_jumps_or_is_in_another_unit_is_doubted(tmp_path, walk_clip):
+    roots = walk_clip.root_positions
+    tk.bvh.save(walk_clip.replace(root_positions=roots * torch.tensor([100.0, 1.0, 100.0])), tmp_path / "far.bvh")
+    with pytest.warns(UserWarning, match=r"the body goes 1\d\d m/s: its path may be in another unit than its bones"):
+        tk.load(tmp_path / "far.bvh")
+    jump = roots.clone()
+    jump[0] += torch.tensor([5.0, 0.0, 0.0])  # as of a T-pose before the recording
+    tk.bvh.save(walk_clip.replace(root_positions=jump), tmp_path / "jump.bvh")
+    with pytest.warns(UserWarning, match="the body jumps by [45].* m from frame 0 to 1"):
+        tk.load(tmp_path / "jump.bvh")

@@ -290,7 +290,7 @@ def test_page_refuses_what_does_not_fit(clip, tmp_path):
 def test_strip_draws_every_clip(clip, tmp_path):
     path = tmp_path / "strip.png"
     figure = view.strip(
-        [clip, walk(style="Zombie")], path, frames=3, width=5, dpi=60, title="Two", contacts=[None, torch.ones(60, 2)]
+        [clip, walk(style="Zombie")], path, frames=3, width=5, dpi=60, contacts=[None, torch.ones(60, 2)]
     )
     assert [axes.texts[0].get_text() for axes in figure.axes] == ["Neutral FW", "Zombie FW"]
     picture = np.asarray(Image.open(path).convert("RGB")).astype(int)

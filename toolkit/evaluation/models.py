@@ -63,13 +63,9 @@ def shared_baselines(data: Features, held_out: float, seed: int) -> dict[str, fl
         still = loss.repeat_frame(data.layout, x, p, normaliser.mean)
         for name, guess in (("mean", normaliser.mean), ("repeat", still)):
             off = ((z - guess) / normaliser.std).square()
-            errors[name].append(float(_shared(data.layout, off).mean()))
+            errors[name].append(float(torch.cat([off[:, data.layout.outputs[block]] for block in SHARED], 1).mean()))
             errors[f"{name}, joints"].append(float(off[:, data.layout.outputs["joints"]].mean()))
     return {name: sum(values) / len(values) for name, values in errors.items()}
-
-
-def _shared(layout: Layout, z: Tensor) -> Tensor:
-    return torch.cat([z[..., layout.outputs[name]] for name in SHARED], -1)
 
 
 def nearest(clips: Tensor, speed: float) -> Tensor:

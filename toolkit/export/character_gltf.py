@@ -23,7 +23,7 @@ def save(clip: Clip, path: str | os.PathLike, character: Character) -> None:
     Raises
     ------
     ValueError
-        If the character's file keeps its numbers outside of itself; then a .glb is needed.
+        If the character's file keeps its numbers outside of itself, so that a .glb is needed, or has some that JSON lacks.
     """
     file = Document(character.path)
     document = copy.deepcopy(file.document)
@@ -59,8 +59,12 @@ def save(clip: Clip, path: str | os.PathLike, character: Character) -> None:
     document["animations"] = [{"name": name, "samplers": samplers, "channels": channels}]
     document |= {"bufferViews": buffer.views, "accessors": buffer.accessors,
                  "buffers": [document["buffers"][0] | {"byteLength": len(buffer.data)}]}
+    try:
+        whole = container(document, bytes(buffer.data))
+    except ValueError:
+        raise ValueError(f"{character.path}: its JSON text has NaN or Infinity, which other programs cannot read") from None
     with atomic_write(path) as out:
-        out.write(container(document, bytes(buffer.data)))
+        out.write(whole)
 
 
 def _axes(frame: np.ndarray) -> np.ndarray:

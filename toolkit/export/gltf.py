@@ -110,8 +110,8 @@ def _animation(buffer: Buffer, clip: Clip, turns: np.ndarray) -> dict:
 
 
 def container(document: dict, data: bytes) -> bytes:
-    """The .glb file: a header, a JSON chunk and a binary chunk, each a multiple of four bytes long."""
-    text = json.dumps(document, separators=(",", ":"), ensure_ascii=False).encode()
+    """The .glb file: a header, a JSON chunk and a binary chunk, each a multiple of four bytes; ValueError for NaN in it."""
+    text = json.dumps(document, separators=(",", ":"), ensure_ascii=False, allow_nan=False).encode(errors="replace")
     text += b" " * (-len(text) % 4)
     chunks = b"".join(struct.pack("<I4s", len(chunk), kind) + chunk for kind, chunk in ((b"JSON", text), (b"BIN\0", data)))
     return struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks

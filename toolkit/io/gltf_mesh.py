@@ -62,8 +62,7 @@ class _Reader:
 
     def __init__(self, path: Path):
         self.file = Document(path)
-        self.document = self.file.document
-        self.nodes = members(self.document, "nodes")
+        self.nodes = self.file.listed("nodes")
         if len(self.nodes) > LIMIT:
             raise ValueError(f"more than {LIMIT} nodes")
         self.values = self.vertices = self.pixels = 0  # that were read
@@ -75,6 +74,7 @@ class _Reader:
                 self.parents[child] = j
         self.world: dict[int, np.ndarray] = {}
         self.hosts: dict[int, int | None] = {}
+        self.primitives: dict[int, list[dict]] = {}
         self.images: dict[int, np.ndarray | None] = {}
 
     def array(self, index: object, width: int) -> np.ndarray:
@@ -100,7 +100,7 @@ class _Reader:
 
     def mesh(self) -> SkinnedMesh:
         """All meshes that follow joints, as one."""
-        skins = members(self.document, "skins")
+        skins = self.file.listed("skins")
         if len(skins) > SKINS:
             raise ValueError(f"more than {SKINS} skins")
         listed = [indices_of(skin, "joints", len(self.nodes)) for skin in skins]
@@ -130,7 +130,8 @@ class _Reader:
                 bind[i] = self.place(j)
                 if (above := self.parents[j]) in at:
                     bind[i] = bind[at[above]] @ np.linalg.inv(self.place(above)) @ bind[i]
-        parts = [self._primitives(j, listed[skin], at, shift) for j, skin in skinned]
+        places = [np.array([at[j] for j in joints], int) for joints in listed]
+        parts = [self._primitives(j, places[skin], at, shift) for j, skin in skinned]
         parts += [self._primitives(j, None, at, bind[at[a]] @ np.linalg.inv(self.place(a)) @ self.place(j), a)
                   for j, node in enumerate(self.nodes) if "mesh" in node and "skin" not in node
                   and (a := self._above(j, at)) is not None]
@@ -176,21 +177,22 @@ class _Reader:
         self.hosts |= dict.fromkeys(path, found)
         return found
 
-    def _primitives(self, node: int, skin: list[int] | None, at: dict[int, int], place: np.ndarray,
+    def _primitives(self, node: int, skin: np.ndarray | None, at: dict[int, int], place: np.ndarray,
                     host: int = -1) -> list[tuple[np.ndarray, ...]]:
         """Points, triangles, joints, weights and colours of each primitive of a node's mesh."""
-        meshes = members(self.document, "meshes")
-        found = []
-        for primitive in members(meshes[index_of(self.nodes[node], "mesh", len(meshes))], "primitives"):
+        meshes, found = self.file.listed("meshes"), []
+        mesh = index_of(self.nodes[node], "mesh", len(meshes))
+        if mesh not in self.primitives:
+            self.primitives[mesh] = members(meshes[mesh], "primitives")
+        for primitive in self.primitives[mesh]:
+            self._count(1)
             if "KHR_draco_mesh_compression" in member(primitive, "extensions"):
                 raise ValueError("its mesh is compressed by KHR_draco_mesh_compression; unpack it with gltf-transform")
             attributes = member(primitive, "attributes")
             if primitive.get("mode", 4) != 4 or "POSITION" not in attributes:
                 continue  # points and lines
             points = self.array(attributes["POSITION"], 3)
-            self.vertices += len(points)
-            if self.vertices > SHARED[1] + self.file.size / 20:  # a vertex with its weights takes 20 bytes
-                raise ValueError(f"its meshes have {self.vertices} vertices in {self.file.size} bytes")
+            self._count(len(points))
             corners = self.array(primitive["indices"], 1)[:, 0] if "indices" in primitive else np.arange(len(points))
             if not ((corners >= 0) & (corners < len(points))).all():
                 raise ValueError("a triangle has a vertex that does not exist")
@@ -206,14 +208,20 @@ class _Reader:
                     raise ValueError("the weights of a mesh do not fit its vertices and joints")
                 weights = np.maximum(weights, 0)
                 weights = np.where(weights.sum(1, keepdims=True) > 1e-6, weights, np.eye(1, SLOTS))
-                joints = np.array([at[j] for j in skin])[own.astype(int)]
+                joints = skin[own.astype(int)]
             found.append((points @ place[:3, :3].T + place[:3, 3], triangles, joints,
                           weights / weights.sum(1, keepdims=True), self._colors(primitive, attributes, len(points))))
         return found
 
+    def _count(self, vertices: int) -> None:
+        """Count vertices, or a primitive; a ValueError if all meshes together have many more than the file can hold."""
+        self.vertices += vertices
+        if self.vertices > SHARED[1] + self.file.size / 20:  # a vertex with its weights takes 20 bytes
+            raise ValueError(f"its meshes have {self.vertices} vertices in {self.file.size} bytes")
+
     def _colors(self, primitive: dict, attributes: dict, count: int) -> np.ndarray:
         """Base colour ``[V, 3]`` uint8 of each vertex: the material's colour, its own and the texture there, multiplied."""
-        materials = members(self.document, "materials")
+        materials = self.file.listed("materials")
         material = materials[index_of(primitive, "material", len(materials))] if "material" in primitive else {}
         surface = member(material, "pbrMetallicRoughness")
         linear = numbers_of(surface, "baseColorFactor", 4, (1.0,) * 4)[:3] if surface else np.full(3, GREY)
@@ -240,15 +248,15 @@ class _Reader:
 
     def _image(self, texture: dict) -> np.ndarray | None:
         """Pixels ``[H, W, 3]`` of a texture that lies in the file; None if it cannot be read."""
-        textures, images = (members(self.document, key) for key in ("textures", "images"))
+        textures, images = (self.file.listed(key) for key in ("textures", "images"))
         source = textures[index_of(texture, "index", len(textures))].get("source")
         if type(source) is not int or not 0 <= source < len(images) or "bufferView" not in images[source]:
             return None
         if source not in self.images:
-            views = members(self.document, "bufferViews")
+            views = self.file.listed("bufferViews")
             view = views[index_of(images[source], "bufferView", len(views))]
             start, size = (whole_of(view, key, 0) for key in ("byteOffset", "byteLength"))
-            data = self.file.buffer(index_of(view, "buffer", len(members(self.document, "buffers"))))
+            data = self.file.buffer(index_of(view, "buffer", len(self.file.listed("buffers"))))
             if len(self.images) == KEPT:
                 del self.images[next(iter(self.images))]
             self.images[source] = self._pixels(bytes(data[start : start + size]))

@@ -25,6 +25,7 @@ PEOPLE = (1.3, 2.1)  # metres: height of people
 FIGURES = (0.8, 2.6)  # metres: height of children and of most made-up characters
 USUAL = 1.7  # metres: the height that a body of unknown unit gets
 UPRIGHT = 0.75  # cosine between an axis and the mean direction from feet to head that is safe
+FASTEST = 15.0  # metres per second: a body that goes faster is doubtful
 DRIFT = 0.05  # metres over a clip: a floor that moves by more is doubtful
 FAR = 0.25  # metres: a floor farther from zero is doubtful
 AXES = ("x", "y", "z", "-x", "-y", "-z")
@@ -92,6 +93,7 @@ def interpret(recording: Recording, path: Path, unit: float | str = "auto", up: 
         found.height = body.height * found.unit
         found.upright = body.upright(found.up)
         found.floor, found.drift = (found.unit * value for value in body.floor(found.up))
+        _travel(recording, fps, found)
         if abs(found.drift) > DRIFT:
             found.doubts.append(f"the floor moves by {found.drift:+.2f} m over the clip; contacts follow it, heights do not")
         if abs(found.floor) > FAR:
@@ -149,6 +151,18 @@ def _rate(recording: Recording, found: Findings) -> float:
     if recording.fps < 5 or recording.fps > 1000:
         found.doubts.append(f"{recording.fps:.4g} frames per second is no usual rate of motion; clip.replace(fps=…) decides")
     return recording.fps
+
+
+def _travel(recording: Recording, fps: float, found: Findings) -> None:
+    """Doubts where the root goes faster than people do: all the time, or in a jump."""
+    steps = np.linalg.norm(np.diff(recording.root_positions.numpy(), axis=0), axis=1) * found.unit
+    fast = steps * fps > FASTEST
+    if fast.sum() > len(fast) / 2:
+        found.doubts.append(f"the body goes {np.median(steps) * fps:.3g} m/s: its path may be in another unit than its "
+                            "bones, or the frame rate wrong; clip.replace(root_positions=…) or (fps=…) decides")
+    elif fast.any():
+        at = int(steps.argmax())
+        found.doubts.append(f"the body jumps by {steps[at]:.2f} m from frame {at} to {at + 1}; clip.cut(…) keeps one part")
 
 
 def _up(body: Body, recording: Recording, found: Findings) -> str:

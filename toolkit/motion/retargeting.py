@@ -59,7 +59,7 @@ def retarget(clip: Clip, target: Skeleton | Clip, *, feet: bool = True) -> Clip:
     standing, there = _standing(source.skeleton, goal.skeleton)
     clip, goal = clip.replace(skeleton=standing), replace(goal, skeleton=there)
     scale = goal.leg / source.leg
-    middle = scale * _middle(clip)
+    middle = scale * clip.global_positions[:, [clip.skeleton.role(f"{side}_hip") for side in SIDES]].mean(1)
     made = _compose(clip, goal, turned, middle)
     stands = scale * float(standing_height(clip))
     usual, most = TOE if goal.skeleton.roles["left_toe"] != goal.skeleton.roles["left_foot"] else ANKLE
@@ -130,11 +130,6 @@ def _leg(clip: Clip) -> float:
     """Hip to ankle along the bones, metres."""
     joints = [clip.global_positions[0, clip.skeleton.role(f"left_{part}")] for part in ("hip", "knee", "foot")]
     return float((joints[1] - joints[0]).norm() + (joints[2] - joints[1]).norm())
-
-
-def _middle(clip: Clip) -> Tensor:
-    """Middle of the two hip joints ``[F, 3]``."""
-    return clip.global_positions[:, [clip.skeleton.role(f"{side}_hip") for side in SIDES]].mean(1)
 
 
 def leaders(source: Anatomy, goal: Anatomy) -> dict[int, tuple[int, int, float]]:

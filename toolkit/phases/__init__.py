@@ -54,11 +54,10 @@ def extract_group(clips: Sequence[Clip], source: str | Source = "hybrid",
                   half_window: float | None = None) -> list[Phases]:
     """Local phases of clips of one style and gait, which share the source's principal axes (section 4.1.3).
 
-    ValueError if the source's name is unknown, or a clip is shorter than one second.
-
     Parameters
     ----------
-    clips : motions, any rate
+    clips
+        Motions, any rate.
     source
         A name of `SOURCES`, "learned" or a function ``(clip, limb) -> Tensor [F]``. If the source has a method
         ``fitted(clips)``, the source that it returns is used. If the source has a method ``sinusoids(clip) -> (curve
@@ -67,6 +66,11 @@ def extract_group(clips: Sequence[Clip], source: str | Source = "hybrid",
     half_window
         Half the length of the fit's window, seconds; by default the duration of about half a cycle of each limb, at least
         half a second (`windows.half_window`).
+
+    Raises
+    ------
+    ValueError
+        If the source's name is unknown, or a clip is shorter than one second.
 
     Notes
     -----

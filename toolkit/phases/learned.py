@@ -164,14 +164,21 @@ class Learned:
               seed: int = 0, progress: bool = False) -> "Learned":
         """Train on clips of any skeletons, rates and styles, by the mean squared error of the reconstructed windows.
 
-        ValueError if there is no clip, or a skeleton lacks a limb.
-
         Parameters
         ----------
-        clips : training data: five windows per second of each clip, at each of `SPEEDS`
-        steps, batch : number of minibatches, and of windows in each
-        rate, hidden : highest learning rate of Adam, with a one-cycle schedule; width of the networks
-        seed : the same seed gives the same networks
+        clips
+            Training data: five windows per second of each clip, at each of `SPEEDS`.
+        steps, batch
+            Number of minibatches, and of windows in each.
+        rate, hidden
+            Highest learning rate of Adam, with a one-cycle schedule; width of the networks.
+        seed
+            The same seed gives the same networks.
+
+        Raises
+        ------
+        ValueError
+            If there is no clip, or a skeleton lacks a limb.
         """
         if not clips:
             raise ValueError("a learned source needs at least one clip to train on, got none")

@@ -70,15 +70,20 @@ class Sinusoids:
 def fit(source: Tensor, fps: float, half_window: float = 0.5) -> Sinusoids:
     """Fit a sinusoid around every frame.
 
-    ValueError if the source is not ``[F, L]`` or shorter than half a window, or `fps` is too low for 4 Hz.
-
     Parameters
     ----------
     source : Tensor [F, L]
         One curve per limb, finite; mirrored at its ends. Any device and dtype, which the result has too; the fit itself runs
         on the processor, in float64.
-    fps : frames per second
-    half_window : seconds on either side of the frame
+    fps
+        Frames per second.
+    half_window
+        Seconds on either side of the frame.
+
+    Raises
+    ------
+    ValueError
+        If the source is not ``[F, L]`` or shorter than half a window, or `fps` is too low for 4 Hz.
 
     Notes
     -----

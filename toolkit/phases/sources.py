@@ -36,7 +36,10 @@ def local_positions(clip: Clip, limb: str) -> Tensor:
 def curves(clip: Clip, source: Source) -> Tensor:
     """The source's curves of the four limbs ``[F, 4]``, float64.
 
-    ValueError if it does not give one finite number per frame for every limb.
+    Raises
+    ------
+    ValueError
+        If it does not give one finite number per frame for every limb.
     """
     raw = [as_tensor(source(clip, limb), "a source's curve", torch.float64).to(clip.rotations.device) for limb in LIMBS]
     if any(r.shape != (len(clip),) or not bool(torch.isfinite(r).all()) for r in raw):

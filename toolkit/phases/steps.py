@@ -82,7 +82,10 @@ class Steps:
 def limb_length(skeleton: Skeleton, limb: str) -> float:
     """Length of the bones from hip to toe or from shoulder to hand, metres.
 
-    ValueError if the end of the limb is not below its start, or the limb has no length.
+    Raises
+    ------
+    ValueError
+        If the end of the limb is not below its start, or the limb has no length.
     """
     side, part = limb.split("_")
     start, end = (skeleton.role(f"{side}_{role}") for role in (("shoulder", "hand") if part == "hand" else ("hip", "toe")))

@@ -37,8 +37,7 @@ class Shot:
     path
         Two or more `Point`, or pairs (x, z), each at least 1 cm from the next. The first is where the character starts, at
         time 0; the speed on the way to a point with a time is scaled so that the character is there in time.
-    styles
-        One or more `StyleKey`, or pairs (time, style or blend). Also the name of one style.
+    styles : one or more `StyleKey`, or pairs (time, style or blend); also the name of one style
     speeds : `SpeedKey`, or pairs (time, m/s); without any, the natural speed of the blend at each time
     holds : `Hold`: pauses
     smooth : a smooth curve through the points; otherwise straight lines

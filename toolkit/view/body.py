@@ -58,7 +58,7 @@ class Mannequin:
         """The body as the browser's scene takes it (``scene/body.js`` describes the format)."""
         trunk = self.tones[:, [list(COLORS).index("middle")]]
         marks = np.concatenate((self.feet[:, ::-1], trunk, self.light[:, None]), 1)
-        return self.skin.packed(skeleton, (255 * self.colors()).round(), marks) | {"own": False, "follow": None}
+        return self.skin.packed(skeleton, 255 * self.colors(), marks) | {"own": False, "follow": None}
 
 
 def has_roles(clip: Clip, *parts: str) -> bool:
