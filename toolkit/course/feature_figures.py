@@ -87,7 +87,7 @@ def row(x: Tensor, layout: Layout) -> go.Figure:
     trajectory = x[layout.inputs["trajectory"]].view(-1, 4)
     joints = features.split_joints(x[layout.inputs["joints"]])
     place, velocity = joints["position"], joints["velocity"]
-    figure = make_subplots(1, 2, subplot_titles=["from the left side", "from above"])
+    figure = make_subplots(1, 2, subplot_titles=["from the right side", "from above"])
     for column, pick in ((1, [2, 1]), (2, [0, 2])):
         for j, parent in enumerate(layout.parents):
             bone = place[[max(parent, 0), j]][:, pick].numpy()

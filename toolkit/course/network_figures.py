@@ -31,7 +31,7 @@ def poses(parents: Sequence[int], plain: Tensor, sliders: Mapping[str, Mapping[s
     title, colour
         The heading, and the colour of the pose that changes.
     """
-    figure = make_subplots(1, 2, subplot_titles=["from the left side", "from the front"])
+    figure = make_subplots(1, 2, subplot_titles=["from the right side", "from the front"])
     first = next(iter(next(iter(sliders.values())).values()))
     for pose, line in ((plain, {"color": "#c9ccd1", "width": 9}), (first, {"color": colour, "width": 4})):
         for column, lines in enumerate(_both(parents, pose), 1):
