@@ -1,9 +1,11 @@
 """The documentation site: ``make docs``, or ``sphinx-build -W --keep-going -b html docs out/docs``. It needs no network.
 
-The build runs the notebooks in full, one after another, on one core: docs/lecturers.md says for how many minutes each.
-Results are stored in ``out/notebooks``, so a notebook whose code has not changed is not run again, and a build that was
-stopped goes on where it was; `make clean` deletes them. With ``TOOLKIT_DOCS_NOTEBOOKS=fast`` the notebooks run at the small
-sizes of the tests, for some minutes in all. With ``off`` they are shown without results.
+The site shows full runs of the notebooks. A run is taken from ``out/full`` if one of the same code is there, made by
+``jupyter nbconvert --to notebook --execute --output-dir out/full notebooks/NAME.ipynb``. The build runs the others, one
+after another: docs/lecturers.md says for how many minutes each. It stores their results in ``out/notebooks``, so a build
+that was stopped goes on where it was; `make clean` deletes both folders. With ``TOOLKIT_DOCS_NOTEBOOKS=fast`` all notebooks
+run at the small sizes of the tests, for some minutes in all. With ``off`` nothing is run, and a notebook that has no stored
+run is shown without results.
 """
 
 import dataclasses
@@ -24,6 +26,7 @@ ROOT = DOCS.parent
 sys.path[:0] = [str(DOCS), str(ROOT)]
 
 import reference  # noqa: E402
+import stored  # noqa: E402
 
 import toolkit as tk  # noqa: E402
 
@@ -52,7 +55,8 @@ smartquotes = False  # quotation marks in messages and code must not change
 default_role = "py:obj"  # `name` in a docstring is a link if the name exists, else code
 add_module_names = False
 autodoc_default_options = {"exclude-members": "set", "no-value": True}  # matplotlib adds `set` to figures
-suppress_warnings = ["ref.python"]  # an annotation that several classes match gets no link
+suppress_warnings = ["ref.python",  # an annotation that several classes match gets no link
+                     "mystnb.unknown_mime_type"]  # plotly's JSON, beside the HTML that is shown
 autodoc_member_order = "bysource"
 autodoc_typehints = "signature"
 autodoc_preserve_defaults = True
@@ -79,7 +83,6 @@ os.environ |= {"TOOLKIT_FAST": "1" if RUN == "fast" else "", "PYVISTA_OFF_SCREEN
 
 #: Links as GitHub needs them, and the same links as the site needs them.
 LINKS = {"](../docs/": "](../", "](docs/": "](", "](../notebooks/": "](notebooks/",
-         "](../toolkit/data/README.md": "](embedded_model.md",
          "](../CONTRIBUTING.md": "](contributing.md", "](../CHANGELOG.md": "](changelog.md",
          "](README.md": "](index.md", "](../README.md": "](index.md"}
 #: Scripts that plotly loads from other servers, and the copy of plotly that each notebook brings.
@@ -102,10 +105,10 @@ SMALL = ("The small run", "The results on this page come from the small run of t
 
 def note(seconds: float | None) -> str:
     """Say how a notebook was run, and for how long."""
-    if RUN == "off" or seconds is None:
+    if seconds is None:
         return "</h1>"
     title, text = SMALL if RUN == "fast" else (
-        "The full run", "The results on this page come from the full run, without recordings. It took "
+        "The full run", "The results on this page come from the full run. It took "
         f"{max(1, round(seconds / 60))} min on one core ({platform.system()}, {platform.machine()}).")
     return NOTE.format(title=title, text=text)
 
@@ -137,7 +140,8 @@ def stand_alone(app, name: str, _template: str, context: dict, _doctree) -> None
             context["body"] = DOCUMENTED.sub(documented, context["body"])
         if name.startswith("notebooks/"):
             run = NbMetadataCollector.get_exec_data(app.env, name) or {}
-            context["body"] = context["body"].replace("</h1>", note(run.get("runtime")), 1)
+            seconds = run.get("runtime", took.get(f"{Path(name).name}.ipynb"))
+            context["body"] = context["body"].replace("</h1>", note(seconds), 1)
         if "plotly-graph-div" in context["body"]:
             own = context["pathto"]("_static/plotly.min.js", 1)
             context["body"] = f'<script src="{own}"></script>' + context["body"]
@@ -187,8 +191,10 @@ def setup(app) -> None:
     app.connect("html-page-context", stand_alone)
 
 
-notebooks = sorted((ROOT / "notebooks").glob("*.ipynb"))
-reference.put(DOCS / "notebooks", {path.name: path.read_text(encoding="utf-8") for path in notebooks})
+runs = ROOT / "out" / ("fast" if RUN == "fast" else "full")
+texts, took = stored.results(runs, sorted((ROOT / "notebooks").glob("*.ipynb")))
+reference.put(DOCS / "notebooks", texts)
+nb_execution_excludepatterns = [f"notebooks/{name}" for name in took]
 results = sorted((DOCS / "results").glob("*.json"))  # notebooks/ of the checkout is beside docs/, that of the site within
 reference.put(DOCS / "docs" / "results", {path.name: path.read_text(encoding="utf-8") for path in results})
 reference.put(DOCS / "api", reference.pages())

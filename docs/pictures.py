@@ -142,8 +142,8 @@ def main(published: Annotated[Path | None, typer.Option(help="Folder of the publ
     for folder in ("styles", "side_by_side"):
         (OUT / folder).mkdir(exist_ok=True)
     walks = {style: straight(style) for style in procedural.STYLES}
-    sheet = tk.view.contact_sheet(list(walks.values()), labels=list(walks), height=110, progress=True)
-    sheet.quantize(128).save(OUT / "contact_sheet.png", optimize=True)
+    tk.view.strip(list(map(looped, walks.values())), OUT / "contact_sheet.png", labels=list(walks), width=12, dpi=66)
+    Image.open(OUT / "contact_sheet.png").convert("RGB").quantize(128).save(OUT / "contact_sheet.png", optimize=True)
     gaits = [looped(procedural.generate("Neutral", gait)) for gait in GAITS]
     tk.view.animate(gaits, OUT / "gaits.gif", labels=GAITS, columns=3, height=100, colors=32, progress=True)
     for style, view in tqdm(SHOWN.items(), desc="styles"):

@@ -11,7 +11,7 @@ from pathlib import Path
 GROUPS = {
     "Motion and files": ("motion", "io", "datasets"),
     "From motion to numbers": ("phases", "features"),
-    "Networks and training": ("networks", "training", "published"),
+    "Networks and training": ("networks", "training"),
     "Runtime, shots and styles": ("runtime", "shots", "styles"),
     "Motion stylisation": ("stylization",),
     "Measures, pictures and exports": ("evaluation", "view", "export"),

@@ -55,7 +55,7 @@ def run(
     calibrated: Annotated[bool, typer.Option("--calibrated", help="Use calibrated inference.")] = False,
     styles: Annotated[str | None, typer.Option(help="Comma-separated names; default: all.")] = None,
     seconds: Annotated[float, typer.Option(min=2.0, help="Duration of each walk, after a warm-up of 4 s.")] = 10.0,
-    speed: Annotated[float, typer.Option(help="Metres per second of the second walk.")] = 1.0,
+    speeds: Annotated[str, typer.Option(help="Of the walks, comma-separated: m/s, or natural.")] = "natural,0.7,1",
     real: Annotated[Path | None, typer.Option(help="A BVH file of real walking, measured in the same way.")] = None,
     start: Annotated[int, typer.Option(help="First frame of the real walking.")] = 0,
     path: Annotated[bool, typer.Option("--path", help="Also the distance from a figure of eight.")] = False,
@@ -77,18 +77,19 @@ def run(
     paths = [math.nan] * len(names)
     if path:
         course = eight(LOOP)
-        laps = list(runtime.states(net, runtime.follow(course.tolist(), speed), bank.vectors, progress=True))
+        laps = list(runtime.states(net, runtime.follow(course.tolist(), 1.0), bank.vectors, progress=True))
         paths = [_path_error(net, laps, i, course) for i in range(len(names))]
         del laps
-    walks = {"natural speed": [bank.speed(name) for name in names], f"{speed:g} m/s": [speed] * len(names)}
-    for title, speeds in walks.items():
-        rows = walk(net, bank, speeds, seconds, drawn)
+    for speed in speeds.split(","):
+        title = "natural speed" if speed == "natural" else f"{float(speed):g} m/s"
+        asked = [bank.speed(name) if speed == "natural" else float(speed) for name in names]
+        rows = walk(net, bank, asked, seconds, drawn)
         print(f"\nStraight ahead at {title}, {seconds:g} s after {WARM_UP:g} s of warm-up; skate in cm/s, of toes that the "
               "network predicts in contact;\nlengths in cm; acceleration of toes, and up and down of hips, in m/s², 99 %\n"
               f"{'style':<20}{'upright':>8}{'m/s':>6}" + "".join(f"{t:>17}" for _, t in COLUMNS.values()))
-        for name, row, apart, asked in zip(names, rows, paths, speeds, strict=True):
+        for name, row, apart, wanted in zip(names, rows, paths, asked, strict=True):
             row["path"] = apart
-            print(f"{name:<20}{'yes' if row['upright'] else 'NO':>8}{asked:>6.2f}" + _cells(row))
+            print(f"{name:<20}{'yes' if row['upright'] else 'NO':>8}{wanted:>6.2f}" + _cells(row))
         for what, choose in (("median", torch.nanmedian), ("worst", lambda v: v.nan_to_num(-math.inf).max())):
             print(f"{what:<34}" + _cells({k: float(choose(torch.tensor([r[k] for r in rows]))) for k in COLUMNS}))
         for what, row in kept.items():
@@ -195,14 +196,11 @@ def _summary(rows: Mapping[str, Mapping[str, float]]) -> dict[str, float | str]:
 
 def _store(rows: Mapping[str, Mapping[str, float | str]]) -> None:
     """Put rows in place of those of the same name in the stored result."""
-    old = Result.load(STORED, RESULTS) if (RESULTS / f"{STORED}.json").exists() else None
-    held = {row["walk"]: row for row in old.rows} if old else {}
-    held |= {name: {"walk": name, **row} for name, row in rows.items()}
     Result(STORED, "Straight walks, ten seconds after four of warm-up: medians over styles; beside them a real take and "
            "predictions of its next frames from itself; the aims are for the published network",
            "python -m experiments closed-loop [--published DATA/lpn_film_100style] --real DATA/100style/Neutral_FW.bvh "
-           "--start 327 [--calibrated] [--drawn] --store", SUMMARY, list(held.values()),
-           numbers=old.numbers if old else {}).save(RESULTS)
+           "--start 327 [--calibrated] [--drawn] --store", SUMMARY, [{"walk": name, **row} for name, row in rows.items()],
+           ).add(RESULTS)
 
 
 def _path_error(net: Model, laps: list[runtime.CharacterState], i: int, course: Tensor) -> float:

@@ -19,7 +19,7 @@ from toolkit.training.loss import evaluate
 #: Columns of the stored result.
 COLUMNS = {"form": ["dropout"], "error": ["held-out error", 4], "upright": ["upright", 0],
            "skate": ["toes in contact at 1 m/s, cm/s: median", 2, 100], "worst": ["worst style", 1, 100],
-           "before": ["before IK", 1, 100]}
+           "before": ["before IK", 1, 100], "natural": ["worst style at its natural speed", 1, 100]}
 
 
 def run(
@@ -43,7 +43,7 @@ def run(
     result = Result("dropout", f"Procedural styles, {epochs} epochs, a run for each of {seeds} seeds; walks of all styles",
                     f"python -m experiments dropout --out FOLDER --epochs {epochs} --walks {walks:g} --store", COLUMNS, rows,
                     {"epochs": epochs, "seeds": seeds, "seconds of a clip": clip_seconds, "seconds of a walk": walks})
-    print(result.markdown() + (f"wrote {result.save()}" if store else ""))
+    print(result.markdown() + (f"wrote {result.add()}" if store else ""))
 
 
 def _trained(data: features.Features, out: Path, dropout: float, seed: int, epochs: int) -> Run:
@@ -60,8 +60,10 @@ def _measure(trained: Run, data: features.Features, calibrated: bool, seconds: f
     config, bank = trained.config, trained.bank
     test = splits.split(data, config.held_out, config.seed, tuple(data.styles))[1]
     errors = evaluate(trained.model, bank, test, 500).values()
-    walks = closed_loop.walk(trained.model, bank, [1.0] * len(bank), seconds)
-    skates = torch.tensor([row["skate"] for row in walks])
-    return {"error": statistics.mean(one["mse"] for one in errors), "upright": sum(row["upright"] for row in walks),
-            "skate": float(skates.nanmedian()), "worst": float(skates.nan_to_num(float("inf")).max()),
-            "before": statistics.median(row["before"] for row in walks)}
+    walked = [closed_loop.walk(trained.model, bank, speeds, seconds)
+              for speeds in ([1.0] * len(bank), [bank.speed(name) for name in bank.names])]
+    skates = torch.tensor([[row["skate"] for row in rows] for rows in walked])
+    worst, natural = skates.nan_to_num(float("inf")).amax(1).tolist()
+    return {"error": statistics.mean(one["mse"] for one in errors), "upright": sum(row["upright"] for row in walked[0]),
+            "skate": float(skates[0].nanmedian()), "worst": worst,
+            "before": statistics.median(row["before"] for row in walked[0]), "natural": natural}

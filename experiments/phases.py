@@ -12,11 +12,12 @@ from torch import Tensor
 from toolkit import phases as ph
 from toolkit.datasets import home, procedural
 from toolkit.evaluation import labels
-from toolkit.evaluation.phases import CASES, STILL, Row, kind, measure
+from toolkit.evaluation.phases import STILL, Row, measure
 from toolkit.motion.contacts import FEET
 
 STAGGERING = ("Neutral", "Zombie")  # styles that are also measured with the random steps of the Drunk
 FREQUENCY_LIMIT, F1_LIMIT = 0.03, 0.95
+CASES = ("cyclic", "asymmetric", "no global phase", "one leg never touches", "stochastic")
 PLANNED = ("Neutral", "Old", "Zombie", "Drunk")  # styles that are labelled by their true contacts
 LABEL_LIMIT, FLOOR_LIMIT = 20.0, 10.0  # degrees, of the default source: in all, and above the floor of the labels
 
@@ -52,15 +53,14 @@ def run(
     named = {name: procedural.STYLES.get(name, name) for name in (styles.split(",") if styles else procedural.STYLES)}
     if styles is None:
         named |= {f"{name} staggering": replace(procedural.STYLES[name], stagger=1.0) for name in STAGGERING}
-    rows = []
+    rows: dict[str, list[Row]] = {case: [] for case in CASES}
     for gait in gaits.split(","):
         for name, style in named.items():
             clip, known = procedural.truth(name if name in procedural.STYLES else style, gait, seconds, seed)
-            rows.append(measure(f"{name} {gait}", clip, known, kind(style), sources))
+            rows[case(style)].append(measure(f"{name} {gait}", clip, known, sources))
 
     print(f"{'degrees':<34}" + "".join(f"{name:>14}" for name in sources) + f"{'frequency':>12}{'contact F1':>12}")
-    for group in CASES:
-        members = [row for row in rows if row.kind == group]
+    for group, members in rows.items():
         for row in members:
             for limbs, part in PARTS.items():
                 errors = "".join(_number(row.phase[s][part.columns].nanmean(), "°", 14) for s in sources)
@@ -76,7 +76,7 @@ def run(
     print(f"{gaits}, {seconds:g} s, seed {seed}: mean circular error while stepping, less a constant lag per limb; error of "
           "the mean\nfrequency (feet: contact, hands: contact-free). —: undefined, for hands without contact or a hand that "
           f"moves under {100 * STILL:g} cm.")
-    failed = [f"{row.name}: {what}" for row in rows if row.kind == "cyclic" for what in failures(row)]
+    failed = [f"{row.name}: {what}" for row in rows["cyclic"] for what in failures(row)]
     limits = ", ".join(f"{part.source} {limbs} {part.limit:g}°" for limbs, part in PARTS.items())
     print(f"Limits for cyclic styles: {limits}, "
           f"frequency {FREQUENCY_LIMIT:.0%}, F1 {F1_LIMIT}: {'; '.join(failed) or 'all kept'}")
@@ -105,6 +105,40 @@ def _labels(sources: dict[str, ph.Source], folder: Path | None, seconds: float, 
           "the floor between those of one. The contact source is the paper's, and was the default's for feet.\n"
           f"Limits of hybrid, the default: {LABEL_LIMIT:g}°, {FLOOR_LIMIT:g}° above the floor: "
           f"{'; '.join(failed) or 'all kept'}")
+    for name, take in takes[len(PLANNED):]:
+        titles = "".join(f"{f'{side} {part}':>9}" for side in FEET for part in (1, 2, 3))
+        print(f"\n{f'{name[:24]}, by thirds':<37}{titles}")
+        for what, errors in thirds(take).items():
+            print(f"{what:<37}" + "".join(_number(error, "°", 9) for error in errors.T.flatten()))
+
+
+def thirds(take: labels.Take) -> dict[str, Tensor]:
+    """Mean errors ``[3, 2]`` in the thirds of a take, degrees, less the lag of the whole take, between touch-downs."""
+    columns, frames = [ph.LIMBS.index(f"{side}_foot") for side in FEET], labels.between(take)
+    own = [ph.Steps()(take.clip, f"{side}_foot").diff().gt(0).nonzero()[:, 0] + 1 for side in FEET]
+    found = {"straight between labelled touch-downs": labels.clocks(take, take.right, take.left),
+             "straight between our touch-downs": labels.clocks(take, *own)}
+    found |= {source: ph.extract(take.clip, source).phase[:, columns].double() for source in ("hybrid", "contact")}
+    errors = {}
+    for what, phases in found.items():
+        off = phases - take.label[:, None]
+        off = off - torch.atan2(off[frames].sin().mean(0), off[frames].cos().mean(0))
+        off = torch.atan2(off.sin(), off.cos()).abs().rad2deg()
+        errors[what] = torch.stack([part[kept].mean(0) for part, kept in zip(off.tensor_split(3), frames.tensor_split(3),
+                                                                             strict=True)])
+    return errors
+
+
+def case(style: procedural.Style) -> str:
+    """The one of `CASES` of a style."""
+    if style.stagger > 0:
+        return "stochastic"
+    legs, arms = ([part("left"), part("right")] for part in (style.leg, style.arm))
+    if any(leg.raised for leg in legs):
+        return "one leg never touches"
+    if style.asymmetry or legs[0] != legs[1]:
+        return "asymmetric"
+    return "no global phase" if any(arm.ratio != 1 or arm.phase for arm in arms) else "cyclic"
 
 
 def failures(row: Row) -> list[str]:

@@ -14,7 +14,7 @@ import math
 import re
 import statistics
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -67,6 +67,14 @@ class Result:
         with atomic_write(path) as file:
             file.write(("{\n" + ",\n".join(parts) + "\n}\n").encode())
         return path
+
+    def add(self, folder: Path = RESULTS) -> Path:
+        """`save`, but the stored rows whose first column is another stay, and the stored numbers."""
+        if not (folder / f"{self.name}.json").exists():
+            return self.save(folder)
+        old, first = Result.load(self.name, folder), next(iter(self.columns))
+        rows = {row[first]: row for row in [*old.rows, *self.rows]}
+        return replace(self, rows=list(rows.values()), numbers=old.numbers | self.numbers).save(folder)
 
     @classmethod
     def load(cls, name: str, folder: Path = RESULTS) -> "Result":

@@ -26,7 +26,7 @@ class Document:
 
     def add(self, values, **more):
         values = np.ascontiguousarray(values)
-        kind = {0: "SCALAR", 1: "SCALAR", 3: "VEC3", 4: "VEC4"}[1 if values.ndim == 1 else values.shape[1]]
+        kind = {0: "SCALAR", 1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4"}[1 if values.ndim == 1 else values.shape[1]]
         self.json["bufferViews"].append({"buffer": 0, "byteOffset": len(self.data), "byteLength": values.nbytes})
         self.json["accessors"].append({"bufferView": len(self.json["bufferViews"]) - 1, "count": len(values), "type": kind,
                                        "componentType": TYPES[values.dtype.str[1:]], **more})
@@ -53,6 +53,16 @@ def glb(document, data):
     text += b" " * (-len(text) % 4)
     chunks = b"".join(struct.pack("<I4s", len(x), kind) + x for x, kind in ((text, b"JSON"), (data, b"BIN\0")))
     return struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks
+
+
+def textured(document, primitive, places, picture):
+    """Give a primitive a texture, the bytes of a picture, at ``places [V, 2]``."""
+    doc = document.json
+    primitive["attributes"]["TEXCOORD_0"] = document.add(places)
+    primitive["material"] = 0
+    view = doc["accessors"][document.add(np.frombuffer(picture, "u1"))]["bufferView"]
+    doc |= {"materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}, "baseColorFactor": [1, 0.5, 0, 1]}}],
+            "textures": [{"source": 0}], "images": [{"bufferView": view}]}
 
 
 def fbx(records, version=7400, *, pack_arrays=True):

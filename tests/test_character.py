@@ -93,7 +93,7 @@ def test_the_mesh_of_a_file_is_read_whole(hero):
     seen = found.mesh.colors.astype(int)  # those of the vertices: blue on the left, orange on the right, light between
     assert [(seen[:, 2] - seen[:, 0] > 40).mean() > 0.1, (seen[:, 0] - seen[:, 2] > 60).mean() > 0.1] == [True, True]
     assert (seen.min(1) > 190).mean() > 0.1
-    points, normals = found.pose(found.rest.global_rotations[0], found.rest.global_positions[0])
+    points, normals = found.skin.pose(found.rest.global_rotations[0], found.rest.global_positions[0])
     np.testing.assert_allclose(points, found.points, atol=1e-5)
     assert np.linalg.norm(normals, axis=1) == pytest.approx(1.0, abs=1e-4)
 
@@ -116,7 +116,7 @@ def test_other_programs_see_the_motion_on_it(request, tmp_path, kind, zombie):
         joints = (read.global_positions[:, read.skeleton.index(name)], made.global_positions[:, made.skeleton.index(name)])
         assert (joints[0] - joints[1]).abs().max() < 1e-4, name
     for frame in (0, 100):
-        points = character.pose(made.global_rotations[frame], made.global_positions[frame])[0]
+        points = character.skin.pose(made.global_rotations[frame], made.global_positions[frame])[0]
         seen = seen_by_vtk(tmp_path / "walk.glb", frame / 60)
         assert seen.shape == points.shape
         assert abs(seen - points).max() < 1e-3
@@ -129,7 +129,7 @@ def test_soles_stand_on_the_floor(hero, zombie):
     character = Character.load(hero)
     made = character.fitted(zombie)
     poses = zip(made.global_rotations[::10], made.global_positions[::10], strict=True)
-    low = [character.pose(*pose)[0][:, 1].min() for pose in poses]
+    low = [character.skin.pose(*pose)[0][:, 1].min() for pose in poses]
     assert -0.03 < min(low) < 0.03
 
 
@@ -172,8 +172,8 @@ def test_renderers_draw_it_in_place_of_the_mannequin(hero, zombie, renderer):
     green = copy.copy(character)
     object.__setattr__(green, "mesh", copy.copy(character.mesh))
     object.__setattr__(green.mesh, "colors", np.tile(np.uint8([[0, 200, 0]]), (len(character.points), 1)))
-    scene = getattr(renderers, renderer)([renderers.Character(made, figure=green)], (200, 200))
-    picture = scene.draw([40]).astype(int)
+    scene = getattr(renderers, renderer)((200, 200), made, None, green)
+    picture = scene.draw(40).astype(int)
     body = (picture[..., 1] > 2 * picture[..., 0]) & (picture[..., 1] > 2 * picture[..., 2])
     assert 0.01 < body.mean() < 0.3
     scene.close()

@@ -15,6 +15,7 @@ import torch
 import toolkit as tk
 from experiments.__main__ import main
 from experiments.seven_models import failures, hundred, interpolation, load, models, results
+from experiments.seven_models.posture import posture_error
 from toolkit.features import pack_joints
 
 STYLES = "Neutral,PendulumHands,Zombie"
@@ -330,9 +331,9 @@ def test_the_mean_pose_of_arms_and_its_floor(data):
         return pack_joints(positions, nothing, nothing, nothing)
 
     clips = torch.stack([packed(rest), packed(other)])
-    found = tk.evaluation.models.posture_error(layout, packed(lifted), clips[:1], 0.0)
+    found = posture_error(layout, packed(lifted), clips[:1], 0.0)
     assert found == pytest.approx({"clavicle": 0.02, "hand": 0.0, "clavicle_data": 0.0, "hand_data": 0.0}, abs=1e-6)
-    found = tk.evaluation.models.posture_error(layout, packed(rest), clips, 0.0)
+    found = posture_error(layout, packed(rest), clips, 0.0)
     assert found == pytest.approx({"clavicle": 0.0, "hand": 0.025, "clavicle_data": 0.0, "hand_data": 0.05}, abs=1e-6)
 
 

@@ -160,7 +160,7 @@ NUMBERS = {  # what looks at numbers, or goes through scipy and numba
     "sources.curves": lambda m: phases.curves(m.clip, lambda clip, limb: m.turn.tolist()),
     "windows.half_window": lambda m: windows.half_window(m.turn, 60.0),
     "windows.smooth": lambda m: windows.smooth(m.curves, 60.0),
-    "sinusoids.fit": lambda m: (phases.fit(m.curves, 60.0), phases.fit(m.curves[:200], 60.0, continuity=1.0)),
+    "sinusoids.fit": lambda m: phases.fit(m.curves, 60.0),
     "sinusoids.frequencies": lambda m: sinusoids.frequencies(1.0),
     "coherent.ridge": lambda m: coherent.ridge(m.points[..., 0].abs().T, 6, 0.5),
     "steps.signal": lambda m: steps.signal((torch.sin(20 * m.root[:, 2]) > 0).to(m.q)).real,

@@ -1,6 +1,7 @@
 """The pages of docs/: their code runs, errors are printed as they say, links hold. Building the site is `make docs`."""
 
 import html
+import json
 import pkgutil
 import re
 import shutil
@@ -121,6 +122,30 @@ def test_every_module_has_a_page_in_the_reference(monkeypatch):
     there = {m.name for m in pkgutil.iter_modules(tk.__path__)} - {"__main__"}
     assert len(set(listed)) == len(listed)
     assert set(listed) == there
+
+
+def test_a_stored_run_is_shown_if_its_code_is_that_of_the_notebook(monkeypatch, tmp_path):
+    monkeypatch.syspath_prepend(DOCS)
+    import stored
+
+    def book(prose: str, code: str, **run) -> str:
+        cells = [{"cell_type": "markdown", "source": [prose], "metadata": {}},
+                 {"cell_type": "code", "source": [code], "metadata": {}, "outputs": [], "execution_count": None} | run]
+        return json.dumps({"cells": cells, "metadata": {}})
+
+    times = {"iopub.execute_input": "2026-01-01T10:00:00.0Z", "shell.execute_reply": "2026-01-01T10:02:00.0Z"}
+    said = [{"output_type": "stream", "name": "stdout", "text": ["4"]}]
+    run = {"outputs": said, "execution_count": 1, "metadata": {"execution": times}}
+    notebook, same, other = tmp_path / "a.ipynb", tmp_path / "full" / "a.ipynb", book("old prose", "print(5)", **run)
+    notebook.write_text(book("new prose", "print(4)"), encoding="utf-8")
+    same.parent.mkdir()
+    same.write_text(book("old prose", "print(4)", **run), encoding="utf-8")
+    texts, took = stored.results(same.parent, [notebook])
+    prose, code = json.loads(texts["a.ipynb"])["cells"]
+    assert (prose["source"], code["outputs"], took) == (["new prose"], said, {"a.ipynb": 120.0})
+    assert stored.merged(notebook.read_text(encoding="utf-8"), other) == ""
+    same.write_text(book("", "print(4)", **run | {"outputs": [{"output_type": "error"}]}), encoding="utf-8")
+    assert stored.results(same.parent, [notebook]) == ({"a.ipynb": notebook.read_text(encoding="utf-8")}, {})
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda path: path.stem)

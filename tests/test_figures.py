@@ -7,9 +7,6 @@ import torch
 import toolkit as tk
 from toolkit import phases as ph
 from toolkit.view import figures, phase_figure, phase_manifold, principal_axes
-from toolkit.view.opengl import opengl_works
-
-needs_opengl = pytest.mark.skipif(not opengl_works(), reason="VTK finds no OpenGL here")
 
 
 @pytest.fixture(scope="module")
@@ -75,8 +72,7 @@ def test_principal_axes_of_a_fitted_source_are_kept(hop):
 
 @pytest.mark.parametrize(
     ("options", "message"),
-    [({"source": "contact"}, "a contact-free or hybrid source"), ({"second": 9.0}, "the clip lasts 3.00 s"),
-     ({"backend": "vtk"}, "must be 'plotly' or 'pyvista', not 'vtk'")],
+    [({"source": "contact"}, "a contact-free or hybrid source"), ({"second": 9.0}, "the clip lasts 3.00 s")],
 )
 def test_principal_axes_refuses(hop, options, message):
     with pytest.raises(ValueError, match=message):
@@ -104,24 +100,6 @@ def test_phase_manifold_of_windows_keeps_the_time_of_their_middle():
     np.testing.assert_allclose(trace.customdata[[0, -1]], [0.5, 0.5 + 59 / 60])
     with pytest.raises(ValueError, match=r"63 frames or more; too short: \['brief'\]"):
         phase_manifold({"wide": circling(2.0), "brief": circling(1.0, 62)})
-
-
-def test_pyvista_without_opengl_is_refused_before_it_can_crash(hop, monkeypatch):
-    monkeypatch.setattr("toolkit.view.phase_figures.opengl_works", lambda: False)
-    with pytest.raises(RuntimeError, match="backend='plotly'"):
-        principal_axes(hop, backend="pyvista")
-
-
-@needs_opengl
-def test_pyvista_draws_the_same(hop):
-    plotter = principal_axes(hop, "hybrid", backend="pyvista")
-    picture = plotter.screenshot(return_img=True).astype(int)
-    plotter.close()
-    assert (np.abs(picture - (0x7B, 0x3F, 0xB5)).max(-1) < 8).sum() > 200  # arrows, in their own colour
-    plotter = phase_manifold({"wide": circling(2.0), "narrow": circling(0.5)}, backend="pyvista")
-    picture = plotter.screenshot(return_img=True).astype(int)
-    plotter.close()
-    assert picture.std() > 2
 
 
 def test_colours_never_repeat():

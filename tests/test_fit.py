@@ -1,4 +1,4 @@
-"""The sinusoid fit: known sinusoids, the best that slow means find, bounds, degenerate windows, continuity."""
+"""The sinusoid fit: known sinusoids, the best that slow means find, bounds, degenerate windows."""
 
 import itertools
 import math
@@ -113,50 +113,17 @@ def test_other_rates_and_windows_are_as_good(fps, seconds):
         assert one(window, fps).residual <= best_known(window, fps) * (1 + 1e-6) + 1e-7 * np.ptp(window)
 
 
-def jumps(found):
-    """How far each frame's vector is from the last one's, turned by a frame: [F - 1, L]."""
-    here = torch.polar(found.amplitude, found.phase)
-    return (here[1:] - torch.polar(found.amplitude, found.phase + 2 * math.pi * found.frequency / FPS)[:-1]).abs()
-
-
-def test_continuity_trades_residual_for_smoothness():
-    noise = torch.randn(600, 2, generator=torch.Generator().manual_seed(1), dtype=torch.float64)
-    curve = tk.phases.normalise(tk.phases.smooth(noise, FPS), FPS)
-    free, linked = fit(curve, FPS), fit(curve, FPS, continuity=1.0)
-    assert bool((linked.residual >= free.residual * (1 - 1e-6)).all())
-    for limb in range(2):
-        costs = [float(f.residual[:, limb].sum() + jumps(f)[:, limb].sum()) for f in (free, linked)]
-        assert costs[1] < 0.98 * costs[0]
-        assert float(jumps(linked)[:, limb].sum()) < 0.8 * float(jumps(free)[:, limb].sum())
-    barely = fit(curve, FPS, continuity=1e-9)
-    torch.testing.assert_close(barely.residual, free.residual, rtol=1e-6, atol=0)
-
-
 def test_the_smoothest_path_is_the_best_of_all():
     from toolkit.phases.variable_projection import smoothest
 
     rng = np.random.default_rng(2)
     for _ in range(5):
-        cost = rng.random((3, 6))
-        cost[2, rng.random(6) < 0.5] = np.inf
-        here, ahead = rng.normal(size=(2, 3, 6)) + 1j * rng.normal(size=(2, 3, 6))
+        cost, jump = rng.random((6, 3)), rng.random((3, 3))
 
-        def along(path, cost=cost, here=here, ahead=ahead):
-            jump = sum(abs(here[path[f], f] - ahead[path[f - 1], f - 1]) for f in range(1, 6))
-            return sum(cost[k, f] for f, k in enumerate(path)) + jump
+        def along(path, cost=cost, jump=jump):
+            return sum(cost[f, k] for f, k in enumerate(path)) + sum(jump[a, b] for a, b in itertools.pairwise(path))
 
-        assert tuple(smoothest(cost, here, ahead)) == min(itertools.product(range(3), repeat=6), key=along)
-
-
-@pytest.mark.parametrize(("shape", "fps", "continuity", "message"), [
-    ((100,), 60.0, 0.0, r"\[frames, limbs\] with more than 30 frames, not \[100\]"),
-    ((30, 4), 60.0, 0.0, r"more than 30 frames, not \[30, 4\]"),
-    ((100, 4), 8.0, 0.0, "over 8 frames per second, not 8"),
-    ((100, 4), 60.0, -1.0, "continuity must be 0 or more, not -1"),
-])
-def test_what_cannot_be_fitted_is_refused(shape, fps, continuity, message):
-    with pytest.raises(ValueError, match=message):
-        fit(torch.zeros(shape), fps, continuity=continuity)
+        assert tuple(smoothest(cost, jump)) == min(itertools.product(range(3), repeat=6), key=along)
 
 
 @pytest.mark.parametrize("seconds", [0.2, 1.0, 61 / 60, 4.0])
@@ -208,49 +175,17 @@ def test_the_shortest_source_the_lowest_rate_and_the_shortest_window():
         fit(curve[:2], 10.0, 0.01)
 
 
-@pytest.mark.parametrize(("source", "fps", "continuity", "message"), [
-    (torch.zeros(100), 60.0, 0.0, "a source must be [frames, limbs] with more than 30 frames, not [100]"),
-    (torch.zeros(100, 4, 1), 60.0, 0.0, "a source must be [frames, limbs] with more than 30 frames, not [100, 4, 1]"),
-    (torch.zeros(100, 4), 8.0, 0.0, "fits up to 4 Hz need over 8 frames per second, not 8"),
-    (torch.zeros(100, 4), 7.5, 0.0, "fits up to 4 Hz need over 8 frames per second, not 7.5"),
-    (torch.zeros(100, 4), 60.0, math.nan, "continuity must be 0 or more, not nan"),
-    (torch.zeros(100, 4), 60.0, -0.5, "continuity must be 0 or more, not -0.5"),
+@pytest.mark.parametrize(("source", "fps", "message"), [
+    (torch.zeros(100), 60.0, "a source must be [frames, limbs] with more than 30 frames, not [100]"),
+    (torch.zeros(30, 4), 60.0, "a source must be [frames, limbs] with more than 30 frames, not [30, 4]"),
+    (torch.zeros(100, 4, 1), 60.0, "a source must be [frames, limbs] with more than 30 frames, not [100, 4, 1]"),
+    (torch.zeros(100, 4), 8.0, "fits up to 4 Hz need over 8 frames per second, not 8"),
+    (torch.zeros(100, 4), 7.5, "fits up to 4 Hz need over 8 frames per second, not 7.5"),
 ])
-def test_refusals_say_what_was_expected_and_what_came(source, fps, continuity, message):
+def test_refusals_say_what_was_expected_and_what_came(source, fps, message):
     with pytest.raises(ValueError) as error:  # noqa: PT011
-        fit(source, fps, continuity=continuity)
+        fit(source, fps)
     assert str(error.value) == message
-
-
-@pytest.mark.parametrize("continuity", [0.05, 0.7, 3.0])
-def test_continuity_takes_the_best_of_all_paths_through_local_minima(continuity):
-    """Against every way through the four best local minima of each window."""
-    curve = np.random.default_rng(13).normal(size=(6, 2))
-    fps, half, n = 12.0, 3, 7
-    found = fit(torch.from_numpy(curve), fps, 0.25, continuity)
-    padded = np.pad(curve, ((half, half), (0, 0)), "reflect")
-    from toolkit.phases.variable_projection import minima
-
-    turned = 0
-    for limb in range(2):
-        windows = np.stack([padded[f : f + n, limb] for f in range(6)])
-        best = np.zeros((4, 5, 6))
-        grid = 2 * np.pi / fps * frequencies(n / fps)
-        minima(np.ascontiguousarray(padded[:, limb]), windows.min(1), windows.max(1), grid, best)
-        theta, u, v, _, error = best.swapaxes(0, 1)
-        vector = u + 1j * v
-        costs = {}
-        for path in itertools.product(*(np.flatnonzero(np.isfinite(error[:, f])) for f in range(6))):
-            jump = sum(abs(vector[path[f], f] - vector[path[f - 1], f - 1] * np.exp(1j * theta[path[f - 1], f - 1]))
-                       for f in range(1, 6))
-            costs[path] = sum(math.sqrt(error[k, f] / n) for f, k in enumerate(path)) + continuity * jump
-        path = min(costs, key=costs.get)
-        turned += any(path)
-        chosen = [(k, f) for f, k in enumerate(path)]
-        assert found.residual[:, limb].tolist() == pytest.approx([math.sqrt(error[c] / n) for c in chosen], abs=1e-9)
-        assert found.amplitude[:, limb].tolist() == pytest.approx([abs(vector[c]) for c in chosen], abs=1e-9)
-        assert found.frequency[:, limb].tolist() == pytest.approx([theta[c] * fps / 2 / np.pi for c in chosen], abs=1e-9)
-    assert turned  # not simply the best of every window
 
 
 def test_at_its_ends_a_curve_is_continued_by_its_mirror_image():

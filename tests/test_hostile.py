@@ -7,17 +7,22 @@ import json
 import os
 import re
 import shutil
+import struct
 import subprocess
 import sys
 import time
 import warnings
+import zlib
 from pathlib import Path
 
+import numpy as np
 import pytest
 import torch
+from motion_files import Document, textured
 
 import toolkit as tk
 from toolkit.__main__ import main
+from toolkit.io import gltf_mesh
 from toolkit.io.files import atomic_write
 
 LOADED = """
@@ -141,6 +146,21 @@ def test_sizes_in_a_model_file_take_no_memory_before_they_are_checked(kind, tmp_
     assert megabytes < 200
 
 
+def test_a_description_of_more_than_16_megabytes_is_refused_before_it_is_parsed(tmp_path):
+    """Parsed, each of its values would take up to 70 bytes (`toolkit.io.files.parsed`)."""
+    from safetensors.torch import save_file
+
+    from toolkit.io import model_files
+
+    path, most = tmp_path / "a.safetensors", model_files.METADATA
+    for values, said in ((most // 2 + 1, f"larger than {most} bytes"), (most // 2 - 9, "more than 2000000 values")):
+        save_file({"a": torch.zeros(1)}, path, {"format": model_files.FORMAT, "recogniser": f"[{'0,' * values}0]"})
+        message, megabytes = taken("recogniser", path)
+        assert message.startswith(f"{path}: its metadata is ")
+        assert said in message
+        assert megabytes < 10 * path.stat().st_size / 1e6 + 200
+
+
 def test_a_slow_recording_is_not_resampled_into_gigabytes(tmp_path):
     rows = "0 0 0 0 0 0\n" * 9000
     channels = "CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation"
@@ -162,6 +182,23 @@ def test_a_rollout_without_end_is_refused_before_it_starts(seconds, capsys):
         tk.runtime.straight(1.0, float(seconds))
     with pytest.raises(ValueError, match="at most"):
         tk.runtime.follow([(0.0, 0.0), (1.0, 0.0)], seconds=float(seconds))
+
+
+@pytest.mark.parametrize("speed", ["1e308", "-1e39", "2e6", "inf", "nan"])
+def test_a_speed_that_no_network_can_take_is_refused_by_its_name(speed, capsys, tmp_path):
+    out = tmp_path / "a.bvh"
+    assert main(["rollout", "--style", "Neutral", "--out", str(out), "--seconds", "0.1", "--speed", speed]) == 2
+    said = capsys.readouterr().err
+    assert re.match(r"error: (velocity must be finite, up to 1e\+06|speed and seconds must be finite).* got ", said)
+    assert said.count("\n") == 1
+    assert not out.exists()
+
+
+def test_the_largest_command_gives_finite_motion():
+    model, bank = tk.pretrained()
+    for velocity in ((0.0, 1e6), (-1e6, 1e6)):
+        clip = tk.runtime.rollout(model, [tk.runtime.Command(velocity)] * 30, bank["Neutral"])
+        assert bool(clip.root_positions.isfinite().all())
 
 
 def test_a_path_without_end_is_refused():
@@ -195,7 +232,7 @@ def test_no_text_from_outside_reaches_html_as_html(walk_clip, tmp_path):
     assert "<img" not in shown._title.value
     assert shown._title.value.count("<") == 2  # of its own <b>
     shown.close()
-    picture.strip(clips[3], title=PLANTED[3])._repr_png_()  # no formula
+    picture.strip(clips[3], labels=[PLANTED[3]])._repr_png_()  # no formula
 
     points = torch.rand(len(PLANTED), 2)
     rows = [{"step": 1, **dict.fromkeys(PLANTED, 1.0)}]
@@ -387,6 +424,34 @@ def test_names_of_files_reach_the_terminal_without_control_characters(walk_clip,
     assert r"left out: bad\x1b[31m.bvh: " in capsys.readouterr().out
 
 
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no such file names")
+def test_doubts_about_a_file_name_it_without_control_characters(walk_clip, tmp_path, capsys):
+    path = tmp_path / "doubtful\x1b[31m.bvh"
+    tk.bvh.save(walk_clip.cut(0, 60), path)
+    path.write_text(re.sub(r"Frame Time: .*", "Frame Time: 0.5", path.read_text()))
+    with pytest.raises(SystemExit, match="0"):
+        main(["export", "clip", str(path), "--out", str(tmp_path / "a.bvh"), "--unit", "0.03"])
+    said = capsys.readouterr().err
+    assert r"doubtful\x1b[31m.bvh: " in said
+    assert "\x1b" not in said
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no such locales")
+def test_a_locale_that_is_not_utf_8_reads_styles_from_names_of_folders(walk_clip, tmp_path):
+    """Styles from folders and from a table, whose columns name files; in the C locale names arrive as single bytes."""
+    folder, listed = tmp_path / "歩く", tmp_path / "listed"
+    for place in (folder / "مشي" / "é.bvh", listed / "é.bvh"):
+        place.parent.mkdir(parents=True)
+        tk.bvh.save(walk_clip.cut(0, 120), place)
+    (listed / "labels.csv").write_text("file,style\né.bvh,Ärger\n", encoding="utf-8")
+    command = ("import sys; from pathlib import Path; from toolkit.datasets import folder\n"
+               "for at in sys.argv[1:]: print(ascii([take.style for take in folder.labelled(Path(at))[0]]))")
+    env = os.environ | {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0",
+                        "PYTHONPATH": str(Path(tk.__file__).parents[1])}
+    done = subprocess.run([sys.executable, "-c", command, folder, listed], env=env, capture_output=True, text=True)
+    assert done.stdout.split() == [ascii(["مشي"]), ascii(["Ärger"])], done.stderr
+
+
 @pytest.mark.skipif(not hasattr(os, "geteuid") or os.geteuid() != 0, reason="only root gives files away")
 def test_writing_keeps_the_owner(tmp_path):
     path = tmp_path / "theirs"
@@ -424,6 +489,83 @@ def test_writing_keeps_links_and_permissions(tmp_path):
         assert path.is_symlink()
     assert private.read_bytes() == (tmp_path / "new").read_bytes() == b"new"
     assert private.stat().st_mode & 0o777 == 0o600
+
+
+def png(side: int) -> bytes:
+    """The beginning of a picture that says how large it is."""
+    head = b"IHDR" + struct.pack(">IIBBBBB", side, side, 8, 2, 0, 0, 0)
+    data = b"IDAT" + zlib.compress(b"")
+    return b"\x89PNG\r\n\x1a\n" + b"".join(struct.pack(">I", len(x) - 4) + x + struct.pack(">I", zlib.crc32(x))
+                                            for x in (head, data))
+
+
+def with_picture(doc: Document, side: int) -> None:
+    textured(doc, doc.json["meshes"][0]["primitives"][0], np.zeros((60, 2), "f4"), png(side))
+
+
+def many_meshes(doc: Document, count: int) -> None:
+    doc.json["meshes"].append({"primitives": [{"mode": 0}] * count})
+    doc.json["nodes"][1]["children"] = [*range(3, 3 + count)]
+    doc.json["nodes"].extend([{"mesh": 1}] * count)
+
+
+@pytest.mark.parametrize(("spoil", "said"), [
+    (lambda doc: with_picture(doc, 12_000), "too many pixels"), (lambda doc: with_picture(doc, 30_000), "too many pixels"),
+    (lambda doc: doc.json["nodes"].extend([{}] * 50_000), "more than 50000 nodes"),
+    (lambda doc: doc.json["skins"].extend([{"joints": [1]}] * 1000), "more than 1000 skins"),
+    (lambda doc: doc.json["meshes"][0]["primitives"].extend(doc.json["meshes"][0]["primitives"] * 100_000), "vertices in"),
+    (lambda doc: doc.json["skins"].extend([doc.json["skins"][0] | {"inverseBindMatrices": doc.wide}] * 50), "values from"),
+    (lambda doc: many_meshes(doc, 5000), "vertices in"),
+], ids=["large picture", "larger picture", "nodes", "skins", "primitives", "matrices", "nodes of many primitives"])
+def test_a_character_takes_no_more_than_its_file_can_hold(spoil, said, tmp_path):
+    doc = Document([{"name": "top", "children": [1]}, {"name": "hips"}, {"mesh": 0, "skin": 0}])
+    points, weights = doc.add(np.zeros((60, 3), "f4")), doc.add(np.ones((60, 4), "f4"))
+    attributes = {"POSITION": points, "WEIGHTS_0": weights, "JOINTS_0": doc.add(np.zeros((60, 4), "u1"))}
+    doc.json |= {"skins": [{"joints": [1]}], "meshes": [{"primitives": [{"attributes": attributes}]}]}
+    doc.wide = doc.add(np.ones((120_000, 4), "f4"))
+    doc.json["accessors"][-1] |= {"type": "MAT4", "count": 30_000}
+    spoil(doc)
+    path = tmp_path / "a.glb"
+    path.write_bytes(doc.glb())
+    with pytest.raises(ValueError, match=rf"^{re.escape(str(path))}: .*{said}"):
+        gltf_mesh.read(path)
+
+
+@pytest.mark.parametrize("deep", [True, False])
+def test_a_character_of_many_joints_of_one_name_is_read_in_time(deep, tmp_path):
+    def made(count: int) -> Path:
+        chain = [{"name": "a", "mesh": 0, "children": [j + 1]} for j in range(1, count)]
+        flat = [{"name": "a", "mesh": 0} for j in range(1, count)]
+        joints, below = (chain, [1]) if deep else (flat, [*range(1, count + 1)])
+        doc = Document([{"children": below}, *joints, {"mesh": 1, "skin": 0}])
+        attributes = {"POSITION": doc.add(np.zeros((1, 3), "f4")), "WEIGHTS_0": doc.add(np.ones((1, 4), "f4")),
+                      "JOINTS_0": doc.add(np.zeros((1, 4), "u1"))}
+        doc.json |= {"skins": [{"joints": [*range(1, count)]}],
+                     "meshes": [{"primitives": []}, {"primitives": [{"attributes": attributes}]}]}
+        (tmp_path / f"{count}.glb").write_bytes(doc.glb())
+        return tmp_path / f"{count}.glb"
+
+    names = gltf_mesh.read(made(300)).names
+    assert len(set(names)) == len(names) >= 299
+    assert timed(gltf_mesh.read, made(4000)) < 24 * timed(gltf_mesh.read, made(500)) + 0.1
+
+
+@pytest.mark.parametrize("line", ["Frames: \u00b2", "Frames: " + "9" * 5000, "Frames: -1", "Frames:"])
+def test_a_split_of_files_with_a_wrong_number_of_frames_names_the_file(line, tmp_path):
+    for k in range(3):
+        (tmp_path / f"dataset-1_walk_active_{k:03}.bvh").write_text(f"HIERARCHY\n{line}\n", encoding="utf-8")
+    with pytest.raises(ValueError, match=r"_walk_active_\d+\.bvh: no line 'Frames: N'"):
+        tk.datasets.split("bandai", tmp_path)
+
+
+def test_what_cannot_be_written_is_said_before_the_work(walk_clip, tmp_path, capsys):
+    tk.bvh.save(walk_clip.cut(0, 60), tmp_path / "a.bvh")
+    for words in (("export", "pack", "--style", "Neutral", "--out", str(tmp_path / "a.bvh")),
+                  ("evaluate", str(tmp_path), "--out", str(tmp_path))):
+        assert main(list(words)) == 2
+        said = capsys.readouterr()
+        assert re.match(r"error: .*(is not a folder that can be written to|is a folder; a file name is needed)\n$", said.err)
+        assert not said.out
 
 
 def renamed(clip: tk.Clip, old: str, new: str) -> tk.Clip:
@@ -546,7 +688,8 @@ def test_a_controller_goes_on_after_a_message_of_the_wrong_kind(wrong):
     control = Controller(*tk.pretrained())
     good = {"kind": "input", "id": 1, "move": [0.0, 1.0], "turn": 0.0, "run": False, "heading": None}
     control._handle_custom_msg(good, [])
-    control._handle_custom_msg(good | wrong, [])
+    for message in (good | wrong, {}, {"kind": ["input"]}, [], "input", None):
+        control._handle_custom_msg(message, [])
     with pytest.raises(traitlets.TraitError, match="finite"):
         control.speed = float("nan")
     control.advance(2)

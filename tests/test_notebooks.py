@@ -26,6 +26,9 @@ COMPARES = re.compile(
     r"\b(smaller|smallest|larger|largest|better|best|worse|worst|fewer|fewest|wins?|beats?|closest|nearest|higher|highest|"
     r"lower|lowest|faster|fastest|slower|slowest|twice|about half|(?:more|less) (?:often|than)|(?:the|in) (?:most|least)|"
     r"(?:does|do|did) not (?:help|work|move|change)|fails?)\b", re.I)
+#: Headings of sections with recordings or published networks, and what reads them.
+RECORDED = re.compile(r"^## .*(?:[Rr]ecordings|[Pp]ublished)", re.M)
+READS = re.compile(r"(?:datasets|published)\.available\(|labels\.read\(")
 MARK = re.compile(r"<!--\s*(cited|general):?\s*(.*?)-->", re.S)
 
 
@@ -180,14 +183,42 @@ def test_it_is_in_the_sequence_and_opens_with_goals_minutes_and_needs(lesson):
     assert [call.args[0].value for call in calls(notebook, "here")] == [entry.number]
 
 
-def test_a_question_is_asked_before_the_run_and_answered_by_it(lesson):
-    _, notebook = lesson
-    texts = ["".join(cell["source"]) for cell in notebook["cells"]]
-    asked = [i for i, text in enumerate(texts) if "**Before you run.**" in text]
-    told = [i for i, text in enumerate(texts) if text.startswith("# after the run") and "tk.course.claim(" in text]
-    assert asked
-    assert told
-    assert asked[0] < told[0]
+def test_the_run_answers_each_question_that_is_asked_before_it(lesson):
+    texts = ["".join(cell["source"]) for cell in lesson[1]["cells"]]
+    asked = ["**Before you run.**" in text for text in texts]
+    told = [text.startswith("# after the run") and "tk.course.claim(" in text for text in texts]
+    turns = "".join("?" if question else "!" for question, answer in zip(asked, told, strict=True) if question or answer)
+    assert turns.startswith("?")
+    assert turns.endswith("!")
+    assert "??" not in turns
+
+
+def test_recordings_are_read_in_a_last_section_alone(lesson):
+    cells = [(cell["cell_type"], "".join(cell["source"])) for cell in lesson[1]["cells"]]
+    heads = [i for i, (kind, text) in enumerate(cells) if kind == "markdown" and RECORDED.search(text)]
+    reads = [i for i, (kind, text) in enumerate(cells) if kind == "code" and READS.search(text)]
+    if reads:
+        assert len(heads) == 1
+        assert heads[0] < reads[0]
+        later = "\n".join(text for kind, text in cells[heads[0] + 1 :] if kind == "markdown")
+        assert not re.search(r"^## \d", later, re.M)
+        assert len(cells[heads[0]][1].split("##")[-1].split()) > 25  # prose of their own
+
+
+def test_figures_are_made_by_the_library(notebook):
+    nodes = [node for source in code(notebook) for node in ast.walk(ast.parse(plain(source)))]
+    names = [alias.name for node in nodes if isinstance(node, ast.Import) for alias in node.names]
+    names += [node.module for node in nodes if isinstance(node, ast.ImportFrom)]
+    assert not {name.split(".")[0] for name in names} & {"plotly", "matplotlib", "pyvista"}
+
+
+def test_symbols_have_the_colours_of_the_table(lesson):
+    known = {{"α": r"\alpha", "γ, β": r"\gamma"}.get(name, name): row[0] for name, row in tk.course.SYMBOLS.items()}
+    known[r"\beta"] = known[r"\gamma"]
+    for text in prose(lesson[1]):
+        for colour, symbol in re.findall(r"\\textcolor\{(#\w+)\}\{(?:\\mathbf )?(\\?\w+)", text):
+            assert colour in known.values()
+            assert colour == known.get(symbol.split("_")[0], colour), symbol
 
 
 def test_it_ends_with_what_was_learnt_and_five_questions_with_folded_answers(lesson):

@@ -84,6 +84,12 @@ def test_public_names_are_listed_and_there():
         tk.nothing  # noqa: B018
 
 
+def test_the_package_has_at_most_sixteen_rooms():
+    rooms = [path.name for path in (REPOSITORY / "toolkit").iterdir() if path.is_dir() and path.name != "__pycache__"]
+    assert len(rooms) <= 16, rooms
+    assert not [path.name for path in (REPOSITORY / "toolkit").glob("[!_]*.py")]
+
+
 def test_every_module_is_an_attribute_of_its_package_right_after_import():
     """And nothing else has its name; in a fresh state for each package, as imports of one module bring others along."""
     code = """
@@ -208,7 +214,7 @@ def test_the_wheel_has_the_model_and_no_sources_of_the_page(tmp_path):
     subprocess.run([sys.executable, *command.split()], cwd=tmp_path, check=True, capture_output=True)
     (wheel,) = (tmp_path / "wheel").iterdir()
     files = zipfile.ZipFile(wheel).namelist()
-    assert {"toolkit/__init__.pyi", "toolkit/data/pretrained.safetensors", "toolkit/data/learned_phases.safetensors",
+    assert {"toolkit/__init__.pyi", "toolkit/training/pretrained.safetensors", "toolkit/phases/learned.safetensors",
             "toolkit/view/static/scene.js"} <= set(files)
     assert not [file for file in files if re.search("node_modules|view/scene/|__pycache__|notebooks|tests", file)]
     assert wheel.stat().st_size < 20e6
@@ -230,7 +236,7 @@ def test_text_files_name_their_encoding():
 def test_pretrained_knows_every_style_and_stands_when_told():
     model, bank = tk.pretrained()
     assert set(bank.names) == set(tk.datasets.procedural.STYLES)
-    assert (REPOSITORY / "toolkit" / "data" / "pretrained.safetensors").stat().st_size < 15e6
+    assert (REPOSITORY / "toolkit" / "training" / "pretrained.safetensors").stat().st_size < 15e6
     vectors = torch.stack([bank[name] for name in bank.names])
     stop = [*tk.runtime.straight(1.0, 1.5), *tk.runtime.straight(0.0, 3.0)]
     places = torch.stack([s.root[:, :2] for s in tk.runtime.states(model, stop, vectors)])

@@ -221,7 +221,7 @@ def test_coherent_is_nearer_to_the_truth_than_contact_free_when_staggering():
 @pytest.mark.parametrize("style", ["Neutral", "Zombie", "Penguin"])
 def test_cyclic_styles_keep_the_limits_against_the_truth(style):
     sources = {name: tk.phases.SOURCES[name] for name in ("contact", "contact-free")}
-    row = measure(style, *procedural.truth(style, "FW", 20.0, 3), "cyclic", sources)
+    row = measure(style, *procedural.truth(style, "FW", 20.0, 3), sources)
     assert bench.failures(row) == []
     assert row.phase["contact"][:2].isnan().all()  # a hand has no contact, and no error either
 
@@ -230,7 +230,7 @@ def test_failures_name_the_exceeded_limits():
     nan = math.nan
     phase = {"contact": torch.tensor([nan, nan, 25.0, 3.0]), "contact-free": torch.tensor([1.0, nan, 9.0, 9.0])}
     frequency = {"contact": torch.full((4,), 0.01), "contact-free": torch.tensor([0.05, nan, 0.0, 0.0])}
-    row = bench.Row("Odd", "cyclic", phase, frequency, [0.99, 0.9])
+    row = bench.Row("Odd", phase, frequency, [0.99, 0.9])
     assert bench.failures(row) == ["contact feet 25.0°", "frequency of the hands 5.0%", "F1 0.900"]
 
 

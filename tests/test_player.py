@@ -28,12 +28,6 @@ def other(walk_clip) -> tk.Clip:
     return walk_clip.cut(300, 330).replace(style="Old")
 
 
-@pytest.fixture(scope="module")
-def phases() -> torch.Tensor:
-    angle = 2 * np.pi * (torch.arange(FRAMES)[:, None] / 60 + torch.arange(4) / 4)
-    return torch.stack((angle.sin(), angle.cos()), -1)
-
-
 @pytest.fixture(params=["pyvista", "software"])
 def renderer(request, monkeypatch, capsys):
     if request.param == "software":
@@ -95,11 +89,10 @@ def test_player_draws_and_frames_differ(player, clip, other):
     assert [scene.size for scene in one._scenes] == [(80, 120)] * 2
 
 
-def test_every_switch_shows_what_it_says_and_nothing_else(player, clip, phases):
+def test_every_switch_shows_what_it_says_and_nothing_else(player, clip):
     contacts = tk.contacts.detect(clip)
-    full, plain = player(clip, contacts=contacts, phases=phases), player(clip)
-    assert [full._switches[kind].disabled for kind in ("contacts", "phases")] == [False, False]
-    assert [plain._switches[kind].disabled for kind in ("contacts", "phases")] == [True, True]
+    full, plain = player(clip, contacts=contacts), player(clip)
+    assert [one._switches["contacts"].disabled for one in (full, plain)] == [False, True]
     for switch in (*full._switches.values(), *plain._switches.values()):
         switch.value = False
     bare = full.render(45)
@@ -108,8 +101,7 @@ def test_every_switch_shows_what_it_says_and_nothing_else(player, clip, phases):
         switch.value = True
         changed = np.abs(full.render(45).astype(int) - bare).max(-1) > 30
         assert changed.mean() > 0.001, kind
-        rows, columns = np.nonzero(changed)
-        assert columns.max() < 60 if kind == "phases" else rows.min() > 60, kind  # dials at the left, the rest on the floor
+        assert np.nonzero(changed)[0].min() > 60, kind  # on the floor
         switch.value = False
         np.testing.assert_array_equal(full.render(45), bare)
 
@@ -132,7 +124,7 @@ def test_pages_without_widgets_get_the_picture(player, clip):
 def test_any_tree_plays(player, clip, frames):
     skeleton = tk.Skeleton(("a", "b", "c"), (-1, 0, 1), torch.tensor([[0.0, 0, 0], [0, 0.5, 0], [0.2, 0, 0]]))
     tree = tk.Clip(skeleton, tk.motion.rotations.identity(frames, 3), torch.zeros(frames, 3), 30.0)
-    one = player([tree, clip], contacts=[None, torch.ones(FRAMES, 2)], together=True)
+    one = player([tree, clip], contacts=[None, torch.ones(FRAMES, 2)])
     one.show(tree)
     assert one.render(frames - 1).std() > 2
 
@@ -182,22 +174,11 @@ def test_many_clips_fill_a_grid(player, clip):
     assert all((cell == cells[0]).all() for cell in cells)
 
 
-def test_together_both_are_in_one_scene_in_colours_of_their_own(player, clip):
-    other = clip.moved(shift=(0.9, 0.0, 0.0))
-    pair = player([clip, other], labels=["", ""], together=True)
-    assert len(pair._scenes) == 1
-    picture = pair.render(0).astype(int)
-    red, green, blue = np.moveaxis(picture, -1, 0)
-    purple, teal = (blue - green > 25) & (red - green > 5), (green - red > 40) & (blue - red > 25)
-    assert min(purple.mean(), teal.mean()) > 0.003
-    assert abs(np.nonzero(purple)[1].mean() - np.nonzero(teal)[1].mean()) > 10
-
-
 def test_what_does_not_fit_is_refused(clip):
     for call, message in (
         ({"clips": []}, "got 0 clips, 0 labels"),
         ({"clips": clip, "labels": ["a", "b"]}, "got 1 clips, 2 labels"),
-        ({"clips": clip, "phases": torch.zeros(3, 4, 2)}, r"phases must be \[F, 4, 2\] for each clip of \[90\] frames; got"),
+        ({"clips": clip, "contacts": torch.zeros(3, 2)}, r"contacts must be \[F, 2\] for each clip of \[90\] frames; got"),
         ({"clips": [clip, clip], "contacts": torch.ones(FRAMES, 2)}, r"contacts must be \[F, 2\] for each"),
     ):
         with pytest.raises(ValueError, match=message):

@@ -57,6 +57,38 @@ def test_feet_in_closed_loop_keep_the_aims_but_for_what_the_network_predicts(spe
     assert ahead["before"] > 4 * ahead["skate"]
 
 
+def test_steps_at_the_speed_of_the_real_take_are_as_frequent_as_its_own():
+    """Within 10 % of the take's, and of 1.48 a second, which was asked."""
+    rows = {row["walk"]: row for row in Result.load("closed-loop").rows}
+    now = rows["published, 0.7 m/s"]
+    assert now["steps"] == pytest.approx(rows["real: Neutral_FW.bvh"]["steps"], rel=0.1)
+    assert now["steps"] == pytest.approx(1.48, rel=0.1)
+    assert now["upright"] == now["styles"] == 99
+    assert now["least"] >= 0.9
+
+
+def test_one_step_ahead_keeps_the_aims_and_beats_its_floors_where_the_page_says_so():
+    rows = {row["take"]: row for row in Result.load("one-step").rows}
+    aim, plain, now = (rows[f"{kind}: Neutral_FW.bvh"] for kind in ("aim, calibrated", "published", "published, calibrated"))
+    assert now["error"] <= aim["error"]
+    assert min(now["right"], now["left"]) >= aim["right"]
+    assert now["phase"] <= aim["phase"]
+    assert now["error"] < now["repeat"] < plain["error"] < plain["mean"] / 10
+    assert 1 < now["rank"] <= 10
+    assert now["next"] > 0.9 * now["error"]  # the first of the other styles is hardly better
+
+
+def test_the_pose_that_is_fed_back_loses_the_clearance():
+    """Not the phases, not what calibration or another vector changes; and the embedded model does not lose it."""
+    rows = {row["fed"]: row for row in Result.load("swing").rows}
+    real, ahead, phases, pose = (rows[name] for name in ("the real take", "nothing: one step ahead", "phases", "pose"))
+    for form in ("own", "calibrated", "learnt"):
+        assert real[form] > ahead[form] > 0.85 * real[form]
+        assert phases[form] == pytest.approx(ahead[form], rel=0.02)
+        assert pose[form] < 0.65 * ahead[form]
+    assert pose["embedded"] > 0.9 * ahead["embedded"]
+
+
 def test_every_result_is_shown_or_named_on_a_page():
     text = "".join(page.read_text(encoding="utf-8") for page in PAGES)
     named = {name for _, name, _, _ in tables.TABLE.findall(text)}

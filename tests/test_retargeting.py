@@ -5,7 +5,7 @@ import torch
 from posed_rigs import POSES, rig, with_soles, with_twists, without_toes
 
 import toolkit as tk
-from toolkit.cli.skeletons import SKELETONS
+from toolkit.cli.motion_files import SKELETONS
 from toolkit.datasets.procedural import SKELETON
 from toolkit.motion import retargeting
 from toolkit.motion import rotations as R

@@ -42,7 +42,7 @@ def refused(read, path):
     return message
 
 
-@pytest.mark.parametrize("target", ["bvh", "csv", "gltf", "fbx", "amc", "npz", "model", "store", "cli"])
+@pytest.mark.parametrize("target", fuzz.TARGETS)
 def test_mutated_inputs_are_read_or_refused_in_one_line(readers, target):
     tally = fuzz.fuzz(readers[target], 250, seed=1)
     assert not tally.failures

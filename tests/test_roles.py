@@ -219,3 +219,41 @@ def test_a_body_that_lies_beside_the_origin_is_doubted(tmp_path, degrees, place)
     with pytest.warns(UserWarning, match="or lies with y up: .* is taken; up= decides"):
         tk.load(tmp_path / "sleep.bvh")
     assert tk.load(tmp_path / "sleep.bvh", unit="cm", up="y").global_positions[..., 1].amax() < 1.2
+
+
+@pytest.mark.parametrize(("between", "role"), [("Thigh", "hip"), ("Thigh2", "hip"), ("Knee1", "knee")])
+def test_a_joint_more_in_the_thigh_takes_no_role_and_is_said(tmp_path, walk_clip, between, role):
+    """Its name fits better than the right joint's; both parts of a person's leg are about equally long."""
+    old = walk_clip.skeleton
+    names, parents, offsets, of = [], [], [], []  # of: the old joint
+    for j, name in enumerate(old.names):
+        above = names.index(old.names[old.parents[j]]) if j else -1
+        if name.endswith("Knee"):
+            names.append(name.replace("Knee", between))
+            parents.append(above)
+            offsets.append(old.offsets[j] / 2)
+            of.append(-1)
+            above = len(names) - 1
+        names.append(name)
+        parents.append(above)
+        offsets.append(old.offsets[j] / (2 if name.endswith("Knee") else 1))
+        of.append(j)
+    rotations = torch.cat((walk_clip.rotations, R.identity(len(walk_clip), 1)), 1)[:, of]
+    skeleton = tk.Skeleton(names, parents, torch.stack(offsets), old.roles)
+    tk.bvh.save(walk_clip.replace(skeleton=skeleton, rotations=rotations), tmp_path / "more.bvh")
+    right = "Left" + role.capitalize()
+    with pytest.warns(UserWarning, match=f"{right} is taken for the left {role}, because both parts of the limb are then"):
+        found = tk.load(tmp_path / "more.bvh").skeleton.roles
+    assert (found["left_hip"], found["right_knee"]) == ("LeftHip", "RightKnee")
+
+
+def test_a_path_that_jumps_or_is_in_another_unit_is_doubted(tmp_path, walk_clip):
+    roots = walk_clip.root_positions
+    tk.bvh.save(walk_clip.replace(root_positions=roots * torch.tensor([100.0, 1.0, 100.0])), tmp_path / "far.bvh")
+    with pytest.warns(UserWarning, match=r"the body goes 1\d\d m/s: its path may be in another unit than its bones"):
+        tk.load(tmp_path / "far.bvh")
+    jump = roots.clone()
+    jump[0] += torch.tensor([5.0, 0.0, 0.0])  # as of a T-pose before the recording
+    tk.bvh.save(walk_clip.replace(root_positions=jump), tmp_path / "jump.bvh")
+    with pytest.warns(UserWarning, match="the body jumps by [45].* m from frame 0 to 1"):
+        tk.load(tmp_path / "jump.bvh")

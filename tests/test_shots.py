@@ -104,6 +104,15 @@ def test_bodies_keep_apart_by_the_reach_of_their_styles(embedded):
     assert nearest[0] < 0.2 < 0.3 < nearest[1]
 
 
+@pytest.mark.parametrize(("wide", "said"),
+                         [(0.9, "too narrow, characters keep 0.5 m"), (1.8, "too narrow for two"), (2.1, None)])
+def test_check_names_a_gate_that_is_too_narrow(embedded, wide, said):
+    walls = [((-3, 2), (-wide / 2, 2)), ((wide / 2, 2), (3, 2))]
+    lines = Scene(MEET, 1.0, walls).check(*embedded)
+    assert [said in line for line in lines] == ([True] if said else [])
+    assert all(line.startswith(f"between walls[0] and walls[1] are {wide:.2f} m") for line in lines)
+
+
 def test_velocities_of_those_who_keep_apart():
     places, ahead = np.array([[0.0, 0.0], [0.0, 2.0]]), np.array([[0.0, 1.0], [0.0, -1.0]])
     safe = apart.velocities(places, ahead, ahead, 0.4)
@@ -112,6 +121,10 @@ def test_velocities_of_those_who_keep_apart():
     wide = apart.velocities(places, ahead, ahead, np.array([0.3, 0.9]))
     assert abs(wide[0, 0]) > abs(safe[0, 0])
     assert np.allclose(apart.velocities(places, ahead, -ahead, 0.4, np.zeros((0, 2, 2))), -ahead)  # they part: nothing to do
+    same = np.array([[0.0, 1.5], [0.0, 0.3]])  # a follower who is faster: the one in front does not see it
+    follower, front = apart.velocities(places, same, same, 0.4)
+    assert np.linalg.norm(follower - same[0]) > 0.4
+    assert np.allclose(front, same[1], atol=0.05)
     walls = np.array([[[-5.0, 0.6], [5.0, 0.6]]])
     assert apart.velocities(places[:1], ahead[:1], ahead[:1], 0.4, walls)[0, 1] < 0.11
 

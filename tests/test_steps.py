@@ -230,3 +230,14 @@ def test_the_feet_of_recorded_runs_and_turns_stay_half_a_cycle_apart(shared):
                 shares.append(float(((phase[:, 2] - phase[:, 3]).cos() > 0).double().mean()))
     assert max(together["hybrid"]) < 0.05
     assert np.mean(together["contact"]) > 0.02
+
+
+def test_touch_downs_and_not_the_definition_are_the_error_at_the_end_of_the_recording(shared):
+    """docs/phase_sources.md: straight lines between our touch-downs have the label's definition, and as large an error."""
+    folder = shared / labels.NAME
+    if not folder.is_dir():
+        pytest.skip(f"needs {folder}")
+    last = {what: errors[2] for what, errors in experiment.thirds(labels.read(folder)[0]).items()}
+    own = last["straight between our touch-downs"]
+    assert float((own - last["straight between labelled touch-downs"]).min()) > 8
+    assert abs(float(own[1] - last["hybrid"][1])) < 4

@@ -1,3 +1,4 @@
+import base64
 import gc
 import re
 import subprocess
@@ -176,7 +177,7 @@ def test_a_body_is_built_once_and_keeps_no_clip_alive(clip):
 def test_any_tree_gets_a_body():
     skeleton = Skeleton(("a", "b", "c"), (-1, 0, 1), torch.tensor([[0.0, 0, 0], [0, 0.5, 0], [0.2, 0, 0]]))
     tree = Clip(skeleton, R.identity(4, 3), torch.zeros(4, 3), 30.0)
-    assert len(body.build(tree).cones) == 2
+    assert len(np.unique(body.build(tree).skin.joints[:, 0])) == 2
     assert view.strip(tree, frames=2, dpi=40) is not None
     point = Skeleton(("a",), (-1,), torch.zeros(1, 3))
     with pytest.raises(ValueError, match="no bone is long enough"):
@@ -255,7 +256,12 @@ def test_page_is_one_file_that_loads_nothing(clip, tmp_path):
 
 def test_page_keeps_the_motion_within_half_a_millimetre(clip):
     packed = page.pack(clip, "walk")
-    error = (page.unpack(packed, clip).global_positions - clip.global_positions).norm(dim=-1).max()
+    rotations = R.identity(60, len(clip.skeleton))
+    values = np.frombuffer(base64.b64decode(packed["rotations"]), np.int16).reshape(60, -1, 4)
+    rotations[:, packed["joints"]] = R.normalize(torch.from_numpy(values / page.UNIT).float())
+    root = torch.from_numpy(np.frombuffer(base64.b64decode(packed["root"]), np.float32).reshape(-1, 3).copy())
+    unpacked = clip.replace(rotations=rotations, root_positions=root)
+    error = (unpacked.global_positions - clip.global_positions).norm(dim=-1).max()
     assert float(error) < 0.0005
     assert [packed["frames"], packed["fps"], packed["label"]] == [60, 60.0, "walk"]
 
@@ -284,7 +290,7 @@ def test_page_refuses_what_does_not_fit(clip, tmp_path):
 def test_strip_draws_every_clip(clip, tmp_path):
     path = tmp_path / "strip.png"
     figure = view.strip(
-        [clip, walk(style="Zombie")], path, frames=3, width=5, dpi=60, title="Two", contacts=[None, torch.ones(60, 2)]
+        [clip, walk(style="Zombie")], path, frames=3, width=5, dpi=60, contacts=[None, torch.ones(60, 2)]
     )
     assert [axes.texts[0].get_text() for axes in figure.axes] == ["Neutral FW", "Zombie FW"]
     picture = np.asarray(Image.open(path).convert("RGB")).astype(int)
@@ -326,7 +332,8 @@ def test_a_loop_is_whole_strides():
     long = walk(400)
     start, stop = view.loop(long)
     assert stop - start == pytest.approx(120, abs=2)
-    assert view.loop(long, strides=3)[1] - view.loop(long, strides=3)[0] == pytest.approx(180, abs=3)
+    start, stop = view.loop(long, 2.5)
+    assert stop - start == pytest.approx(180, abs=3)
     assert view.loop(walk(20)) == (0, 20)
 
 
@@ -383,20 +390,11 @@ def test_lines_on_the_floor_show_the_travel(clip, tmp_path):
     assert changes[0] > 1 > 5 * changes[1]
 
 
-def test_a_contact_sheet_has_a_row_per_clip(clip, tmp_path):
-    sheet = view.contact_sheet([clip, walk(style="Old")], tmp_path / "sheet.png", columns=3, height=50)
-    assert sheet.height == 100
-    rows = np.split(np.asarray(Image.open(tmp_path / "sheet.png")).astype(int), 2)
-    assert all((row[..., 0] - row[..., 2] > 40).mean() > 0.005 for row in rows)
-
-
 def test_moving_pictures_refuse_what_does_not_fit(clip, tmp_path):
     with pytest.raises(ValueError, match=r"an animation is a \.gif, \.png, \.apng, \.webp or \.mp4 file; got walk\.avi"):
         view.animate(clip, tmp_path / "walk.avi")
     with pytest.raises(ValueError, match="got 1 clips, 2 labels"):
         view.animate(clip, tmp_path / "walk.gif", labels=["a", "b"])
-    with pytest.raises(ValueError, match="needs columns, got 0"):
-        view.contact_sheet(clip, columns=0)
     assert not list(tmp_path.iterdir())
 
 

@@ -10,7 +10,6 @@ from . import (
     motion,
     networks,
     phases,
-    published,
     runtime,
     shots,
     styles,
@@ -26,5 +25,6 @@ from .motion import Clip as Clip
 from .motion import Skeleton as Skeleton
 from .motion import contacts as contacts
 from .training import pretrained as pretrained
+from .training import published as published
 
 __version__: str

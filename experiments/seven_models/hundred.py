@@ -44,7 +44,7 @@ def write(folder: str | os.PathLike, out: str | os.PathLike, styles: Sequence[st
     Parameters
     ----------
     folder
-        The published parameters (`toolkit.published.load`).
+        The published parameters (`toolkit.training.published.load`).
     out
         Output folder, without a dataset.
     styles

@@ -17,9 +17,10 @@ from torch import Tensor
 from tqdm import tqdm
 
 from experiments.closed_loop import eight
+from experiments.seven_models.posture import posture_error
 from toolkit import datasets, features, networks, published, runtime, training
 from toolkit.evaluation import metrics, recognition
-from toolkit.evaluation.models import block_errors, hands, over_columns, posture_error, shared_baselines
+from toolkit.evaluation.models import block_errors, hands, over_columns, shared_baselines
 from toolkit.evaluation.recognition import Recogniser
 from toolkit.features import Features, Layout, Normaliser, Split, natural_speed, splits, store
 from toolkit.features.store.workers import completed, executor

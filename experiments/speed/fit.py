@@ -12,7 +12,6 @@ import typer
 def run(
     clips: Annotated[list[Path] | None, typer.Option(help="BVH files; default: procedural clips.")] = None,
     windows: Annotated[int, typer.Option(min=1, help="Number of windows that scipy fits.")] = 500,
-    continuity: Annotated[float, typer.Option(help="Weight of continuity in an additional row.")] = 0.2,
     seed: Annotated[int, typer.Option(help="Seed of the choice of windows.")] = 0,
 ) -> None:
     """Speed and residuals of the sinusoid fit in windows of one second, compared with scipy's `curve_fit`, on one core."""
@@ -35,7 +34,6 @@ def run(
     total = sum(c.numel() for c in curves)
     fit(curves[0], 60.0)  # compiles
     found, ours = _least_time(lambda: [fit(c, 60.0) for c in curves])
-    linked, with_continuity = _least_time(lambda: [fit(c, 60.0, continuity=continuity) for c in curves])
 
     moving = [(f.amplitude[30:-30] > 0).nonzero().tolist() for f in found]
     inner = [(c, frame + 30, limb) for c, places in enumerate(moving) for frame, limb in places]
@@ -57,8 +55,6 @@ def run(
 
     print(f"{'':<24}{'us/window':>10}{'plain':>10}{'FFT':>10}{'> 1e-6':>8}{'> 1 %':>8}{'> 5 %':>8}{'worst (%)':>11}")
     row("fit", ours, total, residual)
-    row(f"fit, continuity {continuity:g}", with_continuity, total,
-        np.array([float(linked[c].residual[f, limb]) for c, f, limb in picked]))
     row("curve_fit, FFT start", started_time, windows, started)
     row("curve_fit, plain start", plain_time, windows, plain)
     print(f"{total:,} windows of 61 frames by the toolkit, {windows} of them by scipy; CPU time, one thread.\n"

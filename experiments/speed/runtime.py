@@ -13,6 +13,7 @@ import typer
 from threadpoolctl import threadpool_limits
 from torch import Tensor
 
+from experiments.tables import Result
 from toolkit import export, published, runtime
 from toolkit.cli import verbs
 from toolkit.evaluation import metrics
@@ -22,6 +23,8 @@ ONE, MANY, MANY_FRAMES, MANY_PLAIN = 1.3, 1.25, 1.6, 21.0  # targets: time / flo
 FRAME = 100.0  # microseconds per character for the whole frame of 64 characters
 PEERS = (1, 64)  # numbers of characters for the comparison
 SPEEDS = 0.8, 1.6  # metres per second of the rollouts that are compared
+#: Columns of the stored comparison: largest distances of a joint at a frame.
+EQUALITY = {"compared": ["runtimes compared"], **{str(f): [f"frame {f}, mm", 3, 1000] for f in (60, 300, 600)}}
 
 
 def run(
@@ -34,6 +37,7 @@ def run(
     equality: Annotated[bool, typer.Option("--equality", help="Compare rollouts with the plain model instead.")] = False,
     styles: Annotated[int, typer.Option(min=1, help="Number of styles to compare.")] = 20,
     plot: Annotated[Path | None, typer.Option(help="File for a plot of the cost per character.")] = None,
+    store: Annotated[bool, typer.Option("--store", help="With --equality: write its rows into docs/results.")] = False,
 ) -> None:
     """Times of the network and of a whole frame, compared with the machine's limit, plain PyTorch and other runtimes.
 
@@ -46,7 +50,12 @@ def run(
     print(fast)
     try:
         if equality:
-            _equal(net, fast, bank, styles)
+            kind = "published" if parameters else "embedded" if model is None else "trained"
+            rows = [{"compared": f"{kind}: {name}", **row} for name, row in _equal(net, fast, bank, styles).items()]
+            if store:
+                Result("runtime-equality", "Rollouts of 20 styles with 600 frames, with turns and changes of speed: largest "
+                       "distance of any joint in any style", "python -m experiments runtime --equality [--published "
+                       "DATA/lpn_film_100style] --store", EQUALITY, rows).add()
             return
         with threadpool_limits(1):  # numpy's
             rate, speed = _machine(fast, rounds)
@@ -227,8 +236,11 @@ def _sweep(net: Model, bank, counts: Iterable[int], threads: int, rounds: int) -
     return costs
 
 
-def _equal(net: Model, fast, bank, styles: int) -> None:
-    """Rollouts of 600 frames of the compiled and the plain model, compared with each other and with double precision."""
+def _equal(net: Model, fast, bank, styles: int) -> dict[str, dict[str, float]]:
+    """Rollouts of 600 frames of the compiled and the plain model, compared with each other and with double precision.
+
+    Returns the greatest distances of each pair, metres, see `EQUALITY`.
+    """
     names = list(bank)[:: max(1, len(bank) // styles)][:styles]
     vectors, (slow, quick) = torch.stack([bank[name] for name in names]), SPEEDS
     ways = (slow, 3.0, (0.0, 1.0)), (quick, 3.0, (1.0, 0.0)), (slow, 4.0, (1.0, 1.0))
@@ -236,7 +248,7 @@ def _equal(net: Model, fast, bank, styles: int) -> None:
     first = runtime.start(net, vectors)
     double = dataclasses.replace(first, **{name: value.double() for name, value in vars(first).items()})
     runs = {"plain": (net, first), "compiled": (fast, first), "double precision": (copy.deepcopy(net).double(), double)}
-    clips = {}
+    clips, found = {}, {}
     for name, (model, start) in runs.items():
         run = list(runtime.states(model, commands, start.style, start, progress=True))
         clips[name] = [runtime.record(model, run, character=i) for i in range(len(names))]
@@ -251,6 +263,8 @@ def _equal(net: Model, fast, bank, styles: int) -> None:
             print(f"{what:24}{was.mean():10.4f}{(now - was).mean():12.2e}{(now - was).std():20.2e}")
         if (name, other) == ("compiled", "double precision"):  # plain single precision differs more from it
             _verdict("under 1 mm at frame 60", float(apart[:, 59].max()) < 1e-3)
+        found[f"{name} and {other}"] = {str(f): float(apart[:, f - 1].max()) for f in (60, 300, 600)}
+    return found
 
 
 MEASURES: dict[str, Callable] = {

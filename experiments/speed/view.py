@@ -24,7 +24,7 @@ def run(
 
     Wall times include other load on the machine; CPU times do not.
     """
-    from toolkit import datasets, phases
+    from toolkit import datasets
     from toolkit.motion import contacts
     from toolkit.view import renderers
     from toolkit.view.frontend import QUALITY
@@ -35,30 +35,28 @@ def run(
     torch.set_num_threads(1)
     clips = [datasets.load("procedural", styles=[style], gaits=["FW"], seconds=8.0)[0] for style in ("Neutral", "Zombie")]
     feet = [contacts.detect(clip).numpy() for clip in clips]
-    subjects = [renderers.Character(clip, on) for clip, on in zip(clips, feet, strict=True)]
     size = width, height
     print(f"{width} x {height}, {frames} pictures each       median   fastest   CPU time")
 
-    def drawing(name: str, renderer: type, cast: list, count: int) -> tuple[float, np.ndarray]:
-        scene = renderer(cast, size)
+    def drawing(name: str, renderer: type, count: int) -> tuple[float, np.ndarray]:
+        scene = renderer(size, clips[0], feet[0])
         try:
-            times = _times(lambda k: scene.draw([k % len(subject.clip) for subject in cast]), count)
-            return _row(name, times), scene.draw([0] * len(cast))
+            times = _times(lambda k: scene.draw(k % len(clips[0])), count)
+            return _row(name, times), scene.draw(0)
         finally:
             scene.close()
 
     if opengl_works():
-        rate, picture = drawing("pyvista, one character", renderers.PyvistaRenderer, subjects[:1], frames)
-        drawing("pyvista, two in one scene", renderers.PyvistaRenderer, subjects, frames)
+        rate, picture = drawing("pyvista", renderers.PyvistaRenderer, frames)
     else:
         print("pyvista finds no OpenGL here: python -m toolkit.view.opengl")
-    slow, sketch = drawing("software renderer, one", renderers.SoftwareRenderer, subjects[:1], max(frames // 10, 2))
+    slow, sketch = drawing("software renderer", renderers.SoftwareRenderer, max(frames // 10, 2))
     if not opengl_works():
         rate, picture = slow, sketch
     image = Image.fromarray(picture)
     _row("JPEG", _times(lambda k: image.save(io.BytesIO(), "JPEG", quality=QUALITY), frames))
-    player = Player(clips, contacts=feet, phases=[phases.extract(clip) for clip in clips], size=size)
-    _row("player, two side by side, dials", _times(lambda k: player.seek(k % len(player.clip)), frames))
+    player = Player(clips, contacts=feet, size=size)
+    _row("player, two side by side", _times(lambda k: player.seek(k % len(player.clip)), frames))
     player.close()
     print(f"one character {'meets' if rate >= TARGET else 'MISSES'} {TARGET:g} pictures/s (wall or CPU time)")
     player_size = 640, 480

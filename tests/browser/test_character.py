@@ -44,7 +44,7 @@ def test_a_page_shows_the_character_walking(page, tmp_path, hero, walk):
     page.wait_for_function("() => view.state.drawn > 3")
     page.evaluate("frame => { view.play(false); view.seek(frame / 60); }", 100)
     made = hero.fitted(walk)
-    expected = hero.pose(made.global_rotations[100], made.global_positions[100])[0]
+    expected = hero.skin.pose(made.global_rotations[100], made.global_positions[100])[0]
     np.testing.assert_allclose(vertices(page, "view.scenes[0].body"), expected, atol=2e-3)  # 16-bit rotations, 8-bit weights
     page.wait_for_function("() => view.scenes[0].canvas.width > 1.5 * view.scenes[0].canvas.clientWidth")
     ARTEFACTS.mkdir(parents=True, exist_ok=True)
@@ -63,7 +63,7 @@ def test_it_follows_another_skeleton_as_retargeting_does(page, tmp_path, hero, w
         page.evaluate("([root, rotations]) => scene.body.pose(root, Float32Array.from(rotations))",
                       [walk.root_positions[frame].tolist(), walk.rotations[frame].flatten().tolist()])
         seen = vertices(page, "scene.body")
-        expected = hero.pose(made.global_rotations[frame], made.global_positions[frame])[0]
+        expected = hero.skin.pose(made.global_rotations[frame], made.global_positions[frame])[0]
         lift = float((seen - expected)[:, 1].mean()) if lift is None else lift  # the soles' height over the floor
         np.testing.assert_allclose(seen, expected + np.array([0.0, lift, 0.0]), atol=2e-3)
     assert abs(lift) < 0.1

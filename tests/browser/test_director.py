@@ -331,6 +331,26 @@ def test_a_thumb_plans_on_a_phone(open_page, empty):
     assert desk.errors == []
 
 
+BAD = (  # what both refuse, with the same words
+    {"path": [[0, 0]]}, {"path": [[0, 0], [0, 0.001]]}, {"path": [[(-1) ** k * 900, k] for k in range(20)]},
+    {"path": [[0, 0, 1], [0, 1]]}, {"path": [[0, 0], [0, 1, 2], [0, 2, 1]]}, {"styles": []},
+    {"styles": [[0, "Neutral"], [0, "Old"]]}, {"facing": [1, 0], "look_at": [0, 1]}, {"speeds": [[1, 1], [1, 2]]},
+    {"speeds": [[k / 10, 1] for k in range(1000)]},
+)
+
+
+def test_page_and_python_refuse_the_same_shots_in_the_same_words(open_page, empty):
+    desk = open_page(empty)
+    for bad in BAD:
+        scene = {"version": 1, "shots": [{"path": [[0, 0], [0, 1]], "styles": "Neutral"} | bad]}
+        with pytest.raises(ValueError, match=r"^shots\[0\]: ") as found:
+            tk.shots.parse(scene)
+        said = desk.page.evaluate("""(scene) => {
+            try { view.open(scene); return "opened"; } catch (error) { return error.message; }
+        }""", scene)
+        assert said == str(found.value)
+
+
 def test_a_change_computes_only_what_it_changes(open_page, empty):
     page = open_page(empty).page
     shot = {"path": [[0, 0], [1, 2], [-1, 3], [0, 4]], "styles": [[0, "Neutral"], [2, "Neutral"], [3, "Zombie"]],

@@ -8,7 +8,7 @@ START = """
 import toolkit as tk
 clip = tk.datasets.load("procedural", styles=["Neutral"], gaits=["FW"], seconds=4.0)[0]
 player = tk.view.play([clip, clip.mirrored()], labels=["data", "mirrored"], contacts=[tk.contacts.detect(clip), None],
-                      phases=[tk.phases.extract(clip), None], playing=True)
+                      playing=True)
 player
 """
 COUNT = """async (seconds) => {

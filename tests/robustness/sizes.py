@@ -6,6 +6,7 @@ A reader may take ten times the file and 200 MB, and its time grows with the fil
 import io
 import itertools
 import json
+import math
 import os
 import re
 import resource
@@ -14,6 +15,7 @@ import tempfile
 import time
 import warnings
 import zipfile
+import zlib
 from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated, NamedTuple
@@ -21,7 +23,7 @@ from typing import Annotated, NamedTuple
 import numpy as np
 import torch
 import typer
-from motion_files import Document, fbx, fbx_scene, packed
+from motion_files import Document, fbx, fbx_scene, packed, textured
 from robustness.fuzz.trials import ROOM, TIMES
 
 import toolkit as tk
@@ -29,7 +31,7 @@ from experiments.tables import Result
 from toolkit.datasets import archive, folder, leaks, style100
 from toolkit.evaluation.recognition import Recogniser
 from toolkit.features import store
-from toolkit.io import amc, bvh, gltf, npz
+from toolkit.io import amc, bvh, gltf, gltf_mesh, npz
 from toolkit.io import fbx as fbx_file
 from toolkit.networks import Model
 from toolkit.networks.bank import StyleBank
@@ -210,6 +212,45 @@ def _untrue(size: int) -> Document:
     return made
 
 
+def _skinned(nodes: list[dict], vertices: int) -> Document:
+    """A mesh on the first of these nodes; the others are joints of its skin."""
+    doc = Document([{"mesh": 0, "skin": 0} | nodes[0], *nodes[1:]])
+    shares = doc.add(np.full((vertices, 4), 255, "u1"), normalized=True)
+    places, joints = (doc.add(np.zeros((vertices, width), "u1")) for width in (3, 4))
+    attributes = {"POSITION": places, "JOINTS_0": joints, "WEIGHTS_0": shares}
+    doc.json |= {"skins": [{"joints": [*range(1, len(nodes))]}], "meshes": [{"primitives": [{"attributes": attributes}]}]}
+    return doc
+
+
+def _vertices(size: int) -> Document:
+    return _skinned([{"children": [1]}, {"children": [2]}, {}], size // 12)
+
+
+def _joints(size: int) -> Document:
+    """A chain of joints of one name."""
+    return _skinned([{"name": "a" * 200, "children": [j + 1]} for j in range(size // 250)] + [{}], 3)
+
+
+def _shared(size: int) -> Document:
+    """A mesh of a third of the file, on each of many nodes."""
+    count = size // 400
+    doc = _skinned([{"children": [1]}, {"children": [*range(2, count)]}, *[{"mesh": 0}] * (count - 2)], size // 36)
+    doc.json["skins"][0]["joints"] = [1]
+    return doc
+
+
+def _texture(size: int) -> Document:
+    """A picture of as many pixels as three times this size, packed."""
+    side = math.isqrt(3 * size)
+    data = zlib.compress(bytes((side + 1) * side))
+    chunks = [(b"IHDR", struct.pack(">IIBBBBB", side, side, 8, 0, 0, 0, 0)), (b"IDAT", data), (b"IEND", b"")]
+    picture = b"\x89PNG\r\n\x1a\n" + b"".join(
+        struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body)) for kind, body in chunks)
+    doc = _skinned([{"children": [1]}, {}], 3)
+    textured(doc, doc.json["meshes"][0]["primitives"][0], np.zeros((3, 2), "f4"), picture)
+    return doc
+
+
 def _fbx(place: Path, size: int, packed_: bool = False) -> Path:
     """Curves of three joints; packed ones hold only zeros, and unpack to a thousand times their size."""
     count, curves = size // (30 if packed_ else 9 * 16), {}
@@ -342,6 +383,10 @@ CASES = {
     "gltf, nodes": Case(_gltf(_nodes), gltf.read),
     "gltf, JSON values": Case(_gltf(_values), gltf.read),
     "gltf, untrue accessors": Case(_gltf(_untrue), gltf.read),
+    "mesh, vertices": Case(_gltf(_vertices), gltf_mesh.read),
+    "mesh, chain of joints": Case(_gltf(_joints), gltf_mesh.read),
+    "mesh, on many nodes": Case(_gltf(_shared), gltf_mesh.read),
+    "mesh, packed texture": Case(_gltf(_texture), gltf_mesh.read),
     "fbx, curves": Case(_fbx, fbx_file.read),
     "fbx, packed curves": Case(_fbx_packed, fbx_file.read),
     "fbx, records": Case(_fbx_records, fbx_file.read),

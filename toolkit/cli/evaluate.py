@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from toolkit import evaluation
+from toolkit import evaluation, export
 from toolkit.cli import motion_files
 from toolkit.cli.verbs import Roles, Unit, Up
 from toolkit.datasets import folder as own
@@ -31,6 +31,8 @@ def evaluate(
 
     Files that cannot be read or measured are named, and left out.
     """
+    if out is not None:
+        export.check(out, ())
     judge = None if recogniser is None else Recogniser.load(recogniser)
     clips, truth = ({} if place is None else _clips(place, real is not None, judge, unit, up, roles)
                     for place in (folder, real))
@@ -70,8 +72,7 @@ def _clips(place: Path, paired: bool, judge: Recogniser | None, unit: float | st
             if judge is not None:
                 judge.embed(clip)
         except (ValueError, OSError, ImportError) as error:
-            why = str(error).removeprefix(str(path)).removeprefix(path.name).lstrip(",: ")
-            print(printable(f"left out: {path.name}: {why}"))
+            print(printable(f"left out: {path.name}: {own.reason(error, path)}"))
             continue
         clips[path.relative_to(place).with_suffix("").as_posix() if place.is_dir() else path.stem] = clip
     if not clips:

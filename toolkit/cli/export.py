@@ -8,8 +8,8 @@ import typer
 
 from toolkit import export, published, shots
 from toolkit.cli import motion_files
+from toolkit.cli.motion_files import Target, target
 from toolkit.cli.rollout import blend_of
-from toolkit.cli.skeletons import Target, target
 from toolkit.cli.verbs import Names, Published, Roles, Selection, TrainedRun, Unit, Up
 from toolkit.export import pack as packs
 from toolkit.motion import retargeting
@@ -108,8 +108,7 @@ def pack(
     character: Figure = None,
 ) -> None:
     """Write looping cycles of styles (forward, back, left, right, run, idle) for games, and a manifest of them."""
-    if out.exists() and not out.is_dir():
-        raise ValueError(f"{out}: is a file; a folder is needed")
+    export.check(out / packs.MANIFEST, ())
     styles = {name: blend_of(name) for name in style}
     rig, writers = None if skeleton is None else target(skeleton), packs.WRITERS
     if character is not None:

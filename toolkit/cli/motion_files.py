@@ -1,18 +1,52 @@
-"""Motion files of the verbs: read with the floor at zero, doubts as lines on stderr."""
+"""What verbs read: motion files with the floor at zero, folders of recordings, skeletons to retarget to."""
 
 import sys
 from collections.abc import Mapping
 from pathlib import Path
+from typing import Annotated
 
-from toolkit.io import interpretation, load
-from toolkit.motion import Clip
+import typer
+
+from toolkit import datasets
+from toolkit.datasets import folder as own
+from toolkit.datasets.procedural import SKELETON
+from toolkit.motion import Clip, rotations
+from toolkit.motion.names import printable
+
+SKELETONS = {"100style": SKELETON}
+Target = Annotated[str | None, typer.Option("--skeleton", help=f"Retarget to a skeleton: {', '.join(SKELETONS)}, or a file "
+                                            "of it, best with a T-pose.")]
 
 
 def read(path: Path, unit: float | str = "auto", up: str = "auto", roles: Mapping[str, str] | None = None) -> Clip:
-    """The clip of a motion file, see `toolkit.load`; a floor far from zero is moved there."""
-    clip, found = interpretation.interpret(load.read(path), path, unit, up, roles)
-    if abs(found.floor) > interpretation.FAR:
-        clip = clip.moved(shift=(0.0, -found.floor, 0.0))
-    for doubt in found.doubts:
-        print(f"{path.name}: {doubt}", file=sys.stderr)
+    """The clip of a motion file (`toolkit.load`), a floor far from zero moved there; doubts are printed on stderr."""
+    clip, doubts = own.read_file(path, unit, up, roles)
+    for doubt in doubts:
+        print(printable(f"{path.name}: {doubt}"), file=sys.stderr)
     return clip
+
+
+def target(skeleton: str) -> Clip:
+    """The skeleton that ``--skeleton`` names: a T-pose of one of `SKELETONS`, or the motion of a file."""
+    if skeleton in SKELETONS:
+        known = SKELETONS[skeleton]
+        return Clip(known, rotations.identity(1, len(known)), [[0.0, 0.0, 0.0]], 60.0, name=skeleton)
+    if not Path(skeleton).is_file():
+        raise ValueError(f"--skeleton is one of {', '.join(SKELETONS)}, or a file; got {skeleton!r}")
+    return read(Path(skeleton))
+
+
+def dataset(data: str, root: Path | None) -> tuple[str, Path | None]:
+    """Name and folder of the dataset that ``--data`` names, which may be a folder of one's own recordings."""
+    if data in datasets.DATASETS or not Path(data).is_dir():
+        return data, root
+    if root is not None:
+        raise ValueError(f"{data}: is the folder to read; --root is for datasets with a name")
+    return "folder", Path(data)
+
+
+def show(root: Path | None, rig: Clip | None = None) -> None:
+    """Print what is used of a folder of one's own, and what is left out and why."""
+    folder = own.SOURCE.folder(root)
+    for line in own.survey(folder, rig).lines(folder):
+        print(line)

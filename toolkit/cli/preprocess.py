@@ -6,7 +6,7 @@ from typing import Annotated
 import typer
 
 from toolkit import datasets
-from toolkit.cli.train import show
+from toolkit.cli.motion_files import dataset, show
 from toolkit.cli.verbs import Listed, Mirror, Root, Selection
 from toolkit.features import store
 
@@ -27,8 +27,7 @@ def preprocess(
                                            "reaches it runs code there.")] = None,
 ) -> None:
     """Compute features, phases and contacts of all files into a store, which `train --data OUT` reads from the disk."""
-    if data not in datasets.DATASETS and Path(data).is_dir():
-        data, root = "folder", Path(data)
+    data, root = dataset(data, root)
     if data == "folder":
         show(root)
     mirrored = datasets.may_mirror(data, root) if mirror else None

@@ -24,12 +24,11 @@ def shot(
     if seed is not None:
         scene = dataclasses.replace(scene, shots=[dataclasses.replace(asked, seed=seed) for asked in scene.shots])
     net, bank = published.either(model, parameters)
-    for k, asked in enumerate(scene.shots if scene.apart is None else ()):
-        try:
-            for line in asked.check(net, bank):
-                print(f"shots[{k}]: {line}", file=sys.stderr)
-        except ValueError as error:
-            raise ValueError(f"{file}: shots[{k}]: {error}") from None
+    try:
+        for line in scene.check(net, bank):
+            print(line, file=sys.stderr)
+    except ValueError as error:
+        raise ValueError(f"{file}: {error}") from None
     for k, (asked, clip) in enumerate(zip(scene.shots, scene.render(net, bank), strict=True)):
         path = out if len(scene.shots) == 1 else out.with_stem(f"{out.stem}_{k}")
         export.write(clip, path, title=asked.name, progress=True)

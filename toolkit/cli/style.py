@@ -96,7 +96,7 @@ def _print_near(bank: StyleBank, name: str) -> None:
 def _read(path: Path | None) -> tuple[dict, dict, Model, StyleBank]:
     """Tensors and description in a model's file, the model and its bank."""
     if path is None:
-        with resources.as_file(resources.files("toolkit") / "data" / "pretrained.safetensors") as embedded:
+        with resources.as_file(resources.files("toolkit.training") / "pretrained.safetensors") as embedded:
             return _read(embedded)
     tensors, parts = model_files.read(path, "model")
     return tensors, parts, Model.from_parts(path, tensors, parts, None), StyleBank.from_parts(path, tensors, parts)

@@ -7,18 +7,10 @@ from typing import Annotated
 import typer
 
 from toolkit import datasets, export, features, networks, training
-from toolkit.cli.skeletons import Target, target
+from toolkit.cli.motion_files import Target, dataset, show, target
 from toolkit.cli.verbs import ClipSeconds, Device, Listed, Mirror, Resume, Root, Seed, Selection
 from toolkit.features import splits, store
-from toolkit.motion import Clip
 from toolkit.training import distributed
-
-
-def show(root: Path | None, rig: Clip | None = None) -> None:
-    """Print what is used of a folder of one's own, and what is left out and why."""
-    folder = datasets.folder.SOURCE.folder(root)
-    for line in datasets.folder.survey(folder, rig).lines(folder):
-        print(line)
 
 
 def train(
@@ -58,16 +50,13 @@ def train(
         precision=precision)
     export.check(out, ())
     distributed.start(config)  # before the data, so that all processes read them at once
-    if data not in datasets.DATASETS and Path(data).is_dir() and not store.is_store(data):
-        if root is not None:
-            raise ValueError(f"{data}: is the folder to read; --root is for datasets with a name")
-        data, root = "folder", Path(data)
     if store.is_store(data):
         if root or gaits or mirror or listed or clip_seconds is not None:
             raise ValueError(f"{data}: a store has its own --root, --gaits, --mirror and --listed; choose among its "
                              "--styles")
         found = store.load(data, styles, check=True, progress=distributed.first())
     else:
+        data, root = dataset(data, root)
         options = {} if clip_seconds is None else {"seconds": clip_seconds}
         if skeleton is not None:
             if data != "folder":

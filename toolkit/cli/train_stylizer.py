@@ -6,6 +6,7 @@ from typing import Annotated
 import typer
 
 from toolkit import datasets, export
+from toolkit.cli.motion_files import dataset
 from toolkit.cli.verbs import ClipSeconds, Device, Resume, Root, Seed, Selection
 from toolkit.stylization.data import build
 from toolkit.stylization.losses import LOSSES
@@ -34,10 +35,7 @@ def train_stylizer(
     Its domains are the styles of the dataset, its contents the gaits. Ctrl-C stops it, and --resume goes on from there.
     """
     export.check(out, ())
-    if data not in datasets.DATASETS and Path(data).is_dir():
-        if root is not None:
-            raise ValueError(f"{data}: is the folder to read; --root is for datasets with a name")
-        data, root = "folder", Path(data)
+    data, root = dataset(data, root)
     budget: dict[str, float] = {} if iterations is None else {"iterations": iterations}
     if minutes is not None:
         budget = {"iterations": iterations or 10**9, "seconds": 60 * minutes}

@@ -122,6 +122,12 @@ def equals(right: Any, wrong: Mapping[str, Any] | None = None, tolerance: float 
     return judge
 
 
+def draws(seed: int, *shapes: tuple[int, ...]) -> tuple[torch.Tensor, ...]:
+    """Normal numbers of these shapes, the same in every call: arguments of a hidden case."""
+    make = torch.Generator().manual_seed(seed)
+    return tuple(torch.randn(shape, generator=make) for shape in shapes)
+
+
 def differs(got: Any, want: Any, tolerance: float) -> str:
     """How two results differ, without the right one; "" where they agree."""
     if isinstance(want, str | set | dict | bool) or want is None:

@@ -1,7 +1,7 @@
 """Figures of the notebook on features."""
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 
 import numpy as np
 import plotly.graph_objects as go
@@ -15,7 +15,7 @@ from toolkit.features import Layout
 from toolkit.motion import Clip, Skeleton
 from toolkit.motion.trajectory import SAMPLES
 from toolkit.view.body import COLORS, CONTACT, PALETTE
-from toolkit.view.figures import INK, QUIET, finish
+from toolkit.view.figures import INK, QUIET, bones, finish, slider
 
 X = SYMBOLS["x"][0]
 ARROW = {"symbol": "arrow", "angleref": "previous", "size": 11, "standoff": 0}
@@ -42,35 +42,30 @@ def carried(clip: Clip, frame: int, positions: int = 24) -> go.Figure:
         there = clip.moved(turn=angle, shift=(1.6 * math.sin(angle), 0.0, 1.6 * math.cos(angle)))
         there = there.moved(shift=(-clip.root_positions[60] * torch.tensor([1.0, 0.0, 1.0])).tolist())
         x = features.frames(there, start=60, stop=61).inputs[0].numpy()
-        states.append([_bones_3d(there, 60), go.Bar(y=x), go.Bar(y=there.global_positions[60].flatten().numpy())])
+        place = there.global_positions[60]
+        body = go.Scatter3d(**bones(clip.skeleton.parents, place, (0, 1, 2)), mode="lines", hoverinfo="skip",
+                            line={"color": INK, "width": 6})
+        states.append([body, go.Bar(y=x), go.Bar(y=place.flatten().numpy())])
     for trace, place in zip(states[0], ((1, 1), (1, 2), (2, 2)), strict=True):
         figure.add_trace(trace, *place)
     figure.data[1].marker.color, figure.data[2].marker.color = X, QUIET
     figure.frames = [go.Frame(data=[state[0], {"y": state[1].y}, {"y": state[2].y}], traces=[0, 1, 2], name=str(k))
                      for k, state in enumerate(states)]
-    scene = floor(2.4)
     top = max(float(np.abs(state[1].y).max()) for state in states)
     figure.update_yaxes(range=[-top, top], row=1, col=2).update_yaxes(range=[-3, 3], row=2, col=2)
-    return finish(figure, "Drag the slider: the character moves and turns", 480, {}, {}, scene=scene, showlegend=False,
+    return finish(figure, "Drag the slider: the character moves and turns", 480, {}, {}, scene=_floor(2.4), showlegend=False,
                   bargap=0, margin_t=84,
                   sliders=[slider([f"{360 * k // positions}°" for k in range(positions)], "carried by ")])
 
 
-def floor(reach: float, eye: tuple[float, float, float] = (1.0, 0.7, 1.0)) -> dict:
+def _floor(reach: float) -> dict:
     """A scene of plotly with Y up: a floor of ``reach`` metres around the origin, two metres high."""
     box = {"range": [-reach, reach], "title": "", "showticklabels": False, "showbackground": False}
     up = box | {"range": [0, 2], "showbackground": True, "showgrid": False, "backgroundcolor": "#f1eee7"}
     return {"xaxis": box, "yaxis": up, "zaxis": box, "aspectmode": "manual",
             "aspectratio": {"x": 1.4, "y": 1.4 / reach, "z": 1.4},
-            "camera": {"up": {"x": 0, "y": 1, "z": 0}, "eye": dict(zip("xyz", eye, strict=True)),
+            "camera": {"up": {"x": 0, "y": 1, "z": 0}, "eye": {"x": 1, "y": 0.7, "z": 1},
                        "center": {"x": 0, "y": -0.1, "z": 0}}}
-
-
-def slider(labels: Sequence[str], prefix: str, start: int = 0) -> dict:
-    """A slider of plotly through the frames "0", "1", … of a figure."""
-    now = {"mode": "immediate", "frame": {"duration": 0, "redraw": True}, "transition": {"duration": 0}}
-    steps = [{"method": "animate", "label": label, "args": [[str(k)], now]} for k, label in enumerate(labels)]
-    return {"steps": steps, "active": start, "currentvalue": {"prefix": prefix}, "pad": {"t": 46}}
 
 
 def window(positions: Tensor, facings: Tensor) -> go.Figure:
@@ -106,19 +101,19 @@ def row(x: Tensor, layout: Layout) -> go.Figure:
     return finish(figure, "One row x", 560, {}, {}, margin_t=84)
 
 
-def skeleton(bones: Skeleton) -> go.Figure:
+def skeleton(known: Skeleton) -> go.Figure:
     """The skeleton from the front with all rotations zero; joints that are not in the features are hollow."""
-    rest, figure = bones.rest_positions.numpy(), go.Figure()
-    for j, parent in enumerate(bones.parents):
+    rest, figure = known.rest_positions.numpy(), go.Figure()
+    for j, parent in enumerate(known.parents):
         line = rest[[max(parent, 0), j]]
         figure.add_scatter(x=line[:, 0], y=line[:, 1], mode="lines", showlegend=False, hoverinfo="skip",
-                           line={"color": _tone(bones.names[j]), "width": 6})
-    roles = {name: role for role, name in bones.roles.items()}
-    kept = [j in bones.feature_joints for j in range(len(bones))]
+                           line={"color": _tone(known.names[j]), "width": 6})
+    roles = {name: role for role, name in known.roles.items()}
+    kept = [j in known.feature_joints for j in range(len(known))]
     for name, own in (("in the features", True), ("not in the features", False)):
-        at = [j for j in range(len(bones)) if kept[j] == own]
+        at = [j for j in range(len(known)) if kept[j] == own]
         figure.add_scatter(x=rest[at, 0], y=rest[at, 1], mode="markers", name=name, hoverinfo="text",
-                           text=[f"{bones.names[j]}, {roles.get(bones.names[j], 'no role')}" for j in at],
+                           text=[f"{known.names[j]}, {roles.get(known.names[j], 'no role')}" for j in at],
                            marker={"size": 9, "color": INK if own else "white", "line": {"color": INK, "width": 1.5}})
     return finish(figure, "From the front; the names are under the pointer", 560, {"title": "metres to the left"},
                   {"title": "metres above the hips", "scaleanchor": "x"})
@@ -179,14 +174,6 @@ def running_means(counts: np.ndarray, means: Mapping[str, np.ndarray], lowest: f
         figure.add_scatter(x=counts, y=curve, name=name, line={"color": colour, "width": 2.5})
     return finish(figure, "The mean height of the head; the band is the range of the heights", 400,
                   {"type": "log", "title": "frames added", "exponentformat": "SI"}, {"title": "metres"})
-
-
-def _bones_3d(clip: Clip, frame: int) -> go.Scatter3d:
-    """All bones as one line with gaps."""
-    place = clip.global_positions[frame].numpy()
-    pairs = [(parent, j) for j, parent in enumerate(clip.skeleton.parents) if parent >= 0]
-    x, y, z = np.concatenate([np.concatenate((place[list(pair)], [[np.nan] * 3])) for pair in pairs]).T
-    return go.Scatter3d(x=x, y=y, z=z, mode="lines", line={"color": INK, "width": 6}, hoverinfo="skip")
 
 
 def _arrows(figure: go.Figure, start: Tensor, end: Tensor, name: str, colour: str, legend: bool = True, **place) -> None:

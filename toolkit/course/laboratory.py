@@ -36,7 +36,7 @@ def trial(sources: Mapping[str, str | ph.Source], cases: Sequence[tuple[str, str
     rows = []
     for name, gait in cases:
         style = name if stagger is None else dataclasses.replace(procedural.STYLES[name], stagger=stagger)
-        found = measure(name, *procedural.truth(style, gait, seconds, seed), "", named).phase
+        found = measure(name, *procedural.truth(style, gait, seconds, seed), named).phase
         rows += [(f"{name} {gait}", source, float(error[:2].nanmean()), float(error[2:].nanmean()))
                  for source, error in found.items()]
     return pd.DataFrame(rows, columns=["clip", "source", "hands", "feet"])

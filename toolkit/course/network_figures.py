@@ -9,10 +9,9 @@ import torch
 from plotly.subplots import make_subplots
 from torch import Tensor
 
-from toolkit.course.feature_figures import slider
 from toolkit.course.notation import SYMBOLS
 from toolkit.view.body import COLORS, PALETTE
-from toolkit.view.figures import colours, finish
+from toolkit.view.figures import bones, colours, finish, slider
 
 STYLE, OUTPUT = SYMBOLS["γ, β"][0], SYMBOLS["z"][0]
 
@@ -41,10 +40,7 @@ def poses(parents: Sequence[int], plain: Tensor, sliders: Mapping[str, Mapping[s
     for k, (name, steps) in enumerate(sliders.items()):
         frames += [go.Frame(data=_both(parents, pose), traces=[2, 3], name=f"{k}-{i}")
                    for i, pose in enumerate(steps.values())]
-        control = slider(list(steps), f"{name}: ")
-        for i, step in enumerate(control["steps"]):
-            step["args"] = [[f"{k}-{i}"], step["args"][1]]
-        controls.append(control | {"pad": {"t": 46 + 92 * k}})
+        controls.append(slider(list(steps), f"{name}: ", frames=f"{k}-", row=k))
     figure.frames = frames
     every = torch.cat([plain, *(pose for steps in sliders.values() for pose in steps.values())])
     low, high = float(every[:, 1].min()) - 0.1, float(every[:, 1].max()) + 0.1
@@ -95,10 +91,7 @@ def modulation(values: Tensor, steps: int = 21) -> go.Figure:
         curves = [order * v if name == "γ" else order + v for v in reach]
         frames += [go.Frame(data=[{"x": units, "y": y}, {"x": units, "y": _elu(y)}], traces=[1, 3], name=f"{name}{i}")
                    for i, y in enumerate(curves)]
-        control = slider([f"{v:.1f}" for v in reach], f"{name} = ", steps // 2)
-        for i, step in enumerate(control["steps"]):
-            step["args"] = [[f"{name}{i}"], step["args"][1]]
-        controls.append(control | {"pad": {"t": 46 + 92 * k}})
+        controls.append(slider([f"{v:.1f}" for v in reach], f"{name} = ", steps // 2, frames=name, row=k))
     figure.frames = frames
     figure.update_yaxes(range=[-6.5, 6.5])
     return finish(figure, "One hidden layer under a style", 560, {}, {}, showlegend=False, margin_t=84, margin_b=240,
@@ -131,10 +124,7 @@ def confusions(tables: Mapping[str, Tensor], styles: Sequence[str]) -> go.Figure
 
 def _both(parents: Sequence[int], pose: Tensor) -> list[dict]:
     """Bones from the side (ahead, up) and from the front (left, up); to the left is on the right, as one meets a person."""
-    pairs = [(parent, j) for j, parent in enumerate(parents) if parent >= 0]
-    place = pose.detach().cpu().numpy()
-    line = np.concatenate([np.concatenate((place[list(pair)], [[np.nan] * 3])) for pair in pairs])
-    return [{"x": line[:, 2], "y": line[:, 1]}, {"x": line[:, 0], "y": line[:, 1]}]
+    return [bones(parents, pose, axes) for axes in ((2, 1), (0, 1))]
 
 
 def _elu(values: np.ndarray) -> np.ndarray:

@@ -11,11 +11,10 @@ from plotly.subplots import make_subplots
 from torch import Tensor
 
 from toolkit import phases as ph
-from toolkit.course.feature_figures import slider
 from toolkit.course.notation import SYMBOLS
 from toolkit.motion import Clip, root_frames
 from toolkit.view.body import COLORS
-from toolkit.view.figures import INK, QUIET, colours, finish
+from toolkit.view.figures import INK, QUIET, bones, colours, finish, slider
 
 P = SYMBOLS["p"][0]
 
@@ -31,15 +30,15 @@ def cycle(clip: Clip, phase: Tensor, first: int, last: int, limb: str = "left_ha
         Frames of the slider.
     """
     frames = torch.linspace(first, last, steps).round().long()
-    local = root_frames(clip).to_local(clip.global_positions)[..., [2, 1]].numpy()  # ahead, up
+    local = root_frames(clip).to_local(clip.global_positions)
     curve = ph.local_positions(clip, limb)[:, 2].numpy()
     figure = make_subplots(1, 3, column_widths=[0.3, 0.25, 0.45], subplot_titles=["body", "phase", "hand ahead of hips, m"])
     seconds = np.arange(first, last + 1) / clip.fps
     figure.add_scatter(x=seconds, y=curve[first : last + 1], line={"color": COLORS["left"]}, row=1, col=3)
     ring = np.linspace(0, 2 * math.pi, 60)
     figure.add_scatter(x=np.sin(ring), y=np.cos(ring), line={"color": QUIET, "width": 1}, row=1, col=2)
-    states = [[_bones(clip, local[f]), _hand(float(phase[f])), {"x": [f / clip.fps], "y": [curve[f]]}]
-              for f in frames.tolist()]
+    states = [[bones(clip.skeleton.parents, local[f], (2, 1)), _hand(float(phase[f])),
+               {"x": [f / clip.fps], "y": [curve[f]]}] for f in frames.tolist()]
     for state, place, line in zip(states[0], (1, 2, 3), (INK, P, P), strict=True):
         figure.add_scatter(**state, mode="lines" if place == 1 else "lines+markers", line={"color": line, "width": 4},
                            marker={"size": 12, "color": P}, row=1, col=place)
@@ -129,12 +128,6 @@ def ranking(table: pd.Series, own: str) -> go.Figure:
                               marker={"color": [P if name == own else QUIET for name in table.index]}))
     return finish(figure, "Leaderboard: mean error in degrees", 120 + 36 * len(table), {"title": "degrees"},
                   {"autorange": "reversed"})
-
-
-def _bones(clip: Clip, places: np.ndarray) -> dict:
-    pairs = [(parent, j) for j, parent in enumerate(clip.skeleton.parents) if parent >= 0]
-    line = np.concatenate([np.concatenate((places[list(pair)], [[np.nan] * 2])) for pair in pairs])
-    return {"x": line[:, 0], "y": line[:, 1]}
 
 
 def _hand(phase: float) -> dict:

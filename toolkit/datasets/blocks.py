@@ -8,6 +8,7 @@ of the block. `toolkit.datasets.leaks` checks these rules in any list.
 import hashlib
 import json
 import os
+import re
 from collections import defaultdict
 from collections.abc import Iterable
 from dataclasses import dataclass, field
@@ -130,8 +131,8 @@ def _frames(path: Path) -> int:
     status(path)
     with path.open(encoding="utf-8", errors="replace") as text:
         for line in text:
-            if line.startswith("Frames:") and (number := line.removeprefix("Frames:").strip()).isdigit():
-                return int(number)
+            if found := re.fullmatch(r"Frames:\s*(\d{1,9})\s*", line, re.ASCII):
+                return int(found[1])
     raise ValueError(f"{path}: no line 'Frames: N'")
 
 

@@ -12,7 +12,7 @@ Clips have the body joints alone (`toolkit.motion.pruning`), and all the same on
 import os
 import re
 from collections import defaultdict
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from pathlib import Path
@@ -22,7 +22,7 @@ from toolkit.io import files, interpretation
 from toolkit.io.load import READERS, read
 from toolkit.io.progress import progress_bar
 from toolkit.motion import Clip, trajectory
-from toolkit.motion.names import printable
+from toolkit.motion.names import of_file, printable
 from toolkit.motion.pruning import pruned
 from toolkit.motion.retargeting import retarget
 
@@ -127,7 +127,7 @@ def _survey(folder: Path, _signature: tuple, target: Clip | None) -> Survey:
             whole, doubtful = _load(take)
             clip = _fitted(whole, target)
         except (ValueError, OSError, ImportError) as error:
-            left_out[take.path] = str(error).removeprefix(str(take.path)).removeprefix(take.path.name).lstrip(",: ")
+            left_out[take.path] = reason(error, take.path)
             continue
         if clip.seconds < SHORTEST:
             left_out[take.path] = f"{clip.seconds:.1f} s; a clip of {SHORTEST:.1f} s is needed"
@@ -152,6 +152,20 @@ def _survey(folder: Path, _signature: tuple, target: Clip | None) -> Survey:
                   {path: found for path, found in doubts.items() if path not in left_out})
 
 
+def read_file(path: Path, unit: float | str = "auto", up: str = "auto",
+              roles: Mapping[str, str] | None = None) -> tuple[Clip, list[str]]:
+    """The clip of a file (`toolkit.load`), a floor far from zero moved there, and what is doubtful about it."""
+    clip, found = interpretation.interpret(read(path), path, unit, up, roles)
+    if abs(found.floor) > interpretation.FAR:
+        clip = clip.moved(shift=(0.0, -found.floor, 0.0))
+    return clip, found.doubts
+
+
+def reason(error: Exception, path: Path) -> str:
+    """What an error says about a file, without its name."""
+    return str(error).removeprefix(str(path)).removeprefix(path.name).lstrip(",: ")
+
+
 def labelled(folder: Path) -> tuple[list[Take], dict[Path, str]]:
     """Files of a folder with style and gait, and those that the table leaves out."""
     files = [path for path in sorted(folder.rglob("*")) if path.suffix.lower() in SUFFIXES and path.is_file()]
@@ -159,14 +173,14 @@ def labelled(folder: Path) -> tuple[list[Take], dict[Path, str]]:
         table = _table(folder)
         return ([OwnTake(path, *table[path]) for path in files if path in table],
                 {path: f"not listed in {TABLE}" for path in files if path not in table})
-    words = {path: [w for w in re.split(r"[\W_]+", path.stem) if w and not w.isdigit()] for path in files}
+    words = {path: [w for w in re.split(r"[\W_]+", of_file(path.stem)) if w and not w.isdigit()] for path in files}
     common = set.intersection(*map(set, words.values())) if len(files) > 1 else set()
     takes = []
     for path in files:
-        above = path.relative_to(folder).parts[:-1]
+        above = [of_file(part) for part in path.relative_to(folder).parts[:-1]]
         gait = above[1] if len(above) > 1 else next((GAITS[w.lower()] for w in words[path] if w.lower() in GAITS), "")
         named = [w for w in words[path] if w.lower() not in GAITS]
-        named = [w for w in named if w not in common] or named or [path.stem]
+        named = [w for w in named if w not in common] or named or [of_file(path.stem)]
         takes.append(OwnTake(path, above[0] if above else named[0], GAITS.get(gait.lower(), gait)))
     return takes, {}
 
@@ -176,7 +190,7 @@ def _table(folder: Path) -> dict[Path, tuple]:
     place, found = folder / TABLE, {}
     for number, row in files.table(place, COLUMNS[:2]):
         path, style, gait, unit, up = (row.get(column, "").strip() for column in (*COLUMNS, "unit", "up"))
-        path = folder / path
+        path = folder / os.fsdecode(path.encode())
         if not style or not path.is_file():
             raise ValueError(f"{place}, line {number}: {f'no file {str(path)!r}' if style else 'no style'}")
         try:
@@ -197,11 +211,8 @@ def _files(count: int) -> str:
 
 
 def _load(take: OwnTake) -> tuple[Clip, list[str]]:
-    """The clip of a file, with a floor far from zero moved there, and what is doubtful about it."""
-    clip, found = interpretation.interpret(read(take.path), take.path, take.unit, take.up)
-    if abs(found.floor) > interpretation.FAR:
-        clip = clip.moved(shift=(0.0, -found.floor, 0.0))
-    return clip.replace(style=take.style, gait=take.gait), found.doubts
+    clip, doubts = read_file(take.path, take.unit, take.up)
+    return clip.replace(style=take.style, gait=take.gait), doubts
 
 
 def _height(clip: Clip) -> float:

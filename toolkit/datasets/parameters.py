@@ -1,6 +1,7 @@
 """Files of the authors' published parameters of LPN-FiLM, 100 styles: names and shapes, which are checked before reading.
 
-They are raw little-endian float32 files (github.com/ianxmason/local-phases). `toolkit.published` makes a model from them.
+They are raw little-endian float32 files (github.com/ianxmason/local-phases). `toolkit.training.published` makes a model
+from them.
 """
 
 import math

@@ -69,7 +69,7 @@ def read(folder: str | os.PathLike) -> list[Take]:
 
 def _read(file: Path) -> Take:
     name = file.name.removesuffix("_footsteps.txt")
-    clip = bvh.load(file.with_name(f"{name}.bvh"), unit=UNIT)
+    clip = bvh.load(file.with_name(f"{name}.bvh"), unit=UNIT, up="y")
     try:
         lines = files.read(file).decode().splitlines()
         rows = [[int(word) - 1 for word in line.split()] for line in lines if line.strip()]
@@ -99,11 +99,21 @@ def errors(take: Take, source: str | ph.Source) -> Tensor:
 
 def floor(take: Take) -> Tensor:
     """The errors ``[2]`` of straight lines between the labelled touch-downs of each foot alone, degrees."""
-    clocks = [_straight(len(take.clip), foot.double(), 2 * math.pi * torch.arange(len(foot)).double())
-              for foot in (take.right, take.left)]
-    between = torch.zeros(len(take.clip), dtype=torch.bool)
-    between[max(take.right[0], take.left[0]) : min(take.right[-1], take.left[-1])] = True
-    return _errors(take, torch.stack(clocks, 1), take.labelled & between)
+    return _errors(take, clocks(take, take.right, take.left), between(take))
+
+
+def clocks(take: Take, right: Tensor, left: Tensor) -> Tensor:
+    """Phases ``[F, 2]`` of both feet, radians: straight lines from one touch-down (a frame) of a foot to its next."""
+    return torch.stack([_straight(len(take.clip), foot.double(), 2 * math.pi * torch.arange(len(foot)).double())
+                        for foot in (right, left)], 1)
+
+
+def between(take: Take) -> Tensor:
+    """Measured frames ``[F]`` between the first and the last labelled touch-downs of both feet, bool."""
+    frames = take.labelled.clone()
+    frames[: max(take.right[0], take.left[0])] = False
+    frames[min(take.right[-1], take.left[-1]) :] = False
+    return frames
 
 
 def _errors(take: Take, phases: Tensor, frames: Tensor) -> Tensor:

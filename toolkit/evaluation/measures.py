@@ -17,7 +17,6 @@ from toolkit.evaluation.metrics import frechet_distance
 from toolkit.evaluation.recognition import Recogniser
 from toolkit.motion import Clip, contacts, root_frames, trajectory
 from toolkit.motion import rotations as R
-from toolkit.motion.clip import FEET
 
 STILL = 0.1  # m/s; slower hips have no direction of movement
 
@@ -29,7 +28,7 @@ def _toes(clip: Clip, fps: float | None = None) -> tuple[Tensor, Tensor]:
     sampled = clip if fps is None else clip.resample(fps)
     if len(sampled) < 2:
         raise ValueError(f"{clip.name}: foot skate needs two frames at {fps:g} Hz, the clip lasts {clip.seconds:.2f} s")
-    toes = sampled.global_positions[:, [clip.skeleton.role(f"{side}_toe") for side in FEET]]
+    toes = contacts.toes_of(sampled)
     return toes, toes[..., 1] - contacts.standing_height(clip)
 
 

@@ -8,7 +8,7 @@ from torch import Tensor
 from toolkit.features import Layout
 from toolkit.motion import Clip, Skeleton
 from toolkit.motion.clip import FEET, SIDES
-from toolkit.motion.contacts import HEIGHT, detect, velocities
+from toolkit.motion.contacts import HEIGHT, detect, toes_of, velocities
 from toolkit.motion.tensors import as_tensor
 
 
@@ -25,13 +25,8 @@ def foot_skate(clip: Clip, contact: Tensor | None = None) -> dict[str, float]:
         If the contacts do not have the clip's frames.
     """
     contact = detect(clip, height=HEIGHT, speed=math.inf) if contact is None else _checked(clip, contact)
-    result = {}
-    for i, side in enumerate(FEET):
-        toe = clip.global_positions[:, clip.skeleton.role(f"{side}_toe")]
-        speed = velocities(toe, clip.fps)[:, [0, 2]].norm(dim=-1)
-        weight = contact[:, i] > 0.5
-        result[side] = float((speed * weight).sum() / weight.sum()) if weight.any() else math.nan
-    return result
+    speeds = velocities(toes_of(clip), clip.fps)[..., [0, 2]].norm(dim=-1)
+    return {side: float(speeds[contact[:, i] > 0.5, i].mean()) for i, side in enumerate(FEET)}
 
 
 def _checked(clip: Clip, contacts: Tensor) -> Tensor:
@@ -67,7 +62,7 @@ def feet(clip: Clip, contacts: Tensor | None = None) -> dict[str, float]:
     contact = detect(clip) if contacts is None else _checked(clip, contacts)
     if len(clip) < 3:
         raise ValueError(f"{clip.name}: acceleration needs three frames, got {len(clip)}")
-    toes = clip.global_positions[:, [clip.skeleton.role(f"{side}_toe") for side in FEET]]
+    toes = toes_of(clip)
     velocity, contact = velocities(toes, clip.fps), contact > 0.5
     swings = []
     for side in range(len(FEET)):

@@ -1,4 +1,4 @@
-"""Measures that compare models: error on the columns that all of them predict, movement of hands, and posture."""
+"""Measures that compare models: error on the columns that all of them predict, and movement of hands."""
 
 from collections import defaultdict
 
@@ -63,13 +63,9 @@ def shared_baselines(data: Features, held_out: float, seed: int) -> dict[str, fl
         still = loss.repeat_frame(data.layout, x, p, normaliser.mean)
         for name, guess in (("mean", normaliser.mean), ("repeat", still)):
             off = ((z - guess) / normaliser.std).square()
-            errors[name].append(float(_shared(data.layout, off).mean()))
+            errors[name].append(float(torch.cat([off[:, data.layout.outputs[block]] for block in SHARED], 1).mean()))
             errors[f"{name}, joints"].append(float(off[:, data.layout.outputs["joints"]].mean()))
     return {name: sum(values) / len(values) for name, values in errors.items()}
-
-
-def _shared(layout: Layout, z: Tensor) -> Tensor:
-    return torch.cat([z[..., layout.outputs[name]] for name in SHARED], -1)
 
 
 def nearest(clips: Tensor, speed: float) -> Tensor:
@@ -91,27 +87,3 @@ def hands(layout: Layout, joints: Tensor, clips: Tensor, speed: float) -> dict[s
     swing, swing_data = (float(found["together"].nanmean()) for found in (made, real))
     return {"hands": float(made["range"].mean() / real["range"].mean()), "hands_data": float(real["range"].mean()),
             "swing": swing, "swing_data": swing_data, "together": abs(swing - swing_data)}
-
-
-def posture_error(layout: Layout, joints: Tensor, clips: Tensor, speed: float) -> dict[str, float]:
-    """Distance of the mean pose of the shoulders and hands in a walk from that in the style clips nearest to it in velocity.
-
-    The arguments are those of `hands`. The result has ``clavicle`` and ``hand``, metres, the mean of both sides: shoulders
-    are seen from the chest and hands from their shoulder, so they show clavicles and arms alone. ``clavicle_data`` and
-    ``hand_data`` are the same between one style clip of the data and the others: what even the data would have.
-    """
-    skeleton, place = layout.skeleton, layout.names.index
-
-    def mean_pose(y: Tensor) -> dict[str, Tensor]:
-        at = split_joints(y)["position"].mean(-3)  # [..., J, 3]
-        shoulder, hand = (at[..., [place(skeleton.names[skeleton.role(f"{side}_{part}")]) for side in ("left", "right")], :]
-                          for part in ("shoulder", "hand"))
-        return {"clavicle": shoulder - at[..., place(skeleton.names[skeleton.trunk[0]]), None, :], "hand": hand - shoulder}
-
-    near = nearest(clips, speed)
-    made, real = mean_pose(joints), mean_pose(near)
-    found = {name: float((made[name] - real[name].mean(0)).norm(dim=-1).mean()) for name in made}
-    for name, poses in real.items():
-        apart = (poses[:1] - poses[1:]).norm(dim=-1)
-        found[f"{name}_data"] = float(apart.mean()) if len(poses) > 1 else 0.0
-    return found

@@ -12,7 +12,6 @@ from toolkit.evaluation import metrics
 from toolkit.motion import Clip, contacts
 
 STILL = 0.02  # metres, root mean square distance from its mean position below which a hand has no phase
-CASES = ("cyclic", "asymmetric", "no global phase", "one leg never touches", "stochastic")
 
 
 @dataclass(frozen=True)
@@ -20,13 +19,12 @@ class Row:
     """Errors of one clip: ``phase`` (degrees) and ``frequency`` (relative) ``[4]`` by source; NaN where undefined."""
 
     name: str
-    kind: str
     phase: dict[str, Tensor]
     frequency: dict[str, Tensor]
     f1: list[float]
 
 
-def measure(name: str, clip: Clip, truth: procedural.Truth, kind: str, sources: dict[str, ph.Source]) -> Row:
+def measure(name: str, clip: Clip, truth: procedural.Truth, sources: dict[str, ph.Source]) -> Row:
     """Errors of all sources on one clip while it steps, without the first and the last second."""
     pace = ph.windows.mean(truth.frequency.double(), ph.windows.SECOND, clip.fps)
     inner = torch.arange(len(clip))
@@ -49,16 +47,4 @@ def measure(name: str, clip: Clip, truth: procedural.Truth, kind: str, sources: 
             frequency[label][limb] = (found.frequency[stepping, limb].mean() / true - 1).abs()
     found, true = contacts.detect(clip), truth.contacts
     f1 = [float(2 * (found * true)[:, i].sum() / (found + true)[:, i].sum()) for i in range(2) if true[:, i].any()]
-    return Row(name, kind, phase, frequency, f1)
-
-
-def kind(style: procedural.Style) -> str:
-    """The one of `CASES` of a style."""
-    if style.stagger > 0:
-        return "stochastic"
-    legs, arms = ([part("left"), part("right")] for part in (style.leg, style.arm))
-    if any(leg.raised for leg in legs):
-        return "one leg never touches"
-    if style.asymmetry or legs[0] != legs[1]:
-        return "asymmetric"
-    return "no global phase" if any(arm.ratio != 1 or arm.phase for arm in arms) else "cyclic"
+    return Row(name, phase, frequency, f1)

@@ -29,29 +29,20 @@ class Layout:
     For J = 25 and 12 samples x has 348 columns, z 342 and a frame of y 300. `inputs` and `outputs` map blocks to slices;
     `joints` is J × (position 3, forward 3, up 3, velocity 3), `trajectory` is samples × (x, z, direction x, direction z).
 
-    Data always have the four limbs' local phases. A model may use fewer columns: see ``phase``.
+    Data always have the four limbs' local phases. A model may use fewer columns: see ``phase``. Two layouts are equal if
+    their skeletons have the same joints and End Sites in the same tree and similar size, the same phase and samples, see
+    `difference`.
+
+    ValueError if the phase is unknown, or the offsets are not ascending whole frames as described above.
 
     Parameters
     ----------
-    skeleton
-        Skeleton of the data.
+    skeleton : skeleton of the data
     phase
         ``"local"``: the phase vectors of four limbs; p has 8 columns, z has 8 of phases and 8 of phase updates.
         ``"global"``: one angle, radians; p has 1 column, z only its update (327 columns for J = 25). ``"none"``: p and z
         have no phase columns (z: 326).
-    samples
-        Offsets of the trajectory window in frames at 60 Hz, ascending: past ones, 0, future ones.
-
-    Raises
-    ------
-    ValueError
-        If the phase is unknown, or the offsets are not ascending whole frames as described above.
-
-    Notes
-    -----
-
-    Two layouts are equal if their skeletons have the same joints and End Sites in the same tree and similar size, the same
-    phase and samples, see `difference`.
+    samples : offsets of the trajectory window in frames at 60 Hz, ascending: past ones, 0, future ones
     """
 
     skeleton: Skeleton

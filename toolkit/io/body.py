@@ -56,10 +56,10 @@ class Body:
             points[j] = roots if above < 0 else points[above] + turned[above] @ offsets[j]
         return points
 
-    @property
-    def finite(self) -> bool:
-        """Whether all points are finite."""
-        return all(np.isfinite(points).all() for points in self.points.values())
+    @cached_property
+    def together(self) -> np.ndarray:
+        """All points ``[S, N, 3]``."""
+        return np.stack(list(self.points.values()), 1)
 
     def middle(self, part: str) -> np.ndarray:
         """Mean position of a part of both sides ``[S, 3]``."""
@@ -67,7 +67,7 @@ class Body:
 
     def along(self, up: str) -> np.ndarray:
         """Heights ``[S, N]`` of all points along an axis."""
-        points = np.stack(list(self.points.values()), 1)[..., "xyz".index(up[-1])]
+        points = self.together[..., "xyz".index(up[-1])]
         return -points if up[0] == "-" else points
 
     @cached_property

@@ -298,18 +298,24 @@ def _rotations(columns: np.ndarray, rows: list[dict[str, int]]) -> Tensor:
     rotations, alike = R.identity(columns.shape[1], len(rows)), defaultdict(dict)
     for j, channels in enumerate(rows):
         if turns := {c[0]: i for c, i in channels.items() if c.endswith("rotation")}:
-            alike["".join(turns)][j] = list(turns.values())
-    for order, turns in alike.items():
-        order += "".join(axis for axis in "XYZ" if axis not in order)
-        axes, joints = tuple(R.AXES[axis] for axis in order), np.array(list(turns))
-        for start in range(0, columns.shape[1], 2048):  # a few MB at a time
-            part = columns[:, start : start + 2048]
-            halves = np.zeros((3, len(turns), part.shape[1]), np.float32)
-            with np.errstate(over="ignore"):  # rotations that are not finite are refused later
-                for half, of in zip(halves, zip(*turns.values(), strict=True), strict=False):
-                    np.multiply(part[list(of)], np.pi / 360, out=half, casting="same_kind")
-            cosines, sines = torch.from_numpy(halves).cos(), torch.from_numpy(halves).sin_()
-            decimals.compose(cosines.numpy(), sines.numpy(), axes, joints, rotations.numpy(), start)
+            order = "".join(turns)
+            alike[order + "".join(axis for axis in "XYZ" if axis not in order)][j] = list(turns.values())
+    turns = sorted(i for group in alike.values() for own in group.values() for i in own)
+    place = {i: n for n, i in enumerate(turns)}
+    still = len(turns)  # row of an axis without a channel
+    groups = [(tuple(R.AXES[axis] for axis in order), np.array(list(group)),
+               np.array([[place[i] for i in own] + [still] * (3 - len(own)) for own in group.values()]))
+              for order, group in alike.items()]
+    if turns and turns[-1] - turns[0] == still - 1:
+        turns = slice(turns[0], turns[-1] + 1)  # without a copy
+    for start in range(0, columns.shape[1] if groups else 0, 2048):  # a few MB at a time
+        part = columns[turns, start : start + 2048]
+        halves = np.zeros((still + 1, part.shape[1]), np.float32)
+        with np.errstate(over="ignore"):  # rotations that are not finite are refused later
+            np.multiply(part, np.pi / 360, out=halves[:-1], casting="same_kind")
+        cosines, sines = torch.from_numpy(halves).cos().numpy(), torch.from_numpy(halves).sin_().numpy()
+        for axes, joints, of in groups:
+            decimals.compose(cosines, sines, of, axes, joints, rotations.numpy(), start)
     return rotations
 
 

@@ -63,7 +63,8 @@ class Document:
             values[rows] = self._view(new, kind, few_, width)
         made = values.astype(np.float64)
         if accessor.get("normalized") and values.dtype.kind in "iu":
-            made = np.maximum(made / np.iinfo(values.dtype).max, -1.0)
+            made /= np.iinfo(values.dtype).max
+            np.maximum(made, -1.0, out=made)
         if not -1e30 <= made.min(initial=0.0) <= made.max(initial=0.0) <= 1e30:  # false with NaN
             raise ValueError(f"accessor {index} has numbers that are not finite")
         return made

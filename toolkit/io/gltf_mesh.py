@@ -2,6 +2,7 @@
 
 import io
 import os
+import warnings
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -9,9 +10,13 @@ import numpy as np
 
 from toolkit.io import gltf
 from toolkit.io.gltf_file import Document, index_of, indices_of, member, members, numbers_of, unit, whole_of
-from toolkit.io.nodes import printable
+from toolkit.io.nodes import LIMIT, printable
 
 SLOTS = 4  # joints that a vertex may follow
+SKINS = 1000  # of a file
+SHARED = 20_000_000, 500_000  # values and vertices beyond those that the bytes hold: primitives may share an accessor
+PICTURES = "PNG", "JPEG", "WEBP"  # formats of a texture
+DECODED, PIXELS, KEPT = 100_000_000, 500_000_000, 30  # bytes of a texture beyond ten times its own, pixels of all, kept ones
 GREY = 0.8  # linear base colour where the file gives none
 
 
@@ -57,8 +62,10 @@ class _Reader:
 
     def __init__(self, path: Path):
         self.file = Document(path)
-        self.document = self.file.document
-        self.nodes = members(self.document, "nodes")
+        self.nodes = self.file.listed("nodes")
+        if len(self.nodes) > LIMIT:
+            raise ValueError(f"more than {LIMIT} nodes")
+        self.values = self.vertices = self.pixels = 0  # that were read
         self.parents = [-1] * len(self.nodes)
         for j, node in enumerate(self.nodes):
             for child in indices_of(node, "children", len(self.nodes)):
@@ -66,7 +73,17 @@ class _Reader:
                     raise ValueError(f"node {child} has two parents")
                 self.parents[child] = j
         self.world: dict[int, np.ndarray] = {}
+        self.hosts: dict[int, int | None] = {}
+        self.primitives: dict[int, list[dict]] = {}
         self.images: dict[int, np.ndarray | None] = {}
+
+    def array(self, index: object, width: int) -> np.ndarray:
+        """The values of an accessor; a ValueError if all together are many more than the file has bytes."""
+        values = self.file.array(index, width)
+        self.values += values.size
+        if self.values > SHARED[0] + self.file.size:
+            raise ValueError(f"its meshes read {self.values} values from {self.file.size} bytes")
+        return values
 
     def place(self, j: int) -> np.ndarray:
         """World transform ``[4, 4]`` of a node."""
@@ -83,7 +100,9 @@ class _Reader:
 
     def mesh(self) -> SkinnedMesh:
         """All meshes that follow joints, as one."""
-        skins = members(self.document, "skins")
+        skins = self.file.listed("skins")
+        if len(skins) > SKINS:
+            raise ValueError(f"more than {SKINS} skins")
         listed = [indices_of(skin, "joints", len(self.nodes)) for skin in skins]
         skinned = [(j, index_of(node, "skin", len(skins))) for j, node in enumerate(self.nodes)
                    if "mesh" in node and "skin" in node]
@@ -92,7 +111,7 @@ class _Reader:
         inverse: dict[int, np.ndarray] = {}
         for skin, joints in zip(skins, listed, strict=True):
             if "inverseBindMatrices" in skin:
-                matrices = self.file.array(skin["inverseBindMatrices"], 16).reshape(-1, 4, 4).swapaxes(1, 2)
+                matrices = self.array(skin["inverseBindMatrices"], 16).reshape(-1, 4, 4).swapaxes(1, 2)
             else:
                 matrices = np.eye(4)[None].repeat(len(joints), 0)
             if len(matrices) < len(joints):
@@ -111,7 +130,8 @@ class _Reader:
                 bind[i] = self.place(j)
                 if (above := self.parents[j]) in at:
                     bind[i] = bind[at[above]] @ np.linalg.inv(self.place(above)) @ bind[i]
-        parts = [self._primitives(j, listed[skin], at, shift) for j, skin in skinned]
+        places = [np.array([at[j] for j in joints], int) for joints in listed]
+        parts = [self._primitives(j, places[skin], at, shift) for j, skin in skinned]
         parts += [self._primitives(j, None, at, bind[at[a]] @ np.linalg.inv(self.place(a)) @ self.place(j), a)
                   for j, node in enumerate(self.nodes) if "mesh" in node and "skin" not in node
                   and (a := self._above(j, at)) is not None]
@@ -129,45 +149,51 @@ class _Reader:
 
     def _tree(self, joints: set[int]) -> list[int]:
         """Joints and the nodes between them, parents first, below one root."""
-        paths = []
+        kept: set[int] = set()
         for j in joints:
             self.place(j)  # refuses circles
-            path = [j]
-            while self.parents[path[-1]] >= 0:
-                path.append(self.parents[path[-1]])
-            paths.append(path[::-1])
-        shared = 0
-        while all(len(path) > shared for path in paths) and len({path[shared] for path in paths}) == 1:
-            shared += 1
-        if not shared:
+            while j >= 0 and j not in kept:
+                kept.add(j)
+                j = self.parents[j]
+        below = {j: [c for c in indices_of(self.nodes[j], "children", len(self.nodes)) if c in kept] for j in kept}
+        stack = [j for j in kept if self.parents[j] < 0]
+        if len(stack) != 1:
             raise ValueError("the joints of its skins have no common ancestor")
-        kept = {j for path in paths for j in path[shared - 1 :]}
-        found, stack = [], [paths[0][shared - 1]]
+        while stack[0] not in joints and len(below[stack[0]]) == 1:
+            stack = below[stack[0]]
+        found = []
         while stack:
-            j = stack.pop()
-            found.append(j)
-            stack += [c for c in reversed(indices_of(self.nodes[j], "children", len(self.nodes))) if c in kept]
+            found.append(stack.pop())
+            stack += reversed(below[found[-1]])
         return found
 
     def _above(self, j: int, at: dict[int, int]) -> int | None:
         """The joint that a node hangs on."""
-        while j >= 0 and j not in at:
+        path = []
+        while j >= 0 and j not in at and j not in self.hosts:
+            path.append(j)
             j = self.parents[j]
-        return j if j >= 0 else None
+        found = self.hosts.get(j, j if j >= 0 else None)
+        self.hosts |= dict.fromkeys(path, found)
+        return found
 
-    def _primitives(self, node: int, skin: list[int] | None, at: dict[int, int], place: np.ndarray,
+    def _primitives(self, node: int, skin: np.ndarray | None, at: dict[int, int], place: np.ndarray,
                     host: int = -1) -> list[tuple[np.ndarray, ...]]:
         """Points, triangles, joints, weights and colours of each primitive of a node's mesh."""
-        meshes = members(self.document, "meshes")
-        found = []
-        for primitive in members(meshes[index_of(self.nodes[node], "mesh", len(meshes))], "primitives"):
+        meshes, found = self.file.listed("meshes"), []
+        mesh = index_of(self.nodes[node], "mesh", len(meshes))
+        if mesh not in self.primitives:
+            self.primitives[mesh] = members(meshes[mesh], "primitives")
+        for primitive in self.primitives[mesh]:
+            self._count(1)
             if "KHR_draco_mesh_compression" in member(primitive, "extensions"):
                 raise ValueError("its mesh is compressed by KHR_draco_mesh_compression; unpack it with gltf-transform")
             attributes = member(primitive, "attributes")
             if primitive.get("mode", 4) != 4 or "POSITION" not in attributes:
                 continue  # points and lines
-            points = self.file.array(attributes["POSITION"], 3)
-            corners = self.file.array(primitive["indices"], 1)[:, 0] if "indices" in primitive else np.arange(len(points))
+            points = self.array(attributes["POSITION"], 3)
+            self._count(len(points))
+            corners = self.array(primitive["indices"], 1)[:, 0] if "indices" in primitive else np.arange(len(points))
             if not ((corners >= 0) & (corners < len(points))).all():
                 raise ValueError("a triangle has a vertex that does not exist")
             triangles = corners[: len(corners) // 3 * 3].astype(np.int64).reshape(-1, 3)
@@ -177,19 +203,25 @@ class _Reader:
             else:
                 if not {"JOINTS_0", "WEIGHTS_0"} <= attributes.keys():
                     raise ValueError("a skinned mesh has no weights")
-                own, weights = (self.file.array(attributes[k], SLOTS) for k in ("JOINTS_0", "WEIGHTS_0"))
+                own, weights = (self.array(attributes[k], SLOTS) for k in ("JOINTS_0", "WEIGHTS_0"))
                 if not len(own) == len(weights) == len(points) or not ((own >= 0) & (own < len(skin))).all():
                     raise ValueError("the weights of a mesh do not fit its vertices and joints")
                 weights = np.maximum(weights, 0)
                 weights = np.where(weights.sum(1, keepdims=True) > 1e-6, weights, np.eye(1, SLOTS))
-                joints = np.array([at[j] for j in skin])[own.astype(int)]
+                joints = skin[own.astype(int)]
             found.append((points @ place[:3, :3].T + place[:3, 3], triangles, joints,
                           weights / weights.sum(1, keepdims=True), self._colors(primitive, attributes, len(points))))
         return found
 
+    def _count(self, vertices: int) -> None:
+        """Count vertices, or a primitive; a ValueError if all meshes together have many more than the file can hold."""
+        self.vertices += vertices
+        if self.vertices > SHARED[1] + self.file.size / 20:  # a vertex with its weights takes 20 bytes
+            raise ValueError(f"its meshes have {self.vertices} vertices in {self.file.size} bytes")
+
     def _colors(self, primitive: dict, attributes: dict, count: int) -> np.ndarray:
         """Base colour ``[V, 3]`` uint8 of each vertex: the material's colour, its own and the texture there, multiplied."""
-        materials = members(self.document, "materials")
+        materials = self.file.listed("materials")
         material = materials[index_of(primitive, "material", len(materials))] if "material" in primitive else {}
         surface = member(material, "pbrMetallicRoughness")
         linear = numbers_of(surface, "baseColorFactor", 4, (1.0,) * 4)[:3] if surface else np.full(3, GREY)
@@ -198,7 +230,7 @@ class _Reader:
             index = attributes["COLOR_0"]
             accessors = self.file.listed("accessors")
             wide = accessors[index_of(attributes, "COLOR_0", len(accessors))].get("type") == "VEC4"
-            given = self.file.array(index, 4 if wide else 3)[:, :3]
+            given = self.array(index, 4 if wide else 3)[:, :3]
             if len(given) != count:
                 raise ValueError("the colours of a mesh do not fit its vertices")
             linear = linear * given
@@ -207,31 +239,50 @@ class _Reader:
         image = self._image(texture) if texture else None
         place = f"TEXCOORD_{texture.get('texCoord', 0)}"
         if image is not None and place in attributes:
-            u, v = (self.file.array(attributes[place], 2) % 1.0).T
+            u, v = (self.array(attributes[place], 2) % 1.0).T
+            if len(u) != count:
+                raise ValueError("the texture coordinates of a mesh do not fit its vertices")
             rows, columns = (v * len(image)).astype(int), (u * image.shape[1]).astype(int)
             tone = tone * image[np.minimum(rows, len(image) - 1), np.minimum(columns, image.shape[1] - 1)] / 255
         return (255 * tone + 0.5).astype(np.uint8)
 
     def _image(self, texture: dict) -> np.ndarray | None:
         """Pixels ``[H, W, 3]`` of a texture that lies in the file; None if it cannot be read."""
-        textures, images = (members(self.document, key) for key in ("textures", "images"))
+        textures, images = (self.file.listed(key) for key in ("textures", "images"))
         source = textures[index_of(texture, "index", len(textures))].get("source")
         if type(source) is not int or not 0 <= source < len(images) or "bufferView" not in images[source]:
             return None
         if source not in self.images:
-            views = members(self.document, "bufferViews")
+            views = self.file.listed("bufferViews")
             view = views[index_of(images[source], "bufferView", len(views))]
             start, size = (whole_of(view, key, 0) for key in ("byteOffset", "byteLength"))
-            data = self.file.buffer(index_of(view, "buffer", len(members(self.document, "buffers"))))
-            try:
-                from PIL import Image  # of the extra "view"
-
-                with Image.open(io.BytesIO(bytes(data[start : start + size]))) as picture:
-                    picture.thumbnail((1024, 1024))
-                    self.images[source] = np.asarray(picture.convert("RGB"))
-            except (ImportError, OSError, ValueError, SyntaxError):
-                self.images[source] = None
+            data = self.file.buffer(index_of(view, "buffer", len(self.file.listed("buffers"))))
+            if len(self.images) == KEPT:
+                del self.images[next(iter(self.images))]
+            self.images[source] = self._pixels(bytes(data[start : start + size]))
         return self.images[source]
+
+    def _pixels(self, data: bytes) -> np.ndarray | None:
+        """Pixels ``[H, W, 3]`` of a picture, at most 1024; None if it cannot be read, a ValueError if it is very large."""
+        try:
+            from PIL import Image  # of the extra "view"
+        except ImportError:
+            return None
+        try:
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")  # Pillow's limit does not depend on the size of the file
+                picture = Image.open(io.BytesIO(data), formats=PICTURES)
+            width, height = picture.size
+            self.pixels += width * height
+            small = 4 * width * height <= DECODED + 10 * len(data) and self.pixels <= PIXELS
+            if small:
+                picture.thumbnail((1024, 1024))
+                return np.asarray(picture.convert("RGB"))
+        except Image.DecompressionBombError:
+            small = False
+        except (OSError, ValueError, SyntaxError):
+            return None
+        raise ValueError(f"a texture of {len(data)} bytes has too many pixels")
 
 
 def _transform(node: dict) -> np.ndarray:
@@ -250,11 +301,11 @@ def _transform(node: dict) -> np.ndarray:
 
 def _unique(names: list[str]) -> tuple[str, ...]:
     """Names with numbers where they repeat."""
-    made: list[str] = []
+    made: dict[str, int] = {}  # the last number of each name
     for name in names:
-        new, number = name, 1
+        new = name
         while new in made:
-            number += 1
-            new = f"{name}_{number}"
-        made.append(new)
+            made[name] += 1
+            new = f"{name}_{made[name]}"
+        made[new] = 1
     return tuple(made)

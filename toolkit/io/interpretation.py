@@ -18,13 +18,14 @@ from toolkit.io.body import Body
 from toolkit.io.recording import Recording
 from toolkit.motion import Clip, Skeleton, shape
 from toolkit.motion import rotations as R
-from toolkit.motion.roles import ROLES, find, misfits
+from toolkit.motion.roles import LENGTHS, ROLES, find, misfits
 
 UNITS = {"m": 1.0, "cm": 0.01, "mm": 0.001, "inch": 0.0254, "dm": 0.1, "CMU": 0.05644}  # metres; CMU: 1 / 0.45 inch
 PEOPLE = (1.3, 2.1)  # metres: height of people
 FIGURES = (0.8, 2.6)  # metres: height of children and of most made-up characters
 USUAL = 1.7  # metres: the height that a body of unknown unit gets
 UPRIGHT = 0.75  # cosine between an axis and the mean direction from feet to head that is safe
+FASTEST = 15.0  # metres per second: a body that goes faster is doubtful
 DRIFT = 0.05  # metres over a clip: a floor that moves by more is doubtful
 FAR = 0.25  # metres: a floor farther from zero is doubtful
 AXES = ("x", "y", "z", "-x", "-y", "-z")
@@ -75,11 +76,13 @@ def interpret(recording: Recording, path: Path, unit: float | str = "auto", up: 
         found.doubts.clear()
     if shape.RULE in found.rules.values():
         found.doubts.append("the joints' names say too little, so that roles are from the shape of the tree; roles= decides")
+    found.doubts.extend(f"{known[role]} is taken for the {role.replace('_', ' ')}, because both parts of the limb are then "
+                        "about equally long; roles= decides" for role, rule in found.rules.items() if rule == LENGTHS)
     found.doubts.extend(recording.doubts)
     fps = _rate(recording, found)
     if look:
         body = Body(recording, known)
-        if not body.finite:
+        if not np.isfinite(body.together).all():
             raise ValueError(f"{path.name}: holds rotations or positions that are not finite")
         if up == "auto":
             found.up = _up(body, recording, found)
@@ -90,6 +93,7 @@ def interpret(recording: Recording, path: Path, unit: float | str = "auto", up: 
         found.height = body.height * found.unit
         found.upright = body.upright(found.up)
         found.floor, found.drift = (found.unit * value for value in body.floor(found.up))
+        _travel(recording, fps, found)
         if abs(found.drift) > DRIFT:
             found.doubts.append(f"the floor moves by {found.drift:+.2f} m over the clip; contacts follow it, heights do not")
         if abs(found.floor) > FAR:
@@ -110,8 +114,8 @@ def _roles(recording: Recording, path: Path, given: Mapping[str, str], found: Fi
     known = find(recording.names, recording.parents, lengths, recording.ends)
     stated = {role: (joint, "the file") for role, joint in (recording.roles or {}).items() if role in ROLES}
     if not {role for role in ROLES if "toe" not in role} <= known.keys() | stated.keys():
-        points = np.stack(list(Body(recording, {}, whole=True).points.values()), 1)
-        known = shape.find(recording.names, recording.parents, lengths, recording.ends, points) or known
+        known = shape.find(recording.names, recording.parents, lengths, recording.ends,
+                           Body(recording, {}, whole=True).together) or known
     known |= stated
     for role, joint in given.items():
         if role not in ROLES:
@@ -147,6 +151,18 @@ def _rate(recording: Recording, found: Findings) -> float:
     if recording.fps < 5 or recording.fps > 1000:
         found.doubts.append(f"{recording.fps:.4g} frames per second is no usual rate of motion; clip.replace(fps=…) decides")
     return recording.fps
+
+
+def _travel(recording: Recording, fps: float, found: Findings) -> None:
+    """Doubts where the root goes faster than people do: all the time, or in a jump."""
+    steps = np.linalg.norm(np.diff(recording.root_positions.numpy(), axis=0), axis=1) * found.unit
+    fast = steps * fps > FASTEST
+    if fast.sum() > len(fast) / 2:
+        found.doubts.append(f"the body goes {np.median(steps) * fps:.3g} m/s: its path may be in another unit than its "
+                            "bones, or the frame rate wrong; clip.replace(root_positions=…) or (fps=…) decides")
+    elif fast.any():
+        at = int(steps.argmax())
+        found.doubts.append(f"the body jumps by {steps[at]:.2f} m from frame {at} to {at + 1}; clip.cut(…) keeps one part")
 
 
 def _up(body: Body, recording: Recording, found: Findings) -> str:

@@ -119,7 +119,8 @@ def _recording(arrays: Mapping[str, np.ndarray]) -> Recording:
             return _fitted(joints, "joint positions", rate or humanml3d.FPS, None, None, doubts)
     held = ", ".join(f"{name} {list(shape)}" for name, shape in list(shapes.items())[:6])
     raise ValueError("no motion in it; expected poses and trans (SMPL, AMASS), joints [F, 22, 3], or HumanML3D's [F, 263]; "
-                     f"it has {held if held.isprintable() and held else 'none of these'}")
+                     f"it has {held if held.isprintable() and held else 'none of these'}; np.savez(path, poses=…, trans=…) "
+                     "writes arrays under these names")
 
 
 def _poses(arrays: Mapping[str, np.ndarray]) -> Tensor | None:

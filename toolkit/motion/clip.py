@@ -54,7 +54,7 @@ class Clip:
             raise ValueError(f"{self.name}: frames per second must be positive, got {self.fps}")
         if self.rotations.is_meta:  # the meta device keeps shapes and no numbers
             return
-        squares = torch.einsum("fjc,fjc->fj", self.rotations, self.rotations)
+        squares = self.rotations.square() @ self.rotations.new_ones(4)
         low, high = (float(x) for x in squares.aminmax())
         if not 1 - 2 * UNIT < low <= high < 1 + 2 * UNIT:  # false with NaN
             frame, joint = (~((squares - 1).abs() < 2 * UNIT)).nonzero()[0].tolist()

@@ -32,7 +32,7 @@ def detect(clip: Clip, *, height: float | None = None, speed: float = 0.15, majo
     majority : half the width of the vote, in frames at 60 Hz
     floor : height of a standing toe joint, metres; by default that of `floor_height`, because rigs differ
     """
-    toes = _toes(clip)
+    toes = toes_of(clip)
     above = toes[..., 1] - (floor_height(clip)[:, None] if floor is None else floor)
     slow = velocities(toes, clip.fps).norm(dim=-1) <= speed
     low = above <= (standing_range(above, slow) if height is None else height) + BALL
@@ -52,7 +52,7 @@ def standing_range(above: Tensor, slow: Tensor) -> Tensor:
 
 def floor_height(clip: Clip) -> Tensor:
     """Height ``[F]`` of a toe joint that stands on the floor, metres; a straight `line` where the floor drifts."""
-    return line(_toes(clip)[..., 1].amin(1), max(1, round(clip.fps)), DRIFT)
+    return line(toes_of(clip)[..., 1].amin(1), max(1, round(clip.fps)), DRIFT)
 
 
 def line(lower: Tensor, part: int, drift: float) -> Tensor:
@@ -80,10 +80,10 @@ def line(lower: Tensor, part: int, drift: float) -> Tensor:
 
 def standing_height(clip: Clip) -> Tensor:
     """Height of a toe joint that stands on the floor, metres: the 5th percentile of the lower toe's height."""
-    return _toes(clip)[..., 1].amin(1).quantile(0.05)
+    return toes_of(clip)[..., 1].amin(1).quantile(0.05)
 
 
-def _toes(clip: Clip) -> Tensor:
+def toes_of(clip: Clip) -> Tensor:
     """Positions ``[F, 2, 3]`` of the right and the left toe."""
     return clip.global_positions[:, [clip.skeleton.role(f"{side}_toe") for side in FEET]]
 

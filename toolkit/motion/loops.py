@@ -2,12 +2,14 @@
 
 from dataclasses import dataclass
 
+import numpy as np
 import torch
 from torch import Tensor
 
 from toolkit.motion import rotations as R
 from toolkit.motion.clip import Clip, root_frames
 from toolkit.motion.contacts import velocities
+from toolkit.motion.tensors import through_numpy
 
 GLANCE = 0.1  # seconds: a difference of velocities counts as that of positions after this time
 PHASE = 0.05  # metres that a difference of 1 between phase vectors counts as
@@ -125,10 +127,8 @@ def _own(clip: Clip) -> tuple[Tensor, Tensor]:
 
 def _headings(clip: Clip) -> Tensor:
     """Angle of the root frame about the vertical ``[F]``, radians, without jumps."""
-    w, y = root_frames(clip).rotations[:, 0], root_frames(clip).rotations[:, 2]
-    angles = 2 * torch.atan2(y, w)
-    jumps = torch.round(angles.diff() / (2 * torch.pi)) * 2 * torch.pi
-    return torch.cat((angles[:1], angles[1:] - jumps.cumsum(0)))
+    w, _, y, _ = root_frames(clip).rotations.unbind(-1)
+    return through_numpy(np.unwrap, 2 * torch.atan2(y, w))
 
 
 def _cubic(t: Tensor, gap: Tensor, change: Tensor) -> Tensor:

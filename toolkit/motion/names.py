@@ -1,5 +1,6 @@
 """Names of joints, styles, files and records, which may come from anywhere: one line that every program can show."""
 
+import os
 import unicodedata
 from collections.abc import Iterable
 
@@ -10,6 +11,11 @@ KINDS = frozenset(("Cc", "Cs", "Zl", "Zp"))  # control characters, halves of sur
 def shows(text: str) -> bool:
     """Whether a text has no character that moves the cursor, ends the line, reorders text or cannot be encoded."""
     return text.isprintable() or not any(c in HIDDEN or unicodedata.category(c) in KINDS for c in text)
+
+
+def of_file(name: str) -> str:
+    """The name of a file or folder as UTF-8 text, also where the locale reads it as something else."""
+    return os.fsencode(name).decode("utf-8", "surrogateescape")
 
 
 def printable(text: object) -> str:

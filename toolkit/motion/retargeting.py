@@ -14,7 +14,7 @@ from torch import Tensor
 from toolkit.motion import rotations as R
 from toolkit.motion.anatomy import Anatomy, limb, measure, with_toes
 from toolkit.motion.clip import Clip
-from toolkit.motion.contacts import detect, standing_height, velocities
+from toolkit.motion.contacts import detect, standing_height, toes_of, velocities
 from toolkit.motion.ik import two_bone
 from toolkit.motion.roles import SIDES
 from toolkit.motion.skeleton import FEET, Skeleton, forward_kinematics, local_rotations
@@ -59,14 +59,14 @@ def retarget(clip: Clip, target: Skeleton | Clip, *, feet: bool = True) -> Clip:
     standing, there = _standing(source.skeleton, goal.skeleton)
     clip, goal = clip.replace(skeleton=standing), replace(goal, skeleton=there)
     scale = goal.leg / source.leg
-    middle = scale * _middle(clip)
+    middle = scale * clip.global_positions[:, [clip.skeleton.role(f"{side}_hip") for side in SIDES]].mean(1)
     made = _compose(clip, goal, turned, middle)
     stands = scale * float(standing_height(clip))
     usual, most = TOE if goal.skeleton.roles["left_toe"] != goal.skeleton.roles["left_foot"] else ANKLE
     if not 0 <= stands <= most * goal.leg:  # the clip's floor is elsewhere
         stands = usual * goal.leg
     standing = detect(clip) > 0.5
-    rises = (scale * (_toes(clip)[..., 1] - standing_height(clip)) - _toes(made)[..., 1])[standing]
+    rises = (scale * (toes_of(clip)[..., 1] - standing_height(clip)) - toes_of(made)[..., 1])[standing]
     lift = stands + float(rises.median() if len(rises) else -standing_height(made))
     middle[:, 1] += lift
     made = made.moved(shift=(0.0, lift, 0.0))
@@ -104,10 +104,10 @@ def report(clip: Clip, made: Clip) -> Report:
             angles.append(2 * torch.asin(((bones[0] - bones[1]).norm(dim=-1) / 2).clamp(max=1.0)))
     angles = torch.rad2deg(torch.stack(angles))
     scale = math.prod(_leg(c) ** sign for c, sign in ((made, 1), (clip, -1)))
-    toes = _toes(made)
+    toes = toes_of(made)
     height, standing = 100 * (toes[..., 1] - standing_height(made)), contact > 0.5
-    off = (height - 100 * scale * (_toes(clip)[..., 1] - standing_height(clip))).abs()
-    speeds = [100 * velocities(by * _toes(c), c.fps)[..., ::2].norm(dim=-1) for c, by in ((clip, scale), (made, 1.0))]
+    off = (height - 100 * scale * (toes_of(clip)[..., 1] - standing_height(clip))).abs()
+    speeds = [100 * velocities(by * toes_of(c), c.fps)[..., ::2].norm(dim=-1) for c, by in ((clip, scale), (made, 1.0))]
     above, *skate = (float(v[standing].mean()) if bool(standing.any()) else 0.0 for v in (off, *speeds))
     return Report(scale, float(angles.mean()), float(angles.max()), max(0.0, -float(height.min())), above, tuple(skate))
 
@@ -130,16 +130,6 @@ def _leg(clip: Clip) -> float:
     """Hip to ankle along the bones, metres."""
     joints = [clip.global_positions[0, clip.skeleton.role(f"left_{part}")] for part in ("hip", "knee", "foot")]
     return float((joints[1] - joints[0]).norm() + (joints[2] - joints[1]).norm())
-
-
-def _middle(clip: Clip) -> Tensor:
-    """Middle of the two hip joints ``[F, 3]``."""
-    return clip.global_positions[:, [clip.skeleton.role(f"{side}_hip") for side in SIDES]].mean(1)
-
-
-def _toes(clip: Clip) -> Tensor:
-    """Toes ``[F, 2, 3]``, right and left."""
-    return clip.global_positions[:, [clip.skeleton.role(f"{side}_toe") for side in FEET]]
 
 
 def leaders(source: Anatomy, goal: Anatomy) -> dict[int, tuple[int, int, float]]:
@@ -192,7 +182,7 @@ def _plant(clip: Clip, made: Clip, turned: dict[int, Tensor], scale: float,
     between contacts.
     """
     skeleton = made.skeleton
-    wanted, toes, contact = scale * _toes(clip), _toes(made), detect(clip)
+    wanted, toes, contact = scale * toes_of(clip), toes_of(made), detect(clip)
     wanted = torch.cat((wanted[..., :1], wanted[..., 1:2] - scale * standing_height(clip) + floor, wanted[..., 2:]), -1)
     turned = dict(turned)
     for foot, side in enumerate(FEET):

@@ -2,8 +2,8 @@
 
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
-from functools import lru_cache
-from itertools import pairwise
+from functools import cached_property, lru_cache
+from itertools import combinations, pairwise
 
 from toolkit.motion import joint_names
 from toolkit.motion.joint_names import JointName
@@ -13,6 +13,8 @@ LIMBS = {"arm": ("shoulder", "elbow", "hand"), "leg": ("hip", "knee", "foot")}  
 ROLES = ("hips", *(f"{side}_{part}" for side in SIDES for part in (*LIMBS["arm"], *LIMBS["leg"], "toe")))
 _OTHER = {"left": "right", "right": "left"}
 NOTHING = 1e-3  # of the longest bone: a bone between two roles that is shorter is none
+LENGTHS = "equal lengths"
+UNEQUAL, EQUAL = 0.7, 0.85  # shorter over longer of the two parts of a limb: no person's, and people's
 SHORT = 0.05  # of a shin's length: a bone below the ankle that is shorter shows no toe
 
 Found = dict[str, tuple[str, str]]  # role: joint, and the rule that found it
@@ -61,10 +63,15 @@ class Tree:
         self.children: dict[int, list[int]] = defaultdict(list)
         for j, p in enumerate(parents):
             self.children[p].append(j)
+
+    @cached_property
+    def shapes(self) -> list[int]:
+        """A number for each joint, equal for equal trees below."""
         kinds: dict[tuple, int] = {}
-        self.shapes = [0] * len(parents)  # equal for equal trees below
-        for j in reversed(range(len(parents))):
-            self.shapes[j] = kinds.setdefault(tuple(sorted(self.shapes[k] for k in self.children[j])), len(kinds))
+        shapes = [0] * len(self.parents)
+        for j in reversed(range(len(shapes))):
+            shapes[j] = kinds.setdefault(tuple(sorted(shapes[k] for k in self.children[j])), len(kinds))
+        return shapes
 
     def up(self, joint: int) -> list[int]:
         """A joint and its ancestors, up to the root."""
@@ -111,9 +118,30 @@ def _limb(said: list[JointName], tree: Tree, side: str, limb: str) -> dict[str, 
             below = [j for j in tree.children[found[before][0]] if not said[j].helper or j in tree.ends]
             if below:
                 found[part] = max(below, key=lambda j: tree.lengths[j]), f"below the {before}"
+    if set(inward) <= found.keys():
+        found |= _halved(said, tree, side, limb, found)
     if "foot" in found and "toe" not in found:
         found["toe"] = _toe(said, tree, found)
     return found
+
+
+def _halved(said: list[JointName], tree: Tree, side: str, limb: str,
+            found: Mapping[str, tuple[int, str]]) -> dict[str, tuple[int, str]]:
+    """Upper and middle joint of a limb whose named parts are unequal, if other joints of it make them equal; else none.
+
+    A rig may have one more joint in the thigh, whose name fits the hip or the knee better than the right one's.
+    """
+    upper, middle, lower = (found[part][0] for part in LIMBS[limb])
+    path = [j for j in tree.up(lower) if said[j].side == side and not said[j].helper]
+
+    def likeness(a: int, b: int) -> float:
+        parts = tree.distance(a, b), tree.distance(b, lower)
+        return min(parts) / max(*parts, 1e-12)
+
+    best = max(((a, b) for b, a in combinations(path[1:], 2)), key=lambda pair: likeness(*pair), default=(upper, middle))
+    if likeness(upper, middle) > UNEQUAL or likeness(*best) < EQUAL:
+        return {}
+    return {part: (j, LENGTHS) for part, j, old in zip(LIMBS[limb], best, (upper, middle), strict=False) if j != old}
 
 
 def _along(said: list[JointName], path: list[int], chain: tuple[str, ...]) -> dict[str, int]:

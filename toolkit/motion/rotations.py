@@ -39,9 +39,9 @@ def multiply_parts(a: Sequence[Tensor], b: Sequence[Tensor]) -> tuple[Tensor, Te
 
 
 def _sum(total: Tensor, *products: tuple[Tensor, Tensor, int]) -> Tensor:
-    """A sum of products with signs, one pass through the memory for each."""
+    """``total``, to which products with signs are added in place, one pass through the memory for each."""
     for a, b, sign in products:
-        total = torch.addcmul(total, a, b, value=sign)
+        total.addcmul_(a, b, value=sign)
     return total
 
 
@@ -62,8 +62,8 @@ def rotate_parts(q: Sequence[Tensor], v: Sequence[Tensor]) -> tuple[Tensor, Tens
     """`rotate` of quaternions and vectors given by component."""
     (w, x, y, z), (a, b, c) = q, v
     i, j, k = (2 * _sum(p * q, (r, s, -1)) for p, q, r, s in ((y, c, z, b), (z, a, x, c), (x, b, y, a)))
-    return (_sum(a, (w, i, 1), (y, k, 1), (z, j, -1)), _sum(b, (w, j, 1), (z, i, 1), (x, k, -1)),
-            _sum(c, (w, k, 1), (x, j, 1), (y, i, -1)))
+    return (_sum(torch.addcmul(a, w, i), (y, k, 1), (z, j, -1)), _sum(torch.addcmul(b, w, j), (z, i, 1), (x, k, -1)),
+            _sum(torch.addcmul(c, w, k), (x, j, 1), (y, i, -1)))
 
 
 def from_axis_angle(axis: Tensor, angle: Tensor) -> Tensor:

@@ -20,15 +20,10 @@ MOST, MANY = 24, 200  # children of a joint, and pairs of like limbs, of a body;
 STRAIGHT = 0.996  # cosine between bones that are one bone if it is never less: 5 degrees
 
 
+@np.errstate(all="ignore")  # bones may have no length
 def find(names: Sequence[str], parents: Sequence[int], lengths: Sequence[float], ends: Sequence[str],
          points: np.ndarray) -> Found:
     """All roles with their rule, from positions ``points [S, J, 3]`` in some frames; empty if the tree has no such shape."""
-    with np.errstate(all="ignore"):  # bones may have no length
-        return _find(names, parents, lengths, ends, points)
-
-
-def _find(names: Sequence[str], parents: Sequence[int], lengths: Sequence[float], ends: Sequence[str],
-          points: np.ndarray) -> Found:
     leaves = frozenset(ends)
     tree = Tree(parents, lengths, frozenset(j for j, name in enumerate(names) if name in leaves))
     reach = [0.0] * len(names)

@@ -103,17 +103,17 @@ class Skeleton:
         position = {j: i for i, j in enumerate(self.feature_joints)}
         return tuple(position.get(self.parents[j], -1) for j in self.feature_joints)
 
-    def levels(self, device: torch.device) -> list[tuple[Tensor, Tensor]]:
-        """Indices of the joints and of their parents, one pair for each depth below the root; cached by device."""
+    def levels(self, device: torch.device) -> list[tuple[Tensor, Tensor, Tensor]]:
+        """Joints of each depth below the root, their parents, and these as places in the depth above; cached by device."""
         kept = self.__dict__.setdefault("_levels", {})
         if device not in kept:
-            depth = [0] * len(self)
-            for j, p in enumerate(self.parents[1:], 1):
-                depth[j] = depth[p] + 1
-            groups = [[j for j, d in enumerate(depth) if d == level] for level in range(1, max(depth) + 1)]
+            groups, made = [[0]], []
+            while joints := [j for j, p in enumerate(self.parents) if p in groups[-1]]:
+                parents = [self.parents[j] for j in joints]
+                made.append((joints, parents, [groups[-1].index(p) for p in parents]))
+                groups.append(joints)
             with torch.inference_mode(False):  # the next call may need gradients
-                kept[device] = [(torch.tensor(g, device=device), torch.tensor([self.parents[j] for j in g], device=device))
-                                for g in groups]
+                kept[device] = [tuple(torch.tensor(x, device=device) for x in level) for level in made]
         return kept[device]
 
     @cached_property
@@ -155,15 +155,22 @@ class Skeleton:
 
 def forward_kinematics(skeleton: Skeleton, rotations: Tensor, root_positions: Tensor) -> tuple[Tensor, Tensor]:
     """Global rotations ``[..., J, 4]`` and positions ``[..., J, 3]`` of local rotations and the root's position."""
-    local = rotations.movedim((-1, -2), (0, 1)).contiguous()  # the frames of one component are contiguous
-    turned, positions = torch.empty_like(local), torch.empty_like(local[:3])
-    turned[:, 0], positions[:, 0] = local[:, 0], root_positions.movedim(-1, 0)
-    offsets = skeleton.offsets.to(rotations).T.reshape(3, -1, *[1] * (rotations.dim() - 2))
-    for joints, parents in skeleton.levels(rotations.device):
-        above = turned[:, parents]
-        turned[:, joints] = torch.stack(R.multiply_parts(above, local[:, joints]))
-        positions[:, joints] = positions[:, parents] + torch.stack(R.rotate_parts(above, offsets[:, joints]))
-    return tuple(x.movedim((0, 1), (-1, -2)).contiguous() for x in (turned, positions))
+    levels, n = skeleton.levels(rotations.device), len(skeleton)
+    order = torch.cat((torch.zeros(1, dtype=torch.long, device=rotations.device), *(joints for joints, _, _ in levels)))
+    sizes = [1, *(len(joints) for joints, _, _ in levels)]
+    local = rotations.reshape(-1, 4 * n).T.contiguous().view(n, 4, -1)  # the frames of a number are contiguous
+    first, *below = local.index_select(0, order).split(sizes)
+    turned, above = [first], [first[:0]]
+    for own, (_, _, places) in zip(below, levels, strict=True):
+        above.append(turned[-1].index_select(0, places))
+        turned.append(torch.stack(R.multiply_parts(above[-1].unbind(1), own.unbind(1)), 1))
+    shape, offsets = rotations.shape[:-2], skeleton.offsets.to(rotations)[order[1:], :, None]
+    positions, back = [root_positions.expand(*shape, 3).reshape(-1, 3).T[None]], order.argsort()
+    bones = torch.stack(R.rotate_parts(torch.cat(above).unbind(1), offsets.unbind(1)), 1).split(sizes[1:])
+    for bone, (_, _, places) in zip(bones, levels, strict=bool(levels)):
+        positions.append(positions[-1].index_select(0, places) + bone)
+    return tuple(torch.cat(x).index_select(0, back).view(n * width, -1).T.contiguous().view(*shape, n, width)
+                 for x, width in ((turned, 4), (positions, 3)))
 
 
 def local_rotations(skeleton: Skeleton, global_rotations: Tensor) -> Tensor:

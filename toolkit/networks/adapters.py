@@ -15,13 +15,7 @@ from torch import Tensor, nn
 
 
 class StyleTable(nn.Module):
-    """Style vectors as learnt parameters, one row per style. It takes the place of FiLM's generator.
-
-    Parameters
-    ----------
-    start : Tensor [S, D]
-        Initial vectors of S styles.
-    """
+    """Style vectors as learnt parameters, one row per style, from ``start [S, D]``; in the place of FiLM's generator."""
 
     def __init__(self, start: Tensor):
         super().__init__()
@@ -47,14 +41,8 @@ class StyleTable(nn.Module):
 class OneHot(nn.Module):
     """A one-hot style label beside x. Its only effect: a shift of the first hidden layer by a row of each expert's weights.
 
-    Parameters
-    ----------
-    experts
-        K experts or control points, each with its own shift; gates blend shifts in the same way as weights.
-    hidden
-        Units of a hidden layer.
-    styles
-        Rows of the table; 0 for a model without a table, which only takes style vectors.
+    Each of K ``experts`` or control points has its own shift of ``hidden`` units; gates blend shifts in the same way as
+    weights. The table has a row for each of ``styles``; with 0 the model only takes style vectors.
     """
 
     def __init__(self, experts: int, hidden: int, styles: int):
@@ -76,16 +64,7 @@ class ResidualAdapter(nn.Module):
     row for each expert or control point, so they follow the phase. A style vector is (A, b) or (V, c, U, b). With the
     decomposition, a blend of vectors is not exactly a blend of the shifts, because A is a product.
 
-    Parameters
-    ----------
-    hidden
-        Units of a hidden layer.
-    experts
-        K.
-    rank
-        Of the decomposition (30 in the paper), or None.
-    styles
-        Rows of the table; 0 for none.
+    ``hidden``, ``experts`` and ``styles`` are those of `OneHot`; the paper's ``rank`` is 30.
     """
 
     def __init__(self, hidden: int, experts: int, rank: int | None, styles: int):

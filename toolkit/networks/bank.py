@@ -22,24 +22,12 @@ WALK = 1.0  # m/s, used if a bank has no known speed
 class StyleBank(Mapping[str, Tensor]):
     """Style vectors by name: a mapping, in the order of the names.
 
-    Parameters
-    ----------
-    names
-        S unique names.
-    vectors : Tensor [S, D]
-        Their style vectors, in the same order.
-    speeds : Tensor [S], optional
-        Natural speed of each style, m/s; NaN if unknown.
-
-    Raises
-    ------
-    ValueError
-        If the numbers differ, a name repeats or a vector is not finite.
+    ValueError if the numbers differ, a name repeats or a vector is not finite.
     """
 
-    names: tuple[str, ...]
-    vectors: Tensor
-    speeds: Tensor | None = None
+    names: tuple[str, ...]  # S unique names
+    vectors: Tensor  # [S, D] style vectors
+    speeds: Tensor | None = None  # [S] natural speed of each style, m/s; NaN if unknown
     __eq__, __hash__ = object.__eq__, object.__hash__
 
     def __post_init__(self):

@@ -17,14 +17,8 @@ class BlendedLinear(nn.Module):
 
     Blended weights are not computed. Σ αᵢ (x Wᵢ) is one matrix product: the inputs times each gate, side by side
     ``[B, K n_in]``, times the stacked weights of the experts ``[K n_in, n_out]``. For 32 samples this is five times as fast
-    as to blend the weights for each sample; for one sample both take the same time.
-
-    Parameters
-    ----------
-    experts
-        K.
-    n_in, n_out
-        Columns of x and y.
+    as to blend the weights for each sample; for one sample both take the same time. The numbers are ``experts``, K, and
+    the columns ``n_in`` of x and ``n_out`` of y.
     """
 
     def __init__(self, experts: int, n_in: int, n_out: int):
@@ -56,14 +50,8 @@ class BlendedLinear(nn.Module):
 class Experts(nn.Module):
     """The motion synthesis network Φ: three blended layers. The style modulates the two hidden layers.
 
-    Parameters
-    ----------
-    experts
-        K.
-    n_in, hidden, n_out
-        Columns of x, of both hidden layers and of z.
-    dropout
-        Share of every layer's inputs that training drops.
+    The numbers are ``experts``, K, and columns of x (``n_in``), of both hidden layers and of z (``n_out``); ``dropout`` is
+    the share of every layer's inputs that training drops.
     """
 
     def __init__(self, experts: int, n_in: int, hidden: int, n_out: int, dropout: float):

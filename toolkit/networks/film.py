@@ -23,8 +23,7 @@ class Film(nn.Module):
 
     Parameters
     ----------
-    hidden
-        Units of a hidden layer.
+    hidden : units of a hidden layer
     generator
         The network Ψ that makes style vectors of clips (equation 2); None for a model that only takes style vectors.
     """
@@ -116,20 +115,9 @@ class FilmGenerator(nn.Module):
     The paper does not say how γ is initialised. We initialise the last layer's bias with γ = 1, β = 0. So training starts
     from plain layer normalisation, and not from hidden layers that are almost zero.
 
-    Parameters
-    ----------
-    n_in
-        Columns of one frame of a style clip (12 J).
-    frames
-        Frames of a style clip.
-    hidden
-        Units of the hidden layers that the style vectors modulate.
-    channels, kernel
-        Filters of both convolutions, and their width in frames.
-    dense
-        Units of the first dense layer.
-    dropout
-        Share of the first dense layer's outputs that training drops.
+    Style clips have ``frames`` frames of ``n_in`` columns (12 J). Both convolutions have ``channels`` filters, ``kernel``
+    frames wide; the first dense layer has ``dense`` units, of which training drops the share ``dropout``. The style vectors
+    modulate layers of ``hidden`` units.
     """
 
     def __init__(self, n_in: int, frames: int, hidden: int, channels: int, kernel: int, dense: int, dropout: float):

@@ -16,16 +16,8 @@ CONTROL_POINTS = 4  # K of the phase function
 class Gating(nn.Module):
     """The gating network Ω of the LPN: phases to K positive coefficients; three dense layers, ELU, softmax.
 
-    Parameters
-    ----------
-    n_in
-        Columns of the gating input (8: sine and cosine of four local phases).
-    hidden
-        Units of both hidden layers.
-    experts
-        K.
-    dropout
-        Share of every layer's inputs that training drops.
+    It has ``n_in`` inputs (8: sine and cosine of four local phases), ``hidden`` units in both hidden layers and ``experts``
+    outputs, K. ``dropout`` is the share of every layer's inputs that training drops.
     """
 
     def __init__(self, n_in: int, hidden: int, experts: int, dropout: float):
@@ -46,14 +38,7 @@ class Gating(nn.Module):
 
 class VelocityGating(Gating):
     """The gating of the MANN (Zhang et al. 2018; section 5.1.3): its inputs are the velocities of hands and feet in x
-    instead of phases.
-
-    Parameters
-    ----------
-    columns
-        The columns of x that it uses.
-    hidden, experts, dropout
-        As of `Gating`.
+    instead of phases: ``columns`` of x. Other arguments are those of `Gating`.
     """
 
     def __init__(self, columns: Sequence[int], hidden: int, experts: int, dropout: float):
@@ -71,12 +56,7 @@ class CatmullRom(nn.Module):
 
     A point of a Catmull-Rom spline is a blend of its four nearest control points. The coefficients depend only on the
     distances to them (in steps of 2π/K). So this is a gating for the same blended layers as the others. Its coefficients
-    sum to one and may be negative. It has no parameters.
-
-    Parameters
-    ----------
-    points
-        K control points, four or more.
+    sum to one and may be negative. It has no parameters. ``points`` is the number K of control points, four or more.
     """
 
     def __init__(self, points: int = CONTROL_POINTS):

@@ -79,27 +79,8 @@ class Model(nn.Module):
     """One of the seven models: ẑ = Φ(x; Ω(p), Ψ(y)) (equation 4). Make one with `toolkit.networks.build`.
 
     `predict`, `observe` and `style_vector` use physical units; `forward` and `encode`, for training, use normalised ones.
-    `predict` and `style_vector` always run in evaluation mode, without dropout.
-
-    Parameters
-    ----------
-    name
-        Which model of `MODELS`.
-    layout
-        Columns of x, p, z and y in the data. The attribute `layout` differs from it in the columns of the phase.
-    n_styles
-        Number of styles. Models with a table of styles have one row for each; the size of FiLM does not depend on it.
-    sizes
-        Its sizes.
-    normalisers
-        For each of ``inputs``, ``phases``, ``outputs``, ``clips``, in the model's own columns. A missing normaliser is the
-        identity.
-    generator
-        Whether the model has FiLM's generator or the style table, which make style vectors. Without it, LPN-FiLM has about
-        10% of the paper's parameters.
-    calibrated
-        In evaluation mode, compute the expected output under dropout, instead of the output without dropout (moment
-        matching, see `toolkit.networks.film.Film.expected`). For FiLM only. It can be switched at any time.
+    `predict` and `style_vector` always run in evaluation mode, without dropout. The attribute `layout` has the columns of
+    the model's own phase; `calibrated` can be switched at any time.
     """
 
     def __init__(self, name: str, layout: Layout, n_styles: int, sizes: Sizes, normalisers: dict[str, Normaliser],

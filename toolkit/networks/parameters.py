@@ -26,30 +26,15 @@ WHY = ("the paper counts each convolution as filters × width weights and as man
 
 @dataclass(frozen=True)
 class Row:
-    """A row of Table 2: numbers of parameters.
+    """A row of Table 2: numbers of parameters of a model."""
 
-    Parameters
-    ----------
-    name
-        The model.
-    synthesis, style, per_style
-        Counted parameters of the synthesis network with its gating, of the style modulation network for all styles, and of
-        one style at run time (the paper's A.S.N., S.M.N. and P.S.R.).
-    printed
-        The same three in the paper.
-    style_as_printed
-        Parameters of the style modulation network, counted as the paper seems to count them.
-    note
-        Why a printed number differs from the counted one; empty where none does.
-    """
-
-    name: str
-    synthesis: int
-    style: int
-    per_style: int
-    printed: tuple[int, int, int]
-    style_as_printed: int
-    note: str
+    name: str  # the model
+    synthesis: int  # of the synthesis network with its gating, the paper's A.S.N.
+    style: int  # of the style modulation network for all styles, S.M.N.
+    per_style: int  # of one style at run time, P.S.R.
+    printed: tuple[int, int, int]  # the same three in the paper
+    style_as_printed: int  # of the style modulation network, counted as the paper seems to count them
+    note: str  # why a printed number differs from the counted one; empty where none does
 
 
 def counts(model: Model) -> dict[str, int]:

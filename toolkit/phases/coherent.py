@@ -9,6 +9,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
+import numpy as np
 import torch
 from torch import Tensor
 
@@ -80,18 +81,12 @@ def ridge(power: Tensor, hop: int, penalty: float) -> Tensor:
 
     It minimises the sum of −ln(share of the frame's power in the band) + penalty · (jump in bands)².
     """
+    from toolkit.phases.variable_projection import smoothest
+
     cost = -(power / power.sum(0).clamp_min(1e-30)).clamp_min(1e-12).log()[:, ::hop].T
-    band = torch.arange(len(power), dtype=power.dtype, device=power.device)
-    jump = penalty * (band[:, None] - band).square()
-    total, origins = cost[0], []
-    for step in cost[1:]:
-        least, origin = (total + jump).min(1)
-        origins.append(origin)
-        total = least + step
-    path = [int(total.argmin())]
-    for origin in reversed(origins):
-        path.append(int(origin[path[-1]]))
-    knots = torch.tensor([*reversed(path), path[0]], dtype=power.dtype, device=power.device)
+    jump = penalty * np.subtract.outer(np.arange(len(power)), np.arange(len(power))) ** 2.0
+    path = smoothest(cost.double().cpu().contiguous().numpy(), jump)
+    knots = torch.from_numpy(path[[*range(len(path)), -1]]).to(power)
     at = torch.arange(power.shape[1], dtype=power.dtype, device=power.device) / hop
     return torch.lerp(knots[at.long()], knots[at.long() + 1], at - at.long())
 

@@ -14,7 +14,7 @@ error of at most 2 % for the hands of cyclic styles. The network's own frequency
 
 The source in the package (`pretrained`) was trained without the styles of `HELD_OUT`, by
 
->>> Learned.train(training_clips(), seed=0, progress=True).save("toolkit/data/learned_phases.safetensors")
+>>> Learned.train(training_clips(), seed=0, progress=True).save("toolkit/phases/learned.safetensors")
 """
 
 import math
@@ -238,7 +238,7 @@ class Learned:
 @cache
 def pretrained() -> Learned:
     """The source in the package, trained on procedural clips."""
-    with resources.as_file(resources.files("toolkit") / "data" / "learned_phases.safetensors") as path:
+    with resources.as_file(resources.files("toolkit.phases") / "learned.safetensors") as path:
         return Learned.load(path)
 
 

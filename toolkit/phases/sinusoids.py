@@ -40,7 +40,6 @@ from toolkit.phases import windows
 
 MIN_FREQUENCY, MAX_FREQUENCY = 0.25, 4.0
 DENSITY = 6.0  # grid frequencies per additional cycle in the window, and per factor e
-CANDIDATES = 4  # best local minima of a window among which continuity chooses
 
 
 def frequencies(seconds: float) -> np.ndarray:
@@ -68,7 +67,7 @@ class Sinusoids:
     __repr__ = summary
 
 
-def fit(source: Tensor, fps: float, half_window: float = 0.5, continuity: float = 0.0) -> Sinusoids:
+def fit(source: Tensor, fps: float, half_window: float = 0.5) -> Sinusoids:
     """Fit a sinusoid around every frame.
 
     Parameters
@@ -80,24 +79,20 @@ def fit(source: Tensor, fps: float, half_window: float = 0.5, continuity: float 
         Frames per second.
     half_window
         Seconds on either side of the frame.
-    continuity
-        Weight of jumps between neighbouring frames, relative to residuals; 0 fits every window independently.
 
     Raises
     ------
     ValueError
-        If the source is not ``[F, L]`` or shorter than half a window, `fps` is too low for 4 Hz or `continuity` negative.
+        If the source is not ``[F, L]`` or shorter than half a window, or `fps` is too low for 4 Hz.
 
     Notes
     -----
     Bounds as published: a in [0, max − min], f in [0.25, 4] Hz, b in [min, max] of the window.
 
-    The published fit added a term for continuity with the neighbours' fits to the root-mean-square error, and used an
-    evolutionary search. Here every frame has one of the four best local minima of its window's error, and dynamic
-    programming minimises the sum of residual + `continuity` · jump over the whole curve. A jump is the distance of a·(cos φ,
-    sin φ) from that of the previous frame, rotated by one frame at its frequency.
+    Departure: the published fit added a term for continuity with the neighbours' fits to the root-mean-square error, and
+    used an evolutionary search. Here every frame has the least error of its own window.
     """
-    from toolkit.phases.variable_projection import minima, smoothest
+    from toolkit.phases.variable_projection import minima
 
     half = max(2, round(half_window * fps))
     n = 2 * half + 1
@@ -105,22 +100,15 @@ def fit(source: Tensor, fps: float, half_window: float = 0.5, continuity: float 
         raise ValueError(f"a source must be [frames, limbs] with more than {half} frames, not {list(source.shape)}")
     if fps <= 2 * MAX_FREQUENCY:
         raise ValueError(f"fits up to {MAX_FREQUENCY:g} Hz need over {2 * MAX_FREQUENCY:g} frames per second, not {fps:g}")
-    if not continuity >= 0:
-        raise ValueError(f"continuity must be 0 or more, not {continuity:g}")
     per_frame = 2 * np.pi / fps
     grid = frequencies(n / fps) * per_frame
     curves = np.ascontiguousarray(source.detach().double().cpu().numpy().T)  # [L, F]
     extremes = scipy.ndimage.minimum_filter1d, scipy.ndimage.maximum_filter1d
     low, high = (extreme(curves, n, mode="mirror") for extreme in extremes)
-    found = np.zeros((len(curves), CANDIDATES if continuity > 0 else 1, 5, len(source)))
+    found = np.zeros((len(curves), 5, len(source)))
     for limb, curve in enumerate(np.pad(curves, ((0, 0), (half, half)), mode="reflect")):
         minima(curve, low[limb], high[limb], grid, found[limb])
-        if continuity > 0:
-            theta, u, v, _, error = found[limb].swapaxes(0, 1)
-            here = continuity * (u + 1j * v)
-            path = smoothest(np.sqrt(error / n), here, here * np.exp(1j * theta))
-            found[limb, 0] = found[limb, path, :, np.arange(len(source))].T
-    theta, u, v, offset, error = found[:, 0].swapaxes(0, 1)
+    theta, u, v, offset, error = found.swapaxes(0, 1)
     columns = (np.arctan2(v, u) % (2 * np.pi), np.clip(theta / per_frame, MIN_FREQUENCY, MAX_FREQUENCY),
                np.minimum(np.hypot(u, v), high - low), np.clip(offset, low, high), np.sqrt(error / n))
     return Sinusoids(*(torch.from_numpy(column.T.copy()).to(source) for column in columns))

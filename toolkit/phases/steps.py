@@ -56,8 +56,7 @@ class Steps:
 
         column = contacts.FEET.index(limb.removesuffix("_foot"))
         cost = self.evidence(clip)[:, column] / clip.fps
-        change = np.broadcast_to([[0j], [self.penalty]], (2, len(cost))).copy()
-        standing = smoothest(np.stack((-cost, cost)), change, change)
+        standing = smoothest(np.stack((-cost, cost), 1), self.penalty * (1.0 - np.eye(2)))
         return torch.from_numpy(standing).to(clip.root_positions)
 
     def evidence(self, clip: Clip) -> np.ndarray:

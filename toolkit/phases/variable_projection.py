@@ -148,13 +148,12 @@ def _peaks(gains, grid, peaks):
 
 @compiled(error_model="numpy")
 def minima(curve, low, high, grid, out):
-    """Write the best M local minima of every window's error over frequency to ``out`` float64 [M, 5, F], best first.
+    """Write the least error of every window over frequency to ``out`` float64 [5, F].
 
-    A row is angle per frame, u, v, b and squared error, which is infinite where there is no such minimum. ``curve`` has
-    [F + 2 half] samples; ``low`` and ``high`` [F] are the extremes of each window; ``grid`` [G] has the angles per frame,
-    its ends the bounds. All are float64.
+    The rows of ``out`` are angle per frame, u, v, b and squared error. ``curve`` has [F + 2 half] samples; ``low`` and
+    ``high`` [F] are the extremes of each window; ``grid`` [G] has the angles per frame, its ends the bounds. All float64.
     """
-    frames, count, size = len(low), len(out), len(grid)
+    frames, size = len(low), len(grid)
     half = (len(curve) - frames) // 2
     n = 2 * half + 1
     cosine, sine = np.cos(grid), np.sin(grid)
@@ -194,58 +193,43 @@ def minima(curve, low, high, grid, out):
             b = g1 / n - v * c1_mean[k]
             gains[k] = u * sums_sine[k] + v * gc + g1 * g1 / n
             outside[k] = max(u * u + v * v - spread * spread, abs(b) - spread / 2)
-        floor = -math.inf  # largest gain within bounds: if only the best minimum is needed, smaller gains are skipped
-        if count == 1:
-            for k in range(size):
-                if outside[k] <= 0 and gains[k] > floor:
-                    floor = gains[k]
+        floor = -math.inf  # largest gain within bounds; smaller ones need no projection
+        for k in range(size):
+            if outside[k] <= 0 and gains[k] > floor:
+                floor = gains[k]
         for k in range(size):
             if outside[k] > 0 and gains[k] > floor:
                 gc = sums_cosine[k] - middle * c1[k]
                 gains[k] = _project(sums_sine[k], gc, g1, ss[k], cc[k], c1[k], n, spread)[3]
 
-        out[:, 4, frame] = math.inf
+        out[4, frame] = math.inf
         found = _peaks(gains, grid, peaks)
         for _ in range(found):
             best = np.argmax(peaks[:found, 0])
-            if peaks[best, 0] <= gg - out[count - 1, 4, frame]:
+            if peaks[best, 0] <= gg - out[4, frame]:
                 break
             peaks[best, 0] = -math.inf
             k, start = int(peaks[best, 1]), peaks[best, 2]
             left, right = max(k - 1, 0), min(k + 1, size - 1)
             ends = grid[left], grid[right], gains[left], gains[right]
             theta, u, v, b, gain = _refine(odd, even, g1, gg, start, ends, spread)
-            place = count
-            while place > 0 and gg - gain < out[place - 1, 4, frame]:
-                place -= 1
-                if place + 1 < count:
-                    out[place + 1, :, frame] = out[place, :, frame]
-            if place < count:
-                out[place, 0, frame], out[place, 1, frame], out[place, 2, frame] = theta, u, v
-                out[place, 3, frame], out[place, 4, frame] = b + middle, max(gg - gain, 0.0)
+            if gg - gain < out[4, frame]:
+                out[0, frame], out[1, frame], out[2, frame] = theta, u, v
+                out[3, frame], out[4, frame] = b + middle, max(gg - gain, 0.0)
 
 
-@compiled(error_model="numpy")
-def smoothest(cost, here, ahead):
-    """The path through candidates with the least sum of costs and jumps (Viterbi 1967), as ``[F]`` indices.
-
-    ``cost`` [M, F], float64, is infinite for a candidate that does not exist. A jump is the distance of ``here`` from
-    ``ahead`` of the previous frame, both complex128 [M, F].
-    """
-    count, frames = cost.shape
-    total = cost[:, 0].copy()
-    back = np.zeros((count, frames), dtype=np.int64)
-    for frame in range(1, frames):
-        reached = np.full(count, math.inf)
-        for new in range(count):
-            for old in range(count):
-                if cost[old, frame - 1] < math.inf and cost[new, frame] < math.inf:
-                    along = total[old] + abs(here[new, frame] - ahead[old, frame - 1])
-                    if along < reached[new]:
-                        reached[new], back[new, frame] = along, old
-        total = reached + cost[:, frame]
-    path = np.empty(frames, dtype=np.int64)
+@compiled()
+def smoothest(cost, jump):
+    """The path ``[F]`` through M states with the least sum of costs ``[F, M]`` and jumps ``[M, M]`` (Viterbi 1967)."""
+    total, back = cost[0].copy(), np.empty(cost.shape, np.int64)
+    for frame in range(1, len(cost)):
+        before = total.copy()
+        for new in range(len(jump)):
+            reached = before + jump[:, new]
+            back[frame, new] = np.argmin(reached)
+            total[new] = reached[back[frame, new]] + cost[frame, new]
+    path = np.empty(len(cost), np.int64)
     path[-1] = np.argmin(total)
-    for frame in range(frames - 1, 0, -1):
-        path[frame - 1] = back[path[frame], frame]
+    for frame in range(len(cost) - 1, 0, -1):
+        path[frame - 1] = back[frame, path[frame]]
     return path

@@ -149,7 +149,7 @@ def rollout(model, commands: Sequence[Command | Pilot], style: Styles, ik: bool 
     Parameters
     ----------
     model
-        A model from `toolkit.networks.build`, `toolkit.training.load` or `toolkit.published.load`.
+        A model from `toolkit.networks.build`, `toolkit.training.load` or `toolkit.training.published.load`.
     commands
         One per frame at 60 Hz: a command, or a function that computes it from the state.
     style : Tensor [S] or callable

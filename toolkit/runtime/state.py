@@ -12,46 +12,20 @@ from toolkit.motion.tensors import as_tensor, shown, summary
 
 @dataclass(frozen=True, eq=False)
 class CharacterState:
-    """Everything that the next frame depends on; B characters, J feature joints, metres and seconds.
+    """Everything that the next frame depends on; B characters, J feature joints, metres and seconds; right before left."""
 
-    Parameters
-    ----------
-    history : Tensor [B, 61, 4]
-        World (x, z, direction x, direction z) of the root, one second ago to now.
-    future : Tensor [B, S, 4]
-        The same for the present frame and the future offsets of the model's layout.
-    joints : Tensor [B, 12 J]
-        The pose, in the current root frame, after foot IK, with the hips where the network has them.
-    phase : Tensor [B, n_phases]
-        Phase in the model's form: 8 numbers of local phases, one angle, or no column.
-    style : Tensor [B, S]
-        Style vector.
-    velocity, facing : Tensor [B, 2]
-        The smoothed command.
-    drive : Tensor [B, 1]
-        Factor on the commanded velocity in the target trajectory, see `speed_controller`.
-    contacts : Tensor [B, 2]
-        Predicted foot contacts, right and left, in [0, 1].
-    toes : Tensor [B, 2, 3]
-        Where foot IK puts the toes, world, right and left.
-    drift : Tensor [B, 2, 2]
-        Velocity (x, z) of their offset from the network's prediction, see `toolkit.motion.ik.foot_lock`.
-    drop : Tensor [B, 2]
-        How far foot IK lowers the drawn hips, and its velocity, see `toolkit.motion.ik.sink`.
-    """
-
-    history: Tensor
-    future: Tensor
-    joints: Tensor
-    phase: Tensor
-    style: Tensor
-    velocity: Tensor
-    facing: Tensor
-    drive: Tensor
-    contacts: Tensor
-    toes: Tensor
-    drift: Tensor
-    drop: Tensor
+    history: Tensor  # [B, 61, 4] world (x, z, direction x, direction z) of the root, one second ago to now
+    future: Tensor  # [B, S, 4] the same for the present frame and the future offsets of the model's layout
+    joints: Tensor  # [B, 12 J] pose in the current root frame after foot IK, with the hips where the network has them
+    phase: Tensor  # [B, n_phases] in the model's form: 8 numbers of local phases, one angle, or no column
+    style: Tensor  # [B, S] style vector
+    velocity: Tensor  # [B, 2] the smoothed command
+    facing: Tensor  # [B, 2] the smoothed command
+    drive: Tensor  # [B, 1] factor on the commanded velocity in the target trajectory, see `speed_controller`
+    contacts: Tensor  # [B, 2] predicted foot contacts in [0, 1]
+    toes: Tensor  # [B, 2, 3] where foot IK puts the toes, world
+    drift: Tensor  # [B, 2, 2] velocity (x, z) of their offset from the prediction, see `toolkit.motion.ik.foot_lock`
+    drop: Tensor  # [B, 2] how far foot IK lowers the drawn hips, and its velocity, see `toolkit.motion.ik.sink`
     __repr__ = summary
 
     @property

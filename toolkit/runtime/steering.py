@@ -20,6 +20,7 @@ POSITION_BIAS, DIRECTION_BIAS = 0.75, 1.25  # exponents of the blend from the ne
 PROPORTIONAL, INTEGRAL, MAX_DRIVE = 1.5, 1.6, 12.0  # ours: gains (of the lag; per second) and limit of `speed_controller`
 RETURN, SLOW = 3.0, 0.3  # ours: gain of `steer` against movement while standing; below this speed (m/s) it acts
 LONGEST = 86_400.0  # seconds that `straight` and `follow` command: a day
+LARGEST = 1e6  # of the numbers of a command: with much larger ones the network's output is not finite
 LOOKAHEAD = 0.5  # seconds that a pilot looks ahead
 
 
@@ -27,8 +28,8 @@ LOOKAHEAD = 0.5  # seconds that a pilot looks ahead
 class Command:
     """A user command: ``velocity`` (x, z) in m/s and ``facing`` (x, z), both in the world.
 
-    Each is a pair of finite numbers for all characters or ``[B, 2]``; anything else is a ValueError. A zero facing keeps the
-    current one.
+    Each is a pair of numbers up to `LARGEST` for all characters or ``[B, 2]``; anything else is a ValueError. A zero facing
+    keeps the current one.
     """
 
     velocity: Sequence[float] | Tensor = (0.0, 0.0)
@@ -37,13 +38,13 @@ class Command:
 
     def __post_init__(self):
         for what, value in (("velocity", self.velocity), ("facing", self.facing)):
-            if type(value) is tuple and len(value) == 2 and all(type(v) is float and math.isfinite(v) for v in value):
+            if type(value) is tuple and len(value) == 2 and all(type(v) is float and abs(v) <= LARGEST for v in value):
                 continue  # the checks below take ten times as long
             pairs = as_tensor(value, what).detach()
             if pairs.dim() not in (1, 2) or pairs.shape[-1] != 2:
                 raise ValueError(f"{what} must be one pair (x, z), or [B, 2] of all characters; got {shown(value)}")
-            if not pairs.is_meta and not math.isfinite(pairs.sum()):
-                raise ValueError(f"{what} must be finite; got {shown(pairs.tolist())}")
+            if not pairs.is_meta and not bool((pairs.abs() <= LARGEST).all()):
+                raise ValueError(f"{what} must be finite, up to {LARGEST:g}; got {shown(pairs.tolist())}")
 
 
 Pilot = Callable[[CharacterState], Command]

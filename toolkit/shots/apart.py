@@ -11,6 +11,7 @@ from scipy.spatial import cKDTree
 HORIZON, AT_ONCE = 2.0, 0.3  # seconds: collisions within this time are avoided; in which characters too close part
 BRAKE = 1.0  # seconds in which a character comes to its least distance from a wall, at the soonest
 NEIGHBOURS, SIGHT = 8, 5.0  # most that a character avoids, and metres to them
+LEAST = 0.02  # of 2: weight of one who is behind
 SWEEPS = 12  # of Hildreth's method
 SOFT = 0.1  # share by which half-planes may be missed: of many that exclude each other, all are missed by little
 
@@ -38,8 +39,11 @@ def velocities(places: np.ndarray, moving: np.ndarray, wanted: np.ndarray, radii
     near = np.where(there, near, 0)
     radii = np.broadcast_to(radii, count)
     apart = radii[:, None] + radii[near]
-    normal, least = _half_planes(places[near] - places[:, None], moving[:, None] - moving[near], apart)
-    least = np.where(there, (normal * moving[:, None]).sum(-1) + least / 2, -np.inf)
+    to = places[near] - places[:, None]
+    share = _shares(to, wanted[:, None], wanted[near])
+    normal, change = _half_planes(to, moving[:, None] - moving[near], apart)
+    least = np.where(there, (normal * moving[:, None]).sum(-1) + share * change, -np.inf)
+    soft = SOFT / (2 * share)
     if walls is not None and len(walls):
         way = walls[:, 1] - walls[:, 0]
         share = ((places[:, None] - walls[:, 0]) * way).sum(-1) / (way * way).sum(-1)
@@ -47,15 +51,25 @@ def velocities(places: np.ndarray, moving: np.ndarray, wanted: np.ndarray, radii
         away = np.maximum(np.linalg.norm(to, axis=-1), 1e-6)
         still, bound = -to / away[..., None], (margin - away) / BRAKE
         normal, least = np.concatenate((normal, still), 1), np.concatenate((least, bound), 1)
+        soft = np.concatenate((soft, np.zeros_like(bound)), 1)
     velocity, force = wanted.copy(), np.zeros_like(least)
     for _ in range(SWEEPS):
         for k in range(force.shape[1]):
-            soft = SOFT if k < near.shape[1] else 0.0
-            more = (least[:, k] - (normal[:, k] * velocity).sum(-1) - soft * force[:, k]) / (1 + soft)
+            more = (least[:, k] - (normal[:, k] * velocity).sum(-1) - soft[:, k] * force[:, k]) / (1 + soft[:, k])
             more = np.maximum(more, -force[:, k])
             force[:, k] += more
             velocity += more[:, None] * normal[:, k]
     return velocity
+
+
+def _shares(to: np.ndarray, own: np.ndarray, other: np.ndarray) -> np.ndarray:
+    """The share ``[...]`` of a change that is one's own: who has the other in front makes room, who is in front does not.
+
+    ``to`` is the way to the other, ``own`` and ``other`` are wanted velocities.
+    """
+    cosine = lambda a, b: (a * b).sum(-1) / np.maximum(np.linalg.norm(a, axis=-1) * np.linalg.norm(b, axis=-1), 1e-9)  # noqa: E731
+    seen, sees = (np.maximum(1 + cosine(way, wanted), LEAST) for way, wanted in ((-to, other), (to, own)))
+    return sees / (sees + seen)
 
 
 def _half_planes(to: np.ndarray, relative: np.ndarray, apart: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -102,16 +102,12 @@ class Course:
 
     Parameters
     ----------
-    curve
-        The curve to walk.
-    speeds
-        Times, speeds and easings of the speed keys.
+    curve : the curve to walk
+    speeds : times, speeds and easings of the speed keys
     arrivals
         (distance, time) of the points that have a time, in order. The speed on the way there is scaled so that they are met.
-    holds
-        (time or None, distance or None, seconds) of the pauses.
-    duration
-        Seconds, or None: until the end of the curve is reached, and `SETTLE` more.
+    holds : (time or None, distance or None, seconds) of the pauses
+    duration : seconds, or None: until the end of the curve is reached, and `SETTLE` more
     """
 
     def __init__(self, curve: Curve, speeds: tuple[Sequence[float], Sequence[float], Sequence[str]],

@@ -32,12 +32,9 @@ class Crowd:
 
     Parameters
     ----------
-    clips
-        One per character.
-    blends
-        Style name to share, one blend per character.
-    seconds
-        Median processing time of one frame for all characters: commands, avoidance, step and pose.
+    clips : one per character
+    blends : style name to share, one blend per character
+    seconds : median processing time of one frame for all characters: commands, avoidance, step and pose
     """
 
     clips: list[Clip]

@@ -22,13 +22,11 @@ class Preview:
 
     Parameters
     ----------
-    model, bank
-        As in `Shot.render`; compiled, a changed ten-second shot takes about as long as its network.
+    model, bank : as in `Shot.render`; compiled, a changed ten-second shot takes about as long as its network
 
     Attributes
     ----------
-    kept
-        Frames of the last render that were kept.
+    kept : frames of the last render that were kept
     """
 
     def __init__(self, model, bank: StyleBank):

@@ -1,6 +1,7 @@
 """A scene: the shots of several characters, who can keep apart, in one JSON file."""
 
 import dataclasses
+import itertools
 import math
 import os
 from collections.abc import Iterator, Sequence
@@ -21,6 +22,8 @@ from toolkit.shots.shot import Shot, parse, read, save, shifted
 WAIT = 0.4  # metres behind its plan at which the plan of a character who keeps apart waits
 FASTER, SLOWEST = 1.3, 0.3  # times the planned speed, and m/s: such a character's largest speed
 WAITS = 4  # times the longest plan after which all end
+EXCESS = 0.3  # m/s by which a body that must make room may be too fast: beyond it, the command is to stand, which all obey
+RECENT = 15  # frames over which the velocity of a body is measured: it can be far from the commanded one
 MARGIN = 0.5  # metres between a root and a wall
 TRIED = 3 * FPS  # frames of the walk that shows the reach of a style
 
@@ -43,20 +46,15 @@ class Wall:
 class Scene:
     """The shots of several characters.
 
+    ValueError if a field is not as described, or two characters who keep apart start closer.
+
     Parameters
     ----------
-    shots
-        One `Shot` per character.
+    shots : one `Shot` per character
     apart
         Least distance of two characters' roots, metres: they leave their paths to keep it, and wait where they cannot. A
         shot's ``radius`` takes the place of half of it. By default they do not see each other.
-    walls
-        `Wall`, or pairs of its ends, that are avoided; only with ``apart``.
-
-    Raises
-    ------
-    ValueError
-        If a field is not as described, or two characters who keep apart start closer.
+    walls : `Wall`, or pairs of its ends, that are avoided; only with ``apart``
     """
 
     shots: Sequence[Shot]
@@ -104,6 +102,26 @@ class Scene:
                  for k in range(len(self.shots))]
         shots = [dataclasses.replace(shot, radius=round(r, 2)) for shot, r in zip(self.shots, radii, strict=True)]
         return dataclasses.replace(self, shots=shots)
+
+    def check(self, model, bank: StyleBank) -> list[str]:
+        """What cannot be met and why, a line each: `Shot.check` of each; of those who keep apart, gaps between walls."""
+        lines = []
+        if self.apart is None:
+            for k, shot in enumerate(self.shots):
+                try:
+                    lines += [f"shots[{k}]: {line}" for line in shot.check(model, bank)]
+                except ValueError as error:
+                    raise ValueError(f"shots[{k}]: {error}") from None
+            return lines
+        widest = sum(sorted(self.radii)[-2:])
+        for (a, one), (b, other) in itertools.combinations(enumerate(self.walls), 2):
+            room = min(math.dist(p, q) for p in (one.start, one.end) for q in (other.start, other.end))
+            between = f"between walls[{a}] and walls[{b}] are {room:.2f} m"
+            if 0.01 < room < 2 * MARGIN:
+                lines.append(f"{between}: too narrow, characters keep {MARGIN:g} m from a wall")
+            elif 2 * MARGIN <= room < 2 * MARGIN + widest and len(self.shots) > 1:
+                lines.append(f"{between}: too narrow for two of the widest at once, who need {2 * MARGIN + widest:.2f} m")
+        return lines
 
     @classmethod
     def load(cls, path: str | os.PathLike) -> "Scene":
@@ -156,9 +174,14 @@ class Scene:
         speeds = [max(plan[0].speed[min(clock, len(plan[0].speed) - 1)], SLOWEST) for plan, clock in
                   zip(plans, clocks, strict=True)]
         most = FASTER * np.array(speeds)[:, None]
-        places, moving = (values.double().numpy() for values in (state.root[:, :2], state.velocity))
-        safe = avoidance.velocities(places, moving, _limited(wanted, most), np.array(self.radii), self._walls, MARGIN)
-        return _limited(safe, most)
+        places, before = (state.history[:, k, :2].double().numpy() for k in (-1, -1 - RECENT))
+        moving = (places - before) * (FPS / RECENT)
+        wanted = _limited(wanted, most)
+        safe = _limited(avoidance.velocities(places, moving, wanted, np.array(self.radii), self._walls, MARGIN), most)
+        speed = np.linalg.norm(moving, axis=-1)
+        over = speed - (safe * moving).sum(-1) / np.maximum(speed, 1e-9)
+        stands = (over > EXCESS) & (np.linalg.norm(safe - wanted, axis=-1) > EXCESS / 3)
+        return np.where(stands[:, None], 0.0, safe)
 
     def render(self, model, bank: StyleBank) -> list[Clip]:
         """The motion of each character, see `Shot.render`; those who keep apart are rendered together, at one length."""

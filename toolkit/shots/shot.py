@@ -30,38 +30,25 @@ GOLDEN = (math.sqrt(5) - 1) / 2  # the share of a cycle by which the next seed s
 class Shot:
     """What one character does: a path through points, keys over time, pauses.
 
+    ValueError if a field is not as described: one line that names the field and the entry.
+
     Parameters
     ----------
     path
         Two or more `Point`, or pairs (x, z), each at least 1 cm from the next. The first is where the character starts, at
         time 0; the speed on the way to a point with a time is scaled so that the character is there in time.
-    styles
-        One or more `StyleKey`, or pairs (time, style or blend). Also the name of one style.
-    speeds
-        `SpeedKey`, or pairs (time, m/s); without any, the natural speed of the blend at each time.
-    holds
-        `Hold`: pauses.
-    smooth
-        A smooth curve through the points; otherwise straight lines.
+    styles : one or more `StyleKey`, or pairs (time, style or blend); also the name of one style
+    speeds : `SpeedKey`, or pairs (time, m/s); without any, the natural speed of the blend at each time
+    holds : `Hold`: pauses
+    smooth : a smooth curve through the points; otherwise straight lines
     facing
         Direction (x, z) in which the character faces all the time; by default along the path. Facings of points go before.
-    look_at
-        Point (x, z) that the character faces all the time; not together with ``facing``.
-    feet, arms
-        Foot and arm IK.
-    seed
-        Where in its gait cycle the character starts.
-    duration
-        Seconds; by default until one second after the end of the path is reached.
-    name
-        Of the clip.
-    radius
-        Metres, in a `toolkit.shots.Scene` whose characters keep apart: the share of this one in the distance of two.
-
-    Raises
-    ------
-    ValueError
-        If a field is not as described: one line that names the field and the entry.
+    look_at : point (x, z) that the character faces all the time; not together with ``facing``
+    feet, arms : foot and arm IK
+    seed : where in its gait cycle the character starts
+    duration : seconds; by default until one second after the end of the path is reached
+    name : of the clip
+    radius : metres, in a `toolkit.shots.Scene` whose characters keep apart: the share of this one in the distance of two
     """
 
     path: Sequence[Point]

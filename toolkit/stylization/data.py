@@ -183,7 +183,7 @@ def to_clip(x: Tensor, root_velocity: Tensor, source: Clip) -> Clip:
 def _aimed(skeleton: Skeleton, world: Tensor, root: Tensor, wanted: Tensor) -> Tensor:
     """World rotations ``[F, N, 4]``, corrected so that bones without siblings point at the ``wanted`` positions."""
     positions = root[:, None].expand_as(wanted).clone()
-    for joints, parents in skeleton.levels(world.device):
+    for joints, parents, _ in skeleton.levels(world.device):
         alone = torch.tensor([skeleton.parents.count(p) == 1 for p in parents.tolist()])
         bones = R.rotate(world[:, parents], skeleton.offsets[joints])
         turn = R.between(bones, wanted[:, joints] - positions[:, parents])

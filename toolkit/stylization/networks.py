@@ -222,8 +222,8 @@ class Stylizer(nn.Module):
 
 
 def pretrained() -> Stylizer:
-    """The stylizer in the package, a small one trained on procedural clips. `toolkit/data/README.md` describes it."""
-    with resources.as_file(resources.files("toolkit") / "data" / "stylizer.safetensors") as path:
+    """The stylizer in the package, a small one trained on procedural clips. `docs/embedded_model.md` describes it."""
+    with resources.as_file(resources.files("toolkit.stylization") / "stylizer.safetensors") as path:
         return Stylizer.load(path)
 
 

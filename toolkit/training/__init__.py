@@ -1,6 +1,7 @@
 """Training (Mason et al. 2022, section 4.3): config, minibatches, loss, the loop, and a run as one file."""
 
 from toolkit.features.splits import split
+from toolkit.training import published
 from toolkit.training.loop import fit
 from toolkit.training.loss import baselines, evaluate, loss_terms, make_bank
 from toolkit.training.minibatches import Minibatches
@@ -8,4 +9,4 @@ from toolkit.training.run import Config, Run, load, pretrained
 from toolkit.training.vectors import refit
 
 __all__ = ["Config", "Minibatches", "Run", "baselines", "evaluate", "fit", "load", "loss_terms", "make_bank", "pretrained",
-           "refit", "split"]
+           "published", "refit", "split"]

@@ -22,10 +22,7 @@ class Minibatches:
     ``batch`` and ``clips`` are the numbers of frames and style clips of a minibatch, ``pose_mixup`` is the share of frames
     with a mixed input pose. The same ``seed`` gives the same minibatches.
 
-    Raises
-    ------
-    ValueError
-        If a style has no frames or no style clips.
+    ValueError if a style has no frames or no style clips.
     """
 
     def __init__(self, data: Features, batch: int, clips: int, seed: int, pose_mixup: float = 0.0):

@@ -65,27 +65,22 @@ class Config:
         if not (0 < self.rate < math.inf and 0 <= self.style_rate < math.inf and 0 <= self.final_rate <= 1):
             raise ValueError(f"rate must be positive, style_rate not negative and final_rate in [0, 1]; got {self.rate}, "
                              f"{self.style_rate} and {self.final_rate}")
-        if self.refit < 0:
-            raise ValueError(f"refit must not be negative, got {self.refit}")
-        if self.seed < 0:
-            raise ValueError(f"seed must not be negative, got {self.seed}")
-        if not 0 <= self.pose_mixup <= 1:
-            raise ValueError(f"pose_mixup must be in [0, 1], got {self.pose_mixup}")
-        if not 0 <= self.held_out < 1:
-            raise ValueError(f"held_out must be in [0, 1), got {self.held_out}")
-        if self.evaluate_every < 1:
-            raise ValueError(f"evaluate_every must be a whole number from 1, got {self.evaluate_every}")
+        for name, right, wanted in (
+            ("refit", self.refit >= 0, "not be negative"), ("seed", self.seed >= 0, "not be negative"),
+            ("pose_mixup", 0 <= self.pose_mixup <= 1, "be in [0, 1]"), ("held_out", 0 <= self.held_out < 1, "be in [0, 1)"),
+            ("evaluate_every", self.evaluate_every >= 1, "be a whole number from 1"),
+            ("precision", self.precision in PRECISIONS, f"be one of {', '.join(PRECISIONS)}"),
+            ("processes", 1 <= self.processes <= self.batch, f"be from 1 to the {self.batch} frames of a minibatch"),
+        ):  # fmt: skip
+            if not right:
+                raise ValueError(f"{name} must {wanted}, got {getattr(self, name)!r}")
         if self.patience is not None and (self.patience < 1 or not self.held_out):
             raise ValueError(f"patience must be a whole number from 1, and needs held-out frames; got {self.patience} and "
                              f"held_out {self.held_out}")
-        if self.precision not in PRECISIONS:
-            raise ValueError(f"precision must be one of {', '.join(PRECISIONS)}, got {self.precision!r}")
         try:
             torch.device(self.device)
         except RuntimeError:
             raise ValueError(f"device must be cpu, cuda, cuda:1 or another that torch knows, got {self.device!r}") from None
-        if not 1 <= self.processes <= self.batch:
-            raise ValueError(f"processes must be from 1 to the {self.batch} frames of a minibatch, got {self.processes}")
 
     @classmethod
     def quick(cls, **changes) -> "Config":
@@ -173,7 +168,7 @@ def pretrained() -> Run:
     """The embedded default, ``model, bank = pretrained()``: a small LPN-FiLM and its style vectors. No network access.
 
     It was trained on procedural styles. It comes without the FiLM generator, so it cannot make style vectors of new clips.
-    `toolkit/data/README.md` describes the data and the command.
+    `docs/embedded_model.md` describes the data and the command.
     """
-    with resources.as_file(resources.files("toolkit") / "data" / "pretrained.safetensors") as path:
+    with resources.as_file(resources.files("toolkit.training") / "pretrained.safetensors") as path:
         return load(path)

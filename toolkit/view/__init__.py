@@ -10,7 +10,7 @@ if _missing := [name for name in _NEEDS if find_spec(name) is None]:
     raise ImportError(f'pages, pictures and widgets need {", ".join(_missing)}: pip install ".[view]"')
 
 __getattr__, __dir__, __all__ = lazy_loader.attach(__name__, [module.name for module in pkgutil.iter_modules(__path__)], {
-    "animation": ["animate", "contact_sheet", "crowd", "loop"],
+    "animation": ["animate", "crowd", "loop"],
     "controller": ["Controller"],
     "director": ["Director"],
     "explorer": ["StyleExplorer", "explore"],

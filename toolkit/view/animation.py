@@ -1,4 +1,4 @@
-"""Animations, contact sheets and crowds, drawn by the software renderer."""
+"""Animations and crowds, drawn by the software renderer."""
 
 import os
 from collections.abc import Iterable, Iterator, Sequence
@@ -13,8 +13,7 @@ from scipy.ndimage import gaussian_filter1d
 
 from toolkit.io.files import atomic_write
 from toolkit.io.progress import progress_bar
-from toolkit.motion import Clip, on_cpu
-from toolkit.motion import rotations as R
+from toolkit.motion import Clip, loops, on_cpu
 from toolkit.view import body
 from toolkit.view.canvas import Canvas
 from toolkit.view.character import Character
@@ -23,6 +22,8 @@ from toolkit.view.picture import FLOOR, INK, PAPER, Shot, cast, steady_frames
 LINE, GRID = "#bfbab0", 0.5  # lines on the floor; metres between them
 BOTTOM = -0.3  # metres of floor shown below the feet
 FINE = 2  # pictures are drawn this many times larger, then averaged
+HEADING = 0.8  # metres that a radian between the headings at the ends of a loop counts as
+ABOVE = 30.0, 32.0  # degrees of the camera over a crowd, about the vertical and above the floor
 TINT, MARGIN = 0.55, 0.4  # of a crowd: share of a character's own colour, metres around all characters
 SUFFIXES = (".gif", ".png", ".apng", ".webp", ".mp4")
 
@@ -66,57 +67,22 @@ def animate(clips: Clip | Sequence[Clip], path: str | os.PathLike, *, labels: Se
         If an ``.mp4`` is asked for and PyAV is missing.
     """
     path = _checked(path)
-    shots, labels = _shots(clips, labels, contacts, view, elevation, Character.of(character))
-    columns = columns or len(shots)
+    figure = Character.of(character)
+    clips, labels, contacts = cast(clips, labels, contacts, figure)
+    shots = [_Follow(clip, con, view, elevation, figure) for clip, con in zip(clips, contacts, strict=True)]
     room = _room(shots, labels, height)
-    length = max(round(shot.clip.seconds * fps) for shot in shots)
+    length = max(round(clip.seconds * fps) for clip in clips)
 
     def drawn() -> Iterator[Image.Image]:
         for k in progress_bar(range(max(length, 1)), desc=path.name, show=progress):
             cells = [shot.cell(round(k * shot.clip.fps / fps) % len(shot.clip), *room) for shot in shots]
-            yield _sheet(cells, columns, labels, caption)
+            yield _sheet(cells, columns or len(cells), labels, caption)
 
     return _write(drawn(), path, fps, colors)
 
 
-def contact_sheet(clips: Clip | Sequence[Clip], path: str | os.PathLike | None = None, *, columns: int = 8,
-                  labels: Sequence[str] | None = None, strides: int = 2, height: int = 140, view: float = 45.0,
-                  elevation: float = 12.0, contacts=None, progress: bool = False) -> Image.Image:
-    """A row of poses for every clip, evenly over about two strides, time from left to right.
-
-    Parameters
-    ----------
-    clips, labels, view, elevation, contacts, progress
-        As in `animate`; a label is the text of a row.
-    path
-        Picture file to write (any format Pillow knows).
-    columns, strides
-        Poses per row, and the number of strides (see `loop`) that they show.
-    height
-        Pixels of the highest row.
-
-    Raises
-    ------
-    ValueError
-        If there is no clip or no column, or labels or contacts do not fit the clips.
-    """
-    shots, labels = _shots(clips, labels, contacts, view, elevation)
-    if columns < 1:
-        raise ValueError(f"a contact sheet needs columns, got {columns}")
-    reach, _, scale = _room(shots, [], height)
-    cells = []
-    for shot in progress_bar(shots, desc="contact sheet", show=progress):
-        poses = np.linspace(*loop(shot.clip, strides), columns, endpoint=False).round().astype(int)
-        cells += [shot.cell(frame, reach, shot.top + 0.05, scale) for frame in poses]  # every row as high as it needs
-    sheet = _sheet(cells, columns, labels)
-    if path is not None:
-        with atomic_write(path) as file:
-            sheet.save(file, Image.registered_extensions()[Path(path).suffix.lower()])
-    return sheet
-
-
-def crowd(clips: Sequence[Clip], path: str | os.PathLike, *, fps: float = 12.5, width: int = 960, view: float = 30.0,
-          elevation: float = 32.0, colors: int = 96, progress: bool = False) -> Path:
+def crowd(clips: Sequence[Clip], path: str | os.PathLike, *, fps: float = 12.5, width: int = 960, colors: int = 96,
+          progress: bool = False) -> Path:
     """Write a looping animation of characters that share a floor, each in its own colour, seen by a fixed camera.
 
     Parameters
@@ -127,8 +93,6 @@ def crowd(clips: Sequence[Clip], path: str | os.PathLike, *, fps: float = 12.5, 
         As in `animate`.
     fps, width
         Pictures per second, 0 for the last frame alone; pixels.
-    view, elevation
-        Degrees: the camera's angle about the vertical and above the floor.
 
     Raises
     ------
@@ -142,7 +106,7 @@ def crowd(clips: Sequence[Clip], path: str | os.PathLike, *, fps: float = 12.5, 
     at = np.arange(max(1, round(first.seconds * fps))) / fps if fps else np.array([first.seconds])
     frames = np.minimum(np.round(at * first.fps).astype(int), len(first) - 1)
     still = np.zeros((len(first), 3))
-    shots = [Shot(clip, None, frames, still, np.radians(view), np.radians(elevation)) for clip in clips]
+    shots = [Shot(clip, None, frames, still, *np.radians(ABOVE)) for clip in clips]
     camera = shots[0].camera
     x0, y0 = np.min([shot.low for shot in shots], 0)[:2] - MARGIN
     x1, y1 = np.max([shot.high for shot in shots], 0)[:2] + MARGIN
@@ -161,33 +125,18 @@ def crowd(clips: Sequence[Clip], path: str | os.PathLike, *, fps: float = 12.5, 
     return _write(drawn(), path, fps or 1.0, colors)
 
 
-def loop(clip: Clip, strides: int = 2) -> tuple[int, int]:
-    """First and last (not included) frame of the part of a clip that shows some strides and best ends as it began.
+def loop(clip: Clip, shortest: float = 1.6, longest: float = 5.0) -> tuple[int, int]:
+    """First and last (not included) frame of the part of a clip that best ends as it began, heading included.
 
-    The stride is the first lag, of 0.4 to 3 seconds, after which the pose nearly repeats: the minima of YIN's normalised
-    difference (de Cheveigné, Kawahara 2002), of poses instead of sound. Clips too short for that are taken whole.
+    It is found by `toolkit.motion.loops.find` in the first half minute; ``shortest`` and ``longest`` are its seconds. Clips
+    too short for that are taken whole. A ValueError if the skeleton has no hips or shoulders.
     """
-    longest = min(round(3 * clip.fps), (len(clip) - 1) // strides, len(clip) - round(0.25 * clip.fps))
-    shortest = round(0.4 * clip.fps)
-    if longest < shortest + 2:
+    searched = clip.cut(stop=min(len(clip), round(30 * clip.fps)))
+    if searched.seconds < shortest + 0.25:
         return 0, len(clip)
-    path, facing = steady_frames(clip, 0.5)
-    away = clip.global_positions - torch.from_numpy(path).float()[:, None]
-    pose = R.rotate(R.yaw(torch.from_numpy(-facing).float())[:, None], away).flatten(1).numpy()
-
-    def apart(rows: np.ndarray, lag: int) -> np.ndarray:
-        return ((rows[lag:] - rows[:-lag]) ** 2).sum(1)
-
-    lags = np.arange(1, longest + 1)
-    mean = np.array([apart(pose, lag).mean() for lag in lags])
-    mean = mean * lags / np.maximum(mean.cumsum(), 1e-9)
-    dips = [k for k in range(shortest, longest - 1) if mean[k] <= min(mean[k - 1], mean[k + 1])]
-    stride = lags[next((k for k in dips if mean[k] < 1.5 * mean[dips].min() + 0.05), shortest + mean[shortest:].argmin())]
-    rows = np.column_stack((pose, np.gradient(pose, axis=0) * (0.1 * clip.fps), 4 * facing))  # velocities match, too
-    totals = range(round(0.93 * strides * stride), min(round(1.07 * strides * stride), len(clip) - 1) + 1)
-    total = min(totals, key=lambda n: apart(rows, n).min())
-    start = int(apart(rows, total).argmin())
-    return start, start + total
+    heading = torch.from_numpy(steady_frames(searched, 0.5)[1])[:, None]
+    start, frames = loops.find(searched, shortest, longest, HEADING / loops.PHASE * heading)
+    return start, start + frames
 
 
 class _Follow(Shot):
@@ -225,12 +174,6 @@ def _image(picture: np.ndarray) -> Image.Image:
     return Image.fromarray((255 * picture + 0.5).astype(np.uint8))
 
 
-def _shots(clips, labels, contacts, view: float, elevation: float,
-           figure: Character | None = None) -> tuple[list[_Follow], list[str]]:
-    clips, labels, contacts = cast(clips, labels, contacts, figure)
-    return [_Follow(clip, con, view, elevation, figure) for clip, con in zip(clips, contacts, strict=True)], labels
-
-
 def _room(shots: Sequence[_Follow], labels: Sequence[str], height: int) -> tuple[float, float, float]:
     """Metres to either side and upwards that every cell shows, with labels above the heads, and pixels per metre."""
     font = _font(height)
@@ -244,22 +187,18 @@ def _font(height: int) -> ImageFont.FreeTypeFont:
     return ImageFont.load_default(max(11, round(0.065 * height)))
 
 
-def _sheet(cells: Sequence[np.ndarray], columns: int, labels: Sequence[str], caption: str = "") -> Image.Image:
-    """Cells in rows, each with its label in the upper left corner, or one label per row in the margin; the caption below."""
-    w, tops = cells[0].shape[1], np.cumsum([0, *(cell.shape[0] for cell in cells[::columns])])
-    font = _font(max(cell.shape[0] for cell in cells))
-    size = font.size
-    apart = len(cells) // len(labels)  # cells per label
-    margin = 0 if len(labels) == len(cells) else round(max(font.getlength(name) for name in labels) + size)
-    width = max(margin + columns * w, round(font.getlength(caption) + size))
-    sheet = Image.new("RGB", (width, tops[-1] + (2 * size if caption else 0)), PAPER)
+def _sheet(cells: Sequence[np.ndarray], columns: int, labels: Sequence[str], caption: str) -> Image.Image:
+    """Cells in rows, each with its label in the upper left corner; the caption below."""
+    height, w, _ = cells[0].shape
+    font, low = _font(height), height * -(-len(cells) // columns)
+    width = max(columns * w, round(font.getlength(caption) + font.size))
+    sheet = Image.new("RGB", (width, low + (2 * font.size if caption else 0)), PAPER)
     text = ImageDraw.Draw(sheet)
-    for i, cell in enumerate(cells):
-        x, y = i % columns * w, int(tops[i // columns])
-        sheet.paste(_image(cell), (margin + x, y))
-        if i % apart == 0:
-            text.text((x + 0.5 * size, y + 0.4 * size), labels[i // apart], INK, font)
-    text.text((0.5 * size, tops[-1] + 0.3 * size), caption, INK, font)
+    for i, (cell, label) in enumerate(zip(cells, labels, strict=True)):
+        x, y = i % columns * w, i // columns * height
+        sheet.paste(_image(cell), (x, y))
+        text.text((x + 0.5 * font.size, y + 0.4 * font.size), label, INK, font)
+    text.text((0.5 * font.size, low + 0.3 * font.size), caption, INK, font)
     return sheet
 
 

@@ -7,14 +7,12 @@ the first frame of the clip. Flesh is rounded cones (`toolkit.view.surface`), in
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 from itertools import pairwise
-from weakref import WeakKeyDictionary
 
 import numpy as np
 import torch
 from matplotlib.colors import to_rgb
-from torch import Tensor
 
 from toolkit.motion import Clip, Skeleton, anatomy, forward_kinematics
 from toolkit.motion import rotations as R
@@ -37,7 +35,6 @@ SHARES, TONES = 0.012, 0.004  # metres over which vertices near two joints follo
 LARGEST = 1e6  # metres from the origin that are drawn
 TALL = 1.8  # metres: other creatures are modelled at this size
 VERTICES = 3700  # about as many, for a body of any shape
-KEPT = 16  # bodies
 TABLE = np.array([to_rgb(color) for color in COLORS.values()])  # [len(COLORS), 3]
 
 
@@ -46,52 +43,27 @@ class Mannequin:
     """The body of a skeleton."""
 
     skin: Skin
-    cones: tuple[Cone, ...]  # its flesh in the bind pose, e.g. for shadows
     tones: np.ndarray  # [V, len(COLORS)] share of each colour
     feet: np.ndarray  # [V, 2] share of the right and the left foot
     light: np.ndarray  # [V] ambient light, 0 to 1
 
-    def colors(self, contacts: np.ndarray | None = None, tint: np.ndarray | None = None) -> np.ndarray:
-        """Colour of every vertex [V, 3], 0 to 1.
-
-        Feet (right, left) in contact by ``contacts`` [2] have a colour of their own; ``tint`` [3] is that of the trunk.
-        """
-        table = TABLE.copy()
-        if tint is not None:
-            table[list(COLORS).index("middle")] = tint
-        found = self.tones @ table
+    def colors(self, contacts: np.ndarray | None = None) -> np.ndarray:
+        """Colour of every vertex [V, 3], 0 to 1; feet (right, left) in contact by ``contacts`` [2] have one of their own."""
+        found = self.tones @ TABLE
         if contacts is not None:
             found += (self.feet @ np.asarray(contacts, float))[:, None] * (np.array(to_rgb(CONTACT)) - found)
         return found * self.light[:, None]
-
-    @cached_property
-    def radii(self) -> np.ndarray:
-        """Radii [C, 2] of the cones."""
-        return np.array([cone.radii for cone in self.cones])
-
-    def flesh(self, rotations: Tensor, positions: Tensor) -> np.ndarray:
-        """Ends ``[..., C, 2, 3]`` of the cones, for global rotations ``[..., J, 4]`` and positions ``[..., J, 3]``."""
-        joints = [cone.joint for cone in self.cones]
-        inverse = self.skin.inverse[joints]
-        ends = np.array([(cone.start, cone.end) for cone in self.cones])
-        ends = ends @ inverse[..., :3].swapaxes(1, 2) + inverse[:, None, :, 3]
-        turned = R.to_matrix(rotations[..., joints, :]).double().numpy()
-        return ends @ turned.swapaxes(-1, -2) + positions[..., joints, None, :].double().numpy()
 
     def packed(self, skeleton: Skeleton) -> dict:
         """The body as the browser's scene takes it (``scene/body.js`` describes the format)."""
         trunk = self.tones[:, [list(COLORS).index("middle")]]
         marks = np.concatenate((self.feet[:, ::-1], trunk, self.light[:, None]), 1)
-        return self.skin.packed(skeleton, (255 * self.colors()).round(), marks) | {"own": False, "follow": None}
+        return self.skin.packed(skeleton, 255 * self.colors(), marks) | {"own": False, "follow": None}
 
 
 def has_roles(clip: Clip, *parts: str) -> bool:
     """Whether the skeleton has these parts on both sides, such as "hip" (see `toolkit.motion.ROLES`)."""
     return all(f"{side}_{part}" in clip.skeleton.roles for side in SIDES for part in parts)
-
-
-_BUILT: WeakKeyDictionary[Clip, dict[int, Mannequin]] = WeakKeyDictionary()  # an entry lives as long as its clip
-_KEPT: dict[tuple, Mannequin] = {}
 
 
 def build(clip: Clip, vertices: int = VERTICES) -> Mannequin:
@@ -104,26 +76,18 @@ def build(clip: Clip, vertices: int = VERTICES) -> Mannequin:
     ValueError
         If no bone is long enough to be given a body, or the motion is too large for numbers of 32 bits.
     """
-    made = _BUILT.setdefault(clip, {})
-    if vertices not in made:
-        reach = max(float(clip.skeleton.offsets.abs().max()), float(clip.root_positions.abs().max()))
-        if reach > LARGEST:
-            raise ValueError(f"{clip.name}: its positions reach {reach:.3g} m, and at most {LARGEST:g} m can be drawn; "
-                             "the unit of length may be wrong (--unit)")
-        pose = _Pose.of(clip)
-        key = vertices, *pose.key
-        if key not in _KEPT:
-            if len(_KEPT) >= KEPT:
-                del _KEPT[next(iter(_KEPT))]
-            _KEPT[key] = _build(pose, clip.name, vertices)
-        made[vertices] = _KEPT[key]
-    return made[vertices]
+    reach = max(float(clip.skeleton.offsets.abs().max()), float(clip.root_positions.abs().max()))
+    if reach > LARGEST:
+        raise ValueError(f"{clip.name}: its positions reach {reach:.3g} m, and at most {LARGEST:g} m can be drawn; "
+                         "the unit of length may be wrong (--unit)")
+    return _build(_Pose.of(clip), vertices)
 
 
 @dataclass(frozen=True, eq=False)
 class _Pose:
-    """The bind pose of a skeleton."""
+    """The bind pose of a skeleton; poses that have the same body are equal."""
 
+    name: str  # of a clip, for errors
     skeleton: Skeleton
     places: np.ndarray  # [J, 3] of the joints, metres
     turned: np.ndarray  # [J, 3, 3] their axes
@@ -138,7 +102,7 @@ class _Pose:
             found = anatomy.measure(clip)
         except ValueError:
             turned, places = forward_kinematics(clip.skeleton, clip.rotations[0], torch.zeros(3))
-            return cls(clip.skeleton, places.double().numpy(), R.to_matrix(turned).double().numpy(), {}, [], ())
+            return cls(clip.name, clip.skeleton, places.double().numpy(), R.to_matrix(turned).double().numpy(), {}, [], ())
         skeleton, tilts = found.skeleton, {}
         for side, sign in zip(SIDES, (1.0, -1.0), strict=True):
             for kind, degrees in (("arm", -SPREAD["arm"]), ("leg", SPREAD["leg"])):
@@ -156,13 +120,18 @@ class _Pose:
         local = torch.cat((turned[:1], R.multiply(R.inverse(turned[list(skeleton.parents[1:])]), turned[1:])))
         places = forward_kinematics(skeleton, local, torch.zeros(3))[1].double().numpy()
         rises = tuple(_rise(clip, skeleton.role(f"{side}_toe")) for side in SIDES)
-        return cls(skeleton, places, R.to_matrix(turned).double().numpy(), body, found.neck, rises)
+        return cls(clip.name, skeleton, places, R.to_matrix(turned).double().numpy(), body, found.neck, rises)
 
-    @property
+    @cached_property
     def key(self) -> tuple:
-        """Equal for poses that have the same body."""
         numbers = np.concatenate((self.places.ravel(), self.turned.ravel(), self.rises))
         return self.skeleton.names, self.skeleton.parents, tuple(self.neck), (200 * numbers).round().astype(int).tobytes()
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Pose) and self.key == other.key
+
+    def __hash__(self) -> int:
+        return hash(self.key)
 
     def children(self, joint: int) -> list[int]:
         return [j for j, p in enumerate(self.skeleton.parents) if p == joint]
@@ -176,11 +145,12 @@ def _rise(clip: Clip, toe: int) -> float:
     return round(float(clip.global_positions[:, toe, 1].quantile(0.05).clamp(0.0, 0.12)), 2)
 
 
-def _build(pose: _Pose, name: str, vertices: int) -> Mannequin:
+@lru_cache(maxsize=16)
+def _build(pose: _Pose, vertices: int) -> Mannequin:
     cones, scale = _humanoid(pose) if pose.body else ([], max(float(np.ptp(pose.places, axis=0).max()) / TALL, 1e-6))
     cones += _bones(pose, {cone.joint for cone in cones}, scale)
     if not cones:
-        raise ValueError(f"{name}: no bone is long enough to be given a body")
+        raise ValueError(f"{pose.name}: no bone is long enough to be given a body")
     pivots = _pivots(pose)
     model = [_grown(cone, *pivots[cone.joint], scale) for cone in cones]
     field = Field(model, PARTS)
@@ -206,7 +176,7 @@ def _build(pose: _Pose, name: str, vertices: int) -> Mannequin:
     inverse = np.concatenate((pose.turned.swapaxes(1, 2), -pose.turned.swapaxes(1, 2) @ pose.places[..., None]), 2)
     skin = Skin(points.astype(np.float32), normals.astype(np.float32), triangles, joints, weights, inverse)
     feet /= np.maximum(tones.sum(1, keepdims=True), 1)
-    return Mannequin(skin, tuple(cones), tones / tones.sum(1, keepdims=True), feet, light)
+    return Mannequin(skin, tones / tones.sum(1, keepdims=True), feet, light)
 
 
 def _pivots(pose: _Pose) -> list[tuple[float, np.ndarray]]:

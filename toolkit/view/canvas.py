@@ -7,13 +7,14 @@ normals and light are computed once at the end, for the visible pixels.
 from collections.abc import Sequence
 
 import numpy as np
-from scipy.ndimage import uniform_filter, zoom
+from scipy.ndimage import gaussian_filter, uniform_filter, zoom
 from scipy.spatial.transform import Rotation
 
 from toolkit.io.compilation import compiled
 
 FAR = -1e9
 COARSE = 4  # shadows are soft, so their pixels are this many times larger
+SOFT, FADE = 0.03, 0.25  # metres of a shadow's edge; how much weaker it is for each metre of height
 KEY, FILL = (v / np.linalg.norm(v) for v in np.float32([[-0.45, 0.75, 0.55], [0.8, 0.15, 0.4]]))  # towards two lamps
 
 
@@ -38,50 +39,29 @@ class Canvas:
         self.y = (window[3] - (np.arange(self.height) + 0.5) / scale).astype(np.float32)
         self.depth = np.full((self.height, self.width), FAR, np.float32)
         self.owner = np.zeros((self.height, self.width), np.int32)
-        self.shade = np.zeros((-(-self.height // COARSE), -(-self.width // COARSE)), np.float32)
+        self.shade = np.full((-(-self.height // COARSE), -(-self.width // COARSE)), FAR, np.float32)
         self._drawn, self._triangles = [], 0
 
-    def _span(self, low: np.ndarray, high: np.ndarray, step: int = 1) -> tuple[slice, slice]:
-        """Rows and columns, ``step`` pixels each, that hold camera space from ``low`` to ``high`` [2]."""
-        scale, (height, width) = self.scale / step, (-(-self.height // step), -(-self.width // step))
-        c0, c1 = (int(np.clip((v - self.window[0]) * scale, 0, width)) for v in (low[0], high[0]))
-        r0, r1 = (int(np.clip((self.window[3] - v) * scale, 0, height)) for v in (high[1], low[1]))
-        return slice(r0, r1 + 1), slice(c0, c1 + 1)
+    def draw(self, points: np.ndarray, normals: np.ndarray, triangles: np.ndarray, colors: np.ndarray,
+             lamp: np.ndarray | None = None, floor: Sequence[float] = (0, 0, 0)) -> None:
+        """Draw a surface: vertices and unit normals [V, 3] in camera space, triangles [T, 3], colours [V, 3], 0 to 1.
 
-    def draw(self, points: np.ndarray, normals: np.ndarray, triangles: np.ndarray, colors: np.ndarray) -> None:
-        """Draw a surface: vertices and unit normals [V, 3] in camera space, triangles [T, 3], colours [V, 3], 0 to 1."""
-        x, y = (points[:, 0] - self.window[0]) * self.scale - 0.5, (self.window[3] - points[:, 1]) * self.scale - 0.5
-        seen = np.stack((x, y, points[:, 2]), 1).astype(np.float32)
+        Where ``lamp`` [3] points to the light, the surface darkens the floor, which goes through the point ``floor``.
+        """
+        seen = self._pixels(points, points[:, 2])
         fill(self.depth, self.owner, seen, triangles, self._triangles)
         self._triangles += len(triangles)
         self._drawn.append((seen[:, :2], normals.astype(np.float32), triangles, colors.astype(np.float32)))
+        if lamp is not None:
+            up = self.camera[:, 1]
+            height = ((points - floor) @ up).clip(0)
+            fallen = self._pixels(points - height[:, None] / (lamp @ up) * lamp, -height, COARSE)
+            fill(self.shade, np.zeros(self.shade.shape, np.int32), fallen, triangles, 0)
 
-    def shadow(self, ends: np.ndarray, radii: np.ndarray, lamp: np.ndarray, floor: Sequence[float] = (0, 0, 0)) -> None:
-        """Darken the floor, which goes through the point ``floor``, below rounded cones; ``lamp`` points to the light.
-
-        Cones have two spheres each, with centres ``ends`` [C, 2, 3] and ``radii`` [C, 2]. The shadow is the hull of the two
-        spheres' shadows, softer the higher they are.
-        """
-        up = self.camera[:, 1]
-        height = ((ends - floor) @ up).clip(0)
-        ends = (ends - height[..., None] / (lamp @ up) * lamp)[..., :2]
-        reach = (1.5 * radii + 0.1 * height)[..., None]
-        rows, columns = self._span((ends - reach).min((0, 1)), (ends + reach).max((0, 1)), COARSE)
-        x, y = (np.float32(COARSE / self.scale) * (np.arange(n) + 0.5) for n in self.shade.shape[::-1])
-        stretch = np.array([1, 1 / up[2]])  # the camera looks down at the floor
-        x, y = x[columns] + self.window[0], (self.window[3] - y[rows, None]) * stretch[1]
-
-        def each(values: np.ndarray) -> np.ndarray:
-            return values.astype(np.float32)[:, None, None]
-
-        first, along = (ends[:, 0] * stretch), (ends[:, 1] - ends[:, 0]) * stretch
-        dx, dy = x.astype(np.float32) - each(first[:, 0]), y.astype(np.float32) - each(first[:, 1])
-        ax, ay = (each(a) for a in along.T)
-        share = ((dx * ax + dy * ay) / np.maximum(ax * ax + ay * ay, 1e-9)).clip(0, 1)
-        distance = np.hypot(dx - share * ax, dy - share * ay)
-        radius, above = (each(a[:, 0]) + share * each(a[:, 1] - a[:, 0]) for a in (radii, height))
-        cover = (0.5 - (distance - radius) / (0.024 + 0.2 * above)).clip(0, 1)
-        self.shade[rows, columns] = 1 - (1 - self.shade[rows, columns]) * np.prod(1 - cover * cover * (3 - 2 * cover), 0)
+    def _pixels(self, points: np.ndarray, depth: np.ndarray, size: int = 1) -> np.ndarray:
+        """Column and row of points [V, 3], for pixels that are ``size`` times larger, and their depth [V]."""
+        x, y = points[:, 0] - self.window[0], self.window[3] - points[:, 1]
+        return np.stack((x * self.scale / size - 0.5, y * self.scale / size - 0.5, depth), 1).astype(np.float32)
 
     def lines(self, axes: np.ndarray, spacing: Sequence[float], start: Sequence[float], width: float) -> np.ndarray:
         """Share [H, W] of the pixels that lines of ``width`` pixels on the floor cover.
@@ -103,12 +83,11 @@ class Canvas:
         ``floor`` [H, W or 1, 3] is the background, ``paper`` [3] the colour of the light that edges reflect.
         """
         picture = np.broadcast_to(floor.astype(np.float32), (self.height, self.width, 3)).copy()
-        shaded = np.flatnonzero(self.shade.any(1))
-        if len(shaded):
-            start = max(shaded[0] - 1, 0)
-            soft = zoom(self.shade[start : shaded[-1] + 2], COARSE, order=1, grid_mode=True, mode="nearest")
-            rows = picture[start * COARSE :][: len(soft)]
-            rows *= 1 - soft[: len(rows), : self.width, None] * np.array([0.36, 0.34, 0.31], np.float32)
+        if (shaded := self.shade > FAR / 2).any():
+            soft = SOFT * self.scale / COARSE * np.array([abs(self.camera[2, 1]), 1])  # the camera looks down at the floor
+            soft = gaussian_filter(np.where(shaded, np.exp(FADE * self.shade), 0), soft)
+            soft = zoom(soft, COARSE, order=1, grid_mode=True, mode="nearest")[: self.height, : self.width, None]
+            picture *= 1 - soft * np.array([0.36, 0.34, 0.31], np.float32)
         covered = self.depth > FAR / 2
         if covered.any():
             picture[covered] = self._lit(covered, paper.astype(np.float32))

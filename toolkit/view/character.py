@@ -110,10 +110,6 @@ class Character:
         return Skin(mesh.points.astype(np.float32), self.normals, mesh.triangles, mesh.joints, mesh.weights,
                     (np.linalg.inv(pose) @ self.moved)[:, :3])
 
-    def pose(self, rotations: Tensor, positions: Tensor) -> tuple[np.ndarray, np.ndarray]:
-        """Vertices and unit normals ``[V, 3]`` for global rotations ``[J, 4]`` and positions ``[J, 3]`` of the rig."""
-        return self.skin.pose(rotations, positions)
-
     @cached_property
     def normals(self) -> np.ndarray:
         """Unit normals ``[V, 3]`` where the mesh is bound; vertices at the same place share theirs."""

@@ -150,10 +150,11 @@ class Controller(CellWidget, Corners):
 
     def _receive(self, _widget, message: dict, _buffers) -> None:
         """A message of a page (any thread): store it, wake the task."""
-        if message["kind"] == "input":
+        kind = message.get("kind") if isinstance(message, dict) else None
+        if kind == "input":
             self._input = _valid(message) or self._input
-        self._seen = -math.inf if message["kind"] == "closed" else self.frames
-        if self._task is not None and message["kind"] != "closed":
+        self._seen = -math.inf if kind == "closed" else self.frames
+        if self._task is not None and kind != "closed":
             self._loop.call_soon_threadsafe(self._wake.set)
 
     def _command(self) -> Command:

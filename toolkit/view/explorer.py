@@ -1,5 +1,6 @@
 """The space of styles as a map: hover names a style, click plays it, and a ring dragged between points plays the blend."""
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 
 import anywidget
@@ -16,7 +17,7 @@ from toolkit.motion import Clip
 from toolkit.networks import Model
 from toolkit.networks.bank import StyleBank
 from toolkit.styles.space import embed
-from toolkit.view.figures import INK, QUIET, style_space
+from toolkit.view.figures import INK, style_space
 from toolkit.view.frontend import escape, in_notebook, static
 from toolkit.view.picture import PAPER, Picture
 from toolkit.view.style_blender import StyleBlender
@@ -27,7 +28,7 @@ SETTLE = 1.5  # seconds of walking before, in which the character goes from stan
 
 
 def explore(model: Model, bank: StyleBank, *, points: Tensor | None = None, groups: Sequence[str] | None = None,
-            joined: Sequence[tuple[str, str]] = (), make_clip: Callable[[dict[str, float]], Clip] | None = None,
+            make_clip: Callable[[dict[str, float]], Clip] | None = None,
             size: tuple[int, int] = (480, 420)) -> "StyleExplorer | go.Figure":
     """A map of styles to explore; outside of notebooks, the map alone as a plotly figure.
 
@@ -37,26 +38,19 @@ def explore(model: Model, bank: StyleBank, *, points: Tensor | None = None, grou
         A model and its styles, three or more.
     points
         Positions of the styles on the map, ``[S, 2]``; by default the t-SNE of their vectors (`toolkit.styles.embed`).
-    groups, joined
-        S labels, a colour each; pairs of styles to draw a line between.
+    groups
+        S labels, a colour each.
     make_clip, size
         Takes ``{style: weight}`` and returns the motion to play, by default a walk straight ahead; pixels of its picture.
     """
     points = embed(bank.vectors) if points is None else torch.as_tensor(points)
-    figure = chart(bank, points, groups, joined)
+    figure = chart(bank, points, groups)
     return StyleExplorer(model, bank, points, figure, make_clip=make_clip, size=size) if in_notebook() else figure
 
 
-def chart(bank: StyleBank, points: Tensor, groups: Sequence[str] | None = None,
-          joined: Sequence[tuple[str, str]] = ()) -> go.Figure:
+def chart(bank: StyleBank, points: Tensor, groups: Sequence[str] | None = None) -> go.Figure:
     """The map as a plotly figure; see `explore`."""
     figure = style_space(points, bank.names, groups, title="Style space")
-    above = len(figure.data)
-    for pair in joined:
-        a, b = (points[bank.names.index(name)].tolist() for name in pair)
-        figure.add_scatter(x=[a[0], b[0]], y=[a[1], b[1]], mode="lines", line={"color": QUIET, "width": 1}, hoverinfo="skip",
-                           showlegend=False)
-    figure.data = figure.data[above:] + figure.data[:above]  # lines below points
     return figure.update_layout(width=SIDE, height=SIDE, dragmode="pan", margin={"l": 16, "r": 16, "t": 44, "b": 16},
                                 legend={"orientation": "h", "y": 0.0, "yanchor": "top"})
 
@@ -165,7 +159,9 @@ class StyleExplorer(StyleBlender):
 
     def _dragged(self, change: dict) -> None:
         """The user moved the ring; `_follow` moves it too, but only to the position of the blend."""
-        if max(abs(a - b) for a, b in zip(change["new"], self._place(), strict=True)) > 1e-9:
+        if not math.isfinite(sum(change["new"])):
+            self._follow()
+        elif max(abs(a - b) for a, b in zip(change["new"], self._place(), strict=True)) > 1e-9:
             self.aim(self.blend_at(*change["new"]))
 
     def _follow(self, _change: dict | None = None) -> None:

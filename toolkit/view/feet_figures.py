@@ -12,7 +12,7 @@ from toolkit.motion.clip import FEET
 from toolkit.motion.contacts import velocities
 from toolkit.motion.ik import two_bone
 from toolkit.view.body import COLORS, CONTACT
-from toolkit.view.figures import GRID, LAYOUT, QUIET, finish
+from toolkit.view.figures import GRID, LAYOUT, QUIET, finish, slider
 from toolkit.view.frontend import escape
 from toolkit.view.style_figures import WHEEL
 
@@ -42,12 +42,8 @@ def leg_figure(soft: float = 0.05, title: str = "Move the slider: the ankle foll
         {"type": "scatter", "x": [0.05], "y": [-float(target)]},
         {"type": "scatter", "x": [float(target)], "y": [angle]},
     ]) for k, (line, target, angle) in enumerate(zip(lines, targets, angles, strict=True))]
-    now = {"mode": "immediate", "frame": {"duration": 0, "redraw": False}, "transition": {"duration": 0}}
-    figure.update_layout(sliders=[{
-        "active": shown, "currentvalue": {"prefix": "target, metres below the hip: "}, "pad": {"t": 62},
-        "steps": [{"label": f"{float(v):.2f}", "method": "animate", "args": [[str(k)], now]}
-                  for k, v in enumerate(targets)]}])
-    finish(figure, title, 520, {}, {})
+    control = slider([f"{float(v):.2f}" for v in targets], "target, metres below the hip: ", shown)
+    finish(figure, title, 520, {}, {}, sliders=[control])
     figure.update_xaxes(range=[-0.5, 0.6], title="metres ahead", row=1, col=1)
     figure.update_yaxes(range=[-1.1, 0.15], scaleanchor="x", title="metres above the hip", row=1, col=1)
     figure.update_xaxes(title="target, metres below the hip", row=1, col=2)

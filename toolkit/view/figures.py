@@ -132,6 +132,29 @@ def trajectory_figure(clips: Clip | Sequence[Clip], target=None, *, labels: Sequ
     return finish(figure, title, 520, {"title": "metres to the right"}, {"title": "metres ahead", "scaleanchor": "x"})
 
 
+def slider(labels: Sequence[str], prefix: str, start: int = 0, *, frames: str = "", row: int = 0) -> dict:
+    """A slider of plotly through the frames of a figure.
+
+    Parameters
+    ----------
+    labels, prefix, start
+        A label for each place, the words before it, and the first place.
+    frames, row
+        How the names of the frames begin, before "0", "1", …; how many sliders are above this one.
+    """
+    now = {"mode": "immediate", "frame": {"duration": 0, "redraw": True}, "transition": {"duration": 0}}
+    steps = [{"method": "animate", "label": label, "args": [[f"{frames}{k}"], now]} for k, label in enumerate(labels)]
+    return {"steps": steps, "active": start, "currentvalue": {"prefix": prefix}, "pad": {"t": 62 + 92 * row}}
+
+
+def bones(parents: Sequence[int], places, axes: Sequence[int] = (0, 1)) -> dict[str, np.ndarray]:
+    """All bones as one line with gaps, from places [J, D] of the joints: two or three of the axes as ``x``, ``y``, ``z``."""
+    place = _array(places)[:, list(axes)]
+    gap = np.full((1, place.shape[1]), np.nan)
+    line = [np.concatenate((place[[parent, j]], gap)) for j, parent in enumerate(parents) if parent >= 0]
+    return dict(zip("xyz", np.concatenate(line).T, strict=False))
+
+
 def finish(figure: go.Figure, title: str, height: int, x: Mapping, y: Mapping, **layout) -> go.Figure:
     """The figure with the layout of all charts; ``x`` and ``y`` are further properties of the axes."""
     figure.update_xaxes(gridcolor=GRID, **x)

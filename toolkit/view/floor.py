@@ -25,12 +25,12 @@ class Layer:
     corners: Callable[[int], np.ndarray]  # frame to the corners [V, 2] (x and z, metres)
 
 
-def layers(clip: Clip, contacts: np.ndarray | None = None, color: str = PALETTE[0]) -> list[Layer]:
+def layers(clip: Clip, contacts: np.ndarray | None = None) -> list[Layer]:
     """All layers of a clip; ``contacts`` [F, 2] are of the right and the left foot."""
-    found = _path(clip, color)
+    found = _path(clip)
     if contacts is not None:
         found += _footprints(clip, contacts)
-    return found + _arrows(clip, color) if has_roles(clip, "hip", "shoulder") else found
+    return found + _arrows(clip) if has_roles(clip, "hip", "shoulder") else found
 
 
 def _repeated(triangles: np.ndarray, times: int, stride: int) -> np.ndarray:
@@ -38,7 +38,7 @@ def _repeated(triangles: np.ndarray, times: int, stride: int) -> np.ndarray:
     return (np.array(triangles) + stride * np.arange(times)[:, None, None]).reshape(-1, 3)
 
 
-def _path(clip: Clip, color: str) -> list[Layer]:
+def _path(clip: Clip) -> list[Layer]:
     """The root's path, and over it the part up to the frame."""
     points = clip.root_positions[:, [0, 2]].double().numpy()
     along = np.gradient(points, axis=0) if len(points) > 1 else np.zeros_like(points)
@@ -54,7 +54,7 @@ def _path(clip: Clip, color: str) -> list[Layer]:
     def done(frame: int) -> np.ndarray:
         return wide[np.minimum(kept, frame)].reshape(-1, 2)
 
-    return [Layer("path", AHEAD, 0.005, triangles, lambda frame: whole), Layer("path", color, 0.008, triangles, done)]
+    return [Layer("path", AHEAD, 0.005, triangles, lambda frame: whole), Layer("path", PALETTE[0], 0.008, triangles, done)]
 
 
 def _footprints(clip: Clip, contacts: np.ndarray) -> list[Layer]:
@@ -82,7 +82,7 @@ def _footprints(clip: Clip, contacts: np.ndarray) -> list[Layer]:
     return found
 
 
-def _arrows(clip: Clip, color: str) -> list[Layer]:
+def _arrows(clip: Clip) -> list[Layer]:
     """The trajectory window (section 3.2): positions and facing directions of the root, a second back and ahead."""
     roots = root_frames(clip)
     places = roots.positions[:, [0, 2]].double().numpy()
@@ -91,7 +91,7 @@ def _arrows(clip: Clip, color: str) -> list[Layer]:
     arrows = places[:, None] + ARROW[:, :1] * across[:, None] + ARROW[:, 1:] * ahead[:, None]  # [F, 4, 2]
     offsets = np.round(np.array(trajectory.SAMPLES) * clip.fps / trajectory.FPS).astype(int)
     found = []
-    for tone, samples in ((PAST, offsets[offsets < 0]), (color, offsets[offsets >= 0])):
+    for tone, samples in ((PAST, offsets[offsets < 0]), (PALETTE[0], offsets[offsets >= 0])):
 
         def corners(frame: int, samples=samples) -> np.ndarray:
             at = np.clip(frame + samples, 0, len(clip) - 1)

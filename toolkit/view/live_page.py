@@ -1,6 +1,5 @@
 """A character under control in one HTML file: network, runtime and scene run in the browser, without server or Python."""
 
-import base64
 import os
 import re
 import tempfile
@@ -20,6 +19,7 @@ from toolkit.networks.film import EPSILON
 from toolkit.shots import crowd
 from toolkit.view import body, page
 from toolkit.view.character import Character
+from toolkit.view.skin import encoded
 
 CORNERS = "Neutral", "Zombie", "Aeroplane"  # the triangle's first corners, if the bank has them
 VERTICES = 900  # of each body in a crowd
@@ -95,7 +95,7 @@ def pack(model, bank, half: bool = False, character: Character | None = None, ch
                         "layers": [numbers(panels(layer.weight, layer.bias), half) for layer in experts]},
             "epsilon": EPSILON, "dropped": model.dropped if model.calibrated else 0.0,
         },
-        "rules": _plain(frame.Rules.of(layout)._asdict() | channels),
+        "rules": _plain(frame.rules_of(layout)._asdict() | channels),
         "body": _plain(ik.Body.of(layout.skeleton)._asdict()),
         "start": {name: value[0].flatten().tolist() for name, value in vars(state).items() if name != "style"},
         "skeleton": page.skeleton_data(walk, character),
@@ -127,7 +127,7 @@ def numbers(values: Tensor, half: bool = False) -> dict[str, str]:
     if not np.isfinite(array).all():
         worst = float(values.detach().abs().max())
         raise ValueError(f"weights must be finite and at most {float(np.finfo(kind).max):g} in {kind.name}, got {worst:g}")
-    return {"type": kind.name, "data": base64.b64encode(array.tobytes()).decode("ascii")}
+    return {"type": kind.name, "data": encoded(array, kind)}
 
 
 def panels(weight: Tensor, bias: Tensor) -> Tensor:

@@ -1,6 +1,5 @@
 """A page and a picture of `toolkit.stylization.plane`: a switch for each of the five losses."""
 
-import json
 from collections.abc import Sequence
 
 from matplotlib.figure import Figure
@@ -10,6 +9,7 @@ from torch import Tensor
 from toolkit.stylization import plane
 from toolkit.stylization.losses import LOSSES
 from toolkit.view.body import PALETTE
+from toolkit.view.frontend import embed, static
 from toolkit.view.picture import Picture
 
 NAMES = {"adv": "the judge accepts", "cyc": "there and back", "id": "own style", "sty": "the code is found again",
@@ -17,7 +17,7 @@ NAMES = {"adv": "the judge accepts", "cyc": "there and back", "id": "own style",
 SHOWN = {"inside": "accepted by the judge", "content": "content kept (correlation)", "version": "version copied (share)",
          "spread": "distance of two noises", "own": "error in the own style"}
 GOOD = {"inside": "1", "content": "1", "version": "1", "spread": "more than 0", "own": "0"}
-RANGE = (-2.2, 2.2)  # of both axes, in pictures
+RANGE = (-2.2, 2.2)  # of both axes, in pictures; results outside are drawn at the edge
 BOX, SOURCE = "#eeebe4", "#8a8f98"
 
 
@@ -31,7 +31,7 @@ def losses_page(toy: plane.Toy, size: int = 420) -> str:
     """
     if toy.losses != list(plane.SWITCHES):
         raise ValueError(f"the page needs all {len(plane.SWITCHES)} sets of losses (plane.SWITCHES), got {len(toy.losses)}")
-    x, made = toy.results()
+    x, made = _shown(toy)
     measures = toy.measures()
     data = {
         "x": _rounded(x), "made": _rounded(made), "colours": PALETTE[:3], "losses": LOSSES, "range": RANGE, "size": size,
@@ -40,12 +40,13 @@ def losses_page(toy: plane.Toy, size: int = 420) -> str:
     }
     switches = "".join(f'<label><input type="checkbox" id="{name}" checked> <b>{name}</b> {NAMES[name]}</label>'
                        for name in LOSSES)
-    return PAGE.replace("SWITCHES", switches).replace("DATA", json.dumps(data)).replace("SIZE", str(size))
+    page = static("losses.html")
+    return page.replace("SWITCHES", switches).replace("DATA", embed(data)).replace("SIZE", str(size))
 
 
 def losses_figure(toy: plane.Toy, titles: Sequence[str]) -> Figure:
     """The results of the first stylizers of a toy, a panel each: sources (grey), and the results of three noises."""
-    x, made = toy.results()
+    x, made = _shown(toy)
     figure = Picture(figsize=(2.3 * len(titles), 2.8), dpi=90, layout="constrained")
     for axes, title, results in zip(figure.subplots(1, len(titles), sharey=True), titles, made, strict=False):
         for middle, half in zip(plane.MIDDLE, plane.HALF, strict=True):
@@ -58,38 +59,10 @@ def losses_figure(toy: plane.Toy, titles: Sequence[str]) -> Figure:
     return figure
 
 
+def _shown(toy: plane.Toy) -> tuple[Tensor, Tensor]:
+    x, made = toy.results()
+    return x, made.clamp(*RANGE)
+
+
 def _rounded(values: Tensor) -> list:
     return (values.double() * 100).round().div(100).tolist()
-
-
-PAGE = """<!doctype html><meta charset="utf-8"><title>Five losses</title>
-<style>body{font:14px system-ui,sans-serif;color:#2b323b;background:#fbfaf7;margin:8px;display:flex;gap:24px;flex-wrap:wrap}
-label{display:block;margin:6px 0;cursor:pointer}td,th{padding:3px 10px 3px 0;text-align:left}canvas{background:white}
-p{max-width:22em;color:#5d6570}</style>
-<canvas id="plane" width="SIZE" height="SIZE" role="img" aria-label="Sources and results in the plane"></canvas>
-<div><b>Losses that are on</b>SWITCHES<table id="table"></table>
-<p>Grey: plain walks. Colours: the results of three noises. A dot is large where the source was on the right.</p></div>
-<script>
-const d = DATA, c = document.getElementById("plane").getContext("2d");
-const at = v => (v - d.range[0]) / (d.range[1] - d.range[0]) * d.size;
-function dot(p, r, colour) {
-  c.fillStyle = colour; c.beginPath(); c.arc(at(p[0]), d.size - at(p[1]), r, 0, 7); c.fill();
-}
-function draw() {
-  let row = 0;
-  d.losses.forEach((name, i) => { if (!document.getElementById(name).checked) row += 1 << (d.losses.length - 1 - i); });
-  c.clearRect(0, 0, d.size, d.size);
-  c.fillStyle = "#eeebe4";
-  for (const [x, y, w, h] of d.boxes) c.fillRect(at(x), d.size - at(y + h), at(x + w) - at(x), at(y + h) - at(y));
-  c.fillStyle = "#5d6570"; c.font = "13px system-ui";
-  c.fillText("target domain", at(1.05), d.size - at(1)); c.fillText("plain", at(1.05), d.size - at(-1.03));
-  c.fillText("content →", d.size - 80, d.size - 8); c.fillText("style ↑", 6, 16);
-  d.x.forEach(p => dot(p, 2.5, "#8a8f98"));
-  d.made[row].forEach((points, k) => points.forEach((p, i) => dot(p, 2.5 + 1.6 * (d.x[i][0] + 1), d.colours[k])));
-  document.getElementById("table").innerHTML = "<tr><th>measure<th>here<th>good</tr>" + d.measures.map(
-    ([name, good, values]) => `<tr><td>${name}<td>${values[row].toFixed(2)}<td>${good}</tr>`).join("");
-}
-d.losses.forEach(name => document.getElementById(name).addEventListener("change", draw));
-draw();
-</script>
-"""

@@ -1,6 +1,5 @@
 """One self-contained HTML file that plays clips in any browser: no network, no installation, made without OpenGL."""
 
-import base64
 import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -8,7 +7,6 @@ from string import Template
 from typing import Any
 
 import numpy as np
-import torch
 
 from toolkit.io.files import atomic_write
 from toolkit.motion import Clip
@@ -17,6 +15,7 @@ from toolkit.view import body
 from toolkit.view.character import Character
 from toolkit.view.frontend import embed, escape, static
 from toolkit.view.picture import cast, steady_frames
+from toolkit.view.skin import encoded, tree
 
 UNIT = 32767  # int16 steps of a quaternion's component
 
@@ -89,17 +88,17 @@ def pack(clip: Clip, text: str, contacts: np.ndarray | None = None, weights: Map
         columns = [np.asarray(w, dtype=np.float64) for w in weights.values()]
         if any(c.shape != (len(clip),) for c in columns):
             raise ValueError(f"style weights must be [{len(clip)}] each; got {[list(c.shape) for c in columns]}")
-        styles = {"names": list(weights), "weights": _base64(np.clip(np.stack(columns, 1), 0, 1) * 255, np.uint8)}
+        styles = {"names": list(weights), "weights": encoded(np.clip(np.stack(columns, 1), 0, 1) * 255, "u1")}
     return {
         "label": text,
         "fps": clip.fps,
         "frames": len(clip),
         "facing": float(steady_frames(clip, 0.5)[1][0]),
-        "skeleton": skeleton_data(clip) if character is None else tree(clip) | {"mesh": character.packed()},
+        "skeleton": skeleton_data(clip) if character is None else tree(clip.skeleton) | {"mesh": character.packed()},
         "joints": joints,
-        "root": _base64(clip.root_positions.numpy(), np.float32),
-        "rotations": _base64(rotations.numpy() * UNIT, np.int16),
-        "contacts": None if contacts is None else _base64(contacts > 0.5, np.uint8),
+        "root": encoded(clip.root_positions, "<f4"),
+        "rotations": encoded(rotations * UNIT, "<i2"),
+        "contacts": None if contacts is None else encoded(contacts > 0.5, "u1"),
         "styles": styles,
     }
 
@@ -111,26 +110,5 @@ def skeleton_data(clip: Clip, character: Character | None = None, *, vertices: i
     joints (``scene/figure.js``).
     """
     if character is not None:
-        return tree(clip) | {"mesh": character.packed(character.following(clip))}
-    return tree(clip) | {"mesh": body.build(clip, vertices).packed(clip.skeleton)}
-
-
-def tree(clip: Clip) -> dict:
-    """Parents and offsets of a clip's skeleton."""
-    offsets = [[round(x, 6) for x in offset] for offset in clip.skeleton.offsets.tolist()]
-    return {"parents": list(clip.skeleton.parents), "offsets": offsets}
-
-
-def unpack(packed: Mapping, clip: Clip) -> Clip:
-    """The clip in packed data, on the skeleton of ``clip``: inverse of `pack` up to its rounding."""
-    rotations = R.identity(packed["frames"], len(clip.skeleton))
-    values = np.frombuffer(base64.b64decode(packed["rotations"]), np.int16).reshape(packed["frames"], -1, 4)
-    rotations[:, packed["joints"]] = R.normalize(torch.from_numpy(values / UNIT).float())
-    root = np.frombuffer(base64.b64decode(packed["root"]), np.float32).reshape(-1, 3)
-    return clip.replace(rotations=rotations, root_positions=torch.from_numpy(root.copy()), fps=packed["fps"])
-
-
-def _base64(values, dtype: type) -> str:
-    values = np.asarray(values)
-    values = values.round() if np.issubdtype(dtype, np.integer) else values
-    return base64.b64encode(np.ascontiguousarray(values, dtype=dtype).tobytes()).decode("ascii")
+        return tree(clip.skeleton) | {"mesh": character.packed(character.following(clip))}
+    return tree(clip.skeleton) | {"mesh": body.build(clip, vertices).packed(clip.skeleton)}

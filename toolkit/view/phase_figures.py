@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Mapping
-from typing import Literal
 
 import numpy as np
 import plotly.graph_objects as go
@@ -18,12 +17,10 @@ from toolkit.view import body
 from toolkit.view.body import COLORS, CONTACT
 from toolkit.view.figures import GRID, INK, LAYOUT, QUIET, colours, finish
 from toolkit.view.frontend import escape
-from toolkit.view.opengl import INSTALL, opengl_works
 from toolkit.view.picture import per_clip
 
 HUES = [[0.0, "#7b68c4"], [0.25, "#2fa596"], [0.5, "#e3c15a"], [0.75, "#d6598b"], [1.0, "#7b68c4"]]  # 0 and 2 pi alike
 AXIS, SIDE = "#7b3fb5", 0.34  # colour of a principal axis, metres along the edge of its plane
-Backend = Literal["plotly", "pyvista"]
 
 
 def phase_figure(clip: Clip, phases: ph.Phases, contacts=None, truth=None, *, start: float = 0.0, stop: float | None = None,
@@ -55,7 +52,7 @@ def phase_figure(clip: Clip, phases: ph.Phases, contacts=None, truth=None, *, st
         fields["truth"] = np.asarray(truth, dtype=np.float64)
     if bad := [f"{name} {list(a.shape)}" for name, a in fields.items() if a.shape[:2] != (len(clip), 4)]:
         raise ValueError(f"phases must be [{len(clip)}, 4]; got {', '.join(bad)}")
-    (stands,) = per_clip("contacts", contacts, [clip], 2)
+    (stands,) = per_clip(contacts, [clip])
     first = round(start * clip.fps)
     last = len(clip) if stop is None else min(round(stop * clip.fps), len(clip))
     if not 0 <= first < last:
@@ -102,7 +99,7 @@ def phase_figure(clip: Clip, phases: ph.Phases, contacts=None, truth=None, *, st
 
 
 def principal_axes(clip: Clip, source: str | ph.Hybrid | ph.ContactFree = "hybrid", *, second: float | None = None,
-                   backend: Backend = "plotly", title: str = ""):
+                   title: str = "") -> go.Figure:
     """The body at one moment, and for each limb that is measured contact-free: its path, principal axis and plane.
 
     The path is that of the whole clip in the hips' frame, drawn at the hips of this moment. The source is the distance from
@@ -117,18 +114,14 @@ def principal_axes(clip: Clip, source: str | ph.Hybrid | ph.ContactFree = "hybri
         whose axes are used if it is fitted, and else computed from the clip.
     second
         The moment; by default the middle.
-    backend, title
-        "plotly" gives a `plotly.graph_objects.Figure` with the heading, "pyvista" a `pyvista.Plotter` (off screen) to
-        ``show()`` or to take a ``screenshot(path)`` of.
+    title
+        The heading.
 
     Raises
     ------
     ValueError
-        If the source has no principal axes, the clip has no such moment, or the backend is unknown.
-    RuntimeError
-        If pyvista finds no OpenGL.
+        If the source has no principal axes, or the clip has no such moment.
     """
-    _check(backend)
     source = ph.named(source) if isinstance(source, str) else source
     hybrid = isinstance(source, ph.Hybrid)
     free = source.contact_free if hybrid else source
@@ -141,12 +134,12 @@ def principal_axes(clip: Clip, source: str | ph.Hybrid | ph.ContactFree = "hybri
     hips = clip.skeleton.role("hips")
     turn, place = clip.global_rotations[frame, hips], clip.global_positions[frame, hips]
     parts = []
-    for limb in [limb for limb in ph.LIMBS if not hybrid or source.choice(clip, limb) == "contact-free"]:
+    for limb, color in zip(ph.LIMBS, colours(5)[1:], strict=True):  # the first is nearly that of the axes
+        if hybrid and source.choice(clip, limb) != "contact-free":
+            continue
         path = R.rotate(turn, ph.local_positions(clip, limb)) + place
         arrow, plane = _arrow_and_plane(path.mean(0).numpy(), R.rotate(turn, axes[limb].float()).numpy())
-        parts.append((limb.replace("_", " "), COLORS[limb.split("_")[0]], path.numpy(), arrow, plane))
-    if backend == "pyvista":
-        return _axes_pyvista(clip, frame, parts)
+        parts.append((limb.replace("_", " "), color, path.numpy(), arrow, plane))
     mannequin = body.build(clip)
     vertices, _ = mannequin.skin.pose(clip.global_rotations[frame], clip.global_positions[frame])
     i, j, k = mannequin.skin.triangles.T
@@ -169,9 +162,8 @@ def principal_axes(clip: Clip, source: str | ph.Hybrid | ph.ContactFree = "hybri
                                 scene={"aspectmode": "data", "camera": camera} | hidden)
 
 
-def phase_manifold(phases: Mapping[str, ph.Phases], fps: float = 60.0, *, window: float = 1.0, backend: Backend = "plotly",
-                   title: str = ""):
-    """Paths of styles through the space of phase vectors, along its principal components: a cycle is a loop.
+def phase_manifold(phases: Mapping[str, ph.Phases], fps: float = 60.0, *, window: float = 1.0, title: str = "") -> go.Figure:
+    """Paths of styles through the space of phase vectors, along its first two principal components: a cycle is a loop.
 
     A panel for each style, with all the others in grey.
 
@@ -181,31 +173,26 @@ def phase_manifold(phases: Mapping[str, ph.Phases], fps: float = 60.0, *, window
         Phases of each style, and the frames per second of all.
     window
         Seconds: a point is all the phase vectors of so long a stretch; 0 for those of one frame.
-    backend, title
-        As in `principal_axes`; plotly shows two components, pyvista three.
+    title
+        The heading.
 
     Raises
     ------
     ValueError
-        If there is no style, a clip is shorter than the window, or the backend is unknown.
-    RuntimeError
-        If pyvista finds no OpenGL.
+        If there is no style, or a clip is shorter than the window.
     """
-    _check(backend)
     size = round(window * fps) + 1
     short = [style for style, found in phases.items() if len(found.vector) < size + 2]
     if not phases or short:
         raise ValueError(f"a phase manifold needs styles with {size + 2} frames or more; too short: {short or 'no style'}")
     points = {style: found.vector.flatten(1).unfold(0, size, 1).flatten(1).numpy() for style, found in phases.items()}
-    pca = PCA(3).fit(np.concatenate(list(points.values())))
+    pca = PCA(2).fit(np.concatenate(list(points.values())))
     paths = {style: pca.transform(p) for style, p in points.items()}
-    if backend == "pyvista":
-        return _manifold_pyvista(paths)
     columns = min(len(paths), 3)
     rows = math.ceil(len(paths) / columns)
     figure = make_subplots(rows, columns, subplot_titles=[escape(style) for style in paths], shared_xaxes="all",
                            shared_yaxes="all", horizontal_spacing=0.02, vertical_spacing=0.08)
-    grey = np.concatenate([np.append(p[:, :2], [[np.nan, np.nan]], 0) for p in paths.values()])
+    grey = np.concatenate([np.append(p, [[np.nan, np.nan]], 0) for p in paths.values()])
     for i, ((style, path), colour) in enumerate(zip(paths.items(), colours(len(paths)), strict=True)):
         cell = {"row": i // columns + 1, "col": i % columns + 1}
         figure.add_scatter(x=grey[:, 0], y=grey[:, 1], mode="lines", hoverinfo="skip", **cell,
@@ -216,16 +203,9 @@ def phase_manifold(phases: Mapping[str, ph.Phases], fps: float = 60.0, *, window
                            hovertemplate="<b>%{fullData.name}</b> %{customdata:.2f} s<extra></extra>")
     figure.update_xaxes(showticklabels=False, showgrid=False, zeroline=False)
     figure.update_yaxes(showticklabels=False, showgrid=False, zeroline=False, scaleanchor="x")
-    first, second, _ = pca.explained_variance_ratio_
+    first, second = pca.explained_variance_ratio_
     title = escape(f"{title or 'Phase manifold'}: two components, {first:.0%} and {second:.0%} of the variance")
     return figure.update_layout(**LAYOUT, title=title, height=80 + 330 * rows, showlegend=False).update_layout(margin_t=84)
-
-
-def _check(backend: str) -> None:
-    if backend not in ("plotly", "pyvista"):
-        raise ValueError(f"the backend must be 'plotly' or 'pyvista', not {backend!r}")
-    if backend == "pyvista" and not opengl_works():
-        raise RuntimeError(f"pyvista finds no OpenGL here; take backend='plotly', or on Debian or Ubuntu: {INSTALL}")
 
 
 def _arrow_and_plane(centre: np.ndarray, axis: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -239,33 +219,3 @@ def _arrow_and_plane(centre: np.ndarray, axis: np.ndarray) -> tuple[np.ndarray, 
 
 def _xyz(points: np.ndarray) -> dict[str, np.ndarray]:
     return dict(zip("xyz", points.T, strict=True))
-
-
-def _axes_pyvista(clip: Clip, frame: int, parts: list[tuple]):
-    import pyvista as pv
-
-    from toolkit.view.renderers import Character, PyvistaRenderer
-
-    scene = PyvistaRenderer([Character(clip)], (900, 900))
-    ahead = R.rotate(root_frames(clip).rotations[frame], torch.tensor([0.0, 0.0, 1.0]))
-    scene.facing, scene.distance, scene.shown = math.atan2(ahead[0], ahead[2]), 4.2, set()
-    add = scene.plotter.add_mesh
-    for _, color, path, (tail, head), plane in parts:
-        add(pv.lines_from_points(path), color=color, line_width=3, lighting=False)
-        arrow = pv.Arrow(start=tail, direction=head - tail, scale="auto", shaft_radius=0.03, tip_radius=0.09)
-        add(arrow, color=AXIS, lighting=False)
-        add(pv.PolyData(plane, faces=[4, 0, 1, 2, 3]), color=AXIS, opacity=0.25, lighting=False)
-    scene.draw([frame])
-    return scene.plotter
-
-
-def _manifold_pyvista(paths: dict[str, np.ndarray]):
-    import pyvista as pv
-
-    plotter = pv.Plotter(off_screen=True, window_size=(900, 800))
-    plotter.set_background(LAYOUT["paper_bgcolor"])
-    reach = max(float(np.abs(path).max()) for path in paths.values())
-    for (style, path), colour in zip(paths.items(), colours(len(paths)), strict=True):
-        plotter.add_mesh(pv.lines_from_points(path).tube(radius=0.008 * reach), color=colour, label=style)
-    plotter.add_legend(bcolor=None, face="rectangle")
-    return plotter

@@ -33,7 +33,7 @@ class Picture(Figure):
 
 def strip(clips: Clip | Sequence[Clip], path: str | os.PathLike | None = None, *, frames: int = 8,
           labels: Sequence[str] | None = None, start: float = 0.0, stop: float | None = None, view: float = 60.0,
-          elevation: float = 9.0, contacts=None, title: str = "", width: float = 12.0,
+          elevation: float = 9.0, contacts=None, width: float = 12.0,
           dpi: int = 150, character: str | os.PathLike | Character | None = None) -> Figure:
     """Picture of one or more motions, a row each, time from left to right.
 
@@ -45,8 +45,8 @@ def strip(clips: Clip | Sequence[Clip], path: str | os.PathLike | None = None, *
         PNG file to write (any format matplotlib knows).
     frames, start, stop
         Poses per row; the seconds of the clips that are shown (default: all).
-    title, width, dpi
-        Text above the picture; inches and pixels per inch.
+    width, dpi
+        Inches, and pixels per inch.
 
     Raises
     ------
@@ -69,11 +69,9 @@ def strip(clips: Clip | Sequence[Clip], path: str | os.PathLike | None = None, *
     scale, room = 2 * dpi * width / (spacing * frames), max(0.2, 0.34 * spacing * frames / width)  # for the label
     images = [_row(shot, spacing, scale, shot.top + room) for shot in shots]
     heights = [image.shape[0] / (2 * dpi) for image in images]
-    figure = Picture(figsize=(width, sum(heights) + (0.42 if title else 0.0)), dpi=dpi, facecolor=PAPER)
+    total = sum(heights)
+    figure = Picture(figsize=(width, total), dpi=dpi, facecolor=PAPER)
     FigureCanvasAgg(figure)
-    total = figure.get_figheight()
-    if title:
-        figure.text(0.2 / width, 1 - 0.23 / total, title, size=13, weight="bold", color=INK, va="center", parse_math=False)
     for i, (image, text, shot) in enumerate(zip(images, labels, shots, strict=True)):
         axes = figure.add_axes((0, sum(heights[i + 1 :]) / total, 1, heights[i] / total))
         axes.imshow(image, extent=(0, width, 0, heights[i]), aspect="auto", interpolation="antialiased")
@@ -115,12 +113,15 @@ class Shot:
         self.camera, self.tilt = orbit(azimuth, elevation), orbit(0.0, elevation)
         self.contacts = None if contacts is None else contacts[frames] > 0.5
         self.path = path[frames]
-        ends = self.body.flesh(clip.global_rotations[frames], clip.global_positions[frames])
-        self.ends = (ends - self.path[:, None, None]) @ self.camera.swapaxes(-1, -2)[..., None, :, :]
-        self.low, self.high = (f(self.ends, (0, 1, 2)) for f in (np.min, np.max))
-        thick = self.body.radii.max()
-        self.low, self.high = self.low - thick, self.high + thick
+        seen = [self._seen(k)[0] for k in range(len(frames))]
+        self.low, self.high = np.min([x.min(0) for x in seen], 0), np.max([x.max(0) for x in seen], 0)
         self.reach, self.top = max(-self.low[0], self.high[0]), self.high[1]
+
+    def _seen(self, k: int) -> tuple[np.ndarray, np.ndarray]:
+        """Vertices and normals [V, 3] of one of the frames in camera space."""
+        frame, camera = self.frames[k], self.camera[k] if self.camera.ndim == 3 else self.camera
+        points, normals = self.skin.pose(self.clip.global_rotations[frame], self.clip.global_positions[frame])
+        return (points - self.path[k]) @ camera.T, normals @ camera.T
 
     def draw(self, canvas: Canvas, k: int, lamp: Sequence[float], shift: float = 0.0,
              colors: np.ndarray | None = None) -> None:
@@ -128,13 +129,10 @@ class Shot:
 
         ``colors`` [V, 3] of the vertices may be others than the body's.
         """
-        frame, camera, right = self.frames[k], self.camera[k] if self.camera.ndim == 3 else self.camera, (shift, 0, 0)
-        points, normals = self.skin.pose(self.clip.global_rotations[frame], self.clip.global_positions[frame])
-        colors = self.own if colors is None else colors
+        right, (points, normals), colors = (shift, 0, 0), self._seen(k), self.own if colors is None else colors
         if colors is None:
             colors = self.body.colors(None if self.contacts is None else self.contacts[k])
-        canvas.draw((points - self.path[k]) @ camera.T + right, normals @ camera.T, self.skin.triangles, colors)
-        canvas.shadow(self.ends[k] + right, self.body.radii, self.tilt @ np.array(lamp), right)
+        canvas.draw(points + right, normals, self.skin.triangles, colors, self.tilt @ np.array(lamp), right)
 
 
 def cast(clips: Clip | Sequence[Clip], labels: Sequence[str] | None, contacts,
@@ -144,19 +142,17 @@ def cast(clips: Clip | Sequence[Clip], labels: Sequence[str] | None, contacts,
     labels = [" ".join(x for x in (c.style, c.gait) if x) or c.name for c in clips] if labels is None else list(labels)
     if not clips or len(labels) != len(clips):
         raise ValueError(f"expected clips and a label per clip; got {len(clips)} clips, {len(labels)} labels")
-    contacts = per_clip("contacts", contacts, clips, 2)
-    return clips if figure is None else [figure.fitted(clip) for clip in clips], labels, contacts
+    return clips if figure is None else [figure.fitted(clip) for clip in clips], labels, per_clip(contacts, clips)
 
 
-def per_clip(name: str, values, clips: Sequence[Clip], *shape: int) -> list[np.ndarray | None]:
-    """An array ``[F, *shape]`` or None for each clip, from one of them or a list; a ValueError if they do not fit."""
-    values = [None] * len(clips) if values is None else values if isinstance(values, list | tuple) else [values]
-    values = [None if v is None else np.asarray(getattr(v, "vector", v), dtype=np.float32) for v in values]
-    shapes = [None if v is None else v.shape for v in values]
-    if len(values) != len(clips) or any(s not in (None, (len(c), *shape)) for s, c in zip(shapes, clips, strict=True)):
-        raise ValueError(f"{name} must be [F, {', '.join(map(str, shape))}] for each clip of {[len(c) for c in clips]} "
-                         f"frames; got {shapes}")
-    return values
+def per_clip(contacts, clips: Sequence[Clip]) -> list[np.ndarray | None]:
+    """Contacts ``[F, 2]`` or None of each clip, from an array or a list of them; a ValueError if they do not fit."""
+    contacts = [None] * len(clips) if contacts is None else contacts if isinstance(contacts, list | tuple) else [contacts]
+    contacts = [None if feet is None else np.asarray(feet, dtype=np.float32) for feet in contacts]
+    shapes, lengths = [None if feet is None else feet.shape for feet in contacts], [len(clip) for clip in clips]
+    if len(shapes) != len(clips) or any(s not in (None, (n, 2)) for s, n in zip(shapes, lengths, strict=True)):
+        raise ValueError(f"contacts must be [F, 2] for each clip of {lengths} frames; got {shapes}")
+    return contacts
 
 
 def steady_frames(clip: Clip, seconds: float) -> tuple[np.ndarray, np.ndarray]:

@@ -18,24 +18,24 @@ from contextlib import suppress
 import ipywidgets as widgets
 import numpy as np
 from matplotlib.figure import Figure
-from PIL import Image
+from PIL import Image, ImageDraw, ImageFont
 
 from toolkit.motion import Clip
-from toolkit.view import overlay, renderers
+from toolkit.view import renderers
 from toolkit.view.character import Character
 from toolkit.view.frontend import CellWidget, Screen, escape, in_notebook, require_main_thread, running_loop
-from toolkit.view.picture import INK, PAPER, cast, per_clip, strip
+from toolkit.view.picture import INK, PAPER, cast, strip
 
 IDLE = 600.0  # seconds of playback without user input after which it pauses
 RATE = 60.0  # pictures per second at most
 AHEAD = 3  # pictures that may be unanswered during playback
 REST = 0.25  # seconds of pause before the picture is drawn again with smooth edges
 PATIENCE = 2.0  # seconds after which the next picture is drawn without an answer
-SWITCHES = {"path": "Path", "contacts": "Contacts", "trajectory": "Trajectory", "phases": "Phases"}
+SWITCHES = {"path": "Path", "contacts": "Contacts", "trajectory": "Trajectory"}
 
 
-def play(clips: Clip | Sequence[Clip], *, labels: Sequence[str] | None = None, contacts=None, phases=None,
-         together: bool = False, size: tuple[int, int] = (640, 480), playing: bool = False,
+def play(clips: Clip | Sequence[Clip], *, labels: Sequence[str] | None = None, contacts=None,
+         size: tuple[int, int] = (640, 480), playing: bool = False,
          character: str | os.PathLike | Character | None = None) -> "Player | Figure":
     """Play one clip or several in a notebook, side by side. Outside of notebooks, return a picture strip.
 
@@ -47,10 +47,6 @@ def play(clips: Clip | Sequence[Clip], *, labels: Sequence[str] | None = None, c
         Names of the clips; by default style and gait, else the clip's name.
     contacts
         Foot contacts [F, 2] (right, left), above one half where a foot stands, or one array (or None) per clip.
-    phases
-        Local phases, `toolkit.phases.Phases` or vectors [F, 4, 2], or one (or None) per clip; shown as a dial per limb.
-    together
-        Show the clips in one scene, each in its place, instead of side by side.
     size, playing
         Pixels of the picture, width and height; whether to start at once.
     character
@@ -60,12 +56,11 @@ def play(clips: Clip | Sequence[Clip], *, labels: Sequence[str] | None = None, c
     Raises
     ------
     ValueError
-        If there is no clip, or labels, contacts or phases do not fit the clips.
+        If there is no clip, or labels or contacts do not fit the clips.
     """
     if not in_notebook():
         return strip(clips, contacts=contacts, labels=labels, character=character)
-    return Player(clips, labels=labels, contacts=contacts, phases=phases, together=together, size=size, playing=playing,
-                  character=character)
+    return Player(clips, labels=labels, contacts=contacts, size=size, playing=playing, character=character)
 
 
 class Player(CellWidget, widgets.VBox):
@@ -85,16 +80,17 @@ class Player(CellWidget, widgets.VBox):
 
     _current: "Player | None" = None
 
-    def __init__(self, clips: Clip | Sequence[Clip], *, labels: Sequence[str] | None = None, contacts=None, phases=None,
-                 together: bool = False, size: tuple[int, int] = (640, 480), playing: bool = False,
+    def __init__(self, clips: Clip | Sequence[Clip], *, labels: Sequence[str] | None = None, contacts=None,
+                 size: tuple[int, int] = (640, 480), playing: bool = False,
                  character: str | os.PathLike | Character | None = None):
         require_main_thread()
         self._figure = Character.of(character)
         self.rate = RATE
-        self._size, self._together = size, together
+        self._size = size
         self._scenes: list[renderers.PyvistaRenderer | renderers.SoftwareRenderer] = []
         self._frame, self._stale, self._fine, self._touched = 0.0, False, False, time.monotonic()
         self._wake = self._task = None
+        self._font = ImageFont.load_default(15)
         self.image = Screen(size)
         self.image.observe(lambda _change: self._notify(), "seen")
         self._title = widgets.HTML()
@@ -119,7 +115,7 @@ class Player(CellWidget, widgets.VBox):
             widgets.HBox([self._angle, self._distance], **wide),
             widgets.HBox([self._follow, *self._switches.values()]),
         ])
-        self.show(clips, labels=labels, contacts=contacts, phases=phases)
+        self.show(clips, labels=labels, contacts=contacts)
         self._loop = running_loop()
         if self._loop is not None:
             self._wake = asyncio.Event()
@@ -157,30 +153,24 @@ class Player(CellWidget, widgets.VBox):
             raise ValueError(f"{self.clip.name}: frame {frame} is not one of {len(self.clip)}")
         return np.asarray(self._picture(int(frame), fine=True))
 
-    def show(self, clips: Clip | Sequence[Clip], *, labels: Sequence[str] | None = None, contacts=None, phases=None) -> None:
+    def show(self, clips: Clip | Sequence[Clip], *, labels: Sequence[str] | None = None, contacts=None) -> None:
         """Show other clips, from the current frame on if they are long enough; arguments as in `play`."""
         require_main_thread()
-        clips, labels, contacts = cast(clips, labels, contacts)
-        shown = clips if self._figure is None else [self._figure.fitted(clip) for clip in clips]
-        rows = zip(shown, contacts, per_clip("phases", phases, clips, 4, 2), labels, strict=True)
-        characters = [renderers.Character(*row, self._figure) for row in rows]
-        clips = shown
-        casts = [characters] if self._together else [[character] for character in characters]
-        self._columns = len(casts) if len(casts) < 4 else math.ceil(math.sqrt(len(casts)))
-        self._cell = self._size[0] // self._columns, self._size[1] // -(-len(casts) // self._columns)
-        if [scene.size for scene in self._scenes] == [self._cell] * len(casts):
-            for scene, members in zip(self._scenes, casts, strict=True):
-                scene.load(members)
+        self.clips, self._labels, contacts = cast(clips, labels, contacts, self._figure)
+        rows, n = [*zip(self.clips, contacts, strict=True)], len(self.clips)
+        self._columns = n if n < 4 else math.ceil(math.sqrt(n))
+        self._cell = self._size[0] // self._columns, self._size[1] // -(-n // self._columns)
+        if [scene.size for scene in self._scenes] == [self._cell] * n:
+            for scene, row in zip(self._scenes, rows, strict=True):
+                scene.load(*row, self._figure)
         else:
             for scene in self._scenes:
                 scene.close()
-            self._scenes = [renderers.best(members, self._cell) for members in casts]
-        self.clips = clips
-        for kind in ("contacts", "phases"):
-            self._switches[kind].disabled = all(getattr(character, kind) is None for character in characters)
+            self._scenes = [renderers.best(self._cell, *row, self._figure) for row in rows]
+        self._switches["contacts"].disabled = all(feet is None for feet in contacts)
         self._frame = self._frame % len(self.clip)
         self._slider.value, self._slider.max = self.frame, len(self.clip) - 1
-        names = ", ".join(map(escape, labels))
+        names = ", ".join(map(escape, self._labels))
         self._title.value = f"<b>{names}</b> &nbsp;{self.clip.seconds:.1f} s at {self.clip.fps:g} Hz"
         self._show()
 
@@ -227,21 +217,17 @@ class Player(CellWidget, widgets.VBox):
             self._show()
 
     def _picture(self, frame: int, fine: bool) -> Image.Image:
-        """All cells with their overlays (main thread)."""
+        """All cells with their labels (main thread)."""
         sheet, seconds = Image.new("RGB", self._size, PAPER), frame / self.clip.fps
         shown = {kind for kind, switch in self._switches.items() if switch.value}
-        for i, scene in enumerate(self._scenes):
+        for i, (scene, label) in enumerate(zip(self._scenes, self._labels, strict=True)):
             scene.angle, scene.distance = self._angle.value, self._distance.value
             scene.follow, scene.shown = self._follow.value, shown
-            members = scene.characters
-            at = [frame if one.clip is self.clip else round(seconds * one.clip.fps) % len(one.clip) for one in members]
-            corner = i % self._columns * self._cell[0], i // self._columns * self._cell[1]
-            sheet.paste(Image.fromarray(scene.draw(at, fine=fine)), corner)
-            labels = [(one.label if len(self.clips) > 1 else "", scene.color(k) if len(members) > 1 else INK)
-                      for k, one in enumerate(members)]
-            phases = [one.phases[f] if one.phases is not None and "phases" in shown else None
-                      for one, f in zip(members, at, strict=True)]
-            overlay.write(sheet, (*corner, *self._cell), labels, phases)
+            at = frame if scene.clip is self.clip else round(seconds * scene.clip.fps) % len(scene.clip)
+            x, y = i % self._columns * self._cell[0], i // self._columns * self._cell[1]
+            sheet.paste(Image.fromarray(scene.draw(at, fine=fine)), (x, y))
+            if len(self.clips) > 1:
+                ImageDraw.Draw(sheet).text((x + 10, y + 6), label, INK, self._font)
         return sheet
 
     def _show(self, *, fine: bool = False) -> None:

@@ -3,9 +3,6 @@
 VTK must only be used from the main thread; `toolkit.view.player` takes care of that.
 """
 
-from collections.abc import Sequence
-from dataclasses import dataclass
-
 import numpy as np
 import torch
 from matplotlib.colors import to_rgb
@@ -15,7 +12,7 @@ from toolkit.motion import Clip
 from toolkit.motion import rotations as R
 from toolkit.view import body, floor
 from toolkit.view.canvas import Canvas, orbit
-from toolkit.view.character import Character as Figure
+from toolkit.view.character import Character
 from toolkit.view.opengl import explain_missing_opengl, opengl_works
 from toolkit.view.picture import steady_frames
 
@@ -24,59 +21,46 @@ LIGHT = torch.tensor([-0.08, 1.0, 0.51])  # towards the lamp, facing +Z
 # linear light: the browser's sun of 1.5 and hemisphere of 2.25 over π, in their colours (scene/scene.js)
 SUN, SKY, GROUND = np.float32([[0.477, 0.467, 0.445], [0.716, 0.716, 0.716], [0.493, 0.468, 0.427]])
 TILT = 0.2  # the camera looks down, radians
-TINT = 0.55  # share of its own colour in the trunk of each of several characters in one scene
 
 
-@dataclass(frozen=True, eq=False)
-class Character:
-    """A clip to draw and what is shown with it."""
-
-    clip: Clip
-    contacts: np.ndarray | None = None  # [F, 2] right, left, above one half where a foot stands
-    phases: np.ndarray | None = None  # [F, 4, 2] (sin, cos) of left hand, right hand, left foot, right foot
-    label: str = ""
-    figure: Figure | None = None  # drawn in place of the mannequin; the clip is on its rig
-
-
-def best(characters: Sequence[Character], size: tuple[int, int]) -> "PyvistaRenderer | SoftwareRenderer":
-    """The best renderer that works here."""
+def best(size: tuple[int, int], clip: Clip, contacts: np.ndarray | None = None,
+         figure: Character | None = None) -> "PyvistaRenderer | SoftwareRenderer":
+    """The best renderer that works here, of a clip."""
     if opengl_works():
-        return PyvistaRenderer(characters, size)
+        return PyvistaRenderer(size, clip, contacts, figure)
     explain_missing_opengl()
-    return SoftwareRenderer(characters, size)
+    return SoftwareRenderer(size, clip, contacts, figure)
 
 
 class Scene:
-    """Characters in one scene and the camera, for any renderer."""
+    """A clip and the camera, for any renderer.
 
-    def __init__(self, characters: Sequence[Character], size: tuple[int, int]):
+    ``contacts`` [F, 2] are of the right and the left foot. A ``figure``, on whose rig the clip is, is drawn in place of the
+    mannequin.
+    """
+
+    def __init__(self, size: tuple[int, int], clip: Clip, contacts: np.ndarray | None = None,
+                 figure: Character | None = None):
         self.size = size
-        self.angle, self.distance = -50.0, 3.8  # the camera's: degrees from where the first body faces at first, metres
-        self.follow = True  # whether the camera follows the characters
+        self.angle, self.distance = -50.0, 3.8  # the camera's: degrees from where the body faces at first, metres
+        self.follow = True  # whether the camera follows the body
         self.shown = {"path", "contacts"}  # kinds of layers on the floor; contacts also colour the standing feet
-        self.load(characters)
+        self.load(clip, contacts, figure)
 
-    def load(self, characters: Sequence[Character]) -> None:
-        """Show other characters."""
-        self.characters = list(characters)
-        clips = [character.clip for character in characters]
-        self.bodies = [body.build(one.clip) if one.figure is None else None for one in characters]
-        self.skins = [one.figure.skin if mannequin is None else mannequin.skin
-                      for one, mannequin in zip(self.characters, self.bodies, strict=True)]
-        self.paths, facings = zip(*(steady_frames(clip, 0.8) for clip in clips), strict=True)
-        self.facing = float(facings[0][0])
+    def load(self, clip: Clip, contacts: np.ndarray | None = None, figure: Character | None = None) -> None:
+        """Show another clip."""
+        self.clip, self.contacts, self.figure = clip, contacts, figure
+        self.body = body.build(clip) if figure is None else None
+        self.skin = figure.skin if self.body is None else self.body.skin
+        self.path, facing = steady_frames(clip, 0.8)
+        self.facing = float(facing[0])
         self.light = R.rotate(R.yaw(torch.tensor(self.facing)), LIGHT).numpy()  # towards the lamp
-        self.height = 0.54 * max(float(clip.global_positions[0, :, 1].max()) for clip in clips)
-        self.layers = [floor.layers(one.clip, one.contacts, self.color(i)) for i, one in enumerate(characters)]
+        self.height = 0.54 * float(clip.global_positions[0, :, 1].max())
+        self.layers = sorted(floor.layers(clip, contacts), key=lambda layer: layer.height)
 
-    def color(self, character: int) -> str:
-        """Colour that tells a character from the others in the scene."""
-        return body.PALETTE[character % len(body.PALETTE)]
-
-    def meshes(self, frames: Sequence[int]) -> list[tuple[np.ndarray, np.ndarray]]:
-        """Vertices and normals [V, 3] of every character."""
-        return [skin.pose(one.clip.global_rotations[frame], one.clip.global_positions[frame])
-                for one, skin, frame in zip(self.characters, self.skins, frames, strict=True)]
+    def mesh(self, frame: int) -> tuple[np.ndarray, np.ndarray]:
+        """Vertices and normals [V, 3]."""
+        return self.skin.pose(self.clip.global_rotations[frame], self.clip.global_positions[frame])
 
     def lit(self, normals: np.ndarray, tones: np.ndarray) -> np.ndarray:
         """Colour [V, 3] uint8 of vertices with ``tones`` [V, 3]: matt, lit by sky, floor and one lamp, as in a page."""
@@ -85,28 +69,20 @@ class Scene:
         linear = (tones**2.2).astype(np.float32) * (GROUND + up * (SKY - GROUND) + lamp * SUN)
         return (255 * np.clip(linear, 0, 1) ** np.float32(1 / 2.2)).astype(np.uint8)
 
-    def colors(self, frames: Sequence[int]) -> list[np.ndarray]:
-        """Colours [V, 3] of every character's vertices: standing feet have their own, and so have trunks of several."""
-        found, middle = [], np.array(to_rgb(body.COLORS["middle"]))
-        for i, (one, mannequin, frame) in enumerate(zip(self.characters, self.bodies, frames, strict=True)):
-            on = one.contacts is not None and "contacts" in self.shown
-            tint = middle + TINT * (np.array(to_rgb(self.color(i))) - middle) if len(self.characters) > 1 else None
-            found.append(one.figure.mesh.colors / 255 if mannequin is None
-                         else mannequin.colors(one.contacts[frame] > 0.5 if on else None, tint))
-        return found
+    def colors(self, frame: int) -> np.ndarray:
+        """Colours [V, 3] of the vertices: standing feet have their own."""
+        if self.body is None:
+            return self.figure.mesh.colors / 255
+        on = self.contacts is not None and "contacts" in self.shown
+        return self.body.colors(self.contacts[frame] > 0.5 if on else None)
 
-    def marks(self, frames: Sequence[int]) -> list[tuple[floor.Layer, np.ndarray]]:
-        """Layers on the floor, the lower ones first, with their corners [V, 2]; those of a hidden layer are one point."""
-        found = [(layer, layer.corners(frame) * (layer.kind in self.shown))
-                 for layers, frame in zip(self.layers, frames, strict=True) for layer in layers]
-        return sorted(found, key=lambda mark: mark[0].height)
+    def marks(self, frame: int) -> list[np.ndarray]:
+        """Corners [V, 2] of the layers on the floor, the lower ones first; those of a hidden layer are one point."""
+        return [layer.corners(frame) * (layer.kind in self.shown) for layer in self.layers]
 
-    def look(self, frames: Sequence[int]) -> tuple[np.ndarray, float, float]:
-        """The point on the floor that the camera looks at, its distance, which keeps all in view, and its azimuth."""
-        at = [path[frame if self.follow else len(path) // 2] for path, frame in zip(self.paths, frames, strict=True)]
-        centre = np.mean(at, 0)
-        distance = self.distance + 1.6 * float(np.linalg.norm(at - centre, axis=1).max())
-        return centre, distance, self.facing + np.radians(self.angle)
+    def look(self, frame: int) -> tuple[np.ndarray, float]:
+        """The point on the floor that the camera looks at, and its azimuth."""
+        return self.path[frame if self.follow else len(self.path) // 2], self.facing + np.radians(self.angle)
 
     def close(self) -> None:
         """Free the window, where there is one."""
@@ -115,7 +91,7 @@ class Scene:
 class PyvistaRenderer(Scene):
     """pyvista without multi-sampling and lights, its slowest parts: light is per vertex, the shadow a flat body."""
 
-    def __init__(self, characters: Sequence[Character], size: tuple[int, int]):
+    def __init__(self, size: tuple[int, int], *shown):
         import pyvista as pv
         from vtkmodules.util.numpy_support import numpy_to_vtk
 
@@ -127,29 +103,28 @@ class PyvistaRenderer(Scene):
         self.plotter.camera.SetViewUp(0, 1, 0)
         self.plotter.camera.SetViewAngle(32)
         self.grid = self._add(self._grid(), "grid", line_width=1)
-        super().__init__(characters, size)
+        super().__init__(size, *shown)
 
     def _add(self, mesh, name: str, **options):
         """Add a mesh with a colour per point, in the place of an older one of that name."""
         return self.plotter.add_mesh(mesh, name=name, scalars="rgb", rgb=True, lighting=False, render=False, **options)
 
-    def load(self, characters: Sequence[Character]) -> None:
-        """Show other characters."""
-        super().load(characters)
+    def load(self, clip: Clip, contacts: np.ndarray | None = None, figure: Character | None = None) -> None:
+        """Show another clip."""
+        super().load(clip, contacts, figure)
         mesh = self.pv.PolyData.from_regular_faces
-        first = np.cumsum([0, *(len(skin.points) for skin in self.skins)])
-        faces = np.concatenate([skin.triangles + k for skin, k in zip(self.skins, first, strict=False)])
-        self.body, self.flat = (mesh(np.zeros((first[-1], 3), np.float32), faces) for _ in range(2))
-        self.body.point_data["rgb"] = np.zeros((self.body.n_points, 3), np.uint8)
-        marks = self.marks([0] * len(self.characters))
-        counts = [len(corners) for _, corners in marks]
+        self.surface, self.flat = (mesh(np.zeros_like(self.skin.points), self.skin.triangles) for _ in range(2))
+        self.surface.point_data["rgb"] = np.zeros((self.surface.n_points, 3), np.uint8)
+        marks = self.marks(0)
+        counts = [len(corners) for corners in marks]
         first = np.cumsum([0, *counts[:-1]])
+        places = [np.insert(flat, 1, layer.height, axis=1) for layer, flat in zip(self.layers, marks, strict=True)]
         self.floor = mesh(
-            np.concatenate([np.insert(corners, 1, layer.height, axis=1) for layer, corners in marks]).astype(np.float32),
-            np.concatenate([layer.triangles + k for (layer, _), k in zip(marks, first, strict=True)]))
-        tones = np.repeat([255 * np.array(to_rgb(layer.color)) for layer, _ in marks], counts, axis=0)
+            np.concatenate(places).astype(np.float32),
+            np.concatenate([layer.triangles + k for layer, k in zip(self.layers, first, strict=True)]))
+        tones = np.repeat([255 * np.array(to_rgb(layer.color)) for layer in self.layers], counts, axis=0)
         self.floor.point_data["rgb"] = tones.astype(np.uint8)
-        self._add(self.body, "body", culling=False if None in self.bodies else "back")
+        self._add(self.surface, "body", culling=False if self.body is None else "back")
         self.plotter.add_mesh(self.flat, name="shadow", color=SHADE, lighting=False, render=False)
         self._add(self.floor, "floor")
 
@@ -164,22 +139,22 @@ class PyvistaRenderer(Scene):
         grid.point_data["rgb"] = (255 * (to_rgb(LINES) * (1 - fade) + to_rgb(BACK) * fade)).astype(np.uint8)
         return grid
 
-    def draw(self, frames: Sequence[int], *, fine: bool = False) -> np.ndarray:
-        """Picture [H, W, 3] uint8 with each character at its frame; ``fine`` with smooth edges, in three times the time."""
-        points, normals = (np.concatenate(part) for part in zip(*self.meshes(frames), strict=True))
-        self.body.points[:] = points
-        self.body.point_data["rgb"][:] = self.lit(normals, np.concatenate(self.colors(frames)))
+    def draw(self, frame: int, *, fine: bool = False) -> np.ndarray:
+        """Picture [H, W, 3] uint8 of a frame; ``fine`` with smooth edges, in three times the time."""
+        points, normals = self.mesh(frame)
+        self.surface.points[:] = points
+        self.surface.point_data["rgb"][:] = self.lit(normals, self.colors(frame))
         self.flat.points[:] = points - points[:, 1:2] * (self.light / self.light[1])
         self.flat.points[:, 1] = 0.003
-        self.floor.points[:, [0, 2]] = np.concatenate([corners for _, corners in self.marks(frames)])
-        for mesh in (self.body, self.flat, self.floor):
+        self.floor.points[:, [0, 2]] = np.concatenate(self.marks(frame))
+        for mesh in (self.surface, self.flat, self.floor):
             mesh.Modified()
             mesh.GetPoints().Modified()
-        self.body.GetPointData().GetScalars().Modified()
-        centre, distance, a = self.look(frames)
+        self.surface.GetPointData().GetScalars().Modified()
+        centre, a = self.look(frame)
         target = centre + np.array([0, self.height, 0])
         camera = self.plotter.camera  # VTK's own methods: pyvista's examine the whole scene each time
-        camera.SetPosition(target + distance * np.array([np.sin(a), TILT, np.cos(a)]))
+        camera.SetPosition(target + self.distance * np.array([np.sin(a), TILT, np.cos(a)]))
         camera.SetFocalPoint(target)
         camera.SetClippingRange(0.2, 60)
         self.grid.SetPosition(np.round(centre))
@@ -203,23 +178,19 @@ class PyvistaRenderer(Scene):
 class SoftwareRenderer(Scene):
     """The software renderer: slower, needs no OpenGL."""
 
-    def draw(self, frames: Sequence[int], *, fine: bool = False) -> np.ndarray:
-        """Picture [H, W, 3] uint8 with each character at its frame; its edges are never smooth."""
+    def draw(self, frame: int, *, fine: bool = False) -> np.ndarray:
+        """Picture [H, W, 3] uint8 of a frame; its edges are never smooth."""
         width, height = self.size
-        centre, distance, a = self.look(frames)
-        camera, metres, middle = orbit(-a, TILT), 0.57 * distance, self.height * np.cos(TILT)  # as high as with pyvista
+        centre, a = self.look(frame)
+        camera, metres, middle = orbit(-a, TILT), 0.57 * self.distance, self.height * np.cos(TILT)  # as high as with pyvista
         window = (-metres * width / height / 2, metres * width / height / 2, middle - metres / 2, middle + metres / 2)
         canvas = Canvas(window, height / metres, camera)
-        meshes, lamp = self.meshes(frames), camera @ self.light
-        for one, mannequin, skin, (points, normals), colors, frame in zip(
-                self.characters, self.bodies, self.skins, meshes, self.colors(frames), frames, strict=True):
-            canvas.draw((points - centre) @ camera.T, normals @ camera.T, skin.triangles, colors)
-            if mannequin is not None:
-                ends = mannequin.flesh(one.clip.global_rotations[frame], one.clip.global_positions[frame])
-                canvas.shadow((ends - centre) @ camera.T, mannequin.radii, lamp)
+        points, normals = self.mesh(frame)
+        canvas.draw((points - centre) @ camera.T, normals @ camera.T, self.skin.triangles, self.colors(frame),
+                    camera @ self.light)
         ground = Image.new("RGB", (canvas.width, canvas.height), BACK)
         draw = ImageDraw.Draw(ground)
-        for layer, corners in self.marks(frames):
+        for layer, corners in zip(self.layers, self.marks(frame), strict=True):
             x, y, _ = camera @ (np.insert(corners, 1, 0.0, axis=1) - centre).T
             pixels = np.stack(((x - window[0]) * canvas.scale, (window[3] - y) * canvas.scale), 1)
             for triangle in pixels[layer.triangles]:

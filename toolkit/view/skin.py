@@ -54,18 +54,29 @@ class Skin:
         shares = np.floor(255 * self.weights + 1e-6).astype(np.uint8)
         shares[np.arange(len(shares)), self.weights.argmax(1)] += (255 - shares.sum(1)).astype(np.uint8)
         low, size = self.points.min(0), np.ptp(self.points, axis=0).clip(1e-9)
-        arrays = {"inverse": (self.inverse, "<f4"), "points": ((self.points - low) / size * 65535 + 0.5, "<u2"),
-                  "normals": ((self.normals * 127).round(), "i1"), "triangles": (self.triangles, "<u2"),
+        arrays = {"inverse": (self.inverse, "<f4"), "points": ((self.points - low) / size * 65535, "<u2"),
+                  "normals": (self.normals * 127, "i1"), "triangles": (self.triangles, "<u2"),
                   "joints": (self.joints, "<u2"), "weights": (shares, "u1"), "colors": (colors, "u1"),
-                  "marks": (np.zeros((0, 4)) if marks is None else (255 * marks).round(), "u1")}
+                  "marks": (np.zeros((0, 4)) if marks is None else 255 * marks, "u1")}
         if len(self.points) > 65535:
             arrays["triangles"] = (self.triangles, "<u4")
         if len(self.inverse) < 256:
             arrays["joints"] = (self.joints, "u1")
-        offsets = [[round(x, 6) for x in offset] for offset in skeleton.offsets.tolist()]
-        return {"parents": list(skeleton.parents), "offsets": offsets, "low": low.tolist(), "size": size.tolist()} | {
-            name: base64.b64encode(np.ascontiguousarray(np.asarray(values).astype(kind)).tobytes()).decode("ascii")
-            for name, (values, kind) in arrays.items()}
+        return tree(skeleton) | {"low": low.tolist(), "size": size.tolist()} | {
+            name: encoded(*array) for name, array in arrays.items()}
+
+
+def tree(skeleton: Skeleton) -> dict:
+    """Parents and offsets of a skeleton, for the browser."""
+    offsets = [[round(x, 6) for x in offset] for offset in skeleton.offsets.tolist()]
+    return {"parents": list(skeleton.parents), "offsets": offsets}
+
+
+def encoded(values, kind: str) -> str:
+    """An array as a page holds it: base64; what becomes whole numbers is rounded."""
+    kind, values = np.dtype(kind), np.asarray(values)
+    values = values.round() if kind.kind in "iu" else values
+    return base64.b64encode(np.ascontiguousarray(values, kind).tobytes()).decode("ascii")
 
 
 def strongest(weights: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

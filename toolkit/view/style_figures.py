@@ -10,7 +10,7 @@ from torch import Tensor
 
 from toolkit.features import Layout
 from toolkit.view.body import COLORS, PALETTE
-from toolkit.view.figures import GRID, INK, LAYOUT, QUIET, finish, style_space
+from toolkit.view.figures import GRID, INK, LAYOUT, QUIET, bones, finish, slider, style_space
 from toolkit.view.frontend import escape
 from toolkit.view.picture import Picture
 
@@ -75,26 +75,21 @@ def line_figure(layout: Layout, poses: Tensor, t: Tensor, measured: Tensor, *, e
         Names of both styles; name of the measure with its unit; the heading.
     """
     t, measured = np.asarray(t, dtype=float), np.asarray(measured, dtype=float)
-    bones = [(p, j) for j, p in enumerate(layout.parents) if p >= 0]
     figure = make_subplots(1, 2, column_widths=[0.4, 0.6], horizontal_spacing=0.12)
     shown = len(t) // 2
     for side in ("left", "right", "middle"):
-        figure.add_scatter(**_body(poses[shown], bones, layout, side), mode="lines", showlegend=False, hoverinfo="skip",
+        figure.add_scatter(**_body(poses[shown], layout, side), mode="lines", showlegend=False, hoverinfo="skip",
                            line={"color": COLORS[side] if side != "middle" else QUIET, "width": 6}, row=1, col=1)
     figure.add_scatter(x=t, y=measured, mode="lines+markers", line={"color": QUIET, "width": 2}, marker={"size": 4},
                        showlegend=False, row=1, col=2, hovertemplate="t = %{x:.2f}: %{y:.3g}<extra></extra>")
     figure.add_scatter(x=t[shown : shown + 1], y=measured[shown : shown + 1], mode="markers", showlegend=False,
                        marker={"size": 15, "color": WHEEL[0]}, row=1, col=2, hoverinfo="skip")
     frames = [go.Frame(name=str(k), traces=[0, 1, 2, 4], data=[
-        *({"type": "scatter", **_body(poses[k], bones, layout, side)} for side in ("left", "right", "middle")),
+        *({"type": "scatter", **_body(poses[k], layout, side)} for side in ("left", "right", "middle")),
         {"type": "scatter", "x": [t[k]], "y": [measured[k]]}]) for k in range(len(t))]
     figure.frames = frames
-    now = {"mode": "immediate", "frame": {"duration": 0, "redraw": False}, "transition": {"duration": 0}}
-    figure.update_layout(sliders=[{
-        "active": shown, "currentvalue": {"prefix": "t = "}, "pad": {"t": 62},
-        "steps": [{"label": f"{value:.2f}", "method": "animate", "args": [[str(k)], now]} for k, value in enumerate(t)]}])
     figure.add_vrect(x0=0, x1=1, fillcolor="#eeebe4", line_width=0, layer="below", row=1, col=2)
-    finish(figure, title, 500, {}, {})
+    finish(figure, title, 500, {}, {}, sliders=[slider([f"{value:.2f}" for value in t], "t = ", shown)])
     figure.update_xaxes(range=[-1.0, 1.0], title="metres, seen from the front", row=1, col=1)
     figure.update_yaxes(range=[-0.1, 2.1], scaleanchor="x", row=1, col=1)
     figure.update_xaxes(title=f"t: 0 is {ends[0]}, 1 is {ends[1]}", row=1, col=2)
@@ -102,17 +97,10 @@ def line_figure(layout: Layout, poses: Tensor, t: Tensor, measured: Tensor, *, e
     return figure
 
 
-def _body(pose: Tensor, bones: Sequence[tuple[int, int]], layout: Layout, side: str) -> dict[str, list]:
-    """Lines of the bones of one side of the body, or of its middle, seen from the front."""
-    x: list = []
-    y: list = []
-    for parent, child in bones:
-        name = layout.names[child].lower()
-        own = next((s for s in ("left", "right") if s in name), "middle")
-        if own == side:
-            x += [-float(pose[parent, 0]), -float(pose[child, 0]), None]
-            y += [float(pose[parent, 1]), float(pose[child, 1]), None]
-    return {"x": x, "y": y}
+def _body(pose: Tensor, layout: Layout, side: str) -> dict[str, np.ndarray]:
+    """The bones of one side of the body, or of its middle, seen from the front: the left side is on the right."""
+    owners = [next((s for s in ("left", "right") if s in name.lower()), "middle") for name in layout.names]
+    return bones([p if own == side else -1 for p, own in zip(layout.parents, owners, strict=True)], pose)
 
 
 def triangle_figure(weights: Tensor, values: Mapping[str, Tensor], corners: Sequence[str]) -> Figure:

@@ -1,6 +1,7 @@
 """Kills, full disks, read-only folders, two processes: afterwards a file is the old one, the new one or absent."""
 
 import contextlib
+import dataclasses
 import os
 import random
 import re
@@ -17,7 +18,15 @@ import torch
 import typer
 from robustness.faults.jobs import Job, ended, files_of, prepare, start
 
-JOBS = "fetch", "preprocess", "train", "export", "stylizer", "style", "shot"
+from experiments.tables import Result
+
+JOBS = {"fetch": "`data fetch` (from a local server)", "preprocess": "`preprocess`", "train": "`train --resume --refit`",
+        "export": "export: `.bvh`, `.html`, `.glb`, `.onnx`, page", "stylizer": "`train-stylizer --resume`",
+        "style": "`style add`", "shot": "`shot`"}
+COLUMNS = {"job": ["job"], "kills": ["kills", 0], "writing": ["while a temporary file existed", 0],
+           "lost": ["old files lost", 0], "half": ["files half-written", 0],
+           "equal": ["result equal to that of an undisturbed run", 0],
+           "faults": ["full disk, read-only folder, two at once"]}
 SMALL = 50_000  # bytes, largest file on the "full" disk
 
 
@@ -41,11 +50,13 @@ def run(
     kills: Annotated[int, typer.Option(min=1, help="Kills of each job, at random times.")] = 50,
     seed: Annotated[int, typer.Option(help="Seed of the times.")] = 0,
     only: Annotated[str | None, typer.Option(help=f"Comma-separated jobs: {', '.join(JOBS)}; default: all.")] = None,
+    store: Annotated[bool, typer.Option("--store", help="Put the rows of these jobs into the result that the documentation "
+                                        "shows.")] = False,
 ) -> None:
     """Files of jobs after kills and other faults, compared with those of undisturbed runs; exit status 1 if they differ."""
     if not hasattr(os, "fork"):
         raise ValueError("this measurement needs a system that can fork: Linux or macOS")
-    chosen = JOBS if only is None else only.split(",")
+    chosen = [*JOBS] if only is None else only.split(",")
     if unknown := [name for name in chosen if name not in JOBS]:
         raise ValueError(f"unknown job {unknown[0]!r}; known: {', '.join(JOBS)}")
     torch.set_num_threads(1)
@@ -54,24 +65,32 @@ def run(
         base = Path(made)
         base.chmod(0o755)
         jobs = [job for job in prepare(base, ends) if job.name in chosen]
+        print("writing: kills while a temporary file existed; lost: missing old files; half: files that are neither the old")
+        print("nor the new one; equal: the next run gives the files of an undisturbed run")
         print(f"{'kill -9':<12}{'kills':>7}{'writing':>9}{'lost':>6}{'half':>6}{'equal':>7}{'s':>6}")
         for job in jobs:
             began, score = time.perf_counter(), killed(job, base, kills, seed)
             print(f"{job.name:<12}{score.kills:>7}{score.writing:>9}{score.lost:>6}{score.half:>6}{score.equal:>7}"
                   f"{time.perf_counter() - began:>6.0f}", flush=True)
-            bad += [] if score.passed else [f"{job.name}: killed"]
-        print("writing: kills while a temporary file existed; lost: missing old files; half: files that are neither the old")
-        print("nor the new one; equal: the next run gives the files of an undisturbed run")
-        print(f"\n{'':<12}{'fault, problem of the files, message':<20}")
-        for job in jobs:
+            wrongs = [] if score.passed else [f"{job.name}: killed"]
             for fault in (full_disk, read_only, two_at_once):
                 said, wrong = fault(job, base)
                 said = (said.splitlines() or [""])[-1].replace(str(base), "…")
                 print(f"{job.name:<12}{fault.__name__.replace('_', ' '):<14}{wrong or 'ok':<12}{said[:150]}", flush=True)
-                bad += [f"{job.name}: {fault.__name__}"] if wrong else []
+                wrongs += [f"{job.name}: {fault.__name__}"] if wrong else []
+            if store:
+                _store({"job": JOBS[job.name], **vars(score), "faults": ", ".join(wrongs) or "ok"}, kills)
+            bad += wrongs
     if bad:
         print(f"FAILED: {', '.join(bad)}")
         raise typer.Exit(1)
+
+
+def _store(row: dict, kills: int) -> None:
+    """Put the row of a job into the stored result."""
+    made = Result.load("faults")
+    rows = [row if old["job"] == row["job"] else old for old in made.rows]
+    dataclasses.replace(made, rows=rows, command=f"python -m experiments faults --kills {kills}").save()
 
 
 def killed(job: Job, base: Path, kills: int, seed: int = 0) -> Score:

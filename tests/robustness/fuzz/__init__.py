@@ -3,6 +3,7 @@
 import contextlib
 import re
 import tempfile
+import time
 import warnings
 from collections import Counter
 from collections.abc import Iterator
@@ -14,10 +15,18 @@ import torch
 import typer
 from robustness.fuzz import targets
 from robustness.fuzz.trials import Reader, trial
-from tqdm import tqdm
 
-SHARES = {"bvh": 0.3, "csv": 0.15, "gltf": 0.12, "fbx": 0.12, "amc": 0.12, "npz": 0.08, "model": 0.06, "store": 0.02,
-          "cli": 0.03, "shot": 0.02}  # share of the inputs by target
+from experiments import tables
+
+TARGETS = {
+    "bvh": "BVH files, and the numbers in them", "csv": "tables of 100STYLE, `labels.csv`", "gltf": "glTF, VRM, meshes",
+    "fbx": "FBX", "amc": "ASF + AMC", "npz": "NumPy motion files",
+    "model": "models, checkpoints, stylizers, recognisers, learned phases, published parameters", "store": "stores",
+    "shot": "files of shots, splits", "cli": "command lines"}
+COLUMNS = {"target": ["target"], "readers": ["readers", 0], "inputs": ["inputs", 0], "read": ["read", 0],
+           "refused": ["refused", 0], "deep": ["past the header", 0], "slowest": ["slowest, s/kB", 3],
+           "memory": ["memory, MB", 0], "failed": ["failed", 0]}
+ROUND = 250  # inputs of a reader before the next one has its turn, so that a run that is stopped tried all of them
 ROOM = 1 << 30  # bytes of additional address space for reading; an input may take 10 times its size and 200 MB of memory
 
 
@@ -33,32 +42,52 @@ class Tally:
     memory: float = 0.0
     failures: dict[str, tuple[int, bytes]] = field(default_factory=dict)
 
+    def row(self) -> dict[str, float]:
+        """The counts by their columns."""
+        return {"inputs": self.inputs, "read": self.accepted, "refused": self.refused.total(), "deep": self.deep,
+                "slowest": self.slowest, "memory": self.memory, "failed": sum(count for count, _ in self.failures.values())}
+
 
 def run(
-    inputs: Annotated[int, typer.Option(min=1, help="Number of all inputs; each target has its share.")] = 1_000_000,
-    target: Annotated[str, typer.Option(help="bvh, csv, gltf, fbx, amc, npz, model, store, cli, shot, or all.")] = "all",
+    inputs: Annotated[int, typer.Option(min=1, help="Number of inputs of each reader.")] = 50_000,
+    target: Annotated[str, typer.Option(help=f"{', '.join(TARGETS)}, or all.")] = "all",
     seed: Annotated[int, typer.Option(help="The same seed gives the same inputs.")] = 0,
     out: Annotated[Path, typer.Option(help="Folder for inputs with failures.")] = Path("out/fuzz"),
+    store: Annotated[bool, typer.Option("--store", help="Write the result that the documentation shows.")] = False,
 ) -> None:
     """Mutated files and command lines for all readers: each must be read or refused with one line, else exit status 1."""
     torch.set_num_threads(1)
+    began = time.process_time()
     with tempfile.TemporaryDirectory() as folder:
         readers = targets.make(Path(folder), target)
-        shares = {name: SHARES[name] / sum(SHARES[n] for n in readers) for name in readers}
-        tallies = {name: fuzz(of, round(inputs * shares[name]), seed, name) for name, of in readers.items()}
-    _print(tallies)
-    if any(tally.failures for tally in tallies.values()):
-        _keep(tallies, out)
+        tallies = {name: Tally() for name in readers}
+        for done in range(0, inputs, ROUND):
+            for name, of in readers.items():
+                fuzz(of, min(ROUND, inputs - done) * len(of), seed + done // ROUND, tallies[name])
+                _keep(name, tallies[name], out)
+            rows = [{"target": name, "readers": len(readers[name]), **tally.row()} for name, tally in tallies.items()]
+            minutes = (time.process_time() - began) / 60
+            made, failed = (sum(row[key] for row in rows) for key in ("inputs", "failed"))
+            print(f"{made:,} inputs, {failed} failed, {minutes:.1f} minutes of processor time", flush=True)
+            if store:
+                _result(rows, inputs, seed, {"inputs": made, "failed": failed, "minutes": minutes}).save()
+    print("".join(f"{title:>16}" for title, *_ in COLUMNS.values()))
+    for row in rows:
+        print("".join(f"{tables.cell(value, *COLUMNS[key][1:]):>16}" for key, value in row.items()))
+    for name, tally in tallies.items():
+        for kind, count in tally.refused.most_common(8):
+            print(f"  {name:<6}{count:>9,}  {kind}")
+    if failed:
         raise typer.Exit(1)
 
 
-def fuzz(readers: list[Reader], inputs: int, seed: int, title: str = "") -> Tally:
-    """Try ``inputs`` inputs, the same number for every reader."""
-    tally, last = Tally(), readers[0]
+def fuzz(readers: list[Reader], inputs: int, seed: int, tally: Tally | None = None) -> Tally:
+    """Try ``inputs`` inputs, the same number for every reader; their counts are added to ``tally``."""
+    tally, last = tally or Tally(), readers[0]
     with warnings.catch_warnings(), _limited():
         warnings.simplefilter("error")
         warnings.simplefilter("ignore", UserWarning)
-        for number in tqdm(range(inputs), desc=title, unit="input", disable=None):
+        for number in range(inputs):
             reader = readers[number * len(readers) // inputs]  # in turn: some need valid files of others
             if reader is not last:
                 last.path.write_bytes(last.seeds[0])
@@ -76,6 +105,7 @@ def fuzz(readers: list[Reader], inputs: int, seed: int, title: str = "") -> Tall
             tally.accepted += outcome == "accepted"
             tally.deep += outcome == "accepted" or bool(re.search(reader.deep, said))
             tally.refused[_kind(said)] += outcome == "refused"
+    last.path.write_bytes(last.seeds[0])
     return tally
 
 
@@ -103,23 +133,19 @@ def _limited() -> Iterator[None]:
         resource.setrlimit(resource.RLIMIT_AS, before)
 
 
-def _print(tallies: dict[str, Tally]) -> None:
-    print(f"{'target':<8}{'inputs':>10}{'accepted':>10}{'refused':>10}{'kinds':>7}{'deep':>10}{'s/kB':>8}{'MB':>9}"
-          f"{'failed':>8}")
-    for name, t in tallies.items():
-        refused, failed = sum(t.refused.values()), sum(count for count, _ in t.failures.values())
-        print(f"{name:<8}{t.inputs:>10,}{t.accepted:>10,}{refused:>10,}{len(+t.refused):>7}{t.deep:>10,}{t.slowest:>8.3f}"
-              f"{t.memory:>9.0f}{failed:>8,}")
-    print("deep: read, or refused because of content after the header; s/kB: CPU time of the slowest; MB: most memory")
-    for name, t in tallies.items():
-        for kind, count in t.refused.most_common(8):
-            print(f"  {name:<6}{count:>9,}  {kind}")
+def _result(rows: list[dict], inputs: int, seed: int, numbers: dict[str, float]) -> tables.Result:
+    """What the documentation shows."""
+    about = (f"Mutated files and command lines; seeds {seed} to {seed + (inputs - 1) // ROUND}, one for each {ROUND} inputs "
+             "of a reader; one thread.")
+    rows = [row | {"target": TARGETS[row["target"]]} for row in rows]
+    return tables.Result("fuzz", about, f"python -m experiments fuzz --inputs {inputs} --seed {seed}", COLUMNS, rows,
+                         {"inputs": inputs, "seed": seed}, numbers)
 
 
-def _keep(tallies: dict[str, Tally], out: Path) -> None:
-    out.mkdir(parents=True, exist_ok=True)
-    for name, tally in tallies.items():
-        for i, (said, (count, data)) in enumerate(tally.failures.items()):
-            path = out / f"{name}-{i}.input"
-            path.write_bytes(data)
-            print(f"FAILED {count:,} times, input in {path}: {said}")
+def _keep(name: str, tally: Tally, out: Path) -> None:
+    """Write the shortest input of each failure."""
+    for i, (said, (count, data)) in enumerate(tally.failures.items()):
+        path = out / f"{name}-{i}.input"
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(data)
+        print(f"FAILED {count:,} times, shortest input in {path}: {said}", flush=True)

@@ -9,7 +9,8 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import numpy as np
-from motion_files import Document, acclaim, axis_angles, fbx_scene, glb, packed, smpl_walk
+from motion_files import Document, acclaim, axis_angles, fbx_scene, glb, packed, smpl_walk, textured
+from PIL import Image
 from robustness.fuzz import mutations
 from robustness.fuzz.trials import Reader
 
@@ -98,11 +99,12 @@ def _skinned() -> bytes:
     shares, joints = rng.random((6, 4)).astype(np.float32), rng.integers(0, 2, (6, 4))
     skin = {"JOINTS_0": doc.add(joints.astype("u1")), "WEIGHTS_0": doc.add(shares), "POSITION": points}
     triangles = doc.add(np.arange(6, dtype="<u2"))
+    primitive, picture = {"attributes": skin, "indices": triangles}, io.BytesIO()
+    Image.fromarray(rng.integers(0, 255, (4, 5, 3), "u1")).save(picture, "PNG")
+    textured(doc, primitive, rng.random((6, 2)).astype(np.float32), picture.getvalue())
     doc.json |= {
         "skins": [{"joints": [1, 2], "inverseBindMatrices": inverse}],
-        "meshes": [{"primitives": [{"attributes": skin, "indices": triangles, "material": 0}]},
-                   {"primitives": [{"attributes": {"POSITION": points}}]}],
-        "materials": [{"pbrMetallicRoughness": {"baseColorFactor": [1, 0.5, 0, 1]}}]}
+        "meshes": [{"primitives": [primitive]}, {"primitives": [{"attributes": {"POSITION": points}}]}]}
     return doc.glb()
 
 

@@ -105,7 +105,7 @@ def _bvh(folder: Path) -> list[Reader]:
 
     deep = "frames|rame time|numbers|channel|Frame|finite|rigid|changes"
     rows = tuple(seed[seed.index(b"\n", seed.index(b"Frame Time")) + 1 :] for seed in seeds)
-    return [*[Reader("bvh", folder / "walk.bvh", read, tuple(seeds), mutations.text, deep)] * 2,
+    return [Reader("bvh", folder / "walk.bvh", read, tuple(seeds), mutations.text, deep),
             Reader("decimals", folder / "rows.txt", numbers, rows, mutations.text, "left")]
 
 

@@ -2,7 +2,7 @@
 
 import torch
 
-from toolkit.course.checks import Exercise, same_as
+from toolkit.course.checks import Exercise, draws, same_as
 
 
 def _blended(x, gates, weight, bias):
@@ -11,13 +11,8 @@ def _blended(x, gates, weight, bias):
 
 
 def _layers() -> list[tuple]:
-    make = torch.Generator().manual_seed(6)
-
-    def draw(*shape: int) -> torch.Tensor:
-        return torch.randn(shape, generator=make)
-
-    return [(draw(5, 4), draw(5, 3).softmax(-1), draw(3, 4, 6), draw(3, 6)), (draw(1, 2), draw(1, 8).softmax(-1),
-            draw(8, 2, 2), draw(8, 2))]
+    cases = draws(6, (5, 4), (5, 3), (3, 4, 6), (3, 6)), draws(7, (1, 2), (1, 8), (8, 2, 2), (8, 2))
+    return [(x, gates.softmax(-1), weight, bias) for x, gates, weight, bias in cases]
 
 
 def _film(f, gamma, beta):
@@ -27,11 +22,6 @@ def _film(f, gamma, beta):
 
 def _over_the_batch(f, gamma, beta):
     return torch.nn.functional.elu(gamma * (f - f.mean(0)) / (f.std(0) + 1e-6) + beta)
-
-
-def _hidden() -> list[tuple]:
-    make = torch.Generator().manual_seed(7)
-    return [(3 * torch.randn(b, n, generator=make) + 1, *torch.randn(2, n, generator=make)) for b, n in ((4, 16), (2, 5))]
 
 
 def _count(n_in, hidden, n_out, experts):
@@ -59,18 +49,11 @@ def _as_vectors(predicted, true, parents):
 
 
 def _skeletons() -> list[tuple]:
-    make = torch.Generator().manual_seed(8)
-    return [(torch.randn(4, len(parents), 3, generator=make), torch.randn(4, len(parents), 3, generator=make), parents)
-            for parents in ([-1, 0, 1, 1], [-1, 0], [-1, 0, 1, 2, 0])]
+    return [(*draws(8, *[(4, len(parents), 3)] * 2), parents) for parents in ([-1, 0, 1, 1], [-1, 0], [-1, 0, 1, 2, 0])]
 
 
 def _repeat(frames, deviation):
     return (((frames[1:] - frames[:-1]) / deviation) ** 2).mean()
-
-
-def _curves() -> list[tuple]:
-    make = torch.Generator().manual_seed(9)
-    return [(torch.randn(n, 6, generator=make).cumsum(0), torch.rand(6, generator=make) + 0.5) for n in (30, 4)]
 
 
 def _share(rolled, data):
@@ -79,14 +62,8 @@ def _share(rolled, data):
 
 
 def _poses() -> list[tuple]:
-    make = torch.Generator().manual_seed(10)
-    data = torch.randn(4, 12, generator=make) + 3
-    return [(0.4 * data + 0.2 * torch.randn(4, 12, generator=make), data), (torch.randn(4, 12, generator=make), data)]
-
-
-def _layers_of_models() -> list[tuple]:
-    draw = torch.Generator().manual_seed(7)
-    return [tuple(torch.randn(*shape, generator=draw) for shape in ((n, 5), (5,), (5,), (5,))) for n in (3, 8)]
+    data, noise, other = draws(10, *[(4, 12)] * 3)
+    return [(0.4 * (data + 3) + 0.2 * noise, data + 3), (other, data + 3)]
 
 
 def _clear(errors) -> bool:
@@ -110,7 +87,7 @@ EXERCISES = {
                  lambda x, gates, *expert: _blended(x, (gates == gates.amax(1, keepdim=True)).to(gates), *expert)}),
         "torch.einsum('bk,kio->bio', gates, weight) is one matrix for each row of x."),
     "03a.2": Exercise(
-        same_as(_film, _hidden,
+        same_as(_film, lambda: [draws(7, (4, 16), (16,), (16,)), draws(8, (2, 5), (5,), (5,))],
                 {"normalise over the units of a row, not over the rows.": _over_the_batch,
                  "ELU is missing.": lambda f, gamma, beta:
                  gamma * (f - f.mean(-1, keepdim=True)) / f.std(-1, keepdim=True) + beta,
@@ -130,7 +107,7 @@ EXERCISES = {
                  "take the absolute value, not the square.": _squared}),
         "the length of bone j is the distance of joint j from its parent; joints with a parent below zero have no bone."),
     "03b.2": Exercise(
-        same_as(_repeat, _curves,
+        same_as(_repeat, lambda: [(x.cumsum(0), s.abs() + 0.5) for x, s in (draws(9, (n, 6), (6,)) for n in (30, 4))],
                 {"divide by the deviation, so that all columns count alike.": lambda frames, deviation: _repeat(frames, 1.0),
                  "take the mean over all numbers, not the sum.":
                  lambda frames, deviation: _repeat(frames, deviation) * frames[1:].numel()}),
@@ -148,7 +125,8 @@ EXERCISES = {
                  "this is a whole layer, as in an adapter.": lambda hidden: hidden * hidden}),
         "count: two layers, and in each a scale and a shift per unit."),
     "07.2": Exercise(
-        same_as(lambda w, b, gamma, beta: torch.cat((w * gamma, (gamma * b + beta)[None])), _layers_of_models,
+        same_as(lambda w, b, gamma, beta: torch.cat((w * gamma, (gamma * b + beta)[None])),
+                lambda: [draws(7, (n, 5), (5,), (5,), (5,)) for n in (3, 8)],
                 {"the bias is scaled by γ, too.": lambda w, b, gamma, beta: torch.cat((w * gamma, (b + beta)[None])),
                  "β is not scaled.": lambda w, b, gamma, beta: torch.cat((w * gamma, (gamma * (b + beta))[None]))}),
         "multiply each column of the weights by its γ; the new bias is γ b + β."),

@@ -1,8 +1,6 @@
 """Exercises of the notebooks on the five losses and of restyling."""
 
-import torch
-
-from toolkit.course.checks import Exercise, equals, same_as
+from toolkit.course.checks import Exercise, draws, equals, same_as
 
 
 def _cycle(x, code, restyle, encode):
@@ -10,30 +8,13 @@ def _cycle(x, code, restyle, encode):
 
 
 def _cases() -> list[tuple]:
-    draw = torch.Generator().manual_seed(8)
-    x, code = torch.randn(6, 2, generator=draw), torch.randn(6, 1, generator=draw)
+    x, code = draws(8, (6, 2), (6, 1))
     return [(x, code, lambda p, c: 0.8 * p + c, lambda p: p[:, 1:] / 3), (x, code, lambda p, c: p * c, lambda p: p[:, :1])]
-
-
-def _pairs() -> list[tuple]:
-    draw = torch.Generator().manual_seed(9)
-    return [(torch.randn(9, 2, generator=draw), torch.randn(9, 2, generator=draw), bound) for bound in (0.3, 1.0, 9.0)]
 
 
 def _adain(h, gamma, beta):
     mean, std = h.mean(1, keepdim=True), h.std(1, keepdim=True, correction=0)
     return (1 + gamma[:, None]) * (h - mean) / std + beta[:, None]
-
-
-def _channels() -> list[tuple]:
-    draw = torch.Generator().manual_seed(10)
-    return [(3 * torch.randn(c, 20, generator=draw) + 1, torch.randn(c, generator=draw), torch.randn(c, generator=draw))
-            for c in (1, 4)]
-
-
-def _windows() -> list[tuple]:
-    draw = torch.Generator().manual_seed(11)
-    return [tuple(torch.randn(n, 5, 8, generator=draw) + k for k, n in enumerate((2, 6, 9)))]
 
 
 EXERCISES = {
@@ -47,7 +28,8 @@ EXERCISES = {
                  lambda x, code, restyle, encode: (restyle(restyle(x, code), encode(x)) - x).square().mean()}),
         "restyle with the code, restyle the result with encode(x), compare with x."),
     "08a.2": Exercise(
-        same_as(lambda a, b, bound: (a - b).abs().mean(-1).clamp(max=bound).mean(), _pairs,
+        same_as(lambda a, b, bound: (a - b).abs().mean(-1).clamp(max=bound).mean(),
+                lambda: [(*draws(9, (9, 2), (9, 2)), bound) for bound in (0.3, 1.0, 9.0)],
                 {"the bound is for each point, before the mean over the points.":
                  lambda a, b, bound: (a - b).abs().mean().clamp(max=bound),
                  "there is no bound.": lambda a, b, bound: (a - b).abs().mean()}),
@@ -56,13 +38,14 @@ EXERCISES = {
         equals({"A": "ds", "B": "adv", "C": "cyc"}),
         "do three noises lie on each other? Are results outside the box? Are large dots not on the right?"),
     "08b.1": Exercise(
-        same_as(_adain, _channels,
+        same_as(_adain, lambda: [draws(10, (c, 20), (c,), (c,)) for c in (1, 4)],
                 {"the scale is 1 + γ.": lambda h, gamma, beta: _adain(h, gamma - 1, beta),
                  "mean and deviation are over the frames, axis 1.":
                  lambda h, gamma, beta: (1 + gamma[:, None]) * (h - h.mean()) / h.std(correction=0) + beta[:, None]}),
         "subtract the mean over axis 1, divide by the deviation, multiply by 1 + γ, add β; use [:, None]."),
     "08b.2": Exercise(
-        same_as(lambda x, plain, target: x + (target.mean((0, 2)) - plain.mean((0, 2)))[None, :, None], _windows,
+        same_as(lambda x, plain, target: x + (target.mean((0, 2)) - plain.mean((0, 2)))[None, :, None],
+                lambda: [tuple(x + k for k, x in enumerate(draws(11, (2, 5, 8), (6, 5, 8), (9, 5, 8))))],
                 {"the sign is wrong: go from plain to target.":
                  lambda x, plain, target: x + (plain.mean((0, 2)) - target.mean((0, 2)))[None, :, None],
                  "take a mean for each number, not one of all.":

@@ -4,7 +4,7 @@ import math
 
 import torch
 
-from toolkit.course.checks import Exercise, same_as
+from toolkit.course.checks import Exercise, draws, same_as
 
 
 def _ease(t):
@@ -12,8 +12,16 @@ def _ease(t):
     return t * t * (3 - 2 * t)
 
 
-def _knee(a, b, d):
-    return torch.acos(torch.as_tensor((a * a + b * b - d * d) / (2 * a * b)))
+def _weights_at(point, corners):
+    sides = torch.stack((corners[1] - corners[0], corners[2] - corners[0]), 1)
+    second, third = torch.linalg.solve(sides, point - corners[0])
+    return torch.stack((1 - second - third, second, third))
+
+
+def _triangles() -> list[tuple]:
+    corners = torch.tensor([[0.0, 0.0], [1.0, 0.0], [0.5, 0.87]])
+    points = corners.mean(0), corners[1], torch.tensor([0.4, 0.1])
+    return [(point, corners) for point in points] + [(points[2], 2 * corners.flip(0) + 1)]
 
 
 def _barycentric(style, corners):
@@ -21,20 +29,10 @@ def _barycentric(style, corners):
     return weights / weights.sum()
 
 
-def _points() -> list[tuple]:
-    draw = torch.Generator().manual_seed(5)
-    return [(torch.randn(6, 4, generator=draw), query) for query in (0, 3, 5)]
-
-
 def _nearest(vectors, query):
     distance = (vectors - vectors[query]).norm(dim=1)
     distance[query] = math.inf
     return int(distance.argmin())
-
-
-def _banks() -> list[tuple]:
-    draw = torch.Generator().manual_seed(6)
-    return [(torch.randn(8, generator=draw), torch.randn(n, 8, generator=draw)) for n in (4, 9)]
 
 
 EXERCISES = {
@@ -51,11 +49,12 @@ EXERCISES = {
                  "clamp t to 0 … 1 first.": lambda t: t * t * (3 - 2 * t)}),
         "t²(3 − 2t) has the slope zero at 0 and at 1."),
     "04.3": Exercise(
-        same_as(_knee, lambda: [(0.43, 0.42, 0.7), (0.5, 0.3, 0.3), (1.0, 1.0, 2.0)],
-                {"this is the cosine, not the angle.": lambda a, b, d: torch.cos(_knee(a, b, d)),
-                 "this is the angle by which the knee bends: take π minus it.": lambda a, b, d: torch.pi - _knee(a, b, d)},
-                tolerance=1e-4),
-        "the law of cosines: cos φ = (a² + b² − d²) / 2ab; then math.acos."),
+        same_as(_weights_at, _triangles,
+                {"these are distances: a weight is one in its own corner.":
+                 lambda point, corners: (corners - point).norm(dim=1),
+                 "weights from distances do not give the point back: weights @ corners should be the point.":
+                 lambda point, corners: torch.softmax(-(corners - point).norm(dim=1), 0)}),
+        "three unknowns, three equations: weights @ corners = point has two, and the sum of the weights is one."),
     "05.1": Exercise(
         same_as(lambda a, b, t: (1 - t) * a + t * b,
                 lambda: [(torch.tensor([1.0, 2.0]), torch.tensor([3.0, -4.0]), t) for t in (0.0, 0.25, 1.5)],
@@ -63,7 +62,7 @@ EXERCISES = {
                  "the weights must sum to one.": lambda a, b, t: a + t * b}),
         "the weights are 1 − t and t."),
     "05.2": Exercise(
-        same_as(_nearest, _points,
+        same_as(_nearest, lambda: [(*draws(5, (6, 4)), query) for query in (0, 3, 5)],
                 {"this is the query itself: its distance is 0.": lambda vectors, query: query,
                  "this is the farthest vector.":
                  lambda vectors, query: int((vectors - vectors[query]).norm(dim=1).argmax())}),
@@ -76,17 +75,20 @@ EXERCISES = {
                  lambda length, angle: length * math.cos(angle)}),
         "draw the shoulder and both positions of the hand: an isosceles triangle. Its height is the answer."),
     "06.1": Exercise(
-        same_as(lambda v, vectors: ((v - vectors.mean(0)) / vectors.std(0)).square().mean(), _banks,
+        same_as(lambda v, vectors: ((v - vectors.mean(0)) / vectors.std(0)).square().mean(),
+                lambda: [draws(6, (8,), (n, 8)) for n in (4, 9)],
                 {"divide by the standard deviation, not by the variance.":
                  lambda v, vectors: ((v - vectors.mean(0)) / vectors.var(0)).square().mean(),
                  "this is the sum; take the mean over the numbers.":
                  lambda v, vectors: ((v - vectors.mean(0)) / vectors.std(0)).square().sum()}),
         "subtract vectors.mean(0), divide by vectors.std(0), square, take the mean."),
     "06.2": Exercise(
-        same_as(lambda t: t * t * (3 - 2 * t), lambda: [(torch.linspace(0, 1, 5),), (torch.tensor(0.25),)],
-                {"this is linear: its slope at both ends is 1.": lambda t: t,
-                 "the slope at the end is not zero.": lambda t: t * t}),
-        "write e(t) = a t² + b t³: which a and b give e(1) = 1 and e'(1) = 0?"),
+        same_as(lambda v, matrix, z, rate: v - 2 * rate * matrix.T @ (matrix @ v - z),
+                lambda: [(*draws(12, (2,), (3, 2), (3,)), 0.03), (*draws(13, (4,), (9, 4), (9,)), 0.1)],
+                {"this goes up the slope.": lambda v, matrix, z, rate: v + 2 * rate * matrix.T @ (matrix @ v - z),
+                 "the derivative of a square has the factor two.":
+                 lambda v, matrix, z, rate: v - rate * matrix.T @ (matrix @ v - z)}),
+        "the slope of ‖W v − z‖² is 2 Wᵀ (W v − z)."),
     "06.3": Exercise(
         same_as(lambda before, after, floor: (before - after) / (before - floor),
                 lambda: [(0.4, 0.1, 0.2), (0.9, 0.9, 0.3), (0.5, 0.4, 0.0)],

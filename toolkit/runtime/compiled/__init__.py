@@ -30,18 +30,8 @@ class CompiledModel:
 
     Its weights are copies: later training of the model does not change it.
 
-    Attributes
-    ----------
-    layout : Layout
-        The model's.
-    precision
-        Of the experts' weights.
-    skip
-        Experts of lower weight are left out.
-    threads
-        Number of threads that share the characters, at least `WORTHWHILE` characters each.
-    seconds, compiled
-        Time to prepare the kernels, and the number of kernels that were compiled; the others were read from disk.
+    ``seconds`` is the time to prepare the kernels, ``compiled`` the number of those that were compiled; the others were read
+    from disk. The options are those of `compile`.
     """
 
     def __init__(self, model, precision: str = "float32", skip: float = 0.0, threads: int = 1):
@@ -66,7 +56,7 @@ class CompiledModel:
         self._shapes = {"history": (trajectory.PAST + 1, 4), "future": (len(self.layout.ahead), 4), "drive": (1,),
                         "joints": (self.layout.n_clip,), "phase": (self.layout.n_phases,), "style": (self.style_size,),
                         "velocity": (2,), "facing": (2,), "contacts": (2,), "toes": (2, 3), "drift": (2, 2), "drop": (2,)}
-        self._rules, self._body = frame.Rules.of(self.layout), ik.Body.of(self.layout.skeleton)
+        self._rules, self._body = frame.rules_of(self.layout), ik.Body.of(self.layout.skeleton)
         known, began = self._misses(), time.perf_counter()
         state = self.step(start(self, torch.zeros(1, self.style_size)), Command())
         self.pose(state)
@@ -88,12 +78,7 @@ class CompiledModel:
         new = frame.State(*map(np.empty_like, old[:-1]), old.style)
         x, z = np.empty((count, self.layout.n_inputs), np.float32), np.empty((count, self.layout.n_outputs), np.float32)
 
-        def advance(start: int, stop: int) -> None:
-            frame.steer(old, wanted, look, self._rules, x, new, start, stop)
-            network.predict(x, old.phase, old.style, self.weights, self.skip, self.dropped, z, start, stop)
-            frame.follow(old, z, self._rules, self._body, new, start, stop)
-
-        self._share(advance, count)
+        self._share(partial(self._advance, old, new, wanted, look, x, z), count)
         return CharacterState(**dict(zip(new._fields, map(torch.from_numpy, new[:-1]), strict=False)), style=state.style)
 
     def roll(self, state: CharacterState, frames: int, ask: Ask) -> CharacterState:
@@ -129,11 +114,16 @@ class CompiledModel:
                 raise ValueError(f"a style needs {self.style_size} columns, got shape {list(style.shape)}")
             old = frame.State(*(column[k] for column in columns), style.numpy()[None])
             new = frame.State(*(column[k + 1] for column in columns), old.style)
-            frame.steer(old, wanted, look, self._rules, x, new, 0, 1)
-            network.predict(x, old.phase, old.style, self.weights, self.skip, self.dropped, z, 0, 1)
-            frame.follow(old, z, self._rules, self._body, new, 0, 1)
+            self._advance(old, new, wanted, look, x, z, 0, 1)
         held = {name: torch.from_numpy(column[1:, 0]) for name, column in rows.items()}
         return CharacterState(**held, style=held["history"].new_empty(frames, 0))
+
+    def _advance(self, old: frame.State, new: frame.State, wanted: np.ndarray, look: np.ndarray, x: np.ndarray,
+                 z: np.ndarray, start: int, stop: int) -> None:
+        """One frame of characters ``start`` to ``stop``; ``x`` and ``z`` are room for the network's inputs and outputs."""
+        frame.steer(old, wanted, look, self._rules, x, new, start, stop)
+        network.predict(x, old.phase, old.style, self.weights, self.skip, self.dropped, z, start, stop)
+        frame.follow(old, z, self._rules, self._body, new, start, stop)
 
     def pose(self, state: CharacterState, *, feet: bool = True, arms: bool = True) -> tuple[Tensor, Tensor]:
         """`toolkit.runtime.pose`."""

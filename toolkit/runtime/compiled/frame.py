@@ -6,12 +6,10 @@ Constants are arguments (`Rules`), so that compiled code on disk never holds an 
 
 import math
 from collections import namedtuple
-from typing import NamedTuple
 
 import numpy as np
 from numba import njit
 
-from toolkit.features.layout import CHANNELS
 from toolkit.io.compilation import compiled
 from toolkit.motion import ik as held
 from toolkit.motion import trajectory
@@ -19,88 +17,43 @@ from toolkit.motion.clip import FEET
 from toolkit.networks import phase
 from toolkit.runtime import frame, steering
 from toolkit.runtime.compiled import ik
+from toolkit.runtime.compiled.ik import FORWARD, POSITION, UP, VELOCITY
 from toolkit.runtime.state import CharacterState
 
 State = namedtuple("State", sorted(CharacterState.__dataclass_fields__, key="style".__eq__))
 State.__doc__ = "`toolkit.runtime.CharacterState` as float32 arrays; the style comes last, ``[N or 1, S]``."
 
 
-class Rules(NamedTuple):
-    """Columns of x and z, the toes among the joints, and the constants of `toolkit.runtime` and `toolkit.motion.ik`."""
-
-    trajectory_in: int
-    joints_in: int
-    trajectory_out: int
-    joints_out: int
-    phases: int
-    updates: int
-    contacts: int
-    toes: tuple
-    samples: np.ndarray
-    position_shares: np.ndarray
-    direction_shares: np.ndarray
-    half_second: int
-    seconds: np.ndarray
-    fps: float
-    gain: float
-    correction: float
-    proportional: float
-    integral: float
-    max_drive: float
-    stand_still: float
-    slow: float
-    slack: float
-    let_go: float
-    pull: float
-    soft: float
-    room: float
-    deepest: float
-    fall: float
-
-    @classmethod
-    def of(cls, layout) -> "Rules":
-        """The rules of a layout."""
-        t = np.array(layout.ahead) / layout.ahead[-1]
-        return cls(
-            trajectory_in=layout.inputs["trajectory"].start, joints_in=layout.inputs["joints"].start,
-            trajectory_out=layout.outputs["trajectory"].start, joints_out=layout.outputs["joints"].start,
-            phases=layout.outputs["phases"].start, updates=layout.outputs["phase_updates"].start,
-            contacts=layout.outputs["contacts"].start,
-            toes=tuple(layout.names.index(layout.skeleton.roles[f"{side}_toe"]) for side in FEET),
-            samples=np.array(layout.samples) + trajectory.PAST, position_shares=1 - (1 - t) ** steering.POSITION_BIAS,
-            direction_shares=1 - (1 - t) ** steering.DIRECTION_BIAS, half_second=trajectory.FPS // 2,
-            seconds=np.diff(layout.ahead, prepend=0) / trajectory.FPS, fps=float(trajectory.FPS),
-            gain=steering.GAIN, correction=frame.CORRECTION, proportional=steering.PROPORTIONAL,
-            integral=steering.INTEGRAL, max_drive=steering.MAX_DRIVE, stand_still=steering.RETURN, slow=steering.SLOW,
-            slack=held.SLACK, let_go=held.RETURN, pull=phase.PULL, soft=held.SOFT, room=held.ROOM, deepest=held.DEEPEST,
-            fall=held.FALL,
-        )
+Rules = namedtuple("Rules", """
+    trajectory_in joints_in trajectory_out joints_out phases updates contacts toes
+    samples position_shares direction_shares half_second seconds
+    fps gain correction proportional integral max_drive stand_still slow slack let_go pull soft room deepest fall""")
+Rules.__doc__ = """Columns of x and z, toes among the joints, constants of `toolkit.runtime` and `toolkit.motion.ik`."""
 
 
-POSITION, FORWARD, UP, VELOCITY = (3 * CHANNELS.index(name) for name in ("position", "forward", "up", "velocity"))
+def rules_of(layout) -> Rules:
+    """The rules of a layout."""
+    t = np.array(layout.ahead) / layout.ahead[-1]
+    return Rules(
+        trajectory_in=layout.inputs["trajectory"].start, joints_in=layout.inputs["joints"].start,
+        trajectory_out=layout.outputs["trajectory"].start, joints_out=layout.outputs["joints"].start,
+        phases=layout.outputs["phases"].start, updates=layout.outputs["phase_updates"].start,
+        contacts=layout.outputs["contacts"].start,
+        toes=tuple(layout.names.index(layout.skeleton.roles[f"{side}_toe"]) for side in FEET),
+        samples=np.array(layout.samples) + trajectory.PAST, position_shares=1 - (1 - t) ** steering.POSITION_BIAS,
+        direction_shares=1 - (1 - t) ** steering.DIRECTION_BIAS, half_second=trajectory.FPS // 2,
+        seconds=np.diff(layout.ahead, prepend=0) / trajectory.FPS, fps=float(trajectory.FPS),
+        gain=steering.GAIN, correction=frame.CORRECTION, proportional=steering.PROPORTIONAL,
+        integral=steering.INTEGRAL, max_drive=steering.MAX_DRIVE, stand_still=steering.RETURN, slow=steering.SLOW,
+        slack=held.SLACK, let_go=held.RETURN, pull=phase.PULL, soft=held.SOFT, room=held.ROOM, deepest=held.DEEPEST,
+        fall=held.FALL,
+    )
 
 
 @njit(nogil=True)
 def _unit2(x, z):
     length = max(math.sqrt(x * x + z * z), 1e-12)
     return x / length, z / length
-
-
-@njit(nogil=True)
-def _unit3(x, y, z):
-    length = max(math.sqrt(x * x + y * y + z * z), 1e-12)
-    return x / length, y / length, z / length
-
-
-@njit(nogil=True)
-def _triple(row, at):
-    return np.float64(row[at]), np.float64(row[at + 1]), np.float64(row[at + 2])
-
-
-@njit(nogil=True)
-def _write(row, at, turn, x, y, z):
-    """Write a vector that is turned about the vertical by the angle with this (sine, cosine)."""
-    row[at], row[at + 1], row[at + 2] = turn[1] * x + turn[0] * z, y, turn[1] * z - turn[0] * x
 
 
 @njit(nogil=True)
@@ -187,11 +140,11 @@ def steer(old, wanted, look, rules, x, new, start, stop):
 @njit(nogil=True)
 def _toes(history, joints, rules, place):
     """Positions of the pose's toes ``[2, 3]``, world."""
-    x, z = _unit2(np.float64(history[-1, 2]), np.float64(history[-1, 3]))
+    root = ik.triple(history[-1])
+    heading = _unit2(root[2], np.float64(history[-1, 3]))
     for side in range(2):
-        p = joints[12 * rules.toes[side] : 12 * rules.toes[side] + 3]
-        place[side, 0], place[side, 1] = z * p[0] + x * p[2] + history[-1, 0], p[1]
-        place[side, 2] = z * p[2] - x * p[0] + history[-1, 1]
+        toe = ik.to_world(heading, ik.triple(joints[12 * rules.toes[side] :]))
+        place[side, 0], place[side, 1], place[side, 2] = ik.plus(toe, (root[0], 0.0, root[1]))
 
 
 @njit(nogil=True)
@@ -228,19 +181,13 @@ def _hold(toes, drift, before, predicted, contacts, left, rules, new_toes, new_d
 def _joints(was, now, turn, shift, rules, joints):
     """The new pose ``[12 J]`` in the new root frame; positions are means of the predicted and the integrated ones."""
     for j in range(0, len(was), 12):
-        x, y, z = _triple(now, j + POSITION)
-        dx, dy, dz = _triple(now, j + VELOCITY)
-        x0, y0, z0 = _triple(was, j + POSITION)
-        half = 0.5 / rules.fps
-        x, y, z = 0.5 * (x0 + x) + half * dx, 0.5 * (y0 + y) + half * dy, 0.5 * (z0 + z) + half * dz
-        fx, fy, fz = _unit3(*_triple(now, j + FORWARD))
-        ux, uy, uz = _triple(now, j + UP)
-        along = ux * fx + uy * fy + uz * fz
-        ux, uy, uz = _unit3(ux - along * fx, uy - along * fy, uz - along * fz)
-        _write(joints, j + POSITION, turn, x, y, z)
-        _write(joints, j + FORWARD, turn, fx, fy, fz)
-        _write(joints, j + UP, turn, ux, uy, uz)
-        _write(joints, j + VELOCITY, turn, dx, dy, dz)
+        old, velocity = ik.triple(was[j + POSITION :]), ik.triple(now[j + VELOCITY :])
+        sum_ = ik.plus(old, ik.triple(now[j + POSITION :]))
+        position = ik.plus((0.5 * sum_[0], 0.5 * sum_[1], 0.5 * sum_[2]), velocity, 0.5 / rules.fps)
+        forward, up = ik.unit(ik.triple(now[j + FORWARD :])), ik.triple(now[j + UP :])
+        up = ik.unit(ik.plus(up, forward, -ik.dot(up, forward)))
+        for at, vector in ((POSITION, position), (FORWARD, forward), (UP, up), (VELOCITY, velocity)):
+            joints[j + at], joints[j + at + 1], joints[j + at + 2] = ik.to_world(turn, vector)
         joints[j + POSITION] += shift[0]
         joints[j + POSITION + 2] += shift[1]
 

@@ -15,38 +15,20 @@ from toolkit.io.compilation import compiled
 from toolkit.motion.clip import FEET
 from toolkit.motion.ik import SOFT
 
-FORWARD, UP = (3 * CHANNELS.index(name) for name in ("forward", "up"))
+POSITION, FORWARD, UP, VELOCITY = (3 * CHANNELS.index(name) for name in ("position", "forward", "up", "velocity"))
 
 
 class Body(NamedTuple):
-    """The skeleton of J' points as arrays.
+    """The skeleton of J' points as arrays."""
 
-    Parameters
-    ----------
-    parents, offsets
-        ``[J']``, ``[J', 3]``.
-    features
-        For each point the index of the feature joint that gives its rotation, its own or its parent's ``[J']``.
-    own
-        For each point the index of its own feature joint, -1 if it has none ``[J']``.
-    ends
-        Points that follow their parents ``[E]``.
-    legs
-        Hip, knee, foot and toe, right and left ``[2, 4]``.
-    chains
-        All points from the hips to the toes, without the hips; parents come before children ``[C]``.
-    arms
-        Arm joints and the points at their bones' other ends, from the body outwards ``[A, 2]``.
-    """
-
-    parents: np.ndarray
-    offsets: np.ndarray
-    features: np.ndarray
-    own: np.ndarray
-    ends: np.ndarray
-    legs: np.ndarray
-    chains: np.ndarray
-    arms: np.ndarray
+    parents: np.ndarray  # [J']
+    offsets: np.ndarray  # [J', 3]
+    features: np.ndarray  # [J'] index of the feature joint that gives a point its rotation, its own or its parent's
+    own: np.ndarray  # [J'] index of a point's own feature joint, -1 if it has none
+    ends: np.ndarray  # [E] points that follow their parents
+    legs: np.ndarray  # [2, 4] hip, knee, foot and toe, right and left
+    chains: np.ndarray  # [C] all points from the hips to the toes, without the hips; parents come before children
+    arms: np.ndarray  # [A, 2] arm joints and the points at their bones' other ends, from the body outwards
 
     @classmethod
     def of(cls, skeleton) -> "Body":
@@ -69,17 +51,20 @@ class Body(NamedTuple):
 
 
 @njit(nogil=True)
-def _triple(row):
+def triple(row):
+    """The first three numbers of a row."""
     return np.float64(row[0]), np.float64(row[1]), np.float64(row[2])
 
 
 @njit(nogil=True)
-def _plus(a, b, share=1.0):
+def plus(a, b, share=1.0):
+    """a + share · b."""
     return a[0] + share * b[0], a[1] + share * b[1], a[2] + share * b[2]
 
 
 @njit(nogil=True)
-def _dot(a, b):
+def dot(a, b):
+    """Inner product."""
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
@@ -89,8 +74,9 @@ def _cross(a, b):
 
 
 @njit(nogil=True)
-def _unit(a):
-    length = max(math.sqrt(_dot(a, a)), 1e-12)
+def unit(a):
+    """A vector at length 1."""
+    length = max(math.sqrt(dot(a, a)), 1e-12)
     return a[0] / length, a[1] / length, a[2] / length
 
 
@@ -99,7 +85,7 @@ def _across(a):
     """A unit vector perpendicular to a unit vector: its cross product with the coordinate axis farthest from it."""
     x, y, z = abs(a[0]), abs(a[1]), abs(a[2])
     axis = (1.0, 0.0, 0.0) if x <= y and x <= z else (0.0, 1.0, 0.0) if y <= z else (0.0, 0.0, 1.0)
-    return _unit(_cross(a, axis))
+    return unit(_cross(a, axis))
 
 
 @njit(nogil=True)
@@ -117,19 +103,19 @@ def _rotate(q, v):
     u = q[1], q[2], q[3]
     t = _cross(u, v)
     t = 2 * t[0], 2 * t[1], 2 * t[2]
-    return _plus(_plus(v, t, q[0]), _cross(u, t))
+    return plus(plus(v, t, q[0]), _cross(u, t))
 
 
 @njit(nogil=True)
-def _heading(heading, v):
+def to_world(heading, v):
     """A vector of the root frame in world coordinates, from the (sine, cosine) of the root's heading."""
     return heading[1] * v[0] + heading[0] * v[2], v[1], heading[1] * v[2] - heading[0] * v[0]
 
 
 @njit(nogil=True)
 def _between(a, b):
-    a, b = _unit(a), _unit(b)
-    w, (x, y, z) = 1.0 + _dot(a, b), _cross(a, b)
+    a, b = unit(a), unit(b)
+    w, (x, y, z) = 1.0 + dot(a, b), _cross(a, b)
     if w < 1e-6:
         x, y, z = _across(a)
         return 0.0, x, y, z
@@ -139,8 +125,8 @@ def _between(a, b):
 
 @njit(nogil=True)
 def _from_forward_up(forward, up):
-    c = _unit(forward)
-    a = _unit(_cross(up, c))
+    c = unit(forward)
+    a = unit(_cross(up, c))
     b = _cross(c, a)
     diagonal = 1 + a[0] + b[1] + c[2], 1 + a[0] - b[1] - c[2], 1 - a[0] + b[1] - c[2], 1 - a[0] - b[1] + c[2]
     x, y, z = b[2] - c[1], c[0] - a[2], a[1] - b[0]
@@ -164,21 +150,21 @@ def _from_forward_up(forward, up):
 
 @njit(nogil=True)
 def _two_bone(a, b, c, target, soft=SOFT):
-    upper_bone, lower_bone, reach = _plus(b, a, -1.0), _plus(c, b, -1.0), _plus(target, a, -1.0)
-    upper, lower = math.sqrt(_dot(upper_bone, upper_bone)), math.sqrt(_dot(lower_bone, lower_bone))
-    wanted = math.sqrt(_dot(reach, reach))
+    upper_bone, lower_bone, reach = plus(b, a, -1.0), plus(c, b, -1.0), plus(target, a, -1.0)
+    upper, lower = math.sqrt(dot(upper_bone, upper_bone)), math.sqrt(dot(lower_bone, lower_bone))
+    wanted = math.sqrt(dot(reach, reach))
     full = upper + lower
-    line = _unit(reach if wanted > 1e-9 else _plus(_plus(c, a, -1.0), (1.0, 1.0, 1.0), 1e-9))
+    line = unit(reach if wanted > 1e-9 else plus(plus(c, a, -1.0), (1.0, 1.0, 1.0), 1e-9))
     margin = max(soft * full, 1e-9)
     over = wanted - (full - margin)
     distance = full - margin * math.exp(-over / margin) if over > 0 else wanted
     distance = max(distance, abs(upper - lower) + 1e-6 * full)
-    side = _unit(_rotate(_between(_plus(c, a, -1.0), line), upper_bone))
-    across = _plus(side, line, -_dot(side, line))
-    across = _unit(across) if math.sqrt(_dot(across, across)) > 1e-5 else _across(line)
+    side = unit(_rotate(_between(plus(c, a, -1.0), line), upper_bone))
+    across = plus(side, line, -dot(side, line))
+    across = unit(across) if math.sqrt(dot(across, across)) > 1e-5 else _across(line)
     along = (upper * upper - lower * lower + distance * distance) / (2 * distance)
     height = math.sqrt(max(upper * upper - along * along, 0.0))
-    return _plus(_plus(a, line, along), across, height), _plus(a, line, distance)
+    return plus(plus(a, line, along), across, height), plus(a, line, distance)
 
 
 @njit(nogil=True)
@@ -196,8 +182,8 @@ def _kinematics(body, turned, places):
     """Positions ``[J', 3]`` of all points but the root, from world rotations ``[J', 4]`` and the root's position."""
     for j in range(1, len(body.parents)):
         parent = body.parents[j]
-        bone = _rotate(_read(turned, parent), _triple(body.offsets[j]))
-        places[j, 0], places[j, 1], places[j, 2] = _plus(_triple(places[parent]), bone)
+        bone = _rotate(_read(turned, parent), triple(body.offsets[j]))
+        places[j, 0], places[j, 1], places[j, 2] = plus(triple(places[parent]), bone)
 
 
 @njit(nogil=True)
@@ -205,11 +191,11 @@ def _turn_arms(body, turned, places, joints, heading, floor):
     _kinematics(body, turned, places)
     for i in range(len(body.arms)):
         joint, child = body.arms[i]
-        goal = _plus(floor, _heading(heading, _triple(joints[12 * body.own[child] :])))
-        bone, at = _rotate(_read(turned, joint), _triple(body.offsets[child])), _triple(places[joint])
-        aim = _between(bone, _plus(goal, at, -1.0))
+        goal = plus(floor, to_world(heading, triple(joints[12 * body.own[child] :])))
+        bone, at = _rotate(_read(turned, joint), triple(body.offsets[child])), triple(places[joint])
+        aim = _between(bone, plus(goal, at, -1.0))
         _write(turned, joint, _multiply(aim, _read(turned, joint)))
-        places[child, 0], places[child, 1], places[child, 2] = _plus(at, _rotate(aim, bone))
+        places[child, 0], places[child, 1], places[child, 2] = plus(at, _rotate(aim, bone))
 
 
 @njit(nogil=True)
@@ -217,11 +203,11 @@ def _plant_feet(body, turned, places, toes):
     _kinematics(body, turned, places)
     for side in range(2):
         hip, knee, foot, toe = body.legs[side]
-        a, b, c = _triple(places[hip]), _triple(places[knee]), _triple(places[foot])
-        target = _plus(_plus(_triple(toes[side]), _triple(places[toe]), -1.0), c)
+        a, b, c = triple(places[hip]), triple(places[knee]), triple(places[foot])
+        target = plus(plus(triple(toes[side]), triple(places[toe]), -1.0), c)
         middle, end = _two_bone(a, b, c, target)
-        upper = _between(_plus(b, a, -1.0), _plus(middle, a, -1.0))
-        lower = _between(_plus(c, b, -1.0), _plus(end, middle, -1.0))
+        upper = _between(plus(b, a, -1.0), plus(middle, a, -1.0))
+        lower = _between(plus(c, b, -1.0), plus(end, middle, -1.0))
         _write(turned, hip, _multiply(upper, _read(turned, hip)))
         _write(turned, knee, _multiply(lower, _read(turned, knee)))
 
@@ -242,29 +228,29 @@ def _sink(drop, need, rules):
 def plant(body, rules, toes, root, contacts, old_drop, new_drop, joints):
     """Set knees, feet and toes of a pose ``[12 J]``, and the drop, by foot IK, see `toolkit.motion.ik.solve_legs`."""
     places, need = np.empty((len(body.parents), 3)), 0.0
-    places[0, 0], places[0, 1], places[0, 2] = _triple(joints)
+    places[0, 0], places[0, 1], places[0, 2] = triple(joints)
     for i in range(len(body.chains)):
         j = body.chains[i]
         above = body.parents[j]
         block = joints[12 * body.features[above] :]
-        bone = _rotate(_from_forward_up(_triple(block[FORWARD:]), _triple(block[UP:])), _triple(body.offsets[j]))
-        places[j, 0], places[j, 1], places[j, 2] = _plus(_triple(places[above]), bone)
+        bone = _rotate(_from_forward_up(triple(block[FORWARD:]), triple(block[UP:])), triple(body.offsets[j]))
+        places[j, 0], places[j, 1], places[j, 2] = plus(triple(places[above]), bone)
     sin, cos = np.float64(root[2]), np.float64(root[3])
     length = max(math.hypot(sin, cos), 1e-12)
     for side in range(2):
         hip, knee, foot, toe = body.legs[side]
-        a, b, c, tip = _triple(places[hip]), _triple(places[knee]), _triple(places[foot]), _triple(places[toe])
+        a, b, c, tip = triple(places[hip]), triple(places[knee]), triple(places[foot]), triple(places[toe])
         x, z = np.float64(toes[side, 0]) - root[0], np.float64(toes[side, 2]) - root[1]
-        sole = _plus(tip, c, -1.0)
-        target = _plus(_heading((-sin / length, cos / length), (x, np.float64(toes[side, 1]), z)), sole, -1.0)
-        bone, shin, (x, y, z) = _plus(b, a, -1.0), _plus(c, b, -1.0), _plus(a, target, -1.0)
-        full = math.sqrt(_dot(bone, bone)) + math.sqrt(_dot(shin, shin))
+        sole = plus(tip, c, -1.0)
+        target = plus(to_world((-sin / length, cos / length), (x, np.float64(toes[side, 1]), z)), sole, -1.0)
+        bone, shin, (x, y, z) = plus(b, a, -1.0), plus(c, b, -1.0), plus(a, target, -1.0)
+        full = math.sqrt(dot(bone, bone)) + math.sqrt(dot(shin, shin))
         lack = y - math.sqrt(max(((1 - rules.soft) * full) ** 2 - x * x - z * z, (full / 2) ** 2))
         room = rules.room * full
         lack = lack if lack > room else max(lack + room, 0.0) ** 2 / (4 * room)
         need = max(need, min(lack, rules.deepest * full) * min(2 * np.float64(contacts[side]), 1.0))
         middle, end = _two_bone(a, b, c, target, rules.soft)
-        for point, place in ((knee, middle), (foot, end), (toe, _plus(end, sole))):
+        for point, place in ((knee, middle), (foot, end), (toe, plus(end, sole))):
             at = 12 * body.own[point]
             joints[at], joints[at + 1], joints[at + 2] = place
     new_drop[0], new_drop[1] = _sink(old_drop, need, rules)
@@ -286,9 +272,9 @@ def pose(histories, poses, toes, drops, body, feet, arms, rotations, roots, star
         heading, floor = (sin / length, cos / length), (x, 0.0, z)
         for j in range(points):
             block = joints[12 * body.features[j] :]
-            forward, up = _triple(block[FORWARD:]), _triple(block[UP:])
-            _write(turned, j, _from_forward_up(_heading(heading, forward), _heading(heading, up)))
-        places[0, 0], places[0, 1], places[0, 2] = _plus(floor, _heading(heading, _triple(joints)))
+            forward, up = triple(block[FORWARD:]), triple(block[UP:])
+            _write(turned, j, _from_forward_up(to_world(heading, forward), to_world(heading, up)))
+        places[0, 0], places[0, 1], places[0, 2] = plus(floor, to_world(heading, triple(joints)))
         if arms:
             _turn_arms(body, turned, places, joints, heading, floor)
         if feet or arms:

@@ -28,29 +28,14 @@ _ZERO, _ONE, _HALF, _LOWEST, _EPSILON = (np.float32(v) for v in (0.0, 1.0, 0.5, 
 
 
 class Weights(NamedTuple):
-    """The weights that the kernel reads; float32, except for ``experts``.
+    """The weights that the kernel reads; float32, except for ``experts``."""
 
-    Parameters
-    ----------
-    means, deviations
-        Of inputs, phases and outputs.
-    gating
-        Weight ``[in, out]`` of three layers.
-    gating_biases
-        Their biases ``[out]``.
-    experts
-        Of three layers: weights as the kernel reads them, ``K × panels × inputs × COLUMNS`` in one row; float32, or the
-        upper halves of float32 (bfloat16, as uint16). Inputs and columns are padded with zeros.
-    biases
-        Of three layers ``[K, panels × COLUMNS]``.
-    """
-
-    means: tuple
-    deviations: tuple
-    gating: tuple
-    gating_biases: tuple
-    experts: tuple
-    biases: tuple
+    means: tuple  # of inputs, phases and outputs
+    deviations: tuple  # of inputs, phases and outputs
+    gating: tuple  # weight [in, out] of three layers
+    gating_biases: tuple  # [out]
+    experts: tuple  # of three layers, one row of K × panels × inputs × COLUMNS, padded with zeros; see `_packed`
+    biases: tuple  # of three layers [K, panels × COLUMNS]
 
     @classmethod
     def of(cls, model, precision: str) -> "Weights":
@@ -87,7 +72,7 @@ def _columns(values: np.ndarray) -> np.ndarray:
 
 
 def _packed(weight: np.ndarray, precision: str) -> np.ndarray:
-    """Weights ``[K, in, out]`` in the order of `Weights.experts`."""
+    """Weights ``[K, in, out]`` in the kernel's order, float32 or the upper halves of float32 (bfloat16, as uint16)."""
     weight = np.pad(_columns(weight), ((0, 0), (0, -weight.shape[1] % (CHAINS // VECTORS)), (0, 0)))
     if precision == "bfloat16":
         bits = weight.view(np.uint32)

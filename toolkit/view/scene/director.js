@@ -58,7 +58,8 @@ const CSS = `
 @media(max-width:900px){.tkd{display:flex;flex-direction:column;overflow:auto}.tkd>*{flex:none}
 .tkd-box{height:clamp(190px,28dvh,420px)}.tkd-side{overflow:visible;order:1}}
 `;
-const BUSY = 150, LATE = 700; // ms between pictures while a motion is computed; after which the clock says how much is ready
+const BUSY = 150, SHARE = 20; // ms between pictures while a motion is computed, and how many times as long as a picture takes
+const LATE = 700; // ms after which the clock says how much of the motion is ready
 const STILL = 12; // unchanged pictures before one with smooth edges
 
 export function render({ model, el }) {
@@ -67,7 +68,7 @@ export function render({ model, el }) {
   if (model.get("height")) root.style.height = `${model.get("height")}px`;
   make("style", "", root, { textContent: CSS });
   const data = model.get("data"), ghosts = [];
-  let selected = null, playing = false, last = 0, handle = 0, moved = true, rest = 0, painted = 0, focused = null, shown, arriving = false, problem = "", trailed = null;
+  let selected = null, playing = false, last = 0, handle = 0, moved = true, rest = 0, painted = 0, pause = BUSY, focused = null, shown, arriving = false, problem = "", trailed = null;
   const desk = new Desk(data, model.get("scene"), changed);
   desk.seconds = 0;
   const fps = desk.rules.FPS;
@@ -175,7 +176,7 @@ export function render({ model, el }) {
 
   function changed(what) {
     const busy = what === "frames" && desk.making.some(Boolean);
-    if (!busy || performance.now() - painted > BUSY) moved = true;
+    if (!busy || performance.now() - painted > pause) moved = true;
     if (what !== "kept" || arriving) return;
     model.set("scene", desk.scene);
     model.save_changes();
@@ -262,8 +263,9 @@ export function render({ model, el }) {
     }
     if (moved) {
       moved = false, rest = 0;
+      const began = performance.now();
       paint(false);
-      painted = performance.now();
+      painted = performance.now(), pause = Math.max(BUSY, SHARE * (painted - began));
     } else if (++rest === STILL) paint(true);
   }
 

@@ -6,6 +6,9 @@
 
 export const copy = (state) => Object.fromEntries(Object.entries(state).map(([name, values]) => [name, Float64Array.from(values)]));
 
+// three numbers from a place of an array on
+export const three = (values, at) => [values[at], values[at + 1], values[at + 2]];
+
 // a state that stands still, at a place [x, z], with a direction [sin, cos]
 export function stand(state, place, facing) {
   const moved = copy(state), [x, z, sin, cos] = state.history.slice(-4), s = facing[0] * cos - facing[1] * sin;
@@ -24,7 +27,9 @@ const lerp = (a, b, share) => a + share * (b - a);
 const clamp = (v, low, high) => Math.min(Math.max(v, low), high);
 
 export function unit(v) {
-  const length = Math.max(Math.hypot(...v), 1e-12);
+  let square = 0;
+  for (const x of v) square += x * x; // Math.hypot is slow
+  const length = Math.max(Math.sqrt(square), 1e-12);
   return v.map((x) => x / length);
 }
 
@@ -88,7 +93,7 @@ export function steer(old, command, rules, x, next) {
 function toes({ history, joints }, rules) {
   const [x, z, sin, cos] = history.subarray(history.length - 4), [s, c] = unit([sin, cos]);
   return rules.toes.map((joint) => {
-    const [px, py, pz] = joints.subarray(rules.width * joint, rules.width * joint + 3);
+    const [px, py, pz] = three(joints, rules.width * joint);
     return [c * px + s * pz + x, py, c * pz - s * px + z];
   });
 }
@@ -118,18 +123,17 @@ function hold(old, before, predicted, left, rules, next) {
 }
 
 // The new pose: halfway between the prediction and where velocities lead, seen from the new root frame.
-function pose(was, z, around, shift, rules, joints) {
-  const [sin, cos] = around, half = 0.5 / rules.fps;
-  const write = (at, [x, y, z]) => (joints[at] = cos * x + sin * z, joints[at + 1] = y, joints[at + 2] = cos * z - sin * x);
-  for (let j = 0; j < was.length; j += rules.width) {
-    const read = (channel) => z.subarray(rules.joints_out + j + rules[channel], rules.joints_out + j + rules[channel] + 3);
-    const velocity = read("velocity"), forward = unit(Array.from(read("forward"))), up = Array.from(read("up"));
-    const along = up[0] * forward[0] + up[1] * forward[1] + up[2] * forward[2], at = j + rules.position;
-    write(at, Array.from(read("position"), (v, i) => 0.5 * (was[at + i] + v) + half * velocity[i]));
-    write(j + rules.forward, forward);
-    write(j + rules.up, unit(up.map((v, i) => v - along * forward[i])));
-    write(j + rules.velocity, velocity);
-    joints[at] += shift[0], joints[at + 2] += shift[1];
+function pose(was, z, [sin, cos], [right, ahead], rules, joints) {
+  const half = 0.5 / rules.fps, { position, forward, up, velocity, width, joints_out } = rules;
+  const write = (at, vx, vy, vz) => (joints[at] = cos * vx + sin * vz, joints[at + 1] = vy, joints[at + 2] = cos * vz - sin * vx);
+  for (let j = 0; j < was.length; j += width) {
+    const out = joints_out + j, p = out + position, v = out + velocity, at = j + position, [fx, fy, fz] = unit(three(z, out + forward));
+    const [ux, uy, uz] = three(z, out + up), along = ux * fx + uy * fy + uz * fz, over = unit([ux - along * fx, uy - along * fy, uz - along * fz]);
+    write(at, 0.5 * (was[at] + z[p]) + half * z[v], 0.5 * (was[at + 1] + z[p + 1]) + half * z[v + 1], 0.5 * (was[at + 2] + z[p + 2]) + half * z[v + 2]);
+    write(j + forward, fx, fy, fz);
+    write(j + up, over[0], over[1], over[2]);
+    write(j + velocity, z[v], z[v + 1], z[v + 2]);
+    joints[at] += right, joints[at + 2] += ahead;
   }
 }
 

@@ -1,7 +1,7 @@
 // From a character's state to a pose that can be drawn, feet planted and arms turned (ik.py; compiled/ik.py, whose functions these are).
 //
 // body: compiled/ik.py's Body: parents [J'], offsets [J'][3], features [J'], own [J'], ends, legs [2][4], arms [A][2]
-import { unit } from "./frame.js";
+import { three, unit } from "./frame.js";
 
 const plus = (a, b, share = 1) => [a[0] + share * b[0], a[1] + share * b[1], a[2] + share * b[2]];
 const minus = (a, b) => plus(a, b, -1);
@@ -75,7 +75,7 @@ function plantFeet(body, turned, places, toes) {
   kinematics(body, turned, places);
   body.legs.forEach(([hip, knee, foot, toe], side) => {
     const [a, b, c] = [hip, knee, foot].map((joint) => places[joint]);
-    const [middle, end] = twoBone(a, b, c, plus(minus(toes.subarray(3 * side, 3 * side + 3), places[toe]), c));
+    const [middle, end] = twoBone(a, b, c, plus(minus(three(toes, 3 * side), places[toe]), c));
     turned[hip] = multiply(between(minus(b, a), minus(middle, a)), turned[hip]);
     turned[knee] = multiply(between(minus(c, b), minus(end, middle)), turned[knee]);
   });
@@ -90,7 +90,7 @@ function sink([before, speed], lack, { fps, let_go, fall }) {
 
 // Puts knees, feet and toes of a pose where foot IK has them, and sets the drop (compiled/ik.py's plant); before: the last frame's.
 export function plant({ history, joints, toes, contacts, drop }, before, body, rules) {
-  const read = (joint, channel) => Array.from(joints.subarray(rules.width * joint + rules[channel]).subarray(0, 3));
+  const read = (joint, channel) => three(joints, rules.width * joint + rules[channel]);
   const [x, z, sin, cos] = history.subarray(history.length - 4), [s, c] = unit([sin, cos]), places = [read(0, "position")];
   for (const j of body.chains) {
     const above = body.parents[j], joint = body.features[above];
@@ -98,7 +98,7 @@ export function plant({ history, joints, toes, contacts, drop }, before, body, r
   }
   let need = 0;
   body.legs.forEach(([hip, knee, foot, toe], side) => {
-    const [tx, ty, tz] = toes.subarray(3 * side, 3 * side + 3), [a, b, ankle] = [hip, knee, foot].map((joint) => places[joint]);
+    const [tx, ty, tz] = three(toes, 3 * side), [a, b, ankle] = [hip, knee, foot].map((joint) => places[joint]);
     const sole = minus(places[toe], ankle), target = minus([c * (tx - x) - s * (tz - z), ty, c * (tz - z) + s * (tx - x)], sole);
     const full = Math.hypot(...minus(b, a)) + Math.hypot(...minus(ankle, b)), [dx, dy, dz] = minus(a, target);
     const lack = dy - Math.sqrt(Math.max(((1 - rules.soft) * full) ** 2 - dx * dx - dz * dz, (full / 2) ** 2));

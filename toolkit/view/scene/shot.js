@@ -107,8 +107,9 @@ export function shot(value, styles) {
     radius: optional(given.radius, (v) => number(v, "radius", 0.05, 5)),
   };
   demand(path.length > 1, `path: two or more points are needed, got ${path.length}`);
-  path.forEach((p, k) => demand(!k || Math.hypot(p.x - path[k - 1].x, p.z - path[k - 1].z) >= 0.01,
-    `path[${k}]: is less than 1 cm from the point before it`));
+  const ways = path.slice(1).map((p, k) => Math.hypot(p.x - path[k].x, p.z - path[k].z)), length = ways.reduce((sum, way) => sum + way, 0);
+  ways.forEach((way, k) => demand(way >= 0.01, `path[${k + 1}]: is less than 1 cm from the point before it`));
+  demand(length <= LONGEST * FAST, `path: is ${length.toFixed(0)} m long, a path has at most ${LONGEST * FAST} m`);
   rising(path.slice(1).filter((p) => p.time !== null), "path, points with a time");
   demand(!path[0].time, "path[0]: the first point has the time 0");
   demand(path.slice(1).every((p) => p.time !== 0), "path: only the first point can have the time 0");
@@ -270,7 +271,7 @@ export class Take {
   // the frame that the character is in is the next one
   note() {
     const { state } = this.character, place = state.history.slice(-4);
-    this.frames.push({ history: place, joints: Float32Array.from(state.joints), toes: state.toes.slice(), drop: state.drop.slice(), contacts: state.contacts.slice() });
+    this.frames.push({ history: place, joints: new Float32Array(state.joints), toes: state.toes.slice(), drop: state.drop.slice(), contacts: state.contacts.slice() });
     this.places.push([place[0], place[1]]);
     this.count = Math.max(this.count, this.frames.length);
   }

@@ -1,12 +1,12 @@
 // The product of the experts as WebAssembly with SIMD, in doubles, assembled here when a page opens.
 //
 // A layer is y = Σ αₖ Wₖ x. Weights w are float32, panels × experts × rows × 8 outputs; the rows are a multiple of 4. The sums of a
-// tile, 4 outputs × 4 columns, stay in registers over the rows of one expert, and are added to y times the expert's gate.
-//   many(y, w, x, gates, rows, experts, panels, tiles): a column is a character; x is tiles × rows × 4, gates tiles × experts × 4
-//   one(y, w, x, gates, rows, experts, panels): a column is every fourth row of one character; x is rows, gates experts
+// tile, outputs × columns, stay in registers over the rows of one expert, and are added to y times the expert's gate.
+//   many(y, w, x, gates, rows, experts, panels, tiles): 4 outputs, 4 characters; x is tiles × rows × 4, gates tiles × experts × 4
+//   one(y, w, x, gates, rows, experts, panels): 8 outputs, every second row of one character; x is rows, gates experts
 // y is characters × panels × 8. The first four arguments are addresses in bytes. So weights are read once for all characters.
 export const I32 = 0x7f, V128 = 0x7b;
-const COLUMNS = 4, DOUBLE = 8, OUTPUTS = 8, LANES = 2, PAIR = [0, 1];
+const COLUMNS = 4, DOUBLE = 8, OUTPUTS = 8, LANES = 2;
 const EACH = Array.from({ length: COLUMNS }, (_, c) => c);
 
 function leb(n) { // unsigned
@@ -32,27 +32,29 @@ const splat = (address, offset) => [address, vector(10), 0, leb(offset)]; // one
 const singles = (address, offset) => [address, vector(93), 0, leb(offset), vector(95)]; // two float32 as doubles
 export const store = (address, offset, value) => [address, value, vector(11), 0, leb(offset)];
 export const plus = (a, b) => [a, b, vector(240)], product = (a, b) => [a, b, vector(242)];
+export const added = (total, a, b, fused) => (fused ? [a, b, total, vector(263)] : plus(total, product(a, b))); // total + a b
 export const bodyOf = (locals, code) => sized([list(locals), code, 0x0b]); // of a function; locals = [[count, type]]
 
-function compute(many) {
+function compute(many, fused) {
   const [y, w, x, gates, rows, experts, panels] = Array.from({ length: 7 }, (_, i) => i), first = many ? 8 : 7;
   const [panel, expert, tile, expertAt, row, end, at, gate, out, stride] = Array.from({ length: 10 }, (_, i) => first + i);
-  const value = first + 10, input = value + 1, sum = (v, c) => input + COLUMNS * (1 + v) + c;
-  const multiply = (v, c, weight) => put(sum(v, c), plus(get(sum(v, c)), product(get(input + c), weight)));
+  const pairs = many ? [0, 1] : [0, 1, 2, 3], columns = 2 * COLUMNS / pairs.length; // of lanes, and of sums
+  const value = first + 10, input = value + 1, sum = (v, c) => input + COLUMNS + columns * v + c;
+  const multiply = (v, c, weight) => put(sum(v, c % columns), added(get(sum(v, c % columns)), get(input + c), weight, fused));
   const one = [ // four rows
-    EACH.map((c) => PAIR.map((v) => multiply(v, c, singles(get(row), 4 * (OUTPUTS * c + LANES * v))))),
+    EACH.map((c) => pairs.map((v) => multiply(v, c, singles(get(row), 4 * (OUTPUTS * c + LANES * v))))),
     advance(row, constant(4 * OUTPUTS * COLUMNS)),
   ];
   const all = [ // one row
-    PAIR.map((v) => [put(value, singles(get(row), 4 * LANES * v)), EACH.map((c) => multiply(v, c, get(value)))]),
+    pairs.map((v) => [put(value, singles(get(row), 4 * LANES * v)), EACH.map((c) => multiply(v, c, get(value)))]),
     advance(row, constant(4 * OUTPUTS)),
   ];
   const blend = (v, half, c, total) => { // y += gate * total
     const offset = DOUBLE * LANES * (v + 2 * half);
     return store(get(out), offset, plus(load(get(out), offset), product(splat(get(gate), DOUBLE * c), total)));
   };
-  const half = (number) => [ // four of the panel's eight outputs
-    EACH.map((c) => PAIR.map((v) => put(sum(v, c), zero))),
+  const half = (number) => [ // four of the panel's eight outputs, or all
+    EACH.map((k) => [0, COLUMNS].map((v) => put(sum(0, 0) + v + k, zero))),
     put(row, add(get(expertAt), constant(4 * 2 * LANES * number))),
     put(end, add(get(row), times(get(rows), constant(4 * OUTPUTS)))),
     put(at, many ? add(get(x), times(times(get(tile), get(rows)), constant(DOUBLE * COLUMNS))) : get(x)),
@@ -62,17 +64,17 @@ function compute(many) {
     many ? [
       put(gate, add(get(gates), times(add(times(get(tile), get(experts)), get(expert)), constant(DOUBLE * COLUMNS)))),
       advance(out, times(get(tile), times(get(stride), constant(COLUMNS)))),
-      EACH.map((c) => [PAIR.map((v) => blend(v, number, c, get(sum(v, c)))), advance(out, get(stride))]),
+      EACH.map((c) => [pairs.map((v) => blend(v, number, c, get(sum(v, c)))), advance(out, get(stride))]),
     ] : [
       put(gate, add(get(gates), times(get(expert), constant(DOUBLE)))),
-      PAIR.map((v) => blend(v, number, 0, EACH.map((c) => get(sum(v, c))).reduce(plus))),
+      pairs.map((v) => blend(v, number, 0, plus(get(sum(v, 0)), get(sum(v, 1))))),
     ],
   ];
   const code = [
     put(expertAt, get(w)), put(stride, times(get(panels), constant(DOUBLE * OUTPUTS))), put(panel, constant(0)),
     until(panel, get(panels), put(expert, constant(0)),
       until(expert, get(experts), put(tile, constant(0)),
-        many ? until(tile, get(first - 1), half(0), half(1), advance(tile, constant(1))) : [half(0), half(1)],
+        many ? until(tile, get(first - 1), half(0), half(1), advance(tile, constant(1))) : half(0),
         advance(expertAt, times(get(rows), constant(4 * OUTPUTS))), advance(expert, constant(1))),
       advance(panel, constant(1))),
   ];
@@ -92,12 +94,13 @@ export function assemble(functions) {
   ].flat(Infinity));
 }
 
-// {many, one, memory}; null where the browser has no SIMD or its page forbids WebAssembly
-export function kernel() {
+// {many, one, memory}; null where the browser has no SIMD or its page forbids WebAssembly. A fused sum is twice as fast.
+export function kernel(fused = true) {
   try {
-    const memory = new WebAssembly.Memory({ initial: 1 }), made = new WebAssembly.Module(assemble({ many: [8, compute(true)], one: [7, compute(false)] }));
-    return { ...new WebAssembly.Instance(made, { page: { memory } }).exports, memory };
+    const memory = new WebAssembly.Memory({ initial: 1 });
+    const made = new WebAssembly.Module(assemble({ many: [8, compute(true, fused)], one: [7, compute(false, fused)] }));
+    return { ...new WebAssembly.Instance(made, { page: { memory } }).exports, memory, fused };
   } catch {
-    return null;
+    return fused ? kernel(false) : null;
   }
 }

@@ -11,14 +11,14 @@ from pathlib import Path
 
 import torch
 
-from toolkit import features, phases, training
+from toolkit import features, phases
 from toolkit.datasets import home, parameters
 from toolkit.datasets.procedural import SKELETON
 from toolkit.features import Layout, Normaliser
 from toolkit.motion import Clip, trajectory
 from toolkit.networks import Model, Sizes, build
 from toolkit.networks.bank import StyleBank
-from toolkit.training import Run
+from toolkit.training import run
 
 DATASET = "lpn-film-100style"  # their name in `toolkit.datasets.fetch`
 
@@ -49,7 +49,7 @@ def available() -> bool:
     return home.folder(DATASET).is_dir()
 
 
-def load(folder: str | os.PathLike | None = None, *, calibrated: bool = False) -> Run:
+def load(folder: str | os.PathLike | None = None, *, calibrated: bool = False) -> run.Run:
     """The published model and its 100 style vectors, ``model, bank = load(folder)``.
 
     The model has no FiLM generator: only the style vectors that it gave were published.
@@ -87,10 +87,10 @@ def load(folder: str | os.PathLike | None = None, *, calibrated: bool = False) -
     vectors = torch.stack([torch.cat(parts) for parts in of_style])
     speeds = torch.full((len(STYLES),), math.nan)
     speeds[:TRAINED] = read["Walk_Velocities"] / 12
-    return Run(model, StyleBank(STYLES, vectors, speeds))
+    return run.Run(model, StyleBank(STYLES, vectors, speeds))
 
 
-def either(file: str | os.PathLike | None, folder: str | os.PathLike | None) -> Run:
+def either(file: str | os.PathLike | None, folder: str | os.PathLike | None) -> run.Run:
     """A model and its style bank, from a training run's ``file`` or the published ``folder``; by default the embedded one.
 
     The ``folder`` may be ``lpn-film-100style``, for the folder of downloaded data.
@@ -104,7 +104,7 @@ def either(file: str | os.PathLike | None, folder: str | os.PathLike | None) -> 
         raise ValueError("give either --model FILE or --published FOLDER, not both")
     if folder is not None:
         return load(folder)
-    return training.pretrained() if file is None else training.load(file)
+    return run.pretrained() if file is None else run.load(file)
 
 
 def one_step(model: Model, bank: StyleBank, clip: Clip, style: str, frames: tuple[int, int | None] = (0, None)) -> dict:

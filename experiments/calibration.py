@@ -1,0 +1,62 @@
+"""Forms of calibrated inference, from the cheapest to the whole: joint error one step ahead on a real take."""
+
+from pathlib import Path
+from typing import Annotated
+from unittest import mock
+
+import torch
+import torch.nn.functional as F
+import typer
+from torch import Tensor
+
+from experiments.tables import Result
+from toolkit import published
+from toolkit.cli import verbs
+from toolkit.io import bvh
+from toolkit.networks.experts import BlendedLinear
+from toolkit.networks.film import EPSILON, Film
+
+
+def run(
+    clip: Annotated[Path, typer.Option(help="A BVH file of the 100STYLE skeleton.")],
+    style: Annotated[str, typer.Option(help="Style of the clip.")],
+    parameters: verbs.Published = None,
+    model: verbs.TrainedRun = None,
+    start: Annotated[int, typer.Option(help="First frame (100STYLE: START of Frame_Cuts.csv).")] = 0,
+    store: Annotated[bool, typer.Option("--store", help="Write the table's file in docs/results.")] = False,
+) -> None:
+    """Errors of predicted next frames without calibration, with two cheaper forms of it, and with the whole."""
+    net, bank = published.either(model, parameters)
+    motion, rows = bvh.load(clip), []
+    for form, (what, name, instead) in FORMS.items():
+        net.calibrated = form != "none"
+        with mock.patch.object(what, name, instead or getattr(what, name)):
+            rows.append({"form": form, "error": published.one_step(net, bank, motion, style, (start, None))["joint_mse"]})
+        print(f"{rows[-1]['error']:.4f}  {form}", flush=True)
+    if store:
+        Result("calibration", f"Published parameters one step ahead on {motion.name}, in the model's normalised units",
+               "python -m experiments calibration --published DATA/lpn_film_100style --clip DATA/100style/Neutral_FW.bvh "
+               "--style Neutral --start 327 --store", {"form": ["form of calibration"], "error": ["joint error", 3]},
+               rows).save()
+
+
+def deviation_only(film: Film, layer: int, f: Tensor, style: Tensor, variance: Tensor) -> Tensor:
+    """`Film.expected` with its deviation s, but with ELU(u) in place of the mean over ε."""
+    gamma, beta = film._part(layer, style)
+    deviation = (f.var(-1, keepdim=True) + variance.mean(-1, keepdim=True)).sqrt() + EPSILON
+    return F.elu(gamma * (f - f.mean(-1, keepdim=True)) / deviation + beta)
+
+
+def squares_of_experts(linear: BlendedLinear, x: Tensor, gates: Tensor) -> Tensor:
+    """`BlendedLinear.scatter` with Σₖ αₖ Wₖ² in place of (Σₖ αₖ Wₖ)²."""
+    return torch.einsum("bk,bi,kij->bj", gates, x.square(), linear.weight.square())
+
+
+#: Of each form, what it puts in place of what.
+FORMS = {
+    "none": (Film, "expected", None),
+    "only the deviation s, which needs 36 vectors of precomputed products of experts": (Film, "expected", deviation_only),
+    "ν from the squares of the experts, Σₖ αₖ Wₖᵢⱼ², which needs one more product": (BlendedLinear, "scatter",
+                                                                                    squares_of_experts),
+    "the whole form, which blends the weights for every character": (Film, "expected", None),
+}
