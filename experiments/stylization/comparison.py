@@ -32,6 +32,7 @@ app.command()(looks.strip)
 app.command("network-judge")(network_judge.run)
 
 OUT = Path("out/stylization")
+USUAL = 60.0  # seconds of the comparison
 OURS: dict[str, dict] = {  # what differs from the recipe
     "ours": {}, "ours without ds": {"losses": LOSSES[:4]}, "ours without sty and ds": {"losses": LOSSES[:3]},
     "ours with own window": {"other_window": False, "encoder_learns": False, "warm_up": 150},
@@ -76,7 +77,7 @@ def run(
     context: typer.Context,
     out: Annotated[Path, typer.Option(help="Folder of the runs; finished runs in it are not repeated.")] = OUT,
     data: Annotated[str, typer.Option(help=f"Comma-separated: {', '.join(sets.SETS)}.")] = ",".join(sets.SETS),
-    seconds: Annotated[float, typer.Option(min=1, help="Processor time of each training.")] = 90.0,
+    seconds: Annotated[float, typer.Option(min=1, help="Processor time of each training.")] = USUAL,
     seeds: Annotated[str, typer.Option(help="Comma-separated; every method has one run per seed.")] = "0,1,2",
     methods: Annotated[str, typer.Option(help="Comma-separated.")] = ",".join(METHODS),
     part: Annotated[str, typer.Option(help=f"What is scored: {', '.join(sets.PARTS)}.")] = "test",
@@ -169,14 +170,15 @@ def summary(name: str, task: Task, plan: Plan, folder: Path) -> Result:
                 "training windows": len(task.train), "scored windows": len(real), "restyled sources": len(sources),
                 "styles": len(real.domains), "contents": len(real.contents), **machine("cpu")}
     command = f"python -m experiments stylization --data {name} --seconds {plan.seconds:g} --store"
-    return Result(f"stylisation-{name}", about, command, COLUMNS, lines, settings, {"runs": numbers})
+    longer = "" if plan.seconds == USUAL else f"-{plan.seconds:g}-seconds"
+    return Result(f"stylisation-{name}{longer}", about, command, COLUMNS, lines, settings, {"runs": numbers})
 
 
 @app.command()
 def recipe(
     out: Annotated[Path, typer.Option(help="Folder of the runs; finished runs are not repeated.")] = Path("out/recipe"),
     data: Annotated[str, typer.Option(help=f"One of {', '.join(sets.SETS)}.")] = "dataset-2",
-    seconds: Annotated[float, typer.Option(min=1, help="Processor time of each training.")] = 60.0,
+    seconds: Annotated[float, typer.Option(min=1, help="Processor time of each training.")] = USUAL,
     sources: Annotated[int, typer.Option(min=2, help="Largest number of restyled windows.")] = 64,
     seeds: Annotated[str, typer.Option(help="Comma-separated.")] = "0",
     rows: Annotated[str, typer.Option(help=f"Comma-separated: {', '.join(RECIPE)}.")] = ",".join(RECIPE),

@@ -21,7 +21,7 @@ from toolkit.evaluation import metrics
 from toolkit.features.splits import generator, seeded
 from toolkit.stylization import training
 from toolkit.stylization.data import Motions, Statistics
-from toolkit.stylization.layers import he_init, trunk
+from toolkit.stylization.layers import SLOPE, encoder, he_init
 
 CHANNELS, EPOCHS, BATCH, RATE = 32, 5, 32, 2e-3
 DROPOUT, NOISE, DECAY = 0.5, 0.05, 0.05  # of the features; on the motions, deviations; of the weights
@@ -37,12 +37,12 @@ class Network(nn.Module):
     def __init__(self, motions: Motions, classes: int):
         super().__init__()
         self.statistics: Statistics = motions.statistics()
-        self.trunk, self.head = trunk(motions.graph, CHANNELS), nn.Linear(4 * CHANNELS, classes)
+        self.trunk, self.head = encoder(motions.graph, CHANNELS), nn.Linear(4 * CHANNELS, classes)
         he_init(self)
 
     def features(self, x: Tensor) -> Tensor:
         """``[B, 4 C]`` of motions ``[B, 7, T, N]``, physical units."""
-        return self.trunk(self.statistics.apply(x).transpose(2, 3)).mean((2, 3))
+        return functional.leaky_relu(self.trunk(self.statistics.apply(x).transpose(2, 3)), SLOPE).mean((2, 3))
 
     def forward(self, x: Tensor) -> Tensor:
         """Logits of motions ``[B, 7, T, N]``, physical units."""

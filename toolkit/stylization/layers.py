@@ -170,11 +170,6 @@ def encoder(graph: SkeletonGraph, channels: int, norm: str = "none") -> nn.Seque
     return nn.Sequential(Pointwise(7, channels), *blocks)
 
 
-def trunk(graph: SkeletonGraph, channels: int) -> nn.Sequential:
-    """First layers of E, D and the classifiers (Table 3b, d): `encoder`, then a leaky ReLU."""
-    return nn.Sequential(*encoder(graph, channels), nn.LeakyReLU(SLOPE))
-
-
 def he_init(network: nn.Module) -> None:
     """He initialisation (appendix A.2); biases start at zero."""
     for layer in network.modules():

@@ -15,7 +15,7 @@ from toolkit.motion.names import checked
 from toolkit.motion.tensors import summary
 from toolkit.stylization.data import CHANNELS, FRAMES, Statistics
 from toolkit.stylization.graph import POOLINGS, SkeletonGraph
-from toolkit.stylization.layers import SLOPE, AdaIN, Block, PerJoint, Pointwise, Skip, encoder, he_init, trunk
+from toolkit.stylization.layers import SLOPE, AdaIN, Block, PerJoint, Pointwise, Skip, encoder, he_init
 
 SHRINK = 2**POOLINGS  # frames per frame of the coarsest level
 CODE_GAIN = 0.3  # share of He's deviation for layers that write or read style codes
@@ -77,7 +77,7 @@ class Generator(nn.Module):
 
 
 class Summary(nn.Module):
-    """Trunk of E and D and a convolution over the whole pooled graph: ``[B, 4 C]`` of z-scores ``[B, 7, T, N]``.
+    """An `encoder` and a convolution over the whole pooled graph, of E and D: ``[B, 4 C]`` of z-scores ``[B, 7, T, N]``.
 
     At T = 64 this convolution has one output frame, as in Table 3; a longer motion gives the mean over its output frames.
     """
@@ -85,12 +85,13 @@ class Summary(nn.Module):
     def __init__(self, graph: SkeletonGraph, sizes: Sizes):
         super().__init__()
         width = sizes.channels << POOLINGS
-        self.trunk = trunk(graph, sizes.channels)
+        self.trunk = encoder(graph, sizes.channels)
         self.whole = nn.Conv2d(width, width, (graph.sizes[-1], FRAMES // SHRINK))
 
     def forward(self, x: Tensor) -> Tensor:
         """Features of motions of at least 64 frames."""
-        return functional.leaky_relu(self.whole(self.trunk(x.transpose(2, 3))), SLOPE).mean((2, 3))
+        h = functional.leaky_relu(self.trunk(x.transpose(2, 3)), SLOPE)
+        return functional.leaky_relu(self.whole(h), SLOPE).mean((2, 3))
 
 
 class StyleEncoder(nn.Module):
