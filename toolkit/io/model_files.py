@@ -111,7 +111,7 @@ def intact(path: str | os.PathLike, what: str) -> Iterator[None]:
     """Inside, an error from a value of the wrong kind becomes a ValueError of one line: ``what`` is damaged."""
     try:
         yield
-    except (AttributeError, IndexError, KeyError, OverflowError, RuntimeError, TypeError, ValueError) as error:
+    except (ArithmeticError, AttributeError, IndexError, KeyError, RuntimeError, TypeError, ValueError) as error:
         raise ValueError(f"{path}: {what} is damaged ({plain(error)})") from error
 
 
