@@ -108,6 +108,10 @@ def test_it_reads_back_what_it_wrote_and_refuses_other_files(small, swinging, tm
     tk.io.model_files.write(tmp_path / "damaged", tensors, parts)
     with pytest.raises(ValueError, match=r"the learned source in it is damaged .*shift\.0\.weight"):
         Learned.load(tmp_path / "damaged")
+    parts["learned"]["hidden"]["foot"] = 0
+    tk.io.model_files.write(tmp_path / "nothing", tensors, parts)
+    with pytest.raises(ValueError, match="the learned source in it is damaged"):
+        Learned.load(tmp_path / "nothing")
 
 
 def test_same_seed_same_networks(swinging):
