@@ -240,7 +240,7 @@ def curve(
     run = training.fit(task.train, plan.config(seed, log_every=10), progress=True, on_step=look,
                        clock=lambda: time.process_time() - spent)
     if len(rows) < points * len(ways):
-        look(run.history[-1]["step"], run.stylizer, last=True)
+        look(run.history[-1]["step"] if run.history else 0, run.stylizer, last=True)
     out.parent.mkdir(parents=True, exist_ok=True)
     run.save(out)
     chosen = _sources(task, plan)
