@@ -6,7 +6,7 @@ from pathlib import Path
 
 
 def merged(notebook: str, run: str) -> str:
-    """The text of a notebook file with the results of a run of the same code, or "" if the code is another or the run was stopped.
+    """The text of a notebook file with the results of a run, or "" if its code is another or it was stopped.
 
     Parameters
     ----------
