@@ -6,7 +6,7 @@ from pathlib import Path
 
 
 def merged(notebook: str, run: str) -> str:
-    """The text of a notebook file with the results of a run of the same code, or "" if the code is another.
+    """The text of a notebook file with the results of a run, or "" if its code is another or it was stopped.
 
     Parameters
     ----------
@@ -19,7 +19,8 @@ def merged(notebook: str, run: str) -> str:
     if [cell["source"] for cell in cells] != [cell["source"] for cell in results]:
         return ""
     for cell, result in zip(cells, results, strict=True):
-        if any(output["output_type"] == "error" for output in result["outputs"]):
+        stopped = result["execution_count"] is None
+        if stopped or any(output["output_type"] == "error" for output in result["outputs"]):
             return ""
         cell["outputs"], cell["execution_count"] = result["outputs"], result["execution_count"]
     return json.dumps(bare | {"metadata": full["metadata"]})
@@ -27,9 +28,9 @@ def merged(notebook: str, run: str) -> str:
 
 def seconds(run: str) -> float:
     """How long a run took, from its first to its last cell."""
-    times = [cell["metadata"]["execution"] for cell in json.loads(run)["cells"] if "execution" in cell["metadata"]]
-    first, last = times[0]["iopub.execute_input"], times[-1]["shell.execute_reply"]
-    return (datetime.fromisoformat(last) - datetime.fromisoformat(first)).total_seconds()
+    cells = json.loads(run)["cells"]
+    times = [datetime.fromisoformat(time) for cell in cells for time in cell["metadata"].get("execution", {}).values()]
+    return (max(times) - min(times)).total_seconds()
 
 
 def results(folder: Path, notebooks: list[Path]) -> tuple[dict[str, str], dict[str, float]]:
