@@ -226,7 +226,10 @@ BAD = {
     "offset of two numbers": (GOOD.replace("OFFSET 0 10 0", "OFFSET 0 10"), 8, "OFFSET needs three"),
     "offset of words": (GOOD.replace("OFFSET 0 10 0", "OFFSET 0 ten 0"), 8, "OFFSET needs three finite"),
     "offset not finite": (GOOD.replace("OFFSET 0 10 0", "OFFSET 0 inf 0"), 8, "OFFSET needs three finite"),
-    "a brace too few": (GOOD.replace("}\nMOTION", "MOTION"), 15, "MOTION inside joint Hips, a brace is missing"),
+    "a brace too few": (GOOD.replace("}\nMOTION", "MOTION"), 15, "MOTION inside joint 'Hips', a brace is missing"),
+    "a brace too few, and a joint that cannot be printed": (
+        GOOD.replace("}\nMOTION", "MOTION").replace("Hips", "Hips\u200b"), 15,
+        "MOTION inside joint 'Hips\\u200b', a brace is missing"),
     "a brace too many": (GOOD.replace("}\nMOTION", "}\n}\nMOTION"), 16, "unexpected '}'"),
     "no opening brace": (GOOD.replace("Chest\n\t{", "Chest"), 7, "expected { after joint 'Chest', got 'OFFSET 0 10 0'"),
     "empty hierarchy": ("HIERARCHY\nMOTION\nFrames: 1\nFrame Time: 1\n0\n", 2, "no ROOT"),

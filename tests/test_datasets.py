@@ -256,3 +256,8 @@ def test_available_says_whether_load_needs_a_root(monkeypatch, tmp_path):
     assert datasets.available("100style")
     with pytest.raises(ValueError, match="unknown dataset 'xio'; did you mean 'xia'"):
         datasets.available("xio")
+
+
+def test_an_option_that_a_dataset_does_not_have_is_refused_by_name(tmp_path):
+    with pytest.raises(ValueError, match=r"xia has no option 'seconds'; its options are root, styles, gaits"):
+        datasets.load("xia", tmp_path, seconds=3.0)

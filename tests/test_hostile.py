@@ -812,6 +812,22 @@ def test_names_in_a_manifest_are_checked(change, walk_clip, tmp_path):
     assert str(said.value).isprintable()
 
 
+def test_columns_of_a_store_are_those_of_its_layout(walk_clip, tmp_path):
+    from toolkit.features import store
+
+    (tmp_path / "in").mkdir()
+    tk.bvh.save(walk_clip, tmp_path / "in" / "Neutral_walk.bvh")
+    store.preprocess("folder", tmp_path / "in", tmp_path / "out", workers=1)
+    path = tmp_path / "out" / "manifest.json"
+    manifest = json.loads(path.read_text())
+    (entry,) = manifest["partitions"].values()
+    layout = json.loads(entry["layout"])
+    entry["layout"] = json.dumps(layout | {"ends": layout["ends"][1:]})  # one joint more has features
+    path.write_text(json.dumps(manifest))
+    with pytest.raises(ValueError, match=r"\.safetensors: this part of the store is damaged \(columns of joints: expected"):
+        store.load(tmp_path / "out")
+
+
 def test_a_file_name_that_cannot_be_shown_gives_no_style(walk_clip, tmp_path):
     from toolkit.datasets import folder
 

@@ -6,6 +6,7 @@ fetch`` puts it (`toolkit.datasets.home`).
 """
 
 import difflib
+import inspect
 import os
 import pkgutil
 from collections import Counter
@@ -50,6 +51,9 @@ def load(name: str, root: str | os.PathLike | None = None, styles: Names = None,
     """
     module = _module(name, root)
     place = {} if module is procedural else {"root": root}
+    known = inspect.signature(module.load).parameters
+    if other := [option for option in options if option not in known]:
+        raise ValueError(f"{name} has no option {other[0]!r}; its options are {', '.join(known)}")
     return module.load(**place, styles=styles, gaits=gaits, **options)
 
 

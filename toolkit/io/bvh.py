@@ -235,7 +235,7 @@ def _parse_hierarchy(path: Path, lines: list[str]) -> tuple[list[str], list[int]
         else:
             raise fail(number, f"unexpected {' '.join(words)[:40]!r}")
     if stack or waiting or not names:
-        problem = f"MOTION inside joint {names[-1 if waiting else stack[-1]]}, a brace is missing" if names else "no ROOT"
+        problem = f"MOTION inside joint {names[-1 if waiting else stack[-1]]!r}, a brace is missing" if names else "no ROOT"
         raise fail(len(lines) + 2, problem)
     numbers = defaultdict(lambda: itertools.chain(("",), itertools.count(2)))  # of the End Sites of each joint
     for j in sorted(ends):  # after all joints, which keep their names

@@ -15,8 +15,9 @@ from toolkit.features import Features, Layout, OwnFeatures, Rows, splits
 from toolkit.features.features import Numbering, clip_spans
 from toolkit.features.store import files
 from toolkit.features.store.workers import one_thread
-from toolkit.io.model_files import intact
+from toolkit.io.model_files import difference, intact
 from toolkit.motion import RootFrames
+from toolkit.motion.clip import FEET
 
 
 @dataclass(frozen=True)
@@ -91,6 +92,9 @@ def read(path: Path, entries: dict[str, dict[str, Any]]) -> Features:
         with intact(path / entry["file"], "this part of the store"):
             if {len(x) for x in t.values()} != {entry["frames"]}:
                 raise ValueError(f"expected {entry['frames']} frames")
+            widths = {"joints": layout.n_clip, "phases": layout.n_phases, "contacts": len(FEET)}
+            if why := difference(widths, {name: t[name].shape[-1] for name in widths}):
+                raise ValueError(f"columns of {why}")
             own = OwnFeatures(layout, RootFrames(t["positions"], t["rotations"]), t["joints"], t["phases"], t["contacts"])
         at, starts, takes, shifts, place, first = [], [], [], [], Numbering(), 0
         for clip in entry["clips"]:
