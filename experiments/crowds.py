@@ -58,7 +58,7 @@ def run(
         path, same = save / "crowds.json", ("model", "scene", "width", "characters", "bodies", "seed")
         known = Result.load("crowds", save).rows if path.exists() else []
         known = [old for old in known if all(any(old.get(key) != row[key] for key in same) for row in rows)]
-        Result("crowds", "crowds that keep apart; rules were chosen on the gate of 3 m with seeds 0, 1 and 2",
+        Result("crowds", "crowds that keep apart; gains were chosen on the gate with seed 1",
                "python -m experiments crowds", COLUMNS, [*known, *rows]).save(save)
     return None
 

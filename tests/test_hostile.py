@@ -754,6 +754,19 @@ def test_a_body_of_any_size_is_drawn_or_refused_in_one_line(unit, suffix, walk_c
     assert not out.exists()
 
 
+@pytest.mark.parametrize("unit", [1e308, 1e300, 1e30])
+def test_a_body_of_any_size_is_inspected_or_refused_in_one_line(unit, walk_clip, tmp_path):
+    tk.bvh.save(walk_clip.cut(0, 5), tmp_path / "good.bvh")
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", RuntimeWarning)
+        warnings.simplefilter("ignore", UserWarning)
+        try:
+            doubts = tk.inspect(tmp_path / "good.bvh", unit=unit).doubts
+            assert any("m tall" in doubt or "m/s" in doubt for doubt in doubts)
+        except ValueError as error:
+            assert re.search(r"good\.bvh: .*not finite", str(error))  # noqa: PT017
+
+
 STORED = ("../up", "split", "Old", "old", "a/b", "é 骨", "con", "x" * 200)
 
 

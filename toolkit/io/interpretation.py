@@ -155,14 +155,18 @@ def _rate(recording: Recording, found: Findings) -> float:
 
 def _travel(recording: Recording, fps: float, found: Findings) -> None:
     """Doubts where the root goes faster than people do: all the time, or in a jump."""
-    steps = np.linalg.norm(np.diff(recording.root_positions.numpy(), axis=0), axis=1) * found.unit
-    fast = steps * fps > FASTEST
+    steps = np.linalg.norm(np.diff(recording.root_positions.numpy(), axis=0), axis=1)
+    with np.errstate(over="ignore"):  # `Clip` refuses such positions
+        speeds = steps * found.unit * fps
+        usual = float(np.median(speeds)) if len(speeds) else 0.0
+    fast = speeds > FASTEST
     if fast.sum() > len(fast) / 2:
-        found.doubts.append(f"the body goes {np.median(steps) * fps:.3g} m/s: its path may be in another unit than its "
-                            "bones, or the frame rate wrong; clip.replace(root_positions=…) or (fps=…) decides")
+        found.doubts.append(f"the body goes {usual:.3g} m/s: its path may be in another unit than its bones, or "
+                            "the frame rate wrong; clip.replace(root_positions=…) or (fps=…) decides")
     elif fast.any():
         at = int(steps.argmax())
-        found.doubts.append(f"the body jumps by {steps[at]:.2f} m from frame {at} to {at + 1}; clip.cut(…) keeps one part")
+        found.doubts.append(f"the body jumps by {speeds[at] / fps:.2f} m from frame {at} to {at + 1}; "
+                            "clip.cut(…) keeps one part")
 
 
 def _up(body: Body, recording: Recording, found: Findings) -> str:

@@ -1,9 +1,8 @@
 """Characters that keep apart: velocities without collisions, from those that everyone wants (van den Berg et al. 2011).
 
-Optimal reciprocal collision avoidance: for each neighbour, a character keeps to a half-plane of velocities. A pair shares
-the change that avoids a collision within `HORIZON`. The velocity is the one in all half-planes that is nearest to the wanted
-one, by Hildreth's method (1957). Ours: the shares, see `_shares`; where no velocity is in all half-planes, all are missed by
-little, those of which the own share is small by more.
+Optimal reciprocal collision avoidance: for each neighbour, a character keeps to a half-plane of velocities. Both of a pair
+take half of the change that avoids a collision within `HORIZON`. The velocity is the one in all half-planes that is nearest
+to the wanted one, by Hildreth's method (1957). Ours: where none is in all of them, all are missed by little.
 """
 
 import numpy as np
@@ -12,7 +11,6 @@ from scipy.spatial import cKDTree
 HORIZON, AT_ONCE = 2.0, 0.3  # seconds: collisions within this time are avoided; in which characters too close part
 BRAKE = 1.0  # seconds in which a character comes to its least distance from a wall, at the soonest
 NEIGHBOURS, SIGHT = 8, 5.0  # most that a character avoids, and metres to them
-LEAST = 0.02  # of 2: weight of one who is behind
 SWEEPS = 12  # of Hildreth's method
 SOFT = 0.1  # share by which half-planes may be missed: of many that exclude each other, all are missed by little
 
@@ -40,11 +38,8 @@ def velocities(places: np.ndarray, moving: np.ndarray, wanted: np.ndarray, radii
     near = np.where(there, near, 0)
     radii = np.broadcast_to(radii, count)
     apart = radii[:, None] + radii[near]
-    to = places[near] - places[:, None]
-    share = _shares(to, wanted[:, None], wanted[near])
-    normal, change = _half_planes(to, moving[:, None] - moving[near], apart)
-    least = np.where(there, (normal * moving[:, None]).sum(-1) + share * change, -np.inf)
-    soft = SOFT / (2 * share)
+    normal, least = _half_planes(places[near] - places[:, None], moving[:, None] - moving[near], apart)
+    least = np.where(there, (normal * moving[:, None]).sum(-1) + least / 2, -np.inf)
     if walls is not None and len(walls):
         way = walls[:, 1] - walls[:, 0]
         share = ((places[:, None] - walls[:, 0]) * way).sum(-1) / (way * way).sum(-1)
@@ -52,25 +47,15 @@ def velocities(places: np.ndarray, moving: np.ndarray, wanted: np.ndarray, radii
         away = np.maximum(np.linalg.norm(to, axis=-1), 1e-6)
         still, bound = -to / away[..., None], (margin - away) / BRAKE
         normal, least = np.concatenate((normal, still), 1), np.concatenate((least, bound), 1)
-        soft = np.concatenate((soft, np.zeros_like(bound)), 1)
     velocity, force = wanted.copy(), np.zeros_like(least)
     for _ in range(SWEEPS):
         for k in range(force.shape[1]):
-            more = (least[:, k] - (normal[:, k] * velocity).sum(-1) - soft[:, k] * force[:, k]) / (1 + soft[:, k])
+            soft = SOFT if k < near.shape[1] else 0.0
+            more = (least[:, k] - (normal[:, k] * velocity).sum(-1) - soft * force[:, k]) / (1 + soft)
             more = np.maximum(more, -force[:, k])
             force[:, k] += more
             velocity += more[:, None] * normal[:, k]
     return velocity
-
-
-def _shares(to: np.ndarray, own: np.ndarray, other: np.ndarray) -> np.ndarray:
-    """The share ``[...]`` of a change that is one's own: who has the other in front makes room, who is in front does not.
-
-    ``to`` is the way to the other, ``own`` and ``other`` are wanted velocities.
-    """
-    cosine = lambda a, b: (a * b).sum(-1) / np.maximum(np.linalg.norm(a, axis=-1) * np.linalg.norm(b, axis=-1), 1e-9)  # noqa: E731
-    seen, sees = (np.maximum(1 + cosine(way, wanted), LEAST) for way, wanted in ((-to, other), (to, own)))
-    return sees / (sees + seen)
 
 
 def _half_planes(to: np.ndarray, relative: np.ndarray, apart: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -22,8 +22,6 @@ from toolkit.shots.shot import Shot, parse, read, save, shifted
 WAIT = 0.4  # metres behind its plan at which the plan of a character who keeps apart waits
 FASTER, SLOWEST = 1.3, 0.3  # times the planned speed, and m/s: such a character's largest speed
 WAITS = 4  # times the longest plan after which all end
-EXCESS = 0.3  # m/s by which a body that must make room may be too fast: beyond it, the command is to stand, which all obey
-RECENT = 15  # frames over which the velocity of a body is measured: it can be far from the commanded one
 MARGIN = 0.5  # metres between a root and a wall
 TRIED = 3 * FPS  # frames of the walk that shows the reach of a style
 
@@ -174,14 +172,9 @@ class Scene:
         speeds = [max(plan[0].speed[min(clock, len(plan[0].speed) - 1)], SLOWEST) for plan, clock in
                   zip(plans, clocks, strict=True)]
         most = FASTER * np.array(speeds)[:, None]
-        places, before = (state.history[:, k, :2].double().numpy() for k in (-1, -1 - RECENT))
-        moving = (places - before) * (FPS / RECENT)
-        wanted = _limited(wanted, most)
-        safe = _limited(avoidance.velocities(places, moving, wanted, np.array(self.radii), self._walls, MARGIN), most)
-        speed = np.linalg.norm(moving, axis=-1)
-        over = speed - (safe * moving).sum(-1) / np.maximum(speed, 1e-9)
-        stands = (over > EXCESS) & (np.linalg.norm(safe - wanted, axis=-1) > EXCESS / 3)
-        return np.where(stands[:, None], 0.0, safe)
+        places, moving = (values.double().numpy() for values in (state.root[:, :2], state.velocity))
+        safe = avoidance.velocities(places, moving, _limited(wanted, most), np.array(self.radii), self._walls, MARGIN)
+        return _limited(safe, most)
 
     def render(self, model, bank: StyleBank) -> list[Clip]:
         """The motion of each character, see `Shot.render`; those who keep apart are rendered together, at one length."""

@@ -18,28 +18,20 @@ function halfPlane(to, relative, apart, { AT_ONCE, HORIZON }) {
   return { normal, change: -dot(relative, normal) };
 }
 
-// the share of a change that is one's own: who has the other in front makes room; own, other: wanted velocities
-function shareOf(to, own, other, { LEAST }) {
-  const cosine = (a, b) => dot(a, b) / Math.max(size(a) * size(b), 1e-9);
-  const sees = Math.max(1 + cosine(to, own), LEAST), seen = Math.max(1 - cosine(to, other), LEAST);
-  return sees / (sees + seen);
-}
-
 // the velocity of character `a` in all half-planes [normal, least, soft] that is nearest to the one it wants
 function safe(a, places, moving, wanted, { radii, walls, rules }) {
   const { NEIGHBOURS, SIGHT, SWEEPS, SOFT, MARGIN, BRAKE } = rules, here = places[a];
   const near = places.map((place, b) => [size(minus(place, here)), b]).filter(([far, b]) => b !== a && far < SIGHT);
   const planes = near.sort(([one], [other]) => one - other).slice(0, NEIGHBOURS).map(([, b]) => {
-    const to = minus(places[b], here), share = shareOf(to, wanted[a], wanted[b], rules);
-    const { normal, change } = halfPlane(to, minus(moving[a], moving[b]), radii[a] + radii[b], rules);
-    return [normal, dot(normal, moving[a]) + share * change, SOFT / (2 * share)];
+    const { normal, change } = halfPlane(minus(places[b], here), minus(moving[a], moving[b]), radii[a] + radii[b], rules);
+    return [normal, dot(normal, moving[a]) + change / 2, SOFT];
   });
   for (const [start, end] of walls) {
     const way = minus(end, start), share = Math.min(Math.max(dot(minus(here, start), way) / dot(way, way), 0), 1);
     const to = minus(start, minus(here, times(share, way))), away = Math.max(size(to), 1e-6);
     planes.push([times(-1 / away, to), (MARGIN - away) / BRAKE, 0]);
   }
-  const velocity = [...wanted[a]], force = planes.map(() => 0);
+  const velocity = [...wanted], force = planes.map(() => 0);
   for (let sweep = 0; sweep < SWEEPS; sweep++)
     planes.forEach(([normal, least, soft], k) => {
       const more = Math.max((least - dot(normal, velocity) - soft * force[k]) / (1 + soft), -force[k]);
@@ -60,22 +52,17 @@ export class Together {
 
   // the next frame of all; whether there is one
   step() {
-    const { takes, rules, rules: { FPS } } = this, at = ({ clock, course: { distance } }) => Math.min(clock, distance.length - 1);
+    const { takes, rules } = this, at = ({ clock, course: { distance } }) => Math.min(clock, distance.length - 1);
     if (this.frames >= this.most || takes.every((take) => take.clock >= take.course.distance.length - 1)) return false;
     const asked = takes.map((take) => take.ask()), places = takes.map((take) => take.place);
-    const moving = takes.map(({ character: { state: { history } } }) => [0, 1].map((i) =>
-      (history.at(i - 4) - history.at(i - 4 - 4 * rules.RECENT)) * (FPS / rules.RECENT)));
+    const moving = takes.map(({ character: { state } }) => [...state.velocity]);
     const held = takes.map((take, k) => {
       const { course: { curve, distance } } = take, planned = distance[at(take)];
       return planned - nearest(curve, places[k], planned) > rules.WAIT;
     });
     const most = takes.map((take) => rules.FASTER * Math.max(take.course.speed[at(take)], rules.SLOWEST));
     const wanted = asked.map(({ velocity }, k) => limited(velocity, most[k]));
-    const commands = asked.map(({ facing }, k) => {
-      const velocity = limited(safe(k, places, moving, wanted, this), most[k]), speed = size(moving[k]), changed = size(minus(velocity, wanted[k]));
-      const stands = speed - dot(velocity, moving[k]) / Math.max(speed, 1e-9) > rules.EXCESS && changed > rules.EXCESS / 3;
-      return { facing, velocity: stands ? [0, 0] : velocity };
-    });
+    const commands = asked.map(({ facing }, k) => ({ facing, velocity: limited(safe(k, places, moving, wanted[k], this), most[k]) }));
     takes.forEach((take, k) => (take.clock += held[k] ? 0 : 1));
     advance(takes.map((take) => take.character), commands, takes.map((take) => take.style));
     for (const take of takes) take.note();
