@@ -211,6 +211,7 @@ def _cli(folder: Path) -> list[Reader]:
     from toolkit import __main__ as command_line
 
     runtime.compile(training.pretrained().model)  # `demo crowd` compiles too, for longer than an input may take
+    stylizers.pretrained()  # `stylize` loads it, too
     (folder / "folder").mkdir(exist_ok=True)
     for name, data in (("bad.bvh", CARRIER[:-40]), ("good.bvh", CARRIER), ("bad.safetensors", b"\0" * 64)):
         (folder / name).write_bytes(data)
