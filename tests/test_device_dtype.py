@@ -98,6 +98,7 @@ META = {  # what runs on any device, numbers or not
     "contacts.line": lambda m: contacts.line(m.points[:, 0, 1], 30, 0.0),
     "contacts.standing_range": lambda m: contacts.standing_range(m.points[:, :2, 1], m.on > 0.5),
     "contacts.standing_height": lambda m: contacts.standing_height(m.clip),
+    "contacts.toes_of": lambda m: contacts.toes_of(m.clip),
     "contacts.velocities": lambda m: (contacts.velocities(m.points, 60.0), contacts.velocities(m.points[:1], 60.0)),
     "ik.two_bone": lambda m: (ik.two_bone(m.v, m.v + 0.1, m.v.flip(-1), m.v - 0.2),
                               ik.two_bone(m.v, m.v + 0.1, m.v.flip(-1), m.v - 0.2, m.v, soft=0.02)),
