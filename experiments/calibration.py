@@ -1,14 +1,12 @@
 """Forms of calibrated inference, from the cheapest to the whole: joint error one step ahead on a real take."""
 
-from pathlib import Path
-from typing import Annotated
 from unittest import mock
 
 import torch
 import torch.nn.functional as F
-import typer
 from torch import Tensor
 
+from experiments.one_step import Start, Store, Style, Take
 from experiments.tables import Result
 from toolkit import published
 from toolkit.cli import verbs
@@ -18,12 +16,12 @@ from toolkit.networks.film import EPSILON, Film
 
 
 def run(
-    clip: Annotated[Path, typer.Option(help="A BVH file of the 100STYLE skeleton.")],
-    style: Annotated[str, typer.Option(help="Style of the clip.")],
+    clip: Take,
+    style: Style,
     parameters: verbs.Published = None,
     model: verbs.TrainedRun = None,
-    start: Annotated[int, typer.Option(help="First frame (100STYLE: START of Frame_Cuts.csv).")] = 0,
-    store: Annotated[bool, typer.Option("--store", help="Write the table's file in docs/results.")] = False,
+    start: Start = 0,
+    store: Store = False,
 ) -> None:
     """Errors of predicted next frames without calibration, with two cheaper forms of it, and with the whole."""
     net, bank = published.either(model, parameters)

@@ -25,13 +25,18 @@ COLUMNS = {"take": ["take"], "frames": ["frames", 0], "style": ["style"], "error
 #: Asked of the published network, calibrated, on Neutral_FW.
 AIM = {"take": "aim, calibrated: Neutral_FW.bvh", "error": 0.022, "right": 0.91, "left": 0.91, "phase": 0.20}
 
+Take = Annotated[Path, typer.Option("--clip", help="A BVH file; `one-step` retargets another skeleton than the model's.")]
+Style = Annotated[str, typer.Option(help="Style of the clip.")]
+Start = Annotated[int, typer.Option(help="First frame (100STYLE: START of Frame_Cuts.csv).")]
+Store = Annotated[bool, typer.Option("--store", help="Write the table's file in docs/results.")]
+
 
 def run(
-    clip: Annotated[Path, typer.Option(help="A BVH file; another skeleton than the model's is retargeted.")],
-    style: Annotated[str, typer.Option(help="Style of the clip.")],
+    clip: Take,
+    style: Style,
     parameters: verbs.Published = None,
     model: verbs.TrainedRun = None,
-    start: Annotated[int, typer.Option(help="First frame (100STYLE: START of Frame_Cuts.csv).")] = 0,
+    start: Start = 0,
     stop: Annotated[int | None, typer.Option(help="Frame after the last; default: the end.")] = None,
     beside: Annotated[str, typer.Option(help="Comma-separated styles for comparison.")] = "Zombie,Aeroplane",
     calibrated: Annotated[bool, typer.Option("--calibrated", help="Use calibrated inference.")] = False,

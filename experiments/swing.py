@@ -1,14 +1,12 @@
 """Where swing clearance is lost: a real walk, predicted with more and more of the input taken from the predictions."""
 
 from itertools import pairwise
-from pathlib import Path
-from typing import Annotated
 
 import torch
-import typer
 from torch import Tensor
 
 from experiments import closed_loop
+from experiments.one_step import Start, Store, Style, Take
 from experiments.tables import Result
 from toolkit import datasets, features, phases, published, runtime, training
 from toolkit.cli import verbs
@@ -33,12 +31,12 @@ COLUMNS = {"fed": ["from the predictions"], "own": ["clearance, cm", 1, 100], "c
 
 
 def run(
-    clip: Annotated[Path, typer.Option(help="A BVH file of the 100STYLE skeleton.")],
-    style: Annotated[str, typer.Option(help="Style of the clip.")],
+    clip: Take,
+    style: Style,
     parameters: verbs.Published = None,
     model: verbs.TrainedRun = None,
-    start: Annotated[int, typer.Option(help="First frame (100STYLE: START of Frame_Cuts.csv).")] = 0,
-    store: Annotated[bool, typer.Option("--store", help="Write the table's file in docs/results.")] = False,
+    start: Start = 0,
+    store: Store = False,
 ) -> None:
     """Swing clearance of a real walk, and of predictions of it whose input is real but for the pose or the phases.
 
