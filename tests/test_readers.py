@@ -252,7 +252,7 @@ def hostile(change):
     (lambda d: d.update(animations=[]), "there are no joints"),
 ])
 def test_hostile_gltf_files(tmp_path, change, problem):
-    assert refused(gltf.read, written(tmp_path / "a.glb", hostile(change)), problem) is gltf.GLTFError
+    assert refused(gltf.read, written(tmp_path / "a.glb", hostile(change)), problem) is ValueError
 
 
 def test_forged_times_take_no_memory(tmp_path):
@@ -369,7 +369,7 @@ def test_fbx_files_that_cannot_be_read(tmp_path):
                           (b"BVH", "it is no FBX file"), (fbx([], 6100), "only binary FBX version 7 can be read; save"),
                           (fbx([]), "no joints"),
                           (whole[:200], "damaged at byte"), (whole[:24], "only binary FBX version 7")):
-        assert refused(fbx_reader.read, written(tmp_path / "b.fbx", data), problem) is fbx_reader.FBXError
+        assert refused(fbx_reader.read, written(tmp_path / "b.fbx", data), problem) is ValueError
     bomb = fbx_scene({"a": ("", {}), "b": ("a", {})}, {("a", "Lcl Rotation", "X"): (
         np.zeros(8_000_000), np.zeros(8_000_000), [4], np.zeros((1, 4)))})
     tracemalloc.start()
@@ -467,7 +467,7 @@ def test_cmu_files_by_slow_forward_kinematics(shared):
 def test_acclaim_files_that_cannot_be_read(walk_clip, tmp_path):
     asf, motion = acclaim(walk_clip.cut(0, 3))
     path = written(tmp_path / "02_01.amc", motion)
-    assert refused(amc.read, path, "needs its skeleton; put 02.asf beside it") is amc.AMCError
+    assert refused(amc.read, path, "needs its skeleton; put 02.asf beside it") is ValueError
     skeleton = written(tmp_path / "other.asf", asf)
     assert len(amc.read(path).rotations) == 3  # the only one in the folder
     rest = amc.read(skeleton)
@@ -598,7 +598,7 @@ def test_numpy_files_that_cannot_be_read(tmp_path):
         (good | {"poses": np.array([{"a": 1}])}, "Python objects, which could run code"),
     ):
         path = written(tmp_path / "a.npz", packed(**arrays))
-        assert refused(npz.read, path, problem) is npz.NPZError
+        assert refused(npz.read, path, problem) is ValueError
     for data in (b"", b"PK\3\4" + b"\0" * 40, b"\x93NUMPY\1\0\x10\0{'shape': (1,)", packed(**good)[:300]):
         refused(npz.read, written(tmp_path / "b.npz", data), "not a whole NumPy file")
     refused(npz.read, tmp_path / "none.npz", "cannot be read")

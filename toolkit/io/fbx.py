@@ -7,7 +7,6 @@ Samuli Raivio's reader in C, with which this one was compared.
 
 import os
 from dataclasses import dataclass, field
-from pathlib import Path
 
 import numpy as np
 import torch
@@ -33,10 +32,6 @@ LARGEST = 1e30
 _ONES, _ZEROS = (1.0, 1.0, 1.0), (0.0, 0.0, 0.0)
 
 
-class FBXError(ValueError):
-    """A file that cannot be read as FBX; the message names the file."""
-
-
 @np.errstate(invalid="ignore", over="ignore")
 def read(path: str | os.PathLike, animation: str | int | None = None) -> Recording:
     """Read the motion of a binary FBX file, version 7 (2011 and later).
@@ -48,16 +43,11 @@ def read(path: str | os.PathLike, animation: str | int | None = None) -> Recordi
 
     Raises
     ------
-    FBXError
+    ValueError
         If the file is a text FBX, older than version 7, damaged, or holds no rigid skeleton.
     """
-    path = Path(path)
-    try:
+    with files.named(path):
         return _Scene(files.read(path)).recording(animation)
-    except OSError as error:
-        raise FBXError(f"{path}: cannot be read ({error.strerror})") from error
-    except ValueError as error:
-        raise FBXError(f"{path}: {error}") from error
 
 
 @dataclass

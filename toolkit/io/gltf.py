@@ -7,6 +7,7 @@ import numpy as np
 import torch
 from torch import Tensor
 
+from toolkit.io.files import named
 from toolkit.io.gltf_file import Document, hashable, index_of, indices_of, member, members, numbers_of, unit
 from toolkit.io.nodes import LIMIT, Node, frame_rate, printable, record, sample_times
 from toolkit.io.recording import Recording
@@ -18,10 +19,6 @@ PATHS = {"translation": 3, "rotation": 4, "scale": 3}
 BONES = {"shoulder": "UpperArm", "elbow": "LowerArm", "hand": "Hand", "hip": "UpperLeg", "knee": "LowerLeg", "foot": "Foot",
          "toe": "Toes"}  # our roles to VRM's bones, without the side
 USUAL = 30.0  # frames per second where the keys say nothing
-
-
-class GLTFError(ValueError):
-    """A file that cannot be read as glTF; the message names the file."""
 
 
 @np.errstate(invalid="ignore", over="ignore")
@@ -40,16 +37,11 @@ def read(path: str | os.PathLike, animation: str | int | None = None) -> Recordi
 
     Raises
     ------
-    GLTFError
+    ValueError
         If the file is not glTF 2.0 or damaged, holds no skeleton or not a rigid one, or needs an extension to be read.
     """
-    path = Path(path)
-    try:
-        return _File(path).recording(animation)
-    except OSError as error:
-        raise GLTFError(f"{path}: cannot be read ({error.strerror})") from error
-    except ValueError as error:
-        raise GLTFError(f"{path}: {error}") from error
+    with named(path):
+        return _File(Path(path)).recording(animation)
 
 
 class _File(Document):

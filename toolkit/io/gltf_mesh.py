@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from toolkit.io import gltf
+from toolkit.io.files import named
 from toolkit.io.gltf_file import Document, index_of, indices_of, member, members, numbers_of, unit, whole_of
 from toolkit.io.nodes import LIMIT, printable
 
@@ -44,17 +44,14 @@ def read(path: str | os.PathLike) -> SkinnedMesh:
 
     Raises
     ------
-    toolkit.io.gltf.GLTFError
+    ValueError
         If the file is not glTF or damaged, holds no skinned mesh, or its mesh is compressed.
     """
-    path = Path(path)
-    try:
-        with np.errstate(all="ignore"):  # numbers that are not finite are refused
-            return _Reader(path).mesh()
-    except gltf.GLTFError:
-        raise
-    except (ValueError, IndexError, np.linalg.LinAlgError) as error:
-        raise gltf.GLTFError(f"{path}: {error}") from error
+    with named(path), np.errstate(all="ignore"):  # numbers that are not finite are refused
+        try:
+            return _Reader(Path(path)).mesh()
+        except (IndexError, np.linalg.LinAlgError) as error:
+            raise ValueError(str(error)) from error
 
 
 class _Reader:

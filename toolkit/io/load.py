@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from importlib import import_module
 from pathlib import Path
 
-from toolkit.io import files, interpretation
+from toolkit.io import interpretation
 from toolkit.io.recording import Recording
 from toolkit.motion import Clip
 
@@ -50,8 +50,4 @@ def read(path: str | os.PathLike) -> Recording:
         reader = import_module(READERS[path.suffix.lower()])
     except ModuleNotFoundError as error:
         raise ValueError(f"{path.name}: the reader of {path.suffix} files needs {error.name}") from error
-    try:
-        files.status(path)
-    except OSError as error:
-        raise ValueError(f"{path}: cannot be read ({error.strerror})") from error
     return reader.read(path)

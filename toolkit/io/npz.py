@@ -62,10 +62,6 @@ _DAMAGED = (zipfile.BadZipFile, zlib.error, lzma.LZMAError, struct.error, tokeni
             NotImplementedError, OverflowError, RuntimeError, SyntaxError, TypeError, ValueError)
 
 
-class NPZError(ValueError):
-    """A NumPy file that cannot be read as motion; the message names the file."""
-
-
 @np.errstate(invalid="ignore", over="ignore")
 def read(path: str | os.PathLike) -> Recording:
     """Read a NumPy file.
@@ -82,23 +78,18 @@ def read(path: str | os.PathLike) -> Recording:
 
     Raises
     ------
-    NPZError
+    ValueError
         If the file holds nothing of this kind, is damaged, holds Python objects (which we do not run), or numbers that are
         not finite.
     """
-    path = Path(path)
-    try:
-        arrays = _arrays(path)
-    except OSError as error:
-        raise NPZError(f"{path}: cannot be read ({error.strerror or 'damaged'})") from error
-    except _DAMAGED as error:
-        said = " ".join(str(error).split())[:100]
-        said = said if said.isprintable() and said else type(error).__name__
-        raise NPZError(f"{path}: not a whole NumPy file ({said})") from error
-    try:
+    with files.named(path):
+        try:
+            arrays = _arrays(Path(path))
+        except _DAMAGED as error:
+            said = " ".join(str(error).split())[:100]
+            said = said if said.isprintable() and said else type(error).__name__
+            raise ValueError(f"not a whole NumPy file ({said})") from error
         return _recording(arrays)
-    except ValueError as error:
-        raise NPZError(f"{path}: {error}") from error
 
 
 def _recording(arrays: Mapping[str, np.ndarray]) -> Recording:
