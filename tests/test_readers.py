@@ -10,7 +10,7 @@ import torch
 from motion_files import Document, acclaim, axis_angles, fbx, fbx_scene, packed, smpl_walk
 
 import toolkit as tk
-from toolkit.io import amc, gltf, humanml3d, npz, positions
+from toolkit.io import amc, gltf, humanml3d, npz
 from toolkit.io import fbx as fbx_reader
 from toolkit.motion import forward_kinematics
 from toolkit.motion import rotations as R
@@ -213,8 +213,7 @@ def test_several_animations_and_names_that_repeat(tmp_path):
     made = gltf.read(path)
     assert made.names == ("a", "a_2", "node2")
     assert made.doubts == ("the file holds 2 animations (idle, walk); the first was read",)
-    assert len(gltf.read(path, "walk").rotations) == len(gltf.read(path, 1).rotations) == 7
-    refused(gltf.read, path, "no animation 'run'; it has idle, walk", "run")
+    assert len(made.rotations) == 4
 
 
 @pytest.mark.parametrize("extension", ["VRM", "VRMC_vrm", "VRMC_vrm_animation"])
@@ -541,7 +540,7 @@ def test_positions_of_bones_that_stretch_are_said(smpl, tmp_path):
 def test_fit_does_not_depend_on_the_rest_pose(smpl):
     torch.manual_seed(0)
     rest = npz._rest(22) + 0.05 * torch.randn(22, 3)
-    offsets, rotations, error = positions.fit(npz.PARENTS[:22], rest, smpl.global_positions)
+    offsets, rotations, error = humanml3d.fit(npz.PARENTS[:22], rest, smpl.global_positions)
     assert error < 1e-5
     assert (rotations.norm(dim=-1) - 1).abs().max() < 1e-6
     assert (offsets.norm(dim=-1)[1:] - smpl.skeleton.offsets.norm(dim=-1)[1:]).abs().max() < 1e-5

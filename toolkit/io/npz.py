@@ -15,7 +15,7 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from toolkit.io import files, humanml3d, positions
+from toolkit.io import files, humanml3d
 from toolkit.io.recording import Recording
 from toolkit.motion import rotations as R
 from toolkit.motion.clip import SIDES
@@ -210,7 +210,7 @@ def _fitted(joints: Tensor, format_: str, fps: float, unit: float | None, up: st
     count = joints.shape[1]
     if len(joints) * count > FITTED:
         raise ValueError(f"{len(joints)} frames of {count} joints are more than {FITTED} positions; cut the file")
-    offsets, rotations, error = positions.fit(PARENTS[:count], _rest(count), joints)
+    offsets, rotations, error = humanml3d.fit(PARENTS[:count], _rest(count), joints)
     height = float((joints.amax(1) - joints.amin(1)).max())
     if error > RIGID * height:
         doubts += ("its bones change their lengths: joints of the rigid skeleton miss the recorded ones by up to "
