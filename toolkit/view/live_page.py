@@ -79,7 +79,7 @@ def pack(model, bank, half: bool = False, character: Character | None = None, ch
     from toolkit.view import controller
 
     layout: Layout = model.layout
-    state, walk = runtime.start(model, bank.vectors[0]), controller.example(runtime.compile(model), bank)
+    state, walk = runtime.start(model, bank.vectors[0]), controller.example(model, bank)
     corners = (list(bank.names) * 3)[:3]
     channels = {name: 3 * i for i, name in enumerate(CHANNELS)} | {"width": 3 * len(CHANNELS)}
     gating, experts = model.gating.layers, model.experts.layers
