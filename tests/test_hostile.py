@@ -473,7 +473,7 @@ def test_everything_is_written_whole_or_not_at_all():
         text = path.read_text(encoding="utf-8")
         if re.search(r"write_text\(|write_bytes\(|tofile\(|(?<!av\.)open\([^)\n]*[\"'][wax]b?\+?[\"']", text):
             found.add(path.name)
-    assert found == {"files.py", "download.py", "archive.py"}
+    assert found == {"files.py", "download.py"}
 
 
 @pytest.mark.skipif(os.name == "nt", reason="Windows has other permissions")

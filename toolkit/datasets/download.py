@@ -20,7 +20,7 @@ from pathlib import Path, PurePosixPath
 
 from tqdm import tqdm
 
-from toolkit.io.files import atomic_write, parsed, read
+from toolkit.io.files import parsed, read, write_whole
 from toolkit.io.progress import progress_bar
 
 STALL = 30.0  # seconds without a connection or a byte after which a try has failed
@@ -134,8 +134,7 @@ def _receive(url: str, part: Path, size: int | None, limit: int, trusted: bool, 
         if (size or total or 0) > limit:
             raise ValueError(f"{url}: the server announces {total:,} bytes, more than the {limit:,} that it may have")
         with part.open("ab" if have else "wb") as file:
-            with atomic_write(part.with_suffix(".json")) as out:
-                out.write(json.dumps({"url": url, "validator": validator, "total": total}).encode())
+            write_whole(part.with_suffix(".json"), json.dumps({"url": url, "validator": validator, "total": total}).encode())
             bar.total, bar.n = size or total, have
             for chunk in _chunks(reply):
                 file.write(chunk)

@@ -7,7 +7,7 @@ import numpy as np
 import torch
 
 from toolkit.export.gltf import STILL, Buffer, container
-from toolkit.io.files import atomic_write
+from toolkit.io.files import write_whole
 from toolkit.io.gltf_file import Document
 from toolkit.motion import Clip
 from toolkit.motion import rotations as R
@@ -63,8 +63,7 @@ def save(clip: Clip, path: str | os.PathLike, character: Character) -> None:
         whole = container(document, bytes(buffer.data))
     except ValueError:
         raise ValueError(f"{character.path}: its JSON text has NaN or Infinity, which other programs cannot read") from None
-    with atomic_write(path) as out:
-        out.write(whole)
+    write_whole(path, whole)
 
 
 def _axes(frame: np.ndarray) -> np.ndarray:

@@ -116,6 +116,12 @@ def atomic_write(path: str | os.PathLike) -> Iterator[BinaryIO]:
         partial.unlink(missing_ok=True)
 
 
+def write_whole(path: str | os.PathLike, data: bytes) -> None:
+    """Write a file at once by `atomic_write`."""
+    with atomic_write(path) as file:
+        file.write(data)
+
+
 def _keep(number: int, path: Path, older: os.stat_result) -> None:
     """Give an open file the owner of an older one, if this user may, and its permissions."""
     made = os.fstat(number)
