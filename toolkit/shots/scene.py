@@ -104,12 +104,14 @@ class Scene:
     def check(self, model, bank: StyleBank) -> list[str]:
         """What cannot be met and why, a line each: `Shot.check` of each; of those who keep apart, gaps between walls."""
         lines = []
-        if self.apart is None:
-            for k, shot in enumerate(self.shots):
-                try:
+        for k, shot in enumerate(self.shots):
+            try:
+                shot.style(bank)
+                if self.apart is None:
                     lines += [f"shots[{k}]: {line}" for line in shot.check(model, bank)]
-                except ValueError as error:
-                    raise ValueError(f"shots[{k}]: {error}") from None
+            except ValueError as error:
+                raise ValueError(f"shots[{k}]: {error}") from None
+        if self.apart is None:
             return lines
         widest = sum(sorted(self.radii)[-2:])
         for (a, one), (b, other) in itertools.combinations(enumerate(self.walls), 2):
