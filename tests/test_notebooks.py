@@ -176,6 +176,7 @@ def test_no_path_of_one_machine(notebook):
 def test_it_is_in_the_sequence_and_opens_with_goals_minutes_and_needs(lesson):
     entry, notebook = lesson
     first = "".join(notebook["cells"][0]["source"])
+    assert first.startswith(f"# {entry.question}\n")
     assert re.search(r"^!\[[^\]]+\]\(\.\./docs/\S+\.(?:webp|gif|apng)\)", first, re.M), "a moving picture of the result"
     assert "**You will be able to**" in first
     assert f"**Time:** about {entry.minutes} minutes." in first
