@@ -9,7 +9,7 @@ import numpy as np
 import torch
 import typer
 
-from experiments.tables import Result
+from experiments.tables import Result, line
 from toolkit import published, runtime
 from toolkit.cli import verbs
 from toolkit.runtime import FPS, CharacterState, world_joints
@@ -55,8 +55,7 @@ def run(
         rows.append({"model": name, "scene": scene, **({"width": width, "later": later} if scene == "gate" else {}),
                      "characters": characters, "bodies": bodies or None, "seed": seed,
                      **said(made.check(net, bank)), **measured(net, bank, made)})
-        print("  ".join(f"{COLUMNS[key][0]}: {value:.4g}" if isinstance(value, float) else f"{COLUMNS[key][0]}: {value}"
-                        for key, value in rows[-1].items()), flush=True)
+        print(line(COLUMNS, rows[-1]), flush=True)
     if save is not None:
         path, same = save / "crowds.json", ("model", "scene", "width", "later", "characters", "bodies", "seed")
         known = Result.load("crowds", save).rows if path.exists() else []

@@ -15,7 +15,7 @@ import typer
 
 from experiments.shots import FOLDER
 from experiments.speed.page import SCENE
-from experiments.tables import Result, cell
+from experiments.tables import Result, line
 from toolkit import published, runtime
 from toolkit.cli import verbs
 from toolkit.shots import Scene, Shot, data
@@ -57,7 +57,7 @@ def run(
         for name, other in others.items():
             far = (other.global_positions[:FRAMES] - clip.global_positions).norm(dim=-1)
             rows[-1] |= {f"{name} root": float(far[:, 0].max()), f"{name} joint": float(far.max())}
-        print("  ".join(f"{COLUMNS[key][0]}: {cell(value, *COLUMNS[key][1:])}" for key, value in rows[-1].items()))
+        print(line(COLUMNS, rows[-1]), flush=True)
     if save is not None:
         Result("shot-equality", "example shots, embedded model: largest distances in ten seconds from plain Python in "
                "double precision", "python -m experiments shot-equality --save docs/results", COLUMNS, rows).save(save)

@@ -8,7 +8,7 @@ from typing import Annotated
 import torch
 import typer
 
-from experiments.tables import Result, cell
+from experiments.tables import Result, line
 from toolkit import published, runtime
 from toolkit.cli import verbs
 from toolkit.evaluation import metrics
@@ -42,8 +42,7 @@ def run(
         if scene.apart is None:  # who keeps apart leaves the path: `experiments.crowds`
             for shot in scene.shots:
                 rows.append({"model": name, **row(net, bank, shot)})
-                print("  ".join(f"{COLUMNS[key][0]}: {cell(value, *COLUMNS[key][1:])}" for key, value in rows[-1].items()),
-                      flush=True)
+                print(line(COLUMNS, rows[-1]), flush=True)
     if save is not None:
         known = Result.load("shots", save).rows if (save / "shots.json").exists() else []
         Result("shots", "the shots of examples/shots; the floor is the pilot of toolkit.runtime.follow on the same path",
