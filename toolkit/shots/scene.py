@@ -19,7 +19,8 @@ from toolkit.runtime import CharacterState, Command, pose, start, step, world_jo
 from toolkit.shots import apart as avoidance
 from toolkit.shots.course import FPS, LONGEST, Course, Heading, Pair, command, nearest
 from toolkit.shots.keys import StyleKey, build, entries, number, pair
-from toolkit.shots.shot import Shot, parse, read, save, shifted
+from toolkit.shots.preview import first
+from toolkit.shots.shot import Shot, parse, read, save
 
 WAIT = 0.4  # metres behind its plan at which the plan of a character who keeps apart waits
 FASTER, SLOWEST = 1.3, 0.3  # times the planned speed, and m/s: such a character's largest speed
@@ -100,8 +101,8 @@ class Scene:
         which it goes on after it is told to stand, m/s."""
         keys = [(k, key) for k, shot in enumerate(self.shots) for key in shot.styles]
         state = start(model, torch.stack([bank.blend(*key.layers) for _, key in keys]))
-        ahead, far = torch.tensor([[0.0, bank.speed(key.layers[0])] for _, key in keys]), torch.zeros(len(keys))
-        places = []
+        ahead = state.root.new_tensor([[0.0, bank.speed(key.layers[0])] for _, key in keys])
+        places, far = [], 0 * ahead[:, 0]
         for frame in range(3 * TRIED):
             places.append(state.root[:, :2])
             with torch.no_grad():
@@ -180,7 +181,7 @@ class Scene:
         """
         plans = [shot.plan(bank) for shot in self.shots] if plans is None else plans
         styles = [shot.style(bank) for shot in self.shots]
-        state, clocks = _start(model, self.shots, styles, plans), [0] * len(plans)
+        state, clocks = first(model, self.shots, styles, plans), [0] * len(plans)
         lasts = [len(course.distance) - 1 for course, _ in plans]
         most = max(lasts) if self.apart is None else min(WAITS * max(lasts), round(LONGEST * FPS))
         for _ in range(most):
@@ -231,15 +232,6 @@ class Scene:
         if len(made) == 1:
             return made[wanted[0]]
         return tuple(torch.stack([made[kind][part][k] for k, kind in enumerate(wanted)]) for part in (0, 1))
-
-
-def _start(model, shots: Sequence[Shot], styles, plans) -> CharacterState:
-    """All characters at the start of their paths, each at the place in its gait cycle that its seed gives."""
-    places = [course.curve.point(0.0) for course, _ in plans]
-    angles = [heading.angle(0.0, place) for (_, heading), place in zip(plans, places, strict=True)]
-    looks = [(math.sin(angle), math.cos(angle)) for angle in angles]
-    state = start(model, torch.stack([style(0) for style in styles]), places, looks)
-    return shifted(state, [shot.turn for shot in shots])
 
 
 def _held_up(course: Course, clock: int, place: tuple[float, float]) -> bool:
