@@ -246,6 +246,13 @@ def test_pretrained_knows_every_style_and_stands_when_told():
     assert drift.max() < 0.25
 
 
+def test_pretrained_starts_at_the_speed_that_is_asked_for():
+    model, bank = tk.pretrained()
+    style = bank.blend({"ArmsAboveHead": 0.5, "Old": 0.5})  # 1.9 times as far with the speed factor alone
+    *_, last = tk.runtime.states(model, tk.runtime.straight(0.6, 2.0), style)
+    assert float(last.root[0, 1]) == pytest.approx(1.2, rel=0.3)
+
+
 def test_pretrained_walks_in_the_style_that_is_asked_for():
     model, bank = tk.pretrained()
     assert {"Neutral", "Zombie", "Aeroplane", "Crouch"} <= set(bank.names)

@@ -11,6 +11,7 @@ import torch
 from toolkit.course.sequence import LESSONS
 
 Judge = Callable[[Any], str]
+NOTHING = "no answer yet."  # then no hint is given
 
 #: Module of `toolkit.course.exercises` -> numbers of its notebooks.
 MODULES = {"features": ("00", "01"), "phases": ("02a", "02b"), "networks": ("03a", "03b", "07"),
@@ -66,10 +67,11 @@ def check(name: str, answer: Any) -> Verdict:
     exercise = known[name]
     try:
         empty = ... in answer.values() if isinstance(answer, dict) else answer is ...
-        wrong = "no answer yet." if empty else exercise.judge(answer)
+        wrong = NOTHING if empty else exercise.judge(answer)
     except Exception as error:  # of the reader's function
         wrong = f"your answer raised {type(error).__name__}: {error}."
-    text = f"{wrong[:1].upper()}{wrong[1:]} Hint: {exercise.hint}" if wrong else "Right."
+    hint = "" if wrong == NOTHING else f" Hint: {exercise.hint}"
+    text = f"{wrong[:1].upper()}{wrong[1:]}{hint}" if wrong else "Right."
     return Verdict(name, not wrong, text)
 
 
@@ -101,7 +103,7 @@ def same_as(right: Callable, cases: Callable[[], Sequence[tuple]], wrong: Mappin
         for i, case in enumerate(every):
             got, want = answer(*case), right(*case)
             if got is ... or got is None:
-                return "the function returns nothing yet."
+                return NOTHING
             if difference := differs(got, want, tolerance):
                 known = (text for text, other in (wrong or {}).items() if not differs(got, other(*case), tolerance))
                 return next(known, f"hidden case {i + 1} of {len(every)}: {difference}.")

@@ -15,8 +15,6 @@ from toolkit.view.frontend import static
 
 NAME = "toolkit"  # of plotly's renderer
 LOADED = 'data-toolkit="plotly"'  # marks plotly's code: the site loads its own copy in its place
-
-
 #: Folds the code of cells with the tag ``hide-input`` in the pages of nbconvert; it opens under the pointer.
 FOLDED = ".celltag_hide-input .jp-InputArea:not(:hover) .cm-editor { max-height: 1.6em; overflow: hidden; opacity: .5 }"
 

@@ -147,7 +147,7 @@ def styles(root: str | os.PathLike | None = None) -> dict[str, StyleInfo]:
 def _table(root: str | os.PathLike | None, name: str) -> tuple[Path, list[tuple[int, dict[str, str]]]]:
     """Path and (line number, row) of one of `TABLES` in the dataset's folder; ValueError if it cannot be read."""
     folder, columns = SOURCE.folder(root), TABLES[name]
-    path = next(iter(sorted(folder.rglob(name))), None)
+    path = next((path for path in files.below(folder) if path.name == name), None)
     if path is None:
         raise ValueError(f"100style: no {name} in {folder}; expected {SOURCE.layout}; get it at {SOURCE.home}")
     rows = files.table(path, columns)

@@ -2,7 +2,6 @@
 
 import base64
 import binascii
-import json
 import math
 import struct
 from functools import cached_property
@@ -29,8 +28,8 @@ class Document:
             text, self.binary = _chunks(data)
         try:
             self.document = parsed(text)
-        except json.JSONDecodeError as error:
-            raise ValueError("it is neither a GLB file nor JSON text") from error
+        except ValueError as error:
+            raise ValueError(f"no GLB file, and no JSON text ({error})") from None
         known = isinstance(self.document, dict)
         if not known or not str(member(self.document, "asset").get("version", "")).startswith("2."):
             raise ValueError("expected glTF version 2; older files can be converted in Blender")

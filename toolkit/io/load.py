@@ -119,6 +119,6 @@ def inspect(path: str | os.PathLike, unit: float | str = "auto", up: str = "auto
     order = skeleton.names.index
     named = {a: b for a, b in pairs.items() if a in first or (b not in first and order(a) < order(b))}
     return Inspection(
-        path.name, recording.format, clip, found.height, found.unit, found.up, found.floor, found.drift, skeleton.roles,
+        clip.name, recording.format, clip, found.height, found.unit, found.up, found.floor, found.drift, skeleton.roles,
         found.rules, named, dict(zip(contacts.FEET, contacts.detect(clip).mean(0).tolist(), strict=True)) if feet else {},
         found.upright, found.doubts)

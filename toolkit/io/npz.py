@@ -1,5 +1,6 @@
 """NumPy files (.npz, .npy) with motion: SMPL, SMPL-H, SMPL-X and AMASS, HumanML3D, and Kimodo's SOMA skeleton."""
 
+import io
 import lzma
 import math
 import os
@@ -256,24 +257,21 @@ def _tensor(arrays: Mapping[str, np.ndarray], name: str) -> Tensor:
 
 def _arrays(path: Path) -> dict[str, np.ndarray]:
     """Arrays of numbers by name; none is unpacked that is larger than the file allows, and no Python object is made."""
-    files.status(path)
-    with path.open("rb") as file:
-        begin, size = file.read(4), path.stat().st_size
-        file.seek(0)
-        if begin[:2] != b"PK":
-            return {"arr_0": _array(file, size, PACKED * size + ROOM)}
-        arrays, room = {}, PACKED * size + ROOM
-        with zipfile.ZipFile(file) as packed:
-            for member in packed.infolist():
-                name = member.filename.removesuffix(".npy")
-                if name not in _WANTED or name in arrays:
-                    continue
-                if member.file_size > room:
-                    raise ValueError(f"array {name} unpacks to {member.file_size} bytes, from a file of {size}")
-                with packed.open(member) as stream:
-                    arrays[name] = _array(stream, member.file_size, room)
-                room -= 8 * arrays[name].size
-        return arrays
+    data = files.read(path)
+    size, arrays, room = len(data), {}, PACKED * len(data) + ROOM
+    if data[:2] != b"PK":
+        return {"arr_0": _array(io.BytesIO(data), size, room)}
+    with zipfile.ZipFile(io.BytesIO(data)) as packed:
+        for member in packed.infolist():
+            name = member.filename.removesuffix(".npy")
+            if name not in _WANTED or name in arrays:
+                continue
+            if member.file_size > room:
+                raise ValueError(f"array {name} unpacks to {member.file_size} bytes, from a file of {size}")
+            with packed.open(member) as stream:
+                arrays[name] = _array(stream, member.file_size, room)
+            room -= 8 * arrays[name].size
+    return arrays
 
 
 _WANTED = {"poses", "trans", "transl", "translation", "root_orient", "pose_body", "global_orient", "body_pose", "Jtr",
