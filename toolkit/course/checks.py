@@ -152,8 +152,7 @@ class Sentences:
     def __repr__(self) -> str:
         return "\n".join(self.lines)
 
-    def _repr_markdown_(self) -> str:
-        return "\n".join(self.lines)
+    _repr_markdown_ = __repr__
 
 
 def claim(sentence: str, *conditions: bool) -> Sentences:
