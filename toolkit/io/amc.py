@@ -25,7 +25,6 @@ BONES, BYTES = 10_000, 5_000_000  # limits for the bones and the size of an .asf
 SMALL = 1_000_000  # joints and End Sites times frames that a file of any size may have
 LIMBS = {"shoulder": "humerus", "elbow": "radius", "hand": "wrist", "hip": "femur", "knee": "tibia", "foot": "foot",
          "toe": "toes"}  # our roles to Vicon's bones, which begin with l or r
-_NUMBER = re.compile(rb"[-+.\d]")
 _NAME = re.compile(rb"^[^\S\n]*([A-Za-z_][^\s]*)", re.MULTILINE)
 _FRAME = re.compile(rb"^[^\S\n]*\d+[^\S\n]*$", re.MULTILINE)
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from toolkit.io import gltf
 from toolkit.io.gltf_file import Document, index_of, indices_of, member, members, numbers_of, unit, whole_of
-from toolkit.io.nodes import LIMIT, printable
+from toolkit.io.nodes import LIMIT, printable, unique
 
 SLOTS = 4  # joints that a vertex may follow
 SKINS = 1000  # of a file
@@ -35,6 +35,7 @@ class SkinnedMesh:
     joints: np.ndarray  # [V, 4]
     weights: np.ndarray  # [V, 4] with sum 1
     colors: np.ndarray  # [V, 3] uint8, base colour (sRGB) with that of the vertex; a texture is read at each vertex
+    digest: bytes  # SHA-256 of the file
 
 
 def read(path: str | os.PathLike) -> SkinnedMesh:
@@ -141,11 +142,11 @@ class _Reader:
         counts = np.cumsum([0, *(len(row[0]) for row in rows)])
         points, joints, weights, colors = (np.concatenate([row[i] for row in rows]) for i in (0, 2, 3, 4))
         triangles = np.concatenate([row[1] + count for row, count in zip(rows, counts, strict=False)])
-        names = _unique([printable(self.nodes[j].get("name", "")) or f"node{j}" for j in order])
+        names = unique([printable(self.nodes[j].get("name", "")) or f"node{j}" for j in order])
         top = self.parents[order[0]]
-        return SkinnedMesh(names, tuple(at.get(self.parents[j], -1) for j in order), tuple(order),
+        return SkinnedMesh(tuple(names), tuple(at.get(self.parents[j], -1) for j in order), tuple(order),
                            self.place(top) if top >= 0 else np.eye(4), np.stack([self.place(j) for j in order]), bind,
-                           points, triangles, joints, weights, colors)
+                           points, triangles, joints, weights, colors, self.file.digest)
 
     def _tree(self, joints: set[int]) -> list[int]:
         """Joints and the nodes between them, parents first, below one root."""
@@ -297,15 +298,3 @@ def _transform(node: dict) -> np.ndarray:
     made[:3, :3] *= numbers_of(node, "scale", 3, (1.0,) * 3)
     made[:3, 3] = numbers_of(node, "translation", 3, (0.0,) * 3)
     return made
-
-
-def _unique(names: list[str]) -> tuple[str, ...]:
-    """Names with numbers where they repeat."""
-    made: dict[str, int] = {}  # the last number of each name
-    for name in names:
-        new = name
-        while new in made:
-            made[name] += 1
-            new = f"{name}_{made[name]}"
-        made[new] = 1
-    return tuple(made)
