@@ -51,15 +51,6 @@ def data_fetch(
         say(f"give --root {folder} to the commands that should use it, or set TOOLKIT_DATA")
 
 
-@app.command("table1")
-def data_table1(root: Root = None) -> None:
-    """Print Table 1 of Mason et al. 2022, counted from 100STYLE's Frame_Cuts.csv."""
-    rows = datasets.style100.table1(root)
-    say(f"{'Motion gait':<16}{'Frames':>11}{'Time (m)':>10}{'Ratio (%)':>11}")
-    for row in rows:
-        say(f"{row.gait:<16}{row.frames:>11,}{row.minutes:>10}{row.ratio:>11.1f}")
-
-
 @app.command("list")
 def data_list(
     name: Annotated[str, typer.Argument(help=f"Dataset: {', '.join(datasets.DATASETS)}.")], root: Root = None

@@ -6,7 +6,7 @@ from typing import Annotated
 import typer
 
 from toolkit.cli.verbs import Roles, Unit, Up, say
-from toolkit.io import inspection
+from toolkit.io import load
 
 
 def inspect(
@@ -22,7 +22,7 @@ def inspect(
     """
     if picture is not None and picture.suffix.lower() != ".png":
         raise ValueError(f"{picture}: a strip of poses is a .png file")
-    found = inspection.inspect(file, unit, up, roles)
+    found = load.inspect(file, unit, up, roles)
     say(found)
     if picture is not None:
         from toolkit import view  # imported on demand: it needs the drawing libraries

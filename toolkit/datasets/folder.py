@@ -6,7 +6,7 @@ the style is the name of the first sub-folder, and the gait that of the second o
 What folders do not give comes from the file's name, whose words are separated by ``_``, ``-`` or blanks: a word of `GAITS`
 is the gait, and of the others the first that is not common to all files is the style.
 
-Clips have the body joints alone (`toolkit.motion.pruning`), and all the same ones.
+Clips have the body joints alone (`toolkit.motion.retargeting.pruned`), and all the same ones.
 """
 
 import os
@@ -23,8 +23,7 @@ from toolkit.io.load import READERS, read
 from toolkit.io.progress import progress_bar
 from toolkit.motion import Clip, trajectory
 from toolkit.motion.names import of_file, printable
-from toolkit.motion.pruning import pruned
-from toolkit.motion.retargeting import retarget
+from toolkit.motion.retargeting import pruned, retarget
 
 TABLE = "labels.csv"
 COLUMNS = "file", "style", "gait"

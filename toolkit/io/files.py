@@ -59,6 +59,18 @@ def below(folder: str | os.PathLike) -> list[Path]:
     return sorted(found)
 
 
+@contextlib.contextmanager
+def named(path: str | os.PathLike) -> Iterator[None]:
+    """What goes wrong while a file is read becomes a ValueError in one line that begins with the path."""
+    try:
+        yield
+    except OSError as error:
+        raise ValueError(f"{path}: cannot be read ({error.strerror or 'damaged'})") from error
+    except ValueError as error:
+        said = str(error)
+        raise ValueError(said if said.startswith(f"{path}: ") else f"{path}: {said}") from error
+
+
 def parsed(text: str | bytes) -> Any:
     """The value of a JSON text; ValueError if it is none, or has so many or so deeply nested values that it takes too much.
 

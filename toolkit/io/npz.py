@@ -16,7 +16,7 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from toolkit.io import files, humanml3d, positions
+from toolkit.io import files, humanml3d
 from toolkit.io.recording import Recording
 from toolkit.motion import rotations as R
 from toolkit.motion.clip import SIDES
@@ -63,10 +63,6 @@ _DAMAGED = (zipfile.BadZipFile, zlib.error, lzma.LZMAError, struct.error, tokeni
             NotImplementedError, OverflowError, RuntimeError, SyntaxError, TypeError, ValueError)
 
 
-class NPZError(ValueError):
-    """A NumPy file that cannot be read as motion; the message names the file."""
-
-
 @np.errstate(invalid="ignore", over="ignore")
 def read(path: str | os.PathLike) -> Recording:
     """Read a NumPy file.
@@ -83,23 +79,18 @@ def read(path: str | os.PathLike) -> Recording:
 
     Raises
     ------
-    NPZError
+    ValueError
         If the file holds nothing of this kind, is damaged, holds Python objects (which we do not run), or numbers that are
         not finite.
     """
-    path = Path(path)
-    try:
-        arrays = _arrays(path)
-    except OSError as error:
-        raise NPZError(f"{path}: cannot be read ({error.strerror or 'damaged'})") from error
-    except _DAMAGED as error:
-        said = " ".join(str(error).split())[:100]
-        said = said if said.isprintable() and said else type(error).__name__
-        raise NPZError(f"{path}: not a whole NumPy file ({said})") from error
-    try:
+    with files.named(path):
+        try:
+            arrays = _arrays(Path(path))
+        except _DAMAGED as error:
+            said = " ".join(str(error).split())[:100]
+            said = said if said.isprintable() and said else type(error).__name__
+            raise ValueError(f"not a whole NumPy file ({said})") from error
         return _recording(arrays)
-    except ValueError as error:
-        raise NPZError(f"{path}: {error}") from error
 
 
 def _recording(arrays: Mapping[str, np.ndarray]) -> Recording:
@@ -220,7 +211,7 @@ def _fitted(joints: Tensor, format_: str, fps: float, unit: float | None, up: st
     count = joints.shape[1]
     if len(joints) * count > FITTED:
         raise ValueError(f"{len(joints)} frames of {count} joints are more than {FITTED} positions; cut the file")
-    offsets, rotations, error = positions.fit(PARENTS[:count], _rest(count), joints)
+    offsets, rotations, error = humanml3d.fit(PARENTS[:count], _rest(count), joints)
     height = float((joints.amax(1) - joints.amin(1)).max())
     if error > RIGID * height:
         doubts += ("its bones change their lengths: joints of the rigid skeleton miss the recorded ones by up to "
