@@ -28,7 +28,7 @@ TRIES = 5  # in a row that brought nothing new
 NOTES = 100_000  # bytes of notes about a file
 DAMAGED = (zipfile.BadZipFile, zlib.error, lzma.LZMAError, EOFError, NotImplementedError,
            UnicodeDecodeError)  # what `zipfile` raises for files that are not a whole archive
-LONGEST = 200  # bytes of a name of a file or folder; file systems take up to 255
+LONGEST, DEEPEST = 200, 50  # bytes of a name of a file or folder (file systems take up to 255), and folders in each other
 
 
 class _TryError(Exception):
@@ -221,7 +221,7 @@ def _members(archive: Path, file: zipfile.ZipFile,
         name, path = info.orig_filename, PurePosixPath(info.orig_filename)
         if path.is_absolute() or ".." in path.parts or any(c in name for c in "\\:\0") or not path.parts:
             raise ValueError(f"{archive}: refused, its member {name!r} leads out of the folder")
-        if not name.isprintable() or any(len(part.encode()) > LONGEST for part in path.parts):
+        if not name.isprintable() or len(path.parts) > DEEPEST or any(len(part.encode()) > LONGEST for part in path.parts):
             raise ValueError(f"{archive}: refused, its member {name[:LONGEST]!r} has a name that no file should have")
         kind = stat.S_IFMT(info.external_attr >> 16)
         if kind not in (0, stat.S_IFREG, stat.S_IFDIR):

@@ -23,9 +23,11 @@ def save(clip: Clip, path: str | os.PathLike, character: Character) -> None:
     Raises
     ------
     ValueError
-        If the character's file keeps its numbers outside of itself, so that a .glb is needed, or has some that JSON lacks.
+        If the character's file was changed, keeps its numbers outside of itself, or has some that JSON lacks.
     """
     file = Document(character.path)
+    if file.digest != character.mesh.digest:
+        raise ValueError(f"{character.path}: was changed since it was read; run the command again")
     document = copy.deepcopy(file.document)
     if file.binary is None or len(document.get("buffers", ())) != 1:
         raise ValueError(f"{character.path}: keeps its mesh in other files; convert it to one .glb first")

@@ -13,7 +13,7 @@ from safetensors.torch import save
 from torch import Tensor
 
 from toolkit.features.layout import Layout
-from toolkit.io.files import parsed, write_whole
+from toolkit.io.files import opened, parsed, write_whole
 from toolkit.io.files import read as read_bytes
 from toolkit.io.model_files import intact, plain
 from toolkit.motion.names import checked
@@ -100,5 +100,5 @@ def is_whole(out: Path, entry: dict[str, Any]) -> bool:
 
 def sha256(path: Path) -> str:
     """SHA-256 of a file, hexadecimal."""
-    with path.open("rb") as file:
+    with opened(path) as file:
         return hashlib.file_digest(file, "sha256").hexdigest()
