@@ -1,7 +1,7 @@
 """Make the pictures of these pages again, in three minutes on one core.
 
-``python docs/pictures.py [--published FOLDER --real FOLDER]``. Without the folder of the published parameters (Mason et
-al. 2022), the pictures in ``side_by_side`` stay as they are.
+``python docs/pictures.py [--published FOLDER --real FOLDER --run FILE]``. Without the folder of the published parameters
+(Mason et al. 2022), the pictures in ``side_by_side`` and those of the other two options stay as they are.
 """
 
 import contextlib
@@ -76,6 +76,15 @@ def feet(run, real: tk.Clip, seconds: float = 4.0) -> None:
     fast.set(ylabel="its speed, m/s", xlabel="seconds")
     figure.legend(ncols=2, loc="outside upper center")
     figure.savefig(OUT / "feet.png", dpi=110)
+
+
+def hundred(authors, run) -> None:
+    """Write walks of the published network, and of a network that was trained on its walks, in four styles."""
+    rows = {f"{style}, {name}": rollout(*walker, style, authors.bank.speed(style), 6.0)
+            for style in ("Zombie", "Aeroplane", "March", "Swimming")
+            for name, walker in (("published", authors), ("trained here", run))}
+    tk.view.strip(list(rows.values()), OUT / "hundred_strips.png", labels=list(rows), stop=1.5, width=9, dpi=100)
+    Image.open(OUT / "hundred_strips.png").convert("RGB").quantize(128).save(OUT / "hundred_strips.png", optimize=True)
 
 
 def restyle(seconds: float = 4.0) -> None:
@@ -167,7 +176,8 @@ def director(model, bank) -> None:
 
 
 def main(published: Annotated[Path | None, typer.Option(help="Folder of the published parameters.")] = None,
-         real: Annotated[Path | None, typer.Option(help="Folder of 100STYLE, for the picture of feet.")] = None) -> None:
+         real: Annotated[Path | None, typer.Option(help="Folder of 100STYLE, for the picture of feet.")] = None,
+         run: Annotated[Path | None, typer.Option(help="LPN-FiLM of a hundred styles, for the strips.")] = None) -> None:
     """Make every picture in this folder again."""
     torch.set_num_threads(1)
     for folder in ("styles", "side_by_side"):
@@ -176,7 +186,7 @@ def main(published: Annotated[Path | None, typer.Option(help="Folder of the publ
     tk.view.strip(list(map(looped, walks.values())), OUT / "contact_sheet.png", labels=list(walks), width=12, dpi=66)
     Image.open(OUT / "contact_sheet.png").convert("RGB").quantize(128).save(OUT / "contact_sheet.png", optimize=True)
     gaits = [looped(procedural.generate("Neutral", gait)) for gait in GAITS]
-    tk.view.animate(gaits, OUT / "gaits.gif", labels=GAITS, columns=3, height=100, colors=32, progress=True)
+    tk.view.animate(gaits, OUT / "gaits.gif", labels=GAITS, columns=3, fps=14.0, height=100, colors=32, progress=True)
     for style, view in tqdm(SHOWN.items(), desc="styles"):
         tk.view.animate(looped(walks[style]), OUT / "styles" / f"{style}.gif", labels=[""], view=view, height=140, colors=40)
 
@@ -197,6 +207,8 @@ def main(published: Annotated[Path | None, typer.Option(help="Folder of the publ
     authors = tk.published.load(published)
     if real is not None:
         feet(authors, tk.datasets.load("100style", real, styles=["Neutral"], gaits=["FW"])[0])
+    if run is not None:
+        hundred(authors, tk.training.load(run))
     for style, name in tqdm(BESIDE.items(), desc="side by side"):
         speed = procedural.STYLES[style].speed
         clips = {"procedural data": walks[style], "embedded model": rollout(*embedded, style, speed),

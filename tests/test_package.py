@@ -38,7 +38,7 @@ def refused(capsys):
 
 
 def test_the_command_line_exits_with_one_line_on_bad_input():
-    call = [sys.executable, "-m", "toolkit", "data", "table1", "--root", "nowhere"]
+    call = [sys.executable, "-m", "toolkit", "data", "list", "100style", "--root", "nowhere"]
     done = subprocess.run(call, capture_output=True, text=True, check=False)
     assert done.returncode == 2
     assert re.fullmatch(r"error: .*nowhere.*\n", done.stderr)
@@ -294,7 +294,7 @@ def test_bad_input_gets_one_line_and_leaves_nothing(tmp_path, small_run, refused
     assert "either --model" in refused(*walk, "Zombie", "--published", empty)
     assert "not a whole safetensors" in refused(*walk, "Zombie", "--model", junk)
     assert "Xmean.bin: missing" in refused("rollout", "--published", empty, "--style", "a", "--out", tmp_path / "out.bvh")
-    assert "Frame_Cuts.csv" in refused("data", "table1", "--root", empty)
+    assert "Frame_Cuts.csv" in refused("train", "--data", "100style", "--root", empty, "--out", tmp_path / "new.safetensors")
     assert "unknown" in refused("train", "--data", "procedural", "--styles", "Zombi", "--out", tmp_path / "new.safetensors")
     assert {p.name for p in tmp_path.iterdir()} == {"cut.bvh", "empty", "junk.safetensors", "run.safetensors"}
 

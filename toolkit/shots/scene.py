@@ -117,12 +117,14 @@ class Scene:
         """What cannot be met and why, a line each: `Shot.check` of each; of those who keep apart, styles that
         cannot stand, and gaps between walls that are too narrow or to which too many come at once."""
         lines = []
-        if self.apart is None:
-            for k, shot in enumerate(self.shots):
-                try:
+        for k, shot in enumerate(self.shots):
+            try:
+                shot.style(bank)
+                if self.apart is None:
                     lines += [f"shots[{k}]: {line}" for line in shot.check(model, bank)]
-                except ValueError as error:
-                    raise ValueError(f"shots[{k}]: {error}") from None
+            except ValueError as error:
+                raise ValueError(f"shots[{k}]: {error}") from None
+        if self.apart is None:
             return lines
         lines += [f"shots[{k}]: {' + '.join(key.layers[0])} goes on at {speed:.2f} m/s when it is told to stand: "
                   "it cannot wait and may touch others" for k, key, _, speed in self._tried(model, bank) if speed > STANDS]
