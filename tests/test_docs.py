@@ -89,6 +89,21 @@ def test_the_code_of_a_page_runs(page, tmp_path, monkeypatch):
         exec(compile(block, f"{page}.md", "exec"), space)
 
 
+@pytest.mark.filterwarnings("ignore:style 'MyStyle' is too short")
+def test_the_code_of_the_readme_runs(tmp_path, monkeypatch):
+    """As written, but for the length of the walk and of the trainings."""
+    monkeypatch.chdir(tmp_path)
+    text = (DOCS.parent / "README.md").read_text(encoding="utf-8")
+    code = "".join(re.findall(r"^```python\n(.*?)^```", text, re.MULTILINE | re.DOTALL))
+    for long, short in (("seconds=10", "seconds=1"), ("seconds=90", "steps=3"), ("bank=bank)", "bank=bank, steps=3)")):
+        assert long in code
+        code = code.replace(long, short)
+    space: dict = {"__name__": "readme"}
+    exec(compile(code, "README.md", "exec"), space)
+    assert {path.name for path in tmp_path.iterdir()} == {"walk.bvh", "walk.html", "character.html", "run.safetensors"}
+    assert "MyStyle" in space["new"].bank
+
+
 def test_every_command_of_the_reproduction_exists():
     rows = [line.split(" | ")[-1] for line in (DOCS / "reproducing.md").read_text(encoding="utf-8").splitlines()
             if line.startswith("| ")]
