@@ -12,7 +12,7 @@ from torch import Tensor
 from experiments.tables import Result
 from toolkit import phases as ph
 from toolkit.datasets import home, procedural
-from toolkit.evaluation import labels
+from toolkit.evaluation import phases as labels
 from toolkit.evaluation.phases import STILL, Row, measure
 from toolkit.motion.contacts import FEET
 
