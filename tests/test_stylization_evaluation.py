@@ -127,7 +127,6 @@ def test_doing_nothing_keeps_all_content_and_moves_no_style(motions, judges):
     assert found["content"] == 1.0
     assert found["style"] == 0.0
     assert found["diversity"] == pytest.approx(0, abs=0.1)  # arccos near 1
-    assert found["change"] == pytest.approx(0, abs=0.1)
     assert found["contact_f1"] == found["acceleration"] == 1.0
     assert found["bone"] < 1e-5
     assert found["both"] == 0.0

@@ -48,7 +48,8 @@ RECIPE: dict[str, dict] = {
     "100 iterations as an autoencoder": {"warm_up": 100}, "ds as in the paper": {"fading": False},
     "E learns from noise alone": {"encoder_learns": False}, "R1 in every iteration": {"r1_every": 1},
     "a generator as in Table 3": {"sizes": replace(networks.Sizes.small(), detailed=False)},
-}  # what the recipe is without one of its departures
+    "own window": OURS["ours with own window"],
+}  # what the recipe is without one of its departures, or with own window and all that goes with it
 COLUMNS: dict[str, list] = {
     "method": ["method"], "codes": ["style code from"], "fmd": ["FMD", 0], "domain_fmd": ["FMD per style", 0],
     "content": ["content, %", 0, 100], "style": ["style, %", 0, 100], "both": ["both, %", 0, 100],
@@ -187,7 +188,7 @@ def recipe(
     """What each departure of the recipe from the paper is worth: without each in turn, on the validation windows."""
     torch.set_num_threads(1)
     plan, lines, numbers = Plan(seconds, sources, "validation"), [], _numbers(seeds)
-    columns = dict(list(COLUMNS.items())[:9])
+    columns = dict(list(COLUMNS.items())[:11])
     _settle(out, plan)
     task = sets.load(data)
     judges = _judges(task, plan.part)
@@ -200,12 +201,12 @@ def recipe(
                 made = training.fit(task.train, plan.config(seed, **RECIPE[name]), checkpoint, progress=True,
                                     clock=time.process_time)
                 write_json(path, {"iterations": made.history[-1]["step"] if made.history else 0} |
-                           _scored(made.stylizer, task, plan, seed, ("noise", "reference"), judges))
+                           _scored(made.stylizer, task, plan, seed, evaluation.WAYS, judges))
                 checkpoint.unlink(missing_ok=True)
             found.append(json.loads(path.read_text(encoding="utf-8")))
         lines += [{"method": name if name == "the recipe" else f"instead: {name}", "codes": by,
                    "iterations": [one["iterations"] for one in found],
-                   **{key: [one[by][key] for one in found] for key in list(columns)[2:]}} for by in ("noise", "reference")]
+                   **{key: [one[by][key] for one in found] for key in list(columns)[2:]}} for by in evaluation.WAYS]
     columns["iterations"] = ["iterations", 0]
     about = f"Bandai-Namco {data}, {seconds:g} seconds of one processor thread for each training, validation windows"
     result = Result(f"stylisation-recipe-{data}", about, f"python -m experiments stylization recipe --data {data} --sources "

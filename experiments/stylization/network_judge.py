@@ -5,6 +5,7 @@ calls a source that is only moved to the mean pose of a style by the name of tha
 """
 
 from dataclasses import dataclass
+from itertools import product
 from pathlib import Path
 from typing import Annotated
 
@@ -95,7 +96,7 @@ class NetworkJudges:
 
 
 def run(
-    models: Annotated[list[Path], typer.Argument(help="Files of runs of the comparison on dataset 2, of one method.")],
+    models: Annotated[list[Path], typer.Argument(help="Files of runs of our method in the comparison on dataset 2.")],
     sources: Annotated[int, typer.Option(min=2, help="Largest number of restyled windows.")] = 64,
     store: Annotated[bool, typer.Option(help="Write the table's file in docs/results.")] = False,
 ) -> None:
@@ -109,13 +110,15 @@ def run(
     lines = [{"method": "real motion", **judges.judge(test.x, test.content, test.domain)}]
     lines += [{"method": name, **judges.judge(make(task.train)(chosen.select(rows), target), content, target)}
               for name, make in FLOORS.items()]
-    for by in evaluation.WAYS:
-        made = [evaluation.results(run.stylizer, chosen, task.references["test"], by, run.config.seed) for run in runs]
+    for seconds, by in product(sorted({run.config.seconds for run in runs}), evaluation.WAYS):
+        made = [evaluation.results(run.stylizer, chosen, task.references["test"], by, run.config.seed)
+                for run in runs if run.config.seconds == seconds]
         found = [judges.judge(torch.cat(two), content.repeat(2), target.repeat(2)) for two in made]
-        lines.append({"method": "ours", "codes": by, **{key: [one[key] for one in found] for key in found[0]}})
+        lines.append({"method": f"ours, {seconds:g} seconds", "codes": by,
+                      **{key: [one[key] for one in found] for key in found[0]}})
     about = "Bandai-Namco dataset-2, test windows, a graph network as the judge; mean ± deviation over the seeds"
     result = Result("stylisation-network-judge", about, "python -m experiments stylization network-judge FILE… --store",
-                    COLUMNS, lines, {"restyled sources": len(x), "seeds": len(runs), "epochs": EPOCHS, **machine("cpu")})
+                    COLUMNS, lines, {"restyled sources": len(x), "models": len(runs), "epochs": EPOCHS, **machine("cpu")})
     print(f"{result.about}\n\n{result.markdown()}" + (f"wrote {result.save()}" if store else ""))
 
 
