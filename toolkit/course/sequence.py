@@ -34,10 +34,11 @@ LESSONS = {lesson.number: lesson for lesson in (
     Lesson("02b", "laboratory", "Laboratory", "From which curve should a limb's phase be measured?", 60, ("02a",), (3, 1)),
     Lesson("03a", "network", "The network", "What does the network compute?", 45, ("02a",), (3, 0)),
     Lesson("03b", "training", "Training", "How does one network learn many styles?", 50, ("03a",), (4, 0)),
-    Lesson("04", "blending", "Blending", "What does a blend of styles look like when it walks?", 45, ("03a",), (4, 1)),
-    Lesson("05", "style_space", "Style space", "Which styles are near each other?", 45, ("04",), (5, 1)),
-    Lesson("06", "a_new_style", "A new style", "How does one clip become a style?", 45, ("03b", "04"), (5, 0)),
-    Lesson("07", "seven_models", "Seven models", "What differs between the paper's seven models?", 50, ("03b",), (5, 2)),
+    Lesson("04", "blending", "Blending", "What does a style blend look like when it walks?", 45, ("03a",), (4, 1)),
+    Lesson("05", "style_space", "Style space", "What does the space of styles look like?", 45, ("04",), (5, 1)),
+    Lesson("06", "a_new_style", "A new style", "How does a character learn a new way of walking from one clip?", 45,
+           ("03b", "04"), (5, 0)),
+    Lesson("07", "seven_models", "Seven models", "How do the seven models of Table 2 compare?", 50, ("03b",), (5, 3)),
     Lesson("08a", "five_losses", "Five losses", "What does each loss of a stylisation network do?", 40, ("01",), (1, 1)),
     Lesson("08b", "restyle", "Restyling", "Can a finished walk be given another style?", 45, ("08a",), (1, 2)),
     Lesson("09", "feet", "Feet", "How do feet stay where they stand?", 45, ("01",), (2, 1)),
@@ -96,8 +97,8 @@ def _arrow(start: Lesson, end: Lesson, lit: bool) -> str:
     if start.place[0] == end.place[0]:  # down or up
         down = y1 > y0
         x0, y0, x1, y1 = x0 + BOX[0] / 2, y0 + BOX[1] * down, x1 + BOX[0] / 2, y1 + BOX[1] * (not down)
-        path = f"M{x0} {y0} L{x1} {y1}"
+        path = f"M{x0} {y0} L{x1} {y1} m-4 {-6 if down else 6} L{x1} {y1} l4 {-6 if down else 6}"
     else:
         x0, y0, y1 = x0 + BOX[0], y0 + BOX[1] / 2, y1 + BOX[1] / 2
-        path = f"M{x0} {y0} C{x0 + GAP[0]} {y0} {x1 - GAP[0]} {y1} {x1} {y1}"
+        path = f"M{x0} {y0} C{x0 + GAP[0]} {y0} {x1 - GAP[0]} {y1} {x1} {y1} m-6 -4 L{x1} {y1} l-6 4"
     return f'<path d="{path}" fill="none" stroke="{LIT if lit else LINE}" stroke-width="{2.5 if lit else 1.5}"/>'
