@@ -15,7 +15,7 @@ import torch
 import typer
 
 from experiments.seven_models.models import machine, write_json
-from experiments.stylization import aberman, codes, convolutional, evaluation, holden, looks, network_judge, sets, speed
+from experiments.stylization import aberman, codes, convolutional, evaluation, holden, looks, sets, speed
 from experiments.stylization.floors import FLOORS
 from experiments.stylization.judges import Judges
 from experiments.stylization.sets import Task
@@ -29,7 +29,6 @@ from toolkit.stylization.training import Config
 
 app = typer.Typer(invoke_without_command=True)
 app.command()(looks.strip)
-app.command("network-judge")(network_judge.run)
 
 OUT = Path("out/stylization")
 USUAL = 60.0  # seconds of the comparison
@@ -48,8 +47,7 @@ RECIPE: dict[str, dict] = {
     "100 iterations as an autoencoder": {"warm_up": 100}, "ds as in the paper": {"fading": False},
     "E learns from noise alone": {"encoder_learns": False}, "R1 in every iteration": {"r1_every": 1},
     "a generator as in Table 3": {"sizes": replace(networks.Sizes.small(), detailed=False)},
-    "own window": OURS["ours with own window"],
-}  # what the recipe is without one of its departures, or with own window and all that goes with it
+}  # what the recipe is without one of its departures
 COLUMNS: dict[str, list] = {
     "method": ["method"], "codes": ["style code from"], "fmd": ["FMD", 0], "domain_fmd": ["FMD per style", 0],
     "content": ["content, %", 0, 100], "style": ["style, %", 0, 100], "both": ["both, %", 0, 100],
@@ -210,7 +208,7 @@ def recipe(
     columns["iterations"] = ["iterations", 0]
     about = f"Bandai-Namco {data}, {seconds:g} seconds of one processor thread for each training, validation windows"
     result = Result(f"stylisation-recipe-{data}", about, f"python -m experiments stylization recipe --data {data} --sources "
-                    f"{sources} --seeds {seeds} --store", columns, lines,
+                    f"{sources} --seeds {seeds} --rows \"{rows}\" --store", columns, lines,
                     {"seconds": seconds, "restyled sources": sources, "seeds": len(numbers), **machine("cpu")})
     print(f"{about}\n\n{result.markdown()}" + (f"wrote {result.save()}" if store else ""))
 

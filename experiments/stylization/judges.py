@@ -2,7 +2,7 @@
 
 Departure from the paper, which trains a graph network of ten layers: a window is described by the mean, the deviation and
 mean speed over time of each number of each joint; principal components (95 % of the variance) and a logistic regression name
-the class. It looks at the movement, too, where such a network goes by the posture (`network_judge`), and is trained in a second.
+the class. Few takes are enough for it, and it is trained in a second.
 """
 
 from collections.abc import Mapping
