@@ -56,6 +56,7 @@ docs: env
 	$(BIN)/sphinx-build -W --keep-going -b html docs out/docs
 
 wheel: env
+	rm -rf build  # setuptools packs what an earlier build left there, renamed modules too
 	$(BIN)/pip wheel --quiet --no-deps --no-build-isolation --wheel-dir dist .
 
 clean:

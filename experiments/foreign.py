@@ -103,7 +103,7 @@ class Row:
     name: str
     verdict: str  # right, warned, refused
     wrong: list[str]
-    found: "tk.io.inspection.Inspection | None"
+    found: "tk.io.load.Inspection | None"
     said: str  # the doubts or the error
 
 
@@ -124,7 +124,7 @@ def judge(path: Path, answer: Answer) -> Row:
     return Row(path.name, "warned" if found.doubts else "right", wrong, found, "; ".join(found.doubts))
 
 
-def _of_people(clip: tk.Clip, found: "tk.io.inspection.Inspection", answer: Answer) -> list[str]:
+def _of_people(clip: tk.Clip, found: "tk.io.load.Inspection", answer: Answer) -> list[str]:
     """What is wrong about a person's clip."""
     points, skeleton = clip.global_positions, clip.skeleton
     head = points[:, tk.motion.roles.head(skeleton.names, skeleton.parents, skeleton.offsets.norm(dim=-1).tolist(),

@@ -38,7 +38,7 @@ def refused(capsys):
 
 
 def test_the_command_line_exits_with_one_line_on_bad_input():
-    call = [sys.executable, "-m", "toolkit", "data", "table1", "--root", "nowhere"]
+    call = [sys.executable, "-m", "toolkit", "data", "list", "100style", "--root", "nowhere"]
     done = subprocess.run(call, capture_output=True, text=True, check=False)
     assert done.returncode == 2
     assert re.fullmatch(r"error: .*nowhere.*\n", done.stderr)
@@ -246,6 +246,13 @@ def test_pretrained_knows_every_style_and_stands_when_told():
     assert drift.max() < 0.25
 
 
+def test_pretrained_starts_at_the_speed_that_is_asked_for():
+    model, bank = tk.pretrained()
+    style = bank.blend({"ArmsAboveHead": 0.5, "Old": 0.5})  # 1.9 times as far with the speed factor alone
+    *_, last = tk.runtime.states(model, tk.runtime.straight(0.6, 2.0), style)
+    assert float(last.root[0, 1]) == pytest.approx(1.2, rel=0.3)
+
+
 def test_pretrained_walks_in_the_style_that_is_asked_for():
     model, bank = tk.pretrained()
     assert {"Neutral", "Zombie", "Aeroplane", "Crouch"} <= set(bank.names)
@@ -287,7 +294,7 @@ def test_bad_input_gets_one_line_and_leaves_nothing(tmp_path, small_run, refused
     assert "either --model" in refused(*walk, "Zombie", "--published", empty)
     assert "not a whole safetensors" in refused(*walk, "Zombie", "--model", junk)
     assert "Xmean.bin: missing" in refused("rollout", "--published", empty, "--style", "a", "--out", tmp_path / "out.bvh")
-    assert "Frame_Cuts.csv" in refused("data", "table1", "--root", empty)
+    assert "Frame_Cuts.csv" in refused("train", "--data", "100style", "--root", empty, "--out", tmp_path / "new.safetensors")
     assert "unknown" in refused("train", "--data", "procedural", "--styles", "Zombi", "--out", tmp_path / "new.safetensors")
     assert {p.name for p in tmp_path.iterdir()} == {"cut.bvh", "empty", "junk.safetensors", "run.safetensors"}
 

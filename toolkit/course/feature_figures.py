@@ -10,7 +10,7 @@ from plotly.subplots import make_subplots
 from torch import Tensor
 
 from toolkit import features
-from toolkit.course.notation import SYMBOLS
+from toolkit.course.pages import SYMBOLS
 from toolkit.features import Layout
 from toolkit.motion import Clip, Skeleton
 from toolkit.motion.trajectory import SAMPLES

@@ -13,13 +13,14 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 VALUES, DEEPEST = 2_000_000, 100  # of a JSON text: values, and levels of lists and objects
+LARGEST = 4_000_000_000  # bytes of a file that is read at once
 LARGEST_TABLE = 4_000_000  # bytes; its rows take fifty times as much
 
 
-def status(path: str | os.PathLike) -> os.stat_result | None:
-    """The status of a regular file, None of a missing one; OSError for folders, devices, pipes and sockets."""
+def status(path: str | os.PathLike, file: BinaryIO | None = None) -> os.stat_result | None:
+    """The status of a regular file (``file``: open), None of a missing one; OSError for folders, devices, pipes, sockets."""
     try:
-        found = os.stat(path)
+        found = os.stat(path if file is None else file.fileno())
     except FileNotFoundError:
         return None
     if stat.S_ISDIR(found.st_mode):
@@ -29,11 +30,44 @@ def status(path: str | os.PathLike) -> os.stat_result | None:
     return found
 
 
-def read(path: str | os.PathLike) -> bytes:
-    """The bytes of a regular file; OSError for anything else, before it is opened: reading a pipe may never end."""
-    if status(path) is None:
-        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), os.fspath(path))
-    return Path(path).read_bytes()
+def read(path: str | os.PathLike, most: int = LARGEST) -> bytes:
+    """The bytes, or the first so many, that a regular file has when it is opened; OSError for anything else.
+
+    A pipe, or a file of the kernel (which says that it has no bytes), may never end. What is opened is looked at again,
+    because the name may lead to something else by then.
+    """
+    status(path)
+    with open(path, "rb", opener=lambda name, flags: os.open(name, flags | getattr(os, "O_NONBLOCK", 0))) as file:
+        if (size := status(path, file).st_size) > LARGEST:
+            raise OSError(errno.EFBIG, f"more than {LARGEST} bytes", os.fspath(path))
+        return file.read(min(size, most))
+
+
+def below(folder: str | os.PathLike) -> list[Path]:
+    """All that is in a folder and its sub-folders, sorted; links are not followed.
+
+    `Path.rglob` calls itself for each level, and a thousand levels are too many for it.
+    """
+    found, folders = [], [os.fspath(folder)]
+    while folders:
+        with contextlib.suppress(PermissionError), os.scandir(folders.pop()) as entries:
+            for entry in entries:
+                found.append(Path(entry.path))
+                if entry.is_dir(follow_symlinks=False):
+                    folders.append(entry.path)
+    return sorted(found)
+
+
+@contextlib.contextmanager
+def named(path: str | os.PathLike) -> Iterator[None]:
+    """What goes wrong while a file is read becomes a ValueError in one line that begins with the path."""
+    try:
+        yield
+    except OSError as error:
+        raise ValueError(f"{path}: cannot be read ({error.strerror or 'damaged'})") from error
+    except ValueError as error:
+        said = str(error)
+        raise ValueError(said if said.startswith(f"{path}: ") else f"{path}: {said}") from error
 
 
 def parsed(text: str | bytes) -> Any:
