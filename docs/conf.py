@@ -136,6 +136,7 @@ def stand_alone(app, name: str, _template: str, context: dict, _doctree) -> None
     if "body" in context:
         character = f'<iframe class="character" src="{context["pathto"]("_static/controller.html", 1)}"></iframe>'
         context["body"] = CONTROLLER.sub(character, FETCHED.sub("", context["body"]))
+        context["body"] = context["body"].replace(" ± ", "\u00a0±\u00a0")  # a number and its spread stay in one line
         if name.startswith("_modules/"):
             context["body"] = DOCUMENTED.sub(documented, context["body"])
         if name.startswith("notebooks/"):
@@ -174,7 +175,8 @@ def formula(display: str):
     """Return a visitor that writes a formula as MathML."""
 
     def visit(self, node):
-        self.body.append(convert(node.astext().strip(), display=display))
+        text = convert(node.astext().strip(), display=display)
+        self.body.append(f'<div class="formula">{text}</div>' if display == "block" else text)
         raise SkipNode
 
     return visit

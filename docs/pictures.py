@@ -1,9 +1,11 @@
 """Make the pictures of these pages again, in three minutes on one core.
 
-``python docs/pictures.py [--published FOLDER --real FOLDER]``. Without the folder of the published parameters (Mason et
-al. 2022), the pictures in ``side_by_side`` stay as they are.
+``python docs/pictures.py [--published FOLDER --real FOLDER --run FILE]``. Without the folder of the published parameters
+(Mason et al. 2022), the pictures in ``side_by_side`` and those of the other two options stay as they are.
 """
 
+import contextlib
+import functools
 import json
 import shutil
 import tempfile
@@ -76,6 +78,15 @@ def feet(run, real: tk.Clip, seconds: float = 4.0) -> None:
     figure.savefig(OUT / "feet.png", dpi=110)
 
 
+def hundred(authors, run) -> None:
+    """Write walks of the published network, and of a network that was trained on its walks, in four styles."""
+    rows = {f"{style}, {name}": rollout(*walker, style, authors.bank.speed(style), 9.0)
+            for style in ("Zombie", "Aeroplane", "March", "Swimming")
+            for name, walker in (("published", authors), ("trained here", run))}
+    tk.view.strip(list(rows.values()), OUT / "hundred_strips.png", labels=list(rows), start=4.0, stop=5.5, width=9, dpi=100)
+    Image.open(OUT / "hundred_strips.png").convert("RGB").quantize(128).save(OUT / "hundred_strips.png", optimize=True)
+
+
 def restyle(seconds: float = 4.0) -> None:
     """Write a film of a plain walk that the stylizer in the package restyles, with two noises for each of two styles."""
     stylizer, walk = tk.stylization.pretrained(), straight("Neutral", seconds)
@@ -108,35 +119,65 @@ def progress(name: str = "stylisation-progress-dataset-2") -> None:
 def crowd(model, bank) -> None:
     """Write the animation of two streams that cross, three seconds of it."""
     clips = tk.shots.crowd.walk(model, bank, characters=100, seconds=10.0, progress=True).clips
-    tk.view.crowd([clip.cut(240, 420) for clip in clips], OUT / "crowd.webp", fps=8.0, width=480, colors=48, progress=True)
+    tk.view.crowd([clip.cut(240, 420) for clip in clips], OUT / "crowd.webp", fps=8.0, width=400, colors=48, progress=True)
+
+
+@contextlib.contextmanager
+def opened(write, ready: str, **size):
+    """A tab of Chromium, with Playwright, that shows the page that ``write(path)`` writes, once it is ready."""
+    from playwright.sync_api import sync_playwright
+
+    with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=["--no-sandbox"])
+        tab = browser.new_page(viewport=size)
+        tab.set_default_timeout(300_000)
+        tab.goto(write(Path(folder) / "page.html").as_uri())
+        tab.wait_for_function(ready)
+        yield tab
+        browser.close()
+
+
+def kept(part, name: str) -> None:
+    """Write a screenshot of a page or of a part of it, with few colours."""
+    part.screenshot(path=OUT / name)
+    Image.open(OUT / name).convert("RGB").quantize(192).save(OUT / name, optimize=True)
+
+
+def controller(model, bank) -> None:
+    """Write a picture of a character that is steered in a page, between two styles."""
+    made = functools.partial(tk.view.web, model, bank, half=True)
+    with opened(made, "() => globalThis.view?.kernel.frame > 10", width=960, height=600) as tab:
+        tab.keyboard.down("w")
+        box = tab.locator(".tk-triangle svg").bounding_box()
+        tab.mouse.move(box["x"] + 110, box["y"] + 123)
+        tab.mouse.down()
+        tab.mouse.move(box["x"] + 165, box["y"] + 155, steps=8)
+        tab.mouse.up()
+        tab.wait_for_function("() => view.kernel.character.root[2] > 3")
+        tab.evaluate("() => (view.scene.setQuality(2), view.scene.setQuality = () => {})")  # whole pixels
+        tab.wait_for_timeout(1500)
+        kept(tab, "controller.png")
 
 
 def director(model, bank) -> None:
-    """Write a picture of the Director with three shots; it needs Chromium and Playwright."""
-    from playwright.sync_api import sync_playwright
-
+    """Write a picture of the Director with three shots."""
     shot, hold = tk.shots.Shot, tk.shots.Hold
     path = [(0, 0), (1, 2), (-1, 4), (0, 6, 8.0), (-3, 7.5)]
     anna = shot(path, [(0, "Neutral"), (3, "Zombie"), (6, {"Strut": 0.5, "Old": 0.5})], [(0, 1.0), (4, 0.8)],
                 [hold(1.5, time=8.6)], name="Anna")
-    others = [shot([(2, 5), (0.5, 3.5), (2.5, -1)], "Crouch", name="Ben"),
+    others = [shot([(2.2, 5), (1.7, 3), (2.5, -1)], "Crouch", name="Ben"),
               shot([(-2.5, 0), (-2.2, 2.5), (-4, 5.5)], "Aeroplane", name="Cleo")]
-    with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
-        page = tk.view.director.web(model, bank, Path(folder) / "director.html", [anna, *others], half=True)
-        browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=["--no-sandbox"])
-        tab = browser.new_page(viewport={"width": 1280, "height": 760})
-        tab.set_default_timeout(300_000)
-        tab.goto(page.as_uri())
-        tab.wait_for_function("() => globalThis.view?.stats.drawn > 0 && view.desk.takes.every(Boolean)")
+    made = functools.partial(tk.view.director.web, model, bank, shots=[anna, *others], half=True)
+    ready = "() => globalThis.view?.stats.drawn > 0 && view.desk.takes.every(Boolean)"
+    with opened(made, ready, width=1280, height=760) as tab:
         tab.evaluate("() => (view.ghosts.push(2, 3), view.seek(4), view.desk.changed('look'))")
         tab.wait_for_timeout(5000)
-        tab.screenshot(path=OUT / "director.png")
-        browser.close()
-    Image.open(OUT / "director.png").convert("RGB").quantize(192).save(OUT / "director.png", optimize=True)
+        kept(tab, "director.png")
 
 
 def main(published: Annotated[Path | None, typer.Option(help="Folder of the published parameters.")] = None,
-         real: Annotated[Path | None, typer.Option(help="Folder of 100STYLE, for the picture of feet.")] = None) -> None:
+         real: Annotated[Path | None, typer.Option(help="Folder of 100STYLE, for the picture of feet.")] = None,
+         run: Annotated[Path | None, typer.Option(help="LPN-FiLM of a hundred styles, for the strips.")] = None) -> None:
     """Make every picture in this folder again."""
     torch.set_num_threads(1)
     for folder in ("styles", "side_by_side"):
@@ -145,7 +186,7 @@ def main(published: Annotated[Path | None, typer.Option(help="Folder of the publ
     tk.view.strip(list(map(looped, walks.values())), OUT / "contact_sheet.png", labels=list(walks), width=12, dpi=66)
     Image.open(OUT / "contact_sheet.png").convert("RGB").quantize(128).save(OUT / "contact_sheet.png", optimize=True)
     gaits = [looped(procedural.generate("Neutral", gait)) for gait in GAITS]
-    tk.view.animate(gaits, OUT / "gaits.gif", labels=GAITS, columns=3, height=100, colors=32, progress=True)
+    tk.view.animate(gaits, OUT / "gaits.gif", labels=GAITS, columns=3, fps=14.0, height=100, colors=32, progress=True)
     for style, view in tqdm(SHOWN.items(), desc="styles"):
         tk.view.animate(looped(walks[style]), OUT / "styles" / f"{style}.gif", labels=[""], view=view, height=140, colors=40)
 
@@ -156,6 +197,7 @@ def main(published: Annotated[Path | None, typer.Option(help="Folder of the publ
                     progress=True)
     shown = [style for style in ("Neutral", "Zombie", "Strut", "Crouch", "Aeroplane") if style in embedded.bank]
     crowd(*embedded)
+    controller(*embedded)
     director(*embedded)
     rows = [rollout(*embedded, style, procedural.STYLES[style].speed) for style in shown]
     tk.view.strip(rows, OUT / "styles.png", labels=shown, stop=2.0, width=9, dpi=120)
@@ -165,6 +207,8 @@ def main(published: Annotated[Path | None, typer.Option(help="Folder of the publ
     authors = tk.published.load(published)
     if real is not None:
         feet(authors, tk.datasets.load("100style", real, styles=["Neutral"], gaits=["FW"])[0])
+    if run is not None:
+        hundred(authors, tk.training.load(run))
     for style, name in tqdm(BESIDE.items(), desc="side by side"):
         speed = procedural.STYLES[style].speed
         clips = {"procedural data": walks[style], "embedded model": rollout(*embedded, style, speed),

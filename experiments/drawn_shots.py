@@ -9,12 +9,14 @@ import dataclasses
 import math
 import random
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Annotated
 
 import torch
 import typer
 
 from experiments.shots import followed
+from experiments.tables import Result
 from toolkit import published, runtime
 from toolkit.cli import verbs
 from toolkit.evaluation import metrics
@@ -130,11 +132,18 @@ def run(
     parameters: verbs.Published = None,
     count: Annotated[int, typer.Option(min=1, help="Number of shots.")] = 30,
     chosen: Annotated[bool, typer.Option("--chosen", help="The seeds that served to choose the gains.")] = False,
+    save: Annotated[Path | None, typer.Option(help="Add the row to the result drawn-shots in this folder.")] = None,
 ) -> None:
     """Shots drawn at random: paths, arrivals, feet beside runtime.follow, and how often Shot.check is right."""
     net, bank = published.either(model, parameters)
-    for name, value in row(runtime.compile(net), bank, [2 * k + (not chosen) for k in range(count)]).items():
+    found = row(runtime.compile(net), bank, [2 * k + (not chosen) for k in range(count)])
+    for name, value in found.items():
         print(f"{name:<12}{COLUMNS[name][0]:<60}{value:>10.4g}")
+    if save is not None:
+        Result("drawn-shots", f"{count} shots drawn at random, odd seeds, on which no gain was chosen; check is judged on "
+               f"them and on {count} that ask for too much, from another start of the gait cycle; floor: runtime.follow, of "
+               "the shots that it can express", "python -m experiments drawn-shots", {"model": ["model"]} | COLUMNS,
+               [{"model": "embedded" if parameters is None else "published", **found}]).add(save)
 
 
 #: Keys of a row: title, decimals, scale.

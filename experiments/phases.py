@@ -9,9 +9,10 @@ import torch
 import typer
 from torch import Tensor
 
+from experiments.tables import Result
 from toolkit import phases as ph
 from toolkit.datasets import home, procedural
-from toolkit.evaluation import labels
+from toolkit.evaluation import phases as labels
 from toolkit.evaluation.phases import STILL, Row, measure
 from toolkit.motion.contacts import FEET
 
@@ -19,6 +20,8 @@ STAGGERING = ("Neutral", "Zombie")  # styles that are also measured with the ran
 FREQUENCY_LIMIT, F1_LIMIT = 0.03, 0.95
 CASES = ("cyclic", "asymmetric", "no global phase", "one leg never touches", "stochastic")
 PLANNED = ("Neutral", "Old", "Zombie", "Drunk")  # styles that are labelled by their true contacts
+TITLES = {"case": ["styles"], "styles": ["of them", 0], "limbs": ["limbs"], "take": ["take"], "foot": ["foot"],
+          "of": ["phases"]}  # columns of the stored results that are no errors
 LABEL_LIMIT, FLOOR_LIMIT = 20.0, 10.0  # degrees, of the default source: in all, and above the floor of the labels
 
 
@@ -47,6 +50,7 @@ def run(
     source: Annotated[str, typer.Option(help="Comma-separated phase sources.")] = ",".join((*ph.SOURCES, "learned")),
     labelled: Annotated[Path | None, typer.Option(
         help=f"Folder of labelled takes (Holden et al. 2017); default: {labels.NAME} in the folder of datasets.")] = None,
+    store: Annotated[bool, typer.Option("--store", help="Write the three tables into docs/results.")] = False,
 ) -> None:
     """Errors of the phase sources, compared with the truth about procedural clips and with phases labelled by a person."""
     sources = {name: ph.named(name) for name in source.split(",")}
@@ -59,6 +63,7 @@ def run(
             clip, known = procedural.truth(name if name in procedural.STYLES else style, gait, seconds, seed)
             rows[case(style)].append(measure(f"{name} {gait}", clip, known, sources))
 
+    kept = []
     print(f"{'degrees':<34}" + "".join(f"{name:>14}" for name in sources) + f"{'frequency':>12}{'contact F1':>12}")
     for group, members in rows.items():
         for row in members:
@@ -66,8 +71,9 @@ def run(
                 errors = "".join(_number(row.phase[s][part.columns].nanmean(), "°", 14) for s in sources)
                 name, f1 = (row.name, f"{min(row.f1):>12.3f}") if limbs == "feet" else ("", "")
                 print(f"{name:<26}{limbs:<8}{errors}{_number(100 * part.frequency_error(row), ' %', 12)}{f1}")
-        for limbs, part in PARTS.items() if len(members) > 1 else ():
+        for limbs, part in PARTS.items() if members else ():
             means = {s: torch.stack([r.phase[s][part.columns] for r in members]).nanmean() for s in sources}
+            kept.append({"case": group, "styles": len(members), "limbs": limbs, **{s: float(m) for s, m in means.items()}})
             name = f"= {group}" if limbs == "feet" else ""
             print(f"{name:<26}{limbs:<8}" + "".join(_number(mean, "°", 14) for mean in means.values()))
             if group == "stochastic" and {"coherent", "contact-free"} <= set(sources):
@@ -81,23 +87,48 @@ def run(
     print(f"Limits for cyclic styles: {limits}, "
           f"frequency {FREQUENCY_LIMIT:.0%}, F1 {F1_LIMIT}: {'; '.join(failed) or 'all kept'}")
     print()
-    _labels(sources, labelled, seconds, seed)
+    against = _labels(sources, labelled, seconds, seed)
+    if store:
+        tables = {
+            "phases": (f"Mean circular error in procedural walks of {seconds:g} s, degrees, less a lag of each limb", kept),
+            "phases-labelled": ("Mean errors of the feet in moving frames against labelled phases, degrees, less a constant "
+                                "lag of each", against[0]),
+            "phases-thirds": ("The same in the thirds of a recorded take, between the first and the last labelled "
+                              "touch-downs, with the lag of the whole take", against[1])}
+        for name, (about, members) in tables.items():
+            columns = {key: TITLES.get(key, [f"`{key}`" if key in sources else key, 1]) for row in members for key in row}
+            numbers = worst(rows["cyclic"]) if name == "phases" else {}
+            Result(name, about, "python -m experiments phases --store", columns, members, {}, numbers).save()
 
 
-def _labels(sources: dict[str, ph.Source], folder: Path | None, seconds: float, seed: int) -> None:
-    """Print the errors against labelled phases: procedural transitions, and the takes of the folder if there are any."""
+def worst(rows: list[Row]) -> dict[str, float]:
+    """The largest errors of `PARTS` in some styles, means of both sides, degrees and shares; the least F1 of contacts."""
+    means = {f"{part.source}, {limbs}": [float(row.phase[part.source][part.columns].nanmean()) for row in rows]
+             for limbs, part in PARTS.items()}
+    found = {name: max(mean for mean in errors if not math.isnan(mean)) for name, errors in means.items()}
+    frequency = max(float(part.frequency_error(row)) for row in rows for part in PARTS.values())
+    return found | {"frequency": frequency, "F1": min(min(row.f1) for row in rows)}
+
+
+def _labels(sources: dict[str, ph.Source], folder: Path | None, seconds: float, seed: int) -> tuple[list[dict], list[dict]]:
+    """Print the errors against labelled phases: procedural transitions, and the takes of the folder if there are any.
+
+    Returns the rows of both tables.
+    """
     takes = [(f"{style} TR1", labels.planned(style, "TR1", seconds, seed)) for style in PLANNED]
     if folder is not None or home.folder(labels.NAME).is_dir():
         takes += [(take.clip.name, take) for take in labels.read(folder or home.folder(labels.NAME))]
     else:
         print(f"no labelled recordings: {home.folder(labels.NAME)} does not exist")
     print(f"{'degrees, labelled':<26}{'frames':>8}{'floor':>14}" + "".join(f"{name:>14}" for name in sources))
-    failed = []
+    failed, kept, parts = [], [], []
     for name, take in takes:
         errors = {"floor": labels.floor(take), **{label: labels.errors(take, source) for label, source in sources.items()}}
         for i, side in enumerate(FEET):
             frames = f"{int(take.labelled.sum()):>8}" if i == 0 else " " * 8
             numbers = "".join(_number(error[i], "°", 14) for error in errors.values())
+            kind = "procedural" if name.endswith("TR1") else "recorded"
+            kept.append({"take": f"{name} ({kind})", "foot": side} | {s: float(error[i]) for s, error in errors.items()})
             print(f"{f'{name[:19]:<20}{side}':<26}{frames}{numbers}")
             if "hybrid" in errors and errors["hybrid"][i] > min(LABEL_LIMIT, errors["floor"][i] + FLOOR_LIMIT):
                 failed.append(f"{name} {side} {float(errors['hybrid'][i]):.1f}°")
@@ -110,6 +141,9 @@ def _labels(sources: dict[str, ph.Source], folder: Path | None, seconds: float, 
         print(f"\n{f'{name[:24]}, by thirds':<37}{titles}")
         for what, errors in thirds(take).items():
             print(f"{what:<37}" + "".join(_number(error, "°", 9) for error in errors.T.flatten()))
+            places = [f"{side} {part}" for side in FEET for part in (1, 2, 3)]
+            parts.append({"of": what} | dict(zip(places, errors.T.flatten().tolist(), strict=True)))
+    return kept, parts
 
 
 def thirds(take: labels.Take) -> dict[str, Tensor]:

@@ -8,6 +8,7 @@ import numpy as np
 import torch
 import typer
 
+from experiments.tables import Result
 from toolkit import datasets
 from toolkit.datasets import procedural
 from toolkit.motion import Clip, contacts, root_frames
@@ -45,6 +46,7 @@ EXCEPTIONS = {
 def run(
     data: Annotated[Path | None, typer.Option(help="Folder that holds 100style/ and bandai/.")] = None,
     style: Annotated[str, typer.Option(help="Procedural style.")] = "Neutral",
+    store: Annotated[bool, typer.Option("--store", help="Write the table into docs/results/realism.json.")] = False,
 ) -> None:
     """Measures of a procedural walk, compared with recorded neutral walks of 100STYLE and Bandai-Namco."""
     real: dict[str, list[dict[str, float]]] = {}
@@ -61,20 +63,27 @@ def run(
     counts = {title: f"{title} ({len(rows)})" for title, rows in real.items()}
     print(f"{'':<30}" + "".join(f"{c:>18}" for c in counts.values())
           + "".join(f"{f'procedural, {pace:.2f} m/s':>22}" for pace in paces.values()))
-    outside = []
+    outside, kept = [], []
     for name, decimals in MEASURES.items():
-        line = f"{name:<30}"
-        for rows in real.values():
-            low, high = min(r[name] for r in rows), max(r[name] for r in rows)
-            line += f"{f'{low:.{decimals}f} - {high:.{decimals}f}':>18}"
+        line, cells = f"{name:<30}", {"measure": name}
+        for title, rows in real.items():
+            low, high = (f"{pick(r[name] for r in rows):.{decimals}f}" for pick in (min, max))
+            line += f"{f'{low} - {high}':>18}"
+            cells[title] = low if low == high else f"{low}–{high}"
         every = [r[name] for rows in real.values() for r in rows]
-        for row in made.values():
+        for pace, row in zip(paces.values(), made.values(), strict=True):
             beyond = bool(every) and not min(every) <= row[name] <= max(every)
             outside += [name] if beyond and name not in outside else []
-            line += f"{f'{row[name]:.{decimals}f}' + (' *' if beyond else '  '):>22}"
+            cells[f"procedural, {pace:.2f} m/s"] = shown = f"{row[name]:.{decimals}f}" + " *" * beyond
+            line += f"{shown if beyond else f'{shown}  ':>22}"
+        kept.append(cells)
         print(line)
     if real:
         print(f"* outside the range of all {sum(map(len, real.values()))} recorded parts: {len(outside)} of {len(MEASURES)}")
+    if store:
+        Result("realism", "Straight parts of recorded neutral walks, lowest and highest value of any part, and a procedural "
+               f"walk at the mean speed of each; all at {RATE:g} Hz", "python -m experiments realism --data DATA --store",
+               {key: [key] for key in kept[0]}, kept, {"parts": {title: len(rows) for title, rows in real.items()}}).save()
     for name in outside:
         print(f"  {name}: {EXCEPTIONS.get(name, 'unexplained')}")
 

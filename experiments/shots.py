@@ -8,6 +8,7 @@ from typing import Annotated
 import torch
 import typer
 
+from experiments.tables import Result, line
 from toolkit import published, runtime
 from toolkit.cli import verbs
 from toolkit.evaluation import metrics
@@ -17,6 +18,12 @@ from toolkit.shots.feasibility import arrival, beside
 from toolkit.shots.shot import Shot
 
 FOLDER = Path(__file__).parents[1] / "examples" / "shots"
+COLUMNS = {
+    "model": ["model"], "shot": ["shot"], "seconds": ["s", 1], "mean": ["mean distance, cm", 1, 100],
+    "largest": ["largest", 1, 100], "floor": ["floor: mean", 1, 100], "floor_largest": ["largest", 1, 100],
+    "end": ["from the end, cm", 1, 100], "floor_end": ["floor", 1, 100], "skate": ["skate, cm/s", 2, 100],
+    "floor_skate": ["floor", 2, 100], "timed": ["times asked", 0], "arrived": ["met", 0], "check": ["check says"],
+}
 
 
 def run(
@@ -24,37 +31,37 @@ def run(
     parameters: verbs.Published = None,
     folder: Annotated[Path, typer.Option(help="Folder of shot files.")] = FOLDER,
     plain: Annotated[bool, typer.Option("--plain", help="The plain runtime, not the compiled one.")] = False,
+    save: Annotated[Path | None, typer.Option(help="Add the rows to the result shots in this folder.")] = None,
 ) -> None:
     """Distance from the path, arrivals and foot skate of every shot, beside the pilot of `toolkit.runtime.follow`."""
     net, bank = published.either(model, parameters)
-    net = net if plain else runtime.compile(net)
-    print("Distances in cm, skate in cm/s of toes in contact, of the worse foot; floor: runtime.follow")
-    print(f"{'shot':<18}{'s':>6}{'mean':>7}{'worst':>7}{'floor':>7}{'worst':>7}  {'end':>5}{'floor':>7}{'skate':>7}"
-          f"{'floor':>7}  arrivals (s, cm); check")
+    net, name = net if plain else runtime.compile(net), "embedded" if parameters is None else "published"
+    rows = []
     for file in sorted(folder.glob("*.json")):
         scene = Scene.load(file)
         if scene.apart is None:  # who keeps apart leaves the path: `experiments.crowds`
             for shot in scene.shots:
-                print(row(net, bank, shot))
+                rows.append({"model": name, **row(net, bank, shot)})
+                print(line(COLUMNS, rows[-1]), flush=True)
+    if save is not None:
+        known = Result.load("shots", save).rows if (save / "shots.json").exists() else []
+        Result("shots", "the shots of examples/shots; the floor is the pilot of toolkit.runtime.follow on the same path",
+               "python -m experiments shots", COLUMNS, [*(r for r in known if r["model"] != name), *rows]).save(save)
 
 
-def row(net, bank, shot: Shot) -> str:
-    """A line of the table."""
+def row(net, bank, shot: Shot) -> dict[str, float | str]:
+    """The numbers of `COLUMNS`."""
     plan = shot.plan(bank)
     course, goal = plan[0], plan[0].curve.point(plan[0].curve.length)
     mine, skate = measured(net, shot.states(net, bank, plan))
     floor, slide = measured(net, followed(net, bank, shot, course))
-    cells = [f"{shot.name:<18}{len(mine) / FPS:>6.1f}"]
-    for places in (mine, floor):
-        apart = beside(course, places)
-        cells.append(f"{100 * sum(apart) / len(apart):>7.1f}{100 * max(apart):>7.1f}")
-    cells.append("  " + "".join(f"{100 * math.dist(places[-1], goal):>{w}.1f}" for w, places in ((5, mine), (7, floor))))
-    cells.append(f"{100 * skate:>7.2f}{100 * slide:>7.2f}  ")
-    for point, knot in zip(shot.path[1:], course.curve.knots[1:], strict=True):
-        if point.time is not None:
-            seconds, metres = arrival(course.curve.point(knot), point.time, mine)
-            cells.append(f"({seconds:.2f}, {100 * metres:.0f}) ")
-    return "".join(cells) + "; ".join(shot.check(net, bank))
+    apart, plain = beside(course, mine), beside(course, floor)
+    hits = [arrival(course.curve.point(knot), point.time, mine)
+            for point, knot in zip(shot.path[1:], course.curve.knots[1:], strict=True) if point.time is not None]
+    return {"shot": shot.name, "seconds": len(mine) / FPS, "mean": sum(apart) / len(apart), "largest": max(apart),
+            "floor": sum(plain) / len(plain), "floor_largest": max(plain), "end": math.dist(mine[-1], goal),
+            "floor_end": math.dist(floor[-1], goal), "skate": skate, "floor_skate": slide, "timed": len(hits),
+            "arrived": sum(not late for late, _ in hits), "check": "; ".join(shot.check(net, bank))}
 
 
 def followed(net, bank, shot: Shot, course) -> Iterable[runtime.CharacterState]:

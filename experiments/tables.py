@@ -122,6 +122,11 @@ def cell(value: Any, decimals: int | None = None, scale: float = 1) -> str:
     return f"{scale * value:,.{decimals or 0}f}".replace("-", "−")
 
 
+def line(columns: Mapping[str, list], row: Mapping[str, Any]) -> str:
+    """A row as a line of text."""
+    return "  ".join(f"{columns[key][0]}: {cell(value, *columns[key][1:])}" for key, value in row.items())
+
+
 def fill(text: str, folder: Path = RESULTS) -> str:
     """A page with its tables drawn from the results; ValueError if one is missing."""
     def drawn(found: re.Match) -> str:

@@ -2,8 +2,8 @@ import pytest
 import torch
 from torch import nn
 
-from toolkit.networks import FilmGenerator, convolution
-from toolkit.networks.convolution import MANY, TILE, WIDE, Convolution
+from toolkit.networks import FilmGenerator, film
+from toolkit.networks.film import MANY, TILE, WIDE, Convolution
 
 
 @pytest.mark.parametrize("kernel", [WIDE + 1, 25, TILE + 5])
@@ -22,7 +22,7 @@ def test_tiles_give_what_torch_gives(kernel, frames):
 
 
 def test_a_layer_that_inference_mode_used_first_can_be_trained():
-    convolution._waves.cache_clear()
+    film._waves.cache_clear()
     layer, x = Convolution(7, 5, 25), torch.randn(MANY, 7, TILE)
     with torch.inference_mode():
         layer(x)
@@ -31,7 +31,7 @@ def test_a_layer_that_inference_mode_used_first_can_be_trained():
 
 
 def test_tiles_are_for_many_clips_and_wide_kernels(monkeypatch):
-    monkeypatch.setattr(convolution, "_waves", lambda n: pytest.fail("tiles"))
+    monkeypatch.setattr(film, "_waves", lambda n: pytest.fail("tiles"))
     torch.manual_seed(0)
     Convolution(2, 3, 25)(torch.randn(MANY - 1, 2, 50))
     Convolution(2, 3, WIDE - 1)(torch.randn(MANY, 2, 50))

@@ -81,17 +81,19 @@ def test_judges_know_wrong_answers():
     assert judge(lambda x: x + x) == ""
     assert judge(lambda x: x / 2) == "halved"
     assert judge(lambda x: 2.0) == "hidden case 2 of 2: 2 is not right."
-    assert judge(lambda x: None) == "the function returns nothing yet."
+    assert judge(lambda x: None) == "no answer yet."
     assert judge(3) == "a function is needed, not int."
     assert equals(4, {"that is its square": 16})(16) == "that is its square"
 
 
 def test_check_says_what_is_wrong(monkeypatch):
     assert tk.course.check("00.2", lambda speed, fps: speed / fps)
-    for answer in (..., 3, lambda speed, fps: ..., lambda speed, fps: speed, lambda: 1):
+    for answer in (3, lambda speed, fps: speed, lambda: 1):
         verdict = tk.course.check("00.2", answer)
         assert not verdict
         assert "Hint: in one second" in str(verdict)
+    for nothing in (..., lambda speed, fps: ...):
+        assert str(tk.course.check("00.2", nothing)) == "○ 00.2: No answer yet."  # a hint comes after an attempt
     assert "raised TypeError" in str(verdict)
     with pytest.raises(ValueError, match=r"no exercise '00\.9'; there are 00\.1, 00\.2"):
         tk.course.check("00.9", 1)

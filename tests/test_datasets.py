@@ -7,6 +7,7 @@ import pytest
 import torch
 from strategies import human_clip
 
+from experiments import table1
 from toolkit import datasets, published
 from toolkit.datasets import style100, xia
 from toolkit.io import bvh
@@ -159,8 +160,8 @@ def test_bad_tables_in_one_line(small, table, text, match):
 
 
 def test_table1_equals_the_paper(shared):
-    rows = style100.table1(shared / "100style")
-    assert "\n".join(f"{r.gait}|{r.frames:,}|{r.minutes}|{r.ratio}" for r in rows) == TABLE1
+    rows = table1.rows(shared / "100style")
+    assert "\n".join(f"{gait}|{frames:,}|{minutes}|{ratio}" for gait, frames, minutes, ratio in rows) == TABLE1
 
 
 def test_styles_of_100style(shared):
@@ -221,7 +222,7 @@ def test_real_people_walk_where_they_face(recordings):
 @pytest.mark.parametrize(
     ("arguments", "problem"),
     [
-        (["table1", "--root", "/nonexistent"], "/nonexistent does not exist"),
+        (["list", "100style", "--root", "/nonexistent"], "/nonexistent does not exist"),
         (["list", "100styl"], "did you mean '100style'"),
     ],
 )
@@ -240,7 +241,7 @@ def test_command_line_prints(small, shared, capsys):
 
     app(["data", "list", "100style", "--root", str(small)], standalone_mode=False)
     assert capsys.readouterr().out.split() == ["Old", "BR", "1,", "FW", "1", "Zombie", "FW", "1"]
-    app(["data", "table1", "--root", str(shared / "100style")], standalone_mode=False)
+    table1.run(shared / "100style")
     printed = [" ".join(line.split()) for line in capsys.readouterr().out.splitlines()[1:]]
     assert printed == TABLE1.replace("|", " ").splitlines()
 

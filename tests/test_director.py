@@ -45,6 +45,13 @@ def test_an_unknown_style_is_refused_before_anything_is_written(tmp_path):
     assert not list(tmp_path.iterdir())
 
 
+def test_another_model_is_refused_in_one_line():
+    model, bank = tk.pretrained()
+    other = tk.networks.build("pfnn-film", model.layout, 2, model.sizes)
+    with pytest.raises(ValueError, match="only lpn-film runs in a page, got pfnn-film"):
+        Director(other, bank)
+
+
 def test_the_command_line_writes_a_page_of_a_file(tmp_path):
     shot = Shot([(0, 0), (0, 1)], "Zombie", name="</script><b>")
     shot.save(tmp_path / "shot.json")

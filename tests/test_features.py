@@ -8,8 +8,13 @@ import torch
 
 import toolkit as tk
 from toolkit import features, phases
-from toolkit.features import Layout, Normaliser, Rows, clip_starts, frames, moments, split_joints, style_clips
+from toolkit.features import Layout, Normaliser, Rows, clip_starts, frames, moments, split_joints
 from toolkit.motion import root_frames
+
+
+def style_clips(clip, start=0, stop=None):
+    own = features.own_features(clip, phases.extract(clip, "contact"))
+    return own.style_clips(start + clip_starts(len(clip.cut(start, stop))))
 
 
 def test_widths_are_the_papers(walk_clip):

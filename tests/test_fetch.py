@@ -25,7 +25,7 @@ import pytest
 
 import toolkit as tk
 from toolkit.__main__ import main
-from toolkit.datasets import archive, download, fetch, home, procedural
+from toolkit.datasets import download, fetch, home, procedural
 
 
 class Server(http.server.ThreadingHTTPServer):
@@ -491,6 +491,7 @@ HARM = {
     "link": (special(stat.S_IFLNK), "is a link or a device"),
     "device": (special(stat.S_IFCHR), "is a link or a device"),
     "twice": ("100STYLE/FRAME_cuts.csv", "twice"),
+    "deep": (f"100STYLE/{'a/' * 1500}evil.bvh", "a name that no file should have"),
 }
 
 
@@ -557,7 +558,7 @@ def test_no_room(root, server, monkeypatch):
     with pytest.raises(OSError, match=r"bytes are needed to fetch and unpack 100style, the disk has 1,000,000 free"):
         get()
     assert not server.requests
-    monkeypatch.setattr(archive, "room", lambda folder, size, purpose: unpacking(purpose))
+    monkeypatch.setattr(download, "room", lambda folder, size, purpose: unpacking(purpose))
     with pytest.raises(OSError, match="unpack: no room"):
         get()
     assert not root.exists()
@@ -571,7 +572,7 @@ def unpacking(purpose):
 
 def test_what_came_before_the_disk_was_full_is_not_fetched_again(root, server, monkeypatch):
     with monkeypatch.context() as full:
-        full.setattr(archive, "room", lambda folder, size, purpose: unpacking(purpose))
+        full.setattr(download, "room", lambda folder, size, purpose: unpacking(purpose))
         with pytest.raises(OSError, match="no room"):
             get()
     assert get()["files"] == 5

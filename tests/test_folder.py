@@ -13,7 +13,7 @@ from toolkit.__main__ import main
 from toolkit.datasets import folder
 from toolkit.datasets.procedural import SKELETON
 from toolkit.motion import retargeting
-from toolkit.motion.pruning import body_joints, pruned
+from toolkit.motion.retargeting import body_joints, pruned
 
 GAITS = {"walk": "FW", "run": "FR"}
 

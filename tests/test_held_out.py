@@ -11,7 +11,7 @@ from test_training import QUICK, waves
 import toolkit as tk
 from experiments.seven_models import models, recorded, results, vectors
 from toolkit import training
-from toolkit.training.vectors import STEPS, refit
+from toolkit.training.loss import STEPS, refit
 
 
 @pytest.fixture(scope="module")

@@ -1,12 +1,14 @@
 """Hostile files, names and machines: what comes from outside is refused in one line, or read without harm."""
 
 import asyncio
+import contextlib
 import dataclasses
 import functools
 import json
 import os
 import re
 import shutil
+import signal
 import struct
 import subprocess
 import sys
@@ -473,7 +475,7 @@ def test_everything_is_written_whole_or_not_at_all():
         text = path.read_text(encoding="utf-8")
         if re.search(r"write_text\(|write_bytes\(|tofile\(|(?<!av\.)open\([^)\n]*[\"'][wax]b?\+?[\"']", text):
             found.add(path.name)
-    assert found == {"files.py", "download.py", "archive.py"}
+    assert found == {"files.py", "download.py"}
 
 
 @pytest.mark.skipif(os.name == "nt", reason="Windows has other permissions")
@@ -848,6 +850,219 @@ def test_a_file_name_that_cannot_be_shown_gives_no_style(walk_clip, tmp_path):
     tk.bvh.save(walk_clip, tmp_path / "a\x1b[31mb" / "walk.bvh")
     with pytest.raises(ValueError, match=r"the name of a style of .* has characters that cannot be printed"):
         folder.survey(tmp_path)
+
+
+@contextlib.contextmanager
+def within(seconds: float):
+    """Fails if what is inside waits or computes for longer."""
+    def late(*_):
+        raise AssertionError(f"took more than {seconds} s")
+
+    signal.signal(signal.SIGALRM, late)
+    signal.setitimer(signal.ITIMER_REAL, seconds)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="needs pipes with names")
+@pytest.mark.parametrize("name", ["a.bvh", "a.glb", "a.fbx", "a.npz", "a.amc", "shots.json"])
+def test_a_name_that_leads_to_a_pipe_once_it_was_checked_is_not_waited_for(name, monkeypatch, tmp_path):
+    """Another program may exchange a file between the look at it and its opening."""
+    from toolkit.io import files
+
+    path, status = tmp_path / name, files.status
+    for beside in (path, tmp_path / "a.asf"):
+        beside.write_bytes(b"old")
+
+    def swapped(*given):
+        found = status(*given)
+        if not path.is_fifo():
+            path.unlink()
+            os.mkfifo(path)
+        return found
+
+    monkeypatch.setattr(files, "status", swapped)
+    with within(20), pytest.raises((ValueError, OSError), match=r"a device, pipe or socket is no file|no section :root"):
+        tk.shots.load(path) if path.suffix == ".json" else tk.load(path)
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="needs pipes with names")
+def test_a_take_that_is_a_pipe_stops_the_preprocessing_in_one_line(walk_clip, tmp_path, capsys):
+    for style in ("Old", "Neutral"):
+        tk.bvh.save(walk_clip.replace(style=style), tmp_path / f"{style}_FW.bvh")
+    for name, columns in tk.datasets.style100.TABLES.items():
+        rows = [[style, *("N/A" if "FW" not in column else "0" if "START" in column else "480" for column in columns[1:])]
+                for style in ("Old", "Neutral")] if name.startswith("Frame") else [["Old", "", "No", "No", ""]]
+        (tmp_path / name).write_text("\n".join(map(",".join, [columns, *rows])), encoding="utf-8")
+    (tmp_path / "Old_FW.bvh").unlink()
+    os.mkfifo(tmp_path / "Old_FW.bvh")
+    words = ["--data", "100style", "--root", str(tmp_path), "--out", str(tmp_path / "out")]
+    with within(60):
+        assert main(["preprocess", *words, "--workers", "1"]) == 2
+    assert "Old_FW.bvh: a device, pipe or socket is no file" in capsys.readouterr().err
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="these files are Linux's")
+@pytest.mark.parametrize("suffix", [".bvh", ".glb", ".fbx", ".npz", ".npy", ".amc"])
+def test_files_of_the_kernel_and_files_of_holes_are_refused(suffix, tmp_path):
+    """The first kind says that it has no bytes, and may have no end; the second takes no disk, but memory if it is read."""
+    hole, kernel = tmp_path / f"hole{suffix}", tmp_path / f"kernel{suffix}"
+    (tmp_path / "hole.asf").write_text(":root\n:bonedata\n:hierarchy\n")
+    (tmp_path / "kernel.asf").write_text(":root\n:bonedata\n:hierarchy\n")
+    with hole.open("wb") as file:
+        file.truncate(1 << 40)
+    with pytest.raises(ValueError, match=rf"hole\{suffix}: cannot be read \(more than 4000000000 bytes"):
+        tk.load(hole)
+    for source in ("/proc/kmsg", "/proc/self/pagemap", "/proc/kcore"):
+        if os.access(source, os.R_OK):
+            kernel.unlink(missing_ok=True)
+            kernel.symlink_to(source)
+            with within(20), pytest.raises(ValueError, match=rf"kernel\{suffix}"):
+                tk.load(kernel)
+
+
+@pytest.fixture
+def deep(walk_clip, tmp_path):
+    """A folder with 1200 folders in each other and a take in the last; pytest could not remove it."""
+    here, top = os.getcwd(), tmp_path / "top"
+    top.mkdir()
+    os.chdir(top)
+    for _ in range(1200):
+        os.mkdir("a")
+        os.chdir("a")
+    tk.bvh.save(walk_clip.cut(0, 5), "Old_FW.bvh")
+    os.chdir(here)
+    yield top
+    os.chdir(top)
+    for _ in range(1200):
+        os.chdir("a")
+    os.unlink("Old_FW.bvh")
+    for _ in range(1200):
+        os.chdir("..")
+        os.rmdir("a")
+    os.chdir(here)
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no paths that long")
+def test_a_thousand_folders_in_each_other_are_searched(deep, tmp_path):
+    from toolkit.datasets import folder, style100
+
+    assert [take.style for take in folder.labelled(deep)[0]] == ["a"]
+    assert [take.style for take in style100.SOURCE.find(deep)] == ["Old"]
+    with pytest.raises(ValueError, match=r"no Frame_Cuts\.csv"):
+        style100.frame_cuts(deep)
+    said = ["style", "add", "--clips", str(deep), "--name", "New", "--out", str(tmp_path / "m.safetensors")]
+    assert main(said) == 2  # the clip is too short
+
+
+def test_a_rate_of_megahertz_takes_no_memory_for_its_windows(walk_clip, tmp_path):
+    with pytest.raises(ValueError, match="at most 10000, got 1e\\+07"):
+        walk_clip.cut(0, 3).replace(fps=1e7)
+    path = tree(tmp_path, 3, 1, True)
+    path.write_text(path.read_text().replace("Frame Time: 0.01", "Frame Time: 1e-7"))
+    with pytest.raises(ValueError, match=rf"{path.name}: frames per second"):
+        tk.inspect(path)
+
+
+def test_an_error_that_quotes_a_long_text_is_cut(walk_clip, tmp_path, capsys):
+    tk.bvh.save(walk_clip.cut(0, 5), tmp_path / "a.bvh")
+    for words in (["inspect", str(tmp_path / "a.bvh"), "--roles", "hips=" + "x" * 10**5], ["inspect", "x" * 10**5 + ".bvh"],
+                  ["rollout", "--style", "x" * 10**5, "--seconds", "1", "--out", str(tmp_path / "b.bvh")]):
+        assert main(words) == 2
+        assert len(capsys.readouterr().err) < 1100
+
+
+@pytest.mark.parametrize("suffix", [".glb", ".gltf", ".vrm", ".vrma"])
+@pytest.mark.parametrize("held", [b"HIERARCHY\nROOT a\n", b"Kaydara FBX Binary  \0\x1a\xe8", b"\x89PNG\r\n", b"", b"PK\3\4"])
+def test_a_file_with_the_ending_of_gltf_is_said_to_be_none(held, suffix, tmp_path):
+    path = tmp_path / f"a{suffix}"
+    path.write_bytes(held)
+    with pytest.raises(ValueError, match=rf"a\{suffix}: no GLB file, and no JSON text \("):
+        tk.load(path)
+
+
+@pytest.mark.parametrize("height", ["nan", "inf", "1e308", "1.5", "-1"])
+def test_a_contact_height_is_a_height(height, walk_clip, tmp_path, capsys):
+    (tmp_path / "in").mkdir()
+    tk.bvh.save(walk_clip, tmp_path / "in" / "Neutral_walk.bvh")
+    words = ["preprocess", "--data", str(tmp_path / "in"), "--out", str(tmp_path / "out"), "--contact-height", height]
+    assert main([*words, "--workers", "1"]) == 2
+    assert "the contact height must be from 0 to 1 metres" in capsys.readouterr().err
+    assert not (tmp_path / "out").exists()
+    with pytest.raises(ValueError, match="the contact height must be from 0 to 1 metres"):
+        tk.contacts.detect(walk_clip, height=float(height))
+
+
+@pytest.mark.parametrize("added", [7, "abc", None, {}])
+def test_a_damaged_list_of_added_styles_is_said_before_the_work(added, tmp_path, walk_clip, capsys):
+    from toolkit.io import model_files
+
+    path = tmp_path / "m.safetensors"
+    tensors, parts = model_files.read(Path(tk.training.__file__).parent / "pretrained.safetensors", "model")
+    model_files.write(path, tensors, parts | {"added": added})
+    tk.bvh.save(walk_clip, tmp_path / "a.bvh")
+    words = ["style", "add", "--clips", str(tmp_path / "a.bvh"), "--name", "New", "--out", str(tmp_path / "n.safetensors")]
+    with within(60):
+        assert main([*words, "--model", str(path)]) == 2
+    assert capsys.readouterr().err == f"error: {path}: its list of added styles is damaged\n"
+
+
+def test_what_a_command_reads_is_not_written_over(walk_clip, tmp_path, capsys):
+    clip, link, model = tmp_path / "a.bvh", tmp_path / "link.bvh", tmp_path / "m.safetensors"
+    other = tmp_path / "b.bvh"
+    for path in (clip, other):
+        tk.bvh.save(walk_clip, path)
+    link.symlink_to(clip)
+    before = clip.read_bytes()
+    stylize = ["stylize", "--clip", str(clip), "--domain", "old", "--reference", str(other), "--out"]
+    for words in ([*stylize, str(clip)], [*stylize, str(link)], [*stylize, str(other)],
+                  ["export", "clip", str(clip), "--out", str(link)],
+                  ["export", "clip", str(other), "--skeleton", str(clip), "--out", str(clip)],
+                  ["style", "add", "--clips", str(clip), "--name", "New", "--steps", "1", "--out", str(clip)],
+                  ["style", "add", "--clips", str(tmp_path), "--name", "New", "--steps", "1", "--out", str(other)],
+                  ["train", "--data", str(tmp_path), "--small", "--epochs", "0.01", "--out", str(clip)],
+                  ["train-stylizer", "--data", str(tmp_path), "--small", "--iterations", "1", "--out", str(clip)],
+                  ["evaluate", str(tmp_path), "--out", str(clip)],
+                  ["data", "split", "100style", "--out", str(tmp_path / "Frame_Cuts.csv")]):
+        assert main(words) == 2
+        assert re.search("is a file that is read|is the name of a motion file|can write .json", capsys.readouterr().err)
+    assert clip.read_bytes() == other.read_bytes() == before
+    assert not model.exists()
+
+
+def test_shots_of_a_scene_are_written_together_or_not_at_all(tmp_path, capsys):
+    walks = [{"path": [[3 * k, 0], [3 * k, 2]], "styles": style, "duration": 0.1} for k, style in enumerate(("Old", "Nope"))]
+    path = tmp_path / "shots.json"
+    for more in ({}, {"apart": 1}):
+        path.write_text(json.dumps({"version": 1, "shots": walks, **more}))
+        assert main(["shot", str(path), "--out", str(tmp_path / "a.bvh")]) == 2
+        assert capsys.readouterr().err.startswith(f"error: {path}: shots[1]: unknown style 'Nope'")
+    (tmp_path / "a_1.bvh").mkdir()
+    walks[1]["styles"] = "Old"
+    path.write_text(json.dumps({"version": 1, "shots": walks}))
+    assert main(["shot", str(path), "--out", str(tmp_path / "a.bvh")]) == 2
+    assert "a_1.bvh: is a folder" in capsys.readouterr().err
+    assert not (tmp_path / "a_0.bvh").exists()
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no such file names")
+def test_names_of_files_that_are_read_and_written_are_printed_without_control_characters(walk_clip, tmp_path, capsys):
+    """All verbs print by one function, which escapes them."""
+    bad = tmp_path / "a\x1b[31m\u202eb.bvh"
+    tk.bvh.save(walk_clip, bad)
+    shots, walk = shot_file(tmp_path, duration=0.1), ["rollout", "--style", "Old", "--seconds", "0.1"]
+    for words in (["inspect", str(bad)], ["export", "clip", str(bad), "--out", f"{bad}.glb"],
+                  [*walk, "--out", str(bad)], ["shot", str(shots), "--out", str(bad)]):
+        with contextlib.suppress(SystemExit):
+            assert main(words) == 0
+        said = capsys.readouterr()
+        assert "\\x1b[31m\\u202e" in said.out
+        assert not {"\x1b", "\u202e"} & {*said.out, *said.err}
+    assert "\x1b" not in repr(tk.inspect(bad, unit=0.01, up="y"))
+    verbs = (Path(tk.__file__).parent / "cli").glob("*.py")
+    assert [path.name for path in verbs if re.search(r"\bprint\(", path.read_text("utf-8"))] == ["verbs.py"]
 
 
 MACHINES = {  # changes of the environment (None: without the variable), and options of Python

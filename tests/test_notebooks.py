@@ -24,11 +24,12 @@ NUMBER = re.compile(r"(?<![\w.])\d[\d,]*(?:\.\d+)?(?![\w]*\.\d|[a-z]?\.ipynb)")
 #: Words that compare two results.
 COMPARES = re.compile(
     r"\b(smaller|smallest|larger|largest|better|best|worse|worst|fewer|fewest|wins?|beats?|closest|nearest|higher|highest|"
-    r"lower|lowest|faster|fastest|slower|slowest|twice|about half|(?:more|less) (?:often|than)|(?:the|in) (?:most|least)|"
-    r"(?:does|do|did) not (?:help|work|move|change)|fails?)\b", re.I)
+    r"lower|lowest|faster|fastest|slower|slowest|longer|longest|shorter|shortest|stronger|weaker|farthest|furthest|twice|"
+    r"about half|more|less|(?<!at )most|the least|almost|nearly|hardly|rises?|grows?|falls?|increases?|decreases?|doubles?|"
+    r"halves|exceeds?|(?:does|do|did) not (?:help|work|move|change)|fails?)\b", re.I)
 #: Headings of sections with recordings or published networks, and what reads them.
 RECORDED = re.compile(r"^## .*(?:[Rr]ecordings|[Pp]ublished)", re.M)
-READS = re.compile(r"(?:datasets|published)\.available\(|labels\.read\(")
+READS = re.compile(r"(?:datasets|published)\.available\(|labels\.read\(|results/stylisation")
 MARK = re.compile(r"<!--\s*(cited|general):?\s*(.*?)-->", re.S)
 
 
@@ -65,10 +66,10 @@ def plain(source: str) -> str:
 
 
 def words(text: str) -> str:
-    """Prose without code, formulas, links, pictures, HTML tags, and comments."""
+    """Prose without code, formulas, links, pictures, HTML tags, comments, headings, and the minutes of the first cell."""
     for pattern in (r"```.*?```", r"`[^`]*`", r"\$\$.*?\$\$", r"\$[^$]*\$", r"<!--.*?-->",
-                    r"\[\d\d[ab]?\]\([^)]*\)", r"!\[[^\]]*\]\([^)]*\)", r"(?<=\])\([^)]*\)", r"<[^>]*>", r"^#+ .*$",
-                    r"^\s*\d+\.\s", r"\*[A-Z][^*\n]*\*"):
+                    r"\[\d\d[ab]?\]\([^)]*\)", r"!\[[^\]]*\]\([^)]*\)", r"(?<=\])\([^)]*\)", r"<[^>]*>", r"^#+ [^\n]*$",
+                    r"\*\*Time:\*\* about \d+ minutes", r"^\s*\d+\.\s", r"\*[A-Z][^*\n]*\*"):
         text = re.sub(pattern, " ", text, flags=re.S | re.M)
     return text
 
@@ -175,6 +176,7 @@ def test_no_path_of_one_machine(notebook):
 def test_it_is_in_the_sequence_and_opens_with_goals_minutes_and_needs(lesson):
     entry, notebook = lesson
     first = "".join(notebook["cells"][0]["source"])
+    assert first.startswith(f"# {entry.question}\n")
     assert re.search(r"^!\[[^\]]+\]\(\.\./docs/\S+\.(?:webp|gif|apng)\)", first, re.M), "a moving picture of the result"
     assert "**You will be able to**" in first
     assert f"**Time:** about {entry.minutes} minutes." in first
@@ -268,12 +270,24 @@ def test_no_markdown_cell_has_a_number_that_no_assert_holds(lesson):
         assert not numbers(words(text)) - held - cited, text
 
 
+def compared(text: str) -> set[str]:
+    """Words of a Markdown cell that compare, without those of its question."""
+    return {word.lower() for word in
+            COMPARES.findall(words(re.sub(r"^.*\*\*Before you run\.\*\*(?:.|\n(?!\n))*", "", text, flags=re.M)))}
+
+
 def test_no_markdown_cell_compares_results(lesson):
-    """A sentence that compares results is said by ``claim`` or ``learnt``; ``<!-- general -->`` marks what needs no run."""
+    """``claim`` or ``learnt`` says a sentence that compares results; ``<!-- general: more -->`` names what needs no run."""
     for text in prose(lesson[1]):
-        if "general" not in {kind for kind, _ in MARK.findall(text)}:
-            compared = COMPARES.findall(words(re.sub(r"^.*\*\*Before you run\.\*\*(?:.|\n(?!\n))*", "", text, flags=re.M)))
-            assert not compared, text
+        general = [marked for kind, marked in MARK.findall(text) if kind == "general"]
+        assert compared(text) == {word.strip() for word in ",".join(general).split(",") if word.strip()}, text
+
+
+def test_titles_of_figures_compare_nothing(notebook):
+    nodes = [node for source in code(notebook) for node in ast.walk(ast.parse(plain(source)))]
+    titles = [node.value for node in nodes if isinstance(node, ast.keyword) and node.arg == "title"]
+    found = [part.value for title in titles for part in ast.walk(title) if isinstance(part, ast.Constant)]
+    assert not [text for text in found if isinstance(text, str) and COMPARES.search(text)]
 
 
 def test_claims_take_their_numbers_from_the_run(lesson):
@@ -286,12 +300,35 @@ def test_claims_take_their_numbers_from_the_run(lesson):
         text = "".join(part.value for part in parts if isinstance(part, ast.Constant))
         assert not numbers(words(text)) - literals(conditions), text
         assert not any(isinstance(node, ast.Constant) for node in conditions), text  # a condition that cannot fail
+        said = {n.id for part in parts for n in ast.walk(part) if isinstance(n, ast.Name)}
+        tested = {n.id for node in conditions for n in ast.walk(node) if isinstance(n, ast.Name)}
+        assert not COMPARES.search(text) or not said or said & tested, text  # it compares what it does not test
 
 
 @pytest.mark.parametrize(("text", "expected"), [
     ("An error of 12.5° at 4 Hz", {12.5, 4}), ("section 4.1.2 and notebook 02", set()), ("`cut(0, 60)` and $x^2$", set()),
     ("Mason et al. 2022, equation (3)", set()), ("35,668,530 numbers", {35668530}), ("34 % of it", {34}),
     ("Mason, Starke and Komura 2022", set()), ("[02a](02a_phase.ipynb) and 348 numbers", {348}),
+    ("## 7 · A heading\n\nBelow it, 97.7 cm", {97.7}), ("**Time:** about 45 minutes.\n**Before this notebook:** 3", {3}),
 ])
 def test_numbers_of_prose(text, expected):
     assert numbers(words(text)) == expected
+
+
+@pytest.mark.parametrize(("text", "expected"), [
+    ("## The best heading\n\nOne is worse, and it falls.", {"worse", "falls"}), ("at most one, at least two", set()),
+    ("**Before you run.** Which is better?\nOr worse?\n\nThe arm hardly moves.", {"hardly"}),
+])
+def test_words_that_compare(text, expected):
+    assert compared(text) == expected
+
+
+# --- the page for lecturers
+
+
+def test_the_page_for_lecturers_names_every_notebook_in_its_plan_its_minutes_and_its_index():
+    page = (NOTEBOOKS[0].parents[1] / "docs" / "lecturers.md").read_text(encoding="utf-8")
+    parts = dict(part.split("\n", 1) for part in page.split("\n## ")[1:])
+    for heading in ("A week", "How long a full run takes", "Index by question"):
+        table = "\n".join(line for line in parts[heading].splitlines() if line.startswith("|") or "capstone" in line)
+        assert set(tk.course.LESSONS) <= set(re.findall(r"\b\d\d[ab]?\b", table)), heading

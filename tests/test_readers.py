@@ -10,7 +10,7 @@ import torch
 from motion_files import Document, acclaim, axis_angles, fbx, fbx_scene, packed, smpl_walk
 
 import toolkit as tk
-from toolkit.io import amc, gltf, humanml3d, npz, positions
+from toolkit.io import amc, gltf, humanml3d, npz
 from toolkit.io import fbx as fbx_reader
 from toolkit.motion import forward_kinematics
 from toolkit.motion import rotations as R
@@ -213,8 +213,7 @@ def test_several_animations_and_names_that_repeat(tmp_path):
     made = gltf.read(path)
     assert made.names == ("a", "a_2", "node2")
     assert made.doubts == ("the file holds 2 animations (idle, walk); the first was read",)
-    assert len(gltf.read(path, "walk").rotations) == len(gltf.read(path, 1).rotations) == 7
-    refused(gltf.read, path, "no animation 'run'; it has idle, walk", "run")
+    assert len(made.rotations) == 4
 
 
 @pytest.mark.parametrize("extension", ["VRM", "VRMC_vrm", "VRMC_vrm_animation"])
@@ -252,7 +251,7 @@ def hostile(change):
     (lambda d: d.update(animations=[]), "there are no joints"),
 ])
 def test_hostile_gltf_files(tmp_path, change, problem):
-    assert refused(gltf.read, written(tmp_path / "a.glb", hostile(change)), problem) is gltf.GLTFError
+    assert refused(gltf.read, written(tmp_path / "a.glb", hostile(change)), problem) is ValueError
 
 
 def test_forged_times_take_no_memory(tmp_path):
@@ -369,7 +368,7 @@ def test_fbx_files_that_cannot_be_read(tmp_path):
                           (b"BVH", "it is no FBX file"), (fbx([], 6100), "only binary FBX version 7 can be read; save"),
                           (fbx([]), "no joints"),
                           (whole[:200], "damaged at byte"), (whole[:24], "only binary FBX version 7")):
-        assert refused(fbx_reader.read, written(tmp_path / "b.fbx", data), problem) is fbx_reader.FBXError
+        assert refused(fbx_reader.read, written(tmp_path / "b.fbx", data), problem) is ValueError
     bomb = fbx_scene({"a": ("", {}), "b": ("a", {})}, {("a", "Lcl Rotation", "X"): (
         np.zeros(8_000_000), np.zeros(8_000_000), [4], np.zeros((1, 4)))})
     tracemalloc.start()
@@ -467,7 +466,7 @@ def test_cmu_files_by_slow_forward_kinematics(shared):
 def test_acclaim_files_that_cannot_be_read(walk_clip, tmp_path):
     asf, motion = acclaim(walk_clip.cut(0, 3))
     path = written(tmp_path / "02_01.amc", motion)
-    assert refused(amc.read, path, "needs its skeleton; put 02.asf beside it") is amc.AMCError
+    assert refused(amc.read, path, "needs its skeleton; put 02.asf beside it") is ValueError
     skeleton = written(tmp_path / "other.asf", asf)
     assert len(amc.read(path).rotations) == 3  # the only one in the folder
     rest = amc.read(skeleton)
@@ -541,7 +540,7 @@ def test_positions_of_bones_that_stretch_are_said(smpl, tmp_path):
 def test_fit_does_not_depend_on_the_rest_pose(smpl):
     torch.manual_seed(0)
     rest = npz._rest(22) + 0.05 * torch.randn(22, 3)
-    offsets, rotations, error = positions.fit(npz.PARENTS[:22], rest, smpl.global_positions)
+    offsets, rotations, error = humanml3d.fit(npz.PARENTS[:22], rest, smpl.global_positions)
     assert error < 1e-5
     assert (rotations.norm(dim=-1) - 1).abs().max() < 1e-6
     assert (offsets.norm(dim=-1)[1:] - smpl.skeleton.offsets.norm(dim=-1)[1:]).abs().max() < 1e-5
@@ -598,7 +597,7 @@ def test_numpy_files_that_cannot_be_read(tmp_path):
         (good | {"poses": np.array([{"a": 1}])}, "Python objects, which could run code"),
     ):
         path = written(tmp_path / "a.npz", packed(**arrays))
-        assert refused(npz.read, path, problem) is npz.NPZError
+        assert refused(npz.read, path, problem) is ValueError
     for data in (b"", b"PK\3\4" + b"\0" * 40, b"\x93NUMPY\1\0\x10\0{'shape': (1,)", packed(**good)[:300]):
         refused(npz.read, written(tmp_path / "b.npz", data), "not a whole NumPy file")
     refused(npz.read, tmp_path / "none.npz", "cannot be read")

@@ -12,7 +12,8 @@ from experiments import tables
 from experiments.tables import DOCS, RESULTS, Result
 
 PAGES = sorted(DOCS.glob("*.md"))
-STATED = ("comparison", "recipes", "reproducing")  # pages whose prose states results
+# pages whose prose states results
+STATED = ("comparison", "embedded_model", "phase_sources", "procedural", "recipes", "reproducing")
 
 
 @pytest.fixture
@@ -38,8 +39,8 @@ def test_the_prose_of_pages_states_only_stored_numbers():
     assert [found for text in pages for found in tables.unsupported(text)] == []
 
 
-def test_the_prose_about_feet_states_only_stored_numbers():
-    section = (DOCS / "runtime.md").read_text(encoding="utf-8").partition("\n## Feet\n")[2].partition("\n## ")[0]
+def test_the_prose_about_feet_and_speed_states_only_stored_numbers():
+    section = (DOCS / "runtime.md").read_text(encoding="utf-8").partition("\n## Feet\n")[2]
     assert tables.unsupported(section) == []
 
 
@@ -98,6 +99,24 @@ def test_the_pose_that_is_fed_back_loses_the_clearance():
         assert phases[form] == pytest.approx(ahead[form], rel=0.02)
         assert pose[form] < 0.65 * ahead[form]
     assert pose["embedded"] > 0.9 * ahead["embedded"]
+
+
+def test_the_runtime_is_as_fast_as_its_page_says():
+    """Near the floor for one and for many; bfloat16 helps one alone; calibration takes several times as long."""
+    rows = {row["work"]: row for row in Result.load("runtime-speed").rows}
+    own, half, einsum = rows["toolkit"], rows["toolkit, bfloat16 weights"], rows["plain einsum weight blend (torch)"]
+    assert max(own["1 floors"], own["64 floors"]) < 1.4
+    assert own["64"] < einsum["64"] / 10
+    assert half["1"] < 0.8 * own["1"]
+    assert half["64"] > 0.9 * own["64"]
+    assert rows["whole frame, toolkit, calibrated"]["1"] > 2 * rows["whole frame, toolkit"]["1"]
+
+
+def test_a_page_walks_as_python_in_double_precision_does():
+    rows = {row["compared"]: row for row in Result.load("page-equality").rows}
+    for kind in ("embedded", "published"):
+        assert max(rows[f"{kind}: page and double precision"][frame] for frame in ("60", "300", "600")) < 1e-6
+        assert rows[f"{kind}: page and plain"]["60"] < 1e-3
 
 
 def test_every_result_is_shown_or_named_on_a_page():

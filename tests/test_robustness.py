@@ -21,8 +21,9 @@ from safetensors.torch import save_file
 from test_bvh import GOOD
 
 import toolkit as tk
+from experiments import table1
 from toolkit.__main__ import main
-from toolkit.datasets import procedural, style100
+from toolkit.datasets import procedural
 from toolkit.features import store
 from toolkit.io import bvh, model_files
 from toolkit.io.files import atomic_write
@@ -131,7 +132,7 @@ def test_tables_that_once_got_through(tmp_path):
 
     def said(text):
         cuts.write_text(text)
-        return refused(lambda path: style100.table1(path.parent), cuts)
+        return refused(lambda path: table1.rows(path.parent), cuts)
 
     assert "line 2: field larger than field limit" in said(whole.replace("ProceduralNeutral", "x" * 200_000))
     assert "starts at frame 0 and stops at 9" in said(whole.replace(",0,12,", ",0," + "9" * 400 + ","))

@@ -113,6 +113,24 @@ def test_check_names_a_gate_that_is_too_narrow(embedded, wide, said):
     assert all(line.startswith(f"between walls[0] and walls[1] are {wide:.2f} m") for line in lines)
 
 
+def test_check_names_a_gate_to_which_too_many_come_at_once(embedded):
+    walls = [((-9, 2), (-1.2, 2)), ((1.2, 2), (9, 2))]
+    places = [(1.5 * k - 6, z) for z in (-1, -3) for k in range(9)]
+    many = [Shot([(x, z), (0, 2), (x, 8 + z)], "Neutral", [(0, 0.9)]) for x, z in places]
+    (line,) = Scene(many, 1.2, walls).check(*embedded)
+    assert "those who come at once would wait for up to" in line
+    later = [dataclasses.replace(shot, holds=[{"seconds": 1.5 * k, "time": 0}]) for k, shot in enumerate(many)]
+    assert Scene(later, 1.2, walls).check(*embedded) == []
+
+
+def test_check_names_a_style_that_cannot_wait(embedded, shared):
+    assert Scene(MEET, 1.0).check(*embedded) == []
+    model, bank = tk.published.load(shared / "lpn_film_100style")
+    drunk = [dataclasses.replace(shot, styles=style) for shot, style in zip(MEET, ("Old", "Drunk"), strict=True)]
+    (line,) = Scene(drunk, 1.0).check(tk.runtime.compile(model), bank)
+    assert line.startswith("shots[1]: Drunk goes on at 0.")
+
+
 def test_velocities_of_those_who_keep_apart():
     places, ahead = np.array([[0.0, 0.0], [0.0, 2.0]]), np.array([[0.0, 1.0], [0.0, -1.0]])
     safe = apart.velocities(places, ahead, ahead, 0.4)
@@ -195,6 +213,15 @@ def test_a_hold_stands_and_a_direction_is_kept(embedded):
     assert (stand - stand[0]).norm(dim=-1).max() < 0.1
     assert states[200].root[0, 2] > 0.9  # faces +x
     assert states[-1].root[0, 1] == pytest.approx(4.0, abs=0.15)
+
+
+def test_check_names_a_style_that_walks_on_in_a_pause():
+    shot = Shot([(0, 0), (0, 4)], "Neutral", [(0, 1.0)], [{"distance": 2, "seconds": 2}])
+    course, heading = shot.plan()
+    ahead = [(0.0, at + 0.45 * (at == 2.0)) for at in course.distance[1:]]
+    _, bank = tk.pretrained()
+    assert "is ahead of the plan: Neutral does not stand" in shot.unmet(bank, (course, heading), ahead)[-1]
+    assert shot.unmet(bank, (course, heading), [(0.0, at) for at in course.distance[1:]]) == []
 
 
 def test_a_look_at_point_is_faced(embedded):

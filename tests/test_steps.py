@@ -10,7 +10,7 @@ import torch
 import toolkit as tk
 from experiments import phases as experiment
 from toolkit.datasets import procedural
-from toolkit.evaluation import labels
+from toolkit.evaluation import phases as labels
 from toolkit.phases import Steps, steps
 
 FPS = 60.0

@@ -19,7 +19,7 @@ from . import (
 )
 from .evaluation import metrics as metrics
 from .io import bvh as bvh
-from .io.inspection import inspect as inspect
+from .io.load import inspect as inspect
 from .io.load import load as load
 from .motion import Clip as Clip
 from .motion import Skeleton as Skeleton

@@ -12,7 +12,7 @@ from toolkit import datasets, networks, training
 from toolkit.cli import verbs
 from toolkit.evaluation.recognition import Recogniser
 from toolkit.features import store
-from toolkit.training.vectors import STEPS
+from toolkit.training.loss import STEPS
 
 app = typer.Typer(invoke_without_command=True)
 

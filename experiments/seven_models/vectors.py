@@ -10,8 +10,7 @@ from toolkit.features import Features, splits
 from toolkit.networks.bank import StyleBank
 from toolkit.runtime import FPS, Command
 from toolkit.training import Run
-from toolkit.training.loss import evaluate, make_bank
-from toolkit.training.vectors import refit
+from toolkit.training.loss import evaluate, make_bank, refit
 
 SECONDS, FRAMES = 6.0, 400  # measured seconds of a walk; held-out frames of a style
 ONE_CLIP = 3  # different clips

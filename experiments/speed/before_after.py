@@ -12,8 +12,12 @@ from typing import Annotated
 
 import typer
 
+from experiments.tables import Result
+
 HERE = Path(__file__).parents[2]
 SLOWER = 1.1  # a ratio above it is marked
+COLUMNS = {"work": ["work"], "before": ["before, ms", 1, 1000], "after": ["after, ms", 1, 1000],
+           "ratio": ["after / before", 2]}
 CLIP = "clip, = tk.datasets.load('procedural', styles=['Zombie'], gaits=['FW'], seconds=50); "
 DATA = "data = tk.features.build(tk.datasets.load('procedural', styles=['Neutral', 'Zombie'], gaits=['FW'], seconds=20)); "
 WALK = ("model, bank = tk.pretrained(); net = tk.runtime.compile(model); "
@@ -41,7 +45,7 @@ WORKS = {
         "clips = tk.datasets.load('procedural', styles=['Neutral', 'Zombie'], gaits=['FW'], seconds=20); "
         "run = tk.stylization.fit(tk.stylization.build(clips), tk.stylization.Config.quick(iterations=2))",
         "tk.stylization.stylize(run.stylizer, clips[0].cut(0, 600), domain='Zombie', seed=3)"),
-    "demo, 6 s of training": (None, ["-m", "toolkit", "demo", "--minutes", "0.1", "--out", "demo"]),
+    "demo, 36 s of training": (None, ["-m", "toolkit", "demo"]),
 }
 TIMER = """
 import json, sys, time, warnings, torch, toolkit as tk
@@ -63,20 +67,23 @@ def run(
     before: Annotated[Path, typer.Option(help="Folder of the older checkout, e.g. of `git worktree add FOLDER aa43f56`.")],
     rounds: Annotated[int, typer.Option(min=1, help="Runs of each work; the median is printed.")] = 5,
     only: Annotated[str, typer.Option(help="Works whose name contains this text.")] = "",
-    out: Annotated[Path | None, typer.Option(help="Also write the seconds as JSON.")] = None,
+    store: Annotated[bool, typer.Option(help="Add the rows to the stored result before-after.")] = False,
 ) -> None:
     """Processor time of the same work with an older checkout and with this one, on one core."""
     if not (before / "toolkit" / "__init__.py").is_file():
         raise ValueError(f"{before}: is no checkout of the package: it has no toolkit/__init__.py")
     print(f"{'':<36}{'before':>10}{'after':>10}{'after / before':>16}")
-    rows = {}
+    rows = []
     for name in (name for name in WORKS if only in name):
-        old, new = rows[name] = measure(*WORKS[name], [before.resolve(), HERE], rounds)
+        old, new = measure(*WORKS[name], [before.resolve(), HERE], rounds)
         ratio = new / old if old and new else float("nan")
+        rows.append({"work": name, "before": old, "after": new, "ratio": ratio})
         said = "".join(f"{'failed' if t is None else f'{1000 * t:.1f} ms':>10}" for t in (old, new))
         print(f"{name:<36}{said}{ratio:>16.2f}{' slower' if ratio > SLOWER else ''}", flush=True)
-    if out is not None:
-        out.write_text(json.dumps(rows, indent=1) + "\n", encoding="utf-8")
+    if store:
+        commit = subprocess.check_output(["git", "-C", before, "rev-parse", "--short", "HEAD"], text=True).strip()
+        Result("before-after", f"processor time of the same work at {commit} and now, on one core; median of {rounds} runs",
+               f"python -m experiments before-after --before FOLDER --rounds {rounds} --store", COLUMNS, rows).add()
 
 
 def measure(before: str | None, work: str | list[str], trees: list[Path], rounds: int) -> list[float | None]:

@@ -23,6 +23,12 @@ ONE, MANY, MANY_FRAMES, MANY_PLAIN = 1.3, 1.25, 1.6, 21.0  # targets: time / flo
 FRAME = 100.0  # microseconds per character for the whole frame of 64 characters
 PEERS = (1, 64)  # numbers of characters for the comparison
 SPEEDS = 0.8, 1.6  # metres per second of the rollouts that are compared
+#: Columns of the stored tables of speed: one core and `PEERS`; a crowd.
+SPEED = {"work": ["on one core"], "1": ["1 character, µs", 0], "1 floors": ["× floor", 1],
+         "64": ["64 characters, µs each", 1], "64 floors": ["× floor", 1],
+         "error": ["error, thousandths of the deviation", 3, 1000]}
+CROWD = {"characters": ["characters", 0], "1": ["one thread, µs each", 0], "hertz": ["characters at 60 Hz on one thread", 0],
+         "2": ["two threads, µs each", 0], "state": ["state, MB", 2]}
 #: Columns of the stored comparison: largest distances of a joint at a frame.
 EQUALITY = {"compared": ["runtimes compared"], **{str(f): [f"frame {f}, mm", 3, 1000] for f in (60, 300, 600)}}
 
@@ -37,7 +43,7 @@ def run(
     equality: Annotated[bool, typer.Option("--equality", help="Compare rollouts with the plain model instead.")] = False,
     styles: Annotated[int, typer.Option(min=1, help="Number of styles to compare.")] = 20,
     plot: Annotated[Path | None, typer.Option(help="File for a plot of the cost per character.")] = None,
-    store: Annotated[bool, typer.Option("--store", help="With --equality: write its rows into docs/results.")] = False,
+    store: Annotated[bool, typer.Option("--store", help="Write the tables into docs/results.")] = False,
 ) -> None:
     """Times of the network and of a whole frame, compared with the machine's limit, plain PyTorch and other runtimes.
 
@@ -59,10 +65,20 @@ def run(
             return
         with threadpool_limits(1):  # numpy's
             rate, speed = _machine(fast, rounds)
-        _beside(net, fast, bank, rounds, rate, speed, peers)
+        rows = _beside(net, fast, bank, rounds, rate, speed, peers)
         counts, costs = [int(n) for n in characters.split(",")], {}
         for t in map(int, threads.split(",")):
-            costs[t] = _sweep(net, bank, counts, t, rounds)
+            costs[t], sizes = _sweep(net, bank, counts, t, rounds)
+        if store:
+            command = f"python -m experiments runtime{' --published DATA/lpn_film_100style' * bool(parameters)} --store"
+            machine = {"G multiply-adds/s": rate / 1e9, "GB/s": speed / 1e9, "MB of weights": fast.weights.bytes / 1e6}
+            Result("runtime-speed", "Processor time of the network and of a whole frame, medians, one thread", command,
+                   SPEED, rows, machine).save()
+            crowd = [{"characters": n, "state": size / 1e6, "hertz": 1 / 60 / costs[min(costs)][i]}
+                     | {str(t): 1e6 * cost[i] for t, cost in costs.items()}
+                     for i, (n, size) in enumerate(zip(counts, sizes, strict=True))]
+            Result("runtime-crowd", "Whole frame of the compiled runtime: one thread in processor time, two in elapsed time",
+                   command, CROWD, crowd).save()
         if plot is not None:
             _plot(plot, counts, costs, [_floor(net, n, rate, speed) / n for n in counts])
     finally:
@@ -120,9 +136,13 @@ def _machine(fast, rounds: int) -> tuple[float, float]:
     return rates[best], speed
 
 
-def _beside(net: Model, fast, bank, rounds: int, rate: float, speed: float, peers: bool) -> None:
-    """Network and frame of one character and of many, on one core, compared with the floor and with others."""
-    half = runtime.compile(net, precision="bfloat16")
+def _beside(net: Model, fast, bank, rounds: int, rate: float, speed: float, peers: bool) -> list[dict]:
+    """Network and frame of one character and of many, on one core, compared with the floor and with others.
+
+    Returns the rows of `SPEED`.
+    """
+    half, calibrated, table = runtime.compile(net, precision="bfloat16"), copy.deepcopy(net), {"floor": {"work": "floor"}}
+    calibrated.calibrated = True
     for count in PEERS:
         x, phases, style = _inputs(net, bank, count)
         floor = _floor(net, count, rate, speed)
@@ -142,11 +162,16 @@ def _beside(net: Model, fast, bank, rounds: int, rate: float, speed: float, peer
             done, right = _times(works, rounds), net.predict(x, phases, style)
             for name, seconds in done.items():
                 error = float(((works[name]() - right) / net.outputs_std).square().mean().sqrt())
+                table[name] = table.get(name, {"work": name}) | {"error": error}
                 print(f"{name:40}{1e6 * seconds:9.0f}{1e6 * seconds / count:9.1f}{seconds / floor:9.2f}{error:10.1e}")
-            both = {f"whole frame, {name}": _frame(m, bank, count) for name, m in (("plain", net), ("toolkit", fast))}
+            forms = {"plain": net, "toolkit": fast, "toolkit, calibrated": runtime.compile(calibrated)}
+            both = {f"whole frame, {name}": _frame(form, bank, count) for name, form in forms.items()}
             frames = _times(both, rounds)
         for name, seconds in frames.items():
             print(f"{name:40}{1e6 * seconds:9.0f}{1e6 * seconds / count:9.1f}{seconds / floor:9.2f}")
+        for name, seconds in (done | frames | {"floor": floor}).items():
+            found = {str(count): 1e6 * seconds / count, f"{count} floors": seconds / floor}
+            table[name] = table.get(name, {"work": name}) | found
         own, frame, plain = done["toolkit"], frames["whole frame, toolkit"], done["plain einsum weight blend (torch)"]
         if count == 1:
             _verdict(f"network ≤ {ONE} × floor", own <= ONE * floor)
@@ -156,6 +181,7 @@ def _beside(net: Model, fast, bank, rounds: int, rate: float, speed: float, peer
             _verdict(f"network {plain / own:.1f} × as fast as einsum (target {MANY_PLAIN:g})", plain >= MANY_PLAIN * own)
             _verdict(f"whole frame ≤ {FRAME:g} µs each ({1 / 60 / frame * count:.0f} characters at 60 Hz)",
                      frame <= 1e-6 * FRAME * count)
+    return list(table.values())
 
 
 def _verdict(what: str, met: bool) -> None:
@@ -221,19 +247,19 @@ def _frame(model, bank, count: int) -> Callable[[], object]:
     return frame
 
 
-def _sweep(net: Model, bank, counts: Iterable[int], threads: int, rounds: int) -> list[float]:
-    """Print and return the seconds of a whole frame per character for each number of characters."""
-    fast, costs = runtime.compile(net, threads=threads), []
+def _sweep(net: Model, bank, counts: Iterable[int], threads: int, rounds: int) -> tuple[list[float], list[int]]:
+    """Print and return seconds of a whole frame per character, and bytes of the state, for each number of characters."""
+    fast, costs, sizes = runtime.compile(net, threads=threads), [], []
     print(f"\nwhole frame, {threads} thread{'s' * (threads > 1)}{'':6}{'ms':>9}{'µs each':>9}{'at 60 Hz':>10}{'state':>10}")
     for count in counts:
         work = _frame(fast, bank, count)
         taken = _times({"": work}, max(2, rounds // 2), time.thread_time if threads == 1 else time.perf_counter)[""]
         costs.append(taken / count)
         state = runtime.start(fast, bank.vectors[:1].expand(count, -1))
-        held = sum(getattr(state, name).nbytes for name in state.__dataclass_fields__)
+        sizes.append(sum(getattr(state, name).nbytes for name in state.__dataclass_fields__))
         print(f"{count:6d} characters{'':11}{1e3 * taken:9.2f}{1e6 * costs[-1]:9.1f}{count / 60 / taken:10.0f}"
-              f"{held / 1e6:7.2f} MB")
-    return costs
+              f"{sizes[-1] / 1e6:7.2f} MB")
+    return costs, sizes
 
 
 def _equal(net: Model, fast, bank, styles: int) -> dict[str, dict[str, float]]:

@@ -17,7 +17,7 @@ from torch.utils.flop_counter import FlopCounterMode
 from toolkit import datasets, features, networks, training
 from toolkit.features import Features
 from toolkit.networks import BlendedLinear, Sizes
-from toolkit.networks.convolution import Convolution
+from toolkit.networks.film import Convolution
 from toolkit.training import distributed, loop
 from toolkit.training.minibatches import Minibatches
 from toolkit.training.run import Config

@@ -6,6 +6,8 @@ import torch
 import toolkit as tk
 from toolkit.course import feature_figures, network_figures, pages, phase_figures
 from toolkit.datasets import procedural
+from toolkit.stylization import losses, plane
+from toolkit.view import losses_page
 
 
 @pytest.fixture
@@ -88,6 +90,31 @@ def test_the_ankle_follows_the_pointer(open_html):
     assert "too far" in frame.locator("#note").inner_text()
     page.mouse.click(box["x"] + 190, box["y"] + 160)
     assert 0 < float(frame.locator("#angle").inner_text()) < 180
+    assert wrong == []
+
+
+def test_a_loss_that_is_switched_off_shows_its_stylizer(open_html):
+    toy = plane.Toy(plane.SWITCHES, seed=0).train()
+    page, wrong = open_html(tk.course.show(losses_page.losses_page(toy), 460).html)
+    frame, measures = page.frames[1], toy.measures()
+    frame.wait_for_selector("#table td")
+
+    def shown() -> dict:
+        cells = frame.locator("#table td").all_inner_texts()
+        return {name: float(cells[cells.index(text) + 1]) for name, text in losses_page.SHOWN.items()}
+
+    def drawn() -> str:
+        return frame.evaluate("() => document.getElementById('plane').toDataURL()")
+
+    every, picture = shown(), drawn()
+    for off, lost in (("cyc", "content"), ("sty", "version"), ("ds", "spread")):
+        frame.locator(f"#{off}").click()
+        row = plane.SWITCHES.index(tuple(name for name in losses.LOSSES if name != off))
+        assert shown() == pytest.approx({name: values[row].item() for name, values in measures.items()}, abs=0.006), off
+        assert shown()[lost] < 0.85 * every[lost], off
+        assert drawn() != picture, off
+        frame.locator(f"#{off}").click()
+        assert (shown(), drawn()) == (every, picture)
     assert wrong == []
 
 

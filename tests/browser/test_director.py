@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 import torch
+from posed_rigs import rig, with_twists
 
 import toolkit as tk
 from toolkit import runtime
@@ -443,4 +444,39 @@ def test_in_jupyterlab_the_kernel_has_the_shots(open_notebook, lab):
     page.wait_for_timeout(500)
     ARTEFACTS.mkdir(parents=True, exist_ok=True)
     desk.screenshot(path=ARTEFACTS / "director-lab.png")
+    assert notebook.errors == []
+
+
+OWN = """
+import json, pathlib
+import toolkit as tk
+model, bank = tk.published.load("{data}")
+shot = tk.shots.Shot([(0, 0), (0.6, 2)], [(0, "Neutral"), (2, "Zombie")], duration=4.0)
+desk = tk.view.Director(model, bank, [shot], height=700, character="{hero}")
+desk
+# cell
+pathlib.Path("{motion}").write_text(json.dumps(desk.render().root_positions.tolist()))
+"""
+
+
+def test_in_jupyterlab_the_published_model_moves_a_character_of_ones_own(open_notebook, lab, shared, tmp_path):
+    hero, motion = tmp_path / "hero.glb", tmp_path / "motion.json"
+    tk.export.gltf.save(rig("along y", arms=1.1, legs=0.85, hips=1.1, joints=with_twists), hero)
+    cells = OWN.format(data=shared / "lpn_film_100style", hero=hero, motion=motion).split("# cell")
+    notebook = open_notebook("own.ipynb", cells)
+    page = notebook.page
+    notebook.run_all(300)
+    page.wait_for_function("() => document.querySelector('.tkd')?.parentElement.toolkit.stats.drawn > 0", timeout=120_000)
+    page.evaluate("() => { globalThis.view = document.querySelector('.tkd').parentElement.toolkit; }")
+    page.wait_for_function(DONE, timeout=120_000)
+    page.evaluate("() => view.seek(3)")
+    page.wait_for_timeout(500)
+    walked = page.evaluate("() => view.desk.motion(0).map(([root]) => [...root])")
+    assert len(walked) == 240
+    assert torch.tensor(walked).allclose(torch.tensor(json.loads(motion.read_text())), atol=0.01)
+    corners = page.evaluate("() => view.scene.body.position.count")
+    assert corners == len(Character.load(hero).points)
+    ARTEFACTS.mkdir(parents=True, exist_ok=True)
+    page.locator(".tkd").scroll_into_view_if_needed()
+    page.locator(".tkd").screenshot(path=ARTEFACTS / "director-own.png")
     assert notebook.errors == []

@@ -28,7 +28,7 @@ from robustness.fuzz.trials import ROOM, TIMES
 
 import toolkit as tk
 from experiments.tables import Result
-from toolkit.datasets import archive, folder, leaks, style100
+from toolkit.datasets import download, folder, leaks, style100
 from toolkit.evaluation.recognition import Recogniser
 from toolkit.features import store
 from toolkit.io import amc, bvh, gltf, gltf_mesh, npz
@@ -369,7 +369,7 @@ def _members(place: Path, size: int) -> Path:
 
 
 def _unpack(path: Path) -> object:
-    return archive.unpack(path, path.parent / "unpacked", lambda name: None, 10**9)
+    return download.unpack(path, path.parent / "unpacked", lambda name: None, 10**9)
 
 
 CASES = {

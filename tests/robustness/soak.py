@@ -10,6 +10,7 @@ import typer
 from torch import Tensor
 from tqdm import tqdm
 
+from experiments.tables import Result
 from toolkit import published, runtime
 from toolkit.cli import verbs
 from toolkit.evaluation import metrics
@@ -33,6 +34,7 @@ WALK, STEADY = (0.5, 1.5), 0.9  # limits of steady walking: m/s; least |mean vel
 STUCK = 0.2  # share of the commanded distance, below which a character is stuck
 SKATE = 0.05  # m/s, limit of a style's median in steady walking
 PERCENTILES = (50, 90, 99, 100)
+TOLD = "bad", "falls", "stuck", "glides"  # what is counted of each style
 CARRIED = tuple(f.name for f in fields(CharacterState) if f.name not in ("history", "style"))  # the pose includes the root
 
 
@@ -42,6 +44,7 @@ def run(
     skip: Annotated[str | None, typer.Option(help=f"Styles to exclude; of the published, {MISBEHAVES}.")] = None,
     seconds: Annotated[float, typer.Option(min=1.0, help="Duration for each style.")] = 600.0,
     seed: Annotated[int, typer.Option(help="Seed of commands and blends.")] = 0,
+    store: Annotated[bool, typer.Option("--store", help="Write the summary into docs/results/soak.json.")] = False,
 ) -> None:
     """Falls, slides and stops of every style with random commands and blends, compared with limits; status 1 if exceeded."""
     net, bank = published.either(model, parameters)
@@ -51,7 +54,13 @@ def run(
     seen = watch(runtime.compile(net), bank.vectors, course, progress=True)
     rows = judge(seen, course, list(bank))
     print("\n".join(table(rows)))
-    print(summary(rows, seen, seconds))
+    found = totals(rows, seen)
+    print(summary(rows, found, seconds))
+    if store:
+        kind = "published" if parameters else "embedded" if model is None else "trained"
+        Result("soak", f"Every style for {seconds:g} s under random commands and blends, seed {seed}",
+               "python -m experiments soak [--published DATA/lpn_film_100style] --store", STORED,
+               [{"model": kind} | found]).add()
     if any(row["failed"] for row in rows):
         raise typer.Exit(1)
 
@@ -279,12 +288,30 @@ def table(rows: list[dict]) -> list[str]:
     return lines + [f"{row['style']}: {row['failed']}" for row in rows if row["failed"]]
 
 
-def summary(rows: list[dict], seen: Watched, seconds: float) -> str:
-    """Summary of the run in one line."""
+#: Columns of the stored result.
+STORED = {
+    "model": ["model"], "styles": ["styles", 0], "frames": ["frames", 0], "bad": ["frames that are not finite", 0],
+    "falls": ["falls", 0], "stuck": ["times stuck", 0], "glides": ["glides", 0], "gliding": ["styles that glide", 0],
+    "low": ["hips, m: lowest", 2], "high": ["highest", 2], "mean": ["toes in contact, cm/s: mean", 1],
+    **{str(p): [f"{p} %", 2] for p in PERCENTILES},
+}
+
+
+def totals(rows: list[dict], seen: Watched) -> dict[str, float]:
+    """Values of `STORED` over all styles."""
     slide = seen.sliding[seen.contact & seen.finite[..., None]]
-    skate = ", ".join(f"{p} % {value:.2f}" for p, value in zip(PERCENTILES, _percentiles(slide), strict=True))
-    bad, falls, stuck, glides = (sum(row[k] for row in rows) for k in ("bad", "falls", "stuck", "glides"))
+    return {
+        "styles": len(rows), "frames": seen.finite.numel(), **{k: sum(row[k] for row in rows) for k in TOLD},
+        "gliding": sum(row["glides"] > 0 for row in rows), "low": float(seen.hips.min()), "high": float(seen.hips.max()),
+        "mean": 100 * float(slide.mean()), **dict(zip(map(str, PERCENTILES), _percentiles(slide), strict=True)),
+    }
+
+
+def summary(rows: list[dict], found: dict[str, float], seconds: float) -> str:
+    """Summary of the run in one line."""
+    skate = ", ".join(f"{p} % {found[str(p)]:.2f}" for p in PERCENTILES)
+    bad, falls, stuck, glides = (found[k] for k in TOLD)
     passed = sum(not row["failed"] for row in rows)
-    return (f"{passed} of {len(rows)} styles pass {seconds:g} s each; {seen.finite.numel():,} frames, {bad} not finite, "
-            f"{falls} falls, {stuck} times stuck, {glides} glides; hips {float(seen.hips.min()):.2f} to "
-            f"{float(seen.hips.max()):.2f} m; skate {100 * float(slide.mean()):.2f} cm/s, {skate}")
+    return (f"{passed} of {len(rows)} styles pass {seconds:g} s each; {found['frames']:,} frames, {bad} not finite, "
+            f"{falls} falls, {stuck} times stuck, {glides} glides; hips {found['low']:.2f} to {found['high']:.2f} m; "
+            f"skate {found['mean']:.2f} cm/s, {skate}")

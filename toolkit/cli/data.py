@@ -8,8 +8,8 @@ from typing import Annotated
 import typer
 from tqdm import tqdm
 
-from toolkit import datasets
-from toolkit.cli.verbs import ClipSeconds, Root, Seed, Selection
+from toolkit import datasets, export
+from toolkit.cli.verbs import ClipSeconds, Root, Seed, Selection, say
 from toolkit.datasets import blocks, home, leaks, procedural
 from toolkit.datasets.fetch import ORIGINS, RECORD, fetch, record
 
@@ -31,33 +31,24 @@ def data_fetch(
         raise ValueError(f"--sha256 expects 64 hexadecimal digits, got {sha256!r}")
     origin, folder = ORIGINS[name], root or home.folder(name)
     if known := record(folder):
-        print(f"{name} is there already, of {known['date'][:10]}: {known['found']} in {folder}")
+        say(f"{name} is there already, of {known['date'][:10]}: {known['found']} in {folder}")
         return
     archive = tqdm.format_sizeof(origin.size, "B") if origin.size else "made by the server when asked, size not known before"
-    print(origin.title)
-    print(f"  from   {source or origin.url}")
-    print(f"  size   {archive}; unpacked about {tqdm.format_sizeof(origin.unpacked, 'B')}")
-    print(f"  terms  {origin.terms}")
-    print(f"  into   {folder}")
+    say(origin.title)
+    say(f"  from   {source or origin.url}")
+    say(f"  size   {archive}; unpacked about {tqdm.format_sizeof(origin.unpacked, 'B')}")
+    say(f"  terms  {origin.terms}")
+    say(f"  into   {folder}")
     if not yes:
         if not sys.stdin.isatty():
             raise ValueError("nothing was fetched: without a terminal to ask on, --yes accepts size and terms")
         if not typer.confirm("Fetch it?"):
             raise typer.Exit(1)
     known = fetch(name, folder, source, sha256, progress=True)
-    print(f"{known['found']}, {known['files']} files in {folder}\nsha256 of the archive: {known['sha256']}"
-          + (" (as published)" if known["sha256"] == origin.sha256 else "") + f"; kept in {RECORD}")
+    say(f"{known['found']}, {known['files']} files in {folder}\nsha256 of the archive: {known['sha256']}"
+        + (" (as published)" if known["sha256"] == origin.sha256 else "") + f"; kept in {RECORD}")
     if root is not None and folder.absolute() != home.folder(name).absolute():
-        print(f"give --root {folder} to the commands that should use it, or set TOOLKIT_DATA")
-
-
-@app.command("table1")
-def data_table1(root: Root = None) -> None:
-    """Print Table 1 of Mason et al. 2022, counted from 100STYLE's Frame_Cuts.csv."""
-    rows = datasets.style100.table1(root)
-    print(f"{'Motion gait':<16}{'Frames':>11}{'Time (m)':>10}{'Ratio (%)':>11}")
-    for row in rows:
-        print(f"{row.gait:<16}{row.frames:>11,}{row.minutes:>10}{row.ratio:>11.1f}")
+        say(f"give --root {folder} to the commands that should use it, or set TOOLKIT_DATA")
 
 
 @app.command("list")
@@ -66,7 +57,7 @@ def data_list(
 ) -> None:
     """List the styles of a dataset, and how many takes of each gait the folder holds."""
     for style, gaits in datasets.contents(name, root).items():
-        print(f"{style:<20}" + (", ".join(f"{gait} {n}" for gait, n in gaits.items()) or "no file here"))
+        say(f"{style:<20}" + (", ".join(f"{gait} {n}" for gait, n in gaits.items()) or "no file here"))
 
 
 @app.command("split")
@@ -76,12 +67,13 @@ def data_split(
     root: Root = None,
 ) -> None:
     """Write training, validation and test parts without leaks, as lists of takes and frames."""
+    export.check(out, (".json",))
     made = datasets.split(name, root)
     made.save(out)
     for part in blocks.PARTS:
         of_part = getattr(made, part)
-        print(f"{part:<11}{len(of_part):>6} blocks{sum(b.stop - b.start for b in of_part):>11,} frames")
-    print(f"unseen styles, in the test alone: {', '.join(made.unseen) or 'none'}; wrote {out}")
+        say(f"{part:<11}{len(of_part):>6} blocks{sum(b.stop - b.start for b in of_part):>11,} frames")
+    say(f"unseen styles, in the test alone: {', '.join(made.unseen) or 'none'}; wrote {out}")
 
 
 @app.command("leaks")
@@ -92,10 +84,10 @@ def data_leaks(split: Annotated[Path, typer.Argument(help="JSON file of a split,
     """
     found = leaks.find(split)
     for line in found:
-        print(line)
+        say(line)
     if found:
         raise typer.Exit(1)
-    print(f"no leak in {split}")
+    say(f"no leak in {split}")
 
 
 @app.command("write")
@@ -111,4 +103,4 @@ def data_write(
     if name != "procedural":
         raise ValueError(f"only the procedural dataset can be written, not {name!r}")
     procedural.write(out, styles, gaits, clip_seconds, seed)
-    print(f"wrote {len(list(out.glob('*.bvh')))} clips; read them by toolkit.datasets.load('100style', root={str(out)!r})")
+    say(f"wrote {len(list(out.glob('*.bvh')))} clips; read them by toolkit.datasets.load('100style', root={str(out)!r})")

@@ -10,10 +10,10 @@ import torch
 import typer
 
 from toolkit import datasets, features, published, runtime, training
-from toolkit.cli.verbs import Published, Seed, TrainedRun
+from toolkit.cli.verbs import Published, Seed, TrainedRun, say
 from toolkit.evaluation import metrics
 from toolkit.io import bvh
-from toolkit.io.files import atomic_write
+from toolkit.io.files import write_whole
 from toolkit.networks.bank import StyleBank
 from toolkit.runtime import FPS
 from toolkit.shots import crowd
@@ -106,8 +106,7 @@ def make(folder: Path, seconds: float = 35.0, *, data_seconds: float = 60.0, see
 
 
 def _write(path: Path, lines: list[str]) -> None:
-    with atomic_write(path) as file:
-        file.write(("\n".join(lines) + "\n").encode())
+    write_whole(path, ("\n".join(lines) + "\n").encode())
 
 
 @app.callback(invoke_without_command=True)
@@ -121,14 +120,14 @@ def demo_(
     if context.invoked_subcommand is not None:
         return
     page = embedded(out)
-    print(f"Open {page} in a browser: the embedded model walks there.")
-    print(f"Meanwhile motion is generated (a minute), and a small model learns it for {60 * minutes:g} s.", flush=True)
+    say(f"Open {page} in a browser: the embedded model walks there.")
+    say(f"Meanwhile motion is generated (a minute), and a small model learns it for {60 * minutes:g} s.")
     files = make(out, 60 * minutes, seed=seed, progress=True)
-    print(files[3].read_text(encoding="utf-8"))
-    print("Look at it:")
+    say(files[3].read_text(encoding="utf-8"))
+    say("Look at it:")
     for file in [page, *files]:
-        print(f"  {file}")
-    print(f"\nNext: open {files[-1]} in a browser and walk; `make lab` starts JupyterLab on the notebooks.")
+        say(f"  {file}")
+    say(f"\nNext: open {files[-1]} in a browser and walk; `make lab` starts JupyterLab on the notebooks.")
 
 
 @app.command("crowd")
@@ -142,11 +141,11 @@ def demo_crowd(
     seed: Seed = 0,
 ) -> None:
     """Let two crowds cross, each character in its own style blend; write a picture, an animation and the time taken."""
-    print("The runtime is compiled at its first use; that takes a while.")
+    say("The runtime is compiled at its first use; that takes a while.")
     net, bank = published.either(model, parameters)
     compiled = runtime.compile(net, threads=threads)
     made = crowd.walk(compiled, bank, characters, seconds, seed=seed, progress=True)
-    print(f"{compiled}\n{made.report}")
+    say(f"{compiled}\n{made.report}")
     from toolkit import view
 
     out.mkdir(parents=True, exist_ok=True)
@@ -155,4 +154,4 @@ def demo_crowd(
     view.crowd(made.clips, files[1], fps=0, width=1200)
     _write(files[2], [made.report, *(clip.style for clip in made.clips)])
     for file in files:
-        print(f"  {file}")
+        say(f"  {file}")

@@ -9,12 +9,11 @@ import typer
 
 from toolkit import evaluation, export
 from toolkit.cli import motion_files
-from toolkit.cli.verbs import Roles, Unit, Up
+from toolkit.cli.verbs import Roles, Unit, Up, say
 from toolkit.datasets import folder as own
 from toolkit.evaluation.recognition import Recogniser
-from toolkit.io.files import atomic_write
+from toolkit.io.files import write_whole
 from toolkit.motion import Clip, root_frames
-from toolkit.motion.names import printable
 
 
 def evaluate(
@@ -42,12 +41,11 @@ def evaluate(
         raise ValueError(f"{folder} and {real}: as many files, but other names ({min(clips.keys() ^ truth.keys())}); "
                          "name pairs alike, or leave one file out")
     table = evaluation.report(clips.values(), truth.values() if real is not None else None, judge)
-    print(table)
+    say(table)
     if out is not None:
         rows = [{k: v if not isinstance(v, float) or math.isfinite(v) else None for k, v in row.items()}
                 for row in table.rows]
-        with atomic_write(out) as file:
-            file.write((json.dumps({"rows": rows, "notes": table.notes}, indent=1) + "\n").encode())
+        write_whole(out, (json.dumps({"rows": rows, "notes": table.notes}, indent=1) + "\n").encode())
 
 
 def _clips(place: Path, paired: bool, judge: Recogniser | None, unit: float | str, up: str,
@@ -72,7 +70,7 @@ def _clips(place: Path, paired: bool, judge: Recogniser | None, unit: float | st
             if judge is not None:
                 judge.embed(clip)
         except (ValueError, OSError, ImportError) as error:
-            print(printable(f"left out: {path.name}: {own.reason(error, path)}"))
+            say(f"left out: {path.name}: {own.reason(error, path)}")
             continue
         clips[path.relative_to(place).with_suffix("").as_posix() if place.is_dir() else path.stem] = clip
     if not clips:

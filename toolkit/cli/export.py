@@ -10,7 +10,7 @@ from toolkit import export, published, shots
 from toolkit.cli import motion_files
 from toolkit.cli.motion_files import Target, target
 from toolkit.cli.rollout import blend_of
-from toolkit.cli.verbs import Names, Published, Roles, Selection, TrainedRun, Unit, Up
+from toolkit.cli.verbs import Names, Published, Roles, Selection, TrainedRun, Unit, Up, say
 from toolkit.export import pack as packs
 from toolkit.motion import retargeting
 
@@ -83,13 +83,11 @@ def clip(
     roles: Roles = None,
 ) -> None:
     """Convert a motion file to glTF (skinned mannequin with its animation), BVH, web page, strip of poses or film."""
-    export.check(out)
-    if out.exists() and out.samefile(source):
-        raise ValueError(f"{out}: is the file that is read; give another to write")
+    export.check(out, export.SUFFIXES, source, character, skeleton)
     motion = motion_files.read(source, unit, up, roles)
     if skeleton is not None:
         before, motion = motion, export.retarget(motion, target(skeleton))
-        print(retargeting.report(before, motion))
+        say(retargeting.report(before, motion))
     export.write(motion, out, title=source.stem, progress=True, character=character)
     _wrote(out)
 
@@ -123,14 +121,14 @@ def pack(
                        formats=formats or tuple(packs.WRITERS), in_place=in_place,
                        target=rig, writers=writers, progress=True)
     rows = json.loads(made.read_text(encoding="utf-8"))["clips"]
-    print(f"{'cycle':<28}{'m/s':>6}{'s':>7}{'seam cm/s':>11}{'usual':>7}")
+    say(f"{'cycle':<28}{'m/s':>6}{'s':>7}{'seam cm/s':>11}{'usual':>7}")
     for row in rows:
         error = row["loop_error"]
-        print(f"{row['style'] + ' ' + row['gait']:<28}{row['speed']:>6.2f}{row['duration']:>7.2f}"
-              f"{error['velocity_cm_s']:>11.1f}{error['ordinary_velocity_change_cm_s']:>7.1f}")
-    print(f"wrote {len(rows)} cycles and {made}")
+        say(f"{row['style'] + ' ' + row['gait']:<28}{row['speed']:>6.2f}{row['duration']:>7.2f}"
+            f"{error['velocity_cm_s']:>11.1f}{error['ordinary_velocity_change_cm_s']:>7.1f}")
+    say(f"wrote {len(rows)} cycles and {made}")
 
 
 def _wrote(*files: Path) -> None:
     for file in files:
-        print(f"wrote {file}, {file.stat().st_size / 1e6:.2f} MB")
+        say(f"wrote {file}, {file.stat().st_size / 1e6:.2f} MB")

@@ -5,8 +5,8 @@ from typing import Annotated
 
 import typer
 
-from toolkit.cli.verbs import Roles, Unit, Up
-from toolkit.io import inspection
+from toolkit.cli.verbs import Roles, Unit, Up, say
+from toolkit.io import load
 
 
 def inspect(
@@ -22,11 +22,11 @@ def inspect(
     """
     if picture is not None and picture.suffix.lower() != ".png":
         raise ValueError(f"{picture}: a strip of poses is a .png file")
-    found = inspection.inspect(file, unit, up, roles)
-    print(found)
+    found = load.inspect(file, unit, up, roles)
+    say(found)
     if picture is not None:
         from toolkit import view  # imported on demand: it needs the drawing libraries
 
         floor = found.floor if abs(found.floor) < float("inf") else 0.0
         view.strip(found.clip.moved(shift=(0.0, -floor, 0.0)), picture)
-        print(f"wrote {picture}")
+        say(f"wrote {picture}")

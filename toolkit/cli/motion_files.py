@@ -8,10 +8,10 @@ from typing import Annotated
 import typer
 
 from toolkit import datasets
+from toolkit.cli.verbs import say
 from toolkit.datasets import folder as own
 from toolkit.datasets.procedural import SKELETON
 from toolkit.motion import Clip, rotations
-from toolkit.motion.names import printable
 
 SKELETONS = {"100style": SKELETON}
 Target = Annotated[str | None, typer.Option("--skeleton", help=f"Retarget to a skeleton: {', '.join(SKELETONS)}, or a file "
@@ -22,7 +22,7 @@ def read(path: Path, unit: float | str = "auto", up: str = "auto", roles: Mappin
     """The clip of a motion file (`toolkit.load`), a floor far from zero moved there; doubts are printed on stderr."""
     clip, doubts = own.read_file(path, unit, up, roles)
     for doubt in doubts:
-        print(printable(f"{path.name}: {doubt}"), file=sys.stderr)
+        say(f"{path.name}: {doubt}", sys.stderr)
     return clip
 
 
@@ -49,4 +49,4 @@ def show(root: Path | None, rig: Clip | None = None) -> None:
     """Print what is used of a folder of one's own, and what is left out and why."""
     folder = own.SOURCE.folder(root)
     for line in own.survey(folder, rig).lines(folder):
-        print(line)
+        say(line)

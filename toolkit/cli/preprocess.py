@@ -7,7 +7,7 @@ import typer
 
 from toolkit import datasets
 from toolkit.cli.motion_files import dataset, show
-from toolkit.cli.verbs import Listed, Mirror, Root, Selection
+from toolkit.cli.verbs import Listed, Mirror, Root, Selection, say
 from toolkit.features import store
 
 
@@ -19,7 +19,7 @@ def preprocess(
     gaits: Selection = None,
     source: Annotated[str, typer.Option(help="Phase source.")] = "hybrid",
     mirror: Mirror = False,
-    contact_height: Annotated[float | None, typer.Option(min=0.0, help="Metres up to which a toe stands; by default it "
+    contact_height: Annotated[float | None, typer.Option(help="Metres up to which a toe stands; by default it "
                                                          "follows from each clip.")] = None,
     listed: Listed = False,
     workers: Annotated[int | None, typer.Option(min=1, help="Processes; by default one per processor.")] = None,
@@ -34,5 +34,5 @@ def preprocess(
     made = store.preprocess(data, root, out, styles=styles, gaits=gaits, source=source, mirror=mirrored, workers=workers,
                             scheduler=scheduler, contact_height=contact_height, listed=listed, progress=True)
     found = store.load(out)
-    print(f"{found.n_frames:,} frames of {len(found.styles)} styles in {out}"
-          + ("" if made else ": finished before, all checksums are right, nothing to do"))
+    say(f"{found.n_frames:,} frames of {len(found.styles)} styles in {out}"
+        + ("" if made else ": finished before, all checksums are right, nothing to do"))

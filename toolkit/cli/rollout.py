@@ -7,7 +7,7 @@ import torch
 import typer
 
 from toolkit import export, published, runtime
-from toolkit.cli.verbs import Published, TrainedRun
+from toolkit.cli.verbs import Published, TrainedRun, say
 from toolkit.evaluation import metrics
 
 
@@ -30,8 +30,8 @@ def rollout(
     export.write(clip, out, title=style, progress=True)
     low, high = metrics.hips_height(clip)
     skate = metrics.foot_skate(clip, torch.stack([s.contacts[0] for s in states]))
-    print(f"{len(clip)} frames, {metrics.speed(clip):.2f} m/s for {speed:.2f} asked, hips {low:.2f} to {high:.2f} m, "
-          f"foot skate right {skate['right'] * 100:.1f} left {skate['left'] * 100:.1f} cm/s; wrote {out}")
+    say(f"{len(clip)} frames, {metrics.speed(clip):.2f} m/s for {speed:.2f} asked, hips {low:.2f} to {high:.2f} m, "
+        f"foot skate right {skate['right'] * 100:.1f} left {skate['left'] * 100:.1f} cm/s; wrote {out}")
 
 
 def blend_of(text: str) -> dict[str, float]:

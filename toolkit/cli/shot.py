@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from toolkit import export, published, shots
-from toolkit.cli.verbs import Published, TrainedRun
+from toolkit.cli.verbs import Published, TrainedRun, say
 
 
 def shot(
@@ -19,17 +19,18 @@ def shot(
     seed: Annotated[int | None, typer.Option(help="In place of the seed of the shots.")] = None,
 ) -> None:
     """Render a file of shots, say what cannot be met, and write the motion."""
-    export.check(out)
     scene = shots.Scene.load(file)
     if seed is not None:
         scene = dataclasses.replace(scene, shots=[dataclasses.replace(asked, seed=seed) for asked in scene.shots])
+    paths = [out] if len(scene.shots) == 1 else [out.with_stem(f"{out.stem}_{k}") for k in range(len(scene.shots))]
+    for path in paths:
+        export.check(path)
     net, bank = published.either(model, parameters)
     try:
         for line in scene.check(net, bank):
-            print(line, file=sys.stderr)
+            say(line, sys.stderr)
     except ValueError as error:
         raise ValueError(f"{file}: {error}") from None
-    for k, (asked, clip) in enumerate(zip(scene.shots, scene.render(net, bank), strict=True)):
-        path = out if len(scene.shots) == 1 else out.with_stem(f"{out.stem}_{k}")
+    for path, asked, clip in zip(paths, scene.shots, scene.render(net, bank), strict=True):
         export.write(clip, path, title=asked.name, progress=True)
-        print(f"{asked.name or 'shot'}: {len(clip)} frames, {clip.seconds:.1f} s; wrote {path}")
+        say(f"{asked.name or 'shot'}: {len(clip)} frames, {clip.seconds:.1f} s; wrote {path}")

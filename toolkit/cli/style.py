@@ -10,8 +10,9 @@ import typer
 
 from toolkit import export
 from toolkit.cli import motion_files
-from toolkit.cli.verbs import Roles, Seed, TrainedRun, Unit, Up
+from toolkit.cli.verbs import Roles, Seed, TrainedRun, Unit, Up, say
 from toolkit.io import model_files
+from toolkit.io.files import below
 from toolkit.io.load import READERS
 from toolkit.motion import Clip, Skeleton
 from toolkit.motion.retargeting import report, retarget
@@ -41,7 +42,7 @@ def add(
     Motion of another rig is retargeted to the model's skeleton. A model that has its FiLM generator fine-tunes a copy of it.
     For one that was stored without, such as the embedded one, the style vector itself is optimised.
     """
-    files = [path for path in sorted(clips.rglob("*")) if path.suffix.lower() in READERS] if clips.is_dir() else [clips]
+    files = [path for path in below(clips) if path.suffix.lower() in READERS] if clips.is_dir() else [clips]
     if not files or not clips.exists():
         raise ValueError(f"{clips}: no motion file ({', '.join(READERS)}) in this folder" if clips.is_dir() else
                          f"{clips}: no such file or folder")
@@ -49,26 +50,28 @@ def add(
         raise ValueError(f"a style's name must not be empty nor hold '=' or ',', got {name!r}")
     export.check(out, ())
     tensors, parts, network, bank = _read(model)
+    if not isinstance(added := parts.get("added", []), list):
+        raise ValueError(f"{model}: its list of added styles is damaged")
     shown = [_fitted(motion_files.read(file, unit, up, roles), network.layout.skeleton) for file in files]
     made = fine_tune(network, shown, name, bank, method=method, steps=steps, mirror=mirror, seed=seed, progress=True)
     record = {"style": name, "clips": [file.name for file in files], "method": made.method, "steps": steps, "seed": seed,
               "seconds": round(made.seconds, 1)}
-    new = {"bank": list(made.bank.names), "added": [*parts.get("added", []), record]}
+    new = {"bank": list(made.bank.names), "added": [*added, record]}
     model_files.write(out, tensors | made.bank.tensors, parts | new)
     first, last = (sum(part) / len(part) if part else math.nan for part in (made.losses[:20], made.losses[-20:]))
-    print(f"{METHODS[made.method]}: loss {first:.3f} → {last:.3f} in {made.seconds:.0f} s, kept step {made.best}")
+    say(f"{METHODS[made.method]}: loss {first:.3f} → {last:.3f} in {made.seconds:.0f} s, kept step {made.best}")
     error = made.held_out[name]
-    print("Held-out frames: mean squared error {before:.3f} before, {after:.3f} after; {repeat:.3f} by repeating the frame, "
-          "{mean:.3f} by the mean".format(**error))
+    say("Held-out frames: mean squared error {before:.3f} before, {after:.3f} after; {repeat:.3f} by repeating the frame, "
+        "{mean:.3f} by the mean".format(**error))
     if not made.best and made.losses:
-        print("Adding did not help: no step was better than the start, and the start was kept. Use more or longer clips.")
+        say("Adding did not help: no step was better than the start, and the start was kept. Use more or longer clips.")
     elif error["after"] >= error["before"]:
-        print("Adding did not help on these frames, which did not choose the step: use more or longer clips.")
+        say("Adding did not help on these frames, which did not choose the step: use more or longer clips.")
     elif error["after"] >= error["repeat"]:
-        print("The model predicts this style no better than repeating the frame, which more clips seldom mend. Look at the "
-              "walk;\nto learn the recordings themselves, train on them: python -m toolkit train --data FOLDER")
+        say("The model predicts this style no better than repeating the frame, which more clips seldom mend. Look at the "
+            "walk;\nto learn the recordings themselves, train on them: python -m toolkit train --data FOLDER")
     _print_near(made.bank, name)
-    print(f"wrote {out}; next: python -m toolkit rollout --model {quote(str(out))} --style {quote(name)} --out walk.html")
+    say(f"wrote {out}; next: python -m toolkit rollout --model {quote(str(out))} --style {quote(name)} --out walk.html")
 
 
 @app.command("list")
@@ -86,12 +89,12 @@ def _fitted(clip: Clip, skeleton: Skeleton) -> Clip:
     if (clip.skeleton.names, clip.skeleton.parents) == (skeleton.names, skeleton.parents):
         return clip
     made = retarget(clip, skeleton)
-    print(f"{clip.name}: retargeted; {report(clip, made)}")
+    say(f"{clip.name}: retargeted; {report(clip, made)}")
     return made
 
 
 def _print_near(bank: StyleBank, name: str) -> None:
-    print(f"{name:<20} near it: " + ", ".join(f"{other} ({apart:.1f})" for other, apart in bank.nearest(name, 3)))
+    say(f"{name:<20} near it: " + ", ".join(f"{other} ({apart:.1f})" for other, apart in bank.nearest(name, 3)))
 
 
 def _read(path: Path | None) -> tuple[dict, dict, Model, StyleBank]:

@@ -7,7 +7,7 @@ import typer
 
 from toolkit import export
 from toolkit.cli import motion_files
-from toolkit.cli.verbs import Roles, Seed, Unit, Up
+from toolkit.cli.verbs import Roles, Seed, Unit, Up, say
 from toolkit.evaluation import metrics
 from toolkit.motion import contacts
 from toolkit.stylization.networks import Stylizer, pretrained
@@ -30,7 +30,7 @@ def stylize_clip(
 
     Another --seed gives another variant of the style.
     """
-    export.check(out)
+    export.check(out, export.SUFFIXES, clip, reference)
     stylizer = pretrained() if model is None else Stylizer.load(model)
     if domain is None:
         raise ValueError(f"say which style by --domain: {', '.join(stylizer.domains)}")
@@ -40,4 +40,4 @@ def stylize_clip(
     export.write(made, out, title=domain, source=source, progress=True)
     standing = contacts.detect(source)
     before, after = (sum(metrics.foot_skate(c, standing[: len(c)]).values()) * 50 for c in (source, made))
-    print(f"{len(made)} frames; feet that should stand slide by {after:.1f} cm/s, in the source {before:.1f}; wrote {out}")
+    say(f"{len(made)} frames; feet that should stand slide by {after:.1f} cm/s, in the source {before:.1f}; wrote {out}")

@@ -8,7 +8,7 @@ import typer
 
 from toolkit import datasets, export, features, networks, training
 from toolkit.cli.motion_files import Target, dataset, show, target
-from toolkit.cli.verbs import ClipSeconds, Device, Listed, Mirror, Resume, Root, Seed, Selection
+from toolkit.cli.verbs import ClipSeconds, Device, Listed, Mirror, Resume, Root, Seed, Selection, say
 from toolkit.features import splits, store
 from toolkit.training import distributed
 
@@ -70,18 +70,18 @@ def train(
                  features.build(clips, mirror=mirrored, short="skip", progress=first))
     checkpoint = out.with_name(out.name + ".checkpoint")
     if distributed.first():
-        print(f"{found.n_frames:,} frames of {len(found.styles)} styles")
+        say(f"{found.n_frames:,} frames of {len(found.styles)} styles")
     run = training.fit(found, config, checkpoint, resume=resume, progress=True, log=log)
     if not distributed.first():
         return
     run.save(out, slim=slim)
     checkpoint.unlink(missing_ok=True)
-    print("Held-out frames. Mean squared error of normalised outputs: the model, the model with another style's vector,")
-    print("predicting the mean, repeating the frame. Error of bone lengths in mm.")
-    print(f"{'style':<20}{'model':>9}{'other':>9}{'mean':>9}{'repeat':>9}{'bone':>7}")
+    say("Held-out frames. Mean squared error of normalised outputs: the model, the model with another style's vector,")
+    say("predicting the mean, repeating the frame. Error of bone lengths in mm.")
+    say(f"{'style':<20}{'model':>9}{'other':>9}{'mean':>9}{'repeat':>9}{'bone':>7}")
     for row in run.table():
         errors = "".join(f"{row.get(k, math.nan):>9.4f}" for k in ("error", "other", "mean", "repeat"))
-        print(f"{row['style']:<20}{errors}{1000 * row['bone']:>7.1f}")
+        say(f"{row['style']:<20}{errors}{1000 * row['bone']:>7.1f}")
     if row["error"] >= row["repeat"]:
-        print("The model predicts no better than repeating the frame: give it more time, or more motion.")
-    print(f"{run.history[-1]['step']:,} steps in {run.history[-1]['elapsed']:.0f} s; wrote {out}")
+        say("The model predicts no better than repeating the frame: give it more time, or more motion.")
+    say(f"{run.history[-1]['step']:,} steps in {run.history[-1]['elapsed']:.0f} s; wrote {out}")

@@ -7,7 +7,7 @@ import typer
 
 from toolkit import datasets, export
 from toolkit.cli.motion_files import dataset
-from toolkit.cli.verbs import ClipSeconds, Device, Resume, Root, Seed, Selection
+from toolkit.cli.verbs import ClipSeconds, Device, Resume, Root, Seed, Selection, say
 from toolkit.stylization.data import build
 from toolkit.stylization.losses import LOSSES
 from toolkit.stylization.training import Config, fit
@@ -42,17 +42,17 @@ def train_stylizer(
     config = (Config.quick if small else Config)(losses=tuple(losses.split(",")), seed=seed, device=device, **budget)
     options = {} if clip_seconds is None else {"seconds": clip_seconds}
     motions = build(datasets.load(data, root, styles, gaits, **options), mirror=mirror)
-    print(f"{len(motions):,} windows of {', '.join(motions.domains)}")
+    say(f"{len(motions):,} windows of {', '.join(motions.domains)}")
     checkpoint = out.with_name(out.name + ".checkpoint")
     try:
         run = fit(motions, config, checkpoint, resume=resume, progress=True)
     except KeyboardInterrupt:
-        print(f"\nthe same command with --resume goes on from {checkpoint}")
+        say(f"\nthe same command with --resume goes on from {checkpoint}")
         raise
     (run.stylizer.save(out, slim=True) if slim else run.save(out))
     checkpoint.unlink(missing_ok=True)
     terms = [name for name in run.history[-1] if name not in ("step", "elapsed")] if run.history else []
-    print(f"{'step':>8}" + "".join(f"{name:>8}" for name in terms))
+    say(f"{'step':>8}" + "".join(f"{name:>8}" for name in terms))
     for row in run.history[:: max(1, len(run.history) // 10)]:
-        print(f"{row['step']:>8,}" + "".join(f"{row[name]:>8.3f}" if name in row else f"{'':>8}" for name in terms))
-    print(f"wrote {out}")
+        say(f"{row['step']:>8,}" + "".join(f"{row[name]:>8.3f}" if name in row else f"{'':>8}" for name in terms))
+    say(f"wrote {out}")

@@ -8,7 +8,7 @@ import warnings
 from collections.abc import Mapping
 from importlib import import_module
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, TextIO
 
 import typer
 from typer.core import TyperCommand, TyperGroup
@@ -37,6 +37,7 @@ def _roles(text: str) -> dict[str, str]:
     return {role.strip(): joint for role, joint in pairs}
 
 
+LONGEST = 1000  # letters of an error, which may quote a file or an argument
 PUBLISHED = "Folder of the published parameters, or lpn-film-100style once fetched."
 Published = Annotated[Path | None, typer.Option("--published", help=PUBLISHED)]
 TrainedRun = Annotated[Path | None, typer.Option("--model", help="File of a trained model; by default the embedded one.")]
@@ -110,8 +111,16 @@ class Lines(logging.Handler):
         _print_error(record.getMessage())
 
 
+def say(text: object, file: TextIO | None = None) -> None:
+    """Print a text, on stdout or in a file; characters that move the cursor or reorder text appear as their escapes."""
+    from toolkit.motion.names import printable
+
+    print("\n".join(map(printable, str(text).split("\n"))), file=file, flush=True)
+
+
 def _print_error(line: str) -> None:
     from toolkit.training import distributed
 
     if distributed.first():
-        print("".join(c if c.isprintable() else repr(c)[1:-1] for c in line), file=sys.stderr)
+        line = "".join(c if c.isprintable() else repr(c)[1:-1] for c in line)
+        print(line if len(line) < LONGEST else f"{line[:LONGEST]} …", file=sys.stderr)

@@ -9,9 +9,7 @@ import pkgutil
 import lazy_loader
 
 __getattr__, __dir__, __all__ = lazy_loader.attach(__name__, [module.name for module in pkgutil.iter_modules(__path__)], {
-    "checks": ["Exercise", "Verdict", "check", "exercises_of"],
-    "claims": ["claim", "learnt"],
-    "pages": ["film", "show", "steer", "two_bone"],
+    "checks": ["Exercise", "Verdict", "check", "claim", "exercises_of", "learnt"],
+    "pages": ["SYMBOLS", "film", "show", "steer", "symbols", "two_bone"],
     "sequence": ["LESSONS", "Lesson", "here"],
-    "notation": ["SYMBOLS", "symbols"],
 })

@@ -1,4 +1,4 @@
-"""Exercises that check an answer with cases which the notebook does not show."""
+"""Exercises that check an answer with cases which the notebook does not show, and sentences that are shown only if true."""
 
 import importlib
 from collections.abc import Callable, Mapping, Sequence
@@ -11,10 +11,11 @@ import torch
 from toolkit.course.sequence import LESSONS
 
 Judge = Callable[[Any], str]
+NOTHING = "no answer yet."  # then no hint is given
 
 #: Module of `toolkit.course.exercises` -> numbers of its notebooks.
 MODULES = {"features": ("00", "01"), "phases": ("02a", "02b"), "networks": ("03a", "03b", "07"),
-           "styles": ("04", "05", "06"), "restyling": ("08a", "08b"), "measures": ("09", "11", "12")}
+           "styles": ("04", "05", "06", "08a", "08b"), "measures": ("09", "11", "12")}
 
 
 @dataclass(frozen=True)
@@ -66,10 +67,11 @@ def check(name: str, answer: Any) -> Verdict:
     exercise = known[name]
     try:
         empty = ... in answer.values() if isinstance(answer, dict) else answer is ...
-        wrong = "no answer yet." if empty else exercise.judge(answer)
+        wrong = NOTHING if empty else exercise.judge(answer)
     except Exception as error:  # of the reader's function
         wrong = f"your answer raised {type(error).__name__}: {error}."
-    text = f"{wrong[:1].upper()}{wrong[1:]} Hint: {exercise.hint}" if wrong else "Right."
+    hint = "" if wrong == NOTHING else f" Hint: {exercise.hint}"
+    text = f"{wrong[:1].upper()}{wrong[1:]}{hint}" if wrong else "Right."
     return Verdict(name, not wrong, text)
 
 
@@ -101,7 +103,7 @@ def same_as(right: Callable, cases: Callable[[], Sequence[tuple]], wrong: Mappin
         for i, case in enumerate(every):
             got, want = answer(*case), right(*case)
             if got is ... or got is None:
-                return "the function returns nothing yet."
+                return NOTHING
             if difference := differs(got, want, tolerance):
                 known = (text for text, other in (wrong or {}).items() if not differs(got, other(*case), tolerance))
                 return next(known, f"hidden case {i + 1} of {len(every)}: {difference}.")
@@ -139,3 +141,46 @@ def differs(got: Any, want: Any, tolerance: float) -> str:
     if off <= tolerance * max(1e-9, float(want.abs().max())):
         return ""
     return "the shape is right, but the numbers are not" if want.ndim else f"{float(got):.4g} is not right"
+
+
+class Sentences:
+    """Markdown of one or several true sentences."""
+
+    def __init__(self, *lines: str):
+        self.lines = lines
+
+    def __repr__(self) -> str:
+        return "\n".join(self.lines)
+
+    _repr_markdown_ = __repr__
+
+
+def claim(sentence: str, *conditions: bool) -> Sentences:
+    """Show a sentence about a result, if all conditions hold.
+
+    Numbers in the sentence come from the run (an f-string). What the sentence says of them is a condition.
+
+    Raises
+    ------
+    ValueError
+        If there is no condition.
+    AssertionError
+        If one does not hold: then the sentence and the run disagree.
+    """
+    if not conditions:
+        raise ValueError(f"give the conditions under which this is true: {sentence}")
+    for i, condition in enumerate(conditions):
+        if not bool(condition):
+            raise AssertionError(f"condition {i + 1} of {len(conditions)} does not hold, so this is not true: {sentence}")
+    return Sentences(sentence)
+
+
+def learnt(sentences: Mapping[str, bool]) -> Sentences:
+    """The list *What you learnt*: sentence -> the condition under which it is true.
+
+    Raises
+    ------
+    AssertionError
+        If one is not true.
+    """
+    return Sentences(*(f"* {claim(sentence, condition)}" for sentence, condition in sentences.items()))

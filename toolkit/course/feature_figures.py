@@ -10,14 +10,14 @@ from plotly.subplots import make_subplots
 from torch import Tensor
 
 from toolkit import features
-from toolkit.course.notation import SYMBOLS
+from toolkit.course.pages import SYMBOLS
 from toolkit.features import Layout
 from toolkit.motion import Clip, Skeleton
 from toolkit.motion.trajectory import SAMPLES
 from toolkit.view.body import COLORS, CONTACT, PALETTE
 from toolkit.view.figures import INK, QUIET, bones, finish, slider
 
-X = SYMBOLS["x"][0]
+X, Z = SYMBOLS["x"][0], SYMBOLS["z"][0]
 ARROW = {"symbol": "arrow", "angleref": "previous", "size": 11, "standoff": 0}
 LEFT = {"title": "metres to the left", "autorange": "reversed"}  # seen from above, +X is on the left
 
@@ -122,7 +122,7 @@ def skeleton(known: Skeleton) -> go.Figure:
 def changes(values: Mapping[str, float]) -> go.Figure:
     """Largest change of each block after the clip was moved, on a logarithmic axis."""
     figure = go.Figure(go.Bar(x=[max(v, 1e-8) for v in values.values()], y=list(values), orientation="h",
-                              marker={"color": X}))
+                              marker={"color": [{"x": X, "z": Z}.get(name.split()[0], QUIET) for name in values]}))
     return finish(figure, "After the clip was moved and turned", 320,
                   {"type": "log", "title": "largest change of a number, in the block's own unit", "exponentformat": "power"},
                   {"autorange": "reversed"})

@@ -9,7 +9,7 @@ import torch
 from plotly.subplots import make_subplots
 from torch import Tensor
 
-from toolkit.course.notation import SYMBOLS
+from toolkit.course.pages import SYMBOLS
 from toolkit.view.body import COLORS, PALETTE
 from toolkit.view.figures import bones, colours, finish, slider
 

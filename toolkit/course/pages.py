@@ -15,8 +15,6 @@ from toolkit.view.frontend import static
 
 NAME = "toolkit"  # of plotly's renderer
 LOADED = 'data-toolkit="plotly"'  # marks plotly's code: the site loads its own copy in its place
-
-
 #: Folds the code of cells with the tag ``hide-input`` in the pages of nbconvert; it opens under the pointer.
 FOLDED = ".celltag_hide-input .jp-InputArea:not(:hover) .cm-editor { max-height: 1.6em; overflow: hidden; opacity: .5 }"
 
@@ -88,3 +86,23 @@ def steer(model, bank, *, title: str = "Walk: W A S D, blend: drag the marker", 
 def two_bone() -> Page:
     """A leg of two bones whose ankle follows the pointer, with the law of cosines beside it."""
     return show(static("two_bone.html"), 270)
+
+
+#: Symbol -> (colour in formulas, tables and figures, what it is, its name in code).
+SYMBOLS = {
+    "x": ("#1f6fb5", "input: this frame, its pose and its trajectory", "data.inputs[style]"),
+    "p": ("#c9701e", "phases of both hands and both feet", "data.phases[style]"),
+    "α": ("#c9701e", "gates: shares of the experts, computed from p by the gating network Ω", "model.gating(p)"),
+    "z": ("#2f8f5b", "output: the next frame", "data.outputs[style]"),
+    "y": ("#b0408a", "style clip: 240 frames of one style", "data.clips[style]"),
+    "γ, β": ("#7b3fb5", "scales and shifts of the hidden layers: the style vector, computed from y by the generator Ψ",
+             "bank[style]"),
+}
+
+
+def symbols() -> Page:
+    """A table of the symbols."""
+    rows = "".join(f'<tr><td style="color: {colour}; font: italic 600 18px serif">{name}</td><td style="text-align: left">'
+                   f'{text}</td><td style="text-align: left"><code>{code}</code></td></tr>'
+                   for name, (colour, text, code) in SYMBOLS.items())
+    return Page(f"<table><tr><th>symbol</th><th>what it is</th><th>in code</th></tr>{rows}</table>")

@@ -11,7 +11,7 @@ from plotly.subplots import make_subplots
 from torch import Tensor
 
 from toolkit import phases as ph
-from toolkit.course.notation import SYMBOLS
+from toolkit.course.pages import SYMBOLS
 from toolkit.motion import Clip, root_frames
 from toolkit.view.body import COLORS
 from toolkit.view.figures import INK, QUIET, bones, colours, finish, slider

@@ -28,22 +28,23 @@ class Lesson:
 
 
 LESSONS = {lesson.number: lesson for lesson in (
-    Lesson("00", "walk", "A first walk", "What can I do with this toolkit in ten minutes?", 10, (), (0, 0)),
-    Lesson("01", "features", "Features", "What does the network see?", 45, ("00",), (1, 0)),
-    Lesson("02a", "phase", "Phase", "What is the phase of a limb?", 45, ("01",), (2, 0)),
-    Lesson("02b", "laboratory", "Laboratory", "From which curve should a limb's phase be measured?", 60, ("02a",), (3, 1)),
-    Lesson("03a", "network", "The network", "What does the network compute?", 45, ("02a",), (3, 0)),
-    Lesson("03b", "training", "Training", "How does one network learn many styles?", 50, ("03a",), (4, 0)),
-    Lesson("04", "blending", "Blending", "What does a blend of styles look like when it walks?", 45, ("03a",), (4, 1)),
-    Lesson("05", "style_space", "Style space", "Which styles are near each other?", 45, ("04",), (5, 1)),
-    Lesson("06", "a_new_style", "A new style", "How does one clip become a style?", 45, ("03b", "04"), (5, 0)),
-    Lesson("07", "seven_models", "Seven models", "What differs between the paper's seven models?", 50, ("03b",), (5, 2)),
-    Lesson("08a", "five_losses", "Five losses", "What does each loss of a stylisation network do?", 40, ("01",), (1, 1)),
-    Lesson("08b", "restyle", "Restyling", "Can a finished walk be given another style?", 45, ("08a",), (1, 2)),
-    Lesson("09", "feet", "Feet", "How do feet stay where they stand?", 45, ("01",), (2, 1)),
-    Lesson("11", "measuring_style", "Measuring style", "When may one say that a motion has a style?", 50, ("08b", "07"),
+    Lesson("00", "walk", "A first walk", "What can I do with this toolkit in ten minutes?", 20, (), (0, 0)),
+    Lesson("01", "features", "Features", "What does the network see?", 60, ("00",), (1, 0)),
+    Lesson("02a", "phase", "Phase", "What is the phase of a limb?", 60, ("01",), (2, 0)),
+    Lesson("02b", "laboratory", "Laboratory", "From which curve should a limb's phase be measured?", 90, ("02a",), (3, 1)),
+    Lesson("03a", "network", "The network", "What does the network compute?", 60, ("02a",), (3, 0)),
+    Lesson("03b", "training", "Training", "How does one network learn many styles?", 60, ("03a",), (4, 0)),
+    Lesson("04", "blending", "Blending", "What does a style blend look like when it walks?", 50, ("03a",), (4, 1)),
+    Lesson("05", "style_space", "Style space", "What does the space of styles look like?", 55, ("04",), (5, 1)),
+    Lesson("06", "a_new_style", "A new style", "How does a character learn a new way of walking from one clip?", 60,
+           ("03b", "04"), (5, 0)),
+    Lesson("07", "seven_models", "Seven models", "How do the seven models of Table 2 compare?", 60, ("03b",), (5, 3)),
+    Lesson("08a", "five_losses", "Five losses", "What does each loss of a stylisation network do?", 55, ("01",), (1, 1)),
+    Lesson("08b", "restyle", "Restyling", "Can a finished walk be given another style?", 65, ("08a",), (1, 2)),
+    Lesson("09", "feet", "Feet", "How do feet stay where they stand?", 50, ("01",), (2, 1)),
+    Lesson("11", "measuring_style", "Measuring style", "When may one say that a motion has a style?", 55, ("08b", "07"),
            (6, 2)),
-    Lesson("12", "capstone", "Capstone", "What does my own motion become?", 120, ("06", "11"), (6, 0)),
+    Lesson("12", "capstone", "Capstone", "What does my own motion become?", 240, ("06", "11"), (6, 0)),
 )}
 
 
@@ -96,8 +97,8 @@ def _arrow(start: Lesson, end: Lesson, lit: bool) -> str:
     if start.place[0] == end.place[0]:  # down or up
         down = y1 > y0
         x0, y0, x1, y1 = x0 + BOX[0] / 2, y0 + BOX[1] * down, x1 + BOX[0] / 2, y1 + BOX[1] * (not down)
-        path = f"M{x0} {y0} L{x1} {y1}"
+        path = f"M{x0} {y0} L{x1} {y1} m-4 {-6 if down else 6} L{x1} {y1} l4 {-6 if down else 6}"
     else:
         x0, y0, y1 = x0 + BOX[0], y0 + BOX[1] / 2, y1 + BOX[1] / 2
-        path = f"M{x0} {y0} C{x0 + GAP[0]} {y0} {x1 - GAP[0]} {y1} {x1} {y1}"
+        path = f"M{x0} {y0} C{x0 + GAP[0]} {y0} {x1 - GAP[0]} {y1} {x1} {y1} m-6 -4 L{x1} {y1} l-6 4"
     return f'<path d="{path}" fill="none" stroke="{LIT if lit else LINE}" stroke-width="{2.5 if lit else 1.5}"/>'

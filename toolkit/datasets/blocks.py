@@ -16,12 +16,14 @@ from pathlib import Path
 from typing import NamedTuple
 
 from toolkit.datasets import bandai, style100
-from toolkit.io.files import atomic_write, status
+from toolkit.io import files
+from toolkit.io.files import write_whole
 
 PARTS = "train", "validation", "test"
 GAP = 240  # frames at 60 Hz between blocks of one take: a style clip, which is longer than the window of a frame (112)
 SHARE = 0.1  # of a take (of a style's takes) for validation, and for the test
 LEAST = 240  # frames of a block: one style clip
+HEADER = 200_000  # bytes of a BVH file in which its number of frames is looked for
 
 
 class Block(NamedTuple):
@@ -61,8 +63,7 @@ class Split:
         lines = [f" {json.dumps(key)}: {json.dumps(value)}" for key, value in made.items()]
         lines += [f' "{part}": [\n' + ",\n".join(f"  {json.dumps(row)}" for row in blocks) + "\n ]"
                   for part, blocks in rows.items()]
-        with atomic_write(Path(path)) as file:
-            file.write(("{\n" + ",\n".join(lines) + "\n}\n").encode())
+        write_whole(Path(path), ("{\n" + ",\n".join(lines) + "\n}\n").encode())
 
 
 def split(name: str, root: str | os.PathLike | None = None) -> Split:
@@ -128,12 +129,9 @@ def _bandai(root: str | os.PathLike | None) -> Split:
 
 def _frames(path: Path) -> int:
     """Number of frames that a BVH file states."""
-    status(path)
-    with path.open(encoding="utf-8", errors="replace") as text:
-        for line in text:
-            if found := re.fullmatch(r"Frames:\s*(\d{1,9})\s*", line, re.ASCII):
-                return int(found[1])
-    raise ValueError(f"{path}: no line 'Frames: N'")
+    if found := re.search(rb"^Frames:[ \t]*(\d{1,9})\s*$", files.read(path, HEADER), re.MULTILINE):
+        return int(found[1])
+    raise ValueError(f"{path}: no line 'Frames: N' in its first {HEADER} bytes")
 
 
 def _draw(*names: str) -> int:

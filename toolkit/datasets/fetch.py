@@ -18,10 +18,10 @@ from pathlib import Path
 
 import filelock
 
-from toolkit.datasets import archive, bandai, home, parameters, style100
-from toolkit.datasets.download import download, notes
+from toolkit.datasets import bandai, home, parameters, style100
+from toolkit.datasets.download import download, notes, room, unpack
 from toolkit.io import bvh
-from toolkit.io.files import atomic_write, parsed, read
+from toolkit.io.files import parsed, read, write_whole
 
 LARGEST = 4_000_000_000  # bytes of an archive whose size is not known: GitHub's hold whole projects
 RECORD = "toolkit-data.json"  # in a fetched folder: what it is, from where and when, its checksum and terms
@@ -217,7 +217,7 @@ def _into(work: Path, origin: Origin, source: str, sha256: str | None, name: str
         if not file.exists():
             part = work / "archive.part"
             have = part.stat().st_size if part.exists() else 0
-            archive.room(work, max((size or origin.unpacked) - have, 0) + origin.unpacked, f"fetch and unpack {name}")
+            room(work, max((size or origin.unpacked) - have, 0) + origin.unpacked, f"fetch and unpack {name}")
             download(source, part, size, LARGEST, trusted=bool(expected), progress=progress)
             part.replace(file)
     with file.open("rb") as data:
@@ -228,7 +228,7 @@ def _into(work: Path, origin: Origin, source: str, sha256: str | None, name: str
         if expected and digest != expected:
             raise ValueError(f"{source}: expected the sha256 {expected}, got {digest} ({file.stat().st_size:,} bytes); "
                              "--sha256 accepts another archive")
-        comment = archive.unpack(file, unpacked, origin.place, limit, progress)
+        comment = unpack(file, unpacked, origin.place, limit, progress)
         found = origin.check(unpacked)
         if origin.contents and not sha256 and (inside := contents(unpacked)) != origin.contents:
             raise ValueError(f"{source}: expected files of the checksum {origin.contents}, got {inside}; "
@@ -243,8 +243,7 @@ def _into(work: Path, origin: Origin, source: str, sha256: str | None, name: str
     date = datetime.now(UTC).isoformat(timespec="seconds")
     known = {"name": name, "title": origin.title, "terms": origin.terms, "source": source, "date": date, "sha256": digest,
              "comment": comment, "files": files, "bytes": size, "found": found}
-    with atomic_write(unpacked / RECORD) as out:
-        out.write(json.dumps(known, indent=2).encode())
+    write_whole(unpacked / RECORD, json.dumps(known, indent=2).encode())
     return known
 
 

@@ -6,7 +6,7 @@ the style is the name of the first sub-folder, and the gait that of the second o
 What folders do not give comes from the file's name, whose words are separated by ``_``, ``-`` or blanks: a word of `GAITS`
 is the gait, and of the others the first that is not common to all files is the style.
 
-Clips have the body joints alone (`toolkit.motion.pruning`), and all the same ones.
+Clips have the body joints alone (`toolkit.motion.retargeting.pruned`), and all the same ones.
 """
 
 import os
@@ -23,8 +23,7 @@ from toolkit.io.load import READERS, read
 from toolkit.io.progress import progress_bar
 from toolkit.motion import Clip, trajectory
 from toolkit.motion.names import of_file, printable
-from toolkit.motion.pruning import pruned
-from toolkit.motion.retargeting import retarget
+from toolkit.motion.retargeting import pruned, retarget
 
 TABLE = "labels.csv"
 COLUMNS = "file", "style", "gait"
@@ -113,8 +112,8 @@ def survey(root: str | os.PathLike, target: Clip | None = None) -> Survey:
     larger number of frames are used. With ``target``, a clip of a rig, all are retargeted to it.
     """
     folder = SOURCE.folder(root)
-    files = ((path, path.stat()) for path in sorted(folder.rglob("*")) if path.is_file())
-    return _survey(folder, tuple((path, about.st_size, about.st_mtime_ns) for path, about in files), target)
+    found = ((path, path.stat()) for path in files.below(folder) if path.is_file())
+    return _survey(folder, tuple((path, about.st_size, about.st_mtime_ns) for path, about in found), target)
 
 
 @lru_cache(maxsize=1)  # a training asks twice
@@ -168,15 +167,15 @@ def reason(error: Exception, path: Path) -> str:
 
 def labelled(folder: Path) -> tuple[list[Take], dict[Path, str]]:
     """Files of a folder with style and gait, and those that the table leaves out."""
-    files = [path for path in sorted(folder.rglob("*")) if path.suffix.lower() in SUFFIXES and path.is_file()]
+    found = [path for path in files.below(folder) if path.suffix.lower() in SUFFIXES and path.is_file()]
     if (folder / TABLE).exists():
         table = _table(folder)
-        return ([OwnTake(path, *table[path]) for path in files if path in table],
-                {path: f"not listed in {TABLE}" for path in files if path not in table})
-    words = {path: [w for w in re.split(r"[\W_]+", of_file(path.stem)) if w and not w.isdigit()] for path in files}
-    common = set.intersection(*map(set, words.values())) if len(files) > 1 else set()
+        return ([OwnTake(path, *table[path]) for path in found if path in table],
+                {path: f"not listed in {TABLE}" for path in found if path not in table})
+    words = {path: [w for w in re.split(r"[\W_]+", of_file(path.stem)) if w and not w.isdigit()] for path in found}
+    common = set.intersection(*map(set, words.values())) if len(found) > 1 else set()
     takes = []
-    for path in files:
+    for path in found:
         above = [of_file(part) for part in path.relative_to(folder).parts[:-1]]
         gait = above[1] if len(above) > 1 else next((GAITS[w.lower()] for w in words[path] if w.lower() in GAITS), "")
         named = [w for w in words[path] if w.lower() not in GAITS]

@@ -12,11 +12,9 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
-import numpy as np
-
 from toolkit.datasets.takes import Names, Source
 from toolkit.io import bvh, files
-from toolkit.io.files import atomic_write
+from toolkit.io.files import write_whole
 from toolkit.motion import Clip
 
 GAITS = {
@@ -49,16 +47,6 @@ class StyleInfo:
     symmetric: bool
     stochastic: bool
     notes: str
-
-
-@dataclass(frozen=True)
-class Table1Row:
-    """One row of the paper's Table 1: a gait, its frames, minutes and share of all frames in percent, as printed."""
-
-    gait: str
-    frames: int
-    minutes: int
-    ratio: float
 
 
 def load(root: str | os.PathLike | None = None, styles: Names = None, gaits: Names = None, *,
@@ -121,8 +109,7 @@ def save(clips: Iterable[Clip], folder: str | os.PathLike, infos: Iterable[Style
         writer = csv.DictWriter(text, TABLES[name], restval="N/A", lineterminator="\n")
         writer.writeheader()
         writer.writerows(rows)
-        with atomic_write(folder / name) as file:
-            file.write(text.getvalue().encode())
+        write_whole(folder / name, text.getvalue().encode())
 
 
 def frame_cuts(root: str | os.PathLike | None = None) -> dict[tuple[str, str], tuple[int, int]]:
@@ -157,37 +144,10 @@ def styles(root: str | os.PathLike | None = None) -> dict[str, StyleInfo]:
     return infos
 
 
-def table1(root: str | os.PathLike | None = None) -> list[Table1Row]:
-    """The paper's Table 1, counted from ``Frame_Cuts.csv``: eight gaits (TR1 to TR3 merged) and the total.
-
-    The paper does not say how it rounds. All printed numbers result if minutes and ratios are rounded by the largest
-    remainder, so that each column adds up to a rounded total. The ratios add up to 100.0 % (Backwards Walk is 18.949 %,
-    printed 19.0). The minutes add up to 1125: the frames last 1126.7 minutes at 60 Hz, which is 1125 to the nearest quarter
-    of an hour. So Backwards Run and Transitions, 120.6 and 218.6 minutes, are printed 120 and 218.
-    """
-    frames = dict.fromkeys(GAITS.values(), 0)
-    for (_, gait), (start, stop) in frame_cuts(root).items():
-        frames[GAITS[gait]] += stop - start
-    if not (total := sum(frames.values())):
-        raise ValueError(f"{SOURCE.folder(root)}: Frame_Cuts.csv has no frame of any take")
-    total_minutes = 15 * round(total / RATE / 60 / 15)
-    minutes, tenths = (_apportion(list(frames.values()), n) for n in (total_minutes, 1000))
-    rows = [Table1Row(g, n, m, t / 10) for (g, n), m, t in zip(frames.items(), minutes, tenths, strict=True)]
-    return [*rows, Table1Row("Total", total, total_minutes, 100.0)]
-
-
-def _apportion(counts: list[int], total: int) -> list[int]:
-    """Whole numbers proportional to ``counts`` that add up to ``total`` (method of the largest remainder)."""
-    shares = [n * total / sum(counts) for n in counts]
-    whole = np.floor(shares).astype(int)
-    whole[np.argsort(whole - shares, kind="stable")[: total - whole.sum()]] += 1
-    return whole.tolist()
-
-
 def _table(root: str | os.PathLike | None, name: str) -> tuple[Path, list[tuple[int, dict[str, str]]]]:
     """Path and (line number, row) of one of `TABLES` in the dataset's folder; ValueError if it cannot be read."""
     folder, columns = SOURCE.folder(root), TABLES[name]
-    path = next(iter(sorted(folder.rglob(name))), None)
+    path = next((path for path in files.below(folder) if path.name == name), None)
     if path is None:
         raise ValueError(f"100style: no {name} in {folder}; expected {SOURCE.layout}; get it at {SOURCE.home}")
     rows = files.table(path, columns)

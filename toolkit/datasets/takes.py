@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from toolkit.datasets import home
-from toolkit.io import bvh
+from toolkit.io import bvh, files
 from toolkit.io.progress import progress_bar
 from toolkit.motion import Clip
 from toolkit.motion.names import checked
@@ -65,7 +65,7 @@ class Source:
     def find(self, root: str | os.PathLike | None) -> list[Take]:
         """All takes in a folder and its sub-folders, by path; ValueError if there is none."""
         folder = self.folder(root)
-        found = ((path, self.pattern.fullmatch(path.name)) for path in sorted(folder.rglob("*.bvh")))
+        found = ((path, self.pattern.fullmatch(path.name)) for path in files.below(folder))
         takes = [Take(path, name["style"], self.gaits.get(name["gait"], name["gait"])) for path, name in found if name]
         if not takes:
             raise ValueError(f"{self.name}: no matching BVH file in {folder}; expected {self.layout}; get it at {self.home}")

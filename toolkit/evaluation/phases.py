@@ -1,17 +1,129 @@
-"""Phase sources, compared with the true phases, frequencies and contacts of procedural clips."""
+"""Phase sources, compared with the true phases of procedural clips, and with phases that a person labelled.
 
+The labelled phase (Holden et al. 2017, section 3) belongs to the whole body: 0 where the right foot touches down, ½ where
+the left foot does, straight lines in between. A foot's own phase is another one: where the left step comes early or late,
+the right foot's label bends, but the right foot does not. `floor` measures this difference, which no local phase can be
+free of.
+"""
+
+import io
 import math
+import os
 from dataclasses import dataclass
+from pathlib import Path
 
+import numpy as np
 import torch
 from torch import Tensor
 
 from toolkit import phases as ph
 from toolkit.datasets import procedural
 from toolkit.evaluation import metrics
+from toolkit.io import bvh, files
 from toolkit.motion import Clip, contacts
+from toolkit.motion.contacts import FEET
+from toolkit.motion.tensors import summary
 
+UNIT = 0.05644  # metres, of the files' unit of length
+STANDING = 0  # column of a ``.gait`` file
+NAME = "pfnn"  # folder of the takes in the folder of datasets
 STILL = 0.02  # metres, root mean square distance from its mean position below which a hand has no phase
+
+
+@dataclass(frozen=True, eq=False)
+class Take:
+    """A clip with the frames ``[N]`` in which its right and its left foot touch down, increasing."""
+
+    clip: Clip
+    right: Tensor
+    left: Tensor
+    moving: Tensor  # [F] bool, not standing
+    __repr__ = summary
+
+    @property
+    def label(self) -> Tensor:
+        """Phase ``[F]`` in radians, increasing, constant before the first and after the last touch-down."""
+        frames, order = torch.cat((self.right, self.left)).sort()
+        foot = (order >= len(self.right)).double()  # 0 right, 1 left; two steps of one foot in turn are a whole cycle apart
+        turns = (1 + (foot.diff() == 0).double()).cumsum(0)
+        return _straight(len(self.clip), frames.double(), math.pi * (foot[0] + torch.cat((turns[:1] * 0, turns))))
+
+    @property
+    def labelled(self) -> Tensor:
+        """Frames ``[F]`` that are measured, bool: moving, and the label grows."""
+        step = self.label.diff()
+        return self.moving & (torch.cat((step, step[-1:] * 0)) > 0)
+
+
+def read(folder: str | os.PathLike) -> list[Take]:
+    """The labelled takes of a folder: ``NAME.bvh`` with ``NAME_footsteps.txt`` and ``NAME.gait``.
+
+    Raises
+    ------
+    ValueError
+        If there is none, or its files do not belong together.
+    """
+    found = sorted(Path(folder).glob("*_footsteps.txt"))
+    if not found:
+        raise ValueError(f"{folder}: no NAME_footsteps.txt; it must hold labelled takes of Holden et al. 2017")
+    return [_read(file) for file in found]
+
+
+def _read(file: Path) -> Take:
+    name = file.name.removesuffix("_footsteps.txt")
+    clip = bvh.load(file.with_name(f"{name}.bvh"), unit=UNIT, up="y")
+    try:
+        lines = files.read(file).decode().splitlines()
+        rows = [[int(word) - 1 for word in line.split()] for line in lines if line.strip()]
+        gait = np.loadtxt(io.BytesIO(files.read(file.with_name(f"{name}.gait"))), ndmin=2)
+    except (OSError, ValueError) as error:
+        raise ValueError(f"{file}: unreadable, or {name}.gait is ({str(error).splitlines()[0]})") from error
+    right, left = (torch.tensor([row[i] for row in rows if len(row) > i]) for i in range(2))
+    if len(gait) != len(clip) or min(len(right), len(left)) < 2 or max(len(row) for row in rows) > 2:
+        raise ValueError(f"{file}: it must have pairs of frames, and {name}.gait {len(clip)} rows as {name}.bvh has frames")
+    return Take(clip, right, left, torch.from_numpy(gait[:, STANDING] < 0.5))
+
+
+def planned(style: str, gait: str = "TR1", seconds: float = 30.0, seed: int = 0) -> Take:
+    """A procedural clip, labelled in the same way by its true contacts."""
+    clip, known = procedural.truth(style, gait, seconds, seed)
+    right, left = (known.contacts[:, i].diff().gt(0).nonzero()[:, 0] + 1 for i in range(2))
+    pace = ph.windows.mean(known.frequency[:, 2:].double(), ph.windows.SECOND, clip.fps)
+    return Take(clip, right, left, pace.amin(1) > 0.2)
+
+
+def errors(take: Take, source: str | ph.Source) -> Tensor:
+    """Mean error of the phases of the right and the left foot ``[2]``, degrees, less a constant lag of each."""
+    found = ph.extract(take.clip, source).phase
+    columns = [ph.LIMBS.index(f"{side}_foot") for side in FEET]
+    return _errors(take, found[:, columns].double().cpu(), take.labelled)
+
+
+def floor(take: Take) -> Tensor:
+    """The errors ``[2]`` of straight lines between the labelled touch-downs of each foot alone, degrees."""
+    return _errors(take, clocks(take, take.right, take.left), between(take))
+
+
+def clocks(take: Take, right: Tensor, left: Tensor) -> Tensor:
+    """Phases ``[F, 2]`` of both feet, radians: straight lines from one touch-down (a frame) of a foot to its next."""
+    return torch.stack([_straight(len(take.clip), foot.double(), 2 * math.pi * torch.arange(len(foot)).double())
+                        for foot in (right, left)], 1)
+
+
+def between(take: Take) -> Tensor:
+    """Measured frames ``[F]`` between the first and the last labelled touch-downs of both feet, bool."""
+    frames = take.labelled.clone()
+    frames[: max(take.right[0], take.left[0])] = False
+    frames[min(take.right[-1], take.left[-1]) :] = False
+    return frames
+
+
+def _errors(take: Take, phases: Tensor, frames: Tensor) -> Tensor:
+    return metrics.phase_error(phases[frames], take.label[frames, None].expand(-1, 2))[0].rad2deg()
+
+
+def _straight(frames: int, at: Tensor, angle: Tensor) -> Tensor:
+    return torch.from_numpy(np.interp(np.arange(frames), at.numpy(), angle.numpy()))
 
 
 @dataclass(frozen=True)

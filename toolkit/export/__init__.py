@@ -10,6 +10,7 @@ import lazy_loader
 
 from toolkit.export import gltf, onnx
 from toolkit.io import bvh
+from toolkit.io.load import READERS
 from toolkit.motion import Clip
 from toolkit.motion.retargeting import retarget
 
@@ -18,22 +19,26 @@ __getattr__ = lazy_loader.attach(__name__, [module.name for module in pkgutil.it
 SUFFIXES = (".bvh", ".html", ".png", ".mp4", ".gif", ".webp", ".apng", ".glb")  # .png: a strip of poses
 
 
-def check(path: str | os.PathLike, suffixes: Sequence[str] = SUFFIXES) -> Path:
-    """The path, if a file can be written there; called before long work.
+def check(path: str | os.PathLike, suffixes: Sequence[str] = SUFFIXES, *read: str | os.PathLike | None) -> Path:
+    """The path, if a file can be written there and is none of those that are ``read``; called before long work.
 
     Raises
     ------
     ValueError
-        If the path is a folder, device or pipe, cannot be written to, or has none of the ``suffixes`` (without any, all are
-        accepted).
+        If the path is a folder, device or pipe, is read, cannot be written to, or has none of the ``suffixes`` (without any,
+        all are accepted but those of motion files).
     ImportError
         If a drawing library that the suffix needs is not installed.
     """
     path = Path(path)
     if suffixes and path.suffix not in suffixes:
         raise ValueError(f"{path}: can write {', '.join(suffixes)}, not {path.suffix or 'a file without suffix'!r}")
+    if not suffixes and path.suffix.lower() in READERS:
+        raise ValueError(f"{path}: is the name of a motion file; give another")
     if path.exists() and not path.is_file():
         raise ValueError(f"{path}: is a {'folder' if path.is_dir() else 'device, pipe or socket'}; a file name is needed")
+    if path.exists() and any(other is not None and os.path.exists(other) and path.samefile(other) for other in read):
+        raise ValueError(f"{path}: is a file that is read; give another to write")
     folder = next(parent for parent in path.absolute().parents if parent.exists())
     if not (folder.is_dir() and os.access(folder, os.W_OK)):
         raise ValueError(f"{path}: cannot be written, {folder} is not a folder that can be written to")

@@ -6,8 +6,9 @@ The features of each frame by itself (`OwnFeatures`) are computed once; x, z and
 import difflib
 import math
 from collections import defaultdict
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 import torch
 from torch import Tensor
@@ -87,6 +88,13 @@ class OwnFeatures:
     contacts: Tensor  # [F, 2]
     __repr__ = summary
 
+    @classmethod
+    def joined(cls, parts: Sequence["OwnFeatures"]) -> "OwnFeatures":
+        """Those of several recordings of one skeleton, one after the other."""
+        rows = ((own.roots.positions, own.roots.rotations, own.joints, own.phases, own.contacts) for own in parts)
+        positions, rotations, *others = (torch.cat(column) for column in zip(*rows, strict=True))
+        return cls(parts[0].layout, RootFrames(positions, rotations), *others)
+
     def inputs(self, at: Tensor) -> Tensor:
         """x ``[N, Dx]`` of frames ``at [N]``."""
         window = torch.cat(trajectory.sample(self.roots, at, self.layout.samples), -1)
@@ -157,24 +165,6 @@ def clip_starts(n: int, device: torch.device | None = None) -> Tensor:
     return torch.arange(0, max(0, n - CLIP_FRAMES + 1), CLIP_HOP, device=device)
 
 
-def clip_spans(starts: Tensor, length: int) -> Tensor:
-    """Rows ``[M, 2]`` of `Features.spans` for style clips that begin at frames ``starts [M]``."""
-    return torch.stack((starts, torch.full_like(starts, length)), -1)
-
-
-class Numbering:
-    """Numbers for the frames of a style's recordings, one recording after the other, with a space between them."""
-
-    def __init__(self):
-        self._take, self._first, self._next = None, 0, 0
-
-    def first(self, take: int, n: int) -> int:
-        """Number of the first frame of a recording of n frames; a mirror image, the same take again, has the same."""
-        if take != self._take:
-            self._take, self._first, self._next = take, self._next, self._next + n + CLIP_FRAMES
-        return self._first
-
-
 def mean_velocity(clips: Tensor) -> Tensor:
     """Mean velocity (x, z) ``[M, 2]`` of style clips ``[M, 240, 12 J]`` in the root frame, m/s."""
     return split_joints(clips)["velocity"][:, :, 0, [0, 2]].mean(1)
@@ -212,12 +202,6 @@ def frames(clip: Clip, ph: phases.Phases | None = None, start: int = 0, stop: in
     if not len(at):
         raise _too_short(clip, samples)
     return Frames(own.inputs(at), own.phases[at], own.outputs(at), at)
-
-
-def style_clips(clip: Clip, start: int = 0, stop: int | None = None) -> Tensor:
-    """Style clips y ``[M, 240, 12 J]``: joint features of 240 frames, hop 120; M = 0 if the range is shorter."""
-    block = joint_features(clip, root_frames(clip))[start:stop]
-    return block[clip_starts(len(block), block.device)[:, None] + torch.arange(CLIP_FRAMES, device=block.device)]
 
 
 @dataclass(frozen=True, eq=False)
@@ -317,27 +301,49 @@ def build(clips: Clip | Iterable[Clip], *, source: str | phases.Source = "hybrid
         if why := Layout(clip.skeleton, samples=samples).difference(layout):
             raise ValueError(f"{clip.name}: {why}, compared with {clips[0].name}")
         groups[clip.style, clip.gait].append((take, clip))
-    parts: dict[str, dict[str, list[Tensor]]] = {kind: defaultdict(list) for kind in (*KINDS, "takes", "frames", "spans")}
-    repeated: dict[str, list[tuple[Tensor, Tensor]]] = defaultdict(list)  # clips, spans of styles without a long recording
-    numbers: dict[str, Numbering] = defaultdict(Numbering)
+    own: dict[str, list[tuple[int, OwnFeatures]]] = defaultdict(list)
     for (style, _), members in progress_bar(sorted(groups.items()), desc="features", unit="group", show=progress):
-        for take, own in group_features(members, source, mirror, short, samples, contact_height):
-            n, device = len(own.joints), own.joints.device
-            at, starts, first = usable(n, device, samples), clip_starts(n, device), numbers[style].first(take, n)
-            rows = (own.inputs(at), own.phases[at], own.outputs(at), own.style_clips(starts), torch.full_like(at, take),
-                    first + at, clip_spans(first + starts, CLIP_FRAMES))
-            for kind, values in zip(parts, rows, strict=True):
-                parts[kind][style].append(values)
-            if not len(starts):
-                whole = at[:1] * 0
-                repeated[style].append((own.style_clips(whole, whole + n), clip_spans(whole + first, n)))
-    for style, values in parts["clips"].items():
-        if not any(map(len, values)) and repeated[style]:
-            parts["clips"][style], parts["spans"][style] = map(list, zip(*repeated[style], strict=True))
-    found = {kind: {style: torch.cat(values) for style, values in by_style.items()} for kind, by_style in parts.items()}
-    for style in dict.fromkeys(clip.style for clip in clips):
-        check_style_clips(style, len(found["clips"].get(style, ())))
+        own[style] += group_features(members, source, mirror, short, samples, contact_height)
+    found: dict[str, dict[str, Tensor]] = {kind: {} for kind in (*KINDS, "takes", "frames", "spans")}
+    for style in sorted({clip.style for clip in clips}):
+        recordings = own.pop(style, [])
+        check_style_clips(style, len(recordings))
+        whole = OwnFeatures.joined([part for _, part in recordings])
+        for kind, rows in style_rows(whole, [(take, len(part.joints)) for take, part in recordings]).items():
+            found[kind][style] = rows[:]
     return Features(layout, **found)
+
+
+def style_rows(own: OwnFeatures, recordings: Iterable[tuple[int, int]]) -> dict[str, "Tensor | Rows"]:
+    """What `Features` holds of one style, by field, from its recordings.
+
+    Parameters
+    ----------
+    own : features of the recordings, one after the other
+    recordings : take and number of frames of each; a mirror image has the take of its original, which comes just before it
+    """
+    parts, device, last, first, number, after = [], own.joints.device, None, 0, 0, 0
+    for take, n in recordings:
+        if take != last:  # the numbers of a style's frames have spaces between recordings
+            last, number, after = take, after, after + n + CLIP_FRAMES
+        at, starts = first + usable(n, device, own.layout.samples), first + clip_starts(n, device)
+        spans = torch.stack((starts + number - first, torch.full_like(starts, CLIP_FRAMES)), -1)
+        parts.append((at, starts, torch.full_like(at, take), at + number - first, spans,
+                      torch.tensor([[first, number, n]], device=device)))
+        first += n
+    at, starts, takes, frames, spans, whole = (torch.cat(column) for column in zip(*parts, strict=True))
+    clips = own.style_clips
+    if not len(starts):  # only short recordings: each is repeated
+        starts, spans = whole[:, 0].contiguous(), whole[:, 1:]
+        clips = partial(_repeated, own, whole)
+    derived = (own.inputs, at), (own.phases.__getitem__, at), (own.outputs, at), (clips, starts)
+    return {**{kind: Rows(*rows) for kind, rows in zip(KINDS, derived, strict=True)}, "takes": takes, "frames": frames,
+            "spans": spans}
+
+
+def _repeated(own: OwnFeatures, recordings: Tensor, starts: Tensor) -> Tensor:
+    """Style clips of whole recordings; ``recordings [R, 3]`` are their first frames, numbers and lengths."""
+    return own.style_clips(starts, recordings[torch.searchsorted(recordings[:, 0].contiguous(), starts), 2])
 
 
 class UnknownStyleError(KeyError, ValueError):

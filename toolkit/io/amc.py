@@ -25,13 +25,8 @@ BONES, BYTES = 10_000, 5_000_000  # limits for the bones and the size of an .asf
 SMALL = 1_000_000  # joints and End Sites times frames that a file of any size may have
 LIMBS = {"shoulder": "humerus", "elbow": "radius", "hand": "wrist", "hip": "femur", "knee": "tibia", "foot": "foot",
          "toe": "toes"}  # our roles to Vicon's bones, which begin with l or r
-_NUMBER = re.compile(rb"[-+.\d]")
 _NAME = re.compile(rb"^[^\S\n]*([A-Za-z_][^\s]*)", re.MULTILINE)
 _FRAME = re.compile(rb"^[^\S\n]*\d+[^\S\n]*$", re.MULTILINE)
-
-
-class AMCError(ValueError):
-    """A pair of files that cannot be read as ASF and AMC; the message names the file."""
 
 
 def read(path: str | os.PathLike, asf: str | os.PathLike | None = None, fps: float | None = None) -> Recording:
@@ -49,51 +44,33 @@ def read(path: str | os.PathLike, asf: str | os.PathLike | None = None, fps: flo
 
     Raises
     ------
-    AMCError
+    ValueError
         If there is no skeleton, a file is damaged, or a bone changes its length.
     """
     path = Path(path)
     rest = path.suffix.lower() == ".asf"
-    skeleton = path if rest else Path(asf) if asf is not None else _beside(path)
-    try:
-        bones = _Skeleton(_text(skeleton, BYTES))
-    except AMCError:
-        raise
-    except ValueError as error:
-        raise AMCError(f"{path}: {'' if rest else f'its skeleton {skeleton.name}: '}{error}") from error
-    try:
-        angles, in_degrees = (np.zeros((bones.width, 1)), True) if rest else _motion(_text(path), bones)
+    with files.named(path):
+        skeleton = path if rest else Path(asf) if asf is not None else _beside(path)
+        with files.named(path if rest else f"{path}: its skeleton {skeleton}"):
+            if skeleton.stat().st_size > BYTES:
+                raise ValueError(f"a skeleton should not have more than {BYTES} bytes")
+            bones = _Skeleton(files.read(skeleton))
+        angles, in_degrees = (np.zeros((bones.width, 1)), True) if rest else _motion(files.read(path), bones)
         said = "an ASF file has no motion: its rest pose was read" if rest else None if fps else (
             f"an AMC file has no frame rate; {CMU:g} Hz was assumed, as in CMU's recordings")
         return bones.recording(torch.from_numpy(angles), in_degrees, fps or CMU, said)
-    except AMCError:
-        raise
-    except ValueError as error:
-        raise AMCError(f"{path}: {error}") from error
-
-
-def _text(path: Path, most: int | None = None) -> bytes:
-    try:
-        if most is not None and path.stat().st_size > most:
-            raise AMCError(f"{path}: a skeleton should not have more than {most} bytes")
-        return files.read(path)
-    except OSError as error:
-        raise AMCError(f"{path}: cannot be read ({error.strerror})") from error
 
 
 def _beside(path: Path) -> Path:
     """The .asf file that belongs to an .amc file."""
-    try:
-        found = {p.stem.lower(): p for p in sorted(path.parent.iterdir()) if p.suffix.lower() == ".asf"}
-    except OSError as error:
-        raise AMCError(f"{path}: cannot be read ({error.strerror})") from error
+    found = {p.stem.lower(): p for p in sorted(path.parent.iterdir()) if p.suffix.lower() == ".asf"}
     stem = path.stem.lower()
     for name in (stem, stem.split("_")[0]):
         if name in found:
             return found[name]
     if len(found) == 1:
         return next(iter(found.values()))
-    raise AMCError(f"{path}: needs its skeleton; put {path.stem.split('_')[0]}.asf beside it, or give asf=")
+    raise ValueError(f"needs its skeleton; put {path.stem.split('_')[0]}.asf beside it, or give asf=")
 
 
 class _Skeleton:

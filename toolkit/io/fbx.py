@@ -7,7 +7,6 @@ Samuli Raivio's reader in C, with which this one was compared.
 
 import os
 from dataclasses import dataclass, field
-from pathlib import Path
 
 import numpy as np
 import torch
@@ -33,31 +32,17 @@ LARGEST = 1e30
 _ONES, _ZEROS = (1.0, 1.0, 1.0), (0.0, 0.0, 0.0)
 
 
-class FBXError(ValueError):
-    """A file that cannot be read as FBX; the message names the file."""
-
-
 @np.errstate(invalid="ignore", over="ignore")
-def read(path: str | os.PathLike, animation: str | int | None = None) -> Recording:
-    """Read the motion of a binary FBX file, version 7 (2011 and later).
-
-    Parameters
-    ----------
-    path : the file
-    animation : name or number of the animation stack ("take"); by default the first. Only its first layer is read
+def read(path: str | os.PathLike) -> Recording:
+    """Read the first layer of the first animation stack ("take") of a binary FBX file, version 7 (2011 and later).
 
     Raises
     ------
-    FBXError
+    ValueError
         If the file is a text FBX, older than version 7, damaged, or holds no rigid skeleton.
     """
-    path = Path(path)
-    try:
-        return _Scene(files.read(path)).recording(animation)
-    except OSError as error:
-        raise FBXError(f"{path}: cannot be read ({error.strerror})") from error
-    except ValueError as error:
-        raise FBXError(f"{path}: {error}") from error
+    with files.named(path):
+        return _Scene(files.read(path)).recording()
 
 
 @dataclass
@@ -159,9 +144,9 @@ class _Scene(Records):
                 self.models[key].kind, self.models[key].skinned = BONES[0], True
         self.targets = targets
 
-    def recording(self, wanted: str | int | None) -> Recording:
+    def recording(self) -> Recording:
         """The chosen animation on the largest skeleton."""
-        self._choose(wanted)
+        self._choose()
         ids = {key: i for i, key in enumerate(self.models)}
         tracks = {(key, name): self.curve_nodes[node] for key, model in self.models.items()
                   for name, node in model.curves.items()}
@@ -192,15 +177,12 @@ class _Scene(Records):
         return record(nodes, len(at), rate, format_="FBX", unit=scale / 100 if 1e-6 < scale < 1e6 else None,
                       up="xyz"[up] if up in (0, 1, 2) and sign == 1 else None, doubts=self.doubts)
 
-    def _choose(self, wanted: str | int | None) -> None:
-        """Give models the curve nodes of one animation's first layer."""
-        names = [*self.stacks.values()]
-        if wanted is None and len(names) > 1:
-            self.doubts.append(f"the file holds {len(names)} animations ({few(names)}); the first was read")
-        if wanted is not None and wanted not in names and wanted not in range(len(names)):
-            raise ValueError(f"no animation {wanted!r}; it has {few(names) or 'none'}")
-        place = names.index(wanted) if wanted in names else wanted or 0
-        stack = [*self.stacks][place] if names else None
+    def _choose(self) -> None:
+        """Give models the curve nodes of the first animation's first layer."""
+        if len(self.stacks) > 1:
+            names = few(self.stacks.values())
+            self.doubts.append(f"the file holds {len(self.stacks)} animations ({names}); the first was read")
+        stack = next(iter(self.stacks), None)
         layers = [key for key, of in self.layers.items() if of == stack]
         used = {layer for _, _, of in self.curve_nodes.values() for layer in of if layer in layers}
         if len(used) > 1:

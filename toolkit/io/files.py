@@ -13,13 +13,14 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 VALUES, DEEPEST = 2_000_000, 100  # of a JSON text: values, and levels of lists and objects
+LARGEST = 4_000_000_000  # bytes of a file that is read at once
 LARGEST_TABLE = 4_000_000  # bytes; its rows take fifty times as much
 
 
-def status(path: str | os.PathLike) -> os.stat_result | None:
-    """The status of a regular file, None of a missing one; OSError for folders, devices, pipes and sockets."""
+def status(path: str | os.PathLike, file: BinaryIO | None = None) -> os.stat_result | None:
+    """The status of a regular file (``file``: open), None of a missing one; OSError for folders, devices, pipes, sockets."""
     try:
-        found = os.stat(path)
+        found = os.stat(path if file is None else file.fileno())
     except FileNotFoundError:
         return None
     if stat.S_ISDIR(found.st_mode):
@@ -29,11 +30,45 @@ def status(path: str | os.PathLike) -> os.stat_result | None:
     return found
 
 
-def read(path: str | os.PathLike) -> bytes:
-    """The bytes of a regular file; OSError for anything else, before it is opened: reading a pipe may never end."""
-    if status(path) is None:
-        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), os.fspath(path))
-    return Path(path).read_bytes()
+@contextlib.contextmanager
+def opened(path: str | os.PathLike) -> Iterator[BinaryIO]:
+    """Open a regular file for reading; OSError for anything else, also where the name leads there once it was looked at."""
+    status(path)
+    with os.fdopen(os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)), "rb") as file:
+        status(path, file)
+        yield file
+
+
+def read(path: str | os.PathLike, most: int = LARGEST) -> bytes:
+    """The bytes, or the first so many, that a file has when it is `opened`: a pipe or a file of the kernel may never end."""
+    with opened(path) as file:
+        if (size := os.fstat(file.fileno()).st_size) > LARGEST:
+            raise OSError(errno.EFBIG, f"more than {LARGEST} bytes", os.fspath(path))
+        return file.read(min(size, most))
+
+
+def below(folder: str | os.PathLike) -> list[Path]:
+    """All that is in a folder and its sub-folders, sorted, however deep (`Path.rglob` recurs); links are not followed."""
+    found, folders = [], [os.fspath(folder)]
+    while folders:
+        with contextlib.suppress(PermissionError), os.scandir(folders.pop()) as entries:
+            for entry in entries:
+                found.append(Path(entry.path))
+                if entry.is_dir(follow_symlinks=False):
+                    folders.append(entry.path)
+    return sorted(found)
+
+
+@contextlib.contextmanager
+def named(path: str | os.PathLike) -> Iterator[None]:
+    """What goes wrong while a file is read becomes a ValueError in one line that begins with the path."""
+    try:
+        yield
+    except OSError as error:
+        raise ValueError(f"{path}: cannot be read ({error.strerror or 'damaged'})") from error
+    except ValueError as error:
+        said = str(error)
+        raise ValueError(said if said.startswith(f"{path}: ") else f"{path}: {said}") from error
 
 
 def parsed(text: str | bytes) -> Any:
@@ -102,6 +137,12 @@ def atomic_write(path: str | os.PathLike) -> Iterator[BinaryIO]:
         raise
     finally:
         partial.unlink(missing_ok=True)
+
+
+def write_whole(path: str | os.PathLike, data: bytes) -> None:
+    """Write a file at once by `atomic_write`."""
+    with atomic_write(path) as file:
+        file.write(data)
 
 
 def _keep(number: int, path: Path, older: os.stat_result) -> None:

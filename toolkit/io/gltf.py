@@ -7,8 +7,9 @@ import numpy as np
 import torch
 from torch import Tensor
 
+from toolkit.io.files import named
 from toolkit.io.gltf_file import Document, hashable, index_of, indices_of, member, members, numbers_of, unit
-from toolkit.io.nodes import LIMIT, Node, frame_rate, printable, record, sample_times
+from toolkit.io.nodes import Node, frame_rate, printable, record, sample_times
 from toolkit.io.recording import Recording
 from toolkit.motion import rotations as R
 from toolkit.motion.clip import SIDES
@@ -20,15 +21,11 @@ BONES = {"shoulder": "UpperArm", "elbow": "LowerArm", "hand": "Hand", "hip": "Up
 USUAL = 30.0  # frames per second where the keys say nothing
 
 
-class GLTFError(ValueError):
-    """A file that cannot be read as glTF; the message names the file."""
-
-
 @np.errstate(invalid="ignore", over="ignore")
-def read(path: str | os.PathLike, animation: str | int | None = None) -> Recording:
+def read(path: str | os.PathLike) -> Recording:
     """Read the motion of a glTF file.
 
-    All channels of one animation are sampled at the rate of their keys, by the file's interpolation (LINEAR, STEP or
+    All channels of the first animation are sampled at the rate of their keys, by the file's interpolation (LINEAR, STEP or
     CUBICSPLINE). If the keys are not at equal distances, the rate is the first usual one that meets all of them, otherwise
     30 Hz. A file without animation gives its rest pose as one frame. VRM and VRMA files say which joint has which role.
     Lengths are metres, and y is up: glTF demands both.
@@ -36,42 +33,29 @@ def read(path: str | os.PathLike, animation: str | int | None = None) -> Recordi
     Parameters
     ----------
     path : the file; buffers beside it are read from its own folder only
-    animation : name or number of the animation; by default the first
 
     Raises
     ------
-    GLTFError
+    ValueError
         If the file is not glTF 2.0 or damaged, holds no skeleton or not a rigid one, or needs an extension to be read.
     """
-    path = Path(path)
-    try:
-        return _File(path).recording(animation)
-    except OSError as error:
-        raise GLTFError(f"{path}: cannot be read ({error.strerror})") from error
-    except ValueError as error:
-        raise GLTFError(f"{path}: {error}") from error
+    with named(path):
+        return _File(Path(path)).recording()
 
 
 class _File(Document):
     """The document, read as a motion."""
 
-    def recording(self, wanted: str | int | None) -> Recording:
-        """The chosen animation on the largest skeleton."""
-        described = self.listed("nodes")
-        if len(described) > LIMIT:
-            raise ValueError(f"more than {LIMIT} nodes")
-        nodes = [Node(printable(node.get("name", "")), -1, *_pose(node), plain=not any(
-            key in node for key in ("mesh", "camera", "extensions"))) for node in described]
-        for j, node in enumerate(described):
-            for child in indices_of(node, "children", len(nodes)):
-                if nodes[child].parent >= 0:
-                    raise ValueError(f"node {child} has two parents")
-                nodes[child].parent = j
+    def recording(self) -> Recording:
+        """The first animation on the largest skeleton."""
+        nodes = [Node(printable(node.get("name", "")), parent, *pose(node), plain=not any(
+            key in node for key in ("mesh", "camera", "extensions")))
+            for node, parent in zip(self.listed("nodes"), self.parents, strict=True)]
         for skin in self.listed("skins"):
             for j in indices_of(skin, "joints", len(nodes)):
                 nodes[j].joint = nodes[j].skinned = True
         roles = self._roles(nodes)
-        frames, fps = self._animate(nodes, wanted)
+        frames, fps = self._animate(nodes)
         if any(node.joint for node in nodes) and all(len(n.rotation) == len(n.translation) == 1 for n in nodes):
             self.doubts.append("no joint is animated; the pose of the nodes is given as it is")
         return record(nodes, frames, fps, format_="glTF", unit=1.0, up="y", roles=roles, doubts=self.doubts)
@@ -92,9 +76,9 @@ class _File(Document):
         wanted = {"hips": "hips"} | {f"{side}_{part}": f"{side}{bone}" for side in SIDES for part, bone in BONES.items()}
         return {role: bones[bone] for role, bone in wanted.items() if bone in bones} if bones else None
 
-    def _animate(self, nodes: list[Node], wanted: str | int | None) -> tuple[int, float]:
+    def _animate(self, nodes: list[Node]) -> tuple[int, float]:
         """Sample one animation into the nodes' tracks: the number of frames, and their rate."""
-        channels = self._channels(wanted, len(nodes))
+        channels = self._channels(len(nodes))
         if not channels:
             return 1, USUAL
         times = [times for *_, times, _, _ in channels]
@@ -113,19 +97,16 @@ class _File(Document):
             nodes[j].joint = nodes[j].joint or (len(track) > 1 and what != "scale")
         return len(at), rate
 
-    def _channels(self, wanted: str | int | None, count: int) -> list[tuple]:
+    def _channels(self, count: int) -> list[tuple]:
         """Node, path, key times, accessor of the values and interpolation of each channel."""
         animations = self.listed("animations")
-        names = [printable(a.get("name", i)) for i, a in enumerate(animations)]
-        if wanted is None and len(animations) > 1:
-            self.doubts.append(f"the file holds {len(animations)} animations ({few(names)}); the first was read")
-        if wanted is not None and wanted not in names and wanted not in range(len(names)):
-            raise ValueError(f"no animation {wanted!r}; it has {few(names) or 'none'}")
+        if len(animations) > 1:
+            names = few(printable(a.get("name", i)) for i, a in enumerate(animations))
+            self.doubts.append(f"the file holds {len(animations)} animations ({names}); the first was read")
         if not animations:
             return []
-        animation = animations[names.index(wanted) if wanted in names else wanted or 0]
-        samplers, channels = members(animation, "samplers"), []
-        for channel in members(animation, "channels"):
+        samplers, channels = members(animations[0], "samplers"), []
+        for channel in members(animations[0], "channels"):
             target = member(channel, "target")
             if hashable(target.get("path")) not in PATHS or "node" not in target:
                 continue  # weights of blend shapes, or a target of an extension
@@ -140,7 +121,7 @@ class _File(Document):
 
 
 
-def _pose(node: dict) -> tuple[np.ndarray, Tensor, np.ndarray]:
+def pose(node: dict) -> tuple[np.ndarray, Tensor, np.ndarray]:
     """Translation, rotation and scale of a node, one row each."""
     if "matrix" in node:
         matrix = numbers_of(node, "matrix", 16).reshape(4, 4).T

@@ -2,16 +2,17 @@
 
 import base64
 import binascii
-import json
+import hashlib
 import math
 import struct
+from functools import cached_property
 from pathlib import Path
 from urllib.parse import unquote
 
 import numpy as np
 
 from toolkit.io.files import parsed, read
-from toolkit.io.nodes import MOST, printable
+from toolkit.io.nodes import LIMIT, MOST, printable
 
 COMPONENTS = {5120: "i1", 5121: "u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}  # glTF's types to numpy's
 WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
@@ -23,13 +24,13 @@ class Document:
     def __init__(self, path: Path):
         self.path = path
         data = read(path)
-        self.size, text, self.binary = len(data), data, None
+        self.size, self.digest, text, self.binary = len(data), hashlib.sha256(data).digest(), data, None
         if data[:4] == b"glTF":
             text, self.binary = _chunks(data)
         try:
             self.document = parsed(text)
-        except json.JSONDecodeError as error:
-            raise ValueError("it is neither a GLB file nor JSON text") from error
+        except ValueError as error:
+            raise ValueError(f"no GLB file, and no JSON text ({error})") from None
         known = isinstance(self.document, dict)
         if not known or not str(member(self.document, "asset").get("version", "")).startswith("2."):
             raise ValueError("expected glTF version 2; older files can be converted in Blender")
@@ -40,6 +41,20 @@ class Document:
         if key not in self.lists:
             self.lists[key] = members(self.document, key)
         return self.lists[key]
+
+    @cached_property
+    def parents(self) -> list[int]:
+        """The parent of each node, -1 at the top."""
+        nodes = self.listed("nodes")
+        if len(nodes) > LIMIT:
+            raise ValueError(f"more than {LIMIT} nodes")
+        found = [-1] * len(nodes)
+        for j, node in enumerate(nodes):
+            for child in indices_of(node, "children", len(nodes)):
+                if found[child] >= 0:
+                    raise ValueError(f"node {child} has two parents")
+                found[child] = j
+        return found
 
     def array(self, index: object, width: int) -> np.ndarray:
         """The values ``[N, width]`` of an accessor, float64."""

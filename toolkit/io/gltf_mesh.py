@@ -8,9 +8,11 @@ from pathlib import Path
 
 import numpy as np
 
-from toolkit.io import gltf
-from toolkit.io.gltf_file import Document, index_of, indices_of, member, members, numbers_of, unit, whole_of
-from toolkit.io.nodes import LIMIT, printable
+from toolkit.io.files import named
+from toolkit.io.gltf import pose
+from toolkit.io.gltf_file import Document, index_of, indices_of, member, members, numbers_of, whole_of
+from toolkit.io.nodes import printable, unique
+from toolkit.motion import rotations as R
 
 SLOTS = 4  # joints that a vertex may follow
 SKINS = 1000  # of a file
@@ -35,6 +37,7 @@ class SkinnedMesh:
     joints: np.ndarray  # [V, 4]
     weights: np.ndarray  # [V, 4] with sum 1
     colors: np.ndarray  # [V, 3] uint8, base colour (sRGB) with that of the vertex; a texture is read at each vertex
+    digest: bytes  # SHA-256 of the file
 
 
 def read(path: str | os.PathLike) -> SkinnedMesh:
@@ -44,17 +47,14 @@ def read(path: str | os.PathLike) -> SkinnedMesh:
 
     Raises
     ------
-    toolkit.io.gltf.GLTFError
+    ValueError
         If the file is not glTF or damaged, holds no skinned mesh, or its mesh is compressed.
     """
-    path = Path(path)
-    try:
-        with np.errstate(all="ignore"):  # numbers that are not finite are refused
-            return _Reader(path).mesh()
-    except gltf.GLTFError:
-        raise
-    except (ValueError, IndexError, np.linalg.LinAlgError) as error:
-        raise gltf.GLTFError(f"{path}: {error}") from error
+    with named(path), np.errstate(all="ignore"):  # numbers that are not finite are refused
+        try:
+            return _Reader(Path(path)).mesh()
+        except (IndexError, np.linalg.LinAlgError) as error:
+            raise ValueError(str(error)) from error
 
 
 class _Reader:
@@ -63,15 +63,8 @@ class _Reader:
     def __init__(self, path: Path):
         self.file = Document(path)
         self.nodes = self.file.listed("nodes")
-        if len(self.nodes) > LIMIT:
-            raise ValueError(f"more than {LIMIT} nodes")
+        self.parents = self.file.parents
         self.values = self.vertices = self.pixels = 0  # that were read
-        self.parents = [-1] * len(self.nodes)
-        for j, node in enumerate(self.nodes):
-            for child in indices_of(node, "children", len(self.nodes)):
-                if self.parents[child] >= 0 or child == j:
-                    raise ValueError(f"node {child} has two parents")
-                self.parents[child] = j
         self.world: dict[int, np.ndarray] = {}
         self.hosts: dict[int, int | None] = {}
         self.primitives: dict[int, list[dict]] = {}
@@ -141,11 +134,11 @@ class _Reader:
         counts = np.cumsum([0, *(len(row[0]) for row in rows)])
         points, joints, weights, colors = (np.concatenate([row[i] for row in rows]) for i in (0, 2, 3, 4))
         triangles = np.concatenate([row[1] + count for row, count in zip(rows, counts, strict=False)])
-        names = _unique([printable(self.nodes[j].get("name", "")) or f"node{j}" for j in order])
+        names = unique([printable(self.nodes[j].get("name", "")) or f"node{j}" for j in order])
         top = self.parents[order[0]]
-        return SkinnedMesh(names, tuple(at.get(self.parents[j], -1) for j in order), tuple(order),
+        return SkinnedMesh(tuple(names), tuple(at.get(self.parents[j], -1) for j in order), tuple(order),
                            self.place(top) if top >= 0 else np.eye(4), np.stack([self.place(j) for j in order]), bind,
-                           points, triangles, joints, weights, colors)
+                           points, triangles, joints, weights, colors, self.file.digest)
 
     def _tree(self, joints: set[int]) -> list[int]:
         """Joints and the nodes between them, parents first, below one root."""
@@ -289,23 +282,7 @@ def _transform(node: dict) -> np.ndarray:
     """Transform ``[4, 4]`` of a node relative to its parent."""
     if "matrix" in node:
         return numbers_of(node, "matrix", 16).reshape(4, 4).T
-    x, y, z, w = unit(numbers_of(node, "rotation", 4, (0.0, 0.0, 0.0, 1.0))[None])[0]
     made = np.eye(4)
-    made[:3, :3] = [[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-                    [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-                    [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]]
-    made[:3, :3] *= numbers_of(node, "scale", 3, (1.0,) * 3)
-    made[:3, 3] = numbers_of(node, "translation", 3, (0.0,) * 3)
+    made[:3, 3], turn, scale = (part[0] for part in pose(node))
+    made[:3, :3] = R.to_matrix(turn).numpy() * scale
     return made
-
-
-def _unique(names: list[str]) -> tuple[str, ...]:
-    """Names with numbers where they repeat."""
-    made: dict[str, int] = {}  # the last number of each name
-    for name in names:
-        new = name
-        while new in made:
-            made[name] += 1
-            new = f"{name}_{made[name]}"
-        made[new] = 1
-    return tuple(made)

@@ -134,7 +134,7 @@ def record(nodes: Sequence[Node], frames: int, fps: float, *, format_: str, unit
                       f"median places: {few(stretched)}")
     if left := [nodes[j].name for j in sorted(dropped) if tree.count[j]]:
         doubts.append(f"joints that move against the skeleton were left out: {few(left)}")
-    names, place = _unique([nodes[j].name or f"node{j}" for j in kept]), {j: i for i, j in enumerate(kept)}
+    names, place = unique([nodes[j].name or f"node{j}" for j in kept]), {j: i for i, j in enumerate(kept)}
     turned, positions = tree.world(root)
     rotations = torch.empty(frames, len(kept), 4)
     for i, j in enumerate(kept):
@@ -273,7 +273,7 @@ def _scale(node: Node, children: Sequence[int], doubts: list[str]) -> np.ndarray
     return scale
 
 
-def _unique(names: Sequence[str]) -> list[str]:
+def unique(names: Sequence[str]) -> list[str]:
     """Names with numbers where they repeat."""
     taken, made, last = set(names), [], {}
     seen = set()

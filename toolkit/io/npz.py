@@ -1,5 +1,6 @@
 """NumPy files (.npz, .npy) with motion: SMPL, SMPL-H, SMPL-X and AMASS, HumanML3D, and Kimodo's SOMA skeleton."""
 
+import io
 import lzma
 import math
 import os
@@ -15,8 +16,9 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from toolkit.io import files, humanml3d, positions
+from toolkit.io import files, humanml3d
 from toolkit.io.recording import Recording
+from toolkit.motion import Skeleton, forward_kinematics
 from toolkit.motion import rotations as R
 from toolkit.motion.clip import SIDES
 
@@ -62,10 +64,6 @@ _DAMAGED = (zipfile.BadZipFile, zlib.error, lzma.LZMAError, struct.error, tokeni
             NotImplementedError, OverflowError, RuntimeError, SyntaxError, TypeError, ValueError)
 
 
-class NPZError(ValueError):
-    """A NumPy file that cannot be read as motion; the message names the file."""
-
-
 @np.errstate(invalid="ignore", over="ignore")
 def read(path: str | os.PathLike) -> Recording:
     """Read a NumPy file.
@@ -82,23 +80,18 @@ def read(path: str | os.PathLike) -> Recording:
 
     Raises
     ------
-    NPZError
+    ValueError
         If the file holds nothing of this kind, is damaged, holds Python objects (which we do not run), or numbers that are
         not finite.
     """
-    path = Path(path)
-    try:
-        arrays = _arrays(path)
-    except OSError as error:
-        raise NPZError(f"{path}: cannot be read ({error.strerror or 'damaged'})") from error
-    except _DAMAGED as error:
-        said = " ".join(str(error).split())[:100]
-        said = said if said.isprintable() and said else type(error).__name__
-        raise NPZError(f"{path}: not a whole NumPy file ({said})") from error
-    try:
+    with files.named(path):
+        try:
+            arrays = _arrays(Path(path))
+        except _DAMAGED as error:
+            said = " ".join(str(error).split())[:100]
+            said = said if said.isprintable() and said else type(error).__name__
+            raise ValueError(f"not a whole NumPy file ({said})") from error
         return _recording(arrays)
-    except ValueError as error:
-        raise NPZError(f"{path}: {error}") from error
 
 
 def _recording(arrays: Mapping[str, np.ndarray]) -> Recording:
@@ -159,7 +152,8 @@ def _smpl(arrays: Mapping[str, np.ndarray], poses: Tensor) -> Recording:
     if place is not None and place.shape != (frames, 3):
         raise ValueError(f"the root's positions should be [{frames}, 3], got {list(place.shape)}")
     if given is not None:
-        offsets, error = _offsets(PARENTS[:count], _world(PARENTS[:count], turns), given[:, :count])
+        turned = forward_kinematics(Skeleton(SMPL[:count], PARENTS[:count], offsets), turns, given[:, 0])[0]
+        offsets, error = _offsets(PARENTS[:count], turned, given[:, :count])
         if error > RIGID:
             raise ValueError(f"its joints and its poses disagree by up to {error:.3g} m")
         place = given[:, 0]
@@ -219,21 +213,13 @@ def _fitted(joints: Tensor, format_: str, fps: float, unit: float | None, up: st
     count = joints.shape[1]
     if len(joints) * count > FITTED:
         raise ValueError(f"{len(joints)} frames of {count} joints are more than {FITTED} positions; cut the file")
-    offsets, rotations, error = positions.fit(PARENTS[:count], _rest(count), joints)
+    offsets, rotations, error = humanml3d.fit(PARENTS[:count], _rest(count), joints)
     height = float((joints.amax(1) - joints.amin(1)).max())
     if error > RIGID * height:
         doubts += ("its bones change their lengths: joints of the rigid skeleton miss the recorded ones by up to "
                    f"{100 * error / height:.2g} % of the height",)
     return Recording(format_, SMPL[:count], PARENTS[:count], offsets, R.unroll(rotations.float()), joints[:, 0], fps,
                      unit=unit, up=up, roles=dict(ROLES), doubts=doubts)
-
-
-def _world(parents: tuple[int, ...], local: Tensor) -> Tensor:
-    """World rotations ``[F, J, 4]``."""
-    world = []
-    for j, parent in enumerate(parents):
-        world.append(R.multiply(world[parent], local[:, j]) if parent >= 0 else local[:, j])
-    return torch.stack(world, 1)
 
 
 def _offsets(parents: tuple[int, ...], world: Tensor, joints: Tensor) -> tuple[Tensor, float]:
@@ -265,24 +251,21 @@ def _tensor(arrays: Mapping[str, np.ndarray], name: str) -> Tensor:
 
 def _arrays(path: Path) -> dict[str, np.ndarray]:
     """Arrays of numbers by name; none is unpacked that is larger than the file allows, and no Python object is made."""
-    files.status(path)
-    with path.open("rb") as file:
-        begin, size = file.read(4), path.stat().st_size
-        file.seek(0)
-        if begin[:2] != b"PK":
-            return {"arr_0": _array(file, size, PACKED * size + ROOM)}
-        arrays, room = {}, PACKED * size + ROOM
-        with zipfile.ZipFile(file) as packed:
-            for member in packed.infolist():
-                name = member.filename.removesuffix(".npy")
-                if name not in _WANTED or name in arrays:
-                    continue
-                if member.file_size > room:
-                    raise ValueError(f"array {name} unpacks to {member.file_size} bytes, from a file of {size}")
-                with packed.open(member) as stream:
-                    arrays[name] = _array(stream, member.file_size, room)
-                room -= 8 * arrays[name].size
-        return arrays
+    data = files.read(path)
+    size, arrays, room = len(data), {}, PACKED * len(data) + ROOM
+    if data[:2] != b"PK":
+        return {"arr_0": _array(io.BytesIO(data), size, room)}
+    with zipfile.ZipFile(io.BytesIO(data)) as packed:
+        for member in packed.infolist():
+            name = member.filename.removesuffix(".npy")
+            if name not in _WANTED or name in arrays:
+                continue
+            if member.file_size > room:
+                raise ValueError(f"array {name} unpacks to {member.file_size} bytes, from a file of {size}")
+            with packed.open(member) as stream:
+                arrays[name] = _array(stream, member.file_size, room)
+            room -= 8 * arrays[name].size
+    return arrays
 
 
 _WANTED = {"poses", "trans", "transl", "translation", "root_orient", "pose_body", "global_orient", "body_pose", "Jtr",

@@ -20,6 +20,7 @@ from toolkit.motion.skeleton import Skeleton, forward_kinematics, local_rotation
 from toolkit.motion.tensors import as_tensor, summary, through_numpy
 
 ASKEW = 0.35  # distance of unit vectors: bones that a reflection of axes maps worse need another reflection
+FASTEST = 10_000  # frames per second: a window of a tenth of a second then has a thousand frames
 SLOWEST, MANY = 10, 1_000_000  # new frames per old one, joints times frames: where both are passed, no resampling
 UNIT = 1e-3  # tolerance of a quaternion's length: accepts files with four decimals, and long products in float32
 
@@ -50,8 +51,8 @@ class Clip:
         if self.rotations.shape != (frames, joints, 4) or self.root_positions.shape != (frames, 3) or not frames:
             raise ValueError(f"{self.name}: expected rotations [F, {joints}, 4] and root positions [F, 3], F >= 1; got "
                              f"{list(self.rotations.shape)} and {list(self.root_positions.shape)}")
-        if not (self.fps > 0 and math.isfinite(self.fps)):
-            raise ValueError(f"{self.name}: frames per second must be positive, got {self.fps}")
+        if not 0 < self.fps <= FASTEST:
+            raise ValueError(f"{self.name}: frames per second must be more than 0 and at most {FASTEST}, got {self.fps:g}")
         if self.rotations.is_meta:  # the meta device keeps shapes and no numbers
             return
         squares = self.rotations.square() @ self.rotations.new_ones(4)

@@ -32,6 +32,7 @@ def detect(clip: Clip, *, height: float | None = None, speed: float = 0.15, majo
     majority : half the width of the vote, in frames at 60 Hz
     floor : height of a standing toe joint, metres; by default that of `floor_height`, because rigs differ
     """
+    check_height(height)
     toes = toes_of(clip)
     above = toes[..., 1] - (floor_height(clip)[:, None] if floor is None else floor)
     slow = velocities(toes, clip.fps).norm(dim=-1) <= speed
@@ -39,6 +40,12 @@ def detect(clip: Clip, *, height: float | None = None, speed: float = 0.15, majo
     half = max(1, round(majority * clip.fps / 60))
     votes = torch.nn.functional.pad((low & slow).to(toes.dtype).T[:, None], (half, half), mode="replicate")
     return torch.nn.functional.avg_pool1d(votes, 2 * half + 1, stride=1)[:, 0].T.round()
+
+
+def check_height(height: float | None) -> None:
+    """ValueError unless d_max is None, or from 0 to 1 m."""
+    if height is not None and not 0 <= height <= 1:
+        raise ValueError(f"the contact height must be from 0 to 1 metres, got {height:g}")
 
 
 def standing_range(above: Tensor, slow: Tensor) -> Tensor:

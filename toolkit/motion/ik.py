@@ -154,18 +154,19 @@ def sink(drop: Tensor, hips: Tensor, ankles: Tensor, length: Tensor, contacts: T
     return torch.stack((need + above.clamp_min(0.0), speed), -1)
 
 
-def solve_legs(skeleton: Skeleton, turned: Callable[[int], Tensor], root: Tensor, toes: Tensor, contacts: Tensor,
+def solve_legs(skeleton: Skeleton, turned: Callable[[list[int]], Tensor], root: Tensor, toes: Tensor, contacts: Tensor,
                drop: Tensor, seconds: float) -> tuple[list[Tensor], Tensor]:
     """Positions of knees, feet and toes ``[..., 2, 3]`` with the toes at or near their targets; the drop of the hips.
 
-    ``turned`` gives the world rotation ``[..., 4]`` of a joint by its index; ``root [..., 3]`` and the targets
+    ``turned`` gives the world rotations ``[..., K, 4]`` of K joints by their indices; ``root [..., 3]`` and the targets
     ``toes [..., 2, 3]`` are in the world; ``contacts``, ``drop`` and ``seconds`` are those of `sink`.
     """
     ends = [skeleton.role(f"{side}_toe") for side in FEET]
-    places = {0: root}
-    for j in sorted({j for end in ends for j in (end, *skeleton.ancestors(end))} - {0}):
-        above = skeleton.parents[j]
-        places[j] = places[above] + R.rotate(turned(above), skeleton.offsets[j].to(root))
+    legs = sorted({j for end in ends for j in (end, *skeleton.ancestors(end))} - {0})
+    above, places = [skeleton.parents[j] for j in legs], {0: root}
+    bones = R.rotate(turned(above), skeleton.offsets[legs].to(root)).unbind(-2)
+    for j, parent, bone in zip(legs, above, bones, strict=True):
+        places[j] = places[parent] + bone
     a, b, c, toe = (torch.stack([places[skeleton.role(f"{side}_{part}")] for side in FEET], -2)
                     for part in ("hip", "knee", "foot", "toe"))
     target = toes - (toe - c)

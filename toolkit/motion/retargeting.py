@@ -1,22 +1,24 @@
-"""Retargeting: a motion on the skeleton of another humanoid, with that skeleton's bone lengths, axes and rest pose.
+"""Motion on other skeletons: that of another humanoid, or the body joints of a rig alone.
 
-Limbs keep their directions in the world (`toolkit.motion.anatomy` says what is compared), the path is scaled by leg length,
-and legs are bent a little where another leg or foot would slide, sink or float. `report` measures the error of a result.
+`retarget` keeps the other skeleton's bone lengths, axes and rest pose. Limbs keep their directions in the world
+(`toolkit.motion.anatomy` says what is compared), the path is scaled by leg length, and legs are bent a little where another
+leg or foot would slide, sink or float. `report` measures the error of a result. `pruned` leaves out what a model of
+locomotion does not need: fingers, face, twist bones, clothes and props.
 """
 
-import math
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 import numpy as np
 import torch
 from torch import Tensor
 
 from toolkit.motion import rotations as R
-from toolkit.motion.anatomy import Anatomy, limb, measure, with_toes
+from toolkit.motion.anatomy import LIMB_ROLES, Anatomy, chains, limb, measure, with_toes
 from toolkit.motion.clip import Clip
 from toolkit.motion.contacts import detect, standing_height, toes_of, velocities
 from toolkit.motion.ik import two_bone
-from toolkit.motion.roles import SIDES
+from toolkit.motion.roles import LIMBS, ROLES, SIDES
 from toolkit.motion.skeleton import FEET, Skeleton, forward_kinematics, local_rotations
 from toolkit.motion.tensors import through_numpy
 
@@ -24,6 +26,8 @@ SAME = 0.002  # metres that bones of equal names may differ, so that a clip coun
 TOE, ANKLE = (0.02, 0.12), (0.1, 0.2)  # height of a standing joint, shares of the leg: usual, and the largest believed
 SOFT = 0.01  # share of a leg's length over which it follows more and more slowly, near full stretch
 BONES = (("hip", "knee"), ("knee", "foot"), ("shoulder", "elbow"), ("elbow", "hand"))
+RIGID = 0.003  # metres that a joint may move in the frame of the joint above a twist bone, which then is left out
+TWIST = ("twist", "roll")  # parts of names of joints that only share a limb's rotation
 
 
 def retarget(clip: Clip, target: Skeleton | Clip, *, feet: bool = True) -> Clip:
@@ -103,7 +107,7 @@ def report(clip: Clip, made: Clip) -> Report:
                                  - c.global_positions[:, c.skeleton.role(f"{side}_{upper}")]) for c in (clip, made)]
             angles.append(2 * torch.asin(((bones[0] - bones[1]).norm(dim=-1) / 2).clamp(max=1.0)))
     angles = torch.rad2deg(torch.stack(angles))
-    scale = math.prod(_leg(c) ** sign for c, sign in ((made, 1), (clip, -1)))
+    scale = measure(made).leg / measure(clip).leg
     toes = toes_of(made)
     height, standing = 100 * (toes[..., 1] - standing_height(made)), contact > 0.5
     off = (height - 100 * scale * (toes_of(clip)[..., 1] - standing_height(clip))).abs()
@@ -124,12 +128,6 @@ def _standing(*skeletons: Skeleton) -> list[Skeleton]:
     if all(s.roles[toe] != s.roles[toe.replace("toe", "foot")] for s in skeletons for toe in toes):
         return list(skeletons)
     return [replace(s, roles=s.roles | {toe: s.roles[toe.replace("toe", "foot")] for toe in toes}) for s in skeletons]
-
-
-def _leg(clip: Clip) -> float:
-    """Hip to ankle along the bones, metres."""
-    joints = [clip.global_positions[0, clip.skeleton.role(f"left_{part}")] for part in ("hip", "knee", "foot")]
-    return float((joints[1] - joints[0]).norm() + (joints[2] - joints[1]).norm())
 
 
 def leaders(source: Anatomy, goal: Anatomy) -> dict[int, tuple[int, int, float]]:
@@ -208,3 +206,60 @@ def _corrections(gap: np.ndarray, standing: np.ndarray) -> np.ndarray:
     for contact in np.split(np.arange(len(frames)), np.flatnonzero(np.diff(frames) > 1) + 1):
         kept[contact, ::2] -= kept[contact, ::2].mean(0)
     return np.stack([np.interp(np.arange(len(gap)), frames, column) for column in kept.T], 1).astype(gap.dtype)
+
+
+def body_joints(skeleton: Skeleton) -> list[int]:
+    """Indices of the body joints: those between hips, head, hands and toes, and the End Sites of these.
+
+    ValueError if a role of `toolkit.motion.anatomy.LIMB_ROLES` is missing.
+    """
+    if lacking := [role for role in LIMB_ROLES if role not in skeleton.roles]:
+        raise ValueError(f"cannot find its {', '.join(lacking)} among {', '.join(skeleton.names)}")
+    tips = {skeleton.role(role) for role in ROLES if role in skeleton.roles} | {chains(skeleton)[1][-1]}
+    paths = [[tip, *skeleton.ancestors(tip)] for tip in tips]
+    shared = set(paths[0]).intersection(*paths)
+    kept = {j for path in paths for j in path} - (shared - {max(shared)})  # from the lowest joint above all of them
+    ends = {j for j, parent in enumerate(skeleton.parents) if parent in kept and skeleton.is_end(j)
+            and (parent in tips or skeleton.parents.count(parent) == 1)}
+    return sorted(kept | ends)
+
+
+def pruned(clip: Clip) -> Clip:
+    """The same motion of the body joints alone; the clip itself if it has no others.
+
+    A bone that splits a limb's, such as a twist bone, is left out, too, where the joint below it stays in place to within
+    `RIGID`.
+    """
+    old = clip.skeleton
+    kept = body_joints(old)
+    roles, places, turned = set(old.roles.values()), clip.global_positions, clip.global_rotations
+    split = {j for side in SIDES for parts in LIMBS.values() for upper, lower in pairwise(parts)
+             for j in old.ancestors(old.role(f"{side}_{lower}")) if old.role(f"{side}_{upper}") in old.ancestors(j)}
+    split |= {j for j in kept if any(word in old.names[j].lower() for word in TWIST)}
+    for joint in [j for j in kept if j in split and old.names[j] not in roles]:
+        below = [j for j in kept if _above(old, j, kept) == joint]
+        above = _above(old, joint, kept)
+        if above >= 0 and below:
+            local = R.rotate(R.inverse(turned[:, above, None]), places[:, below] - places[:, above, None])
+            if float((local - local.mean(0)).norm(dim=-1).amax()) < RIGID:
+                kept.remove(joint)
+    if len(kept) == len(old):
+        return clip
+    parents = [_above(old, j, kept) for j in kept]
+    offsets = torch.zeros(len(kept), 3)
+    for i, (joint, parent) in enumerate(zip(kept, parents, strict=True)):
+        if parent == old.parents[joint] or parent < 0:
+            offsets[i] = old.offsets[joint]
+        else:
+            offsets[i] = R.rotate(R.inverse(turned[:, parent]), places[:, joint] - places[:, parent]).mean(0).float().cpu()
+    names = [old.names[j] for j in kept]
+    skeleton = Skeleton(names, [kept.index(p) if p >= 0 else -1 for p in parents], offsets,
+                        {role: name for role, name in old.roles.items() if name in names},
+                        [name for name in old.ends if name in names])
+    return clip.replace(skeleton=skeleton, rotations=R.unroll(local_rotations(skeleton, turned[:, kept])),
+                        root_positions=places[:, kept[0]])
+
+
+def _above(skeleton: Skeleton, joint: int, kept: list[int]) -> int:
+    """The nearest ancestor of a joint that is kept; -1 for none."""
+    return next((j for j in skeleton.ancestors(joint) if j in kept), -1)

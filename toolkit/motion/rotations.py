@@ -23,7 +23,7 @@ def identity(*shape: int, dtype: torch.dtype | None = None, device: torch.device
 
 def normalize(v: Tensor) -> Tensor:
     """``v`` scaled to unit length along its last axis (a zero vector stays zero)."""
-    return v / v.norm(dim=-1, keepdim=True).clamp_min(1e-12)
+    return v / torch.linalg.vector_norm(v, dim=-1, keepdim=True).clamp_min(1e-12)
 
 
 def multiply(a: Tensor, b: Tensor) -> Tensor:

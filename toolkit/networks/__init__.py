@@ -5,9 +5,8 @@ import dataclasses
 from toolkit.features import Features, Layout, Normaliser
 from toolkit.networks import bank, phase
 from toolkit.networks.adapters import OneHot, ResidualAdapter, StyleTable
-from toolkit.networks.experts import BlendedLinear, Experts
+from toolkit.networks.experts import BlendedLinear, CatmullRom, Experts, Gating, VelocityGating
 from toolkit.networks.film import Film, FilmGenerator, fold, layer_norm
-from toolkit.networks.gating import CatmullRom, Gating, VelocityGating
 from toolkit.networks.model import MODELS, PHASE, Model, Sizes
 from toolkit.networks.parameters import Row, counts, table2
 

@@ -18,9 +18,8 @@ from toolkit.io import model_files
 from toolkit.motion.tensors import as_tensor, summary
 from toolkit.networks import phase
 from toolkit.networks.adapters import OneHot, ResidualAdapter, StyleTable
-from toolkit.networks.experts import Experts
+from toolkit.networks.experts import CONTROL_POINTS, CatmullRom, Experts, Gating, VelocityGating
 from toolkit.networks.film import Film, FilmGenerator
-from toolkit.networks.gating import CONTROL_POINTS, CatmullRom, Gating, VelocityGating
 
 #: Synthesis network and style modulation of each model.
 MODELS = {

@@ -210,11 +210,15 @@ def pose(model, state: CharacterState, *, feet: bool = True, arms: bool = True) 
 
 def world_joints(layout: Layout, state: CharacterState) -> dict[str, Tensor]:
     """The pose's position, forward, up and velocity in the world, each ``[B, J, 3]``."""
-    local, root = split_joints(state.joints), state.root
-    turn = R.yaw(torch.atan2(root[:, 2], root[:, 3]))[:, None]
-    world = {name: R.rotate(turn, values) for name, values in local.items()}
+    turn, floor = _placed(state.root)
+    world = {name: R.rotate(turn, values) for name, values in split_joints(state.joints).items()}
+    return world | {"position": world["position"] + floor}
+
+
+def _placed(root: Tensor) -> tuple[Tensor, Tensor]:
+    """Rotation ``[B, 1, 4]`` and place on the floor ``[B, 1, 3]`` of the root's frame in the world."""
     floor = torch.stack((root[:, 0], torch.zeros_like(root[:, 0]), root[:, 1]), -1)
-    return world | {"position": world["position"] + floor[:, None]}
+    return R.yaw(torch.atan2(root[:, 2], root[:, 3]))[:, None], floor[:, None]
 
 
 def _with_legs(layout: Layout, state: CharacterState) -> CharacterState:
@@ -222,22 +226,21 @@ def _with_legs(layout: Layout, state: CharacterState) -> CharacterState:
     skeleton, world = layout.skeleton, world_joints(layout, state)
     turned = R.from_forward_up(world["forward"], world["up"])
     joints = {j: i for i, j in enumerate(skeleton.feature_joints)}
-    solved, drop = solve_legs(skeleton, lambda j: turned[:, joints[j]], world["position"][:, 0], state.toes,
-                              state.contacts, state.drop, 1 / FPS)
-    parts, root = split_joints(state.joints), state.root
-    floor = torch.stack((root[:, 0], torch.zeros_like(root[:, 0]), root[:, 1]), -1)
-    back = R.yaw(-torch.atan2(root[:, 2], root[:, 3]))[:, None]
+    solved, drop = solve_legs(skeleton, lambda above: turned[:, [joints[j] for j in above]], world["position"][:, 0],
+                              state.toes, state.contacts, state.drop, 1 / FPS)
+    parts, (turn, floor) = split_joints(state.joints), _placed(state.root)
     position = parts["position"].clone()
     for part, places in zip(("knee", "foot", "toe"), solved, strict=True):
         at = [joints[skeleton.role(f"{side}_{part}")] for side in FEET]
-        position[:, at] = R.rotate(back, places - floor[:, None])
+        position[:, at] = R.rotate(R.inverse(turn), places - floor)
     return dataclasses.replace(state, joints=pack_joints(**parts | {"position": position}), drop=drop)
 
 
 def predicted_toes(layout: Layout, state: CharacterState) -> Tensor:
     """World positions ``[B, 2, 3]`` of the right and left toe in the pose."""
     toes = [layout.names.index(layout.skeleton.roles[f"{side}_toe"]) for side in FEET]
-    return world_joints(layout, state)["position"][:, toes]
+    turn, floor = _placed(state.root)
+    return R.rotate(turn, split_joints(state.joints)["position"][:, toes]) + floor
 
 
 def _matrix(root: Tensor) -> Tensor:

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from toolkit.shots.course import FPS, Course, Pair, nearest
 
 FASTER = 2.5  # times its natural speed that a style is asked for at most: beyond it, styles fall behind or become a run
-OFF, LAG = 0.25, 0.4  # metres beside the path, and behind the plan, that are a miss
+OFF, LAG = 0.25, 0.4  # metres beside the path, and behind or ahead of the plan, that are a miss
 EASY = 0.2  # m/s² to the side: a turn that needs less is not why a character leaves its path
 REACH, SLOW = 0.2, 0.05  # metres to both sides, to measure a turn; m/s that are as good as standing
 SECONDS, NEAR, BESIDE = 0.2, 0.15, 0.10  # limits of arrivals, s and m, and of the mean distance from the path, m
@@ -44,10 +44,10 @@ def missed(course: Course, natural: Callable[[float], float], style: Callable[[f
     elif (mean := sum(apart) / len(apart)) > BESIDE:
         found.append(f"the character is {100 * mean:.0f} cm from the path on average")
     lags = [course.distance[k] - nearest(course.curve, place, course.distance[k]) for k, place in enumerate(places, 1)]
-    if max(lags) > LAG:
-        late = next(k for k, lag in enumerate(lags, 1) if lag > LAG)
-        found.append(f"from {late / FPS:.1f} s on the character is behind the plan: {_speed(course, natural, late)}; "
-                     "slow down or leave more time")
+    if late := next((k for k, lag in enumerate(lags, 1) if abs(lag) > LAG), 0):
+        found.append(f"from {late / FPS:.1f} s on the character is " + (
+            f"behind the plan: {_speed(course, natural, late)}; slow down or leave more time" if lags[late - 1] > 0 else
+            f"ahead of the plan: {style(late / FPS)} does not stand or walk as slowly; choose another style there"))
     for point, distance, time in arrivals:
         if round(time * FPS) <= len(places):
             seconds, metres = arrival(course.curve.point(distance), time, places)

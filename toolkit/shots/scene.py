@@ -1,9 +1,11 @@
 """A scene: the shots of several characters, who can keep apart, in one JSON file."""
 
 import dataclasses
+import heapq
 import itertools
 import math
 import os
+from bisect import bisect_left
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
@@ -15,15 +17,17 @@ from toolkit.motion import Clip
 from toolkit.networks.bank import StyleBank
 from toolkit.runtime import CharacterState, Command, pose, start, step, world_joints
 from toolkit.shots import apart as avoidance
-from toolkit.shots.course import FPS, LONGEST, Course, Heading, command, nearest
-from toolkit.shots.keys import build, entries, number, pair
-from toolkit.shots.shot import Shot, parse, read, save, shifted
+from toolkit.shots.course import FPS, LONGEST, Course, Heading, Pair, command, nearest
+from toolkit.shots.keys import StyleKey, build, entries, number, pair
+from toolkit.shots.preview import first
+from toolkit.shots.shot import Shot, parse, read, save
 
 WAIT = 0.4  # metres behind its plan at which the plan of a character who keeps apart waits
 FASTER, SLOWEST = 1.3, 0.3  # times the planned speed, and m/s: such a character's largest speed
 WAITS = 4  # times the longest plan after which all end
 MARGIN = 0.5  # metres between a root and a wall
 TRIED = 3 * FPS  # frames of the walk that shows the reach of a style
+STANDS, QUEUE = 0.1, 2.0  # m/s and seconds from which `Scene.check` says that a style does not stand, that characters jam
 
 
 @dataclass(frozen=True)
@@ -87,39 +91,74 @@ class Scene:
 
         The radius is the reach of the joints of the styles, tried in a short walk, and half of ``bodies``.
         """
-        keys = [(k, key) for k, shot in enumerate(self.shots) for key in shot.styles]
-        vectors = torch.stack([bank.blend(*key.layers) for _, key in keys])
-        ahead = torch.tensor([[0.0, bank.speed(key.layers[0])] for _, key in keys])
-        state, far = start(model, vectors), torch.zeros(len(keys))
-        for frame in range(TRIED):
-            with torch.no_grad():
-                state = step(model, state, Command(ahead))
-            away = world_joints(model.layout, state)["position"][..., [0, 2]] - state.root[:, None, :2]
-            far = far.maximum(away.norm(dim=-1).amax(1)) if frame > TRIED // 3 else far
-        radii = [max(reach for (j, _), reach in zip(keys, far.tolist(), strict=True) if j == k) + bodies / 2
-                 for k in range(len(self.shots))]
+        tried = self._tried(model, bank)
+        radii = [max(reach for j, _, reach, _ in tried if j == k) + bodies / 2 for k in range(len(self.shots))]
         shots = [dataclasses.replace(shot, radius=round(r, 2)) for shot, r in zip(self.shots, radii, strict=True)]
         return dataclasses.replace(self, shots=shots)
 
+    def _tried(self, model, bank: StyleBank) -> list[tuple[int, StyleKey, float, float]]:
+        """For each style key: the character, the key, the reach of its joints in a short walk, metres, and the speed at
+        which it goes on after it is told to stand, m/s."""
+        keys = [(k, key) for k, shot in enumerate(self.shots) for key in shot.styles]
+        state = start(model, torch.stack([bank.blend(*key.layers) for _, key in keys]))
+        ahead = state.root.new_tensor([[0.0, bank.speed(key.layers[0])] for _, key in keys])
+        places, far = [], 0 * ahead[:, 0]
+        for frame in range(3 * TRIED):
+            places.append(state.root[:, :2])
+            with torch.no_grad():
+                state = step(model, state, Command(ahead * (frame < TRIED)))
+            if TRIED // 3 < frame < TRIED:
+                away = world_joints(model.layout, state)["position"][..., [0, 2]] - state.root[:, None, :2]
+                far = far.maximum(away.norm(dim=-1).amax(1))
+        drift = (places[-1] - places[2 * TRIED]).norm(dim=-1) * FPS / TRIED
+        return [(*key, *measured) for key, *measured in zip(keys, far.tolist(), drift.tolist(), strict=True)]
+
     def check(self, model, bank: StyleBank) -> list[str]:
-        """What cannot be met and why, a line each: `Shot.check` of each; of those who keep apart, gaps between walls."""
+        """What cannot be met and why, a line each: `Shot.check` of each; of those who keep apart, styles that
+        cannot stand, and gaps between walls that are too narrow or to which too many come at once."""
         lines = []
-        if self.apart is None:
-            for k, shot in enumerate(self.shots):
-                try:
+        for k, shot in enumerate(self.shots):
+            try:
+                shot.style(bank)
+                if self.apart is None:
                     lines += [f"shots[{k}]: {line}" for line in shot.check(model, bank)]
-                except ValueError as error:
-                    raise ValueError(f"shots[{k}]: {error}") from None
+            except ValueError as error:
+                raise ValueError(f"shots[{k}]: {error}") from None
+        if self.apart is None:
             return lines
-        widest = sum(sorted(self.radii)[-2:])
+        lines += [f"shots[{k}]: {' + '.join(key.layers[0])} goes on at {speed:.2f} m/s when it is told to stand: "
+                  "it cannot wait and may touch others" for k, key, _, speed in self._tried(model, bank) if speed > STANDS]
+        courses, widest = [shot.plan(bank)[0] for shot in self.shots], sum(sorted(self.radii)[-2:])
         for (a, one), (b, other) in itertools.combinations(enumerate(self.walls), 2):
-            room = min(math.dist(p, q) for p in (one.start, one.end) for q in (other.start, other.end))
+            ends = min(itertools.product((one.start, one.end), (other.start, other.end)), key=lambda pair: math.dist(*pair))
+            room = math.dist(*ends)
             between = f"between walls[{a}] and walls[{b}] are {room:.2f} m"
             if 0.01 < room < 2 * MARGIN:
                 lines.append(f"{between}: too narrow, characters keep {MARGIN:g} m from a wall")
             elif 2 * MARGIN <= room < 2 * MARGIN + widest and len(self.shots) > 1:
                 lines.append(f"{between}: too narrow for two of the widest at once, who need {2 * MARGIN + widest:.2f} m")
+            if room >= 2 * MARGIN and (wait := self._queue(courses, ends, 1 + int((room - 2 * MARGIN) / widest))) > QUEUE:
+                lines.append(f"{between}: those who come at once would wait for up to {wait:.0f} s, and may touch; "
+                             "let them start one after another, with holds")
         return lines
+
+    def _queue(self, courses: list[Course], ends: tuple[Pair, Pair], lanes: int) -> float:
+        """Seconds that a character would wait, at most, for those who cross the line between two places before it."""
+        (x, z), (to_x, to_z) = ends
+        way, crossed, free = (to_x - x, to_z - z), [], [0.0] * lanes
+        for course, share in zip(courses, self.radii, strict=True):
+            off = np.array([course.curve.x, course.curve.z]) - [[x], [z]]
+            side, along = way[0] * off[1] - way[1] * off[0], (way[0] * off[0] + way[1] * off[1]) / math.hypot(*way) ** 2
+            through = np.flatnonzero((side[1:] * side[:-1] <= 0) & (along[1:] > 0) & (along[1:] < 1))
+            frames = [k for k in through[:1] if course.distance[-1] >= course.curve.at[k]]
+            for frame in (bisect_left(course.distance, course.curve.at[k]) for k in frames):
+                crossed.append((frame / FPS, 2 * share / max(course.speed[frame], SLOWEST)))
+        waits = [0.0]
+        for time, takes in sorted(crossed):
+            now = max(time, heapq.heappop(free))
+            waits.append(now - time)
+            heapq.heappush(free, now + takes)
+        return max(waits)
 
     @classmethod
     def load(cls, path: str | os.PathLike) -> "Scene":
@@ -144,7 +183,7 @@ class Scene:
         """
         plans = [shot.plan(bank) for shot in self.shots] if plans is None else plans
         styles = [shot.style(bank) for shot in self.shots]
-        state, clocks = _start(model, self.shots, styles, plans), [0] * len(plans)
+        state, clocks = first(model, self.shots, styles, plans), [0] * len(plans)
         lasts = [len(course.distance) - 1 for course, _ in plans]
         most = max(lasts) if self.apart is None else min(WAITS * max(lasts), round(LONGEST * FPS))
         for _ in range(most):
@@ -195,15 +234,6 @@ class Scene:
         if len(made) == 1:
             return made[wanted[0]]
         return tuple(torch.stack([made[kind][part][k] for k, kind in enumerate(wanted)]) for part in (0, 1))
-
-
-def _start(model, shots: Sequence[Shot], styles, plans) -> CharacterState:
-    """All characters at the start of their paths, each at the place in its gait cycle that its seed gives."""
-    places = [course.curve.point(0.0) for course, _ in plans]
-    angles = [heading.angle(0.0, place) for (_, heading), place in zip(plans, places, strict=True)]
-    looks = [(math.sin(angle), math.cos(angle)) for angle in angles]
-    state = start(model, torch.stack([style(0) for style in styles]), places, looks)
-    return shifted(state, [shot.turn for shot in shots])
 
 
 def _held_up(course: Course, clock: int, place: tuple[float, float]) -> bool:

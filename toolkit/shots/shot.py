@@ -16,14 +16,13 @@ from toolkit.io.files import atomic_write
 from toolkit.motion import Clip
 from toolkit.motion.tensors import shown
 from toolkit.networks.bank import StyleBank
-from toolkit.runtime import CharacterState, Command, start, step
+from toolkit.runtime import CharacterState, Command, step
 from toolkit.shots import feasibility
 from toolkit.shots.course import FPS, LONGEST, Course, Curve, Heading, Pair, between, command
 from toolkit.shots.keys import FAST, Hold, Point, SpeedKey, StyleKey, build, direction, entries, number, pair, rising
-from toolkit.shots.preview import Preview
+from toolkit.shots.preview import Preview, first
 
 VERSION = 1
-GOLDEN = (math.sqrt(5) - 1) / 2  # the share of a cycle by which the next seed starts later
 
 
 @dataclass(frozen=True)
@@ -141,16 +140,11 @@ class Shot:
 
         return at
 
-    def first(self, model, bank: StyleBank, plan: tuple[Course, Heading]) -> CharacterState:
-        """The character at the start of the path, before the first frame."""
-        place = plan[0].curve.point(0.0)
-        angle = plan[1].angle(0.0, place)
-        return shifted(start(model, self.style(bank)(0), place, (math.sin(angle), math.cos(angle))), self.turn)
-
     def states(self, model, bank: StyleBank, plan: tuple[Course, Heading] | None = None) -> Iterable[CharacterState]:
         """Yield the state of every frame; ``model`` plain or compiled."""
         course, heading = self.plan(bank) if plan is None else plan
-        style, state = self.style(bank), self.first(model, bank, (course, heading))
+        style = self.style(bank)
+        state = first(model, [self], [style], [(course, heading)])
         for frame in range(len(course.distance) - 1):
             x, z = state.root[0, :2].tolist()
             with torch.no_grad():
@@ -205,11 +199,6 @@ class Shot:
         return lines + feasibility.missed(course, natural, style, timed, places)
 
     @property
-    def turn(self) -> float:
-        """The angle by which the character starts later in its gait cycle: of the seed."""
-        return math.tau * (self.seed * GOLDEN % 1)
-
-    @property
     def _timed(self) -> list[tuple[int, float]]:
         """Index and time of the points with a time, without the first point."""
         return [(k, point.time) for k, point in enumerate(self.path) if k and point.time is not None]
@@ -218,18 +207,6 @@ class Shot:
         """The natural speed at every style key: of blends by layer, the mean of the layers."""
         speeds = [sum(bank.speed(blend) for blend in key.layers) / len(key.layers) for key in self.styles]
         return [SpeedKey(key.time, min(max(v, 0.0), FAST), key.easing) for key, v in zip(self.styles, speeds, strict=True)]
-
-
-def shifted(state: CharacterState, angle: float | Sequence[float]) -> CharacterState:
-    """A state with every phase later by an angle, or by one per character; a model without phases keeps its state."""
-    angle = torch.tensor(angle, dtype=torch.float64).reshape(-1, 1)
-    if not angle.any() or not state.phase.shape[1]:
-        return state
-    if state.phase.shape[1] == 1:
-        return dataclasses.replace(state, phase=(state.phase + angle.to(state.phase)) % math.tau)
-    s, c = angle.sin().to(state.phase), angle.cos().to(state.phase)
-    x, y = state.phase[:, 0::2], state.phase[:, 1::2]
-    return dataclasses.replace(state, phase=torch.stack((c * x - s * y, s * x + c * y), -1).flatten(1))
 
 
 def save(shots: Iterable[Shot], path: str | os.PathLike) -> None:

@@ -3,10 +3,9 @@
 from toolkit.features.splits import split
 from toolkit.training import published
 from toolkit.training.loop import fit
-from toolkit.training.loss import baselines, evaluate, loss_terms, make_bank
+from toolkit.training.loss import baselines, evaluate, loss_terms, make_bank, refit
 from toolkit.training.minibatches import Minibatches
 from toolkit.training.run import Config, Run, load, pretrained
-from toolkit.training.vectors import refit
 
 __all__ = ["Config", "Minibatches", "Run", "baselines", "evaluate", "fit", "load", "loss_terms", "make_bank", "pretrained",
            "published", "refit", "split"]

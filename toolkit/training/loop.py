@@ -31,10 +31,9 @@ from toolkit.networks.film import FilmGenerator
 from toolkit.training import distributed
 from toolkit.training.checkpoint import Checkpoint, Saver, starting
 from toolkit.training.distributed import Alone, Objective
-from toolkit.training.loss import baselines, evaluate, make_bank
+from toolkit.training.loss import baselines, evaluate, make_bank, refit
 from toolkit.training.minibatches import DROPOUT, INIT, Minibatches
 from toolkit.training.run import Config, Run, load, pretrained
-from toolkit.training.vectors import refit
 
 if TYPE_CHECKING:
     from lightning_fabric import Fabric

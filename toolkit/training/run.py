@@ -14,7 +14,7 @@ from toolkit.io import model_files
 from toolkit.motion.tensors import summary
 from toolkit.networks import MODELS, Model, Sizes
 from toolkit.networks.bank import StyleBank
-from toolkit.training.vectors import STEPS
+from toolkit.training.loss import STEPS
 
 PRECISIONS = ("32", "bf16")
 #: Learning rate of the style modulation / other rates in `Config.quick`. High rates destroy FiLM's convolutions. Tables of

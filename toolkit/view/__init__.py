@@ -20,6 +20,5 @@ __getattr__, __dir__, __all__ = lazy_loader.attach(__name__, [module.name for mo
     "phase_figures": ["phase_figure", "phase_manifold", "principal_axes"],
     "picture": ["strip"],
     "player": ["Player", "play"],
-    "style_blender": ["StyleBlender"],
-    "triangle": ["StyleTriangle"],
+    "style_blender": ["StyleBlender", "StyleTriangle"],
 })

@@ -178,9 +178,8 @@ def _room(shots: Sequence[_Follow], labels: Sequence[str], height: int) -> tuple
     """Metres to either side and upwards that every cell shows, with labels above the heads, and pixels per metre."""
     font = _font(height)
     text = max([font.getlength(name) + font.size for name in labels if name], default=0)
-    top = max(shot.top + 0.05 for shot in shots) + (0.2 if text else 0.0)
-    scale = height / (top - BOTTOM)
-    return max(0.7, text / 2 / scale, *(shot.reach + 0.03 for shot in shots)), top, scale
+    scale = (height - (1.6 * font.size if text else 0)) / (max(shot.top + 0.05 for shot in shots) - BOTTOM)
+    return max(0.7, text / 2 / scale, *(shot.reach + 0.03 for shot in shots)), BOTTOM + height / scale, scale
 
 
 def _font(height: int) -> ImageFont.FreeTypeFont:

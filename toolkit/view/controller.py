@@ -19,7 +19,7 @@ from toolkit.runtime import FPS, Command
 from toolkit.view.character import Character
 from toolkit.view.frontend import CellWidget, running_loop, static
 from toolkit.view.page import skeleton_data
-from toolkit.view.triangle import Corners, corners
+from toolkit.view.style_blender import Corners, corners
 
 PATIENCE = 2.0  # seconds without a message from the page after which the character waits
 TURN = 2.0  # radians per second while a turn key is held

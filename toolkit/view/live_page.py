@@ -58,23 +58,24 @@ def web(model, bank, path: str | os.PathLike, *, title: str = "A character under
         If it is another model, its numbers are not finite or too large for float16, a style is unknown, or there is no
         character.
     """
-    name = getattr(model, "name", type(model).__name__)
-    if name != "lpn-film":
-        raise ValueError(f"only lpn-film runs in a page, got {name}")
     if styles is not None and (not styles or isinstance(styles, str)):
         raise ValueError(f"styles must be a list of one name or more, got {styles!r}")
     if characters < 1 or (characters > 1 and character is not None):
         raise ValueError(f"characters must be 1 or more, and 1 with a character of your own; got {characters}")
     order = [*(name for name in CORNERS if name in bank.names), *bank.names] if styles is None else styles
     bank = bank.select(dict.fromkeys(order))
+    data = pack(model, bank, half, Character.of(character), characters)
     size = sum(layer.weight.numel() for layer in model.experts.layers) / 1e6
     caption = f"A neural network of {size:.1f} million weights makes every frame in this page: no server, no installation."
     start = "globalThis.view = toolkitScene.character(stage, data);"
-    return page.write(path, title, caption, pack(model, bank, half, Character.of(character), characters), start)
+    return page.write(path, title, caption, data, start)
 
 
 def pack(model, bank, half: bool = False, character: Character | None = None, characters: int = 1) -> dict[str, Any]:
-    """The data of ``scene/character.js``, which describes the format."""
+    """The data of ``scene/character.js``, which describes the format; a ValueError for another model than an LPN-FiLM."""
+    name = getattr(model, "name", type(model).__name__)
+    if name != "lpn-film":
+        raise ValueError(f"only lpn-film runs in a page, got {name}")
     from toolkit.runtime.compiled import frame, ik  # imported on demand: numba is slow to import
     from toolkit.view import controller
 

@@ -3,17 +3,68 @@
 import asyncio
 import math
 import threading
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 
+import anywidget
 import ipywidgets as widgets
+import traitlets
 
 from toolkit.motion import Clip
-from toolkit.view.frontend import CellWidget, escape, require_main_thread, running_loop
+from toolkit.view.frontend import CellWidget, escape, require_main_thread, running_loop, static
 from toolkit.view.player import RATE, Player
-from toolkit.view.triangle import StyleTriangle, corners
 
 PAUSE = 0.03  # seconds in which changes are collected before a new motion is made
 BUSY = 15.0  # pictures per second at most while a motion is made: both need Python
+
+
+class Corners(anywidget.AnyWidget):
+    """A widget with three styles, ``names``, and their shares, ``weights``: traits that can be observed, linked and set.
+
+    Names must be in the bank, where there is one; shares are scaled to sum to one.
+    """
+
+    _bank = None
+
+    names = traitlets.List(traitlets.Unicode(), ["A", "B", "C"], minlen=3, maxlen=3).tag(sync=True)
+    weights = traitlets.List(traitlets.Float(), [1 / 3, 1 / 3, 1 / 3], minlen=3, maxlen=3).tag(sync=True)
+
+    @traitlets.validate("names")
+    def _known(self, proposal: dict) -> list[str]:
+        if unknown := [name for name in proposal["value"] if self._bank is not None and name not in self._bank]:
+            raise traitlets.TraitError(f"unknown style {unknown[0]!r}")
+        return proposal["value"]
+
+    @traitlets.validate("weights")
+    def _sum_to_one(self, proposal: dict) -> list[float]:
+        shares = proposal["value"]
+        if not all(math.isfinite(w) and w >= 0 for w in shares) or not 0 < sum(shares) < math.inf:
+            raise traitlets.TraitError(f"weights must be three shares >= 0 and not all zero, got {shares}")
+        return [w / sum(shares) for w in shares]
+
+    @property
+    def blend(self) -> dict[str, float]:
+        """Style to share; a style at two corners has both shares."""
+        blend: dict[str, float] = {}
+        for name, share in zip(self.names, self.weights, strict=True):
+            blend[name] = blend.get(name, 0.0) + share
+        return blend
+
+
+class StyleTriangle(Corners):
+    """A barycentric triangle with a marker to drag."""
+
+    _esm = static("triangle.js")
+
+
+def corners(bank, weights: Mapping[str, float], others: Iterable[str]) -> tuple[list[str], list[float]]:
+    """Three styles and their shares, which sum to one, of a blend of one to three; ``others`` fill up, with share zero."""
+    for name in weights:
+        bank[name]
+    shares = [float(w) for w in weights.values()]
+    if not 1 <= len(shares) <= 3 or not all(math.isfinite(w) and w >= 0 for w in shares) or not sum(shares) > 0:
+        raise ValueError(f"a blend needs one to three weights >= 0 and not all zero, got {dict(weights)}")
+    names = [*weights, *(name for name in others if name not in weights), *weights, *weights]
+    return names[:3], [w / sum(shares) for w in shares] + [0.0] * (3 - len(shares))
 
 
 class StyleBlender(CellWidget, widgets.HBox):

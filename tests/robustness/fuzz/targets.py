@@ -120,7 +120,7 @@ def _csv(folder: Path) -> list[Reader]:
     procedural.write(folder, ["Neutral", "Zombie", "Old"], ["FW"], 0.2)
     rows = "ProceduralNeutral_FW.bvh,Neutral,walk,0.01,y", "ProceduralOld_FW.bvh,Old,,cm,"
     (folder / "labels.csv").write_text("\n".join(("file,style,gait,unit,up", *rows)))
-    tables = {"Frame_Cuts.csv": style100.table1, "Dataset_List.csv": style100.styles, "labels.csv": own.labelled}
+    tables = {"Frame_Cuts.csv": style100.frame_cuts, "Dataset_List.csv": style100.styles, "labels.csv": own.labelled}
     return [Reader(name, folder / name, lambda path, table=table: table(path.parent), ((folder / name).read_bytes(),),
                    mutations.text, r"line (?!1:)|no row|no frame") for name, table in tables.items()]
 

@@ -54,7 +54,7 @@ EXERCISES = {
         same_as(lambda clip, joint: clip.global_positions[:, clip.skeleton.index(joint), 1].max(), _clips,
                 {"this is the mean height, not the highest point.":
                  lambda clip, joint: clip.global_positions[:, clip.skeleton.index(joint), 1].mean(),
-                 "this is the largest coordinate of any axis; the height is number 1.":
+                 "this is not the height: it is number 1 of the three coordinates, and no other.":
                  lambda clip, joint: clip.global_positions[:, clip.skeleton.index(joint)].max()}),
         "take all frames, one joint and coordinate 1, then the maximum."),
     "01.1": Exercise(
@@ -63,11 +63,10 @@ EXERCISES = {
         "take the difference from the root, then its dot product with the frame's left axis and with its forward axis."),
     "01.2": Exercise(
         same_as(lambda joints: torch.tensor([48 + 12 * joints, 42 + 12 * joints]), lambda: [(25,), (17,), (31,)],
-                {"z holds only the future half of the window.":
-                 lambda joints: torch.tensor([48 + 12 * joints, 66 + 12 * joints]),
-                 "z also holds the updates of the phases, not only the phases.":
-                 lambda joints: torch.tensor([48 + 12 * joints, 34 + 12 * joints]),
-                 "z also holds two foot contacts.": lambda joints: torch.tensor([48 + 12 * joints, 40 + 12 * joints])}),
+                {"z holds only the future half of the window.": lambda joints: torch.tensor([48, 66]) + 12 * joints,
+                 "z also holds phases, their updates and contacts.": lambda joints: torch.tensor([48, 24]) + 12 * joints,
+                 "z also holds the updates of the phases.": lambda joints: torch.tensor([48, 34]) + 12 * joints,
+                 "z also holds two foot contacts.": lambda joints: torch.tensor([48, 40]) + 12 * joints}),
         "each joint has 12 numbers, and each sample of the window has 4."),
     "01.3": Exercise(
         same_as(lambda positions, pairs: positions[:, pairs] * torch.tensor([-1.0, 1.0, 1.0]), _poses,

@@ -5,7 +5,7 @@ import math
 import pandas as pd
 import torch
 
-from toolkit.course.checks import Exercise, Judge, same_as
+from toolkit.course.checks import NOTHING, Exercise, Judge, same_as
 from toolkit.course.laboratory import trial
 from toolkit.datasets import procedural
 
@@ -84,7 +84,7 @@ def _beats_contact_free(part: str, cases: list[tuple[str, str]], share: float, *
         if not callable(answer):
             return f"a function is needed, not {type(answer).__name__}."
         if answer(procedural.generate("Neutral", seconds=2.0), "left_hand") is ...:
-            return "the function returns nothing yet."
+            return NOTHING
         both = {"yours": answer, "contact-free": "contact-free"}
         found = pd.concat([trial(both, cases, seed=seed, **options) for seed in SEEDS])
         errors = found.groupby("source")[part].mean()
@@ -92,7 +92,7 @@ def _beats_contact_free(part: str, cases: list[tuple[str, str]], share: float, *
             return ""
         if math.isnan(errors["yours"]):
             return f"your source is constant for {part}."
-        return f"your mean error is {errors['yours']:.0f}°, that of contact-free is {errors['contact-free']:.0f}°."
+        return f"your mean error is {errors['yours']:.0f}°; less than {share * errors['contact-free']:.0f}° is needed."
 
     return judge
 

@@ -30,9 +30,10 @@ from toolkit.features import Features, Layout, Normaliser, Split, check_style, s
 from toolkit.features.store import files, partition
 from toolkit.features.store.partition import Partition
 from toolkit.features.store.workers import completed, executor
+from toolkit.io.files import below
 from toolkit.io.model_files import difference, intact
 from toolkit.io.progress import progress_bar
-from toolkit.motion import trajectory
+from toolkit.motion import contacts, trajectory
 
 __all__ = ["is_store", "load", "preprocess"]
 
@@ -73,6 +74,7 @@ def preprocess(data: str, root: str | os.PathLike | None, out: str | os.PathLike
     if data == "procedural":
         raise ValueError("the procedural dataset is computed, not read from files; there is nothing to preprocess")
     phases.named(source)
+    contacts.check_height(contact_height)
     recorded, out = datasets._module(data, root).SOURCE, Path(out).resolve()
     root = recorded.folder(root).resolve()
     tables = {"100style": ("Frame_Cuts.csv", "Dataset_List.csv"), "folder": (datasets.folder.TABLE,)}.get(data, ())
@@ -80,7 +82,7 @@ def preprocess(data: str, root: str | os.PathLike | None, out: str | os.PathLike
         "version": toolkit.__version__, "data": data, "styles": styles, "gaits": gaits, "source": source,
         "mirror": mirror is not None, "fps": trajectory.FPS, "window": trajectory.SAMPLES,
         "clip": [features.CLIP_FRAMES, features.CLIP_HOP], "held_out": held_out, "seed": seed,
-        "tables": {path.name: files.sha256(path) for name in tables for path in root.rglob(name)},
+        "tables": {path.name: files.sha256(path) for path in below(root) if path.name in tables},
     } | ({} if contact_height is None else {"contact_height": contact_height})
         | ({"listed": True, "held_out": None, "seed": None} if listed else {})))
     parts = datasets.split(data, root) if listed else None

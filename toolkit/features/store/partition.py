@@ -2,7 +2,6 @@
 
 from collections import defaultdict
 from dataclasses import dataclass
-from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -11,8 +10,8 @@ import torch
 
 from toolkit import datasets, features
 from toolkit.datasets import Take
-from toolkit.features import Features, Layout, OwnFeatures, Rows, splits
-from toolkit.features.features import Numbering, clip_spans
+from toolkit.features import Features, Layout, OwnFeatures, splits
+from toolkit.features.features import style_rows
 from toolkit.features.store import files
 from toolkit.features.store.workers import one_thread
 from toolkit.io.model_files import difference, intact
@@ -76,9 +75,9 @@ def make(job: Partition) -> dict[str, Any]:
         layout = parts[0].layout
         if why := next(filter(None, (own.layout.difference(layout) for own in parts)), ""):
             raise ValueError(f"{job.takes[0][1].path}: the skeletons of style {job.style} differ: {why}")
-        found = [{"positions": own.roots.positions, "rotations": own.roots.rotations, "joints": own.joints,
-                  "phases": own.phases, "contacts": own.contacts} for own in parts]
-        tensors = {name: torch.cat([t[name] for t in found]) for name in found[0]}
+        own = OwnFeatures.joined(parts)
+        tensors = {"positions": own.roots.positions, "rotations": own.roots.rotations, "joints": own.joints,
+                   "phases": own.phases, "contacts": own.contacts}
         return {"file": job.file, **files.write(job.out / job.file, tensors), "frames": len(tensors["joints"]),
                 "layout": layout.to_json(), "clips": clips, "sources": sources}
 
@@ -96,32 +95,9 @@ def read(path: Path, entries: dict[str, dict[str, Any]]) -> Features:
             if why := difference(widths, {name: t[name].shape[-1] for name in widths}):
                 raise ValueError(f"columns of {why}")
             own = OwnFeatures(layout, RootFrames(t["positions"], t["rotations"]), t["joints"], t["phases"], t["contacts"])
-        at, starts, takes, shifts, place, first = [], [], [], [], Numbering(), 0
-        for clip in entry["clips"]:
-            at.append(first + features.usable(clip["frames"], samples=layout.samples))
-            starts.append(first + features.clip_starts(clip["frames"]))
-            takes.append(torch.full((len(at[-1]),), clip["take"]))
-            shifts.append(place.first(clip["take"], clip["frames"]) - first)
-            first += clip["frames"]
-        kinds["frames"][style] = torch.cat([rows + shift for rows, shift in zip(at, shifts, strict=True)])
-        spans = [clip_spans(rows + shift, features.CLIP_FRAMES) for rows, shift in zip(starts, shifts, strict=True)]
-        at, starts = torch.cat(at), torch.cat(starts)
-        y = own.style_clips
-        if not len(starts):  # only short clips: each is repeated
-            lengths = torch.tensor([clip["frames"] for clip in entry["clips"]])
-            starts = lengths.cumsum(0) - lengths
-            spans = [torch.stack((starts + torch.tensor(shifts), lengths), -1)]
-            y = partial(_repeated, own, dict(zip(starts.tolist(), lengths.tolist(), strict=True)))
-        derived = (own.inputs, at), (own.phases.__getitem__, at), (own.outputs, at), (y, starts)
-        for kind, (derive, index) in zip(features.KINDS, derived, strict=True):
-            kinds[kind][style] = Rows(derive, index)
-        kinds["takes"][style], kinds["spans"][style] = torch.cat(takes), torch.cat(spans)
+        for kind, rows in style_rows(own, [(clip["take"], clip["frames"]) for clip in entry["clips"]]).items():
+            kinds[kind][style] = rows
     return Features(layout, **kinds)
-
-
-def _repeated(own: OwnFeatures, lengths: dict[int, int], starts: torch.Tensor) -> torch.Tensor:
-    """Style clips of whole takes, given the frames of the take that begins at each start."""
-    return own.style_clips(starts, torch.tensor([lengths[start] for start in starts.tolist()]))
 
 
 def moments(path: Path, style: str, entry: dict[str, Any], held_out: np.ndarray) -> dict[str, tuple]:

@@ -116,8 +116,8 @@ def steer(old, wanted, look, rules, x, new, start, stop):
         new.drive[b, 0] = _govern(history, drive, (vx, vz), rules)
 
         moved = _moved(history, len(history) - 1, rules)
-        against = rules.stand_still * max(1.0 - math.hypot(vx, vz) / rules.slow, 0.0)
-        pull_x, pull_z = drive * vx - against * moved[0], drive * vz - against * moved[1]
+        hold = rules.stand_still * max(1.0 - min(math.hypot(vx, vz) / rules.slow, drive), 0.0)
+        pull_x, pull_z = drive * vx + hold * (vx - moved[0]), drive * vz + hold * (vz - moved[1])
         root_x, root_z = _pair(history[-1])
         sin, cos = np.float64(history[-1, 2]), np.float64(history[-1, 3])
         px, pz = root_x, root_z

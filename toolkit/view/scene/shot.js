@@ -345,9 +345,12 @@ export function missed(take, limits) {
       : `${styleAt(shot, worst / FPS)} does not keep to it; choose another style there`;
     lines.push(`at ${((worst + 1) / FPS).toFixed(1)} s the character is ${(100 * apart[worst]).toFixed(0)} cm from the path: ${why}`);
   } else if (mean > limits.BESIDE) lines.push(`the character is ${(100 * mean).toFixed(0)} cm from the path on average`);
-  const late = places.findIndex((place, k) => distance[k + 1] - nearest(curve, place, distance[k + 1]) > limits.LAG) + 1;
+  const lag = (k) => distance[k + 1] - nearest(curve, places[k], distance[k + 1]);
+  const late = places.findIndex((_, k) => Math.abs(lag(k)) > limits.LAG) + 1;
   if (late)
-    lines.push(`from ${(late / FPS).toFixed(1)} s on the character is behind the plan: ${said(late)}; slow down or leave more time`);
+    lines.push(`from ${(late / FPS).toFixed(1)} s on the character is ` + (lag(late - 1) > 0
+      ? `behind the plan: ${said(late)}; slow down or leave more time`
+      : `ahead of the plan: ${styleAt(shot, late / FPS)} does not stand or walk as slowly; choose another style there`));
   for (const [point, at, time] of timed) {
     if (round(time * FPS) > places.length) continue;
     const [wait, metres] = arrival(curve.point(at), time, places, limits, FPS);
