@@ -80,10 +80,10 @@ def feet(run, real: tk.Clip, seconds: float = 4.0) -> None:
 
 def hundred(authors, run) -> None:
     """Write walks of the published network, and of a network that was trained on its walks, in four styles."""
-    rows = {f"{style}, {name}": rollout(*walker, style, authors.bank.speed(style), 6.0)
+    rows = {f"{style}, {name}": rollout(*walker, style, authors.bank.speed(style), 9.0)
             for style in ("Zombie", "Aeroplane", "March", "Swimming")
             for name, walker in (("published", authors), ("trained here", run))}
-    tk.view.strip(list(rows.values()), OUT / "hundred_strips.png", labels=list(rows), stop=1.5, width=9, dpi=100)
+    tk.view.strip(list(rows.values()), OUT / "hundred_strips.png", labels=list(rows), start=4.0, stop=5.5, width=9, dpi=100)
     Image.open(OUT / "hundred_strips.png").convert("RGB").quantize(128).save(OUT / "hundred_strips.png", optimize=True)
 
 
@@ -119,7 +119,7 @@ def progress(name: str = "stylisation-progress-dataset-2") -> None:
 def crowd(model, bank) -> None:
     """Write the animation of two streams that cross, three seconds of it."""
     clips = tk.shots.crowd.walk(model, bank, characters=100, seconds=10.0, progress=True).clips
-    tk.view.crowd([clip.cut(240, 420) for clip in clips], OUT / "crowd.webp", fps=8.0, width=480, colors=48, progress=True)
+    tk.view.crowd([clip.cut(240, 420) for clip in clips], OUT / "crowd.webp", fps=8.0, width=400, colors=48, progress=True)
 
 
 @contextlib.contextmanager
