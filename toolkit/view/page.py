@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from toolkit.io.files import atomic_write
+from toolkit.io.files import write_whole
 from toolkit.motion import Clip
 from toolkit.motion import rotations as R
 from toolkit.view import body
@@ -71,8 +71,7 @@ def write(path: str | os.PathLike, title: str, caption: str, data: dict[str, Any
         bundle=static("scene.js"),
         start=start,
     )
-    with atomic_write(path) as file:
-        file.write(page.encode())
+    write_whole(path, page.encode())
     return Path(path)
 
 
