@@ -35,6 +35,12 @@ def test_inertialise_continues_value_and_velocity_and_ends_in_the_new_motion():
         inertialise(old[:1], new, 60.0, 12.0)
 
 
+def test_inertialise_begins_with_the_velocity_of_the_old_motion_whatever_that_of_the_new():
+    t = torch.arange(3, dtype=torch.float64) / 6000
+    made = inertialise(3 * t, 7 - 2 * t, 6000.0, 4.0)
+    assert float(made[1] - made[0]) * 6000 == pytest.approx(3.0, abs=0.05)
+
+
 def test_a_released_toe_of_the_foot_lock_is_a_spring():
     before = torch.zeros(2, 3)
     toes = torch.tensor([[0.1, 0.0, 0.02], [0.0, 0.0, 0.0]])
