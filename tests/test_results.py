@@ -12,7 +12,7 @@ from experiments import tables
 from experiments.tables import DOCS, RESULTS, Result
 
 PAGES = sorted(DOCS.glob("*.md"))
-STATED = ("comparison", "phase_sources", "procedural", "recipes", "reproducing")  # pages whose prose states results
+STATED = ("comparison", "phase_sources", "procedural", "recipes", "reproducing", "stylisation")  # their prose states results
 
 
 @pytest.fixture
