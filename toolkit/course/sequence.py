@@ -28,23 +28,23 @@ class Lesson:
 
 
 LESSONS = {lesson.number: lesson for lesson in (
-    Lesson("00", "walk", "A first walk", "What can I do with this toolkit in ten minutes?", 10, (), (0, 0)),
-    Lesson("01", "features", "Features", "What does the network see?", 45, ("00",), (1, 0)),
-    Lesson("02a", "phase", "Phase", "What is the phase of a limb?", 45, ("01",), (2, 0)),
-    Lesson("02b", "laboratory", "Laboratory", "From which curve should a limb's phase be measured?", 60, ("02a",), (3, 1)),
-    Lesson("03a", "network", "The network", "What does the network compute?", 45, ("02a",), (3, 0)),
-    Lesson("03b", "training", "Training", "How does one network learn many styles?", 50, ("03a",), (4, 0)),
-    Lesson("04", "blending", "Blending", "What does a style blend look like when it walks?", 45, ("03a",), (4, 1)),
-    Lesson("05", "style_space", "Style space", "What does the space of styles look like?", 45, ("04",), (5, 1)),
-    Lesson("06", "a_new_style", "A new style", "How does a character learn a new way of walking from one clip?", 45,
+    Lesson("00", "walk", "A first walk", "What can I do with this toolkit in ten minutes?", 20, (), (0, 0)),
+    Lesson("01", "features", "Features", "What does the network see?", 60, ("00",), (1, 0)),
+    Lesson("02a", "phase", "Phase", "What is the phase of a limb?", 60, ("01",), (2, 0)),
+    Lesson("02b", "laboratory", "Laboratory", "From which curve should a limb's phase be measured?", 90, ("02a",), (3, 1)),
+    Lesson("03a", "network", "The network", "What does the network compute?", 60, ("02a",), (3, 0)),
+    Lesson("03b", "training", "Training", "How does one network learn many styles?", 60, ("03a",), (4, 0)),
+    Lesson("04", "blending", "Blending", "What does a style blend look like when it walks?", 50, ("03a",), (4, 1)),
+    Lesson("05", "style_space", "Style space", "What does the space of styles look like?", 55, ("04",), (5, 1)),
+    Lesson("06", "a_new_style", "A new style", "How does a character learn a new way of walking from one clip?", 60,
            ("03b", "04"), (5, 0)),
-    Lesson("07", "seven_models", "Seven models", "How do the seven models of Table 2 compare?", 50, ("03b",), (5, 3)),
-    Lesson("08a", "five_losses", "Five losses", "What does each loss of a stylisation network do?", 40, ("01",), (1, 1)),
-    Lesson("08b", "restyle", "Restyling", "Can a finished walk be given another style?", 45, ("08a",), (1, 2)),
-    Lesson("09", "feet", "Feet", "How do feet stay where they stand?", 45, ("01",), (2, 1)),
-    Lesson("11", "measuring_style", "Measuring style", "When may one say that a motion has a style?", 50, ("08b", "07"),
+    Lesson("07", "seven_models", "Seven models", "How do the seven models of Table 2 compare?", 60, ("03b",), (5, 3)),
+    Lesson("08a", "five_losses", "Five losses", "What does each loss of a stylisation network do?", 55, ("01",), (1, 1)),
+    Lesson("08b", "restyle", "Restyling", "Can a finished walk be given another style?", 65, ("08a",), (1, 2)),
+    Lesson("09", "feet", "Feet", "How do feet stay where they stand?", 50, ("01",), (2, 1)),
+    Lesson("11", "measuring_style", "Measuring style", "When may one say that a motion has a style?", 55, ("08b", "07"),
            (6, 2)),
-    Lesson("12", "capstone", "Capstone", "What does my own motion become?", 120, ("06", "11"), (6, 0)),
+    Lesson("12", "capstone", "Capstone", "What does my own motion become?", 240, ("06", "11"), (6, 0)),
 )}
 
 

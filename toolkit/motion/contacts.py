@@ -31,8 +31,6 @@ def detect(clip: Clip, *, height: float | None = None, speed: float = 0.15, majo
     speed : v_max, metres per second
     majority : half the width of the vote, in frames at 60 Hz
     floor : height of a standing toe joint, metres; by default that of `floor_height`, because rigs differ
-
-    ValueError as of `check_height`.
     """
     check_height(height)
     toes = toes_of(clip)

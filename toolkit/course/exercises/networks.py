@@ -85,7 +85,7 @@ EXERCISES = {
                  lambda x, gates, weight, bias: _blended(x, torch.full_like(gates, 1 / gates.shape[1]), weight, bias),
                  "you take only the expert with the largest gate.":
                  lambda x, gates, *expert: _blended(x, (gates == gates.amax(1, keepdim=True)).to(gates), *expert)}),
-        "torch.einsum('bk,kio->bio', gates, weight) is one matrix for each row of x."),
+        "torch.einsum('bk,kio->bio', gates, weight) is one matrix for each row of x; the bias is blended, too."),
     "03a.2": Exercise(
         same_as(_film, lambda: [draws(7, (4, 16), (16,), (16,)), draws(8, (2, 5), (5,), (5,))],
                 {"normalise over the units of a row, not over the rows.": _over_the_batch,
@@ -93,7 +93,7 @@ EXERCISES = {
                  gamma * (f - f.mean(-1, keepdim=True)) / f.std(-1, keepdim=True) + beta,
                  "scale and shift come after the normalisation.": lambda f, gamma, beta:
                  _film(gamma * f + beta, torch.ones_like(gamma), torch.zeros_like(beta))}),
-        "subtract the mean of the last axis, divide by its standard deviation, scale, shift, then ELU."),
+        "subtract the mean of the last axis, divide by std (torch's: n - 1), scale, shift, then ELU."),
     "03a.3": Exercise(
         same_as(lambda *sizes: torch.tensor(_count(*sizes)), lambda: [(348, 512, 342, 8), (3, 4, 5, 2), (10, 1, 1, 1)],
                 {"the biases are missing.": lambda n_in, hidden, n_out, experts:

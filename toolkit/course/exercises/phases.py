@@ -92,7 +92,7 @@ def _beats_contact_free(part: str, cases: list[tuple[str, str]], share: float, *
             return ""
         if math.isnan(errors["yours"]):
             return f"your source is constant for {part}."
-        return f"your mean error is {errors['yours']:.0f}°, that of contact-free is {errors['contact-free']:.0f}°."
+        return f"your mean error is {errors['yours']:.0f}°; less than {share * errors['contact-free']:.0f}° is needed."
 
     return judge
 
