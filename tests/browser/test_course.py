@@ -51,7 +51,19 @@ def figures() -> dict:
 STATE = "div => [...div.querySelectorAll('.cartesianlayer path, .cartesianlayer .point')].map(p => p.outerHTML).join()"
 
 
-def test_each_slider_moves_its_figure(open_html):
+#: Texts of a figure that are on another text or outside the figure.
+COLLIDE = """div => {
+    const box = div.getBoundingClientRect(), texts = [...div.querySelectorAll("svg text")].filter(t => t.textContent.trim());
+    const at = texts.map(t => [t.textContent.trim(), t.getBoundingClientRect()]).filter(([, r]) => r.width > 0);
+    const out = at.filter(([, r]) => r.left < box.left - 1 || r.right > box.right + 1 || r.top < box.top - 1);
+    const on = at.flatMap(([a, r], i) => at.slice(i + 1).filter(([, q]) =>
+        Math.min(r.right, q.right) - Math.max(r.left, q.left) > 2 &&
+        Math.min(r.bottom, q.bottom) - Math.max(r.top, q.top) > 3).map(([b]) => `${a} | ${b}`));
+    return [...out.map(([a]) => a), ...on];
+}"""
+
+
+def test_each_slider_moves_its_figure_and_no_text_collides(open_html):
     drawn = figures()
     page, wrong = open_html("".join(pages.chart(figure) for figure in drawn.values()))
     for i, name in enumerate(drawn):
@@ -64,6 +76,7 @@ def test_each_slider_moves_its_figure(open_html):
             page.mouse.click(box["x"] + 0.8 * box["width"], box["y"] + box["height"] / 2)
             page.wait_for_timeout(900)
             assert plot.evaluate(STATE) != before, name
+        assert plot.evaluate(COLLIDE) == [], name
     assert wrong == []
 
 
