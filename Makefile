@@ -2,27 +2,41 @@
 VENV := .venv
 BIN := $(VENV)/bin
 PYTHON := python3
-INSTALL := $(BIN)/pip install --constraint constraints.txt
-# On Linux, PyPI's torch brings 4.5 GB of CUDA. Without an NVIDIA GPU, we take the small one, if its index can be reached.
-ifeq ($(shell uname -s)$(shell command -v nvidia-smi),Linux)
-TORCH := $(INSTALL) --retries 1 --no-deps --index-url https://download.pytorch.org/whl/cpu torch 2> /dev/null ||
+INSTALL := $(BIN)/pip install --no-deps
+HASHED := $(INSTALL) --require-hashes --requirement
+# On Linux, PyPI's torch needs 4.5 GB of CUDA. Without an NVIDIA GPU, we take the small one, if its index can be reached.
+NVIDIA := $(shell command -v nvidia-smi)
+TORCH := true
+ifeq ($(shell uname -s),Linux)
+TORCH := $(HASHED) constraints-cuda.txt
+ifeq ($(NVIDIA),)
+TORCH := $(INSTALL) --retries 1 --index-url https://download.pytorch.org/whl/cpu $(firstword $(shell grep ^torch== constraints.txt)) \
+         2> /dev/null || $(TORCH)
+endif
 endif
 
-.PHONY: env chromium demo test coverage lab docs wheel clean
+OPENGL := libegl1 libgl1-mesa-dri
+
+.PHONY: env opengl chromium demo test coverage lab docs wheel clean
 
 env: $(VENV)/.complete
 
-$(VENV)/.complete: pyproject.toml constraints.txt
-	@echo "Installing into $(VENV): a few minutes, once. As root on Debian or Ubuntu, it also installs libegl1 and"
-	@echo "libgl1-mesa-dri into the system by apt-get, if pyvista finds no OpenGL."
+$(VENV)/.complete: pyproject.toml constraints.txt constraints-cuda.txt
+	@echo "Installing into $(VENV): a few minutes, once. As root on Debian or Ubuntu, it also installs"
+	@echo "$(OPENGL) into the system by apt-get, if pyvista finds no OpenGL."
 	$(PYTHON) -m venv $(VENV)
-	$(INSTALL) --quiet pip setuptools
 	@echo "1 of 2: torch"
-	$(TORCH) $(INSTALL) torch
+	$(TORCH)
 	@echo "2 of 2: the other packages"
-	PYTHONWARNINGS=ignore $(INSTALL) --no-build-isolation --editable ".[dev]"
-	$(BIN)/python -m toolkit.view.opengl
+	$(HASHED) constraints.txt
+	PYTHONWARNINGS=ignore $(INSTALL) --no-build-isolation --editable .
+	@$(MAKE) --no-print-directory opengl
 	touch $@
+
+opengl:  # for pyvista; a failure is no error: pictures work without, slower
+	@$(BIN)/python -m toolkit.view.opengl || { [ "$$(id -u)" = 0 ] && command -v apt-get > /dev/null && \
+	    echo "Installing OpenGL into the system, as root: apt-get install $(OPENGL)" && apt-get update -qq && \
+	    DEBIAN_FRONTEND=noninteractive apt-get install -qq --no-install-recommends $(OPENGL) > /dev/null 2>&1; } || true
 
 chromium:  # for tests/browser, which are skipped where there is none
 	@for name in chromium chromium-browser google-chrome; do command -v $$name && exit; done; \

@@ -175,7 +175,8 @@ def formula(display: str):
     """Return a visitor that writes a formula as MathML."""
 
     def visit(self, node):
-        self.body.append(convert(node.astext().strip(), display=display))
+        text = convert(node.astext().strip(), display=display)
+        self.body.append(f'<div class="formula">{text}</div>' if display == "block" else text)
         raise SkipNode
 
     return visit

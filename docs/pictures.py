@@ -80,10 +80,10 @@ def feet(run, real: tk.Clip, seconds: float = 4.0) -> None:
 
 def hundred(authors, run) -> None:
     """Write walks of the published network, and of a network that was trained on its walks, in four styles."""
-    rows = {f"{style}, {name}": rollout(*walker, style, authors.bank.speed(style), 6.0)
+    rows = {f"{style}, {name}": rollout(*walker, style, authors.bank.speed(style), 9.0)
             for style in ("Zombie", "Aeroplane", "March", "Swimming")
             for name, walker in (("published", authors), ("trained here", run))}
-    tk.view.strip(list(rows.values()), OUT / "hundred_strips.png", labels=list(rows), stop=1.5, width=9, dpi=100)
+    tk.view.strip(list(rows.values()), OUT / "hundred_strips.png", labels=list(rows), start=4.0, stop=5.5, width=9, dpi=100)
     Image.open(OUT / "hundred_strips.png").convert("RGB").quantize(128).save(OUT / "hundred_strips.png", optimize=True)
 
 
@@ -119,7 +119,7 @@ def progress(name: str = "stylisation-progress-dataset-2") -> None:
 def crowd(model, bank) -> None:
     """Write the animation of two streams that cross, three seconds of it."""
     clips = tk.shots.crowd.walk(model, bank, characters=100, seconds=10.0, progress=True).clips
-    tk.view.crowd([clip.cut(240, 420) for clip in clips], OUT / "crowd.webp", fps=8.0, width=480, colors=48, progress=True)
+    tk.view.crowd([clip.cut(240, 420) for clip in clips], OUT / "crowd.webp", fps=8.0, width=400, colors=48, progress=True)
 
 
 @contextlib.contextmanager
@@ -154,9 +154,9 @@ def controller(model, bank) -> None:
         tab.mouse.move(box["x"] + 165, box["y"] + 155, steps=8)
         tab.mouse.up()
         tab.wait_for_function("() => view.kernel.character.root[2] > 3")
-        tab.evaluate("() => view.scene.setQuality(2)")  # whole pixels
-        tab.wait_for_timeout(300)
-        kept(tab.locator(".tkc"), "controller.png")
+        tab.evaluate("() => (view.scene.setQuality(2), view.scene.setQuality = () => {})")  # whole pixels
+        tab.wait_for_timeout(1500)
+        kept(tab, "controller.png")
 
 
 def director(model, bank) -> None:
@@ -165,7 +165,7 @@ def director(model, bank) -> None:
     path = [(0, 0), (1, 2), (-1, 4), (0, 6, 8.0), (-3, 7.5)]
     anna = shot(path, [(0, "Neutral"), (3, "Zombie"), (6, {"Strut": 0.5, "Old": 0.5})], [(0, 1.0), (4, 0.8)],
                 [hold(1.5, time=8.6)], name="Anna")
-    others = [shot([(2, 5), (0.5, 3.5), (2.5, -1)], "Crouch", name="Ben"),
+    others = [shot([(2.2, 5), (1.7, 3), (2.5, -1)], "Crouch", name="Ben"),
               shot([(-2.5, 0), (-2.2, 2.5), (-4, 5.5)], "Aeroplane", name="Cleo")]
     made = functools.partial(tk.view.director.web, model, bank, shots=[anna, *others], half=True)
     ready = "() => globalThis.view?.stats.drawn > 0 && view.desk.takes.every(Boolean)"

@@ -16,8 +16,10 @@ import torch
 import typer
 
 import toolkit as tk
+from experiments.tables import Result
 from toolkit.motion import root_frames
 from toolkit.motion import rotations as R
+from toolkit.motion.retargeting import report, retarget
 from toolkit.motion.roles import SIDES
 
 PEOPLE = (1.3, 2.1)  # metres
@@ -156,6 +158,7 @@ def facing(clip: tk.Clip) -> float:
 
 def run(
     folder: Annotated[Path | None, typer.Option(help="Folder of the files; default: foreign/ of the shared data.")] = None,
+    store: Annotated[bool, typer.Option("--store", help="Write the counts into docs/results/foreign.json.")] = False,
 ) -> None:
     """Motion files of other programs: right, refused in a line or warned in a line, compared with a key made by hand."""
     folder = folder or Path(os.environ.get("TOOLKIT_DATA", "../shared/data")) / "foreign"
@@ -172,8 +175,31 @@ def run(
         for what in row.wrong:
             print(f"{'':<46}WRONG: {what}")
     other = [row.name for row in rows if row.verdict != KEY[row.name].verdict]
-    counts = ", ".join(f"{sum(row.verdict == verdict for row in rows)} {verdict}" for verdict in ("right", "warned",
-    "refused"))
+    counts = {verdict: sum(row.verdict == verdict for row in rows) for verdict in ("right", "warned", "refused")}
     silent = [row.name for row in rows if row.wrong and row.verdict == "right"]
-    print(f"{len(rows)} files: {counts}; silently wrong: {', '.join(silent) or 'none'}; other verdict than the key: "
-          f"{', '.join(other) or 'none'}")
+    print(f"{len(rows)} files: {', '.join(f'{n} {verdict}' for verdict, n in counts.items())}; silently wrong: "
+          f"{', '.join(silent) or 'none'}; other verdict than the key: {', '.join(other) or 'none'}")
+    people = [row.name for row in rows if row.found is not None and KEY[row.name].roles]
+    off = torch.tensor([carried(folder / name) for name in people])
+    means, worst = off.T
+    print(f"a procedural walk on {len(people)} of their rigs: limbs {float(means.max()):.1f}° off on average at most, "
+          f"{float(means.median()):.1f}° in the median; {float(worst.max()):.0f}° at most in a frame")
+    if store:
+        columns = {"files": ["files", 0], **{verdict: [verdict, 0] for verdict in counts}, "wrong": ["silently wrong", 0],
+                   "rigs": ["rigs", 0], "mean": ["limbs off, °: largest mean", 1], "median": ["median", 1],
+                   "worst": ["worst frame", 0]}
+        row = {"files": len(rows), **counts, "wrong": len(silent), "rigs": len(people), "mean": float(means.max()),
+               "median": float(means.median()), "worst": float(worst.max())}
+        Result("foreign", "Motion files of other programs, compared with a key made by hand, and a procedural walk of four "
+               "seconds on the rigs of those that hold people", "python -m experiments foreign --store", columns,
+               [row]).save()
+
+
+def carried(path: Path) -> tuple[float, float]:
+    """Mean and largest angle, degrees, between the limbs of a procedural walk and of the walk on the rig of a file."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        rig = tk.load(path)
+    walk = tk.datasets.load("procedural", styles="Neutral", gaits="FW", seconds=4.0)[0]
+    found = report(walk, retarget(walk, rig))
+    return found.direction, found.worst

@@ -266,6 +266,16 @@ def test_what_json_cannot_hold_is_left_out_or_said_with_the_file(hero, tmp_path,
             character_gltf.save(zombie, tmp_path / "walk.glb", character)
 
 
+def test_a_character_that_was_changed_since_it_was_read_gets_no_motion(hero, zombie, tmp_path):
+    path = tmp_path / "hero.glb"
+    path.write_bytes(hero.read_bytes())
+    character = Character.load(path)
+    for document_ in ({"asset": {"version": "2.0"}, "buffers": [{"byteLength": 4}]}, {**parts(hero)[0], "extras": 1}):
+        path.write_bytes(motion_files.glb(document_, parts(hero)[1]))
+        with pytest.raises(ValueError, match=r"hero\.glb: was changed since it was read"):
+            character_gltf.save(zombie, tmp_path / "walk.glb", character)
+
+
 def test_files_without_a_character_are_refused_in_a_line(hero, tmp_path):
     def compressed(document_):
         document_["meshes"][0]["primitives"][0]["extensions"] = {"KHR_draco_mesh_compression": {}}

@@ -188,7 +188,6 @@ def test_crowds_cross_and_keep_apart(pretrained, tmp_path):
     _, compiled, bank = pretrained
     made = crowd.walk(compiled, bank, 12, 9.0)
     assert len({clip.style for clip in made.clips}) == 12
-    assert all(sum(blend.values()) == pytest.approx(1.0) for blend in made.blends)
     roots = torch.stack([clip.root_positions[:, ::2] for clip in made.clips], 1)
     assert min(float((torch.cdist(at, at) + 9 * torch.eye(12)).min()) for at in roots) > 0.9
     through = (roots[-1] - roots[0])[torch.arange(12), torch.arange(1, 13) % 2]  # along the way of each

@@ -15,6 +15,7 @@ from experiments import __main__ as experiments
 from toolkit import __main__ as verbs
 
 DOCS = Path(__file__).parents[1] / "docs"
+NOTEBOOKS = DOCS.parent / "notebooks"
 #: Pages whose code is run from top to bottom.
 RUN = ("index", "gallery", "phase_sources", "adding_a_dataset", "adding_a_model", "shots")
 PAGES = sorted(DOCS.glob("*.md"))
@@ -88,6 +89,21 @@ def test_the_code_of_a_page_runs(page, tmp_path, monkeypatch):
         exec(compile(block, f"{page}.md", "exec"), space)
 
 
+@pytest.mark.filterwarnings("ignore:style 'MyStyle' is too short")
+def test_the_code_of_the_readme_runs(tmp_path, monkeypatch):
+    """As written, but for the length of the walk and of the trainings."""
+    monkeypatch.chdir(tmp_path)
+    text = (DOCS.parent / "README.md").read_text(encoding="utf-8")
+    code = "".join(re.findall(r"^```python\n(.*?)^```", text, re.MULTILINE | re.DOTALL))
+    for long, short in (("seconds=10", "seconds=1"), ("seconds=90", "steps=3"), ("bank=bank)", "bank=bank, steps=3)")):
+        assert long in code
+        code = code.replace(long, short)
+    space: dict = {"__name__": "readme"}
+    exec(compile(code, "README.md", "exec"), space)
+    assert {path.name for path in tmp_path.iterdir()} == {"walk.bvh", "walk.html", "character.html", "run.safetensors"}
+    assert "MyStyle" in space["new"].bank
+
+
 def test_every_command_of_the_reproduction_exists():
     rows = [line.split(" | ")[-1] for line in (DOCS / "reproducing.md").read_text(encoding="utf-8").splitlines()
             if line.startswith("| ")]
@@ -146,6 +162,19 @@ def test_a_stored_run_is_shown_if_its_code_is_that_of_the_notebook(monkeypatch, 
     assert stored.merged(notebook.read_text(encoding="utf-8"), other) == ""
     same.write_text(book("", "print(4)", **run | {"outputs": [{"output_type": "error"}]}), encoding="utf-8")
     assert stored.results(same.parent, [notebook]) == ({"a.ipynb": notebook.read_text(encoding="utf-8")}, {})
+
+
+@pytest.mark.parametrize("page", [*PAGES, *sorted(NOTEBOOKS.glob("*.ipynb"))], ids=lambda path: path.stem)
+def test_formulas_of_a_page_have_no_command_that_the_site_cannot_draw(page):
+    convert = pytest.importorskip("latex2mathml.converter", reason='needs pip install ".[docs]"').convert
+    text = page.read_text(encoding="utf-8")
+    if page.suffix == ".ipynb":
+        cells = (cell for cell in json.loads(text)["cells"] if cell["cell_type"] == "markdown")
+        text = "\n\n".join("".join(cell["source"]) for cell in cells)
+    text = re.sub(r"^```.*?^```|`[^`\n]*`", "", text, flags=re.MULTILINE | re.DOTALL)
+    for formula in re.findall(r"\$\$.+?\$\$|\$[^$\n]+\$", text, re.DOTALL):
+        drawn = html.unescape(convert(formula.strip("$").strip()))
+        assert "\\" not in drawn, formula
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda path: path.stem)

@@ -491,6 +491,7 @@ HARM = {
     "link": (special(stat.S_IFLNK), "is a link or a device"),
     "device": (special(stat.S_IFCHR), "is a link or a device"),
     "twice": ("100STYLE/FRAME_cuts.csv", "twice"),
+    "deep": (f"100STYLE/{'a/' * 1500}evil.bvh", "a name that no file should have"),
 }
 
 

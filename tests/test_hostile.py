@@ -475,7 +475,7 @@ def test_everything_is_written_whole_or_not_at_all():
         text = path.read_text(encoding="utf-8")
         if re.search(r"write_text\(|write_bytes\(|tofile\(|(?<!av\.)open\([^)\n]*[\"'][wax]b?\+?[\"']", text):
             found.add(path.name)
-    assert found == {"files.py", "download.py", "archive.py"}
+    assert found == {"files.py", "download.py"}
 
 
 @pytest.mark.skipif(os.name == "nt", reason="Windows has other permissions")
@@ -888,6 +888,22 @@ def test_a_name_that_leads_to_a_pipe_once_it_was_checked_is_not_waited_for(name,
         tk.shots.load(path) if path.suffix == ".json" else tk.load(path)
 
 
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="needs pipes with names")
+def test_a_take_that_is_a_pipe_stops_the_preprocessing_in_one_line(walk_clip, tmp_path, capsys):
+    for style in ("Old", "Neutral"):
+        tk.bvh.save(walk_clip.replace(style=style), tmp_path / f"{style}_FW.bvh")
+    for name, columns in tk.datasets.style100.TABLES.items():
+        rows = [[style, *("N/A" if "FW" not in column else "0" if "START" in column else "480" for column in columns[1:])]
+                for style in ("Old", "Neutral")] if name.startswith("Frame") else [["Old", "", "No", "No", ""]]
+        (tmp_path / name).write_text("\n".join(map(",".join, [columns, *rows])), encoding="utf-8")
+    (tmp_path / "Old_FW.bvh").unlink()
+    os.mkfifo(tmp_path / "Old_FW.bvh")
+    words = ["--data", "100style", "--root", str(tmp_path), "--out", str(tmp_path / "out")]
+    with within(60):
+        assert main(["preprocess", *words, "--workers", "1"]) == 2
+    assert "Old_FW.bvh: a device, pipe or socket is no file" in capsys.readouterr().err
+
+
 @pytest.mark.skipif(sys.platform != "linux", reason="these files are Linux's")
 @pytest.mark.parametrize("suffix", [".bvh", ".glb", ".fbx", ".npz", ".npy", ".amc"])
 def test_files_of_the_kernel_and_files_of_holes_are_refused(suffix, tmp_path):
@@ -907,23 +923,37 @@ def test_files_of_the_kernel_and_files_of_holes_are_refused(suffix, tmp_path):
                 tk.load(kernel)
 
 
-def test_a_thousand_folders_in_each_other_are_searched(walk_clip, tmp_path):
+@pytest.fixture
+def deep(walk_clip, tmp_path):
+    """A folder with 1200 folders in each other and a take in the last; pytest could not remove it."""
+    here, top = os.getcwd(), tmp_path / "top"
+    top.mkdir()
+    os.chdir(top)
+    for _ in range(1200):
+        os.mkdir("a")
+        os.chdir("a")
+    tk.bvh.save(walk_clip.cut(0, 5), "Old_FW.bvh")
+    os.chdir(here)
+    yield top
+    os.chdir(top)
+    for _ in range(1200):
+        os.chdir("a")
+    os.unlink("Old_FW.bvh")
+    for _ in range(1200):
+        os.chdir("..")
+        os.rmdir("a")
+    os.chdir(here)
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no paths that long")
+def test_a_thousand_folders_in_each_other_are_searched(deep, tmp_path):
     from toolkit.datasets import folder, style100
 
-    here = os.getcwd()
-    try:
-        os.chdir(tmp_path)
-        for _ in range(1200):
-            os.mkdir("a")
-            os.chdir("a")
-        tk.bvh.save(walk_clip.cut(0, 5), "Old_FW.bvh")
-    finally:
-        os.chdir(here)
-    assert [take.style for take in folder.labelled(tmp_path)[0]] == ["a"]
-    assert [take.style for take in style100.SOURCE.find(tmp_path)] == ["Old"]
+    assert [take.style for take in folder.labelled(deep)[0]] == ["a"]
+    assert [take.style for take in style100.SOURCE.find(deep)] == ["Old"]
     with pytest.raises(ValueError, match=r"no Frame_Cuts\.csv"):
-        style100.frame_cuts(tmp_path)
-    said = ["style", "add", "--clips", str(tmp_path), "--name", "New", "--out", str(tmp_path / "m.safetensors")]
+        style100.frame_cuts(deep)
+    said = ["style", "add", "--clips", str(deep), "--name", "New", "--out", str(tmp_path / "m.safetensors")]
     assert main(said) == 2  # the clip is too short
 
 
@@ -953,16 +983,30 @@ def test_a_file_with_the_ending_of_gltf_is_said_to_be_none(held, suffix, tmp_pat
         tk.load(path)
 
 
-@pytest.mark.parametrize("height", ["nan", "inf", "1e308", "1.5", "-1"])
+@pytest.mark.parametrize("height", ["nan", "inf", "1e308", "1.5", "-2"])
 def test_a_contact_height_is_a_height(height, walk_clip, tmp_path, capsys):
     (tmp_path / "in").mkdir()
     tk.bvh.save(walk_clip, tmp_path / "in" / "Neutral_walk.bvh")
     words = ["preprocess", "--data", str(tmp_path / "in"), "--out", str(tmp_path / "out"), "--contact-height", height]
     assert main([*words, "--workers", "1"]) == 2
-    assert "the contact height must be from 0 to 1 metres" in capsys.readouterr().err
+    assert "the contact height must be from -1 to 1 metres" in capsys.readouterr().err
     assert not (tmp_path / "out").exists()
-    with pytest.raises(ValueError, match="the contact height must be from 0 to 1 metres"):
+    with pytest.raises(ValueError, match="the contact height must be from -1 to 1 metres"):
         tk.contacts.detect(walk_clip, height=float(height))
+
+
+@pytest.mark.parametrize("added", [7, "abc", None, {}])
+def test_a_damaged_list_of_added_styles_is_said_before_the_work(added, tmp_path, walk_clip, capsys):
+    from toolkit.io import model_files
+
+    path = tmp_path / "m.safetensors"
+    tensors, parts = model_files.read(Path(tk.training.__file__).parent / "pretrained.safetensors", "model")
+    model_files.write(path, tensors, parts | {"added": added})
+    tk.bvh.save(walk_clip, tmp_path / "a.bvh")
+    words = ["style", "add", "--clips", str(tmp_path / "a.bvh"), "--name", "New", "--out", str(tmp_path / "n.safetensors")]
+    with within(60):
+        assert main([*words, "--model", str(path)]) == 2
+    assert capsys.readouterr().err == f"error: {path}: its list of added styles is damaged\n"
 
 
 def test_what_a_command_reads_is_not_written_over(walk_clip, tmp_path, capsys):

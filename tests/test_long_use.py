@@ -1,5 +1,7 @@
 """What widgets leave behind in a kernel. `python -m experiments long-use` drives a whole one."""
 
+import gc
+import weakref
 from types import SimpleNamespace
 
 import pytest
@@ -56,8 +58,23 @@ def test_a_closed_widget_leaves_no_part(walk_clip):
         assert set(_instances) == before
 
 
+def test_a_closed_player_that_a_notebook_keeps_holds_no_part_and_no_picture(walk_clip):
+    kept = Player(walk_clip.cut(0, 60))
+    rows = [part for part in kept.children if part is not kept.image]
+    parts = [weakref.ref(part) for part in (*rows, *rows[1].children, *rows[2].children, *rows[3].children)]
+    del rows
+    kept.close()
+    gc.collect()
+    assert [part() for part in parts] == [None] * 14
+    assert not kept.image.value
+    assert len(kept.clip) == 60
+
+
 def test_growth_is_seen():
-    flat = [(n, {"memory": 500.0 + n % 3, "tasks": 5, "threads": 9}) for n in range(50, 300, 10)]
+    flat = [{"cycle": n, "memory": 500.0 + n % 3, "tasks": 5, "threads": 9} for n in range(50, 300, 10)]
     assert leaks(flat) == []
-    assert leaks([*flat, (300, {"memory": 500.0, "tasks": 6, "threads": 9})]) == ["tasks: 5 → 6"]
-    assert leaks([(n, {"memory": 500.0 + 0.2 * n}) for n in range(50, 300, 10)]) == ["memory: 0.20 MB a cycle"]
+    assert leaks([*flat, {"cycle": 300, "memory": 500.0, "tasks": 6, "threads": 9}]) == ["tasks: 5 → 6"]
+    assert leaks([{"cycle": n, "memory": 500.0 + 0.2 * n, "held": 9.0} for n in range(50, 300, 10)]) == [
+        "memory: 0.20 MB a cycle"]
+    steps = [{"cycle": n, "memory": 500.0 + 4.0 * (n > 60), "held": 9 + n / 5} for n in range(50, 300, 10)]
+    assert leaks(steps) == ["held: 0.20 MB a cycle"]

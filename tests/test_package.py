@@ -112,6 +112,27 @@ def test_every_module_is_an_attribute_of_its_package_right_after_import():
     assert done.returncode == 0, done.stderr
 
 
+def made(command: list[str], folder: Path, commands: dict[str, str]) -> subprocess.CompletedProcess:
+    """A run of make that finds these commands alone, each a line of a shell, in a folder."""
+    for name, line in commands.items():
+        (folder / name).write_text(f"#!/bin/sh\n{line}\n", encoding="utf-8")
+        (folder / name).chmod(0o755)
+    return subprocess.run(command, cwd=REPOSITORY, env={"PATH": str(folder)}, capture_output=True, text=True, check=False)
+
+
+@pytest.mark.parametrize(("works", "user", "called"), [(True, 0, 0), (False, 1000, 0), (False, 0, 2)])
+def test_make_env_says_what_it_installs_into_the_system_before(tmp_path, works, user, called):
+    make = shutil.which("make") or pytest.skip("no make here")
+    commands = {"id": f"echo {user}", "python": f"exit {int(not works)}", "apt-get": 'echo "called $@"'}
+    done = made([make, "opengl", f"BIN={tmp_path}"], tmp_path, commands)
+    said, packages = done.stdout.splitlines(), "libegl1 libgl1-mesa-dri"
+    assert done.returncode == 0
+    assert said == ["Installing OpenGL into the system, as root: apt-get install " + packages, "called update -qq"][:called]
+    plan = made([make, "--dry-run", "env", "VENV=nowhere"], tmp_path, commands).stdout
+    assert plan.index("into the system by apt-get") < plan.index("pip install") < plan.index("-m toolkit.view.opengl")
+    assert packages in plan
+
+
 @pytest.mark.parametrize(("there", "user", "said", "status"), [
     ("chromium", 0, "{bin}/chromium", 0),
     ("google-chrome", 1000, "{bin}/google-chrome", 0),
@@ -121,11 +142,7 @@ def test_every_module_is_an_attribute_of_its_package_right_after_import():
 def test_make_chromium_finds_it_or_says_what_it_installs(tmp_path, there, user, said, status):
     make = shutil.which("make") or pytest.skip("no make here")
     commands = {"id": f"echo {user}", there: f'echo "$@" >> {tmp_path}/called'}
-    for name, line in commands.items():
-        (tmp_path / name).write_text(f"#!/bin/sh\n{line}\n", encoding="utf-8")
-        (tmp_path / name).chmod(0o755)
-    done = subprocess.run([make, "chromium"], cwd=REPOSITORY, env={"PATH": str(tmp_path)}, capture_output=True, text=True,
-                          check=False)
+    done = made([make, "chromium"], tmp_path, commands)
     assert (done.returncode, len(done.stdout.splitlines())) == (status, 1)
     assert done.stdout.startswith(said.format(bin=tmp_path))
     called = tmp_path / "called"
@@ -180,8 +197,11 @@ def test_conda_environment_equals_the_dev_installation(project):
     }
 
 
-def test_every_dependency_is_pinned(project):
-    pins = dict(line.split("==") for line in (REPOSITORY / "constraints.txt").read_text(encoding="utf-8").splitlines())
+def test_every_dependency_is_pinned_by_version_and_hashes(project):
+    text = "".join((REPOSITORY / f"constraints{of}.txt").read_text(encoding="utf-8") for of in ("", "-cuda"))
+    hashes = r"(?: \\\n    --hash=sha256:[0-9a-f]{64})+"
+    assert not re.sub(rf"^[\w.-]+==\S+(?: ; [^\\\n]+)?{hashes}\n", "", text, flags=re.MULTILINE)
+    pins = dict(re.findall(r"^([\w.-]+)==(\S+)", text, flags=re.MULTILINE))
     pinned = {re.sub(r"[-_.]+", "-", name.lower()): number for name, number in pins.items()}
     for name, bound in requirements(project, "dev").items():
         wanted, got = (tuple(int(n) for n in number.split(".")[:2]) for number in (bound.removeprefix(">="), pinned[name]))

@@ -129,24 +129,6 @@ def test_any_tree_plays(player, clip, frames):
     assert one.render(frames - 1).std() > 2
 
 
-def test_what_is_installed_into_the_system_is_said_before(monkeypatch, capsys):
-    commands, works = [], iter((False, True))
-    monkeypatch.setattr(opengl, "opengl_works", lambda: next(works))
-    opengl.opengl_works.cache_clear = lambda: None
-    monkeypatch.setattr(opengl.sys, "platform", "linux")
-    monkeypatch.setattr(opengl.os, "geteuid", lambda: 0)
-    monkeypatch.setattr(opengl.shutil, "which", lambda name: f"/usr/bin/{name}")
-
-    def run(command, **_):
-        assert capsys.readouterr().out.count(opengl.INSTALL) == (not commands)
-        commands.append(command)
-
-    monkeypatch.setattr(opengl.subprocess, "run", run)
-    opengl.install()
-    assert commands == [["apt-get", "update"], opengl.INSTALL.split()]
-    assert not capsys.readouterr().out
-
-
 def test_missing_opengl_is_explained_once(monkeypatch, clip, capsys):
     monkeypatch.setattr(renderers, "opengl_works", lambda: False)
     renderers.explain_missing_opengl.cache_clear()

@@ -12,7 +12,8 @@ from experiments import tables
 from experiments.tables import DOCS, RESULTS, Result
 
 PAGES = sorted(DOCS.glob("*.md"))
-STATED = ("comparison", "phase_sources", "procedural", "recipes", "reproducing")  # pages whose prose states results
+# pages whose prose states results
+STATED = ("comparison", "embedded_model", "phase_sources", "procedural", "recipes", "reproducing")
 
 
 @pytest.fixture

@@ -115,7 +115,8 @@ def test_check_names_a_gate_that_is_too_narrow(embedded, wide, said):
 
 def test_check_names_a_gate_to_which_too_many_come_at_once(embedded):
     walls = [((-9, 2), (-1.2, 2)), ((1.2, 2), (9, 2))]
-    many = [Shot([(1.5 * k - 6, -1), (0, 2), (1.5 * k - 6, 7)], "Neutral", [(0, 0.9)]) for k in range(9)]
+    places = [(1.5 * k - 6, z) for z in (-1, -3) for k in range(9)]
+    many = [Shot([(x, z), (0, 2), (x, 8 + z)], "Neutral", [(0, 0.9)]) for x, z in places]
     (line,) = Scene(many, 1.2, walls).check(*embedded)
     assert "those who come at once would wait for up to" in line
     later = [dataclasses.replace(shot, holds=[{"seconds": 1.5 * k, "time": 0}]) for k, shot in enumerate(many)]

@@ -9,7 +9,6 @@ from scipy.linalg import sqrtm
 import toolkit as tk
 from experiments.stylization import aberman, codes, comparison, convolutional, evaluation, floors, holden, looks, sets
 from experiments.stylization.judges import Judge, Judges
-from experiments.stylization.network_judge import NetworkJudges
 from toolkit.stylization import Config, data, networks
 from toolkit.stylization.medley import medley
 from toolkit.stylization.networks import Sizes
@@ -107,15 +106,6 @@ def test_distances_are_of_equally_many_motions(motions, judges):
     assert wrong["domain_fmd"] > 1
 
 
-def test_the_network_judge_names_contents_and_styles(motions):
-    judges = NetworkJudges.train(motions, motions, epochs=40)
-    found = judges.judge(motions.x, motions.content, motions.domain)
-    assert found["fmd"] == pytest.approx(0, abs=1e-3)
-    assert found["content"] > 0.9
-    assert found["both"] > 0.9
-    assert judges.judge(motions.x, motions.content, 1 - motions.domain)["both"] < 0.1
-
-
 def test_pairs_are_every_source_with_every_other_domain(motions):
     rows, target = evaluation.pairs(motions)
     slow = [(i, d) for i in range(len(motions)) for d in range(2) if d != int(motions.domain[i])]
@@ -127,7 +117,6 @@ def test_doing_nothing_keeps_all_content_and_moves_no_style(motions, judges):
     assert found["content"] == 1.0
     assert found["style"] == 0.0
     assert found["diversity"] == pytest.approx(0, abs=0.1)  # arccos near 1
-    assert found["change"] == pytest.approx(0, abs=0.1)
     assert found["contact_f1"] == found["acceleration"] == 1.0
     assert found["bone"] < 1e-5
     assert found["both"] == 0.0

@@ -15,7 +15,7 @@ import torch
 import typer
 
 from experiments.seven_models.models import machine, write_json
-from experiments.stylization import aberman, codes, convolutional, evaluation, holden, looks, network_judge, sets, speed
+from experiments.stylization import aberman, codes, convolutional, evaluation, holden, looks, sets, speed
 from experiments.stylization.floors import FLOORS
 from experiments.stylization.judges import Judges
 from experiments.stylization.sets import Task
@@ -29,7 +29,6 @@ from toolkit.stylization.training import Config
 
 app = typer.Typer(invoke_without_command=True)
 app.command()(looks.strip)
-app.command("network-judge")(network_judge.run)
 
 OUT = Path("out/stylization")
 USUAL = 60.0  # seconds of the comparison
@@ -187,7 +186,7 @@ def recipe(
     """What each departure of the recipe from the paper is worth: without each in turn, on the validation windows."""
     torch.set_num_threads(1)
     plan, lines, numbers = Plan(seconds, sources, "validation"), [], _numbers(seeds)
-    columns = dict(list(COLUMNS.items())[:9])
+    columns = dict(list(COLUMNS.items())[:11])
     _settle(out, plan)
     task = sets.load(data)
     judges = _judges(task, plan.part)
@@ -200,16 +199,16 @@ def recipe(
                 made = training.fit(task.train, plan.config(seed, **RECIPE[name]), checkpoint, progress=True,
                                     clock=time.process_time)
                 write_json(path, {"iterations": made.history[-1]["step"] if made.history else 0} |
-                           _scored(made.stylizer, task, plan, seed, ("noise", "reference"), judges))
+                           _scored(made.stylizer, task, plan, seed, evaluation.WAYS, judges))
                 checkpoint.unlink(missing_ok=True)
             found.append(json.loads(path.read_text(encoding="utf-8")))
         lines += [{"method": name if name == "the recipe" else f"instead: {name}", "codes": by,
                    "iterations": [one["iterations"] for one in found],
-                   **{key: [one[by][key] for one in found] for key in list(columns)[2:]}} for by in ("noise", "reference")]
+                   **{key: [one[by][key] for one in found] for key in list(columns)[2:]}} for by in evaluation.WAYS]
     columns["iterations"] = ["iterations", 0]
     about = f"Bandai-Namco {data}, {seconds:g} seconds of one processor thread for each training, validation windows"
     result = Result(f"stylisation-recipe-{data}", about, f"python -m experiments stylization recipe --data {data} --sources "
-                    f"{sources} --seeds {seeds} --store", columns, lines,
+                    f"{sources} --seeds {seeds} --rows \"{rows}\" --store", columns, lines,
                     {"seconds": seconds, "restyled sources": sources, "seeds": len(numbers), **machine("cpu")})
     print(f"{about}\n\n{result.markdown()}" + (f"wrote {result.save()}" if store else ""))
 

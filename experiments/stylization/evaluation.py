@@ -73,8 +73,8 @@ def results(model: Stylizer, sources: Motions, references: Motions, by: str, see
 def measures(sources: Motions, target: Tensor, made: list[Tensor], judges: Judges) -> dict[str, float]:
     """Measures of results ``[P, 7, T, N]`` (a list, to compare two for the same source) of sources and target domains [P].
 
-    Those of `Judges.judge`; ``diversity``, the mean angle (degrees) between the joints of the first two results, and
-    ``change``, between sources and results; ``bone``, the mean error of a bone's length (metres) in the positions;
+    Those of `Judges.judge`; ``diversity``, the mean angle (degrees) between the joints of the first two results;
+    ``bone``, the mean error of a bone's length (metres) in the positions;
     ``contact_f1``, the agreement of foot contacts of sources that walk or run with their results', before feet are held;
     ``acceleration``, the mean acceleration of the results' joints as a share of the sources'.
     """
@@ -82,7 +82,6 @@ def measures(sources: Motions, target: Tensor, made: list[Tensor], judges: Judge
     return {
         **judges.judge(torch.cat(made), sources.content.repeat(several), target.repeat(several)),
         "diversity": float(angles(*made[:2]).mean()) if several > 1 else 0.0,
-        "change": float(angles(sources.x, made[0]).mean()),
         "bone": bone_error(made[0], sources.skeleton),
         "contact_f1": contact_agreement(sources, made[0]),
         "acceleration": float(acceleration(made[0]).mean() / acceleration(sources.x).mean()),

@@ -1,25 +1,35 @@
 """Long use of a notebook: cells that make widgets run again and again, tabs are closed; what is left over in the kernel."""
 
 import json
+import math
 import queue
 import statistics
 import time
-from itertools import pairwise
+from itertools import combinations
 from typing import Annotated
 
 import typer
 
+from experiments.tables import Result
+from toolkit.io.progress import progress_bar
+
 SETUP = """
-import asyncio, gc, json, os, threading
+import asyncio, ctypes, gc, json, os, sys, threading
 import toolkit as tk
 from ipywidgets import Widget
 from ipywidgets.widgets import widget as registry
 model, bank = tk.pretrained()
 clip = tk.runtime.rollout(model, tk.runtime.straight(speed=1.2, seconds=4), style=bank["Zombie"])
+class Allocated(ctypes.Structure):  # what glibc's malloc says of itself
+    _fields_ = [(name, ctypes.c_size_t) for name in ("arena", "ordblks", "smblks", "hblks", "hblkhd", "usmblks", "fsmblks",
+                                                     "uordblks", "fordblks", "keepcost")]
+mallinfo2 = getattr(ctypes.CDLL(None), "mallinfo2", Allocated)
+mallinfo2.restype = Allocated
 def probe():
     gc.collect()
-    pages = int(open("/proc/self/statm").read().split()[1])
-    return json.dumps({"memory": pages * os.sysconf("SC_PAGE_SIZE") / 2**20, "tasks": len(asyncio.all_tasks()),
+    pages, held = int(open("/proc/self/statm").read().split()[1]), mallinfo2()
+    return json.dumps({"memory": pages * os.sysconf("SC_PAGE_SIZE") / 2**20, "held": (held.uordblks + held.hblkhd) / 2**20,
+                       "blocks": sys.getallocatedblocks() / 1000, "tasks": len(asyncio.all_tasks()),
                        "threads": threading.active_count(), "files": len(os.listdir("/proc/self/fd")),
                        "widgets": len(registry._instances)})
 """
@@ -31,55 +41,70 @@ CELLS = {
     "walk": "control.advance(30); len(control.clip)",
 }
 STEERED = {"kind": "input", "id": 1, "move": [0, 1], "turn": 0.2, "run": False, "heading": None}
-PATIENCE = 120.0  # seconds for a cell
-GROWTH = 0.1  # MB a cycle, the limit of the median after the warm-up
+PATIENCE = 600.0  # seconds for a cell, or for the kernel's start
+GROWTH = 0.1  # MB a cycle, the limit after the warm-up
+COLUMNS = {"cycle": ["cycle", 0], "minutes": ["minutes", 0], "memory": ["memory of the process, MB", 0],
+           "held": ["of it held by C code and arrays, MB", 1], "blocks": ["Python's blocks, thousands", 0],
+           "tasks": ["asyncio tasks", 0], "threads": ["threads", 0], "files": ["open files", 0], "widgets": ["widgets", 0]}
 
 
 def run(
-    cycles: Annotated[int, typer.Option(help="How often all cells run.", min=4)] = 300,
+    cycles: Annotated[int, typer.Option(help="How often all cells run at most.", min=4)] = 300,
     warm_up: Annotated[int, typer.Option(help="Cycles before memory is compared.", min=1)] = 50,
+    minutes: Annotated[float, typer.Option(help="Time after which it stops.")] = math.inf,
+    store: Annotated[bool, typer.Option("--store", help="Write the result that the documentation shows.")] = False,
 ) -> None:
     """Memory, tasks, threads, files and widgets of a kernel in which cells with widgets run again; status 1 if any grow."""
-    rows = session(cycles, warm_up)
-    for cycle, row in rows:
-        print(f"{cycle:>6}  " + "  ".join(f"{name} {value:>7.1f}" for name, value in row.items()))
-    grown = leaks(rows)
-    print("\n".join(grown) or "nothing grows")
+    rows = session(cycles, warm_up, minutes=minutes)
+    for row in rows:
+        print("  ".join(f"{name} {value:>6.1f}" for name, value in row.items()), flush=True)
+    grown, rates = leaks(rows), {f"MB a cycle, {name}": slope(rows, name) for name in ("memory", "held")}
+    print("\n".join(grown) or "nothing grows", rates)
+    if store:
+        Result("long-use", "A notebook kernel whose cells with a controller, a player and a Director run again and again.",
+               "python -m experiments long-use --cycles N --minutes N --store", COLUMNS, rows, {"limit": GROWTH},
+               rates).save()
     if grown:
         raise typer.Exit(1)
 
 
-def session(cycles: int, warm_up: int, every: int = 10) -> list[tuple[int, dict[str, float]]]:
-    """What `probe` says after ``warm_up`` cycles and each ``every`` cycles from then on."""
+def session(cycles: int, warm_up: int, every: int = 10, minutes: float = math.inf) -> list[dict[str, float]]:
+    """What `probe` says after ``warm_up`` cycles, each ``every`` cycles from then on, and at the end of ``minutes``."""
     from jupyter_client.manager import start_new_kernel
 
-    manager, client = start_new_kernel(kernel_name="python3")
+    manager, client = start_new_kernel(kernel_name="python3", startup_timeout=PATIENCE)
     try:
         page = Page(client)
         page.execute(SETUP, "setup")
-        rows = []
-        for cycle in range(1, cycles + 1):
+        rows, start = [], time.monotonic()
+        for cycle in progress_bar(range(1, cycles + 1), desc="long use", unit="cycle"):
             for name, code in CELLS.items():
                 page.execute(code, name)
                 page.steer(name)
             page.close(cycle % 3 == 0)
-            if cycle >= warm_up and (cycle - warm_up) % every == 0:
-                rows.append((cycle, json.loads(page.execute("print(probe())", "probe"))))
+            passed = (time.monotonic() - start) / 60
+            if (cycle >= warm_up and (cycle - warm_up) % every == 0) or passed > minutes:
+                rows.append({"cycle": cycle, "minutes": passed, **json.loads(page.execute("print(probe())", "probe"))})
+            if passed > minutes:
+                break
         return rows
     finally:
         client.stop_channels()
         manager.shutdown_kernel(now=True)
 
 
-def leaks(rows: list[tuple[int, dict[str, float]]]) -> list[str]:
-    """What grows: a count that is higher at the end, or memory whose median slope is above `GROWTH` MB a cycle."""
-    (_, first), (_, last) = rows[0], rows[-1]
-    counts = [name for name in first if name != "memory" and last[name] > first[name]]
-    found = [f"{name}: {first[name]:.0f} → {last[name]:.0f}" for name in counts]
-    slopes = [(b["memory"] - a["memory"]) / (m - n) for (n, a), (m, b) in pairwise(rows)]
-    if (slope := statistics.median(slopes)) > GROWTH:
-        found.append(f"memory: {slope:.2f} MB a cycle")
-    return found
+def slope(rows: list[dict[str, float]], name: str) -> float:
+    """How much a column grows in each cycle: the median of the slopes between all pairs of rows (Theil and Sen)."""
+    return statistics.median((b[name] - a[name]) / (b["cycle"] - a["cycle"]) for a, b in combinations(rows, 2))
+
+
+def leaks(rows: list[dict[str, float]]) -> list[str]:
+    """What grows: a count that is higher at the end, or memory by more than `GROWTH` MB a cycle."""
+    first, last = rows[0], rows[-1]
+    found = [f"{name}: {first[name]:.0f} → {last[name]:.0f}" for name in ("tasks", "threads", "files", "widgets")
+             if name in first and last[name] > first[name]]
+    return found + [f"{name}: {slope(rows, name):.2f} MB a cycle" for name in ("memory", "held")
+                    if name in first and slope(rows, name) > GROWTH]
 
 
 class Page:

@@ -13,7 +13,7 @@ from toolkit import datasets, features, published, runtime, training
 from toolkit.cli.verbs import Published, Seed, TrainedRun, say
 from toolkit.evaluation import metrics
 from toolkit.io import bvh
-from toolkit.io.files import atomic_write
+from toolkit.io.files import write_whole
 from toolkit.networks.bank import StyleBank
 from toolkit.runtime import FPS
 from toolkit.shots import crowd
@@ -106,8 +106,7 @@ def make(folder: Path, seconds: float = 35.0, *, data_seconds: float = 60.0, see
 
 
 def _write(path: Path, lines: list[str]) -> None:
-    with atomic_write(path) as file:
-        file.write(("\n".join(lines) + "\n").encode())
+    write_whole(path, ("\n".join(lines) + "\n").encode())
 
 
 @app.callback(invoke_without_command=True)

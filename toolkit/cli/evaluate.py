@@ -12,7 +12,7 @@ from toolkit.cli import motion_files
 from toolkit.cli.verbs import Roles, Unit, Up, say
 from toolkit.datasets import folder as own
 from toolkit.evaluation.recognition import Recogniser
-from toolkit.io.files import atomic_write
+from toolkit.io.files import write_whole
 from toolkit.motion import Clip, root_frames
 
 
@@ -45,8 +45,7 @@ def evaluate(
     if out is not None:
         rows = [{k: v if not isinstance(v, float) or math.isfinite(v) else None for k, v in row.items()}
                 for row in table.rows]
-        with atomic_write(out) as file:
-            file.write((json.dumps({"rows": rows, "notes": table.notes}, indent=1) + "\n").encode())
+        write_whole(out, (json.dumps({"rows": rows, "notes": table.notes}, indent=1) + "\n").encode())
 
 
 def _clips(place: Path, paired: bool, judge: Recogniser | None, unit: float | str, up: str,

@@ -19,7 +19,6 @@ def shot(
     seed: Annotated[int | None, typer.Option(help="In place of the seed of the shots.")] = None,
 ) -> None:
     """Render a file of shots, say what cannot be met, and write the motion."""
-    export.check(out)
     scene = shots.Scene.load(file)
     if seed is not None:
         scene = dataclasses.replace(scene, shots=[dataclasses.replace(asked, seed=seed) for asked in scene.shots])

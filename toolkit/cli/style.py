@@ -50,11 +50,13 @@ def add(
         raise ValueError(f"a style's name must not be empty nor hold '=' or ',', got {name!r}")
     export.check(out, ())
     tensors, parts, network, bank = _read(model)
+    if not isinstance(added := parts.get("added", []), list):
+        raise ValueError(f"{model}: its list of added styles is damaged")
     shown = [_fitted(motion_files.read(file, unit, up, roles), network.layout.skeleton) for file in files]
     made = fine_tune(network, shown, name, bank, method=method, steps=steps, mirror=mirror, seed=seed, progress=True)
     record = {"style": name, "clips": [file.name for file in files], "method": made.method, "steps": steps, "seed": seed,
               "seconds": round(made.seconds, 1)}
-    new = {"bank": list(made.bank.names), "added": [*parts.get("added", []), record]}
+    new = {"bank": list(made.bank.names), "added": [*added, record]}
     model_files.write(out, tensors | made.bank.tensors, parts | new)
     first, last = (sum(part) / len(part) if part else math.nan for part in (made.losses[:20], made.losses[-20:]))
     say(f"{METHODS[made.method]}: loss {first:.3f} → {last:.3f} in {made.seconds:.0f} s, kept step {made.best}")

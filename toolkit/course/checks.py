@@ -15,7 +15,7 @@ NOTHING = "no answer yet."  # then no hint is given
 
 #: Module of `toolkit.course.exercises` -> numbers of its notebooks.
 MODULES = {"features": ("00", "01"), "phases": ("02a", "02b"), "networks": ("03a", "03b", "07"),
-           "styles": ("04", "05", "06"), "restyling": ("08a", "08b"), "measures": ("09", "11", "12")}
+           "styles": ("04", "05", "06", "08a", "08b"), "measures": ("09", "11", "12")}
 
 
 @dataclass(frozen=True)
@@ -152,8 +152,7 @@ class Sentences:
     def __repr__(self) -> str:
         return "\n".join(self.lines)
 
-    def _repr_markdown_(self) -> str:
-        return "\n".join(self.lines)
+    _repr_markdown_ = __repr__
 
 
 def claim(sentence: str, *conditions: bool) -> Sentences:

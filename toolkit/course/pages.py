@@ -88,7 +88,7 @@ def two_bone() -> Page:
     return show(static("two_bone.html"), 270)
 
 
-#: Symbol -> (colour, what it is, its name in code).
+#: Symbol -> (colour in formulas, tables and figures, what it is, its name in code).
 SYMBOLS = {
     "x": ("#1f6fb5", "input: this frame, its pose and its trajectory", "data.inputs[style]"),
     "p": ("#c9701e", "phases of both hands and both feet", "data.phases[style]"),

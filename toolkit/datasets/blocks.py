@@ -17,7 +17,7 @@ from typing import NamedTuple
 
 from toolkit.datasets import bandai, style100
 from toolkit.io import files
-from toolkit.io.files import atomic_write
+from toolkit.io.files import write_whole
 
 PARTS = "train", "validation", "test"
 GAP = 240  # frames at 60 Hz between blocks of one take: a style clip, which is longer than the window of a frame (112)
@@ -63,8 +63,7 @@ class Split:
         lines = [f" {json.dumps(key)}: {json.dumps(value)}" for key, value in made.items()]
         lines += [f' "{part}": [\n' + ",\n".join(f"  {json.dumps(row)}" for row in blocks) + "\n ]"
                   for part, blocks in rows.items()]
-        with atomic_write(Path(path)) as file:
-            file.write(("{\n" + ",\n".join(lines) + "\n}\n").encode())
+        write_whole(Path(path), ("{\n" + ",\n".join(lines) + "\n}\n").encode())
 
 
 def split(name: str, root: str | os.PathLike | None = None) -> Split:

@@ -20,7 +20,7 @@ from pathlib import Path, PurePosixPath
 
 from tqdm import tqdm
 
-from toolkit.io.files import atomic_write, parsed, read
+from toolkit.io.files import parsed, read, write_whole
 from toolkit.io.progress import progress_bar
 
 STALL = 30.0  # seconds without a connection or a byte after which a try has failed
@@ -28,7 +28,7 @@ TRIES = 5  # in a row that brought nothing new
 NOTES = 100_000  # bytes of notes about a file
 DAMAGED = (zipfile.BadZipFile, zlib.error, lzma.LZMAError, EOFError, NotImplementedError,
            UnicodeDecodeError)  # what `zipfile` raises for files that are not a whole archive
-LONGEST = 200  # bytes of a name of a file or folder; file systems take up to 255
+LONGEST, DEEPEST = 200, 50  # bytes of a name of a file or folder (file systems take up to 255), and folders in each other
 
 
 class _TryError(Exception):
@@ -134,8 +134,7 @@ def _receive(url: str, part: Path, size: int | None, limit: int, trusted: bool, 
         if (size or total or 0) > limit:
             raise ValueError(f"{url}: the server announces {total:,} bytes, more than the {limit:,} that it may have")
         with part.open("ab" if have else "wb") as file:
-            with atomic_write(part.with_suffix(".json")) as out:
-                out.write(json.dumps({"url": url, "validator": validator, "total": total}).encode())
+            write_whole(part.with_suffix(".json"), json.dumps({"url": url, "validator": validator, "total": total}).encode())
             bar.total, bar.n = size or total, have
             for chunk in _chunks(reply):
                 file.write(chunk)
@@ -222,7 +221,7 @@ def _members(archive: Path, file: zipfile.ZipFile,
         name, path = info.orig_filename, PurePosixPath(info.orig_filename)
         if path.is_absolute() or ".." in path.parts or any(c in name for c in "\\:\0") or not path.parts:
             raise ValueError(f"{archive}: refused, its member {name!r} leads out of the folder")
-        if not name.isprintable() or any(len(part.encode()) > LONGEST for part in path.parts):
+        if not name.isprintable() or len(path.parts) > DEEPEST or any(len(part.encode()) > LONGEST for part in path.parts):
             raise ValueError(f"{archive}: refused, its member {name[:LONGEST]!r} has a name that no file should have")
         kind = stat.S_IFMT(info.external_attr >> 16)
         if kind not in (0, stat.S_IFREG, stat.S_IFDIR):

@@ -21,7 +21,7 @@ import filelock
 from toolkit.datasets import bandai, home, parameters, style100
 from toolkit.datasets.download import download, notes, room, unpack
 from toolkit.io import bvh
-from toolkit.io.files import atomic_write, parsed, read
+from toolkit.io.files import parsed, read, write_whole
 
 LARGEST = 4_000_000_000  # bytes of an archive whose size is not known: GitHub's hold whole projects
 RECORD = "toolkit-data.json"  # in a fetched folder: what it is, from where and when, its checksum and terms
@@ -243,8 +243,7 @@ def _into(work: Path, origin: Origin, source: str, sha256: str | None, name: str
     date = datetime.now(UTC).isoformat(timespec="seconds")
     known = {"name": name, "title": origin.title, "terms": origin.terms, "source": source, "date": date, "sha256": digest,
              "comment": comment, "files": files, "bytes": size, "found": found}
-    with atomic_write(unpacked / RECORD) as out:
-        out.write(json.dumps(known, indent=2).encode())
+    write_whole(unpacked / RECORD, json.dumps(known, indent=2).encode())
     return known
 
 

@@ -14,7 +14,7 @@ from pathlib import Path
 
 from toolkit.datasets.takes import Names, Source
 from toolkit.io import bvh, files
-from toolkit.io.files import atomic_write
+from toolkit.io.files import write_whole
 from toolkit.motion import Clip
 
 GAITS = {
@@ -109,8 +109,7 @@ def save(clips: Iterable[Clip], folder: str | os.PathLike, infos: Iterable[Style
         writer = csv.DictWriter(text, TABLES[name], restval="N/A", lineterminator="\n")
         writer.writeheader()
         writer.writerows(rows)
-        with atomic_write(folder / name) as file:
-            file.write(text.getvalue().encode())
+        write_whole(folder / name, text.getvalue().encode())
 
 
 def frame_cuts(root: str | os.PathLike | None = None) -> dict[tuple[str, str], tuple[int, int]]:

@@ -118,14 +118,12 @@ def posture(layout: Layout, positions: Tensor) -> dict[str, Tensor]:
     """
     role = {r: positions[..., layout.names.index(n), :] for r, n in layout.skeleton.roles.items() if n in layout.names}
     rest = layout.skeleton.rest_positions[list(layout.skeleton.feature_joints)].to(positions)
-    child, parent = (list(side) for side in zip(*[(j, p) for j, p in enumerate(layout.parents) if p >= 0], strict=True))
-    length = (positions[..., child, :] - positions[..., parent, :]).norm(dim=-1)
     return {
         "hips_height": role["hips"][..., 1].mean(0),
         "hand_height": (role["left_hand"] + role["right_hand"])[..., 1].mean(0) / 2,
         "arm_spread": (role["left_hand"] - role["right_hand"])[..., 0].mean(0),
         "step_length": (role["left_foot"] - role["right_foot"])[..., 2].abs().quantile(0.95, 0),
-        "bone_stretch": (length - (rest[child] - rest[parent]).norm(dim=-1)).abs().mean((0, -1)),
+        "bone_stretch": (layout.bone_lengths(positions) - layout.bone_lengths(rest)).abs().mean((0, -1)),
     }
 
 

@@ -7,7 +7,7 @@ import numpy as np
 import torch
 
 from toolkit.export.gltf import STILL, Buffer, container
-from toolkit.io.files import atomic_write
+from toolkit.io.files import write_whole
 from toolkit.io.gltf_file import Document
 from toolkit.motion import Clip
 from toolkit.motion import rotations as R
@@ -23,9 +23,11 @@ def save(clip: Clip, path: str | os.PathLike, character: Character) -> None:
     Raises
     ------
     ValueError
-        If the character's file keeps its numbers outside of itself, so that a .glb is needed, or has some that JSON lacks.
+        If the character's file was changed, keeps its numbers outside of itself, or has some that JSON lacks.
     """
     file = Document(character.path)
+    if file.digest != character.mesh.digest:
+        raise ValueError(f"{character.path}: was changed since it was read; run the command again")
     document = copy.deepcopy(file.document)
     if file.binary is None or len(document.get("buffers", ())) != 1:
         raise ValueError(f"{character.path}: keeps its mesh in other files; convert it to one .glb first")
@@ -63,8 +65,7 @@ def save(clip: Clip, path: str | os.PathLike, character: Character) -> None:
         whole = container(document, bytes(buffer.data))
     except ValueError:
         raise ValueError(f"{character.path}: its JSON text has NaN or Infinity, which other programs cannot read") from None
-    with atomic_write(path) as out:
-        out.write(whole)
+    write_whole(path, whole)
 
 
 def _axes(frame: np.ndarray) -> np.ndarray:

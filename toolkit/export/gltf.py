@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 import torch
 
-from toolkit.io.files import atomic_write
+from toolkit.io.files import write_whole
 from toolkit.motion import Clip
 from toolkit.motion import rotations as R
 
@@ -55,8 +55,7 @@ def save(clip: Clip, path: str | os.PathLike) -> None:
     if len(clip) > 1:
         document["animations"] = [_animation(buffer, clip, turns) | {"name": title}]
     document |= {"buffers": [{"byteLength": len(buffer.data)}], "bufferViews": buffer.views, "accessors": buffer.accessors}
-    with atomic_write(path) as file:
-        file.write(container(document, bytes(buffer.data)))
+    write_whole(path, container(document, bytes(buffer.data)))
 
 
 class Buffer:

@@ -15,7 +15,7 @@ from pathlib import Path
 import torch
 from torch import Tensor, nn
 
-from toolkit.io.files import atomic_write
+from toolkit.io.files import write_whole
 from toolkit.io.model_files import finite
 from toolkit.motion.trajectory import FPS
 from toolkit.networks import Model
@@ -48,8 +48,7 @@ def save(model: Model, path: str | os.PathLike, bank: StyleBank | None = None) -
     if bank is not None and bank.vectors.shape[1] != model.style_size:
         raise ValueError(f"the model takes style vectors [{model.style_size}], the bank has [{bank.vectors.shape[1]}]")
     packed, files = graph(model, bank).SerializeToString(), [path]
-    with atomic_write(path) as file:
-        file.write(packed)
+    write_whole(path, packed)
     if bank is not None:
         files.append(path.with_suffix(BANK))
         bank.save(files[1])

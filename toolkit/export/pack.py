@@ -14,7 +14,7 @@ from toolkit import runtime
 from toolkit.evaluation import metrics
 from toolkit.export import gltf
 from toolkit.io import bvh
-from toolkit.io.files import atomic_write
+from toolkit.io.files import write_whole
 from toolkit.io.progress import progress_bar
 from toolkit.motion import Clip, loops
 from toolkit.motion.retargeting import retarget
@@ -89,8 +89,7 @@ def write(model, bank, folder: str | os.PathLike, styles: Mapping[str, Mapping[s
     skeleton = (model.layout.skeleton if target is None else target.skeleton)
     about = {"generator": f"toolkit {toolkit.__version__}", "root_motion": not in_place, "fps": FPS, "unit": "metre",
              "up": "y", "forward": "z", "last_frame_repeats_first": True, "joints": list(skeleton.names), "clips": rows}
-    with atomic_write(folder / MANIFEST) as file:
-        file.write((json.dumps(about, indent=1, ensure_ascii=False) + "\n").encode())
+    write_whole(folder / MANIFEST, (json.dumps(about, indent=1, ensure_ascii=False) + "\n").encode())
     return folder / MANIFEST
 
 

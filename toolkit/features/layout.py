@@ -159,6 +159,11 @@ class Layout:
         """Blocks of z, each ``[..., width]``."""
         return {name: z[..., s] for name, s in self.outputs.items()}
 
+    def bone_lengths(self, positions: Tensor) -> Tensor:
+        """Distances ``[..., J - 1]`` of feature joints at ``[..., J, 3]`` from their parents."""
+        child, parent = (list(side) for side in zip(*[(j, p) for j, p in enumerate(self.parents) if p >= 0], strict=True))
+        return (positions[..., child, :] - positions[..., parent, :]).norm(dim=-1)
+
     def joint_positions(self, z: Tensor) -> Tensor:
         """Joint positions ``[..., J, 3]`` of an output frame, metres, in the current root frame."""
         return split_joints(z[..., self.outputs["joints"]])["position"]

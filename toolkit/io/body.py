@@ -6,6 +6,7 @@ In numpy, whose functions cost less than torch's on arrays as small as these: ev
 import math
 from collections.abc import Mapping
 from functools import cached_property
+from itertools import takewhile
 
 import numpy as np
 import torch
@@ -14,7 +15,7 @@ from toolkit.io.recording import Recording
 from toolkit.motion import joint_names
 from toolkit.motion import rotations as R
 from toolkit.motion.contacts import line
-from toolkit.motion.roles import ROLES, SIDES, head
+from toolkit.motion.roles import ROLES, SIDES, Tree, head
 
 SAMPLES, PART = 48, 6  # frames that are looked at; at least, in a part of the clip, whose lowest toe is the floor there
 SOLE, CROWN = 0.08, 0.24  # of a leg's length: height of an ankle, and from the head joint to the top of the head
@@ -28,6 +29,7 @@ class Body:
         self.names, self.parents, self.ends = recording.names, recording.parents, recording.ends
         self.recording, self.roles = recording, roles
         self.lengths = recording.offsets.norm(dim=-1).tolist()
+        self.tree = Tree(recording.parents, self.lengths)
         self.head = head(recording.names, recording.parents, self.lengths, roles)  # path from the root, maybe empty
         self.needed = range(len(self.names)) if whole else ()  # joints besides those with roles
         self.joint = {role: self.names.index(name) for role, name in roles.items() if role in ROLES}
@@ -41,12 +43,7 @@ class Body:
         """Positions ``[S, 3]`` by joint of all with roles, of the head and of those above them, float64."""
         recording = self.recording
         frames = np.linspace(0, len(recording.rotations) - 1, min(len(recording.rotations), SAMPLES)).astype(int)
-        needed: set[int] = {*self.head, *self.needed}
-        for joint in self.joint.values():
-            while joint >= 0 and joint not in needed:
-                needed.add(joint)
-                joint = self.parents[joint]
-        order = sorted(needed | {0})
+        order = sorted({0, *self.head, *self.needed, *(j for joint in self.joint.values() for j in self.tree.up(joint))})
         local = R.to_matrix(torch.from_numpy(recording.rotations.numpy()[frames][:, order]).double()).numpy()
         offsets, roots = recording.offsets.numpy(), recording.root_positions.numpy()[frames]
         turned, points = {}, {}
@@ -80,13 +77,8 @@ class Body:
         """Hip to ankle along the bones, mean of both legs; NaN without legs."""
         if not self.has("hip", "foot"):
             return math.nan
-        total = 0.0
-        for side in SIDES:
-            j = self.joint[f"{side}_foot"]
-            while j >= 0 and j != self.joint[f"{side}_hip"]:
-                total += self.lengths[j] / 2
-                j = self.parents[j]
-        return total
+        legs = ((self.joint[f"{side}_hip"], self.tree.up(self.joint[f"{side}_foot"])) for side in SIDES)
+        return sum(self.lengths[j] / 2 for hip, path in legs for j in takewhile(hip.__ne__, path))
 
     @cached_property
     def height(self) -> float:
@@ -110,11 +102,8 @@ class Body:
     @cached_property
     def resting(self) -> str:
         """The axis along which the body stands where all rotations are zero; empty where it does not."""
-        offsets, feet = self.recording.offsets.numpy(), np.zeros(3)
-        for side in SIDES:
-            j = self.joint[f"{side}_foot"]
-            while j >= 0:
-                feet, j = feet + offsets[j] / 2, self.parents[j]
+        offsets = self.recording.offsets.numpy()
+        feet = sum(offsets[self.tree.up(self.joint[f"{side}_foot"])].sum(0) / 2 for side in SIDES)
         above = offsets[self.head].sum(0) - feet
         axis = int(np.abs(above).argmax())
         return ("-" if above[axis] < 0 else "") + "xyz"[axis] if abs(above[axis]) > UPRIGHT * self.height else ""

@@ -30,24 +30,25 @@ def status(path: str | os.PathLike, file: BinaryIO | None = None) -> os.stat_res
     return found
 
 
-def read(path: str | os.PathLike, most: int = LARGEST) -> bytes:
-    """The bytes, or the first so many, that a regular file has when it is opened; OSError for anything else.
-
-    A pipe, or a file of the kernel (which says that it has no bytes), may never end. What is opened is looked at again,
-    because the name may lead to something else by then.
-    """
+@contextlib.contextmanager
+def opened(path: str | os.PathLike) -> Iterator[BinaryIO]:
+    """Open a regular file for reading; OSError for anything else, also where the name leads there once it was looked at."""
     status(path)
-    with open(path, "rb", opener=lambda name, flags: os.open(name, flags | getattr(os, "O_NONBLOCK", 0))) as file:
-        if (size := status(path, file).st_size) > LARGEST:
+    with os.fdopen(os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)), "rb") as file:
+        status(path, file)
+        yield file
+
+
+def read(path: str | os.PathLike, most: int = LARGEST) -> bytes:
+    """The bytes, or the first so many, that a file has when it is `opened`: a pipe or a file of the kernel may never end."""
+    with opened(path) as file:
+        if (size := os.fstat(file.fileno()).st_size) > LARGEST:
             raise OSError(errno.EFBIG, f"more than {LARGEST} bytes", os.fspath(path))
         return file.read(min(size, most))
 
 
 def below(folder: str | os.PathLike) -> list[Path]:
-    """All that is in a folder and its sub-folders, sorted; links are not followed.
-
-    `Path.rglob` calls itself for each level, and a thousand levels are too many for it.
-    """
+    """All that is in a folder and its sub-folders, sorted, however deep (`Path.rglob` recurs); links are not followed."""
     found, folders = [], [os.fspath(folder)]
     while folders:
         with contextlib.suppress(PermissionError), os.scandir(folders.pop()) as entries:
@@ -136,6 +137,12 @@ def atomic_write(path: str | os.PathLike) -> Iterator[BinaryIO]:
         raise
     finally:
         partial.unlink(missing_ok=True)
+
+
+def write_whole(path: str | os.PathLike, data: bytes) -> None:
+    """Write a file at once by `atomic_write`."""
+    with atomic_write(path) as file:
+        file.write(data)
 
 
 def _keep(number: int, path: Path, older: os.stat_result) -> None:

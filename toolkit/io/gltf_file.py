@@ -2,6 +2,7 @@
 
 import base64
 import binascii
+import hashlib
 import math
 import struct
 from functools import cached_property
@@ -23,7 +24,7 @@ class Document:
     def __init__(self, path: Path):
         self.path = path
         data = read(path)
-        self.size, text, self.binary = len(data), data, None
+        self.size, self.digest, text, self.binary = len(data), hashlib.sha256(data).digest(), data, None
         if data[:4] == b"glTF":
             text, self.binary = _chunks(data)
         try:

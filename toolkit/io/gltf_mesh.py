@@ -37,6 +37,7 @@ class SkinnedMesh:
     joints: np.ndarray  # [V, 4]
     weights: np.ndarray  # [V, 4] with sum 1
     colors: np.ndarray  # [V, 3] uint8, base colour (sRGB) with that of the vertex; a texture is read at each vertex
+    digest: bytes  # SHA-256 of the file
 
 
 def read(path: str | os.PathLike) -> SkinnedMesh:
@@ -137,7 +138,7 @@ class _Reader:
         top = self.parents[order[0]]
         return SkinnedMesh(tuple(names), tuple(at.get(self.parents[j], -1) for j in order), tuple(order),
                            self.place(top) if top >= 0 else np.eye(4), np.stack([self.place(j) for j in order]), bind,
-                           points, triangles, joints, weights, colors)
+                           points, triangles, joints, weights, colors, self.file.digest)
 
     def _tree(self, joints: set[int]) -> list[int]:
         """Joints and the nodes between them, parents first, below one root."""

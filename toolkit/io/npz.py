@@ -18,6 +18,7 @@ from torch import Tensor
 
 from toolkit.io import files, humanml3d
 from toolkit.io.recording import Recording
+from toolkit.motion import Skeleton, forward_kinematics
 from toolkit.motion import rotations as R
 from toolkit.motion.clip import SIDES
 
@@ -151,7 +152,8 @@ def _smpl(arrays: Mapping[str, np.ndarray], poses: Tensor) -> Recording:
     if place is not None and place.shape != (frames, 3):
         raise ValueError(f"the root's positions should be [{frames}, 3], got {list(place.shape)}")
     if given is not None:
-        offsets, error = _offsets(PARENTS[:count], _world(PARENTS[:count], turns), given[:, :count])
+        turned = forward_kinematics(Skeleton(SMPL[:count], PARENTS[:count], offsets), turns, given[:, 0])[0]
+        offsets, error = _offsets(PARENTS[:count], turned, given[:, :count])
         if error > RIGID:
             raise ValueError(f"its joints and its poses disagree by up to {error:.3g} m")
         place = given[:, 0]
@@ -218,14 +220,6 @@ def _fitted(joints: Tensor, format_: str, fps: float, unit: float | None, up: st
                    f"{100 * error / height:.2g} % of the height",)
     return Recording(format_, SMPL[:count], PARENTS[:count], offsets, R.unroll(rotations.float()), joints[:, 0], fps,
                      unit=unit, up=up, roles=dict(ROLES), doubts=doubts)
-
-
-def _world(parents: tuple[int, ...], local: Tensor) -> Tensor:
-    """World rotations ``[F, J, 4]``."""
-    world = []
-    for j, parent in enumerate(parents):
-        world.append(R.multiply(world[parent], local[:, j]) if parent >= 0 else local[:, j])
-    return torch.stack(world, 1)
 
 
 def _offsets(parents: tuple[int, ...], world: Tensor, joints: Tensor) -> tuple[Tensor, float]:

@@ -31,8 +31,6 @@ def detect(clip: Clip, *, height: float | None = None, speed: float = 0.15, majo
     speed : v_max, metres per second
     majority : half the width of the vote, in frames at 60 Hz
     floor : height of a standing toe joint, metres; by default that of `floor_height`, because rigs differ
-
-    ValueError as of `check_height`.
     """
     check_height(height)
     toes = toes_of(clip)
@@ -45,9 +43,9 @@ def detect(clip: Clip, *, height: float | None = None, speed: float = 0.15, majo
 
 
 def check_height(height: float | None) -> None:
-    """ValueError unless d_max is None, or from 0 to 1 m."""
-    if height is not None and not 0 <= height <= 1:
-        raise ValueError(f"the contact height must be from 0 to 1 metres, got {height:g}")
+    """ValueError unless d_max is None, or within 1 m; below the floor, no toe stands."""
+    if height is not None and not abs(height) <= 1:
+        raise ValueError(f"the contact height must be from -1 to 1 metres, got {height:g}")
 
 
 def standing_range(above: Tensor, slow: Tensor) -> Tensor:

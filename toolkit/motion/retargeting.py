@@ -1,13 +1,11 @@
 """Motion on other skeletons: that of another humanoid, or the body joints of a rig alone.
 
-`retarget` keeps the other skeleton's bone lengths, axes and rest pose.
-
-Limbs keep their directions in the world (`toolkit.motion.anatomy` says what is compared), the path is scaled by leg length,
-and legs are bent a little where another leg or foot would slide, sink or float. `report` measures the error of a result.
-`pruned` leaves out what a model of locomotion does not need: fingers, face, twist bones, clothes and props.
+`retarget` keeps the other skeleton's bone lengths, axes and rest pose. Limbs keep their directions in the world
+(`toolkit.motion.anatomy` says what is compared), the path is scaled by leg length, and legs are bent a little where another
+leg or foot would slide, sink or float. `report` measures the error of a result. `pruned` leaves out what a model of
+locomotion does not need: fingers, face, twist bones, clothes and props.
 """
 
-import math
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
@@ -109,7 +107,7 @@ def report(clip: Clip, made: Clip) -> Report:
                                  - c.global_positions[:, c.skeleton.role(f"{side}_{upper}")]) for c in (clip, made)]
             angles.append(2 * torch.asin(((bones[0] - bones[1]).norm(dim=-1) / 2).clamp(max=1.0)))
     angles = torch.rad2deg(torch.stack(angles))
-    scale = math.prod(_leg(c) ** sign for c, sign in ((made, 1), (clip, -1)))
+    scale = measure(made).leg / measure(clip).leg
     toes = toes_of(made)
     height, standing = 100 * (toes[..., 1] - standing_height(made)), contact > 0.5
     off = (height - 100 * scale * (toes_of(clip)[..., 1] - standing_height(clip))).abs()
@@ -130,12 +128,6 @@ def _standing(*skeletons: Skeleton) -> list[Skeleton]:
     if all(s.roles[toe] != s.roles[toe.replace("toe", "foot")] for s in skeletons for toe in toes):
         return list(skeletons)
     return [replace(s, roles=s.roles | {toe: s.roles[toe.replace("toe", "foot")] for toe in toes}) for s in skeletons]
-
-
-def _leg(clip: Clip) -> float:
-    """Hip to ankle along the bones, metres."""
-    joints = [clip.global_positions[0, clip.skeleton.role(f"left_{part}")] for part in ("hip", "knee", "foot")]
-    return float((joints[1] - joints[0]).norm() + (joints[2] - joints[1]).norm())
 
 
 def leaders(source: Anatomy, goal: Anatomy) -> dict[int, tuple[int, int, float]]:

@@ -10,7 +10,7 @@ from torch import Tensor
 
 from toolkit.motion import rotations as R
 from toolkit.motion.names import checked
-from toolkit.motion.roles import SIDES, find_roles, mirror_pairs
+from toolkit.motion.roles import SIDES, Tree, find_roles, mirror_pairs
 from toolkit.motion.tensors import as_tensor, summary
 
 FEET = SIDES[::-1]  # the order of contacts in the published network, and of all pairs of legs or arms
@@ -134,11 +134,12 @@ class Skeleton:
 
     def ancestors(self, joint: int | str) -> list[int]:
         """Indices from the parent of a joint (its index, name or role) up to the root."""
-        above, j = [], self.parents[self.index(joint) if isinstance(joint, str) else joint]
-        while j >= 0:
-            above.append(j)
-            j = self.parents[j]
-        return above
+        return self.tree.up(self.index(joint) if isinstance(joint, str) else joint)[1:]
+
+    @cached_property
+    def tree(self) -> Tree:
+        """Children, ancestors and subtrees by index; without lengths."""
+        return Tree(self.parents, [])
 
     @cached_property
     def trunk(self) -> list[int]:

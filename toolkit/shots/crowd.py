@@ -33,12 +33,10 @@ class Crowd:
     Parameters
     ----------
     clips : one per character
-    blends : style name to share, one blend per character
     seconds : median processing time of one frame for all characters: commands, avoidance, step and pose
     """
 
     clips: list[Clip]
-    blends: list[dict[str, float]]
     seconds: float
     __repr__ = summary
 
@@ -115,7 +113,7 @@ def walk(model, bank, characters: int = 100, seconds: float = 10.0, *, seed: int
     rotations, roots = (torch.stack(column, 1) for column in zip(*poses, strict=True))
     clips = [Clip(compiled.layout.skeleton, r, p, FPS, style=shot.name, name="crowd")
              for r, p, shot in zip(rotations, roots, scene.shots, strict=True)]
-    return Crowd(clips, [dict(shot.styles[0].layers[0]) for shot in scene.shots], float(torch.tensor(taken).median()))
+    return Crowd(clips, float(torch.tensor(taken).median()))
 
 
 def places(characters: int) -> tuple[Tensor, Tensor, Tensor]:

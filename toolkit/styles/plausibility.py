@@ -51,11 +51,8 @@ def strain(model: Model, vectors: Tensor, speed: float = 1.0, seconds: float = 5
 def bone_stretch(layout: Layout, positions: Tensor) -> Tensor:
     """Largest relative error of a bone length, mean over frames ``[...]``, from positions ``[F, ..., J, 3]``."""
     rest = layout.skeleton.rest_positions[list(layout.skeleton.feature_joints)].to(positions)
-    child, parent = zip(*[(j, p) for j, p in enumerate(layout.parents) if p >= 0 and (rest[j] - rest[p]).norm() > 1e-3],
-                        strict=True)
-    length = (rest[list(child)] - rest[list(parent)]).norm(dim=-1)
-    got = (positions[..., list(child), :] - positions[..., list(parent), :]).norm(dim=-1)
-    return ((got - length).abs() / length).mean(0).amax(-1)
+    length, got = layout.bone_lengths(rest), layout.bone_lengths(positions)
+    return ((got - length).abs() / length)[..., length > 1e-3].mean(0).amax(-1)
 
 
 def penetration(layout: Layout, positions: Tensor) -> Tensor:

@@ -9,6 +9,7 @@ import torch
 from torch import Tensor
 
 from toolkit.motion import Skeleton
+from toolkit.motion.roles import Tree
 from toolkit.motion.tensors import summary
 
 POOLINGS = 2  # the paper's: joints, then halves of body parts, then body parts
@@ -78,19 +79,14 @@ def body_parts(parents: Sequence[int]) -> list[list[int]]:
     A chain continues with the largest subtree that has no sibling of the same shape. Limbs come in pairs, so each starts a
     new chain; the spine continues between the legs and between the arms up to the head.
     """
-    children: list[list[int]] = [[] for _ in parents]
-    for joint, parent in enumerate(parents[1:], 1):
-        children[parent].append(joint)
-    shapes, sizes, known = {}, {}, {}  # the number of a joint's subtree: equal for subtrees of the same shape
-    for joint in reversed(range(len(parents))):
-        shapes[joint] = known.setdefault(tuple(sorted(shapes[c] for c in children[joint])), len(known))
-        sizes[joint] = 1 + sum(sizes[c] for c in children[joint])
+    tree = Tree(parents, [1.0] * len(parents))
+    sizes = [len(tree.below(joint)) for joint in range(len(parents))]
     chains, heads = [], [0]
     while heads:
         chain = [heads.pop(0)]
-        while below := children[chain[-1]]:
-            seen = Counter(shapes[c] for c in below)
-            heir = max((c for c in below if seen[shapes[c]] == 1), key=sizes.get, default=None)
+        while below := tree.children[chain[-1]]:
+            seen = Counter(tree.shapes[c] for c in below)
+            heir = max((c for c in below if seen[tree.shapes[c]] == 1), key=sizes.__getitem__, default=None)
             heads += [c for c in below if c != heir]
             if heir is None:
                 break

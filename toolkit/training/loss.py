@@ -22,14 +22,8 @@ def loss_terms(model: Model, predicted: Tensor, target: Tensor) -> tuple[Tensor,
     The bone-length loss is the mean absolute error of bone lengths, in metres, over samples and bones.
     """
     layout, normaliser = model.layout, model.normaliser("outputs")
-    bones = [(j, p) for j, p in enumerate(layout.parents) if p >= 0]
-    child, parent = (list(side) for side in zip(*bones, strict=True))
-
-    def lengths(z: Tensor) -> Tensor:
-        positions = layout.joint_positions(normaliser.invert(z))
-        return (positions[..., child, :] - positions[..., parent, :]).norm(dim=-1)
-
-    return (predicted - target).square().mean(), (lengths(predicted) - lengths(target)).abs().mean()
+    made, right = (layout.bone_lengths(layout.joint_positions(normaliser.invert(z))) for z in (predicted, target))
+    return (predicted - target).square().mean(), (made - right).abs().mean()
 
 
 def make_bank(model: Model, data: Features, clips: int | None = None) -> StyleBank:

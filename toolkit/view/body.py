@@ -133,12 +133,6 @@ class _Pose:
     def __hash__(self) -> int:
         return hash(self.key)
 
-    def children(self, joint: int) -> list[int]:
-        return [j for j, p in enumerate(self.skeleton.parents) if p == joint]
-
-    def below(self, joint: int) -> list[int]:
-        return [j for j in range(len(self.skeleton)) if j == joint or joint in self.skeleton.ancestors(j)]
-
 
 def _rise(clip: Clip, toe: int) -> float:
     """Height of a toe, or of an ankle without toe, above the sole: that of its lowest frames, in whole centimetres."""
@@ -185,7 +179,7 @@ def _pivots(pose: _Pose) -> list[tuple[float, np.ndarray]]:
     if pose.body:
         roots = {pose.skeleton.role(f"{side}_{part}"): GROWN[part] for side in SIDES for part in ("hand", "foot")}
         for joint, factor in (roots | ({pose.neck[-1]: GROWN["head"]} if len(pose.neck) > 1 else {})).items():
-            for j in pose.below(joint):
+            for j in pose.skeleton.tree.below(joint):
                 found[j] = factor, pose.places[joint]
     return found
 
@@ -202,7 +196,7 @@ def _bones(pose: _Pose, drawn: set[int], scale: float) -> list[Cone]:
     A humanoid's toes are left out, and short bones that are no fingers, such as those of a face.
     """
     role, cones = pose.skeleton.role, []
-    fingers, toes = ({j for side in SIDES for j in pose.below(role(f"{side}_{part}"))} if pose.body else set()
+    fingers, toes = ({j for side in SIDES for j in pose.skeleton.tree.below(role(f"{side}_{part}"))} if pose.body else set()
                      for part in ("hand", "foot"))
     for j, p in enumerate(pose.skeleton.parents):
         start, end = pose.places[[p, j]]
@@ -330,7 +324,8 @@ def _hand(pose: _Pose, side: str, s: float, put: Callable) -> None:
     hand = pose.skeleton.role(f"{side}_hand")
     along, back, thumb = pose.body[hand].T * np.array([[1.0 if side == "left" else -1.0], [1.0], [1.0]])
     at = pose.places[hand]
-    own = [j for j in pose.children(hand) if pose.children(j)]  # the rig's own fingers
+    children = pose.skeleton.tree.children
+    own = [j for j in children[hand] if children[j]]  # the rig's own fingers
     for across, length, degrees in FINGERS:
         knuckle = at + s * (0.09 * along + across * thumb)
         put(hand, at + s * (0.012 * along + 0.5 * across * thumb), knuckle, (0.0155, 0.0105), "middle", "hands")

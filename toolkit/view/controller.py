@@ -91,9 +91,8 @@ class Controller(CellWidget, Corners):
         self._facing = 0.0
         self._input = {"id": 0, "move": [0.0, 0.0], "turn": 0.0, "run": False, "heading": None}
         self.frames = self._seen = 0
-        self._recorded: list[tuple[torch.Tensor, torch.Tensor]] = []
-        character = Character.of(character)
-        skeleton = skeleton_data(example(model, bank), character)
+        self._recorded: list[np.ndarray] = []
+        skeleton = skeleton_data(example(model, bank), Character.of(character))
         super().__init__(names=names, weights=[1.0, 0.0, 0.0], styles=list(bank.names), speed=speed, size=list(size),
                          skeleton=skeleton)
         self.on_msg(self._receive)
@@ -114,8 +113,8 @@ class Controller(CellWidget, Corners):
         """The recording, on the model's whole skeleton; a ValueError if there is none."""
         if not self._recorded:
             raise ValueError("nothing recorded yet: press Record (or set recording = True) and walk")
-        rotations, roots = (torch.stack(column) for column in zip(*self._recorded, strict=True))
-        return Clip(self._model.layout.skeleton, rotations, roots, FPS, name="controller")
+        rows = torch.from_numpy(np.stack(self._recorded))
+        return Clip(self._model.layout.skeleton, rows[:, 3:].unflatten(1, (-1, 4)), rows[:, :3], FPS, name="controller")
 
     def steer(self, ahead: float = 0.0, right: float = 0.0, turn: float = 0.0, *, run: bool = False) -> None:
         """Steer from a program instead of keys: shares in [-1, 1] of walking ahead, walking right and turning left."""
@@ -174,16 +173,16 @@ class Controller(CellWidget, Corners):
     @torch.no_grad()
     def _step(self) -> None:
         self._vector = torch.lerp(self._vector, self._target, EASE)
-        self.state = runtime.step(self._model, self.state.with_style(self._vector), self._command())
-        rotations, root = runtime.pose(self._model, self.state, feet=self.feet, arms=self.arms)
+        self.state = state = runtime.step(self._model, self.state.with_style(self._vector), self._command())
+        rotations, root = runtime.pose(self._model, state, feet=self.feet, arms=self.arms)
         self.frames += 1
-        if self.recording:
-            self._recorded.append((rotations[0].clone(), root[0].clone()))
-        state = self.state
         past = [trajectory.PAST + o for o in self._model.layout.behind]
         parts = (root, rotations, state.history[:, past], state.future, state.contacts, state.phase)
-        message = np.concatenate([part.numpy().ravel() for part in parts]).astype(np.float32)
-        self.send({"kind": "frame", "frame": self.frames, "input": self._input["id"]}, [message.tobytes()])
+        message = np.concatenate([part.numpy().ravel() for part in parts])
+        if self.recording:
+            self._recorded.append(message[: root.numel() + rotations.numel()].copy())
+        self.send({"kind": "frame", "frame": self.frames, "input": self._input["id"]},
+                  [message.astype(np.float32).tobytes()])
 
     async def _run(self) -> None:
         """One frame every 1/60 s while a page answers; late frames are dropped."""

@@ -1,10 +1,9 @@
 """OpenGL for pyvista: VTK's wheel has none, and without it the first picture would crash the process.
 
-``python -m toolkit.view.opengl`` installs it as root on Debian or Ubuntu, and says elsewhere how to install it.
+``python -m toolkit.view.opengl`` says how to install it, with exit status 1, where it is missing.
 """
 
 import os
-import shutil
 import subprocess
 import sys
 from functools import cache
@@ -41,19 +40,7 @@ def explain_missing_opengl() -> None:
     print(f"pyvista finds no OpenGL here, so a slower built-in renderer draws. On Debian or Ubuntu: {INSTALL}")
 
 
-def install() -> None:
-    """Install OpenGL into the system, as root on Debian or Ubuntu; elsewhere print how to."""
-    if opengl_works():
-        return
-    if sys.platform.startswith("linux") and os.geteuid() == 0 and shutil.which("apt-get"):
-        print(f"Installing OpenGL for pyvista into the system, as root: {INSTALL}", flush=True)
-        for command in ("apt-get update", INSTALL):  # a failure is no error: pictures work without, slower
-            subprocess.run(command.split(), env=os.environ | {"DEBIAN_FRONTEND": "noninteractive"}, capture_output=True,
-                           check=False)
-        opengl_works.cache_clear()
+if __name__ == "__main__":
     if not opengl_works():
         explain_missing_opengl()
-
-
-if __name__ == "__main__":
-    install()
+        sys.exit(1)

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from toolkit.io.files import atomic_write
+from toolkit.io.files import write_whole
 from toolkit.motion import Clip
 from toolkit.motion import rotations as R
 from toolkit.view import body
@@ -20,8 +20,8 @@ from toolkit.view.skin import encoded, tree
 UNIT = 32767  # int16 steps of a quaternion's component
 
 
-def html(clips: Clip | Sequence[Clip], path: str | os.PathLike, *, title: str, caption: str = "", labels=None, contacts=None,
-         styles=None, character: str | os.PathLike | Character | None = None) -> Path:
+def html(clips: Clip | Sequence[Clip], path: str | os.PathLike, *, title: str = "Motion", caption: str = "", labels=None,
+         contacts=None, styles=None, character: str | os.PathLike | Character | None = None) -> Path:
     """Write a page with the motion of clips, which opens by double click in any browser.
 
     Poses are stored as 16-bit quaternions and float32 root positions: about 1 MB a minute at 60 Hz, beside 0.6 MB of
@@ -71,8 +71,7 @@ def write(path: str | os.PathLike, title: str, caption: str, data: dict[str, Any
         bundle=static("scene.js"),
         start=start,
     )
-    with atomic_write(path) as file:
-        file.write(page.encode())
+    write_whole(path, page.encode())
     return Path(path)
 
 

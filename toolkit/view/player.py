@@ -85,12 +85,10 @@ class Player(CellWidget, widgets.VBox):
                  character: str | os.PathLike | Character | None = None):
         require_main_thread()
         self._figure = Character.of(character)
-        self.rate = RATE
-        self._size = size
+        self.rate, self._size, self._font = RATE, size, ImageFont.load_default(15)
         self._scenes: list[renderers.PyvistaRenderer | renderers.SoftwareRenderer] = []
         self._frame, self._stale, self._fine, self._touched = 0.0, False, False, time.monotonic()
         self._wake = self._task = None
-        self._font = ImageFont.load_default(15)
         self.image = Screen(size)
         self.image.observe(lambda _change: self._notify(), "seen")
         self._title = widgets.HTML()
@@ -183,8 +181,11 @@ class Player(CellWidget, widgets.VBox):
             Player._current = None
         for scene in self._scenes:
             scene.close()
-        self._scenes = []  # a notebook keeps every result in `Out`
         super().close()
+        self.children, self._scenes, self._switches = (), [], {}  # a notebook keeps every result in `Out`
+        self.image.value, self._font = b"", None
+        for name in [name for name, value in vars(self).items() if isinstance(value, widgets.Widget) and name[0] == "_"]:
+            delattr(self, name)
 
     def _repr_mimebundle_(self, **kwargs) -> dict:
         """The widget, and the picture for pages without widgets (a notebook on GitHub, nbconvert)."""

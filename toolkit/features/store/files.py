@@ -13,7 +13,7 @@ from safetensors.torch import save
 from torch import Tensor
 
 from toolkit.features.layout import Layout
-from toolkit.io.files import atomic_write, parsed
+from toolkit.io.files import opened, parsed, write_whole
 from toolkit.io.files import read as read_bytes
 from toolkit.io.model_files import intact, plain
 from toolkit.motion.names import checked
@@ -40,8 +40,7 @@ def names(styles: Iterable[str]) -> dict[str, str]:
 def write(path: Path, tensors: dict[str, Tensor]) -> dict[str, Any]:
     """Write a file, whole or not at all; returns its size and checksum."""
     packed = save(tensors)
-    with atomic_write(path) as file:
-        file.write(packed)
+    write_whole(path, packed)
     return {"bytes": len(packed), "sha256": hashlib.sha256(packed).hexdigest()}
 
 
@@ -59,8 +58,7 @@ def read(path: Path, entry: dict[str, Any]) -> dict[str, Tensor]:
 def write_manifest(out: Path, manifest: dict[str, Any]) -> None:
     """Write a store's manifest, styles in alphabetical order."""
     manifest = manifest | {"partitions": dict(sorted(manifest["partitions"].items()))}
-    with atomic_write(out / MANIFEST) as file:
-        file.write(json.dumps(manifest, indent=1).encode())
+    write_whole(out / MANIFEST, json.dumps(manifest, indent=1).encode())
 
 
 def read_manifest(path: Path) -> dict[str, Any]:
@@ -102,5 +100,5 @@ def is_whole(out: Path, entry: dict[str, Any]) -> bool:
 
 def sha256(path: Path) -> str:
     """SHA-256 of a file, hexadecimal."""
-    with path.open("rb") as file:
+    with opened(path) as file:
         return hashlib.file_digest(file, "sha256").hexdigest()
