@@ -23,7 +23,7 @@ WIDTH, SPEED = 3.0, 0.9  # of the gate, metres; m/s
 COLUMNS = {
     "model": ["model"], "scene": ["scene"], "width": ["of the gate, m", 1], "later": ["seconds between starts", 1],
     "characters": ["characters", 0], "bodies": ["asked between bodies, cm", 0, 100],
-    "seed": ["seed", 0], "roots": ["least distance of roots, cm", 0, 100], "joints": ["of joints, cm", 0, 100],
+    "seed": ["seed", 0], "roots": ["of roots, cm", 0, 100], "joints": ["least distance of joints, cm", 0, 100],
     "close": ["frames with joints below 30 cm, %", 1, 100], "arrived": ["arrived", 0],
     "seconds": ["seconds until then", 1], "frame": ["CPU ms a frame", 1], "avoiding": ["of these, avoidance", 2],
     "stands": ["check: cannot stand", 0], "says": ["check: gate"],

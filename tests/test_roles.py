@@ -91,6 +91,9 @@ def test_the_unit_follows_from_the_height(tmp_path):
     assert tk.inspect(path).height == pytest.approx(1.7)
     assert tk.load(path, unit=0.04, up="y").global_positions.allclose(clip.global_positions, atol=1e-4)
     assert guessed.global_positions.std() < clip.global_positions.std()
+    tk.bvh.save(clip, path, unit=1.757 / 240)  # 2.4 m in cm: too tall for people, not for figures
+    with pytest.warns(UserWarning, match=r"with a unit of 0\.01 m \(cm\) the body is 2\.39 m tall; unit= decides"):
+        tk.load(path)
 
 
 @pytest.mark.parametrize("up", interpretation.AXES)
@@ -257,3 +260,15 @@ def test_a_path_that_jumps_or_is_in_another_unit_is_doubted(tmp_path, walk_clip)
     tk.bvh.save(walk_clip.replace(root_positions=jump), tmp_path / "jump.bvh")
     with pytest.warns(UserWarning, match="the body jumps by [45].* m from frame 0 to 1"):
         tk.load(tmp_path / "jump.bvh")
+
+
+def test_legs_without_a_head_are_read_and_doubted(tmp_path, walk_clip):
+    whole = walk_clip.skeleton
+    parts = ("hip", "knee", "foot", "toe")
+    legs = sorted({0, *(whole.role(f"{side}_{part}") for side in ("left", "right") for part in parts)})
+    skeleton = tk.Skeleton([whole.names[j] for j in legs], [legs.index(whole.parents[j]) if j else -1 for j in legs],
+                           whole.offsets[legs])
+    tk.bvh.save(tk.Clip(skeleton, walk_clip.rotations[:, legs], walk_clip.root_positions, 60), tmp_path / "legs.bvh")
+    with pytest.warns(UserWarning, match="unit"):
+        read = tk.load(tmp_path / "legs.bvh")
+    assert read.skeleton.roles["left_toe"] == whole.roles["left_toe"]

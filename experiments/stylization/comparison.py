@@ -161,6 +161,9 @@ def summary(name: str, task: Task, plan: Plan, folder: Path) -> Result:
             values = {key: [run["measures"][by][key] for run in found] for key in found[0]["measures"][by] if key in COLUMNS}
             printed = dict(zip(("paper_fmd", "paper_content"), PAPER.get(by, {}).get(method, ()), strict=False))
             lines.append({"method": method, "codes": by, **values, **printed})
+    fmd = {(line["method"], line.get("codes")): line["fmd"] for line in lines}
+    shares = {by: [a / b for a, b in zip(fmd["ours", by], fmd["1-D convolutions", by], strict=False)]
+              for by in evaluation.WAYS if ("ours", by) in fmd and ("1-D convolutions", by) in fmd}
     seeds = max((len(found["seed"]) for found in numbers.values()), default=0)
     lines = [{key: value for key, value in line.items() if key in COLUMNS} for line in lines]
     about = (f"Bandai-Namco {name}, {', '.join(real.domains)} in {', '.join(real.contents)}; {plan.seconds:g} seconds of "
@@ -168,9 +171,11 @@ def summary(name: str, task: Task, plan: Plan, folder: Path) -> Result:
     settings = {**{k: v for k, v in asdict(plan).items() if k != "iterations"}, "most seeds of a method": seeds,
                 "training windows": len(task.train), "scored windows": len(real), "restyled sources": len(sources),
                 "styles": len(real.domains), "contents": len(real.contents), **machine("cpu")}
-    command = f"python -m experiments stylization --data {name} --seconds {plan.seconds:g} --store"
+    command = (f"python -m experiments stylization --data {name} --seconds {plan.seconds:g} --methods "
+               f"\"{','.join(numbers)}\" --store")
     longer = "" if plan.seconds == USUAL else f"-{plan.seconds:g}-seconds"
-    return Result(f"stylisation-{name}{longer}", about, command, COLUMNS, lines, settings, {"runs": numbers})
+    return Result(f"stylisation-{name}{longer}", about, command, COLUMNS, lines, settings,
+                  {"runs": numbers, "FMD of ours as a share of that of 1-D convolutions, by seed": shares})
 
 
 @app.command()
