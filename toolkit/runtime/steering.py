@@ -18,7 +18,7 @@ FPS = trajectory.FPS
 GAIN = 0.25  # share of the difference between smoothed target and command that a frame removes
 POSITION_BIAS, DIRECTION_BIAS = 0.75, 1.25  # exponents of the blend from the network's trajectory to the target
 PROPORTIONAL, INTEGRAL, MAX_DRIVE = 1.5, 1.6, 12.0  # ours: gains (of the lag; per second) and limit of `speed_controller`
-RETURN, SLOW = 3.0, 0.3  # ours: gain of `steer` against a false velocity; below this commanded speed (m/s) it acts
+RETURN, SLOW, LOW = 3.0, 0.3, 0.2  # ours: gain of `steer` against a false velocity; it acts below this speed (m/s) or factor
 LONGEST = 86_400.0  # seconds that `straight` and `follow` command: a day
 LARGEST = 1e6  # of the numbers of a command: with much larger ones the network's output is not finite
 LOOKAHEAD = 0.5  # seconds that a pilot looks ahead
@@ -57,7 +57,7 @@ def steer(state: CharacterState, command: Command,
     ``ahead`` are the offsets of the present and future samples, S in all, in frames (`toolkit.features.Layout.ahead`).
 
     Ours: the target velocity opposes a false velocity while the command is to stand, since the network would drift by 10 to
-    25 cm/s, and while the speed factor is below 1, since a network can walk on by itself when the factor is 0.
+    25 cm/s, and while the speed factor is near 0, since a network can walk on by itself when it is.
     """
     like = {"dtype": state.velocity.dtype, "device": state.velocity.device}
     wanted, look = (torch.as_tensor(value, **like).reshape(-1, 2) for value in (command.velocity, command.facing))
@@ -72,7 +72,7 @@ def steer(state: CharacterState, command: Command,
     w_position, w_direction = 1 - (1 - t) ** POSITION_BIAS, 1 - (1 - t) ** DIRECTION_BIAS
     steps = state.future[:, 1:, :2] - state.future[:, :-1, :2]
     seconds = torch.tensor(ahead, **like).diff()[:, None] / FPS
-    hold = (1.0 - torch.minimum(velocity.norm(dim=-1, keepdim=True) / SLOW, state.drive)).clamp_min(0.0)
+    hold = (1.0 - torch.minimum(velocity.norm(dim=-1, keepdim=True) / SLOW, state.drive / LOW)).clamp_min(0.0)
     pull = state.drive * velocity + RETURN * hold * (velocity - _moved(state, -1))
     steps = torch.lerp(steps, pull[:, None] * seconds, w_position[:, None])
     positions = state.root[:, None, :2] + steps.cumsum(1)

@@ -27,7 +27,7 @@ State.__doc__ = "`toolkit.runtime.CharacterState` as float32 arrays; the style c
 Rules = namedtuple("Rules", """
     trajectory_in joints_in trajectory_out joints_out phases updates contacts toes
     samples position_shares direction_shares half_second seconds
-    fps gain correction proportional integral max_drive stand_still slow slack let_go pull soft room deepest fall""")
+    fps gain correction proportional integral max_drive stand_still slow low slack let_go pull soft room deepest fall""")
 Rules.__doc__ = """Columns of x and z, toes among the joints, constants of `toolkit.runtime` and `toolkit.motion.ik`."""
 
 
@@ -45,8 +45,8 @@ def rules_of(layout) -> Rules:
         seconds=np.diff(layout.ahead, prepend=0) / trajectory.FPS, fps=float(trajectory.FPS),
         gain=steering.GAIN, correction=frame.CORRECTION, proportional=steering.PROPORTIONAL,
         integral=steering.INTEGRAL, max_drive=steering.MAX_DRIVE, stand_still=steering.RETURN, slow=steering.SLOW,
-        slack=held.SLACK, let_go=held.RETURN, pull=phase.PULL, soft=held.SOFT, room=held.ROOM, deepest=held.DEEPEST,
-        fall=held.FALL,
+        low=steering.LOW, slack=held.SLACK, let_go=held.RETURN, pull=phase.PULL, soft=held.SOFT, room=held.ROOM,
+        deepest=held.DEEPEST, fall=held.FALL,
     )
 
 
@@ -116,7 +116,7 @@ def steer(old, wanted, look, rules, x, new, start, stop):
         new.drive[b, 0] = _govern(history, drive, (vx, vz), rules)
 
         moved = _moved(history, len(history) - 1, rules)
-        hold = rules.stand_still * max(1.0 - min(math.hypot(vx, vz) / rules.slow, drive), 0.0)
+        hold = rules.stand_still * max(1.0 - min(math.hypot(vx, vz) / rules.slow, drive / rules.low), 0.0)
         pull_x, pull_z = drive * vx + hold * (vx - moved[0]), drive * vz + hold * (vz - moved[1])
         root_x, root_z = _pair(history[-1])
         sin, cos = np.float64(history[-1, 2]), np.float64(history[-1, 3])

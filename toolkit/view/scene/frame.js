@@ -67,7 +67,7 @@ export function steer(old, command, rules, x, next) {
   const drive = old.drive[0];
   next.drive[0] = govern(history, drive, velocity, rules);
 
-  const hold = rules.stand_still * Math.max(1 - Math.min(Math.hypot(...velocity) / rules.slow, drive), 0);
+  const hold = rules.stand_still * Math.max(1 - Math.min(Math.hypot(...velocity) / rules.slow, drive / rules.low), 0);
   const pull = moved(history, 0, rules).map((v, i) => drive * velocity[i] + hold * (velocity[i] - v));
   const rootX = history[here], rootZ = history[here + 1], sin = history[here + 2], cos = history[here + 3];
   let px = rootX, pz = rootZ;
