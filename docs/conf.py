@@ -91,6 +91,8 @@ FETCHED = re.compile(r'<script[^>]*src="https?://[^>]*></script>|<script type="m
 STATE = "application/vnd.jupyter.widget-state+json"  # megabytes of widget state, useless without a kernel
 #: The output of a controller without a kernel; the page that runs without Python replaces it.
 CONTROLLER = re.compile(r"<pre><span></span>&lt;toolkit\.view\.controller\.Controller object at [^<]*</pre>")
+#: The same of a Director; the page is beside it in the notebook.
+DESK = re.compile(CONTROLLER.pattern.replace("controller", "director").replace("Controller", "Director"))
 
 
 #: A link from source code to its documentation; of modules that a package re-exports in part, Sphinx names the package.
@@ -135,7 +137,7 @@ def stand_alone(app, name: str, _template: str, context: dict, _doctree) -> None
     scripts[:] = [script for script in scripts if getattr(script, "attributes", {}).get("type") != STATE]
     if "body" in context:
         character = f'<iframe class="character" src="{context["pathto"]("_static/controller.html", 1)}"></iframe>'
-        context["body"] = CONTROLLER.sub(character, FETCHED.sub("", context["body"]))
+        context["body"] = CONTROLLER.sub(character, DESK.sub("", FETCHED.sub("", context["body"])))
         context["body"] = context["body"].replace(" ± ", "\u00a0±\u00a0")  # a number and its spread stay in one line
         if name.startswith("_modules/"):
             context["body"] = DOCUMENTED.sub(documented, context["body"])

@@ -31,8 +31,8 @@ def test_the_map_has_every_lesson_and_lights_one():
     texts = [node.text for node in root.iter("{http://www.w3.org/2000/svg}text")]
     assert [text.split()[0] for text in texts[::2]] == list(tk.course.LESSONS)
     assert picture("02a").count('fill="#7b3fb5"') == 1
-    with pytest.raises(ValueError, match="no notebook '10'"):
-        tk.course.here("10")
+    with pytest.raises(ValueError, match="no notebook '10a'"):
+        tk.course.here("10a")
 
 
 def test_figures_ask_no_server_and_use_code_that_the_map_brings():

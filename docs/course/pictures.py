@@ -40,6 +40,15 @@ def feet() -> None:
                     contacts=[contact[a:b]] * 2, view=90.0, **SHOW)
 
 
+def shot() -> None:
+    """The shot of notebook 10 without its first half second, from the front of its path."""
+    made = tk.shots.Shot([(0, 0), (1.0, 2.5, 3.0), (-0.6, 4.5), (0, 6, 10.0)],
+                         [(0, "Neutral"), (3, "Neutral"), (6, "Zombie")], holds=[{"seconds": 1.0, "distance": 4.0}])
+    clip = made.render(*tk.pretrained()).cut(30)
+    tk.view.animate(clip, OUT / "shot.webp", labels=["Neutral until 3 s, Zombie from 6 s on"], view=35.0, fps=10.0,
+                    height=150)
+
+
 def five_losses() -> None:
     """The toy of the five losses while it learns."""
     sets = [LOSSES, *(tuple(name for name in LOSSES if name != off) for off in ("cyc", "ds"))]
@@ -58,5 +67,5 @@ def write(name: str, clips: list[tk.Clip], labels: list[str]) -> None:
 
 if __name__ == "__main__":
     torch.set_num_threads(1)
-    for picture in (new_style, feet, five_losses):
+    for picture in (new_style, feet, shot, five_losses):
         picture()

@@ -15,7 +15,7 @@ NOTHING = "no answer yet."  # then no hint is given
 
 #: Module of `toolkit.course.exercises` -> numbers of its notebooks.
 MODULES = {"features": ("00", "01"), "phases": ("02a", "02b"), "networks": ("03a", "03b", "07"),
-           "styles": ("04", "05", "06", "08a", "08b"), "measures": ("09", "11", "12")}
+           "styles": ("04", "05", "06", "08a", "08b"), "measures": ("09", "10", "11", "12")}
 
 
 @dataclass(frozen=True)

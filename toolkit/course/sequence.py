@@ -42,6 +42,8 @@ LESSONS = {lesson.number: lesson for lesson in (
     Lesson("08a", "five_losses", "Five losses", "What does each loss of a stylisation network do?", 55, ("01",), (1, 1)),
     Lesson("08b", "restyle", "Restyling", "Can a finished walk be given another style?", 65, ("08a",), (1, 2)),
     Lesson("09", "feet", "Feet", "How do feet stay where they stand?", 50, ("01",), (2, 1)),
+    Lesson("10", "the_shot", "The shot", "How does one plan a walk, see what cannot be met, and take it home?", 50, ("04",),
+           (4, 3)),
     Lesson("11", "measuring_style", "Measuring style", "When may one say that a motion has a style?", 55, ("08b", "07"),
            (6, 2)),
     Lesson("12", "capstone", "Capstone", "What does my own motion become?", 240, ("06", "11"), (6, 0)),

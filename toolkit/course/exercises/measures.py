@@ -1,4 +1,4 @@
-"""Exercises of the notebooks on feet, of measuring style, and of the capstone."""
+"""Exercises of the notebooks on feet, of shots, of measuring style, and of the capstone."""
 
 import math
 
@@ -18,6 +18,30 @@ def _skate(places, contact, fps):
 def _toes() -> list[tuple]:
     contact = torch.tensor([1, 1, 1, 0, 0, 1, 1, 0], dtype=torch.bool)
     return [(draws(12, (8, 2))[0].cumsum(0), contact, fps) for fps in (60.0, 30.0)]
+
+
+def _needed(points, seconds):
+    return points.diff(dim=0).norm(dim=1).sum() / seconds
+
+
+def _beside(place, start, end, low=0.0, high=1.0):
+    along = (end - start) @ (place - start) / (end - start).square().sum()
+    return (start + along.clamp(low, high) * (end - start) - place).norm() * 100
+
+
+def _sides() -> list[tuple]:
+    ends = torch.tensor([[0.0, 0.0], [0.0, 2.0]])
+    return [(torch.tensor(place), *ends) for place in ([0.3, 1.0], [-0.4, 2.3], [0.2, -0.1], [0.0, 1.5])]
+
+
+def _arrives(places, goal, time, fps, seconds=0.2):
+    first, last = (max(round((time + s) * fps), 0) for s in (-seconds, seconds))
+    return bool(((places[first : last + 1] - goal).norm(dim=1) <= 0.15).any())
+
+
+def _walks() -> list[tuple]:
+    goal, places = torch.tensor([0.0, 2.0]), torch.stack((torch.zeros(181), torch.arange(181) / 60), 1)
+    return [(places, goal, time, 60.0) for time in (2.0, 2.3, 1.6, 0.0)] + [(places + goal, goal, 0.1, 60.0)]
 
 
 def _leaks(first, second, gap) -> bool:
@@ -60,6 +84,24 @@ EXERCISES = {
                  "leave out the steps in which only one frame is in contact.":
                  lambda places, contact, fps: (places.diff(dim=0).norm(dim=1) * fps)[contact[1:]].mean()}),
         "diff over the frames, norm, times fps; keep contact[1:] & contact[:-1]; mean."),
+    "10.1": Exercise(
+        same_as(_needed, lambda: [(torch.tensor([[0.0, 0.0], [1.0, 2.0], [0.0, 3.0]]), 4.0), (draws(3, (5, 2))[0], 2.5)],
+                {"the path is longer than the distance of its ends.":
+                 lambda points, seconds: (points[-1] - points[0]).norm() / seconds,
+                 "this is the length of the path: divide it by the seconds.":
+                 lambda points, seconds: _needed(points, 1.0)}),
+        "diff of the points, norm of each difference, sum, divided by the seconds."),
+    "10.2": Exercise(
+        same_as(_beside, _sides,
+                {"beyond an end, the nearest place of the path is that end.":
+                 lambda place, start, end: _beside(place, start, end, -1e9, 1e9),
+                 "this is in metres.": lambda place, start, end: _beside(place, start, end) / 100}),
+        "project place − start on end − start, clamp the share to [0, 1], take the distance."),
+    "10.3": Exercise(
+        same_as(_arrives, _walks,
+                {"a little too early or too late is allowed.": lambda *case: _arrives(*case, seconds=0.0),
+                 "look only at the frames around the time.": lambda *case: _arrives(*case, seconds=1e3)}),
+        "cut out the frames from time − 0.2 to time + 0.2 seconds; is any of them near enough?"),
     "11.1": Exercise(
         same_as(lambda styles: max(styles.count(style) for style in styles) / len(styles),
                 lambda: [(["Old", "Old", "Strut"],), (["Old", "Strut", "Zombie", "Strut", "Strut"],)],
