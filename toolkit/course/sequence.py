@@ -28,7 +28,7 @@ class Lesson:
 
 
 LESSONS = {lesson.number: lesson for lesson in (
-    Lesson("00", "walk", "A first walk", "What can I do with this toolkit in ten minutes?", 20, (), (0, 0)),
+    Lesson("00", "walk", "A first walk", "What can I do with this toolkit in twenty minutes?", 20, (), (0, 0)),
     Lesson("01", "features", "Features", "What does the network see?", 60, ("00",), (1, 0)),
     Lesson("02a", "phase", "Phase", "What is the phase of a limb?", 60, ("01",), (2, 0)),
     Lesson("02b", "laboratory", "Laboratory", "From which curve should a limb's phase be measured?", 90, ("02a",), (3, 1)),
