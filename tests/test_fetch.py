@@ -554,9 +554,10 @@ def test_a_file_of_ones_own(root, tmp_path, server):
 
 def test_no_room(root, server, monkeypatch):
     usage = shutil.disk_usage(root.parents[1])
-    monkeypatch.setattr(shutil, "disk_usage", lambda _: usage._replace(free=1_000_000))
-    with pytest.raises(OSError, match=r"bytes are needed to fetch and unpack 100style, the disk has 1,000,000 free"):
-        get()
+    with monkeypatch.context() as full:
+        full.setattr(shutil, "disk_usage", lambda _: usage._replace(free=1_000_000))
+        with pytest.raises(OSError, match=r"bytes are needed to fetch and unpack 100style, the disk has 1,000,000 free"):
+            get()
     assert not server.requests
     monkeypatch.setattr(download, "room", lambda folder, size, purpose: unpacking(purpose))
     with pytest.raises(OSError, match="unpack: no room"):
