@@ -188,7 +188,8 @@ NUMBERS = {  # what looks at numbers, or goes through scipy and numba
 }
 CASES = META | NUMBERS
 #: No tensors, or always the CPU's.
-ELSEWHERE = {"clip.on_cpu", "contacts.check_height", "features.check_style", "features.check_style_clips", "features.natural_speed"}
+ELSEWHERE = {"clip.on_cpu", "contacts.check_height", "features.check_style",
+             "features.check_style_clips", "features.natural_speed"}
 
 
 def tensors(value) -> list[torch.Tensor]:
