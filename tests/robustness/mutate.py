@@ -88,9 +88,11 @@ def main(modules: str, tests: list[str], mutants: int = 30, seed: int = 0) -> No
             setattr(node, field, value)
             path.write_text(ast.unparse(ast.fix_missing_locations(tree)))
             first = sorted({"tests/{}.py::{}".format(*test.split(".")[:2]) for line in range(low, high + 1)
-                            for test in runs[path].get(line, []) if test})
+                            for test in runs[path].get(line, []) if test.startswith("test_")})
             ended = (first and status(folder, path, first)) or status(folder, path, tests)
             path.write_text(text)
+            if ended in (2, 4, 5):  # pytest was stopped or found no test
+                sys.exit(f"{first or tests}: pytest ends with status {ended}")
             print(f"{path.name}:{low}", f"detected ({ended})" if ended else "SURVIVED",
                   *(" ".join(code.split())[:90] for code in (before, "->", ast.unparse(node))), flush=True)
         print(f"{len(every)} changes are possible")
