@@ -355,3 +355,17 @@ def test_the_mean_velocity_of_a_style_clip_is_that_of_its_root():
     velocity[:, :, 0, ::2] = goes[:, None] + torch.linspace(-0.5, 0.5, 240)[:, None]
     clips = features.pack_joints(*torch.zeros(3, 2, 240, 3, 3), velocity)
     torch.testing.assert_close(features.mean_velocity(clips), goes)
+
+
+def test_the_frame_numbers_of_two_recordings_are_more_than_a_style_clip_apart(walk_clip):
+    data = features.build([walk_clip, walk_clip], source="contact")
+    numbers, takes = data.frames["Neutral"], data.takes["Neutral"]
+    assert int(numbers[takes == 1].min() - numbers[takes == 0].max()) > features.CLIP_FRAMES
+    assert int(data.spans["Neutral"][-1, 0]) > int(numbers[takes == 0].max())
+
+
+def test_bone_lengths_are_those_of_the_skeleton(walk_clip):
+    layout = Layout(walk_clip.skeleton)
+    joints = list(walk_clip.skeleton.feature_joints)
+    lengths = walk_clip.skeleton.offsets[joints[1:]].norm(dim=-1)
+    torch.testing.assert_close(layout.bone_lengths(walk_clip.global_positions[:3, joints]), lengths.expand(3, -1))
