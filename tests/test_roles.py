@@ -8,7 +8,7 @@ import torch
 
 import toolkit as tk
 from toolkit.io import interpretation
-from toolkit.motion import joint_names, root_frames
+from toolkit.motion import joint_names, roles, root_frames
 from toolkit.motion import rotations as R
 
 
@@ -72,7 +72,8 @@ def test_every_sided_joint_has_its_counterpart(name):
      ("lowerback", "", None), ("rShldr", "right", "shoulder"), ("hand_l", "left", "hand"), ("L5", "", None),
      ("lefthand", "left", "hand"), ("Character1_LeftForeArm", "left", "elbow"), ("upperarm_twist_01_r", "right", None),
      ("RThumb", "right", "finger"), ("ik_foot_l", "left", None), ("rig|b_l_ball_jnt", "left", "toe"), ("Hips", "", "hips"),
-     ("J_Bip_R_LowerArm", "right", "elbow"), ("LHipJoint", "left", "hip"), ("radius", "", "elbow"), ("", "", None)])
+     ("J_Bip_R_LowerArm", "right", "elbow"), ("LHipJoint", "left", "hip"), ("radius", "", "elbow"), ("", "", None),
+     ("LeftForeArmRoll", "left", None), ("LeftArmJoint", "left", "shoulder")])
 def test_names_state_side_and_part(name, side, part):
     found = joint_names.read(name)
     assert found.side == side
@@ -206,8 +207,8 @@ def test_names_that_say_too_little_leave_the_shape_of_the_tree(tmp_path):
     written(clip, tmp_path / "walk.bvh", rigs.TABLE["LaFAN1"])
     with pytest.warns(UserWarning, match="roles are from the shape of the tree"):
         found = tk.load(tmp_path / "walk.bvh")
-    roles = rigs.roles(rigs.TABLE["LaFAN1"])
-    assert found.skeleton.roles == {role: names[old.names.index(joint)] for role, joint in roles.items()}
+    known = rigs.roles(rigs.TABLE["LaFAN1"])
+    assert found.skeleton.roles == {role: names[old.names.index(joint)] for role, joint in known.items()}
     assert facing(found) > 0.95
 
 
@@ -272,3 +273,31 @@ def test_legs_without_a_head_are_read_and_doubted(tmp_path, walk_clip):
     with pytest.warns(UserWarning, match="unit"):
         read = tk.load(tmp_path / "legs.bvh")
     assert read.skeleton.roles["left_toe"] == whole.roles["left_toe"]
+
+
+def limbs(*chains: tuple[str, ...]) -> tuple[list[str], list[int]]:
+    """Names and parents of hips with chains of joints on both sides; a name that stands twice is one joint."""
+    names, parents = ["Hips"], [-1]
+    for side in ("Left", "Right"):
+        for chain in chains:
+            above = 0
+            for name in chain:
+                if side + name not in names:
+                    names.append(side + name)
+                    parents.append(above)
+                above = names.index(side + name)
+    return names, parents
+
+
+@pytest.mark.parametrize(("chains", "role", "joint"), [
+    ([("Alpha", "AlphaTwist", "ForeArm", "Hand")], "left_shoulder", "LeftAlpha"),  # above the elbow, and no helper
+    ([("Alpha", "ForeArm", "Hand"), ("Alpha", "Wing")], "left_shoulder", None),  # more than a part of the arm
+    ([("Knee", "Thigh", "Foot")], "left_foot", "LeftFoot"),  # two parts that count the same, in an order that no leg has
+])
+def test_a_joint_without_a_fitting_name_is_found_beside_its_neighbour(chains, role, joint):
+    assert roles.find_roles(*limbs(*chains)).get(role) == joint
+
+
+def test_a_joint_and_its_parent_are_no_counterparts():
+    hands = {"left_hand": "upper", "right_hand": "lower"}
+    assert roles.mirror_pairs(["root", "upper", "lower"], [-1, 0, 1], hands) == (0, 1, 2)
