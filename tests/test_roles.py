@@ -313,6 +313,25 @@ def recorded(clip: tk.Clip, **changes) -> Recording:
     return dataclasses.replace(made, **changes)
 
 
+def centimetres(clip: tk.Clip, **changes) -> Recording:
+    changes = {"offsets": clip.skeleton.offsets.double(), "root_positions": clip.root_positions.double()} | changes
+    return recorded(clip, unit=0.01, **changes | {name: 100 * changes[name] for name in ("offsets", "root_positions")})
+
+
+def test_a_bone_above_the_head_that_is_short_is_not_the_top_of_the_head():
+    """Five centimetres, in metres and centimetres: the crown still comes on top."""
+    clip = rigs.walk("LaFAN1", seconds=0.5)
+    offsets = clip.skeleton.offsets.double()
+    top = clip.skeleton.names.index("HeadEnd")
+    heights = []
+    for length in (0.0, 0.05):
+        offsets[top] *= length / offsets[top].norm().clamp_min(1e-12)
+        heights += [interpretation.interpret(made(clip, offsets=offsets), Path("a.glb"))[1].height
+                    for made in (recorded, centimetres)]
+        offsets[top] = torch.tensor([0.0, 1.0, 0.0])
+    assert heights[0] == pytest.approx(heights[1]) == pytest.approx(heights[2] - 0.05) == pytest.approx(heights[3] - 0.05)
+
+
 def test_roles_that_a_file_states_count_more_than_names():
     """The forearm stated as the elbow; a role that there is not is left out."""
     clip = rigs.walk("LaFAN1", seconds=0.5)
@@ -328,9 +347,7 @@ def test_a_body_that_bends_far_is_not_upright_in_any_unit(degrees, upright):
     clip = rigs.walk("LaFAN1", seconds=0.5)
     turn = R.from_euler(torch.deg2rad(torch.tensor([degrees, 0.0, 0.0])), "XYZ")
     rotations = torch.cat((R.multiply(turn, clip.rotations[:, :1]), clip.rotations[:, 1:]), 1)
-    big = recorded(clip, rotations=rotations, offsets=100 * clip.skeleton.offsets.double(), unit=0.01,
-                   root_positions=100 * clip.root_positions.double())
-    assert interpretation.interpret(big, Path("a.glb"), up="y")[1].upright is upright
+    assert interpretation.interpret(centimetres(clip, rotations=rotations), Path("a.glb"), up="y")[1].upright is upright
 
 
 def test_a_unit_that_the_file_states_is_taken_where_it_fits_people():
