@@ -333,6 +333,8 @@ def test_the_same_file_at_two_scales_is_not_mixed(tmp_path):
     assert tk.features.Layout(small.skeleton) == tk.features.Layout(tk.load(tmp_path / "walk.bvh").skeleton)
     grown = tk.Skeleton(clip.skeleton.names, clip.skeleton.parents, 1.15 * clip.skeleton.offsets)  # a tall person
     assert tk.features.Layout(small.skeleton) == tk.features.Layout(grown)
+    other = tk.Skeleton(clip.skeleton.names, clip.skeleton.parents, 1.7 * clip.skeleton.offsets)  # another unit
+    assert tk.features.Layout(small.skeleton) != tk.features.Layout(other)
 
 
 def test_a_clip_of_another_scale_than_the_models_is_not_learnt_from(small_run):

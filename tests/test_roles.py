@@ -1,6 +1,8 @@
 """Roles, mirror pairs, units and axes on rigs with the names of common exporters."""
 
+import dataclasses
 import re
+from pathlib import Path
 
 import pytest
 import rigs
@@ -8,6 +10,7 @@ import torch
 
 import toolkit as tk
 from toolkit.io import interpretation
+from toolkit.io.recording import Recording
 from toolkit.motion import joint_names, roles, root_frames
 from toolkit.motion import rotations as R
 
@@ -301,3 +304,67 @@ def test_a_joint_without_a_fitting_name_is_found_beside_its_neighbour(chains, ro
 def test_a_joint_and_its_parent_are_no_counterparts():
     hands = {"left_hand": "upper", "right_hand": "lower"}
     assert roles.mirror_pairs(["root", "upper", "lower"], [-1, 0, 1], hands) == (0, 1, 2)
+
+
+def recorded(clip: tk.Clip, **changes) -> Recording:
+    skeleton = clip.skeleton
+    made = Recording("glTF", skeleton.names, skeleton.parents, skeleton.offsets.double(), clip.rotations,
+                     clip.root_positions.double(), 60.0, tuple(skeleton.ends), unit=1.0, up="y")
+    return dataclasses.replace(made, **changes)
+
+
+def centimetres(clip: tk.Clip, **changes) -> Recording:
+    changes = {"offsets": clip.skeleton.offsets.double(), "root_positions": clip.root_positions.double()} | changes
+    return recorded(clip, unit=0.01, **changes | {name: 100 * changes[name] for name in ("offsets", "root_positions")})
+
+
+def test_a_bone_above_the_head_that_is_short_is_not_the_top_of_the_head():
+    """Five centimetres, in metres and centimetres: the crown still comes on top."""
+    clip = rigs.walk("LaFAN1", seconds=0.5)
+    offsets = clip.skeleton.offsets.double()
+    top = clip.skeleton.names.index("HeadEnd")
+    heights = []
+    for length in (0.0, 0.05):
+        offsets[top] *= length / offsets[top].norm().clamp_min(1e-12)
+        heights += [interpretation.interpret(made(clip, offsets=offsets), Path("a.glb"))[1].height
+                    for made in (recorded, centimetres)]
+        offsets[top] = torch.tensor([0.0, 1.0, 0.0])
+    assert heights[0] == pytest.approx(heights[1]) == pytest.approx(heights[2] - 0.05) == pytest.approx(heights[3] - 0.05)
+
+
+def test_roles_that_a_file_states_count_more_than_names():
+    """The forearm stated as the elbow; a role that there is not is left out."""
+    clip = rigs.walk("LaFAN1", seconds=0.5)
+    stated = {"left_hand": "LeftForeArm", "left_elbow": "LeftArm", "left_shoulder": "LeftShoulder", "tail": "Spine"}
+    made, found = interpretation.interpret(recorded(clip, roles=stated), Path("a.vrm"))
+    assert made.skeleton.roles["left_hand"] == "LeftForeArm"
+    assert (found.rules["left_hand"], found.rules["right_hand"]) == ("the file", "name")
+    assert "tail" not in made.skeleton.roles
+
+
+@pytest.mark.parametrize(("degrees", "upright"), [(0.0, True), (40.0, True), (75.0, False)])
+def test_a_body_that_bends_far_is_not_upright_in_any_unit(degrees, upright):
+    clip = rigs.walk("LaFAN1", seconds=0.5)
+    turn = R.from_euler(torch.deg2rad(torch.tensor([degrees, 0.0, 0.0])), "XYZ")
+    rotations = torch.cat((R.multiply(turn, clip.rotations[:, :1]), clip.rotations[:, 1:]), 1)
+    assert interpretation.interpret(centimetres(clip, rotations=rotations), Path("a.glb"), up="y")[1].upright is upright
+
+
+def test_a_unit_that_the_file_states_is_taken_where_it_fits_people():
+    clip = rigs.walk("LaFAN1", seconds=0.5)
+    right, wrong = (interpretation.interpret(recorded(clip, unit=unit), Path("a.glb"))[1] for unit in (1.0, 0.1))
+    assert (right.unit, right.doubts) == (1.0, [])
+    assert wrong.unit == 1.0
+    assert re.fullmatch(r"in the file's unit, 0\.1 m \(dm\), the body is 0\.17\d m tall: 1 m \(m\) is assumed; .*",
+                        *wrong.doubts)
+
+
+def test_the_rest_pose_shows_the_axis_where_the_motion_does_not():
+    """A body that turns heels over head in one second; at rest it stands along z."""
+    clip = rigs.walk("LaFAN1", seconds=1.0)
+    angles = torch.linspace(0, 2 * torch.pi, len(clip))[:, None] * torch.tensor([1.0, 0.0, 0.0])
+    rotations = torch.cat((R.from_euler(angles, "XYZ")[:, None], R.identity(len(clip), len(clip.skeleton) - 1)), 1)
+    rest = R.rotate(R.from_euler(torch.tensor([torch.pi / 2, 0.0, 0.0]), "XYZ"), clip.skeleton.offsets).double()
+    found = interpretation.interpret(recorded(clip, rotations=rotations, offsets=rest, up=None), Path("a.fbx"))[1]
+    assert found.up == "z"
+    assert "the body is not upright in most frames: z is assumed to point up; up= decides" in found.doubts

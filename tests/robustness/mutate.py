@@ -170,7 +170,8 @@ def main(modules: str, tests: list[str], mutants: int = 30, seed: int = 0) -> No
     os.environ["TOOLKIT_DATA"] = os.devnull
     plugin = Mutation([Path(module).resolve() for module in modules.split(",")], mutants, seed)
     plugin.out = os.dup(1)
-    pytest.main(["-xq", "-p", "no:cacheprovider", "--capture=no", *tests], [plugin])
+    os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
+    pytest.main(["-xq", "-p", "no:cacheprovider", *tests], [plugin])
 
 
 if __name__ == "__main__":
