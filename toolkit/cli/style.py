@@ -69,8 +69,8 @@ def add(
     elif error["after"] >= error["before"]:
         say("Adding did not help on these frames, which did not choose the step: use more or longer clips.")
     elif error["after"] >= error["repeat"]:
-        say("The model predicts this style no better than repeating the frame, which more clips seldom mend. Look at the "
-            "walk;\nto learn the recordings themselves, train on them: python -m toolkit train --data FOLDER")
+        say("One step ahead, the model predicts this style no better than repeating the frame. The walk may have the style "
+            "all\nthe same: look at it. To learn the recordings, train on them: python -m toolkit train --data FOLDER")
     _print_near(made.bank, name)
     say(f"wrote {out}; next: python -m toolkit rollout --model {quote(str(out))} --style {quote(name)} --out walk.html")
 
