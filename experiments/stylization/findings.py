@@ -26,7 +26,7 @@ FURTHER: dict[str, list] = {
     **{key: comparison.COLUMNS[key] for key in missing.KEPT},
 }
 SHOWN = ("fmd", "domain_fmd", "content", "style", "both", "movement", "diversity", "contact_f1", "acceleration")
-OF_NOISE = ("fmd", "content", "both")
+OF_NOISE = ("fmd", "content", "both", "diversity")
 
 
 @app.command()
