@@ -332,3 +332,11 @@ def test_a_model_without_phases_starts_with_its_limbs_amid_a_stride(seven):
     torch.testing.assert_close(moved["velocity"][limbs, 2], -ahead, rtol=1e-3, atol=1e-3)
     assert int((torch.cat((*moved.values(),)).abs() > 1e-3).sum()) == 8  # nothing else
     assert all(float(values.abs().max()) < 1e-3 for values in poses["lpn-film"].values())
+
+
+def test_a_recording_has_its_feet_held_and_its_arms_turned_unless_it_is_told_otherwise(small_run):
+    recorded = list(runtime.states(small_run.model, runtime.straight(1.0, 0.2), small_run.bank.vectors[0]))
+    default, one, other = (runtime.record(small_run.model, recorded, **switched).global_positions
+                           for switched in ({}, {"feet": False}, {"arms": False}))
+    assert not default.allclose(one, atol=1e-4)
+    assert not default.allclose(other, atol=1e-4)
