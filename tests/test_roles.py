@@ -302,8 +302,9 @@ def test_a_joint_without_a_fitting_name_is_found_beside_its_neighbour(chains, ro
 
 
 def test_a_joint_and_its_parent_are_no_counterparts():
-    hands = {"left_hand": "upper", "right_hand": "lower"}
-    assert roles.mirror_pairs(["root", "upper", "lower"], [-1, 0, 1], hands) == (0, 1, 2)
+    for left, right in (("upper", "lower"), ("lower", "upper")):
+        hands = {"left_hand": left, "right_hand": right}
+        assert roles.mirror_pairs(["root", "upper", "lower"], [-1, 0, 1], hands) == (0, 1, 2)
 
 
 def recorded(clip: tk.Clip, **changes) -> Recording:

@@ -340,3 +340,12 @@ def test_a_recording_has_its_feet_held_and_its_arms_turned_unless_it_is_told_oth
                            for switched in ({}, {"feet": False}, {"arms": False}))
     assert not default.allclose(one, atol=1e-4)
     assert not default.allclose(other, atol=1e-4)
+
+
+def test_pilots_command_their_speed_along_the_path_and_half_more_if_late(replayed):
+    state = runtime.start(replayed[0], torch.zeros(1), position=(3.0, -2.0))
+    pilots = runtime.follow([(3.0, -2.0), (3.0, 18.0)], speed=2.0)
+    for frame, speed in ((0, 2.0), (300, 3.0), (-1, 3.0)):  # ten metres late, and twenty
+        command = pilots[frame](state)
+        torch.testing.assert_close(command.velocity, torch.tensor([[0.0, speed]]), atol=1e-4, rtol=0)
+        torch.testing.assert_close(runtime.steering.unit(command.facing), torch.tensor([0.0, 1.0]), check_dtype=False)
