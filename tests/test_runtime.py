@@ -349,3 +349,23 @@ def test_pilots_command_their_speed_along_the_path_and_half_more_if_late(replaye
         command = pilots[frame](state)
         torch.testing.assert_close(command.velocity, torch.tensor([[0.0, speed]]), atol=1e-4, rtol=0)
         torch.testing.assert_close(runtime.steering.unit(command.facing), torch.tensor([0.0, 1.0]), check_dtype=False)
+
+
+def test_future_directions_turn_towards_the_command_by_the_weight_of_their_time(replayed):
+    """A quarter of the way from +z to +x in this frame; the samples ahead take a growing share of that."""
+    state = runtime.start(replayed[0], torch.zeros(1))
+    _, facing, future = runtime.steering.steer(state, runtime.Command((0.0, 0.0), (1.0, 0.0)), (0, 10, 20, 30, 40, 50))
+    quarter = math.pi / 8
+    torch.testing.assert_close(facing[0], torch.tensor([math.sin(quarter), math.cos(quarter)]))
+    angles = torch.atan2(future[0, :, 2], future[0, :, 3]).tolist()
+    assert angles == pytest.approx([quarter * (1 - (1 - k / 5) ** 1.25) for k in range(6)], abs=1e-6)
+
+
+def test_a_character_that_drifts_while_it_should_stand_is_steered_back(replayed):
+    state = runtime.start(replayed[0], torch.zeros(1))
+    drifted = state.history.clone()
+    drifted[0, :, 1] = torch.linspace(-0.3, 0.0, 61)  # 0.3 m/s
+    state = dataclasses.replace(state, history=drifted)
+    _, _, future = runtime.steering.steer(state, runtime.Command(), (0, 10, 20, 30, 40, 50))
+    steps = [-3.0 * 0.3 / 6 * (1 - (1 - k / 5) ** 0.75) for k in range(6)]
+    assert future[0, :, 1].tolist() == pytest.approx([sum(steps[: k + 1]) for k in range(6)], abs=1e-5)
