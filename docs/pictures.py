@@ -119,7 +119,7 @@ def progress(name: str = "stylisation-progress-dataset-2") -> None:
 def crowd(model, bank) -> None:
     """Write the animation of two streams that cross, three seconds of it."""
     clips = tk.shots.crowd.walk(model, bank, characters=100, seconds=10.0, progress=True).clips
-    tk.view.crowd([clip.cut(240, 420) for clip in clips], OUT / "crowd.webp", fps=8.0, width=400, colors=48, progress=True)
+    tk.view.crowd([clip.cut(420, 600) for clip in clips], OUT / "crowd.webp", fps=8.0, width=400, colors=48, progress=True)
 
 
 @contextlib.contextmanager

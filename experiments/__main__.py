@@ -13,7 +13,7 @@ EXPERIMENTS = {
     **experiments.commands("experiments", experiments.__path__), **experiments.commands("experiments.speed", speed.__path__),
     "seven-models": ("experiments.seven_models.commands:app",
                      "The seven models of Table 2, trained on the same data, compared one step ahead and in closed loop."),
-    "stylization": ("experiments.stylization.comparison:app",
+    "stylization": ("experiments.stylization.findings:app",
                     "The losses of Park et al. 2021 (Table 1), and their stylizer compared with two methods (Table 2)."),
     **{name: experiments.command(f"robustness.{name.replace('-', '_')}")
        for name in ("soak", "fuzz", "faults", "sizes", "long-use")},

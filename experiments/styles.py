@@ -117,12 +117,12 @@ def _silhouette(made: styles.NewStyles, method: str, data: Features, known: torc
 
 def _recognised(model: Model, bank: StyleBank, judge: recognition.Recogniser, speeds: dict[str, float]) -> tuple[int, float]:
     """How many styles of the bank are taken for themselves when they walk, and the mean probability of being so."""
-    sure = _walk(model, bank.vectors, [speeds[s] for s in bank], judge)[0]
+    sure = walk(model, bank.vectors, [speeds[s] for s in bank], judge)[0]
     own = [judge.styles.index(s) for s in bank]
     return int((sure.argmax(1) == torch.tensor(own)).sum()), float(sure[range(len(own)), own].mean())
 
 
-def _walk(model: Model, vectors: torch.Tensor, speeds: list[float], judge: recognition.Recogniser,
+def walk(model: Model, vectors: torch.Tensor, speeds: list[float], judge: recognition.Recogniser,
           ) -> tuple[torch.Tensor, list[runtime.CharacterState]]:
     """Probabilities ``[S, styles]`` of characters that walk straight ahead, and their states."""
     ahead = torch.stack((torch.zeros(len(speeds)), torch.tensor(speeds)), 1)
@@ -139,7 +139,7 @@ def _blending(name: str, net: training.Run, judge: recognition.Recogniser, speed
     shares = torch.linspace(0.0, 1.0, STEPS).tolist()
     vectors = torch.stack([bank.blend({a: 1 - t, b: t}) for a, b in lines for t in shares])
     pace = [(1 - t) * speeds[a] + t * speeds[b] for a, b in lines for t in shares]
-    sure, states = _walk(model, vectors, pace, judge)
+    sure, states = walk(model, vectors, pace, judge)
     sure = sure.double().log().view(len(lines), STEPS, -1)
     positions = torch.stack([split_joints(s.joints)["position"] for s in states])
     stretch = plausibility.bone_stretch(model.layout, positions).view(len(lines), STEPS)

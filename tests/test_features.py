@@ -333,6 +333,8 @@ def test_the_same_file_at_two_scales_is_not_mixed(tmp_path):
     assert tk.features.Layout(small.skeleton) == tk.features.Layout(tk.load(tmp_path / "walk.bvh").skeleton)
     grown = tk.Skeleton(clip.skeleton.names, clip.skeleton.parents, 1.15 * clip.skeleton.offsets)  # a tall person
     assert tk.features.Layout(small.skeleton) == tk.features.Layout(grown)
+    other = tk.Skeleton(clip.skeleton.names, clip.skeleton.parents, 1.7 * clip.skeleton.offsets)  # another unit
+    assert tk.features.Layout(small.skeleton) != tk.features.Layout(other)
 
 
 def test_a_clip_of_another_scale_than_the_models_is_not_learnt_from(small_run):
@@ -341,3 +343,31 @@ def test_a_clip_of_another_scale_than_the_models_is_not_learnt_from(small_run):
     large = clip.replace(skeleton=skeleton, root_positions=100 * clip.root_positions)
     with pytest.raises(ValueError, match="its bones are 100 times as long; unit= decides, compared with the model"):
         tk.styles.fine_tune(small_run.model, [large], name="Large", bank=small_run.bank, steps=1)
+
+
+@pytest.mark.parametrize("samples", [(-60, 0), (0, 10), (-10, 10), (10, 0, -10), (-9, 0, 0, 9), (-9.5, 0, 9), (-61, 0, 9)])
+def test_offsets_that_are_no_window_are_refused(walk_clip, samples):
+    with pytest.raises(ValueError, match="samples are ascending whole frames from -60 on: past ones, 0, future ones; got"):
+        Layout(walk_clip.skeleton, samples=samples)
+
+
+def test_the_mean_velocity_of_a_style_clip_is_that_of_its_root():
+    goes = torch.tensor([[0.1, 1.0], [-0.3, 2.0]])
+    velocity = torch.full((2, 240, 3, 3), 9.0)
+    velocity[:, :, 0, ::2] = goes[:, None] + torch.linspace(-0.5, 0.5, 240)[:, None]
+    clips = features.pack_joints(*torch.zeros(3, 2, 240, 3, 3), velocity)
+    torch.testing.assert_close(features.mean_velocity(clips), goes)
+
+
+def test_the_frame_numbers_of_two_recordings_are_more_than_a_style_clip_apart(walk_clip):
+    data = features.build([walk_clip, walk_clip], source="contact")
+    numbers, takes = data.frames["Neutral"], data.takes["Neutral"]
+    assert int(numbers[takes == 1].min() - numbers[takes == 0].max()) > features.CLIP_FRAMES
+    assert int(data.spans["Neutral"][-1, 0]) > int(numbers[takes == 0].max())
+
+
+def test_bone_lengths_are_those_of_the_skeleton(walk_clip):
+    layout = Layout(walk_clip.skeleton)
+    joints = list(walk_clip.skeleton.feature_joints)
+    lengths = walk_clip.skeleton.offsets[joints[1:]].norm(dim=-1)
+    torch.testing.assert_close(layout.bone_lengths(walk_clip.global_positions[:3, joints]), lengths.expand(3, -1))

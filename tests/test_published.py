@@ -9,6 +9,7 @@ import torch
 import toolkit as tk
 from experiments import closed_loop
 from toolkit import runtime
+from toolkit.__main__ import main
 from toolkit.datasets import parameters, style100
 
 
@@ -20,6 +21,12 @@ def published(shared):
 @pytest.fixture(scope="module")
 def walk(shared):
     return tk.bvh.load(shared / "100style" / "Neutral_FW.bvh")
+
+
+@pytest.fixture
+def crouch_file(tmp_path):
+    tk.bvh.save(tk.datasets.load("procedural", styles=["Crouch"], gaits=["FW"], seconds=6.0)[0], tmp_path / "crouch.bvh")
+    return tmp_path / "crouch.bvh"
 
 
 def direct(folder, x, phases, index):
@@ -144,6 +151,28 @@ def test_all_styles_but_drunk_walk_upright(published):
             assert float(height.min()) > 0.5
             assert float(height.max()) < 1.25
     assert float((state.root[:, :2] - first).norm(dim=-1).min()) > 20 * 0.4
+
+
+def test_a_style_is_added_to_the_published_network(published, shared, tmp_path, crouch_file):
+    model, bank = published
+    out = tmp_path / "more.safetensors"
+    folder = str(shared / "lpn_film_100style")
+    said = ["style", "add", "--published", folder, "--clips", str(crouch_file), "--name", "Mine", "--steps", "2"]
+    with pytest.raises(SystemExit, match=r"^0$"):
+        main([*said, "--out", str(out)])
+    added = tk.training.load(out)
+    assert added.bank.names == (*bank.names, "Mine")
+    assert torch.equal(added.bank.vectors[:-1], bank.vectors)
+    assert all(torch.equal(new, old) for new, old in zip(added.model.parameters(), model.parameters(), strict=True))
+
+
+@pytest.mark.filterwarnings("always:the character hardly walks")
+@pytest.mark.parametrize(("style", "doubted"), [("Drunk", True), ("Depressed", False)])
+def test_a_style_that_hardly_walks_is_doubted(shared, tmp_path, capsys, style, doubted):
+    folder, out = str(shared / "lpn_film_100style"), str(tmp_path / "walk.bvh")
+    with pytest.raises(SystemExit, match=r"^0$"):
+        main(["rollout", "--published", folder, "--style", style, "--seconds", "4", "--out", out])
+    assert ("the character hardly walks" in capsys.readouterr().err) == doubted
 
 
 def test_missing_and_damaged_files_are_named(tmp_path):

@@ -1,6 +1,8 @@
 """Roles, mirror pairs, units and axes on rigs with the names of common exporters."""
 
+import dataclasses
 import re
+from pathlib import Path
 
 import pytest
 import rigs
@@ -8,7 +10,8 @@ import torch
 
 import toolkit as tk
 from toolkit.io import interpretation
-from toolkit.motion import joint_names, root_frames
+from toolkit.io.recording import Recording
+from toolkit.motion import joint_names, roles, root_frames
 from toolkit.motion import rotations as R
 
 
@@ -72,7 +75,8 @@ def test_every_sided_joint_has_its_counterpart(name):
      ("lowerback", "", None), ("rShldr", "right", "shoulder"), ("hand_l", "left", "hand"), ("L5", "", None),
      ("lefthand", "left", "hand"), ("Character1_LeftForeArm", "left", "elbow"), ("upperarm_twist_01_r", "right", None),
      ("RThumb", "right", "finger"), ("ik_foot_l", "left", None), ("rig|b_l_ball_jnt", "left", "toe"), ("Hips", "", "hips"),
-     ("J_Bip_R_LowerArm", "right", "elbow"), ("LHipJoint", "left", "hip"), ("radius", "", "elbow"), ("", "", None)])
+     ("J_Bip_R_LowerArm", "right", "elbow"), ("LHipJoint", "left", "hip"), ("radius", "", "elbow"), ("", "", None),
+     ("LeftForeArmRoll", "left", None), ("LeftArmJoint", "left", "shoulder")])
 def test_names_state_side_and_part(name, side, part):
     found = joint_names.read(name)
     assert found.side == side
@@ -206,8 +210,8 @@ def test_names_that_say_too_little_leave_the_shape_of_the_tree(tmp_path):
     written(clip, tmp_path / "walk.bvh", rigs.TABLE["LaFAN1"])
     with pytest.warns(UserWarning, match="roles are from the shape of the tree"):
         found = tk.load(tmp_path / "walk.bvh")
-    roles = rigs.roles(rigs.TABLE["LaFAN1"])
-    assert found.skeleton.roles == {role: names[old.names.index(joint)] for role, joint in roles.items()}
+    known = rigs.roles(rigs.TABLE["LaFAN1"])
+    assert found.skeleton.roles == {role: names[old.names.index(joint)] for role, joint in known.items()}
     assert facing(found) > 0.95
 
 
@@ -272,3 +276,95 @@ def test_legs_without_a_head_are_read_and_doubted(tmp_path, walk_clip):
     with pytest.warns(UserWarning, match="unit"):
         read = tk.load(tmp_path / "legs.bvh")
     assert read.skeleton.roles["left_toe"] == whole.roles["left_toe"]
+
+
+def limbs(*chains: tuple[str, ...]) -> tuple[list[str], list[int]]:
+    """Names and parents of hips with chains of joints on both sides; a name that stands twice is one joint."""
+    names, parents = ["Hips"], [-1]
+    for side in ("Left", "Right"):
+        for chain in chains:
+            above = 0
+            for name in chain:
+                if side + name not in names:
+                    names.append(side + name)
+                    parents.append(above)
+                above = names.index(side + name)
+    return names, parents
+
+
+@pytest.mark.parametrize(("chains", "role", "joint"), [
+    ([("Alpha", "AlphaTwist", "ForeArm", "Hand")], "left_shoulder", "LeftAlpha"),  # above the elbow, and no helper
+    ([("Alpha", "ForeArm", "Hand"), ("Alpha", "Wing")], "left_shoulder", None),  # more than a part of the arm
+    ([("Knee", "Thigh", "Foot")], "left_foot", "LeftFoot"),  # two parts that count the same, in an order that no leg has
+])
+def test_a_joint_without_a_fitting_name_is_found_beside_its_neighbour(chains, role, joint):
+    assert roles.find_roles(*limbs(*chains)).get(role) == joint
+
+
+def test_a_joint_and_its_parent_are_no_counterparts():
+    hands = {"left_hand": "upper", "right_hand": "lower"}
+    assert roles.mirror_pairs(["root", "upper", "lower"], [-1, 0, 1], hands) == (0, 1, 2)
+
+
+def recorded(clip: tk.Clip, **changes) -> Recording:
+    skeleton = clip.skeleton
+    made = Recording("glTF", skeleton.names, skeleton.parents, skeleton.offsets.double(), clip.rotations,
+                     clip.root_positions.double(), 60.0, tuple(skeleton.ends), unit=1.0, up="y")
+    return dataclasses.replace(made, **changes)
+
+
+def centimetres(clip: tk.Clip, **changes) -> Recording:
+    changes = {"offsets": clip.skeleton.offsets.double(), "root_positions": clip.root_positions.double()} | changes
+    return recorded(clip, unit=0.01, **changes | {name: 100 * changes[name] for name in ("offsets", "root_positions")})
+
+
+def test_a_bone_above_the_head_that_is_short_is_not_the_top_of_the_head():
+    """Five centimetres, in metres and centimetres: the crown still comes on top."""
+    clip = rigs.walk("LaFAN1", seconds=0.5)
+    offsets = clip.skeleton.offsets.double()
+    top = clip.skeleton.names.index("HeadEnd")
+    heights = []
+    for length in (0.0, 0.05):
+        offsets[top] *= length / offsets[top].norm().clamp_min(1e-12)
+        heights += [interpretation.interpret(made(clip, offsets=offsets), Path("a.glb"))[1].height
+                    for made in (recorded, centimetres)]
+        offsets[top] = torch.tensor([0.0, 1.0, 0.0])
+    assert heights[0] == pytest.approx(heights[1]) == pytest.approx(heights[2] - 0.05) == pytest.approx(heights[3] - 0.05)
+
+
+def test_roles_that_a_file_states_count_more_than_names():
+    """The forearm stated as the elbow; a role that there is not is left out."""
+    clip = rigs.walk("LaFAN1", seconds=0.5)
+    stated = {"left_hand": "LeftForeArm", "left_elbow": "LeftArm", "left_shoulder": "LeftShoulder", "tail": "Spine"}
+    made, found = interpretation.interpret(recorded(clip, roles=stated), Path("a.vrm"))
+    assert made.skeleton.roles["left_hand"] == "LeftForeArm"
+    assert (found.rules["left_hand"], found.rules["right_hand"]) == ("the file", "name")
+    assert "tail" not in made.skeleton.roles
+
+
+@pytest.mark.parametrize(("degrees", "upright"), [(0.0, True), (40.0, True), (75.0, False)])
+def test_a_body_that_bends_far_is_not_upright_in_any_unit(degrees, upright):
+    clip = rigs.walk("LaFAN1", seconds=0.5)
+    turn = R.from_euler(torch.deg2rad(torch.tensor([degrees, 0.0, 0.0])), "XYZ")
+    rotations = torch.cat((R.multiply(turn, clip.rotations[:, :1]), clip.rotations[:, 1:]), 1)
+    assert interpretation.interpret(centimetres(clip, rotations=rotations), Path("a.glb"), up="y")[1].upright is upright
+
+
+def test_a_unit_that_the_file_states_is_taken_where_it_fits_people():
+    clip = rigs.walk("LaFAN1", seconds=0.5)
+    right, wrong = (interpretation.interpret(recorded(clip, unit=unit), Path("a.glb"))[1] for unit in (1.0, 0.1))
+    assert (right.unit, right.doubts) == (1.0, [])
+    assert wrong.unit == 1.0
+    assert re.fullmatch(r"in the file's unit, 0\.1 m \(dm\), the body is 0\.17\d m tall: 1 m \(m\) is assumed; .*",
+                        *wrong.doubts)
+
+
+def test_the_rest_pose_shows_the_axis_where_the_motion_does_not():
+    """A body that turns heels over head in one second; at rest it stands along z."""
+    clip = rigs.walk("LaFAN1", seconds=1.0)
+    angles = torch.linspace(0, 2 * torch.pi, len(clip))[:, None] * torch.tensor([1.0, 0.0, 0.0])
+    rotations = torch.cat((R.from_euler(angles, "XYZ")[:, None], R.identity(len(clip), len(clip.skeleton) - 1)), 1)
+    rest = R.rotate(R.from_euler(torch.tensor([torch.pi / 2, 0.0, 0.0]), "XYZ"), clip.skeleton.offsets).double()
+    found = interpretation.interpret(recorded(clip, rotations=rotations, offsets=rest, up=None), Path("a.fbx"))[1]
+    assert found.up == "z"
+    assert "the body is not upright in most frames: z is assumed to point up; up= decides" in found.doubts

@@ -38,6 +38,7 @@ def test_inertialise_continues_value_and_velocity_and_ends_in_the_new_motion():
 def test_inertialise_begins_with_the_velocity_of_the_old_motion_whatever_that_of_the_new():
     t = torch.arange(3, dtype=torch.float64) / 6000
     made = inertialise(3 * t, 7 - 2 * t, 6000.0, 4.0)
+    assert float(made[0]) == pytest.approx(3 * 3 / 6000, abs=1e-12)  # the next frame of the old motion
     assert float(made[1] - made[0]) * 6000 == pytest.approx(3.0, abs=0.05)
 
 

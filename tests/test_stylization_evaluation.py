@@ -7,9 +7,22 @@ import torch
 from scipy.linalg import sqrtm
 
 import toolkit as tk
-from experiments.stylization import aberman, codes, comparison, convolutional, evaluation, floors, holden, looks, sets
+from experiments.stylization import (
+    aberman,
+    codes,
+    comparison,
+    convolutional,
+    evaluation,
+    floors,
+    holden,
+    leads,
+    looks,
+    mirror,
+    missing,
+    sets,
+)
 from experiments.stylization.judges import Judge, Judges
-from toolkit.stylization import Config, data, networks
+from toolkit.stylization import Config, data, networks, training
 from toolkit.stylization.medley import medley
 from toolkit.stylization.networks import Sizes
 
@@ -443,3 +456,65 @@ def test_a_medley_goes_on_where_the_last_clip_ended():
         medley([clips[0], clips[1].resample(30.0)])
     with pytest.raises(ValueError, match="need 60 frames, it has 50"):
         medley([clips[0], clips[1].cut(0, 50)])
+
+
+def test_a_mirrored_motion_is_that_of_the_mirrored_clip(motions):
+    """Also with the reflections chosen by the mean pose of all motions and not by that of the clip."""
+    clip = data.prepare(tk.datasets.load("procedural", styles=["Zombie"], gaits=["FW"], seconds=2.3)[0])
+    statistics = motions.statistics()
+    x, other = (data.describe(one)[0] for one in (clip, clip.mirrored()))
+    flipped = mirror.mirrored(x, clip.skeleton, statistics.mean)
+    assert (x - other)[:3].abs().max() > 0.05
+    assert torch.allclose(flipped[:3], other[:3], atol=1e-4)
+    assert torch.allclose(evaluation.angles(flipped[None], other[None]), torch.zeros(1), atol=0.1)
+
+
+def test_the_mean_with_the_mirror_image_treats_both_sides_alike(motions):
+    stylizer = tk.stylization.fit(motions, TINY).stylizer
+    torch.nn.init.normal_(stylizer.generator.lower.weight, std=0.1)
+    both, skeleton, mean = mirror.Symmetric(stylizer), stylizer.skeleton, stylizer.statistics.mean
+    x, code = motions.x[:3], both.code_from(torch.zeros(3, stylizer.sizes.latent), torch.tensor([1, 0, 1]))
+
+    def gap(model):
+        flipped = mirror.mirrored(model.translate(mirror.mirrored(x, skeleton, mean), code), skeleton, mean)
+        return float((flipped - model.translate(x, code))[:, :3].abs().max())
+
+    assert gap(stylizer) > 0.01
+    assert gap(both) < 1e-5
+
+
+def test_what_content_is_missing(motions, judges):
+    rows, target = evaluation.pairs(motions)
+    sources = motions.select(rows)
+    recorded = missing.of_style_and_content(motions, sources, target)
+    found = missing.line(judges, [recorded], sources, target, recorded)
+    assert found["content"] == found["gait"] == found["both"] == found["movement_of_recorded"] == 1.0
+    swapped = sources.x.roll(len(sources) // 4, 0)
+    wrong = missing.line(judges, [swapped], sources, target, recorded)
+    judged = judges.judge(swapped, sources.content, target)
+    assert wrong["content"] == judged["content"] < 1
+    assert wrong["both"] == judged["both"]
+    assert wrong["movement_of_recorded"] > wrong["content"]
+
+
+@pytest.mark.parametrize("name", ["the recipe", "the turn rate is an input", "own window for id, another for cyc"])
+def test_a_lead_is_trained_and_measured_and_leaves_the_training_as_it_was(motions, judges, name):
+    lead = leads.LEADS[name]
+    task = sets.Task(motions, {"test": motions}, {"test": motions}, {})
+    few = motions.select(torch.tensor([0, 1]))
+    settings = {**lead.settings, "iterations": 3, "warm_up": 1, "log_every": 1, "sizes": TINY.sizes}
+    before = training.translations, training.terms_of
+    found = leads.measured(lead, task, Config.quick(**settings), few, judges, "test")
+    assert (training.translations, training.terms_of) == before
+    assert found["iterations"] == 3
+    assert set(found) - {"iterations"} == set(lead.kinds)
+    assert all(math.isfinite(found[kind][by]["fmd"]) for kind in lead.kinds for by in ("noise", "reference"))
+    assert len({found[kind]["noise"]["fmd"] for kind in lead.kinds}) == len(lead.kinds)
+
+
+def test_the_turn_rate_takes_the_place_of_a_number_that_is_always_zero(motions):
+    assert motions.x[:, 0, :, 0].abs().max() < 1e-4
+    seen = leads.turning(motions)
+    assert torch.equal(seen.x[:, 0, :, 0], leads.TURN * motions.root_velocity[..., 2])
+    assert torch.equal(seen.x[:, 1:], motions.x[:, 1:])
+    assert torch.equal(seen.x[..., 1:], motions.x[..., 1:])

@@ -91,7 +91,7 @@ def run(
         return
     torch.set_num_threads(1)
     chosen, names = _words(data, sets.SETS), _words(methods, METHODS)
-    plan, numbers = Plan(seconds, sources, part), _numbers(seeds)
+    plan, numbers = Plan(seconds, sources, part), numbers_in(seeds)
     _settle(out, plan)
     tasks = {name: sets.load(name) for name in chosen}
     for seed in numbers:
@@ -107,11 +107,11 @@ def run(
 
 def measure(method: str, task: Task, plan: Plan, seed: int, folder: Path, name: str, progress: bool = False) -> dict:
     """Measures of one run by the way its codes are made; trained and measured, or read if that was done."""
-    path = folder / "measures" / f"{name}-{_slug(method)}-{seed}.json"
+    path = folder / "measures" / f"{name}-{slug(method)}-{seed}.json"
     if not path.exists():
         model, numbers = trained(method, task.train, plan.config(seed), folder / "runs" / path.stem, progress)
         ways = evaluation.WAYS if isinstance(model, Stylizer) else evaluation.WAYS[1:]
-        found = _scored(model, task, plan, seed, ways, _judges(task, plan.part))
+        found = _scored(model, task, plan, seed, ways, judges_of(task, plan.part))
         write_json(path, {"seed": seed, **numbers, "measures": found})
     return json.loads(path.read_text(encoding="utf-8"))
 
@@ -141,7 +141,7 @@ def trained(method: str, motions: Motions, config: Config, path: Path, progress:
 
 def summary(name: str, task: Task, plan: Plan, folder: Path) -> Result:
     """The table of a dataset from all finished runs in the folder; floors and real motion are measured."""
-    judges, sources = _judges(task, plan.part), _sources(task, plan)
+    judges, sources = judges_of(task, plan.part), sources_of(task, plan)
     rows, target = evaluation.pairs(sources)
     real = task.sources[plan.part]
     held = judges.judge(real.x, real.content, real.domain)
@@ -153,7 +153,7 @@ def summary(name: str, task: Task, plan: Plan, folder: Path) -> Result:
     numbers: dict[str, dict] = {}
     for method in METHODS:
         found = [json.loads(path.read_text(encoding="utf-8"))
-                 for path in sorted((folder / "measures").glob(f"{name}-{_slug(method)}-[0-9]*.json"))]
+                 for path in sorted((folder / "measures").glob(f"{name}-{slug(method)}-[0-9]*.json"))]
         if not found:
             continue
         numbers[method] = {key: [run[key] for run in found] for key in found[0] if key != "measures"}
@@ -190,15 +190,15 @@ def recipe(
 ) -> None:
     """What each departure of the recipe from the paper is worth: without each in turn, on the validation windows."""
     torch.set_num_threads(1)
-    plan, lines, numbers = Plan(seconds, sources, "validation"), [], _numbers(seeds)
+    plan, lines, numbers = Plan(seconds, sources, "validation"), [], numbers_in(seeds)
     columns = dict(list(COLUMNS.items())[:11])
     _settle(out, plan)
     task = sets.load(data)
-    judges = _judges(task, plan.part)
+    judges = judges_of(task, plan.part)
     for name in _words(rows, RECIPE):
         found = []
         for seed in numbers:
-            path = out / "measures" / f"{data}-{_slug(name)}-{seed}.json"
+            path = out / "measures" / f"{data}-{slug(name)}-{seed}.json"
             if not path.exists():
                 checkpoint = out / f"{path.stem}.checkpoint"
                 made = training.fit(task.train, plan.config(seed, **RECIPE[name]), checkpoint, progress=True,
@@ -231,7 +231,7 @@ def curve(
     """The measures of the recipe over its training, on the validation windows; the trained run is written, too."""
     torch.set_num_threads(1)
     task, plan, rows, spent = sets.load(data), Plan(seconds, sources, "validation"), [], 0.0
-    judges, ways, began = _judges(task, plan.part), ("noise", "reference"), time.process_time()
+    judges, ways, began = judges_of(task, plan.part), ("noise", "reference"), time.process_time()
 
     def look(step: int, stylizer: Stylizer, last: bool = False) -> None:
         nonlocal spent
@@ -247,7 +247,7 @@ def curve(
         look(run.history[-1]["step"] if run.history else 0, run.stylizer, last=True)
     out.parent.mkdir(parents=True, exist_ok=True)
     run.save(out)
-    chosen = _sources(task, plan)
+    chosen = sources_of(task, plan)
     pairs, target = evaluation.pairs(chosen)
     for floor in ("unchanged source", "mean-pose shift"):
         made = FLOORS[floor](task.train)(chosen.select(pairs), target)
@@ -271,7 +271,7 @@ def show_speed(
 ) -> None:
     """Processor time of a training iteration on one thread, with and without what makes it faster."""
     torch.set_num_threads(1)
-    widths = _numbers(channels, "--channels")
+    widths = numbers_in(channels, "--channels")
     found = [speed.milliseconds(width, iterations, repeats) for width in widths]
     columns = {"form": ["an iteration, each row with what the rows above have"],
                **{f"ms_{width}": [f"{width} channels, ms", 0] for width in widths}}
@@ -314,15 +314,17 @@ def show_codes(
 
 def _scored(stylizer: Stylizer, task: Task, plan: Plan, seed: int, ways: Sequence[str], judges: Judges) -> dict[str, dict]:
     """Measures of a stylizer by each of the ways to make its codes."""
-    return {by: evaluation.evaluate(stylizer, _sources(task, plan), task.references[plan.part], judges, by=by, seed=seed)
+    return {by: evaluation.evaluate(stylizer, sources_of(task, plan), task.references[plan.part], judges, by=by, seed=seed)
             for by in ways}
 
 
-def _judges(task: Task, part: str) -> Judges:
+def judges_of(task: Task, part: str) -> Judges:
+    """Judges of a part's windows."""
     return Judges.train(task.judged[part], task.train)
 
 
-def _sources(task: Task, plan: Plan) -> Motions:
+def sources_of(task: Task, plan: Plan) -> Motions:
+    """The windows that are restyled."""
     return sets.some(task.sources[plan.part], plan.sources)
 
 
@@ -339,7 +341,8 @@ def _size(network: torch.nn.Module) -> int:
     return sum(p.numel() for p in network.parameters())
 
 
-def _slug(name: str) -> str:
+def slug(name: str) -> str:
+    """A name as part of a file name."""
     return "-".join("".join(c if c.isalnum() else " " for c in name.lower()).split())
 
 
@@ -350,7 +353,8 @@ def _words(text: str, known: Sequence[str]) -> list[str]:
     return names
 
 
-def _numbers(text: str, option: str = "--seeds") -> list[int]:
+def numbers_in(text: str, option: str = "--seeds") -> list[int]:
+    """Whole numbers of an option."""
     try:
         return [int(number) for number in text.split(",")]
     except ValueError as error:

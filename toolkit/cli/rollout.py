@@ -1,5 +1,6 @@
 """The verb `rollout`: walk straight ahead in a style or a blend, write the motion and measure it."""
 
+import warnings
 from pathlib import Path
 from typing import Annotated
 
@@ -9,6 +10,8 @@ import typer
 from toolkit import export, published, runtime
 from toolkit.cli.verbs import Published, TrainedRun, say
 from toolkit.evaluation import metrics
+
+HARDLY = 0.5  # of the speed that was asked: a doubt
 
 
 def rollout(
@@ -29,8 +32,10 @@ def rollout(
     clip = runtime.record(net, states, feet=ik, arms=ik).replace(style=style, gait="FW")
     export.write(clip, out, title=style, progress=True)
     low, high = metrics.hips_height(clip)
-    skate = metrics.foot_skate(clip, torch.stack([s.contacts[0] for s in states]))
-    say(f"{len(clip)} frames, {metrics.speed(clip):.2f} m/s for {speed:.2f} asked, hips {low:.2f} to {high:.2f} m, "
+    went, skate = metrics.speed(clip), metrics.foot_skate(clip, torch.stack([s.contacts[0] for s in states]))
+    if seconds > 1 and went < HARDLY * speed:
+        warnings.warn(f"the character hardly walks: {went:.2f} m/s for {speed:.2f} asked", stacklevel=2)
+    say(f"{len(clip)} frames, {went:.2f} m/s for {speed:.2f} asked, hips {low:.2f} to {high:.2f} m, "
         f"foot skate right {skate['right'] * 100:.1f} left {skate['left'] * 100:.1f} cm/s; wrote {out}")
 
 

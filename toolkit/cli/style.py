@@ -8,9 +8,9 @@ from typing import Annotated
 
 import typer
 
-from toolkit import export
+from toolkit import export, published
 from toolkit.cli import motion_files
-from toolkit.cli.verbs import Roles, Seed, TrainedRun, Unit, Up, say
+from toolkit.cli.verbs import Published, Roles, Seed, TrainedRun, Unit, Up, say
 from toolkit.io import model_files
 from toolkit.io.files import below
 from toolkit.io.load import READERS
@@ -27,8 +27,9 @@ app = typer.Typer(no_args_is_help=True, add_completion=False, help="Add styles t
 def add(
     clips: Annotated[Path, typer.Option(help="A motion file of the style, or a folder of them; whole files are used.")],
     name: Annotated[str, typer.Option(help="Name of the new style.")],
-    out: Annotated[Path, typer.Option(help="File to write: as --model, with one more style.")],
+    out: Annotated[Path, typer.Option(help="File to write: the model, with one more style.")],
     model: TrainedRun = None,
+    parameters: Published = None,
     method: Annotated[str | None, typer.Option(help=f"{', '.join(METHODS)}; by default the best for the model.")] = None,
     steps: Annotated[int, typer.Option(min=1, help="Steps of gradient descent.")] = STEPS,
     mirror: Annotated[bool, typer.Option("--mirror", help="Use mirror images too; for symmetric styles.")] = False,
@@ -49,7 +50,7 @@ def add(
     if not name.strip() or any(c in name for c in "=,"):
         raise ValueError(f"a style's name must not be empty nor hold '=' or ',', got {name!r}")
     export.check(out, ())
-    tensors, parts, network, bank = _read(model)
+    tensors, parts, network, bank = _read(model, parameters)
     if not isinstance(added := parts.get("added", []), list):
         raise ValueError(f"{model}: its list of added styles is damaged")
     shown = [_fitted(motion_files.read(file, unit, up, roles), network.layout.skeleton) for file in files]
@@ -68,16 +69,16 @@ def add(
     elif error["after"] >= error["before"]:
         say("Adding did not help on these frames, which did not choose the step: use more or longer clips.")
     elif error["after"] >= error["repeat"]:
-        say("The model predicts this style no better than repeating the frame, which more clips seldom mend. Look at the "
-            "walk;\nto learn the recordings themselves, train on them: python -m toolkit train --data FOLDER")
+        say("One step ahead, the model predicts this style no better than repeating the frame. The walk may have the style "
+            "all\nthe same: look at it. To learn the recordings, train on them: python -m toolkit train --data FOLDER")
     _print_near(made.bank, name)
     say(f"wrote {out}; next: python -m toolkit rollout --model {quote(str(out))} --style {quote(name)} --out walk.html")
 
 
 @app.command("list")
-def list_(model: TrainedRun = None) -> None:
+def list_(model: TrainedRun = None, parameters: Published = None) -> None:
     """List the styles of a model, each with its nearest ones."""
-    bank = _read(model)[3]
+    bank = _read(model, parameters)[3]
     for name in bank:
         _print_near(bank, name)
 
@@ -97,10 +98,13 @@ def _print_near(bank: StyleBank, name: str) -> None:
     say(f"{name:<20} near it: " + ", ".join(f"{other} ({apart:.1f})" for other, apart in bank.nearest(name, 3)))
 
 
-def _read(path: Path | None) -> tuple[dict, dict, Model, StyleBank]:
-    """Tensors and description in a model's file, the model and its bank."""
+def _read(path: Path | None, folder: Path | None) -> tuple[dict, dict, Model, StyleBank]:
+    """Tensors and description in a model's file or of the published folder, the model and its bank."""
+    if folder is not None:
+        run = published.either(path, folder)
+        return *run.parts(), *run
     if path is None:
         with resources.as_file(resources.files("toolkit.training") / "pretrained.safetensors") as embedded:
-            return _read(embedded)
+            return _read(embedded, None)
     tensors, parts = model_files.read(path, "model")
     return tensors, parts, Model.from_parts(path, tensors, parts, None), StyleBank.from_parts(path, tensors, parts)

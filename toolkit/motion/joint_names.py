@@ -52,8 +52,8 @@ def read(name: str) -> JointName:
     local = re.split(r"[:|]", name)[-1] or name
     words, side, rest = [], "", []
     for run in re.findall("[A-Za-z]+", local):
-        whole = _split(run.lower())  # LUArm
-        words += whole if len(whole) > 1 else (part for word in _WORD.findall(run) for part in _split(word.lower()))
+        first = len(run) - len(_split(run.lower())[-1])  # of what follows the side: LUArm, LeftArmTwist
+        words += (part for word in (run[:first], *_WORD.findall(run[first:])) for part in _split(word.lower()) if part)
     for word in words:
         if word in _SIDES and not (side and len(word) == 1):
             side = _SIDES[word]

@@ -134,14 +134,17 @@ class Run:
         ``slim`` leaves out the FiLM generator and stores the experts in 16 bits. The file has a third of the size or less,
         and can only be used with the bank's styles.
         """
-        tensors, description = self.model.parts(generator=not slim)
+        tensors, parts = self.parts(generator=not slim)
         if slim:
             tensors = {name: t.half() if name.startswith("model.experts") else t for name, t in tensors.items()}
+        model_files.write(path, tensors, parts)
+
+    def parts(self, *, generator: bool = True) -> tuple[dict[str, torch.Tensor], dict]:
+        """Its tensors and description, as `toolkit.io.model_files` stores them."""
+        tensors, description = self.model.parts(generator=generator)
         config = None if self.config is None else dataclasses.asdict(self.config)
-        numbers = {"config": config, "history": self.history, "held_out": self.held_out,
-                   "baselines": self.baselines}
-        model_files.write(path, tensors | self.bank.tensors,
-                      {"model": description, "bank": list(self.bank.names), "run": numbers})
+        numbers = {"config": config, "history": self.history, "held_out": self.held_out, "baselines": self.baselines}
+        return tensors | self.bank.tensors, {"model": description, "bank": list(self.bank.names), "run": numbers}
 
     def table(self) -> list[dict[str, str | float]]:
         """Held-out error and both baselines: a row per style, and a row with the means over styles."""

@@ -79,36 +79,38 @@ def run(
                 print(f"{job.name:<12}{fault.__name__.replace('_', ' '):<14}{wrong or 'ok':<12}{said[:150]}", flush=True)
                 wrongs += [f"{job.name}: {fault.__name__}"] if wrong else []
             if store:
-                _store({"job": JOBS[job.name], **vars(score), "faults": ", ".join(wrongs) or "ok"}, kills)
+                _store({"job": JOBS[job.name], **vars(score), "faults": ", ".join(wrongs) or "ok"})
             bad += wrongs
     if bad:
         print(f"FAILED: {', '.join(bad)}")
         raise typer.Exit(1)
 
 
-def _store(row: dict, kills: int) -> None:
+def _store(row: dict) -> None:
     """Put the row of a job into the stored result."""
     made = Result.load("faults")
     rows = [row if old["job"] == row["job"] else old for old in made.rows]
-    dataclasses.replace(made, rows=rows, command=f"python -m experiments faults --kills {kills}").save()
+    dataclasses.replace(made, rows=rows, command="python -m experiments faults --only JOB --kills N --store").save()
 
 
 def killed(job: Job, base: Path, kills: int, seed: int = 0) -> Score:
-    """Kill a job at random times, every second time while it writes; check the files; run the job to its end."""
-    folder, score, rng = base / "disturbed", Score(), random.Random(f"{seed} {job.name}")
+    """Kill a job at random times, every second time while it writes; check the files; run the job to its end.
+
+    A job that ends before a temporary file was seen is started again; after two such ends the moment is random.
+    """
+    folder, score, rng, missed = base / "disturbed", Score(), random.Random(f"{seed} {job.name}"), 0
     reference, lasts = job.undisturbed(base)
     while score.kills < kills:
         job.place(folder)
         child = start(job.work, folder)
-        began = time.perf_counter()
         time.sleep(rng.uniform(0, lasts))
-        while score.kills % 2 and not _temporary(folder) and time.perf_counter() - began < lasts:
+        while score.kills % 2 and missed < 2 and not _temporary(folder) and _runs(child):
             time.sleep(0.0002)
         os.kill(child, signal.SIGKILL)
         if not os.WIFSIGNALED(os.waitpid(child, 0)[1]):
-            lasts *= 0.97  # the job was finished
+            lasts, missed = 0.97 * lasts, missed + 1  # the job was finished
             continue
-        score.kills += 1
+        score.kills, missed = score.kills + 1, 0
         score.writing += bool(_temporary(folder))
         lost, half = _bad(job, folder, reference)
         score.lost, score.half = score.lost + len(lost), score.half + len(half)
@@ -201,6 +203,10 @@ def _bad(job: Job, folder: Path, reference: dict[str, object]) -> tuple[list[str
 
 def _temporary(folder: Path) -> list[Path]:
     return [path for path in folder.rglob(".*") if path.suffix != ".lock"]
+
+
+def _runs(child: int) -> bool:
+    return os.waitid(os.P_PID, child, os.WEXITED | os.WNOHANG | os.WNOWAIT) is None
 
 
 def _one_line(said: str) -> bool:

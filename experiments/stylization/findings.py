@@ -1,0 +1,108 @@
+"""What content is missing, and leads: ``python -m experiments stylization content``, ``… leads``."""
+
+import itertools
+import json
+from pathlib import Path
+from typing import Annotated
+
+import torch
+import typer
+
+from experiments.seven_models.models import machine, write_json
+from experiments.stylization import comparison, evaluation, leads, missing, sets
+from experiments.stylization.comparison import app
+from experiments.stylization.floors import FLOORS
+from experiments.stylization.mirror import Symmetric
+from experiments.tables import Result
+from toolkit.stylization import training
+
+TITLES: dict[str, list] = {
+    "method": ["method"], "codes": ["style code from"], "content": ["content, %", 0, 100],
+    "gait": ["walk or run, %", 0, 100],
+}
+FURTHER: dict[str, list] = {
+    "movement_of_recorded": ["content, movement recorded, %", 0, 100],
+    "pose_of_recorded": ["content, pose recorded, %", 0, 100],
+    **{key: comparison.COLUMNS[key] for key in missing.KEPT},
+}
+SHOWN = ("fmd", "domain_fmd", "content", "style", "both", "movement", "diversity", "contact_f1", "acceleration")
+OF_NOISE = ("fmd", "content", "both")
+
+
+@app.command()
+def content(
+    models: Annotated[list[Path], typer.Argument(help="Files of runs.")],
+    data: Annotated[str, typer.Option(help=f"One of {', '.join(sets.SETS)}: what they were trained on.")] = "dataset-2",
+    part: Annotated[str, typer.Option(help=f"What is judged: {', '.join(sets.PARTS)}.")] = "validation",
+    sources: Annotated[int, typer.Option(min=2, help="Largest number of restyled windows.")] = 64,
+    store: Annotated[bool, typer.Option(help="Write the table's file in docs/results.")] = False,
+) -> None:
+    """Which contents are recognised in the results of runs, also averaged with their mirror images, and of floors.
+
+    Runs with the same budget are seeds of one method.
+    """
+    torch.set_num_threads(1)
+    task, plan, runs = sets.load(data), comparison.Plan(0, sources, part), [training.load(path) for path in models]
+    judges, some = comparison.judges_of(task, part), comparison.sources_of(task, plan)
+    rows, target = evaluation.pairs(some)
+    chosen = some.select(rows)
+    recorded = missing.of_style_and_content(task.train, chosen, target)
+    floors = {name: make(task.train)(chosen, target) for name, make in FLOORS.items()}
+    if recorded is not None:
+        floors["nearest real clip of style and content"] = recorded
+    lines = [{"method": name, **missing.line(judges, [made], chosen, target, recorded)}
+             for name, made in floors.items()]
+    kinds = {"ours": lambda model: model, "ours, mean with the mirror image": Symmetric}
+    for seconds in dict.fromkeys(run.config.seconds for run in runs):
+        own = [run for run in runs if run.config.seconds == seconds]
+        for (name, kind), by in itertools.product(kinds.items(), evaluation.WAYS[:2]):
+            made = [evaluation.results(kind(run.stylizer), some, task.references[part], by, run.config.seed) for run in own]
+            found = [missing.line(judges, one, chosen, target, recorded) for one in made]
+            lines.append({"method": f"{name}, {seconds:g} seconds", "codes": by,
+                          **{key: [one[key] for one in found] for key in found[0]}})
+    columns = TITLES | {name: [f"{name}, %", 0, 100] for name in some.contents} | FURTHER
+    columns = {key: title for key, title in columns.items() if any(key in one for one in lines)}
+    about = f"Bandai-Namco {data}, {part} windows; mean ± deviation over the seeds"
+    result = Result(f"stylisation-content-{data}-{part}", about,
+                    f"python -m experiments stylization content FILE … --data {data} --part {part} --store", columns, lines,
+                    {"restyled sources": len(some), "runs": len(runs), **machine("cpu")})
+    print(f"{result.about}\n\n{result.markdown()}" + (f"wrote {result.save()}" if store else ""))
+
+
+@app.command("leads")
+def show_leads(
+    out: Annotated[Path, typer.Option(help="Folder of the measures; finished runs are not repeated.")] = Path("out/leads"),
+    data: Annotated[str, typer.Option(help=f"One of {', '.join(sets.SETS)}.")] = "dataset-2",
+    seconds: Annotated[float, typer.Option(min=1, help="Processor time of each training.")] = 180.0,
+    sources: Annotated[int, typer.Option(min=2, help="Largest number of restyled windows.")] = 64,
+    seeds: Annotated[str, typer.Option(help="Comma-separated.")] = "0",
+    rows: Annotated[str, typer.Option(help=f"Separated by semicolons: {'; '.join(leads.LEADS)}.")] = "the recipe",
+    store: Annotated[bool, typer.Option(help="Write the table's file in docs/results.")] = False,
+) -> None:
+    """Train leads that did not become the recipe and score them on validation windows; shows all that the folder holds."""
+    torch.set_num_threads(1)
+    task, plan = sets.load(data), comparison.Plan(seconds, sources, "validation")
+    judges, some = comparison.judges_of(task, plan.part), comparison.sources_of(task, plan)
+    for name in rows.split(";"):
+        if name not in leads.LEADS:
+            raise ValueError(f"unknown lead {name!r}; known: {'; '.join(leads.LEADS)}")
+        for seed in comparison.numbers_in(seeds):
+            path = out / f"{data}-{seconds:g}-{comparison.slug(name)}-{seed}.json"
+            if not path.exists():
+                lead = leads.LEADS[name]
+                found = leads.measured(lead, task, plan.config(seed, **lead.settings), some, judges, plan.part)
+                write_json(path, {"data": data, "lead": name, "seconds": seconds, "seed": seed, **found})
+    lines = []
+    for stored in (json.loads(path.read_text(encoding="utf-8")) for path in sorted(out.glob("*.json"))):
+        for kind in (kind for kind in leads.KINDS if kind in stored):
+            noise, reference = stored[kind]["noise"], stored[kind]["reference"]
+            lines.append({**{key: stored[key] for key in ("data", "seconds", "lead", "seed", "iterations")}, "kind": kind,
+                          **{key: reference[key] for key in SHOWN}, **{f"noise_{key}": noise[key] for key in OF_NOISE}})
+    titles = comparison.COLUMNS
+    columns = {"data": ["data"], "seconds": ["seconds", 0], "lead": ["lead"], "kind": ["result"], "seed": ["seed", 0],
+               "iterations": ["iterations", 0], **{key: titles[key] for key in SHOWN},
+               **{f"noise_{key}": [f"noise: {titles[key][0]}", *titles[key][1:]] for key in OF_NOISE}}
+    result = Result("stylisation-leads", "Leads, validation windows, style codes from references and from noise",
+                    "python -m experiments stylization leads --data DATA --seconds S --rows \"LEAD;LEAD\" --store",
+                    columns, lines, {"restyled sources": sources, **machine("cpu")})
+    print(result.markdown() + (f"wrote {result.save()}" if store else ""))
