@@ -301,9 +301,28 @@ def test_a_joint_without_a_fitting_name_is_found_beside_its_neighbour(chains, ro
     assert roles.find_roles(*limbs(*chains)).get(role) == joint
 
 
+def test_the_hips_are_called_so_even_if_the_legs_meet_below_them():
+    legs = ("LeftThigh", "LeftShin", "LeftFoot", "RightThigh", "RightShin", "RightFoot")
+    assert roles.find_roles(["Root", "Hips", "Extra", *legs], [-1, 0, 1, 2, 3, 4, 2, 6, 7])["hips"] == "Hips"
+
+
+def test_a_head_that_no_name_shows_is_the_farthest_point_between_the_arms():
+    names, parents = ["root", "LeftArm", "RightArm", "near", "far", "farther"], [-1, 0, 0, 0, 0, 4]
+    assert roles.head(names, parents, [1.0] * 6, {"left_shoulder": "LeftArm", "right_shoulder": "RightArm"}) == [0, 4, 5]
+
+
+def test_counterparts_without_roles_follow_from_names_or_else_from_the_tree():
+    assert roles.mirror_pairs(["root", "LeftWing", "RightWing"], [-1, 0, 0], {}) == (0, 2, 1)
+    names = ["root", "one", "two", "a:Tail", "a:Wing", "b:Wing", "b:Tail", "x", "below x", "y", "below y"]
+    parents = [-1, 0, 0, 1, 1, 2, 2, 1, 7, 2, 9]
+    pairs = roles.mirror_pairs(names, parents, {"left_hand": "one", "right_hand": "two"})
+    assert pairs == (0, 2, 1, 6, 5, 4, 3, 9, 10, 7, 8)
+
+
 def test_a_joint_and_its_parent_are_no_counterparts():
-    hands = {"left_hand": "upper", "right_hand": "lower"}
-    assert roles.mirror_pairs(["root", "upper", "lower"], [-1, 0, 1], hands) == (0, 1, 2)
+    for left, right in (("upper", "lower"), ("lower", "upper")):
+        hands = {"left_hand": left, "right_hand": right}
+        assert roles.mirror_pairs(["root", "upper", "lower"], [-1, 0, 1], hands) == (0, 1, 2)
 
 
 def recorded(clip: tk.Clip, **changes) -> Recording:

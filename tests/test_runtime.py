@@ -332,3 +332,40 @@ def test_a_model_without_phases_starts_with_its_limbs_amid_a_stride(seven):
     torch.testing.assert_close(moved["velocity"][limbs, 2], -ahead, rtol=1e-3, atol=1e-3)
     assert int((torch.cat((*moved.values(),)).abs() > 1e-3).sum()) == 8  # nothing else
     assert all(float(values.abs().max()) < 1e-3 for values in poses["lpn-film"].values())
+
+
+def test_a_recording_has_its_feet_held_and_its_arms_turned_unless_it_is_told_otherwise(small_run):
+    recorded = list(runtime.states(small_run.model, runtime.straight(1.0, 0.2), small_run.bank.vectors[0]))
+    default, one, other = (runtime.record(small_run.model, recorded, **switched).global_positions
+                           for switched in ({}, {"feet": False}, {"arms": False}))
+    assert not default.allclose(one, atol=1e-4)
+    assert not default.allclose(other, atol=1e-4)
+
+
+def test_pilots_command_their_speed_along_the_path_and_half_more_if_late(replayed):
+    state = runtime.start(replayed[0], torch.zeros(1), position=(3.0, -2.0))
+    pilots = runtime.follow([(3.0, -2.0), (3.0, 18.0)], speed=2.0)
+    for frame, speed in ((0, 2.0), (300, 3.0), (-1, 3.0)):  # ten metres late, and twenty
+        command = pilots[frame](state)
+        torch.testing.assert_close(command.velocity, torch.tensor([[0.0, speed]]), atol=1e-4, rtol=0)
+        torch.testing.assert_close(runtime.steering.unit(command.facing), torch.tensor([0.0, 1.0]), check_dtype=False)
+
+
+def test_future_directions_turn_towards_the_command_by_the_weight_of_their_time(replayed):
+    """A quarter of the way from +z to +x in this frame; the samples ahead take a growing share of that."""
+    state = runtime.start(replayed[0], torch.zeros(1))
+    _, facing, future = runtime.steering.steer(state, runtime.Command((0.0, 0.0), (1.0, 0.0)), (0, 10, 20, 30, 40, 50))
+    quarter = math.pi / 8
+    torch.testing.assert_close(facing[0], torch.tensor([math.sin(quarter), math.cos(quarter)]))
+    angles = torch.atan2(future[0, :, 2], future[0, :, 3]).tolist()
+    assert angles == pytest.approx([quarter * (1 - (1 - k / 5) ** 1.25) for k in range(6)], abs=1e-6)
+
+
+def test_a_character_that_drifts_while_it_should_stand_is_steered_back(replayed):
+    state = runtime.start(replayed[0], torch.zeros(1))
+    drifted = state.history.clone()
+    drifted[0, :, 1] = torch.linspace(-0.3, 0.0, 61)  # 0.3 m/s
+    state = dataclasses.replace(state, history=drifted)
+    _, _, future = runtime.steering.steer(state, runtime.Command(), (0, 10, 20, 30, 40, 50))
+    steps = [-3.0 * 0.3 / 6 * (1 - (1 - k / 5) ** 0.75) for k in range(6)]
+    assert future[0, :, 1].tolist() == pytest.approx([sum(steps[: k + 1]) for k in range(6)], abs=1e-5)
