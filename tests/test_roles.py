@@ -315,7 +315,9 @@ def test_the_hips_are_called_so_even_if_the_legs_meet_below_them():
 
 def test_a_head_that_no_name_shows_is_the_farthest_point_between_the_arms():
     names, parents = ["root", "LeftArm", "RightArm", "near", "far", "farther"], [-1, 0, 0, 0, 0, 4]
-    assert roles.head(names, parents, [1.0] * 6, {"left_shoulder": "LeftArm", "right_shoulder": "RightArm"}) == [0, 4, 5]
+    shoulders = {"left_shoulder": "LeftArm", "right_shoulder": "RightArm"}
+    assert roles.head(names, parents, [1.0] * 6, shoulders) == [0, 4, 5]
+    assert roles.head(names[:3], parents[:3], [1.0] * 3, shoulders) == [0]
 
 
 def test_counterparts_without_roles_follow_from_names_or_else_from_the_tree():
