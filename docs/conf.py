@@ -71,7 +71,6 @@ if RUN not in ("full", "fast", "off"):
 nb_execution_mode = "off" if RUN == "off" else "cache"
 nb_execution_cache_path = str(ROOT / "out" / "notebooks" / RUN)
 nb_execution_timeout = 1800  # seconds a cell
-nb_merge_streams = True
 nb_output_stderr = "remove"  # progress bars
 nb_mime_priority_overrides = [("*", "application/vnd.jupyter.widget-view+json", None)]  # static pictures instead
 nb_ipywidgets_js = {}
@@ -93,6 +92,8 @@ STATE = "application/vnd.jupyter.widget-state+json"  # megabytes of widget state
 CONTROLLER = re.compile(r"<pre><span></span>&lt;toolkit\.view\.controller\.Controller object at [^<]*</pre>")
 #: The same of a Director; the page is beside it in the notebook.
 DESK = re.compile(CONTROLLER.pattern.replace("controller", "director").replace("Controller", "Director"))
+#: The text of a progress bar that was a widget.
+BAR = re.compile(r"<pre><span></span>[\w ]+: +0%\|[^\n]*\n</pre>")
 
 
 #: A link from source code to its documentation; of modules that a package re-exports in part, Sphinx names the package.
@@ -137,7 +138,7 @@ def stand_alone(app, name: str, _template: str, context: dict, _doctree) -> None
     scripts[:] = [script for script in scripts if getattr(script, "attributes", {}).get("type") != STATE]
     if "body" in context:
         character = f'<iframe class="character" src="{context["pathto"]("_static/controller.html", 1)}"></iframe>'
-        context["body"] = CONTROLLER.sub(character, DESK.sub("", FETCHED.sub("", context["body"])))
+        context["body"] = CONTROLLER.sub(character, DESK.sub("", BAR.sub("", FETCHED.sub("", context["body"]))))
         context["body"] = context["body"].replace(" ± ", "\u00a0±\u00a0")  # a number and its spread stay in one line
         if name.startswith("_modules/"):
             context["body"] = DOCUMENTED.sub(documented, context["body"])

@@ -17,8 +17,8 @@ from experiments.stylization import (
     holden,
     leads,
     looks,
+    lost_content,
     mirror,
-    missing,
     sets,
 )
 from experiments.stylization.judges import Judge, Judges
@@ -486,11 +486,11 @@ def test_the_mean_with_the_mirror_image_treats_both_sides_alike(motions):
 def test_what_content_is_missing(motions, judges):
     rows, target = evaluation.pairs(motions)
     sources = motions.select(rows)
-    recorded = missing.of_style_and_content(motions, sources, target)
-    found = missing.line(judges, [recorded], sources, target, recorded)
+    recorded = lost_content.of_style_and_content(motions, sources, target)
+    found = lost_content.line(judges, [recorded], sources, target, recorded)
     assert found["content"] == found["gait"] == found["both"] == found["movement_of_recorded"] == 1.0
     swapped = sources.x.roll(len(sources) // 4, 0)
-    wrong = missing.line(judges, [swapped], sources, target, recorded)
+    wrong = lost_content.line(judges, [swapped], sources, target, recorded)
     judged = judges.judge(swapped, sources.content, target)
     assert wrong["content"] == judged["content"] < 1
     assert wrong["both"] == judged["both"]

@@ -15,7 +15,7 @@ import torch
 import typer
 
 from experiments.seven_models.models import machine, write_json
-from experiments.stylization import aberman, codes, convolutional, evaluation, holden, looks, sets, speed
+from experiments.stylization import aberman, codes, convolutional, evaluation, holden, looks, missing, sets, speed
 from experiments.stylization.floors import FLOORS
 from experiments.stylization.judges import Judges
 from experiments.stylization.sets import Task
@@ -29,6 +29,7 @@ from toolkit.stylization.training import Config
 
 app = typer.Typer(invoke_without_command=True)
 app.command()(looks.strip)
+app.command()(missing.missing)
 
 OUT = Path("out/stylization")
 USUAL = 60.0  # seconds of the comparison

@@ -9,7 +9,7 @@ import torch
 import typer
 
 from experiments.seven_models.models import machine, write_json
-from experiments.stylization import comparison, evaluation, leads, missing, sets
+from experiments.stylization import comparison, evaluation, leads, lost_content, sets
 from experiments.stylization.comparison import app
 from experiments.stylization.floors import FLOORS
 from experiments.stylization.mirror import Symmetric
@@ -23,7 +23,7 @@ TITLES: dict[str, list] = {
 FURTHER: dict[str, list] = {
     "movement_of_recorded": ["content, movement recorded, %", 0, 100],
     "pose_of_recorded": ["content, pose recorded, %", 0, 100],
-    **{key: comparison.COLUMNS[key] for key in missing.KEPT},
+    **{key: comparison.COLUMNS[key] for key in lost_content.KEPT},
 }
 SHOWN = ("fmd", "domain_fmd", "content", "style", "both", "movement", "diversity", "contact_f1", "acceleration")
 OF_NOISE = ("fmd", "content", "both")
@@ -46,18 +46,18 @@ def content(
     judges, some = comparison.judges_of(task, part), comparison.sources_of(task, plan)
     rows, target = evaluation.pairs(some)
     chosen = some.select(rows)
-    recorded = missing.of_style_and_content(task.train, chosen, target)
+    recorded = lost_content.of_style_and_content(task.train, chosen, target)
     floors = {name: make(task.train)(chosen, target) for name, make in FLOORS.items()}
     if recorded is not None:
         floors["nearest real clip of style and content"] = recorded
-    lines = [{"method": name, **missing.line(judges, [made], chosen, target, recorded)}
+    lines = [{"method": name, **lost_content.line(judges, [made], chosen, target, recorded)}
              for name, made in floors.items()]
     kinds = {"ours": lambda model: model, "ours, mean with the mirror image": Symmetric}
     for seconds in dict.fromkeys(run.config.seconds for run in runs):
         own = [run for run in runs if run.config.seconds == seconds]
         for (name, kind), by in itertools.product(kinds.items(), evaluation.WAYS[:2]):
             made = [evaluation.results(kind(run.stylizer), some, task.references[part], by, run.config.seed) for run in own]
-            found = [missing.line(judges, one, chosen, target, recorded) for one in made]
+            found = [lost_content.line(judges, one, chosen, target, recorded) for one in made]
             lines.append({"method": f"{name}, {seconds:g} seconds", "codes": by,
                           **{key: [one[key] for one in found] for key in found[0]}})
     columns = TITLES | {name: [f"{name}, %", 0, 100] for name in some.contents} | FURTHER

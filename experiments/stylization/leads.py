@@ -45,9 +45,9 @@ LEADS = {
     "the turn rate is an input": Lead(turning=True),
     "own window for id, another for cyc": Lead(OWN, parted=True),
     "own window": Lead(OWN | {"encoder_learns": False}),
-    "1-D convolutions": Lead(networks=convolutional.build, kinds=KINDS[:2]),
+    "1-D convolutions": Lead(networks=convolutional.build, kinds=KINDS),
     "1-D convolutions, half the rates": Lead({"rates": dict(zip(NETWORKS, (1e-3, 5e-4, 5e-4, 5e-4), strict=True))},
-                                             convolutional.build, kinds=KINDS[:2]),
+                                             convolutional.build, kinds=KINDS),
 }
 
 

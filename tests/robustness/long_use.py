@@ -40,6 +40,14 @@ CELLS = {
     "director": "tk.view.Director(model, bank)",
     "walk": "control.advance(30); len(control.clip)",
 }
+#: Forgets what IPython keeps of each cell without a limit: its result by its number, and its output.
+FORGET = """
+shell = get_ipython()
+shell.displayhook.flush()
+shell.history_manager.outputs.clear()
+for name in [name for name in shell.user_ns_hidden if name.strip("_").isdigit() or not name.strip("_")]:
+    del shell.user_ns_hidden[name]
+"""
 STEERED = {"kind": "input", "id": 1, "move": [0, 1], "turn": 0.2, "run": False, "heading": None}
 PATIENCE = 600.0  # seconds for a cell, or for the kernel's start
 GROWTH = 0.1  # MB a cycle, the limit after the warm-up
@@ -49,26 +57,28 @@ COLUMNS = {"cycle": ["cycle", 0], "minutes": ["minutes", 0], "memory": ["memory 
 
 
 def run(
-    cycles: Annotated[int, typer.Option(help="How often all cells run at most.", min=4)] = 300,
+    cycles: Annotated[int, typer.Option(help="How often all cells run at most.", min=4)] = 500,
     warm_up: Annotated[int, typer.Option(help="Cycles before memory is compared.", min=1)] = 50,
     minutes: Annotated[float, typer.Option(help="Time after which it stops.")] = math.inf,
+    forget: Annotated[bool, typer.Option("--forget", help="Empty what IPython keeps of each cell.")] = False,
     store: Annotated[bool, typer.Option("--store", help="Write the result that the documentation shows.")] = False,
 ) -> None:
     """Memory, tasks, threads, files and widgets of a kernel in which cells with widgets run again; status 1 if any grow."""
-    rows = session(cycles, warm_up, minutes=minutes)
+    rows = session(cycles, warm_up, minutes=minutes, forget=forget)
     for row in rows:
         print("  ".join(f"{name} {value:>6.1f}" for name, value in row.items()), flush=True)
     grown, rates = leaks(rows), {f"MB a cycle, {name}": slope(rows, name) for name in ("memory", "held")}
     print("\n".join(grown) or "nothing grows", rates)
     if store:
-        Result("long-use", "A notebook kernel whose cells with a controller, a player and a Director run again and again.",
-               "python -m experiments long-use --cycles N --minutes N --store", COLUMNS, rows, {"limit": GROWTH},
-               rates).save()
+        name, emptied = ("long-use-forget", ", and what IPython keeps of them is emptied") if forget else ("long-use", "")
+        Result(name, f"A notebook kernel whose cells with a controller, a player and a Director run again{emptied}.",
+               "python -m experiments long-use [--forget] --store", COLUMNS, rows, {"limit": GROWTH}, rates).save()
     if grown:
         raise typer.Exit(1)
 
 
-def session(cycles: int, warm_up: int, every: int = 10, minutes: float = math.inf) -> list[dict[str, float]]:
+def session(cycles: int, warm_up: int, every: int = 50, minutes: float = math.inf,
+            forget: bool = False) -> list[dict[str, float]]:
     """What `probe` says after ``warm_up`` cycles, each ``every`` cycles from then on, and at the end of ``minutes``."""
     from jupyter_client.manager import start_new_kernel
 
@@ -82,6 +92,8 @@ def session(cycles: int, warm_up: int, every: int = 10, minutes: float = math.in
                 page.execute(code, name)
                 page.steer(name)
             page.close(cycle % 3 == 0)
+            if forget:
+                page.execute(FORGET, "forget")
             passed = (time.monotonic() - start) / 60
             if (cycle >= warm_up and (cycle - warm_up) % every == 0) or passed > minutes:
                 rows.append({"cycle": cycle, "minutes": passed, **json.loads(page.execute("print(probe())", "probe"))})

@@ -31,7 +31,7 @@ def poses(parents: Sequence[int], plain: Tensor, sliders: Mapping[str, Mapping[s
     title, colour
         The heading, and the colour of the pose that changes.
     """
-    figure = make_subplots(1, 2, subplot_titles=["from the right side", "from the front"])
+    figure = make_subplots(1, 2, subplot_titles=["from the right side, metres", "from the front, metres"])
     first = next(iter(next(iter(sliders.values())).values()))
     for pose, line in ((plain, {"color": "#c9ccd1", "width": 9}), (first, {"color": colour, "width": 4})):
         for column, lines in enumerate(_both(parents, pose), 1):
@@ -81,7 +81,7 @@ def blend_of_lines(weights: Sequence[float], biases: Sequence[float], steps: int
 def modulation(values: Tensor, steps: int = 21) -> go.Figure:
     """Units of a hidden layer after normalisation, scale γ and shift β, before and after ELU, with a slider for each."""
     order = values.sort().values.numpy()
-    figure = make_subplots(1, 2, subplot_titles=["γ LN(F) + β, units in order", "h = ELU(γ LN(F) + β)"])
+    figure = make_subplots(1, 2, subplot_titles=["γ LN(F) + β, units in order", "h = ELU(γ LN(F) + β), units in order"])
     units = np.arange(len(order))
     for column, shown in enumerate((order, _elu(order)), 1):
         figure.add_scatter(x=units, y=shown, line={"color": "#c9ccd1", "width": 6}, row=1, col=column)

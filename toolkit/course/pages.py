@@ -76,7 +76,7 @@ def film(clips: Clip | list[Clip], *, title: str = "", caption: str = "", height
         return show(path.read_text(encoding="utf-8"), height)
 
 
-def steer(model, bank, *, title: str = "Walk: W A S D, blend: drag the marker", height: int = 560, **options) -> Page:
+def steer(model, bank, *, title: str = "Walk: W A S D, blend: drag the marker", height: int = 600, **options) -> Page:
     """A character that keys, touch and a style triangle steer. The network runs in the page (`toolkit.view.web`)."""
     with tempfile.TemporaryDirectory() as folder:
         path = live_page.web(model, bank, Path(folder, "walk.html"), title=title, half=True, **options)

@@ -133,9 +133,8 @@ class StyleExplorer(StyleBlender):
         figure = Picture(figsize=(7, 6), facecolor=PAPER, layout="constrained", dpi=110)
         axes = figure.subplots()
         axes.plot(*self.points.T.numpy(), "o", color="#7b68c4", markersize=5)
-        for name, place in zip(self._bank.names, self.points.tolist(), strict=True):
-            axes.annotate(name, place, fontsize=6, color=INK, xytext=(3, 3), textcoords="offset points",
-                          parse_math=False)
+        for name, at in zip(self._bank.names, self.points.tolist(), strict=True):
+            axes.annotate(name, at, (0, 4), textcoords="offset points", fontsize=6, color=INK, ha="center", parse_math=False)
         axes.set(title="Style space", xticks=[], yticks=[], aspect="equal")
         return super()._repr_mimebundle_(**kwargs) | {"image/png": figure._repr_png_()}
 

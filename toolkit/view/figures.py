@@ -64,7 +64,7 @@ def style_space(vectors, names: Sequence[str], labels: Sequence[str] | None = No
     for name, place in (marked or {}).items():
         x, y = _array(place)
         figure.add_scatter(x=[x], y=[y], text=[escape(name)], name=escape(name), mode="markers+text",
-                           textposition="bottom center", marker={"size": 16, "color": INK, "symbol": "star"})
+                           textposition="middle right", marker={"size": 16, "color": INK, "symbol": "star"})
     plain = {"showticklabels": False, "zeroline": False}
     return finish(figure, title, 620, plain, plain | {"scaleanchor": "x"})
 
@@ -144,7 +144,8 @@ def slider(labels: Sequence[str], prefix: str, start: int = 0, *, frames: str = 
     """
     now = {"mode": "immediate", "frame": {"duration": 0, "redraw": True}, "transition": {"duration": 0}}
     steps = [{"method": "animate", "label": label, "args": [[f"{frames}{k}"], now]} for k, label in enumerate(labels)]
-    return {"steps": steps, "active": start, "currentvalue": {"prefix": prefix}, "pad": {"t": 62 + 92 * row}}
+    pad = {"t": 62 + 92 * row, "r": 3 * len(labels[-1])}  # the last label is centred on the end of the slider
+    return {"steps": steps, "active": start, "currentvalue": {"prefix": prefix}, "pad": pad}
 
 
 def bones(parents: Sequence[int], places, axes: Sequence[int] = (0, 1)) -> dict[str, np.ndarray]:
