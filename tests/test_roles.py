@@ -301,6 +301,13 @@ def test_a_joint_without_a_fitting_name_is_found_beside_its_neighbour(chains, ro
     assert roles.find_roles(*limbs(*chains)).get(role) == joint
 
 
+@pytest.mark.parametrize(("length", "toe"), [(0.01, "LeftFoot"), (0.1, "LeftTip")])
+def test_a_bone_below_the_ankle_that_is_short_shows_no_toe(length, toe):
+    names, parents = limbs(("Thigh", "Shin", "Foot", "Tip"))
+    lengths = [length if name.endswith("Tip") else 0.4 for name in names]
+    assert roles.find_roles(names, parents, lengths)["left_toe"] == toe
+
+
 def test_the_hips_are_called_so_even_if_the_legs_meet_below_them():
     legs = ("LeftThigh", "LeftShin", "LeftFoot", "RightThigh", "RightShin", "RightFoot")
     assert roles.find_roles(["Root", "Hips", "Extra", *legs], [-1, 0, 1, 2, 3, 4, 2, 6, 7])["hips"] == "Hips"
@@ -308,11 +315,14 @@ def test_the_hips_are_called_so_even_if_the_legs_meet_below_them():
 
 def test_a_head_that_no_name_shows_is_the_farthest_point_between_the_arms():
     names, parents = ["root", "LeftArm", "RightArm", "near", "far", "farther"], [-1, 0, 0, 0, 0, 4]
-    assert roles.head(names, parents, [1.0] * 6, {"left_shoulder": "LeftArm", "right_shoulder": "RightArm"}) == [0, 4, 5]
+    shoulders = {"left_shoulder": "LeftArm", "right_shoulder": "RightArm"}
+    assert roles.head(names, parents, [1.0] * 6, shoulders) == [0, 4, 5]
+    assert roles.head(names[:3], parents[:3], [1.0] * 3, shoulders) == [0]
 
 
 def test_counterparts_without_roles_follow_from_names_or_else_from_the_tree():
     assert roles.mirror_pairs(["root", "LeftWing", "RightWing"], [-1, 0, 0], {}) == (0, 2, 1)
+    assert roles.mirror_pairs(["root", "x", "y"], [-1, 0, 0], {}) == (0, 1, 2)
     names = ["root", "one", "two", "a:Tail", "a:Wing", "b:Wing", "b:Tail", "x", "below x", "y", "below y"]
     parents = [-1, 0, 0, 1, 1, 2, 2, 1, 7, 2, 9]
     pairs = roles.mirror_pairs(names, parents, {"left_hand": "one", "right_hand": "two"})

@@ -369,3 +369,9 @@ def test_a_character_that_drifts_while_it_should_stand_is_steered_back(replayed)
     _, _, future = runtime.steering.steer(state, runtime.Command(), (0, 10, 20, 30, 40, 50))
     steps = [-3.0 * 0.3 / 6 * (1 - (1 - k / 5) ** 0.75) for k in range(6)]
     assert future[0, :, 1].tolist() == pytest.approx([sum(steps[: k + 1]) for k in range(6)], abs=1e-5)
+
+
+def test_a_character_starts_with_a_whole_second_behind_it(replayed):
+    state = runtime.start(replayed[0], torch.zeros(1), position=(3.0, -2.0))
+    assert state.history.shape == (1, 61, 4)
+    assert bool((state.history[0, :, :2] == torch.tensor([3.0, -2.0])).all())
