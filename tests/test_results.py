@@ -102,14 +102,15 @@ def test_the_pose_that_is_fed_back_loses_the_clearance():
 
 
 def test_the_runtime_is_as_fast_as_its_page_says():
-    """Near the floor for one and for many; bfloat16 helps one alone; calibration takes several times as long."""
+    """Near the floor for one and for many; bfloat16 helps one alone; calibration costs many characters most."""
     rows = {row["work"]: row for row in Result.load("runtime-speed").rows}
     own, half, einsum = rows["toolkit"], rows["toolkit, bfloat16 weights"], rows["plain einsum weight blend (torch)"]
     assert max(own["1 floors"], own["64 floors"]) < 1.4
     assert own["64"] < einsum["64"] / 10
     assert half["1"] < 0.8 * own["1"]
     assert half["64"] > 0.9 * own["64"]
-    assert rows["whole frame, toolkit, calibrated"]["1"] > 2 * rows["whole frame, toolkit"]["1"]
+    assert rows["whole frame, toolkit, calibrated"]["1"] > 1.5 * rows["whole frame, toolkit"]["1"]
+    assert rows["whole frame, toolkit, calibrated"]["64"] > 5 * rows["whole frame, toolkit"]["64"]
 
 
 def test_a_page_walks_as_python_in_double_precision_does():
