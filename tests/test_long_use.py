@@ -5,8 +5,10 @@ import weakref
 from types import SimpleNamespace
 
 import pytest
+from IPython.core.interactiveshell import InteractiveShell
 from ipywidgets.widgets.widget import _instances
 from robustness.long_use import leaks
+from traitlets.config import Config
 
 import toolkit as tk
 from toolkit.view.controller import Controller
@@ -78,3 +80,16 @@ def test_growth_is_seen():
         "memory: 0.20 MB a cycle"]
     steps = [{"cycle": n, "memory": 500.0 + 4.0 * (n > 60), "held": 9 + n / 5} for n in range(50, 300, 10)]
     assert leaks(steps) == ["held: 0.20 MB a cycle"]
+
+
+@pytest.mark.filterwarnings("ignore:Output cache limit")
+def test_ipython_keeps_results_and_outputs_without_a_limit(capsys):
+    """What docs/robustness.md says of a notebook that grows; ``long-use --forget`` empties these tables."""
+    config = Config({"HistoryManager": {"hist_file": ":memory:"}, "InteractiveShell": {"cache_size": 4}})
+    shell = InteractiveShell(config=config)
+    for number in range(8):
+        shell.run_cell(f"{number} + 100", store_history=True)
+    assert sorted(shell.user_ns["Out"]) == [5, 6, 7, 8]
+    assert [name for name in shell.user_ns_hidden if name[1:].isdigit()] == [f"_{number}" for number in range(1, 9)]
+    assert len(shell.history_manager.outputs) == 8
+    assert "Out[8]: 107" in capsys.readouterr().out

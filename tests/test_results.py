@@ -113,6 +113,24 @@ def test_the_runtime_is_as_fast_as_its_page_says():
     assert rows["whole frame, toolkit, calibrated"]["64"] > 5 * rows["whole frame, toolkit"]["64"]
 
 
+def test_hands_of_restyled_motions_move_as_the_stylisation_page_says():
+    rows = Result.load("stylisation-strips").rows
+    walks = [row["clip"] for row in rows].index("masculinity walk: source")
+    for own, part in (("bow", rows[:walks]), ("walk", rows[walks:])):
+        source, old, feminine = (next(r for r in part if r["clip"].startswith(name))
+                                 for name in (f"masculinity {own}: source", f"old {own}: the", f"feminine {own}: the"))
+        made = {name: [r for r in part if r["clip"].startswith((f"{name}, noise", f"{name}, reference"))]
+                for name in ("old", "feminine")}
+        assert [len(found) for found in made.values()] == [6, 6]
+        if own == "walk":
+            assert all(max(old["hands"], feminine["hands"]) < r["hands"] < source["hands"] for r in made["old"] + made["feminine"])
+        else:
+            assert old["hands"] < 1.3 * source["hands"] < min(r["hands"] for r in made["old"])
+            assert all(3.5 < r["hands"] / source["hands"] < 4.5 for r in made["feminine"])
+            assert min(r["speed"] for r in made["old"]) > old["speed"]
+            assert min(r["speed"] for r in made["feminine"]) > feminine["speed"]
+
+
 def test_a_page_walks_as_python_in_double_precision_does():
     rows = {row["compared"]: row for row in Result.load("page-equality").rows}
     for kind in ("embedded", "published"):
