@@ -15,6 +15,7 @@ import toolkit as tk
 from toolkit import stylization as st
 from toolkit.__main__ import main
 from toolkit.motion import Skeleton
+from toolkit.motion import rotations as R
 from toolkit.stylization import data, layers, losses, networks, training
 from toolkit.stylization.medley import medley
 from toolkit.stylization.restyling import lock_feet
@@ -463,13 +464,36 @@ def test_a_style_comes_from_noise_from_a_reference_or_from_a_code(walks, model):
     clip, reference = walks[0], walks[-1]
     assert reference.style == "Zombie"
     by_noise, by_reference = st.style_code(model, "Zombie", 3), st.style_code(model, reference=reference)
-    made = st.stylize(model, clip, "Zombie", 3), st.stylize(model, clip, reference=reference)
+    made = st.stylize(model, clip, "Zombie", 3), st.stylize(model, clip, reference=reference, posture=0)
     for code, wanted in zip((by_noise, by_reference), made, strict=True):
         assert torch.equal(st.stylize(model, clip, code=code).rotations, wanted.rotations)
     assert torch.equal(st.style_code(model, "Zombie", reference=reference.replace(style="")), by_reference)
     poses = [st.stylize(model, clip, code=torch.lerp(by_noise, by_reference, k / 4)).global_positions for k in range(5)]
     steps = [float((b - a).norm(dim=-1).mean()) for a, b in pairwise(poses)]
     assert max(steps) < 0.6 * float((poses[-1] - poses[0]).norm(dim=-1).mean())
+
+
+def test_a_result_takes_a_share_of_the_posture_of_its_reference(motions, walks, model):
+    """Of what the reference has beside its domain's mean pose: here it bends forward."""
+    rotations = walks[-1].rotations.clone()
+    bend, joint = R.from_axis_angle(torch.tensor([1.0, 0.0, 0.0]), torch.tensor(0.4)), walks[-1].skeleton.trunk[0]
+    rotations[:, joint] = R.multiply(rotations[:, joint], bend)
+    plain, bent = walks[-1], walks[-1].replace(rotations=rotations)
+
+    def head(clip):
+        posture = model.posture_of(data.describe(data.prepare(clip))[0][None], "Zombie")
+        return posture[0, :3, 0, model.skeleton.names.index("Head")]
+
+    def between(share):
+        return head(st.stylize(model, walks[0], reference=bent, posture=share, feet=False)) - \
+            head(st.stylize(model, walks[0], reference=plain, posture=share, feet=False))
+
+    asked = head(bent) - head(plain)
+    assert float(asked.norm()) > 1
+    assert float(between(0.0).norm()) < 0.2 * float(between(0.5).norm())
+    torch.testing.assert_close(between(0.5) - between(0.0), 0.5 * asked, atol=0.1 * float(asked.norm()), rtol=0)
+    own = motions.domain == 1
+    torch.testing.assert_close(model.posture_of(motions.x[own], 1).mean(0), torch.zeros(7, 1, 23), atol=1e-4, rtol=0)
 
 
 def test_a_long_clip_of_several_actions_stays_upright_in_every_style():
@@ -514,6 +538,8 @@ def test_bad_input_is_one_line(walks, model, motions, tmp_path):
         st.stylize(model, clip.cut(0, 3), domain="Zombie")
     with pytest.raises(ValueError, match="say which style"):
         st.stylize(model, clip)
+    with pytest.raises(ValueError, match="posture is a share between 0 and 1, got nan"):
+        st.stylize(model, clip, reference=walks[-1], posture=math.nan)
     with pytest.raises(ValueError, match=r"a style code is \[8\]"):
         st.stylize(model, clip, code=torch.zeros(9))
     with pytest.raises(ValueError, match=r"T a multiple of 4; got \[1, 7, 30, 23\]"):

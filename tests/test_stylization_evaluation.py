@@ -19,6 +19,7 @@ from experiments.stylization import (
     looks,
     lost_content,
     mirror,
+    posture,
     sets,
 )
 from experiments.stylization.judges import Judge, Judges
@@ -497,19 +498,35 @@ def test_what_content_is_missing(motions, judges):
     assert wrong["movement_of_recorded"] > wrong["content"]
 
 
-@pytest.mark.parametrize("name", ["the recipe", "the turn rate is an input", "own window for id, another for cyc"])
-def test_a_lead_is_trained_and_measured_and_leaves_the_training_as_it_was(motions, judges, name):
+@pytest.mark.parametrize("name", ["the recipe", "the turn rate is an input", "turn rate, own window for id",
+                                  "turn rate, own window for id, content features kept",
+                                  "own window for id, ds of references"])
+def test_a_lead_is_trained_and_measured_and_leaves_the_training_as_it_was(motions, judges, name, tmp_path):
     lead = leads.LEADS[name]
     task = sets.Task(motions, {"test": motions}, {"test": motions}, {})
     few = motions.select(torch.tensor([0, 1]))
     settings = {**lead.settings, "iterations": 3, "warm_up": 1, "log_every": 1, "sizes": TINY.sizes}
     before = training.translations, training.terms_of
-    found = leads.measured(lead, task, Config.quick(**settings), few, judges, "test")
+    path = tmp_path / "runs" / "lead.safetensors"
+    iterations, models = leads.fit(lead, task, Config.quick(**settings), path)
     assert (training.translations, training.terms_of) == before
-    assert found["iterations"] == 3
-    assert set(found) - {"iterations"} == set(lead.kinds)
+    assert iterations == 3
+    found = leads.measured(lead, models, few, motions, judges, 0)
+    assert set(found) == set(lead.kinds)
     assert all(math.isfinite(found[kind][by]["fmd"]) for kind in lead.kinds for by in ("noise", "reference"))
-    assert len({found[kind]["noise"]["fmd"] for kind in lead.kinds}) == len(lead.kinds)
+    assert len({found[kind]["reference"]["fmd"] for kind in lead.kinds}) == len(lead.kinds)
+    if path.exists():
+        assert leads.measured(lead, leads.fit(lead, task, Config.quick(), path)[1], few, motions, judges, 0) == found
+
+
+def test_the_posture_of_references_makes_results_differ_and_none_comes_from_noise(motions):
+    model = networks.build(motions.graph, motions.domains, TINY.sizes, motions.statistics())[0].eval()
+    own = {share: evaluation.results(posture.Postured(model, share), motions, motions, "reference", 0) for share in (0, 1)}
+    plain = evaluation.results(model, motions, motions, "reference", 0)
+    assert all(torch.allclose(a, b, atol=1e-6) for a, b in zip(own[0], plain, strict=True))
+    assert evaluation.angles(*own[1]).mean() > evaluation.angles(*plain).mean() + 1
+    noise = [evaluation.results(made, motions, motions, "noise", 0) for made in (model, posture.Postured(model, 1.0))]
+    assert all(torch.allclose(a, b, atol=1e-6) for a, b in zip(*noise, strict=True))
 
 
 def test_the_turn_rate_takes_the_place_of_a_number_that_is_always_zero(motions):

@@ -55,19 +55,23 @@ def results(model: Stylizer, sources: Motions, references: Motions, by: str, see
     if by not in WAYS:
         raise ValueError(f"style codes come from by= one of {', '.join(WAYS)}, got {by!r}")
     rows, target = pairs(sources)
-    x, draw, made = sources.x[rows], generator(seed, len(rows)), []
-    for _ in range(2):
-        if by == "noise":
-            codes = model.code_from(torch.randn(len(rows), model.sizes.latent, generator=draw), target)
-        else:
-            fits = references.domain == target[:, None]  # [P, R]
-            if by == "dissimilar":
-                other = torch.tensor([[name != own for name in references.contents] for own in sources.contents])
-                fits &= other[sources.content[rows]][:, references.content]
-            chosen = torch.multinomial(fits.float(), 1, generator=draw)[:, 0]
-            codes = _in_batches(model.code_of, references.x[chosen], target)
-        made.append(_in_batches(model.translate, x, codes))
-    return made
+    if by == "noise":
+        draw = generator(seed, len(rows))
+        codes = [model.code_from(torch.randn(len(rows), model.sizes.latent, generator=draw), target) for _ in range(2)]
+    else:
+        codes = [_in_batches(model.code_of, references.x[k], target) for k in drawn(sources, references, by, seed)]
+    return [_in_batches(model.translate, sources.x[rows], code) for code in codes]
+
+
+def drawn(sources: Motions, references: Motions, by: str, seed: int) -> list[Tensor]:
+    """Rows [P] of the references of `results`, for the first and for the second result."""
+    rows, target = pairs(sources)
+    fits = references.domain == target[:, None]  # [P, R]
+    if by == "dissimilar":
+        other = torch.tensor([[name != own for name in references.contents] for own in sources.contents])
+        fits &= other[sources.content[rows]][:, references.content]
+    draw = generator(seed, len(rows))
+    return [torch.multinomial(fits.float(), 1, generator=draw)[:, 0] for _ in range(2)]
 
 
 def measures(sources: Motions, target: Tensor, made: list[Tensor], judges: Judges) -> dict[str, float]:

@@ -1,4 +1,4 @@
-"""What content is missing, and leads: ``python -m experiments stylization content``, ``… leads``."""
+"""What content is missing, the posture of references, leads: ``python -m experiments stylization content`` and others."""
 
 import itertools
 import json
@@ -9,7 +9,7 @@ import torch
 import typer
 
 from experiments.seven_models.models import machine, write_json
-from experiments.stylization import comparison, evaluation, leads, lost_content, sets
+from experiments.stylization import comparison, evaluation, leads, lost_content, posture, sets
 from experiments.stylization.comparison import app
 from experiments.stylization.floors import FLOORS
 from experiments.stylization.mirror import Symmetric
@@ -69,6 +69,39 @@ def content(
     print(f"{result.about}\n\n{result.markdown()}" + (f"wrote {result.save()}" if store else ""))
 
 
+@app.command("posture")
+def show_posture(
+    models: Annotated[list[Path], typer.Argument(help="Files of runs; those with the same budget are seeds of one method.")],
+    data: Annotated[str, typer.Option(help=f"One of {', '.join(sets.SETS)}: what they were trained on.")] = "dataset-1",
+    part: Annotated[str, typer.Option(help=f"What is judged: {', '.join(sets.PARTS)}.")] = "validation",
+    shares: Annotated[str, typer.Option(help="Comma-separated shares of the reference's posture.")] = "0,0.25,0.5,0.75",
+    sources: Annotated[int, typer.Option(min=2, help="Largest number of restyled windows.")] = 64,
+    store: Annotated[bool, typer.Option(help="Write the table's file in docs/results.")] = False,
+) -> None:
+    """What a share of the reference's posture, added to results, gives and costs; floor: the mean-pose shift."""
+    torch.set_num_threads(1)
+    task, plan, runs = sets.load(data), comparison.Plan(0, sources, part), [training.load(path) for path in models]
+    judges, some, references = comparison.judges_of(task, part), comparison.sources_of(task, plan), task.references[part]
+    held = judges.judge(task.sources[part].x, task.sources[part].content, task.sources[part].domain)
+    lines = [{"method": "real motion", **{key: held[key] for key in posture.KEPT if key in held},
+              "diversity": evaluation.own_diversity(task.train)}]
+    for by, share in itertools.product(evaluation.WAYS[1:], map(float, shares.split(","))):
+        lines.append({"method": "mean-pose shift", "codes": by, "share": share,
+                      **posture.shifted(task.train, some, references, judges, by, share, 0)})
+        for seconds in dict.fromkeys(run.config.seconds for run in runs):
+            found = [posture.line(run.stylizer, some, references, judges, by, share, run.config.seed)
+                     for run in runs if run.config.seconds == seconds]
+            lines.append({"method": f"ours, {seconds:g} seconds", "codes": by, "share": share,
+                          **{key: [one[key] for one in found] for key in found[0]}})
+    columns = {"method": ["method"], "codes": ["reference"], "share": ["share of its posture", 2],
+               **{key: comparison.COLUMNS[key] for key in posture.KEPT}, "follows": ["follows the reference", 2]}
+    result = Result(f"stylisation-posture-{data}-{part}", f"Bandai-Namco {data}, {part} windows; mean ± deviation over the "
+                    "seeds", f"python -m experiments stylization posture FILE … --data {data} --part {part} --shares "
+                    f"{shares} --store", columns, sorted(lines, key=lambda line: (line.get("codes", ""), line["method"])),
+                    {"restyled sources": len(some), "runs": len(runs), **machine("cpu")})
+    print(f"{result.about}\n\n{result.markdown()}" + (f"wrote {result.save()}" if store else ""))
+
+
 @app.command("leads")
 def show_leads(
     out: Annotated[Path, typer.Option(help="Folder of the measures; finished runs are not repeated.")] = Path("out/leads"),
@@ -77,32 +110,39 @@ def show_leads(
     sources: Annotated[int, typer.Option(min=2, help="Largest number of restyled windows.")] = 64,
     seeds: Annotated[str, typer.Option(help="Comma-separated.")] = "0",
     rows: Annotated[str, typer.Option(help=f"Separated by semicolons: {'; '.join(leads.LEADS)}.")] = "the recipe",
+    part: Annotated[str, typer.Option(help=f"What is scored: {', '.join(sets.PARTS)}.")] = "validation",
     store: Annotated[bool, typer.Option(help="Write the table's file in docs/results.")] = False,
 ) -> None:
-    """Train leads that did not become the recipe and score them on validation windows; shows all that the folder holds."""
+    """Train leads that did not become the recipe and score them; shows all that the folder holds."""
     torch.set_num_threads(1)
-    task, plan = sets.load(data), comparison.Plan(seconds, sources, "validation")
+    task, plan = sets.load(data), comparison.Plan(seconds, sources, part)
     judges, some = comparison.judges_of(task, plan.part), comparison.sources_of(task, plan)
     for name in rows.split(";"):
         if name not in leads.LEADS:
             raise ValueError(f"unknown lead {name!r}; known: {'; '.join(leads.LEADS)}")
         for seed in comparison.numbers_in(seeds):
-            path = out / f"{data}-{seconds:g}-{comparison.slug(name)}-{seed}.json"
+            run = f"{data}-{seconds:g}-{comparison.slug(name)}-{seed}"
+            path = out / f"{run}{'' if part == 'validation' else '-test'}.json"
             if not path.exists():
                 lead = leads.LEADS[name]
-                found = leads.measured(lead, task, plan.config(seed, **lead.settings), some, judges, plan.part)
-                write_json(path, {"data": data, "lead": name, "seconds": seconds, "seed": seed, **found})
+                iterations, models = leads.fit(lead, task, plan.config(seed, **lead.settings),
+                                               out / "runs" / f"{run}.safetensors")
+                found = leads.measured(lead, models, some, task.references[part], judges, seed)
+                write_json(path, {"data": data, "lead": name, "seconds": seconds, "seed": seed, "part": part,
+                                  "iterations": iterations, **found})
     lines = []
     for stored in (json.loads(path.read_text(encoding="utf-8")) for path in sorted(out.glob("*.json"))):
         for kind in (kind for kind in leads.KINDS if kind in stored):
             noise, reference = stored[kind]["noise"], stored[kind]["reference"]
             lines.append({**{key: stored[key] for key in ("data", "seconds", "lead", "seed", "iterations")}, "kind": kind,
+                          "part": stored.get("part", "validation"),
                           **{key: reference[key] for key in SHOWN}, **{f"noise_{key}": noise[key] for key in OF_NOISE}})
     titles = comparison.COLUMNS
-    columns = {"data": ["data"], "seconds": ["seconds", 0], "lead": ["lead"], "kind": ["result"], "seed": ["seed", 0],
+    columns = {"data": ["data"], "seconds": ["seconds", 0], "lead": ["lead"], "kind": ["result"],
+               "part": ["windows"], "seed": ["seed", 0],
                "iterations": ["iterations", 0], **{key: titles[key] for key in SHOWN},
                **{f"noise_{key}": [f"noise: {titles[key][0]}", *titles[key][1:]] for key in OF_NOISE}}
-    result = Result("stylisation-leads", "Leads, validation windows, style codes from references and from noise",
-                    "python -m experiments stylization leads --data DATA --seconds S --rows \"LEAD;LEAD\" --store",
+    result = Result("stylisation-leads", "Leads, style codes from references and from noise",
+                    "python -m experiments stylization leads --data DATA --seconds S --rows \"LEAD;LEAD\" --part P --store",
                     columns, lines, {"restyled sources": sources, **machine("cpu")})
     print(result.markdown() + (f"wrote {result.save()}" if store else ""))

@@ -9,6 +9,7 @@ from torch.nn import functional
 from toolkit.motion import Skeleton, local_rotations
 from toolkit.motion import rotations as R
 from toolkit.motion.clip import frame_reflections
+from toolkit.stylization.data import Statistics
 from toolkit.stylization.networks import Sizes, Stylizer
 
 HALF_TURN = (0.0, 1.0, 0.0, 0.0)  # about x: minus the reflection in the plane x = 0
@@ -38,6 +39,11 @@ class Symmetric:
         """Sizes of the networks."""
         return self.model.sizes
 
+    @property
+    def statistics(self) -> Statistics:
+        """Statistics of the motions."""
+        return self.model.statistics
+
     def code_of(self, x: Tensor, domain: Tensor) -> Tensor:
         """`Stylizer.code_of`."""
         return self.model.code_of(x, domain)
@@ -46,10 +52,15 @@ class Symmetric:
         """`Stylizer.code_from`."""
         return self.model.code_from(z, domain)
 
-    def translate(self, x: Tensor, code: Tensor) -> Tensor:
+    def posture_of(self, x: Tensor, domain: Tensor) -> Tensor:
+        """`Stylizer.posture_of`."""
+        return self.model.posture_of(x, domain)
+
+    def translate(self, x: Tensor, code: Tensor, posture: Tensor | float = 0.0) -> Tensor:
         """`Stylizer.translate`, of the motions and of their mirror images."""
-        skeleton, mean = self.model.skeleton, self.model.statistics.mean
+        skeleton, mean = self.model.skeleton, self.statistics.mean
         one = self.model.translate(x, code)
         other = mirrored(self.model.translate(mirrored(x, skeleton, mean), code), skeleton, mean)
         sign = torch.where((one[:, 3:] * other[:, 3:]).sum(1, keepdim=True) < 0, -1.0, 1.0)
-        return torch.cat(((one[:, :3] + other[:, :3]) / 2, functional.normalize(one[:, 3:] + sign * other[:, 3:], dim=1)), 1)
+        made = torch.cat(((one[:, :3] + other[:, :3]) / 2, functional.normalize(one[:, 3:] + sign * other[:, 3:], dim=1)), 1)
+        return self.statistics.invert(self.statistics.apply(made) + posture)

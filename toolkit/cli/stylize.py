@@ -11,7 +11,7 @@ from toolkit.cli.verbs import Roles, Seed, Unit, Up, say
 from toolkit.evaluation import metrics
 from toolkit.motion import contacts
 from toolkit.stylization.networks import Stylizer, pretrained
-from toolkit.stylization.restyling import stylize
+from toolkit.stylization.restyling import POSTURE, stylize
 
 
 def stylize_clip(
@@ -21,6 +21,7 @@ def stylize_clip(
     domain: Annotated[str | None, typer.Option(help="Target style; with --reference, the style of that clip.")] = None,
     seed: Seed = 0,
     reference: Annotated[Path | None, typer.Option(help="Motion file whose style is used instead of noise.")] = None,
+    posture: Annotated[float, typer.Option(min=0, max=1, help="Share of the reference's own posture.")] = POSTURE,
     feet: Annotated[bool, typer.Option(help="Remove foot skate.")] = True,
     unit: Unit = "auto",
     up: Up = "auto",
@@ -36,7 +37,7 @@ def stylize_clip(
         raise ValueError(f"say which style by --domain: {', '.join(stylizer.domains)}")
     source = motion_files.read(clip, unit, up, roles)
     other = None if reference is None else motion_files.read(reference, unit, up, roles)
-    made = stylize(stylizer, source, domain, seed, reference=other, feet=feet)
+    made = stylize(stylizer, source, domain, seed, reference=other, posture=posture, feet=feet)
     export.write(made, out, title=domain, source=source, progress=True)
     standing = contacts.detect(source)
     before, after = (sum(metrics.foot_skate(c, standing[: len(c)]).values()) * 50 for c in (source, made))

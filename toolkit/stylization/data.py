@@ -27,13 +27,14 @@ LEAST_STD = 0.01  # metres or quaternion components, so that nearly constant fea
 class Statistics(nn.Module):
     """Mean pose and standard deviation ``[7, 1, N]``, to convert between physical units and z-scores.
 
-    q and −q are the same rotation: `apply` chooses the sign nearest to the mean pose, once per joint and motion.
+    ``poses [D, 7, 1, N]`` are the mean poses of the D domains, z-scores. q and −q are the same rotation: `apply` chooses the
+    sign nearest to the mean pose, once per joint and motion.
     """
 
-    def __init__(self, mean: Tensor, std: Tensor):
+    def __init__(self, mean: Tensor, std: Tensor, poses: Tensor):
         super().__init__()
-        self.register_buffer("mean", mean.clone())
-        self.register_buffer("std", std.clone())
+        for name, value in {"mean": mean, "std": std, "poses": poses}.items():
+            self.register_buffer(name, value.clone())
 
     def apply(self, x: Tensor) -> Tensor:
         """z-scores ``[..., 7, T, N]`` of motions in physical units."""
@@ -75,9 +76,11 @@ class Motions:
         return self.graph.skeleton
 
     def statistics(self) -> Statistics:
-        """Mean pose and standard deviation over all windows and frames."""
+        """Mean pose and standard deviation over all windows and frames, and the mean pose of each domain."""
         x = self.x.double()
-        return Statistics(x.mean((0, 2))[:, None].float(), x.std((0, 2))[:, None].float().clamp_min(LEAST_STD))
+        mean, std = (value[:, None].float() for value in (x.mean((0, 2)), x.std((0, 2)).clamp_min(LEAST_STD)))
+        z = Statistics(mean, std, mean).apply(self.x).mean(2, keepdim=True)
+        return Statistics(mean, std, torch.stack([z[self.domain == d].mean(0) for d in range(len(self.domains))]))
 
     def select(self, rows: Tensor) -> "Motions":
         """Some of the windows, by a mask or by indices, with the same domains and contents."""

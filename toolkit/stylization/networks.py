@@ -2,6 +2,7 @@
 
 import dataclasses
 import os
+from collections.abc import Sequence
 from dataclasses import dataclass
 from importlib import resources
 
@@ -174,12 +175,12 @@ class Stylizer(nn.Module):
         return torch.as_tensor(name).reshape(-1)
 
     @torch.no_grad()
-    def translate(self, x: Tensor, code: Tensor) -> Tensor:
-        """Motions ``[B, 7, T, N]`` in the style of codes ``[B, S]``; T a multiple of 4."""
+    def translate(self, x: Tensor, code: Tensor, posture: Tensor | float = 0.0) -> Tensor:
+        """Motions ``[B, 7, T, N]`` in the style of codes ``[B, S]``; T a multiple of 4. ``posture``: added to each frame."""
         if x.dim() != 4 or x.shape[1] != CHANNELS or x.shape[3] != self.graph.sizes[0] or x.shape[2] % SHRINK:
             raise ValueError(f"motions are [B, {CHANNELS}, T, {self.graph.sizes[0]}], T a multiple of {SHRINK}; "
                              f"got {list(x.shape)}")
-        return self.statistics.invert(self.generator(self.statistics.apply(x), code.expand(len(x), -1)))
+        return self.statistics.invert(self.generator(self.statistics.apply(x), code.expand(len(x), -1)) + posture)
 
     @torch.no_grad()
     def code_of(self, x: Tensor, domain: str | int | Tensor) -> Tensor:
@@ -187,6 +188,11 @@ class Stylizer(nn.Module):
         if x.dim() != 4 or x.shape[2] < FRAMES:
             raise ValueError(f"a style code needs motions [B, 7, T, N] of T >= {FRAMES} frames, got {list(x.shape)}")
         return self.encoder(self.statistics.apply(x), self.domain(domain).expand(len(x)))
+
+    @torch.no_grad()
+    def posture_of(self, x: Tensor, domain: str | int | Tensor) -> Tensor:
+        """The mean poses of motions ``[B, 7, T, N]`` about that of their domain, ``[B, 7, 1, N]``, z-scores."""
+        return self.statistics.apply(x).mean(2, keepdim=True) - self.statistics.poses[self.domain(domain)]
 
     @torch.no_grad()
     def code_from(self, z: Tensor, domain: str | int | Tensor) -> Tensor:
@@ -216,9 +222,14 @@ class Stylizer(nn.Module):
         with model_files.intact(path, "the stylizer in it"):
             described = parts["stylizer"]
             graph = SkeletonGraph.of(Skeleton(**described["skeleton"]))
-            domains, sizes, shape = tuple(described["domains"]), Sizes(**described["sizes"]), (CHANNELS, 1, graph.sizes[0])
-            return model_files.restore(lambda: cls(graph, domains, sizes, Statistics(torch.zeros(shape), torch.ones(shape))),
-                                       tensors, "stylizer.")
+            domains, sizes = tuple(described["domains"]), Sizes(**described["sizes"])
+            return model_files.restore(lambda: cls(graph, domains, sizes, _none(graph, domains)), tensors, "stylizer.")
+
+
+def _none(graph: SkeletonGraph, domains: Sequence[str]) -> Statistics:
+    """Statistics with which z-scores are physical units."""
+    shape = (CHANNELS, 1, graph.sizes[0])
+    return Statistics(torch.zeros(shape), torch.ones(shape), torch.zeros(len(domains), *shape))
 
 
 def pretrained() -> Stylizer:
@@ -236,8 +247,7 @@ def build(graph: SkeletonGraph, domains: tuple[str, ...], sizes: Sizes | None = 
     codes start at `CODE_GAIN` of He's deviation: otherwise E's codes would spread over ±3, while F's stay within ±1.
     """
     sizes = sizes or Sizes()
-    shape = (CHANNELS, 1, graph.sizes[0])
-    stylizer = Stylizer(graph, domains, sizes, statistics or Statistics(torch.zeros(shape), torch.ones(shape)))
+    stylizer = Stylizer(graph, domains, sizes, statistics or _none(graph, domains))
     discriminator = Discriminator(graph, sizes, len(domains))
     for network in (stylizer, discriminator):
         he_init(network)

@@ -11,11 +11,12 @@ from toolkit.motion.ik import plant_feet
 from toolkit.stylization.data import FPS, FRAMES, check_skeleton, describe, prepare, to_clip, windows
 from toolkit.stylization.networks import SHRINK, Stylizer
 
+POSTURE = 0.25  # of `stylize`: with more, dissimilar references cost too much content (validation windows)
 RELEASE = 0.25  # seconds from the locked place of a toe to its place in the network's output
 
 
 def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 0, *, reference: Clip | None = None,
-            code: Tensor | None = None, feet: bool = True) -> Clip:
+            posture: float = POSTURE, code: Tensor | None = None, feet: bool = True) -> Clip:
     """Restyle a clip, with the rate, root path (section 4), bones, End Sites and foot contacts of the source.
 
     Parameters
@@ -26,6 +27,9 @@ def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 
         Style, and seed of its noise (equation 6); the same seed gives the same result.
     reference
         A clip with the target style (equation 5). Its domain is ``domain``, or its own ``style`` by default.
+    posture
+        Share, 0 to 1, of what the mean pose of the reference has beside that of its domain, which is added to the result.
+        Departure from the paper: codes of references alone make nearly equal results (docs/stylisation.md).
     code : Tensor [S]
         A style code of `style_code`, or an interpolation of such codes (section 7.1).
     feet
@@ -34,20 +38,23 @@ def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 
     Raises
     ------
     ValueError
-        If the clip has another skeleton or fewer frames than the pooling needs, the domain is unknown, or the style is not
-        given by exactly one of domain, reference and code.
+        If the clip has another skeleton or fewer frames than the pooling needs, the domain is unknown, the share is not
+        between 0 and 1, or the style is not given by exactly one of domain, reference and code.
     """
     source = prepare(clip)
     check_skeleton(source, model.skeleton)
     if len(source) < SHRINK:
         raise ValueError(f"{clip.name}: pooling needs {SHRINK} frames at {FPS:g} Hz, the clip has {len(source)}")
+    if not 0 <= posture <= 1:
+        raise ValueError(f"posture is a share between 0 and 1, got {posture}")
     if code is None:
         code = style_code(model, domain, seed, reference=reference)
     elif domain is not None or reference is not None or code.shape != (model.sizes.code,):
         raise ValueError(f"a style code is [{model.sizes.code}] and needs no domain or reference; got {list(code.shape)}")
     x, root_velocity = describe(source)
     padded = torch.cat((x, x[:, -1:].expand(-1, -len(source) % SHRINK, -1)), 1)
-    made = model.translate(padded[None], code[None])[0, :, : len(source)]
+    own = 0.0 if reference is None else posture * model.posture_of(_described(model, reference), domain or reference.style)
+    made = model.translate(padded[None], code[None], own)[0, :, : len(source)]
     result = to_clip(made, root_velocity, source)
     if feet:
         result = lock_feet(result, source)
@@ -63,10 +70,14 @@ def style_code(model: Stylizer, domain: str | None = None, seed: int = 0, *, ref
         if domain is None:
             raise ValueError(f"say which style: domain= (one of {', '.join(model.domains)}), reference= or code=")
         return model.code_from(torch.randn(1, model.sizes.latent, generator=generator(seed)), domain)[0]
+    return model.code_of(_described(model, reference), domain or reference.style)[0]
+
+
+def _described(model: Stylizer, reference: Clip) -> Tensor:
+    """``x [1, 7, F, N]`` of a reference, of at least 64 frames."""
     source = prepare(reference)
     check_skeleton(source, model.skeleton)
-    x = describe(source)[0][None] if len(source) >= FRAMES else windows(source)[0]
-    return model.code_of(x, domain or reference.style)[0]
+    return describe(source)[0][None] if len(source) >= FRAMES else windows(source)[0]
 
 
 def lock_feet(clip: Clip, source: Clip) -> Clip:
