@@ -492,6 +492,11 @@ def test_a_result_takes_a_share_of_the_posture_of_its_reference(motions, walks, 
     assert float(asked.norm()) > 1
     assert float(between(0.0).norm()) < 0.2 * float(between(0.5).norm())
     torch.testing.assert_close(between(0.5) - between(0.0), 0.5 * asked, atol=0.1 * float(asked.norm()), rtol=0)
+    tensors, description = model.parts()
+    before = {name: value for name, value in tensors.items() if name != "stylizer.statistics.poses"}
+    old = networks.Stylizer.from_parts("old", before, {"stylizer": description})
+    made = [st.stylize(old, walks[0], reference=bent, posture=share).rotations for share in (0, 1)]
+    assert torch.equal(*made)
     own = motions.domain == 1
     torch.testing.assert_close(model.posture_of(motions.x[own], 1).mean(0), torch.zeros(7, 1, 23), atol=1e-4, rtol=0)
 

@@ -191,8 +191,12 @@ class Stylizer(nn.Module):
 
     @torch.no_grad()
     def posture_of(self, x: Tensor, domain: str | int | Tensor) -> Tensor:
-        """The mean poses of motions ``[B, 7, T, N]`` about that of their domain, ``[B, 7, 1, N]``, z-scores."""
-        return self.statistics.apply(x).mean(2, keepdim=True) - self.statistics.poses[self.domain(domain)]
+        """The mean poses of motions ``[B, 7, T, N]`` about that of their domain, ``[B, 7, 1, N]``, z-scores.
+
+        It is 0 for a model of version 0.1, whose file has no mean poses.
+        """
+        own = self.statistics.apply(x).mean(2, keepdim=True)
+        return own - self.statistics.poses[self.domain(domain)] if self.statistics.poses.any() else torch.zeros_like(own)
 
     @torch.no_grad()
     def code_from(self, z: Tensor, domain: str | int | Tensor) -> Tensor:
@@ -223,7 +227,8 @@ class Stylizer(nn.Module):
             described = parts["stylizer"]
             graph = SkeletonGraph.of(Skeleton(**described["skeleton"]))
             domains, sizes = tuple(described["domains"]), Sizes(**described["sizes"])
-            return model_files.restore(lambda: cls(graph, domains, sizes, _none(graph, domains)), tensors, "stylizer.")
+            known = {"stylizer.statistics.poses": _none(graph, domains).poses} | tensors
+            return model_files.restore(lambda: cls(graph, domains, sizes, _none(graph, domains)), known, "stylizer.")
 
 
 def _none(graph: SkeletonGraph, domains: Sequence[str]) -> Statistics:
