@@ -503,14 +503,15 @@ def test_what_content_is_missing(motions, judges):
                                   "own window for id, ds of references"])
 def test_a_lead_is_trained_and_measured_and_leaves_the_training_as_it_was(motions, judges, name, tmp_path):
     lead = leads.LEADS[name]
-    task = sets.Task(motions, {"test": motions}, {"test": motions}, {})
     few = motions.select(torch.tensor([0, 1]))
+    task = sets.Task(motions, {"validation": motions}, {"validation": few}, {})
     settings = {**lead.settings, "iterations": 3, "warm_up": 1, "log_every": 1, "sizes": TINY.sizes}
     before = training.translations, training.terms_of
     path = tmp_path / "runs" / "lead.safetensors"
-    iterations, models = leads.fit(lead, task, Config.quick(**settings), path)
+    numbers, models = leads.fit(lead, task, Config.quick(**settings), path)
     assert (training.translations, training.terms_of) == before
-    assert iterations == 3
+    assert numbers["iterations"] == 3
+    assert numbers["gap"] != 0
     found = leads.measured(lead, models, few, motions, judges, 0)
     assert set(found) == set(lead.kinds)
     assert all(math.isfinite(found[kind][by]["fmd"]) for kind in lead.kinds for by in ("noise", "reference"))

@@ -125,22 +125,22 @@ def show_leads(
             path = out / f"{run}{'' if part == 'validation' else '-test'}.json"
             if not path.exists():
                 lead = leads.LEADS[name]
-                iterations, models = leads.fit(lead, task, plan.config(seed, **lead.settings),
-                                               out / "runs" / f"{run}.safetensors")
+                numbers, models = leads.fit(lead, task, plan.config(seed, **lead.settings),
+                                            out / "runs" / f"{run}.safetensors")
                 found = leads.measured(lead, models, some, task.references[part], judges, seed)
                 write_json(path, {"data": data, "lead": name, "seconds": seconds, "seed": seed, "part": part,
-                                  "iterations": iterations, **found})
+                                  **numbers, **found})
     lines = []
     for stored in (json.loads(path.read_text(encoding="utf-8")) for path in sorted(out.glob("*.json"))):
         for kind in (kind for kind in leads.KINDS if kind in stored):
             noise, reference = stored[kind]["noise"], stored[kind]["reference"]
             lines.append({**{key: stored[key] for key in ("data", "seconds", "lead", "seed", "iterations")}, "kind": kind,
-                          "part": stored.get("part", "validation"),
+                          "part": stored.get("part", "validation"), "gap": stored.get("gap"),
                           **{key: reference[key] for key in SHOWN}, **{f"noise_{key}": noise[key] for key in OF_NOISE}})
     titles = comparison.COLUMNS
-    columns = {"data": ["data"], "seconds": ["seconds", 0], "lead": ["lead"], "kind": ["result"],
-               "part": ["windows"], "seed": ["seed", 0],
-               "iterations": ["iterations", 0], **{key: titles[key] for key in SHOWN},
+    columns = {"data": ["data"], "seconds": ["seconds", 0], "lead": ["lead"], "kind": ["result"], "part": ["windows"],
+               "seed": ["seed", 0], "iterations": ["iterations", 0], "gap": ["D's logit: trained with − not seen", 1],
+               **{key: titles[key] for key in SHOWN},
                **{f"noise_{key}": [f"noise: {titles[key][0]}", *titles[key][1:]] for key in OF_NOISE}}
     result = Result("stylisation-leads", "Leads, style codes from references and from noise",
                     "python -m experiments stylization leads --data DATA --seconds S --rows \"LEAD;LEAD\" --part P --store",

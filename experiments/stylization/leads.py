@@ -77,6 +77,9 @@ LEADS = {
     "the turn rate is an input": Lead(turning=True),
     "own window for id, another for cyc": Lead(OWN, parted=True),
     "own window": Lead(OWN | {"encoder_learns": False}),
+    "no autoencoder first": Lead({"warm_up": 0}),
+    "turn rate, own window for id, no autoencoder first": Lead(OWN | {"warm_up": 0}, turning=True, parted=True,
+                                                              kinds=(TRAINED, MIRRORED, POSTURED, BOTH)),
     "content features kept": Lead(kept=1.0),
     "turn rate, own window for id": Lead(OWN, turning=True, parted=True,
                                          kinds=(TRAINED, MIRRORED, POSTURED, BOTH)),
@@ -85,11 +88,14 @@ LEADS = {
     "1-D convolutions": Lead(networks=convolutional.build, kinds=KINDS[:3]),
     "1-D convolutions, half the rates": Lead({"rates": dict(zip(NETWORKS, (1e-3, 5e-4, 5e-4, 5e-4), strict=True))},
                                              convolutional.build, kinds=KINDS[:3]),
+    "1-D convolutions, four times R1": Lead({"weights": Config.quick().weights | {"r1": 20.0}}, convolutional.build),
 }
 
 
-def fit(lead: Lead, task: Task, config: Config, path: Path) -> tuple[int, dict[str, Stylizer]]:
-    """Train a lead by the processor's clock; iterations, and the stylizer of each kind of result.
+def fit(lead: Lead, task: Task, config: Config, path: Path) -> tuple[dict[str, float], dict[str, Stylizer]]:
+    """Train a lead by the processor's clock; numbers of the training, and the stylizer of each kind of result.
+
+    ``gap`` is by how much D's mean logit of the motions that it was trained with is above that of the validation's.
 
     The run is written to ``path``, and read from it if it is there. Only the toolkit's own networks without their moving
     average can be.
@@ -119,7 +125,9 @@ def fit(lead: Lead, task: Task, config: Config, path: Path) -> tuple[int, dict[s
         made[AVERAGED] = copy.deepcopy(run.stylizer)
         with torch.no_grad():
             torch._foreach_copy_(_weights(made[AVERAGED]), averages)
-    return run.history[-1]["step"], {kind: made[kind] for kind in lead.kinds}
+    windows = (task.train, task.references["validation"])
+    known, new = (_logit(run, turning(part) if lead.turning else part) for part in windows)
+    return {"iterations": run.history[-1]["step"], "gap": known - new}, {kind: made[kind] for kind in lead.kinds}
 
 
 def measured(lead: Lead, models: dict[str, Stylizer], sources: Motions, references: Motions, judges: Judges,
@@ -147,6 +155,14 @@ def _with_turn(x: Tensor, turn: Tensor) -> Tensor:
     x = x.clone()
     x[:, 0, :, 0] = turn
     return x
+
+
+@torch.no_grad()
+def _logit(run: training.Run, motions: Motions) -> float:
+    """Mean logit of D for motions and their own domains."""
+    parts = zip(run.stylizer.statistics.apply(motions.x).split(evaluation.BATCH), motions.domain.split(evaluation.BATCH),
+                strict=True)
+    return float(torch.cat([run.discriminator(*part) for part in parts]).mean())
 
 
 def _weights(stylizer: Stylizer) -> list[Tensor]:
