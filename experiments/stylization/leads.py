@@ -30,6 +30,7 @@ TURN = 0.1  # metres per rad/s: how large the turn rate is written
 TRAINED, AVERAGED, MIRRORED = ("as trained", "moving average of the weights", "mean with the mirror image")
 POSTURED, BOTH = (f"{kind}, half of the reference's posture" for kind in (TRAINED, MIRRORED))
 KINDS = (TRAINED, AVERAGED, MIRRORED, POSTURED, BOTH)
+ALL = (TRAINED, MIRRORED, POSTURED, BOTH)
 _made, _terms = training.translations, training.terms_of
 
 
@@ -72,17 +73,28 @@ class Lead:
 
 
 OWN = {"other_window": False, "warm_up": 150}
+
+
+def _content(weight: float) -> dict:
+    """Weights of the losses with more of "cyc" and "id"."""
+    return {"weights": Config.quick().weights | {"cyc": weight, "id": weight}}
+
+
 LEADS = {
     "the recipe": Lead(kinds=KINDS[:3]),
     "the turn rate is an input": Lead(turning=True),
     "own window for id, another for cyc": Lead(OWN, parted=True),
     "own window": Lead(OWN | {"encoder_learns": False}),
+    "turn rate, own window for id, twice cyc and id": Lead(OWN | _content(2.0), turning=True, parted=True, kinds=ALL),
+    "turn rate, own window for id, four times cyc and id": Lead(OWN | _content(4.0), turning=True, parted=True, kinds=ALL),
     "no autoencoder first": Lead({"warm_up": 0}),
+    "no autoencoder first, ds as in the paper": Lead({"warm_up": 0, "fading": False}),
+    "turn rate, own window for id, no autoencoder first, ds as in the paper": Lead(
+        OWN | {"warm_up": 0, "fading": False}, turning=True, parted=True, kinds=ALL),
     "turn rate, own window for id, no autoencoder first": Lead(OWN | {"warm_up": 0}, turning=True, parted=True,
-                                                              kinds=(TRAINED, MIRRORED, POSTURED, BOTH)),
+                                                              kinds=ALL),
     "content features kept": Lead(kept=1.0),
-    "turn rate, own window for id": Lead(OWN, turning=True, parted=True,
-                                         kinds=(TRAINED, MIRRORED, POSTURED, BOTH)),
+    "turn rate, own window for id": Lead(OWN, turning=True, parted=True, kinds=ALL),
     "turn rate, own window for id, content features kept": Lead(OWN, turning=True, parted=True, kept=1.0),
     "own window for id, ds of references": Lead(OWN, parted=True, spread=True),
     "1-D convolutions": Lead(networks=convolutional.build, kinds=KINDS[:3]),
