@@ -13,7 +13,8 @@ from experiments.tables import DOCS, RESULTS, Result
 
 PAGES = sorted(DOCS.glob("*.md"))
 # pages whose prose states results
-STATED = ("comparison", "embedded_model", "phase_sources", "procedural", "recipes", "reproducing", "stylisation", "stylisation_findings")
+STATED = ("comparison", "embedded_model", "phase_sources", "procedural", "recipes", "reproducing", "stylisation",
+          "stylisation_findings")
 
 
 @pytest.fixture
