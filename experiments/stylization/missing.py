@@ -47,9 +47,9 @@ def config(missing: str, iterations: int, seed: int) -> training.Config:
     if missing == "adv":
         weights["adv"] = 0.0
     kept = tuple(name for name in LOSSES if name != missing or name == "adv")
-    return training.Config.quick(losses=kept, weights=weights, iterations=iterations, seed=seed, batch=4,
+    return training.Config.quick(losses=kept, weights=weights, iterations=iterations, seed=seed, batch=4, warm_up=0,
                                  sizes=Sizes(channels=8, hidden=64, detailed=True), other_window=False,
-                                 encoder_learns=False)
+                                 encoder_learns=False, fading=False)
 
 
 def clips(seeds: Sequence[int]) -> list[Clip]:

@@ -65,7 +65,7 @@ def milliseconds(channels: int, iterations: int, repeats: int) -> dict[str, floa
     times: dict[str, list[float]] = {name: [] for name in FORMS}
     for _ in range(repeats):
         for name, form in FORMS.items():
-            config = training.Config.quick(sizes=sizes, fading=True, iterations=FIRST + iterations,
+            config = training.Config.quick(sizes=sizes, warm_up=0, iterations=FIRST + iterations,
                                            r1_every=4 if form.lazy else 1)
             ends: list[float] = []
             with form.chosen():

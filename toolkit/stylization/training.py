@@ -34,8 +34,8 @@ NETWORKS = ("generator", "encoder", "mapping", "discriminator")
 class Config:
     """How to train; the defaults are the paper's (appendix A.2), at which a graphics card works for hours.
 
-    Each field from ``squared`` to ``r1_every`` is a departure from the paper where it is not at its default;
-    ``python -m experiments stylization recipe`` measures what each is worth.
+    Each field from ``squared`` to ``r1_every`` is a departure from the paper where it is not at its default; `quick` has
+    them all, and ``python -m experiments stylization recipe`` measures what each is worth.
     """
 
     losses: tuple[str, ...] = losses.LOSSES  # Table 1 leaves out "ds", then "sty"
@@ -76,16 +76,19 @@ class Config:
 
     @classmethod
     def quick(cls, **changes) -> "Config":
-        """Minutes on one core: small networks, high rates that decay, a stronger R1, and most of the departures.
+        """Minutes on one core: small networks, high rates that decay, a stronger R1, and all departures.
 
         All λ are the paper's. With content losses of squares, G's gradient of the adversarial loss would be about twenty
         times that of each other one: it would learn to please D long before it learns to keep a motion.
         """
         settings = {"sizes": Sizes.small(), "iterations": 2000, "final_rate": 0.1, "squared": False, "other_window": True,
-                    "encoder_learns": True, "r1_every": 4,
+                    "fading": True, "warm_up": 300, "encoder_learns": True, "r1_every": 4,
                     "rates": dict(zip(NETWORKS, (2e-3, 1e-3, 1e-3, 1e-3), strict=True)),
                     "weights": dict.fromkeys(losses.LOSSES, 1.0) | {"r1": 5.0}}
-        return cls(**settings | changes)
+        settings |= changes
+        if "warm_up" not in changes:
+            settings["warm_up"] = min(settings["warm_up"], settings["iterations"] // 5)
+        return cls(**settings)
 
     def fixed(self) -> dict:
         """What must not change when a run is resumed, as JSON holds it."""
