@@ -1,5 +1,6 @@
 """What judges restyled motion: Fréchet distance, classifiers, measures, the baselines of Table 2, the comparison."""
 
+import dataclasses
 import math
 
 import pytest
@@ -518,6 +519,16 @@ def test_a_lead_is_trained_and_measured_and_leaves_the_training_as_it_was(motion
     assert len({found[kind]["reference"]["fmd"] for kind in lead.kinds}) == len(lead.kinds)
     if path.exists():
         assert leads.measured(lead, leads.fit(lead, task, Config.quick(), path)[1], few, motions, judges, 0) == found
+
+
+def test_a_run_of_other_styles_is_refused(motions, tmp_path):
+    made = tk.stylization.fit(motions, TINY)
+    made.save(tmp_path / "run.safetensors")
+    task = sets.Task(motions, {}, {}, {})
+    assert comparison.runs_of([tmp_path / "run.safetensors"], task)[0].stylizer.domains == motions.domains
+    other = dataclasses.replace(task, train=dataclasses.replace(motions, domains=("a", *motions.domains[1:])))
+    with pytest.raises(ValueError, match=r"run\.safetensors: was trained on .*; the data have a, "):
+        comparison.runs_of([tmp_path / "run.safetensors"], other)
 
 
 def test_the_posture_of_references_makes_results_differ_and_none_comes_from_noise(motions):

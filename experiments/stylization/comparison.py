@@ -293,7 +293,8 @@ def show_codes(
 ) -> None:
     """What the codes of references hold, on validation windows, and which loss makes them alike, on training windows."""
     torch.set_num_threads(1)
-    task, runs = sets.load(data), [training.load(path) for path in models]
+    task = sets.load(data)
+    runs = runs_of(models, task)
     alike = [run for run in runs if replace(run.config, seed=0) == replace(runs[0].config, seed=0)]
     pulls = [codes.pulls(run, task.train) for run in alike]
     command, settings = f"python -m experiments stylization codes FILE … --data {data} --store", {**machine("cpu")}
@@ -353,6 +354,16 @@ def _words(text: str, known: Sequence[str]) -> list[str]:
     if unknown := [name for name in names if name not in known]:
         raise ValueError(f"unknown: {', '.join(unknown)}; known: {', '.join(known)}")
     return names
+
+
+def runs_of(paths: Sequence[Path], task: Task) -> list[training.Run]:
+    """The runs in files; ValueError if one has other styles than the task."""
+    runs = [training.load(path) for path in paths]
+    for path, run in zip(paths, runs, strict=True):
+        if run.stylizer.domains != task.train.domains:
+            raise ValueError(f"{path}: was trained on {', '.join(run.stylizer.domains)}; the data have "
+                             f"{', '.join(task.train.domains)}")
+    return runs
 
 
 def numbers_in(text: str, option: str = "--seeds") -> list[int]:

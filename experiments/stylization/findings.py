@@ -14,7 +14,6 @@ from experiments.stylization.comparison import app
 from experiments.stylization.floors import FLOORS
 from experiments.stylization.mirror import Symmetric
 from experiments.tables import Result
-from toolkit.stylization import training
 
 TITLES: dict[str, list] = {
     "method": ["method"], "codes": ["style code from"], "content": ["content, %", 0, 100],
@@ -26,7 +25,7 @@ FURTHER: dict[str, list] = {
     **{key: comparison.COLUMNS[key] for key in lost_content.KEPT},
 }
 SHOWN = ("fmd", "domain_fmd", "content", "style", "both", "movement", "diversity", "contact_f1", "acceleration")
-OF_NOISE = ("fmd", "content", "both", "diversity")
+OF_NOISE = ("fmd", "content", "both", "movement", "diversity")
 
 
 @app.command()
@@ -42,7 +41,8 @@ def content(
     Runs with the same budget are seeds of one method.
     """
     torch.set_num_threads(1)
-    task, plan, runs = sets.load(data), comparison.Plan(0, sources, part), [training.load(path) for path in models]
+    task, plan = sets.load(data), comparison.Plan(0, sources, part)
+    runs = comparison.runs_of(models, task)
     judges, some = comparison.judges_of(task, part), comparison.sources_of(task, plan)
     rows, target = evaluation.pairs(some)
     chosen = some.select(rows)
@@ -74,18 +74,19 @@ def show_posture(
     models: Annotated[list[Path], typer.Argument(help="Files of runs; those with the same budget are seeds of one method.")],
     data: Annotated[str, typer.Option(help=f"One of {', '.join(sets.SETS)}: what they were trained on.")] = "dataset-1",
     part: Annotated[str, typer.Option(help=f"What is judged: {', '.join(sets.PARTS)}.")] = "validation",
-    shares: Annotated[str, typer.Option(help="Comma-separated shares of the reference's posture.")] = "0,0.25,0.5,0.75",
+    shares: Annotated[str, typer.Option(help="Comma-separated: hundredths of the reference's posture.")] = "0,25,50,75",
     sources: Annotated[int, typer.Option(min=2, help="Largest number of restyled windows.")] = 64,
     store: Annotated[bool, typer.Option(help="Write the table's file in docs/results.")] = False,
 ) -> None:
     """What a share of the reference's posture, added to results, gives and costs; floor: the mean-pose shift."""
     torch.set_num_threads(1)
-    task, plan, runs = sets.load(data), comparison.Plan(0, sources, part), [training.load(path) for path in models]
+    percents, task, plan = comparison.numbers_in(shares, "--shares"), sets.load(data), comparison.Plan(0, sources, part)
+    runs = comparison.runs_of(models, task)
     judges, some, references = comparison.judges_of(task, part), comparison.sources_of(task, plan), task.references[part]
     held = judges.judge(task.sources[part].x, task.sources[part].content, task.sources[part].domain)
     lines = [{"method": "real motion", **{key: held[key] for key in posture.KEPT if key in held},
               "diversity": evaluation.own_diversity(task.train)}]
-    for by, share in itertools.product(evaluation.WAYS[1:], map(float, shares.split(","))):
+    for by, share in itertools.product(evaluation.WAYS[1:], [percent / 100 for percent in percents]):
         lines.append({"method": "mean-pose shift", "codes": by, "share": share,
                       **posture.shifted(task.train, some, references, judges, by, share, 0)})
         for seconds in dict.fromkeys(run.config.seconds for run in runs):

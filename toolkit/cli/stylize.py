@@ -21,7 +21,7 @@ def stylize_clip(
     domain: Annotated[str | None, typer.Option(help="Target style; with --reference, the style of that clip.")] = None,
     seed: Seed = 0,
     reference: Annotated[Path | None, typer.Option(help="Motion file whose style is used instead of noise.")] = None,
-    posture: Annotated[float, typer.Option(min=0, max=1, help="Share of the reference's own posture.")] = POSTURE,
+    posture: Annotated[float, typer.Option(min=0, max=1, help="Share of the reference's posture that is added.")] = POSTURE,
     feet: Annotated[bool, typer.Option(help="Remove foot skate.")] = True,
     unit: Unit = "auto",
     up: Up = "auto",

@@ -28,7 +28,7 @@ def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 
     reference
         A clip with the target style (equation 5). Its domain is ``domain``, or its own ``style`` by default.
     posture
-        Share, 0 to 1, of what the mean pose of the reference has beside that of its domain, which is added to the result.
+        Share, 0 to 1, of the difference between the mean pose of the reference and that of its domain, added to the result.
         Departure from the paper: codes of references alone make nearly equal results (docs/stylisation_findings.md).
     code : Tensor [S]
         A style code of `style_code`, or an interpolation of such codes (section 7.1).
