@@ -5,7 +5,9 @@ import re
 import subprocess
 import sys
 from pathlib import Path
+from statistics import mean
 
+import numpy as np
 import pytest
 
 from experiments import tables
@@ -112,6 +114,40 @@ def test_the_runtime_is_as_fast_as_its_page_says():
     assert half["64"] > 0.9 * own["64"]
     assert rows["whole frame, toolkit, calibrated"]["1"] > 1.5 * rows["whole frame, toolkit"]["1"]
     assert rows["whole frame, toolkit, calibrated"]["64"] > 5 * rows["whole frame, toolkit"]["64"]
+
+
+def table(name):
+    """Rows of a result on stylisation by method and way; of all seeds."""
+    return {(row["method"], row.get("codes")): row for row in Result.load(f"stylisation-{name}").rows}
+
+
+def test_the_stylisation_page_compares_as_its_results_do():
+    """Sentences without numbers of their own, or with ratios."""
+    long = table("dataset-1-180-seconds")
+    ours, dense = long["ours", "reference"], long["1-D convolutions", "reference"]
+    shift = long["mean-pose shift", None]
+    assert max(ours["fmd"]) < min(*dense["fmd"], shift["fmd"])  # the best with each of three seeds
+    assert min(ours["both"]) > max(*dense["both"], shift["both"])
+    rows = table("dataset-1")
+    ours, dense, aberman = (mean(rows[name, "dissimilar"]["fmd"]) for name in
+                            ("ours", "1-D convolutions", "Aberman et al. 2020"))
+    assert aberman - dense > 3 * (dense - ours)  # most of the gap to Aberman et al. is there without the graph
+    for name in ("dataset-1", "dataset-2"):
+        rows = table(name)
+        clip = rows["nearest real clip", None]
+        assert clip["style"] == 1
+        assert clip["fmd"] < min(np.min(row["fmd"]) for (method, _), row in rows.items()
+                                 if method not in ("real motion", "nearest real clip"))
+        assert min(rows[floor, None]["content"] for floor in ("unchanged source", "mean-pose shift")) > 0.88
+    steps = {row["clip"]: row["steps"] for row in Result.load("stylisation-strips").rows}
+    first, last = (list(steps).index(clip) for clip in ("masculinity walk: source", "old walk: the actor's own"))
+    assert len(set([*steps.values()][first:last])) == 1  # the rhythm is the source's
+    leads = [row for row in Result.load("stylisation-leads").rows if row["data"] == "dataset-1" and row["seconds"] == 180]
+    for seed, share in ((0, "0.76"), (1, "0.70")):
+        best = min(row["fmd"] for row in leads if row["seed"] == seed and row["lead"].startswith("1-D"))
+        own = next(row["fmd"] for row in leads
+                   if (row["seed"], row["lead"], row["kind"]) == (seed, "the recipe", "as trained"))
+        assert f"{own / best:.2f}" == share
 
 
 def test_hands_of_restyled_motions_move_as_the_stylisation_page_says():

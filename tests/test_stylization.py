@@ -497,6 +497,10 @@ def test_a_result_takes_a_share_of_the_posture_of_its_reference(motions, walks, 
     old = networks.Stylizer.from_parts("old", before, {"stylizer": description})
     made = [st.stylize(old, walks[0], reference=bent, posture=share).rotations for share in (0, 1)]
     assert torch.equal(*made)
+    many = description | {"domains": [str(k) for k in range(10**6)]}  # 650 MB of poses, which the file does not have
+    with pytest.raises(ValueError, match="differs in tensor") as found:
+        networks.Stylizer.from_parts("old", before, {"stylizer": many})
+    assert len(str(found.value)) < 300
     own = motions.domain == 1
     torch.testing.assert_close(model.posture_of(motions.x[own], 1).mean(0), torch.zeros(7, 1, 23), atol=1e-4, rtol=0)
 

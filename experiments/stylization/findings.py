@@ -84,8 +84,7 @@ def show_posture(
     runs = comparison.runs_of(models, task)
     judges, some, references = comparison.judges_of(task, part), comparison.sources_of(task, plan), task.references[part]
     held = judges.judge(task.sources[part].x, task.sources[part].content, task.sources[part].domain)
-    lines = [{"method": "real motion", **{key: held[key] for key in posture.KEPT if key in held},
-              "diversity": evaluation.own_diversity(task.train)}]
+    lines = [{"method": "real motion", **held, "diversity": evaluation.own_diversity(task.train)}]
     for by, share in itertools.product(evaluation.WAYS[1:], [percent / 100 for percent in percents]):
         lines.append({"method": "mean-pose shift", "codes": by, "share": share,
                       **posture.shifted(task.train, some, references, judges, by, share, 0)})
@@ -95,7 +94,8 @@ def show_posture(
             lines.append({"method": f"ours, {seconds:g} seconds", "codes": by, "share": share,
                           **{key: [one[key] for one in found] for key in found[0]}})
     columns = {"method": ["method"], "codes": ["reference"], "share": ["share of its posture", 2],
-               **{key: comparison.COLUMNS[key] for key in posture.KEPT}, "follows": ["follows the reference", 2]}
+               **{key: title for key, title in list(comparison.COLUMNS.items())[2:] if key in lines[1]},
+               "follows": ["follows the reference", 2]}
     result = Result(f"stylisation-posture-{data}-{part}", f"Bandai-Namco {data}, {part} windows; mean ± deviation over the "
                     "seeds", f"python -m experiments stylization posture FILE … --data {data} --part {part} --shares "
                     f"{shares} --store", columns, sorted(lines, key=lambda line: (line.get("codes", ""), line["method"])),

@@ -73,26 +73,15 @@ class Lead:
 
 
 OWN = {"other_window": False, "warm_up": 150}
-
-
-def _content(weight: float) -> dict:
-    """Weights of the losses with more of "cyc" and "id"."""
-    return {"weights": Config.quick().weights | {"cyc": weight, "id": weight}}
-
-
+WEIGHTS = Config.quick().weights
 LEADS = {
     "the recipe": Lead(kinds=KINDS[:3]),
     "the turn rate is an input": Lead(turning=True),
     "own window for id, another for cyc": Lead(OWN, parted=True),
-    "own window": Lead(OWN | {"encoder_learns": False}),
-    "turn rate, own window for id, twice cyc and id": Lead(OWN | _content(2.0), turning=True, parted=True, kinds=ALL),
-    "turn rate, own window for id, four times cyc and id": Lead(OWN | _content(4.0), turning=True, parted=True, kinds=ALL),
+    "turn rate, own window for id, twice cyc and id": Lead(
+        OWN | {"weights": WEIGHTS | {"cyc": 2.0, "id": 2.0}}, turning=True, parted=True, kinds=ALL),
     "no autoencoder first": Lead({"warm_up": 0}),
     "no autoencoder first, ds as in the paper": Lead({"warm_up": 0, "fading": False}),
-    "turn rate, own window for id, no autoencoder first, ds as in the paper": Lead(
-        OWN | {"warm_up": 0, "fading": False}, turning=True, parted=True, kinds=ALL),
-    "turn rate, own window for id, no autoencoder first": Lead(OWN | {"warm_up": 0}, turning=True, parted=True,
-                                                              kinds=ALL),
     "content features kept": Lead(kept=1.0),
     "turn rate, own window for id": Lead(OWN, turning=True, parted=True, kinds=ALL),
     "turn rate, own window for id, content features kept": Lead(OWN, turning=True, parted=True, kept=1.0),
@@ -100,7 +89,7 @@ LEADS = {
     "1-D convolutions": Lead(networks=convolutional.build, kinds=KINDS[:3]),
     "1-D convolutions, half the rates": Lead({"rates": dict(zip(NETWORKS, (1e-3, 5e-4, 5e-4, 5e-4), strict=True))},
                                              convolutional.build, kinds=KINDS[:3]),
-    "1-D convolutions, four times R1": Lead({"weights": Config.quick().weights | {"r1": 20.0}}, convolutional.build),
+    "1-D convolutions, four times R1": Lead({"weights": WEIGHTS | {"r1": 20.0}}, convolutional.build),
 }
 
 

@@ -11,8 +11,6 @@ from experiments.stylization.judges import Judges
 from toolkit.stylization.data import Motions
 from toolkit.stylization.networks import Sizes, Stylizer
 
-KEPT = ("fmd", "domain_fmd", "content", "style", "both", "movement", "diversity", "bone", "contact_f1", "acceleration")
-
 
 @dataclass(frozen=True)
 class Postured:
@@ -70,4 +68,4 @@ def _measured(sources: Motions, references: Motions, judges: Judges, by: str, se
     found = evaluation.measures(sources.select(rows), target, made, judges)
     first, second = evaluation.drawn(sources, references, by, seed)
     moved, asked = ((a - b)[:, :3].mean(2).flatten(1) for a, b in (made, (references.x[first], references.x[second])))
-    return {key: found[key] for key in KEPT} | {"follows": float(torch.cosine_similarity(moved, asked).mean())}
+    return found | {"follows": float(torch.cosine_similarity(moved, asked).mean())}

@@ -79,8 +79,11 @@ class Motions:
         """Mean pose and standard deviation over all windows and frames, and the mean pose of each domain."""
         x = self.x.double()
         mean, std = (value[:, None].float() for value in (x.mean((0, 2)), x.std((0, 2)).clamp_min(LEAST_STD)))
-        z = Statistics(mean, std, mean).apply(self.x).mean(2, keepdim=True)
-        return Statistics(mean, std, torch.stack([z[self.domain == d].mean(0) for d in range(len(self.domains))]))
+        made = Statistics(mean, std, mean.new_zeros(len(self.domains), *mean.shape))
+        z = made.apply(self.x).mean(2, keepdim=True)
+        for d, pose in enumerate(made.poses):
+            pose.copy_(z[self.domain == d].mean(0))
+        return made
 
     def select(self, rows: Tensor) -> "Motions":
         """Some of the windows, by a mask or by indices, with the same domains and contents."""

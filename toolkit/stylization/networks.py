@@ -227,7 +227,8 @@ class Stylizer(nn.Module):
             described = parts["stylizer"]
             graph = SkeletonGraph.of(Skeleton(**described["skeleton"]))
             domains, sizes = tuple(described["domains"]), Sizes(**described["sizes"])
-            known = {"stylizer.statistics.poses": _none(graph, domains).poses} | tensors
+            absent = torch.zeros(()).expand(len(domains), CHANNELS, 1, graph.sizes[0])  # without memory for a file's sizes
+            known = {"stylizer.statistics.poses": absent} | tensors
             return model_files.restore(lambda: cls(graph, domains, sizes, _none(graph, domains)), known, "stylizer.")
 
 

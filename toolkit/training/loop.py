@@ -166,7 +166,7 @@ def fit(data: Features, config: Config | None = None, checkpoint: str | os.PathL
 
 @contextlib.contextmanager
 def reused_memory() -> Iterator[None]:
-    """Inside, glibc keeps freed memory; results stay the same.
+    """Inside, glibc keeps the memory that the main thread frees; results stay the same.
 
     Otherwise large tensors return to the system at once, and a third of a step of the paper's size with one style clip goes
     into mapping and clearing the pages of new gradients.
