@@ -33,8 +33,8 @@ $(VENV)/.complete: pyproject.toml constraints.txt constraints-cuda.txt
 	@$(MAKE) --no-print-directory opengl
 	touch $@
 
-opengl:  # for pyvista; a failure is no error: pictures work without, slower
-	@$(BIN)/python -m toolkit.view.opengl || { [ "$$(id -u)" = 0 ] && command -v apt-get > /dev/null && \
+opengl:  # for pyvista; a failure is no error: without it, pictures show plain skeletons
+	@$(BIN)/python -m toolkit.view.render.opengl || { [ "$$(id -u)" = 0 ] && command -v apt-get > /dev/null && \
 	    echo "Installing OpenGL into the system, as root: apt-get install $(OPENGL)" && apt-get update -qq && \
 	    DEBIAN_FRONTEND=noninteractive apt-get install -qq --no-install-recommends $(OPENGL) > /dev/null 2>&1; } || true
 
@@ -64,7 +64,7 @@ coverage: env
 	$(BIN)/coverage report
 
 lab: env
-	$(BIN)/jupyter lab --ServerApp.root_dir=$(CURDIR) --LabApp.default_url=/lab/tree/notebooks --ServerApp.jpserver_extensions="{'toolkit.view.server': True}"
+	$(BIN)/jupyter lab --ServerApp.root_dir=$(CURDIR) --LabApp.default_url=/lab/tree/notebooks --ServerApp.jpserver_extensions="{'toolkit.view.widgets.server': True}"
 
 docs: env
 	$(BIN)/sphinx-build -W --keep-going -b html docs out/docs

@@ -1,11 +1,14 @@
-"""The documentation site: ``make docs``, or ``sphinx-build -W --keep-going -b html docs out/docs``. It needs no network.
+"""The documentation site: ``make docs``, or ``sphinx-build -W --keep-going -b html docs out/docs``.
 
-The site shows full runs of the notebooks. A run is taken from ``out/full`` if one of the same code is there, made by
-``jupyter nbconvert --to notebook --execute --output-dir out/full notebooks/NAME.ipynb``. The build runs the others, one
-after another: docs/lecturers.md says for how many minutes each. It stores their results in ``out/notebooks``, so a build
-that was stopped goes on where it was; `make clean` deletes both folders. With ``TOOLKIT_DOCS_NOTEBOOKS=fast`` all notebooks
-run at the small sizes of the tests, for some minutes in all. With ``off`` nothing is run, and a notebook that has no stored
-run is shown without results.
+The build needs no network.
+
+The site shows full runs of the notebooks. A run is taken from ``out/full`` if one of the same code
+is there, made by ``jupyter nbconvert --to notebook --execute --output-dir out/full
+notebooks/NAME.ipynb``. The build runs the others, one after another: docs/lecturers.md says for how
+many minutes each. It stores their results in ``out/notebooks``, so a build that was stopped goes on
+where it was; `make clean` deletes both folders. With ``TOOLKIT_DOCS_NOTEBOOKS=fast`` all notebooks
+run at the small sizes of the tests, for some minutes in all. With ``off`` nothing is run, and a
+notebook that has no stored run is shown without results.
 """
 
 import dataclasses
@@ -54,7 +57,8 @@ smartquotes = False  # quotation marks in messages and code must not change
 # --- docstrings
 default_role = "py:obj"  # `name` in a docstring is a link if the name exists, else code
 add_module_names = False
-autodoc_default_options = {"exclude-members": "set", "no-value": True}  # matplotlib adds `set` to figures
+# matplotlib adds `set` to figures
+autodoc_default_options = {"exclude-members": "set", "no-value": True}
 suppress_warnings = ["ref.python",  # an annotation that several classes match gets no link
                      "mystnb.unknown_mime_type"]  # plotly's JSON, beside the HTML that is shown
 autodoc_member_order = "bysource"
@@ -72,47 +76,74 @@ nb_execution_mode = "off" if RUN == "off" else "cache"
 nb_execution_cache_path = str(ROOT / "out" / "notebooks" / RUN)
 nb_execution_timeout = 1800  # seconds a cell
 nb_output_stderr = "remove"  # progress bars
-nb_mime_priority_overrides = [("*", "application/vnd.jupyter.widget-view+json", None)]  # static pictures instead
+# static pictures instead
+nb_mime_priority_overrides = [("*", "application/vnd.jupyter.widget-view+json", None)]
 nb_ipywidgets_js = {}
-os.environ |= {"TOOLKIT_FAST": "1" if RUN == "fast" else "", "PYVISTA_OFF_SCREEN": "true",
-               "PYVISTA_JUPYTER_BACKEND": "static", "PYVISTA_MULTI_SAMPLES": "0",
-               "OMP_NUM_THREADS": "1", "PLOTLY_RENDERER": "notebook_connected",
-               "TOOLKIT_DATA": str(DOCS / "notebooks"),  # no recordings: every build gives the same site
-               "PYTHONPATH": os.pathsep.join(filter(None, (str(ROOT), os.environ.get("PYTHONPATH"))))}
+os.environ |= {
+    "TOOLKIT_FAST": "1" if RUN == "fast" else "",
+    "PYVISTA_OFF_SCREEN": "true",
+    "PYVISTA_JUPYTER_BACKEND": "static",
+    "PYVISTA_MULTI_SAMPLES": "0",
+    "OMP_NUM_THREADS": "1",
+    "PLOTLY_RENDERER": "notebook_connected",
+    # no recordings: every build gives the same site
+    "TOOLKIT_DATA": str(DOCS / "notebooks"),
+    "PYTHONPATH": os.pathsep.join(filter(None, (str(ROOT), os.environ.get("PYTHONPATH")))),
+}
 
 #: Links as GitHub needs them, and the same links as the site needs them.
 LINKS = {"](../docs/": "](../", "](docs/": "](", "](../notebooks/": "](notebooks/",
          "](../CONTRIBUTING.md": "](contributing.md", "](../CHANGELOG.md": "](changelog.md",
          "](README.md": "](index.md", "](../README.md": "](index.md"}
 #: Scripts that plotly loads from other servers, and the copy of plotly that each notebook brings.
-FETCHED = re.compile(r'<script[^>]*src="https?://[^>]*></script>|<script type="module">import "https?://[^<]*</script>'
-                     r'|<script data-toolkit="plotly">.*?</script>', re.DOTALL)
-STATE = "application/vnd.jupyter.widget-state+json"  # megabytes of widget state, useless without a kernel
+FETCHED = re.compile(
+    r'<script[^>]*src="https?://[^>]*></script>'
+    r'|<script type="module">import "https?://[^<]*</script>'
+    r'|<script data-toolkit="plotly">.*?</script>',
+    re.DOTALL,
+)
+# megabytes of widget state, useless without a kernel
+STATE = "application/vnd.jupyter.widget-state+json"
 #: The output of a controller without a kernel; the page that runs without Python replaces it.
-CONTROLLER = re.compile(r"<pre><span></span>&lt;toolkit\.view\.controller\.Controller object at [^<]*</pre>")
+CONTROLLER = re.compile(
+    r"<pre><span></span>&lt;toolkit\.view\.controller\.Controller object at [^<]*</pre>"
+)
 #: The same of a Director; the page is beside it in the notebook.
-DESK = re.compile(CONTROLLER.pattern.replace("controller", "director").replace("Controller", "Director"))
+DESK = re.compile(
+    CONTROLLER.pattern.replace("controller", "director").replace("Controller", "Director")
+)
 #: The text of a progress bar that was a widget.
 BAR = re.compile(r"<pre><span></span>[\w ]+: +0%\|[^\n]*\n</pre>")
 
 
-#: A link from source code to its documentation; of modules that a package re-exports in part, Sphinx names the package.
+#: A link from source code to its documentation. Sphinx names the package for modules that a package
+#: re-exports in part.
 DOCUMENTED = re.compile(r'(?<=/api/)([\w.]+)\.html#([\w.]+)')
+
+#: A field of a dataclass: comment lines above it, its name, and the comment beside it.
+FIELD = re.compile(r"^((?:    # .*\n)*)    (\w+): [^#\n]*(?:  # (.+))?$", re.MULTILINE)
 
 #: A note below the title of each notebook.
 NOTE = """</h1><div class="admonition note"><p class="admonition-title">{title}</p>
 <p>{text} <code>make lab</code> starts JupyterLab for a run of your own.</p></div>"""
-SMALL = ("The small run", "The results on this page come from the small run of the tests. Its networks are trained for a "
-         "very short time.")
+SMALL = (
+    "The small run",
+    "The results on this page come from the small run of the tests. Its networks are trained for a "
+    "very short time.",
+)
 
 
 def note(seconds: float | None) -> str:
     """Say how a notebook was run, and for how long."""
     if seconds is None:
         return "</h1>"
-    title, text = SMALL if RUN == "fast" else (
-        "The full run", "The results on this page come from the full run. It took "
-        f"{max(1, round(seconds / 60))} min on one core ({platform.system()}, {platform.machine()}).")
+    machine = f"{platform.system()}, {platform.machine()}"
+    full = (
+        "The full run",
+        "The results on this page come from the full run. It took "
+        f"{max(1, round(seconds / 60))} min on one core ({machine}).",
+    )
+    title, text = SMALL if RUN == "fast" else full
     return NOTE.format(title=title, text=text)
 
 
@@ -133,13 +164,18 @@ def documented(link: re.Match) -> str:
 
 
 def stand_alone(app, name: str, _template: str, context: dict, _doctree) -> None:
-    """Load plotly from the site and not from other servers; add the note about the run to notebooks."""
+    """Load plotly from the site, not from other servers; add the note about a notebook's run."""
     scripts = context.get("script_files", [])
-    scripts[:] = [script for script in scripts if getattr(script, "attributes", {}).get("type") != STATE]
+    scripts[:] = [
+        script for script in scripts if getattr(script, "attributes", {}).get("type") != STATE
+    ]
     if "body" in context:
-        character = f'<iframe class="character" src="{context["pathto"]("_static/controller.html", 1)}"></iframe>'
-        context["body"] = CONTROLLER.sub(character, DESK.sub("", BAR.sub("", FETCHED.sub("", context["body"]))))
-        context["body"] = context["body"].replace(" ± ", "\u00a0±\u00a0")  # a number and its spread stay in one line
+        page = context["pathto"]("_static/controller.html", 1)
+        character = f'<iframe class="character" src="{page}"></iframe>'
+        without = DESK.sub("", BAR.sub("", FETCHED.sub("", context["body"])))
+        context["body"] = CONTROLLER.sub(character, without)
+        # a number and its spread stay in one line
+        context["body"] = context["body"].replace(" ± ", "\u00a0±\u00a0")
         if name.startswith("_modules/"):
             context["body"] = DOCUMENTED.sub(documented, context["body"])
         if name.startswith("notebooks/"):
@@ -156,21 +192,30 @@ def steerable(app) -> None:
     if app.builder.format == "html":
         folder = Path(app.outdir) / "_static"
         folder.mkdir(parents=True, exist_ok=True)
-        tk.view.web(*tk.pretrained(), folder / "controller.html", title="A character under control", half=True)
+        tk.view.web(
+            *tk.pretrained(),
+            folder / "controller.html",
+            title="A character under control",
+            half=True,
+        )
         scene = tk.shots.Scene.load(ROOT / "examples" / "shots" / "figure_eight.json")
         tk.view.director.web(*tk.pretrained(), folder / "director.html", scene, half=True)
 
 
-def whole_signature(_app, _what, _name, _value, _options, signature: str | None, returns: str | None):
+def whole_signature(
+    _app, _what, _name, _value, _options, signature: str | None, returns: str | None
+):
     """Show a default that a factory makes as ``...``."""
     return signature and signature.replace("<factory>", "..."), returns
 
 
 def fields(_app, what: str, _name: str, value, _options, lines: list[str]) -> None:
-    """Describe the fields of a dataclass by their comments, if its docstring does not describe them."""
+    """Describe the fields of a dataclass by their comments, if its docstring does not."""
     if what == "class" and dataclasses.is_dataclass(value) and "Parameters" not in lines:
-        beside = re.findall(r"^    (\w+): .*?  # (.+)$", inspect.getsource(value), re.MULTILINE)
-        described = [line for name, comment in beside for line in (name, f"    {comment}")]
+        described = []
+        for above, name, beside in FIELD.findall(inspect.getsource(value)):
+            comment = beside or " ".join(above.replace("# ", "").split())
+            described += [name, f"    {comment}"] if comment else []
         lines += ["", "Parameters", "----------", *described, ""] if described else []
 
 
@@ -189,7 +234,8 @@ def setup(app) -> None:
     """Connect the functions above; Sphinx calls this."""
     app.add_html_math_renderer("mathml", (formula("inline"), None), (formula("block"), None))
     app.connect("autodoc-process-signature", whole_signature)
-    app.connect("autodoc-process-docstring", fields, priority=100)  # before napoleon reads the sections
+    # before napoleon reads the sections
+    app.connect("autodoc-process-docstring", fields, priority=100)
     app.connect("builder-inited", steerable)
     app.connect("source-read", lead_links)
     app.connect("include-read", lead_links)
@@ -200,6 +246,8 @@ runs = ROOT / "out" / ("fast" if RUN == "fast" else "full")
 texts, took = stored.results(runs, sorted((ROOT / "notebooks").glob("*.ipynb")))
 reference.put(DOCS / "notebooks", texts)
 nb_execution_excludepatterns = [f"notebooks/{name}" for name in took]
-results = sorted((DOCS / "results").glob("*.json"))  # notebooks/ of the checkout is beside docs/, that of the site within
-reference.put(DOCS / "docs" / "results", {path.name: path.read_text(encoding="utf-8") for path in results})
+# notebooks/ of the checkout is beside docs/, that of the site within
+results = sorted((DOCS / "results").glob("*.json"))
+result_texts = {path.name: path.read_text(encoding="utf-8") for path in results}
+reference.put(DOCS / "docs" / "results", result_texts)
 reference.put(DOCS / "api", reference.pages())

@@ -1,12 +1,12 @@
 """Make the pictures of these pages again, in three minutes on one core.
 
-``python docs/pictures.py [--published FOLDER --real FOLDER --run FILE]``. Without the folder of the published parameters
-(Mason et al. 2022), the pictures in ``side_by_side`` and those of the other two options stay as they are.
+``python docs/pictures.py [--published FOLDER --real FOLDER --run FILE]``. Without the folder of the
+published parameters (Mason et al. 2022), the pictures in ``side_by_side`` and those of the other
+two options stay as they are.
 """
 
 import contextlib
 import functools
-import json
 import shutil
 import tempfile
 from pathlib import Path
@@ -22,10 +22,33 @@ from toolkit.datasets import procedural
 
 OUT = Path(__file__).parent
 GAITS = ("FW", "BW", "SW", "FR", "BR", "SR")
-SHOWN = {"Zombie": 60, "Old": 75, "Aeroplane": 30, "Crouch": 65, "HopLeft": 60, "HighKnees": 65, "MarchKick": 70,
-         "DragRightLeg": 40, "Penguin": 15, "ArmsAboveHead": 40, "BentForward": 75, "Tiptoe": 70}  # camera angle, degrees
-BESIDE = {"Zombie": "Zombie", "Old": "Old", "Aeroplane": "Aeroplane", "Crouch": "Crouched", "HighKnees": "HighKnees",
-          "Strut": "Strutting"}  # their names in 100STYLE
+# Styles in the table of moving pictures, and their camera angles in degrees.
+SHOWN = {
+    "Zombie": 60,
+    "Old": 75,
+    "Aeroplane": 30,
+    "Crouch": 65,
+    "HopLeft": 60,
+    "HighKnees": 65,
+    "MarchKick": 70,
+    "DragRightLeg": 40,
+    "Penguin": 15,
+    "ArmsAboveHead": 40,
+    "BentForward": 75,
+    "Tiptoe": 70,
+}
+# Styles that are shown beside the published network, and their names in 100STYLE.
+BESIDE = {
+    "Zombie": "Zombie",
+    "Old": "Old",
+    "Aeroplane": "Aeroplane",
+    "Crouch": "Crouched",
+    "HighKnees": "HighKnees",
+    "Strut": "Strutting",
+}
+PUBLISHED = typer.Option(help="Folder of the published parameters.")
+REAL = typer.Option(help="Folder of 100STYLE, for the picture of feet.")
+RUN = typer.Option(help="LPN-FiLM of a hundred styles, for the strips.")
 BLENDED = ("Neutral", "Zombie", "Aeroplane", "Strut")  # the styles of the picture in the README
 
 
@@ -37,7 +60,8 @@ def straight(style: str, seconds: float = 8.0) -> tk.Clip:
 
 def rollout(model, bank, style: str, speed: float, seconds: float = 10.0) -> tk.Clip:
     """A walk of a model straight ahead, without its first two seconds."""
-    return tk.runtime.rollout(model, tk.runtime.straight(speed, seconds), style=bank[style]).cut(120)
+    commands = tk.runtime.straight(speed, seconds)
+    return tk.runtime.rollout(model, commands, style=bank[style]).cut(120)
 
 
 def looped(clip: tk.Clip) -> tk.Clip:
@@ -46,7 +70,10 @@ def looped(clip: tk.Clip) -> tk.Clip:
 
 
 def blended(model, bank, seconds: float = 2.0) -> tk.Clip:
-    """A walk through `BLENDED` and back: each style for half of ``seconds``, then a blend into the next."""
+    """A walk through `BLENDED` and back.
+
+    Each style lasts for half of ``seconds`` and then blends into the next one.
+    """
     frames = round(seconds * tk.runtime.FPS)
     vectors = torch.stack([bank[style] for style in (*BLENDED, BLENDED[0])])
 
@@ -60,17 +87,25 @@ def blended(model, bank, seconds: float = 2.0) -> tk.Clip:
 
 
 def feet(run, real: tk.Clip, seconds: float = 4.0) -> None:
-    """Write a picture of the right toe's height and speed over time, in a real walk and in a model's at the same speed."""
+    """Write a picture of the right toe's height and speed over time.
+
+    It shows a real walk and a walk of a model at the same speed.
+    """
     from matplotlib.figure import Figure
 
     figure = Figure((10, 4.2), layout="constrained")
     high, fast = figure.subplots(2, 1, sharex=True)
     walk = rollout(*run, "Neutral", tk.metrics.speed(real), seconds + 4.0)
-    for clip, label, colour in ((real, "real take, Neutral FW", "0.45"), (walk, "published network", "C1")):
-        toe = clip.cut(120, 120 + round(seconds * clip.fps)).global_positions[:, clip.skeleton.role("right_toe")]
+    for clip, label, colour in (
+        (real, "real take, Neutral FW", "0.45"),
+        (walk, "published network", "C1"),
+    ):
+        shown = clip.cut(120, 120 + round(seconds * clip.fps))
+        toe = shown.global_positions[:, clip.skeleton.role("right_toe")]
         time = torch.arange(len(toe)) / clip.fps
         speed = tk.contacts.velocities(toe, clip.fps)[:, [0, 2]].norm(dim=-1)
-        high.plot(time, 100 * (toe[:, 1] - tk.contacts.standing_height(clip).mean()), colour, label=label)
+        height = toe[:, 1] - tk.contacts.standing_height(clip).mean()
+        high.plot(time, 100 * height, colour, label=label)
         fast.plot(time, speed, colour)
     high.set_ylabel("height of the toe, cm")
     fast.set(ylabel="its speed, m/s", xlabel="seconds")
@@ -78,57 +113,73 @@ def feet(run, real: tk.Clip, seconds: float = 4.0) -> None:
     figure.savefig(OUT / "feet.png", dpi=110)
 
 
+def few_colours(path: Path) -> None:
+    """Store a picture with 128 colours, so that its file is small."""
+    Image.open(path).convert("RGB").quantize(128).save(path, optimize=True)
+
+
 def hundred(authors, run) -> None:
-    """Write walks of the published network, and of a network that was trained on its walks, in four styles."""
+    """Write walks of the published network and of one trained on its walks, in four styles."""
     rows = {f"{style}, {name}": rollout(*walker, style, authors.bank.speed(style), 9.0)
             for style in ("Zombie", "Aeroplane", "March", "Swimming")
             for name, walker in (("published", authors), ("trained here", run))}
-    tk.view.strip(list(rows.values()), OUT / "hundred_strips.png", labels=list(rows), start=4.0, stop=5.5, width=9, dpi=100)
-    Image.open(OUT / "hundred_strips.png").convert("RGB").quantize(128).save(OUT / "hundred_strips.png", optimize=True)
+    tk.view.strip(
+        list(rows.values()),
+        OUT / "hundred_strips.png",
+        labels=list(rows),
+        start=4.0,
+        stop=5.5,
+        width=9,
+        dpi=100,
+    )
+    few_colours(OUT / "hundred_strips.png")
 
 
 def restyle(seconds: float = 4.0) -> None:
-    """Write a film of a plain walk that the stylizer in the package restyles, with two noises for each of two styles."""
+    """Write a film of a plain walk that the stylizer in the package restyles.
+
+    There are two styles, and two noises for each of them.
+    """
     stylizer, walk = tk.stylization.pretrained(), straight("Neutral", seconds)
-    shown = {"plain walk": walk} | {f"{style}, noise {seed}": tk.stylization.stylize(stylizer, walk, style, seed)
-                                    for style in ("Zombie", "Old") for seed in (1, 2)}
+    shown = {"plain walk": walk} | {
+        f"{style}, noise {seed}": tk.stylization.stylize(stylizer, walk, style, seed)
+        for style in ("Zombie", "Old")
+        for seed in (1, 2)
+    }
     start, end = tk.view.loop(walk)
-    tk.view.animate([clip.cut(start, end) for clip in shown.values()], OUT / "restyle.webp", labels=list(shown), fps=15.0,
-                    height=170, view=75, progress=True)
-
-
-def progress(name: str = "stylisation-progress-dataset-2") -> None:
-    """Write a picture of the measures of the stylizer over its training, from the stored result."""
-    from matplotlib.figure import Figure
-
-    rows = json.loads((OUT / "results" / f"{name}.json").read_text(encoding="utf-8"))["rows"]
-    figure = Figure((10, 3.2), layout="constrained")
-    parts = {"content": "content", "style": "style", "both": "both", "diversity": "diversity, °"}
-    for axes, (key, title) in zip(figure.subplots(1, len(parts)), parts.items(), strict=True):
-        for codes, colour in (("noise", "C0"), ("reference", "C1"), ("mean-pose shift", "0.5")):
-            own = [row for row in rows if row["codes"] == codes]
-            if len(own) > 1:
-                axes.plot([row["seconds"] for row in own], [row[key] for row in own], colour, marker="o", label=codes)
-            elif key != "diversity":
-                axes.axhline(own[0][key], color=colour, linestyle="--", label=codes)
-        axes.set(title=title, xlabel="seconds", ylim=(0, None if key == "diversity" else 1))
-    figure.legend(*axes.figure.axes[0].get_legend_handles_labels(), ncols=3, loc="outside lower center")
-    figure.savefig(OUT / "stylisation_progress.png", dpi=100)
+    tk.view.animate(
+        [clip.cut(start, end) for clip in shown.values()],
+        OUT / "restyle.webp",
+        labels=list(shown),
+        fps=15.0,
+        height=170,
+        view=75,
+        progress=True,
+    )
 
 
 def crowd(model, bank) -> None:
     """Write the animation of two streams that cross, three seconds of it."""
     clips = tk.shots.crowd.walk(model, bank, characters=100, seconds=10.0, progress=True).clips
-    tk.view.crowd([clip.cut(420, 600) for clip in clips], OUT / "crowd.webp", fps=8.0, width=400, colors=48, progress=True)
+    tk.view.crowd(
+        [clip.cut(420, 600) for clip in clips],
+        OUT / "crowd.webp",
+        fps=8.0,
+        width=400,
+        colors=48,
+        progress=True,
+    )
 
 
 @contextlib.contextmanager
 def opened(write, ready: str, **size):
-    """A tab of Chromium, with Playwright, that shows the page that ``write(path)`` writes, once it is ready."""
+    """A tab of Chromium (with Playwright) that shows the page of ``write(path)``, once ready."""
     from playwright.sync_api import sync_playwright
 
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=["--no-sandbox"])
+        browser = playwright.chromium.launch(
+            executable_path=shutil.which("chromium"), args=["--no-sandbox"]
+        )
         tab = browser.new_page(viewport=size)
         tab.set_default_timeout(300_000)
         tab.goto(write(Path(folder) / "page.html").as_uri())
@@ -154,7 +205,8 @@ def controller(model, bank) -> None:
         tab.mouse.move(box["x"] + 165, box["y"] + 155, steps=8)
         tab.mouse.up()
         tab.wait_for_function("() => view.kernel.character.root[2] > 3")
-        tab.evaluate("() => (view.scene.setQuality(2), view.scene.setQuality = () => {})")  # whole pixels
+        # whole pixels
+        tab.evaluate("() => (view.scene.setQuality(2), view.scene.setQuality = () => {})")
         tab.wait_for_timeout(1500)
         kept(tab, "controller.png")
 
@@ -163,8 +215,13 @@ def director(model, bank) -> None:
     """Write a picture of the Director with three shots."""
     shot, hold = tk.shots.Shot, tk.shots.Hold
     path = [(0, 0), (1, 2), (-1, 4), (0, 6, 8.0), (-3, 7.5)]
-    anna = shot(path, [(0, "Neutral"), (3, "Zombie"), (6, {"Strut": 0.5, "Old": 0.5})], [(0, 1.0), (4, 0.8)],
-                [hold(1.5, time=8.6)], name="Anna")
+    anna = shot(
+        path,
+        [(0, "Neutral"), (3, "Zombie"), (6, {"Strut": 0.5, "Old": 0.5})],
+        [(0, 1.0), (4, 0.8)],
+        [hold(1.5, time=8.6)],
+        name="Anna",
+    )
     others = [shot([(2.2, 5), (1.7, 3), (2.5, -1)], "Crouch", name="Ben"),
               shot([(-2.5, 0), (-2.2, 2.5), (-4, 5.5)], "Aeroplane", name="Cleo")]
     made = functools.partial(tk.view.director.web, model, bank, shots=[anna, *others], half=True)
@@ -175,33 +232,67 @@ def director(model, bank) -> None:
         kept(tab, "director.png")
 
 
-def main(published: Annotated[Path | None, typer.Option(help="Folder of the published parameters.")] = None,
-         real: Annotated[Path | None, typer.Option(help="Folder of 100STYLE, for the picture of feet.")] = None,
-         run: Annotated[Path | None, typer.Option(help="LPN-FiLM of a hundred styles, for the strips.")] = None) -> None:
+def main(
+    published: Annotated[Path | None, PUBLISHED] = None,
+    real: Annotated[Path | None, REAL] = None,
+    run: Annotated[Path | None, RUN] = None,
+) -> None:
     """Make every picture in this folder again."""
     torch.set_num_threads(1)
     for folder in ("styles", "side_by_side"):
         (OUT / folder).mkdir(exist_ok=True)
     walks = {style: straight(style) for style in procedural.STYLES}
-    tk.view.strip(list(map(looped, walks.values())), OUT / "contact_sheet.png", labels=list(walks), width=12, dpi=66)
-    Image.open(OUT / "contact_sheet.png").convert("RGB").quantize(128).save(OUT / "contact_sheet.png", optimize=True)
+    tk.view.strip(
+        list(map(looped, walks.values())),
+        OUT / "contact_sheet.png",
+        labels=list(walks),
+        width=12,
+        dpi=66,
+    )
+    few_colours(OUT / "contact_sheet.png")
     gaits = [looped(procedural.generate("Neutral", gait)) for gait in GAITS]
-    tk.view.animate(gaits, OUT / "gaits.gif", labels=GAITS, columns=3, fps=14.0, height=100, colors=32, progress=True)
+    tk.view.animate(
+        gaits,
+        OUT / "gaits.gif",
+        labels=GAITS,
+        columns=3,
+        fps=14.0,
+        height=100,
+        colors=32,
+        progress=True,
+    )
     for style, view in tqdm(SHOWN.items(), desc="styles"):
-        tk.view.animate(looped(walks[style]), OUT / "styles" / f"{style}.gif", labels=[""], view=view, height=140, colors=40)
+        tk.view.animate(
+            looped(walks[style]),
+            OUT / "styles" / f"{style}.gif",
+            labels=[""],
+            view=view,
+            height=140,
+            colors=40,
+        )
 
-    progress()
     restyle()
     embedded = tk.pretrained()
-    tk.view.animate(blended(*embedded), OUT / "blend.webp", labels=[", ".join(BLENDED)], fps=12.0, height=240, view=60,
-                    progress=True)
-    shown = [style for style in ("Neutral", "Zombie", "Strut", "Crouch", "Aeroplane") if style in embedded.bank]
+    tk.view.animate(
+        blended(*embedded),
+        OUT / "blend.webp",
+        labels=[", ".join(BLENDED)],
+        fps=12.0,
+        height=240,
+        view=60,
+        progress=True,
+    )
+    shown = [
+        style
+        for style in ("Neutral", "Zombie", "Strut", "Crouch", "Aeroplane")
+        if style in embedded.bank
+    ]
     crowd(*embedded)
     controller(*embedded)
     director(*embedded)
     rows = [rollout(*embedded, style, procedural.STYLES[style].speed) for style in shown]
     tk.view.strip(rows, OUT / "styles.png", labels=shown, stop=2.0, width=9, dpi=120)
-    Image.open(OUT / "styles.png").convert("RGB").quantize(128).save(OUT / "styles.png", optimize=True)
+    few_colours(OUT / "styles.png")
     if published is None:
         return
     authors = tk.published.load(published)
@@ -211,10 +302,19 @@ def main(published: Annotated[Path | None, typer.Option(help="Folder of the publ
         hundred(authors, tk.training.load(run))
     for style, name in tqdm(BESIDE.items(), desc="side by side"):
         speed = procedural.STYLES[style].speed
-        clips = {"procedural data": walks[style], "embedded model": rollout(*embedded, style, speed),
-                 "Mason et al. 2022": rollout(*authors, name, speed)}
-        tk.view.animate([looped(clip) for clip in clips.values()], OUT / "side_by_side" / f"{style}.gif", labels=list(clips),
-                        height=120, colors=48, caption="Right: with the parameters published by the authors.")
+        clips = {
+            "procedural data": walks[style],
+            "embedded model": rollout(*embedded, style, speed),
+            "Mason et al. 2022": rollout(*authors, name, speed),
+        }
+        tk.view.animate(
+            [looped(clip) for clip in clips.values()],
+            OUT / "side_by_side" / f"{style}.gif",
+            labels=list(clips),
+            height=120,
+            colors=48,
+            caption="Right: with the parameters published by the authors.",
+        )
 
 
 if __name__ == "__main__":

@@ -1,4 +1,7 @@
-"""The pages of the API reference, one for each module, from the names that it exports; `conf.py` writes them to `api/`."""
+"""The pages of the API reference, one for each module, from the names that it exports.
+
+`conf.py` writes them to `api/`.
+"""
 
 import importlib
 import inspect
@@ -12,23 +15,27 @@ GROUPS = {
     "Motion and files": ("motion", "io", "datasets"),
     "From motion to numbers": ("phases", "features"),
     "Networks and training": ("networks", "training"),
-    "Runtime, shots and styles": ("runtime", "shots", "styles"),
+    "Runtime and styles": ("runtime", "styles"),
     "Motion stylisation": ("stylization",),
-    "Measures, pictures and exports": ("evaluation", "view", "export"),
-    "The course": ("course",),
+    "Measures and pictures": ("evaluation", "view"),
+    "Add-ons": ("registry", "extra"),
     "The command line": ("cli",),
 }
 INTRODUCTION = """
-These pages are made from the docstrings. ``tk`` stands for ``toolkit``. If a package exports a name of one of its modules,
-such as ``tk.phases.Hybrid``, the page of the package describes it. Shapes are written ``[F, J, 3]``, with B for batch, F for
-frames, J for joints, K for experts and D for features. Units are metres, seconds and radians; Y is up, and +X is the left
-side. ``python -m toolkit VERB --help`` describes the command line.
+These pages are made from the docstrings. ``tk`` stands for ``toolkit``. If a package exports a
+name of one of its modules, such as ``tk.phases.Hybrid``, the page of the package describes it.
+Shapes are written ``[F, J, 3]``, with B for batch, F for frames, J for joints, K for experts and D
+for features. Units are metres, seconds and radians; Y is up, and +X is the left side.
+``python -m toolkit VERB --help`` describes the command line.
 """
 
 
 @dataclass(frozen=True)
 class Page:
-    """The contents of a module's page: its own names, names that another page describes, and the modules of a package."""
+    """The contents of a module's page.
+
+    These are its own names, names that another page describes, and the modules of a package.
+    """
 
     name: str
     own: list[str]
@@ -48,7 +55,9 @@ class Page:
             page = home(value) if code else name
             if page == name:
                 own.append(n)
-            elif page.startswith("toolkit") and (value.__module__ == name or hasattr(module, "__all__")):
+            elif page.startswith("toolkit") and (
+                value.__module__ == name or hasattr(module, "__all__")
+            ):
                 elsewhere.append(f"{page}.{n}")
         inside = pkgutil.iter_modules(getattr(module, "__path__", []), f"{name}.")
         return cls(name, own, elsewhere, [m.name for m in inside])
@@ -65,14 +74,20 @@ class Page:
         lines += [f"   :members: {', '.join(self.own)}" if self.own else "   :no-members:"]
         lines += ["   :no-index:"] * self.shadowed
         if self.elsewhere:
-            lines += ["", f"Described elsewhere: {', '.join(f'`{name}`' for name in self.elsewhere)}."]
+            lines += [
+                "",
+                f"Described elsewhere: {', '.join(f'`{name}`' for name in self.elsewhere)}.",
+            ]
         if self.modules:
             lines += ["", ".. rubric:: Modules", "", *table(self.modules)]
         return "\n".join([*lines, ""])
 
 
 def home(value) -> str:
-    """The module whose page describes a function or class: a package that exports it, else the module that defines it."""
+    """The module whose page describes a function or class.
+
+    It is a package that exports the name, else the module that defines it.
+    """
     parts = value.__module__.split(".")
     packages = [".".join(parts[:k]) for k in range(2, len(parts))]
     passing = [p for p in packages if value.__name__ in getattr(sys.modules[p], "__all__", ())
@@ -81,7 +96,7 @@ def home(value) -> str:
 
 
 def table(modules: list[str]) -> list[str]:
-    """A table of modules with the first lines of their docstrings, and a tree of contents of their pages."""
+    """A table of modules with the first lines of their docstrings, and a tree of their pages."""
     lines = [".. list-table::", "   :widths: 30 70", ""]
     for name in modules:
         first = inspect.getdoc(importlib.import_module(name)).splitlines()[0]
@@ -107,7 +122,10 @@ def pages() -> dict[str, str]:
 
 
 def put(folder: Path, texts: dict[str, str]) -> None:
-    """Write files into their own folder. Unchanged files are not touched, and files without a text are deleted."""
+    """Write files into their own folder.
+
+    Unchanged files are not touched, and files without a text are deleted.
+    """
     folder.mkdir(parents=True, exist_ok=True)
     for path in folder.iterdir():
         if path.is_file() and path.name not in texts:

@@ -1,4 +1,7 @@
-"""Notebooks with the results of a stored run; `conf.py` shows them instead of running the notebook again."""
+"""Notebooks with the results of a stored run.
+
+`conf.py` shows them instead of running the notebook again.
+"""
 
 import json
 from datetime import datetime
@@ -6,16 +9,20 @@ from pathlib import Path
 
 
 def merged(notebook: str, run: str) -> str:
-    """The text of a notebook file with the results of a run, or "" if its code is another or it was stopped.
+    """The text of a notebook file with the results of a run.
+
+    The text is "" if the code of the run is another, or if the run was stopped.
 
     Parameters
     ----------
     notebook, run
-        The contents of two files: one without results, and what ``jupyter nbconvert --execute`` made of it. Prose is taken
-        from the first.
+        The contents of two files: one without results, and what ``jupyter nbconvert --execute``
+        made of it. Prose is taken from the first.
     """
     bare, full = json.loads(notebook), json.loads(run)
-    cells, results = ([cell for cell in book["cells"] if cell["cell_type"] == "code"] for book in (bare, full))
+    cells, results = (
+        [cell for cell in book["cells"] if cell["cell_type"] == "code"] for book in (bare, full)
+    )
     if [cell["source"] for cell in cells] != [cell["source"] for cell in results]:
         return ""
     for cell, result in zip(cells, results, strict=True):
@@ -29,12 +36,19 @@ def merged(notebook: str, run: str) -> str:
 def seconds(run: str) -> float:
     """How long a run took, from its first to its last cell."""
     cells = json.loads(run)["cells"]
-    times = [datetime.fromisoformat(time) for cell in cells for time in cell["metadata"].get("execution", {}).values()]
+    times = [
+        datetime.fromisoformat(time)
+        for cell in cells
+        for time in cell["metadata"].get("execution", {}).values()
+    ]
     return (max(times) - min(times)).total_seconds()
 
 
 def results(folder: Path, notebooks: list[Path]) -> tuple[dict[str, str], dict[str, float]]:
-    """The text of each notebook, with results where the folder holds them, and how long those runs took: by file name."""
+    """By file name: the text of each notebook, and how long the stored runs took.
+
+    A text has results where the folder holds them.
+    """
     texts, took = {}, {}
     for path in notebooks:
         texts[path.name] = path.read_text(encoding="utf-8")

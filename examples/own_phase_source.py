@@ -1,11 +1,12 @@
 """Your own phase source on your own BVH files: python examples/own_phase_source.py [FOLDER]
 
-A source is a function of a clip and a limb. It returns a curve whose cycles give the limb's phase, and toolkit.phases fits
-sinusoids to the curve. A source that computes the sinusoids itself has a method `sinusoids`; then nothing is fitted.
+A source is a function of a clip and a limb. It returns a curve whose cycles give the limb's phase,
+and toolkit.phases fits sinusoids to the curve. A source that computes the sinusoids itself has a
+method `sinusoids`; then nothing is fitted.
 
-The source of this example is the height of the toes. It is used twice: with the fit, and with the phase of its analytic
-signal (Hilbert transform). Both are compared with the paper's hybrid source. Without a folder, the script writes procedural
-clips, whose phases are known, to a temporary folder.
+The source of this example is the height of the toes. It is used twice: with the fit, and with the
+phase of its analytic signal (Hilbert transform). Both are compared with the paper's hybrid source.
+Without a folder, the script writes procedural clips, whose phases are known, to a temporary folder.
 """
 
 import math
@@ -21,12 +22,15 @@ import toolkit as tk
 from toolkit.datasets import procedural
 
 SECONDS = 6.0 if os.environ.get("TOOLKIT_FAST") else 20.0
-BAND = (0.4, 1.5)  # Hz of strides; an analytic signal needs one frequency, and curves of feet also have harmonics
+# Hz of strides; an analytic signal needs one frequency, and curves of feet also have harmonics
+BAND = (0.4, 1.5)
 HANDS = tk.phases.ContactFree()  # the curve for hands, which have no contact
 
 
 def height(clip, limb):
-    """Negative height of the toe, metres ``[F]``, so that the curve is high during a contact; for hands, `HANDS`."""
+    """Negative height of the toe, metres ``[F]``, so that the curve is high during a contact; for
+    hands, `HANDS`.
+    """
     if limb.endswith("hand"):
         return HANDS(clip, limb)
     return -clip.global_positions[:, clip.skeleton.role(limb.replace("foot", "toe")), 1]
@@ -40,12 +44,14 @@ class Hilbert:
         raw = tk.phases.curves(clip, height)
         curve = tk.phases.smooth(tk.phases.normalise(raw - raw.mean(0), clip.fps), clip.fps)
         strides = scipy.signal.butter(2, BAND, "bandpass", fs=clip.fps, output="sos")
-        signal = torch.from_numpy(scipy.signal.hilbert(scipy.signal.sosfiltfilt(strides, curve.numpy(), axis=0), axis=0))
+        signal = torch.from_numpy(scipy.signal.hilbert(scipy.signal.sosfiltfilt(
+            strides, curve.numpy(), axis=0), axis=0))
         turns = (signal[1:] * signal[:-1].conj()).angle() / math.tau
         frequency = tk.phases.windows.mean(torch.cat((turns[:1], turns)), 0.5, clip.fps) * clip.fps
         phase = (signal.angle() + math.pi / 2) % math.tau  # so that its sine is the curve
         nothing = torch.zeros_like(phase)
-        return curve, tk.phases.Sinusoids(phase, frequency.clamp(0.25, 4.0), signal.abs(), nothing, nothing)
+        return curve, tk.phases.Sinusoids(phase, frequency.clamp(0.25, 4.0), signal.abs(), nothing,
+                                          nothing)
 
 
 def write_some(folder):
@@ -59,13 +65,16 @@ def write_some(folder):
 
 
 def compare(folder, truth):
-    """Mean phase error of the feet, radians, by file and source: against the known phases, else against hybrid."""
+    """Mean phase error of the feet, radians, by file and source: against the known phases, else
+    against hybrid.
+    """
     errors = {}
     for path in sorted(folder.glob("**/*.bvh")):
         clip = tk.bvh.load(path).resample(60)
         found = {name: tk.phases.extract(clip, source).phase for name, source in SOURCES.items()}
         right = truth.get(path.name, found["hybrid"])
-        errors[path.name] = {name: float(tk.metrics.phase_error(p, right)[0][2:].mean()) for name, p in found.items()}
+        errors[path.name] = {name: float(tk.metrics.phase_error(p, right)[0][2:].mean())
+                             for name, p in found.items()}
     return errors
 
 

@@ -7,16 +7,20 @@ import experiments
 from experiments import speed
 from toolkit.cli import verbs
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))  # the folder of robustness/
+ROOT = Path(__file__).parents[1]
+sys.path[:0] = [str(ROOT / "tests"), str(ROOT / "notebooks")]  # of robustness/ and of course/
 
 EXPERIMENTS = {
-    **experiments.commands("experiments", experiments.__path__), **experiments.commands("experiments.speed", speed.__path__),
+    **experiments.commands("experiments", experiments.__path__),
+    **experiments.commands("experiments.speed", speed.__path__),
     "seven-models": ("experiments.seven_models.commands:app",
-                     "The seven models of Table 2, trained on the same data, compared one step ahead and in closed loop."),
-    "stylization": ("experiments.stylization.findings:app",
-                    "The losses of Park et al. 2021 (Table 1), and their stylizer compared with two methods (Table 2)."),
+                     "The seven models of Table 2, trained on the same data, compared one step "
+                     "ahead and in closed loop."),
+    "stylization": ("experiments.stylization.comparison:run",
+                    "The losses of Park et al. 2021 (Table 1), and their stylizer compared with "
+                    "two methods (Table 2)."),
     **{name: experiments.command(f"robustness.{name.replace('-', '_')}")
-       for name in ("soak", "fuzz", "faults", "sizes", "long-use")},
+       for name in ("soak", "fuzz", "faults")},
 }
 app = verbs.group(EXPERIMENTS, experiments.__doc__)
 

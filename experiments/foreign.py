@@ -1,7 +1,8 @@
-"""Motion files of programs that know nothing of the toolkit: what is understood, compared with a key made by hand.
+"""Motion files of programs that know nothing of the toolkit: what is understood, compared with a
+key made by hand.
 
-The key says for each file what a person who looks at its hierarchy and its poses would answer. Its files are not part
-of the
+The key says for each file what a person who looks at its hierarchy and its poses would answer. Its
+files are not part of the
 repository; those that a folder lacks are left out.
 """
 
@@ -17,9 +18,8 @@ import typer
 
 import toolkit as tk
 from experiments.tables import Result
-from toolkit.motion import root_frames
-from toolkit.motion import rotations as R
-from toolkit.motion.retargeting import report, retarget
+from toolkit.extra.characters.retargeting import report, retarget
+from toolkit.motion import root_frames, rotations as R
 from toolkit.motion.roles import SIDES
 
 PEOPLE = (1.3, 2.1)  # metres
@@ -29,7 +29,9 @@ HIPS, PARTS = "hips", ("shoulder", "elbow", "hand", "hip", "knee", "foot", "toe"
 
 @dataclass(frozen=True)
 class Answer:
-    """What is right for a file. ``parts`` are the left joints in the order of `PARTS`, with {} for the side."""
+    """What is right for a file. ``parts`` are the left joints in the order of `PARTS`, with {} for
+    the side.
+    """
 
     hips: str = ""
     parts: str = ""
@@ -44,7 +46,8 @@ class Answer:
         """Joint by role."""
         found = {HIPS: self.hips} if self.hips else {}
         for side, word in zip(SIDES, self.sides, strict=True):
-            found |= {f"{side}_{part}": name.format(word) for part, name in zip(PARTS, self.parts.split(), strict=False)}
+            found |= {f"{side}_{part}": name.format(word)
+                      for part, name in zip(PARTS, self.parts.split(), strict=False)}
         return found
 
 
@@ -52,8 +55,6 @@ MIXAMO = "{}Arm {}ForeArm {}Hand {}UpLeg {}Leg {}Foot {}ToeBase"
 ELBOWS = "{}Shoulder {}Elbow {}Wrist {}Hip {}Knee {}Ankle "
 CM, INCH, CMU = 0.01, 0.0254, 0.05644
 KEY = {
-    "02_01.amc": Answer("root", "{}humerus {}radius {}wrist {}femur {}tibia {}foot {}toes", ("l", "r"), 0.0564444,
-                        verdict="warned", forwards=True),
     "aitviewer__sample.bvh": Answer("Hips", ELBOWS + "{}Toe", unit=CM),
     "animateddrawings__jesse_dance.bvh": Answer("Hips", MIXAMO, unit=CM),
     "animateddrawings__jumping_jacks.bvh": Answer("Hips", ELBOWS + "{}Toe", unit=CMU),
@@ -64,22 +65,29 @@ KEY = {
     "bvh-python__test_freebvh.bvh": Answer(
         "mixamorig:Hips", MIXAMO.replace("{}", "mixamorig:{}"), unit=CM, forwards=True),
     "bvh-python__test_mocapbank.bvh": Answer("Hips", ELBOWS + "{}AnkleEnd", unit=CM),
-    "bvh-toolbox__walk01.bvh": Answer("Hips", MIXAMO.replace("ToeBase", "FootEnd"), unit=CM, forwards=True),
-    "bvhio__example.bvh": Answer("Hips", "{}UpArm {}LowArm {}Hand {}UpLeg {}LowLeg {}Foot {}FootEnd", unit=INCH),
+    "bvh-toolbox__walk01.bvh": Answer("Hips", MIXAMO.replace("ToeBase", "FootEnd"), unit=CM,
+                                      forwards=True),
+    "bvhio__example.bvh": Answer("Hips",
+                                 "{}UpArm {}LowArm {}Hand {}UpLeg {}LowLeg {}Foot {}FootEnd",
+                                 unit=INCH),
     "fairmotion__sinusoidal.bvh": Answer(verdict="warned"),
     "genoview__Geno_stance.bvh": Answer("Hips", MIXAMO, unit=CM),
-    "makehuman__tpose.bvh": Answer("root", "upperarm01.{} lowerarm01.{} wrist.{} upperleg01.{} lowerleg01.{} foot.{} "
+    "makehuman__tpose.bvh": Answer(
+        "root", "upperarm01.{} lowerarm01.{} wrist.{} upperleg01.{} lowerleg01.{} foot.{} "
     "toe1-1.{}",
                                    ("L", "R"), 0.1, "z", "warned"),
-    "makehuman__walk1.bvh": Answer("Hips", "UpArm_{} LoArm_{} Hand_{} UpLeg_{} LoLeg_{} Foot_{} Toe_{}", ("L", "R"),
+    "makehuman__walk1.bvh": Answer(
+        "Hips", "UpArm_{} LoArm_{} Hand_{} UpLeg_{} LoLeg_{} Foot_{} Toe_{}", ("L", "R"),
     0.1, "z",
                                    "warned"),
-    "momask-codes__template.bvh": Answer("Hips", MIXAMO.replace("ToeBase", "Toe"), unit=1.0, verdict="warned"),
+    "momask-codes__template.bvh": Answer("Hips", MIXAMO.replace("ToeBase", "Toe"), unit=1.0,
+                                         verdict="warned"),
     "most__rest_cmu.bvh": Answer("Hips", MIXAMO, unit=CMU, verdict="warned"),
     "npybvh__example.bvh": Answer("Hips", MIXAMO, unit=CMU, forwards=True),
     "pybvh__bvh_test1.bvh": Answer("Hips", MIXAMO, unit=INCH, up="z"),
     "pybvh__bvh_test2.bvh": Answer("Hips", ELBOWS + "{}Toe", unit=CM),
-    "pybvh__bvh_test3.bvh": Answer("Hips", MIXAMO.replace("ToeBase", "ForeFoot"), unit=INCH, up="z"),
+    "pybvh__bvh_test3.bvh": Answer("Hips", MIXAMO.replace("ToeBase", "ForeFoot"), unit=INCH,
+                                   up="z"),
     "pybvh__cmu_12_01_walk.bvh": Answer("Hips", MIXAMO, unit=CMU, forwards=True),
     "pybvh__full_precision_frame_time.bvh": Answer(verdict="warned"),
     "pybvh__rotation_first_root.bvh": Answer(verdict="warned"),
@@ -87,13 +95,17 @@ KEY = {
     "pymo__AV_8Walk_Meredith_HVHA_Rep1.bvh": Answer("Hips", MIXAMO, unit=INCH, forwards=True),
     "rpm.glb": Answer("Hips", MIXAMO, unit=1.0),
     "skel.fbx": Answer(verdict="warned"),
-    "soma.npz": Answer("Hips", "{}Arm {}ForeArm {}Hand {}Leg {}Shin {}Foot {}ToeBase", unit=1.0, verdict="warned",
+    "soma.npz": Answer("Hips", "{}Arm {}ForeArm {}Hand {}Leg {}Shin {}Foot {}ToeBase", unit=1.0,
+                       verdict="warned",
                        forwards=True),
-    "test.vrma": Answer("hips", "{}UpperArm {}LowerArm {}Hand {}UpperLeg {}LowerLeg {}Foot {}Toes", ("left", "right"), 1.0),
+    "test.vrma": Answer("hips", "{}UpperArm {}LowerArm {}Hand {}UpperLeg {}LowerLeg {}Foot {}Toes",
+                        ("left", "right"), 1.0),
     "unihumanoid_headeronly__bvh_cgspeed.bvh": Answer("Hips", MIXAMO, unit=CMU, verdict="warned"),
     "unihumanoid_headeronly__daz_friendry_herarchy.bvh": Answer(
-        "hip", "{}Shldr {}ForeArm {}Hand {}Thigh {}Shin {}Foot {}FootEnd", ("l", "r"), CM, verdict="warned"),
-    "unihumanoid_headeronly__mocapdatacom_hierarchy_2.bvh": Answer("Hips", ELBOWS + "{}AnkleEnd", unit=INCH),
+        "hip", "{}Shldr {}ForeArm {}Hand {}Thigh {}Shin {}Foot {}FootEnd", ("l", "r"), CM,
+        verdict="warned"),
+    "unihumanoid_headeronly__mocapdatacom_hierarchy_2.bvh": Answer("Hips", ELBOWS + "{}AnkleEnd",
+                                                                   unit=INCH),
     "video2bvh__cxk.bvh": Answer("Hips", MIXAMO.replace("ToeBase", "Foot"), unit=0.001, up="z"),
 }
 
@@ -105,7 +117,7 @@ class Row:
     name: str
     verdict: str  # right, warned, refused
     wrong: list[str]
-    found: "tk.io.load.Inspection | None"
+    found: "tk.extra.formats.inspection.Inspection | None"
     said: str  # the doubts or the error
 
 
@@ -114,32 +126,41 @@ def judge(path: Path, answer: Answer) -> Row:
     try:
         found = tk.inspect(path)
     except ValueError as error:
-        return Row(path.name, "refused", [] if "\n" not in str(error) else ["an error of several lines"], None, str(error))
+        return Row(path.name, "refused",
+                   [] if "\n" not in str(error) else ["an error of several lines"], None,
+                   str(error))
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         clip = tk.load(path)
     wrong = [] if bool(caught) == bool(found.doubts) else ["doubts and warnings differ"]
     if answer.roles:
-        wrong += [f"{role}: {found.roles.get(role)} instead of {joint}" for role, joint in answer.roles.items()
+        wrong += [f"{role}: {found.roles.get(role)} instead of {joint}"
+                  for role, joint in answer.roles.items()
                   if found.roles.get(role) != joint]
         wrong += _of_people(clip, found, answer)
-    return Row(path.name, "warned" if found.doubts else "right", wrong, found, "; ".join(found.doubts))
+    return Row(path.name, "warned" if found.doubts else "right", wrong, found,
+               "; ".join(found.doubts))
 
 
-def _of_people(clip: tk.Clip, found: "tk.io.load.Inspection", answer: Answer) -> list[str]:
+def _of_people(
+    clip: tk.Clip, found: "tk.extra.formats.inspection.Inspection", answer: Answer
+) -> list[str]:
     """What is wrong about a person's clip."""
     points, skeleton = clip.global_positions, clip.skeleton
-    head = points[:, tk.motion.roles.head(skeleton.names, skeleton.parents, skeleton.offsets.norm(dim=-1).tolist(),
+    head = points[:, tk.extra.formats.role_checks.head(skeleton.names, skeleton.parents,
+                                          skeleton.offsets.norm(dim=-1).tolist(),
                                           skeleton.roles)[-1], 1]
     feet = points[:, [skeleton.role(f"{side}_foot") for side in SIDES], 1].amax(1)
     mirrored = clip.mirrored()
     wrong = {
         f"{found.height:.2f} m tall": not PEOPLE[0] <= found.height <= PEOPLE[1],
-        f"unit {found.unit:g}": not math.isnan(answer.unit) and abs(found.unit / answer.unit - 1) > 0.01,
+        f"unit {found.unit:g}": not math.isnan(answer.unit)
+        and abs(found.unit / answer.unit - 1) > 0.01,
         f"up {found.up}": found.up != answer.up,
         "head below feet": float((head > feet).float().mean()) < 0.9,
         "mirrored twice is another motion":
-            float((mirrored.mirrored().global_positions - points).norm(dim=-1).max()) > 1e-3 * found.height,
+            float((mirrored.mirrored().global_positions - points).norm(dim=-1).max())
+            > 1e-3 * found.height,
         "its mirror image faces backwards": facing(mirrored) < 0.5 if answer.forwards else False,
         "walks backwards": facing(clip) < 0.5 if answer.forwards else False,
     }
@@ -147,7 +168,9 @@ def _of_people(clip: tk.Clip, found: "tk.io.load.Inspection", answer: Answer) ->
 
 
 def facing(clip: tk.Clip) -> float:
-    """Mean cosine between where the hips face and where they go, over the frames that go; NaN if none does."""
+    """Mean cosine between where the hips face and where they go, over the frames that go; NaN if
+    none does.
+    """
     span = max(1, round(clip.fps / 3))
     hips = clip.global_positions[:, clip.skeleton.role("hips")][:, ::2]
     travel = (hips[span:] - hips[:-span]) * clip.fps / span
@@ -157,12 +180,18 @@ def facing(clip: tk.Clip) -> float:
 
 
 def run(
-    folder: Annotated[Path | None, typer.Option(help="Folder of the files; default: foreign/ of the shared data.")] = None,
-    store: Annotated[bool, typer.Option("--store", help="Write the counts into docs/results/foreign.json.")] = False,
+    folder: Annotated[Path
+                      | None, typer.Option(help="Folder of the files; default: foreign/ of the "
+                                                "shared data.")] = None,
+    store: Annotated[bool, typer.Option(
+        "--store", help="Write the counts into docs/results/foreign.json.")] = False,
 ) -> None:
-    """Motion files of other programs: right, refused in a line or warned in a line, compared with a key made by hand."""
+    """Motion files of other programs: right, refused in a line or warned in a line, compared with a
+    key made by hand.
+    """
     folder = folder or Path(os.environ.get("TOOLKIT_DATA", "../shared/data")) / "foreign"
-    rows = [judge(folder / name, answer) for name, answer in KEY.items() if (folder / name).exists()]
+    rows = [judge(folder / name, answer) for name, answer in KEY.items()
+            if (folder / name).exists()]
     if not rows:
         raise ValueError(f"{folder}: none of the files of the key is there")
     print(f"{'file':<46}{'verdict':<9}{'m':>5}{'unit':>9}{'up':>4}{'Hz':>7}{'contact':>9}  said")
@@ -170,33 +199,49 @@ def run(
         numbers = ""
         if row.found is not None:
             share = sum(row.found.contact.values()) / 2 if row.found.contact else math.nan
-            numbers = f"{row.found.height:>5.2f}{row.found.unit:>9.4g}{row.found.up:>4}{row.found.fps:>7.4g}{share:>9.2f}"
+            numbers = (
+                f"{row.found.height:>5.2f}{row.found.unit:>9.4g}{row.found.up:>4}"
+                f"{row.found.fps:>7.4g}{share:>9.2f}"
+            )
         print(f"{row.name[:45]:<46}{row.verdict:<9}{numbers:<34}  {row.said}")
         for what in row.wrong:
             print(f"{'':<46}WRONG: {what}")
     other = [row.name for row in rows if row.verdict != KEY[row.name].verdict]
-    counts = {verdict: sum(row.verdict == verdict for row in rows) for verdict in ("right", "warned", "refused")}
+    counts = {verdict: sum(row.verdict == verdict for row in rows)
+              for verdict in ("right", "warned", "refused")}
     silent = [row.name for row in rows if row.wrong and row.verdict == "right"]
-    print(f"{len(rows)} files: {', '.join(f'{n} {verdict}' for verdict, n in counts.items())}; silently wrong: "
-          f"{', '.join(silent) or 'none'}; other verdict than the key: {', '.join(other) or 'none'}")
+    print(f"{len(rows)} files: {', '.join(f'{n} {verdict}' for verdict, n in counts.items())}; "
+          f"silently wrong: "
+          f"{', '.join(silent) or 'none'}; other verdict than the key: "
+          f"{', '.join(other) or 'none'}")
     people = [row.name for row in rows if row.found is not None and KEY[row.name].roles]
     off = torch.tensor([carried(folder / name) for name in people])
     means, worst = off.T
-    print(f"a procedural walk on {len(people)} of their rigs: limbs {float(means.max()):.1f}° off on average at most, "
-          f"{float(means.median()):.1f}° in the median; {float(worst.max()):.0f}° at most in a frame")
+    print(f"a procedural walk on {len(people)} of their rigs: limbs {float(means.max()):.1f}° "
+          f"off on average at most, "
+          f"{float(means.median()):.1f}° in the median; {float(worst.max()):.0f}° at most in a "
+          f"frame")
     if store:
-        columns = {"files": ["files", 0], **{verdict: [verdict, 0] for verdict in counts}, "wrong": ["silently wrong", 0],
-                   "rigs": ["rigs", 0], "mean": ["limbs off, °: largest mean", 1], "median": ["median", 1],
+        columns = {"files": ["files", 0], **{verdict: [verdict, 0] for verdict in counts},
+                   "wrong": ["silently wrong", 0],
+                   "rigs": ["rigs", 0], "mean": ["limbs off, °: largest mean", 1],
+                   "median": ["median", 1],
                    "worst": ["worst frame", 0]}
-        row = {"files": len(rows), **counts, "wrong": len(silent), "rigs": len(people), "mean": float(means.max()),
+        row = {"files": len(rows), **counts, "wrong": len(silent), "rigs": len(people),
+               "mean": float(means.max()),
                "median": float(means.median()), "worst": float(worst.max())}
-        Result("foreign", "Motion files of other programs, compared with a key made by hand, and a procedural walk of four "
-               "seconds on the rigs of those that hold people", "python -m experiments foreign --store", columns,
+        Result("foreign",
+               "Motion files of other programs, compared with a key made by hand, and a "
+               "procedural walk of four "
+               "seconds on the rigs of those that hold people",
+               "python -m experiments foreign --store", columns,
                [row]).save()
 
 
 def carried(path: Path) -> tuple[float, float]:
-    """Mean and largest angle, degrees, between the limbs of a procedural walk and of the walk on the rig of a file."""
+    """Mean and largest angle, degrees, between the limbs of a procedural walk and of the walk on
+    the rig of a file.
+    """
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         rig = tk.load(path)

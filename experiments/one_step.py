@@ -1,4 +1,6 @@
-"""Prediction errors one step ahead from real input: of the clip's own style, and the rank of this style among all."""
+"""Prediction errors one step ahead from real input: of the clip's own style, and the rank of this
+style among all.
+"""
 
 from pathlib import Path
 from typing import Annotated
@@ -9,23 +11,28 @@ from torch import Tensor
 from experiments.tables import Result
 from toolkit import features, phases, published
 from toolkit.cli import verbs
+from toolkit.extra.characters.retargeting import retarget
 from toolkit.io import bvh
 from toolkit.motion import Clip
-from toolkit.motion.retargeting import retarget
 from toolkit.networks import Model
 from toolkit.networks.bank import StyleBank
 from toolkit.runtime import FPS
 
 STORED, EVERY = "one-step", 8  # the result; frames apart of which styles are ranked
 #: Columns of the stored result.
-COLUMNS = {"take": ["take"], "frames": ["frames", 0], "style": ["style"], "error": ["joint error", 4],
-           "right": ["contact correlation: right", 3], "left": ["left", 3], "phase": ["phase error", 3],
-           "rank": ["rank of the style", 0], "of": ["of", 0], "other": ["nearest other style"], "next": ["its error", 4],
+COLUMNS = {"take": ["take"], "frames": ["frames", 0], "style": ["style"],
+           "error": ["joint error", 4],
+           "right": ["contact correlation: right", 3], "left": ["left", 3],
+           "phase": ["phase error", 3],
+           "rank": ["rank of the style", 0], "of": ["of", 0], "other": ["nearest other style"],
+           "next": ["its error", 4],
            "repeat": ["repeating the frame", 3], "mean": ["the mean pose", 3]}
 #: Asked of the published network, calibrated, on Neutral_FW.
-AIM = {"take": "aim, calibrated: Neutral_FW.bvh", "error": 0.022, "right": 0.91, "left": 0.91, "phase": 0.20}
+AIM = {"take": "aim, calibrated: Neutral_FW.bvh", "error": 0.022, "right": 0.91, "left": 0.91,
+       "phase": 0.20}
 
-Take = Annotated[Path, typer.Option("--clip", help="A BVH file; `one-step` retargets another skeleton than the model's.")]
+Take = Annotated[Path, typer.Option(
+    "--clip", help="A BVH file; `one-step` retargets another skeleton than the model's.")]
 Style = Annotated[str, typer.Option(help="Style of the clip.")]
 Start = Annotated[int, typer.Option(help="First frame (100STYLE: START of Frame_Cuts.csv).")]
 Store = Annotated[bool, typer.Option("--store", help="Write the table's file in docs/results.")]
@@ -37,14 +44,20 @@ def run(
     parameters: verbs.Published = None,
     model: verbs.TrainedRun = None,
     start: Start = 0,
-    stop: Annotated[int | None, typer.Option(help="Frame after the last; default: the end.")] = None,
-    beside: Annotated[str, typer.Option(help="Comma-separated styles for comparison.")] = "Zombie,Aeroplane",
-    calibrated: Annotated[bool, typer.Option("--calibrated", help="Use calibrated inference.")] = False,
-    store: Annotated[bool, typer.Option("--store", help=f"Write the first row into docs/results/{STORED}.json.")] = False,
+    stop: Annotated[int
+                    | None, typer.Option(help="Frame after the last; default: the end.")] = None,
+    beside: Annotated[str,
+                      typer.Option(help="Styles for comparison.")] = "Zombie,Aeroplane",
+    calibrated: Annotated[bool, typer.Option("--calibrated",
+                                             help="Use calibrated inference.")] = False,
+    store: Annotated[bool, typer.Option(
+        "--store", help=f"Write the first row into docs/results/{STORED}.json.")] = False,
 ) -> None:
-    """Errors of the predicted next frames of a real clip with its own style, compared with all other styles and with floors.
+    """Errors of the predicted next frames of a real clip with its own style, compared with all
+    other styles and with floors.
 
-    The inputs are the features and phases of the clip. Its own style should have the smallest error of all.
+    The inputs are the features and phases of the clip. Its own style should have the smallest error
+    of all.
     """
     net, bank = published.either(model, parameters)
     net.calibrated = calibrated
@@ -56,36 +69,49 @@ def run(
     print(f"{'style':<18}{'joint MSE':>10}{'contact corr. R':>17}{'L':>7}{'phase error':>13}")
     for row in rows:
         right, left = row["contact_correlation"]
-        print(f"{row['style']:<18}{row['joint_mse']:>10.4f}{right:>17.3f}{left:>7.3f}{row['phase_error']:>13.3f}")
+        print(f"{row['style']:<18}{row['joint_mse']:>10.4f}{right:>17.3f}{left:>7.3f}"
+              f"{row['phase_error']:>13.3f}")
     errors, floors = ranked(net, bank, motion, (start, stop))
     rank, other = list(errors).index(style) + 1, next(name for name in errors if name != style)
-    print(f"{rows[0]['frames']} frames; joint MSE in the model's normalised units: repeating the frame "
-          f"{floors['repeat']:.3f}, the mean pose {floors['mean']:.3f}\n{style} is number {rank} of {len(errors)} styles; "
+    print(f"{rows[0]['frames']} frames; joint MSE in the model's normalised units: repeating the "
+          f"frame "
+          f"{floors['repeat']:.3f}, the mean pose {floors['mean']:.3f}\n{style} is number {rank} "
+          f"of {len(errors)} styles; "
           "first: " + ", ".join(f"{name} {errors[name]:.4f}" for name in list(errors)[:5]))
     if store:
         kind = "published" if parameters else "embedded" if model is None else "trained"
         right, left = rows[0]["contact_correlation"]
-        row = {"take": f"{kind}{', calibrated' * calibrated}: {motion.name}", "frames": rows[0]["frames"], "style": style,
-               "error": rows[0]["joint_mse"], "right": right, "left": left, "phase": rows[0]["phase_error"], "rank": rank,
+        row = {"take": f"{kind}{', calibrated' * calibrated}: {motion.name}",
+               "frames": rows[0]["frames"], "style": style,
+               "error": rows[0]["joint_mse"], "right": right, "left": left,
+               "phase": rows[0]["phase_error"], "rank": rank,
                "of": len(errors), "other": other, "next": errors[other], **floors}
-        Result(STORED, "Predictions one step ahead from real input, in the model's normalised units, and the rank of the "
-               "take's style among all by the joint error", "python -m experiments one-step --published "
-               "DATA/lpn_film_100style --clip DATA/100style/Neutral_FW.bvh --style Neutral --start 327 [--calibrated] "
+        Result(STORED,
+               "Predictions one step ahead from real input, in the model's normalised units, and "
+               "the rank of the "
+               "take's style among all by the joint error",
+               "python -m experiments one-step --published "
+               "DATA/lpn_film_100style --clip DATA/100style/Neutral_FW.bvh --style Neutral "
+               "--start 327 [--calibrated] "
                "--store", COLUMNS, [AIM, row]).add()
 
 
 def ranked(net: Model, bank: StyleBank, clip: Clip,
            frames: tuple[int, int | None]) -> tuple[dict[str, float], dict[str, float]]:
-    """Joint errors as of `toolkit.published.one_step` by style, the smallest first; of repeating the frame and of the mean.
+    """Joint errors as of `toolkit.published.one_step` by style, the smallest first; of repeating
+    the frame and of the mean.
 
     Of every `EVERY`-th frame: calibrated inference in a hundred styles takes minutes.
     """
-    samples, (start, stop) = net.layout.samples, (round(f * FPS / clip.fps) if f is not None else None for f in frames)
+    samples, (start,
+              stop) = net.layout.samples, (round(f * FPS / clip.fps) if f is not None else None
+                                           for f in frames)
     clip = clip.resample(FPS)
     first, stop = max(0, start + samples[0]), len(clip) if stop is None else min(stop, len(clip))
     clip = clip.cut(first, min(len(clip), stop + samples[-1] + 1))
     rows = features.frames(clip, phases.extract(clip), start - first, stop - first, samples)
-    inputs, (phase, target) = rows.inputs[::EVERY], net.observe(rows.phases[::EVERY], rows.outputs[::EVERY])
+    inputs, (phase, target) = rows.inputs[::EVERY], net.observe(rows.phases[::EVERY],
+                                                                rows.outputs[::EVERY])
     now, joints = net.normaliser("outputs"), net.layout.outputs["joints"]
 
     def error(z: Tensor) -> float:
@@ -94,4 +120,5 @@ def ranked(net: Model, bank: StyleBank, clip: Clip,
     errors = {name: error(net.predict(inputs, phase, bank[name])) for name in bank.names}
     same = target.clone()
     same[:, joints] = inputs[:, net.layout.inputs["joints"]]
-    return dict(sorted(errors.items(), key=lambda item: item[1])), {"repeat": error(same), "mean": error(now.mean)}
+    return dict(sorted(errors.items(), key=lambda item: item[1])), {"repeat": error(same),
+                                                                    "mean": error(now.mean)}

@@ -1,4 +1,4 @@
-"""Phase sources, compared with the true phases, frequencies and contacts of procedural clips, and with labelled phases."""
+"""Phase sources, compared with the truth about procedural clips, and with labelled phases."""
 
 import math
 from dataclasses import dataclass, replace
@@ -16,18 +16,19 @@ from toolkit.evaluation import phases as labels
 from toolkit.evaluation.phases import STILL, Row, measure
 from toolkit.motion.contacts import FEET
 
-STAGGERING = ("Neutral", "Zombie")  # styles that are also measured with the random steps of the Drunk
+STAGGERING = ("Neutral", "Zombie")  # also measured with the random steps of the Drunk
 FREQUENCY_LIMIT, F1_LIMIT = 0.03, 0.95
 CASES = ("cyclic", "asymmetric", "no global phase", "one leg never touches", "stochastic")
 PLANNED = ("Neutral", "Old", "Zombie", "Drunk")  # styles that are labelled by their true contacts
-TITLES = {"case": ["styles"], "styles": ["of them", 0], "limbs": ["limbs"], "take": ["take"], "foot": ["foot"],
-          "of": ["phases"]}  # columns of the stored results that are no errors
-LABEL_LIMIT, FLOOR_LIMIT = 20.0, 10.0  # degrees, of the default source: in all, and above the floor of the labels
+#: Columns of the stored results that are no errors.
+TITLES = {"case": ["styles"], "styles": ["of them", 0], "limbs": ["limbs"], "take": ["take"],
+          "foot": ["foot"], "of": ["phases"]}
+LABEL_LIMIT, FLOOR_LIMIT = 20.0, 10.0  # degrees, of the default source: in all, above the floor
 
 
 @dataclass(frozen=True)
 class Part:
-    """Limbs by their columns in `toolkit.phases.LIMBS`, and the source with an error limit for them, in degrees."""
+    """Limbs by their columns in `toolkit.phases.LIMBS`; a source and its error limit, degrees."""
 
     columns: slice
     source: str
@@ -39,7 +40,8 @@ class Part:
         return found.nan_to_num().max() if not found.isnan().all() else found.max()
 
 
-PARTS = {"feet": Part(slice(2, 4), "contact", 20.0), "hands": Part(slice(0, 2), "contact-free", 15.0)}
+PARTS = {"feet": Part(slice(2, 4), "contact", 20.0),
+         "hands": Part(slice(0, 2), "contact-free", 15.0)}
 
 
 def run(
@@ -47,41 +49,52 @@ def run(
     gaits: Annotated[str, typer.Option(help="Comma-separated gaits.")] = "FW",
     seconds: Annotated[float, typer.Option(help="Length of each clip.")] = 30.0,
     seed: Annotated[int, typer.Option(help="Seed of the clips.")] = 0,
-    source: Annotated[str, typer.Option(help="Comma-separated phase sources.")] = ",".join((*ph.SOURCES, "learned")),
+    source: Annotated[str, typer.Option(help="Comma-separated phase sources.")] = ",".join(
+        (*ph.SOURCES, "coherent", "learned")),
     labelled: Annotated[Path | None, typer.Option(
-        help=f"Folder of labelled takes (Holden et al. 2017); default: {labels.NAME} in the folder of datasets.")] = None,
-    store: Annotated[bool, typer.Option("--store", help="Write the three tables into docs/results.")] = False,
+        help="Folder of labelled takes (Holden et al. 2017); default: "
+             f"{labels.NAME} in the folder of datasets.")] = None,
+    store: Annotated[bool, typer.Option(
+        "--store", help="Write the three tables into docs/results.")] = False,
 ) -> None:
-    """Errors of the phase sources, compared with the truth about procedural clips and with phases labelled by a person."""
+    """Errors of the phase sources against the truth about procedural clips and against labels."""
     sources = {name: ph.named(name) for name in source.split(",")}
-    named = {name: procedural.STYLES.get(name, name) for name in (styles.split(",") if styles else procedural.STYLES)}
+    chosen = styles.split(",") if styles else procedural.STYLES
+    named = {name: procedural.STYLES.get(name, name) for name in chosen}
     if styles is None:
-        named |= {f"{name} staggering": replace(procedural.STYLES[name], stagger=1.0) for name in STAGGERING}
+        for name in STAGGERING:
+            named[f"{name} staggering"] = replace(procedural.STYLES[name], stagger=1.0)
     rows: dict[str, list[Row]] = {case: [] for case in CASES}
     for gait in gaits.split(","):
         for name, style in named.items():
-            clip, known = procedural.truth(name if name in procedural.STYLES else style, gait, seconds, seed)
+            made = name if name in procedural.STYLES else style
+            clip, known = procedural.truth(made, gait, seconds, seed)
             rows[case(style)].append(measure(f"{name} {gait}", clip, known, sources))
 
     kept = []
-    print(f"{'degrees':<34}" + "".join(f"{name:>14}" for name in sources) + f"{'frequency':>12}{'contact F1':>12}")
+    titles = "".join(f"{name:>14}" for name in sources)
+    print(f"{'degrees':<34}{titles}{'frequency':>12}{'contact F1':>12}")
     for group, members in rows.items():
         for row in members:
-            for limbs, part in PARTS.items():
-                errors = "".join(_number(row.phase[s][part.columns].nanmean(), "°", 14) for s in sources)
-                name, f1 = (row.name, f"{min(row.f1):>12.3f}") if limbs == "feet" else ("", "")
-                print(f"{name:<26}{limbs:<8}{errors}{_number(100 * part.frequency_error(row), ' %', 12)}{f1}")
+            _print_row(row, sources)
         for limbs, part in PARTS.items() if members else ():
-            means = {s: torch.stack([r.phase[s][part.columns] for r in members]).nanmean() for s in sources}
-            kept.append({"case": group, "styles": len(members), "limbs": limbs, **{s: float(m) for s, m in means.items()}})
+            means = {}
+            for name in sources:
+                errors = torch.stack([row.phase[name][part.columns] for row in members])
+                means[name] = errors.nanmean()
+            numbers = {name: float(mean) for name, mean in means.items()}
+            kept.append({"case": group, "styles": len(members), "limbs": limbs, **numbers})
             name = f"= {group}" if limbs == "feet" else ""
-            print(f"{name:<26}{limbs:<8}" + "".join(_number(mean, "°", 14) for mean in means.values()))
+            shown = "".join(_number(mean, "°", 14) for mean in means.values())
+            print(f"{name:<26}{limbs:<8}{shown}")
             if group == "stochastic" and {"coherent", "contact-free"} <= set(sources):
                 gain = 1 - float(means["coherent"] / means["contact-free"])
-                print(f"{'':<34}{limbs}: the error of coherent is {gain:.0%} lower than that of contact-free")
-    print(f"{gaits}, {seconds:g} s, seed {seed}: mean circular error while stepping, less a constant lag per limb; error of "
-          "the mean\nfrequency (feet: contact, hands: contact-free). —: undefined, for hands without contact or a hand that "
-          f"moves under {100 * STILL:g} cm.")
+                print(f"{'':<34}{limbs}: the error of coherent is {gain:.0%} lower than that of "
+                      "contact-free")
+    print(f"{gaits}, {seconds:g} s, seed {seed}: mean circular error while stepping, less a "
+          "constant lag per limb; error of the mean\nfrequency (feet: contact, hands: "
+          "contact-free). —: undefined, for hands without contact or a hand that moves under "
+          f"{100 * STILL:g} cm.")
     failed = [f"{row.name}: {what}" for row in rows["cyclic"] for what in failures(row)]
     limits = ", ".join(f"{part.source} {limbs} {part.limit:g}°" for limbs, part in PARTS.items())
     print(f"Limits for cyclic styles: {limits}, "
@@ -89,77 +102,109 @@ def run(
     print()
     against = _labels(sources, labelled, seconds, seed)
     if store:
+        walks = f"Mean circular error in procedural walks of {seconds:g} s, degrees, less a lag of"
         tables = {
-            "phases": (f"Mean circular error in procedural walks of {seconds:g} s, degrees, less a lag of each limb", kept),
-            "phases-labelled": ("Mean errors of the feet in moving frames against labelled phases, degrees, less a constant "
-                                "lag of each", against[0]),
-            "phases-thirds": ("The same in the thirds of a recorded take, between the first and the last labelled "
-                              "touch-downs, with the lag of the whole take", against[1])}
+            "phases": (f"{walks} each limb", kept),
+            "phases-labelled": ("Mean errors of the feet in moving frames against labelled phases, "
+                                "degrees, less a constant lag of each", against[0]),
+            "phases-thirds": ("The same in the thirds of a recorded take, between the first and "
+                              "the last labelled touch-downs, with the lag of the whole take",
+                              against[1])}
         for name, (about, members) in tables.items():
-            columns = {key: TITLES.get(key, [f"`{key}`" if key in sources else key, 1]) for row in members for key in row}
+            keys = dict.fromkeys(key for row in members for key in row)
+            columns = {key: TITLES.get(key, [f"`{key}`" if key in sources else key, 1])
+                       for key in keys}
             numbers = worst(rows["cyclic"]) if name == "phases" else {}
-            Result(name, about, "python -m experiments phases --store", columns, members, {}, numbers).save()
+            command = "python -m experiments phases --store"
+            Result(name, about, command, columns, members, {}, numbers).save()
+
+
+def _print_row(row: Row, sources: dict[str, ph.Source]) -> None:
+    for limbs, part in PARTS.items():
+        means = (row.phase[name][part.columns].nanmean() for name in sources)
+        errors = "".join(_number(mean, "°", 14) for mean in means)
+        frequency = _number(100 * part.frequency_error(row), " %", 12)
+        name, f1 = (row.name, f"{min(row.f1):>12.3f}") if limbs == "feet" else ("", "")
+        print(f"{name:<26}{limbs:<8}{errors}{frequency}{f1}")
 
 
 def worst(rows: list[Row]) -> dict[str, float]:
-    """The largest errors of `PARTS` in some styles, means of both sides, degrees and shares; the least F1 of contacts."""
-    means = {f"{part.source}, {limbs}": [float(row.phase[part.source][part.columns].nanmean()) for row in rows]
-             for limbs, part in PARTS.items()}
-    found = {name: max(mean for mean in errors if not math.isnan(mean)) for name, errors in means.items()}
-    frequency = max(float(part.frequency_error(row)) for row in rows for part in PARTS.values())
-    return found | {"frequency": frequency, "F1": min(min(row.f1) for row in rows)}
+    """The largest errors of `PARTS` in some styles, degrees and shares; the least F1 of contacts.
+
+    The errors are means of both sides.
+    """
+    found = {}
+    for limbs, part in PARTS.items():
+        means = [float(row.phase[part.source][part.columns].nanmean()) for row in rows]
+        found[f"{part.source}, {limbs}"] = max(mean for mean in means if not math.isnan(mean))
+    found["frequency"] = max(float(p.frequency_error(row)) for row in rows for p in PARTS.values())
+    return found | {"F1": min(min(row.f1) for row in rows)}
 
 
-def _labels(sources: dict[str, ph.Source], folder: Path | None, seconds: float, seed: int) -> tuple[list[dict], list[dict]]:
-    """Print the errors against labelled phases: procedural transitions, and the takes of the folder if there are any.
+def _labels(sources: dict[str, ph.Source], folder: Path | None, seconds: float,
+            seed: int) -> tuple[list[dict], list[dict]]:
+    """Print the errors against labelled phases: procedural transitions, and recorded takes.
 
     Returns the rows of both tables.
     """
     takes = [(f"{style} TR1", labels.planned(style, "TR1", seconds, seed)) for style in PLANNED]
-    if folder is not None or home.folder(labels.NAME).is_dir():
-        takes += [(take.clip.name, take) for take in labels.read(folder or home.folder(labels.NAME))]
+    place = folder or home.folder(labels.NAME)
+    if folder is not None or place.is_dir():
+        takes += [(take.clip.name, take) for take in labels.read(place)]
     else:
-        print(f"no labelled recordings: {home.folder(labels.NAME)} does not exist")
-    print(f"{'degrees, labelled':<26}{'frames':>8}{'floor':>14}" + "".join(f"{name:>14}" for name in sources))
+        print(f"no labelled recordings: {place} does not exist")
+    titles = "".join(f"{name:>14}" for name in sources)
+    print(f"{'degrees, labelled':<26}{'frames':>8}{'floor':>14}{titles}")
     failed, kept, parts = [], [], []
     for name, take in takes:
-        errors = {"floor": labels.floor(take), **{label: labels.errors(take, source) for label, source in sources.items()}}
+        errors = {"floor": labels.floor(take)}
+        errors |= {label: labels.errors(take, source) for label, source in sources.items()}
         for i, side in enumerate(FEET):
             frames = f"{int(take.labelled.sum()):>8}" if i == 0 else " " * 8
             numbers = "".join(_number(error[i], "°", 14) for error in errors.values())
             kind = "procedural" if name.endswith("TR1") else "recorded"
-            kept.append({"take": f"{name} ({kind})", "foot": side} | {s: float(error[i]) for s, error in errors.items()})
+            row = {"take": f"{name} ({kind})", "foot": side}
+            kept.append(row | {label: float(error[i]) for label, error in errors.items()})
             print(f"{f'{name[:19]:<20}{side}':<26}{frames}{numbers}")
-            if "hybrid" in errors and errors["hybrid"][i] > min(LABEL_LIMIT, errors["floor"][i] + FLOOR_LIMIT):
+            limit = min(LABEL_LIMIT, errors["floor"][i] + FLOOR_LIMIT)
+            if "hybrid" in errors and errors["hybrid"][i] > limit:
                 failed.append(f"{name} {side} {float(errors['hybrid'][i]):.1f}°")
-    print("Feet in moving frames, less a constant lag of each. The label is straight between the touch-downs of both feet,\n"
-          "the floor between those of one. The contact source is the paper's, and was the default's for feet.\n"
+    print("Feet in moving frames, less a constant lag of each. The label is straight between the "
+          "touch-downs of both feet,\nthe floor between those of one. The contact source is the "
+          "paper's, and was the default's for feet.\n"
           f"Limits of hybrid, the default: {LABEL_LIMIT:g}°, {FLOOR_LIMIT:g}° above the floor: "
           f"{'; '.join(failed) or 'all kept'}")
+    places = [f"{side} {part}" for side in FEET for part in (1, 2, 3)]
     for name, take in takes[len(PLANNED):]:
-        titles = "".join(f"{f'{side} {part}':>9}" for side in FEET for part in (1, 2, 3))
+        titles = "".join(f"{place:>9}" for place in places)
         print(f"\n{f'{name[:24]}, by thirds':<37}{titles}")
         for what, errors in thirds(take).items():
-            print(f"{what:<37}" + "".join(_number(error, "°", 9) for error in errors.T.flatten()))
-            places = [f"{side} {part}" for side in FEET for part in (1, 2, 3)]
-            parts.append({"of": what} | dict(zip(places, errors.T.flatten().tolist(), strict=True)))
+            flat = errors.T.flatten()
+            print(f"{what:<37}" + "".join(_number(error, "°", 9) for error in flat))
+            parts.append({"of": what} | dict(zip(places, flat.tolist(), strict=True)))
     return kept, parts
 
 
 def thirds(take: labels.Take) -> dict[str, Tensor]:
-    """Mean errors ``[3, 2]`` in the thirds of a take, degrees, less the lag of the whole take, between touch-downs."""
-    columns, frames = [ph.LIMBS.index(f"{side}_foot") for side in FEET], labels.between(take)
-    own = [ph.Steps()(take.clip, f"{side}_foot").diff().gt(0).nonzero()[:, 0] + 1 for side in FEET]
+    """Mean errors ``[3, 2]`` in the thirds of a take, degrees, less the lag of the whole take.
+
+    Only frames between touch-downs count.
+    """
+    columns = [ph.LIMBS.index(f"{side}_foot") for side in FEET]
+    frames = labels.between(take)
+    stances = (ph.Steps()(take.clip, f"{side}_foot") for side in FEET)
+    own = [stance.diff().gt(0).nonzero()[:, 0] + 1 for stance in stances]
     found = {"straight between labelled touch-downs": labels.clocks(take, take.right, take.left),
              "straight between our touch-downs": labels.clocks(take, *own)}
-    found |= {source: ph.extract(take.clip, source).phase[:, columns].double() for source in ("hybrid", "contact")}
+    for source in ("hybrid", "contact"):
+        found[source] = ph.extract(take.clip, source).phase[:, columns].double()
     errors = {}
     for what, phases in found.items():
         off = phases - take.label[:, None]
         off = off - torch.atan2(off[frames].sin().mean(0), off[frames].cos().mean(0))
         off = torch.atan2(off.sin(), off.cos()).abs().rad2deg()
-        errors[what] = torch.stack([part[kept].mean(0) for part, kept in zip(off.tensor_split(3), frames.tensor_split(3),
-                                                                             strict=True)])
+        parts = zip(off.tensor_split(3), frames.tensor_split(3), strict=True)
+        errors[what] = torch.stack([part[kept].mean(0) for part, kept in parts])
     return errors
 
 
@@ -179,7 +224,8 @@ def failures(row: Row) -> list[str]:
     """The limits that a row exceeds, in words."""
     found = []
     for limbs, part in PARTS.items():
-        worst = row.phase[part.source][part.columns].nan_to_num().max() if part.source in row.phase else 0.0
+        errors = row.phase.get(part.source, torch.zeros(4))
+        worst = errors[part.columns].nan_to_num().max()
         if worst > part.limit:
             found.append(f"{part.source} {limbs} {worst:.1f}°")
         if part.frequency_error(row) > FREQUENCY_LIMIT:

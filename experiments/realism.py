@@ -1,4 +1,6 @@
-"""Measures of the procedural neutral walk, compared with the straight parts of recorded neutral walks."""
+"""Measures of the procedural neutral walk, compared with the straight parts of recorded neutral
+walks.
+"""
 
 from itertools import pairwise
 from pathlib import Path
@@ -13,7 +15,8 @@ from toolkit import datasets
 from toolkit.datasets import procedural
 from toolkit.motion import Clip, contacts, root_frames
 
-RATE = 30.0  # Hz, of the slowest recording; all motion is resampled to it, because jerk depends on the rate
+# Hz, of the slowest recording; all motion is resampled to it, because jerk depends on the rate
+RATE = 30.0
 SHORTEST = 2.0  # seconds, least length of a straight part
 STRAIGHT = 0.35  # rad/s, highest turning rate of a straight part
 MEASURES = {
@@ -34,30 +37,41 @@ MEASURES = {
     "jerk of the ankles (m/s3)": 0,
 }  # name: decimals
 EXCEPTIONS = {
-    "hips bob per stride (mm)": "the hips stay below the smoothed reach of both legs, so they rise less",
-    "knee flexion, least (deg)": "a leg has at most 0.998 of its length, because a nearly straight knee moves too fast",
-    "knee flexion, range (deg)": "follows from the least flexion; the greatest flexion is as in the recordings",
-    "ankle, range (deg)": "the toe joint bends only during the stance, and the foot pushes off less at a slow pace",
+    "hips bob per stride (mm)": "the hips stay below the smoothed reach of both legs, so they "
+                                "rise less",
+    "knee flexion, least (deg)": "a leg has at most 0.998 of its length, because a nearly "
+                                 "straight knee moves too fast",
+    "knee flexion, range (deg)": "follows from the least flexion; the greatest flexion is as in "
+                                 "the recordings",
+    "ankle, range (deg)": "the toe joint bends only during the stance, and the foot pushes off "
+                          "less at a slow pace",
     "jerk of the hips (m/s3)": "procedural motion has neither tremor nor marker noise",
-    "stance ratio of a toe": "a procedural toe is planted until lift-off, a recorded one drifts earlier",
+    "stance ratio of a toe": "a procedural toe is planted until lift-off, a recorded one drifts "
+                             "earlier",
 }
 
 
 def run(
-    data: Annotated[Path | None, typer.Option(help="Folder that holds 100style/ and bandai/.")] = None,
+    data: Annotated[Path
+                    | None, typer.Option(help="Folder that holds 100style/ and bandai/.")] = None,
     style: Annotated[str, typer.Option(help="Procedural style.")] = "Neutral",
-    store: Annotated[bool, typer.Option("--store", help="Write the table into docs/results/realism.json.")] = False,
+    store: Annotated[bool, typer.Option(
+        "--store", help="Write the table into docs/results/realism.json.")] = False,
 ) -> None:
-    """Measures of a procedural walk, compared with recorded neutral walks of 100STYLE and Bandai-Namco."""
+    """Measures of a procedural walk, compared with recorded neutral walks of 100STYLE and
+    Bandai-Namco.
+    """
     real: dict[str, list[dict[str, float]]] = {}
     for title, folder, choice in (("100STYLE", "100style", {"styles": "Neutral", "gaits": "FW"}),
                                   ("Bandai", "bandai", {"styles": "normal", "gaits": "walk"})):
         if data is None or not (data / folder).is_dir():
-            print(f"{title}: no {'--data' if data is None else data / folder}; no comparison with this dataset")
+            print(f"{title}: no {'--data' if data is None else data / folder}; no comparison "
+                  f"with this dataset")
             continue
         clips = datasets.load(folder, data / folder, **choice)
         real[title] = [measure(part) for clip in clips for part in straight_parts(clip)]
-    paces = {title: float(np.mean([row["speed (m/s)"] for row in rows])) for title, rows in real.items()} or {"": 1.2}
+    paces = {title: float(np.mean([row["speed (m/s)"] for row in rows]))
+             for title, rows in real.items()} or {"": 1.2}
     made = {title: measure(_walk(style, pace)) for title, pace in paces.items()}
 
     counts = {title: f"{title} ({len(rows)})" for title, rows in real.items()}
@@ -74,16 +88,22 @@ def run(
         for pace, row in zip(paces.values(), made.values(), strict=True):
             beyond = bool(every) and not min(every) <= row[name] <= max(every)
             outside += [name] if beyond and name not in outside else []
-            cells[f"procedural, {pace:.2f} m/s"] = shown = f"{row[name]:.{decimals}f}" + " *" * beyond
+            shown = f"{row[name]:.{decimals}f}" + " *" * beyond
+            cells[f"procedural, {pace:.2f} m/s"] = shown
             line += f"{shown if beyond else f'{shown}  ':>22}"
         kept.append(cells)
         print(line)
     if real:
-        print(f"* outside the range of all {sum(map(len, real.values()))} recorded parts: {len(outside)} of {len(MEASURES)}")
+        print(f"* outside the range of all {sum(map(len, real.values()))} recorded parts: "
+              f"{len(outside)} of {len(MEASURES)}")
     if store:
-        Result("realism", "Straight parts of recorded neutral walks, lowest and highest value of any part, and a procedural "
-               f"walk at the mean speed of each; all at {RATE:g} Hz", "python -m experiments realism --data DATA --store",
-               {key: [key] for key in kept[0]}, kept, {"parts": {title: len(rows) for title, rows in real.items()}}).save()
+        Result("realism",
+               "Straight parts of recorded neutral walks, lowest and highest value of any part, "
+               "and a procedural "
+               f"walk at the mean speed of each; all at {RATE:g} Hz",
+               "python -m experiments realism --data DATA --store",
+               {key: [key] for key in kept[0]}, kept,
+               {"parts": {title: len(rows) for title, rows in real.items()}}).save()
     for name in outside:
         print(f"  {name}: {EXCEPTIONS.get(name, 'unexplained')}")
 
@@ -126,10 +146,12 @@ def measure(clip: Clip) -> dict[str, float]:
     across = hips @ aside
     across = across - _mean(across[:, None], round(seconds / (len(strides) - 1) * RATE / 2))[:, 0]
 
-    both: dict[str, list[np.ndarray]] = {"thigh": [], "knee": [], "ankle": [], "elbow": [], "arm": []}
+    both: dict[str, list[np.ndarray]] = {"thigh": [], "knee": [], "ankle": [], "elbow": [],
+                                         "arm": []}
     for side in ("left", "right"):
         parts = ("hip", "knee", "foot", "toe", "shoulder", "elbow", "hand")
-        hip, knee, foot, toe, shoulder, elbow, hand = (at[f"{side}_{part}"][first:last] for part in parts)
+        hip, knee, foot, toe, shoulder, elbow, hand = (at[f"{side}_{part}"][first:last]
+                                                       for part in parts)
         both["thigh"].append(_lean(knee - hip, ahead))
         both["knee"].append(_angle(knee - hip, foot - knee))
         both["ankle"].append(_angle(foot - knee, toe - foot))
@@ -140,14 +162,16 @@ def measure(clip: Clip) -> dict[str, float]:
         return float(np.mean([np.ptp(np.percentile(curve, (1, 99))) for curve in both[name]]))
 
     def jerk(*names: str) -> float:
-        return float(np.mean([np.sqrt((np.diff(at[n], 3, axis=0) ** 2).sum(1).mean()) for n in names])) * RATE**3
+        return float(np.mean([np.sqrt((np.diff(at[n], 3, axis=0) ** 2).sum(1).mean())
+                              for n in names])) * RATE**3
 
     values = (
         speed,
         60 * steps / seconds,
         speed * seconds / steps,
         float(contacts.detect(clip)[first:last].mean()),
-        float(hips[first:last, 1].mean() - min(at["left_toe"][:, 1].min(), at["right_toe"][:, 1].min())) / leg,
+        float(hips[first:last, 1].mean() - min(at["left_toe"][:, 1].min(),
+                                               at["right_toe"][:, 1].min())) / leg,
         1000 * float(np.mean([np.ptp(hips[a:b, 1]) for a, b in per_stride])),
         1000 * float(np.mean([np.ptp(across[a:b]) for a, b in per_stride])),
         spread("thigh"),

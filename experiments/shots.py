@@ -12,17 +12,21 @@ from experiments.tables import Result, line
 from toolkit import published, runtime
 from toolkit.cli import verbs
 from toolkit.evaluation import metrics
-from toolkit.shots import Scene
-from toolkit.shots.course import FPS
-from toolkit.shots.feasibility import arrival, beside
-from toolkit.shots.shot import Shot
+from toolkit.extra.shots import Scene
+from toolkit.extra.shots.feasibility import arrival, beside
+from toolkit.extra.shots.following import FPS
+from toolkit.extra.shots.shot import Shot
 
 FOLDER = Path(__file__).parents[1] / "examples" / "shots"
 COLUMNS = {
-    "model": ["model"], "shot": ["shot"], "seconds": ["s", 1], "mean": ["mean distance, cm", 1, 100],
-    "largest": ["largest", 1, 100], "floor": ["floor: mean", 1, 100], "floor_largest": ["largest", 1, 100],
-    "end": ["from the end, cm", 1, 100], "floor_end": ["floor", 1, 100], "skate": ["skate, cm/s", 2, 100],
-    "floor_skate": ["floor", 2, 100], "timed": ["times asked", 0], "arrived": ["met", 0], "check": ["check says"],
+    "model": ["model"], "shot": ["shot"], "seconds": ["s", 1],
+    "mean": ["mean distance, cm", 1, 100],
+    "largest": ["largest", 1, 100], "floor": ["floor: mean", 1, 100],
+    "floor_largest": ["largest", 1, 100],
+    "end": ["from the end, cm", 1, 100], "floor_end": ["floor", 1, 100],
+    "skate": ["skate, cm/s", 2, 100],
+    "floor_skate": ["floor", 2, 100], "timed": ["times asked", 0], "arrived": ["met", 0],
+    "check": ["check says"],
 }
 
 
@@ -30,12 +34,19 @@ def run(
     model: verbs.TrainedRun = None,
     parameters: verbs.Published = None,
     folder: Annotated[Path, typer.Option(help="Folder of shot files.")] = FOLDER,
-    plain: Annotated[bool, typer.Option("--plain", help="The plain runtime, not the compiled one.")] = False,
-    save: Annotated[Path | None, typer.Option(help="Add the rows to the result shots in this folder.")] = None,
+    plain: Annotated[bool, typer.Option("--plain",
+                                        help="The plain runtime, not the compiled one.")] = False,
+    save: Annotated[Path
+                    | None,
+                    typer.Option(help="Add the rows to the result shots in this folder.")] = None,
 ) -> None:
-    """Distance from the path, arrivals and foot skate of every shot, beside the pilot of `toolkit.runtime.follow`."""
+    """Distance from the path, arrivals and foot skate of every shot, beside the pilot of
+    `toolkit.runtime.follow`.
+    """
     net, bank = published.either(model, parameters)
-    net, name = net if plain else runtime.compile(net), "embedded" if parameters is None else "published"
+    net, name = (
+        net if plain else runtime.compile(net), "embedded" if parameters is None else "published"
+    )
     rows = []
     for file in sorted(folder.glob("*.json")):
         scene = Scene.load(file)
@@ -45,8 +56,11 @@ def run(
                 print(line(COLUMNS, rows[-1]), flush=True)
     if save is not None:
         known = Result.load("shots", save).rows if (save / "shots.json").exists() else []
-        Result("shots", "the shots of examples/shots; the floor is the pilot of toolkit.runtime.follow on the same path",
-               "python -m experiments shots", COLUMNS, [*(r for r in known if r["model"] != name), *rows]).save(save)
+        Result("shots",
+               "the shots of examples/shots; the floor is the pilot of toolkit.runtime.follow on "
+               "the same path",
+               "python -m experiments shots", COLUMNS,
+               [*(r for r in known if r["model"] != name), *rows]).save(save)
 
 
 def row(net, bank, shot: Shot) -> dict[str, float | str]:
@@ -57,15 +71,21 @@ def row(net, bank, shot: Shot) -> dict[str, float | str]:
     floor, slide = measured(net, followed(net, bank, shot, course))
     apart, plain = beside(course, mine), beside(course, floor)
     hits = [arrival(course.curve.point(knot), point.time, mine)
-            for point, knot in zip(shot.path[1:], course.curve.knots[1:], strict=True) if point.time is not None]
-    return {"shot": shot.name, "seconds": len(mine) / FPS, "mean": sum(apart) / len(apart), "largest": max(apart),
-            "floor": sum(plain) / len(plain), "floor_largest": max(plain), "end": math.dist(mine[-1], goal),
-            "floor_end": math.dist(floor[-1], goal), "skate": skate, "floor_skate": slide, "timed": len(hits),
+            for point, knot in zip(shot.path[1:], course.curve.knots[1:], strict=True)
+            if point.time is not None]
+    return {"shot": shot.name, "seconds": len(mine) / FPS, "mean": sum(apart) / len(apart),
+            "largest": max(apart),
+            "floor": sum(plain) / len(plain), "floor_largest": max(plain),
+            "end": math.dist(mine[-1], goal),
+            "floor_end": math.dist(floor[-1], goal), "skate": skate, "floor_skate": slide,
+            "timed": len(hits),
             "arrived": sum(not late for late, _ in hits), "check": "; ".join(shot.check(net, bank))}
 
 
 def followed(net, bank, shot: Shot, course) -> Iterable[runtime.CharacterState]:
-    """The same path and styles by `toolkit.runtime.follow`, at the mean speed of the plan while it moves."""
+    """The same path and styles by `toolkit.runtime.follow`, at the mean speed of the plan while it
+    moves.
+    """
     seconds = (len(course.distance) - 1) / FPS
     curve = course.curve
     points = [*list(zip(curve.x, curve.z, strict=True))[::4], curve.point(curve.length)]
@@ -75,7 +95,8 @@ def followed(net, bank, shot: Shot, course) -> Iterable[runtime.CharacterState]:
     return runtime.states(net, runtime.follow(points, speed, seconds), shot.style(bank), first)
 
 
-def measured(net, states: Iterable[runtime.CharacterState]) -> tuple[list[tuple[float, float]], float]:
+def measured(net,
+             states: Iterable[runtime.CharacterState]) -> tuple[list[tuple[float, float]], float]:
     """The root's place at each frame, and the foot skate, m/s, the larger one of both feet."""
     states = list(states)
     clip = runtime.record(net, states)

@@ -1,46 +1,45 @@
-"""New styles before and after fine-tuning, and blends of two styles by FiLM, compared with one-hot."""
+"""New styles before and after fine-tuning."""
 
 import hashlib
-from collections.abc import Sequence
-from itertools import combinations
 from pathlib import Path
 from typing import Annotated
 
 import torch
 import typer
-from scipy.stats import spearmanr
 
 from toolkit import datasets, features, runtime, styles, training
 from toolkit.evaluation import metrics, recognition
-from toolkit.features import Features, split_joints, splits
+from toolkit.features import Features, splits
 from toolkit.motion import Clip
 from toolkit.networks import Model
 from toolkit.networks.bank import StyleBank
-from toolkit.styles import plausibility
 from toolkit.training import loss
 
 WALKS = ("FW", "walk")  # gaits whose clips give a style its speed
 SETTLE, WALK = 150, 390  # frames: start of a walk that is not measured; whole walk
-STEPS = 9  # blends between two styles, with both styles
-COLUMNS = {"rank": (6, 2), "between": (9, 1), "step": (6, 2), "stretch": (9, 1), "drawn": (7, 2), "depth": (7, 1)}
-HELD_OUT = {"procedural": "Zombie,Crouch,LimpLeft,HighKnees,Akimbo", "bandai": "old,proud,exhausted"}
-GAITS = {"procedural": "FW,BW,SW,TR1", "bandai": "walk,run,walk-back,walk-left,walk-right,walk-turn-left,walk-turn-right"}
+HELD_OUT = {"procedural": "Zombie,Crouch,LimpLeft,HighKnees,Akimbo",
+            "bandai": "old,proud,exhausted"}
+GAITS = {"procedural": "FW,BW,SW,TR1",
+         "bandai": "walk,run,walk-back,walk-left,walk-right,walk-turn-left,walk-turn-right"}
 
 
 def run(
     data: Annotated[str, typer.Option(help=f"Dataset: {', '.join(HELD_OUT)}.")] = "procedural",
     root: Annotated[Path | None, typer.Option(help="Folder that holds it.")] = None,
-    held_out: Annotated[str | None, typer.Option(help="Comma-separated new styles, which training does not use.")] = None,
-    steps: Annotated[int, typer.Option(min=1, help="Training steps of each model; 10,000 take some minutes.")] = 10_000,
-    pairs: Annotated[int, typer.Option(help="Pairs of styles to blend.")] = 20,
+    held_out: Annotated[str
+                        | None, typer.Option(help="Comma-separated new styles, which training "
+                                                  "does not use.")] = None,
+    steps: Annotated[int, typer.Option(
+        min=1, help="Training steps of each model; 10,000 take some minutes.")] = 10_000,
     seconds: Annotated[float, typer.Option(help="Length of each procedural clip.")] = 30.0,
-    onehot: Annotated[bool, typer.Option(help="Compare the blends with those of LPN one-hot.")] = True,
-    keep: Annotated[Path | None, typer.Option(help="Folder for trained models; models in it are not trained again.")] = None,
-    seed: Annotated[int, typer.Option(help="Seed of training and pairs.")] = 0,
+    keep: Annotated[Path
+                    | None, typer.Option(help="Folder for trained models; models in it are not "
+                                              "trained again.")] = None,
+    seed: Annotated[int, typer.Option(help="Seed of training.")] = 0,
 ) -> None:
-    """New styles, compared with the styles of training; blends of two styles by FiLM, compared with one-hot.
+    """New styles, compared with the styles of training.
 
-    A model is trained without some styles, which every method then adds. Blends are walks between two styles.
+    A model is trained without some styles, which every method then adds.
     """
     if data not in HELD_OUT:
         raise ValueError(f"unknown data {data!r}; known: {', '.join(HELD_OUT)}")
@@ -49,19 +48,18 @@ def run(
     clips = datasets.load(data, root, gaits=GAITS[data].split(","), **options)
     found = features.build(clips, short="skip", progress=True)
     known = tuple(style for style in found.styles if style not in new)
-    walks = {s: max((c for c in clips if c.style == s and c.gait in WALKS), key=lambda c: c.seconds) for s in found.styles}
+    walks = {s: max((c for c in clips if c.style == s and c.gait in WALKS),
+                    key=lambda c: c.seconds) for s in found.styles}
     speeds = {style: metrics.speed(clip) for style, clip in walks.items()}
     judge = recognition.train(found, seed)
-    print(f"{found.n_frames:,} frames of {len(found.styles)} styles; {judge.accuracy(found):.0%} of clips are recognised")
+    print(f"{found.n_frames:,} frames of {len(found.styles)} styles; {judge.accuracy(found):.0%} "
+          f"of clips are recognised")
     net = _trained("lpn-film", found, known, steps, keep, seed)
     _adding(net, found, [walks[s] for s in new], judge, speeds)
-    if pairs:
-        _blending("lpn-film", net, judge, speeds, pairs, seed)
-    if pairs and onehot:
-        _blending("lpn-onehot", _trained("lpn-onehot", found, known, steps, keep, seed), judge, speeds, pairs, seed)
 
 
-def _trained(name: str, data: Features, known: tuple[str, ...], steps: int, keep: Path | None, seed: int) -> training.Run:
+def _trained(name: str, data: Features, known: tuple[str, ...], steps: int, keep: Path | None,
+             seed: int) -> training.Run:
     file = None if keep is None else keep / f"{name}-{len(known)}-{steps}.safetensors"
     if file is not None and file.exists():
         return training.load(file)
@@ -70,23 +68,27 @@ def _trained(name: str, data: Features, known: tuple[str, ...], steps: int, keep
     if file is not None:
         keep.mkdir(parents=True, exist_ok=True)
         made.save(file)
-    print(f"{name}: {len(known)} styles, {made.history[-1]['step']:,} steps, held-out error {made.table()[-1]['error']:.3f}")
+    print(f"{name}: {len(known)} styles, {made.history[-1]['step']:,} steps, held-out error "
+          f"{made.table()[-1]['error']:.3f}")
     return made
 
 
 def _adding(net: training.Run, data: Features, walks: list[Clip], judge: recognition.Recogniser,
             speeds: dict[str, float]) -> None:
-    """Add the styles of ``walks`` by every method, from this one clip of each style and from all but the test frames."""
+    """Add the styles of ``walks`` by every method, from this one clip of each style and from all
+    but the test frames.
+    """
     model, bank, new = net.model, net.bank, tuple(clip.style for clip in walks)
     learnt, test = splits.split(data, 0.2, 0, new)
     sources = {f"one clip, {sum(c.seconds for c in walks) / len(new):.0f} s": features.build(walks),
                f"all, {learnt.n_frames / len(new) / runtime.FPS:.0f} s": learnt}
     seen = splits.split(data, 0.0, 0, bank.names)[0]
     before, names = styles.clip_vectors(model, seen)
-    told = styles.separation(before, names).silhouette.values()
+    told = styles.separation(before, names).values()
     right, sure = _recognised(model, bank, judge, speeds)
     print(f"\nnew styles: {', '.join(new)}")
-    print("error on test frames; mean silhouette of the new styles' clips among the known styles' (least of any style);")
+    print("error on test frames; mean silhouette of the new styles' clips among the known "
+          "styles' (least of any style);")
     print("number of styles recognised in closed loop (mean probability); seconds per style")
     print(f"{'method':<11}{'data':<17}{'error':>7}{'silhouette':>15}{'recognised':>17}{'s':>6}")
     apart = f"{sum(told) / len(told):.2f} ({min(told):.2f})"
@@ -95,31 +97,42 @@ def _adding(net: training.Run, data: Features, walks: list[Clip], judge: recogni
     for method in styles.METHODS:
         for source, rows in sources.items():
             made = styles.fine_tune(model, rows, None, bank, method=method)
-            if _fingerprint(made.model) != frozen or not torch.equal(made.bank.select(bank.names).vectors, vectors):
+            kept = torch.equal(made.bank.select(bank.names).vectors, vectors)
+            if _fingerprint(made.model) != frozen or not kept:
                 raise RuntimeError("gating, experts or the vectors of other styles changed")
             own = made.bank.select(new)
             error = sum(e["mse"] for e in loss.evaluate(model, own, test).values()) / len(new)
             right, sure = _recognised(model, own, judge, speeds)
-            print(f"{method:<11}{source:<17}{error:>7.3f}{_silhouette(made, method, learnt, before, names):>15}"
-                  f"{f'{right}/{len(new)} ({sure:.2f})':>17}{made.seconds / len(new):>6.0f}", flush=True)
+            print(f"{method:<11}{source:<17}{error:>7.3f}"
+                  f"{_silhouette(made, method, learnt, before, names):>15}"
+                  f"{f'{right}/{len(new)} ({sure:.2f})':>17}{made.seconds / len(new):>6.0f}",
+                  flush=True)
     print("gating, experts and the vectors of the known styles are bitwise equal after every run")
 
 
-def _silhouette(made: styles.NewStyles, method: str, data: Features, known: torch.Tensor, names: list[str]) -> str:
-    """Mean and least silhouette of the new styles' clips among the known ones; not defined for the method vector."""
+def _silhouette(made: styles.NewStyles, method: str, data: Features, known: torch.Tensor,
+                names: list[str]) -> str:
+    """Mean and least silhouette of the new styles' clips among the known ones; not defined for the
+    method vector.
+    """
     if method == "vector":
         return "–"
     vectors, labels = styles.clip_vectors(made.model, data)
-    told = styles.separation(torch.cat((known, vectors)), names + labels).silhouette
+    told = styles.separation(torch.cat((known, vectors)), names + labels)
     mine = [told[style] for style in made.names]
     return f"{sum(mine) / len(mine):.2f} ({min(mine):.2f})"
 
 
-def _recognised(model: Model, bank: StyleBank, judge: recognition.Recogniser, speeds: dict[str, float]) -> tuple[int, float]:
-    """How many styles of the bank are taken for themselves when they walk, and the mean probability of being so."""
+def _recognised(model: Model, bank: StyleBank, judge: recognition.Recogniser,
+                speeds: dict[str, float]) -> tuple[int, float]:
+    """How many styles of the bank are taken for themselves when they walk, and the mean probability
+    of being so.
+    """
     sure = walk(model, bank.vectors, [speeds[s] for s in bank], judge)[0]
     own = [judge.styles.index(s) for s in bank]
-    return int((sure.argmax(1) == torch.tensor(own)).sum()), float(sure[range(len(own)), own].mean())
+    return (
+        int((sure.argmax(1) == torch.tensor(own)).sum()), float(sure[range(len(own)), own].mean())
+    )
 
 
 def walk(model: Model, vectors: torch.Tensor, speeds: list[float], judge: recognition.Recogniser,
@@ -128,50 +141,6 @@ def walk(model: Model, vectors: torch.Tensor, speeds: list[float], judge: recogn
     ahead = torch.stack((torch.zeros(len(speeds)), torch.tensor(speeds)), 1)
     states = list(runtime.states(model, [runtime.Command(ahead)] * WALK, vectors))[SETTLE:]
     return judge.probabilities(torch.stack([s.joints for s in states], 1)), states
-
-
-def _blending(name: str, net: training.Run, judge: recognition.Recogniser, speeds: dict[str, float], pairs: int,
-              seed: int) -> None:
-    """Measure walks with blends between pairs of styles."""
-    model, bank = net.model, net.bank
-    lines = list(combinations(bank.names, 2))
-    lines = [lines[i] for i in torch.randperm(len(lines), generator=torch.Generator().manual_seed(seed))[:pairs].tolist()]
-    shares = torch.linspace(0.0, 1.0, STEPS).tolist()
-    vectors = torch.stack([bank.blend({a: 1 - t, b: t}) for a, b in lines for t in shares])
-    pace = [(1 - t) * speeds[a] + t * speeds[b] for a, b in lines for t in shares]
-    sure, states = walk(model, vectors, pace, judge)
-    sure = sure.double().log().view(len(lines), STEPS, -1)
-    positions = torch.stack([split_joints(s.joints)["position"] for s in states])
-    stretch = plausibility.bone_stretch(model.layout, positions).view(len(lines), STEPS)
-    depth = plausibility.penetration(model.layout, positions).view(len(lines), STEPS)
-    print(f"\n{name}: {len(lines)} pairs of styles, {STEPS} blends each")
-    print("rank: rank correlation of the share with the recogniser's odds; between: blends with odds from 1:9 to 9:1; step:")
-    print("largest step of the probability; stretch: largest relative bone length error of the network's output, %; drawn:")
-    print("that of the recorded clip of the equal blend, %; depth: self-penetration, cm")
-    print(f"{'':<38}" + "".join(f"{k:>{w}}" for k, (w, _) in COLUMNS.items()))
-    rows = []
-    for i, (a, b) in enumerate(lines):
-        odds = sure[i, :, judge.styles.index(b)] - sure[i, :, judge.styles.index(a)]
-        share = torch.sigmoid(odds)
-        clip = runtime.record(model, states, character=i * STEPS + STEPS // 2)
-        rows.append((float(spearmanr(shares, odds).statistic), float(((share > 0.1) & (share < 0.9)).sum()),
-                     float(share.diff().abs().max()), 100 * float(stretch[i].max()), 100 * _drawn(clip),
-                     100 * float(depth[i].max())))
-        print(f"{f'{a} → {b}':<38}{_text(rows[-1])}")
-    print(f"{'mean':<38}{_text([sum(column) / len(rows) for column in zip(*rows, strict=True)])}")
-
-
-def _text(row: Sequence[float]) -> str:
-    return "".join(f"{v:>{w}.{d}f}" for v, (w, d) in zip(row, COLUMNS.values(), strict=True))
-
-
-def _drawn(clip: Clip) -> float:
-    """Largest relative bone length error in any frame of a recorded clip."""
-    skeleton, positions = clip.skeleton, clip.global_positions
-    bones = [j for j, p in enumerate(skeleton.parents) if p >= 0 and float(skeleton.offsets[j].norm()) > 1e-3]
-    length = skeleton.offsets[bones].norm(dim=-1)
-    got = (positions[:, bones] - positions[:, [skeleton.parents[j] for j in bones]]).norm(dim=-1)
-    return float(((got - length).abs() / length).max())
 
 
 def _fingerprint(model: Model) -> str:

@@ -1,19 +1,19 @@
-"""Stored results, and the tables and numbers of the documentation that come from them.
+"""Stored results, and the tables of the documentation that come from them.
 
-A result is a file ``docs/results/NAME.json``. A page shows its rows between two comments, which this module fills::
+A result is a file ``docs/results/NAME.json``. A page shows its rows between two comments, which
+this module fills::
 
     <!-- table NAME -->
     <!-- end -->
 
-``<!-- table NAME: model mse -->`` shows only these columns. A number in the prose of a page must be in a result that the
-page shows, or names in ``<!-- results NAME NAME -->``, or stand between ``<!-- cited -->`` and ``<!-- end -->``.
+``<!-- table NAME: model mse -->`` shows only these columns.
 """
 
 import json
 import math
 import re
 import statistics
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from typing import Any
@@ -23,24 +23,16 @@ from toolkit.io.files import atomic_write
 DOCS = Path(__file__).parents[1] / "docs"
 RESULTS = DOCS / "results"
 TABLE = re.compile(r"(<!-- table ([\w-]+)(?:: ([\w -]+))? -->\n).*?(<!-- end -->)", re.DOTALL)
-NUMBER = re.compile(r"(?<![\w.,/-])[−-]?\d+(?:,\d{3})*(?:\.\d+)?(?![\w/-]|[.,]\d)(?P<percent> ?%)?")
-#: Parts of a page that state no result: code, what a page cites, links' addresses, places in a paper, years of papers.
-SKIPPED = (
-    r"```.*?```", r"<!-- cited -->.*?<!-- end -->", r"<!--.*?-->", r"`[^`]*`", r"\]\([^)]*\)", r"!\[[^\]]*\]",
-    r"(?i)\b(?:sections?|tables?|fig(?:ures?|s)?\.?|eq(?:uations?|s)?\.?|notebooks?|versions?|datasets?) "
-    r"\(?[A-Z]?\d[\d.]*\)?"
-    r"(?:(?:,| and|–| to) \(?\d[\d.]*\)?)*",
-    r"§ ?[\d.]+(?:, ?\d[\d.]*)*", r"\b(?:et al\.|[A-Z]\w+,?) \(?(?:19|20)\d\d\)?", r"\[\d+\]",
-)
 
 
 @dataclass(frozen=True)
 class Result:
     """What a command measured.
 
-    A column is ``[title]`` for text, ``[title, decimals]`` or ``[title, decimals, scale]``: the table shows scale × value.
-    A value is a number, text, None, or a list of numbers, one per seed: the table shows mean ± standard deviation.
-    A number that is not finite is stored as None, and an absent value stays empty in the table.
+    A column is ``[title]`` for text, ``[title, decimals]`` or ``[title, decimals, scale]``: the
+    table shows scale × value. A value is a number, text, None, or a list of numbers, one per seed:
+    the table shows mean ± standard deviation. A number that is not finite is stored as None, and an
+    absent value stays empty in the table.
     """
 
     name: str
@@ -48,13 +40,16 @@ class Result:
     command: str  # that measures it again
     columns: dict[str, list]  # key to title, decimals, scale
     rows: list[dict[str, Any]]  # key to value
-    settings: dict[str, Any] = field(default_factory=dict)  # of the measurement; the prose may state them
-    numbers: dict[str, Any] = field(default_factory=dict)  # further results that the prose states, by what they are
+    # of the measurement; the prose may state them
+    settings: dict[str, Any] = field(default_factory=dict)
+    # further results that the prose states, by what they are
+    numbers: dict[str, Any] = field(default_factory=dict)
 
     def __post_init__(self):
         for row in self.rows:
             if unknown := row.keys() - self.columns.keys():
-                raise ValueError(f"result {self.name}: a row has {', '.join(sorted(unknown))}, which no column shows; "
+                raise ValueError(f"result {self.name}: a row has {', '.join(sorted(unknown))}, "
+                                 f"which no column shows; "
                                  f"columns: {', '.join(self.columns)}")
 
     def save(self, folder: Path = RESULTS) -> Path:
@@ -69,12 +64,15 @@ class Result:
         return path
 
     def add(self, folder: Path = RESULTS) -> Path:
-        """`save`, but the stored rows whose first column is another stay, and the stored numbers."""
+        """`save`, but the stored rows whose first column is another stay, and the stored
+        numbers.
+        """
         if not (folder / f"{self.name}.json").exists():
             return self.save(folder)
         old, first = Result.load(self.name, folder), next(iter(self.columns))
         rows = {row[first]: row for row in [*old.rows, *self.rows]}
-        return replace(self, rows=list(rows.values()), numbers=old.numbers | self.numbers).save(folder)
+        return replace(self, rows=list(rows.values()),
+                       numbers=old.numbers | self.numbers).save(folder)
 
     @classmethod
     def load(cls, name: str, folder: Path = RESULTS) -> "Result":
@@ -83,29 +81,25 @@ class Result:
         try:
             return cls(name, **json.loads(path.read_text(encoding="utf-8")))
         except FileNotFoundError:
-            raise ValueError(f"{path}: no such result; known: {', '.join(sorted(p.stem for p in folder.glob('*.json')))}"
+            raise ValueError(f"{path}: no such result; known: "
+                             f"{', '.join(sorted(p.stem for p in folder.glob('*.json')))}"
                              ) from None
         except (json.JSONDecodeError, TypeError) as error:
             raise ValueError(f"{path}: is not a result ({error})") from None
 
     def markdown(self, keys: Sequence[str] = ()) -> str:
-        """The table, of all columns or of some; rows that have only their first cell are left out."""
+        """The table, of all columns or of some; rows that have only their first cell are left
+        out.
+        """
         if unknown := [key for key in keys if key not in self.columns]:
-            raise ValueError(f"result {self.name} has no column {unknown[0]}; columns: {', '.join(self.columns)}")
+            raise ValueError(f"result {self.name} has no column {unknown[0]}; columns: "
+                             f"{', '.join(self.columns)}")
         chosen = {key: self.columns[key] for key in keys or self.columns}
         head = [[column[0] for column in chosen.values()], ["---"] * len(chosen)]
-        body = [[cell(row.get(key), *column[1:]) for key, column in chosen.items()] for row in self.rows]
-        return "".join(f"| {' | '.join(line)} |\n" for line in head + [row for row in body if any(row[1:]) or len(row) == 1])
-
-    def stated(self) -> Iterator[float]:
-        """All numbers of the result as its table or prose may show them: values, means, deviations, each also scaled."""
-        for row in self.rows:
-            for key, value in row.items():
-                scale = self.columns[key][2] if len(self.columns[key]) > 2 else 1
-                for number in _numbers(value):
-                    yield from {number, scale * number}
-        yield from _numbers(self.settings)
-        yield from _numbers(self.numbers)
+        body = [[cell(row.get(key), *column[1:]) for key, column in chosen.items()]
+                for row in self.rows]
+        return "".join(f"| {' | '.join(line)} |\n" for line in head
+                       + [row for row in body if any(row[1:]) or len(row) == 1])
 
 
 def cell(value: Any, decimals: int | None = None, scale: float = 1) -> str:
@@ -118,13 +112,17 @@ def cell(value: Any, decimals: int | None = None, scale: float = 1) -> str:
         known = [v for v in value if v is not None and math.isfinite(v)]
         if len(known) < 2:
             return cell(known[0] if known else None, decimals, scale)
-        return f"{cell(statistics.mean(known), decimals, scale)} ± {cell(statistics.stdev(known), decimals, scale)}"
+        return (
+            f"{cell(statistics.mean(known), decimals, scale)} ± "
+            f"{cell(statistics.stdev(known), decimals, scale)}"
+        )
     return f"{scale * value:,.{decimals or 0}f}".replace("-", "−")
 
 
 def line(columns: Mapping[str, list], row: Mapping[str, Any]) -> str:
     """A row as a line of text."""
-    return "  ".join(f"{columns[key][0]}: {cell(value, *columns[key][1:])}" for key, value in row.items())
+    return "  ".join(f"{columns[key][0]}: {cell(value, *columns[key][1:])}"
+                     for key, value in row.items())
 
 
 def fill(text: str, folder: Path = RESULTS) -> str:
@@ -136,50 +134,16 @@ def fill(text: str, folder: Path = RESULTS) -> str:
     return TABLE.sub(drawn, text)
 
 
-def unsupported(text: str, folder: Path = RESULTS) -> list[str]:
-    """Numbers in the prose of a page that are in none of its results, each with the words around it."""
-    names = {name for _, name, _, _ in TABLE.findall(text)}
-    for listed in re.findall(r"<!-- results ([\w -]+) -->", text):
-        names |= set(listed.split())
-    known = [number for name in sorted(names) for number in Result.load(name, folder).stated()]
-    prose = TABLE.sub("", text)
-    for pattern in SKIPPED:
-        prose = re.sub(pattern, " ", prose, flags=re.DOTALL)
-    return [f"{found[0]} in: …{prose[max(0, found.start() - 60) : found.end() + 30]}…".replace("\n", " ")
-            for found in NUMBER.finditer(prose) if not _supported(found, known)]
-
-
-def _supported(found: re.Match, known: Sequence[float]) -> bool:
-    """Whether a number is one of the known ones, exactly or rounded to at least two digits."""
-    written = found[0].removesuffix(found["percent"] or "").replace(",", "").replace("−", "-")
-    decimals, digits = len(written.partition(".")[2]), len(written.lstrip("-0.").replace(".", ""))
-    scales = (1, 100) if found["percent"] else (1,)
-    return any(math.isclose(scale * value, float(written), rel_tol=1e-9) or
-               (digits > 1 and f"{scale * value:.{decimals}f}" == written) for value in known for scale in scales)
-
-
-def _numbers(value: Any) -> Iterator[float]:
-    """Numbers in a value of a result, at any depth; of a list of numbers also the mean and the deviation."""
-    if isinstance(value, Mapping):
-        for one in value.values():
-            yield from _numbers(one)
-    elif isinstance(value, list):
-        for one in value:
-            yield from _numbers(one)
-        if len(known := [v for v in value if isinstance(v, int | float)]) > 1:
-            yield from (statistics.mean(known), statistics.stdev(known))
-    elif isinstance(value, int | float) and not isinstance(value, bool):
-        yield value
-
-
 def _lines(value: Any) -> str:
     """JSON text of a part of a result, one line per entry."""
     if not isinstance(value, dict | list) or not value:
         return json.dumps(value, ensure_ascii=False)
     named, (first, last) = isinstance(value, dict), "{}" if isinstance(value, dict) else "[]"
-    entries = (f"{json.dumps(key, ensure_ascii=False)}: " for key in value) if named else [""] * len(value)
+    entries = (f"{json.dumps(key, ensure_ascii=False)}: "
+               for key in value) if named else [""] * len(value)
     held = value.values() if named else value
-    lines = (f"  {key}{json.dumps(one, ensure_ascii=False)}" for key, one in zip(entries, held, strict=True))
+    lines = (f"  {key}{json.dumps(one, ensure_ascii=False)}"
+             for key, one in zip(entries, held, strict=True))
     return f"{first}\n" + ",\n".join(lines) + f"\n {last}"
 
 

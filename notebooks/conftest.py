@@ -1,4 +1,4 @@
-"""Environment of the notebooks' kernels in tests: no window, still pictures, one thread each, small runs.
+"""Environment of the notebooks' kernels in tests: no window, one thread, small runs.
 
 After the cells of a notebook, its folded solutions run in the same kernel.
 """
@@ -17,12 +17,14 @@ for name, value in {
 }.items():
     os.environ.setdefault(name, value)
 
-SOLUTION = re.compile(r"<summary>Solution</summary>\s*```python\n(.*?)\n```\s*</details>", re.DOTALL)
+FENCED = r"<summary>Solution</summary>\s*```python\n(.*?)\n```\s*</details>"
+SOLUTION = re.compile(FENCED, re.DOTALL)
 
 
 def solutions(notebook) -> list[str]:
     """Code of the folded solutions; the last line of each, which checks it, must be true."""
-    texts = ["".join(cell["source"]) for cell in notebook["cells"] if cell["cell_type"] == "markdown"]
+    cells = [cell for cell in notebook["cells"] if cell["cell_type"] == "markdown"]
+    texts = ["".join(cell["source"]) for cell in cells]
     found = [code for text in texts for code in SOLUTION.findall(text)]
     return [re.sub(r"(.*\Z)", r"assert \1", code, count=1) for code in found]
 
@@ -33,5 +35,7 @@ def pytest_collection_modifyitems(items):
     for file, last in files.items():
         for number, code in enumerate(solutions(file.nb), 1):
             cell = nbformat.v4.new_code_cell(code)
-            place = {"cell_num": last.cell_num + number, "cell": cell, "options": last.options.copy()}
-            items.insert(items.index(last) + number, type(last).from_parent(file, name=f"Solution {number}", **place))
+            place = {"cell_num": last.cell_num + number, "options": last.options.copy()}
+            name = f"Solution {number}"
+            made = type(last).from_parent(file, name=name, cell=cell, **place)
+            items.insert(items.index(last) + number, made)

@@ -7,17 +7,30 @@ from hypothesis import settings
 
 import toolkit as tk
 
-settings.register_profile("repeatable", derandomize=True, deadline=None, max_examples=25, database=None)
+settings.register_profile("repeatable", derandomize=True, deadline=None, max_examples=25,
+                          database=None)
 settings.load_profile("repeatable")
 torch.set_num_threads(1)  # small tensors: more threads only wait for each other
 
 
+def pytest_collection_modifyitems(items):
+    """What takes longest comes first, so that no process waits for another at the end."""
+    def turn(item) -> int:
+        path = item.path.as_posix()
+        return 0 if "/tests/browser/" in path else 1 if path.endswith(".ipynb") else 2
+
+    items.sort(key=turn)
+
+
 @pytest.fixture(scope="session")
 def shared() -> Path:
-    """Real recordings, in the sub-folders 100style, bandai and xia; never part of this repository."""
+    """Real recordings, in the sub-folders 100style, bandai and xia; never part of this
+    repository.
+    """
     folder = Path(os.environ.get("TOOLKIT_DATA") or Path(__file__).parents[2] / "shared" / "data")
     if not folder.is_dir():
-        pytest.skip(f"no real recordings: {folder} does not exist (set TOOLKIT_DATA to the folder that holds 100style/ …)")
+        pytest.skip(f"no real recordings: {folder} does not exist (set TOOLKIT_DATA to the "
+                    f"folder that holds 100style/ …)")
     return folder
 
 
@@ -31,5 +44,7 @@ def walk_clip() -> tk.Clip:
 def small_run() -> tk.training.Run:
     """A model of two styles after a few steps: its weights are real, its motion is not yet."""
     clips = tk.datasets.load("procedural", styles=["Neutral", "Zombie"], gaits=["FW"], seconds=10.0)
-    sizes = tk.networks.Sizes(hidden=32, experts=4, gating=8, film_channels=8, film_kernel=5, film_dense=16, dropout=0.0)
-    return tk.training.fit(tk.features.build(clips), tk.training.Config.quick(steps=60, sizes=sizes))
+    sizes = tk.networks.Sizes(hidden=32, experts=4, gating=8, film_channels=8, film_kernel=5,
+                              film_dense=16, dropout=0.0)
+    return tk.training.fit(tk.features.build(clips),
+                           tk.training.Config.quick(steps=60, sizes=sizes))

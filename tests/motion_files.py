@@ -1,4 +1,4 @@
-"""Small files of other tools' formats, written for tests: glTF, FBX, ASF and AMC, NumPy."""
+"""Small files of other tools' formats, written for tests: glTF, FBX, NumPy."""
 
 import io
 import json
@@ -9,9 +9,8 @@ import numpy as np
 import torch
 
 import toolkit as tk
-from toolkit.io import npz
-from toolkit.motion import retargeting
-from toolkit.motion import rotations as R
+from toolkit.extra.characters import retargeting
+from toolkit.extra.formats import npz
 
 TYPES = {"f4": 5126, "i2": 5122, "u2": 5123, "u1": 5121, "i1": 5120, "u4": 5125}
 SECOND = 46186158000
@@ -21,24 +20,30 @@ class Document:
     """A glTF document and its buffer; arrays are added to it."""
 
     def __init__(self, nodes, **more):
-        self.json = {"asset": {"version": "2.0"}, "nodes": nodes, "bufferViews": [], "accessors": [], **more}
+        self.json = {"asset": {"version": "2.0"}, "nodes": nodes, "bufferViews": [],
+                     "accessors": [], **more}
         self.data = b""
 
     def add(self, values, **more):
         values = np.ascontiguousarray(values)
-        kind = {0: "SCALAR", 1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4"}[1 if values.ndim == 1 else values.shape[1]]
-        self.json["bufferViews"].append({"buffer": 0, "byteOffset": len(self.data), "byteLength": values.nbytes})
-        self.json["accessors"].append({"bufferView": len(self.json["bufferViews"]) - 1, "count": len(values), "type": kind,
+        kind = {0: "SCALAR", 1: "SCALAR", 2: "VEC2", 3: "VEC3",
+                4: "VEC4"}[1 if values.ndim == 1 else values.shape[1]]
+        self.json["bufferViews"].append({"buffer": 0, "byteOffset": len(self.data),
+                                         "byteLength": values.nbytes})
+        self.json["accessors"].append({"bufferView": len(self.json["bufferViews"]) - 1,
+                                       "count": len(values), "type": kind,
                                        "componentType": TYPES[values.dtype.str[1:]], **more})
         self.data += values.tobytes() + b"\0" * (-values.nbytes % 4)
         return len(self.json["accessors"]) - 1
 
     def animate(self, *tracks, name="walk"):
-        """Add an animation: node, path, times, values, interpolation (and more fields of the values' accessor)."""
+        """Add tracks: node, path, times, values, interpolation (more fields of the accessor)."""
         made = {"name": name, "channels": [], "samplers": []}
         for node, what, times, values, kind, *more in tracks:
-            made["channels"].append({"sampler": len(made["samplers"]), "target": {"node": node, "path": what}})
-            made["samplers"].append({"input": self.add(np.float32(times)), "output": self.add(values, **(more or [{}])[0]),
+            made["channels"].append({"sampler": len(made["samplers"]),
+                                     "target": {"node": node, "path": what}})
+            made["samplers"].append({"input": self.add(np.float32(times)),
+                                     "output": self.add(values, **(more or [{}])[0]),
                                      "interpolation": kind})
         self.json.setdefault("animations", []).append(made)
         return self
@@ -51,7 +56,8 @@ class Document:
 def glb(document, data):
     text = json.dumps(document).encode()
     text += b" " * (-len(text) % 4)
-    chunks = b"".join(struct.pack("<I4s", len(x), kind) + x for x, kind in ((text, b"JSON"), (data, b"BIN\0")))
+    chunks = b"".join(struct.pack("<I4s", len(x), kind) + x for x, kind in ((text, b"JSON"),
+                                                                            (data, b"BIN\0")))
     return struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks
 
 
@@ -61,7 +67,8 @@ def textured(document, primitive, places, picture):
     primitive["attributes"]["TEXCOORD_0"] = document.add(places)
     primitive["material"] = 0
     view = doc["accessors"][document.add(np.frombuffer(picture, "u1"))]["bufferView"]
-    doc |= {"materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}, "baseColorFactor": [1, 0.5, 0, 1]}}],
+    doc |= {"materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0},
+                                                    "baseColorFactor": [1, 0.5, 0, 1]}}],
             "textures": [{"source": 0}], "images": [{"bufferView": view}]}
 
 
@@ -92,7 +99,8 @@ def fbx(records, version=7400, *, pack_arrays=True):
         for child in children:
             inside += pack(child, start + len(inside))
         inside += b"\0" * size if children else b""
-        return struct.pack(head, start + len(inside), len(properties), len(body), len(name)) + name.encode() + body + inside
+        return struct.pack(head, start + len(inside), len(properties), len(body),
+                           len(name)) + name.encode() + body + inside
 
     made = bytearray(b"Kaydara FBX Binary  \0\x1a\0" + struct.pack("<I", version))
     for of in records:
@@ -114,7 +122,8 @@ def fbx_scene(models, curves, *, settings=None, version=7400, pack_arrays=True):
     ids = {name: 10 + i for i, name in enumerate(models)}
     objects = [("Model", [ids[name], f"{name}\0\x01Model", "LimbNode"], [table(**values)])
                for name, (_, values) in models.items()]
-    links = [("C", ["OO", ids[name], ids.get(parent, 0)], []) for name, (parent, _) in models.items()]
+    links = [("C", ["OO", ids[name], ids.get(parent, 0)],
+              []) for name, (parent, _) in models.items()]
     objects.append(("AnimationStack", [1, "Take\0\x01AnimStack", ""], []))
     objects.append(("AnimationLayer", [2, "Base\0\x01AnimLayer", ""], []))
     links.append(("C", ["OO", 2, 1], []))
@@ -122,58 +131,32 @@ def fbx_scene(models, curves, *, settings=None, version=7400, pack_arrays=True):
     for i, ((model, what, axis), (times, values, flags, data)) in enumerate(curves.items()):
         if (model, what) not in nodes:
             nodes[model, what] = 1000 + len(nodes)
-            objects.append(("AnimationCurveNode", [nodes[model, what], "T\0\x01AnimCurveNode", ""], []))
-            links += [("C", ["OO", nodes[model, what], 2], []), ("C", ["OP", nodes[model, what], ids[model], what], [])]
-        parts = [("KeyTime", [np.round(np.array(times) * SECOND).astype("<i8")]), ("KeyValueFloat", [np.float32(values)]),
-                 ("KeyAttrFlags", [np.array(flags, "<i4")]), ("KeyAttrDataFloat", [np.float32(data).ravel()]),
+            objects.append(("AnimationCurveNode", [nodes[model, what], "T\0\x01AnimCurveNode", ""],
+                            []))
+            links += [("C", ["OO", nodes[model, what], 2], []),
+                      ("C", ["OP", nodes[model, what], ids[model], what], [])]
+        parts = [("KeyTime", [np.round(np.array(times) * SECOND).astype("<i8")]),
+                 ("KeyValueFloat", [np.float32(values)]),
+                 ("KeyAttrFlags", [np.array(flags, "<i4")]),
+                 ("KeyAttrDataFloat", [np.float32(data).ravel()]),
                  ("KeyAttrRefCount", [np.ones(len(times), "<i4")])]
-        objects.append(("AnimationCurve", [5000 + i, "\0\x01AnimCurve", ""], [(n, p, []) for n, p in parts]))
+        objects.append(("AnimationCurve", [5000 + i, "\0\x01AnimCurve", ""],
+                        [(n, p, []) for n, p in parts]))
         links.append(("C", ["OP", 5000 + i, nodes[model, what], f"d|{axis}"], []))
-    wide = {"UpAxis": [1], "UpAxisSign": [1], "UnitScaleFactor": [1.0], "TimeMode": [6]} | (settings or {})
-    return fbx([("GlobalSettings", [], [table(**wide)]), ("Objects", [], objects), ("Connections", [], links)], version,
+    wide = {"UpAxis": [1], "UpAxisSign": [1], "UnitScaleFactor": [1.0],
+            "TimeMode": [6]} | (settings or {})
+    return fbx([("GlobalSettings", [], [table(**wide)]), ("Objects", [], objects),
+                ("Connections", [], links)], version,
                pack_arrays=pack_arrays)
-
-
-def acclaim(clip, *, seed=0, degrees=True, order="XYZ", digits=9):
-    """A clip as ASF and AMC text: a bone for each joint but the root, named like it, with axes turned at random.
-
-    A bone reaches from the parent joint to the joint, and has the parent joint's rotation.
-    """
-    skeleton, rng = clip.skeleton, np.random.default_rng(seed)
-    turn = 180 / np.pi if degrees else 1.0
-    axes = torch.from_numpy(rng.uniform(-2, 2, (len(skeleton), 3)))
-    frames = [R.from_euler(a.flip(0), order[::-1]) for a in axes]
-    bones, hierarchy, numbers = [], {}, {}
-    for j, p in enumerate(skeleton.parents[1:], 1):
-        length = float(skeleton.offsets[j].double().norm())
-        direction = (skeleton.offsets[j].double() / max(length, 1e-12)).tolist()
-        dof = "dof rx ry rz" if p else ""
-        bones.append(f"begin\n id {j}\n name b{j}\n direction {' '.join(map(str, direction))}\n length {length!r}\n"
-                     f" axis {' '.join(str(x) for x in (axes[j] * turn).tolist())} {order}\n {dof}\nend")
-        hierarchy.setdefault(f"b{p}" if p else "root", []).append(f"b{j}")
-        if p:
-            own = R.multiply(R.multiply(R.inverse(frames[j]), clip.rotations[:, p].double()), frames[j])
-            numbers[f"b{j}"] = R.to_euler(own, "ZYX").flip(-1) * turn
-    own = R.multiply(R.multiply(R.inverse(frames[0]), clip.rotations[:, 0].double()), frames[0])
-    numbers = {"root": torch.cat((clip.root_positions.double(), R.to_euler(own, "ZYX").flip(-1) * turn), 1)} | numbers
-    asf = "\n".join([
-        ":version 1.10", ":units", "mass 1.0", "length 1.0", f"angle {'deg' if degrees else 'rad'}", ":root",
-        "order TX TY TZ RX RY RZ", f"axis {order}", "position 0 0 0",
-        f"orientation {' '.join(str(x) for x in (axes[0] * turn).tolist())}", ":bonedata", *bones, ":hierarchy", "begin",
-        *[f" {parent} {' '.join(below)}" for parent, below in hierarchy.items()], "end", ""])
-    rows = [f":FULLY-SPECIFIED\n:{'DEGREES' if degrees else 'RADIANS'}"]
-    for f in range(len(clip)):
-        rows.append(str(f + 1))
-        rows += [" ".join([name, *[f"{x:.{digits}g}" for x in values[f].tolist()]]) for name, values in numbers.items()]
-    return asf, "\n".join(rows) + "\n"
 
 
 def smpl_walk(seconds=1.0):
     """A procedural walk on SMPL's joints."""
     clip = tk.datasets.load("procedural", styles=["Neutral"], gaits=["FW"], seconds=seconds)[0]
-    offsets = npz._rest(22).float()
+    offsets = npz.rest_pose(22).float()
     offsets[1:] += 0.02 * torch.randn(21, 3, generator=torch.Generator().manual_seed(0))
-    return retargeting.retarget(clip, tk.Skeleton(npz.BODY, npz.PARENTS[:22], offsets, roles=npz.ROLES, ends=()))
+    return retargeting.retarget(clip, tk.Skeleton(npz.BODY, npz.PARENTS[:22], offsets,
+                                                  roles=npz.ROLES, ends=()))
 
 
 def axis_angles(q):

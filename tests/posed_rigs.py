@@ -1,4 +1,4 @@
-"""Rigs of other rest poses, local axes, proportions and joints than 100STYLE's: for tests of retargeting and characters."""
+"""Rigs of other rest poses, local axes, proportions and joints than 100STYLE's."""
 
 from collections.abc import Callable
 
@@ -6,8 +6,7 @@ import torch
 
 import toolkit as tk
 from toolkit.datasets.procedural import SKELETON
-from toolkit.motion import local_rotations
-from toolkit.motion import rotations as R
+from toolkit.motion import local_rotations, rotations as R
 
 POSES = ("T-pose", "A-pose", "hanging", "along x", "along y")
 
@@ -28,11 +27,13 @@ def frames_of(pose: str, offsets: torch.Tensor) -> torch.Tensor:
         elif pose.startswith("along"):
             below = [k for k, p in enumerate(SKELETON.parents) if p == j] or [j]
             axis = torch.eye(3)["xy".index(pose[-1])]
-            own[j] = R.between(axis, offsets[below].mean(0) if len(below) > 1 else offsets[below[0]])
+            own[j] = R.between(axis, offsets[below].mean(0) if len(below) > 1
+                               else offsets[below[0]])
     return own
 
 
-def rig(pose: str, *, arms: float = 1.0, legs: float = 1.0, hips: float = 1.0, turned: torch.Tensor | None = None,
+def rig(pose: str, *, arms: float = 1.0, legs: float = 1.0, hips: float = 1.0,
+        turned: torch.Tensor | None = None,
         joints: Callable[[list, list, list], None] | None = None) -> tk.Clip:
     """One frame of a rig in T-pose, with its own names, proportions and local frames."""
     offsets = SKELETON.offsets.clone()
@@ -51,11 +52,12 @@ def rig(pose: str, *, arms: float = 1.0, legs: float = 1.0, hips: float = 1.0, t
     if joints is not None:
         rows, roles, own = joints(*rows, roles, own)
     skeleton = tk.Skeleton(rows[0], rows[1], torch.stack(rows[2]), roles)
-    return tk.Clip(skeleton, local_rotations(skeleton, own[None]), torch.tensor([[0.0, 0.95, 0.0]]), 60.0, name=pose)
+    return tk.Clip(skeleton, local_rotations(skeleton, own[None]), torch.tensor([[0.0, 0.95, 0.0]]),
+                   60.0, name=pose)
 
 
 def with_twists(names: list, parents: list, offsets: list, roles: dict, own: torch.Tensor) -> tuple:
-    """A joint in the middle of each upper arm and thigh, a finger on each hand, a root above the hips."""
+    """A joint in the middle of upper arms and thighs, fingers, a root above the hips."""
     order, rows = ["root"], {"root": (None, torch.zeros(3), R.identity(4)[0])}
     for j, name in enumerate(names):
         above = "root" if parents[j] < 0 else names[parents[j]]
@@ -69,16 +71,20 @@ def with_twists(names: list, parents: list, offsets: list, roles: dict, own: tor
         if name.endswith("Wrist"):
             rows[f"{name}Thumb"] = name, torch.tensor([0.03, 0.02, 0.03]), own[j]
             order.append(f"{name}Thumb")
-    made = [order, [-1 if rows[n][0] is None else order.index(rows[n][0]) for n in order], [rows[n][1] for n in order]]
+    made = [order, [-1 if rows[n][0] is None else order.index(rows[n][0]) for n in order],
+            [rows[n][1] for n in order]]
     return made, roles, torch.stack([rows[n][2] for n in order])
 
 
-def without_toes(names: list, parents: list, offsets: list, roles: dict, own: torch.Tensor) -> tuple:
+def without_toes(names: list, parents: list, offsets: list, roles: dict,
+                 own: torch.Tensor) -> tuple:
     """No toes, and shoulders fixed to the chest."""
     kept = [j for j, name in enumerate(names) if "Toe" not in name and "Collar" not in name]
-    offsets = [o if "Collar" not in names[parents[j]] else o + offsets[parents[j]] for j, o in enumerate(offsets)]
+    offsets = [o if "Collar" not in names[parents[j]]
+               else o + offsets[parents[j]] for j, o in enumerate(offsets)]
     above = [parents[p] if p >= 0 and p not in kept else p for p in parents]
-    made = [[names[j] for j in kept], [kept.index(above[j]) if j else -1 for j in kept], [offsets[j] for j in kept]]
+    made = [[names[j] for j in kept], [kept.index(above[j]) if j else -1 for j in kept],
+            [offsets[j] for j in kept]]
     return made, {role: name for role, name in roles.items() if "toe" not in role}, own[kept]
 
 

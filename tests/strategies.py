@@ -3,8 +3,7 @@
 import torch
 from hypothesis import strategies as st
 
-from toolkit.motion import Clip, Skeleton
-from toolkit.motion import rotations as R
+from toolkit.motion import Clip, Skeleton, rotations as R
 
 seeds = st.integers(0, 2**31 - 1)
 
@@ -35,11 +34,15 @@ def human() -> Skeleton:
     rows = [line.split() for line in HUMAN.splitlines()]
     names = [r[0] for r in rows]
     parents = [-1] + [names.index(r[1]) for r in rows[1:]]
-    return Skeleton(tuple(names), tuple(parents), torch.tensor([[float(v) for v in r[2:]] for r in rows]))
+    return Skeleton(
+        tuple(names), tuple(parents), torch.tensor([[float(v) for v in r[2:]] for r in rows])
+    )
 
 
 def quaternions(seed: int, *shape: int, dtype=torch.float64) -> torch.Tensor:
-    return R.normalize(torch.randn(*shape, 4, generator=torch.Generator().manual_seed(seed), dtype=dtype))
+    return R.normalize(
+        torch.randn(*shape, 4, generator=torch.Generator().manual_seed(seed), dtype=dtype)
+    )
 
 
 def human_clip(seed: int, frames: int = 12, fps: float = 30.0, bend: float = 0.5) -> Clip:
@@ -48,7 +51,9 @@ def human_clip(seed: int, frames: int = 12, fps: float = 30.0, bend: float = 0.5
     skeleton = human()
     angles = bend * (2 * torch.rand(frames, len(skeleton), 3, generator=generator) - 1)
     angles[:, [j for j in range(len(skeleton)) if skeleton.is_end(j)]] = 0
-    position = torch.randn(frames, 3, generator=generator).cumsum(0) * 0.02 + torch.tensor([0.0, 1.0, 0.0])
+    position = torch.randn(frames, 3, generator=generator).cumsum(0) * 0.02 + torch.tensor(
+        [0.0, 1.0, 0.0]
+    )
     return Clip(skeleton, R.from_euler(angles, "YXZ"), position, fps)
 
 

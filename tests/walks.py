@@ -5,7 +5,11 @@ from torch import Tensor, tensor
 from toolkit import runtime
 from toolkit.motion import Clip
 
-WAYS = (0.8, 3.0, (0.0, 1.0)), (1.6, 3.0, (1.0, 0.0)), (0.8, 4.0, (1.0, 1.0))  # m/s, seconds, where to
+WAYS = (  # m/s, seconds, where to
+    (0.8, 3.0, (0.0, 1.0)),
+    (1.6, 3.0, (1.0, 0.0)),
+    (0.8, 4.0, (1.0, 1.0)),
+)
 COMMANDS = [command for way in WAYS for command in runtime.straight(*way)]
 
 #: JavaScript: poses ``[frame][root 3, rotations 4 J']`` of a character through commands in a style.
@@ -25,7 +29,7 @@ def commands(frames: int = len(COMMANDS)) -> list[dict]:
 
 
 def apart(walked: Clip, poses: list[list[float]]) -> Tensor:
-    """How far the farthest joint of `WALK`'s poses is from a rollout's in each frame ``[F]``, mm."""
+    """Distance of the farthest joint of `WALK`'s poses from a rollout's, mm ``[F]``."""
     numbers = tensor(poses)
     clip = Clip(walked.skeleton, numbers[:, 3:].unflatten(-1, (-1, 4)), numbers[:, :3], walked.fps)
     return 1e3 * (clip.global_positions - walked.global_positions).norm(dim=-1).amax(-1)

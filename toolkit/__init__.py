@@ -1,6 +1,7 @@
 """Stylised character animation: Mason et al. 2022 and Park et al. 2021 in plain Python.
 
-Glossary of shapes: B batch, F frames, J joints, K experts, D features. Metres, seconds, radians, Y up, left is +X.
+Glossary of shapes: B batch, F frames, J joints, K experts, D features.
+Units and axes: metres, seconds, radians, Y up, left is +X.
 
 >>> import toolkit as tk
 >>> clips = tk.datasets.load("procedural", styles=["Neutral", "Zombie"])
@@ -9,5 +10,12 @@ Glossary of shapes: B batch, F frames, J joints, K experts, D features. Metres, 
 
 import lazy_loader
 
+from toolkit import extra as extra, registry
+
 __version__ = "0.2.0"
-__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)  # a module is imported when it is first used
+# a module is imported when it is first used
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+
+_writers = {"html": "page", "png": "poses"} | dict.fromkeys(("mp4", "gif", "webp", "apng"), "film")
+for _kind, _writer in _writers.items():
+    registry.register(f"writer.{_kind}", f"toolkit.view.writers:{_writer}")

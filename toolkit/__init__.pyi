@@ -1,30 +1,29 @@
-"""What ``import toolkit`` offers: for the loader, which imports it on first use, and for type checkers."""
+"""What ``import toolkit`` offers.
+
+The loader, which imports each name on first use, and type checkers read this file.
+"""
 
 from . import (
-    course,
     datasets,
     evaluation,
-    export,
     features,
     io,
     motion,
     networks,
     phases,
     runtime,
-    shots,
     styles,
     stylization,
     training,
     view,
 )
 from .evaluation import metrics as metrics
+from .extra import shots as shots
+from .extra.formats.inspection import inspect as inspect
 from .io import bvh as bvh
-from .io.load import inspect as inspect
 from .io.load import load as load
-from .motion import Clip as Clip
-from .motion import Skeleton as Skeleton
-from .motion import contacts as contacts
-from .training import pretrained as pretrained
-from .training import published as published
+from .io.save import save as save
+from .motion import Clip as Clip, Skeleton as Skeleton, contacts as contacts
+from .training import pretrained as pretrained, published as published
 
 __version__: str

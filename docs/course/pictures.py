@@ -1,16 +1,18 @@
-"""Make the moving pictures at the head of notebooks 06 to 12 again: ``python docs/course/pictures.py``, two minutes."""
+"""Make the moving pictures at the head of notebooks 06 to 12 again.
+
+``python docs/course/pictures.py`` takes two minutes.
+"""
 
 import io
 from pathlib import Path
 
 import torch
+from course import losses_page, plane
 from PIL import Image
 
 import toolkit as tk
 from toolkit.datasets import procedural
-from toolkit.stylization import plane
 from toolkit.stylization.losses import LOSSES
-from toolkit.view import losses_page
 
 OUT = Path(__file__).parent
 SHOW = {"fps": 15.0, "height": 150}
@@ -25,7 +27,10 @@ def new_style() -> None:
     model, bank = tk.pretrained()
     bank = tk.styles.fine_tune(model, clip, "Sneak", bank, steps=200).bank
     walk = tk.runtime.straight(tk.metrics.speed(clip), 7.0)
-    rows = [clip.cut(120), *(tk.runtime.rollout(model, walk, bank[name]).cut(180) for name in ("Sneak", "Drunk"))]
+    rows = [
+        clip.cut(120),
+        *(tk.runtime.rollout(model, walk, bank[name]).cut(180) for name in ("Sneak", "Drunk")),
+    ]
     write("new_style", rows, ["the clip", "learnt", "best known"])
 
 
@@ -36,17 +41,32 @@ def feet() -> None:
     contact = torch.stack([state.contacts[0] for state in states])[120:]
     walks = [tk.runtime.record(model, states, feet=locked).cut(120) for locked in (False, True)]
     a, b = tk.view.loop(walks[1])
-    tk.view.animate([clip.cut(a, b) for clip in walks], OUT / "feet.webp", labels=["as predicted", "with foot lock"],
-                    contacts=[contact[a:b]] * 2, view=90.0, **SHOW)
+    tk.view.animate(
+        [clip.cut(a, b) for clip in walks],
+        OUT / "feet.webp",
+        labels=["as predicted", "with foot lock"],
+        contacts=[contact[a:b]] * 2,
+        view=90.0,
+        **SHOW,
+    )
 
 
 def shot() -> None:
     """The shot of notebook 10 without its first half second, from the front of its path."""
-    made = tk.shots.Shot([(0, 0), (1.0, 2.5, 3.0), (-0.6, 4.5), (0, 6, 10.0)],
-                         [(0, "Neutral"), (3, "Neutral"), (6, "Zombie")], holds=[{"seconds": 1.0, "distance": 4.0}])
+    made = tk.shots.Shot(
+        [(0, 0), (1.0, 2.5, 3.0), (-0.6, 4.5), (0, 6, 10.0)],
+        [(0, "Neutral"), (3, "Neutral"), (6, "Zombie")],
+        holds=[{"seconds": 1.0, "distance": 4.0}],
+    )
     clip = made.render(*tk.pretrained()).cut(30)
-    tk.view.animate(clip, OUT / "shot.webp", labels=["Neutral until 3 s, Zombie from 6 s on"], view=35.0, fps=10.0,
-                    height=150)
+    tk.view.animate(
+        clip,
+        OUT / "shot.webp",
+        labels=["Neutral until 3 s, Zombie from 6 s on"],
+        view=35.0,
+        fps=10.0,
+        height=150,
+    )
 
 
 def five_losses() -> None:
@@ -57,12 +77,23 @@ def five_losses() -> None:
         figure = losses_page.losses_figure(toy, ["all five losses", "without cyc", "without ds"])
         frames.append(Image.open(io.BytesIO(figure._repr_png_())).convert("RGB"))
         toy.train(34)
-    frames[0].save(OUT / "five_losses.webp", save_all=True, append_images=frames[1:] + frames[-1:] * 6, duration=150, loop=0)
+    frames[0].save(
+        OUT / "five_losses.webp",
+        save_all=True,
+        append_images=frames[1:] + frames[-1:] * 6,
+        duration=150,
+        loop=0,
+    )
 
 
 def write(name: str, clips: list[tk.Clip], labels: list[str]) -> None:
     """One loop of each clip, side by side."""
-    tk.view.animate([clip.cut(*tk.view.loop(clip)) for clip in clips], OUT / f"{name}.webp", labels=labels, **SHOW)
+    tk.view.animate(
+        [clip.cut(*tk.view.loop(clip)) for clip in clips],
+        OUT / f"{name}.webp",
+        labels=labels,
+        **SHOW,
+    )
 
 
 if __name__ == "__main__":

@@ -1,4 +1,6 @@
-"""Command line: ``python -m experiments seven-models`` trains, measures and shows the seven models of Table 2."""
+"""Command line: ``python -m experiments seven-models`` trains, measures and shows the seven models
+of Table 2.
+"""
 
 import math
 from pathlib import Path
@@ -9,29 +11,39 @@ import typer
 from experiments.seven_models import failures, hundred, load, models, recorded, results, vectors
 from experiments.tables import Result
 from toolkit import datasets, networks, training
-from toolkit.cli import verbs
 from toolkit.evaluation.recognition import Recogniser
-from toolkit.features import store
+from toolkit.extra import store
 from toolkit.training.loss import STEPS
 
+PUBLISHED = "Folder of the published parameters, or lpn-film-100style once fetched."
 app = typer.Typer(invoke_without_command=True)
 
 Names = Annotated[str | None, typer.Option(help="Comma-separated names; default: all.")]
-Out = Annotated[Path, typer.Option(help="Folder of the runs; finished runs in it are not repeated.")]
+Out = Annotated[Path, typer.Option(help="Folder of the runs; finished runs in it are not "
+                                        "repeated.")]
 OUT = Path("out/comparison")
-Named = Annotated[str | None, typer.Option(help="Store the result under this name in docs/results.")]
-ONE_STEP = {"shared": ("MSE", 1, 4), "joints": ("of joints", 1, 4), "mse": ("own MSE", 1, 4), "other": ("other", 1, 4),
+Named = Annotated[str
+                  | None, typer.Option(help="Store the result under this name in docs/results.")]
+ONE_STEP = {"shared": ("MSE", 1, 4), "joints": ("of joints", 1, 4), "mse": ("own MSE", 1, 4),
+            "other": ("other", 1, 4),
             "bone": ("bone mm", 1000, 2)}
-LOOP = {"hands": ("hands", 1, 2), "together": ("together", 1, 2), "recognised": ("style", 1, 2), "speed": ("speed", 1, 2),
+LOOP = {"hands": ("hands", 1, 2), "together": ("together", 1, 2), "recognised": ("style", 1, 2),
+        "speed": ("speed", 1, 2),
         "skate": ("skate", 100, 1), "skate_ik": ("with IK", 100, 1), "path": ("path cm", 100, 1),
-        "steps": ("steps/s", 1, 2), "clavicle": ("clavicle cm", 100, 1), "hand": ("hand cm", 100, 1),
+        "steps": ("steps/s", 1, 2), "clavicle": ("clavicle cm", 100, 1),
+        "hand": ("hand cm", 100, 1),
         "upright": ("upright", 1, 2)}
 EXPLAINED = (
-    "MSE: error on held-out frames of the outputs that all models have (trajectory, joints, contacts), in the data's",
-    "deviations; own MSE: of all outputs of a model; other: the same with another style's vector; bone: mean error of bone",
-    "lengths. hands: range of motion / that of the data (0: stuck); together: difference of both hands' correlation from",
-    "the data's; both for styles whose hands move. style: share of recognised styles; speed / commanded speed; skate: cm/s",
-    "in contact, without and with foot IK; path: distance from an eight; clavicle, hand: distance of their mean pose from",
+    "MSE: error on held-out frames of the outputs that all models have (trajectory, joints, "
+    "contacts), in the data's",
+    "deviations; own MSE: of all outputs of a model; other: the same with another style's "
+    "vector; bone: mean error of bone",
+    "lengths. hands: range of motion / that of the data (0: stuck); together: difference of both "
+    "hands' correlation from",
+    "the data's; both for styles whose hands move. style: share of recognised styles; speed / "
+    "commanded speed; skate: cm/s",
+    "in contact, without and with foot IK; path: distance from an eight; clavicle, hand: "
+    "distance of their mean pose from",
     "the data's; upright: share of styles that do not fall.",
 )
 
@@ -39,48 +51,62 @@ EXPLAINED = (
 @app.callback()
 def compare(
     context: typer.Context,
-    data: Annotated[str | None, typer.Option(help=f"Dataset: {', '.join(datasets.DATASETS)}; or a store's folder.")] = None,
+    data: Annotated[str
+                    | None,
+                    typer.Option(help=f"Dataset: {', '.join(datasets.DATASETS)}; or a store's "
+                                      f"folder.")] = None,
     root: Annotated[Path | None, typer.Option(help="Folder that holds the dataset.")] = None,
     styles: Names = None,
     gaits: Names = None,
     clip_seconds: Annotated[float, typer.Option(help="Length of procedural clips.")] = 20.0,
     names: Annotated[str, typer.Option("--models", help="Comma-separated names, or all.")] = "all",
-    seeds: Annotated[int, typer.Option(min=1, help="Runs of every model, with seeds 0, 1, …")] = 3,
+    seeds: Annotated[int, typer.Option(min=1, help="Runs of every model, seeds 0, 1, …")] = 3,
     steps: Annotated[int, typer.Option(min=1, help="Training steps of every run.")] = 4000,
-    size: Annotated[str, typer.Option(help=f"Sizes of the networks: {', '.join(models.SIZES)}.")] = "small",
-    listed: Annotated[bool, typer.Option("--listed", help="Hold out the test part of the dataset's list (`data split`).")]
+    size: Annotated[str,
+                    typer.Option(help=f"Sizes: {', '.join(models.SIZES)}.")] = "small",
+    listed: Annotated[bool, typer.Option(
+        "--listed", help="Hold out the test part of the dataset's list (`data split`).")]
     = False,
     out: Out = OUT,
     device: Annotated[str, typer.Option(help="Device of the training: cpu, cuda.")] = "cpu",
-    scheduler: Annotated[str | None, typer.Option(help="Address of a Dask scheduler whose workers share the runs.")] = None,
+    scheduler: Annotated[str
+                         | None, typer.Option(help="Address of a Dask scheduler whose workers "
+                                                   "share the runs.")] = None,
 ) -> None:
-    """The seven models of Table 2, trained on the same data, compared one step ahead and in closed loop.
+    """The seven models of Table 2, trained on the same data, compared one step ahead and in closed
+    loop.
 
-    All runs have the same number of steps. The results are stored and printed; runs of other seeds or models that the folder
-    of the same comparison already holds are in the table, too.
+    All runs have the same number of steps. The results are stored and printed; runs of other seeds
+    or models that the folder of the same comparison already holds are in the table, too.
     """
     if context.invoked_subcommand is not None:
         return
     if data is None:
-        raise ValueError(f"--data is missing: a dataset ({', '.join(datasets.DATASETS)}) or the folder of a store")
+        raise ValueError(f"--data is missing: a dataset ({', '.join(datasets.DATASETS)}) or the "
+                         f"folder of a store")
     if size not in models.SIZES:
         raise ValueError(f"unknown size {size!r}; known: {', '.join(models.SIZES)}")
     chosen = tuple(networks.MODELS) if names == "all" else tuple(names.split(","))
     if unknown := [name for name in chosen if name not in networks.MODELS]:
         raise ValueError(f"unknown model {unknown[0]!r}; known: {', '.join(networks.MODELS)}")
-    source = {"data": data, "root": None if root is None else str(root.resolve()), "styles": styles, "gaits": gaits,
+    source = {"data": data, "root": None if root is None else str(root.resolve()), "styles": styles,
+              "gaits": gaits,
               "clip_seconds": clip_seconds if data == "procedural" else None, "listed": listed}
     found = load(**source)
     print(f"{_described(source)}: {found.n_frames:,} frames of {len(found.styles)} styles")
-    show(models.compare(found, source, models.Plan(size, steps, device), chosen, seeds, out, True, scheduler))
+    show(models.compare(found, source, models.Plan(size, steps, device), chosen, seeds, out, True,
+                        scheduler))
     print(f"wrote {out / 'comparison.json'}")
 
 
 @app.command()
 def table2() -> None:
-    """Parameters of the built models at the paper's sizes (25 joints, 95 styles), compared with the printed Table 2."""
+    """Parameters of the built models at the paper's sizes (25 joints, 95 styles), compared with the
+    printed Table 2.
+    """
     rows = networks.table2()
-    print(f"{'':<14}{'A.S.N.':>12}{'S.M.N.':>12}{'P.S.R.':>10}   printed:{'A.S.N.':>12}{'S.M.N.':>12}{'P.S.R.':>10}")
+    print(f"{'':<14}{'A.S.N.':>12}{'S.M.N.':>12}{'P.S.R.':>10}   "
+          f"printed:{'A.S.N.':>12}{'S.M.N.':>12}{'P.S.R.':>10}")
     for row in rows:
         counted, printed = (f"{n[0]:>12,}{n[1]:>12,}{n[2]:>10,}" for n in
                             ((row.synthesis, row.style, row.per_style), row.printed))
@@ -90,8 +116,11 @@ def table2() -> None:
 
 
 @app.command("ceiling")
-def ceiling_(parameters: Annotated[Path, typer.Option("--published", help=verbs.PUBLISHED)], out: Out = OUT) -> None:
-    """The same measures of the published network, on data that it made: the best that a model can do there."""
+def ceiling_(parameters: Annotated[Path, typer.Option("--published", help=PUBLISHED)],
+             out: Out = OUT) -> None:
+    """The same measures of the published network, on data that it made: the best that a model can
+    do there.
+    """
     settings = models.read_json(out / models.SETTINGS)
     data, plan = load(**settings["source"]), models.Plan(settings["size"], settings["steps"])
     recogniser = models.judge(data, out)
@@ -101,8 +130,11 @@ def ceiling_(parameters: Annotated[Path, typer.Option("--published", help=verbs.
 
 @app.command("store")
 def store_(name: Annotated[str, typer.Option(help="Name of the stored result.")],
-           about: Annotated[str, typer.Option(help="A sentence: the data and the budget.")], out: Out = OUT) -> None:
-    """Store the table of a comparison as a result that the pages of docs/ draw (`python -m experiments tables`)."""
+           about: Annotated[str, typer.Option(help="A sentence: the data and the budget.")],
+           out: Out = OUT) -> None:
+    """Store the table of a comparison as a result that the pages of docs/ draw (`python -m
+    experiments tables`).
+    """
     settings = models.read_json(out / models.SETTINGS)
     data, plan = load(**settings["source"]), models.Plan(settings["size"], settings["steps"])
     table = models.collect(data, plan, models.judge(data, out), out)
@@ -110,84 +142,85 @@ def store_(name: Annotated[str, typer.Option(help="Name of the stored result.")]
 
 
 @app.command("recorded")
-def recorded_(model: Annotated[str, typer.Option(help="Which model's runs.")] = "lpn-film", result: Named = None,
+def recorded_(model: Annotated[str, typer.Option(help="Which model's runs.")] = "lpn-film",
+              result: Named = None,
               out: Out = OUT) -> None:
-    """Held-out recordings, followed by the runs of a comparison with --listed: the field's measures."""
+    """Held-out recordings, followed by the runs of a comparison with --listed: the field's
+    measures.
+    """
     settings = models.read_json(out / models.SETTINGS)
     source = settings["source"]
     if not source.get("listed"):
-        raise ValueError(f"{out}: its comparison was not made with --listed, so no take is held out as a whole")
+        raise ValueError(f"{out}: its comparison was not made with --listed, so no take is held "
+                         f"out as a whole")
     root = source["root"]
     parts = datasets.split(source["data"], root)
     names = {block.gait for block in parts.test if block.style in settings["frames"]}
-    clips = [clip for clip in datasets.load(source["data"], root) if clip.name.removesuffix(".bvh") in names]
+    clips = [clip for clip in datasets.load(source["data"], root)
+             if clip.name.removesuffix(".bvh") in names]
     runs = [training.load(path) for path in sorted((out / "runs").glob(f"{model}-*.safetensors"))]
     if not runs:
         raise ValueError(f"{out}: has no run of {model}")
     rows = recorded.compared(runs, clips, Recogniser.load(out / "recogniser.safetensors"))
-    about = f"{len(clips)} held-out takes of {len(settings['frames'])} styles, followed for {recorded.SECONDS:g} s each time"
-    _written(results.recorded(result or "recorded", about, _command(settings) + f", then recorded --model {model}", rows,
-                              {"takes": len(clips), "styles": len(settings["frames"]), "seeds": len(runs),
-                               "seconds": recorded.SECONDS, "walks": len(recorded.moments(clips))}), result)
+    about = (
+        f"{len(clips)} held-out takes of {len(settings['frames'])} styles, followed for "
+        f"{recorded.SECONDS:g} s each time"
+    )
+    _written(results.recorded(result or "recorded", about,
+                              _command(settings) + f", then recorded --model {model}", rows,
+                              {"takes": len(clips), "styles": len(settings["frames"]),
+                               "seeds": len(runs),
+                               "seconds": recorded.SECONDS, "walks": len(recorded.moments(clips))}),
+                               result)
 
 
 @app.command("vectors")
-def vectors_(model: Annotated[str, typer.Option(help="Which model's runs.")] = "lpn-film", result: Named = None,
+def vectors_(model: Annotated[str, typer.Option(help="Which model's runs.")] = "lpn-film",
+             result: Named = None,
              out: Out = OUT) -> None:
-    """Style vectors of one clip, of the mean of many, and fitted to frames, on held-out frames and in closed loop."""
+    """Style vectors of one clip, of the mean of many, and fitted to frames, on held-out frames and
+    in closed loop.
+    """
     settings = models.read_json(out / models.SETTINGS)
     data = load(**settings["source"])
     runs = [training.load(path) for path in sorted((out / "runs").glob(f"{model}-*.safetensors"))]
     rows = vectors.compared(runs, data, models.judge(data, out), progress=True)
     _written(results.vectors(result or "vectors", f"{model}, {len(settings['frames'])} styles",
                              _command(settings) + f", then vectors --model {model}", rows,
-                             {"styles": len(settings["frames"]), "seeds": len(runs), "steps": settings["steps"],
-                              "held-out frames of a style": vectors.FRAMES, "steps for each style": STEPS}),
+                             {"styles": len(settings["frames"]), "seeds": len(runs),
+                              "steps": settings["steps"],
+                              "held-out frames of a style": vectors.FRAMES,
+                              "steps for each style": STEPS}),
              result)
 
 
 @app.command("failures")
 def failures_(
     out: Out = OUT,
-    capacity: Annotated[bool, typer.Option(help="Also train models with fewer styles, to compare errors.")] = True,
-    result: Annotated[str | None, typer.Option(help="Store the cases as docs/results/RESULT-CASE.json.")] = None,
+    capacity: Annotated[bool, typer.Option(help="Also train models with fewer styles, to compare "
+                                                "errors.")] = True,
+    result: Annotated[str
+                      | None, typer.Option(help="Store the cases as "
+                                                "docs/results/RESULT-CASE.json.")] = None,
 ) -> None:
-    """The failure cases of section 5.1, tested on the runs of a finished comparison.
-
-    Prints numbers and results, and draws pictures in OUT/failures.
-    """
-    from experiments.seven_models import figures
-    from toolkit import view
-
+    """The failure cases of section 5.1, tested on the runs of a finished comparison."""
     settings = models.read_json(out / models.SETTINGS)
     data = load(**settings["source"])
-    found = failures.cases(data, out, progress=True, capacity_too=capacity)
-    folder = out / "failures"
-    folder.mkdir(exist_ok=True)
-    figures.save(figures.errors(models.read_json(out / models.TABLE)), folder / "errors.png")
-    figures.save(figures.closed_loop(models.read_json(out / models.TABLE)), folder / "closed_loop.png")
-    for case in found:
+    for case in failures.cases(data, out, progress=True, capacity_too=capacity):
         print(f"\n{case}")
-        name = case.title.lower().replace(" ", "_")
+        name = case.title.lower().replace(" ", "-")
         if result is not None:
-            stored = results.case(f"{result}-{name.replace('_', '-')}", f"{case.section} {case.title}: {case.claim}",
-                                  _command(settings) + ", then failures", case, {"styles": len(settings["frames"])})
+            about, command = (
+                f"{case.section} {case.title}: {case.claim}", _command(settings) + ", then failures"
+            )
+            stored = results.case(f"{result}-{name}", about, command, case,
+                                  {"styles": len(settings["frames"])})
             print(f"wrote {stored.save()}")
-        if not case.drawn:
-            continue
-        if "style" in case.drawn:
-            walks = failures.walks(data, out, case.drawn["models"], case.drawn["style"])
-            figures.save(figures.hands(walks), folder / f"{name}.png")
-            view.strip(list(walks.values()), folder / f"{name}_strip.png", labels=list(walks))
-        else:
-            draw = figures.capacity if "counts" in case.drawn else figures.interpolation
-            figures.save(draw(case), folder / f"{name}.png")
-    print(f"\npictures in {folder}")
 
 
 @app.command("hundred")
 def hundred_(
-    parameters: Annotated[Path, typer.Option("--published", help=verbs.PUBLISHED)],
+    parameters: Annotated[Path, typer.Option("--published", help=PUBLISHED)],
     out: Annotated[Path, typer.Option(help="Folder for the clips, in the layout of 100STYLE.")],
     styles: Names = None,
     seconds: Annotated[float, typer.Option(help="Length of each of a style's eight clips.")] = 12.0,
@@ -213,15 +246,19 @@ def _command(settings: dict) -> str:
     """The command of a comparison, with the places of this machine left out."""
     source = settings["source"]
     data = "STORE" if store.is_store(source["data"]) else source["data"]
-    options = {"styles": source["styles"], "gaits": source["gaits"], "root": source["root"] and "ROOT"}
+    options = {"styles": source["styles"], "gaits": source["gaits"],
+               "root": source["root"] and "ROOT"}
     words = [f"--{name} {value}" for name, value in options.items() if value]
     words += ["--listed"] if source.get("listed") else []
-    return " ".join(["python -m experiments seven-models --data", data, *words, f"--size {settings['size']}",
+    return " ".join(["python -m experiments seven-models --data", data, *words,
+                     f"--size {settings['size']}",
                      f"--steps {settings['steps']}"])
 
 
 def _notes(rows: list) -> dict[tuple[int, str], list[str]]:
-    """Models by the reason why the printed number of their style network differs from the counted one."""
+    """Models by the reason why the printed number of their style network differs from the counted
+    one.
+    """
     found: dict[tuple[int, str], list[str]] = {}
     for row in rows:
         if row.note:
@@ -232,34 +269,45 @@ def _notes(rows: list) -> dict[tuple[int, str], list[str]]:
 def _described(source: dict) -> str:
     """Description of the data."""
     seconds = source["clip_seconds"]
-    parts = Path(source["data"]).name, source["styles"], source["gaits"], seconds and f"{seconds:g} s per clip"
+    parts = (
+        Path(source["data"]).name, source["styles"], source["gaits"],
+        seconds and f"{seconds:g} s per clip"
+    )
     return "; ".join(part.replace(",", ", ") for part in parts if part)
 
 
 def show(table: dict) -> None:
     """Print the result of `experiments.seven_models.models.compare`."""
     settings, on = table["settings"], table["machine"]
-    print(f"\n{_described(settings['source'])}: {len(settings['frames'])} styles; {settings['size']} sizes, "
+    print(f"\n{_described(settings['source'])}: {len(settings['frames'])} styles; "
+          f"{settings['size']} sizes, "
           f"{settings['steps']:,} steps of {settings['batch']} frames")
     print(f"{on['device']}, {on['cores']} cores, {on['threads']} threads, torch {on['torch']}")
     print(f"\n{'one step ahead':<16}" + "".join(f"{title:>18}" for title, *_ in ONE_STEP.values()))
-    rows = table["models"] | ({"ceiling": {"mean": table["ceiling"], "spread": {}}} if "ceiling" in table else {})
+    rows = table["models"] | ({"ceiling": {"mean": table["ceiling"], "spread": {}}}
+                              if "ceiling" in table else {})
     for name, model in rows.items():
-        print(f"{name:<16}" + "".join(f"{_cell(model, key, *how):>18}" for key, (_, *how) in ONE_STEP.items()))
+        print(f"{name:<16}"
+              + "".join(f"{_cell(model, key, *how):>18}" for key, (_, *how) in ONE_STEP.items()))
     for name, error in table["baselines"].items():
         print(f"{name:<16}{error:>18.4f}")
     print(f"\n{'closed loop':<16}" + "".join(f"{title:>14}" for title, *_ in LOOP.values()))
     for name, model in rows.items():
-        print(f"{name:<16}" + "".join(f"{_cell(model, key, *how):>14}" for key, (_, *how) in LOOP.items()))
-    print(f"\n{'cost':<16}{'synthesis':>14}{'style':>14}{'per style':>14}{'ms per frame':>18}{'processor s':>14}"
+        print(f"{name:<16}"
+              + "".join(f"{_cell(model, key, *how):>14}" for key, (_, *how) in LOOP.items()))
+    print(f"\n{'cost':<16}{'synthesis':>14}{'style':>14}{'per style':>14}{'ms per frame':>18}"
+          f"{'processor s':>14}"
           f"{'seeds':>14}")
     for name, model in table["models"].items():
         counts, (mean, spread) = model["counts"], model["frame"]
-        print(f"{name:<16}" + "".join(f"{counts[k]:>14,}" for k in ("synthesis", "style", "per_style"))
-              + f"{f'{mean:.2f} ± {spread:.2f}':>18}{model['mean']['processor']:>14.0f}{len(model['runs']):>14}")
+        print(f"{name:<16}"
+              + "".join(f"{counts[k]:>14,}" for k in ("synthesis", "style", "per_style"))
+              + f"{f'{mean:.2f} ± {spread:.2f}':>18}{model['mean']['processor']:>14.0f}"
+                f"{len(model['runs']):>14}")
     print("\nmean ± deviation over the seeds of means over the styles.", *EXPLAINED, sep="\n")
     if math.isfinite(table["recogniser"]):
-        print(f"The recogniser, trained on the training part, names {table['recogniser']:.0%} of held-out seconds rightly.")
+        print(f"The recogniser, trained on the training part, names {table['recogniser']:.0%} of "
+              f"held-out seconds rightly.")
 
 
 def _cell(model: dict, key: str, scale: float, decimals: int) -> str:

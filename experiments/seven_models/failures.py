@@ -5,65 +5,71 @@ A case confirms the paper if the measures of every seed do.
 
 import dataclasses
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 import torch
-from torch import Tensor
+from course.comparison import shared_error
 from tqdm import tqdm
 
 from experiments.seven_models import interpolation
 from experiments.seven_models.models import (
-    FPS,
     MOVING,
     SETTINGS,
     TABLE,
-    WARM_UP,
     Plan,
     average,
     judge,
     read_json,
-    states,
     trained,
 )
 from experiments.tables import cell
-from toolkit import runtime
-from toolkit.evaluation.models import nearest, shared_error
-from toolkit.features import Features, Layout, natural_speed, splits
-from toolkit.motion import Clip
-from toolkit.runtime import CharacterState, Command
+from toolkit.features import Features, splits
 from toolkit.training import Run
 
 STUCK = 0.5  # range of the hands / that of the data, below which hands are stuck
-NO_GLOBAL_PHASE = ("ArmsAtOtherFrequency", "PendulumHands", "Swimming")  # styles without a global phase, always reported
-COUNTS, COMMON = (4, 8, 16), 4  # numbers of styles; number of styles in all of them, which are compared
+# styles without a global phase, always reported
+NO_GLOBAL_PHASE = ("ArmsAtOtherFrequency", "PendulumHands", "Swimming")
+# numbers of styles; number of styles in all of them, which are compared
+COUNTS, COMMON = (4, 8, 16), 4
 CAPACITY = BLENDED = ("lpn-onehot", "lpn-resad", "lpn-film")
 
 
 @dataclass(frozen=True)
 class Case:
-    """A failure case: the paper's ``claim``, numbers in ``rows`` by model, the ``verdict``, and the data to draw."""
+    """A failure case: the paper's ``claim``, numbers in ``rows`` by model, and the ``verdict``."""
 
     section: str
     title: str
     claim: str
     rows: dict[str, dict[str, float | list[float]]]  # a list has a value per seed
     verdict: str
-    drawn: dict
 
     def __str__(self) -> str:
         """The text to print."""
         columns = next(iter(self.rows.values()))
         head = f"{'':<16}" + "".join(f"{column:>18}" for column in columns)
-        body = (f"{name:<16}" + "".join(f"{cell(v, 3):>18}" for v in row.values()) for name, row in self.rows.items())
-        return "\n".join((f"{self.section} {self.title}", f"The paper: {self.claim}", head, *body, f"Here: {self.verdict}."))
+        body = (
+            f"{name:<16}" + "".join(f"{cell(v, 3):>18}" for v in row.values())
+            for name, row in self.rows.items()
+        )
+        return "\n".join(
+            (
+                f"{self.section} {self.title}",
+                f"The paper: {self.claim}",
+                head,
+                *body,
+                f"Here: {self.verdict}.",
+            )
+        )
 
 
 def stuck_hands(table: dict, model: str, than: str, section: str, title: str, claim: str) -> Case:
     """Range and correlation of the hands in closed loop of two models, relative to the data."""
     runs = {name: table["models"][name]["runs"] for name in (model, than)}
-    moving = [style for style, row in runs[model][0]["styles"].items() if row["hands_data"] > MOVING]
+    moving = [
+        style for style, row in runs[model][0]["styles"].items() if row["hands_data"] > MOVING
+    ]
 
     def over_styles(name: str, key: str) -> list[float]:
         return [average([run["styles"][style][key] for style in moving]) for run in runs[name]]
@@ -71,8 +77,12 @@ def stuck_hands(table: dict, model: str, than: str, section: str, title: str, cl
     def row(found: list[dict]) -> dict[str, float | list[float]]:
         return {
             "range / data": [average([run["styles"][s]["hands"] for s in moving]) for run in found],
-            "|corr. - data's|": [average([run["styles"][s]["together"] for s in moving]) for run in found],
-            f"styles below {STUCK}": [sum(run["styles"][s]["hands"] < STUCK for s in moving) for run in found],
+            "|corr. - data's|": [
+                average([run["styles"][s]["together"] for s in moving]) for run in found
+            ],
+            f"styles below {STUCK}": [
+                sum(run["styles"][s]["hands"] < STUCK for s in moving) for run in found
+            ],
             "of styles": len(moving),
             "recognised": [run["recognised"] for run in found],
         }
@@ -80,89 +90,144 @@ def stuck_hands(table: dict, model: str, than: str, section: str, title: str, cl
     rows = {name: row(found) for name, found in runs.items()}
     if "ceiling" in table:
         rows["published"] = row([table["ceiling"]])
-    stiffer = [b - a for a, b in zip(over_styles(model, "hands"), over_styles(than, "hands"), strict=False)]
-    apart = [a - b for a, b in zip(over_styles(model, "together"), over_styles(than, "together"), strict=False)]
-    share = {style: [average([run["styles"][style]["hands"] for run in runs[name]]) for name in runs] for style in moving}
+    stiffer = [
+        b - a for a, b in zip(over_styles(model, "hands"), over_styles(than, "hands"), strict=False)
+    ]
+    apart = [
+        a - b
+        for a, b in zip(over_styles(model, "together"), over_styles(than, "together"), strict=False)
+    ]
+    share = {
+        style: [average([run["styles"][style]["hands"] for run in runs[name]]) for name in runs]
+        for style in moving
+    }
     worst = max(share, key=lambda style: share[style][1] - share[style][0])
     told = list(dict.fromkeys([*(style for style in NO_GLOBAL_PHASE if style in share), worst]))
-    verdict = (f"{_shown(stiffer)} that the hands of {model} move less than those of {than}, in the {len(moving)} styles "
-               f"whose hands move; {_shown(apart)} that their correlation is farther from the data's. Range / the data's of "
-               f"{model} and {than}: " + ", ".join(f"{s} {share[s][0]:.2f} and {share[s][1]:.2f}" for s in told))
-    return Case(section, title, claim, rows, verdict, {"style": told[0], "models": (model, than)})
+    verdict = (
+        f"{_shown(stiffer)} that the hands of {model} move less than those of {than}, in "
+        f"the {len(moving)} styles "
+        f"whose hands move; {_shown(apart)} that their correlation is farther from the "
+        f"data's. Range / the data's of "
+        f"{model} and {than}: "
+        + ", ".join(f"{s} {share[s][0]:.2f} and {share[s][1]:.2f}" for s in told)
+    )
+    return Case(section, title, claim, rows, verdict)
 
 
 def artifacts(table: dict) -> Case:
-    """Distance of the shoulders' and hands' mean pose from the data's in closed loop, in the mean and in the worst style."""
+    """Distance of the shoulders' and hands' mean pose from the data's in closed loop, in the mean
+    and in the worst style.
+    """
+
     def row(runs: list[dict], end: str = "") -> dict[str, list[float]]:
         found = {}
         for part in ("clavicle", "hand"):
-            values = [[100 * v for r in run["styles"].values() if math.isfinite(v := r[part + end])] for run in runs]
-            found |= {f"{part}, cm": [average(v) for v in values], f"worst {part}, cm": [max(v) for v in values]}
+            values = [
+                [100 * v for r in run["styles"].values() if math.isfinite(v := r[part + end])]
+                for run in runs
+            ]
+            found |= {
+                f"{part}, cm": [average(v) for v in values],
+                f"worst {part}, cm": [max(v) for v in values],
+            }
         return found
 
     runs = {name: table["models"][name]["runs"] for name in CAPACITY}
     rows = {name: row(found) for name, found in runs.items()}
     verdicts = []
     for part in ("clavicle", "hand"):
-        pairs = zip(*(rows[name][f"{part}, cm"] for name in ("lpn-film", "lpn-onehot", "lpn-resad")), strict=False)
+        pairs = zip(
+            *(rows[name][f"{part}, cm"] for name in ("lpn-film", "lpn-onehot", "lpn-resad")),
+            strict=False,
+        )
         worse = [min(onehot, resad) - film for film, onehot, resad in pairs]
-        verdicts.append(f"{_shown(worse)} that one-hot and adapters are farther from the data than FiLM ({part}, cm)")
+        verdicts.append(
+            f"{_shown(worse)} that one-hot and adapters are farther from the data "
+            f"than FiLM ({part}, cm)"
+        )
     if "ceiling" in table:
         rows["published"] = row([table["ceiling"]])
     rows["data, other clips"] = row(next(iter(runs.values()))[:1], "_data")
-    claim = "with many styles, one-hot and adapters get artifacts in shoulders and hands; FiLM does not."
-    return Case("5.1.2", "Artifacts", claim, rows, "; ".join(verdicts), {})
+    claim = (
+        "with many styles, one-hot and adapters get artifacts in shoulders and hands; "
+        "FiLM does not."
+    )
+    return Case("5.1.2", "Artifacts", claim, rows, "; ".join(verdicts))
 
 
 def capacity(data: Features, plan: Plan, folder: Path, progress: bool = False) -> Case:
     """Error of the same few styles as a function of the number of styles in a model.
 
-    All runs have the same budget, so with more styles every model has fewer training steps per style. Runs with fewer styles
-    are trained here (seed 0) and stored. The held-out frames of a style do not depend on the other styles, so all models are
-    compared on the same frames.
+    All runs have the same budget. Runs with fewer styles are trained here (seed 0) and stored. The
+    held-out frames of a style do not depend on the other styles, so all are compared on the same.
     """
-    order = [data.styles[i] for i in torch.randperm(len(data.styles), generator=splits.generator(0)).tolist()]
+    order = [
+        data.styles[i]
+        for i in torch.randperm(len(data.styles), generator=splits.generator(0)).tolist()
+    ]
     counts = [n for n in COUNTS if n < len(order)] + [len(order)]
     share = plan.config("lpn-film", 0).held_out
     scale = splits.split(data, share, 0, tuple(data.styles))[0].normalisers()["outputs"]
     errors: dict[str, dict[str, float]] = {name: {} for name in CAPACITY}
     jobs = [(n, name) for n in counts for name in CAPACITY]
     for n, name in tqdm(jobs, desc="capacity", unit="run", disable=None if progress else True):
-        styles, config, where = tuple(s for s in data.styles if s in order[:n]), plan.config(name, 0), folder
+        styles, config, where = (
+            tuple(s for s in data.styles if s in order[:n]),
+            plan.config(name, 0),
+            folder,
+        )
         if n < len(order):
             config, where = dataclasses.replace(config, styles=styles), folder / "capacity" / str(n)
         run = trained(data, config, where, progress)
         found = shared_error(run.model, run.bank, splits.split(data, share, 0, styles)[1], scale)
         errors[name][f"{n} styles"] = average([found[style] for style in order[:COMMON]])
-    grown = {name: row[f"{counts[-1]} styles"] / row[f"{counts[0]} styles"] for name, row in errors.items()}
+    grown = {
+        name: row[f"{counts[-1]} styles"] / row[f"{counts[0]} styles"]
+        for name, row in errors.items()
+    }
     holds = all(grown["lpn-film"] < grown[name] for name in CAPACITY if name != "lpn-film")
     least = min(CAPACITY, key=lambda name: errors[name][f"{counts[-1]} styles"])
     factors = ", ".join(f"{name} {g:.2f}" for name, g in grown.items())
     return Case(
-        "5.1.2", "Large numbers of styles",
-        "one-hot and residual adapters only shift one hidden layer: artifacts with many styles, which FiLM has not.", errors,
-        f"{'shows' if holds else 'does not show'} (one seed): from {counts[0]} to {counts[-1]} styles, the error of the "
-        f"same {COMMON} styles grows by factors of {factors}; {least} is the best", {"counts": counts, "errors": errors},
+        "5.1.2",
+        "Large numbers of styles",
+        "one-hot and residual adapters only shift one hidden layer: artifacts with many styles, "
+        "which FiLM has not.",
+        errors,
+        f"{'shows' if holds else 'does not show'} (one seed): "
+        f"from {counts[0]} to {counts[-1]} styles, "
+        "the error of the "
+        f"same {COMMON} styles grows by factors of {factors}; {least} is the best",
     )
 
 
 def blends(data: Features, runs: dict[str, list[Run]], folder: Path) -> Case:
     """Change of a walk while its style vector is interpolated to that of another style."""
     recogniser, pairs = judge(data, folder), interpolation.style_pairs(data.styles)
-    curves = {name: [interpolation.blend_walks(run, data, recogniser, pairs) for run in of] for name, of in runs.items()}
+    curves = {
+        name: [interpolation.blend_walks(run, data, recogniser, pairs) for run in of]
+        for name, of in runs.items()
+    }
     numbers = {name: [c.numbers() for c in found] for name, found in curves.items()}
     even = interpolation.blend_data(data, recogniser, pairs)
-    rows = {name: {key: [n[key] for n in found] for key in found[0]} for name, found in numbers.items()}
-    later, wider, rougher = ([a[key] - b[key] for a, b in zip(numbers["lpn-onehot"], numbers["lpn-film"], strict=False)]
-                             for key in ("crosses at", "widest step", "gait's widest"))
+    rows = {
+        name: {key: [n[key] for n in found] for key in found[0]} for name, found in numbers.items()
+    }
+    later, wider, rougher = (
+        [a[key] - b[key] for a, b in zip(numbers["lpn-onehot"], numbers["lpn-film"], strict=False)]
+        for key in ("crosses at", "widest step", "gait's widest")
+    )
     return Case(
-        "5.1.2", "Interpolation", "one-hot keeps the first style until the interpolation is complete; FiLM blends smoothly.",
+        "5.1.2",
+        "Interpolation",
+        "one-hot keeps the first style until the interpolation is complete; FiLM blends smoothly.",
         rows | {"data, blended": even.numbers()},
-        f"{_shown(later)} that one-hot keeps the first style longer than FiLM; {_shown(wider)} that its largest step of the "
-        f"recogniser's odds is larger, and {_shown(rougher)} that its largest step of the gait is larger. The last row is "
+        f"{_shown(later)} that one-hot keeps the first style longer than FiLM; "
+        f"{_shown(wider)} that its largest step of the "
+        f"recogniser's odds is larger, and {_shown(rougher)} that its largest step of "
+        "the gait is larger. "
+        "The last row is "
         "for clips that are blended linearly, and shows the recogniser's own boundary",
-        {"pairs": pairs, "shares": interpolation.shares(), "data": even}
-        | {"models": {name: interpolation.mean(found) for name, found in curves.items()}},
     )
 
 
@@ -172,27 +237,9 @@ def _shown(differences: list[float]) -> str:
     if any(d != d for d in differences):
         return "cannot say"
     seeds = f"{len(differences)} seed" + ("s" if len(differences) > 1 else "")
-    return f"{'shows' if least > 0 else 'does not show'} (by {least:+.2f} to {most:+.2f} in {seeds})"
-
-
-def walks(data: Features, folder: Path, models: Sequence[str], style: str) -> dict[str, Clip]:
-    """Walks of some models of a folder (seed 0) in a style, after a style clip of the data, to draw."""
-    clips, plan = data.clips[style][:], stored_plan(folder)
-    pace = natural_speed(clips)
-    shown = {"data": _treadmill(data.layout, nearest(clips, pace)[0], pace)}
-    commands, warm = [Command((0.0, pace))] * round((WARM_UP + 4) * FPS), round(WARM_UP * FPS)
-    for name in models:
-        run = trained(data, plan.config(name, 0), folder)
-        shown[name] = runtime.record(run.model, states(run.model, commands, run.bank[style][None])[warm:])
-    return {name: clip.replace(style=style, name=name) for name, clip in shown.items()}
-
-
-def _treadmill(layout: Layout, joints: Tensor, pace: float) -> Clip:
-    """Clip of a style clip ``[240, 12 J]``, which has no path, moved straight ahead."""
-    root = torch.zeros(len(joints), 4)
-    root[:, 1], root[:, 3] = torch.arange(len(joints)) * (pace / FPS), 1.0
-    state = CharacterState(root[:, None], root[:, None], joints, *[joints[:, :0]] * 9)
-    return Clip(layout.skeleton, *runtime.pose(layout, state, feet=False), FPS)
+    return (
+        f"{'shows' if least > 0 else 'does not show'} (by {least:+.2f} to {most:+.2f} in {seeds})"
+    )
 
 
 def stored_plan(folder: Path) -> Plan:
@@ -201,8 +248,10 @@ def stored_plan(folder: Path) -> Plan:
     return Plan(settings["size"], settings["steps"])
 
 
-def cases(data: Features, folder: Path, progress: bool = False, capacity_too: bool = True) -> list[Case]:
-    """All cases for the comparison in a folder; additional runs, for `capacity`, are trained and stored there.
+def cases(
+    data: Features, folder: Path, progress: bool = False, capacity_too: bool = True
+) -> list[Case]:
+    """All cases for the comparison in a folder; runs for `capacity` are trained and stored there.
 
     Raises
     ------
@@ -211,16 +260,37 @@ def cases(data: Features, folder: Path, progress: bool = False, capacity_too: bo
     """
     table = read_json(folder / TABLE)
     if missing := {"pfnn-film", "mann-film", *CAPACITY} - table["models"].keys():
-        raise ValueError(f"{folder}: its comparison has no {', '.join(sorted(missing))}; run it with --models all")
+        raise ValueError(
+            f"{folder}: its comparison has no {', '.join(sorted(missing))}; "
+            "run it with --models all"
+        )
     plan = stored_plan(folder)
-    runs = {name: [trained(data, plan.config(name, run["seed"]), folder) for run in table["models"][name]["runs"]]
-            for name in BLENDED}
+    runs = {
+        name: [
+            trained(data, plan.config(name, run["seed"]), folder)
+            for run in table["models"][name]["runs"]
+        ]
+        for name in BLENDED
+    }
     return [
-        stuck_hands(table, "pfnn-film", "lpn-film", "5.1.1", "No global phase",
-                    "the one phase of the PFNN follows the feet, so hands and arms get stuck or do not swing together."),
+        stuck_hands(
+            table,
+            "pfnn-film",
+            "lpn-film",
+            "5.1.1",
+            "No global phase",
+            "the one phase of the PFNN follows the feet, so hands and arms get stuck or do not "
+            "swing together.",
+        ),
         artifacts(table),
         *([capacity(data, plan, folder, progress)] if capacity_too else []),
         blends(data, runs, folder),
-        stuck_hands(table, "mann-film", "lpn-film", "5.1.3", "No phase features",
-                    "the MANN is competitive, but arms can get stuck where limbs have cycles of their own."),
+        stuck_hands(
+            table,
+            "mann-film",
+            "lpn-film",
+            "5.1.3",
+            "No phase features",
+            "the MANN is competitive, but arms can get stuck where limbs have cycles of their own.",
+        ),
     ]

@@ -1,4 +1,6 @@
-"""Train and measure all models with the same data, seeds and budget; runs and measures are stored and can be resumed."""
+"""Train and measure all models with the same data, seeds and budget; runs and measures are stored
+and can be resumed.
+"""
 
 import dataclasses
 import json
@@ -13,6 +15,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import torch
+from course.comparison import block_errors, hands, over_columns, shared_baselines
 from torch import Tensor
 from tqdm import tqdm
 
@@ -20,10 +23,10 @@ from experiments.closed_loop import eight
 from experiments.seven_models.posture import posture_error
 from toolkit import datasets, features, networks, published, runtime, training
 from toolkit.evaluation import metrics, recognition
-from toolkit.evaluation.models import block_errors, hands, over_columns, shared_baselines
 from toolkit.evaluation.recognition import Recogniser
-from toolkit.features import Features, Layout, Normaliser, Split, natural_speed, splits, store
-from toolkit.features.store.workers import completed, executor
+from toolkit.extra import store
+from toolkit.extra.store.workers import completed, executor
+from toolkit.features import Features, Layout, Normaliser, Split, natural_speed, splits
 from toolkit.io import model_files
 from toolkit.io.files import atomic_write
 from toolkit.networks import Model, Sizes
@@ -32,15 +35,18 @@ from toolkit.runtime import FPS, CharacterState, Command
 from toolkit.training import Config, Run
 from toolkit.training.run import STYLE_RATES
 
-WARM_UP, PACE = 2.0, 1.0  # seconds at the start of a walk that are not measured; m/s along the eight
+# seconds at the start of a walk that are not measured; m/s along the eight
+WARM_UP, PACE = 2.0, 1.0
 MOVING = 0.06  # metres, least range of moving hands
 HANDS = ("hands", "hands_data", "swing", "swing_data", "together")
 SETTINGS, TABLE, CEILING = "settings.json", "comparison.json", "ceiling.json"
 ALONE = threading.Lock()  # of a process's jobs
 HELD_OUT = 0.1  # share of every style's frames
 SIZES = {
-    "tiny": Sizes(hidden=32, experts=4, gating=16, film_channels=8, film_kernel=5, film_dense=32, dropout=0.0),
-    "small": Sizes(hidden=128, gating=16, film_channels=16, film_kernel=9, film_dense=128, rank=16, dropout=0.1),
+    "tiny": Sizes(hidden=32, experts=4, gating=16, film_channels=8, film_kernel=5, film_dense=32,
+                  dropout=0.0),
+    "small": Sizes(hidden=128, gating=16, film_channels=16, film_kernel=9, film_dense=128, rank=16,
+                   dropout=0.1),
     "medium": Sizes.small(),
     "paper": Sizes(),
 }  # values of ``--size``
@@ -55,27 +61,34 @@ class Plan:
     device: str = "cpu"
     walk: float = 8.0  # measured seconds of the straight walk, at least 4
     radius: float = 1.5  # metres, of both loops of the eight
-    recogniser_steps: int | None = None  # training steps of the recogniser; by default 20 per style, at least 200
+    # training steps of the recogniser; by default 20 per style, at least 200
+    recogniser_steps: int | None = None
 
     def config(self, model: str, seed: int) -> Config:
-        """Training settings of one run: equal for all runs except `toolkit.training.run.STYLE_RATES`.
+        """Training settings of one run: equal for all runs except
+        `toolkit.training.run.STYLE_RATES`.
 
-        FiLM's style vectors are means over clips, as in the paper; `experiments.seven_models.vectors` compares fitted ones.
+        FiLM's style vectors are means over clips, as in the paper;
+        `experiments.seven_models.vectors` compares fitted ones.
         """
-        return Config.quick(model=model, sizes=SIZES[self.size], steps=self.steps, seed=seed, device=self.device,
+        return Config.quick(model=model, sizes=SIZES[self.size], steps=self.steps, seed=seed,
+                            device=self.device,
                             evaluate_every=max(1, self.steps // 2), held_out=HELD_OUT, refit=0)
 
 
-def load(data: str, root: str | None, styles: str | None, gaits: str | None, clip_seconds: float | None,
+def load(data: str, root: str | None, styles: str | None, gaits: str | None,
+         clip_seconds: float | None,
          listed: bool = False) -> Features:
     """Features of a dataset or a store, with the same held-out frames for every seed.
 
-    They are those of a store, or of the dataset's list (`toolkit.datasets.split`) if ``listed``, or random ones.
+    They are those of a store, or of the dataset's list (`toolkit.datasets.split`) if ``listed``, or
+    random ones.
     """
     chosen = [None if names is None else names.split(",") for names in (styles, gaits)]
     if store.is_store(data):
         if root or gaits or listed:
-            raise ValueError(f"{data}: a store allows no --root, --gaits and --listed, only --styles")
+            raise ValueError(f"{data}: a store allows no --root, --gaits and --listed, only "
+                             f"--styles")
         found = store.load(data, chosen[0])
     else:
         options = {"seconds": clip_seconds} if data == "procedural" else {}
@@ -83,30 +96,35 @@ def load(data: str, root: str | None, styles: str | None, gaits: str | None, cli
         if listed:
             return splits.listed(clips, datasets.split(data, root), progress=True)
         found = features.build(clips, short="skip", progress=True)
-    held_out = found.split or Split(None, None, splits.held_out(found, HELD_OUT, 0, tuple(found.styles)))
+    held_out = found.split or Split(None, None,
+                                    splits.held_out(found, HELD_OUT, 0, tuple(found.styles)))
     return dataclasses.replace(found, split=dataclasses.replace(held_out, share=None, seed=None))
 
 
 def settle(folder: Path, plan: Plan, data: Features, source: dict) -> dict:
-    """Store the settings of a folder, or compare them with the stored ones, and return them; ``source`` describes the data.
+    """Store the settings of a folder, or compare them with the stored ones, and return them;
+    ``source`` describes the data.
 
     Raises
     ------
     ValueError
         If the folder holds a comparison of other data, size or budget.
     """
-    own = {"size": plan.size, "steps": plan.steps, "frames": {s: len(x) for s, x in data.inputs.items()}}
+    own = {"size": plan.size, "steps": plan.steps,
+           "frames": {s: len(x) for s, x in data.inputs.items()}}
     path = folder / SETTINGS
     if not path.exists():
         write_json(path, own | {"source": source})
     held = read_json(path)
     if why := model_files.difference({key: held[key] for key in own}, own):
-        raise ValueError(f"{folder}: holds a comparison with other settings ({why}); choose another --out")
+        raise ValueError(f"{folder}: holds a comparison with other settings ({why}); choose "
+                         f"another --out")
     return held
 
 
 def trained(data: Features, config: Config, folder: Path, progress: bool = False) -> Run:
-    """The run of a config in a folder: read from its file, or trained, from its checkpoint if there is one.
+    """The run of a config in a folder: read from its file, or trained, from its checkpoint if there
+    is one.
 
     Raises
     ------
@@ -117,7 +135,8 @@ def trained(data: Features, config: Config, folder: Path, progress: bool = False
     if path.exists():
         run = training.load(path)
         if why := model_files.difference(config.fixed(), run.config.fixed()):
-            raise ValueError(f"{path}: was trained with other settings ({why}); choose another --out")
+            raise ValueError(f"{path}: was trained with other settings ({why}); choose another "
+                             f"--out")
         return run
     path.parent.mkdir(parents=True, exist_ok=True)
     checkpoint = path.with_suffix(".checkpoint")
@@ -128,11 +147,14 @@ def trained(data: Features, config: Config, folder: Path, progress: bool = False
 
 
 def judge(data: Features, folder: Path, steps: int | None = None) -> Recogniser:
-    """The recogniser of a folder: read from its file, or trained on the style clips of the training frames."""
+    """The recogniser of a folder: read from its file, or trained on the style clips of the training
+    frames.
+    """
     path = folder / "recogniser.safetensors"
     if not path.exists():
         train = splits.split(data, HELD_OUT, 0, tuple(data.styles))[0]
-        recognition.train(train, steps=steps or max(recognition.STEPS, 20 * len(data.styles))).save(path)
+        recognition.train(train,
+                          steps=steps or max(recognition.STEPS, 20 * len(data.styles))).save(path)
     return Recogniser.load(path)
 
 
@@ -148,80 +170,104 @@ def measured(run: Run, data: Features, plan: Plan, recogniser: Recogniser, folde
     if not path.exists():
         styles = both(run.model, run.bank, data, recogniser, plan)
         last = run.history[-1]
-        write_json(path, {"seed": run.config.seed, "seconds": last["elapsed"], "processor": last["processor"],
-                          "steps": last["step"], "history": run.history, "counts": networks.counts(run.model),
+        write_json(path,
+                   {"seed": run.config.seed, "seconds": last["elapsed"],
+                    "processor": last["processor"],
+                          "steps": last["step"], "history": run.history,
+                          "counts": networks.counts(run.model),
                           "frame": frame_time(run.model, run.bank.vectors[0]),
                           "styles": {s: row | run.held_out[s] for s, row in styles.items()}})
     return read_json(path)
 
 
-def both(model: Model, bank: StyleBank, data: Features, recogniser: Recogniser, plan: Plan) -> dict[str, dict[str, float]]:
-    """Measures of every style: those of `one_step` on held-out frames, and those of `closed_loop`."""
+def both(model: Model, bank: StyleBank, data: Features, recogniser: Recogniser,
+         plan: Plan) -> dict[str, dict[str, float]]:
+    """Measures of every style: those of `one_step` on held-out frames, and those of
+    `closed_loop`.
+    """
     train, test = splits.split(data, HELD_OUT, 0, tuple(data.styles))
     errors = one_step(model, bank, test, train.normalisers()["outputs"])
     loop = closed_loop(model, bank, data, recogniser, plan)
     return {s: {**errors[s], **loop[s]} for s in errors}
 
 
-def one_step(model: Model, bank: StyleBank, test: Features, scale: Normaliser) -> dict[str, dict[str, float]]:
-    """``joints``: the error of the joint features; ``shared``: that of all columns that all models predict (`shared_error`).
+def one_step(model: Model, bank: StyleBank, test: Features,
+             scale: Normaliser) -> dict[str, dict[str, float]]:
+    """``joints``: the error of the joint features; ``shared``: that of all columns that all models
+    predict (`shared_error`).
 
-    A model with another trajectory window, such as the published network, sees and predicts its own, and has no ``shared``.
+    A model with another trajectory window, such as the published network, sees and predicts its
+    own, and has no ``shared``.
     """
     if model.layout.samples == test.layout.samples:
         return {style: {"shared": over_columns(test.layout, found), "joints": found["joints"]}
                 for style, found in block_errors(model, bank, test, scale).items()}
     test = resampled(test, model.layout)
-    return {style: {"joints": found["joints"]} for style, found in block_errors(model, bank, test, scale).items()}
+    return {style: {"joints": found["joints"]}
+            for style, found in block_errors(model, bank, test, scale).items()}
 
 
 def resampled(data: Features, layout: Layout) -> Features:
-    """Features of a store, with the trajectory window of another layout, without rows whose window leaves their take."""
-    reach, kinds = layout.samples[-1] - data.layout.samples[-1], {kind: {} for kind in features.FRAME_KINDS}
+    """Features of a store, with the trajectory window of another layout, without rows whose window
+    leaves their take.
+    """
+    reach, kinds = layout.samples[-1] - data.layout.samples[-1], {kind: {}
+                                                                  for kind in features.FRAME_KINDS}
     for style in data.styles:
         at, takes = data.inputs[style].at, data.takes[style]
         own = dataclasses.replace(data.inputs[style].derive.__self__, layout=layout)
         last = {int(take): int(at[takes == take].max()) for take in takes.unique()}
         inside = at <= torch.tensor([last[int(take)] for take in takes]) - max(0, reach)
-        for kind, derive in zip(kinds, (own.inputs, own.phases.__getitem__, own.outputs), strict=True):
+        for kind, derive in zip(kinds, (own.inputs, own.phases.__getitem__, own.outputs),
+                                strict=True):
             kinds[kind][style] = features.Rows(derive, at[inside])
-    return dataclasses.replace(data, layout=layout, split=None, statistics=None, frames=None, **kinds)
+    return dataclasses.replace(data, layout=layout, split=None, statistics=None, frames=None,
+                               **kinds)
 
 
-def ceiling(parameters: str | os.PathLike, data: Features, recogniser: Recogniser, plan: Plan, folder: Path) -> dict:
+def ceiling(parameters: str | os.PathLike, data: Features, recogniser: Recogniser, plan: Plan,
+            folder: Path) -> dict:
     """The measures of the network that made the data: read from their file, or computed.
 
-    ``parameters`` is the folder of the published ones. Foot IK has changed the data, so its error is not 0.
+    ``parameters`` is the folder of the published ones. Foot IK has changed the data, so its error
+    is not 0.
     """
     path = folder / CEILING
     if not path.exists():
         model, bank = published.load(parameters)
         speeds = [natural_speed(data.clips[style][:]) for style in data.styles]
-        bank = StyleBank(tuple(data.styles), torch.stack([bank[style] for style in data.styles]), torch.tensor(speeds))
+        bank = StyleBank(tuple(data.styles), torch.stack([bank[style] for style in data.styles]),
+                         torch.tensor(speeds))
         write_json(path, {"styles": both(model, bank, data, recogniser, plan)})
     return read_json(path)
 
 
 def over_styles(styles: dict[str, dict[str, float]]) -> dict[str, float]:
-    """Means of measures over the styles; measures of hands only over styles whose hands move in the data."""
+    """Means of measures over the styles; measures of hands only over styles whose hands move in the
+    data.
+    """
     moving = [row for row in styles.values() if row["hands_data"] > MOVING]
     every = list(styles.values())
-    return {key: average([row[key] for row in (moving if key in HANDS else every)]) for key in every[0]}
+    return {key: average([row[key] for row in (moving if key in HANDS else every)])
+            for key in every[0]}
 
 
 def closed_loop(model: Model, bank: StyleBank, data: Features, recogniser: Recogniser,
                 plan: Plan) -> dict[str, dict[str, float]]:
-    """Measures of every style in closed loop: straight ahead at the style's usual speed in the data, then along an eight.
+    """Measures of every style in closed loop: straight ahead at the style's usual speed in the
+    data, then along an eight.
 
     Returns
     -------
     dict
-        Per style: ``upright`` (1, or 0 if it fell or a value is not finite); ``speed`` / commanded speed; ``skate`` and
-        ``skate_ik``, m/s of the toes in contact without and with foot IK, for the worse foot; ``path``, metres from the
-        eight; ``hands``, the range of the hands divided by that in the style clips with the nearest velocity,
-        ``hands_data`` metres; ``swing`` and ``swing_data``, the correlation of both hands, and ``together``, their absolute
-        difference; ``clavicle`` and ``hand``, metres from the data's mean pose, see `posture_error`; ``steps`` per second;
-        ``probability`` of the right style by the recogniser, and whether it is ``recognised``, in the straight walk.
+        Per style: ``upright`` (1, or 0 if it fell or a value is not finite); ``speed`` / commanded
+        speed; ``skate`` and ``skate_ik``, m/s of the toes in contact without and with foot IK, for
+        the worse foot; ``path``, metres from the eight; ``hands``, the range of the hands divided
+        by that in the style clips with the nearest velocity, ``hands_data`` metres; ``swing`` and
+        ``swing_data``, the correlation of both hands, and ``together``, their absolute difference;
+        ``clavicle`` and ``hand``, metres from the data's mean pose, see `posture_error`; ``steps``
+        per second; ``probability`` of the right style by the recogniser, and whether it is
+        ``recognised``, in the straight walk.
     """
     speeds = {style: bank.speed(style) for style in data.styles}
     vectors = torch.stack([bank[style] for style in data.styles])
@@ -239,26 +285,36 @@ def closed_loop(model: Model, bank: StyleBank, data: Features, recogniser: Recog
         row |= hands(data.layout, joints[i], clips, row["speed"])
         row |= posture_error(data.layout, joints[i], clips, row["speed"])
         right = recogniser.styles.index(style)
-        row |= {"probability": float(seen[i, right]), "recognised": float(seen[i].argmax() == right)}
+        row |= {"probability": float(seen[i, right]),
+                "recognised": float(seen[i].argmax() == right)}
         rows[style] = row | {"speed": row["speed"] / speeds[style]}
     return rows
 
 
-def states(model: Model, commands: Sequence, vectors: Tensor, first: CharacterState | None = None) -> list[CharacterState]:
-    """All states of a crowd, one character per style vector, without the vectors, which may be large."""
-    return [dataclasses.replace(s, style=s.style[:, :0]) for s in runtime.states(model, commands, vectors, first)]
+def states(model: Model, commands: Sequence, vectors: Tensor,
+           first: CharacterState | None = None) -> list[CharacterState]:
+    """All states of a crowd, one character per style vector, without the vectors, which may be
+    large.
+    """
+    return [dataclasses.replace(s, style=s.style[:, :0])
+            for s in runtime.states(model, commands, vectors, first)]
 
 
-def _gait(model: Model, walk: list[CharacterState], laps: list[CharacterState], course: Tensor, i: int) -> dict[str, float]:
+def _gait(model: Model, walk: list[CharacterState], laps: list[CharacterState], course: Tensor,
+          i: int) -> dict[str, float]:
     contact = torch.stack([s.contacts[i] for s in walk])
     try:
-        plain, clip = (runtime.record(model, walk, feet=ik, arms=ik, character=i) for ik in (False, True))
+        plain, clip = (runtime.record(model, walk, feet=ik, arms=ik, character=i)
+                       for ik in (False, True))
         lap = runtime.record(model, laps, feet=False, arms=False, character=i)
     except ValueError:  # a Clip refuses numbers that are not finite
-        return {"upright": 0.0} | dict.fromkeys(("speed", "skate", "skate_ik", "path", "steps"), math.nan)
-    skate, skate_ik = (max((v for v in metrics.foot_skate(c, contact).values() if not math.isnan(v)), default=math.nan)
+        return {"upright": 0.0} | dict.fromkeys(("speed", "skate", "skate_ik", "path", "steps"),
+                                                math.nan)
+    skate, skate_ik = (max((v for v in metrics.foot_skate(c, contact).values()
+                            if not math.isnan(v)), default=math.nan)
                        for c in (plain, clip))
-    return {"upright": float(metrics.upright(clip) and metrics.upright(lap)), "speed": metrics.speed(clip),
+    return {"upright": float(metrics.upright(clip) and metrics.upright(lap)),
+            "speed": metrics.speed(clip),
             "skate": skate, "skate_ik": skate_ik, "path": metrics.path_error(lap, course),
             "steps": metrics.feet(clip, contact)["steps"]}
 
@@ -279,7 +335,8 @@ def frame_time(model: Model, style: Tensor, runs: int = 5, frames: int = 60) -> 
 def job(source: dict, plan: Plan, name: str, seed: int, folder: Path) -> None:
     """Train and measure one run of a comparison, in a process that may be on another machine.
 
-    A worker may have several threads; they take turns, because torch has one random state for all threads of a process.
+    A worker may have several threads; they take turns, because torch has one random state for all
+    threads of a process.
     """
     with ALONE:
         data = load(**source)
@@ -287,12 +344,13 @@ def job(source: dict, plan: Plan, name: str, seed: int, folder: Path) -> None:
         measured(run, data, plan, judge(data, folder, plan.recogniser_steps), folder)
 
 
-def compare(data: Features, source: dict, plan: Plan, models: Sequence[str], seeds: int, folder: Path,
+def compare(data: Features, source: dict, plan: Plan, models: Sequence[str], seeds: int,
+            folder: Path,
             progress: bool = False, scheduler: str | None = None) -> dict:
     """Train and measure models with seeds 0, 1 …; finished runs in the folder are not repeated.
 
-    ``scheduler`` is the address of a Dask scheduler whose workers share the runs; they need the data and the folder under
-    the same paths.
+    ``scheduler`` is the address of a Dask scheduler whose workers share the runs; they need the
+    data and the folder under the same paths.
 
     Returns
     -------
@@ -311,7 +369,8 @@ def compare(data: Features, source: dict, plan: Plan, models: Sequence[str], see
                 bar.update()
     else:
         for name, seed in jobs:
-            measured(trained(data, plan.config(name, seed), folder, progress), data, plan, recogniser, folder)
+            measured(trained(data, plan.config(name, seed), folder, progress), data, plan,
+                     recogniser, folder)
             bar.update()
     return collect(data, plan, recogniser, folder)
 
@@ -322,17 +381,20 @@ def collect(data: Features, plan: Plan, recogniser: Recogniser, folder: Path) ->
     Returns
     -------
     dict
-        ``settings``, ``machine``, ``baselines``, ``recogniser`` (share of held-out windows that it names rightly) and
-        ``models``. A model has its parameter ``counts``, the milliseconds of a ``frame``, its ``runs`` in the order of the
-        seeds, and the ``mean`` and ``spread`` (deviation) of every measure over the seeds; ``ceiling`` is a run, too.
+        ``settings``, ``machine``, ``baselines``, ``recogniser`` (share of held-out windows that it
+        names rightly) and ``models``. A model has its parameter ``counts``, the milliseconds of a
+        ``frame``, its ``runs`` in the order of the seeds, and the ``mean`` and ``spread``
+        (deviation) of every measure over the seeds; ``ceiling`` is a run, too.
     """
     for path in (folder / "measures").glob("*.json"):
         _complete(path, folder, data)
-    found = {name: sorted((_run(read_json(path)) for path in (folder / "measures").glob(f"{name}-*.json")),
+    found = {name: sorted((_run(read_json(path))
+                           for path in (folder / "measures").glob(f"{name}-*.json")),
                           key=lambda run: run["seed"]) for name in networks.MODELS}
     config = plan.config("lpn-film", 0)
     table = {
-        "settings": read_json(folder / SETTINGS) | {"batch": config.batch, "rate": config.rate, "style_rates": STYLE_RATES},
+        "settings": read_json(folder / SETTINGS)
+        | {"batch": config.batch, "rate": config.rate, "style_rates": STYLE_RATES},
         "machine": machine(plan.device), "recogniser": accuracy(recogniser, data),
         "baselines": shared_baselines(data, HELD_OUT, 0),
         "models": {name: {"counts": runs[0]["counts"], "frame": runs[0]["frame"], **_summary(runs)}
@@ -350,33 +412,47 @@ def _complete(path: Path, folder: Path, data: Features) -> None:
     if not all("joints" in row for row in held["styles"].values()):
         run = training.load(folder / "runs" / f"{path.stem}.safetensors")
         train, test = splits.split(data, HELD_OUT, 0, tuple(data.styles))
-        for style, errors in one_step(run.model, run.bank, test, train.normalisers()["outputs"]).items():
+        for style, errors in one_step(run.model, run.bank, test,
+                                      train.normalisers()["outputs"]).items():
             held["styles"][style] |= errors
         write_json(path, held)
 
 
 def accuracy(recogniser: Recogniser, data: Features) -> float:
-    """Share of the seconds of held-out motion that are recognised, mean over the styles; a second is 60 frames in a row."""
+    """Share of the seconds of held-out motion that are recognised, mean over the styles; a second
+    is 60 frames in a row.
+    """
     test = splits.split(data, HELD_OUT, 0, tuple(data.styles))[1]
     joints, right = data.layout.inputs["joints"], []
     for number, style in enumerate(recogniser.styles):
-        rows = torch.arange(len(test.inputs[style]) // recognition.WINDOW * recognition.WINDOW).view(-1, recognition.WINDOW)
-        together = test.frames[style][rows][:, -1] - test.frames[style][rows][:, 0] == recognition.WINDOW - 1
+        size = recognition.WINDOW
+        rows = (
+            torch.arange(len(test.inputs[style]) // size * size).view(-1, size)
+        )
+        together = (
+            test.frames[style][rows][:, -1] - test.frames[style][rows][:, 0] == size - 1
+        )
         if together.any():
-            windows = test.inputs[style][rows[together].flatten()][:, joints].unflatten(0, (-1, recognition.WINDOW))
-            right.append(float((recogniser.probabilities(windows).argmax(-1) == number).float().mean()))
+            windows = test.inputs[style][rows[together].flatten()][:, joints].unflatten(
+                0, (-1, size))
+            named = recogniser.probabilities(windows).argmax(-1)
+            right.append(float((named == number).float().mean()))
     return average(right)
 
 
 def _run(held: dict) -> dict:
-    """A run's measures with their means over the styles; ``trained`` is its number of training steps."""
+    """A run's measures with their means over the styles; ``trained`` is its number of training
+    steps.
+    """
     return {"trained": held.get("steps", 0)} | held | over_styles(held["styles"])
 
 
 def _summary(runs: list[dict]) -> dict:
-    keys = [key for key, value in runs[0].items() if isinstance(value, int | float) and key != "seed"]
+    keys = [key for key, value in runs[0].items() if isinstance(value, int | float)
+            and key != "seed"]
     spreads = {key: _spread([run[key] for run in runs]) for key in keys}
-    return {"runs": runs, "mean": {k: v[0] for k, v in spreads.items()}, "spread": {k: v[1] for k, v in spreads.items()}}
+    return {"runs": runs, "mean": {k: v[0] for k, v in spreads.items()},
+            "spread": {k: v[1] for k, v in spreads.items()}}
 
 
 def _spread(values: list[float]) -> tuple[float, float]:
@@ -391,7 +467,8 @@ def average(values: Sequence[float]) -> float:
 def machine(device: str) -> dict[str, str | int]:
     """Description of the machine."""
     where = torch.cuda.get_device_name(device) if device.startswith("cuda") else platform.machine()
-    return {"device": where, "cores": os.cpu_count() or 1, "threads": torch.get_num_threads(), "torch": torch.__version__}
+    return {"device": where, "cores": os.cpu_count() or 1, "threads": torch.get_num_threads(),
+            "torch": torch.__version__}
 
 
 def read_json(path: Path) -> dict:
@@ -399,7 +476,8 @@ def read_json(path: Path) -> dict:
     try:
         return json.loads(path.read_text(encoding="utf-8"))
     except FileNotFoundError:
-        raise ValueError(f"{path}: missing; `seven-models --data … --out {path.parent}` makes it") from None
+        how = f"`seven-models --data … --out {path.parent}` makes it"
+        raise ValueError(f"{path}: missing; {how}") from None
     except (OSError, json.JSONDecodeError) as error:
         raise ValueError(f"{path}: cannot be read ({error})") from error
 

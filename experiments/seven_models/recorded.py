@@ -1,7 +1,9 @@
-"""Characters that follow the paths of held-out recordings, measured with the field's measures beside the recordings.
+"""Characters that follow the paths of held-out recordings, measured with the field's measures
+beside the recordings.
 
-A character starts in a frame of a take, with the take's past second, pose and phases. A pilot keeps it on the take's path:
-it knows where the take's root is `LOOKAHEAD` later. So clip i and recording i have the same start, path and style.
+A character starts in a frame of a take, with the take's past second, pose and phases. A pilot keeps
+it on the take's path: it knows where the take's root is `LOOKAHEAD` later. So clip i and recording
+i have the same start, path and style.
 """
 
 import dataclasses
@@ -44,11 +46,14 @@ class Moment:
     def still(self) -> Clip:
         """The frame held still as long: the simplest continuation."""
         frames = torch.full((round(SECONDS * FPS),), self.at)
-        return self.clip.replace(rotations=self.clip.rotations[frames], root_positions=self.clip.root_positions[frames])
+        return self.clip.replace(rotations=self.clip.rotations[frames],
+                                 root_positions=self.clip.root_positions[frames])
 
 
 def moments(clips: Iterable[Clip]) -> list[Moment]:
-    """A moment every `SECONDS` of clips, each with a second before it; ValueError if no clip is long enough."""
+    """A moment every `SECONDS` of clips, each with a second before it; ValueError if no clip is
+    long enough.
+    """
     found = []
     for clip in clips:
         clip = clip.resample(FPS)
@@ -57,7 +62,8 @@ def moments(clips: Iterable[Clip]) -> list[Moment]:
         if not at:
             continue
         own = features.own_features(clip, phases.extract(clip))
-        world = torch.cat((own.roots.positions[:, [0, 2]], torch.stack(trajectory.heading(own.roots.rotations), -1)), -1)
+        world = torch.cat((own.roots.positions[:, [0, 2]],
+                           torch.stack(trajectory.heading(own.roots.rotations), -1)), -1)
         found += [Moment(clip, own, world, t) for t in at]
     if not found:
         raise ValueError(f"no clip has the {1 + SECONDS:g} s that it takes to follow it")
@@ -65,7 +71,9 @@ def moments(clips: Iterable[Clip]) -> list[Moment]:
 
 
 def beginning(model: Model, some: Sequence[Moment], vectors: Tensor) -> CharacterState:
-    """Characters in the poses and on the paths of recorded moments, with style vectors ``[B, D]``."""
+    """Characters in the poses and on the paths of recorded moments, with style vectors ``[B,
+    D]``.
+    """
     layout, past = model.layout, torch.arange(-trajectory.PAST, 1)
     x = torch.cat([m.own.inputs(torch.tensor([m.at])) for m in some])
     p = torch.cat([m.own.phases[m.at][None] for m in some])
@@ -75,47 +83,61 @@ def beginning(model: Model, some: Sequence[Moment], vectors: Tensor) -> Characte
     state = CharacterState(
         history=torch.stack([m.world[m.at + past] for m in some]),
         future=torch.stack([m.world[m.at + torch.tensor(layout.ahead)] for m in some]),
-        joints=x[:, layout.inputs["joints"]], phase=model.observe(p, z)[0], style=vectors, velocity=velocity,
+        joints=x[:, layout.inputs["joints"]], phase=model.observe(p, z)[0], style=vectors,
+        velocity=velocity,
         facing=root[:, 2:], drive=torch.ones(len(some), 1),
-        contacts=torch.stack([m.own.contacts[m.at] for m in some]).to(x), toes=x.new_zeros(len(some), 2, 3),
-        drift=x.new_zeros(len(some), 2, 2), drop=x.new_zeros(len(some), 2),
+        contacts=torch.stack([m.own.contacts[m.at] for m in some]).to(x),
+        toes=x.new_zeros(len(some), 2, 3),
+        drift=x.new_zeros(len(some), 2, 3), drop=x.new_zeros(len(some), 2),
+        asked=velocity, aside=x.new_zeros(len(some), 1), rest=x.new_zeros(len(some), 1),
     )
     return dataclasses.replace(state, toes=predicted_toes(layout, state))
 
 
 def followed(model: Model, some: Sequence[Moment], vectors: Tensor) -> list[Clip]:
-    """The walk of a character from each moment along the recorded path, with style vectors ``[B, D]``."""
+    """The walk of a character from each moment along the recorded path, with style vectors ``[B,
+    D]``.
+    """
     frames, ahead = round(SECONDS * FPS), round(LOOKAHEAD * FPS)
     index = torch.arange(frames + 1 + ahead)
-    paths = torch.stack([m.world[(m.at + index).clamp_max(len(m.world) - 1)] for m in some])  # [B, F, 4]
+    # [B, F, 4]
+    paths = torch.stack([m.world[(m.at + index).clamp_max(len(m.world) - 1)] for m in some])
 
     def pilot(frame: int) -> Pilot:
         goal = paths[:, frame + ahead]
         speed = (goal[:, :2] - paths[:, frame, :2]).norm(dim=-1, keepdim=True) / LOOKAHEAD
         return lambda state: towards(state, goal[:, :2], goal[:, 2:], speed.clamp_min(SLOWEST))
 
-    walked = list(runtime.states(model, [pilot(1 + i) for i in range(frames)], vectors, beginning(model, some, vectors)))
-    return [runtime.record(model, walked, character=i).replace(style=m.clip.style, gait=m.clip.gait, name=m.clip.name)
+    walked = list(runtime.states(model, [pilot(1 + i) for i in range(frames)], vectors,
+                                 beginning(model, some, vectors)))
+    return [runtime.record(model, walked, character=i).replace(style=m.clip.style, gait=m.clip.gait,
+                                                               name=m.clip.name)
             for i, m in enumerate(some)]
 
 
 def compared(runs: Sequence[Run], clips: Iterable[Clip], recogniser: Recogniser) -> list[dict]:
-    """Rows, one for each measure: the runs, two floors (another style's vector, standing still) and the recordings."""
+    """Rows, one for each measure: the runs, two floors (another style's vector, standing still) and
+    the recordings.
+    """
     some = [m for m in moments(clips) if m.clip.style in runs[0].bank.names]
     real = [m.real for m in some]
     table: dict[str, dict[str, list[float]]] = {}
     for model, bank in runs:
         own = torch.stack([bank[m.clip.style] for m in some])
         names = list(bank.names)
-        other = torch.stack([bank[names[(names.index(m.clip.style) + 1) % len(names)]] for m in some])
+        other = torch.stack([bank[names[(names.index(m.clip.style) + 1) % len(names)]]
+                             for m in some])
         for column, vectors in (("model", own), ("other", other)):
-            _enter(table, column, evaluation.report(followed(model, some, vectors), real, recogniser).rows[0])
+            _enter(table, column,
+                   evaluation.report(followed(model, some, vectors), real, recogniser).rows[0])
     found = evaluation.report([m.still for m in some], real, recogniser).rows
     for column, row in zip(("still", "real"), found, strict=True):
         _enter(table, column, row)
-    units = evaluation.measures.UNITS
-    return [{"measure": name, "unit": units.get(name, ""), **{key: v if key in ("model", "other") else v[0]
-                                                             for key, v in row.items()}} for name, row in table.items()]
+    units = evaluation.table.UNITS
+    return [{"measure": name, "unit": units.get(name, ""),
+             **{key: v if key in ("model", "other") else v[0]
+                                                             for key, v in row.items()}}
+                                                             for name, row in table.items()]
 
 
 def _enter(table: dict, column: str, row: dict) -> None:

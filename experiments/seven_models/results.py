@@ -10,20 +10,26 @@ COLUMNS = {
     "model": ["model"], "seeds": ["seeds", 0], "shared": ["MSE", 4], "joints": ["MSE of joints", 4],
     "other": ["own MSE, another style's vector", 3],
     "mse": ["own MSE", 4], "bone": ["bone, mm", 2, 1000], "recognised": ["recognised, %", 0, 100],
-    "upright": ["upright, %", 0, 100], "hands": ["hand range", 2], "together": ["hand correlation", 2],
+    "upright": ["upright, %", 0, 100], "hands": ["hand range", 2],
+    "together": ["hand correlation", 2],
     "clavicle": ["clavicle, cm", 2, 100], "hand": ["hand, cm", 1, 100], "skate": ["skate", 1, 100],
     "skate_ik": ["skate with IK", 1, 100], "steps": ["steps/s", 2], "speed": ["speed", 2],
     "path": ["path, cm", 1, 100], "parameters": ["parameters", 0], "per_style": ["per style", 0],
     "minutes": ["processor minutes", 1], "step_ms": ["ms per step", 0],
 }
-KEYS = ("shared", "joints", "other", "mse", "bone", "recognised", "upright", "hands", "together", "clavicle", "hand",
+KEYS = ("shared", "joints", "other", "mse", "bone", "recognised", "upright", "hands", "together",
+        "clavicle", "hand",
         "skate", "skate_ik", "steps", "speed", "path")
 
 
 def comparison(name: str, about: str, command: str, table: dict) -> Result:
-    """The table of `experiments.seven_models.models.collect`: floors, ceiling, and the models with a value for each seed."""
-    floors, say = table["baselines"], {"mean": "floor: predicting the mean", "repeat": "floor: repeating the frame"}
-    rows = [{"model": text, "shared": floors[name], "joints": floors[f"{name}, joints"]} for name, text in say.items()]
+    """The table of `experiments.seven_models.models.collect`: floors, ceiling, and the models with
+    a value for each seed.
+    """
+    floors, say = table["baselines"], {"mean": "floor: predicting the mean",
+                                       "repeat": "floor: repeating the frame"}
+    rows = [{"model": text, "shared": floors[name], "joints": floors[f"{name}, joints"]}
+            for name, text in say.items()]
     settings = table["settings"]
     for model, found in table["models"].items():
         runs, counts = found["runs"], found["counts"]
@@ -35,24 +41,31 @@ def comparison(name: str, about: str, command: str, table: dict) -> Result:
         })
     if "ceiling" in table:
         top = table["ceiling"]
-        rows.append({"model": "the published network", **{key: top[key] for key in KEYS if key in top}})
+        rows.append({"model": "the published network",
+                     **{key: top[key] for key in KEYS if key in top}})
     first = next(iter(table["models"].values()))["runs"][0]["styles"]
-    floors = {f"{part}: between clips of the data, cm": 100 * sum(row[f"{part}_data"] for row in first.values()) / len(first)
+    floors = {f"{part}: between clips of the data, cm": 100 * sum(
+        row[f"{part}_data"] for row in first.values()) / len(first)
               for part in ("clavicle", "hand")}
     numbers = {"recogniser on held-out seconds": table["recogniser"], **floors,
                "styles of the first seed that are not recognised": {
-                   model: [s for s, row in found["runs"][0]["styles"].items() if not row["recognised"]]
+                   model: [s for s, row in found["runs"][0]["styles"].items()
+                           if not row["recognised"]]
                    for model, found in table["models"].items()},
-               "styles recognised": {model: [sum(row["recognised"] for row in run["styles"].values())
-                                             for run in found["runs"]] for model, found in table["models"].items()}}
+               "styles recognised": {model: [sum(row["recognised"]
+                                                 for row in run["styles"].values())
+                                             for run in found["runs"]]
+                                             for model, found in table["models"].items()}}
     if "ceiling" in table:
-        numbers["styles recognised"]["published"] = sum(r["recognised"] for r in table["ceiling"]["styles"].values())
+        numbers["styles recognised"]["published"] = sum(
+            r["recognised"] for r in table["ceiling"]["styles"].values())
         numbers["styles of the published network that are not recognised"] = [
             s for s, row in table["ceiling"]["styles"].items() if not row["recognised"]]
         joints = sorted(row["joints"] for row in table["ceiling"]["styles"].values())
         numbers["joints of the published network: worst style, mean of the others"] = [
             joints[-1], sum(joints[:-1]) / max(1, len(joints) - 1)]
-    about_settings = {"size": settings["size"], "hidden": SIZES[settings["size"]].hidden, "steps": settings["steps"],
+    about_settings = {"size": settings["size"], "hidden": SIZES[settings["size"]].hidden,
+                      "steps": settings["steps"],
                       "batch": settings["batch"], "style rates": settings["style_rates"],
                       "styles": len(settings["frames"]), "frames": sum(settings["frames"].values())}
     return Result(name, about, command, COLUMNS, rows, about_settings, numbers)
@@ -62,20 +75,24 @@ def case(name: str, about: str, command: str, found: Case, settings: dict) -> Re
     """A failure case: its rows, with the columns that they have."""
     keys = list(next(iter(found.rows.values())))
     whole = {key: key.startswith(("of ", "styles below")) for key in keys}
-    columns = {"model": ["model"], **{key: [key.replace("|", ""), 0 if whole[key] else 3] for key in keys}}
-    return Result(name, about, command, columns, [{"model": model, **row} for model, row in found.rows.items()], settings,
+    columns = {"model": ["model"],
+               **{key: [key.replace("|", ""), 0 if whole[key] else 3] for key in keys}}
+    return Result(name, about, command, columns,
+                  [{"model": model, **row} for model, row in found.rows.items()], settings,
                   {"verdict": found.verdict})
 
 
 def recorded(name: str, about: str, command: str, rows: Sequence[dict], settings: dict) -> Result:
     """The field's measures on held-out recordings."""
-    columns = {"measure": ["measure"], "model": ["model", 3], "other": ["another style's vector", 3],
+    columns = {"measure": ["measure"], "model": ["model", 3],
+               "other": ["another style's vector", 3],
                "still": ["standing still", 3], "real": ["recordings", 3], "unit": ["unit"]}
     return Result(name, about, command, columns, list(rows), settings)
 
 
 def vectors(name: str, about: str, command: str, rows: Sequence[dict], settings: dict) -> Result:
     """Ways to make style vectors."""
-    columns = {"vector": ["style vectors"], "mse": ["MSE", 4], "better": ["styles better than the mean, %", 0, 100],
+    columns = {"vector": ["style vectors"], "mse": ["MSE", 4],
+               "better": ["styles better than the mean, %", 0, 100],
                "recognised": ["recognised, %", 0, 100]}
     return Result(name, about, command, columns, list(rows), settings)

@@ -1,4 +1,6 @@
-"""Style vectors of a finished model: of one clip, the mean of some or of all, and fitted to frames; on held-out frames."""
+"""Style vectors of a finished model: of one clip, the mean of some or of all, and fitted to frames;
+on held-out frames.
+"""
 
 from collections.abc import Sequence
 
@@ -16,8 +18,10 @@ SECONDS, FRAMES = 6.0, 400  # measured seconds of a walk; held-out frames of a s
 ONE_CLIP = 3  # different clips
 
 
-def compared(runs: Sequence[Run], data: Features, recogniser: Recogniser, progress: bool = False) -> list[dict]:
-    """Rows, one for each way to make a bank: error on held-out frames and share of recognised walks, a value for each run.
+def compared(runs: Sequence[Run], data: Features, recogniser: Recogniser,
+             progress: bool = False) -> list[dict]:
+    """Rows, one for each way to make a bank: error on held-out frames and share of recognised
+    walks, a value for each run.
 
     ``better`` is the share of styles whose error is lower than with the mean of all clips.
     """
@@ -40,19 +44,25 @@ def _banks(run: Run, train: Features, progress: bool) -> dict[str, list[StyleBan
     whole = make_bank(run.model, train)
     single = []
     for place in range(ONE_CLIP):
-        clips = {s: y[(len(y) * (2 * place + 1) // (2 * ONE_CLIP))][None] for s, y in train.clips.items()}
+        clips = {s: y[(len(y) * (2 * place + 1) // (2 * ONE_CLIP))][None]
+                 for s, y in train.clips.items()}
         vectors = torch.stack([run.model.style_vector(clips[s]) for s in whole.names])
         single.append(StyleBank(whole.names, vectors, whole.speeds))
     names = whole.names
     shifted = StyleBank(names, whole.vectors.roll(1, 0), whole.speeds)
-    return {"mean of all clips": [whole], "mean of 50 clips": [make_bank(run.model, train, 50)], "one clip": single,
-            "fitted to frames": [refit(run.model, whole, train, progress=progress)], "another style's": [shifted]}
+    return {"mean of all clips": [whole], "mean of 50 clips": [make_bank(run.model, train, 50)],
+            "one clip": single,
+            "fitted to frames": [refit(run.model, whole, train, progress=progress)],
+            "another style's": [shifted]}
 
 
 def recognised(run: Run, bank: StyleBank, recogniser: Recogniser) -> float:
-    """Share of the styles that a recogniser names rightly in a straight walk at the style's natural speed."""
+    """Share of the styles that a recogniser names rightly in a straight walk at the style's natural
+    speed.
+    """
     velocity = torch.tensor([[0.0, bank.speed(style)] for style in bank.names])
     commands, warm = [Command(velocity)] * round((WARM_UP + SECONDS) * FPS), round(WARM_UP * FPS)
-    joints = torch.stack([s.joints for s in states(run.model, commands, bank.vectors)[warm:]], 1).nan_to_num()
+    joints = torch.stack([s.joints for s in states(run.model, commands, bank.vectors)[warm:]],
+                         1).nan_to_num()
     right = torch.tensor([recogniser.styles.index(style) for style in bank.names])
     return float((recogniser.probabilities(joints).argmax(-1) == right).float().mean())

@@ -1,4 +1,6 @@
-"""Speed of reading BVH, from the file to the world positions of every joint, compared with other Python packages."""
+"""Speed of reading BVH, from the file to the world positions of every joint, compared with other
+Python packages.
+"""
 
 import contextlib
 import importlib.metadata
@@ -63,14 +65,19 @@ PEERS = {"pybvh": _pybvh, "upc-pymotion": _pymotion, "bvhsdk": _bvhsdk, "bvhio":
 
 
 def run(
-    file: Annotated[Path | None, typer.Option(help="A BVH file; default: 3,000 procedural frames.")] = None,
+    file: Annotated[Path
+                    | None,
+                    typer.Option(help="A BVH file; default: 3,000 procedural frames.")] = None,
 ) -> None:
-    """Time from a BVH file to world positions on one core, compared with the Python packages of the extra `bench`."""
+    """Time from a BVH file to world positions on one core, compared with the Python packages of the
+    extra `bench`.
+    """
     torch.set_num_threads(1)
     with tempfile.TemporaryDirectory() as folder:
         if file is None:
             file = Path(folder) / "walk.bvh"
-            bvh.save(datasets.load("procedural", styles=["Neutral"], gaits=["FW"], seconds=55.0)[0].cut(0, 3000), file)
+            bvh.save(datasets.load("procedural", styles=["Neutral"], gaits=["FW"],
+                                   seconds=55.0)[0].cut(0, 3000), file)
         _compare(file)
 
 
@@ -95,13 +102,19 @@ def _compare(file: Path) -> None:
             continue
         works[name] = lambda read=read: read(str(file))
         same = ours if theirs.shape == ours.shape else ours[:, joints]
-        notes[name] = f"{abs(theirs - same).max():.5f} units" if theirs.shape == same.shape else "other joints"
-    works["  forward kinematics"] = lambda: forward_kinematics(clip.skeleton, clip.rotations, clip.root_positions)
+        notes[name] = (
+            f"{abs(theirs - same).max():.5f} units"
+            if theirs.shape == same.shape else "other joints"
+        )
+    works["  forward kinematics"] = lambda: forward_kinematics(clip.skeleton, clip.rotations,
+                                                               clip.root_positions)
     works["  floor: count the lines"] = lambda: file.read_bytes().count(b"\n")
     costs = _costs(works)
 
-    print(f"{file.name}: {len(clip):,} frames, {len(joints)} joints, {size:.1f} MB; CPU time of one core, best of several")
-    print(f"{'file to world positions':<26}{'ms':>9}{'MB/s':>8}{'frames/s':>11}{'relative':>9}{'largest difference':>21}")
+    print(f"{file.name}: {len(clip):,} frames, {len(joints)} joints, {size:.1f} MB; CPU time of "
+          f"one core, best of several")
+    print(f"{'file to world positions':<26}{'ms':>9}{'MB/s':>8}{'frames/s':>11}{'relative':>9}"
+          f"{'largest difference':>21}")
     for name, seconds in costs.items():
         print(f"{name:<26}{seconds * 1000:>9.2f}{size / seconds:>8.1f}{len(clip) / seconds:>11,.0f}"
               f"{seconds / costs['toolkit']:>8.2f}x{notes.pop(name, ''):>21}")
@@ -117,9 +130,12 @@ def _quiet() -> Iterator[None]:
 
 
 def _costs(works: dict[str, Callable[[], object]], budget: float = 2.0) -> dict[str, float]:
-    """Least CPU time of each; they run in turn, each for about ``budget`` seconds, at least once."""
+    """Least CPU time of each; they run in turn, each for about ``budget`` seconds, at least
+    once.
+    """
     costs: dict[str, list[float]] = {name: [] for name in works}
-    while waiting := [name for name, spent in costs.items() if sum(spent) < budget and len(spent) < 50]:
+    while waiting := [name for name, spent in costs.items() if sum(spent) < budget
+                      and len(spent) < 50]:
         for name in waiting:
             start = time.process_time()
             with _quiet():

@@ -1,4 +1,6 @@
-"""Speed of the sinusoid fit, compared with scipy's `curve_fit`, and residuals, compared with the best known ones."""
+"""Speed of the sinusoid fit, compared with scipy's `curve_fit`, and residuals, compared with the
+best known ones.
+"""
 
 import time
 from collections.abc import Callable
@@ -10,11 +12,14 @@ import typer
 
 
 def run(
-    clips: Annotated[list[Path] | None, typer.Option(help="BVH files; default: procedural clips.")] = None,
+    clips: Annotated[list[Path]
+                     | None, typer.Option(help="BVH files; default: procedural clips.")] = None,
     windows: Annotated[int, typer.Option(min=1, help="Number of windows that scipy fits.")] = 500,
     seed: Annotated[int, typer.Option(help="Seed of the choice of windows.")] = 0,
 ) -> None:
-    """Speed and residuals of the sinusoid fit in windows of one second, compared with scipy's `curve_fit`, on one core."""
+    """Speed and residuals of the sinusoid fit in windows of one second, compared with scipy's
+    `curve_fit`, on one core.
+    """
     import torch
 
     from toolkit import datasets
@@ -42,7 +47,8 @@ def run(
     samples = np.stack([curves[c][f - 30 : f + 31, limb].numpy() for c, f, limb in picked])
     residual = np.array([float(found[c].residual[f, limb]) for c, f, limb in picked])
     plain, plain_time = _least_time(lambda: [_curve_fit(w, 1.0, 0.0) for w in samples], repeats=1)
-    started, started_time = _least_time(lambda: [_curve_fit(w, *_fft_start(w)) for w in samples], repeats=1)
+    started, started_time = _least_time(lambda: [_curve_fit(w, *_fft_start(w)) for w in samples],
+                                        repeats=1)
     best = np.minimum(residual, [best_known(w) for w in samples])
 
     def row(name: str, seconds: float, count: int, residuals: np.ndarray) -> None:
@@ -50,17 +56,23 @@ def run(
         faster = (1e6 * each / windows / micro for each in (plain_time, started_time))
         excess = residuals / best - 1
         shares = (100 * np.mean(excess > limit) for limit in (1e-6, 0.01, 0.05))
-        print(f"{name:<24}{micro:>10.2f}" + "".join(f"{x:>9.0f}x" for x in faster) + "".join(f"{x:>8.2f}" for x in shares)
+        print(f"{name:<24}{micro:>10.2f}" + "".join(f"{x:>9.0f}x" for x in faster)
+              + "".join(f"{x:>8.2f}" for x in shares)
               + f"{100 * excess.max():>11.4f}")
 
-    print(f"{'':<24}{'us/window':>10}{'plain':>10}{'FFT':>10}{'> 1e-6':>8}{'> 1 %':>8}{'> 5 %':>8}{'worst (%)':>11}")
+    print(f"{'':<24}{'us/window':>10}{'plain':>10}{'FFT':>10}{'> 1e-6':>8}{'> 1 %':>8}"
+          f"{'> 5 %':>8}{'worst (%)':>11}")
     row("fit", ours, total, residual)
     row("curve_fit, FFT start", started_time, windows, started)
     row("curve_fit, plain start", plain_time, windows, plain)
-    print(f"{total:,} windows of 61 frames by the toolkit, {windows} of them by scipy; CPU time, one thread.\n"
-          "plain, FFT: speed-up over curve_fit from this start (without bounds, which is faster for curve_fit).\n"
-          "Last columns: % of windows with a residual above the best known by this much. Best known: the least residual of\n"
-          "the toolkit, of curve_fit with bounds from eight starts, and of a refined dense grid. If curve_fit fails, its\n"
+    print(f"{total:,} windows of 61 frames by the toolkit, {windows} of them by scipy; CPU time, "
+          f"one thread.\n"
+          "plain, FFT: speed-up over curve_fit from this start (without bounds, which is faster "
+          "for curve_fit).\n"
+          "Last columns: % of windows with a residual above the best known by this much. Best "
+          "known: the least residual of\n"
+          "the toolkit, of curve_fit with bounds from eight starts, and of a refined dense grid. "
+          "If curve_fit fails, its\n"
           "residual is infinite.")
 
 
@@ -82,14 +94,17 @@ def _times(window: np.ndarray, fps: float) -> np.ndarray:
     return (np.arange(len(window)) - len(window) // 2) / fps
 
 
-def _curve_fit(window: np.ndarray, frequency: float, shift: float, *, fps: float = 60.0, bounded: bool = False) -> float:
+def _curve_fit(window: np.ndarray, frequency: float, shift: float, *, fps: float = 60.0,
+               bounded: bool = False) -> float:
     """Residual of `scipy.optimize.curve_fit` from one start; infinite if it fails."""
     from scipy.optimize import curve_fit
 
     t, low, high = _times(window, fps), window.min(), window.max()
-    limits = {"bounds": ([0, 0.25, -1, low - 1e-9], [high - low + 1e-9, 4, 1, high + 1e-9])} if bounded else {}
+    limits = {"bounds": ([0, 0.25, -1, low - 1e-9],
+                         [high - low + 1e-9, 4, 1, high + 1e-9])} if bounded else {}
     try:
-        found = curve_fit(_sinusoid, t, window, [(high - low) / 2, frequency, shift, window.mean()], **limits)[0]
+        found = curve_fit(_sinusoid, t, window, [(high - low) / 2, frequency, shift, window.mean()],
+                          **limits)[0]
     except RuntimeError:  # too many evaluations
         return np.inf
     return float(np.sqrt(np.mean((_sinusoid(t, *found) - window) ** 2)))
@@ -102,15 +117,19 @@ def _fft_start(window: np.ndarray, fps: float = 60.0) -> tuple[float, float]:
     hertz = np.fft.rfftfreq(size, 1 / fps)
     inside = np.flatnonzero((hertz >= 0.25) & (hertz <= 4))
     peak = inside[np.argmax(np.abs(spectrum[inside]))]
-    at_frame = np.angle(spectrum[peak]) + 2 * np.pi * hertz[peak] * (len(window) // 2) / fps  # of a cosine
+    # of a cosine
+    at_frame = np.angle(spectrum[peak]) + 2 * np.pi * hertz[peak] * (len(window) // 2) / fps
     return hertz[peak], -(((at_frame + np.pi / 2) / (2 * np.pi) + 0.5) % 1 - 0.5)
 
 
-def best_known(window: np.ndarray, fps: float = 60.0, frequencies: int = 300, phases: int = 64) -> float:
-    """Least residual within the bounds by slow methods that share no code with `toolkit.phases.sinusoids`.
+def best_known(window: np.ndarray, fps: float = 60.0, frequencies: int = 300,
+               phases: int = 64) -> float:
+    """Least residual within the bounds by slow methods that share no code with
+    `toolkit.phases.sinusoids`.
 
-    A dense grid of frequencies and phases with the best amplitude and offset within the bounds; its five best valleys over
-    frequency, refined by scipy's bounded `least_squares`; and `curve_fit` with bounds from eight starts.
+    A dense grid of frequencies and phases with the best amplitude and offset within the bounds; its
+    five best valleys over frequency, refined by scipy's bounded `least_squares`; and `curve_fit`
+    with bounds from eight starts.
     """
     from scipy.optimize import least_squares
 
@@ -135,8 +154,11 @@ def best_known(window: np.ndarray, fps: float = 60.0, frequencies: int = 300, ph
         place = corner[k, phase[k]], k, phase[k]
         start, edge = [a[place], hertz[k], angles[phase[k]], b[place]], 1e-12 * scale
         found.append(2 * least_squares(
-            lambda p: p[0] * np.sin(2 * np.pi * p[1] * t + p[2]) + p[3] - window, start, x_scale=[scale, 1, 1, scale],
-            bounds=([-edge, 0.25 - 1e-12, -10, low - edge], [spread + edge, 4 + 1e-12, 10, high + edge]),
+            lambda p: p[0] * np.sin(2 * np.pi * p[1] * t + p[2]) + p[3] - window, start,
+            x_scale=[scale, 1, 1, scale],
+            bounds=([-edge, 0.25 - 1e-12, -10, low - edge],
+                    [spread + edge, 4 + 1e-12, 10, high + edge]),
             ftol=1e-14, xtol=1e-12, gtol=1e-14, max_nfev=300).cost)
-    starts = [_curve_fit(window, f, s, fps=fps, bounded=True) for f in (0.4, 1.0, 2.0, 3.0) for s in (-0.25, 0.25)]
+    starts = [_curve_fit(window, f, s, fps=fps, bounded=True) for f in (0.4, 1.0, 2.0, 3.0)
+              for s in (-0.25, 0.25)]
     return float(min(np.sqrt(max(min(found), 0.0) / n), *starts))

@@ -1,4 +1,6 @@
-"""Speed of a page's network and frame, for one character and many, beside the limit of the processor, and of the kernel."""
+"""Speed of a page's network and frame, for one character and many, beside the limit of the
+processor, and of the kernel.
+"""
 
 import copy
 import json
@@ -17,15 +19,14 @@ from experiments.tables import Result
 from toolkit import published, runtime
 from toolkit.cli import verbs
 from toolkit.motion import Clip
-from toolkit.view import live_page
+from toolkit.view.pages import live_page
 
-SCENE = Path(live_page.__file__).parent / "scene"
+SCENE = Path(live_page.__file__).parents[1] / "scene"
 SCRIPT = Path(__file__).with_suffix(".js")
-ADDRESS = "http://scene.invalid/"  # answered here, not by a network
-BROWSERS = "chromium", "chromium-browser", "google-chrome"
-FRAME = 1e3 / 60  # milliseconds
-COLUMNS = {"model": ["model"], "where": ["where"], "characters": ["characters", 0], "network": ["network, ms each", 3],
-           "floor": ["its floor", 3], "frame": ["network and frame", 3], "pose": ["pose with IK", 3]}
+COLUMNS = {"model": ["model"], "where": ["where"], "characters": ["characters", 0],
+           "network": ["network, ms each", 3],
+           "floor": ["its floor", 3], "frame": ["network and frame", 3],
+           "pose": ["pose with IK", 3]}
 FRAMES = (60, 300, 600)
 EQUALITY = {"compared": ["compared"], **{str(f): [f"frame {f}, mm", 3, 1000] for f in FRAMES},
             "size": ["the page's file, MB", 1, 1e-6]}
@@ -34,52 +35,67 @@ EQUALITY = {"compared": ["compared"], **{str(f): [f"frame {f}, mm", 3, 1000] for
 def run(
     model: verbs.TrainedRun = None,
     parameters: verbs.Published = None,
-    characters: Annotated[str, typer.Option(help="Comma-separated numbers of characters.")] = "1,2,4,8,16,32,64",
+    characters: Annotated[str,
+                          typer.Option(help="Numbers of characters.")] = "1,2,4,8,16,32,64",
     rounds: Annotated[int, typer.Option(min=1, help="Rounds; the shortest time is printed.")] = 60,
-    equality: Annotated[bool, typer.Option("--equality", help="Compare rollouts in Node with Python's instead.")] = False,
+    equality: Annotated[bool, typer.Option(
+        "--equality", help="Compare rollouts in Node with Python's instead.")] = False,
     styles: Annotated[int, typer.Option(min=1, help="Number of styles to compare.")] = 20,
-    save: Annotated[Path | None, typer.Option(help="Folder for the result page-speed or page-equality.")] = None,
+    save: Annotated[Path
+                    | None, typer.Option(help="Folder for the result page-speed or "
+                                              "page-equality.")] = None,
 ) -> None:
-    """Milliseconds of a page's network and whole frame (without picture), JavaScript and WebAssembly SIMD; of the kernel.
+    """Milliseconds of a page's network and whole frame (without picture), JavaScript and
+    WebAssembly SIMD; of the kernel.
 
-    The floor is the longer of two times: all weights are read once, as fast as a plain SIMD loop sums them; and all
-    multiply-adds, as fast as eight sums in registers make them. Both are measured in doubles, on one core.
+    The floor is the longer of two times: all weights are read once, as fast as a plain SIMD loop
+    sums them; and all multiply-adds, as fast as eight sums in registers make them. Both are
+    measured in doubles, on one core.
     """
     net, bank = published.either(model, parameters)
     kind = "published" if parameters else "embedded" if model is None else "trained"
     if equality:
-        rows = [{"compared": f"{kind}: {what}", **row} for what, row in _equal(net, bank, styles).items()]
+        rows = [{"compared": f"{kind}: {what}", **row}
+                for what, row in _equal(net, bank, styles).items()]
         for row in rows:
-            print(row["compared"], *(f"{1e3 * row[str(f)]:.4f} mm at {f}" for f in FRAMES), f"{row['size']:,} B", sep=", ")
+            print(row["compared"], *(f"{1e3 * row[str(f)]:.4f} mm at {f}" for f in FRAMES),
+                  f"{row['size']:,} B", sep=", ")
         if save is not None:
-            Result("page-equality", "Rollouts of 20 styles with 600 frames in Node and in Python: largest distance of any "
-                   "joint in any style", "python -m experiments page --equality [--published DATA/lpn_film_100style] --save "
+            Result("page-equality",
+                   "Rollouts of 20 styles with 600 frames in Node and in Python: largest "
+                   "distance of any "
+                   "joint in any style",
+                   "python -m experiments page --equality [--published DATA/lpn_film_100style] "
+                   "--save "
                    "docs/results", EQUALITY, rows).add(save)
         return
     data, counts, kept = live_page.pack(net, bank), [int(n) for n in characters.split(",")], []
-    for name, measure in (("Node", _node), ("Chromium", _chromium)):
-        found = measure(data, counts, rounds)
-        if found is None:
-            print(f"{name}: not found")
-            continue
-        rate, speed = found["floor"]["sums"], found["floor"]["bytes"]
-        print(f"{name}: {found['weights'] / 1e6:.1f} million weights, {rate / 1e9:.1f} G multiply-adds/s, "
-              f"{speed / 1e9:.1f} GB/s, pose with IK {found['pose']:.3f} ms a character")
-        print(f"{'':20}{'characters':>10}{'network':>9}{'each':>8}{'× floor':>9}{'frame':>9}{'each':>8}{'of 1/60 s':>11}")
-        for row in found["rows"]:
-            count, network, frame = row["count"], row["network"], row["frame"]
-            floor = 1e3 * max(4 * found["weights"] / speed, count * found["weights"] / rate)
-            print(f"{row['kind']:20}{count:10}{network:9.2f}{network / count:8.3f}{network / floor:9.2f}{frame:9.2f}"
-                  f"{frame / count:8.3f}{frame / FRAME:11.0%}")
-            if name == "Node":  # a browser has no clock of processor time
-                kept.append({"where": f"{name}, {row['kind']}", "characters": count, "network": network / count,
-                             "floor": floor / count, "frame": frame / count, "pose": found["pose"]})
+    found = _node(data, counts, rounds)
+    rate, speed = found["floor"]["sums"], found["floor"]["bytes"]
+    print(f"Node: {found['weights'] / 1e6:.1f} million weights, {rate / 1e9:.1f} G "
+          f"multiply-adds/s, "
+          f"{speed / 1e9:.1f} GB/s, pose with IK {found['pose']:.3f} ms a character")
+    print(f"{'':20}{'characters':>10}{'network':>9}{'each':>8}{'× floor':>9}{'frame':>9}"
+          f"{'each':>8}")
+    for row in found["rows"]:
+        count, network, frame = row["count"], row["network"], row["frame"]
+        floor = 1e3 * max(4 * found["weights"] / speed, count * found["weights"] / rate)
+        print(f"{row['kind']:20}{count:10}{network:9.2f}{network / count:8.3f}"
+              f"{network / floor:9.2f}"
+              f"{frame:9.2f}{frame / count:8.3f}")
+        kept.append({"where": f"Node, {row['kind']}", "characters": count,
+                     "network": network / count,
+                     "floor": floor / count, "frame": frame / count, "pose": found["pose"]})
     for count in counts:
         frame, posed = _kernel(net, bank, count, rounds)
-        print(f"kernel, compiled: {count} characters, frame {frame:.3f} ms each, pose {posed:.3f} ms each")
-        kept.append({"where": "kernel, compiled", "characters": count, "frame": frame, "pose": posed})
+        print(f"kernel, compiled: {count} characters, frame {frame:.3f} ms each, pose "
+              f"{posed:.3f} ms each")
+        kept.append({"where": "kernel, compiled", "characters": count, "frame": frame,
+                     "pose": posed})
     if save is not None:
-        Result("page-speed", f"milliseconds of processor time a character and frame, shortest of {rounds}, one thread",
+        Result("page-speed",
+               f"milliseconds of processor time a character and frame, shortest of {rounds}, one "
+               f"thread",
                "python -m experiments page", COLUMNS,
                [{"model": kind} | row for row in kept]).save(save)
 
@@ -87,7 +103,9 @@ def run(
 def _kernel(net, bank, count: int, rounds: int) -> tuple[float, float]:
     """Shortest processor time of a frame and of a pose, milliseconds a character."""
     compiled, best = runtime.compile(net), [math.inf, math.inf]
-    state = runtime.start(compiled, torch.stack([bank[bank.names[k % len(bank.names)]] for k in range(count)]))
+    state = runtime.start(compiled,
+                          torch.stack([bank[bank.names[k % len(bank.names)]]
+                                       for k in range(count)]))
     command = runtime.Command(torch.tensor([[math.sin(k), math.cos(k)] for k in range(count)]))
     with torch.no_grad():
         for _ in range(30 + rounds):
@@ -96,27 +114,35 @@ def _kernel(net, bank, count: int, rounds: int) -> tuple[float, float]:
             times.append(time.process_time())
             runtime.pose(compiled, state)
             times.append(time.process_time())
-            best = [min(old, 1e3 * (b - a) / count) for old, a, b in zip(best, times, times[1:], strict=False)]
+            best = [min(old, 1e3 * (b - a) / count)
+                    for old, a, b in zip(best, times, times[1:], strict=False)]
     return best[0], best[1]
 
 
 def _equal(net, bank, count: int) -> dict[str, dict[str, float]]:
-    """Largest distances, metres, of a joint in the walks of the page's tests, at `FRAMES`; bytes of the page."""
-    from walks import COMMANDS, WALK, commands  # in tests/, which the command line of the experiments puts on the path
+    """Largest distances, metres, of a joint in the walks of the page's tests, at `FRAMES`; bytes of
+    the page.
+    """
+    # in tests/, which the command line of the experiments puts on the path
+    from walks import COMMANDS, WALK, commands
 
     names = list(bank)[:: max(1, len(bank) // count)][:count]
     vectors, found = torch.stack([bank[name] for name in names]), {}
     walks = {}
     for name, model in (("plain", net), ("double precision", copy.deepcopy(net).double())):
-        run = list(runtime.states(model, COMMANDS, vectors.to(next(model.parameters()).dtype), progress=True))
+        run = list(runtime.states(model, COMMANDS, vectors.to(next(model.parameters()).dtype),
+                                  progress=True))
         walks[name] = [runtime.record(model, run, character=i) for i in range(len(names))]
     for half in (False, True):
         with tempfile.TemporaryDirectory() as folder:
             size = live_page.web(net, bank, Path(folder) / "page.html", half=half).stat().st_size
-        given = {"data": live_page.pack(net, bank, half), "commands": commands(), "styles": vectors.tolist()}
+        given = {"data": live_page.pack(net, bank, half), "commands": commands(),
+                 "styles": vectors.tolist()}
         poses = _in_node(given, f"""
             const {{ Character }} = await load("character");
-            result = given.styles.map((style) => ({WALK})(new Character(given.data), given.commands, style));""")
+            const walk = {WALK};
+            const walked = (style) => walk(new Character(given.data), given.commands, style);
+            result = given.styles.map(walked);""")
         skeleton, fps = walks["plain"][0].skeleton, walks["plain"][0].fps
         page = [Clip(skeleton, numbers[:, 3:].unflatten(-1, (-1, 4)), numbers[:, :3], fps)
                 for numbers in torch.tensor(poses, dtype=torch.float64)]
@@ -128,16 +154,16 @@ def _equal(net, bank, count: int) -> dict[str, dict[str, float]]:
     return found
 
 
-def _node(data: dict, counts: list[int], rounds: int) -> dict | None:
-    if shutil.which("node") is None:
-        return None
+def _node(data: dict, counts: list[int], rounds: int) -> dict:
     return _in_node({"data": data, "counts": counts, "rounds": rounds}, f"""
         const {{ measure }} = await import({json.dumps(SCRIPT.as_uri())});
         result = await measure(load, given.data, given.counts, given.rounds);""")
 
 
 def _in_node(given: dict, script: str):
-    """What JavaScript assigns to ``result``; it has ``given``, and ``load(name)`` for a module of the scene."""
+    """What JavaScript assigns to ``result``; it has ``given``, and ``load(name)`` for a module of
+    the scene.
+    """
     program = shutil.which("node")
     if program is None:
         raise ValueError("node: not found; Debian: apt-get install nodejs")
@@ -152,34 +178,6 @@ def _in_node(given: dict, script: str):
             {script}
             process.stdout.write(JSON.stringify(result));
         """, encoding="utf-8")
-        done = subprocess.run([program, Path(folder) / "run.mjs"], capture_output=True, text=True, check=True)
+        done = subprocess.run([program, Path(folder) / "run.mjs"], capture_output=True, text=True,
+                              check=True)
     return json.loads(done.stdout)
-
-
-def _chromium(data: dict, counts: list[int], rounds: int) -> dict | None:
-    program = next(filter(None, map(shutil.which, BROWSERS)), None)
-    try:
-        from playwright.sync_api import sync_playwright
-    except ImportError:
-        return None
-    if program is None:
-        return None
-    with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=program, args=["--no-sandbox"])
-        page = browser.new_page()
-
-        def answer(route) -> None:
-            name = route.request.url.removeprefix(ADDRESS)
-            path = SCRIPT if name == SCRIPT.name else SCENE / name
-            route.fulfill(body=path.read_bytes() if name else b"<p>",
-                          content_type="text/javascript" if name else "text/html")
-
-        page.route(f"{ADDRESS}**", answer)
-        page.goto(ADDRESS)
-        page.set_default_timeout(600_000)
-        found = page.evaluate("""async ([script, data, counts, rounds]) => {
-            const { measure } = await import(`/${script}`);
-            return measure((name) => import(`/${name}.js`), data, counts, rounds);
-        }""", [SCRIPT.name, data, counts, rounds])
-        browser.close()
-    return found

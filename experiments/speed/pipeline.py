@@ -1,4 +1,6 @@
-"""Speed of preprocessing, from BVH files to a store of features, and of minibatches from the store and from memory."""
+"""Speed of preprocessing, from BVH files to a store of features, and of minibatches from the store
+and from memory.
+"""
 
 import os
 import subprocess
@@ -13,7 +15,8 @@ import typer
 
 from toolkit import datasets, features
 from toolkit.datasets import procedural
-from toolkit.features import Features, store
+from toolkit.extra import store
+from toolkit.features import Features
 from toolkit.training import minibatches
 
 GAITS = ("FW", "BW", "FR", "SW", "ID")
@@ -22,34 +25,46 @@ FEW = 10  # files in the small run
 
 
 def run(
-    files: Annotated[int, typer.Option(min=2 * FEW, help="Files in the large run, five per style.")] = 200,
-    seconds: Annotated[float, typer.Option(help="Length of a file; the mean of 100STYLE is 84 s.")] = 84.0,
+    files: Annotated[int, typer.Option(min=2 * FEW,
+                                       help="Files in the large run, five per style.")] = 200,
+    seconds: Annotated[float,
+                       typer.Option(help="Length of a file; the mean of 100STYLE is 84 s.")] = 84.0,
     workers: Annotated[int, typer.Option(min=1, help="Processes.")] = 2,
     steps: Annotated[int, typer.Option(help="Minibatches to read.")] = 500,
 ) -> None:
-    """Frames per second of preprocessing, few files compared with many; minibatches from a store compared with memory."""
+    """Frames per second of preprocessing, few files compared with many; minibatches from a store
+    compared with memory.
+    """
     with tempfile.TemporaryDirectory() as folder:
         drawn = Path(folder) / "drawn"
         procedural.write(drawn, "Neutral", GAITS, seconds)
-        print(f"{'files':>6}{'frames':>12}{'s':>8}{'CPU s':>8}{'frames/s':>10}{'peak MB':>9}{'bytes/frame':>13}")
+        print(f"{'files':>6}{'frames':>12}{'s':>8}{'CPU s':>8}{'frames/s':>10}{'peak MB':>9}"
+              f"{'bytes/frame':>13}")
         for n in (FEW, files):
             root, out = Path(folder) / f"data{n}", Path(folder) / f"store{n}"
             _multiply(drawn, root, n // len(GAITS))
-            call = ["preprocess", "--data", "100style", "--root", str(root), "--out", str(out), "--workers", str(workers)]
+            call = ["preprocess", "--data", "100style", "--root", str(root), "--out", str(out),
+                    "--workers", str(workers)]
             elapsed, cpu, peak = _measured([sys.executable, "-m", "toolkit", *call])
             frames = n // len(GAITS) * len(GAITS) * round(60 * seconds)
             size = sum(path.stat().st_size for path in out.iterdir()) / frames
             rate = frames / elapsed
-            print(f"{n:>6}{frames:>12,}{elapsed:>8.1f}{cpu:>8.1f}{rate:>10,.0f}{peak / 1e6:>9,.0f}{size:>13,.0f}")
-        print(f"100STYLE, {DATASET:,} frames, at this rate: {DATASET / rate / 60:.1f} min (target: under 6; "
+            print(f"{n:>6}{frames:>12,}{elapsed:>8.1f}{cpu:>8.1f}{rate:>10,.0f}"
+                  f"{peak / 1e6:>9,.0f}{size:>13,.0f}")
+        print(f"100STYLE, {DATASET:,} frames, at this rate: {DATASET / rate / 60:.1f} min "
+              f"(target: under 6; "
               f"ai4animationpy: under 5 without phases), {DATASET * size / 1e9:.2f} GB")
-        print(f"{workers} processes, from the start of Python to the last checksum; peak: resident memory of all processes; "
+        print(f"{workers} processes, from the start of Python to the last checksum; peak: "
+              f"resident memory of all processes; "
               f"by CPU time {DATASET * cpu / frames / 60 / workers:.1f} min")
 
         root, out = (Path(folder) / f"{kind}{FEW}" for kind in ("data", "store"))
-        sources = {"in memory": features.build(datasets.load("100style", root)), "store": store.load(out)}
-        print(f"\n{'32 frames and':<28}" + "".join(f"{name:>12}" for name in sources) + "   minibatches/s")
-        kinds = {"1 style clip": (1, 0.0), "1 style clip, 30% mixed up": (1, 0.3), "32 style clips": (32, 0.0)}
+        sources = {"in memory": features.build(datasets.load("100style", root)),
+                   "store": store.load(out)}
+        print(f"\n{'32 frames and':<28}" + "".join(f"{name:>12}" for name in sources)
+              + "   minibatches/s")
+        kinds = {"1 style clip": (1, 0.0), "1 style clip, 30% mixed up": (1, 0.3),
+                 "32 style clips": (32, 0.0)}
         for title, (clips, mixed) in kinds.items():
             rates = {name: _rate(data, clips, mixed, steps) for name, data in sources.items()}
             print(f"{title:<28}" + "".join(f"{rate:>12,.0f}" for rate in rates.values()))
@@ -70,14 +85,17 @@ def _multiply(drawn: Path, root: Path, styles: int) -> None:
 
 
 def _measured(command: list[str]) -> tuple[float, float, float]:
-    """Seconds, seconds of CPU time and peak resident memory, bytes, of a command with its child processes."""
+    """Seconds, seconds of CPU time and peak resident memory, bytes, of a command with its child
+    processes.
+    """
     import psutil
 
     began, before, peak = time.perf_counter(), os.times(), 0
     process = subprocess.Popen(command, stdout=subprocess.DEVNULL)
     while process.poll() is None:
         total = 0
-        for child in (psutil.Process(process.pid), *psutil.Process(process.pid).children(recursive=True)):
+        for child in (psutil.Process(process.pid),
+                      *psutil.Process(process.pid).children(recursive=True)):
             try:
                 total += child.memory_info().rss
             except psutil.NoSuchProcess:
@@ -87,7 +105,9 @@ def _measured(command: list[str]) -> tuple[float, float, float]:
     if process.returncode:
         raise ValueError(f"{' '.join(command[2:])} failed with status {process.returncode}")
     after = os.times()
-    cpu = after.children_user - before.children_user + after.children_system - before.children_system
+    cpu = (
+        after.children_user - before.children_user + after.children_system - before.children_system
+    )
     return time.perf_counter() - began, cpu, peak
 
 

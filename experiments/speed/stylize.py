@@ -1,4 +1,6 @@
-"""Speed of stylisation: restyling a clip of 1,000 frames with networks of the paper's size, compared with real time."""
+"""Speed of stylisation: restyling a clip of 1,000 frames with networks of the paper's size,
+compared with real time.
+"""
 
 import time
 from collections.abc import Callable
@@ -11,8 +13,7 @@ import typer
 from toolkit import datasets
 from toolkit.stylization import build, stylize
 from toolkit.stylization.data import FPS, describe, prepare
-from toolkit.stylization.networks import Sizes
-from toolkit.stylization.networks import build as networks
+from toolkit.stylization.networks import Sizes, build as networks
 from toolkit.stylization.restyling import lock_feet
 
 TARGET = 1.0  # seconds for 1,000 frames on two cores
@@ -27,7 +28,8 @@ def run(
 
     The weights are random, which does not change the speed.
     """
-    (walk,) = datasets.load("procedural", styles=["Neutral"], gaits=["FW"], seconds=frames / FPS + 1)
+    (walk,) = datasets.load("procedural", styles=["Neutral"], gaits=["FW"],
+                            seconds=frames / FPS + 1)
     clip = walk.resample(FPS).cut(0, frames)
     motions = build([clip])
     torch.manual_seed(0)
@@ -43,17 +45,20 @@ def run(
     before = torch.get_num_threads()
     torch.set_num_threads(threads)
     try:
-        times = {name: np.median([_seconds(work) for _ in range(repeats)], axis=0) for name, work in parts.items()}
+        times = {name: np.median([_seconds(work) for _ in range(repeats)], axis=0)
+                 for name, work in parts.items()}
     finally:
         torch.set_num_threads(before)
     parameters = sum(p.numel() for p in model.generator.parameters())
-    print(f"{len(clip):,} frames, G of {parameters:,} parameters, {threads} threads; median of {repeats}")
+    print(f"{len(clip):,} frames, G of {parameters:,} parameters, {threads} threads; median of "
+          f"{repeats}")
     for name, (wall, processor) in times.items():
         rate = len(clip) / wall
         speed = f"{rate:>10,.0f} frames/s{rate / FPS:>7.0f} x real time"
         print(f"{name:<24}{wall:>8.3f} s, {processor:.3f} s of CPU time {speed}")
     whole = times["all of stylize()"][0] * 1000 / len(clip)
-    print(f"1,000 frames in {whole:.2f} s   (target {TARGET:g} s: {'met' if whole < TARGET else 'MISSED'})")
+    print(f"1,000 frames in {whole:.2f} s   (target {TARGET:g} s: "
+          f"{'met' if whole < TARGET else 'MISSED'})")
 
 
 def _seconds(work: Callable[[], object]) -> tuple[float, float]:

@@ -1,4 +1,4 @@
-"""Speed of a training step, compared with a plain implementation and the least possible time, and its held-out error."""
+"""Speed of a training step, compared with a plain implementation and the least possible time."""
 
 import contextlib
 import os
@@ -14,16 +14,15 @@ import typer
 from torch import Tensor, nn
 from torch.utils.flop_counter import FlopCounterMode
 
-from toolkit import datasets, features, networks, training
+from toolkit import datasets, features, networks
 from toolkit.features import Features
-from toolkit.networks import BlendedLinear, Sizes
+from toolkit.networks import BlendedLinear
 from toolkit.networks.film import Convolution
 from toolkit.training import distributed, loop
 from toolkit.training.minibatches import Minibatches
 from toolkit.training.run import Config
 
 STYLES = ("Neutral", "Zombie", "Strut", "Old")
-REDUCED = Sizes(hidden=128, film_channels=32, film_dense=256, dropout=0.1)
 TARGETS = {"toolkit": 1.5, "toolkit, one clip": 5.0}  # speed relative to the plain form
 
 
@@ -31,10 +30,10 @@ TARGETS = {"toolkit": 1.5, "toolkit, one clip": 5.0}  # speed relative to the pl
 class Form:
     """Implementation of a training step: the flags select the toolkit's way for three parts."""
 
-    blend: bool = True  # scale inputs by their gates, one product; else blend the weights of every sample
+    # scale inputs by their gates, one product; else blend the weights of every sample
+    blend: bool = True
     convolve: bool = True  # by spectra of tiles; else torch's convolution
     adam: bool = True  # fused; else a loop over tensors
-    reuse: bool = True  # memory is kept between steps; else it returns to the system
     clips: int = 32  # style clips per minibatch
     precision: str = "32"
 
@@ -48,51 +47,49 @@ class Form:
             if not self.convolve:
                 stack.enter_context(mock.patch.object(Convolution, "forward", nn.Conv1d.forward))
             if not self.adam:
-                adam = mock.patch("torch.optim.Adam", lambda *a, **k: plain(*a, **(k | {"fused": False, "foreach": False})))
+                adam = mock.patch("torch.optim.Adam",
+                                  lambda *a, **k: plain(*a,
+                                                        **(k | {"fused": False, "foreach": False})))
                 stack.enter_context(adam)
-            if self.reuse:
-                stack.enter_context(loop.reused_memory())
             yield
 
 
-PLAIN = Form(blend=False, convolve=False, adam=False, reuse=False)
+PLAIN = Form(blend=False, convolve=False, adam=False)
 FORMS = {
     "plain": PLAIN,
     "plain, fused Adam": replace(PLAIN, adam=True),
     "plain, one product": replace(PLAIN, blend=True),
     "plain, tiles": replace(PLAIN, convolve=True),
-    "toolkit, new memory": Form(reuse=False),
     "toolkit": Form(),
     "toolkit, bf16": Form(precision="bf16"),
-    "toolkit, one clip, new memory": Form(clips=1, reuse=False),
     "toolkit, one clip": Form(clips=1),
     "toolkit, one clip, bf16": Form(clips=1, precision="bf16"),
 }
-TRAINED = ("plain", "toolkit", "toolkit, bf16", "toolkit, one clip", "toolkit, one clip, bf16")
 
 
 def run(
     repeats: Annotated[int, typer.Option(min=1, help="Steps; the median is printed.")] = 9,
-    steps: Annotated[int, typer.Option(min=0, help="Training steps for the comparison of errors; 0: no comparison.")] = 400,
-    seeds: Annotated[int, typer.Option(min=1, help="Trainings per implementation.")] = 2,
 ) -> None:
-    """Milliseconds of a training step, compared with a plain implementation and the least possible time; held-out errors.
+    """Milliseconds of a training step, compared with a plain implementation and the least possible
+    time.
 
-    Times are for the paper's sizes and a batch of 32, errors for reduced sizes after the same number of steps.
+    They are for the paper's sizes and a batch of 32.
     """
-    torch.set_num_threads(len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1)
-    data = features.build(datasets.load("procedural", styles=list(STYLES), gaits=["FW"], seconds=30.0))
+    torch.set_num_threads(len(os.sched_getaffinity(0))
+                          if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1)
+    data = features.build(datasets.load("procedural", styles=list(STYLES), gaits=["FW"],
+                                        seconds=30.0))
     _times(data, repeats)
-    if steps:
-        _errors(data, steps, seeds)
 
 
 def _times(data: Features, repeats: int) -> None:
-    """A table of times; all implementations train the same model in turn, so that other load affects all of them.
+    """A table of times; all implementations train the same model in turn, so that other load
+    affects all of them.
 
     In its turn each makes two steps, and the second is timed: the first one gets the memory.
     """
-    model = networks.build("lpn-film", data.layout, len(STYLES), None, networks.normalisers("lpn-film", data)).train()
+    model = networks.build("lpn-film", data.layout, len(STYLES), None,
+                           networks.normalisers("lpn-film", data)).train()
     count = sum(p.numel() for p in model.parameters())
     seconds: dict[str, list[float]] = {name: [] for name in FORMS}
     flops, optimisers = {}, {}
@@ -102,7 +99,8 @@ def _times(data: Features, repeats: int) -> None:
             fabric = distributed.start(config)
             with form.patched():
                 adam = optimisers.setdefault(form.adam, loop.optimiser(model, config))
-                objective = fabric.setup_module(distributed.Objective(model, config.bone_weight, precision=config.precision))
+                objective = fabric.setup_module(distributed.Objective(model, config.bone_weight,
+                                                                      precision=config.precision))
                 batches = Minibatches(data, config.batch, form.clips, config.seed)
                 counter = FlopCounterMode(display=False) if turn < 0 else contextlib.nullcontext()
                 with counter:
@@ -114,36 +112,23 @@ def _times(data: Features, repeats: int) -> None:
             else:
                 seconds[name].append(time.perf_counter() - began)
     rates, update = {p: _product_rate(p) for p in ("32", "bf16")}, 7 * 4 * count / _bandwidth()
-    print(f"a step of {count:,} parameters, batch 32, {torch.get_num_threads()} threads, median of {repeats}")
-    speeds = ", ".join(f"{rate / 1e9:.0f} GFLOP/s ({precision})" for precision, rate in rates.items())
+    print(f"a step of {count:,} parameters, batch 32, {torch.get_num_threads()} threads, median "
+          f"of {repeats}")
+    speeds = ", ".join(f"{rate / 1e9:.0f} GFLOP/s ({precision})"
+                       for precision, rate in rates.items())
     print(f"floor: its matrix products at the rate of a large one, {speeds},")
-    print(f"and 7 memory accesses per parameter for Adam at the rate of a copy, {1e3 * update:.0f} ms")
+    print(f"and 7 memory accesses per parameter for Adam at the rate of a copy, "
+          f"{1e3 * update:.0f} ms")
     print(f"{'':<24}{'ms':>8}{'speed-up':>15}{'GFLOP':>8}{'floor ms':>10}")
     plain = float(np.median(seconds["plain"]))
     for name, form in FORMS.items():
         own = float(np.median(seconds[name]))
         floor = flops[name] / rates[form.precision] + update
         target = TARGETS.get(name, 0.0)
-        print(f"{name:<24}{1e3 * own:>8.0f}{plain / own:>15.2f}{flops[name] / 1e9:>8.1f}{1e3 * floor:>10.0f}"
-              + (f"  target {target}: {'met' if plain / own >= target else 'MISSED'}" if target else ""))
-
-
-def _errors(data: Features, steps: int, seeds: int) -> None:
-    """A table of held-out errors; the same seed gives the same initial weights, frames and dropout."""
-    print(f"\nheld-out error after {steps} steps, {REDUCED.hidden} hidden units, {REDUCED.film_channels} filters, "
-          f"{len(STYLES)} procedural styles, seeds 0 to {seeds - 1}")
-    print(f"{'':<24}{'mean':>8}{'seeds':>30}{'other style':>13}{'s':>7}")
-    for name in TRAINED:
-        form, errors, others, began = FORMS[name], [], [], time.perf_counter()
-        for seed in range(seeds):
-            config = Config(sizes=REDUCED, steps=steps, clips_per_batch=form.clips, precision=form.precision, seed=seed,
-                            rate=1e-3, style_rate=0.1, final_rate=0.01, max_gradient=1.0, refit=0)
-            with form.patched():
-                overall = training.fit(data, config).table()[-1]
-            errors.append(overall["error"])
-            others.append(overall["other"])
-        each = " ".join(f"{e:.4f}" for e in errors)
-        print(f"{name:<24}{np.mean(errors):>8.4f}{each:>30}{np.mean(others):>13.3f}{time.perf_counter() - began:>7.0f}")
+        print(f"{name:<24}{1e3 * own:>8.0f}{plain / own:>15.2f}{flops[name] / 1e9:>8.1f}"
+              f"{1e3 * floor:>10.0f}"
+              + (f"  target {target}: {'met' if plain / own >= target else 'MISSED'}"
+                 if target else ""))
 
 
 def _blend_weights(layer: BlendedLinear, x: Tensor, gates: Tensor) -> Tensor:

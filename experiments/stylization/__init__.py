@@ -1,1 +1,1 @@
-"""Ablation and comparison of Park et al. 2021, with the baselines: ``python -m experiments stylization``."""
+"""Ablation and comparison of Park et al. 2021: ``python -m experiments stylization``."""

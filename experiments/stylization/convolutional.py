@@ -1,8 +1,9 @@
 """Baseline of Table 2: the same system with 1-D convolutions in place of graph convolutions.
 
-All joints of a frame are one vector, and filters run over time only, as in Aberman et al. 2020. Everything else is that of
-`toolkit.stylization`: instance normalisation and AdaIN, a shortcut around each block, codes by domain from references and
-noise, losses, recipe. So a difference in the results is a difference of the networks.
+All joints of a frame are one vector, and filters run over time only, as in Aberman et al. 2020.
+Everything else is that of `toolkit.stylization`: instance normalisation, AdaIN, a shortcut around
+each block, codes by domain from references and noise, losses, recipe. So a difference in the
+results is a difference of the networks.
 """
 
 from itertools import pairwise
@@ -21,19 +22,24 @@ KERNEL = 5  # frames
 
 
 def widths(sizes: Sizes) -> tuple[int, int, int]:
-    """Channels after the first layer and after each halving of time, for which G is as large as with graph convolutions."""
+    """Channels of the three levels of time, for which G is as large as with graph convolutions."""
     return tuple(round(sizes.channels * share) for share in (1.5, 2.25, 2.75))
 
 
 class Block(nn.Module):
-    """Residual block ``[B, C, T]`` → ``[B, C', T]``: normalise, leaky ReLU, convolve, twice; (shortcut + residual) / √2."""
+    """Residual block ``[B, C, T]`` → ``[B, C', T]``: (shortcut + residual) / √2.
+
+    The residual is twice: normalise, leaky ReLU, convolve.
+    """
 
     def __init__(self, inputs: int, outputs: int, norm: str = "none", code: int = 0):
         super().__init__()
-        self.convolutions = nn.ModuleList(nn.Conv1d(c, outputs, KERNEL, padding="same") for c in (inputs, outputs))
+        made = {"none": lambda c: nn.Identity(), "in": lambda c: nn.InstanceNorm1d(c, affine=True),
+                "adain": lambda c: AdaIN(code, c)}[norm]
+        self.convolutions = nn.ModuleList(nn.Conv1d(c, outputs, KERNEL, padding="same")
+                                          for c in (inputs, outputs))
         self.shortcut = nn.Conv1d(inputs, outputs, 1, bias=False)
-        self.norms = nn.ModuleList({"none": lambda c: nn.Identity(), "in": lambda c: nn.InstanceNorm1d(c, affine=True),
-                                    "adain": lambda c: AdaIN(code, c)}[norm](c) for c in (inputs, outputs))
+        self.norms = nn.ModuleList(made(c) for c in (inputs, outputs))
 
     def forward(self, x: Tensor, code: Tensor | None = None) -> Tensor:
         """``[B, C', T]`` of ``[B, C, T]``."""
@@ -45,7 +51,7 @@ class Block(nn.Module):
 
 
 class Encoder(nn.Module):
-    """1×1 convolution and two blocks, each of which halves time: ``[B, C, T/4]`` of z-scores ``[B, 7, T, N]``."""
+    """1×1 convolution and two blocks, each of which halves time: ``[B, C, T/4]``."""
 
     def __init__(self, joints: int, sizes: Sizes, norm: str = "none"):
         super().__init__()
@@ -53,7 +59,7 @@ class Encoder(nn.Module):
         self.blocks = nn.ModuleList(Block(a, b, norm) for a, b in pairwise(widths(sizes)))
 
     def forward(self, z: Tensor) -> Tensor:
-        """``[B, C, T/4]``."""
+        """Of z-scores ``[B, 7, T, N]``."""
         return self.shrink(self.enter(flat(z)))
 
     def shrink(self, h: Tensor) -> Tensor:
@@ -69,21 +75,25 @@ class Generator(nn.Module):
     def __init__(self, joints: int, sizes: Sizes):
         super().__init__()
         self.encoder = Encoder(joints, sizes, "in")
-        self.decoder = nn.ModuleList(Block(a, b, "adain", sizes.code) for a, b in pairwise(widths(sizes)[::-1]))
+        self.decoder = nn.ModuleList(Block(a, b, "adain", sizes.code)
+                                     for a, b in pairwise(widths(sizes)[::-1]))
         self.skip = Skip(sizes.code, widths(sizes)[0]) if sizes.detailed else None
         self.lower = nn.Conv1d(widths(sizes)[0], CHANNELS * joints, 1)
 
     def encode(self, z: Tensor) -> tuple[Tensor, ...]:
         """Content ``[B, C, 1, T/4]``, and what the skip connection needs."""
         early = self.encoder.enter(flat(z))
-        return self.encoder.shrink(early)[:, :, None], *(() if self.skip is None else (early[:, :, None],))
+        content = self.encoder.shrink(early)[:, :, None]
+        return (content,) if self.skip is None else (content, early[:, :, None])
 
     def decode(self, content: tuple[Tensor, ...], code: Tensor) -> Tensor:
         """Motion ``[B, 7, T, N]`` of content in the style of ``code [B, S]``."""
         h, *early = content[0][:, :, 0], *content[1:]
         for block in self.decoder:
             h = block(functional.interpolate(h, scale_factor=2.0, mode="linear"), code)
-        return unflat(self.lower(h if self.skip is None else h + self.skip(*early, code)[:, :, 0]))
+        if self.skip is not None:
+            h = h + self.skip(*early, code)[:, :, 0]
+        return unflat(self.lower(h))
 
     def forward(self, z: Tensor, code: Tensor) -> Tensor:
         """``z [B, 7, T, N]``, T a multiple of 4, in the style of ``code [B, S]``."""
@@ -96,7 +106,8 @@ class Summary(nn.Module):
     def __init__(self, joints: int, sizes: Sizes):
         super().__init__()
         self.trunk = Encoder(joints, sizes)
-        self.whole = nn.Conv1d(widths(sizes)[-1], sizes.channels << 2, networks.FRAMES // networks.SHRINK)
+        frames = networks.FRAMES // networks.SHRINK
+        self.whole = nn.Conv1d(widths(sizes)[-1], sizes.channels << 2, frames)
 
     def forward(self, z: Tensor) -> Tensor:
         """Features of motions of at least 64 frames."""
@@ -110,8 +121,9 @@ def build(graph: SkeletonGraph, domains: tuple[str, ...], sizes: Sizes | None = 
     stylizer, discriminator = networks.build(graph, domains, sizes, statistics)
     joints, sizes = graph.sizes[0], stylizer.sizes
     stylizer.generator = Generator(joints, sizes)
-    stylizer.encoder.summary, discriminator.summary = Summary(joints, sizes), Summary(joints, sizes)
-    for network in (stylizer.generator, stylizer.encoder.summary, discriminator.summary):
+    trunks = [Summary(joints, sizes) for _ in range(2)]
+    stylizer.encoder.summary, discriminator.summary = trunks
+    for network in (stylizer.generator, *trunks):
         he_init(network)
         for layer in network.modules():
             if isinstance(layer, nn.Conv1d):
@@ -121,5 +133,6 @@ def build(graph: SkeletonGraph, domains: tuple[str, ...], sizes: Sizes | None = 
     nn.init.zeros_(stylizer.generator.lower.weight)
     for module in stylizer.generator.modules():
         if isinstance(module, AdaIN | Skip):
-            (module.affine if isinstance(module, AdaIN) else module.gain).weight.data.mul_(networks.CODE_GAIN)
+            reader = module.affine if isinstance(module, AdaIN) else module.gain
+            reader.weight.data.mul_(networks.CODE_GAIN)
     return stylizer, discriminator

@@ -1,4 +1,4 @@
-"""Evaluation of restyled motions (Park et al. 2021, section 7): realism, content preservation, style and diversity."""
+"""Measures of restyled motions (Park et al. 2021, section 7): realism, content, style, variety."""
 
 from collections.abc import Callable
 
@@ -8,8 +8,7 @@ from torch import Tensor
 from experiments.stylization.judges import Judges
 from toolkit.evaluation import metrics
 from toolkit.features.splits import generator
-from toolkit.motion import Clip, Skeleton, contacts
-from toolkit.motion import rotations as R
+from toolkit.motion import Clip, Skeleton, contacts, rotations as R
 from toolkit.stylization.data import FPS, Motions, to_clip
 from toolkit.stylization.networks import Stylizer
 
@@ -18,49 +17,57 @@ STEPPING = 1.0  # landings per second, least for walking or running
 BATCH = 64  # motions per forward pass
 STEPS = 100  # sources of the foot contacts, at most
 WAYS = ("noise", "reference", "dissimilar")
+#: References whose posture is added in part, as `toolkit.stylization.stylize` does it.
+POSTURES = {f"reference, {share} of its posture": share for share in (0.25, 0.5)}
 SLIDE = range(-16, 17, 2)  # frames by which one motion is moved over another to compare them
 PAIRS = 400  # of real motions, for their own diversity
 
 
-def evaluate(model: Stylizer, sources: Motions, references: Motions, judges: Judges, *, by: str = "noise",
+def evaluate(model: Stylizer, sources: Motions, references: Motions, judges: Judges, by: str,
              seed: int = 0) -> dict[str, float]:
     """Restyle every source to every other domain, twice, and measure the results (`measures`).
 
     Parameters
     ----------
     model
-        A stylizer, or another model with its methods `code_of` and `translate` (the baselines of Table 2).
+        A stylizer, or another model with its methods `code_of` and `translate` (the baselines of
+        Table 2).
     sources, references
         Motions that the model was not trained on.
     judges
         Classifiers that were not trained on these motions.
     by
-        Source of the style codes: ``"noise"`` (Table 1), ``"reference"`` (Table 2), a random motion of the domain, or
-        ``"dissimilar"``, one of another content than the source's.
+        Source of the style codes: ``"noise"`` (Table 1), ``"reference"`` (Table 2), a random motion
+        of the domain, also one of `POSTURES`, or ``"dissimilar"``, one of another content than the
+        source's.
     seed
         Seed of noise and references.
-
-    Raises
-    ------
-    ValueError
-        If ``by`` is unknown.
     """
     rows, target = pairs(sources)
-    return measures(sources.select(rows), target, results(model, sources, references, by, seed), judges)
+    made = results(model, sources, references, by, seed)
+    return measures(sources.select(rows), target, made, judges)
 
 
 @torch.no_grad()
-def results(model: Stylizer, sources: Motions, references: Motions, by: str, seed: int) -> list[Tensor]:
-    """Every source in every other domain, twice: two tensors ``[P, 7, T, N]`` in the order of `pairs`."""
-    if by not in WAYS:
+def results(model: Stylizer, sources: Motions, references: Motions, by: str,
+            seed: int) -> list[Tensor]:
+    """Every source in every other domain, twice: two tensors ``[P, 7, T, N]``, as `pairs`."""
+    if by not in (*WAYS, *POSTURES):
         raise ValueError(f"style codes come from by= one of {', '.join(WAYS)}, got {by!r}")
     rows, target = pairs(sources)
+    x = sources.x[rows]
     if by == "noise":
         draw = generator(seed, len(rows))
-        codes = [model.code_from(torch.randn(len(rows), model.sizes.latent, generator=draw), target) for _ in range(2)]
-    else:
-        codes = [_in_batches(model.code_of, references.x[k], target) for k in drawn(sources, references, by, seed)]
-    return [_in_batches(model.translate, sources.x[rows], code) for code in codes]
+        noise = torch.randn(2, len(rows), model.sizes.latent, generator=draw)
+        return [_in_batches(model.translate, x, model.code_from(z, target)) for z in noise]
+    made = []
+    for chosen in drawn(sources, references, by, seed):
+        wanted = references.x[chosen]
+        columns = [x, _in_batches(model.code_of, wanted, target)]
+        if by in POSTURES:
+            columns.append(POSTURES[by] * _in_batches(model.posture_of, wanted, target))
+        made.append(_in_batches(model.translate, *columns))
+    return made
 
 
 def drawn(sources: Motions, references: Motions, by: str, seed: int) -> list[Tensor]:
@@ -68,65 +75,75 @@ def drawn(sources: Motions, references: Motions, by: str, seed: int) -> list[Ten
     rows, target = pairs(sources)
     fits = references.domain == target[:, None]  # [P, R]
     if by == "dissimilar":
-        other = torch.tensor([[name != own for name in references.contents] for own in sources.contents])
+        other = torch.tensor([[name != own for name in references.contents]
+                              for own in sources.contents])
         fits &= other[sources.content[rows]][:, references.content]
     draw = generator(seed, len(rows))
     return [torch.multinomial(fits.float(), 1, generator=draw)[:, 0] for _ in range(2)]
 
 
-def measures(sources: Motions, target: Tensor, made: list[Tensor], judges: Judges) -> dict[str, float]:
-    """Measures of results ``[P, 7, T, N]`` (a list, to compare two for the same source) of sources and target domains [P].
+def measures(sources: Motions, target: Tensor, made: list[Tensor],
+             judges: Judges) -> dict[str, float]:
+    """Measures of results ``[P, 7, T, N]``, one or two for each source and target domain [P].
 
-    Those of `Judges.judge`; ``diversity``, the mean angle (degrees) between the joints of the first two results;
-    ``bone``, the mean error of a bone's length (metres) in the positions;
-    ``contact_f1``, the agreement of foot contacts of sources that walk or run with their results', before feet are held;
-    ``acceleration``, the mean acceleration of the results' joints as a share of the sources'.
+    Those of `Judges.judge`; ``diversity``, the mean angle (degrees) between the joints of the two
+    results; ``bone``, the mean error of a bone's length (metres) in the positions;
+    ``contact_f1``, the agreement of foot contacts of sources that walk or run with their results',
+    before feet are held; ``acceleration``, the mean acceleration of the results' joints as a share
+    of the sources'.
     """
     several = len(made)
+    content, domain = sources.content.repeat(several), target.repeat(several)
     return {
-        **judges.judge(torch.cat(made), sources.content.repeat(several), target.repeat(several)),
-        "diversity": float(angles(*made[:2]).mean()) if several > 1 else 0.0,
+        **judges.judge(torch.cat(made), content, domain),
+        "diversity": float(angles(*made).mean()) if several > 1 else 0.0,
         "bone": bone_error(made[0], sources.skeleton),
         "contact_f1": contact_agreement(sources, made[0]),
         "acceleration": float(acceleration(made[0]).mean() / acceleration(sources.x).mean()),
     }
 
 
-def _in_batches(function: Callable[[Tensor, Tensor], Tensor], *columns: Tensor) -> Tensor:
-    return torch.cat([function(*part) for part in zip(*(column.split(BATCH) for column in columns), strict=True)])
+def _in_batches(function: Callable[..., Tensor], *columns: Tensor) -> Tensor:
+    parts = zip(*(column.split(BATCH) for column in columns), strict=True)
+    return torch.cat([function(*part) for part in parts])
 
 
 def pairs(sources: Motions) -> tuple[Tensor, Tensor]:
     """Rows [P] and target domains [P]: every source with every domain but its own."""
-    return tuple((torch.arange(len(sources.domains)) != sources.domain[:, None]).nonzero().T)
+    others = torch.arange(len(sources.domains)) != sources.domain[:, None]
+    return tuple(others.nonzero().T)
 
 
 def angles(a: Tensor, b: Tensor) -> Tensor:
-    """Mean angle [P] in degrees (geodesic distance of rotations) between the joints of motions ``[P, 7, T, N]``.
+    """Mean angle [P] in degrees (geodesic) between the joints of motions ``[P, 7, T, N]``.
 
-    The middle half of a is compared with the frames of b at the same times, or a little earlier or later (`SLIDE`), where
-    the two agree most: so that two walks out of step are not called different.
+    The middle half of a is compared with the frames of b at the same times, or a little earlier or
+    later (`SLIDE`), where the two agree most: so that two walks out of step are not called
+    different.
     """
     frames = a.shape[2]
     start, half = frames // 4, frames // 2
-    moves = [start + k for k in SLIDE if 0 <= start + k <= frames - half]
-    q = a[:, 3:, start : start + half]
-    turned = [2 * (q * b[:, 3:, s : s + half]).sum(1).abs().clamp(max=1).acos().mean((1, 2)) for s in moves]
+    q, turned = a[:, 3:, start : start + half], []
+    for move in SLIDE:
+        if 0 <= start + move <= frames - half:
+            other = b[:, 3:, start + move : start + move + half]
+            turned.append(2 * (q * other).sum(1).abs().clamp(max=1).acos().mean((1, 2)))
     return torch.stack(turned).amin(0).rad2deg()
 
 
-def own_diversity(motions: Motions, seed: int = 0) -> float:
-    """`angles` between two real motions of one domain and one content from different takes, the mean over random pairs."""
-    alike = (motions.domain == motions.domain[:, None]) & (motions.content == motions.content[:, None])
+def own_diversity(motions: Motions) -> float:
+    """`angles` between real motions of one domain and content from different takes, the mean."""
+    alike = (motions.domain == motions.domain[:, None]) & (
+        motions.content == motions.content[:, None])
     first, second = (alike & (motions.take != motions.take[:, None])).nonzero().T
     if not len(first):
         return float("nan")
-    chosen = torch.randperm(len(first), generator=generator(seed))[:PAIRS]
+    chosen = torch.randperm(len(first), generator=generator(0))[:PAIRS]
     return float(angles(motions.x[first[chosen]], motions.x[second[chosen]]).mean())
 
 
 def bone_error(x: Tensor, skeleton: Skeleton) -> float:
-    """Mean difference of the bones' lengths in the positions of motions ``[P, 7, T, N]`` to the skeleton's, metres."""
+    """Mean error of the bones' lengths in the positions of motions ``[P, 7, T, N]``, metres."""
     bones = (x[:, :3, :, 1:] - x[:, :3, :, list(skeleton.parents[1:])]).norm(dim=1)
     return float((bones - skeleton.offsets[1:].norm(dim=-1)).abs().mean())
 
@@ -137,21 +154,24 @@ def acceleration(x: Tensor) -> Tensor:
 
 
 def contact_agreement(sources: Motions, made: Tensor) -> float:
-    """`contact_f1` of the results [M, 7, T, N] of sources, by loose limits and for at most `STEPS` of them."""
+    """`contact_f1` of results [M, 7, T, N], by loose limits and for at most `STEPS` of them."""
     chosen = torch.randperm(len(made), generator=generator(0, len(made)))[:STEPS]
-    sources, made = sources.select(chosen), made[chosen]
-    before, after = (torch.stack([contacts.detect(clip_of(*motion, sources.skeleton), **LOOSE)
-                                  for motion in zip(x, sources.root_velocity, strict=True)]) for x in (sources.x, made))
-    return contact_f1(before, after)
+    sources, found = sources.select(chosen), []
+    for x in (sources.x, made[chosen]):
+        each = zip(x, sources.root_velocity, strict=True)
+        clips = [clip_of(*motion, sources.skeleton) for motion in each]
+        found.append(torch.stack([contacts.detect(clip, **LOOSE) for clip in clips]))
+    return contact_f1(*found)
 
 
 def clip_of(x: Tensor, root_velocity: Tensor, skeleton: Skeleton) -> Clip:
     """The clip of a motion [7, T, N], which starts at the origin."""
-    return to_clip(x, root_velocity, Clip(skeleton, R.identity(1, len(skeleton)), torch.zeros(1, 3), FPS))
+    origin = Clip(skeleton, R.identity(1, len(skeleton)), torch.zeros(1, 3), FPS)
+    return to_clip(x, root_velocity, origin)
 
 
 def contact_f1(source: Tensor, result: Tensor) -> float:
-    """F1 of the results' foot contacts [M, T, 2] as predictions of the sources', for sources that step; else NaN.
+    """F1 of the results' contacts [M, T, 2] as predictions of the sources'; NaN if none steps.
 
     Two unrelated walks have an F1 of about 0.6.
     """

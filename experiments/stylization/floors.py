@@ -1,4 +1,4 @@
-"""Floors: what restyles without learning. A stylizer is useful only where it is better than all of them."""
+"""Floors: what restyles without learning. A stylizer is useful only where it is better than all."""
 
 from collections.abc import Callable
 
@@ -17,7 +17,8 @@ def unchanged(train: Motions) -> Callable[[Motions, Tensor], Tensor]:
 
 def mean_pose_shift(train: Motions) -> Callable[[Motions, Tensor], Tensor]:
     """The source plus the difference of the mean poses of the two domains' training motions."""
-    pose = torch.stack([train.x[train.domain == d].mean((0, 2)) for d in range(len(train.domains))])
+    domains = range(len(train.domains))
+    pose = torch.stack([train.x[train.domain == d].mean((0, 2)) for d in domains])
 
     def shift(sources: Motions, target: Tensor) -> Tensor:
         x = sources.x + (pose[target] - pose[sources.domain])[:, :, None]
@@ -27,17 +28,19 @@ def mean_pose_shift(train: Motions) -> Callable[[Motions, Tensor], Tensor]:
 
 
 def nearest(train: Motions) -> Callable[[Motions, Tensor], Tensor]:
-    """The training motion of the target domain that is nearest to the source, by the positions of its joints."""
+    """The training motion of the target domain nearest to the source, by the joints' positions."""
 
     def find(sources: Motions, target: Tensor) -> Tensor:
         made = torch.empty_like(sources.x)
         for d in target.unique():
-            rows, own = (target == d).nonzero()[:, 0], train.x[train.domain == d]
-            for part in rows.split(NEAREST):
-                made[part] = own[torch.cdist(sources.x[part, :3].flatten(1), own[:, :3].flatten(1)).argmin(1)]
+            own = train.x[train.domain == d]
+            for part in (target == d).nonzero()[:, 0].split(NEAREST):
+                away = torch.cdist(sources.x[part, :3].flatten(1), own[:, :3].flatten(1))
+                made[part] = own[away.argmin(1)]
         return made
 
     return find
 
 
-FLOORS = {"unchanged source": unchanged, "mean-pose shift": mean_pose_shift, "nearest real clip": nearest}
+FLOORS = {"unchanged source": unchanged, "mean-pose shift": mean_pose_shift,
+          "nearest real clip": nearest}

@@ -1,8 +1,9 @@
-"""Classifiers that judge restyled motion, and the features of the Fréchet Motion Distance (Park et al. 2021, section 7).
+"""Classifiers that judge restyled motion, and the features of the Fréchet Motion Distance.
 
-Departure from the paper, which trains a graph network of ten layers: a window is described by the mean, the deviation and
-mean speed over time of each number of each joint; principal components (95 % of the variance) and a logistic regression name
-the class. Few takes are enough for it, and it is trained in a second.
+Departure from Park et al. 2021 (section 7), who train a graph network of ten layers: a window is
+described by the mean, the deviation and mean speed over time of each number of each joint;
+principal components (95 % of the variance) and a logistic regression name the class. Few takes are
+enough for it, and it is trained in a second.
 """
 
 from collections.abc import Mapping
@@ -25,22 +26,22 @@ STRENGTH = 0.03  # C of the logistic regression: few takes need a strong penalty
 
 @dataclass(frozen=True, eq=False)
 class Judge:
-    """A classifier of the ``content`` or the ``domain`` of motions ``x [M, 7, T, N]`` in physical units.
+    """A classifier of the ``content`` or the ``domain`` of motions ``x [M, 7, T, N]``.
 
-    With ``posture`` False it does not see the mean pose of a window, and can only go by how the motion changes.
+    With ``posture`` False it does not see the mean pose of a window, and can only go by how the
+    motion changes.
     """
 
     statistics: Statistics
-    label: str
     posture: bool
     pipeline: Pipeline
 
     @classmethod
     def train(cls, motions: Motions, label: str, posture: bool = True) -> "Judge":
-        """Fit a judge; all classes have the same weight."""
-        pipeline = make_pipeline(StandardScaler(), PCA(0.95, random_state=0),
-                                 LogisticRegression(C=STRENGTH, max_iter=1000, class_weight="balanced"))
-        judge = cls(motions.statistics(), label, posture, pipeline)
+        """Fit a judge of a ``label`` of motions; all classes have the same weight."""
+        regression = LogisticRegression(C=STRENGTH, max_iter=1000, class_weight="balanced")
+        pipeline = make_pipeline(StandardScaler(), PCA(0.95, random_state=0), regression)
+        judge = cls(motions.statistics(), posture, pipeline)
         pipeline.fit(judge.described(motions.x), getattr(motions, label).numpy())
         return judge
 
@@ -48,7 +49,7 @@ class Judge:
         """Means, deviations and mean speeds over time, ``[M, D]``."""
         z = self.statistics.apply(x)
         parts = [z.std(2), z.diff(dim=2).abs().mean(2)]
-        return torch.cat((z.mean(2), *parts) if self.posture else parts, 1).flatten(1).numpy()
+        return torch.cat([z.mean(2), *parts] if self.posture else parts, 1).flatten(1).numpy()
 
     def right(self, x: Tensor, truth: Tensor) -> Tensor:
         """Whether the class of each motion is recognised, ``[M]``."""
@@ -61,7 +62,10 @@ class Judge:
 
 @dataclass(frozen=True, eq=False)
 class Judges:
-    """Judges of the content, of the style, and of the style without the mean pose; ``real`` motions for the distance."""
+    """Judges of the content, of the style, and of the style without the mean pose.
+
+    ``real`` are the motions to which distances are taken.
+    """
 
     content: Judge
     style: Judge
@@ -71,25 +75,29 @@ class Judges:
     @classmethod
     def train(cls, motions: Mapping[str, Motions], real: Motions) -> "Judges":
         """Judges from motions by label (`sets.Task.judged`)."""
-        return cls(Judge.train(motions["content"], "content"), Judge.train(motions["style"], "domain"),
+        return cls(Judge.train(motions["content"], "content"),
+                   Judge.train(motions["style"], "domain"),
                    Judge.train(motions["style"], "domain", posture=False), real)
 
-    def judge(self, x: Tensor, content: Tensor, domain: Tensor, seed: int = 0) -> dict[str, float]:
+    def judge(self, x: Tensor, content: Tensor, domain: Tensor) -> dict[str, float]:
         """Measures of motions x [M, 7, T, N] that should have a content and a domain, [M] each.
 
-        Shares with recognised ``content``, ``style``, ``both``, and style without mean pose (``movement``). ``fmd`` is the
-        Fréchet distance to as many real motions, ``domain_fmd`` the mean over domains of that to as many of the domain.
+        Shares with recognised ``content``, ``style``, ``both``, and style without mean pose
+        (``movement``). ``fmd`` is the Fréchet distance to as many real motions, ``domain_fmd`` the
+        mean over domains of that to as many of the domain.
         """
         kept, styled = self.content.right(x, content), self.style.right(x, domain)
         found, real = self.content.features(x), self.content.features(self.real.x)
-        each = [_equal_counts(found[domain == d], real[self.real.domain == d], seed) for d in domain.unique()]
-        return {"fmd": _equal_counts(found, real, seed), "domain_fmd": sum(each) / len(each),
-                **{name: float(right.float().mean()) for name, right in
-                   (("content", kept), ("style", styled), ("both", kept & styled),
-                    ("movement", self.movement.right(x, domain)))}}
+        each = [_equal_counts(found[domain == d], real[self.real.domain == d])
+                for d in domain.unique()]
+        shares = {"content": kept, "style": styled, "both": kept & styled,
+                  "movement": self.movement.right(x, domain)}
+        return {"fmd": _equal_counts(found, real), "domain_fmd": sum(each) / len(each),
+                **{name: float(right.float().mean()) for name, right in shares.items()}}
 
 
-def _equal_counts(a: Tensor, b: Tensor, seed: int) -> float:
+def _equal_counts(a: Tensor, b: Tensor) -> float:
     """Fréchet distance of as many rows of one as of the other, chosen at random."""
-    count, draw = min(len(a), len(b)), generator(seed)
-    return metrics.frechet_distance(*(rows[torch.randperm(len(rows), generator=draw)[:count]] for rows in (a, b)))
+    count, draw = min(len(a), len(b)), generator(0)
+    a, b = (rows[torch.randperm(len(rows), generator=draw)[:count]] for rows in (a, b))
+    return metrics.frechet_distance(a, b)

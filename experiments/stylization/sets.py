@@ -1,10 +1,12 @@
-"""What is compared: clips for training, for validation (to choose a recipe) and for the test (scored once), of two datasets.
+"""What is compared: clips for training, validation (of a recipe) and the test (scored once).
 
-Dataset 2 has many takes of each style and content. Half of the takes train the judges, the other half is the generators'.
+Dataset 2 has many takes of each style and content. Half of them train the judges, the other half is
+the generators'.
 
-Dataset 1 has one take of each style and content. So the takes are five parts, in each of which every style and every content
-is: one for the test, one for validation, three for the generators. The judges train on all takes but those of the part that
-they judge, and on more contents and styles than are judged: with the generators' takes, too, but never with a judged one.
+Dataset 1 has one take of each style and content. So the takes are five parts, in each of which
+every style and every content is: one for the test, one for validation, three for the generators.
+The judges train on all takes but those of the part that they judge, and on more contents and styles
+than are judged: with the generators' takes, too, but never with a judged one.
 """
 
 from collections.abc import Mapping
@@ -18,16 +20,22 @@ from toolkit.features.splits import generator
 from toolkit.stylization.data import Motions, build, split
 
 PARTS = ("test", "validation")
-STYLES = ("feminine", "masculinity", "not-confident", "old", "tired")  # of dataset 1: those that a judge can tell apart
-CONTENTS = {"bow": "bow", "bye": "wave", "byebye": "wave", "run": "run", "dash": "run", "walk": "walk"}  # judged as
-OTHERS = {"guide": "guide", "walk-back": "walk", "walk-left": "walk", "walk-right": "walk"}  # of references only
+#: Styles of dataset 1 that a judge can tell apart.
+STYLES = ("feminine", "masculinity", "not-confident", "old", "tired")
+#: What contents are judged as; the others are of references only.
+CONTENTS = {"bow": "bow", "bye": "wave", "byebye": "wave", "run": "run", "dash": "run",
+            "walk": "walk"}
+OTHERS = {"guide": "guide", "walk-back": "walk", "walk-left": "walk", "walk-right": "walk"}
 SETS = ("dataset-1", "dataset-2")
 
 
 @dataclass(frozen=True)
 class Task:
-    """``train`` for the generators; by part ("test", "validation") the ``sources``, the ``references``, and for judges of
-    "content" and "style" the motions they learn from, ``judged[part][label]``.
+    """Motions of a comparison.
+
+    ``train`` is for the generators. By part ("test", "validation") there are the ``sources``, the
+    ``references``, and for judges of "content" and "style" the motions they learn from,
+    ``judged[part][label]``.
     """
 
     train: Motions
@@ -37,18 +45,19 @@ class Task:
 
 
 def load(name: str) -> Task:
-    """The task of a dataset, ``"dataset-1"`` (dissimilar actions) or ``"dataset-2"`` (walks and runs); ValueError else."""
+    """The task of ``"dataset-1"`` (dissimilar actions) or ``"dataset-2"`` (walks and runs)."""
     if name not in SETS:
         raise ValueError(f"the comparison knows {', '.join(SETS)}, not {name!r}")
     if name == "dataset-2":
         return many_takes(build(datasets.load("bandai", dataset=2), mirror=True))
     clips = datasets.load("bandai", dataset=1)
     common = {clip.gait for clip in clips if clip.style == STYLES[0]}
-    return few_takes(build([clip for clip in clips if clip.gait in common], mirror=True), STYLES, CONTENTS)
+    kept = [clip for clip in clips if clip.gait in common]
+    return few_takes(build(kept, mirror=True), STYLES, CONTENTS)
 
 
 def many_takes(motions: Motions) -> Task:
-    """Half of the takes for the judges, of the other a fifth for the test, and of the rest a fifth for validation."""
+    """Half of the takes for the judges; of the others a fifth each for test and validation."""
     others, own = split(motions, 0.5, 0)
     rest, test = split(others, 0.2, 1)
     train, validation = split(rest, 0.2, 2)
@@ -58,7 +67,10 @@ def many_takes(motions: Motions) -> Task:
 
 
 def few_takes(motions: Motions, styles: tuple[str, ...], contents: Mapping[str, str]) -> Task:
-    """Fifths of the takes; generators learn from all contents of some styles, judges of contents from all styles."""
+    """Fifths of the takes.
+
+    Generators learn from all contents of some styles, judges of contents from all styles.
+    """
     part = fifths(motions)
     chosen = torch.tensor([name in styles for name in motions.domains])[motions.domain]
     judged = torch.tensor([name in contents for name in motions.contents])[motions.content]
@@ -66,9 +78,10 @@ def few_takes(motions: Motions, styles: tuple[str, ...], contents: Mapping[str, 
     named = _contents(motions.select(judged), contents)
     few = _contents(_domains(motions.select(chosen & judged), styles), contents)
     sources = {name: few.select(part[chosen & judged] == k) for k, name in enumerate(PARTS)}
-    judges = {name: {"content": named.select(part[judged] != k), "style": common.select(part[chosen] != k)}
-              for k, name in enumerate(PARTS)}
-    alike = _contents(common, {name: {**OTHERS, **contents}.get(name, name) for name in motions.contents})
+    judges = {name: {"content": named.select(part[judged] != k),
+                     "style": common.select(part[chosen] != k)} for k, name in enumerate(PARTS)}
+    names = {**OTHERS, **contents}
+    alike = _contents(common, {name: names.get(name, name) for name in motions.contents})
     references = {name: alike.select(part[chosen] == k) for k, name in enumerate(PARTS)}
     return Task(common.select(part[chosen] >= len(PARTS)), sources, references, judges)
 
@@ -80,7 +93,10 @@ def some(motions: Motions, count: int) -> Motions:
 
 
 def fifths(motions: Motions) -> Tensor:
-    """The part ``[M]``, 0 to 4, of each window: takes of one style, of one content and of one cell are in different ones."""
+    """The part ``[M]``, 0 to 4, of each window.
+
+    Takes of one style, of one content, and of one style and content are in different parts.
+    """
     labels = torch.stack((motions.take, motions.domain, motions.content), 1).flip(0).tolist()
     originals = {take: (d, c) for take, d, c in labels}  # not the mirror image's
     seen: dict[tuple[int, int], int] = {}
@@ -93,12 +109,12 @@ def fifths(motions: Motions) -> Tensor:
 
 def _domains(motions: Motions, names: tuple[str, ...]) -> Motions:
     """The same windows with these domains alone."""
-    return replace(motions, domain=torch.tensor([names.index(motions.domains[d]) for d in motions.domain.tolist()]),
-                   domains=tuple(names))
+    domain = [names.index(motions.domains[d]) for d in motions.domain.tolist()]
+    return replace(motions, domain=torch.tensor(domain), domains=tuple(names))
 
 
 def _contents(motions: Motions, to: Mapping[str, str]) -> Motions:
     """The same windows with contents of other names, several of which may become one."""
     names = tuple(sorted(set(to.values())))
-    content = torch.tensor([names.index(to[motions.contents[c]]) for c in motions.content.tolist()])
-    return replace(motions, content=content, contents=names)
+    content = [names.index(to[motions.contents[c]]) for c in motions.content.tolist()]
+    return replace(motions, content=torch.tensor(content), contents=names)

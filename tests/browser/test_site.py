@@ -1,4 +1,7 @@
-"""The site that `make docs` built: links lead to files and anchors, pages fit a phone, pictures and scripts load."""
+"""The site that `make docs` built.
+
+Links lead to files and anchors, pages fit a phone, pictures and scripts load.
+"""
 
 import html
 import os
@@ -9,7 +12,11 @@ from urllib.parse import unquote
 import pytest
 
 SITE = Path(os.environ.get("TOOLKIT_SITE", Path(__file__).parents[2] / "out" / "docs"))
-PAGES = sorted(path.relative_to(SITE).as_posix() for path in SITE.rglob("*.html") if "_static" not in path.parts)
+PAGES = sorted(
+    path.relative_to(SITE).as_posix()
+    for path in SITE.rglob("*.html")
+    if "_static" not in path.parts
+)
 WIDTHS = (1280, 390)
 
 pytestmark = pytest.mark.skipif(not PAGES, reason="the site is not built: make docs")
@@ -18,17 +25,28 @@ pytestmark = pytest.mark.skipif(not PAGES, reason="the site is not built: make d
 def test_links_within_the_site_lead_to_files_and_anchors():
     texts = {page: (SITE / page).read_text(encoding="utf-8") for page in PAGES}
     # an address in the data of a figure is no link
-    texts = {page: re.sub(r"<script.*?</script>", "", text, flags=re.DOTALL) for page, text in texts.items()}
-    anchors = {page: {html.unescape(name) for name in re.findall(r'\sid="([^"]+)"', text)} for page, text in texts.items()}
+    texts = {
+        page: re.sub(r"<script.*?</script>", "", text, flags=re.DOTALL)
+        for page, text in texts.items()
+    }
+    anchors = {
+        page: {html.unescape(name) for name in re.findall(r'\sid="([^"]+)"', text)}
+        for page, text in texts.items()
+    }
     wrong = []
     for page, text in texts.items():
-        for link in map(html.unescape, set(re.findall(r'<(?:a|img|iframe|link)\s[^>]*?(?:href|src)="([^"]*)"', text))):
+        for link in map(
+            html.unescape,
+            set(re.findall(r'<(?:a|img|iframe|link)\s[^>]*?(?:href|src)="([^"]*)"', text))
+        ):
             if re.match(r"[a-z]+:", link):
                 continue
             file, _, anchor = link.partition("#")
             target = (SITE / page).parent / unquote(file.partition("?")[0]) if file else SITE / page
             known = anchors.get(Path(os.path.relpath(target, SITE)).as_posix())
-            if not target.is_file() or (anchor and known is not None and unquote(anchor) not in known):
+            if not target.is_file() or (
+                anchor and known is not None and unquote(anchor) not in known
+            ):
                 wrong.append(f"{page}: {link}")
     assert not wrong, wrong[:20]
 
@@ -37,7 +55,9 @@ def test_links_within_the_site_lead_to_files_and_anchors():
 def test_pages_fit_their_window_and_load_whole(browser, width):
     """All pages but those of the source code and of the single modules, which have one form."""
     tab, said, wrong = browser.new_page(viewport={"width": width, "height": 900}), [], []
-    tab.on("console", lambda message: said.append(message.text) if message.type == "error" else None)
+    tab.on(
+        "console", lambda message: said.append(message.text) if message.type == "error" else None
+    )
     tab.on("pageerror", lambda error: said.append(str(error)))
     tab.on("requestfailed", lambda request: said.append(request.url))
     for page in PAGES:
@@ -47,13 +67,17 @@ def test_pages_fit_their_window_and_load_whole(browser, width):
         tab.goto((SITE / page).as_uri(), timeout=120_000)
         found = tab.evaluate("""async () => {
             for (const image of document.images) image.loading = "eager";
-            await Promise.all([...document.images].map((image) => image.complete || image.decode().catch(() => 0)));
-            const broken = [...document.images].filter((image) => !image.naturalWidth).map(({ src }) => src.slice(0, 200));
-            const part = document.querySelector(".content") ?? document.body;  // on a phone, it scrolls by itself
-            return { wide: document.documentElement.scrollWidth, beyond: part.scrollWidth - part.clientWidth, broken };
+            const images = [...document.images];
+            await Promise.all(images.map((one) => one.complete || one.decode().catch(() => 0)));
+            const broken = images.filter((one) => !one.naturalWidth);
+            const part = document.querySelector(".content") ?? document.body;  // scrolls on phones
+            return { wide: document.documentElement.scrollWidth,
+                     beyond: part.scrollWidth - part.clientWidth,
+                     broken: broken.map(({ src }) => src.slice(0, 200)) };
         }""")
         wrong += [f"{page}: {what}" for what in (*said, *found["broken"])]
-        wrong += [f"{page}: {found['wide']} pixels wide, contents {found['beyond']} beyond their column"] * (
-            found["wide"] > width or found["beyond"] > 0)
+        wrong += [
+            f"{page}: {found['wide']} pixels wide, contents {found['beyond']} beyond their column"
+        ] * (found["wide"] > width or found["beyond"] > 0)
     tab.close()
     assert not wrong, wrong

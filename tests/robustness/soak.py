@@ -1,4 +1,6 @@
-"""Soak test: every style for ten minutes with random commands and blends, compared with limits for falls and slides."""
+"""Soak test: every style for ten minutes with random commands and blends, compared with limits for
+falls and slides.
+"""
 
 import math
 from dataclasses import dataclass, fields
@@ -22,31 +24,41 @@ CHUNK = 300  # frames whose poses are in memory at a time
 MISBEHAVES = "Drunk"  # style 23 of the published parameters, which is known to fall
 #: Kinds of commands: share of the segments, lowest and highest speed in m/s, and facing.
 WAYS = {
-    "stand": (0.15, 0.0, 0.0, "ahead"), "walk": (0.3, 0.5, 1.5, "ahead"), "run": (0.1, 2.0, 3.5, "ahead"),
-    "wander": (0.15, 0.5, 1.5, "ahead"), "strafe": (0.15, 0.5, 1.3, "elsewhere"), "keep": (0.15, 0.5, 1.5, "zero"),
+    "stand": (0.15, 0.0, 0.0, "ahead"), "walk": (0.3, 0.5, 1.5, "ahead"),
+    "run": (0.1, 2.0, 3.5, "ahead"),
+    "wander": (0.15, 0.5, 1.5, "ahead"), "strafe": (0.15, 0.5, 1.3, "elsewhere"),
+    "keep": (0.15, 0.5, 1.5, "zero"),
 }
 SEGMENT = (0.5, 8.0)  # seconds of a segment with one kind of command
 WOBBLE = 1.0  # radians per square root of a second, random walk of the heading in "wander"
 KEYS = (0.1, 4.0)  # seconds between two key blends
-LOW, HIGH = 0.35, 1.6  # limits of the hips' height / height at rest; outside of them a character is down
-WINDOW, TURN = 5.0, 2.0  # seconds of a window of steady walking; seconds of it for a turn, which are not measured
+# limits of the hips' height / height at rest; outside of them a character is down
+LOW, HIGH = 0.35, 1.6
+# seconds of a window of steady walking; seconds of it for a turn, which are not measured
+WINDOW, TURN = 5.0, 2.0
 WALK, STEADY = (0.5, 1.5), 0.9  # limits of steady walking: m/s; least |mean velocity| / mean speed
 STUCK = 0.2  # share of the commanded distance, below which a character is stuck
 SKATE = 0.05  # m/s, limit of a style's median in steady walking
 PERCENTILES = (50, 90, 99, 100)
 TOLD = "bad", "falls", "stuck", "glides"  # what is counted of each style
-CARRIED = tuple(f.name for f in fields(CharacterState) if f.name not in ("history", "style"))  # the pose includes the root
+# the pose includes the root
+CARRIED = tuple(f.name for f in fields(CharacterState) if f.name not in ("history", "style"))
 
 
 def run(
     model: verbs.TrainedRun = None,
     parameters: verbs.Published = None,
-    skip: Annotated[str | None, typer.Option(help=f"Styles to exclude; of the published, {MISBEHAVES}.")] = None,
+    skip: Annotated[str | None,
+                    typer.Option(help=f"Styles to exclude; else {MISBEHAVES}.")] = None,
     seconds: Annotated[float, typer.Option(min=1.0, help="Duration for each style.")] = 600.0,
     seed: Annotated[int, typer.Option(help="Seed of commands and blends.")] = 0,
-    store: Annotated[bool, typer.Option("--store", help="Write the summary into docs/results/soak.json.")] = False,
+    store: Annotated[bool,
+                     typer.Option("--store",
+                                  help="Write the summary into docs/results/soak.json.")] = False,
 ) -> None:
-    """Falls, slides and stops of every style with random commands and blends, compared with limits; status 1 if exceeded."""
+    """Falls, slides and stops of every style with random commands and blends, compared with limits;
+    status 1 if exceeded.
+    """
     net, bank = published.either(model, parameters)
     without = (MISBEHAVES if parameters and skip is None else skip or "").split(",")
     bank = bank.select(name for name in bank if name not in without)
@@ -58,7 +70,8 @@ def run(
     print(summary(rows, found, seconds))
     if store:
         kind = "published" if parameters else "embedded" if model is None else "trained"
-        Result("soak", f"Every style for {seconds:g} s under random commands and blends, seed {seed}",
+        Result("soak",
+               f"Every style for {seconds:g} s under random commands and blends, seed {seed}",
                "python -m experiments soak [--published DATA/lpn_film_100style] --store", STORED,
                [{"model": kind} | found]).add()
     if any(row["failed"] for row in rows):
@@ -86,9 +99,12 @@ class Course:
 
     @classmethod
     def random(cls, characters: int, frames: int, seed: int) -> "Course":
-        """Stops, walks, runs and sidesteps with sudden turns; blends from the main style to two others and back."""
+        """Stops, walks, runs and sidesteps with sudden turns; blends from the main style to two
+        others and back.
+        """
         draw = torch.Generator().manual_seed(seed)
-        columns = [(*_steering(frames, draw), *_blending(i, characters, frames, draw)) for i in range(characters)]
+        columns = [(*_steering(frames, draw), *_blending(i, characters, frames, draw))
+                   for i in range(characters)]
         return cls(*(torch.stack(column, 1) for column in zip(*columns, strict=True)))
 
     def blend(self, frame: int, vectors: Tensor) -> Tensor:
@@ -100,9 +116,9 @@ class Course:
 class Watched:
     """Observations of N characters over F frames; metres and seconds.
 
-    ``finite`` and ``upright [F, N]`` bool; ``hips [F, N]``, their height, and ``rest``, that of the rest pose;
-    ``root [F, N, 2]``; ``contact [F, N, 2]`` bool, right and left; ``sliding`` and ``plain [F, N, 2]``, horizontal speed of
-    the toes with foot IK and in the network's output.
+    ``finite`` and ``upright [F, N]`` bool; ``hips [F, N]``, their height, and ``rest``, that of the
+    rest pose; ``root [F, N, 2]``; ``contact [F, N, 2]`` bool, right and left; ``sliding`` and
+    ``plain [F, N, 2]``, horizontal speed of the toes with foot IK and in the network's output.
     """
 
     finite: Tensor
@@ -136,10 +152,14 @@ def watch(model, vectors: Tensor, course: Course, *, progress: bool = False) -> 
     return Watched(**whole, rest=float(rest[skeleton.role("hips")] - rest.min()))
 
 
-def _look(model, states: list[CharacterState], last: Tensor | None) -> tuple[dict[str, Tensor], Tensor]:
-    """The arrays of `Watched` for some frames, and the last toes ``[N, 2, 2, 3]``, given those before the first frame."""
+def _look(model, states: list[CharacterState],
+          last: Tensor | None) -> tuple[dict[str, Tensor], Tensor]:
+    """The arrays of `Watched` for some frames, and the last toes ``[N, 2, 2, 3]``, given those
+    before the first frame.
+    """
     layout, skeleton = model.layout, model.layout.skeleton
-    rotations, roots = (torch.stack(side) for side in zip(*(runtime.pose(model, s) for s in states), strict=True))
+    rotations, roots = (torch.stack(side)
+                        for side in zip(*(runtime.pose(model, s) for s in states), strict=True))
     positions = forward_kinematics(skeleton, rotations, roots)[1]
     names = [skeleton.roles[f"{side}_toe"] for side in FEET]
     own = [layout.names.index(name) for name in names]
@@ -147,40 +167,57 @@ def _look(model, states: list[CharacterState], last: Tensor | None) -> tuple[dic
     toes = torch.stack((positions[..., [skeleton.index(name) for name in names], :], network), 2)
     before = torch.cat((toes[:1] if last is None else last[None], toes[:-1]))
     sliding, plain = ((toes - before)[..., ::2].norm(dim=-1) * FPS).unbind(2)
-    numbers = torch.stack([torch.cat([getattr(s, name).flatten(1) for name in CARRIED], 1) for s in states])
+    numbers = torch.stack([torch.cat([getattr(s, name).flatten(1) for name in CARRIED], 1)
+                           for s in states])
     return {
         "finite": numbers.isfinite().all(-1) & positions.isfinite().flatten(2).all(-1),
         "upright": metrics.on_feet(skeleton, positions[..., 1]),
-        "hips": positions[..., skeleton.role("hips"), 1], "root": torch.stack([s.root[:, :2] for s in states]),
-        "contact": torch.stack([s.contacts > 0.5 for s in states]), "sliding": sliding, "plain": plain,
+        "hips": positions[..., skeleton.role("hips"), 1],
+        "root": torch.stack([s.root[:, :2] for s in states]),
+        "contact": torch.stack([s.contacts > 0.5 for s in states]), "sliding": sliding,
+        "plain": plain,
     }, toes[-1]
 
 
 def judge(seen: Watched, course: Course, names: list[str]) -> list[dict]:
-    """A row of measures per style; ``failed`` describes what is wrong, and is empty for a style without failures.
+    """A row of measures per style; ``failed`` describes what is wrong, and is empty for a style
+    without failures.
 
-    A character is down if it is not upright or the height of its hips is outside of `LOW` to `HIGH` times that at rest. In a
-    window with commands for steady walking it is stuck if, after the time for a turn, it moves less than `STUCK` of the
-    commanded distance, and glides if it makes no step. A style slides if the median speed of its toes in contact in steady
-    walking exceeds `SKATE`.
+    A character is down if it is not upright or the height of its hips is outside of `LOW` to `HIGH`
+    times that at rest. In a window with commands for steady walking it is stuck if, after the time
+    for a turn, it moves less than `STUCK` of the commanded distance, and glides if it makes no
+    step. A style slides if the median speed of its toes in contact in steady walking exceeds
+    `SKATE`.
     """
-    down = seen.finite & ~(seen.upright & (seen.hips > LOW * seen.rest) & (seen.hips < HIGH * seen.rest))
+    down = (
+        seen.finite
+        & ~(seen.upright & (seen.hips > LOW * seen.rest) & (seen.hips < HIGH * seen.rest))
+    )
     walking, got, steps = _windows(seen, course)
     stuck, glides = walking & (got < STUCK), walking & (steps == 0)
     rows = []
     for i, name in enumerate(names):
-        slide, plain = (speed[:, i][seen.contact[:, i] & seen.finite[:, i, None]] for speed in (seen.sliding, seen.plain))
+        slide, plain = (speed[:, i][seen.contact[:, i] & seen.finite[:, i, None]]
+                        for speed in (seen.sliding, seen.plain))
         row = {
-            "style": name, "bad": int((~seen.finite[:, i]).sum()), "falls": int(_onsets(down[:, i]).sum()),
-            "down": float(down[:, i].sum()) / FPS, "low": float(seen.hips[:, i].min()), "high": float(seen.hips[:, i].max()),
-            "mean": 100 * float(slide.mean()), **dict(zip(PERCENTILES, _percentiles(slide), strict=True)),
-            "plain": 100 * float(plain.mean()), "plain 99": _percentiles(plain)[PERCENTILES.index(99)],
-            "steps": float(steps[walking[:, i], i].double().mean()) / WINDOW, "speed": float(got[walking[:, i], i].mean()),
+            "style": name, "bad": int((~seen.finite[:, i]).sum()),
+            "falls": int(_onsets(down[:, i]).sum()),
+            "down": float(down[:, i].sum()) / FPS, "low": float(seen.hips[:, i].min()),
+            "high": float(seen.hips[:, i].max()),
+            "mean": 100 * float(slide.mean()),
+            **dict(zip(PERCENTILES, _percentiles(slide), strict=True)),
+            "plain": 100 * float(plain.mean()),
+            "plain 99": _percentiles(plain)[PERCENTILES.index(99)],
+            "steps": float(steps[walking[:, i], i].double().mean()) / WINDOW,
+            "speed": float(got[walking[:, i], i].mean()),
             "stuck": int(_onsets(stuck[:, i]).sum()), "glides": int(_onsets(glides[:, i]).sum()),
         }
-        steady = seen.sliding[-len(walking) :, i][walking[:, i, None] & seen.contact[-len(walking) :, i]]
+        steady = (
+            seen.sliding[-len(walking) :, i][walking[:, i, None] & seen.contact[-len(walking) :, i]]
+        )
         row["steady"] = _percentiles(steady)[0]
-        events = {"not finite": ~seen.finite[:, i], "down": down[:, i], "stuck": stuck[:, i], "glides": glides[:, i]}
+        events = {"not finite": ~seen.finite[:, i], "down": down[:, i], "stuck": stuck[:, i],
+                  "glides": glides[:, i]}
         first = {what: int(when.int().argmax()) for what, when in events.items() if when.any()}
         wrong = [f"{what} at {_moment(course, frame, i, names)}" for what, frame in first.items()]
         if row["steady"] > 100 * SKATE:
@@ -190,7 +227,9 @@ def judge(seen: Watched, course: Course, names: list[str]) -> list[dict]:
 
 
 def _windows(seen: Watched, course: Course) -> tuple[Tensor, Tensor, Tensor]:
-    """For every window ``[W, N]``: whether it has steady walking, share of the commanded distance, number of landings."""
+    """For every window ``[W, N]``: whether it has steady walking, share of the commanded distance,
+    number of landings.
+    """
     length = min(round(WINDOW * FPS), len(seen.root) - 1)
 
     def total(series: Tensor) -> Tensor:
@@ -204,7 +243,10 @@ def _windows(seen: Watched, course: Course) -> tuple[Tensor, Tensor, Tensor]:
     turned = min(round(TURN * FPS), length - 1)
     moved = (seen.root[length:] - seen.root[turned : turned - length]) * (FPS / (length - turned))
     landed = torch.cat((torch.zeros_like(seen.contact[:1]), seen.contact[1:] & ~seen.contact[:-1]))
-    return walking, (moved * asked).sum(-1) / asked.square().sum(-1).clamp_min(1e-9), total(landed.sum(-1)).round()
+    return (
+        walking, (moved * asked).sum(-1) / asked.square().sum(-1).clamp_min(1e-9),
+        total(landed.sum(-1)).round()
+    )
 
 
 def _onsets(now: Tensor) -> Tensor:
@@ -214,7 +256,9 @@ def _onsets(now: Tensor) -> Tensor:
 
 def _percentiles(speeds: Tensor) -> list[float]:
     """`PERCENTILES` of speeds, cm/s."""
-    return (100 * np.percentile(speeds, PERCENTILES)).tolist() if len(speeds) else [math.nan] * len(PERCENTILES)
+    if not len(speeds):
+        return [math.nan] * len(PERCENTILES)
+    return (100 * np.percentile(speeds, PERCENTILES)).tolist()
 
 
 def _moment(course: Course, frame: int, i: int, names: list[str]) -> str:
@@ -225,7 +269,9 @@ def _moment(course: Course, frame: int, i: int, names: list[str]) -> str:
 
 
 def _steering(frames: int, draw: torch.Generator) -> tuple[Tensor, Tensor]:
-    """Velocity and facing ``[F, 2]`` for one character: random segments of the kinds of `WAYS`, each with a new heading."""
+    """Velocity and facing ``[F, 2]`` for one character: random segments of the kinds of `WAYS`,
+    each with a new heading.
+    """
     velocity, facing, start = torch.zeros(frames, 2), torch.zeros(frames, 2), 0
     shares = torch.tensor([way[0] for way in WAYS.values()])
     while start < frames:
@@ -233,25 +279,32 @@ def _steering(frames: int, draw: torch.Generator) -> tuple[Tensor, Tensor]:
         _, slow, fast, look = WAYS[name]
         length, speed, heading, elsewhere = torch.rand(4, generator=draw).tolist()
         stop = min(frames, start + round(FPS * (SEGMENT[0] + length * (SEGMENT[1] - SEGMENT[0]))))
-        turned = torch.randn(stop - start, generator=draw).cumsum(0) * (WOBBLE / FPS**0.5 if name == "wander" else 0.0)
+        turned = torch.randn(stop - start,
+                             generator=draw).cumsum(0) * (WOBBLE / FPS**0.5
+                                                          if name == "wander" else 0.0)
         ahead = _direction(math.tau * heading + turned)
         velocity[start:stop] = (slow + speed * (fast - slow)) * ahead
-        facing[start:stop] = {"ahead": ahead, "elsewhere": _direction(torch.tensor(math.tau * elsewhere)),
+        facing[start:stop] = {"ahead": ahead,
+                              "elsewhere": _direction(torch.tensor(math.tau * elsewhere)),
                               "zero": torch.zeros(2)}[look]
         start = stop
     return velocity, facing
 
 
 def _blending(home: int, styles: int, frames: int, draw: torch.Generator) -> tuple[Tensor, Tensor]:
-    """Styles and shares ``[F, 3]`` of one character: from its main style by two random blends back to it, and again."""
+    """Styles and shares ``[F, 3]`` of one character: from its main style by two random blends back
+    to it, and again.
+    """
     others, shares = torch.empty(frames, 3, dtype=torch.long), torch.empty(frames, 3)
     start, alone = 0, torch.tensor([1.0, 0.0, 0.0])
     while start < frames:
         corners = torch.stack((alone, *(_barycentric(draw) for _ in range(2)), alone))
         others[start:] = torch.tensor([home, *torch.randint(styles, (2,), generator=draw).tolist()])
-        for here, there, length in zip(corners, corners[1:], torch.rand(3, generator=draw).tolist(), strict=False):
+        for here, there, length in zip(corners, corners[1:], torch.rand(3, generator=draw).tolist(),
+                                       strict=False):
             count = round(FPS * (KEYS[0] + length * (KEYS[1] - KEYS[0])))
-            path = torch.lerp(here, there, torch.linspace(0.0, 1.0, count)[:, None])[: max(0, frames - start)]
+            path = torch.lerp(here, there,
+                              torch.linspace(0.0, 1.0, count)[:, None])[: max(0, frames - start)]
             shares[start : start + len(path)] = path
             start += count
     return others, shares
@@ -271,28 +324,37 @@ def _direction(angle: Tensor) -> Tensor:
 COLUMNS = {
     "bad": ("bad", 6, 0), "falls": ("falls", 6, 0), "down": ("down s", 7, 1), "low": ("low", 6, 2),
     "high": ("high", 6, 2), "mean": ("mean", 7, 2), **{p: (f"{p} %", 7, 2) for p in PERCENTILES},
-    "plain": ("no IK", 7, 1), "plain 99": ("99 %", 6, 0), "speed": ("speed", 7, 2), "steps": ("steps/s", 8, 2),
+    "plain": ("no IK", 7, 1), "plain 99": ("99 %", 6, 0), "speed": ("speed", 7, 2),
+    "steps": ("steps/s", 8, 2),
     "steady": ("slide", 7, 2), "stuck": ("stuck", 6, 0), "glides": ("glides", 7, 0),
 }
 
 
 def table(rows: list[dict]) -> list[str]:
     """Lines of the table: a row per style, then the failures."""
-    lines = [f"{'style':<20}" + "".join(f"{title:>{width}}" for title, width, _ in COLUMNS.values())]
-    lines += [f"{row['style']:<20}" + "".join(f"{row[k]:>{w}.{d}f}" for k, (_, w, d) in COLUMNS.items()) for row in rows]
+    lines = [f"{'style':<20}"
+             + "".join(f"{title:>{width}}" for title, width, _ in COLUMNS.values())]
+    lines += [f"{row['style']:<20}"
+              + "".join(f"{row[k]:>{w}.{d}f}" for k, (_, w, d) in COLUMNS.items()) for row in rows]
     lines += [
-        "bad: frames with a value that is not finite; low, high: of the hips, m; mean to 100 %: speed of toes in contact,",
-        "cm/s, with foot IK, then mean and 99 % without; in steady walking, speed: share of the command, steps/s: landings,",
-        f"slide: median of toes in contact, stuck: events with under {STUCK:.0%} of the distance, glides: without steps",
+        "bad: frames with a value that is not finite; low, high: of the hips, m; mean to 100 %: "
+        "speed of toes in contact,",
+        "cm/s, with foot IK, then mean and 99 % without; in steady walking, speed: share of the "
+        "command, steps/s: landings,",
+        f"slide: median of toes in contact, stuck: events with under {STUCK:.0%} of the "
+        f"distance, glides: without steps",
     ]
     return lines + [f"{row['style']}: {row['failed']}" for row in rows if row["failed"]]
 
 
 #: Columns of the stored result.
 STORED = {
-    "model": ["model"], "styles": ["styles", 0], "frames": ["frames", 0], "bad": ["frames that are not finite", 0],
-    "falls": ["falls", 0], "stuck": ["times stuck", 0], "glides": ["glides", 0], "gliding": ["styles that glide", 0],
-    "low": ["hips, m: lowest", 2], "high": ["highest", 2], "mean": ["toes in contact, cm/s: mean", 1],
+    "model": ["model"], "styles": ["styles", 0], "frames": ["frames", 0],
+    "bad": ["frames that are not finite", 0],
+    "falls": ["falls", 0], "stuck": ["times stuck", 0], "glides": ["glides", 0],
+    "gliding": ["styles that glide", 0],
+    "low": ["hips, m: lowest", 2], "high": ["highest", 2],
+    "mean": ["toes in contact, cm/s: mean", 1],
     **{str(p): [f"{p} %", 2] for p in PERCENTILES},
 }
 
@@ -301,9 +363,12 @@ def totals(rows: list[dict], seen: Watched) -> dict[str, float]:
     """Values of `STORED` over all styles."""
     slide = seen.sliding[seen.contact & seen.finite[..., None]]
     return {
-        "styles": len(rows), "frames": seen.finite.numel(), **{k: sum(row[k] for row in rows) for k in TOLD},
-        "gliding": sum(row["glides"] > 0 for row in rows), "low": float(seen.hips.min()), "high": float(seen.hips.max()),
-        "mean": 100 * float(slide.mean()), **dict(zip(map(str, PERCENTILES), _percentiles(slide), strict=True)),
+        "styles": len(rows), "frames": seen.finite.numel(),
+        **{k: sum(row[k] for row in rows) for k in TOLD},
+        "gliding": sum(row["glides"] > 0 for row in rows), "low": float(seen.hips.min()),
+        "high": float(seen.hips.max()),
+        "mean": 100 * float(slide.mean()),
+        **dict(zip(map(str, PERCENTILES), _percentiles(slide), strict=True)),
     }
 
 
@@ -312,6 +377,8 @@ def summary(rows: list[dict], found: dict[str, float], seconds: float) -> str:
     skate = ", ".join(f"{p} % {found[str(p)]:.2f}" for p in PERCENTILES)
     bad, falls, stuck, glides = (found[k] for k in TOLD)
     passed = sum(not row["failed"] for row in rows)
-    return (f"{passed} of {len(rows)} styles pass {seconds:g} s each; {found['frames']:,} frames, {bad} not finite, "
-            f"{falls} falls, {stuck} times stuck, {glides} glides; hips {found['low']:.2f} to {found['high']:.2f} m; "
+    return (f"{passed} of {len(rows)} styles pass {seconds:g} s each; {found['frames']:,} "
+            f"frames, {bad} not finite, "
+            f"{falls} falls, {stuck} times stuck, {glides} glides; hips {found['low']:.2f} to "
+            f"{found['high']:.2f} m; "
             f"skate {found['mean']:.2f} cm/s, {skate}")

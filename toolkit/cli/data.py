@@ -1,4 +1,4 @@
-"""The verb `data`: download datasets, list their styles, count their frames, split them, write the procedural one."""
+"""The verb `data`: download, list and split datasets, write the procedural one."""
 
 import re
 import sys
@@ -8,56 +8,62 @@ from typing import Annotated
 import typer
 from tqdm import tqdm
 
-from toolkit import datasets, export
+from toolkit import datasets
 from toolkit.cli.verbs import ClipSeconds, Root, Seed, Selection, say
 from toolkit.datasets import blocks, home, leaks, procedural
-from toolkit.datasets.fetch import ORIGINS, RECORD, fetch, record
+from toolkit.datasets.fetch import ORIGINS, RECORD, fetch, find, record
+from toolkit.io import save as saving
 
-app = typer.Typer(no_args_is_help=True, add_completion=False, help="Download datasets and show what they hold.")
+app = typer.Typer(no_args_is_help=True, add_completion=False,
+                  help="Download datasets and show what they hold.")
 
 
 @app.command("fetch")
 def data_fetch(
     name: Annotated[str, typer.Argument(help=f"One of {', '.join(ORIGINS)}.")],
-    root: Annotated[Path | None, typer.Option(help="Folder for the dataset; by default where verbs look for it.")] = None,
-    source: Annotated[str | None, typer.Option("--from", help="Another copy: a file or an address.")] = None,
-    sha256: Annotated[str | None, typer.Option(help="Checksum of the archive, where it is not the published one.")] = None,
-    yes: Annotated[bool, typer.Option("--yes", "-y", help="Do not ask; the terms are accepted.")] = False,
+    root: Annotated[Path | None, typer.Option(
+        help="Folder for the dataset; by default where verbs look for it.")] = None,
+    source: Annotated[str | None, typer.Option(
+        "--from", help="Another copy: a file or an address.")] = None,
+    sha256: Annotated[str | None, typer.Option(
+        help="Checksum of the archive, where it is not the published one.")] = None,
+    yes: Annotated[bool, typer.Option(
+        "--yes", "-y", help="Do not ask; the terms are accepted.")] = False,
 ) -> None:
-    """Download a dataset, after showing its size and terms. A download that was interrupted continues."""
-    if name not in ORIGINS:
-        raise ValueError(f"{name!r} cannot be fetched; known: {', '.join(ORIGINS)}")
+    """Download a dataset, after showing its size and terms; it goes on where it was interrupted."""
     if sha256 and not re.fullmatch("[0-9a-fA-F]{64}", sha256):
         raise ValueError(f"--sha256 expects 64 hexadecimal digits, got {sha256!r}")
-    origin, folder = ORIGINS[name], root or home.folder(name)
+    origin, folder = find(name), root or home.folder(name)
     if known := record(folder):
         say(f"{name} is there already, of {known['date'][:10]}: {known['found']} in {folder}")
         return
-    archive = tqdm.format_sizeof(origin.size, "B") if origin.size else "made by the server when asked, size not known before"
-    say(origin.title)
-    say(f"  from   {source or origin.url}")
-    say(f"  size   {archive}; unpacked about {tqdm.format_sizeof(origin.unpacked, 'B')}")
-    say(f"  terms  {origin.terms}")
-    say(f"  into   {folder}")
+    size = tqdm.format_sizeof(origin.size, "B") if origin.size else "not known before"
+    say(f"{origin.title}\n  from   {source or origin.url}")
+    say(f"  size   {size}; unpacked about {tqdm.format_sizeof(origin.unpacked, 'B')}")
+    say(f"  terms  {origin.terms}\n  into   {folder}")
     if not yes:
         if not sys.stdin.isatty():
-            raise ValueError("nothing was fetched: without a terminal to ask on, --yes accepts size and terms")
+            raise ValueError("nothing was fetched: without a terminal to ask on, --yes accepts "
+                             "size and terms")
         if not typer.confirm("Fetch it?"):
             raise typer.Exit(1)
     known = fetch(name, folder, source, sha256, progress=True)
-    say(f"{known['found']}, {known['files']} files in {folder}\nsha256 of the archive: {known['sha256']}"
-        + (" (as published)" if known["sha256"] == origin.sha256 else "") + f"; kept in {RECORD}")
+    same = " (as published)" if known["sha256"] == origin.sha256 else ""
+    say(f"{known['found']}, {known['files']} files in {folder}")
+    say(f"sha256 of the archive: {known['sha256']}{same}; kept in {RECORD}")
     if root is not None and folder.absolute() != home.folder(name).absolute():
         say(f"give --root {folder} to the commands that should use it, or set TOOLKIT_DATA")
 
 
 @app.command("list")
 def data_list(
-    name: Annotated[str, typer.Argument(help=f"Dataset: {', '.join(datasets.DATASETS)}.")], root: Root = None
+    name: Annotated[str, typer.Argument(help=f"Dataset: {', '.join(datasets.DATASETS)}.")],
+    root: Root = None,
 ) -> None:
     """List the styles of a dataset, and how many takes of each gait the folder holds."""
     for style, gaits in datasets.contents(name, root).items():
-        say(f"{style:<20}" + (", ".join(f"{gait} {n}" for gait, n in gaits.items()) or "no file here"))
+        counts = ", ".join(f"{gait} {n}" for gait, n in gaits.items())
+        say(f"{style:<20} {counts or 'no file here'}")
 
 
 @app.command("split")
@@ -67,20 +73,26 @@ def data_split(
     root: Root = None,
 ) -> None:
     """Write training, validation and test parts without leaks, as lists of takes and frames."""
-    export.check(out, (".json",))
+    saving.check(out, (".json",))
     made = datasets.split(name, root)
     made.save(out)
     for part in blocks.PARTS:
         of_part = getattr(made, part)
-        say(f"{part:<11}{len(of_part):>6} blocks{sum(b.stop - b.start for b in of_part):>11,} frames")
-    say(f"unseen styles, in the test alone: {', '.join(made.unseen) or 'none'}; wrote {out}")
+        frames = sum(block.stop - block.start for block in of_part)
+        say(f"{part:<11}{len(of_part):>6} blocks{frames:>11,} frames")
+    unseen = ", ".join(made.unseen) or "none"
+    say(f"unseen styles, in the test alone: {unseen}; wrote {out}")
 
 
 @app.command("leaks")
-def data_leaks(split: Annotated[Path, typer.Argument(help="JSON file of a split, as `data split` writes it.")]) -> None:
+def data_leaks(
+    split: Annotated[Path, typer.Argument(
+        help="JSON file of a split, as `data split` writes it.")],
+) -> None:
     """Find leaks in any split; exit status 1 if there are any.
 
-    They are overlaps, gaps that are too small, mirror images, takes in two parts, and unseen styles in the training.
+    They are overlaps, gaps that are too small, mirror images, takes in two parts, and unseen styles
+    in the training.
     """
     found = leaks.find(split)
     for line in found:
@@ -99,8 +111,9 @@ def data_write(
     clip_seconds: ClipSeconds = 8.0,
     seed: Seed = 0,
 ) -> None:
-    """Write the procedural dataset as files in 100STYLE's layout, with its true contacts and phases."""
+    """Write the procedural dataset in 100STYLE's layout, with its true contacts and phases."""
     if name != "procedural":
         raise ValueError(f"only the procedural dataset can be written, not {name!r}")
     procedural.write(out, styles, gaits, clip_seconds, seed)
-    say(f"wrote {len(list(out.glob('*.bvh')))} clips; read them by toolkit.datasets.load('100style', root={str(out)!r})")
+    count = len(list(out.glob("*.bvh")))
+    say(f"wrote {count} clips; read them by toolkit.datasets.load('100style', root={str(out)!r})")

@@ -5,24 +5,26 @@ from typing import Annotated
 
 import typer
 
+from toolkit import registry
 from toolkit.cli.verbs import Roles, Unit, Up, say
-from toolkit.io import load
 
 
 def inspect(
-    file: Annotated[Path, typer.Argument(help="Motion file: BVH, glTF, VRM, FBX, AMC, NPZ.")],
+    file: Annotated[Path, typer.Argument(help="Motion file: BVH, glTF, VRM, FBX, NPZ.")],
     unit: Unit = "auto",
     up: Up = "auto",
     roles: Roles = None,
     picture: Annotated[Path | None, typer.Option(help="Strip of poses to write: .png.")] = None,
 ) -> None:
-    """Show what a motion file holds, and how it is understood: joints, height, unit, axes, floor, roles, contacts, doubts.
+    """Show what a motion file holds, and how it is understood.
+
+    That is joints, height, unit, axes, floor, roles, contacts and doubts.
 
     `--unit`, `--up` and `--roles` decide what was guessed wrongly; other verbs take them too.
     """
     if picture is not None and picture.suffix.lower() != ".png":
         raise ValueError(f"{picture}: a strip of poses is a .png file")
-    found = load.inspect(file, unit, up, roles)
+    found = registry.find("recording.inspection")(file, unit, up, roles)
     say(found)
     if picture is not None:
         from toolkit import view  # imported on demand: it needs the drawing libraries

@@ -1,4 +1,4 @@
-"""What verbs read: motion files with the floor at zero, folders of recordings, skeletons to retarget to."""
+"""What verbs read: motion files, folders of recordings, skeletons to retarget to."""
 
 import sys
 from collections.abc import Mapping
@@ -14,12 +14,14 @@ from toolkit.datasets.procedural import SKELETON
 from toolkit.motion import Clip, rotations
 
 SKELETONS = {"100style": SKELETON}
-Target = Annotated[str | None, typer.Option("--skeleton", help=f"Retarget to a skeleton: {', '.join(SKELETONS)}, or a file "
-                                            "of it, best with a T-pose.")]
+Target = Annotated[str | None, typer.Option(
+    "--skeleton", help=f"Retarget to a skeleton: {', '.join(SKELETONS)}, or a file of it, best "
+                       "with a T-pose.")]
 
 
-def read(path: Path, unit: float | str = "auto", up: str = "auto", roles: Mapping[str, str] | None = None) -> Clip:
-    """The clip of a motion file (`toolkit.load`), a floor far from zero moved there; doubts are printed on stderr."""
+def read(path: Path, unit: float | str = "auto", up: str = "auto",
+         roles: Mapping[str, str] | None = None) -> Clip:
+    """The clip of a motion file (`datasets.folder.read_file`); doubts are printed on stderr."""
     clip, doubts = own.read_file(path, unit, up, roles)
     for doubt in doubts:
         say(f"{path.name}: {doubt}", sys.stderr)
@@ -27,17 +29,19 @@ def read(path: Path, unit: float | str = "auto", up: str = "auto", roles: Mappin
 
 
 def target(skeleton: str) -> Clip:
-    """The skeleton that ``--skeleton`` names: a T-pose of one of `SKELETONS`, or the motion of a file."""
+    """The skeleton that ``--skeleton`` names: a T-pose of `SKELETONS`, or a file's motion."""
     if skeleton in SKELETONS:
         known = SKELETONS[skeleton]
-        return Clip(known, rotations.identity(1, len(known)), [[0.0, 0.0, 0.0]], 60.0, name=skeleton)
+        pose = rotations.identity(1, len(known))
+        return Clip(known, pose, [[0.0, 0.0, 0.0]], 60.0, name=skeleton)
     if not Path(skeleton).is_file():
-        raise ValueError(f"--skeleton is one of {', '.join(SKELETONS)}, or a file; got {skeleton!r}")
+        raise ValueError(f"--skeleton is one of {', '.join(SKELETONS)}, or a file; got "
+                         f"{skeleton!r}")
     return read(Path(skeleton))
 
 
 def dataset(data: str, root: Path | None) -> tuple[str, Path | None]:
-    """Name and folder of the dataset that ``--data`` names, which may be a folder of one's own recordings."""
+    """Name and folder of the dataset that ``--data`` names, which may be a folder of one's own."""
     if data in datasets.DATASETS or not Path(data).is_dir():
         return data, root
     if root is not None:

@@ -8,71 +8,71 @@ from typing import Annotated
 
 import typer
 
-from toolkit import export, published
+from toolkit import registry
 from toolkit.cli import motion_files
 from toolkit.cli.verbs import Published, Roles, Seed, TrainedRun, Unit, Up, say
-from toolkit.io import model_files
+from toolkit.io import model_files, save as saving
 from toolkit.io.files import below
-from toolkit.io.load import READERS
+from toolkit.io.load import readers
 from toolkit.motion import Clip, Skeleton
-from toolkit.motion.retargeting import report, retarget
 from toolkit.networks import Model
 from toolkit.networks.bank import StyleBank
-from toolkit.styles.fine_tuning import METHODS, STEPS, fine_tune
+from toolkit.styles.fine_tuning import METHODS, STEPS, NewStyles, fine_tune
+from toolkit.training import published
 
-app = typer.Typer(no_args_is_help=True, add_completion=False, help="Add styles to a trained model, and list its styles.")
+app = typer.Typer(no_args_is_help=True, add_completion=False,
+                  help="Add styles to a trained model, and list its styles.")
 
 
 @app.command("add")
 def add(
-    clips: Annotated[Path, typer.Option(help="A motion file of the style, or a folder of them; whole files are used.")],
+    clips: Annotated[Path, typer.Option(
+        help="A motion file of the style, or a folder of them; whole files are used.")],
     name: Annotated[str, typer.Option(help="Name of the new style.")],
     out: Annotated[Path, typer.Option(help="File to write: the model, with one more style.")],
     model: TrainedRun = None,
     parameters: Published = None,
-    method: Annotated[str | None, typer.Option(help=f"{', '.join(METHODS)}; by default the best for the model.")] = None,
+    method: Annotated[str | None, typer.Option(
+        help=f"{', '.join(METHODS)}; by default the best for the model.")] = None,
     steps: Annotated[int, typer.Option(min=1, help="Steps of gradient descent.")] = STEPS,
-    mirror: Annotated[bool, typer.Option("--mirror", help="Use mirror images too; for symmetric styles.")] = False,
+    mirror: Annotated[bool, typer.Option(
+        "--mirror", help="Use mirror images too; for symmetric styles.")] = False,
     seed: Seed = 0,
     unit: Unit = "auto",
     up: Up = "auto",
     roles: Roles = None,
 ) -> None:
-    """Learn a style from one clip or more (2 s or more each, better 4 s); everything else in the file keeps the same bits.
+    """Learn a style from one clip or more of at least 2 s, better 4 s; nothing else changes.
 
-    Motion of another rig is retargeted to the model's skeleton. A model that has its FiLM generator fine-tunes a copy of it.
-    For one that was stored without, such as the embedded one, the style vector itself is optimised.
+    Motion of another rig is retargeted to the model's skeleton. A model that has its FiLM generator
+    fine-tunes a copy of it. For one that was stored without, such as the embedded one, the style
+    vector itself is optimised.
     """
-    files = [path for path in below(clips) if path.suffix.lower() in READERS] if clips.is_dir() else [clips]
-    if not files or not clips.exists():
-        raise ValueError(f"{clips}: no motion file ({', '.join(READERS)}) in this folder" if clips.is_dir() else
-                         f"{clips}: no such file or folder")
+    if not clips.exists():
+        raise ValueError(f"{clips}: no such file or folder")
+    files = [clips]
+    if clips.is_dir():
+        files = [path for path in below(clips) if path.suffix.lower() in readers()]
+    if not files:
+        raise ValueError(f"{clips}: no motion file ({', '.join(readers())}) in this folder")
     if not name.strip() or any(c in name for c in "=,"):
         raise ValueError(f"a style's name must not be empty nor hold '=' or ',', got {name!r}")
-    export.check(out, ())
+    saving.check(out, ())
     tensors, parts, network, bank = _read(model, parameters)
     if not isinstance(added := parts.get("added", []), list):
         raise ValueError(f"{model}: its list of added styles is damaged")
-    shown = [_fitted(motion_files.read(file, unit, up, roles), network.layout.skeleton) for file in files]
-    made = fine_tune(network, shown, name, bank, method=method, steps=steps, mirror=mirror, seed=seed, progress=True)
-    record = {"style": name, "clips": [file.name for file in files], "method": made.method, "steps": steps, "seed": seed,
-              "seconds": round(made.seconds, 1)}
+    skeleton = network.layout.skeleton
+    shown = [_fitted(motion_files.read(file, unit, up, roles), skeleton) for file in files]
+    made = fine_tune(network, shown, name, bank, method=method, steps=steps, mirror=mirror,
+                     seed=seed, progress=True)
+    record = {"style": name, "clips": [file.name for file in files], "method": made.method,
+              "steps": steps, "seed": seed, "seconds": round(made.seconds, 1)}
     new = {"bank": list(made.bank.names), "added": [*added, record]}
     model_files.write(out, tensors | made.bank.tensors, parts | new)
-    first, last = (sum(part) / len(part) if part else math.nan for part in (made.losses[:20], made.losses[-20:]))
-    say(f"{METHODS[made.method]}: loss {first:.3f} → {last:.3f} in {made.seconds:.0f} s, kept step {made.best}")
-    error = made.held_out[name]
-    say("Held-out frames: mean squared error {before:.3f} before, {after:.3f} after; {repeat:.3f} by repeating the frame, "
-        "{mean:.3f} by the mean".format(**error))
-    if not made.best and made.losses:
-        say("Adding did not help: no step was better than the start, and the start was kept. Use more or longer clips.")
-    elif error["after"] >= error["before"]:
-        say("Adding did not help on these frames, which did not choose the step: use more or longer clips.")
-    elif error["after"] >= error["repeat"]:
-        say("One step ahead, the model predicts this style no better than repeating the frame. The walk may have the style "
-            "all\nthe same: look at it. To learn the recordings, train on them: python -m toolkit train --data FOLDER")
+    _report(made, name)
     _print_near(made.bank, name)
-    say(f"wrote {out}; next: python -m toolkit rollout --model {quote(str(out))} --style {quote(name)} --out walk.html")
+    say(f"wrote {out}; next: python -m toolkit rollout --model {quote(str(out))} --style "
+        f"{quote(name)} --out walk.html")
 
 
 @app.command("list")
@@ -83,28 +83,53 @@ def list_(model: TrainedRun = None, parameters: Published = None) -> None:
         _print_near(bank, name)
 
 
+def _report(made: NewStyles, name: str) -> None:
+    """Print the losses and the error on held-out frames, and whether adding helped."""
+    first, last = (sum(part) / len(part) if part else math.nan
+                   for part in (made.losses[:20], made.losses[-20:]))
+    say(f"{METHODS[made.method]}: loss {first:.3f} → {last:.3f} in {made.seconds:.0f} s, kept step "
+        f"{made.best}")
+    error = made.held_out[name]
+    say("Held-out frames: mean squared error {before:.3f} before, {after:.3f} after; {repeat:.3f} "
+        "by repeating the frame, {mean:.3f} by the mean".format(**error))
+    if not made.best and made.losses:
+        say("Adding did not help: no step was better than the start, and the start was kept. Use "
+            "more or longer clips.")
+    elif error["after"] >= error["before"]:
+        say("Adding did not help on these frames, which did not choose the step: use more or "
+            "longer clips.")
+    elif error["after"] >= error["repeat"]:
+        say("One step ahead, the model predicts this style no better than repeating the frame. "
+            "The walk may have the style all\nthe same: look at it. To learn the recordings, train "
+            "on them: python -m toolkit train --data FOLDER")
+
+
 def _fitted(clip: Clip, skeleton: Skeleton) -> Clip:
     """The clip on the model's skeleton."""
     if not any(map(skeleton.is_end, range(len(skeleton)))):
         clip = clip.without_ends()
     if (clip.skeleton.names, clip.skeleton.parents) == (skeleton.names, skeleton.parents):
         return clip
-    made = retarget(clip, skeleton)
-    say(f"{clip.name}: retargeted; {report(clip, made)}")
+    retargeting = registry.find("motion.retargeting")
+    made = retargeting.retarget(clip, skeleton)
+    say(f"{clip.name}: retargeted; {retargeting.report(clip, made)}")
     return made
 
 
 def _print_near(bank: StyleBank, name: str) -> None:
-    say(f"{name:<20} near it: " + ", ".join(f"{other} ({apart:.1f})" for other, apart in bank.nearest(name, 3)))
+    near = ", ".join(f"{other} ({apart:.1f})" for other, apart in bank.nearest(name, 3))
+    say(f"{name:<20} near it: {near}")
 
 
 def _read(path: Path | None, folder: Path | None) -> tuple[dict, dict, Model, StyleBank]:
-    """Tensors and description in a model's file or of the published folder, the model and its bank."""
+    """Tensors and description of a model's file or the published folder, the model, its bank."""
     if folder is not None:
         run = published.either(path, folder)
         return *run.parts(), *run
     if path is None:
-        with resources.as_file(resources.files("toolkit.training") / "pretrained.safetensors") as embedded:
+        file = resources.files("toolkit.training") / "pretrained.safetensors"
+        with resources.as_file(file) as embedded:
             return _read(embedded, None)
     tensors, parts = model_files.read(path, "model")
-    return tensors, parts, Model.from_parts(path, tensors, parts, None), StyleBank.from_parts(path, tensors, parts)
+    model = Model.from_parts(path, tensors, parts, None)
+    return tensors, parts, model, StyleBank.from_parts(path, tensors, parts)

@@ -5,40 +5,48 @@ from typing import Annotated
 
 import typer
 
-from toolkit import export
 from toolkit.cli import motion_files
 from toolkit.cli.verbs import Roles, Seed, Unit, Up, say
 from toolkit.evaluation import metrics
+from toolkit.io import save as saving
 from toolkit.motion import contacts
 from toolkit.stylization.networks import Stylizer, pretrained
 from toolkit.stylization.restyling import POSTURE, stylize
 
 
 def stylize_clip(
-    clip: Annotated[Path, typer.Option(help="Motion file to restyle, on the skeleton of the training data.")],
-    out: Annotated[Path, typer.Option(help=f"File to write: {', '.join(export.SUFFIXES)} (pictures: beside the source).")],
-    model: Annotated[Path | None, typer.Option(help="File of train-stylizer; by default the embedded one.")] = None,
-    domain: Annotated[str | None, typer.Option(help="Target style; with --reference, the style of that clip.")] = None,
+    clip: Annotated[Path, typer.Option(
+        help="Motion file to restyle, on the skeleton of the training data.")],
+    out: Annotated[Path, typer.Option(
+        help=f"File to write: {', '.join(saving.suffixes())} (pictures: beside the source).")],
+    model: Annotated[Path | None, typer.Option(
+        help="File of train-stylizer; by default the embedded one.")] = None,
+    domain: Annotated[str | None, typer.Option(
+        help="Target style; with --reference, the style of that clip.")] = None,
     seed: Seed = 0,
-    reference: Annotated[Path | None, typer.Option(help="Motion file whose style is used instead of noise.")] = None,
-    posture: Annotated[float, typer.Option(min=0, max=1, help="Share of the reference's posture that is added.")] = POSTURE,
+    reference: Annotated[Path | None, typer.Option(
+        help="Motion file whose style is used instead of noise.")] = None,
+    posture: Annotated[float, typer.Option(
+        min=0, max=1, help="Share of the reference's posture that is added.")] = POSTURE,
     feet: Annotated[bool, typer.Option(help="Remove foot skate.")] = True,
     unit: Unit = "auto",
     up: Up = "auto",
     roles: Roles = None,
 ) -> None:
-    """Give a clip another style, from noise or from a reference clip; print the foot skate before and after.
+    """Give a clip another style, from noise or a reference clip; print its foot skate.
 
     Another --seed gives another variant of the style.
     """
-    export.check(out, export.SUFFIXES, clip, reference)
+    saving.check(out, saving.suffixes(), clip, reference)
     stylizer = pretrained() if model is None else Stylizer.load(model)
     if domain is None:
         raise ValueError(f"say which style by --domain: {', '.join(stylizer.domains)}")
     source = motion_files.read(clip, unit, up, roles)
     other = None if reference is None else motion_files.read(reference, unit, up, roles)
     made = stylize(stylizer, source, domain, seed, reference=other, posture=posture, feet=feet)
-    export.write(made, out, title=domain, source=source, progress=True)
+    saving.save(made, out, title=domain, source=source, progress=True)
     standing = contacts.detect(source)
-    before, after = (sum(metrics.foot_skate(c, standing[: len(c)]).values()) * 50 for c in (source, made))
-    say(f"{len(made)} frames; feet that should stand slide by {after:.1f} cm/s, in the source {before:.1f}; wrote {out}")
+    before, after = (sum(metrics.foot_skate(motion, standing[: len(motion)]).values()) * 50
+                     for motion in (source, made))
+    say(f"{len(made)} frames; feet that should stand slide by {after:.1f} cm/s, in the source "
+        f"{before:.1f}; wrote {out}")

@@ -6,17 +6,30 @@ from typing import Annotated
 
 import typer
 
-from toolkit import datasets, export, features, networks, training
+from toolkit import datasets, features, networks, registry, training
 from toolkit.cli.motion_files import Target, dataset, show, target
-from toolkit.cli.verbs import ClipSeconds, Device, Listed, Mirror, Resume, Root, Seed, Selection, say
-from toolkit.features import splits, store
+from toolkit.cli.verbs import (
+    ClipSeconds,
+    Device,
+    Listed,
+    Mirror,
+    Resume,
+    Root,
+    Seed,
+    Selection,
+    say,
+)
+from toolkit.features import splits
+from toolkit.io import save as saving
 from toolkit.training import distributed
 
 
 def train(
-    data: Annotated[str, typer.Option(help=f"Dataset: {', '.join(datasets.DATASETS)}; or the folder of a store, or of "
-                                      "recordings of your own.")],
-    out: Annotated[Path, typer.Option(help="File to write: model, style bank and training record (safetensors).")],
+    data: Annotated[str, typer.Option(
+        help=f"Dataset: {', '.join(datasets.DATASETS)}; or the folder of a store, or of recordings "
+             "of your own.")],
+    out: Annotated[Path, typer.Option(
+        help="File to write: model, style bank and training record (safetensors).")],
     root: Root = None,
     styles: Selection = None,
     gaits: Selection = None,
@@ -26,35 +39,45 @@ def train(
     clip_seconds: ClipSeconds = None,
     model: Annotated[str, typer.Option(help=f"One of {', '.join(networks.MODELS)}.")] = "lpn-film",
     minutes: Annotated[float | None, typer.Option(help="Time budget of the training.")] = None,
-    epochs: Annotated[float | None, typer.Option(help="Passes over the shortest style; 90 in the paper.")] = None,
-    patience: Annotated[int | None, typer.Option(help="Stop after so many test errors (one every 1000 steps) without a "
-                                                 "better one, and keep the best weights.")] = None,
-    small: Annotated[bool, typer.Option("--small", help="Small sizes and fast settings; 30 s without a budget.")] = False,
-    refit: Annotated[int, typer.Option(help="Steps per style that fit FiLM's style vectors to frames after the training; 0: "
-                                       "means over clips, as in the paper.")] = training.Config.refit,
+    epochs: Annotated[float | None, typer.Option(
+        help="Passes over the shortest style; 90 in the paper.")] = None,
+    patience: Annotated[int | None, typer.Option(
+        help="Stop after so many test errors (one every 1000 steps) without a better one, and keep "
+             "the best weights.")] = None,
+    small: Annotated[bool, typer.Option(
+        "--small", help="Small sizes and fast settings; 30 s without a budget.")] = False,
+    refit: Annotated[int, typer.Option(
+        help="Steps per style that fit FiLM's style vectors to frames after the training; 0: means "
+             "over clips, as in the paper.")] = training.Config.refit,
     seed: Seed = 0,
     device: Device = "cpu",
-    processes: Annotated[int, typer.Option(help="Processes that share each minibatch (the extra `scale`), with --device "
-                                           "cuda one GPU each; on several machines use "
-                                           "`torchrun … -m toolkit train …` instead.")] = 1,
-    precision: Annotated[str, typer.Option(help="32, or bf16: faster on a GPU or with many style clips.")] = "32",
-    log: Annotated[Path | None, typer.Option(help="Folder for TensorBoard curves (the extra `scale`).")] = None,
-    slim: Annotated[bool, typer.Option("--slim", help="Write a small file, to which no style can be added.")] = False,
+    processes: Annotated[int, typer.Option(
+        help="Processes that share each minibatch (the extra `scale`), with --device cuda one GPU "
+             "each; on several machines use `torchrun … -m toolkit train …` instead.")] = 1,
+    precision: Annotated[str, typer.Option(
+        help="32, or bf16: faster on a GPU or with many style clips.")] = "32",
+    log: Annotated[Path | None, typer.Option(
+        help="Folder for TensorBoard curves (the extra `scale`).")] = None,
+    slim: Annotated[bool, typer.Option(
+        "--slim", help="Write a small file, to which no style can be added.")] = False,
     resume: Resume = False,
 ) -> None:
-    """Train a model and print its error on held-out frames, beside predicting the mean and repeating the frame."""
-    budget = {"epochs": epochs, "seconds": None if minutes is None else 60 * minutes}
-    budget = {name: value for name, value in budget.items() if value is not None}
+    """Train a model and print its error on held-out frames, and those of two baselines."""
+    budget = {} if epochs is None else {"epochs": epochs}
+    if minutes is not None:
+        budget["seconds"] = 60 * minutes
     config = (training.Config.quick if small else training.Config)(
-        **budget, model=model, patience=patience, refit=refit, seed=seed, device=device, processes=processes,
-        precision=precision)
-    export.check(out, ())
-    distributed.start(config)  # before the data, so that all processes read them at once
+        **budget, model=model, patience=patience, refit=refit, seed=seed, device=device,
+        processes=processes, precision=precision)
+    saving.check(out, ())
+    # before the data, so that all processes read them at once; only one of them talks and writes
+    first = distributed.start(config).global_rank == 0
+    store = registry.find("store")
     if store.is_store(data):
         if root or gaits or mirror or listed or clip_seconds is not None:
-            raise ValueError(f"{data}: a store has its own --root, --gaits, --mirror and --listed; choose among its "
-                             "--styles")
-        found = store.load(data, styles, check=True, progress=distributed.first())
+            raise ValueError(f"{data}: a store has its own --root, --gaits, --mirror and --listed; "
+                             "choose among its --styles")
+        found = store.load(data, styles)
     else:
         data, root = dataset(data, root)
         options = {} if clip_seconds is None else {"seconds": clip_seconds}
@@ -62,26 +85,34 @@ def train(
             if data != "folder":
                 raise ValueError("--skeleton is for a folder of your own recordings")
             options["target"] = target(skeleton)
-        if data == "folder" and distributed.first():
+        if data == "folder" and first:
             show(root, options.get("target"))
         clips = datasets.load(data, root, styles, gaits, **options)
-        mirrored, first = datasets.may_mirror(data, root) if mirror else False, distributed.first()
-        found = (splits.listed(clips, datasets.split(data, root), mirror=mirrored, progress=first) if listed else
-                 features.build(clips, mirror=mirrored, short="skip", progress=first))
+        mirrored = datasets.may_mirror(data, root) if mirror else False
+        if listed:
+            parts = datasets.split(data, root)
+            found = splits.listed(clips, parts, mirror=mirrored, progress=first)
+        else:
+            found = features.build(clips, mirror=mirrored, short="skip", progress=first)
     checkpoint = out.with_name(out.name + ".checkpoint")
-    if distributed.first():
+    if first:
         say(f"{found.n_frames:,} frames of {len(found.styles)} styles")
     run = training.fit(found, config, checkpoint, resume=resume, progress=True, log=log)
-    if not distributed.first():
+    if not first:
         return
     run.save(out, slim=slim)
     checkpoint.unlink(missing_ok=True)
-    say("Held-out frames. Mean squared error of normalised outputs: the model, the model with another style's vector,")
-    say("predicting the mean, repeating the frame. Error of bone lengths in mm.")
+    say(
+        "Held-out frames. Mean squared error of normalised outputs: the model, the model with "
+        "another style's vector,\n"
+        "predicting the mean, repeating the frame. Error of bone lengths in mm."
+    )
     say(f"{'style':<20}{'model':>9}{'other':>9}{'mean':>9}{'repeat':>9}{'bone':>7}")
     for row in run.table():
-        errors = "".join(f"{row.get(k, math.nan):>9.4f}" for k in ("error", "other", "mean", "repeat"))
+        names = ("error", "other", "mean", "repeat")
+        errors = "".join(f"{row.get(name, math.nan):>9.4f}" for name in names)
         say(f"{row['style']:<20}{errors}{1000 * row['bone']:>7.1f}")
     if row["error"] >= row["repeat"]:
-        say("The model predicts no better than repeating the frame: give it more time, or more motion.")
+        say("The model predicts no better than repeating the frame: give it more time, or more "
+            "motion.")
     say(f"{run.history[-1]['step']:,} steps in {run.history[-1]['elapsed']:.0f} s; wrote {out}")

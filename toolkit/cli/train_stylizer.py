@@ -5,41 +5,51 @@ from typing import Annotated
 
 import typer
 
-from toolkit import datasets, export
+from toolkit import datasets
 from toolkit.cli.motion_files import dataset
 from toolkit.cli.verbs import ClipSeconds, Device, Resume, Root, Seed, Selection, say
+from toolkit.io import save as saving
 from toolkit.stylization.data import build
 from toolkit.stylization.losses import LOSSES
 from toolkit.stylization.training import Config, fit
 
 
 def train_stylizer(
-    data: Annotated[str, typer.Option(help=f"Dataset: {', '.join(datasets.DATASETS)}; or a folder of your own clips.")],
-    out: Annotated[Path, typer.Option(help="File to write: networks and training curve (safetensors).")],
+    data: Annotated[str, typer.Option(
+        help=f"Dataset: {', '.join(datasets.DATASETS)}; or a folder of your own clips.")],
+    out: Annotated[Path, typer.Option(
+        help="File to write: networks and training curve (safetensors).")],
     root: Root = None,
     styles: Selection = None,
     gaits: Selection = None,
     clip_seconds: ClipSeconds = None,
-    losses: Annotated[str, typer.Option(help="Comma-separated; Table 1 leaves out ds, then sty.")] = ",".join(LOSSES),
-    iterations: Annotated[int | None, typer.Option(help="By default the paper's 100,000; 2,000 with --small.")] = None,
-    minutes: Annotated[float | None, typer.Option(help="Train for this time; the rates decay over it.")] = None,
-    small: Annotated[bool, typer.Option("--small", help="Small networks and fast settings, for a processor.")] = False,
+    losses: Annotated[str, typer.Option(
+        help="Comma-separated; Table 1 leaves out ds, then sty.")] = ",".join(LOSSES),
+    iterations: Annotated[int | None, typer.Option(
+        help="By default the paper's 100,000; 2,000 with --small.")] = None,
+    minutes: Annotated[float | None, typer.Option(
+        help="Train for this time; the rates decay over it.")] = None,
+    small: Annotated[bool, typer.Option(
+        "--small", help="Small networks and fast settings, for a processor.")] = False,
     mirror: Annotated[bool, typer.Option(help="Add mirror images, as the paper does.")] = True,
     seed: Seed = 0,
     device: Device = "cpu",
-    slim: Annotated[bool, typer.Option("--slim", help="Write a small file: 16 bits, no training curve.")] = False,
+    slim: Annotated[bool, typer.Option(
+        "--slim", help="Write a small file: 16 bits, no training curve.")] = False,
     resume: Resume = False,
 ) -> None:
     """Train the motion stylizer of Park et al. 2021; print its losses over time.
 
-    Its domains are the styles of the dataset, its contents the gaits. Ctrl-C stops it, and --resume goes on from there.
+    Its domains are the styles of the dataset, its contents the gaits. Ctrl-C stops it, and --resume
+    goes on from there.
     """
-    export.check(out, ())
+    saving.check(out, ())
     data, root = dataset(data, root)
     budget: dict[str, float] = {} if iterations is None else {"iterations": iterations}
     if minutes is not None:
         budget = {"iterations": iterations or 10**9, "seconds": 60 * minutes}
-    config = (Config.quick if small else Config)(losses=tuple(losses.split(",")), seed=seed, device=device, **budget)
+    config = (Config.quick if small else Config)(
+        losses=tuple(losses.split(",")), seed=seed, device=device, **budget)
     options = {} if clip_seconds is None else {"seconds": clip_seconds}
     motions = build(datasets.load(data, root, styles, gaits, **options), mirror=mirror)
     say(f"{len(motions):,} windows of {', '.join(motions.domains)}")
@@ -51,8 +61,10 @@ def train_stylizer(
         raise
     (run.stylizer.save(out, slim=True) if slim else run.save(out))
     checkpoint.unlink(missing_ok=True)
-    terms = [name for name in run.history[-1] if name not in ("step", "elapsed")] if run.history else []
+    last = run.history[-1] if run.history else {}
+    terms = [name for name in last if name not in ("step", "elapsed")]
     say(f"{'step':>8}" + "".join(f"{name:>8}" for name in terms))
     for row in run.history[:: max(1, len(run.history) // 10)]:
-        say(f"{row['step']:>8,}" + "".join(f"{row[name]:>8.3f}" if name in row else f"{'':>8}" for name in terms))
+        cells = (f"{row[name]:>8.3f}" if name in row else f"{'':>8}" for name in terms)
+        say(f"{row['step']:>8,}" + "".join(cells))
     say(f"wrote {out}")

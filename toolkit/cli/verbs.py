@@ -1,11 +1,12 @@
-"""What the verbs share: their options, and a command line that imports a verb when it is run, so that help is quick."""
+"""What the verbs share: options, and a command line that imports a verb when it is run."""
 
+import contextlib
 import functools
 import io
 import logging
 import sys
 import warnings
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from importlib import import_module
 from pathlib import Path
 from typing import Annotated, Any, TextIO
@@ -38,22 +39,32 @@ def _roles(text: str) -> dict[str, str]:
 
 
 LONGEST = 1000  # letters of an error, which may quote a file or an argument
-PUBLISHED = "Folder of the published parameters, or lpn-film-100style once fetched."
-Published = Annotated[Path | None, typer.Option("--published", help=PUBLISHED)]
-TrainedRun = Annotated[Path | None, typer.Option("--model", help="File of a trained model; by default the embedded one.")]
+Published = Annotated[Path | None, typer.Option(
+    "--published", help="Folder of the published parameters, or lpn-film-100style once fetched.")]
+TrainedRun = Annotated[Path | None, typer.Option(
+    "--model", help="File of a trained model; by default the embedded one.")]
 Root = Annotated[Path | None, typer.Option(help="Folder that holds the dataset.")]
-Selection = Annotated[Names | None, typer.Option(parser=Names, metavar="A,B,…", help="Names to use; by default all.")]
-Mirror = Annotated[bool, typer.Option("--mirror", help="Add mirror images (100STYLE: of symmetric styles).")]
-Listed = Annotated[bool, typer.Option("--listed", help="Train on the training part of the dataset's list (`data split`) and "
-                                      "hold out its test part; 100style and bandai.")]
-Seed = Annotated[int, typer.Option(min=0, max=2**31 - 1, help="The same seed gives the same result.")]
+Selection = Annotated[Names | None, typer.Option(
+    parser=Names, metavar="A,B,…", help="Names to use; by default all.")]
+Mirror = Annotated[bool, typer.Option(
+    "--mirror", help="Add mirror images (100STYLE: of symmetric styles).")]
+Listed = Annotated[bool, typer.Option(
+    "--listed", help="Train on the training part of the dataset's list (`data split`) and hold out "
+                     "its test part; 100style and bandai.")]
+Seed = Annotated[int, typer.Option(
+    min=0, max=2**31 - 1, help="The same seed gives the same result.")]
 Device = Annotated[str, typer.Option(help="cpu, cuda, …")]
-Resume = Annotated[bool, typer.Option("--resume", help="Continue from OUT.checkpoint, which a stopped run leaves.")]
-Unit = Annotated[Any, typer.Option("--unit", parser=_unit, metavar="METRES", help="Metres of one unit of length in a "
-                                   "motion file, or m, cm, mm, inch, dm, CMU; by default from the body's height.")]
-Up = Annotated[str, typer.Option("--up", help="Axis of a motion file that points up: x, y, z, -x, -y, -z, or auto.")]
-Roles = Annotated[Any, typer.Option("--roles", parser=_roles, metavar="ROLE=JOINT,…", help="Joints by role, for example "
-                                    "left_toe=LToe, in place of those that were found.")]
+Resume = Annotated[bool, typer.Option(
+    "--resume", help="Continue from OUT.checkpoint, which a stopped run leaves.")]
+Unit = Annotated[Any, typer.Option(
+    "--unit", parser=_unit, metavar="METRES",
+    help="Metres of one unit of length in a motion file, or m, cm, mm, inch, dm, CMU; by default "
+         "from the body's height.")]
+Up = Annotated[str, typer.Option(
+    "--up", help="Axis of a motion file that points up: x, y, z, -x, -y, -z, or auto.")]
+Roles = Annotated[Any, typer.Option(
+    "--roles", parser=_roles, metavar="ROLE=JOINT,…",
+    help="Joints by role, for example left_toe=LToe, in place of those that were found.")]
 ClipSeconds = Annotated[float | None, typer.Option(help="Length of each procedural clip.")]
 
 
@@ -69,6 +80,8 @@ class Verb(TyperCommand):
         """The verb with its options, or its group of verbs."""
         module, name = self.home.split(":")
         app = getattr(import_module(module), name)
+        if isinstance(app, TyperGroup):
+            return app
         if not isinstance(app, typer.Typer):
             function, app = app, typer.Typer(add_completion=False)
             app.command()(function)
@@ -82,18 +95,21 @@ class Verb(TyperCommand):
 def group(homes: Mapping[str, tuple[str, str]], text: str) -> TyperGroup:
     """A command line of verbs, with ``text`` as its help.
 
-    ``homes`` holds for each verb ``"module:name"`` of a function or a typer application, and its help in one line.
+    ``homes`` holds for each verb ``"module:name"`` of a function or a typer application, and its
+    help in one line.
     """
-    return TyperGroup(commands={name: Verb(name, *home) for name, home in homes.items()}, no_args_is_help=True, help=text)
+    commands = {name: Verb(name, *home) for name, home in homes.items()}
+    return TyperGroup(commands=commands, no_args_is_help=True, help=text)
 
 
 def execute(app: TyperGroup, arguments: list[str] | None = None) -> int:
-    """Run a command line; returns the exit status. Bad input prints one line on stderr and gives status 2."""
+    """Run a command line; returns the exit status. Bad input prints one line and gives status 2."""
     if isinstance(sys.stdout, io.TextIOWrapper):
-        sys.stdout.reconfigure(errors="replace")  # a pipe on Windows cannot encode letters such as → or ±
-    warnings.showwarning = lambda message, *_, **__: _print_error(f"warning: {message}")
+        # a pipe on Windows cannot encode letters such as → or ±
+        sys.stdout.reconfigure(errors="replace")
     try:
-        app(arguments, standalone_mode=True)
+        with _notices():
+            app(arguments, standalone_mode=True)
     except (ValueError, OSError, ImportError) as error:
         place, why = getattr(error, "filename", None), getattr(error, "strerror", None)
         _print_error(f"error: {place}: {why}" if place and why else f"error: {error}")
@@ -104,23 +120,42 @@ def execute(app: TyperGroup, arguments: list[str] | None = None) -> int:
     return 0
 
 
-class Lines(logging.Handler):
-    """Prints log records as lines on stderr."""
-
-    def emit(self, record: logging.LogRecord) -> None:  # noqa: D102
-        _print_error(record.getMessage())
+@contextlib.contextmanager
+def _notices() -> Iterator[None]:
+    """Inside, warnings are printed as lines, and which data is used."""
+    logger, lines = logging.getLogger("toolkit.datasets"), logging.Handler(logging.INFO)
+    before, level = warnings.showwarning, logger.level
+    warnings.showwarning = lambda message, *_, **__: _print_error(f"warning: {message}")
+    lines.emit = lambda record: _print_error(record.getMessage())
+    logger.addHandler(lines)
+    logger.setLevel(logging.INFO)
+    try:
+        yield
+    finally:
+        warnings.showwarning = before
+        logger.removeHandler(lines)
+        logger.setLevel(level)
 
 
 def say(text: object, file: TextIO | None = None) -> None:
-    """Print a text, on stdout or in a file; characters that move the cursor or reorder text appear as their escapes."""
-    from toolkit.motion.names import printable
+    """Print a text, on stdout or in a file.
+
+    Characters that move the cursor or reorder text appear as their escapes.
+    """
+    from toolkit.motion.text import printable
 
     print("\n".join(map(printable, str(text).split("\n"))), file=file, flush=True)
 
 
 def _print_error(line: str) -> None:
-    from toolkit.training import distributed
-
-    if distributed.first():
+    if _first():
         line = "".join(c if c.isprintable() else repr(c)[1:-1] for c in line)
         print(line if len(line) < LONGEST else f"{line[:LONGEST]} …", file=sys.stderr)
+
+
+def _first() -> bool:
+    """True, except in the other processes of a training on several."""
+    torch = sys.modules.get("torch")
+    if torch is None or not torch.distributed.is_available():
+        return True
+    return not torch.distributed.is_initialized() or torch.distributed.get_rank() == 0

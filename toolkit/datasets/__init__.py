@@ -1,8 +1,7 @@
-"""Motion datasets with one interface: the files of public datasets, and a procedural dataset that needs no files.
+"""Motion datasets with one interface: public ones, and a procedural one that needs no files.
 
-Where ``root`` is None, the folder is the one with the name of the dataset (``100style``, ``bandai``, ``xia``) in the folder
-that the environment variable ``TOOLKIT_DATA`` names, or else in the user's data folder, where ``python -m toolkit data
-fetch`` puts it (`toolkit.datasets.home`).
+Where ``root`` is None, the folder is that of the dataset on this machine (`toolkit.datasets.home`),
+where ``python -m toolkit data fetch`` puts it.
 """
 
 import difflib
@@ -15,32 +14,34 @@ from types import ModuleType
 
 import lazy_loader
 
-from toolkit.datasets import bandai, folder, home, procedural, style100, xia
+from toolkit.datasets import bandai, folder, home, procedural, style100
 from toolkit.datasets.blocks import split
 from toolkit.datasets.takes import Names, Take
 from toolkit.motion import Clip
 
-__all__ = ["DATASETS", "Take", "available", "bandai", "contents", "folder", "home", "load", "may_mirror", "procedural",
-           "split", "style100", "where", "xia"]
-__getattr__ = lazy_loader.attach(__name__, [module.name for module in pkgutil.iter_modules(__path__)])[0]
+__all__ = ["DATASETS", "Take", "available", "bandai", "contents", "folder", "home", "load",
+           "may_mirror", "procedural", "split", "style100", "where"]
+_names = [module.name for module in pkgutil.iter_modules(__path__)]
+__getattr__ = lazy_loader.attach(__name__, _names)[0]
 
-DATASETS = {"procedural": procedural, "100style": style100, "bandai": bandai, "xia": xia, "folder": folder}
+DATASETS = {"procedural": procedural, "100style": style100, "bandai": bandai, "folder": folder}
 
 
-def load(name: str, root: str | os.PathLike | None = None, styles: Names = None, gaits: Names = None,
-         **options) -> list[Clip]:
+def load(name: str, root: str | os.PathLike | None = None, styles: Names = None,
+         gaits: Names = None, **options) -> list[Clip]:
     """Clips of a dataset, in the order of style and file name.
 
     Parameters
     ----------
     name
-        ``"procedural"``, ``"100style"``, ``"bandai"`` or ``"xia"``; ``"folder"`` for a folder of your own.
+        ``"procedural"``, ``"100style"`` or ``"bandai"``; ``"folder"`` for a folder of your own.
     root
         The folder that holds the files; the procedural dataset has none.
     styles, gaits
         Names to keep; None for all.
     **options
-        Options of the dataset's own ``load``: ``seconds``, ``seed`` (procedural), ``cut`` (100style), ``dataset`` (bandai).
+        Options of the dataset's own ``load``: ``seconds``, ``seed`` (procedural), ``cut``
+        (100style), ``dataset`` (bandai), ``target`` (folder).
 
     Raises
     ------
@@ -58,30 +59,42 @@ def load(name: str, root: str | os.PathLike | None = None, styles: Names = None,
 
 
 def contents(name: str, root: str | os.PathLike | None = None) -> dict[str, dict[str, int]]:
-    """Number of takes of each style and gait, without reading any motion; the errors of ``root`` are those of `load`."""
+    """Number of takes of each style and gait, without reading any motion; errors as of `load`."""
     module = _module(name, root)
     if module is procedural:
         return {style: dict.fromkeys(procedural.GAITS, 1) for style in procedural.STYLES}
     takes = module.SOURCE.find(root)
-    known = style100.styles(root) if module is style100 else sorted({take.style for take in takes})
-    return {style: dict(Counter(take.gait for take in takes if take.style == style)) for style in known}
+    if module is style100:
+        found = {style: Counter() for style in style100.styles(root)}
+    else:
+        found = {style: Counter() for style in sorted({take.style for take in takes})}
+    for take in takes:
+        if take.style in found:
+            found[take.style][take.gait] += 1
+    return {style: dict(gaits) for style, gaits in found.items()}
 
 
 def available(name: str) -> bool:
-    """Whether `load` works without a ``root``: the dataset's folder exists on this machine, or it needs none."""
+    """Whether `load` works without a ``root``: the data are on this machine, or none are needed."""
     return _module(name, None) is procedural or home.folder(name).is_dir()
 
 
 def where(name: str) -> str:
-    """Description of the data that `load` uses without a ``root``; ValueError if they are not on this machine."""
+    """Description of the data that `load` uses without a ``root``; ValueError if there are none."""
     module = _module(name, None)
-    return "procedural: computed here" if module is procedural else f"{name}: {module.SOURCE.folder(None)}"
+    if module is procedural:
+        return "procedural: computed here"
+    return f"{name}: {module.SOURCE.folder(None)}"
 
 
 def may_mirror(name: str, root: str | os.PathLike | None = None) -> Callable[[Clip | Take], bool]:
-    """Which clips of a dataset may be mirrored: symmetric styles, as 100STYLE's table lists them; idling never."""
+    """Which clips may be mirrored: all but idling and the styles that 100STYLE calls asymmetric."""
     styles = style100.styles(root) if name == "100style" else {}
-    return lambda clip: clip.gait != "ID" and (clip.style not in styles or styles[clip.style].symmetric)
+
+    def may(clip: Clip | Take) -> bool:
+        return clip.gait != "ID" and (clip.style not in styles or styles[clip.style].symmetric)
+
+    return may
 
 
 def _module(name: str, root: str | os.PathLike | None) -> ModuleType:
@@ -90,5 +103,6 @@ def _module(name: str, root: str | os.PathLike | None) -> ModuleType:
         guess = f"did you mean {near[0]!r}? " if near else ""
         raise ValueError(f"unknown dataset {name!r}; {guess}known: {', '.join(DATASETS)}")
     if name == "procedural" and root is not None:
-        raise ValueError(f"the procedural dataset is computed and reads no folder; leave root={os.fspath(root)!r} out")
+        raise ValueError("the procedural dataset is computed and reads no folder; leave "
+                         f"root={os.fspath(root)!r} out")
     return DATASETS[name]

@@ -1,8 +1,9 @@
-"""Bandai-Namco Research motion dataset 1 and 2 (CC BY-NC 4.0): 30 Hz, files ``dataset-N_<content>_<style>_<nnn>.bvh``.
+"""Bandai-Namco Research motion datasets 1 and 2 (CC BY-NC 4.0), 30 Hz.
 
-Dataset 1 has 15 styles of many everyday contents, dataset 2 seven styles of walking and running. The gait of a clip is the
-content: ``walk``, ``walk-turn-left``, ``bow`` … The rate stays 30 Hz. Clips have no End Sites, because only some files
-give them a length: all clips have the same 21 joints.
+The files are ``dataset-N_<content>_<style>_<nnn>.bvh``. Dataset 1 has 15 styles of many everyday
+contents, dataset 2 seven styles of walking and running. The gait of a clip is the content:
+``walk``, ``walk-turn-left``, ``bow`` … Clips have no End Sites, because only some files give them a
+length: all clips have the same 21 joints.
 """
 
 import os
@@ -24,12 +25,14 @@ def load(root: str | os.PathLike | None = None, styles: Names = None, gaits: Nam
          dataset: int | None = None) -> list[Clip]:
     """Clips of the dataset, see `toolkit.datasets.takes.Source.load`.
 
-    ``dataset`` is 1 or 2, or None for both, which name some styles differently (``masculinity`` and ``masculine``).
+    ``dataset`` is 1 or 2, or None for both, which name some styles differently (``masculinity`` and
+    ``masculine``).
     """
     if dataset not in (None, 1, 2):
         raise ValueError(f"bandai: dataset must be 1, 2 or None for both, got {dataset!r}")
     source = SOURCE
     if dataset is not None:
-        source = replace(SOURCE, pattern=re.compile(SOURCE.pattern.pattern.replace(r"\d+", str(dataset), 1)),
-                         layout=SOURCE.layout.replace("-N", f"-{dataset}"))
+        pattern = SOURCE.pattern.pattern.replace(r"\d+", str(dataset), 1)
+        layout = SOURCE.layout.replace("-N", f"-{dataset}")
+        source = replace(SOURCE, pattern=re.compile(pattern), layout=layout)
     return [clip.without_ends() for clip in source.load(root, styles, gaits)]

@@ -1,8 +1,9 @@
 """Training, validation and test parts of a dataset without leaks, as lists of takes and frames.
 
-Neighbouring frames are almost equal, and the features of a frame reach 60 frames back and 51 ahead. So the parts are whole
-takes, or contiguous blocks with `GAP` frames between them that belong to no part. A block's mirror image belongs to the part
-of the block. `toolkit.datasets.leaks` checks these rules in any list.
+Neighbouring frames are almost equal, and the features of a frame reach 60 frames back and 51 ahead.
+So the parts are whole takes, or contiguous blocks with `GAP` frames between them that belong to no
+part. A block's mirror image belongs to the part of the block. `toolkit.datasets.leaks` checks these
+rules in any list.
 """
 
 import hashlib
@@ -20,7 +21,8 @@ from toolkit.io import files
 from toolkit.io.files import write_whole
 
 PARTS = "train", "validation", "test"
-GAP = 240  # frames at 60 Hz between blocks of one take: a style clip, which is longer than the window of a frame (112)
+# frames at 60 Hz between blocks of a take: a style clip, longer than the window of a frame (112)
+GAP = 240
 SHARE = 0.1  # of a take (of a style's takes) for validation, and for the test
 LEAST = 240  # frames of a block: one style clip
 HEADER = 200_000  # bytes of a BVH file in which its number of frames is looked for
@@ -29,8 +31,9 @@ HEADER = 200_000  # bytes of a BVH file in which its number of frames is looked 
 class Block(NamedTuple):
     """Frames ``start`` to ``stop`` (not included) of a take, as its file counts them.
 
-    In 100STYLE style and gait name the take, and the frames are those of Frame_Cuts.csv. In Bandai's dataset several takes
-    have the same style and content: there ``gait`` is the file's name without suffix.
+    In 100STYLE style and gait name the take, and the frames are those of Frame_Cuts.csv. In
+    Bandai's dataset several takes have the same style and content: there ``gait`` is the file's
+    name without suffix.
     """
 
     style: str
@@ -53,28 +56,28 @@ class Split:
 
     def to_json(self) -> dict:
         """The split as JSON values: what `save` writes and `toolkit.datasets.leaks` reads."""
-        return {"dataset": self.dataset, "unseen": list(self.unseen), "gap": self.gap, "whole_takes": self.whole_takes,
-                **{part: [list(block) for block in getattr(self, part)] for part in PARTS}}
+        made = {"dataset": self.dataset, "unseen": list(self.unseen), "gap": self.gap,
+                "whole_takes": self.whole_takes}
+        for part in PARTS:
+            made[part] = [list(block) for block in getattr(self, part)]
+        return made
 
     def save(self, path: str | os.PathLike) -> None:
-        """Write a JSON file with a line per block."""
-        made = self.to_json()
-        rows = {part: made.pop(part) for part in PARTS}
-        lines = [f" {json.dumps(key)}: {json.dumps(value)}" for key, value in made.items()]
-        lines += [f' "{part}": [\n' + ",\n".join(f"  {json.dumps(row)}" for row in blocks) + "\n ]"
-                  for part, blocks in rows.items()]
-        write_whole(Path(path), ("{\n" + ",\n".join(lines) + "\n}\n").encode())
+        """Write a JSON file."""
+        write_whole(Path(path), (json.dumps(self.to_json()) + "\n").encode())
 
 
 def split(name: str, root: str | os.PathLike | None = None) -> Split:
     """The split of ``"100style"`` or ``"bandai"``; the same at every call and on every machine.
 
-    100STYLE: the five styles that the published experiments hold out (`style100.HELD_OUT`) are the test's alone. From each
-    take of the others, a tenth, and at least `LEAST` frames, goes to the test and as much to validation. The training part
-    lies before or after them. A take that is too short for both gives one of them; an even shorter one, as many of idling,
-    belongs to the training part. It is made from Frame_Cuts.csv; no motion file is needed. STOP may lie past a file's end.
+    100STYLE: the five styles that the published experiments hold out (`style100.HELD_OUT`) are the
+    test's alone. From each take of the others, a tenth, and at least `LEAST` frames, goes to the
+    test and as much to validation. The training part lies before or after them. A take that is too
+    short for both gives one of them; an even shorter one, as many of idling, belongs to the
+    training part. Frame_Cuts.csv is enough for it. STOP may lie past a file's end.
 
-    Bandai: whole takes, of each style a tenth, and at least one, for the test and for validation; it needs the files.
+    Bandai: whole takes, of each style a tenth, and at least one, for the test and for validation;
+    it needs the files.
 
     Raises
     ------
@@ -117,19 +120,24 @@ def _cut(n: int, draw: int) -> Iterable[tuple[str, int, int]]:
 def _bandai(root: str | os.PathLike | None) -> Split:
     by_style: dict[str, list[Block]] = defaultdict(list)
     for take in bandai.SOURCE.find(root):
-        by_style[take.style].append(Block(take.style, take.path.stem, 0, _frames(take.path)))
+        block = Block(take.style, take.path.stem, 0, _frames(take.path))
+        by_style[take.style].append(block)
     parts: dict[str, list[Block]] = {part: [] for part in PARTS}
     for blocks in by_style.values():
         blocks.sort(key=lambda block: _draw(block.gait))
         held = max(1, round(SHARE * len(blocks))) if len(blocks) >= len(PARTS) else 0
-        for part, some in zip(PARTS, (blocks[2 * held :], blocks[held : 2 * held], blocks[:held]), strict=True):
-            parts[part] += some
-    return Split("bandai", **{part: sorted(blocks) for part, blocks in parts.items()}, whole_takes=True)
+        parts["test"] += blocks[:held]
+        parts["validation"] += blocks[held : 2 * held]
+        parts["train"] += blocks[2 * held :]
+    for blocks in parts.values():
+        blocks.sort()
+    return Split("bandai", **parts, whole_takes=True)
 
 
 def _frames(path: Path) -> int:
     """Number of frames that a BVH file states."""
-    if found := re.search(rb"^Frames:[ \t]*(\d{1,9})\s*$", files.read(path, HEADER), re.MULTILINE):
+    head = files.read(path, HEADER)
+    if found := re.search(rb"^Frames:[ \t]*(\d{1,9})\s*$", head, re.MULTILINE):
         return int(found[1])
     raise ValueError(f"{path}: no line 'Frames: N' in its first {HEADER} bytes")
 

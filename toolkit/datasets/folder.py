@@ -1,12 +1,14 @@
-"""A folder of one's own recordings: any files that can be read, with style and gait from a table, folders or names.
+"""A folder of one's own recordings, with style and gait from a table, folders or names.
 
-The table ``labels.csv`` has the columns ``file`` (path in the folder), ``style`` and, if wanted, ``gait``; files that it
-does not list are left out. Columns ``unit`` and ``up`` decide what was guessed wrongly (`toolkit.load`). Without the table
-the style is the name of the first sub-folder, and the gait that of the second one.
-What folders do not give comes from the file's name, whose words are separated by ``_``, ``-`` or blanks: a word of `GAITS`
-is the gait, and of the others the first that is not common to all files is the style.
+The table ``labels.csv`` has the columns ``file`` (path in the folder), ``style`` and, if wanted,
+``gait``; files that it does not list are left out. Columns ``unit`` and ``up`` decide what was
+guessed wrongly (`toolkit.load`). Without the table the style is the name of the first sub-folder,
+and the gait that of the second one. What folders do not give comes from the file's name, whose
+words are separated by ``_``, ``-`` or blanks: a word of `GAITS` is the gait, and of the others the
+first that is not common to all files is the style.
 
-Clips have the body joints alone (`toolkit.motion.retargeting.pruned`), and all the same ones.
+Clips have the body joints alone (`toolkit.extra.characters.retargeting.pruned`), and all the same
+ones.
 """
 
 import os
@@ -16,24 +18,28 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from pathlib import Path
+from typing import NamedTuple
 
+from toolkit import registry
 from toolkit.datasets.takes import Names, Source, Take
-from toolkit.io import files, interpretation
-from toolkit.io.load import READERS, read
+from toolkit.io import files
+from toolkit.io.load import read, readers
 from toolkit.io.progress import progress_bar
 from toolkit.motion import Clip, trajectory
-from toolkit.motion.names import of_file, printable
-from toolkit.motion.retargeting import pruned, retarget
+from toolkit.motion.text import of_file, printable
 
 TABLE = "labels.csv"
 COLUMNS = "file", "style", "gait"
-GAITS = {word: word for word in ("walk", "run", "jog", "sneak", "crawl", "hop", "skip", "jump", "dance", "turn")}
+_WORDS = ("walk", "run", "jog", "sneak", "crawl", "hop", "skip", "jump", "dance", "turn")
+GAITS = {word: word for word in _WORDS}
 GAITS |= {"walking": "walk", "running": "run", "jogging": "jog"}
 GAITS |= dict.fromkeys(("idle", "idling", "stand", "standing"), "ID")
-GAITS |= {gait.lower(): gait for gait in ("FW", "BW", "SW", "FR", "BR", "SR", "ID", "TR1", "TR2", "TR3")}
-SHORTEST = (trajectory.SAMPLES[-1] - trajectory.SAMPLES[0] + 2) / trajectory.FPS  # seconds of a clip with one usable frame
+GAITS |= {code.lower(): code for code in ("FW", "BW", "SW", "FR", "BR", "SR", "ID", "TR1", "TR2",
+                                          "TR3")}
+# seconds of a clip with one usable frame
+SHORTEST = (trajectory.SAMPLES[-1] - trajectory.SAMPLES[0] + 2) / trajectory.FPS
 ALIKE = 1.3  # ratio of sizes up to which two bodies are used together
-SUFFIXES = tuple(READERS)
+SUFFIXES = readers()
 
 
 @dataclass(frozen=True)
@@ -51,23 +57,26 @@ class Survey:
     takes: tuple[Take, ...]  # that are used
     frames: dict[Path, int]  # of the used files, at their own rate
     seconds: dict[Path, float]
-    joints: tuple[int, int]  # body joints of the used files, and the most joints that one of them has
+    joints: tuple[int, int]  # body joints of the used files, and the most joints of one of them
     left_out: dict[Path, str]  # files and why
     doubts: dict[Path, list[str]] = field(default_factory=dict)  # warnings about used files
 
     def lines(self, root: Path) -> Iterator[str]:
         """What is used, by style and gait, and what is left out and why."""
         minutes = sum(self.seconds.values()) / 60
-        yield (f"{_files(len(self.takes))}, {sum(self.frames.values()):,} frames, {minutes:.1f} minutes; "
-               f"{self.joints[0]} body joints of {self.joints[1]}")
+        yield (f"{_files(len(self.takes))}, {sum(self.frames.values()):,} frames, "
+               f"{minutes:.1f} minutes; {self.joints[0]} body joints of {self.joints[1]}")
         groups: dict[tuple[str, str], list[Path]] = defaultdict(list)
         for take in self.takes:
             groups[take.style, take.gait].append(take.path)
         for (style, gait), paths in sorted(groups.items()):
-            yield (f"  {' '.join(filter(None, (style, gait)))}: {_files(len(paths))}, "
-                   f"{sum(self.frames[p] for p in paths):,} frames, {sum(self.seconds[p] for p in paths):.1f} s")
+            frames = sum(self.frames[path] for path in paths)
+            seconds = sum(self.seconds[path] for path in paths)
+            label = f"{style} {gait}".strip()
+            yield f"  {label}: {_files(len(paths))}, {frames:,} frames, {seconds:.1f} s"
         for path, found in self.doubts.items():
-            yield from (printable(f"  doubtful: {path.relative_to(root)}: {doubt}") for doubt in found)
+            for doubt in found:
+                yield printable(f"  doubtful: {path.relative_to(root)}: {doubt}")
         if self.left_out:
             yield f"left out: {_files(len(self.left_out))}"
         for path, why in self.left_out.items():
@@ -96,34 +105,71 @@ class Own(Source):
             yield _fitted(_load(take)[0], self.target)  # `survey` has listed the doubts
 
 
-SOURCE = Own("folder", re.compile(".*"), f"recordings ({', '.join(SUFFIXES)}), and {TABLE} or a sub-folder per style", "")
+SOURCE = Own("folder", re.compile(".*"),
+             f"recordings ({', '.join(SUFFIXES)}), and {TABLE} or a sub-folder per style", "")
 
 
 def load(root: str | os.PathLike | None = None, styles: Names = None, gaits: Names = None, *,
          target: Clip | None = None) -> list[Clip]:
-    """Clips of a folder, see `toolkit.datasets.takes.Source.load`; with ``target`` all on the rig of that clip."""
+    """Clips of a folder, see `toolkit.datasets.takes.Source.load`.
+
+    With ``target`` all are on the rig of that clip.
+    """
     return replace(SOURCE, target=target).load(root, styles, gaits)
+
+
+class _Rig(NamedTuple):
+    """Joints and size of a body."""
+
+    names: tuple[str, ...]
+    parents: tuple[int, ...]
+    height: float  # sum of the lengths of all bones, metres
+
+    @classmethod
+    def of(cls, clip: Clip) -> "_Rig":
+        bones = clip.skeleton.offsets[1:].norm(dim=-1)
+        return cls(clip.skeleton.names, clip.skeleton.parents, float(bones.sum()))
+
+    def same_joints(self, other: "_Rig") -> bool:
+        return self[:2] == other[:2]
+
+    def fits(self, other: "_Rig") -> bool:
+        return self.same_joints(other) and 1 / ALIKE < self.height / other.height < ALIKE
+
+
+class _Row(NamedTuple):
+    """A file that can be read."""
+
+    take: Take
+    frames: int
+    seconds: float
+    joints: int  # in the file
+    doubts: list[str]
 
 
 def survey(root: str | os.PathLike, target: Clip | None = None) -> Survey:
     """Reads every file of a folder and says what a training can use; ValueError if that is nothing.
 
-    The files must have the same body joints, and people of about the same size (`ALIKE`). Where they differ, those of the
-    larger number of frames are used. With ``target``, a clip of a rig, all are retargeted to it.
+    The files must have the same body joints, and people of about the same size (`ALIKE`). Where
+    they differ, those of the larger number of frames are used. With ``target``, a clip of a rig,
+    all are retargeted to it.
     """
-    folder = SOURCE.folder(root)
-    found = ((path, path.stat()) for path in files.below(folder) if path.is_file())
-    return _survey(folder, tuple((path, about.st_size, about.st_mtime_ns) for path, about in found), target)
+    folder, state = SOURCE.folder(root), []
+    for path in files.below(folder):
+        if path.is_file():
+            about = path.stat()
+            state.append((path, about.st_size, about.st_mtime_ns))
+    return _survey(folder, tuple(state), target)
 
 
 @lru_cache(maxsize=1)  # a training asks twice
-def _survey(folder: Path, _signature: tuple, target: Clip | None) -> Survey:
+def _survey(folder: Path, _state: tuple, target: Clip | None) -> Survey:
+    # the files that can be read, by the rigs that fit together
     takes, left_out = labelled(folder)
-    rigs: dict[tuple, list[tuple[Take, int, float, int]]] = defaultdict(list)
-    doubts: dict[Path, list[str]] = {}
+    rigs: dict[_Rig, list[_Row]] = defaultdict(list)
     for take in progress_bar(takes, desc="reading", unit="file", show=len(takes) > 20):
         try:
-            whole, doubtful = _load(take)
+            whole, doubts = _load(take)
             clip = _fitted(whole, target)
         except (ValueError, OSError, ImportError) as error:
             left_out[take.path] = reason(error, take.path)
@@ -131,29 +177,34 @@ def _survey(folder: Path, _signature: tuple, target: Clip | None) -> Survey:
         if clip.seconds < SHORTEST:
             left_out[take.path] = f"{clip.seconds:.1f} s; a clip of {SHORTEST:.1f} s is needed"
             continue
-        if doubtful:
-            doubts[take.path] = doubtful
-        shape = clip.skeleton.names, clip.skeleton.parents, _height(clip)
-        shape = next((known for known in rigs if known[:2] == shape[:2] and 1 / ALIKE < known[2] / shape[2] < ALIKE), shape)
-        rigs[shape].append((take, len(clip), clip.seconds, len(whole.skeleton)))
+        rig = _Rig.of(clip)
+        rig = next((known for known in rigs if known.fits(rig)), rig)
+        rigs[rig].append(_Row(take, len(clip), clip.seconds, len(whole.skeleton), doubts))
     if not rigs:
-        why = "; ".join(f"{path.name}: {reason}" for path, reason in list(left_out.items())[:3])
-        raise ValueError(f"{folder}: no file can be used{f' ({why})' if why else ''}; expected {SOURCE.layout}")
-    most = max(rigs, key=lambda shape: sum(frames for _, frames, *_ in rigs[shape]))
-    for shape, rows in rigs.items():
-        if shape != most:
-            differ = "a body of another size" if shape[:2] == most[:2] else "other joints"
-            left_out |= {take.path: f"{differ} than most files; --skeleton retargets all files" for take, *_ in rows}
-    rows = rigs[most]
-    used = tuple(take for take, *_ in rows)
-    return Survey(used, {take.path: frames for take, frames, *_ in rows}, {take.path: s for take, _, s, _ in rows},
-                  (len(most[0]), max(joints for *_, joints in rows)), left_out,
-                  {path: found for path, found in doubts.items() if path not in left_out})
+        some = "; ".join(f"{path.name}: {why}" for path, why in list(left_out.items())[:3])
+        raise ValueError(f"{folder}: no file can be used{f' ({some})' if some else ''}; expected "
+                         f"{SOURCE.layout}")
+
+    # those of the rig with the most frames are used
+    most = max(rigs, key=lambda rig: sum(row.frames for row in rigs[rig]))
+    rows = rigs.pop(most)
+    for rig, others in rigs.items():
+        differ = "a body of another size" if rig.same_joints(most) else "other joints"
+        for row in others:
+            left_out[row.take.path] = f"{differ} than most files; --skeleton retargets all files"
+    joints = len(most.names), max(row.joints for row in rows)
+    return Survey(tuple(row.take for row in rows), {row.take.path: row.frames for row in rows},
+                  {row.take.path: row.seconds for row in rows}, joints, left_out,
+                  {row.take.path: row.doubts for row in rows if row.doubts})
 
 
 def read_file(path: Path, unit: float | str = "auto", up: str = "auto",
               roles: Mapping[str, str] | None = None) -> tuple[Clip, list[str]]:
-    """The clip of a file (`toolkit.load`), a floor far from zero moved there, and what is doubtful about it."""
+    """The clip of a file (`toolkit.load`), and what is doubtful about it.
+
+    A floor far from zero is moved there.
+    """
+    interpretation = registry.find("recording.interpretation")
     clip, found = interpretation.interpret(read(path), path, unit, up, roles)
     if abs(found.floor) > interpretation.FAR:
         clip = clip.moved(shift=(0.0, -found.floor, 0.0))
@@ -167,20 +218,28 @@ def reason(error: Exception, path: Path) -> str:
 
 def labelled(folder: Path) -> tuple[list[Take], dict[Path, str]]:
     """Files of a folder with style and gait, and those that the table leaves out."""
-    found = [path for path in files.below(folder) if path.suffix.lower() in SUFFIXES and path.is_file()]
+    found = [path for path in files.below(folder)
+             if path.suffix.lower() in SUFFIXES and path.is_file()]
     if (folder / TABLE).exists():
         table = _table(folder)
-        return ([OwnTake(path, *table[path]) for path in found if path in table],
-                {path: f"not listed in {TABLE}" for path in found if path not in table})
-    words = {path: [w for w in re.split(r"[\W_]+", of_file(path.stem)) if w and not w.isdigit()] for path in found}
+        takes = [OwnTake(path, *table[path]) for path in found if path in table]
+        return takes, {path: f"not listed in {TABLE}" for path in found if path not in table}
+
+    # words of the names, without numbers; those common to all files say nothing
+    words = {}
+    for path in found:
+        parts = re.split(r"[\W_]+", of_file(path.stem))
+        words[path] = [word for word in parts if word and not word.isdigit()]
     common = set.intersection(*map(set, words.values())) if len(found) > 1 else set()
     takes = []
     for path in found:
         above = [of_file(part) for part in path.relative_to(folder).parts[:-1]]
-        gait = above[1] if len(above) > 1 else next((GAITS[w.lower()] for w in words[path] if w.lower() in GAITS), "")
-        named = [w for w in words[path] if w.lower() not in GAITS]
-        named = [w for w in named if w not in common] or named or [of_file(path.stem)]
-        takes.append(OwnTake(path, above[0] if above else named[0], GAITS.get(gait.lower(), gait)))
+        gaits = [word for word in words[path] if word.lower() in GAITS]
+        gait = above[1] if len(above) > 1 else (gaits or [""])[0]
+        named = [word for word in words[path] if word.lower() not in GAITS]
+        named = [word for word in named if word not in common] or named or [of_file(path.stem)]
+        style = above[0] if above else named[0]
+        takes.append(OwnTake(path, style, GAITS.get(gait.lower(), gait)))
     return takes, {}
 
 
@@ -188,10 +247,13 @@ def _table(folder: Path) -> dict[Path, tuple]:
     """Style, gait, unit and up axis of each file that the table lists."""
     place, found = folder / TABLE, {}
     for number, row in files.table(place, COLUMNS[:2]):
-        path, style, gait, unit, up = (row.get(column, "").strip() for column in (*COLUMNS, "unit", "up"))
+        columns = (*COLUMNS, "unit", "up")
+        path, style, gait, unit, up = (row.get(column, "").strip() for column in columns)
         path = folder / os.fsdecode(path.encode())
-        if not style or not path.is_file():
-            raise ValueError(f"{place}, line {number}: {f'no file {str(path)!r}' if style else 'no style'}")
+        if not style:
+            raise ValueError(f"{place}, line {number}: no style")
+        if not path.is_file():
+            raise ValueError(f"{place}, line {number}: no file {str(path)!r}")
         try:
             unit = float(unit)
         except ValueError:
@@ -200,20 +262,16 @@ def _table(folder: Path) -> dict[Path, tuple]:
     return found
 
 
-def _fitted(clip: Clip, target: Clip | None) -> Clip:
-    """The body joints of a clip, or the clip on a rig."""
-    return pruned(clip) if target is None else retarget(clip, target)
-
-
-def _files(count: int) -> str:
-    return f"{count} file{'s' * (count != 1)}"
-
-
 def _load(take: OwnTake) -> tuple[Clip, list[str]]:
     clip, doubts = read_file(take.path, take.unit, take.up)
     return clip.replace(style=take.style, gait=take.gait), doubts
 
 
-def _height(clip: Clip) -> float:
-    """Sum of the lengths of all bones, metres."""
-    return float(clip.skeleton.offsets[1:].norm(dim=-1).sum())
+def _fitted(clip: Clip, target: Clip | None) -> Clip:
+    """The body joints of a clip, or the clip on a rig."""
+    retargeting = registry.find("motion.retargeting")
+    return retargeting.pruned(clip) if target is None else retargeting.retarget(clip, target)
+
+
+def _files(count: int) -> str:
+    return f"{count} file{'s' * (count != 1)}"

@@ -1,7 +1,7 @@
-"""Folders of the datasets on this machine. `toolkit.datasets.fetch` fills them; all readers look there.
+"""Folders of the datasets on this machine, which `toolkit.datasets.fetch` fills.
 
-They are in the folder that the environment variable ``TOOLKIT_DATA`` names, or else in the user's data folder (on Linux
-``~/.local/share/toolkit``).
+They are in the folder that the environment variable ``TOOLKIT_DATA`` names, or else in the user's
+data folder (on Linux ``~/.local/share/toolkit``).
 """
 
 import functools
@@ -12,12 +12,13 @@ from pathlib import Path
 import platformdirs
 
 FETCHED = ("100style", "lpn-film-100style", "bandai")
-FOLDERS = {"lpn-film-100style": "lpn_film_100style"}  # the folders of the other datasets have the name of the dataset
+FOLDERS = {"lpn-film-100style": "lpn_film_100style"}  # others have the name of the dataset
 
 
 def home() -> Path:
     """The folder with one sub-folder per dataset; it may not exist."""
-    return Path(os.environ.get("TOOLKIT_DATA") or platformdirs.user_data_dir("toolkit", appauthor=False))
+    own = platformdirs.user_data_dir("toolkit", appauthor=False)
+    return Path(os.environ.get("TOOLKIT_DATA") or own)
 
 
 def folder(name: str) -> Path:
@@ -26,12 +27,17 @@ def folder(name: str) -> Path:
 
 
 def find(name: str, layout: str, source: str) -> Path:
-    """The folder of a dataset, which is logged once; the error for a missing one names its ``source`` and ``layout``."""
+    """The folder of a dataset, which is logged once.
+
+    The error for a missing one names its ``source`` and ``layout``.
+    """
     path = folder(name)
     if not path.is_dir():
-        get = f"python -m toolkit data fetch {name} gets it from {source}" if name in FETCHED else f"its home: {source}"
-        raise ValueError(f"{name}: nothing at {path}; {get}; or give root=, the folder with {layout}, or set TOOLKIT_DATA "
-                         f"to the folder that holds {path.name}/")
+        get = f"its home: {source}"
+        if name in FETCHED:
+            get = f"python -m toolkit data fetch {name} gets it from {source}"
+        raise ValueError(f"{name}: nothing at {path}; {get}; or give root=, the folder with "
+                         f"{layout}, or set TOOLKIT_DATA to the folder that holds {path.name}/")
     _log(name, path)
     return path
 

@@ -1,8 +1,12 @@
-"""The procedural dataset: stylised locomotion from footstep planning, with known contacts and phases.
+"""The procedural dataset: stylised locomotion from footsteps, with known contacts and phases.
 
-It uses no recorded motion. It plans a path, then the footsteps along it. Each foot stays planted during its stance and
-swings in an arc to its next footstep. Inverse kinematics gives the legs, from the feet to a pelvis that stays within their
-reach. Trunk and arms follow the phase of the steps. `toolkit.datasets.procedural_styles` has the parameters of a style.
+It uses no recorded motion. It plans a path, then the footsteps along it. Each foot stays planted
+during its stance and swings in an arc to its next footstep. Inverse kinematics gives the legs, from
+the feet to a pelvis that stays within their reach. Trunk and arms follow the phase of the steps.
+`toolkit.datasets.procedural_styles` has the parameters of a style.
+
+Models were trained on these clips, and the same seed gives the same bytes. So the order of random
+numbers and of operations here and in the modules ``procedural_…`` must stay as it is.
 """
 
 import math
@@ -21,52 +25,42 @@ from toolkit.datasets.style100 import StyleInfo, save
 from toolkit.datasets.takes import Names
 from toolkit.io.files import atomic_write
 from toolkit.io.progress import progress_bar
-from toolkit.motion import Clip
-from toolkit.motion import rotations as R
+from toolkit.motion import Clip, rotations as R
 
-__all__ = ["GAITS", "SKELETON", "STYLES", "Arm", "Leg", "Style", "Truth", "generate", "load", "truth", "write"]
+__all__ = ["GAITS", "SKELETON", "STYLES", "Arm", "Leg", "Style", "Truth", "generate", "load",
+           "truth", "write"]
 
 #: Forwards, backwards and sidestep walk and run, idle, and a transition through all of them.
 GAITS = ("FW", "BW", "FR", "BR", "SW", "SR", "ID", "TR1")
 MARGIN = 60  # frames planned before and after the clip, so that it starts and ends in full motion
+TRANSITION = 9.6  # usual seconds of a transition through walk, turn, run, walk, another direction
 
 
-def load(styles: Names = None, gaits: Names = None, seconds: float = 8.0, seed: int = 0) -> list[Clip]:
-    """One clip of every style in every gait.
-
-    Parameters
-    ----------
-    styles, gaits
-        Names in `STYLES` and `GAITS`; all by default.
-    seconds
-        Length of each clip.
-    seed
-        The same seed gives the same clips, byte for byte; another seed gives other paths.
-
-    Raises
-    ------
-    ValueError
-        If a style or a gait is unknown; the message lists the names.
-    """
+def load(styles: Names = None, gaits: Names = None, seconds: float = 8.0,
+         seed: int = 0) -> list[Clip]:
+    """One clip of every style in every gait, by `generate`; names in `STYLES` and `GAITS`."""
     return [generate(style, gait, seconds, seed) for style, gait in _pairs(styles, gaits)]
 
 
-def generate(style: str | Style, gait: str = "FW", seconds: float = 8.0, seed: int = 0, path: Tensor | None = None) -> Clip:
+def generate(style: str | Style, gait: str = "FW", seconds: float = 8.0, seed: int = 0,
+             path: Tensor | None = None) -> Clip:
     """A clip in a style, at 60 Hz.
 
     Parameters
     ----------
     style, gait
-        A name in `STYLES` or a `Style`, and one of `GAITS`, which selects the speed and direction of the path.
+        A name in `STYLES` or a `Style`, and one of `GAITS`, which selects the speed and direction
+        of the path.
     seconds, seed
         Length; seed of the path and of the style's noise.
     path : Tensor [F, 3], optional
-        Path to follow instead: x, z in metres and facing in radians (0 is +Z, positive turns left) at 60 Hz.
+        Path to follow instead: x, z in metres and facing in radians (0 is +Z, positive turns left)
+        at 60 Hz.
 
     Raises
     ------
     ValueError
-        If style or gait is unknown, or the length is not positive.
+        If style or gait is unknown, or the clip has fewer than two frames.
     """
     return truth(style, gait, seconds, seed, path)[0]
 
@@ -85,13 +79,22 @@ def truth(style: str | Style, gait: str = "FW", seconds: float = 8.0, seed: int 
     if frames < 2:
         raise ValueError(f"a clip needs at least two frames, got {seconds} seconds")
     rng = np.random.default_rng([seed, zlib.crc32(f"{label} {gait}".encode())])
-    root = _random_path(style, gait, frames, rng) if path is None else np.asarray(path, dtype=np.float64)
+    if path is None:
+        root = _random_path(style, gait, frames, rng)
+    else:
+        root = np.asarray(path, dtype=np.float64)
+
+    # the path goes on beyond both ends, by its point reflection or, if it is short, straight
     if frames > MARGIN:
-        padded = np.pad(root, ((MARGIN, MARGIN), (0, 0)), mode="reflect", reflect_type="odd")
+        margins = ((MARGIN, MARGIN), (0, 0))
+        padded = np.pad(root, margins, mode="reflect", reflect_type="odd")
     else:
         ahead = np.arange(1, MARGIN + 1)[:, None]
-        before, after = root[0] - ahead[::-1] * (root[1] - root[0]), root[-1] + ahead * (root[-1] - root[-2])
+        before = root[0] - ahead[::-1] * (root[1] - root[0])
+        after = root[-1] + ahead * (root[-1] - root[-2])
         padded = np.concatenate((before, root, after))
+
+    # footsteps, then the body over them
     plan = Plan(style, padded, rng)
     feet = {side: plan.foot(side) for side in plan.stepping}
     rotations, positions = pose(plan, feet)
@@ -102,11 +105,12 @@ def truth(style: str | Style, gait: str = "FW", seconds: float = 8.0, seed: int 
     return clip, Truth(known.contacts[keep], known.phase[keep], known.frequency[keep])
 
 
-def write(folder: str | os.PathLike, styles: Names = None, gaits: Names = None, seconds: float = 8.0, seed: int = 0) -> None:
-    """Write the clips of `load` in the layout of 100STYLE (`toolkit.datasets.style100.save`), with the truth of each clip.
+def write(folder: str | os.PathLike, styles: Names = None, gaits: Names = None,
+          seconds: float = 8.0, seed: int = 0) -> None:
+    """Write the clips of `load` in the layout of 100STYLE, with the truth of each clip.
 
-    The styles in the files are called ``Procedural<Style>``. ``<Style>_<GAIT>.npz`` holds the arrays of `Truth` of
-    ``<Style>_<GAIT>.bvh``. A terminal shows a progress bar.
+    The styles in the files are called ``Procedural<Style>``. ``<Style>_<GAIT>.npz`` holds the
+    arrays of `Truth` of ``<Style>_<GAIT>.bvh``.
 
     Raises
     ------
@@ -116,63 +120,90 @@ def write(folder: str | os.PathLike, styles: Names = None, gaits: Names = None, 
     folder = Path(folder)
 
     def clips() -> Iterator[Clip]:
-        for style, gait in progress_bar(_pairs(styles, gaits), desc="procedural", unit="clip"):
+        pairs = _pairs(styles, gaits)
+        for style, gait in progress_bar(pairs, desc="procedural", unit="clip"):
             clip, known = truth(style, gait, seconds, seed)
             clip = clip.replace(style=f"Procedural{style}")
             with atomic_write(folder / f"{clip.style}_{gait}.npz") as file:
-                np.savez_compressed(file, **{name: value.numpy() for name, value in vars(known).items()})
+                arrays = {name: value.numpy() for name, value in vars(known).items()}
+                np.savez_compressed(file, **arrays)
             yield clip
 
-    infos = [StyleInfo(f"Procedural{n}", f"procedural: {n}", s.symmetric, s.stagger > 0, "") for n, s in STYLES.items()]
+    infos = [StyleInfo(f"Procedural{name}", f"procedural: {name}", style.symmetric,
+                       style.stagger > 0, "") for name, style in STYLES.items()]
     save(clips(), folder, infos)
 
 
 def _pairs(styles: Names, gaits: Names) -> list[tuple[str, str]]:
-    styles, gaits = ([x] if isinstance(x, str) else list(x or every) for x, every in ((styles, STYLES), (gaits, GAITS)))
+    styles = [styles] if isinstance(styles, str) else list(styles or STYLES)
+    gaits = [gaits] if isinstance(gaits, str) else list(gaits or GAITS)
     return [(style, gait) for style in styles for gait in gaits]
 
 
 def _random_path(style: Style, gait: str, frames: int, rng: np.random.Generator) -> np.ndarray:
-    """Root path ``[frames, 3]`` (x, z, facing) of a gait: random changes of speed and heading, to either side in turn."""
-    walk, run, back, side, stand = np.array([(0.0, 1.0), (0.0, style.run), (0.0, -0.65), (0.5, 0.0), (0.0, 0.0)])
-    parts: list[tuple[float, np.ndarray, float]] = []  # seconds, (left, forward) / usual speed, turn in radians
+    """Root path ``[frames, 3]`` (x, z, facing) of a gait, which turns to either side in turn."""
+    # parts of constant speed and turn, until the time is filled
+    parts: list[tuple[float, np.ndarray, float]] = []
     sign, total, seconds = rng.choice([-1.0, 1.0]), 0.0, frames / FPS
-    rounds = max(1, round(seconds / 9.6))  # number of transitions; a whole one lasts about ten seconds
     while total < seconds - 1e-6:
-        if gait == "TR1":
-            turn = sign * rng.uniform(1.0, 2.6)
-            other = [side, -side, back][rng.integers(3)]
-            row = [(walk, 0.0), (walk, turn), (run, rng.normal(0, 0.4)), (walk, -0.6 * turn), (other, 0.0)]
-            count = min(max(round(seconds / rounds / 1.6) - 1, 1), 5)
-            row = [row[k] for k in sorted((0, 2, 1, 3, 4)[:count])]
-            share = np.concatenate(([0.5], rng.uniform(0.85, 1.15, count), [0.5]))
-            share *= seconds / rounds / share.sum()
-            new = [(s, v, t) for s, (v, t) in zip(share, [(stand, 0.0), *row, (stand, 0.0)], strict=True)]
-        elif gait == "ID":
-            new = [(rng.uniform(4, 9), stand, 0.0)]
-        else:
-            kind = {"F": walk, "B": back, "S": sign * side}[gait[0]] * (style.run if gait[1] == "R" else 1.0)
-            if gait in ("BR", "SR"):
-                kind = kind * 0.8
-            length = rng.uniform(1.2, 3.0)
-            rate = rng.choice([0.0, 0.5, 1.1], p=[0.3, 0.45, 0.25]) * rng.uniform(0.7, 1.3)  # radians per second
-            rate *= rng.choice([-1.0, 1.0]) if gait[0] == "S" else sign
-            rate *= 0.35 if gait[0] == "S" else 0.8 if gait[1] == "R" else 1.0
-            new = [(length, kind * rng.choice([0.65, 0.85, 1.0, 1.0, 1.1]), rate * length)]
+        new = _parts(style, gait, sign, seconds, rng)
         sign = -sign
         parts += new
-        total += sum(n[0] for n in new)
+        total += sum(part[0] for part in new)
+
+    # left and forward velocity and turning of each frame
     duration, velocity, turn = map(np.array, zip(*parts, strict=True))
     edges = np.concatenate(([0.0], np.cumsum(duration))) * FPS
     at = np.searchsorted(edges, np.arange(frames), side="right") - 1
     velocity, rate = velocity[at] * style.speed, (turn / duration)[at]
+
+    # random wandering, but not while the character stands
     pace = np.abs(velocity).sum(1) / style.speed
     going = np.minimum(pace, 1)
-    rate = rate + (0.35 * style.noise + 0.5 * style.stagger) * going * smooth_noise(rng, frames, 35, 1)[:, 0]
+    wander = 0.35 * style.noise + 0.5 * style.stagger
+    rate = rate + wander * going * smooth_noise(rng, frames, 35, 1)[:, 0]
     drift = style.speed * (0.12 * style.noise + 0.2 * style.stagger)
     velocity = velocity + drift * going[:, None] * smooth_noise(rng, frames, 30, 2)
+
+    # from velocities in the character's frame to places in the world
     velocity, rate = smooth(velocity, 13), smooth(rate, 11)
     facing = rng.uniform(-math.pi, math.pi) + np.cumsum(rate) / FPS
     c, s = np.cos(facing), np.sin(facing)
-    world = np.stack((velocity[:, 0] * c + velocity[:, 1] * s, -velocity[:, 0] * s + velocity[:, 1] * c), 1) / FPS
+    left, ahead = velocity.T
+    world = np.stack((left * c + ahead * s, -left * s + ahead * c), 1) / FPS
     return np.concatenate((np.cumsum(world, 0), facing[:, None]), 1)
+
+
+def _parts(style: Style, gait: str, sign: float, seconds: float,
+           rng: np.random.Generator) -> list[tuple[float, np.ndarray, float]]:
+    """The next parts of a path: seconds, (left, forward) / usual speed, turn in radians."""
+    directions = [(0.0, 1.0), (0.0, style.run), (0.0, -0.65), (0.5, 0.0), (0.0, 0.0)]
+    walk, run, back, side, stand = np.array(directions)
+    if gait == "ID":
+        return [(rng.uniform(4, 9), stand, 0.0)]
+    if gait == "TR1":
+        rounds = max(1, round(seconds / TRANSITION))
+        turn = sign * rng.uniform(1.0, 2.6)
+        other = [side, -side, back][rng.integers(3)]
+        row = [(walk, 0.0), (walk, turn), (run, rng.normal(0, 0.4)), (walk, -0.6 * turn),
+               (other, 0.0)]
+        # a short clip leaves some of them out, the least important ones first
+        count = min(max(round(seconds / rounds / 1.6) - 1, 1), 5)
+        row = [row[k] for k in sorted((0, 2, 1, 3, 4)[:count])]
+        share = np.concatenate(([0.5], rng.uniform(0.85, 1.15, count), [0.5]))
+        share *= seconds / rounds / share.sum()
+        row = [(stand, 0.0), *row, (stand, 0.0)]
+        return [(part, velocity, turn) for part, (velocity, turn) in zip(share, row, strict=True)]
+    sidewards, running = gait[0] == "S", gait[1] == "R"
+    velocity = {"F": walk, "B": back, "S": sign * side}[gait[0]]
+    velocity = velocity * (style.run if running else 1.0)
+    if gait in ("BR", "SR"):
+        velocity = velocity * 0.8
+    length = rng.uniform(1.2, 3.0)
+    # radians per second
+    rate = rng.choice([0.0, 0.5, 1.1], p=[0.3, 0.45, 0.25]) * rng.uniform(0.7, 1.3)
+    if sidewards:
+        rate = rate * rng.choice([-1.0, 1.0]) * 0.35
+    else:
+        rate = rate * sign * (0.8 if running else 1.0)
+    return [(length, velocity * rng.choice([0.65, 0.85, 1.0, 1.0, 1.1]), rate * length)]

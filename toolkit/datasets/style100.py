@@ -1,7 +1,8 @@
-"""100STYLE (Mason et al. 2022, CC BY 4.0): 100 styles of locomotion, 60 Hz, files ``<Style>_<GAIT>.bvh``.
+"""100STYLE (Mason et al. 2022, CC BY 4.0): 100 styles of locomotion, 60 Hz, ``<Style>_<GAIT>.bvh``.
 
-Two tables come with the files. ``Frame_Cuts.csv`` has the first and last frame of the labelled motion of each take (a T-pose
-and a walk into the style come before). ``Dataset_List.csv`` describes the styles.
+Two tables come with the files. ``Frame_Cuts.csv`` has the first and last frame of the labelled
+motion of each take (a T-pose and a walk into the style come before). ``Dataset_List.csv`` describes
+the styles.
 """
 
 import csv
@@ -18,47 +19,53 @@ from toolkit.io.files import write_whole
 from toolkit.motion import Clip
 
 GAITS = {
-    "BR": "Backwards Run", "BW": "Backwards Walk", "FR": "Forwards Run", "FW": "Forwards Walk", "SR": "Sidestep Run",
-    "SW": "Sidestep Walk", "ID": "Idling", "TR1": "Transitions", "TR2": "Transitions", "TR3": "Transitions",
+    "BR": "Backwards Run", "BW": "Backwards Walk", "FR": "Forwards Run", "FW": "Forwards Walk",
+    "SR": "Sidestep Run", "SW": "Sidestep Walk", "ID": "Idling", "TR1": "Transitions",
+    "TR2": "Transitions", "TR3": "Transitions",
 }
-HELD_OUT = ("HandsInPockets", "Roadrunner", "Skip", "Star", "WildArms")  # the new styles of the published experiments
+# the new styles of the published experiments
+HELD_OUT = ("HandsInPockets", "Roadrunner", "Skip", "Star", "WildArms")
 RATE = 60.0  # frames per second of the recordings and of the frame numbers in Frame_Cuts.csv
+CUTS = [f"{gait}_{end}" for gait in sorted(GAITS) for end in ("START", "STOP")]
 TABLES = {
     "Dataset_List.csv": ["Style Name", "Description", "Stochastic", "Symmetric", "Notes"],
-    "Frame_Cuts.csv": ["STYLE_NAME", *(f"{gait}_{end}" for gait in sorted(GAITS) for end in ("START", "STOP"))],
+    "Frame_Cuts.csv": ["STYLE_NAME", *CUTS],
 }  # name: columns
 _NO_YES = ("No", "Yes")
 
 SOURCE = Source(
     name="100style",
     pattern=re.compile(rf"(?P<style>[^_]+)_(?P<gait>{'|'.join(GAITS)})\.bvh"),
-    layout="<Style>_<GAIT>.bvh files, flat or in a folder per style, next to Frame_Cuts.csv and Dataset_List.csv",
+    layout="<Style>_<GAIT>.bvh files, flat or in a folder per style, next to Frame_Cuts.csv and "
+           "Dataset_List.csv",
     home="https://zenodo.org/records/8127870 (100STYLE.zip)",
-    gaits={gait: gait for gait in GAITS},
+    gaits=GAITS,
 )
 
 
 @dataclass(frozen=True)
 class StyleInfo:
-    """A row of ``Dataset_List.csv``. Only ``symmetric`` styles may be mirrored; ``stochastic`` ones have no fixed cycle."""
+    """A row of ``Dataset_List.csv``."""
 
     name: str
     description: str
-    symmetric: bool
-    stochastic: bool
+    symmetric: bool  # it may be mirrored
+    stochastic: bool  # it has no fixed cycle
     notes: str
 
 
 def load(root: str | os.PathLike | None = None, styles: Names = None, gaits: Names = None, *,
          cut: bool = True) -> list[Clip]:
-    """Clips of the dataset, see `toolkit.datasets.takes.Source.load`; gaits are the keys of `GAITS`.
+    """Clips of the dataset, see `toolkit.datasets.takes.Source.load`; gaits are keys of `GAITS`.
 
-    With ``cut``, a clip has only the frames from START to STOP (excluded) of ``Frame_Cuts.csv``. STOP may lie past the end.
+    With ``cut``, a clip has only the frames from START to STOP (excluded) of ``Frame_Cuts.csv``.
+    STOP may lie past the end.
 
     Raises
     ------
     ValueError
-        If the folder, a table, a style or a gait does not exist, or a take has no cut; BVHError if a file is malformed.
+        If the folder, a table, a style or a gait does not exist, or a take has no cut; BVHError if
+        a file is malformed.
     """
     cuts = frame_cuts(root)
     takes = SOURCE.choose(root, styles, gaits, known_styles={style for style, _ in cuts})
@@ -67,17 +74,20 @@ def load(root: str | os.PathLike | None = None, styles: Names = None, gaits: Nam
     for take in takes:
         if (take.style, take.gait) not in cuts:
             raise ValueError(f"{take.path}: Frame_Cuts.csv has no START and STOP for this take")
-    return [clip.cut(*(round(frame * clip.fps / RATE) for frame in cuts[clip.style, clip.gait]))
-            for clip in SOURCE.read(takes)]
+    clips = []
+    for clip in SOURCE.read(takes):
+        start, stop = (round(frame * clip.fps / RATE) for frame in cuts[clip.style, clip.gait])
+        clips.append(clip.cut(start, stop))
+    return clips
 
 
 def save(clips: Iterable[Clip], folder: str | os.PathLike, infos: Iterable[StyleInfo]) -> None:
-    """Write clips in the layout of this dataset: ``<Style>_<GAIT>.bvh`` and the two tables. `load` reads them back.
+    """Write clips in the layout of this dataset; `load` reads them back.
 
     Parameters
     ----------
     clips
-        At most one per style and gait. The tables are written after all clips; each file is written whole or not at all.
+        At most one per style and gait. The tables are written after all clips.
     folder
         Created if it does not exist.
     infos
@@ -86,25 +96,33 @@ def save(clips: Iterable[Clip], folder: str | os.PathLike, infos: Iterable[Style
     Raises
     ------
     ValueError
-        If the folder already holds a dataset, a clip's style or gait does not fit this layout, or two clips have the same.
+        If the folder already holds a dataset, a clip's style or gait does not fit this layout, or
+        two clips have the same.
     """
     folder = Path(folder)
     if (folder / "Frame_Cuts.csv").exists():
-        raise ValueError(f"{folder}: already holds a dataset (Frame_Cuts.csv); choose an empty folder")
+        raise ValueError(f"{folder}: already holds a dataset (Frame_Cuts.csv); choose an empty "
+                         "folder")
     by_name = {info.name: info for info in infos}
     cuts: dict[str, dict[str, object]] = {}
     for clip in clips:
         name = f"{clip.style}_{clip.gait}.bvh"
         if clip.style not in by_name or not SOURCE.pattern.fullmatch(name):
-            raise ValueError(f"{clip.name}: {name} needs a described style without _ and a gait of {', '.join(GAITS)}")
+            raise ValueError(f"{clip.name}: {name} needs a described style without _ and a gait of "
+                             f"{', '.join(GAITS)}")
         row = cuts.setdefault(clip.style, {"STYLE_NAME": clip.style})
         if f"{clip.gait}_STOP" in row:
-            raise ValueError(f"{clip.name}: a second clip of {clip.style} {clip.gait}; the layout has room for one")
+            raise ValueError(f"{clip.name}: a second clip of {clip.style} {clip.gait}; the layout "
+                             "has room for one")
         bvh.save(clip, folder / name)
-        row |= {f"{clip.gait}_START": 0, f"{clip.gait}_STOP": round(len(clip) * RATE / clip.fps)}
-    about = [{"Style Name": i.name, "Description": i.description, "Stochastic": _NO_YES[i.stochastic],
-              "Symmetric": _NO_YES[i.symmetric], "Notes": i.notes} for i in map(by_name.get, cuts)]
-    for name, rows in (("Dataset_List.csv", about), ("Frame_Cuts.csv", cuts.values())):
+        row[f"{clip.gait}_START"] = 0
+        row[f"{clip.gait}_STOP"] = round(len(clip) * RATE / clip.fps)
+    described = []
+    for info in map(by_name.get, cuts):
+        values = (info.name, info.description, _NO_YES[info.stochastic], _NO_YES[info.symmetric],
+                  info.notes)
+        described.append(dict(zip(TABLES["Dataset_List.csv"], values, strict=True)))
+    for name, rows in (("Dataset_List.csv", described), ("Frame_Cuts.csv", cuts.values())):
         text = io.StringIO()
         writer = csv.DictWriter(text, TABLES[name], restval="N/A", lineterminator="\n")
         writer.writeheader()
@@ -124,9 +142,11 @@ def frame_cuts(root: str | os.PathLike | None = None) -> dict[tuple[str, str], t
             try:
                 start, stop = map(int, ends)
             except (TypeError, ValueError):
-                raise ValueError(f"{path}, line {line}: {gait} needs two frame numbers or N/A, got {ends}") from None
+                raise ValueError(f"{path}, line {line}: {gait} needs two frame numbers or N/A, got "
+                                 f"{ends}") from None
             if not 0 <= start < stop < 2**31:
-                raise ValueError(f"{path}, line {line}: {gait} starts at frame {start} and stops at {stop}")
+                raise ValueError(f"{path}, line {line}: {gait} starts at frame {start} and stops "
+                                 f"at {stop}")
             cuts[row["STYLE_NAME"], gait] = start, stop
     return cuts
 
@@ -136,21 +156,25 @@ def styles(root: str | os.PathLike | None = None) -> dict[str, StyleInfo]:
     infos = {}
     path, rows = _table(root, "Dataset_List.csv")
     for line, row in rows:
-        name, description, stochastic, symmetric, notes = (row[column] for column in TABLES["Dataset_List.csv"])
-        for column, value in (("Symmetric", symmetric), ("Stochastic", stochastic)):
-            if value not in _NO_YES:
-                raise ValueError(f"{path}, line {line}: {column} must be Yes or No, got {value!r}")
-        infos[name] = StyleInfo(name, description, symmetric == "Yes", stochastic == "Yes", notes or "")
+        for column in ("Symmetric", "Stochastic"):
+            if row[column] not in _NO_YES:
+                raise ValueError(f"{path}, line {line}: {column} must be Yes or No, got "
+                                 f"{row[column]!r}")
+        name = row["Style Name"]
+        infos[name] = StyleInfo(name, row["Description"], row["Symmetric"] == "Yes",
+                                row["Stochastic"] == "Yes", row["Notes"] or "")
     return infos
 
 
-def _table(root: str | os.PathLike | None, name: str) -> tuple[Path, list[tuple[int, dict[str, str]]]]:
-    """Path and (line number, row) of one of `TABLES` in the dataset's folder; ValueError if it cannot be read."""
-    folder, columns = SOURCE.folder(root), TABLES[name]
+def _table(root: str | os.PathLike | None, name: str
+           ) -> tuple[Path, list[tuple[int, dict[str, str]]]]:
+    """Path and (line number, row) of one of `TABLES`; ValueError if it cannot be read."""
+    folder = SOURCE.folder(root)
     path = next((path for path in files.below(folder) if path.name == name), None)
     if path is None:
-        raise ValueError(f"100style: no {name} in {folder}; expected {SOURCE.layout}; get it at {SOURCE.home}")
-    rows = files.table(path, columns)
+        raise ValueError(f"100style: no {name} in {folder}; expected {SOURCE.layout}; get it at "
+                         f"{SOURCE.home}")
+    rows = files.table(path, TABLES[name])
     if not rows:
         raise ValueError(f"{path}: the table has no row")
     return path, rows

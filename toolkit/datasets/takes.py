@@ -3,22 +3,25 @@
 import difflib
 import os
 import re
-from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
 from pathlib import Path
 
 from toolkit.datasets import home
 from toolkit.io import bvh, files
 from toolkit.io.progress import progress_bar
 from toolkit.motion import Clip
-from toolkit.motion.names import checked
+from toolkit.motion.text import checked
 
 Names = str | Iterable[str] | None
 
 
 @dataclass(frozen=True)
 class Take:
-    """One recorded file, with the style and the gait that its name gives; ValueError if one cannot be shown."""
+    """One recorded file, with the style and the gait that its name gives.
+
+    ValueError if one cannot be shown.
+    """
 
     path: Path
     style: str
@@ -38,14 +41,15 @@ class Source:
     pattern: re.Pattern  # of the file names; its groups are ``style`` and ``gait``
     layout: str  # description of a folder of this dataset, for error messages
     home: str  # where users get the dataset, for error messages
-    gaits: Mapping[str, str] = field(default_factory=dict)  # group ``gait``: label of the clip; others are their own label
+    gaits: Iterable[str] = ()  # that are known even if a folder has no file of them
     unit: float = bvh.CENTIMETRE  # metres of one unit of length in the files
 
-    def load(self, root: str | os.PathLike | None = None, styles: Names = None, gaits: Names = None) -> list[Clip]:
+    def load(self, root: str | os.PathLike | None = None, styles: Names = None,
+             gaits: Names = None) -> list[Clip]:
         """Clips of the dataset, by path.
 
-        ``root`` is a folder with the files, at any depth; by default the dataset's folder on this machine. ``styles`` and
-        ``gaits`` are names to keep; None for all that the folder has.
+        ``root`` is a folder with the files, at any depth; by default the dataset's folder on this
+        machine. ``styles`` and ``gaits`` are names to keep; None for all that the folder has.
 
         Raises
         ------
@@ -55,39 +59,47 @@ class Source:
         return list(self.read(self.choose(root, styles, gaits)))
 
     def folder(self, root: str | os.PathLike | None) -> Path:
-        """The dataset's folder: ``root``, or its folder on this machine (`toolkit.datasets.home`)."""
-        folder = home.find(self.name, self.layout, self.home) if root is None else Path(root)
+        """The dataset's folder: ``root``, or its folder on this machine."""
+        if root is None:
+            return home.find(self.name, self.layout, self.home)
+        folder = Path(root)
         if not folder.is_dir():
             problem = "is not a folder" if folder.exists() else "does not exist"
-            raise ValueError(f"{self.name}: {folder} {problem}; expected a folder with {self.layout}; get it at {self.home}")
+            raise ValueError(f"{self.name}: {folder} {problem}; expected a folder with "
+                             f"{self.layout}; get it at {self.home}")
         return folder
 
     def find(self, root: str | os.PathLike | None) -> list[Take]:
         """All takes in a folder and its sub-folders, by path; ValueError if there is none."""
         folder = self.folder(root)
         found = ((path, self.pattern.fullmatch(path.name)) for path in files.below(folder))
-        takes = [Take(path, name["style"], self.gaits.get(name["gait"], name["gait"])) for path, name in found if name]
+        takes = [Take(path, name["style"], name["gait"]) for path, name in found if name]
         if not takes:
-            raise ValueError(f"{self.name}: no matching BVH file in {folder}; expected {self.layout}; get it at {self.home}")
+            raise ValueError(f"{self.name}: no matching BVH file in {folder}; expected "
+                             f"{self.layout}; get it at {self.home}")
         return takes
 
     def choose(self, root: str | os.PathLike | None, styles: Names, gaits: Names,
                known_styles: Iterable[str] = ()) -> list[Take]:
         """The takes of some styles and gaits (None: all).
 
-        ValueError if a name is unknown, or no file matches a style or gait of the call. A style of ``known_styles`` and a
-        gait of `gaits` is known even if the folder has no file of it.
+        ValueError if a name is unknown, or no file matches a style or gait of the call. A style of
+        ``known_styles`` and a gait of `gaits` is known even if the folder has no file of it.
         """
         takes = self.find(root)
-        wanted_styles = _check_names(styles, {t.style for t in takes} | set(known_styles), "style", self.name)
-        wanted_gaits = _check_names(gaits, {t.gait for t in takes} | set(self.gaits.values()), "gait", self.name)
+        known = {take.style for take in takes} | set(known_styles)
+        wanted_styles = _check_names(styles, known, "style", self.name)
+        known = {take.gait for take in takes} | set(self.gaits)
+        wanted_gaits = _check_names(gaits, known, "gait", self.name)
         kept = [t for t in takes if t.style in wanted_styles and t.gait in wanted_gaits]
         missing = [] if styles is None else sorted(set(wanted_styles) - {t.style for t in kept})
         missing += [] if gaits is None else sorted(set(wanted_gaits) - {t.gait for t in kept})
         if missing:
-            within = f" with gait {_listed(wanted_gaits)}" if styles is not None and gaits is not None else ""
-            raise ValueError(f"{self.name}: no file of {_listed(missing)}{within} in {self.folder(root)}; it has "
-                             f"{_listed(sorted({f'{t.style} {t.gait}' for t in takes}))}")
+            both = styles is not None and gaits is not None
+            within = f" with gait {_listed(wanted_gaits)}" if both else ""
+            there = sorted({f"{take.style} {take.gait}" for take in takes})
+            raise ValueError(f"{self.name}: no file of {_listed(missing)}{within} in "
+                             f"{self.folder(root)}; it has {_listed(there)}")
         return kept
 
     def read(self, takes: list[Take]) -> Iterator[Clip]:
@@ -97,13 +109,14 @@ class Source:
 
 
 def _check_names(names: Names, known: Iterable[str], what: str, dataset: str) -> list[str]:
-    """The names as a list, all known ones for None; the error for an unknown name suggests similar ones."""
+    """The names as a list, all known ones for None; the error suggests similar ones."""
     known = sorted(known)
     if names is None:
         return known
     names = [names] if isinstance(names, str) else list(names)
     if not names:
-        raise ValueError(f"{dataset}: an empty list of {what}s; None means all of them: {_listed(known)}")
+        raise ValueError(f"{dataset}: an empty list of {what}s; None means all of them: "
+                         f"{_listed(known)}")
     for name in names:
         if name not in known:
             near = difflib.get_close_matches(str(name), known, n=3, cutoff=0.5)
@@ -115,4 +128,5 @@ def _check_names(names: Names, known: Iterable[str], what: str, dataset: str) ->
 def _listed(names: list[str], most: int = 25) -> str:
     if len(names) <= most:
         return ", ".join(names)
-    return f"{', '.join(names[:4])} … {names[-1]}, {len(names)} in all (python -m toolkit data list shows them)"
+    return (f"{', '.join(names[:4])} … {names[-1]}, {len(names)} in all "
+            "(python -m toolkit data list shows them)")

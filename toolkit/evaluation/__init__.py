@@ -1,8 +1,11 @@
-"""Measures of motion that the error one step ahead does not show, and classifiers of motion."""
+"""Measures of motion that the error one step ahead does not show, and a recogniser of styles."""
 
 import pkgutil
 
 import lazy_loader
 
-__getattr__, __dir__, __all__ = lazy_loader.attach(__name__, [module.name for module in pkgutil.iter_modules(__path__)],
-                                                    {"measures": ["MEASURES"], "table": ["report"]})
+__getattr__, __dir__, __all__ = lazy_loader.attach(
+    __name__,
+    [module.name for module in pkgutil.iter_modules(__path__)],
+    {"table": ["MEASURES", "report"]},
+)

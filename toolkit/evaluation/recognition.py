@@ -1,7 +1,7 @@
-"""A small classifier of styles, to measure whether a model's motion has the style that was asked for.
+"""A small classifier of styles: has a model's motion the style that was asked for?
 
-Its input is one second of joint features (`toolkit.features`, root frame, physical units). They show pose, tempo and the
-coordination of the limbs, but not the path.
+Its input is one second of joint features (`toolkit.features`, root frame, physical units). They
+show pose, tempo and the coordination of the limbs, but not the path.
 """
 
 import os
@@ -14,20 +14,22 @@ from toolkit import features
 from toolkit.features import CHANNELS, Features, Normaliser, splits
 from toolkit.io import model_files
 from toolkit.motion import Clip, root_frames, trajectory
-from toolkit.motion.names import checked
 from toolkit.motion.tensors import summary
+from toolkit.motion.text import checked
 
 WINDOW = 60  # frames of an input, one second
 HOP = 15  # frames between the windows of a longer motion
 STEPS, BATCH, RATE = 200, 128, 2e-3
-OFFSET, JITTER, DROPPED = 0.3, 0.1, 0.2  # augmentation: standard deviations per window, per frame; share of columns dropped
+OFFSET, JITTER = 0.3, 0.1  # augmentation: standard deviations of noise per window, per frame
+DROPPED = 0.2  # augmentation: share of columns set to their mean
 LEAST = 0.2  # least deviation of a column as a share of the mean deviation of its channel
 
 
 class Recogniser(nn.Module):
     """Probabilities of S styles from 12 J joint features; `train` makes one.
 
-    Two strided convolutions over time with ``hidden`` filters, their mean and maximum over time, and one dense layer.
+    Two strided convolutions over time with ``hidden`` filters, their mean and maximum over time,
+    and one dense layer.
     """
 
     def __init__(self, styles: tuple[str, ...], normaliser: Normaliser, hidden: int = 64):
@@ -47,15 +49,16 @@ class Recogniser(nn.Module):
         return self.out(self.hidden_features(windows))
 
     def hidden_features(self, windows: Tensor) -> Tensor:
-        """Input ``[B, 2 hidden]`` of the last layer, of normalised ``windows [B, WINDOW, 12 J]``."""
+        """Input ``[B, 2 hidden]`` of the last layer, as in `forward`."""
         h = F.elu(self.second(F.elu(self.first(windows.transpose(1, 2)))))
         return torch.cat((h.mean(-1), h.amax(-1)), -1)
 
     @torch.no_grad()
     def probabilities(self, joints: Tensor) -> Tensor:
-        """Probability ``[..., S]`` of each style for a motion: the mean over windows of one second, `HOP` frames apart.
+        """Probability ``[..., S]`` of each style: the mean over windows, `HOP` frames apart.
 
-        ``joints [..., F, 12 J]`` are joint features in the root frame, physical units, at 60 Hz; F is at least `WINDOW`.
+        ``joints [..., F, 12 J]`` are joint features in the root frame, physical units, at 60 Hz; F
+        is at least `WINDOW`.
 
         Raises
         ------
@@ -68,10 +71,12 @@ class Recogniser(nn.Module):
 
     def _windows(self, joints: Tensor) -> Tensor:
         """Normalised windows ``[..., W, WINDOW, 12 J]`` of joint features ``[..., F, 12 J]``."""
-        if joints.dim() < 2 or joints.shape[-2] < WINDOW or joints.shape[-1] != len(self.mean):
-            raise ValueError(f"a style is recognised from [..., F, {len(self.mean)}] with at least {WINDOW} frames F, "
-                             f"got {list(joints.shape)}")
-        return (joints.unfold(-2, WINDOW, HOP).transpose(-1, -2).to(self.mean) - self.mean) / self.std
+        columns = len(self.mean)
+        if joints.dim() < 2 or joints.shape[-2] < WINDOW or joints.shape[-1] != columns:
+            raise ValueError(f"a style is recognised from [..., F, {columns}] with at least "
+                             f"{WINDOW} frames F, got {list(joints.shape)}")
+        windows = joints.unfold(-2, WINDOW, HOP).transpose(-1, -2).to(self.mean)
+        return (windows - self.mean) / self.std
 
     def of_clip(self, clip: Clip) -> Tensor:
         """Probability ``[S]`` of each style for a clip of at least one second."""
@@ -82,20 +87,19 @@ class Recogniser(nn.Module):
         """`hidden_features` ``[W, 2 hidden]`` of the W windows of a clip of at least one second."""
         return self.hidden_features(self._windows(_joints(clip)))
 
-    def confusion(self, data: Features) -> Tensor:
-        """Row i, column j of ``[S, S]``: mean probability of style j over the style clips of style i in ``data``."""
-        return torch.stack([self.probabilities(data.clips[style][:]).mean(0) for style in self.styles])
-
     def accuracy(self, data: Features) -> float:
         """Share of the style clips in ``data`` that are recognised, mean over the styles."""
-        right = [(self.probabilities(data.clips[style][:]).argmax(-1) == i).float().mean()
-                 for i, style in enumerate(self.styles)]
+        right = []
+        for i, style in enumerate(self.styles):
+            found = self.probabilities(data.clips[style][:]).argmax(-1)
+            right.append((found == i).float().mean())
         return float(torch.stack(right).mean())
 
     def save(self, path: str | os.PathLike) -> None:
         """Write to a safetensors file."""
         tensors = {f"recogniser.{name}": value for name, value in self.state_dict().items()}
-        model_files.write(path, tensors, {"recogniser": {"styles": self.styles, "hidden": self.hidden}})
+        about = {"styles": self.styles, "hidden": self.hidden}
+        model_files.write(path, tensors, {"recogniser": about})
 
     @classmethod
     def load(cls, path: str | os.PathLike) -> "Recogniser":
@@ -104,15 +108,17 @@ class Recogniser(nn.Module):
         with model_files.intact(path, "the recogniser"):
             about = parts["recogniser"]
             normaliser = Normaliser(tensors["recogniser.mean"], tensors["recogniser.std"])
-            return model_files.restore(lambda: cls(about["styles"], normaliser, about["hidden"]), tensors, "recogniser.")
+            return model_files.restore(
+                lambda: cls(about["styles"], normaliser, about["hidden"]), tensors, "recogniser.")
 
 
 def train(data: Features, seed: int = 0, steps: int = STEPS) -> Recogniser:
-    """Train a recogniser of the styles in ``data`` on its style clips; takes some seconds on one core.
+    """Train a recogniser of the styles in ``data`` on its style clips, in some seconds on one core.
 
-    It is used on the poses of models, which are smoother than the data's and have a small offset. Therefore a nearly
-    constant column is not scaled to unit deviation, and training adds offsets and noise to the windows and drops columns.
-    The same seed gives the same recogniser; ``steps`` is the number of minibatches.
+    It is used on the poses of models, which are smoother than the data's and have a small offset.
+    Therefore a nearly constant column is not scaled to unit deviation, and training adds offsets
+    and noise to the windows and drops columns. The same seed gives the same recogniser; ``steps``
+    is the number of minibatches.
 
     Raises
     ------
@@ -129,10 +135,13 @@ def train(data: Features, seed: int = 0, steps: int = STEPS) -> Recogniser:
     schedule = torch.optim.lr_scheduler.CosineAnnealingLR(adam, steps)
     for _ in range(steps):
         labels = torch.randint(len(data.styles), (BATCH,), generator=draw)
-        windows = torch.stack([_window(data.clips[data.styles[i]], draw) for i in labels]).to(model.mean)
-        windows = (windows - model.mean) / model.std + OFFSET * torch.randn(BATCH, 1, windows.shape[-1], generator=draw)
+        drawn = [_window(data.clips[data.styles[i]], draw) for i in labels]
+        windows = (torch.stack(drawn).to(model.mean) - model.mean) / model.std
+        columns = (BATCH, 1, windows.shape[-1])
+        # what models do to poses: an offset, noise; and no column may decide alone
+        windows = windows + OFFSET * torch.randn(columns, generator=draw)
         windows = windows + JITTER * torch.randn(windows.shape, generator=draw)
-        windows = windows * (torch.rand(BATCH, 1, windows.shape[-1], generator=draw) > DROPPED)
+        windows = windows * (torch.rand(columns, generator=draw) > DROPPED)
         loss = F.cross_entropy(model(windows), labels)
         adam.zero_grad(set_to_none=True)
         loss.backward()
@@ -147,11 +156,13 @@ def _joints(clip: Clip) -> Tensor:
 
 
 def _window(clips: Tensor | features.Rows, draw: torch.Generator) -> Tensor:
-    which, where = (int(torch.randint(n, (), generator=draw)) for n in (len(clips), features.CLIP_FRAMES - WINDOW + 1))
+    which = int(torch.randint(len(clips), (), generator=draw))
+    where = int(torch.randint(features.CLIP_FRAMES - WINDOW + 1, (), generator=draw))
     return clips[which][where : where + WINDOW]
 
 
 def _robust(normaliser: Normaliser) -> Normaliser:
     """The normaliser with every deviation at least `LEAST` of the mean deviation of its channel."""
     std = normaliser.std.unflatten(0, (-1, len(CHANNELS), 3))
-    return Normaliser(normaliser.mean, std.maximum(LEAST * std.mean((0, 2), keepdim=True)).flatten())
+    least = LEAST * std.mean((0, 2), keepdim=True)
+    return Normaliser(normaliser.mean, std.maximum(least).flatten())

@@ -1,19 +1,25 @@
-"""Features of motion (Mason et al. 2022, section 3.2): columns, x, z and y of clips, and a store of them on the disk."""
+"""Features of motion (Mason et al. 2022, section 3.2): columns, and x, z and y of clips."""
 
 import pkgutil
 
 import lazy_loader
 
+from toolkit import registry
 from toolkit.features import layout, splits
 
-from toolkit.features.features import (CLIP_FRAMES, CLIP_HOP, FRAME_KINDS, KINDS, Features, Frames,  # isort: skip
-                                       Normaliser, OwnFeatures, Rows, Split, build, check_style, check_style_clips,
-                                       clip_starts, frames, group_features, joint_features, mean_velocity, moments,
-                                       natural_speed, own_features, usable)
+from toolkit.features.features import (  # isort: skip
+    CLIP_FRAMES, CLIP_HOP, FRAME_KINDS, KINDS, Features, Frames, OwnFeatures, Split, build,
+    check_style, clip_starts, frames, joint_features, mean_velocity, natural_speed, own_features,
+    recordings, usable,
+)
 from toolkit.features.layout import CHANNELS, Layout, pack_joints, split_joints
+from toolkit.features.statistics import Normaliser, Rows, moments
 
-__all__ = ["CHANNELS", "CLIP_FRAMES", "CLIP_HOP", "FRAME_KINDS", "KINDS", "Features", "Frames", "Layout", "Normaliser",
-           "OwnFeatures", "Rows", "Split", "build", "check_style", "check_style_clips", "clip_starts", "frames",
-           "group_features", "joint_features", "layout", "mean_velocity", "moments", "natural_speed", "own_features",
-           "pack_joints", "split_joints", "splits", "usable"]
-__getattr__ = lazy_loader.attach(__name__, [module.name for module in pkgutil.iter_modules(__path__)])[0]
+__all__ = [
+    "CHANNELS", "CLIP_FRAMES", "CLIP_HOP", "FRAME_KINDS", "KINDS", "Features", "Frames", "Layout",
+    "Normaliser", "OwnFeatures", "Rows", "Split", "build", "check_style", "clip_starts", "frames",
+    "joint_features", "layout", "mean_velocity", "moments", "natural_speed", "own_features",
+    "pack_joints", "recordings", "split_joints", "splits", "usable",
+]
+__getattr__ = registry.attributes(__name__, lazy_loader.attach(
+    __name__, [module.name for module in pkgutil.iter_modules(__path__)])[0])

@@ -1,4 +1,7 @@
-"""The columns of x, z and y (Mason et al. 2022, section 3.2), for any skeleton. No other module defines columns."""
+"""The columns of x, z and y (Mason et al.
+
+2022, section 3.2), for any skeleton. No other module defines columns.
+"""
 
 import json
 from dataclasses import dataclass, field
@@ -26,23 +29,23 @@ CHANNELS = ("position", "forward", "up", "velocity")  # three numbers each, per 
 class Layout:
     """Names of the columns of x, z and y for a skeleton of J feature joints.
 
-    For J = 25 and 12 samples x has 348 columns, z 342 and a frame of y 300. `inputs` and `outputs` map blocks to slices;
-    `joints` is J × (position 3, forward 3, up 3, velocity 3), `trajectory` is samples × (x, z, direction x, direction z).
+    For J = 25 and 12 samples x has 348 columns, z 342 and a frame of y 300. `inputs` and `outputs`
+    map blocks to slices; `joints` is J × (position 3, forward 3, up 3, velocity 3), `trajectory` is
+    samples × (x, z, direction x, direction z).
 
-    Data always have the four limbs' local phases. A model may use fewer columns: see ``phase``. Two layouts are equal if
-    their skeletons have the same joints and End Sites in the same tree and similar size, the same phase and samples, see
-    `difference`.
-
-    ValueError if the phase is unknown, or the offsets are not ascending whole frames as described above.
+    Data always have the four limbs' local phases. A model may use fewer columns: see ``phase``. Two
+    layouts are equal if their skeletons have the same joints and End Sites in the same tree and
+    similar size, the same phase and samples, see `difference`.
 
     Parameters
     ----------
     skeleton : skeleton of the data
     phase
-        ``"local"``: the phase vectors of four limbs; p has 8 columns, z has 8 of phases and 8 of phase updates.
-        ``"global"``: one angle, radians; p has 1 column, z only its update (327 columns for J = 25). ``"none"``: p and z
-        have no phase columns (z: 326).
-    samples : offsets of the trajectory window in frames at 60 Hz, ascending: past ones, 0, future ones
+        ``"local"``: the phase vectors of four limbs; p has 8 columns, z has 8 of phases and 8 of
+        phase updates. ``"global"``: one angle, radians; p has 1 column, z only its update (327
+        columns for J = 25). ``"none"``: p and z have no phase columns (z: 326).
+    samples : offsets of the trajectory window in frames at 60 Hz, ascending: past ones, 0, future
+        ones
     """
 
     skeleton: Skeleton
@@ -53,22 +56,26 @@ class Layout:
 
     def __post_init__(self):
         if self.phase not in PHASES:
-            raise ValueError(f"the phase of a layout is one of {', '.join(PHASES)}; got {self.phase!r}")
+            raise ValueError(f"the phase of a layout is one of {', '.join(PHASES)}; got "
+                             f"{self.phase!r}")
         offsets = tuple(self.samples)
-        if not (all(isinstance(o, int) for o in offsets) and offsets == tuple(sorted(set(offsets))) and 0 in offsets
+        ascending = offsets == tuple(sorted(set(offsets)))
+        if not (all(isinstance(o, int) for o in offsets) and ascending and 0 in offsets
                 and -trajectory.PAST <= offsets[0] < 0 < offsets[-1]):
-            raise ValueError(f"samples are ascending whole frames from {-trajectory.PAST} on: past ones, 0, future ones; "
-                             f"got {list(offsets)}")
+            raise ValueError(f"samples are ascending whole frames from {-trajectory.PAST} on: past "
+                             f"ones, 0, future ones; got {list(offsets)}")
         object.__setattr__(self, "samples", offsets)
         joints = 12 * len(self.skeleton.feature_joints)
         widths_in = {"trajectory": 4 * len(offsets), "joints": joints}
-        widths_out = {"trajectory": 4 * len(self.ahead), "joints": joints,
-                      **dict.fromkeys(PHASES[self.phase][1], self.n_phases), "contacts": len(contacts.FEET)}
+        widths_out = {"trajectory": 4 * len(self.ahead), "joints": joints}
+        widths_out |= dict.fromkeys(PHASES[self.phase][1], self.n_phases)
+        widths_out["contacts"] = len(contacts.FEET)
         object.__setattr__(self, "inputs", _slices(widths_in))
         object.__setattr__(self, "outputs", _slices(widths_out))
 
     def __repr__(self) -> str:
-        return summary(self, {"inputs": self.n_inputs, "outputs": self.n_outputs, "phase": self.phase, "joints": self.names})
+        return summary(self, {"inputs": self.n_inputs, "outputs": self.n_outputs,
+                              "phase": self.phase, "joints": self.names})
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Layout) and not self.difference(other)
@@ -79,8 +86,9 @@ class Layout:
     def difference(self, other: "Layout") -> str:
         """What differs from another layout, in words; empty if they are equal.
 
-        Bones of people differ in length, so that only a size is compared, the sum of all bones: the same file in two units
-        differs by a factor of 1.7 or more. Skeletons without lengths, on the meta device, have any size.
+        Bones of people differ in length, so that only a size is compared, the sum of all bones: the
+        same file in two units differs by a factor of 1.7 or more. Skeletons without lengths, on the
+        meta device, have any size.
         """
         a, b = self.skeleton, other.skeleton
         if a.names != b.names or a.parents != b.parents or set(a.ends) != set(b.ends):
@@ -88,8 +96,11 @@ class Layout:
         if not (a.offsets.is_meta or b.offsets.is_meta):
             sizes = [float(s.offsets[1:].norm(dim=-1).sum()) for s in (a, b)]
             if max(sizes) > SIZES * min(sizes):
-                return f"its bones are {sizes[0] / max(sizes[1], 1e-9):.3g} times as long; unit= decides"
-        return "" if (self.phase, self.samples) == (other.phase, other.samples) else "its phase or its samples differ"
+                times = sizes[0] / max(sizes[1], 1e-9)
+                return f"its bones are {times:.3g} times as long; unit= decides"
+        if (self.phase, self.samples) != (other.phase, other.samples):
+            return "its phase or its samples differ"
+        return ""
 
     @property
     def behind(self) -> tuple[int, ...]:
@@ -139,16 +150,17 @@ class Layout:
     @property
     def limbs(self) -> list[int]:
         """Hands and feet among the feature joints, in the order of the phases."""
-        return [self.skeleton.feature_joints.index(self.skeleton.role(limb)) for limb in phases.LIMBS]
+        joints = self.skeleton.feature_joints
+        return [joints.index(self.skeleton.role(limb)) for limb in phases.LIMBS]
 
     @property
     def limb_velocities(self) -> list[int]:
-        """The 12 columns of x that hold the velocities of hands and feet, in the order of the phases."""
+        """The 12 columns of x with the velocities of hands and feet, in the order of the phases."""
         first = self.inputs["joints"].start + 3 * CHANNELS.index("velocity")
         return [first + 12 * j + axis for j in self.limbs for axis in range(3)]
 
     def pack_input(self, **blocks: Tensor) -> Tensor:
-        """x ``[..., n_inputs]`` of its blocks, each ``[..., width]`` or with its own trailing shape."""
+        """x ``[..., n_inputs]`` of its blocks, each ``[..., width]`` or of its own shape."""
         return _pack(self.inputs, blocks)
 
     def pack_output(self, **blocks: Tensor) -> Tensor:
@@ -161,7 +173,8 @@ class Layout:
 
     def bone_lengths(self, positions: Tensor) -> Tensor:
         """Distances ``[..., J - 1]`` of feature joints at ``[..., J, 3]`` from their parents."""
-        child, parent = (list(side) for side in zip(*[(j, p) for j, p in enumerate(self.parents) if p >= 0], strict=True))
+        child = [joint for joint, parent in enumerate(self.parents) if parent >= 0]
+        parent = [self.parents[joint] for joint in child]
         return (positions[..., child, :] - positions[..., parent, :]).norm(dim=-1)
 
     def joint_positions(self, z: Tensor) -> Tensor:
@@ -174,7 +187,7 @@ class Layout:
 
     @classmethod
     def from_json(cls, text: str) -> "Layout":
-        """Inverse of `to_json`; by default the phase is local and the samples are every tenth frame."""
+        """Inverse of `to_json`; older texts have no phase and no samples, but the defaults."""
         fields = parsed(text)
         phase, samples = fields.pop("phase", "local"), fields.pop("samples", trajectory.SAMPLES)
         return cls(Skeleton(**fields), phase, tuple(samples))
@@ -182,19 +195,23 @@ class Layout:
 
 def _slices(widths: dict[str, int]) -> dict[str, slice]:
     ends = list(accumulate(widths.values()))
-    return {name: slice(end - width, end) for (name, width), end in zip(widths.items(), ends, strict=True)}
+    blocks = zip(widths.items(), ends, strict=True)
+    return {name: slice(end - width, end) for (name, width), end in blocks}
 
 
 def _pack(slices: dict[str, slice], blocks: dict[str, Tensor]) -> Tensor:
     if set(blocks) != set(slices):
         raise ValueError(f"expected the blocks {', '.join(slices)}; got {', '.join(blocks)}")
     parts, lead = [], None
-    for name, s in slices.items():
-        block, width = blocks[name], s.stop - s.start
-        trailing = next((k for k in range(1, block.dim() + 1) if block.shape[-k:].numel() == width), None)
-        if trailing is None or (lead is not None and block.shape[: block.dim() - trailing] != lead):
-            raise ValueError(f"block {name!r} needs {width} columns per frame; got shape {list(block.shape)}")
-        lead = block.shape[: block.dim() - trailing]
+    for name, columns in slices.items():
+        block, width = blocks[name], columns.stop - columns.start
+        # the last dimensions, one or more, that hold the block's columns
+        sizes = [block.shape[-k:].numel() for k in range(1, block.dim() + 1)]
+        leading = block.shape[: block.dim() - 1 - sizes.index(width)] if width in sizes else None
+        if leading is None or (lead is not None and leading != lead):
+            raise ValueError(f"block {name!r} needs {width} columns per frame; got shape "
+                             f"{list(block.shape)}")
+        lead = leading
         parts.append(block.reshape(*lead, width))
     return torch.cat(parts, -1)
 

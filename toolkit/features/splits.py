@@ -1,7 +1,7 @@
 """Held-out frames, and the random streams that choose them (Mason et al. 2022, section 4.3).
 
-Neighbouring frames are almost equal, and the features of a frame reach 60 frames back and 51 ahead. Frames whose window
-overlaps that of a held-out frame are therefore in neither part.
+Neighbouring frames are almost equal, and the features of a frame reach 60 frames back and 51 ahead.
+Frames whose window overlaps that of a held-out frame are therefore in neither part.
 """
 
 import contextlib
@@ -17,89 +17,110 @@ import torch
 from torch import Tensor
 
 from toolkit import datasets
-from toolkit.features.features import CLIP_FRAMES, FRAME_KINDS, Features, Rows, Split, build
+from toolkit.features.features import CLIP_FRAMES, FRAME_KINDS, Features, Split, build
+from toolkit.features.statistics import Rows
 from toolkit.motion import Clip
 
-SPLIT_FRAMES = 240  # held-out frames form contiguous windows of this length, because neighbours are almost equal
+SPLIT_FRAMES = 240  # length of held-out windows, because neighbouring frames are almost equal
 SPLIT_TAKES = 20  # if a style has at least this many takes, whole takes are held out
-STRETCH = 60  # frames that show a style where no whole style clip is free of held-out frames: one second
-SPLIT = 1  # number of the random stream; those of `toolkit.training.minibatches` have others
+STRETCH = 60  # frames that show a style where no whole style clip is free of held-out frames
+SPLIT = 1  # number of the random stream; `toolkit.training.minibatches` has others
 
 
-def split(data: Features, share: float, seed: int, styles: tuple[str, ...]) -> tuple[Features, Features]:
+def split(data: Features, share: float, seed: int,
+          styles: tuple[str, ...]) -> tuple[Features, Features]:
     """Training and held-out frames of ``styles``, in that order.
 
-    Their windows share no frame (`apart`). The style clips of the training frames are those of `style_clips`; the held-out
-    frames come with all. Features of a list (`listed`) have its parts, whatever ``share`` and ``seed``.
+    Their windows share no frame (`apart`). The style clips of the training frames are those of
+    `style_clips`; the held-out frames come with all. Features of a list (`listed`) have its parts,
+    whatever ``share`` and ``seed``.
     """
     known = data.split
     if known and known.share is not None and (known.share, known.seed) != (share, seed):
         known = None
-    masks = {s: known.held_out[s] for s in styles} if known else held_out(data, share, seed, styles)
+    if known:
+        masks = {style: known.held_out[style] for style in styles}
+    else:
+        masks = held_out(data, share, seed, styles)
     statistics = known.statistics if known and styles == tuple(data.styles) else None
 
     learnt = {s: apart(data, s, masks[s]) for s in styles}
     shown = {s: style_clips(data, s, ~learnt[s]) for s in styles}
-    return dataclasses.replace(select(data, learnt), clips=shown, statistics=statistics), select(data, masks)
+    training = dataclasses.replace(select(data, learnt), clips=shown, statistics=statistics)
+    return training, select(data, masks)
 
 
 def select(data: Features, masks: dict[str, Tensor]) -> Features:
     """The rows ``[N]`` bool of each style, with all its style clips."""
-    found = {kind: rows for kind in (*FRAME_KINDS, "takes", "frames") if (rows := getattr(data, kind)) is not None}
-    pick = {kind: {s: rows[s].select(mask) if isinstance(rows[s], Rows) else rows[s][mask] for s, mask in masks.items()}
-            for kind, rows in found.items()}
-    clips = {s: data.clips[s] for s in masks}
-    return dataclasses.replace(data, clips=clips, split=None, statistics=None, spans=None, **pick)
+    chosen = {}
+    for kind in (*FRAME_KINDS, "takes", "frames"):
+        rows = getattr(data, kind)
+        if rows is not None:
+            chosen[kind] = {style: _picked(rows[style], mask) for style, mask in masks.items()}
+    clips = {style: data.clips[style] for style in masks}
+    return dataclasses.replace(data, clips=clips, split=None, statistics=None, spans=None, **chosen)
+
+
+def _picked(rows: Tensor | Rows, mask: Tensor) -> Tensor | Rows:
+    return rows.select(mask) if isinstance(rows, Rows) else rows[mask]
 
 
 def apart(data: Features, style: str, held_out: Tensor) -> Tensor:
-    """Rows ``[N]`` bool of a style whose windows share no frame with those of the rows ``held_out [N]``.
+    """Rows ``[N]`` bool of a style whose windows share no frame with those of ``held_out [N]``.
 
-    In a style that is too short for any, those that are not held out, with a warning; and these if the data do not say from
-    which frames they come.
+    In a style that is too short for any, those that are not held out, with a warning; and these if
+    the data do not say from which frames they come.
     """
     rest = ~held_out
     if data.frames is None or not held_out.any() or not rest.any():
         return rest
-    at, aside = data.frames[style], data.frames[style][held_out.to(data.frames[style].device)].unique()
-    reach = data.layout.samples[-1] + 1 - data.layout.samples[0]  # a window's last frame minus its first one
+    at = data.frames[style]
+    aside = at[held_out.to(at.device)].unique()
+    reach = data.layout.samples[-1] + 1 - data.layout.samples[0]  # frames of a window, less one
+    # distance to the nearest held-out frame
     after = torch.searchsorted(aside, at)
     behind, ahead = aside[(after - 1).clamp_min(0)], aside[after.clamp_max(len(aside) - 1)]
     free = torch.minimum((at - behind).abs(), (ahead - at).abs()).to(rest.device) > reach
     if not free.any():
-        warnings.warn(f"style {style!r} is too short to hold out frames: it is trained on frames that overlap their windows",
-                      stacklevel=3)
+        warnings.warn(f"style {style!r} is too short to hold out frames: it is trained on frames "
+                      "that overlap their windows", stacklevel=3)
         return rest
     return free
 
 
 def listed(clips: Iterable[Clip], parts: datasets.blocks.Split, **options) -> Features:
-    """Features of the training and test blocks of a list (`toolkit.datasets.split`); `split` has the same parts.
+    """Features of the training and test blocks of a list (`toolkit.datasets.split`).
 
-    ``options`` are those of `features.build`. ValueError as of `pieces`, or if no clip has a training block.
+    `split` has the same parts. ``options`` are those of `features.build`. ValueError as of
+    `pieces`, or if no clip has a training block.
     """
     found = list(pieces(clips, parts))
     aside = torch.tensor([held for _, _, held in found], dtype=torch.bool)
     if aside.all():
-        raise ValueError(f"none of these clips is in the training part of the split of {parts.dataset}")
+        raise ValueError("none of these clips is in the training part of the split of "
+                         f"{parts.dataset}")
     data = build([piece for _, piece, _ in found], **{"short": "skip"} | options)
-    return dataclasses.replace(data, split=Split(None, None, {s: aside[at] for s, at in data.takes.items()}))
+    masks = {style: aside[takes] for style, takes in data.takes.items()}
+    return dataclasses.replace(data, split=Split(None, None, masks))
 
 
 def pieces(clips: Iterable[Clip], parts: datasets.blocks.Split) -> Iterator[tuple[int, Clip, bool]]:
-    """Number of the clip, piece, and whether it is of the test: the training and test blocks of a list, cut out of clips.
+    """The training and test blocks of a list, cut out of clips.
 
-    They are cut before anything is computed, so no window reaches from one part into another. The blocks of the validation
-    and the styles that only the test has are left out. ValueError if the list has no block of a clip.
+    Each comes with the number of its clip and whether it is of the test. They are cut before
+    anything is computed, so no window reaches from one part into another. The blocks of the
+    validation and the styles that only the test has are left out. ValueError if the list has no
+    block of a clip.
     """
-    blocks: dict[tuple[str, str], list[tuple[datasets.blocks.Block, bool | None]]] = defaultdict(list)
+    blocks: dict[tuple[str, str], list] = defaultdict(list)
     for part, held in (("train", False), ("validation", None), ("test", True)):
         for block in getattr(parts, part):
             blocks[block.style, block.gait].append((block, held))
     for number, clip in enumerate(clips):
         if clip.style in parts.unseen:
             continue
-        found = blocks.get((clip.style, clip.gait)) or blocks.get((clip.style, clip.name.removesuffix(".bvh")))
+        names = clip.gait, clip.name.removesuffix(".bvh")
+        found = next((blocks[clip.style, n] for n in names if (clip.style, n) in blocks), None)
         if not found:
             raise ValueError(f"{clip.name}: the split of {parts.dataset} has no block of this take")
         first = min(block.start for block, _ in found)  # the clip begins there
@@ -110,27 +131,32 @@ def pieces(clips: Iterable[Clip], parts: datasets.blocks.Split) -> Iterator[tupl
 
 
 def style_clips(data: Features, style: str, held_out: Tensor) -> Tensor | Rows:
-    """Style clips that share no frame with the windows of the rows ``held_out [N]`` of a style, nor with mirror images.
+    """Style clips that share no frame with the windows of the rows ``held_out [N]`` of a style.
 
-    If every clip shares one, the longest remaining stretch of each is repeated, if it lasts `STRETCH` frames or more. All
-    clips, with a warning, if there is none; and all if the data do not say from which frames they come.
+    Nor with their mirror images. If every clip shares one, the longest remaining stretch of each is
+    repeated, if it lasts `STRETCH` frames or more. All clips, with a warning, if there is none; and
+    all if the data do not say from which frames they come.
     """
     clips = data.clips[style]
     if data.frames is None or data.spans is None or not held_out.any():
         return clips
     samples, (starts, lengths) = data.layout.samples, data.spans[style].T
     window = torch.arange(samples[0], samples[-1] + 2, device=starts.device)
-    taken = (data.frames[style][held_out.to(starts.device)][:, None] + window).unique()
+    aside = data.frames[style][held_out.to(starts.device)]
+    taken = (aside[:, None] + window).unique()
     column = torch.arange(CLIP_FRAMES, device=starts.device)
     free = ~torch.isin(starts[:, None] + column % lengths[:, None], taken)
     if (whole := free.all(1)).any():
-        return clips.select(whole) if isinstance(clips, Rows) else clips[whole]
-    stretches = [(i, *_longest(row[:length].tolist())) for i, (row, length) in enumerate(zip(free, lengths, strict=True))]
-    kept = [clips[i][first + column % length] for i, first, length in stretches if length >= STRETCH]
+        return _picked(clips, whole)
+    kept = []
+    for i, length in enumerate(lengths):
+        first, stretch = _longest(free[i, :length].tolist())
+        if stretch >= STRETCH:
+            kept.append(clips[i][first + column % stretch])
     if kept:
         return torch.stack(kept)
-    warnings.warn(f"style {style!r} is too short to hold out frames: its style clips share frames with their windows",
-                  stacklevel=3)
+    warnings.warn(f"style {style!r} is too short to hold out frames: its style clips share frames "
+                  "with their windows", stacklevel=3)
     return clips
 
 
@@ -146,9 +172,9 @@ def _longest(free: list[bool]) -> tuple[int, int]:
 def held_out(data: Features, share: float, seed: int, styles: tuple[str, ...]) -> dict[str, Tensor]:
     """Which rows of each style are held out, ``[N]`` bool: about ``share`` of every style.
 
-    They are whole takes if a style has at least `SPLIT_TAKES` of them, else random windows of 4 s, each inside a take. In a
-    style shorter than 4 s they are its last frames. A frame and its mirror image count as one. The held-out frames of a
-    style do not depend on the other styles.
+    They are whole takes if a style has at least `SPLIT_TAKES` of them, else random windows of 4 s,
+    each inside a take. In a style shorter than 4 s they are its last frames. A frame and its mirror
+    image count as one. The held-out frames of a style do not depend on the other styles.
     """
     masks = {}
     for style in styles:
@@ -177,8 +203,11 @@ def generator(*keys: int | str) -> torch.Generator:
 
 def mix(*keys: int | str) -> int:
     """One seed from several numbers and names, the same on every machine."""
-    numbers = [int.from_bytes(hashlib.sha256(key.encode()).digest()[:8], "little") if isinstance(key, str) else key
-               for key in keys]
+    numbers = []
+    for key in keys:
+        if isinstance(key, str):
+            key = int.from_bytes(hashlib.sha256(key.encode()).digest()[:8], "little")
+        numbers.append(key)
     return int(np.random.SeedSequence(numbers).generate_state(1, np.uint64)[0] >> np.uint64(1))
 
 

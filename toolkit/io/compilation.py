@@ -1,4 +1,4 @@
-"""Functions compiled by numba, whose machine code is kept on disk where a folder for it can be written."""
+"""Functions compiled by numba, whose machine code is kept on disk where a folder can be written."""
 
 import contextlib
 import functools
@@ -20,10 +20,10 @@ class Cache(FunctionCache):
 
 
 def compiled(**options) -> Callable:
-    """Decorator: `numba.njit` that releases the GIL, with a cache on disk.
+    """Decorator: `numba.njit` that releases the GIL, with numba's cache on disk.
 
-    numba keeps the cache beside the module or in the user's cache folder. Where neither can be written (a read-only install
-    in a container, a user without home), the function is compiled again in each process.
+    The cache lies beside the module or in the user's cache folder. Where neither can be written
+    (a read-only install, a user without home), each process compiles the function again.
 
     Warns
     -----
@@ -44,5 +44,6 @@ def compiled(**options) -> Callable:
 
 @functools.cache
 def _without_cache() -> None:
-    warnings.warn("no folder for compiled code can be written, so each process compiles it again, which takes seconds; "
-                  "set NUMBA_CACHE_DIR to a folder that you may write", stacklevel=3)
+    warnings.warn("no folder for compiled code can be written, so each process compiles it again, "
+                  "which takes seconds; set NUMBA_CACHE_DIR to a folder that you may write",
+                  stacklevel=3)

@@ -1,7 +1,7 @@
 """Model files: one safetensors file, whose metadata holds JSON. Reading one never runs code.
 
-A file holds one or more parts (a ``model``, a style ``bank``, a training ``run``), each named in the metadata. A reader that
-needs one part accepts every file that has it.
+A file holds one or more parts (a ``model``, a style ``bank``, a training ``run``), each named in
+the metadata. A reader that needs one part accepts every file that has it.
 """
 
 import contextlib
@@ -16,24 +16,25 @@ from safetensors import SafetensorError, safe_open
 from safetensors.torch import save
 from torch import Tensor, nn
 
-from toolkit.io.files import atomic_write, parsed, status
+from toolkit.io.files import atomic_write, opened, parsed
 
 FORMAT = "toolkit 1"
 TENSORS = 10_000  # of a file
 METADATA = 16_000_000  # bytes, of the description in a file
-COMPUTED = 100_000_000  # bytes of buffers that no file holds, which a module of any file may compute
+COMPUTED = 100_000_000  # bytes of buffers that no file holds, which a module of a file may compute
 
 
 def write(path: str | os.PathLike, tensors: dict[str, Tensor], parts: dict[str, Any]) -> None:
     """Write a file, whole or not at all; the same content gives the same bytes.
 
-    ``parts`` are values for JSON by name; the name of a tensor starts with that of its part: ``model.gating.…``.
+    ``parts`` are values for JSON by name; the name of a tensor starts with that of its part:
+    ``model.gating.…``.
     """
     metadata = {"format": FORMAT, **{name: json.dumps(value) for name, value in parts.items()}}
     packed = save({name: t.detach().cpu().contiguous() for name, t in tensors.items()}, metadata)
+    # The library writes metadata in an order that differs between processes: write its header anew.
     size = 8 + int.from_bytes(packed[:8], "little")
-    header = json.loads(packed[8:size])  # the order of its metadata differs between processes
-    header["__metadata__"] = metadata
+    header = json.loads(packed[8:size]) | {"__metadata__": metadata}
     text = json.dumps(header, separators=(",", ":"), ensure_ascii=False).encode()
     text += b" " * (-len(text) % 8)
     with atomic_write(path) as file:
@@ -42,17 +43,20 @@ def write(path: str | os.PathLike, tensors: dict[str, Tensor], parts: dict[str, 
 
 
 def read(path: str | os.PathLike, part: str) -> tuple[dict[str, Tensor], dict[str, Any]]:
-    """Tensors and parts of a file; ValueError if it cannot be read, has another format, or lacks ``part``."""
+    """Tensors and parts of a file.
+
+    ValueError if it is damaged, of another format, or has no ``part``.
+    """
     path = Path(path)
     try:
-        status(path)
-        with safe_open(path, framework="pt") as file:
+        with opened(path), safe_open(path, framework="pt") as file:
             metadata = file.metadata() or {}
             if len(file.keys()) > TENSORS:
                 raise ValueError(f"{path}: has {len(file.keys())} tensors, more than {TENSORS}")
-            tensors = {name: file.get_tensor(name).clone() for name in file.keys()}  # noqa: SIM118 (not a dict)
+            tensors = {name: file.get_tensor(name).clone() for name in list(file.keys())}
     except OSError as error:
-        raise ValueError(f"{path}: cannot be read ({error.strerror or 'no such file'})") from error
+        why = error.strerror or "no such file"
+        raise ValueError(f"{path}: cannot be read ({why})") from error
     except SafetensorError as error:
         raise ValueError(f"{path}: not a whole safetensors file ({plain(error)})") from error
     found = metadata.pop("format", None)
@@ -60,42 +64,45 @@ def read(path: str | os.PathLike, part: str) -> tuple[dict[str, Tensor], dict[st
         raise ValueError(f"{path}: expected the format {FORMAT!r}, got {found!r}")
     if sum(map(len, metadata.values())) > METADATA:
         raise ValueError(f"{path}: its metadata is larger than {METADATA} bytes")
-    try:
+    with intact(path, "its metadata"):
         parts = {name: parsed(text) for name, text in metadata.items()}
-    except ValueError as error:
-        raise ValueError(f"{path}: its metadata is damaged ({plain(error)})") from error
     if part not in parts:
-        raise ValueError(f"{path}: expected a {part} in it, got {', '.join(sorted(parts)) or 'nothing'}")
+        there = ", ".join(sorted(parts)) or "nothing"
+        raise ValueError(f"{path}: expected a {part} in it, got {there}")
     return tensors, parts
 
 
 def restore(build: Callable[[], nn.Module], tensors: dict[str, Tensor], start: str) -> nn.Module:
-    """The module that ``build`` makes with the tensors whose names begin with ``start``, in evaluation mode.
+    """The module of ``build`` with the tensors whose names begin with ``start``, for evaluation.
 
-    The module is first built on the meta device, which takes no memory, and its shapes are compared with those of the
-    tensors: sizes in a file cannot take more memory than its tensors do. Random numbers are not used.
+    The module is first built on the meta device, which takes no memory, and its shapes are
+    compared with those of the tensors: sizes in a file cannot take more memory than its tensors.
+    Random numbers are not used.
 
     Raises
     ------
     ValueError
-        If a tensor is missing or unknown, has another shape or numbers that are not finite, or buffers that are not in the
-        file are too large.
+        If a tensor is missing or unknown, has another shape or numbers that are not finite, or
+        buffers that are not in the file are too large.
     """
-    own = {name.removeprefix(start): value for name, value in tensors.items() if name.startswith(start)}
+    own = {name.removeprefix(start): value for name, value in tensors.items()
+           if name.startswith(start)}
     with torch.device("meta"):
         module = build()
     expected = module.state_dict()
-    shapes = ({name: list(value.shape) for name, value in values.items()} for values in (expected, own))
+    shapes = ({name: list(value.shape) for name, value in values.items()}
+              for values in (expected, own))
     if why := difference(*shapes):
         raise ValueError(f"it differs in tensor {why}")
     finite(own)
-    computed = sum(value.nbytes for name, value in module.named_buffers() if name not in expected)
+    computed = sum(buffer.nbytes for name, buffer in module.named_buffers() if name not in expected)
     if computed > COMPUTED:
         raise ValueError(f"its buffers would take {computed:.3g} bytes")
-    if computed:
+    if computed:  # the meta device has shapes only
         with torch.random.fork_rng(devices=[]):
             module = build()
-    module.load_state_dict({name: value.to(expected[name].dtype) for name, value in own.items()}, assign=not computed)
+    own = {name: value.to(expected[name].dtype) for name, value in own.items()}
+    module.load_state_dict(own, assign=not computed)
     return module.eval()
 
 
@@ -108,15 +115,16 @@ def finite(tensors: Mapping[str, Tensor]) -> None:
 
 @contextlib.contextmanager
 def intact(path: str | os.PathLike, what: str) -> Iterator[None]:
-    """Inside, an error from a value of the wrong kind becomes a ValueError of one line: ``what`` is damaged."""
+    """An error from a value of the wrong kind becomes a ValueError: ``what`` is damaged."""
     try:
         yield
-    except (ArithmeticError, AttributeError, IndexError, KeyError, RuntimeError, TypeError, ValueError) as error:
+    except (ArithmeticError, AttributeError, LookupError, RuntimeError, TypeError,
+            ValueError) as error:
         raise ValueError(f"{path}: {what} is damaged ({plain(error)})") from error
 
 
 def plain(error: Exception) -> str:
-    """The message of an error, which may quote a file, as one printable line of at most 300 characters."""
+    """The message of an error, which may quote a file, as a printable line of 300 characters."""
     said = f"{error} is missing" if type(error) is KeyError else str(error)
     return " ".join("".join(c if c.isprintable() else " " for c in said).split())[:300]
 

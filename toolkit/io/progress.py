@@ -38,7 +38,7 @@ class _Lines(tqdm):
 
 
 def progress_bar(iterable: Any = None, *, show: bool = True, **options: Any) -> tqdm:
-    """Return tqdm's bar, as suits standard error. Work that ends within 10 s writes nothing to a file."""
+    """Return tqdm's bar, as suits standard error; in a file, work of 10 s leaves no line."""
     ipython = sys.modules.get("IPython")
     if not show or sys.stderr is None or sys.stderr.isatty():
         return tqdm(iterable, disable=not show or sys.stderr is None, **options)
@@ -46,4 +46,5 @@ def progress_bar(iterable: Any = None, *, show: bool = True, **options: Any) -> 
         from tqdm.auto import tqdm as notebook
 
         return notebook(iterable, **options)
-    return _Lines(iterable, file=_Log(sys.stderr), delay=FIRST, mininterval=FIRST, maxinterval=0, miniters=1, **options)
+    return _Lines(iterable, file=_Log(sys.stderr), delay=FIRST, mininterval=FIRST, maxinterval=0,
+                  miniters=1, **options)

@@ -7,7 +7,7 @@ from torch import Tensor
 
 @dataclass(frozen=True, eq=False)
 class Recording:
-    """J joints over F frames, in the file's own unit and axes; `toolkit.load` turns it into a `Clip`."""
+    """J joints over F frames in the file's unit and axes; `toolkit.load` makes a `Clip` of it."""
 
     format: str  # name of the file format: "BVH", "glTF" …
     names: tuple[str, ...]  # J, unique

@@ -1,19 +1,24 @@
-"""Anatomy of a humanoid rig: the axes that its joints have in a T-pose, whatever their local frames and its rest pose are.
+"""Anatomy of a humanoid rig: which axes of each joint point left, up and forward in a T-pose.
 
-Rigs differ in the pose of zero rotation (T-pose, A-pose, or no pose of a body at all: bones of Bandai-Namco lie along x,
-bones of Blender and Mixamo along their own y) and in joints along spine and limbs. We compare them in one canonical pose: a
-T-pose that faces +z, with straight legs and flat feet. ``global rotation × axes`` is how far a joint has turned from there,
-which means the same on every rig.
+Rigs differ in the pose of zero rotations (T-pose, A-pose, or no pose of a body at all) and in the
+axes of their joints. We compare them in one canonical pose: a T-pose that faces +z, with straight
+legs and flat feet, where left, up and forward are x, y and z. `Anatomy.axes` holds for each joint
+the rotation from these axes to the joint's own. ``global rotation × axes`` is how far the joint has
+turned from the T-pose, which means the same on every rig.
 
-The axes are measured in a pose of a standing figure: the pose of zero rotations, or that of a clip without motion (a bind
-pose). In such a pose the bones of limbs are turned the shortest way into the T-pose. Other rigs are measured over a motion.
-There the axes of hips and legs are the signed coordinate axes nearest to the body's own axes, turned so that the bone has
-its direction in the T-pose. Arms mostly hang, so their axes are found from the bone and the elbow's axis. A foot is flat
-where it is lowest. Spine, neck, head, collars and hands have the axes of their parent, up to turns of 90 degrees.
+The axes are measured in one of two ways:
+
+- In the pose of a standing figure with straight limbs: that of zero rotations, or that of a clip
+  without motion (a bind pose). Bones of limbs are turned the shortest way into the T-pose.
+- Over a motion, where there is no such pose. Hips and legs have the coordinate axes nearest to the
+  body's own, turned so that the bone has its direction in the T-pose. Arms mostly hang, so their
+  axes are found from the bone and the elbow's axis. A foot is flat where it is lowest. Spine, neck,
+  head, collars and hands have the axes of their parent, up to turns of 90 degrees.
 """
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from itertools import pairwise
+from itertools import pairwise, product
 
 import torch
 from torch import Tensor
@@ -22,14 +27,15 @@ from toolkit.motion import rotations as R
 from toolkit.motion.clip import Clip, root_frames
 from toolkit.motion.roles import ROLES, SIDES
 from toolkit.motion.skeleton import Skeleton, forward_kinematics
-from toolkit.motion.tensors import as_tensor, summary
+from toolkit.motion.tensors import summary
 
-LIMB_ROLES = tuple(role for role in ROLES if not role.endswith("toe"))  # a rig without toes stands on its ankles
-PARTS = {"arm": ("collar", "shoulder", "elbow", "hand"), "leg": ("hip", "knee", "foot", "toe")}  # from the trunk outwards
-STEEP = 0.3  # sine between a foot's bone and the vertical below which it does not show where the foot points
+LIMB_ROLES = tuple(role for role in ROLES if not role.endswith("toe"))  # a rig may lack toes
+#: From the trunk outwards.
+PARTS = {"arm": ("collar", "shoulder", "elbow", "hand"), "leg": ("hip", "knee", "foot", "toe")}
+STEEP = 0.3  # sine from the vertical below which a foot's bone does not show where the foot points
 SHORT = 0.01  # metres; a shorter leg is none
 STRAIGHT = 0.02  # sine of the mean bend below which an arm's elbow axis cannot be found
-NEAR = 0.85  # cosine up to which axes count as turned by multiples of 90 degrees
+NEAR, NEAR_FOOT = 0.85, 0.985  # cosines from which axes count as turned by multiples of 90 degrees
 STILL = 1e-3  # change of quaternions up to which a clip shows one pose
 FLAT = 0.1  # share of the frames in which a foot is lowest: there it lies flat on the floor
 
@@ -39,9 +45,9 @@ class Anatomy:
     """What retargeting knows of a rig; `measure` makes it."""
 
     skeleton: Skeleton  # with toes: the role of a missing one is given to the ankle
-    axes: dict[int, Tensor]  # joint -> rotation [4] from the canonical axes to the joint's own, in the T-pose
+    axes: dict[int, Tensor]  # joint -> rotation [4] from the canonical axes to the joint's own
     rest: Tensor  # [J, 4] local rotations of joints that nothing moves
-    bones: dict[int, Tensor]  # joint of a limb -> vector [3] to the limb's next joint, in its own frame, metres
+    bones: dict[int, Tensor]  # joint of a limb -> vector [3] to the next one, in its frame, metres
     spine: list[int]  # from the hips up to the chest
     neck: list[int]  # from the chest up to the head
     __repr__ = summary
@@ -49,7 +55,8 @@ class Anatomy:
     @property
     def leg(self) -> float:
         """Hip to ankle along the bones, metres."""
-        return sum(float(self.bones[self.skeleton.role(f"left_{part}")].norm()) for part in ("hip", "knee"))
+        return sum(float(self.bones[self.skeleton.role(role)].norm())
+                   for role in ("left_hip", "left_knee"))
 
 
 def measure(rig: Clip | Skeleton) -> Anatomy:
@@ -58,23 +65,27 @@ def measure(rig: Clip | Skeleton) -> Anatomy:
     Raises
     ------
     ValueError
-        If roles are missing, the legs have no length, or a skeleton is given alone whose zero rotations are no standing
-        figure: then a clip of it is needed.
+        If roles are missing, the legs have no length, or a skeleton is given alone whose zero
+        rotations are no standing figure: then a clip of it is needed.
     """
     clip, skeleton = (None, rig) if isinstance(rig, Skeleton) else (rig, rig.skeleton)
     name = "the skeleton" if clip is None else clip.name
     if lacking := [role for role in LIMB_ROLES if role not in skeleton.roles]:
-        raise ValueError(f"{name}: cannot find its {', '.join(lacking)} among {', '.join(skeleton.names)}")
+        raise ValueError(f"{name}: cannot find its {', '.join(lacking)} among "
+                         f"{', '.join(skeleton.names)}")
     skeleton = with_toes(skeleton)
     like = clip.rotations if clip is not None else torch.zeros(0)
     zero = R.identity(len(skeleton), dtype=like.dtype, device=like.device)
-    found = _posed(skeleton, zero, upright=False)
+    found = _from_pose(skeleton, zero, upright=False)
     if found is None and clip is not None:
         clip = clip.replace(skeleton=skeleton)
-        still = float((clip.rotations - clip.rotations[:1]).abs().amax()) < STILL
-        found = _posed(skeleton, clip.rotations[0], upright=True) if still else _moving(clip)
+        if float((clip.rotations - clip.rotations[:1]).abs().amax()) < STILL:
+            found = _from_pose(skeleton, clip.rotations[0], upright=True)
+        else:
+            found = _from_motion(clip)
     if found is None:
-        raise ValueError(f"{name}: its zero rotations are no standing figure; give a file of it with a T-pose or a motion")
+        raise ValueError(f"{name}: its zero rotations are no standing figure; "
+                         "give a file of it with a T-pose or a motion")
     if found.leg < SHORT:
         raise ValueError(f"{name}: its legs have no length")
     return found
@@ -88,11 +99,11 @@ def with_toes(skeleton: Skeleton) -> Skeleton:
 
 
 def limb(skeleton: Skeleton, side: str, kind: str) -> dict[str, int]:
-    """Joints of an arm or a leg by part, from the trunk outwards; a collar or a toe that the rig lacks is left out."""
+    """Joints of an arm or a leg by part, outwards, without a collar or a toe that the rig lacks."""
     joints = {part: skeleton.role(f"{side}_{part}") for part in PARTS[kind] if part != "collar"}
     if kind == "arm" and (collar := skeleton.parents[joints["shoulder"]]) not in skeleton.trunk:
         return {"collar": collar, **joints}
-    if kind == "leg" and (joints["toe"] == joints["foot"]):
+    if kind == "leg" and joints["toe"] == joints["foot"]:
         del joints["toe"]
     return joints
 
@@ -100,186 +111,210 @@ def limb(skeleton: Skeleton, side: str, kind: str) -> dict[str, int]:
 def chains(skeleton: Skeleton) -> tuple[list[int], list[int]]:
     """Joints of the spine, from hips to chest, and of the neck, from chest to head."""
     chest, spine, hips = skeleton.trunk[0], skeleton.trunk[::-1], skeleton.role("hips")
-    ends = [j for j, name in enumerate(skeleton.names) if name.lower().endswith("head") and chest in skeleton.ancestors(j)]
-    head = skeleton.role("head") if "head" in skeleton.roles else next(iter(ends), chest)
+    called = (j for j, name in enumerate(skeleton.names)
+              if name.lower().endswith("head") and chest in skeleton.ancestors(j))
+    head = skeleton.role("head") if "head" in skeleton.roles else next(called, chest)
     above = [head, *skeleton.ancestors(head)]
-    return spine[spine.index(hips) if hips in spine else 0 :], above[: above.index(chest) + 1][::-1]
+    start = spine.index(hips) if hips in spine else 0
+    return spine[start:], above[: above.index(chest) + 1][::-1]
 
 
-def _canonical(side: str, part: str) -> tuple[float, float, float]:
-    """Direction of a limb's bone in the T-pose."""
+def _outwards(joints: dict[str, int]) -> Iterator[tuple[str, int, int | None]]:
+    """Part, joint and next joint of a limb; None at its end."""
+    order = list(joints.values())
+    return zip(joints, order, [*order[1:], None], strict=True)
+
+
+def _t_pose_direction(like: Tensor, side: str, part: str) -> Tensor:
+    """Direction ``[3]`` of a limb's bone in the T-pose: legs point down, arms to their side."""
     if part in ("hip", "knee"):
-        return 0.0, -1.0, 0.0
-    return (1.0 if side == "left" else -1.0), 0.0, 0.0
+        return like.new_tensor([0.0, -1.0, 0.0])
+    return like.new_tensor([1.0 if side == "left" else -1.0, 0.0, 0.0])
 
 
-def _posed(skeleton: Skeleton, local: Tensor, *, upright: bool) -> Anatomy | None:
-    """The anatomy from local rotations ``[J, 4]`` of a standing figure with straight limbs; None if they are not one.
+# Of a pose -------------------------------------------------------------------------------------
 
-    ``upright``: the figure stands on the floor of the world, else its up direction is that of its trunk.
+
+def _from_pose(skeleton: Skeleton, local: Tensor, *, upright: bool) -> Anatomy | None:
+    """The anatomy from local rotations ``[J, 4]``; None if they are no standing figure.
+
+    ``upright``: up is the world's, else it is that of the trunk.
     """
     turned, places = forward_kinematics(skeleton, local, torch.zeros_like(local[0, :3]))
-    body = _body(skeleton, places, upright)
-    if body is None:
+    body = _body_axes(skeleton, places, upright)
+    if body is None or not _limbs_are_straight(skeleton, places):
         return None
-    axes, bones = {}, {}
-    spine, neck = chains(skeleton)
     own = R.inverse(turned)
-    for joint in (*spine, *neck):
-        axes[joint] = R.multiply(own[joint], body)
-    for side in SIDES:
-        for kind in PARTS:
-            joints, swing = limb(skeleton, side, kind), R.identity(1)[0].to(body)
-            for (part, joint), onward in zip(joints.items(), [*list(joints.values())[1:], None], strict=True):
-                if onward is not None:
-                    bones[joint] = R.rotate(own[joint], places[onward] - places[joint])
-                    along = R.rotate(R.inverse(body), places[onward] - places[joint])
-                    swing = _swing(along, side, part)
-                    if swing is None:
-                        return None
-                axes[joint] = R.multiply(own[joint], R.multiply(body, R.inverse(swing)))
-    if not _straight(skeleton, body, places):
-        return None
+    spine, neck = chains(skeleton)
+    axes, bones = {joint: R.multiply(own[joint], body) for joint in (*spine, *neck)}, {}
+    for side, kind in product(SIDES, PARTS):
+        for part, joint, beyond in _outwards(limb(skeleton, side, kind)):
+            if beyond is not None:  # the last joint turns with the bone before it
+                bone = places[beyond] - places[joint]
+                bones[joint] = R.rotate(own[joint], bone)
+                swing = _swing(R.rotate(R.inverse(body), bone), side, part)
+                if swing is None:
+                    return None
+            axes[joint] = R.multiply(own[joint], R.multiply(body, R.inverse(swing)))
     rest = local.clone()
     rest[0] = R.multiply(R.inverse(body), local[0])
     return Anatomy(skeleton, axes, rest, bones, spine, neck)
 
 
-def _body(skeleton: Skeleton, places: Tensor, upright: bool) -> Tensor | None:
-    """Rotation ``[4]`` from the canonical axes to the body's in a pose; None where hips and shoulders do not show it."""
-    hips, shoulders = ([places[skeleton.role(f"{side}_{part}")] for side in SIDES] for part in ("hip", "shoulder"))
-    across = [a - b for a, b in (hips, shoulders)]
-    up = (shoulders[0] + shoulders[1] - hips[0] - hips[1]) / 2
-    if min(float(v.norm()) for v in (*across, up)) < 1e-3 or float(R.normalize(across[0]) @ R.normalize(across[1])) < 0.5:
+def _body_axes(skeleton: Skeleton, places: Tensor, upright: bool) -> Tensor | None:
+    """Rotation ``[4]`` from the canonical axes to the body's, from joints' ``places [J, 3]``.
+
+    None where hips and shoulders do not show it.
+    """
+    left_hip, right_hip, left_shoulder, right_shoulder = (
+        places[skeleton.role(f"{side}_{part}")] for part in ("hip", "shoulder") for side in SIDES)
+    hips, shoulders = left_hip - right_hip, left_shoulder - right_shoulder
+    up = (left_shoulder + right_shoulder - left_hip - right_hip) / 2
+    if min(float(v.norm()) for v in (hips, shoulders, up)) < 1e-3:
         return None
-    left, up = R.normalize(R.normalize(across[0]) + R.normalize(across[1])), R.normalize(up)
-    if abs(float(left @ up)) > 0.4:
+    hips, shoulders, up = (R.normalize(v) for v in (hips, shoulders, up))
+    left = R.normalize(hips + shoulders)
+    if float(hips @ shoulders) < 0.5 or abs(float(left @ up)) > 0.4:
         return None
     if upright:
-        up = as_tensor([0.0, 1.0, 0.0], "up", places)
+        up = places.new_tensor([0.0, 1.0, 0.0])
     left = R.normalize(left - (left @ up) * up)
     body = R.from_matrix(torch.stack((left, up, torch.linalg.cross(left, up)), 1))
-    return body if upright else _tidy(body[None])
+    return body if upright else _rounded(body, NEAR)
 
 
-def _swing(along: Tensor, side: str, part: str) -> Tensor | None:
-    """The shortest turn ``[4]`` of a limb's bone, in the body's axes, into the T-pose; None if it points elsewhere."""
-    if part == "collar":
-        return R.identity(1)[0].to(along)
-    if part == "foot":
-        flat = along * as_tensor([1.0, 0.0, 1.0], "plane", along)
-        if float(flat.norm()) < STEEP * float(along.norm()):  # an End Site below the ankle
-            return R.identity(1)[0].to(along)
-        ahead = as_tensor([0.0, 0.0, 1.0], "ahead", along)
-        return R.between(flat, ahead) if float(flat[2]) > 0.2 * float(flat.norm()) else None
-    wanted = as_tensor(_canonical(side, part), "wanted", along)
-    share = float(R.normalize(along) @ wanted)
-    return None if share < (0.8 if part in ("hip", "knee") else -0.3) else R.between(along, wanted)
-
-
-def _straight(skeleton: Skeleton, body: Tensor, places: Tensor) -> bool:
+def _limbs_are_straight(skeleton: Skeleton, places: Tensor) -> bool:
     """Whether arms and legs are stretched."""
-    for side in SIDES:
-        for a, b, c in (("hip", "knee", "foot"), ("shoulder", "elbow", "hand")):
-            a, b, c = (places[skeleton.role(f"{side}_{part}")] for part in (a, b, c))
-            if float(R.normalize(b - a) @ R.normalize(c - b)) < 0.75:
-                return False
+    for side, parts in product(SIDES, (PARTS["arm"][1:], PARTS["leg"][:3])):
+        a, b, c = (places[skeleton.role(f"{side}_{part}")] for part in parts)
+        if float(R.normalize(b - a) @ R.normalize(c - b)) < 0.75:
+            return False
     return True
 
 
-def _moving(clip: Clip) -> Anatomy:
+def _swing(bone: Tensor, side: str, part: str) -> Tensor | None:
+    """The shortest turn ``[4]`` of a bone, in the body's axes, into the T-pose.
+
+    None if the bone points elsewhere than that of a standing figure.
+    """
+    none = R.identity(1)[0].to(bone)
+    if part == "collar":
+        return none
+    if part == "foot":
+        flat = bone * bone.new_tensor([1.0, 0.0, 1.0])
+        if float(flat.norm()) < STEEP * float(bone.norm()):  # an End Site below the ankle
+            return none
+        forward = float(flat[2]) > 0.2 * float(flat.norm())
+        return R.between(flat, bone.new_tensor([0.0, 0.0, 1.0])) if forward else None
+    wanted = _t_pose_direction(bone, side, part)
+    least = 0.8 if part in ("hip", "knee") else -0.3  # arms may hang
+    return R.between(bone, wanted) if float(R.normalize(bone) @ wanted) >= least else None
+
+
+# Of a motion -----------------------------------------------------------------------------------
+
+
+def _from_motion(clip: Clip) -> Anatomy:
     """The anatomy from a motion."""
-    skeleton, axes, bones = clip.skeleton, {}, {}
+    skeleton, turned, places = clip.skeleton, clip.global_rotations, clip.global_positions
     spine, neck = chains(skeleton)
-    axes[spine[0]] = _axes(clip, spine[0])
-    for chain in (spine, neck):
-        for parent, joint in pairwise(chain):
-            axes[joint] = _onward(clip, joint, axes[parent])
-    for side in SIDES:
-        for kind in PARTS:
-            joints = limb(skeleton, side, kind)
-            for (part, joint), onward in zip(joints.items(), [*list(joints.values())[1:], None], strict=True):
-                if onward is not None:
-                    gap = clip.global_positions[:, onward] - clip.global_positions[:, joint]
-                    bones[joint] = R.rotate(R.inverse(clip.global_rotations[:, joint]), gap).mean(0)
-                if part in ("foot", "toe"):
-                    axes[joint] = _flat(clip, joint, joints["foot"], bones.get(joints["foot"]))
-                elif part == "hand":
-                    axes[joint] = _onward(clip, joint, axes[joints["elbow"]])
-                elif part == "collar":
-                    axes[joint] = _onward(clip, joint, axes[spine[-1]])
-                else:
-                    wanted = as_tensor(_canonical(side, part), "wanted", clip.rotations)
-                    aimed = _aim(_axes(clip, joint), bones[joint], wanted)
-                    axes[joint] = aimed if kind == "leg" else _arm(clip, side, joint, bones[joint], wanted, aimed)
+    axes, bones = {spine[0]: _mean_axes(clip, spine[0])}, {}
+    for parent, joint in (*pairwise(spine), *pairwise(neck)):
+        axes[joint] = _inherited(clip, joint, axes[parent])
+    for side, kind in product(SIDES, PARTS):
+        joints = limb(skeleton, side, kind)
+        for part, joint, beyond in _outwards(joints):
+            if beyond is not None:
+                bone = places[:, beyond] - places[:, joint]
+                bones[joint] = R.rotate(R.inverse(turned[:, joint]), bone).mean(0)
+            if part == "collar":
+                axes[joint] = _inherited(clip, joint, axes[spine[-1]])
+            elif part == "hand":
+                axes[joint] = _inherited(clip, joint, axes[joints["elbow"]])
+            elif part in ("foot", "toe"):
+                axes[joint] = _foot_axes(clip, joint, joints["foot"], bones.get(joints["foot"]))
+            else:
+                # The nearest axes, turned the shortest way so that the bone points as in a T-pose.
+                wanted = _t_pose_direction(clip.rotations, side, part)
+                near = _mean_axes(clip, joint)
+                there = R.normalize(R.rotate(near, wanted))
+                axes[joint] = R.multiply(R.between(there, R.normalize(bones[joint])), near)
+                hinge = _elbow_axis(clip, side, joint, bones[joint]) if kind == "arm" else None
+                if hinge is not None:
+                    axes[joint] = _arm_axes(bones[joint], hinge, wanted, side)
     mean = R.normalize(R.unroll(clip.rotations).mean(0))
     return Anatomy(skeleton, axes, mean, bones, spine, neck)
 
 
-def _axes(clip: Clip, joint: int) -> Tensor:
-    """Axes of a joint's frame nearest to the body's left, up and forward over the clip, as a rotation ``[4]``."""
+def _mean_axes(clip: Clip, joint: int) -> Tensor:
+    """Axes ``[4]`` of a joint's frame nearest to the body's left, up and forward over the clip."""
     facing = R.inverse(root_frames(clip).rotations)
     return R.inverse(_nearest(R.multiply(facing, clip.global_rotations[:, joint])))
 
 
-def _onward(clip: Clip, joint: int, axes: Tensor) -> Tensor:
-    """Axes of a joint from those of its parent: rigs turn them by multiples of 90 degrees, motion turns them by less."""
+def _inherited(clip: Clip, joint: int, axes: Tensor) -> Tensor:
+    """Axes of a joint from those of its parent.
+
+    Rigs turn them by multiples of 90 degrees, motion turns them by less.
+    """
     return R.multiply(R.inverse(_nearest(clip.rotations[:, joint])), axes)
 
 
 def _nearest(turns: Tensor) -> Tensor:
-    """The rotation ``[4]`` that maps coordinate axes to coordinate axes and is nearest to the mean of ``turns [F, 4]``."""
+    """The rotation ``[4]`` between coordinate axes nearest to the mean of ``turns [F, 4]``."""
     mean = R.to_matrix(turns).mean(0)
     axes, left = torch.zeros_like(mean), mean.clone()
-    for _ in range(2):  # the two largest entries in turn
+    for _ in range(2):  # the two largest entries decide two axes …
         row, column = divmod(int(left.abs().argmax()), 3)
         axes[row, column] = mean[row, column].sign()
         left[row], left[:, column] = 0.0, 0.0
-    missing = int((axes.abs().sum(0) == 0).nonzero()[0])
-    axes[:, missing] = torch.linalg.cross(axes[:, (missing + 1) % 3], axes[:, (missing + 2) % 3])
+    third = int((axes.abs().sum(0) == 0).nonzero()[0])  # … and these the third
+    axes[:, third] = torch.linalg.cross(axes[:, (third + 1) % 3], axes[:, (third + 2) % 3])
     return R.from_matrix(axes)
 
 
-def _tidy(turn: Tensor, near: float = NEAR) -> Tensor:
-    """A rotation ``[1, 4]`` as ``[4]``, exactly between coordinate axes where it is nearly so."""
-    nearest = _nearest(turn)
-    apart = (R.to_matrix(turn[0]) * R.to_matrix(nearest)).sum(0)  # cosines of the three axes
-    return nearest if float(apart.min()) > near else turn[0]
+def _rounded(turn: Tensor, near: float) -> Tensor:
+    """A rotation ``[4]``, exactly between coordinate axes where all cosines are above ``near``."""
+    nearest = _nearest(turn[None])
+    cosines = (R.to_matrix(turn) * R.to_matrix(nearest)).sum(0)
+    return nearest if float(cosines.min()) > near else turn
 
 
-def _aim(axes: Tensor, bone: Tensor, wanted: Tensor) -> Tensor:
-    """Axes ``[4]`` turned the shortest way so that the canonical direction ``wanted`` [3] lies along the bone."""
-    return R.multiply(R.between(R.normalize(R.rotate(axes, wanted)), R.normalize(bone)), axes)
-
-
-def _flat(clip: Clip, joint: int, foot: int, bone: Tensor | None) -> Tensor:
-    """Axes of a foot or its toe: up is the world's where the foot is lowest, forward is the foot's bone."""
-    places = clip.global_positions[:, [foot, *(j for j, p in enumerate(clip.skeleton.parents) if p == foot)], 1].sum(1)
-    low = places <= places.quantile(FLAT)
-    world = clip.global_rotations[low]
-    ahead = R.rotate(root_frames(clip).rotations[low], as_tensor([0.0, 0.0, 1.0], "ahead", places))
-    up = torch.zeros_like(ahead)
-    up[:, 1] = 1.0
+def _foot_axes(clip: Clip, joint: int, foot: int, bone: Tensor | None) -> Tensor:
+    """Axes of a foot or its toe where the foot is lowest: up is the world's, forward its bone's."""
+    points = [foot, *(j for j, p in enumerate(clip.skeleton.parents) if p == foot)]
+    height = clip.global_positions[:, points, 1].sum(1)
+    low = height <= height.quantile(FLAT)
+    turned = clip.global_rotations[low]
+    ahead = R.rotate(root_frames(clip).rotations[low], height.new_tensor([0.0, 0.0, 1.0]))
     if bone is not None and float(bone.norm()) > 1e-3:
-        along = R.normalize(R.rotate(world[:, foot], bone))
-        ahead = ahead if float(along[:, ::2].norm(dim=-1).mean()) < STEEP else along
-    up, ahead = (R.normalize(R.rotate(R.inverse(world[:, joint]), v).mean(0)) for v in (up, ahead))
+        along = R.normalize(R.rotate(turned[:, foot], bone))
+        if float(along[:, ::2].norm(dim=-1).mean()) >= STEEP:
+            ahead = along
+    up = height.new_tensor([0.0, 1.0, 0.0]).expand_as(ahead)
+    own = R.inverse(turned[:, joint])
+    up, ahead = (R.normalize(R.rotate(own, v).mean(0)) for v in (up, ahead))
     left = R.normalize(torch.linalg.cross(up, ahead))
     found = R.from_matrix(torch.stack((left, up, torch.linalg.cross(left, up)), 1))
-    return _tidy(found[None], near=0.985)
+    return _rounded(found, NEAR_FOOT)
 
 
-def _arm(clip: Clip, side: str, joint: int, bone: Tensor, wanted: Tensor, aimed: Tensor) -> Tensor:
-    """Axes of an arm in the T-pose, where the elbow's axis is vertical; those of a straight arm are ``aimed``."""
-    shoulder, elbow, hand = (clip.skeleton.role(f"{side}_{part}") for part in ("shoulder", "elbow", "hand"))
-    upper, lower = (clip.global_positions[:, b] - clip.global_positions[:, a] for a, b in ((shoulder, elbow), (elbow, hand)))
-    bent = torch.linalg.cross(R.normalize(upper), R.normalize(lower))
-    along, hinge = R.normalize(bone), R.rotate(R.inverse(clip.global_rotations[:, joint]), bent).mean(0)
+def _elbow_axis(clip: Clip, side: str, joint: int, bone: Tensor) -> Tensor | None:
+    """Unit axis ``[3]`` about which an elbow bends, in a joint's frame; None of a straight arm."""
+    parts = PARTS["arm"][1:]
+    shoulder, elbow, hand = (clip.global_positions[:, clip.skeleton.role(f"{side}_{part}")]
+                             for part in parts)
+    bent = torch.linalg.cross(R.normalize(elbow - shoulder), R.normalize(hand - elbow))
+    hinge = R.rotate(R.inverse(clip.global_rotations[:, joint]), bent).mean(0)
+    along = R.normalize(bone)
     hinge = hinge - along * (along @ hinge)
-    if float(hinge.norm()) < STRAIGHT:
-        return aimed
-    hinge = R.normalize(hinge)
-    down = as_tensor([0.0, -1.0 if side == "left" else 1.0, 0.0], "down", wanted)
-    source = torch.stack((along, hinge, torch.linalg.cross(along, hinge)), 1)
-    target = torch.stack((wanted, down, torch.linalg.cross(wanted, down)), 1)
-    return R.from_matrix(source @ target.T)
+    return None if float(hinge.norm()) < STRAIGHT else R.normalize(hinge)
+
+
+def _arm_axes(bone: Tensor, hinge: Tensor, wanted: Tensor, side: str) -> Tensor:
+    """Axes of an arm whose bone is along ``wanted`` in the T-pose, and its hinge vertical."""
+    along = R.normalize(bone)
+    down = wanted.new_tensor([0.0, -1.0 if side == "left" else 1.0, 0.0])
+    own = torch.stack((along, hinge, torch.linalg.cross(along, hinge)), 1)
+    canonical = torch.stack((wanted, down, torch.linalg.cross(wanted, down)), 1)
+    return R.from_matrix(own @ canonical.T)

@@ -12,28 +12,33 @@ import torch
 from torch import Tensor
 
 from toolkit.motion import rotations as R
-from toolkit.motion.names import checked, printable
 from toolkit.motion.roles import SIDES as SIDES
-from toolkit.motion.skeleton import FEET as FEET
-from toolkit.motion.skeleton import LIMBS as LIMBS
-from toolkit.motion.skeleton import Skeleton, forward_kinematics, local_rotations
+from toolkit.motion.skeleton import (
+    FEET as FEET,
+    LIMBS as LIMBS,
+    Skeleton,
+    forward_kinematics,
+    local_rotations,
+)
 from toolkit.motion.tensors import as_tensor, summary, through_numpy
+from toolkit.motion.text import checked, printable
 
-ASKEW = 0.35  # distance of unit vectors: bones that a reflection of axes maps worse need another reflection
+ASKEW = 0.35  # distance of unit vectors: a reflection of axes that maps bones worse does not fit
 FASTEST = 10_000  # frames per second: a window of a tenth of a second then has a thousand frames
-SLOWEST, MANY = 10, 1_000_000  # new frames per old one, joints times frames: where both are passed, no resampling
-UNIT = 1e-3  # tolerance of a quaternion's length: accepts files with four decimals, and long products in float32
+UNIT = 1e-3  # tolerance of a quaternion's length: files with four decimals, products in float32
 
 
 @dataclass(frozen=True, eq=False)
 class Clip:
-    """A motion of F frames. Tensors keep their device and floating dtype; arrays and lists become float32.
+    """A motion of F frames.
 
-    ValueError if shapes do not agree, there is no frame, a number is not finite, or a quaternion's length is not 1.
+    Tensors keep their device and floating dtype; arrays and lists become float32. ValueError if
+    shapes do not agree, there is no frame, a number is not finite, or a quaternion's length is not
+    1.
     """
 
     skeleton: Skeleton  # of J joints
-    rotations: Tensor  # [F, J, 4] unit quaternions (to within `UNIT`) relative to the parent, the root's to the world
+    rotations: Tensor  # [F, J, 4] unit quaternions relative to the parent, the root's to the world
     root_positions: Tensor  # [F, 3] metres, on the device and in the dtype of the rotations
     fps: float  # frames per second
     style: str = ""
@@ -45,16 +50,21 @@ class Clip:
         for what, label in (("style", self.style), ("gait", self.gait)):
             if label:
                 checked((label,), f"a {what} of {self.name}")
-        object.__setattr__(self, "rotations", as_tensor(self.rotations, "rotations"))
-        object.__setattr__(self, "root_positions", as_tensor(self.root_positions, "root positions", self.rotations))
-        frames, joints = self.rotations.shape[0], len(self.skeleton)
-        if self.rotations.shape != (frames, joints, 4) or self.root_positions.shape != (frames, 3) or not frames:
-            raise ValueError(f"{self.name}: expected rotations [F, {joints}, 4] and root positions [F, 3], F >= 1; got "
-                             f"{list(self.rotations.shape)} and {list(self.root_positions.shape)}")
+        rotations = as_tensor(self.rotations, "rotations")
+        roots = as_tensor(self.root_positions, "root positions", rotations)
+        object.__setattr__(self, "rotations", rotations)
+        object.__setattr__(self, "root_positions", roots)
+        frames, joints = rotations.shape[0], len(self.skeleton)
+        if rotations.shape != (frames, joints, 4) or roots.shape != (frames, 3) or not frames:
+            raise ValueError(f"{self.name}: expected rotations [F, {joints}, 4] and root positions "
+                             f"[F, 3], F >= 1; got {list(rotations.shape)} and {list(roots.shape)}")
         if not 0 < self.fps <= FASTEST:
-            raise ValueError(f"{self.name}: frames per second must be more than 0 and at most {FASTEST}, got {self.fps:g}")
-        if self.rotations.is_meta:  # the meta device keeps shapes and no numbers
-            return
+            raise ValueError(f"{self.name}: frames per second must be more than 0 and at most "
+                             f"{FASTEST}, got {self.fps:g}")
+        if not rotations.is_meta:  # the meta device keeps shapes and no numbers
+            self._check_numbers()
+
+    def _check_numbers(self) -> None:
         squares = self.rotations.square() @ self.rotations.new_ones(4)
         low, high = (float(x) for x in squares.aminmax())
         if not 1 - 2 * UNIT < low <= high < 1 + 2 * UNIT:  # false with NaN
@@ -62,9 +72,11 @@ class Clip:
             q = self.rotations[frame, joint]
             if not bool(q.isfinite().all()):
                 raise ValueError(f"{self.name}: rotations of frame {frame} are not finite")
-            raise ValueError(f"{self.name}: rotations must be quaternions of length 1; in frame {frame} that of "
-                             f"{self.skeleton.names[joint]} has length {float(q.norm()):.4g}")
-        if not math.isfinite(self.root_positions.detach().sum(dtype=torch.float64)):  # float64 cannot overflow here
+            raise ValueError(f"{self.name}: rotations must be quaternions of length 1; in frame "
+                             f"{frame} that of {self.skeleton.names[joint]} has length "
+                             f"{float(q.norm()):.4g}")
+        # A sum in float64 cannot overflow, and is not finite if one number is not.
+        if not math.isfinite(self.root_positions.detach().sum(dtype=torch.float64)):
             frame = int((~torch.isfinite(self.root_positions)).any(1).nonzero()[0])
             raise ValueError(f"{self.name}: root positions of frame {frame} are not finite")
 
@@ -73,7 +85,8 @@ class Clip:
 
     def __repr__(self) -> str:
         label = " ".join(x for x in (self.style, self.gait) if x) or self.name
-        return f"Clip({label}: {len(self)} frames at {self.fps:g} Hz, {self.seconds:.1f} s, {len(self.skeleton)} joints)"
+        return (f"Clip({label}: {len(self)} frames at {self.fps:g} Hz, {self.seconds:.1f} s, "
+                f"{len(self.skeleton)} joints)")
 
     @property
     def seconds(self) -> float:
@@ -99,102 +112,109 @@ class Clip:
         return dataclasses.replace(self, **changes)
 
     def cut(self, start: int = 0, stop: int | None = None) -> "Clip":
-        """Frames ``start`` to ``stop`` (not included, at most the number of frames); ValueError if there are none."""
+        """Frames ``start`` to ``stop`` (not included); ValueError if there are none."""
         stop = len(self) if stop is None else min(stop, len(self))
         if not 0 <= start < stop:
             raise ValueError(f"{self.name}: cannot cut frames {start} to {stop} from {len(self)}")
-        return self.replace(rotations=self.rotations[start:stop], root_positions=self.root_positions[start:stop])
+        return self.replace(rotations=self.rotations[start:stop],
+                            root_positions=self.root_positions[start:stop])
 
     def __getitem__(self, frames: slice) -> "Clip":
         if not isinstance(frames, slice):
-            raise TypeError(f"a clip is cut by a slice of its frames, clip[a:b]; got clip[{frames!r}]")
+            raise TypeError("a clip is cut by a slice of its frames, clip[a:b]; "
+                            f"got clip[{frames!r}]")
         start, stop, step = frames.indices(len(self))
         if step != 1:
-            raise ValueError(f"{self.name}: clip[a:b] takes every frame, got a step of {step}; resample changes the rate")
+            raise ValueError(f"{self.name}: clip[a:b] takes every frame, got a step of {step}; "
+                             "resample changes the rate")
         return self.cut(start, stop)
 
     def to(self, *device_or_dtype: torch.device | torch.dtype | str) -> "Clip":
-        """The same motion on another device or in another floating dtype; the clip itself where nothing changes."""
+        """The same motion on another device or in another floating dtype."""
         q = self.rotations.to(*device_or_dtype)
-        return self if q is self.rotations else self.replace(rotations=q, root_positions=self.root_positions.to(q))
+        if q is self.rotations:
+            return self
+        return self.replace(rotations=q, root_positions=self.root_positions.to(q))
 
     def resample(self, fps: float) -> "Clip":
-        """The same motion at another rate, by cubic splines (so that velocities stay continuous).
-
-        ValueError if the rate is not positive, or the motion is slow and long: more than `SLOWEST` times its frames, and
-        `MANY` joints times frames.
-        """
+        """The same motion at another rate, by cubic splines, which keep velocities continuous."""
         if not (fps > 0 and math.isfinite(fps)):
             raise ValueError(f"{self.name}: cannot resample to {fps} frames per second")
         if fps == self.fps or len(self) < 2:
             return self.replace(fps=fps)
-        frames = (len(self) - 1) / self.fps * fps + 1
-        if frames > SLOWEST * len(self) and frames * len(self.skeleton) > MANY:
-            raise ValueError(f"{self.name}: {len(self)} frames at {self.fps:g} Hz are {frames:.3g} frames at {fps:g} Hz; if "
-                             "its rate is wrong, correct it by replace(fps=…)")
         old = np.arange(len(self)) / self.fps
         new = np.arange(math.floor(old[-1] * fps + 1e-6) + 1) / fps
-        quaternions, positions = (through_numpy(lambda v: scipy.interpolate.CubicSpline(old, v)(new), values)
-                                  for values in (R.unroll(self.rotations), self.root_positions))
-        return self.replace(rotations=R.normalize(quaternions), root_positions=positions, fps=fps)
+
+        def at_new_times(values: Tensor) -> Tensor:
+            return through_numpy(lambda v: scipy.interpolate.CubicSpline(old, v)(new), values)
+
+        return self.replace(rotations=R.normalize(at_new_times(R.unroll(self.rotations))),
+                            root_positions=at_new_times(self.root_positions), fps=fps)
 
     def without_ends(self) -> "Clip":
-        """The same motion on the skeleton without End Sites; a role that an End Site had goes to its parent."""
+        """The same motion without End Sites; a role that an End Site had goes to its parent."""
         old = self.skeleton
         kept = [j for j in range(len(old)) if not old.is_end(j)]
         place = {j: i for i, j in enumerate(kept)} | {-1: -1}
         parents, names = [place[old.parents[j]] for j in kept], [old.names[j] for j in kept]
-        roles = {role: name if name in names else old.names[old.parents[old.names.index(name)]]
-                 for role, name in old.roles.items()}
+        roles = dict(old.roles)
+        for role, name in old.roles.items():
+            if name not in names:
+                roles[role] = old.names[old.parents[old.names.index(name)]]
         skeleton = Skeleton(names, parents, old.offsets[kept], roles, ())
         return self.replace(skeleton=skeleton, rotations=self.rotations[:, kept])
 
     def moved(self, turn: float = 0.0, shift: Sequence[float] = (0.0, 0.0, 0.0)) -> "Clip":
-        """The whole motion turned by ``turn`` radians about the vertical through the origin, then shifted (metres)."""
+        """The motion turned by ``turn`` radians about the vertical axis, then shifted (metres)."""
         q = R.yaw(as_tensor(turn, "turn", self.rotations))
-        rotations_ = self.rotations.clone()
-        rotations_[:, 0] = R.multiply(q, rotations_[:, 0])
+        rotations = self.rotations.clone()
+        rotations[:, 0] = R.multiply(q, rotations[:, 0])
         positions = R.rotate(q, self.root_positions) + as_tensor(shift, "shift", self.rotations)
-        return self.replace(rotations=rotations_, root_positions=positions)
+        return self.replace(rotations=rotations, root_positions=positions)
 
     def mirrored(self) -> "Clip":
         """Left and right exchanged: the motion reflected in the plane x = 0.
 
-        The reflection makes each joint's frame left-handed, so the frame is reflected, too, see `frame_reflections`. A joint
-        without a counterpart is mirrored onto itself.
+        The reflection makes each joint's frame left-handed, so the frame is reflected, too, see
+        `frame_reflections`. A joint without a counterpart is mirrored onto itself.
         """
         pairs = list(self.skeleton.mirror_pairs)
         root = R.multiply(R.inverse(root_frames(self).rotations), self.rotations[:, 0])
         mean = R.to_matrix(torch.cat((root[:, None], self.rotations[:, 1:]), 1)).mean(0)
-        world = as_tensor([-1, 1, 1], "signs", self.rotations)
-        mirrored = world[:, None] * R.to_matrix(self.global_rotations)[:, pairs] @ frame_reflections(self.skeleton, mean)
-        return self.replace(rotations=R.unroll(local_rotations(self.skeleton, R.from_matrix(mirrored))),
-                            root_positions=self.root_positions * world)
+        frames = frame_reflections(self.skeleton, mean)
+        world = self.rotations.new_tensor([-1.0, 1.0, 1.0])
+        turned = world[:, None] * R.to_matrix(self.global_rotations)[:, pairs] @ frames
+        local = local_rotations(self.skeleton, R.from_matrix(turned))
+        return self.replace(rotations=R.unroll(local), root_positions=self.root_positions * world)
 
 
 def frame_reflections(skeleton: Skeleton, mean: Tensor) -> Tensor:
-    """Reflections ``[J, 3, 3]`` of the joints' frames onto those of their counterparts, for a motion reflected in x = 0.
+    """Reflections ``[J, 3, 3]`` of joints' frames onto their counterparts', for one in x = 0.
 
-    Rigs differ in which of a joint's axes points sideways. We choose the reflection of one or all three axes that maps the
-    bones below a joint to those below its counterpart. If several do, we choose the one that maps the mean local rotations
-    ``mean [J, 3, 3]`` best. If none does, it is the orthogonal matrix that fits bones and means best (Procrustes).
+    Rigs differ in which of a joint's axes points sideways. We choose the reflection of one or all
+    three axes that maps the bones below a joint to those below its counterpart. If several do, we
+    choose the one that maps the mean local rotations ``mean [J, 3, 3]`` best. If none does, it is
+    the orthogonal matrix that fits bones and means best (Procrustes).
     """
     if mean.is_meta:
         return torch.empty_like(mean)
-    choices = torch.diag_embed(as_tensor([[-1, 1, 1], [1, -1, 1], [1, 1, -1], [-1, -1, -1]], "signs", mean))
+    signs = mean.new_tensor([[-1, 1, 1], [1, -1, 1], [1, 1, -1], [-1, -1, -1]])
+    choices = torch.diag_embed(signs)
     pairs, offsets = list(skeleton.mirror_pairs), skeleton.offsets.to(mean)
-    bones = [[] for _ in pairs]
+    bones = [[] for _ in pairs]  # by joint: children whose counterparts are below its counterpart
     for j, p in enumerate(skeleton.parents[1:], 1):
         if skeleton.parents[pairs[j]] == pairs[p]:
             bones[p].append(j)
     own = mean.new_zeros(len(pairs), 3, 3)
     for j, p in enumerate(skeleton.parents):
-        if pairs[j] < j:
+        if pairs[j] < j:  # the counterpart is done: its inverse
             own[j] = own[pairs[j]].T
             continue
         here, there = offsets[bones[j]], offsets[[pairs[k] for k in bones[j]]]
         above = choices[0] if p < 0 else own[p]
-        rotation = mean[pairs[j]].T @ above @ mean[j]  # that which a reflection of j's frame should be
+        rotation = mean[pairs[j]].T @ above @ mean[j]  # what the means ask for
+
+        # A reflection of axes, if it maps the bones; a misfit of 1 cm counts as much as the means.
         misfit = (here @ choices.mT - there).square().sum((-2, -1)) / 0.01**2
         best = int(((choices * rotation).sum((-2, -1)) - misfit).argmax())
         long = here.norm(dim=-1) > 0.01
@@ -202,24 +222,29 @@ def frame_reflections(skeleton: Skeleton, mean: Tensor) -> Tensor:
         if float(apart.norm(dim=-1).amax() if len(apart) else 0.0) < ASKEW:
             own[j] = choices[best]
             continue
-        target = rotation + there.T @ here / 0.0003**2  # a bone of 3 cm weighs 10,000 times as much as the mean
-        if pairs[j] == j:  # a reflection that is its own inverse
+
+        # Else the orthogonal matrix of determinant -1 nearest to bones (3 cm weigh 10,000 times
+        # as much) and means. That of a joint without a counterpart must be its own inverse.
+        target = rotation + there.T @ here / 0.0003**2
+        if pairs[j] == j:
             normal = torch.linalg.eigh(target + target.T).eigenvectors[:, 0]
-            own[j] = torch.eye(3, dtype=mean.dtype, device=mean.device) - 2 * torch.outer(normal, normal)
+            own[j] = torch.eye(3).to(mean) - 2 * torch.outer(normal, normal)
         else:
             u, _, v = torch.linalg.svd(target)
-            own[j] = u @ torch.diag(torch.stack((*u.new_ones(2), -torch.linalg.det(u @ v).sign()))) @ v
+            flip = -torch.linalg.det(u @ v).sign()
+            own[j] = u @ torch.diag(torch.stack((*u.new_ones(2), flip))) @ v
     return own
 
 
 def on_cpu(clips: Clip | Iterable[Clip]) -> list[Clip]:
     """One or more clips as a list, float32 on the CPU."""
-    return [clip.to("cpu", torch.float32) for clip in ([clips] if isinstance(clips, Clip) else clips)]
+    clips = [clips] if isinstance(clips, Clip) else clips
+    return [clip.to("cpu", torch.float32) for clip in clips]
 
 
 @dataclass(frozen=True, eq=False)
 class RootFrames:
-    """The root's coordinate frame in each of F frames: origin below the hips on the floor, z axis in facing direction."""
+    """The root's frame in each of F frames: origin below the hips, z axis in facing direction."""
 
     positions: Tensor  # [F, 3] metres, y = 0
     rotations: Tensor  # [F, 4] about the vertical
@@ -227,17 +252,19 @@ class RootFrames:
 
     def to_local(self, points: Tensor) -> Tensor:
         """World points ``[F, ..., 3]`` in this frame."""
-        return self.turn_to_local(points - self.positions.view(len(points), *[1] * (points.dim() - 2), 3))
+        origin = self.positions.view(len(points), *[1] * (points.dim() - 2), 3)
+        return self.turn_to_local(points - origin)
 
     def turn_to_local(self, vectors: Tensor) -> Tensor:
         """World directions or velocities ``[F, ..., 3]`` in this frame."""
-        return R.rotate(R.inverse(self.rotations).view(len(vectors), *[1] * (vectors.dim() - 2), 4), vectors)
+        back = R.inverse(self.rotations).view(len(vectors), *[1] * (vectors.dim() - 2), 4)
+        return R.rotate(back, vectors)
 
 
 def root_frames(clip: Clip) -> RootFrames:
-    """Root frame of every frame (section 3.2): the hips on the floor, facing where the hips' forward axis points."""
-    hips = clip.skeleton.role("hips")
-    forward = R.rotate(clip.global_rotations[:, hips], clip.skeleton.facing_axis.to(clip.rotations))
+    """Root frame of every frame (section 3.2), which faces where the hips' forward axis points."""
+    hips, axis = clip.skeleton.role("hips"), clip.skeleton.facing_axis
+    forward = R.rotate(clip.global_rotations[:, hips], axis.to(clip.rotations))
     positions = clip.global_positions[:, hips].clone()
     positions[:, 1] = 0.0
     return RootFrames(positions, R.yaw(torch.atan2(forward[:, 0], forward[:, 2])))

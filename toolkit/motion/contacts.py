@@ -4,13 +4,14 @@ import math
 
 import torch
 from torch import Tensor
+from torch.nn import functional
 
 from toolkit.motion.clip import Clip
 from toolkit.motion.skeleton import FEET
 
 BALL = 0.01  # thickness of the floor, metres
 HEIGHT = 0.01  # d_max of the paper, metres
-REACH = 0.06  # metres above the floor in which a slow toe may stand: markers and feet differ, a lifted foot is higher
+REACH = 0.06  # metres above the floor in which a slow toe may stand; a lifted foot is higher
 DRIFT = 0.02  # metres over a clip: a floor that rises or falls by less is level
 
 
@@ -18,19 +19,20 @@ def detect(clip: Clip, *, height: float | None = None, speed: float = 0.15, majo
            floor: float | None = None) -> Tensor:
     """Contacts ``[F, 2]`` of the right and the left foot: 1 in contact, 0 otherwise.
 
-    A foot is in contact when its toe is low and slow; a majority vote over the neighbouring frames then removes flicker.
+    A foot is in contact when its toe is low and slow; a majority vote over the neighbouring frames
+    then removes flicker.
 
-    Departure from the paper: there d_max is 1 cm for all clips. In recordings with markers on the toes, a standing toe moves
-    up and down by several centimetres, and 1 cm leaves out most of a step. By default d_max follows from the clip, see
-    `standing_range`, and is 1 cm or more.
+    Departure from the paper: there d_max is 1 cm for all clips. In recordings with markers on the
+    toes, a standing toe moves up and down by several centimetres, and 1 cm leaves out most of a
+    step. By default d_max follows from the clip, see `standing_range`, and is 1 cm or more.
 
     Parameters
     ----------
     clip : the motion, at any rate
-    height : d_max, metres; a toe is low when it is at most this and `BALL` above the floor; by default `standing_range`
+    height : d_max, metres; a toe is low up to this and `BALL` above the floor
     speed : v_max, metres per second
     majority : half the width of the vote, in frames at 60 Hz
-    floor : height of a standing toe joint, metres; by default that of `floor_height`, because rigs differ
+    floor : height of a standing toe joint, metres; by default `floor_height`, because rigs differ
     """
     check_height(height)
     toes = toes_of(clip)
@@ -38,8 +40,9 @@ def detect(clip: Clip, *, height: float | None = None, speed: float = 0.15, majo
     slow = velocities(toes, clip.fps).norm(dim=-1) <= speed
     low = above <= (standing_range(above, slow) if height is None else height) + BALL
     half = max(1, round(majority * clip.fps / 60))
-    votes = torch.nn.functional.pad((low & slow).to(toes.dtype).T[:, None], (half, half), mode="replicate")
-    return torch.nn.functional.avg_pool1d(votes, 2 * half + 1, stride=1)[:, 0].T.round()
+    votes = (low & slow).to(toes.dtype).T[:, None]
+    votes = functional.pad(votes, (half, half), mode="replicate")
+    return functional.avg_pool1d(votes, 2 * half + 1, stride=1)[:, 0].T.round()
 
 
 def check_height(height: float | None) -> None:
@@ -49,24 +52,26 @@ def check_height(height: float | None) -> None:
 
 
 def standing_range(above: Tensor, slow: Tensor) -> Tensor:
-    """Height ``[2]`` up to which each toe stands, metres: the 95th percentile of its heights where it is low and slow.
+    """Height ``[2]`` up to which each toe stands, metres.
 
-    ``above [F, 2]`` are heights above the floor, ``slow [F, 2]`` says where a toe is slow. Only heights up to `REACH` count.
+    The 95th percentile of its heights ``above [F, 2]`` the floor, where it is ``slow [F, 2]`` and
+    not above `REACH`.
     """
     standing = above.where(slow & (above <= REACH), math.nan)
     return standing.nanquantile(0.95, dim=0).nan_to_num(HEIGHT).clamp_min(HEIGHT)
 
 
 def floor_height(clip: Clip) -> Tensor:
-    """Height ``[F]`` of a toe joint that stands on the floor, metres; a straight `line` where the floor drifts."""
+    """Height ``[F]`` of a standing toe joint, metres; a straight `line` where the floor drifts."""
     return line(toes_of(clip)[..., 1].amin(1), max(1, round(clip.fps)), DRIFT)
 
 
 def line(lower: Tensor, part: int, drift: float) -> Tensor:
     """The floor ``[F]`` below a lower toe's heights ``lower [F]``.
 
-    It goes through the lowest toe of each ``part`` of so many frames, by the median of the slopes between pairs of them
-    (Theil and Sen). A line that changes by less than ``drift``, or that fits little better than a level floor, is level.
+    It goes through the lowest toe of each ``part`` of so many frames, by the median of the slopes
+    between pairs of them (Theil and Sen). A line that changes by less than ``drift``, or that fits
+    little better than a level floor, is level.
     """
     level = lower.quantile(0.05).expand(len(lower))
     if lower.is_meta or len(lower) < 4 * part:
@@ -86,7 +91,7 @@ def line(lower: Tensor, part: int, drift: float) -> Tensor:
 
 
 def standing_height(clip: Clip) -> Tensor:
-    """Height of a toe joint that stands on the floor, metres: the 5th percentile of the lower toe's height."""
+    """Height of a standing toe joint, metres: the 5th percentile of the lower toe's height."""
     return toes_of(clip)[..., 1].amin(1).quantile(0.05)
 
 
@@ -96,7 +101,7 @@ def toes_of(clip: Clip) -> Tensor:
 
 
 def velocities(positions: Tensor, fps: float) -> Tensor:
-    """Backward differences over the first axis, per second; the first frame repeats the second's."""
+    """Backward differences over the first axis, per second; the first repeats the second."""
     if len(positions) < 2:
         return torch.zeros_like(positions)
     steps = (positions[1:] - positions[:-1]) * fps

@@ -12,23 +12,33 @@ from toolkit.motion.springs import spring
 from toolkit.motion.tensors import as_tensor
 
 SOFT = 0.01  # share of a leg's length over which it stretches more and more slowly
+NEAR = 0.08  # metres that a locked toe may always stay behind towards the other toe
+SLACK = 0.3  # metres that a locked toe may stay behind its prediction
+RETURN = 10.0  # per second: decay of a released toe's offset from its prediction, and of the hips'
+ROOM = 0.035  # of a leg's length: over twice this, hips begin to sink gently
+DEEPEST = 0.115  # of a leg's length: hips sink at most so far
+FALL = 0.6  # m/s, at which they sink at most
+
 
 def two_bone(a: Tensor, b: Tensor, c: Tensor, target: Tensor, pole: Tensor | None = None, *,
              soft: float | Tensor = SOFT) -> tuple[Tensor, Tensor]:
-    """Bend a limb of two bones so that its end meets a target; the law of cosines with a soft limit near full stretch.
+    """Bend a limb of two bones so that its end meets a target, by the law of cosines.
 
-    The bones keep their lengths. Over the last share `soft` of the full length, the end follows the target more and more
-    slowly. It never reaches full stretch, where the angle of the knee changes infinitely fast with the distance. A target
-    too near for the folded limb is moved out to the nearest distance that the limb can reach.
+    The bones keep their lengths. Over the last share `soft` of the full length, the end follows the
+    target more and more slowly. It never reaches full stretch, where the angle of the knee changes
+    infinitely fast with the distance. A target too near for the folded limb is moved out to the
+    nearest distance that the limb can reach.
 
     Parameters
     ----------
-    a, b, c : Tensor [..., 3], positions of the limb's root, middle and end before (hip, knee, ankle), metres
+    a, b, c : Tensor [..., 3]
+        Positions of the limb's root, middle and end before (hip, knee, ankle), metres.
     target : Tensor [..., 3], wanted position of the end, metres
     pole : Tensor [..., 3]
-        Direction (not a point) that the middle joint bends towards, of any length, not parallel to the line from `a` to the
-        target. By default the limb bends to the same side as before, turned with the line from `a` to its end.
-    soft : share of the full length over which the limit acts, a number or Tensor [..., 1]; 0 is a hard limit
+        Direction (not a point) that the middle joint bends towards, of any length, not parallel to
+        the line from `a` to the target. By default the limb bends to the same side as before,
+        turned with the line from `a` to its end.
+    soft : share of the full length over which the limit acts, a number or Tensor [..., 1]
 
     Returns
     -------
@@ -44,6 +54,8 @@ def two_bone(a: Tensor, b: Tensor, c: Tensor, target: Tensor, pole: Tensor | Non
     limits = soft.aminmax() if isinstance(soft, Tensor) else (soft, soft)
     if not all(0 <= float(limit) < 1 for limit in limits):
         raise ValueError(f"soft must be in [0, 1), got {limits[0]:g} to {limits[1]:g}")
+
+    # How far the end gets from the root: to the target, or within the soft limit.
     upper, lower = (b - a).norm(dim=-1, keepdim=True), (c - b).norm(dim=-1, keepdim=True)
     full = upper + lower
     reach = target - a
@@ -53,6 +65,8 @@ def two_bone(a: Tensor, b: Tensor, c: Tensor, target: Tensor, pole: Tensor | Non
     over = (wanted - (full - margin)).clamp_min(0.0)
     distance = torch.where(over > 0, full - margin * torch.exp(-over / margin), wanted)
     distance = torch.maximum(distance, (upper - lower).abs() + 1e-6 * full)
+
+    # Where the middle goes: across the line from the root to the end, to the side of the pole.
     side = R.normalize(R.rotate(R.between(c - a, line), b - a) if pole is None else pole)
     across = side - (side * line).sum(-1, keepdim=True) * line
     aside = torch.linalg.cross(line, R.least_axis(line))
@@ -62,27 +76,22 @@ def two_bone(a: Tensor, b: Tensor, c: Tensor, target: Tensor, pole: Tensor | Non
     return a + along * line + height * across, a + distance * line
 
 
-SLACK = 0.3  # metres that a locked toe may stay behind its prediction
-RETURN = 10.0  # per second: decay rate of the offset of a released toe from its prediction, and of the hips'
-ROOM, DEEPEST = 0.035, 0.115  # shares of a leg's length: hips sink gently at first over twice this, and at most so far
-FALL = 0.6  # m/s, at which they sink at most
-
-
-def foot_lock(toes: Tensor, drift: Tensor, before: Tensor, predicted: Tensor, contacts: Tensor, left: Tensor,
-              seconds: float) -> tuple[Tensor, Tensor]:
+def foot_lock(toes: Tensor, drift: Tensor, before: Tensor, predicted: Tensor, contacts: Tensor,
+              left: Tensor, seconds: float) -> tuple[Tensor, Tensor]:
     """Lock toes in contact where they landed (foot-contact IK, Mason et al. 2022, section 4.4).
 
-    Departure from the paper: there a toe's target is a blend of its last position and the prediction, weighted by contact.
-    With a weight below 1 the toe slides in each frame, and is released within a frame or two. We lock a toe fully while
-    its contact is above one half. After that, its offset from the prediction decays like a critically damped spring that
-    starts at rest, so that the toe does not jump. Only x and z are locked; the height is the network's. The offset of a toe
-    is at most `SLACK`, and its part towards the other toe at most a quarter of their distance, so that the legs do not cross
-    when a character turns on the spot.
+    Departure from the paper: there a toe's target is a blend of its last position and the
+    prediction, weighted by contact. With a weight below 1 the toe slides in each frame, and is
+    released within a frame or two. We lock a toe fully, in three dimensions, while its contact is
+    above one half. After that, its offset from the prediction decays like a critically damped
+    spring that starts at rest, so that the toe does not jump. The offset of a toe is at most
+    `SLACK`, and its part towards the other toe at most a quarter of their distance or `NEAR`, so
+    that the legs do not cross when a character turns on the spot.
 
     Parameters
     ----------
     toes : Tensor [..., 2, 3], targets in the frame before, right and left, world, metres
-    drift : Tensor [..., 2, 2], velocity (x, z) of their offset from the predictions, m/s
+    drift : Tensor [..., 2, 3], velocity of their offset from the predictions, m/s
     before, predicted : Tensor [..., 2, 3], the network's toes in the frame before and in this one
     contacts : Tensor [..., 2], in this frame, in [0, 1]
     left : Tensor [..., 2], unit vector (x, z) to the character's left
@@ -90,49 +99,64 @@ def foot_lock(toes: Tensor, drift: Tensor, before: Tensor, predicted: Tensor, co
 
     Returns
     -------
-    toes, drift : Tensor [..., 2, 3] and [..., 2, 2], of this frame
+    toes, drift : Tensor [..., 2, 3], of this frame
     """
-    offset, behind = (toes - before)[..., ::2], (toes - predicted)[..., ::2]
+    offset, behind = toes - before, toes - predicted
     behind = behind * (SLACK / behind.norm(dim=-1, keepdim=True).clamp_min(SLACK))
     held, (free, slower) = contacts[..., None] > 0.5, spring(offset, drift, RETURN, seconds)
     now = torch.where(held, behind, free)
-    inwards = torch.stack((left, -left), -2)
-    apart = ((predicted.flip(-2) - predicted)[..., ::2] * inwards).sum(-1, keepdim=True).clamp_min(0.0)
-    now = now - ((now * inwards).sum(-1, keepdim=True) - apart / 4).clamp_min(0.0) * inwards
-    drift = torch.where(held, (now - offset) / seconds, slower)
-    return predicted + torch.stack((now[..., 0], torch.zeros_like(contacts), now[..., 1]), -1), drift
+
+    # The legs do not cross.
+    level = torch.stack((left[..., 0], torch.zeros_like(left[..., 0]), left[..., 1]), -1)
+    inwards = torch.stack((level, -level), -2)
+    apart = ((predicted.flip(-2) - predicted) * inwards).sum(-1, keepdim=True)
+    crossing = (now * inwards).sum(-1, keepdim=True) - (apart / 4).clamp_min(NEAR)
+    now = now - crossing.clamp_min(0.0) * inwards
+    return predicted + now, torch.where(held, (now - offset) / seconds, slower)
 
 
 def plant_feet(skeleton: Skeleton, rotations: Tensor, root: Tensor, toes: Tensor) -> Tensor:
-    """Local rotations ``[..., J, 4]`` with the legs bent so that the toes meet their targets (foot-contact IK, section 4.4).
+    """Local rotations ``[..., J, 4]`` with the legs bent so that toes meet their targets (§ 4.4).
 
-    The feet keep their orientation. ``rotations [..., J, 4]`` are local, ``root [..., 3]`` is the root's position and
-    ``toes [..., 2, 3]`` are the targets, right and left, in the world, metres.
+    The feet keep their orientation. ``rotations [..., J, 4]`` are local, ``root [..., 3]`` is the
+    root's position and ``toes [..., 2, 3]`` are the targets, right and left, in the world, metres.
     """
     turned, positions = forward_kinematics(skeleton, rotations, root)
-    legs = [[skeleton.role(f"{side}_{part}") for side in FEET] for part in ("hip", "knee", "foot", "toe")]
+    legs = _pairs(skeleton, "hip", "knee", "foot", "toe")
     a, b, c, toe = (positions[..., joints, :] for joints in legs)
     middle, end = two_bone(a, b, c, toes - (toe - c))
     turn = R.between(torch.stack((b - a, c - b)), torch.stack((middle - a, end - middle)))
     for joints, aim in zip(legs, turn, strict=False):
         turned[..., joints, :] = R.multiply(aim, turned[..., joints, :])
+    return _without_ends(skeleton, turned)
+
+
+def _pairs(skeleton: Skeleton, *parts: str) -> list[list[int]]:
+    """Joints of parts of a limb, each right and left."""
+    return [[skeleton.role(f"{side}_{part}") for side in FEET] for part in parts]
+
+
+def _without_ends(skeleton: Skeleton, turned: Tensor) -> Tensor:
+    """Local rotations of global ones; End Sites follow their parents."""
     follow = [skeleton.parents[j] if skeleton.is_end(j) else j for j in range(len(skeleton))]
     return local_rotations(skeleton, turned[..., follow, :])
 
 
-def sink(drop: Tensor, hips: Tensor, ankles: Tensor, length: Tensor, contacts: Tensor, seconds: float) -> Tensor:
+def sink(drop: Tensor, hips: Tensor, ankles: Tensor, length: Tensor, contacts: Tensor,
+         seconds: float) -> Tensor:
     """How far the hips go down so that the legs reach the ankles of toes in contact.
 
-    Departure from the paper: there a leg that is too short for its target is stretched, and its toe slides. The network
-    predicts hips and toes apart from each other, and a locked toe stays behind its prediction, so that targets are up to
-    7 % of a leg's length too far. The hips sink by what the leg that needs most lacks (smoothly, over `ROOM` on both sides
-    of its reach), at most by `DEEPEST` and with `FALL`. They come back as a critically damped spring. Only the
-    drawn hips sink: where the network got them back, some styles kept them down, and glided.
+    Departure from the paper: there a leg that is too short for its target is stretched, and its toe
+    slides. The network predicts hips and toes apart from each other, and a locked toe stays behind
+    its prediction, so that targets are up to 7 % of a leg's length too far. The hips sink by what
+    the leg that needs most lacks (smoothly, over `ROOM` on both sides of its reach), at most by
+    `DEEPEST` and with `FALL`. They come back as a critically damped spring. Only the drawn hips
+    sink: where the network got them back, some styles kept them down, and glided.
 
     Parameters
     ----------
     drop : Tensor [..., 2], metres down and m/s, of the frame before
-    hips, ankles : Tensor [..., 2, 3], predicted hip joints and wanted ankles, right and left, metres
+    hips, ankles : Tensor [..., 2, 3], predicted hip joints and wanted ankles, metres
     length : Tensor [..., 2], of the legs
     contacts : Tensor [..., 2], a leg counts in full from one half
     seconds : between the frames
@@ -142,6 +166,7 @@ def sink(drop: Tensor, hips: Tensor, ankles: Tensor, length: Tensor, contacts: T
     Tensor [..., 2]
         The drop of this frame.
     """
+    # How much a leg lacks to reach: its height above that at which the ankle is within reach.
     apart = hips - ankles
     level = ((1 - SOFT) * length).square() - apart[..., ::2].square().sum(-1)
     height, room = apart[..., 1], ROOM * length
@@ -154,21 +179,22 @@ def sink(drop: Tensor, hips: Tensor, ankles: Tensor, length: Tensor, contacts: T
     return torch.stack((need + above.clamp_min(0.0), speed), -1)
 
 
-def solve_legs(skeleton: Skeleton, turned: Callable[[list[int]], Tensor], root: Tensor, toes: Tensor, contacts: Tensor,
-               drop: Tensor, seconds: float) -> tuple[list[Tensor], Tensor]:
-    """Positions of knees, feet and toes ``[..., 2, 3]`` with the toes at or near their targets; the drop of the hips.
+def solve_legs(skeleton: Skeleton, turned: Callable[[list[int]], Tensor], root: Tensor,
+               toes: Tensor, contacts: Tensor, drop: Tensor,
+               seconds: float) -> tuple[list[Tensor], Tensor]:
+    """Knees, feet and toes ``[..., 2, 3]`` with the toes at or near targets; the hips' drop.
 
-    ``turned`` gives the world rotations ``[..., K, 4]`` of K joints by their indices; ``root [..., 3]`` and the targets
-    ``toes [..., 2, 3]`` are in the world; ``contacts``, ``drop`` and ``seconds`` are those of `sink`.
+    ``turned`` gives the world rotations ``[..., K, 4]`` of K joints by their indices; ``root [...,
+    3]`` and the targets ``toes [..., 2, 3]`` are in the world; ``contacts``, ``drop`` and
+    ``seconds`` are those of `sink`.
     """
-    ends = [skeleton.role(f"{side}_toe") for side in FEET]
-    legs = sorted({j for end in ends for j in (end, *skeleton.ancestors(end))} - {0})
+    pairs = _pairs(skeleton, "hip", "knee", "foot", "toe")
+    legs = sorted({j for end in pairs[-1] for j in (end, *skeleton.ancestors(end))} - {0})
     above, places = [skeleton.parents[j] for j in legs], {0: root}
     bones = R.rotate(turned(above), skeleton.offsets[legs].to(root)).unbind(-2)
     for j, parent, bone in zip(legs, above, bones, strict=True):
         places[j] = places[parent] + bone
-    a, b, c, toe = (torch.stack([places[skeleton.role(f"{side}_{part}")] for side in FEET], -2)
-                    for part in ("hip", "knee", "foot", "toe"))
+    a, b, c, toe = (torch.stack([places[j] for j in pair], -2) for pair in pairs)
     target = toes - (toe - c)
     now = sink(drop, a, target, (b - a).norm(dim=-1) + (c - b).norm(dim=-1), contacts, seconds)
     middle, end = two_bone(a, b, c, target)
@@ -176,13 +202,13 @@ def solve_legs(skeleton: Skeleton, turned: Callable[[list[int]], Tensor], root: 
 
 
 def turn_arms(skeleton: Skeleton, rotations: Tensor, root: Tensor, wanted: Tensor) -> Tensor:
-    """Local rotations ``[..., J, 4]`` with every arm bone turned towards its predicted end position (section 4.4).
+    """Local rotations ``[..., J, 4]`` with arm bones turned towards predicted positions (§ 4.4).
 
-    ``rotations [..., J, 4]`` are local, ``root [..., 3]`` is the root's position and ``wanted [..., J, 3]`` are predicted
-    positions in the world, metres; only rows of arm joints are read.
+    ``rotations [..., J, 4]`` are local, ``root [..., 3]`` is the root's position and ``wanted [...,
+    J, 3]`` are predicted positions in the world, metres; only rows of arm joints are read.
     """
     turned, positions = forward_kinematics(skeleton, rotations, root)
-    arms = [[skeleton.role(f"{side}_{part}") for side in FEET] for part in ("shoulder", "elbow", "hand")]
+    arms = _pairs(skeleton, "shoulder", "elbow", "hand")
     chain = [[skeleton.parents[joint] for joint in arms[0]], *arms]
     ends = [skeleton.end_site(f"{side}_hand") for side in FEET]
     for joints, children in pairwise([*chain, ends] if not set(ends) & set(arms[-1]) else chain):
@@ -190,5 +216,4 @@ def turn_arms(skeleton: Skeleton, rotations: Tensor, root: Tensor, wanted: Tenso
         aim = R.between(bone, wanted[..., children, :] - positions[..., joints, :])
         turned[..., joints, :] = R.multiply(aim, turned[..., joints, :])
         positions[..., children, :] = positions[..., joints, :] + R.rotate(aim, bone)
-    follow = [skeleton.parents[j] if skeleton.is_end(j) else j for j in range(len(skeleton))]
-    return local_rotations(skeleton, turned[..., follow, :])
+    return _without_ends(skeleton, turned)

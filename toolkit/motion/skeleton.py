@@ -9,26 +9,28 @@ import torch
 from torch import Tensor
 
 from toolkit.motion import rotations as R
-from toolkit.motion.names import checked
 from toolkit.motion.roles import SIDES, Tree, find_roles, mirror_pairs
 from toolkit.motion.tensors import as_tensor, summary
+from toolkit.motion.text import checked
 
-FEET = SIDES[::-1]  # the order of contacts in the published network, and of all pairs of legs or arms
-LIMBS = tuple(f"{side}_{part}" for part in ("hand", "foot") for side in SIDES)  # the order of local phases
+FEET = SIDES[::-1]  # the published network's order of contacts; ours of all pairs of legs or arms
+#: The order of local phases.
+LIMBS = tuple(f"{side}_{part}" for part in ("hand", "foot") for side in SIDES)
 
 
 @dataclass(frozen=True, eq=False)
 class Skeleton:
     """A tree of J joints and End Sites.
 
-    ValueError if lengths differ, a name repeats, a parent does not come before its child or an End Site is no leaf.
+    ValueError if lengths differ, a name repeats, a parent does not come before its child or an End
+    Site is no leaf.
     """
 
     names: tuple[str, ...]  # J unique ones
     parents: tuple[int, ...]  # the root comes first with -1, every parent before its children
-    offsets: Tensor  # [J, 3] from the parent, in its frame, metres, float32 on the CPU; the root's offset is not used
-    roles: dict[str, str] | None = None  # from a role of `ROLES` to a joint name; by default found from names and tree
-    ends: tuple[str, ...] | None = None  # leaves that are End Sites (no rotation); by default those with names in ...End
+    offsets: Tensor  # [J, 3] from the parent, in its frame, metres; the root's is not used
+    roles: dict[str, str] | None = None  # joint by role of `ROLES`; by default found from the names
+    ends: tuple[str, ...] | None = None  # End Sites (no rotation); by default leaves named ...End
 
     def __post_init__(self):
         set_ = object.__setattr__
@@ -38,17 +40,22 @@ class Skeleton:
         set_(self, "offsets", offsets if offsets.is_meta else offsets.cpu())
         n = len(self.names)
         if len(self.parents) != n or self.offsets.shape != (n, 3):
-            raise ValueError(f"{n} joint names need {n} parents and offsets [{n}, 3]; got {len(self.parents)} parents "
-                             f"and offsets {list(self.offsets.shape)}")
+            raise ValueError(f"{n} joint names need {n} parents and offsets [{n}, 3]; got "
+                             f"{len(self.parents)} parents and offsets {list(self.offsets.shape)}")
         if repeated := sorted(name for name, times in Counter(self.names).items() if times > 1):
             raise ValueError(f"joint names repeat: {repeated}")
         if self.parents[0] != -1 or any(not 0 <= p < j for j, p in enumerate(self.parents[1:], 1)):
-            raise ValueError("the root must come first with parent -1, and every parent before its children")
+            raise ValueError("the root must come first with parent -1, and every parent before its "
+                             "children")
         inner = {0, *self.parents}
-        leaves = {name: None for j, name in enumerate(self.names) if j not in inner}
-        set_(self, "ends", tuple(self.ends if self.ends is not None else (x for x in leaves if x.endswith("End"))))
-        if wrong := [name for name in self.ends if name not in leaves]:
-            raise ValueError(f"End Sites must be leaves of the tree; these are not: {', '.join(map(str, wrong))}")
+        leaves = {name: None for j, name in enumerate(self.names) if j not in inner}  # keeps order
+        ends = self.ends
+        if ends is None:
+            ends = (name for name in leaves if name.endswith("End"))
+        set_(self, "ends", tuple(ends))
+        if wrong := [str(name) for name in self.ends if name not in leaves]:
+            raise ValueError("End Sites must be leaves of the tree; these are not: "
+                             f"{', '.join(wrong)}")
         if self.roles is None:
             lengths = None if self.offsets.is_meta else self.offsets.norm(dim=-1).tolist()
             set_(self, "roles", find_roles(self.names, self.parents, lengths, self.ends))
@@ -58,11 +65,13 @@ class Skeleton:
         return len(self.names)
 
     def __repr__(self) -> str:
-        return summary(self, {"joints": len(self), "end_sites": len(self.ends), "names": self.names, "roles": self.roles})
+        return summary(self, {"joints": len(self), "end_sites": len(self.ends),
+                              "names": self.names, "roles": self.roles})
 
     def to_dict(self) -> dict:
         """The fields as values for JSON; ``Skeleton(**fields)`` makes the skeleton again."""
-        return {f.name: getattr(self, f.name) for f in dataclasses.fields(self)} | {"offsets": self.offsets.tolist()}
+        fields = {f.name: getattr(self, f.name) for f in dataclasses.fields(self)}
+        return fields | {"offsets": self.offsets.tolist()}
 
     def index(self, name: str) -> int:
         """Index of a joint by its name or, where no joint has this name, by its role."""
@@ -72,9 +81,10 @@ class Skeleton:
         return self.names.index(joint)
 
     def role(self, role: str) -> int:
-        """Index of the joint with a role, which may differ from its name: SMPL's left_wrist has the role left_hand."""
+        """Index of the joint with a role: SMPL's joint left_wrist has the role left_hand."""
         if self.roles.get(role) not in self.names:
-            raise ValueError(f"no joint has the role {role!r}; the skeleton has {', '.join(self.names)}")
+            raise ValueError(f"no joint has the role {role!r}; "
+                             f"the skeleton has {', '.join(self.names)}")
         return self.names.index(self.roles[role])
 
     def is_end(self, joint: int) -> bool:
@@ -86,16 +96,23 @@ class Skeleton:
         return frozenset(self.ends)
 
     def end_site(self, role: str) -> int:
-        """Index of the End Site below the joint with a role; the joint itself if it has no End Site beyond 0.1 mm."""
+        """Index of the End Site below the joint with a role; the joint itself if it has none.
+
+        An End Site within 0.1 mm of the joint counts as none.
+        """
         joint = self.role(role)
         ends = (j for j, p in enumerate(self.parents) if p == joint and self.is_end(j))
         return next((j for j in ends if float(self.offsets[j].norm()) > 1e-4), joint)
 
     @cached_property
     def feature_joints(self) -> tuple[int, ...]:
-        """Joints that the features describe (section 3.2): all but End Sites, and the End Sites of hands or in a role."""
-        kept, named = {self.end_site(f"{side}_hand") for side in SIDES}, set(self.roles.values())
-        return tuple(j for j, name in enumerate(self.names) if name not in self._ends or j in kept or name in named)
+        """Joints that the features describe (section 3.2).
+
+        All but End Sites, and the End Sites of hands or with a role.
+        """
+        kept = {self.end_site(f"{side}_hand") for side in SIDES}
+        kept |= {self.names.index(name) for name in self.roles.values() if name in self.names}
+        return tuple(j for j in range(len(self)) if not self.is_end(j) or j in kept)
 
     @cached_property
     def feature_parents(self) -> tuple[int, ...]:
@@ -104,7 +121,10 @@ class Skeleton:
         return tuple(position.get(self.parents[j], -1) for j in self.feature_joints)
 
     def levels(self, device: torch.device) -> list[tuple[Tensor, Tensor, Tensor]]:
-        """Joints of each depth below the root, their parents, and these as places in the depth above; cached by device."""
+        """Joints of each depth below the root, their parents, and the parents' places in theirs.
+
+        Cached by device.
+        """
         kept = self.__dict__.setdefault("_levels", {})
         if device not in kept:
             groups, made = [[0]], []
@@ -113,19 +133,21 @@ class Skeleton:
                 made.append((joints, parents, [groups[-1].index(p) for p in parents]))
                 groups.append(joints)
             with torch.inference_mode(False):  # the next call may need gradients
-                kept[device] = [tuple(torch.tensor(x, device=device) for x in level) for level in made]
+                kept[device] = [tuple(torch.tensor(x, device=device) for x in level)
+                                for level in made]
         return kept[device]
 
     @cached_property
     @torch.inference_mode(False)
     def rest_positions(self) -> Tensor:
         """Positions ``[J, 3]`` with every rotation zero, the root at the origin."""
-        return forward_kinematics(self, R.identity(len(self), dtype=torch.float32), torch.zeros(3))[1]
+        still = R.identity(len(self), dtype=torch.float32)
+        return forward_kinematics(self, still, torch.zeros(3))[1]
 
     @cached_property
     @torch.inference_mode(False)
     def facing_axis(self) -> Tensor:
-        """The signed axis ``[3]`` of the hips' frame nearest to (right hip → left hip) × (hips → chest)."""
+        """The axis ``[3]`` of the hips' frame nearest to (right → left hip) × (hips → chest)."""
         rest = self.rest_positions
         left = rest[self.role("left_hip")] - rest[self.role("right_hip")]
         forward = torch.linalg.cross(left, rest[self.trunk[0]] - rest[self.role("hips")])
@@ -143,38 +165,58 @@ class Skeleton:
 
     @cached_property
     def trunk(self) -> list[int]:
-        """Joints above both shoulders, from the chest up to the hips, or up to the root if these are no part of it."""
+        """Joints above both shoulders, from the chest to the hips, or to the root without these."""
         left, right = (self.ancestors(self.role(f"{side}_shoulder")) for side in SIDES)
         trunk, hips = [j for j in left if j in right], self.role("hips")
         return trunk[: trunk.index(hips) + 1] if hips in trunk else trunk
 
     @cached_property
     def mirror_pairs(self) -> tuple[int, ...]:
-        """For each joint the index of its left/right counterpart, itself where it has none; from roles, tree and names."""
+        """For each joint the index of its left/right counterpart, itself where it has none."""
         return mirror_pairs(self.names, self.parents, self.roles)
 
 
-def forward_kinematics(skeleton: Skeleton, rotations: Tensor, root_positions: Tensor) -> tuple[Tensor, Tensor]:
-    """Global rotations ``[..., J, 4]`` and positions ``[..., J, 3]`` of local rotations and the root's position."""
+def forward_kinematics(skeleton: Skeleton, rotations: Tensor,
+                       root_positions: Tensor) -> tuple[Tensor, Tensor]:
+    """Global rotations and positions of local rotations and the root's position.
+
+    Parameters
+    ----------
+    rotations : Tensor [..., J, 4]
+    root_positions : Tensor [..., 3]
+
+    Returns
+    -------
+    rotations, positions : Tensor [..., J, 4] and [..., J, 3]
+    """
     levels, n = skeleton.levels(rotations.device), len(skeleton)
-    order = torch.cat((torch.zeros(1, dtype=torch.long, device=rotations.device), *(joints for joints, _, _ in levels)))
+    order = torch.cat((torch.zeros(1, dtype=torch.long, device=rotations.device),
+                       *(joints for joints, _, _ in levels)))
     sizes = [1, *(len(joints) for joints, _, _ in levels)]
-    local = rotations.reshape(-1, 4 * n).T.contiguous().view(n, 4, -1)  # the frames of a number are contiguous
+
+    # Numbers first [J, 4, F]: the frames of a number are contiguous, which is fastest.
+    local = rotations.reshape(-1, 4 * n).T.contiguous().view(n, 4, -1)
     first, *below = local.index_select(0, order).split(sizes)
     turned, above = [first], [first[:0]]
     for own, (_, _, places) in zip(below, levels, strict=True):
         above.append(turned[-1].index_select(0, places))
         turned.append(torch.stack(R.multiply_parts(above[-1].unbind(1), own.unbind(1)), 1))
+
+    # All bones are turned at once, then added up from the root down.
     shape, offsets = rotations.shape[:-2], skeleton.offsets.to(rotations)[order[1:], :, None]
-    positions, back = [root_positions.expand(*shape, 3).reshape(-1, 3).T[None]], order.argsort()
-    bones = torch.stack(R.rotate_parts(torch.cat(above).unbind(1), offsets.unbind(1)), 1).split(sizes[1:])
-    for bone, (_, _, places) in zip(bones, levels, strict=bool(levels)):
+    bones = torch.stack(R.rotate_parts(torch.cat(above).unbind(1), offsets.unbind(1)), 1)
+    positions = [root_positions.expand(*shape, 3).reshape(-1, 3).T[None]]
+    for bone, (_, _, places) in zip(bones.split(sizes[1:]), levels, strict=bool(levels)):
         positions.append(positions[-1].index_select(0, places) + bone)
-    return tuple(torch.cat(x).index_select(0, back).view(n * width, -1).T.contiguous().view(*shape, n, width)
-                 for x, width in ((turned, 4), (positions, 3)))
+
+    back = order.argsort()
+    return tuple(
+        torch.cat(x).index_select(0, back).view(n * width, -1).T.contiguous().view(*shape, n, width)
+        for x, width in ((turned, 4), (positions, 3)))
 
 
 def local_rotations(skeleton: Skeleton, global_rotations: Tensor) -> Tensor:
-    """Rotations ``[..., J, 4]`` relative to the parents, from global rotations: the inverse of `forward_kinematics`."""
+    """Rotations ``[..., J, 4]`` relative to the parents: the inverse of `forward_kinematics`."""
     above = R.inverse(global_rotations[..., list(skeleton.parents[1:]), :])
-    return torch.cat((global_rotations[..., :1, :], R.multiply(above, global_rotations[..., 1:, :])), -2)
+    local = R.multiply(above, global_rotations[..., 1:, :])
+    return torch.cat((global_rotations[..., :1, :], local), -2)

@@ -1,6 +1,7 @@
 """Critically damped springs, and inertialisation with them. Tensors of any shape.
 
-Source: Holden, "Spring-It-On: The Game Developer's Spring-Roll-Call", 2021; Bollo, "Inertialization", GDC 2018.
+Source: Holden, "Spring-It-On: The Game Developer's Spring-Roll-Call", 2021; Bollo,
+"Inertialization", GDC 2018.
 """
 
 import math
@@ -10,9 +11,10 @@ from torch import Tensor
 
 
 def spring(offset: Tensor, velocity: Tensor, rate: float, seconds: float) -> tuple[Tensor, Tensor]:
-    """Offset from the rest position and its velocity after a time, without overshoot from rest and for any time step.
+    """Offset from the rest position and its velocity after any time; no overshoot from rest.
 
-    x(t) = (x₀ + (v₀ + λ x₀) t) exp(−λ t) solves ẍ = −2 λ ẋ − λ² x exactly, so that two steps of t / 2 equal one of t.
+    x(t) = (x₀ + (v₀ + λ x₀) t) exp(−λ t) solves ẍ = −2 λ ẋ − λ² x exactly, so that two steps of t /
+    2 equal one of t.
 
     Parameters
     ----------
@@ -29,16 +31,17 @@ def spring(offset: Tensor, velocity: Tensor, rate: float, seconds: float) -> tup
         If rate or time is negative.
     """
     if rate < 0 or seconds < 0:
-        raise ValueError(f"a spring needs a rate and a time of 0 or more, got {rate:g} per second and {seconds:g} s")
+        raise ValueError(f"a spring needs a rate and a time of 0 or more, got {rate:g} per second "
+                         f"and {seconds:g} s")
     push, fade = velocity + rate * offset, math.exp(-rate * seconds)
     return fade * (offset + push * seconds), fade * (velocity - rate * push * seconds)
 
 
 def inertialise(before: Tensor, after: Tensor, fps: float, rate: float) -> Tensor:
-    """Frames ``after [F, ...]`` that continue the last two frames of ``before [E, ...]`` without a jump.
+    """Frames ``after [F, ...]`` that continue ``before [E, ...]`` without a jump.
 
-    The differences of value and velocity at the cut become an offset that decays as a `spring`. After the cut only the new
-    motion is needed, so that a transition costs no second evaluation.
+    The differences of value and velocity at the cut become an offset that decays as a `spring`.
+    After the cut only the new motion is needed, so that a transition costs no second evaluation.
 
     Raises
     ------
@@ -46,8 +49,10 @@ def inertialise(before: Tensor, after: Tensor, fps: float, rate: float) -> Tenso
         If a part has fewer than two frames.
     """
     if min(len(before), len(after)) < 2:
-        raise ValueError(f"inertialisation needs two frames on both sides of the cut, got {len(before)} and {len(after)}")
+        raise ValueError("inertialisation needs two frames on both sides of the cut, got "
+                         f"{len(before)} and {len(after)}")
     velocity = (before[-1] - before[-2]) * fps
     offset = before[-1] + velocity / fps - after[0]
     drift = velocity - (after[1] - after[0]) * fps
-    return torch.stack([frame + spring(offset, drift, rate, k / fps)[0] for k, frame in enumerate(after)])
+    return torch.stack([frame + spring(offset, drift, rate, k / fps)[0]
+                        for k, frame in enumerate(after)])

@@ -1,4 +1,4 @@
-"""Conversion of numbers to tensors, array functions on tensors, and short representations of objects with tensors."""
+"""Conversion of numbers to tensors, array functions on tensors, short representations."""
 
 import dataclasses
 import textwrap
@@ -9,16 +9,17 @@ import numpy as np
 import torch
 from torch import Tensor, nn
 
-from toolkit.motion.names import printable
+from toolkit.motion.text import printable
 
-WIDTH, LINES, NAMES = 125, 5, 6  # columns and lines of a representation, and names that it shows of a list
+WIDTH, LINES, NAMES = 125, 5, 6  # columns, lines and names of a list in a representation
 
 
 def as_tensor(values: Any, what: str, like: Tensor | torch.dtype | None = None) -> Tensor:
     """A tensor, an array, a number, or nested lists of them as a floating tensor.
 
-    ``like`` is a tensor with the wanted device and dtype, or a dtype. By default a floating tensor is unchanged, and other
-    values get torch's default dtype. ValueError, which names ``what``, if they are not numbers or rows differ in length.
+    ``like`` is a tensor with the wanted device and dtype, or a dtype. By default a floating tensor
+    is unchanged, and other values get torch's default dtype. ValueError, which names ``what``, if
+    they are not numbers or rows differ in length.
     """
     if not isinstance(values, Tensor):
         try:
@@ -26,9 +27,12 @@ def as_tensor(values: Any, what: str, like: Tensor | torch.dtype | None = None) 
                 values = torch.stack([as_tensor(v, what, like) for v in values])
             else:
                 array = np.array(values, order="C")
-                values = torch.from_numpy(array if array.dtype.kind in "biuf" else array.astype(np.float64, casting="safe"))
+                if array.dtype.kind not in "biuf":
+                    array = array.astype(np.float64, casting="safe")
+                values = torch.from_numpy(array)
         except (TypeError, ValueError, RuntimeError):
-            raise ValueError(f"{what} must be numbers in a tensor, array or list; got {shown(values)}") from None
+            raise ValueError(f"{what} must be numbers in a tensor, array or list; "
+                             f"got {shown(values)}") from None
         like = torch.get_default_dtype() if like is None else like
     elif like is None:
         like = values.dtype if values.is_floating_point() else torch.get_default_dtype()
@@ -36,24 +40,27 @@ def as_tensor(values: Any, what: str, like: Tensor | torch.dtype | None = None) 
 
 
 def through_numpy(function: Callable[[np.ndarray], np.ndarray], values: Tensor) -> Tensor:
-    """Result of a function of float64 arrays, as a tensor like ``values``; RuntimeError if ``values`` need a gradient."""
-    return torch.from_numpy(np.ascontiguousarray(function(values.double().cpu().numpy()))).to(values)
+    """Result of a function of float64 arrays, as a tensor like ``values``, without gradient."""
+    made = function(values.double().cpu().numpy())
+    return torch.from_numpy(np.ascontiguousarray(made)).to(values)
 
 
 def summary(thing: Any, facts: Mapping[str, Any] | None = None) -> str:
-    """A representation of at most `LINES` lines, with shapes of tensors; ``facts`` are by default a dataclass's fields."""
+    """A representation of at most `LINES` lines; ``facts`` are by default a dataclass's fields."""
     if facts is None:
         facts = {f.name: getattr(thing, f.name) for f in dataclasses.fields(thing)}
-    text = f"{type(thing).__name__}({', '.join(f'{name}={shown(value)}' for name, value in facts.items())})"
-    return textwrap.fill(text, WIDTH, subsequent_indent="    ", max_lines=LINES, placeholder=" …)", break_on_hyphens=False)
+    inside = ", ".join(f"{name}={shown(value)}" for name, value in facts.items())
+    return textwrap.fill(f"{type(thing).__name__}({inside})", WIDTH, subsequent_indent="    ",
+                         max_lines=LINES, placeholder=" …)", break_on_hyphens=False)
 
 
 def shown(value: Any) -> str:
-    """A short text for a value. For a tensor: shape, dtype if not float32, device if not cpu; for names: the first few."""
+    """A short text for a value: a tensor's shape and unusual dtype or device; the first names."""
     match value:
         case Tensor():
             odd = (str(value.dtype).removeprefix("torch."), str(value.device))
-            return " ".join((str(list(value.shape)), *(o for o in odd if o not in ("float32", "cpu"))))
+            odd = [word for word in odd if word not in ("float32", "cpu")]
+            return " ".join((str(list(value.shape)), *odd))
         case np.ndarray():
             return f"array {list(value.shape)} {value.dtype}"
         case nn.Module():
@@ -67,7 +74,8 @@ def shown(value: Any) -> str:
         case Mapping():
             return "{" + few(printable(str(key)[:60]) for key in value) + "}"
         case list() | tuple():
-            return "(" + few(printable(v[:60]) if isinstance(v, str) else shown(v) for v in value) + ")"
+            inside = (printable(v[:60]) if isinstance(v, str) else shown(v) for v in value)
+            return "(" + few(inside) + ")"
     text = " ".join(repr(value).split())
     return text if len(text) <= 60 else text[:59] + "…"
 
@@ -75,4 +83,5 @@ def shown(value: Any) -> str:
 def few(names: Iterable[str]) -> str:
     """The first `NAMES` names, and how many more there are."""
     names = list(names)
-    return ", ".join(names[:NAMES]) + (f" and {len(names) - NAMES} more" if len(names) > NAMES else "")
+    more = f" and {len(names) - NAMES} more" if len(names) > NAMES else ""
+    return ", ".join(names[:NAMES]) + more

@@ -1,4 +1,7 @@
-"""The trajectory window: past and future of the root in its present frame (Mason et al. 2022, section 3.2)."""
+"""The trajectory window: past and future of the root in its present frame.
+
+Source: Mason et al. 2022, section 3.2.
+"""
 
 import torch
 from torch import Tensor
@@ -6,12 +9,13 @@ from torch import Tensor
 from toolkit.motion.clip import RootFrames
 
 FPS = 60
-#: Default sample offsets of a `toolkit.features.Layout`, in frames at 60 Hz: six past ones, the present, five future ones.
+#: Default sample offsets of a `toolkit.features.Layout`, frames: six past, five future ones.
 SAMPLES = tuple(range(-60, 60, 10))
 PAST = -SAMPLES[0]  # frames of the past that a character keeps; no offset reaches further back
 
 
-def sample(roots: RootFrames, frames: Tensor, offsets: tuple[int, ...] = SAMPLES) -> tuple[Tensor, Tensor]:
+def sample(roots: RootFrames, frames: Tensor,
+           offsets: tuple[int, ...] = SAMPLES) -> tuple[Tensor, Tensor]:
     """Trajectory around given frames, each in the root frame of its own frame.
 
     Parameters
@@ -22,7 +26,8 @@ def sample(roots: RootFrames, frames: Tensor, offsets: tuple[int, ...] = SAMPLES
 
     Returns
     -------
-    positions, directions : Tensor [N, S, 2], (x left, z forward) of the root in metres and of its unit facing direction
+    positions, directions : Tensor [N, S, 2]
+        (x left, z forward) of the root in metres and of its unit facing direction
     """
     at = frames[:, None] + torch.tensor(offsets, device=frames.device)
     if int(at.min()) < 0 or int(at.max()) >= len(roots.rotations):
@@ -32,10 +37,11 @@ def sample(roots: RootFrames, frames: Tensor, offsets: tuple[int, ...] = SAMPLES
     x, _, z = (roots.positions[at] - roots.positions[frames][:, None]).unbind(-1)
     sin_there, cos_there = heading(roots.rotations[at])
     positions = torch.stack((cos * x - sin * z, sin * x + cos * z), -1)
-    return positions, torch.stack((sin_there * cos - cos_there * sin, cos_there * cos + sin_there * sin), -1)
+    directions = sin_there * cos - cos_there * sin, cos_there * cos + sin_there * sin
+    return positions, torch.stack(directions, -1)
 
 
 def heading(rotations: Tensor) -> tuple[Tensor, Tensor]:
-    """Sine and cosine of the angle of rotations ``[..., 4]`` about the vertical: x and z of the rotated +Z."""
+    """Sine and cosine of the angle of rotations ``[..., 4]`` about the vertical."""
     w, _, y, _ = rotations.unbind(-1)
     return 2 * w * y, w * w - y * y

@@ -1,10 +1,12 @@
-"""Style as a shift of one hidden layer, one table row per style: one-hot labels and residual adapters (section 5).
+"""Style as a shift of one hidden layer: one-hot labels and residual adapters (section 5).
 
-The paper compares FiLM with both (Holden et al. 2017; Mason et al. 2018). A style vector holds all parameters of one style,
-so vectors can be stored and blended like those of FiLM. Neither normalises a layer.
+The paper compares FiLM with both (Holden et al. 2017; Mason et al. 2018). A style vector holds all
+parameters of one style, so vectors can be stored and blended like those of FiLM. Neither normalises
+a layer.
 
-The paper does not say how tables are initialised. We draw each style's shift from a normal distribution of unit variance, so
-a short training can tell styles apart. With zeros, one-hot models had not learnt it after 600 minibatches of 64.
+The paper does not say how tables are initialised. We draw each style's shift from a normal
+distribution of unit variance, so a short training can tell styles apart. With zeros, one-hot models
+had not learnt it after 600 minibatches of 64.
 """
 
 import math
@@ -15,7 +17,7 @@ from torch import Tensor, nn
 
 
 class StyleTable(nn.Module):
-    """Style vectors as learnt parameters, one row per style, from ``start [S, D]``; in the place of FiLM's generator."""
+    """Style vectors as learnt parameters ``[S, D]``; in the place of FiLM's generator."""
 
     def __init__(self, start: Tensor):
         super().__init__()
@@ -39,19 +41,24 @@ class StyleTable(nn.Module):
 
 
 class OneHot(nn.Module):
-    """A one-hot style label beside x. Its only effect: a shift of the first hidden layer by a row of each expert's weights.
+    """A one-hot style label beside x: it shifts the first hidden layer.
 
-    Each of K ``experts`` or control points has its own shift of ``hidden`` units; gates blend shifts in the same way as
-    weights. The table has a row for each of ``styles``; with 0 the model only takes style vectors.
+    Each of K ``experts`` or control points has its own shift of ``hidden`` units; gates blend
+    shifts in the same way as weights. The table has a row for each of ``styles``; with 0 the model
+    only takes style vectors.
     """
 
     def __init__(self, experts: int, hidden: int, styles: int):
         super().__init__()
         self.experts, self.hidden, self.size = experts, hidden, experts * hidden
-        self.generator = StyleTable(torch.randn(styles, hidden).repeat(1, experts)) if styles else None
+        start = torch.randn(styles, hidden).repeat(1, experts)
+        self.generator = StyleTable(start) if styles else None
 
     def forward(self, layer: int, f: Tensor, style: Tensor, x: Tensor, gates: Tensor) -> Tensor:
-        """ELU(F + Σ αᵢ sᵢ) of hidden layer 0, ELU(F) of hidden layer 1; ``style [B or 1, D]`` or ``[D]`` holds s₁ … s_K."""
+        """ELU(F + Σ αᵢ sᵢ) of hidden layer 0, ELU(F) of hidden layer 1.
+
+        ``style [B or 1, D]`` or ``[D]`` holds s₁ … s_K.
+        """
         if layer == 0:
             f = f + (gates[:, :, None] * style.unflatten(-1, (self.experts, self.hidden))).sum(1)
         return F.elu(f)
@@ -60,23 +67,29 @@ class OneHot(nn.Module):
 class ResidualAdapter(nn.Module):
     """A linear layer per style, parallel to the second hidden layer: h₂ = ELU(F + x A + b).
 
-    ``rank=None``: A is a full matrix. Otherwise it is a CP decomposition, A = V diag(Σ αᵢ cᵢ) U. The coefficients c have a
-    row for each expert or control point, so they follow the phase. A style vector is (A, b) or (V, c, U, b). With the
-    decomposition, a blend of vectors is not exactly a blend of the shifts, because A is a product.
+    ``rank=None``: A is a full matrix. Otherwise it is a CP decomposition, A = V diag(Σ αᵢ cᵢ) U.
+    The coefficients c have a row for each expert or control point, so they follow the phase. A
+    style vector is (A, b) or (V, c, U, b). With the decomposition, a blend of vectors is not
+    exactly a blend of the shifts, because A is a product.
 
     ``hidden``, ``experts`` and ``styles`` are those of `OneHot`; the paper's ``rank`` is 30.
     """
 
     def __init__(self, hidden: int, experts: int, rank: int | None, styles: int):
         super().__init__()
-        shapes = ((hidden, hidden),) if rank is None else ((hidden, rank), (experts, rank), (rank, hidden))
+        shapes = ((hidden, hidden),)
+        if rank is not None:
+            shapes = (hidden, rank), (experts, rank), (rank, hidden)
         self.shapes = (*shapes, (1, hidden))
         self.widths = [rows * columns for rows, columns in self.shapes]
         self.size = sum(self.widths)
         self.generator = StyleTable(self._start(styles)) if styles else None
 
     def _start(self, styles: int) -> Tensor:
-        """A = 0 and b is random. In a decomposition V is random, c = 1 and U = 0: with more zeros, gradients are zero."""
+        """A = 0 and b is random. In a decomposition V is random, c = 1 and U = 0.
+
+        With more zeros, gradients are zero.
+        """
         *factors, b = (torch.zeros(styles, width) for width in self.widths)
         if len(factors) > 1:
             bound = math.sqrt(6.0 / self.widths[0])
@@ -85,10 +98,11 @@ class ResidualAdapter(nn.Module):
         return torch.cat((*factors, b.normal_()), 1)
 
     def forward(self, layer: int, f: Tensor, style: Tensor, x: Tensor, gates: Tensor) -> Tensor:
-        """ELU(F) of hidden layer 0, ELU(F + x A + b) of hidden layer 1; x ``[B, hidden]`` are that layer's inputs."""
+        """ELU(F) of hidden layer 0, ELU(F + x A + b) of hidden layer 1 and its inputs x."""
         if layer == 1:
             split = torch.atleast_2d(style).split(self.widths, -1)
-            *factors, b = (part.unflatten(-1, shape) for part, shape in zip(split, self.shapes, strict=True))
+            pairs = zip(split, self.shapes, strict=True)
+            *factors, b = (part.unflatten(-1, shape) for part, shape in pairs)
             if len(factors) == 1:
                 f = f + _times(x, factors[0]) + b[:, 0]
             else:
@@ -98,5 +112,5 @@ class ResidualAdapter(nn.Module):
 
 
 def _times(x: Tensor, matrices: Tensor) -> Tensor:
-    """``x [B, n]`` times ``matrices [B, n, m]``, or ``[1, n, m]`` for one style in the whole batch."""
+    """``x [B, n]`` times ``matrices [B, n, m]``, or ``[1, n, m]`` for one style in the batch."""
     return x @ matrices[0] if matrices.shape[0] == 1 else torch.bmm(x[:, None], matrices)[:, 0]

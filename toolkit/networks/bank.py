@@ -12,8 +12,8 @@ from torch import Tensor
 
 from toolkit.features import check_style
 from toolkit.io import model_files
-from toolkit.motion.names import checked
 from toolkit.motion.tensors import as_tensor, summary
+from toolkit.motion.text import checked
 
 WALK = 1.0  # m/s, used if a bank has no known speed
 
@@ -33,15 +33,19 @@ class StyleBank(Mapping[str, Tensor]):
     def __post_init__(self):
         object.__setattr__(self, "names", checked(self.names, "a style"))
         object.__setattr__(self, "vectors", as_tensor(self.vectors, "style vectors"))
-        if self.vectors.dim() != 2 or len(self.vectors) != len(self.names):
-            raise ValueError(f"{len(self.names)} styles need vectors [{len(self.names)}, D], got {list(self.vectors.shape)}")
-        speeds = torch.full((len(self.names),), math.nan) if self.speeds is None else as_tensor(self.speeds, "speeds")
+        count = len(self.names)
+        if self.vectors.dim() != 2 or len(self.vectors) != count:
+            raise ValueError(f"{count} styles need vectors [{count}, D], got "
+                             f"{list(self.vectors.shape)}")
+        unknown = torch.full((count,), math.nan)
+        speeds = unknown if self.speeds is None else as_tensor(self.speeds, "speeds")
         object.__setattr__(self, "speeds", speeds)
-        if speeds.shape != (len(self.names),):
-            raise ValueError(f"{len(self.names)} styles need speeds [{len(self.names)}], got {list(speeds.shape)}")
+        if speeds.shape != (count,):
+            raise ValueError(f"{count} styles need speeds [{count}], got {list(speeds.shape)}")
         if repeated := sorted(name for name, times in Counter(self.names).items() if times > 1):
             raise ValueError(f"style names repeat: {', '.join(repeated)}")
-        if bad := [n for n, ok in zip(self.names, self.vectors.isfinite().all(-1).tolist(), strict=True) if not ok]:
+        finite = zip(self.names, self.vectors.isfinite().all(-1).tolist(), strict=True)
+        if bad := [name for name, known in finite if not known]:
             raise ValueError(f"the style vector of {', '.join(bad)} is not finite")
 
     def __len__(self) -> int:
@@ -54,51 +58,58 @@ class StyleBank(Mapping[str, Tensor]):
         return iter(self.names)
 
     def __getitem__(self, name: str) -> Tensor:
-        """The style vector ``[D]`` of a name; an unknown one is an `UnknownStyleError` that lists close names."""
+        """The style vector ``[D]`` of a name; the error of an unknown one lists close names."""
         check_style(name, self.names)
         return self.vectors[self.names.index(name)]
 
     def blend(self, blend: Mapping[str, float], *deeper: Mapping[str, float]) -> Tensor:
-        """Barycentric blend ``[D]`` of any number of style vectors, one for all layers or one for each.
+        """Barycentric blend ``[D]`` of style vectors, one for all layers or one for each.
 
         Parameters
         ----------
         blend
             Style to weight. Weights sum to one; negative ones extrapolate.
         *deeper
-            Blends of the next hidden layers, if they differ from the first. A FiLM vector (γ1, β1, γ2, β2) has two equal
-            parts, one per hidden layer, so it takes one more blend.
+            Blends of the next hidden layers, if they differ from the first. A FiLM vector (γ1, β1,
+            γ2, β2) has two equal parts, one per hidden layer, so it takes one more blend.
 
         Raises
         ------
         ValueError
-            If a style is unknown, a weight is not finite, weights do not sum to one, or the length of the vectors is not a
-            multiple of the number of blends.
+            If a style is unknown, a weight is not finite, weights do not sum to one, or the length
+            of the vectors is not a multiple of the number of blends.
 
         Warns
         -----
         UserWarning
-            If a weight is outside of [0, 1]: the vector is then outside the range of the known styles.
+            If a weight is outside of [0, 1]: the vector is then outside the range of the known
+            styles.
         """
         if deeper:
             if self.vectors.shape[1] % (1 + len(deeper)):
-                raise ValueError(f"vectors [{self.vectors.shape[1]}] cannot be cut into {1 + len(deeper)} equal layers")
+                raise ValueError(f"vectors [{self.vectors.shape[1]}] cannot be cut into "
+                                 f"{1 + len(deeper)} equal layers")
             whole = [self.blend(b) for b in (blend, *deeper)]
-            return torch.cat([vector.chunk(len(whole))[layer] for layer, vector in enumerate(whole)])
+            parts = [vector.chunk(len(whole))[layer] for layer, vector in enumerate(whole)]
+            return torch.cat(parts)
         shares = {name: float(weight) for name, weight in blend.items()}
         for name, share in shares.items():
             if not math.isfinite(share):
                 raise ValueError(f"the weight of style {name!r} must be finite, got {share}")
         if not shares or abs(sum(shares.values()) - 1) > 1e-4:
             raise ValueError(f"the weights of a blend must sum to 1, got {sum(shares.values()):g}")
-        if outside := [f"{name} {share:g}" for name, share in shares.items() if not -1e-4 <= share <= 1 + 1e-4]:
-            warnings.warn(f"the blend extrapolates ({', '.join(outside)}): the model never saw such styles", stacklevel=2)
+        outside = [f"{name} {share:g}" for name, share in shares.items()
+                   if not -1e-4 <= share <= 1 + 1e-4]
+        if outside:
+            warnings.warn(f"the blend extrapolates ({', '.join(outside)}): the model never saw "
+                          "such styles", stacklevel=2)
         return torch.stack([share * self[name] for name, share in shares.items()]).sum(0)
 
     def speed(self, style: str | Mapping[str, float]) -> float:
         """The natural speed of a style or a blend, m/s.
 
-        A style of unknown speed counts with the mean of the bank's known speeds, or with `WALK` if none is known.
+        A style of unknown speed counts with the mean of the bank's known speeds, or with `WALK` if
+        none is known.
         """
         known = self.speeds[self.speeds.isfinite()]
         usual = known.mean() if len(known) else torch.tensor(WALK)
@@ -106,15 +117,17 @@ class StyleBank(Mapping[str, Tensor]):
         blend = {style: 1.0} if isinstance(style, str) else style
         for name in blend:
             check_style(name, self.names)
-        return sum(float(share) * float(speeds[self.names.index(name)]) for name, share in blend.items())
+        parts = ((float(share), self.names.index(name)) for name, share in blend.items())
+        return sum(share * float(speeds[index]) for share, index in parts)
 
     def add(self, name: str, vector: Tensor, speed: float = math.nan) -> "StyleBank":
         """A new bank with one more style; a name that exists gets the new vector."""
         vector = as_tensor(vector, f"the vector of style {name!r}", self.vectors)
         if vector.shape != self.vectors.shape[1:]:
-            raise ValueError(f"style {name!r} needs a vector [{self.vectors.shape[1]}], got {list(vector.shape)}")
+            raise ValueError(f"style {name!r} needs a vector [{self.vectors.shape[1]}], got "
+                             f"{list(vector.shape)}")
         rows, speeds = {**self, name: vector}, self._speeds() | {name: speed}
-        return StyleBank(tuple(rows), torch.stack([*rows.values()]), torch.tensor([*speeds.values()]))
+        return _of(rows, speeds)
 
     def merge(self, other: "StyleBank") -> "StyleBank":
         """A new bank with another's styles after its own.
@@ -125,17 +138,20 @@ class StyleBank(Mapping[str, Tensor]):
             If the vectors differ in length, or a style is in both banks with different vectors.
         """
         if self.vectors.shape[1] != other.vectors.shape[1]:
-            raise ValueError(f"vectors [{self.vectors.shape[1]}] cannot be merged with vectors [{other.vectors.shape[1]}]")
+            raise ValueError(f"vectors [{self.vectors.shape[1]}] cannot be merged with vectors "
+                             f"[{other.vectors.shape[1]}]")
         if differ := [n for n in other if n in self and not torch.equal(self[n], other[n])]:
-            raise ValueError(f"both banks have {', '.join(differ)}, with different vectors; `add` one of them")
+            raise ValueError(f"both banks have {', '.join(differ)}, with different vectors; "
+                             "`add` one of them")
         rows, speeds = {**self, **other}, other._speeds() | self._speeds()
-        return StyleBank(tuple(rows), torch.stack([*rows.values()]), torch.tensor([speeds[name] for name in rows]))
+        return _of(rows, speeds)
 
     def select(self, names: Iterable[str]) -> "StyleBank":
         """A new bank of some of the styles, in the order given."""
         names = tuple(names)
         speeds = self._speeds()
-        return StyleBank(names, torch.stack([self[name] for name in names]), torch.tensor([speeds[n] for n in names]))
+        return StyleBank(names, torch.stack([self[name] for name in names]),
+                         torch.tensor([speeds[name] for name in names]))
 
     def _speeds(self) -> dict[str, float]:
         """Speeds by name."""
@@ -147,7 +163,7 @@ class StyleBank(Mapping[str, Tensor]):
         return {"bank.vectors": self.vectors, "bank.speeds": self.speeds}
 
     def nearest(self, style: str | Tensor, k: int = 5) -> list[tuple[str, float]]:
-        """The ``k`` styles whose vectors are nearest to a style's (not counting itself) or to a vector ``[D]``.
+        """The ``k`` styles nearest to another style, or to a vector ``[D]``.
 
         Returns
         -------
@@ -155,9 +171,10 @@ class StyleBank(Mapping[str, Tensor]):
             Names and Euclidean distances, the nearest first.
         """
         known = isinstance(style, str)
-        apart = (self.vectors - (self[style] if known else as_tensor(style, "a style", self.vectors))).double().norm(dim=-1)
-        others = [i for i in apart.argsort(stable=True).tolist() if not (known and self.names[i] == style)]
-        return [(self.names[i], float(apart[i])) for i in others[:k]]
+        vector = self[style] if known else as_tensor(style, "a style", self.vectors)
+        apart = (self.vectors - vector).double().norm(dim=-1)
+        found = [(self.names[i], float(apart[i])) for i in apart.argsort(stable=True).tolist()]
+        return [pair for pair in found if not (known and pair[0] == style)][:k]
 
     def save(self, path: str | os.PathLike) -> None:
         """Write to a safetensors file, whole or not at all."""
@@ -169,7 +186,14 @@ class StyleBank(Mapping[str, Tensor]):
         return cls.from_parts(path, *model_files.read(path, "bank"))
 
     @classmethod
-    def from_parts(cls, path: str | os.PathLike, tensors: dict[str, Tensor], parts: dict) -> "StyleBank":
+    def from_parts(cls, path: str | os.PathLike, tensors: dict[str, Tensor],
+                   parts: dict) -> "StyleBank":
         """The bank among what `toolkit.io.model_files.read` returned for ``path``."""
         with model_files.intact(path, "the style bank"):
             return cls(tuple(parts["bank"]), tensors["bank.vectors"], tensors.get("bank.speeds"))
+
+
+def _of(rows: Mapping[str, Tensor], speeds: Mapping[str, float]) -> StyleBank:
+    """The bank of vectors and speeds by name."""
+    return StyleBank(tuple(rows), torch.stack([*rows.values()]),
+                     torch.tensor([speeds[name] for name in rows]))

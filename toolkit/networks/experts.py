@@ -1,7 +1,7 @@
-"""Gated experts (Mason et al. 2022, section 4.1): K sets of weights for one small network, blended for every sample.
+"""Gated experts (Mason et al. 2022, section 4.1): K sets of weights, blended for every sample.
 
-A gating network (LPN, MANN) or a phase alone (PFNN) says how: from the phases p or the input frames x it makes coefficients
-``[B, K]`` that sum to one. Shapes: B samples, K experts, D features.
+A gating network (LPN, MANN) or a phase alone (PFNN) says how: from the phases p or the input frames
+x it makes coefficients ``[B, K]`` that sum to one. Shapes: B samples, K experts, D features.
 """
 
 import math
@@ -18,10 +18,11 @@ CONTROL_POINTS = 4  # K of the phase function
 class BlendedLinear(nn.Module):
     """A dense layer whose weights are a blend of those of K experts: y = x (Σ αᵢ Wᵢ) + Σ αᵢ bᵢ.
 
-    Blended weights are not computed. Σ αᵢ (x Wᵢ) is one matrix product: the inputs times each gate, side by side
-    ``[B, K n_in]``, times the stacked weights of the experts ``[K n_in, n_out]``. For 32 samples this is five times as fast
-    as to blend the weights for each sample; for one sample both take the same time. The numbers are ``experts``, K, and
-    the columns ``n_in`` of x and ``n_out`` of y.
+    Blended weights are not computed. Σ αᵢ (x Wᵢ) is one matrix product: the inputs times each gate,
+    side by side ``[B, K n_in]``, times the stacked weights of the experts ``[K n_in, n_out]``. For
+    32 samples this is five times as fast as to blend the weights for each sample; for one sample
+    both take the same time. The numbers are ``experts``, K, and the columns ``n_in`` of x and
+    ``n_out`` of y.
     """
 
     def __init__(self, experts: int, n_in: int, n_out: int):
@@ -36,8 +37,9 @@ class BlendedLinear(nn.Module):
         return torch.addmm(gates @ self.bias, scaled, self.weight.flatten(0, 1))
 
     def scatter(self, x: Tensor, gates: Tensor) -> Tensor:
-        """Σᵢ xᵢ² Wᵢⱼ² ``[B, n_out]`` of the blended weights W: y's variance per unit of relative variance of each input.
+        """Σᵢ xᵢ² Wᵢⱼ² ``[B, n_out]`` of the blended weights W.
 
+        This is y's variance per unit of relative variance of each input.
         It needs the blended weights, and computes them for a few samples at a time.
         """
         if torch.compiler.is_exporting():
@@ -51,10 +53,10 @@ class BlendedLinear(nn.Module):
 
 
 class Experts(nn.Module):
-    """The motion synthesis network Φ: three blended layers. The style modulates the two hidden layers.
+    """The motion synthesis network Φ: three blended layers; the style modulates the hidden two.
 
-    The numbers are ``experts``, K, and columns of x (``n_in``), of both hidden layers and of z (``n_out``); ``dropout`` is
-    the share of every layer's inputs that training drops.
+    The numbers are ``experts``, K, and columns of x (``n_in``), of both hidden layers and of z
+    (``n_out``); ``dropout`` is the share of every layer's inputs that training drops.
     """
 
     def __init__(self, experts: int, n_in: int, hidden: int, n_out: int, dropout: float):
@@ -63,7 +65,8 @@ class Experts(nn.Module):
         self.layers = nn.ModuleList(BlendedLinear(experts, *size) for size in sizes)
         self.dropout = nn.Dropout(dropout)
 
-    def forward(self, x: Tensor, gates: Tensor, modulate: Callable[[int, Tensor, Tensor], Tensor]) -> Tensor:
+    def forward(self, x: Tensor, gates: Tensor,
+                modulate: Callable[[int, Tensor, Tensor], Tensor]) -> Tensor:
         """Output frames ``[B, n_out]``.
 
         Parameters
@@ -73,8 +76,8 @@ class Experts(nn.Module):
         gates : Tensor [B, K]
             Blending coefficients.
         modulate
-            ``(layer, F [B, hidden], x [B, n]) -> h [B, hidden]``: the styled activation of hidden layer 0 or 1, from the
-            layer's linear output F and its inputs x.
+            ``(layer, F [B, hidden], x [B, n]) -> h [B, hidden]``: the styled activation of hidden
+            layer 0 or 1, from the layer's linear output F and its inputs x.
         """
         *hidden, last = self.layers
         for i, layer in enumerate(hidden):
@@ -84,15 +87,17 @@ class Experts(nn.Module):
 
 
 class Gating(nn.Module):
-    """The gating network Ω of the LPN: phases to K positive coefficients; three dense layers, ELU, softmax.
+    """The gating network Ω of the LPN: phases to K positive coefficients that sum to one.
 
-    It has ``n_in`` inputs (8: sine and cosine of four local phases), ``hidden`` units in both hidden layers and ``experts``
-    outputs, K. ``dropout`` is the share of every layer's inputs that training drops.
+    It has ``n_in`` inputs (8: sine and cosine of four local phases), ``hidden`` units in both
+    hidden layers and ``experts`` outputs, K. ``dropout`` is the share of every layer's inputs that
+    training drops.
     """
 
     def __init__(self, n_in: int, hidden: int, experts: int, dropout: float):
         super().__init__()
-        self.layers = nn.ModuleList((nn.Linear(n_in, hidden), nn.Linear(hidden, hidden), nn.Linear(hidden, experts)))
+        sizes = ((n_in, hidden), (hidden, hidden), (hidden, experts))
+        self.layers = nn.ModuleList(nn.Linear(*size) for size in sizes)
         self.dropout = nn.Dropout(dropout)
         for layer in self.layers:
             nn.init.xavier_uniform_(layer.weight)  # U(±√(6 / (in + out)))
@@ -107,8 +112,10 @@ class Gating(nn.Module):
 
 
 class VelocityGating(Gating):
-    """The gating of the MANN (Zhang et al. 2018; section 5.1.3): its inputs are the velocities of hands and feet in x
-    instead of phases: ``columns`` of x. Other arguments are those of `Gating`.
+    """The gating of the MANN (Zhang et al. 2018; section 5.1.3).
+
+    Its inputs are velocities of hands and feet, ``columns`` of x, instead of phases. Other
+    arguments are those of `Gating`.
     """
 
     def __init__(self, columns: Sequence[int], hidden: int, experts: int, dropout: float):
@@ -121,18 +128,18 @@ class VelocityGating(Gating):
 
 
 class CatmullRom(nn.Module):
-    """The phase function of the PFNN (Holden et al. 2017; section 5): a closed spline through K sets of weights,
-    at equal distances of the phase.
+    """The phase function of the PFNN (Holden et al. 2017): a closed spline through sets of weights.
 
-    A point of a Catmull-Rom spline is a blend of its four nearest control points. The coefficients depend only on the
-    distances to them (in steps of 2π/K). So this is a gating for the same blended layers as the others. Its coefficients
-    sum to one and may be negative. It has no parameters. ``points`` is the number K of control points, four or more.
+    A point of a Catmull-Rom spline is a blend of its four nearest control points. The coefficients
+    depend only on the distances to them (in steps of 2π/K). So this is a gating for the same
+    blended layers as the others. Its coefficients sum to one and may be negative. It has no
+    parameters. ``points`` is the number K of control points, four or more.
     """
 
     def __init__(self, points: int = CONTROL_POINTS):
         super().__init__()
         if points < 4:
-            raise ValueError(f"a closed Catmull-Rom curve needs 4 control points or more, got {points}")
+            raise ValueError(f"a closed curve needs 4 control points or more, got {points}")
         self.points = points
 
     def forward(self, phase: Tensor, x: Tensor | None = None) -> Tensor:

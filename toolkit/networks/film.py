@@ -1,4 +1,4 @@
-"""Style as feature-wise linear modulation (FiLM; Mason et al. 2022, section 4.2): a clip of motion to scales and shifts."""
+"""Style as feature-wise linear modulation (FiLM; Mason et al. 2022, section 4.2)."""
 
 import functools
 import math
@@ -8,25 +8,26 @@ import torch.nn.functional as F
 from torch import Tensor, nn
 
 EPSILON = 1e-6  # added to the deviation, as in the published network
-LARGEST = 60.0  # largest exponent; its exponential is finite, so its product with a tail of zero is zero
+LARGEST = 60.0  # largest exponent; its exponential is finite, also times a tail of zero
 TILE = 40  # frames convolved at once; divides a style clip's 240 and, after pooling, 120
 MANY, WIDE = 4, 16  # tiles are faster from this number of clips and this kernel width (frames) on
 
 
 def layer_norm(f: Tensor, epsilon: float = EPSILON) -> Tensor:
-    """``f`` with mean 0 and (unbiased) standard deviation 1 over its last axis; no learnt parameters (equation 3)."""
+    """``f`` with mean 0 and (unbiased) deviation 1 over its last axis (equation 3)."""
     centred = f - f.mean(-1, keepdim=True)
     return centred / (f.std(-1, keepdim=True) + epsilon)
 
 
 class Film(nn.Module):
-    """Modulation of hidden layers by a style vector (γ1, β1, γ2, β2), each as wide as a hidden layer.
+    """Modulation of hidden layers by a style vector (γ1, β1, γ2, β2), each as wide as a layer.
 
     Parameters
     ----------
     hidden : units of a hidden layer
     generator
-        The network Ψ that makes style vectors of clips (equation 2); None for a model that only takes style vectors.
+        The network Ψ that makes style vectors of clips (equation 2); None for a model that only
+        takes style vectors.
     """
 
     def __init__(self, hidden: int, generator: "FilmGenerator | None"):
@@ -38,21 +39,23 @@ class Film(nn.Module):
         """Length of a style vector: the numbers a style costs at run time (Table 2, P.S.R.)."""
         return 4 * self.hidden
 
-    def forward(self, layer: int, f: Tensor, style: Tensor, x: Tensor | None = None, gates: Tensor | None = None) -> Tensor:
+    def forward(self, layer: int, f: Tensor, style: Tensor, x: Tensor | None = None,
+                gates: Tensor | None = None) -> Tensor:
         """h = ELU(γ ∘ LN(F) + β) (equation 3) of hidden layer 0 or 1.
 
-        ``f [B, hidden]``; ``style [B, 4 hidden]``, or ``[1, 4 hidden]`` or ``[4 hidden]`` for one style in the whole batch.
-        The layer's inputs x and the gates are not used.
+        ``f [B, hidden]``; ``style [B, 4 hidden]``, or ``[1, 4 hidden]`` or ``[4 hidden]`` for one
+        style in the whole batch. The layer's inputs x and the gates are not used.
         """
         gamma, beta = self._part(layer, style)
         return F.elu(gamma * layer_norm(f) + beta)
 
     def expected(self, layer: int, f: Tensor, style: Tensor, variance: Tensor) -> Tensor:
-        """Mean of `forward` if each F is a normal variable with mean ``f`` and ``variance [B, hidden]``.
+        """Mean of `forward` if each F is normal with mean ``f`` and ``variance [B, hidden]``.
 
-        Dropout before a layer keeps the mean of F and adds to its variance. Without dropout, layer normalisation divides by
-        a smaller deviation, so the next layer's inputs have another scale than in training. Therefore we use
-        s² = var(f) + mean variance, u = γ (f − mean f) / s + β, and h = E[ELU(u + γ √variance / s · ε)], ε normal.
+        Dropout before a layer keeps the mean of F and adds to its variance. Without dropout, layer
+        normalisation divides by a smaller deviation, so the next layer's inputs have another scale
+        than in training. Therefore we use s² = var(f) + mean variance, u = γ (f − mean f) / s + β,
+        and h = E[ELU(u + γ √variance / s · ε)], ε normal.
         """
         gamma, beta = self._part(layer, style)
         deviation = (f.var(-1, keepdim=True) + variance.mean(-1, keepdim=True)).sqrt() + EPSILON
@@ -67,7 +70,8 @@ class Film(nn.Module):
 def expected_elu(mean: Tensor, deviation: Tensor) -> Tensor:
     """E[ELU(X)] of normal variables with the given means and deviations (any shape).
 
-    The positive side gives m Φ(m/s) + s φ(m/s), the negative side exp(m + s²/2) Φ(−m/s − s) − Φ(−m/s).
+    The positive side gives m Φ(m/s) + s φ(m/s), the negative side exp(m + s²/2) Φ(−m/s − s) −
+    Φ(−m/s).
     """
     s = deviation.clamp_min(1e-6)
     z = mean / s
@@ -78,12 +82,13 @@ def expected_elu(mean: Tensor, deviation: Tensor) -> Tensor:
 
 def fold(weight: Tensor, bias: Tensor, gamma: Tensor, beta: Tensor,
          deviation: Tensor | None = None) -> tuple[Tensor, Tensor]:
-    """A style folded into a layer's own weights: FiLM as a multi-task dynamical system (section 5.3.1, equation 6).
+    """A style folded into a layer's own weights (section 5.3.1, equation 6).
 
-    Without ``deviation`` it is the paper's equation, which omits layer normalisation: x W' + b' = γ ∘ (x W + b) + β for
-    every x. With it x W' + b' = γ ∘ LN(x W + b) + β, but only for inputs whose F = x W + b has this deviation. To subtract
-    the mean is linear, so it folds for all inputs; to divide by the deviation is not. So a style is equivalent to new
-    weights, except for one factor per layer and frame.
+    Without ``deviation`` it is the paper's equation, which omits layer normalisation: x W' + b' = γ
+    ∘ (x W + b) + β for every x. With it x W' + b' = γ ∘ LN(x W + b) + β, but only for inputs whose
+    F = x W + b has this deviation. To subtract the mean is linear, so it folds for all inputs; to
+    divide by the deviation is not. So a style is equivalent to new weights, except for one factor
+    per layer and frame.
 
     Parameters
     ----------
@@ -108,20 +113,22 @@ def fold(weight: Tensor, bias: Tensor, gamma: Tensor, beta: Tensor,
 
 
 class FilmGenerator(nn.Module):
-    """The FiLM generator Ψ (equation 2): two convolutions over time, each with max-pooling, and two dense layers.
+    """The FiLM generator Ψ (equation 2): two convolutions with max-pooling, two dense layers.
 
-    It has 39,214,592 parameters at the paper's sizes. The paper prints 35,668,530, which is the number without the input
-    channels of the convolutions.
+    It has 39,214,592 parameters at the paper's sizes. The paper prints 35,668,530, which is the
+    number without the input channels of the convolutions.
 
-    The paper does not say how γ is initialised. We initialise the last layer's bias with γ = 1, β = 0. So training starts
-    from plain layer normalisation, and not from hidden layers that are almost zero.
+    The paper does not say how γ is initialised. We start the last layer's bias with γ = 1, β = 0,
+    which is plain layer normalisation. Otherwise hidden layers would be almost zero.
 
-    Style clips have ``frames`` frames of ``n_in`` columns (12 J). Both convolutions have ``channels`` filters, ``kernel``
-    frames wide; the first dense layer has ``dense`` units, of which training drops the share ``dropout``. The style vectors
-    modulate layers of ``hidden`` units.
+    Style clips have ``frames`` frames of ``n_in`` columns (12 J). Both convolutions have
+    ``channels`` filters, ``kernel`` frames wide; the first dense layer has ``dense`` units, of
+    which training drops the share ``dropout``. The style vectors modulate layers of ``hidden``
+    units.
     """
 
-    def __init__(self, n_in: int, frames: int, hidden: int, channels: int, kernel: int, dense: int, dropout: float):
+    def __init__(self, n_in: int, frames: int, hidden: int, channels: int, kernel: int, dense: int,
+                 dropout: float):
         super().__init__()
         self.first = Convolution(n_in, channels, kernel)
         self.second = Convolution(channels, channels, kernel)
@@ -142,10 +149,11 @@ class FilmGenerator(nn.Module):
 class Convolution(nn.Conv1d):
     """A convolution over time that keeps the length; beyond both ends there are zeros.
 
-    On the CPU, many clips with a wide kernel are convolved in the frequency domain, tile by tile (overlap-save). A kernel of
-    25 frames then needs a sixth of the multiplications. The result is the same up to rounding (with bfloat16, rounding
-    errors are 1.5 times as large). Few clips, narrow kernels and other devices use torch's convolution. ``n_in``
-    and ``n_out`` are channels, ``kernel`` is in frames.
+    On the CPU, many clips with a wide kernel are convolved in the frequency domain, tile by tile
+    (overlap-save). A kernel of 25 frames then needs a sixth of the multiplications. The result is
+    the same up to rounding (with bfloat16, rounding errors are 1.5 times as large). Few clips,
+    narrow kernels and other devices use torch's convolution. ``n_in`` and ``n_out`` are channels,
+    ``kernel`` is in frames.
     """
 
     def __init__(self, n_in: int, n_out: int, kernel: int):
@@ -162,9 +170,11 @@ class Convolution(nn.Conv1d):
         padded = F.pad(x.transpose(1, 2), (0, 0, before, width - 1 - before + -frames % TILE))
         tiles = padded.unfold(1, n, TILE).permute(3, 0, 1, 2)  # [n, M, tiles, n_in]
         re, im = (waves @ tiles.flatten(1)).view(2, n // 2 + 1, -1, self.in_channels)
-        kernel = (waves[:, :width] @ self.weight.permute(2, 1, 0).flatten(1)).view(2, n // 2 + 1, self.in_channels, -1)
+        kernel = waves[:, :width] @ self.weight.permute(2, 1, 0).flatten(1)
+        kernel = kernel.view(2, n // 2 + 1, self.in_channels, -1)
         both = torch.cat((torch.cat((re, im), 2), torch.cat((im, -re), 2)), 1)
-        products = both @ torch.cat((*kernel,), 1)  # times the conjugate: [frequencies, real above imaginary, n_out]
+        # times the conjugate: [frequencies, real above imaginary, n_out]
+        products = both @ torch.cat((*kernel,), 1)
         y = (back @ products.view(len(waves), -1)).view(TILE, len(x), -1, self.out_channels)
         return y.permute(1, 3, 2, 0).flatten(2)[..., :frames] + self.bias[:, None]
 
@@ -172,9 +182,11 @@ class Convolution(nn.Conv1d):
 @functools.cache
 @torch.inference_mode(False)  # training may need them later
 def _waves(n: int) -> tuple[Tensor, Tensor]:
-    """Matrices of the real Fourier transform of n samples (``[2 (n/2 + 1), n]``, real above imaginary) and of its inverse.
+    """Matrices of the real Fourier transform of n samples and of its inverse.
 
-    The inverse, ``[TILE, 2 (n/2 + 1)]``, gives the first samples from a spectrum with interleaved real and imaginary parts.
+    The transform is ``[2 (n/2 + 1), n]``, real above imaginary. The inverse,
+    ``[TILE, 2 (n/2 + 1)]``, gives the first samples from a spectrum with interleaved real and
+    imaginary parts.
     """
     angles = 2 * math.pi / n * torch.outer(torch.arange(n // 2 + 1), torch.arange(n)).double()
     waves = torch.stack((angles.cos(), -angles.sin()))

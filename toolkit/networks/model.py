@@ -1,10 +1,12 @@
 """A model: gated experts, their gating, a style modulation, and the normalisers of physical units.
 
-Synthesis networks and modulations are independent parts; `MODELS` are the combinations of the paper's Table 2.
+Synthesis networks and modulations are independent parts; `MODELS` are the combinations of the
+paper's Table 2.
 """
 
 import contextlib
 import dataclasses
+import functools
 import json
 import os
 from collections.abc import Iterator
@@ -23,15 +25,19 @@ from toolkit.networks.film import Film, FilmGenerator
 
 #: Synthesis network and style modulation of each model.
 MODELS = {
-    "pfnn-onehot": "four sets of weights on a global phase, style by a one-hot label (Holden et al. 2017)",
+    "pfnn-onehot": "four sets of weights on a global phase (Holden et al. 2017), style by a "
+    "one-hot label",
     "lpn-onehot": "gated experts on local phases, style by a one-hot label",
-    "pfnn-resad": "four sets of weights on a global phase, style by decomposed residual adapters (Mason et al. 2018)",
+    "pfnn-resad": "four sets of weights on a global phase, style by decomposed residual adapters "
+    "(Mason et al. 2018)",
     "lpn-resad": "gated experts on local phases, style by full residual adapters",
     "pfnn-film": "four sets of weights on a global phase, style by FiLM",
     "mann-film": "gated experts on velocities of hands and feet, style by FiLM",
-    "lpn-film": "gated experts on local phases, style by FiLM after layer normalisation (the paper's model)",
+    "lpn-film": "gated experts on local phases, style by FiLM after layer normalisation (the "
+    "paper's model)",
 }
-PHASE = {"lpn": "local", "pfnn": "global", "mann": "none"}  # phase representation of each synthesis network
+#: Phase representation of each synthesis network.
+PHASE = {"lpn": "local", "pfnn": "global", "mann": "none"}
 
 
 @dataclass(frozen=True)
@@ -56,14 +62,16 @@ class Sizes:
 
     @classmethod
     def small(cls) -> "Sizes":
-        """About 3 million parameters: half a minute of training on two cores, for fewer styles than the paper's sizes."""
+        """About 3 million parameters, for half a minute of training on two cores; few styles."""
         return cls(hidden=256, film_channels=32, film_kernel=9, film_dense=256, dropout=0.1)
 
 
 @contextlib.contextmanager
 def evaluating(network: nn.Module) -> Iterator[None]:
-    """Puts a network in evaluation mode, without dropout, and records no gradients; restores the mode on exit."""
-    changed = [module for module in network.modules() if module.training] if network.training else []
+    """Inside, a network is in evaluation mode, without dropout, and no gradients are recorded."""
+    changed = []
+    if network.training:
+        changed = [module for module in network.modules() if module.training]
     for module in changed:
         module.training = False
     try:
@@ -75,31 +83,38 @@ def evaluating(network: nn.Module) -> Iterator[None]:
 
 
 class Model(nn.Module):
-    """One of the seven models: ẑ = Φ(x; Ω(p), Ψ(y)) (equation 4). Make one with `toolkit.networks.build`.
+    """One of the seven models: ẑ = Φ(x; Ω(p), Ψ(y)) (equation 4), made by `build`.
 
-    `predict`, `observe` and `style_vector` use physical units; `forward` and `encode`, for training, use normalised ones.
-    `predict` and `style_vector` always run in evaluation mode, without dropout. The attribute `layout` has the columns of
-    the model's own phase; `calibrated` can be switched at any time.
+    `predict`, `observe` and `style_vector` use physical units; `forward` and `encode`, for
+    training, use normalised ones. `predict` and `style_vector` always run in evaluation mode,
+    without dropout. The attribute `layout` has the columns of the model's own phase. A model with
+    FiLM whose attribute `calibrated` is set predicts the mean over the dropout of its training.
     """
 
-    def __init__(self, name: str, layout: Layout, n_styles: int, sizes: Sizes, normalisers: dict[str, Normaliser],
-                 generator: bool = True, calibrated: bool = False):
+    calibrated = False
+    life = 0.0  # how much the style wanders in `toolkit.runtime.rollout`, see `runtime.life.alive`
+    lift = 1.0  # factor on the height of a toe in the air, in the pose that is fed back
+
+    def __init__(self, name: str, layout: Layout, n_styles: int, sizes: Sizes,
+                 normalisers: dict[str, Normaliser], generator: bool = True):
         super().__init__()
-        if calibrated and not name.endswith("film"):
-            raise ValueError(f"only models with FiLM can be calibrated, got {name}")
         synthesis, style = name.split("-")
         layout = dataclasses.replace(layout, phase=PHASE[synthesis])
-        self.name, self.layout, self.n_styles, self.sizes, self.calibrated = name, layout, n_styles, sizes, calibrated
+        self.name, self.layout, self.n_styles, self.sizes = name, layout, n_styles, sizes
         n_in, n_out, s = layout.n_inputs, layout.n_outputs, sizes
         widths = dict(zip(KINDS, (n_in, layout.n_phases, n_out, layout.n_clip), strict=True))
         if not set(normalisers) <= set(KINDS):
-            raise ValueError(f"normalisers are for {', '.join(KINDS)}; got {', '.join(normalisers)}")
+            raise ValueError(f"normalisers are for {', '.join(KINDS)}; got "
+                             f"{', '.join(normalisers)}")
         for kind, width in widths.items():
             given = normalisers.get(kind, Normaliser(torch.zeros(width), torch.ones(width)))
             if given.mean.shape != (width,) or given.std.shape != (width,):
-                raise ValueError(f"the normaliser of {kind} needs {width} columns, got {list(given.mean.shape)}")
-            self.register_buffer(f"{kind}_mean", given.mean.to(torch.empty(0), copy=True))  # as the weights are
-            self.register_buffer(f"{kind}_std", given.std.to(torch.empty(0), copy=True))
+                raise ValueError(
+                    f"the normaliser of {kind} needs {width} columns, got {list(given.mean.shape)}"
+                )
+            like = torch.empty(0)  # device and dtype of the weights
+            self.register_buffer(f"{kind}_mean", given.mean.to(like, copy=True))
+            self.register_buffer(f"{kind}_std", given.std.to(like, copy=True))
         experts, rank = (CONTROL_POINTS, s.rank) if synthesis == "pfnn" else (s.experts, None)
         match synthesis:
             case "lpn":
@@ -112,8 +127,9 @@ class Model(nn.Module):
         rows = n_styles if generator else 0
         match style:
             case "film":
-                film = (layout.n_clip, CLIP_FRAMES, s.hidden, s.film_channels, s.film_kernel, s.film_dense, s.dropout)
-                self.modulation = Film(s.hidden, FilmGenerator(*film) if generator else None)
+                film = FilmGenerator(layout.n_clip, CLIP_FRAMES, s.hidden, s.film_channels,
+                                     s.film_kernel, s.film_dense, s.dropout) if generator else None
+                self.modulation = Film(s.hidden, film)
             case "onehot":
                 self.modulation = OneHot(experts, s.hidden, rows)
             case "resad":
@@ -121,13 +137,17 @@ class Model(nn.Module):
 
     def __repr__(self) -> str:
         return summary(self, {
-            "name": self.name, "parameters": sum(p.numel() for p in self.parameters()), "hidden": self.sizes.hidden,
-            "inputs": self.layout.n_inputs, "phases": self.layout.n_phases, "outputs": self.layout.n_outputs,
+            "name": self.name, "parameters": sum(p.numel() for p in self.parameters()),
+            "hidden": self.sizes.hidden, "inputs": self.layout.n_inputs,
+            "phases": self.layout.n_phases, "outputs": self.layout.n_outputs,
             "style_size": self.style_size, "generator": self.modulation.generator is not None,
         })  # fmt: skip
 
     def forward(self, x: Tensor, phases: Tensor, style: Tensor) -> Tensor:
-        """Output frames ``[B, Dz]`` of ``x [B, Dx]``, ``phases [B, n_phases]`` and ``style [B or 1, D]``; all normalised."""
+        """Output frames ``[B, Dz]``; all normalised.
+
+        ``x [B, Dx]``, ``phases [B, n_phases]``, ``style [B or 1, D]``.
+        """
         gates = self.gating(phases, x)
 
         def modulate(layer: int, f: Tensor, inputs: Tensor) -> Tensor:
@@ -166,21 +186,22 @@ class Model(nn.Module):
         generator = self.modulation.generator
         if generator is None:
             source = "FiLM generator" if isinstance(self.modulation, Film) else "table of styles"
-            raise ValueError(f"this model was stored without its {source}: it takes style vectors, and cannot make any")
+            raise ValueError(f"this model was stored without its {source}: it takes style "
+                             "vectors, and cannot make any")
         return generator(style) if isinstance(generator, StyleTable) else generator(clips)
 
     def observe(self, phases: Tensor, outputs: Tensor) -> tuple[Tensor, Tensor]:
-        """Convert phases ``[B, 8]`` and output frames ``[B, Dz]`` of data to this model's columns, in physical units.
+        """Phases ``[B, 8]`` and output frames ``[B, Dz]`` of data in this model's columns.
 
         Local phases are unchanged. A model with a global phase gets an angle and its update (see
-        `toolkit.networks.phase.global_phase`). For a model without phases these columns are left out.
+        `toolkit.networks.phase.global_phase`). Without phases these columns are left out.
         """
         return phase.observe(self.layout, phases, outputs)
 
     def predict(self, x: Tensor, phases: Tensor, style: Tensor) -> Tensor:
-        """The next frame, in physical units, on the model's device and in its dtype; arrays and lists are accepted.
+        """The next frame, in physical units, on the model's device and in its dtype.
 
-        The model always predicts in evaluation mode and without gradients.
+        The model predicts in evaluation mode and without gradients. Arrays and lists are accepted.
 
         Parameters
         ----------
@@ -201,28 +222,36 @@ class Model(nn.Module):
         ValueError
             If a number of columns is wrong.
         """
-        given, like = [], self.outputs_mean
-        for what, value, width in (("x", x, self.layout.n_inputs), ("phases", phases, self.layout.n_phases),
-                                   ("style", style, self.style_size)):
-            given.append(as_tensor(value, what, like))
-            if given[-1].shape[-1] != width:
-                raise ValueError(f"{what} needs {width} columns, got shape {list(given[-1].shape)}")
+        x = self._columns(x, "x", self.layout.n_inputs)
+        phases = self._columns(phases, "phases", self.layout.n_phases)
+        style = self._columns(style, "style", self.style_size)
         with evaluating(self):
-            z = self(self.normaliser("inputs").apply(given[0]), self.normaliser("phases").apply(given[1]), given[2])
+            x = self.normaliser("inputs").apply(x)
+            z = self(x, self.normaliser("phases").apply(phases), style)
         return self.normaliser("outputs").invert(z)
 
+    def _columns(self, value, what: str, width: int) -> Tensor:
+        """A value as a tensor like the model's, with so many columns."""
+        value = as_tensor(value, what, self.outputs_mean)
+        if value.shape[-1] != width:
+            raise ValueError(f"{what} needs {width} columns, got shape {list(value.shape)}")
+        return value
+
     def style_vector(self, clips: Tensor, style: int | None = None) -> Tensor:
-        """One style vector ``[D]``: the mean over clips ``[M, 240, 12 J]`` in physical units (section 4.4).
+        """One style vector ``[D]``: the mean over clips ``[M, 240, 12 J]`` (section 4.4).
 
         Models with a table of styles use ``style``, the style's number, and not the clips.
         """
         if isinstance(self.modulation.generator, StyleTable):
             return self.encode(None, style)[0].detach()
-        if clips.dim() != 3 or not len(clips) or clips.shape[1:] != (CLIP_FRAMES, self.layout.n_clip):
-            raise ValueError(f"style clips are [M, {CLIP_FRAMES}, {self.layout.n_clip}], got {list(clips.shape)}")
-        normaliser = self.normaliser("clips")
+        size = CLIP_FRAMES, self.layout.n_clip
+        if clips.dim() != 3 or not len(clips) or clips.shape[1:] != size:
+            raise ValueError(f"style clips are [M, {size[0]}, {size[1]}], got {list(clips.shape)}")
+        vectors, normaliser = [], self.normaliser("clips")
         with evaluating(self):
-            return torch.cat([self.encode(normaliser.apply(part.to(self.clips_mean))) for part in clips.split(32)]).mean(0)
+            for part in clips.split(32):
+                vectors.append(self.encode(normaliser.apply(part.to(self.clips_mean))))
+        return torch.cat(vectors).mean(0)
 
     def normaliser(self, kind: str) -> Normaliser:
         """The normaliser of ``inputs``, ``phases``, ``outputs`` or ``clips``."""
@@ -234,17 +263,18 @@ class Model(nn.Module):
         return self.modulation.size
 
     def parts(self, *, generator: bool = True) -> tuple[dict[str, Tensor], dict]:
-        """Its tensors and description, as `toolkit.io.model_files` stores them; generator or table only if asked for."""
+        """Its tensors and description, as `toolkit.io.model_files` stores them."""
         generator = generator and self.modulation.generator is not None
-        tensors = {k: v for k, v in self.state_dict().items() if generator or not k.startswith("modulation.generator.")}
-        description = {
-            "name": self.name, "layout": json.loads(self.layout.to_json()), "n_styles": self.n_styles,
-            "sizes": dataclasses.asdict(self.sizes), "generator": generator, "calibrated": self.calibrated,
-        }
-        return {f"model.{k}": v for k, v in tensors.items()}, description
+        tensors = {}
+        for name, value in self.state_dict().items():
+            if generator or not name.startswith("modulation.generator."):
+                tensors[f"model.{name}"] = value
+        layout, sizes = json.loads(self.layout.to_json()), dataclasses.asdict(self.sizes)
+        return tensors, {"name": self.name, "layout": layout, "n_styles": self.n_styles,
+                         "sizes": sizes, "generator": generator, "calibrated": self.calibrated}
 
     def save(self, path: str | os.PathLike, *, generator: bool = True) -> None:
-        """Write weights, layout, sizes and normalisers to a safetensors file; ``generator=False``: without Ψ or table."""
+        """Write a safetensors file; with ``generator=False`` without Ψ or the table of styles."""
         tensors, description = self.parts(generator=generator)
         model_files.write(path, tensors, {"model": description})
 
@@ -267,22 +297,27 @@ class Model(nn.Module):
         return cls.from_parts(path, *model_files.read(path, "model"), layout)
 
     @classmethod
-    def from_parts(cls, path: str | os.PathLike, tensors: dict[str, Tensor], parts: dict, layout: Layout | None) -> "Model":
+    def from_parts(cls, path: str | os.PathLike, tensors: dict[str, Tensor], parts: dict,
+                   layout: Layout | None) -> "Model":
         """The model among what `toolkit.io.model_files.read` returned for ``path``."""
         with model_files.intact(path, "the model's description"):
             d = parts["model"]
-            name, stored, sizes = d["name"], Layout.from_json(json.dumps(d["layout"])), Sizes(**d["sizes"])
+            name, sizes = d["name"], Sizes(**d["sizes"])
+            stored = Layout.from_json(json.dumps(d["layout"]))
+            calibrated = bool(d.get("calibrated", False))
             if name not in MODELS:
                 raise ValueError(f"unknown model {name!r}")
+            if calibrated and not name.endswith("film"):
+                raise ValueError(f"only models with FiLM can be calibrated, got {name}")
             if not isinstance(d["n_styles"], int):
                 raise ValueError(f"n_styles must be a whole number, got {d['n_styles']!r}")
         if layout is not None and stored != dataclasses.replace(layout, phase=stored.phase):
-            described = (
-                {"joints": own.names, "parents": own.parents, "points": own.skeleton.names, "samples": own.samples}
-                for own in (layout, stored)
-            )
+            described = ({"joints": own.names, "parents": own.parents,
+                          "points": own.skeleton.names, "samples": own.samples}
+                         for own in (layout, stored))
             raise ValueError(f"{path}: the layout differs in {model_files.difference(*described)}")
         with model_files.intact(path, "the model"):
-            generator, calibrated = d["generator"], d.get("calibrated", False)
-            return model_files.restore(lambda: cls(name, stored, d["n_styles"], sizes, {}, generator, calibrated), tensors,
-                                       "model.")
+            build = functools.partial(cls, name, stored, d["n_styles"], sizes, {}, d["generator"])
+            model = model_files.restore(build, tensors, "model.")
+        model.calibrated = calibrated
+        return model

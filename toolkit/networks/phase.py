@@ -1,6 +1,7 @@
-"""How a model represents the four limbs' local phases: all of them (LPN), one global angle (PFNN), or not at all (MANN).
+"""How a model represents the limbs' local phases: all (LPN), one global angle (PFNN), none (MANN).
 
-Data always hold local phases. This module holds all that depends on the model's representation, `Layout.phase`.
+Data always hold local phases. This module holds all that depends on the model's representation,
+`Layout.phase`.
 """
 
 import dataclasses
@@ -13,23 +14,26 @@ from toolkit.features import Features, Layout, Normaliser, Rows, pack_joints, sp
 from toolkit.phases import LIMBS
 
 PULL = 0.5  # share of the way to the predicted local phase, for each radian that the phase moves
-ABOUT_TO_STEP = (-1.0, 0.0, 1.0, 0.0, 1.0, 0.0, -1.0, 0.0)  # (sin, cos) of the limbs in the order of the phases
+#: (sin, cos) of the limbs in the order of the phases.
+ABOUT_TO_STEP = (-1.0, 0.0, 1.0, 0.0, 1.0, 0.0, -1.0, 0.0)
 
 
 def global_phase(p: Tensor) -> Tensor:
     """The global phase ``[..., 1]``, an angle in [0, 2π), of local phases ``[..., 8]``.
 
-    It is the angle of the right foot's phase vector minus the left's. In a walk the feet are half a cycle apart, so both
-    give the same angle. If only one leg moves, its vector determines the angle. Like the PFNN's phase, the vectors follow
-    foot contacts if there are any (section 5.1.1). While both feet stand or move alike, the angle is noise and may jump.
+    It is the angle of the right foot's phase vector minus the left's. In a walk the feet are half a
+    cycle apart, so both give the same angle. If only one leg moves, its vector determines the
+    angle. Like the PFNN's phase, the vectors follow foot contacts if there are any (section 5.1.1).
+    While both feet stand or move alike, the angle is noise and may jump.
     """
     feet = p.unflatten(-1, (len(LIMBS), 2))
-    sin, cos = (feet[..., LIMBS.index("right_foot"), :] - feet[..., LIMBS.index("left_foot"), :]).unbind(-1)
+    right, left = (feet[..., LIMBS.index(f"{side}_foot"), :] for side in ("right", "left"))
+    sin, cos = (right - left).unbind(-1)
     return torch.atan2(sin, cos)[..., None] % math.tau
 
 
 def observe(layout: Layout, p: Tensor, z: Tensor) -> tuple[Tensor, Tensor]:
-    """Phases and output frames of data, ``[B, 8]`` and ``[B, Dz]`` in physical units, in the columns of a model's layout."""
+    """Phases ``[B, 8]`` and output frames ``[B, Dz]`` of data in a model's columns."""
     if layout.phase == "local":
         return p, z
     blocks = dataclasses.replace(layout, phase="local").unpack_output(z)
@@ -43,40 +47,50 @@ def observe(layout: Layout, p: Tensor, z: Tensor) -> tuple[Tensor, Tensor]:
 
 
 def normalisers(layout: Layout, data: Features) -> dict[str, Normaliser]:
-    """Statistics of data in the columns of a model's layout; a global phase stays an angle in radians."""
+    """Statistics of data in the columns of a model's layout; a global phase stays in radians."""
     found = data.normalisers()
     if layout.phase == "local":
         return found
-    observed = [Rows(lambda at, s=s: observe(layout, data.phases[s][at], data.outputs[s][at])[1],
-                     torch.arange(len(data.outputs[s]))) for s in data.styles]
+    observed = [
+        Rows(
+            lambda at, s=s: observe(layout, data.phases[s][at], data.outputs[s][at])[1],
+            torch.arange(len(data.outputs[s])),
+        )
+        for s in data.styles
+    ]
     n = layout.n_phases
-    return found | {"phases": Normaliser(torch.zeros(n), torch.ones(n)), "outputs": Normaliser.of(*observed)}
+    phases = Normaliser(torch.zeros(n), torch.ones(n))
+    return found | {"phases": phases, "outputs": Normaliser.of(*observed)}
 
 
 def advance(layout: Layout, phase: Tensor, out: dict[str, Tensor]) -> Tensor:
-    """The phase of the next frame, of this frame's ``phase`` and the blocks ``out`` of a predicted frame (physical units).
+    """The phase of the next frame, of this ``phase`` and the blocks ``out`` of a predicted frame.
 
-    A global phase is the phase plus its update, modulo 2π. For local phases, the sum q = p + Δp̂ of each limb moves towards
-    the predicted p̂ by a share `PULL` · ‖Δp̂‖ / ‖q‖, at most one half.
+    A global phase is the phase plus its update, modulo 2π. For local phases, the sum q = p + Δp̂ of
+    each limb moves towards the predicted p̂ by a share `PULL` · ‖Δp̂‖ / ‖q‖, at most one half.
 
-    Departure from the published run, where the share is always one half. In closed loop that shrinks amplitudes: steps get
-    rarer and feet slide. Our share is proportional to the change of the phase; in a walk it is about a twentieth. It keeps
-    the sums from drifting. It cannot stop a phase, which would make the character glide.
+    Departure from the published run, where the share is always one half. In closed loop that
+    shrinks amplitudes: steps get rarer and feet slide. Our share is proportional to the change of
+    the phase; in a walk it is about a twentieth. It keeps the sums from drifting. It cannot stop a
+    phase, which would make the character glide.
     """
     if layout.phase == "local":
-        update, predicted = (out[name].unflatten(-1, (-1, 2)) for name in ("phase_updates", "phases"))
+        update = out["phase_updates"].unflatten(-1, (-1, 2))
+        predicted = out["phases"].unflatten(-1, (-1, 2))
         total = phase.unflatten(-1, (-1, 2)) + update
-        share = PULL * update.norm(dim=-1, keepdim=True) / total.norm(dim=-1, keepdim=True).clamp_min(1e-6)
+        length = total.norm(dim=-1, keepdim=True).clamp_min(1e-6)
+        share = PULL * update.norm(dim=-1, keepdim=True) / length
         return torch.lerp(total, predicted, share.clamp_max(0.5)).flatten(-2)
     return (phase + out["phase_updates"]) % math.tau if layout.phase == "global" else phase
 
 
 def initial_pose(model) -> tuple[Tensor, Tensor]:
-    """A phase ``[n_phases]`` and a pose ``[12 J]`` for a character that stands and is about to step.
+    """A phase ``[n_phases]`` and a pose ``[12 J]`` of a character that is about to step.
 
-    The phase is two deviations from the mean of the data; the pose is the mean pose. In a model without phases, the pose
-    must start the step: hands and feet are two deviations ahead of or behind their means, and move back (from the mean pose
-    a MANN glided for four seconds before it stepped).
+    The phase is two deviations from the mean of the data; the pose is the mean pose. In a model
+    without phases, the pose must start the step: hands and feet are two deviations ahead of or
+    behind their means, and move back (from the mean pose a MANN glided for four seconds before it
+    stepped).
     """
     layout, pose = model.layout, model.outputs_mean[model.layout.outputs["joints"]]
     about_to_step = torch.tensor(ABOUT_TO_STEP, dtype=pose.dtype, device=pose.device)
@@ -84,7 +98,8 @@ def initial_pose(model) -> tuple[Tensor, Tensor]:
         return model.phases_mean + 2 * model.phases_std * about_to_step, pose
     if layout.phase == "global":
         return global_phase(about_to_step), pose
-    mean, std = (split_joints(v) for v in (pose.clone(), model.outputs_std[layout.outputs["joints"]]))
+    mean = split_joints(pose.clone())
+    std = split_joints(model.outputs_std[layout.outputs["joints"]])
     for channel, way in (("position", 2.0), ("velocity", -2.0)):
         mean[channel][layout.limbs, 2] += way * about_to_step[::2] * std[channel][layout.limbs, 2]
     return model.phases_mean, pack_joints(**mean)

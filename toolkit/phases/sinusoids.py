@@ -1,30 +1,32 @@
-r"""Least-squares sinusoids: a·sin(2π(f·t − s)) + b in a window around every frame (Starke et al. 2020, section 5.2).
+r"""Least-squares sinusoids a·sin(2π(f·t − s)) + b in a window around every frame.
 
-Variable projection (Golub and Pereyra 1973). With ω = 2πf and t from −h to h about the frame, the sinusoid is
+The model is that of Starke et al. 2020, section 5.2; the method is variable projection (Golub and
+Pereyra 1973). With ω = 2πf and t from −h to h about the frame, the sinusoid is
 
     u·sin ωt + v·cos ωt + b,   u = a·cos φ,   v = a·sin φ,   φ the phase at the frame,
 
-linear in z = (u, v, b). So the squared error E(f, z) is least, for a given f, at a z(f) that is known in closed form, and
-what is left is to minimise r(f) = E(f, z(f)), a smooth function of one variable on [0.25, 4] Hz.
+linear in z = (u, v, b). So the squared error E(f, z) is least, for a given f, at a z(f) that is
+known in closed form, and what is left is to minimise r(f) = E(f, z(f)), a smooth function of one
+variable on [0.25, 4] Hz.
 
-**Projection.** The source enters only by the inner products of the window with sin, cos and 1 (gs, gc, g1); those of sin,
-cos and 1 with each other are sums of geometric series. The window is symmetric, so sin is orthogonal to the others: u =
-gs/‖sin‖², v from cos less its mean, b = (g1 − v·Σcos)/n.
+**Projection.** The source enters only by the inner products of the window with sin, cos and 1 (gs,
+gc, g1); those of sin, cos and 1 with each other are sums of geometric series. The window is
+symmetric, so sin is orthogonal to the others: u = gs/‖sin‖², v from cos less its mean,
+b = (g1 − v·Σcos)/n.
 
-**Bounds.** a ≤ max − min is a ball in (u, v), b in [min, max] an interval, both convex, and so is E in z. Where the closed
-form leaves the ball, (u, v) is the point with (‖·‖² + λ)(u, v) = (gs, gc) on its rim. Where b then leaves its interval, it
-is set to the end that it passed (E minimised over the ball is convex in b), and (u, v) is solved again for that b. This is
-the bounded optimum, not the clamped free optimum.
+**Bounds.** a ≤ max − min is a ball in (u, v), b in [min, max] an interval, both convex, and so is E
+in z. Where the closed form leaves the ball, (u, v) is the point with (‖·‖² + λ)(u, v) = (gs, gc) on
+its rim. Where b then leaves its interval, it is set to the end that it passed, and (u, v) is solved
+again for that b. This is the bounded optimum, not the clamped free optimum.
 
-**Frequency.** r is evaluated on a grid whose step is small compared with the width of its narrowest valley, about the
-inverse length of the window. On the grid the inner products of neighbouring windows follow from each other: S(t + 1) =
-e^{iω}·S(t), less the sample that leaves and plus the one that enters. Each valley that may be the lowest is then refined by
-Newton's method on r′ with inner products from the window itself. The bounds do not depend on f, so r′(f) = ∂E/∂f at z(f) for
-all active bounds (envelope theorem): one formula covers all cases.
+**Frequency.** r is evaluated on a grid whose step is small compared with the width of its narrowest
+valley, about the inverse length of the window. On the grid the inner products of neighbouring
+windows follow from each other: S(t + 1) = e^{iω}·S(t), less the sample that leaves and plus the one
+that enters. Each valley that may be the lowest is then refined by Newton's method on r′ with inner
+products from the window itself. The bounds do not depend on f, so r′(f) = ∂E/∂f at z(f) for all
+active bounds (envelope theorem): one formula covers all cases.
 
-**Cost.** A window of 61 frames takes about 2,500 floating-point operations, half of them on the grid and most others in two
-or three Newton steps, and about 100 bytes of memory traffic: arithmetic is the limit. `python -m experiments fit`
-measures the speed.
+`python -m experiments fit` measures the speed.
 """
 
 import math
@@ -43,10 +45,14 @@ DENSITY = 6.0  # grid frequencies per additional cycle in the window, and per fa
 
 
 def frequencies(seconds: float) -> np.ndarray:
-    """Grid in Hz for a window of that length: step 1 / `DENSITY` in cycles + ln cycles, so finest at low frequencies."""
+    """Grid in Hz for a window of that length, finest at low frequencies.
+
+    Its steps are 1 / `DENSITY` in cycles + ln cycles.
+    """
     fine = np.geomspace(MIN_FREQUENCY, MAX_FREQUENCY, 1000)
     steps = DENSITY * (fine * seconds + np.log(fine))
-    grid = np.interp(np.linspace(steps[0], steps[-1], math.ceil(steps[-1] - steps[0]) + 1), steps, fine)
+    even = np.linspace(steps[0], steps[-1], math.ceil(steps[-1] - steps[0]) + 1)
+    grid = np.interp(even, steps, fine)
     grid[[0, -1]] = MIN_FREQUENCY, MAX_FREQUENCY
     return grid
 
@@ -55,8 +61,9 @@ def frequencies(seconds: float) -> np.ndarray:
 class Sinusoids:
     """Fitted parameters of every frame, each ``[F, L]``.
 
-    ``phase`` is the angle 2π(f·t − s) at the frame itself, radians in [0, 2π); ``frequency`` in Hz; ``amplitude``,
-    ``offset`` and ``residual`` (root mean square over the window) in the source's unit.
+    ``phase`` is the angle 2π(f·t − s) at the frame itself, radians in [0, 2π); ``frequency`` in Hz;
+    ``amplitude``, ``offset`` and ``residual`` (root mean square over the window) in the source's
+    unit.
     """
 
     phase: Tensor
@@ -73,8 +80,8 @@ def fit(source: Tensor, fps: float, half_window: float = 0.5) -> Sinusoids:
     Parameters
     ----------
     source : Tensor [F, L]
-        One curve per limb, finite; mirrored at its ends. Any device and dtype, which the result has too; the fit itself runs
-        on the processor, in float64.
+        One curve per limb, finite; mirrored at its ends. Any device and dtype, which the result has
+        too; the fit itself runs on the processor, in float64.
     fps
         Frames per second.
     half_window
@@ -89,36 +96,43 @@ def fit(source: Tensor, fps: float, half_window: float = 0.5) -> Sinusoids:
     -----
     Bounds as published: a in [0, max − min], f in [0.25, 4] Hz, b in [min, max] of the window.
 
-    Departure: the published fit added a term for continuity with the neighbours' fits to the root-mean-square error, and
-    used an evolutionary search. Here every frame has the least error of its own window.
+    Departure: the published fit added a term for continuity with the neighbours' fits to the
+    root-mean-square error, and used an evolutionary search. Here every frame has the least error of
+    its own window.
     """
     from toolkit.phases.variable_projection import minima
 
     half = max(2, round(half_window * fps))
     n = 2 * half + 1
     if source.ndim != 2 or len(source) <= half:
-        raise ValueError(f"a source must be [frames, limbs] with more than {half} frames, not {list(source.shape)}")
+        raise ValueError(f"a source must be [frames, limbs] with more than {half} frames, not "
+                         f"{list(source.shape)}")
     if fps <= 2 * MAX_FREQUENCY:
-        raise ValueError(f"fits up to {MAX_FREQUENCY:g} Hz need over {2 * MAX_FREQUENCY:g} frames per second, not {fps:g}")
+        raise ValueError(f"fits up to {MAX_FREQUENCY:g} Hz need over {2 * MAX_FREQUENCY:g} frames "
+                         f"per second, not {fps:g}")
     per_frame = 2 * np.pi / fps
     grid = frequencies(n / fps) * per_frame
     curves = np.ascontiguousarray(source.detach().double().cpu().numpy().T)  # [L, F]
-    extremes = scipy.ndimage.minimum_filter1d, scipy.ndimage.maximum_filter1d
-    low, high = (extreme(curves, n, mode="mirror") for extreme in extremes)
+    low = scipy.ndimage.minimum_filter1d(curves, n, mode="mirror")
+    high = scipy.ndimage.maximum_filter1d(curves, n, mode="mirror")
     found = np.zeros((len(curves), 5, len(source)))
     for limb, curve in enumerate(np.pad(curves, ((0, 0), (half, half)), mode="reflect")):
         minima(curve, low[limb], high[limb], grid, found[limb])
     theta, u, v, offset, error = found.swapaxes(0, 1)
-    columns = (np.arctan2(v, u) % (2 * np.pi), np.clip(theta / per_frame, MIN_FREQUENCY, MAX_FREQUENCY),
-               np.minimum(np.hypot(u, v), high - low), np.clip(offset, low, high), np.sqrt(error / n))
+    # rounding must not leave the bounds
+    columns = (np.arctan2(v, u) % (2 * np.pi),
+               np.clip(theta / per_frame, MIN_FREQUENCY, MAX_FREQUENCY),
+               np.minimum(np.hypot(u, v), high - low), np.clip(offset, low, high),
+               np.sqrt(error / n))
     return Sinusoids(*(torch.from_numpy(column.T.copy()).to(source) for column in columns))
 
 
 def along(signal: Tensor, curve: Tensor, fps: float, half_window: float) -> Sinusoids:
-    """The sinusoids of ``curve [F, ...]`` whose phase is known: the angle of a complex ``signal [F, ...]`` plus π / 2.
+    """The sinusoids of ``curve [F, ...]`` whose phase is the angle of a complex signal plus π / 2.
 
-    So a sinusoid is highest where the signal is real and positive. The frequency is the mean growth of the phase in the
-    window; amplitude and offset are the least-squares ones for that phase.
+    So a sinusoid is highest where the ``signal [F, ...]`` is real and positive. The frequency is
+    the mean growth of the phase in the window; amplitude and offset are the least-squares ones for
+    that phase.
     """
     phase = (signal.angle() + math.pi / 2) % (2 * math.pi)
     turns = (signal[1:] * signal[:-1].conj()).angle() / (2 * math.pi)

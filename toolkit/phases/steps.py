@@ -1,12 +1,14 @@
-"""Steps of a foot: when it stands in recorded motion, and the phase that its steps give (not in the paper).
+"""Steps of a foot: when it stands in recorded motion, and the phase that its steps give.
 
-The paper's contact compares a toe with fixed limits of height and speed. Recordings break fixed limits: a floor that drifts,
-a foot that slips or twists while it stands, a run in which a toe never rests. A sinusoid fitted in a window of a whole cycle
-also averages over steps of different length, at a start, a stop, a turn or a stumble. Here the limits follow from the
-movement of the toe nearby, and every single step gives the phase.
+Not in the paper, whose contact compares a toe with fixed limits of height and speed. Recordings
+break fixed limits: a floor that drifts, a foot that slips or twists while it stands, a run in which
+a toe never rests. A sinusoid fitted in a window of a whole cycle also averages over steps of
+different length, at a start, a stop, a turn or a stumble. Here the limits follow from the movement
+of the toe nearby, and every single step gives the phase.
+
+Lengths are in leg lengths, from hip to toe, and speeds in leg lengths per second, so the result
+does not depend on the unit.
 """
-
-from dataclasses import dataclass
 
 import numpy as np
 import scipy
@@ -20,33 +22,23 @@ SPIKE = 0.08  # seconds, width of the median filter that removes spikes of singl
 NOISE = 0.02  # seconds, standard deviation of the Gaussian that removes noise
 NEARBY = 0.6  # seconds before and after a frame in which the limits are sought
 BEFORE = 0.3  # seconds, less than a swing: the toe is not lower than in its stance
+SLIP = 0.2  # largest speed of a foot that slips while it stands
+SPEED, SHARE = 0.1, 0.1  # a toe stands up to this above its slip: a speed, a share of its peak
+HEIGHT = 0.04  # largest height of a toe that stands, above its lowest point within `BEFORE`
+RAISED = 0.05  # a toe that is so far above the other for most of the clip never stands
 SURE = 1.5  # largest evidence of one frame
+PENALTY = 0.03  # seconds of evidence that a change must be worth
 WALK = 0.6  # share of a cycle in which a foot stands in a walk
-EARLY = 1 / 3  # weight of the touch-down, against the middle of a stance, where a stance changes its share
+EARLY = 1 / 3  # weight of the touch-down against the middle of a stance, where its share changes
 NONE = 1e-6  # metres, of a limb that is none
-SLIP = 0.2  # largest speed of a foot that slips while it stands, leg lengths per second
 
 
-@dataclass(frozen=True)
 class Steps:
-    """1 while a foot stands, else 0. Hands take no steps: their curve is 0.
+    """A source: 1 while a foot stands, else 0. Hands take no steps, so their curve is 0.
 
-    A toe stands while it is slow for this toe at this time. Its least speed within `NEARBY` (at most `SLIP`) counts as
-    slipping, its largest as the peak of a swing. The limit is the least speed plus the larger of ``speed`` and ``share`` of
-    the peak above it. It must also be less than ``height`` above its lowest point within `BEFORE`, because a knee that is
-    lifted high rests at the top. A toe that is ``raised`` above the lower toe for most of the clip never stands.
-
-    The evidence of a frame is the logarithm of speed / limit. The stances are the path with the least sum of the evidence
-    against it and ``penalty`` seconds for each change (Viterbi 1967), so a short doubt does not split a step.
-
-    Lengths are in leg lengths, from hip to toe, speeds in leg lengths per second: the result does not depend on the unit.
+    The stances are the path through standing and swinging with the least sum of the `evidence`
+    against it and `PENALTY` for each change (Viterbi 1967), so a short doubt does not split a step.
     """
-
-    speed: float = 0.1
-    share: float = 0.1
-    height: float = 0.04
-    raised: float = 0.05
-    penalty: float = 0.03
 
     def __call__(self, clip: Clip, limb: str) -> Tensor:
         """Stances ``[F]`` of a limb."""
@@ -55,28 +47,45 @@ class Steps:
         from toolkit.phases.variable_projection import smoothest
 
         column = contacts.FEET.index(limb.removesuffix("_foot"))
-        cost = self.evidence(clip)[:, column] / clip.fps
-        standing = smoothest(np.stack((-cost, cost), 1), self.penalty * (1.0 - np.eye(2)))
+        cost = evidence(clip)[:, column] / clip.fps
+        standing = smoothest(np.stack((-cost, cost), 1), PENALTY * (1.0 - np.eye(2)))
         return torch.from_numpy(standing).to(clip.root_positions)
 
-    def evidence(self, clip: Clip) -> np.ndarray:
-        """Evidence ``[F, 2]`` that the right and the left foot swing (positive) or stand (negative), at most `SURE`."""
-        feet = [f"{side}_foot" for side in contacts.FEET]
-        toes = clip.global_positions[:, [clip.skeleton.role(foot.replace("foot", "toe")) for foot in feet]].double().cpu()
-        toes = toes.numpy() / np.array([[limb_length(clip.skeleton, foot)] for foot in feet])
-        filters, around = scipy.ndimage, 2 * round(NEARBY * clip.fps) + 1
-        toes = filters.median_filter(toes, (2 * round(SPIKE * clip.fps / 2) + 1, 1, 1), mode="mirror")
-        toes = filters.gaussian_filter1d(toes, NOISE * clip.fps, axis=0, mode="nearest")
-        moves = np.gradient(toes, 1 / clip.fps, axis=0) if len(toes) > 1 else np.zeros_like(toes)
-        speed = np.linalg.norm(moves, axis=-1)
-        least = np.minimum(filters.minimum_filter1d(speed, around, axis=0, mode="nearest"), SLIP)
-        peak = filters.maximum_filter1d(speed, around, axis=0, mode="nearest")
-        limit = least + np.maximum(self.speed, self.share * (peak - least))
-        lowest, here = (filters.minimum_filter1d(toes[..., 1], size, axis=0, mode="nearest")
-                        for size in (around, 2 * round(BEFORE * clip.fps) + 1))
-        swings = np.maximum(np.log(np.maximum(speed, 1e-6) / limit), (toes[..., 1] - here) / self.height - 1)
-        swings[:, np.median(lowest - lowest.min(1, keepdims=True), axis=0) > self.raised] = SURE
-        return np.clip(swings, -SURE, SURE)
+
+def evidence(clip: Clip) -> np.ndarray:
+    """Evidence ``[F, 2]`` that the right and the left foot swing (positive) or stand (negative).
+
+    It is the logarithm of speed / limit. The toe's least speed within `NEARBY` counts as slipping.
+    """
+    feet = [f"{side}_foot" for side in contacts.FEET]
+    roles = [clip.skeleton.role(foot.replace("foot", "toe")) for foot in feet]
+    lengths = np.array([[limb_length(clip.skeleton, foot)] for foot in feet])
+    toes = clip.global_positions[:, roles].double().cpu().numpy() / lengths
+
+    # speed of the toes, without the noise of recordings
+    filters, around = scipy.ndimage, 2 * round(NEARBY * clip.fps) + 1
+    spike = 2 * round(SPIKE * clip.fps / 2) + 1
+    toes = filters.median_filter(toes, (spike, 1, 1), mode="mirror")
+    toes = filters.gaussian_filter1d(toes, NOISE * clip.fps, axis=0, mode="nearest")
+    moves = np.gradient(toes, 1 / clip.fps, axis=0) if len(toes) > 1 else np.zeros_like(toes)
+    speed = np.linalg.norm(moves, axis=-1)
+
+    def least(values: np.ndarray, size: int) -> np.ndarray:
+        return filters.minimum_filter1d(values, size, axis=0, mode="nearest")
+
+    # slow for this toe at this time
+    slip = np.minimum(least(speed, around), SLIP)
+    peak = filters.maximum_filter1d(speed, around, axis=0, mode="nearest")
+    limit = slip + np.maximum(SPEED, SHARE * (peak - slip))
+    fast = np.log(np.maximum(speed, 1e-6) / limit)
+    # and low: a knee that is lifted high rests at the top
+    height = toes[..., 1]
+    high = (height - least(height, 2 * round(BEFORE * clip.fps) + 1)) / HEIGHT - 1
+    swings = np.maximum(fast, high)
+    lowest = least(height, around)
+    above = np.median(lowest - lowest.min(1, keepdims=True), axis=0)
+    swings[:, above > RAISED] = SURE
+    return np.clip(swings, -SURE, SURE)
 
 
 def limb_length(skeleton: Skeleton, limb: str) -> float:
@@ -88,27 +97,31 @@ def limb_length(skeleton: Skeleton, limb: str) -> float:
         If the end of the limb is not below its start, or the limb has no length.
     """
     side, part = limb.split("_")
-    start, end = (skeleton.role(f"{side}_{role}") for role in (("shoulder", "hand") if part == "hand" else ("hip", "toe")))
+    roles = ("shoulder", "hand") if part == "hand" else ("hip", "toe")
+    start, end = (skeleton.role(f"{side}_{role}") for role in roles)
     chain = [end, *skeleton.ancestors(end)]
     bones = chain[: chain.index(start)] if start in chain else []
     length = float(skeleton.offsets[bones].norm(dim=-1).sum())
     if length < NONE:
-        raise ValueError(f"{limb}: {length:g} m of bones from {skeleton.names[start]} down to {skeleton.names[end]}; "
-                         "check the roles of the skeleton")
+        raise ValueError(f"{limb}: {length:g} m of bones from {skeleton.names[start]} down to "
+                         f"{skeleton.names[end]}; check the roles of the skeleton")
     return length
 
 
 def signal(contact: Tensor) -> Tensor | None:
-    """Complex signal ``[F]`` of a 0/1 curve, whose angle grows by π from the middle of ones to the middle of zeros and back.
+    """Complex signal ``[F]`` of a 0/1 curve, whose angle grows by π from each middle to the next.
 
     None if the curve has other values or fewer than three changes.
 
-    The angle is linear in between. Ones that last longer than the zeros on both sides together hold it for the rest of their
-    time, because a foot that stands still makes no progress. The ends go on at the rate of the nearest half cycle.
+    The middles are those of ones (standing) and of zeros (swinging); the angle is linear between
+    them. Ones that last longer than the zeros on both sides together hold it for the rest of their
+    time, because a foot that stands still makes no progress. The ends go on at the rate of the
+    nearest half cycle.
 
-    Where ones take the share `WALK` of a cycle, as in a walk, the angle is 0 in the middle of ones. A sinusoid has its
-    maximum there; the phase of Holden et al. 2017 is fixed to the touch-down. The two move apart when a walk becomes a run.
-    The angle keeps its distance from the middle for two thirds and from the touch-down for one third (`EARLY`).
+    Where ones take the share `WALK` of a cycle, as in a walk, the angle is 0 in the middle of ones.
+    A sinusoid has its maximum there; the phase of Holden et al. 2017 is fixed to the touch-down.
+    The two move apart when a walk becomes a run. The angle keeps its distance from the middle for
+    two thirds and from the touch-down for one third (`EARLY`).
     """
     value = contact.cpu().double().numpy()
     change = np.flatnonzero(np.diff(value)) + 0.5
@@ -116,15 +129,20 @@ def signal(contact: Tensor) -> Tensor | None:
         return None
     length, middle = np.diff(change), (change[1:] + change[:-1]) / 2
     standing = value[np.ceil(change[:-1]).astype(int)] == 1
+    # long stances: half of the time in which the angle is held
     pause = np.where(standing, np.maximum(length - 2 * _beside(length), 0.0), 0.0) / 2
     moving = length - 2 * pause
+    # angle at each middle, later where the stances are longer than in a walk
     share = np.where(standing, moving, _beside(moving)) / (moving + _beside(moving))
     angle = np.pi * (np.arange(len(middle)) + (not standing[0]) + (share - WALK) * EARLY)
+    # straight lines between the pauses, and far enough beyond both ends
     rate = np.diff(angle) / (np.diff(middle) - pause[1:] - pause[:-1])
     far = len(value)
-    times = np.concatenate(([middle[0] - pause[0] - far], np.stack((middle - pause, middle + pause), 1).ravel(),
-                            [middle[-1] + pause[-1] + far]))
-    angles = np.concatenate(([angle[0] - rate[0] * far], angle.repeat(2), [angle[-1] + rate[-1] * far]))
+    first, last = middle[0] - pause[0] - far, middle[-1] + pause[-1] + far
+    times = np.stack((middle - pause, middle + pause), 1).ravel()
+    times = np.concatenate(([first], times, [last]))
+    ends = [angle[0] - rate[0] * far], [angle[-1] + rate[-1] * far]
+    angles = np.concatenate((ends[0], angle.repeat(2), ends[1]))
     return torch.exp(1j * torch.from_numpy(np.interp(np.arange(far), times, angles)).to(contact))
 
 

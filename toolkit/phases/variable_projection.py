@@ -11,8 +11,8 @@ from toolkit.io.compilation import compiled
 def _in_ball(p, q, alpha, beta, radius):
     """The (u, v) no longer than ``radius`` that minimises αu² + βv² − 2pu − 2qv.
 
-    Where the ball binds it is (p / (α + λ), q / (β + λ)), λ found by Newton on 1 / length, which is concave and nearly
-    linear in λ, so that steps from 0 never overshoot (Moré and Sorensen 1983).
+    Where the ball binds it is (p / (α + λ), q / (β + λ)), λ found by Newton on 1 / length, which is
+    concave and nearly linear in λ, so that steps from 0 never overshoot (Moré and Sorensen 1983).
     """
     u, v = p / alpha, q / beta
     square = u * u + v * v
@@ -32,7 +32,7 @@ def _in_ball(p, q, alpha, beta, radius):
 
 @compiled(error_model="numpy")
 def _project(gs, gc, g1, ss, cc, c1, n, spread):
-    """The best (u, v, b) within the bounds for one frequency, and its gain, from the inner products of a window.
+    """The best (u, v, b) within the bounds for one frequency, and its gain, from inner products.
 
     The error minimised over (u, v) is convex in b, so a b out of bounds is set to its bound.
     """
@@ -41,7 +41,8 @@ def _project(gs, gc, g1, ss, cc, c1, n, spread):
     if abs(b) > spread / 2:
         b = math.copysign(spread / 2, b)
         u, v = _in_ball(gs, gc - b * c1, ss, cc, spread)
-    return u, v, b, 2 * (u * gs + v * gc + b * g1) - u * u * ss - v * v * cc - b * b * n - 2 * b * v * c1
+    gain = 2 * (u * gs + v * gc + b * g1) - u * u * ss - v * v * cc - b * b * n - 2 * b * v * c1
+    return u, v, b, gain
 
 
 @compiled(error_model="numpy")
@@ -51,53 +52,41 @@ def _evaluate(odd, even, g1, theta, spread):
     ``odd`` and ``even`` [half + 1] are the parts of the window about its middle.
     """
     n = 2 * len(odd) - 1
-    s2, c2 = math.sin(theta / 2), math.cos(theta / 2)
-    sine, cosine = 2 * s2 * c2, 1 - 2 * s2 * s2
-    gs, gc, ts, tc = 0.0, even[0], 0.0, 0.0
-    gs_too, gc_too, ts_too, tc_too = 0.0, 0.0, 0.0, 0.0
-    double = 2 * sine * cosine, 1 - 2 * sine * sine
-    s, s_before, c, c_before = sine, -sine, cosine, cosine  # at odd t; below at even t: two independent recurrences
-    s_too, s_too_before, c_too, c_too_before = double[0], 0.0, double[1], 1.0
-    ahead = 2 * double[1]
-    for t in range(1, len(odd) - 1, 2):
+    sine, cosine = math.sin(theta), math.cos(theta)
+    # inner products with sin θt and cos θt, and their derivatives; sin and cos by recurrence
+    gs, gc, gs_slope, gc_slope = 0.0, even[0], 0.0, 0.0
+    s, s_before, c, c_before = sine, 0.0, cosine, 1.0
+    for t in range(1, len(odd)):
         gs += odd[t] * s
         gc += even[t] * c
-        ts += t * odd[t] * c
-        tc += t * even[t] * s
-        gs_too += odd[t + 1] * s_too
-        gc_too += even[t + 1] * c_too
-        ts_too += (t + 1) * odd[t + 1] * c_too
-        tc_too += (t + 1) * even[t + 1] * s_too
-        s, s_before, c, c_before = ahead * s - s_before, s, ahead * c - c_before, c
-        s_too, s_too_before, c_too, c_too_before = ahead * s_too - s_too_before, s_too, ahead * c_too - c_too_before, c_too
-    if len(odd) % 2 == 0:
-        t = len(odd) - 1
-        gs, gc, ts, tc = gs + odd[t] * s, gc + even[t] * c, ts + t * odd[t] * c, tc + t * even[t] * s
-    else:
-        s, c = s_too_before, c_too_before
-    gs, gc, ts, tc = gs + gs_too, gc + gc_too, ts + ts_too, tc + tc_too
+        gs_slope += t * odd[t] * c
+        gc_slope -= t * even[t] * s
+        s, s_before = 2 * cosine * s - s_before, s
+        c, c_before = 2 * cosine * c - c_before, c
     # cos(θt) sums to sin(nθ/2) / sin(θ/2) over the window; the same at 2θ gives the sums of squares
-    top, slope = s * c2 + c * s2, c * c2 - s * s2
-    c1 = top / s2
+    half_sine, half_cosine = math.sin(theta / 2), math.cos(theta / 2)
+    top, slope = math.sin(n * theta / 2), math.cos(n * theta / 2)
+    c1 = top / half_sine
     twice = 2 * top * slope / sine
-    c1_slope = (n * slope - c1 * c2) / (2 * s2)
+    c1_slope = (n * slope - c1 * half_cosine) / (2 * half_sine)
     twice_slope = (n * (1 - 2 * top * top) - twice * cosine) / sine
     u, v, b, gain = _project(gs, gc, g1, (n - twice) / 2, (n + twice) / 2, c1, n, spread)
-    return u, v, b, gain, 2 * (u * ts - v * tc - b * v * c1_slope) + (u * u - v * v) * twice_slope / 2
+    gain_slope = 2 * (u * gs_slope + v * gc_slope - b * v * c1_slope)
+    return u, v, b, gain, gain_slope + (u * u - v * v) * twice_slope / 2
 
 
 @compiled(error_model="numpy")
 def _refine(odd, even, g1, gg, theta, ends, spread):
-    """The peak of the gain between ``ends`` (two angles and their gains): Newton on its slope from ``theta``.
+    """The peak of the gain between ``ends`` (two angles and their gains), by Newton on its slope.
 
-    The first second derivative is that of the cubic through the known values, the later ones are differences of the slope. A
-    step out of the interval goes to its end, or to the middle if that end was passed before.
+    A step out of the interval goes to its end, or to the middle if that end was passed before.
     """
     left, right, left_gain, right_gain = ends
     left_is_new, right_is_new = True, True
     last, last_slope = theta, math.inf
     for _ in range(40):
         u, v, b, gain, slope = _evaluate(odd, even, g1, theta, spread)
+        # second derivative: a difference of slopes, at first that of the cubic through the gains
         before, after = left - theta, right - theta
         if last != theta:
             bend = (slope - last_slope) / (theta - last)
@@ -107,10 +96,12 @@ def _refine(odd, even, g1, gg, theta, ends, spread):
             bend = 2 * (at_left * after - at_right * before) / (after - before)
         else:
             bend = 0.0
+        # the peak lies where the slope points to
         if slope > 0:
             left, left_is_new = theta, False
         else:
             right, right_is_new = theta, False
+        # Newton expects to gain slope² / (−2 bend) more: stop where that is next to nothing
         if left >= right or slope * slope <= -2 * bend * 5e-7 * max(gg - gain, 1e-15 * gg):
             break
         target = theta - slope / bend if bend < 0 else math.copysign(math.inf, slope)
@@ -126,10 +117,10 @@ def _refine(odd, even, g1, gg, theta, ends, spread):
 
 @compiled(error_model="numpy")
 def _peaks(gains, grid, peaks):
-    """Peaks of the gain on the grid, one row each: upper estimate of the gain, index, first angle per frame.
+    """Peaks of the gain on the grid, one row each: upper estimate of the gain, index, first angle.
 
-    The first angle is the vertex of the parabola through three neighbours. The estimate adds eight times the rise of the
-    parabola, because a peak is not a parabola where a bound becomes active.
+    The first angle is the vertex of the parabola through three neighbours. The estimate adds eight
+    times the rise of the parabola, because a peak is no parabola where a bound becomes active.
     """
     found, last = 0, len(grid) - 1
     for k in range(last + 1):
@@ -141,7 +132,8 @@ def _peaks(gains, grid, peaks):
             slope = below + bend * (before / 2 + grid[k] - grid[m])
             start = grid[k] - slope / bend if bend < 0 else grid[k]
             start = min(max(start, grid[max(k - 1, 0)]), grid[min(k + 1, last)])
-            peaks[found, 0], peaks[found, 1], peaks[found, 2] = gains[k] + 4 * (start - grid[k]) * slope, k, start
+            peaks[found, 0] = gains[k] + 4 * (start - grid[k]) * slope
+            peaks[found, 1], peaks[found, 2] = k, start
             found += 1
     return found
 
@@ -150,9 +142,11 @@ def _peaks(gains, grid, peaks):
 def minima(curve, low, high, grid, out):
     """Write the least error of every window over frequency to ``out`` float64 [5, F].
 
-    The rows of ``out`` are angle per frame, u, v, b and squared error. ``curve`` has [F + 2 half] samples; ``low`` and
-    ``high`` [F] are the extremes of each window; ``grid`` [G] has the angles per frame, its ends the bounds. All float64.
+    The rows of ``out`` are angle per frame, u, v, b and squared error. ``curve`` has [F + 2 half]
+    samples; ``low`` and ``high`` [F] are the extremes of each window; ``grid`` [G] has angles per
+    frame, its ends the bounds.
     """
+    # what the grid needs in all windows: the inner products of sin, cos and 1 with each other
     frames, size = len(low), len(grid)
     half = (len(curve) - frames) // 2
     n = 2 * half + 1
@@ -163,6 +157,7 @@ def minima(curve, low, high, grid, out):
     ss, cc = (n - twice) / 2, (n + twice) / 2
     per_ss, per_cc, c1_mean = 1 / ss, 1 / (cc - c1 * c1 / n), c1 / n
 
+    # inner products of the first window with sin and cos, which the next windows continue
     sums_sine, sums_cosine = np.zeros(size), np.zeros(size)
     for t in range(n):
         sums_sine += curve[t] * np.sin((t - half) * grid)
@@ -179,6 +174,7 @@ def minima(curve, low, high, grid, out):
                 c = sums_cosine[k] - gone * end_cosine[k]
                 sums_sine[k] = cosine[k] * s - sine[k] * c + come * end_sine[k]
                 sums_cosine[k] = cosine[k] * c + sine[k] * s + come * end_cosine[k]
+        # the window less its middle: odd and even part, sum, sum of squares
         spread, middle = high[frame] - low[frame], (low[frame] + high[frame]) / 2
         centre = curve[frame + half] - middle
         even[0], g1, gg = centre, centre, centre * centre
@@ -187,13 +183,15 @@ def minima(curve, low, high, grid, out):
             odd[t], even[t] = after - before, after + before
             g1 += even[t]
             gg += before * before + after * after
+        # gains of the free optimum on the grid, and how far it is out of bounds
         for k in range(size):
             gc = sums_cosine[k] - middle * c1[k] - g1 * c1_mean[k]
             u, v = sums_sine[k] * per_ss[k], gc * per_cc[k]
             b = g1 / n - v * c1_mean[k]
             gains[k] = u * sums_sine[k] + v * gc + g1 * g1 / n
             outside[k] = max(u * u + v * v - spread * spread, abs(b) - spread / 2)
-        floor = -math.inf  # largest gain within bounds; smaller ones need no projection
+        # a free gain is an upper limit: only those above the largest within bounds are projected
+        floor = -math.inf
         for k in range(size):
             if outside[k] <= 0 and gains[k] > floor:
                 floor = gains[k]
@@ -202,6 +200,7 @@ def minima(curve, low, high, grid, out):
                 gc = sums_cosine[k] - middle * c1[k]
                 gains[k] = _project(sums_sine[k], gc, g1, ss[k], cc[k], c1[k], n, spread)[3]
 
+        # refine the peaks, the most promising first, until none can be better
         out[4, frame] = math.inf
         found = _peaks(gains, grid, peaks)
         for _ in range(found):
@@ -220,7 +219,10 @@ def minima(curve, low, high, grid, out):
 
 @compiled()
 def smoothest(cost, jump):
-    """The path ``[F]`` through M states with the least sum of costs ``[F, M]`` and jumps ``[M, M]`` (Viterbi 1967)."""
+    """The path ``[F]`` of states with the least sum of costs ``[F, M]`` and jumps ``[M, M]``.
+
+    Viterbi 1967.
+    """
     total, back = cost[0].copy(), np.empty(cost.shape, np.int64)
     for frame in range(1, len(cost)):
         before = total.copy()

@@ -11,23 +11,24 @@ from toolkit.motion.tensors import through_numpy
 
 SECOND = 0.5  # half of the one-second window
 CUTOFF = 4.0  # Hz, of the Butterworth filter
-CYCLES = 1.05  # periods in a window; more smooth changes of pace, exactly one gives frequency errors up to 3 %
+CYCLES = 1.05  # periods in a window; exactly one gives frequency errors up to 3 %
 SHORTEST, LONGEST = 0.25, 2.0  # seconds, of a period
 LEAST = 0.2  # least autocorrelation of a periodic curve
 
 
 def half_window(curve: Tensor, fps: float) -> float:
-    """Half of `CYCLES` periods of a curve, but no less than half a second: a window must hold a whole cycle.
+    """Half of `CYCLES` periods of a curve ``[F]``, but no less than half a second.
 
-    The period is the lag, under two seconds, of the highest peak of the autocorrelation of the whole curve ``[F]`` without
-    its slower changes. For example, the feet of the style Zombie have 0.66 Hz and stances of a second and need ±0.8 s.
+    A window must hold a whole cycle: the feet of the style Zombie have 0.66 Hz and stances of a
+    second. The period is the lag, under two seconds, of the highest peak of the autocorrelation of
+    the whole curve without its slower changes.
     """
     n, longest = len(curve), min(round(LONGEST * fps), len(curve) - 2)
     fast = curve.double() - mean(curve.double(), LONGEST / 2, fps)
     correlation = torch.fft.irfft(torch.fft.rfft(fast, 2 * n).abs() ** 2)[:n]
     lags = torch.arange(round(SHORTEST * fps), longest, device=curve.device)
-    here = correlation[lags]
-    peaks = lags[(here > correlation[lags - 1]) & (here >= correlation[lags + 1]) & (here > LEAST * correlation[0])]
+    here, before, after = correlation[lags], correlation[lags - 1], correlation[lags + 1]
+    peaks = lags[(here > before) & (here >= after) & (here > LEAST * correlation[0])]
     if not len(peaks) or correlation[0] < 1e-12:
         return SECOND
     return max(SECOND, CYCLES / 2 * float(peaks[correlation[peaks].argmax()]) / fps)
@@ -36,9 +37,10 @@ def half_window(curve: Tensor, fps: float) -> float:
 def normalise(curves: Tensor, fps: float, half: float = SECOND) -> Tensor:
     """Z-score of ``curves [F, ...]`` in the window around each frame; a constant window gives 0."""
     middle = mean(curves, half, fps)
-    variance = (mean(curves**2, half, fps) - middle**2).clamp_min(0.0)
+    deviation = (mean(curves**2, half, fps) - middle**2).clamp_min(0.0).sqrt()
     scale = curves.abs().amax(0).clamp_min(1e-9)
-    return torch.where(variance.sqrt() > 1e-4 * scale, (curves - middle) / variance.sqrt().clamp_min(1e-12), 0.0)
+    scored = (curves - middle) / deviation.clamp_min(1e-12)
+    return torch.where(deviation > 1e-4 * scale, scored, 0.0)
 
 
 def smooth(curves: Tensor, fps: float) -> Tensor:
@@ -49,22 +51,28 @@ def smooth(curves: Tensor, fps: float) -> Tensor:
 
 def speed(positions: Tensor, fps: float) -> Tensor:
     """Root-mean-square speed ``[F]`` over one second of positions ``[F, 3]``."""
-    return mean(torch.gradient(positions, spacing=1 / fps, dim=0)[0].square().sum(-1), SECOND, fps).sqrt()
+    velocity = torch.gradient(positions, spacing=1 / fps, dim=0)[0]
+    return mean(velocity.square().sum(-1), SECOND, fps).sqrt()
 
 
-def regression(curve: Tensor, wave: Tensor, half: float, fps: float) -> tuple[Tensor, Tensor, Tensor]:
-    """Amplitude, offset and residual ``[F]`` of the curve as a multiple of a wave, by least squares in each window."""
+def regression(curve: Tensor, wave: Tensor, half: float,
+               fps: float) -> tuple[Tensor, Tensor, Tensor]:
+    """Least squares of a curve ``[F]`` by a wave: amplitude (≥ 0), offset and residual ``[F]``."""
     c, w = (mean(x, half, fps) for x in (curve, wave))
-    cc, ww, cw = (mean(x, half, fps) for x in (curve.square(), wave.square(), curve * wave))
+    ww, cw = (mean(x, half, fps) for x in (wave.square(), curve * wave))
     amplitude = ((cw - c * w) / (ww - w * w).clamp_min(1e-9)).clamp_min(0.0)
     offset = c - amplitude * w
-    residual = cc - 2 * (amplitude * cw + offset * c) + amplitude**2 * ww + 2 * amplitude * offset * w + offset**2
-    return amplitude, offset, residual.clamp_min(0.0).sqrt()
+    # mean square of curve − (amplitude · wave + offset), multiplied out
+    cc = mean(curve.square(), half, fps)
+    square = cc - 2 * (amplitude * cw + offset * c)
+    square = square + amplitude**2 * ww + 2 * amplitude * offset * w + offset**2
+    return amplitude, offset, square.clamp_min(0.0).sqrt()
 
 
 def mean(values: Tensor, half: float, fps: float) -> Tensor:
-    """Mean of ``values [F, ...]`` over the window around each frame; end values are repeated beyond the ends."""
+    """Mean of ``values [F, ...]`` over the window around each frame; the ends are repeated."""
     frames = round(half * fps)
     flat = values.reshape(len(values), -1).T[:, None]
     padded = torch.nn.functional.pad(flat, (frames, frames), mode="replicate")
-    return torch.nn.functional.avg_pool1d(padded, 2 * frames + 1, stride=1)[:, 0].T.reshape(values.shape)
+    means = torch.nn.functional.avg_pool1d(padded, 2 * frames + 1, stride=1)
+    return means[:, 0].T.reshape(values.shape)

@@ -1,9 +1,10 @@
-"""A character under control, one frame at a time (Mason et al. 2022, section 4.4): state, commands, step, foot lock."""
+"""A character under control, one frame at a time (Mason et al. 2022, section 4.4)."""
 
 import pkgutil
 
 import lazy_loader
 
+from toolkit import registry
 from toolkit.runtime.frame import (
     FPS,
     pose,
@@ -17,7 +18,23 @@ from toolkit.runtime.frame import (
 from toolkit.runtime.state import CharacterState
 from toolkit.runtime.steering import Command, Pilot, follow, speed_controller, steer, straight
 
-__all__ = ["FPS", "CharacterState", "Command", "Pilot", "compile", "follow", "pose", "record", "rollout",
-           "speed_controller", "start", "states", "steer", "step", "straight", "world_joints"]
-__getattr__ = lazy_loader.attach(__name__, [module.name for module in pkgutil.iter_modules(__path__)],
-                                 {"compiled": ["compile"]})[0]  # numba takes a second to import
+__all__ = [
+    "FPS",
+    "CharacterState",
+    "Command",
+    "Pilot",
+    "compile",
+    "follow",
+    "pose",
+    "record",
+    "rollout",
+    "speed_controller",
+    "start",
+    "states",
+    "steer",
+    "step",
+    "straight",
+    "world_joints",
+]
+__getattr__ = registry.attributes(__name__, lazy_loader.attach(
+    __name__, [module.name for module in pkgutil.iter_modules(__path__)])[0])

@@ -1,28 +1,31 @@
-"""A character under control, one frame at a time (Mason et al. 2022, section 4.4; Zhang et al. 2018).
+"""A character under control, one frame at a time.
 
-``step(model, state, command) -> state`` has no hidden state: a state can be kept, replayed and branched. All tensors have a
-leading axis of B characters, so that one call moves a crowd.
+The method is that of Mason et al. 2022, section 4.4, and Zhang et al. 2018.
+``step(model, state, command) -> state`` has no hidden state: a state can be kept, replayed and
+branched. All tensors have a leading axis of B characters, so that one call moves a crowd.
 """
 
 import dataclasses
 import functools
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 import torch
 from torch import Tensor
 
 from toolkit.features import Layout, pack_joints, split_joints
 from toolkit.io.progress import progress_bar
-from toolkit.motion import Clip, local_rotations, trajectory
-from toolkit.motion import rotations as R
+from toolkit.motion import Clip, local_rotations, rotations as R, trajectory
 from toolkit.motion.clip import FEET
 from toolkit.motion.ik import foot_lock, plant_feet, solve_legs, turn_arms
 from toolkit.motion.tensors import as_tensor, shown
 from toolkit.networks.phase import advance, initial_pose
+from toolkit.runtime.life import Styles, alive
 from toolkit.runtime.state import CharacterState, vectors_of
-from toolkit.runtime.steering import Command, Pilot, speed_controller, steer, unit
+from toolkit.runtime.steering import Command, Pilot, standing, steer, turn, unit
 
 FPS = trajectory.FPS
+STANDS = 0.9  # share of standing (`steering.standing`) from which feet stay on the ground
+GROUND = 0.02  # metres: height of a standing toe
 CORRECTION = 0.85  # share of the network's prediction in the next frame's trajectory
 
 
@@ -33,12 +36,14 @@ def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0),
     Parameters
     ----------
     model
-        It gives the mean pose. The initial phase is not the mean phase but one in mid-stride: from the mean phase, some
-        styles glide for seconds before they step. For a model without phases, the pose has hands and feet in mid-stride.
+        It gives the mean pose. The initial phase is not the mean phase but one in mid-stride: from
+        the mean phase, some styles glide for seconds before they step. For a model without phases,
+        the pose has hands and feet in mid-stride.
     style : Tensor [S] or [B, S]
         Style vector, or one per character. Arrays and lists are accepted, here and below.
     position, facing
-        World position (x, z) of the root, metres, and its facing direction (x, z); pairs or ``[B, 2]``.
+        World position (x, z) of the root, metres, and its facing direction (x, z); pairs or ``[B,
+        2]``.
 
     Returns
     -------
@@ -48,7 +53,8 @@ def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0),
     Raises
     ------
     ValueError
-        If the model or style is invalid, a pair does not fit the characters or is not finite, or facing is zero.
+        If the model or style is invalid, a pair does not fit the characters or is not finite, or
+        facing is zero.
     """
     if not hasattr(model, "layout"):
         raise ValueError(f"expected a model (of a run: run.model), got {shown(model)}")
@@ -57,15 +63,33 @@ def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0),
     style = vectors_of(style, joints)
     if style.shape[1] != (size := getattr(model, "style_size", style.shape[1])):
         raise ValueError(f"style needs {size} columns, got shape {list(style.shape)}")
+
+    # The root, alike for all past and future frames.
     place, look = _pairs(position, "position", style), unit(_pairs(facing, "facing", style))
     root = torch.cat((place, look), -1)
     if not root.is_meta and not bool(root.isfinite().all() & look.any(-1).all()):
-        raise ValueError(f"position and facing must be finite, and facing not zero; got {shown(position)}, {shown(facing)}")
+        raise ValueError(
+            "position and facing must be finite, and facing not zero; "
+            f"got {shown(position)}, {shown(facing)}"
+        )
+
+    # A character that stands still, with both feet on the ground.
     state = CharacterState(
-        history=root[:, None].repeat(1, trajectory.PAST + 1, 1), future=root[:, None].repeat(1, len(layout.ahead), 1),
-        joints=_orthonormal(joints.expand(len(style), -1)), phase=phase.expand(len(style), -1), style=style,
-        velocity=torch.zeros_like(look), facing=look, drive=torch.ones_like(look[:, :1]), contacts=torch.ones_like(look),
-        toes=look.new_zeros(len(look), 2, 3), drift=look.new_zeros(len(look), 2, 2), drop=torch.zeros_like(look),
+        history=root[:, None].repeat(1, trajectory.PAST + 1, 1),
+        future=root[:, None].repeat(1, len(layout.ahead), 1),
+        joints=_orthonormal(joints.expand(len(style), -1)),
+        phase=phase.expand(len(style), -1),
+        style=style,
+        velocity=torch.zeros_like(look),
+        facing=look,
+        drive=torch.ones_like(look[:, :1]),
+        asked=torch.zeros_like(look),
+        aside=torch.zeros_like(look[:, :1]),
+        rest=torch.zeros_like(look[:, :1]),
+        contacts=torch.ones_like(look),
+        toes=look.new_zeros(len(look), 2, 3),
+        drift=look.new_zeros(len(look), 2, 3),
+        drop=torch.zeros_like(look),
     )
     return dataclasses.replace(state, toes=predicted_toes(layout, state))
 
@@ -74,7 +98,10 @@ def _pairs(values, what: str, style: Tensor) -> Tensor:
     """World (x, z) ``[B, 2]``, from one pair for all B characters or from one pair for each."""
     pairs = as_tensor(values, what, style)
     if pairs.shape not in ((2,), (1, 2), (len(style), 2)):
-        raise ValueError(f"{what} must be one pair (x, z), or [{len(style)}, 2] of all characters; got {list(pairs.shape)}")
+        raise ValueError(
+            f"{what} must be one pair (x, z), or [{len(style)}, 2] of all characters; "
+            f"got {list(pairs.shape)}"
+        )
     return pairs.expand(len(style), 2)
 
 
@@ -82,38 +109,82 @@ def _pairs(values, what: str, style: Tensor) -> Tensor:
 def step(model, state: CharacterState, command: Command) -> CharacterState:
     """The next frame, 1/60 s later.
 
-    The future trajectory is blended towards the command. The network predicts the next frame. Pose, phase and trajectory are
-    blends of this prediction and the previous values (section 4.4, with the constants of the published run). The pose after
-    foot IK is the next input.
+    The future trajectory is blended towards the command. The network predicts the next frame. Pose,
+    phase and trajectory are blends of this prediction and the previous values (section 4.4, with
+    the constants of the published run). The pose after foot IK is the next input.
     """
     return planted(model.layout, state, predicted(model, state, command))
 
 
 def predicted(model, state: CharacterState, command: Command) -> CharacterState:
-    """The next frame before foot IK; its ``toes``, ``drift`` and ``drop`` are those of ``state``."""
+    """The next frame before foot IK.
+
+    Its ``toes``, ``drift`` and ``drop`` are those of ``state``.
+    """
     layout: Layout = model.layout
-    velocity, facing, future = steer(state, command, layout.ahead)
-    root = state.root
+
+    # Trajectory: the past, and the future blended towards the command, seen from the root.
+    steered = steer(state, command, layout.ahead)
+    root, future = state.root, steered.future
     past = state.history[:, [trajectory.PAST + o for o in layout.behind]]
     window = _to_local(torch.cat((past, future), 1), root)
-    z = model.predict(layout.pack_input(trajectory=window, joints=state.joints), state.phase, state.style)
-    out = layout.unpack_output(z)
 
+    # Prediction of the network.
+    features = layout.pack_input(trajectory=window, joints=state.joints)
+    out = layout.unpack_output(model.predict(features, state.phase, state.style))
+
+    # Root: a character that is to stand stops walking first, and stops turning once it looks into
+    # the commanded direction.
     path = out["trajectory"].unflatten(-1, (-1, 4))
     path = _to_world(torch.cat((path[..., :2], unit(path[..., 2:])), -1), root)
-    new_root = path[:, 0]
-    ahead = torch.lerp(future, path, CORRECTION)
-    ahead = torch.cat((new_root[:, None], torch.cat((ahead[..., :2], unit(ahead[..., 2:])), -1)[:, 1:]), 1)
+    stand = standing(steered, root)
+    place = torch.lerp(path[:, 0, :2], root[:, :2], steered.rest)
+    new_root = torch.cat((place, turn(path[:, 0, 2:], root[:, 2:], stand[:, 0])), -1)
 
-    was, now = split_joints(state.joints), split_joints(out["joints"])
-    position = torch.lerp(was["position"] + now["velocity"] / FPS, now["position"], 0.5)
-    joints = _to_frame(_orthonormal(pack_joints(**now | {"position": position})), root, new_root)
-    phase = advance(layout, state.phase, out)
+    # Future trajectory: a blend of the prediction and the one before, from the new root on.
+    ahead = torch.lerp(future, path, CORRECTION)
+    ahead = torch.cat((ahead[..., :2], unit(ahead[..., 2:])), -1)
+    ahead = torch.cat((new_root[:, None], ahead[:, 1:]), 1)
+
+    # Contacts: a foot on the ground stays there while the character stands.
     contacts = out["contacts"].clamp(0.0, 1.0)
+    kept = (stand > STANDS) & ((contacts > 0.5) | (state.contacts == 1.0))
+    contacts = torch.where(kept, torch.ones_like(contacts), contacts)
+
+    # Pose: the mean of predicted and integrated positions; legs in contact are only integrated, so
+    # that toes do not jump.
+    was, now = split_joints(state.joints), split_joints(out["joints"])
+    share = torch.full_like(was["position"][..., :1], 0.5)
+    share[:, leg_joints(layout), 0] *= 1.0 - (2 * contacts).clamp_max(1.0).repeat_interleave(3, -1)
+    position = torch.lerp(was["position"] + now["velocity"] / FPS, now["position"], share)
+
+    # A model may have a factor `lift` on the height of toes in the air.
+    swing = getattr(model, "lift", 1.0) - 1.0
+    toes = leg_joints(layout)[2::3]
+    height = position[:, toes, 1]
+    in_the_air = 1.0 - (2 * contacts).clamp_max(1.0)
+    position[:, toes, 1] += swing * in_the_air * (height - GROUND).clamp_min(0.0)
+
+    # The same pose, seen from the new root.
+    joints = _to_frame(_orthonormal(pack_joints(**now | {"position": position})), root, new_root)
+
+    # Phase: it stops while the character stands on both feet.
+    phase = advance(layout, state.phase, out)
+    phase = torch.lerp(phase, state.phase, stand * contacts.amin(-1, keepdim=True))
     return dataclasses.replace(
-        state, history=torch.cat((state.history[:, 1:], new_root[:, None]), 1), future=ahead, joints=joints, phase=phase,
-        velocity=velocity, facing=facing, drive=speed_controller(state, velocity), contacts=contacts,
+        steered,
+        history=torch.cat((state.history[:, 1:], new_root[:, None]), 1),
+        future=ahead,
+        joints=joints,
+        phase=phase,
+        contacts=contacts,
     )
+
+
+def leg_joints(layout: Layout) -> list[int]:
+    """Feature joints of knee, foot and toe, right and then left."""
+    roles = [f"{side}_{part}" for side in FEET for part in ("knee", "foot", "toe")]
+    return [layout.names.index(layout.skeleton.roles[role]) for role in roles]
 
 
 def planted(layout: Layout, state: CharacterState, new: CharacterState) -> CharacterState:
@@ -124,32 +195,49 @@ def planted(layout: Layout, state: CharacterState, new: CharacterState) -> Chara
     return _with_legs(layout, dataclasses.replace(new, toes=toes, drift=drift))
 
 
-Styles = Tensor | Callable[[int], Tensor]
+def states(
+    model,
+    commands: Sequence[Command | Pilot],
+    style: Styles,
+    first: CharacterState | None = None,
+    progress: bool = False,
+    life: float = 0.0,
+    seed: int = 0,
+) -> Iterator[CharacterState]:
+    """Yield the state after every command.
 
-
-def states(model, commands: Sequence[Command | Pilot], style: Styles, first: CharacterState | None = None,
-           progress: bool = False) -> Iterator[CharacterState]:
-    """Yield the state after every command. ``style`` is a vector, or a function of the frame number for live blending.
-
-    No gradients are recorded; the states are ordinary tensors, which a loss may use.
+    ``style`` is a vector, or a function of the frame number for live blending. With ``life`` the
+    style wanders (`toolkit.runtime.life.alive`). No gradients are recorded; the states are ordinary
+    tensors, which a loss may use.
     """
+    style = alive(style, life, seed)
     at = style if callable(style) else (lambda _: style)
     state = start(model, at(0)) if first is None else first
-    for frame, command in enumerate(progress_bar(commands, desc="rollout", unit="frame", show=progress)):
+    commands = progress_bar(commands, desc="rollout", unit="frame", show=progress)
+    for frame, command in enumerate(commands):
         with torch.no_grad():  # not around the yield: the caller would lose its gradients
             state = state.with_style(at(frame))
             state = step(model, state, command(state) if callable(command) else command)
         yield state
 
 
-def rollout(model, commands: Sequence[Command | Pilot], style: Styles, ik: bool = True, first: CharacterState | None = None,
-            progress: bool = False) -> Clip:
+def rollout(
+    model,
+    commands: Sequence[Command | Pilot],
+    style: Styles,
+    ik: bool = True,
+    first: CharacterState | None = None,
+    progress: bool = False,
+    life: float | None = None,
+    seed: int = 0,
+) -> Clip:
     """Let one character follow commands, and record its motion.
 
     Parameters
     ----------
     model
-        A model from `toolkit.networks.build`, `toolkit.training.load` or `toolkit.training.published.load`.
+        A model from `toolkit.networks.build`, `toolkit.training.load` or
+        `toolkit.training.published.load`.
     commands
         One per frame at 60 Hz: a command, or a function that computes it from the state.
     style : Tensor [S] or callable
@@ -158,52 +246,77 @@ def rollout(model, commands: Sequence[Command | Pilot], style: Styles, ik: bool 
         Hold feet in contact in place, and turn arm bones to the predicted positions.
     first
         Initial state; by default the character stands at the origin.
+    life, seed
+        How much the style wanders, see `toolkit.runtime.life.alive`; by default the amount that
+        belongs to the model.
 
     Returns
     -------
     Clip
         Motion on the model's whole skeleton, with constant bone lengths.
     """
-    recorded = list(states(model, commands, style, first, progress))
+    life = getattr(model, "life", 0.0) if life is None else life
+    recorded = list(states(model, commands, style, first, progress, life, seed))
     if not recorded:
         raise ValueError("no commands to roll out")
     return record(model, recorded, feet=ik, arms=ik)
 
 
-def record(model, recorded: Iterable[CharacterState], *, feet: bool = True, arms: bool = True, character: int = 0) -> Clip:
-    """The motion of one character in a sequence of states, see `rollout`; ``feet`` and ``arms`` switch their IK on.
+def record(
+    model,
+    recorded: Iterable[CharacterState],
+    *,
+    feet: bool = True,
+    arms: bool = True,
+    character: int = 0,
+) -> Clip:
+    """The motion of one character in a sequence of states, see `rollout`.
 
-    A ValueError if there are no states.
+    ``feet`` and ``arms`` switch their IK on. A ValueError if there are no states.
     """
     recorded = list(recorded)
     if not recorded:
         raise ValueError("no frames to record: a rollout needs at least one command")
-    names = [f.name for f in dataclasses.fields(CharacterState) if f.name != "style"]  # large and not needed here
+    # Without the style: it is large and not needed here.
+    names = [f.name for f in dataclasses.fields(CharacterState) if f.name != "style"]
     merged = {name: torch.stack([getattr(s, name)[character] for s in recorded]) for name in names}
     merged = CharacterState(**merged, style=merged["history"].new_empty(len(recorded), 0))
-    return Clip(model.layout.skeleton, *pose(model, merged, feet=feet, arms=arms), FPS, name="rollout")
+    return Clip(
+        model.layout.skeleton, *pose(model, merged, feet=feet, arms=arms), FPS, name="rollout"
+    )
 
 
 @functools.singledispatch
-def pose(model, state: CharacterState, *, feet: bool = True, arms: bool = True) -> tuple[Tensor, Tensor]:
-    """Local rotations ``[B, J', 4]`` and root positions ``[B, 3]`` of the whole skeleton, ready to draw.
+def pose(
+    model, state: CharacterState, *, feet: bool = True, arms: bool = True
+) -> tuple[Tensor, Tensor]:
+    """Local rotations ``[B, J', 4]`` and root positions ``[B, 3]`` of the whole skeleton, to draw.
 
-    ``model``: plain, compiled, or only its layout. ``feet``: hold toes in contact in place. ``arms``: turn arm bones to the
-    predicted positions.
+    ``model``: plain, compiled, or only its layout. ``feet``: hold toes in contact in place.
+    ``arms``: turn arm bones to the predicted positions.
     """
     layout: Layout = getattr(model, "layout", model)
     skeleton, world = layout.skeleton, world_joints(layout, state)
     joints = list(skeleton.feature_joints)
+
+    # A joint without features has the rotation of its parent.
     rotation = R.from_forward_up(world["forward"], world["up"])
-    everywhere = [joints.index(j if j in joints else skeleton.parents[j]) for j in range(len(skeleton))]
+    everywhere = [
+        joints.index(j if j in joints else skeleton.parents[j]) for j in range(len(skeleton))
+    ]
     local = local_rotations(skeleton, rotation[:, everywhere])
     root = world["position"][:, 0]
+
+    # Arm IK: bones point at the predicted positions.
     if arms:
         wanted = world["position"].new_zeros(len(root), len(skeleton), 3)
         wanted[:, joints] = world["position"]
         local = turn_arms(skeleton, local, root, wanted)
+
+    # Foot IK: the hips sink, so that legs reach the toes.
     if feet:
-        root = root - torch.stack((0 * state.drop[:, 0], state.drop[:, 0], 0 * state.drop[:, 0]), -1)
+        drop = state.drop[:, 0]
+        root = root - torch.stack((0 * drop, drop, 0 * drop), -1)
         local = plant_feet(skeleton, local, root, state.toes)
     return local, root
 
@@ -216,24 +329,38 @@ def world_joints(layout: Layout, state: CharacterState) -> dict[str, Tensor]:
 
 
 def _placed(root: Tensor) -> tuple[Tensor, Tensor]:
-    """Rotation ``[B, 1, 4]`` and place on the floor ``[B, 1, 3]`` of the root's frame in the world."""
+    """Rotation ``[B, 1, 4]`` and place on the floor ``[B, 1, 3]`` of the root in the world."""
     floor = torch.stack((root[:, 0], torch.zeros_like(root[:, 0]), root[:, 1]), -1)
     return R.yaw(torch.atan2(root[:, 2], root[:, 3]))[:, None], floor[:, None]
 
 
 def _with_legs(layout: Layout, state: CharacterState) -> CharacterState:
-    """A state with the pose after foot IK, from which the next frame is predicted; ``drop`` is of the frame before."""
+    """A state with the pose after foot IK, from which the next frame is predicted.
+
+    The ``drop`` of the argument is that of the frame before.
+    """
     skeleton, world = layout.skeleton, world_joints(layout, state)
     turned = R.from_forward_up(world["forward"], world["up"])
     joints = {j: i for i, j in enumerate(skeleton.feature_joints)}
-    solved, drop = solve_legs(skeleton, lambda above: turned[:, [joints[j] for j in above]], world["position"][:, 0],
-                              state.toes, state.contacts, state.drop, 1 / FPS)
+    solved, drop = solve_legs(
+        skeleton,
+        lambda above: turned[:, [joints[j] for j in above]],
+        world["position"][:, 0],
+        state.toes,
+        state.contacts,
+        state.drop,
+        1 / FPS,
+    )
+
+    # The legs' positions, seen from the root.
     parts, (turn, floor) = split_joints(state.joints), _placed(state.root)
     position = parts["position"].clone()
     for part, places in zip(("knee", "foot", "toe"), solved, strict=True):
         at = [joints[skeleton.role(f"{side}_{part}")] for side in FEET]
         position[:, at] = R.rotate(R.inverse(turn), places - floor)
-    return dataclasses.replace(state, joints=pack_joints(**parts | {"position": position}), drop=drop)
+    return dataclasses.replace(
+        state, joints=pack_joints(**parts | {"position": position}), drop=drop
+    )
 
 
 def predicted_toes(layout: Layout, state: CharacterState) -> Tensor:
@@ -244,7 +371,10 @@ def predicted_toes(layout: Layout, state: CharacterState) -> Tensor:
 
 
 def _matrix(root: Tensor) -> Tensor:
-    """``[B, 2, 2]`` that turns root-frame (x, z) into the world's; the direction (sin, cos) is the root's +z."""
+    """``[B, 2, 2]`` that turns root-frame (x, z) into the world's.
+
+    The direction (sin, cos) is the root's +z.
+    """
     x, z = root[:, 2], root[:, 3]
     return torch.stack((torch.stack((z, x), -1), torch.stack((-x, z), -1)), -2)
 
@@ -267,7 +397,7 @@ def _orthonormal(joints: Tensor) -> Tensor:
 
 
 def _to_frame(joints: Tensor, old: Tensor, new: Tensor) -> Tensor:
-    """A pose in the root frame ``old`` seen from the root frame ``new`` (world roots ``[B, 4]``)."""
+    """A pose in the root frame ``old`` seen from the root frame ``new`` (world, ``[B, 4]``)."""
     parts = split_joints(joints)
     turn = R.yaw(torch.atan2(old[:, 2], old[:, 3]) - torch.atan2(new[:, 2], new[:, 3]))[:, None]
     shift = _to_local(old[:, None], new)[:, 0]

@@ -12,20 +12,44 @@ from toolkit.motion.tensors import as_tensor, shown, summary
 
 @dataclass(frozen=True, eq=False)
 class CharacterState:
-    """Everything that the next frame depends on; B characters, J feature joints, metres and seconds; right before left."""
+    """Everything that the next frame depends on.
 
-    history: Tensor  # [B, 61, 4] world (x, z, direction x, direction z) of the root, one second ago to now
-    future: Tensor  # [B, S, 4] the same for the present frame and the future offsets of the model's layout
-    joints: Tensor  # [B, 12 J] pose in the current root frame after foot IK, with the hips where the network has them
-    phase: Tensor  # [B, n_phases] in the model's form: 8 numbers of local phases, one angle, or no column
-    style: Tensor  # [B, S] style vector
-    velocity: Tensor  # [B, 2] the smoothed command
-    facing: Tensor  # [B, 2] the smoothed command
-    drive: Tensor  # [B, 1] factor on the commanded velocity in the target trajectory, see `speed_controller`
-    contacts: Tensor  # [B, 2] predicted foot contacts in [0, 1]
-    toes: Tensor  # [B, 2, 3] where foot IK puts the toes, world
-    drift: Tensor  # [B, 2, 2] velocity (x, z) of their offset from the prediction, see `toolkit.motion.ik.foot_lock`
-    drop: Tensor  # [B, 2] how far foot IK lowers the drawn hips, and its velocity, see `toolkit.motion.ik.sink`
+    B characters, J feature joints, metres and seconds; right before left.
+    """
+
+    # [B, 61, 4] world (x, z, direction x, direction z) of the root, one second ago to now
+    history: Tensor
+    # [B, S, 4] the same for the present frame and the future offsets of the model's layout
+    future: Tensor
+    # [B, 12 J] pose in the current root frame after foot IK; the hips are as the network has them
+    joints: Tensor
+    # [B, n_phases] in the model's form: 8 numbers of local phases, one angle, or no column
+    phase: Tensor
+    # [B, S] style vector
+    style: Tensor
+
+    # [B, 2] the smoothed command
+    velocity: Tensor
+    # [B, 2] the smoothed command
+    facing: Tensor
+    # [B, 1] factor on the commanded velocity in the target trajectory, see `speed_controller`
+    drive: Tensor
+    # [B, 2] the command as slow as a character follows it, see `direction_controller`
+    asked: Tensor
+    # [B, 1] m/s to the left that the direction controller has learnt to oppose
+    aside: Tensor
+    # [B, 1] grows to 1 while the command is to stand, see `standing`
+    rest: Tensor
+
+    # [B, 2] predicted foot contacts in [0, 1]
+    contacts: Tensor
+    # [B, 2, 3] where foot IK puts the toes, world
+    toes: Tensor
+    # [B, 2, 3] velocity of their offset from the prediction, see `toolkit.motion.ik.foot_lock`
+    drift: Tensor
+    # [B, 2] how far foot IK lowers the drawn hips, and its velocity, see `toolkit.motion.ik.sink`
+    drop: Tensor
+
     __repr__ = summary
 
     @property
@@ -39,9 +63,14 @@ class CharacterState:
 
 
 def vectors_of(style, like: Tensor, characters: int | None = None) -> Tensor:
-    """A style argument as vectors ``[B, S]``, one for each of ``characters`` if given; ValueError if it is not a vector."""
+    """A style argument as vectors ``[B, S]``, one for each of ``characters`` if given.
+
+    A ValueError if it is not a vector.
+    """
     if isinstance(style, str | Mapping):
-        raise ValueError(f"a style is a vector, bank[name] or bank.blend({{name: weight}}); got {shown(style)}")
+        raise ValueError(
+            f"a style is a vector, bank[name] or bank.blend({{name: weight}}); got {shown(style)}"
+        )
     vectors = torch.atleast_2d(as_tensor(style, "a style", like))
     if vectors.dim() != 2 or len(vectors) not in (1, characters or len(vectors)):
         wanted = f"[{characters or 'B'}, S] of all characters"

@@ -1,4 +1,4 @@
-"""Styles: the bank of style vectors, blends and transitions, new styles and the space that styles span.
+"""Styles: the bank of vectors, blends and transitions, new styles and the space that styles span.
 
 Mason et al. 2022, sections 4.4 (blends), 5.3.2 (new styles) and Figure 11 (the space).
 """
@@ -6,8 +6,8 @@ Mason et al. 2022, sections 4.4 (blends), 5.3.2 (new styles) and Figure 11 (the 
 from toolkit.networks.bank import StyleBank
 from toolkit.styles.fine_tuning import METHODS, NewStyles, fine_tune
 from toolkit.styles.plausibility import Strain, check, strain
-from toolkit.styles.space import Separation, clip_vectors, embed, separation
+from toolkit.styles.space import clip_vectors, embed, separation
 from toolkit.styles.transitions import EASINGS, transition
 
-__all__ = ["EASINGS", "METHODS", "NewStyles", "Separation", "Strain", "StyleBank", "check", "clip_vectors", "embed",
-           "fine_tune", "separation", "strain", "transition"]
+__all__ = ["EASINGS", "METHODS", "NewStyles", "Strain", "StyleBank", "check", "clip_vectors",
+           "embed", "fine_tune", "separation", "strain", "transition"]

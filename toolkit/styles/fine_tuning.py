@@ -1,4 +1,4 @@
-"""New styles for a trained model (Mason et al. 2022, section 5.3.2): only the style is learnt, not gating and experts."""
+"""New styles for a trained model (Mason et al. 2022, section 5.3.2): only the style is learnt."""
 
 import copy
 import math
@@ -27,7 +27,7 @@ METHODS = {
     "forward": "one forward pass of the generator, without training",
 }
 STEPS = 400  # training steps per new style
-RATES = {"generator": 2e-4, "vector": 1e-2}  # first learning rate of Adam, with cosine decay to zero
+RATES = {"generator": 2e-4, "vector": 1e-2}  # Adam's first, with cosine decay to zero
 BATCH = 64  # frames of one style per step
 MIX_UP = 0.5  # share of frames with a pose mix-up
 WALK = 1.0, 3.0  # speed in m/s and seconds of the walks whose poses are mixed in
@@ -42,7 +42,8 @@ MAX_GRADIENT = 1.0  # norm to which gradients are clipped
 class NewStyles:
     """Result of `fine_tune`.
 
-    ``model`` shares the memory of gating and experts with the given model; without a tuned generator it is the given model.
+    ``model`` shares the memory of gating and experts with the given model; without a tuned
+    generator it is the given model.
     """
 
     names: tuple[str, ...]  # the new styles
@@ -52,41 +53,45 @@ class NewStyles:
     seconds: float  # duration, with the computation of features
     losses: list[float]  # of every step
     best: int  # the step whose vector was kept; 0 for the initial one
-    held_out: dict[str, dict[str, float]]  # of each new style: errors ``before``, ``after``, ``mean`` and ``repeat``
+    held_out: dict[str, dict[str, float]]  # of each style: ``before``, ``after``, floors
     __repr__ = summary
 
 
-def fine_tune(model: Model, clips: Clip | Sequence[Clip] | Features, name: str | None = None, bank: StyleBank | None = None,
-              *, method: str | None = None, steps: int = STEPS, mirror: bool = False, seed: int = 0,
-              progress: bool = False) -> NewStyles:
+def fine_tune(model: Model, clips: Clip | Sequence[Clip] | Features, name: str | None = None,
+              bank: StyleBank | None = None, *, method: str | None = None, steps: int = STEPS,
+              mirror: bool = False, seed: int = 0, progress: bool = False) -> NewStyles:
     """Learn new styles from one or a few clips, without any change of the other styles.
 
-    Departures from the paper, which fine-tunes with the settings of training: there are few steps, and the learning rate
-    decays. As in `toolkit.training.Config.quick` some input poses are mixed with other poses (pose mix-up), here with poses
-    of the model's own walks, so that a character can change to the new style from any other. And a penalty keeps a vector
-    near those of the bank, because one clip does not show all motions. Without the penalty the error on the clip is lower,
+    Departures from the paper, which fine-tunes with the settings of training: there are few steps,
+    and the learning rate decays. As in `toolkit.training.Config.quick` some input poses are mixed
+    with other poses (pose mix-up), here with poses of the model's own walks, so that a character
+    can change to the new style from any other. And a penalty keeps a vector near those of the bank,
+    because one clip does not show all motions. Without the penalty the error on the clip is lower,
     but the character slides.
 
-    A share of the frames is held out (`HELD_OUT`). The error on half of them is measured every `EVERY` steps, and the best
-    step is kept, which may be the initial one. The errors in the result are those of the other half, which played no part in
-    this choice. ``before`` is the error with the best style of the bank (method ``"vector"``) or with the vector that the
-    generator computes without fine-tuning; ``mean`` and ``repeat`` are those of `toolkit.training.loss.baselines`. Clips
-    that are too short to hold frames out keep the last step.
+    A share of the frames is held out (`HELD_OUT`). The error on half of them is measured every
+    `EVERY` steps, and the best step is kept, which may be the initial one. The errors in the result
+    are those of the other half, which played no part in this choice. ``before`` is the error with
+    the best style of the bank (method ``"vector"``) or with the vector that the generator computes
+    without fine-tuning; ``mean`` and ``repeat`` are those of `toolkit.training.loss.baselines`.
+    Clips that are too short to hold frames out keep the last step.
 
     Parameters
     ----------
     model
         A trained model. It is not changed.
     clips
-        Motion on the model's skeleton, at least 1.9 seconds without a break, better four or more; or features of it.
+        Motion on the model's skeleton, at least 1.9 seconds without a break, better four or more;
+        or features of it.
     name
         Name of the style. By default every clip keeps its own style, and all are learnt together.
     bank
-        The model's style bank. It gives the poses of the mix-up, the mean and deviation of the penalty, and the initial
-        vector of the method ``"vector"``: its best style on the clips. The new styles are added to it.
+        The model's style bank. It gives the poses of the mix-up, the mean and deviation of the
+        penalty, and the initial vector of the method ``"vector"``: its best style on the clips. The
+        new styles are added to it.
     method
-        One of `METHODS`; by default ``"generator"`` if the model has one, else ``"vector"``, which also works for a model
-        that was stored without its generator, such as the embedded one.
+        One of `METHODS`; by default ``"generator"`` if the model has one, else ``"vector"``, which
+        also works for a model that was stored without its generator, such as the embedded one.
     steps
         Training steps per new style.
     mirror
@@ -104,8 +109,8 @@ def fine_tune(model: Model, clips: Clip | Sequence[Clip] | Features, name: str |
     Raises
     ------
     ValueError
-        If the clips have another skeleton or are too short, the bank has a style of that name, or the method is unknown or
-        needs a generator that the model does not have.
+        If the clips have another skeleton or are too short, the bank has a style of that name, or
+        the method is unknown or needs a generator that the model does not have.
     """
     began = time.perf_counter()
     data = clips if isinstance(clips, Features) else _features(model, clips, name, mirror)
@@ -114,13 +119,17 @@ def fine_tune(model: Model, clips: Clip | Sequence[Clip] | Features, name: str |
     if method not in METHODS:
         raise ValueError(f"unknown method {method!r}; known: {', '.join(METHODS)}")
     if method != "vector" and not has_generator:
-        raise ValueError(f"method {method!r} needs a FiLM generator, and this model has none; use method 'vector'")
+        raise ValueError(f"method {method!r} needs a FiLM generator, and this model has none; "
+                         "use method 'vector'")
     if known := [style for style in data.styles if bank is not None and style in bank.names]:
         raise ValueError(f"the bank has {', '.join(known)} already; choose another name")
     styles = tuple(data.styles)
     kept, aside = splits.split(data, HELD_OUT, seed, styles)
     half = splits.held_out(aside, 0.5, seed, styles)
-    choosing, reported = splits.select(aside, {style: ~mask for style, mask in half.items()}), splits.select(aside, half)
+    reported = splits.select(aside, half)
+    choosing = splits.select(aside, {style: ~mask for style, mask in half.items()})
+
+    # what is learnt, and the bank that it makes
     if method == "vector":
         learnt = [torch.nn.Parameter(_start(model, bank, kept))]
         speeds = torch.tensor([features.natural_speed(data.clips[style][:]) for style in styles])
@@ -139,20 +148,26 @@ def fine_tune(model: Model, clips: Clip | Sequence[Clip] | Features, name: str |
     def error(frames: Features) -> dict[str, float]:
         return {style: row["mse"] for style, row in evaluate(model, made(), frames).items()}
 
+    def vector(style: int, y: Tensor) -> Tensor:
+        return learnt[0][style, None] if method == "vector" else model.encode(y)
+
     before = error(reported)
-    vector = (lambda style, _: learnt[0][style, None]) if method == "vector" else (lambda _, y: model.encode(y))
     descent = _Descent(learnt, lambda: error(choosing))
     if method != "forward":
         _descend(model, bank, kept, descent, vector, method, steps, seed, progress)
     new, after, floors = made(), error(reported), baselines(model, reported)
-    errors = {style: {"before": before.get(style, math.nan), "after": after.get(style, math.nan)}
-              | floors.get(style, dict.fromkeys(("mean", "repeat"), math.nan)) for style in styles}
+    errors = {}
+    for style in styles:
+        unknown = dict.fromkeys(("mean", "repeat"), math.nan)
+        errors[style] = {"before": before.get(style, math.nan),
+                         "after": after.get(style, math.nan), **floors.get(style, unknown)}
     bank = new if bank is None else bank.merge(new)
-    return NewStyles(new.names, bank, model, method, time.perf_counter() - began, descent.losses, descent.best, errors)
+    return NewStyles(new.names, bank, model, method, time.perf_counter() - began, descent.losses,
+                     descent.best, errors)
 
 
 class _Descent:
-    """What is learnt, the loss of every step, and the best values so far by the mean held-out error of the styles."""
+    """What is learnt, the loss of every step, and the best values by the mean held-out error."""
 
     def __init__(self, learnt: list[Tensor], error: Callable[[], dict[str, float]]):
         self.learnt, self.error, self.errors = learnt, error, error()
@@ -163,7 +178,8 @@ class _Descent:
         """Measure the held-out error after ``step`` steps."""
         errors = self.error()
         if not errors or sum(errors.values()) < sum(self.errors.values()):
-            self.best, self.errors, self.values = step, errors, [tensor.detach().clone() for tensor in self.learnt]
+            self.best, self.errors = step, errors
+            self.values = [tensor.detach().clone() for tensor in self.learnt]
 
     @torch.no_grad()
     def restore(self) -> None:
@@ -172,71 +188,83 @@ class _Descent:
             tensor.copy_(value)
 
 
-def _features(model: Model, clips: Clip | Sequence[Clip], name: str | None, mirror: bool) -> Features:
+def _features(model: Model, clips: Clip | Sequence[Clip], name: str | None,
+              mirror: bool) -> Features:
     """Features of clips on the model's skeleton, without End Sites if the model has none."""
-    skeleton, clips = model.layout.skeleton, [clips] if isinstance(clips, Clip) else list(clips)
+    skeleton, samples = model.layout.skeleton, model.layout.samples
+    clips = [clips] if isinstance(clips, Clip) else list(clips)
     if not any(map(skeleton.is_end, range(len(skeleton)))):
         clips = [clip.without_ends() for clip in clips]
     for clip in clips:
-        expected, got = ({"joints": s.names, "parents": s.parents} for s in (skeleton, clip.skeleton))
+        expected, got = ({"joints": s.names, "parents": s.parents}
+                         for s in (skeleton, clip.skeleton))
         if why := difference(expected, got):
             raise ValueError(f"{clip.name}: not the model's skeleton; it differs in {why}")
     named = clips if name is None else [clip.replace(style=name) for clip in clips]
-    data = features.build(named, mirror=mirror, short="skip", samples=model.layout.samples)
-    if why := features.Layout(data.layout.skeleton, samples=model.layout.samples).difference(
-            features.Layout(skeleton, samples=model.layout.samples)):
+    data = features.build(named, mirror=mirror, short="skip", samples=samples)
+    own, wanted = (features.Layout(s, samples=samples) for s in (data.layout.skeleton, skeleton))
+    if why := own.difference(wanted):
         raise ValueError(f"{clips[0].name}: {why}, compared with the model's skeleton")
     return data
 
 
 def _prior(model: Model, bank: StyleBank | None) -> tuple[Tensor, Tensor]:
-    """Mean and standard deviation ``[D]`` of the bank's vectors; without a bank FiLM's initial vector (γ = 1, β = 0)."""
+    """Mean and deviation ``[D]`` of the bank's vectors; without a bank γ = 1, β = 0 of FiLM."""
     if bank is not None and len(bank) > 1:
         deviation = bank.vectors.std(0)
         return bank.vectors.mean(0), deviation + 0.1 * deviation.mean()
-    plain = torch.tensor([1.0, 0.0, 1.0, 0.0] if isinstance(model.modulation, Film) else [0.0] * 4)
-    return plain.repeat_interleave(model.style_size // 4), torch.full((model.style_size,), SPREAD)
+    film = isinstance(model.modulation, Film)
+    plain = torch.tensor([1.0, 0.0, 1.0, 0.0] if film else [0.0] * 4)
+    mean = plain.repeat_interleave(model.style_size // 4)
+    return mean, torch.full_like(mean, SPREAD)
 
 
 def _start(model: Model, bank: StyleBank | None, data: Features) -> Tensor:
-    """Initial vectors ``[S, D]``: the bank's best style on the clips; without a bank the mean of the prior."""
+    """Initial vectors ``[S, D]``: the bank's best style on the clips, or the prior's mean."""
     if bank is None:
         return _prior(model, bank)[0].repeat(len(data.styles), 1)
     best = []
     for style in data.styles:
-        rows = ({known: getattr(data, kind)[style] for known in bank} for kind in (*KINDS, "takes"))
+        # the style's rows under the name of each style of the bank
+        rows = ({known: getattr(data, kind)[style] for known in bank}
+                for kind in (*KINDS, "takes"))
         errors = evaluate(model, bank, Features(data.layout, *rows), frames=200)
         best.append(min(errors, key=lambda known: errors[known]["mse"]))
     return torch.stack([bank[known] for known in best])
 
 
 def _walks(model: Model, bank: StyleBank) -> Tensor:
-    """Poses ``[N, 12 J]`` of the model's walks in all styles, from the mean pose on, six per second."""
+    """Poses ``[N, 12 J]`` of the model's walks in all styles, six per second."""
     speed, seconds = WALK
     states = list(runtime.states(model, runtime.straight(speed, seconds), bank.vectors))
     return torch.cat([state.joints for state in states[::10]])
 
 
 def _descend(model: Model, bank: StyleBank | None, data: Features, descent: _Descent,
-             vector: Callable[[int, Tensor], Tensor], method: str, steps: int, seed: int, progress: bool) -> None:
+             vector: Callable[[int, Tensor], Tensor], method: str, steps: int, seed: int,
+             progress: bool) -> None:
     """Train what is learnt and set it to its best step.
 
     ``vector(index of the style, clips)`` computes a vector ``[1, D]`` from it.
     """
     learnt = descent.learnt
     batches = Minibatches(data, min(BATCH, *map(len, data.inputs.values())), 1, seed)
-    joints, draw, total = model.layout.inputs["joints"], splits.generator(seed, minibatches.MIXUP), steps * len(data.styles)
+    joints, total = model.layout.inputs["joints"], steps * len(data.styles)
+    draw = splits.generator(seed, minibatches.MIXUP)
     poses = _walks(model, bank) if bank is not None else model.inputs_mean[None, joints]
     mean, deviation = _prior(model, bank)
     adam = torch.optim.Adam(learnt, lr=RATES[method], fused=True)
-    for step in progress_bar(range(total), desc=METHODS[method].split(" (")[0], unit="step", show=progress):
+    title = METHODS[method].split(" (")[0]
+    for step in progress_bar(range(total), desc=title, unit="step", show=progress):
         adam.param_groups[0]["lr"] = RATES[method] * (1 + math.cos(math.pi * step / total)) / 2
         x, p, z, y = batches[step]
+        # pose mix-up: some input poses are moved towards poses of the model's walks
         other = poses[torch.randint(len(poses), (len(x),), generator=draw)]
         mixed, share = torch.rand(2, len(x), 1, generator=draw)
         x = x.to(poses, copy=True)
         x[:, joints] = torch.lerp(x[:, joints], other, (mixed < MIX_UP) * share)
-        x, p, z, y = (model.normaliser(kind).apply(v) for kind, v in zip(KINDS, (x, *model.observe(p, z), y), strict=True))
+        frame = zip(KINDS, (x, *model.observe(p, z), y), strict=True)
+        x, p, z, y = (model.normaliser(kind).apply(v) for kind, v in frame)
         style = vector(step % len(data.styles), y)
         prior = ((style - mean) / deviation).square().mean()
         loss = sum(loss_terms(model, model(x, p, style), z)) + PRIOR * prior

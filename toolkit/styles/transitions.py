@@ -9,22 +9,31 @@ from torch import Tensor
 
 from toolkit.networks.bank import StyleBank
 from toolkit.runtime import FPS
-from toolkit.shots.course import EASINGS
+
+#: Interpolation weight as a function of the time share, both from 0 to 1.
+EASINGS: dict[str, Callable[[float], float]] = {
+    "linear": lambda t: t,
+    "smooth": lambda t: t * t * (3 - 2 * t),  # starts and ends slowly
+    "smoother": lambda t: t**3 * (t * (6 * t - 15) + 10),  # and with zero acceleration there
+    "in": lambda t: t * t,  # starts slowly
+    "out": lambda t: t * (2 - t),  # ends slowly
+    "jump": lambda t: float(t >= 1),  # constant, then changes at once
+}
 
 
 def transition(bank: StyleBank, stops: Mapping[float, str | Mapping[str, float]],
-               easing: str | Callable[[float], float] = "smooth") -> Callable[[int], Tensor]:
-    """A style that changes from blend to blend, for the parameter ``style`` of `toolkit.runtime.rollout`.
+               easing: str = "smooth") -> Callable[[int], Tensor]:
+    """A style that changes from blend to blend, for ``style`` of `toolkit.runtime.rollout`.
 
     Parameters
     ----------
     bank
         Bank of the styles.
     stops
-        Time in seconds to the style or blend at that time, in order of time. The style is constant before the first and
-        after the last stop.
+        Time in seconds to the style or blend at that time, in order of time. The style is constant
+        before the first and after the last stop.
     easing
-        One of `EASINGS`, or a function from the time share to the interpolation weight, both from 0 to 1.
+        One of `EASINGS`.
 
     Returns
     -------
@@ -34,15 +43,16 @@ def transition(bank: StyleBank, stops: Mapping[float, str | Mapping[str, float]]
     Raises
     ------
     ValueError
-        If there is no stop, the times do not increase, the easing is unknown, or a blend is invalid (see `StyleBank.blend`).
+        If there is no stop, the times do not increase, the easing is unknown, or a blend is invalid
+        (see `StyleBank.blend`).
     """
     seconds = [float(second) for second in stops]
     if not seconds or any(b <= a for a, b in pairwise(seconds)):
         raise ValueError(f"the times of a transition must increase, got {seconds}")
-    if not callable(easing) and easing not in EASINGS:
+    if easing not in EASINGS:
         raise ValueError(f"unknown easing {easing!r}; known: {', '.join(EASINGS)}")
-    ease = easing if callable(easing) else EASINGS[easing]
-    vectors = [bank.blend({stop: 1.0} if isinstance(stop, str) else stop) for stop in stops.values()]
+    blends = [{stop: 1.0} if isinstance(stop, str) else stop for stop in stops.values()]
+    vectors = [bank.blend(blend) for blend in blends]
 
     def at(frame: int) -> Tensor:
         now = frame / FPS
@@ -50,6 +60,6 @@ def transition(bank: StyleBank, stops: Mapping[float, str | Mapping[str, float]]
         if leg < 0 or leg == len(seconds) - 1:
             return vectors[max(leg, 0)]
         share = (now - seconds[leg]) / (seconds[leg + 1] - seconds[leg])
-        return torch.lerp(vectors[leg], vectors[leg + 1], ease(share))
+        return torch.lerp(vectors[leg], vectors[leg + 1], EASINGS[easing](share))
 
     return at

@@ -1,4 +1,6 @@
-"""Diverse motion stylisation (Park, Jang and Lee 2021): a GAN that restyles a clip by a reference clip or by noise.
+"""Diverse motion stylisation (Park, Jang and Lee 2021): a GAN that gives a clip another style.
+
+The style comes from a reference clip or from noise.
 
 >>> old = tk.stylization.stylize(tk.stylization.pretrained(), clip, domain="Old", seed=3)
 >>> motions = tk.stylization.build(tk.datasets.load("bandai", dataset=2), mirror=True)
@@ -16,6 +18,7 @@ from toolkit.stylization.networks import Discriminator, Sizes, Stylizer, pretrai
 from toolkit.stylization.restyling import style_code, stylize
 from toolkit.stylization.training import Config, Run, fit, load
 
-__all__ = ["Config", "Discriminator", "Motions", "Run", "Sizes", "SkeletonGraph", "Statistics", "Stylizer", "build", "fit",
-           "load", "pretrained", "split", "style_code", "stylize"]
-__getattr__ = lazy_loader.attach(__name__, [module.name for module in pkgutil.iter_modules(__path__)])[0]
+__all__ = ["Config", "Discriminator", "Motions", "Run", "Sizes", "SkeletonGraph", "Statistics",
+           "Stylizer", "build", "fit", "load", "pretrained", "split", "style_code", "stylize"]
+__getattr__ = lazy_loader.attach(
+    __name__, [module.name for module in pkgutil.iter_modules(__path__)])[0]

@@ -1,6 +1,7 @@
-"""Spatial-temporal graph convolutions and the residual blocks made of them (Park et al. 2021, section 5 and Table 3).
+"""Spatial-temporal graph convolutions and residual blocks (Park et al. 2021, section 5, Table 3).
 
-The networks store a motion as ``[B, C, N, T]``: the frames of a node are contiguous, and one matrix product mixes nodes.
+The networks store a motion as ``[B, C, N, T]``: the frames of a node are contiguous, and one matrix
+product mixes nodes.
 """
 
 import math
@@ -15,7 +16,7 @@ SLOPE = 0.2  # of the leaky ReLU
 
 
 class Pointwise(nn.Conv2d):
-    """1×1 convolution as one matrix product per motion, which takes less time on a processor than a convolution."""
+    """1×1 convolution as one matrix product per motion, which is faster on a processor."""
 
     def __init__(self, inputs: int, outputs: int, bias: bool = True):
         super().__init__(inputs, outputs, 1, bias=bias)
@@ -23,12 +24,14 @@ class Pointwise(nn.Conv2d):
     def forward(self, x: Tensor) -> Tensor:
         """``[B, outputs, N, T]`` of ``[B, inputs, N, T]``."""
         weight, flat = self.weight.flatten(1).expand(len(x), -1, -1), x.flatten(2)
-        made = weight @ flat if self.bias is None else torch.baddbmm(self.bias[None, :, None], weight, flat)
+        made = weight @ flat
+        if self.bias is not None:
+            made = made + self.bias[:, None]
         return made.unflatten(2, x.shape[2:])
 
 
 class PerJoint(nn.Module):
-    """Linear layer with weights of its own for every joint: ``[B, outputs, N, T]`` of ``[B, inputs, N, T]``."""
+    """Linear layer with weights of its own for every joint."""
 
     def __init__(self, inputs: int, outputs: int, joints: int):
         super().__init__()
@@ -36,7 +39,7 @@ class PerJoint(nn.Module):
         self.bias = nn.Parameter(torch.zeros(outputs, joints, 1))
 
     def forward(self, x: Tensor) -> Tensor:
-        """One matrix product per joint."""
+        """``[B, outputs, N, T]`` of ``[B, inputs, N, T]``: one matrix product per joint."""
         batch, _, joints, frames = x.shape
         made = self.weight @ x.permute(2, 1, 0, 3).reshape(joints, -1, batch * frames)
         return made.view(joints, -1, batch, frames).permute(2, 1, 0, 3) + self.bias
@@ -54,29 +57,33 @@ class Skip(nn.Module):
 
     def forward(self, early: Tensor, code: Tensor) -> Tensor:
         """``[B, C, N, T]`` of ``early [B, C, N, T]`` and codes ``[B, S]``."""
-        return (1 + self.gain(code)[:, :, None, None]) * (early - early.mean(-1, keepdim=True))
+        moved = early - early.mean(-1, keepdim=True)
+        return (1 + self.gain(code)[:, :, None, None]) * moved
 
 
 class GraphConv(nn.Module):
-    """Spatial graph convolution (equation 1): the mean over each of the three subsets, each with its own weights.
+    """Spatial graph convolution (equation 1): the mean over each of three subsets, with weights.
 
-    With ``pool`` the same product pools the nodes; channels are mixed after pooling, which costs less.
+    With ``pool`` the same product pools the nodes; channels are mixed after pooling, which costs
+    less.
     """
 
-    def __init__(self, inputs: int, outputs: int, graph: SkeletonGraph, level: int, pool: bool = False):
+    def __init__(self, inputs: int, outputs: int, graph: SkeletonGraph, level: int,
+                 pool: bool = False):
         super().__init__()
         mix = graph.adjacency(level) @ graph.pool(level) if pool else graph.adjacency(level)
-        self.register_buffer("mix", mix.transpose(1, 2).flatten(0, 1).contiguous(), persistent=False)  # [3 N', N]
+        mix = mix.transpose(1, 2).flatten(0, 1).contiguous()  # [3 N', N]
+        self.register_buffer("mix", mix, persistent=False)
         self.channels = Pointwise(SUBSETS * inputs, outputs)
 
     def forward(self, x: Tensor) -> Tensor:
         """``[B, outputs, N', T]`` of ``[B, inputs, N, T]``."""
-        gathered = self.mix @ x
-        return self.channels(gathered.view(len(x), self.channels.in_channels, -1, x.shape[-1]))
+        gathered = (self.mix @ x).view(len(x), self.channels.in_channels, -1, x.shape[-1])
+        return self.channels(gathered)
 
 
 class AdaIN(nn.Module):
-    """Adaptive instance normalisation (equation 4): (1 + γ) IN(x) + β, with γ and β linear in the style code.
+    """Adaptive instance normalisation (equation 4): (1 + γ) IN(x) + β, linear in the style code.
 
     Equation 4 of the paper prints mean and deviation in each other's place.
     """
@@ -98,10 +105,11 @@ def halved(x: Tensor) -> Tensor:
 
 
 class Resample(nn.Module):
-    """Graph pooling (``"down"``) and unpooling (``"up"``) between ``level`` and the next (section 5.2).
+    """Graph pooling ("down") and unpooling ("up") between ``level`` and the next (section 5.2).
 
-    Down, nodes and pairs of frames are averaged. Up, nodes are copied and frames interpolated linearly, each at its time.
-    The published code stretches them to the ends; here contacts keep their times and a long clip is restyled like its parts.
+    Down, nodes and pairs of frames are averaged. Up, nodes are copied and frames interpolated
+    linearly, each at its time. The published code stretches them to the ends; here contacts keep
+    their times and a long clip is restyled like its parts.
     """
 
     def __init__(self, graph: SkeletonGraph, level: int, direction: str):
@@ -115,18 +123,20 @@ class Resample(nn.Module):
         if self.down:
             return self.matrix @ halved(x)
         x = self.matrix @ x
-        before, after = torch.cat((x[..., :1], x[..., :-1]), -1), torch.cat((x[..., 1:], x[..., -1:]), -1)
-        return torch.stack((torch.lerp(x, before, 0.25), torch.lerp(x, after, 0.25)), -1).flatten(-2)
+        # a coarse frame stands for two fine ones, a quarter of its length before and after it
+        before = torch.lerp(x, torch.cat((x[..., :1], x[..., :-1]), -1), 0.25)
+        after = torch.lerp(x, torch.cat((x[..., 1:], x[..., -1:]), -1), 0.25)
+        return torch.stack((before, after), -1).flatten(-2)
 
 
 class SpatialTemporal(nn.Module):
-    """One ST-GCN unit: graph convolution, resampling, leaky ReLU, temporal convolution of width 3."""
+    """ST-GCN unit: graph convolution, resampling, leaky ReLU, temporal convolution of width 3."""
 
-    def __init__(self, inputs: int, outputs: int, graph: SkeletonGraph, level: int, direction: str = ""):
+    def __init__(self, inputs: int, outputs: int, graph: SkeletonGraph, level: int,
+                 direction: str = ""):
         super().__init__()
-        down, up = direction == "down", direction == "up"
-        self.down = down
-        self.spatial = GraphConv(inputs, outputs, graph, level + 1 if up else level, pool=down)
+        self.down, up = direction == "down", direction == "up"
+        self.spatial = GraphConv(inputs, outputs, graph, level + up, pool=self.down)
         self.after = Resample(graph, level, "up") if up else nn.Identity()
         self.temporal = nn.Conv2d(outputs, outputs, (1, 3), padding=(0, 1))
 
@@ -139,34 +149,42 @@ class SpatialTemporal(nn.Module):
 class Block(nn.Module):
     """Residual block of two ST-GCN units, pre-activation: (shortcut + residual) / √2.
 
-    ``inputs`` and ``outputs`` are numbers of channels, ``level`` is the finer of the two levels that the block connects. The
-    ``direction`` is "down" (ST-Resblk) or "up" (ST-AdaINResblk), the ``norm`` "none" (E and D), "in" (encoder of G) or
-    "adain" (decoder of G), for which ``code`` is the length of the style code.
+    ``inputs`` and ``outputs`` are numbers of channels, ``level`` is the finer of the two levels
+    that the block connects. The ``direction`` is "down" (ST-Resblk) or "up" (ST-AdaINResblk), the
+    ``norm`` "none" (E and D), "in" (encoder of G) or "adain" (decoder of G), for which ``code`` is
+    the length of the style code.
     """
 
-    def __init__(self, inputs: int, outputs: int, graph: SkeletonGraph, level: int, direction: str, norm: str = "none",
-                 code: int = 0):
+    def __init__(self, inputs: int, outputs: int, graph: SkeletonGraph, level: int, direction: str,
+                 norm: str = "none", code: int = 0):
         super().__init__()
         middle, to = (inputs, level + 1) if direction == "down" else (outputs, level)
         self.first = SpatialTemporal(inputs, middle, graph, level, direction)
         self.second = SpatialTemporal(middle, outputs, graph, to)
         self.shortcut = Pointwise(inputs, outputs, bias=False)
         self.resample = Resample(graph, level, direction)
-        self.norms = nn.ModuleList({"none": lambda c: nn.Identity(), "in": lambda c: nn.InstanceNorm2d(c, affine=True),
-                                    "adain": lambda c: AdaIN(code, c)}[norm](c) for c in (inputs, middle))
+        made = {"none": lambda c: nn.Identity(), "in": lambda c: nn.InstanceNorm2d(c, affine=True),
+                "adain": lambda c: AdaIN(code, c)}[norm]
+        self.norms = nn.ModuleList(made(c) for c in (inputs, middle))
 
     def forward(self, x: Tensor, code: Tensor | None = None) -> Tensor:
         """``[B, outputs, N', T']`` of ``[B, inputs, N, T]``."""
         style = () if code is None else (code,)
         residual = self.first(functional.leaky_relu(self.norms[0](x, *style), SLOPE))
         residual = self.second(functional.leaky_relu(self.norms[1](residual, *style), SLOPE))
-        shortcut = self.shortcut(self.resample(x)) if self.resample.down else self.resample(self.shortcut(x))
+        # channels are mixed at the coarser level, which costs less
+        shortcut = (self.shortcut(self.resample(x)) if self.resample.down
+                    else self.resample(self.shortcut(x)))
         return (shortcut + residual) / math.sqrt(2)
 
 
 def encoder(graph: SkeletonGraph, channels: int, norm: str = "none") -> nn.Sequential:
-    """1×1 convolution and two ST-Resblks (Table 3a, b, d): ``[B, 4 C, N/4, T/4]`` of z-scores ``[B, 7, N, T]``."""
-    blocks = (Block(channels << k, channels << k + 1, graph, k, "down", norm) for k in range(POOLINGS))
+    """1×1 convolution and two ST-Resblks (Table 3a, b, d).
+
+    The result is ``[B, 4 C, N/4, T/4]`` of z-scores ``[B, 7, N, T]``.
+    """
+    blocks = (Block(channels << k, channels << k + 1, graph, k, "down", norm)
+              for k in range(POOLINGS))
     return nn.Sequential(Pointwise(7, channels), *blocks)
 
 

@@ -1,7 +1,8 @@
-"""The losses of Park et al. 2021 (section 6.2), each a mean over the batch and over a motion's or a code's numbers.
+"""The losses of Park et al. 2021 (section 6.2).
 
-Where the paper writes a norm over a motion, these losses take a mean: for the two content losses of squares or of the norms
-of single joints, for L1 of magnitudes. So they do not depend on the numbers of frames and joints.
+Where the paper writes a norm over a motion, these losses take a mean: for the two content losses of
+squares or of the norms of single joints, for L1 of magnitudes. So they do not depend on the numbers
+of frames and joints.
 """
 
 import torch
@@ -13,17 +14,17 @@ DIVERSE = 0.5  # bound of the diversity loss, standard deviations of the data
 
 
 def discriminator(real: Tensor, fake: Tensor) -> Tensor:
-    """Adversarial loss of D (equation 7): binary cross-entropy of its logits ``[B]`` on real and on restyled motions."""
+    """Adversarial loss of D (equation 7): cross-entropy of real and of restyled logits."""
     return functional.softplus(-real).mean() + functional.softplus(fake).mean()
 
 
 def adversarial(fake: Tensor) -> Tensor:
-    """Adversarial loss of G: −log D of its motions, whose gradient does not vanish where D is right."""
+    """Adversarial loss of G: −log D, whose gradient does not vanish where D is right."""
     return functional.softplus(-fake).mean()
 
 
 def r1(real: Tensor, x: Tensor) -> Tensor:
-    """R1 regularisation of D: half the squared gradient of its logits ``real [B]`` by the real motions ``x``, per motion.
+    """R1 regularisation of D: half the squared gradient of its logits ``real`` by motions ``x``.
 
     The paper's equations do not have it; the published code does.
     """
@@ -32,23 +33,26 @@ def r1(real: Tensor, x: Tensor) -> Tensor:
 
 
 def content(x: Tensor, rebuilt: Tensor, squared: bool = True) -> Tensor:
-    """Cycle and identity loss (equations 8 and 9): mean difference of z-scores ``[B, 7, T, N]``, squared per number.
+    """Cycle and identity loss (equations 8 and 9): mean squared difference of z-scores.
 
-    Not ``squared``, it is the mean norm of a joint's seven differences in a frame, as in the published code: the gradient
-    does not vanish as the difference becomes small.
+    Not ``squared``, it is the mean norm of a joint's seven differences in a frame, as in the
+    published code: the gradient does not vanish as the difference becomes small.
     """
-    return functional.mse_loss(rebuilt, x) if squared else (rebuilt - x).square().sum(1).add(1e-8).sqrt().mean()
+    if squared:
+        return functional.mse_loss(rebuilt, x)
+    return (rebuilt - x).square().sum(1).add(1e-8).sqrt().mean()
 
 
 def style(code: Tensor, found: Tensor) -> Tensor:
-    """Style reconstruction loss (equation 10): mean distance of the target codes and the codes found, ``[B, S]``."""
+    """Style reconstruction loss (equation 10): mean distance of target codes and codes found."""
     return functional.l1_loss(found, code)
 
 
 def diversity(first: Tensor, second: Tensor) -> Tensor:
-    """Diversity-sensitive loss (equation 11), to be maximised: mean difference of a motion's results with two codes.
+    """Diversity-sensitive loss (equation 11), to be maximised: difference of two results.
 
-    Departure from equation 11: the term of a motion is at most `DIVERSE`, as in Yang et al. 2019, who introduced this loss.
-    Without the bound it exceeds the adversarial loss in short runs, and the results diverge.
+    Departure from equation 11: the term of a motion is at most `DIVERSE`, as in Yang et al. 2019,
+    who introduced this loss. Without the bound it exceeds the adversarial loss in short runs, and
+    the results diverge.
     """
     return (first - second).abs().mean((1, 2, 3)).clamp(max=DIVERSE).mean()

@@ -1,8 +1,7 @@
-"""The four networks of Park et al. 2021 (section 6.1, Table 3): stylizer G, style encoder E, mapping F, discriminator D."""
+"""The four networks of Park et al. 2021 (section 6.1, Table 3): G, E, F and D."""
 
 import dataclasses
 import os
-from collections.abc import Sequence
 from dataclasses import dataclass
 from importlib import resources
 
@@ -12,11 +11,20 @@ from torch.nn import functional
 
 from toolkit.io import model_files
 from toolkit.motion import Skeleton
-from toolkit.motion.names import checked
 from toolkit.motion.tensors import summary
+from toolkit.motion.text import checked
 from toolkit.stylization.data import CHANNELS, FRAMES, Statistics
 from toolkit.stylization.graph import POOLINGS, SkeletonGraph
-from toolkit.stylization.layers import SLOPE, AdaIN, Block, PerJoint, Pointwise, Skip, encoder, he_init
+from toolkit.stylization.layers import (
+    SLOPE,
+    AdaIN,
+    Block,
+    PerJoint,
+    Pointwise,
+    Skip,
+    encoder,
+    he_init,
+)
 
 SHRINK = 2**POOLINGS  # frames per frame of the coarsest level
 CODE_GAIN = 0.3  # share of He's deviation for layers that write or read style codes
@@ -44,33 +52,43 @@ class Sizes:
 
 
 class Generator(nn.Module):
-    """Motion stylizer G (Table 3a): content encoder with IN, decoder with AdaIN; z-scores in and out.
+    """Motion stylizer G (Table 3a): content encoder with IN, decoder with AdaIN; z-scores.
 
-    In Table 3, the skip connections of the text are the shortcuts of the blocks, which have no normalisation. Unpooling
-    makes the joints of a body part equal, and shared weights can hardly part them again. So a `Sizes.detailed` generator
-    departs: `Skip` adds the features of the first layer before the last one, which has weights for every joint.
+    In Table 3, the skip connections of the text are the shortcuts of the blocks, which have no
+    normalisation. Unpooling makes the joints of a body part equal, and shared weights can hardly
+    part them again. So a `Sizes.detailed` generator departs: `Skip` adds the features of the first
+    layer before the last one, which has weights for every joint.
     """
 
     def __init__(self, graph: SkeletonGraph, sizes: Sizes):
         super().__init__()
         c = sizes.channels
         self.encoder = encoder(graph, c, "in")
-        self.decoder = nn.ModuleList(Block(c << level + 1, c << level, graph, level, "up", "adain", sizes.code)
-                                     for level in reversed(range(POOLINGS)))
+        self.decoder = nn.ModuleList(
+            Block(c << level + 1, c << level, graph, level, "up", "adain", sizes.code)
+            for level in reversed(range(POOLINGS)))
         self.skip = Skip(sizes.code, c) if sizes.detailed else None
-        self.lower = PerJoint(c, CHANNELS, graph.sizes[0]) if sizes.detailed else Pointwise(c, CHANNELS)
+        self.lower = Pointwise(c, CHANNELS)
+        if sizes.detailed:
+            self.lower = PerJoint(c, CHANNELS, graph.sizes[0])
 
     def encode(self, x: Tensor) -> tuple[Tensor, ...]:
-        """Content ``[B, 4 C, N/4, T/4]`` of ``x [B, 7, T, N]`` (equation 2), and what the skip connection needs."""
+        """Content ``[B, 4 C, N/4, T/4]`` of ``x [B, 7, T, N]`` (equation 2).
+
+        With a skip connection, also the features that it needs.
+        """
         early = self.encoder[0](x.transpose(2, 3))
-        return self.encoder[1:](early), *(() if self.skip is None else (early,))
+        content = self.encoder[1:](early)
+        return (content,) if self.skip is None else (content, early)
 
     def decode(self, content: tuple[Tensor, ...], code: Tensor) -> Tensor:
         """Motion ``[B, 7, T, N]`` of content in the style of ``code [B, S]`` (equation 3)."""
         made, *early = content
         for block in self.decoder:
             made = block(made, code)
-        return self.lower(made if self.skip is None else made + self.skip(*early, code)).transpose(2, 3)
+        if self.skip is not None:
+            made = made + self.skip(*early, code)
+        return self.lower(made).transpose(2, 3)
 
     def forward(self, x: Tensor, code: Tensor) -> Tensor:
         """``x [B, 7, T, N]``, T a multiple of 4, in the style of ``code [B, S]``."""
@@ -78,9 +96,10 @@ class Generator(nn.Module):
 
 
 class Summary(nn.Module):
-    """An `encoder` and a convolution over the whole pooled graph, of E and D: ``[B, 4 C]`` of z-scores ``[B, 7, T, N]``.
+    """An `encoder` and a convolution over the whole pooled graph, of E and D.
 
-    At T = 64 this convolution has one output frame, as in Table 3; a longer motion gives the mean over its output frames.
+    At T = 64 this convolution has one output frame, as in Table 3; a longer motion gives the mean
+    over its output frames.
     """
 
     def __init__(self, graph: SkeletonGraph, sizes: Sizes):
@@ -90,7 +109,7 @@ class Summary(nn.Module):
         self.whole = nn.Conv2d(width, width, (graph.sizes[-1], FRAMES // SHRINK))
 
     def forward(self, x: Tensor) -> Tensor:
-        """Features of motions of at least 64 frames."""
+        """Features ``[B, 4 C]`` of z-scores ``[B, 7, T, N]`` of at least 64 frames."""
         h = functional.leaky_relu(self.trunk(x.transpose(2, 3)), SLOPE)
         return functional.leaky_relu(self.whole(h), SLOPE).mean((2, 3))
 
@@ -111,14 +130,15 @@ class StyleEncoder(nn.Module):
 
 
 class MappingNetwork(nn.Module):
-    """Mapping network F (Table 3c, equation 6): a style code from random noise, for a given domain."""
+    """Mapping network F (Table 3c, equation 6): a style code of a domain from random noise."""
 
     def __init__(self, sizes: Sizes, domains: int):
         super().__init__()
-        half = max(1, sizes.hidden // 2)
+        hidden, half = sizes.hidden, max(1, sizes.hidden // 2)
         self.noise, self.label = nn.Linear(sizes.latent, half), nn.Linear(domains, half)
-        self.shared = nn.Sequential(nn.Linear(2 * half, sizes.hidden), nn.ReLU(), nn.Linear(sizes.hidden, 2 * sizes.hidden),
-                                    nn.ReLU(), nn.Linear(2 * sizes.hidden, sizes.code), nn.Tanh())
+        self.shared = nn.Sequential(
+            nn.Linear(2 * half, hidden), nn.ReLU(), nn.Linear(hidden, 2 * hidden), nn.ReLU(),
+            nn.Linear(2 * hidden, sizes.code), nn.Tanh())
 
     def forward(self, z: Tensor, domain: Tensor) -> Tensor:
         """``[B, S]`` of noise ``[B, 16]`` and domains ``[B]``."""
@@ -129,7 +149,8 @@ class MappingNetwork(nn.Module):
 class Discriminator(nn.Module):
     """Discriminator D (Table 3d): the logit that a motion is a real motion of a domain.
 
-    Table 3d lists a last layer from D domains to D domains. The published code does not have it, and neither does this one.
+    Table 3d lists a last layer from D domains to D domains. The published code does not have it,
+    and neither does this one.
     """
 
     def __init__(self, graph: SkeletonGraph, sizes: Sizes, domains: int):
@@ -143,23 +164,28 @@ class Discriminator(nn.Module):
 
 
 class Stylizer(nn.Module):
-    """G, E and F with the graph, the statistics and the names of the domains: a whole model, made by `build`.
+    """G, E and F with graph, statistics and names of the domains: a whole model, made by `build`.
 
-    `translate`, `code_of` and `code_from` use physical units; ``generator``, ``encoder`` and ``mapping`` use z-scores.
+    `translate`, `code_of` and `code_from` use physical units; ``generator``, ``encoder`` and
+    ``mapping`` use z-scores.
     """
 
-    def __init__(self, graph: SkeletonGraph, domains: tuple[str, ...], sizes: Sizes, statistics: Statistics):
+    def __init__(self, graph: SkeletonGraph, domains: tuple[str, ...], sizes: Sizes,
+                 statistics: Statistics):
         super().__init__()
         domains = checked(domains, "a domain")
         if len(set(domains)) != len(domains) or not domains:
-            raise ValueError(f"domains need one or more different names, got {', '.join(domains) or 'none'}")
-        self.graph, self.domains, self.sizes, self.statistics = graph, domains, sizes, statistics
+            raise ValueError("domains need one or more different names, "
+                             f"got {', '.join(domains) or 'none'}")
+        self.graph, self.domains = graph, domains
+        self.sizes, self.statistics = sizes, statistics
         self.generator = Generator(graph, sizes)
         self.encoder = StyleEncoder(graph, sizes, len(domains))
         self.mapping = MappingNetwork(sizes, len(domains))
 
     def __repr__(self) -> str:
-        return summary(self, {"domains": self.domains, "joints": len(self.skeleton), **dataclasses.asdict(self.sizes)})
+        about = {"domains": self.domains, "joints": len(self.skeleton)}
+        return summary(self, about | dataclasses.asdict(self.sizes))
 
     @property
     def skeleton(self) -> Skeleton:
@@ -170,33 +196,43 @@ class Stylizer(nn.Module):
         """Indices ``[B]`` or ``[1]`` of domains, from a name, an index or indices."""
         if isinstance(name, str):
             if name not in self.domains:
-                raise ValueError(f"unknown domain {name!r}; the model has {', '.join(self.domains)}")
+                raise ValueError(f"unknown domain {name!r}; "
+                                 f"the model has {', '.join(self.domains)}")
             name = self.domains.index(name)
         return torch.as_tensor(name).reshape(-1)
 
     @torch.no_grad()
     def translate(self, x: Tensor, code: Tensor, posture: Tensor | float = 0.0) -> Tensor:
-        """Motions ``[B, 7, T, N]`` in the style of codes ``[B, S]``; T a multiple of 4. ``posture``: added to each frame."""
-        if x.dim() != 4 or x.shape[1] != CHANNELS or x.shape[3] != self.graph.sizes[0] or x.shape[2] % SHRINK:
-            raise ValueError(f"motions are [B, {CHANNELS}, T, {self.graph.sizes[0]}], T a multiple of {SHRINK}; "
+        """Motions ``[B, 7, T, N]`` in the style of codes ``[B, S]``; T a multiple of 4.
+
+        ``posture``, z-scores, is added to each frame.
+        """
+        joints = self.graph.sizes[0]
+        known = x.dim() == 4 and x.shape[1] == CHANNELS and x.shape[3] == joints
+        if not known or x.shape[2] % SHRINK:
+            raise ValueError(f"motions are [B, {CHANNELS}, T, {joints}], T a multiple of {SHRINK}; "
                              f"got {list(x.shape)}")
-        return self.statistics.invert(self.generator(self.statistics.apply(x), code.expand(len(x), -1)) + posture)
+        made = self.generator(self.statistics.apply(x), code.expand(len(x), -1))
+        return self.statistics.invert(made + posture)
 
     @torch.no_grad()
     def code_of(self, x: Tensor, domain: str | int | Tensor) -> Tensor:
         """Style codes ``[B, S]`` of motions ``[B, 7, T, N]`` of the domain; at least 64 frames."""
         if x.dim() != 4 or x.shape[2] < FRAMES:
-            raise ValueError(f"a style code needs motions [B, 7, T, N] of T >= {FRAMES} frames, got {list(x.shape)}")
+            raise ValueError(f"a style code needs motions [B, 7, T, N] of T >= {FRAMES} frames, "
+                             f"got {list(x.shape)}")
         return self.encoder(self.statistics.apply(x), self.domain(domain).expand(len(x)))
 
     @torch.no_grad()
     def posture_of(self, x: Tensor, domain: str | int | Tensor) -> Tensor:
-        """The mean poses of motions ``[B, 7, T, N]`` about that of their domain, ``[B, 7, 1, N]``, z-scores.
+        """Mean poses ``[B, 7, 1, N]`` of motions about that of their domain, z-scores.
 
-        It is 0 for a model of version 0.1, whose file has no mean poses.
+        They are 0 for a model of version 0.2, whose file has no mean poses.
         """
         own = self.statistics.apply(x).mean(2, keepdim=True)
-        return own - self.statistics.poses[self.domain(domain)] if self.statistics.poses.any() else torch.zeros_like(own)
+        if not self.statistics.poses.any():
+            return torch.zeros_like(own)
+        return own - self.statistics.poses[self.domain(domain)]
 
     @torch.no_grad()
     def code_from(self, z: Tensor, domain: str | int | Tensor) -> Tensor:
@@ -205,41 +241,49 @@ class Stylizer(nn.Module):
 
     def parts(self) -> tuple[dict[str, Tensor], dict]:
         """Its tensors and its description, in the form of `toolkit.io.model_files`."""
-        description = {"domains": self.domains, "sizes": dataclasses.asdict(self.sizes), "skeleton": self.skeleton.to_dict()}
+        description = {"domains": self.domains, "sizes": dataclasses.asdict(self.sizes),
+                       "skeleton": self.skeleton.to_dict()}
         return {f"stylizer.{k}": v for k, v in self.state_dict().items()}, description
 
     def save(self, path: str | os.PathLike, *, slim: bool = False) -> None:
-        """Write weights, statistics, skeleton and domain names to one safetensors file; ``slim`` weights have 16 bits."""
+        """Write the whole model to one safetensors file; ``slim`` weights have 16 bits."""
         tensors, description = self.parts()
         if slim:
-            tensors = {k: v if k.startswith("stylizer.statistics.") else v.half() for k, v in tensors.items()}
+            tensors = {k: v if k.startswith("stylizer.statistics.") else v.half()
+                       for k, v in tensors.items()}
         model_files.write(path, tensors, {"stylizer": description})
 
     @classmethod
     def load(cls, path: str | os.PathLike) -> "Stylizer":
-        """Read a stylizer from a file of `save` or of a training run; ValueError for any other file."""
+        """Read a stylizer from a file of `save` or of a training run; ValueError for another."""
         return cls.from_parts(path, *model_files.read(path, "stylizer"))
 
     @classmethod
-    def from_parts(cls, path: str | os.PathLike, tensors: dict[str, Tensor], parts: dict) -> "Stylizer":
+    def from_parts(cls, path: str | os.PathLike, tensors: dict[str, Tensor],
+                   parts: dict) -> "Stylizer":
         """The stylizer in the result of `toolkit.io.model_files.read` for ``path``."""
         with model_files.intact(path, "the stylizer in it"):
             described = parts["stylizer"]
             graph = SkeletonGraph.of(Skeleton(**described["skeleton"]))
             domains, sizes = tuple(described["domains"]), Sizes(**described["sizes"])
-            absent = torch.zeros(()).expand(len(domains), CHANNELS, 1, graph.sizes[0])  # without memory for a file's sizes
-            known = {"stylizer.statistics.poses": absent} | tensors
-            return model_files.restore(lambda: cls(graph, domains, sizes, _none(graph, domains)), known, "stylizer.")
+            # zeros that take no memory, whatever the file says about its sizes
+            absent = torch.zeros(()).expand(len(domains), CHANNELS, 1, graph.sizes[0])
+            tensors = {"stylizer.statistics.poses": absent} | tensors
+            return model_files.restore(
+                lambda: cls(graph, domains, sizes, _none(graph, domains)), tensors, "stylizer.")
 
 
-def _none(graph: SkeletonGraph, domains: Sequence[str]) -> Statistics:
+def _none(graph: SkeletonGraph, domains: tuple[str, ...]) -> Statistics:
     """Statistics with which z-scores are physical units."""
     shape = (CHANNELS, 1, graph.sizes[0])
     return Statistics(torch.zeros(shape), torch.ones(shape), torch.zeros(len(domains), *shape))
 
 
 def pretrained() -> Stylizer:
-    """The stylizer in the package, a small one trained on procedural clips. `docs/embedded_model.md` describes it."""
+    """The stylizer in the package, a small one trained on procedural clips.
+
+    `docs/embedded_model.md` describes it.
+    """
     with resources.as_file(resources.files("toolkit.stylization") / "stylizer.safetensors") as path:
         return Stylizer.load(path)
 
@@ -248,9 +292,10 @@ def build(graph: SkeletonGraph, domains: tuple[str, ...], sizes: Sizes | None = 
           statistics: Statistics | None = None) -> tuple[Stylizer, Discriminator]:
     """New networks; without statistics z-scores are physical units.
 
-    Weights are drawn from torch's global generator (He initialisation), with two departures. The last layer of G starts at
-    zero: the first outputs are the mean pose, not noise that D would reject. The last layer of E and the layers that read
-    codes start at `CODE_GAIN` of He's deviation: otherwise E's codes would spread over ±3, while F's stay within ±1.
+    Weights are drawn from torch's global generator (He initialisation), with two departures. The
+    last layer of G starts at zero: the first outputs are the mean pose, not noise that D would
+    reject. The last layer of E and the layers that read codes start at `CODE_GAIN` of He's
+    deviation: otherwise E's codes would spread over ±3, while F's stay within ±1.
     """
     sizes = sizes or Sizes()
     stylizer = Stylizer(graph, domains, sizes, statistics or _none(graph, domains))
@@ -259,7 +304,10 @@ def build(graph: SkeletonGraph, domains: tuple[str, ...], sizes: Sizes | None = 
         he_init(network)
     nn.init.zeros_(stylizer.generator.lower.weight)
     with torch.no_grad():
-        readers = (m.affine if isinstance(m, AdaIN) else m.gain for m in stylizer.modules() if isinstance(m, AdaIN | Skip))
-        for layer in (stylizer.encoder.branches, *readers):
-            layer.weight.mul_(CODE_GAIN)
+        stylizer.encoder.branches.weight.mul_(CODE_GAIN)
+        for module in stylizer.modules():
+            if isinstance(module, AdaIN):
+                module.affine.weight.mul_(CODE_GAIN)
+            elif isinstance(module, Skip):
+                module.gain.weight.mul_(CODE_GAIN)
     return stylizer, discriminator

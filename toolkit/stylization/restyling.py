@@ -1,35 +1,50 @@
-"""Restyle a clip of any length by a domain and noise, by a reference clip, or by a style code (Park et al. 2021)."""
+"""Restyle a clip of any length by noise, by a reference clip, or by a style code."""
 
 import torch
 from torch import Tensor
 from torch.nn import functional
 
 from toolkit.features.splits import generator
-from toolkit.motion import Clip, contacts
-from toolkit.motion import rotations as R
+from toolkit.motion import Clip, contacts, rotations as R
 from toolkit.motion.ik import plant_feet
-from toolkit.stylization.data import FPS, FRAMES, check_skeleton, describe, prepare, to_clip, windows
+from toolkit.stylization.data import (
+    FPS,
+    FRAMES,
+    check_skeleton,
+    describe,
+    prepare,
+    to_clip,
+    windows,
+)
 from toolkit.stylization.networks import SHRINK, Stylizer
 
-POSTURE = 0.25  # of `stylize`: with more, dissimilar references cost too much content (validation windows)
+POSTURE = 0.25  # of `stylize`: with more, dissimilar references cost too much content
 RELEASE = 0.25  # seconds from the locked place of a toe to its place in the network's output
 
 
-def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 0, *, reference: Clip | None = None,
-            posture: float = POSTURE, code: Tensor | None = None, feet: bool = True) -> Clip:
-    """Restyle a clip, with the rate, root path (section 4), bones, End Sites and foot contacts of the source.
+def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 0, *,
+            reference: Clip | None = None, posture: float = POSTURE, code: Tensor | None = None,
+            feet: bool = True) -> Clip:
+    """Restyle a clip (Park et al. 2021).
+
+    The result has the rate, root path (section 4), bones, End Sites and foot contacts of the
+    source.
 
     Parameters
     ----------
     model, clip
-        The ``stylizer`` of `toolkit.stylization.fit`, and a source of any rate and length on the model's skeleton.
+        The ``stylizer`` of `toolkit.stylization.fit`, and a source of any rate and length on the
+        model's skeleton.
     domain, seed
         Style, and seed of its noise (equation 6); the same seed gives the same result.
     reference
-        A clip with the target style (equation 5). Its domain is ``domain``, or its own ``style`` by default.
+        A clip with the target style (equation 5). Its domain is ``domain``, by default its own
+        ``style``.
     posture
-        Share, 0 to 1, of the difference between the mean pose of the reference and that of its domain, added to the result.
-        Departure from the paper: codes of references alone make nearly equal results (docs/stylisation_findings.md).
+        Share, 0 to 1, of the difference between the mean pose of the reference and that of its
+        domain, added to the result.
+        Departure from the paper: codes of references alone make nearly equal results
+        (docs/stylisation.md).
     code : Tensor [S]
         A style code of `style_code`, or an interpolation of such codes (section 7.1).
     feet
@@ -38,38 +53,50 @@ def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 
     Raises
     ------
     ValueError
-        If the clip has another skeleton or fewer frames than the pooling needs, the domain is unknown, the share is not
-        between 0 and 1, or the style is not given by exactly one of domain, reference and code.
+        If the clip has another skeleton or fewer frames than the pooling needs, the domain is
+        unknown, the share is not between 0 and 1, or the style is not given by exactly one of
+        domain, reference and code.
     """
     source = prepare(clip)
     check_skeleton(source, model.skeleton)
     if len(source) < SHRINK:
-        raise ValueError(f"{clip.name}: pooling needs {SHRINK} frames at {FPS:g} Hz, the clip has {len(source)}")
+        raise ValueError(f"{clip.name}: pooling needs {SHRINK} frames at {FPS:g} Hz, "
+                         f"the clip has {len(source)}")
     if not 0 <= posture <= 1:
         raise ValueError(f"posture is a share between 0 and 1, got {posture}")
     if code is None:
         code = style_code(model, domain, seed, reference=reference)
     elif domain is not None or reference is not None or code.shape != (model.sizes.code,):
-        raise ValueError(f"a style code is [{model.sizes.code}] and needs no domain or reference; got {list(code.shape)}")
+        raise ValueError(f"a style code is [{model.sizes.code}] and needs no domain or reference; "
+                         f"got {list(code.shape)}")
     x, root_velocity = describe(source)
     padded = torch.cat((x, x[:, -1:].expand(-1, -len(source) % SHRINK, -1)), 1)
-    own = 0.0 if reference is None else posture * model.posture_of(_described(model, reference), domain or reference.style)
+    own = 0.0
+    if reference is not None:
+        seen = _described(model, reference)
+        own = posture * model.posture_of(seen, domain or reference.style)
     made = model.translate(padded[None], code[None], own)[0, :, : len(source)]
     result = to_clip(made, root_velocity, source)
     if feet:
         result = lock_feet(result, source)
+    # End Sites do not turn
     rotations = R.identity(len(result), len(clip.skeleton))
-    rotations[:, [clip.skeleton.names.index(name) for name in source.skeleton.names]] = result.rotations
+    joints = [clip.skeleton.names.index(name) for name in source.skeleton.names]
+    rotations[:, joints] = result.rotations
     style = domain or (reference.style if reference else "")
-    return result.replace(skeleton=clip.skeleton, rotations=rotations, style=style).resample(clip.fps)
+    result = result.replace(skeleton=clip.skeleton, rotations=rotations, style=style)
+    return result.resample(clip.fps)
 
 
-def style_code(model: Stylizer, domain: str | None = None, seed: int = 0, *, reference: Clip | None = None) -> Tensor:
-    """The style code ``[S]`` of `stylize` for a domain and a seed, or for a reference clip; its errors are the same."""
+def style_code(model: Stylizer, domain: str | None = None, seed: int = 0, *,
+               reference: Clip | None = None) -> Tensor:
+    """The style code ``[S]`` of `stylize` for a domain and a seed, or for a reference clip."""
     if reference is None:
         if domain is None:
-            raise ValueError(f"say which style: domain= (one of {', '.join(model.domains)}), reference= or code=")
-        return model.code_from(torch.randn(1, model.sizes.latent, generator=generator(seed)), domain)[0]
+            raise ValueError(f"say which style: domain= (one of {', '.join(model.domains)}), "
+                             "reference= or code=")
+        noise = torch.randn(1, model.sizes.latent, generator=generator(seed))
+        return model.code_from(noise, domain)[0]
     return model.code_of(_described(model, reference), domain or reference.style)[0]
 
 
@@ -77,40 +104,46 @@ def _described(model: Stylizer, reference: Clip) -> Tensor:
     """``x [1, 7, F, N]`` of a reference, of at least 64 frames."""
     source = prepare(reference)
     check_skeleton(source, model.skeleton)
-    return describe(source)[0][None] if len(source) >= FRAMES else windows(source)[0]
+    return windows(source)[0] if len(source) < FRAMES else describe(source)[0][None]
 
 
 def lock_feet(clip: Clip, source: Clip) -> Clip:
-    """Foot-skate removal (section 7): during a stance of the source, the toe is locked at its mean position in the clip.
+    """Foot-skate removal (section 7): in a stance of the source the toe stays at its mean place.
 
-    Both clips have the same length, rate and skeleton. A standing toe has the height of the source's, and no toe is below
-    the source's lowest. The whole body moves up or down by the mean height error of standing toes within `RELEASE` of a
-    frame, so that legs need not stretch. The shift of a toe fades over `RELEASE` before and after a stance.
+    Both clips have the same length, rate and skeleton. A standing toe has the height of the
+    source's, and no toe is below the source's lowest. The whole body moves up or down by the mean
+    height error of standing toes within `RELEASE` of a frame, so that legs need not stretch. The
+    shift of a toe fades over `RELEASE` before and after a stance.
     """
     standing = contacts.detect(source) > 0.5
     toes = [clip.skeleton.role(f"{side}_toe") for side in contacts.FEET]
     made, height = clip.global_positions[:, toes], source.global_positions[:, toes, 1]
     release = round(RELEASE * clip.fps)
-    gap = torch.stack((((height - made[..., 1]) * standing).sum(1), standing.sum(1).float()))
-    around, weight = functional.avg_pool1d(gap[:, None], 2 * release + 1, stride=1, padding=release)[:, 0]
+    # by how much the body is too low, the mean over standing toes of the frames around
+    error = ((height - made[..., 1]) * standing).sum(1)
+    around, weight = functional.avg_pool1d(torch.stack((error, standing.sum(1).float()))[:, None],
+                                           2 * release + 1, stride=1, padding=release)[:, 0]
     rise = torch.zeros(len(clip), 3)
     rise[:, 1] = around / weight.clamp_min(1e-6)
     made = made + rise[:, None]
-    shift = [_shift(made[:, side], height[:, side], standing[:, side], release) for side in range(len(toes))]
+    shift = [_shift(made[:, side], height[:, side], standing[:, side], release)
+             for side in range(len(toes))]
     targets = made + torch.stack(shift, 1)
     targets[..., 1].clamp_(min=float(height.min()))
     root = clip.root_positions + rise
-    return clip.replace(rotations=plant_feet(clip.skeleton, clip.rotations, root, targets), root_positions=root)
+    rotations = plant_feet(clip.skeleton, clip.rotations, root, targets)
+    return clip.replace(rotations=rotations, root_positions=root)
 
 
 def _shift(toe: Tensor, height: Tensor, standing: Tensor, release: int) -> Tensor:
-    """Shift ``[F, 3]`` of one toe: to one place in each stance (first frame, frame after it), else a raised cosine."""
+    """Shift ``[F, 3]`` of one toe: to one place in each stance, and a raised cosine beside it."""
     shift = torch.zeros_like(toe)
     stances = functional.pad(standing.int(), (1, 1)).diff().nonzero().view(-1, 2).tolist()
     for k, (begin, end) in enumerate(stances):
         place = toe[begin:end].mean(0)
         place[1] = height[begin:end].mean()
         shift[begin:end] = place - toe[begin:end]
+        # a fade ends where the next stance begins
         before = min(release, begin + 1 - stances[k - 1][1]) if k else release
         after = min(release, stances[k + 1][0] + 1 - end) if k + 1 < len(stances) else release
         for edge, way, fade in ((begin, -1, before), (end - 1, 1, after)):

@@ -23,56 +23,108 @@ class Checkpoint:
     part: str  # name of the run's numbers in the file
     networks: dict[str, nn.Module]  # what is trained
     adams: dict[str, torch.optim.Adam]  # the optimisers
-    config: dict[str, Any]  # settings that must not change when the run is resumed, as JSON holds them
+    config: dict[str, Any]  # settings that must not change when the run is resumed, for JSON
     __repr__ = summary
 
-    def save(self, path: str | os.PathLike, numbers: dict[str, Any], more: dict[str, Tensor] | None = None,
-             **parts: Any) -> None:
-        """Write networks, optimisers, ``numbers`` and ``more`` tensors; ``parts`` describe what else can read the file."""
-        tensors = {f"{name}.{k}": v for name, network in self.networks.items() for k, v in network.state_dict().items()}
-        tensors |= {f"adam.{name}.{i}.{kind}": value for name, adam in self.adams.items()
-                    for i, moments in adam.state_dict()["state"].items() for kind, value in moments.items()}
-        model_files.write(path, tensors | (more or {}), {**parts, self.part: {**numbers, "config": self.config}})
+    def save(self, path: str | os.PathLike, numbers: dict[str, Any],
+             more: dict[str, Tensor] | None = None, **parts: Any) -> None:
+        """Write networks, optimisers, ``numbers`` and ``more`` tensors.
+
+        ``parts`` describe what else can read the file.
+        """
+        tensors = dict(more or {})
+        for name, network in self.networks.items():
+            tensors |= {f"{name}.{key}": value for key, value in network.state_dict().items()}
+        for name, adam in self.adams.items():
+            for i, moments in adam.state_dict()["state"].items():
+                tensors |= {f"adam.{name}.{i}.{kind}": value for kind, value in moments.items()}
+        parts[self.part] = {**numbers, "config": self.config}
+        model_files.write(path, tensors, parts)
 
     def load(self, path: str | os.PathLike) -> tuple[dict[str, Any], dict[str, Tensor]]:
-        """Load a file into the newly built networks and optimisers; returns the file's numbers and tensors.
+        """Load a file into the newly built networks and optimisers; its numbers and tensors.
 
-        ValueError if the file is not a checkpoint of this kind, or belongs to another config or other data.
+        ValueError if the file is not a checkpoint of this kind, belongs to another config or other
+        data, or holds what does not fit the networks.
         """
         tensors, parts = model_files.read(path, self.part)
-        buffers = {f"{name}.{k}": v.cpu() for name, network in self.networks.items() for k, v in network.named_buffers()}
         with model_files.intact(path, "the checkpoint"):
             numbers = parts[self.part]
             why = model_files.difference(self.config, numbers.pop("config"))
-            pairs = [(tensors[k], v) for k, v in buffers.items() if k in tensors]
-            same = all(a.shape == b.shape and torch.allclose(a, b) for a, b in pairs)
+            same = all(self._same_data(tensors, name) for name in self.networks)
         if why:
             raise ValueError(f"{path}: the run to resume differs in {why}")
         if not same:
-            raise ValueError(f"{path}: the run to resume had other data (their means and deviations differ)")
+            raise ValueError(f"{path}: the run to resume had other data (their means and "
+                             "deviations differ)")
         with model_files.intact(path, "the checkpoint"):
+            # everything is checked before anything is changed
+            own = {name: starting(tensors, f"{name}.") for name in self.networks}
             for name, network in self.networks.items():
-                network.load_state_dict(starting(tensors, f"{name}."))
+                check(own[name], network.state_dict())
+            moments = {name: _moments(starting(tensors, f"adam.{name}."), adam)
+                       for name, adam in self.adams.items()}
+            if numbers["step"] and not any(moments.values()):
+                raise ValueError("the moments of Adam are missing")
+            for name, network in self.networks.items():
+                network.load_state_dict(own[name])
             for name, adam in self.adams.items():
-                moments: dict[int, dict[str, Tensor]] = {}
-                for key, value in starting(tensors, f"adam.{name}.").items():
-                    i, kind = key.split(".")
-                    moments.setdefault(int(i), {})[kind] = value
-                adam.load_state_dict({"state": moments, "param_groups": adam.state_dict()["param_groups"]})
+                groups = adam.state_dict()["param_groups"]
+                adam.load_state_dict({"state": moments[name], "param_groups": groups})
         return numbers, tensors
+
+    def _same_data(self, tensors: dict[str, Tensor], name: str) -> bool:
+        """Whether a network's buffers, the statistics of its data, are those of a file."""
+        for key, buffer in self.networks[name].named_buffers():
+            stored = tensors.get(f"{name}.{key}", buffer.cpu())
+            if stored.shape != buffer.shape or not torch.allclose(stored, buffer.cpu()):
+                return False
+        return True
+
+
+def check(tensors: dict[str, Tensor], expected: dict[str, Tensor]) -> None:
+    """ValueError if names, shapes or dtypes differ from the expected, or numbers are not finite."""
+    kinds = [{name: [*value.shape, value.dtype] for name, value in part.items()}
+             for part in (expected, tensors)]
+    if why := model_files.difference(*kinds):
+        raise ValueError(f"it differs in tensor {why}")
+    model_files.finite(tensors)
+
+
+def _moments(tensors: dict[str, Tensor], adam: torch.optim.Adam) -> dict[int, dict[str, Tensor]]:
+    """Adam's state from a file's tensors, by number of the parameter; empty before its first step.
+
+    The tensors are compared with the parameters, because the fused Adam reads and writes as many
+    numbers as a parameter has, however many a moment has.
+    """
+    if not tensors:
+        return {}
+    parameters = [p for group in adam.param_groups for p in group["params"]]
+    expected = {}
+    for i, parameter in enumerate(parameters):
+        expected |= {f"{i}.step": torch.zeros(()), f"{i}.exp_avg": parameter,
+                     f"{i}.exp_avg_sq": parameter}
+    check(tensors, expected)
+    moments = {i: starting(tensors, f"{i}.") for i in range(len(parameters))}
+    for i, kinds in moments.items():
+        if kinds["step"] < 1 or bool((kinds["exp_avg_sq"] < 0).any()):
+            raise ValueError(f"Adam's parameter {i} has a step below 1 or a negative square")
+    return moments
 
 
 def starting(tensors: dict[str, Tensor], start: str) -> dict[str, Tensor]:
     """The tensors whose names begin with ``start``, by the rest of their names."""
-    return {name.removeprefix(start): value for name, value in tensors.items() if name.startswith(start)}
+    return {name.removeprefix(start): value for name, value in tensors.items()
+            if name.startswith(start)}
 
 
 class Saver(contextlib.AbstractContextManager):
-    """Saves a run every so many seconds, when it is interrupted and when it is done; always between two steps.
+    """Saves a run every so many seconds, when it is interrupted and when it is done.
 
-    Inside, the first Ctrl-C ends the step, saves and raises KeyboardInterrupt; the second interrupts at once. ``every`` and
-    ``elapsed`` (time before the run was resumed) are in seconds. ``agree`` computes the means of numbers over all processes,
-    so that all stop at the same step.
+    It saves between two steps. Inside, the first Ctrl-C ends the step, saves and raises
+    KeyboardInterrupt; the second interrupts at once. ``every`` and ``elapsed`` (time before the run
+    was resumed) are in seconds. ``agree`` computes the means of numbers over all processes, so that
+    all stop at the same step.
     """
 
     def __init__(self, save: Callable[[], None], every: float, elapsed: float = 0.0,
@@ -104,7 +156,10 @@ class Saver(contextlib.AbstractContextManager):
         return time.perf_counter() - self.began
 
     def stepped(self, on_step: Callable[..., None] | None, *arguments: Any) -> float:
-        """End a step: call ``on_step``, save if due; returns the training time in seconds, the same in all processes."""
+        """End a step: call ``on_step``, save if due.
+
+        Returns the training time in seconds, the same in all processes.
+        """
         if on_step:
             try:
                 on_step(*arguments)

@@ -1,20 +1,18 @@
-"""Training on one process, or on several processes or GPUs by Lightning Fabric: each takes its share of every minibatch.
+"""Training on one process, or on several processes or GPUs by Lightning Fabric.
 
-The result equals that of one process, up to rounding. The frames of a minibatch are dealt out in turn. Each process encodes
-the style clips of its own frames. Dropout masks are those of the whole minibatch. Gradients are averaged, weighted by the
-number of frames.
+With several, each takes its share of every minibatch: the frames are dealt out in turn, and each
+process encodes the style clips of its own frames. Gradients are averaged, weighted by the number of
+frames. Without dropout the result is that of one process, up to rounding; with dropout each process
+draws masks of its own, so the result is equal in distribution.
 """
 
-import contextlib
 import functools
 import os
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
 import torch
-import torch.nn.functional as F
-from torch import Tensor, nn
-from torch.overrides import TorchFunctionMode
+from torch import Tensor, distributed, nn
 
 from toolkit.networks import Model
 from toolkit.training.loss import loss_terms
@@ -25,8 +23,9 @@ if TYPE_CHECKING:
 
 
 def first() -> bool:
-    """True on rank 0."""
-    return int(os.environ.get("RANK") or os.environ.get("LOCAL_RANK") or 0) == 0
+    """True in the process that talks and writes files: the only one, or rank 0 of several."""
+    running = distributed.is_available() and distributed.is_initialized()
+    return not running or distributed.get_rank() == 0
 
 
 @dataclass(frozen=True)
@@ -49,9 +48,15 @@ class Alone:
 def start(config: Config) -> "Fabric | Alone":
     """Set up device and processes of a config.
 
-    ValueError if there is no such device; ImportError if several processes need Lightning Fabric and it is not installed.
-    With several processes, the first call starts the others: they run the same command from its beginning. Under
-    ``torchrun``, which starts them itself, on one machine or many, this joins them.
+    With several processes, the first call starts the others: they run the same command from its
+    beginning. Under ``torchrun``, which starts them itself, this joins them.
+
+    Raises
+    ------
+    ValueError
+        If there is no such device.
+    ImportError
+        If several processes need Lightning Fabric and it is not installed.
     """
     return _start(config.device, config.processes)
 
@@ -59,8 +64,8 @@ def start(config: Config) -> "Fabric | Alone":
 @functools.cache
 def _start(device: str, processes: int) -> "Fabric | Alone":
     kind, nodes = torch.device(device), 1
-    if "TORCHELASTIC_RUN_ID" in os.environ:
-        processes, nodes = (int(os.environ[name]) for name in ("LOCAL_WORLD_SIZE", "GROUP_WORLD_SIZE"))
+    if "TORCHELASTIC_RUN_ID" in os.environ:  # torchrun
+        processes, nodes = int(os.environ["LOCAL_WORLD_SIZE"]), int(os.environ["GROUP_WORLD_SIZE"])
     try:
         if processes * nodes == 1:
             torch.empty(0, device=kind)
@@ -69,50 +74,42 @@ def _start(device: str, processes: int) -> "Fabric | Alone":
 
         fabric = Fabric(accelerator=kind.type, devices=processes, num_nodes=nodes, strategy="ddp")
     except ImportError:
-        raise ImportError('several processes need the extra "scale": pip install ".[scale]"') from None
+        raise ImportError(
+            'several processes need the extra "scale": pip install ".[scale]"'
+        ) from None
     except (AssertionError, RuntimeError, ValueError) as error:
-        raise ValueError(f"{processes} × {device!r}: {str(error).splitlines()[0]}") from error
+        reason = str(error).splitlines()[0]
+        raise ValueError(f"{processes} × {device!r}: {reason}") from error
     fabric.launch()
     return fabric
 
 
 class Objective(nn.Module):
-    """Loss of equation 5 over the share of a minibatch that process ``rank`` has; ``precision`` as in `Config`."""
+    """Loss of equation 5 over the share of a minibatch that process ``rank`` has.
 
-    def __init__(self, model: Model, bone_weight: float, rank: int = 0, processes: int = 1, precision: str = "32"):
+    ``precision`` is that of `Config`.
+    """
+
+    def __init__(self, model: Model, bone_weight: float, rank: int = 0, processes: int = 1,
+                 precision: str = "32"):
         super().__init__()
-        self.model, self.bone_weight, self.rank, self.processes = model, bone_weight, rank, processes
-        self.precision = precision
+        self.model, self.bone_weight = model, bone_weight
+        self.rank, self.processes, self.precision = rank, processes, precision
 
     def forward(self, x: Tensor, p: Tensor, z: Tensor, y: Tensor, style: int) -> Tensor:
-        """Loss, mean squared error and bone-length error ``[3]``; their means over the processes are those of the minibatch.
+        """Loss, mean squared error and bone-length error ``[3]``.
 
-        The arguments are a whole normalised minibatch of one style: ``x [B, Dx]``, ``p [B, n_phases]``, ``z [B, Dz]``,
+        Their means over the processes are those of the minibatch. The arguments are a whole
+        normalised minibatch of one style: ``x [B, Dx]``, ``p [B, n_phases]``, ``z [B, Dz]``,
         ``y [M, 240, 12 J]`` and the style's number. Frame i uses clip i modulo M.
         """
         rows = torch.arange(self.rank, len(x), self.processes, device=x.device)
         clips, which = (rows % len(y)).unique(return_inverse=True)
         with torch.autocast(x.device.type, torch.bfloat16, enabled=self.precision == "bf16"):
-            with self._dropout(clips, len(y)):
-                styles = self.model.encode(y[clips], style)
-            with self._dropout(rows, len(x)):
-                predicted = self.model(x[rows], p[rows], styles if len(styles) == 1 else styles[which])
+            styles = self.model.encode(y[clips], style)
+            styles = styles if len(styles) == 1 else styles[which]
+            predicted = self.model(x[rows], p[rows], styles)
             mse, bone = loss_terms(self.model, predicted, z[rows])
-        return torch.stack((mse + self.bone_weight * bone, mse, bone)) * (len(rows) * self.processes / len(x))
-
-    def _dropout(self, rows: Tensor, whole: int) -> contextlib.AbstractContextManager:
-        return contextlib.nullcontext() if self.processes == 1 else _Share(rows, whole)
-
-
-class _Share(TorchFunctionMode):
-    """Inside, dropout of some rows uses these rows of the dropout mask of the ``whole`` minibatch."""
-
-    def __init__(self, rows: Tensor, whole: int):
-        super().__init__()
-        self.rows, self.whole = rows, whole
-
-    def __torch_function__(self, func, types, args=(), kwargs=None):
-        if func is F.dropout:
-            some, *how = args
-            return some * F.dropout(some.new_ones(self.whole, *some.shape[1:]), *how, **(kwargs or {}))[self.rows]
-        return func(*args, **(kwargs or {}))
+        # shares differ in length by one frame; Fabric averages over processes
+        weight = len(rows) * self.processes / len(x)
+        return weight * torch.stack((mse + self.bone_weight * bone, mse, bone))

@@ -1,14 +1,13 @@
 """Training (Mason et al. 2022, section 4.3): one plain loop over a config.
 
-Frames, style clips and dropout of step n depend only on the seed and n. A run that was stopped and resumed therefore ends
-with the same weights as a run without a stop, bit for bit.
+Frames, style clips and dropout of step n depend only on the seed and n (dropout also on the
+process, if there are several). A run that was stopped and resumed therefore ends with the same
+weights as a run without a stop, bit for bit.
 """
 
 import contextlib
-import ctypes
 import math
 import os
-import sys
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
@@ -29,7 +28,7 @@ from toolkit.networks import Model
 from toolkit.networks.bank import StyleBank
 from toolkit.networks.film import FilmGenerator
 from toolkit.training import distributed
-from toolkit.training.checkpoint import Checkpoint, Saver, starting
+from toolkit.training.checkpoint import Checkpoint, Saver, check, starting
 from toolkit.training.distributed import Alone, Objective
 from toolkit.training.loss import baselines, evaluate, make_bank, refit
 from toolkit.training.minibatches import DROPOUT, INIT, Minibatches
@@ -41,15 +40,14 @@ if TYPE_CHECKING:
 __all__ = ["Config", "Run", "fit", "load", "pretrained"]
 
 LOG_EVERY = 10  # steps between the training losses that TensorBoard shows
-M_TRIM_THRESHOLD, M_MMAP_MAX = -1, -4  # options of glibc's mallopt
 
 
 @dataclass(eq=False)
 class State:
-    """State of a run after ``step`` steps, ``elapsed`` seconds and ``processor`` seconds of this process.
+    """State of a run after ``step`` steps, ``elapsed`` and ``processor`` seconds of this process.
 
-    ``losses`` are those of the last step; ``history`` has a row per evaluation. ``best`` are the weights with the least
-    held-out error so far; they are kept only if the run may stop early.
+    ``losses`` are those of the last step; ``history`` has a row per evaluation. ``best`` are the
+    weights with the least held-out error so far; they are kept only if the run may stop early.
     """
 
     step: int = 0
@@ -61,13 +59,19 @@ class State:
     __repr__ = summary
 
     @property
+    def numbers(self) -> dict:
+        """All but the tensors."""
+        return {name: value for name, value in vars(self).items() if name != "best"}
+
+    @property
     def stalled(self) -> int:
-        """Evaluations since the best one; 0 if nothing was held out (errors in the history are then None)."""
+        """Evaluations since the best one; 0 if nothing was held out (errors are then None)."""
         errors = [row["held_out"] for row in self.history if row["held_out"] is not None]
         return len(errors) - 1 - errors.index(min(errors)) if errors else 0
 
 
-def fit(data: Features, config: Config | None = None, checkpoint: str | os.PathLike | None = None, *, resume: bool = True,
+def fit(data: Features, config: Config | None = None,
+        checkpoint: str | os.PathLike | None = None, *, resume: bool = True,
         progress: bool = False, on_step: Callable[[int, float], None] | None = None,
         log: str | os.PathLike | None = None) -> Run:
     """Train a model.
@@ -79,123 +83,150 @@ def fit(data: Features, config: Config | None = None, checkpoint: str | os.PathL
     config
         Training settings; by default those of the paper.
     checkpoint, resume
-        File for the state of the run, written at intervals and on an interrupt; whether to resume from it if it exists.
+        File for the state of the run, written at intervals and on an interrupt; whether to resume
+        from it if it exists.
     progress
         Show a bar.
     on_step
-        Called with the step's number and loss after every step; a KeyboardInterrupt it raises stops the run.
+        Called with the step's number and loss after every step; a KeyboardInterrupt it raises stops
+        the run.
     log
-        Folder for TensorBoard: losses and learning rate every `LOG_EVERY` steps, the held-out error at every evaluation.
+        Folder for TensorBoard: losses and learning rate every `LOG_EVERY` steps, the held-out error
+        at every evaluation.
 
     Raises
     ------
     ValueError
-        If a style is unknown or has no frames, or the checkpoint is of another layout or config.
+        If a style is unknown or has no frames, or the checkpoint is of another layout or config, or
+        damaged.
     KeyboardInterrupt
         If interrupted; the checkpoint is written first.
     """
     config = config or Config()
-    fabric, first = distributed.start(config), distributed.first()
+    fabric = distributed.start(config)
+    first = fabric.global_rank == 0
     for style in config.styles:
         check_style(style, data.styles)
-    train, test = splits.split(data, config.held_out, config.seed, config.styles or tuple(data.styles))
+    styles = config.styles or tuple(data.styles)
+    train, test = splits.split(data, config.held_out, config.seed, styles)
     if config.patience and not any(map(len, test.inputs.values())):
-        raise ValueError(f"patience needs held-out frames; held_out={config.held_out} leaves none of these data")
-    batches = Minibatches(train, config.batch, config.clips_per_batch, config.seed, config.pose_mixup)
+        raise ValueError(f"patience needs held-out frames; held_out={config.held_out} leaves none "
+                         "of these data")
+    batches = Minibatches(train, config.batch, config.clips_per_batch, config.seed,
+                          config.pose_mixup)
     if batches.fewest < fabric.world_size:
-        raise ValueError(f"{fabric.world_size} processes cannot share a minibatch of {batches.fewest} frames")
+        raise ValueError(f"{fabric.world_size} processes cannot share a minibatch of "
+                         f"{batches.fewest} frames")
+    total = None
+    if config.seconds is None:
+        epochs = config.epochs or 90
+        total = config.steps or max(1, round(epochs * batches.steps_per_epoch))
+
+    # model and optimiser, new or from the checkpoint
     with seeded(fabric.device, config.seed, INIT):
         model = networks.build(config.model, data.layout, len(batches.styles), config.sizes,
                                networks.normalisers(config.model, train)).to(fabric.device)
-    adam = optimiser(model, config)
-    state = restore(checkpoint, model, adam, config) if checkpoint and resume and Path(checkpoint).exists() else State()
-    objective = fabric.setup_module(Objective(model, config.bone_weight, fabric.global_rank, fabric.world_size,
-                                             config.precision))
-    total = None if config.seconds else config.steps or max(1, round((config.epochs or 90) * batches.steps_per_epoch))
+    adam, state = optimiser(model, config), State()
+    if checkpoint and resume and Path(checkpoint).exists():
+        state = restore(checkpoint, model, adam, config, total)
+    objective = Objective(model, config.bone_weight, fabric.global_rank, fabric.world_size,
+                          config.precision)
+    objective = fabric.setup_module(objective)
 
     def save() -> None:
         if checkpoint and first:
-            numbers = {name: value for name, value in vars(state).items() if name != "best"}
             best = {f"best.{name}": value for name, value in state.best.items()}
-            _checkpoint(model, adam, config).save(checkpoint, numbers, best, model=model.parts()[1])
+            _checkpoint(model, adam, config).save(checkpoint, state.numbers, best,
+                                                  model=model.parts()[1])
 
     def assess(draw: Callable[[dict[str, float], int], None]) -> None:
         error = _held_out(model, train, test)
-        state.history.append({"step": state.step, "elapsed": state.elapsed, "processor": state.processor, **state.losses,
-                              "held_out": error})
+        row = {"step": state.step, "elapsed": state.elapsed, "processor": state.processor}
+        state.history.append({**row, **state.losses, "held_out": error})
         if config.patience and state.stalled == 0:
             state.best = {name: value.clone() for name, value in model.state_dict().items()}
         draw({} if error is None else {"held_out": error}, state.step)
 
-    bar = progress_bar(total=total or config.seconds, initial=state.step if total else state.elapsed, desc="training",
-                       unit="step" if total else "s", show=progress and first,
-                       bar_format=None if total else "{l_bar}{bar}| {n:.0f}/{total:.0f} s, {remaining} left{postfix}")
+    bar = _bar(config, total, state, progress and first)
     smooth, before = math.nan, time.process_time() - state.processor
     saver = Saver(save, config.save_every, state.elapsed, partial(_mean, fabric))
-    with saver, _tensorboard(log if first else None, state.step) as draw, bar, reused_memory():
+    with saver, _tensorboard(log if first else None, state.step) as draw, bar:
         model.train()
         while (done := state.step / total if total else state.elapsed / config.seconds) < 1:
             if config.patience and state.stalled >= config.patience:
                 break
-            rate = config.rate * (config.final_rate + (1 - config.final_rate) * (1 + math.cos(math.pi * done)) / 2)
-            with seeded(fabric.device, config.seed, DROPOUT, state.step):
+            # cosine decay of the rate; dropout masks that depend only on seed, step and process
+            share = (1 + math.cos(math.pi * done)) / 2
+            rate = config.rate * (config.final_rate + (1 - config.final_rate) * share)
+            stream = draws(state.step, fabric.global_rank)
+            with seeded(fabric.device, config.seed, DROPOUT, *stream):
                 state.losses = step(fabric, objective, adam, batches, config, state.step, rate)
             state.step += 1
             state.elapsed, state.processor = saver.elapsed, time.process_time() - before
-            smooth = state.losses["loss"] if math.isnan(smooth) else 0.98 * smooth + 0.02 * state.losses["loss"]
+
+            # what is shown, logged, assessed and saved
+            loss = state.losses["loss"]
+            smooth = loss if math.isnan(smooth) else 0.98 * smooth + 0.02 * loss
             bar.set_postfix(loss=f"{smooth:.3f}", refresh=False)
             bar.update((state.step if total else min(state.elapsed, config.seconds)) - bar.n)
             if state.step % LOG_EVERY == 0:
                 draw({**state.losses, "rate": rate}, state.step)
             if state.step % config.evaluate_every == 0:
                 assess(draw)
-            state.elapsed = saver.stepped(on_step, state.step, state.losses["loss"])
+            state.elapsed = saver.stepped(on_step, state.step, loss)
         if not state.history or state.history[-1]["step"] != state.step:
             assess(draw)
+
+    # the result: the best weights, a vector for each style, errors on held-out frames
     if state.best:
         model.load_state_dict(state.best)
     model.eval()
     bank = make_bank(model, train)
     if config.refit and isinstance(model.modulation.generator, FilmGenerator):
-        bank = refit(model, bank, train, config.refit, config.seed, config.pose_mixup, progress and first)
-    held_out, shifted = evaluate(model, bank, test), StyleBank(bank.names, bank.vectors.roll(1, 0))
-    for style, error in (evaluate(model, shifted, test) if len(bank) > 1 else {}).items():
-        held_out[style]["other"] = error["mse"]
+        bank = refit(model, bank, train, config.refit, config.seed, config.pose_mixup,
+                     progress and first)
+    held_out = evaluate(model, bank, test)
+    if len(bank) > 1:
+        shifted = StyleBank(bank.names, bank.vectors.roll(1, 0))
+        for style, error in evaluate(model, shifted, test).items():
+            held_out[style]["other"] = error["mse"]
     return Run(model.cpu(), bank, config, state.history, held_out, baselines(model.cpu(), test))
 
 
-@contextlib.contextmanager
-def reused_memory() -> Iterator[None]:
-    """Inside, glibc keeps the memory that the main thread frees; results stay the same.
-
-    Otherwise large tensors return to the system at once, and a third of a step of the paper's size with one style clip goes
-    into mapping and clearing the pages of new gradients.
-    """
-    mallopt = getattr(ctypes.CDLL(None), "mallopt", None) if sys.platform == "linux" else None
-    if mallopt is None:
-        yield
-        return
-    mallopt(M_MMAP_MAX, 0)
-    mallopt(M_TRIM_THRESHOLD, 2**31 - 1)
-    try:
-        yield
-    finally:
-        mallopt(M_MMAP_MAX, 65536)
-        mallopt(M_TRIM_THRESHOLD, 128 * 1024)
-        ctypes.CDLL(None).malloc_trim(0)
+def draws(step: int, rank: int) -> tuple[int, ...]:
+    """What the seed of a step's dropout depends on; rank 0 draws as a single process does."""
+    return (step, rank) if rank else (step,)
 
 
-def restore(path: str | os.PathLike, model: Model, adam: torch.optim.Adam, config: Config) -> State:
+def _bar(config: Config, total: int | None, state: State, show: bool):
+    """A progress bar of steps, or of seconds."""
+    if total:
+        return progress_bar(total=total, initial=state.step, desc="training", unit="step",
+                            show=show)
+    form = "{l_bar}{bar}| {n:.0f}/{total:.0f} s, {remaining} left{postfix}"
+    return progress_bar(total=config.seconds, initial=state.elapsed, desc="training", unit="s",
+                        show=show, bar_format=form)
+
+
+def restore(path: str | os.PathLike, model: Model, adam: torch.optim.Adam, config: Config,
+            total: int | None) -> State:
     """Load a checkpoint into a newly built model and its optimiser; returns the state of the run.
 
-    ValueError if it is not a checkpoint, or belongs to another layout, config or other data.
+    ValueError if it is not a checkpoint, belongs to another layout, config or other data, is
+    damaged, or has more steps than the ``total`` of the run.
     """
-    Model.from_parts(path, *model_files.read(path, "checkpoint"), model.layout)  # its error names the difference of layouts
+    # the model's own check names the difference of layouts
+    Model.from_parts(path, *model_files.read(path, "checkpoint"), model.layout)
     numbers, tensors = _checkpoint(model, adam, config).load(path)
     with model_files.intact(path, "the checkpoint"):
-        state = State(**numbers, best=starting(tensors, "best."))
-        if not (state.step >= 0 and state.elapsed >= 0 and isinstance(state.stalled, int)):
-            raise ValueError(f"its step is {state.step} and its time {state.elapsed} s")
+        known = {name: numbers[name] for name in State().numbers}
+        state = State(**known, best=starting(tensors, "best."))
+        if state.best:
+            check(state.best, model.state_dict())
+        if type(state.step) is not int or not 0 <= state.step <= (total or state.step):
+            raise ValueError(f"its step is {state.step}, and the run has {total or 'no last one'}")
+        if not (0 <= state.elapsed < math.inf and isinstance(state.stalled, int)):
+            raise ValueError(f"its time is {state.elapsed} s")
     return state
 
 
@@ -204,21 +235,23 @@ def _checkpoint(model: Model, adam: torch.optim.Adam, config: Config) -> Checkpo
 
 
 def optimiser(model: Model, config: Config) -> torch.optim.Adam:
-    """Adam over the synthesis network and, as a group with a rate of its own, the style modulation."""
-    style, rest = list(model.modulation.parameters()), [*model.gating.parameters(), *model.experts.parameters()]
-    return torch.optim.Adam([{"params": rest}, {"params": style}], lr=config.rate, fused=True)
+    """Adam over the synthesis network and, as a group with a rate of its own, the style."""
+    rest = [*model.gating.parameters(), *model.experts.parameters()]
+    groups = [{"params": rest}, {"params": list(model.modulation.parameters())}]
+    return torch.optim.Adam(groups, lr=config.rate, fused=True)
 
 
-def step(fabric: "Fabric | Alone", objective: torch.nn.Module, adam: torch.optim.Adam, batches: Minibatches, config: Config,
-         number: int, rate: float) -> dict[str, float]:
-    """Gradient descent on minibatch ``number`` at learning rate ``rate``; its loss, mean squared and bone-length error.
+def step(fabric: "Fabric | Alone", objective: torch.nn.Module, adam: torch.optim.Adam,
+         batches: Minibatches, config: Config, number: int, rate: float) -> dict[str, float]:
+    """Gradient descent on minibatch ``number`` at learning rate ``rate``; its losses.
 
-    `distributed.start` gives ``fabric``, which has set up the ``objective``; ValueError if the loss is not finite.
+    These are the loss, the mean squared error and the bone-length error. `distributed.start` gives
+    ``fabric``, which has set up the ``objective``; ValueError if the loss is not finite.
     """
     model = objective.model
     x, p, z, y = (rows.to(fabric.device) for rows in batches[number])
-    x, p, z, y = (model.normaliser(kind).apply(rows) for kind, rows in
-                  zip(KINDS, (x, *model.observe(p, z), y), strict=True))
+    parts = zip(KINDS, (x, *model.observe(p, z), y), strict=True)
+    x, p, z, y = (model.normaliser(kind).apply(rows) for kind, rows in parts)
     for group, share in zip(adam.param_groups, (1.0, config.style_rate), strict=True):
         group["lr"] = rate * share
     errors = objective(x, p, z, y, number % len(batches.styles))
@@ -229,7 +262,8 @@ def step(fabric: "Fabric | Alone", objective: torch.nn.Module, adam: torch.optim
     adam.step()
     values = dict(zip(("loss", "mse", "bone"), _mean(fabric, *errors.tolist()), strict=True))
     if not math.isfinite(values["loss"]):
-        raise ValueError(f"training diverged at step {number}: loss {values['loss']}; lower the rate or set max_gradient")
+        raise ValueError(f"training diverged at step {number}: loss {values['loss']}; lower the "
+                         "rate or set max_gradient")
     return values
 
 
@@ -237,18 +271,26 @@ def _mean(fabric: "Fabric | Alone", *numbers: float) -> list[float]:
     """Means over the processes, so that all of them make the same decisions."""
     if fabric.world_size == 1:
         return list(numbers)
-    return fabric.all_reduce(torch.tensor(numbers, dtype=torch.float64, device=fabric.device), reduce_op="mean").tolist()
+    own = torch.tensor(numbers, dtype=torch.float64, device=fabric.device)
+    return fabric.all_reduce(own, reduce_op="mean").tolist()
 
 
 def _held_out(model: Model, train: Features, test: Features) -> float | None:
-    """Test error, the mean over styles; at most 1,000 frames per style, and style vectors from at most 8 clips."""
+    """Test error, the mean over styles.
+
+    It uses at most 1,000 frames per style, and style vectors from at most 8 clips.
+    """
     errors = evaluate(model, make_bank(model, train, 8), test, 1000)
     return sum(e["mse"] for e in errors.values()) / len(errors) if errors else None
 
 
 @contextlib.contextmanager
-def _tensorboard(folder: str | os.PathLike | None, step: int) -> Iterator[Callable[[dict[str, float], int], None]]:
-    """A function that logs numbers of a step to the folder, if any; older entries for steps after ``step`` are dropped."""
+def _tensorboard(folder: str | os.PathLike | None,
+                 step: int) -> Iterator[Callable[[dict[str, float], int], None]]:
+    """A function that logs numbers of a step to the folder, if any.
+
+    Older entries for steps after ``step`` are dropped.
+    """
     if folder is None:
         yield lambda numbers, step: None
         return

@@ -1,4 +1,4 @@
-"""The loss of Mason et al. 2022 (equation 5), style vectors, errors on held-out frames, and two baselines for comparison."""
+"""The loss of Mason et al. 2022 (equation 5), style vectors, held-out errors and baselines."""
 
 import dataclasses
 import math
@@ -13,27 +13,31 @@ from toolkit.networks.bank import StyleBank
 from toolkit.networks.model import evaluating
 from toolkit.training.minibatches import Minibatches
 
-STEPS, BATCH, RATE = 30, 64, 0.06  # steps per style, frames of a step, first rate in deviations of the bank's vectors
+STEPS, BATCH = 30, 64  # of `refit`: steps per style, frames of a step
+RATE = 0.06  # its first rate, in deviations of the bank's vectors
 
 
 def loss_terms(model: Model, predicted: Tensor, target: Tensor) -> tuple[Tensor, Tensor]:
     """Mean squared error and bone-length loss (equation 5) of normalised outputs ``[B, Dz]``.
 
-    The bone-length loss is the mean absolute error of bone lengths, in metres, over samples and bones.
+    The bone-length loss is the mean absolute error of bone lengths, in metres, over samples and
+    bones.
     """
     layout, normaliser = model.layout, model.normaliser("outputs")
-    made, right = (layout.bone_lengths(layout.joint_positions(normaliser.invert(z))) for z in (predicted, target))
+    positions = [layout.joint_positions(normaliser.invert(z)) for z in (predicted, target)]
+    made, right = map(layout.bone_lengths, positions)
     return (predicted - target).square().mean(), (made - right).abs().mean()
 
 
 def make_bank(model: Model, data: Features, clips: int | None = None) -> StyleBank:
-    """Mean style vector of every style, over its style clips or over ``clips`` of them, evenly spread; and natural speeds.
+    """Mean style vector of every style over its clips, or ``clips`` of them; and natural speeds.
 
-    A model with a table of styles gives its rows; ``data`` must have the styles of its training, in the same order.
+    A model with a table of styles gives its rows; ``data`` must have the styles of its training, in
+    the same order.
     """
 
     def picked(y: Tensor | Rows) -> Tensor:
-        return y[:] if clips is None or len(y) <= clips else y[torch.linspace(0, len(y) - 1, clips).long()]
+        return y[_spread(len(y), clips)]
 
     vectors, speeds = [], []
     for number, y in enumerate(map(picked, data.clips.values())):
@@ -42,33 +46,44 @@ def make_bank(model: Model, data: Features, clips: int | None = None) -> StyleBa
     return StyleBank(tuple(data.clips), torch.stack(vectors).cpu(), torch.tensor(speeds))
 
 
-def evaluate(model: Model, bank: StyleBank, data: Features, frames: int | None = None) -> dict[str, dict[str, float]]:
-    """Error of every style with frames in ``data``: ``mse`` of normalised outputs, ``bone`` length error in metres.
+def _spread(count: int, most: int | None) -> Tensor:
+    """Numbers of at most so many of ``count`` rows, evenly spread."""
+    if most is None or count <= most:
+        return torch.arange(count)
+    return torch.linspace(0, count - 1, most).long()
 
-    It uses ``frames`` frames of each style, evenly spread, or all. The model runs in evaluation mode.
+
+def evaluate(model: Model, bank: StyleBank, data: Features,
+             frames: int | None = None) -> dict[str, dict[str, float]]:
+    """Error of every style: ``mse`` of normalised outputs, ``bone`` length error in metres.
+
+    It uses ``frames`` frames of each style, evenly spread, or all. The model runs in evaluation
+    mode.
     """
     errors, device = {}, model.outputs_mean.device
     for style in data.styles:
         n = len(data.inputs[style])
         if not n:
             continue
-        rows = torch.arange(n) if frames is None or n <= frames else torch.linspace(0, n - 1, frames).long()
+        rows = _spread(n, frames)
         sums = torch.zeros(2, dtype=torch.float64)
         for part in rows.split(1024):
             x, p, z = (getattr(data, kind)[style][part].to(device) for kind in FRAME_KINDS)
-            x, p, z = (model.normaliser(k).apply(v) for k, v in zip(FRAME_KINDS, (x, *model.observe(p, z)), strict=True))
+            observed = zip(FRAME_KINDS, (x, *model.observe(p, z)), strict=True)
+            x, p, z = (model.normaliser(kind).apply(values) for kind, values in observed)
             with evaluating(model):
-                sums += len(part) * torch.stack(loss_terms(model, model(x, p, bank[style].to(device)), z)).double().cpu()
+                terms = loss_terms(model, model(x, p, bank[style].to(device)), z)
+                sums += len(part) * torch.stack(terms).double().cpu()
         errors[style] = dict(zip(("mse", "bone"), (sums / len(rows)).tolist(), strict=True))
     return errors
 
 
 @torch.no_grad()
 def baselines(model: Model, data: Features) -> dict[str, dict[str, float]]:
-    """Mean squared error of two predictions that need no learning, per style with frames in ``data``.
+    """Mean squared error of two predictions that need no learning, per style.
 
-    ``mean`` predicts the mean of the training data. ``repeat`` predicts the current frame again, with the mean contacts
-    because x does not hold contacts.
+    ``mean`` predicts the mean of the training data. ``repeat`` predicts the current frame again,
+    with the mean contacts because x does not hold contacts.
     """
     normaliser = model.normaliser("outputs")
     errors = {}
@@ -77,44 +92,56 @@ def baselines(model: Model, data: Features) -> dict[str, dict[str, float]]:
             x, p, z = (getattr(data, kind)[style][:] for kind in FRAME_KINDS)
             still = repeat_frame(model.layout, x, p, normaliser.mean)
             z, still = (normaliser.apply(rows) for rows in (model.observe(p, z)[1], still))
-            errors[style] = {"mean": float(z.square().mean()), "repeat": float((z - still).square().mean())}
+            errors[style] = {"mean": float(z.square().mean()),
+                             "repeat": float((z - still).square().mean())}
     return errors
 
 
 def repeat_frame(layout: Layout, x: Tensor, phases: Tensor, mean: Tensor) -> Tensor:
-    """Output frames ``[N, Dz]`` without any change: pose, trajectory and phases as they are in the input.
+    """Output frames ``[N, Dz]`` without any change of pose, trajectory and phases.
 
-    A global phase continues at its mean rate: it never rests. Without a change, its one column would dominate the error.
+    A global phase continues at its mean rate: it never rests. Without a change, its one column
+    would dominate the error.
     """
     trajectory, future = x[:, layout.inputs["trajectory"]], layout.outputs["trajectory"]
-    blocks = {name: mean[columns].expand(len(x), -1) for name, columns in layout.outputs.items()}  # contacts at their mean
-    blocks |= {"trajectory": trajectory[:, -(future.stop - future.start) :], "joints": x[:, layout.inputs["joints"]]}
+    blocks = {}
+    for name, columns in layout.outputs.items():  # contacts stay at their mean
+        blocks[name] = mean[columns].expand(len(x), -1)
+    blocks["trajectory"] = trajectory[:, -(future.stop - future.start) :]
+    blocks["joints"] = x[:, layout.inputs["joints"]]
     if layout.phase == "local":
         blocks |= {"phases": phases, "phase_updates": torch.zeros_like(phases)}
     return layout.pack_output(**blocks)
 
 
-def refit(model: Model, bank: StyleBank, data: Features, steps: int = STEPS, seed: int = 0, pose_mixup: float = 0.3,
-          progress: bool = False) -> StyleBank:
+def refit(model: Model, bank: StyleBank, data: Features, steps: int = STEPS, seed: int = 0,
+          pose_mixup: float = 0.3, progress: bool = False) -> StyleBank:
     """A bank whose vectors have less error on the frames of their styles; the model stays as it is.
 
-    Ours. The paper takes the mean of the vectors of a style's clips (section 4.4), which were never trained as such. From
-    there on, Adam minimises the mean squared error of the normalised outputs over the frames of ``data``, whose styles the
-    bank has. ``steps`` is the number of steps for each style; ``pose_mixup`` is that of `Minibatches`.
+    Ours. The paper takes the mean of the vectors of a style's clips (section 4.4), which were never
+    trained as such. From there on, Adam minimises the mean squared error of the normalised outputs
+    over the frames of ``data``, whose styles the bank has. ``steps`` is the number of steps for
+    each style; ``pose_mixup`` is that of `Minibatches`.
     """
     batches, device = Minibatches(data, BATCH, 1, seed, pose_mixup), model.outputs_mean.device
     scale = float(bank.vectors.std(0).mean()) if len(bank) > 1 else 1.0
     vectors = bank.vectors.clone()
-    for which, style in enumerate(progress_bar(batches.styles, desc="vectors", unit="style", show=progress)):
+    for which, style in enumerate(
+        progress_bar(batches.styles, desc="vectors", unit="style", show=progress)
+    ):
         vector = bank[style].clone().to(device).requires_grad_()
         adam = torch.optim.Adam([vector], fused=True)
         for turn in range(steps):
             x, p, z, y = (rows.to(device) for rows in batches[turn * len(batches.styles) + which])
-            x, p, z, _ = (model.normaliser(kind).apply(rows) for kind, rows in
-                          zip(KINDS, (x, *model.observe(p, z), y), strict=True))
+            x, p, z, _ = (
+                model.normaliser(kind).apply(rows)
+                for kind, rows in zip(KINDS, (x, *model.observe(p, z), y), strict=True)
+            )
             adam.param_groups[0]["lr"] = scale * RATE * (1 + math.cos(math.pi * turn / steps)) / 2
             with evaluating(model), torch.enable_grad():
-                (vector.grad,) = torch.autograd.grad((model(x, p, vector[None]) - z).square().mean(), vector)
+                (vector.grad,) = torch.autograd.grad(
+                    (model(x, p, vector[None]) - z).square().mean(), vector
+                )
             adam.step()
         vectors[bank.names.index(style)] = vector.detach().cpu()
     return dataclasses.replace(bank, vectors=vectors)

@@ -5,22 +5,25 @@ from torch import Tensor
 
 from toolkit.features import Features, splits
 
-INIT, SPLIT, FRAMES, CLIPS, MIXUP, DROPOUT = range(6)  # uses of random numbers, each with its own streams
+#: Uses of random numbers, each with its own streams.
+INIT, SPLIT, FRAMES, CLIPS, MIXUP, DROPOUT = range(6)
 
 
 class Minibatches:
     """Frames and style clips of any step, as a pure function of the seed and the step.
 
-    A minibatch holds frames of one style; the styles take turns in a fixed order. Frames are drawn without replacement in
-    one pass of a style, style clips independently of them. An epoch is one pass of the shortest style (section 4.3).
+    A minibatch holds frames of one style; the styles take turns in a fixed order. Frames are drawn
+    without replacement in one pass of a style, style clips independently of them. An epoch is one
+    pass of the shortest style (section 4.3).
 
-    Departure from the paper, off by default: pose mix-up. The input pose of some frames is blended, by a random share, with
-    the pose of a random frame of any style; the target stays the same. A real input pose shows its style. Therefore a short
-    training hardly uses the style vector, and a character keeps the style in which it starts. A mixed pose does not show its
-    style, so the network learns to return to the style of the vector.
+    Departure from the paper, off by default: pose mix-up. The input pose of some frames is blended,
+    by a random share, with the pose of a random frame of any style; the target stays the same. A
+    real input pose shows its style. Therefore a short training hardly uses the style vector, and a
+    character keeps the style in which it starts. A mixed pose does not show its style, so the
+    network learns to return to the style of the vector.
 
-    ``batch`` and ``clips`` are the numbers of frames and style clips of a minibatch, ``pose_mixup`` is the share of frames
-    with a mixed input pose. The same ``seed`` gives the same minibatches.
+    ``batch`` and ``clips`` are the numbers of frames and style clips of a minibatch, ``pose_mixup``
+    is the share of frames with a mixed input pose. The same ``seed`` gives the same minibatches.
 
     ValueError if a style has no frames or no style clips.
     """
@@ -30,8 +33,8 @@ class Minibatches:
         self.pose_mixup, self.styles = pose_mixup, data.styles
         for style in self.styles:
             if not len(data.inputs[style]) or not len(data.clips[style]):
-                raise ValueError(f"style {style!r} has {len(data.inputs[style])} frames and {len(data.clips[style])} style "
-                                 "clips to train on; it needs both")
+                raise ValueError(f"style {style!r} has {len(data.inputs[style])} frames and "
+                                 f"{len(data.clips[style])} style clips to train on; it needs both")
         shortest = min(len(x) for x in data.inputs.values())
         self.steps_per_epoch = max(1, shortest // batch) * len(self.styles)
         self.fewest = min(batch, shortest)  # frames of a minibatch
@@ -44,7 +47,8 @@ class Minibatches:
         n = len(data.inputs[style])
         sweep, place = divmod(turn, max(1, n // batch))
         if self._orders.get(style, (None,))[0] != sweep:
-            self._orders[style] = sweep, torch.randperm(n, generator=splits.generator(self.seed, FRAMES, which, sweep))
+            draw = splits.generator(self.seed, FRAMES, which, sweep)
+            self._orders[style] = sweep, torch.randperm(n, generator=draw)
         rows = self._orders[style][1][place * batch : (place + 1) * batch]
         draw = splits.generator(self.seed, CLIPS, step)
         clips = torch.randint(len(data.clips[style]), (self.clips,), generator=draw)
@@ -54,7 +58,7 @@ class Minibatches:
         return x, data.phases[style][rows], data.outputs[style][rows], data.clips[style][clips]
 
     def _mixed_up(self, x: Tensor, step: int) -> Tensor:
-        """``x`` with the poses of some frames moved a random part of the way to those of frames of any style."""
+        """``x`` with some poses moved a random part of the way to those of any style."""
         draw, joints = splits.generator(self.seed, MIXUP, step), self.data.layout.inputs["joints"]
         others = torch.randint(len(self.styles), (len(x),), generator=draw).tolist()
         places = torch.rand(len(x), generator=draw).tolist()

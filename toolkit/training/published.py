@@ -1,8 +1,8 @@
 """The authors' published parameters of LPN-FiLM, 100 styles, run by this package's own networks.
 
-Published beside Mason et al. 2022 (github.com/ianxmason/local-phases) as raw little-endian float32 files
-(`toolkit.datasets.parameters`), for research and education. This package does not contain them: the user provides the
-folder.
+Published beside Mason et al. 2022 (github.com/ianxmason/local-phases) as raw little-endian float32
+files (`toolkit.datasets.published_files`), for research and education. This package does not
+contain them: the user provides the folder.
 """
 
 import math
@@ -12,7 +12,7 @@ from pathlib import Path
 import torch
 
 from toolkit import features, phases
-from toolkit.datasets import home, parameters
+from toolkit.datasets import home, published_files as parameters
 from toolkit.datasets.procedural import SKELETON
 from toolkit.features import Layout, Normaliser
 from toolkit.motion import Clip, trajectory
@@ -28,41 +28,50 @@ TRAINED = parameters.TRAINED  # the first of `STYLES`; the others were kept for 
 SAMPLES = (-60, -50, -40, -30, -20, -10, 0, 12, 24, 36, 48, 60)
 
 #: Style names by index: the 95 trained ones, then the five that were kept for fine-tuning.
-STYLES = (
-    "Aeroplane", "Akimbo", "Angry", "ArmsAboveHead", "ArmsBehindBack", "ArmsBySide", "ArmsFolded", "Balance", "BeatChest",
-    "BentForward", "BentKnees", "BigSteps", "BouncyLeft", "BouncyRight", "Cat", "Chicken", "CrossOver", "Crouched",
-    "CrowdAvoidance", "Depressed", "Dinosaur", "DragLeftLeg", "DragRightLeg", "Drunk", "DuckFoot", "Elated", "FairySteps",
-    "Flapping", "FlickLegs", "Followed", "GracefulArms", "HandsBetweenLegs", "Heavyset", "HighKnees", "InTheDark",
-    "KarateChop", "Kick", "LawnMower", "LeanBack", "LeanLeft", "LeanRight", "LeftHop", "LegsApart", "LimpLeft",
-    "LimpRight", "LookUp", "Lunge", "March", "Monk", "Morris", "Neutral", "Old", "OnHeels", "OnPhoneLeft", "OnPhoneRight",
-    "OnToesBentForward", "OnToesCrouched", "PendulumHands", "Penguin", "PigeonToed", "Proud", "Punch", "Quail",
-    "RaisedLeftArm", "RaisedRightArm", "RightHop", "Robot", "Rocket", "Rushed", "ShieldedLeft", "ShieldedRight",
-    "SlideFeet", "SpinAntiClock", "SpinClock", "StartStop", "Stiff", "Strutting", "Superman", "Swat", "Sweep", "Swimming",
-    "SwingArmsRound", "SwingShoulders", "Teapot", "Tiptoe", "TogetherStep", "TwoFootJump", "WalkingStickLeft",
-    "WalkingStickRight", "Waving", "WhirlArms", "WideLegs", "WiggleHips", "WildLegs", "Zombie", "HandsInPockets",
-    "Roadrunner", "Skip", "Star", "WildArms",
-)
+_NAMES = """
+    Aeroplane Akimbo Angry ArmsAboveHead ArmsBehindBack ArmsBySide ArmsFolded Balance BeatChest
+    BentForward BentKnees BigSteps BouncyLeft BouncyRight Cat Chicken CrossOver Crouched
+    CrowdAvoidance Depressed Dinosaur DragLeftLeg DragRightLeg Drunk DuckFoot Elated FairySteps
+    Flapping FlickLegs Followed GracefulArms HandsBetweenLegs Heavyset HighKnees InTheDark
+    KarateChop Kick LawnMower LeanBack LeanLeft LeanRight LeftHop LegsApart LimpLeft LimpRight
+    LookUp Lunge March Monk Morris Neutral Old OnHeels OnPhoneLeft OnPhoneRight
+    OnToesBentForward OnToesCrouched PendulumHands Penguin PigeonToed Proud Punch Quail
+    RaisedLeftArm RaisedRightArm RightHop Robot Rocket Rushed ShieldedLeft ShieldedRight
+    SlideFeet SpinAntiClock SpinClock StartStop Stiff Strutting Superman Swat Sweep Swimming
+    SwingArmsRound SwingShoulders Teapot Tiptoe TogetherStep TwoFootJump WalkingStickLeft
+    WalkingStickRight Waving WhirlArms WideLegs WiggleHips WildLegs Zombie HandsInPockets
+    Roadrunner Skip Star WildArms
+"""
+STYLES = tuple(_NAMES.split())
 
 
 def available() -> bool:
-    """Whether `load` finds them without a folder, as after ``python -m toolkit data fetch lpn-film-100style``."""
+    """Whether `load` finds them without a folder, as after
+    ``python -m toolkit data fetch lpn-film-100style``.
+    """
     return home.folder(DATASET).is_dir()
+
+
+LIFE = 0.2  # ours: with it, upper bodies move about as slowly and as far as in recorded takes
+LIFT = 1.14  # ours: without it, the feet of the published network swing a third too low
 
 
 def load(folder: str | os.PathLike | None = None, *, calibrated: bool = False) -> run.Run:
     """The published model and its 100 style vectors, ``model, bank = load(folder)``.
 
-    The model has no FiLM generator: only the style vectors that it gave were published. Each part of the vector of Drunk is
-    two to five times as long as the median of the others', and a character with it hardly walks.
+    The model has no FiLM generator: only the style vectors that it gave were published. Each part
+    of the vector of Drunk is two to five times as long as the median of the others', and a
+    character with it hardly walks.
 
     Parameters
     ----------
     folder
-        Folder of ``Xmean.bin``, ``cp0_a0.bin``, ``Style_000_scale1.bin`` …; None or ``"lpn-film-100style"`` for the folder
-        of downloaded data (`toolkit.datasets.home`).
+        Folder of ``Xmean.bin``, ``cp0_a0.bin``, ``Style_000_scale1.bin`` …; None or
+        ``"lpn-film-100style"`` for the folder of downloaded data (`toolkit.datasets.home`).
     calibrated
-        Compute the expected output under dropout, see `toolkit.networks.Model`. It halves the joint error of one-step
-        predictions on real motion, but it is slower and differs from the published run.
+        Compute the expected output under dropout, see `toolkit.networks.Model`. It halves the joint
+        error of one-step predictions on real motion, but it is slower and differs from the
+        published run.
 
     Raises
     ------
@@ -70,12 +79,19 @@ def load(folder: str | os.PathLike | None = None, *, calibrated: bool = False) -
         If a file is missing, of another size, or holds a number that is not finite.
     """
     if folder is None or os.fspath(folder) == DATASET:
-        folder = home.find(DATASET, "Xmean.bin, cp0_a0.bin, …", "https://github.com/ianxmason/local-phases")
-    read = {name: torch.from_numpy(values) for name, values in parameters.read(Path(folder)).items()}
+        folder = home.find(
+            DATASET, "Xmean.bin, cp0_a0.bin, …", "https://github.com/ianxmason/local-phases"
+        )
+    read = {
+        name: torch.from_numpy(values) for name, values in parameters.read(Path(folder)).items()
+    }
     layout, sizes = Layout(SKELETON, samples=SAMPLES), Sizes()
     files = {"inputs": "X", "phases": "GT_X", "outputs": "Y"}
-    normalisers = {kind: Normaliser(read[f"{file}mean"], read[f"{file}std"]) for kind, file in files.items()}
-    model = build("lpn-film", layout, len(STYLES), sizes, normalisers, generator=False, calibrated=calibrated)
+    normalisers = {
+        kind: Normaliser(read[f"{file}mean"], read[f"{file}std"]) for kind, file in files.items()
+    }
+    model = build("lpn-film", layout, len(STYLES), sizes, normalisers, generator=False)
+    model.calibrated = calibrated
     with torch.no_grad():
         for i, layer in enumerate(model.gating.layers):
             layer.weight.copy_(read[f"wc{i}_w"])
@@ -84,7 +100,11 @@ def load(folder: str | os.PathLike | None = None, *, calibrated: bool = False) -
             for k in range(sizes.experts):
                 layer.weight[k] = read[f"cp{i}_a{k}"].T
                 layer.bias[k] = read[f"cp{i}_b{k}"]
-    of_style = ([read[f"Style_{i:03d}_{part}"] for part in parameters.STYLE_PARTS] for i in range(len(STYLES)))
+    model.life, model.lift = LIFE, LIFT
+    of_style = (
+        [read[f"Style_{i:03d}_{part}"] for part in parameters.STYLE_PARTS]
+        for i in range(len(STYLES))
+    )
     vectors = torch.stack([torch.cat(parts) for parts in of_style])
     speeds = torch.full((len(STYLES),), math.nan)
     speeds[:TRAINED] = read["Walk_Velocities"] / 12
@@ -92,7 +112,7 @@ def load(folder: str | os.PathLike | None = None, *, calibrated: bool = False) -
 
 
 def either(file: str | os.PathLike | None, folder: str | os.PathLike | None) -> run.Run:
-    """A model and its style bank, from a training run's ``file`` or the published ``folder``; by default the embedded one.
+    """A model and its styles, of a run's ``file`` or the published ``folder``, or the embedded.
 
     The ``folder`` may be ``lpn-film-100style``, for the folder of downloaded data.
 
@@ -108,10 +128,12 @@ def either(file: str | os.PathLike | None, folder: str | os.PathLike | None) -> 
     return run.pretrained() if file is None else run.load(file)
 
 
-def one_step(model: Model, bank: StyleBank, clip: Clip, style: str, frames: tuple[int, int | None] = (0, None)) -> dict:
-    """How well a model predicts the next frame of a real clip from this package's own features and phases.
+def one_step(model: Model, bank: StyleBank, clip: Clip, style: str,
+             frames: tuple[int, int | None] = (0, None)) -> dict:
+    """How well a model predicts the next frame of a real clip.
 
-    With the published parameters, this is the strongest check that features and phases agree with the paper's.
+    Features and phases are this package's own. With the published parameters, this is the strongest
+    check that they agree with the paper's.
 
     Parameters
     ----------
@@ -122,26 +144,30 @@ def one_step(model: Model, bank: StyleBank, clip: Clip, style: str, frames: tupl
     style
         Name in the bank.
     frames
-        First and last (not included) frame to predict from, at the clip's rate. Their trajectory and phases use up to a
-        second before and after; frames without a whole window are left out.
+        First and last (not included) frame to predict from, at the clip's rate. Their trajectory
+        and phases use up to a second before and after; frames without a whole window are left out.
 
     Returns
     -------
     dict
-        ``style``; the number of ``frames`` evaluated; ``joint_mse``, mean squared error of the 12 J joint features in the
-        model's normalised units; ``contact_correlation`` [2], right and left; ``phase_error``, Σ(predicted − own)² / Σ own²,
-        NaN if the model predicts no phases.
+        ``style``; the number of ``frames`` evaluated; ``joint_mse``, mean squared error of the 12 J
+        joint features in the model's normalised units; ``contact_correlation`` [2], right and left;
+        ``phase_error``, Σ(predicted − own)² / Σ own², NaN if the model predicts no phases.
 
     Raises
     ------
     ValueError
-        If the clip's joints are not the model's, the style is unknown or no frame has a whole window.
+        If the clip's joints are not the model's, the style is unknown or no frame has a whole
+        window.
     """
     samples = model.layout.samples
     joints, own = model.layout.names, Layout(clip.skeleton).names
     if joints != own:
         odd = next((n for n in (*own, *joints) if n not in joints or n not in own), "their order")
-        raise ValueError(f"{clip.name}: the model moves {len(joints)} joints, the clip has {len(own)}; they differ in {odd}")
+        raise ValueError(
+            f"{clip.name}: the model moves {len(joints)} joints, the clip has {len(own)}; they "
+            f"differ in {odd}"
+        )
     scale = trajectory.FPS / clip.fps
     start, stop = round(frames[0] * scale), None if frames[1] is None else round(frames[1] * scale)
     clip = clip.resample(trajectory.FPS)
@@ -156,7 +182,9 @@ def one_step(model: Model, bank: StyleBank, clip: Clip, style: str, frames: tupl
     pairs = torch.stack((predicted["contacts"], own["contacts"]), -1).unbind(1)
     phase_error = math.nan
     if "phases" in own:
-        phase_error = float((predicted["phases"] - own["phases"]).square().sum() / own["phases"].square().sum())
+        phase_error = float(
+            (predicted["phases"] - own["phases"]).square().sum() / own["phases"].square().sum()
+        )
     return {
         "style": style,
         "frames": len(z),

@@ -1,4 +1,6 @@
-"""What widgets share: files for the browser, the notebook's event loop and main thread, a picture that changes often."""
+"""What widgets share: files for the browser, the notebook's event loop and main thread, a picture
+that changes often.
+"""
 
 import asyncio
 import html
@@ -16,7 +18,7 @@ import ipywidgets as widgets
 import traitlets
 from PIL import Image
 
-from toolkit.motion.names import printable
+from toolkit.motion.text import printable
 
 QUALITY = 88  # of the JPEG of a screen
 
@@ -51,15 +53,24 @@ def running_loop() -> asyncio.AbstractEventLoop | None:
 
 
 def require_main_thread() -> None:
-    """Raise RuntimeError outside of the main thread, where VTK draws wrong pictures without an error."""
+    """Raise RuntimeError outside of the main thread, where VTK draws wrong pictures without an
+    error.
+    """
     if threading.current_thread() is not threading.main_thread():
-        raise RuntimeError("the player draws in the main thread only; call it from there (loop.call_soon_threadsafe)")
+        raise RuntimeError(
+            "the player draws in the main thread only; call it from there "
+            "(loop.call_soon_threadsafe)"
+        )
 
 
 class CellWidget(widgets.Widget):
-    """A widget that is closed, with all its parts, when the notebook cell that made it runs again: no page shows it then."""
+    """A widget that is closed, with all its parts, when the notebook cell that made it runs again.
 
-    _made: ClassVar[dict[str, tuple[str, list[weakref.ref]]]] = {}  # by cell: its last run, and what that made
+    No page shows it then.
+    """
+
+    # By cell: its last run, and what that made.
+    _made: ClassVar[dict[str, tuple[str, list[weakref.ref]]]] = {}
 
     def __init__(self, *arguments, **traits):
         super().__init__(*arguments, **traits)
@@ -90,7 +101,10 @@ def _parts(widget: widgets.Widget) -> Iterator[widgets.Widget]:
 
 
 class Screen(anywidget.AnyWidget):
-    """The picture ``number`` as JPEG ``value``; ``seen`` is the number of the last picture that the page has shown."""
+    """The picture ``number`` as JPEG ``value``.
+
+    ``seen`` is the number of the last picture that the page has shown.
+    """
 
     _esm = static("screen.js")
     size = traitlets.List(traitlets.Int()).tag(sync=True)

@@ -1,4 +1,6 @@
-"""Kills, full disks, read-only folders, two processes: afterwards a file is the old one, the new one or absent."""
+"""Kills, full disks, read-only folders, two processes: afterwards a file is the old one, the new
+one or absent.
+"""
 
 import contextlib
 import dataclasses
@@ -20,9 +22,9 @@ from robustness.faults.jobs import Job, ended, files_of, prepare, start
 
 from experiments.tables import Result
 
-JOBS = {"fetch": "`data fetch` (from a local server)", "preprocess": "`preprocess`", "train": "`train --resume --refit`",
-        "export": "export: `.bvh`, `.html`, `.glb`, `.onnx`, page", "stylizer": "`train-stylizer --resume`",
-        "style": "`style add`", "shot": "`shot`"}
+JOBS = {"fetch": "`data fetch` (from a local server)", "preprocess": "`preprocess`",
+        "train": "`train --resume --refit`",
+        "export": "export: `.bvh`, `.html`, `.glb`, `.onnx`, page"}
 COLUMNS = {"job": ["job"], "kills": ["kills", 0], "writing": ["while a temporary file existed", 0],
            "lost": ["old files lost", 0], "half": ["files half-written", 0],
            "equal": ["result equal to that of an undisturbed run", 0],
@@ -32,7 +34,9 @@ SMALL = 50_000  # bytes, largest file on the "full" disk
 
 @dataclass
 class Score:
-    """Counts: kills, kills with a temporary file, lost and half-written files, equal results, left temporary files."""
+    """Counts: kills, kills with a temporary file, lost and half-written files, equal results, left
+    temporary files.
+    """
 
     kills: int = 0
     writing: int = 0
@@ -49,11 +53,17 @@ class Score:
 def run(
     kills: Annotated[int, typer.Option(min=1, help="Kills of each job, at random times.")] = 50,
     seed: Annotated[int, typer.Option(help="Seed of the times.")] = 0,
-    only: Annotated[str | None, typer.Option(help=f"Comma-separated jobs: {', '.join(JOBS)}; default: all.")] = None,
-    store: Annotated[bool, typer.Option("--store", help="Put the rows of these jobs into the result that the documentation "
+    only: Annotated[str | None,
+                    typer.Option(help=f"Jobs: {', '.join(JOBS)}; default: all.")] = None,
+    store: Annotated[bool,
+                     typer.Option("--store",
+                                  help="Put the rows of these jobs into the result that the "
+                                       "documentation "
                                         "shows.")] = False,
 ) -> None:
-    """Files of jobs after kills and other faults, compared with those of undisturbed runs; exit status 1 if they differ."""
+    """Files of jobs after kills and other faults, compared with those of undisturbed runs; exit
+    status 1 if they differ.
+    """
     if not hasattr(os, "fork"):
         raise ValueError("this measurement needs a system that can fork: Linux or macOS")
     chosen = [*JOBS] if only is None else only.split(",")
@@ -65,18 +75,22 @@ def run(
         base = Path(made)
         base.chmod(0o755)
         jobs = [job for job in prepare(base, ends) if job.name in chosen]
-        print("writing: kills while a temporary file existed; lost: missing old files; half: files that are neither the old")
+        print("writing: kills while a temporary file existed; lost: missing old files; half: "
+              "files that are neither the old")
         print("nor the new one; equal: the next run gives the files of an undisturbed run")
-        print(f"{'kill -9':<12}{'kills':>7}{'writing':>9}{'lost':>6}{'half':>6}{'equal':>7}{'s':>6}")
+        print(f"{'kill -9':<12}{'kills':>7}{'writing':>9}{'lost':>6}{'half':>6}{'equal':>7}"
+              f"{'s':>6}")
         for job in jobs:
             began, score = time.perf_counter(), killed(job, base, kills, seed)
-            print(f"{job.name:<12}{score.kills:>7}{score.writing:>9}{score.lost:>6}{score.half:>6}{score.equal:>7}"
+            print(f"{job.name:<12}{score.kills:>7}{score.writing:>9}{score.lost:>6}"
+                  f"{score.half:>6}{score.equal:>7}"
                   f"{time.perf_counter() - began:>6.0f}", flush=True)
             wrongs = [] if score.passed else [f"{job.name}: killed"]
             for fault in (full_disk, read_only, two_at_once):
                 said, wrong = fault(job, base)
                 said = (said.splitlines() or [""])[-1].replace(str(base), "…")
-                print(f"{job.name:<12}{fault.__name__.replace('_', ' '):<14}{wrong or 'ok':<12}{said[:150]}", flush=True)
+                print(f"{job.name:<12}{fault.__name__.replace('_', ' '):<14}{wrong or 'ok':<12}"
+                      f"{said[:150]}", flush=True)
                 wrongs += [f"{job.name}: {fault.__name__}"] if wrong else []
             if store:
                 _store({"job": JOBS[job.name], **vars(score), "faults": ", ".join(wrongs) or "ok"})
@@ -90,13 +104,16 @@ def _store(row: dict) -> None:
     """Put the row of a job into the stored result."""
     made = Result.load("faults")
     rows = [row if old["job"] == row["job"] else old for old in made.rows]
-    dataclasses.replace(made, rows=rows, command="python -m experiments faults --only JOB --kills N --store").save()
+    dataclasses.replace(made, rows=rows,
+                        command="python -m experiments faults --only JOB --kills N --store").save()
 
 
 def killed(job: Job, base: Path, kills: int, seed: int = 0) -> Score:
-    """Kill a job at random times, every second time while it writes; check the files; run the job to its end.
+    """Kill a job at random times, every second time while it writes; check the files; run the job
+    to its end.
 
-    A job that ends before a temporary file was seen is started again; after two such ends the moment is random.
+    A job that ends before a temporary file was seen is started again; after two such ends the
+    moment is random.
     """
     folder, score, rng, missed = base / "disturbed", Score(), random.Random(f"{seed} {job.name}"), 0
     reference, lasts = job.undisturbed(base)
@@ -117,7 +134,8 @@ def killed(job: Job, base: Path, kills: int, seed: int = 0) -> Score:
         status, said = ended(start(job.work, folder), folder)
         equal = status == 0 and job.contents(folder) == reference
         score.equal += equal
-        for problem in (*lost, *half, *([] if equal else [f"different result, status {status}: {said[-300:]}"])):
+        for problem in (*lost, *half,
+                        *([] if equal else [f"different result, status {status}: {said[-300:]}"])):
             print(f"  {job.name}, kill {score.kills}: {problem}", file=sys.stderr)
     return score
 
@@ -158,7 +176,9 @@ def _no_superuser() -> None:
 
 
 def two_at_once(job: Job, base: Path) -> tuple[str, str]:
-    """Two equal processes at the same time: both finish, or one refuses, and the files are whole."""
+    """Two equal processes at the same time: both finish, or one refuses, and the files are
+    whole.
+    """
     folder = base / "disturbed"
     reference = job.undisturbed(base)[0]
     job.place(folder)
@@ -166,7 +186,8 @@ def two_at_once(job: Job, base: Path) -> tuple[str, str]:
     ends = [ended(child, folder, log) for child, log in zip(children, ("one", "two"), strict=True)]
     said = " ".join(said for status, said in ends if status)
     wrong = []
-    if all(status for status, _ in ends) or any(status and not _one_line(said) for status, said in ends):
+    if all(status for status, _ in ends) or any(status and not _one_line(said)
+                                                for status, said in ends):
         wrong.append(f"status {[status for status, _ in ends]}")
     if job.contents(folder) != reference:
         wrong.append("files differ")

@@ -2,9 +2,9 @@
 
 import contextlib
 import functools
+import hashlib
 import http.server
 import importlib
-import json
 import os
 import re
 import shutil
@@ -19,11 +19,13 @@ from unittest import mock
 
 import safetensors.torch
 
-from toolkit import export, networks, stylization, training, view
+from toolkit import networks, training, view
+from toolkit.__main__ import VERBS
 from toolkit.datasets import procedural
-from toolkit.features import store
-from toolkit.features.store import files
-from toolkit.io import model_files
+from toolkit.extra import store
+from toolkit.extra.engines import onnx
+from toolkit.extra.store import files
+from toolkit.io import model_files, save as export
 from toolkit.motion import Clip
 
 
@@ -31,8 +33,9 @@ from toolkit.motion import Clip
 class Job:
     """A job that is disturbed.
 
-    ``work`` writes into a folder, and continues from the files in it. ``stage`` checks files that are not in the reference
-    or that grow, and raises ValueError for a damaged one. ``content`` extracts the part of a file that is equal in all runs.
+    ``work`` writes into a folder, and continues from the files in it. ``stage`` checks files that
+    are not in the reference or that grow, and raises ValueError for a damaged one. ``content``
+    extracts the part of a file that is equal in all runs.
     """
 
     name: str
@@ -71,60 +74,48 @@ _UNDISTURBED: dict[Job, tuple[dict[str, object], float]] = {}
 
 def prepare(base: Path, ends: contextlib.ExitStack) -> list[Job]:
     """The jobs, and the files that they read."""
-    root, stored, scene = base / "data", base / "store", base / "shots.json"
-    for verb in ("data", "preprocess", "train", "train_stylizer", "style", "shot"):
-        importlib.import_module(f"toolkit.cli.{verb}")  # here, and not in the time of a job
+    root, stored = base / "data", base / "store"
+    for verb in ("data", "preprocess", "train"):
+        importlib.import_module(VERBS[verb][0].split(":")[0])  # here, and not in the time of a job
     finish(lambda _: procedural.write(root, ["Neutral", "Zombie"], ["FW", "SW"], 5.0), base)
     finish(lambda _: store.preprocess("100style", root, stored, workers=1), base)
     with zipfile.ZipFile(base / "data.zip", "w") as archive:
         for path in sorted(root.iterdir()):
             archive.write(path, path.name)
     address = ends.enter_context(_serving((base / "data.zip").read_bytes()))
-    digest = files.sha256(base / "data.zip")
+    digest = hashlib.sha256((base / "data.zip").read_bytes()).hexdigest()
     sizes = networks.Sizes(hidden=64, film_channels=8, film_kernel=5, film_dense=64)
     quick = functools.partial(training.Config.quick, save_every=0.1, sizes=sizes)
-    few = functools.partial(stylization.training.Config.quick, save_every=0.1,
-                            sizes=stylization.networks.Sizes(channels=4, code=8, latent=8, hidden=32))
-    ways = [{"path": [[0, 0], [0, 4]], "styles": style, "duration": 3} for style in ("Old", "Zombie")]
-    scene.write_text(json.dumps({"version": 1, "shots": ways}))
-    clips, (model, bank) = procedural.load(["Neutral", "Zombie"], ["FW"], 20.0), training.pretrained()
+    clips, (model, bank) = procedural.load(["Neutral", "Zombie"], ["FW"],
+                                           20.0), training.pretrained()
 
     def fetch(folder: Path) -> None:
-        _command("data", "fetch", "100style", "--root", folder / "100style", "--from", address, "--sha256", digest, "--yes")
+        _command("data", "fetch", "100style", "--root", folder / "100style", "--from", address,
+                 "--sha256", digest, "--yes")
 
     def preprocess(folder: Path) -> None:
-        _command("preprocess", "--data", "100style", "--root", root, "--out", folder / "store", "--workers", 1)
+        _command("preprocess", "--data", "100style", "--root", root, "--out", folder / "store",
+                 "--workers", 1)
 
     def train(folder: Path) -> None:
         with mock.patch.object(training.Config, "quick", quick):
-            _command("train", "--data", stored, "--out", folder / "run.safetensors", "--small", "--epochs", 4, "--refit", 5,
+            _command("train", "--data", stored, "--out", folder / "run.safetensors", "--small",
+                     "--epochs", 4, "--refit", 5,
                      "--resume")
-
-    def train_stylizer(folder: Path) -> None:
-        with mock.patch.object(stylization.training.Config, "quick", few):
-            _command("train-stylizer", "--data", "100style", "--root", root, "--out", folder / "stylizer.safetensors",
-                     "--small", "--iterations", 12, "--resume")
-
-    def add_style(folder: Path) -> None:
-        _command("style", "add", "--clips", next(root.rglob("*Zombie_FW.bvh")), "--name", "Slow", "--steps", 4, "--out",
-                 folder / "model.safetensors")
-
-    def shot(folder: Path) -> None:
-        _command("shot", scene, "--out", folder / "walk.bvh")
 
     def write(clip: Clip, folder: Path) -> None:
         for suffix in (".bvh", ".html", ".glb"):
-            export.write(clip, folder / f"walk{suffix}", title=clip.style)
-        export.onnx.save(model, folder / "network.onnx", bank)
+            export.save(clip, folder / f"walk{suffix}", title=clip.style)
+        onnx.save(model, folder / "network.onnx", bank)
         view.web(model, bank, folder / "page.html", title=clip.style)
 
-    def checkpoint(path: Path, part: str = "checkpoint") -> None:
-        model_files.read(path, part)
+    def checkpoint(path: Path) -> None:
+        model_files.read(path, "checkpoint")
 
     def manifest(path: Path) -> None:
-        for entry in files.read_manifest(path.parent)["partitions"].values():
-            if not files.is_whole(path.parent, entry):
-                raise ValueError(f"{entry['file']} is listed and not whole")
+        files.read_manifest(path.parent)
+        for stored in path.parent.glob("*.safetensors"):
+            files.read(stored)
 
     old = base / "old"
     finish(lambda _: write(clips[1], old), base)
@@ -132,12 +123,9 @@ def prepare(base: Path, ends: contextlib.ExitStack) -> list[Job]:
     return [
         Job("fetch", fetch, content=lambda data: re.sub(rb'"date": "[^"]*"', b"", data)),
         Job("preprocess", preprocess, stage=manifest, staged="manifest.json"),
-        Job("train", train, {"run.safetensors": b"an older run"}, checkpoint, r".*\.checkpoint", _weights),
+        Job("train", train, {"run.safetensors": b"an older run"}, checkpoint, r".*\.checkpoint",
+            _weights),
         Job("export", functools.partial(write, clips[0]), old_files),
-        Job("stylizer", train_stylizer, {"stylizer.safetensors": b"an older run"},
-            functools.partial(checkpoint, part="stylization_checkpoint"), r".*\.checkpoint", _weights),
-        Job("style", add_style, {"model.safetensors": b"an older model"}, content=_weights),
-        Job("shot", shot, {"walk_0.bvh": b"an older walk", "walk_1.bvh": b"another"}),
     ]
 
 
@@ -152,7 +140,8 @@ def files_of(folder: Path) -> Iterator[tuple[str, Path]]:
 def _weights(data: bytes) -> object:
     """The tensors of a file, without its times, which differ in every run."""
     try:
-        return {name: tensor.numpy().tobytes() for name, tensor in safetensors.torch.load(data).items()}
+        return {name: tensor.numpy().tobytes()
+                for name, tensor in safetensors.torch.load(data).items()}
     except safetensors.SafetensorError as error:
         raise ValueError(str(error)) from error
 
@@ -211,7 +200,8 @@ def _serving(content: bytes) -> Iterator[str]:
             self.send_header("ETag", '"one"')
             self.send_header("Content-Length", str(len(content) - first))
             if first:
-                self.send_header("Content-Range", f"bytes {first}-{len(content) - 1}/{len(content)}")
+                self.send_header("Content-Range",
+                                 f"bytes {first}-{len(content) - 1}/{len(content)}")
             self.end_headers()
             with contextlib.suppress(OSError):
                 for at in range(first, len(content), 1 << 16):

@@ -1,4 +1,6 @@
-"""Fuzzing of all readers: mutated files and command lines, each of which must be read or refused with one clear line."""
+"""Fuzzing of all readers: mutated files and command lines, each of which must be read or refused
+with one clear line.
+"""
 
 import contextlib
 import re
@@ -19,15 +21,22 @@ from robustness.fuzz.trials import Reader, trial
 from experiments import tables
 
 TARGETS = {
-    "bvh": "BVH files, and the numbers in them", "csv": "tables of 100STYLE, `labels.csv`", "gltf": "glTF, VRM, meshes",
-    "fbx": "FBX", "amc": "ASF + AMC", "npz": "NumPy motion files",
-    "model": "models, checkpoints, stylizers, recognisers, learned phases, published parameters", "store": "stores",
+    "bvh": "BVH files, and the numbers in them", "csv": "tables of 100STYLE, `labels.csv`",
+    "gltf": "glTF, VRM, meshes",
+    "fbx": "FBX", "npz": "NumPy motion files",
+    "model": "models, checkpoints, stylizers, recognisers, published parameters", "store": "stores",
     "shot": "files of shots, splits", "cli": "command lines"}
-COLUMNS = {"target": ["target"], "readers": ["readers", 0], "inputs": ["inputs", 0], "read": ["read", 0],
-           "refused": ["refused", 0], "deep": ["past the header", 0], "slowest": ["slowest, s/kB", 3],
+COLUMNS = {"target": ["target"], "readers": ["readers", 0], "inputs": ["inputs", 0],
+           "read": ["read", 0],
+           "refused": ["refused", 0], "deep": ["past the header", 0],
+           "slowest": ["slowest, s/kB", 3],
            "memory": ["memory, MB", 0], "failed": ["failed", 0]}
-ROUND = 250  # inputs of a reader before the next one has its turn, so that a run that is stopped tried all of them
-ROOM = 1 << 30  # bytes of additional address space for reading; an input may take 10 times its size and 200 MB of memory
+# inputs of a reader before the next one has its turn, so that a run that is stopped tried all of
+# them
+ROUND = 250
+# bytes of additional address space for reading; an input may take 10 times its size and 200 MB of
+# memory
+ROOM = 1 << 30
 
 
 @dataclass
@@ -44,8 +53,10 @@ class Tally:
 
     def row(self) -> dict[str, float]:
         """The counts by their columns."""
-        return {"inputs": self.inputs, "read": self.accepted, "refused": self.refused.total(), "deep": self.deep,
-                "slowest": self.slowest, "memory": self.memory, "failed": sum(count for count, _ in self.failures.values())}
+        return {"inputs": self.inputs, "read": self.accepted, "refused": self.refused.total(),
+                "deep": self.deep,
+                "slowest": self.slowest, "memory": self.memory,
+                "failed": sum(count for count, _ in self.failures.values())}
 
 
 def run(
@@ -53,9 +64,13 @@ def run(
     target: Annotated[str, typer.Option(help=f"{', '.join(TARGETS)}, or all.")] = "all",
     seed: Annotated[int, typer.Option(help="The same seed gives the same inputs.")] = 0,
     out: Annotated[Path, typer.Option(help="Folder for inputs with failures.")] = Path("out/fuzz"),
-    store: Annotated[bool, typer.Option("--store", help="Write the result that the documentation shows.")] = False,
+    store: Annotated[bool,
+                     typer.Option("--store",
+                                  help="Write the result that the documentation shows.")] = False,
 ) -> None:
-    """Mutated files and command lines for all readers: each must be read or refused with one line, else exit status 1."""
+    """Mutated files and command lines for all readers: each must be read or refused with one line,
+    else exit status 1.
+    """
     torch.set_num_threads(1)
     began = time.process_time()
     with tempfile.TemporaryDirectory() as folder:
@@ -65,12 +80,15 @@ def run(
             for name, of in readers.items():
                 fuzz(of, min(ROUND, inputs - done) * len(of), seed + done // ROUND, tallies[name])
                 _keep(name, tallies[name], out)
-            rows = [{"target": name, "readers": len(readers[name]), **tally.row()} for name, tally in tallies.items()]
+            rows = [{"target": name, "readers": len(readers[name]), **tally.row()}
+                    for name, tally in tallies.items()]
             minutes = (time.process_time() - began) / 60
             made, failed = (sum(row[key] for row in rows) for key in ("inputs", "failed"))
-            print(f"{made:,} inputs, {failed} failed, {minutes:.1f} minutes of processor time", flush=True)
+            print(f"{made:,} inputs, {failed} failed, {minutes:.1f} minutes of processor time",
+                  flush=True)
             if store:
-                _result(rows, inputs, seed, {"inputs": made, "failed": failed, "minutes": minutes}).save()
+                _result(rows, inputs, seed,
+                        {"inputs": made, "failed": failed, "minutes": minutes}).save()
     print("".join(f"{title:>16}" for title, *_ in COLUMNS.values()))
     for row in rows:
         print("".join(f"{tables.cell(value, *COLUMNS[key][1:]):>16}" for key, value in row.items()))
@@ -82,13 +100,16 @@ def run(
 
 
 def fuzz(readers: list[Reader], inputs: int, seed: int, tally: Tally | None = None) -> Tally:
-    """Try ``inputs`` inputs, the same number for every reader; their counts are added to ``tally``."""
+    """Try ``inputs`` inputs, the same number for every reader; their counts are added to
+    ``tally``.
+    """
     tally, last = tally or Tally(), readers[0]
-    with warnings.catch_warnings(), _limited():
+    with warnings.catch_warnings(), limited():
         warnings.simplefilter("error")
         warnings.simplefilter("ignore", UserWarning)
         for number in range(inputs):
-            reader = readers[number * len(readers) // inputs]  # in turn: some need valid files of others
+            # in turn: some need valid files of others
+            reader = readers[number * len(readers) // inputs]
             if reader is not last:
                 last.path.write_bytes(last.seeds[0])
                 last = reader
@@ -116,8 +137,10 @@ def _kind(said: str) -> str:
 
 
 @contextlib.contextmanager
-def _limited() -> Iterator[None]:
-    """Limit the additional memory of the process to `ROOM` within the context, if the system can."""
+def limited() -> Iterator[None]:
+    """Limit the additional memory of the process to `ROOM` within the context, if the system
+    can.
+    """
     try:
         import resource
 
@@ -135,10 +158,13 @@ def _limited() -> Iterator[None]:
 
 def _result(rows: list[dict], inputs: int, seed: int, numbers: dict[str, float]) -> tables.Result:
     """What the documentation shows."""
-    about = (f"Mutated files and command lines; seeds {seed} to {seed + (inputs - 1) // ROUND}, one for each {ROUND} inputs "
+    about = (f"Mutated files and command lines; seeds {seed} to {seed + (inputs - 1) // ROUND}, "
+             f"one for each {ROUND} inputs "
              "of a reader; one thread.")
     rows = [row | {"target": TARGETS[row["target"]]} for row in rows]
-    return tables.Result("fuzz", about, f"python -m experiments fuzz --inputs {inputs} --seed {seed}", COLUMNS, rows,
+    return tables.Result("fuzz", about,
+                         f"python -m experiments fuzz --inputs {inputs} --seed {seed}", COLUMNS,
+                         rows,
                          {"inputs": inputs, "seed": seed}, numbers)
 
 

@@ -1,4 +1,4 @@
-"""Targets of the fuzzing: the readers of glTF, FBX, ASF and AMC, and NumPy files."""
+"""Targets of the fuzzing: the readers of glTF, FBX and NumPy files."""
 
 import io
 import json
@@ -9,24 +9,25 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import numpy as np
-from motion_files import Document, acclaim, axis_angles, fbx_scene, glb, packed, smpl_walk, textured
+from motion_files import Document, axis_angles, fbx_scene, glb, packed, smpl_walk, textured
 from PIL import Image
 from robustness.fuzz import mutations
 from robustness.fuzz.trials import Reader
 
-from toolkit.datasets import procedural
-from toolkit.io import amc, fbx, gltf, gltf_mesh, npz
-from toolkit.io.fbx_records import Records
-from toolkit.io.nodes import MOST
+from toolkit.extra.characters import gltf_mesh
+from toolkit.extra.formats import fbx, gltf, npz
+from toolkit.extra.formats.fbx_records import Records
+from toolkit.extra.formats.key_times import MOST
 from toolkit.io.recording import Recording
 
 DTYPES = ("<f8", "<f4", "<f2", ">f8", "<i8", "u1", "?", "<c16", "<U5", "S3", "V8", "<M8[s]", "O")
-SHAPES = ((), (0,), (1,), (4,), (4, 22, 3), (4, 72), (4, 66), (4, 263), (0, 22, 3), (1, 22, 3), (2**40, 72), (-1, 3))
+SHAPES = ((), (0,), (1,), (4,), (4, 22, 3), (4, 72), (4, 66), (4, 263), (0, 22, 3), (1, 22, 3),
+          (2**40, 72), (-1, 3))
 
 
 def make(name: str, folder: Path) -> list[Reader]:
     """Readers of one format."""
-    return {"gltf": _gltf, "fbx": _fbx, "amc": _amc, "npz": _npz}[name](folder)
+    return {"gltf": _gltf, "fbx": _fbx, "npz": _npz}[name](folder)
 
 
 def _checked(read: Callable[[Path], Recording]) -> Callable[[Path], None]:
@@ -39,34 +40,42 @@ def _checked(read: Callable[[Path], Recording]) -> Callable[[Path], None]:
         assert made.root_positions.shape == (frames, 3), "another number of root positions"
         assert frames, "no frame"
         assert frames * joints <= max(path.stat().st_size, 2 * MOST), "more than the file can hold"
-        assert len(set(made.names)) == len(made.names) == len(made.parents) == joints, "names that repeat"
-        assert all(name and name.isprintable() for name in (*made.names, *made.doubts)), "a name that cannot be printed"
+        assert len(set(made.names)) == len(made.names) == joints, "names that repeat"
+        assert all(name and name.isprintable()
+                   for name in (*made.names, *made.doubts)), "a name that cannot be printed"
         assert made.parents[0] == -1, "no root"
-        assert all(0 <= p < j for j, p in enumerate(made.parents[1:], 1)), "a parent after its child"
-        assert all(x.isfinite().all() for x in (made.rotations, made.offsets, made.root_positions)), "not finite"
+        assert all(0 <= p < j
+                   for j, p in enumerate(made.parents[1:], 1)), "a parent after its child"
+        assert all(x.isfinite().all()
+                   for x in (made.rotations, made.offsets, made.root_positions)), "not finite"
         assert float((made.rotations.norm(dim=-1) - 1).abs().max()) < 1e-3, "no unit quaternion"
         assert 0 < made.fps < float("inf"), "no frame rate"
-        assert set((made.roles or {}).values()) | set(made.ends) <= set(made.names), "a joint that does not exist"
+        named = {*(made.roles or {}).values(), *made.ends}
+        assert named <= set(made.names), "a joint that does not exist"
 
     return check
 
 
 def _gltf(folder: Path) -> list[Reader]:
-    nodes = [{"name": "Armature", "scale": [0.01] * 3, "children": [1]}, {"name": "hips", "children": [2, 4]},
-             {"name": "spine", "translation": [0, 1, 0], "children": [3]}, {"name": "headEnd", "translation": [0, 0.5, 0]},
+    nodes = [{"name": "Armature", "scale": [0.01] * 3, "children": [1]},
+             {"name": "hips", "children": [2, 4]},
+             {"name": "spine", "translation": [0, 1, 0], "children": [3]},
+             {"name": "headEnd", "translation": [0, 0.5, 0]},
              {"matrix": np.eye(4).ravel().tolist(), "name": "leg"}]
     turns = np.float32(np.random.default_rng(0).normal(size=(4, 4)))
     times = np.arange(4) / 30
     places, ones = np.float32(np.arange(12).reshape(4, 3)), np.ones((4, 3), np.float32)
     doc = Document(nodes, skins=[{"joints": [1, 2, 3, 4]}]).animate(
         (1, "translation", times, places, "LINEAR"), (1, "rotation", times, turns, "LINEAR"),
-        (2, "rotation", times, np.repeat(turns, 3, 0), "CUBICSPLINE"), (3, "scale", times, ones, "STEP"),
+        (2, "rotation", times, np.repeat(turns, 3, 0), "CUBICSPLINE"),
+        (3, "scale", times, ones, "STEP"),
         (4, "rotation", times, np.int16(turns * 9000), "STEP", {"normalized": True}))
     rows = doc.json["accessors"][doc.add(np.array([1], "<u2"))]
     doc.json["accessors"][1]["sparse"] = {"count": 1, "values": {"bufferView": 1}, "indices": {
         "bufferView": rows["bufferView"], "componentType": rows["componentType"]}}
     bones = [{"bone": "hips", "node": 1}, {"bone": "leftUpperLeg", "node": 4}]
-    vrm = Document([dict(node) for node in nodes], extensions={"VRM": {"humanoid": {"humanBones": bones}}})
+    vrm = Document([dict(node) for node in nodes],
+                   extensions={"VRM": {"humanoid": {"humanBones": bones}}})
     vrm.animate((1, "rotation", times, turns, "LINEAR"))
     seeds = doc.glb(), vrm.glb()
 
@@ -77,7 +86,8 @@ def _gltf(folder: Path) -> list[Reader]:
         document, body = json.loads(data[20 : 20 + size]), bytearray(data[28 + size :])
         if rng.random() < 0.3:
             at = rng.randrange(len(body) // 4) * 4
-            body[at : at + 4] = struct.pack("<f", rng.choice((float("nan"), float("inf"), 0, -1, 1e30, 1e38, 1e-40, 0.5)))
+            body[at : at + 4] = struct.pack(
+                "<f", rng.choice((float("nan"), float("inf"), 0, -1, 1e30, 1e38, 1e-40, 0.5)))
         for _ in range(rng.choice((0, 1, 1, 1, 2, 4))):
             document = mutations.tree(rng, document)
         return glb(document, bytes(body)).replace(b'"@deep"', mutations.DEEP.encode())
@@ -89,7 +99,8 @@ def _gltf(folder: Path) -> list[Reader]:
 
 def _skinned() -> bytes:
     """A file with a mesh over two joints and one that hangs on a joint."""
-    nodes = [{"name": "Armature", "scale": [0.01] * 3, "children": [1, 3]}, {"name": "hips", "children": [2, 4]},
+    nodes = [{"name": "Armature", "scale": [0.01] * 3, "children": [1, 3]},
+             {"name": "hips", "children": [2, 4]},
              {"name": "spine", "translation": [0, 100, 0]}, {"name": "body", "mesh": 0, "skin": 0},
              {"name": "hat", "mesh": 1}]
     doc, rng = Document(nodes), np.random.default_rng(0)
@@ -97,14 +108,16 @@ def _skinned() -> bytes:
     inverse = doc.add(np.eye(4, dtype=np.float32)[None].repeat(2, 0).reshape(8, 4))
     doc.json["accessors"][inverse] |= {"type": "MAT4", "count": 2}
     shares, joints = rng.random((6, 4)).astype(np.float32), rng.integers(0, 2, (6, 4))
-    skin = {"JOINTS_0": doc.add(joints.astype("u1")), "WEIGHTS_0": doc.add(shares), "POSITION": points}
+    skin = {"JOINTS_0": doc.add(joints.astype("u1")), "WEIGHTS_0": doc.add(shares),
+            "POSITION": points}
     triangles = doc.add(np.arange(6, dtype="<u2"))
     primitive, picture = {"attributes": skin, "indices": triangles}, io.BytesIO()
     Image.fromarray(rng.integers(0, 255, (4, 5, 3), "u1")).save(picture, "PNG")
     textured(doc, primitive, rng.random((6, 2)).astype(np.float32), picture.getvalue())
     doc.json |= {
         "skins": [{"joints": [1, 2], "inverseBindMatrices": inverse}],
-        "meshes": [{"primitives": [primitive]}, {"primitives": [{"attributes": {"POSITION": points}}]}]}
+        "meshes": [{"primitives": [primitive]},
+                   {"primitives": [{"attributes": {"POSITION": points}}]}]}
     return doc.glb()
 
 
@@ -112,9 +125,10 @@ def _whole_mesh(path: Path) -> None:
     """Compares a mesh that was read with what one must be."""
     made = gltf_mesh.read(path)
     count, joints = len(made.points), len(made.names)
-    assert made.triangles.size == 0 or 0 <= made.triangles.min() <= made.triangles.max() < count, "no such vertex"
-    assert made.joints.size == 0 or 0 <= made.joints.min() <= made.joints.max() < joints, "no such joint"
-    assert all(np.isfinite(x).all() for x in (made.points, made.weights, made.rest, made.bind)), "not finite"
+    assert ((made.triangles >= 0) & (made.triangles < count)).all(), "no such vertex"
+    assert ((made.joints >= 0) & (made.joints < joints)).all(), "no such joint"
+    assert all(np.isfinite(x).all()
+               for x in (made.points, made.weights, made.rest, made.bind)), "not finite"
     assert np.abs(made.weights.sum(1) - 1).max(initial=0.0) < 1e-4, "weights that do not sum to 1"
     assert made.parents[0] == -1, "no root"
     assert all(0 <= p < j for j, p in enumerate(made.parents[1:], 1)), "a parent after its child"
@@ -124,10 +138,16 @@ def _whole_mesh(path: Path) -> None:
 
 def _fbx(folder: Path) -> list[Reader]:
     rng = np.random.default_rng(0)
-    models = {"hips": ("", {}), "spine": ("hips", {"Lcl_Translation": [0.0, 10.0, 0.0], "PreRotation": [0.0, 90.0, 0.0]}),
-              "head": ("spine", {"Lcl_Translation": [0.0, 10.0, 0.0], "RotationOrder": [3], "InheritType": [2]})}
-    curves = {(name, what, axis): (np.arange(4) / 30, rng.normal(0, 9, 4), [8 | 0x400] * 2 + [4, 8], rng.normal(size=(4, 4)))
-              for name, what in (("hips", "Lcl Translation"), ("spine", "Lcl Rotation")) for axis in "XYZ"}
+    models = {"hips": ("", {}),
+              "spine": ("hips",
+                        {"Lcl_Translation": [0.0, 10.0, 0.0], "PreRotation": [0.0, 90.0, 0.0]}),
+              "head": ("spine",
+                       {"Lcl_Translation": [0.0, 10.0, 0.0], "RotationOrder": [3],
+                        "InheritType": [2]})}
+    curves = {(name, what, axis): (np.arange(4) / 30, rng.normal(0, 9, 4), [8 | 0x400] * 2 + [4, 8],
+                                   rng.normal(size=(4, 4)))
+              for name, what in (("hips", "Lcl Translation"), ("spine", "Lcl Rotation"))
+              for axis in "XYZ"}
     seeds = fbx_scene(models, curves), fbx_scene(models, curves, version=7500, pack_arrays=False)
     spans = {seed: list(_values(Records(seed), 27, len(seed))) for seed in seeds}
 
@@ -137,7 +157,8 @@ def _fbx(folder: Path) -> list[Reader]:
         whole = data
         for _ in range(rng.choice((1, 1, 2, 4))):
             start, end = rng.choice(spans[whole])
-            data = data[:start] + mutations.flipped(rng, data[start:end], in_place=True)[: end - start] + data[end:]
+            data = data[:start] + mutations.flipped(rng, data[start:end],
+                                                    in_place=True)[: end - start] + data[end:]
         return data
 
     deep = "^(?!.*(it is no FBX|only binary))"
@@ -152,36 +173,14 @@ def _values(records: Records, start: int, end: int) -> Iterator[tuple[int, int]]
         yield from _values(records, *record.children)
 
 
-def _amc(folder: Path) -> list[Reader]:
-    clip = procedural.load(["Neutral"], ["FW"], seconds=0.2)[0].cut(0, 3)
-    asf, motion = (text.encode() for text in acclaim(clip, digits=6))
-    small = (b":units\nlength 0.45\nangle deg\n:root\norder TX TY TZ RX RY RZ\naxis XYZ\nposition 0 0 0\norientation 0 0 0\n"
-             b":bonedata\nbegin\nid 1\nname a\ndirection 0 1 0\nlength 5\naxis 0 0 20 XYZ\ndof rx rz\n"
-             b"limits (-9 9)\n(-9 9)\nend\n:hierarchy\nbegin\nroot a\nend\n")
-    rows = b":DEGREES\n1\nroot 1 2 3 10 20 30\na 5 6\n2\nroot 1 2 4 10 20 31\na 5 1e-14\n"
-    (folder / "skeleton").mkdir()
-    for name, data in (("big.asf", asf), ("small.asf", small)):
-        (folder / name).write_bytes(data)
-    (folder / "skeleton" / "b.amc").write_bytes(rows)
-
-    def motion_of(name: str) -> Callable[[Path], Recording]:
-        return lambda path: amc.read(path, folder / name)
-
-    motions = (("small", rows), ("big", motion))
-    deep = "frame|expected|lines|number|degrees"
-    return [*[Reader("amc", folder / f"{name}.amc", _checked(motion_of(f"{name}.asf")), (data,), mutations.text, deep)
-              for name, data in motions],
-            Reader("asf", folder / "skeleton" / "b.asf", _checked(lambda path: amc.read(path.with_suffix(".amc"))), (small,),
-                   mutations.text, "bone|frame|hierarchy|should|lines|expected")]
-
-
 def _npz(folder: Path) -> list[Reader]:
     walk = smpl_walk(0.1)
     poses = axis_angles(walk.rotations).flatten(1).numpy()
     matrices = np.broadcast_to(np.eye(3), (len(walk), 22, 3, 3))
     still = np.cumsum(np.broadcast_to([0.0, 0.1, 0.0], (len(walk), 22, 3)), 1)
     seeds = tuple(packed(**arrays) for arrays in (
-        {"poses": np.pad(poses, ((0, 0), (0, 6))), "trans": walk.root_positions, "mocap_framerate": 60.0},
+        {"poses": np.pad(poses, ((0, 0), (0, 6))), "trans": walk.root_positions,
+         "mocap_framerate": 60.0},
         {"poses": poses, "trans": walk.root_positions, "joints": walk.global_positions, "fps": 60},
         {"joints": walk.global_positions}, {"posed_joints": still, "global_rot_mats": matrices},
         {"root_orient": poses[:, :3], "pose_body": poses[:, 3:], "trans": walk.root_positions}))
@@ -202,17 +201,20 @@ def _npz(folder: Path) -> list[Reader]:
                 parts[rng.choice(("poses", "trans", "joints", "fps", "x", "posed_joints"))] = values
             case 2 if values.size:
                 values = values.astype(np.float64).ravel()
-                values[rng.randrange(values.size)] = rng.choice((np.nan, np.inf, 1e308, -1e7, 0.0, 3.0))
+                values[rng.randrange(values.size)] = rng.choice((np.nan, np.inf, 1e308, -1e7, 0.0,
+                                                                 3.0))
                 parts[name] = values.reshape(parts[name].shape)
             case 3:
-                parts[name] = values[tuple(slice(0, rng.choice((0, 1, 2, None))) for _ in range(values.ndim))]
+                parts[name] = values[tuple(slice(0, rng.choice((0, 1, 2, None)))
+                                           for _ in range(values.ndim))]
             case _:
                 return _forged(rng, parts, name)
         return packed(**parts)
 
     deep = "^(?!.*not a whole)"
     return [Reader("npz", folder / "a.npz", _checked(npz.read), seeds, arrays, deep),
-            Reader("npy", folder / "a.npy", _checked(npz.read), (plain.getvalue(),), mutations.flipped, deep)]
+            Reader("npy", folder / "a.npy", _checked(npz.read), (plain.getvalue(),),
+                   mutations.flipped, deep)]
 
 
 def _forged(rng: random.Random, parts: dict[str, np.ndarray], name: str) -> bytes:
@@ -224,8 +226,10 @@ def _forged(rng: random.Random, parts: dict[str, np.ndarray], name: str) -> byte
             head = {"descr": values.dtype.str, "fortran_order": False, "shape": values.shape}
             if each == name:
                 key = rng.choice([*head])
-                head[key] = rng.choice({"descr": DTYPES, "shape": SHAPES, "fortran_order": (True, 1, None)}[key])
+                head[key] = rng.choice({"descr": DTYPES, "shape": SHAPES,
+                                        "fortran_order": (True, 1, None)}[key])
             text = repr(head).encode() + b"\n"
             data = b"\x93NUMPY\1\0" + struct.pack("<H", len(text)) + text + values.tobytes()
-            archive.writestr(zipfile.ZipInfo(each + ".npy"), data, how)  # with a date that does not change
+            # with a date that does not change
+            archive.writestr(zipfile.ZipInfo(each + ".npy"), data, how)
     return file.getvalue()

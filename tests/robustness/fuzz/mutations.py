@@ -10,15 +10,21 @@ from collections.abc import Callable
 
 import numpy as np
 
-NUMBERS = (b"0", b"-0", b"2", b"-1", b"180", b"1e-9", b"1e308", b"-1e39", b"1e-320", b"1e999", b"nan", b"-inf", b"9" * 400,
-           b"9" * 5000, b"99999999999999", b"4503599627370497.5", b"0x10", b"1_000", b"1,5", b"--1", b".", b"1.2.3", b"1e",
+NUMBERS = (b"0", b"-0", b"2", b"-1", b"180", b"1e-9", b"1e308", b"-1e39", b"1e-320", b"1e999",
+           b"nan", b"-inf", b"9" * 400,
+           b"9" * 5000, b"99999999999999", b"4503599627370497.5", b"0x10", b"1_000", b"1,5", b"--1",
+           b".", b"1.2.3", b"1e",
            "١٢".encode(), b"N/A")
-WORDS = (b"{", b"}", b"JOINT a", b"ROOT b", b"End Site", b"End Site {", b"OFFSET", b"OFFSET 0 1 0", b"CHANNELS 0", b"MOTION",
-         b"CHANNELS 3 Xrotation Yrotation Zrotation", b"HIERARCHY", b"Xposition", b"Frames: 999999999", b"Frame Time: 0",
+WORDS = (b"{", b"}", b"JOINT a", b"ROOT b", b"End Site", b"End Site {", b"OFFSET", b"OFFSET 0 1 0",
+         b"CHANNELS 0", b"MOTION",
+         b"CHANNELS 3 Xrotation Yrotation Zrotation", b"HIERARCHY", b"Xposition",
+         b"Frames: 999999999", b"Frame Time: 0",
          b"Yes", b"No", b'"', b",", b'""', b"Hips", b"STYLE_NAME")
-RUBBISH = (b"\0", b"\0" * 64, b"\xef\xbb\xbf", b"\xff\xfe", b"\xe2\x80\xa8", b"\x85", b"\x1c", b"\x0b", b"\x1b[31m", b"\r",
+RUBBISH = (b"\0", b"\0" * 64, b"\xef\xbb\xbf", b"\xff\xfe", b"\xe2\x80\xa8", b"\x85", b"\x1c",
+           b"\x0b", b"\x1b[31m", b"\r",
            b"\r\n", b"\n" * 9, b"\t", b"\xf0\x9f\xa6\xb6")
-VALUES = (None, True, False, -1, 0, 1, 3, 2**31, 2**63, 10**12, 10**30, 0.5, 1e308, math.nan, math.inf, "", "x", "Hips",
+VALUES = (None, True, False, -1, 0, 1, 3, 2**31, 2**63, 10**12, 10**30, 0.5, 1e308, math.nan,
+          math.inf, "", "x", "Hips",
           "-1", "\0", "\ud800", [], {}, [[]], [0], ["a", "a"], {"a": 1}, [math.nan] * 3, "@deep")
 WHOLE = (0, 1, 2, 3, 7, 255, 256, 65535, 2**31 - 1, 2**31, 2**32 - 1, 2**63 - 1, 2**63, 2**64 - 1)
 FLOATS = (math.nan, math.inf, -math.inf, 0.0, -1.0, 1e30, 3e38, 1e-40)
@@ -35,13 +41,15 @@ def text(rng: random.Random, data: bytes) -> bytes:
     return data
 
 
-_NUMBER, _TOKEN = (re.compile(rb"(?<![^\s,])" + first + rb"[^\s,]*") for first in (rb"[-+.\d]", rb"[^\s,]"))
+_NUMBER, _TOKEN = (re.compile(rb"(?<![^\s,])" + first + rb"[^\s,]*")
+                   for first in (rb"[-+.\d]", rb"[^\s,]"))
 
 
 def _token(pattern: re.Pattern, make: Callable[[random.Random, bytes], bytes]) -> Mutate:
     def change(rng: random.Random, data: bytes) -> bytes:
         found = pattern.search(data, rng.randrange(len(data) + 1))
-        return data if not found else data[: found.start()] + make(rng, found[0]) + data[found.end() :]
+        return data if not found else data[: found.start()] + make(rng,
+                                                                   found[0]) + data[found.end() :]
 
     return change
 
@@ -70,7 +78,10 @@ def _bytes(rng: random.Random, data: bytes) -> bytes:
             return data[:at] + data[min(to, at + 50) :]
         case 2:
             return data[:at] + rng.choice(RUBBISH) + data[at:]
-    return data if at == len(data) else data[:at] + bytes([data[at] ^ 1 << rng.randrange(8)]) + data[at + 1 :]
+    return (
+        data if at == len(data) else data[:at] + bytes([data[at] ^ 1 << rng.randrange(8)])
+        + data[at + 1 :]
+    )
 
 
 def _encoding(rng: random.Random, data: bytes) -> bytes:
@@ -78,9 +89,11 @@ def _encoding(rng: random.Random, data: bytes) -> bytes:
         case 0:
             return data.replace(b"\n", rng.choice((b"\r", b"\r\n", b"\n\n", b"\x0b")))
         case 1:
-            return data.decode(errors="replace").encode(rng.choice(("utf-16", "utf-8-sig", "utf-32")))
+            return data.decode(errors="replace").encode(rng.choice(("utf-16", "utf-8-sig",
+                                                                    "utf-32")))
         case 2:
-            return data.replace(rng.choice((b" ", b"0", b",", b".")), rng.choice((b"\t", b"\xc2\xa0", b"", b"  ")))
+            return data.replace(rng.choice((b" ", b"0", b",", b".")),
+                                rng.choice((b"\t", b"\xc2\xa0", b"", b"  ")))
     return data.swapcase()
 
 
@@ -89,7 +102,8 @@ def _frames(rng: random.Random, data: bytes) -> bytes:
     if rng.random() < 0.5:
         return re.sub(rb"(?<=Frames:)[^\n]*", b" " + rng.choice(NUMBERS), data, count=1)
     more, row = rng.choice((0, 1, 2, 50)), data[data.rstrip().rfind(b"\n") + 1 :]
-    return re.sub(rb"(?<=Frames: )\d+", lambda m: b"%d" % (int(m[0][:9]) + more), data, count=1) + row * more
+    return re.sub(rb"(?<=Frames: )\d+", lambda m: b"%d" % (int(m[0][:9]) + more), data,
+                  count=1) + row * more
 
 
 def _nested(rng: random.Random, data: bytes) -> bytes:
@@ -110,7 +124,9 @@ _TEXT: tuple[Mutate, ...] = (
 
 
 def flipped(rng: random.Random, data: bytes, *, in_place: bool = False) -> bytes:
-    """A binary file with a few wrong bits, whole numbers or floats, or, unless ``in_place``, a part less or more."""
+    """A binary file with a few wrong bits, whole numbers or floats, or, unless ``in_place``, a part
+    less or more.
+    """
     for _ in range(rng.choice((1, 1, 1, 2, 4, 8))):
         at = rng.randrange(len(data) + 1)
         match rng.randrange(3 * in_place, 8):
@@ -180,8 +196,10 @@ def tensors(rng: random.Random, data: bytes) -> bytes:
     elif meta:
         part = rng.choice([*meta])
         raw = rng.random() < 0.1
-        meta[part] = rng.choice((DEEP, "", "{", "9" * 5000, "NaN")) if raw else _dumps(tree(rng, _loads(meta[part])))
-    packed = _dumps({"__metadata__": meta, **header} if isinstance(header, dict) else header).encode(errors="replace")
+        meta[part] = rng.choice((DEEP, "", "{", "9" * 5000, "NaN")) if raw else _dumps(tree(
+            rng, _loads(meta[part])))
+    packed = _dumps({"__metadata__": meta, **header}
+                    if isinstance(header, dict) else header).encode(errors="replace")
     return len(packed).to_bytes(8, "little") + packed + bytes(body)
 
 

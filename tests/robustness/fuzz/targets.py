@@ -17,14 +17,12 @@ from robustness.fuzz import foreign, mutations
 from robustness.fuzz.trials import Reader
 from typer.core import TyperCommand
 
-from toolkit import datasets, features, networks, runtime, shots, training
-from toolkit.datasets import folder as own
-from toolkit.datasets import leaks, parameters, procedural, style100
+from toolkit import datasets, features, networks, runtime, training
+from toolkit.datasets import folder as own, leaks, procedural, published_files, style100
 from toolkit.evaluation.recognition import Recogniser
-from toolkit.features import store
+from toolkit.extra import shots, store
 from toolkit.io import bvh, decimals
 from toolkit.networks.bank import StyleBank
-from toolkit.phases import learned
 from toolkit.stylization import networks as stylizers
 from toolkit.stylization.graph import SkeletonGraph
 from toolkit.training import loop
@@ -52,17 +50,25 @@ Frame Time: 0.033333
 """
 TINY = networks.Sizes(hidden=4, experts=2, gating=4, film_channels=2, film_kernel=5, film_dense=4)
 WORK = {  # functions that a command calls after its checks; they are replaced here
-    "toolkit.training.distributed": ("start",), "toolkit.features": ("build",), "toolkit.features.store": ("preprocess",),
-    "toolkit.training": ("fit",), "toolkit.cli.demo": ("embedded", "make"), "toolkit.shots.crowd": ("walk",),
+    "toolkit.training.distributed": ("start",), "toolkit.features": ("build",),
+    "toolkit.extra.store": ("preprocess",),
+    "toolkit.training": ("fit",), "toolkit.cli.demo": ("embedded", "make"),
+    "toolkit.extra.shots.crowd": ("walk",),
     "toolkit.runtime": ("states",), "toolkit.datasets.procedural": ("load", "write"),
-    "toolkit.cli.style": ("fine_tune",), "toolkit.cli.stylize": ("stylize",), "toolkit.cli.train_stylizer": ("build",),
+    "toolkit.cli.style": ("fine_tune",), "toolkit.cli.stylize": ("stylize",),
+    "toolkit.cli.train_stylizer": ("build",),
     "toolkit.cli.data": ("fetch",),
 }
-VALUES = ("", "x", "-", "--", "0", "1", "-1", "3", "0.05", "nan", "inf", "-inf", "1e308", "1e-320", "9" * 30, "9" * 400,
-          "\x1b[31m", "é", "a\nb", "\ud800", "a" * 300, "Neutral", "Zombie", "Neutral=0.5,Zombie=0.5", "Neutral=nan",
-          "Neutral=1e308", "a=b=c", ",", "=", "FW", "procedural", "100style", "bandai", "xia", "lpn-film", "cpu",
-          "cuda", "cuda:99", "bf16", "hybrid", "learned", "contact", "a.bvh", "a.html", "a.png", "a.nothing", "none/a.bvh",
-          "folder", "good.bvh", "bad.bvh", "good.safetensors", "bad.safetensors", "/dev/null/a.bvh", "./..",
+VALUES = ("", "x", "-", "--", "0", "1", "-1", "3", "0.05", "nan", "inf", "-inf", "1e308", "1e-320",
+          "9" * 30, "9" * 400,
+          "\x1b[31m", "é", "a\nb", "\ud800", "a" * 300, "Neutral", "Zombie",
+          "Neutral=0.5,Zombie=0.5", "Neutral=nan",
+          "Neutral=1e308", "a=b=c", ",", "=", "FW", "procedural", "100style", "bandai", "xia",
+          "lpn-film", "cpu",
+          "cuda", "cuda:99", "bf16", "hybrid", "learned", "contact", "a.bvh", "a.html", "a.png",
+          "a.nothing", "none/a.bvh",
+          "folder", "good.bvh", "bad.bvh", "good.safetensors", "bad.safetensors", "/dev/null/a.bvh",
+          "./..",
           "adv", "sty,ds")
 
 
@@ -71,9 +77,12 @@ class _Reached(ValueError):  # noqa: N818 (not an error)
 
 
 def make(folder: Path, target: str = "all") -> dict[str, list[Reader]]:
-    """Readers by target; their files are made in ``folder``, which must not be deleted during use."""
-    makers = {"bvh": _bvh, "csv": _csv, "model": _model, "store": _store, "cli": _cli, "shot": _shot}
-    makers |= {name: functools.partial(foreign.make, name) for name in ("gltf", "fbx", "amc", "npz")}
+    """Readers by target; their files are made in ``folder``, which must not be deleted during
+    use.
+    """
+    makers = {"bvh": _bvh, "csv": _csv, "model": _model, "store": _store, "cli": _cli,
+              "shot": _shot}
+    makers |= {name: functools.partial(foreign.make, name) for name in ("gltf", "fbx", "npz")}
     if target not in (*makers, "all"):
         raise ValueError(f"unknown target {target!r}; known: {', '.join(makers)}, all")
     folder = folder.resolve()
@@ -93,15 +102,19 @@ def _bvh(folder: Path) -> list[Reader]:
             warnings.simplefilter("ignore")
             clip = bvh.load(path)
         assert clip.skeleton.offsets.isfinite().all(), "offsets that are not finite"
-        assert len(clip) * len(clip.skeleton) <= max(path.stat().st_size, bvh.SMALL), "more than the file can hold"
+        assert len(clip) * len(clip.skeleton) <= max(path.stat().st_size,
+                                                     bvh.SMALL), "more than the file can hold"
 
     def numbers(path: Path) -> None:
         """The compiled reader of decimals, compared with Python's."""
-        rows = [line.split() for line in path.read_bytes().decode("latin-1").splitlines() if line.strip()]
+        rows = [line.split() for line in path.read_bytes().decode("latin-1").splitlines()
+                if line.strip()]
         columns = np.empty((len(rows[0]) if rows else 1, len(rows)))
         if not rows or not decimals.read(np.fromfile(path, np.uint8), 0, columns):
             raise ValueError(f"{path}: left to Python")
-        assert np.array_equal(columns.T, [[float(word) for word in row] for row in rows]), "another number than Python's"
+        assert np.array_equal(columns.T,
+                              [[float(word) for word in row]
+                               for row in rows]), "another number than Python's"
 
     deep = "frames|rame time|numbers|channel|Frame|finite|rigid|changes"
     rows = tuple(seed[seed.index(b"\n", seed.index(b"Frame Time")) + 1 :] for seed in seeds)
@@ -111,22 +124,29 @@ def _bvh(folder: Path) -> list[Reader]:
 
 def _recorded() -> Iterator:
     """One file of each public dataset on this machine."""
-    for name in ("100style", "bandai", "xia"):
+    for name in ("100style", "bandai"):
         if datasets.available(name):
-            yield datasets.load(name, styles=next(iter(s for s, gaits in datasets.contents(name).items() if gaits)))[0]
+            yield datasets.load(name,
+                                styles=next(iter(s for s, gaits in datasets.contents(name).items()
+                                                 if gaits)))[0]
 
 
 def _csv(folder: Path) -> list[Reader]:
     procedural.write(folder, ["Neutral", "Zombie", "Old"], ["FW"], 0.2)
     rows = "ProceduralNeutral_FW.bvh,Neutral,walk,0.01,y", "ProceduralOld_FW.bvh,Old,,cm,"
     (folder / "labels.csv").write_text("\n".join(("file,style,gait,unit,up", *rows)))
-    tables = {"Frame_Cuts.csv": style100.frame_cuts, "Dataset_List.csv": style100.styles, "labels.csv": own.labelled}
-    return [Reader(name, folder / name, lambda path, table=table: table(path.parent), ((folder / name).read_bytes(),),
-                   mutations.text, r"line (?!1:)|no row|no frame") for name, table in tables.items()]
+    tables = {"Frame_Cuts.csv": style100.frame_cuts, "Dataset_List.csv": style100.styles,
+              "labels.csv": own.labelled}
+    return [Reader(name, folder / name, lambda path, table=table: table(path.parent),
+                   ((folder / name).read_bytes(),),
+                   mutations.text, r"line (?!1:)|no row|no frame")
+                   for name, table in tables.items()]
 
 
 def _model(folder: Path) -> list[Reader]:
-    """Runs, models, banks, checkpoints, stylizers, recognisers, learned phases; published parameters, without a header."""
+    """Runs, models, banks, checkpoints, stylizers, recognisers; published parameters, without a
+    header.
+    """
     data = features.build(procedural.load(["Neutral", "Zombie"], ["FW"], 7.0))
     config = training.Config.quick(steps=1, sizes=TINY, batch=4)
     training.fit(data, config, folder / "run.checkpoint").save(folder / "run.safetensors")
@@ -139,27 +159,31 @@ def _model(folder: Path) -> list[Reader]:
 
     def resume(path: Path) -> None:
         model = copy.deepcopy(new)
-        loop.restore(path, model, loop.optimiser(model, config), config)
+        loop.restore(path, model, loop.optimiser(model, config), config, config.steps)
 
     skeleton = data.layout.skeleton
     sizes = stylizers.Sizes(channels=1, code=1, latent=1, hidden=2)
-    stylizers.build(SkeletonGraph.of(skeleton), ("old",), sizes)[0].save(folder / "stylizer.safetensors")
-    Recogniser(("a", "b"), features.Normaliser(torch.zeros(12), torch.ones(12)), 2).save(folder / "recogniser.safetensors")
-    parts = {part: learned.PeriodicAutoencoder(hidden=1) for part in learned.PARTS}
-    learned.Learned(parts, dict.fromkeys(parts, 1.0)).save(folder / "learned.safetensors")
-    readers = {"run.safetensors": (finite, training.load, networks.Model.load, StyleBank.load), "run.checkpoint": (resume,),
-               "stylizer.safetensors": (stylizers.Stylizer.load,), "recogniser.safetensors": (Recogniser.load,),
-               "learned.safetensors": (learned.Learned.load,)}
+    stylizers.build(SkeletonGraph.of(skeleton), ("old",),
+                    sizes)[0].save(folder / "stylizer.safetensors")
+    Recogniser(("a", "b"), features.Normaliser(torch.zeros(12), torch.ones(12)),
+               2).save(folder / "recogniser.safetensors")
+    readers = {"run.safetensors": (finite, training.load, networks.Model.load, StyleBank.load),
+               "run.checkpoint": (resume,),
+               "stylizer.safetensors": (stylizers.Stylizer.load,),
+               "recogniser.safetensors": (Recogniser.load,)}
     deep = r"(?!.*(not a whole|expected the format|metadata|expected a |cannot be read))"
-    found = [Reader(name, folder / name, read, ((folder / name).read_bytes(),), mutations.tensors, deep)
+    found = [Reader(name, folder / name, read, ((folder / name).read_bytes(),), mutations.tensors,
+                    deep)
              for name, reads in readers.items() for read in reads]
     means = np.linspace(-1, 1, new.layout.n_inputs, dtype="<f4").tobytes()
 
     def numbers(path: Path) -> None:
-        with mock.patch.object(parameters, "SHAPES", {"Xmean": (new.layout.n_inputs,)}):
-            parameters.read(path.parent)
+        with mock.patch.object(published_files, "SHAPES", {"Xmean": (new.layout.n_inputs,)}):
+            published_files.read(path.parent)
 
-    return [*found, Reader("Xmean.bin", folder / "Xmean.bin", numbers, (means,), mutations.text, "that are finite")]
+    return [*found,
+            Reader("Xmean.bin", folder / "Xmean.bin", numbers, (means,), mutations.text,
+                   "that are finite")]
 
 
 def _store(folder: Path) -> list[Reader]:
@@ -175,24 +199,31 @@ def _store(folder: Path) -> list[Reader]:
                 rows[style][:2]
 
     names = [path.name for path in out.iterdir() if path.suffix != ".json"]
-    spoilt = dict.fromkeys(names, mutations.tensors_of_size) | {"manifest.json": mutations.json_text}
-    return [Reader(name, out / name, read, ((out / name).read_bytes(),), mutate, "(?!.*(damaged|no store|the format))")
+    spoilt = dict.fromkeys(names,
+                           mutations.tensors_of_size) | {"manifest.json": mutations.json_text}
+    return [Reader(name, out / name, read, ((out / name).read_bytes(),), mutate,
+                   "(?!.*(damaged|no store|the format))")
             for name, mutate in spoilt.items()]
 
 
 def _shot(folder: Path) -> list[Reader]:
     """A file of shots; one that is read must give finite plans. A split, whose leaks are found."""
     bank = training.pretrained().bank
-    ways = [{"path": [[0, 0], [1, 2, 2.5], {"x": -1, "z": 4, "facing": [1, 0]}], "styles": [[0, "Neutral"]], "seed": 3},
-            {"path": [[2, 0], [2, 5]], "styles": [[0, {"Old": 0.5, "Zombie": 0.5}, "linear"], [2, "Tiptoe", "jump"]],
-             "speeds": [[0, 0.8], [3, 1.2]], "holds": [{"seconds": 1, "distance": 2}], "look_at": [0, 0], "duration": 9}]
-    scene = json.dumps({"version": 1, "shots": ways, "apart": 1.0, "walls": [[[5, 5], [6, 6]]]}).encode()
+    ways = [{"path": [[0, 0], [1, 2, 2.5], {"x": -1, "z": 4, "facing": [1, 0]}],
+             "styles": [[0, "Neutral"]], "seed": 3},
+            {"path": [[2, 0], [2, 5]],
+             "styles": [[0, {"Old": 0.5, "Zombie": 0.5}, "linear"], [2, "Tiptoe", "jump"]],
+             "speeds": [[0, 0.8], [3, 1.2]], "holds": [{"seconds": 1, "distance": 2}],
+             "look_at": [0, 0], "duration": 9}]
+    scene = json.dumps({"version": 1, "shots": ways, "apart": 1.0,
+                        "walls": [[[5, 5], [6, 6]]]}).encode()
 
     def read(path: Path) -> None:
         for asked in shots.Scene.load(path).shots[:4]:
             course, heading = asked.plan(bank)
             assert np.isfinite([*course.distance, *course.speed]).all(), "a plan that is not finite"
-            assert np.isfinite(heading.angle(course.distance[-1], (1.0, 1.0))), "a heading that is not finite"
+            assert np.isfinite(heading.angle(course.distance[-1],
+                                             (1.0, 1.0))), "a heading that is not finite"
 
     def named(path: Path) -> None:
         try:
@@ -200,31 +231,41 @@ def _shot(folder: Path) -> list[Reader]:
         except ValueError as error:  # of a style: the bank does not know the file
             raise error if str(path) in str(error) else ValueError(f"{path}: {error}") from None
 
-    split = json.dumps({"train": [["a", "FW", 0, 900], {"gait": "b", "stop": 80}], "test": [["a", "FW", 1200, 1300], "c"],
+    split = json.dumps({"train": [["a", "FW", 0, 900], {"gait": "b", "stop": 80}],
+                        "test": [["a", "FW", 1200, 1300], "c"],
                         "gap": 9, "whole_takes": False, "unseen": ["c"]}).encode()
-    return [Reader("shot", folder / "shots.json", named, (scene,), mutations.json_text, "(?!.*not a JSON)"),
-            Reader("split", folder / "split.json", leaks.find, (split,), mutations.json_text, "(?!.*no JSON)")]
+    return [Reader("shot", folder / "shots.json", named, (scene,), mutations.json_text,
+                   "(?!.*not a JSON)"),
+            Reader("split", folder / "split.json", leaks.find, (split,), mutations.json_text,
+                   "(?!.*no JSON)")]
 
 
 def _cli(folder: Path) -> list[Reader]:
-    """Any verb with any options; long work is replaced, and files are written only to the working folder."""
+    """Any verb with any options; long work is replaced, and files are written only to the working
+    folder.
+    """
     from toolkit import __main__ as command_line
 
-    runtime.compile(training.pretrained().model)  # `demo crowd` compiles too, for longer than an input may take
+    # `demo crowd` compiles too, for longer than an input may take
+    runtime.compile(training.pretrained().model)
     stylizers.pretrained()  # `stylize` loads it, too
     (folder / "folder").mkdir(exist_ok=True)
-    for name, data in (("bad.bvh", CARRIER[:-40]), ("good.bvh", CARRIER), ("bad.safetensors", b"\0" * 64)):
+    for name, data in (("bad.bvh", CARRIER[:-40]), ("good.bvh", CARRIER),
+                       ("bad.safetensors", b"\0" * 64)):
         (folder / name).write_bytes(data)
 
-    def leaves(command: TyperCommand, words: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], TyperCommand]]:
+    def leaves(command: TyperCommand,
+               words: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], TyperCommand]]:
         command = getattr(command, "imported", command)
         yield words, command
         for name, sub in getattr(command, "commands", {}).items():
             yield from leaves(sub, (*words, name))
 
     commands = list(leaves(command_line.app))
-    idle = [mock.patch(f"{module}.{name}", _reached) for module, names in WORK.items() for name in names]
-    options = sorted({name for _, command in commands for p in command.params for name in (*p.opts, *p.secondary_opts)
+    idle = [mock.patch(f"{module}.{name}", _reached) for module, names in WORK.items()
+            for name in names]
+    options = sorted({name for _, command in commands for p in command.params
+                      for name in (*p.opts, *p.secondary_opts)
                       if name.startswith("-")})
 
     def line(rng: random.Random, _: bytes) -> bytes:
@@ -243,7 +284,8 @@ def _cli(folder: Path) -> list[Reader]:
     def read(path: Path) -> None:
         out, err = io.StringIO(), io.StringIO()
         with contextlib.ExitStack() as around:
-            for change in (contextlib.chdir(folder), contextlib.redirect_stdout(out), contextlib.redirect_stderr(err),
+            for change in (contextlib.chdir(folder), contextlib.redirect_stdout(out),
+                           contextlib.redirect_stderr(err),
                            mock.patch.dict("os.environ", TOOLKIT_DATA=str(folder / "none")), *idle):
                 around.enter_context(change)
             try:
@@ -257,7 +299,8 @@ def _cli(folder: Path) -> list[Reader]:
         if status:
             *doubts, error = said.splitlines()
             assert error.startswith("error: "), f"not an error: {said[-200:]!r}"
-            assert all(line.isprintable() for line in (*doubts, error)), f"not printable: {said[-200:]!r}"
+            assert all(line.isprintable()
+                       for line in (*doubts, error)), f"not printable: {said[-200:]!r}"
             raise ValueError(f"{path.name}: {error[7:]}")
 
     return [Reader("cli", folder / "arguments.json", read, (b"[]",), line, "(?!.*usage)")]

@@ -15,10 +15,12 @@ TIMES, ROOM = 10, 200_000_000  # bytes of memory for each byte of a file, and fo
 
 @dataclass(frozen=True)
 class Reader:
-    """A target: the path of its file, the function that reads it, valid files as seeds, and their mutation.
+    """A target: the path of its file, the function that reads it, valid files as seeds, and their
+    mutation.
 
-    ``read`` raises ValueError or OSError to refuse a file, and AssertionError if it accepted a wrong file. A refusal that
-    matches ``deep`` (a regular expression) is about content after the file's header.
+    ``read`` raises ValueError or OSError to refuse a file, and AssertionError if it accepted a
+    wrong file. A refusal that matches ``deep`` (a regular expression) is about content after the
+    file's header.
     """
 
     name: str
@@ -39,7 +41,9 @@ class _Hang(BaseException):
 
 
 def resident() -> int:
-    """Bytes of memory that the process has now, from which its peak is counted again; 0 where the system cannot say."""
+    """Bytes of memory that the process has now, from which its peak is counted again; 0 where the
+    system cannot say.
+    """
     try:
         Path("/proc/self/clear_refs").write_text("5", encoding="ascii")
     except OSError:
@@ -56,14 +60,17 @@ def peak() -> int:
 
 
 def _status(key: str) -> int:
-    line = next(x for x in Path("/proc/self/status").read_text(encoding="ascii").splitlines() if x.startswith(key))
+    line = next(x for x in Path("/proc/self/status").read_text(encoding="ascii").splitlines()
+                if x.startswith(key))
     return 1024 * int(line.split()[1])
 
 
 def trial(reader: Reader, data: bytes) -> tuple[str, str, float, int]:
-    """Read one input: ``accepted``, ``refused`` or ``failed``; the message; CPU seconds per kB; bytes of memory.
+    """Read one input: ``accepted``, ``refused`` or ``failed``; the message; CPU seconds per kB;
+    bytes of memory.
 
-    Reading may take `TIMES` times the input's bytes and `ROOM` in memory, where the system says how much it was.
+    Reading may take `TIMES` times the input's bytes and `ROOM` in memory, where the system says how
+    much it was.
     """
 
     def hang(*_) -> None:
@@ -82,9 +89,13 @@ def trial(reader: Reader, data: bytes) -> tuple[str, str, float, int]:
         signal.setitimer(signal.ITIMER_PROF, 0)
         outcome, said = "refused", str(error)
         if not said.isprintable():
-            outcome, said = "failed", f"not one printable line: {type(error).__name__} in {_place(error)}"
+            outcome, said = (
+                "failed", f"not one printable line: {type(error).__name__} in {_place(error)}"
+            )
         elif reader.path.name not in said and str(reader.path.parent) not in said:
-            outcome, said = "failed", f"does not name the file: {type(error).__name__} in {_place(error)}"
+            outcome, said = (
+                "failed", f"does not name the file: {type(error).__name__} in {_place(error)}"
+            )
     except (Exception, _Hang) as error:
         signal.setitimer(signal.ITIMER_PROF, 0)
         outcome, said = "failed", f"{type(error).__name__} in {_place(error)}"
@@ -98,5 +109,6 @@ def trial(reader: Reader, data: bytes) -> tuple[str, str, float, int]:
 
 
 def _place(error: BaseException) -> str:
-    frames = [f for f in traceback.extract_tb(error.__traceback__) if "toolkit" in f.filename and "fuzz" not in f.filename]
+    frames = [f for f in traceback.extract_tb(error.__traceback__) if "toolkit" in f.filename
+              and "fuzz" not in f.filename]
     return f"{Path(frames[-1].filename).name}, {frames[-1].name}" if frames else str(error)[:200]

@@ -4,12 +4,14 @@
 // triangle's blend; it is the `model` of controller.js.
 // data = {
 //   network, rules, body: see network.js, frame.js, pose.js;  start: the state in the first frame;  skeleton: see scene.js
+//   life: {amount, period}: how the styles wander, see life.js
 //   styles: [names], vectors: numbers [styles * D];  turn, run, ease: as in view/controller.py
 //   others: [{style, radius, angle, way, speed, tint}]: characters that walk on rings around the start, of a crowd; [] without
 //   crowd: the skeleton of these bodies, or null
 //   bvh: {header, joints, centimetre} of a recording;  traits: first values for controller.js
 // }
 import { copy, follow, stand, steer, unit } from "./frame.js";
+import { Life } from "./life.js";
 import { Network } from "./network.js";
 import { numbers } from "./numbers.js";
 import { plant, pose } from "./pose.js";
@@ -118,6 +120,7 @@ export class Kernel extends Model {
     this.style = this.target();
     this.frame = this.due = this.last = this.handle = 0;
     this.recorded = [];
+    this.life = [this.style, ...this.others.map(({ style }) => style)].map((_, k) => new Life(data.life.amount, data.life.period, k));
   }
 
   set(name, value) {
@@ -157,8 +160,8 @@ export class Kernel extends Model {
     const { style, character, data, traits } = this, target = this.target();
     for (let i = 0; i < style.length; i++) style[i] += data.ease * (target[i] - style[i]);
     const others = this.others.map((other) => other.character);
-    advance([character, ...others], [this.command(), ...this.others.map((other) => other.command())],
-            [style, ...this.others.map((other) => other.style)]);
+    const styles = [style, ...this.others.map((other) => other.style)].map((vector, k) => this.life[k].at(this.frame, vector));
+    advance([character, ...others], [this.command(), ...this.others.map((other) => other.command())], styles);
     this.frame += 1;
     if (!traits.recording) return;
     character.pose(traits);

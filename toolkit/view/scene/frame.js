@@ -1,7 +1,7 @@
 // What a frame does before and after its network (runtime.py, steering.py; compiled/frame.py, whose functions these are).
 //
 // state: float64 arrays named as those of runtime.CharacterState: history [61 * 4], future [6 * 4], drive [1], joints [12 J], phase,
-//   velocity [2], facing [2], contacts [2], toes [2 * 3], drift [2 * 2], drop [2]
+//   velocity [2], facing [2], asked [2], aside [1], rest [1], contacts [2], toes [2 * 3], drift [2 * 3], drop [2]
 // rules: compiled/frame.py's Rules, and where a joint's position, forward, up and velocity are in its `width` numbers
 
 export const copy = (state) => Object.fromEntries(Object.entries(state).map(([name, values]) => [name, Float64Array.from(values)]));
@@ -47,7 +47,7 @@ function moved(history, ago, rules) {
 
 function govern(history, drive, velocity, rules) {
   const wanted = Math.hypot(...velocity);
-  if (wanted <= 0.1) return lerp(drive, 1, 0.05);
+  if (wanted <= rules.moves) return lerp(drive, 1, 0.05);
   const [x, z] = unit(velocity);
   const [lag, before] = [0, 1].map((ago) => {
     const [vx, vz] = moved(history, ago, rules);
@@ -57,27 +57,44 @@ function govern(history, drive, velocity, rules) {
   return clamp(drive + Math.max(drive, 1) * push, 0, rules.max_drive);
 }
 
-// Fills x, and of the new state velocity, facing, drive and the future bent towards the command {velocity, facing} (section 4.4).
+// change of the target velocity that opposes the lateral velocity; fills asked and aside of the new state
+function straighten(old, velocity, rules, next) {
+  const asked = velocity.map((v, i) => lerp(old.asked[i], v, rules.asked)), [x, z] = unit(velocity), now = moved(old.history, 0, rules);
+  const lateral = (now[0] - asked[0]) * z - (now[1] - asked[1]) * x, walks = Math.hypot(...velocity) > rules.moves;
+  next.asked.set(asked);
+  next.aside[0] = walks ? clamp(old.aside[0] + rules.sideways_sum * lateral, -1, 1) : rules.forget * old.aside[0];
+  const push = walks ? (rules.sideways * lateral + next.aside[0]) * Math.max(old.drive[0], 1) : 0;
+  return [-push * z, push * x];
+}
+
+// share of standing still, for a root with a direction
+function standing({ rest, facing }, [sin, cos], { may_stand, aligned }) {
+  return rest[0] * clamp((sin * facing[0] + cos * facing[1] - may_stand) / (aligned - may_stand), 0, 1);
+}
+
+// Fills x, and of the new state the command's parts and the future bent towards the command {velocity, facing} (section 4.4).
 export function steer(old, command, rules, x, next) {
   const { history, future } = old, bent = next.future, here = history.length - 4;
-  const velocity = [0, 1].map((i) => lerp(old.velocity[i], command.velocity[i], rules.gain));
+  const velocity = [0, 1].map((i) => lerp(old.velocity[i], command.velocity[i], rules.gain)), speed = Math.hypot(...velocity);
   const facing = Math.hypot(...command.facing) > 1e-6 ? turn(...old.facing, ...command.facing, rules.gain) : old.facing;
   next.velocity.set(velocity);
   next.facing.set(facing);
-  const drive = old.drive[0];
+  const drive = old.drive[0], rest = clamp(old.rest[0] + (speed < rules.moves ? rules.standing : -rules.starting), 0, 1);
   next.drive[0] = govern(history, drive, velocity, rules);
+  next.rest[0] = rest;
 
-  const hold = rules.stand_still * Math.max(1 - Math.min(Math.hypot(...velocity) / rules.slow, drive / rules.low), 0);
-  const pull = moved(history, 0, rules).map((v, i) => drive * velocity[i] + hold * (velocity[i] - v));
+  const slow = rules.stand_still * Math.max(1 - Math.min(speed / rules.slow, drive / rules.low), 0);
+  const across = straighten(old, velocity, rules, next), now = moved(history, 0, rules);
+  const pull = velocity.map((v, i) => drive * v + slow * (v - now[i]) + across[i]);
   const rootX = history[here], rootZ = history[here + 1], sin = history[here + 2], cos = history[here + 3];
   let px = rootX, pz = rootZ;
   bent.set(history.subarray(here));
   for (let s = 1; s < rules.position_shares.length; s++) {
-    const at = 4 * s, share = rules.position_shares[s];
+    const at = 4 * s, share = lerp(rules.position_shares[s], 1, rest);
     px += lerp(future[at] - future[at - 4], pull[0] * rules.seconds[s], share);
     pz += lerp(future[at + 1] - future[at - 3], pull[1] * rules.seconds[s], share);
     bent[at] = px, bent[at + 1] = pz;
-    bent.set(turn(future[at + 2], future[at + 3], facing[0], facing[1], rules.direction_shares[s]), at + 2);
+    bent.set(turn(future[at + 2], future[at + 3], facing[0], facing[1], lerp(rules.direction_shares[s], 1, rest)), at + 2);
   }
   const { samples } = rules, current = samples.length - rules.position_shares.length;
   for (let s = 0; s < samples.length; s++) {
@@ -92,7 +109,7 @@ export function steer(old, command, rules, x, next) {
 // where the pose has the toes, world, right and left
 function toes({ history, joints }, rules) {
   const [x, z, sin, cos] = history.subarray(history.length - 4), [s, c] = unit([sin, cos]);
-  return rules.toes.map((joint) => {
+  return rules.legs.map(([, , joint]) => {
     const [px, py, pz] = three(joints, rules.width * joint);
     return [c * px + s * pz + x, py, c * pz - s * px + z];
   });
@@ -103,33 +120,39 @@ function hold(old, before, predicted, left, rules, next) {
   const seconds = 1 / rules.fps, fade = Math.exp(-rules.let_go * seconds);
   for (const side of [0, 1]) {
     const there = predicted[side], other = predicted[1 - side], inwards = left.map((v) => (side ? -v : v));
-    const offset = [0, 2].map((i) => old.toes[3 * side + i] - before[side][i]);
-    const push = offset.map((v, i) => old.drift[2 * side + i] + rules.let_go * v);
+    const offset = there.map((_, i) => old.toes[3 * side + i] - before[side][i]);
+    const push = offset.map((v, i) => old.drift[3 * side + i] + rules.let_go * v);
     const held = next.contacts[side] > 0.5;
     let now;
     if (held) {
-      now = [0, 2].map((i) => old.toes[3 * side + i] - there[i]);
+      now = there.map((v, i) => old.toes[3 * side + i] - v);
       const scale = rules.slack / Math.max(Math.hypot(...now), rules.slack);
       now = now.map((v) => v * scale);
     } else now = offset.map((v, i) => fade * (v + push[i] * seconds));
-    const apart = Math.max((other[0] - there[0]) * inwards[0] + (other[2] - there[2]) * inwards[1], 0);
-    const over = Math.max(now[0] * inwards[0] + now[1] * inwards[1] - apart / 4, 0);
-    now = now.map((v, i) => v - over * inwards[i]);
-    for (const i of [0, 1])
-      next.drift[2 * side + i] = held ? (now[i] - offset[i]) / seconds
-        : fade * (old.drift[2 * side + i] - rules.let_go * push[i] * seconds);
-    next.toes.set([there[0] + now[0], there[1], there[2] + now[1]], 3 * side);
+    const apart = (other[0] - there[0]) * inwards[0] + (other[2] - there[2]) * inwards[1];
+    const over = Math.max(now[0] * inwards[0] + now[2] * inwards[1] - Math.max(apart / 4, rules.near), 0);
+    now = [now[0] - over * inwards[0], now[1], now[2] - over * inwards[1]];
+    for (const i of [0, 1, 2])
+      next.drift[3 * side + i] = held ? (now[i] - offset[i]) / seconds
+        : fade * (old.drift[3 * side + i] - rules.let_go * push[i] * seconds);
+    next.toes.set(there.map((v, i) => v + now[i]), 3 * side);
   }
 }
 
-// The new pose: halfway between the prediction and where velocities lead, seen from the new root frame.
-function pose(was, z, [sin, cos], [right, ahead], rules, joints) {
-  const half = 0.5 / rules.fps, { position, forward, up, velocity, width, joints_out } = rules;
+// The new pose: halfway between the prediction and where velocities lead, seen from the new root frame; a leg in contact is
+// only led by its velocities.
+function pose(was, z, [sin, cos], [right, ahead], contacts, rules, joints) {
+  const { position, forward, up, velocity, width, joints_out } = rules, shares = new Float64Array(was.length / width).fill(0.5);
+  rules.legs.forEach((leg, side) => leg.forEach((j) => (shares[j] *= 1 - Math.min(2 * contacts[side], 1))));
+  const lifts = new Float64Array(shares.length);
+  rules.legs.forEach(([, , toe], side) => (lifts[toe] = rules.lift * (1 - Math.min(2 * contacts[side], 1))));
   const write = (at, vx, vy, vz) => (joints[at] = cos * vx + sin * vz, joints[at + 1] = vy, joints[at + 2] = cos * vz - sin * vx);
   for (let j = 0; j < was.length; j += width) {
     const out = joints_out + j, p = out + position, v = out + velocity, at = j + position, [fx, fy, fz] = unit(three(z, out + forward));
     const [ux, uy, uz] = three(z, out + up), along = ux * fx + uy * fy + uz * fz, over = unit([ux - along * fx, uy - along * fy, uz - along * fz]);
-    write(at, 0.5 * (was[at] + z[p]) + half * z[v], 0.5 * (was[at + 1] + z[p + 1]) + half * z[v + 1], 0.5 * (was[at + 2] + z[p + 2]) + half * z[v + 2]);
+    const share = shares[j / width], led = (i) => lerp(was[at + i] + z[v + i] / rules.fps, z[p + i], share);
+    const swing = lifts[j / width] * Math.max(led(1) - rules.ground, 0);
+    write(at, led(0), led(1) + swing, led(2));
     write(j + forward, fx, fy, fz);
     write(j + up, over[0], over[1], over[2]);
     write(j + velocity, z[v], z[v + 1], z[v + 2]);
@@ -146,8 +169,9 @@ export function follow(old, z, rules, next) {
     const at = rules.trajectory_out + 4 * s, k = 4 * s, [dx, dz] = unit([z[at + 2], z[at + 3]]);
     const place = [cos * z[at] + sin * z[at + 1] + rootX, cos * z[at + 1] - sin * z[at] + rootZ];
     const direction = [cos * dx + sin * dz, cos * dz - sin * dx];
-    if (s === 0) {
-      history.set([...place, ...direction], here);
+    if (s === 0) { // a character that is to stand gives up its way first, and its turn once it looks where it should
+      const turned = turn(...direction, sin, cos, standing(next, [sin, cos], rules));
+      history.set([lerp(place[0], rootX, next.rest[0]), lerp(place[1], rootZ, next.rest[0]), ...turned], here);
       future.set(history.subarray(here));
     } else {
       const mixed = [...place, ...direction].map((v, i) => lerp(future[k + i], v, rules.correction));
@@ -156,12 +180,17 @@ export function follow(old, z, rules, next) {
   }
   const [x, z1, newSin, newCos] = history.subarray(here), dx = rootX - x, dz = rootZ - z1;
   const around = unit([sin * newCos - cos * newSin, cos * newCos + sin * newSin]);
-  pose(old.joints, z, around, [newCos * dx - newSin * dz, newSin * dx + newCos * dz], rules, next.joints);
+  const stand = standing(next, [sin, cos], rules);
+  for (const side of [0, 1]) { // a foot on the ground stays there while the character stands
+    const contact = clamp(z[rules.contacts + side], 0, 1);
+    next.contacts[side] = stand > rules.stands && (contact > 0.5 || old.contacts[side] === 1) ? 1 : contact;
+  }
+  pose(old.joints, z, around, [newCos * dx - newSin * dz, newSin * dx + newCos * dz], next.contacts, rules, next.joints);
+  const still = stand * Math.min(...next.contacts);
   for (let i = 0; i < next.phase.length; i += 2) { // limb by limb, as networks/phase.py's advance
     const update = [0, 1].map((k) => z[rules.updates + i + k]), total = update.map((v, k) => old.phase[i + k] + v);
     const share = Math.min((rules.pull * Math.hypot(...update)) / Math.max(Math.hypot(...total), 1e-6), 0.5);
-    for (const k of [0, 1]) next.phase[i + k] = lerp(total[k], z[rules.phases + i + k], share);
+    for (const k of [0, 1]) next.phase[i + k] = lerp(lerp(total[k], z[rules.phases + i + k], share), old.phase[i + k], still);
   }
-  for (const side of [0, 1]) next.contacts[side] = clamp(z[rules.contacts + side], 0, 1);
   hold(old, toes(old, rules), toes(next, rules), [newCos, -newSin], rules, next);
 }

@@ -1,6 +1,6 @@
 // A shot as data, its plan and the character that walks it (shots/shot.py, shots/keys.py; shots/feasibility.py for what is missed).
 //
-// A shot here has every field of `toolkit.shots.Shot`, with null where there is none:
+// A shot here has every field of `toolkit.extra.shots.Shot`, with null where there is none:
 //   path [{x, z, time, facing}], styles [{time, blend, easing}], speeds [{time, speed, easing}], holds [{seconds, time, distance}],
 //   smooth, facing, look_at, feet, arms, seed, duration, name, radius;  a blend is weights by style, or a list of them, one for each layer
 // desk: {rules, limits, styles: [names], vectors, size, speeds: [m/s]}, see view/director.py

@@ -1,0 +1,217 @@
+"""Exercises that check an answer with cases which the notebook does not show, and sentences that
+are shown only if true.
+"""
+
+import importlib
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from html import escape
+from typing import Any
+
+import torch
+from course.sequence import LESSONS
+
+Judge = Callable[[Any], str]
+NOTHING = "no answer yet."  # then no hint is given
+
+#: Module of `course.exercises` -> numbers of its notebooks.
+MODULES = {"features": ("00", "01"), "phases": ("02a", "02b"), "networks": ("03a", "03b", "07"),
+           "styles": ("04", "05", "06", "08a", "08b"), "measures": ("09", "10", "11", "12")}
+
+
+@dataclass(frozen=True)
+class Exercise:
+    """How an answer is judged, and a hint for those who have not begun."""
+
+    judge: Judge  # takes an answer, returns what is wrong with it, or "" where it is right
+    hint: str
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What `check` found; true if the answer is right."""
+
+    name: str
+    right: bool
+    text: str
+
+    def __bool__(self) -> bool:
+        return self.right
+
+    def __repr__(self) -> str:
+        return f"{'✓' if self.right else '○'} {self.name}: {self.text}"
+
+    def _repr_html_(self) -> str:
+        return (
+            f'<div style="border-left: 5px solid {"#2fa596" if self.right else "#e3a13a"}; '
+            f'padding: 4px 12px">'
+            f"<b>{escape(self.name)}</b> {escape(self.text)}</div>"
+        )
+
+
+def check(name: str, answer: Any) -> Verdict:
+    """Judge an answer with hidden cases, and give a hint if it is wrong.
+
+    Parameters
+    ----------
+    name
+        Number of the notebook and of the exercise, such as "02a.1".
+    answer
+        A function or a value, as the exercise asks for; ``...`` if there is no answer yet.
+
+    Raises
+    ------
+    ValueError
+        If there is no such exercise.
+    """
+    number = name.partition(".")[0]
+    known = exercises_of(number) if number in LESSONS else {}
+    if name not in known:
+        raise ValueError(
+            f"no exercise {name!r}; there are {', '.join(known) or ', '.join(LESSONS)}"
+        )
+    exercise = known[name]
+    try:
+        empty = ... in answer.values() if isinstance(answer, dict) else answer is ...
+        wrong = NOTHING if empty else exercise.judge(answer)
+    except Exception as error:  # of the reader's function
+        wrong = f"your answer raised {type(error).__name__}: {error}."
+    hint = "" if wrong == NOTHING else f" Hint: {exercise.hint}"
+    text = f"{wrong[:1].upper()}{wrong[1:]}{hint}" if wrong else "Right."
+    return Verdict(name, not wrong, text)
+
+
+def exercises_of(number: str) -> dict[str, Exercise]:
+    """Exercises of a notebook, by name."""
+    module = next(name for name, numbers in MODULES.items() if number in numbers)
+    known = importlib.import_module(f"course.exercises.{module}").EXERCISES
+    return {name: exercise for name, exercise in known.items() if name.partition(".")[0] == number}
+
+
+def same_as(
+    right: Callable, cases: Callable[[], Sequence[tuple]],
+    wrong: Mapping[str, Callable] | None = None, tolerance: float = 1e-3
+) -> Judge:
+    """A judge that compares a function with the right one.
+
+    Parameters
+    ----------
+    right, cases
+        The right function, and a function that returns the arguments of each call.
+    wrong
+        What to say to known wrong answers: text -> the function that gives such an answer.
+    tolerance
+        Largest difference, relative to the largest number of the right result.
+    """
+
+    def judge(answer) -> str:
+        if not callable(answer):
+            return f"a function is needed, not {type(answer).__name__}."
+        every = list(cases())
+        for i, case in enumerate(every):
+            got, want = answer(*case), right(*case)
+            if got is ... or got is None:
+                return NOTHING
+            if difference := differs(got, want, tolerance):
+                known = (
+                    text
+                    for text, other in (wrong or {}).items()
+                    if not differs(got, other(*case), tolerance)
+                )
+                return next(known, f"hidden case {i + 1} of {len(every)}: {difference}.")
+        return ""
+
+    return judge
+
+
+def equals(right: Any, wrong: Mapping[str, Any] | None = None, tolerance: float = 1e-3) -> Judge:
+    """A judge that compares a value with the right one.
+
+    ``wrong`` has values in place of functions, as in `same_as`.
+    """
+
+    def judge(answer) -> str:
+        if not (difference := differs(answer, right, tolerance)):
+            return ""
+        return next(
+            (
+                text
+                for text, other in (wrong or {}).items()
+                if not differs(answer, other, tolerance)
+            ),
+            f"{difference}.",
+        )
+
+    return judge
+
+
+def draws(seed: int, *shapes: tuple[int, ...]) -> tuple[torch.Tensor, ...]:
+    """Normal numbers of these shapes, the same in every call: arguments of a hidden case."""
+    make = torch.Generator().manual_seed(seed)
+    return tuple(torch.randn(shape, generator=make) for shape in shapes)
+
+
+def differs(got: Any, want: Any, tolerance: float) -> str:
+    """How two results differ, without the right one; "" where they agree."""
+    if isinstance(want, str | set | dict | bool) or want is None:
+        return "" if type(got) is type(want) and got == want else f"{got!r} is not right"
+    got, want = (torch.as_tensor(x).detach().to("cpu", torch.float64) for x in (got, want))
+    if got.shape != want.shape:
+        return f"the result has the shape {list(got.shape)}, and {list(want.shape)} is right"
+    off = (got - want).abs().max() if want.numel() else torch.zeros(())
+    if off <= tolerance * max(1e-9, float(want.abs().max())):
+        return ""
+    return (
+        "the shape is right, but the numbers are not"
+        if want.ndim
+        else f"{float(got):.4g} is not right"
+    )
+
+
+class Sentences:
+    """Markdown of one or several true sentences."""
+
+    def __init__(self, *lines: str):
+        self.lines = lines
+
+    def __repr__(self) -> str:
+        return "\n".join(self.lines)
+
+    _repr_markdown_ = __repr__
+
+
+def claim(sentence: str, *conditions: bool) -> Sentences:
+    """Show a sentence about a result, if all conditions hold.
+
+    Numbers in the sentence come from the run (an f-string). What the sentence says of them is a
+    condition.
+
+    Raises
+    ------
+    ValueError
+        If there is no condition.
+    AssertionError
+        If one does not hold: then the sentence and the run disagree.
+    """
+    if not conditions:
+        raise ValueError(f"give the conditions under which this is true: {sentence}")
+    for i, condition in enumerate(conditions):
+        if not bool(condition):
+            raise AssertionError(
+                f"condition {i + 1} of {len(conditions)} does not hold, so this is not true: "
+                f"{sentence}"
+            )
+    return Sentences(sentence)
+
+
+def learnt(sentences: Mapping[str, bool]) -> Sentences:
+    """The list *What you learnt*: sentence -> the condition under which it is true.
+
+    Raises
+    ------
+    AssertionError
+        If one is not true.
+    """
+    return Sentences(
+        *(f"* {claim(sentence, condition)}" for sentence, condition in sentences.items())
+    )

@@ -1,0 +1,12 @@
+"""Exercises of the notebooks.
+
+Each module has some of them in ``EXERCISES``, name -> `course.Exercise`.
+"""
+
+import pkgutil
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach(
+    __name__, [module.name for module in pkgutil.iter_modules(__path__)]
+)

@@ -1,0 +1,257 @@
+"""Widgets in JupyterLab: one notebook with all of them, whose styles are named like HTML."""
+
+import json
+import re
+import subprocess
+import sys
+import time
+import urllib.request
+
+import nbformat
+import pytest
+
+IMAGE, COMMENT = "<img src=x onerror=hacked=1>", "<!--<script>"
+CELLS = [
+    f"""
+import asyncio, json, pathlib, torch
+import course
+import toolkit as tk
+from toolkit.networks.bank import StyleBank
+model, bank = tk.pretrained()
+bank = bank.select(["Neutral", "Zombie", "Crouch", "Aeroplane"])
+planted = StyleBank(("Neutral", "Zombie", {IMAGE!r}, {COMMENT!r}), bank.vectors)
+clip = tk.datasets.load("procedural", styles=["Old"], gaits=["FW"], seconds=2.0)[0]
+clip = clip.replace(style={IMAGE!r})
+control = tk.view.Controller(model, planted)
+control
+""",
+    """
+pack = tk.view.Controller.send  # a second one, as of a model with one phase for the whole body
+def send(self, content, buffers=None):
+    pack(self, content, buffers and [buffers[0][:-28] if self is other else buffers[0]])
+tk.view.Controller.send, other = send, None
+other = tk.view.Controller(model, planted)
+other
+""",
+    """
+points = torch.tensor([[0.0, 0.0], [4.0, 0.0], [0.0, 4.0], [4.0, 4.5]])
+cuts = {"Neutral": clip.replace(style="Neutral"), "Zombie": clip.replace(style="Zombie")}
+def make(blend):
+    name = max(blend, key=blend.get)
+    if name not in cuts:
+        raise ValueError(name + ".bvh: cannot be read")
+    return cuts[name].cut(0, 2) if blend[name] > 0.9 else clip.cut(0, 2).replace(style="between")
+explorer = tk.view.explore(model, planted, points=points, groups=["a", "a", "b", "b"],
+                           make_clip=make, size=(160, 120))
+explorer
+""",
+    """
+player = tk.view.play([clip, clip.mirrored()], contacts=[tk.contacts.detect(clip), None],
+                      labels=["<b>data</b>", "mirrored"], size=(320, 240))
+player
+""",
+    f"""
+shot = tk.shots.Shot([(0, 0), (0, 1)], "Zombie", duration=1, name={COMMENT!r})
+desk = tk.view.Director(model, planted, [shot], height=600)
+desk
+""",
+    f"course.check('01.1', {IMAGE!r})",
+    "course.here('01')",
+    f"""
+tk.view.style_space(points, planted.names, title={COMMENT!r})
+""",
+    """
+async def probe():
+    while True:
+        now = {"root": control.state.root[0].tolist(), "weights": control.weights,
+               "other": other.frames, "frames": control.frames, "recording": control.recording,
+               "frame": player.frame, "playing": player.playing, "scene": desk.scene}
+        pathlib.Path("probe.tmp").write_text(json.dumps(now))
+        pathlib.Path("probe.tmp").rename("probe.json")
+        await asyncio.sleep(0.1)
+probing = asyncio.create_task(probe())
+""",
+]
+RUN = """async () => {
+    const { content, sessionContext } = jupyterapp.shell.currentWidget;
+    await sessionContext.ready;
+    await sessionContext.session.kernel.info;
+    const done = await jupyterapp.commands.execute("notebook:run-all-cells");
+    const outputs = content.widgets.flatMap((cell) => cell.model.outputs?.toJSON() ?? []);
+    const error = outputs.find((output) => output.output_type === "error");
+    return error ? `${error.ename}: ${error.evalue}` : done ? "" : "not all ran";
+}"""
+CLEAR = "(i) => jupyterapp.shell.currentWidget.content.widgets[i].model.outputs.clear()"
+TITLE = "document.querySelector('.jp-Cell:nth-of-type(3) b').textContent"
+
+
+@pytest.fixture
+def lab(environment, tmp_path):
+    """Address of a JupyterLab server on a folder, with the extension that sends at once."""
+    command = [
+        sys.executable, "-m", "jupyter", "lab", "--no-browser", "--allow-root", "--port=0",
+        "--ServerApp.port_retries=0", "--IdentityProvider.token=",
+        "--ServerApp.disable_check_xsrf=True", "--expose-app-in-browser",
+        "--ServerApp.jpserver_extensions={'toolkit.view.widgets.server': True}",
+        f"--ServerApp.root_dir={tmp_path}",
+    ]
+    log = tmp_path / "server.log"
+    with log.open("w") as file:
+        server = subprocess.Popen(command, env=environment, stdout=file, stderr=subprocess.STDOUT)
+    try:
+        for _ in range(600):
+            found = re.search(r"http://(?:localhost|127\.0\.0\.1):\d+", log.read_text())
+            if found:
+                break
+            assert server.poll() is None, log.read_text()
+            time.sleep(0.1)
+        yield found[0]
+    finally:
+        server.terminate()
+        server.wait(20)
+
+
+def test_widgets_in_jupyterlab(browser, lab, tmp_path):
+    cells = [nbformat.v4.new_code_cell(source.strip()) for source in CELLS]
+    kernel = {"name": "python3", "display_name": "Python 3", "language": "python"}
+    notebook = nbformat.v4.new_notebook(cells=cells, metadata={"kernelspec": kernel})
+    nbformat.write(notebook, tmp_path / "widgets.ipynb")
+    errors = []
+    page = browser.new_page(viewport={"width": 1360, "height": 1100})
+    page.set_default_timeout(150_000)
+    page.on("console", lambda m: errors.append(m.text) if m.type == "error" else None)
+    page.on("pageerror", lambda error: errors.append(str(error)))
+    page.goto(f"{lab}/lab/tree/widgets.ipynb?reset")
+    page.wait_for_selector('.jp-Notebook-ExecutionIndicator[data-status="idle"]')
+    assert page.evaluate(RUN) == ""
+
+    def kernel(test):
+        """What the kernel says about its widgets, as soon as it passes a test."""
+        deadline, path = time.monotonic() + 120, tmp_path / "probe.json"
+        while not path.exists() or not test(value := json.loads(path.read_text())):
+            assert time.monotonic() < deadline, value
+            time.sleep(0.05)
+        return value
+
+    try:
+        steered(page, kernel)
+        no_dials_and_no_frames_without_a_view(page, kernel)
+        styles_are_picked(page)
+        clips_play(page, kernel)
+        shots_reach_the_kernel(page, kernel)
+        assert page.locator(".jp-OutputArea svg[role=img]").count() > 0  # the map of the course
+        # Nothing that looks like HTML ran or became an element.
+        assert page.evaluate("() => typeof hacked") == "undefined"
+        assert page.locator('img[src="x"]').count() == 0
+        assert page.locator(".jp-OutputArea b b").count() == 0
+        shown = page.locator(".jp-OutputArea-output").all_text_contents()
+        assert sum(COMMENT in text or IMAGE in text for text in shown) >= 3
+        assert not [error for error in errors if "favicon" not in error]
+        with urllib.request.urlopen(f"{lab}/api/kernels") as listed:
+            (running,) = json.load(listed)
+        address = f"{lab}/api/kernels/{running['id']}/restart"
+        urllib.request.urlopen(urllib.request.Request(address, method="POST")).close()
+        page.wait_for_function(
+            "() => document.querySelector('.tkc-alert').textContent.includes('kernel')"
+        )
+    finally:
+        page.close()
+
+
+def steered(page, kernel) -> None:
+    """Keys move the character, the marker changes the style, the stick is followed."""
+    stage = page.locator(".tkc-stage").first
+    stage.scroll_into_view_if_needed()
+    before = kernel(lambda p: p["frames"] > 10)["root"]
+    page.locator(".tkc-record").first.click()
+    kernel(lambda p: p["recording"])
+    stage.focus()
+    page.keyboard.down("w")
+    walked = kernel(lambda p: p["root"][1] - before[1] > 0.5)["root"]
+    page.keyboard.down("q")
+    turned = kernel(lambda p: p["root"][2] > 0.5)["root"]
+    page.keyboard.up("q")
+    page.keyboard.up("w")
+    assert turned[0] > walked[0]  # Q turns left, which is +x
+    box = page.locator(".tk-triangle svg").first.bounding_box()
+    drag(page, (box["x"] + 110, box["y"] + 123), (box["x"] + 180, box["y"] + 165))
+    blended = kernel(lambda p: p["weights"][1] > 0.7)
+    assert sum(blended["weights"]) == pytest.approx(1)
+    page.locator(".tkc-record").first.click()
+    kernel(lambda p: not p["recording"])
+
+
+def no_dials_and_no_frames_without_a_view(page, kernel) -> None:
+    """The second controller's model has no local phases; cleared, it makes no frames."""
+    count = kernel(lambda p: p["other"] > 10)["other"]
+    assert page.locator(".tkc-dials").nth(1).is_hidden()
+    assert page.locator(".tkc-dials").first.is_visible()
+    page.evaluate(CLEAR, 1)
+    page.wait_for_function("() => document.querySelectorAll('.tkc').length === 1")
+    counts = [count, -1]
+
+    def still(now) -> bool:
+        counts.append(now["other"])
+        return len(counts) > 12 and len(set(counts[-10:])) == 1
+
+    kernel(still)
+
+
+def styles_are_picked(page) -> None:
+    """A click plays a style, a drag of the ring a blend; what a motion's maker raises is shown."""
+    points = page.locator(".tk-style-map .scatterlayer .points path")
+    points.first.wait_for()
+    page.locator(".tk-style-map").scroll_into_view_if_needed()
+    assert points.count() == 4
+    boxes = [point.bounding_box() for point in points.all()]
+    where = [(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2) for box in boxes]
+    page.mouse.move(where[1][0] - 9, where[1][1])
+    page.mouse.move(*where[1])
+    hover = "document.querySelector('.tk-style-map .hoverlayer').textContent"
+    page.wait_for_function(f"() => {hover}.includes('Zombie')")
+    page.mouse.down()
+    page.mouse.up()
+    page.locator("b", has_text="Zombie").first.wait_for()
+    place = """(x) => {
+        const ring = document.querySelectorAll('.tk-style-map > div')[1].getBoundingClientRect();
+        return Math.abs(ring.x + ring.width / 2 - x) < 2;
+    }"""
+    page.wait_for_function(place, arg=where[1][0])
+    drag(page, where[1], ((where[0][0] + where[1][0]) / 2, where[0][1]))
+    page.locator("b", has_text="between").first.wait_for()
+    page.mouse.click(*where[2])
+    page.get_by_text("cannot be read").first.wait_for()
+
+
+def clips_play(page, kernel) -> None:
+    """The player plays and stops; a switch and a slider change its picture."""
+    screen = page.locator(".jp-Cell").nth(3).locator(".tk-screen")
+    screen.scroll_into_view_if_needed()
+    button = page.locator(".jp-Cell").nth(3).locator("button[title='Play or pause']")
+    button.click()
+    kernel(lambda p: p["playing"] and p["frame"] > 3)
+    button.click()
+    kernel(lambda p: not p["playing"])
+    screen.evaluate("(it) => { it.shown = 0; it.addEventListener('load', () => it.shown++); }")
+    page.get_by_role("button", name="Trajectory").nth(1).click()
+    page.wait_for_function("(it) => it.shown > 0", arg=screen.element_handle())
+
+
+def shots_reach_the_kernel(page, kernel) -> None:
+    """A point is dragged on the Director's map; undo reaches the Director, not the notebook."""
+    page.wait_for_selector(".tkd-map circle")
+    page.locator(".tkd").scroll_into_view_if_needed()
+    point = page.locator(".tkd-map circle").nth(1).bounding_box()
+    x, y = point["x"] + point["width"] / 2, point["y"] + point["height"] / 2
+    drag(page, (x, y), (x - 50, y))
+    kernel(lambda p: p["scene"]["shots"][0]["path"][1] not in ([0, 1], {"x": 0, "z": 1}))
+    page.keyboard.press("Control+z")
+    view = "document.querySelector('.tkd').parentElement.toolkit"
+    assert page.evaluate(f"() => {view}.desk.shot.path[1].x") == 0
+
+
+def drag(page, start, stop) -> None:
+    page.mouse.move(*start)
+    page.mouse.down()
+    page.mouse.move(*stop, steps=8)
+    page.mouse.up()

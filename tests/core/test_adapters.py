@@ -1,0 +1,126 @@
+"""The parts that the seven models are made of, against slow loops over samples."""
+
+import math
+
+import numpy as np
+import pytest
+import torch
+
+from toolkit.networks import BlendedLinear, CatmullRom, Film, OneHot, ResidualAdapter, fold
+from toolkit.networks.film import layer_norm
+
+
+def spline(points, phase):
+    """Cubic Catmull-Rom through sets of weights, as Holden et al. 2017 write it (equation 7)."""
+    k = len(points)
+    along = k * (phase % math.tau) / math.tau
+    at, w = int(along), along % 1
+    a, b, c, d = (points[(at + n) % k] for n in (-1, 0, 1, 2))
+    return (b + w * (c / 2 - a / 2) + w * w * (a - 5 / 2 * b + 2 * c - d / 2)
+            + w**3 * (3 / 2 * b - 3 / 2 * c + d / 2 - a / 2))
+
+
+@pytest.mark.parametrize("points", [4, 5])
+def test_a_layer_on_a_phase_equals_interpolating_whole_weight_sets(points):
+    torch.manual_seed(0)
+    layer, curve = BlendedLinear(points, 7, 6).double(), CatmullRom(points)
+    torch.nn.init.normal_(layer.weight)
+    torch.nn.init.normal_(layer.bias)
+    x, phase = torch.randn(40, 7).double(), torch.linspace(-3.0, 10.0, 40).double()
+    got = layer(x, curve(phase[:, None]))
+    for n in range(40):
+        at = float(phase[n])
+        expected = x[n] @ spline(layer.weight, at) + spline(layer.bias, at)
+        torch.testing.assert_close(got[n], expected, rtol=1e-10, atol=1e-10)
+
+
+def test_the_curve_goes_through_its_points_and_has_four_or_more():
+    corners = CatmullRom()(torch.arange(4)[:, None] * math.tau / 4)
+    torch.testing.assert_close(corners, torch.eye(4), atol=1e-6, rtol=0)
+    with pytest.raises(ValueError, match="needs 4 control points or more, got 3"):
+        CatmullRom(3)
+
+
+def test_one_hot_is_a_label_beside_the_input():
+    """The shift of the first layer equals rows of every expert's weights for the label."""
+    torch.manual_seed(1)
+    layer, label = BlendedLinear(3, 7, 6).double(), OneHot(3, 6, 4).double()
+    gates = torch.randn(5, 3).double()
+    x, styles = torch.randn(5, 7).double(), torch.tensor([2, 0, 3, 3, 1])
+    got = label(0, layer(x, gates), label.generator(styles), x, gates)
+    rows = label.generator.vectors.view(4, 3, 6)
+    for n, style in enumerate(styles.tolist()):
+        one_hot = torch.nn.functional.one_hot(torch.tensor(style), 4).double()
+        weight = sum(gates[n, k] * torch.cat((layer.weight[k], rows[:, k])) for k in range(3))
+        f = torch.cat((x[n], one_hot)) @ weight + sum(gates[n, k] * layer.bias[k] for k in range(3))
+        expected = torch.where(f > 0, f, f.expm1())
+        torch.testing.assert_close(got[n], expected, rtol=1e-10, atol=1e-12)
+    f = torch.randn(5, 6).double()
+    same = label(1, f, label.generator(styles), f, gates)
+    torch.testing.assert_close(same, torch.nn.functional.elu(f))
+
+
+@pytest.mark.parametrize("rank", [None, 3])
+def test_residual_adapter_equals_a_loop_over_samples(rank):
+    """With a decomposition, its coefficients follow the phase; a full matrix does not."""
+    torch.manual_seed(2)
+    adapter = ResidualAdapter(6, 4, rank, 0).double()
+    assert adapter.generator is None
+    f, x, gates, style = (torch.randn(5, n).double() for n in (6, 6, 4, adapter.size))
+    got = adapter(1, f, style, x, gates)
+    for n in range(5):
+        numbers = style[n].numpy()
+        if rank is None:
+            matrix, b = numbers[:36].reshape(6, 6), numbers[36:]
+        else:  # the full matrix at this sample's phase
+            v, c, u, b = np.split(numbers, np.cumsum([6 * rank, 4 * rank, 6 * rank]))
+            middle = np.diag(gates[n].numpy() @ c.reshape(4, rank))
+            matrix = v.reshape(6, rank) @ middle @ u.reshape(rank, 6)
+        a = f[n].numpy() + x[n].numpy() @ matrix + b
+        expected = np.where(a > 0, a, np.expm1(a))
+        np.testing.assert_allclose(got[n], expected, rtol=1e-10, atol=1e-12)
+    torch.testing.assert_close(adapter(0, f, style, x, gates), torch.nn.functional.elu(f))
+
+
+@pytest.mark.parametrize("modulation", [
+    Film(6, None), OneHot(4, 6, 0), ResidualAdapter(6, 4, None, 0), ResidualAdapter(6, 4, 3, 0)])
+@pytest.mark.parametrize("layer", [0, 1])
+def test_one_style_for_the_whole_batch_equals_a_row_for_each_sample(modulation, layer):
+    torch.manual_seed(4)
+    f, x, gates = torch.randn(5, 6), torch.randn(5, 6), torch.randn(5, 4)
+    style = torch.randn(modulation.size)
+    each = modulation(layer, f, style.expand(5, -1), x, gates)
+    torch.testing.assert_close(modulation(layer, f, style, x, gates), each)
+    torch.testing.assert_close(modulation(layer, f, style[None], x, gates), each)
+
+
+@pytest.mark.parametrize(("parts", "shift"), [
+    ((OneHot, 4, 6), 0), ((ResidualAdapter, 6, 4, 3), 1), ((ResidualAdapter, 6, 4, None), 1)])
+def test_a_new_style_is_a_shift_by_a_random_code(parts, shift):
+    torch.manual_seed(6)
+    kind, *sizes = parts
+    modulation = kind(*sizes, 300)
+    f, gates = torch.full((300, 6), 50.0), torch.softmax(torch.randn(300, 4), 1)
+    vectors = modulation.generator(torch.arange(300)).detach()
+    shifts = [modulation(shift, f, vectors, x, gates) - f for x in torch.randn(2, 300, 6)]
+    torch.testing.assert_close(*shifts)
+    assert float(shifts[0].std()) == pytest.approx(1.0, abs=0.05)
+    if kind is ResidualAdapter and sizes[-1]:
+        first, second = vectors[0, :18], vectors[0, 18:30]
+        assert 0.5 < float(first.abs().max()) / math.sqrt(6 / 18) <= 1
+        assert bool((second == 1).all())
+
+
+def test_film_folds_into_a_layers_weights():
+    """Equation 6, exact for all inputs; with layer normalisation up to the sample's deviation."""
+    torch.manual_seed(7)
+    x, weight, bias = (torch.randn(*n).double() for n in ((5, 7), (7, 6), (6,)))
+    gamma, beta = torch.randn(2, 6).double()
+    folded, shift = fold(weight, bias, gamma, beta)
+    right = gamma * (x @ weight + bias) + beta
+    torch.testing.assert_close(x @ folded + shift, right, rtol=1e-12, atol=1e-12)
+    f = x @ weight + bias
+    each = weight.expand(5, 7, 6), bias.expand(5, 6)
+    folded, shift = fold(*each, gamma, beta, f.std(-1))
+    got = torch.einsum("bi,bio->bo", x, folded) + shift
+    torch.testing.assert_close(got, gamma * layer_norm(f) + beta, rtol=1e-10, atol=1e-12)

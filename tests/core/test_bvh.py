@@ -1,0 +1,410 @@
+import itertools
+import math
+import re
+
+import numpy as np
+import pytest
+import torch
+from hypothesis import given, strategies as st
+from strategies import clips, human_clip
+
+import toolkit as tk
+from toolkit.io import bvh, decimals
+from toolkit.motion import rotations as R
+
+GOOD = """HIERARCHY
+ROOT Hips
+{
+\tOFFSET 0 0 0
+\tCHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation
+\tJOINT Chest
+\t{
+\t\tOFFSET 0 10 0
+\t\tCHANNELS 3 Zrotation Xrotation Yrotation
+\t\tEnd Site
+\t\t{
+\t\t\tOFFSET 0 5 0
+\t\t}
+\t}
+}
+MOTION
+Frames: 3
+Frame Time: 0.033333
+0 90 0 0 0 0 0 0 0
+1 90 0 0 0 90 0 0 0
+2 90 0 90 0 0 0 0 0
+"""
+
+
+def load(path, **labels):
+    """A file in centimetres with Y up."""
+    return bvh.load(path, unit=0.01, up="y", **labels)
+
+
+def write(folder, text, name="walk.bvh"):
+    path = folder / name
+    path.write_bytes(text if isinstance(text, bytes) else text.encode())
+    return path
+
+
+def test_a_file_worked_out_by_hand(tmp_path):
+    text = GOOD.replace("JOINT Chest", "JOINT Bip01 L Thigh")
+    clip = load(write(tmp_path, text), style="Old", gait="FW")
+    assert clip.skeleton.names == ("Hips", "Bip01 L Thigh", "Bip01 L ThighEnd")
+    assert (clip.fps, clip.style, clip.gait, clip.name) == (30.0, "Old", "FW", "walk.bvh")
+    expected = [[[0, 0.9, 0], [0, 1, 0], [0, 1.05, 0]],
+                [[0.01, 0.9, 0], [0.01, 1, 0], [0.01, 1.05, 0]],
+                [[0.02, 0.9, 0], [-0.08, 0.9, 0], [-0.13, 0.9, 0]]]
+    torch.testing.assert_close(clip.global_positions, torch.tensor(expected), atol=1e-6, rtol=0)
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda t: t.replace("\n", "\r\n"),
+        lambda t: "\ufeff" + t,
+        lambda t: re.sub(r"\n\s*{", " {", t),
+        lambda t: t.replace("\t", "    ") + "\n\n",
+        lambda t: t.replace("Frames: 3", "  Frames:\t3").replace("0 90 0 0", " 0  90 0\t0 "),
+        lambda t: t.replace("0.033333", "3.33333e-2"),
+        lambda t: t.replace("\n", "\r"),
+        lambda t: t.replace(" 90 0", " +9.0e+1\t0.  "),
+        lambda t: t.replace(" 90 0", " 90.0000000000000000000000 -0 "),
+        lambda t: t.rstrip(),
+        lambda t: re.sub(
+            "ROOT|JOINT|End Site|[XYZ](position|rotation)|OFFSET|CHANNELS",
+            lambda m: m[0].lower(),
+            t,
+        ),
+    ],
+    ids=[
+        "crlf",
+        "byte-order mark",
+        "brace behind the name",
+        "spaces and blank lines",
+        "odd spacing",
+        "exponent",
+        "cr",
+        "signs, points, tabs",
+        "more digits than a double holds",
+        "no last line end",
+        "keywords in lower case",
+    ],
+)
+def test_ways_to_write_the_same_file(tmp_path, change):
+    clip, same = (load(write(tmp_path, text)) for text in (GOOD, change(GOOD)))
+    assert same.skeleton.names == clip.skeleton.names
+    assert same.fps == clip.fps
+    torch.testing.assert_close(same.global_positions, clip.global_positions)
+
+
+def test_joints_may_be_called_like_end_sites(tmp_path):
+    """A leaf with channels is a joint; an End Site takes a name that is free."""
+    joint = "JOINT {}\n{{\nOFFSET 0 1 0\nCHANNELS 3 Zrotation Xrotation Yrotation\n{}}}\n"
+    end = "End Site\n{\nOFFSET 0 5 0\n}\n"
+    inner = (
+        end
+        + joint.format("HeadEnd", "")
+        + joint.format("Head2End", "")
+        + joint.format("Toe_End", end + end)
+    )
+    text = (
+        "HIERARCHY\nROOT Head\n{\nOFFSET 0 0 0\n"
+        + inner
+        + "}\nMOTION\nFrames: 1\nFrame Time: 0.1\n"
+    )
+    clip = load(write(tmp_path, text + "10 20 30 0 0 0 0 0 40"))
+    names = ("Head", "Head3End", "HeadEnd", "Head2End", "Toe_End", "Toe_EndEnd", "Toe_End2End")
+    assert clip.skeleton.names == names
+    assert clip.skeleton.ends == ("Head3End", "Toe_EndEnd", "Toe_End2End")
+    bvh.save(clip, tmp_path / "again.bvh")
+    again = load(tmp_path / "again.bvh")
+    assert (again.skeleton.names, again.skeleton.ends) == (names, clip.skeleton.ends)
+    torch.testing.assert_close(again.rotations, clip.rotations, atol=1e-6, rtol=0)
+    assert [bool((q != R.identity()).any()) for q in clip.rotations[0]] == [
+        False,
+        False,
+        True,
+        False,
+        True,
+        False,
+        False,
+    ]
+    assert clip.without_ends().skeleton.names == ("Head", "HeadEnd", "Head2End", "Toe_End")
+
+
+@st.composite
+def decimal(draw):
+    value = draw(st.floats(-1e6, 1e6) | st.floats(allow_nan=False, allow_infinity=False))
+    return draw(st.sampled_from(["%.6f", "%+.3f", "%g", "%.15g", "%.17g", "%e", "%.0f."])) % value
+
+
+@given(
+    st.lists(decimal(), min_size=1, max_size=12),
+    st.sampled_from([" ", "\t", "  ", " \n", "\r\n\n"]),
+)
+def test_numbers_are_the_nearest_doubles_or_refused(words, between):
+    """Bit by bit what Python reads; what is refused is read by Python itself."""
+    columns = np.zeros((1, len(words)) if between[-1] == "\n" else (len(words), 1))
+    if decimals.read(np.frombuffer(between.join(words).encode(), np.uint8), 0, columns):
+        assert [v.hex() for v in columns.ravel().tolist()] == [float(w).hex() for w in words]
+    else:
+        assert any(len(re.sub(r"e.*|\D", "", w)) > 15 or "e" in w for w in words)
+
+
+def test_position_channels_replace_the_offset_and_a_still_carrier_is_merged(tmp_path):
+    text = """HIERARCHY
+ROOT joint_Root
+{
+  OFFSET 0 0 0
+  CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation
+  JOINT Hips
+  {
+    OFFSET 7 7 7
+    CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation
+    JOINT Spine
+    {
+      OFFSET 7 7 7
+      CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation
+    }
+  }
+}
+MOTION
+Frames: 2
+Frame Time: 0.033333
+0 0 0 0 0 0 1 90 2 0 0 0 0 20 0 0 0 0
+0 0 0 0 0 0 1 90 9 0 0 0 0 20 0 0 0 0
+"""
+    clip = load(write(tmp_path, text))
+    assert clip.skeleton.names == ("Hips", "Spine")
+    expected = [[[0.01, 0.9, 0.02], [0.01, 1.1, 0.02]], [[0.01, 0.9, 0.09], [0.01, 1.1, 0.09]]]
+    torch.testing.assert_close(clip.global_positions, torch.tensor(expected), atol=1e-6, rtol=0)
+    with pytest.raises(
+        bvh.BVHError,
+        match=r"walk\.bvh: joint Spine changes its distance to its parent by up to 5 units",
+    ):
+        load(write(tmp_path, text.replace("9 0 0 0 0 20", "9 0 0 0 0 25")))
+
+
+@given(
+    clip=clips(),
+    order=st.sampled_from(["".join(p) for p in itertools.permutations("XYZ")]),
+    unit=st.sampled_from([0.01, 1.0, 0.0254]),
+)
+def test_save_and_load_again(tmp_path_factory, clip, order, unit):
+    path = tmp_path_factory.mktemp("bvh") / "clip.bvh"
+    bvh.save(clip, path, order=order, unit=unit)
+    again = bvh.load(path, unit=unit, up="y")
+    assert set(again.skeleton.names) == set(clip.skeleton.names)
+    assert again.fps == pytest.approx(clip.fps, abs=1e-3)
+    same = [again.skeleton.names.index(name) for name in clip.skeleton.names]
+    parents = [again.skeleton.names[again.skeleton.parents[j]] for j in same if j]
+    assert parents == [clip.skeleton.names[p] for p in clip.skeleton.parents[1:]]
+    torch.testing.assert_close(
+        again.global_positions[:, same], clip.global_positions, atol=1e-4, rtol=0
+    )
+    matrices, expected = (
+        R.to_matrix(again.global_rotations[:, same]),
+        R.to_matrix(clip.global_rotations),
+    )
+    torch.testing.assert_close(matrices, expected, atol=1e-4, rtol=0)
+
+
+@pytest.mark.parametrize(("options", "problem"), [
+    ({"unit": 0.0}, "unit must be a positive number of metres, got 0.0"),
+    ({"unit": math.inf}, "unit must be a positive number of metres, got inf"),
+    ({"order": "XYX"}, "order must name each of X, Y and Z once, such as 'YXZ'; got 'XYX'"),
+    ({"order": "XY"}, "got 'XY'"),
+])
+def test_a_unit_or_order_that_no_file_can_have_is_refused(tmp_path, options, problem):
+    with pytest.raises(ValueError, match=re.escape(problem)):
+        bvh.save(human_clip(0), tmp_path / "clip.bvh", **options)
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_failed_save_leaves_the_old_file(tmp_path, monkeypatch):
+    path = tmp_path / "clip.bvh"
+    bvh.save(human_clip(0), path)
+    before = path.read_bytes()
+
+    def full(*_, **__):
+        raise OSError("no space left on device")
+
+    monkeypatch.setattr(bvh.np, "savetxt", full)
+    with pytest.raises(OSError, match="no space"):
+        bvh.save(human_clip(1), path)
+    assert path.read_bytes() == before
+    assert [p.name for p in tmp_path.iterdir()] == ["clip.bvh"]
+
+
+def line_of(text, part):
+    return next(n for n, line in enumerate(text.splitlines(), 1) if part in line)
+
+
+BAD = {
+    "cut inside the last line": (GOOD[:-10], 21, "expected 9 numbers, got 4"),
+    "cut between lines": (GOOD[: GOOD.index("2 90")], 17, "header says 3 frames, the file holds 2"),
+    "cut behind MOTION": (
+        GOOD[: GOOD.index("Frames")],
+        17,
+        "expected 'Frames: N' and 'Frame Time: S'",
+    ),
+    "too many frames": (GOOD + "0 0 0 0 0 0 0 0 0\n", 17, "header says 3 frames, the file holds 4"),
+    "no frames": (GOOD[: GOOD.index("0 90")].replace(": 3", ": 0"), 17, "header says 0 frames"),
+    "frame count no number": (
+        GOOD.replace("Frames: 3", "Frames: many"),
+        17,
+        "expected 'Frames: N'",
+    ),
+    "frame time zero": (GOOD.replace("0.033333", "0"), 18, "frame time must be positive"),
+    "not a number": (
+        GOOD.replace("1 90 0", "1 nan 0"),
+        20,
+        "channel 2 is not a finite number: 'nan'",
+    ),
+    "decimal comma": (GOOD.replace("1 90 0", "1 90,5 0"), 20, "'90,5'"),
+    "a number too many": (GOOD.replace("1 90 0", "1 90 0 7"), 20, "expected 9 numbers, got 10"),
+    "a number with a zero byte": (
+        GOOD.replace("1 90 0", "1 9\0 0"),
+        20,
+        "channel 2 is not a finite number",
+    ),
+    "a number as Python writes it": (
+        GOOD.replace("1 90 0", "1 9_0 0"),
+        20,
+        "channel 2 is not a finite number: '9_0'",
+    ),
+    "more frames than could be": (
+        GOOD.replace("s: 3", "s: 99999999999999"),
+        17,
+        "header says 99999999999999 frames",
+    ),
+    "no MOTION": (GOOD[: GOOD.index("MOTION")], 15, "ends before MOTION"),
+    "unknown word": (GOOD.replace("JOINT Chest", "JONT Chest"), 6, "unexpected 'JONT Chest'"),
+    "joint twice": (GOOD.replace("JOINT Chest", "JOINT Hips"), 6, "joint Hips appears twice"),
+    "joint without a name": (GOOD.replace("JOINT Chest", "JOINT"), 6, "JOINT without a name"),
+    "second root": (GOOD.replace("JOINT Chest", "ROOT Chest"), 6, "unexpected ROOT"),
+    "unknown channel": (
+        GOOD.replace("3 Zrotation", "3 Wrotation"),
+        9,
+        "CHANNELS needs its count and names",
+    ),
+    "wrong channel count": (
+        GOOD.replace("CHANNELS 3", "CHANNELS 4"),
+        9,
+        "CHANNELS needs its count and names",
+    ),
+    "offset of two numbers": (
+        GOOD.replace("OFFSET 0 10 0", "OFFSET 0 10"),
+        8,
+        "OFFSET needs three",
+    ),
+    "offset of words": (
+        GOOD.replace("OFFSET 0 10 0", "OFFSET 0 ten 0"),
+        8,
+        "OFFSET needs three finite",
+    ),
+    "offset not finite": (
+        GOOD.replace("OFFSET 0 10 0", "OFFSET 0 inf 0"),
+        8,
+        "OFFSET needs three finite",
+    ),
+    "a brace too few": (
+        GOOD.replace("}\nMOTION", "MOTION"),
+        15,
+        "MOTION inside joint 'Hips', a brace is missing",
+    ),
+    "a brace too many": (GOOD.replace("}\nMOTION", "}\n}\nMOTION"), 16, "unexpected '}'"),
+    "no opening brace": (
+        GOOD.replace("Chest\n\t{", "Chest"),
+        7,
+        "expected { after joint 'Chest', got 'OFFSET 0 10 0'",
+    ),
+    "empty hierarchy": ("HIERARCHY\nMOTION\nFrames: 1\nFrame Time: 1\n0\n", 2, "no ROOT"),
+    "empty": ("", 1, "expected HIERARCHY, got ''"),
+    "binary": (bytes(range(256)) * 20, 1, "expected HIERARCHY"),
+    "binary behind the header": (GOOD.encode()[:-40] + bytes(range(256)), None, ""),
+    "another format": ("<html>\n", 1, "expected HIERARCHY, got '<html>'"),
+}
+
+
+@pytest.mark.parametrize(("text", "line", "problem"), BAD.values(), ids=BAD)
+def test_bad_files_are_refused_by_name_and_line(tmp_path, text, line, problem):
+    path = write(tmp_path, text)
+    with pytest.raises(bvh.BVHError) as caught:
+        load(path)
+    message = str(caught.value)
+    assert "\n" not in message
+    assert re.match(rf"{re.escape(str(path))}, line {line or r'[0-9]+'}: ", message), message
+    assert problem in message
+
+
+@given(st.integers(0, len(GOOD) - 3))
+def test_no_cut_of_a_file_gives_anything_but_a_clear_error(tmp_path_factory, length):
+    path = write(tmp_path_factory.mktemp("cut"), GOOD[:length])
+    with pytest.raises(bvh.BVHError, match=r"line \d+: "):
+        load(path)
+
+
+def test_files_that_cannot_be_opened(tmp_path):
+    for path in (tmp_path / "none.bvh", tmp_path):
+        with pytest.raises(bvh.BVHError, match="cannot be read"):
+            load(path)
+
+
+
+@pytest.mark.parametrize(
+    ("text", "fps"),
+    [
+        ("0.033333", 30),
+        ("0.0333", 30),
+        (".033", 30),
+        ("0.0083", 120),
+        (".0083333", 120),
+        ("0.0167", 60),
+        ("0.04", 25),
+        ("0.0417", 24),
+        ("0.033367", 1 / 0.033367),
+        ("0.0417083750417", 1 / 0.0417083750417),
+        ("0.016", 62.5),
+        ("0.0125", 80),
+        ("3.33333e-2", 30),
+    ],
+)
+def test_frame_times_are_rounded_numbers(tmp_path, text, fps):
+    assert load(write(tmp_path, GOOD.replace("0.033333", text))).fps == pytest.approx(fps, abs=1e-9)
+
+
+@pytest.mark.filterwarnings("ignore:.*no joint was found")
+@pytest.mark.parametrize("change", [
+    lambda text: text.replace(".", ",").encode(), lambda text: text.encode("utf-16"),
+    lambda text: ("\n \n" + text).encode()], ids=["decimal commas", "UTF-16", "empty lines above"])
+def test_files_of_careless_programs(tmp_path, change):
+    text = GOOD.replace("1 90 0", "1 90.25 0")
+    (tmp_path / "odd.bvh").write_bytes(change(text))
+    (tmp_path / "plain.bvh").write_text(text)
+    odd, plain = (tk.bvh.load(tmp_path / name) for name in ("odd.bvh", "plain.bvh"))
+    assert odd.fps == plain.fps
+    assert torch.equal(odd.global_positions, plain.global_positions)
+
+
+def test_two_figures_in_a_file_are_refused(tmp_path):
+    head, motion = GOOD.split("MOTION")
+    (tmp_path / "two.bvh").write_text(head + head.replace("HIERARCHY\n", "") + "MOTION" + motion)
+    with pytest.raises(
+        bvh.BVHError,
+        match="line 16: a second ROOT: the file holds several figures; keep one of them",
+    ):
+        tk.bvh.load(tmp_path / "two.bvh")
+
+
+def test_angles_that_may_be_radians_are_doubted(walk_clip, tmp_path):
+    angles = R.to_euler(walk_clip.rotations, "YXZ")
+    # Saved in degrees, these are the numbers of the radians.
+    small = R.from_euler(angles * math.pi / 180, "YXZ")
+    tk.bvh.save(walk_clip.replace(rotations=small), tmp_path / "radians.bvh")
+    with pytest.warns(
+        UserWarning,
+        match="no joint turns by more than .* degrees: if the file has radians, convert them",
+    ):
+        tk.load(tmp_path / "radians.bvh")

@@ -1,0 +1,195 @@
+import asyncio
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+import torch
+from jupyter_server.services.kernels.connection.channels import ZMQChannelsWebsocketConnection
+
+import toolkit as tk
+from toolkit.view.widgets import controller as module, server
+from toolkit.view.widgets.controller import Controller
+
+
+@pytest.fixture(scope="module")
+def trained():
+    return tk.pretrained()
+
+
+@pytest.fixture
+def control(trained):
+    made = Controller(*trained, styles=["Neutral", "Zombie", "Aeroplane"])
+    made.sent = []
+    made.send = lambda content, buffers: made.sent.append((content, buffers[0]))
+    yield made
+    made.close()
+
+
+def hand(control, **wish):
+    blank = {"kind": "input", "id": 1, "move": [0, 0], "turn": 0, "run": False, "heading": None}
+    control._receive(control, blank | wish, [])
+
+
+def test_keys_go_ahead_sideways_and_round(control):
+    hand(control, move=[0, 1])
+    control.advance(90)
+    x, z, _, ahead = control.state.root[0].tolist()
+    assert z > 0.6 > 2 * abs(x)
+    assert ahead > 0.9
+    hand(control, move=[0, 1], turn=1)
+    control.advance(45)
+    assert control.state.root[0, 2] > 0.5  # looking left, +x
+    hand(control, move=[-1, 0])  # to its left
+    facing, place = control.state.facing[0].clone(), control.state.root[0, :2].clone()
+    control.advance(60)
+    left = torch.tensor([facing[1], -facing[0]])
+    assert float((control.state.root[0, :2] - place) @ left) > 0.15
+
+
+def test_the_stick_points_in_the_world_and_shift_runs(control):
+    for run, least, most in ((False, 0.5, 1.5), (True, 1.5, 3.3)):
+        hand(control, heading=[1.0, 0.0], run=run)
+        control.advance(150)
+        history = control.state.history[0]
+        speed = (history[-1, :2] - history[0, :2]).tolist()
+        assert least < speed[0] < most, f"run {run}: {speed}"
+        assert abs(speed[1]) < 0.3
+
+
+def test_a_frame_is_one_small_buffer(control):
+    hand(control, id=7, move=[0, 1])
+    control.advance(2)
+    content, buffer = control.sent[-1]
+    assert content == {"kind": "frame", "frame": 2, "input": 7}
+    numbers = np.frombuffer(buffer, np.float32)
+    joints = len(control._model.layout.skeleton)
+    assert len(numbers) == 3 + 4 * joints + 12 * 4 + 8 + 2
+    turns = numbers[3 : 3 + 4 * joints].reshape(-1, 4)
+    assert np.allclose(np.linalg.norm(turns, axis=1), 1, atol=1e-4)
+    now = 3 + 4 * joints + 6 * 4
+    assert np.allclose(numbers[now : now + 4], control.state.root[0], atol=1e-6)
+
+
+def test_the_marker_changes_the_style_smoothly(control, trained):
+    control.blend = {"Zombie": 3, "Old": 1}
+    assert control.names == ["Zombie", "Old", "Neutral"]
+    assert control.blend == {"Zombie": 0.75, "Old": 0.25, "Neutral": 0.0}
+    target = trained.bank.blend({"Zombie": 0.75, "Old": 0.25})
+    far = [float((control.state.style[0] - target).norm())]
+    for frames in (1, 80):
+        control.advance(frames)
+        far.append(float((control.state.style[0] - target).norm()))
+    assert 0.7 * far[0] < far[1] < far[0]
+    assert far[2] < 1e-3 * far[0]
+    control.names = ["Zombie"] * 3
+    assert control.blend == {"Zombie": pytest.approx(1.0)}
+
+
+def test_feet_and_arms_are_switched_apart(control):
+    hand(control, move=[0, 1])
+    control.advance(60)
+    skeleton = control._model.layout.skeleton
+    arm, leg = (skeleton.index(f"left_{part}") for part in ("elbow", "knee"))
+    poses = {}
+    for control.feet, control.arms in ((False, False), (True, False), (False, True)):
+        state = control.state
+        control.advance(1)
+        numbers = np.frombuffer(control.sent[-1][1], np.float32)[3 : 3 + 4 * len(skeleton)]
+        poses[control.feet, control.arms] = numbers.reshape(-1, 4)
+        control.state = state
+    plain, feet, arms = poses.values()
+    assert np.allclose(arms[leg], plain[leg], atol=1e-6)
+    assert np.allclose(feet[arm], plain[arm], atol=1e-6)
+    assert np.abs(feet - plain).max() > 1e-3
+    assert np.abs(arms - plain).max() > 1e-3
+
+
+@pytest.mark.parametrize(("model", "phases"), [("pfnn-film", 1), ("mann-film", 0)])
+def test_models_with_other_phases_walk_too(small_run, model, phases):
+    """One angle for the whole body, or none: the frame's end is as long as the model's phase."""
+    made = tk.networks.build(model, small_run.model.layout, 2, small_run.model.sizes)
+    control = Controller(made, small_run.bank)
+    sent = []
+    control.send, control.recording = lambda content, buffers: sent.append(buffers[0]), True
+    control.advance(3)
+    joints = len(made.layout.skeleton)
+    assert len(sent[-1]) == 4 * (3 + 4 * joints + 12 * 4 + 2 + phases)
+    assert len(control.clip) == 3
+    control.close()
+
+
+def test_the_server_extension_sends_at_once():
+    settings = {"kernel_websocket_connection_class": ZMQChannelsWebsocketConnection}
+    made = SimpleNamespace(web_app=SimpleNamespace(settings=settings))
+    server._load_jupyter_server_extension(made)
+    assert settings["kernel_websocket_connection_class"] is server.PromptConnection
+    settings["kernel_websocket_connection_class"] = object  # somebody's own
+    server._load_jupyter_server_extension(made)
+    assert settings["kernel_websocket_connection_class"] is object
+
+
+def test_a_recording_becomes_a_clip(control):
+    with pytest.raises(ValueError, match="nothing recorded"):
+        _ = control.clip
+    control.advance(5)
+    control.recording = True
+    control.steer(ahead=1)
+    control.advance(60)
+    control.recording = False
+    assert not control.state.joints.is_inference()  # a loss may use them
+    control.advance(5)
+    assert (len(control.clip), control.clip.fps) == (60, 60)
+    assert tk.metrics.upright(control.clip)
+    control.recording = True
+    control.advance(3)
+    assert len(control.clip) == 3
+
+
+@pytest.mark.parametrize("wish", [
+    {"move": [0, 3]}, {"move": [0]}, {"turn": float("nan")}, {"heading": [1]}, {"id": "x"},
+])
+def test_a_message_that_is_no_input_changes_nothing(control, wish):
+    before = control._input
+    hand(control, **wish)
+    assert control._input is before
+
+
+def test_bad_wishes_are_refused(control, trained):
+    with pytest.raises(ValueError, match="three styles"):
+        Controller(*trained, styles=["Neutral"])
+    with pytest.raises(ValueError, match="Zombi"):
+        control.blend = {"Zombi": 1}
+    with pytest.raises(ValueError, match="one to three weights"):
+        control.blend = {"Zombie": -1}
+
+
+def test_it_runs_while_a_page_looks_and_waits_otherwise(trained, monkeypatch):
+    monkeypatch.setattr(module, "PATIENCE", 0.1)  # six frames
+
+    async def until(test):
+        async with asyncio.timeout(60):
+            while not test():
+                await asyncio.sleep(0.005)
+
+    async def watch():
+        control = Controller(*trained)
+        control.send = lambda content, buffers: None
+        await until(lambda: control.frames == 7)  # no page said anything
+        for _ in range(20):
+            await asyncio.sleep(0)
+        assert control.frames == 7
+        control._receive(control, {"kind": "seen", "frame": 7}, [])
+        await until(lambda: control.frames == 14)
+        control._receive(control, {"kind": "seen", "frame": 14}, [])
+        control._receive(control, {"kind": "closed"}, [])
+        for _ in range(20):
+            await asyncio.sleep(0)
+        assert control.frames <= 15
+        control._model = None  # whatever fails is said in the view, once
+        control._receive(control, {"kind": "seen", "frame": 14}, [])
+        await until(lambda: control.status)
+        assert control.status.startswith("stopped: ")
+        control.close()
+        await until(control._task.done)
+
+    asyncio.run(watch())

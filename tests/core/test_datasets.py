@@ -1,0 +1,224 @@
+import shutil
+import warnings
+
+import pytest
+import torch
+from strategies import human_clip
+
+from experiments import table1
+from toolkit import datasets, published
+from toolkit.__main__ import main
+from toolkit.datasets import style100
+from toolkit.io import bvh
+from toolkit.motion import root_frames, rotations as R
+
+TABLE1 = """Backwards Run|434,329|120|10.7
+Backwards Walk|768,574|213|19.0
+Forwards Run|414,911|115|10.2
+Forwards Walk|777,640|216|19.2
+Sidestep Run|250,980|70|6.2
+Sidestep Walk|541,041|150|13.3
+Idling|81,685|23|2.0
+Transitions|786,818|218|19.4
+Total|4,055,978|1125|100.0"""  # as the paper prints it
+
+CUTS = "STYLE_NAME," + ",".join(f"{g}_{e}" for g in style100.GAITS for e in ("START", "STOP"))
+LATE = "\n".join(f"{style}," + ",".join(["500", "900"] * 10) for style in ("Old", "Zombie"))
+STYLES = "Style Name,Description,Stochastic,Symmetric,Notes"
+
+
+@pytest.fixture(scope="session")
+def recordings(shared):
+    """Some clips of each kind of file."""
+    root = shared / "bandai"
+    return {
+        "100style": datasets.load("100style", shared / "100style"),
+        "bandai-1": datasets.load("bandai", root, dataset=1, gaits=["walk", "bow"])[::4],
+        "bandai-2": datasets.load("bandai", root, dataset=2, styles="active")[::6],
+    }
+
+
+@pytest.fixture
+def small(tmp_path):
+    """A folder in the layout of 100STYLE: two styles, each in its folder, of 20 frames."""
+    for style, gait in (("Old", "FW"), ("Old", "BR"), ("Zombie", "FW")):
+        clip = human_clip(1, frames=20, fps=60.0)
+        bvh.save(clip, tmp_path / style / f"{style}_{gait}.bvh")
+    cuts = {"FW": "5,15", "BR": "4,999"}
+    row = [cuts.get(g, "N/A,N/A") for g in style100.GAITS]
+    rows = [",".join([style, *row]) for style in ("Old", "Zombie")]
+    (tmp_path / "Frame_Cuts.csv").write_text("\n".join([CUTS, *rows]))
+    about = f"{STYLES}\nOld,Bent – slow,No,Yes,\nZombie,Stiff,Yes,No,Slow\n"
+    (tmp_path / "Dataset_List.csv").write_text(about, "utf-8")
+    return tmp_path
+
+
+def test_takes_are_found_cut_and_labelled(small):
+    clips = datasets.load("100style", small)
+    found = [(c.style, c.gait, len(c)) for c in clips]
+    assert found == [("Old", "BR", 16), ("Old", "FW", 10), ("Zombie", "FW", 10)]
+    whole = datasets.load("100style", small, styles="Old", gaits="FW", cut=False)[0]
+    torch.testing.assert_close(whole.root_positions[5:15], clips[1].root_positions)
+    # the same files without a folder per style, beside files with other names
+    for path in small.glob("*/*.bvh"):
+        path.rename(small / path.name)
+    shutil.copy(small / "Old_FW.bvh", small / "Old_FW copy.bvh")
+    (small / "notes.bvh").write_text("not a take")
+    assert [c.name for c in datasets.load("100style", small)] == [c.name for c in clips]
+    listed = {"Old": {"BR": 1, "FW": 1}, "Zombie": {"FW": 1}}
+    assert datasets.contents("100style", small) == listed
+
+
+def test_style_info(small):
+    infos = style100.styles(small)
+    old = style100.StyleInfo("Old", "Bent – slow", symmetric=True, stochastic=False, notes="")
+    assert infos["Old"] == old
+    zombie = infos["Zombie"]
+    assert (zombie.symmetric, zombie.stochastic, zombie.notes) == (False, True, "Slow")
+    may = datasets.may_mirror("100style", small)
+    clip = human_clip(1, frames=20, fps=60.0)
+    pairs = (("Old", "FW"), ("Old", "ID"), ("Zombie", "FW"))
+    assert [may(clip.replace(style=s, gait=g)) for s, g in pairs] == [True, False, False]
+
+
+def test_a_malformed_take_is_named(small):
+    path = small / "Zombie" / "Zombie_FW.bvh"
+    path.write_text(path.read_text().replace("Frames: 20", "Frames: 21"))
+    with pytest.raises(bvh.BVHError, match=r"Zombie_FW\.bvh, line \d+: header says 21 frames"):
+        datasets.load("100style", small)
+
+
+def test_the_folder_from_the_environment(small, monkeypatch, tmp_path_factory):
+    home = tmp_path_factory.mktemp("home")
+    monkeypatch.setenv("TOOLKIT_DATA", str(home))
+    assert datasets.available("procedural")
+    assert not datasets.available("100style")
+    with pytest.raises(ValueError, match=r"100style: nothing at .*data fetch 100style.*zenodo.*"
+                                         r"give root=.*TOOLKIT_DATA"):
+        datasets.load("100style")
+    shutil.move(small, home / "100style")
+    assert datasets.available("100style")
+    assert len(datasets.load("100style")) == 3
+    with pytest.raises(ValueError, match="unknown dataset 'bandi'; did you mean 'bandai'"):
+        datasets.available("bandi")
+
+
+def test_bandai_reads_names(tmp_path):
+    for name in ("1_walk-left_not-confident_1", "2_walk-turn-left_active_013"):
+        bvh.save(human_clip(0), tmp_path / "data" / f"dataset-{name}.bvh")
+    found = [(c.style, c.gait) for c in datasets.load("bandai", tmp_path)]
+    assert found == [("not-confident", "walk-left"), ("active", "walk-turn-left")]
+    assert [c.style for c in datasets.load("bandai", tmp_path, dataset=2)] == ["active"]
+
+
+def test_the_procedural_dataset_is_listed_like_the_others():
+    assert {"FW", "ID"} <= set(datasets.contents("procedural")["Neutral"])
+    assert datasets.where("procedural") == "procedural: computed here"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "match"),
+    [
+        ({"name": "100styles"}, "unknown dataset '100styles'; did you mean '100style'.*known: pro"),
+        ({"name": "procedural", "root": "."}, "reads no folder"),
+        ({"styles": "Zombi"}, "unknown style 'Zombi'; did you mean Zombie"),
+        ({"styles": ["Old", "zzz"]}, "unknown style 'zzz'; it has Old, Zombie"),
+        ({"styles": []}, "empty list of styles"),
+        ({"gaits": ["walk"]}, "unknown gait 'walk'; it has BR, BW"),
+        ({"gaits": ["FW", "TR1"]}, "no file of TR1 in"),
+        ({"styles": ["Zombie"], "gaits": ["BR"]}, "no file of Zombie, BR with gait BR in"),
+        ({"name": "bandai"}, "bandai: no matching BVH file in .*github.com/BandaiNamcoResearchInc"),
+        ({"name": "bandai", "dataset": 3}, "dataset must be 1, 2 or None for both, got 3"),
+        ({"seconds": 3.0}, "100style has no option 'seconds'; its options are root, styles, gaits"),
+        ({"root": "/nonexistent"}, "/nonexistent does not exist; expected a folder with"),
+        ({"root": __file__}, "is not a folder"),
+    ],
+)
+def test_bad_arguments_in_one_line(small, arguments, match):
+    with pytest.raises(ValueError, match=match) as caught:
+        datasets.load(**({"name": "100style", "root": small} | arguments))
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("table", "text", "match"),
+    [
+        ("Frame_Cuts.csv", None, "no Frame_Cuts.csv in .*zenodo"),
+        ("Frame_Cuts.csv", "STYLE_NAME,BR_START\nOld,1\n", r"line 1: .*missing: BR_STOP"),
+        ("Frame_Cuts.csv", CUTS, "no row"),
+        ("Frame_Cuts.csv", f"{CUTS}\nOld,1,2", "line 2: BW needs two frame numbers"),
+        ("Frame_Cuts.csv", f"{CUTS}\nOld," + ",".join(["9", "3"] * 10),
+         "line 2: BR starts at frame 9 and stops at 3"),
+        ("Frame_Cuts.csv", f"{CUTS}\nOld," + ",".join(["N/A"] * 20),
+         "BR.bvh: Frame_Cuts.csv has no START"),
+        ("Frame_Cuts.csv", f"{CUTS}\n{LATE}", "Old_BR.bvh: cannot cut frames 500 to 20"),
+        ("Dataset_List.csv", f"{STYLES}\nOld,Bent,Maybe,Yes,\n",
+         "line 2: Stochastic must be Yes or No, got 'Maybe'"),
+    ],
+)
+def test_bad_tables_in_one_line(small, table, text, match):
+    (small / table).unlink() if text is None else (small / table).write_text(text)
+    with pytest.raises(ValueError, match=match) as caught:
+        style100.styles(small) if table == "Dataset_List.csv" else datasets.load("100style", small)
+    assert "\n" not in str(caught.value)
+
+
+def test_table1_equals_the_paper(shared, capsys):
+    table1.run(shared / "100style")
+    printed = [" ".join(line.split()) for line in capsys.readouterr().out.splitlines()[1:]]
+    assert printed == TABLE1.replace("|", " ").splitlines()
+
+
+def test_styles_of_100style(shared):
+    infos = style100.styles(shared / "100style")
+    assert sorted(infos) == sorted(published.STYLES)
+    assert sum(not info.symmetric for info in infos.values()) == 30
+    assert sum(info.stochastic for info in infos.values()) == 5
+
+
+def test_real_recordings_have_the_size_of_people_and_are_mirrored(recordings):
+    for kind, clips in recordings.items():
+        for clip in clips:
+            height = clip.global_positions[..., 1]
+            assert -0.05 < height.min() < 0.1, (kind, clip.name)
+            assert 1.0 < height.amax(1).median() < 2.0, (kind, clip.name)
+            mirrored, pairs = clip.mirrored(), list(clip.skeleton.mirror_pairs)
+            reflected = (clip.global_positions * torch.tensor([-1.0, 1, 1]))[:, pairs]
+            error = (mirrored.global_positions - reflected).norm(dim=-1).max()
+            assert error < 0.01, (clip.name, error)
+    assert {c.fps for c in recordings["100style"]} == {60.0}
+    assert {c.fps for k in ("bandai-1", "bandai-2") for c in recordings[k]} == {30.0}
+    found = {(c.style, c.gait, len(c)) for c in recordings["100style"]}
+    assert found == {("Neutral", "FW", 873), ("Neutral", "ID", 545)}
+
+
+def test_real_people_walk_where_they_face(recordings):
+    ways = {"FW": 1, "walk": 1, "run": 1, "dash": 1, "walk-turn-left": 1, "walk-turn-right": 1,
+            "walk-back": -1}
+    checked = dict.fromkeys(recordings, 0)
+    for kind, clips in recordings.items():
+        for clip in (c for c in clips if c.gait in ways):
+            frames = root_frames(clip)
+            forward = R.rotate(frames.rotations, torch.tensor([0.0, 0.0, 1.0]))[1:]
+            velocity = frames.positions.diff(dim=0) * clip.fps
+            speed = velocity.norm(dim=-1)
+            walking = speed > 0.3 * speed.max()
+            cosine = ((velocity * forward).sum(-1) / speed)[walking].mean()
+            assert ways[clip.gait] * cosine > 0.85, (clip.name, cosine)
+            checked[kind] += 1
+    assert min(checked.values()) >= 1
+
+
+def test_the_verb_lists_and_says_what_is_wrong_in_one_line(small, capsys, monkeypatch):
+    monkeypatch.setenv("RANK", "1")  # a variable of other programs silences nothing
+    shown = warnings.showwarning
+    with pytest.raises(SystemExit, match=r"^0$"):
+        main(["data", "list", "100style", "--root", str(small)])
+    printed = capsys.readouterr().out.split()
+    assert printed == ["Old", "BR", "1,", "FW", "1", "Zombie", "FW", "1"]
+    assert main(["data", "list", "100styl"]) == 2
+    said = capsys.readouterr()
+    assert said.out == ""
+    assert said.err.startswith("error: unknown dataset '100styl'; did you mean '100style'")
+    assert said.err.count("\n") == 1
+    assert warnings.showwarning is shown

@@ -1,0 +1,115 @@
+"""Data of a model that knows less of phase, and errors on held-out frames, for all models."""
+
+import math
+
+import numpy as np
+import pytest
+import torch
+from test_networks import TINY
+
+import toolkit as tk
+from toolkit import networks
+from toolkit.networks import phase
+from toolkit.training import loss
+
+OTHERS = [name for name in networks.MODELS if not name.startswith("lpn")]
+SHARED = ("trajectory", "joints", "contacts")
+
+
+@pytest.fixture(scope="module")
+def data():
+    return tk.features.build(
+        tk.datasets.load("procedural", styles=["Zombie", "Neutral"], gaits=["FW"], seconds=8.0)
+    )
+
+
+def build(name: str, data: tk.features.Features) -> networks.Model:
+    torch.manual_seed(0)
+    return networks.build(name, data.layout, 2, TINY, networks.normalisers(name, data))
+
+
+def test_the_global_phase_is_the_right_feet_of_a_walk():
+    """It turns once per step cycle, forwards, and is half a cycle away with the feet exchanged."""
+    clip, truth = tk.datasets.procedural.truth("Neutral", "FW", seconds=12.0)
+    p = tk.phases.extract(clip).vector.flatten(1)
+    angle = phase.global_phase(p)[:, 0]
+    assert bool(((angle >= 0) & (angle < math.tau)).all())
+    walking = slice(120, -120)
+    turned = np.unwrap(angle.numpy())[walking]
+    assert np.diff(turned).min() > 0
+    assert turned[-1] - turned[0] == pytest.approx(
+        float(truth.phase[walking][-1, 3] - truth.phase[walking][0, 3]), abs=0.5
+    )
+    mirrored = phase.global_phase(p.unflatten(-1, (4, 2))[:, [1, 0, 3, 2]].flatten(1))[:, 0]
+    assert float(((mirrored - angle) % math.tau - math.pi).abs().max()) < 1e-3
+
+
+def test_observing_keeps_shared_columns_and_makes_the_phase_the_models_own(data):
+    p, z = data.phases["Zombie"], data.outputs["Zombie"]
+    blocks = data.layout.unpack_output(z)
+    for name in networks.MODELS:
+        model = build(name, data)
+        own, target = model.observe(p, z)
+        assert (own.shape[1], target.shape[1]) == (model.layout.n_phases, model.layout.n_outputs)
+        seen = model.layout.unpack_output(target)
+        assert all(torch.equal(seen[block], blocks[block]) for block in SHARED)
+        if name.startswith("lpn"):
+            assert own is p
+            assert target is z
+        ahead = phase.advance(model.layout, own, seen)
+        assert torch.allclose(ahead[:-1].cos(), own[1:].cos(), atol=1e-4)
+        assert torch.allclose(ahead[:-1].sin(), own[1:].sin(), atol=1e-4)
+        if name.startswith("pfnn"):
+            assert float(seen["phase_updates"].abs().max()) <= math.pi
+            assert bool(((ahead >= 0) & (ahead < math.tau)).all())
+
+
+@pytest.mark.parametrize("name", networks.MODELS)
+def test_statistics_are_those_of_the_models_own_columns(data, name):
+    model, found = build(name, data), networks.normalisers(name, data)
+    z = torch.cat([model.observe(data.phases[s], data.outputs[s])[1] for s in data.styles]).double()
+    torch.testing.assert_close(found["outputs"].mean, z.mean(0).float(), rtol=1e-5, atol=1e-6)
+    deviation = z.std(0, correction=0)
+    deviation = torch.where(deviation < 1e-5, 1.0, deviation).float()
+    torch.testing.assert_close(found["outputs"].std, deviation, rtol=1e-4, atol=1e-6)
+    for kind in ("inputs", "clips"):
+        assert torch.equal(found[kind].mean, data.normalisers()[kind].mean)
+    if name in OTHERS:  # an angle stays an angle
+        assert found["phases"].mean.tolist() == [0.0] * model.layout.n_phases
+        assert found["phases"].std.tolist() == [1.0] * model.layout.n_phases
+
+
+@pytest.mark.parametrize("name", networks.MODELS)
+def test_errors_equal_a_loop_over_frames(data, name):
+    model = build(name, data)
+    bank = loss.make_bank(model, data, clips=2)
+    assert bank.names == ("Neutral", "Zombie") == tuple(data.styles)
+    if not name.endswith("film"):
+        assert torch.equal(bank.vectors, model.modulation.generator.vectors)
+    found, base = loss.evaluate(model, bank, data, frames=20), loss.baselines(model, data)
+    for style in data.styles:
+        rows = torch.linspace(0, len(data.inputs[style]) - 1, 20).long()
+        p, z = model.observe(data.phases[style], data.outputs[style])
+        x, mean, std = data.inputs[style], model.outputs_mean, model.outputs_std
+        error = [
+            ((model.predict(x[[i]], p[[i]], bank[style]) - z[i]) / std).square().mean().item()
+            for i in rows.tolist()
+        ]
+        assert found[style]["mse"] == pytest.approx(float(np.mean(error)), rel=1e-3)
+        assert base[style]["mean"] == pytest.approx(
+            float(((z - mean) / std).square().mean()), rel=1e-4
+        )
+        even = (
+            mean[-3:-2].expand(len(x), 1) if name.startswith("pfnn") else 0 * p
+        )  # a global phase goes on
+        still = {
+            "trajectory": x[:, 24:48],
+            "joints": x[:, 48:],
+            "contacts": mean[-2:].expand(len(x), 2),
+            "phases": p,
+            "phase_updates": even,
+        }
+        repeat = torch.cat([still[block] for block in model.layout.outputs], 1)
+        assert base[style]["repeat"] == pytest.approx(
+            float(((z - repeat) / std).square().mean()), rel=1e-4
+        )

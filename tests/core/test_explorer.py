@@ -1,0 +1,95 @@
+import pytest
+import torch
+
+import toolkit as tk
+from toolkit.styles import StyleBank
+from toolkit.view.widgets.explorer import StyleExplorer, StyleMap, chart, explore
+
+BANK = StyleBank(("Neutral", "Zombie", "Old", "Crouch"), torch.eye(4))
+POINTS = torch.tensor([[0.0, 0.0], [4.0, 0.0], [0.0, 4.0], [4.0, 4.5]])
+
+
+@pytest.fixture
+def explorer(walk_clip):
+    played = []
+
+    def make_clip(blend):
+        played.append({name: share for name, share in blend.items() if share > 0})
+        return walk_clip.cut(0, 2)
+
+    shown = StyleExplorer(None, BANK, POINTS, make_clip=make_clip, size=(96, 96))
+    shown.played = played
+    yield shown
+    shown.close()
+
+
+def test_hover_names_every_style():
+    points = chart(BANK, POINTS, ["arms", "arms", "legs", "legs"]).data
+    assert [t for trace in points for t in trace.text] == list(BANK.names)
+    assert all("%{text}" in trace.hovertemplate for trace in points)
+
+
+def test_the_blend_at_a_place_reproduces_the_place(explorer):
+    for x, y in ((0.0, 0.0), (1.0, 1.0), (3.0, 3.5), (2.0, 0.0)):
+        blend = explorer.blend_at(x, y)
+        assert sum(blend.values()) == pytest.approx(1.0)
+        back = sum(w * POINTS[BANK.names.index(name)] for name, w in blend.items())
+        torch.testing.assert_close(back, torch.tensor([x, y]), atol=1e-5, rtol=0)
+    assert explorer.blend_at(0.0, 0.0) == {"Neutral": 1.0}
+    # outside, it is the nearest place inside
+    assert explorer.blend_at(-5.0, -5.0) == {"Neutral": 1.0}
+    assert explorer.blend_at(2.0, -3.0) == pytest.approx({"Neutral": 0.5, "Zombie": 0.5})
+
+
+def test_a_click_plays_the_style(explorer):
+    explorer.map._handle_custom_msg({"style": "Old"}, [])  # as the page sends it
+    assert explorer.played[-1] == {"Old": 1.0}
+    assert explorer.map.place == pytest.approx([0.0, 4.0])
+
+
+def test_a_drag_plays_the_blend_once(explorer):
+    before = len(explorer.played)
+    explorer.map.place = [2.0, 0.0]  # as the page sets it
+    assert len(explorer.played) == before + 1
+    assert explorer.played[-1] == pytest.approx({"Neutral": 0.5, "Zombie": 0.5})
+    explorer.map.place = [2.0, -3.0]
+    assert explorer.map.place == pytest.approx([2.0, 0.0], abs=1e-6)  # the ring comes back
+    played = len(explorer.played)
+    explorer.map.place = [float("nan"), 1.0]
+    assert explorer.map.place == pytest.approx([2.0, 0.0], abs=1e-6)
+    assert len(explorer.played) == played
+
+
+def test_menus_triangle_and_weights_move_the_ring(explorer):
+    explorer.weights = {"Zombie": 1, "Crouch": 1}
+    assert explorer.map.place == pytest.approx([4.0, 2.25])
+    explorer.triangle.weights = [1.0, 0.0, 0.0]
+    assert explorer.map.place == pytest.approx([4.0, 0.0])
+    with pytest.raises(ValueError, match="unknown style"):
+        explorer.weights = {"Zombi": 1}
+
+
+def test_it_shows_a_picture_where_there_are_no_widgets(explorer):
+    shown = explorer._repr_mimebundle_()
+    assert shown["image/png"][:4] == b"\x89PNG"
+    assert "application/vnd.jupyter.widget-view+json" in shown
+
+
+def test_points_on_a_line_make_no_map(walk_clip):
+    line, clip = torch.arange(8.0).view(4, 2), walk_clip.cut(0, 2)
+    with pytest.raises(ValueError, match="three styles or more, not on one line"):
+        StyleExplorer(None, BANK, line, make_clip=lambda _: clip, size=(96, 96))
+
+
+def test_the_model_plays_and_outside_of_notebooks_it_is_the_map_alone(small_run):
+    third = small_run.bank.vectors.mean(0, keepdim=True) + 0.1
+    bank = StyleBank((*small_run.bank.names, "Third"), torch.cat((small_run.bank.vectors, third)))
+    figure = explore(small_run.model, bank)
+    assert type(figure).__name__ == "Figure"
+    assert list(figure.data[0].text) == ["Neutral", "Zombie", "Third"]
+    assert "plotly.js" in StyleMap._esm[:200]
+    corners = torch.tensor([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])
+    shown = StyleExplorer(small_run.model, bank, corners, size=(96, 96))
+    assert shown.player.clip.seconds == pytest.approx(3.0)
+    assert isinstance(shown, tk.view.StyleExplorer)
+    shown.close()

@@ -1,0 +1,326 @@
+"""Features: widths, meaning against slow loops, invariance, errors."""
+
+import dataclasses
+import math
+
+import pytest
+import torch
+
+import toolkit as tk
+from toolkit import features, phases
+from toolkit.features import Layout, Normaliser, Rows, clip_starts, frames, moments, split_joints
+from toolkit.motion import root_frames
+
+
+def style_clips(clip, start=0, stop=None):
+    own = features.own_features(clip, phases.extract(clip, "contact"))
+    return own.style_clips(start + clip_starts(len(clip.cut(start, stop))))
+
+
+def test_widths_are_the_papers(walk_clip):
+    layout = Layout(walk_clip.skeleton)
+    assert (layout.n_joints, layout.n_inputs, layout.n_outputs) == (25, 348, 342)
+    assert (layout.n_phases, layout.n_clip) == (8, 300)
+    legs = (0, 17, 18, 19, 0, 21, 22, 23)
+    spine_and_arms = (-1, 0, 1, 2, 3, 4, 5, 4, 7, 8, 9, 10, 4, 12, 13, 14, 15)
+    assert layout.parents == spine_and_arms + legs
+    assert style_clips(walk_clip).shape[1:] == (240, 300)
+
+
+def test_rows_against_a_slow_loop(walk_clip):
+    rows = frames(walk_clip)
+    layout, roots = Layout(walk_clip.skeleton), root_frames(walk_clip)
+    position = walk_clip.global_positions[:, list(walk_clip.skeleton.feature_joints)]
+    for row in (0, len(rows.index) // 2, len(rows.index) - 1):
+        t = int(rows.index[row])
+        angle = 2 * math.atan2(float(roots.rotations[t, 2]), float(roots.rotations[t, 0]))
+
+        def local(v, angle=angle):
+            x, y, z = v.tolist()
+            c, s = math.cos(angle), math.sin(angle)
+            return [x * c - z * s, y, x * s + z * c]
+
+        x_joints = split_joints(rows.inputs[row, layout.inputs["joints"]])
+        z_joints = split_joints(rows.outputs[row, layout.outputs["joints"]])
+        x_window = rows.inputs[row, layout.inputs["trajectory"]].view(12, 4)
+        z_window = rows.outputs[row, layout.outputs["trajectory"]].view(6, 4)
+        for j in (0, 6, 11, 20):
+            here = local(position[t, j] - roots.positions[t])
+            assert x_joints["position"][j].tolist() == pytest.approx(here, abs=1e-4)
+            velocity = (position[t, j] - position[t - 1, j]) * 60
+            assert x_joints["velocity"][j].tolist() == pytest.approx(local(velocity), abs=1e-3)
+            # the next frame, seen from this one
+            ahead = local(position[t + 1, j] - roots.positions[t])
+            assert z_joints["position"][j].tolist() == pytest.approx(ahead, abs=1e-4)
+        for i, offset in enumerate(range(-60, 60, 10)):
+            ax, _, az = local(roots.positions[t + offset] - roots.positions[t])
+            assert x_window[i, :2].tolist() == pytest.approx([ax, az], abs=1e-4)
+        for i, offset in enumerate(range(1, 61, 10)):
+            ax, _, az = local(roots.positions[t + offset] - roots.positions[t])
+            assert z_window[i, :2].tolist() == pytest.approx([ax, az], abs=1e-4)
+        assert x_window[6].tolist() == pytest.approx([0, 0, 0, 1], abs=1e-5)
+
+
+def test_features_do_not_change_when_the_character_is_moved_or_turned(walk_clip):
+    here, there = frames(walk_clip), frames(walk_clip.moved(turn=-1.2, shift=(4.0, 0.0, 2.0)))
+    assert float((here.inputs - there.inputs).abs().max()) < 2e-3
+    assert float((here.outputs - there.outputs).abs().max()) < 2e-3
+
+
+def test_mirroring_swaps_sides_and_negates_x(walk_clip):
+    layout = Layout(walk_clip.skeleton)
+    here, there = frames(walk_clip), frames(walk_clip.mirrored())
+    left, right = (split_joints(rows.inputs[:, layout.inputs["joints"]])["position"]
+                   for rows in (here, there))
+    skeleton = walk_clip.skeleton
+    pairs = [layout.names.index(skeleton.names[skeleton.mirror_pairs[j]])
+             for j in skeleton.feature_joints]
+    assert float((left[:, pairs] * torch.tensor([-1.0, 1, 1]) - right).abs().max()) < 0.01
+
+
+def test_packing_refuses_what_does_not_fit(walk_clip):
+    layout = Layout(walk_clip.skeleton)
+    window, joints = torch.zeros(5, 12, 4), torch.zeros(5, 25, 12)
+    assert layout.pack_input(trajectory=window, joints=joints).shape == (5, 348)
+    with pytest.raises(ValueError, match="expected the blocks trajectory, joints; got joints"):
+        layout.pack_input(joints=joints)
+    with pytest.raises(ValueError, match="expected the blocks"):
+        layout.pack_input(trajectory=window, joints=joints, more=joints)
+    with pytest.raises(ValueError, match="block 'joints' needs 300 columns"):
+        layout.pack_input(trajectory=window, joints=joints[..., :11])
+
+
+def test_layout_survives_json(walk_clip):
+    layout = Layout(walk_clip.skeleton)
+    again = Layout.from_json(layout.to_json())
+    assert again == layout
+    assert torch.allclose(again.skeleton.offsets, walk_clip.skeleton.offsets)
+
+
+def test_normaliser_is_exact_where_float32_sums_are_not():
+    column = torch.full((200_000, 1), 0.1) + torch.tensor([[1e4]])
+    column[::2] += 1.0
+    found = Normaliser.of(column[:100_000], column[100_000:])
+    assert float(found.mean) == pytest.approx(10000.6, abs=2e-3)
+    assert float(found.std) == pytest.approx(0.5, rel=1e-3)
+    assert torch.allclose(found.invert(found.apply(column)), column)
+
+
+def slow_moments(rows) -> tuple[int, list[float], list[float]]:
+    """Number, mean and variance of rows ``[..., D]``, one column after the other."""
+    columns = [c.tolist() for c in rows.flatten(0, -2).double().unbind(-1)]
+    n = max(1, len(columns[0]))
+    means = [math.fsum(c) / n for c in columns]
+    variances = [math.fsum((x - mean) ** 2 for x in column) / n
+                 for column, mean in zip(columns, means, strict=True)]
+    return len(columns[0]), means, variances
+
+
+@pytest.mark.parametrize("shape", [(1, 3), (50, 3), (9, 4, 3), (0, 3)])
+@pytest.mark.parametrize("chunk", [1, 7, 1 << 18])
+def test_moments_in_parts_are_those_of_all_rows(monkeypatch, shape, chunk):
+    monkeypatch.setattr("toolkit.features.statistics.CHUNK", chunk)
+    rows = 5 + torch.randn(shape, generator=torch.Generator().manual_seed(7))
+    asked = []
+
+    def derive(at):
+        asked.append(rows[at].numel())
+        return rows[at]
+
+    for source in (rows, Rows(derive, torch.arange(len(rows)))):
+        n, mean, variance = moments(source)
+        expected = slow_moments(rows)
+        assert n == expected[0]
+        assert mean.dtype == variance.dtype == torch.float64
+        assert mean.tolist() == pytest.approx(expected[1], abs=1e-12)
+        assert variance.tolist() == pytest.approx(expected[2], abs=1e-12)
+    assert max(asked, default=0) <= max(chunk, rows[:1].numel())  # few rows at a time
+
+
+@pytest.mark.parametrize("sizes", [(3, 5), (0, 1), (1, 0), (400, 2, 30)])
+def test_a_normaliser_of_parts_is_that_of_their_union(sizes):
+    generator = torch.Generator().manual_seed(1)
+    parts = [10 * i + (i + 1) * torch.randn(n, 2, generator=generator) for i, n in enumerate(sizes)]
+    _, mean, variance = slow_moments(torch.cat(parts))
+    for found in (Normaliser.of(*parts), Normaliser.merged(moments(p) for p in parts)):
+        assert found.mean.tolist() == pytest.approx(mean, rel=1e-6)
+        std = [math.sqrt(v) if v > 1e-10 else 1.0 for v in variance]  # constant: only centred
+        assert found.std.tolist() == pytest.approx(std, rel=1e-6)
+
+
+def test_rows_are_read_as_those_of_a_tensor():
+    table = torch.randn(20, 3, generator=torch.Generator().manual_seed(2))
+    at = torch.tensor([4, 7, 2, 19, 0, 11])
+    rows, expected = Rows(table.__getitem__, at), table[at]
+    mask = torch.tensor([True, False, True, True, False, False])
+    assert len(rows) == 6
+    for key in (0, -1, slice(1, 5), torch.tensor([5, 0]), torch.tensor(2), mask, slice(0, 0)):
+        assert torch.equal(rows[key], expected[key])
+    chosen = rows.select(mask)
+    assert isinstance(chosen, Rows)
+    assert chosen.at.tolist() == [4, 2, 19]
+    assert torch.equal(chosen[:], expected[mask])
+
+
+@pytest.mark.parametrize(("start", "stop"), [(0, None), (3, 243), (100, 339)])
+def test_style_clips_are_runs_of_joint_features(walk_clip, start, stop):
+    block = features.joint_features(walk_clip, root_frames(walk_clip))
+    end = min(480, 1000 if stop is None else stop)
+    expected = [block[i : i + 240] for i in range(start, end - 239, 120)]
+    found = style_clips(walk_clip, start, stop)
+    assert found.shape == (len(expected), 240, 300)
+    assert all(torch.equal(a, b) for a, b in zip(found, expected, strict=True))
+
+
+@pytest.mark.parametrize(("start", "stop"), [(0, None), (61, 199), (0, 61), (400, 480)])
+def test_frames_of_a_range_keep_the_rest_as_past_and_future(walk_clip, start, stop):
+    ph = phases.extract(walk_clip, "contact")
+    rows = frames(walk_clip, ph, start, stop)
+    whole = frames(walk_clip, ph)
+    last = 480 if stop is None else stop
+    expected = [t for t in range(60, 480 - 51) if start <= t < last]
+    assert whole.index.tolist() == list(range(60, 480 - 51))
+    assert rows.index.tolist() == expected
+    at = rows.index - 60
+    assert torch.equal(rows.inputs, whole.inputs[at])
+    assert torch.equal(rows.outputs, whole.outputs[at])
+    assert torch.equal(rows.phases, ph.vector.flatten(1)[rows.index])  # the given ones
+    assert len(frames(walk_clip.cut(0, 112), ph).index) == 1
+
+
+def test_a_skeleton_of_another_rig_has_the_same_layout(shared):
+    clip = tk.bvh.load(shared / "bandai" / "dataset-1" / "dataset-1_walk_normal_001.bvh")
+    rows = frames(clip.resample(60))
+    assert rows.inputs.shape[1] == 48 + 12 * 21
+    assert rows.outputs.shape[1] == 24 + 12 * 21 + 18
+    step = rows.outputs[:, 1].mean() * 60  # the root moves forward, whatever axes the rig uses
+    assert 0.5 < float(step) < 2.5
+
+
+@pytest.fixture(scope="module")
+def two_walks(walk_clip):
+    return [walk_clip.cut(0, 250).replace(name="one"),
+            walk_clip.cut(200, 450).replace(name="two", gait="BW")]
+
+
+def test_build_against_a_slow_loop(two_walks):
+    """Every clip is followed by its mirror image, which shares its phase axes and its number."""
+    clips = [*two_walks, two_walks[0].replace(style="Twin", name="three")]
+    data = features.build(clips, source="contact", mirror=lambda clip: clip.name != "two")
+    expected = {"Neutral": [], "Twin": []}
+    for take in (1, 0, 2):  # gaits in alphabetical order: BW, FW
+        clip = clips[take]
+        both = [clip] if clip.name == "two" else [clip, clip.mirrored()]
+        for c, ph in zip(both, phases.extract_group(both, "contact"), strict=True):
+            expected[clip.style].append((take, frames(c, ph), style_clips(c)))
+    assert data.layout == Layout(clips[0].skeleton)
+    assert data.styles == ["Neutral", "Twin"]
+    assert data.n_frames == 139 * 5
+    for style, parts in expected.items():
+        for kind in ("inputs", "phases", "outputs"):
+            known = torch.cat([getattr(rows, kind) for _, rows, _ in parts])
+            torch.testing.assert_close(getattr(data, kind)[style], known)
+        assert torch.equal(data.clips[style], torch.cat([y for *_, y in parts]))
+        assert data.takes[style].tolist() == [take for take, *_ in parts for _ in range(139)]
+
+
+def test_clips_of_one_style_and_gait_share_their_phase_axes(two_walks):
+    clips = [clip.replace(gait="FW") for clip in two_walks]
+    data = features.build((c.resample(30) for c in clips), source="contact-free")
+    again = [c.resample(30).resample(60) for c in clips]
+    expected = [ph.vector.flatten(1)[60:-51] for ph in phases.extract_group(again, "contact-free")]
+    torch.testing.assert_close(data.phases["Neutral"], torch.cat(expected))
+
+
+def test_short_clips_are_left_out_where_that_is_asked_for(two_walks, walk_clip):
+    short = walk_clip.cut(0, 111)
+    data = features.build([short, *two_walks, short], source="contact", short="skip")
+    assert sorted(set(data.takes["Neutral"].tolist())) == [1, 2]
+    others = [two_walks[0], short.replace(gait="SR")]  # a gait with none
+    data = features.build(others, source="contact", short="skip")
+    assert data.takes["Neutral"].tolist() == [0] * 139
+    with pytest.raises(ValueError, match=r"^style 'Neutral' has no clip of 112 frames \(1\.9 s"):
+        features.build([short], short="skip")
+
+
+def test_a_style_with_short_clips_only_has_style_clips_that_repeat(two_walks, walk_clip):
+    short = walk_clip.cut(0, 130).replace(style="Short")
+    data = features.build([short, *two_walks], source="contact")
+    assert data.clips["Short"].shape == (1, 240, 300)
+    assert torch.equal(data.clips["Short"][0, 130:], data.clips["Short"][0, :110])
+    clips = [short.replace(style="Neutral"), *two_walks]  # long clips are there
+    both = features.build(clips, source="contact")
+    assert len(both.clips["Neutral"]) == len(data.clips["Neutral"]) == 2
+
+
+def test_normalisers_are_over_all_styles(two_walks):
+    clips = [two_walks[0], two_walks[1].replace(style="Twin")]
+    data = features.build(clips, source="contact")
+    found = data.normalisers()
+    assert list(found) == ["inputs", "phases", "outputs", "clips"]
+    for kind, normaliser in found.items():
+        _, mean, variance = slow_moments(torch.cat([*getattr(data, kind).values()]))
+        assert normaliser.mean.tolist() == pytest.approx(mean, abs=1e-5)
+        still = [1.0 if v < 1e-10 else math.sqrt(v) for v in variance]
+        assert normaliser.std.tolist() == pytest.approx(still, rel=1e-5)
+    given = {"inputs": Normaliser.of(torch.ones(2, 3))}
+    assert dataclasses.replace(data, statistics=given).normalisers() == given
+
+
+def test_bad_clips_are_refused_by_name(walk_clip):
+    with pytest.raises(ValueError, match=r"^no clips to build features from$"):
+        tk.features.build([])
+    short = walk_clip.cut(0, 111).replace(name="short")
+    for make in (frames, tk.features.build):
+        with pytest.raises(ValueError, match=r"^short: 111 frames hold no whole trajectory window; "
+                           r"it takes 60 before and 51 after a frame$"):
+            make(short)
+    with pytest.raises(ValueError, match="features need 60 Hz, the clip has 30"):
+        frames(walk_clip.resample(30))
+    clips = [walk_clip.replace(name="first"), walk_clip,
+             walk_clip.without_ends().replace(name="third")]
+    with pytest.raises(ValueError, match=r"^third: its joints differ, compared with first$"):
+        tk.features.build(clips)
+
+
+def test_the_same_file_at_two_scales_is_not_mixed(walk_clip):
+    skeleton = walk_clip.skeleton
+
+    def scaled(times):
+        other = tk.Skeleton(skeleton.names, skeleton.parents, times * skeleton.offsets)
+        return walk_clip.replace(skeleton=other, root_positions=times * walk_clip.root_positions)
+
+    with pytest.raises(ValueError, match=r"its bones are 2\.54 times as long; unit= decides"):
+        tk.features.build([scaled(1.0), scaled(2.54)])
+    assert Layout(scaled(1.0).skeleton) == Layout(scaled(1.15).skeleton)  # a tall person
+    assert Layout(scaled(1.0).skeleton) != Layout(scaled(1.7).skeleton)  # another unit
+
+
+@pytest.mark.parametrize("samples", [(-60, 0), (0, 10), (-10, 10), (10, 0, -10), (-9, 0, 0, 9),
+                                     (-9.5, 0, 9), (-61, 0, 9)])
+def test_offsets_that_are_no_window_are_refused(walk_clip, samples):
+    with pytest.raises(ValueError, match="samples are ascending whole frames from -60 on: past"):
+        Layout(walk_clip.skeleton, samples=samples)
+
+
+def test_the_mean_velocity_of_a_style_clip_is_that_of_its_root():
+    goes = torch.tensor([[0.1, 1.0], [-0.3, 2.0]])
+    velocity = torch.full((2, 240, 3, 3), 9.0)
+    velocity[:, :, 0, ::2] = goes[:, None] + torch.linspace(-0.5, 0.5, 240)[:, None]
+    clips = features.pack_joints(*torch.zeros(3, 2, 240, 3, 3), velocity)
+    torch.testing.assert_close(features.mean_velocity(clips), goes)
+
+
+def test_the_frame_numbers_of_two_recordings_are_more_than_a_style_clip_apart(walk_clip):
+    data = features.build([walk_clip, walk_clip], source="contact")
+    numbers, takes = data.frames["Neutral"], data.takes["Neutral"]
+    assert int(numbers[takes == 1].min() - numbers[takes == 0].max()) > features.CLIP_FRAMES
+    assert int(data.spans["Neutral"][-1, 0]) > int(numbers[takes == 0].max())
+
+
+def test_bone_lengths_are_those_of_the_skeleton(walk_clip):
+    layout = Layout(walk_clip.skeleton)
+    joints = list(walk_clip.skeleton.feature_joints)
+    lengths = walk_clip.skeleton.offsets[joints[1:]].norm(dim=-1)
+    found = layout.bone_lengths(walk_clip.global_positions[:3, joints])
+    torch.testing.assert_close(found, lengths.expand(3, -1))

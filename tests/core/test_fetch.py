@@ -1,0 +1,515 @@
+"""Fetching from a server that cuts and stalls, and harmful archives: all, or nothing."""
+
+import collections
+import dataclasses
+import hashlib
+import http.server
+import io
+import json
+import os
+import random
+import re
+import shutil
+import sys
+import threading
+import zipfile
+from pathlib import Path
+
+import filelock
+import pytest
+
+import toolkit as tk
+from toolkit.__main__ import main
+from toolkit.datasets import download, fetch, home, procedural
+
+
+class Server(http.server.ThreadingHTTPServer):
+    """Serves ``content`` at any path; ``plan`` holds what to do with the next requests."""
+
+    daemon_threads = True
+
+    def __init__(self, content: bytes):
+        super().__init__(("127.0.0.1", 0), Handler)
+        self.content, self.plan, self.requests = content, collections.deque(), []
+        self.ranges, self.stop = True, threading.Event()
+
+    @property
+    def url(self) -> str:
+        return f"http://127.0.0.1:{self.server_port}/data.zip"
+
+
+class Handler(http.server.BaseHTTPRequestHandler):
+    def do_GET(self):
+        """One of: whole, cut N, stall N, chunked N, unannounced, STATUS, 302 ADDRESS."""
+        server = self.server
+        server.requests.append(dict(self.headers))
+        deed, *value = (server.plan.popleft() if server.plan else "whole").split()
+        self.protocol_version = "HTTP/1.1" if deed == "chunked" else "HTTP/1.0"
+        self.close_connection = True
+        if deed.isdigit():
+            return self.refuse(int(deed), {"Location": value[0]} if value else {})
+        data, start = server.content, 0
+        asked = re.fullmatch(r"bytes=(\d+)-", self.headers.get("Range", ""))
+        if asked and server.ranges:
+            start = int(asked[1])
+        if start >= len(data):
+            return self.refuse(416, {"Content-Range": f"bytes */{len(data)}"})
+        self.send_response(206 if start else 200)
+        if deed == "chunked":
+            self.send_header("Transfer-Encoding", "chunked")
+        elif deed != "unannounced":
+            self.send_header("Content-Length", str(len(data) - start))
+        self.end_headers()
+        piece = data[start : start + int(value[0]) if value else len(data)]
+        self.wfile.write(b"%x\r\n%s\r\n" % (len(piece), piece) if deed == "chunked" else piece)
+        if deed == "stall":
+            self.wfile.flush()
+            server.stop.wait(20)
+        return None
+
+    def refuse(self, status, headers):
+        self.send_response(status)
+        for name, value in headers.items():
+            self.send_header(name, value)
+        self.send_header("Content-Length", "0")
+        self.end_headers()
+
+    def log_message(self, *_):
+        pass
+
+
+def zipped(members: dict[str, bytes]) -> bytes:
+    file = io.BytesIO()
+    with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as out:
+        for name, data in members.items():
+            out.writestr(name, data)
+    return file.getvalue()
+
+
+def sha256(data: bytes) -> str:
+    return hashlib.sha256(data).hexdigest()
+
+
+@pytest.fixture(scope="session")
+def members(tmp_path_factory) -> dict[str, bytes]:
+    """What 100STYLE's archive holds, small: two styles, the tables, and what is left out."""
+    folder = tmp_path_factory.mktemp("written")
+    procedural.write(folder, ["Neutral", "Zombie"], ["FW"], seconds=1.0)
+    files = {}
+    for path in sorted(folder.iterdir()):
+        style = f"{path.name.split('_')[0]}/" if path.suffix == ".bvh" else ""
+        files[f"100STYLE/{style}{path.name}"] = path.read_bytes()
+    noise = random.Random(0).randbytes(200_000)
+    return {"100STYLE/": b"", **files, "100STYLE/noise.txt": noise, "__MACOSX/._x.bvh": b"junk"}
+
+
+@pytest.fixture
+def server(members):
+    with Server(zipped(members)) as running:
+        options = {"poll_interval": 0.02}
+        thread = threading.Thread(target=running.serve_forever, kwargs=options, daemon=True)
+        thread.start()
+        yield running
+        running.stop.set()
+        running.shutdown()
+        thread.join()
+
+
+@pytest.fixture
+def root(tmp_path, monkeypatch, server) -> Path:
+    """An empty data home whose 100style comes from the server, its size and checksum known."""
+    monkeypatch.setenv("TOOLKIT_DATA", str(tmp_path / "home"))
+    monkeypatch.setattr(download, "STALL", 0.6)
+    monkeypatch.setattr(download, "WAIT", 0.01)
+    publish(monkeypatch, server)
+    return tmp_path / "home" / "100style"
+
+
+def publish(monkeypatch, server, **changes):
+    known = {"size": len(server.content), "sha256": sha256(server.content), "unpacked": 1_000_000}
+    origin = dataclasses.replace(fetch.ORIGINS["100style"], url=server.url, **(known | changes))
+    monkeypatch.setitem(fetch.ORIGINS, "100style", origin)
+
+
+def get(**options) -> dict:
+    return fetch.fetch("100style", **options)
+
+
+def left(root: Path) -> list[str]:
+    """What lies in the data home, the lock left out."""
+    return sorted(p.name for p in root.parent.iterdir() if not p.name.endswith(".lock"))
+
+
+def status(*arguments: str) -> int:
+    try:
+        return main(["data", *arguments])
+    except SystemExit as stop:
+        return stop.code
+
+
+def test_fetched_data_is_found_without_a_root(root, server, capsys, members):
+    assert not tk.datasets.available("100style")
+    known = get()
+    assert known["sha256"] == sha256(server.content)
+    assert known["found"] == "2 of the 2 takes of 2 styles that its tables name"
+    assert known["source"] == server.url
+    assert "CC BY 4.0" in known["terms"]
+    assert re.fullmatch(r"20\d\d-\d\d-\d\dT.*\+00:00", known["date"])
+    assert json.loads((root / fetch.RECORD).read_text()) == known
+    assert left(root) == ["100style"]
+    kept = {name.removeprefix("100STYLE/"): data for name, data in members.items()
+            if name.startswith("100STYLE") and name.endswith((".bvh", ".csv", ".txt"))}
+    there = {p.relative_to(root).as_posix(): p.read_bytes() for p in root.rglob("*") if p.is_file()}
+    assert there == kept | {fetch.RECORD: (root / fetch.RECORD).read_bytes()}
+    assert status("list", "100style") == 0
+    assert capsys.readouterr().err == f"100style: {root}\n"
+    styles = [clip.style for clip in tk.datasets.load("100style")]
+    assert styles == ["ProceduralNeutral", "ProceduralZombie"]
+    assert tk.datasets.where("100style") == f"100style: {root}"
+    assert get() == known  # there already
+    assert len(server.requests) == 1
+
+
+@pytest.mark.parametrize("plan", [["cut 98304"], ["stall 98304"], ["500", "429"],
+                                  ["chunked 98304"], ["302 /elsewhere.zip"],
+                                  ["cut 16384"] * (download.TRIES + 2)])
+def test_a_bad_connection_is_tried_again(root, server, plan):
+    server.plan.extend(plan)
+    assert get()["files"] == 5
+    assert len(server.requests) == len(plan) + 1
+    if plan[0].endswith("98304"):
+        assert server.requests[1]["Range"] == "bytes=98304-"
+
+
+def cut(server):
+    """A download that is given up after 98,304 bytes."""
+    server.plan.extend(["cut 98304"] + ["500"] * 20)
+    said = r"answers 500.*98,304 bytes are kept, the same command goes on"
+    with pytest.raises(OSError, match=said):
+        get()
+    assert len(server.requests) == download.TRIES
+    server.plan.clear()
+    server.requests.clear()
+
+
+def test_a_server_that_stays_bad_is_given_up_and_gone_on_with_later(root, server, members):
+    cut(server)
+    right, server.content = server.content, bytes(reversed(server.content))
+    with pytest.raises(ValueError, match=r"refused \(removed"):
+        get()  # parts of two files
+    server.content = right
+    server.requests.clear()
+    cut(server)
+    assert get()["files"] == 5
+    assert server.requests[-1]["Range"] == "bytes=98304-"
+    shutil.rmtree(root)
+    server.requests.clear()
+    cut(server)
+    server.content = zipped(members | {"100STYLE/more.txt": b"more"})
+    assert get(sha256=sha256(server.content))["files"] == 6  # it does not go on with that part
+    with pytest.raises(OSError, match=r"/none\.zip: no connection.*nothing came; is there a net"):
+        get(root=root.parent / "new", source="http://127.0.0.1:9/none.zip")
+
+
+def test_without_ranges_or_checksum_it_starts_again(root, server, monkeypatch):
+    server.ranges = False
+    server.plan.append("cut 98304")
+    assert get()["files"] == 5
+    assert server.requests.pop()["Range"] == "bytes=98304-"
+    server.requests.clear()
+    server.ranges = True
+    shutil.rmtree(root)
+    monkeypatch.setattr(download, "SECURE", "http://")
+    publish(monkeypatch, server, size=None, sha256=None)
+    server.plan.extend(["cut 98304", "unannounced"])
+    assert get()["files"] == 5
+    assert "Range" not in server.requests[1]
+
+
+def test_a_file_that_is_too_long_is_refused(root, server):
+    server.content += bytes(100)
+    for deed in ("whole", "unannounced"):
+        server.plan.append(deed)
+        with pytest.raises(ValueError, match=f"more came than the {len(server.content) - 100:,} b"):
+            get()
+        assert left(root) == []
+
+
+def test_a_wrong_checksum_is_refused_and_the_file_removed(root, server, capsys):
+    right, wrong = server.content, bytearray(server.content)
+    wrong[-1] ^= 1
+    server.content = bytes(wrong)
+    assert status("fetch", "100style", "--yes") == 2
+    said = capsys.readouterr().err
+    assert said.count("\n") == 1
+    assert re.search(rf"{sha256(right)}.*{sha256(wrong)}.*refused \(removed;", said)
+    assert left(root) == []
+    server.content = right
+    assert get()["files"] == 5
+
+
+def test_an_answer_that_stays_no(root, server):
+    for plan, problem in ((["404"], "answers 404 Not Found"), (["302 /x"] * 40, "30 redirects")):
+        server.plan.extend(plan)
+        with pytest.raises(ValueError, match=problem):
+            get()
+        assert left(root) == []
+        server.plan.clear()
+
+
+def test_without_a_checksum_every_address_is_encrypted(root, server, monkeypatch):
+    publish(monkeypatch, server, size=None, sha256=None)
+    with pytest.raises(ValueError, match=rf"{server.url}: is not encrypted; give an https address"):
+        get()
+    assert not server.requests
+    monkeypatch.setattr(download, "SECURE", "http://127")  # the server counts as encrypted
+    server.plan.append("302 http://localhost/x.zip")
+    with pytest.raises(ValueError, match=r"leads to http://localhost/x.zip, which is not encrypt"):
+        get()
+    assert len(server.requests) == 1
+    server.plan.append(f"302 {server.url}")
+    assert get()["files"] == 5
+
+
+def test_contents_have_a_checksum_where_the_archive_has_none(
+        root, server, monkeypatch, members, tmp_path):
+    for origin in fetch.ORIGINS.values():  # a commit, not a branch
+        assert origin.sha256 or (origin.contents and re.search(r"/[0-9a-f]{40}$", origin.url))
+    (tmp_path / "a").mkdir()
+    (tmp_path / "a" / "c").write_bytes(b"hello\n")
+    identifier = b"ce013625030ba8dba906f756967f9e9ca394464a c\n"  # as of git
+    assert fetch.contents(tmp_path / "a") == sha256(identifier)
+    get()
+    (root / fetch.RECORD).unlink()
+    right = fetch.contents(root)
+    shutil.rmtree(root)
+    monkeypatch.setattr(download, "SECURE", "http://")
+    publish(monkeypatch, server, size=None, sha256=None, contents=right)
+    assert get()["files"] == 5
+    shutil.rmtree(root)
+    server.content = zipped(members | {"100STYLE/more.txt": b"planted"})
+    said = rf"expected files of the checksum {right}, got .*; --sha256 accepts another"
+    with pytest.raises(ValueError, match=said):
+        get()
+    assert left(root) == []
+    assert get(sha256=sha256(server.content))["files"] == 6
+
+
+@pytest.mark.skipif(os.name == "nt", reason="needs links")
+def test_a_planted_link_is_not_followed(root, server, tmp_path):
+    (tmp_path / "precious").mkdir()
+    root.parent.mkdir()
+    root.with_name(".100style.fetch").symlink_to(tmp_path / "precious")
+    with pytest.raises(ValueError, match=r"\.100style\.fetch: is a link, or another user's"):
+        get()
+    assert not server.requests
+
+
+def test_a_damaged_record_is_said_in_one_line(root, capsys):
+    get()
+    record = (root / fetch.RECORD).read_text()
+    damaged = ("[]", "{", record.replace('"files"', '"fils"'),
+               record.replace('"date": "2', '"date": "\\u001b2'))
+    for text in damaged:
+        (root / fetch.RECORD).write_text(text)
+        assert status("fetch", "100style") == 2
+        said = capsys.readouterr().err
+        assert f"{fetch.RECORD}: damaged; move the folder away to fetch it again" in said
+        assert said.count("\n") == 1
+
+
+HARM = {
+    "100STYLE/../../evil.bvh": "leads out of the folder",
+    "/tmp/evil.bvh": "leads out of the folder",
+    "..\\evil.bvh": "leads out of the folder",
+    "C:evil.bvh": "leads out of the folder",
+    "../left/out": "leads out of the folder",
+    "100STYLE/FRAME_cuts.csv": "twice",
+}
+
+
+def test_an_archive_that_means_harm_is_refused(root, tmp_path, members):
+    bad = tmp_path / "bad.zip"
+    for member, problem in HARM.items():
+        bad.write_bytes(before := zipped(members | {member: b"/etc/passwd"}))
+        with pytest.raises(ValueError, match=rf"{problem}.*refused .nothing was changed"):
+            get(source=bad, sha256=sha256(before))
+        assert bad.read_bytes() == before
+        assert left(root) == []
+    assert not list(tmp_path.rglob("*evil*"))
+
+
+def test_a_bomb_and_damaged_archives_are_refused(root, tmp_path, members):
+    bad = tmp_path / "bad.zip"
+
+    def refused(data: bytes, problem: str):
+        bad.write_bytes(data)
+        with pytest.raises(ValueError, match=problem):
+            get(source=bad, sha256=sha256(data))
+        assert not root.exists()
+
+    bomb = zipped(members | {"100STYLE/bomb.txt": bytes(5_000_000)})
+    refused(bomb, "would unpack to .* more than the 4,000,000")
+    whole = zipped(members)
+    refused(whole[: len(whole) // 2], "not a whole zip archive")
+    refused(b"<!DOCTYPE html><title>Log in</title>", r"not a whole zip archive .*<!DOCTYPE html>")
+    middle = whole.index(b"100STYLE/Frame_Cuts.csv") + 200
+    wrong = bytes([whole[middle] ^ 255])
+    refused(whole[:middle] + wrong + whole[middle + 1 :], "not a whole zip archive")
+    refused(zipped({"readme.txt": b"nothing"}), "no Frame_Cuts.csv|no matching BVH")
+    # a member says that it is smaller than it is
+    size = len(members["100STYLE/Dataset_List.csv"]).to_bytes(4, "little")
+    refused(whole.replace(size, (20).to_bytes(4, "little")), "not a whole zip archive")
+    locked = bytearray(whole)
+    locked[locked.index(b"PK\x01\x02", locked.index(b"PK\x01\x02") + 4) + 8] |= 1
+    refused(bytes(locked), "not a whole zip archive")
+
+
+def test_a_file_of_ones_own(root, tmp_path, server):
+    own = tmp_path / "own.zip"
+    own.write_bytes(server.content)
+    assert get(source=own)["source"] == str(own)
+    assert own.exists()
+    assert not server.requests
+    with pytest.raises(ValueError, match=r"nowhere.zip: no such file; an address starts with"):
+        get(root=tmp_path / "other", source=tmp_path / "nowhere.zip")
+    own.write_bytes(b"junk")
+    said = r"own.zip: expected the sha256.*refused \(nothing was changed\)"
+    with pytest.raises(ValueError, match=said):
+        get(root=tmp_path / "other", source=own)
+    assert own.read_bytes() == b"junk"
+    assert not list(tmp_path.glob("other*")) + list(tmp_path.glob(".other.fetch"))
+
+
+def test_no_room(root, server, monkeypatch):
+    usage = shutil.disk_usage(root.parents[1])
+    with monkeypatch.context() as full:
+        full.setattr(shutil, "disk_usage", lambda _: usage._replace(free=1_000_000))
+        with pytest.raises(OSError, match=r"needed to fetch and unpack 100.* 1,000,000 free"):
+            get()
+    assert not server.requests
+
+    def unpacking(folder, size, purpose):
+        if purpose.startswith("unpack"):
+            raise OSError("no room to unpack")
+
+    with monkeypatch.context() as full:
+        full.setattr(download, "room", unpacking)
+        with pytest.raises(OSError, match="no room to unpack"):
+            get()
+    assert not root.exists()
+    assert get()["files"] == 5
+    assert len(server.requests) == 1  # what came before the disk was full is used
+
+
+def test_stopped_while_unpacking_nothing_is_taken_for_whole(root, server, monkeypatch):
+    def stop(packed, plain, _):
+        plain.write(packed.read(100))
+        raise KeyboardInterrupt
+
+    with monkeypatch.context() as stopped:
+        stopped.setattr(shutil, "copyfileobj", stop)
+        with pytest.raises(KeyboardInterrupt):
+            get()
+    assert left(root) == [".100style.fetch"]
+    assert get()["files"] == 5
+    assert len(server.requests) == 1  # the archive was whole
+    assert left(root) == ["100style"]
+
+
+def test_another_folder_is_never_overwritten(root):
+    root.mkdir(parents=True)
+    (root / "mine.txt").write_text("keep")
+    with pytest.raises(ValueError, match="holds something else; move it away"):
+        get()
+    assert [p.name for p in root.iterdir()] == ["mine.txt"]
+    (root / "mine.txt").unlink()
+    known = get()  # an empty folder is filled
+    (root / "notes.txt").write_text("mine")
+    assert get() == known
+    (root / "noise.txt").unlink()
+    with pytest.raises(ValueError, match=r"5 files of .* bytes were fetched, 5 of .* are left"):
+        get()
+
+
+def test_two_at_once_do_not_mix(root):
+    root.parent.mkdir()
+    other = pytest.raises(ValueError, match="another process is fetching it")
+    with filelock.FileLock(root.with_name(".100style.lock")), other:
+        get()
+    assert get()["files"] == 5
+
+
+def test_the_command_shows_size_and_terms_and_asks(root, server, capsys, monkeypatch):
+    assert status("fetch", "100style") == 2
+    printed = capsys.readouterr()
+    shown = rf"from +{server.url}\n +size .*\n +terms +CC BY 4.0.*\n +into +{root}\n"
+    assert re.search(shown, printed.out)
+    assert "error: nothing was fetched: without a terminal to ask on, --yes" in printed.err
+    for answer, code in (("n", 1), ("y", 0)):
+        keyboard = io.StringIO(f"{answer}\n")
+        keyboard.isatty = lambda: True
+        monkeypatch.setattr(sys, "stdin", keyboard)
+        assert status("fetch", "100style") == code
+        assert root.exists() == (answer == "y")
+    assert "(as published)" in capsys.readouterr().out
+    assert status("fetch", "100style") == 0
+    assert "is there already" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(("arguments", "problem"), [
+    (["xia"], "'xia' cannot be fetched; known: 100style, lpn-film-100style, bandai"),
+    (["bandai", "--sha256", "abc"], "--sha256 expects 64 hexadecimal digits, got 'abc'"),
+])
+def test_bad_arguments(arguments, problem, capsys):
+    assert status("fetch", *arguments) == 2
+    assert capsys.readouterr().err == f"error: {problem}\n"
+
+
+def test_the_layouts_of_the_other_archives(shared, tmp_path, monkeypatch):
+    monkeypatch.setenv("TOOLKIT_DATA", str(tmp_path / "home"))
+    # the published parameters, spread over two folders of a repository
+    folder = "local-phases-f779/animation-demo/Unity/Assets/Demo/Parameters"
+    files = {"local-phases-f779/ReadMe.md": b""}
+    for path in (shared / "lpn_film_100style").glob("*.bin"):
+        part = "Multiclip_All_Velocity_100_FC" if "Velocities" in path.name else "LPN"
+        files[f"{folder}/{part}/{path.name}"] = path.read_bytes()
+    archive = tmp_path / "copy.zip"
+    archive.write_bytes(zipped(files))
+    fetch.fetch("lpn-film-100style", source=archive)
+    _, bank = tk.published.load()
+    assert len(bank) == 100
+    assert tk.published.available()
+    assert tk.published.either(None, "lpn-film-100style").bank.names == bank.names
+    # a part of Bandai's repository, which the checksum of the whole refuses
+    take = next((shared / "bandai" / "dataset-2").glob("*_walk_*.bvh"))
+    top = "Bandai-Namco-Research-Motiondataset-master"
+    part = f"{top}/dataset/Bandai-Namco-Research-Motiondataset-2"
+    pointer = b"version https://git-lfs.github.com/spec/v1"
+    moves = {f"{top}/README.md": b"", f"{part}/data/data/{take.name}": take.read_bytes(),
+             f"{part}/LICENSE": b"CC BY-NC", f"{part}/data.zip": pointer,
+             f"{top}/utils/blender/LICENSE": b"MIT"}
+    archive.write_bytes(zipped(moves))
+    with pytest.raises(ValueError, match="expected files of the checksum"):
+        fetch.fetch("bandai", source=archive)
+    fetch.fetch("bandai", source=archive, sha256=sha256(archive.read_bytes()))
+    (clip,) = tk.datasets.load("bandai")
+    assert clip.gait == "walk"
+    there = sorted(p.name for p in home.folder("bandai").rglob("*") if p.is_file())
+    assert there == ["LICENSE", take.name, fetch.RECORD]
+    archive.write_bytes(zipped(moves | {f"{part}/data/data/{take.name}": pointer}))
+    with pytest.raises(ValueError, match="expected HIERARCHY"):
+        fetch.fetch("bandai", tmp_path / "elsewhere", archive)
+
+
+def test_without_anything_set_the_users_data_folder_is_the_home(monkeypatch, tmp_path):
+    monkeypatch.delenv("TOOLKIT_DATA", raising=False)
+    monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path))
+    if sys.platform == "linux":
+        assert home.home() == tmp_path / "toolkit"
+    monkeypatch.setenv("TOOLKIT_DATA", str(tmp_path / "mine"))
+    assert home.folder("lpn-film-100style") == tmp_path / "mine" / "lpn_film_100style"
+    assert not tk.published.available()
+    said = r"lpn-film-100style: nothing at .*data fetch lpn-film-100style"
+    with pytest.raises(ValueError, match=said):
+        tk.published.load()

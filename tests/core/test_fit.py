@@ -1,0 +1,168 @@
+"""The sinusoid fit: known sinusoids, the best that slow means find, bounds, degenerate windows."""
+
+import itertools
+import math
+
+import numpy as np
+import pytest
+import torch
+from hypothesis import given, strategies as st
+
+import toolkit as tk
+from experiments.speed.fit import best_known
+from toolkit.phases.sinusoids import Sinusoids, fit, frequencies
+from toolkit.phases.variable_projection import smoothest
+
+FPS = 60.0
+
+
+def sinusoid(frequency, amplitude=1.3, shift=0.4, offset=0.2, frames=300):
+    t = torch.arange(frames, dtype=torch.float64) / FPS
+    return (amplitude * torch.sin(2 * math.pi * (frequency * t - shift)) + offset)[:, None]
+
+
+def one(window, fps=FPS):
+    """The fit of a single window, as numbers."""
+    found = fit(torch.as_tensor(window)[:, None], fps, (len(window) - 1) / 2 / fps)
+    return Sinusoids(*(float(column[len(window) // 2, 0]) for column in vars(found).values()))
+
+
+def kinds(walk_clip):
+    """Windows of 61 frames: sources, noise, random walks, steps, frequencies out of bounds."""
+    rng = np.random.default_rng(4)
+    curve = tk.phases.extract(walk_clip).source.double().numpy()
+    t = np.arange(-30, 31) / FPS
+    yield from (curve[50:111, limb] for limb in range(4))
+    yield from rng.normal(size=(2, 61))
+    yield from rng.normal(size=(6, 61)).cumsum(1)
+    yield from rng.normal(size=(4, 61)).cumsum(1).cumsum(1)
+    yield from (1e3 + t, 1e-6 * t**2, np.sign(t), (t == 0) * 1.0, np.exp(4 * t))
+    yield from (np.sin(2 * np.pi * f * t + 1) for f in (0.1, 0.25, 4.0, 4.4, 7.0))
+
+
+@given(st.floats(0.3, 3.95), st.floats(0.1, 3.0), st.floats(-0.5, 0.5), st.floats(-10, 10))
+def test_a_sinusoid_is_found_again(frequency, amplitude, shift, offset):
+    curve = sinusoid(frequency, amplitude, shift, offset)
+    found = fit(curve, FPS, half_window=2.0)  # long enough that no bound holds
+    middle = slice(120, -120)
+    t = torch.arange(len(curve)) / FPS
+    angle = found.phase[:, 0] - 2 * math.pi * (frequency * t - shift)
+    assert float(torch.sin(angle / 2)[middle].abs().amax()) < 1e-5
+    for name, truth in (("frequency", frequency), ("amplitude", amplitude), ("offset", offset)):
+        column = getattr(found, name)[middle]
+        torch.testing.assert_close(column, torch.full_like(column, truth), rtol=1e-5, atol=1e-5)
+
+
+def test_no_window_is_fitted_better_by_slow_means(walk_clip):
+    for window in itertools.islice(kinds(walk_clip), 0, None, 2):
+        limit = best_known(window) * (1 + 1e-6) + 1e-8 * np.ptp(window)
+        assert one(window).residual <= limit
+
+
+@pytest.mark.parametrize(("fps", "seconds"), [(30.0, 0.5), (120.0, 0.25), (24.0, 1.5), (10.0, 0.2)])
+def test_other_rates_and_windows_are_as_good(fps, seconds):
+    window = np.random.default_rng(7).normal(size=2 * max(2, round(seconds * fps)) + 1).cumsum()
+    limit = best_known(window, fps) * (1 + 1e-6) + 1e-7 * np.ptp(window)
+    assert one(window, fps).residual <= limit
+
+
+def test_the_sinusoid_is_what_it_says_and_within_its_bounds(walk_clip):
+    t = np.arange(-30, 31) / FPS
+    held = {"amplitude": 0, "offset": 0, "frequency": 0}
+    for window in kinds(walk_clip):
+        found = one(window)
+        wave = found.amplitude * np.sin(2 * np.pi * found.frequency * t + found.phase)
+        scale = np.ptp(window)
+        error = np.sqrt(np.mean((wave + found.offset - window) ** 2))
+        assert found.residual == pytest.approx(error, rel=1e-6, abs=1e-7 * scale)
+        assert 0 <= found.amplitude <= scale
+        assert 0.25 <= found.frequency <= 4
+        assert window.min() <= found.offset <= window.max()
+        held["amplitude"] += found.amplitude == pytest.approx(scale, rel=1e-12)
+        away = min(found.offset - window.min(), window.max() - found.offset)
+        held["offset"] += away < 1e-12 * scale
+        held["frequency"] += found.frequency in (0.25, 4.0)
+    assert min(held.values()) >= 2  # every bound is put to the test
+
+
+@given(st.floats(1e-6, 1e6), st.floats(-1e3, 1e3))
+def test_scale_and_offset_of_the_source_pass_through(scale, shift):
+    curve = torch.randn(80, 1, generator=torch.Generator().manual_seed(5)).double().cumsum(0)
+    here, there = fit(curve, FPS), fit(scale * (curve + shift), FPS)
+    torch.testing.assert_close(there.frequency, here.frequency, rtol=1e-4, atol=0)
+    torch.testing.assert_close(there.residual, scale * here.residual, rtol=1e-6, atol=0)
+    torch.testing.assert_close(there.amplitude, scale * here.amplitude, rtol=1e-3, atol=0)
+
+
+@pytest.mark.parametrize("level", [0.0, 0.1, -1e300])
+def test_a_constant_source_has_no_amplitude_and_a_steady_phase(level):
+    found = fit(torch.full((100, 1), level, dtype=torch.float64), FPS)
+    assert all(bool(torch.isfinite(column).all()) for column in vars(found).values())
+    assert float(found.amplitude.abs().max()) == float(found.residual.abs().max()) == 0
+    assert found.phase.unique().numel() == found.frequency.unique().numel() == 1
+    assert bool((found.offset == level).all())
+
+
+def test_the_smoothest_path_is_the_best_of_all():
+    rng = np.random.default_rng(2)
+    for _ in range(5):
+        cost, jump = rng.random((6, 3)), rng.random((3, 3))
+
+        def total(path, cost=cost, jump=jump):
+            jumps = sum(jump[a, b] for a, b in itertools.pairwise(path))
+            return sum(cost[f, k] for f, k in enumerate(path)) + jumps
+
+        best = min(itertools.product(range(3), repeat=6), key=total)
+        assert tuple(smoothest(cost, jump)) == best
+
+
+@pytest.mark.parametrize("seconds", [0.2, 61 / 60, 4.0])
+def test_the_grid_is_even_in_cycles_and_their_logarithm(seconds):
+    grid = frequencies(seconds)
+    assert (grid[0], grid[-1]) == (0.25, 4.0)
+    steps = np.diff(6 * (grid * seconds + np.log(grid)))
+    total = 6 * (3.75 * seconds + np.log(16))
+    assert len(steps) == math.ceil(total)
+    assert steps == pytest.approx(np.full(len(steps), total / len(steps)), rel=2e-3)
+
+
+@pytest.mark.parametrize("fps", [9.0, 30.0])
+def test_ends_are_mirrored(fps):
+    """The fit at the ends is that of the middle of a curve which is mirrored by hand."""
+    curve = np.random.default_rng(11).normal(size=(40, 3)).cumsum(0)
+    half = max(2, round(0.5 * fps))
+    longer = np.pad(curve, ((half, half), (0, 0)), "reflect")
+    found, whole = fit(torch.from_numpy(curve), fps), fit(torch.from_numpy(longer), fps)
+    for column, expected in zip(vars(found).values(), vars(whole).values(), strict=True):
+        assert column.shape == (40, 3)
+        assert column.dtype == torch.float64
+        torch.testing.assert_close(column, expected[half:-half], rtol=1e-5, atol=1e-5)
+
+
+def test_time_reversed_and_negated_curves_have_the_same_sinusoids_turned_round():
+    curve = sinusoid(1.1) + 0.5 * sinusoid(1.9, shift=0.1)
+    here, back, down = fit(curve, FPS), fit(curve.flip(0), FPS), fit(-curve, FPS)
+    for name in ("frequency", "amplitude", "residual"):
+        known = getattr(here, name)
+        torch.testing.assert_close(getattr(back, name).flip(0), known, rtol=1e-4, atol=1e-6)
+        torch.testing.assert_close(getattr(down, name), known, rtol=1e-4, atol=1e-6)
+    assert float(torch.sin((math.pi - back.phase.flip(0) - here.phase) / 2).abs().max()) < 1e-3
+    assert float(torch.cos((down.phase - here.phase) / 2).abs().max()) < 1e-3
+    torch.testing.assert_close(down.offset, -here.offset, rtol=1e-4, atol=1e-6)
+    assert 0 <= float(here.phase.min()) < float(here.phase.max()) < 2 * math.pi
+
+
+def test_the_shortest_source_the_lowest_rate_and_the_shortest_window():
+    curve = sinusoid(1.0, frames=31)
+    assert len(fit(curve, FPS).phase) == 31
+    assert bool(fit(sinusoid(1.0, frames=40), 8.01).residual.isfinite().all())
+    window = np.random.default_rng(12).normal(size=5)  # never less than five frames
+    shortest = fit(torch.from_numpy(window)[:, None], 10.0, 0.01)
+    assert one(window, 10.0).residual == pytest.approx(float(shortest.residual[2, 0]))
+    for few, fps, half, said in (
+            (curve[:30], FPS, 0.5, r"\[frames, limbs\] with more than 30 frames, not \[30, 1\]"),
+            (curve[:, 0], FPS, 0.5, r"\[frames, limbs\] with more than 30 frames, not \[31\]"),
+            (curve[:2], 10.0, 0.01, r"with more than 2 frames, not \[2, 1\]"),
+            (curve, 8.0, 0.5, "fits up to 4 Hz need over 8 frames per second, not 8")):
+        with pytest.raises(ValueError, match=said):
+            fit(few, fps, half)

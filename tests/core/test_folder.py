@@ -1,0 +1,199 @@
+"""Training on a folder of one's own."""
+
+import dataclasses
+import shutil
+
+import pytest
+import rigs
+import torch
+from posed_rigs import rig, with_twists
+
+import toolkit as tk
+from toolkit.cli.motion_files import dataset, show
+from toolkit.datasets import folder
+from toolkit.datasets.procedural import SKELETON
+from toolkit.extra.characters import retargeting
+from toolkit.extra.characters.retargeting import body_joints, pruned
+
+GAITS = {"walk": "FW", "run": "FR"}
+
+
+def with_extras(clip: tk.Clip, *, twists: bool = True) -> tk.Clip:
+    """The clip on a rig with a root below, fingers, twist bones in the forearms, and a sword."""
+    old = clip.skeleton
+    still = tk.motion.rotations.identity(len(clip))
+    names, parents, offsets, turns = ["Reference"], [-1], [torch.zeros(3)], [still]
+    spot = {}
+
+    def add(name, parent, offset, turn):
+        names.append(name)
+        parents.append(parent)
+        offsets.append(offset)
+        turns.append(turn)
+        return len(names) - 1
+
+    for j, name in enumerate(old.names):
+        above, offset = (0, torch.zeros(3)) if j == 0 else (spot[old.parents[j]], old.offsets[j])
+        if twists and name.endswith("Wrist"):
+            offset = offset / 2
+            above = add(f"{name[:-5]}ForearmTwist", above, offset, still)
+        spot[j] = add(name, above, offset, clip.rotations[:, j])
+        if name.endswith("Wrist"):
+            for finger in range(6):
+                offset = torch.tensor([0.08, 0.0, 0.01 * finger])
+                add(f"{name}Finger{finger}", spot[j], offset, still)
+        if name == "RightWrist":
+            add("Sword", spot[j], torch.tensor([0.0, 0.0, 0.5]), still)
+    skeleton = tk.Skeleton(names, parents, torch.stack(offsets), old.roles, old.ends)
+    return clip.replace(skeleton=skeleton, rotations=torch.stack(turns, 1), name="rig")
+
+
+@pytest.fixture(scope="module")
+def walk() -> tk.Clip:
+    return tk.datasets.load("procedural", styles=["Neutral"], gaits=["FW"], seconds=5.0)[0]
+
+
+@pytest.fixture(scope="module")
+def motions(tmp_path_factory) -> "dict[tuple[str, str], object]":
+    """BVH files of two styles and two gaits."""
+    place, found = tmp_path_factory.mktemp("motions"), {}
+    for style in ("Neutral", "Zombie"):
+        for word, gait in GAITS.items():
+            clip = tk.datasets.load("procedural", styles=[style], gaits=[gait], seconds=5.0)[0]
+            found[style, word] = place / f"{style}_{word}_01.bvh"
+            tk.bvh.save(clip, found[style, word])
+    return found
+
+
+def test_body_joints_are_those_of_the_plain_rig(walk):
+    rich = with_extras(walk)
+    assert len(rich.skeleton) > len(SKELETON) + 12
+    assert {rich.skeleton.names[j] for j in body_joints(rich.skeleton)} >= set(SKELETON.names)
+    small = pruned(rich)
+    assert set(small.skeleton.names) == set(SKELETON.names)  # the twist bones, too
+    same = [small.skeleton.index(name) for name in SKELETON.names]
+    torch.testing.assert_close(small.global_positions[:, same], walk.global_positions, atol=1e-5,
+                               rtol=0)
+    assert pruned(walk) is walk
+    assert small.skeleton.roles == walk.skeleton.roles
+
+
+@pytest.mark.parametrize(("name", "joints"), [("Reallusion", 22), ("MakeHuman", 34)])
+def test_body_joints_of_known_rigs(name, joints):
+    rich = rigs.walk(name)
+    rich = rich.replace(skeleton=dataclasses.replace(rich.skeleton, roles=None))
+    small = pruned(rich)
+    assert len(small.skeleton) == joints
+    for role, joint in small.skeleton.roles.items():
+        before = rich.global_positions[:, rich.skeleton.index(joint)]
+        after = small.global_positions[:, small.skeleton.role(role)]
+        assert (before - after).abs().max() < 1e-3, role
+
+
+def test_a_twist_bone_that_moves_the_limb_is_kept(walk):
+    rich = with_extras(walk)
+    turned, twist = rich.rotations.clone(), rich.skeleton.index("LeftForearmTwist")
+    swing = torch.linspace(0, 1, len(rich))
+    up = torch.tensor([0.0, 1.0, 0.0]).expand(len(rich), 3)
+    turned[:, twist] = tk.motion.rotations.from_axis_angle(up, swing)
+    names = pruned(rich.replace(rotations=turned)).skeleton.names
+    assert "LeftForearmTwist" in names
+    assert "RightForearmTwist" not in names
+
+
+def test_rigs_without_the_roles_are_refused(walk):
+    bare = dataclasses.replace(walk.skeleton, roles={"hips": "Hips"})
+    with pytest.raises(ValueError, match="cannot find its left_shoulder, "):
+        body_joints(bare)
+
+
+@pytest.mark.parametrize("layout", ["names", "folders", "style folders", "table"])
+def test_style_and_gait_come_from_names_folders_or_a_table(tmp_path, motions, layout):
+    rows = ["file, style, gait"]
+    for number, ((style, gait), source) in enumerate(motions.items()):
+        name = {"names": f"actor_{style}_{gait}_0{number}.bvh",
+                "folders": f"{style}/{gait}/{number}.bvh",
+                "style folders": f"{style}/take {gait} {number}.bvh",
+                "table": f"deep/{number}.bvh"}[layout]
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(source, tmp_path / name)
+        rows.append(f"{name}, {style}, {gait}")
+    if layout == "table":
+        (tmp_path / "labels.csv").write_text("\n".join(rows[:-1]))
+    found = folder.survey(tmp_path)
+    expected = set(motions) if layout != "table" else set(list(motions)[:-1])
+    assert {(take.style, take.gait) for take in found.takes} == expected
+    left_out = ["not listed in labels.csv"] if layout == "table" else []
+    assert list(found.left_out.values()) == left_out
+    clips = tk.datasets.load("folder", tmp_path, styles=["Zombie"])
+    assert {clip.gait for clip in clips} == {gait for style, gait in expected if style == "Zombie"}
+
+
+def test_what_is_left_out_is_said(tmp_path, motions, walk):
+    for (style, gait), source in motions.items():
+        shutil.copy(source, tmp_path / f"{style}_{gait}.bvh")
+    tk.bvh.save(walk.cut(0, 60), tmp_path / "Short_walk.bvh")
+    tk.bvh.save(walk, tmp_path / "Inches_walk.bvh", unit=0.0254)
+    small = dataclasses.replace(walk.skeleton, offsets=0.6 * walk.skeleton.offsets)
+    child = walk.replace(skeleton=small, root_positions=0.6 * walk.root_positions)
+    tk.bvh.save(child, tmp_path / "Child_walk.bvh")
+    (tmp_path / "Broken_walk.bvh").write_text("HIERARCHY\nROOT Hips\n{\n OFFSET 0 0 0\n")
+    tk.bvh.save(with_extras(walk, twists=False), tmp_path / "Rich_walk.bvh")
+    found = folder.survey(tmp_path)
+    assert {take.style for take in found.takes} == {"Neutral", "Zombie", "Rich", "Inches"}
+    why = {path.name: reason for path, reason in found.left_out.items()}
+    assert set(why) == {"Short_walk.bvh", "Child_walk.bvh", "Broken_walk.bvh"}
+    assert "1.0 s; a clip of 1.9 s is needed" in why["Short_walk.bvh"]
+    assert "line 4" in why["Broken_walk.bvh"]
+    assert "another size" in why["Child_walk.bvh"]
+    lines = list(found.lines(tmp_path))
+    assert lines[0] == "6 files, 1,800 frames, 0.5 minutes; 28 body joints of 42"
+    assert "  Neutral run: 1 file, 300 frames, 5.0 s" in lines
+    assert "left out: 3 files" in lines
+
+
+def test_files_of_other_rigs_can_be_retargeted(tmp_path, motions, walk):
+    for (style, gait), source in motions.items():
+        shutil.copy(source, tmp_path / f"{style}_{gait}.bvh")
+    other = retargeting.retarget(walk, rig("A-pose", joints=with_twists))
+    tk.bvh.save(other, tmp_path / "Other_walk.bvh")
+    plain = folder.survey(tmp_path)
+    assert [path.name for path in plain.left_out] == ["Other_walk.bvh"]
+    pose = tk.motion.rotations.identity(1, len(SKELETON))
+    target = tk.Clip(SKELETON, pose, torch.zeros(1, 3), 60.0)
+    clips = tk.datasets.load("folder", tmp_path, target=target)
+    assert {clip.style for clip in clips} == {"Neutral", "Zombie", "Other"}
+    assert {clip.skeleton.names for clip in clips} == {SKELETON.names}
+
+
+@pytest.mark.parametrize(("table", "said"), [
+    ("name,style\na.bvh,Old\n", "expected the columns file, style; missing: file"),
+    ("file,style\nb.bvh,Old\n", "line 2: no file"),
+    ("file,style\na.bvh,\n", "line 2: no style"),
+])
+def test_bad_tables_are_refused_in_a_line(tmp_path, motions, table, said):
+    shutil.copy(next(iter(motions.values())), tmp_path / "a.bvh")
+    (tmp_path / "labels.csv").write_text(table)
+    with pytest.raises(ValueError, match="labels") as error:
+        folder.survey(tmp_path)
+    assert said in str(error.value)
+    assert "\n" not in str(error.value)
+
+
+def test_a_folder_of_nothing_is_refused(tmp_path):
+    with pytest.raises(ValueError, match="no file can be used; expected recordings"):
+        folder.survey(tmp_path)
+    (tmp_path / "a.bvh").write_text("nothing")
+    with pytest.raises(ValueError, match=r"no file can be used \(a.bvh: .*expected HIERARCHY"):
+        folder.survey(tmp_path)
+
+
+def test_a_folder_is_surveyed_and_read_by_the_verbs(tmp_path, motions, capsys):
+    for (style, gait), source in motions.items():
+        shutil.copy(source, tmp_path / f"{style}_{gait}.bvh")
+    assert dataset(str(tmp_path), None) == ("folder", tmp_path)
+    show(tmp_path)
+    assert "4 files, 1,200 frames, 0.3 minutes; 28 body joints of 28" in capsys.readouterr().out
+    with pytest.raises(ValueError, match="is the folder to read; --root is for datasets with a na"):
+        dataset(str(tmp_path), tmp_path)
+    assert tk.features.build(tk.datasets.load("folder", tmp_path)).styles == ["Neutral", "Zombie"]

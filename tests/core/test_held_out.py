@@ -1,0 +1,119 @@
+"""Finished models on held-out motion: recordings that they follow, and fitted style vectors."""
+
+import dataclasses
+import json
+
+import pytest
+import torch
+from test_training import QUICK, waves
+
+import toolkit as tk
+from experiments.seven_models import models, recorded, results
+from toolkit import training
+from toolkit.training.loss import STEPS, refit
+
+
+@pytest.fixture(scope="module")
+def clips():
+    return tk.datasets.load("procedural", styles=["Neutral", "Zombie"], gaits=["FW"], seconds=6.0)
+
+
+@pytest.fixture(scope="module")
+def embedded():
+    return tk.pretrained()
+
+
+def test_moments_have_a_second_before_and_two_seconds_after(clips):
+    some = recorded.moments(clips)
+    assert {m.at for m in some} == {60, 180}
+    assert all(len(m.real) == len(m.still) == 120 for m in some)
+    assert torch.equal(some[0].real.rotations[0], some[0].clip.rotations[61])
+    assert bool((some[0].still.rotations == some[0].clip.rotations[60]).all())
+    with pytest.raises(ValueError, match=r"no clip has the 3 s that it takes to follow it"):
+        recorded.moments([clip.cut(0, 179) for clip in clips])
+
+
+def test_a_character_begins_in_the_recorded_pose_and_place(clips, embedded):
+    model, bank = embedded
+    some = recorded.moments(clips)
+    state = recorded.beginning(model, some, torch.stack([bank[m.clip.style] for m in some]))
+    for i, m in enumerate(some):
+        rotations, root = tk.runtime.pose(
+            model, dataclasses.replace(state, style=state.style[:, :0]), feet=False
+        )
+        there = tk.Clip(
+            m.clip.skeleton, rotations[i : i + 1], root[i : i + 1], 60
+        ).global_positions[0]
+        assert (there - m.clip.global_positions[m.at]).norm(dim=-1).max() < 0.02
+        torch.testing.assert_close(state.root[i], m.world[m.at])
+
+
+def test_followed_recordings_stay_near_them_and_floors_are_farther(clips, embedded):
+    model, bank = embedded
+    recogniser = tk.evaluation.recognition.train(tk.features.build(clips), steps=30)
+    rows = recorded.compared(
+        [training.Run(model, bank.select(["Neutral", "Zombie"]))] * 2, clips, recogniser
+    )
+    found = {row["measure"]: row for row in rows}
+    assert len(found["geodesic"]["model"]) == 2
+    for name, most in (("global-position", 0.25), ("geodesic", 0.4)):
+        row = found[name]
+        assert row["model"][0] == row["model"][1] < most
+        assert row["model"][0] < row["other"][0]
+        assert row["model"][0] < row["still"]
+        assert row["real"] == pytest.approx(0, abs=1e-5)
+    assert found["skate-rsmt"]["still"] == pytest.approx(0, abs=1e-6)
+    drawn = results.recorded("x", "about", "command", rows, {}).markdown()
+    assert "| global-position |" in drawn
+    assert "nan" not in drawn
+
+
+def test_the_rate_of_the_style_modulation_is_that_of_the_model():
+    for model, rate in (("lpn-film", 0.1), ("pfnn-resad", 1.0), ("lpn-onehot", 10.0)):
+        assert training.Config.quick(model=model).style_rate == rate
+        assert models.Plan().config(model, 0).style_rate == rate
+    assert training.Config.quick(model="lpn-resad", style_rate=0.5).style_rate == 0.5
+
+
+def test_fitted_vectors_have_less_error_and_the_model_stays_the_same():
+    data = waves()
+    train, test = training.split(data, 0.2, 0, tuple(data.styles))
+    run = training.fit(data, dataclasses.replace(QUICK, steps=100, held_out=0.2))
+    before = {name: value.clone() for name, value in run.model.state_dict().items()}
+    bank, again = (refit(run.model, run.bank, train, steps=30, pose_mixup=0.0) for _ in range(2))
+    assert torch.equal(bank.vectors, again.vectors)
+    old, new = (training.evaluate(run.model, b, test) for b in (run.bank, bank))
+    assert sum(e["mse"] for e in new.values()) < sum(e["mse"] for e in old.values())
+    assert all(torch.equal(value, before[name]) for name, value in run.model.state_dict().items())
+    assert all(p.requires_grad for p in run.model.parameters())
+    only = dataclasses.replace(
+        train,
+        **{
+            kind: {"style0": getattr(train, kind)["style0"]}
+            for kind in ("inputs", "phases", "outputs", "clips", "takes")
+        },
+    )
+    part = refit(run.model, run.bank, only, steps=2)
+    assert torch.equal(part["style1"], run.bank["style1"])
+    assert not torch.equal(part["style0"], run.bank["style0"])
+
+
+def test_a_training_ends_with_fitted_vectors_unless_they_are_means_of_clips():
+    assert training.Config().refit == training.Config.quick().refit == STEPS > 0
+    stored = json.loads(json.dumps(dataclasses.asdict(QUICK)))
+    assert (
+        training.Config.from_json({k: v for k, v in stored.items() if k != "refit"}).refit == 0
+    )  # of an older file
+    data, config = waves(), dataclasses.replace(QUICK, steps=100)
+    plain, fitted = (
+        training.fit(data, dataclasses.replace(config, refit=steps)) for steps in (0, 30)
+    )
+    assert all(
+        torch.equal(a, b)
+        for a, b in zip(plain.model.parameters(), fitted.model.parameters(), strict=True)
+    )
+    assert fitted.table()[-1]["error"] < plain.table()[-1]["error"]
+    table = training.fit(data, dataclasses.replace(QUICK, model="lpn-resad", steps=5, refit=3))
+    assert torch.equal(table.bank.vectors, training.make_bank(table.model, data).vectors)
+    with pytest.raises(ValueError, match="refit must not be negative, got -1"):
+        dataclasses.replace(QUICK, refit=-1)

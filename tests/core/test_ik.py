@@ -1,0 +1,446 @@
+import math
+
+import pytest
+import torch
+from hypothesis import given, strategies as st
+
+from toolkit.motion import contacts, forward_kinematics, ik, rotations as R
+from toolkit.motion.springs import spring
+
+coordinate = st.floats(-2, 2, width=32)
+point = st.tuples(coordinate, coordinate, coordinate).map(
+    lambda p: torch.tensor(p, dtype=torch.float64)
+)
+HIP, KNEE, ANKLE = torch.tensor(
+    [[0.1, 0.95, 0.0], [0.1, 0.513, 0.02], [0.1, 0.081, 0.0]], dtype=torch.float64
+)
+UPPER, LOWER = float((KNEE - HIP).norm()), float((ANKLE - KNEE).norm())
+FORWARD = torch.tensor([0.0, 0.0, 1.0], dtype=torch.float64)
+
+
+@given(point, point)
+def test_two_bone_keeps_lengths_and_meets_what_it_can_reach(target, pole):
+    knee, ankle = ik.two_bone(HIP, KNEE, ANKLE, target, pole if pole.norm() > 1e-3 else None)
+    assert float((knee - HIP).norm()) == pytest.approx(UPPER, abs=1e-6)
+    assert float((ankle - knee).norm()) == pytest.approx(LOWER, abs=1e-6)
+    distance = float((target - HIP).norm())
+    if abs(UPPER - LOWER) + 0.01 < distance < 0.98 * (UPPER + LOWER):
+        torch.testing.assert_close(ankle, target, atol=1e-9, rtol=0)
+
+
+@given(st.floats(0.1, 0.85), st.floats(-1.2, 1.2))
+def test_two_bone_bends_towards_the_pole(distance, swing):
+    line = torch.tensor([0.0, -1.0, swing], dtype=torch.float64)
+    target = HIP + distance * R.normalize(line)
+    knee, ankle = ik.two_bone(HIP, KNEE, ANKLE, target, FORWARD)
+    side = knee - HIP - ((knee - HIP) * R.normalize(ankle - HIP)).sum() * R.normalize(ankle - HIP)
+    assert float(side @ FORWARD) > 0
+    # No sideways motion when pole and target lie in one plane.
+    assert abs(float(knee[0] - HIP[0])) < 1e-9
+
+
+def test_two_bone_approaches_full_stretch_without_a_pop():
+    distance = torch.linspace(0.7, 1.0, 301, dtype=torch.float64)
+    target = HIP + distance[:, None] * torch.tensor([0.0, -1.0, 0.0], dtype=torch.float64)
+    chain = (x.expand(301, 3) for x in (HIP, KNEE, ANKLE))
+    knee, ankle = ik.two_bone(*chain, target, FORWARD, soft=0.03)
+    reached = (ankle - HIP).norm(dim=-1)
+    assert bool((reached.diff() >= -1e-12).all())
+    assert float(reached.max()) < UPPER + LOWER
+    hard = ik.two_bone(HIP.expand(301, 3), KNEE, ANKLE, target, FORWARD, soft=0.0)[0]
+    assert knee[:, 2].diff().abs().max() < 0.35 * hard[:, 2].diff().abs().max()
+
+
+def test_two_bone_without_a_pole_keeps_the_plane_it_bends_in():
+    knee, ankle = ik.two_bone(HIP, KNEE, ANKLE, ANKLE, soft=0.0)
+    torch.testing.assert_close(
+        torch.stack((knee, ankle)), torch.stack((KNEE, ANKLE)), atol=1e-9, rtol=0
+    )
+    knee, _ = ik.two_bone(
+        HIP, KNEE, ANKLE, ANKLE + torch.tensor([0.0, 0.2, 0.0], dtype=torch.float64)
+    )
+    assert float(knee[2]) > 0.1
+
+
+def test_two_bone_takes_any_leading_shape_and_degenerate_input():
+    a, b, c = (x.float().expand(2, 5, 3) for x in (HIP, KNEE, ANKLE))
+    target = torch.randn(2, 5, 3, generator=torch.Generator().manual_seed(0))
+    target[0, 0] = HIP.float()  # on the root itself
+    target[0, 1] = HIP.float() + torch.tensor([0.0, 0.0, 0.5])  # along the pole
+    knee, ankle = ik.two_bone(a, b, c, target, FORWARD.float(), soft=torch.full((2, 5, 1), 0.02))
+    assert knee.shape == ankle.shape == (2, 5, 3)
+    assert bool(torch.isfinite(knee).all() and torch.isfinite(ankle).all())
+    torch.testing.assert_close(
+        (knee - a).norm(dim=-1), torch.full((2, 5), UPPER), atol=1e-5, rtol=0
+    )
+
+
+@pytest.mark.parametrize(("soft", "got"), [
+    (1.5, "1.5 to 1.5"), (1.0, "1 to 1"), (torch.tensor([[0.5], [-0.25]]), "-0.25 to 0.5"),
+])
+def test_two_bone_refuses_a_soft_limit_outside_its_range(soft, got):
+    with pytest.raises(ValueError, match=rf"^soft must be in \[0, 1\), got {got}$"):
+        ik.two_bone(HIP, KNEE, ANKLE, ANKLE, soft=soft)
+
+
+@pytest.mark.parametrize("distance", [0.02, 0.7, 0.85, 0.868, 1.4])
+def test_two_bone_against_bisection(distance):
+    """The limb is swung open until the lower bone fits; the soft limit is walked in steps."""
+    soft, full = 0.03, UPPER + LOWER
+    reached, step = min(distance, full * (1 - soft)), 1e-5
+    for _ in range(
+        round((distance - reached) / step)
+    ):  # what is left to full stretch sets the pace
+        reached += step * (full - reached) / (soft * full)
+    line = R.normalize(torch.tensor([0.3, -1.0, 0.2], dtype=torch.float64))
+    across = R.normalize(FORWARD - (FORWARD @ line) * line)
+    low, high = 0.0, math.pi
+    for _ in range(60):
+        angle = (low + high) / 2
+        middle = HIP + UPPER * (math.cos(angle) * line + math.sin(angle) * across)
+        low, high = (
+            (angle, high) if float((HIP + reached * line - middle).norm()) < LOWER else (low, angle)
+        )
+    knee, ankle = ik.two_bone(HIP, KNEE, ANKLE, HIP + distance * line, 3 * FORWARD, soft=soft)
+    torch.testing.assert_close(ankle, HIP + reached * line, atol=1e-5, rtol=0)
+    torch.testing.assert_close(knee, middle, atol=1e-3 if reached > 0.84 else 1e-7, rtol=0)
+
+
+@pytest.mark.parametrize("scale", [1e-3, 1e3])
+@pytest.mark.parametrize("distance", [0.004, 0.862])
+def test_two_bone_bends_a_limb_of_any_size_alike(scale, distance):
+    target = HIP + distance * R.normalize(torch.tensor([0.3, -1.0, 0.2], dtype=torch.float64))
+    one = torch.stack(ik.two_bone(HIP, KNEE, ANKLE, target, FORWARD))
+    scaled = torch.stack(
+        ik.two_bone(scale * HIP, scale * KNEE, scale * ANKLE, scale * target, FORWARD)
+    )
+    torch.testing.assert_close(scaled / scale, one, atol=1e-6, rtol=0)
+
+
+def test_two_bone_folds_where_the_target_is_on_the_root():
+    knee, ankle = ik.two_bone(HIP, KNEE, ANKLE, HIP)
+    expected = HIP + (UPPER - LOWER) * R.normalize(ANKLE - HIP)
+    torch.testing.assert_close(ankle, expected, atol=2e-6, rtol=0)
+    assert float((knee - HIP) @ R.normalize(ANKLE - HIP)) == pytest.approx(UPPER, abs=1e-3)
+
+
+def held_slowly(
+    toe, drift, before, predicted, other, contact, inwards, seconds
+) -> tuple[list[float], list[float]]:
+    """`ik.foot_lock` of one toe, in plain numbers: a spring of 10 per second."""
+    offset = [a - b for a, b in zip(toe, before, strict=True)]
+    behind = [a - b for a, b in zip(toe, predicted, strict=True)]
+    if math.hypot(*behind) > 0.3:
+        behind = [0.3 * x / math.hypot(*behind) for x in behind]
+    if contact > 0.5:
+        now = behind
+    else:
+        now = [
+            (x + (v + 10 * x) * seconds) * math.exp(-10 * seconds)
+            for x, v in zip(offset, drift, strict=True)
+        ]
+        drift = [
+            (v - 10 * (v + 10 * x) * seconds) * math.exp(-10 * seconds)
+            for x, v in zip(offset, drift, strict=True)
+        ]
+    gap = sum((a - b) * i for a, b, i in zip(other, predicted, inwards, strict=True))
+    limit = max(0.08, gap / 4)
+    crossing = max(0.0, sum(x * i for x, i in zip(now, inwards, strict=True)) - limit)
+    now = [x - crossing * i for x, i in zip(now, inwards, strict=True)]
+    if contact > 0.5:
+        drift = [(x - o) / seconds for x, o in zip(now, offset, strict=True)]
+    return [a + b for a, b in zip(predicted, now, strict=True)], drift
+
+
+@pytest.mark.parametrize("crowd", [1, 40])
+def test_every_toe_of_a_crowd_is_held_as_in_a_slow_loop(crowd):
+    generator = torch.Generator().manual_seed(crowd)
+    shape = {"dtype": torch.float64, "generator": generator}
+    before, predicted = torch.randn(2, crowd, 2, 3, **shape)
+    predicted = before + 0.02 * (predicted - before)
+    toes, drift = (
+        before + 0.1 * torch.randn(crowd, 2, 3, **shape),
+        torch.randn(crowd, 2, 3, **shape),
+    )
+    contacts = torch.rand(crowd, 2, **shape)
+    contacts[0, 0], contacts[-1, 1] = 0.5, 0.51  # as likely as not is no contact
+    left = R.normalize(torch.randn(crowd, 2, **shape))
+    found, speeds = ik.foot_lock(toes, drift, before, predicted, contacts, left, 0.02)
+    for c in range(crowd):
+        for foot, sign in enumerate((1, -1)):
+            x = (
+                toes[c, foot],
+                drift[c, foot],
+                before[c, foot],
+                predicted[c, foot],
+                predicted[c, 1 - foot],
+            )
+            to_left, ahead = (sign * left[c]).tolist()
+            toe, speed = held_slowly(
+                *(v.tolist() for v in x), float(contacts[c, foot]), [to_left, 0.0, ahead], 0.02
+            )
+            assert found[c, foot].tolist() == pytest.approx(toe, abs=1e-12)
+            assert speeds[c, foot].tolist() == pytest.approx(speed, abs=1e-9)
+
+
+def sunk_slowly(drop, speed, legs, seconds):
+    """`ik.sink` of one body; ``legs``: hip, ankle, length and contact of each."""
+    needs = []
+    for hip, ankle, length, contact in legs:
+        level = (0.99 * length) ** 2 - (hip[0] - ankle[0]) ** 2 - (hip[2] - ankle[2]) ** 2
+        lack, room = hip[1] - ankle[1] - math.sqrt(max(level, length**2 / 4)), 0.035 * length
+        lack = lack if lack > room else max(lack + room, 0.0) ** 2 / (4 * room)
+        needs.append(min(lack, 0.115 * length) * min(2 * contact, 1.0))
+    need = min(max(needs), drop + 0.6 * seconds)
+    free, slower = spring(*torch.tensor([drop - need, speed], dtype=torch.float64), 10.0, seconds)
+    return [need + float(free), float(slower)] if free > 0 else [need, (need - drop) / seconds]
+
+
+def test_hips_sink_as_in_a_slow_loop():
+    """Legs that reach and legs that lack more than the hips may sink, in contact or not."""
+    draw = {"dtype": torch.float64, "generator": torch.Generator().manual_seed(0)}
+    hips, reach = torch.randn(200, 2, 3, **draw), torch.randn(200, 2, 3, **draw)
+    length = 0.5 + torch.rand(200, 2, **draw)
+    reach = R.normalize(reach * torch.tensor([0.4, 1.0, 0.4])) * (
+        0.8 + 0.4 * torch.rand(200, 2, 1, **draw)
+    )
+    reach = reach * length[..., None]
+    ankles = hips - reach * reach[..., 1:2].sign()
+    contacts, drop = (
+        torch.rand(200, 2, **draw),
+        torch.randn(200, 2, **draw) * torch.tensor([0.03, 0.3]),
+    )
+    found = ik.sink(drop, hips, ankles, length, contacts, 0.02)
+    for c in range(200):
+        legs = list(zip(*(x[c].tolist() for x in (hips, ankles, length, contacts)), strict=True))
+        assert found[c].tolist() == pytest.approx(
+            sunk_slowly(*drop[c].tolist(), legs, 0.02), abs=1e-9
+        )
+    assert int((found[:, 0] > 0.03).sum()) > 20
+
+
+def test_hips_sink_and_come_back_without_a_jump():
+    """Hips walk past a standing ankle, beyond the leg's reach: 12 m/s² at most."""
+    t = torch.arange(120, dtype=torch.float64) / 60
+    hips = torch.stack((0 * t, 0.9 + 0 * t, t - 0.1), -1)
+    length, drop, drops = (
+        torch.full((2,), 0.9, dtype=torch.float64),
+        torch.zeros(2, dtype=torch.float64),
+        [],
+    )
+    for frame, hip in enumerate(hips):
+        at = torch.stack((hip, hip + torch.tensor([0.2, 0.0, 0.0])))
+        ankle = torch.stack(
+            (torch.tensor([0.0, 0.05, 0.0]).double(), hip - torch.tensor([-0.2, 0.5, 0.0]))
+        )
+        on = torch.tensor([1.0 if frame < 30 else 0.0, 0.0], dtype=torch.float64)
+        drop = ik.sink(drop, at, ankle, length, on, 1 / 60)
+        drops.append(drop[0])
+        if frame < 30 and float(drop[0]) < 0.115 * 0.9 - 1e-9:
+            assert (
+                float((hip - torch.tensor([0.0, 1.0, 0.0]) * drop[0] - ankle[0]).norm())
+                < 0.99 * 0.9 + 1e-9
+            )
+    drops = torch.stack(drops)
+    assert 0.05 < float(drops.max()) < 0.115 * 0.9
+    assert 0 <= float(drops[-1]) < 1e-5
+    assert float(drops.diff(n=2).abs().max()) * 3600 < 12
+
+
+@pytest.fixture
+def poses(walk_clip):
+    """Skeleton, rotations ``[2, 3, J, 4]`` and roots ``[2, 3, 3]`` of moments of a walk."""
+    chosen = (
+        R.normalize(walk_clip.rotations[60:420:60].double()),
+        walk_clip.root_positions[60:420:60].double(),
+    )
+    return walk_clip.skeleton, *(x.unflatten(0, (2, 3)) for x in chosen)
+
+
+def joints_of(skeleton, *parts) -> list[int]:
+    return [skeleton.index(f"{side}_{part}") for part in parts for side in contacts.FEET]
+
+
+def angles(a, b) -> torch.Tensor:
+    """By how much rotations differ, radians."""
+    return 2 * R.multiply(R.inverse(a), b)[..., 1:].norm(dim=-1).clamp_max(1.0).asin()
+
+
+def lifted(poses, seed=0) -> tuple[torch.Tensor, torch.Tensor]:
+    """Targets 10 to 20 cm above the toes of a walk, and the legs bent to meet them."""
+    skeleton, rotations, root = poses
+    toes = forward_kinematics(*poses)[1][..., joints_of(skeleton, "toe"), :]
+    moved = torch.rand(
+        toes.shape, generator=torch.Generator().manual_seed(seed), dtype=torch.float64
+    )
+    toes = (
+        toes
+        + moved * torch.tensor([0.02, 0.1, 0.02], dtype=torch.float64)
+        + torch.tensor([-0.01, 0.1, -0.01])
+    )
+    return toes, ik.plant_feet(skeleton, rotations, root, toes)
+
+
+def test_planted_toes_meet_their_targets_and_nothing_but_the_legs_moves(poses):
+    skeleton, rotations, root = poses
+    toes, planted = lifted(poses)
+    assert planted.shape == rotations.shape
+    (turned, places), (turned_now, now) = (
+        forward_kinematics(*poses),
+        forward_kinematics(skeleton, planted, root),
+    )
+    torch.testing.assert_close(now[..., joints_of(skeleton, "toe"), :], toes, atol=1e-9, rtol=0)
+    legs = joints_of(skeleton, "hip", "knee")
+    others = [j for j in range(len(skeleton)) if j not in legs]
+    # The feet keep their orientation.
+    assert float(angles(turned, turned_now)[..., others].max()) < 1e-7
+    assert float(angles(turned, turned_now)[..., legs].min()) > 0.05
+    below = joints_of(skeleton, "knee", "foot", "toe")
+    above = [j for j in others if j not in below and skeleton.parents[j] not in below]
+    torch.testing.assert_close(now[..., above, :], places[..., above, :], atol=1e-12, rtol=0)
+
+
+@pytest.mark.parametrize("shift", [(0.0, 0.0, 0.15), (-0.1, 0.05, 0.1)])
+def test_a_nearly_straight_leg_keeps_its_knee_forwards(walk_clip, shift):
+    """The knee of a leg that is swung as a whole stays on its side of it."""
+    skeleton, rotations, root = (
+        walk_clip.skeleton,
+        walk_clip.rotations.double(),
+        walk_clip.root_positions.double(),
+    )
+    turned, places = forward_kinematics(skeleton, rotations, root)
+    hips = turned[:, :1]
+    toes = places[:, joints_of(skeleton, "toe")] + R.rotate(
+        hips, torch.tensor(shift, dtype=torch.float64)
+    )
+    now = forward_kinematics(skeleton, ik.plant_feet(skeleton, rotations, root, toes), root)[1]
+    hip, knee, foot = (
+        R.rotate(R.inverse(hips), now[:, joints_of(skeleton, part)])
+        for part in ("hip", "knee", "foot")
+    )
+    line = R.normalize(foot - hip)
+    bend = (knee - hip) - ((knee - hip) * line).sum(-1, keepdim=True) * line
+    assert float((bend[..., 2] / bend.norm(dim=-1)).min()) > 0.7
+
+
+def test_a_leg_whose_toe_is_where_it_should_be_stays(poses):
+    skeleton, _, root = poses
+    toes, bent = lifted(poses)
+    toes[..., 1, :] += torch.tensor([0.02, 0.03, 0.0], dtype=torch.float64)
+    again = ik.plant_feet(skeleton, bent, root, toes)
+    left = [skeleton.index(f"left_{part}") for part in ("hip", "knee", "foot")]
+    others = [j for j in range(len(skeleton)) if j not in left]
+    assert float(angles(bent, again)[..., others].max()) < 1e-7
+    assert float(angles(bent, again)[..., left].amax(-1).min()) > 0.02
+
+
+def test_a_leg_stretches_towards_a_toe_out_of_its_reach(poses):
+    skeleton, rotations, root = poses
+    places = forward_kinematics(*poses)[1]
+    hip, knee, foot, toe = (
+        places[..., joints_of(skeleton, part), :] for part in ("hip", "knee", "foot", "toe")
+    )
+    toes = toe + torch.tensor([0.5, -1.0, 2.0], dtype=torch.float64)
+    now = forward_kinematics(skeleton, ik.plant_feet(skeleton, rotations, root, toes), root)[1]
+    reach = now[..., joints_of(skeleton, "foot"), :] - hip
+    full = (knee - hip).norm(dim=-1) + (foot - knee).norm(dim=-1)
+    stretched = reach.norm(dim=-1) / full
+    assert 0.99 < float(stretched.min()) <= float(stretched.max()) < 1.0 + 1e-12
+    wanted = R.normalize(toes - (toe - foot) - hip)
+    torch.testing.assert_close(R.normalize(reach), wanted, atol=1e-9, rtol=0)
+
+
+ARMS = [
+    f"{side}{part}"
+    for side in ("Right", "Left")
+    for part in ("Collar", "Shoulder", "Elbow", "Wrist")
+]
+
+
+def waved(poses) -> torch.Tensor:
+    """The same poses with every arm bone turned by up to a radian or so."""
+    skeleton, rotations, _ = poses
+    arms = [skeleton.index(name) for name in ARMS]
+    generator = torch.Generator().manual_seed(3)
+    axes = torch.randn(
+        *rotations.shape[:-2], len(arms), 3, generator=generator, dtype=torch.float64
+    )
+    turn = R.from_axis_angle(R.normalize(axes), 0.4 * axes.norm(dim=-1))
+    rotations = rotations.clone()
+    rotations[..., arms, :] = R.multiply(turn, rotations[..., arms, :])
+    return rotations
+
+
+def test_turned_arms_reach_predicted_positions_of_their_own_bones(poses):
+    skeleton, rotations, root = poses
+    wanted = forward_kinematics(skeleton, waved(poses), root)[1]
+    arms = [skeleton.index(name) for name in ARMS]
+    read = {j for j in range(len(skeleton)) if skeleton.parents[j] in arms}
+    unread = [j for j in range(len(skeleton)) if j not in read]
+    before = forward_kinematics(*poses)[1]
+    assert float((wanted - before)[..., sorted(read), :].norm(dim=-1).mean()) > 0.1
+    expected, predicted = wanted.clone(), wanted.clone()
+    predicted[..., unread, :] = float("nan")
+    turned = ik.turn_arms(skeleton, rotations, root, predicted)
+    torch.testing.assert_close(
+        forward_kinematics(skeleton, turned, root)[1], expected, atol=1e-9, rtol=0
+    )
+    others = [j for j in range(len(skeleton)) if j not in arms]
+    assert float(angles(rotations, turned)[..., others].max()) < 1e-7
+    # Arms that are there stay.
+    assert float(angles(turned, ik.turn_arms(skeleton, turned, root, predicted)).max()) < 1e-6
+
+
+def test_arm_bones_point_at_predictions_that_no_arm_can_reach(poses):
+    """Predictions 30 % too far out: every bone points at its own, by the shortest turn."""
+    skeleton, rotations, root = poses
+    wanted = forward_kinematics(skeleton, waved(poses), root)[1]
+    wanted = wanted + 0.3 * (wanted - wanted[..., :1, :])
+    turned, before = forward_kinematics(*poses)
+    turned_now, now = forward_kinematics(
+        skeleton, ik.turn_arms(skeleton, rotations, root, wanted), root
+    )
+    for joint in (skeleton.index(name) for name in ARMS):
+        child = skeleton.parents.index(joint)
+        old, new = (
+            before[..., child, :] - before[..., joint, :],
+            now[..., child, :] - now[..., joint, :],
+        )
+        aim = R.normalize(wanted[..., child, :] - now[..., joint, :])
+        torch.testing.assert_close(R.normalize(new), aim, atol=1e-9, rtol=0)
+        apart = (R.normalize(old) * R.normalize(new)).sum(-1).clamp(-1, 1).acos()
+        torch.testing.assert_close(angles(turned, turned_now)[..., joint], apart, atol=1e-6, rtol=0)
+
+
+def test_a_hand_without_an_end_site_keeps_its_orientation(walk_clip):
+    clip = walk_clip.without_ends().cut(100, 104)
+    skeleton, rotations, root = clip.skeleton, clip.rotations, clip.root_positions
+    wanted = forward_kinematics(
+        skeleton, waved((skeleton, rotations.double(), root)).float(), root
+    )[1]
+    turned, places = forward_kinematics(
+        skeleton, ik.turn_arms(skeleton, rotations, root, wanted), root
+    )
+    torch.testing.assert_close(places, wanted, atol=1e-5, rtol=0)
+    hands = joints_of(skeleton, "hand")
+    assert float(angles(turned, clip.global_rotations)[..., hands].max()) < 1e-3
+
+
+@pytest.mark.parametrize(
+    "solve",
+    [
+        lambda body, rotations, root, at: ik.plant_feet(
+            body, rotations, root, at[..., joints_of(body, "toe"), :] + 0.05
+        ),
+        ik.turn_arms,
+    ],
+)
+def test_an_end_site_ends_up_without_a_rotation_of_its_own(poses, solve):
+    """Networks predict one for the end sites of hands; a file has no room for it."""
+    skeleton, rotations, root = poses
+    places = forward_kinematics(skeleton, waved(poses), root)[1]
+    ends = [j for j in range(len(skeleton)) if skeleton.is_end(j)]
+    rotations = rotations.clone()
+    rotations[..., ends, :] = R.yaw(torch.tensor(0.5, dtype=torch.float64))
+    found = solve(skeleton, rotations, root, places)[..., ends, :]
+    assert float(angles(found, R.identity(1, dtype=torch.float64)).max()) < 1e-7

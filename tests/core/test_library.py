@@ -1,0 +1,178 @@
+"""What one meets who imports the package: inputs of any kind, texts, mappings, slices, runs."""
+
+import collections.abc
+
+import numpy as np
+import pytest
+import torch
+
+import toolkit as tk
+from toolkit import runtime
+from toolkit.motion.tensors import as_tensor
+from toolkit.networks.bank import StyleBank
+
+
+def things(clip, run) -> dict:
+    """One of each kind that a user sees often."""
+    data, state = tk.features.build(clip), runtime.start(run.model, run.bank["Zombie"])
+    large = StyleBank([f"Style{i:03d}" for i in range(100)], torch.zeros(100, 2048))
+    return {
+        "Skeleton": clip.skeleton, "Clip": clip, "RootFrames": tk.motion.root_frames(clip),
+        "Layout": data.layout, "Features": data, "Normaliser": data.normalisers()["inputs"],
+        "Phases": tk.phases.extract(clip), "Model": run.model, "StyleBank": large,
+        "Run": tk.training.run.Run(run.model, large), "Config": run.config,
+        "CharacterState": state,
+        "Command": runtime.Command(torch.zeros(100, 2), torch.ones(100, 2)),
+    }
+
+
+def test_representations_are_short_and_show_no_tensor(walk_clip, small_run):
+    for name, thing in things(walk_clip, small_run).items():
+        lines = repr(thing).splitlines()
+        assert lines[0].startswith(f"{name}("), name
+        assert len(lines) <= 5, name
+        assert max(map(len, lines)) <= 125, name
+        assert "tensor(" not in repr(thing), name
+        assert "…)" not in lines[-1], name  # nothing of what was to be said is cut off
+
+
+def test_representations_say_what_is_in_there(walk_clip, small_run):
+    assert repr(walk_clip) == "Clip(Neutral FW: 480 frames at 60 Hz, 8.0 s, 28 joints)"
+    assert repr(small_run.bank) == "StyleBank(styles=2, vectors=[2, 128], names=(Neutral, Zombie))"
+    assert "joints=28, end_sites=5, names=(Hips, Chest, Chest2, " in repr(walk_clip.skeleton)
+    built = "styles=(Neutral), frames=369, seconds=6.15, style_clips=3"
+    assert built in repr(tk.features.build(walk_clip))
+    assert "history=[1, 61, 4]" in repr(runtime.start(small_run.model, small_run.bank["Zombie"]))
+    assert "velocity=[3, 2], facing=(0, 1)" in repr(runtime.Command(torch.zeros(3, 2)))
+
+
+def test_the_three_ways_to_a_model_give_the_same_kind(small_run, tmp_path, shared):
+    small_run.save(tmp_path / "run.safetensors")
+    runs = (tk.pretrained(), tk.training.load(tmp_path / "run.safetensors"),
+            tk.published.load(shared / "lpn_film_100style"))
+    for run in runs:
+        model, bank = run
+        assert (model, bank) == (run.model, run.bank)
+        assert {type(run), type(bank)} == {tk.training.Run, StyleBank}
+        assert runtime.start(model, bank[bank.names[0]]).phase.shape == (1, 8)
+    published = runs[2]
+    assert (published.config, published.history, published.table()) == (None, [], [])
+
+
+def test_a_bank_is_a_mapping(small_run):
+    bank = small_run.bank
+    assert isinstance(bank, collections.abc.Mapping)
+    assert list(bank) == list(bank.keys()) == ["Neutral", "Zombie"]
+    assert "Zombie" in bank
+    assert "Zombi" not in bank
+    assert torch.equal(torch.stack([*bank.values()]), bank.vectors)
+    assert bank.get("Zombi") is None
+    assert torch.equal({**bank}["Zombie"], bank["Zombie"])
+    for kind in (KeyError, ValueError):
+        with pytest.raises(kind, match=r"^unknown style 'Zombi'; close to it: Zombie$"):
+            bank["Zombi"]
+    assert {bank: 1}[bank] == 1  # a bank equals itself alone
+    assert bank != StyleBank(bank.names, bank.vectors)
+    other = bank.add("Mine", bank["Zombie"].tolist())
+    assert torch.equal(other["Mine"], bank["Zombie"])
+    assert other.nearest(bank["Zombie"].numpy(), 1)[0][1] == 0
+
+
+def test_a_slice_of_a_clip_is_a_clip(walk_clip):
+    cuts = (walk_clip[10:20], 10, 20), (walk_clip[:5], 0, 5), (walk_clip[-60:], 420, 480)
+    for part, start, stop in cuts:
+        assert torch.equal(part.rotations, walk_clip.rotations[start:stop])
+        assert torch.equal(part.root_positions, walk_clip.root_positions[start:stop])
+        assert (part.style, part.fps) == ("Neutral", 60.0)
+    for key in (3, (1, 2), "Hips"):
+        with pytest.raises(TypeError, match=r"^a clip is cut by a slice of its frames, clip\["):
+            walk_clip[key]
+    with pytest.raises(TypeError, match="a slice of its frames"):
+        list(walk_clip)
+    with pytest.raises(ValueError, match=r"takes every frame, got a step of 2; resample changes"):
+        walk_clip[::2]
+    with pytest.raises(ValueError, match="cannot cut frames 20 to 10"):
+        walk_clip[20:10]
+
+
+def test_arrays_and_lists_make_a_clip_of_float32(walk_clip):
+    q, root = walk_clip.rotations.double().numpy(), walk_clip.root_positions.tolist()
+    frames = list(walk_clip.rotations), list(walk_clip.root_positions)
+    for rotations, positions in ((q, root), (q[::-1].copy()[::-1], np.array(root)), frames):
+        clip = tk.Clip(walk_clip.skeleton, rotations, positions, 60)
+        assert torch.equal(clip.rotations, walk_clip.rotations)
+        assert torch.equal(clip.root_positions, walk_clip.root_positions)
+    exact = tk.Clip(walk_clip.skeleton, walk_clip.rotations.double(), root, 60)
+    assert exact.root_positions.dtype == torch.float64
+    with pytest.raises(ValueError, match=r"^rotations must be numbers in a tensor, array or list"):
+        tk.Clip(walk_clip.skeleton, None, root, 60)
+    s = walk_clip.skeleton
+    again = tk.Skeleton(list(s.names), np.array(s.parents), s.offsets.double().tolist())
+    assert torch.equal(again.offsets, s.offsets)
+
+
+def test_a_character_starts_from_what_is_at_hand(small_run):
+    model, bank = small_run
+    place = torch.tensor([[1.0, 2.0], [3.0, 4.0]])
+    facing = torch.tensor([[0.0, 2.0], [1.0, 0.0]])
+    known, vectors = runtime.start(model, bank.vectors, place, facing), bank.vectors
+    for style in (vectors.double().numpy(), vectors.tolist(), list(vectors)):
+        state = runtime.start(model, style, [(1, 2), (3, 4)], np.array([[0, 2], [1, 0]]))
+        assert all(torch.equal(getattr(state, name), value) for name, value in vars(known).items())
+    one = runtime.start(model, bank["Zombie"].numpy(), position=(0, 1))
+    assert torch.equal(one.with_style(bank["Neutral"].tolist()).style, bank["Neutral"][None])
+    moved = runtime.step(model, one, runtime.Command(np.array([0.0, 1.0]), [0, 1]))
+    assert moved.velocity.dtype == torch.float32
+    commands = iter(runtime.straight(np.float64(1.0), 0.2))
+    clip = runtime.record(model, runtime.states(model, commands, bank["Zombie"].numpy()))
+    assert len(clip) == 12
+    x, p = np.zeros((2, model.layout.n_inputs)), [[0.0] * 8] * 2
+    same = model.predict(torch.zeros(2, x.shape[1]), torch.zeros(2, 8), bank["Zombie"])
+    assert torch.equal(model.predict(x, p, bank["Zombie"].numpy()), same)
+
+
+ONE_PAIR = r"one pair \(x, z\), or \[1, 2\] of all characters"
+
+
+@pytest.mark.parametrize(("given", "match"), [
+    ({"model": "lpn-film"}, r"expected a model \(of a run: run.model\), got 'lpn-film'"),
+    ({"style": "Zombie"}, r"a style is a vector, bank\[name\] or .*; got 'Zombie'"),
+    ({"style": {"Zombie": 1.0}}, r"a style is a vector, bank\[name\] or .*; got \{Zombie\}"),
+    ({"style": torch.zeros(7)}, r"style needs 128 columns, got shape \[1, 7\]"),
+    ({"style": torch.zeros(1, 1, 9)}, r"a style is one vector \[S\], .*; got shape \[1, 1, 9\]"),
+    ({"position": (1.0, 2.0, 3.0)}, rf"position must be {ONE_PAIR}; got \[3\]"),
+    ({"facing": [[0, 1], [1, 0]]}, rf"facing must be {ONE_PAIR}; got \[2, 2\]"),
+    ({"position": (np.nan, 0)}, r"position and facing must be finite, .*; got \(nan, 0\), .*"),
+])
+def test_what_is_no_start_is_refused_in_one_line(small_run, given, match):
+    with pytest.raises(ValueError, match=f"^{match}$"):
+        runtime.start(**{"model": small_run.model, "style": small_run.bank["Zombie"]} | given)
+
+
+def test_a_style_of_other_characters_is_refused(small_run):
+    state = runtime.start(small_run.model, small_run.bank["Zombie"])
+    with pytest.raises(ValueError, match=r"^a style is one vector \[S\], or \[1, S\] of all chara"):
+        state.with_style(small_run.bank.vectors)
+
+
+RAGGED = [torch.zeros(2), torch.zeros(3)]
+
+
+@pytest.mark.parametrize("values", [None, ["a"], {"a": 1}, [[1, 2], [3]], RAGGED, 1j])
+def test_what_is_no_number_is_refused(values):
+    said = r"^these must be numbers in a tensor, array or list; got [^\n]{1,70}$"
+    with pytest.raises(ValueError, match=said):
+        as_tensor(values, "these")
+
+
+def test_numbers_become_tensors():
+    assert as_tensor(1, "it").dtype == torch.float32
+    assert as_tensor([True, False], "it").tolist() == [1.0, 0.0]
+    assert as_tensor(torch.tensor([1, 2]), "it").dtype == torch.float32
+    exact = as_tensor([0.1], "it", torch.float64)
+    assert exact.tolist() == [0.1]  # not by way of float32
+    frozen = np.arange(3.0)
+    frozen.flags.writeable = False
+    assert as_tensor(frozen, "it").tolist() == [0, 1, 2]
+    tensor = torch.zeros(2, dtype=torch.float64)
+    assert as_tensor(tensor, "it") is tensor

@@ -1,0 +1,407 @@
+"""Measures against plain loops over their definitions, and motions whose answer is known."""
+
+import cmath
+import json
+import math
+from itertools import pairwise
+from types import SimpleNamespace
+
+import pytest
+import torch
+
+import toolkit as tk
+from toolkit import metrics
+from toolkit.__main__ import main
+from toolkit.evaluation import MEASURES, table
+from toolkit.motion import contacts, rotations as R
+
+OFFSETS = {
+    "hips": [0, 1, 0],
+    "chest": [0, 0.4, 0],
+    "left_foot": [0.1, -0.9, 0],
+    "left_toe": [0, -0.1, 0.1],
+    "right_foot": [-0.1, -0.9, 0],
+    "right_toe": [0, -0.1, 0.1],
+    "left_shoulder": [0.1, 0.1, 0],
+    "right_shoulder": [-0.1, 0.1, 0],
+}
+NAMES, PARENTS = list(OFFSETS), [-1, 0, 0, 2, 0, 4, 1, 1]
+
+
+def stick(frames=41, speed=0.0, fps=20.0, lift=0.0):
+    """A figure that slides along +X without moving a joint; its left toe may be lifted."""
+    offsets = torch.tensor(list(OFFSETS.values()))
+    offsets[3, 1] += lift
+    roles = {name: name for name in NAMES} | {"left_hip": "left_foot", "right_hip": "right_foot"}
+    positions = torch.zeros(frames, 3)
+    positions[:, 0], positions[:, 1] = torch.arange(frames) * speed / fps, 1.0
+    skeleton = tk.Skeleton(NAMES, PARENTS, offsets, roles)
+    return tk.Clip(skeleton, R.identity(frames, len(NAMES)), positions, fps)
+
+
+def turned(clip, joint, angles):
+    """The clip with a joint turned about its X axis by an angle per frame."""
+    q, axis = clip.rotations.clone(), torch.tensor([1.0, 0.0, 0.0])
+    q[:, joint] = R.from_axis_angle(axis.expand(len(clip), 3), torch.as_tensor(angles))
+    return clip.replace(rotations=q)
+
+
+def slid(clip, velocity):
+    """The clip, carried along at a velocity (x, z)."""
+    time = torch.arange(len(clip))[:, None] / clip.fps
+    way = time * torch.tensor([velocity[0], 0.0, velocity[1]])
+    return clip.replace(root_positions=clip.root_positions + way)
+
+
+@pytest.fixture(scope="module")
+def walks():
+    """A walk whose feet slide and that slowly rises, and the original."""
+    real = tk.datasets.load("procedural", styles=["Zombie"], gaits=["FW"], seconds=4.0)[0]
+    time = torch.arange(len(real))[:, None] / real.fps
+    moved = time * torch.tensor([0.25, 0.004, -0.1]) * (1 + torch.sin(3 * time))
+    return real.replace(root_positions=real.root_positions + moved).moved(turn=0.4), real
+
+
+def toes(clip, fps=None):
+    """Positions (x, height above the standing height, z) of both toes, as lists."""
+    floor = float(contacts.standing_height(clip))
+    every = clip if fps is None else clip.resample(fps)
+    joints = [every.skeleton.role(f"{side}_toe") for side in ("left", "right")]
+    return [
+        [(p[j][0], p[j][1] - floor, p[j][2]) for j in joints]
+        for p in every.global_positions.tolist()
+    ]
+
+
+def slow_smoodi(clip):
+    path, skating = toes(clip, 20.0), set()
+    for i in range(2):
+        speeds = [20 * math.hypot(b[i][0] - a[i][0], b[i][2] - a[i][2]) for a, b in pairwise(path)]
+        for f, speed in enumerate(speeds):
+            around = [speeds[g] if 0 <= g < len(speeds) else 0.0 for g in range(f - 2, f + 3)]
+            low = path[f][i][1] < 0.05 and path[f + 1][i][1] < 0.05
+            if low and speed > 0.5 and sum(around) / 5 > 0.5:
+                skating.add(f)
+    return len(skating) / (len(path) - 1)
+
+
+def slow_kimodo(clip):
+    on = off = 0
+    for a, b in pairwise(toes(clip)):
+        for i in range(2):
+            if a[i][1] < 0.05 and b[i][1] < 0.05:
+                on += 1
+                off += math.dist(a[i], b[i]) * clip.fps > 0.2
+    return off / on
+
+
+def slow_camdm(clip):
+    path, slides = toes(clip), []
+    hips = clip.global_positions[:, clip.skeleton.role("hips")].tolist()
+    way = sum(math.hypot(b[0] - a[0], b[2] - a[2]) for a, b in pairwise(hips)) / (len(hips) - 1)
+    for here, after in pairwise([*path, path[-1]]):
+        slides += [
+            math.hypot(after[i][0] - here[i][0], after[i][2] - here[i][2])
+            for i in range(2)
+            if here[i][1] < 0.01
+        ]
+    return sum(slides) / len(slides) / way
+
+
+def slow_rsmt(clip):
+    found = []
+    for a, b in pairwise(toes(clip)):
+        for i in range(2):
+            if (weight := min(1.0, max(0.0, 2 - 2 ** (100 * b[i][1] / 2.5)))) > 0:
+                found.append(math.dist(a[i], b[i]) * clip.fps * weight)
+    return sum(found) / len(found)
+
+
+def slow_npss(clip, real):
+    n, weighted, weights = len(clip), 0.0, 0.0
+    made, truth = (R.unroll(c.global_rotations.double()) for c in (clip, real))
+    for j in range(len(clip.skeleton)):
+        sign = -1 if float((made[:, j] * truth[:, j]).sum()) < 0 else 1
+        for c in range(4):
+            shares = []
+            for x in ((sign * made[:, j, c]).tolist(), truth[:, j, c].tolist()):
+                waves = [
+                    sum(v * cmath.exp(-2j * math.pi * k * t / n) for t, v in enumerate(x))
+                    for k in range(n)
+                ]
+                power = [abs(wave) ** 2 for wave in waves]
+                shares.append([sum(power[: k + 1]) / (sum(power) or 1.0) for k in range(n)])
+            weighted += sum(power) * sum(abs(a - b) for a, b in zip(*shares, strict=True))
+            weights += sum(power)  # of the real clip, which came last
+    return weighted / weights
+
+
+def slow_geodesic(clip, real):
+    a, b = (R.to_matrix(R.normalize(c.rotations.double())).flatten(0, 1) for c in (clip, real))
+    cosines = [(float((p @ q.T).trace()) - 1) / 2 for p, q in zip(a, b, strict=True)]
+    return sum(math.acos(max(-1.0, min(1.0, c))) for c in cosines) / len(cosines)
+
+
+@pytest.mark.parametrize(
+    ("name", "slow"),
+    [
+        ("skate-smoodi", slow_smoodi),
+        ("skate-kimodo", slow_kimodo),
+        ("skate-camdm", slow_camdm),
+        ("skate-rsmt", slow_rsmt),
+    ],
+)
+def test_skate_is_what_a_plain_loop_over_its_definition_finds(walks, name, slow):
+    found = [MEASURES[name](clip) for clip in walks]
+    assert found == pytest.approx([slow(clip) for clip in walks], rel=1e-4)
+    assert found[0] > found[1] > 0  # a walk whose feet stand does not score 0
+    there = [clip.moved(shift=(5.0, 0.7, -2.0)) for clip in walks]  # another floor
+    assert [MEASURES[name](clip) for clip in there] == pytest.approx(found, rel=2e-2)
+
+
+def test_pairs_are_what_plain_loops_over_their_definitions_find(walks):
+    clip, real = (c.cut(0, 24) for c in walks)
+    clip = turned(clip, 3, 0.3 * torch.sin(torch.arange(24.0)))
+    assert MEASURES["npss"](clip, real) == pytest.approx(slow_npss(clip, real), rel=1e-6)
+    assert MEASURES["geodesic"](clip, real) == pytest.approx(slow_geodesic(clip, real), rel=1e-4)
+    a, b = (c.global_positions.flatten(0, 1).tolist() for c in (clip, real))
+    apart = [math.dist(p, q) for p, q in zip(a, b, strict=True)]
+    assert MEASURES["global-position"](clip, real) == pytest.approx(
+        sum(apart) / len(apart), rel=1e-4
+    )
+    flipped = clip.replace(rotations=-clip.rotations)  # the same rotations
+    for f in table.PAIR.values():
+        assert f(flipped, real) == pytest.approx(f(clip, real), rel=1e-5)
+
+
+def test_skate_of_a_sliding_figure_computed_by_hand():
+    assert [f(stick()) for f in table.CLIP.values()] == [0, 0, 0, 0]
+    # the mean over five frames begins at 3/5 and 4/5 of the speed
+    for speed, smoodi in ((0.45, 0.0), (0.6, 36 / 40), (1.0, 1.0)):
+        found = [f(stick(speed=speed)) for f in table.CLIP.values()]
+        assert found == pytest.approx([smoodi, 1.0, 40 / 41, speed], abs=1e-5)
+    half = stick(speed=0.3, lift=0.025 * math.log2(1.5))  # the left toe has the weight 0.5
+    assert metrics.skate_rsmt(half) == pytest.approx(0.3 * (1 + 0.5) / 2, rel=1e-4)
+    assert metrics.skate_kimodo(stick(speed=0.15)) == 0.0
+
+
+def test_pairs_computed_by_hand():
+    n, angle, joints = 8, 0.5, len(NAMES)
+    real = turned(stick(n, speed=1.0), 3, [angle if f % 2 else -angle for f in range(n)])
+    still = turned(
+        stick(n, speed=1.0), 3, [angle] * n
+    )  # power at frequency 0, the real clip's at n / 2
+    assert metrics.npss(still, real) == pytest.approx(
+        n / 2 * math.sin(angle / 2) ** 2 / joints, rel=1e-5
+    )
+    assert metrics.geodesic(still, real) == pytest.approx(2 * angle / 2 / joints, rel=1e-5)
+    assert all(f(real, real) == pytest.approx(0, abs=1e-6) for f in table.PAIR.values())
+    ahead = stick(speed=1.0)
+    aside = ahead.moved(turn=0.4, shift=(0.0, 0.0, 0.0))
+    assert metrics.trajectory_error(aside, ahead) == pytest.approx(0.4, rel=1e-4)
+    assert metrics.orientation_error(aside, ahead) == pytest.approx(0.4, rel=1e-4)
+    assert metrics.geodesic(aside, ahead) == pytest.approx(0.4 / joints, rel=1e-4)
+    chord = math.sqrt(joints * (2 - 2 * math.cos(0.2)))
+    assert metrics.global_quaternion(aside, ahead) == pytest.approx(chord, rel=1e-4)
+    assert metrics.global_position(stick().moved(shift=(3.0, 0.0, 4.0)), stick()) == pytest.approx(
+        5.0
+    )
+    assert math.isnan(metrics.trajectory_error(stick(), stick()))
+    slow, fast = stick(speed=0.11), stick(speed=0.09)  # about the least speed with a direction
+    assert metrics.trajectory_error(slow, slow) == pytest.approx(0, abs=1e-6)
+    assert math.isnan(metrics.trajectory_error(slow, fast))
+
+
+def test_what_cannot_be_measured_is_refused(walks):
+    clip, real = walks
+    with pytest.raises(
+        ValueError, match="expected the same frames, got 100 at 60 Hz and 240 at 60 Hz"
+    ):
+        metrics.npss(clip.cut(0, 100), real)
+    with pytest.raises(ValueError, match="the joints differ; retarget"):
+        metrics.geodesic(stick(), real)
+    with pytest.raises(ValueError, match="foot skate needs two frames"):
+        metrics.skate_kimodo(clip.cut(0, 1))
+    with pytest.raises(ValueError, match=r"shape \[240, 2\], got \[3, 2\]"):
+        metrics.foot_skate(real, torch.zeros(3, 2))
+    with pytest.raises(ValueError, match="acceleration needs three frames, got 2"):
+        metrics.feet(clip.cut(0, 2))
+    with pytest.raises(ValueError, match="expected features"):
+        metrics.frechet_distance(torch.zeros(5, 4), torch.zeros(5, 3))
+
+
+class Judge:
+    """A recogniser whose features and probabilities are known."""
+
+    styles = ("A", "B", "C")
+
+    def embed(self, clip):
+        return torch.tensor(clip.rows)
+
+    def of_clip(self, clip):
+        return torch.tensor([0.5, 0.3, 0.2])
+
+
+def seen(style, rows):
+    return SimpleNamespace(style=style, rows=[[float(v) for v in row] for row in rows])
+
+
+def test_measures_of_sets_computed_by_hand():
+    clips = [
+        seen("A", [[0, 0], [0, 2]]),
+        seen("A", [[3, 5]]),
+        seen("B", [[0, 1], [0, 1]]),
+        seen("C", [[3, 1]]),
+        seen("unknown", [[0, 1]]),
+    ]
+    assert metrics.recognition(Judge(), clips) == pytest.approx(2 / 4)
+    assert math.isnan(metrics.recognition(Judge(), clips[4:]))
+    assert metrics.multimodality(Judge(), clips) == pytest.approx(5.0)  # (0, 1) and (3, 5)
+    assert metrics.diversity(Judge(), clips[:4]) == pytest.approx((5 + 0 + 3 + 5 + 4 + 3) / 6)
+    assert math.isnan(metrics.diversity(Judge(), clips[:1]))
+    assert math.isnan(metrics.multimodality(Judge(), clips[2:]))
+    assert metrics.fmd(Judge(), clips[:1], [seen("A", [[3, 4], [3, 6]])]) == pytest.approx(25.0)
+
+
+def test_frechet_distance_equals_the_closed_form_of_gaussians():
+    """Of samples whose mean and covariance are exact."""
+    draw = torch.Generator().manual_seed(0)
+
+    def exact(mean, root, rows):
+        x = torch.randn(rows, len(mean), dtype=torch.float64, generator=draw)
+        x = torch.linalg.qr(x - x.mean(0)).Q * math.sqrt(rows - 1)
+        return mean + (x - x.mean(0)) @ root
+
+    mean, root = (
+        torch.tensor([1.0, -2.0, 0.5]).double(),
+        torch.diag(torch.tensor([1.0, 2.0, 3.0])).double(),
+    )
+    a, b = exact(torch.zeros(3).double(), torch.eye(3).double(), 40), exact(mean, root, 70)
+    closed = mean.square().sum() + (root.diag() - 1).square().sum()  # of covariances that commute
+    assert metrics.frechet_distance(a, b) == pytest.approx(float(closed), rel=1e-6)
+    few = torch.randn(3, 50, generator=draw)  # fewer rows than columns
+    assert metrics.frechet_distance(few, few + 2.0) == pytest.approx(200.0, rel=1e-5)
+
+
+def test_a_report_has_a_row_of_the_real_data_and_says_what_is_missing(walks):
+    clip, real = walks
+    found = tk.evaluation.report([clip, real], real=[real, real])
+    made, truth = found.rows
+    assert (made["data"], made["n"], truth["data"], truth["n"]) == ("clips", 2, "real", 2)
+    assert made["skate-rsmt"] == pytest.approx(
+        (metrics.skate_rsmt(clip) + metrics.skate_rsmt(real)) / 2
+    )
+    assert truth["skate-kimodo"] == pytest.approx(metrics.skate_kimodo(real))
+    assert made["geodesic"] == pytest.approx(metrics.geodesic(clip, real) / 2)
+    assert truth["npss"] == 0.0
+    assert all(
+        text in repr(found) for text in ("skate-smoodi", "real (2)", "they need a recogniser")
+    )
+    alone = tk.evaluation.report(clip)
+    assert len(alone.rows) == 1
+    assert "they need real clips" in alone.notes[0]
+    odd = tk.evaluation.report([clip, clip], real)
+    assert "npss" not in odd.rows[0]
+    assert "2 clips and 1 real ones are not pairs" in odd.notes[0]
+    with pytest.raises(ValueError, match="real: no clips to measure"):
+        tk.evaluation.report(clip, real=[])
+
+
+def test_the_verb_measures_anybodys_files(tmp_path, capsys, walks):
+    for folder, clip in zip(("made", "real"), walks, strict=True):
+        (tmp_path / folder).mkdir()
+        tk.bvh.save(clip, tmp_path / folder / "walk.bvh")
+    (tmp_path / "made" / "broken.bvh").write_text("no motion")
+    tk.bvh.save(walks[0].cut(0, 3), tmp_path / "made" / "short.bvh")
+    out = tmp_path / "table.json"
+    with pytest.raises(SystemExit, match="0"):
+        main(
+            [
+                "evaluate",
+                str(tmp_path / "made"),
+                "--real",
+                str(tmp_path / "real"),
+                "--out",
+                str(out),
+            ]
+        )
+    shown = capsys.readouterr().out
+    assert "left out: broken.bvh: " in shown
+    assert (
+        "left out: short.bvh: foot skate needs two frames at 20 Hz, the clip lasts 0.05 s" in shown
+    )
+    made, truth = json.loads(out.read_text())["rows"]
+    assert made["geodesic"] == pytest.approx(metrics.geodesic(*walks), rel=0.02)
+    assert truth["geodesic"] == pytest.approx(0.0, abs=1e-6)
+    assert main(["evaluate", str(tmp_path / "none")]) == 2
+    assert "no such file or folder" in capsys.readouterr().err
+
+
+def test_planted_feet_do_not_skate_and_a_carried_clip_does(walk_clip):
+    truth = tk.contacts.detect(walk_clip)
+    assert max(metrics.foot_skate(walk_clip, truth).values()) < 0.05
+    carried = slid(walk_clip, (0.3, 0.0))
+    assert min(metrics.foot_skate(carried, truth).values()) == pytest.approx(0.3, abs=0.03)
+    assert min(metrics.foot_skate(carried).values()) > 0.25  # a low toe counts at any speed
+    assert metrics.feet(carried, truth)["skate"] == pytest.approx(0.3, abs=0.03)
+    none = torch.zeros(len(walk_clip), 2)
+    assert all(math.isnan(v) for v in metrics.foot_skate(walk_clip, none).values())
+
+
+def test_feet_of_a_figure_computed_by_hand():
+    """The hips rise by 10 cm in a hop of nine frames, and the toes with them."""
+    hop = torch.zeros(41)
+    hop[15:24] = 0.1 * torch.sin(torch.linspace(0, math.pi, 11)[1:-1])
+    still = stick()
+    root = still.root_positions + hop[:, None] * torch.tensor([0.0, 1.0, 0.0])
+    on = (hop == 0).float()[:, None].expand(-1, 2)
+    found = metrics.feet(still.replace(root_positions=root), on)
+    assert found["clearance"] == pytest.approx(0.1, abs=1e-5)
+    assert found["skate"] == 0.0
+    assert found["steps"] == pytest.approx(2 * 20 / 41)
+    rise = hop.diff() * 20.0
+    assert found["acceleration"] == pytest.approx(float(rise.diff().abs().max() * 20), rel=0.1)
+
+
+def test_steps_are_landings_of_both_feet():
+    contact = torch.tensor([[1.0, 0.0], [0.2, 0.9], [0.9, 0.8], [0.9, 0.1], [0.4, 0.7], [0.6, 0.7]])
+    assert metrics.step_rate(contact, 60.0) == pytest.approx(4 / (6 / 60))
+    assert metrics.step_rate(torch.ones(60, 2), 60.0) == 0.0
+
+
+def test_speed_height_and_uprightness(walk_clip):
+    standing = walk_clip.cut(0, 1).replace(
+        rotations=walk_clip.rotations[:1].repeat(120, 1, 1),
+        root_positions=walk_clip.root_positions[:1].repeat(120, 1),
+    )
+    assert metrics.speed(slid(standing, (0.0, 1.5))) == pytest.approx(1.5, abs=1e-3)
+    low, high = metrics.hips_height(walk_clip)
+    assert 0.85 < low < high < 1.05
+    assert metrics.upright(walk_clip)
+    lying = R.from_axis_angle(torch.tensor([1.0, 0.0, 0.0]), torch.tensor(math.pi / 2))
+    fallen = walk_clip.rotations.clone()
+    fallen[-1:, 0] = R.multiply(lying, fallen[-1:, 0])  # in one frame
+    assert not metrics.upright(walk_clip.replace(rotations=fallen))
+
+
+def test_distance_from_a_path(walk_clip):
+    hips = walk_clip.root_positions[:, [0, 2]]
+    assert metrics.path_error(walk_clip, hips) < 1e-4
+    far = torch.tensor([[0.0, 1000.0], [1.0, 1000.0]])
+    away = float((hips - far[0]).norm(dim=-1).mean())
+    assert metrics.path_error(walk_clip, far) == pytest.approx(away, rel=0.01)
+
+
+def test_posture_of_a_pose_whose_numbers_are_known(walk_clip):
+    skeleton, layout = walk_clip.skeleton, tk.features.Layout(walk_clip.skeleton)
+    standing = skeleton.rest_positions + torch.tensor([0.0, 1.0, 0.0])  # the T-pose
+    stepping = standing.clone()
+    stepping[skeleton.index("left_foot"), 2] += 0.4
+    joints = list(skeleton.feature_joints)
+    found = metrics.posture(layout, torch.stack((standing, stepping))[None, :, joints])
+    hand = standing[skeleton.index("left_hand")]
+    assert torch.allclose(found["hips_height"], torch.tensor([1.0, 1.0]))
+    assert torch.allclose(found["hand_height"], hand[1].expand(2))
+    assert torch.allclose(found["arm_spread"], (2 * hand[0]).expand(2), atol=1e-5)
+    assert torch.allclose(found["step_length"], torch.tensor([0.0, 0.4]), atol=1e-5)
+    assert float(found["bone_stretch"][0]) < 1e-6 < 0.005 < float(found["bone_stretch"][1])

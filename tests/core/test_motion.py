@@ -1,0 +1,307 @@
+import dataclasses
+import itertools
+import math
+
+import numpy as np
+import pytest
+import torch
+from hypothesis import given, strategies as st
+from strategies import clips, human, human_clip, quaternions, seeds
+
+import toolkit as tk
+from toolkit.motion import (
+    ROLES,
+    Clip,
+    Skeleton,
+    forward_kinematics,
+    local_rotations,
+    root_frames,
+    rotations as R,
+)
+
+MIRROR = torch.tensor([-1.0, 1.0, 1.0])
+
+
+@given(clips())
+def test_forward_kinematics_against_plain_matrices(clip):
+    skeleton = clip.skeleton
+    local, offsets = R.to_matrix(clip.rotations.double()).numpy(), skeleton.offsets.numpy()
+    for f in range(len(clip)):
+        worlds = []
+        for j, parent in enumerate(skeleton.parents):
+            own = np.eye(4)
+            own[:3, :3] = local[f, j]
+            own[:3, 3] = clip.root_positions[f] if parent < 0 else offsets[j]
+            worlds.append(own if parent < 0 else worlds[parent] @ own)
+        np.testing.assert_allclose(clip.global_positions[f], [w[:3, 3] for w in worlds], atol=1e-4)
+        np.testing.assert_allclose(
+            R.to_matrix(clip.global_rotations[f]), [w[:3, :3] for w in worlds], atol=1e-4
+        )
+
+
+def test_forward_kinematics_of_any_leading_shape_and_its_gradient():
+    skeleton = human()
+    q, root = quaternions(0, 2, 3, 20), quaternions(1, 2, 3)[..., :3]
+    turned, positions = forward_kinematics(skeleton, q, root)
+    for i, j in itertools.product(range(2), range(3)):
+        one = forward_kinematics(skeleton, q[i, j], root[i, j])
+        torch.testing.assert_close((turned[i, j], positions[i, j]), one)
+    q, root = q[0, :1].requires_grad_(), root[0, :1].requires_grad_()
+    assert torch.autograd.gradcheck(lambda *x: forward_kinematics(skeleton, *x), (q, root))
+
+
+def test_a_skeleton_that_inference_mode_used_first_can_be_differentiated():
+    skeleton = human()
+    with torch.inference_mode():
+        forward_kinematics(skeleton, R.identity(2, 20), torch.zeros(2, 3))
+        _ = skeleton.rest_positions, skeleton.facing_axis
+    q = R.identity(2, 20).requires_grad_()
+    turned, positions = forward_kinematics(skeleton, q, torch.zeros(2, 3))
+    (
+        R.rotate(turned, skeleton.facing_axis) * (positions - skeleton.rest_positions)
+    ).sum().backward()
+    assert bool(q.grad.isfinite().all())
+
+
+@given(clips())
+def test_local_rotations_undo_forward_kinematics(clip):
+    rotations, _ = forward_kinematics(clip.skeleton, clip.rotations, clip.root_positions)
+    torch.testing.assert_close(
+        local_rotations(clip.skeleton, rotations), clip.rotations, atol=1e-5, rtol=0
+    )
+
+
+@given(seeds)
+def test_mirror_reflects_every_point(seed):
+    clip = human_clip(seed)
+    reflected = (clip.global_positions * MIRROR)[:, list(clip.skeleton.mirror_pairs)]
+    torch.testing.assert_close(clip.mirrored().global_positions, reflected, atol=1e-5, rtol=0)
+
+
+@given(seeds, st.floats(0, 3))
+def test_mirror_twice_is_the_identity(seed, bend):
+    clip = human_clip(seed, bend=bend)
+    twice = clip.mirrored().mirrored()
+    torch.testing.assert_close(twice.global_positions, clip.global_positions, atol=1e-5, rtol=0)
+    torch.testing.assert_close(
+        R.to_matrix(twice.rotations), R.to_matrix(clip.rotations), atol=1e-4, rtol=0
+    )
+
+
+def test_mirror_of_a_pose_with_one_raised_arm():
+    """One arm up, one down: each takes the other's place, whatever axes its joints have."""
+    clip = human_clip(0, bend=0.0)
+    rotations = clip.rotations.clone()
+    rotations[:, clip.skeleton.index("LeftShoulder")] = R.from_euler(
+        torch.tensor([0.0, 0.0, 1.5]), "YXZ"
+    )
+    rotations[:, clip.skeleton.index("RightShoulder")] = R.from_euler(
+        torch.tensor([0.0, 0.0, 1.3]), "YXZ"
+    )
+    clip = clip.replace(rotations=rotations)
+    reflected = (clip.global_positions * MIRROR)[:, list(clip.skeleton.mirror_pairs)]
+    torch.testing.assert_close(clip.mirrored().global_positions, reflected, atol=1e-5, rtol=0)
+
+
+@given(seeds, st.sampled_from([60.0, 90.0, 120.0]))
+def test_resample_there_and_back(seed, fps):
+    clip = human_clip(seed, fps=30.0)
+    back = clip.resample(fps).resample(30.0)
+    assert len(back) == len(clip)
+    torch.testing.assert_close(back.global_positions, clip.global_positions, atol=1e-4, rtol=0)
+
+
+def test_resample_follows_the_motion_between_frames():
+    skeleton = Skeleton(("a", "b"), (-1, 0), torch.tensor([[0.0, 0, 0], [0, 0, 1]]))
+
+    def swing(fps):
+        t = torch.arange(0, 2, 1 / fps, dtype=torch.float64)
+        rotations = R.identity(len(t), 2)
+        rotations[:, 0] = R.yaw(torch.sin(2 * math.pi * t)).float()
+        return Clip(skeleton, rotations, torch.stack((torch.cos(t), t, t**2), -1), fps)
+
+    slow, fast = swing(30.0).resample(60.0), swing(60.0)
+    n = len(slow)
+    assert n == 119
+    torch.testing.assert_close(slow.global_positions, fast.global_positions[:n], atol=1e-3, rtol=0)
+    assert slow.seconds == pytest.approx(2.0, abs=0.05)
+
+
+@given(seeds, st.floats(-4, 4), st.tuples(*[st.floats(-5, 5)] * 3))
+def test_moving_the_clip_moves_the_points(seed, turn, shift):
+    clip = human_clip(seed)
+    expected = R.rotate(R.yaw(torch.tensor(turn)), clip.global_positions) + torch.tensor(shift)
+    moved = clip.moved(turn, shift)
+    torch.testing.assert_close(moved.global_positions, expected, atol=1e-4, rtol=0)
+    local, same = (root_frames(c).to_local(c.global_positions)[..., [0, 2]] for c in (clip, moved))
+    torch.testing.assert_close(local, same, atol=1e-4, rtol=0)
+
+
+def test_root_frames_face_where_the_body_faces():
+    clip = human_clip(1, bend=0.0).moved(turn=0.8)
+    frames = root_frames(clip)
+    torch.testing.assert_close(frames.rotations, R.yaw(torch.tensor(0.8)).expand(len(clip), 4))
+    left = frames.to_local(clip.global_positions)[:, clip.skeleton.index("left_hand"), 0]
+    assert (left > 0.5).all()
+    assert (frames.positions[:, 1] == 0).all()
+
+
+def test_cut_keeps_the_frames_and_clamps_the_end():
+    clip = human_clip(2, frames=10)
+    torch.testing.assert_close(clip.cut(3, 99).root_positions, clip.root_positions[3:])
+    assert len(clip.cut(3, 7)) == 4
+    for start, stop in ((7, 7), (10, 12), (-1, 4)):
+        with pytest.raises(ValueError, match=f"cannot cut frames {start}"):
+            clip.cut(start, stop)
+
+
+def test_roles_and_names():
+    skeleton = human()
+    assert skeleton.index("left_elbow") == skeleton.index("LeftElbow")
+    assert skeleton.roles["right_knee"] == "RightKnee"
+    assert skeleton.names[skeleton.mirror_pairs[skeleton.index("LeftToe")]] == "RightToe"
+    assert [
+        skeleton.names[j] for j in range(len(skeleton)) if j not in skeleton.feature_joints
+    ] == ["HeadEnd"]
+    with pytest.raises(ValueError, match=r"unknown joint 'Tail'.*Hips, Chest"):
+        skeleton.index("Tail")
+    with pytest.raises(ValueError, match=r"no joint has the role 'Hips'.*Hips, Chest"):
+        skeleton.role("Hips")
+
+
+def test_a_joints_own_name_wins_over_a_role():
+    """SMPL has a hand beyond the wrist, and calls the ankle's child a foot."""
+    names = (
+        "pelvis",
+        "left_hip",
+        "left_knee",
+        "left_ankle",
+        "left_foot",
+        "left_collar",
+        "left_shoulder",
+        "left_elbow",
+        "left_wrist",
+        "left_hand",
+    )
+    roles = {
+        "left_hip": "left_hip",
+        "left_knee": "left_knee",
+        "left_foot": "left_ankle",
+        "left_toe": "left_foot",
+        "left_hand": "left_wrist",
+    }
+    skeleton = Skeleton(names, (-1, 0, 1, 2, 3, 0, 5, 6, 7, 8), torch.ones(10, 3), roles)
+    assert [skeleton.names[skeleton.index(name)] for name in ("left_hand", "left_foot")] == [
+        "left_hand",
+        "left_foot",
+    ]
+    assert [skeleton.names[skeleton.role(name)] for name in ("left_hand", "left_foot")] == [
+        "left_wrist",
+        "left_ankle",
+    ]
+    assert skeleton.names[skeleton.index("left_toe")] == "left_foot"
+    assert [skeleton.names[j] for j in skeleton.ancestors("left_hand")] == [
+        *names[8:4:-1],
+        "pelvis",
+    ]
+
+
+def test_end_sites_are_leaves_that_are_named_or_called_so():
+    tree = ("a", "b", "bEnd", "c_End"), (-1, 0, 1, 0), torch.ones(4, 3)
+    assert Skeleton(*tree).ends == ("bEnd", "c_End")
+    skeleton = Skeleton(*tree, ends=("bEnd",))
+    assert [skeleton.is_end(j) for j in range(4)] == [False, False, True, False]
+    assert Skeleton(**skeleton.to_dict()).ends == ("bEnd",)
+    assert tk.features.Layout(human()) != tk.features.Layout(dataclasses.replace(human(), ends=()))
+    with pytest.raises(
+        ValueError, match="End Sites must be leaves of the tree; these are not: b, d"
+    ):
+        Skeleton(*tree, ends=("b", "bEnd", "d"))
+
+
+def test_names_that_are_roles_of_other_joints_change_nothing(walk_clip):
+    """Every joint with a role is called like the role of the next; a role must still be found."""
+    walk_clip = walk_clip.cut(0, 200)
+    old = walk_clip.skeleton
+    parts = [role.removeprefix("left_") for role in ROLES if role.startswith("left_")]
+    called = {old.roles["hips"]: "chest", "Chest": "hips"}
+    called |= {old.roles[f"{side}_{a}"]: f"{side}_{b}" for side in ("left", "right")
+               for a, b in zip(parts, parts[1:] + parts[:1], strict=True)}
+    roles = {role: called[name] for role, name in old.roles.items()}
+    names = [called.get(name, name) for name in old.names]
+    renamed = walk_clip.replace(skeleton=Skeleton(names, old.parents, old.offsets, roles))
+
+    def seen(clip: Clip) -> list:
+        skeleton, frames = clip.skeleton, tk.features.frames(clip)
+        targets = clip.global_positions[:5] + 0.03
+        toes = targets[:, [skeleton.role("right_toe"), skeleton.role("left_toe")]]
+        first = clip.rotations[:5], clip.root_positions[:5]
+        return [
+            frames.inputs, frames.outputs, frames.phases, skeleton.feature_joints,
+            skeleton.facing_axis, tk.motion.ik.turn_arms(skeleton, *first, targets),
+            tk.motion.ik.plant_feet(skeleton, *first, toes), tk.contacts.detect(clip),
+            tk.metrics.hips_height(clip), tk.metrics.speed(clip),
+            tk.metrics.on_feet(skeleton, clip.global_positions[..., 1]),
+            list(tk.metrics.foot_skate(clip).values()), tk.features.Layout(skeleton).limbs,
+        ]
+
+    for expected, got in zip(seen(walk_clip), seen(renamed), strict=True):
+        np.testing.assert_array_equal(got, expected)
+
+
+@pytest.mark.parametrize(
+    ("names", "parents", "match"),
+    [
+        (("a", "b"), (-1,), "2 joint names need 2 parents"),
+        (("a", "a"), (-1, 0), "joint names repeat"),
+        (("a", "b", "c"), (-1, 2, 0), "every parent before its children"),
+        (("a", "b"), (0, 0), "root must come first"),
+    ],
+)
+def test_bad_skeleton(names, parents, match):
+    with pytest.raises(ValueError, match=match):
+        Skeleton(names, parents, torch.zeros(len(names), 3))
+
+
+def test_quaternions_of_three_decimals_are_near_enough_to_unit_length():
+    q = quaternions(0, 50, 20).float()
+    assert Clip(human(), (1e3 * q).round() / 1e3, torch.zeros(50, 3), 30).rotations.shape == (
+        50,
+        20,
+        4,
+    )
+
+
+def test_bad_clip():
+    skeleton, q, p = human(), R.identity(4, 20), torch.zeros(4, 3)
+    bad = q.clone()
+    bad[2, 5, 1] = math.nan
+    long, nothing = q.clone(), q.clone()
+    long[1, 3], nothing[3, 0] = 1.01 * long[1, 3], 0.0
+    for rotations, positions, fps, match in (
+        (q[:, :-1], p, 30, r"expected rotations \[F, 20, 4\]"),
+        (q, p[:3], 30, "root positions"),
+        (q[:0], p[:0], 30, "F >= 1"),
+        (bad, p, 30, "rotations of frame 2 are not finite"),
+        (long, p, 30, r"length 1; in frame 1 that of HeadEnd has length 1\.01"),
+        (nothing, p, 30, "length 1; in frame 3 that of Hips has length 0"),
+        (q * 1e10, p, 30, r"length 1; in frame 0 that of Hips has length 1e\+10"),
+        (q, p, 0, "frames per second"),
+        (q, p, math.inf, "frames per second"),
+    ):
+        with pytest.raises(ValueError, match=match):
+            Clip(skeleton, rotations, positions, fps)
+    for fps in (0.0, -30.0, math.nan):
+        with pytest.raises(ValueError, match="cannot resample"):
+            Clip(skeleton, q, p, 30).resample(fps)
+
+
+def test_numbers_may_be_as_large_as_a_float_holds():
+    positions = torch.full((4, 3), 3e38)
+    assert Clip(human(), R.identity(4, 20), positions, 30).root_positions.equal(positions)
+
+
+def test_a_joint_that_is_not_there_cannot_be_mirrored_about():
+    skeleton = Skeleton(("a", "b"), (-1, 0), torch.zeros(2, 3))
+    with pytest.raises(ValueError, match="no joint has the role 'left_hip'"):
+        Clip(skeleton, quaternions(0, 3, 2), torch.zeros(3, 3), 30).mirrored()

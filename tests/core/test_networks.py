@@ -1,0 +1,337 @@
+import dataclasses
+import json
+
+import numpy as np
+import pytest
+import torch
+from safetensors.torch import load_file, save_file
+
+from toolkit import networks
+from toolkit.features import Layout, Normaliser
+from toolkit.motion import Skeleton
+from toolkit.networks import BlendedLinear, Film, FilmGenerator, Gating, Sizes, layer_norm
+
+TINY = Sizes(hidden=16, experts=3, gating=8, film_channels=4, film_kernel=5, film_dense=8)
+
+
+def tree(joints: int) -> Layout:
+    """A layout of a chain of joints."""
+    roles = {"hips": "joint0", "left_hand": "joint1", "right_hand": "joint2",
+             "left_foot": "joint3", "right_foot": "joint0"}
+    names, parents = [f"joint{j}" for j in range(joints)], [-1, *range(joints - 1)]
+    return Layout(Skeleton(names, parents, torch.full((joints, 3), 0.1), roles))
+
+
+def tiny_model(joints: int = 4, name: str = "lpn-film", **changes) -> networks.Model:
+    torch.manual_seed(0)
+    phase = {"l": "local", "p": "global", "m": "none"}[name[0]]
+    layout = dataclasses.replace(tree(joints), phase=phase)
+    widths = {"inputs": layout.n_inputs, "phases": layout.n_phases, "outputs": layout.n_outputs,
+              "clips": layout.n_clip}
+    normalisers = {kind: Normaliser(torch.randn(width), torch.rand(width) + 0.5)
+                   for kind, width in widths.items()}
+    return networks.build(name, layout, 2, TINY, normalisers, **changes)
+
+
+def something(model: networks.Model) -> tuple[torch.Tensor, ...]:
+    """Three input frames, phases and style vectors for a model."""
+    widths = model.layout.n_inputs, model.layout.n_phases, model.style_size
+    return tuple(torch.randn(3, width) for width in widths)
+
+
+FILM = 39_214_592  # the paper prints 35,668,530
+
+
+@pytest.mark.parametrize(("name", "synthesis", "style", "per_style", "columns"), [
+    ("pfnn-onehot", 2_436_380, 194_560, 2_048, 327),
+    ("lpn-onehot", 4_935_928, 389_120, 4_096, 342),
+    ("pfnn-resad", 2_436_380, 2_978_440, 31_352, 327),
+    ("lpn-resad", 4_935_928, 24_952_320, 262_656, 342),
+    ("pfnn-film", 2_436_380, FILM, 2_048, 327),
+    ("mann-film", 4_870_392, FILM, 2_048, 326),
+    ("lpn-film", 4_935_928, FILM, 2_048, 342),
+])
+def test_parameter_counts_are_those_of_table_2(name, synthesis, style, per_style, columns):
+    layout = tree(25)
+    assert (layout.n_inputs, layout.n_outputs, layout.n_clip) == (348, 342, 300)
+    with torch.device("meta"):
+        model = networks.build(name, layout, 95)
+    counted = {"synthesis": synthesis, "style": style, "per_style": per_style}
+    assert networks.counts(model) == counted
+    assert (model.layout.n_inputs, model.layout.n_outputs) == (348, columns)
+    row = {row.name: row for row in networks.table2()}[name]
+    assert (row.synthesis, row.style, row.per_style) == (synthesis, style, per_style)
+    if style == FILM:
+        assert row.printed == (synthesis, 35_668_530, per_style)
+        assert "without its input channels" in row.note
+    else:
+        assert row.printed == (synthesis, style, per_style)
+        assert row.note == ""
+
+
+def test_the_films_printed_count_is_its_convolutions_without_input_channels():
+    row = networks.table2()[-1]
+    dense = (15_360 * 2048 + 2048) + (2048 * 2048 + 2048)
+    assert row.style == (300 * 256 * 25 + 256) + (256 * 256 * 25 + 256) + dense
+    assert row.style_as_printed == row.printed[1] == 2 * (256 * 25 + 25) + dense
+
+
+def test_blended_layer_equals_blending_every_samples_weights():
+    torch.manual_seed(1)
+    layer = BlendedLinear(5, 7, 6).double()
+    torch.nn.init.normal_(layer.bias)
+    x, gates = torch.randn(4, 7).double(), torch.softmax(torch.randn(4, 5).double(), -1)
+    got = layer(x, gates)
+    for n in range(4):
+        weight = sum(gates[n, k] * layer.weight[k] for k in range(5))
+        bias = sum(gates[n, k] * layer.bias[k] for k in range(5))
+        torch.testing.assert_close(got[n], x[n] @ weight + bias, rtol=1e-12, atol=1e-12)
+
+
+def test_layer_norm_uses_the_unbiased_deviation():
+    f = torch.tensor([[1.0, 2.0, 6.0]], dtype=torch.float64)
+    expected = (f - 3) / (7.0**0.5 + 1e-6)  # variance (4 + 1 + 9) / (3 - 1)
+    torch.testing.assert_close(layer_norm(f), expected, rtol=1e-14, atol=0)
+
+
+@pytest.mark.parametrize("layer", [0, 1])
+def test_film_equation(layer):
+    torch.manual_seed(2)
+    f, style = torch.randn(3, 16).double(), torch.randn(3, 64).double()
+    got = Film(16, None)(layer, f, style)
+    for n in range(3):
+        gamma1, beta1, gamma2, beta2 = style[n].numpy().reshape(4, 16)
+        gamma, beta = ((gamma1, beta1), (gamma2, beta2))[layer]
+        row = f[n].numpy()
+        a = gamma * (row - row.mean()) / (row.std(ddof=1) + 1e-6) + beta
+        np.testing.assert_allclose(got[n], np.where(a > 0, a, np.expm1(a)), rtol=1e-12, atol=1e-14)
+
+
+def test_generator_equals_a_slow_loop():
+    torch.manual_seed(3)
+    psi = FilmGenerator(6, 20, 4, 3, 5, 7, 0.3).double().eval()
+    clip = torch.randn(1, 20, 6).double()
+
+    def convolve_and_pool(h, layer):
+        padded = np.pad(h, ((2, 2), (0, 0)))
+        w, b = layer.weight.detach().numpy(), layer.bias.detach().numpy()
+        rows = np.array([[(padded[t : t + 5] * w[c].T).sum() + b[c] for c in range(len(b))]
+                         for t in range(len(h))])
+        return np.maximum(rows, 0).reshape(len(h) // 2, 2, -1).max(1)
+
+    h = convolve_and_pool(clip[0].numpy(), psi.first)
+    h = convolve_and_pool(h, psi.second).ravel()  # time-major
+    h = np.maximum(psi.dense.weight.detach().numpy() @ h + psi.dense.bias.detach().numpy(), 0)
+    expected = psi.out.weight.detach().numpy() @ h + psi.out.bias.detach().numpy()
+    np.testing.assert_allclose(psi(clip)[0].detach(), expected, rtol=1e-11, atol=1e-13)
+
+
+def test_dropout_acts_on_every_layers_input_only_in_training():
+    model = tiny_model()
+    x, p, s = torch.randn(2, model.layout.n_inputs), torch.randn(2, 8), torch.randn(2, 64)
+    assert torch.equal(model(x, p, s), model(x, p, s))
+    rates = []
+    for module in model.modules():
+        if isinstance(module, torch.nn.Dropout):
+            module.register_forward_hook(lambda m, _, out: rates.append((m.p, out.shape[-1])))
+    model.train()(x, p, model.encode(torch.randn(2, 240, model.layout.n_clip)))
+    widths = [8, 8, 8, 8, model.layout.n_inputs, 16, 16]  # generator, gating, experts
+    assert rates == [(0.3, width) for width in widths]
+
+
+def test_style_vector_is_the_mean_over_clips():
+    model = tiny_model()
+    clips = torch.randn(40, 240, model.layout.n_clip)
+    each = torch.stack([model.style_vector(clips[i : i + 1]) for i in range(40)])
+    mean = model.style_vector(clips)
+    torch.testing.assert_close(mean, each.mean(0), rtol=1e-4, atol=1e-5)
+    assert torch.equal(model.train().style_vector(clips), mean)
+
+
+@pytest.mark.parametrize("name", [name for name in networks.MODELS if not name.endswith("film")])
+def test_tables_are_looked_up_by_number(name):
+    model = tiny_model(name=name)
+    rows = model.modulation.generator.vectors
+    assert rows.shape == (2, model.style_size)
+    assert not torch.equal(rows[0], rows[1])
+    assert torch.equal(model.encode(None, 1), rows[1:])
+    several = model.encode(torch.zeros(5, 240, 48), torch.tensor([1, 0, 1]))
+    assert torch.equal(several, rows[[1, 0, 1]])
+    assert torch.equal(model.style_vector(torch.zeros(5, 240, 48), 0), rows[0])
+    with pytest.raises(ValueError, match=r"has styles 0 to 1, got \[2\]"):
+        model.encode(None, 2)
+    with pytest.raises(ValueError, match="has a table of 2 styles"):
+        model.encode(torch.zeros(1, 240, 48))
+
+
+def test_layouts_of_other_phases():
+    layout = tree(4)
+    for kind, width in (("local", 90), ("global", 75), ("none", 74)):
+        assert dataclasses.replace(layout, phase=kind).n_outputs == width
+    for name in networks.MODELS:
+        own = tiny_model(name=name).layout
+        assert Layout.from_json(own.to_json()) == own
+        assert (own == layout) == name.startswith("lpn")
+        assert networks.build(name, own, 2, TINY).layout == own
+    old = json.loads(layout.to_json())
+    del old["phase"]
+    assert Layout.from_json(json.dumps(old)) == layout
+    with pytest.raises(ValueError, match="is one of local, global, none; got 'lokal'"):
+        Layout(layout.skeleton, "lokal")
+
+
+def test_velocities_of_hands_and_feet_are_what_mann_looks_at():
+    layout = tree(4)
+    joints = torch.zeros(4, 4, 3)
+    # the roles of the tree, in the order of the phases
+    joints[[1, 2, 3, 0], 3] = torch.arange(1.0, 13.0).view(4, 3)
+    x = layout.pack_input(trajectory=torch.zeros(48), joints=joints.flatten())
+    assert x[layout.limb_velocities].tolist() == list(range(1, 13))
+    model = tiny_model(name="mann-film")
+    x, p, _ = something(model)
+    moved = x.clone()
+    moved[:, [c for c in range(96) if c not in layout.limb_velocities]] += 1.0
+    assert torch.equal(model.gating(p, x), model.gating(p, moved))
+    assert not torch.allclose(model.gating(p, x), model.gating(p, x.flip(0)))
+
+
+@pytest.mark.parametrize(("what", "shapes"), [
+    ("x", (9, 8, 64)), ("phases", (96, 7, 64)), ("style", (96, 8, 63))])
+def test_wrong_widths_are_named(what, shapes):
+    with pytest.raises(ValueError, match=rf"{what} needs \d+ columns, got shape"):
+        tiny_model().predict(*(torch.zeros(2, width) for width in shapes))
+
+
+def test_wrong_clips_sizes_names_and_normalisers():
+    model = tiny_model()
+    with pytest.raises(ValueError, match=r"\[M, 240, 48\], got \[1, 100, 48\]"):
+        model.style_vector(torch.zeros(1, 100, 48))
+    with pytest.raises(ValueError, match="unknown model 'lpn'; known: pfnn-onehot, lpn-onehot, "):
+        networks.build("lpn", tree(4), 2)
+    with pytest.raises(ValueError, match="hidden must be a whole number from 1, got 0"):
+        Sizes(hidden=0)
+    wrong = Normaliser(torch.zeros(3), torch.ones(3))
+    with pytest.raises(ValueError, match="normaliser of phases needs 8 columns"):
+        networks.build("lpn-film", tree(4), 2, TINY, {"phases": wrong})
+
+
+def test_bad_model_files_are_one_line(tmp_path):
+    path = tmp_path / "m.safetensors"
+    model = tiny_model()
+    model.save(path)
+
+    def fails(match: str, layout: Layout | None = None) -> None:
+        with pytest.raises(ValueError, match=match) as error:
+            networks.Model.load(path, layout)
+        assert str(path) in str(error.value)
+        assert "\n" not in str(error.value)
+
+    fails("the layout differs in joints: expected 5, got 4", tree(5))
+    tensors, whole = load_file(path), path.read_bytes()
+    good = {"format": json.dumps("x"), "model": json.dumps(model.parts()[1])}
+    save_file(tensors, path, good)
+    fails("expected the format 'toolkit 1'")
+    good["format"] = "toolkit 1"
+    save_file({k: v for k, v in tensors.items() if not k.endswith("layers.1.weight")}, path, good)
+    fails("differs in tensor .*layers.1.weight")
+    save_file(tensors, path, good | {"model": json.dumps(model.parts()[1] | {"name": "os.system"})})
+    fails("unknown model 'os.system'")
+    save_file(tensors, path, {"format": "toolkit 1", "bank": "[]"})
+    fails("expected a model in it, got bank")
+    path.write_bytes(whole[:-100])
+    fails("not a whole safetensors file")
+    path.write_bytes(b"\x80\x04cos\nsystem\n(S'touch owned'\ntR.")  # a pickle
+    fails("not a whole safetensors file")
+    path.unlink()
+    fails("cannot be read")
+
+
+@pytest.mark.parametrize("name", networks.MODELS)
+def test_each_model_predicts_learns_and_is_stored(name, tmp_path):
+    model = tiny_model(name=name)
+    x, p, s = something(model)
+    s, clips = s[0], torch.randn(2, 240, 48)
+
+    # the normalisers are inside, and dropout is never on
+    got = model.predict(x, p, s)
+    normal = (x - model.inputs_mean) / model.inputs_std, (p - model.phases_mean) / model.phases_std
+    right = model(*normal, s[None]) * model.outputs_std + model.outputs_mean
+    torch.testing.assert_close(got, right)
+    torch.testing.assert_close(model.predict(x[:1], p[:1], s), got[:1], rtol=1e-4, atol=1e-5)
+    assert not got.requires_grad
+    assert torch.equal(model.train().predict(x, p, s), got)
+    assert model.training
+
+    # every parameter learns
+    phases, z = model.observe(torch.randn(3, 8), torch.randn(3, tree(4).n_outputs))
+    adam = torch.optim.Adam(model.parameters(), 3e-3)
+    losses = []
+    for _ in range(60):
+        torch.manual_seed(5)  # the same dropout
+        error = (model(x, phases, model.encode(clips[:1], 1)) - z).square().mean()
+        adam.zero_grad()
+        error.backward()
+        adam.step()
+        losses.append(float(error.detach()))
+    assert losses[-1] < 0.5 * losses[0]
+    assert all(parameter.grad is not None for parameter in model.parameters())
+    model.eval()
+
+    # a file holds all of it, or all but generator and table
+    model.save(tmp_path / "m.safetensors")
+    again = networks.Model.load(tmp_path / "m.safetensors", tree(4))  # the layout of the data
+    assert torch.equal(again.predict(x, p, s), model.predict(x, p, s))
+    assert torch.equal(again.style_vector(clips, 1), model.style_vector(clips, 1))
+    assert (again.name, again.layout, again.sizes) == (name, model.layout, TINY)
+    assert again.n_styles == 2
+    assert not again.training
+    assert all(v.requires_grad for v in again.parameters())
+    model.save(tmp_path / "slim.safetensors", generator=False)
+    slim = networks.Model.load(tmp_path / "slim.safetensors")
+    assert torch.equal(slim.predict(x, p, s), model.predict(x, p, s))
+    missing = "FiLM generator" if name.endswith("film") else "table of styles"
+    with pytest.raises(ValueError, match=f"stored without its {missing}"):
+        slim.style_vector(clips, 0)
+
+
+def test_a_calibrated_model_computes_the_mean_over_dropout():
+    """Against 20,000 samples of dropout, for a model whose only dropped layer is the second."""
+    torch.manual_seed(3)
+    film, n = Film(6, None), 20_000
+    layer, style = BlendedLinear(2, 40, 6), torch.randn(24)
+    x, gates = torch.randn(1, 40), torch.tensor([[0.3, 0.7]])
+    q = 0.3 / 0.7
+    with torch.no_grad():
+        f = layer(torch.nn.functional.dropout(x.expand(n, -1), 0.3), gates.expand(n, -1))
+        variance = q * layer.scatter(x, gates)
+        torch.testing.assert_close(f.var(0), variance[0], rtol=0.05, atol=0)
+        mean = layer(x, gates)
+        gamma, beta = style[:6], style[6:12]
+        scale = (mean.var(-1) + variance.mean(-1)).sqrt() + 1e-6
+        normal = mean + torch.randn(n, 6) * variance.sqrt()
+        slow = torch.nn.functional.elu(gamma * (normal - mean.mean()) / scale + beta).mean(0)
+        torch.testing.assert_close(film.expected(0, mean, style, variance)[0], slow, rtol=0.05,
+                                   atol=0.02)
+    model = tiny_model()
+    x, p, s = something(model)
+    plain = model.predict(x, p, s)
+    model.calibrated = True
+    assert float((model.predict(x, p, s) - plain).abs().max()) > 1e-3
+    description = model.parts()[1]
+    assert description["calibrated"]
+    assert networks.Model.from_parts("m", model.parts()[0], {"model": description}, None).calibrated
+    wrong = {"model": description | {"name": "lpn-onehot"}}
+    with pytest.raises(ValueError, match="only models with FiLM can be calibrated"):
+        networks.Model.from_parts("m", model.parts()[0], wrong, None)
+
+
+def test_weights_start_in_their_ranges_and_gates_are_a_convex_blend():
+    layer, gating = BlendedLinear(8, 30, 20), Gating(8, 32, 8, 0.3).eval()
+    bound = (6 / (30 * 20)) ** 0.5
+    assert 0.98 * bound < float(layer.weight.detach().abs().max()) <= bound
+    for dense in gating.layers:
+        bound = (6 / sum(dense.weight.shape)) ** 0.5
+        assert 0.9 * bound < float(dense.weight.detach().abs().max()) <= bound
+    gates = gating(torch.randn(100, 8))
+    assert bool((gates >= 0).all())
+    torch.testing.assert_close(gates.sum(-1), torch.ones(100))

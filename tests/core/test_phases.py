@@ -1,0 +1,502 @@
+"""Local phases: sources, windows, extraction; the source that tracks a cadence."""
+
+import itertools
+import math
+
+import numpy as np
+import pytest
+import torch
+
+import toolkit as tk
+from experiments import phases as bench
+from toolkit.datasets import procedural
+from toolkit.evaluation.phases import measure
+from toolkit.extra.sources import coherent, learned
+from toolkit.extra.sources.coherent import Coherent
+from toolkit.phases import LIMBS, Sinusoids, fit, normalise, smooth, sources, windows
+
+FPS = 60.0
+TURN = 2 * math.pi
+
+
+class Curves:
+    """A source of four given curves [F, 4], in the order of `LIMBS`."""
+
+    def __init__(self, values):
+        self.values = torch.as_tensor(values, dtype=torch.float64)
+
+    def __call__(self, clip, limb):
+        return self.values[:, LIMBS.index(limb)]
+
+
+@pytest.fixture(scope="module")
+def skeleton():
+    return procedural.generate("Neutral", "ID", 1.0).skeleton
+
+
+@pytest.fixture
+def still(skeleton):
+    """Clips of so many frames, for sources that do not look at them."""
+    def clip(frames, fps=FPS):
+        rotations = tk.motion.rotations.identity(len(skeleton)).expand(frames, -1, -1)
+        return tk.Clip(skeleton, rotations, torch.zeros(frames, 3), fps, name="still")
+
+    return clip
+
+
+def random(seed, *shape):
+    return torch.randn(*shape, generator=torch.Generator().manual_seed(seed), dtype=torch.float64)
+
+
+def apart(a, b):
+    """Largest difference of angles, radians."""
+    return float(torch.atan2((a - b).sin(), (a - b).cos()).abs().max())
+
+
+# Sources
+
+
+def test_feet_take_contacts_and_hands_do_not(walk_clip):
+    hybrid = tk.phases.Hybrid()
+    chosen = [hybrid.choice(walk_clip, limb) for limb in LIMBS]
+    assert chosen == ["contact-free", "contact-free", "contact", "contact"]
+    contact, free, both = (tk.phases.extract(walk_clip, source=source)
+                           for source in ("contact", "contact-free", "hybrid"))
+    assert float(contact.vector[:, :2].abs().max()) == 0
+    assert torch.equal(free.vector[:, :2], both.vector[:, :2])
+    # a fitted sinusoid and the steps themselves agree in a regular walk
+    error, lag = tk.metrics.phase_error(contact.phase[60:-60, 2:], both.phase[60:-60, 2:])
+    assert float(error.max()) < math.radians(4)
+    assert float(lag.abs().max()) < math.radians(6)
+    feet = both.phase[60:-60, 2] - both.phase[60:-60, 3]
+    assert float((feet - math.pi).cos().mean()) > 0.9  # half a cycle apart
+
+
+def test_a_foot_counts_as_touching_from_exactly_the_least_share_on(walk_clip, monkeypatch):
+    touching = (torch.arange(len(walk_clip)) % 50 == 0).float()  # 2 % of the frames, about
+    monkeypatch.setattr(sources, "Steps", lambda: lambda clip, limb: touching)
+    hybrid, foot = tk.phases.Hybrid(), "left_foot"
+    for least, chosen in ((float(touching.mean()), "contact"), (0.021, "contact-free")):
+        monkeypatch.setattr(sources, "LEAST", least)
+        assert hybrid.choice(walk_clip, foot) == chosen
+        expected = touching if chosen == "contact" else tk.phases.ContactFree()(walk_clip, foot)
+        assert torch.equal(hybrid(walk_clip, foot), expected)
+
+
+def test_a_contact_is_sought_by_the_thresholds_given(walk_clip):
+    detected = tk.contacts.detect(walk_clip, height=0.03, speed=0.6)
+    for limb, column in (("right_foot", 0), ("left_foot", 1)):
+        found = tk.phases.Contact(height=0.03, speed=0.6)(walk_clip, limb)
+        assert torch.equal(found, detected[:, column])
+        for other in (tk.phases.Contact(height=0.03), tk.phases.Contact(speed=0.6)):
+            assert not torch.equal(found, other(walk_clip, limb))
+
+
+def test_contact_free_is_the_longest_axis_of_all_clips_and_points_forward(walk_clip):
+    clips = [walk_clip.cut(0, 200), procedural.generate("Zombie", "FW", 4.0).moved(turn=1.0)]
+    source = tk.phases.ContactFree()
+    fitted, hybrid = source.fitted(clips), tk.phases.Hybrid().fitted(clips)
+    for limb in LIMBS:
+        where = [tk.phases.local_positions(clip, limb).double().numpy() for clip in clips]
+        points = np.concatenate(where)
+        swing = [own[f] - around(own, f, 30).mean(0) for own in where for f in range(len(own))]
+        axis = np.linalg.svd(swing - np.mean(swing, 0))[2][0]
+        axis = axis * np.sign(axis[2])  # the skeleton faces +z
+        for clip, own in zip(clips, where, strict=True):
+            expected = (own - points.mean(0)) @ axis
+            assert fitted(clip, limb).numpy() == pytest.approx(expected, abs=1e-6)
+            if limb.endswith("hand"):
+                assert torch.equal(hybrid(clip, limb), fitted(clip, limb))
+        alone = source(clips[0], limb)
+        assert torch.equal(alone, source.fitted(clips[:1])(clips[0], limb))
+        assert float((alone - fitted(clips[0], limb)).abs().max()) > 1e-3
+    assert source.axes == source.means == {}
+
+
+def test_the_axis_is_that_of_the_swing_and_not_of_slow_drift(walk_clip):
+    t = torch.arange(len(walk_clip), dtype=torch.float64) / FPS
+
+    class Hand(tk.phases.ContactFree):
+        """A swing of 10 cm at 1 Hz along (0, 0.6, 0.8), and a lateral drift of 30 cm at 0.05 Hz."""
+
+        def points(self, clip, limb):
+            swing = 0.1 * torch.sin(TURN * t)[:, None] * torch.tensor([0.0, 0.6, 0.8])
+            drift = 0.3 * torch.sin(TURN * 0.05 * t)[:, None] * torch.tensor([1.0, 0.0, 0.0])
+            return swing + drift + 7.0
+
+    fitted = Hand().fitted([walk_clip])
+    for limb in LIMBS:
+        assert fitted.axes[limb].tolist() == pytest.approx([0.0, 0.6, 0.8], abs=0.02)
+        assert torch.allclose(Hand()(walk_clip, limb), fitted(walk_clip, limb))
+        drifting = fitted(walk_clip, limb) - 0.1 * torch.sin(TURN * t)
+        assert float(drifting.abs().max()) < 0.01
+
+
+def test_velocity_is_a_quarter_of_a_cycle_ahead_of_position(walk_clip):
+    clip = walk_clip.cut(0, 80).resample(30.0)
+    where = tk.phases.local_positions(clip, "left_hand").double()
+    found = tk.phases.Velocity().points(clip, "left_hand")
+    for frame in range(len(clip)):
+        before, after = max(frame - 1, 0), min(frame + 1, len(clip) - 1)
+        speed = (where[after] - where[before]) / (after - before) * 30.0
+        assert torch.allclose(found[frame], speed)
+    here, ahead = (tk.phases.extract(walk_clip, source).phase[60:-60, :2]
+                   for source in ("contact-free", "velocity"))
+    error, lag = tk.metrics.phase_error(ahead, here)
+    assert float(error.max()) < 0.1
+    assert torch.allclose(lag, torch.full((2,), math.pi / 2, dtype=lag.dtype), atol=0.1)
+
+
+@pytest.mark.parametrize(("source", "message"), [
+    ("hybird", "^unknown phase source 'hybird'; known: hybrid, contact, contact-free, velocity, "),
+    (lambda clip, limb: torch.zeros(3), r"must give one finite number per frame \(480\) for every"),
+    (lambda clip, limb: torch.zeros(len(clip), 1), "one finite number per frame"),
+    (lambda clip, limb: torch.full((len(clip),), math.nan), "one finite number per frame"),
+])
+def test_bad_sources_are_refused(walk_clip, source, message):
+    with pytest.raises(ValueError, match=message):
+        tk.phases.extract(walk_clip, source=source)
+
+
+def test_sources_go_by_their_names():
+    for name, source in tk.phases.SOURCES.items():
+        assert isinstance(tk.phases.named(name), source)
+    assert isinstance(tk.phases.named("coherent"), Coherent)
+    assert isinstance(tk.phases.named("learned"), learned.Learned)
+
+
+# Extraction
+
+
+def test_clips_of_a_group_share_their_axes_and_keep_their_order(walk_clip):
+    clips = [walk_clip.cut(0, 150), procedural.generate("Zombie", "FW", 3.0)]
+    group = tk.phases.extract_group(clips, "contact-free")
+    fitted = tk.phases.ContactFree().fitted(clips)
+    for clip, ph in zip(clips, group, strict=True):
+        again = tk.phases.extract(clip, lambda c, limb: fitted(c, limb))
+        for a, b in zip(vars(ph).values(), vars(again).values(), strict=True):
+            assert torch.equal(a, b)
+    assert not torch.equal(group[0].source, tk.phases.extract(clips[0], "contact-free").source)
+
+
+@pytest.mark.parametrize("fps", [30.0, 60.0])
+def test_a_second_is_the_shortest_clip(fps):
+    half = round(fps / 2)
+    clip = procedural.generate("Neutral", "FW", 2.0).resample(fps).replace(name="brief")
+    least = clip.cut(0, 2 * half + 1)
+    assert len(tk.phases.extract(least, "contact-free", half_window=0.25).phase) == 2 * half + 1
+    said = rf"^brief: {2 * half} frames are too few .* need {2 * half + 1} .* at {fps:g} Hz"
+    with pytest.raises(ValueError, match=said):
+        tk.phases.extract(clip.cut(0, 2 * half), "contact-free", half_window=0.25)
+
+
+def test_fields_are_what_they_say(walk_clip):
+    """Each field against the fit of each limb's own curve; the vector against equation (1)."""
+    source, half = tk.phases.ContactFree().fitted([walk_clip]), 0.4
+    ph = tk.phases.extract(walk_clip, lambda clip, limb: source(clip, limb), half)
+    assert all(column.dtype == torch.float32 for column in vars(ph).values())
+    for i, limb in enumerate(LIMBS):
+        raw = source(walk_clip, limb)[:, None]
+        curve = smooth(normalise(raw, FPS, 0.5), FPS)  # never less than a second
+        found = fit(curve, FPS, half)
+        wave = found.amplitude * found.phase.sin() + found.offset
+        for name, expected in (("source", curve), ("frequency", found.frequency), ("fit", wave),
+                               ("amplitude", found.amplitude), ("residual", found.residual)):
+            column = getattr(ph, name)[:, i].double()
+            assert torch.allclose(column, expected[:, 0], atol=1e-5)
+        sine, cosine = (smooth(way, FPS)[:, 0] for way in (found.phase.sin(), found.phase.cos()))
+        speed = windows.speed(tk.phases.local_positions(walk_clip, limb), FPS)
+        size = smooth(speed[:, None] * found.amplitude, FPS)[:, 0].clamp_min(0)
+        expected = torch.stack((sine, cosine), 1) * (size / torch.hypot(sine, cosine))[:, None]
+        assert torch.allclose(ph.vector[:, i].double(), expected, atol=1e-5)
+        assert apart(ph.phase[:, i].double(), torch.atan2(sine, cosine)) < 1e-5
+    assert 0 <= float(ph.phase.min()) < float(ph.phase.max()) <= TURN
+
+
+def test_without_a_window_each_limb_is_fitted_in_its_own(still):
+    t = torch.arange(480, dtype=torch.float64)[:, None] / FPS
+    rates = torch.tensor([0.6, 0.8, 1.0, 1.5], dtype=torch.float64)
+    ph = tk.phases.extract(still(480), Curves(torch.sin(TURN * rates * t) + 3.0))
+    assert ph.frequency[120:-120].mean(0).tolist() == pytest.approx(rates.tolist(), rel=0.01)
+    for i, rate in enumerate(rates.tolist()):
+        curve = torch.sin(TURN * rate * t)
+        half = windows.half_window(curve[:, 0], FPS)
+        assert half == pytest.approx(max(0.5, windows.CYCLES / 2 / rate), abs=0.02)
+        expected = smooth(normalise(curve, FPS, half), FPS)[:, 0]
+        assert torch.allclose(ph.source[:, i].double(), expected, atol=1e-4)
+
+
+def test_a_source_may_bring_its_own_sinusoids(walk_clip):
+    angle = torch.arange(len(walk_clip), dtype=torch.float64)[:, None] / 8 + torch.arange(4)
+    one = torch.ones_like(angle)
+
+    class Own:
+        def sinusoids(self, clip):
+            rate = one * FPS / (8 * TURN)
+            return 2 * angle.sin(), Sinusoids(angle % TURN, rate, 2 * one, 0 * one, 0 * one)
+
+    ph = tk.phases.extract(walk_clip, Own())
+    assert apart(ph.phase[30:-30], angle[30:-30]) < 0.05
+    assert torch.allclose(ph.fit, ph.source)
+    where = (tk.phases.local_positions(walk_clip, limb) for limb in LIMBS)
+    speed = torch.stack([windows.speed(points, FPS) for points in where], 1)
+    size = 2 * smooth(speed, FPS)[60:-60]
+    assert torch.allclose(ph.vector.norm(dim=-1)[60:-60], size, rtol=0.02)
+
+
+@pytest.mark.parametrize("style", ["Neutral", "Zombie"])
+def test_cyclic_styles_keep_the_limits_against_the_truth(style):
+    chosen = {name: tk.phases.named(name) for name in ("contact", "contact-free")}
+    row = measure(style, *procedural.truth(style, "FW", 12.0, 3), chosen)
+    assert bench.failures(row) == []
+    assert row.phase["contact"][:2].isnan().all()  # a hand has no contact, and no error either
+
+
+def test_phases_agree_with_what_the_published_network_predicts(shared):
+    folder, file = shared / "lpn_film_100style", shared / "100style" / "Neutral_FW.bvh"
+    if not folder.is_dir() or not file.is_file():
+        pytest.skip(f"needs {folder} and {file}")
+    model, bank = tk.published.load(folder)
+    report = tk.published.one_step(model, bank, tk.bvh.load(file), "Neutral", (327, None))
+    assert report["phase_error"] < 0.15
+
+
+def test_phase_error_forgives_a_constant_lag_and_nothing_else():
+    truth = torch.arange(600, dtype=torch.float64)[:, None] / 60 * torch.tensor([5.0, 6.0, 7.0])
+    found = truth + torch.tensor([0.0, 3.0, 0.0])
+    found[:, 2] = 7.0  # stuck
+    error, lag = tk.metrics.phase_error(found % TURN, truth)
+    assert float(error[:2].max()) < 1e-9
+    assert float(lag[1]) == pytest.approx(3.0)
+    assert float(error[2]) == pytest.approx(math.pi / 2, rel=0.05)
+
+
+# Windows
+
+
+def around(values, frame, half):
+    """The values in a window, with the ends repeated."""
+    return values[[min(max(frame + k, 0), len(values) - 1) for k in range(-half, half + 1)]]
+
+
+def test_means_are_over_what_is_there_with_the_ends_repeated():
+    values = random(1, 25, 2, 3)
+    for half, frames in ((0.5, 5), (0.26, 3), (0.0, 0), (4.0, 40)):
+        got = windows.mean(values, half, 10.0)
+        assert got.shape == values.shape
+        for frame in range(25):
+            assert torch.allclose(got[frame], around(values, frame, frames).mean(0))
+
+
+@pytest.mark.parametrize("half", [0.3, 0.5])
+def test_a_z_score_is_that_of_each_column_alone_at_the_ends_too(half):
+    scale, shift = torch.tensor([1e-4, 1.0, 1e3]), torch.tensor([0.0, -2.0, 5.0])
+    curves = random(2, 60, 3).cumsum(0) * scale + shift
+    got = normalise(curves, 30.0, half)
+    for frame in range(60):
+        window = around(curves, frame, round(half * 30))
+        expected = (curves[frame] - window.mean(0)) / window.std(0, correction=0)
+        assert got[frame].tolist() == pytest.approx(expected.tolist(), abs=1e-6)
+
+
+def test_a_window_is_constant_below_a_ten_thousandth_of_the_curve():
+    t = torch.arange(120, dtype=torch.float64)[:, None]
+    wave = torch.sin(TURN * t / 20)  # three whole cycles in 60 frames
+    for level in (1.0, 100.0):
+        for deviation, alive in ((0.95e-4, False), (1.05e-4, True)):
+            got = normalise(level * (1 + deviation * math.sqrt(2) * wave), FPS)[35:-35]
+            assert bool(got.abs().max() > 1) == alive
+            assert alive or float(got.abs().max()) == 0
+    assert float(normalise(1e-14 * wave, FPS).abs().max()) == 0
+    assert float(normalise(1e-6 * wave, FPS).abs().max()) > 1
+
+
+@pytest.mark.parametrize("fps", [30.0, 120.0])
+def test_smoothing_halves_four_hertz_and_shifts_nothing(fps):
+    """Gain of a second-order Butterworth filter passed twice: 1 / (1 + r⁴), r of warped rates."""
+    t = torch.arange(round(8 * fps), dtype=torch.float64)[:, None] / fps
+    rates = torch.tensor([0.5, 2.0, 4.0, 8.0], dtype=torch.float64)
+    gain = 1 / (1 + (torch.tan(math.pi * rates / fps) / math.tan(math.pi * 4 / fps)) ** 4)
+    wave = torch.sin(TURN * rates * t + 0.3)
+    inner = slice(round(2 * fps), -round(2 * fps))
+    assert float((smooth(wave, fps) - gain * wave)[inner].abs().max()) < 1e-4
+    assert float(gain[2]) == pytest.approx(0.5)
+
+
+def slow_half_window(curve, fps):
+    """The definition in plain loops."""
+    n = len(curve)
+    fast = np.array([curve[f] - around(curve, f, round(fps)).mean() for f in range(n)])
+    like = [float(fast[: n - lag] @ fast[lag:]) for lag in range(n)]
+    peaks = [lag for lag in range(round(fps / 4), min(round(2 * fps), n - 2))
+             if like[lag - 1] < like[lag] >= like[lag + 1] and like[lag] > 0.2 * like[0]]
+    highest = sorted(peaks, key=lambda lag: like[lag])[-1:]
+    return max([0.5, *(1.05 / 2 * lag / fps for lag in highest)])
+
+
+def test_the_window_is_that_of_the_highest_peak_of_the_autocorrelation():
+    rng = np.random.default_rng(5)
+    seen = set()
+    for trial in range(40):
+        fps, n = (10.0, 16.0)[trial % 2], int(rng.integers(24, 120))
+        t = np.arange(n) / fps
+        noise, drift = rng.uniform(0, 1.5) * rng.normal(size=n), rng.uniform(0, 2) * t
+        wave = np.sin(TURN * t / rng.uniform(0.5, 2.6))
+        curve = (wave + noise + drift) * 10.0 ** rng.integers(-4, 3)
+        expected = slow_half_window(curve, fps)
+        assert windows.half_window(torch.from_numpy(curve), fps) == pytest.approx(expected)
+        seen.add(round(expected, 3))
+    assert 0.5 in seen
+    assert len(seen) > 8
+
+
+def test_a_curve_without_a_rhythm_has_the_shortest_window():
+    t = torch.arange(200, dtype=torch.float64) / FPS
+    slow = torch.sin(TURN * 0.4 * t)  # a period over two seconds is not sought
+    for curve in (slow, 1e-8 * torch.sin(TURN * t), random(6, 300), t[:61], torch.ones(600)):
+        assert windows.half_window(curve, FPS) == 0.5
+
+
+def test_speed_is_the_root_mean_square_over_a_second():
+    where = random(7, 40, 3).cumsum(0)
+    got = windows.speed(where, 12.0)
+    squares = []
+    for frame in range(40):
+        before, after = max(frame - 1, 0), min(frame + 1, 39)
+        squares.append(float((where[after] - where[before]).norm() / (after - before) * 12) ** 2)
+    for frame in range(40):
+        expected = math.sqrt(around(torch.tensor(squares), frame, 6).mean())
+        assert float(got[frame]) == pytest.approx(expected, rel=1e-5)
+
+
+def test_regression_is_that_of_least_squares_in_each_window():
+    wave = random(4, 200)
+    curve = random(5, 200) + wave
+    found = torch.stack(windows.regression(curve, wave, 0.5, FPS), 1)
+    for frame in range(30, 170, 20):
+        window = slice(frame - 30, frame + 31)
+        basis = torch.stack((wave[window], torch.ones(61, dtype=torch.float64)), 1)
+        a, b = torch.linalg.lstsq(basis, curve[window]).solution
+        rms = (basis @ torch.stack((a, b)) - curve[window]).square().mean().sqrt()
+        assert torch.allclose(found[frame], torch.stack((a, b, rms)))
+    # only a negative multiple would fit
+    amplitude, offset, residual = windows.regression(2 - wave.sin(), wave.sin(), 0.5, FPS)
+    assert float(amplitude.abs().max()) == 0
+    assert torch.allclose(offset, windows.mean(2 - wave.sin(), 0.5, FPS))
+    assert float(residual.min()) > 0
+    still_wave = windows.regression(wave, torch.zeros_like(wave), 0.5, FPS)
+    assert all(bool(column.isfinite().all()) for column in still_wave)
+
+
+# Coherent
+
+
+def slow_wavelets(values, fps):
+    """One column: the spectrum of the mirrored curve under each band's bell, summed."""
+    pad = min(len(values) - 1, round(2.5 / 0.35 * fps))
+    mirrored = np.pad(values, pad, mode="reflect")
+    n = len(mirrored)
+    rates = np.arange(1, (n + 1) // 2) * fps / n
+    turns = np.exp(2j * np.pi * np.outer(np.arange(n), rates) / fps)
+    spectrum = turns.conj().T @ mirrored / n
+    bands = 0.35 * (2.5 / 0.35) ** (np.arange(64) / 63)
+    bells = 2 * np.exp(-0.5 * ((rates / bands[:, None] - 1) * 2.5) ** 2)
+    return ((bells * spectrum) @ turns.T)[:, pad : pad + len(values)]
+
+
+@pytest.mark.parametrize(("frames", "fps"), [(40, 12.0), (150, 12.0)])
+def test_wavelets_are_those_of_the_mirrored_curve(frames, fps):
+    values = random(9, frames, 2).cumsum(0)
+    got = coherent.wavelets(values, fps).numpy()
+    for column in range(2):
+        slow = slow_wavelets(values[:, column].numpy(), fps)
+        assert np.abs(got[..., column] - slow).max() < 1e-10 * np.abs(slow).max()
+    constant = torch.full((80, 1), 9.0, dtype=torch.float64)
+    assert float(coherent.wavelets(constant, FPS).abs().max()) < 1e-12
+
+
+def best_path(power, penalty):
+    cost = -(power / power.sum(0)).log()
+
+    def total(path):
+        jumps = sum((a - b) ** 2 for a, b in itertools.pairwise(path))
+        return sum(float(cost[b, i]) for i, b in enumerate(path)) + penalty * jumps
+
+    return min(itertools.product(range(power.shape[0]), repeat=power.shape[1]), key=total)
+
+
+def test_the_ridge_is_the_best_of_all_paths_however_loud_a_frame_is():
+    loudness = 10.0 ** torch.tensor([15.0, -15.0, 0.0, -10.0, 7.0], dtype=torch.float64)
+    for seed in range(4):
+        power = random(seed, 4, 5).abs() ** 3 + 1e-4
+        best = list(best_path(power, coherent.PENALTY))
+        assert coherent.ridge(power, 1).tolist() == best
+        assert coherent.ridge(power * loudness, 1).tolist() == best
+        assert coherent.ridge(power.flip(1), 1).tolist() == best[::-1]
+
+
+def test_between_its_knots_the_ridge_is_straight_and_after_the_last_level():
+    power = random(12, 5, 14).abs() ** 12 + 1e-6
+    knots = best_path(power[:, ::4], coherent.PENALTY)
+    assert len(set(knots)) > 2
+    expected = np.interp(np.arange(14) / 4, np.arange(4), knots)
+    assert coherent.ridge(power, 4).numpy() == pytest.approx(expected)
+    silence = torch.zeros(5, 14, dtype=torch.float64)  # has a path, too
+    assert float(coherent.ridge(silence, 4).std()) == 0
+
+
+def test_what_the_others_say_is_least_squares_damped_by_a_thousandth():
+    """Ridge regression as plain least squares with one more row for each of the others."""
+    shared = torch.exp(0.2j * torch.arange(300, dtype=torch.float64))[:, None]
+    z = torch.complex(random(12, 300, 4), random(13, 300, 4))
+    z = (z + 1.5 * shared * torch.exp(1j * torch.arange(4))) * torch.tensor([0.1, 1.0, 3.0, 20.0])
+    for limb in range(4):
+        own, others = z[:, limb].numpy(), np.delete(z.numpy(), limb, 1)
+        rows = np.concatenate((others, np.diag(np.sqrt(1e-3 * (np.abs(others) ** 2).sum(0)))))
+        weights = np.linalg.lstsq(rows, np.concatenate((own, np.zeros(3))), rcond=None)[0]
+        told = others @ weights
+        share = (np.abs(told) ** 2).sum() / (np.abs(own) ** 2).sum()
+        expected = (1 - share) * own + share * told
+        difference = np.abs(coherent.denoised(z, limb).numpy() - expected)
+        assert difference.max() < 1e-6 * np.abs(own).max()
+        assert 0.1 < share < 1
+    alone = shared * torch.tensor([1.0, 0.0, 0.0, 0.0])  # limbs that do nothing say nothing
+    assert torch.allclose(coherent.denoised(alone, 0), alone[:, 0])
+    assert float(coherent.denoised(alone, 1).abs().max()) == 0
+
+
+def test_coherent_takes_its_bases_axes_and_curves(walk_clip):
+    clips = [walk_clip, procedural.generate("Zombie", "FW", 2.0)]
+    base = tk.phases.ContactFree()
+    source, shared = Coherent(base), base.fitted(clips)
+    for limb in LIMBS:
+        assert torch.equal(source(walk_clip, limb), base(walk_clip, limb))
+        assert torch.equal(source.fitted(clips)(walk_clip, limb), shared(walk_clip, limb))
+    plain = Coherent(Curves(torch.zeros(len(walk_clip), 4)))
+    assert plain.fitted(clips) is plain
+
+
+def test_pure_waves_and_a_chirp_are_told_apart_and_followed(still):
+    """Limbs at their own frequencies, one above the tracked bands; a chirp from 0.6 to 1.5 Hz."""
+    t = torch.arange(1800, dtype=torch.float64) / FPS
+    angles = [TURN * rate * t + i for i, rate in enumerate((0.55, 0.83, 2.8))]
+    angle = torch.stack([*angles, TURN * (0.6 * t + 0.03 * t**2 / 2)], 1)
+    rates = torch.stack([0 * t + 0.55, 0 * t + 0.83, 0 * t + 2.8, 0.6 + 0.03 * t], 1)
+    level, size = torch.tensor([0.0, 5.0, -3.0, 1.0]), torch.tensor([1.0, 2.0, 0.5, 3.0])
+    curve, found = Coherent(Curves(level + size * torch.sin(angle))).sinusoids(still(1800))
+    inner = slice(180, -180)
+    assert apart(found.phase[inner], angle[inner]) < 0.1
+    assert 0 <= float(found.phase.min()) < float(found.phase.max()) < TURN
+    assert float((found.frequency / rates - 1)[inner].abs().max()) < 0.03
+    wave = found.amplitude * found.phase.sin() + found.offset
+    assert float((wave - curve)[inner].abs().max()) < 0.25
+    assert float(found.residual[inner].max()) < 0.2
+
+
+def test_coherent_is_nearer_to_the_truth_than_contact_free_when_staggering():
+    clip, truth = procedural.truth(procedural.STYLES["Drunk"], "FW", 20.0, seed=1)
+    error = {}
+    for source in ("coherent", "contact-free"):
+        phase = tk.phases.extract(clip, source).phase
+        error[source] = float(tk.metrics.phase_error(phase[60:-60], truth.phase[60:-60])[0].mean())
+    assert error["coherent"] < 0.8 * error["contact-free"]

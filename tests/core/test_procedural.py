@@ -1,0 +1,242 @@
+import dataclasses
+import itertools
+import math
+from functools import cache
+
+import numpy as np
+import pytest
+import torch
+
+from experiments import realism
+from toolkit import datasets
+from toolkit.__main__ import main
+from toolkit.datasets import procedural, style100
+from toolkit.datasets.procedural import GAITS, SKELETON, STYLES
+from toolkit.io import bvh
+from toolkit.motion import contacts, root_frames, rotations as R
+
+SIDES = ("Right", "Left")
+HOPS = ("HopLeft", "HopRight")
+# every style walks; some that are unlike each other have every gait
+TAKES = [(style, "FW") for style in STYLES]
+TAKES += [(style, gait) for style in ("Neutral", "Drunk", "HopLeft", "MarchKick")
+          for gait in GAITS if gait != "FW"]
+#: sums over clips of 2 s, seed 1: of joint positions, contacts, phases. Models were trained on
+#: these clips, so they must not change.
+PINNED = {
+    ("Neutral", "FW"): (-265.93412, 112, 5029.2047),
+    ("Drunk", "SW"): (4145.7531, 139, 6023.8606),
+    ("HopRight", "FR"): (-6674.6343, 39, 12786.9),
+    ("MarchKick", "BR"): (5129.4575, 100, 7049.1593),
+    ("HandsInPockets", "ID"): (2881.7756, 240, 433.53978),
+    ("LimpLeft", "TR1"): (3973.1677, 155, 4515.475),
+}
+
+
+@cache
+def take(style, gait, seconds=4.0, seed=0):
+    return procedural.truth(style, gait, seconds, seed)
+
+
+def column(clip, joint):
+    return clip.global_positions[:, SKELETON.index(joint)]
+
+
+def test_there_are_25_styles_and_eight_gaits_and_they_stay_as_they_are():
+    assert (len(STYLES), len(GAITS), len(SKELETON)) == (25, 8, 28)
+    for (style, gait), pinned in PINNED.items():
+        clip, known = take(style, gait, 2.0, 1)
+        sums = [float(values.double().sum()) for values in
+                (clip.global_positions, known.contacts, known.phase)]
+        assert sums == pytest.approx(pinned, rel=1e-5), (style, gait)
+
+
+@pytest.mark.parametrize(("style", "gait"), TAKES)
+def test_feet_are_planted_and_bodies_upright_and_smooth(style, gait):
+    clip, known = take(style, gait)
+    assert (clip.style, clip.gait, clip.fps, len(clip)) == (style, gait, 60, 240)
+    for i, side in enumerate(SIDES):
+        toe = column(clip, f"{side}Toe")
+        planted = known.contacts[:, i] > 0
+        slide = toe.diff(dim=0).norm(dim=-1)[planted[1:] & planted[:-1]]
+        assert not len(slide) or float(slide.max()) < 1e-3, f"{side} slides"
+        assert not planted.any() or float((toe[planted, 1] - 0.021).abs().max()) < 0.012
+        knee = clip.rotations[:, SKELETON.index(f"{side}Knee")]
+        knee = knee * knee[:, :1].sign()
+        assert float(knee[:, 1].min()) >= 0, f"{side} knee bends backwards"
+        assert float(knee[:, 2:].abs().max()) < 1e-3, f"{side} knee is no hinge"
+    hips = column(clip, "Hips")[:, 1]
+    assert 0.5 < float(hips.min()) < float(hips.max()) < 1.1
+    assert float(clip.global_positions[..., 1].min()) > -0.02, "sinks into the floor"
+    assert float(clip.global_positions.diff(dim=0).norm(dim=-1).max()) < 0.3, "jumps"
+    jolt = float(clip.global_positions.double().diff(n=2, dim=0).norm(dim=-1).max()) * 3600
+    assert jolt < (12 if gait == "ID" else 320), f"a joint is accelerated by {jolt:.0f} m/s2"
+    limits = {"Knee": (0, 150), "Elbow": (0, 150), "Ankle": (-65, 65), "Hip": (-60, 140)}
+    for part, (low, high) in limits.items():
+        for side in SIDES:
+            angle = flexion(clip, side, part)
+            assert low <= angle.min() <= angle.max() <= high, f"{part}: {angle.min()}"
+    if gait != "ID":
+        found = contacts.detect(clip)
+        both = float((found * known.contacts).sum())
+        assert 2 * both / float(found.sum() + known.contacts.sum()) >= 0.95
+
+
+def flexion(clip, side, part):
+    """Degrees: of knee and elbow between two bones, of ankle and hip from standing upright."""
+    bones = {"Knee": ("Hip", "Knee", "Ankle"), "Elbow": ("Shoulder", "Elbow", "Wrist"),
+             "Ankle": ("Knee", "Ankle", "Toe"), "Hip": ("Hip", "Hip", "Knee")}[part]
+    a, b, c = (column(clip, side + name).double() for name in bones)
+    if part == "Hip":
+        thigh = R.rotate(R.inverse(clip.rotations[:, 0].double()), c - b)
+        return torch.rad2deg(torch.atan2(thigh[:, 2], -thigh[:, 1]))
+    cosine = torch.cosine_similarity(b - a, c - b, dim=-1)
+    between = torch.rad2deg(torch.acos(cosine.clamp(-1, 1)))
+    rest = SKELETON.offsets[SKELETON.index(f"{side}Toe")].double()
+    flat = math.degrees(math.acos(-float(rest[1]) / float(rest.norm())))  # of a level foot
+    return between - flat if part == "Ankle" else between
+
+
+def test_the_same_seed_gives_the_same_bytes_and_another_one_another_path():
+    one, two = (procedural.load(["Drunk"], ["TR1"], 3.0, 7)[0] for _ in range(2))
+    assert one.rotations.numpy().tobytes() == two.rotations.numpy().tobytes()
+    assert one.root_positions.numpy().tobytes() == two.root_positions.numpy().tobytes()
+    other = procedural.load("Drunk", "TR1", 3.0, 8)[0]
+    assert float((one.root_positions - other.root_positions).abs().max()) > 0.1
+    clips = procedural.load(["Neutral", "Zombie"], ["FW", "ID"], 1.0)
+    pairs = [(s, g) for s in ("Neutral", "Zombie") for g in ("FW", "ID")]
+    assert [(c.style, c.gait) for c in clips] == pairs
+    assert len({round(float(root_frames(c).rotations[0, 2]), 4) for c in clips}) == 4
+
+
+@pytest.mark.parametrize("style", [s for s in STYLES if s not in HOPS])
+def test_contacts_alternate_and_phases_follow_them(style):
+    _, known = take(style, "FW", 6.0)
+    both = known.contacts.sum(1)
+    assert float((both > 0).float().mean()) > 0.75  # walking: nearly always one toe planted
+    strikes = [known.contacts[:, i].diff().gt(0).nonzero()[:, 0] for i in (0, 1)]
+    order = sorted([(int(f), side) for side, frames in enumerate(strikes) for f in frames])
+    assert all(a[1] != b[1] for a, b in itertools.pairwise(order)), order
+    # a foot's phase is within a quarter turn of 0 while it is planted; an even clock and a stance
+    # of 70 % give 0.37
+    for foot, i in ((3, 0), (2, 1)):
+        planted = known.contacts[:, i] > 0
+        assert float(torch.cos(known.phase[planted, foot]).mean()) > 0.35
+        assert float(torch.cos(known.phase[~planted, foot]).mean()) < -0.25
+    assert bool((known.phase.diff(dim=0) > -1e-3).all())
+    assert 0.5 < float(known.frequency[:, 2].mean() / STYLES[style].cadence) < 1.3
+
+
+@pytest.mark.parametrize(("style", "raised"), [("HopLeft", 0), ("HopRight", 1)])
+def test_a_hopping_style_never_puts_the_other_foot_down(style, raised):
+    clip, known = take(style, "FW")
+    assert float(known.contacts[:, raised].sum()) == 0
+    assert float(known.contacts[:, 1 - raised].sum()) > 30
+    assert float(column(clip, f"{SIDES[raised]}Toe")[:, 1].min()) > 0.08
+
+
+def test_a_transition_takes_its_time_whatever_its_length():
+    for seconds in (4.0, 8.0, 20.0):
+        clip = procedural.generate("Neutral", "TR1", seconds)
+        roots = root_frames(clip)
+        speed = (roots.positions[30:] - roots.positions[:-30]).norm(dim=-1) * 2
+        moving = (speed > 0.25).int()
+        starts = int((moving.diff() > 0).sum())
+        rounds = max(1, round(seconds / 9.6))
+        assert rounds <= starts <= 2 * rounds  # from forwards to backwards is another start
+        assert 0.6 < float(moving.float().mean()) < 0.97
+
+
+def test_gaits_go_where_they_say():
+    def local_velocity(gait):
+        roots = root_frames(take("Neutral", gait, 8.0)[0])
+        steps = torch.cat((roots.positions.diff(dim=0), torch.zeros(1, 3)))
+        return roots.turn_to_local(steps * 60)[:-1]
+
+    speed = {gait: local_velocity(gait) for gait in GAITS}
+    assert 0.8 < float(speed["FW"][:, 2].mean()) < 1.4
+    assert float(speed["FR"][:, 2].mean()) > 1.9
+    assert float(speed["BR"][:, 2].mean()) < float(speed["BW"][:, 2].mean()) < -0.5
+    aside = speed["SW"].abs().mean(0)
+    assert float(aside[0]) > 3 * float(aside[2])
+    assert float(speed["SW"][:, 0].max()) > 0.3 > -0.3 > float(speed["SW"][:, 0].min())
+    assert float(speed["ID"].norm(dim=-1).max()) < 0.1
+    transition = speed["TR1"].norm(dim=-1)
+    assert float(transition.max()) > 2.0
+    assert float(transition[:10].max()) < 0.2
+    assert float(transition[-10:].max()) < 0.2
+
+
+def test_a_given_path_and_a_style_of_ones_own():
+    t = torch.arange(180) / 60
+    circle = (torch.sin(t), 1 - torch.cos(t), t + math.pi / 2)  # of one metre, to the right
+    path = torch.stack(circle, 1)
+    mine = dataclasses.replace(STYLES["Neutral"], cadence=1.2, width=0.3)
+    clip = procedural.generate(mine, path=path)
+    assert (len(clip), clip.style) == (180, "custom")
+    assert float((clip.root_positions[:, [0, 2]] - path[:, :2]).norm(dim=-1).max()) < 0.08
+    short = procedural.generate(mine, path=path[:40])  # shorter than the margin beyond its ends
+    assert float((short.root_positions[:, [0, 2]] - path[:40, :2]).norm(dim=-1).max()) < 0.1
+
+
+def test_written_like_100style_and_read_back_equal(tmp_path, capsys, shared):
+    styles, gaits = ["Drunk", "HopLeft", "Old"], ["FW", "TR1"]
+    words = ["--styles", ",".join(styles), "--gaits", ",".join(gaits), "--clip-seconds", "1"]
+    for folder in ("a", "b"):
+        with pytest.raises(SystemExit, match=r"^0$"):
+            main(["data", "write", "procedural", "--out", str(tmp_path / folder), *words])
+    for path in (tmp_path / "a").iterdir():
+        assert path.read_bytes() == (tmp_path / "b" / path.name).read_bytes()
+    clips = datasets.load("100style", tmp_path / "a")
+    again = {(clip.style.removeprefix("Procedural"), clip.gait): clip for clip in clips}
+    assert set(again) == set(itertools.product(styles, gaits))
+    for (style, gait), other in again.items():
+        clip, known = procedural.truth(style, gait, 1.0)
+        assert (other.fps, other.skeleton.names) == (pytest.approx(60, abs=1e-4), SKELETON.names)
+        assert float((other.global_positions - clip.global_positions).abs().max()) < 2e-5
+        with np.load(tmp_path / "a" / f"Procedural{style}_{gait}.npz") as beside:
+            for name, values in dataclasses.asdict(known).items():
+                assert np.array_equal(beside[name], values.numpy())
+    infos = style100.styles(tmp_path / "a")
+    assert [info.description for info in infos.values()] == [f"procedural: {s}" for s in styles]
+    assert [info.stochastic for info in infos.values()] == [True, False, False]
+    assert [info.symmetric for info in infos.values()] == [True, False, True]
+    lopsided = {name for name, style in STYLES.items() if not style.symmetric}
+    assert lopsided == {"DragRightLeg", *HOPS, "LimpLeft", "PendulumHands", "Zombie"}
+    with pytest.raises(ValueError, match="already holds a dataset"):
+        procedural.write(tmp_path / "a", "Old", "FW", 1.0)
+    with pytest.raises(ValueError, match="a second clip of ProceduralOld FW"):
+        procedural.write(tmp_path / "c", ["Old", "Old"], "FW", 1.0)
+    assert not (tmp_path / "c" / "Frame_Cuts.csv").exists()
+    assert main(["data", "write", "bandai", "--out", str(tmp_path)]) == 2
+    assert "only the procedural dataset can be written" in capsys.readouterr().err
+
+    def layout(path):
+        words = [line.split() for line in path.read_text().split("MOTION")[0].splitlines()]
+        return [word for word in words if word and word[0] != "OFFSET"]
+
+    bvh.save(take("Neutral", "FW")[0], tmp_path / "x.bvh")
+    assert layout(tmp_path / "x.bvh") == layout(shared / "100style" / "Neutral_FW.bvh")
+
+
+def test_a_straight_walk_is_measured_right():
+    t = torch.arange(600) / 60
+    style = dataclasses.replace(STYLES["Neutral"], noise=0.0)
+    clip = procedural.generate(style, path=torch.stack((0 * t, 1.2 * t, 0 * t), 1))
+    found = realism.measure(clip)
+    cadence = found["cadence (steps/min)"]
+    assert found["speed (m/s)"] == pytest.approx(1.2, abs=0.02)
+    assert cadence == pytest.approx(108, abs=3)
+    assert found["step length (m)"] == pytest.approx(1.2 * 60 / cadence, abs=0.02)
+    assert 25 < found["hips bob per stride (mm)"] < 47
+    assert 0.40 < found["stance ratio of a toe"] < 0.48
+    assert sum(len(part) for part in realism.straight_parts(clip)) > 270
+
+
+def test_unknown_names_list_the_known_ones():
+    with pytest.raises(ValueError, match=r"'Moonwalk'; known are Neutral, .*Zombie"):
+        procedural.load(["Moonwalk"])
+    with pytest.raises(ValueError, match=r"'XX'; known are FW, BW"):
+        procedural.generate("Neutral", "XX")
+    with pytest.raises(ValueError, match="at least two frames, got 0"):
+        procedural.generate("Neutral", "FW", 0)

@@ -1,0 +1,146 @@
+"""Roles and mirror pairs on rigs with the names of common exporters."""
+
+import pytest
+import rigs
+
+import toolkit as tk
+from toolkit.motion import role_words, roles
+
+
+@pytest.fixture(scope="module")
+def skeletons() -> dict[str, tk.Skeleton]:
+    """The skeleton of each convention, without the roles that the rig's maker knows."""
+    made = {}
+    for name in rigs.TABLE:
+        known = rigs.walk(name, seconds=0.1).skeleton
+        made[name] = tk.Skeleton(known.names, known.parents, known.offsets, None, known.ends)
+    return made
+
+
+def test_every_convention_shows_its_roles(skeletons):
+    for name, skeleton in skeletons.items():
+        assert skeleton.roles == rigs.roles(rigs.TABLE[name]), name
+
+
+def test_every_sided_joint_has_its_counterpart(skeletons):
+    for name, skeleton in skeletons.items():
+        left, right = rigs.TABLE[name].sides
+        said = [role_words.read(joint) for joint in skeleton.names]
+        for j, other in enumerate(skeleton.mirror_pairs):
+            assert skeleton.mirror_pairs[other] == j
+            assert (said[j].side == "") == (j == other), skeleton.names[j]
+            if said[j].side:
+                assert said[other].plain == said[j].plain
+                swapped = {"left": right, "right": left}[said[j].side]
+                assert swapped in skeleton.names[other]
+
+
+@pytest.mark.parametrize(
+    ("name", "side", "part"),
+    [
+        ("mixamorig:LeftUpLeg", "left", "hip"),
+        ("Bip01 R Calf", "right", "knee"),
+        ("lfemur", "left", "hip"),
+        ("lowerback", "", None),
+        ("rShldr", "right", "shoulder"),
+        ("hand_l", "left", "hand"),
+        ("L5", "", None),
+        ("lefthand", "left", "hand"),
+        ("Character1_LeftForeArm", "left", "elbow"),
+        ("upperarm_twist_01_r", "right", None),
+        ("RThumb", "right", "finger"),
+        ("ik_foot_l", "left", None),
+        ("rig|b_l_ball_jnt", "left", "toe"),
+        ("Hips", "", "hips"),
+        ("J_Bip_R_LowerArm", "right", "elbow"),
+        ("LHipJoint", "left", "hip"),
+        ("radius", "", "elbow"),
+        ("", "", None),
+        ("LeftForeArmRoll", "left", None),
+        ("LeftArmJoint", "left", "shoulder"),
+    ],
+)
+def test_names_state_side_and_part(name, side, part):
+    found = role_words.read(name)
+    assert found.side == side
+    assert (part in found.parts) if part else not found.parts
+
+
+def limbs(*chains: tuple[str, ...]) -> tuple[list[str], list[int]]:
+    """Names and parents of hips with chains on both sides; a name that stands twice is one."""
+    names, parents = ["Hips"], [-1]
+    for side in ("Left", "Right"):
+        for chain in chains:
+            above = 0
+            for name in chain:
+                if side + name not in names:
+                    names.append(side + name)
+                    parents.append(above)
+                above = names.index(side + name)
+    return names, parents
+
+
+@pytest.mark.parametrize(
+    ("chains", "role", "joint"),
+    [
+        (
+            [("Alpha", "AlphaTwist", "ForeArm", "Hand")],
+            "left_shoulder",
+            "LeftAlpha",
+        ),  # above the elbow, and no helper
+        (
+            [("Alpha", "ForeArm", "Hand"), ("Alpha", "Wing")],
+            "left_shoulder",
+            None,
+        ),  # more than a part of the arm
+        (
+            [("Knee", "Thigh", "Foot")],
+            "left_foot",
+            "LeftFoot",
+        ),  # two parts that count the same, in an order that no leg has
+    ],
+)
+def test_a_joint_without_a_fitting_name_is_found_beside_its_neighbour(chains, role, joint):
+    assert roles.find_roles(*limbs(*chains)).get(role) == joint
+
+
+@pytest.mark.parametrize(("length", "toe"), [(0.01, "LeftFoot"), (0.1, "LeftTip")])
+def test_a_bone_below_the_ankle_that_is_short_shows_no_toe(length, toe):
+    names, parents = limbs(("Thigh", "Shin", "Foot", "Tip"))
+    lengths = [length if name.endswith("Tip") else 0.4 for name in names]
+    assert roles.find_roles(names, parents, lengths)["left_toe"] == toe
+
+
+def test_the_hips_are_called_so_even_if_the_legs_meet_below_them():
+    legs = ("LeftThigh", "LeftShin", "LeftFoot", "RightThigh", "RightShin", "RightFoot")
+    assert (
+        roles.find_roles(["Root", "Hips", "Extra", *legs], [-1, 0, 1, 2, 3, 4, 2, 6, 7])["hips"]
+        == "Hips"
+    )
+
+
+def test_counterparts_without_roles_follow_from_names_or_else_from_the_tree():
+    assert roles.mirror_pairs(["root", "LeftWing", "RightWing"], [-1, 0, 0], {}) == (0, 2, 1)
+    assert roles.mirror_pairs(["root", "x", "y"], [-1, 0, 0], {}) == (0, 1, 2)
+    names = [
+        "root",
+        "one",
+        "two",
+        "a:Tail",
+        "a:Wing",
+        "b:Wing",
+        "b:Tail",
+        "x",
+        "below x",
+        "y",
+        "below y",
+    ]
+    parents = [-1, 0, 0, 1, 1, 2, 2, 1, 7, 2, 9]
+    pairs = roles.mirror_pairs(names, parents, {"left_hand": "one", "right_hand": "two"})
+    assert pairs == (0, 2, 1, 6, 5, 4, 3, 9, 10, 7, 8)
+
+
+def test_a_joint_and_its_parent_are_no_counterparts():
+    for left, right in (("upper", "lower"), ("lower", "upper")):
+        hands = {"left_hand": left, "right_hand": right}
+        assert roles.mirror_pairs(["root", "upper", "lower"], [-1, 0, 1], hands) == (0, 1, 2)

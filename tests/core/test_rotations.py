@@ -1,0 +1,151 @@
+import itertools
+import math
+
+import numpy as np
+import pytest
+import torch
+from hypothesis import given, strategies as st
+from strategies import quaternions, seeds
+
+from toolkit.motion import rotations as R
+
+ORDERS = ["".join(p) for p in itertools.permutations("XYZ")]
+
+
+def angle_between(a, b):
+    """Angle of the rotation from a to b; q and -q are the same rotation."""
+    difference = R.multiply(R.inverse(a), b)
+    return 2 * torch.atan2(difference[..., 1:].norm(dim=-1), difference[..., 0].abs())
+
+
+def axis_matrix(axis, angle):
+    """The textbook matrix of a turn about one axis."""
+    c, s = math.cos(angle), math.sin(angle)
+    return np.array(
+        {
+            "X": [[1, 0, 0], [0, c, -s], [0, s, c]],
+            "Y": [[c, 0, s], [0, 1, 0], [-s, 0, c]],
+            "Z": [[c, -s, 0], [s, c, 0], [0, 0, 1]],
+        }[axis]
+    )
+
+
+@given(seeds)
+def test_matrix_round_trip(seed):
+    q = quaternions(seed, 7, 3)
+    m = R.to_matrix(q)
+    torch.testing.assert_close(m @ m.transpose(-1, -2), torch.eye(3, dtype=q.dtype).expand_as(m))
+    assert angle_between(q, R.from_matrix(m)).max() < 1e-7
+
+
+@pytest.mark.parametrize("axis", range(3))
+def test_matrix_of_half_turns(axis):
+    q = R.from_axis_angle(
+        torch.eye(3, dtype=torch.float64)[axis], torch.tensor(math.pi, dtype=torch.float64)
+    )
+    assert angle_between(q, R.from_matrix(R.to_matrix(q))) < 1e-7
+
+
+@pytest.mark.parametrize("order", ORDERS)
+@given(angles=st.tuples(*[st.floats(-math.pi, math.pi)] * 3))
+def test_euler_is_the_product_of_axis_matrices(order, angles):
+    q = R.from_euler(torch.tensor(angles, dtype=torch.float64), order)
+    first, second, third = (
+        axis_matrix(axis, angle) for axis, angle in zip(order, angles, strict=True)
+    )
+    np.testing.assert_allclose(R.to_matrix(q).numpy(), first @ second @ third, atol=1e-12)
+
+
+@pytest.mark.parametrize("order", ORDERS)
+@given(seed=seeds)
+def test_euler_round_trip(order, seed):
+    q = quaternions(seed, 16)
+    assert angle_between(q, R.from_euler(R.to_euler(q, order), order)).max() < 1e-6
+
+
+@pytest.mark.parametrize("order", ORDERS)
+@pytest.mark.parametrize("middle", [math.pi / 2, -math.pi / 2])
+def test_euler_round_trip_in_gimbal_lock(order, middle):
+    q = R.from_euler(torch.tensor([0.7, middle, -0.4], dtype=torch.float64), order)
+    assert angle_between(q, R.from_euler(R.to_euler(q, order), order)) < 1e-3
+
+
+@given(seeds)
+def test_forward_up_round_trip(seed):
+    q = quaternions(seed, 9)
+    assert angle_between(q, R.from_forward_up(*R.to_forward_up(q))).max() < 1e-6
+
+
+@given(seeds)
+def test_forward_is_kept_when_up_leans(seed):
+    forward, up = R.to_forward_up(quaternions(seed, 9))
+    q = R.from_forward_up(2 * forward, up + 0.3 * forward)
+    torch.testing.assert_close(R.to_forward_up(q)[0], forward)
+
+
+@given(seeds)
+def test_products_and_vectors_agree_with_matrices(seed):
+    a, b = quaternions(seed, 2, 5)
+    v = quaternions(seed + 1, 5)[:, :3]
+    torch.testing.assert_close(R.to_matrix(R.multiply(a, b)), R.to_matrix(a) @ R.to_matrix(b))
+    torch.testing.assert_close(R.rotate(a, v), (R.to_matrix(a) @ v[..., None]).squeeze(-1))
+    torch.testing.assert_close(
+        torch.stack(R.rotate_parts(a.unbind(-1), v.unbind(-1)), -1), R.rotate(a, v)
+    )
+    torch.testing.assert_close(R.rotate(R.inverse(a), R.rotate(a, v)), v)
+
+
+@given(seeds)
+def test_slerp_ends_and_middle(seed):
+    a, b = quaternions(seed, 2, 6)
+    whole = angle_between(a, b)
+    assert angle_between(R.slerp(a, b, 0.0), a).max() < 1e-6
+    assert angle_between(R.slerp(a, b, 1.0), b).max() < 1e-6
+    torch.testing.assert_close(angle_between(a, R.slerp(a, b, 0.25)), whole / 4, atol=1e-6, rtol=0)
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+@pytest.mark.parametrize("dtype", [torch.float32, torch.float64])
+def test_slerp_has_the_gradient_of_its_limit_where_both_ends_are_equal(sign, dtype):
+    a = quaternions(3, 6, dtype=dtype)
+    ends = a.clone().requires_grad_(), (sign * a).requires_grad_()
+    R.slerp(*ends, 0.25)[..., 0].sum().backward()
+    # What moves along the sphere counts, by its share.
+    across = torch.eye(4, dtype=dtype)[0] - a[:, :1] * a
+    torch.testing.assert_close(ends[0].grad, 0.75 * across)
+    torch.testing.assert_close(ends[1].grad, sign * 0.25 * across)
+
+
+def test_slerp_times_broadcast():
+    a, b = quaternions(3, 2)
+    t = torch.linspace(0, 1, 5)
+    assert R.slerp(a, b, t).shape == (5, 4)
+    torch.testing.assert_close(R.slerp(a, a, t), a.expand(5, 4))
+
+
+@given(seeds)
+def test_between_turns_one_direction_into_the_other(seed):
+    a, b = R.normalize(quaternions(seed, 2, 6)[..., :3])
+    q = R.between(a, 3 * b)
+    torch.testing.assert_close(R.rotate(q, a), b, atol=1e-6, rtol=0)
+    torch.testing.assert_close(
+        2 * torch.acos(q[..., 0].clamp(-1, 1)), torch.acos((a * b).sum(-1)), atol=1e-6, rtol=0
+    )
+
+
+@pytest.mark.parametrize("v", [[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 1.0, 1.0]])
+def test_between_opposite_directions(v):
+    v = R.normalize(torch.tensor(v))
+    torch.testing.assert_close(R.rotate(R.between(v, -v), v), -v, atol=1e-6, rtol=0)
+    torch.testing.assert_close(R.rotate(R.between(v, v), v), v)
+
+
+def test_yaw_turns_forward_towards_left():
+    forward = R.rotate(R.yaw(torch.tensor(math.pi / 2)), torch.tensor([0.0, 0, 1]))
+    torch.testing.assert_close(forward, torch.tensor([1.0, 0, 0]), atol=1e-6, rtol=0)
+
+
+@given(seeds)
+def test_unroll_keeps_rotations_and_removes_jumps(seed):
+    q = quaternions(seed, 1).expand(6, 4) * torch.tensor([1, -1, -1, 1, -1, 1.0])[:, None]
+    torch.testing.assert_close(R.unroll(q), q[:1].expand(6, 4))

@@ -1,0 +1,430 @@
+"""The runtime's bookkeeping: frames of reference, commands, blends, recording."""
+
+import copy
+import dataclasses
+import math
+
+import pytest
+import torch
+
+import toolkit as tk
+from experiments import closed_loop, tables
+from toolkit import runtime
+from toolkit.features import Layout, split_joints
+from toolkit.networks.phase import advance
+
+
+class Replay:
+    """Answers every question with the true next frame of a clip: a perfect model."""
+
+    def __init__(self, clip):
+        self.layout = Layout(clip.skeleton)
+        self.rows = tk.features.frames(clip)
+        self.outputs_mean, self.phases_mean = self.rows.outputs.mean(0), self.rows.phases.mean(0)
+        self.phases_std = self.rows.phases.std(0)
+        self.frame = 0
+
+    def predict(self, x, phases, style):
+        self.frame += 1
+        return self.rows.outputs[self.frame - 1][None]
+
+
+@pytest.fixture
+def replayed(walk_clip):
+    """A perfect model and the state that the clip is in at the first usable frame."""
+    model = Replay(walk_clip)
+    roots = tk.motion.root_frames(walk_clip)
+    at = int(model.rows.index[0])
+    forward = tk.motion.rotations.rotate(roots.rotations, torch.tensor([0.0, 0.0, 1.0]))
+    world = torch.cat((roots.positions[:, [0, 2]], forward[:, [0, 2]]), -1)
+    state = runtime.start(model, torch.zeros(1))
+    joints = model.rows.inputs[0, model.layout.inputs["joints"]]
+    state = dataclasses.replace(
+        state,
+        history=world[None, at - 60 : at + 1],
+        future=world[None, at : at + 51 : 10],
+        joints=joints[None],
+        phase=model.rows.phases[:1],
+    )
+    state = dataclasses.replace(state, toes=runtime.frame.predicted_toes(model.layout, state))
+    return model, state, at
+
+
+def test_a_perfect_model_replays_the_clip(walk_clip, replayed):
+    """Roots, poses, phases and contacts come out as they were, whatever the command says."""
+    model, state, at = replayed
+    run = []
+    for _ in range(200):
+        state = runtime.step(model, state, runtime.Command((0.0, 5.0), (1.0, 0.0)))
+        run.append(state)
+    clip = runtime.record(model, run, feet=False, arms=False)
+    sunk = torch.cat([one.drop[:, 0] for one in run])
+    expected = walk_clip.global_positions[at + 1 : at + 201]
+    assert float((clip.global_positions - expected).abs().max()) < 0.01
+    assert float(sunk[60:].max()) < 0.015  # procedural legs are nearly straight in stance
+    expected_phase = model.rows.outputs[199, model.layout.outputs["phases"]]
+    assert float((run[-1].phase - expected_phase).abs().max()) < 1e-4
+
+
+def test_foot_ik_stops_a_slide(walk_clip, replayed):
+    """Every frame of the clip is shifted a little further, so that feet slide at 12 cm/s.
+
+    Foot IK takes the slide away.
+    """
+    model, state, _ = replayed
+    run = []
+    for _ in range(200):
+        state = runtime.step(model, state, runtime.Command((0.0, 1.0)))
+        run.append(state)
+        slipped = state.history + torch.tensor([0.002, 0.0, 0.0, 0.0])
+        ahead = state.future + torch.tensor([0.002, 0.0, 0.0, 0.0])
+        state = dataclasses.replace(state, history=slipped, future=ahead)
+    run = run[90:]  # the character starts in the mean pose, and both feet have stepped by then
+    contact = torch.stack([s.contacts[0] for s in run])
+    clips = [runtime.record(model, run, feet=ik, arms=ik) for ik in (False, True)]
+    skate = [max(tk.metrics.foot_skate(clip, contact).values()) for clip in clips]
+    assert skate[0] > 0.1
+    assert skate[1] < 0.01
+
+
+def test_arm_ik_brings_hands_to_their_predicted_positions(walk_clip, replayed):
+    model, state, _ = replayed
+    state = runtime.step(model, state, runtime.Command())
+    parts = split_joints(state.joints)
+    shoulder = model.layout.names.index("RightShoulder")
+    twist = tk.motion.rotations.from_axis_angle(torch.tensor([1.0, 0.0, 0.0]), torch.tensor(0.4))
+    wrong = parts["forward"].clone()
+    # disagrees with the positions
+    wrong[:, shoulder] = tk.motion.rotations.rotate(twist, wrong[:, shoulder])
+    state = dataclasses.replace(state, joints=tk.features.pack_joints(**parts | {"forward": wrong}))
+    hand = walk_clip.skeleton.index("right_hand")
+    wrist = model.layout.names.index("RightWrist")
+    wanted = runtime.world_joints(model.layout, state)["position"][0, wrist]
+    plain, turned = (
+        runtime.record(model, [state], feet=False, arms=ik).global_positions[0, hand]
+        for ik in (False, True)
+    )
+    assert float((plain - wanted).norm()) > 0.02
+    assert float((turned - wanted).norm()) < 0.005
+
+
+def test_a_crowd_moves_as_each_would_alone(small_run):
+    model, vectors = copy.deepcopy(small_run.model).double(), small_run.bank.vectors[:2].double()
+    crowd = runtime.start(model, vectors)
+    alone = [runtime.start(model, v) for v in vectors]
+    for command in runtime.straight(1.0, 0.5):
+        crowd = runtime.step(model, crowd, command)
+        alone = [runtime.step(model, s, command) for s in alone]
+    for i, state in enumerate(alone):
+        # a model of a few steps amplifies rounding
+        assert float((crowd.joints[i] - state.joints[0]).abs().max()) < 1e-7
+        assert float((crowd.root[i] - state.root[0]).abs().max()) < 1e-7
+
+
+def test_the_pose_that_is_fed_back_is_the_drawn_one(small_run):
+    """Knees, feet and toes of the next input are those of the drawn pose before its hips sink."""
+    model, bank = small_run.model, small_run.bank
+    state = runtime.start(model, bank.vectors[:2])
+    for command in runtime.straight(1.0, 0.5):
+        state = runtime.step(model, state, command)
+    skeleton = model.layout.skeleton
+    rotations, root = runtime.pose(model, dataclasses.replace(state, drop=0 * state.drop))
+    drawn = tk.motion.forward_kinematics(skeleton, rotations, root)[1]
+    here = runtime.world_joints(model.layout, state)["position"]
+    for part in ("knee", "foot", "toe"):
+        for side in ("right", "left"):
+            joint = skeleton.role(f"{side}_{part}")
+            fed = here[:, model.layout.names.index(skeleton.names[joint])]
+            assert float((drawn[:, joint] - fed).abs().max()) < 1e-4
+
+
+def test_a_limbs_phase_is_pulled_by_how_far_it_moved(small_run):
+    phase, update, predicted = torch.zeros(1, 8), torch.zeros(1, 8), torch.full((1, 8), 0.5)
+    phase[0, :2], update[0, :2] = torch.tensor([1.0, 0.0]), torch.tensor([0.0, 0.1])
+    phase[0, 2:4] = torch.tensor([0.0, 2.0])  # a limb that stands still is not pulled
+    new = advance(small_run.model.layout, phase, {"phases": predicted, "phase_updates": update})
+    share = 0.5 * 0.1 / math.hypot(1.0, 0.1)
+    assert new[0, :4].tolist() == pytest.approx([1 - share * 0.5, 0.1 + share * 0.4, 0.0, 2.0])
+
+
+def test_step_keeps_its_state_and_can_branch(small_run):
+    model, bank = small_run.model, small_run.bank
+    state = runtime.start(model, bank.vectors[0])
+    before = state.joints.clone()
+    to_the_left = runtime.Command((1.0, 0.0), (1.0, 0.0))
+    left, again = (runtime.step(model, state, to_the_left) for _ in range(2))
+    right = runtime.step(model, state, runtime.Command((-1.0, 0.0), (-1.0, 0.0)))
+    assert torch.equal(state.joints, before)
+    assert torch.equal(left.joints, again.joints)
+    assert float(left.velocity[0, 0]) > 0 > float(right.velocity[0, 0])
+
+
+def test_the_start_does_not_matter_to_the_motion(small_run):
+    """A character that starts elsewhere, facing elsewhere, makes the same moves there."""
+    model, style = copy.deepcopy(small_run.model).double(), small_run.bank.vectors[0].double()
+    here = runtime.start(model, style)
+    there = runtime.start(model, style, position=(5.0, -3.0), facing=(1.0, 0.0))
+    for _ in range(30):
+        here = runtime.step(model, here, runtime.Command((0.0, 1.0), (0.0, 1.0)))
+        there = runtime.step(model, there, runtime.Command((1.0, 0.0), (1.0, 0.0)))
+    assert float((here.joints - there.joints).abs().max()) < 1e-6
+    assert (there.root[0, :2] - torch.tensor([5.0, -3.0])).tolist() == pytest.approx(
+        [float(here.root[0, 1]), -float(here.root[0, 0])], abs=1e-3
+    )
+
+
+def test_the_trajectory_bends_towards_the_command(small_run):
+    state = runtime.start(small_run.model, small_run.bank.vectors[0])
+    for _ in range(40):
+        steered = runtime.steer(state, runtime.Command((1.0, 0.0), (1.0, 0.0)))
+        velocity, facing, future = steered.velocity, steered.facing, steered.future
+        state = dataclasses.replace(state, velocity=velocity, facing=facing)
+    assert velocity[0].tolist() == pytest.approx([1.0, 0.0], abs=1e-3)
+    assert facing[0].tolist() == pytest.approx([1.0, 0.0], abs=1e-3)
+    # each step of a standing trajectory goes this far to the target's
+    share = 1 - (1 - torch.arange(1, 6) / 5) ** 0.75
+    expected = (share.cumsum(0) * 10 / 60).tolist()
+    assert future[0, 1:, 0].tolist() == pytest.approx(expected, abs=1e-3)
+    assert future[0, -1, 2:].tolist() == pytest.approx([1.0, 0.0], abs=1e-3)
+
+
+def test_pilots_keep_to_the_path(walk_clip):
+    """The commands of `follow`, obeyed to the letter."""
+    points = torch.tensor([[0.0, 0.0], [0.0, 3.0], [3.0, 3.0]])
+    place, trail = torch.tensor([[0.5, -0.5]]), []
+    model = Replay(walk_clip)
+    for pilot in runtime.follow(points, speed=1.0, seconds=8.0):
+        state = runtime.start(model, torch.zeros(1), position=place)
+        place = place + torch.as_tensor(pilot(state).velocity) / 60
+        trail.append(place[0])
+    trail = torch.stack(trail)
+    assert float((trail[-1] - points[-1]).norm()) < 0.05
+    # on the first leg by then, before the corner is near
+    assert float(trail[120:148, 0].abs().max()) < 0.05
+
+
+def test_the_closed_loop_bench_reports_every_style_and_what_fails(small_run, tmp_path, capsys):
+    """A model after a few steps slides along: the bench says so."""
+    small_run.save(tmp_path / "run.safetensors")
+    closed_loop.run(tmp_path / "run.safetensors", seconds=2.0, speeds="6")
+    lines = capsys.readouterr().out.splitlines()
+    assert [line.split()[0] for line in lines[4:8]] == ["Neutral", "Zombie", "median", "worst"]
+    assert lines[-1].startswith("0 of 2 styles")
+    assert "Neutral: speed 0." in lines[-1]
+
+
+def test_the_closed_loop_bench_keeps_other_rows_of_its_result(small_run, tmp_path, monkeypatch):
+    monkeypatch.setattr(closed_loop, "RESULTS", tmp_path)
+    closed_loop._store({"a": {"skate": 1.0}, "b": {"skate": 2.0}})
+    closed_loop._store({"b": {"skate": 3.0, "which": "Old"}, "c": {}})
+    rows = tables.Result.load(closed_loop.STORED, tmp_path).rows
+    assert rows == [
+        {"walk": "a", "skate": 1.0},
+        {"walk": "b", "skate": 3.0, "which": "Old"},
+        {"walk": "c"},
+    ]
+
+
+def test_a_perfect_model_predicts_toes_as_fast_as_they_are(walk_clip):
+    """One step ahead, predicted toes have the speed of the clip's toes, and of its next frames."""
+    model = Replay(walk_clip)
+    model.predict, model.observe = (lambda x, p, style: model.rows.outputs), lambda p, z: (p, z)
+    found = closed_loop.ahead(model, torch.zeros(1), walk_clip)
+    assert found["before"] == pytest.approx(found["skate"], abs=5e-3)
+    assert found["skate"] < 0.15
+
+
+def test_the_eight_of_the_bench_is_two_closed_loops():
+    course = closed_loop.eight(2.0)
+    assert float((course[0] - course[-1]).norm()) < 1e-5
+    length = float((course[1:] - course[:-1]).norm(dim=-1).sum())
+    assert length == pytest.approx(8 * math.pi, rel=0.01)
+    assert course.amin(0).tolist() == pytest.approx([-4.0, -2.0])
+
+
+def test_bad_commands_are_refused(small_run):
+    with pytest.raises(ValueError, match="no commands"):
+        runtime.rollout(small_run.model, [], small_run.bank.vectors[0])
+    with pytest.raises(ValueError, match="two or more different"):
+        runtime.follow([(0.0, 0.0), (0.0, 0.0)])
+    with pytest.raises(ValueError, match="no frames to record"):
+        runtime.record(small_run.model, [])
+    with pytest.raises(ValueError, match="must be finite"):
+        runtime.straight(math.nan, 1.0)
+    for speed, seconds in ((0.0, None), (math.nan, None), (1.0, -1.0), (1.0, math.inf)):
+        problem = "speed must be positive, seconds not negative and both finite"
+        with pytest.raises(ValueError, match=problem):
+            runtime.follow([(0.0, 0.0), (0.0, 1.0)], speed, seconds)
+    with pytest.raises(ValueError, match="all finite"):
+        runtime.follow([(0.0, 0.0), (0.0, math.nan)])
+    for value in (1.0, (1.0,), (1.0, 2.0, 3.0), torch.zeros(1, 1, 2), torch.zeros(4, 1), []):
+        for what in ("velocity", "facing"):
+            problem = rf"^{what} must be one pair \(x, z\), or \[B, 2\] of all .*; got .+$"
+            with pytest.raises(ValueError, match=problem):
+                runtime.Command(**{what: value})
+    for value in ((math.nan, 0.0), (0.0, -math.inf), torch.tensor([[0.0, 1.0], [math.nan, 1.0]])):
+        problem = r"^velocity must be finite, up to 1e\+06; got .*(nan|inf).*$"
+        with pytest.raises(ValueError, match=problem):
+            runtime.Command(value)
+    state = runtime.start(small_run.model, small_run.bank.vectors[:1].repeat(3, 1))
+    problem = "a command for 3 characters needs one pair of numbers or 3, got 2"
+    with pytest.raises(ValueError, match=problem):
+        runtime.step(small_run.model, state, runtime.Command((0.0, 1.0), torch.ones(2, 2)))
+    with pytest.raises(ValueError, match="style needs"):
+        runtime.rollout(small_run.model, runtime.straight(1.0, 0.1), torch.zeros(7))
+
+
+def test_states_leave_the_callers_mode_alone_and_can_be_used_in_a_loss(small_run):
+    model, style = small_run.model, small_run.bank.vectors[0]
+    pair = (runtime.states(model, runtime.straight(1.0, 0.05), style) for _ in range(2))
+    for _ in zip(*pair, strict=True):
+        assert torch.is_grad_enabled()
+        assert not torch.is_inference_mode_enabled()
+    paused = runtime.states(model, runtime.straight(1.0, 0.05), style)
+    state = next(paused)
+    assert torch.is_grad_enabled()
+    assert not torch.is_inference_mode_enabled()
+    weight = torch.ones_like(state.joints, requires_grad=True)
+    (weight * state.joints).sum().backward()
+    assert torch.equal(weight.grad, state.joints)
+
+
+def test_a_rollout_drops_nothing_out_of_a_model_in_training_mode(walk_clip):
+    model = tk.networks.build("lpn-film", Layout(walk_clip.skeleton), 1, tk.networks.Sizes.small())
+    commands, style = runtime.straight(1.0, 0.1), torch.randn(model.style_size)
+    expected = runtime.rollout(model, commands, style)
+    model.train().gating.eval()  # a part that its user froze stays frozen
+    assert torch.equal(runtime.rollout(model, commands, style).rotations, expected.rotations)
+    assert model.training
+    assert model.experts.dropout.training
+    assert not model.gating.dropout.training
+
+
+def test_straight_commands():
+    commands = runtime.straight(speed=2.0, seconds=1.5, facing=(3.0, 4.0))
+    assert len(commands) == 90
+    assert commands[0].velocity == pytest.approx((1.2, 1.6))
+    assert math.hypot(*commands[0].facing) == pytest.approx(1.0)
+
+
+@pytest.fixture(scope="module")
+def seven():
+    """Each of the seven models after a few steps, with its bank."""
+    clips = tk.datasets.load("procedural", styles=["Neutral", "Zombie"], gaits=["FW"], seconds=10.0)
+    data = tk.features.build(clips)
+    sizes = tk.networks.Sizes(
+        hidden=16, experts=3, gating=8, film_channels=4, film_kernel=5, film_dense=8, rank=4
+    )
+    return {name: tk.training.fit(data, tk.training.Config.quick(model=name, steps=40, sizes=sizes))
+            for name in tk.networks.MODELS}
+
+
+@pytest.mark.parametrize("name", tk.networks.MODELS)
+def test_each_of_the_seven_models_moves_a_character(seven, name):
+    """Alone and in a crowd of several styles, through a live blend, and again from a file."""
+    model, bank = seven[name].model, seven[name].bank
+    blend = bank.blend({"Neutral": 0.4, "Zombie": 0.6})
+    commands = runtime.straight(1.0, 0.5)
+    vectors = torch.stack((*bank.vectors, blend))
+    crowd = list(runtime.states(model, commands, vectors))
+    for i, vector in enumerate(vectors):
+        alone = list(runtime.states(model, commands, vector))
+        # ten frames: such a model amplifies rounding, and a lock that opens a frame later makes
+        # another walk
+        assert float((crowd[9].joints[i] - alone[9].joints[0]).abs().max()) < 1e-3
+        assert crowd[-1].phase[i].shape == (model.layout.n_phases,)
+    one, other, _ = crowd[-1].joints
+    assert float((one - other).abs().max()) > 1e-4  # the vector counts
+
+    def blended(frame):
+        return bank.blend({"Neutral": 1 - frame / 30, "Zombie": frame / 30})
+
+    clip = runtime.rollout(model, commands, blended)
+    assert len(clip) == 30
+    assert bool(clip.global_positions.isfinite().all())
+    switched = runtime.step(model, crowd[-1].with_style(bank["Zombie"]), commands[0])
+    assert torch.equal(switched.style, bank["Zombie"].expand(3, -1))
+
+
+def test_a_global_phase_stays_an_angle_and_goes_on(seven):
+    run = seven["pfnn-film"]
+    start = runtime.start(run.model, run.bank["Neutral"])
+    # about to step: the right foot back, the left ahead
+    assert float(start.phase) == pytest.approx(1.5 * math.pi)
+    states = list(runtime.states(run.model, runtime.straight(1.0, 3.0), run.bank["Neutral"], start))
+    angle = torch.stack([s.phase[0, 0] for s in states])
+    assert bool(((angle >= 0) & (angle < math.tau)).all())
+    steps = (angle.diff() + math.pi) % math.tau - math.pi
+    assert 0.02 < float(steps.mean()) < 0.3  # radians per frame; a walk has 0.1
+
+
+def test_a_model_without_phases_starts_with_its_limbs_amid_a_stride(seven):
+    poses = {}
+    for name in ("mann-film", "lpn-film"):
+        model = seven[name].model
+        block = model.layout.outputs["joints"]
+        state = runtime.start(model, seven[name].bank["Neutral"])
+        mean, deviation = model.outputs_mean[block], model.outputs_std[block]
+        shift = split_joints((state.joints[0] - mean) / deviation)
+        poses[name] = {channel: shift[channel] for channel in ("position", "velocity")}
+    ahead = torch.tensor([-2.0, 2.0, 2.0, -2.0])  # left foot and right hand
+    limbs, moved = model.layout.limbs, poses["mann-film"]
+    torch.testing.assert_close(moved["position"][limbs, 2], ahead, rtol=1e-3, atol=1e-3)
+    torch.testing.assert_close(moved["velocity"][limbs, 2], -ahead, rtol=1e-3, atol=1e-3)
+    assert int((torch.cat((*moved.values(),)).abs() > 1e-3).sum()) == 8  # nothing else
+    assert all(float(values.abs().max()) < 1e-3 for values in poses["lpn-film"].values())
+
+
+def test_a_recording_has_its_feet_held_and_its_arms_turned_unless_it_is_told_otherwise(small_run):
+    commands, style = runtime.straight(1.0, 0.2), small_run.bank.vectors[0]
+    recorded = list(runtime.states(small_run.model, commands, style))
+    default, one, other = (runtime.record(small_run.model, recorded, **switched).global_positions
+                           for switched in ({}, {"feet": False}, {"arms": False}))
+    assert not default.allclose(one, atol=1e-4)
+    assert not default.allclose(other, atol=1e-4)
+
+
+def test_pilots_command_their_speed_along_the_path_and_half_more_if_late(replayed):
+    state = runtime.start(replayed[0], torch.zeros(1), position=(3.0, -2.0))
+    pilots = runtime.follow([(3.0, -2.0), (3.0, 18.0)], speed=2.0)
+    for frame, speed in ((0, 2.0), (300, 3.0), (-1, 3.0)):  # ten metres late, and twenty
+        command = pilots[frame](state)
+        expected = torch.tensor([[0.0, speed]])
+        torch.testing.assert_close(command.velocity, expected, atol=1e-4, rtol=0)
+        look = runtime.steering.unit(command.facing)
+        torch.testing.assert_close(look, torch.tensor([0.0, 1.0]), check_dtype=False)
+
+
+def test_future_directions_turn_towards_the_command_by_the_weight_of_their_time(replayed):
+    """The facing turns a quarter of the way from +z to +x in this frame.
+
+    The samples ahead take a growing share of that.
+    """
+    state = runtime.start(replayed[0], torch.zeros(1))
+    command, ahead = runtime.Command((0.0, 0.0), (1.0, 0.0)), (0, 10, 20, 30, 40, 50)
+    steered = runtime.steering.steer(state, command, ahead)
+    facing, future = steered.facing, steered.future
+    quarter = math.pi / 8
+    torch.testing.assert_close(facing[0], torch.tensor([math.sin(quarter), math.cos(quarter)]))
+    angles = torch.atan2(future[0, :, 2], future[0, :, 3]).tolist()
+    rest = 1 / 36  # after one frame of standing
+    expected = [0.0, *(quarter * (1 - (1 - rest) * (1 - k / 5) ** 1.25) for k in range(1, 6))]
+    assert angles == pytest.approx(expected, abs=1e-6)
+
+
+def test_a_character_that_drifts_while_it_should_stand_is_steered_back(replayed):
+    state = runtime.start(replayed[0], torch.zeros(1))
+    drifted = state.history.clone()
+    drifted[0, :, 1] = torch.linspace(-0.3, 0.0, 61)  # 0.3 m/s
+    state = dataclasses.replace(state, history=drifted)
+    future = runtime.steering.steer(state, runtime.Command(), (0, 10, 20, 30, 40, 50)).future
+    shares = [1 - (1 - k / 5) ** 0.75 * (1 - 1 / 36) for k in range(6)]  # after one frame of rest
+    steps = [0.0, *(-3.0 * 0.3 / 6 * share for share in shares[1:])]
+    expected = [sum(steps[: k + 1]) for k in range(6)]
+    assert future[0, :, 1].tolist() == pytest.approx(expected, abs=1e-5)
+
+
+def test_a_character_starts_with_a_whole_second_behind_it(replayed):
+    state = runtime.start(replayed[0], torch.zeros(1), position=(3.0, -2.0))
+    assert state.history.shape == (1, 61, 4)
+    assert bool((state.history[0, :, :2] == torch.tensor([3.0, -2.0])).all())

@@ -1,0 +1,58 @@
+"""Springs follow their differential equation; inertialisation leaves no jump."""
+
+import pytest
+import torch
+
+from toolkit.motion import ik
+from toolkit.motion.springs import inertialise, spring
+
+
+@pytest.mark.parametrize("rate", [0.5, 4.0, 30.0])
+def test_spring_solves_its_equation_and_is_free_of_the_time_step(rate):
+    x, v = (
+        torch.tensor([1.0, -2.0], dtype=torch.float64),
+        torch.tensor([3.0, 0.5], dtype=torch.float64),
+    )
+    once = spring(x, v, rate, 0.3)
+    twice = spring(*spring(x, v, rate, 0.1), rate, 0.2)
+    for a, b in zip(once, twice, strict=True):
+        torch.testing.assert_close(a, b)
+    h = 1e-5
+    (_, before), (x1, v1), (_, after) = (spring(x, v, rate, 0.3 + k * h) for k in (-1, 0, 1))
+    torch.testing.assert_close(
+        (after - before) / (2 * h), -2 * rate * v1 - rate**2 * x1, rtol=1e-4, atol=1e-4
+    )
+
+
+def test_spring_refuses_negative_time():
+    with pytest.raises(ValueError, match="0 or more"):
+        spring(torch.ones(1), torch.ones(1), 1.0, -0.1)
+
+
+def test_inertialise_continues_value_and_velocity_and_ends_in_the_new_motion():
+    t = torch.arange(120, dtype=torch.float64) / 60
+    old, new = torch.sin(3 * t), 2 + torch.cos(5 * t)
+    made = torch.cat((old, inertialise(old, new, 60.0, 12.0)))
+    assert made.diff().abs().max() < 0.3 < 1.0 < torch.cat((old, new)).diff().abs().max()
+    assert made.diff().diff()[118:120].abs().max() < 0.05  # nor does the velocity
+    assert (made[-1] - new[-1]).abs() < 1e-3
+    with pytest.raises(ValueError, match="two frames"):
+        inertialise(old[:1], new, 60.0, 12.0)
+
+
+def test_inertialise_begins_with_the_velocity_of_the_old_motion_whatever_that_of_the_new():
+    t = torch.arange(3, dtype=torch.float64) / 6000
+    made = inertialise(3 * t, 7 - 2 * t, 6000.0, 4.0)
+    # The next frame of the old motion.
+    assert float(made[0]) == pytest.approx(3 * 3 / 6000, abs=1e-12)
+    assert float(made[1] - made[0]) * 6000 == pytest.approx(3.0, abs=0.05)
+
+
+def test_a_released_toe_of_the_foot_lock_is_a_spring():
+    before = torch.zeros(2, 3)
+    toes = torch.tensor([[0.1, 0.0, 0.02], [0.0, 0.0, 0.0]])
+    drift = torch.tensor([[0.3, 0.1, -0.2], [0.0, 0.0, 0.0]])
+    left = torch.tensor([1.0, 0.0])
+    got, _ = ik.foot_lock(toes, drift, before, before, torch.zeros(2), left, 1 / 60)
+    want, _ = spring(toes[0], drift[0], ik.RETURN, 1 / 60)
+    torch.testing.assert_close(got[0, 1:], want[1:])

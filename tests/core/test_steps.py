@@ -1,0 +1,199 @@
+"""The steps of a foot and the phase that they give; phases that a person labelled."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import torch
+
+import toolkit as tk
+from toolkit.datasets import procedural
+from toolkit.evaluation import phases as labels
+from toolkit.phases import Steps, steps
+
+FPS = 60.0
+
+
+def curve(*lengths, first=1.0):
+    """A 0/1 curve of runs of the given lengths."""
+    values = [first if i % 2 == 0 else 1 - first for i in range(len(lengths))]
+    return torch.tensor(values, dtype=torch.float64).repeat_interleave(torch.tensor(lengths))
+
+
+def degrees(signal):
+    return np.degrees(np.unwrap(signal.angle().numpy()))
+
+
+def test_in_a_regular_walk_the_angle_is_a_clock_from_one_stance_to_the_next():
+    signal = steps.signal(curve(5, 8, 12, 8, 12, 8, 12, 8, 4))  # stances are 0.6 of the cycle
+    assert torch.allclose(signal.abs(), torch.ones(77, dtype=torch.float64))
+    at = torch.arange(77, dtype=torch.float64) - 18.5  # from the middle of the first stance
+    clock = torch.exp(2j * math.pi * at / 20)
+    assert float((signal - clock).abs().max()) < 1e-9
+
+
+@pytest.mark.parametrize("first", [0.0, 1.0])
+def test_every_step_is_counted_however_irregular(first):
+    lengths = (6, 7, 9, 11, 13, 7, 13, 5)
+    angle = degrees(steps.signal(curve(*lengths, first=first)))
+    edges = np.cumsum((0, *lengths))
+    inner = range(1, len(lengths) - 1)
+    middle = {i: (edges[i] + edges[i + 1] - 1) / 2 for i in inner}
+    for i in inner:
+        beside = np.mean([lengths[j] for j in (i - 1, i + 1) if j in inner])
+        stands = (i % 2 == 0) == (first == 1)
+        share = (lengths[i] if stands else beside) / (lengths[i] + beside)
+        expected = (0 if stands else 180) + 60 * (share - 0.6)
+        found = np.interp(middle[i], range(len(angle)), angle)
+        assert math.remainder(found - expected, 360) == pytest.approx(0, abs=1e-6)
+    assert (np.diff(angle) > 0).all()
+    grown = np.ptp(np.interp([middle[1], middle[6]], range(len(angle)), angle))
+    assert grown == pytest.approx(5 * 180, abs=30)
+
+
+def test_a_foot_that_stands_on_holds_its_phase_and_goes_on_as_before():
+    angle = degrees(steps.signal(curve(6, 8, 12, 8, 112, 8, 12, 8, 6)))
+    waiting = np.diff(angle)[34 + 10 : 34 + 100]
+    assert np.abs(waiting).max() < 1e-9
+    before, after = angle[:40], angle[-40:]
+    assert np.diff(before).min() > 10  # 360° in about 20 frames, all the way to the ends
+    assert np.diff(after).min() > 10
+    assert angle[-1] - angle[0] == pytest.approx(360 + 18 * (179 - 96 - 24), abs=40)
+
+
+@pytest.mark.parametrize("values", [curve(10, 10, 10), 0.5 * curve(5, 5, 5, 5, 5), torch.zeros(20)])
+def test_other_curves_and_fewer_than_three_changes_give_no_signal(values):
+    assert steps.signal(values) is None
+
+
+def disturbed(clip):
+    """The clip with what recordings have, by name."""
+    frames = len(clip)
+    noise = 1e-3 * torch.randn(frames, 3, generator=torch.Generator().manual_seed(0))
+    spikes = torch.zeros(frames, 3)
+    spikes[100::250] = 0.4
+    seconds = torch.arange(frames)[:, None] / clip.fps
+    drift = 3 + 0.03 * seconds * torch.tensor([0.0, 1.0, 0.0])
+    slide = 0.1 * seconds * torch.tensor([1.0, 0.0, 0.0])
+    moves = {"noise": noise, "spikes": spikes, "drift of the floor": drift, "sliding": slide}
+    roots = clip.root_positions
+    return {name: clip.replace(root_positions=roots + move) for name, move in moves.items()}
+
+
+@pytest.mark.parametrize("style", ["Neutral", "HighKnees", "Tiptoe"])
+def test_stances_are_the_true_ones_on_any_floor_in_noise_and_while_sliding(style):
+    clip, known = procedural.truth(style, "FW", 8.0, 4)
+    for what, other in {"itself": clip, **disturbed(clip)}.items():
+        found = torch.stack([Steps()(other, f"{side}_foot") for side in ("right", "left")], 1)
+        assert found.dtype == clip.rotations.dtype
+        found, true = found[30:-30], known.contacts[30:-30]
+        f1 = 2 * (found * true).sum(0) / (found + true).sum(0)
+        assert float(f1.min()) > 0.91, what
+        starts = (x.diff(dim=0).gt(0).sum(0) for x in (found, true))
+        assert torch.equal(*starts), what
+
+
+def test_stances_do_not_depend_on_the_unit_the_place_or_the_side(walk_clip):
+    right = Steps()(walk_clip, "right_foot")
+    skeleton = walk_clip.skeleton
+    large = walk_clip.replace(skeleton=replace(skeleton, offsets=100 * skeleton.offsets),
+                              root_positions=100 * walk_clip.root_positions)
+    assert torch.equal(Steps()(large, "right_foot"), right)
+    moved = walk_clip.moved(turn=2.0, shift=(3.0, 5.0, -1.0))
+    assert torch.equal(Steps()(moved, "right_foot"), right)
+    assert torch.equal(Steps()(walk_clip.mirrored(), "left_foot"), right)
+    assert float(Steps()(walk_clip, "left_hand").abs().max()) == 0
+    assert float(Steps()(walk_clip.cut(0, 1), "left_foot").abs().max()) <= 1
+    slow = Steps()(walk_clip.resample(12), "right_foot")  # no filter is shorter than a frame
+    assert float((slow - right[::5][: len(slow)]).abs().mean()) < 0.1
+
+
+def test_a_limb_is_as_long_as_its_bones(walk_clip):
+    skeleton = walk_clip.skeleton
+    left, right = (steps.limb_length(skeleton, f"{side}_foot") for side in ("left", "right"))
+    assert 0.9 < left < 1.2
+    assert right == pytest.approx(left)
+    assert 0.4 < steps.limb_length(skeleton, "left_hand") < 0.8
+    roles = {**skeleton.roles, "left_hip": skeleton.roles["right_hip"]}
+    mixed = replace(skeleton, roles=roles)
+    with pytest.raises(ValueError, match=r"left_foot: 0 m of bones from .*; check the roles"):
+        steps.limb_length(mixed, "left_foot")
+
+
+@pytest.mark.parametrize("gait", ["FW", "ID"])
+def test_a_raised_foot_never_stands(gait):
+    clip = procedural.generate("HopLeft", gait, 6.0, 2)
+    assert float(Steps()(clip, "right_foot").max()) == 0
+    assert float(Steps()(clip, "left_foot").mean()) > 0.3
+    assert tk.phases.Hybrid().choice(clip, "right_foot") == "contact-free"
+
+
+def test_phases_of_the_steps_follow_starts_stops_turns_and_runs():
+    """Labels by the rule of a person's, from true contacts; other seeds than the experiment's."""
+    old, new, floors = [], [], []
+    for style, seed in (("Drunk", 15), ("Zombie", 13), ("Neutral", 11)):
+        take = labels.planned(style, "TR1", 20.0, seed)
+        old.append(labels.errors(take, "contact"))
+        new.append(labels.errors(take, "hybrid"))
+        floors.append(labels.floor(take))
+    old, new, floors = (torch.stack(rows) for rows in (old, new, floors))
+    assert float(new.max()) < 20
+    assert float((new - floors).max()) < 12
+    assert float(new.mean()) < 0.85 * float(old.mean())
+    for clip in disturbed(take.clip).values():
+        other = replace(take, clip=clip)
+        assert float(labels.errors(other, "hybrid").max()) < 18
+
+
+def test_a_label_is_straight_between_the_touch_downs_of_both_feet():
+    clip = procedural.generate("Neutral", "FW", 2.0)
+    everything = torch.ones(len(clip), dtype=torch.bool)
+    take = labels.Take(clip, torch.tensor([20, 60, 80]), torch.tensor([30, 100]), everything)
+    halves = np.array([0, 1, 2, 4, 5])  # two right steps in turn
+    expected = np.interp(np.arange(120), (20, 30, 60, 80, 100), np.pi * halves)
+    assert take.label.numpy() == pytest.approx(expected)
+    assert take.labelled.nonzero()[:, 0].tolist() == list(range(20, 100))
+    swapped = replace(take, right=take.left, left=take.right)
+    assert swapped.label[20] == math.pi  # a left step begins
+    even = replace(take, right=torch.tensor([10, 50, 90]), left=torch.tensor([30, 70, 110]))
+    assert float(labels.floor(even).max()) < 1e-6
+    assert float(labels.floor(take).max()) > 5
+
+
+def test_damaged_labels_are_one_line(tmp_path, walk_clip):
+    with pytest.raises(ValueError, match=r"no NAME_footsteps\.txt"):
+        labels.read(tmp_path)
+    tk.bvh.save(walk_clip, tmp_path / "a.bvh")
+    steps_file, gait = tmp_path / "a_footsteps.txt", tmp_path / "a.gait"
+    steps_file.write_text("10 30\n50 70\n90\n")
+    np.savetxt(gait, np.zeros((len(walk_clip), 8)))
+    (take,) = labels.read(tmp_path)
+    assert take.right.tolist() == [9, 49, 89]
+    assert take.left.tolist() == [29, 69]
+    for file, text in ((gait, "1 2\n"), (gait, "x"), (steps_file, "10 x\n"),
+                       (steps_file, "1 2 3\n"), (steps_file, "7\n")):
+        kept = file.read_text()
+        file.write_text(text)
+        with pytest.raises(ValueError, match=r"a_footsteps\.txt: ") as error:
+            labels.read(tmp_path)
+        assert "\n" not in str(error.value)
+        file.write_text(kept)
+
+
+def test_labelled_recordings_are_followed(shared):
+    """Holden et al. 2017: every take in the folder, as it is, mirrored and at another rate."""
+    folder = shared / labels.NAME
+    if not folder.is_dir():
+        pytest.skip(f"needs {folder}")
+    for take in labels.read(folder):
+        error, floor = labels.errors(take, "hybrid"), labels.floor(take)
+        assert float(error.max()) < 20
+        assert float((error - floor).max()) < 10
+        assert float(error.mean()) < float(labels.errors(take, "contact").mean()) - 3
+        mirrored = labels.Take(take.clip.mirrored(), take.left, take.right, take.moving)
+        assert torch.allclose(labels.errors(mirrored, "hybrid"), error.flip(0), atol=0.5)
+        clip, every = take.clip.resample(30.0), round(take.clip.fps / 30.0)
+        moving = take.moving[::every][: len(clip)]
+        slow = labels.Take(clip, take.right / every, take.left / every, moving)
+        assert float(labels.errors(slow, "hybrid").max()) < 20

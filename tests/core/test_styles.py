@@ -1,0 +1,407 @@
+"""Banks of style vectors, blends and transitions, new styles, the space and what leaves it."""
+
+import json
+import math
+import re
+
+import pytest
+import torch
+from safetensors import safe_open
+
+import toolkit as tk
+from toolkit.__main__ import main
+from toolkit.styles import StyleBank, fine_tuning, plausibility
+from toolkit.styles.transitions import EASINGS
+
+BANK = StyleBank(("Neutral", "Zombie", "Old"), torch.eye(3))
+
+
+def test_vectors_by_name_and_blends():
+    assert torch.equal(BANK["Zombie"], torch.tensor([0.0, 1.0, 0.0]))
+    assert (len(BANK), list(BANK), "Old" in BANK, "Young" in BANK) == (
+        3,
+        ["Neutral", "Zombie", "Old"],
+        True,
+        False,
+    )
+    blend = BANK.blend({"Zombie": 0.5, "Old": 0.3, "Neutral": 0.2})
+    torch.testing.assert_close(blend, torch.tensor([0.2, 0.5, 0.3]))
+    BANK.blend({"Zombie": 0.50005, "Old": 0.5})
+    with pytest.warns(UserWarning, match=r"extrapolates \(Zombie 1.5, Old -0.5\)"):
+        vector = BANK.blend({"Zombie": 1.5, "Old": -0.5})
+    torch.testing.assert_close(vector, torch.tensor([0.0, 1.5, -0.5]))
+
+
+@pytest.mark.parametrize(
+    ("weights", "said"),
+    [
+        ({}, "must sum to 1, got"),
+        ({"Zombie": 0.5}, "must sum to 1, got"),
+        ({"Zombie": 1.0002}, "must sum to 1, got"),
+        ({"Zombie": math.nan, "Old": 1.0}, "weight of style 'Zombie' must be finite"),
+        ({"zombi": 1.0}, "unknown style 'zombi'; close to it: Zombie"),
+        ({"xyz": 1.0}, "unknown style 'xyz'; known: Neutral, Zombie, Old"),
+    ],
+)
+def test_blends_are_checked(weights, said):
+    with pytest.raises(ValueError, match=said):
+        BANK.blend(weights)
+
+
+def test_add_makes_a_new_bank():
+    more = BANK.add("Star", torch.ones(3)).add("Old", torch.zeros(3))
+    assert more.names == ("Neutral", "Zombie", "Old", "Star")
+    assert torch.equal(more["Star"], torch.ones(3))
+    assert torch.equal(more["Old"], torch.zeros(3))
+    assert len(BANK) == 3
+    with pytest.raises(ValueError, match=r"style 'Bad' needs a vector \[3\], got \[4\]"):
+        BANK.add("Bad", torch.ones(4))
+    for names, vectors, said in (
+        (("a", "b"), torch.zeros(3, 4), "2 styles need vectors"),
+        (("a", "a"), torch.zeros(2, 4), "repeat: a"),
+        (("a", "b"), torch.tensor([[0.0], [math.nan]]), "vector of b is not finite"),
+    ):
+        with pytest.raises(ValueError, match=said):
+            StyleBank(names, vectors)
+
+
+def test_round_trip(tmp_path):
+    BANK.save(tmp_path / "bank.safetensors")
+    again = StyleBank.load(tmp_path / "bank.safetensors")
+    assert again.names == BANK.names
+    assert torch.equal(again.vectors, BANK.vectors)
+    with pytest.raises(ValueError, match=r"nothing.safetensors: cannot be read"):
+        StyleBank.load(tmp_path / "nothing.safetensors")
+
+
+def test_layers_may_have_blends_of_their_own():
+    bank = StyleBank(("a", "b"), torch.tensor([[1.0, 2.0, 3.0, 4.0], [10.0, 20.0, 30.0, 40.0]]))
+    torch.testing.assert_close(bank.blend({"a": 1}, {"b": 1}), torch.tensor([1.0, 2.0, 30.0, 40.0]))
+    torch.testing.assert_close(
+        bank.blend({"a": 0.5, "b": 0.5}, {"a": 1}), torch.tensor([5.5, 11.0, 3.0, 4.0])
+    )
+    with pytest.raises(ValueError, match=r"\[4\] cannot be cut into 3"):
+        bank.blend({"a": 1}, {"a": 1}, {"a": 1})
+
+
+def test_banks_merge():
+    more = BANK.merge(StyleBank(("Old", "Star"), torch.stack((BANK["Old"], torch.ones(3)))))
+    assert more.names == ("Neutral", "Zombie", "Old", "Star")
+    assert torch.equal(more.select(BANK.names).vectors, BANK.vectors)
+    with pytest.raises(ValueError, match="both banks have Old, with different vectors"):
+        BANK.merge(StyleBank(("Old",), torch.ones(1, 3)))
+    with pytest.raises(ValueError, match=r"vectors \[3\] cannot be merged with vectors \[4\]"):
+        BANK.merge(StyleBank(("Star",), torch.ones(1, 4)))
+
+
+def test_nearest_counts_distances():
+    bank = StyleBank(
+        ("a", "b", "c", "d"), torch.tensor([[0.0, 0.0], [3.0, 4.0], [1.0, 0.0], [0.0, 2.0]])
+    )
+    assert bank.nearest("a", 2) == [("c", 1.0), ("d", 2.0)]
+    assert bank.nearest("a", 9)[-1] == ("b", 5.0)
+    assert bank.nearest(torch.tensor([0.0, 0.0]), 1) == [("a", 0.0)]
+
+
+def test_a_transition_reaches_its_stops_and_holds_outside():
+    at = tk.styles.transition(BANK, {1: "Neutral", 2: {"Zombie": 0.5, "Old": 0.5}, 3: "Old"})
+    for frame, vector in (
+        (0, [1, 0, 0]),
+        (60, [1, 0, 0]),
+        (120, [0, 0.5, 0.5]),
+        (180, [0, 0, 1]),
+        (999, [0, 0, 1]),
+    ):
+        torch.testing.assert_close(at(frame), torch.tensor(vector, dtype=torch.float32))
+    way = torch.stack([at(frame) for frame in range(60, 121)])
+    torch.testing.assert_close(way.sum(1), torch.ones(61))
+    assert (way[:, 0].diff() <= 0).all()
+    assert way[:, 0].diff().abs().max() < 0.03  # 1.5 / 60
+    assert float(
+        tk.styles.transition(BANK, {0: "Neutral", 1: "Zombie"}, "in")(30)[1]
+    ) == pytest.approx(1 / 4)
+    for stops, easing, said in (
+        ({2: "Old", 1: "Zombie"}, "in", "times of a transition must increase"),
+        ({0: "Old"}, "bounce", "unknown easing 'bounce'; known: linear"),
+        ({0: "zombi"}, "in", "close to it: Zombie"),
+    ):
+        with pytest.raises(ValueError, match=said):
+            tk.styles.transition(BANK, stops, easing)
+
+
+def test_easings_go_from_0_to_1_and_never_back():
+    for ease in EASINGS.values():
+        values = torch.tensor([ease(t / 50) for t in range(51)])
+        assert (float(values[0]), float(values[-1])) == (0.0, 1.0)
+        assert (values.diff() >= 0).all()
+    quarter = {name: ease(0.25) for name, ease in EASINGS.items()}
+    assert quarter == pytest.approx(
+        {
+            "linear": 1 / 4,
+            "smooth": 10 / 64,
+            "smoother": 106 / 1024,
+            "in": 1 / 16,
+            "out": 7 / 16,
+            "jump": 0,
+        }
+    )
+
+
+@pytest.fixture(scope="module")
+def crouch():
+    return tk.datasets.load("procedural", styles=["Crouch"], gaits=["FW"], seconds=6.0)[0]
+
+
+@pytest.fixture(scope="module")
+def wide():
+    """Features of a style that no model here knows."""
+    return tk.features.build(
+        tk.datasets.load("procedural", styles=["WideLegs"], gaits=["FW"], seconds=6.0)
+    )
+
+
+def frozen(model) -> list[torch.Tensor]:
+    return [
+        t.clone()
+        for t in (*model.gating.state_dict().values(), *model.experts.state_dict().values())
+    ]
+
+
+@pytest.mark.parametrize("method", ["generator", "vector", "forward"])
+def test_a_new_style_changes_nothing_else(small_run, crouch, method):
+    model, bank = small_run.model, small_run.bank
+    everything = {k: v.clone() for k, v in model.state_dict().items()}
+    draw = torch.Generator().manual_seed(0)
+    x, p = (
+        torch.randn(4, n, generator=draw) for n in (model.layout.n_inputs, model.layout.n_phases)
+    )
+    before = [model.predict(x, p, bank[s]) for s in bank]
+    made = tk.styles.fine_tune(model, crouch, "Mine", bank, method=method, steps=10)
+    assert (made.names, made.bank.names, made.method) == (
+        ("Mine",),
+        ("Neutral", "Zombie", "Mine"),
+        method,
+    )
+    assert torch.equal(made.bank.select(bank.names).vectors, bank.vectors)
+    assert all(map(torch.equal, frozen(made.model), frozen(model)))
+    assert (
+        made.model.experts.layers[0].weight.data_ptr() == model.experts.layers[0].weight.data_ptr()
+    )
+    assert all(torch.equal(v, everything[k]) for k, v in model.state_dict().items())
+    assert all(
+        torch.equal(made.model.predict(x, p, made.bank[s]), z)
+        for s, z in zip(bank, before, strict=True)
+    )
+    out = made.model.modulation.generator.out.weight
+    tuned = not torch.equal(out, everything["modulation.generator.out.weight"])
+    assert tuned == (method == "generator" and made.best > 0)
+
+
+@pytest.mark.parametrize("method", ["generator", "vector"])
+def test_learning_lowers_the_loss_and_is_repeatable(small_run, wide, method):
+    made, again = (
+        tk.styles.fine_tune(small_run.model, wide, None, small_run.bank, method=method, steps=50)
+        for _ in range(2)
+    )
+    assert torch.equal(again.bank["WideLegs"], made.bank["WideLegs"])
+    assert len(made.losses) == 50
+    assert sum(made.losses[-10:]) < 0.98 * sum(made.losses[:10])
+
+
+def test_the_best_step_is_kept_and_its_held_out_error_reported(small_run, wide, monkeypatch):
+    model, bank = small_run.model, small_run.bank
+    made = tk.styles.fine_tune(model, wide, None, bank, method="vector", steps=80)
+    found = made.held_out["WideLegs"]
+    assert found["after"] < found["before"]
+    assert 0 < made.best <= 80
+    assert {"mean", "repeat"} <= set(found)
+    monkeypatch.setitem(fine_tuning.RATES, "vector", 1e4)  # every step makes it worse
+    worse = tk.styles.fine_tune(model, wide, None, bank, method="vector", steps=40)
+    assert worse.best == 0
+    assert (
+        worse.held_out["WideLegs"]["after"]
+        == worse.held_out["WideLegs"]["before"]
+        == found["before"]
+    )
+    assert any(torch.equal(worse.bank["WideLegs"], bank[style]) for style in bank)
+
+
+def test_the_frames_of_the_reported_errors_do_not_choose_the_step(small_run, wide, monkeypatch):
+    looked, evaluate = [], fine_tuning.evaluate
+
+    def watch(model, bank, data, **options):
+        looked.append(set(data.frames["WideLegs"].tolist()))
+        return evaluate(model, bank, data, **options)
+
+    monkeypatch.setattr(fine_tuning, "evaluate", watch)
+    monkeypatch.setattr(fine_tuning, "EVERY", 3)
+    tk.styles.fine_tune(small_run.model, wide, None, small_run.bank, method="generator", steps=6)
+    before, start, middle, last, after = looked
+    assert before == after != set()
+    assert start == middle == last != set()
+    assert not before & start
+
+
+def test_short_clips_several_styles_and_no_bank(small_run, crouch):
+    made = tk.styles.fine_tune(
+        small_run.model, crouch.cut(0, 113), "Mine", small_run.bank, method="vector", steps=5
+    )
+    assert made.best == 5  # too short to hold frames out: the last step
+    assert math.isnan(made.held_out["Mine"]["after"])
+    clips = [crouch, crouch.mirrored().replace(style="Mirrored")]
+    made = tk.styles.fine_tune(small_run.model, clips, method="vector", steps=3)
+    assert made.names == made.bank.names == ("Crouch", "Mirrored")
+    assert len(made.losses) == 6
+
+
+def test_the_embedded_model_learns_a_style_from_one_clip():
+    model, bank = tk.pretrained()
+    arms = tk.datasets.procedural.Arm(out=20, forward=45, elbow=95, swing=4, elbow_swing=4)
+    sneak = tk.datasets.procedural.Style(height=0.82, lean=28, step=0.5, cadence=0.75, arms=arms)
+    clip = tk.datasets.procedural.generate(sneak, "FW", 6.0)
+    made = tk.styles.fine_tune(model, clip, "Sneak", bank, steps=80)
+    assert made.method == "vector"  # it comes without its generator
+    found = made.held_out["Sneak"]
+    assert found["after"] < 0.6 * found["before"]
+    walk = tk.runtime.rollout(model, tk.runtime.straight(0.75, 5.0), made.bank["Sneak"]).cut(180)
+    assert tk.metrics.hips_height(walk)[1] < 0.9
+    assert tk.metrics.upright(walk)
+
+
+def test_what_cannot_be_learnt_is_refused_in_one_line(small_run, crouch):
+    model, bank = small_run.model, small_run.bank
+    with pytest.raises(ValueError, match="the bank has Zombie already"):
+        tk.styles.fine_tune(model, crouch, "Zombie", bank)
+    with pytest.raises(
+        ValueError, match="unknown method 'magic'; known: generator, vector, forward"
+    ):
+        tk.styles.fine_tune(model, crouch, "Mine", bank, method="magic")
+    with pytest.raises(
+        ValueError, match="needs a FiLM generator, and this model has none; use method 'vector'"
+    ):
+        tk.styles.fine_tune(tk.pretrained().model, crouch, "Mine", method="generator")
+    with pytest.raises(ValueError, match="not the model's skeleton; it differs in joints"):
+        tk.styles.fine_tune(model, crouch.without_ends(), "Mine", bank)
+    with pytest.raises(ValueError, match="no clip of 112 frames"):
+        tk.styles.fine_tune(model, crouch.cut(0, 111), "Mine", bank)
+
+
+def test_style_add_writes_the_same_file_with_one_vector_more(tmp_path, small_run, crouch, capsys):
+    run, out, clips = tmp_path / "run.safetensors", tmp_path / "new.safetensors", tmp_path / "clips"
+    small_run.save(run)
+    tk.bvh.save(crouch, clips / "a.bvh")
+    with pytest.raises(SystemExit, match="0"):
+        main(
+            [*f"style add --model {run} --clips {clips} --name Mine --out {out} --steps 5".split()]
+        )
+    said = capsys.readouterr().out
+    assert "near it: " in said
+    assert "Held-out frames: mean squared error " in said
+    with safe_open(run, "pt") as old, safe_open(out, "pt") as new:
+        assert set(old.keys()) == set(new.keys())
+        kept = [k for k in old.keys() if not k.startswith("bank.")]  # noqa: SIM118 (not a dict)
+        assert all(torch.equal(old.get_tensor(k), new.get_tensor(k)) for k in kept)
+        assert torch.equal(new.get_tensor("bank.vectors")[:2], old.get_tensor("bank.vectors"))
+        assert json.loads(new.metadata()["added"])[0]["clips"] == ["a.bvh"]
+    assert tk.training.load(out).bank.names == ("Neutral", "Zombie", "Mine")
+    with pytest.raises(SystemExit):
+        main(["style", "list", "--model", str(out)])
+    assert re.search(r"Mine +near it: \w+ \(\d", capsys.readouterr().out)
+
+
+def clusters(spread: float) -> tuple[torch.Tensor, list[str]]:
+    noise = torch.randn(24, 4, generator=torch.Generator().manual_seed(3))
+    centres = torch.tensor([[0.0, 0, 0, 0], [4.0, 0, 0, 0], [0.0, 4, 0, 0]])
+    return centres.repeat_interleave(8, 0) + spread * noise, [
+        style for style in "abc" for _ in range(8)
+    ]
+
+
+def test_separation_is_the_mean_silhouette():
+    vectors, labels = clusters(1.2)
+    found = tk.styles.separation(vectors, labels)
+    apart = torch.cdist(vectors, vectors).view(24, 3, 8)
+    for k, style in enumerate("abc"):
+        own = []
+        for row in apart[8 * k : 8 * k + 8]:
+            a, b = float(row[k].sum()) / 7, min(float(row[j].mean()) for j in range(3) if j != k)
+            own.append((b - a) / max(a, b))
+        assert found[style] == pytest.approx(sum(own) / 8, abs=1e-5)
+    assert min(tk.styles.separation(*clusters(0.05)).values()) > 0.95
+    for styles in (["a", "a", "b"], ["a", "a", "a"], ["a", "a"]):
+        with pytest.raises(ValueError, match="two styles or more, of two clips or more each"):
+            tk.styles.separation(torch.zeros(3, 2), styles)
+
+
+@pytest.mark.parametrize("method", ["pca", "tsne"])
+def test_maps_keep_neighbours_and_repeat(method):
+    vectors, labels = clusters(0.2)
+    points = tk.styles.embed(vectors, method)
+    assert points.shape == (24, 2)
+    assert torch.equal(points, tk.styles.embed(vectors, method))
+    nearest = torch.cdist(points, points).fill_diagonal_(torch.inf).argmin(1).tolist()
+    assert all(labels[i] == labels[j] for i, j in enumerate(nearest))
+
+
+def test_maps_are_checked(monkeypatch):
+    with pytest.raises(ValueError, match="unknown embedding 'som'; known: tsne, pca"):
+        tk.styles.embed(torch.randn(5, 3), "som")
+    with pytest.raises(ValueError, match="three or more"):
+        tk.styles.embed(torch.randn(2, 3))
+    monkeypatch.setitem(__import__("sys").modules, "sklearn.decomposition", None)
+    with pytest.raises(ValueError, match="needs the package scikit-learn"):
+        tk.styles.embed(torch.randn(5, 3), "pca")
+
+
+def test_vectors_of_single_clips_average_to_the_style(small_run):
+    clips = tk.datasets.load("procedural", styles=["Neutral", "Zombie"], gaits=["FW"], seconds=12.0)
+    data = tk.features.build(clips)
+    vectors, styles = tk.styles.clip_vectors(small_run.model, data)
+    assert styles == ["Neutral"] * 5 + ["Zombie"] * 5
+    whole = small_run.model.style_vector(data.clips["Neutral"])
+    torch.testing.assert_close(vectors[:5].mean(0), whole, atol=1e-5, rtol=1e-4)
+    assert len(tk.styles.clip_vectors(small_run.model, data, 2)[1]) == 4
+
+
+def test_segments_are_as_far_apart_as_their_nearest_points():
+    draw = torch.Generator().manual_seed(1)
+    a, b, c, d = torch.randn(4, 50, 3, generator=draw)
+    t = torch.linspace(0, 1, 201)[:, None, None]
+    slow = torch.cdist((a + t * (b - a)).transpose(0, 1), (c + t * (d - c)).transpose(0, 1)).amin(
+        (1, 2)
+    )
+    found = plausibility.segment_distance(a, b, c, d)
+    assert (found - slow).abs().max() < 0.02
+    assert (found <= slow + 1e-5).all()
+    assert float(plausibility.segment_distance(*(torch.zeros(1, 3),) * 4)) == 0.0
+
+
+def test_a_clean_walk_has_no_strain_and_a_broken_one_has(walk_clip):
+    layout = tk.features.Layout(walk_clip.skeleton)
+    positions = walk_clip.global_positions[:, list(walk_clip.skeleton.feature_joints)]
+    assert plausibility.bone_stretch(layout, positions) < 1e-4
+    assert plausibility.penetration(layout, positions) < 0.005
+    at = {
+        role: layout.names.index(walk_clip.skeleton.roles[role])
+        for role in ("left_hand", "hips", "left_foot", "right_foot")
+    }
+    tip, longer = at["left_hand"] + 1, positions.clone()
+    longer[:, tip] += 0.2 * (positions[:, tip] - positions[:, at["left_hand"]])
+    assert plausibility.bone_stretch(layout, longer) == pytest.approx(0.2, abs=0.01)
+    for limb, other in (("left_hand", "hips"), ("left_foot", "right_foot")):
+        inside = positions.clone()
+        inside[:, at[limb]] = positions[:, at[other]]
+        assert plausibility.penetration(layout, inside) > 0.06
+
+
+def test_a_blend_of_far_apart_poses_is_warned_of_and_a_style_is_not():
+    model, bank = tk.pretrained()
+    alone = tk.styles.check(model, bank, {"Neutral": 1.0}, seconds=2.5)
+    assert alone["bone_stretch"] == pytest.approx(alone["usual_bone_stretch"], rel=1e-3)
+    with pytest.warns(
+        UserWarning, match="unlike the motion that the model was trained on: bones are"
+    ):
+        found = tk.styles.check(model, bank, {"Neutral": 0.5, "ArmsAboveHead": 0.5}, seconds=2.5)
+    assert found["bone_stretch"] > found["usual_bone_stretch"] + 0.03
+    with pytest.raises(ValueError, match="after 2 s of walking"):
+        tk.styles.strain(model, bank.vectors[:1], seconds=1.0)

@@ -1,0 +1,660 @@
+"""Park et al. 2021: skeleton graph, networks, losses, training, and restyling a clip."""
+
+import dataclasses
+import math
+from itertools import pairwise
+
+import pytest
+import torch
+from course.medley import medley
+from hypothesis import given
+from strategies import clips, human, human_clip
+
+import toolkit as tk
+from toolkit import stylization as st
+from toolkit.__main__ import main
+from toolkit.motion import Skeleton, rotations as R
+from toolkit.stylization import data, layers, losses, networks, training
+from toolkit.stylization.restyling import lock_feet
+
+SMALL = networks.Sizes(channels=4, code=8, latent=4, hidden=16)
+#: 21 joints as in the paper and in Bandai's files: a spine of five, arms and legs of four.
+PARENTS = (-1, 0, 1, 2, 3, 2, 5, 6, 7, 2, 9, 10, 11, 0, 13, 14, 15, 0, 17, 18, 19)
+
+
+@pytest.fixture(scope="module")
+def graph() -> st.SkeletonGraph:
+    return st.SkeletonGraph.of(
+        Skeleton(tuple(f"joint{j}" for j in range(21)), PARENTS, torch.ones(21, 3))
+    )
+
+
+@pytest.fixture(scope="module")
+def walks() -> list[tk.Clip]:
+    """Procedural walks of two styles, 30 Hz."""
+    found = tk.datasets.load(
+        "procedural", styles=["Neutral", "Zombie"], gaits=["FW", "FR"], seconds=6.0
+    )
+    return [clip.resample(30) for clip in found]
+
+
+@pytest.fixture(scope="module")
+def motions(walks) -> st.Motions:
+    return st.build(walks)
+
+
+@pytest.fixture(scope="module")
+def model(motions) -> st.Stylizer:
+    """Random weights; its last layer too, which training starts at zero."""
+    torch.manual_seed(0)
+    made = networks.build(motions.graph, motions.domains, SMALL, motions.statistics())[0]
+    torch.nn.init.normal_(made.generator.lower.weight, std=0.1)
+    return made.eval()
+
+
+def subset(parents: tuple[int, ...], joint: int, k: int) -> list[int]:
+    """The joint itself, its neighbour towards the root, its neighbours away from it."""
+    towards = [parents[joint]] if joint else []
+    return [[joint], towards, [j for j, p in enumerate(parents) if p == joint]][k]
+
+
+def test_a_body_is_divided_into_trunk_and_limbs(graph):
+    assert graph.sizes == (21, 10, 5)
+    limbs = [[*range(5)], *([*range(first, first + 4)] for first in (5, 9, 13, 17))]
+    assert [
+        [j for j in range(21) if graph.clusters[1][graph.clusters[0][j]] == part]
+        for part in range(5)
+    ] == limbs
+    assert graph.parents[2] == (-1, 0, 0, 0, 0)
+    named = human()
+    parts = st.graph.body_parts(named.parents)
+    assert {named.names[j] for j in parts[0]} == {"Hips", "Chest", "Head", "HeadEnd"}
+    assert {frozenset(named.names[j][:4] for j in part) for part in parts[1:]} == {
+        frozenset({"Left"}),
+        frozenset({"Righ"}),
+    }
+
+
+@given(clips())
+def test_any_tree_is_pooled_into_connected_parts(clip):
+    made = st.SkeletonGraph.of(clip.skeleton)
+    for level, (parents, clusters) in enumerate(zip(made.parents, made.clusters, strict=False)):
+        assert all(p < node for node, p in enumerate(parents))
+        pool, unpool = made.pool(level), made.unpool(level)
+        torch.testing.assert_close(unpool @ pool, torch.eye(made.sizes[level + 1]))
+        for cluster in set(clusters):
+            members = [node for node, c in enumerate(clusters) if c == cluster]
+            assert sum(parents[node] in members for node in members) == len(members) - 1
+            assert len(members) <= 3
+
+
+def test_windows_describe_the_clip_and_turn_back_into_it(walks):
+    clip = data.prepare(walks[0])
+    x, velocity = data.describe(clip)
+    assert x.shape == (7, len(clip), 23)
+    back = data.to_clip(x, velocity, clip)
+    torch.testing.assert_close(back.global_positions, clip.global_positions, atol=1e-4, rtol=0)
+    moved = data.describe(clip.moved(turn=2.0, shift=(3.0, 0.0, -1.0)))
+    torch.testing.assert_close(moved[1], velocity, atol=1e-4, rtol=0)
+    sign = (moved[0][3:, :1] * x[3:, :1]).sum(0, keepdim=True).sign()
+    torch.testing.assert_close(moved[0][:3], x[:3], atol=1e-5, rtol=0)
+    torch.testing.assert_close(moved[0][3:] * sign, x[3:], atol=1e-5, rtol=0)
+
+
+def test_windows_overlap_by_half_and_short_clips_are_padded(walks):
+    clip = data.prepare(walks[0])
+    x, velocity = data.windows(clip)
+    assert x.shape == (math.ceil(len(clip) / 32) - 1, 7, 64, 23)
+    torch.testing.assert_close(x[1], data.describe(clip)[0][:, 32:96])
+    torch.testing.assert_close(velocity[1], data.describe(clip)[1][32:96])
+    torch.testing.assert_close(x[-1], data.describe(clip)[0][:, -64:])  # no frame is left out
+    assert len(data.windows(clip.cut(0, 64))[0]) == 1
+    assert len(data.windows(clip.cut(0, 65))[0]) == 2
+    short, at_rest = data.windows(clip.cut(0, 40))
+    assert short.shape == (1, 7, 64, 23)
+    torch.testing.assert_close(short[0][:, 12:52], data.describe(clip.cut(0, 40))[0])
+    torch.testing.assert_close(short[0][:, :12], short[0][:, 12:13].expand(-1, 12, -1))
+    assert not at_rest[0][:12].any()
+    assert not at_rest[0][51:].any()
+
+
+def test_mirror_images_keep_their_take_and_exchange_left_and_right():
+    turns = [
+        human_clip(seed, 64).replace(style="a", gait="walk-turn-left", name=str(seed))
+        for seed in range(2)
+    ]
+    found = st.build(turns, mirror=True)
+    assert found.contents == ("walk-turn-left", "walk-turn-right")
+    assert found.take.tolist() == [0, 0, 1, 1]
+    assert found.content.tolist() == [0, 1, 0, 1]
+    names = found.skeleton.names
+    left, right = names.index("LeftHand"), names.index("RightHand")
+    torch.testing.assert_close(
+        found.x[1, :3, :, left], found.x[0, :3, :, right] * torch.tensor([-1.0, 1, 1])[:, None]
+    )
+
+
+def test_a_split_parts_no_take(walks):
+    many = [clip.cut(start, start + 70) for clip in walks for start in (0, 30, 60, 90)]
+    first, second = st.split(st.build(many, mirror=True), 0.5, seed=1)
+    assert not set(first.take.tolist()) & set(second.take.tolist())
+    assert len(second.take.unique()) == len(first.take.unique()) == 8
+    for part in (first, second):
+        assert {(int(d), int(c)) for d, c in zip(part.domain, part.content, strict=True)} == {
+            (0, 0),
+            (0, 1),
+            (1, 0),
+            (1, 1),
+        }
+    assert torch.equal(first.take, st.split(st.build(many, mirror=True), 0.5, seed=1)[0].take)
+    name = second.domains[1]
+    alone = st.split(
+        st.build([clip for clip in many if clip.style == name], mirror=True), 0.5, seed=1
+    )[1]
+    assert torch.equal(
+        alone.x[:, :3], second.select(second.domain == 1).x[:, :3]
+    )  # as without the other domain
+
+
+def test_z_scores_do_not_depend_on_a_quaternions_sign(motions):
+    statistics = motions.statistics()
+    z = statistics.apply(motions.x)
+    varying = statistics.std > 2 * data.LEAST_STD
+    assert z.mean().abs() < 1e-3
+    assert (z.std((0, 2), keepdim=True)[0] - 1)[varying].abs().max() < 0.01
+    torch.testing.assert_close(statistics.invert(z), motions.x, atol=1e-5, rtol=0)
+    flipped = motions.x.clone()
+    flipped[1::2, 3:, :, ::3] *= -1
+    torch.testing.assert_close(statistics.apply(flipped), z)
+
+
+def test_graph_convolution_is_equation_1(graph):
+    conv = layers.GraphConv(3, 5, graph, 0)
+    x = torch.randn(2, 3, 21, 4)
+    weight = conv.channels.weight.detach().view(5, 3, 3)  # [output, input, subset]
+    slow = torch.zeros(2, 5, 21, 4)
+    for i in range(21):
+        for k in range(3):
+            for j in (near := subset(PARENTS, i, k)):
+                slow[:, :, i] += torch.einsum("oc,bct->bot", weight[:, :, k], x[:, :, j]) / len(
+                    near
+                )
+    slow += conv.channels.bias.detach()[:, None, None]
+    torch.testing.assert_close(conv(x), slow)
+    pooled = layers.GraphConv(3, 5, graph, 0, pool=True)
+    pooled.load_state_dict(conv.state_dict())
+    torch.testing.assert_close(pooled(x), torch.einsum("bcnt,nm->bcmt", conv(x), graph.pool(0)))
+
+
+def test_resampling_in_time_keeps_every_sample_where_its_time_is(graph):
+    down, up = layers.Resample(graph, 0, "down"), layers.Resample(graph, 0, "up")
+    line = (2.0 * torch.arange(16) + 1).expand(1, 1, 21, 16)
+    coarse = down(line)
+    assert coarse.shape == (1, 1, 10, 8)
+    torch.testing.assert_close(coarse[0, 0, 0], 4.0 * torch.arange(8) + 2)
+    torch.testing.assert_close(up(coarse)[..., 1:-1], line[..., 1:-1])
+
+
+def test_adain_gives_each_channel_the_codes_mean_and_deviation():
+    layer = layers.AdaIN(4, 3)
+    x, code = torch.randn(2, 3, 5, 16) * 3 + 1, torch.randn(2, 4)
+    gamma, beta = layer.affine(code).detach().chunk(2, 1)
+    made = layer(x, code).detach()
+    torch.testing.assert_close(made.mean((2, 3)), beta, atol=1e-5, rtol=0)
+    torch.testing.assert_close(made.std((2, 3), correction=0), (1 + gamma).abs(), atol=1e-4, rtol=0)
+
+
+def test_a_block_adds_its_residual_to_a_shortcut_that_no_norm_touches(graph):
+    block = layers.Block(4, 6, graph, 0, "down", "in")
+    torch.nn.init.zeros_(block.second.temporal.weight)
+    torch.nn.init.zeros_(block.second.temporal.bias)
+    x = torch.randn(1, 4, 21, 8)
+    torch.testing.assert_close(block(3 * x), 3 * block(x))
+    wanted = torch.einsum("oc,bcnt,nm->bomt", block.shortcut.weight[:, :, 0, 0], x, graph.pool(0))
+    torch.testing.assert_close(
+        block(x), torch.nn.functional.avg_pool2d(wanted, (1, 2)) / math.sqrt(2)
+    )
+
+
+def test_networks_have_the_shapes_of_table_3(graph):
+    stylizer, discriminator = networks.build(graph, tuple("abcdefgh"))
+    shapes: dict[torch.nn.Module, list[int]] = {}
+    for module in [*stylizer.modules(), *discriminator.modules()]:
+        module.register_forward_hook(lambda m, _, y: shapes.update({m: list(y.shape[1:])}))
+    x, y = torch.randn(2, 7, 64, 21), torch.tensor([0, 7])
+    code = stylizer.encoder(x, y)
+    assert code.shape == stylizer.mapping(torch.randn(2, 16), y).shape == (2, 64)
+    assert stylizer.generator(x, code).shape == x.shape
+    assert discriminator(x, y).shape == (2,)
+    ends = [[64, 21, 64], [128, 10, 32], [256, 5, 16]]  # C, N, T
+    for trunk in (
+        stylizer.generator.encoder,
+        stylizer.encoder.summary.trunk,
+        discriminator.summary.trunk,
+    ):
+        assert [shapes[layer] for layer in trunk][:3] == ends
+    assert [shapes[block] for block in stylizer.generator.decoder] == [ends[1], ends[0]]
+    assert (
+        shapes[stylizer.encoder.summary.whole] == shapes[discriminator.summary.whole] == [256, 1, 1]
+    )
+    parts = (stylizer.generator, stylizer.encoder, stylizer.mapping, discriminator)
+    counts = [sum(p.numel() for p in network.parameters()) for network in parts]
+    assert counts == [959_175, 5_908_864, 860_224, 5_779_336]
+
+
+def test_losses_are_what_the_equations_say():
+    torch.manual_seed(0)
+    logits, (x, y), (s, t) = torch.randn(2, 3), torch.randn(2, 2, 7, 4, 3), torch.randn(2, 2, 8)
+    sigmoid = [[1 / (1 + math.exp(-v)) for v in row] for row in logits.tolist()]
+    assert float(losses.discriminator(*logits)) == pytest.approx(
+        -sum(math.log(p) for p in sigmoid[0]) / 3 - sum(math.log(1 - p) for p in sigmoid[1]) / 3,
+        rel=1e-5,
+    )
+    assert float(losses.adversarial(logits[1])) == pytest.approx(
+        -sum(math.log(p) for p in sigmoid[1]) / 3, rel=1e-5
+    )
+    pairs = list(zip(x.flatten().tolist(), y.flatten().tolist(), strict=True))
+    assert float(losses.content(x, y)) == pytest.approx(
+        sum((a - b) ** 2 for a, b in pairs) / len(pairs), rel=1e-5
+    )
+    norms = (
+        (x - y).movedim(1, -1).reshape(-1, 7).tolist()
+    )  # of the seven numbers of a joint in a frame
+    slow = sum(math.sqrt(sum(v * v for v in joint)) for joint in norms) / len(norms)
+    assert float(losses.content(x, y, squared=False)) == pytest.approx(slow, rel=1e-4)
+    near = x[0] + 0.1 * (y[0] - x[0])
+    apart = [
+        abs(a - b) for a, b in zip(x[0].flatten().tolist(), near.flatten().tolist(), strict=True)
+    ]
+    assert sum(apart) / len(apart) < losses.DIVERSE < float((x[1] - y[1]).abs().mean())
+    bounded = (sum(apart) / len(apart) + losses.DIVERSE) / 2
+    assert float(losses.diversity(x, torch.stack((near, y[1])))) == pytest.approx(bounded, rel=1e-5)
+    codes = list(zip(s.flatten().tolist(), t.flatten().tolist(), strict=True))
+    assert float(losses.style(s, t)) == pytest.approx(
+        sum(abs(a - b) for a, b in codes) / len(codes), rel=1e-5
+    )
+
+
+def test_r1_is_half_the_squared_slope():
+    x = torch.randn(3, 7, 4, 5, dtype=torch.float64, requires_grad=True)
+    weight = torch.randn(7, 4, 5, dtype=torch.float64, requires_grad=True)
+    slope = losses.r1((weight * x**2).sum((1, 2, 3)), x)
+    slow = (2 * weight * x).detach().square().sum() / 2 / 3
+    assert slope.item() == pytest.approx(slow.item(), rel=1e-5)
+    slope.backward()
+    torch.testing.assert_close(weight.grad, (4 * weight * x**2).sum(0).detach() / 3)
+
+
+def test_a_detailed_generator_keeps_a_movement_by_its_skip_and_tells_joints_apart(graph):
+    torch.manual_seed(0)
+    generator = networks.build(graph, ("a", "b"), dataclasses.replace(SMALL, detailed=True))[
+        0
+    ].generator
+    torch.nn.init.normal_(generator.lower.weight)
+    h = torch.randn(2, 4, 21, 16)
+    slow = [torch.einsum("oc,bct->bot", generator.lower.weight[n], h[:, :, n]) for n in range(21)]
+    torch.testing.assert_close(generator.lower(h), torch.stack(slow, 2) + generator.lower.bias)
+    x, code = torch.randn(2, 7, 16, 21), torch.randn(2, 8)
+    early = generator.encoder[0](x.transpose(2, 3))
+    added = generator.skip(early, code)
+    torch.testing.assert_close(added.mean(-1), torch.zeros(2, 4, 21), atol=1e-5, rtol=0)
+    torch.testing.assert_close(
+        generator.skip(early + 3.0, code), added
+    )  # the mean pose does not pass
+    gain = 1 + generator.skip.gain(code)[:, :, None, None]
+    torch.testing.assert_close(added, gain * (early - early.mean(-1, keepdim=True)))
+    without = generator.lower(
+        generator.decoder[1](generator.decoder[0](generator.encode(x)[0], code), code)
+    )
+    assert (generator(x, code) - without.transpose(2, 3)).abs().max() > 0.1
+
+
+@pytest.mark.parametrize("from_noise", [True, False])
+def test_one_pass_gives_the_losses_that_the_equations_give_one_by_one(motions, model, from_noise):
+    config = training.Config(batch=3, sizes=SMALL)
+    discriminator = networks.build(motions.graph, motions.domains, SMALL)[1]
+    batch = training.Batches(motions, model.statistics.apply(motions.x), config)[5]
+    x, y, target = batch["x"], batch["domain"], batch["target"]
+    made = training.translations(model, batch, config, from_noise)
+    terms = training.terms_of(model, discriminator, batch, made, config)
+    g, e = model.generator, model.encoder
+    s, s2 = (
+        model.mapping(z, target) if from_noise else e(r, target)
+        for z, r in zip(batch["noise"], batch["references"], strict=True)
+    )
+    slow = {
+        "adv": -torch.sigmoid(discriminator(g(x, s), target)).log().mean(),
+        "cyc": (x - g(g(x, s), e(x, y))).square().mean(),
+        "id": (x - g(x, e(x, y))).square().mean(),
+        "sty": (s - e(g(x, s), target)).abs().mean(),
+        "ds": torch.stack(
+            [m.abs().mean().clamp(max=losses.DIVERSE) for m in g(x, s) - g(x, s2)]
+        ).mean(),
+    }
+    for name, value in slow.items():
+        torch.testing.assert_close(terms[name], value, rtol=1e-4, atol=1e-5)
+    recipe = training.Config.quick(batch=3, sizes=SMALL, warm_up=0)
+    made = training.translations(model, batch, recipe, from_noise)
+    terms = training.terms_of(model, discriminator, batch, made, recipe)
+    assert ("ds" in terms) == from_noise
+    assert not from_noise or not made["second"].requires_grad
+    own, rebuilt = e(batch["kin"], y), g(x, e(batch["kin"], y)) - x
+    torch.testing.assert_close(made["own"], own)
+    torch.testing.assert_close(terms["id"], rebuilt.norm(dim=1).mean(), rtol=1e-3, atol=1e-4)
+    fewer = training.Config(batch=3, sizes=SMALL, losses=("adv", "cyc"))
+    assert set(
+        training.terms_of(
+            model, discriminator, batch, training.translations(model, batch, fewer, True), fewer
+        )
+    ) == {"adv", "cyc"}
+
+
+def test_training_goes_on_from_a_checkpoint_as_if_it_had_not_stopped(motions, tmp_path):
+    config = training.Config.quick(sizes=SMALL, batch=2, iterations=5, warm_up=1, log_every=2)
+
+    def stop(step, _):
+        if step == 3:
+            raise RuntimeError("stopped")
+
+    whole = st.fit(motions, config)
+    often = dataclasses.replace(config, save_every=0.0)
+    with pytest.raises(RuntimeError, match="stopped"):
+        st.fit(motions, often, tmp_path / "checkpoint", on_step=stop)
+    resumed = st.fit(motions, config, tmp_path / "checkpoint")
+    assert [row["step"] for row in resumed.history] == [2, 4]
+    assert [row["id"] for row in resumed.history] == [row["id"] for row in whole.history]
+    with pytest.raises(
+        ValueError, match=r"checkpoint: the run to resume differs in iterations: expected 9, got 5"
+    ):
+        st.fit(motions, dataclasses.replace(config, iterations=9), tmp_path / "checkpoint")
+    with pytest.raises(ValueError, match="had other data"):
+        st.fit(motions.select(motions.take < 3), config, tmp_path / "checkpoint")
+    whole.save(tmp_path / "run.safetensors")
+    stored = st.load(tmp_path / "run.safetensors")
+    assert stored.config == whole.config
+    assert stored.history == whole.history
+    for a, b, c in zip(*map(weights, (whole, resumed, stored)), strict=True):
+        assert torch.equal(a, b)
+        assert torch.equal(a, c)
+
+
+def weights(run: st.Run) -> list[torch.Tensor]:
+    return [*run.stylizer.state_dict().values(), *run.discriminator.state_dict().values()]
+
+
+@pytest.mark.parametrize(
+    ("changes", "wanted"),
+    [
+        (
+            {"encoder_learns": False},
+            [{"generator"}, {"generator", "encoder", "mapping"}, {"generator"}],
+        ),
+        (
+            {},
+            [
+                {"generator", "encoder"},
+                {"generator", "encoder", "mapping"},
+                {"generator", "encoder"},
+            ],
+        ),
+        ({"warm_up": 4}, [{"generator", "encoder"}] * 3),
+    ],
+)
+def test_noise_trains_g_e_and_f_and_references_train_g_or_g_and_e(motions, changes, wanted):
+    before: dict[str, list[torch.Tensor]] = {}
+    changed: list[set[str]] = []
+
+    def watch(_, stylizer):
+        now = {
+            name: [p.detach().clone() for p in getattr(stylizer, name).parameters()]
+            for name in training.NETWORKS[:3]
+        }
+        if before:
+            changed.append({n for n in now if not all(map(torch.equal, now[n], before[n]))})
+        before.update(now)
+
+    settings = {
+        "sizes": SMALL,
+        "batch": 2,
+        "iterations": 4,
+        "warm_up": 0,
+        "log_every": 1,
+        "r1_every": 2,
+    } | changes
+    run = st.fit(motions, training.Config.quick(**settings), on_step=watch)
+    assert changed == wanted
+    assert ["r1" in row for row in run.history] == [
+        n % 2 == 0 and "warm_up" not in changes for n in range(4)
+    ]
+
+
+def test_training_ends_when_its_time_is_spent(motions):
+    config = training.Config.quick(
+        sizes=SMALL, batch=2, iterations=1000, seconds=3.0, warm_up=0, log_every=1
+    )
+    ticks = iter(range(10**6))  # a second more whenever the clock is read
+    run = st.fit(motions, config, clock=lambda: float(next(ticks)))
+    assert [row["elapsed"] for row in run.history] == [1.0, 2.0, 3.0]
+
+
+def test_training_learns_to_rebuild_and_to_tell_apart(motions):
+    weights = {"adv": 1.0, "cyc": 10.0, "id": 10.0, "sty": 1.0, "ds": 3.0, "r1": 5.0}
+    run = st.fit(
+        motions,
+        training.Config.quick(
+            sizes=SMALL,
+            batch=4,
+            iterations=24,
+            warm_up=0,
+            squared=True,
+            log_every=6,
+            weights=weights,
+        ),
+    )
+    assert run.history[-1]["id"] < 0.9 * run.history[0]["id"]
+    assert run.history[-1]["d"] < run.history[0]["d"]
+
+
+def test_restyling_keeps_body_path_rate_and_length(walks, model):
+    clip = tk.datasets.load("procedural", styles=["Neutral"], gaits=["FW"], seconds=6.0)[0]
+    assert clip.fps == 60
+    assert any(clip.skeleton.is_end(j) for j in range(len(clip.skeleton)))
+    made = st.stylize(model, clip, domain="Zombie", seed=3)
+    assert made.fps == 60
+    assert abs(len(made) - len(clip)) <= 1
+    assert made.skeleton is clip.skeleton
+    assert (made.style, made.gait) == ("Zombie", "FW")
+    n = min(len(made), len(clip))
+    torch.testing.assert_close(
+        made.root_positions[:n, [0, 2]], clip.root_positions[:n, [0, 2]], atol=2e-3, rtol=0
+    )
+    assert not torch.allclose(made.global_positions[:n], clip.global_positions[:n], atol=0.05)
+    again, other = (st.stylize(model, clip, domain="Zombie", seed=seed) for seed in (3, 4))
+    assert torch.equal(again.rotations, made.rotations)
+    assert not torch.equal(other.rotations, made.rotations)
+
+
+def test_a_style_comes_from_noise_from_a_reference_or_from_a_code(walks, model):
+    clip, reference = walks[0], walks[-1]
+    assert reference.style == "Zombie"
+    by_noise, by_reference = (
+        st.style_code(model, "Zombie", 3),
+        st.style_code(model, reference=reference),
+    )
+    made = (
+        st.stylize(model, clip, "Zombie", 3),
+        st.stylize(model, clip, reference=reference, posture=0),
+    )
+    for code, wanted in zip((by_noise, by_reference), made, strict=True):
+        assert torch.equal(st.stylize(model, clip, code=code).rotations, wanted.rotations)
+    assert torch.equal(
+        st.style_code(model, "Zombie", reference=reference.replace(style="")), by_reference
+    )
+    poses = [
+        st.stylize(model, clip, code=torch.lerp(by_noise, by_reference, k / 4)).global_positions
+        for k in range(5)
+    ]
+    steps = [float((b - a).norm(dim=-1).mean()) for a, b in pairwise(poses)]
+    assert max(steps) < 0.6 * float((poses[-1] - poses[0]).norm(dim=-1).mean())
+
+
+def test_a_result_takes_a_share_of_the_posture_of_its_reference(motions, walks, model):
+    """Of what the reference has beside its domain's mean pose: here it bends forward."""
+    plain, rotations = walks[-1], walks[-1].rotations.clone()
+    bend, joint = (
+        R.from_axis_angle(torch.tensor([1.0, 0.0, 0.0]), torch.tensor(0.4)),
+        plain.skeleton.trunk[0],
+    )
+    rotations[:, joint] = R.multiply(rotations[:, joint], bend)
+    bent = plain.replace(rotations=rotations)
+
+    def head(clip):
+        posture = model.posture_of(data.describe(data.prepare(clip))[0][None], "Zombie")
+        return posture[0, :3, 0, model.skeleton.names.index("Head")]
+
+    def between(share):
+        options = {"posture": share, "feet": False}
+        made = (st.stylize(model, walks[0], reference=clip, **options) for clip in (bent, plain))
+        return head(next(made)) - head(next(made))
+
+    asked = head(bent) - head(plain)
+    assert float(asked.norm()) > 1
+    torch.testing.assert_close(
+        between(0.5) - between(0.0), 0.5 * asked, atol=0.1 * float(asked.norm()), rtol=0
+    )
+    tensors, description = model.parts()
+    del tensors["stylizer.statistics.poses"]  # as in a file of version 0.2
+    old = networks.Stylizer.from_parts("old", tensors, {"stylizer": description})
+    made = [st.stylize(old, walks[0], reference=bent, posture=share).rotations for share in (0, 1)]
+    assert torch.equal(*made)
+    own = motions.domain == 1
+    torch.testing.assert_close(
+        model.posture_of(motions.x[own], 1).mean(0), torch.zeros(7, 1, 23), atol=1e-4, rtol=0
+    )
+
+
+def test_a_long_clip_of_several_actions_stays_upright_in_every_style():
+    """Figure 5: one pass over 1,003 frames, by the model in the package."""
+    gaits = tk.datasets.load(
+        "procedural", styles="Neutral", gaits=["FW", "FR", "ID", "SW", "BW"], seconds=4.0, seed=7
+    )
+    long = medley([clip.resample(30) for clip in gaits] * 2).cut(0, 1003)
+    model = st.pretrained()
+    for style in model.domains[1:]:
+        made = st.stylize(model, long, style, seed=1, feet=False)
+        assert len(made) == 1003
+        assert tk.metrics.upright(made), style
+
+
+def test_held_feet_stand_where_the_source_stands(walks):
+    source = data.prepare(walks[0])
+    sliding = source.replace(root_positions=source.root_positions * torch.tensor([1.0, 1.0, 1.25]))
+    standing = tk.contacts.detect(source)
+    held = lock_feet(sliding, source)
+    before, after = (tk.metrics.foot_skate(clip, standing) for clip in (sliding, held))
+    for side in ("right", "left"):
+        assert after[side] < 0.35 * before[side]
+    bones = held.global_positions[:, 1:] - held.global_positions[:, list(held.skeleton.parents[1:])]
+    torch.testing.assert_close(
+        bones.norm(dim=-1),
+        held.skeleton.offsets[1:].norm(dim=-1).expand(len(held), -1),
+        atol=1e-4,
+        rtol=0,
+    )
+    toe = held.skeleton.index("left_toe")
+    jerk = [
+        c.global_positions[:, toe].diff(dim=0).diff(dim=0).norm(dim=-1).max()
+        for c in (held, sliding)
+    ]
+    assert jerk[0] < 1.5 * jerk[1]
+
+
+def test_bad_input_is_one_line(walks, model, motions, tmp_path):
+    clip = walks[0]
+    long_arms = clip.skeleton.offsets * torch.linspace(1.0, 1.5, len(clip.skeleton))[:, None]
+    grown = Skeleton(clip.skeleton.names, clip.skeleton.parents, long_arms, clip.skeleton.roles)
+    junk = tmp_path / "junk.safetensors"
+    tk.io.model_files.write(junk, {"stylizer.x": torch.zeros(1)}, {"stylizer": {"domains": ["a"]}})
+    few = training.Config.quick(sizes=SMALL, iterations=1)
+    for call, said in (
+        (
+            lambda: st.stylize(model, clip, "Old"),
+            "unknown domain 'Old'; the model has Neutral, Zombie",
+        ),
+        (
+            lambda: st.stylize(model, human_clip(0, 40), "Zombie"),
+            "expected the model's skeleton of 23 joints, got 17",
+        ),
+        (
+            lambda: st.stylize(model, clip.replace(skeleton=grown), "Zombie"),
+            r"the model's bones, got \w+ .* cm else",
+        ),
+        (
+            lambda: st.stylize(model, clip.cut(0, 3), "Zombie"),
+            "pooling needs 4 frames at 30 Hz, the clip has 3",
+        ),
+        (lambda: st.stylize(model, clip), "say which style"),
+        (
+            lambda: st.stylize(model, clip, reference=walks[-1], posture=math.nan),
+            "posture is a share .* got nan",
+        ),
+        (lambda: st.stylize(model, clip, code=torch.zeros(9)), r"a style code is \[8\]"),
+        (lambda: st.stylize(model, clip, "Zombie", code=torch.zeros(8)), "needs no domain"),
+        (
+            lambda: model.translate(torch.zeros(1, 7, 30, 23), torch.zeros(1, 8)),
+            "T a multiple of 4",
+        ),
+        (lambda: model.code_of(torch.zeros(1, 7, 32, 23), "Zombie"), "T >= 64"),
+        (lambda: st.build([]), "at least one clip, got none"),
+        (lambda: st.split(motions, 1.0, 0), "must lie between 0 and 1, got 1"),
+        (lambda: training.Config(losses=("adv", "style")), "unknown loss style; known: adv, cyc"),
+        (lambda: training.Config(losses=("cyc",)), "the losses need adv"),
+        (lambda: training.Config(rates={"generator": 1.0}), "rates must be numbers from 0"),
+        (lambda: training.Config(batch=0), "batch must be positive, got 0"),
+        (lambda: training.Config(seconds=0), "training needs some seconds, got 0"),
+        (lambda: networks.Sizes(code=0), "code must be a whole number from 1, got 0"),
+        (lambda: st.fit(motions.select(motions.domain == 0), few), "no motion of Zombie"),
+        (lambda: st.Stylizer.load(junk), r"junk\.safetensors: the stylizer in it is damaged"),
+    ):
+        with pytest.raises(ValueError, match=said):
+            call()
+
+
+def test_the_command_line_trains_and_restyles(tmp_path, walks, model, capsys):
+    tk.bvh.save(walks[0], tmp_path / "walk.bvh")
+    model.save(tmp_path / "model.safetensors")
+    call = f"stylize --model {tmp_path}/model.safetensors --clip {tmp_path}/walk.bvh"
+    call += f" --out {tmp_path}/made.bvh"
+    with pytest.raises(SystemExit, match="0"):
+        main([*call.split(), "--domain", "Zombie", "--seed", "3"])
+    assert f"{len(walks[0])} frames; feet that should stand slide by" in capsys.readouterr().out
+    made = tk.bvh.load(tmp_path / "made.bvh")
+    wanted = st.stylize(model, tk.bvh.load(tmp_path / "walk.bvh"), "Zombie", 3)
+    torch.testing.assert_close(made.global_positions, wanted.global_positions, atol=1e-4, rtol=0)
+    assert main(call.split()) == 2
+    assert "say which style by --domain: Neutral, Zombie" in capsys.readouterr().err
+    train = "train-stylizer --data procedural --styles Neutral,Zombie --gaits FW --clip-seconds 4"
+    train += f" --no-mirror --out {tmp_path}/new/run.safetensors --small --iterations 1"
+    with pytest.raises(SystemExit, match="0"):
+        main(train.split())
+    assert {p.name for p in (tmp_path / "new").iterdir()} == {"run.safetensors"}
+    assert st.load(tmp_path / "new" / "run.safetensors").stylizer.domains == ("Neutral", "Zombie")
+
+
+def test_the_stylizer_in_the_package_brings_a_clip_nearer_to_each_style_than_to_any_other():
+    """By the mean pose, on paths that it was not trained on."""
+    model = st.pretrained()
+    assert sum(p.numel() for p in model.parameters()) < 1e6
+
+    def pose(clip):
+        return model.statistics.apply(data.describe(data.prepare(clip))[0]).mean(1)
+
+    walks = {
+        s: tk.datasets.load("procedural", styles=s, gaits="FW", seconds=4.0, seed=9)[0]
+        for s in model.domains
+    }
+    for style in model.domains:
+        if style != "Neutral":
+            made = st.stylize(model, walks["Neutral"], style, seed=1)
+            assert tk.metrics.upright(made)
+            assert min(walks, key=lambda s: float((pose(walks[s]) - pose(made)).norm())) == style

@@ -1,0 +1,609 @@
+"""Training: minibatches, splits, the loop, checkpoints, several processes."""
+
+import dataclasses
+import json
+import math
+import os
+import re
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+import torch
+from test_networks import TINY, tiny_model, tree
+
+import toolkit as tk
+from toolkit import networks, training
+from toolkit.features import Features, splits
+from toolkit.io import model_files
+from toolkit.styles import StyleBank
+from toolkit.training import Config, distributed, loop, loss, minibatches
+
+
+def waves(joints: int = 4, styles: int = 2, frames: int = 700) -> Features:
+    """Something to learn: every column a wave of time, whose shape the style changes."""
+    layout = tree(joints)
+    generator = torch.Generator().manual_seed(0)
+    kinds = ("inputs", "phases", "outputs", "clips", "takes")
+    parts: dict[str, dict[str, torch.Tensor]] = {kind: {} for kind in kinds}
+    rates = 0.1 * torch.randint(1, 4, (1, layout.n_inputs), generator=generator)
+    starts = 6 * torch.rand(1, layout.n_inputs, generator=generator)
+    mixing = torch.randn(layout.n_inputs, layout.n_outputs, generator=generator) / 10
+    for i in range(styles):
+        n = frames + 50 * i
+        t = torch.arange(n)[:, None]
+        x = torch.sin(rates * t + starts + i)
+        p = torch.cat([torch.sin(t * 0.1 + k) for k in range(8)], 1)
+        z = x @ mixing * (1 + i) + torch.sin(t * 0.1)
+        clips = z[:, layout.outputs["joints"]].unfold(0, 240, 120).transpose(1, 2).contiguous()
+        for kind, value in zip(kinds, (x, p, z, clips, (torch.arange(n) >= 400).long()),
+                               strict=True):
+            parts[kind][f"style{i}"] = value
+    return Features(layout, **parts)
+
+
+WIDER = dataclasses.replace(TINY, hidden=64, dropout=0.05)
+QUICK = Config(sizes=TINY, steps=12, batch=16, clips_per_batch=4, evaluate_every=5,
+               rate=1e-3, final_rate=0.1, max_gradient=1.0, pose_mixup=0.2, refit=0)
+
+
+def quick(**changes) -> Config:
+    return dataclasses.replace(QUICK, **changes)
+
+
+def stop_at(wanted: int):
+    def stop(step: int, _: float) -> None:
+        if step == wanted:
+            raise KeyboardInterrupt
+
+    return stop
+
+
+def same_weights(a: networks.Model, b: networks.Model) -> bool:
+    pairs = zip(a.state_dict().values(), b.state_dict().values(), strict=True)
+    return all(torch.equal(x, y) for x, y in pairs)
+
+
+def course(run: training.Run) -> list[tuple]:
+    """What a history says apart from times."""
+    return [(row["step"], row["loss"], row["held_out"]) for row in run.history]
+
+
+@pytest.fixture(scope="module")
+def straight():
+    """A run without a stop."""
+    return training.fit(waves(), QUICK)
+
+
+def test_minibatches_cycle_through_styles_and_frames():
+    data = waves(styles=3)
+    batches = minibatches.Minibatches(data, 32, 2, seed=4)
+    assert batches.steps_per_epoch == 3 * (700 // 32)
+    seen = []
+    for turn in range(700 // 32):
+        for which, style in enumerate(data.styles):
+            x, p, z, y = batches[3 * turn + which]
+            rows = [int((data.inputs[style] == row).all(1).nonzero()) for row in x]
+            assert torch.equal(data.outputs[style][rows], z)
+            assert torch.equal(data.phases[style][rows], p)
+            assert y.shape == (2, 240, data.layout.n_clip)
+            seen += rows if which == 0 else []
+    assert len(set(seen)) == len(seen) == 32 * (700 // 32)
+    again = minibatches.Minibatches(data, 32, 2, seed=4)
+    for step in (50, 3, 64):
+        pairs = zip(again[step], batches[step], strict=True)
+        assert all(torch.equal(a, b) for a, b in pairs)
+    assert not torch.equal(minibatches.Minibatches(data, 32, 2, seed=5)[3][0], batches[3][0])
+    no_frames = dataclasses.replace(data, inputs=data.inputs | {"style1": torch.zeros(0, 96)})
+    with pytest.raises(ValueError, match="style 'style1' has 0 frames and "):
+        minibatches.Minibatches(no_frames, 32, 2, seed=4)
+
+
+def test_only_poses_are_mixed_up_and_only_towards_others():
+    data = waves(styles=3)
+    plain = minibatches.Minibatches(data, 64, 1, 4)
+    mixed = minibatches.Minibatches(data, 64, 1, 4, pose_mixup=0.5)
+    joints = data.layout.inputs["joints"]
+    (x, *rest), (moved, *same) = plain[7], mixed[7]
+    assert all(torch.equal(a, b) for a, b in zip(rest, same, strict=True))
+    assert torch.equal(x[:, : joints.start], moved[:, : joints.start])
+    changed = (x != moved).any(1)
+    assert 0.3 < float(changed.float().mean()) < 0.7
+    poses = torch.cat([data.inputs[s][:, joints] for s in data.styles])
+    pose, way = x[changed][0, joints], (moved - x)[changed][0, joints]
+    others = poses - pose
+    share = (others @ way) / others.square().sum(1)  # along the way to some frame, not all of it
+    near = (share[:, None] * others - way).abs().amax(1) < 1e-5
+    assert bool((near & (share > 0) & (share < 1)).any())
+    assert torch.equal(mixed[7][0], moved)
+
+
+def test_held_out_frames_are_in_windows_and_the_same_whichever_styles_there_are():
+    data = waves(styles=3, frames=1500)
+    train, test = splits.split(data, 0.2, 0, ("style1", "style0"))
+    assert train.styles == ["style1", "style0"]
+    whole = splits.held_out(data, 0.2, 0, tuple(data.styles))
+    for style in train.styles:
+        n = len(data.inputs[style])
+        assert len(test.inputs[style]) == round(0.2 * n)
+        assert len(train.inputs[style]) + len(test.inputs[style]) == n
+        rows = splits.held_out(data, 0.2, 0, (style,))[style]
+        assert torch.equal(rows, whole[style])
+        assert int((rows.diff() > 1).sum()) <= 2
+        assert torch.equal(test.inputs[style], data.inputs[style][rows])
+    assert len({tuple(rows[:1500].tolist()) for rows in whole.values()}) == 3
+    assert splits.mix(3, "Zombie") == 691408046533145781  # on every machine
+
+
+def poses(rows):
+    """The joints' heights in frames ``[..., 12 J]``: those of a motion and of its mirror image."""
+    heights = rows.unflatten(-1, (-1, 12))[..., 1].flatten(0, -2)
+    return {tuple(row) for row in (1e5 * heights.sort(-1).values).round().long().tolist()}
+
+
+@pytest.mark.parametrize("clips", [
+    {"seconds": 30.0, "gaits": ["FW"], "mirror": True},
+    {"seconds": 8.0, "gaits": ["FW"], "mirror": False},  # a stretch is repeated for a style clip
+])
+def test_style_clips_of_a_training_share_no_frame_with_what_is_held_out(clips):
+    made = tk.datasets.load("procedural", styles=["Zombie"], gaits=clips["gaits"],
+                            seconds=clips["seconds"])
+    data = tk.features.build(made, mirror=clips["mirror"])
+    train, test = splits.split(data, 0.1, 1, ("Zombie",))
+    joints = data.layout.inputs["joints"]
+    shown, learnt = poses(train.clips["Zombie"]), poses(train.inputs["Zombie"][:, joints])
+    windows = test.frames["Zombie"][:, None] + torch.arange(-60, 52)
+    near = torch.isin(data.frames["Zombie"], windows)
+    near = poses(data.inputs["Zombie"][near][:, joints])
+    assert len(near) > 60
+    assert poses(data.clips["Zombie"]) & near  # some clips of the data do
+    assert not shown & near
+    assert not learnt & poses(test.inputs["Zombie"][:, joints])  # nor is a mirror image learnt
+    assert train.clips["Zombie"].shape[1:] == data.clips["Zombie"].shape[1:]
+    frames = train.frames["Zombie"], test.frames["Zombie"]
+    # the windows share no frame, and none is left out needlessly
+    assert (frames[0][:, None] - frames[1]).abs().min() == 112
+    assert len(frames[1]) == round(0.1 * len(data.inputs["Zombie"]))
+    neither = len(data.inputs["Zombie"]) - sum(map(len, frames))
+    windows = math.ceil(len(frames[1]) / 240)
+    assert 0 < neither <= 2 * 111 * (1 + clips["mirror"]) * len(made) * windows
+
+
+def test_a_style_too_short_for_clips_of_its_own_is_doubted():
+    clips = tk.datasets.load("procedural", styles=["Zombie"], gaits=["FW"], seconds=2.5)
+    data = tk.features.build(clips)
+    doubt = "style 'Zombie' is too short to hold out frames"
+    with pytest.warns(UserWarning, match=doubt) as doubts:
+        train, test = splits.split(data, 0.1, 0, ("Zombie",))
+    assert len(doubts) == 2  # its frames, and its style clips
+    assert torch.equal(train.clips["Zombie"], data.clips["Zombie"])
+    parts = len(train.inputs["Zombie"]) + len(test.inputs["Zombie"])
+    assert parts == len(data.inputs["Zombie"])
+
+
+def test_features_of_a_list_have_its_parts():
+    clips = tk.datasets.load("procedural", styles=["Zombie", "Neutral", "Old"],
+                             gaits=["FW", "FR"], seconds=12.0)
+    block = tk.datasets.blocks.Block
+    trained = [block("Zombie", "FW", 100, 400), block("Zombie", "FR", 10, 700),
+               block("Neutral", "FW", 0, 720), block("Neutral", "FR", 0, 720)]
+    tested = [block("Zombie", "FW", 520, 9999), block("Old", "FW", 0, 720)]
+    parts = tk.datasets.blocks.Split("made", trained, [block("Zombie", "FR", 800, 820)], tested,
+                                     unseen=("Old",))
+    data = splits.listed(clips, parts)
+    assert data.styles == ["Neutral", "Zombie"]
+    train, test = splits.split(data, 0.3, 5, ("Zombie", "Neutral"))  # share and seed do not matter
+    sizes = {style: len(x) for style, x in test.inputs.items()}
+    assert sizes == {"Zombie": 720 - 420 - 112 + 1, "Neutral": 0}
+    assert len(train.inputs["Zombie"]) == 300 + 690 - 2 * 111
+    joints = data.layout.inputs["joints"]
+    walk = next(c for c in clips if (c.style, c.gait) == ("Zombie", "FW"))
+    last = tk.features.build(walk.cut(420, 720))  # frame 520 of the take, which begins at 100
+    torch.testing.assert_close(test.inputs["Zombie"][:, joints], last.inputs["Zombie"][:, joints])
+    seen = poses(test.inputs["Zombie"][:, joints])
+    assert not poses(train.inputs["Zombie"][:, joints]) & seen
+    assert not poses(train.clips["Zombie"]) & seen
+    run = training.fit(data, quick(steps=2, clips_per_batch=1))
+    assert run.held_out.keys() == {"Zombie"}
+    with pytest.raises(ValueError, match=r"Neutral.*: the split of made has no block of this take"):
+        splits.listed(clips, dataclasses.replace(parts, train=parts.train[:2]))
+    with pytest.raises(ValueError, match="none of these clips is in the training part"):
+        splits.listed([c for c in clips if c.style == "Old"], parts)
+
+
+def test_takes_of_bandai_are_found_in_their_list(shared):
+    root = shared / "bandai" / "dataset-2"
+    if not root.is_dir():
+        pytest.skip(f"no recordings: {root} does not exist")
+    parts = tk.datasets.split("bandai", root)
+    clips = tk.datasets.load("bandai", root, styles=["active"], gaits=["run"])
+    train, test = splits.split(splits.listed(clips, parts), 0.1, 0, ("active",))
+    wanted = [{block.gait for block in part} for part in (parts.train, parts.test)]
+    names = [clip.name.removesuffix(".bvh") for clip in clips]
+    names = [name for name in names if name in wanted[0] | wanted[1]]
+    assert {names[i] for i in train.takes["active"].tolist()} <= wanted[0]
+    assert {names[i] for i in test.takes["active"].tolist()} <= wanted[1]
+
+
+def test_loss_is_mse_and_bone_length_of_equation_5():
+    model = tiny_model()
+    predicted, target = torch.randn(3, 2, model.layout.n_outputs).unbind(1)
+    mse, bone = loss.loss_terms(model, predicted, target)
+    torch.testing.assert_close(mse, ((predicted - target) ** 2).mean())
+    total = 0.0
+    for n in range(3):
+        a, b = (model.normaliser("outputs").invert(z[n]) for z in (predicted, target))
+        a, b = (z[24 : 24 + 48].reshape(4, 12)[:, :3] for z in (a, b))
+        for j in (1, 2, 3):
+            total += abs(float((a[j] - a[j - 1]).norm() - (b[j] - b[j - 1]).norm())) / 3
+    assert float(bone) == pytest.approx(total / 3, rel=1e-5)
+
+
+def test_repeating_the_frame_keeps_pose_trajectory_and_phases():
+    layout = tree(4)
+    x, p = torch.randn(2, layout.n_inputs), torch.randn(2, 8)
+    mean = torch.full((layout.n_outputs,), 0.25)
+    z = layout.unpack_output(loss.repeat_frame(layout, x, p, mean))
+    assert torch.equal(z["joints"], x[:, 48:])
+    assert torch.equal(z["trajectory"], x[:, 24:48])  # now and the five future of twelve samples
+    assert torch.equal(z["phases"], p)
+    assert float(z["phase_updates"].abs().max()) == 0
+    assert bool((z["contacts"] == 0.25).all())
+
+
+def test_it_overfits_one_minibatch():
+    data = waves(styles=1)
+    kinds = ("inputs", "phases", "outputs", "takes")
+    one = {kind: {"style0": getattr(data, kind)["style0"][:16]} for kind in kinds}
+    config = Config(sizes=dataclasses.replace(WIDER, dropout=0.0), steps=200, batch=16,
+                    clips_per_batch=1, rate=3e-3, final_rate=0.01, max_gradient=1.0, held_out=0.0,
+                    bone_weight=0.1)
+    run = training.fit(dataclasses.replace(data, **one), config)
+    assert run.history[-1]["mse"] < 3e-3
+    assert run.held_out == run.baselines == {}
+    assert run.history[-1]["held_out"] is None
+
+
+def test_it_learns_more_than_both_baselines_also_in_bfloat16():
+    config = quick(steps=300, sizes=WIDER, evaluate_every=100, rate=2e-3)
+    runs = [training.fit(waves(), dataclasses.replace(config, precision=p)) for p in ("32", "bf16")]
+    *styles, overall = runs[0].table()
+    assert [row["style"] for row in styles] == ["style0", "style1"]
+    for row in (*styles, overall):
+        assert row["error"] < 0.5 * min(row["mean"], row["repeat"], row["other"])
+    assert overall["mean"] == pytest.approx(sum(row["mean"] for row in styles) / 2)
+    assert runs[0].bank.vectors.shape == (2, 256)
+    assert [row["step"] for row in runs[0].history] == [100, 200, 300]
+    assert all(p.dtype == torch.float32 for p in runs[1].model.parameters())
+    assert not same_weights(*(run.model for run in runs))
+    assert runs[1].table()[-1]["error"] == pytest.approx(overall["error"], rel=0.3)
+
+
+def test_fitted_vectors_have_less_error_and_the_model_stays():
+    run = training.fit(waves(), quick(steps=60, sizes=WIDER, rate=2e-3))
+    before = {name: value.clone() for name, value in run.model.state_dict().items()}
+    fitted = loss.refit(run.model, run.bank, waves(), 30)
+    errors = [loss.evaluate(run.model, bank, waves(), 300) for bank in (run.bank, fitted)]
+    for style in run.bank:
+        assert errors[1][style]["mse"] < 0.98 * errors[0][style]["mse"]
+    assert all(torch.equal(value, before[name]) for name, value in run.model.state_dict().items())
+
+
+@pytest.mark.parametrize("step", [1, 5, 12])
+def test_stopped_and_resumed_equals_not_stopped(tmp_path, straight, step):
+    path = tmp_path / "run.checkpoint"
+    torch.manual_seed(3)
+    expected = torch.rand(4)
+    torch.manual_seed(3)
+    with pytest.raises(KeyboardInterrupt):
+        training.fit(waves(), QUICK, path, on_step=stop_at(step))
+    assert torch.equal(torch.rand(4), expected)  # the global generator is left alone
+    resumed = training.fit(waves(), QUICK, path)
+    assert same_weights(straight.model, resumed.model)
+    assert torch.equal(straight.bank.vectors, resumed.bank.vectors)
+    assert course(resumed) == course(straight)
+    assert [p.name for p in tmp_path.iterdir()] == ["run.checkpoint"]
+
+
+def test_ctrl_c_ends_the_step_and_leaves_a_checkpoint(tmp_path, monkeypatch):
+    def interrupt(step: int, _: float) -> None:
+        if step == 3:
+            os.kill(os.getpid(), signal.SIGINT)
+
+    path, before = tmp_path / "run.checkpoint", signal.getsignal(signal.SIGINT)
+    with pytest.raises(KeyboardInterrupt):
+        training.fit(waves(), QUICK, path, on_step=interrupt)
+    assert signal.getsignal(signal.SIGINT) is before
+    steps = []
+    with monkeypatch.context() as patch:  # after the last step
+        patch.setattr(loop, "_held_out", lambda *_: os.kill(os.getpid(), signal.SIGINT) or 0.5)
+        late = quick(evaluate_every=100)
+        with pytest.raises(KeyboardInterrupt):
+            training.fit(waves(), late, path, on_step=lambda step, _: steps.append(step))
+    assert steps in (list(range(4, 13)), list(range(5, 13)))
+    training.fit(waves(), QUICK, path, on_step=lambda step, _: pytest.fail("a step was repeated"))
+
+
+SCRIPT = """
+import json, os, sys
+import torch
+from test_training import waves
+from toolkit import training
+from toolkit.training import distributed
+
+if __name__ == "__main__":
+    torch.set_num_threads(1)
+    losses = []
+    done = lambda step, loss: losses.append(loss) or print(step, flush=True)
+    config = training.Config.from_json(json.loads(sys.argv[1]))
+    run = training.fit(waves(), config, sys.argv[2], on_step=done)
+    if distributed.first():
+        run.save(sys.argv[3])
+        with open(sys.argv[3] + ".json", "w") as file:
+            json.dump({"losses": losses, "from": training.__file__}, file)
+"""
+
+
+def script(folder: Path, config: Config, *launcher: str) -> subprocess.Popen:
+    """Starts a training in a process of its own; checkpoint and run are in the folder."""
+    (folder / "train.py").write_text(SCRIPT)
+    here = Path(__file__).parents
+    call = [sys.executable, *launcher, str(folder / "train.py"),
+            json.dumps(dataclasses.asdict(config)), str(folder / "checkpoint"),
+            str(folder / "run.safetensors")]
+    settings = {"PYTHONPATH": os.pathsep.join(str(here[i]) for i in range(3)),
+                "PYTHONWARNINGS": "error", "OMP_NUM_THREADS": "1"}
+    return subprocess.Popen(call, env=os.environ | settings, stdout=subprocess.PIPE, text=True)
+
+
+def test_killed_and_resumed_equals_not_killed(tmp_path):
+    config = quick(steps=30, save_every=0.0, patience=3)
+    with script(tmp_path, config) as process:
+        for line in process.stdout:
+            if int(line) == 17:
+                process.kill()
+    assert process.returncode == -signal.SIGKILL
+    steps, whole = [], training.fit(waves(), config)
+    resumed = training.fit(waves(), config, tmp_path / "checkpoint",
+                           on_step=lambda step, _: steps.append(step))
+    assert 17 <= steps[0] <= 30
+    assert same_weights(whole.model, resumed.model)
+    assert course(whole) == course(resumed)
+
+
+TORCHRUN = ("-m", "torch.distributed.run", "--nproc-per-node", "2", "--rdzv-backend", "c10d",
+            "--rdzv-endpoint", "127.0.0.1:0", "--local-addr", "127.0.0.1")
+
+
+@pytest.mark.parametrize("launcher", [(), TORCHRUN], ids=["launched", "torchrun"])
+def test_two_processes_equal_one_without_dropout(tmp_path, launcher):
+    """Pose mix-up, clipped gradients, and shares of 8 and 7 frames with 5 clips included."""
+    config = quick(steps=20, sizes=dataclasses.replace(WIDER, dropout=0.0), batch=15,
+                   clips_per_batch=5)
+    losses = []
+    alone = training.fit(waves(), config, on_step=lambda _, loss: losses.append(loss))
+    two = dataclasses.replace(config, processes=1 if launcher else 2)
+    with script(tmp_path, two, *launcher) as process:
+        process.communicate(timeout=600)
+    assert process.returncode == 0
+    said = json.loads((tmp_path / "run.safetensors.json").read_text())
+    assert said["from"] == training.__file__
+    assert said["losses"] != losses  # or it was one process after all
+    assert said["losses"] == pytest.approx(losses, abs=1e-4)
+    together = training.load(tmp_path / "run.safetensors")
+    for a, b in zip(alone.model.parameters(), together.model.parameters(), strict=True):
+        torch.testing.assert_close(a, b, atol=1e-4, rtol=0)
+
+
+def test_shares_of_a_minibatch_make_its_loss_and_processes_draw_their_own_dropout():
+    model = tiny_model()
+    x, p, z, y = (torch.randn(15, 96), torch.randn(15, 8), torch.randn(15, 90),
+                  torch.randn(5, 240, 48))
+    whole = distributed.Objective(model, 0.5)(x, p, z, y, 0)
+    parts = [distributed.Objective(model, 0.5, rank, 2)(x, p, z, y, 0) for rank in range(2)]
+    torch.testing.assert_close(sum(parts) / 2, whole)
+    torch.testing.assert_close(whole[0], whole[1] + 0.5 * whole[2])
+    assert loop.draws(7, 0) == (7,)  # as one process does
+    assert len({loop.draws(step, rank) for step in range(3) for rank in range(3)}) == 9
+
+
+def test_the_environment_alone_makes_no_second_process(tmp_path, monkeypatch):
+    """RANK=1 is left in an environment by other launchers; training wrote nothing then."""
+    monkeypatch.setenv("RANK", "1")
+    monkeypatch.setenv("LOCAL_RANK", "1")
+    assert distributed.first()
+    training.fit(waves(), quick(steps=2), tmp_path / "checkpoint")
+    assert (tmp_path / "checkpoint").exists()
+
+
+def test_only_several_processes_need_lightning_fabric(monkeypatch):
+    monkeypatch.setitem(sys.modules, "lightning_fabric", None)
+    training.distributed._start.cache_clear()
+    needed = r'^several processes need the extra "scale": pip install "\.\[scale\]"$'
+    with pytest.raises(ImportError, match=needed):
+        training.fit(waves(), quick(processes=2))
+    assert len(training.fit(waves(), quick(steps=2)).history) == 1
+    with pytest.raises(ValueError, match=r"^1 × 'cuda:99': .+$"):
+        training.fit(waves(), quick(device="cuda:99"))
+
+
+def test_it_stops_early_with_the_best_weights_also_after_a_resume(tmp_path):
+    config = quick(steps=400, sizes=WIDER, rate=3e-2, final_rate=1.0, evaluate_every=5, patience=3)
+    whole = training.fit(waves(), config)
+    errors = [row["held_out"] for row in whole.history]
+    assert len(errors) < 80
+    assert min(errors) == errors[-4] < min(errors[-3:])
+    best = dataclasses.replace(config, patience=None, steps=whole.history[-4]["step"])
+    assert same_weights(whole.model, training.fit(waves(), best).model)
+    path = tmp_path / "checkpoint"
+    with pytest.raises(KeyboardInterrupt):
+        training.fit(waves(), config, path, on_step=stop_at(whole.history[-1]["step"] - 7))
+    for _ in range(2):  # the second time it is finished already
+        resumed = training.fit(waves(), config, path)
+        assert same_weights(whole.model, resumed.model)
+        assert [row["held_out"] for row in resumed.history] == errors
+    with pytest.raises(ValueError, match="to resume differs in patience: expected 4, got 3"):
+        training.fit(waves(), dataclasses.replace(config, patience=4), path)
+    with pytest.raises(ValueError, match=r"held_out=0\.0001 leaves none of these data"):
+        training.fit(waves(), quick(patience=3, held_out=1e-4))
+
+
+def test_bar_and_tensorboard_show_what_was_computed(tmp_path, capsys, monkeypatch):
+    from tensorboard.backend.event_processing.event_accumulator import EventAccumulator
+
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
+    losses = {}
+    run = training.fit(waves(), quick(steps=25), log=tmp_path, progress=True,
+                       on_step=lambda step, loss: losses.update({step: loss}))
+    said = capsys.readouterr().err
+    assert re.search(r"loss=\d+\.\d+", said)
+    assert re.search(r"\[\d\d:\d\d<\d\d:\d\d", said)
+    events = EventAccumulator(str(tmp_path)).Reload()
+    tags = events.Tags()["scalars"]
+    drawn = {name: {e.step: e.value for e in events.Scalars(name)} for name in tags}
+    assert drawn.keys() == {"loss", "mse", "bone", "rate", "held_out"}
+    assert drawn["loss"] == pytest.approx({10: losses[10], 20: losses[20]})
+    right = {row["step"]: row["held_out"] for row in run.history}
+    assert drawn["held_out"] == pytest.approx(right)
+    expected = 1e-3 * (0.1 + 0.9 * (1 + math.cos(math.pi * 9 / 25)) / 2)
+    assert drawn["rate"][10] == pytest.approx(expected, rel=1e-5)
+    timed = training.fit(waves(), quick(steps=None, seconds=0.3), progress=True)
+    assert timed.history[-1]["step"] > 1
+    assert "00:00 left" in capsys.readouterr().err
+
+
+def test_what_cannot_be_resumed_is_named(tmp_path):
+    data, path = waves(), tmp_path / "run.checkpoint"
+    training.fit(data, QUICK, path)
+    for other, config, why in (
+        (data, quick(seed=1), "the run to resume differs in seed: expected 1, got 0"),
+        (waves(joints=5), QUICK, "the layout differs in joints: expected 5, got 4"),
+        (waves(frames=800), QUICK, "the run to resume had other data"),
+    ):
+        with pytest.raises(ValueError, match=f"run.checkpoint: {why}"):
+            training.fit(other, config, path)
+    with pytest.raises(ValueError, match=r"expected a run in it, got checkpoint, model"):
+        training.load(path)
+    training.fit(waves(joints=5), QUICK, path, resume=False)
+
+
+@pytest.fixture(scope="module")
+def parts(tmp_path_factory):
+    """Tensors and numbers of a checkpoint of a run with patience."""
+    path = tmp_path_factory.mktemp("whole") / "checkpoint"
+    training.fit(waves(), quick(steps=6, patience=9, evaluate_every=3), path)
+    return model_files.read(path, "checkpoint")
+
+
+FIRST, BEST = "adam.model.0.exp_avg", "best.experts.layers.0.weight"
+
+
+@pytest.mark.parametrize(("name", "value", "why"), [
+    (FIRST, lambda t: t[:1], "differs in tensor 0.exp_avg"),
+    (FIRST, lambda t: t.flatten(), "differs in tensor 0.exp_avg"),
+    (FIRST, lambda t: t.double(), "differs in tensor 0.exp_avg: expected torch.float32"),
+    (FIRST, lambda t: t * math.nan, "0.exp_avg has numbers that are not finite"),
+    (FIRST, lambda t: None, "differs in tensor 0.exp_avg"),
+    ("adam.model.99.exp_avg", lambda t: torch.zeros(2), "differs in tensor 99.exp_avg"),
+    ("adam.model.3.exp_avg_sq", lambda t: t - 1, "parameter 3 has a step below 1 or a negative"),
+    ("adam.model.3.step", lambda t: t * 0, "parameter 3 has a step below 1 or a negative"),
+    ("adam.", None, "the moments of Adam are missing"),
+    ("model.experts.layers.0.weight", lambda t: t / 0, "not finite"),
+    (BEST, lambda t: t[:, 1:], "differs in tensor experts.layers.0.weight"),
+    (BEST, lambda t: t * math.inf, "not finite"),
+])
+def test_tensors_that_do_not_fit_the_run_are_refused(tmp_path, parts, name, value, why):
+    """The fused Adam reads and writes outside of moments that are too small."""
+    tensors, numbers = parts
+    tensors = dict(tensors)
+    if value is None:
+        tensors = {key: tensor for key, tensor in tensors.items() if not key.startswith(name)}
+    elif (made := value(tensors.get(name))) is None:
+        del tensors[name]
+    else:
+        tensors[name] = made
+    refused(tmp_path / "checkpoint", tensors, numbers, why)
+
+
+@pytest.mark.parametrize(("changes", "why"), [
+    ({"step": 7}, "its step is 7, and the run has 6"),
+    ({"step": -1}, "its step is -1"),
+    ({"step": 1.5}, "its step is 1.5"),
+    ({"step": None}, "'step' is missing"),
+    ({"history": None}, "'history' is missing"),
+    ({"elapsed": -1.0}, "its time is -1.0 s"),
+    ({"history": [{"step": 1}]}, "'held_out' is missing"),
+])
+def test_numbers_that_do_not_fit_the_run_are_refused(tmp_path, parts, changes, why):
+    tensors, numbers = parts
+    state = numbers["checkpoint"] | changes
+    state = {name: value for name, value in state.items() if value is not None}
+    refused(tmp_path / "checkpoint", tensors, numbers | {"checkpoint": state}, why)
+
+
+def refused(path: Path, tensors: dict, numbers: dict, why: str) -> None:
+    config = quick(steps=6, patience=9, evaluate_every=3)
+    numbers = {"model": numbers["model"], "checkpoint": numbers["checkpoint"]}
+    numbers["checkpoint"] = {"config": config.fixed()} | numbers["checkpoint"]
+    model_files.write(path, tensors, numbers)
+    with pytest.raises(ValueError, match=re.escape(why)) as error:
+        training.fit(waves(), config, path)
+    assert str(error.value).startswith(str(path))
+    assert "\n" not in str(error.value)
+
+
+def test_a_saved_run_is_whole(tmp_path, straight):
+    path = tmp_path / "run.safetensors"
+    straight.save(path)
+    again = training.load(path)
+    assert same_weights(straight.model, again.model)
+    assert (again.config, again.history) == (straight.config, straight.history)
+    assert again.table() == straight.table()
+    assert torch.equal(StyleBank.load(path)["style1"], straight.bank["style1"])
+    assert same_weights(networks.Model.load(path), straight.model)
+    whole = path.stat().st_size
+    straight.save(path, slim=True)
+    slim = training.load(path)
+    assert path.stat().st_size < whole
+    assert slim.model.modulation.generator is None
+    apart = slim.model.experts.layers[0].weight - straight.model.experts.layers[0].weight
+    assert 0 < float(apart.detach().abs().max()) < 1e-3
+
+
+@pytest.mark.parametrize(("changes", "match"), [
+    ({"epochs": 1, "steps": 1}, "one of epochs, steps and seconds, got epochs and steps"),
+    ({"seconds": 0}, "seconds must be positive"),
+    ({"batch": 0}, "batch must be a whole number from 1, got 0"),
+    ({"batch": 8, "clips_per_batch": 9}, "clips_per_batch must be from 1 to the 8 frames"),
+    ({"rate": 0.0}, "rate must be positive"),
+    ({"style_rate": -1.0}, "style_rate must be finite and not negative"),
+    ({"final_rate": 1.1}, r"final_rate must be in \[0, 1\]"),
+    ({"pose_mixup": 2.0}, r"pose_mixup must be in \[0, 1\]"),
+    ({"held_out": 1.0}, r"held_out must be in \[0, 1\)"),
+    ({"seed": -1}, "seed must not be negative"),
+    ({"refit": -1}, "refit must not be negative"),
+    ({"model": "lpn"}, "unknown model 'lpn'; known: pfnn-onehot, lpn-onehot"),
+    ({"evaluate_every": 0}, "evaluate_every must be a whole number from 1, got 0"),
+    ({"patience": 0}, "patience must be a whole number from 1"),
+    ({"patience": 1, "held_out": 0.0}, "needs held-out frames; got 1 and held_out 0.0"),
+    ({"precision": "8"}, "precision must be one of 32, bf16, got '8'"),
+    ({"device": "abacus"}, "device must be cpu, cuda, .* got 'abacus'"),
+    ({"processes": 33}, "processes must be from 1 to the 32 frames of a minibatch, got 33"),
+])
+def test_impossible_configs(changes, match):
+    with pytest.raises(ValueError, match=match):
+        Config(**changes)
+
+
+def test_the_help_of_a_config_explains_every_field():
+    for field in dataclasses.fields(Config):
+        assert re.search(rf"^    {field.name}\n        \S", Config.__doc__, re.MULTILINE)
+
+
+def test_unknown_style_and_divergence_are_named():
+    with pytest.raises(ValueError, match="unknown style 'style9'; close to it"):
+        training.fit(waves(), quick(styles=("style9",)))
+    with pytest.raises(ValueError, match="training diverged at step"):
+        training.fit(waves(), quick(rate=1e30, max_gradient=None))

@@ -1,0 +1,514 @@
+import base64
+import gc
+import re
+import subprocess
+import sys
+import weakref
+from itertools import pairwise
+
+import numpy as np
+import pytest
+import torch
+from PIL import Image
+from scipy.spatial import cKDTree
+
+from toolkit import view
+from toolkit.motion import Clip, Skeleton, rotations as R
+from toolkit.view.pages import page
+from toolkit.view.render import mannequin as body, stage, surface
+
+#: What would ask a server.
+ASKS = r"""(?:src|href)\s*=\s*["']?\s*(?:https?:)?//|url\(\s*["']?https?:|@import|fetch\(["']http"""
+SPINE = [
+    ("Hips", -1, (0, 0.95, 0)), ("Chest", 0, (0, 0.2, 0)), ("Neck", 1, (0, 0.25, 0)),
+    ("Head", 2, (0, 0.1, 0)), ("HeadEnd", 3, (0, 0.17, 0))
+]
+ARM = [
+    ("Collar", 1, (0.03, 0.2, 0)), ("Shoulder", 0, (0.15, 0, 0)), ("Elbow", 1, (0.3, 0, 0)),
+    ("Wrist", 2, (0.25, 0, 0))
+]
+LEG = [
+    ("Hip", 0, (0.1, 0, 0)), ("Knee", 0, (0, -0.43, 0)), ("Ankle", 1, (0, -0.43, 0)),
+    ("Toe", 2, (0, -0.07, 0.15))
+]
+
+
+def humanoid() -> Skeleton:
+    names, parents, offsets = (list(x) for x in zip(*SPINE, strict=True))
+    for side, sign in (("Left", 1), ("Right", -1)):
+        for limb in (ARM, LEG):
+            first = len(names)
+            for i, (name, parent, (x, y, z)) in enumerate(limb):
+                names.append(side + name)
+                parents.append(parent if i == 0 else first + parent)
+                offsets.append((sign * x, y, z))
+    return Skeleton(tuple(names), tuple(parents), torch.tensor(offsets))
+
+
+def walk(
+    frames: int = 60, fps: float = 60.0, style: str = "Neutral", turned: torch.Tensor | None = None
+) -> Clip:
+    """Swinging limbs over a straight path.
+
+    ``turned`` gives every joint other local axes without changing the motion.
+    """
+    skeleton = humanoid()
+    t = torch.arange(frames) / fps
+    q = R.identity(frames, len(skeleton))
+    for name, sign in (
+        ("LeftHip", 1), ("RightHip", -1), ("LeftShoulder", -1), ("RightShoulder", 1)
+    ):
+        q[:, skeleton.index(name)] = R.from_axis_angle(
+            torch.tensor([1.0, 0, 0]), sign * 0.5 * torch.sin(2 * np.pi * t)
+        )
+    positions = torch.stack((0 * t, 0.94 + 0.02 * torch.cos(4 * np.pi * t), 1.2 * t), -1)
+    if turned is not None:
+        above = q.clone()
+        above[:, 1:] = R.multiply(R.inverse(turned), above[:, 1:])
+        q = R.multiply(above, turned)
+        offsets = R.rotate(R.inverse(turned), skeleton.offsets)
+        skeleton = Skeleton(skeleton.names, skeleton.parents, offsets)
+    return Clip(skeleton, q, positions, fps, style, "FW")
+
+
+@pytest.fixture(scope="module")
+def clip() -> Clip:
+    return walk()
+
+
+def test_importing_the_package_loads_no_drawing_library():
+    code = (
+        "import sys, toolkit, toolkit.view; "
+        "print({'pyvista', 'vtkmodules', 'plotly', 'ipywidgets', 'matplotlib'} & set(sys.modules))"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "set()"
+
+
+def test_names_of_the_view_are_listed():
+    assert {"html", "animate"} <= set(dir(view)) == set(view.__all__)
+    for name in view.__all__:
+        assert getattr(view, name).__name__ in (name, f"toolkit.view.{name}")
+    with pytest.raises(AttributeError, match="nothing"):
+        view.nothing  # noqa: B018
+
+
+# the body
+
+
+def drawn(
+    clip: Clip, frame: int = 0, mannequin: body.Mannequin | None = None
+) -> tuple[np.ndarray, np.ndarray]:
+    """Vertices and normals [V, 3] of a frame."""
+    skin = (mannequin or body.build(clip)).skin
+    return skin.pose(clip.global_rotations[frame], clip.global_positions[frame])
+
+
+def bent(clip: Clip, **degrees: float) -> Clip:
+    """One frame at rest, but for joints that turn about the sideways axis."""
+    q = R.identity(1, len(clip.skeleton))
+    for name, angle in degrees.items():
+        q[:, clip.skeleton.index(name)] = R.from_axis_angle(
+            torch.tensor([1.0, 0.0, 0.0]), torch.tensor(np.radians(angle))
+        )
+    return clip.cut(0, 1).replace(rotations=q.float())
+
+
+def test_the_body_does_not_depend_on_the_rigs_local_axes(clip):
+    # X -> y -> z -> x.
+    q = R.from_axis_angle(R.normalize(torch.tensor([1.0, 1.0, 1.0])), torch.tensor(2 * np.pi / 3))
+    other = walk(turned=q)
+    torch.testing.assert_close(other.global_positions, clip.global_positions, atol=1e-5, rtol=0)
+    mine, theirs = (drawn(c, 7)[0] for c in (clip, other))
+    far = cKDTree(mine).query(theirs)[0]
+    assert np.quantile(far, 0.99) < 0.02
+    assert np.median(far) < 0.008
+
+
+def test_the_body_is_symmetric_and_stands_on_the_floor(clip):
+    mannequin = body.build(clip)
+    assert (
+        mannequin.tones.max(0).min() > 0.5
+        or list(body.COLORS)[int(mannequin.tones.max(0).argmin())] == "joint"
+    )
+    np.testing.assert_allclose(mannequin.tones.sum(1), 1, atol=1e-6)
+    assert (mannequin.feet > 0.5).sum(0).min() > 50
+    rest = bent(clip)
+    # Ankles at 7 cm, toes on the floor.
+    rest = rest.replace(root_positions=torch.tensor([[0.0, 0.93, 0.0]]))
+    points, _ = drawn(rest, 0, mannequin)
+    assert -0.03 < points[:, 1].min() < 0.03
+    tree = cKDTree(points)
+    assert np.quantile(tree.query(points * [-1, 1, 1])[0], 0.99) < 0.02
+    assert mannequin.light.min() < 0.6 < 0.95 < np.median(mannequin.light)
+    assert mannequin.light.max() <= 1
+
+
+def test_skin_is_the_sum_of_what_each_joint_does(clip):
+    """Against a loop over vertices and their joints."""
+    pose, skin = bent(clip, LeftKnee=70, RightElbow=-80, Chest=30, Neck=-20), body.build(clip).skin
+    points, normals = drawn(pose, 0, body.build(clip))
+    turn, where = (
+        R.to_matrix(pose.global_rotations[0]).double().numpy(),
+        pose.global_positions[0].double().numpy()
+    )
+    assert (skin.weights >= 0).all()
+    np.testing.assert_allclose(skin.weights.sum(1), 1, atol=1e-6)
+    for v in range(0, len(points), 37):
+        expected = sum(
+            w
+            * (
+                turn[j] @ (skin.inverse[j, :, :3] @ skin.points[v] + skin.inverse[j, :, 3])
+                + where[j]
+            )
+            for w, j in zip(skin.weights[v], skin.joints[v], strict=True)
+        )
+        np.testing.assert_allclose(points[v], expected, atol=1e-5)
+    np.testing.assert_allclose(np.linalg.norm(normals, axis=1), 1, atol=1e-5)
+    assert (np.sort(skin.weights, 1)[:, -2] > 0.2).sum() > 100  # vertices that follow two joints
+
+
+def test_the_surface_is_closed_and_faces_outwards(clip):
+    """Every edge has two triangles, in opposite directions.
+
+    The volume is that of a person of this height.
+    """
+    skin = body.build(clip).skin
+    edges = np.concatenate([skin.triangles[:, [i, (i + 1) % 3]] for i in range(3)])
+    names, counts = np.unique(edges[:, 0] * len(skin.points) + edges[:, 1], return_counts=True)
+    back = edges[:, 1] * len(skin.points) + edges[:, 0]
+    assert (counts == 1).mean() > 0.999
+    assert np.isin(back, names).all()
+    a, b, c = skin.points[skin.triangles].astype(float).transpose(1, 0, 2)
+    assert 0.04 < np.einsum("ti,ti->t", a, np.cross(b, c)).sum() / 6 < 0.09
+    outwards = np.einsum("ti,ti->t", np.cross(b - a, c - a), skin.normals[skin.triangles].mean(1))
+    assert (outwards > 0).mean() > 0.99
+
+
+def test_a_bent_knee_keeps_its_flesh(clip):
+    """The leg stays thick where it bends, and what is far from the knee does not follow it."""
+    mannequin, knee = body.build(clip), clip.skeleton.index("LeftKnee")
+    straight, pose = bent(clip), bent(clip, LeftKnee=90)
+    before, after = (drawn(c, 0, mannequin)[0] for c in (straight, pose))
+    centre = pose.global_positions[0, knee].numpy()
+    near = np.linalg.norm(before - centre, axis=1) < 0.07
+    assert near.sum() > 20
+    assert np.linalg.norm(after[near] - centre, axis=1).min() > 0.025
+    upper, lower = ((mannequin.skin.weights * (mannequin.skin.joints == j)).sum(1)
+                    for j in (clip.skeleton.index("LeftHip"), knee))
+    assert (both := (upper > 0.1) & (lower > 0.1)).sum() > 20
+    assert np.linalg.norm(before[both] - centre, axis=1).max() < 0.13
+    below = [
+        j for j in range(len(pose.skeleton)) if j == knee or knee in pose.skeleton.ancestors(j)
+    ]
+    still = ~(np.isin(mannequin.skin.joints, below) & (mannequin.skin.weights > 0)).any(1)
+    assert still.sum() > 1000
+    np.testing.assert_allclose(after[still], before[still], atol=1e-6)
+
+
+def test_a_body_is_built_once_and_keeps_no_clip_alive(clip):
+    kept = clip.cut(0, 30)
+    assert body.build(kept) is body.build(kept)
+    assert body.build(kept) is body.build(kept.replace(style="Old"))  # the same skeleton
+    seen = weakref.ref(kept)
+    del kept
+    gc.collect()
+    assert seen() is None
+
+
+def test_any_tree_gets_a_body():
+    skeleton = Skeleton(
+        ("a", "b", "c"), (-1, 0, 1), torch.tensor([[0.0, 0, 0], [0, 0.5, 0], [0.2, 0, 0]])
+    )
+    tree = Clip(skeleton, R.identity(4, 3), torch.zeros(4, 3), 30.0)
+    assert len(np.unique(body.build(tree).skin.joints[:, 0])) == 2
+    assert view.strip(tree, frames=2, dpi=40) is not None
+    point = Skeleton(("a",), (-1,), torch.zeros(1, 3))
+    with pytest.raises(ValueError, match="no bone is long enough"):
+        body.build(Clip(point, R.identity(2, 1), torch.zeros(2, 3), 30.0))
+
+
+@pytest.mark.parametrize("seed", [0, 1])
+def test_the_field_of_a_cone_agrees_with_a_row_of_balls(seed):
+    """A rounded cone is the union of the balls between its ends.
+
+    The thinned one is that, pressed flat.
+    """
+    rng = np.random.default_rng(seed)
+    start, end, thin = rng.uniform(-0.25, 0.25, (3, 3))
+    radii, by = tuple(rng.uniform(0.04, 0.12, 2)), 1.0 if seed % 2 else 0.5
+    field = surface.Field(
+        [surface.Cone(0, start, end, radii, "left", "one", thin, by)],
+        {"one": surface.Part(0.0, 0.0)}
+    )
+    points, _, triangles = surface.polygonise(field, 0.02)
+    h = np.linspace(0, 1, 3000)[:, None]
+    centres, radius = start + h * (end - start), radii[0] + h[:, 0] * (radii[1] - radii[0])
+    axis = (end - start) / np.linalg.norm(end - start)
+    flat = thin - axis * (axis @ thin)
+    flat /= np.linalg.norm(flat)
+    away = points[:, None] - centres
+    away = away + (1 / by - 1) * (away @ flat)[..., None] * flat
+    gap = (np.linalg.norm(away, axis=-1) - radius).min(1)
+    assert np.abs(gap).max() < 0.003
+    assert len(points) > 100
+    assert len(points) - 3 * len(triangles) / 2 + len(triangles) == 2  # Euler: one closed surface
+
+
+# the web page
+
+
+def test_page_is_one_file_that_loads_nothing(clip, tmp_path):
+    weights = {
+        "Zombie": np.linspace(1, 0, 60), "Old": np.linspace(0, 1, 60), "Neutral": np.zeros(60)
+    }
+    path = view.html(
+        clip, tmp_path / "walk.html", title="A <walk>", caption="& more",
+        contacts=torch.ones(60, 2), styles=weights
+    )
+    text = path.read_text(encoding="utf-8")
+    assert [p.name for p in tmp_path.iterdir()] == ["walk.html"]
+    assert "A &lt;walk&gt;" in text
+    assert "&amp; more" in text
+    assert "MIT License" in text
+    assert "default-src 'none'" in text
+    assert not re.search(ASKS, text)
+    assert set(re.findall(r"https?://[\w./-]+", text)) <= {
+        "http://www.w3.org/1999/xhtml", "http://www.w3.org/2000/svg"
+    }
+    assert text.count("<script") == text.count("</script>") == 4
+
+
+def test_page_keeps_the_motion_within_half_a_millimetre(clip):
+    packed = page.pack(clip, "walk")
+    rotations = R.identity(60, len(clip.skeleton))
+    values = np.frombuffer(base64.b64decode(packed["rotations"]), np.int16).reshape(60, -1, 4)
+    rotations[:, packed["joints"]] = R.normalize(torch.from_numpy(values / page.UNIT).float())
+    root = torch.from_numpy(
+        np.frombuffer(base64.b64decode(packed["root"]), np.float32).reshape(-1, 3).copy()
+    )
+    unpacked = clip.replace(rotations=rotations, root_positions=root)
+    error = (unpacked.global_positions - clip.global_positions).norm(dim=-1).max()
+    assert float(error) < 0.0005
+    assert [packed["frames"], packed["fps"], packed["label"]] == [60, 60.0, "walk"]
+
+
+def test_page_refuses_what_does_not_fit(clip, tmp_path):
+    with pytest.raises(
+        ValueError, match=r"contacts must be \[F, 2\] for each clip of \[60\] frames"
+    ):
+        view.html(clip, tmp_path / "x.html", title="x", contacts=torch.ones(59, 2))
+    with pytest.raises(ValueError, match="style weights must be"):
+        view.html(clip, tmp_path / "x.html", title="x", styles={"Old": np.ones(3)})
+    with pytest.raises(ValueError, match="got 0 clips, 0 labels"):
+        view.html([], tmp_path / "x.html", title="x")
+    with pytest.raises(ValueError, match="1 to 9 clips with a style mapping each; got 10 clips"):
+        view.html([clip] * 10, tmp_path / "x.html", title="x")
+    assert not list(tmp_path.iterdir())
+
+
+# the strip
+
+
+@pytest.fixture(params=["pyvista", "matplotlib"])
+def drawer(request, monkeypatch):
+    if request.param == "matplotlib":
+        monkeypatch.setattr(stage, "opengl_works", lambda: False)
+    elif not stage.opengl_works():
+        pytest.skip("pyvista finds no OpenGL here")
+    return request.param
+
+
+def tone(picture: np.ndarray, name: str) -> np.ndarray:
+    """Where a picture has clearly the hue of a side, or of a foot that stands."""
+    r, g, b = np.moveaxis(picture.astype(int), -1, 0)
+    return {"right": r - b > 40, "left": b - r > 40, "stands": (g - r > 60) & (g - b > 40)}[name]
+
+
+def test_strip_draws_every_clip(drawer, clip, tmp_path):
+    path = tmp_path / "strip.png"
+    figure = view.strip([clip, walk(style="Zombie")], path, frames=3, width=5, dpi=60,
+                        contacts=[None, torch.ones(60, 2)])
+    assert [axes.texts[0].get_text() for axes in figure.axes] == ["Neutral FW", "Zombie FW"]
+    picture = np.asarray(Image.open(path).convert("RGB"))
+    assert picture.shape[1] == 300
+    half = len(picture) // 2
+    for row in (picture[:half], picture[half:]):
+        for column in range(3):
+            cell = row[:, 100 * column : 100 * (column + 1)]
+            assert all(tone(cell, side).mean() > 0.004 for side in ("left", "right"))
+            # From the right, the right side hides the left one.
+            assert tone(cell, "right").sum() > tone(cell, "left").sum()
+    assert tone(picture[half:], "stands").sum() > 20
+    if drawer == "pyvista":
+        assert tone(picture[:half], "stands").sum() == 0
+
+
+def test_a_stage_shows_points_where_its_camera_sees_them(drawer, clip):
+    """The middle of all coloured pixels is near the middle of the joints, for any camera."""
+    for azimuth, tilt, x in ((0.0, 0.1, 0.0), (1.0, 0.5, 0.4), (-2.0, 0.9, -0.4)):
+        shown = stage.open_stage((200, 160))
+        body = stage.Body(clip)
+        shown.load([body], np.array([0.0, 1.0, 0.0]))
+        target = np.array([x, 0.8, 0.3])
+        camera = stage.Camera(target, azimuth, tilt, 4.0)
+        picture = shown.draw([stage.Pose(body, 10)], camera)
+        shown.close()
+        rows, columns = np.nonzero(tone(picture, "left") | tone(picture, "right"))
+        seen = np.array([(columns.min() + columns.max()) / 2, (rows.min() + rows.max()) / 2])
+        turn = stage.axes(azimuth, tilt)
+        np.testing.assert_allclose(turn @ turn.T, np.eye(3), atol=1e-9)
+        towards = [np.sin(azimuth) * np.cos(tilt), np.sin(tilt), np.cos(azimuth) * np.cos(tilt)]
+        np.testing.assert_allclose(turn[2], towards, atol=1e-9)
+        sides = [j for j, name in enumerate(clip.skeleton.names) if name.startswith(("L", "R"))]
+        joints = (clip.global_positions[10, sides].double().numpy() - target) @ turn.T * 40
+        middle = (joints.min(0) + joints.max(0))[:2] / 2
+        np.testing.assert_allclose(seen, [100 + middle[0], 80 - middle[1]], atol=7)
+
+
+def test_lines_on_the_floor_cross_where_they_say():
+    lines = stage.Lines(3.0, 0.7, (0.8, 0.5), np.array([0.3, 0.0, -0.2]))
+    turn = stage.axes(0.7, 0.0)
+    for point in np.random.default_rng(0).uniform(-5, 5, (20, 3)):
+        crossing = lines.crossing(point)
+        steps = turn @ (crossing - lines.start) / [0.5, 1.0, 0.8]
+        np.testing.assert_allclose(steps, np.round(steps), atol=1e-9)
+        assert crossing[1] == 0
+        assert (np.abs(turn @ (crossing - point))[[0, 2]] <= [0.2501, 0.4001]).all()
+    lengths = np.linalg.norm(np.diff(lines.segments(), axis=1), axis=-1).round(6)
+    assert set(np.unique(lengths)) == {0.5, 0.8}
+
+
+def test_contacts_light_up_the_standing_foot(clip):
+    mannequin = body.build(clip)
+    lit = np.abs(mannequin.colors(np.array([True, False])) - mannequin.colors()).max(1) > 0.02
+    assert (lit == (mannequin.feet[:, 0] > 0.05)).mean() > 0.99
+    assert lit.sum() > 50
+
+
+def test_strip_refuses_an_empty_stretch(clip):
+    with pytest.raises(ValueError, match=r"no frame between 5\.0 s"):
+        view.strip(clip, start=5.0)
+    with pytest.raises(ValueError, match="needs frames, got 0"):
+        view.strip(clip, frames=0)
+
+
+def test_a_camera_level_with_the_floor_draws(drawer, clip, tmp_path):
+    with Image.open(
+        view.animate(clip, tmp_path / "walk.png", fps=2, height=60)
+    ) as picture:
+        assert np.asarray(picture.convert("L")).std() > 10
+
+
+# moving pictures
+
+
+def test_a_loop_is_whole_strides():
+    long = walk(400)
+    start, stop = view.loop(long)
+    assert stop - start == pytest.approx(120, abs=2)
+    start, stop = view.loop(long, 2.5)
+    assert stop - start == pytest.approx(180, abs=3)
+    assert view.loop(walk(20)) == (0, 20)
+
+
+@pytest.mark.parametrize("suffix", [".gif", ".webp"])
+def test_an_animation_plays_at_the_clips_speed(clip, tmp_path, suffix):
+    path = view.animate(
+        [clip, walk(30, style="Old")], tmp_path / f"walk{suffix}", height=60, fps=10, caption="Two"
+    )
+    with Image.open(path) as picture:
+        assert picture.n_frames == 10
+        frames = []
+        for k in range(10):
+            picture.seek(k)
+            frames.append(np.asarray(picture.convert("RGB")).astype(int))
+            assert picture.info["duration"] == 100
+    assert all((np.abs(a - b).max(-1) > 40).mean() > 0.002 for a, b in pairwise(frames))
+    # The shorter clip starts again, the other does not.
+    again = np.abs(frames[0] - frames[5]).max(-1) > 40
+    half = again.shape[1] // 2
+    assert again[:, half:].mean() < 0.2 * again[:, :half].mean()
+
+
+def test_a_film_is_one_that_browsers_play(clip, tmp_path):
+    av = pytest.importorskip("av", reason="films need PyAV: pip install av")
+    path = view.animate(clip, tmp_path / "walk.mp4", height=141, fps=30, labels=[""])
+    view.animate(clip, tmp_path / "walk.png", height=141, fps=30, labels=[""])
+    with av.open(str(path)) as film, Image.open(tmp_path / "walk.png") as picture:
+        stream = film.streams.video[0]
+        assert (stream.codec_context.name, stream.codec_context.pix_fmt, stream.average_rate) == (
+            "h264", "yuv420p", 30
+        )
+        assert (stream.width, stream.height) == (picture.width // 2 * 2, 140)
+        frames = [frame.to_ndarray(format="rgb24").astype(int) for frame in film.decode(stream)]
+        assert len(frames) == picture.n_frames == 30
+        for k in (0, 29):
+            picture.seek(k)
+            wanted = np.asarray(picture.convert("RGB")).astype(int)[:140, : stream.width]
+            errors = [np.abs(frame - wanted).mean() for frame in frames]
+            assert errors[k] == min(errors) < 5
+
+
+def test_a_film_without_its_library_says_what_to_install(clip, tmp_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "av", None)
+    with pytest.raises(ImportError, match=r"^writing walk\.mp4 needs PyAV: pip install av$"):
+        view.animate(clip, tmp_path / "walk.mp4")
+    assert not list(tmp_path.iterdir())
+
+
+def test_lines_on_the_floor_show_the_travel(drawer, clip, tmp_path):
+    changes = []
+    for forward in (1.0, 0.0):
+        moving = clip.replace(
+            root_positions=clip.root_positions * torch.tensor([1.0, 1.0, forward])
+        )
+        with Image.open(view.animate(moving, tmp_path / "walk.png", height=100, fps=10)) as picture:
+            floors = []
+            for k in (0, 1):
+                picture.seek(k)
+                floors.append(np.asarray(picture.convert("RGB")).astype(int)[-8:])
+        changes.append(np.abs(floors[0] - floors[1]).mean())
+    assert changes[0] > 1 > 5 * changes[1]
+
+
+def test_moving_pictures_refuse_what_does_not_fit(clip, tmp_path):
+    with pytest.raises(
+        ValueError,
+        match=r"an animation is a \.gif, \.png, \.apng, \.webp or \.mp4 file; got walk\.avi"
+    ):
+        view.animate(clip, tmp_path / "walk.avi")
+    with pytest.raises(ValueError, match="got 1 clips, 2 labels"):
+        view.animate(clip, tmp_path / "walk.gif", labels=["a", "b"])
+    assert not list(tmp_path.iterdir())
+
+
+# the charts
+
+
+def test_style_space_shows_names_and_groups():
+    figure = view.style_space(
+        torch.rand(4, 2), ["A", "B", "C", "D"], ["x", "y", "x", "y"],
+        marked={"blend": torch.zeros(2)}
+    )
+    assert [t.name for t in figure.data] == ["x", "y", "blend"]
+    assert list(figure.data[0].text) == ["A", "C"]
+    with pytest.raises(ValueError, match="4 names need positions"):
+        view.style_space(torch.rand(4, 3), ["A", "B", "C", "D"])
+
+
+def test_training_curves_of_rows_and_columns():
+    rows = [
+        {"step": 10, "elapsed": 1.0, "train": 0.5, "test": None},
+        {"step": 20, "elapsed": 2.0, "train": 0.2, "test": 0.3}
+    ]
+    figure = view.training_curves(rows)
+    assert {t.name: list(t.y) for t in figure.data} == {"train": [0.5, 0.2], "test": [0.3]}
+    with pytest.raises(ValueError, match="rows with 'step'"):
+        view.training_curves([])
+
+
+def test_trajectory_figure_shows_the_path_and_what_was_asked(clip):
+    figure = view.trajectory_figure(clip, torch.zeros(5, 2))
+    assert [t.name for t in figure.data] == ["asked for", "Neutral", "Neutral, each second"]
+    np.testing.assert_allclose(figure.data[1].y, clip.root_positions[:, 2], atol=1e-6)

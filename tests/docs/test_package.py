@@ -1,0 +1,273 @@
+"""The package as a whole: what it imports, what it needs, and what the command line says to bad
+input.
+"""
+
+import ast
+import re
+import shutil
+import subprocess
+import sys
+import textwrap
+import tomllib
+import zipfile
+from pathlib import Path
+
+import pytest
+import torch
+import yaml
+
+import toolkit as tk
+from toolkit import __main__
+from toolkit.__main__ import main
+
+REPOSITORY = Path(__file__).parents[2]
+DRAWING = {"IPython", "PIL", "anywidget", "av", "ipywidgets", "jupyter_client", "jupyterlab",
+           "matplotlib", "pandas",
+           "plotly", "pyvista", "sklearn", "vtkmodules"}
+
+
+@pytest.fixture
+def refused(capsys):
+    """Calls the command line with bad input and gives the one line that it says."""
+
+    def call(*arguments):
+        assert main([str(a) for a in arguments]) == 2
+        said = capsys.readouterr().err.strip()
+        assert "\n" not in said
+        return said
+
+    return call
+
+
+def python(code: str, **options) -> subprocess.CompletedProcess:
+    return subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False,
+                          **options)
+
+
+def loaded(code: str) -> set[str]:
+    """Top-level modules that a process has after it ran the code."""
+    done = python(f"import sys\n{code}\nprint(*{{name.split('.')[0] for name in sys.modules}})")
+    assert done.returncode == 0, done.stderr
+    return set(done.stdout.split())
+
+
+def test_import_alone_pulls_in_nothing_heavy():
+    heavy = {"torch", "numpy", "scipy", "numba", "lightning_fabric", "typer"}
+    assert not loaded("import toolkit") & (DRAWING | heavy)
+
+
+def test_help_is_quick_and_says_what_the_verbs_say():
+    assert "torch" not in loaded("from toolkit.__main__ import main\ntry: "
+                                 "main(['--help'])\nexcept SystemExit: pass")
+    for name, command in __main__.app.commands.items():
+        own = " ".join(command.imported.help.split("\n\n")[0].split())
+        assert own.startswith(__main__.VERBS[name][1].removesuffix(".")), name
+
+
+def test_public_names_are_listed_and_there():
+    assert {"Clip", "Skeleton", "pretrained", "bvh", "view",
+            "runtime"} <= set(dir(tk)) == set(tk.__all__)
+    for name in tk.__all__:
+        assert getattr(tk, name) is not None
+    assert tk.Clip is tk.motion.Clip
+    assert tk.pretrained is tk.training.pretrained
+    with pytest.raises(AttributeError, match="nothing"):
+        tk.nothing  # noqa: B018
+
+
+def test_the_package_has_at_most_sixteen_rooms():
+    rooms = [path.name for path in (REPOSITORY / "toolkit").iterdir() if path.is_dir()
+             and path.name != "__pycache__"]
+    assert len(rooms) <= 16, rooms
+    assert [path.name for path in (REPOSITORY / "toolkit").glob("[!_]*.py")] == ["registry.py"]
+
+
+def test_without_the_view_extra_one_line_names_it(tmp_path):
+    code = f"""
+        import sys
+        from importlib.machinery import PathFinder
+        find = PathFinder.find_spec
+        hidden = {DRAWING}
+        PathFinder.find_spec = lambda n, *r: None if n.split(".")[0] in hidden else find(n, *r)
+        from toolkit.__main__ import main
+        sys.exit(main("rollout --style Zombie --seconds 0.1 --out walk.html".split()))
+    """
+    done = python(textwrap.dedent(code), cwd=tmp_path)
+    assert done.returncode == 2
+    said = done.stderr.strip().splitlines()[-1]  # after the progress bar
+    assert re.fullmatch(r'error: .*pyvista.*: pip install "\.\[view\]"', said)
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.fixture(scope="module")
+def project() -> dict:
+    return tomllib.loads((REPOSITORY / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+
+
+def requirements(project: dict, *extras: str) -> dict[str, str]:
+    """Name and lower bound of everything that an installation with these extras asks for."""
+    found = {}
+    for text in [*project["dependencies"],
+                 *(d for extra in extras for d in project["optional-dependencies"][extra])]:
+        name, within, bound = re.fullmatch(r"([\w-]+)(?:\[([\w,]+)\])?(>=.*)?", text).groups()
+        found |= requirements(project,
+                              *within.split(",")) if name == project["name"] else {name: bound}
+    return found
+
+
+def test_conda_environment_equals_the_dev_installation(project):
+    conda = {"pytorch": "torch", "playwright-python": "playwright"}
+    text = (REPOSITORY / "environment.yml").read_text(encoding="utf-8")
+    *listed, from_pip = yaml.safe_load(text)["dependencies"]
+    assert f"python{project['requires-python']}" in listed
+    assert from_pip["pip"][-1] == "--editable ."
+    pairs = [re.fullmatch(r"([\w-]+)(>=.*)", text).groups()
+             for text in {*listed, *from_pip["pip"][:-1]} - {"pip"}]
+    assert {conda.get(name, name): bound for name, bound in pairs} == {
+        "python": project["requires-python"], **requirements(project, "dev")
+    }
+
+
+def test_every_dependency_is_pinned_by_version_and_hashes(project):
+    text = "".join((REPOSITORY / f"constraints{of}.txt").read_text(encoding="utf-8")
+                   for of in ("", "-cuda"))
+    hashes = r"(?: \\\n    --hash=sha256:[0-9a-f]{64})+"
+    assert not re.sub(rf"^[\w.-]+==\S+(?: ; [^\\\n]+)?{hashes}\n", "", text, flags=re.MULTILINE)
+    pins = dict(re.findall(r"^([\w.-]+)==(\S+)", text, flags=re.MULTILINE))
+    pinned = {re.sub(r"[-_.]+", "-", name.lower()): number for name, number in pins.items()}
+    for name, bound in requirements(project, "dev").items():
+        wanted, got = (tuple(int(n) for n in number.split(".")[:2])
+                       for number in (bound.removeprefix(">="), pinned[name]))
+        assert got >= wanted, f"{name}: {pinned[name]} is pinned, {bound} is asked for"
+
+
+def test_every_dependency_has_a_reason(project):
+    """docs/dependencies.md has a row for each, under the extra that brings it."""
+    text = (REPOSITORY / "docs" / "dependencies.md").read_text(encoding="utf-8")
+    rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in text.splitlines()
+            if line.startswith("| `")]
+    assert all(len(row) == 3 and all(row) for row in rows)
+    extras = project["optional-dependencies"]
+    wanted = {(re.match(r"[\w-]+", d)[0], extra) for extra in extras for d in extras[extra]
+              if "toolkit[" not in d}
+    wanted |= {(re.match(r"[\w-]+", d)[0], "base") for d in project["dependencies"]}
+    listed = [(name.strip("`"), extra.strip("`")) for name, extra, *_ in rows]
+    assert len(listed) == len(set(listed))
+    assert set(listed) == wanted
+
+
+def test_the_wheel_has_the_model_and_no_sources_of_the_page(tmp_path):
+    unwanted = shutil.ignore_patterns("node_modules", "__pycache__")
+    shutil.copytree(REPOSITORY / "toolkit", tmp_path / "toolkit", ignore=unwanted)
+    for name in ("pyproject.toml", "README.md", "LICENSE"):
+        shutil.copy(REPOSITORY / name, tmp_path)
+    modules = tmp_path / "toolkit" / "view" / "scene" / "node_modules" / "three"
+    modules.mkdir(parents=True)
+    (modules / "three.js").touch()
+    (tmp_path / "notebooks").mkdir()
+    command = "-m pip wheel --quiet --no-deps --no-build-isolation --wheel-dir wheel ."
+    subprocess.run([sys.executable, *command.split()], cwd=tmp_path, check=True,
+                   capture_output=True)
+    (wheel,) = (tmp_path / "wheel").iterdir()
+    files = zipfile.ZipFile(wheel).namelist()
+    assert {"toolkit/__init__.pyi", "toolkit/training/pretrained.safetensors",
+            "toolkit/extra/sources/learned.safetensors",
+            "toolkit/view/static/scene.js"} <= set(files)
+    assert not [file for file in files
+                if re.search("node_modules|view/scene/|__pycache__|notebooks|tests", file)]
+    assert wheel.stat().st_size < 20e6
+
+
+def test_text_files_name_their_encoding():
+    """Windows would take its own otherwise."""
+    silent = []
+    for path in sorted((REPOSITORY / "toolkit").rglob("*.py")):
+        for call in (node for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+                     if isinstance(node, ast.Call)):
+            method = getattr(call.func, "attr", None)
+            text_mode = [a for a in call.args[:1] if isinstance(a, ast.Constant)
+                         and set(str(a.value)) <= set("rwxat+")]
+            text = method in ("read_text", "write_text") or (method == "open" and text_mode)
+            binary = any(getattr(a, "value", None) == "rb" for a in call.args)
+            text = text or (getattr(call.func, "id", None) == "open" and not binary)
+            if text and "encoding" not in {k.arg for k in call.keywords}:
+                silent.append(f"{path.name}:{call.lineno}: {ast.unparse(call)}")
+    assert not silent
+
+
+def test_pretrained_knows_every_style_and_stands_when_told():
+    model, bank = tk.pretrained()
+    assert set(bank.names) == set(tk.datasets.procedural.STYLES)
+    assert (REPOSITORY / "toolkit" / "training" / "pretrained.safetensors").stat().st_size < 15e6
+    vectors = torch.stack([bank[name] for name in bank.names])
+    stop = [*tk.runtime.straight(1.0, 1.5), *tk.runtime.straight(0.0, 3.0)]
+    places = torch.stack([s.root[:, :2] for s in tk.runtime.states(model, stop, vectors)])
+    assert (places[89] - places[0]).norm(dim=-1).min() > 0.3
+    # metres in 1.5 s; 0.18 without `steering.RETURN`
+    drift = (places[-1] - places[-91]).norm(dim=-1)
+    assert drift.mean() < 0.09
+    assert drift.max() < 0.25
+
+
+def test_rollout_writes_what_the_suffix_says(tmp_path, small_run, capsys):
+    run = tmp_path / "run.safetensors"
+    small_run.save(run)
+    for suffix in ("bvh", "html", "png"):
+        out = tmp_path / "new" / f"walk.{suffix}"
+        with pytest.raises(SystemExit) as done:
+            main([*f"rollout --model {run} --style Neutral=0.5,Zombie=0.5 --seconds 0.5 --out "
+                   f"{out}".split()])
+        assert done.value.code == 0
+        assert out.stat().st_size > 1000
+        assert re.search(r"30 frames, \d\.\d\d m/s", capsys.readouterr().out)
+
+
+def test_a_datasets_name_means_the_dataset_where_a_folder_has_that_name(tmp_path, monkeypatch,
+                                                                        refused):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "bandai").mkdir()
+    (tmp_path / "recordings").mkdir()
+    train = ("train", "--out", tmp_path / "new.safetensors", "--data")
+    assert "bandai: no matching BVH file in recordings" in refused(*train, "bandai", "--root",
+                                                                   "recordings")
+    assert "recordings: no file can be used; expected recordings" in refused(*train, "recordings")
+    (tmp_path / "bandai" / "manifest.json").write_text("{}", encoding="utf-8")
+    assert "bandai/manifest.json" in refused(*train, "bandai")
+
+
+def test_a_checkpoint_of_another_layout_is_refused(tmp_path, small_run, walk_clip):
+    small_run.save(tmp_path / "run.safetensors")
+    other = tk.features.Layout(walk_clip.without_ends().skeleton)
+    with pytest.raises(ValueError, match=r"run\.safetensors: the layout differs"):
+        tk.networks.Model.load(tmp_path / "run.safetensors", layout=other)
+
+
+def test_the_demo_works_on_a_small_budget(tmp_path):
+    from toolkit.cli import demo
+
+    assert "toolkitScene" in demo.embedded(tmp_path / "demo").read_text(encoding="utf-8")
+    files = demo.make(tmp_path / "demo", seconds=2.0, data_seconds=10.0)
+    assert [f.name for f in files] == ["walk.bvh", "walk.html", "strip.png", "report.txt",
+                                       "model.safetensors",
+                                       "controller.html"]
+    frames = len(tk.bvh.load(files[0]))
+    assert not re.search(r"""(src|href)\s*=\s*["']?https?:""", files[1].read_text(encoding="utf-8"))
+    report = files[3].read_text(encoding="utf-8")
+    assert f" {frames:,} frames" in report
+    error, repeat = re.search(r"squared error (\S+) .* repeating the frame (\S+)\)",
+                              report).groups()
+    assert ("no better than repeating the frame" in report) == (float(error) >= float(repeat))
+    weights = demo.blend_weights(frames)
+    assert weights.shape == (frames, 3)
+    assert (weights.sum(1) - 1).abs().max() < 1e-5
+    alone = torch.tensor([[1.0, 0, 0], [0, 1, 0], [0, 0, 1], [1, 0, 0], [1 / 3, 1 / 3, 1 / 3]])
+    for k, share in enumerate(alone):
+        assert torch.allclose(weights[round(k * (frames - 1) / 4)], share)
+
+
+def test_version_is_the_same_everywhere():
+    citation = yaml.safe_load((REPOSITORY / "CITATION.cff").read_text(encoding="utf-8"))
+    changes = (REPOSITORY / "CHANGELOG.md").read_text(encoding="utf-8")
+    number, date = re.search(r"^## \[(\d+\.\d+\.\d+)\] - (\S+)$", changes, re.MULTILINE).groups()
+    assert number == str(citation["version"]) == tk.__version__
+    assert date == str(citation["date-released"])

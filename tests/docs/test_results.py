@@ -1,0 +1,90 @@
+"""Stored results: every table of the pages is drawn from its file."""
+
+import math
+
+import pytest
+
+from experiments import tables
+from experiments.tables import DOCS, RESULTS, Result
+
+PAGES = sorted(DOCS.glob("*.md"))
+
+
+@pytest.fixture
+def folder(tmp_path):
+    """A folder with one result, of two seeds."""
+    columns = {"model": ["model"], "mse": ["MSE", 4], "skate": ["skate, cm/s", 1, 100],
+               "walks": ["walks", 0]}
+    rows = [{"model": "lpn-film", "mse": [0.0402, 0.0422], "skate": [0.1204, 0.1304], "walks": 98},
+            {"model": "repeat", "mse": [0.185], "skate": None}]
+    Result("small", "Two seeds.", "python -m experiments …", columns, rows, {"frames": 1536000},
+           {"share": 0.914}).save(tmp_path)
+    return tmp_path
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda path: path.stem)
+def test_the_tables_of_a_page_are_those_of_its_results(page):
+    text = page.read_text(encoding="utf-8")
+    assert tables.fill(text) == text, "run: python -m experiments tables"
+    assert text.count("<!-- table ") == len(tables.TABLE.findall(text)), "a table without its end"
+
+
+def test_stored_results_say_what_they_are_and_read_back(tmp_path):
+    for path in RESULTS.glob("*.json"):
+        result = Result.load(path.stem)
+        assert result.about
+        assert "python -m " in result.command
+        assert result.save(tmp_path).read_bytes() == path.read_bytes()
+
+
+def test_a_table_is_drawn_and_drawn_again_the_same(folder):
+    page = "Before.\n\n<!-- table small -->\nold\n<!-- end -->\n\nAfter.\n"
+    drawn = tables.fill(page, folder)
+    assert drawn == ("Before.\n\n<!-- table small -->\n| model | MSE | skate, cm/s | walks |\n| "
+                     "--- | --- | --- | --- |\n"
+                     "| lpn-film | 0.0412 ± 0.0014 | 12.5 ± 0.7 | 98 |\n| repeat | 0.1850 |  |  |\n"
+                     "<!-- end -->\n\nAfter.\n")
+    assert tables.fill(drawn, folder) == drawn
+    assert "| model | walks |" in tables.fill(page.replace("small", "small: model walks"), folder)
+
+
+def test_wrong_results_are_errors_in_one_line(folder):
+    (folder / "broken.json").write_text("{")
+    (folder / "other.json").write_text('{"a": 1}')
+    for call, said in (
+        (lambda: tables.fill("<!-- table none -->\n<!-- end -->", folder),
+         r"none.json: no such result; known: broken"),
+        (lambda: tables.fill("<!-- table small: model gpu -->\n<!-- end -->", folder),
+         "small has no column gpu; columns: "),
+        (lambda: Result.load("broken", folder), r"broken.json: is not a result"),
+        (lambda: Result.load("other", folder), r"other.json: is not a result"),
+        (lambda: Result("x", "", "", {"a": ["a"]}, [{"b": 1}]),
+         "x: a row has b, which no column shows"),
+    ):
+        with pytest.raises(ValueError, match=said) as error:
+            call()
+        assert "\n" not in str(error.value)
+
+
+def test_what_is_not_finite_is_stored_as_nothing(tmp_path):
+    Result("gaps", "a", "b", {"v": ["v", 2]},
+           [{"v": math.nan}, {"v": [1.0, math.inf]}]).save(tmp_path)
+    assert [row["v"] for row in Result.load("gaps", tmp_path).rows] == [None, [1.0, None]]
+    assert Result.load("gaps", tmp_path).markdown().splitlines()[2:] == ["|  |", "| 1.00 |"]
+
+
+def test_rows_without_a_value_in_the_columns_that_are_shown_are_left_out(folder):
+    assert "repeat" in Result.load("small", folder).markdown(["model", "mse"])
+    assert "repeat" not in Result.load("small", folder).markdown(["model", "skate", "walks"])
+
+
+def test_the_command_writes_pages(tmp_path, monkeypatch, folder, capsys):
+    page = tmp_path / "page.md"
+    page.write_text("<!-- table small: walks -->\n<!-- end -->\n")
+    monkeypatch.setattr(tables, "DOCS", tmp_path)
+    monkeypatch.setattr(tables, "RESULTS", folder)
+    tables.run()
+    assert "| 98 |" in page.read_text()
+    assert "page.md" in capsys.readouterr().out
+    tables.run()
+    assert capsys.readouterr().out == ""

@@ -1,0 +1,303 @@
+"""What judges restyled motion: classifiers, measures, the baselines of Table 2, the comparison."""
+
+import math
+
+import pytest
+import torch
+
+import toolkit as tk
+from experiments.stylization import (
+    aberman,
+    comparison,
+    convolutional,
+    evaluation,
+    floors,
+    holden,
+    sets,
+)
+from experiments.stylization.judges import Judge, Judges
+from toolkit.stylization import Config, data, networks
+from toolkit.stylization.networks import Sizes
+
+METHODS = (
+    "ours",
+    "ours without ds",
+    "1-D convolutions",
+    "Aberman et al. 2020",
+    "Holden et al. 2016",
+)
+TINY = Config.quick(iterations=1, warm_up=0, sizes=Sizes(channels=4, hidden=8, detailed=True))
+
+
+@pytest.fixture(scope="module")
+def motions() -> data.Motions:
+    """Two styles walking and standing, five takes of each, a window of each take."""
+    clips = []
+    for seed in range(5):
+        clips += tk.datasets.load(
+            "procedural", styles=["Neutral", "Zombie"], gaits=["FW", "ID"], seconds=2.3, seed=seed
+        )
+    return data.build(clips)
+
+
+@pytest.fixture(scope="module")
+def judges(motions) -> Judges:
+    """Trained on everything there is: what is tested here is what they are asked."""
+    return Judges.train({"content": motions, "style": motions}, motions)
+
+
+class Paste:
+    """Restyles by giving back the reference."""
+
+    def code_of(self, x, domain):
+        return x
+
+    def posture_of(self, x, domain):
+        return 0 * x
+
+    def translate(self, x, code, posture=0.0):
+        return code
+
+
+class Unchanged(Paste):
+    """Restyles by doing nothing."""
+
+    def translate(self, x, code, posture=0.0):
+        return x
+
+
+def test_a_judge_names_contents_and_styles_of_takes_it_never_saw(motions):
+    train, test = data.split(motions, 0.4, 0)
+    for label in ("content", "domain"):
+        judge = Judge.train(train, label)
+        assert judge.right(test.x, getattr(test, label)).float().mean() > 0.9
+    blind = Judge.train(motions, "domain", posture=False)
+    moved = motions.x.clone()
+    moved[:, :3] += 0.1 * torch.randn(
+        3, 1, motions.x.shape[-1], generator=torch.Generator().manual_seed(0)
+    )
+    assert blind.described(moved) == pytest.approx(blind.described(motions.x), abs=1e-4)
+    assert abs(judge.described(moved) - judge.described(motions.x)).max() > 0.1
+
+
+def test_doing_nothing_keeps_all_content_and_moves_no_style(motions, judges):
+    found = evaluation.evaluate(Unchanged(), motions, motions, judges, by="reference")
+    assert found["content"] == 1.0
+    assert found["style"] == 0.0
+    assert found["diversity"] == pytest.approx(0, abs=0.1)  # arccos near 1
+    assert found["contact_f1"] == found["acceleration"] == 1.0
+    assert found["bone"] < 1e-5
+    assert found["both"] == 0.0
+    assert found["movement"] < 0.1
+
+
+def test_pasting_the_reference_moves_all_style_and_loses_the_content(motions, judges):
+    found = evaluation.evaluate(Paste(), motions, motions, judges, by="reference")
+    assert found["style"] == 1.0
+    assert found["content"] < 0.8  # half of the references stand, half of the sources do
+    assert found["diversity"] > 1
+    assert found["contact_f1"] < 0.8
+    again = evaluation.evaluate(Paste(), motions, motions, judges, by="reference")
+    assert again == found
+    assert evaluation.evaluate(Paste(), motions, motions, judges, by="reference", seed=1) != found
+
+
+def test_references_of_another_content_are_never_of_the_sources(motions, judges):
+    seen = []
+
+    class Watch(Unchanged):
+        def code_of(self, x, domain):
+            seen.append(x)
+            return x
+
+    walks = motions.select(motions.content == motions.contents.index("FW"))
+    evaluation.evaluate(Watch(), walks, motions, judges, by="dissimilar")
+    standing = motions.x[motions.content == motions.contents.index("ID")]
+    assert all((standing == x).flatten(1).all(1).any() for part in seen for x in part)
+
+
+def test_floors_do_what_they_say(motions):
+    rows, target = evaluation.pairs(motions)
+    sources = motions.select(rows)
+    assert torch.equal(floors.unchanged(motions)(sources, target), sources.x)
+    shifted = floors.mean_pose_shift(motions)(sources, target)
+    for d in range(2):
+        means = [
+            x[:, :3].mean((0, 2)) for x in (shifted[target == d], motions.x[motions.domain == d])
+        ]
+        torch.testing.assert_close(*means, atol=1e-5, rtol=0)
+    found = floors.nearest(motions)(sources, target)
+    k = 3
+    own = motions.x[motions.domain == target[k]]
+    slow = min(range(len(own)), key=lambda i: float((own[i, :3] - sources.x[k, :3]).square().sum()))
+    assert torch.equal(found[k], own[slow])
+
+
+def test_contact_f1_counts_agreement_of_those_who_step():
+    step = torch.tensor([1.0, 1, 0, 0]).repeat(16)  # lands every four frames
+    walker, late = (
+        torch.stack((step, 1 - step), 1),
+        torch.stack((step.roll(1), 1 - step.roll(1)), 1),
+    )
+    stander = torch.ones(64, 2)
+    assert evaluation.contact_f1(walker[None], walker[None]) == 1.0
+    assert evaluation.contact_f1(walker[None], late[None]) == 0.5
+    both = torch.stack((walker, stander)), torch.stack((late, torch.zeros(64, 2)))
+    assert evaluation.contact_f1(*both) == 0.5  # who only stands does not count
+    assert math.isnan(evaluation.contact_f1(stander[None], stander[None]))
+
+
+def test_an_angle_is_that_of_the_joints_and_ignores_being_out_of_step(motions):
+    turn = torch.tensor([math.cos(0.1), math.sin(0.1), 0.0, 0.0])
+    q = motions.x[:, 3:].permute(0, 2, 3, 1)
+    turned = torch.cat(
+        (motions.x[:, :3], tk.motion.rotations.multiply(turn, q).permute(0, 3, 1, 2)), 1
+    )
+    still = motions.x[:, :, :1].expand_as(motions.x), turned[:, :, :1].expand_as(turned)
+    torch.testing.assert_close(
+        evaluation.angles(*still), torch.full((len(q),), math.degrees(0.2)), atol=0.02, rtol=0
+    )
+    assert (evaluation.angles(motions.x, motions.x.roll(6, 2)) < 0.2).all()
+    longer = motions.x.clone()
+    longer[:, :3] *= 1.1
+    bones = motions.skeleton.offsets[1:].norm(dim=-1).mean()
+    assert evaluation.bone_error(longer, motions.skeleton) == pytest.approx(
+        0.1 * float(bones), rel=1e-3
+    )
+    torch.testing.assert_close(
+        evaluation.acceleration(longer), 1.1 * evaluation.acceleration(motions.x)
+    )
+
+
+def test_holden_learns_to_give_back_and_edits_towards_the_reference(motions, monkeypatch):
+    torch.manual_seed(0)
+    untrained = holden.Holden(motions.statistics()).eval()
+    model = holden.fit(motions, Config(iterations=6, seed=2))
+    z = model.statistics.apply(motions.x)
+    with torch.no_grad():
+        before, after = ((m.decode(m.encode(z)) - z).square().mean() for m in (untrained, model))
+    assert after < before
+    source, code = motions.x[:2], model.code_of(motions.x[motions.domain == 1][:2])
+    made = []
+    for edits in (0, 20):
+        monkeypatch.setattr(holden, "EDITS", edits)
+        made.append(model.translate(source, code))
+    plain, edited = ((model.code_of(x) - code).square().mean() for x in made)
+    assert edited < 0.95 * plain
+    hidden = torch.randn(1, 3, 5)
+    assert holden.gram(hidden)[0, 1, 2] == pytest.approx(
+        float((hidden[0, 1] * hidden[0, 2]).mean()), abs=1e-6
+    )
+
+
+def test_aberman_takes_content_from_rotations_and_style_from_positions(motions):
+    model = aberman.fit(motions, Config(iterations=2, batch=4, seed=1))
+    x, others = motions.x[:3], motions.x[3:6]
+    code = model.code_of(others)
+    made = model.translate(x, code)
+    assert not torch.allclose(made, model.translate(x, model.code_of(motions.x[6:9])), atol=1e-4)
+    turned = torch.cat((others[:, :3], others[:, 3:].roll(1, 3)), 1)
+    assert torch.equal(model.code_of(turned), code)
+    moved = torch.cat(
+        (x[:, :3] + 0.1 * torch.arange(x.shape[-1]).clamp(max=1), x[:, 3:]), 1
+    )  # all but the root
+    torch.testing.assert_close(model.translate(moved, code), made)
+    assert evaluation.bone_error(made, motions.skeleton) < 1e-5
+
+
+def test_the_convolutional_baseline_is_as_large_and_trains_in_the_same_way(motions):
+    counts = []
+    for make in (networks.build, convolutional.build):
+        stylizer, _ = make(motions.graph, motions.domains, Sizes.small(), motions.statistics())
+        counts.append(sum(p.numel() for p in stylizer.generator.parameters()))
+    assert 0.8 < counts[1] / counts[0] < 1.25
+    run = tk.stylization.fit(motions, TINY, networks=convolutional.build)
+    made = run.stylizer.translate(motions.x[:2], run.stylizer.code_of(motions.x[2:4], 1))
+    assert made.shape == motions.x[:2].shape
+
+
+@pytest.fixture(scope="module")
+def task(motions) -> sets.Task:
+    parts = {"test": motions, "validation": motions}
+    return sets.Task(
+        motions, parts, parts, {part: {"content": motions, "style": motions} for part in sets.PARTS}
+    )
+
+
+@pytest.fixture(scope="module")
+def compared(task, tmp_path_factory):
+    """A comparison of two iterations, in its folder."""
+    folder = tmp_path_factory.mktemp("comparison")
+    plan = comparison.Plan(seconds=60, sources=2, iterations=2)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(holden, "EDITS", 2)
+        for method in (*METHODS, "R1 in every iteration"):
+            comparison.measure(method, task, plan, 0, folder, "dataset-1")
+    return folder, plan
+
+
+def test_a_comparison_has_rows_for_every_method_and_floor(compared, task):
+    folder, plan = compared
+    result = comparison.summary("dataset-1", task, plan, folder)
+    named = {(row["method"], row.get("codes")) for row in result.rows}
+    assert {("real motion", None), *((floor, None) for floor in floors.FLOORS)} <= named
+    for name in ("ours", "R1 in every iteration"):
+        assert {(name, by) for by in (*evaluation.WAYS, *evaluation.POSTURES)} <= named
+    assert ("Holden et al. 2016", "dissimilar") in named
+    assert {("mean-pose shift", by) for by in evaluation.POSTURES} <= named
+    text = result.markdown()
+    assert all(f"| {number} |" in text for number in ("9.1", "8.6", "6.8", "15.9", "14.1", "38"))
+    (share,) = result.numbers["FMD of ours as a share of that of 1-D convolutions, by seed"][
+        "noise"
+    ]
+    fmd = {row["method"]: row["fmd"] for row in result.rows if row.get("codes") == "noise"}
+    assert share == pytest.approx(fmd["ours"][0] / fmd["1-D convolutions"][0])
+
+
+def test_a_comparison_does_nothing_twice_and_refuses_other_settings(compared, task, monkeypatch):
+    folder, plan = compared
+    comparison.settle(folder, plan)
+    monkeypatch.setattr(comparison, "trained", lambda *a, **k: pytest.fail("was done again"))
+    assert comparison.measure("ours", task, plan, 0, folder, "dataset-1")["seed"] == 0
+    with pytest.raises(ValueError, match=r"other settings \(sources: expected 2, got 3\)"):
+        comparison.settle(folder, comparison.Plan(seconds=60, sources=3, iterations=2))
+
+
+def test_no_take_is_in_two_parts():
+    clips = [
+        tk.datasets.load("procedural", styles=style, gaits=gait, seconds=2.3, seed=seed)[0]
+        for style in ("Neutral", "Zombie", "Old")
+        for gait in ("FW", "SW", "FR", "ID")
+        for seed in range(2)
+    ]
+    motions = data.build(clips)
+    task = sets.few_takes(motions, ("Neutral", "Zombie"), {"FW": "walk", "SW": "walk", "FR": "run"})
+    assert task.sources["test"].contents == ("run", "walk")
+    takes = {part: set(task.references[part].take.tolist()) for part in sets.PARTS}
+    assert not takes["test"] & takes["validation"]
+    for part in sets.PARTS:
+        for others in (task.train, *task.judged[part].values()):
+            assert not takes[part] & set(others.take.tolist())
+        assert set(task.sources[part].take.tolist()) <= takes[part]
+    many = sets.many_takes(motions)
+    parts = [many.train, *many.sources.values(), many.judged["test"]["style"]]
+    assert sum(len(part.take.unique()) for part in parts) == len(
+        torch.cat([part.take for part in parts]).unique()
+    )
+    with pytest.raises(ValueError, match="knows dataset-1, dataset-2, not 'dataset-3'"):
+        sets.load("dataset-3")
+
+
+def test_a_share_of_the_references_posture_makes_results_differ(motions):
+    torch.manual_seed(0)
+    model = networks.build(motions.graph, motions.domains, TINY.sizes, motions.statistics())[
+        0
+    ].eval()
+    sources = motions.select(torch.arange(6))
+    plain, quarter, half = (
+        evaluation.results(model, sources, motions, by, 0)
+        for by in ("reference", *evaluation.POSTURES)
+    )
+    apart = [float(evaluation.angles(*made).mean()) for made in (plain, quarter, half)]
+    assert apart[0] < 0.5 < apart[1] < apart[2]
+    torch.testing.assert_close((half[0] - plain[0])[:, :3], 2 * (quarter[0] - plain[0])[:, :3])

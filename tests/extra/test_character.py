@@ -1,0 +1,312 @@
+"""A character of one's own: read, drawn and written with a motion on it."""
+
+import copy
+import io
+import json
+import math
+import struct
+
+import motion_files
+import numpy as np
+import pytest
+import torch
+from posed_rigs import rig, with_twists
+from test_export import document, seen_by_vtk
+
+import toolkit as tk
+from toolkit.__main__ import main
+from toolkit.extra.characters import gltf_mesh
+from toolkit.extra.characters.character import Character
+from toolkit.extra.engines import character_gltf, pack
+from toolkit.motion import rotations as R
+from toolkit.view.pages import page
+from toolkit.view.render import stage
+
+
+def parts(path) -> tuple[dict, bytes]:
+    """JSON and binary chunk of a .glb file."""
+    data = path.read_bytes()
+    size = struct.unpack_from("<I", data, 12)[0]
+    return json.loads(data[20 : 20 + size]), data[28 + size :]
+
+
+@pytest.fixture(scope="module")
+def zombie() -> tk.Clip:
+    return tk.datasets.load("procedural", styles=["Zombie"], gaits=["FW"],
+                            seconds=3.0)[0].moved(turn=0.7)
+
+
+@pytest.fixture(scope="module")
+def hero(tmp_path_factory):
+    """A skinned body on a rig with bones along their own y, twist bones, shorter legs."""
+    path = tmp_path_factory.mktemp("hero") / "hero.glb"
+    tk.extra.engines.gltf.save(rig("along y", arms=1.1, legs=0.85, hips=1.1, joints=with_twists),
+                               path)
+    return path
+
+
+@pytest.fixture(scope="module")
+def exported(hero, tmp_path_factory):
+    """The same character in centimetres and Z up below a node that undoes both."""
+    document_, data = parts(hero)
+    document_, buffer = copy.deepcopy(document_), bytearray(data)
+    views, accessors = document_["bufferViews"], document_["accessors"]
+    # y up to z up
+    turn = R.from_axis_angle(torch.tensor([1.0, 0.0, 0.0]), torch.tensor(torch.pi / 2))
+    matrix = np.eye(4)
+    matrix[:3, :3] = 100 * R.to_matrix(turn).numpy()
+
+    def numbers(index: int, width: int) -> np.ndarray:
+        view = views[accessors[index]["bufferView"]]
+        return np.frombuffer(buffer, "<f4", accessors[index]["count"] * width,
+                             view["byteOffset"]).reshape(-1, width)
+
+    def change(index: int, values: np.ndarray) -> None:
+        start = views[accessors[index]["bufferView"]]["byteOffset"]
+        buffer[start : start + 4 * values.size] = values.astype("<f4").tobytes()
+
+    for primitive in document_["meshes"][0]["primitives"]:
+        place = primitive["attributes"]["POSITION"]
+        points = numbers(place, 3) @ matrix[:3, :3].T
+        change(place, points)
+        accessors[place] |= {"min": points.min(0).tolist(), "max": points.max(0).tolist()}
+    inverse = document_["skins"][0]["inverseBindMatrices"]
+    mats = numbers(inverse, 16).reshape(-1, 4, 4).swapaxes(1, 2)
+    scaled = np.diag([100.0, 100.0, 100.0, 1.0])
+    change(inverse, (scaled @ mats @ np.linalg.inv(matrix)).swapaxes(1, 2).reshape(-1, 16))
+    nodes = document_["nodes"]
+    for node in nodes:
+        if "translation" in node:
+            node["translation"] = [100 * v for v in node["translation"]]
+    first = nodes[0]
+    q = R.multiply(turn, torch.tensor([first["rotation"][3], *first["rotation"][:3]]))
+    first["rotation"] = [*q[1:].tolist(), float(q[0])]
+    first["translation"] = (R.to_matrix(turn).numpy() @ first["translation"]).tolist()
+    back = R.inverse(turn)
+    back = [*back[1:].tolist(), float(back[0])]
+    nodes.append({"name": "Armature", "scale": [0.01] * 3, "rotation": back, "children": [0]})
+    document_["scenes"][0]["nodes"] = [len(nodes) - 1, len(nodes) - 2]
+    path = tmp_path_factory.mktemp("exported") / "exported.glb"
+    path.write_bytes(motion_files.glb(document_, bytes(buffer)))
+    return path
+
+
+def test_the_mesh_of_a_file_is_read_whole(hero):
+    found = Character.load(hero)
+    assert len(found.skeleton) == 35
+    assert found.mesh.weights.sum(1) == pytest.approx(1.0)
+    assert 1.2 < np.ptp(found.points[:, 1]) < 1.8
+    # those of the vertices: blue on the left, orange on the right, light between
+    seen = found.mesh.colors.astype(int)
+    assert [(seen[:, 2] - seen[:, 0] > 40).mean() > 0.1,
+            (seen[:, 0] - seen[:, 2] > 60).mean() > 0.1] == [True, True]
+    assert (seen.min(1) > 190).mean() > 0.1
+    points, normals = found.skin.pose(found.rest.global_rotations[0],
+                                      found.rest.global_positions[0])
+    np.testing.assert_allclose(points, found.points, atol=1e-5)
+    assert np.linalg.norm(normals, axis=1) == pytest.approx(1.0, abs=1e-4)
+
+
+def test_scale_and_axes_of_other_programs_change_nothing(hero, exported, zombie):
+    plain, other = Character.load(hero), Character.load(exported)
+    np.testing.assert_allclose(other.points, plain.points, atol=1e-4)
+    clips = plain.fitted(zombie), other.fitted(zombie)
+    np.testing.assert_allclose(clips[0].global_positions, clips[1].global_positions, atol=1e-3)
+
+
+@pytest.mark.parametrize("kind", ["hero", "exported"])
+def test_other_programs_see_the_motion_on_it(request, tmp_path, kind, zombie):
+    """VTK skins the file as the character is drawn here; our reader reads the joints."""
+    character = Character.load(request.getfixturevalue(kind))
+    character_gltf.save(zombie, tmp_path / "walk.glb", character)
+    made = character.fitted(zombie)
+    read = tk.load(tmp_path / "walk.glb")
+    for name in set(read.skeleton.names) & set(made.skeleton.names):
+        joints = (read.global_positions[:, read.skeleton.index(name)],
+                  made.global_positions[:, made.skeleton.index(name)])
+        assert (joints[0] - joints[1]).abs().max() < 1e-4, name
+    for frame in (0, 100):
+        points = character.skin.pose(made.global_rotations[frame], made.global_positions[frame])[0]
+        seen = seen_by_vtk(tmp_path / "walk.glb", frame / 60)
+        assert seen.shape == points.shape
+        assert abs(seen - points).max() < 1e-3
+    about = document(tmp_path / "walk.glb")
+    assert len(about["animations"]) == 1
+    assert about["materials"] == document(character.path)["materials"]
+
+
+def test_soles_stand_on_the_floor(hero, zombie):
+    character = Character.load(hero)
+    made = character.fitted(zombie)
+    poses = zip(made.global_rotations[::10], made.global_positions[::10], strict=True)
+    low = [character.skin.pose(*pose)[0][:, 1].min() for pose in poses]
+    assert -0.03 < min(low) < 0.03
+
+
+def test_stages_draw_it_in_place_of_the_mannequin(hero, zombie):
+    from toolkit.view.render.opengl import opengl_works
+
+    if not opengl_works():
+        pytest.skip("no OpenGL")
+    character = Character.load(hero)
+    made = character.fitted(zombie)
+    green = copy.copy(character)
+    object.__setattr__(green, "mesh", copy.copy(character.mesh))
+    tones = np.tile(np.uint8([[0, 200, 0]]), (len(character.points), 1))
+    object.__setattr__(green.mesh, "colors", tones)
+    shown = stage.Stage((200, 200))
+    body = stage.Body(made, figure=green)
+    shown.load([body], np.array([0.0, 1.0, 0.5]))
+    middle = made.root_positions[40].double().numpy()
+    camera = stage.Camera(middle, 0.5, 0.2, 2.4)
+    picture = shown.draw([stage.Pose(body, 40)], camera).astype(int)
+    seen = (picture[..., 1] > 2 * picture[..., 0]) & (picture[..., 1] > 2 * picture[..., 2])
+    assert 0.01 < seen.mean() < 0.3
+    shown.close()
+
+
+def test_a_texture_colours_the_vertices(tmp_path):
+    """Multiplied by the material's colour; the first row of pixels is at v = 0."""
+    from PIL import Image
+
+    doc = motion_files.Document([{"name": "hips", "mesh": 0, "skin": 0}], skins=[{"joints": [0]}])
+    points, shares = np.zeros((4, 3), np.float32), np.float32([[1, 0, 0, 0]] * 4)
+    attributes = {"POSITION": doc.add(points), "JOINTS_0": doc.add(np.zeros((4, 4), "u1")),
+                  "WEIGHTS_0": doc.add(shares)}
+    primitive = {"attributes": attributes}
+    doc.json["meshes"] = [{"primitives": [primitive]}]
+    picture = io.BytesIO()
+    Image.fromarray(np.uint8([[[255, 0, 0], [0, 0, 255]],
+                              [[200, 100, 50], [0, 255, 0]]])).save(picture, "PNG")
+    # the last repeats the picture
+    places = np.float32([[0.1, 0.1], [0.9, 0.1], [0.1, 0.9], [1.1, 1.9]])
+    motion_files.textured(doc, primitive, places, picture.getvalue())
+    (tmp_path / "painted.glb").write_bytes(doc.glb())
+    factor = np.array([1, 0.5, 0]) ** (1 / 2.2)
+    expected = np.array([[255, 0, 0], [0, 0, 255], [200, 100, 50], [200, 100, 50]]) * factor
+    np.testing.assert_allclose(gltf_mesh.read(tmp_path / "painted.glb").colors, expected, atol=1)
+
+
+def test_pictures_show_it(hero, tmp_path, zombie):
+    """The figure differs from the mannequin's by the whole body."""
+    from PIL import Image
+
+    pictures = []
+    for character in (hero, None):
+        tk.save(zombie.cut(0, 12), tmp_path / "a.png", character=character)
+        with Image.open(tmp_path / "a.png") as image:
+            pictures.append(np.asarray(image.convert("RGB")).astype(int))
+    rows, columns = (min(picture.shape[axis] for picture in pictures) for axis in (0, 1))
+    own, mannequin = (picture[:rows, :columns] for picture in pictures)
+    assert (np.abs(own - mannequin).max(-1) > 25).mean() > 0.03
+
+
+def test_pages_hold_it_and_escape_hostile_names(hero, tmp_path, zombie):
+    document_, data = parts(hero)
+    for node in document_["nodes"]:
+        node["name"] = f"</script><script>alert(1)</script>{node['name']}"
+    (tmp_path / "evil.glb").write_bytes(motion_files.glb(document_, data))
+    evil = "</script><img src=x onerror=alert(1)>"
+    made = page.html(zombie.replace(style=evil), tmp_path / "walk.html", title=evil,
+                     character=tmp_path / "evil.glb")
+    text = made.read_text(encoding="utf-8")
+    assert '"mesh"' in text
+    assert "<img src=x" not in text.replace("<\\/script><img src=x", "")
+    assert "<script>alert(1)" not in text.replace("<\\/script><script>alert(1)", "")
+
+
+def test_the_controller_gets_it(hero):
+    model, bank = tk.pretrained()
+    widget = tk.view.Controller(model, bank, character=hero)
+    mesh = widget.skeleton["mesh"]
+    assert len(mesh["follow"]["rules"]) > 20
+    assert mesh["follow"]["scale"] == pytest.approx(0.85, abs=0.01)
+    assert len(widget.skeleton["parents"]) == len(model.layout.skeleton)
+    widget.close()
+
+
+def test_the_command_line_writes_it(hero, tmp_path, zombie, monkeypatch):
+    tk.bvh.save(zombie, tmp_path / "walk.bvh")
+    clip = ["export", "clip", str(tmp_path / "walk.bvh"), "--character", str(hero), "--out"]
+    for suffix in ("glb", "html"):
+        with pytest.raises(SystemExit) as done:
+            main([*clip, str(tmp_path / f"out.{suffix}")])
+        assert done.value.code == 0
+    assert len(tk.load(tmp_path / "out.glb")) == len(zombie)
+    monkeypatch.setattr(pack, "SETTLE", 1.5)
+    monkeypatch.setattr(pack, "WATCH", 3.0)
+    with pytest.raises(SystemExit) as done:
+        main(["export", "pack", "--out", str(tmp_path / "pack"), "--style", "Old", "--gaits",
+              "forward", "--formats", "glb",
+              "--character", str(hero)])
+    assert done.value.code == 0
+    (row,) = json.loads((tmp_path / "pack" / "manifest.json").read_text())["clips"]
+    assert len(tk.load(tmp_path / "pack" / row["files"]["glb"])) == row["frames"]
+
+
+def changed(hero, tmp_path, change) -> str:
+    document_, data = parts(hero)
+    change(document_)
+    (tmp_path / "bad.glb").write_bytes(motion_files.glb(document_, data))
+    with pytest.raises(ValueError, match=r"bad\.glb: ") as error:
+        gltf_mesh.read(tmp_path / "bad.glb")
+    assert "\n" not in str(error.value)
+    return str(error.value)
+
+
+@pytest.mark.parametrize(("value", "written"), [("\ud800 half", True), (math.nan, False),
+                                                (math.inf, False)])
+def test_what_json_cannot_hold_is_left_out_or_said_with_the_file(hero, tmp_path, zombie, value,
+                                                                 written):
+    document_, data = parts(hero)
+    document_["extras"] = {"planted": value}
+    (tmp_path / "odd.glb").write_bytes(motion_files.glb(document_, data))
+    character = Character.load(tmp_path / "odd.glb")
+    if written:
+        character_gltf.save(zombie, tmp_path / "walk.glb", character)
+        assert parts(tmp_path / "walk.glb")[0]["extras"] == {"planted": "? half"}
+    else:
+        with pytest.raises(ValueError, match=r"odd\.glb: its JSON text has NaN or Infinity"):
+            character_gltf.save(zombie, tmp_path / "walk.glb", character)
+
+
+def test_a_character_that_was_changed_since_it_was_read_gets_no_motion(hero, zombie, tmp_path):
+    path = tmp_path / "hero.glb"
+    path.write_bytes(hero.read_bytes())
+    character = Character.load(path)
+    for document_ in ({"asset": {"version": "2.0"}, "buffers": [{"byteLength": 4}]},
+                      {**parts(hero)[0], "extras": 1}):
+        path.write_bytes(motion_files.glb(document_, parts(hero)[1]))
+        with pytest.raises(ValueError, match=r"hero\.glb: was changed since it was read"):
+            character_gltf.save(zombie, tmp_path / "walk.glb", character)
+
+
+def test_files_without_a_character_are_refused_in_a_line(hero, tmp_path):
+    def compressed(document_):
+        document_["meshes"][0]["primitives"][0]["extensions"] = {"KHR_draco_mesh_compression": {}}
+
+    assert "no skinned mesh" in changed(hero, tmp_path, lambda d: d["nodes"][-1].pop("mesh"))
+    assert "no skinned mesh" in changed(hero, tmp_path,
+                                        lambda d: d.update(nodes=[], skins=[], meshes=[]))
+    assert "KHR_draco_mesh_compression" in changed(hero, tmp_path, compressed)
+    inverse = parts(hero)[0]["skins"][0]["inverseBindMatrices"]
+    assert "fewer inverse bind" in changed(
+        hero, tmp_path, lambda d: d["accessors"][inverse].update(count=3))
+    assert "does not exist" in changed(hero, tmp_path, lambda d: d["skins"][0].update(joints=[99]))
+    (tmp_path / "cut.glb").write_bytes(hero.read_bytes()[:5000])
+    with pytest.raises(ValueError, match="cut off"):
+        Character.load(tmp_path / "cut.glb")
+    document_, data = parts(hero)
+    for node in document_["nodes"]:
+        node["name"] = ""
+    (tmp_path / "nameless.glb").write_bytes(motion_files.glb(document_, data))
+    with pytest.raises(ValueError, match="cannot find its left_shoulder"):
+        Character.load(tmp_path / "nameless.glb")
+
+
+def test_a_file_without_a_mesh_is_said(shared):
+    file = shared / "foreign" / "rpm.glb"
+    if not file.is_file():
+        pytest.skip("no foreign files")
+    with pytest.raises(ValueError, match=r"rpm\.glb: it holds no skinned mesh"):
+        Character.load(file)

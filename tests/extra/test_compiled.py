@@ -1,0 +1,226 @@
+"""The compiled runtime against the plain one, which is its definition."""
+
+import dataclasses
+import re
+
+import pytest
+import torch
+from numba.core.caching import IndexDataCacheFile
+
+import toolkit as tk
+from toolkit import runtime
+from toolkit.extra.shots import crowd
+from toolkit.io import compilation
+from toolkit.networks import Sizes
+from toolkit.runtime import Command
+
+
+@pytest.fixture(scope="module")
+def pretrained():
+    model, bank = tk.pretrained()
+    return model, runtime.compile(model), bank
+
+
+def inputs(model, count):
+    """Frames, phases and style vectors of ``count`` characters, all different."""
+    seeded = torch.Generator().manual_seed(0)
+    kinds = map(model.normaliser, ("inputs", "phases"))
+    x, phases = (n.invert(torch.randn(count, len(n.mean), generator=seeded)) for n in kinds)
+    return x, phases, 1 + 0.3 * torch.randn(count, model.style_size, generator=seeded)
+
+
+def commands(frames, count):
+    """Another way for every character, which turns."""
+    angles = torch.arange(count) + torch.linspace(0.0, 2.0, frames)[:, None]
+    ways = torch.stack((angles.sin(), angles.cos()), -1)
+    return [Command(1.2 * way, way) for way in ways]
+
+
+@pytest.mark.parametrize("sizes", [Sizes(hidden=42, experts=3, gating=7), Sizes(hidden=96)])
+def test_the_network_is_the_models_for_any_size_and_number_of_characters(small_run, sizes):
+    """Widths that need padding and those that do not; 131 is more than are computed at once."""
+    torch.manual_seed(1)
+    model = tk.networks.build("lpn-film", small_run.model.layout, 2, sizes, generator=False)
+    with torch.no_grad():
+        for layer in model.experts.layers:
+            layer.bias.normal_()
+    compiled = runtime.compile(model)
+    for count in (1, 2, 7, 131):
+        given = inputs(model, count)
+        apart = (compiled.predict(*given) - model.predict(*given)) / model.outputs_std
+        assert float(apart.abs().max()) < 1e-4
+
+
+def test_a_step_and_a_pose_equal_the_plain_ones(pretrained):
+    model, compiled, bank = pretrained
+    state = runtime.start(model, bank.vectors[:9])
+    for number, command in enumerate(commands(90, 9)):
+        before = {name: value.clone() for name, value in vars(state).items()}
+        with torch.inference_mode():
+            plain = runtime.step(model, state, command)
+        fast = runtime.step(compiled, state, command)
+        for name, value in vars(plain).items():
+            assert float((getattr(fast, name) - value).abs().max()) < 2e-4, name
+            assert torch.equal(getattr(state, name), before[name])  # the state itself stays
+        state = plain
+        if number % 10 == 0:
+            chosen = {"feet": number % 20 == 0, "arms": number % 30 == 0}
+            right, made = (runtime.pose(m, state, **chosen) for m in (model, compiled))
+            assert float((right[0] - made[0]).abs().max()) < 1e-4
+            assert float((right[1] - made[1]).abs().max()) < 1e-5
+
+
+def test_rare_branches_of_a_step_equal_the_plain_ones(pretrained):
+    """Standing, facing zero, a character that is pulled, contacts on and off, hips that sink."""
+    model, compiled, bank = pretrained
+    state = runtime.start(model, bank.vectors[:6], facing=(0.6, -0.8))
+    still = [Command((0.0, 0.0), (0.0, 0.0))] * 5
+    fast_run = [Command((3.0, 0.0), (0.0, 0.0))] * 15
+    for command in [*commands(15, 6), *still, *fast_run, *still]:
+        with torch.inference_mode():
+            state = runtime.step(model, state, command)
+        drop = torch.linspace(0, 0.2, 6)[:, None] * torch.tensor([1.0, -3.0])
+        moved = dataclasses.replace(
+            state, toes=state.toes + torch.linspace(-0.3, 0.3, 18).view(6, 1, 3), drop=drop,
+            drive=state.drive + torch.linspace(-0.9, 9.0, 6)[:, None])
+        plain, fast = (runtime.step(m, moved, command) for m in (model, compiled))
+        for name, value in vars(plain).items():
+            assert float((getattr(fast, name) - value).abs().max()) < 1e-3, name
+
+
+def test_legs_and_arms_out_of_reach_bend_alike(pretrained):
+    """Toes far away and too near, a pose turned upside down."""
+    model, compiled, bank = pretrained
+    state = runtime.start(model, bank.vectors[:4], facing=(0.6, -0.8))
+    joints = state.joints.clone()
+    joints[3].view(-1, 4, 3)[:, :3] *= torch.tensor([1.0, -1.0, -1.0])
+    shifts = torch.tensor([[0.0, 0.0, 2.0], [0.0, 0.9, 0.0], [0.1, 0.0, 0.0], [0.0, 0.0, 0.0]])
+    state = dataclasses.replace(state, joints=joints, toes=state.toes + shifts[:, None])
+    skeleton = model.layout.skeleton
+    poses = [runtime.pose(m, state) for m in (model, compiled)]
+    places = [tk.motion.forward_kinematics(skeleton, *pose)[1] for pose in poses]
+    assert float((places[0] - places[1]).norm(dim=-1).max()) < 1e-3
+
+
+def test_rollouts_stay_together_and_do_not_drift_apart(pretrained):
+    """1 mm after a second; after six, where differences have grown, still the same walk."""
+    model, compiled, bank = pretrained
+    styles = torch.stack([bank[name] for name in ("Neutral", "Zombie")])
+    ways = [*runtime.straight(1.0, 3.0), *runtime.straight(1.0, 3.0, (1.0, 0.0))]
+    runs = [list(runtime.states(m, ways, styles)) for m in (model, compiled)]
+    for i in range(len(styles)):
+        plain = runtime.record(model, runs[0], character=i)
+        fast = runtime.record(compiled, runs[1], character=i)
+        apart = (plain.global_positions - fast.global_positions).norm(dim=-1).amax(-1)
+        assert float(apart[59]) < 1e-3
+        assert tk.metrics.speed(fast) == pytest.approx(tk.metrics.speed(plain), abs=0.01)
+        assert float((fast.root_positions[-1] - plain.root_positions[-1]).norm()) < 0.2
+
+
+def test_published_parameters_run_alike(shared):
+    model, bank = tk.published.load(shared / "lpn_film_100style")
+    compiled = runtime.compile(model)
+    styles = torch.stack([bank[name] for name in ("Neutral", "Zombie", "Aeroplane")])
+    *_, plain = runtime.states(model, runtime.straight(1.2, 1.0), styles)
+    *_, fast = runtime.states(compiled, runtime.straight(1.2, 1.0), styles)
+    places = [runtime.world_joints(model.layout, s)["position"] for s in (plain, fast)]
+    assert float((places[0] - places[1]).norm(dim=-1).max()) < 1e-3
+
+
+def test_threads_and_roll_give_the_same_bits(pretrained):
+    model, compiled, bank = pretrained
+    two = runtime.compile(model, threads=2)
+    state = runtime.start(model, bank.vectors[:19])
+    for command in commands(5, 19):
+        one, other = (runtime.step(m, state, command) for m in (compiled, two))
+        assert all(torch.equal(getattr(one, name), getattr(other, name)) for name in vars(one))
+        assert torch.equal(runtime.pose(compiled, one)[0], runtime.pose(two, one)[0])
+        state = one
+    assert "_pool" in vars(two)  # made when it is first used
+    first, vector = runtime.start(model, bank["Old"]), bank["Old"]
+    rolled = compiled.roll(first, 4, lambda k, place: ((0.1 * k, 1.0), (place[1], 1.0), vector))
+    state = first
+    for k in range(4):
+        looks = float(state.root[0, 1]), 1.0
+        state = runtime.step(compiled, state, Command((0.1 * k, 1.0), looks))
+        assert torch.equal(rolled.joints[k], state.joints[0])
+
+
+def test_one_line_makes_everything_fast(pretrained):
+    model, compiled, bank = pretrained
+    controllers = [tk.view.Controller(m, bank) for m in (model, compiled)]
+    for controller in controllers:
+        controller.steer(ahead=1.0, turn=0.5)
+        controller.advance(20)
+    roots = [controller.state.root for controller in controllers]
+    assert float((roots[0] - roots[1]).abs().max()) < 1e-3
+    assert re.search(r"lpn-film, 7\.\d MB, 1 thread; .* in \d+\.\d s", repr(compiled))
+    size = sum(p.numel() for part in (model.gating, model.experts) for p in part.parameters())
+    assert compiled.weights.bytes == pytest.approx(4 * size, rel=0.05)
+
+
+def test_bad_input_is_refused(pretrained, small_run):
+    model, compiled, bank = pretrained
+    layout, sizes = small_run.model.layout, Sizes(hidden=16, gating=8)
+    other = tk.networks.build("mann-film", layout, 2, sizes, generator=False)
+    with pytest.raises(ValueError, match="only lpn-film can be compiled, got mann-film"):
+        runtime.compile(other)
+    calibrated = tk.networks.build("lpn-film", layout, 2, sizes, generator=False)
+    calibrated.calibrated = True
+    with pytest.raises(ValueError, match="calibrated model cannot be compiled"):
+        runtime.compile(calibrated)
+    with pytest.raises(ValueError, match="threads must be a whole number from 1, got 0"):
+        runtime.compile(model, threads=0)
+    state = runtime.start(model, bank.vectors[:3])
+    for wrong, part in (
+        (state.with_style(torch.zeros(7)), "style"),
+        (dataclasses.replace(state, joints=state.joints[:, :-12]), "joints"),
+        (dataclasses.replace(state, phase=state.phase[:1]), "phase"),
+    ):
+        with pytest.raises(ValueError, match=f"{part} needs"):
+            runtime.step(compiled, wrong, Command())
+    with pytest.raises(ValueError, match="one pair of numbers or 3, got 2"):
+        runtime.step(compiled, state, Command(torch.zeros(2, 2)))
+    with pytest.raises(ValueError, match="x needs"):
+        compiled.predict(*(value[:, :5] for value in inputs(model, 2)))
+    with pytest.raises(ValueError, match="one character"):
+        compiled.roll(state, 1, None)
+    one = runtime.start(model, bank["Old"])
+    with pytest.raises(ValueError, match=r"a style needs \d+ columns"):
+        compiled.roll(one, 1, lambda *_: ((0.0, 0.0), (0.0, 1.0), torch.zeros(3)))
+    with pytest.raises(AttributeError, match="no 'gating'"):
+        compiled.gating  # noqa: B018
+
+
+def add(a, b):
+    return a + b
+
+
+def test_where_compiled_code_cannot_be_stored_there_is_no_error(monkeypatch):
+    """As in a container where nothing can be written, and on a disk that is full."""
+    compilation._without_cache.cache_clear()
+    with monkeypatch.context() as patch:
+        patch.setattr(compilation, "Cache", lambda _: raised(RuntimeError("no locator available")))
+        with pytest.warns(UserWarning, match="NUMBA_CACHE_DIR"):
+            made = compilation.compiled()(add)
+    assert made(1, 2) == 3
+    monkeypatch.setattr(IndexDataCacheFile, "save", lambda *_: raised(PermissionError("full")))
+    assert compilation.compiled()(add)(1, 2) == 3
+
+
+def raised(error):
+    raise error
+
+
+def test_crowds_cross_and_keep_apart(pretrained, tmp_path):
+    _, compiled, bank = pretrained
+    made = crowd.walk(compiled, bank, 12, 9.0)
+    assert len({clip.style for clip in made.clips}) == 12
+    roots = torch.stack([clip.root_positions[:, ::2] for clip in made.clips], 1)
+    assert min(float((torch.cdist(at, at) + 9 * torch.eye(12)).min()) for at in roots) > 0.9
+    through = (roots[-1] - roots[0])[torch.arange(12), torch.arange(1, 13) % 2]  # along the way
+    assert float(through.min()) > 1.0  # a slow style, which others overtake
+    assert float(through.median()) > 5.0
+    assert tk.view.crowd(made.clips[:3], tmp_path / "crowd.gif", fps=2.0, width=120).exists()
+    with pytest.raises(ValueError, match="one length"):
+        tk.view.crowd([made.clips[0], made.clips[1].cut(5)], tmp_path / "crowd.gif")

@@ -1,0 +1,72 @@
+"""The director's kernel: shots in and out, what it refuses, its page from the command line."""
+
+import json
+
+import pytest
+import traitlets
+
+import toolkit as tk
+from toolkit import __main__ as line
+from toolkit.extra.shots import Shot, director
+from toolkit.view import Director
+
+
+@pytest.fixture(scope="module")
+def desk():
+    return Director(*tk.pretrained())
+
+
+def test_shots_go_in_and_out(desk):
+    assert [shot.name for shot in desk.shots] == ["shot 1"]
+    blended = [(0, "Old"), (1, {"Old": 0.5, "Strut": 0.5})]
+    two = [Shot([(0, 0), (0, 1)], "Zombie", duration=0.5), Shot([(1, 0), (1, 2)], blended)]
+    desk.shots = two
+    assert desk.shots == two
+    json.dumps(desk.scene)
+    # of a page
+    desk.scene = {"version": 1,
+                  "shots": [{"path": [[0, 0], [0, 1]], "styles": "Zombie", "duration": 0.5}]}
+    assert len(desk.render()) == 30
+
+
+@pytest.mark.parametrize(("scene", "said"), [
+    ({}, "expected an object with the fields version and shots"),
+    ({"version": 1, "shots": [{"path": [[0, 0]], "styles": "Zombie"}]},
+     "path: two or more points are needed, got 1"),
+    ({"version": 1, "shots": [{"path": [[0, 0], [0, 1]], "styles": "Nobody"}]}, "Nobody"),
+])
+def test_a_scene_that_is_not_valid_is_refused(desk, scene, said):
+    before = desk.scene
+    with pytest.raises(traitlets.TraitError, match=said):
+        desk.scene = scene
+    assert desk.scene == before
+
+
+def test_an_unknown_style_is_refused_before_anything_is_written(tmp_path):
+    with pytest.raises(ValueError, match="Nobody"):
+        director.web(*tk.pretrained(), tmp_path / "desk.html", [Shot([(0, 0), (0, 1)], "Nobody")])
+    assert not list(tmp_path.iterdir())
+
+
+def test_another_model_is_refused_in_one_line():
+    model, bank = tk.pretrained()
+    other = tk.networks.build("pfnn-film", model.layout, 2, model.sizes)
+    with pytest.raises(ValueError, match="only lpn-film runs in a page, got pfnn-film"):
+        Director(other, bank)
+
+
+def test_the_command_line_writes_a_page_of_a_file(tmp_path):
+    shot = Shot([(0, 0), (0, 1)], "Zombie", name="</script><b>")
+    shot.save(tmp_path / "shot.json")
+    words = ["export", "director", "--shots", str(tmp_path / "shot.json"), "--half", "--styles",
+             "Zombie,Old"]
+    with pytest.raises(SystemExit) as ended:
+        line.main([*words, "--out", str(tmp_path / "desk.html")])
+    assert ended.value.code == 0
+    page = (tmp_path / "desk.html").read_text(encoding="utf-8")
+    assert "</script><b>" not in page
+    text = page.split('id="data">')[1].split("</script>")[0]
+    data = json.loads(text)
+    assert tk.shots.parse(data["scene"]) == [shot]
+    assert data["styles"] == ["Zombie", "Old"]
+    assert data["course"]["FPS"] == 60

@@ -1,0 +1,306 @@
+"""Out to other programs: every file is read back by a library that is not ours."""
+
+import json
+import re
+import struct
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+import torch
+
+import toolkit as tk
+from toolkit.__main__ import main
+from toolkit.datasets.procedural import SKELETON
+from toolkit.networks.bank import StyleBank
+from toolkit.view.render import mannequin as body
+
+DOCS = Path(__file__).parents[2] / "docs"
+
+
+def called(arguments: str) -> int:
+    """Exit status of the command line."""
+    try:
+        return main(arguments.split())
+    except SystemExit as done:
+        return done.code
+
+
+@pytest.fixture(scope="module")
+def zombie() -> tk.Clip:
+    clips = tk.datasets.load("procedural", styles=["Zombie"], gaits=["FW"], seconds=3.0)
+    return clips[0].moved(turn=0.7, shift=(2.0, 0.0, -1.0))
+
+
+def document(path: Path) -> dict:
+    """The JSON of a .glb file."""
+    data = path.read_bytes()
+    magic, version, length, size, kind = struct.unpack_from("<4sII I4s", data)
+    assert (magic, version, length, kind) == (b"glTF", 2, len(data), b"JSON")
+    return json.loads(data[20 : 20 + size])
+
+
+def seen_by_vtk(path: Path, second: float) -> np.ndarray:
+    """Vertices [V, 3] after VTK applied animation and skin.
+
+    A second time step in one reader loses a primitive.
+    """
+    import pyvista
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+
+    file = pyvista.get_reader(path)
+    reader = file.reader
+    reader.SetApplyDeformationsToGeometry(True)
+    reader.UpdateInformation()
+    reader.SetFrameRate(60)
+    reader.EnableAnimation(0)
+    reader.UpdateInformation()
+    reader.UpdateTimeStep(float(np.float32(second)))
+    blocks, points = reader.GetOutput().NewIterator(), []  # pyvista's own wrapping takes seconds
+    while not blocks.IsDoneWithTraversal():
+        points.append(vtk_to_numpy(blocks.GetCurrentDataObject().GetPoints().GetData()))
+        blocks.GoToNextItem()
+    return np.concatenate(points)
+
+
+def drawn(clip: tk.Clip, frame: int) -> np.ndarray:
+    """Vertices of the toolkit's own skin."""
+    return body.build(clip).skin.pose(clip.global_rotations[frame], clip.global_positions[frame])[0]
+
+
+def check_gltf(clip: tk.Clip, path: Path) -> None:
+    tk.extra.engines.gltf.save(clip, path)
+    for frame in (0, len(clip) // 3, len(clip) - 1):
+        assert abs(seen_by_vtk(path, frame / clip.fps) - drawn(clip, frame)).max() < 1e-4
+
+
+def test_vtk_sees_the_same_skin_move(tmp_path, zombie):
+    check_gltf(zombie, tmp_path / "zombie.glb")
+    apart = abs(drawn(zombie, 0) - drawn(zombie, 60)).max()
+    assert apart > 0.5  # the comparison could fail
+
+
+def test_vtk_sees_the_same_skin_on_a_rig_with_other_axes(tmp_path, shared):
+    file = sorted((shared / "bandai").rglob("*.bvh"))[0]
+    check_gltf(tk.bvh.load(file).cut(0, 100), tmp_path / "clip.glb")
+
+
+def test_gltf_names_the_joints_and_holds_what_moves(tmp_path, zombie):
+    rotations = zombie.rotations.clone()
+    still = SKELETON.index("LeftToe")
+    rotations[:, still] = rotations[:1, still]
+    tk.extra.engines.gltf.save(zombie.replace(rotations=rotations), tmp_path / "a.glb")
+    made = document(tmp_path / "a.glb")
+    assert [node["name"] for node in made["nodes"][:-1]] == list(SKELETON.names)
+    for parent, node in enumerate(made["nodes"][:-1]):
+        assert node.get("children", []) == [j for j, p in enumerate(SKELETON.parents)
+                                            if p == parent]
+        assert abs(np.linalg.norm(node["rotation"]) - 1) < 1e-6
+        assert max(map(abs, node["rotation"])) <= 1
+    (animation,) = made["animations"]
+    turning = {c["target"]["node"] for c in animation["channels"]
+               if c["target"]["path"] == "rotation"}
+    assert still not in turning
+    assert not any(SKELETON.is_end(j) for j in turning)
+    assert SKELETON.index("LeftKnee") in turning
+    assert [c["target"] for c in animation["channels"] if c["target"]["path"] == "translation"] == [
+        {"node": 0, "path": "translation"}
+    ]
+    times = made["accessors"][animation["samplers"][0]["input"]]
+    assert times["count"] == len(zombie)
+    assert times["max"][0] == pytest.approx((len(zombie) - 1) / 60)
+    tk.extra.engines.gltf.save(zombie.cut(0, 1), tmp_path / "still.glb")
+    assert "animations" not in document(tmp_path / "still.glb")
+
+
+def test_models_move_the_skeleton_of_100style(shared):
+    recorded = tk.bvh.load(shared / "100style" / "Neutral_FW.bvh").skeleton
+    embedded = tk.pretrained().model.layout.skeleton
+    assert embedded.names == SKELETON.names == recorded.names
+    assert embedded.parents == SKELETON.parents == recorded.parents
+    bones = (embedded.offsets - recorded.offsets)[1:].norm(dim=-1)
+    assert bones.max() < 0.0015
+
+
+def test_bvh_is_read_the_same_by_pybvh(tmp_path, zombie):
+    pybvh = pytest.importorskip("pybvh")
+    tk.bvh.save(zombie, tmp_path / "a.bvh")
+    theirs = pybvh.read_bvh_file(tmp_path / "a.bvh").node_positions() / 100
+    assert abs(theirs - zombie.global_positions.numpy()).max() < 1e-4
+
+
+@pytest.fixture(scope="module")
+def onnxruntime():
+    pytest.importorskip("onnxscript")
+    return pytest.importorskip("onnxruntime")
+
+
+def session_of(onnxruntime, path: Path):
+    options = onnxruntime.SessionOptions()
+    options.intra_op_num_threads = 1
+    return onnxruntime.InferenceSession(str(path), options, providers=["CPUExecutionProvider"])
+
+
+def run(session, x, phases, style) -> torch.Tensor:
+    given = {"x": x.numpy(), "phases": phases.numpy(), "style": style.numpy()}
+    return torch.from_numpy(session.run(["z"],
+                                        {i.name: given[i.name] for i in session.get_inputs()})[0])
+
+
+class Watched:
+    """A model that keeps what it was asked."""
+
+    def __init__(self, model):
+        self.model, self.asked = model, []
+
+    def __getattr__(self, name):
+        return getattr(self.model, name)
+
+    def predict(self, x, phases, style):
+        self.asked.append((x, phases, style))
+        return self.model.predict(x, phases, style)
+
+
+@pytest.fixture(scope="module")
+def step(onnxruntime, tmp_path_factory) -> Path:
+    """The embedded model; exporting takes seconds."""
+    path = tmp_path_factory.mktemp("onnx") / "step.onnx"
+    model, bank = tk.pretrained()
+    tk.extra.engines.onnx.save(model, path, bank)
+    return path
+
+
+def test_onnx_runtime_computes_the_embedded_model(onnxruntime, step):
+    """Over real states, one by one and 64 at once."""
+    session, (model, bank) = session_of(onnxruntime, step), tk.pretrained()
+    watched = Watched(model)
+    vectors = torch.stack([bank[name] for name in bank.names[:8]])
+    list(tk.runtime.states(watched, tk.runtime.straight(1.2, 0.2), vectors))
+    x, phases, style = (torch.cat(column) for column in zip(*watched.asked, strict=True))
+    for size in (1, 64):
+        batches = list(zip(*(v.split(size) for v in (x, phases, style)), strict=True))
+        ours, theirs = (torch.cat([f(*b) for b in batches]) for f in (model.predict,
+                                                                      lambda *b: run(session, *b)))
+        error = (theirs - ours) / model.outputs_std
+        assert error.square().mean().sqrt() < 1e-5
+        digit = 1.2e-7 * ours.abs() / model.outputs_std  # of a float32 in physical units
+        assert (error.abs() < 1e-4 + 2 * digit).all()
+    shuffled = run(session, x[:64], phases[:64], style[:64].roll(1, 0))
+    assert ((shuffled - model.predict(x[:64], phases[:64],
+                                      style[:64])) / model.outputs_std).abs().max() > 0.1
+
+
+@pytest.mark.parametrize("name", ["mann-film", "pfnn-resad"])  # without a phase, with a global one
+def test_onnx_runtime_computes_other_models(onnxruntime, tmp_path, name):
+    torch.manual_seed(3)
+    sizes = tk.networks.Sizes(hidden=24, experts=3, gating=8, film_channels=4, film_kernel=3,
+                              film_dense=8, rank=5)
+    model = tk.networks.build(name, tk.features.Layout(SKELETON), 4, sizes)
+    for parameter in model.parameters():
+        torch.nn.init.normal_(parameter, std=0.2)
+    for kind in ("inputs", "outputs"):
+        getattr(model, f"{kind}_mean").normal_()
+        getattr(model, f"{kind}_std").uniform_(0.5, 2.0)
+    (file,) = tk.extra.engines.onnx.save(model.train(), tmp_path / "a.onnx")
+    assert model.training
+    model.eval()
+    session = session_of(onnxruntime, file)
+    phase = [("phases", ["batch", model.layout.n_phases])] if model.layout.n_phases else []
+    assert [(i.name, i.shape) for i in session.get_inputs()] == [
+        ("x", ["batch", model.layout.n_inputs]), *phase, ("style", ["styles", model.style_size])
+    ]
+    (out,) = session.get_outputs()
+    assert (out.name, out.shape) == ("z", ["batch", model.layout.n_outputs])
+    x, phases, style = (torch.randn(7, n) for n in (model.layout.n_inputs, model.layout.n_phases,
+                                                    model.style_size))
+    phases *= 4  # round the circle, of a global one
+    right = model.predict(x, phases, style)
+    shared = model.predict(x, phases, style[:1].expand(7, -1))
+    for styles, wanted in ((style, right), (style[:1], shared)):
+        assert (run(session, x, phases, styles) - wanted).abs().max() < 2e-6 * wanted.abs().max()
+    # neither one style nor a style for each
+    with pytest.raises(Exception, match=r"broadcast|dimension"):
+        run(session, x, phases, style[:3])
+    data = file.read_bytes()
+    assert b"generator" not in data  # style vectors are an input
+    assert b".py" not in data  # no path of a source file
+    assert json.loads(session.get_modelmeta().custom_metadata_map["model"]) == name
+
+
+def test_the_example_of_the_docs_runs(step, monkeypatch, capsys):
+    (example,) = re.findall(r"```python\n(.*?)```",
+                            (DOCS / "export.md").read_text(encoding="utf-8"), re.DOTALL)
+    monkeypatch.chdir(step.parent)
+    model, bank = tk.pretrained()
+    names: dict = {}
+    exec(compile(example, "export.md", "exec"), names)
+    assert "right foot, left foot stand: [" in capsys.readouterr().out
+    state = tk.runtime.start(model, bank.blend({"Zombie": 0.5, "Neutral": 0.5}))
+    x, phases, style = (torch.from_numpy(np.asarray(names[n])) for n in ("x", "z", "style"))
+    z = model.predict(x[None], state.phase, style)
+    assert ((z - phases) / model.outputs_std).square().mean().sqrt() < 1e-5
+    assert torch.equal(x[48:], torch.tensor(names["about"]["start"]["joints"]))
+    assert names["about"]["joints"] == list(model.layout.names)
+
+
+def test_onnx_without_its_package_says_what_to_install(tmp_path, monkeypatch, capsys):
+    monkeypatch.setitem(sys.modules, "onnxscript", None)
+    assert called(f"export onnx --out {tmp_path / 'new' / 'a.onnx'}") == 2
+    said = 'error: ONNX needs the extra "export": pip install ".[export]"\n'
+    assert capsys.readouterr().err == said
+    assert not list(tmp_path.iterdir())
+
+
+def test_the_command_line_writes_clips(tmp_path, zombie, capsys):
+    source = tmp_path / "zombie.bvh"
+    tk.bvh.save(zombie, source)
+    for suffix in ("glb", "bvh", "html"):
+        out = tmp_path / "new" / f"walk.{suffix}"
+        assert called(f"export clip {source} --out {out} --skeleton 100style") == 0
+        assert out.stat().st_size > 10_000
+        assert f"wrote {out}" in capsys.readouterr().out
+    seen = seen_by_vtk(tmp_path / "new" / "walk.glb", 0.5)
+    assert abs(seen - drawn(tk.bvh.load(source), 30)).max() < 1e-4
+
+
+def test_skeletons_that_no_body_fits_are_refused(tmp_path):
+    dot = tk.Skeleton(("Root", "RootEnd"), (-1, 0), torch.zeros(2, 3))
+    clip = tk.Clip(dot, tk.motion.rotations.identity(3, 2), torch.zeros(3, 3), 60.0, name="dot.bvh")
+    with pytest.raises(ValueError, match=r"dot\.bvh: no bone is long enough"):
+        tk.extra.engines.gltf.save(clip, tmp_path / "dot.glb")
+    with pytest.raises(ValueError, match=r"dot\.bvh: cannot find its left_shoulder, "):
+        tk.motion.retargeting.retarget(clip, SKELETON)
+    flat = replace(SKELETON, offsets=0.01 * SKELETON.offsets)
+    with pytest.raises(ValueError, match="legs have no length"):
+        tk.motion.retargeting.retarget(tk.Clip(flat, tk.motion.rotations.identity(3, 28),
+                                               torch.zeros(3, 3), 60.0), SKELETON)
+    assert not list(tmp_path.iterdir())
+
+
+def test_bad_input_gets_one_line_and_leaves_nothing(tmp_path, zombie, capsys):
+    source, cut = tmp_path / "zombie.bvh", tmp_path / "cut.bvh"
+    tk.bvh.save(zombie, source)
+    cut.write_text("HIERARCHY\nROOT Hips\n{\n OFFSET 0 0 0\n")
+    new = tmp_path / "new"
+    for arguments, said in {
+        f"clip {cut} --out {new}/a.glb": "cut.bvh, line 4",
+        f"clip {tmp_path}/no.bvh --out {new}/a.glb": "cannot be read",
+        f"clip {source} --out {new}/a.fbx": "can write .bvh, ",
+        f"clip {source} --out {new}/a.glb --skeleton cmu": "is one of 100style, or a file; got",
+        f"onnx --out {new}/a.txt": "can write .onnx",
+        f"onnx --out {new}/a.onnx --model {source}": "not a whole safetensors",
+        f"web --out {new}/a.htm": "can write .html",
+    }.items():
+        assert called(f"export {arguments}") == 2
+        line = capsys.readouterr().err.strip()
+        assert said in line
+        assert "\n" not in line
+    (tmp_path / "folder.glb").mkdir()
+    assert called(f"export clip {source} --out {tmp_path}/folder.glb") == 2
+    assert "is a folder" in capsys.readouterr().err
+    assert {p.name for p in tmp_path.iterdir()} == {"cut.bvh", "folder.glb", "zombie.bvh"}
+    bank = StyleBank(("a",), torch.zeros(1, 3))
+    with pytest.raises(ValueError, match=r"takes style vectors \[1024\], the bank has \[3\]"):
+        tk.extra.engines.onnx.save(tk.pretrained().model, new / "a.onnx", bank)

@@ -1,0 +1,84 @@
+"""`toolkit.inspect` and its verb."""
+
+import math
+
+import pytest
+import rigs
+from test_interpretation import written
+
+import toolkit as tk
+from toolkit.__main__ import main
+
+
+@pytest.fixture
+def walk(tmp_path):
+    path = tmp_path / "walk.bvh"
+    written(rigs.walk("Unreal", seconds=2.0), path, rigs.TABLE["Unreal"])
+    return path
+
+
+def run(*arguments):
+    with pytest.raises(SystemExit) as stopped:
+        main(list(arguments))
+    assert stopped.value.code == 0
+
+
+def test_an_inspection_says_all_that_was_found(walk):
+    found = tk.inspect(walk)
+    assert (found.format, found.fps) == ("BVH", 60.0)
+    assert (found.unit, found.up, found.upright) == (0.01, "z", True)
+    assert found.doubts == []
+    assert found.height == pytest.approx(1.79, abs=0.02)
+    assert found.floor == pytest.approx(0.02, abs=0.01)
+    assert found.mirror_pairs["upperarm_l"] == "upperarm_r"
+    assert len(found.mirror_pairs) == 14
+    assert "root" in found.joints
+    assert all(0.3 < share < 0.6 for share in found.contact.values())
+    assert set(found.rules) == set(found.roles)
+    said = repr(found)
+    for line in (
+        "up        z",
+        "unit      0.01 m (cm)",
+        "upright   yes",
+        "hip       thigh_l, thigh_r (name)",
+    ):
+        assert line in said
+
+
+def test_a_file_that_is_no_person_is_inspected(tmp_path):
+    skeleton = tk.Skeleton(("base", "arm", "tip"), (-1, 0, 1), [[0, 0, 0], [0, 1, 0], [0, 1, 0]])
+    still = tk.motion.rotations.identity(5, 3)
+    tk.bvh.save(tk.Clip(skeleton, still, still[:, 0, 1:], 30.0), tmp_path / "crane.bvh")
+    found = tk.inspect(tmp_path / "crane.bvh")
+    assert math.isnan(found.height)
+    assert not found.upright
+    assert found.contact == {}
+    advice = [doubt.rsplit("; ", 1)[1] for doubt in found.doubts]
+    assert advice == ["roles= decides", "up= decides", "unit= decides"]
+    assert "no toes" in repr(found)
+
+
+def test_the_verb_prints(walk, capsys):
+    run("inspect", str(walk))
+    said = capsys.readouterr().out
+    assert "toe       ball_l, ball_r (name)" in said
+    run("inspect", str(walk), "--unit", "inch", "--up", "z", "--roles", "left_toe=foot_l")
+    said = capsys.readouterr().out
+    assert "unit      0.0254 m (inch)" in said
+    assert "toe       foot_l, ball_r (given/name)" in said
+
+
+@pytest.mark.parametrize(
+    ("options", "problem"),
+    [
+        (["--unit", "parsec"], "unit is metres of one unit"),
+        (["--up", "q"], "up is the axis that points up"),
+        (["--roles", "left_paw=foot_l"], "'left_paw' is no role"),
+        (["--picture", "walk.txt"], "strip of poses is a .png"),
+    ],
+)
+def test_the_verb_refuses_in_a_line(walk, capsys, options, problem):
+    assert main(["inspect", str(walk), *options]) == 2
+    said = capsys.readouterr().err
+    assert problem in said
+    assert said.count("\n") == 1

@@ -1,0 +1,422 @@
+"""Roles, unit and up axis that are guessed about files, on rigs with common names."""
+
+import dataclasses
+import re
+from pathlib import Path
+
+import pytest
+import rigs
+import torch
+
+import toolkit as tk
+from toolkit.extra.formats import interpretation, role_checks
+from toolkit.io.recording import Recording
+from toolkit.motion import root_frames, rotations as R
+
+
+def facing(clip: tk.Clip) -> float:
+    """Mean cosine between where the hips face and where they go."""
+    forward = R.rotate(root_frames(clip).rotations, torch.tensor([0.0, 0.0, 1.0]))[1:, ::2]
+    travel = clip.global_positions[:, clip.skeleton.role("hips")].diff(dim=0)[:, ::2]
+    return float(torch.nn.functional.cosine_similarity(forward, travel, dim=1).mean())
+
+
+def written(clip: tk.Clip, path, convention: rigs.Convention) -> tk.Clip:
+    """The clip as a file in the unit and with the up axis of a convention."""
+    angle = torch.pi / 2 if convention.up == "z" else 0.0
+    turn = R.from_euler(torch.tensor([angle, 0.0, 0.0]), "XYZ")
+    rotations = torch.cat((R.multiply(turn, clip.rotations[:, :1]), clip.rotations[:, 1:]), 1)
+    turned = clip.replace(rotations=rotations, root_positions=R.rotate(turn, clip.root_positions))
+    tk.bvh.save(turned, path, unit=convention.unit)
+    return clip
+
+
+# One of each kind: name spaces, prefixes, helpers, roots above the hips, z up, other units.
+@pytest.mark.parametrize(("name", "turned"), [
+    ("Mixamo", True), ("CMU", False), ("Daz Genesis 8", True), ("Second Life", False),
+    ("Unreal", True), ("VRM", False), ("Perception Neuron", False), ("MakeHuman", True)])
+def test_a_walk_of_each_convention_is_understood(tmp_path, name, turned):
+    convention = rigs.TABLE[name]
+    made = written(rigs.walk(name, turned), tmp_path / "walk.bvh", convention)
+    found = tk.inspect(tmp_path / "walk.bvh")
+    assert found.doubts == []
+    assert found.roles == rigs.roles(convention)
+    assert (found.unit, found.up) == (convention.unit, convention.up)
+    assert found.height == pytest.approx(1.77, abs=0.04)
+    assert found.upright
+    clip = found.clip
+    for joint in ("left_hand", "right_toe", "hips"):
+        there = made.global_positions[:, made.skeleton.names.index(found.roles[joint])]
+        here = clip.global_positions[:, clip.skeleton.role(joint)]
+        torch.testing.assert_close(here, there, atol=1e-4, rtol=0)
+    mirrored = clip.mirrored()
+    assert facing(clip) > 0.95
+    assert facing(mirrored) > 0.95
+    across = torch.tensor([-1.0, 1.0, 1.0])
+    image = clip.global_positions[:, list(clip.skeleton.mirror_pairs)] * across
+    torch.testing.assert_close(mirrored.global_positions, image, atol=2e-3, rtol=0)
+    twice = mirrored.mirrored().global_positions
+    torch.testing.assert_close(twice, clip.global_positions, atol=2e-5, rtol=0)
+
+
+def test_the_unit_follows_from_the_height(tmp_path):
+    clip, path = rigs.walk("LaFAN1", seconds=1.0), tmp_path / "walk.bvh"
+    for unit in interpretation.UNITS.values():
+        tk.bvh.save(clip, path, unit=unit)
+        found = tk.inspect(path)
+        assert (found.unit, found.doubts) == (unit, [])
+    tk.bvh.save(clip, path, unit=0.04)  # 44 units tall
+    doubt = r"walk\.bvh: in no known unit the body of 43\.\d+ units .* unit= decides"
+    with pytest.warns(UserWarning, match=doubt):
+        guessed = tk.load(path)
+    assert tk.inspect(path).height == pytest.approx(1.7)
+    given = tk.load(path, unit=0.04, up="y")
+    assert given.global_positions.allclose(clip.global_positions, atol=1e-4)
+    assert guessed.global_positions.std() < clip.global_positions.std()
+    tk.bvh.save(clip, path, unit=1.757 / 240)  # 2.4 m in cm: too tall for people, not for figures
+    doubt = r"with a unit of 0\.01 m \(cm\) the body is 2\.39 m tall; unit= decides"
+    with pytest.warns(UserWarning, match=doubt):
+        tk.load(path)
+
+
+@pytest.mark.parametrize("up", interpretation.AXES)
+def test_the_up_axis_follows_from_the_body(tmp_path, up):
+    clip, path = rigs.walk("LaFAN1", seconds=1.0), tmp_path / "walk.bvh"
+    turn = {  # degrees about x, y and z
+        "y": (0, 0, 0),
+        "-y": (180, 0, 0),
+        "z": (90, 0, 0),
+        "-z": (-90, 0, 0),
+        "x": (0, 0, -90),
+        "-x": (0, 0, 90),
+    }[up]
+    turn = R.from_euler(torch.deg2rad(torch.tensor(turn, dtype=torch.float32)), "XYZ")
+    rotations = torch.cat((R.multiply(turn, clip.rotations[:, :1]), clip.rotations[:, 1:]), 1)
+    positions = R.rotate(turn, clip.root_positions)
+    tk.bvh.save(clip.replace(rotations=rotations, root_positions=positions), path)
+    found = tk.inspect(path)
+    assert (found.up, found.doubts) == (up, [])
+    positions = found.clip.global_positions
+    torch.testing.assert_close(positions, clip.global_positions, atol=1e-4, rtol=0)
+    torch.testing.assert_close(tk.load(path, up=up).rotations, found.clip.rotations)
+
+
+def test_what_is_not_safe_is_said(tmp_path):
+    clip, path = rigs.walk("LaFAN1", seconds=2.0), tmp_path / "walk.bvh"
+    lying = R.identity(*clip.rotations.shape[:2])
+    lying[:, 0] = R.from_euler(torch.tensor([-torch.pi / 2, 0.0, 0.0]), "XYZ")
+    deep = clip.root_positions - torch.tensor([0.0, 3.0, 0.0])
+    long = rigs.walk("LaFAN1", seconds=8.0)
+    heights = torch.linspace(-0.15, 0.15, len(long))[:, None]
+    rising = long.root_positions + heights * torch.tensor([0.0, 1.0, 0.0])
+    low = torch.tensor([0.0, 0.15, 0.0]).expand(len(clip), 3)
+    for changed, doubt in (
+        (clip.replace(rotations=lying, root_positions=low), "stands along -?z or lies with y up"),
+        (clip.replace(root_positions=deep), r"the feet stand at -2\.98 m instead of 0"),
+        (clip.resample(1.0), "1 frames per second is no usual rate"),
+        (long.replace(root_positions=rising), r"the floor moves by \+0\.30 m over the clip"),
+    ):
+        tk.bvh.save(changed, path)
+        with pytest.warns(UserWarning, match=doubt):
+            tk.load(path)
+        assert any(re.search(doubt, said) for said in tk.inspect(path).doubts)
+    tk.bvh.save(clip, path)
+    path.write_text(path.read_text().replace("Frame Time: 0.01666667", "Frame Time: 16.6667"))
+    with pytest.warns(UserWarning, match="16.6667 s was taken for milliseconds: 60 Hz"):
+        assert tk.load(path).fps == 60.0
+
+
+def test_roles_unit_and_up_that_do_not_fit_are_refused(tmp_path):
+    path = tmp_path / "walk.bvh"
+    tk.bvh.save(rigs.walk("LaFAN1", seconds=0.5), path)
+    for options, problem in (
+        ({"roles": {"left_wing": "LeftArm"}}, "'left_wing' is no role; the roles are hips"),
+        ({"roles": {"left_hand": "LeftPaw"}}, "no joint 'LeftPaw' for the role left_hand"),
+        (
+            {"roles": {"left_knee": "LeftFoot"}},
+            r"left_foot \(LeftFoot\) is not below left_knee \(LeftFoot\)",
+        ),
+        ({"unit": 0.0}, "unit is metres of one unit"),
+        ({"unit": "parsec"}, "auto, m, cm"),
+        ({"up": "w"}, "one of auto, x"),
+    ):
+        with pytest.raises(ValueError, match=problem) as caught:
+            tk.load(path, **options)
+        assert "\n" not in str(caught.value)
+    given = tk.load(path, roles={"left_toe": "LeftFoot"})
+    assert given.skeleton.roles["left_toe"] == "LeftFoot"
+    assert tk.inspect(path, roles={"left_toe": "LeftFoot"}).rules["left_toe"] == "given"
+
+
+def test_a_leg_without_length_is_no_leg(tmp_path):
+    clip = rigs.walk("LaFAN1", seconds=0.5)
+    offsets = clip.skeleton.offsets.clone()
+    offsets[[clip.skeleton.names.index(name) for name in ("LeftLeg", "LeftFoot")]] = 2e-7
+    path = tmp_path / "walk.bvh"
+    skeleton = tk.Skeleton(clip.skeleton.names, clip.skeleton.parents, offsets)
+    tk.bvh.save(clip.replace(skeleton=skeleton), path)
+    with pytest.warns(UserWarning, match="are at the same place"):
+        clip = tk.load(path)
+    assert "left_knee" not in clip.skeleton.roles
+    assert "right_knee" in clip.skeleton.roles
+
+
+def test_files_of_other_kinds_are_refused_in_a_line(tmp_path):
+    for name in ("walk.c3d", "walk", "walk.zip"):
+        problem = r"no reader for this kind of file; there are readers for \.bvh"
+        with pytest.raises(ValueError, match=problem):
+            tk.load(tmp_path / name)
+
+
+@pytest.mark.parametrize(
+    ("name", "turned"), [("CMU", False), ("Unreal", True), ("MakeHuman", True)]
+)
+def test_names_that_say_nothing_leave_the_shape_of_the_tree(tmp_path, name, turned):
+    clip = rigs.walk(name, turned)
+    old = clip.skeleton
+    names = [f"{'tip' if joint in old.ends else 'node'}{j}" for j, joint in enumerate(old.names)]
+    ends = [names[old.names.index(end)] for end in old.ends]
+    clip = clip.replace(skeleton=tk.Skeleton(names, old.parents, old.offsets, {}, ends))
+    written(clip, tmp_path / "walk.bvh", rigs.TABLE[name])
+    found = tk.inspect(tmp_path / "walk.bvh")
+    doubt = (
+        "the joints' names say too little, so that roles are from the shape of the tree; "
+        "roles= decides"
+    )
+    assert found.doubts == [doubt]
+    assert (found.unit, found.up) == (rigs.TABLE[name].unit, rigs.TABLE[name].up)
+    called = {
+        role: f"node{old.names.index(joint)}"
+        for role, joint in rigs.roles(rigs.TABLE[name]).items()
+        if joint not in old.ends
+    }
+    assert called.items() <= found.roles.items()
+    assert facing(found.clip) > 0.95
+    assert facing(found.clip.mirrored()) > 0.95
+
+
+def test_sides_that_are_exchanged_are_noticed(tmp_path):
+    """As by a program whose axes are left-handed."""
+    clip = rigs.walk("LaFAN1", seconds=1.0)
+    names = [
+        joint.replace("Left", "?").replace("Right", "Left").replace("?", "Right")
+        for joint in clip.skeleton.names
+    ]
+    exchanged = tk.Skeleton(names, clip.skeleton.parents, clip.skeleton.offsets)
+    tk.bvh.save(clip.replace(skeleton=exchanged), tmp_path / "walk.bvh")
+    with pytest.warns(UserWarning, match="joints called left are on the right of the body"):
+        tk.load(tmp_path / "walk.bvh")
+
+
+def test_names_that_say_too_little_leave_the_shape_of_the_tree(tmp_path):
+    """German words: arms and hands are called as in English, legs are not."""
+    german = {
+        "UpLeg": "Oberschenkel",
+        "ForeArm": "Unterarm",
+        "Leg": "Unterschenkel",
+        "Foot": "Fuss",
+        "Toe": "Zehen",
+    }
+    clip = rigs.walk("LaFAN1", seconds=1.0)
+    old, names = clip.skeleton, list(clip.skeleton.names)
+    for side in ("Left", "Right"):
+        names = [
+            f"{side}{german[name.removeprefix(side)]}"
+            if name.removeprefix(side) in german
+            else name
+            for name in names
+        ]
+    clip = clip.replace(skeleton=tk.Skeleton(names, old.parents, old.offsets, {}, old.ends))
+    written(clip, tmp_path / "walk.bvh", rigs.TABLE["LaFAN1"])
+    with pytest.warns(UserWarning, match="roles are from the shape of the tree"):
+        found = tk.load(tmp_path / "walk.bvh")
+    known = rigs.roles(rigs.TABLE["LaFAN1"])
+    assert found.skeleton.roles == {
+        role: names[old.names.index(joint)] for role, joint in known.items()
+    }
+    assert facing(found) > 0.95
+
+
+@pytest.mark.parametrize(
+    ("degrees", "place"), [(-90, (0, 0.12, -0.9)), (90, (0.9, 0.12, 0.9)), (90, (0, 0.6, 0.9))]
+)
+def test_a_body_that_lies_beside_the_origin_is_doubted(tmp_path, degrees, place):
+    """Its feet are near zero along the axis of the body, as those of a standing body are."""
+    clip = rigs.walk("LaFAN1", seconds=1.0)
+    turn = R.from_euler(torch.deg2rad(torch.tensor([float(degrees), 0, 0])), "XYZ")
+    others = R.identity(len(clip), len(clip.skeleton) - 1)
+    rotations = torch.cat((turn.expand(len(clip), 1, 4), others), 1)
+    positions = torch.tensor(place).float().expand(len(clip), 3)
+    lying = clip.replace(rotations=rotations, root_positions=positions)
+    tk.bvh.save(lying, tmp_path / "sleep.bvh")
+    with pytest.warns(UserWarning, match="or lies with y up: .* is taken; up= decides"):
+        tk.load(tmp_path / "sleep.bvh")
+    assert tk.load(tmp_path / "sleep.bvh", unit="cm", up="y").global_positions[..., 1].amax() < 1.2
+
+
+@pytest.mark.parametrize(
+    ("between", "role"), [("Thigh", "hip"), ("Thigh2", "hip"), ("Knee1", "knee")]
+)
+def test_a_joint_more_in_the_thigh_takes_no_role_and_is_said(tmp_path, walk_clip, between, role):
+    """Its name fits better than that of the right joint.
+
+    Both parts of a person's leg are about equally long.
+    """
+    old = walk_clip.skeleton
+    names, parents, offsets, of = [], [], [], []  # of: the old joint
+    for j, name in enumerate(old.names):
+        above = names.index(old.names[old.parents[j]]) if j else -1
+        if name.endswith("Knee"):
+            names.append(name.replace("Knee", between))
+            parents.append(above)
+            offsets.append(old.offsets[j] / 2)
+            of.append(-1)
+            above = len(names) - 1
+        names.append(name)
+        parents.append(above)
+        offsets.append(old.offsets[j] / (2 if name.endswith("Knee") else 1))
+        of.append(j)
+    rotations = torch.cat((walk_clip.rotations, R.identity(len(walk_clip), 1)), 1)[:, of]
+    skeleton = tk.Skeleton(names, parents, torch.stack(offsets), old.roles)
+    tk.bvh.save(walk_clip.replace(skeleton=skeleton, rotations=rotations), tmp_path / "more.bvh")
+    right = "Left" + role.capitalize()
+    doubt = f"{right} is taken for the left {role}, because both parts of the limb are then"
+    with pytest.warns(UserWarning, match=doubt):
+        found = tk.load(tmp_path / "more.bvh").skeleton.roles
+    assert (found["left_hip"], found["right_knee"]) == ("LeftHip", "RightKnee")
+
+
+def test_a_path_that_jumps_or_is_in_another_unit_is_doubted(tmp_path, walk_clip):
+    roots = walk_clip.root_positions
+    far = roots * torch.tensor([100.0, 1.0, 100.0])
+    tk.bvh.save(walk_clip.replace(root_positions=far), tmp_path / "far.bvh")
+    doubt = r"the body goes 1\d\d m/s: its path may be in another unit than its bones"
+    with pytest.warns(UserWarning, match=doubt):
+        tk.load(tmp_path / "far.bvh")
+    jump = roots.clone()
+    jump[0] += torch.tensor([5.0, 0.0, 0.0])  # as of a T-pose before the recording
+    tk.bvh.save(walk_clip.replace(root_positions=jump), tmp_path / "jump.bvh")
+    with pytest.warns(UserWarning, match="the body jumps by [45].* m from frame 0 to 1"):
+        tk.load(tmp_path / "jump.bvh")
+
+
+def test_legs_without_a_head_are_read_and_doubted(tmp_path, walk_clip):
+    whole = walk_clip.skeleton
+    parts = ("hip", "knee", "foot", "toe")
+    roles = [f"{side}_{part}" for side in ("left", "right") for part in parts]
+    legs = sorted({0, *(whole.role(role) for role in roles)})
+    skeleton = tk.Skeleton(
+        [whole.names[j] for j in legs],
+        [legs.index(whole.parents[j]) if j else -1 for j in legs],
+        whole.offsets[legs],
+    )
+    legs_only = tk.Clip(skeleton, walk_clip.rotations[:, legs], walk_clip.root_positions, 60)
+    tk.bvh.save(legs_only, tmp_path / "legs.bvh")
+    with pytest.warns(UserWarning, match="unit"):
+        read = tk.load(tmp_path / "legs.bvh")
+    assert read.skeleton.roles["left_toe"] == whole.roles["left_toe"]
+
+
+def test_a_head_that_no_name_shows_is_the_farthest_point_between_the_arms():
+    names, parents = ["root", "LeftArm", "RightArm", "near", "far", "farther"], [-1, 0, 0, 0, 0, 4]
+    shoulders = {"left_shoulder": "LeftArm", "right_shoulder": "RightArm"}
+    assert role_checks.head(names, parents, [1.0] * 6, shoulders) == [0, 4, 5]
+    assert role_checks.head(names[:3], parents[:3], [1.0] * 3, shoulders) == [0]
+
+
+def recorded(clip: tk.Clip, **changes) -> Recording:
+    skeleton = clip.skeleton
+    made = Recording(
+        "glTF",
+        skeleton.names,
+        skeleton.parents,
+        skeleton.offsets.double(),
+        clip.rotations,
+        clip.root_positions.double(),
+        60.0,
+        tuple(skeleton.ends),
+        unit=1.0,
+        up="y",
+    )
+    return dataclasses.replace(made, **changes)
+
+
+def centimetres(clip: tk.Clip, **changes) -> Recording:
+    metres = {
+        "offsets": clip.skeleton.offsets.double(),
+        "root_positions": clip.root_positions.double(),
+    }
+    changes = metres | changes
+    lengths = {name: 100 * changes[name] for name in metres}
+    return recorded(clip, unit=0.01, **changes | lengths)
+
+
+def test_a_bone_above_the_head_that_is_short_is_not_the_top_of_the_head():
+    """Five centimetres, in metres and centimetres: the crown still comes on top."""
+    clip = rigs.walk("LaFAN1", seconds=0.5)
+    offsets = clip.skeleton.offsets.double()
+    top = clip.skeleton.names.index("HeadEnd")
+    heights = []
+    for length in (0.0, 0.05):
+        offsets[top] *= length / offsets[top].norm().clamp_min(1e-12)
+        heights += [interpretation.interpret(made(clip, offsets=offsets), Path("a.glb"))[1].height
+                    for made in (recorded, centimetres)]
+        offsets[top] = torch.tensor([0.0, 1.0, 0.0])
+    assert heights[1] == pytest.approx(heights[0])
+    assert heights[2] - 0.05 == pytest.approx(heights[0])
+    assert heights[3] - 0.05 == pytest.approx(heights[0])
+
+
+def test_roles_that_a_file_states_count_more_than_names():
+    """The forearm stated as the elbow; a role that there is not is left out."""
+    clip = rigs.walk("LaFAN1", seconds=0.5)
+    stated = {
+        "left_hand": "LeftForeArm",
+        "left_elbow": "LeftArm",
+        "left_shoulder": "LeftShoulder",
+        "tail": "Spine",
+    }
+    made, found = interpretation.interpret(recorded(clip, roles=stated), Path("a.vrm"))
+    assert made.skeleton.roles["left_hand"] == "LeftForeArm"
+    assert (found.rules["left_hand"], found.rules["right_hand"]) == ("the file", "name")
+    assert "tail" not in made.skeleton.roles
+
+
+@pytest.mark.parametrize(("degrees", "upright"), [(0.0, True), (40.0, True), (75.0, False)])
+def test_a_body_that_bends_far_is_not_upright_in_any_unit(degrees, upright):
+    clip = rigs.walk("LaFAN1", seconds=0.5)
+    turn = R.from_euler(torch.deg2rad(torch.tensor([degrees, 0.0, 0.0])), "XYZ")
+    rotations = torch.cat((R.multiply(turn, clip.rotations[:, :1]), clip.rotations[:, 1:]), 1)
+    recording = centimetres(clip, rotations=rotations)
+    found = interpretation.interpret(recording, Path("a.glb"), up="y")[1]
+    assert found.upright is upright
+
+
+def test_a_unit_that_the_file_states_is_taken_where_it_fits_people():
+    clip = rigs.walk("LaFAN1", seconds=0.5)
+    right, wrong = (
+        interpretation.interpret(recorded(clip, unit=unit), Path("a.glb"))[1]
+        for unit in (1.0, 0.1)
+    )
+    assert (right.unit, right.doubts) == (1.0, [])
+    assert wrong.unit == 1.0
+    doubt = (
+        r"in the file's unit, 0\.1 m \(dm\), the body is 0\.17\d m tall: "
+        r"1 m \(m\) is assumed; .*"
+    )
+    assert re.fullmatch(doubt, *wrong.doubts)
+
+
+def test_the_rest_pose_shows_the_axis_where_the_motion_does_not():
+    """A body that turns heels over head in one second; at rest it stands along z."""
+    clip = rigs.walk("LaFAN1", seconds=1.0)
+    angles = torch.linspace(0, 2 * torch.pi, len(clip))[:, None] * torch.tensor([1.0, 0.0, 0.0])
+    others = R.identity(len(clip), len(clip.skeleton) - 1)
+    rotations = torch.cat((R.from_euler(angles, "XYZ")[:, None], others), 1)
+    lying = R.from_euler(torch.tensor([torch.pi / 2, 0.0, 0.0]), "XYZ")
+    rest = R.rotate(lying, clip.skeleton.offsets).double()
+    recording = recorded(clip, rotations=rotations, offsets=rest, up=None)
+    found = interpretation.interpret(recording, Path("a.fbx"))[1]
+    assert found.up == "z"
+    doubt = "the body is not upright in most frames: z is assumed to point up; up= decides"
+    assert doubt in found.doubts

@@ -1,0 +1,580 @@
+"""Readers of other tools' files: slow oracles, round trips, hostile input refused in one line."""
+
+import base64
+import json
+import tracemalloc
+
+import numpy as np
+import pytest
+import torch
+from motion_files import Document, axis_angles, fbx, fbx_scene, packed, smpl_walk
+
+import toolkit as tk
+from toolkit.extra.formats import fbx as fbx_reader, gltf, humanml3d, npz
+from toolkit.motion import forward_kinematics
+
+
+def world(recording):
+    """Positions ``[F, J, 3]`` in the file's unit."""
+    skeleton = tk.Skeleton(recording.names, recording.parents, recording.offsets, roles={},
+                           ends=recording.ends)
+    return forward_kinematics(skeleton, recording.rotations.double(), recording.root_positions)[1]
+
+
+def written(path, data):
+    path.write_bytes(data if isinstance(data, bytes) else data.encode())
+    return path
+
+
+def refused(read, path, match, *args):
+    with pytest.raises(ValueError, match=match) as caught:
+        read(path, *args)
+    message = str(caught.value)
+    assert message.isprintable()
+    assert path.name in message
+    return type(caught.value)
+
+
+# glTF
+
+CHAIN = [{"name": "hips", "children": [1]}, {"name": "spine", "translation": [0, 1, 0],
+                                             "children": [2]},
+         {"name": "headEnd", "translation": [0, 0.5, 0]}]
+
+
+def quaternions(angles):
+    """About x, in glTF's order."""
+    angles = np.asarray(angles, float)
+    zero = np.zeros_like(angles)
+    return np.float32(np.stack((np.sin(angles / 2), zero, zero, np.cos(angles / 2)), -1))
+
+
+def test_our_motion_through_glb_and_back(walk_clip, tmp_path):
+    tk.extra.engines.gltf.save(walk_clip, tmp_path / "walk.glb")
+    made = gltf.read(tmp_path / "walk.glb")
+    assert made.fps == walk_clip.fps
+    assert made.unit == 1.0
+    assert made.up == "y"
+    assert not made.doubts
+    assert set(made.ends) == set(walk_clip.skeleton.ends)
+    order = [made.names.index(name) for name in walk_clip.skeleton.names]
+    assert (world(made)[:, order] - walk_clip.global_positions).abs().max() < 1e-4
+
+
+@pytest.mark.parametrize("kind", ["LINEAR", "STEP", "CUBICSPLINE"])
+def test_samplers_at_and_between_the_keys(tmp_path, kind):
+    times, angles = [0.0, 0.1, 0.2, 0.5], [0.0, 0.4, 0.6, 1.2]
+    places = np.float32([[0, 0, 0], [0, 1, 0], [2, 1, 0], [3, 0, 0]])
+    values, turns = places, quaternions(angles)
+    if kind == "CUBICSPLINE":
+        slopes = np.float32([[1, 0, 0], [0, 2, 0], [3, 0, 0], [0, 0, 1]])
+        values = np.stack((2 * slopes, places, slopes), 1).reshape(-1, 3)
+        turns = np.stack((0 * turns, turns, 0 * turns), 1).reshape(-1, 4)
+    doc = Document(CHAIN).animate((0, "translation", times, values, kind),
+                                  (1, "rotation", times, turns, kind))
+    made = gltf.read(written(tmp_path / "a.glb", doc.glb()))
+    assert made.fps == 30
+    assert len(made.rotations) == 16
+    for f in range(16):
+        t = f / 30
+        k = max(i for i in range(4) if times[i] <= t + 1e-6)
+        k, span = (2, 0.3) if k == 3 else (k, times[k + 1] - times[k])
+        s = (t - times[k]) / span
+        if kind == "STEP":
+            place, angle = places[3 if f == 15 else k], angles[3 if f == 15 else k]
+        elif kind == "LINEAR":
+            place, angle = (x[k] + s * (x[k + 1] - x[k]) for x in (places, np.array(angles)))
+        else:
+            h = 2 * s**3 - 3 * s**2 + 1, s**3 - 2 * s**2 + s, 3 * s**2 - 2 * s**3, s**3 - s**2
+            place = h[0] * places[k] + h[1] * span * slopes[k]
+            place = place + h[2] * places[k + 1] + h[3] * span * 2 * slopes[k + 1]
+            q = h[0] * quaternions(angles)[k] + h[2] * quaternions(angles)[k + 1]
+            angle = 2 * np.arctan2(q[0], q[3])
+        assert made.root_positions[f].numpy() == pytest.approx(place, abs=1e-5)
+        assert 2 * torch.atan2(made.rotations[f, 1, 1],
+                               made.rotations[f, 1, 0]) == pytest.approx(angle, abs=1e-5)
+
+
+def test_quantised_strided_and_sparse_accessors(tmp_path):
+    times, angles = np.arange(8) / 30, np.linspace(0, 1, 8)
+    shorts = np.round(quaternions(angles) * 32767).astype("<i2")
+    doc = Document(CHAIN).animate((1, "rotation", times, shorts, "LINEAR", {"normalized": True}),
+                                  (0, "translation", times, np.zeros((8, 3), np.float32), "LINEAR"))
+    rows, place = doc.add(np.array([2, 5], "<u2")), doc.add(np.float32([[1, 2, 3], [4, 5, 6]]))
+    accessors = doc.json["accessors"]
+    views = [accessors[i]["bufferView"] for i in (rows, place)]
+    accessors[3]["sparse"] = {"count": 2, "indices": {"bufferView": views[0],
+                                                      "componentType": 5123},
+                              "values": {"bufferView": views[1]}}
+    made = gltf.read(written(tmp_path / "a.glb", doc.glb()))
+    turned = 2 * torch.atan2(made.rotations[:, 1, 1], made.rotations[:, 1, 0])
+    assert turned.numpy() == pytest.approx(angles, abs=1e-4)
+    expected = np.zeros((8, 3))
+    expected[2], expected[5] = (1, 2, 3), (4, 5, 6)
+    assert made.root_positions.numpy() == pytest.approx(expected)
+
+
+def test_buffers_in_the_text_and_beside_it(tmp_path):
+    doc = Document(CHAIN).animate((1, "rotation", [0, 0.1], quaternions([0, 1]), "LINEAR"))
+    inside = doc.json | {"buffers": [{"uri": "data:;base64," + base64.b64encode(doc.data).decode(),
+                                      "byteLength": 1}]}
+    beside = doc.json | {"buffers": [{"uri": "a%20b.bin", "byteLength": 1}]}
+    written(tmp_path / "a b.bin", doc.data)
+    for document in (inside, beside):
+        made = gltf.read(written(tmp_path / "a.gltf", json.dumps(document)))
+        assert len(made.rotations) == 4
+    (tmp_path / "in").mkdir()
+    written(tmp_path / "secret.bin", doc.data)
+    for uri in ("../secret.bin", str(tmp_path / "secret.bin"), "file:///secret.bin", "none.bin",
+                "a\0b"):
+        document = doc.json | {"buffers": [{"uri": uri, "byteLength": 1}]}
+        refused(gltf.read, written(tmp_path / "in" / "a.gltf", json.dumps(document)),
+                "beside it|cannot be read|null")
+
+
+def test_an_armature_scaled_to_centimetres(tmp_path):
+    """Mixamo-like: the armature is 0.01 of its size and lies down, the hips go in centimetres."""
+    half = 0.5**0.5
+    nodes = [{"name": "Armature", "scale": [0.01] * 3, "rotation": [half, 0, 0, half],
+              "children": [1, 4]},
+             {"name": "mixamorig:Hips", "children": [2]},
+             {"name": "mixamorig:Spine", "translation": [0, 0, -20], "children": [3]},
+             {"name": "mixamorig:Head", "translation": [0, 0, -50]}, {"name": "Body", "mesh": 0}]
+    places = np.float32([[0, 10 * f, -90] for f in range(4)])
+    doc = Document(nodes, skins=[{"joints": [1, 2, 3]}]).animate(
+        (1, "translation", np.arange(4) / 30, places, "LINEAR"),
+        (2, "rotation", [0, 0.1], quaternions([0, 1]), "LINEAR"))
+    made = gltf.read(written(tmp_path / "a.glb", doc.glb()))
+    assert made.names == ("mixamorig:Hips", "mixamorig:Spine", "mixamorig:Head")
+    assert not made.doubts
+    matrix = np.array([[1, 0, 0], [0, 0, -1], [0, 1, 0]])
+    assert made.root_positions.numpy() == pytest.approx(places @ matrix.T * 0.01, abs=1e-6)
+    assert world(made)[0, 2].numpy() == pytest.approx([0, 1.6, 0], abs=1e-6)
+
+
+def test_a_root_that_stays_while_the_hips_travel(tmp_path):
+    nodes = [{"name": "root", "rotation": [0, 1, 0, 0], "children": [1, 7]},
+             {"name": "pelvis", "children": [2, 3, 5]},
+             {"name": "spine", "translation": [0, 0.5, 0]},
+             {"name": "thigh_l", "translation": [1, 0, 0], "children": [4]},
+             {"name": "calf_l", "translation": [0, -4, 0]},
+             {"name": "thigh_r", "translation": [-1, 0, 0], "children": [6]},
+             {"name": "calf_r", "translation": [0, -4, 0]},
+             {"name": "ik_foot_root", "children": [8]}, {"name": "ik_foot_l"}]
+    places = np.float32([[0, 10, 2 * f] for f in range(5)])
+    doc = Document(nodes, skins=[{"joints": list(range(9))}]).animate(
+        (1, "translation", np.arange(5) / 24, places, "LINEAR"),
+        (8, "translation", np.arange(5) / 24, places, "LINEAR"))
+    made = gltf.read(written(tmp_path / "a.glb", doc.glb()))
+    assert made.names[0] == "pelvis"
+    assert not any("ik" in name for name in made.names)
+    assert "left out: ik_foot_root" in made.doubts[0]
+    assert made.root_positions.numpy() == pytest.approx(places * [-1, 1, -1], abs=1e-6)
+    assert made.fps == 24
+
+
+def test_bones_that_stretch_are_said_and_limbs_that_fly_refused(tmp_path):
+    limbs = [{"name": f"arm{i}", "translation": [0, 1, 0], "children": [i + 1]} for i in range(1,
+                                                                                               4)]
+    nodes = [{"name": "hips", "children": [1]}, *limbs, {"name": "hand", "translation": [0, 1, 0]}]
+    for far, said in ((0.1, "joints that move against their parents by up to 0.1 units"),
+                      (3.0, None)):
+        places = np.float32([[0, 1 + far * f, 0] for f in (0, 0, 1)])
+        doc = Document([*nodes], skins=[{"joints": [0, 1, 2, 3, 4]}]).animate(
+            (2, "translation", np.arange(3) / 30, places, "LINEAR"),
+            (0, "rotation", [0, 0.1], quaternions([0, 1]), "STEP"))
+        path = written(tmp_path / "a.glb", doc.glb())
+        if said:
+            assert said in gltf.read(path).doubts[0]
+        else:
+            refused(gltf.read, path, "arm2 changes its distance to its parent by up to 3 units")
+
+
+def test_limbs_without_a_skin_stay_under_a_spine_that_stretches(tmp_path):
+    """A skin for the head alone, as some avatars have it, makes the legs no helpers."""
+    nodes = [{"name": "hips", "children": [1, 4, 6]},
+             *[{"name": f"spine{i}", "translation": [0, 1, 0],
+                "children": [i + 1] if i < 3 else []} for i in range(1, 4)],
+             {"name": "leg_l", "translation": [1, 0, 0], "children": [5]},
+             {"name": "foot_l", "translation": [0, -4, 0]},
+             {"name": "leg_r", "translation": [-1, 0, 0], "children": [7]},
+             {"name": "foot_r", "translation": [0, -4, 0]},
+             *[{"name": f"finger{i}", "translation": [0, 1, 0]} for i in range(20)]]
+    nodes[3]["children"] = list(range(8, 28))
+    places = np.float32([[0, 1 + 0.01 * f, 0] for f in range(3)])
+    legs = np.float32([[1 + 0.01 * f, 0, 0] for f in range(3)])
+    for width in (20, 1):  # many fingers in the skin, then one
+        doc = Document(nodes, skins=[{"joints": [1, 2, 3, *range(8, 8 + width)]}]).animate(
+            (1, "translation", np.arange(3) / 30, places, "LINEAR"),
+            (4, "translation", np.arange(3) / 30, legs, "LINEAR"),
+            *[(j, "rotation", [0, 0.1], quaternions([0, 1]), "LINEAR") for j in (4, 5, 6, 7)],
+            (0, "rotation", [0, 0.1], quaternions([0, 1]), "LINEAR"))
+        made = gltf.read(written(tmp_path / "a.glb", doc.glb()))
+        assert {"hips", "leg_l", "foot_l", "leg_r", "foot_r"} <= set(made.names)
+        assert "leg_l, spine1" in made.doubts[0]
+
+
+def test_a_rig_without_animation_gives_its_rest_pose(tmp_path):
+    matrix = np.eye(4)
+    matrix[:3, 3] = 0, 1, 0
+    nodes = [{"name": "hips", "children": [1]}, {"matrix": matrix.T.ravel().tolist(),
+                                                 "name": "\0spine", "scale": [9, 9, 9]}]
+    made = gltf.read(written(tmp_path / "a.glb", Document(nodes, skins=[{"joints": [0, 1]}]).glb()))
+    assert len(made.rotations) == 1
+    assert "no joint is animated" in made.doubts[0]
+    assert made.offsets[1].tolist() == [0, 1, 0]
+    assert made.names[1].isprintable()
+
+
+def test_several_animations_and_names_that_repeat(tmp_path):
+    nodes = [{"name": "a", "children": [1, 2]}, {"name": "a"}, {}]
+    doc = Document(nodes)
+    for name, end in (("idle", 0.1), ("walk", 0.2)):
+        doc.animate((0, "rotation", [0, end], quaternions([0, 1]), "LINEAR"), name=name)
+    path = written(tmp_path / "a.glb", doc.glb())
+    made = gltf.read(path)
+    assert made.names == ("a", "a_2", "node2")
+    assert "2 animations (idle, walk); the first was read; animation= decides" in made.doubts[0]
+    assert len(made.rotations) == 4
+    for chosen in ("walk", 1):
+        assert len(tk.load(path, "m", "y", animation=chosen)) == 7
+    refused(gltf.read, path, "no animation 'run'; there are idle, walk", "run")
+    refused(tk.io.load.read, written(tmp_path / "a.bvh", ""), "has one motion", 0)
+
+
+@pytest.mark.parametrize("extension", ["VRM", "VRMC_vrm", "VRMC_vrm_animation"])
+def test_roles_of_vrm_files(tmp_path, extension):
+    bones = {"hips": 0, "leftUpperLeg": 1, "leftLowerLeg": 2}
+    listed = {bone: {"node": node} for bone, node in bones.items()}
+    if extension == "VRM":
+        listed = [{"bone": bone, "node": node} for bone, node in bones.items()]
+    doc = Document(CHAIN, extensions={extension: {"humanoid": {"humanBones": listed}}})
+    made = gltf.read(written(tmp_path / "a.vrm", doc.glb()))
+    assert made.roles == {"hips": "hips", "left_hip": "spine", "left_knee": "headEnd"}
+
+
+def hostile(change):
+    doc = Document([dict(node) for node in CHAIN]).animate((1, "rotation", [0, 0.1],
+                                                            quaternions([0, 1]), "LINEAR"))
+    change(doc.json)
+    return doc.glb()
+
+
+@pytest.mark.parametrize(("change", "problem"), [
+    (lambda d: d["accessors"][0].update(count=10**12), "reaches beyond its buffer"),
+    (lambda d: (d["accessors"][1].pop("bufferView"), d["accessors"][1].update(count=10**9)),
+     "accessors have .* values, more than"),
+    (lambda d: d["bufferViews"][1].update(byteLength=10**9), "reaches beyond its buffer"),
+    (lambda d: d["bufferViews"][1].update(byteStride=1), "reaches beyond its buffer"),
+    (lambda d: d["bufferViews"][1].update(byteOffset=-4), "byteOffset should be a whole number"),
+    (lambda d: d["bufferViews"][1].update(extensions={"EXT_meshopt_compression": {}}),
+     "unpack it with gltf-transform"),
+    (lambda d: d["accessors"][0].update(type="VEC3"), "should have 1 values in a row"),
+    (lambda d: d["nodes"][2].update(children=[1]), "two parents"),
+    (lambda d: d["nodes"].append({"children": [len(d["nodes"])]}), "their own ancestors"),
+    (lambda d: d["nodes"][1].update(translation=[0, float("nan"), 0]), "should be 3 numbers"),
+    (lambda d: d["nodes"][0].update(scale=[-1, 1, 1]), "mirrored by a negative scale"),
+    (lambda d: d["animations"][0]["samplers"][0].update(interpolation="BEZIER"),
+     "unknown interpolation 'BEZIER'"),
+    (lambda d: d["animations"][0]["channels"][0].update(sampler=True),
+     "sampler should be a whole number"),
+    (lambda d: d.update(nodes={}), "nodes should be a list of objects"),
+    (lambda d: d.update(asset={"version": "1.0"}), "expected glTF version 2"),
+    (lambda d: d.update(animations=[]), "there are no joints"),
+])
+def test_hostile_gltf_files(tmp_path, change, problem):
+    assert refused(gltf.read, written(tmp_path / "a.glb", hostile(change)), problem) is ValueError
+
+
+def test_channels_that_share_their_keys_take_little_memory(tmp_path):
+    """A sampler is a few bytes; the keys to which it refers are decoded once."""
+    count = 20_000
+    ones = np.ones((count, 3), np.float32)
+    doc = Document(CHAIN, skins=[{"joints": [0, 1, 2]}]).animate((1, "scale", np.arange(count) / 50,
+                                                                  ones, "STEP"))
+    animation = doc.json["animations"][0]
+    animation["samplers"] *= 2000
+    animation["channels"] = [{"sampler": i, "target": {"node": 1,
+                                                       "path": "scale"}} for i in range(2000)]
+    path = written(tmp_path / "a.glb", doc.glb())
+    tracemalloc.start()
+    assert len(gltf.read(path).rotations) == count
+    assert tracemalloc.get_traced_memory()[1] < 30 * path.stat().st_size
+    tracemalloc.stop()
+    doc.json["accessors"] *= 1000  # the same bytes again and again
+    for i, sampler in enumerate(animation["samplers"][:900]):
+        animation["samplers"][i] = sampler | {"output": 2 * i + 1}
+    refused(gltf.read, written(path, doc.glb()), "more than a file of .* bytes should hold")
+
+
+def test_forged_times_take_no_memory(tmp_path):
+    times = np.float32([0, 0.001, 0.002, 1e7])
+    doc = Document(CHAIN).animate((1, "rotation", times, quaternions([0, 1, 2, 3]), "LINEAR"))
+    path = written(tmp_path / "a.glb", doc.glb())
+    tracemalloc.start()
+    refused(gltf.read, path, "frames of 1 joints are more than")
+    assert tracemalloc.get_traced_memory()[1] < 1e7
+    tracemalloc.stop()
+    many = written(tmp_path / "b.gltf", b'{"a":[' + b"[]," * 3_000_000 + b"[]]}")
+    refused(gltf.read, many, "more than 2000000 values")
+    refused(gltf.read, written(tmp_path / "c.gltf", b"[" * 100_000),
+            "neither a GLB file nor JSON|nested too deeply")
+    refused(gltf.read, tmp_path / "none.glb", "cannot be read")
+
+
+# FBX
+
+TURNS = ("XYZ", "XZY", "YZX", "YXZ", "ZXY", "ZYX")  # by RotationOrder, the first axis turns first
+
+
+def matrix(axis, degrees):
+    c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
+    a, b = [(1, 2), (2, 0), (0, 1)]["XYZ".index(axis)]
+    made = np.eye(4)
+    made[a, a], made[a, b], made[b, a], made[b, b] = c, -s, s, c
+    return made
+
+
+def euler(angles, order="XYZ"):
+    made = np.eye(4)
+    for axis in order:
+        made = matrix(axis, angles["XYZ".index(axis)]) @ made
+    return made
+
+
+def shift(v):
+    made = np.eye(4)
+    made[:3, 3] = v
+    return made
+
+
+def local(values, move, angles):
+    """The FBX SDK's product of a node's transforms, one matrix at a time."""
+    get = lambda name, default=(0, 0, 0): np.array(values.get(name, default), float)  # noqa: E731
+    inverse = np.linalg.inv
+    turn = euler(angles)
+    scale = np.diag([*get("Lcl_Scaling", (1, 1, 1)), 1])
+    if values.get("RotationActive", [1])[0]:
+        own = euler(angles, TURNS[values.get("RotationOrder", [0])[0]])
+        turn = euler(get("PreRotation")) @ own @ inverse(euler(get("PostRotation")))
+    pivot, scale_pivot = shift(get("RotationPivot")), shift(get("ScalingPivot"))
+    turn = pivot @ turn @ inverse(pivot)
+    return (shift(move) @ shift(get("RotationOffset")) @ turn @ shift(get("ScalingOffset"))
+            @ scale_pivot @ scale @ inverse(scale_pivot))
+
+
+@pytest.mark.parametrize("order", range(6))
+def test_fbx_transforms_by_a_slow_product_of_matrices(tmp_path, order):
+    rng = np.random.default_rng(order)
+    models = {"hips": ("", {"Lcl_Translation": [1.0, 2.0, 3.0], "RotationOrder": [order]})}
+    for i, (name, parent) in enumerate((("spine", "hips"), ("arm", "spine"), ("hand", "arm"),
+                                        ("leg", "hips"))):
+        # pivots of a joint that turns would move it against its parent
+        still = name in ("hand", "leg")
+        models[name] = (parent, {
+            "Lcl_Translation": rng.normal(0, 10, 3).tolist(),
+            "Lcl_Rotation": rng.normal(0, 50, 3).tolist(),
+            "PreRotation": rng.normal(0, 50, 3).tolist(),
+            "PostRotation": rng.normal(0, 50, 3).tolist(),
+            "RotationOrder": [(order + i) % 6], "RotationActive": [0 if name == "hand" else 1],
+            "RotationOffset": rng.normal(0, 2, 3).tolist(),
+            "Lcl_Scaling": [1.5 if name in ("arm", "leg") else 1.0] * 3,
+            **{pivot: rng.normal(0, 2 * still, 3).tolist()
+               for pivot in ("RotationPivot", "ScalingPivot", "ScalingOffset")}})
+    times = np.arange(6) / 30
+    animated = ("hips", "Lcl Translation"), ("spine", "Lcl Rotation"), ("arm", "Lcl Rotation")
+    tracks = {(*track, axis): rng.normal(0, 40, 6) for track in animated for axis in "XYZ"}
+    del tracks["arm", "Lcl Rotation", "Y"]
+    curves = {key: (times, values, [8 | 0x400] * 6, np.zeros((6, 4)))
+              for key, values in tracks.items()}
+    scene = fbx_scene(models, curves, version=7400 + 100 * (order % 2),
+                      settings={"UnitScaleFactor": [2.54]})
+    path = written(tmp_path / "a.fbx", scene)
+    made = fbx_reader.read(path)
+    assert made.unit == pytest.approx(0.0254)
+    assert made.up == "y"
+    assert made.fps == 30
+    places = world(made)
+    for f in range(6):
+        done = {}
+        for name, (parent, values) in models.items():
+            move, angles = (np.array([np.float32(tracks[name, what, axis][f])
+                                      if (name, what, axis) in tracks else d for
+                                      axis, d in zip("XYZ", values.get(what.replace(" ", "_"),
+                                                                       [0.0] * 3), strict=True)])
+                            for what in ("Lcl Translation", "Lcl Rotation"))
+            done[name] = done.get(parent, np.eye(4)) @ local(values, move, angles)
+            assert places[f, made.names.index(name)].numpy() == pytest.approx(done[name][:3, 3],
+                                                                              abs=1e-3)
+
+
+def test_fbx_curves_between_keys(tmp_path):
+    """Constant, linear and cubic keys with the user's slopes, two frames apart at 30 Hz."""
+    times, values = np.array([0.0, 2, 4, 6, 8]) / 30, [0.0, 10.0, 0.0, 20.0, 5.0]
+    flags, data = [2, 4, 8 | 0x400, 8 | 0x400, 4], np.zeros((5, 4))
+    data[2] = 300, -60, 0, 0  # to the right of key 2, to the left of key 3
+    data[3] = 90, 30, 0, 0
+    every = (np.arange(9) / 30, np.arange(9.0), [4] * 9, np.zeros((9, 4)))
+    models = {"hips": ("", {}), "spine": ("hips", {"Lcl_Translation": [0.0, 1.0, 0.0]})}
+    curves = {("hips", "Lcl Translation", "X"): (times, values, flags, data),
+              ("hips", "Lcl Translation", "Y"): every}
+    scene = fbx_scene(models, curves)
+    path = written(tmp_path / "b.fbx", scene.replace(b"LimbNode", b"MeshNode"))
+    assert fbx_reader.read(path).names == ("hips",)  # no bone, but it moves
+    made = fbx_reader.read(written(tmp_path / "a.fbx", scene))
+    span = 2 / 30
+    third = 0.5 * values[2] + 0.125 * span * 300 + 0.5 * values[3] - 0.125 * span * -60
+    fourth = 0.5 * values[3] + 0.125 * span * 90 + 0.5 * values[4] - 0.125 * span * 30
+    expected = [0, 0, 10, 5, 0, third, 20, fourth, 5]
+    assert made.root_positions[:, 0].numpy() == pytest.approx(expected, abs=1e-4)
+    assert made.root_positions[:, 1].numpy() == pytest.approx(np.arange(9.0), abs=1e-4)
+
+
+def test_fbx_files_that_cannot_be_read(tmp_path):
+    whole = fbx_scene({"a": ("", {}), "b": ("a", {})}, {})
+    assert "no joint is animated" in fbx_reader.read(written(tmp_path / "a.fbx", whole)).doubts[0]
+    for data, problem in (
+            (b"; FBX 7.3.0\nFBXHeaderExtension:  {", "a text FBX; save it as binary FBX 2011"),
+            (b"BVH", "it is no FBX file"), (fbx([]), "no joints"),
+            (whole.replace(b"LimbNode", b"MeshNode"), "no joints in it: no skin, no animated node"),
+            (fbx([], 6100), "only binary FBX version 7 can be read; save"),
+            (whole[:200], "damaged at byte"), (whole[:24], "only binary FBX version 7")):
+        assert refused(fbx_reader.read, written(tmp_path / "b.fbx", data), problem) is ValueError
+    bomb = fbx_scene({"a": ("", {}), "b": ("a", {})}, {("a", "Lcl Rotation", "X"): (
+        np.zeros(6_000_000), np.zeros(6_000_000), [4], np.zeros((1, 4)))})
+    tracemalloc.start()
+    refused(fbx_reader.read, written(tmp_path / "c.fbx", bomb),
+            "unpack to more than a file of this size")
+    assert tracemalloc.get_traced_memory()[1] < 2e8
+    tracemalloc.stop()
+
+
+# NumPy
+
+
+@pytest.fixture(scope="module")
+def smpl():
+    return smpl_walk()
+
+
+@pytest.mark.parametrize("width", [66, 72, 156, 165])
+def test_our_motion_through_smpl_poses_and_back(smpl, tmp_path, width):
+    poses = np.zeros((len(smpl), width))
+    poses[:, :66] = axis_angles(smpl.rotations).flatten(1)
+    joints = smpl.global_positions if width < 72 else np.zeros(3)
+    arrays = {"poses": poses, "trans": smpl.root_positions, "mocap_framerate": 60.0,
+              "betas": np.zeros(16), "joints": joints}
+    made = npz.read(written(tmp_path / "a.npz", packed(**arrays)))
+    assert made.fps == 60
+    assert made.roles["left_hand"] == "left_wrist"
+    if width == 66:
+        assert not made.doubts
+        assert (world(made) - smpl.global_positions).abs().max() < 1e-4
+    else:
+        (doubt,) = made.doubts
+        assert "bone lengths are those of an average person" in doubt
+        assert (made.rotations[:, :22] - smpl.rotations).abs().max() < 1e-5
+        places = made.root_positions - torch.tensor(npz.ORIGIN)
+        assert (places - smpl.root_positions).abs().max() < 1e-6
+        assert made.names[:22] == npz.BODY
+        assert len(made.names) == (24 if width == 72 else 22)
+
+
+def test_our_motion_through_joint_positions_and_back(smpl, tmp_path):
+    made = npz.read(written(tmp_path / "a.npz", packed(joints=smpl.global_positions, fps=60)))
+    assert made.fps == 60
+    assert not made.doubts
+    assert (world(made) - smpl.global_positions).abs().max() < 1e-4
+    # SMPL-H with fingers, which are left out
+    more = torch.cat((smpl.global_positions, torch.randn(len(smpl), 30, 3)), 1)
+    assert npz.read(written(tmp_path / "c.npz", packed(joints=more, fps=60))).names == npz.BODY
+    np.save(tmp_path / "b.npy", smpl.global_positions.numpy())
+    assert "20 Hz was assumed" in npz.read(tmp_path / "b.npy").doubts[0]
+
+
+def test_positions_of_bones_that_stretch_are_said(smpl, tmp_path):
+    joints = smpl.global_positions.clone()
+    joints[::2, 18] += 0.3 * (joints[::2, 18] - joints[::2, 16])
+    assert "change their lengths" in npz.read(written(tmp_path / "a.npz",
+                                                      packed(joints=joints, fps=60))).doubts[0]
+
+
+def test_fit_does_not_depend_on_the_rest_pose(smpl):
+    torch.manual_seed(0)
+    rest = npz.rest_pose(22) + 0.05 * torch.randn(22, 3)
+    offsets, rotations, error = humanml3d.fit(npz.PARENTS[:22], rest, smpl.global_positions)
+    assert error < 1e-5
+    assert (rotations.norm(dim=-1) - 1).abs().max() < 1e-6
+    assert (offsets.norm(dim=-1)[1:] - smpl.skeleton.offsets.norm(dim=-1)[1:]).abs().max() < 1e-5
+
+
+def test_humanml3d_numbers_give_the_joints_of_the_stored_pair(shared):
+    joints = torch.from_numpy(np.load(shared / "humanml3d" / "h3d_new_joints_012314.npy"))
+    vectors = torch.from_numpy(np.load(shared / "humanml3d" / "h3d_new_joint_vecs_012314.npy"))
+    assert (humanml3d.to_joints(vectors) - joints).abs().max() < 1e-5
+    made = npz.read(shared / "humanml3d" / "h3d_new_joint_vecs_012314.npy")
+    assert made.fps == 20
+    assert not made.doubts
+    assert (world(made) - joints).abs().max() < 1e-4
+
+
+def test_kimodo_files_are_exact(shared):
+    path = shared / "foreign" / "soma.npz"
+    made = npz.read(path)
+    assert made.names[0] == "Hips"
+    found = [made.roles[role] for role in ("left_hip", "left_knee", "right_hand")]
+    assert found == ["LeftLeg", "LeftShin", "RightHand"]
+    assert (world(made) - torch.from_numpy(np.load(path)["posed_joints"])).abs().max() < 1e-4
+
+
+def test_numpy_files_that_cannot_be_read(tmp_path):
+    good = {"poses": np.zeros((4, 72)), "trans": np.zeros((4, 3))}
+    for arrays, problem in (
+        (good | {"poses": np.zeros((4, 70))}, "poses should be"),
+        (good | {"trans": np.zeros((3, 3))}, r"should be \[4, 3\]"),
+        (good | {"poses": np.full((4, 72), np.nan)}, "poses has numbers that are not finite"),
+        ({"x": np.zeros(3)}, "no motion in it"),
+        (good | {"fps": -1.0}, "fps should be frames per second"),
+        (good | {"poses": np.zeros((0, 72))}, "poses should be"),
+        ({"posed_joints": np.zeros((4, 9, 3)), "global_rot_mats": np.zeros((4, 9, 3, 3))},
+         "need J = 30 or 22"),
+        (good | {"poses": np.array([{"a": 1}])}, "Python objects, which could run code"),
+    ):
+        path = written(tmp_path / "a.npz", packed(**arrays))
+        assert refused(npz.read, path, problem) is ValueError
+    for data in (b"", b"PK\3\4" + b"\0" * 40, b"\x93NUMPY\1\0\x10\0{'shape': (1,)",
+                 packed(**good)[:300]):
+        refused(npz.read, written(tmp_path / "b.npz", data), "not a whole NumPy file")
+    refused(npz.read, tmp_path / "none.npz", "cannot be read")
+
+
+def test_numpy_files_that_unpack_to_much_more(tmp_path):
+    # 115 MB of zeros in 0.1 MB
+    bomb = written(tmp_path / "a.npz", packed(poses=np.zeros((200_000, 72))))
+    tracemalloc.start()
+    refused(npz.read, bomb, "unpacks to .* bytes|does not fit")
+    head = (b"\x93NUMPY\1\0v\0{'descr': '<f8', 'fortran_order': False, "
+            b"'shape': (1000000000000, 263), }")
+    refused(npz.read, written(tmp_path / "b.npy", head.ljust(127) + b"\n" + b"\0" * 64),
+            "does not fit")
+    assert tracemalloc.get_traced_memory()[1] < 1e7
+    tracemalloc.stop()
+
+
+# shared files
+
+
+def test_shared_gltf_vrma_and_fbx_files(shared):
+    folder = shared / "foreign"
+    dance, vrma = gltf.read(folder / "rpm.glb"), gltf.read(folder / "test.vrma")
+    skeleton = fbx_reader.read(folder / "skel.fbx")
+    assert (dance.fps, len(dance.rotations), dance.names[0], dance.doubts) == (24, 104, "Hips", ())
+    assert 1.5 < float(world(dance)[0, :, 1].max()) < 1.9
+    assert (vrma.fps, len(vrma.rotations), vrma.roles["left_toe"], vrma.doubts) == (30, 91,
+                                                                                    "leftToes", ())
+    assert (skeleton.fps, len(skeleton.rotations), len(skeleton.names)) == (24, 21, 17)
+    assert (skeleton.unit, skeleton.up) == (0.01, "y")
+    places = world(skeleton)[0]  # two bones as ufbx 0.23 evaluates them in the first frame
+    for name, place in (("Bone.006", (-702.1617, 3.6215, 0.0028)),
+                        ("Bone.013", (2949.1419, 3.6216, 0.0045))):
+        assert places[skeleton.names.index(name)].numpy() == pytest.approx(place, abs=1e-2)

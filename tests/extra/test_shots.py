@@ -1,0 +1,369 @@
+import dataclasses
+import json
+import math
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+import torch
+from hypothesis import given, strategies as st
+
+import toolkit as tk
+from toolkit.extra.shots import Scene, Shot, apart
+from toolkit.extra.shots.feasibility import arrival, beside
+from toolkit.extra.shots.following import FPS, Course, Curve
+
+S_PATH = Shot([(0, 0), (1, 2, 2.5), (-1, 4), (0, 6, 7.0)],
+              [(0, "Neutral"), (2, "Neutral"), (3, {"Zombie": 0.5, "Neutral": 0.5})])
+
+
+@pytest.fixture(scope="module")
+def embedded():
+    model, bank = tk.pretrained()
+    return tk.runtime.compile(model), bank
+
+
+def walked(model, bank, shot):
+    """Course; the root's place and the contacts at each frame."""
+    plan = shot.plan(bank)
+    states = list(shot.states(model, bank, plan))
+    return plan[0], [tuple(s.root[0, :2].tolist())
+                     for s in states], torch.cat([s.contacts for s in states])
+
+
+numbers = st.floats(-50, 50)
+times = st.lists(st.floats(0, 100), min_size=1, max_size=5, unique=True).map(sorted)
+
+
+@st.composite
+def some_shots(draw):
+    steps = draw(st.lists(st.tuples(st.floats(0.02, 5), st.floats(-3, 3)), min_size=1, max_size=6))
+    z = x = 0.0
+    points = [(0.0, 0.0)]
+    for dz, dx in steps:
+        z, x = z + dz, x + dx
+        points.append((x, z))
+    easing = st.sampled_from(["smooth", "linear", "jump"])
+    facing, duration = draw(st.sampled_from([None, (0.0, 1.0)])), draw(st.sampled_from([None, 3.0]))
+    return Shot(points,
+                [(t, draw(st.sampled_from(["Neutral", "Zombie"])), draw(easing))
+                 for t in draw(times)],
+                [(t, draw(st.floats(0, 3)), draw(easing)) for t in draw(times)],
+                [{"seconds": 1.0, "time": t} for t in draw(times)], smooth=draw(st.booleans()),
+                seed=draw(st.integers(0, 99)), facing=facing, duration=duration)
+
+
+@given(some_shots())
+def test_a_shot_survives_its_file(tmp_path_factory, shot):
+    path = tmp_path_factory.mktemp("shots") / "shot.json"
+    shot.save(path)
+    assert Shot.load(path) == shot
+
+
+@given(some_shots())
+def test_a_plan_is_finite_and_never_goes_back(shot):
+    course, heading = shot.plan()
+    assert all(0 <= a <= b <= course.curve.length for a,
+               b in zip(course.distance, course.distance[1:], strict=False))
+    assert len(course.distance) == len(course.speed)
+    assert all(map(math.isfinite, course.speed))
+    assert all(math.isfinite(heading.angle(at, (1.0, 1.0))) for at in course.distance[::60])
+
+
+def test_a_scene_holds_several_shots(tmp_path):
+    path = tmp_path / "scene.json"
+    tk.shots.save([S_PATH, dataclasses.replace(S_PATH, seed=3)], path)
+    assert [shot.seed for shot in tk.shots.load(path)] == [0, 3]
+    with pytest.raises(ValueError, match="holds 2 shots"):
+        Shot.load(path)
+
+
+MEET = [Shot([(0, 0), (0, 6)], "Neutral"), Shot([(0.05, 6), (0.05, 0)], "Old", seed=1)]
+
+
+def test_those_who_keep_apart_do_and_the_others_walk_through_each_other(tmp_path, embedded):
+    path = tmp_path / "scene.json"
+    nearest = []
+    for scene in (Scene(MEET), Scene(MEET, 1.0, [((-3, 2), (-2, 2))])):
+        scene.save(path)
+        assert Scene.load(path) == scene
+        assert tk.shots.load(path) == MEET
+        places = torch.stack([s.root[:, :2] for s in scene.states(*embedded)])
+        nearest.append(float((places[:, 0] - places[:, 1]).norm(dim=-1).min()))
+        assert (places[-1] - torch.tensor([[0.0, 6.0], [0.05, 0.0]])).norm(dim=-1).max() < 0.3
+    assert nearest[0] < 0.3
+    assert nearest[1] > 0.6
+
+
+def test_bodies_keep_apart_by_the_reach_of_their_styles(embedded):
+    arms = [dataclasses.replace(shot, styles="Aeroplane") for shot in MEET]
+    nearest = []
+    for scene in (Scene(arms, 1.0), Scene(arms, 1.0).spaced(*embedded, bodies=0.4)):
+        states = list(scene.states(*embedded))[::5]
+        places = torch.stack([tk.runtime.world_joints(embedded[0].layout, s)["position"]
+                              for s in states])
+        nearest.append(float(torch.cdist(places[:, 0], places[:, 1]).min()))
+    assert min(scene.radii) > 0.6  # of outstretched arms
+    assert nearest[0] < 0.2 < 0.3 < nearest[1]
+
+
+@pytest.mark.parametrize(("wide", "said"),
+                         [(0.9, "too narrow, characters keep 0.5 m"), (1.8, "too narrow for two"),
+                          (2.1, None)])
+def test_check_names_a_gate_that_is_too_narrow(embedded, wide, said):
+    walls = [((-3, 2), (-wide / 2, 2)), ((wide / 2, 2), (3, 2))]
+    lines = Scene(MEET, 1.0, walls).check(*embedded)
+    assert [said in line for line in lines] == ([True] if said else [])
+    assert all(line.startswith(f"between walls[0] and walls[1] are {wide:.2f} m") for line in lines)
+
+
+def test_check_names_a_gate_to_which_too_many_come_at_once(embedded):
+    walls = [((-9, 2), (-1.2, 2)), ((1.2, 2), (9, 2))]
+    places = [(1.5 * k - 6, z) for z in (-1, -3) for k in range(9)]
+    many = [Shot([(x, z), (0, 2), (x, 8 + z)], "Neutral", [(0, 0.9)]) for x, z in places]
+    (line,) = Scene(many, 1.2, walls).check(*embedded)
+    assert "those who come at once would wait for up to" in line
+    later = [dataclasses.replace(shot, holds=[{"seconds": 1.5 * k, "time": 0}]) for k,
+             shot in enumerate(many)]
+    assert Scene(later, 1.2, walls).check(*embedded) == []
+
+
+def test_check_names_a_style_that_cannot_wait(embedded, shared, monkeypatch):
+    """Each of these styles stands when it is told to, also the one that shakes."""
+    assert Scene(MEET, 1.0).check(*embedded) == []
+    model, bank = tk.published.load(shared / "lpn_film_100style")
+    drunk = [dataclasses.replace(shot, styles=style) for shot,
+             style in zip(MEET, ("Old", "Drunk"), strict=True)]
+    compiled = tk.runtime.compile(model)
+    assert Scene(drunk, 1.0).check(compiled, bank) == []
+    monkeypatch.setattr("toolkit.extra.shots.scene.STANDS", -1.0)
+    lines = Scene(drunk, 1.0).check(compiled, bank)
+    assert any(line.startswith("shots[1]: Drunk goes on at 0.0") for line in lines)
+
+
+def test_velocities_of_those_who_keep_apart():
+    places, ahead = np.array([[0.0, 0.0], [0.0, 2.0]]), np.array([[0.0, 1.0], [0.0, -1.0]])
+    safe = apart.velocities(places, ahead, ahead, 0.4)
+    assert safe[0, 0] * safe[1, 0] < 0  # each to its own side
+    assert np.allclose(safe[0], -safe[1])
+    wide = apart.velocities(places, ahead, ahead, np.array([0.3, 0.9]))
+    assert abs(wide[0, 0]) > abs(safe[0, 0])
+    # they part: nothing to do
+    assert np.allclose(apart.velocities(places, ahead, -ahead, 0.4, np.zeros((0, 2, 2))), -ahead)
+    walls = np.array([[[-5.0, 0.6], [5.0, 0.6]]])
+    assert apart.velocities(places[:1], ahead[:1], ahead[:1], 0.4, walls)[0, 1] < 0.11
+
+
+@pytest.mark.parametrize(("arguments", "said"), [
+    (([],), "shots: one or more"), ((MEET, -1.0), "apart must be a number"),
+    ((MEET, math.nan), "apart must be a number"),
+    ((MEET, None, [((0, 0), (1, 0))]), "give apart"),
+    ((MEET, 1.0, [((0, 0), (0, 0))]), "walls[0]: start and end"),
+    ((MEET, 1.0, ["x"]), "walls[0]: expected the fields"),
+    (([MEET[0], MEET[0]], 1.0), "shots[0] and shots[1] start 0.00 m"),
+])
+def test_a_bad_scene_is_one_clear_line(arguments, said):
+    with pytest.raises(ValueError, match=re.escape(said)) as caught:
+        Scene(*arguments)
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("compiled", [True, False])
+def test_a_render_has_the_bits_of_its_states(embedded, compiled):
+    model = embedded[0] if compiled else tk.pretrained().model
+    shot = Shot([(0, 0), (0.5, 1), (0, 2)], [(0, "Neutral"), (1, "Zombie")], duration=1.5, seed=4)
+    made = shot.render(model, embedded[1])
+    stepped = tk.runtime.record(model, shot.states(model, embedded[1]))
+    assert torch.equal(stepped.rotations, made.rotations)
+    assert torch.equal(stepped.root_positions, made.root_positions)
+
+
+def test_the_examples_are_valid_and_small(embedded):
+    files = sorted((Path(__file__).parents[2] / "examples" / "shots").glob("*.json"))
+    assert len(files) >= 9
+    for file in files:
+        assert file.stat().st_size < 30_000
+        for shot in tk.shots.load(file):
+            shot.plan(embedded[1])
+
+
+def test_a_shot_gives_the_same_bits_every_time_and_a_seed_other_steps(embedded):
+    short = dataclasses.replace(S_PATH, duration=2.0)
+    a, b = (short.render(*embedded) for _ in range(2))
+    assert torch.equal(a.rotations, b.rotations)
+    assert torch.equal(a.root_positions, b.root_positions)
+    assert len(a) == 2 * FPS
+    other = dataclasses.replace(short, seed=1).render(*embedded)
+    assert (other.rotations - a.rotations).abs().max() > 0.1
+    loose = dataclasses.replace(short, feet=False, arms=False).render(*embedded)
+    assert (loose.rotations - a.rotations).abs().max() > 1e-3
+
+
+@pytest.mark.parametrize("style", ["Neutral", "Old", "Strut"])
+def test_the_character_keeps_to_its_path_and_its_times(embedded, style):
+    speed = embedded[1].speed(style)
+    shot = dataclasses.replace(S_PATH, styles=style,
+                               path=[(0, 0), (1, 2, 3.4 / speed), (-1, 4), (0, 6, 9.5 / speed)])
+    course, places, contacts = walked(*embedded, shot)
+    apart = beside(course, places)
+    assert sum(apart) / len(apart) < 0.07
+    for k in (1, 3):
+        seconds, metres = arrival(course.curve.point(course.curve.knots[k]), shot.path[k].time,
+                                  places)
+        assert seconds == 0
+        assert metres < 0.1
+    assert shot.check(*embedded) == []
+    skate = tk.metrics.foot_skate(shot.render(*embedded), contacts)
+    assert max(skate.values()) < 0.01
+
+
+def test_a_hold_stands_and_a_direction_is_kept(embedded):
+    shot = Shot([(0, 0), (0, 4)], "Neutral", holds=[{"time": 3.0, "seconds": 2.0}],
+                facing=(1.0, 0.0))
+    states = list(shot.states(*embedded))
+    stand = torch.cat([s.root[:, :2] for s in states[round(3.8 * FPS) : round(4.8 * FPS)]])
+    assert (stand - stand[0]).norm(dim=-1).max() < 0.1
+    assert states[200].root[0, 2] > 0.9  # faces +x
+    assert states[-1].root[0, 1] == pytest.approx(4.0, abs=0.15)
+
+
+def test_check_names_a_style_that_walks_on_in_a_pause():
+    shot = Shot([(0, 0), (0, 4)], "Neutral", [(0, 1.0)], [{"distance": 2, "seconds": 2}])
+    course, heading = shot.plan()
+    ahead = [(0.0, at + 0.45 * (at == 2.0)) for at in course.distance[1:]]
+    _, bank = tk.pretrained()
+    assert "is ahead of the plan: Neutral does not stand" in shot.unmet(bank, (course, heading),
+                                                                        ahead)[-1]
+    assert shot.unmet(bank, (course, heading), [(0.0, at) for at in course.distance[1:]]) == []
+
+
+def test_a_look_at_point_is_faced(embedded):
+    shot = Shot([(0, 0), (0, 4)], "Neutral", [(0, 0.6)], look_at=(3.0, 2.0))
+    for state in list(shot.states(*embedded))[90:300:30]:
+        x, z, dx, dz = state.root[0].tolist()
+        aim = math.atan2(3.0 - x, 2.0 - z)
+        assert abs(math.remainder(math.atan2(dx, dz) - aim, math.tau)) < 0.45
+
+
+@pytest.mark.parametrize(("changes", "said"), [
+    ({"speeds": [(0, 6.0)], "path": [(0, 0), (0, 30)]}, "times that of the style"),
+    ({"speeds": [(0, 1.75)], "path": [(0, 0), (0, 4), (1, 4.2), (1, 0)]}, "too tight"),
+    ({"path": [(0, 0), (0, 5, 0.5)]}, "too far away to be reached at 0.5 s"),
+    ({"path": [(0, 0), (0, 8, 3.0)]}, "path[1] is met"),
+    ({"duration": 2.0, "path": [(0, 0), (0, 9)]}, "the end of the path is not reached in 2 s"),
+    ({"path": [(0, 0), (0, 2)], "holds": [{"distance": 5, "seconds": 1}]},
+     "holds[0] is after the end"),
+])
+def test_check_says_what_cannot_be_met(embedded, changes, said):
+    lines = dataclasses.replace(Shot([(0, 0), (0, 3)], "Neutral"), **changes).check(*embedded)
+    assert any(said in line for line in lines), lines
+    assert all("\n" not in line for line in lines)
+
+
+GOOD = {"path": [[0, 0], [0, 3]], "styles": [{"time": 0, "blend": "Neutral"}]}
+BAD = [
+    ({"path": [[0, 0]]}, "path: two or more points"),
+    ({"path": [[0, 0], [0, math.nan]]}, "path[1]: z must be a number"),
+    ({"path": [[0, 0], [0, 1e9]]}, "path[1]: z must be a number"),
+    ({"path": [[0, 0], [0, 0]]}, "path[1]: is less than 1 cm"),
+    ({"path": [[0, 0, None], [0, 1, 3], [0, 2, 2]]}, "times must increase"),
+    ({"path": [[0, 0, 1], [0, 1]]}, "path[0]: the first point has the time 0"),
+    ({"path": "straight"}, "path must be a list"),
+    ({"path": [[0, 0], {"x": 0, "y": 1}]}, "path[1]: unknown field 'y'"),
+    ({"path": [[0, 0], {"x": 0}]}, "path[1]: the field z is missing"),
+    ({"path": [[0, 0], [0, 1, 2, [0, 0]]]}, "facing must not be zero"),
+    ({"styles": []}, "styles: one or more keys"),
+    ({"styles": [{"time": 1, "blend": "Old"}, {"time": 1, "blend": "Old"}]},
+     "styles[1]: times must increase"),
+    ({"styles": [{"time": k / 10, "blend": "Old"} for k in range(1000)]},
+     "styles: at most 256 entries, got 1000"),
+    ({"styles": [{"time": 0, "blend": {"Old": 0.4}}]},
+     "styles[0]: the weights of a blend must sum to 1"),
+    ({"styles": [{"time": 0, "blend": {}}]}, "styles[0]: a blend is"),
+    ({"styles": [{"time": 0, "blend": "Old", "easing": "bounce"}]},
+     "styles[0]: easing must be one of"),
+    ({"speeds": [{"time": 0, "speed": -1}]}, "speeds[0]: speed must be a number from 0"),
+    ({"speeds": [{"time": 0, "speed": True}]}, "speeds[0]: speed must be a number"),
+    ({"holds": [{"seconds": 1}]}, "holds[0]: a hold needs either"),
+    ({"facing": [0, 1], "look_at": [1, 1]}, "either facing or look_at"),
+    ({"seed": 1.5}, "seed must be a whole number"),
+    ({"duration": 1e9}, "duration must be a number"),
+    ({"name": "a\nb"}, "name must be a line"),
+    ({"colour": "red"}, "unknown field 'colour'"),
+]
+
+
+@pytest.mark.parametrize(("changes", "said"), BAD, ids=[said for _, said in BAD])
+def test_a_bad_field_is_one_clear_line(tmp_path, changes, said):
+    path = tmp_path / "bad.json"
+    path.write_text(json.dumps({"version": 1, "shots": [GOOD | changes]}))
+    with pytest.raises(ValueError, match=re.escape(said)) as caught:
+        Shot.load(path)
+    assert str(path) in str(caught.value)
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("text",
+                         ["", "[]", "{", '{"version": 2, "shots": []}',
+                          '{"version": 1, "shots": []}', "[" * 100_000,
+                                  '{"version": 1, "shots": [3]}', "NaN"])
+def test_a_file_that_holds_no_shots_is_refused(tmp_path, text):
+    path = tmp_path / "bad.json"
+    path.write_text(text, encoding="utf-8")
+    with pytest.raises(ValueError, match=r"^[^\n]+$"):
+        tk.shots.load(path)
+
+
+words = st.text(max_size=5)
+junk = st.recursive(st.none() | st.booleans() | st.floats() | st.integers() | words,
+                    lambda inner: st.lists(inner, max_size=4)
+                    | st.dictionaries(words, inner, max_size=4), max_leaves=8)
+
+
+@given(st.sampled_from([field.name for field in dataclasses.fields(Shot)]), junk)
+def test_junk_in_a_field_is_refused_in_one_line_or_makes_a_plan(field, value):
+    said = ""
+    try:
+        tk.shots.parse({"version": 1,
+                        "shots": [GOOD
+                                  | {"speeds": [[0, 1]],
+                                     field: value}]})[0].plan(tk.pretrained().bank)
+    except ValueError as error:
+        said = str(error)
+    assert "\n" not in said
+
+
+def test_an_unknown_style_is_named(embedded):
+    shot = Shot([(0, 0), (0, 3)], "Zombi")
+    for call in (shot.render, shot.check):
+        with pytest.raises(ValueError, match="Zombie"):
+            call(*embedded)
+
+
+def test_the_curve_goes_through_its_points_and_knows_a_circle():
+    points = [(2 * math.sin(a), 2 * math.cos(a)) for a in (k * math.pi / 8 for k in range(17))]
+    curve = Curve(points, smooth=True)
+    assert curve.length == pytest.approx(4 * math.pi, rel=2e-3)
+    for (x, z), at in zip(points, curve.knots, strict=True):
+        assert curve.point(at) == pytest.approx((x, z), abs=1e-9)
+    assert curve.tangent(0.0) == pytest.approx((1.0, 0.0), abs=0.05)
+
+
+def test_a_plan_meets_times_and_pauses():
+    curve = Curve([(0, 0), (0, 10)], smooth=False)
+    course = Course(curve, ([0.0], [1.0], ["linear"]), [(4.0, 6.0)], [(None, 5.0, 2.0)], None)
+    assert course.distance[360] == pytest.approx(4.0, abs=0.02)
+    assert sum(abs(at - 5.0) < 1e-6 for at in course.distance) == pytest.approx(2 * FPS, abs=3)
+    assert course.distance[-1] == 10.0
+
+
+def test_the_verb_writes_a_motion(tmp_path, capsys):
+    file, out = tmp_path / "shot.json", tmp_path / "walk.bvh"
+    Shot([(0, 0), (0, 1)], "Neutral", duration=1.0).save(file)
+    from toolkit.__main__ import main
+
+    with pytest.raises(SystemExit, match="0"):
+        main(["shot", str(file), "--out", str(out)])
+    assert len(tk.bvh.load(out)) == 60
+    assert "not reached in 1 s" in capsys.readouterr().err

@@ -1,0 +1,256 @@
+"""The store: the same features as in memory, whatever happened while it was made."""
+
+import json
+import logging
+import os
+import shutil
+import subprocess
+import sys
+
+import pytest
+import torch
+
+import toolkit as tk
+from toolkit.__main__ import main
+from toolkit.datasets import procedural
+from toolkit.features import KINDS
+
+STYLES = ("ProceduralNeutral", "ProceduralZombie")
+
+
+@pytest.fixture(scope="module")
+def root(tmp_path_factory):
+    """Two styles of two takes each, as 100STYLE has them."""
+    folder = tmp_path_factory.mktemp("root") / "data"
+    procedural.write(folder, ["Neutral", "Zombie"], ["FW", "ID"], seconds=5.0)
+    return folder
+
+
+@pytest.fixture(scope="module")
+def made(root, tmp_path_factory):
+    """A finished store with mirror images."""
+    out = tmp_path_factory.mktemp("made") / "store"
+    assert preprocess(root, out)
+    return out
+
+
+@pytest.fixture(scope="module")
+def in_memory(root):
+    clips = tk.datasets.load("100style", root)
+    return tk.features.build(clips, mirror=tk.datasets.may_mirror("100style", root))
+
+
+def preprocess(root, out, **options):
+    mirror = tk.datasets.may_mirror("100style", root)
+    options = {"mirror": mirror, "workers": 1} | options
+    return tk.features.store.preprocess("100style", root, out, **options)
+
+
+def contents(folder):
+    return {path.name: path.read_bytes() for path in folder.iterdir()}
+
+
+def test_it_gives_the_features_of_build_bit_for_bit(made, in_memory):
+    stored = tk.features.store.load(made)
+    assert stored.styles == in_memory.styles == list(STYLES)
+    assert stored.n_frames == in_memory.n_frames
+    for kind in (*KINDS, "takes", "frames", "spans"):
+        for style in STYLES:
+            rows, expected = getattr(stored, kind)[style], getattr(in_memory, kind)[style]
+            assert torch.equal(rows[:], expected)
+            some = torch.tensor([1, 0, len(rows) - 1])
+            assert torch.equal(rows[some], expected[some])
+            assert torch.equal(rows[1], expected[1])
+    # of a symmetric style all but idling twice, of the other none
+    takes = {style: len(stored.takes[style]) / (300 - 111) for style in STYLES}
+    assert takes == {STYLES[0]: 3, STYLES[1]: 2}
+
+
+def test_contacts_follow_the_height_that_is_given(root, tmp_path):
+    style = [STYLES[0]]  # no toe is below the floor
+    assert preprocess(root, tmp_path / "store", styles=style, mirror=None, contact_height=-0.5)
+    clips = tk.datasets.load("100style", root, style)
+    given, usual = (tk.features.build(clips, contact_height=height).outputs[style[0]]
+                    for height in (-0.5, None))
+    assert torch.equal(tk.features.store.load(tmp_path / "store").outputs[style[0]][:], given)
+    assert not torch.equal(given, usual)
+
+
+def test_a_store_of_a_list_has_its_parts_also_if_only_some_styles_are_read(tmp_path):
+    root, out = tmp_path / "data", tmp_path / "store"
+    procedural.write(root, ["Neutral", "Zombie"], ["FW"], seconds=25.0)
+    assert preprocess(root, out, listed=True, mirror=None)
+    clips, listing = tk.datasets.load("100style", root), tk.datasets.split("100style", root)
+    data = tk.features.splits.listed(clips, listing)
+    parts = tk.training.split(data, 0.1, 0, STYLES)
+    tested = {style: len(x) for style, x in parts[1].inputs.items()}
+    assert tested == dict.fromkeys(STYLES, 240 - 111)
+    for styles in (STYLES, STYLES[1:]):
+        stored = tk.features.store.load(out, styles)
+        found = tk.training.split(stored, 0.3, 5, styles)
+        for kind in KINDS:
+            for own, expected in zip(found, parts, strict=True):
+                rows, known = getattr(own, kind), getattr(expected, kind)
+                assert all(torch.equal(rows[s][:], known[s]) for s in styles)
+
+
+def test_the_split_and_its_statistics_are_recorded(made, in_memory):
+    stored = tk.features.store.load(made)
+    for share, seed in ((0.1, 0), (0.2, 3)):
+        (train, test), expected = (tk.training.split(data, share, seed, STYLES)
+                                   for data in (stored, in_memory))
+        assert (train.statistics is not None) == (seed == 0)
+        for style in STYLES:
+            assert torch.equal(test.outputs[style][:], expected[1].outputs[style])
+        for kind, normaliser in train.normalisers().items():
+            assert torch.equal(normaliser.mean, expected[0].normalisers()[kind].mean)
+            assert torch.equal(normaliser.std, expected[0].normalisers()[kind].std)
+    style = STYLES[1]  # one style holds out what it does among all
+    part = tk.features.store.load(made, styles=[style])
+    whole = tk.training.split(stored, 0.1, 0, STYLES)[1]
+    for data in (part, stored, in_memory):
+        held = tk.training.split(data, 0.1, 0, (style,))[1]
+        assert torch.equal(held.inputs[style][:], whole.inputs[style][:])
+
+
+def test_the_command_line_makes_the_same_bytes_with_two_processes(root, made, tmp_path, capsys):
+    call = ["preprocess", "--data", "100style", "--root", str(root), "--mirror", "--workers", "2",
+            "--out", str(tmp_path / "store")]
+    for done_before in (False, True):
+        with pytest.raises(SystemExit, match="0"):
+            main(call)
+        assert f" frames of 2 styles in {tmp_path / 'store'}" in (out := capsys.readouterr().out)
+        assert ("nothing to do" in out) == done_before
+        assert contents(tmp_path / "store") == contents(made)
+
+
+def test_a_dask_worker_makes_the_same_bytes(root, made, tmp_path):
+    distributed = pytest.importorskip("distributed", reason="Dask is not installed: [scale]")
+    options = {"dashboard_address": ":0", "silence_logs": logging.ERROR, "processes": False}
+    with distributed.LocalCluster(n_workers=1, threads_per_worker=1, **options) as cluster:
+        assert preprocess(root, tmp_path / "store", scheduler=cluster.scheduler_address)
+    assert contents(tmp_path / "store") == contents(made)
+
+
+KILLED = """
+import os, signal, sys
+from pathlib import Path
+import test_store
+
+write = os.replace
+
+def replace(source, target):
+    if Path(target).name == sys.argv[3]:
+        os.kill(os.getpid(), signal.SIGKILL)
+    return write(source, target)
+
+os.replace = replace
+test_store.preprocess(Path(sys.argv[1]), Path(sys.argv[2]))
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no SIGKILL")
+def test_a_killed_run_goes_on_with_nothing_lost_or_doubled(root, made, tmp_path):
+    """The second style's file is left behind whole, but without its name."""
+    out = tmp_path / "store"
+    first, second = "001.safetensors", "000.safetensors"  # the larger one comes first
+    environment = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)}
+    call = [sys.executable, "-c", KILLED, str(root), str(out), second]
+    assert subprocess.run(call, env=environment, check=False).returncode == -9
+    with pytest.raises(ValueError, match="not finished"):
+        tk.features.store.load(out)
+    left = sorted(name for name in contents(out) if name != "manifest.json")
+    assert left[0].startswith(f".{second}.")
+    assert left[0].endswith(".partial")
+    assert left[1:] == [first]
+    assert preprocess(root, out)
+    assert contents(out) == contents(made)
+
+
+def test_what_is_damaged_missing_or_older_than_its_files_is_made_again(root, made, tmp_path):
+    out, data = tmp_path / "store", tmp_path / "data"
+    shutil.copytree(made, out)
+    shutil.copytree(root, data)
+    name = "001.safetensors"
+    whole = (out / name).read_bytes()
+    (out / name).write_bytes(whole[:-8])
+    with pytest.raises(ValueError, match=rf"{name}: missing or damaged .*; run the command"):
+        tk.features.store.load(out)
+    assert preprocess(data, out)
+    assert contents(out) == contents(made)
+    assert not preprocess(data, out)
+    (out / name).unlink()
+    assert preprocess(data, out)
+    path = data / f"{STYLES[1]}_FW.bvh"
+    path.write_text(path.read_text().replace("HIERARCHY", "HIERARCHY "))
+    os.utime(path, (2e9, 2e9))
+    assert preprocess(data, out)
+    assert contents(out) == contents(made)
+
+
+def test_other_settings_are_refused(root, made):
+    for options, difference in (({"mirror": None}, "mirror: expected True, got False"),
+                                ({"seed": 1}, "seed"), ({"styles": [STYLES[0]]}, "styles"),
+                                ({"source": "contact"}, "source: expected 'hybrid', got 'contact'"),
+                                ({"contact_height": 0.02}, "contact_height")):
+        with pytest.raises(ValueError, match=rf"made with other settings \(.*{difference}"):
+            preprocess(root, made, **options)
+
+
+def test_a_broken_file_is_named_and_all_other_styles_are_stored(root, made, tmp_path):
+    other, out = tmp_path / "data", tmp_path / "store"
+    shutil.copytree(root, other)
+    path = other / f"{STYLES[0]}_ID.bvh"
+    whole = path.read_text()
+    path.write_text(whole[:-200])
+    with pytest.raises(ValueError, match=rf"1 of 2 styles could not be .*{path.name}") as error:
+        preprocess(other, out)
+    assert "\n" not in str(error.value)
+    assert sorted(contents(out)) == ["001.safetensors", "manifest.json"]
+    path.write_text(whole)
+    assert preprocess(other, out)
+    assert contents(out) == contents(made)
+
+
+def test_a_style_may_have_any_name(walk_clip, tmp_path):
+    names = ("../up", "Old", "old", "é 骨", "con", "x" * 200)
+    folder, out = tmp_path / "in", tmp_path / "out"
+    folder.mkdir()
+    rows = [f"{number}.bvh,{name},walk" for number, name in enumerate(names)]
+    table = "\n".join(["file,style,gait", *rows])
+    (folder / "labels.csv").write_text(table, encoding="utf-8")
+    for number in range(len(names)):
+        tk.bvh.save(walk_clip, folder / f"{number}.bvh")
+    assert tk.features.store.preprocess("folder", folder, out, workers=1, source="contact")
+    assert tk.features.store.load(out).styles == sorted(names)
+    assert len(list(out.iterdir())) == len(names) + 1
+
+
+def test_what_cannot_work_is_refused_before_the_work(root, made, tmp_path, capsys):
+    (tmp_path / "empty").mkdir()
+    (tmp_path / "file").write_text("")
+    with pytest.raises(ValueError, match=r"no .*in .*empty"):
+        preprocess(tmp_path / "empty", tmp_path / "store", mirror=None)
+    for out in (root, tmp_path / "file"):
+        with pytest.raises(ValueError, match="expected a store or an empty folder"):
+            preprocess(root, out)
+    with pytest.raises(ValueError, match="procedural dataset is computed"):
+        tk.features.store.preprocess("procedural", None, tmp_path / "store")
+    with pytest.raises(ValueError, match="holds no store"):
+        tk.features.store.load(tmp_path / "empty")
+    train = ["train", "--data", str(made), "--mirror", "--out", str(tmp_path / "run.safetensors")]
+    assert main(train) == 2
+    assert "a store has its own --root, --gaits, --mirror and --listed" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(("change", "said"), [
+    ({"format": "other"}, "expected the format"), ({"styles": []}, "no styles"),
+    ({"styles": ["a\x1b[31mb"]}, "a style"), ({"settings": {}}, "no {"), ({"settings": 3}, "int"),
+])
+def test_a_damaged_manifest_is_refused_in_one_line(made, tmp_path, change, said):
+    manifest = json.loads((made / "manifest.json").read_text())
+    (tmp_path / "manifest.json").write_text(json.dumps(manifest | change))
+    with pytest.raises(ValueError, match=r"manifest\.json: the manifest is damaged") as error:
+        tk.features.store.load(tmp_path)
+    assert said in str(error.value)
+    assert str(error.value).isprintable()

@@ -1,0 +1,119 @@
+"""Pictures of phases say what the numbers say."""
+
+import numpy as np
+import pytest
+import torch
+from course import phase_figure, phase_manifold, principal_axes
+
+import toolkit as tk
+from toolkit import phases as ph
+from toolkit.view import charts as figures
+
+
+@pytest.fixture(scope="module")
+def hop() -> tk.Clip:
+    return tk.datasets.load("procedural", styles="HopLeft", gaits="FW", seconds=3.0)[0]
+
+
+@pytest.fixture(scope="module")
+def found(hop) -> ph.Phases:
+    return ph.extract(hop)
+
+
+def traces(figure, name: str) -> list:
+    return [trace for trace in figure.data if trace.name == name]
+
+
+def points(trace) -> np.ndarray:
+    return np.stack([trace[axis] for axis in "xyz"], -1)
+
+
+def test_phase_figure_draws_curves_ribbon_and_truth(hop, found):
+    figure = phase_figure(hop, found, truth=found.phase + 1.0, start=1.0, stop=2.0)
+    source, truth, edges = (
+        traces(figure, "source"), traces(figure, "truth"), traces(figure, "residual")
+    )
+    fits = traces(figure, "fit, left")[:1] + traces(figure, "fit, right")[:1]
+    for limb in range(2):
+        np.testing.assert_allclose(source[limb].y, found.source[60:120, limb], atol=1e-6)
+        # A constant lag is no error.
+        np.testing.assert_allclose(truth[limb].y, fits[limb].y, atol=1e-5)
+        np.testing.assert_allclose(
+            edges[2 * limb + 1].y - edges[2 * limb].y, 2 * found.residual[60:120, limb], atol=1e-6
+        )
+    quarter = found.phase.clone()
+    quarter[120:] += np.pi / 2  # a truth that leaves the fit in step at first, and lags later
+    off = traces(phase_figure(hop, found, truth=quarter), "truth")[0]
+    fit = traces(phase_figure(hop, found), "fit, left")[0]
+    assert np.abs(off.y - fit.y)[120:].max() > 0.5
+
+
+def test_phase_figure_refuses_a_truth_of_another_length(hop, found):
+    with pytest.raises(ValueError, match=r"got truth \[179, 4\]"):
+        phase_figure(hop, found, truth=found.phase[1:])
+
+
+def test_principal_axes_are_those_of_the_source_in_the_world(hop):
+    figure = principal_axes(hop, "hybrid", second=1.5)
+    assert [
+        name
+        for name in ("left hand", "right hand", "left foot", "right foot")
+        if traces(figure, name)
+    ] == ["left hand", "right hand", "right foot"]
+    toe = hop.global_positions[90, hop.skeleton.index("right_toe")]
+    np.testing.assert_allclose(points(traces(figure, "right foot")[0])[90], toe, atol=1e-5)
+    source = ph.ContactFree().fitted([hop])
+    path, arrow = (
+        points(traces(figure, "right foot")[0]), points(traces(figure, "principal axis")[2])
+    )
+    direction = (arrow[1] - arrow[0]) / np.linalg.norm(arrow[1] - arrow[0])
+    curve = source(hop, "right_foot")
+    # The source is the distance from the plane.
+    np.testing.assert_allclose((path - arrow[0]) @ direction, curve, atol=1e-5)
+    corners = points(traces(figure, "plane")[2])
+    np.testing.assert_allclose((corners - arrow[0]) @ direction, 0, atol=1e-6)
+    np.testing.assert_allclose(corners.mean(0), arrow[0], atol=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"source": "contact"}, "a contact-free or hybrid source"),
+        ({"second": 9.0}, "the clip lasts 3.00 s")
+    ],
+)
+def test_principal_axes_refuses(hop, options, message):
+    with pytest.raises(ValueError, match=message):
+        principal_axes(hop, **options)
+
+
+def circling(radius: float, frames: int = 120) -> ph.Phases:
+    """Phases whose vectors go round a circle, all limbs alike."""
+    angle = 2 * np.pi * torch.arange(frames)[:, None].expand(-1, 4) / 60
+    vector = radius * torch.stack((angle.sin(), angle.cos()), -1)
+    return ph.Phases(vector, *[angle] * 6)
+
+
+def test_phase_manifold_of_circles_is_circles():
+    figure = phase_manifold({"wide": circling(2.0), "narrow": circling(0.5)}, fps=60.0, window=0.0)
+    radii = {
+        name: np.hypot(*(traces(figure, name)[0][axis] for axis in "xy"))
+        for name in ("wide", "narrow")
+    }
+    np.testing.assert_allclose(radii["wide"], 4.0, atol=1e-5)  # four limbs of radius 2
+    np.testing.assert_allclose(radii["narrow"], 1.0, atol=1e-5)
+    assert "50% and 50%" in figure.layout.title.text
+
+
+def test_phase_manifold_of_windows_keeps_the_time_of_their_middle():
+    trace = traces(phase_manifold({"wide": circling(2.0)}, fps=60.0, window=1.0), "wide")[0]
+    assert len(trace.x) == 60
+    np.testing.assert_allclose(trace.customdata[[0, -1]], [0.5, 0.5 + 59 / 60])
+    with pytest.raises(ValueError, match=r"63 frames or more; too short: \['brief'\]"):
+        phase_manifold({"wide": circling(2.0), "brief": circling(1.0, 62)})
+
+
+def test_colours_never_repeat():
+    assert figures.colours(4) == list(figures.PALETTE[:4])
+    assert len(set(figures.colours(40))) == 40
+    assert figures.colours(40)[:6] == list(figures.PALETTE)

@@ -1,0 +1,71 @@
+"""Figures of the notebooks on styles and feet say what their numbers say."""
+
+import json
+import re
+
+import numpy as np
+import pytest
+import torch
+from course import feet_figures, losses_page, plane, style_figures
+
+import toolkit as tk
+
+
+def test_line_figure_has_a_step_and_a_frame_for_each_blend():
+    model, _ = tk.pretrained()
+    t, measured = torch.linspace(0, 1, 5), torch.arange(5.0)
+    poses = torch.randn(5, model.layout.n_joints, 3)
+    figure = style_figures.line_figure(
+        model.layout, poses, t, measured, ends=("a", "b"), what="height"
+    )
+    assert len(figure.frames) == len(figure.layout.sliders[0].steps) == 5
+    assert [frame.data[-1].y[0] for frame in figure.frames] == measured.tolist()
+    drawn = sum(
+        np.isfinite(np.array(trace.x, dtype=float)).sum() for trace in figure.frames[2].data[:3]
+    )
+    assert drawn == 2 * sum(parent >= 0 for parent in model.layout.parents)
+
+
+def test_map_figure_hides_names_of_crowded_points_but_keeps_them_under_the_mouse():
+    points = np.array([[0.0, 0.0], [0.01, 0.0], [1.0, 1.0]])
+    figure = style_figures.map_figure(points, ["a", "b", "c"], ["x"] * 3)
+    assert list(figure.data[0].text) == ["", "", "c"]
+    assert list(figure.data[0].hovertext) == ["a", "b", "c"]
+
+
+def test_ten_curves_have_ten_colours():
+    figure = style_figures.curves_figure(range(3), {str(k): [k, k, k] for k in range(10)}, "x", "y")
+    assert len({trace.line.color for trace in figure.data}) == 10
+
+
+def test_columns_figure_has_a_dot_for_each_seed():
+    figure = style_figures.columns_figure(
+        {"error": {"a": [1, 2], "b": [3, 4]}, "skate": {"a": [0], "b": [1]}},
+        floors={"error": {"repeat": 2.5}}
+    )
+    assert [len(trace.x) for trace in figure.data] == [2, 2, 1, 1]
+
+
+def test_leg_keeps_its_bones_in_every_frame():
+    legs = torch.stack(
+        [
+            torch.tensor([frame.data[0].x, frame.data[0].y]).T
+            for frame in feet_figures.leg_figure().frames
+        ]
+    )
+    lengths = (legs[:, 1:] - legs[:, :-1]).norm(dim=-1)
+    torch.testing.assert_close(lengths, lengths[:1].expand_as(lengths), rtol=1e-4, atol=1e-4)
+    assert (legs[1:, 2, 1] < legs[:-1, 2, 1]).all()  # the ankle goes down with the target
+
+
+def test_losses_page_needs_every_set_and_numbers_them_as_its_switches_do():
+    with pytest.raises(ValueError, match="32 sets"):
+        losses_page.losses_page(plane.Toy(plane.SWITCHES[:2]))
+    page = losses_page.losses_page(plane.Toy(plane.SWITCHES))
+    data = json.loads(re.search(r"const d = (\{.*?\}), c = ", page, re.S).group(1))
+    assert len(data["made"]) == 32
+    # As in the page: a bit for each loss that is off, the first is the highest.
+    for row, names in enumerate(plane.SWITCHES):
+        assert row == sum(
+            1 << (4 - i) for i, name in enumerate(data["losses"]) if name not in names
+        )

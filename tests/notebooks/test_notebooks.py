@@ -1,0 +1,358 @@
+"""Checks of the notebooks as files; nbval runs them."""
+
+import ast
+import json
+import re
+from functools import cache
+from pathlib import Path
+
+import course
+import pytest
+
+NOTEBOOKS = sorted((Path(__file__).parents[2] / "notebooks").glob("*.ipynb"))
+LONGEST, WIDEST = 15, 88  # lines of a code cell, characters of a line
+#: First words of a cell in which the reader writes code, or that computes by hand what the library
+#: computes; only such
+#: cells may define functions.
+MAY_DEFINE = "# exercise", "# by hand"
+
+#: What stands before a number that is not a result: sections, equations, other notebooks, years of
+#: papers.
+LABEL = re.compile(
+    r"(?:sections?|equations?|figures?|tables?|fig\.|notebooks?|exercises?|chapter|layer|"
+    r"version|dataset|et al\.|"
+    r"\d\d\d\d and|Komura|Lee|Shin|[A-Z]\w+ 20\d\d;)\s*\(?[\d.]+[a-z]?(?:(?:,| and| "
+    r"to|–)\s*[\d.]+[a-z]?)*\)?",
+    re.I,
+)
+NUMBER = re.compile(r"(?<![\w.])\d[\d,]*(?:\.\d+)?(?![\w]*\.\d|[a-z]?\.ipynb)")
+#: Words that compare two results.
+COMPARES = re.compile(
+    r"\b(smaller|smallest|larger|largest|better|best|worse|worst|fewer|fewest|wins?|beats?|closest|"
+    r"nearest|higher|highest|"
+    r"lower|lowest|faster|fastest|slower|slowest|longer|longest|shorter|shortest|stronger|"
+    r"weaker|farthest|"
+    r"furthest|twice|"
+    r"about half|more|less|(?<!at )most|the "
+    r"least|almost|nearly|hardly|rises?|grows?|falls?|increases?|decreases?|doubles?|"
+    r"halves|exceeds?|(?:does|do|did) not (?:help|work|move|change)|fails?)\b",
+    re.I,
+)
+#: Headings of sections with recordings or published networks, and what reads them.
+RECORDED = re.compile(r"^## .*(?:[Rr]ecordings|[Pp]ublished)", re.M)
+READS = re.compile(r"(?:datasets|published)\.available\(|labels\.read\(|results/stylisation")
+MARK = re.compile(r"<!--\s*(cited|general):?\s*(.*?)-->", re.S)
+
+
+@pytest.fixture(params=NOTEBOOKS, ids=lambda path: path.stem)
+def notebook(request) -> dict:
+    return read(request.param)
+
+
+@pytest.fixture(params=NOTEBOOKS, ids=lambda path: path.stem)
+def lesson(request) -> tuple:
+    """A notebook of the course: its entry in the sequence and its content."""
+    number = request.param.stem.split("_")[0]
+    return course.LESSONS[number], read(request.param)
+
+
+@cache
+def read(path: Path) -> dict:
+    return json.loads(path.read_text(encoding="utf-8"))
+
+
+def code(notebook) -> list[str]:
+    """Sources of the code cells."""
+    return ["".join(cell["source"]) for cell in notebook["cells"] if cell["cell_type"] == "code"]
+
+
+def prose(notebook) -> list[str]:
+    """Sources of the Markdown cells."""
+    return [
+        "".join(cell["source"]) for cell in notebook["cells"] if cell["cell_type"] == "markdown"
+    ]
+
+
+def plain(source: str) -> str:
+    """The Python of a cell: lines with a magic or a shell command become empty."""
+    return "\n".join(
+        "" if line.lstrip().startswith(("%", "!")) else line for line in source.splitlines()
+    )
+
+
+def words(text: str) -> str:
+    """Prose without code, formulas, links, pictures, HTML tags, comments, headings, and the minutes
+    of the first cell.
+    """
+    for pattern in (
+        r"```.*?```",
+        r"`[^`]*`",
+        r"\$\$.*?\$\$",
+        r"\$[^$]*\$",
+        r"<!--.*?-->",
+        r"\[\d\d[ab]?\]\([^)]*\)",
+        r"!\[[^\]]*\]\([^)]*\)",
+        r"(?<=\])\([^)]*\)",
+        r"<[^>]*>",
+        r"^#+ [^\n]*$",
+        r"\*\*Time:\*\* about \d+ minutes",
+        r"^\s*\d+\.\s",
+        r"\*[A-Z][^*\n]*\*",
+    ):
+        text = re.sub(pattern, " ", text, flags=re.S | re.M)
+    return text
+
+
+def numbers(text: str) -> set[float]:
+    return {float(x.replace(",", "").rstrip(".")) for x in NUMBER.findall(LABEL.sub(" ", text))}
+
+
+def calls(notebook, *names: str) -> list[ast.Call]:
+    """Calls of functions of the course in the code cells."""
+    nodes = (node for source in code(notebook) for node in ast.walk(ast.parse(plain(source))))
+    return [node for node in nodes if isinstance(node, ast.Call) and ast.unparse(node.func) in
+            {f"course.{name}" for name in names}]
+
+
+def literals(nodes) -> set[float]:
+    """Numbers that are written in code, also as percent of a share."""
+    found = {
+        float(n.value)
+        for node in nodes
+        for n in ast.walk(node)
+        if isinstance(n, ast.Constant)
+        and isinstance(n.value, int | float)
+        and not isinstance(n.value, bool)
+    }
+    return found | {round(100 * x, 6) for x in found}
+
+
+# --- every notebook
+
+
+def test_there_are_notebooks_and_each_has_a_number_of_its_own():
+    numbers = [path.name.split("_")[0] for path in NOTEBOOKS]
+    assert all(re.fullmatch(r"\d\d[ab]?_[a-z0-9_]+\.ipynb", path.name) for path in NOTEBOOKS)
+    assert numbers
+    assert len(set(numbers)) == len(numbers)
+    assert {path.name for path in NOTEBOOKS} == {lesson.file for lesson in course.LESSONS.values()}
+
+
+def test_nothing_of_a_run_is_stored(notebook):
+    for cell in notebook["cells"]:
+        assert not cell.get("outputs")
+        assert cell.get("execution_count") is None
+        assert not cell.get("attachments")
+        assert "execution" not in cell["metadata"]
+    assert "widgets" not in notebook["metadata"]
+
+
+def test_format_kernel_and_cell_ids(notebook):
+    assert (notebook["nbformat"], notebook["nbformat_minor"]) == (4, 5)
+    assert notebook["metadata"]["kernelspec"]["name"] == "python3"
+    ids = [cell.get("id", "") for cell in notebook["cells"]]
+    assert all(re.fullmatch(r"[a-zA-Z0-9_-]{1,64}", x) for x in ids)
+    assert len(set(ids)) == len(ids)
+
+
+def test_it_opens_with_its_question_and_the_words_outnumber_the_code(notebook):
+    first = notebook["cells"][0]
+    assert first["cell_type"] == "markdown"
+    assert "".join(first["source"]).startswith("# ")
+    assert len(prose(notebook)) >= 5
+
+
+def test_cells_are_short_and_few(notebook):
+    cells = code(notebook)
+    assert 8 <= len(cells) <= 40
+    for source in cells:
+        assert 0 < len(source.splitlines()) <= LONGEST, source
+
+
+def test_the_last_cells_assert_the_finding(notebook):
+    last = code(notebook)[-1]
+    assert any(isinstance(node, ast.Assert) for node in ast.walk(ast.parse(plain(last)))), last
+
+
+def test_library_code_is_imported_not_defined_again(notebook):
+    for source in code(notebook):
+        nodes = ast.walk(ast.parse(plain(source)))
+        defined = [
+            node
+            for node in nodes
+            if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef)
+        ]
+        assert not defined or source.lower().startswith(MAY_DEFINE), source
+
+
+def test_it_imports_the_package_and_no_experiment(notebook):
+    nodes = [node for source in code(notebook) for node in ast.walk(ast.parse(plain(source)))]
+    modules = {alias.name for node in nodes if isinstance(node, ast.Import) for alias in node.names}
+    modules |= {node.module for node in nodes if isinstance(node, ast.ImportFrom)}
+    assert modules & {"course", "toolkit"}
+    assert not [
+        name for name in modules if name.split(".")[0] in ("experiments", "tests", "robustness")
+    ]
+
+
+def test_no_private_names_of_the_package(notebook):
+    nodes = [node for source in code(notebook) for node in ast.walk(ast.parse(plain(source)))]
+    names = [node.attr for node in nodes if isinstance(node, ast.Attribute)]
+    assert not [name for name in names if name.startswith("_") and not name.endswith("__")]
+
+
+# --- notebooks of the course
+
+
+def test_it_is_in_the_sequence_and_opens_with_goals_minutes_and_needs(lesson):
+    entry, notebook = lesson
+    first = "".join(notebook["cells"][0]["source"])
+    assert first.startswith(f"# {entry.question}\n")
+    assert re.search(r"^!\[[^\]]+\]\(\.\./docs/\S+\.(?:webp|gif|apng)\)", first, re.M), (
+        "a moving picture of the result"
+    )
+    assert "**You will be able to**" in first
+    assert f"**Time:** about {entry.minutes} minutes." in first
+    needs = re.search(r"\*\*Before this notebook:\*\* (.*?)\.\s", first, re.S).group(1)
+    assert tuple(re.findall(r"\[(\d\d[ab]?)\]", needs)) == entry.needs
+    assert [call.args[0].value for call in calls(notebook, "here")] == [entry.number]
+
+
+def test_the_run_answers_each_question_that_is_asked_before_it(lesson):
+    texts = ["".join(cell["source"]) for cell in lesson[1]["cells"]]
+    asked = ["**Before you run.**" in text for text in texts]
+    told = [text.startswith("# after the run") and "course.claim(" in text for text in texts]
+    turns = "".join(
+        "?" if question else "!"
+        for question, answer in zip(asked, told, strict=True)
+        if question or answer
+    )
+    assert turns.startswith("?")
+    assert turns.endswith("!")
+    assert "??" not in turns
+
+
+def test_recordings_are_read_in_a_last_section_alone(lesson):
+    cells = [(cell["cell_type"], "".join(cell["source"])) for cell in lesson[1]["cells"]]
+    heads = [
+        i for i, (kind, text) in enumerate(cells) if kind == "markdown" and RECORDED.search(text)
+    ]
+    reads = [i for i, (kind, text) in enumerate(cells) if kind == "code" and READS.search(text)]
+    if reads:
+        assert len(heads) == 1
+        assert heads[0] < reads[0]
+        later = "\n".join(text for kind, text in cells[heads[0] + 1 :] if kind == "markdown")
+        assert not re.search(r"^## \d", later, re.M)
+        assert len(cells[heads[0]][1].split("##")[-1].split()) > 25  # prose of their own
+
+
+def test_it_ends_with_what_was_learnt_and_five_questions_with_folded_answers(lesson):
+    _, notebook = lesson
+    assert len(calls(notebook, "learnt")) == 1
+    (quiz,) = [text for text in prose(notebook) if text.startswith("## Five questions")]
+    assert quiz.count("<details>") == quiz.count("</details>") == 5
+    assert len(re.findall(r"<summary>[^<]+\?</summary>\n\n", quiz)) == 5
+
+
+def test_at_least_three_exercises_are_checked_and_have_folded_solutions(lesson):
+    entry, notebook = lesson
+    known = list(course.exercises_of(entry.number))
+    assert len(known) >= 3
+    assert [call.args[0].value for call in calls(notebook, "check")] == known
+    solved = re.findall(
+        r"<summary>Solution</summary>\n\n```python\n(.*?)\n```\n\n?</details>",
+        "\n".join(prose(notebook)), re.S
+    )
+    assert [
+        re.match(r'course\.check\("([^"]+)", ', text.splitlines()[-1]).group(1) for text in solved
+    ] == known
+
+
+# --- what prose says is what the run shows
+
+
+def test_no_markdown_cell_has_a_number_that_no_assert_holds(lesson):
+    """A number in prose comes from an assert, or is named in ``<!-- cited.
+
+    … -->`` as cited, defined or set.
+    """
+    _, notebook = lesson
+    trees = [ast.parse(plain(source)) for source in code(notebook)]
+    held = literals([n.test for tree in trees for n in ast.walk(tree) if isinstance(n, ast.Assert)])
+    held |= literals([arg for call in calls(notebook, "claim") for arg in call.args[1:]])
+    for text in prose(notebook):
+        cited = {
+            x for kind, marked in MARK.findall(text) if kind == "cited" for x in numbers(marked)
+        }
+        assert not numbers(words(text)) - held - cited, text
+
+
+def compared(text: str) -> set[str]:
+    """Words of a Markdown cell that compare, without those of its question."""
+    return {
+        word.lower()
+        for word in COMPARES.findall(
+            words(re.sub(r"^.*\*\*Before you run\.\*\*(?:.|\n(?!\n))*", "", text, flags=re.M))
+        )
+    }
+
+
+def test_no_markdown_cell_compares_results(lesson):
+    """``claim`` or ``learnt`` says a sentence that compares results.
+
+    ``<!-- general: more -->`` names what needs no run.
+    """
+    for text in prose(lesson[1]):
+        general = [marked for kind, marked in MARK.findall(text) if kind == "general"]
+        assert compared(text) == {
+            word.strip() for word in ",".join(general).split(",") if word.strip()
+        }, text
+
+
+def test_claims_take_their_numbers_from_the_run(lesson):
+    """In the constant part of a claim's sentence, a number stands only if the claim's condition has
+    it.
+    """
+    found = [(call.args[0], call.args[1:]) for call in calls(lesson[1], "claim")]
+    found += [(key, [value]) for call in calls(lesson[1], "learnt") for key, value in
+              zip(call.args[0].keys, call.args[0].values, strict=True)]
+    for sentence, conditions in found:
+        parts = sentence.values if isinstance(sentence, ast.JoinedStr) else [sentence]
+        text = "".join(part.value for part in parts if isinstance(part, ast.Constant))
+        assert not numbers(words(text)) - literals(conditions), text
+        # A condition that cannot fail.
+        assert not any(isinstance(node, ast.Constant) for node in conditions), text
+        said = {n.id for part in parts for n in ast.walk(part) if isinstance(n, ast.Name)}
+        tested = {n.id for node in conditions for n in ast.walk(node) if isinstance(n, ast.Name)}
+        # It compares what it does not test.
+        assert not COMPARES.search(text) or not said or said & tested, text
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("An error of 12.5° at 4 Hz", {12.5, 4}),
+        ("section 4.1.2 and notebook 02", set()),
+        ("`cut(0, 60)` and $x^2$", set()),
+        ("Mason et al. 2022, equation (3)", set()),
+        ("35,668,530 numbers", {35668530}),
+        ("34 % of it", {34}),
+        ("Mason, Starke and Komura 2022", set()),
+        ("[02a](02a_phase.ipynb) and 348 numbers", {348}),
+        ("## 7 · A heading\n\nBelow it, 97.7 cm", {97.7}),
+        ("**Time:** about 45 minutes.\n**Before this notebook:** 3", {3}),
+    ],
+)
+def test_numbers_of_prose(text, expected):
+    assert numbers(words(text)) == expected
+
+
+# --- the page for lecturers
+
+
+def test_the_page_for_lecturers_names_every_notebook_in_its_plan():
+    page = (NOTEBOOKS[0].parents[1] / "docs" / "lecturers.md").read_text(encoding="utf-8")
+    parts = dict(part.split("\n", 1) for part in page.split("\n## ")[1:])
+    table = "\n".join(line for line in parts["A week"].splitlines()
+                      if line.startswith("|") or "capstone" in line)
+    assert set(course.LESSONS) <= set(re.findall(r"\b\d\d[ab]?\b", table))

@@ -1,0 +1,549 @@
+"""Hostile files, names and machines: what comes from outside is refused in one line, or read
+without harm.
+"""
+
+import asyncio
+import contextlib
+import dataclasses
+import json
+import os
+import re
+import subprocess
+import sys
+import warnings
+from pathlib import Path
+
+import pytest
+import torch
+from robustness import fuzz
+from safetensors.torch import save_file
+
+import toolkit as tk
+from toolkit.__main__ import main
+from toolkit.datasets import folder, leaks
+from toolkit.evaluation.recognition import Recogniser
+from toolkit.extra import store
+from toolkit.features import Normaliser
+from toolkit.io import model_files
+from toolkit.io.files import atomic_write
+from toolkit.networks.bank import StyleBank
+from toolkit.stylization.graph import SkeletonGraph
+from toolkit.stylization.networks import Sizes, Stylizer, build
+
+
+def forged(folder: Path) -> dict[str, Path]:
+    """Small model files whose sizes promise gigabytes, by loader."""
+    skeleton = tk.datasets.load("procedural", styles=["Neutral"], gaits=["FW"],
+                                seconds=2.0)[0].without_ends().skeleton
+    sizes = Sizes(channels=1, code=1, latent=1, hidden=2)
+    stylizer = build(SkeletonGraph.of(skeleton), ("old",), sizes)[0]
+    recogniser = Recogniser(("a", "b"), Normaliser(torch.zeros(12), torch.ones(12)), 2)
+    files = {}
+    for made, part, change in (
+        (stylizer, "stylizer", lambda about: about["sizes"].update(channels=2000)),
+        (recogniser, "recogniser", lambda about: about.update(hidden=6000)),
+    ):
+        made.save(folder / part)
+        tensors, parts = model_files.read(folder / part, part)
+        change(parts[part])
+        files[part] = folder / f"{part}.safetensors"
+        model_files.write(files[part], {}, parts)
+        if part == "recogniser":
+            model_files.write(files[part],
+                              {k: v for k, v in tensors.items() if k.endswith(("mean", "std"))},
+                              parts)
+    return files
+
+
+LOADERS = {"stylizer": Stylizer.load, "recogniser": Recogniser.load}
+
+
+@pytest.mark.parametrize("kind", LOADERS)
+def test_sizes_in_a_model_file_take_no_memory_before_they_are_checked(kind, tmp_path):
+    """With a gigabyte at most: what was asked for is more."""
+    path = forged(tmp_path)[kind]
+    assert path.stat().st_size < 20_000
+    with fuzz.limited(), pytest.raises(
+        ValueError, match=rf"^{re.escape(str(path))}: the {kind}.*differs in tensor"):
+        LOADERS[kind](path)
+
+
+def test_a_description_of_more_than_16_megabytes_is_refused_before_it_is_parsed(tmp_path):
+    """Parsed, each of its values would take up to 70 bytes (`toolkit.io.files.parsed`)."""
+    path, most = tmp_path / "a.safetensors", model_files.METADATA
+    about = {"format": model_files.FORMAT, "recogniser": f"[{'0,' * (most // 2 + 1)}0]"}
+    save_file({"a": torch.zeros(1)}, path, about)
+    with fuzz.limited(), pytest.raises(ValueError, match=r"its metadata is .*larger than"):
+        Recogniser.load(path)
+
+
+@pytest.mark.parametrize("seconds", ["1e7", "nan", "-1"])
+def test_a_rollout_without_end_is_refused_before_it_starts(seconds, capsys):
+    with pytest.raises(SystemExit) as stopped:
+        main(["rollout", "--style", "Neutral", "--out", "never.bvh", "--seconds", seconds])
+    assert stopped.value.code == 2
+    assert "--seconds" in capsys.readouterr().err
+    with pytest.raises(ValueError, match=r"at most 86400|finite and seconds not negative"):
+        tk.runtime.straight(1.0, float(seconds))
+    with pytest.raises(ValueError, match="at most"):
+        tk.runtime.follow([(0.0, 0.0), (1.0, 0.0)], seconds=float(seconds))
+
+
+@pytest.mark.parametrize("speed", ["2e6", "nan"])
+def test_a_speed_that_no_network_can_take_is_refused_by_its_name(speed, capsys, tmp_path):
+    out = tmp_path / "a.bvh"
+    assert main(["rollout", "--style", "Neutral", "--out", str(out), "--seconds", "0.1", "--speed",
+                 speed]) == 2
+    said = capsys.readouterr().err
+    assert (
+        re.match(r"error: (velocity|speed and seconds) must be finite.* got ", said)
+    )
+    assert said.count("\n") == 1
+    assert not out.exists()
+
+
+PLANTED = ("<img src=x onerror=window.hacked=1>", "</script><script>window.hacked=1</script>",
+           "<!--<script>", "$\\frac$",
+           "a%{x}b")
+
+
+def test_no_text_from_outside_reaches_html_as_html(walk_clip, tmp_path):
+    pytest.importorskip("ipywidgets")
+    from course import phase_pictures as phase_figures
+
+    from toolkit.view import charts as figures, frontend
+    from toolkit.view.pages import page
+    from toolkit.view.render import picture
+    from toolkit.view.widgets import player
+
+    clips = [walk_clip.cut(0, 60).replace(style=text) for text in PLANTED]
+    written = page.html(clips, tmp_path / "page.html", title=PLANTED[0], caption=PLANTED[1],
+                        labels=PLANTED,
+                        styles=[{text: torch.ones(60)
+                                 for text in PLANTED}] * len(clips)).read_text("utf-8")
+    assert "<img" not in written
+    data = written.split('id="data">')[1].split("</script>")[0]
+    assert "<" not in data
+    assert [clip["label"] for clip in json.loads(data)["clips"]] == list(PLANTED)
+
+    shown = player.Player(clips, size=(160, 120))
+    assert "<img" not in shown._title.value
+    assert shown._title.value.count("<") == 2  # of its own <b>
+    shown.close()
+    picture.strip(clips[3], labels=[PLANTED[3]])._repr_png_()  # no formula
+
+    points = torch.rand(len(PLANTED), 2)
+    rows = [{"step": 1, **dict.fromkeys(PLANTED, 1.0)}]
+    phases = dict.fromkeys(PLANTED, tk.phases.extract(walk_clip))
+    for figure in (figures.style_space(points, PLANTED, PLANTED, marked={PLANTED[0]: [0, 0]},
+                                       title=PLANTED[0]),
+                   figures.training_curves(rows, title=PLANTED[0]),
+                   figures.trajectory_figure(clips, title=PLANTED[0]),
+                   phase_figures.phase_manifold(phases, walk_clip.fps, title=PLANTED[0])):
+        assert not {text for text in PLANTED[:3]
+                    if text in json.dumps(figure.to_dict(), default=str)}
+        assert "%{x}b" not in str([trace.hovertemplate for trace in figure.data])
+    assert frontend.escape(PLANTED[0]) == "&lt;img src=x onerror=window.hacked=1&gt;"
+
+
+def test_an_error_in_a_widget_is_shown_as_text(walk_clip):
+    pytest.importorskip("ipywidgets")
+    from toolkit.view.widgets.style_blender import StyleBlender
+
+    def fails(_blend):
+        raise ValueError(f"{PLANTED[0]}.bvh: cannot be read")
+
+    async def drag():
+        shown = StyleBlender(StyleBank(("A", "B", "C"), torch.eye(3)),
+                             lambda _blend: walk_clip.cut(0, 30), size=(160, 120))
+        shown._make_clip = fails
+        shown.triangle.weights = [0.0, 1.0, 0.0]
+        for _ in range(200):
+            await asyncio.sleep(0.02)
+            if "ValueError" in shown._status.value:
+                break
+        shown.close()
+        return shown._status.value
+
+    assert (
+        asyncio.run(drag()) == "<b>ValueError</b>: &lt;img src=x "
+                               "onerror=window.hacked=1&gt;.bvh: cannot be read"
+    )
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="needs pipes with names")
+def test_only_regular_files_are_read_and_written(tmp_path):
+    os.mkfifo(tmp_path / "pipe.bvh")
+    (tmp_path / "endless.bvh").symlink_to("/dev/zero")
+    for name in ("pipe.bvh", "endless.bvh"):
+        for read in (tk.load, tk.bvh.load, tk.training.load):
+            with pytest.raises(ValueError,
+                               match=rf"{name}: cannot be read \(a device, pipe or socket"):
+                read(tmp_path / name)
+        with pytest.raises(OSError,
+                           match="a device, pipe or socket"), atomic_write(tmp_path / name):
+            pass
+        assert not (tmp_path / name).is_file()
+    with pytest.raises(OSError, match="cannot be written"), atomic_write(tmp_path):
+        pass
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["endless.bvh", "pipe.bvh"]
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="needs pipes with names")
+@pytest.mark.parametrize("kind", ["pipe", "endless"])
+def test_devices_behind_references_are_not_read(kind, tmp_path):
+    """A file beside the one that is read: a buffer, a table, a manifest. Without a check, reading
+    never ends.
+    """
+    def plant(path: Path) -> Path:
+        path.parent.mkdir(exist_ok=True)
+        os.mkfifo(path) if kind == "pipe" else path.symlink_to("/dev/zero")
+        return path
+
+    plant(tmp_path / "a.bin")
+    document = {"asset": {"version": "2.0"}, "buffers": [{"uri": "a.bin", "byteLength": 8}],
+                "bufferViews": [{"buffer": 0, "byteLength": 8}],
+                "accessors": [{"bufferView": 0, "componentType": 5126, "type": "SCALAR",
+                               "count": 2}],
+                "nodes": [{"name": "a"}, {"name": "b", "children": [0]}],
+                "animations": [{"samplers": [{"input": 0, "output": 0}],
+                                "channels": [{"sampler": 0,
+                                              "target": {"node": 0, "path": "rotation"}}]}]}
+    (tmp_path / "a.gltf").write_text(json.dumps(document))
+    plant(tmp_path / "table" / "Frame_Cuts.csv")
+    plant(tmp_path / "store" / "manifest.json")
+    for read in (lambda: tk.load(tmp_path / "a.gltf"), lambda: leaks.find(tmp_path / "a.bin"),
+                 lambda: tk.datasets.style100.frame_cuts(tmp_path / "table"),
+                 lambda: store.load(tmp_path / "store")):
+        with pytest.raises((ValueError, OSError)) as said:
+            read()
+        assert str(tmp_path) in f"{said.value} {getattr(said.value, 'filename', '')}"
+
+
+@pytest.mark.parametrize("text", ["[" + "[]," * 1_500_000 + "0]", "[" * 100_000, "9" * 5000],
+                         ids=["many", "deep", "digits"])
+def test_json_text_of_many_or_deep_values_is_refused(text, tmp_path):
+    path = tmp_path / "manifest.json"
+    path.write_text(text)
+    for read, place in ((leaks.find, path), (tk.shots.load, path), (store.load, tmp_path)):
+        with pytest.raises(ValueError,
+                           match=r"manifest\.json.*(2000000 values|too deeply|of digits)"):
+            read(place)
+
+
+def shot_file(folder: Path, **fields) -> Path:
+    path = folder / "shots.json"
+    shot = {"path": [[0, 0], [0, 2]], "styles": "Neutral", "duration": 1} | fields
+    path.write_text(json.dumps({"version": 1, "shots": [shot]}))
+    return path
+
+
+def test_a_shot_has_no_path_beyond_what_can_be_walked(tmp_path):
+    path = shot_file(tmp_path, path=[[(-1) ** k * 999, k] for k in range(20)])
+    with pytest.raises(ValueError,
+                       match=r"shots\.json: shots\[0\]: path: is 379.. m long, .* at most 12000 m"):
+        tk.shots.load(path)
+
+
+@pytest.mark.parametrize("change", [
+    {"train": 7}, {"unseen": [["a"]]}, {"gap": "x" * 10**6}, {"train": [["a", "FW", 0, 10**400]]}],
+    ids=range(4))
+def test_what_is_no_split_is_refused_in_a_short_line(change):
+    with pytest.raises(ValueError, match=r"^split: (expected|block 0 of train)") as said:
+        leaks.find({"train": [], "test": []} | change)
+    assert len(str(said.value)) < 500
+
+
+@pytest.mark.parametrize(("table", "said"), [
+    (b"file,style\na.bvh," + b"x" * 200_000, r"line 2: field larger than field limit"),
+    (b"", "line 1: expected the columns"),
+    (b"file,style\na.bvh,\xff\n", "not UTF-8 text, from byte 17 on"),
+], ids=["long", "empty", "not UTF-8"])
+def test_a_bad_table_of_labels_is_refused_in_one_line(table, said, walk_clip, tmp_path):
+    tk.bvh.save(walk_clip.cut(0, 5), tmp_path / "a.bvh")
+    (tmp_path / "labels.csv").write_bytes(table)
+    with pytest.raises(ValueError, match=rf"labels\.csv.*{said}"):
+        folder.labelled(tmp_path)
+
+
+def test_everything_is_written_whole_or_not_at_all():
+    """No other way to write a file but `atomic_write`, except the part of a download, which is for
+    that.
+    """
+    found = set()
+    for path in Path(tk.__file__).parent.rglob("*.py"):
+        text = path.read_text(encoding="utf-8")
+        opened = r"(?<!av\.)open\([^)\n]*[\"'][wax]b?\+?[\"']"
+        if re.search(rf"write_text\(|write_bytes\(|tofile\(|{opened}", text):
+            found.add(path.name)
+    assert found <= {"files.py", "download.py", "fetch.py"}
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has other permissions")
+def test_writing_keeps_links_and_permissions(tmp_path):
+    private, link, dangling = tmp_path / "private", tmp_path / "link", tmp_path / "dangling"
+    private.write_bytes(b"old")
+    private.chmod(0o600)
+    link.symlink_to(private)
+    dangling.symlink_to(tmp_path / "new")
+    for path in (link, dangling):
+        with atomic_write(path) as file:
+            file.write(b"new")
+        assert path.is_symlink()
+    assert private.read_bytes() == (tmp_path / "new").read_bytes() == b"new"
+    assert private.stat().st_mode & 0o777 == 0o600
+
+
+def renamed(clip: tk.Clip, old: str, new: str) -> tk.Clip:
+    """The clip with another name of a joint."""
+    skeleton = clip.skeleton
+    swap = {old: new}
+    return clip.replace(skeleton=tk.Skeleton(
+        [swap.get(name, name) for name in skeleton.names], skeleton.parents, skeleton.offsets,
+        {role: swap.get(name, name) for role, name in skeleton.roles.items()},
+        [swap.get(x, x) for x in skeleton.ends]))
+
+
+@pytest.mark.parametrize("name", ["a\nJOINT b", "a\x1b[31mb", "a\u202eb", "", 7])
+def test_names_that_no_program_can_show_are_refused_where_they_enter(name, walk_clip):
+    with pytest.raises(ValueError, match="name") as said:
+        renamed(walk_clip, walk_clip.skeleton.names[3], name)
+    assert str(said.value).isprintable()
+    with pytest.raises(ValueError, match="name"):
+        StyleBank((name,), torch.zeros(1, 4))
+    if name:
+        with pytest.raises(ValueError, match="name"):
+            walk_clip.replace(style=name)
+    if isinstance(name, str):
+        assert walk_clip.replace(name=name).name.isprintable()
+
+
+KEPT = ("骨盤", "نیم\u200cفاصله", "MOTION", "End Site", "a b", "x}", " a")
+
+
+@pytest.mark.parametrize("name", KEPT)
+def test_a_bvh_file_keeps_every_name_or_is_not_written(name, walk_clip, tmp_path):
+    clip = renamed(walk_clip.cut(0, 5), walk_clip.skeleton.names[3], name)
+    if "}" in name or name != " ".join(name.split()):
+        with pytest.raises(ValueError, match="cannot hold the joint name"):
+            tk.bvh.save(clip, tmp_path / "a.bvh")
+        return
+    tk.bvh.save(clip, tmp_path / "a.bvh")
+    assert tk.bvh.load(tmp_path / "a.bvh", unit=0.01, up="y").skeleton.names[3] == name
+
+
+def test_a_page_takes_a_joint_called_motion(tmp_path):
+    from toolkit.view.pages import live_page
+
+    model, bank = tk.pretrained()
+    layout = dataclasses.replace(model.layout, skeleton=renamed(
+        tk.Clip(model.layout.skeleton, torch.eye(4)[:1].expand(1, len(model.layout.skeleton), 4),
+                torch.zeros(1, 3), 60.0),
+        model.layout.skeleton.names[3], "MOTION").skeleton)
+    model.layout = layout
+    packed = live_page.pack(model, bank.select(["Neutral"]))
+    assert packed["bvh"]["header"].endswith("}\n")
+    assert "JOINT MOTION" in packed["bvh"]["header"]
+
+
+@pytest.mark.parametrize("wrong", [{"turn": float("nan")}, {"move": [1.0]}, {"id": {}}])
+def test_a_controller_goes_on_after_a_message_of_the_wrong_kind(wrong):
+    traitlets = pytest.importorskip("traitlets")
+    pytest.importorskip("ipywidgets")
+    from toolkit.view.widgets.controller import Controller
+
+    control = Controller(*tk.pretrained())
+    good = {"kind": "input", "id": 1, "move": [0.0, 1.0], "turn": 0.0, "run": False,
+            "heading": None}
+    control._handle_custom_msg(good, [])
+    for message in (good | wrong, {}, {"kind": ["input"]}, [], "input", None):
+        control._handle_custom_msg(message, [])
+    with pytest.raises(traitlets.TraitError, match="finite"):
+        control.speed = float("nan")
+    control.advance(2)
+    assert control._input["move"] == [0.0, 1.0]
+    assert bool(control.state.root.isfinite().all())
+    control.close()
+
+
+@pytest.mark.parametrize("state", [
+    {"weights": [float("nan"), 0, 0]}, {"weights": [0, 0, 0]}, {"weights": [1, 0]},
+    {"names": ["x", "y", "z"]},
+    {"speed": float("nan")}])
+def test_a_controller_keeps_its_state_when_a_page_sends_a_wrong_one(state):
+    traitlets = pytest.importorskip("traitlets")
+    pytest.importorskip("ipywidgets")
+    from toolkit.view.widgets.controller import Controller
+
+    control = Controller(*tk.pretrained())
+    before = control.names, control.weights, control.blend, control.speed
+    with pytest.raises(traitlets.TraitError):
+        control.set_state(state)
+    assert (control.names, control.weights, control.blend, control.speed) == before
+    control.advance(2)
+    assert bool(control.state.root.isfinite().all())
+    control.close()
+
+
+def spoilt_model(value: float):
+    model, bank = tk.pretrained()
+    with torch.no_grad():
+        model.experts.layers[1].bias[3, 7] = value
+    return model, bank
+
+
+@pytest.mark.parametrize("value", [float("nan")])
+def test_weights_that_are_not_finite_are_not_written_or_read(value, tmp_path):
+    from toolkit import view
+
+    model, bank = spoilt_model(value)
+    said = "not finite|must be finite"
+    with pytest.raises(ValueError, match=said):
+        view.web(model, bank, tmp_path / "page.html")
+    pytest.importorskip("onnxscript")
+    with pytest.raises(ValueError, match=said):
+        tk.extra.engines.onnx.save(model, tmp_path / "a.onnx", bank)
+    assert not list(tmp_path.iterdir())
+    model.save(tmp_path / "model.safetensors")
+    with pytest.raises(ValueError,
+                       match=r"model\.safetensors: .* damaged \(the tensor experts.*not finite"):
+        tk.networks.Model.load(tmp_path / "model.safetensors")
+
+
+@pytest.mark.parametrize("unit", ["1e308", "1e7", "1e-9"])
+@pytest.mark.parametrize("suffix", [".html"])
+def test_a_body_of_any_size_is_drawn_or_refused_in_one_line(unit, suffix, walk_clip, tmp_path,
+                                                            capsys):
+    tk.bvh.save(walk_clip.cut(0, 5), tmp_path / "good.bvh")
+    out = tmp_path / f"a{suffix}"
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", RuntimeWarning)
+        assert main(["export", "clip", str(tmp_path / "good.bvh"), "--out", str(out), "--unit",
+                     unit, "--up", "y"]) == 2
+    error = capsys.readouterr().err.splitlines()[-1]
+    assert re.match(r"error: good\.bvh: .*(not finite|at most 1e\+06 m|no bone)", error)
+    assert not out.exists()
+
+
+def test_a_file_name_that_cannot_be_shown_gives_no_style(walk_clip, tmp_path):
+    (tmp_path / "a\x1b[31mb").mkdir()
+    tk.bvh.save(walk_clip, tmp_path / "a\x1b[31mb" / "walk.bvh")
+    with pytest.raises(ValueError,
+                       match=r"the name of a style of .* has characters that cannot be printed"):
+        folder.survey(tmp_path)
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="these files are Linux's")
+@pytest.mark.parametrize("suffix", [".bvh", ".glb"])
+def test_files_of_the_kernel_and_files_of_holes_are_refused(suffix, tmp_path):
+    """The first kind says that it has no bytes, and may have no end; the second takes no disk, but
+    memory if it is read.
+    """
+    hole, kernel = tmp_path / f"hole{suffix}", tmp_path / f"kernel{suffix}"
+    with hole.open("wb") as file:
+        file.truncate(1 << 40)
+    with pytest.raises(ValueError,
+                       match=rf"hole\{suffix}: cannot be read \(more than 4000000000 bytes"):
+        tk.load(hole)
+    for source in ("/proc/kmsg", "/proc/self/pagemap", "/proc/kcore"):
+        if os.access(source, os.R_OK):
+            kernel.unlink(missing_ok=True)
+            kernel.symlink_to(source)
+            with pytest.raises(ValueError, match=rf"kernel\{suffix}"):
+                tk.load(kernel)
+
+
+def test_an_error_that_quotes_a_long_text_is_cut(walk_clip, tmp_path, capsys):
+    tk.bvh.save(walk_clip.cut(0, 5), tmp_path / "a.bvh")
+    for words in (["inspect", str(tmp_path / "a.bvh"), "--roles", "hips=" + "x" * 10**5],
+                  ["inspect", "x" * 10**5 + ".bvh"],
+                  ["rollout", "--style", "x" * 10**5, "--seconds", "1", "--out",
+                   str(tmp_path / "b.bvh")]):
+        assert main(words) == 2
+        assert len(capsys.readouterr().err) < 1100
+
+
+@pytest.mark.parametrize("suffix", [".glb", ".vrm"])
+@pytest.mark.parametrize("held", [b"HIERARCHY\nROOT a\n", b""])
+def test_a_file_with_the_ending_of_gltf_is_said_to_be_none(held, suffix, tmp_path):
+    path = tmp_path / f"a{suffix}"
+    path.write_bytes(held)
+    with pytest.raises(ValueError, match=rf"a\{suffix}: no GLB file, and no JSON text \("):
+        tk.load(path)
+
+
+def test_what_a_command_reads_is_not_written_over(walk_clip, tmp_path, capsys):
+    clip, link, model = tmp_path / "a.bvh", tmp_path / "link.bvh", tmp_path / "m.safetensors"
+    other = tmp_path / "b.bvh"
+    for path in (clip, other):
+        tk.bvh.save(walk_clip, path)
+    link.symlink_to(clip)
+    before = clip.read_bytes()
+    stylize = ["stylize", "--clip", str(clip), "--domain", "old", "--reference", str(other),
+               "--out"]
+    for words in ([*stylize, str(clip)], [*stylize, str(link)], [*stylize, str(other)],
+                  ["export", "clip", str(clip), "--out", str(link)],
+                  ["export", "clip", str(other), "--skeleton", str(clip), "--out", str(clip)],
+                  ["style", "add", "--clips", str(clip), "--name", "New", "--steps", "1", "--out",
+                   str(clip)],
+                  ["style", "add", "--clips", str(tmp_path), "--name", "New", "--steps", "1",
+                   "--out", str(other)],
+                  ["train", "--data", str(tmp_path), "--small", "--epochs", "0.01", "--out",
+                   str(clip)],
+                  ["train-stylizer", "--data", str(tmp_path), "--small", "--iterations", "1",
+                   "--out", str(clip)],
+                  ["evaluate", str(tmp_path), "--out", str(clip)],
+                  ["data", "split", "100style", "--out", str(tmp_path / "Frame_Cuts.csv")]):
+        assert main(words) == 2
+        assert re.search("is a file that is read|is the name of a motion file|can write .json",
+                         capsys.readouterr().err)
+    assert clip.read_bytes() == other.read_bytes() == before
+    assert not model.exists()
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no such file names")
+def test_names_of_files_that_are_read_and_written_are_printed_without_control_characters(
+    walk_clip, tmp_path, capsys):
+    """All verbs print by one function, which escapes them."""
+    bad = tmp_path / "a\x1b[31m\u202eb.bvh"
+    tk.bvh.save(walk_clip, bad)
+    shots, walk = shot_file(tmp_path, duration=0.1), ["rollout", "--style", "Old", "--seconds",
+                                                      "0.1"]
+    for words in (["inspect", str(bad)], ["export", "clip", str(bad), "--out", f"{bad}.glb"],
+                  [*walk, "--out", str(bad)], ["shot", str(shots), "--out", str(bad)]):
+        with contextlib.suppress(SystemExit):
+            assert main(words) == 0
+        said = capsys.readouterr()
+        assert "\\x1b[31m\\u202e" in said.out
+        assert not {"\x1b", "\u202e"} & {*said.out, *said.err}
+    assert "\x1b" not in repr(tk.inspect(bad, unit=0.01, up="y"))
+    verbs = (Path(tk.__file__).parent / "cli").glob("*.py")
+    assert [path.name for path in verbs
+            if re.search(r"\bprint\(", path.read_text("utf-8"))] == ["verbs.py"]
+
+
+#: An odd machine: changes of its environment, None for a variable that it lacks.
+MACHINE = {"LC_ALL": "C", "LANG": None, "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0", "HOME": None,
+           "USERPROFILE": None,
+           "XDG_CACHE_HOME": None, "XDG_DATA_HOME": None, "TOOLKIT_DATA": None}
+VISITED = """
+import sys
+from toolkit.__main__ import main
+source, out = sys.argv[1:]
+sys.exit(main(["export", "clip", source, "--out", out]) or main(["inspect", out]))
+"""
+
+
+def test_commands_run_on_an_odd_machine(walk_clip, tmp_path):
+    """In the C locale, and without a home."""
+    name = "walk_歩く_مشي_é"
+    source, out = tmp_path / f"{name}.bvh", tmp_path / f"{name} copy.bvh"
+    tk.bvh.save(renamed(walk_clip.cut(0, 30), walk_clip.skeleton.names[3], name), source)
+    env = {key: value for key, value in (os.environ | MACHINE).items() if value is not None}
+    env["PYTHONPATH"] = str(Path(tk.__file__).parents[1])
+    command = [sys.executable, "-c", VISITED, os.fsencode(source), os.fsencode(out)]
+    done = subprocess.run(command, env=env, capture_output=True, cwd=tmp_path)
+    assert b"Traceback" not in done.stderr, done.stderr.decode(errors="replace")[-400:]
+    assert out.exists(), done.stderr
+    assert name in tk.bvh.load(out, unit=0.01, up="y").skeleton.names
+    assert done.stdout.isascii()

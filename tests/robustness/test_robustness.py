@@ -1,0 +1,286 @@
+"""Rubbish in, one line out; killed at any moment, nothing half-written: short `fuzz` and
+`faults`.
+"""
+
+import json
+import os
+import random
+import struct
+import subprocess
+import sys
+import tracemalloc
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given, settings, strategies as st
+from robustness import faults, fuzz
+from robustness.fuzz import mutations, targets
+from robustness.fuzz.trials import Reader, trial
+from safetensors.torch import save_file
+from test_bvh import GOOD
+
+import toolkit as tk
+from toolkit.__main__ import main
+from toolkit.io import bvh, model_files
+from toolkit.io.files import atomic_write
+
+
+@pytest.fixture(scope="module")
+def readers(tmp_path_factory):
+    return targets.make(tmp_path_factory.mktemp("fuzz"))
+
+
+def refused(read, path):
+    with pytest.raises((ValueError, OSError)) as caught:
+        read(path)
+    message = str(caught.value)
+    assert message.isprintable()
+    assert str(path.parent) in message or path.name in message
+    return message
+
+
+@pytest.mark.parametrize("target", fuzz.TARGETS)
+def test_mutated_inputs_are_read_or_refused_in_one_line(readers, target):
+    tally = fuzz.fuzz(readers[target], 36, seed=1)
+    assert not tally.failures
+    assert tally.inputs == 36 == tally.accepted + tally.refused.total()
+    assert len(tally.refused) >= 2
+    assert tally.deep
+
+
+def load(path):
+    """A BVH file in centimetres with Y up."""
+    return bvh.load(path, unit=0.01, up="y")
+
+
+TOKENS = (*mutations.WORDS, *mutations.NUMBERS, b"\n", b"ROOT Hips\n{\n", b"Frames: 1\n",
+          b"Frame Time: 0.1\n", b"1 2 3")
+
+
+@settings(max_examples=40)
+@given(st.lists(st.sampled_from(TOKENS), max_size=40),
+       st.sampled_from([b"", b"HIERARCHY\n", GOOD.encode()[:-40]]))
+def test_any_words_are_read_or_refused_by_the_bvh_reader(tmp_path_factory, words, start):
+    path = tmp_path_factory.getbasetemp() / "words.bvh"
+    reader = Reader("bvh", path, load, (b"",), mutations.text, "")
+    assert trial(reader, start + b" ".join(words))[0] != "failed"
+
+
+@settings(max_examples=30)
+@given(st.binary(max_size=300), st.integers(0, 2**64 - 1))
+def test_any_bytes_are_refused_as_a_model(tmp_path_factory, data, size):
+    path = tmp_path_factory.getbasetemp() / "bytes.safetensors"
+    path.write_bytes(struct.pack("<Q", size) + data)
+    refused(tk.training.load, path)
+
+
+BAD_BVH = {
+    "a joint inside an End Site, whose name would grow with every level": (
+        GOOD.replace("OFFSET 0 5 0\n", "OFFSET 0 5 0\nEnd Site {\n}\n"),
+        "line 13: unexpected End inside an End Site"),
+    "a name that writes on the terminal": (GOOD.replace("Chest", "Ch\x1b[31mest"),
+                                           "line 6: .* cannot be printed"),
+    "a name with a zero byte": (GOOD.replace("Chest", "Ch\0est"), "line 6: .* cannot be printed"),
+    "more frames per second than a number": (GOOD.replace("0.033333", "1e-320"),
+                                             "line 18: frame time must be positive"),
+    "an offset that float32 cannot hold": (GOOD.replace("OFFSET 0 10 0", "OFFSET 0 1e300 0"),
+                                           "line 8: OFFSET needs three"),
+    "a position that float32 cannot hold": (GOOD.replace("1 90 0 0", "1e308 90 0 0"),
+                                            "positions of joint Hips"),
+    "an angle that float32 cannot hold": (GOOD.replace("0 90 0 0 0", "0 90 0 1e300 0"),
+                                          "rotations of frame 0"),
+    "a forged number of frames": (GOOD.replace("Frames: 3", "Frames: 999999999"),
+                                  "header says 999999999 frames"),
+    "a number of frames of 5,000 digits": (GOOD.replace("Frames: 3", "Frames: " + "9" * 5000),
+                                           "expected 'Frames: N'"),
+}
+
+
+@pytest.mark.parametrize(("text", "problem"), BAD_BVH.values(), ids=BAD_BVH)
+def test_files_that_once_got_through_the_bvh_reader(tmp_path, text, problem):
+    path = tmp_path / "walk.bvh"
+    path.write_text(text)
+    with pytest.raises(bvh.BVHError, match=problem):
+        load(path)
+    refused(load, path)
+
+
+def test_a_small_bvh_takes_little_memory_whatever_it_claims(tmp_path):
+    joints, rows = 3000, 30_000  # 3 × 3000 channels by 30,000 frames would be 2 GB
+    chain = "".join(f"JOINT j{i}\n{{\nCHANNELS 3 Xrotation Yrotation Zrotation\n"
+                    for i in range(joints)) + "}\n" * joints
+    path = tmp_path / "walk.bvh"
+    path.write_text(f"HIERARCHY\nROOT r\n{{\n{chain}}}\nMOTION\nFrames: {rows}\nFrame Time: 0.1\n"
+                    + "1\n" * rows)
+    tracemalloc.start()
+    assert f"expected {3 * joints} numbers, got 1" in refused(load, path)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert peak < 60 * path.stat().st_size
+
+
+def test_joints_without_channels_times_frames_are_not_taken_at_their_word(tmp_path):
+    joints, rows = 2000, 2000
+    chain = "".join(f"JOINT j{i}\n{{\n" for i in range(joints)) + "}\n" * joints
+    path = tmp_path / "walk.bvh"
+    for frames in (100, rows):
+        motion = f"MOTION\nFrames: {frames}\nFrame Time: 0.1\n" + "1\n" * frames
+        path.write_text(f"HIERARCHY\nROOT r\n{{\nCHANNELS 1 Xrotation\n{chain}}}\n{motion}")
+        if frames == 100:
+            assert len(load(path)) == 100
+    assert "2001 joints in 2000 frames, but only 1 channels" in refused(load, path)
+
+
+DEEP = "[" * 5000
+
+
+@pytest.mark.parametrize("value", [DEEP, "9" * 5000, "3", '{"config": {}}'])
+@pytest.mark.parametrize("part", ["run", "model", "bank"])
+def test_models_whose_description_is_something_else(tmp_path, small_run, part, value):
+    path = tmp_path / "run.safetensors"
+    small_run.save(path)
+    tensors, parts = model_files.read(path, "run")
+    described = {name: json.dumps(x) for name, x in parts.items()} | {"format": model_files.FORMAT,
+                                                                      part: value}
+    save_file(tensors, path, described)
+    refused(tk.training.load, path)
+
+
+@pytest.mark.parametrize(
+    "change",
+    [{"sizes": {"hidden": 10**30}}, {"layout": "x"}, {"layout": {"names": [1, 2]}},
+     {"n_styles": "many"}, {"name": ["lpn"]},
+     {"name": "\x1b[31m"}],
+)
+def test_models_with_impossible_descriptions(tmp_path, small_run, change):
+    path = tmp_path / "model.safetensors"
+    tensors, described = small_run.model.parts()
+    model_files.write(path, tensors, {"model": described | change})
+    refused(tk.networks.Model.load, path)
+
+
+def test_errors_on_the_command_line_are_one_printable_line(capfd):
+    assert main(["data", "list", "a\nb\x1b[31m"]) == 2
+    said = capfd.readouterr().err
+    assert said.startswith("error: ")
+    assert said.endswith("\n")
+    assert said[:-1].isprintable()
+
+
+def test_two_writers_of_one_file_do_not_mix(tmp_path):
+    path = tmp_path / "new" / "a[1].bin"
+    with atomic_write(path) as first:
+        first.write(b"first")
+        with atomic_write(path) as second:
+            second.write(b"second")
+        assert path.read_bytes() == b"second"
+    assert path.read_bytes() == b"first"
+    assert list(path.parent.iterdir()) == [path]
+    plain = tmp_path / "plain"
+    plain.touch()
+    assert path.stat().st_mode == plain.stat().st_mode
+
+
+def test_what_cannot_be_written_is_named(tmp_path):
+    path = tmp_path / "a.bin"
+    path.write_bytes(b"old")
+    with pytest.raises(OSError,
+                       match=r"\(No space left on device\): '.*a\.bin'"), atomic_write(path):
+        raise OSError(28, "No space left on device")
+    assert path.read_bytes() == b"old"
+    assert list(tmp_path.iterdir()) == [path]
+
+
+def test_the_fuzzer_sees_defects(tmp_path):
+    def defect(path):
+        kind = path.read_bytes()[0] % 5
+        if kind == 0:
+            raise KeyError("x")
+        if kind == 1:
+            raise ValueError(f"{path}\nsecond line")
+        if kind == 2:
+            raise ValueError("which file?")
+        if kind == 3:
+            raise ValueError(f"{path}: fine")
+        while True:
+            pass
+
+    def one_of_five(rng, _):
+        # a hang takes a second
+        return rng.choice((b"\0", b"\1", b"\2", b"\3", b"\3", b"\3", b"\3", b"\4"))
+
+    tally = fuzz.fuzz([Reader("r", tmp_path / "r.bin", defect, (b"",), one_of_five, "fine")], 24,
+                      seed=1)
+    said = " ".join(tally.failures)
+    assert {"KeyError", "not one printable line", "does not name the file", "_Hang"} == {
+        word for word in ("KeyError", "not one printable line", "does not name the file", "_Hang")
+        if word in said
+    }
+    assert sum(count for count, _ in tally.failures.values()) + tally.refused.total() == 24
+    assert tally.deep == tally.refused.total() > 0
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"),
+                    reason="only Linux says how much a process has reserved")
+def test_the_fuzzer_sees_memory_blow_up(tmp_path):
+    reader = Reader("r", tmp_path / "r.bin", lambda path: np.empty(1 << 40), (b"x",),
+                    lambda rng, data: data, "")
+    assert "MemoryError" in next(iter(fuzz.fuzz([reader], 1, seed=0).failures))
+
+
+def test_the_same_seed_gives_the_same_inputs(readers):
+    for reader in (of[0] for of in readers.values()):
+        assert [reader.input(3, i) for i in range(20)] == [reader.input(3, i) for i in range(20)]
+        assert [reader.input(3, i) for i in range(20)] != [reader.input(4, i) for i in range(20)]
+
+
+def test_mutations_of_a_model_reach_behind_its_header(readers):
+    reader = readers["model"][0]
+    rng = random.Random(0)
+    outcomes = [trial(reader, mutations.tensors(rng, reader.seeds[0])) for _ in range(100)]
+    assert sum(outcome == "accepted" for outcome, *_ in outcomes) > 5
+    assert sum("damaged" in said for _, said, *_ in outcomes) > 10
+
+
+needs_fork = pytest.mark.skipif(not hasattr(os, "fork"), reason="this system cannot fork")
+WRITERS = """
+import tempfile, time
+from pathlib import Path
+from toolkit.io import files
+from robustness.faults import Job, killed
+
+def job(opened):
+    def work(folder):
+        with opened(folder / "a.bin") as file:
+            for i in range(100):
+                file.write(bytes([i]) * 100)
+                file.flush()
+                time.sleep(0.001)
+    return Job("writer", work, {"a.bin": b"old"})
+
+for opened in (files.atomic_write, lambda path: path.open("wb")):
+    with tempfile.TemporaryDirectory() as base:
+        print(killed(job(opened), Path(base), 8))
+"""
+
+
+@needs_fork
+def test_a_writer_in_place_is_found_out():
+    tests = Path(__file__).parents[1]
+    environment = os.environ | {"OMP_NUM_THREADS": "1",
+                                "PYTHONPATH": f"{tests.parent}{os.pathsep}{tests}"}
+    done = subprocess.run([sys.executable, "-c", WRITERS], env=environment, capture_output=True,
+                          text=True)
+    whole, in_place = done.stdout.splitlines()
+    assert "half=0" in whole
+    assert "half=0" not in in_place
+    assert "kills=8" in whole
+    assert "equal=8" in whole
+
+
+@needs_fork
+def test_a_job_that_there_is_not_is_no_success():
+    with pytest.raises(ValueError,
+                       match="unknown job 'exprot'; known: fetch, preprocess, train, export"):
+        faults.run(kills=1, seed=0, only="export,exprot")

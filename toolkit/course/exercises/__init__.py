@@ -1,7 +1,0 @@
-"""Exercises of the notebooks: each module has some of them in ``EXERCISES``, name -> `toolkit.course.Exercise`."""
-
-import pkgutil
-
-import lazy_loader
-
-__getattr__, __dir__, __all__ = lazy_loader.attach(__name__, [module.name for module in pkgutil.iter_modules(__path__)])

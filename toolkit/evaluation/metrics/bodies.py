@@ -1,0 +1,75 @@
+"""Where a body is and how it holds itself: speed, height, posture, path."""
+
+from torch import Tensor
+
+from toolkit.features import Layout
+from toolkit.motion import Clip, Skeleton
+from toolkit.motion.clip import FEET
+from toolkit.motion.tensors import as_tensor
+
+
+def speed(clip: Clip) -> float:
+    """Mean horizontal speed of the hips, smoothed over half a second, m/s."""
+    hips = _hips(clip)
+    lag = max(1, min(len(clip) - 1, round(clip.fps / 2)))
+    return float((hips[lag:] - hips[:-lag]).norm(dim=-1).mean() * clip.fps / lag)
+
+
+def hips_height(clip: Clip) -> tuple[float, float]:
+    """Lowest and highest height of the hips in the clip, metres."""
+    height = clip.global_positions[:, clip.skeleton.role("hips"), 1]
+    return float(height.min()), float(height.max())
+
+
+def upright(clip: Clip) -> bool:
+    """Whether the character is on its feet in every frame, see `on_feet`."""
+    return bool(on_feet(clip.skeleton, clip.global_positions[..., 1]).all())
+
+
+def on_feet(skeleton: Skeleton, height: Tensor) -> Tensor:
+    """Whether the chest is above the hips and the hips above both ankles ``[...]``.
+
+    ``height [..., J]`` are heights of the joints.
+    """
+    hips, chest = height[..., skeleton.role("hips")], height[..., skeleton.trunk[0]]
+    ankles = height[..., [skeleton.role(f"{side}_foot") for side in FEET]].amax(-1)
+    return (chest > hips) & (hips > ankles)
+
+
+def posture(layout: Layout, positions: Tensor) -> dict[str, Tensor]:
+    """Mean posture and step length, from joint positions in the root frame, as a network has them.
+
+    Of ``positions [F, ..., J, 3]`` over some seconds, metres, each ``[...]``: the means of
+    ``hips_height``, ``hand_height`` (of both) and ``arm_spread`` (left to right hand, sideways);
+    ``step_length``, the fore and aft distance of the ankles (95th percentile); and
+    ``bone_stretch``, the mean absolute error of the bone lengths. ``layout`` names the J joints.
+    """
+    roles = layout.skeleton.roles
+    role = {r: positions[..., layout.names.index(roles[r]), :] for r in
+            ("hips", "left_hand", "right_hand", "left_foot", "right_foot")}
+    rest = layout.skeleton.rest_positions[list(layout.skeleton.feature_joints)].to(positions)
+    stretch = (layout.bone_lengths(positions) - layout.bone_lengths(rest)).abs()
+    stride = (role["left_foot"] - role["right_foot"])[..., 2].abs()
+    return {
+        "hips_height": role["hips"][..., 1].mean(0),
+        "hand_height": (role["left_hand"] + role["right_hand"])[..., 1].mean(0) / 2,
+        "arm_spread": (role["left_hand"] - role["right_hand"])[..., 0].mean(0),
+        "step_length": stride.quantile(0.95, 0),
+        "bone_stretch": stretch.mean((0, -1)),
+    }
+
+
+def path_error(clip: Clip, points: Tensor) -> float:
+    """Mean distance of the hips on the floor from a polyline, (x, z) ``points [P, 2]``, metres."""
+    hips = _hips(clip)[:, None]
+    points = as_tensor(points, "points", hips)
+    a, b = points[None, :-1], points[None, 1:]
+    # where on each piece of the line the nearest point lies: 0 at its start, 1 at its end
+    along = ((hips - a) * (b - a)).sum(-1) / (b - a).square().sum(-1).clamp_min(1e-12)
+    nearest = a + along.clamp(0.0, 1.0)[..., None] * (b - a)
+    return float((hips - nearest).norm(dim=-1).amin(1).mean())
+
+
+def _hips(clip: Clip) -> Tensor:
+    """Positions (x, z) of the hips on the floor, ``[F, 2]``."""
+    return clip.global_positions[:, clip.skeleton.role("hips")][:, [0, 2]]

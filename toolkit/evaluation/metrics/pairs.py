@@ -1,0 +1,146 @@
+"""Measures of two motions that belong together: a clip and the real clip with the same frames."""
+
+import math
+
+import torch
+from torch import Tensor
+
+from toolkit.motion import Clip, root_frames, rotations as R, trajectory
+
+STILL = 0.1  # m/s; slower hips have no direction of movement
+
+
+def check_pair(clip: Clip, real: Clip) -> None:
+    """Raise a ValueError unless two clips have the same joints, frames and rate."""
+    if clip.skeleton.names != real.skeleton.names:
+        raise ValueError(f"{clip.name} and {real.name}: the joints differ; "
+                         "retarget one to the skeleton of the other")
+    if (len(clip), clip.fps) != (len(real), real.fps):
+        raise ValueError(f"{clip.name} and {real.name}: expected the same frames, "
+                         f"got {len(clip)} at {clip.fps:g} Hz and {len(real)} at {real.fps:g} Hz; "
+                         "cut or resample one")
+
+
+def npss(clip: Clip, real: Clip) -> float:
+    """Normalised power spectrum similarity (Gopalakrishnan et al. 2019): no unit, lower is better.
+
+    For each number of the pose: the power of its Fourier coefficients over time, normalised to the
+    sum 1; the sum over all frequencies of the absolute difference of the cumulated powers of clip
+    and real clip (earth mover's distance); mean over the numbers, weighted by the real clip's
+    power. 0 for equal motions. The numbers are world quaternions of all joints, as in Harvey et al.
+    2020 and RSMT; the source has Euler angles. Signs of quaternions are made continuous, and equal
+    to the real clip's. Harvey et al. square only the real part of the coefficients, so their values
+    differ.
+
+    Source: github.com/cr7anand/neural_temporal_models, ``metrics.py``.
+    """
+    check_pair(clip, real)
+    truth = R.unroll(real.global_rotations.double())
+    made = R.unroll(clip.global_rotations.to(truth))
+    made = made * torch.where((made * truth).sum((0, -1)) < 0, -1.0, 1.0)[:, None].to(made)
+    powers, shares = [], []
+    for x in (made, truth):
+        power = torch.fft.fft(x.flatten(1), dim=0).abs().square()
+        total = power.sum(0)
+        powers.append(total)
+        shares.append((power / torch.where(total > 0, total, 1.0)).cumsum(0))
+    distance = (shares[0] - shares[1]).abs().sum(0)
+    return float((distance * powers[1]).sum() / powers[1].sum())
+
+
+def geodesic(clip: Clip, real: Clip) -> float:
+    """Geodesic error: mean angle between joint rotations, radians in [0, π], lower is better.
+
+    The rotations are those relative to the parents, the root's that in the world. The angle is that
+    of the rotation ``R Rrealᵀ``, the distance on the group of rotations (Huynh 2009, *Metrics for
+    3D rotations*, Φ6), mean over frames and joints.
+    """
+    check_pair(clip, real)
+    a, b = clip.rotations.double(), real.rotations.to(clip.rotations).double()
+    between = R.multiply(R.inverse(a), b)
+    # the arc tangent is exact near 0, unlike the arc cosine
+    return float(2 * torch.atan2(between[..., 1:].norm(dim=-1), between[..., 0].abs()).mean())
+
+
+def global_position(clip: Clip, real: Clip) -> float:
+    """Global position error: mean distance of the joints in the world, metres, lower is better.
+
+    The mean per-joint position error (Ionescu et al. 2014, Human3.6M) without alignment. It is L2P
+    of Harvey et al. 2020 (*Robust motion in-betweening*) in metres, per joint: theirs is the norm
+    over all joints of z-scores, whose statistics differ from one training set to the next.
+    """
+    check_pair(clip, real)
+    apart = clip.global_positions - real.global_positions.to(clip.rotations)
+    return float(apart.norm(dim=-1).mean())
+
+
+def global_quaternion(clip: Clip, real: Clip) -> float:
+    """Global quaternion error L2Q (Harvey et al. 2020): no unit, lower is better.
+
+    The norm of the difference of all joints' world quaternions, mean over the frames. It grows with
+    the number of joints. Of the two signs of a quaternion the one nearer to the real clip's counts.
+    """
+    check_pair(clip, real)
+    a, b = clip.global_rotations, real.global_rotations.to(clip.rotations)
+    nearer = torch.minimum((a - b).square().sum(-1), (a + b).square().sum(-1))
+    return float(nearer.sum(-1).sqrt().mean())
+
+
+def trajectory_error(clip: Clip, real: Clip) -> float:
+    """Trajectory error (CAMDM, Chen et al. 2024): angle between movements, radians in [0, π].
+
+    Lower is better. The directions are those of the hips' horizontal displacement to the next
+    frame. Frames in which either moves slower than `STILL` are left out; NaN if all are.
+    Departures: the source has degrees, and the absolute value of the mean of differences that are
+    not wrapped; here it is the mean of absolute circular differences.
+
+    Source: github.com/AIGAnimation/CAMDM, ``Evaluation/eval_traj_alignment.py``.
+    """
+    check_pair(clip, real)
+    steps = []
+    for each in (clip, real):
+        hips = each.global_positions[:, each.skeleton.role("hips")][:, [0, 2]]
+        steps.append(hips.diff(dim=0).to(clip.rotations) * each.fps)
+    moving = torch.stack([step.norm(dim=-1) >= STILL for step in steps]).all(0)
+    return float(_turn(*steps)[moving].mean()) if moving.any() else math.nan
+
+
+def orientation_error(clip: Clip, real: Clip) -> float:
+    """Orientation error (CAMDM, Chen et al. 2024): angle between facings, radians in [0, π].
+
+    Lower is better. Facing is that of the root frame. The mean of absolute circular differences
+    over the frames, as in `trajectory_error`, whose source it shares.
+    """
+    check_pair(clip, real)
+    facing = [torch.stack(trajectory.heading(root_frames(each).rotations), -1).to(clip.rotations)
+              for each in (clip, real)]
+    return float(_turn(*facing).mean())
+
+
+def phase_error(phase: Tensor, truth: Tensor) -> tuple[Tensor, Tensor]:
+    """Mean circular distance of two phases after subtraction of their constant lag.
+
+    The start of a cycle is a convention: the cycle of a foot may start at the middle of its contact
+    or at toe-off.
+
+    Parameters
+    ----------
+    phase, truth : Tensor [F, ...]
+        Radians.
+
+    Returns
+    -------
+    error, lag : Tensor [...]
+        Radians: the mean over the frames in [0, π], near π/2 for unrelated phases, and the lead of
+        ``phase`` in [−π, π].
+    """
+    gap = (phase - truth).double()
+    lag = torch.atan2(gap.sin().mean(0), gap.cos().mean(0))
+    rest = gap - lag
+    return torch.atan2(rest.sin(), rest.cos()).abs().mean(0).to(phase), lag.to(phase)
+
+
+def _turn(a: Tensor, b: Tensor) -> Tensor:
+    """Angle between directions ``[..., 2]``, radians in [0, π]."""
+    cross = a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0]
+    return torch.atan2(cross.abs(), (a * b).sum(-1))

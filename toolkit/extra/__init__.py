@@ -1,0 +1,42 @@
+"""Add-ons: what neither of the two papers needs. The core finds them by name (`toolkit.registry`).
+
+| folder | contents |
+| --- | --- |
+| `formats` | glTF, FBX and NumPy files; what is guessed about files of unknown origin |
+| `characters` | skinned characters of one's own, retargeting |
+| `shots` | planned motion: paths, keys over time, scenes, crowds, the Director |
+| `compiled` | the runtime in numba |
+| `store` | features on the disk, computed by several processes or by Dask |
+| `sources` | phase sources beyond the papers |
+| `engines` | glTF and ONNX files, packs of loops for games |
+"""
+
+import pkgutil
+
+import lazy_loader
+
+from toolkit.registry import register
+
+__getattr__, __dir__, __all__ = lazy_loader.attach(
+    __name__, [module.name for module in pkgutil.iter_modules(__path__)])
+
+_HERE = "toolkit.extra"
+for _name, _part in {
+    "reader.glb": "formats.gltf:read", "reader.gltf": "formats.gltf:read",
+    "reader.vrm": "formats.gltf:read", "reader.vrma": "formats.gltf:read",
+    "reader.fbx": "formats.fbx:read",
+    "reader.npz": "formats.npz:read", "reader.npy": "formats.npz:read",
+    "recording.interpretation": "formats.interpretation",
+    "recording.inspection": "formats.inspection:inspect",
+    "writer.glb": "engines.gltf:write",
+    "motion.retargeting": "characters.retargeting",
+    "character.load": "characters.character:Character",
+    "character.save": "engines.character_gltf:save",
+    "source.coherent": "sources.coherent:Coherent", "source.learned": "sources.learned:pretrained",
+    "store": "store",
+    "toolkit.runtime.compile": "compiled:compile", "toolkit.runtime.compiled": "compiled",
+    "toolkit.view.Director": "shots.director:Director", "toolkit.view.director": "shots.director",
+    "toolkit.features.store": "store", "toolkit.motion.retargeting": "characters.retargeting",
+    "crowd.places": "shots.crowd:places",
+}.items():
+    register(_name, f"{_HERE}.{_part}")

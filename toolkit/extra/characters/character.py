@@ -1,0 +1,148 @@
+"""Your own character: the skinned mesh of a glTF or VRM file, drawn in place of the mannequin."""
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
+
+import numpy as np
+import torch
+
+from toolkit.extra.characters import gltf_mesh
+from toolkit.extra.characters.gltf_mesh import SkinnedMesh
+from toolkit.extra.characters.retargeting import leaders, retarget
+from toolkit.motion import Clip, Skeleton, rotations as R
+from toolkit.motion.anatomy import measure, with_toes
+from toolkit.motion.contacts import standing_height
+from toolkit.motion.roles import ROLES, SIDES
+from toolkit.motion.skeleton import local_rotations
+from toolkit.view.render.skin import Skin
+
+HIGH = 0.15  # metres: a toe that is higher above the lowest vertex tells nothing about the sole
+
+
+@dataclass(frozen=True, eq=False)
+class Character:
+    """A skinned mesh over a humanoid rig, in metres; linear blend skinning of rigid joints."""
+
+    path: Path
+    mesh: SkinnedMesh
+    rest: Clip  # one frame of the rig, in the pose in which the points are
+    points: np.ndarray  # [V, 3] of that pose, float32
+    moved: np.ndarray  # [J, 4, 4] of the joints, from the pose in which the mesh was bound
+
+    @classmethod
+    def load(cls, path: str | os.PathLike, roles: Mapping[str, str] | None = None) -> "Character":
+        """Read a character from a .glb, .gltf or .vrm file.
+
+        The points stand in the pose of the file's nodes, or in the bind pose if that one shows no
+        standing figure. ``roles`` are joints by role (`toolkit.motion.ROLES`), in place of those
+        that are found by their names.
+
+        Raises
+        ------
+        ValueError
+            If the file cannot be read or holds no skinned mesh, or its joints are not a humanoid's.
+        """
+        path = Path(path)
+        mesh, errors = gltf_mesh.read(path), []
+        for pose in (mesh.rest, mesh.bind):
+            rest = _clip(mesh, pose, path.name, roles or {})
+            try:
+                measure(rest)
+            except ValueError as error:
+                errors.append(error)
+                continue
+            moved = pose @ np.linalg.inv(mesh.bind)
+            homogeneous = np.concatenate((mesh.points, np.ones((len(mesh.points), 1))), 1)
+            points = np.zeros_like(mesh.points)
+            for joint, weight in zip(mesh.joints.T, mesh.weights.T, strict=True):
+                points += weight[:, None] * np.einsum("vij,vj->vi", moved[joint, :3], homogeneous)
+            return cls(path, mesh, rest, points.astype(np.float32), moved)
+        raise errors[0]
+
+    @classmethod
+    def of(cls, given: "str | os.PathLike | Character | None") -> "Character | None":
+        """A character from its file; a character or None as it is."""
+        return given if given is None or isinstance(given, cls) else cls.load(given)
+
+    @property
+    def skeleton(self) -> Skeleton:
+        """The rig's skeleton."""
+        return self.rest.skeleton
+
+    def fitted(self, clip: Clip) -> Clip:
+        """A clip on the character's rig, with the soles of its mesh on the floor."""
+        made = retarget(clip, self.rest)
+        return made if made is clip else made.moved(shift=(0.0, self.sole(made), 0.0))
+
+    def following(self, clip: Clip) -> dict:
+        """How the rig follows the joints of a clip's skeleton frame by frame, without foot IK.
+
+        The clip shows its heights. ``scene/figure.js`` describes the format.
+        """
+        source, goal = measure(clip), measure(self.rest)
+        hips = [[rig.skeleton.role(f"{side}_hip") for side in SIDES] for rig in (source, goal)]
+        scale = goal.leg / source.leg
+        height, fitted = (c.global_positions[:, joints, 1].mean() for c, joints in zip(
+            (clip, self.fitted(clip)), hips, strict=True))
+        rules = []
+        for joint, (a, b, share) in leaders(source, goal).items():
+            axes = source.axes[a], source.axes[b], R.inverse(goal.axes[joint])
+            rules.append([joint, a, b, round(share, 6), *torch.cat(axes).tolist()])
+        return {"rules": rules, "rest": goal.rest.tolist(), "scale": scale, "hips": hips,
+                "lift": float(fitted - scale * height)}
+
+    def packed(self, follow: dict | None = None) -> dict:
+        """The mesh as the browser's scene takes it (``scene/figure.js`` describes the format)."""
+        return self.skin.packed(self.skeleton, self.mesh.colors) | {"own": True, "follow": follow}
+
+    def sole(self, clip: Clip) -> float:
+        """Metres by which a clip on the rig is lifted: then the mesh stands on the floor."""
+        toes = [with_toes(self.skeleton).role(f"{side}_toe") for side in SIDES]
+        rise = float(self.rest.global_positions[0, toes, 1].amin()) - float(self.points[:, 1].min())
+        if rise >= HIGH:
+            return 0.0
+        return rise - float(standing_height(clip.replace(skeleton=with_toes(clip.skeleton))))
+
+    @cached_property
+    def skin(self) -> Skin:
+        """The mesh over the rig's joints, in the pose in which the file binds it."""
+        mesh, pose = self.mesh, np.tile(np.eye(4), (len(self.skeleton), 1, 1))
+        pose[:, :3, :3] = R.to_matrix(self.rest.global_rotations[0]).numpy()
+        pose[:, :3, 3] = self.rest.global_positions[0].numpy()
+        inverse = (np.linalg.inv(pose) @ self.moved)[:, :3]
+        return Skin(mesh.points.astype(np.float32), self.normals, mesh.triangles, mesh.joints,
+                    mesh.weights, inverse)
+
+    @cached_property
+    def normals(self) -> np.ndarray:
+        """Unit normals ``[V, 3]`` where the mesh is bound, the same for vertices at one place."""
+        corners = self.mesh.points[self.mesh.triangles]
+        faces = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        _, same = np.unique(self.mesh.points.round(5), axis=0, return_inverse=True)
+        total = np.zeros((same.max() + 1, 3))
+        for corner in self.mesh.triangles.T:
+            np.add.at(total, same.ravel()[corner], faces)
+        normals = total[same.ravel()]
+        length = np.linalg.norm(normals, axis=1, keepdims=True).clip(1e-12)
+        return (normals / length).astype(np.float32)
+
+
+def _clip(mesh: SkinnedMesh, pose: np.ndarray, name: str, roles: Mapping[str, str]) -> Clip:
+    """One frame of the rig from world transforms ``[J, 4, 4]``, without their scales."""
+    axes = pose[:, :3, :3] / np.linalg.norm(pose[:, :3, :3], axis=1, keepdims=True).clip(1e-12)
+    turned, places = R.from_matrix(torch.from_numpy(axes)), torch.from_numpy(pose[:, :3, 3])
+    offsets = torch.zeros(len(pose), 3, dtype=torch.float64)
+    above = list(mesh.parents[1:])
+    offsets[1:] = R.rotate(R.inverse(turned[above]), places[1:] - places[above])
+    leaves = [n for j, n in enumerate(mesh.names) if j and j not in mesh.parents
+              and n.lower().endswith(("end", "nub"))]
+    skeleton = Skeleton(mesh.names, mesh.parents, offsets.float(), ends=leaves)
+    if unknown := [f"{role}={joint}" for role, joint in roles.items() if role not in ROLES
+                   or joint not in mesh.names]:
+        raise ValueError(f"{name}: no such role or joint: {', '.join(unknown)}")
+    skeleton = replace(skeleton, roles=skeleton.roles | dict(roles))
+    return Clip(skeleton, R.normalize(local_rotations(skeleton, turned[None]).float()),
+                places[:1].float(), 60.0, name=name)

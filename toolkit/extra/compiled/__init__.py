@@ -1,0 +1,231 @@
+"""The runtime compiled for a processor: `toolkit.runtime` for N characters at once.
+
+`network` has the network, `frame` the rest of a step, `ik` the pose to draw. Numba compiles each
+function for the present processor at its first use, and stores it on disk.
+"""
+
+import time
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from functools import cached_property
+from itertools import pairwise
+
+import numpy as np
+import torch
+from torch import Tensor
+
+from toolkit.extra.compiled import frame, ik, network
+from toolkit.features.layout import Layout
+from toolkit.runtime import rules
+from toolkit.runtime.frame import CharacterState, pose, start, step
+from toolkit.runtime.steering import Command
+
+WORTHWHILE = 8  # least number of characters for one thread
+KERNELS = (frame.steer, network.predict, frame.follow, ik.pose)
+Pair = tuple[float, float]
+Ask = Callable[[int, Pair], tuple[Sequence[float], Sequence[float], Tensor]]  # see `roll`
+
+
+class CompiledModel:
+    """A model with compiled `step` and `pose`, made by `compile`; use it in place of a model.
+
+    Its weights are copies: later training of the model does not change it. ``seconds`` is the time
+    to prepare the kernels, ``compiled`` the number of those that were compiled; the others were
+    read from disk.
+    """
+
+    def __init__(self, model, threads: int = 1):
+        name = getattr(model, "name", type(model).__name__)
+        if name != "lpn-film":
+            raise ValueError(f"only lpn-film can be compiled, got {name}")
+        if model.calibrated:
+            raise ValueError("a calibrated model cannot be compiled; set model.calibrated = False")
+        if not isinstance(threads, int) or threads < 1:
+            raise ValueError(f"threads must be a whole number from 1, got {threads!r}")
+        self.layout: Layout = model.layout
+        self.name, self.sizes, self.style_size = model.name, model.sizes, model.style_size
+        self.threads, self.life = threads, model.life
+        for buffer in ("phases_mean", "phases_std", "outputs_mean"):  # `toolkit.runtime.start`
+            setattr(self, buffer, getattr(model, buffer).clone())
+        self.weights = network.Weights.of(model)
+        self._rules, self._body = rules.rules_of(model), rules.Body.of(model.layout.skeleton)
+
+        # shapes of the parts of a state, one row a character
+        state = start(self, torch.zeros(1, self.style_size))
+        self._shapes = {part: getattr(state, part).shape[1:] for part in frame.State._fields}
+
+        known, began = self._misses(), time.perf_counter()
+        self.pose(self.step(state, Command()))
+        self.seconds = time.perf_counter() - began
+        self.compiled = self._misses() - known
+
+    def __getattr__(self, name: str):
+        raise AttributeError(
+            f"a compiled model has no {name!r}; use the model from which it was compiled"
+        )
+
+    def __repr__(self) -> str:
+        ready = f"{self.compiled} kernels compiled" if self.compiled else "kernels ready"
+        threads = f"{self.threads} thread{'s' * (self.threads > 1)}"
+        size = f"{self.weights.bytes / 1e6:.1f} MB"
+        return f"CompiledModel({self.name}, {size}, {threads}; {ready} in {self.seconds:.1f} s)"
+
+    def step(self, state: CharacterState, command: Command) -> CharacterState:
+        """`toolkit.runtime.step`."""
+        count = len(state.history)
+        old = frame.State(*(self._array(state, name) for name in frame.State._fields))
+        new = frame.State(*map(np.empty_like, old[:-1]), old.style)
+        wanted, look = _pairs(command.velocity, count), _pairs(command.facing, count)
+        x, z = self._room(count)
+
+        def work(first: int, last: int) -> None:
+            self._advance(old, new, wanted, look, x, z, first, last)
+
+        self._share(work, count)
+        parts = dict(zip(new._fields[:-1], map(torch.from_numpy, new[:-1]), strict=True))
+        return CharacterState(**parts, style=state.style)
+
+    def roll(self, state: CharacterState, frames: int, ask: Ask) -> CharacterState:
+        """So many `step` calls of one character, the same bits in two thirds of the time.
+
+        Parameters
+        ----------
+        state
+            Of one character, before the first step.
+        frames
+            1 or more.
+        ask
+            Function of the number of the step, from 0, and the place (x, z) of the root before it,
+            that gives the commanded velocity and facing, and the style vector ``[S]``.
+
+        Returns
+        -------
+        CharacterState
+            The states after every step, along the leading axis; without the style, as it is large
+            and known.
+        """
+        if len(state.history) != 1 or frames < 1:
+            raise ValueError("one character and 1 frame or more are needed, got "
+                             f"{len(state.history)} and {frames}")
+        # row 0 is the given state, row k the state after k steps
+        rows = {}
+        for name in frame.State._fields[:-1]:
+            rows[name] = np.empty((frames + 1, 1, *self._shapes[name]), np.float32)
+            rows[name][0] = self._array(state, name)
+        wanted, look = np.empty((1, 2), np.float32), np.empty((1, 2), np.float32)
+        x, z = self._room(1)
+        for k in range(frames):
+            place = tuple(rows["history"][k, 0, -1, :2].tolist())
+            wanted[0], look[0], style = ask(k, place)
+            if style.shape != (self.style_size,):
+                raise ValueError(f"a style needs {self.style_size} columns, got shape "
+                                 f"{list(style.shape)}")
+            vector = style.numpy()[None]
+            old = frame.State(*(values[k] for values in rows.values()), vector)
+            new = frame.State(*(values[k + 1] for values in rows.values()), vector)
+            self._advance(old, new, wanted, look, x, z, 0, 1)
+        parts = {name: torch.from_numpy(values[1:, 0]) for name, values in rows.items()}
+        return CharacterState(**parts, style=parts["history"].new_empty(frames, 0))
+
+    def pose(self, state: CharacterState, *, feet: bool = True,
+             arms: bool = True) -> tuple[Tensor, Tensor]:
+        """`toolkit.runtime.pose`."""
+        count = len(state.history)
+        given = [self._array(state, name) for name in ("history", "joints", "toes", "drop")]
+        rotations = np.empty((count, len(self.layout.skeleton), 4), np.float32)
+        roots = np.empty((count, 3), np.float32)
+
+        def work(first: int, last: int) -> None:
+            ik.pose(*given, self._body, bool(feet), bool(arms), rotations, roots, first, last)
+
+        self._share(work, count)
+        return torch.from_numpy(rotations), torch.from_numpy(roots)
+
+    def predict(self, x: Tensor, phases: Tensor, style: Tensor) -> Tensor:
+        """`toolkit.networks.Model.predict`."""
+        widths = self.layout.n_inputs, self.layout.n_phases, self.style_size
+        given = []
+        for name, value, width in zip(("x", "phases", "style"), (x, phases, style), widths,
+                                      strict=True):
+            if value.shape[-1] != width:
+                raise ValueError(f"{name} needs {width} columns, got shape {list(value.shape)}")
+            rows = value.detach().expand(len(x), width)
+            given.append(np.ascontiguousarray(rows.numpy(), np.float32))
+        _, z = self._room(len(x))
+        self._share(lambda *part: network.predict(*given, self.weights, z, *part), len(x))
+        return torch.from_numpy(z)
+
+    def _advance(self, old, new, wanted, look, x, z, first: int, last: int) -> None:
+        """One frame of characters ``first`` to ``last``; ``x`` and ``z`` are from `_room`."""
+        frame.steer(old, wanted, look, self._rules, x, new, first, last)
+        network.predict(x, old.phase, old.style, self.weights, z, first, last)
+        frame.follow(old, z, self._rules, self._body, new, first, last)
+
+    def _room(self, count: int) -> tuple[np.ndarray, np.ndarray]:
+        """Arrays for the network's inputs and outputs."""
+        return (np.empty((count, self.layout.n_inputs), np.float32),
+                np.empty((count, self.layout.n_outputs), np.float32))
+
+    def _array(self, state: CharacterState, name: str) -> np.ndarray:
+        """A part of a state for the kernels. They do not check bounds, so shapes are checked."""
+        tensor = getattr(state, name).detach()
+        if name == "style" and not tensor.stride(0):  # one style for all: not copied for each
+            tensor = tensor[:1]
+        count, shape = len(state.history), self._shapes[name]
+        counts = (1, count) if name == "style" else (count,)
+        if tensor.shape[1:] != shape or len(tensor) not in counts:
+            raise ValueError(f"{name} needs {' x '.join(map(str, shape))} columns and a row for "
+                             f"each of {count} characters, got shape {list(tensor.shape)}")
+        return np.ascontiguousarray(tensor.numpy(), np.float32)
+
+    def _share(self, work: Callable[[int, int], None], count: int) -> None:
+        """Call ``work`` on ranges that divide ``count`` characters, one thread per range."""
+        threads = min(self.threads, count // WORTHWHILE)
+        if threads <= 1:
+            work(0, count)
+            return
+        ends = [count * part // threads for part in range(threads + 1)]
+        for done in [self._pool.submit(work, *span) for span in pairwise(ends)]:
+            done.result()
+
+    @cached_property
+    def _pool(self) -> ThreadPoolExecutor:
+        return ThreadPoolExecutor(self.threads)
+
+    @staticmethod
+    def _misses() -> int:
+        return sum(sum(kernel.stats.cache_misses.values()) for kernel in KERNELS)
+
+
+step.register(CompiledModel)(CompiledModel.step)
+pose.register(CompiledModel)(CompiledModel.pose)
+
+
+def compile(model, *, threads: int = 1) -> CompiledModel:
+    """The same model compiled for this processor, to take its place in `toolkit.runtime`.
+
+    The first call on a machine compiles; the result's representation shows the time. Later calls
+    read the code from disk. ``docs/runtime.md`` gives times, and differences from the plain model.
+
+    Parameters
+    ----------
+    model
+        An LPN-FiLM, not calibrated.
+    threads
+        Number of threads that share the characters, at least eight characters each.
+
+    Raises
+    ------
+    ValueError
+        If the model is not an LPN-FiLM, or is calibrated, or ``threads`` is not positive.
+    """
+    return CompiledModel(model, threads)
+
+
+def _pairs(value: Sequence[float] | Tensor, count: int) -> np.ndarray:
+    """A command's numbers ``[1 or N, 2]``."""
+    pairs = np.ascontiguousarray(value, np.float32).reshape(-1, 2)
+    if len(pairs) not in (1, count):
+        raise ValueError(f"a command for {count} characters needs one pair of numbers or {count}, "
+                         f"got {len(pairs)}")
+    return pairs

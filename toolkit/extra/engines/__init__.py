@@ -1,0 +1,8 @@
+"""Files for game engines: glTF, ONNX, packs of looping cycles."""
+
+import pkgutil
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach(
+    __name__, [module.name for module in pkgutil.iter_modules(__path__)])

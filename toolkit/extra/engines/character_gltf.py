@@ -1,0 +1,77 @@
+"""A character's own glTF file with a motion on it, in place of its animations."""
+
+import copy
+import os
+
+import numpy as np
+import torch
+
+from toolkit.extra.characters.character import Character
+from toolkit.extra.engines.gltf import STILL, Buffer, animation, container
+from toolkit.extra.formats.gltf_file import Document
+from toolkit.io.files import write_whole
+from toolkit.motion import Clip, rotations as R
+
+
+def save(clip: Clip, path: str | os.PathLike, character: Character) -> None:
+    """Write the character as binary glTF with the clip on it, whole or not at all.
+
+    Its nodes, meshes, materials and textures stay. A clip of another rig is retargeted. The
+    animation is as in `toolkit.extra.engines.gltf.save`.
+
+    Raises
+    ------
+    ValueError
+        If the character's file was changed, keeps its numbers outside of itself, or has some that
+        JSON lacks.
+    """
+    file = Document(character.path)
+    if file.digest != character.mesh.digest:
+        raise ValueError(f"{character.path}: was changed since it was read; run the command again")
+    document = copy.deepcopy(file.document)
+    if file.binary is None or len(document.get("buffers", ())) != 1:
+        raise ValueError(f"{character.path}: keeps its mesh in other files; "
+                         "convert it to one .glb first")
+    made = character.fitted(clip.to("cpu", torch.float32))
+    turns, places = made.global_rotations.double(), made.global_positions.double().numpy()
+
+    tracks, frame = [], character.mesh.above
+    for joint, parent in enumerate(made.skeleton.parents):
+        node = document["nodes"][character.mesh.nodes[joint]]
+        if "matrix" in node:  # an animated node has translation, rotation and scale
+            _decompose(node)
+        above = turns[:, parent]
+        if parent < 0:
+            above = R.from_matrix(torch.from_numpy(_axes(frame)))[None]
+        local = R.unroll(R.normalize(R.multiply(R.inverse(above), turns[:, joint])))
+        values = local[:, [1, 2, 3, 0]].numpy()
+        node["rotation"] = values[0].tolist()
+        if np.ptp(values, axis=0).max() > STILL:
+            tracks.append((character.mesh.nodes[joint], "rotation", values))
+    inverse, top = np.linalg.inv(frame), character.mesh.nodes[0]
+    root = places[:, 0] @ inverse[:3, :3].T + inverse[:3, 3]
+    document["nodes"][top]["translation"] = root[0].tolist()
+    tracks.append((top, "translation", root))
+
+    views, accessors = document.get("bufferViews", []), document.get("accessors", [])
+    buffer = Buffer(bytes(file.binary), views, accessors)
+    document["animations"] = [animation(buffer, made, tracks)]
+    try:
+        whole = container(document, buffer)
+    except ValueError:
+        raise ValueError(f"{character.path}: its JSON text has NaN or Infinity, "
+                         "which other programs cannot read") from None
+    write_whole(path, whole)
+
+
+def _axes(frame: np.ndarray) -> np.ndarray:
+    """The rotation in a transform with a scale."""
+    return frame[:3, :3] / np.linalg.norm(frame[:3, :3], axis=0)
+
+
+def _decompose(node: dict) -> None:
+    """A node's matrix as translation, rotation and scale."""
+    matrix = np.array(node.pop("matrix"), float).reshape(4, 4).T
+    turn = R.from_matrix(torch.from_numpy(_axes(matrix)))[[1, 2, 3, 0]]
+    node |= {"translation": matrix[:3, 3].tolist(), "rotation": turn.tolist(),
+             "scale": np.linalg.norm(matrix[:3, :3], axis=0).tolist()}

@@ -1,0 +1,142 @@
+"""glTF 2.0: a clip as a skinned mannequin with its animation, in one binary file (.glb)."""
+
+import json
+import os
+import struct
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+
+import numpy as np
+import torch
+
+from toolkit import registry
+from toolkit.io.files import write_whole
+from toolkit.motion import Clip, rotations as R
+
+COMPONENTS = {"f4": 5126, "u4": 5125, "u2": 5123}  # numpy's types to glTF's
+KINDS = {(): "SCALAR", (3,): "VEC3", (4,): "VEC4", (4, 4): "MAT4"}  # shapes of a row
+STILL = 1e-6  # a channel that changes by less is left out, quaternion components and metres
+VERTICES, INDICES = 34962, 34963  # targets of glTF's buffer views
+
+
+def write(clip: Clip, path: Path, *, title: str, source: Clip | None, progress: bool,
+          character) -> None:
+    """A .glb file of the mannequin or of a character, for `toolkit.io.save`."""
+    if character is None:
+        save(clip, path)
+    else:
+        registry.find("character.save")(clip, path, character)
+
+
+def save(clip: Clip, path: str | os.PathLike) -> None:
+    """Write a clip as binary glTF, whole or not at all.
+
+    The file has a node per joint and end site, under its name. The mannequin of `toolkit.view` is a
+    skinned mesh with a colour per vertex, in its bind pose: one inverse bind matrix per joint gives
+    exactly the skin of the toolkit's own pictures. The animation holds the joints' rotations and
+    the root's translation at the clip's rate, linear between frames; joints that keep their
+    rotation have no channel. Metres, y up, facing +z at zero rotation, as glTF demands. ValueError
+    if no bone is long enough for a body.
+    """
+    from toolkit.view.render import mannequin  # imported on demand: it needs the drawing libraries
+
+    clip = clip.to("cpu", torch.float32)
+    skeleton, figure, buffer = clip.skeleton, mannequin.build(clip), Buffer()
+    turns = R.normalize(R.unroll(clip.rotations).double())[..., [1, 2, 3, 0]].float().numpy()
+    places = clip.root_positions.numpy()
+
+    nodes = [{"name": name, "translation": skeleton.offsets[j].tolist(),
+              "rotation": turns[0, j].tolist()} for j, name in enumerate(skeleton.names)]
+    nodes[0]["translation"] = places[0].tolist()
+    for j, parent in enumerate(skeleton.parents[1:], 1):
+        nodes[parent].setdefault("children", []).append(j)
+    nodes.append({"name": "Mannequin", "mesh": 0, "skin": 0})
+
+    inverse = np.zeros((len(skeleton), 4, 4), np.float32)  # glTF's matrices go column by column
+    inverse[:, :, :3], inverse[:, 3, 3] = figure.skin.inverse.swapaxes(1, 2), 1.0
+    skin = {"joints": list(range(len(skeleton))), "skeleton": 0,
+            "inverseBindMatrices": buffer.add(inverse)}
+    surface = {"metallicFactor": 0.0, "roughnessFactor": 0.8}
+    document = {
+        "asset": {"version": "2.0", "generator": "toolkit"},
+        "scene": 0,
+        "scenes": [{"name": title(clip), "nodes": [0, len(skeleton)]}],
+        "nodes": nodes,
+        "meshes": [{"name": "Mannequin", "primitives": [_primitive(buffer, figure)]}],
+        "skins": [skin],
+        "materials": [{"name": "Mannequin", "pbrMetallicRoughness": surface}],
+    }
+    if len(clip) > 1:
+        moving = np.flatnonzero(np.ptp(clip.rotations.numpy(), axis=0).max(1) > STILL).tolist()
+        tracks = [(j, "rotation", turns[:, j]) for j in moving]
+        if float(np.ptp(places, axis=0).max()) > STILL or not tracks:
+            tracks.insert(0, (0, "translation", places))
+        document["animations"] = [animation(buffer, clip, tracks)]
+    write_whole(path, container(document, buffer))
+
+
+class Buffer:
+    """The binary part and its description: one view and one accessor per array."""
+
+    def __init__(self, data: bytes = b"", views: Sequence[dict] = (),
+                 accessors: Sequence[dict] = ()):
+        self.data = bytearray(data + b"\0" * (-len(data) % 4))
+        self.views, self.accessors = list(views), list(accessors)
+
+    def add(self, values: np.ndarray, target: int | None = None, *, bounds: bool = False) -> int:
+        """Index of the accessor of an array ``[N, ...]`` of float32, uint32 or uint16."""
+        values = np.ascontiguousarray(values)
+        view = {"buffer": 0, "byteOffset": len(self.data), "byteLength": values.nbytes}
+        self.views.append(view | ({} if target is None else {"target": target}))
+        self.data += values.tobytes() + b"\0" * (-values.nbytes % 4)
+        made = {"bufferView": len(self.views) - 1, "count": len(values),
+                "componentType": COMPONENTS[values.dtype.str[1:]], "type": KINDS[values.shape[1:]]}
+        if bounds:
+            flat = values.reshape(len(values), -1)
+            made |= {"min": flat.min(0).tolist(), "max": flat.max(0).tolist()}
+        self.accessors.append(made)
+        return len(self.accessors) - 1
+
+
+def _primitive(buffer: Buffer, figure) -> dict:
+    """The surface in the bind pose, its colours in linear light."""
+    skin = figure.skin
+    attributes = {
+        "POSITION": buffer.add(skin.points, VERTICES, bounds=True),
+        "NORMAL": buffer.add(skin.normals, VERTICES),
+        "JOINTS_0": buffer.add(skin.joints.astype(np.uint16), VERTICES),
+        "WEIGHTS_0": buffer.add(skin.weights, VERTICES),
+        "COLOR_0": buffer.add((figure.colors() ** 2.2).astype(np.float32), VERTICES),
+    }
+    indices = buffer.add(skin.triangles.astype(np.uint32).reshape(-1), INDICES)
+    return {"attributes": attributes, "indices": indices, "material": 0}
+
+
+def title(clip: Clip) -> str:
+    """Style and gait of a clip, or its name."""
+    return " ".join(x for x in (clip.style, clip.gait) if x) or clip.name
+
+
+def animation(buffer: Buffer, clip: Clip, tracks: Iterable[tuple[int, str, np.ndarray]]) -> dict:
+    """An animation of nodes: their number, property and values ``[F, 3 or 4]`` in each frame."""
+    times = buffer.add((np.arange(len(clip)) / clip.fps).astype(np.float32), bounds=True)
+    samplers, channels = [], []
+    for node, what, values in tracks:
+        channels.append({"sampler": len(samplers), "target": {"node": node, "path": what}})
+        samplers.append({"input": times, "output": buffer.add(values.astype(np.float32)),
+                         "interpolation": "LINEAR"})
+    return {"name": title(clip), "samplers": samplers, "channels": channels}
+
+
+def container(document: dict, buffer: Buffer) -> bytes:
+    """The .glb file: a header, a JSON chunk and a binary chunk; ValueError for NaN in the text."""
+    document = document | {"bufferViews": buffer.views, "accessors": buffer.accessors}
+    buffers = document.get("buffers", [{}])
+    document["buffers"] = [buffers[0] | {"byteLength": len(buffer.data)}]
+    text = json.dumps(document, separators=(",", ":"), ensure_ascii=False, allow_nan=False)
+    text = text.encode(errors="replace")
+    text += b" " * (-len(text) % 4)
+    chunks = b""
+    for kind, chunk in ((b"JSON", text), (b"BIN\0", bytes(buffer.data))):
+        chunks += struct.pack("<I4s", len(chunk), kind) + chunk
+    return struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks

@@ -1,0 +1,8 @@
+"""Motion files beside BVH, and what is guessed about files of unknown origin."""
+
+import pkgutil
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach(
+    __name__, [module.name for module in pkgutil.iter_modules(__path__)])

@@ -1,0 +1,91 @@
+"""What `toolkit.load` finds and guesses about a motion file, printable."""
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from toolkit.extra.formats.interpretation import interpret, named
+from toolkit.io.load import read
+from toolkit.motion import Clip, contacts
+from toolkit.motion.roles import ROLES, SIDES
+
+
+@dataclass(frozen=True, eq=False)
+class Inspection:
+    """A motion file as `toolkit.load` reads it; ``print`` shows all of it."""
+
+    name: str  # of the file
+    format: str
+    clip: Clip
+    height: float  # metres, of the standing body along its bones; NaN if it has no legs or head
+    unit: float  # metres of one unit of the file
+    up: str  # axis of the file that points up
+    floor: float  # metres: height of a standing toe in the middle of the clip; NaN without toes
+    drift: float  # metres: change of that height over the clip
+    roles: dict[str, str]  # joint by role
+    rules: dict[str, str]  # by role: what showed it
+    mirror_pairs: dict[str, str]  # left joint: right joint
+    contact: dict[str, float]  # share of frames in contact, right and left; empty without toes
+    upright: bool  # whether the head is above the feet in most frames
+    doubts: list[str]  # guesses that are not safe, empty where all are
+
+    @property
+    def fps(self) -> float:
+        """Frames per second."""
+        return self.clip.fps
+
+    @property
+    def joints(self) -> tuple[str, ...]:
+        """Names of all joints, without End Sites."""
+        skeleton = self.clip.skeleton
+        return tuple(name for name in skeleton.names if name not in skeleton.ends)
+
+    def __repr__(self) -> str:
+        clip, roles, rules = self.clip, self.roles, self.rules
+        contact = ", ".join(f"{side} {share:.0%}" for side, share in self.contact.items())
+        hips = f"{roles.get('hips', '—')} ({rules.get('hips', 'not found')})"
+        rows = [
+            ("file", f"{self.name}, {self.format}"),
+            ("motion", f"{len(clip)} frames at {self.fps:g} Hz, {clip.seconds:.1f} s"),
+            ("joints", f"{len(self.joints)}, and {len(clip.skeleton.ends)} End Sites"),
+            ("unit", named(self.unit)),
+            ("up", self.up),
+            ("height", f"{self.height:.2f} m"),
+            ("floor", f"toes stand at {self.floor:.3f} m, "
+                      f"{100 * self.drift:+.1f} cm over the clip"),
+            ("upright", "yes" if self.upright else "no"),
+            ("contact", contact or "no toes"),
+            ("pairs", f"{len(self.mirror_pairs)} of left and right joints"),
+            ("hips", hips),
+        ]
+        for part in dict.fromkeys(role.split("_")[-1] for role in ROLES[1:]):
+            both = [f"{side}_{part}" for side in SIDES]
+            said = "/".join(dict.fromkeys(rules.get(role, "not found") for role in both))
+            rows.append((part, f"{', '.join(roles.get(role, '—') for role in both)} ({said})"))
+        rows += [("doubt", doubt) for doubt in self.doubts]
+        return "\n".join(f"{name:<10}{value}" for name, value in rows)
+
+
+def inspect(path: str | os.PathLike, unit: float | str = "auto", up: str = "auto",
+            roles: Mapping[str, str] | None = None) -> Inspection:
+    """What a motion file holds, and how `toolkit.load` understands it with the same arguments."""
+    path = Path(path)
+    recording = read(path)
+    clip, found = interpret(recording, path, unit, up, roles)
+    skeleton = clip.skeleton
+    contact = {}
+    if all(f"{side}_toe" in skeleton.roles for side in SIDES):
+        shares = contacts.detect(clip).mean(0).tolist()
+        contact = dict(zip(contacts.FEET, shares, strict=True))
+
+    # Each pair stands once: a joint with a left role comes first, else the first in the file.
+    left = {joint for role, joint in skeleton.roles.items() if role.startswith("left")}
+    pairs = {}
+    for a, b in enumerate(skeleton.mirror_pairs):
+        here, there = skeleton.names[a], skeleton.names[b]
+        if a != b and (here in left or (there not in left and a < b)):
+            pairs[here] = there
+    return Inspection(clip.name, recording.format, clip, found.height, found.unit, found.up,
+                      found.floor, found.drift, skeleton.roles, found.rules, pairs, contact,
+                      found.upright, found.doubts)

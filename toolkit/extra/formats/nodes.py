@@ -1,0 +1,322 @@
+"""From a scene's nodes with translation, rotation and scale to a rigid skeleton, for glTF and FBX.
+
+Some nodes are joints. Others only hold joints: an armature in other units, a root that stays
+where it is, empty nodes. `record` finds the largest skeleton in three steps:
+
+1. `_Tree.top` goes down from the scene's top to the uppermost joint.
+2. `_Tree.travelling` goes on to the joint that moves through the world, most often the hips.
+3. `_Tree.rigid` collects the joints below it and refuses limbs that change their length.
+"""
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import torch
+from torch import Tensor
+
+from toolkit.io.recording import Recording
+from toolkit.motion import rotations as R
+from toolkit.motion.tensors import few
+
+# Shares of the skeleton's size (the longest path of bones from its root)
+RIGID = 1e-3  # by which a joint may move against its parent and be called rigid
+STRETCH = 0.05  # by which a bone may stretch and be read with its median length
+# Numbers of joints
+MERGED = 0.25  # joints that may become part of the root, as a share of the joints below
+FEW = 2  # joints of a branch that may be left out: eyes, props, helpers
+SEVERAL = 10  # joints of a branch that may be a skeleton of its own
+LIMIT = 50_000  # nodes of a file
+
+_HELPER = re.compile(r"(?:^|[\W_])ik(?:[\W_]|$)|IK", re.ASCII)
+_END = re.compile(r"(?:end|nub)\d*$", re.IGNORECASE)
+
+
+@dataclass(eq=False)
+class Node:
+    """A node of a scene; its tracks have a row for each of F frames, or one if they are still."""
+
+    name: str
+    parent: int  # index of a node, -1 at the top
+    translation: np.ndarray  # [F or 1, 3] in the file's unit
+    rotation: Tensor  # [F or 1, 4] w first, float64
+    scale: np.ndarray  # [F or 1, 3]
+    joint: bool = False  # animated, in a skin, or a bone by its type
+    skinned: bool = False  # a skin follows it
+    plain: bool = True  # no mesh, camera or light: may be the tip of a bone
+
+
+def printable(name: object) -> str:
+    """A node's name without characters that cannot be printed."""
+    return "".join(c if c.isprintable() else "\ufffd" for c in str(name)).strip()
+
+
+def unique(names: Sequence[str]) -> list[str]:
+    """Names with numbers where they repeat."""
+    given, made, numbers = set(names), {}, {}
+    for name in names:
+        new = name
+        while new in made or (new != name and new in given):
+            numbers[name] = numbers.get(name, 1) + 1
+            new = f"{name}_{numbers[name]}"
+        made[new] = None
+    return list(made)
+
+
+def chosen(names: Sequence[str], wanted: str | int | None, doubts: list[str]) -> int:
+    """Index of the animation to read, by its name or index; by default the first, with a doubt."""
+    if wanted is None:
+        if len(names) > 1:
+            doubts.append(f"the file holds {len(names)} animations ({few(names)}); "
+                          "the first was read; animation= decides")
+        return 0
+    if wanted in names:
+        return names.index(wanted)
+    if isinstance(wanted, int) and 0 <= wanted < len(names):
+        return wanted
+    raise ValueError(f"no animation {wanted!r}; there are {few(names) or 'none'}")
+
+
+def record(nodes: Sequence[Node], frames: int, fps: float, *, format_: str, unit: float | None,
+           up: str | None, doubts: list[str], roles: dict[str, int] | None = None) -> Recording:
+    """The largest skeleton among the nodes.
+
+    Nodes above the skeleton's root become part of the root's rotation and position. Scales become
+    part of the offsets. A bone that stretches by less than `STRETCH` has its median length.
+
+    Parameters
+    ----------
+    nodes, frames, fps : the scene, sampled
+    format_, unit, up : as in `Recording`
+    doubts : of the reader; more are added
+    roles : from a role to the index of a node
+
+    Raises
+    ------
+    ValueError
+        If there is no joint, nodes form a circle, a scale is negative, or a limb is not rigid.
+    """
+    tree = _Tree(nodes)
+    top = tree.top(doubts)
+    root, left_out = tree.travelling(top)
+    kept, offsets = tree.rigid(root, left_out, tree.size(top), doubts)
+    names = unique([nodes[j].name or f"node{j}" for j in kept])
+    place = {j: i for i, j in enumerate(kept)}
+
+    # The root holds what the nodes above it do; all other joints keep their own rotations
+    turned, positions = tree.world(root)
+    rotations = torch.empty(frames, len(kept), 4)
+    rotations[:, 0] = turned
+    for i, j in enumerate(kept[1:], 1):
+        rotations[:, i] = nodes[j].rotation
+    parents = (-1, *(place[nodes[j].parent] for j in kept[1:]))
+
+    ends = [names[i] for i, j in enumerate(kept) if i and i not in parents
+            and _END.search(names[i]) and len(nodes[j].rotation) == 1]
+    if roles is not None:
+        roles = {role: names[place[j]] for role, j in roles.items() if j in place}
+    return Recording(
+        format_, tuple(names), parents, torch.from_numpy(offsets), R.unroll(rotations),
+        torch.from_numpy(positions).expand(frames, 3).clone(), fps, ends=tuple(ends), unit=unit,
+        up=up, roles=roles, doubts=tuple(doubts))
+
+
+class _Tree:
+    """The tree of nodes: children, numbers of joints in each branch, and scales in the world."""
+
+    def __init__(self, nodes: Sequence[Node]):
+        self.nodes, self.children = nodes, [[] for _ in nodes]
+        for j, node in enumerate(nodes):
+            if node.parent >= 0:
+                self.children[node.parent].append(j)
+
+        # All nodes, parents first; nodes of a circle are below no top and so are not reached
+        stack = [j for j, node in enumerate(nodes) if node.parent < 0]
+        self.order = []
+        while stack:
+            self.order.append(stack.pop())
+            stack.extend(self.children[self.order[-1]])
+        if len(self.order) != len(nodes):
+            raise ValueError("some nodes are their own ancestors")
+
+        # Joints and skinned joints of each branch, with its top
+        self.joints = [int(node.joint) for node in nodes]
+        self.skinned = [int(node.skinned) for node in nodes]
+        for j in reversed(self.order):
+            if nodes[j].parent >= 0:
+                self.joints[nodes[j].parent] += self.joints[j]
+                self.skinned[nodes[j].parent] += self.skinned[j]
+        self.skin = any(self.skinned)
+
+        # Scale of a node in the world. Of the nodes above only the mean over the axes counts:
+        # a rigid skeleton cannot shear.
+        self.scale = np.empty((len(nodes), 3))
+        for j in self.order:
+            self.scale[j] = np.abs(_median(nodes[j].scale))
+            if nodes[j].parent >= 0:
+                self.scale[j] *= np.prod(self.scale[nodes[j].parent]) ** (1 / 3)
+
+    def branches(self, j: int) -> list[int]:
+        """The children with joints, those with most joints first."""
+        below = [child for child in self.children[j] if self.joints[child]]
+        return sorted(below, key=lambda child: -self.joints[child])
+
+    def top(self, doubts: list[str]) -> int:
+        """The uppermost joint of the largest skeleton: a joint, or a node with several limbs."""
+        tops = [j for j, node in enumerate(self.nodes) if node.parent < 0 and self.joints[j]]
+        if not tops:
+            raise ValueError("there are no joints in it: no skin, no animated node, no bone")
+        branches, at = sorted(tops, key=lambda j: -self.joints[j]), -1
+        while at < 0 or not self.nodes[at].joint:
+            second = self.joints[branches[1]] if len(branches) > 1 else 0
+            if at >= 0 and second > FEW and not all(self.whole(j) for j in branches[:2]):
+                return at  # its branches are limbs of one skeleton
+            if second >= SEVERAL:
+                doubts.append("the file holds several skeletons; "
+                              f"that of {self.nodes[branches[0]].name} was read")
+            at = branches[0]
+            branches = self.branches(at)
+        return at
+
+    def whole(self, j: int) -> bool:
+        """Whether a branch looks like a whole skeleton: no joint at its top, many below."""
+        return self.joints[j] >= SEVERAL and not self.nodes[j].joint
+
+    def bone(self, j: int) -> np.ndarray:
+        """Translation ``[F or 1, 3]`` of a node in the world's unit and its parent's axes."""
+        parent = self.nodes[j].parent
+        return self.nodes[j].translation * (self.scale[parent] if parent >= 0 else 1.0)
+
+    def size(self, root: int) -> float:
+        """Length of the longest path of bones from the root to a joint."""
+        reach = {root: 0.0}
+        for j in self.below(root):
+            bone = float(np.linalg.norm(_median(self.bone(j))))
+            reach[j] = reach[self.nodes[j].parent] + bone
+        return max(reach.values())
+
+    def below(self, root: int) -> list[int]:
+        """The nodes below a node that are joints or have joints below, parents first."""
+        found = [root]
+        for j in found:
+            found.extend(self.branches(j))
+        return found[1:]
+
+    def travelling(self, top: int) -> tuple[int, set[int]]:
+        """The joint that carries the skeleton through the world, and the branches left out above.
+
+        In many rigs a root joint stays where it is, and a joint below, the hips, moves against it.
+        All limbs must be below that joint; beside it there may only be helpers.
+        """
+        size = self.size(top)
+
+        # Branches in which a joint moves against its parent
+        moving = [_spread(self.bone(j)) > STRETCH * size for j in range(len(self.nodes))]
+        for j in reversed(self.order):
+            if self.nodes[j].parent >= 0:
+                moving[self.nodes[j].parent] |= moving[j]
+
+        def aside(j: int) -> bool:
+            """Whether a branch is no limb: a helper, or without a skin and small or moving."""
+            apart = self.joints[j] <= FEW or (self.skin and moving[j])
+            return self.helper(j) or (apart and not self.skinned[j])
+
+        root, left_out = top, set()
+        passed: set[int] = set()  # branches beside the way down
+        at, steps, doubtful = top, 0, False
+        while branches := self.branches(at):
+            at, *others = branches
+            steps += 1
+            passed |= set(self.children[self.nodes[at].parent]) - {at}
+            if steps > MERGED * self.joints[at] or not all(map(aside, others)):
+                break
+            # If only helpers are lost, any motion shows the root; otherwise only a large one does
+            doubtful = doubtful or not all(map(self.helper, others))
+            if _spread(self.bone(at)) > (STRETCH if doubtful else RIGID) * size:
+                root, left_out = at, set(passed)
+        return root, left_out
+
+    def helper(self, j: int) -> bool:
+        """Whether a node is a helper of inverse kinematics by its name."""
+        return bool(_HELPER.search(self.nodes[j].name))
+
+    def rigid(self, root: int, left_out: set[int], size: float,
+              doubts: list[str]) -> tuple[list[int], np.ndarray]:
+        """The joints from the root down, parents first, and their offsets ``[J, 3]``.
+
+        Branches that move against the skeleton are left out if no limb can be in them, otherwise
+        refused.
+        """
+        kept, stack, stretched, moving = [], [root], {}, set(left_out)
+        for j in self.chain(root):
+            self._scale_doubts(j, doubts)
+        while stack:
+            j = stack.pop()
+            kept.append(j)
+            for child in reversed(self.children[j]):
+                node = self.nodes[child]
+                if child in moving or not (self.joints[child] or node.plain):
+                    continue
+                spread = _spread(self.bone(child))
+                if spread > STRETCH * size:
+                    unused = self.skin and not self.skinned[child]
+                    if not (unused or self.joints[child] <= FEW or self.helper(child)):
+                        raise ValueError(
+                            f"joint {node.name} changes its distance to its parent by up to "
+                            f"{spread:.4g} units; only rigid skeletons are supported")
+                    moving.add(child)
+                    continue
+                if spread > RIGID * size:
+                    stretched[node.name] = spread
+                self._scale_doubts(child, doubts)
+                stack.append(child)
+        if stretched:
+            most = max(stretched.values())
+            doubts.append(f"joints that move against their parents by up to {most:.3g} units have "
+                          f"their median places: {few(stretched)}")
+        if names := [self.nodes[j].name for j in sorted(moving) if self.joints[j]]:
+            doubts.append(f"joints that move against the skeleton were left out: {few(names)}")
+        offsets = np.stack([_median(self.bone(j)) for j in kept])
+        offsets[0] = 0.0
+        return kept, offsets
+
+    def _scale_doubts(self, j: int, doubts: list[str]) -> None:
+        """A doubt if the scale of a joint changes, or stretches its children along one axis."""
+        node, scale = self.nodes[j], _median(self.nodes[j].scale)
+        if not self.children[j]:
+            return
+        if (scale < 0).any():
+            raise ValueError(f"node {node.name} is mirrored by a negative scale; "
+                             "apply the scale in Blender first")
+        largest = float(scale.max())
+        if largest and _spread(node.scale) > RIGID * largest:
+            doubts.append(f"the scale of joint {node.name} changes; "
+                          f"its median {largest:.6g} is used")
+        elif float(np.ptp(scale)) > RIGID * largest:
+            doubts.append(f"joint {node.name} is scaled by different factors along its axes")
+
+    def chain(self, j: int) -> list[int]:
+        """A node after its ancestors, from the top."""
+        above = [j]
+        while self.nodes[above[-1]].parent >= 0:
+            above.append(self.nodes[above[-1]].parent)
+        return above[::-1]
+
+    def world(self, j: int) -> tuple[Tensor, np.ndarray]:
+        """Rotations ``[F or 1, 4]`` and positions ``[F or 1, 3]`` of a node in the world."""
+        turned, place = R.identity(1).double(), np.zeros((1, 3))
+        for i in self.chain(j):
+            place = place + R.rotate(turned, torch.from_numpy(self.bone(i))).numpy()
+            turned = R.multiply(*torch.broadcast_tensors(turned, self.nodes[i].rotation))
+        return turned, place
+
+
+def _spread(values: np.ndarray) -> float:
+    """The largest change of values ``[F, 3]`` over the frames, along one axis."""
+    return float(np.ptp(values, axis=0).max()) if len(values) > 1 else 0.0
+
+
+def _median(values: np.ndarray) -> np.ndarray:
+    """Median ``[3]`` of values ``[F, 3]`` over the frames."""
+    return np.median(values, axis=0) if len(values) > 1 else values[0]

@@ -1,0 +1,308 @@
+"""NumPy files (.npz, .npy) with motion: SMPL and AMASS, HumanML3D, and Kimodo's SOMA skeleton."""
+
+import io
+import math
+import os
+import zipfile
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+import torch
+from torch import Tensor
+
+from toolkit.extra.formats import humanml3d
+from toolkit.io import files
+from toolkit.io.recording import Recording
+from toolkit.motion import Skeleton, forward_kinematics, rotations as R
+from toolkit.motion.clip import SIDES
+
+BODY = humanml3d.NAMES
+SMPL = (*BODY, "left_hand", "right_hand")
+PARENTS = (*humanml3d.PARENTS, 20, 21)
+PARTS = {"shoulder": "shoulder", "elbow": "elbow", "hand": "wrist", "hip": "hip", "knee": "knee",
+         "foot": "ankle", "toe": "foot"}
+ROLES = {"hips": "pelvis"} | {
+    f"{side}_{part}": f"{side}_{name}" for side in SIDES for part, name in PARTS.items()}
+
+# Kimodo's skeleton: parents by joint (github.com/nv-tlabs/kimodo, kimodo/skeleton/definitions.py)
+SOMA = {"Hips": "", "Spine1": "Hips", "Spine2": "Spine1", "Chest": "Spine2", "Neck1": "Chest",
+        "Neck2": "Neck1", "Head": "Neck2", "Jaw": "Head", "LeftEye": "Head", "RightEye": "Head"}
+for _chain in ("Chest Shoulder Arm ForeArm Hand", "Hips Leg Shin Foot ToeBase"):
+    for _side in ("Left", "Right"):
+        _above, *_names = _chain.split()
+        for _name in _names:
+            SOMA[_side + _name], _above = _above, _side + _name
+        if _above.endswith("Hand"):
+            SOMA |= {f"{_above}ThumbEnd": _above, f"{_above}MiddleEnd": _above}
+SOMA_PARTS = {"shoulder": "Arm", "elbow": "ForeArm", "hand": "Hand", "hip": "Leg", "knee": "Shin",
+              "foot": "Foot", "toe": "ToeBase"}  # LeftLeg is the hip, in other rigs the knee
+SOMA_ROLES = {"hips": "Hips"} | {
+    f"{side}_{part}": side.title() + name for side in SIDES for part, name in SOMA_PARTS.items()}
+
+# A T-pose facing +z, left +x, as shares of the body's height. Lengths of thigh, shank, upper arm,
+# forearm and foot, and the shoulders' width are Drillis and Contini's (1966, in Winter 2009, figure
+# 4.1); the rest is ours. None are SMPL's.
+HEIGHT = 1.70
+_LEFT = {"hip": (0.05, -0.05, 0.0), "knee": (0.0, -0.245, 0.0), "ankle": (0.0, -0.246, 0.0),
+         "foot": (0.0, -0.03, 0.08), "collar": (0.035, 0.06, 0.0), "shoulder": (0.07, 0.0, 0.0),
+         "elbow": (0.186, 0.0, 0.0), "wrist": (0.146, 0.0, 0.0), "hand": (0.05, 0.0, 0.0)}
+_MIDDLE = {"pelvis": (0.0, 0.0, 0.0), "spine1": (0.0, 0.06, 0.0), "spine2": (0.0, 0.08, 0.0),
+           "spine3": (0.0, 0.04, 0.0), "neck": (0.0, 0.12, 0.0), "head": (0.0, 0.05, 0.02)}
+ORIGIN = (0.0, -0.23, 0.0)  # metres from the origin of SMPL's template to its pelvis, roughly
+
+# Names of arrays, the first that is there counts
+RATES = ("mocap_framerate", "mocap_frame_rate", "fps", "frame_rate", "framerate")
+JOINTS = ("posed_joints", "joints", "positions", "new_joints", "joints3d", "motion", "arr_0")
+VECTORS = ("new_joint_vecs", "vectors", "motion", "arr_0")
+PLACES = ("trans", "transl", "translation")
+WANTED = {"poses", "root_orient", "pose_body", "global_orient", "body_pose", "Jtr",
+          "global_rot_mats", *RATES, *JOINTS, *VECTORS, *PLACES}
+WIDTHS = (66, 72, 156, 165)  # of poses: SMPL-H's body, SMPL, SMPL-H and SMPL-X with hands
+COUNTS = {22: 22, 24: 24, 52: 22, 55: 22}  # joints of HumanML3D, SMPL, -H, -X: how many are read
+
+USUAL = 30.0  # frames per second where the file says nothing
+RIGID = 0.01  # metres, or share of the height, by which given or fitted joints may miss their place
+LARGEST = 1e6  # metres and radians
+FITTED = 1_400_000  # joint positions to which a skeleton is fitted: 17 minutes at 60 Hz
+PACKED, ROOM = 3, 30_000_000  # arrays may have PACKED times the file's size + ROOM bytes as float64
+
+
+@np.errstate(invalid="ignore", over="ignore")
+def read(path: str | os.PathLike) -> Recording:
+    """Read a NumPy file.
+
+    What it holds is found from the names and shapes of its arrays:
+
+    - ``poses [F, 66, 72, 156 or 165]`` and ``trans [F, 3]``, or ``root_orient``, ``pose_body``
+      (SMPL and AMASS; ``global_orient``, ``body_pose``, ``transl`` as well). Angles become the
+      rotations of SMPL's 22 or 24 body joints; fingers and face are left out. Bone lengths come
+      from the file if it has ``joints [F, 22 or more, 3]``. SMPL's own are part of a licensed model
+      that we do not have: then they are those of an average person, and a doubt says so.
+    - ``posed_joints [F, J, 3]`` and ``global_rot_mats [F, J, 3, 3]``, J = 22 (SMPL) or 30 (SOMA),
+      as Kimodo writes them.
+    - ``[F, 22, 24, 52 or 55, 3]``, joint positions in SMPL's order (HumanML3D has the first 22), or
+      ``[F, 263]``, its numbers (`toolkit.extra.formats.humanml3d`). A rigid skeleton is fitted.
+
+    Raises
+    ------
+    ValueError
+        If the file holds nothing of this kind, is damaged, holds Python objects (which we do not
+        run), or numbers that are not finite.
+    """
+    with files.named(path):
+        try:
+            arrays = _arrays(files.read(path))
+        except OSError:
+            raise
+        except Exception as error:  # numpy, zipfile and zlib raise a dozen kinds for damaged files
+            said = " ".join(str(error).split())[:100]
+            said = said if said.isprintable() and said else type(error).__name__
+            raise ValueError(f"not a whole NumPy file ({said})") from error
+
+        poses = _poses(arrays)
+        if poses is not None:
+            return _smpl(arrays, poses)
+        if {"global_rot_mats", "posed_joints"} <= arrays.keys():
+            return _kimodo(arrays)
+        for name in VECTORS:
+            if name in arrays and arrays[name].shape[1:] == (humanml3d.WIDTH,):
+                joints = humanml3d.to_joints(_tensor(arrays, name))
+                return _fitted(joints, "HumanML3D", humanml3d.FPS, [], unit=1.0, up="y")
+        for name in JOINTS:
+            shape = arrays[name].shape if name in arrays else ()
+            if len(shape) == 3 and shape[1] in COUNTS and shape[2] == 3:
+                doubts: list[str] = []
+                rate = _rate(arrays, humanml3d.FPS, "as in HumanML3D", doubts)
+                joints = _tensor(arrays, name)[:, : COUNTS[shape[1]]]
+                return _fitted(joints, "joint positions", rate, doubts)
+        held = ", ".join(f"{name} {list(array.shape)}" for name, array in arrays.items())
+        raise ValueError(
+            "no motion in it; expected poses and trans (SMPL, AMASS), joints [F, 22, 3], or "
+            f"HumanML3D's [F, 263]; it has {held[:200] or 'none of these'}; "
+            "np.savez(path, poses=…, trans=…) writes arrays under these names")
+
+
+def _poses(arrays: Mapping[str, np.ndarray]) -> Tensor | None:
+    """Axis-angle vectors ``[F, J, 3]`` of SMPL's joints; None if there are none."""
+    if "poses" in arrays and arrays["poses"].ndim > 1:
+        return _vectors(arrays, "poses", WIDTHS)
+    for root, body in (("root_orient", "pose_body"), ("global_orient", "body_pose")):
+        if root in arrays and body in arrays:
+            first, rest = _vectors(arrays, root, (3,)), _vectors(arrays, body, (63, 69))
+            if len(first) != len(rest):
+                raise ValueError(f"{root} and {body} differ in their frames: "
+                                 f"{len(first)} and {len(rest)}")
+            return torch.cat((first, rest), 1)
+    return None
+
+
+def _vectors(arrays: Mapping[str, np.ndarray], name: str, widths: Sequence[int]) -> Tensor:
+    values = _tensor(arrays, name)
+    flat = values.flatten(1) if values.dim() > 1 else values[None]
+    if values.dim() < 2 or flat.shape[1] not in widths or not len(flat):
+        raise ValueError(f"{name} should be rotation vectors [F, {' or '.join(map(str, widths))}], "
+                         f"got {list(values.shape)}")
+    return flat.unflatten(1, (-1, 3))
+
+
+def _smpl(arrays: Mapping[str, np.ndarray], poses: Tensor) -> Recording:
+    """SMPL's joints with rotations; bone lengths are the file's or those of an average person."""
+    count = 24 if poses.shape[1] == 24 else 22
+    angle = poses[:, :count].norm(dim=-1)
+    turns = R.from_axis_angle(poses[:, :count] / angle.clamp_min(1e-12)[..., None], angle)
+    frames, offsets, doubts = len(turns), rest_pose(count), []
+    if float(angle.max()) > 4 * math.pi:
+        doubts.append(f"a joint turns by {float(angle.max()):.3g} radians: "
+                      "if the file has degrees, convert them")
+    place = None
+    for name in PLACES:
+        if name in arrays and arrays[name].ndim > 1:
+            place = _tensor(arrays, name).flatten(1)
+            if place.shape != (frames, 3):
+                raise ValueError(f"the root's positions should be [{frames}, 3], "
+                                 f"got {list(place.shape)}")
+            break
+
+    for name in ("joints", "Jtr", "posed_joints"):
+        shape = arrays[name].shape if name in arrays else ()
+        if len(shape) == 3 and shape[0] == frames and shape[1] >= count and shape[2] == 3:
+            given = _tensor(arrays, name)
+            skeleton = Skeleton(SMPL[:count], PARENTS[:count], offsets)
+            world = forward_kinematics(skeleton, turns, given[:, 0])[0]
+            offsets, place = _offsets(PARENTS[:count], world, given[:, :count]), given[:, 0]
+            break
+    else:
+        if place is None:
+            doubts.append("the file has no positions of the root; it was kept in its place")
+            place = torch.zeros(frames, 3, dtype=torch.float64)
+        place = place + torch.tensor(ORIGIN, dtype=torch.float64)
+        doubts.append("bone lengths are those of an average person: "
+                      "SMPL's own come with its licensed model")
+    rate = _rate(arrays, USUAL, "", doubts)
+    return Recording("SMPL poses", SMPL[:count], PARENTS[:count], offsets, R.unroll(turns.float()),
+                     place, rate, unit=1.0, roles=dict(ROLES), doubts=tuple(doubts))
+
+
+def rest_pose(count: int) -> Tensor:
+    """Offsets ``[count, 3]`` of an average person, metres."""
+    rows = []
+    for name in SMPL[:count]:
+        side, _, part = name.partition("_")
+        x, y, z = _LEFT[part] if part else _MIDDLE[name]
+        rows.append((-x if side == "right" else x, y, z))
+    return HEIGHT * torch.tensor(rows, dtype=torch.float64)
+
+
+def _kimodo(arrays: Mapping[str, np.ndarray]) -> Recording:
+    """Joints and their rotations in the world; bone lengths are exact."""
+    joints, matrices = _tensor(arrays, "posed_joints"), _tensor(arrays, "global_rot_mats")
+    frames, count = (*joints.shape, 0, 0)[:2]
+    above = tuple(list(SOMA).index(parent) if parent else -1 for parent in SOMA.values())
+    known = {30: (tuple(SOMA), above, SOMA_ROLES), 22: (BODY, humanml3d.PARENTS, ROLES)}
+    fits = joints.shape[2:] == (3,) and matrices.shape == (frames, count, 3, 3)
+    if not frames or not fits or count not in known:
+        raise ValueError("posed_joints [F, J, 3] and global_rot_mats [F, J, 3, 3] need J = 30 or "
+                         f"22; got {list(joints.shape)} and {list(matrices.shape)}")
+    names, parents, roles = known[count]
+    off = float((matrices @ matrices.mT - torch.eye(3)).abs().max())
+    if off > 1e-2 or float(torch.linalg.det(matrices).min()) < 0:
+        raise ValueError("global_rot_mats holds matrices that are no rotations")
+    world = R.from_matrix(matrices)
+    offsets = _offsets(parents, world, joints)
+    local = R.multiply(R.inverse(world[:, list(parents[1:])]), world[:, 1:])
+    local = torch.cat((world[:, :1], local), 1)
+    doubts: list[str] = []
+    rate = _rate(arrays, USUAL, "as Kimodo's", doubts)
+    ends = tuple(name for name in names if name.endswith("End"))
+    return Recording("Kimodo joints", names, parents, offsets, R.unroll(local.float()),
+                     joints[:, 0],
+                     rate, ends, unit=1.0, up="y", roles=dict(roles), doubts=tuple(doubts))
+
+
+def _fitted(joints: Tensor, format_: str, fps: float, doubts: list[str], unit: float | None = None,
+            up: str | None = None) -> Recording:
+    """A rigid skeleton fitted to positions ``[F, J, 3]``."""
+    frames, count = joints.shape[:2]
+    if not frames:
+        raise ValueError("no frame in it")
+    if frames * count > FITTED:
+        raise ValueError(f"{frames} frames of {count} joints are more than {FITTED} positions; "
+                         "cut the file")
+    offsets, rotations, error = humanml3d.fit(PARENTS[:count], rest_pose(count), joints)
+    height = float((joints.amax(1) - joints.amin(1)).max())
+    if error > RIGID * height:
+        doubts.append("its bones change their lengths: joints of the rigid skeleton miss the "
+                      f"recorded ones by up to {100 * error / height:.2g} % of the height")
+    return Recording(format_, SMPL[:count], PARENTS[:count], offsets, R.unroll(rotations.float()),
+                     joints[:, 0], fps, unit=unit, up=up, roles=dict(ROLES), doubts=tuple(doubts))
+
+
+def _offsets(parents: Sequence[int], world: Tensor, joints: Tensor) -> Tensor:
+    """Mean offsets ``[J, 3]`` of joints in their parents' frames; a ValueError if they change."""
+    above = list(parents[1:])
+    bones = R.rotate(R.inverse(world[:, above]), joints[:, 1:] - joints[:, above])
+    mean = bones.mean(0)
+    if (error := float((bones - mean).norm(dim=-1).max())) > RIGID:
+        raise ValueError(f"its joints and its rotations disagree by up to {error:.3g} m")
+    return torch.cat((mean.new_zeros(1, 3), mean))
+
+
+def _rate(arrays: Mapping[str, np.ndarray], usual: float, whose: str, doubts: list[str]) -> float:
+    """Frames per second; the usual ones, with a doubt, if the file does not say."""
+    for name in RATES:
+        if name in arrays and arrays[name].size == 1:
+            rate = float(arrays[name].reshape(()))
+            if not 0 < rate < LARGEST:
+                raise ValueError(f"{name} should be frames per second, got {rate:g}")
+            return rate
+    doubts.append(", ".join(filter(None, (
+        f"the file has no frame rate; {usual:g} Hz was assumed", whose))))
+    return usual
+
+
+def _tensor(arrays: Mapping[str, np.ndarray], name: str) -> Tensor:
+    """An array as float64; ValueError if a number is not finite or too large."""
+    values = arrays[name].astype(np.float64)
+    if not (np.abs(values) < LARGEST).all():  # false with NaN
+        raise ValueError(f"{name} has numbers that are not finite, or beyond {LARGEST:g}")
+    return torch.from_numpy(values)
+
+
+def _arrays(data: bytes) -> dict[str, np.ndarray]:
+    """The arrays that are `WANTED`, by name; ValueError if one unpacks to very much."""
+    room = PACKED * len(data) + ROOM
+    if data[:2] != b"PK":
+        return {"arr_0": _array(data, room)}
+    arrays: dict[str, np.ndarray] = {}
+    with zipfile.ZipFile(io.BytesIO(data)) as packed:
+        for member in packed.infolist():
+            name = member.filename.removesuffix(".npy")
+            if name not in WANTED or name in arrays:
+                continue
+            if member.file_size > room:
+                raise ValueError(f"array {name} unpacks to {member.file_size} bytes, "
+                                 f"from a file of {len(data)}")
+            arrays[name] = _array(packed.read(member), room)
+            room -= 8 * arrays[name].size
+    return arrays
+
+
+def _array(data: bytes, room: int) -> np.ndarray:
+    """The array of a .npy file; no Python object is made. Texts become an empty array."""
+    stream = io.BytesIO(data)
+    version = np.lib.format.read_magic(stream)
+    headers = {(1, 0): np.lib.format.read_array_header_1_0,
+               (2, 0): np.lib.format.read_array_header_2_0}
+    if version not in headers:
+        raise ValueError(f"version {version} of the format holds no numbers")
+    shape, by_columns, dtype = headers[version](stream)
+    if dtype.hasobject:
+        raise ValueError("it holds Python objects, which could run code; "
+                         "save plain arrays with numpy.savez")
+    count = math.prod(shape)
+    if dtype.kind not in "fiub" or not count:
+        return np.zeros(shape if dtype.kind in "fiub" else 0)
+    if count < 0 or 8 * count > room or count * dtype.itemsize > len(data) - stream.tell():
+        raise ValueError(f"an array {list(shape)[:4]} does not fit into its {len(data)} bytes")
+    values = np.frombuffer(data, dtype, count, stream.tell())
+    return values.reshape(shape, order="F" if by_columns else "C")

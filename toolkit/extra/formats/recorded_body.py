@@ -1,0 +1,161 @@
+"""The body in a recording, in the file's unit and axes: its joints in some frames, its measures.
+
+In numpy, whose functions cost less than torch's on small arrays: every file that is read is looked
+at.
+"""
+
+import math
+from collections.abc import Mapping
+from functools import cached_property
+from itertools import takewhile
+
+import numpy as np
+import torch
+
+from toolkit.extra.formats.role_checks import head
+from toolkit.io.recording import Recording
+from toolkit.motion import role_words, rotations as R
+from toolkit.motion.contacts import line
+from toolkit.motion.roles import ROLES, SIDES, Tree
+
+SAMPLES = 48  # frames that are looked at
+PART = 6  # of them at least in a part of the clip, whose lowest toe is the floor there
+SOLE, CROWN = 0.08, 0.24  # shares of a leg: height of an ankle, and of the head above its joint
+UPRIGHT = 0.5  # of the height: how far the head of an upright body is above its feet
+
+
+class RecordedBody:
+    """Points of the joints with roles and of the head over at most `SAMPLES` frames.
+
+    With ``whole``, of all joints.
+    """
+
+    def __init__(self, recording: Recording, roles: Mapping[str, str], whole: bool = False):
+        self.recording, self.names = recording, recording.names
+        self.lengths = recording.offsets.norm(dim=-1).tolist()
+        self.tree = Tree(recording.parents, self.lengths)
+        self.head = head(self.names, recording.parents, self.lengths, roles)  # path from the root
+        self.joint = {role: self.names.index(name) for role, name in roles.items() if role in ROLES}
+        self.needed = range(len(self.names)) if whole else {0, *self.head}
+
+    def has(self, *parts: str) -> bool:
+        """Whether both sides have these parts."""
+        return all(f"{side}_{part}" in self.joint for side in SIDES for part in parts)
+
+    @cached_property
+    def points(self) -> dict[int, np.ndarray]:
+        """Positions ``[S, 3]`` by joint of all with roles, of the head and of those above them."""
+        recording = self.recording
+        length = len(recording.rotations)
+        frames = np.linspace(0, length - 1, min(length, SAMPLES)).astype(int)
+        order = {0, *self.needed}
+        for joint in self.joint.values():
+            order |= {*self.tree.up(joint)}
+        order = sorted(order)
+        some = torch.from_numpy(recording.rotations.numpy()[frames][:, order])
+        local = R.to_matrix(some.double()).numpy()
+        offsets, roots = recording.offsets.numpy(), recording.root_positions.numpy()[frames]
+        turned, points = {}, {}
+        for n, j in enumerate(order):
+            above = recording.parents[j]
+            if above < 0:
+                turned[j], points[j] = local[:, n], roots
+            else:
+                turned[j] = turned[above] @ local[:, n]
+                points[j] = points[above] + turned[above] @ offsets[j]
+        return points
+
+    @cached_property
+    def together(self) -> np.ndarray:
+        """All points ``[S, N, 3]``."""
+        return np.stack(list(self.points.values()), 1)
+
+    def middle(self, part: str) -> np.ndarray:
+        """Mean position of a part of both sides ``[S, 3]``."""
+        return sum(self.points[self.joint[f"{side}_{part}"]] for side in SIDES) / 2
+
+    def along(self, up: str) -> np.ndarray:
+        """Heights ``[S, N]`` of all points along an axis."""
+        points = self.together[..., "xyz".index(up[-1])]
+        return -points if up[0] == "-" else points
+
+    @cached_property
+    def standing(self) -> np.ndarray:
+        """From the feet to the head ``[S, 3]``; no rows without them."""
+        if not (self.head and self.has("foot")):
+            return np.zeros((0, 3))
+        return self.points[self.head[-1]] - self.middle("foot")
+
+    @cached_property
+    def leg(self) -> float:
+        """Hip to ankle along the bones, mean of both legs; NaN without legs."""
+        if not self.has("hip", "foot"):
+            return math.nan
+        length = 0.0
+        for side in SIDES:
+            hip, path = self.joint[f"{side}_hip"], self.tree.up(self.joint[f"{side}_foot"])
+            length += sum(self.lengths[j] / 2 for j in takewhile(hip.__ne__, path))
+        return length
+
+    @cached_property
+    def height(self) -> float:
+        """Height of the standing body along its bones; NaN without legs or head."""
+        if not (self.head and self.has("hip", "foot")):
+            return math.nan
+        hips, top = self.joint["hips"], self.head[-1]
+        first = self.head.index(hips) + 1 if hips in self.head else 1
+        trunk = sum(self.lengths[j] for j in self.head[first:])
+        # Above the head's joint there may be a point at the top of the head
+        point = self.names[top] in self.recording.ends or role_words.read(self.names[top]).helper
+        if not (point and self.lengths[top] > 0.1 * self.leg):
+            trunk += CROWN * self.leg
+        # From the hips down to the middle between the hip joints
+        left, right = (self.points[self.joint[f"{side}_hip"]][0] for side in SIDES)
+        aside = float(np.linalg.norm(left - self.points[hips][0])) if hips in self.points else 0.0
+        below = math.sqrt(max(0.0, aside**2 - float(np.square(left - right).sum()) / 4))
+        return (1 + SOLE) * self.leg + trunk + below
+
+    def upright(self, up: str) -> bool:
+        """Whether the head is above the feet in most frames, by `UPRIGHT` of the height."""
+        above = self.standing[:, "xyz".index(up[-1])] * (-1.0 if up[0] == "-" else 1.0)
+        return bool(len(above)) and float((above > UPRIGHT * self.height).mean()) > 0.5
+
+    @cached_property
+    def resting(self) -> str:
+        """The axis along which the body stands at zero rotations; empty where it does not."""
+        offsets = self.recording.offsets.numpy()
+        feet = sum(offsets[self.tree.up(self.joint[f"{side}_foot"])].sum(0) / 2 for side in SIDES)
+        above = offsets[self.head].sum(0) - feet
+        axis = int(np.abs(above).argmax())
+        if not abs(above[axis]) > UPRIGHT * self.height:
+            return ""
+        return ("-" if above[axis] < 0 else "") + "xyz"[axis]
+
+    @property
+    def swapped(self) -> bool:
+        """Whether joints called left are on the right of where the toes point, or knees bend."""
+        if not (len(self.standing) and self.has("hip", "knee", "toe")):
+            return False
+        toes = self.middle("toe") - self.middle("foot")
+        knees = self.middle("knee") - (self.middle("hip") + self.middle("foot")) / 2
+        ahead = toes if np.linalg.norm(toes, axis=1).mean() > 0.1 * self.leg else knees
+        left = np.cross(self.standing, ahead)
+        apart = self.points[self.joint["left_hip"]] - self.points[self.joint["right_hip"]]
+        size = np.linalg.norm(left, axis=1) * np.linalg.norm(apart, axis=1)
+        return float(((left * apart).sum(1) / size.clip(1e-12)).mean()) < -0.5
+
+    def floor(self, up: str) -> tuple[float, float]:
+        """Height of a toe that stands, in the middle of the clip, and its change over the clip."""
+        if not self.has("toe"):
+            return math.nan, math.nan
+        sign, axis = -1.0 if up[0] == "-" else 1.0, "xyz".index(up[-1])
+        heights = [sign * self.points[self.joint[f"{side}_toe"]][:, axis] for side in SIDES]
+        toes = np.minimum(*heights)
+        # The lowest toe of each part of a second or more
+        recording = self.recording
+        part = max(PART, round(len(toes) * recording.fps / len(recording.rotations)))
+        lowest = toes[: len(toes) // part * part].reshape(-1, part).min(1)
+        if len(lowest) < 4 or np.ptp(lowest) < 0.02 * self.leg:
+            return float(np.sort(toes)[len(toes) // 20]), 0.0
+        floor = line(torch.from_numpy(toes), part, 0.02 * self.leg)
+        return float(floor[len(floor) // 2]), float(floor[-1] - floor[0])

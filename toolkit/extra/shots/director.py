@@ -1,0 +1,132 @@
+"""Plan shots by hand: a map for the path, a timeline for styles, speeds and pauses, and the
+characters that walk it.
+
+The browser computes what it shows, with the runtime of a page (`toolkit.view.pages.live_page`), in
+a notebook too. The kernel keeps the shots as data and renders them.
+"""
+
+import os
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import Any
+
+import anywidget
+import traitlets
+
+from toolkit.extra import shots
+from toolkit.extra.characters.character import Character
+from toolkit.extra.shots import Scene, Shot, apart, feasibility, following, scene
+from toolkit.motion import Clip
+from toolkit.view.frontend import CellWidget, static
+from toolkit.view.pages import live_page, page
+
+START = (0, 0), (0.6, 2), (-0.6, 4), (0, 6)  # the path of the first shot
+
+
+class Director(CellWidget, anywidget.AnyWidget):
+    """A desk for shots: draw and drag the path, key styles, speeds and pauses, see the character
+    walk it at once.
+
+    Parameters
+    ----------
+    model, bank
+        An LPN-FiLM and its style bank, e.g. of `toolkit.pretrained`.
+    shots
+        The first shots, one per character, or a `toolkit.extra.shots.Scene`; by default one shot
+        along a short path.
+    height
+        Of the widget, pixels.
+    character
+        A glTF or VRM file with a skinned mesh, drawn in place of the mannequin.
+
+    Attributes
+    ----------
+    shots : list of toolkit.extra.shots.Shot
+        The shots as the page shows them; assign others to show them.
+    scene
+        The same as data, as a file holds it: a trait that can be observed.
+    """
+
+    _esm = static("scene.js")
+    data = traitlets.Dict().tag(sync=True)
+    scene = traitlets.Dict().tag(sync=True)
+    height = traitlets.Int(760, min=300).tag(sync=True)
+
+    def __init__(self, model, bank, shots: Iterable[Shot] | Scene | None = None, *,
+                 height: int = 760,
+                 character: str | os.PathLike | Character | None = None):
+        self._model, self._bank = model, bank
+        super().__init__(data=pack(model, bank, character=Character.of(character)),
+                         scene=first(bank, shots), height=height)
+
+    @property
+    def shots(self) -> list[Shot]:
+        """The shots as the page shows them."""
+        return shots.parse(self.scene)
+
+    @shots.setter
+    def shots(self, made: Iterable[Shot] | Scene) -> None:
+        self.scene = first(self._bank, made)
+
+    def render(self, character: int = 0) -> Clip:
+        """The motion of a character, by `toolkit.extra.shots.Scene.render`."""
+        made = Scene.parse(self.scene)
+        if made.apart is None:
+            return made.shots[character].render(self._model, self._bank)
+        return made.render(self._model, self._bank)[character]
+
+    def close(self) -> None:
+        """Remove the widget; its shots stay."""
+        super().close()
+        self.data = {}
+
+    @traitlets.validate("scene")
+    def _valid(self, proposal: dict) -> dict:
+        try:
+            first(self._bank, Scene.parse(proposal["value"]))
+        except ValueError as error:
+            raise traitlets.TraitError(str(error)) from None
+        # as it came: another form would be sent back, over newer changes of the page
+        return proposal["value"]
+
+
+def web(model, bank, path: str | os.PathLike, shots: Iterable[Shot] | Scene | None = None, *,
+        title: str = "Plan a shot",
+        styles: Sequence[str] | None = None, half: bool = False,
+        character: str | os.PathLike | Character | None = None) -> Path:
+    """Write a page with the `Director`, without server or Python; shots are saved to and opened
+    from files.
+
+    The parameters are those of `Director` and `toolkit.view.web`.
+    """
+    bank = bank.select(dict.fromkeys(bank.names if styles is None else styles))
+    data = pack(model, bank, half, Character.of(character)) | {"scene": first(bank, shots)}
+    caption = "Draw a path, key styles over time; the character walks it at once, in this page."
+    script = "globalThis.view = toolkitScene.director(stage, data);"
+    return page.write(path, title, caption, data, script)
+
+
+def pack(model, bank, half: bool = False, character: Character | None = None) -> dict[str, Any]:
+    """The data of ``scene/shot.js``: that of a live page, natural speeds, constants of shots."""
+    return live_page.pack(model, bank, half, character) | {
+        "speeds": [bank.speed(name) for name in bank.names],
+        "course": constants(following),
+        "limits": constants(feasibility),
+        "apart": constants(scene) | constants(apart),
+        "joints": list(model.layout.skeleton.names),
+    }
+
+
+def constants(module) -> dict[str, float]:
+    """The numbers of a module by name."""
+    values = vars(module).items()
+    return {name: v for name, v in values if name.isupper() and isinstance(v, int | float)}
+
+
+def first(bank, made: Iterable[Shot] | Scene | None) -> dict[str, Any]:
+    """The data of a scene, of some shots, or of a first one; a ValueError if a style is unknown."""
+    made = [Shot(START, bank.names[0], name="shot 1")] if made is None else made
+    made = made if isinstance(made, Scene) else Scene(made)
+    for shot in made.shots:
+        shot.style(bank)
+    return shots.data(made)

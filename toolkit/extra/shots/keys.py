@@ -1,0 +1,175 @@
+"""The parts of a shot, points and keys over time, and what may stand in them."""
+
+import dataclasses
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+from toolkit.extra.shots.following import EASINGS, LONGEST
+from toolkit.motion.tensors import shown
+
+MANY, FAR, FAST = 256, 1000.0, 20.0  # limits: entries of a list, metres from the origin, m/s
+
+Blend = Mapping[str, float]
+
+
+def number(value, what: str, low: float, high: float) -> float:
+    """A finite number in a range."""
+    if isinstance(value, bool) or not isinstance(value, int | float) or not low <= value <= high:
+        raise ValueError(f"{what} must be a number from {low:g} to {high:g}, got {shown(value)}")
+    return float(value)
+
+
+def pair(value, what: str, size: float = FAR) -> tuple[float, float]:
+    """Two finite numbers (x, z) of at most a size."""
+    if isinstance(value, str | Mapping) or not isinstance(value, Sequence) or len(value) != 2:
+        raise ValueError(f"{what} must be a pair (x, z), got {shown(value)}")
+    return number(value[0], f"x of {what}", -size, size), number(value[1], f"z of {what}", -size,
+                                                                 size)
+
+
+def direction(value, what: str) -> tuple[float, float]:
+    """Two numbers (x, z) that are not both zero."""
+    x, z = pair(value, what)
+    if math.hypot(x, z) < 1e-6:
+        raise ValueError(f"{what} must not be zero")
+    return x, z
+
+
+def choice(value, what: str, known: Iterable[str]) -> str:
+    """One of the known words."""
+    if not isinstance(value, str) or value not in known:
+        raise ValueError(f"{what} must be one of {', '.join(known)}; got {shown(value)}")
+    return value
+
+
+@dataclass(frozen=True)
+class Point:
+    """A point of a path: ``x`` and ``z``, metres; optional ``time`` of arrival, seconds, and
+    ``facing`` (x, z) there.
+    """
+
+    x: float
+    z: float
+    time: float | None = None
+    facing: tuple[float, float] | None = None
+
+    def __post_init__(self):
+        for name in ("x", "z"):
+            object.__setattr__(self, name, number(getattr(self, name), name, -FAR, FAR))
+        if self.time is not None:
+            object.__setattr__(self, "time", number(self.time, "time", 0, LONGEST))
+        if self.facing is not None:
+            object.__setattr__(self, "facing", direction(self.facing, "facing"))
+
+
+@dataclass(frozen=True)
+class StyleKey:
+    """At a ``time`` the ``blend``, and the ``easing`` to the next key.
+
+    A blend is a style's name, weights by style, or a list of such weights, one for each layer.
+    """
+
+    time: float
+    blend: str | Blend | Sequence[Blend]
+    easing: str = "smooth"
+
+    def __post_init__(self):
+        object.__setattr__(self, "time", number(self.time, "time", 0, LONGEST))
+        choice(self.easing, "easing", EASINGS)
+        blends = {self.blend: 1.0} if isinstance(self.blend, str) else self.blend
+        for blend in (layers := [blends] if isinstance(blends, Mapping) else blends):
+            if not isinstance(blend, Mapping) or not 0 < len(blend) <= MANY:
+                raise ValueError(f"a blend is a style's name or weights of up to {MANY} styles, "
+                                 f"got {shown(self.blend)}")
+            weights = [number(w, f"the weight of {shown(name)}", -FAR, FAR) for name,
+                       w in blend.items()]
+            if abs(sum(weights) - 1) > 1e-4:
+                raise ValueError(f"the weights of a blend must sum to 1, got {sum(weights):g}")
+        if not layers or isinstance(layers, str):
+            raise ValueError(f"a blend is a style's name or weights of styles, got "
+                             f"{shown(self.blend)}")
+        plain = [{str(name): float(w) for name, w in blend.items()} for blend in layers]
+        object.__setattr__(self, "blend", plain[0] if isinstance(blends, Mapping) else tuple(plain))
+
+    @property
+    def layers(self) -> tuple[Blend, ...]:
+        """The blends of all layers; one for all if there is one."""
+        return (self.blend,) if isinstance(self.blend, Mapping) else self.blend
+
+
+@dataclass(frozen=True)
+class SpeedKey:
+    """At a ``time`` the ``speed``, m/s, and the ``easing`` to the next."""
+
+    time: float
+    speed: float
+    easing: str = "smooth"
+
+    def __post_init__(self):
+        object.__setattr__(self, "time", number(self.time, "time", 0, LONGEST))
+        object.__setattr__(self, "speed", number(self.speed, "speed", 0, FAST))
+        choice(self.easing, "easing", EASINGS)
+
+
+@dataclass(frozen=True)
+class Hold:
+    """Standing for ``seconds``, from a ``time`` on or where the path has the length ``distance``,
+    metres: one of the two.
+    """
+
+    seconds: float
+    time: float | None = None
+    distance: float | None = None
+
+    def __post_init__(self):
+        object.__setattr__(self, "seconds", number(self.seconds, "seconds", 0, LONGEST))
+        if (self.time is None) == (self.distance is None):
+            raise ValueError("a hold needs either a time or a distance")
+        for name, most in (("time", LONGEST), ("distance", 1e6)):
+            if getattr(self, name) is not None:
+                object.__setattr__(self, name, number(getattr(self, name), name, 0, most))
+
+
+def entries(values, kind: type, what: str) -> tuple:
+    """The entries of a list as objects of a kind, see `build`; messages name the list and the
+    entry.
+    """
+    if isinstance(values, str | Mapping) or not isinstance(values, Iterable):
+        raise ValueError(f"{what} must be a list, got {shown(values)}")
+    values = list(values)
+    if len(values) > MANY:
+        raise ValueError(f"{what}: at most {MANY} entries, got {len(values)}")
+    made = []
+    for k, value in enumerate(values):
+        try:
+            made.append(value if isinstance(value, kind) else build(kind, value))
+        except (TypeError, ValueError) as error:
+            raise ValueError(f"{what}[{k}]: {error}") from None
+    return tuple(made)
+
+
+def build(kind: type, value):
+    """An object of a kind from a dictionary of its fields, or from a list of the first ones."""
+    known = [field.name for field in dataclasses.fields(kind)]
+    if isinstance(value, str) or not isinstance(value, Mapping | Sequence):
+        raise ValueError(f"expected the fields of a {kind.__name__}, got {shown(value)}")
+    if not isinstance(value, Mapping):
+        if len(value) > len(known):
+            raise ValueError(f"{len(value)} fields, a {kind.__name__} has {', '.join(known)}")
+        value = dict(zip(known, value, strict=False))
+    if unknown := [key for key in value if key not in known]:
+        raise ValueError(f"unknown field {shown(unknown[0])}; known: {', '.join(sorted(known))}")
+    for field in dataclasses.fields(kind):
+        if field.default is dataclasses.MISSING and field.name not in value:
+            raise ValueError(f"the field {field.name} is missing")
+    return kind(**value)
+
+
+def rising(keys: tuple, what: str) -> None:
+    """A ValueError if the times of keys do not increase."""
+    for k, (a, b) in enumerate(pairwise(keys)):
+        if b.time <= a.time:
+            raise ValueError(f"{what}[{k + 1}]: times must increase, got {b.time:g} s after "
+                             f"{a.time:g} s")

@@ -1,0 +1,280 @@
+"""A scene: the shots of several characters, who can keep apart, in one JSON file."""
+
+import dataclasses
+import functools
+import heapq
+import itertools
+import math
+import os
+from bisect import bisect_left
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import torch
+from torch import Tensor
+
+from toolkit.extra.shots import apart as avoidance
+from toolkit.extra.shots.following import FPS, LONGEST, Course, Heading, Pair, command, nearest
+from toolkit.extra.shots.keys import StyleKey, entries, number, pair
+from toolkit.extra.shots.shot import Shot, parse, read, save
+from toolkit.extra.shots.walking import first
+from toolkit.motion import Clip
+from toolkit.networks.bank import StyleBank
+from toolkit.runtime import CharacterState, Command, pose, start, step, world_joints
+
+WAIT = 0.4  # metres behind its plan at which the plan of a character who keeps apart waits
+FASTER, SLOWEST = 1.3, 0.3  # times the planned speed, and m/s: such a character's largest speed
+WAITS = 4  # times the longest plan after which all end
+MARGIN = 0.5  # metres between a root and a wall
+TRIED = 3 * FPS  # frames of the walk that shows the reach of a style
+# m/s and seconds from which `Scene.check` says that a style does not stand, that characters jam
+STANDS, QUEUE = 0.1, 2.0
+
+
+@dataclass(frozen=True)
+class Wall:
+    """A straight wall between two different points (x, z), metres."""
+
+    start: tuple[float, float]
+    end: tuple[float, float]
+
+    def __post_init__(self):
+        for name in ("start", "end"):
+            object.__setattr__(self, name, pair(getattr(self, name), name))
+        if math.dist(self.start, self.end) < 0.01:
+            raise ValueError("start and end are less than 1 cm apart")
+
+
+@dataclass(frozen=True)
+class Scene:
+    """The shots of several characters.
+
+    ValueError if a field is not as described, or two characters who keep apart start closer.
+
+    Parameters
+    ----------
+    shots : one `Shot` per character
+    apart
+        Least distance of two characters' roots, metres: they leave their paths to keep it, and wait
+        where they cannot. A shot's ``radius`` takes the place of half of it. By default they do not
+        see each other.
+    walls : `Wall`, or pairs of its ends, that are avoided; only with ``apart``
+    """
+
+    shots: Sequence[Shot]
+    apart: float | None = None
+    walls: Sequence[Wall] = ()
+
+    def __post_init__(self):
+        put = functools.partial(object.__setattr__, self)
+        put("shots", entries(self.shots, Shot, "shots"))
+        put("walls", entries(self.walls, Wall, "walls"))
+        if not self.shots:
+            raise ValueError("shots: one or more are needed")
+        if self.apart is None:
+            if self.walls:
+                raise ValueError("walls are only avoided by characters who keep apart: give "
+                                 "apart, metres")
+            return
+        put("apart", number(self.apart, "apart", 0.1, 5.0))
+        firsts = [(shot.path[0].x, shot.path[0].z) for shot in self.shots]
+        for b, there in enumerate(firsts):
+            for a, here in enumerate(firsts[:b]):
+                if math.dist(here, there) < (least := self.radii[a] + self.radii[b]):
+                    raise ValueError(f"shots[{a}] and shots[{b}] start "
+                                     f"{math.dist(here, there):.2f} m from each other, "
+                                     f"closer than the {least:.2f} m that they keep")
+
+    @property
+    def radii(self) -> list[float]:
+        """The share of each character in the distance of two who keep apart."""
+        return [shot.radius or self.apart / 2 for shot in self.shots]
+
+    def spaced(self, model, bank: StyleBank, bodies: float = 0.3) -> "Scene":
+        """The scene with a radius for each character such that two bodies are so many metres apart,
+        whose roots keep it.
+
+        The radius is the reach of the joints of the styles, tried in a short walk, and half of
+        ``bodies``.
+        """
+        tried = self._tried(model, bank)
+        radii = [max(reach for j, _, reach, _ in tried if j == k) + bodies / 2
+                 for k in range(len(self.shots))]
+        shots = [dataclasses.replace(shot, radius=round(r, 2)) for shot,
+                 r in zip(self.shots, radii, strict=True)]
+        return dataclasses.replace(self, shots=shots)
+
+    def _tried(self, model, bank: StyleBank) -> list[tuple[int, StyleKey, float, float]]:
+        """For each style key: the character, the key, the reach of its joints in a short walk,
+        metres, and the speed at which it goes on after it is told to stand, m/s."""
+        keys = [(k, key) for k, shot in enumerate(self.shots) for key in shot.styles]
+        state = start(model, torch.stack([bank.blend(*key.layers) for _, key in keys]))
+        ahead = state.root.new_tensor([[0.0, bank.speed(key.layers[0])] for _, key in keys])
+        places, far = [], 0 * ahead[:, 0]
+        for frame in range(3 * TRIED):
+            places.append(state.root[:, :2])
+            with torch.no_grad():
+                state = step(model, state, Command(ahead * (frame < TRIED)))
+            if TRIED // 3 < frame < TRIED:
+                away = world_joints(model.layout, state)["position"][..., [0, 2]] - state.root[
+                    :, None, :2]
+                far = far.maximum(away.norm(dim=-1).amax(1))
+        drift = (places[-1] - places[2 * TRIED]).norm(dim=-1) * FPS / TRIED
+        return [(*key, *measured) for key,
+                *measured in zip(keys, far.tolist(), drift.tolist(), strict=True)]
+
+    def check(self, model, bank: StyleBank) -> list[str]:
+        """What cannot be met and why, a line each: `Shot.check` of each; of those who keep apart,
+        styles that cannot stand, and gaps between walls that are too narrow or to which too many
+        come at once.
+        """
+        lines = []
+        for k, shot in enumerate(self.shots):
+            try:
+                shot.style(bank)
+                if self.apart is None:
+                    lines += [f"shots[{k}]: {line}" for line in shot.check(model, bank)]
+            except ValueError as error:
+                raise ValueError(f"shots[{k}]: {error}") from None
+        if self.apart is None:
+            return lines
+        lines += [f"shots[{k}]: {' + '.join(key.layers[0])} goes on at {speed:.2f} m/s when it "
+                  f"is told to stand: "
+                  "it cannot wait and may touch others" for k, key, _,
+                  speed in self._tried(model, bank) if speed > STANDS]
+        courses, widest = [shot.plan(bank)[0] for shot in self.shots], sum(sorted(self.radii)[-2:])
+        for (a, one), (b, other) in itertools.combinations(enumerate(self.walls), 2):
+            ends = min(itertools.product((one.start, one.end), (other.start, other.end)),
+                       key=lambda pair: math.dist(*pair))
+            room = math.dist(*ends)
+            between = f"between walls[{a}] and walls[{b}] are {room:.2f} m"
+            if 0.01 < room < 2 * MARGIN:
+                lines.append(f"{between}: too narrow, characters keep {MARGIN:g} m from a wall")
+            elif 2 * MARGIN <= room < 2 * MARGIN + widest and len(self.shots) > 1:
+                lines.append(f"{between}: too narrow for two of the widest at once, who need "
+                             f"{2 * MARGIN + widest:.2f} m")
+            if room >= 2 * MARGIN and (wait := self._queue(
+                courses, ends, 1 + int((room - 2 * MARGIN) / widest))) > QUEUE:
+                lines.append(f"{between}: those who come at once would wait for up to {wait:.0f} "
+                             f"s, and may touch; "
+                             "let them start one after another, with holds")
+        return lines
+
+    def _queue(self, courses: list[Course], ends: tuple[Pair, Pair], lanes: int) -> float:
+        """Seconds that a character would wait, at most, for those who cross the line between two
+        places before it.
+        """
+        (x, z), (to_x, to_z) = ends
+        way, crossed, free = (to_x - x, to_z - z), [], [0.0] * lanes
+        for course, share in zip(courses, self.radii, strict=True):
+            off = np.array([course.curve.x, course.curve.z]) - [[x], [z]]
+            side, along = way[0] * off[1] - way[1] * off[0], (
+                way[0] * off[0] + way[1] * off[1]) / math.hypot(*way) ** 2
+            through = (
+                np.flatnonzero((side[1:] * side[:-1] <= 0) & (along[1:] > 0) & (along[1:] < 1))
+            )
+            frames = [k for k in through[:1] if course.distance[-1] >= course.curve.at[k]]
+            for frame in (bisect_left(course.distance, course.curve.at[k]) for k in frames):
+                crossed.append((frame / FPS, 2 * share / max(course.speed[frame], SLOWEST)))
+        waits = [0.0]
+        for time, takes in sorted(crossed):
+            now = max(time, heapq.heappop(free))
+            waits.append(now - time)
+            heapq.heappush(free, now + takes)
+        return max(waits)
+
+    @classmethod
+    def load(cls, path: str | os.PathLike) -> "Scene":
+        """The scene of a JSON file; a ValueError of one line if it is not valid."""
+        return read(path, cls.parse)
+
+    @classmethod
+    def parse(cls, scene) -> "Scene":
+        """A scene from a dictionary as a JSON file holds it."""
+        shots = parse(scene)
+        return cls(shots, scene.get("apart"), scene.get("walls", ()))
+
+    def save(self, path: str | os.PathLike) -> None:
+        """Write a JSON file."""
+        save(self, path)
+
+    def states(self, model, bank: StyleBank, plans: Sequence[tuple[Course, Heading]] | None = None
+               ) -> Iterator[CharacterState]:
+        """Yield the state of all characters together at every frame, until all plans have ended.
+
+        Where they keep apart, the plan of a character waits while others hold the character up for
+        more than `WAIT`.
+        """
+        plans = [shot.plan(bank) for shot in self.shots] if plans is None else plans
+        styles = [shot.style(bank) for shot in self.shots]
+        state, clocks = first(model, self.shots, styles, plans), [0] * len(plans)
+        lasts = [len(course.distance) - 1 for course, _ in plans]
+        most = max(lasts) if self.apart is None else min(WAITS * max(lasts), round(LONGEST * FPS))
+        for _ in range(most):
+            if all(clock >= last for clock, last in zip(clocks, lasts, strict=True)):
+                return
+            places = [tuple(place) for place in state.root[:, :2].tolist()]
+            asked = [command(*plan, clock, place) for plan, clock,
+                     place in zip(plans, clocks, places, strict=True)]
+            velocities, facings = (np.array(pairs) for pairs in zip(*asked, strict=True))
+            held = [self.apart is not None and _held_up(course, clock, place)
+                    for (course, _), clock, place in zip(plans, clocks, places, strict=True)]
+            if self.apart is not None:
+                velocities = self._kept(state, plans, clocks, velocities)
+            vectors = torch.stack([style(clock) for style,
+                                   clock in zip(styles, clocks, strict=True)])
+            clocks = [clock + (not waits) for clock, waits in zip(clocks, held, strict=True)]
+            with torch.no_grad():
+                state = step(model, state.with_style(vectors),
+                             Command(*map(torch.from_numpy, (velocities, facings))))
+            yield state
+
+    @property
+    def _walls(self) -> np.ndarray:
+        return np.array([(wall.start, wall.end) for wall in self.walls])
+
+    def _kept(self, state: CharacterState, plans, clocks: list[int],
+              wanted: np.ndarray) -> np.ndarray:
+        """Velocities ``[N, 2]`` that keep the characters apart and off the walls."""
+        speeds = [max(plan[0].speed[min(clock, len(plan[0].speed) - 1)], SLOWEST) for plan, clock in
+                  zip(plans, clocks, strict=True)]
+        most = FASTER * np.array(speeds)[:, None]
+        places, moving = (values.double().numpy() for values in (state.root[:, :2], state.velocity))
+        safe = avoidance.velocities(places, moving, _limited(wanted, most), np.array(self.radii),
+                                    self._walls, MARGIN)
+        return _limited(safe, most)
+
+    def render(self, model, bank: StyleBank) -> list[Clip]:
+        """The motion of each character, see `Shot.render`; those who keep apart are rendered
+        together, at one length.
+        """
+        if self.apart is None:
+            return [shot.render(model, bank) for shot in self.shots]
+        drawn = []
+        with torch.no_grad():
+            for state in self.states(model, bank):
+                drawn.append(self._pose(model, state))
+        rotations, roots = (torch.stack(parts, 1) for parts in zip(*drawn, strict=True))
+        return [Clip(model.layout.skeleton, r, p, FPS, name=shot.name)
+                for r, p, shot in zip(rotations, roots, self.shots, strict=True)]
+
+    def _pose(self, model, state: CharacterState) -> tuple[Tensor, Tensor]:
+        """The pose of every character, each with its own IK."""
+        wanted = [(shot.feet, shot.arms) for shot in self.shots]
+        made = {kind: pose(model, state, feet=kind[0], arms=kind[1]) for kind in set(wanted)}
+        if len(made) == 1:
+            return made[wanted[0]]
+        return tuple(torch.stack([made[kind][part][k] for k, kind in enumerate(wanted)])
+                     for part in (0, 1))
+
+
+def _held_up(course: Course, clock: int, place: tuple[float, float]) -> bool:
+    planned = course.distance[min(clock, len(course.distance) - 1)]
+    return planned - nearest(course.curve, place, planned) > WAIT
+
+
+def _limited(velocities: np.ndarray, most: np.ndarray) -> np.ndarray:
+    return velocities * np.minimum(most / np.maximum(np.linalg.norm(velocities, axis=-1,
+                                                                    keepdims=True), 1e-9), 1.0)
+

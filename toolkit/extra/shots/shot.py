@@ -1,0 +1,300 @@
+"""A shot: what one character does, as data that a small JSON file holds."""
+
+import dataclasses
+import functools
+import json
+import math
+import os
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import torch
+from torch import Tensor
+
+from toolkit.extra.shots import feasibility, following
+from toolkit.extra.shots.following import FPS, LONGEST, Course, Curve, Heading, Pair
+from toolkit.extra.shots.keys import (
+    FAST,
+    Hold,
+    Point,
+    SpeedKey,
+    StyleKey,
+    direction,
+    entries,
+    number,
+    pair,
+    rising,
+)
+from toolkit.extra.shots.walking import Asked, first, rolled
+from toolkit.io import files
+from toolkit.io.files import atomic_write
+from toolkit.motion import Clip
+from toolkit.motion.tensors import shown
+from toolkit.networks.bank import StyleBank
+from toolkit.runtime import CharacterState, Command, pose, step
+
+VERSION = 1
+
+
+@dataclass(frozen=True)
+class Shot:
+    """What one character does: a path through points, keys over time, pauses.
+
+    A field that is not as described is a ValueError of one line that names the field and the entry.
+
+    Parameters
+    ----------
+    path
+        Two or more `Point`, or pairs (x, z). The first is where the character starts, at time 0;
+        the speed on the way to a point with a time is scaled so that the character is there in
+        time.
+    styles : one or more `StyleKey`, or pairs (time, style or blend); also the name of one style
+    speeds : `SpeedKey`, or pairs (time, m/s); without any, the natural speed of the blend at each
+    time
+    holds : `Hold`: pauses
+    smooth : a smooth curve through the points; otherwise straight lines
+    facing
+        Direction (x, z) in which it faces all the time; by default along the path.
+    look_at : point (x, z) that the character faces all the time; not together with ``facing``
+    feet, arms : foot and arm IK
+    seed : where in its gait cycle the character starts
+    duration : seconds; by default until one second after the end of the path is reached
+    name : of the clip
+    radius : metres, in a `Scene` whose characters keep apart: its share of the distance of two
+    """
+
+    path: Sequence[Point]
+    styles: Sequence[StyleKey]
+    speeds: Sequence[SpeedKey] = ()
+    holds: Sequence[Hold] = ()
+    smooth: bool = True
+    facing: tuple[float, float] | None = None
+    look_at: tuple[float, float] | None = None
+    feet: bool = True
+    arms: bool = True
+    seed: int = 0
+    duration: float | None = None
+    name: str = "shot"
+    radius: float | None = None
+
+    def __post_init__(self):
+        put = functools.partial(object.__setattr__, self)
+        if isinstance(self.styles, str):
+            put("styles", [(0.0, self.styles)])
+        for name, kind in (("path", Point), ("styles", StyleKey), ("speeds", SpeedKey),
+                           ("holds", Hold)):
+            put(name, entries(getattr(self, name), kind, name))
+        if len(self.path) < 2:
+            raise ValueError(f"path: two or more points are needed, got {len(self.path)}")
+        for k, (a, b) in enumerate(pairwise(self.path)):
+            if math.hypot(b.x - a.x, b.z - a.z) < 0.01:
+                raise ValueError(f"path[{k + 1}]: is less than 1 cm from the point before it")
+        length, most = sum(math.dist((a.x, a.z), (b.x, b.z)) for a,
+                           b in pairwise(self.path)), LONGEST * FAST
+        if length > most:
+            raise ValueError(f"path: is {length:.0f} m long, a path has at most {most:.0f} m")
+        rising(tuple(p for p in self.path[1:] if p.time is not None), "path, points with a time")
+        if self.path[0].time not in (None, 0.0):
+            raise ValueError(f"path[0]: the first point has the time 0, got {self.path[0].time:g}")
+        if any(p.time == 0 for p in self.path[1:]):
+            raise ValueError("path: only the first point can have the time 0")
+        if not self.styles:
+            raise ValueError("styles: one or more keys are needed")
+        rising(self.styles, "styles")
+        rising(self.speeds, "speeds")
+        if len({len(key.layers) for key in self.styles} - {1}) > 1:
+            raise ValueError("styles: all blends by layer need the same number of layers")
+        for name in ("smooth", "feet", "arms"):
+            if not isinstance(getattr(self, name), bool):
+                raise ValueError(f"{name} must be true or false, got {shown(getattr(self, name))}")
+        if self.facing is not None and self.look_at is not None:
+            raise ValueError("give either facing or look_at, not both")
+        if self.facing is not None:
+            put("facing", direction(self.facing, "facing"))
+        if self.look_at is not None:
+            put("look_at", pair(self.look_at, "look_at"))
+        if isinstance(self.seed, bool) or not isinstance(self.seed,
+                                                         int) or not 0 <= self.seed < 2**31:
+            raise ValueError(f"seed must be a whole number from 0 to {2**31 - 1}, got "
+                             f"{shown(self.seed)}")
+        if self.duration is not None:
+            put("duration", number(self.duration, "duration", 1 / FPS, LONGEST))
+        if self.radius is not None:
+            put("radius", number(self.radius, "radius", 0.05, 5.0))
+        if not isinstance(self.name, str) or not self.name.isprintable() or len(self.name) > 100:
+            raise ValueError(f"name must be a line of up to 100 characters, got {shown(self.name)}")
+
+    @classmethod
+    def load(cls, path: str | os.PathLike) -> "Shot":
+        """The shot of a JSON file with one shot; as `load`."""
+        shots = load(path)
+        if len(shots) != 1:
+            raise ValueError(f"{path}: holds {len(shots)} shots; read them with "
+                             f"toolkit.extra.shots.load")
+        return shots[0]
+
+    def save(self, path: str | os.PathLike) -> None:
+        """Write a JSON file."""
+        save([self], path)
+
+    def plan(self, bank: StyleBank | None = None) -> tuple[Course, Heading]:
+        """Where the character should be and face; ``bank`` is needed without speeds."""
+        curve = Curve([(p.x, p.z) for p in self.path], self.smooth)
+        keys = self.speeds or self._natural(bank)
+        speeds = [key.time for key in keys], [key.speed for key in keys], [key.easing
+                                                                           for key in keys]
+        arrivals = [(curve.knots[k], time) for k, time in self._timed]
+        holds = [(hold.time, hold.distance, hold.seconds) for hold in self.holds]
+        turns = [None if p.facing is None else math.atan2(*p.facing) for p in self.path]
+        return Course(curve, speeds, arrivals, holds, self.duration), Heading(curve, self.facing,
+                                                                              self.look_at, turns)
+
+    def style(self, bank: StyleBank) -> Callable[[int], Tensor]:
+        """The style vector ``[S]`` of every frame."""
+        vectors = [bank.blend(*key.layers) for key in self.styles]
+        times, easings = [key.time for key in self.styles], [key.easing for key in self.styles]
+
+        def at(frame: int) -> Tensor:
+            a, b, weight = following.between(times, easings, frame / FPS)
+            return vectors[a] + weight * (vectors[b] - vectors[a]) if weight else vectors[a]
+
+        return at
+
+    def states(self, model, bank: StyleBank,
+               plan: tuple[Course, Heading] | None = None) -> Iterable[CharacterState]:
+        """Yield the state of every frame; ``model`` plain or compiled."""
+        course, heading = self.plan(bank) if plan is None else plan
+        style = self.style(bank)
+        state = first(model, [self], [style], [(course, heading)])
+        for frame in range(len(course.distance) - 1):
+            x, z = state.root[0, :2].tolist()
+            with torch.no_grad():
+                state = step(model, state.with_style(style(frame)),
+                             Command(*following.command(course, heading, frame, (x, z))))
+            yield state
+
+    def render(self, model, bank: StyleBank) -> Clip:
+        """The motion, 60 frames a second: the same bits every time.
+
+        A model that is compiled by `toolkit.runtime.compile` is ten times as fast, and its last
+        bits differ.
+        """
+        states = self._walked(model, bank, self.plan(bank))
+        with torch.no_grad():
+            drawn = pose(model, states, feet=self.feet, arms=self.arms)
+        return Clip(model.layout.skeleton, *drawn, FPS, name=self.name)
+
+    def _walked(self, model, bank: StyleBank, plan: tuple[Course, Heading]) -> CharacterState:
+        """The states of all frames, along the leading axis."""
+        course, style = plan[0], self.style(bank)
+        if not (frames := len(course.distance) - 1):
+            raise ValueError(f"{self.name}: has no frames")
+
+        def ask(frame: int, place: Pair) -> Asked:
+            return *following.command(*plan, frame, place), style(frame)
+
+        return rolled(model, first(model, [self], [style], [plan]), frames, ask)
+
+    def check(self, model, bank: StyleBank) -> list[str]:
+        """What cannot be met and why, a line each; empty if all can. The shot is tried, without
+        drawing.
+        """
+        plan = self.plan(bank)
+        states = self._walked(model, bank, plan)
+        return self.unmet(bank, plan, [tuple(place) for place in states.root[:, :2].tolist()])
+
+    def unmet(self, bank: StyleBank, plan: tuple[Course, Heading], places: list[Pair]) -> list[str]:
+        """What `check` says of a character that was at these places (x, z), from frame 1 on."""
+        course, keys = plan[0], self._natural(bank)
+        times, speeds, easings = ([getattr(key, name) for key in keys]
+                                  for name in ("time", "speed", "easing"))
+
+        def natural(now: float) -> float:
+            a, b, weight = following.between(times, easings, now)
+            return speeds[a] + weight * (speeds[b] - speeds[a])
+
+        def style(now: float) -> str:
+            a, b, weight = following.between(times, easings, now)
+            (layer, *_) = self.styles[b if weight > 0.5 else a].layers
+            return max(layer, key=layer.get)
+
+        timed = [(k, course.curve.knots[k], time) for k, time in self._timed]
+        lines = [f"path[{timed[k][0]}] is too far away to be reached at {timed[k][2]:g} s"
+                 for k in course.late]
+        if course.end is None or course.end > (len(course.distance) - 1) / FPS + 1e-9:
+            lines.append(f"the end of the path is not reached in "
+                         f"{(len(course.distance) - 1) / FPS:g} s: "
+                         f"{course.curve.length - course.distance[-1]:.1f} m are left")
+        lines += [f"holds[{k}] is after the end of the path, {course.curve.length:.2f} m long"
+                  for k, hold in
+                  enumerate(self.holds) if hold.distance is not None
+                  and hold.distance > course.curve.length]
+        return lines + feasibility.missed(course, natural, style, timed, places)
+
+    @property
+    def _timed(self) -> list[tuple[int, float]]:
+        """Index and time of the points with a time, without the first point."""
+        return [(k, point.time) for k,
+                point in enumerate(self.path) if k and point.time is not None]
+
+    def _natural(self, bank: StyleBank) -> list[SpeedKey]:
+        """The natural speed at every style key: of blends by layer, the mean of the layers."""
+        speeds = [sum(bank.speed(blend) for blend in key.layers) / len(key.layers)
+                  for key in self.styles]
+        return [SpeedKey(key.time, min(max(v, 0.0), FAST), key.easing) for key,
+                v in zip(self.styles, speeds, strict=True)]
+
+
+def save(shots: Iterable[Shot], path: str | os.PathLike) -> None:
+    """Write shots, one per character, or a `Scene`, to a JSON file."""
+    with atomic_write(path) as file:
+        file.write((json.dumps(data(shots), indent=1, ensure_ascii=False, allow_nan=False)
+                    + "\n").encode())
+
+
+def data(shots: Iterable[Shot]) -> dict:
+    """Shots, or a `Scene`, as `parse` reads them and a file holds them."""
+    made = _data(shots) if dataclasses.is_dataclass(shots) else {"shots": [_data(shot)
+                                                                           for shot in shots]}
+    return {"version": VERSION, **made}
+
+
+def _data(value):
+    """Dataclasses as dictionaries without the fields that have their default."""
+    if dataclasses.is_dataclass(value):
+        return {f.name: _data(v) for f in dataclasses.fields(value)
+                if (v := getattr(value, f.name)) != f.default}
+    return [_data(v) for v in value] if isinstance(value, tuple) else value
+
+
+def load(path: str | os.PathLike) -> list[Shot]:
+    """The shots of a JSON file, one per character; a ValueError of one line if it is not valid."""
+    return read(path, parse)
+
+
+def read(path: str | os.PathLike, parse: Callable):
+    """What ``parse`` makes of a JSON file; its ValueError with the path."""
+    try:
+        scene = files.parsed(files.read(path))
+    except ValueError as error:
+        raise ValueError(f"{path}: not a JSON file of shots ({error})") from None
+    try:
+        return parse(scene)
+    except ValueError as error:
+        raise ValueError(f"{path}: {error}") from None
+
+
+def parse(scene) -> list[Shot]:
+    """The shots of a scene, a dictionary as a JSON file holds it; `Scene.parse` reads its other
+    fields too.
+    """
+    needed = {"version", "shots"}
+    if not isinstance(scene, Mapping) or not needed <= set(scene) <= needed | {"apart", "walls"}:
+        raise ValueError("expected an object with the fields version and shots, and perhaps "
+                         "apart and walls")
+    if scene["version"] != VERSION or isinstance(scene["version"], bool):
+        raise ValueError(f"version {shown(scene['version'])}; this toolkit reads version {VERSION}")
+    if not (shots := entries(scene["shots"], Shot, "shots")):
+        raise ValueError("shots: one or more are needed")
+    return list(shots)

@@ -1,0 +1,105 @@
+"""The verbs `shot`, `crowd` and `export director`: planned motion, many characters, a page in which
+shots are planned.
+"""
+
+import dataclasses
+import sys
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from toolkit import runtime
+from toolkit.cli.export import Figure, wrote
+from toolkit.cli.verbs import Published, Seed, Selection, TrainedRun, say
+from toolkit.extra import shots
+from toolkit.extra.shots import crowd as crowds
+from toolkit.io import save as saving
+from toolkit.io.files import write_whole
+from toolkit.training import published
+
+
+def shot(
+    file: Annotated[Path, typer.Argument(help="JSON file of one or more shots.")],
+    out: Annotated[Path,
+                   typer.Option(help=f"File to write: {', '.join(saving.suffixes())}; of several "
+                                     f"shots one file each.")],
+    model: TrainedRun = None,
+    parameters: Published = None,
+    seed: Annotated[int | None, typer.Option(help="In place of the seed of the shots.")] = None,
+) -> None:
+    """Render a file of shots, say what cannot be met, and write the motion."""
+    scene = shots.Scene.load(file)
+    if seed is not None:
+        scene = dataclasses.replace(scene,
+                                    shots=[dataclasses.replace(asked, seed=seed)
+                                           for asked in scene.shots])
+    paths = [out] if len(scene.shots) == 1 else [out.with_stem(f"{out.stem}_{k}")
+                                                 for k in range(len(scene.shots))]
+    for path in paths:
+        saving.check(path)
+    net, bank = published.either(model, parameters)
+    try:
+        for line in scene.check(net, bank):
+            say(line, sys.stderr)
+    except ValueError as error:
+        raise ValueError(f"{file}: {error}") from None
+    for path, asked, clip in zip(paths, scene.shots, scene.render(net, bank), strict=True):
+        saving.save(clip, path, title=asked.name, progress=True)
+        say(f"{asked.name or 'shot'}: {len(clip)} frames, {clip.seconds:.1f} s; wrote {path}")
+
+
+def crowd(
+    out: Annotated[Path, typer.Option(help="Folder to write.")] = Path("out/crowd"),
+    characters: Annotated[int, typer.Option(help="Number of characters.")] = 100,
+    seconds: Annotated[float, typer.Option(help="Length of the motion.")] = 10.0,
+    model: TrainedRun = None,
+    parameters: Published = None,
+    threads: Annotated[int, typer.Option(help="Processor cores to use.")] = 1,
+    seed: Seed = 0,
+) -> None:
+    """Let two crowds cross, each character in its own style blend; write a picture, an animation
+    and the time taken.
+    """
+    say("The runtime is compiled at its first use; that takes a while.")
+    net, bank = published.either(model, parameters)
+    compiled = runtime.compile(net, threads=threads)
+    made = crowds.walk(compiled, bank, characters, seconds, seed=seed, progress=True)
+    say(f"{compiled}\n{made.report}")
+    from toolkit import view
+
+    out.mkdir(parents=True, exist_ok=True)
+    files = [out / name for name in ("crowd.gif", "crowd.png", "crowd.txt")]
+    view.crowd([clip.cut(stop=3 * runtime.FPS) for clip in made.clips], files[0], fps=8.0,
+               width=640, colors=64, progress=True)
+    view.crowd(made.clips, files[1], fps=0, width=1200)
+    lines = [made.report, *(clip.style for clip in made.clips)]
+    write_whole(files[2], ("\n".join(lines) + "\n").encode())
+    for file in files:
+        say(f"  {file}")
+
+
+def director(
+    out: Annotated[Path, typer.Option(help="Page to write: .html.")],
+    file: Annotated[Path | None,
+                    typer.Option("--shots", help="JSON file of the first shots.")] = None,
+    model: TrainedRun = None,
+    parameters: Published = None,
+    title: Annotated[str, typer.Option(help="Heading of the page.")] = "Plan a shot",
+    styles: Selection = None,
+    half: Annotated[bool,
+                    typer.Option("--half",
+                                 help="Store numbers in 16 bits: half the size.")] = False,
+    character: Figure = None,
+) -> None:
+    """Write one page in which shots are planned: a floor map, a timeline of styles, the characters
+    that walk at once.
+    """
+    # imported on demand: it needs the drawing libraries
+    from toolkit.extra.shots import director as desk
+
+    saving.check(out, (".html",))
+    first = None if file is None else shots.Scene.load(file)
+    wrote(desk.web(*published.either(model, parameters), out, first, title=title, styles=styles,
+                   half=half,
+                    character=character))

@@ -1,0 +1,154 @@
+"""Features of a dataset on disk: computed once, in parallel, and memory-mapped in training.
+
+A store is a folder: ``manifest.json`` has the settings and the names of the styles. Each style has
+a file, ``000.safetensors`` and so on, with its `toolkit.features.OwnFeatures` (float32, 1,268 bytes
+per frame of the 100STYLE skeleton), from which x and z are derived when they are read, a mask of
+the rows that are held out, and the moments of the others.
+
+A file gets its name when it is complete. So the same command continues an interrupted run, and
+makes again what is damaged or older than its BVH files. The same settings on the same kind of
+processor give the same bytes, whatever the number of processes or machines.
+"""
+
+import dataclasses
+import os
+import pkgutil
+from collections import defaultdict
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import lazy_loader
+
+import toolkit
+from toolkit import datasets, features, phases
+from toolkit.datasets import Take
+from toolkit.extra.store import files
+from toolkit.extra.store.partition import Partition, make, of_styles, read
+from toolkit.extra.store.workers import completed, executor
+from toolkit.features import Features, Normaliser, Split, check_style
+from toolkit.io.model_files import difference
+from toolkit.io.progress import progress_bar
+from toolkit.motion import contacts
+
+__all__ = ["is_store", "load", "preprocess"]
+__getattr__ = lazy_loader.attach(__name__, [m.name for m in pkgutil.iter_modules(__path__)])[0]
+
+
+def preprocess(data: str, root: str | os.PathLike | None, out: str | os.PathLike, *,
+               styles: list[str] | None = None, gaits: list[str] | None = None,
+               source: str = "hybrid", mirror: Callable[[Take], bool] | None = None,
+               workers: int | None = None, scheduler: str | None = None, held_out: float = 0.1,
+               seed: int = 0, contact_height: float | None = None, listed: bool = False,
+               progress: bool = False) -> bool:
+    """Make or complete the store of a dataset; False if there was nothing to do.
+
+    Takes that hold no whole trajectory window are left out.
+
+    Parameters
+    ----------
+    data, root, styles, gaits : as in `toolkit.datasets.load`; a dataset of files
+    out : the store's folder; one run at a time may write to it
+    source : name of a phase source
+    mirror : true for takes whose mirror images are added
+    workers : number of processes, by default that of the processors; 1 starts no other process
+    scheduler : address of a Dask scheduler whose workers are used; they need the same folders
+    held_out, seed : share of every style's rows that is held out, and the seed (`splits.held_out`)
+    contact_height : as in `toolkit.features.build`
+    listed : store only the training and test blocks of the dataset's list
+        (`toolkit.datasets.split`), and hold out the test
+    progress : show a bar with the time left
+
+    Raises
+    ------
+    ValueError
+        If files cannot be read or hold no style clip (all other styles are stored; the message
+        names each file), or the store was made with other settings.
+    """
+    if data == "procedural":
+        raise ValueError("the procedural dataset is computed, not read from files; there is "
+                         "nothing to preprocess")
+    phases.named(source)
+    contacts.check_height(contact_height)
+    recorded, out = datasets._module(data, root).SOURCE, Path(out).resolve()
+    root = recorded.folder(root).resolve()
+    parts = datasets.split(data, root) if listed else None
+    by_style: dict[str, list[tuple[int, Take]]] = defaultdict(list)
+    for number, take in enumerate(recorded.choose(root, styles, gaits)):
+        if not (parts and take.style in parts.unseen):
+            by_style[take.style].append((number, take))
+    settings = {
+        "version": toolkit.__version__, "data": data, "styles": styles, "gaits": gaits,
+        "source": source, "mirror": mirror is not None, "contact_height": contact_height,
+        "listed": listed, "held_out": None if listed else held_out,
+        "seed": None if listed else seed, "takes": sum(map(len, by_style.values())),
+    }
+    _begin(out, settings, sorted(by_style))
+    jobs = []
+    for number, (style, takes) in enumerate(sorted(by_style.items())):
+        mirrored = frozenset(take.gait for _, take in takes if mirror and mirror(take))
+        jobs.append(Partition(root, files.of_style(out, number), style, tuple(takes), mirrored,
+                              parts, settings))
+    todo = [job for job in jobs if not files.is_current(job.out, job.sources)]
+    todo.sort(key=lambda job: -job.size)  # the largest first, so that no worker is late at the end
+
+    broken = []
+    bar = progress_bar(desc="preprocess", total=sum(job.size for job in todo), unit="B",
+                       unit_scale=True, show=progress)
+    with executor(workers, scheduler) as pool, bar:
+        for (job,), result in completed(pool, make, [(job,) for job in todo]):
+            bar.update(job.size)
+            if isinstance(result, ValueError):
+                broken.append(str(result))
+    if broken:
+        raise ValueError(f"{len(broken)} of {len(jobs)} styles could not be stored; repair these "
+                         f"files and run the same command again: {'; '.join(sorted(broken))}")
+    if todo:
+        load(out)  # styles of different skeletons are an error
+    return bool(todo)
+
+
+def is_store(path: str | os.PathLike) -> bool:
+    """Whether a folder holds a store, finished or not."""
+    return (Path(path) / files.MANIFEST).is_file()
+
+
+def load(path: str | os.PathLike, styles: list[str] | None = None) -> Features:
+    """Features of a finished store, or of some of its styles, read when they are indexed.
+
+    ValueError if there is no finished store, a file is damaged or a style is not in it.
+    """
+    path = Path(path)
+    settings, known = files.read_manifest(path)
+    for style in styles or ():
+        check_style(style, known)
+    paths = {style: files.of_style(path, number) for number, style in enumerate(known)}
+    if not all(file.exists() for file in paths.values()):
+        raise ValueError(f"{path}: the store is not finished; run the command that makes it again "
+                         "to continue")
+    stored = {style: read(paths[style]) for style in styles or known}
+    found = of_styles({style: (own, takes) for style, (own, takes, _) in stored.items()})
+    held_out = {style: tensors["held_out"] for style, (*_, tensors) in stored.items()}
+    statistics = {}
+    for kind in features.KINDS:
+        moments = []
+        for *_, tensors in stored.values():
+            number, mean, variance = (tensors[f"{kind}.{name}"] for name in files.MOMENTS)
+            moments.append((int(number), mean, variance))
+        statistics[kind] = Normaliser.merged(moments)
+    split = Split(settings["held_out"], settings["seed"], held_out, statistics)
+    return dataclasses.replace(found, split=split)
+
+
+def _begin(out: Path, settings: dict[str, Any], styles: list[str]) -> None:
+    """Write the manifest of a new store, or compare that of the store which is there."""
+    if is_store(out):
+        if why := difference(files.read_manifest(out)[0], settings):
+            raise ValueError(f"{out}: the store there was made with other settings ({why}); use "
+                             "another folder")
+    elif out.exists() and not (out.is_dir() and not any(out.iterdir())):
+        raise ValueError(f"{out}: expected a store or an empty folder, and it is neither")
+    else:
+        files.write_manifest(out, settings, styles)
+    for leftover in out.glob(".*.partial"):  # of a killed run
+        leftover.unlink()

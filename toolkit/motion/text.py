@@ -1,0 +1,39 @@
+"""Names of joints, styles and files, which may come from anywhere: one line that can be shown."""
+
+import os
+import unicodedata
+from collections.abc import Iterable
+
+HIDDEN = frozenset("\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069")  # they reorder text
+KINDS = frozenset(("Cc", "Cs", "Zl", "Zp"))  # controls, halves of pairs, line and paragraph ends
+
+
+def shows(text: str) -> bool:
+    """Whether no character moves the cursor, ends the line, reorders text or cannot be encoded."""
+    return text.isprintable() or not any(
+        c in HIDDEN or unicodedata.category(c) in KINDS for c in text)
+
+
+def of_file(name: str) -> str:
+    """The name of a file as UTF-8 text, also where the locale reads it as something else."""
+    return os.fsencode(name).decode("utf-8", "surrogateescape")
+
+
+def printable(text: object) -> str:
+    """A text in which such characters are replaced by their escapes, such as ``\\x1b``."""
+    return "".join(c if shows(c) else ascii(c)[1:-1] for c in str(text))
+
+
+def checked(names: Iterable[str], what: str) -> tuple[str, ...]:
+    """The names; ValueError if one is no text, empty or not to be shown.
+
+    ``what`` they name begins the message.
+    """
+    names = tuple(names)
+    for name in names:
+        if not isinstance(name, str) or not name:
+            raise ValueError(f"{what} must be named by a text, got {name!r:.60}")
+        if not shows(name):
+            raise ValueError(f"the name of {what} has characters that cannot be printed: "
+                             f"{repr(name)[1:-1]:.60}")
+    return names

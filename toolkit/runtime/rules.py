@@ -1,0 +1,121 @@
+"""The constants of a step and of a pose as plain numbers and arrays.
+
+The runtimes beside torch, numba and JavaScript, need them.
+"""
+
+from collections import namedtuple
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+
+from toolkit.motion import ik as held, trajectory
+from toolkit.motion.clip import FEET
+from toolkit.networks import phase
+from toolkit.runtime import frame, steering
+
+Rules = namedtuple("Rules", """
+    trajectory_in joints_in trajectory_out joints_out phases updates contacts legs
+    samples position_shares direction_shares half_second seconds
+    fps gain correction lift ground proportional integral max_drive stand_still slow low
+    sideways sideways_sum forget asked moves standing starting may_stand aligned stands
+    slack near let_go pull soft room deepest fall""")
+Rules.__doc__ = "Columns of x and z, joints of the legs, constants of the runtime and of foot IK."
+
+
+def rules_of(model) -> Rules:
+    """The rules of a model."""
+    layout = model.layout
+    t = np.array(layout.ahead) / layout.ahead[-1]
+    return Rules(
+        trajectory_in=layout.inputs["trajectory"].start,
+        joints_in=layout.inputs["joints"].start,
+        trajectory_out=layout.outputs["trajectory"].start,
+        joints_out=layout.outputs["joints"].start,
+        phases=layout.outputs["phases"].start,
+        updates=layout.outputs["phase_updates"].start,
+        contacts=layout.outputs["contacts"].start,
+        legs=np.array(frame.leg_joints(layout)).reshape(2, 3),
+        samples=np.array(layout.samples) + trajectory.PAST,
+        position_shares=1 - (1 - t) ** steering.POSITION_BIAS,
+        direction_shares=1 - (1 - t) ** steering.DIRECTION_BIAS,
+        half_second=trajectory.FPS // 2,
+        seconds=np.diff(layout.ahead, prepend=0) / trajectory.FPS,
+        fps=float(trajectory.FPS),
+        gain=steering.GAIN,
+        correction=frame.CORRECTION,
+        lift=getattr(model, "lift", 1.0) - 1.0,
+        ground=frame.GROUND,
+        proportional=steering.PROPORTIONAL,
+        integral=steering.INTEGRAL,
+        max_drive=steering.MAX_DRIVE,
+        stand_still=steering.RETURN,
+        slow=steering.SLOW,
+        low=steering.LOW,
+        sideways=steering.SIDEWAYS,
+        sideways_sum=steering.SIDEWAYS_SUM,
+        forget=steering.FORGET,
+        asked=steering.ASKED,
+        moves=steering.MOVES,
+        standing=1 / (steering.STANDING * trajectory.FPS),
+        starting=1 / (steering.STARTING * trajectory.FPS),
+        may_stand=steering.ALIGNED[0],
+        aligned=steering.ALIGNED[1],
+        stands=frame.STANDS,
+        slack=held.SLACK,
+        near=held.NEAR,
+        let_go=held.RETURN,
+        pull=phase.PULL,
+        soft=held.SOFT,
+        room=held.ROOM,
+        deepest=held.DEEPEST,
+        fall=held.FALL,
+    )
+
+
+class Body(NamedTuple):
+    """The skeleton of J' points as arrays."""
+
+    parents: np.ndarray  # [J']
+    offsets: np.ndarray  # [J', 3]
+    # [J'] index of the feature joint that gives a point its rotation, its own or its parent's
+    features: np.ndarray
+    own: np.ndarray  # [J'] index of a point's own feature joint, -1 if it has none
+    ends: np.ndarray  # [E] points that follow their parents
+    legs: np.ndarray  # [2, 4] hip, knee, foot and toe, right and left
+    # [C] all points from the hips to the toes, without the hips; parents come before children
+    chains: np.ndarray
+    # [A, 2] arm joints and the points at their bones' other ends, from the body outwards
+    arms: np.ndarray
+
+    @classmethod
+    def of(cls, skeleton) -> "Body":
+        """The arrays of a skeleton."""
+        joints, parents = list(skeleton.feature_joints), skeleton.parents
+        toes = [skeleton.role(f"{side}_toe") for side in FEET]
+        arms = [
+            [skeleton.role(f"{side}_{part}") for side in FEET]
+            for part in ("shoulder", "elbow", "hand")
+        ]
+        chain = [[parents[joint] for joint in arms[0]], *arms]
+        ends = [skeleton.end_site(f"{side}_hand") for side in FEET]
+        bones = pairwise([*chain, ends] if not set(ends) & set(arms[-1]) else chain)
+        return cls(
+            parents=np.array(parents),
+            offsets=skeleton.offsets.double().numpy(),
+            features=np.array(
+                [joints.index(j if j in joints else parents[j]) for j in range(len(skeleton))]
+            ),
+            own=np.array([joints.index(j) if j in joints else -1 for j in range(len(skeleton))]),
+            ends=np.array([j for j in range(len(skeleton)) if skeleton.is_end(j)], dtype=np.int64),
+            legs=np.array(
+                [
+                    [skeleton.role(f"{side}_{part}") for part in ("hip", "knee", "foot", "toe")]
+                    for side in FEET
+                ]
+            ),
+            chains=np.array(
+                sorted({j for toe in toes for j in (toe, *skeleton.ancestors(toe))} - {0})
+            ),
+            arms=np.array([pair for level in bones for pair in zip(*level, strict=True)]),
+        )

@@ -1,0 +1,12 @@
+"""Web pages that need no server.
+
+Clips that play, and a character whose network runs in the browser.
+"""
+
+import pkgutil
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach(
+    __name__, [module.name for module in pkgutil.iter_modules(__path__)]
+)

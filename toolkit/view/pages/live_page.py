@@ -1,0 +1,226 @@
+"""A character under control in one HTML file.
+
+Network, runtime and scene run in the browser, without server or Python.
+"""
+
+import os
+import re
+import tempfile
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import torch
+from matplotlib.colors import to_rgb
+from torch import Tensor
+
+from toolkit import registry, runtime
+from toolkit.features import CHANNELS, FRAME_KINDS, Layout
+from toolkit.io import bvh
+from toolkit.motion import Clip
+from toolkit.networks.film import EPSILON
+from toolkit.runtime import rules
+from toolkit.runtime.life import PERIOD
+from toolkit.view.pages import page
+from toolkit.view.render import mannequin as body
+from toolkit.view.render.skin import Figure, encoded, figure_of
+
+CORNERS = "Neutral", "Zombie", "Aeroplane"  # the triangle's first corners, if the bank has them
+VERTICES = 900  # of each body in a crowd
+PANEL = 8  # outputs whose weights are stored together, see ``scene/network.js``
+TURN = 2.0  # radians per second while a turn key is held
+RUN = 2.2  # speed of a run, relative to walking
+EASE = 0.12  # share of the difference to the marker's blend that a frame removes
+
+
+def example(model, bank) -> Clip:
+    """A walk on a model's skeleton.
+
+    Its steps show the height of toes above the soles, and where a character's floor is.
+    """
+    return runtime.rollout(model, runtime.straight(1.0, 2.0), bank.vectors[0])
+
+
+def web(model, bank, path: str | os.PathLike, *, title: str = "A character under control",
+        styles: Sequence[str] | None = None, half: bool = False,
+        character: str | os.PathLike | Figure | None = None, characters: int = 1) -> Path:
+    """Write a page with a character that keyboard, touch, gamepad and a style triangle steer;
+    opened by a double click.
+
+    The whole runtime is in the page: features, network, trajectory, foot and arm IK, 60 frames a
+    second. ``docs/runtime.md`` says how large the file is, how long a frame takes and how equal it
+    is to `toolkit.runtime`.
+
+    Parameters
+    ----------
+    model, bank
+        An LPN-FiLM and its style bank, e.g. of `toolkit.pretrained`.
+    path, title
+        The file to write, and the heading of the page.
+    styles
+        The styles to include, first the triangle's corners; by default all of the bank.
+    half
+        Store the experts' weights as float16, rounded to 3 decimal digits: half the file. The
+        embedded model's are float16 already.
+    character
+        A glTF or VRM file with a skinned mesh, drawn in place of the mannequin. It follows the
+        model's joints without foot IK of its own.
+    characters
+        Number of characters. All but the first, which the user steers, walk on rings around the
+        start, each in the next style of the bank at its natural speed. The page computes all of
+        them together.
+
+    Raises
+    ------
+    ValueError
+        If it is another model, its numbers are not finite or too large for float16, a style is
+        unknown, or there is no character.
+    """
+    if styles is not None and (not styles or isinstance(styles, str)):
+        raise ValueError(f"styles must be a list of one name or more, got {styles!r}")
+    if characters < 1 or (characters > 1 and character is not None):
+        raise ValueError(
+            f"characters must be 1 or more, and 1 with a character of your own; got {characters}"
+        )
+    order = (
+        [*(name for name in CORNERS if name in bank.names), *bank.names]
+        if styles is None
+        else styles
+    )
+    bank = bank.select(dict.fromkeys(order))
+    data = pack(model, bank, half, figure_of(character), characters)
+    size = sum(layer.weight.numel() for layer in model.experts.layers) / 1e6
+    caption = (f"A neural network of {size:.1f} million weights makes every frame in this page: "
+               "no server, no installation.")
+    start = "globalThis.view = toolkitScene.character(stage, data);"
+    return page.write(path, title, caption, data, start)
+
+
+def pack(
+    model, bank, half: bool = False, character: Figure | None = None, characters: int = 1
+) -> dict[str, Any]:
+    """The data of ``scene/character.js``, which describes the format.
+
+    A ValueError for another model than an LPN-FiLM.
+    """
+    name = getattr(model, "name", type(model).__name__)
+    if name != "lpn-film":
+        raise ValueError(f"only lpn-film runs in a page, got {name}")
+
+    layout: Layout = model.layout
+    state, walk = runtime.start(model, bank.vectors[0]), example(model, bank)
+    corners = (list(bank.names) * 3)[:3]
+    channels = {name: 3 * i for i, name in enumerate(CHANNELS)} | {"width": 3 * len(CHANNELS)}
+    gating, experts = model.gating.layers, model.experts.layers
+    kinds = [model.normaliser(kind) for kind in FRAME_KINDS]
+    return {
+        "network": {
+            "means": [numbers(kind.mean) for kind in kinds],
+            "deviations": [numbers(kind.std) for kind in kinds],
+            "gating": {
+                "widths": [gating[0].weight.shape[1], *(len(layer.bias) for layer in gating)],
+                "layers": [
+                    numbers(panels(layer.weight.T[None], layer.bias[None])) for layer in gating
+                ],
+            },
+            "experts": {
+                "count": len(experts[0].weight),
+                "widths": [experts[0].weight.shape[1], *(layer.bias.shape[1] for layer in experts)],
+                "layers": [numbers(panels(layer.weight, layer.bias), half) for layer in experts]
+            },
+            "epsilon": EPSILON,
+            "dropped": model.dropped if model.calibrated else 0.0,
+        },
+        "rules": _plain(rules.rules_of(model)._asdict() | channels),
+        "body": _plain(rules.Body.of(layout.skeleton)._asdict()),
+        "start": {
+            name: value[0].flatten().tolist()
+            for name, value in vars(state).items()
+            if name != "style"
+        },
+        "skeleton": page.skeleton_data(walk, character),
+        "styles": list(bank.names),
+        "vectors": numbers(bank.vectors),
+        "turn": TURN,
+        "run": RUN,
+        "ease": EASE,
+        "life": {"amount": model.life, "period": PERIOD},
+        "others": _others(bank, characters - 1),
+        "crowd": page.skeleton_data(walk, vertices=VERTICES) if characters > 1 else None,
+        "bvh": _bvh(model, state),
+        "traits": {
+            "names": corners, "weights": [1.0, 0.0, 0.0], "speed": round(bank.speed(corners[0]), 2)
+        },
+    }
+
+
+def _others(bank, count: int) -> list[dict[str, Any]]:
+    """Characters on rings, as `toolkit.extra.shots.crowd` places them.
+
+    Each is in another style than its neighbours.
+    """
+    rows = (
+        zip(*(values.tolist() for values in registry.find("crowd.places")(count)), strict=True)
+        if count
+        else ()
+    )
+    tints = [
+        ((np.array(to_rgb(color)) ** 2.2 - np.array(to_rgb(body.COLORS["middle"])) ** 2.2) * 0.6)
+        .round(4)
+        .tolist()
+        for color in body.PALETTE
+    ]
+    return [
+        {
+            "style": (i + 1) % len(bank.names), "radius": radius, "angle": angle, "way": way,
+            "tint": tints[i % len(tints)],
+            "speed": bank.speed(bank.names[(i + 1) % len(bank.names)])
+        }
+        for i, (radius, angle, way) in enumerate(rows)
+    ]
+
+
+def numbers(values: Tensor, half: bool = False) -> dict[str, str]:
+    """Numbers in a page: little-endian float32 or float16, base64.
+
+    A ValueError if one is not finite or too large.
+    """
+    kind = np.dtype("<f2" if half else "<f4")
+    with np.errstate(over="ignore"):
+        array = values.detach().numpy().astype(kind)
+    if not np.isfinite(array).all():
+        worst = float(values.detach().abs().max())
+        raise ValueError(
+            f"weights must be finite and at most {float(np.finfo(kind).max):g} in {kind.name}, "
+            f"got {worst:g}"
+        )
+    return {"type": kind.name, "data": encoded(array, kind)}
+
+
+def panels(weight: Tensor, bias: Tensor) -> Tensor:
+    """Weights ``[K, in, out]`` and biases ``[K, out]`` in the order in which they are read.
+
+    It is ``[panels, K, in + 1, PANEL]``.
+    """
+    whole = torch.cat((weight, bias[:, None]), 1)
+    whole = torch.nn.functional.pad(whole, (0, -whole.shape[-1] % PANEL))
+    return whole.unflatten(-1, (-1, PANEL)).permute(2, 0, 1, 3).contiguous()
+
+
+def _plain(fields: dict[str, Any]) -> dict[str, Any]:
+    return {
+        name: value.tolist() if isinstance(value, np.ndarray) else value
+        for name, value in fields.items()
+    }
+
+
+def _bvh(model, state) -> dict[str, Any]:
+    """The header of a recording's file, and its joints in the order of their channels."""
+    with tempfile.TemporaryDirectory() as folder:
+        bvh.save(runtime.record(model, [state]), Path(folder) / "one.bvh")
+        text = (Path(folder) / "one.bvh").read_text(encoding="utf-8")
+    header = text[: text.rindex("\nMOTION\n") + 1]
+    names = re.findall(r"^\t*(?:ROOT|JOINT) (.+)$", header, re.MULTILINE)
+    joints = [model.layout.skeleton.index(name) for name in names]
+    return {"header": header, "joints": joints, "centimetre": bvh.CENTIMETRE}

@@ -1,0 +1,297 @@
+"""Moving pictures of clips and of crowds."""
+
+import os
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import ExitStack
+from fractions import Fraction
+from pathlib import Path
+
+import numpy as np
+import torch
+from matplotlib.colors import to_rgb
+from PIL import Image, ImageDraw, ImageFont
+from scipy.ndimage import gaussian_filter1d
+
+from toolkit.io.files import atomic_write
+from toolkit.io.progress import progress_bar
+from toolkit.motion import Clip, loops, on_cpu
+from toolkit.view.render import mannequin
+from toolkit.view.render.bodies import BACK, Body, Camera, Lines, Pose, axes
+from toolkit.view.render.picture import INK, cast, steady_frames
+from toolkit.view.render.skin import Figure, figure_of
+from toolkit.view.render.stage import open_stage
+
+TILT = 0.21  # radians by which the camera looks down
+GRID = 0.5  # metres between lines on the floor
+BOTTOM = -0.3  # metres of floor shown below the feet
+HEADING = 0.8  # metres that a radian between the headings at the ends of a loop counts as
+ABOVE = -30.0, 32.0  # degrees of the camera over a crowd, about the vertical and above the floor
+ROOM = 0.3  # metres around a crowd
+SUFFIXES = (".gif", ".png", ".apng", ".webp", ".mp4")
+
+
+def animate(
+    clips: Clip | Sequence[Clip], path: str | os.PathLike, *, labels: Sequence[str] | None = None,
+    columns: int | None = None, fps: float = 20.0, height: int = 200, view: float = 45.0,
+    contacts=None, caption: str = "", colors: int = 64, progress: bool = False,
+    character: str | os.PathLike | Figure | None = None
+) -> Path:
+    """Write a looping animation of one or more motions, each in a cell, on a floor with lines.
+
+    `loop` finds the part of a clip that repeats without a jump. A clip shorter than the longest
+    starts again.
+
+    Parameters
+    ----------
+    clips
+        One clip or several.
+    path
+        File to write: ``.gif``, ``.png`` or ``.apng`` (animated), ``.webp`` or ``.mp4`` (H.264,
+        needs PyAV).
+    labels, columns
+        Text of each cell, by default style and gait, else the clip's name; cells per row, by
+        default all.
+    fps
+        Pictures per second.
+    height
+        Height of a cell in pixels; its width follows from how far the arms reach.
+    view
+        Degrees of the camera from the facing direction; 90 is from the right side.
+    contacts
+        Foot contacts [F, 2] (right, left), above one half where a foot stands, or one array per
+        clip; shown on the feet.
+    caption, progress
+        Text below the picture; whether to show a bar.
+    colors
+        Number of colours of a ``.gif``: fewer make a smaller file.
+    character
+        A glTF or VRM file with a skinned mesh, drawn in place of the mannequin; the clips are put
+        on its rig.
+
+    Raises
+    ------
+    ValueError
+        If there is no clip, the suffix is unknown, or labels or contacts do not fit the clips.
+    ImportError
+        If an ``.mp4`` is asked for and PyAV is missing.
+    """
+    path = _checked(path)
+    figure = figure_of(character)
+    clips, labels, contacts = cast(clips, labels, contacts, figure)
+    shots = [_Follow(Body(clip, feet, figure), view)
+             for clip, feet in zip(clips, contacts, strict=True)]
+    room = _room(shots, labels, height)
+    length = max(round(clip.seconds * fps) for clip in clips)
+
+    def drawn() -> Iterator[Image.Image]:
+        with ExitStack() as stages:
+            for shot in shots:
+                shot.open(*room)
+                stages.callback(shot.stage.close)
+            for k in progress_bar(range(max(length, 1)), desc=path.name, show=progress):
+                cells = [shot.cell(k / fps) for shot in shots]
+                yield _sheet(cells, columns or len(cells), labels, caption)
+
+    return _write(drawn(), path, fps, colors)
+
+
+def crowd(
+    clips: Sequence[Clip], path: str | os.PathLike, *, fps: float = 12.5, width: int = 960,
+    colors: int = 96, progress: bool = False
+) -> Path:
+    """Write a looping animation of characters, each in its own colour, who share a floor.
+
+    The camera stands still.
+
+    Parameters
+    ----------
+    clips
+        One per character, of one skeleton, length and rate.
+    path, colors, progress
+        As in `animate`.
+    fps, width
+        Pictures per second, 0 for the last frame alone; pixels.
+
+    Raises
+    ------
+    ValueError
+        If there is no clip, they differ in length, rate or skeleton, or the suffix is unknown.
+    """
+    path, clips = _checked(path), on_cpu(clips)
+    if len({(len(clip), clip.fps, clip.skeleton.names) for clip in clips}) != 1:
+        raise ValueError(
+            f"a crowd needs clips of one length, rate and skeleton, got {len(clips)} that differ "
+            f"or none"
+        )
+    first = clips[0]
+    at = np.arange(max(1, round(first.seconds * fps))) / fps if fps else [first.seconds]
+    frames = np.minimum(np.round(np.multiply(at, first.fps)).astype(int), len(first) - 1)
+    tints = [np.array(to_rgb(mannequin.PALETTE[i % len(mannequin.PALETTE)]))
+             for i in range(len(clips))]
+    bodies = [Body(clip, tint=tint) for clip, tint in zip(clips, tints, strict=True)]
+    # A camera that sees every body in every frame.
+    azimuth, tilt = np.radians(ABOVE)
+    still = np.zeros((len(frames), 3))
+    bounds = [body.seen(frames, still, azimuth, tilt) for body in bodies]
+    low, high = np.min([b[0] for b in bounds], 0), np.max([b[1] for b in bounds], 0)
+    right, up, back = axes(azimuth, tilt)
+    x, y = (low + high) / 2
+    floor = x * right + y * up
+    camera = Camera(floor - back * floor[1] / back[1], azimuth, tilt, high[1] - low[1] + 2 * ROOM)
+    size = width, round(width * camera.height / (high[0] - low[0] + 2 * ROOM))
+
+    def drawn() -> Iterator[Image.Image]:
+        stage = open_stage(size, Lines(reach=float(np.ptp([low, high], axis=0).max())))
+        stage.load(bodies, np.array([-0.35, 1.0, 0.25]) @ axes(azimuth, 0.0))
+        try:
+            for frame in progress_bar(frames, desc=path.name, show=progress):
+                poses = [Pose(body, frame) for body in bodies]
+                yield Image.fromarray(stage.draw(poses, camera))
+        finally:
+            stage.close()
+
+    return _write(drawn(), path, fps or 1.0, colors)
+
+
+def loop(clip: Clip, shortest: float = 1.6, longest: float = 5.0) -> tuple[int, int]:
+    """First and last (not included) frame of the part of a clip that best ends as it began, heading
+    included.
+
+    It is found by `toolkit.motion.loops.find` in the first half minute; ``shortest`` and
+    ``longest`` are its seconds. Clips too short for that are taken whole. A ValueError if the
+    skeleton has no hips or shoulders.
+    """
+    searched = clip.cut(stop=min(len(clip), round(30 * clip.fps)))
+    if searched.seconds < shortest + 0.25:
+        return 0, len(clip)
+    heading = torch.from_numpy(steady_frames(searched, 0.5)[1])[:, None]
+    start, frames = loops.find(searched, shortest, longest, HEADING / loops.PHASE * heading)
+    return start, start + frames
+
+
+class _Follow:
+    """A body seen by a camera that follows it at a steady pace, in degrees from where it faces."""
+
+    def __init__(self, body: Body, view: float):
+        self.body, clip = body, body.clip
+        walked, facing = steady_frames(clip, 0.5)
+        # A smooth path whose ends fit together, as those of a loop do.
+        straight = np.linspace(walked[0], walked[-1], len(walked))
+        swings = gaussian_filter1d(walked - straight, 0.25 * clip.fps, axis=0, mode="wrap")
+        self.path = straight + swings
+        mean = np.arctan2(np.sin(facing).mean(), np.cos(facing).mean())
+        self.azimuth, self.tilt = mean - np.radians(view), TILT
+        frames = np.arange(len(clip))
+        low, high = body.seen(frames, self.path, self.azimuth, self.tilt)
+        self.reach, self.top = max(-low[0], high[0]), high[1]
+        # Lines across the way are so far apart that the next round begins on one.
+        travel = (walked[-1] - walked[0]) * (len(walked) / max(len(walked) - 1, 1))
+        length = float(np.linalg.norm(travel))
+        heading = np.arctan2(travel[0], travel[2]) if length > GRID else facing[0]
+        apart = length / round(length / GRID) if length > GRID else GRID
+        self.lines = Lines(3.0, heading, (apart, GRID), self.path[0])
+
+    def open(self, reach: float, top: float, scale: float) -> None:
+        """Open a stage: ``reach`` metres to either side, ``top`` high, ``scale`` pixels each."""
+        self.height, self.middle = top - BOTTOM, (top + BOTTOM) / 2 / np.cos(self.tilt)
+        self.stage = open_stage((round(2 * reach * scale), round(self.height * scale)), self.lines)
+        self.stage.load([self.body], np.array([-0.25, 1.0, 0.25]) @ axes(self.azimuth, 0.0))
+
+    def cell(self, seconds: float) -> Image.Image:
+        """The picture at a time; a clip that is over starts again."""
+        frame = round(seconds * self.body.clip.fps) % len(self.body.clip)
+        target = self.path[frame] + [0.0, self.middle, 0.0]
+        camera = Camera(target, self.azimuth, self.tilt, self.height)
+        return Image.fromarray(self.stage.draw([Pose(self.body, frame)], camera))
+
+
+def _room(
+    shots: Sequence[_Follow], labels: Sequence[str], height: int
+) -> tuple[float, float, float]:
+    """Metres to either side and upwards that every cell shows, with labels above the heads, and
+    pixels per metre.
+    """
+    font = _font(height)
+    text = max([font.getlength(name) + font.size for name in labels if name], default=0)
+    scale = (height - (1.6 * font.size if text else 0)) / (
+        max(shot.top + 0.05 for shot in shots) - BOTTOM
+    )
+    return (
+        max(0.7, text / 2 / scale, *(shot.reach + 0.03 for shot in shots)), BOTTOM + height / scale,
+        scale
+    )
+
+
+def _font(height: int) -> ImageFont.FreeTypeFont:
+    return ImageFont.load_default(max(11, round(0.065 * height)))
+
+
+def _sheet(
+    cells: Sequence[Image.Image], columns: int, labels: Sequence[str], caption: str
+) -> Image.Image:
+    """Cells in rows, each with its label in the upper left corner; the caption below."""
+    w, height = cells[0].size
+    font, low = _font(height), height * -(-len(cells) // columns)
+    width = max(columns * w, round(font.getlength(caption) + font.size))
+    sheet = Image.new("RGB", (width, low + (2 * font.size if caption else 0)), BACK)
+    text = ImageDraw.Draw(sheet)
+    for i, (cell, label) in enumerate(zip(cells, labels, strict=True)):
+        x, y = i % columns * w, i // columns * height
+        sheet.paste(cell, (x, y))
+        text.text((x + 0.5 * font.size, y + 0.4 * font.size), label, INK, font)
+    text.text((0.5 * font.size, low + 0.3 * font.size), caption, INK, font)
+    return sheet
+
+
+def _checked(path: str | os.PathLike) -> Path:
+    path = Path(path)
+    if path.suffix not in SUFFIXES:
+        raise ValueError(
+            f"an animation is a {', '.join(SUFFIXES[:-1])} or {SUFFIXES[-1]} file; got {path.name}"
+        )
+    return path
+
+
+def _write(frames: Iterable[Image.Image], path: Path, fps: float, colors: int) -> Path:
+    """Write pictures of equal size as one looping file."""
+    if path.suffix == ".mp4":
+        return _film(frames, path, fps)
+    frames = list(frames)
+    options = {"save_all": True, "duration": round(1000 / fps), "loop": 0}
+    if path.suffix == ".gif":  # one palette of a few colours, taken from some of the frames
+        sample = np.concatenate(
+            [np.asarray(frame) for frame in frames[:: max(1, len(frames) // 6)]]
+        )
+        palette = Image.fromarray(sample).quantize(colors, Image.Quantize.MEDIANCUT)
+        frames = [frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in frames]
+        options["optimize"] = False
+    elif path.suffix == ".webp":
+        options["quality"] = 80
+    with atomic_write(path) as file:
+        frames[0].save(
+            file, Image.registered_extensions()[path.suffix], append_images=frames[1:], **options
+        )
+    return path
+
+
+def _film(frames: Iterable[Image.Image], path: Path, fps: float) -> Path:
+    """Write an MP4 that browsers play: H.264, 4:2:0 and therefore of even width and height."""
+    try:
+        import av
+    except ImportError:
+        raise ImportError(f"writing {path.name} needs PyAV: pip install av") from None
+    with (
+        atomic_write(path) as file,
+        av.open(file, "w", format="mp4", options={"movflags": "faststart"}) as film
+    ):
+        stream = film.add_stream(
+            "libx264", rate=Fraction(fps).limit_denominator(1001), options={"crf": "18"}
+        )
+        stream.pix_fmt = "yuv420p"
+        for frame in frames:
+            picture = np.asarray(frame)[: frame.height // 2 * 2, : frame.width // 2 * 2]
+            if not stream.codec_context.is_open:
+                stream.height, stream.width = picture.shape[:2]
+            film.mux(stream.encode(av.VideoFrame.from_ndarray(np.ascontiguousarray(picture))))
+        film.mux(stream.encode())
+    return path
