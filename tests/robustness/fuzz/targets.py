@@ -4,6 +4,7 @@ import contextlib
 import copy
 import functools
 import io
+import itertools
 import json
 import random
 import warnings
@@ -88,7 +89,10 @@ def make(folder: Path, target: str = "all") -> dict[str, list[Reader]]:
     folder = folder.resolve()
     for name in makers:
         (folder / name).mkdir(parents=True, exist_ok=True)
-    return {name: maker(folder / name) for name, maker in makers.items() if target in (name, "all")}
+    made = {name: maker(folder / name) for name, maker in makers.items() if target in (name, "all")}
+    for reader in itertools.chain(*made.values()):
+        reader.warm()
+    return made
 
 
 def _bvh(folder: Path) -> list[Reader]:
