@@ -10,7 +10,7 @@ from safetensors import safe_open
 
 import toolkit as tk
 from toolkit.__main__ import main
-from toolkit.styles import StyleBank, fine_tuning, plausibility
+from toolkit.styles import StyleBank, comparison, fine_tuning
 from toolkit.styles.transitions import EASINGS
 
 BANK = StyleBank(("Neutral", "Zombie", "Old"), torch.eye(3))
@@ -290,10 +290,12 @@ def test_style_add_writes_the_same_file_with_one_vector_more(tmp_path, small_run
     run, out, clips = tmp_path / "run.safetensors", tmp_path / "new.safetensors", tmp_path / "clips"
     small_run.save(run)
     tk.bvh.save(crouch, clips / "a.bvh")
+    words = f"style add --model {run} --clips {clips} --name Mine --out {out} --steps 5".split()
+    assert main(words) == 2  # after so few steps, nobody walks
+    assert "does not walk as the clip does" in capsys.readouterr().err
+    assert not out.exists()
     with pytest.raises(SystemExit, match="0"):
-        main(
-            [*f"style add --model {run} --clips {clips} --name Mine --out {out} --steps 5".split()]
-        )
+        main([*words, "--anyway"])
     said = capsys.readouterr().out
     assert "near it: " in said
     assert "Held-out frames: mean squared error " in said
@@ -363,45 +365,63 @@ def test_vectors_of_single_clips_average_to_the_style(small_run):
     assert len(tk.styles.clip_vectors(small_run.model, data, 2)[1]) == 4
 
 
-def test_segments_are_as_far_apart_as_their_nearest_points():
-    draw = torch.Generator().manual_seed(1)
-    a, b, c, d = torch.randn(4, 50, 3, generator=draw)
-    t = torch.linspace(0, 1, 201)[:, None, None]
-    slow = torch.cdist((a + t * (b - a)).transpose(0, 1), (c + t * (d - c)).transpose(0, 1)).amin(
-        (1, 2)
-    )
-    found = plausibility.segment_distance(a, b, c, d)
-    assert (found - slow).abs().max() < 0.02
-    assert (found <= slow + 1e-5).all()
-    assert float(plausibility.segment_distance(*(torch.zeros(1, 3),) * 4)) == 0.0
+@pytest.fixture(scope="module")
+def zombie():
+    return tk.datasets.load("procedural", styles=["Zombie"], gaits=["FW"], seconds=8.0)[0]
 
 
-def test_a_clean_walk_has_no_strain_and_a_broken_one_has(walk_clip):
-    layout = tk.features.Layout(walk_clip.skeleton)
-    positions = walk_clip.global_positions[:, list(walk_clip.skeleton.feature_joints)]
-    assert plausibility.bone_stretch(layout, positions) < 1e-4
-    assert plausibility.penetration(layout, positions) < 0.005
-    at = {
-        role: layout.names.index(walk_clip.skeleton.roles[role])
-        for role in ("left_hand", "hips", "left_foot", "right_foot")
-    }
-    tip, longer = at["left_hand"] + 1, positions.clone()
-    longer[:, tip] += 0.2 * (positions[:, tip] - positions[:, at["left_hand"]])
-    assert plausibility.bone_stretch(layout, longer) == pytest.approx(0.2, abs=0.01)
-    for limb, other in (("left_hand", "hips"), ("left_foot", "right_foot")):
-        inside = positions.clone()
-        inside[:, at[limb]] = positions[:, at[other]]
-        assert plausibility.penetration(layout, inside) > 0.06
-
-
-def test_a_blend_of_far_apart_poses_is_warned_of_and_a_style_is_not():
+def test_a_style_walks_as_its_clip_and_another_one_does_not(zombie):
     model, bank = tk.pretrained()
-    alone = tk.styles.check(model, bank, {"Neutral": 1.0}, seconds=2.5)
-    assert alone["bone_stretch"] == pytest.approx(alone["usual_bone_stretch"], rel=1e-3)
-    with pytest.warns(
-        UserWarning, match="unlike the motion that the model was trained on: bones are"
-    ):
-        found = tk.styles.check(model, bank, {"Neutral": 0.5, "ArmsAboveHead": 0.5}, seconds=2.5)
-    assert found["bone_stretch"] > found["usual_bone_stretch"] + 0.03
-    with pytest.raises(ValueError, match="after 2 s of walking"):
-        tk.styles.strain(model, bank.vectors[:1], seconds=1.0)
+    own = tk.styles.compare(zombie, model, "Zombie", bank)
+    assert own.verdict == "good"
+    assert not own.reasons
+    assert own.excess <= 1
+    assert list(own.rows)[:3] == ["clip", "style", "Neutral"]
+    other = tk.styles.compare(zombie, model, "Old", bank)
+    assert other.verdict != "good"
+    assert other.rows["style"]["posture"] > 2 * own.rows["style"]["posture"]
+    # two steps each, whatever the rhythm
+    lengths = {name: 2 / own.rows[name]["steps"] for name in own.rows}
+    for name, cycle in own.cycles().items():
+        assert cycle.seconds == pytest.approx(lengths[name], abs=0.05)
+
+
+def test_a_broken_style_fails_and_says_why(zombie):
+    model, bank = tk.pretrained()
+    noise = torch.randn(bank.vectors.shape[1], generator=torch.Generator().manual_seed(0))
+    broken = tk.styles.compare(zombie, model, bank["Zombie"] + 2 * noise, bank)
+    assert broken.verdict == "failed"
+    assert broken.reasons
+    assert "failed: " in str(broken)
+
+
+def test_the_commands_lead_along_the_path_of_the_clip():
+    clip = tk.datasets.load("procedural", styles=["Neutral"], gaits=["TR1"], seconds=10.0)[0]
+    warm_up = round(comparison.WARM_UP * 60)
+    orders = comparison.commands(clip)[warm_up:]
+    roots = tk.motion.root_frames(clip)
+    lag = round(comparison.SMOOTH * 30)  # the first velocity is that of so many frames later
+    way = roots.positions[lag:, [0, 2]] - roots.positions[lag, [0, 2]]
+    at = torch.tensor([order.velocity for order in orders]).cumsum(0) / 60
+    # turned so that the first facing is that of the clip
+    towards = torch.atan2(*(tk.motion.trajectory.heading(roots.rotations[lag])))
+    frames = len(clip) - 2 * lag
+    went = comparison.turned(at[:frames], towards.expand(frames))
+    assert way[:frames].norm(dim=-1).max() > 3
+    assert (went - way[:frames]).norm(dim=-1).max() < 0.25
+
+
+@pytest.mark.parametrize(("change", "why"), [
+    (lambda clip: clip.cut(0, 90), "lasts 1.5 s"),
+    (lambda clip: clip.replace(root_positions=clip.root_positions * torch.tensor([0., 1, 0])),
+     "covers 0.0"),
+    (lambda clip: clip.replace(rotations=clip.rotations[:1].expand_as(clip.rotations)),
+     "never leaves the floor|does not repeat itself"),
+])
+def test_what_is_no_walk_is_refused_with_the_reason(zombie, change, why):
+    model, bank = tk.pretrained()
+    assert not tk.styles.not_a_walk(zombie)
+    clip = change(zombie)
+    assert re.search(why, tk.styles.not_a_walk(clip))
+    with pytest.raises(ValueError, match=why):
+        tk.styles.compare(clip, model, "Zombie", bank)

@@ -17,6 +17,7 @@ from toolkit.io.load import readers
 from toolkit.motion import Clip, Skeleton
 from toolkit.networks import Model
 from toolkit.networks.bank import StyleBank
+from toolkit.styles.comparison import choose, not_a_walk
 from toolkit.styles.fine_tuning import METHODS, STEPS, NewStyles, fine_tune
 from toolkit.training import published
 
@@ -38,11 +39,16 @@ def add(
     mirror: Annotated[bool, typer.Option(
         "--mirror", help="Use mirror images too; for symmetric styles.")] = False,
     seed: Seed = 0,
+    anyway: Annotated[bool, typer.Option(
+        "--anyway", help="Learn from what is no walk, and write a style that failed.")] = False,
     unit: Unit = "auto",
     up: Up = "auto",
     roles: Roles = None,
 ) -> None:
     """Learn a style from one clip or more of at least 2 s, better 4 s; nothing else changes.
+
+    The new style then walks at the speed of the longest clip and on its path, and the walk is
+    compared with the clip: good, weak or failed. A failed style is not written.
 
     Motion of another rig is retargeted to the model's skeleton. A model that has its FiLM generator
     fine-tunes a copy of it. For one that was stored without, such as the embedded one, the style
@@ -63,14 +69,24 @@ def add(
         raise ValueError(f"{model}: its list of added styles is damaged")
     skeleton = network.layout.skeleton
     shown = [_fitted(motion_files.read(file, unit, up, roles), skeleton) for file in files]
+    for clip in shown:
+        if (why := not_a_walk(clip)) and not anyway:
+            raise ValueError(f"{clip.name}: {why}; no style was learnt (--anyway learns it)")
     made = fine_tune(network, shown, name, bank, method=method, steps=steps, mirror=mirror,
                      seed=seed, progress=True)
-    record = {"style": name, "clips": [file.name for file in files], "method": made.method,
-              "steps": steps, "seed": seed, "seconds": round(made.seconds, 1)}
-    new = {"bank": list(made.bank.names), "added": [*added, record]}
-    model_files.write(out, tensors | made.bank.tensors, parts | new)
     _report(made, name)
-    _print_near(made.bank, name)
+    longest = max(shown, key=lambda clip: clip.seconds)
+    chosen, compared = choose(made, longest, anyway=anyway)
+    say(str(compared))
+    if compared.verdict == "failed" and not anyway:
+        raise ValueError(f"{name!r} does not walk as the clip does, so {out} was not written "
+                         "(--anyway writes it); use more or longer clips, or --mirror")
+    record = {"style": name, "clips": [file.name for file in files], "method": made.method,
+              "steps": steps, "seed": seed, "seconds": round(made.seconds, 1),
+              "verdict": compared.verdict}
+    new = {"bank": list(chosen.names), "added": [*added, record]}
+    model_files.write(out, tensors | chosen.tensors, parts | new)
+    _print_near(chosen, name)
     say(f"wrote {out}; next: python -m toolkit rollout --model {quote(str(out))} --style "
         f"{quote(name)} --out walk.html")
 
@@ -98,10 +114,6 @@ def _report(made: NewStyles, name: str) -> None:
     elif error["after"] >= error["before"]:
         say("Adding did not help on these frames, which did not choose the step: use more or "
             "longer clips.")
-    elif error["after"] >= error["repeat"]:
-        say("One step ahead, the model predicts this style no better than repeating the frame. "
-            "The walk may have the style all\nthe same: look at it. To learn the recordings, train "
-            "on them: python -m toolkit train --data FOLDER")
 
 
 def _fitted(clip: Clip, skeleton: Skeleton) -> Clip:

@@ -54,6 +54,7 @@ class NewStyles:
     losses: list[float]  # of every step
     best: int  # the step whose vector was kept; 0 for the initial one
     held_out: dict[str, dict[str, float]]  # of each style: ``before``, ``after``, floors
+    tried: Tensor  # [K, S, D] the vectors of the S new styles whenever the error was measured
     __repr__ = summary
 
 
@@ -152,7 +153,7 @@ def fine_tune(model: Model, clips: Clip | Sequence[Clip] | Features, name: str |
         return learnt[0][style, None] if method == "vector" else model.encode(y)
 
     before = error(reported)
-    descent = _Descent(learnt, lambda: error(choosing))
+    descent = _Descent(learnt, lambda: error(choosing), lambda: made().vectors)
     if method != "forward":
         _descend(model, bank, kept, descent, vector, method, steps, seed, progress)
     new, after, floors = made(), error(reported), baselines(model, reported)
@@ -163,20 +164,23 @@ def fine_tune(model: Model, clips: Clip | Sequence[Clip] | Features, name: str |
                          "after": after.get(style, math.nan), **floors.get(style, unknown)}
     bank = new if bank is None else bank.merge(new)
     return NewStyles(new.names, bank, model, method, time.perf_counter() - began, descent.losses,
-                     descent.best, errors)
+                     descent.best, errors, torch.stack(descent.tried))
 
 
 class _Descent:
     """What is learnt, the loss of every step, and the best values by the mean held-out error."""
 
-    def __init__(self, learnt: list[Tensor], error: Callable[[], dict[str, float]]):
+    def __init__(self, learnt: list[Tensor], error: Callable[[], dict[str, float]],
+                 vectors: Callable[[], Tensor]):
         self.learnt, self.error, self.errors = learnt, error, error()
+        self.vectors, self.tried = vectors, [vectors()]
         self.losses: list[float] = []
         self.best, self.values = 0, [tensor.detach().clone() for tensor in learnt]
 
     def judge(self, step: int) -> None:
         """Measure the held-out error after ``step`` steps."""
         errors = self.error()
+        self.tried.append(self.vectors())
         if not errors or sum(errors.values()) < sum(self.errors.values()):
             self.best, self.errors = step, errors
             self.values = [tensor.detach().clone() for tensor in self.learnt]

@@ -1,0 +1,296 @@
+"""Does a style walk as the clip does that it was learnt from? (ours)
+
+The error one step ahead cannot say: a statue that glides has a small one. So the style walks in
+closed loop, at the clip's own speed and on its path, and the walk is compared with the clip by
+what a viewer sees.
+"""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import torch
+from torch import Tensor
+
+from toolkit import runtime
+from toolkit.motion import Clip, contacts, rotations as R
+from toolkit.motion.clip import FEET, SIDES, root_frames
+from toolkit.motion.trajectory import FPS, heading
+from toolkit.networks import Model
+from toolkit.networks.bank import StyleBank
+from toolkit.styles.fine_tuning import NewStyles
+
+SECONDS, LONGEST = 6.0, 12.0  # of a walk that is compared: at least, and at most
+WARM_UP = 2.0  # seconds before it
+SMOOTH = 0.5  # seconds over which a clip's velocity and facing are averaged into commands
+CYCLE = 0.4, 2.5  # seconds that two steps may last
+WINDOW = 4.0  # seconds in which a cycle is compared with the next one
+#: What a walk has at least: seconds, m/s, and the correlation of a cycle with the next one.
+SHORTEST, SLOWEST, PERIODIC = 1.9, 0.3, 0.74
+#: Largest differences from the clip of a good walk, relative for speed and steps; twice as much
+#: is a failure. Its posture has at most so large a share of a floor's distance, and its range is at
+#: most so many times the clip's, or smaller.
+LIMITS = {"speed": 0.25, "direction": 15.0, "steps": 0.2, "slower foot": 8.0, "hips": 6.0}
+POSTURE, RANGE = 0.8, 2.2
+UNITS = {"speed": "m/s", "direction": "°", "steps": "1/s", "slower foot": "cm/s", "hips": "cm",
+         "posture": "cm", "range": "cm"}
+
+
+@dataclass(frozen=True, eq=False)
+class Comparison:
+    """Result of `compare`; print it for a table.
+
+    ``rows`` has a dict for the ``clip``, the ``style``, and each style of the bank that is a floor:
+    ``speed``, m/s; ``direction`` of travel, degrees from the facing; ``steps`` per second;
+    ``slower foot``, mean speed of the slower toe, cm/s; ``hips``, mean height, cm; ``posture``,
+    mean distance of hands and spine from where the clip has them on average, cm (for the clip: of
+    its second half from its first); ``range``, deviation of hands and spine from their mean, cm.
+    """
+
+    verdict: str  # good, weak or failed
+    reasons: tuple[str, ...]  # why it is not good
+    excess: float  # the largest difference, as a share of what a good walk may have
+    rows: dict[str, dict[str, float]]
+    clips: dict[str, Clip]  # the motion of each row
+
+    def __repr__(self) -> str:
+        lines = [f"{'':<16}" + "".join(f"{f'{name}, {unit}':>18}" for name, unit in UNITS.items())]
+        for name, row in self.rows.items():
+            lines.append(f"{name[:16]:<16}" + "".join(f"{row[what]:>18.2f}" for what in UNITS))
+        reasons = "; ".join(self.reasons)
+        return "\n".join([*lines, f"{self.verdict}: {reasons}" if reasons else self.verdict])
+
+    def cycles(self) -> dict[str, Clip]:
+        """Two steps of each motion, from a landing of the right foot, for pictures side by side.
+
+        At equal times, walks of other rhythms would show other phases.
+        """
+        return {name: cycle(clip) for name, clip in self.clips.items()}
+
+
+def compare(clip: Clip, model: Model, style: Tensor | str, bank: StyleBank, *,
+            anyway: bool = False) -> Comparison:
+    """Let a style walk at a clip's speed and on its path, and compare the walk with the clip.
+
+    The floors are the walks of ``Neutral``, if the bank has it, and of the bank's style that is
+    nearest to the style: a style that is not nearer to the clip than these has not been learnt.
+
+    Parameters
+    ----------
+    clip
+        A walk or a run on the model's skeleton, at any rate.
+    style
+        The vector ``[D]``, or a name in the bank.
+    bank
+        Styles of the model.
+    anyway
+        Compare with a clip that is no walk, too.
+
+    Raises
+    ------
+    ValueError
+        If the clip is no walk (`not_a_walk`) and not ``anyway``, or the bank does not know the
+        style.
+    """
+    vector = bank[style] if isinstance(style, str) else style
+    known = style if isinstance(style, str) else None
+    return _compared(clip, model, vector[None], bank, known, anyway)[0]
+
+
+def choose(made: NewStyles, clip: Clip, *, anyway: bool = False) -> tuple[StyleBank, Comparison]:
+    """The bank with that vector of a training which walks most like a clip, and its comparison.
+
+    The held-out error of `fine_tune` is measured one step ahead, and chooses another step.
+    ``anyway`` is that of `compare`. ValueError if several styles were learnt at once.
+    """
+    if len(made.names) != 1:
+        raise ValueError(f"one style is chosen at a time, got {', '.join(made.names)}")
+    (name,) = made.names
+    vectors = torch.cat([made.bank[name][None], made.tried[:, 0]])
+    found = _compared(clip, made.model, vectors, made.bank, name, anyway)
+    best = min(range(len(found)), key=lambda i: found[i].excess)
+    kept = made.bank.vectors.clone()
+    kept[made.bank.names.index(name)] = vectors[best]
+    return StyleBank(made.bank.names, kept, made.bank.speeds), found[best]
+
+
+def _compared(clip: Clip, model: Model, vectors: Tensor, bank: StyleBank, name: str | None,
+              anyway: bool) -> list[Comparison]:
+    """Comparisons of ``vectors [K, D]``, walking side by side; ``name`` is theirs in the bank."""
+    clip = clip.resample(FPS)
+    if not anyway and (why := not_a_walk(clip)):
+        raise ValueError(f"{clip.name}: {why}")
+    near = [other for other, _ in bank.nearest(vectors[0], len(bank)) if other != name]
+    floors = [other for other in dict.fromkeys(("Neutral", *near[:1])) if other in near]
+    together = torch.cat([vectors, *(bank[other][None] for other in floors)])
+    walked = list(runtime.states(model, commands(clip), together))[round(WARM_UP * FPS):]
+    walks = [runtime.record(model, walked, character=i) for i in range(len(together))]
+    beside = dict(zip(floors, walks[len(vectors):], strict=True))
+    fixed = {"clip": measures(clip, clip)}
+    others = {other: measures(walk, clip) for other, walk in beside.items()}
+    return [_judged(fixed | {"style": measures(walk, clip)} | others,
+                    {"clip": clip, "style": walk} | beside)
+            for walk in walks[: len(vectors)]]
+
+
+def _judged(rows: dict[str, dict[str, float]], clips: dict[str, Clip]) -> Comparison:
+    shares = {what: difference(rows, what) for what in UNITS}
+    found = tuple(f"{what} {rows['style'][what]:.1f} {UNITS[what]}, {against(rows, what)}"
+                  for what, share in shares.items() if share > 1)
+    failed = any(shares[what] > 2 for what in LIMITS)
+    verdict = "failed" if failed else "weak" if found else "good"
+    return Comparison(verdict, found, max(shares.values()), rows, clips)
+
+
+def difference(rows: Mapping[str, Mapping[str, float]], what: str) -> float:
+    """How far the style's walk is from the clip's, as a share of what a good one may be."""
+    clip, style = rows["clip"][what], rows["style"][what]
+    if what == "posture":
+        floors = [row[what] for name, row in rows.items() if name not in ("clip", "style")]
+        return style / (POSTURE * min(floors, default=math.inf))
+    if what == "range":
+        return abs(math.log(style / clip)) / math.log(RANGE)
+    if what == "direction":
+        return abs(math.remainder(style - clip, 360)) / LIMITS[what]
+    if what == "slower foot":
+        return (style - clip) / LIMITS[what]
+    return abs(style - clip) / (LIMITS[what] * (clip if what in ("speed", "steps") else 1))
+
+
+def against(rows: Mapping[str, Mapping[str, float]], what: str) -> str:
+    """What a value of the style is compared with, in words."""
+    if what != "posture":
+        return f"the clip's {rows['clip'][what]:.1f}"
+    near = min((name for name in rows if name not in ("clip", "style")),
+               key=lambda name: rows[name][what])
+    return f"{near}'s {rows[near][what]:.1f}"
+
+
+def not_a_walk(clip: Clip) -> str:
+    """Why no style can be learnt from a clip on its own; empty for a walk or a run.
+
+    A walk lasts two steps or more, covers ground, lifts both feet and repeats itself.
+    """
+    if clip.seconds < SHORTEST:
+        return f"lasts {clip.seconds:.1f} s; a style needs {SHORTEST:g} s or more"
+    if (speed := pace(clip)) < SLOWEST:
+        return f"covers {speed:.2f} m/s; a walk has {SLOWEST:g} m/s or more"
+    contact = contacts.detect(clip)
+    for side, share in zip(FEET, contact.mean(0).tolist(), strict=True):
+        if share > 0.97:
+            return f"the {side} foot never leaves the floor"
+    if (likeness := periodicity(clip)[0]) < PERIODIC:
+        return (f"does not repeat itself: one cycle and the next correlate by {likeness:.2f}, "
+                f"in a walk by {PERIODIC:g} or more")
+    return ""
+
+
+def periodicity(clip: Clip) -> tuple[float, int]:
+    """How much a cycle resembles the next one, up to 1, and its length in frames.
+
+    The largest autocorrelation of the toes' distance along the facing, over lags of `CYCLE`: the
+    median over windows of `WINDOW`, because the tempo of a long take changes.
+    """
+    toes = root_frames(clip).to_local(contacts.toes_of(clip))[..., 2]
+    apart = (toes[:, 0] - toes[:, 1]).double()
+    window = min(round(WINDOW * clip.fps), len(apart))
+    windows = apart.unfold(0, window, max(1, window // 2))
+    shortest, longest = (round(seconds * clip.fps) for seconds in CYCLE)
+    lags = range(shortest, min(longest, 2 * window // 3) + 1)
+    if not lags:
+        return math.nan, 0
+    likeness = torch.stack([correlation(windows[:, lag:], windows[:, :-lag]) for lag in lags])
+    best = likeness.amax(0)
+    # of nearly equal peaks the first one counts: the second one is two cycles
+    first = (likeness > best - 0.05).int().argmax(0)
+    return float(best.median()), lags[int(first.median())]
+
+
+def correlation(a: Tensor, b: Tensor) -> Tensor:
+    """Pearson's correlation ``[...]`` of the last dimension of ``[..., F]``."""
+    a, b = (x - x.mean(-1, keepdim=True) for x in (a, b))
+    return (a * b).sum(-1) / (a.norm(dim=-1) * b.norm(dim=-1)).clamp_min(1e-9)
+
+
+def cycle(clip: Clip) -> Clip:
+    """Two steps of a walk, from a landing of the right foot where there is one."""
+    length = periodicity(clip)[1] or len(clip) - 1
+    on = contacts.detect(clip)[: len(clip) - length, 0] > 0.5
+    landings = (on[1:] & ~on[:-1]).nonzero()[:, 0].tolist()
+    begin = landings[len(landings) // 2] if landings else 0
+    return clip.cut(begin, begin + length + 1)
+
+
+def commands(clip: Clip) -> list[runtime.Command]:
+    """Commands for a walk as the clip's: its velocity and facing, smoothed, repeated at the end.
+
+    They begin with `WARM_UP` of its mean velocity, and the path goes on turning in each repetition.
+    """
+    velocity, half = travel(clip)
+    sin, cos = heading(root_frames(clip).rotations)
+    facing = torch.stack((sin, cos), -1).unfold(0, 2 * half + 1, 1).mean(-1)[: len(velocity)]
+    angle = torch.atan2(facing[:, 0], facing[:, 1])
+    # relative to the facing, so that a repetition starts where the last one ended
+    along = turned(velocity, -angle)
+    turns = torch.diff(angle)
+    turns = torch.atan2(turns.sin(), turns.cos())
+    made = [(along.mean(0), torch.zeros(()))] * round(WARM_UP * clip.fps)
+    while len(made) < (WARM_UP + SECONDS) * clip.fps:
+        made += zip(along, torch.cat((turns, turns.new_zeros(1))), strict=True)
+    made = made[: round((WARM_UP + min(max(SECONDS, clip.seconds), LONGEST)) * clip.fps)]
+    now = torch.stack([turn for _, turn in made]).cumsum(0)
+    wanted = turned(torch.stack([way for way, _ in made]), now)
+    facing = torch.stack((now.sin(), now.cos()), -1)
+    return [runtime.Command(tuple(v), tuple(f))
+            for v, f in zip(wanted.tolist(), facing.tolist(), strict=True)]
+
+
+def travel(clip: Clip) -> tuple[Tensor, int]:
+    """Velocity ``[F - 2h, 2]`` (x, z) of the hips, averaged over h frames before and after; h."""
+    half = min(round(SMOOTH * clip.fps / 2), (len(clip) - 1) // 2)
+    hips = root_frames(clip).positions[:, [0, 2]]
+    return (hips[2 * half :] - hips[: -2 * half]) * clip.fps / (2 * half), half
+
+
+def pace(clip: Clip) -> float:
+    """Mean horizontal speed, m/s, without the sway of single steps."""
+    return float(travel(clip)[0].norm(dim=-1).mean())
+
+
+def turned(vectors: Tensor, angle: Tensor) -> Tensor:
+    """Vectors (x, z) ``[F, 2]`` turned about the vertical by angles ``[F]``."""
+    solid = torch.stack((vectors[:, 0], torch.zeros_like(angle), vectors[:, 1]), -1)
+    return R.rotate(R.yaw(angle), solid)[:, [0, 2]]
+
+
+def measures(walk: Clip, clip: Clip) -> dict[str, float]:
+    """A row of `Comparison`."""
+    roots = root_frames(walk)
+    way = roots.turn_to_local(contacts.velocities(roots.positions, walk.fps)).mean(0)
+    toes = contacts.velocities(contacts.toes_of(walk), walk.fps).norm(dim=-1).amin(1)
+    body, own = upper_body(walk), upper_body(clip)
+    if walk is clip:
+        own, seen = body.split((len(body) + 1) // 2)
+    else:
+        seen = body
+    return {
+        "speed": pace(walk),
+        "direction": math.degrees(math.atan2(float(way[0]), float(way[2]))),
+        "steps": 2 * walk.fps / max(1, periodicity(walk)[1]),
+        "slower foot": 100 * float(toes.mean()),
+        "hips": 100 * float(hips_height(walk).mean()),
+        "posture": 100 * float((seen.mean(0) - own.mean(0)).norm(dim=-1).mean()),
+        "range": 100 * float(body.var(0).sum(-1).sqrt().mean()),
+    }
+
+
+def hips_height(clip: Clip) -> Tensor:
+    """Heights ``[F]`` of the hips, metres."""
+    return clip.global_positions[:, clip.skeleton.role("hips"), 1]
+
+
+def upper_body(clip: Clip) -> Tensor:
+    """Positions ``[F, 2 + T, 3]`` of the hands and the trunk's T joints in the root's frame."""
+    skeleton = clip.skeleton
+    joints = [*(skeleton.role(f"{side}_hand") for side in SIDES), *skeleton.trunk]
+    return root_frames(clip).to_local(clip.global_positions[:, joints])
