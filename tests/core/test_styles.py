@@ -263,6 +263,11 @@ def test_the_embedded_model_learns_a_style_from_one_clip():
     assert made.method == "vector"  # it comes without its generator
     found = made.held_out["Sneak"]
     assert found["after"] < 0.6 * found["before"]
+    chosen, compared = tk.styles.choose(made, clip)
+    again = tk.styles.compare(clip, model, chosen["Sneak"], bank)
+    assert again.excess == pytest.approx(compared.excess, rel=0.02)
+    assert compared.excess <= tk.styles.compare(clip, model, "Sneak", made.bank).excess * 1.02
+    assert torch.equal(chosen.vectors[:-1], bank.vectors)
     walk = tk.runtime.rollout(model, tk.runtime.straight(0.75, 5.0), made.bank["Sneak"]).cut(180)
     assert tk.metrics.hips_height(walk)[1] < 0.9
     assert tk.metrics.upright(walk)

@@ -607,3 +607,16 @@ def test_unknown_style_and_divergence_are_named():
         training.fit(waves(), quick(styles=("style9",)))
     with pytest.raises(ValueError, match="training diverged at step"):
         training.fit(waves(), quick(rate=1e30, max_gradient=None))
+
+
+def test_the_recorded_model_lies_beside_the_package(tmp_path, monkeypatch):
+    model, bank = tk.pretrained("recorded")
+    assert {"proud", "tired", "normal"} <= set(bank)
+    walk = tk.runtime.rollout(model, tk.runtime.straight(1.1, 3.0), bank["normal"])
+    assert tk.metrics.upright(walk)
+    assert tk.metrics.speed(walk.cut(60)) == pytest.approx(1.1, abs=0.15)
+    with pytest.raises(ValueError, match="no model 'real': procedural or recorded"):
+        tk.pretrained("real")
+    monkeypatch.setattr("toolkit.training.run.RECORDED", tmp_path / "recorded.safetensors")
+    with pytest.raises(FileNotFoundError, match="it is in the repository.*train it: python -m"):
+        tk.pretrained("recorded")

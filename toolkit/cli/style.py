@@ -1,7 +1,6 @@
 """The verb `style`: add a style to a trained model from clips, and list the styles of a model."""
 
 import math
-from importlib import resources
 from pathlib import Path
 from shlex import quote
 from typing import Annotated
@@ -20,6 +19,7 @@ from toolkit.networks.bank import StyleBank
 from toolkit.styles.comparison import choose, not_a_walk
 from toolkit.styles.fine_tuning import METHODS, STEPS, NewStyles, fine_tune
 from toolkit.training import published
+from toolkit.training.run import RECORDED, pretrained_file
 
 app = typer.Typer(no_args_is_help=True, add_completion=False,
                   help="Add styles to a trained model, and list its styles.")
@@ -53,6 +53,9 @@ def add(
     Motion of another rig is retargeted to the model's skeleton. A model that has its FiLM generator
     fine-tunes a copy of it. For one that was stored without, such as the embedded one, the style
     vector itself is optimised.
+
+    Without --model and --published, the style is learnt on each model that is there: procedural,
+    recorded, and published, if its files were fetched. The one where it walks best is written.
     """
     if not clips.exists():
         raise ValueError(f"{clips}: no such file or folder")
@@ -64,29 +67,38 @@ def add(
     if not name.strip() or any(c in name for c in "=,"):
         raise ValueError(f"a style's name must not be empty nor hold '=' or ',', got {name!r}")
     saving.check(out, ())
-    tensors, parts, network, bank = _read(model, parameters)
-    if not isinstance(added := parts.get("added", []), list):
-        raise ValueError(f"{model}: its list of added styles is damaged")
-    skeleton = network.layout.skeleton
-    shown = [_fitted(motion_files.read(file, unit, up, roles), skeleton) for file in files]
-    for clip in shown:
-        if (why := not_a_walk(clip)) and not anyway:
-            raise ValueError(f"{clip.name}: {why}; no style was learnt (--anyway learns it)")
-    made = fine_tune(network, shown, name, bank, method=method, steps=steps, mirror=mirror,
-                     seed=seed, progress=True)
-    _report(made, name)
-    longest = max(shown, key=lambda clip: clip.seconds)
-    chosen, compared = choose(made, longest, anyway=anyway)
-    say(str(compared))
+    learnt = []
+    for base in _bases(model, parameters):
+        tensors, parts, network, bank = _read(base, parameters)
+        if not isinstance(parts.setdefault("added", []), list):
+            raise ValueError(f"{model}: its list of added styles is damaged")
+        say(f"{base or 'published'}:")
+        shown = [fitted(motion_files.read(file, unit, up, roles), network.layout.skeleton)
+                 for file in files]
+        for clip in shown:
+            if (why := not_a_walk(clip)) and not anyway:
+                raise ValueError(f"{clip.name}: {why}; no style was learnt (--anyway learns it)")
+        made = fine_tune(network, shown, name, bank, method=method, steps=steps, mirror=mirror,
+                         seed=seed, progress=True)
+        _report(made, name)
+        longest = max(shown, key=lambda clip: clip.seconds)
+        bank, compared = choose(made, longest, anyway=anyway)
+        say(str(compared))
+        learnt.append((compared, base, tensors, parts, made, bank))
+    compared, base, tensors, parts, made, bank = min(learnt, key=lambda one: one[0].excess)
+    if len(learnt) > 1:
+        say(f"The style walks best on the model {base or 'published'}.")
+    if str(base) == "recorded":
+        say("This model, and a style added to it, is under CC BY-NC 4.0: not for commercial use.")
     if compared.verdict == "failed" and not anyway:
         raise ValueError(f"{name!r} does not walk as the clip does, so {out} was not written "
                          "(--anyway writes it); use more or longer clips, or --mirror")
     record = {"style": name, "clips": [file.name for file in files], "method": made.method,
-              "steps": steps, "seed": seed, "seconds": round(made.seconds, 1),
-              "verdict": compared.verdict}
-    new = {"bank": list(chosen.names), "added": [*added, record]}
-    model_files.write(out, tensors | chosen.tensors, parts | new)
-    _print_near(chosen, name)
+              "base": str(base or "published"), "steps": steps, "seed": seed,
+              "seconds": round(made.seconds, 1), "verdict": compared.verdict}
+    new = {"bank": list(bank.names), "added": [*parts["added"], record]}
+    model_files.write(out, tensors | bank.tensors, parts | new)
+    _print_near(bank, name)
     say(f"wrote {out}; next: python -m toolkit rollout --model {quote(str(out))} --style "
         f"{quote(name)} --out walk.html")
 
@@ -94,7 +106,7 @@ def add(
 @app.command("list")
 def list_(model: TrainedRun = None, parameters: Published = None) -> None:
     """List the styles of a model, each with its nearest ones."""
-    bank = _read(model, parameters)[3]
+    bank = _read(model or (None if parameters else "procedural"), parameters)[3]
     for name in bank:
         _print_near(bank, name)
 
@@ -116,7 +128,7 @@ def _report(made: NewStyles, name: str) -> None:
             "longer clips.")
 
 
-def _fitted(clip: Clip, skeleton: Skeleton) -> Clip:
+def fitted(clip: Clip, skeleton: Skeleton) -> Clip:
     """The clip on the model's skeleton."""
     if not any(map(skeleton.is_end, range(len(skeleton)))):
         clip = clip.without_ends()
@@ -133,15 +145,21 @@ def _print_near(bank: StyleBank, name: str) -> None:
     say(f"{name:<20} near it: {near}")
 
 
-def _read(path: Path | None, folder: Path | None) -> tuple[dict, dict, Model, StyleBank]:
-    """Tensors and description of a model's file or the published folder, the model, its bank."""
-    if folder is not None:
-        run = published.either(path, folder)
+def _bases(model: Path | None, folder: Path | None) -> list[str | Path | None]:
+    """Models to which a style is added: names or files, None for the published one."""
+    if model is not None or folder is not None:
+        return [model]
+    bases = ["procedural", *(["recorded"] if RECORDED.exists() else [])]
+    return [*bases, *([None] if published.available() else [])]
+
+
+def _read(base: str | Path | None,
+          folder: Path | None) -> tuple[dict, dict, Model, StyleBank]:
+    """Tensors and description of a model's file or the published one, the model, its bank."""
+    if base is None or folder is not None:
+        run = published.either(base, folder or published.DATASET)
         return *run.parts(), *run
-    if path is None:
-        file = resources.files("toolkit.training") / "pretrained.safetensors"
-        with resources.as_file(file) as embedded:
-            return _read(embedded, None)
+    path = pretrained_file(str(base)) if str(base) in ("procedural", "recorded") else base
     tensors, parts = model_files.read(path, "model")
     model = Model.from_parts(path, tensors, parts, None)
     return tensors, parts, model, StyleBank.from_parts(path, tensors, parts)

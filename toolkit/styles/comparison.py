@@ -28,10 +28,10 @@ WINDOW = 4.0  # seconds in which a cycle is compared with the next one
 #: What a walk has at least: seconds, m/s, and the correlation of a cycle with the next one.
 SHORTEST, SLOWEST, PERIODIC = 1.9, 0.3, 0.74
 #: Largest differences from the clip of a good walk, relative for speed and steps; twice as much
-#: is a failure. Its posture has at most so large a share of a floor's distance, and its range is at
-#: most so many times the clip's, or smaller.
+#: is a failure. Its posture has at most so large a share of a floor's distance, or at most `CLOSE`
+#: cm, and its range is at most so many times the clip's, or smaller.
 LIMITS = {"speed": 0.25, "direction": 15.0, "steps": 0.2, "slower foot": 8.0, "hips": 6.0}
-POSTURE, RANGE = 0.8, 2.2
+POSTURE, CLOSE, RANGE = 0.8, 2.0, 2.2
 UNITS = {"speed": "m/s", "direction": "°", "steps": "1/s", "slower foot": "cm/s", "hips": "cm",
          "posture": "cm", "range": "cm"}
 
@@ -147,7 +147,7 @@ def difference(rows: Mapping[str, Mapping[str, float]], what: str) -> float:
     clip, style = rows["clip"][what], rows["style"][what]
     if what == "posture":
         floors = [row[what] for name, row in rows.items() if name not in ("clip", "style")]
-        return style / (POSTURE * min(floors, default=math.inf))
+        return style / max(POSTURE * min(floors, default=math.inf), CLOSE)
     if what == "range":
         return abs(math.log(style / clip)) / math.log(RANGE)
     if what == "direction":

@@ -114,6 +114,7 @@ def load(folder: str | os.PathLike | None = None, *, calibrated: bool = False) -
 def either(file: str | os.PathLike | None, folder: str | os.PathLike | None) -> run.Run:
     """A model and its styles, of a run's ``file`` or the published ``folder``, or the embedded.
 
+    In place of a file, ``recorded`` is the model of recorded people (`toolkit.pretrained`).
     The ``folder`` may be ``lpn-film-100style``, for the folder of downloaded data.
 
     Raises
@@ -125,7 +126,9 @@ def either(file: str | os.PathLike | None, folder: str | os.PathLike | None) -> 
         raise ValueError("give either --model FILE or --published FOLDER, not both")
     if folder is not None:
         return load(folder)
-    return run.pretrained() if file is None else run.load(file)
+    if file is None or str(file) in ("procedural", "recorded"):
+        return run.pretrained(str(file or "procedural"))
+    return run.load(file)
 
 
 def one_step(model: Model, bank: StyleBank, clip: Clip, style: str,

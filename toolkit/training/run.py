@@ -6,7 +6,7 @@ import math
 import os
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from importlib import resources
+from pathlib import Path
 
 import torch
 
@@ -17,6 +17,10 @@ from toolkit.networks.bank import StyleBank
 from toolkit.training.loss import STEPS
 
 PRECISIONS = ("32", "bf16")
+PROCEDURAL = Path(__file__).with_name("pretrained.safetensors")
+RECORDED = Path(__file__).parents[2] / "examples" / "models" / "recorded.safetensors"
+#: Contents of the takes from which it was trained.
+RECORDED_GAITS = "walk,run,dash,walk-back,walk-left,walk-right,walk-turn-left,walk-turn-right"
 #: Learning rate of the style modulation / other rates in `Config.quick`. High rates destroy FiLM's
 #: convolutions. Tables of styles need high rates, one-hot the highest, because a row is trained
 #: only by the minibatches of its own style.
@@ -247,12 +251,39 @@ def load(path: str | os.PathLike) -> Run:
     return run
 
 
-def pretrained() -> Run:
-    """The embedded default, ``model, bank = pretrained()``: a small LPN-FiLM and its styles.
+def pretrained(name: str = "procedural") -> Run:
+    """A trained small LPN-FiLM and its styles, ``model, bank = pretrained()``.
 
-    It needs no network access. It was trained on procedural styles. It comes without the FiLM
-    generator, so it cannot make style vectors of new clips. `docs/embedded_model.md` describes the
-    data and the command.
+    They come without the FiLM generator, so they cannot make style vectors of new clips.
+    `docs/embedded_model.md` describes the data and the commands.
+
+    Parameters
+    ----------
+    name
+        ``"procedural"``, which is part of the package, was trained on computed walks.
+        ``"recorded"`` was trained on people (Bandai-Namco, CC BY-NC 4.0, not for commercial use).
+        It is a file of the repository, not of the package.
+
+    Raises
+    ------
+    FileNotFoundError
+        If the recorded model is not there.
+    ValueError
+        For another name.
     """
-    with resources.as_file(resources.files("toolkit.training") / "pretrained.safetensors") as path:
-        return load(path)
+    return load(pretrained_file(name))
+
+
+def pretrained_file(name: str) -> Path:
+    """The file of `pretrained`, which raises the same errors."""
+    if name == "procedural":
+        return PROCEDURAL
+    if name != "recorded":
+        raise ValueError(f"no model {name!r}: procedural or recorded")
+    if not RECORDED.exists():
+        raise FileNotFoundError(
+            f"{RECORDED}: the recorded model is not part of the package (CC BY-NC 4.0); it is in "
+            "the repository, in examples/models, or train it: python -m toolkit train --data "
+            f"bandai --gaits {RECORDED_GAITS} --listed --mirror --small --minutes 60 --slim --out "
+            "recorded.safetensors")
+    return RECORDED
