@@ -276,7 +276,9 @@ def recordings(clips: Iterable[tuple[int, Clip]], *, source: str | phases.Source
     groups: dict[tuple[str, str], list[tuple[int, Clip]]] = defaultdict(list)
     for take, clip in clips:
         if why := Layout(clip.skeleton, samples=samples).difference(layout):
-            raise ValueError(f"{clip.name}: {why}, compared with {first.name}")
+            raise ValueError(f"{clip.name}: {why}, compared with {first.name}; on one skeleton: "
+                             "toolkit.extra.characters.retargeting.retarget; or train "
+                             "--skeleton FILE")
         groups[clip.style, clip.gait].append((take, clip))
 
     found: dict[str, list[tuple[int, OwnFeatures]]] = {style: [] for style, _ in groups}

@@ -17,7 +17,7 @@ from toolkit.motion.tensors import as_tensor
 
 
 def foot_skate(clip: Clip, contact: Tensor | None = None) -> dict[str, float]:
-    """Mean horizontal speed of each toe while it is in contact, m/s.
+    """Mean speed of each toe while it is in contact, in three dimensions, m/s.
 
     ``contact [F, 2]`` is in [0, 1], right and left, for example of a network. By default a toe is
     in contact when it is low, at any speed: a speed limit would exclude the skating that is
@@ -30,7 +30,7 @@ def foot_skate(clip: Clip, contact: Tensor | None = None) -> dict[str, float]:
     """
     low = contacts.detect(clip, height=contacts.HEIGHT, speed=math.inf)
     contact = low if contact is None else _checked(clip, contact)
-    speeds = contacts.velocities(contacts.toes_of(clip), clip.fps)[..., [0, 2]].norm(dim=-1)
+    speeds = contacts.velocities(contacts.toes_of(clip), clip.fps).norm(dim=-1)
     return {side: float(speeds[contact[:, i] > 0.5, i].mean()) for i, side in enumerate(FEET)}
 
 
