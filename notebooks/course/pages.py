@@ -108,6 +108,14 @@ def steer(
         return show(path.read_text(encoding="utf-8"), height)
 
 
+def switch(pages: dict[str, Page]) -> Page:
+    """Pages by label, of which one is open at a time, first the first one."""
+    parts = [f'<details name="switch"{"" if i else " open"}><summary style="cursor: pointer">'
+             f'<b>{escape(label)}</b></summary>{one.html}</details>'
+             for i, (label, one) in enumerate(pages.items())]
+    return Page("".join(parts))
+
+
 def two_bone() -> Page:
     """A leg of two bones whose ankle follows the pointer, with the law of cosines beside it."""
     return show((Path(__file__).parent / "two_bone.html").read_text(encoding="utf-8"), 270)
