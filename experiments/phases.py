@@ -50,7 +50,7 @@ def run(
     seconds: Annotated[float, typer.Option(help="Length of each clip.")] = 30.0,
     seed: Annotated[int, typer.Option(help="Seed of the clips.")] = 0,
     source: Annotated[str, typer.Option(help="Comma-separated phase sources.")] = ",".join(
-        (*ph.SOURCES, "coherent", "learned")),
+        ph.SOURCES),
     labelled: Annotated[Path | None, typer.Option(
         help="Folder of labelled takes (Holden et al. 2017); default: "
              f"{labels.NAME} in the folder of datasets.")] = None,
@@ -87,10 +87,6 @@ def run(
             name = f"= {group}" if limbs == "feet" else ""
             shown = "".join(_number(mean, "°", 14) for mean in means.values())
             print(f"{name:<26}{limbs:<8}{shown}")
-            if group == "stochastic" and {"coherent", "contact-free"} <= set(sources):
-                gain = 1 - float(means["coherent"] / means["contact-free"])
-                print(f"{'':<34}{limbs}: the error of coherent is {gain:.0%} lower than that of "
-                      "contact-free")
     print(f"{gaits}, {seconds:g} s, seed {seed}: mean circular error while stepping, less a "
           "constant lag per limb; error of the mean\nfrequency (feet: contact, hands: "
           "contact-free). —: undefined, for hands without contact or a hand that moves under "

@@ -41,8 +41,6 @@ EXPORTS = {
              "Write the network as ONNX and its style vectors as safetensors."),
     "clip": ("toolkit.cli.export:clip",
              "Convert a motion file to glTF, BVH, web page, strip of poses or film."),
-    "pack": ("toolkit.extra.engines.verbs:pack",
-             "Write looping cycles of styles for games, and a manifest of them."),
 }
 
 export = verbs.group(EXPORTS, VERBS["export"][1])

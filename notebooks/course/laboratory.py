@@ -29,7 +29,7 @@ def trial(
     Parameters
     ----------
     sources
-        Name -> a name of `toolkit.phases.SOURCES`, "learned", or a source.
+        Name -> a name of `toolkit.phases.SOURCES`, or a source.
     cases
         Style and gait of each clip.
     seconds, seed

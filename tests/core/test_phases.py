@@ -1,6 +1,5 @@
-"""Local phases: sources, windows, extraction; the source that tracks a cadence."""
+"""Local phases: sources, windows, extraction."""
 
-import itertools
 import math
 
 import numpy as np
@@ -11,8 +10,6 @@ import toolkit as tk
 from experiments import phases as bench
 from toolkit.datasets import procedural
 from toolkit.evaluation.phases import measure
-from toolkit.extra.sources import coherent, learned
-from toolkit.extra.sources.coherent import Coherent
 from toolkit.phases import LIMBS, Sinusoids, fit, normalise, smooth, sources, windows
 
 FPS = 60.0
@@ -148,7 +145,7 @@ def test_velocity_is_a_quarter_of_a_cycle_ahead_of_position(walk_clip):
 
 
 @pytest.mark.parametrize(("source", "message"), [
-    ("hybird", "^unknown phase source 'hybird'; known: hybrid, contact, contact-free, velocity, "),
+    ("hybird", "^unknown phase source 'hybird'; known: hybrid, contact, contact-free, velocity$"),
     (lambda clip, limb: torch.zeros(3), r"must give one finite number per frame \(480\) for every"),
     (lambda clip, limb: torch.zeros(len(clip), 1), "one finite number per frame"),
     (lambda clip, limb: torch.full((len(clip),), math.nan), "one finite number per frame"),
@@ -161,8 +158,6 @@ def test_bad_sources_are_refused(walk_clip, source, message):
 def test_sources_go_by_their_names():
     for name, source in tk.phases.SOURCES.items():
         assert isinstance(tk.phases.named(name), source)
-    assert isinstance(tk.phases.named("coherent"), Coherent)
-    assert isinstance(tk.phases.named("learned"), learned.Learned)
 
 
 # Extraction
@@ -386,117 +381,3 @@ def test_regression_is_that_of_least_squares_in_each_window():
     assert float(residual.min()) > 0
     still_wave = windows.regression(wave, torch.zeros_like(wave), 0.5, FPS)
     assert all(bool(column.isfinite().all()) for column in still_wave)
-
-
-# Coherent
-
-
-def slow_wavelets(values, fps):
-    """One column: the spectrum of the mirrored curve under each band's bell, summed."""
-    pad = min(len(values) - 1, round(2.5 / 0.35 * fps))
-    mirrored = np.pad(values, pad, mode="reflect")
-    n = len(mirrored)
-    rates = np.arange(1, (n + 1) // 2) * fps / n
-    turns = np.exp(2j * np.pi * np.outer(np.arange(n), rates) / fps)
-    spectrum = turns.conj().T @ mirrored / n
-    bands = 0.35 * (2.5 / 0.35) ** (np.arange(64) / 63)
-    bells = 2 * np.exp(-0.5 * ((rates / bands[:, None] - 1) * 2.5) ** 2)
-    return ((bells * spectrum) @ turns.T)[:, pad : pad + len(values)]
-
-
-@pytest.mark.parametrize(("frames", "fps"), [(40, 12.0), (150, 12.0)])
-def test_wavelets_are_those_of_the_mirrored_curve(frames, fps):
-    values = random(9, frames, 2).cumsum(0)
-    got = coherent.wavelets(values, fps).numpy()
-    for column in range(2):
-        slow = slow_wavelets(values[:, column].numpy(), fps)
-        assert np.abs(got[..., column] - slow).max() < 1e-10 * np.abs(slow).max()
-    constant = torch.full((80, 1), 9.0, dtype=torch.float64)
-    assert float(coherent.wavelets(constant, FPS).abs().max()) < 1e-12
-
-
-def best_path(power, penalty):
-    cost = -(power / power.sum(0)).log()
-
-    def total(path):
-        jumps = sum((a - b) ** 2 for a, b in itertools.pairwise(path))
-        return sum(float(cost[b, i]) for i, b in enumerate(path)) + penalty * jumps
-
-    return min(itertools.product(range(power.shape[0]), repeat=power.shape[1]), key=total)
-
-
-def test_the_ridge_is_the_best_of_all_paths_however_loud_a_frame_is():
-    loudness = 10.0 ** torch.tensor([15.0, -15.0, 0.0, -10.0, 7.0], dtype=torch.float64)
-    for seed in range(4):
-        power = random(seed, 4, 5).abs() ** 3 + 1e-4
-        best = list(best_path(power, coherent.PENALTY))
-        assert coherent.ridge(power, 1).tolist() == best
-        assert coherent.ridge(power * loudness, 1).tolist() == best
-        assert coherent.ridge(power.flip(1), 1).tolist() == best[::-1]
-
-
-def test_between_its_knots_the_ridge_is_straight_and_after_the_last_level():
-    power = random(12, 5, 14).abs() ** 12 + 1e-6
-    knots = best_path(power[:, ::4], coherent.PENALTY)
-    assert len(set(knots)) > 2
-    expected = np.interp(np.arange(14) / 4, np.arange(4), knots)
-    assert coherent.ridge(power, 4).numpy() == pytest.approx(expected)
-    silence = torch.zeros(5, 14, dtype=torch.float64)  # has a path, too
-    assert float(coherent.ridge(silence, 4).std()) == 0
-
-
-def test_what_the_others_say_is_least_squares_damped_by_a_thousandth():
-    """Ridge regression as plain least squares with one more row for each of the others."""
-    shared = torch.exp(0.2j * torch.arange(300, dtype=torch.float64))[:, None]
-    z = torch.complex(random(12, 300, 4), random(13, 300, 4))
-    z = (z + 1.5 * shared * torch.exp(1j * torch.arange(4))) * torch.tensor([0.1, 1.0, 3.0, 20.0])
-    for limb in range(4):
-        own, others = z[:, limb].numpy(), np.delete(z.numpy(), limb, 1)
-        rows = np.concatenate((others, np.diag(np.sqrt(1e-3 * (np.abs(others) ** 2).sum(0)))))
-        weights = np.linalg.lstsq(rows, np.concatenate((own, np.zeros(3))), rcond=None)[0]
-        told = others @ weights
-        share = (np.abs(told) ** 2).sum() / (np.abs(own) ** 2).sum()
-        expected = (1 - share) * own + share * told
-        difference = np.abs(coherent.denoised(z, limb).numpy() - expected)
-        assert difference.max() < 1e-6 * np.abs(own).max()
-        assert 0.1 < share < 1
-    alone = shared * torch.tensor([1.0, 0.0, 0.0, 0.0])  # limbs that do nothing say nothing
-    assert torch.allclose(coherent.denoised(alone, 0), alone[:, 0])
-    assert float(coherent.denoised(alone, 1).abs().max()) == 0
-
-
-def test_coherent_takes_its_bases_axes_and_curves(walk_clip):
-    clips = [walk_clip, procedural.generate("Zombie", "FW", 2.0)]
-    base = tk.phases.ContactFree()
-    source, shared = Coherent(base), base.fitted(clips)
-    for limb in LIMBS:
-        assert torch.equal(source(walk_clip, limb), base(walk_clip, limb))
-        assert torch.equal(source.fitted(clips)(walk_clip, limb), shared(walk_clip, limb))
-    plain = Coherent(Curves(torch.zeros(len(walk_clip), 4)))
-    assert plain.fitted(clips) is plain
-
-
-def test_pure_waves_and_a_chirp_are_told_apart_and_followed(still):
-    """Limbs at their own frequencies, one above the tracked bands; a chirp from 0.6 to 1.5 Hz."""
-    t = torch.arange(1800, dtype=torch.float64) / FPS
-    angles = [TURN * rate * t + i for i, rate in enumerate((0.55, 0.83, 2.8))]
-    angle = torch.stack([*angles, TURN * (0.6 * t + 0.03 * t**2 / 2)], 1)
-    rates = torch.stack([0 * t + 0.55, 0 * t + 0.83, 0 * t + 2.8, 0.6 + 0.03 * t], 1)
-    level, size = torch.tensor([0.0, 5.0, -3.0, 1.0]), torch.tensor([1.0, 2.0, 0.5, 3.0])
-    curve, found = Coherent(Curves(level + size * torch.sin(angle))).sinusoids(still(1800))
-    inner = slice(180, -180)
-    assert apart(found.phase[inner], angle[inner]) < 0.1
-    assert 0 <= float(found.phase.min()) < float(found.phase.max()) < TURN
-    assert float((found.frequency / rates - 1)[inner].abs().max()) < 0.03
-    wave = found.amplitude * found.phase.sin() + found.offset
-    assert float((wave - curve)[inner].abs().max()) < 0.25
-    assert float(found.residual[inner].max()) < 0.2
-
-
-def test_coherent_is_nearer_to_the_truth_than_contact_free_when_staggering():
-    clip, truth = procedural.truth(procedural.STYLES["Drunk"], "FW", 20.0, seed=1)
-    error = {}
-    for source in ("coherent", "contact-free"):
-        phase = tk.phases.extract(clip, source).phase
-        error[source] = float(tk.metrics.phase_error(phase[60:-60], truth.phase[60:-60])[0].mean())
-    assert error["coherent"] < 0.8 * error["contact-free"]

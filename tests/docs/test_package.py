@@ -171,7 +171,6 @@ def test_the_wheel_has_the_model_and_no_sources_of_the_page(tmp_path):
     (wheel,) = (tmp_path / "wheel").iterdir()
     files = zipfile.ZipFile(wheel).namelist()
     assert {"toolkit/__init__.pyi", "toolkit/training/pretrained.safetensors",
-            "toolkit/extra/sources/learned.safetensors",
             "toolkit/view/static/scene.js"} <= set(files)
     assert not [file for file in files
                 if re.search("node_modules|view/scene/|__pycache__|notebooks|tests", file)]

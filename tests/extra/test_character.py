@@ -17,7 +17,7 @@ import toolkit as tk
 from toolkit.__main__ import main
 from toolkit.extra.characters import gltf_mesh
 from toolkit.extra.characters.character import Character
-from toolkit.extra.engines import character_gltf, pack
+from toolkit.extra.engines import character_gltf
 from toolkit.motion import rotations as R
 from toolkit.view.pages import page
 from toolkit.view.render import stage
@@ -225,7 +225,7 @@ def test_the_controller_gets_it(hero):
     widget.close()
 
 
-def test_the_command_line_writes_it(hero, tmp_path, zombie, monkeypatch):
+def test_the_command_line_writes_it(hero, tmp_path, zombie):
     tk.bvh.save(zombie, tmp_path / "walk.bvh")
     clip = ["export", "clip", str(tmp_path / "walk.bvh"), "--character", str(hero), "--out"]
     for suffix in ("glb", "html"):
@@ -233,15 +233,6 @@ def test_the_command_line_writes_it(hero, tmp_path, zombie, monkeypatch):
             main([*clip, str(tmp_path / f"out.{suffix}")])
         assert done.value.code == 0
     assert len(tk.load(tmp_path / "out.glb")) == len(zombie)
-    monkeypatch.setattr(pack, "SETTLE", 1.5)
-    monkeypatch.setattr(pack, "WATCH", 3.0)
-    with pytest.raises(SystemExit) as done:
-        main(["export", "pack", "--out", str(tmp_path / "pack"), "--style", "Old", "--gaits",
-              "forward", "--formats", "glb",
-              "--character", str(hero)])
-    assert done.value.code == 0
-    (row,) = json.loads((tmp_path / "pack" / "manifest.json").read_text())["clips"]
-    assert len(tk.load(tmp_path / "pack" / row["files"]["glb"])) == row["frames"]
 
 
 def changed(hero, tmp_path, change) -> str:

@@ -7,8 +7,7 @@
 | `shots` | planned motion: paths, keys over time, scenes, crowds, the Director |
 | `compiled` | the runtime in numba |
 | `store` | features on the disk, computed by several processes or by Dask |
-| `sources` | phase sources beyond the papers |
-| `engines` | glTF and ONNX files, packs of loops for games |
+| `engines` | glTF and ONNX files |
 """
 
 import pkgutil
@@ -32,7 +31,6 @@ for _name, _part in {
     "motion.retargeting": "characters.retargeting",
     "character.load": "characters.character:Character",
     "character.save": "engines.character_gltf:save",
-    "source.coherent": "sources.coherent:Coherent", "source.learned": "sources.learned:pretrained",
     "store": "store",
     "toolkit.runtime.compile": "compiled:compile", "toolkit.runtime.compiled": "compiled",
     "toolkit.view.Director": "shots.director:Director", "toolkit.view.director": "shots.director",

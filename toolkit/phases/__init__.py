@@ -66,7 +66,7 @@ def extract_group(clips: Sequence[Clip], source: str | Source = "hybrid",
     clips
         Motions, any rate.
     source
-        A name of `SOURCES`, "learned", "coherent" or a function ``(clip, limb) -> Tensor [F]``. It
+        A name of `SOURCES` or a function ``(clip, limb) -> Tensor [F]``. It
         may have three methods: ``fitted(clips)`` returns the source that is used instead;
         ``sinusoids(clip) -> (curve [F, 4], Sinusoids)`` replaces the fit; ``signal(curve) ->
         complex Tensor [F]`` gives the phase by its angle where it does not return None, so that
