@@ -8,8 +8,8 @@ import toolkit as tk
 from toolkit.cli.motion_files import SKELETONS
 from toolkit.datasets.procedural import SKELETON
 from toolkit.extra.characters import retargeting
+from toolkit.extra.characters.anatomy import measure
 from toolkit.motion import rotations as R
-from toolkit.motion.anatomy import measure
 
 
 def copied(clip: tk.Clip, skeleton: tk.Skeleton) -> tk.Clip:

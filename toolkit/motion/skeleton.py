@@ -171,6 +171,16 @@ class Skeleton:
         return trunk[: trunk.index(hips) + 1] if hips in trunk else trunk
 
     @cached_property
+    def neck(self) -> list[int]:
+        """Joints from the chest to the head; the chest alone where no head is known."""
+        chest = self.trunk[0]
+        called = (j for j, name in enumerate(self.names)
+                  if name.lower().endswith("head") and chest in self.ancestors(j))
+        head = self.role("head") if "head" in self.roles else next(called, chest)
+        above = [head, *self.ancestors(head)]
+        return above[: above.index(chest) + 1][::-1]
+
+    @cached_property
     def mirror_pairs(self) -> tuple[int, ...]:
         """For each joint the index of its left/right counterpart, itself where it has none."""
         return mirror_pairs(self.names, self.parents, self.roles)

@@ -10,10 +10,10 @@ import numpy as np
 import torch
 
 from toolkit.extra.characters import gltf_mesh
+from toolkit.extra.characters.anatomy import measure, with_toes
 from toolkit.extra.characters.gltf_mesh import SkinnedMesh
 from toolkit.extra.characters.retargeting import leaders, retarget
 from toolkit.motion import Clip, Skeleton, rotations as R
-from toolkit.motion.anatomy import measure, with_toes
 from toolkit.motion.contacts import standing_height
 from toolkit.motion.roles import ROLES, SIDES
 from toolkit.motion.skeleton import local_rotations

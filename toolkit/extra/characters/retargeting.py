@@ -1,10 +1,10 @@
 """Motion on other skeletons: that of another humanoid, or the body joints of a rig alone.
 
 `retarget` keeps the other skeleton's bone lengths, axes and rest pose. Limbs keep their directions
-in the world (`toolkit.motion.anatomy` says what is compared), the path is scaled by leg length, and
-legs are bent a little where another leg or foot would slide, sink or float. `report` measures the
-error of a result. `pruned` leaves out what a model of locomotion does not need: fingers, face,
-twist bones, clothes and props.
+in the world (`toolkit.extra.characters.anatomy`), the path is scaled by leg length, and legs are
+bent a little where another leg or foot would slide, sink or float. `report` measures the error of a
+result. `pruned` leaves out what a model of locomotion does not need: fingers, face, twist bones,
+clothes and props.
 """
 
 from dataclasses import dataclass, replace
@@ -14,8 +14,8 @@ import numpy as np
 import torch
 from torch import Tensor
 
+from toolkit.extra.characters.anatomy import LIMB_ROLES, Anatomy, chains, limb, measure, with_toes
 from toolkit.motion import rotations as R
-from toolkit.motion.anatomy import LIMB_ROLES, Anatomy, chains, limb, measure, with_toes
 from toolkit.motion.clip import Clip
 from toolkit.motion.contacts import detect, standing_height, toes_of, velocities
 from toolkit.motion.ik import two_bone
@@ -43,7 +43,7 @@ def retarget(clip: Clip, target: Skeleton | Clip, *, feet: bool = True) -> Clip:
     Parameters
     ----------
     clip
-        A motion with the roles of `toolkit.motion.anatomy.LIMB_ROLES`. Without a toe or a collar
+        A motion with the roles of `anatomy.LIMB_ROLES`. Without a toe or a collar
         the ankle stands on the floor, and the shoulder follows the chest.
     target
         The skeleton, if its zero rotations are a standing figure (a T-pose, an A-pose, arms that
@@ -240,7 +240,7 @@ def _corrections(gap: np.ndarray, standing: np.ndarray) -> np.ndarray:
 def body_joints(skeleton: Skeleton) -> list[int]:
     """Indices of the joints between hips, head, hands and toes, and of the End Sites of these.
 
-    ValueError if a role of `toolkit.motion.anatomy.LIMB_ROLES` is missing.
+    ValueError if a role of `anatomy.LIMB_ROLES` is missing.
     """
     if lacking := [role for role in LIMB_ROLES if role not in skeleton.roles]:
         raise ValueError(f"cannot find its {', '.join(lacking)} among {', '.join(skeleton.names)}")

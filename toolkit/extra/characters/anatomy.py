@@ -110,13 +110,8 @@ def limb(skeleton: Skeleton, side: str, kind: str) -> dict[str, int]:
 
 def chains(skeleton: Skeleton) -> tuple[list[int], list[int]]:
     """Joints of the spine, from hips to chest, and of the neck, from chest to head."""
-    chest, spine, hips = skeleton.trunk[0], skeleton.trunk[::-1], skeleton.role("hips")
-    called = (j for j, name in enumerate(skeleton.names)
-              if name.lower().endswith("head") and chest in skeleton.ancestors(j))
-    head = skeleton.role("head") if "head" in skeleton.roles else next(called, chest)
-    above = [head, *skeleton.ancestors(head)]
-    start = spine.index(hips) if hips in spine else 0
-    return spine[start:], above[: above.index(chest) + 1][::-1]
+    spine, hips = skeleton.trunk[::-1], skeleton.role("hips")
+    return spine[spine.index(hips) if hips in spine else 0 :], skeleton.neck
 
 
 def _outwards(joints: dict[str, int]) -> Iterator[tuple[str, int, int | None]]:
