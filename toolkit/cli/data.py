@@ -9,9 +9,9 @@ import typer
 from tqdm import tqdm
 
 from toolkit import datasets
-from toolkit.cli.verbs import ClipSeconds, Root, Seed, Selection, say
+from toolkit.cli.verbs import ClipSeconds, Names, Root, Seed, Selection, say
 from toolkit.datasets import blocks, home, leaks, procedural
-from toolkit.datasets.fetch import ORIGINS, RECORD, fetch, find, record
+from toolkit.datasets.fetch import ORIGINS, RECORD, fetch, find, has, record
 from toolkit.io import save as saving
 
 app = typer.Typer(no_args_is_help=True, add_completion=False,
@@ -27,6 +27,10 @@ def data_fetch(
         "--from", help="Another copy: a file or an address.")] = None,
     sha256: Annotated[str | None, typer.Option(
         help="Checksum of the archive, where it is not the published one.")] = None,
+    styles: Annotated[Names | None, typer.Option(
+        parser=Names, metavar="A,B,…",
+        help="Fetch only these styles of 100style, about 15 MB each; others can be added later."
+    )] = None,
     yes: Annotated[bool, typer.Option(
         "--yes", "-y", help="Do not ask; the terms are accepted.")] = False,
 ) -> None:
@@ -34,12 +38,16 @@ def data_fetch(
     if sha256 and not re.fullmatch("[0-9a-fA-F]{64}", sha256):
         raise ValueError(f"--sha256 expects 64 hexadecimal digits, got {sha256!r}")
     origin, folder = find(name), root or home.folder(name)
-    if known := record(folder):
+    known = record(folder)
+    if known and has(known, styles):
         say(f"{name} is there already, of {known['date'][:10]}: {known['found']} in {folder}")
         return
     size = tqdm.format_sizeof(origin.size, "B") if origin.size else "not known before"
+    if styles:
+        size = f"about {15 * len(styles)} MB of {size}"
     say(f"{origin.title}\n  from   {source or origin.url}")
-    say(f"  size   {size}; unpacked about {tqdm.format_sizeof(origin.unpacked, 'B')}")
+    unpacked = origin.unpacked * (len(styles) / 100 if styles else 1)
+    say(f"  size   {size}; unpacked about {tqdm.format_sizeof(unpacked, 'B')}")
     say(f"  terms  {origin.terms}\n  into   {folder}")
     if not yes:
         if not sys.stdin.isatty():
@@ -47,10 +55,11 @@ def data_fetch(
                              "size and terms")
         if not typer.confirm("Fetch it?"):
             raise typer.Exit(1)
-    known = fetch(name, folder, source, sha256, progress=True)
-    same = " (as published)" if known["sha256"] == origin.sha256 else ""
+    known = fetch(name, folder, source, sha256, styles=styles, progress=True)
     say(f"{known['found']}, {known['files']} files in {folder}")
-    say(f"sha256 of the archive: {known['sha256']}{same}; kept in {RECORD}")
+    if known["sha256"]:
+        same = " (as published)" if known["sha256"] == origin.sha256 else ""
+        say(f"sha256 of the archive: {known['sha256']}{same}; kept in {RECORD}")
     if root is not None and folder.absolute() != home.folder(name).absolute():
         say(f"give --root {folder} to the commands that should use it, or set TOOLKIT_DATA")
 

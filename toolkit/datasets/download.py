@@ -1,19 +1,19 @@
-"""Download of one file by pooch, which goes on after a cut, and unpacking of a zip archive.
+"""Files on a server that are read as those on the disk, and unpacking of zip archives."""
 
-pooch checks the SHA-256 and gives a file its name when it is whole. It starts a file again after a
-cut; `_Receiver`, a downloader for pooch, asks for the rest instead.
-"""
-
+import contextlib
+import io
+import re
 import shutil
 import time
 import zipfile
 import zlib
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path, PurePosixPath
+from typing import Any, BinaryIO
 from urllib.parse import urljoin
 
-import pooch
 import requests
+import urllib3
 from tqdm.utils import CallbackIOWrapper
 
 from toolkit.io.progress import progress_bar
@@ -22,168 +22,245 @@ STALL = 30.0  # seconds without a connection or a byte after which a try has fai
 TRIES = 5  # in a row that brought nothing new
 WAIT = 1.0  # seconds before the second try; twice as long before each further one
 CHUNK = 1 << 14  # bytes; those of a chunk that is cut are lost
-SECURE = "https://"
+# addresses whose bytes nobody on the way can change
+SECURE = re.compile(r"https://|http://(localhost|127\.0\.0\.1)[:/]", re.IGNORECASE)
 BUSY = (408, 425, 429)  # answers that may change, as those from 500 on
-CUT = (requests.ConnectionError, requests.Timeout, requests.exceptions.ChunkedEncodingError)
+CUT = (requests.ConnectionError, requests.Timeout, urllib3.exceptions.HTTPError)
 # what `zipfile` raises for a file that is not a whole archive without a password
 DAMAGED = (zipfile.BadZipFile, zlib.error, EOFError, RuntimeError, UnicodeDecodeError)
 
 
-def download(url: str, folder: Path, sha256: str | None, limit: int,
-             progress: bool = False) -> Path:
-    """Download a file of at most ``limit`` bytes into a folder, unless it is there; its path.
+class RemoteFile(io.RawIOBase):
+    """A file on a server, open for reading.
 
-    If ``sha256`` is known, what came before a cut is kept as ``SHA256.part``, and the next call
-    asks for the rest. Otherwise nobody could say whether the two parts belong together.
+    Where the connection is cut, another one asks for the rest (HTTP ranges). A server that knows no
+    ranges sends all again, and what was read before is skipped.
+
+    Parameters
+    ----------
+    url
+        Address of the file.
+    known
+        Whether the checksum of the file is known. If not, the address and those that the server
+        leads to must be `SECURE`.
 
     Raises
     ------
     ValueError
-        If the server refuses, or the file has another checksum (then it is removed) or more bytes;
-        if there is no checksum, and the address or one that the server leads to is not https.
+        If the server refuses, leads to an address that is not secure, or has another file than
+        before.
     OSError
         If `TRIES` tries in a row brought nothing new.
     """
-    if not (sha256 or url.lower().startswith(SECURE)):
-        raise ValueError(f"{url}: is not encrypted; give an https address, or the file's checksum "
-                         "(--sha256)")
-    pooch.get_logger().setLevel("WARNING")
-    known = f"sha256:{sha256}" if sha256 else None
-    receiver = _Receiver(sha256, limit, progress)
-    return Path(pooch.retrieve(url, known, path=folder, downloader=receiver))
+
+    def __init__(self, url: str, known: bool = False):
+        self.url, self.known = url, known
+        if not (known or SECURE.match(url)):
+            raise ValueError(f"{url}: is not encrypted; give an https address, or the file's "
+                             "checksum (--sha256)")
+        self.ranges = False  # whether the server sends parts of the file
+        self.size: int | None = None
+        self._tag: str | None = None  # the server's name of this version of the file
+        self._position = self._failures = 0
+        self._body: urllib3.BaseHTTPResponse | None = None
+        self.seek(0)
+        while self._body is None:
+            self._try(self._connect)
+
+    def readable(self) -> bool:
+        """Return True."""
+        return True
+
+    def seekable(self) -> bool:
+        """Return True."""
+        return True
+
+    def tell(self) -> int:
+        """The position of the next byte that is read."""
+        return self._position
+
+    def seek(self, offset: int, whence: int = io.SEEK_SET) -> int:
+        """Set the position; the next `read` then asks the server for the bytes from there on."""
+        base = {io.SEEK_SET: 0, io.SEEK_CUR: self._position, io.SEEK_END: self.size or 0}[whence]
+        if base + offset != self._position:
+            self._position = base + offset
+            self._hang_up()
+        return self._position
+
+    def close(self) -> None:
+        """Close the connection."""
+        self._hang_up()
+        super().close()
+
+    def readinto(self, buffer: Any) -> int:
+        """Read the next bytes; 0 at the end of the file."""
+        view, piece = memoryview(buffer), None
+        while piece is None:
+            piece = self._try(self._receive, len(view))
+        view[: len(piece)] = piece
+        self._position += len(piece)
+        self._failures = 0
+        return len(piece)
+
+    def _try(self, deed: Callable, *arguments: object) -> bytes | None:
+        """What a deed returns, or None after a wait where it failed but may work later."""
+        try:
+            return deed(*arguments)
+        except CUT as error:
+            problem = f"no connection, or it was cut ({type(error).__name__})"
+        except requests.HTTPError as error:
+            reply = error.response
+            problem = f"the server answers {reply.status_code} {reply.reason}"
+            if reply.status_code not in BUSY and reply.status_code < 500:
+                raise ValueError(f"{self.url}: {problem}") from error
+        except requests.RequestException as error:  # an address that leads nowhere
+            raise ValueError(f"{self.url}: {error}") from error
+        self._hang_up()
+        self._failures += 1
+        if self._failures >= TRIES:
+            raise OSError(f"{self.url}: {problem}, {TRIES} times; is there a network? the same "
+                          "command tries again")
+        time.sleep(min(WAIT * 2 ** (self._failures - 1), STALL))
+        return None
+
+    def _receive(self, most: int) -> bytes:
+        if self._body is None:
+            self._connect()
+        return self._body.read(most)
+
+    def _connect(self) -> None:
+        """Ask for the file from the position on."""
+        # a file that is compressed once more would not go on where it was cut
+        headers = {"Accept-Encoding": "identity", "Range": f"bytes={self._position}-"}
+        reply = requests.get(self.url, headers=headers, stream=True, timeout=STALL,
+                             hooks={"response": self._judge})
+        if reply.status_code != 416:  # the file ends before this position
+            reply.raise_for_status()
+            self._compare(reply)
+        self._body = reply.raw
+        left = self._position if reply.status_code == 200 else 0  # all of it comes, not the rest
+        while left and (piece := self._body.read(min(left, CHUNK))):
+            left -= len(piece)
+
+    def _judge(self, reply: requests.Response, **_: object) -> None:
+        """Refuse an address that a server leads to if it is not secure."""
+        if reply.is_redirect:
+            address = urljoin(reply.url, reply.headers["location"])
+            if not (self.known or SECURE.match(address)):
+                raise ValueError(f"{self.url}: the server leads to {address}, which is not "
+                                 "encrypted")
+
+    def _compare(self, reply: requests.Response) -> None:
+        """Refuse another file than that of the answers before."""
+        self.ranges = reply.status_code == 206
+        said = reply.headers.get("Content-Range", "").rpartition("/")[2] if self.ranges else (
+            reply.headers.get("Content-Length", ""))
+        size = int(said) if said.isdecimal() else None
+        tag = reply.headers.get("ETag")
+        for before, now in ((self.size, size), (self._tag, tag)):
+            if before is not None and now is not None and before != now:
+                raise ValueError(f"{self.url}: the server has another file than before: "
+                                 f"expected {before}, got {now}")
+        self.size, self._tag = size, tag
+
+    def _hang_up(self) -> None:
+        if self._body is not None:
+            self._body.close()
+        self._body = None
 
 
-class _Receiver:
-    """A downloader for pooch: called with an address and a file, it fills the file."""
+def download(url: str, target: Path, known: bool, limit: int, progress: bool = False) -> None:
+    """Download a file of at most ``limit`` bytes, and go on where an earlier call was cut.
 
-    def __init__(self, sha256: str | None, limit: int, progress: bool):
-        self.sha256, self.limit, self.progress = sha256, limit, progress
-
-    def __call__(self, url: str, target: str, _pooch: object) -> None:
-        """Fill the file ``target``, in several tries if need be."""
-        part = Path(target).with_name(f"{self.sha256}.part") if self.sha256 else Path(target)
-        most = failures = 0
-        while True:
-            try:
-                self._receive(url, part)
-                break
-            except requests.HTTPError as error:
-                reply = error.response
-                problem = f"the server answers {reply.status_code} {reply.reason}"
-                if reply.status_code not in BUSY and reply.status_code < 500:
-                    raise ValueError(f"{url}: {problem}") from error
-            except CUT as error:
-                problem = f"no connection, or it was cut ({type(error).__name__})"
-            except requests.RequestException as error:  # an address that leads nowhere
-                raise ValueError(f"{url}: {error}") from error
-            have = part.stat().st_size
-            failures, most = (1, have) if have > most else (failures + 1, most)
-            if failures >= TRIES:
-                kept = "nothing came; is there a network?"
-                if self.sha256 and have:
-                    kept = f"{have:,} bytes are kept, the same command goes on from there"
-                raise OSError(f"{url}: {problem}; {kept}")
-            time.sleep(min(WAIT * 2 ** (failures - 1), STALL))
-        part.replace(target)
-
-    def _receive(self, url: str, part: Path) -> None:
-        """One try: the rest of the file, or all of it where the server cannot go on."""
-        with part.open("ab" if self.sha256 else "wb") as file:
-            have = file.tell()
-            # a file that is compressed once more would not go on where it was cut
-            headers = {"Accept-Encoding": "identity"}
-            if have:
-                headers["Range"] = f"bytes={have}-"
-
-            def look(reply: requests.Response, **_: object) -> None:
-                """Judge an answer before its bytes are read."""
-                if reply.is_redirect:
-                    address = urljoin(reply.url, reply.headers["location"])
-                    if not (self.sha256 or address.lower().startswith(SECURE)):
-                        raise ValueError(f"{url}: the server leads to {address}, which is not "
-                                         "encrypted")
-                elif reply.ok:
-                    if have and reply.status_code == 200:  # all of it comes, not the rest
-                        file.truncate(0)
-                        bar.reset()
-                    bar.total = bar.n + int(reply.headers.get("Content-Length", 0)) or None
-
-            def count(written: int) -> None:
-                bar.update(written)
-                if file.tell() > self.limit:
-                    file.truncate(0)
-                    raise ValueError(f"{url}: more came than the {self.limit:,} bytes that it may "
-                                     "have")
-
-            get = pooch.HTTPDownloader(chunk_size=CHUNK, timeout=STALL, headers=headers,
-                                       hooks={"response": look})
-            with progress_bar(initial=have, unit="B", unit_scale=True, desc="download",
-                              show=self.progress) as bar:
-                try:
-                    get(url, CallbackIOWrapper(count, file, "write"), None)
-                except requests.HTTPError as error:
-                    if not (have and error.response.status_code == 416):  # the file ends here
-                        raise
+    What came before is kept as ``TARGET.part``. The errors are those of `RemoteFile`, and
+    ValueError if the file has more bytes.
+    """
+    part = target.with_name(f"{target.name}.part")
+    with RemoteFile(url, known) as remote, part.open("ab") as file:
+        have = remote.seek(file.tell())
+        with progress_bar(initial=have, total=remote.size, unit="B", unit_scale=True,
+                          desc="download", show=progress) as bar:
+            while piece := remote.read(CHUNK):
+                file.write(piece)
+                bar.update(len(piece))
+                if file.tell() > limit:
+                    raise ValueError(f"{url}: more came than the {limit:,} bytes that it may have")
+    part.replace(target)
 
 
-def unpack(archive: Path, folder: Path, place: Callable[[str], str | None], limit: int,
-           progress: bool = False) -> str:
-    """Unpack some members of a zip archive into a new folder; returns the archive's comment.
+@contextlib.contextmanager
+def archive(file: BinaryIO, name: str) -> Iterator[zipfile.ZipFile]:
+    """Open a zip archive; ValueError if it is none, is damaged or has a password."""
+    try:
+        with zipfile.ZipFile(file) as opened:
+            yield opened
+    except DAMAGED as error:
+        file.seek(0)
+        raise ValueError(f"{name}: not a whole zip archive ({error}); it starts with "
+                         f"{file.read(16)!r}") from error
 
-    ``place`` gives the path of a member in the folder from its name in the archive, or None to
-    leave it out. ``limit`` is the largest number of bytes that may be unpacked.
+
+def members(opened: zipfile.ZipFile, place: Callable[[str], str | None]
+            ) -> dict[str, zipfile.ZipInfo]:
+    """Members of an archive by the path to unpack them to, in the archive's order.
+
+    ``place`` gives that path from the name in the archive, or None to leave it out. ValueError if a
+    name leads out of the folder, or two have the same path.
+    """
+    found: dict[str, zipfile.ZipInfo] = {}
+    names = set()
+    for info in sorted(opened.infolist(), key=lambda info: info.header_offset):
+        path = PurePosixPath(info.filename)
+        if path.is_absolute() or ".." in path.parts or any(c in info.filename for c in "\\:"):
+            raise ValueError(f"the archive's member {info.filename!r} leads out of the folder")
+        if info.is_dir() or (target := place(info.filename)) is None:
+            continue
+        if target.casefold() in names:
+            raise ValueError(f"the archive holds {target!r} twice")
+        names.add(target.casefold())
+        found[target] = info
+    return found
+
+
+def unpack(opened: zipfile.ZipFile, chosen: dict[str, zipfile.ZipInfo], folder: Path, limit: int,
+           progress: bool = False) -> None:
+    """Unpack `members` of an archive into a folder, which then holds nothing else.
+
+    A file that is there from an earlier call, and has the size and checksum that the archive
+    states, is kept.
 
     Raises
     ------
     ValueError
-        If the file is not a whole zip archive, has a password, holds more than the limit, two files
-        of one name, or a path that leads out of the folder.
+        If the members have more than ``limit`` bytes.
     OSError
         If the disk has no room, which is asked first.
     """
-    try:
-        with zipfile.ZipFile(archive) as file:
-            members = _members(archive, file, place)
-            # zipfile never unpacks more bytes of a member than its header says
-            size = sum(info.file_size for info in members.values())
-            if size > limit:
-                raise ValueError(f"{archive}: would unpack to {size:,} bytes, more than the "
-                                 f"{limit:,} that it may have")
-            folder.mkdir(parents=True, exist_ok=True)
-            room(folder, size, f"unpack {archive.name}")
-            with progress_bar(total=size, unit="B", unit_scale=True, desc="unpack",
-                              show=progress) as bar:
-                for path, info in members.items():
-                    target = folder / path
-                    target.parent.mkdir(parents=True, exist_ok=True)
-                    with file.open(info) as packed, target.open("xb") as plain:
-                        shutil.copyfileobj(packed, plain, 1 << 20)
-                    bar.update(info.file_size)
-            return file.comment.decode(errors="replace")
-    except DAMAGED as error:
-        with archive.open("rb") as file:
-            start = file.read(16)
-        raise ValueError(f"{archive}: not a whole zip archive ({error}); it starts with {start!r}"
-                         ) from error
+    # zipfile never unpacks more bytes of a member than its header says, and checks the CRC-32
+    size = sum(info.file_size for info in chosen.values())
+    if size > limit:
+        raise ValueError(f"the archive would unpack to {size:,} bytes, more than the {limit:,} "
+                         "that it may have")
+    folder.mkdir(parents=True, exist_ok=True)
+    for path in folder.rglob("*"):
+        if path.is_file() and path.relative_to(folder).as_posix() not in chosen:
+            path.unlink()
+    missing = {folder / path: info for path, info in chosen.items()
+               if not _holds(folder / path, info)}
+    room(folder, sum(info.file_size for info in missing.values()), "unpack the archive")
+    with progress_bar(total=size, unit="B", unit_scale=True, desc="unpack", show=progress,
+                      initial=size - sum(info.file_size for info in missing.values())) as bar:
+        for path, info in missing.items():
+            path.parent.mkdir(parents=True, exist_ok=True)
+            with opened.open(info) as packed, path.open("wb") as plain:
+                shutil.copyfileobj(packed, CallbackIOWrapper(bar.update, plain, "write"), 1 << 20)
 
 
-def _members(archive: Path, file: zipfile.ZipFile,
-             place: Callable[[str], str | None]) -> dict[str, zipfile.ZipInfo]:
-    """The members to unpack, by their path in the folder."""
-    members: dict[str, zipfile.ZipInfo] = {}
-    names = set()
-    for info in file.infolist():
-        path = PurePosixPath(info.filename)
-        if path.is_absolute() or ".." in path.parts or any(c in info.filename for c in "\\:"):
-            raise ValueError(f"{archive}: refused, its member {info.filename!r} leads out of the "
-                             "folder")
-        if info.is_dir() or (target := place(info.filename)) is None:
-            continue
-        if target.casefold() in names:
-            raise ValueError(f"{archive}: refused, it holds {target!r} twice")
-        names.add(target.casefold())
-        members[target] = info
-    return members
+def _holds(path: Path, info: zipfile.ZipInfo) -> bool:
+    """Whether a file has the size and checksum of a member."""
+    if not path.is_file() or path.stat().st_size != info.file_size:
+        return False
+    return zlib.crc32(path.read_bytes()) == info.CRC
 
 
 def room(folder: Path, size: int, purpose: str) -> None:

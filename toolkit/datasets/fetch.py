@@ -2,11 +2,12 @@
 
 Archive and unpacked files lie in a hidden folder beside the dataset's. When they are checked, the
 unpacked folder takes the dataset's name in one step, with `RECORD` in it. Killed at any time, the
-same call goes on.
+same call goes on. Single styles of 100STYLE are read out of the archive on the server.
 """
 
 import contextlib
 import hashlib
+import io
 import json
 import os
 import re
@@ -14,15 +15,16 @@ import shutil
 from collections.abc import Callable
 from dataclasses import dataclass
 from datetime import UTC, datetime
-from pathlib import Path
+from pathlib import Path, PurePosixPath
+from typing import BinaryIO
 
 import filelock
-import pooch
 
 from toolkit.datasets import bandai, home, published_files as parameters, style100
-from toolkit.datasets.download import download, room, unpack
+from toolkit.datasets.download import RemoteFile, archive, download, members, room, unpack
+from toolkit.datasets.takes import Names, check_names
 from toolkit.io import bvh
-from toolkit.io.files import parsed, read, write_whole
+from toolkit.io.files import below, parsed, read, write_whole
 
 LARGEST = 4_000_000_000  # bytes of an archive of unknown size: GitHub's hold whole projects
 RECORD = "toolkit-data.json"  # in a fetched folder: what it is, whence and when, checksum, terms
@@ -126,16 +128,16 @@ def contents(folder: Path) -> str:
 def record(folder: Path) -> dict | None:
     """What is known of a folder that was fetched, None for any other.
 
-    ValueError if the record is damaged, or files were removed from the folder since.
+    ``styles`` are those that were fetched one by one; empty if all were. ValueError if the record
+    is damaged, or files were removed from the folder since.
     """
     if not (folder / RECORD).is_file():
         return None
     try:
         known = parsed(read(folder / RECORD))
         expected = int(known["files"]), int(known["bytes"])
-        if not all(known[key].isprintable() for key in ("date", "found", "source", "sha256")):
-            raise ValueError("texts that cannot be shown")
-    except (ValueError, KeyError, TypeError, AttributeError) as error:
+        known = {"date": "", "found": "", "sha256": "", "styles": []} | known
+    except (ValueError, KeyError, TypeError) as error:
         raise ValueError(f"{folder / RECORD}: damaged; move the folder away to fetch it again"
                          ) from error
     files, size = _extent(folder)
@@ -145,13 +147,18 @@ def record(folder: Path) -> dict | None:
     return known
 
 
+def has(known: dict, styles: Names) -> bool:
+    """Whether a folder with this `record` has these styles; None: all."""
+    some = known["styles"]
+    return not some or styles is not None and set(_listed(styles)) <= set(some)
+
+
 def fetch(name: str, root: str | os.PathLike | None = None,
           source: str | os.PathLike | None = None, sha256: str | None = None, *,
-          progress: bool = False) -> dict:
+          styles: Names = None, progress: bool = False) -> dict:
     """Fetch a dataset, or go on where that was cut, unless it is there; returns its record.
 
-    The record has name, title, source, date, sha256, terms, files, bytes and found, and the comment
-    of the archive.
+    The record has name, title, source, date, sha256, terms, styles, files, bytes and found.
 
     Parameters
     ----------
@@ -163,30 +170,39 @@ def fetch(name: str, root: str | os.PathLike | None = None,
         A file, or the address of another copy, in place of the public home.
     sha256
         What the archive must have, in place of the published checksum of archive or contents.
+    styles
+        Of 100STYLE: only these are fetched, and added to those that are there. The server must send
+        parts of files. Then nothing checks the whole archive: the address is secure, and the
+        archive states the checksum (CRC-32) of each file.
 
     Raises
     ------
     ValueError
         If the folder is in use or holds something else, or what came is not what it should be:
-        then it was removed (a file of the user's stays). See also `download` and `unpack`.
+        then it was removed (a file of the user's stays). See also `toolkit.datasets.download`.
     OSError
         If the server cannot be reached, or the disk has no room: then what came stays, and the
         same call goes on from there.
     """
     origin, folder = find(name), Path(root or home.folder(name)).absolute()
     source = str(source or origin.url)
+    if styles is not None and name != "100style":
+        raise ValueError(f"single styles are fetched of 100style, not of {name}")
     folder.parent.mkdir(parents=True, exist_ok=True)
     work, lock = (folder.with_name(f".{folder.name}.{kind}") for kind in ("fetch", "lock"))
     try:
         with filelock.FileLock(lock, timeout=0):
-            if not (known := record(folder)):
-                if folder.is_dir() and any(folder.iterdir()):
+            known = record(folder)
+            if known is None or not has(known, styles):
+                if not known and folder.is_dir() and any(folder.iterdir()):
                     raise ValueError(f"{folder}: holds something else; move it away, or give "
                                      "another folder (--root)")
-                known = _into(work, origin, source, sha256, name, progress)
-                if folder.is_dir():  # an empty one, which Windows would not replace
-                    folder.rmdir()
-                (work / "unpacked").replace(folder)
+                digest = _into(work, origin, source, sha256, styles, name, progress)
+                together = set(_listed(styles)) | set(known["styles"] if known else [])
+                about = {"name": name, "title": origin.title, "terms": origin.terms,
+                         "source": source, "sha256": digest,
+                         "styles": sorted(together) if styles else []}
+                known = _place(work / "unpacked", folder, bool(known), origin, about)
             shutil.rmtree(work, ignore_errors=True)
             return known
     except filelock.Timeout as error:
@@ -194,49 +210,110 @@ def fetch(name: str, root: str | os.PathLike | None = None,
                          ) from error
 
 
-def _into(work: Path, origin: Origin, source: str, sha256: str | None, name: str,
-          progress: bool) -> dict:
-    """Make a checked dataset with its record in ``work / "unpacked"``; returns the record."""
-    remote, archive = source.startswith(("https://", "http://")), Path(source)
-    if not remote and not archive.is_file():
+def _listed(names: Names) -> list[str]:
+    return [names] if isinstance(names, str) else list(names or ())
+
+
+def _into(work: Path, origin: Origin, source: str, sha256: str | None, styles: Names, name: str,
+          progress: bool) -> str:
+    """Make a checked dataset in ``work / "unpacked"``.
+
+    Returns the SHA-256 of the archive; empty if single styles were read on a server.
+    """
+    remote = source.startswith(("https://", "http://"))
+    if not remote and not Path(source).is_file():
         raise ValueError(f"{source}: no such file; an address starts with https:// or http://")
-    expected = (sha256 or origin.sha256 or "").lower()
     work.mkdir(mode=0o700, exist_ok=True)
     if work.is_symlink() or (hasattr(os, "geteuid") and work.stat().st_uid != os.geteuid()):
         raise ValueError(f"{work}: is a link, or another user's; remove it")
     unpacked = work / "unpacked"
-    shutil.rmtree(unpacked, ignore_errors=True)
     try:
         # the archive, and its checksum
-        if remote:
-            have = _extent(work)[1]
-            room(work, max((origin.size or 0) - have, 0) + origin.unpacked,
-                 f"fetch and unpack {name}")
-            limit = origin.size if origin.size and expected == origin.sha256 else LARGEST
-            archive = download(source, work, expected or None, limit, progress)
-        digest = pooch.file_hash(str(archive))
-        if expected and digest != expected:
-            raise ValueError(f"{source}: expected the sha256 {expected}, got {digest} "
-                             f"({archive.stat().st_size:,} bytes)")
-        # its files, which the package's own readers must understand
-        comment = unpack(archive, unpacked, origin.place, 4 * origin.unpacked, progress)
-        found = origin.check(unpacked)
-        if origin.contents and not sha256 and (inside := contents(unpacked)) != origin.contents:
+        file: BinaryIO
+        digest, expected = "", (sha256 or origin.sha256 or "").lower()
+        if remote and styles:
+            file = _parts(origin, source)
+        else:
+            path = Path(source)
+            if remote:
+                path = _whole(work, origin, source, expected, progress)
+            with path.open("rb") as whole:
+                digest = hashlib.file_digest(whole, "sha256").hexdigest()
+            if expected and digest != expected:
+                raise ValueError(f"{source}: expected the sha256 {expected}, got {digest} "
+                                 f"({path.stat().st_size:,} bytes)")
+            file = path.open("rb")
+        with file, archive(file, source) as opened:
+            # its files, which the package's own readers must understand
+            inside = members(opened, origin.place)
+            if styles:
+                of = {path: match["style"] for path in inside
+                      if (match := style100.SOURCE.pattern.fullmatch(PurePosixPath(path).name))}
+                wanted = check_names(styles, set(of.values()), "style", name)
+                inside = {path: info for path, info in inside.items()
+                          if path not in of or of[path] in wanted}
+            unpack(opened, inside, unpacked, 4 * origin.unpacked, progress)
+        origin.check(unpacked)
+        if origin.contents and not sha256 and (found := contents(unpacked)) != origin.contents:
             raise ValueError(f"{source}: expected files of the checksum {origin.contents}, got "
-                             f"{inside}; --sha256 accepts another archive")
+                             f"{found}; --sha256 accepts another archive")
     except ValueError as error:
-        shutil.rmtree(work if remote else unpacked, ignore_errors=True)
+        shutil.rmtree(work if remote and not styles else unpacked, ignore_errors=True)
         with contextlib.suppress(OSError):  # not empty: it holds what came of a download
             work.rmdir()
         fate = "nothing was changed"
         if remote:
             fate = "removed; the same command tries again, --from takes another copy"
         raise ValueError(f"{error}: refused ({fate})") from error
-    files, size = _extent(unpacked)
-    known = {"name": name, "title": origin.title, "terms": origin.terms, "source": source,
-             "date": datetime.now(UTC).isoformat(timespec="seconds"), "sha256": digest,
-             "comment": comment, "files": files, "bytes": size, "found": found}
-    write_whole(unpacked / RECORD, json.dumps(known, indent=2).encode())
+    return digest
+
+
+def _whole(work: Path, origin: Origin, source: str, expected: str, progress: bool) -> Path:
+    """The archive, downloaded into ``work``."""
+    key = hashlib.sha256(f"{source} {expected}".encode()).hexdigest()
+    path = work / f"{key[:16]}.zip"
+    if not path.exists():
+        room(work, max((origin.size or 0) - _extent(work)[1], 0) + origin.unpacked,
+             "fetch and unpack the archive")
+        limit = origin.size if origin.size and expected == origin.sha256 else LARGEST
+        download(source, path, bool(expected), limit, progress)
+    return path
+
+
+def _parts(origin: Origin, source: str) -> BinaryIO:
+    """The archive on a server, of which only what is read is sent."""
+    file = RemoteFile(source)
+    if not file.ranges:
+        raise ValueError(f"{source}: the server sends the whole file only; leave --styles out, or "
+                         "give another copy")
+    if source == origin.url and file.size != origin.size:
+        raise ValueError(f"{source}: expected {origin.size} bytes, got {file.size}")
+    return io.BufferedReader(file, 1 << 16)
+
+
+def _place(unpacked: Path, folder: Path, added: bool, origin: Origin, about: dict) -> dict:
+    """Give a new dataset its name, or add its files to those of a folder; returns its record."""
+    if not added:
+        known = _described(unpacked, origin, about)
+        if folder.is_dir():  # an empty one, which Windows would not replace
+            folder.rmdir()
+        unpacked.replace(folder)
+        return known
+    for path in below(unpacked):
+        target = folder / path.relative_to(unpacked)
+        if path.is_dir():
+            target.mkdir(exist_ok=True)
+        else:
+            path.replace(target)
+    return _described(folder, origin, about)
+
+
+def _described(folder: Path, origin: Origin, about: dict) -> dict:
+    """Write the record of a folder, and return it."""
+    files, size = _extent(folder)
+    known = about | {"date": datetime.now(UTC).isoformat(timespec="seconds"), "files": files,
+                     "bytes": size, "found": origin.check(folder)}
+    write_whole(folder / RECORD, json.dumps(known, indent=2).encode())
     return known
 
 

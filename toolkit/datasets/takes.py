@@ -88,9 +88,9 @@ class Source:
         """
         takes = self.find(root)
         known = {take.style for take in takes} | set(known_styles)
-        wanted_styles = _check_names(styles, known, "style", self.name)
+        wanted_styles = check_names(styles, known, "style", self.name)
         known = {take.gait for take in takes} | set(self.gaits)
-        wanted_gaits = _check_names(gaits, known, "gait", self.name)
+        wanted_gaits = check_names(gaits, known, "gait", self.name)
         kept = [t for t in takes if t.style in wanted_styles and t.gait in wanted_gaits]
         missing = [] if styles is None else sorted(set(wanted_styles) - {t.style for t in kept})
         missing += [] if gaits is None else sorted(set(wanted_gaits) - {t.gait for t in kept})
@@ -108,8 +108,8 @@ class Source:
             yield bvh.load(take.path, unit=self.unit, up="y", style=take.style, gait=take.gait)
 
 
-def _check_names(names: Names, known: Iterable[str], what: str, dataset: str) -> list[str]:
-    """The names as a list, all known ones for None; the error suggests similar ones."""
+def check_names(names: Names, known: Iterable[str], what: str, dataset: str) -> list[str]:
+    """The names as a list, all known ones for None; ValueError, with similar names, for others."""
     known = sorted(known)
     if names is None:
         return known
