@@ -150,7 +150,7 @@ def record(folder: Path) -> dict | None:
 def has(known: dict, styles: Names) -> bool:
     """Whether a folder with this `record` has these styles; None: all."""
     some = known["styles"]
-    return not some or styles is not None and set(_listed(styles)) <= set(some)
+    return not some or (styles is not None and set(_listed(styles)) <= set(some))
 
 
 def fetch(name: str, root: str | os.PathLike | None = None,
