@@ -239,7 +239,10 @@ def test_short_clips_are_left_out_where_that_is_asked_for(two_walks, walk_clip):
     others = [two_walks[0], short.replace(gait="SR")]  # a gait with none
     data = features.build(others, source="contact", short="skip")
     assert data.takes["Neutral"].tolist() == [0] * 139
-    with pytest.raises(ValueError, match=r"^style 'Neutral' has no clip of 112 frames \(1\.9 s"):
+    others.append(short.replace(style="Brief"))
+    with pytest.warns(UserWarning, match=r"^no clip of 112 frames .* of the styles Brief: they are"):
+        assert features.build(others, source="contact", short="skip").styles == ["Neutral"]
+    with pytest.raises(ValueError, match="of the styles Neutral: there is nothing to learn from"):
         features.build([short], short="skip")
 
 

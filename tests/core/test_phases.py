@@ -41,6 +41,11 @@ def still(skeleton):
     return clip
 
 
+def columns(ph):
+    """The tensors of phases, by name."""
+    return {name: value for name, value in vars(ph).items() if name != "limbs"}
+
+
 def random(seed, *shape):
     return torch.randn(*shape, generator=torch.Generator().manual_seed(seed), dtype=torch.float64)
 
@@ -169,7 +174,7 @@ def test_clips_of_a_group_share_their_axes_and_keep_their_order(walk_clip):
     fitted = tk.phases.ContactFree().fitted(clips)
     for clip, ph in zip(clips, group, strict=True):
         again = tk.phases.extract(clip, lambda c, limb: fitted(c, limb))
-        for a, b in zip(vars(ph).values(), vars(again).values(), strict=True):
+        for a, b in zip(columns(ph).values(), columns(again).values(), strict=True):
             assert torch.equal(a, b)
     assert not torch.equal(group[0].source, tk.phases.extract(clips[0], "contact-free").source)
 
@@ -189,7 +194,7 @@ def test_fields_are_what_they_say(walk_clip):
     """Each field against the fit of each limb's own curve; the vector against equation (1)."""
     source, half = tk.phases.ContactFree().fitted([walk_clip]), 0.4
     ph = tk.phases.extract(walk_clip, lambda clip, limb: source(clip, limb), half)
-    assert all(column.dtype == torch.float32 for column in vars(ph).values())
+    assert all(column.dtype == torch.float32 for column in columns(ph).values())
     for i, limb in enumerate(LIMBS):
         raw = source(walk_clip, limb)[:, None]
         curve = smooth(normalise(raw, FPS, 0.5), FPS)  # never less than a second
@@ -219,6 +224,38 @@ def test_without_a_window_each_limb_is_fitted_in_its_own(still):
         assert half == pytest.approx(max(0.5, windows.CYCLES / 2 / rate), abs=0.02)
         expected = smooth(normalise(curve, FPS, half), FPS)[:, 0]
         assert torch.allclose(ph.source[:, i].double(), expected, atol=1e-4)
+
+
+class Some:
+    """The position forwards of some joints."""
+
+    def __init__(self, *limbs):
+        self.limbs = limbs
+
+    def __call__(self, clip, limb):
+        return tk.phases.local_positions(clip, limb)[:, 2]
+
+
+@pytest.mark.parametrize("limbs", [("right_foot",), (*LIMBS, "Head", "left_knee")])
+def test_a_source_may_have_any_number_of_limbs(walk_clip, limbs):
+    clips = [walk_clip, procedural.generate("Zombie", "FW", 8.0)]
+    ph, four = (tk.phases.extract(walk_clip, Some(*names)) for names in (limbs, LIMBS))
+    assert ph.limbs == limbs
+    assert torch.equal(ph.vector[:, limbs.index("right_foot")], four.vector[:, 3])
+    data = tk.features.build(clips, source=Some(*limbs))
+    assert data.phases["Neutral"].shape[1] == data.layout.n_phases == 2 * len(limbs)
+    again = tk.features.Layout.from_json(data.layout.to_json())
+    assert again == data.layout != tk.features.Layout(walk_clip.skeleton)
+    run = tk.training.fit(data, tk.training.Config.quick(seconds=0.5))
+    commands = tk.runtime.straight(1.0, 0.5)
+    walked = tk.runtime.rollout(run.model, commands, style=run.bank["Zombie"])
+    assert len(walked) == 30
+
+
+def test_a_source_that_is_constant_says_so(walk_clip):
+    with pytest.warns(UserWarning, match="source is constant in all clips of a style and gait"):
+        ph = tk.phases.extract(walk_clip, lambda clip, limb: torch.ones(len(clip)))
+    assert not ph.vector.any()
 
 
 def test_a_source_may_bring_its_own_sinusoids(walk_clip):

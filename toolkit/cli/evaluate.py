@@ -65,7 +65,7 @@ def _clips(place: Path, paired: bool, judge: Recogniser | None, unit: float | st
     if place.is_file():
         takes = [own.OwnTake(place, "", "")]
     elif place.is_dir():
-        takes, _ = own.labelled(place)
+        takes = own.labelled(place)
     else:
         raise ValueError(f"{place}: no such file or folder")
     clips = {}

@@ -50,7 +50,7 @@ def dataset(data: str, root: Path | None) -> tuple[str, Path | None]:
 
 
 def show(root: Path | None, rig: Clip | None = None) -> None:
-    """Print what is used of a folder of one's own, and what is left out and why."""
+    """Print what is used of a folder of one's own."""
     folder = own.SOURCE.folder(root)
     for line in own.survey(folder, rig).lines(folder):
         say(line)

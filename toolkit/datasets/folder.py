@@ -13,6 +13,7 @@ ones.
 
 import os
 import re
+import warnings
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
@@ -38,6 +39,7 @@ GAITS |= {code.lower(): code for code in ("FW", "BW", "SW", "FR", "BR", "SR", "I
                                           "TR3")}
 # seconds of a clip with one usable frame
 SHORTEST = (trajectory.SAMPLES[-1] - trajectory.SAMPLES[0] + 2) / trajectory.FPS
+NAMED = 10  # files that a warning names
 ALIKE = 1.3  # ratio of sizes up to which two bodies are used together
 SUFFIXES = readers()
 
@@ -62,7 +64,7 @@ class Survey:
     doubts: dict[Path, list[str]] = field(default_factory=dict)  # warnings about used files
 
     def lines(self, root: Path) -> Iterator[str]:
-        """What is used, by style and gait, and what is left out and why."""
+        """What is used, by style and gait, and what is doubtful about it."""
         minutes = sum(self.seconds.values()) / 60
         yield (f"{_files(len(self.takes))}, {sum(self.frames.values()):,} frames, "
                f"{minutes:.1f} minutes; {self.joints[0]} body joints of {self.joints[1]}")
@@ -77,10 +79,16 @@ class Survey:
         for path, found in self.doubts.items():
             for doubt in found:
                 yield printable(f"  doubtful: {path.relative_to(root)}: {doubt}")
-        if self.left_out:
-            yield f"left out: {_files(len(self.left_out))}"
-        for path, why in self.left_out.items():
-            yield printable(f"  {path.relative_to(root)}: {why}")
+
+    def warn(self, root: Path) -> None:
+        """Warn of the files that are left out, and say why; at most `NAMED` are named."""
+        if not self.left_out:
+            return
+        some = [f"{path.relative_to(root)}: {why}" for path, why in sorted(self.left_out.items())]
+        if len(some) > NAMED:
+            some[NAMED:] = [f"{len(some) - NAMED} more (toolkit.datasets.folder.survey)"]
+        warnings.warn(printable(f"{root}: {_files(len(self.left_out))} left out: {'; '.join(some)}"),
+                      stacklevel=5)
 
 
 @dataclass(frozen=True)
@@ -90,8 +98,13 @@ class Own(Source):
     target: Clip | None = None  # of a rig that all are retargeted to
 
     def find(self, root: str | os.PathLike | None) -> list[Take]:
-        """All takes of a folder that can be used; ValueError if there is none."""
-        return list(survey(root, self.target).takes)
+        """All takes of a folder that can be used; ValueError if there is none.
+
+        A warning names the other files.
+        """
+        found = survey(root, self.target)
+        found.warn(self.folder(root))
+        return list(found.takes)
 
     def folder(self, root: str | os.PathLike | None) -> Path:
         """The folder, which must be given."""
@@ -165,7 +178,8 @@ def survey(root: str | os.PathLike, target: Clip | None = None) -> Survey:
 @lru_cache(maxsize=1)  # a training asks twice
 def _survey(folder: Path, _state: tuple, target: Clip | None) -> Survey:
     # the files that can be read, by the rigs that fit together
-    takes, left_out = labelled(folder)
+    takes = labelled(folder)
+    left_out: dict[Path, str] = {}
     rigs: dict[_Rig, list[_Row]] = defaultdict(list)
     for take in progress_bar(takes, desc="reading", unit="file", show=len(takes) > 20):
         try:
@@ -216,14 +230,13 @@ def reason(error: Exception, path: Path) -> str:
     return str(error).removeprefix(str(path)).removeprefix(path.name).lstrip(",: ")
 
 
-def labelled(folder: Path) -> tuple[list[Take], dict[Path, str]]:
-    """Files of a folder with style and gait, and those that the table leaves out."""
+def labelled(folder: Path) -> list[Take]:
+    """Files of a folder with style and gait, without those that its table does not list."""
     found = [path for path in files.below(folder)
              if path.suffix.lower() in SUFFIXES and path.is_file()]
     if (folder / TABLE).exists():
         table = _table(folder)
-        takes = [OwnTake(path, *table[path]) for path in found if path in table]
-        return takes, {path: f"not listed in {TABLE}" for path in found if path not in table}
+        return [OwnTake(path, *table[path]) for path in found if path in table]
 
     # words of the names, without numbers; those common to all files say nothing
     words = {}
@@ -240,7 +253,7 @@ def labelled(folder: Path) -> tuple[list[Take], dict[Path, str]]:
         named = [word for word in named if word not in common] or named or [of_file(path.stem)]
         style = above[0] if above else named[0]
         takes.append(OwnTake(path, style, GAITS.get(gait.lower(), gait)))
-    return takes, {}
+    return takes
 
 
 def _table(folder: Path) -> dict[Path, tuple]:

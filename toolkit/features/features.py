@@ -6,6 +6,7 @@ them.
 
 import difflib
 import math
+import warnings
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
@@ -38,7 +39,7 @@ class OwnFeatures:
     layout: Layout
     roots: RootFrames  # in the world
     joints: Tensor  # [F, 12 J] in the frame's own root frame
-    phases: Tensor  # [F, 8]
+    phases: Tensor  # [F, 2 K] of K limbs
     contacts: Tensor  # [F, 2]
     __repr__ = summary
 
@@ -99,7 +100,8 @@ def own_features(clip: Clip, ph: phases.Phases, samples: tuple[int, ...] = traje
     if clip.fps != trajectory.FPS:
         raise ValueError(f"{clip.name}: features need {trajectory.FPS} Hz, the clip has "
                          f"{clip.fps:g}; use clip.resample(60)")
-    layout, roots = Layout(clip.skeleton, samples=samples), root_frames(clip)
+    layout = Layout(clip.skeleton, samples=samples, phase_limbs=ph.limbs)
+    roots = root_frames(clip)
     return OwnFeatures(layout, roots, joint_features(clip, roots), ph.vector.flatten(1),
                        contacts.detect(clip, height=contact_height))
 
@@ -233,7 +235,8 @@ def build(clips: Clip | Iterable[Clip], *, source: str | phases.Source = "hybrid
     source : phase source, see `toolkit.phases`
     mirror : add mirror images of all clips or of those that a function chooses: symmetric styles,
         never idling (section 3.2)
-    short : ``"raise"``: a clip that holds no whole window is an error; ``"skip"``: it is left out
+    short : ``"raise"``: a clip that holds no whole window is an error; ``"skip"``: it is left out,
+        and with a warning a style that has no other
     samples : offsets of the trajectory window, see `Layout`; they must be those of the model that
         uses the features
     contact_height : height up to which a toe stands, metres; by default it follows from each clip
@@ -243,8 +246,7 @@ def build(clips: Clip | Iterable[Clip], *, source: str | phases.Source = "hybrid
     Raises
     ------
     ValueError
-        If there is no clip, skeletons differ, a clip is too short, or a style has no clip with a
-        whole window.
+        If there is no clip, skeletons differ, a clip is too short, or no clip has a whole window.
     """
     clips = [clips] if isinstance(clips, Clip) else list(clips)
     if not clips:
@@ -277,8 +279,8 @@ def recordings(clips: Iterable[tuple[int, Clip]], *, source: str | phases.Source
     for take, clip in clips:
         if why := Layout(clip.skeleton, samples=samples).difference(layout):
             raise ValueError(f"{clip.name}: {why}, compared with {first.name}; on one skeleton: "
-                             "toolkit.extra.characters.retargeting.retarget; or train "
-                             "--skeleton FILE")
+                             "clips = [toolkit.extra.characters.retargeting.retarget(clip, "
+                             "clips[0]) for clip in clips], or train --skeleton FILE")
         groups[clip.style, clip.gait].append((take, clip))
 
     found: dict[str, list[tuple[int, OwnFeatures]]] = {style: [] for style, _ in groups}
@@ -298,11 +300,12 @@ def recordings(clips: Iterable[tuple[int, Clip]], *, source: str | phases.Source
         all_phases = phases.extract_group([clip for _, clip in chosen], source) if chosen else []
         for (take, clip), ph in zip(chosen, all_phases, strict=True):
             found[style].append((take, own_features(clip, ph, samples, contact_height)))
-    for style, own in found.items():
-        if not own:
-            raise ValueError(f"style {style!r} has no clip of {SHORTEST} frames (1.9 s at 60 Hz) "
-                             "to learn the style from")
-    return found
+    if empty := [style for style, own in found.items() if not own]:
+        why = f"no clip of {SHORTEST} frames (1.9 s at 60 Hz) of the styles {', '.join(empty)}"
+        if len(empty) == len(found):
+            raise ValueError(f"{why}: there is nothing to learn from")
+        warnings.warn(f"{why}: they are left out", stacklevel=3)
+    return {style: own for style, own in found.items() if own}
 
 
 def style_rows(own: OwnFeatures, takes: Iterable[tuple[int, int]]) -> dict[str, Tensor | Rows]:

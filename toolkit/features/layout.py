@@ -16,12 +16,8 @@ from toolkit.motion import Skeleton, contacts, trajectory
 from toolkit.motion.tensors import summary
 
 SIZES = 1.4  # largest ratio of the sizes of two skeletons of one layout
-N_PHASES = 2 * len(phases.LIMBS)
-PHASES = {  # phase of a model: columns of p, and the blocks of z of the same width
-    "local": (N_PHASES, ("phases", "phase_updates")),
-    "global": (1, ("phase_updates",)),
-    "none": (0, ()),
-}
+PHASES = {  # phase of a model: the blocks of z that are as wide as p
+    "local": ("phases", "phase_updates"), "global": ("phase_updates",), "none": ()}
 CHANNELS = ("position", "forward", "up", "velocity")  # three numbers each, per joint
 
 
@@ -33,24 +29,26 @@ class Layout:
     map blocks to slices; `joints` is J × (position 3, forward 3, up 3, velocity 3), `trajectory` is
     samples × (x, z, direction x, direction z).
 
-    Data always have the four limbs' local phases. A model may use fewer columns: see ``phase``. Two
+    Data always have the local phases of all limbs. A model may use fewer columns: see ``phase``. Two
     layouts are equal if their skeletons have the same joints and End Sites in the same tree and
-    similar size, the same phase and samples, see `difference`.
+    similar size, the same phase, samples and limbs, see `difference`.
 
     Parameters
     ----------
     skeleton : skeleton of the data
     phase
-        ``"local"``: the phase vectors of four limbs; p has 8 columns, z has 8 of phases and 8 of
-        phase updates. ``"global"``: one angle, radians; p has 1 column, z only its update (327
+        ``"local"``: the phase vectors of the limbs; of four, p has 8 columns, z has 8 of phases and
+        8 of phase updates. ``"global"``: one angle, radians; p has 1 column, z only its update (327
         columns for J = 25). ``"none"``: p and z have no phase columns (z: 326).
     samples : offsets of the trajectory window in frames at 60 Hz, ascending: past ones, 0, future
         ones
+    phase_limbs : the limbs or joints whose local phases the data have
     """
 
     skeleton: Skeleton
     phase: str = "local"
     samples: tuple[int, ...] = trajectory.SAMPLES
+    phase_limbs: tuple[str, ...] = phases.LIMBS
     inputs: dict[str, slice] = field(init=False)
     outputs: dict[str, slice] = field(init=False)
 
@@ -68,7 +66,7 @@ class Layout:
         joints = 12 * len(self.skeleton.feature_joints)
         widths_in = {"trajectory": 4 * len(offsets), "joints": joints}
         widths_out = {"trajectory": 4 * len(self.ahead), "joints": joints}
-        widths_out |= dict.fromkeys(PHASES[self.phase][1], self.n_phases)
+        widths_out |= dict.fromkeys(PHASES[self.phase], self.n_phases)
         widths_out["contacts"] = len(contacts.FEET)
         object.__setattr__(self, "inputs", _slices(widths_in))
         object.__setattr__(self, "outputs", _slices(widths_out))
@@ -81,7 +79,8 @@ class Layout:
         return isinstance(other, Layout) and not self.difference(other)
 
     def __hash__(self) -> int:
-        return hash((self.skeleton.names, self.skeleton.parents, self.phase, self.samples))
+        return hash((self.skeleton.names, self.skeleton.parents, self.phase, self.samples,
+                     self.phase_limbs))
 
     def difference(self, other: "Layout") -> str:
         """What differs from another layout, in words; empty if they are equal.
@@ -100,6 +99,8 @@ class Layout:
                 return f"its bones are {times:.3g} times as long; unit= decides"
         if (self.phase, self.samples) != (other.phase, other.samples):
             return "its phase or its samples differ"
+        if self.phase_limbs != other.phase_limbs:
+            return f"its phases are of {', '.join(self.phase_limbs)}"
         return ""
 
     @property
@@ -140,7 +141,7 @@ class Layout:
     @property
     def n_phases(self) -> int:
         """Columns of p."""
-        return PHASES[self.phase][0]
+        return {"local": 2 * len(self.phase_limbs), "global": 1, "none": 0}[self.phase]
 
     @property
     def n_clip(self) -> int:
@@ -149,13 +150,13 @@ class Layout:
 
     @property
     def limbs(self) -> list[int]:
-        """Hands and feet among the feature joints, in the order of the phases."""
+        """Hands and feet among the feature joints, in the order of `toolkit.phases.LIMBS`."""
         joints = self.skeleton.feature_joints
         return [joints.index(self.skeleton.role(limb)) for limb in phases.LIMBS]
 
     @property
     def limb_velocities(self) -> list[int]:
-        """The 12 columns of x with the velocities of hands and feet, in the order of the phases."""
+        """The 12 columns of x with the velocities of hands and feet, in the order of `limbs`."""
         first = self.inputs["joints"].start + 3 * CHANNELS.index("velocity")
         return [first + 12 * j + axis for j in self.limbs for axis in range(3)]
 
@@ -183,14 +184,18 @@ class Layout:
 
     def to_json(self) -> str:
         """Text for a checkpoint's metadata."""
-        return json.dumps({**self.skeleton.to_dict(), "phase": self.phase, "samples": self.samples})
+        own = {"phase": self.phase, "samples": self.samples, "phase_limbs": self.phase_limbs}
+        return json.dumps(self.skeleton.to_dict() | own)
 
     @classmethod
     def from_json(cls, text: str) -> "Layout":
-        """Inverse of `to_json`; older texts have no phase and no samples, but the defaults."""
+        """Inverse of `to_json`; what older texts lack has its default."""
         fields = parsed(text)
-        phase, samples = fields.pop("phase", "local"), fields.pop("samples", trajectory.SAMPLES)
-        return cls(Skeleton(**fields), phase, tuple(samples))
+        own = {name: fields.pop(name) for name in ("phase", "samples", "phase_limbs")
+               if name in fields}
+        for name in own.keys() - {"phase"}:
+            own[name] = tuple(own[name])
+        return cls(Skeleton(**fields), **own)
 
 
 def _slices(widths: dict[str, int]) -> dict[str, slice]:

@@ -14,26 +14,26 @@ from toolkit.features import Features, Layout, Normaliser, Rows, pack_joints, sp
 from toolkit.phases import LIMBS
 
 PULL = 0.5  # share of the way to the predicted local phase, for each radian that the phase moves
-#: (sin, cos) of the limbs in the order of the phases.
-ABOUT_TO_STEP = (-1.0, 0.0, 1.0, 0.0, 1.0, 0.0, -1.0, 0.0)
+#: Sine of the phase of each limb; its cosine is 0, as both are of other limbs.
+ABOUT_TO_STEP = {"left_hand": -1.0, "right_hand": 1.0, "left_foot": 1.0, "right_foot": -1.0}
 
 
-def global_phase(p: Tensor) -> Tensor:
-    """The global phase ``[..., 1]``, an angle in [0, 2π), of local phases ``[..., 8]``.
+def global_phase(p: Tensor, limbs: tuple[str, ...] = LIMBS) -> Tensor:
+    """The global phase ``[..., 1]``, an angle in [0, 2π), of the limbs' phases ``[..., 2 K]``.
 
     It is the angle of the right foot's phase vector minus the left's. In a walk the feet are half a
     cycle apart, so both give the same angle. If only one leg moves, its vector determines the
     angle. Like the PFNN's phase, the vectors follow foot contacts if there are any (section 5.1.1).
     While both feet stand or move alike, the angle is noise and may jump.
     """
-    feet = p.unflatten(-1, (len(LIMBS), 2))
-    right, left = (feet[..., LIMBS.index(f"{side}_foot"), :] for side in ("right", "left"))
+    feet = p.unflatten(-1, (len(limbs), 2))
+    right, left = (feet[..., limbs.index(f"{side}_foot"), :] for side in ("right", "left"))
     sin, cos = (right - left).unbind(-1)
     return torch.atan2(sin, cos)[..., None] % math.tau
 
 
 def observe(layout: Layout, p: Tensor, z: Tensor) -> tuple[Tensor, Tensor]:
-    """Phases ``[B, 8]`` and output frames ``[B, Dz]`` of data in a model's columns."""
+    """Phases ``[B, 2 K]`` and output frames ``[B, Dz]`` of data in a model's columns."""
     if layout.phase == "local":
         return p, z
     blocks = dataclasses.replace(layout, phase="local").unpack_output(z)
@@ -41,7 +41,7 @@ def observe(layout: Layout, p: Tensor, z: Tensor) -> tuple[Tensor, Tensor]:
     del blocks["phase_updates"]
     if layout.phase == "none":
         return p[..., :0], layout.pack_output(**blocks)
-    here, there = global_phase(p), global_phase(there)
+    here, there = (global_phase(phases, layout.phase_limbs) for phases in (p, there))
     update = (there - here + math.pi) % math.tau - math.pi
     return here, layout.pack_output(**blocks, phase_updates=update)
 
@@ -93,13 +93,16 @@ def initial_pose(model) -> tuple[Tensor, Tensor]:
     stepped).
     """
     layout, pose = model.layout, model.outputs_mean[model.layout.outputs["joints"]]
-    about_to_step = torch.tensor(ABOUT_TO_STEP, dtype=pose.dtype, device=pose.device)
-    if layout.phase == "local":
+    if layout.phase != "none":
+        limbs = layout.phase_limbs
+        sines = pose.new_tensor([ABOUT_TO_STEP.get(limb, 0.0) for limb in limbs])
+        about_to_step = torch.stack((sines, torch.zeros_like(sines)), 1).flatten()
+        if layout.phase == "global":
+            return global_phase(about_to_step, limbs), pose
         return model.phases_mean + 2 * model.phases_std * about_to_step, pose
-    if layout.phase == "global":
-        return global_phase(about_to_step), pose
     mean = split_joints(pose.clone())
     std = split_joints(model.outputs_std[layout.outputs["joints"]])
     for channel, way in (("position", 2.0), ("velocity", -2.0)):
-        mean[channel][layout.limbs, 2] += way * about_to_step[::2] * std[channel][layout.limbs, 2]
+        ahead = pose.new_tensor([ABOUT_TO_STEP[limb] for limb in LIMBS])
+        mean[channel][layout.limbs, 2] += way * ahead * std[channel][layout.limbs, 2]
     return model.phases_mean, pack_joints(**mean)

@@ -5,6 +5,7 @@
 """
 
 import pkgutil
+import warnings
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
@@ -15,7 +16,7 @@ from torch import Tensor
 from toolkit import registry
 from toolkit.motion import Clip
 from toolkit.motion.tensors import summary
-from toolkit.phases import windows
+from toolkit.phases import sources, windows
 from toolkit.phases.sinusoids import Sinusoids, along, fit
 
 from toolkit.phases.sources import (  # isort: skip
@@ -39,15 +40,16 @@ SOURCES: dict[str, Callable[[], Source]] = {
 
 @dataclass(frozen=True, eq=False)
 class Phases:
-    """Local phases of F frames and four limbs (`LIMBS`); all but ``vector`` are ``[F, 4]``."""
+    """Local phases of F frames and K limbs, usually `LIMBS`; all but ``vector`` are ``[F, K]``."""
 
-    vector: Tensor  # [F, 4, 2] equation (1): speed · amplitude · (sin, cos), metres per second
+    vector: Tensor  # [F, K, 2] equation (1): speed · amplitude · (sin, cos), metres per second
     phase: Tensor  # of the fitted sinusoid at the frame, radians in [0, 2π)
     frequency: Tensor  # of the sinusoid, Hz
     amplitude: Tensor  # of the sinusoid, in units of the normalised source
     residual: Tensor  # of the fit, in units of the normalised source
     source: Tensor  # normalised and smoothed
     fit: Tensor  # value of the sinusoid
+    limbs: tuple[str, ...] = LIMBS
     __repr__ = summary
 
 
@@ -66,11 +68,12 @@ def extract_group(clips: Sequence[Clip], source: str | Source = "hybrid",
     clips
         Motions, any rate.
     source
-        A name of `SOURCES` or a function ``(clip, limb) -> Tensor [F]``. It
-        may have three methods: ``fitted(clips)`` returns the source that is used instead;
-        ``sinusoids(clip) -> (curve [F, 4], Sinusoids)`` replaces the fit; ``signal(curve) ->
-        complex Tensor [F]`` gives the phase by its angle where it does not return None, so that
-        only amplitude and offset are fitted.
+        A name of `SOURCES` or a function ``(clip, limb) -> Tensor [F]``. It may have ``limbs``:
+        names of any number of limbs, joints or roles, in place of `LIMBS`. It may have three
+        methods: ``fitted(clips)`` returns the source that is used instead; ``sinusoids(clip) ->
+        (curve [F, K], Sinusoids)`` replaces the fit; ``signal(curve) -> complex Tensor [F]`` gives
+        the phase by its angle where it does not return None, so that only amplitude and offset are
+        fitted.
     half_window
         Half the length of the fit's window, seconds; by default about half a cycle of each limb
         (`windows.half_window`).
@@ -84,7 +87,8 @@ def extract_group(clips: Sequence[Clip], source: str | Source = "hybrid",
     -----
     The feature is p = ‖v‖ a (sin φ, cos φ). ``a`` is the amplitude of the fitted sinusoid
     (equation 1). The paper leaves open which speed ‖v‖ is: here the root-mean-square over one
-    second, in the hips' frame.
+    second, in the hips' frame. A source that is constant for all limbs in all clips has no phase,
+    and a warning says so.
     """
     if isinstance(source, str):
         source = named(source)
@@ -95,7 +99,11 @@ def extract_group(clips: Sequence[Clip], source: str | Source = "hybrid",
                              f"{shortest} (one second) at {clip.fps:g} Hz")
     if hasattr(source, "fitted"):
         source = source.fitted(clips)
-    return [_extract(clip, source, half_window) for clip in clips]
+    found = [_extract(clip, source, half_window) for clip in clips]
+    if found and not any(bool(ph.amplitude.any()) for ph in found):
+        warnings.warn("the phase source is constant in all clips of a style and gait, so that "
+                      "their phases are 0", stacklevel=3)
+    return found
 
 
 def named(source: str) -> Source:
@@ -116,17 +124,18 @@ def _extract(clip: Clip, source: Source, half_window: float | None) -> Phases:
     direction = torch.nn.functional.normalize(smooth(direction, clip.fps), dim=-1)
     phase = torch.atan2(direction[..., 0], direction[..., 1]) % (2 * torch.pi)
     # size: large where the limb moves fast
-    positions = (local_positions(clip, limb).double() for limb in LIMBS)
+    limbs = sources.limbs_of(source)
+    positions = (local_positions(clip, limb).double() for limb in limbs)
     speed = torch.stack([windows.speed(where, clip.fps) for where in positions], 1)
     size = smooth(speed * found.amplitude.double(), clip.fps).clamp_min(0.0)
     value = found.amplitude * found.phase.sin() + found.offset
     columns = (size[..., None] * direction, phase, found.frequency, found.amplitude, found.residual,
                curve, value)
-    return Phases(*(column.to(clip.rotations) for column in columns))
+    return Phases(*(column.to(clip.rotations) for column in columns), limbs=limbs)
 
 
 def _fitted(clip: Clip, source: Source, half_window: float | None) -> tuple[Tensor, Sinusoids]:
-    """Normalised and smoothed curves ``[F, 4]`` of a source, and their sinusoids."""
+    """Normalised and smoothed curves ``[F, K]`` of a source, and their sinusoids."""
     columns = []
     for raw in curves(clip, source).split(1, dim=1):
         half = windows.half_window(raw[:, 0], clip.fps) if half_window is None else half_window

@@ -1,8 +1,8 @@
 """Source functions: one curve per limb, whose cycles define its phase (Mason et al. 2022, 4.1).
 
-A source is any function ``source(clip, limb) -> Tensor [F]``, limb one of `LIMBS`. One that learns
-from several clips also has ``fitted(clips) -> source``; `toolkit.phases.extract` calls it with the
-clips of a style and gait.
+A source is any function ``source(clip, limb) -> Tensor [F]``, limb one of `LIMBS` or of the
+source's own ``limbs``. One that learns from several clips also has ``fitted(clips) -> source``;
+`toolkit.phases.extract` calls it with the clips of a style and gait.
 """
 
 from collections.abc import Callable, Sequence
@@ -22,10 +22,15 @@ Source = Callable[[Clip, str], Tensor]
 LEAST = 0.02  # share of frames in contact below which a foot counts as never touching
 
 
+def limbs_of(source: Source) -> tuple[str, ...]:
+    """The limbs that a source has curves of."""
+    return tuple(getattr(source, "limbs", LIMBS))
+
+
 def local_positions(clip: Clip, limb: str) -> Tensor:
     """Position ``[F, 3]`` of a limb's end in the hips' frame, metres: end site of the hand, or toe.
 
-    Among the tested joints and frames, these agree best with the phases that the published network
+    That of any other joint, by its name or role, is the joint's own. Among the tested joints and frames, these agree best with the phases that the published network
     predicts.
     """
     skeleton = clip.skeleton
@@ -33,13 +38,13 @@ def local_positions(clip: Clip, limb: str) -> Tensor:
     if limb.endswith("hand"):
         end = skeleton.end_site(limb)
     else:
-        end = skeleton.role(limb.replace("foot", "toe"))
+        end = skeleton.index(limb.replace("_foot", "_toe"))
     reach = clip.global_positions[:, end] - clip.global_positions[:, hips]
     return R.rotate(R.inverse(clip.global_rotations[:, hips]), reach)
 
 
 def curves(clip: Clip, source: Source) -> Tensor:
-    """The source's curves of the four limbs ``[F, 4]``, float64.
+    """The source's curves of its K limbs ``[F, K]``, float64.
 
     Raises
     ------
@@ -47,7 +52,7 @@ def curves(clip: Clip, source: Source) -> Tensor:
         If it does not give one finite number per frame for every limb.
     """
     columns = []
-    for limb in LIMBS:
+    for limb in limbs_of(source):
         curve = as_tensor(source(clip, limb), "a source's curve", torch.float64)
         if curve.shape != (len(clip),) or not bool(curve.isfinite().all()):
             raise ValueError(f"{clip.name}: a source must give one finite number per frame "
