@@ -87,8 +87,8 @@ class Survey:
         some = [f"{path.relative_to(root)}: {why}" for path, why in sorted(self.left_out.items())]
         if len(some) > NAMED:
             some[NAMED:] = [f"{len(some) - NAMED} more (toolkit.datasets.folder.survey)"]
-        warnings.warn(printable(f"{root}: {_files(len(self.left_out))} left out: {'; '.join(some)}"),
-                      stacklevel=5)
+        message = f"{root}: {_files(len(self.left_out))} left out: {'; '.join(some)}"
+        warnings.warn(printable(message), stacklevel=5)
 
 
 @dataclass(frozen=True)

@@ -29,8 +29,8 @@ class Layout:
     map blocks to slices; `joints` is J × (position 3, forward 3, up 3, velocity 3), `trajectory` is
     samples × (x, z, direction x, direction z).
 
-    Data always have the local phases of all limbs. A model may use fewer columns: see ``phase``. Two
-    layouts are equal if their skeletons have the same joints and End Sites in the same tree and
+    Data always have the local phases of all limbs. A model may use fewer columns: see ``phase``.
+    Two layouts are equal if their skeletons have the same joints and End Sites in the same tree and
     similar size, the same phase, samples and limbs, see `difference`.
 
     Parameters

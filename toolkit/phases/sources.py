@@ -30,8 +30,8 @@ def limbs_of(source: Source) -> tuple[str, ...]:
 def local_positions(clip: Clip, limb: str) -> Tensor:
     """Position ``[F, 3]`` of a limb's end in the hips' frame, metres: end site of the hand, or toe.
 
-    That of any other joint, by its name or role, is the joint's own. Among the tested joints and frames, these agree best with the phases that the published network
-    predicts.
+    Among the tested joints and frames, these agree best with the phases that the published network
+    predicts. Any other joint, by its name or role, has its own position.
     """
     skeleton = clip.skeleton
     hips = skeleton.role("hips")
