@@ -9,6 +9,7 @@ from toolkit import registry
 from toolkit.cli import motion_files
 from toolkit.cli.motion_files import Target, target
 from toolkit.cli.verbs import Published, Roles, Selection, TrainedRun, Unit, Up, say
+from toolkit.evaluation.findings import told
 from toolkit.io import save as saving
 from toolkit.training import published
 
@@ -55,6 +56,7 @@ def clip(
         say(retargeting.report(before, motion))
     saving.save(motion, out, title=source.stem, progress=True, character=character)
     wrote(out)
+    say(told(motion))
 
 
 def wrote(*files: Path) -> None:

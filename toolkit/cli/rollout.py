@@ -10,6 +10,7 @@ import typer
 from toolkit import runtime
 from toolkit.cli.verbs import Published, TrainedRun, say
 from toolkit.evaluation import metrics
+from toolkit.evaluation.findings import told
 from toolkit.io import save as saving
 from toolkit.training import published
 
@@ -51,6 +52,7 @@ def rollout(
     say(f"{len(clip)} frames, {went:.2f} m/s for {speed:.2f} asked, hips {low:.2f} to {high:.2f} m,"
         f" foot skate right {skate['right'] * 100:.1f} left {skate['left'] * 100:.1f} cm/s; wrote "
         f"{out}")
+    say(told(clip))
 
 
 def blend_of(text: str) -> dict[str, float]:

@@ -10,6 +10,7 @@ import typer
 from toolkit import registry
 from toolkit.cli import motion_files
 from toolkit.cli.verbs import Published, Roles, Seed, TrainedRun, Unit, Up, say
+from toolkit.evaluation.findings import told
 from toolkit.io import model_files, save as saving
 from toolkit.io.files import below
 from toolkit.io.load import readers
@@ -84,6 +85,7 @@ def add(
         longest = max(shown, key=lambda clip: clip.seconds)
         bank, compared = choose(made, longest, anyway=anyway)
         say(str(compared))
+        say(told(compared.clips["style"]))
         learnt.append((compared, base, tensors, parts, made, bank))
     compared, base, tensors, parts, made, bank = min(learnt, key=lambda one: one[0].excess)
     if len(learnt) > 1:

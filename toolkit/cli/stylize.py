@@ -8,6 +8,7 @@ import typer
 from toolkit.cli import motion_files
 from toolkit.cli.verbs import Roles, Seed, Unit, Up, say
 from toolkit.evaluation import metrics
+from toolkit.evaluation.findings import told
 from toolkit.io import save as saving
 from toolkit.motion import contacts
 from toolkit.stylization.networks import Stylizer, pretrained
@@ -50,3 +51,4 @@ def stylize_clip(
                      for motion in (source, made))
     say(f"{len(made)} frames; feet that should stand slide by {after:.1f} cm/s, in the source "
         f"{before:.1f}; wrote {out}")
+    say(told(made))

@@ -12,6 +12,7 @@ import typer
 from toolkit import runtime
 from toolkit.cli.export import Figure, wrote
 from toolkit.cli.verbs import Published, Seed, Selection, TrainedRun, say
+from toolkit.evaluation.findings import told
 from toolkit.extra import shots
 from toolkit.extra.shots import crowd as crowds
 from toolkit.io import save as saving
@@ -44,9 +45,11 @@ def shot(
             say(line, sys.stderr)
     except ValueError as error:
         raise ValueError(f"{file}: {error}") from None
-    for path, asked, clip in zip(paths, scene.shots, scene.render(net, bank), strict=True):
+    clips = scene.render(net, bank)
+    for path, asked, clip in zip(paths, scene.shots, clips, strict=True):
         saving.save(clip, path, title=asked.name, progress=True)
         say(f"{asked.name or 'shot'}: {len(clip)} frames, {clip.seconds:.1f} s; wrote {path}")
+    say(told(clips, scene.apart))
 
 
 def crowd(

@@ -1,0 +1,105 @@
+"""The gate finds what is broken, with its joint and time, and is silent on recorded people."""
+
+import damages
+import pytest
+import torch
+
+import toolkit as tk
+from experiments.defects import alarms, part, takes
+from experiments.tables import Result
+from toolkit.evaluation import defects
+
+
+@pytest.fixture(scope="module")
+def walk():
+    return tk.datasets.load("procedural", styles=["Neutral"], gaits=["FW"], seconds=4.0)[0]
+
+
+@pytest.fixture(scope="module")
+def stand():
+    return tk.datasets.load("procedural", styles=["Neutral"], gaits=["ID"], seconds=3.0)[0]
+
+
+def kinds(clip, **options):
+    return {finding.kind for finding in defects(clip, **options)}
+
+
+def test_a_walk_at_any_rate_has_no_defects(walk, stand):
+    for clip in (walk, stand, walk.resample(30), walk.resample(120), walk.mirrored()):
+        assert defects(clip) == []
+    assert defects(walk.cut(0, 1)) == []
+
+
+@pytest.mark.parametrize(
+    ("damage", "size", "kind"),
+    [
+        (damages.carried, 0.15, "slide"),
+        (damages.carried, 0.8, "slide"),
+        (damages.noise, 1.0, "pop"),
+        (damages.shaken, 0.005, "shake"),
+        (damages.jumped, 0.03, "pop"),
+        (damages.leg, 0.03, "floor"),
+        (damages.leg, -0.04, "floor"),
+        (damages.through, 0.9, "body"),
+    ],
+)
+def test_each_damage_is_found_at_each_rate(walk, damage, size, kind):
+    for fps in (30, 60, 120):
+        assert kind in kinds(damage(walk.resample(fps), size))
+
+
+def test_a_finding_says_where_and_when(walk):
+    found = [f for f in defects(damages.jumped(walk, 0.05)) if f.kind == "pop"]
+    assert {f.joint for f in found} >= {"hips", "left_hand", "right_hand"}
+    for finding in found:
+        assert 1.8 < finding.start < 2.0 < finding.end < 2.2
+        assert finding.excess > 1
+    assert "s, " in str(found[0])
+    assert "> " in str(found[0])
+
+
+def test_a_standing_body_that_glides_drifts(stand):
+    for speed in (0.24, 0.5):
+        assert "drift" in kinds(damages.carried(stand, speed))
+
+
+def test_a_knee_that_bends_backwards(walk):
+    skeleton, twist = walk.skeleton, torch.zeros(len(walk), 1, 3)
+    upper = skeleton.offsets[skeleton.role("left_knee")]
+    half = upper / upper.norm() * torch.pi
+    made = damages.turned(walk, [skeleton.role("left_hip")], twist + half)
+    assert "knee" in kinds(made)
+
+
+def test_characters_in_each_others_way(walk):
+    beside = {gap: walk.moved(shift=(gap, 0.0, 0.0)) for gap in (0.25, 0.6, 3.0)}
+    assert kinds([walk, beside[3.0]], apart=0.7) == set()
+    assert kinds([walk, beside[0.6]], apart=0.7) >= {"apart"}
+    (near,) = [f for f in defects([walk, beside[0.6]], apart=0.7) if f.kind == "apart"]
+    assert (near.value, near.limit) == (pytest.approx(0.6, abs=1e-4), 0.7)
+    assert "body" in kinds([walk, beside[0.25]])
+    assert "through" not in kinds([walk])
+
+
+def test_a_shot_is_rendered_first():
+    model, bank = tk.pretrained()
+    shot = tk.shots.Shot([(0.0, 0.0), (0.0, 2.0)], "Neutral")
+    assert all(f.unit for f in defects(shot, (model, bank)))
+    with pytest.raises(ValueError, match="give the model and its bank"):
+        defects(shot)
+
+
+def test_the_published_drunk_shakes(shared):
+    model, bank = tk.published.load(shared / "lpn_film_100style")
+    command = tk.runtime.straight(1.0, 2.0)
+    assert "shake" in kinds(tk.runtime.rollout(model, command, style=bank["Drunk"]))
+    assert "shake" not in kinds(tk.runtime.rollout(model, command, style=bank["Neutral"]))
+
+
+def test_recorded_takes_that_made_no_limit_are_seldom_alarmed(shared):
+    clips = [clip for clip in takes(shared, 8) if part(clip) == "alarms"]
+    seconds, found = alarms(clips)
+    assert seconds > 100
+    assert found.get("any", 0) <= 0.05 * seconds  # of few takes
+    rows = {row["part"]: row for row in Result.load("defects").rows}
+    assert rows["alarms"]["any"] <= 0.02
