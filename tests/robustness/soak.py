@@ -6,7 +6,6 @@ import math
 from dataclasses import dataclass, fields
 from typing import Annotated
 
-import numpy as np
 import torch
 import typer
 from torch import Tensor
@@ -18,6 +17,7 @@ from toolkit.cli import verbs
 from toolkit.evaluation import metrics
 from toolkit.motion import forward_kinematics
 from toolkit.motion.contacts import FEET
+from toolkit.networks.bank import StyleBank
 from toolkit.runtime import FPS, CharacterState, Command
 
 CHUNK = 300  # frames whose poses are in memory at a time
@@ -39,8 +39,9 @@ WINDOW, TURN = 5.0, 2.0
 WALK, STEADY = (0.5, 1.5), 0.9  # limits of steady walking: m/s; least |mean velocity| / mean speed
 STUCK = 0.2  # share of the commanded distance, below which a character is stuck
 SKATE = 0.05  # m/s, limit of a style's median in steady walking
-PERCENTILES = (50, 90, 99, 100)
-TOLD = "bad", "falls", "stuck", "glides"  # what is counted of each style
+COLUMNS = {"model": ["model"], "styles": ["styles", 0], "frames": ["frames", 0],
+           "bad": ["frames that are not finite", 0], "falls": ["falls", 0],
+           "stuck": ["times stuck", 0], "glides": ["glides", 0]}
 # the pose includes the root
 CARRIED = tuple(f.name for f in fields(CharacterState) if f.name not in ("history", "style"))
 
@@ -63,17 +64,22 @@ def run(
     without = (MISBEHAVES if parameters and skip is None else skip or "").split(",")
     bank = bank.select(name for name in bank if name not in without)
     course = Course.random(len(bank), round(seconds * FPS), seed)
-    seen = watch(runtime.compile(net), bank.vectors, course, progress=True)
-    rows = judge(seen, course, list(bank))
+    seen = watch(runtime.compile(net), bank.vectors, course)
+    rest = net.layout.skeleton.rest_positions[:, 1]
+    hips = net.layout.skeleton.role("hips")
+    rows = judge(seen, course, bank, float(rest[hips] - rest.min()))
     print("\n".join(table(rows)))
-    found = totals(rows, seen)
-    print(summary(rows, found, seconds))
+    kind = "published" if parameters else "embedded" if model is None else "trained"
+    total = {"model": kind, "styles": len(rows), "frames": seen.finite.numel()}
+    total |= {key: sum(row[key] for row in rows) for key in ("bad", "falls", "stuck", "glides")}
+    passed = sum(not row["failed"] for row in rows)
+    print(f"{passed} of {len(rows)} styles pass {seconds:g} s each: "
+          + ", ".join(f"{value} {key}" for key, value in total.items()))
     if store:
-        kind = "published" if parameters else "embedded" if model is None else "trained"
         Result("soak",
                f"Every style for {seconds:g} s under random commands and blends, seed {seed}",
-               "python -m experiments soak [--published DATA/lpn_film_100style] --store", STORED,
-               [{"model": kind} | found]).add()
+               "python -m experiments soak [--published DATA/lpn_film_100style] --store", COLUMNS,
+               [total]).add()
     if any(row["failed"] for row in rows):
         raise typer.Exit(1)
 
@@ -114,30 +120,23 @@ class Course:
 
 @dataclass(frozen=True, eq=False)
 class Watched:
-    """Observations of N characters over F frames; metres and seconds.
+    """Observations of N characters over F frames; metres and seconds."""
 
-    ``finite`` and ``upright [F, N]`` bool; ``hips [F, N]``, their height, and ``rest``, that of the
-    rest pose; ``root [F, N, 2]``; ``contact [F, N, 2]`` bool, right and left; ``sliding`` and
-    ``plain [F, N, 2]``, horizontal speed of the toes with foot IK and in the network's output.
-    """
-
-    finite: Tensor
-    upright: Tensor
-    hips: Tensor
-    rest: float
-    root: Tensor
-    contact: Tensor
-    sliding: Tensor
-    plain: Tensor
+    finite: Tensor  # [F, N] bool
+    upright: Tensor  # [F, N] bool
+    hips: Tensor  # [F, N], their height
+    root: Tensor  # [F, N, 2]
+    contact: Tensor  # [F, N, 2] bool, right and left
+    sliding: Tensor  # [F, N, 2], horizontal speed of the toes
 
 
-def watch(model, vectors: Tensor, course: Course, *, progress: bool = False) -> Watched:
+def watch(model, vectors: Tensor, course: Course) -> Watched:
     """Run a compiled or plain model with a course; ``vectors [N, D]`` are those of the styles."""
     state, parts, last = runtime.start(model, course.blend(0, vectors)), [], None
     frames = range(len(course.velocity))
-    bar = tqdm(total=len(frames), desc="soak", unit="frame", disable=None if progress else True)
-    with torch.no_grad(), bar:
-        for chunk in (frames[i : i + CHUNK] for i in frames[::CHUNK]):
+    with torch.no_grad():
+        for chunk in tqdm([frames[i : i + CHUNK] for i in frames[::CHUNK]], desc="soak",
+                          disable=None):
             states = []
             for frame in chunk:
                 command = Command(course.velocity[frame], course.facing[frame])
@@ -145,28 +144,20 @@ def watch(model, vectors: Tensor, course: Course, *, progress: bool = False) -> 
                 states.append(state)
             part, last = _look(model, states, last)
             parts.append(part)
-            bar.update(len(chunk))
-    skeleton = model.layout.skeleton
-    rest = skeleton.rest_positions[:, 1]
-    whole = {name: torch.cat([part[name] for part in parts]) for name in parts[0]}
-    return Watched(**whole, rest=float(rest[skeleton.role("hips")] - rest.min()))
+    return Watched(**{name: torch.cat([part[name] for part in parts]) for name in parts[0]})
 
 
 def _look(model, states: list[CharacterState],
           last: Tensor | None) -> tuple[dict[str, Tensor], Tensor]:
-    """The arrays of `Watched` for some frames, and the last toes ``[N, 2, 2, 3]``, given those
-    before the first frame.
+    """The arrays of `Watched` for some frames, and the last toes ``[N, 2, 3]``, given those before
+    the first frame.
     """
-    layout, skeleton = model.layout, model.layout.skeleton
+    skeleton = model.layout.skeleton
     rotations, roots = (torch.stack(side)
                         for side in zip(*(runtime.pose(model, s) for s in states), strict=True))
     positions = forward_kinematics(skeleton, rotations, roots)[1]
-    names = [skeleton.roles[f"{side}_toe"] for side in FEET]
-    own = [layout.names.index(name) for name in names]
-    network = torch.stack([runtime.world_joints(layout, s)["position"][:, own] for s in states])
-    toes = torch.stack((positions[..., [skeleton.index(name) for name in names], :], network), 2)
+    toes = positions[..., [skeleton.role(f"{side}_toe") for side in FEET], :]
     before = torch.cat((toes[:1] if last is None else last[None], toes[:-1]))
-    sliding, plain = ((toes - before)[..., ::2].norm(dim=-1) * FPS).unbind(2)
     numbers = torch.stack([torch.cat([getattr(s, name).flatten(1) for name in CARRIED], 1)
                            for s in states])
     return {
@@ -174,56 +165,49 @@ def _look(model, states: list[CharacterState],
         "upright": metrics.on_feet(skeleton, positions[..., 1]),
         "hips": positions[..., skeleton.role("hips"), 1],
         "root": torch.stack([s.root[:, :2] for s in states]),
-        "contact": torch.stack([s.contacts > 0.5 for s in states]), "sliding": sliding,
-        "plain": plain,
+        "contact": torch.stack([s.contacts > 0.5 for s in states]),
+        "sliding": (toes - before)[..., ::2].norm(dim=-1) * FPS,
     }, toes[-1]
 
 
-def judge(seen: Watched, course: Course, names: list[str]) -> list[dict]:
-    """A row of measures per style; ``failed`` describes what is wrong, and is empty for a style
-    without failures.
+def judge(seen: Watched, course: Course, bank: StyleBank, rest: float) -> list[dict]:
+    """A row of measures per style; ``failed`` says what is wrong, and is empty if nothing is.
 
     A character is down if it is not upright or the height of its hips is outside of `LOW` to `HIGH`
-    times that at rest. In a window with commands for steady walking it is stuck if, after the time
-    for a turn, it moves less than `STUCK` of the commanded distance, and glides if it makes no
+    times that at ``rest``. In a window with commands for steady walking it is stuck if, after the
+    time for a turn, it moves less than `STUCK` of the commanded distance, and glides if it makes no
     step. A style slides if the median speed of its toes in contact in steady walking exceeds
     `SKATE`.
     """
-    down = (
-        seen.finite
-        & ~(seen.upright & (seen.hips > LOW * seen.rest) & (seen.hips < HIGH * seen.rest))
-    )
+    down = seen.finite & ~(seen.upright & (seen.hips > LOW * rest) & (seen.hips < HIGH * rest))
     walking, got, steps = _windows(seen, course)
-    stuck, glides = walking & (got < STUCK), walking & (steps == 0)
+    events = {"bad": ~seen.finite, "falls": down, "stuck": walking & (got < STUCK),
+              "glides": walking & (steps == 0)}
+    late = len(seen.hips) - len(walking)  # frames before the end of the first window
     rows = []
-    for i, name in enumerate(names):
-        slide, plain = (speed[:, i][seen.contact[:, i] & seen.finite[:, i, None]]
-                        for speed in (seen.sliding, seen.plain))
-        row = {
-            "style": name, "bad": int((~seen.finite[:, i]).sum()),
-            "falls": int(_onsets(down[:, i]).sum()),
-            "down": float(down[:, i].sum()) / FPS, "low": float(seen.hips[:, i].min()),
-            "high": float(seen.hips[:, i].max()),
-            "mean": 100 * float(slide.mean()),
-            **dict(zip(PERCENTILES, _percentiles(slide), strict=True)),
-            "plain": 100 * float(plain.mean()),
-            "plain 99": _percentiles(plain)[PERCENTILES.index(99)],
-            "steps": float(steps[walking[:, i], i].double().mean()) / WINDOW,
-            "speed": float(got[walking[:, i], i].mean()),
-            "stuck": int(_onsets(stuck[:, i]).sum()), "glides": int(_onsets(glides[:, i]).sum()),
-        }
-        steady = (
-            seen.sliding[-len(walking) :, i][walking[:, i, None] & seen.contact[-len(walking) :, i]]
-        )
-        row["steady"] = _percentiles(steady)[0]
-        events = {"not finite": ~seen.finite[:, i], "down": down[:, i], "stuck": stuck[:, i],
-                  "glides": glides[:, i]}
-        first = {what: int(when.int().argmax()) for what, when in events.items() if when.any()}
-        wrong = [f"{what} at {_moment(course, frame, i, names)}" for what, frame in first.items()]
-        if row["steady"] > 100 * SKATE:
-            wrong.append(f"slides, {row['steady']:.0f} cm/s half of the time")
-        rows.append(row | {"failed": ", ".join(wrong)})
+    for i, name in enumerate(bank):
+        row, wrong = {"style": name, "failed": ""}, []
+        for what, happens in events.items():
+            now = happens[:, i]
+            begins = now & ~torch.cat((torch.zeros_like(now[:1]), now[:-1]))
+            row[what] = int(now.sum() if what == "bad" else begins.sum())
+            if now.any():
+                frame = int(now.int().argmax())
+                blend = _blend(course, frame, i, bank)
+                wrong.append(f"{what} from {frame / FPS:.1f} s on, {blend}")
+        standing = walking[:, i, None] & seen.contact[late:, i]
+        row["slide"] = 100 * float(seen.sliding[late:, i][standing].nanmedian())
+        if row["slide"] > 100 * SKATE:
+            wrong.append(f"slides, {row['slide']:.0f} cm/s half of the time")
+        row |= {"low": float(seen.hips[:, i].min()), "high": float(seen.hips[:, i].max())}
+        rows.append(row | {"failed": "; ".join(wrong)})
     return rows
+
+
+def _blend(course: Course, frame: int, i: int, bank: StyleBank) -> str:
+    """The blend of a character in a frame, in words."""
+    parts = zip(course.styles[frame, i].tolist(), course.shares[frame, i].tolist(), strict=True)
+    return " + ".join(f"{share:.0%} {bank.names[style]}" for style, share in parts if share > 0.005)
 
 
 def _windows(seen: Watched, course: Course) -> tuple[Tensor, Tensor, Tensor]:
@@ -247,25 +231,6 @@ def _windows(seen: Watched, course: Course) -> tuple[Tensor, Tensor, Tensor]:
         walking, (moved * asked).sum(-1) / asked.square().sum(-1).clamp_min(1e-9),
         total(landed.sum(-1)).round()
     )
-
-
-def _onsets(now: Tensor) -> Tensor:
-    """First frames of runs of true values."""
-    return now & ~torch.cat((torch.zeros_like(now[:1]), now[:-1]))
-
-
-def _percentiles(speeds: Tensor) -> list[float]:
-    """`PERCENTILES` of speeds, cm/s."""
-    if not len(speeds):
-        return [math.nan] * len(PERCENTILES)
-    return (100 * np.percentile(speeds, PERCENTILES)).tolist()
-
-
-def _moment(course: Course, frame: int, i: int, names: list[str]) -> str:
-    """Description of a frame: time, blend and speed."""
-    parts = zip(course.styles[frame, i].tolist(), course.shares[frame, i].tolist(), strict=True)
-    blend = " + ".join(f"{share:.0%} {names[style]}" for style, share in parts if share > 0.005)
-    return f"{frame / FPS:.1f} s ({blend}, {float(course.velocity[frame, i].norm()):.1f} m/s)"
 
 
 def _steering(frames: int, draw: torch.Generator) -> tuple[Tensor, Tensor]:
@@ -320,65 +285,14 @@ def _direction(angle: Tensor) -> Tensor:
     return torch.stack((angle.sin(), angle.cos()), -1)
 
 
-#: Printed columns: title, width, decimals.
-COLUMNS = {
-    "bad": ("bad", 6, 0), "falls": ("falls", 6, 0), "down": ("down s", 7, 1), "low": ("low", 6, 2),
-    "high": ("high", 6, 2), "mean": ("mean", 7, 2), **{p: (f"{p} %", 7, 2) for p in PERCENTILES},
-    "plain": ("no IK", 7, 1), "plain 99": ("99 %", 6, 0), "speed": ("speed", 7, 2),
-    "steps": ("steps/s", 8, 2),
-    "steady": ("slide", 7, 2), "stuck": ("stuck", 6, 0), "glides": ("glides", 7, 0),
-}
-
-
 def table(rows: list[dict]) -> list[str]:
     """Lines of the table: a row per style, then the failures."""
-    lines = [f"{'style':<20}"
-             + "".join(f"{title:>{width}}" for title, width, _ in COLUMNS.values())]
-    lines += [f"{row['style']:<20}"
-              + "".join(f"{row[k]:>{w}.{d}f}" for k, (_, w, d) in COLUMNS.items()) for row in rows]
-    lines += [
-        "bad: frames with a value that is not finite; low, high: of the hips, m; mean to 100 %: "
-        "speed of toes in contact,",
-        "cm/s, with foot IK, then mean and 99 % without; in steady walking, speed: share of the "
-        "command, steps/s: landings,",
-        f"slide: median of toes in contact, stuck: events with under {STUCK:.0%} of the "
-        f"distance, glides: without steps",
-    ]
+    keys = [key for key in rows[0] if key != "failed"]
+    lines = [f"{'style':<20}" + "".join(f"{key:>8}" for key in keys[1:])]
+    for row in rows:
+        cells = (f"{row[key]:>8.2f}" if isinstance(row[key], float) else f"{row[key]:>8}"
+                 for key in keys[1:])
+        lines.append(f"{row['style']:<20}" + "".join(cells))
+    lines.append("bad: frames with a value that is not finite; slide: median speed of toes in "
+                 "contact in steady walking, cm/s; low, high: of the hips, m")
     return lines + [f"{row['style']}: {row['failed']}" for row in rows if row["failed"]]
-
-
-#: Columns of the stored result.
-STORED = {
-    "model": ["model"], "styles": ["styles", 0], "frames": ["frames", 0],
-    "bad": ["frames that are not finite", 0],
-    "falls": ["falls", 0], "stuck": ["times stuck", 0], "glides": ["glides", 0],
-    "gliding": ["styles that glide", 0],
-    "low": ["hips, m: lowest", 2], "high": ["highest", 2],
-    "mean": ["toes in contact, cm/s: mean", 1],
-    **{str(p): [f"{p} %", 2] for p in PERCENTILES},
-}
-
-
-def totals(rows: list[dict], seen: Watched) -> dict[str, float]:
-    """Values of `STORED` over all styles."""
-    slide = seen.sliding[seen.contact & seen.finite[..., None]]
-    return {
-        "styles": len(rows), "frames": seen.finite.numel(),
-        **{k: sum(row[k] for row in rows) for k in TOLD},
-        "gliding": sum(row["glides"] > 0 for row in rows), "low": float(seen.hips.min()),
-        "high": float(seen.hips.max()),
-        "mean": 100 * float(slide.mean()),
-        **dict(zip(map(str, PERCENTILES), _percentiles(slide), strict=True)),
-    }
-
-
-def summary(rows: list[dict], found: dict[str, float], seconds: float) -> str:
-    """Summary of the run in one line."""
-    skate = ", ".join(f"{p} % {found[str(p)]:.2f}" for p in PERCENTILES)
-    bad, falls, stuck, glides = (found[k] for k in TOLD)
-    passed = sum(not row["failed"] for row in rows)
-    return (f"{passed} of {len(rows)} styles pass {seconds:g} s each; {found['frames']:,} "
-            f"frames, {bad} not finite, "
-            f"{falls} falls, {stuck} times stuck, {glides} glides; hips {found['low']:.2f} to "
-            f"{found['high']:.2f} m; "
-            f"skate {found['mean']:.2f} cm/s, {skate}")

@@ -3,60 +3,63 @@ with one clear line.
 """
 
 import contextlib
+import random
 import re
+import signal
 import tempfile
 import time
+import traceback
 import warnings
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Annotated
 
 import torch
 import typer
-from robustness.fuzz import targets
-from robustness.fuzz.trials import Reader, trial
 
 from experiments import tables
 
 TARGETS = {
     "bvh": "BVH files, and the numbers in them", "csv": "tables of 100STYLE, `labels.csv`",
-    "gltf": "glTF, VRM, meshes",
-    "fbx": "FBX", "npz": "NumPy motion files",
+    "gltf": "glTF, VRM, meshes", "fbx": "FBX", "npz": "NumPy motion files",
     "model": "models, checkpoints, stylizers, recognisers, published parameters", "store": "stores",
     "shot": "files of shots, splits", "cli": "command lines"}
 COLUMNS = {"target": ["target"], "readers": ["readers", 0], "inputs": ["inputs", 0],
-           "read": ["read", 0],
-           "refused": ["refused", 0], "deep": ["past the header", 0],
-           "slowest": ["slowest, s/kB", 3],
-           "memory": ["memory, MB", 0], "failed": ["failed", 0]}
-# inputs of a reader before the next one has its turn, so that a run that is stopped tried all of
-# them
-ROUND = 250
-# bytes of additional address space for reading; an input may take 10 times its size and 200 MB of
-# memory
-ROOM = 1 << 30
+           "read": ["read", 0], "refused": ["refused", 0], "deep": ["past the header", 0],
+           "failed": ["failed", 0]}
+ROOM = 1 << 30  # bytes of additional address space for reading
+
+
+@dataclass(frozen=True)
+class Reader:
+    """A function that reads a file, with valid files as seeds, and how these are mutated.
+
+    ``read`` raises ValueError or OSError to refuse a file, and AssertionError if it accepted a
+    wrong file. A refusal that matches ``deep`` (a regular expression) is about content after the
+    file's header.
+    """
+
+    name: str
+    path: Path  # of the file
+    read: Callable[[Path], object]
+    seeds: tuple[bytes, ...]
+    mutate: Callable[[random.Random, bytes], bytes]
+    deep: str
+
+    def input(self, seed: int, number: int) -> bytes:
+        """Input ``number`` of a seed, independent of other inputs."""
+        rng = random.Random(f"{self.name} {seed} {number}")
+        return self.mutate(rng, rng.choice(self.seeds))
 
 
 @dataclass
 class Tally:
-    """Results of a target; ``failures`` maps a failure to its count and its shortest input."""
+    """Results of a target: counts of inputs, read, refused, deep and failed; failures in words."""
 
-    inputs: int = 0
-    accepted: int = 0
-    deep: int = 0
-    refused: Counter = field(default_factory=Counter)
-    slowest: float = 0.0
-    memory: float = 0.0
-    failures: dict[str, tuple[int, bytes]] = field(default_factory=dict)
-
-    def row(self) -> dict[str, float]:
-        """The counts by their columns."""
-        return {"inputs": self.inputs, "read": self.accepted, "refused": self.refused.total(),
-                "deep": self.deep,
-                "slowest": self.slowest, "memory": self.memory,
-                "failed": sum(count for count, _ in self.failures.values())}
+    counts: Counter = field(default_factory=Counter)
+    failures: dict[str, bytes] = field(default_factory=dict)  # what failed: its shortest input
 
 
 def run(
@@ -64,76 +67,93 @@ def run(
     target: Annotated[str, typer.Option(help=f"{', '.join(TARGETS)}, or all.")] = "all",
     seed: Annotated[int, typer.Option(help="The same seed gives the same inputs.")] = 0,
     out: Annotated[Path, typer.Option(help="Folder for inputs with failures.")] = Path("out/fuzz"),
-    store: Annotated[bool,
-                     typer.Option("--store",
-                                  help="Write the result that the documentation shows.")] = False,
+    store: Annotated[bool, typer.Option(
+        "--store", help="Write the result that the documentation shows.")] = False,
 ) -> None:
     """Mutated files and command lines for all readers: each must be read or refused with one line,
     else exit status 1.
     """
+    from robustness.fuzz import targets
+
     torch.set_num_threads(1)
-    began = time.process_time()
+    began, rows = time.process_time(), []
     with tempfile.TemporaryDirectory() as folder:
-        readers = targets.make(Path(folder), target)
-        tallies = {name: Tally() for name in readers}
-        for done in range(0, inputs, ROUND):
-            for name, of in readers.items():
-                fuzz(of, min(ROUND, inputs - done) * len(of), seed + done // ROUND, tallies[name])
-                _keep(name, tallies[name], out)
-            rows = [{"target": name, "readers": len(readers[name]), **tally.row()}
-                    for name, tally in tallies.items()]
-            minutes = (time.process_time() - began) / 60
-            made, failed = (sum(row[key] for row in rows) for key in ("inputs", "failed"))
-            print(f"{made:,} inputs, {failed} failed, {minutes:.1f} minutes of processor time",
-                  flush=True)
-            if store:
-                _result(rows, inputs, seed,
-                        {"inputs": made, "failed": failed, "minutes": minutes}).save()
-    print("".join(f"{title:>16}" for title, *_ in COLUMNS.values()))
-    for row in rows:
-        print("".join(f"{tables.cell(value, *COLUMNS[key][1:]):>16}" for key, value in row.items()))
-    for name, tally in tallies.items():
-        for kind, count in tally.refused.most_common(8):
-            print(f"  {name:<6}{count:>9,}  {kind}")
+        for name, readers in targets.make(Path(folder), target).items():
+            tally = fuzz(readers, inputs * len(readers), seed)
+            counts = {key: tally.counts[key] for key in [*COLUMNS][2:]}
+            print(f"{name}: {counts}", flush=True)
+            rows.append({"target": TARGETS[name], "readers": len(readers), **counts})
+            for i, (said, data) in enumerate(tally.failures.items()):
+                out.mkdir(parents=True, exist_ok=True)
+                (out / f"{name}-{i}.input").write_bytes(data)
+                print(f"FAILED, shortest input in {out / f'{name}-{i}.input'}: {said}", flush=True)
+    made, failed = (sum(row[key] for row in rows) for key in ("inputs", "failed"))
+    minutes = (time.process_time() - began) / 60
+    print(f"{made:,} inputs, {failed} failed, {minutes:.1f} minutes of processor time")
+    if store:
+        tables.Result("fuzz", f"Mutated files and command lines, seed {seed}; one thread.",
+                      f"python -m experiments fuzz --inputs {inputs} --seed {seed}", COLUMNS, rows,
+                      {"inputs": inputs, "seed": seed},
+                      {"inputs": made, "failed": failed, "minutes": minutes}).save()
     if failed:
         raise typer.Exit(1)
 
 
-def fuzz(readers: list[Reader], inputs: int, seed: int, tally: Tally | None = None) -> Tally:
-    """Try ``inputs`` inputs, the same number for every reader; their counts are added to
-    ``tally``.
-    """
-    tally, last = tally or Tally(), readers[0]
+def fuzz(readers: list[Reader], inputs: int, seed: int) -> Tally:
+    """Try ``inputs`` inputs, the same number for every reader."""
+    tally = Tally()
     with warnings.catch_warnings(), limited():
         warnings.simplefilter("error")
         warnings.simplefilter("ignore", UserWarning)
-        for number in range(inputs):
-            # in turn: some need valid files of others
-            reader = readers[number * len(readers) // inputs]
-            if reader is not last:
-                last.path.write_bytes(last.seeds[0])
-                last = reader
-            data = reader.input(seed, number)
-            outcome, said, cost, taken = trial(reader, data)
-            tally.inputs += 1
-            tally.slowest = max(tally.slowest, cost)
-            tally.memory = max(tally.memory, taken / 1e6)
-            if outcome == "failed":
-                said = f"{reader.name}: {said}"
-                count, shortest = tally.failures.get(said, (0, data))
-                tally.failures[said] = count + 1, min(shortest, data, key=len)
-                continue
-            tally.accepted += outcome == "accepted"
-            tally.deep += outcome == "accepted" or bool(re.search(reader.deep, said))
-            tally.refused[_kind(said)] += outcome == "refused"
-    last.path.write_bytes(last.seeds[0])
+        for reader in readers:
+            for number in range(inputs // len(readers)):
+                data = reader.input(seed, number)
+                outcome, said = trial(reader, data)
+                deep = outcome == "read" or bool(re.search(reader.deep, said))
+                tally.counts.update({"inputs": 1, outcome: 1, "deep": deep})
+                if outcome == "failed":
+                    shortest = tally.failures.get(f"{reader.name}: {said}", data)
+                    tally.failures[f"{reader.name}: {said}"] = min(shortest, data, key=len)
+            reader.path.write_bytes(reader.seeds[0])  # some need valid files of others
     return tally
 
 
-def _kind(said: str) -> str:
-    """A message without names and numbers of the input."""
-    said = said.split(": ", 1)[-1] if ": " in said else said
-    return re.sub(r"'[^']*'|\"[^\"]*\"|\([^)]*\)|[-+]?\d[\d.e+-]*", "…", said)[:60]
+class _Hang(BaseException):
+    """The input exceeded its CPU time."""
+
+
+def trial(reader: Reader, data: bytes) -> tuple[str, str]:
+    """Read one input in a second a kilobyte: ``read``, ``refused`` or ``failed``; the message."""
+
+    def hang(*_) -> None:
+        raise _Hang
+
+    reader.path.unlink(missing_ok=True)  # the old file may still be mapped
+    reader.path.write_bytes(data)
+    before = signal.signal(signal.SIGPROF, hang)
+    signal.setitimer(signal.ITIMER_PROF, 1 + max(1.0, len(data) / 1000))
+    try:
+        reader.read(reader.path)
+        return "read", ""
+    except (ValueError, OSError) as error:
+        said = str(error)
+        if not said.isprintable():
+            return "failed", f"not one printable line: {type(error).__name__} in {_place(error)}"
+        if reader.path.name not in said and str(reader.path.parent) not in said:
+            return "failed", f"does not name the file: {type(error).__name__} in {_place(error)}"
+        return "refused", said
+    except (Exception, _Hang) as error:
+        return "failed", f"{type(error).__name__} in {_place(error)}"
+    finally:
+        signal.setitimer(signal.ITIMER_PROF, 0)
+        signal.signal(signal.SIGPROF, before)
+
+
+def _place(error: BaseException) -> str:
+    """The last function of the toolkit in a traceback."""
+    frames = [f for f in traceback.extract_tb(error.__traceback__) if "toolkit" in f.filename
+              and "fuzz" not in f.filename]
+    return f"{Path(frames[-1].filename).name}, {frames[-1].name}" if frames else str(error)[:200]
 
 
 @contextlib.contextmanager
@@ -154,24 +174,3 @@ def limited() -> Iterator[None]:
         yield
     finally:
         resource.setrlimit(resource.RLIMIT_AS, before)
-
-
-def _result(rows: list[dict], inputs: int, seed: int, numbers: dict[str, float]) -> tables.Result:
-    """What the documentation shows."""
-    about = (f"Mutated files and command lines; seeds {seed} to {seed + (inputs - 1) // ROUND}, "
-             f"one for each {ROUND} inputs "
-             "of a reader; one thread.")
-    rows = [row | {"target": TARGETS[row["target"]]} for row in rows]
-    return tables.Result("fuzz", about,
-                         f"python -m experiments fuzz --inputs {inputs} --seed {seed}", COLUMNS,
-                         rows,
-                         {"inputs": inputs, "seed": seed}, numbers)
-
-
-def _keep(name: str, tally: Tally, out: Path) -> None:
-    """Write the shortest input of each failure."""
-    for i, (said, (count, data)) in enumerate(tally.failures.items()):
-        path = out / f"{name}-{i}.input"
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_bytes(data)
-        print(f"FAILED {count:,} times, shortest input in {path}: {said}", flush=True)

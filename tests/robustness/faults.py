@@ -1,0 +1,384 @@
+"""Kills, full disks and read-only folders: afterwards a file is the old one, the new one or absent.
+
+Each job is a small run of a command that writes files, in a process of its own.
+"""
+
+import contextlib
+import dataclasses
+import functools
+import hashlib
+import http.server
+import importlib
+import os
+import random
+import re
+import shutil
+import signal
+import sys
+import tempfile
+import time
+import zipfile
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Annotated
+from unittest import mock
+
+import safetensors.torch
+import torch
+import typer
+
+from experiments.tables import Result
+from toolkit import networks, training, view
+from toolkit.__main__ import VERBS
+from toolkit.datasets import procedural
+from toolkit.extra import store
+from toolkit.extra.engines import onnx
+from toolkit.extra.store import files
+from toolkit.io import model_files, save as export
+from toolkit.motion import Clip
+
+JOBS = {"fetch": "`data fetch` (from a local server)", "preprocess": "`preprocess`",
+        "train": "`train --resume --refit`",
+        "export": "export: `.bvh`, `.html`, `.glb`, `.onnx`, page"}
+SMALL = 50_000  # bytes, largest file on the "full" disk
+
+
+@dataclass(frozen=True, eq=False)
+class Job:
+    """A job that is disturbed.
+
+    ``work`` writes into a folder, and continues from the files in it. ``stage`` checks a file that
+    is not in the reference or that grows, and raises ValueError for a damaged one. ``content`` is
+    the part of a file that is equal in all runs.
+    """
+
+    name: str
+    work: Callable[[Path], object]
+    old: dict[str, bytes] = field(default_factory=dict)
+    stage: Callable[[Path], object] | None = None
+    staged: str = r"(?!)"  # names of files for ``stage``
+    content: Callable[[bytes], object] = bytes
+
+    def contents(self, folder: Path) -> dict[str, object]:
+        """Contents of the files that are equal in all runs."""
+        return {name: self.content(path.read_bytes()) for name, path in _files_of(folder)}
+
+    def place(self, folder: Path) -> None:
+        """Make a folder with only the old files."""
+        shutil.rmtree(folder, ignore_errors=True)
+        folder.mkdir()
+        for name, data in self.old.items():
+            (folder / name).write_bytes(data)
+
+    def undisturbed(self, folder: Path) -> tuple[dict[str, object], float]:
+        """Contents of the files of an undisturbed run, and its seconds."""
+        for _ in range(2):  # the first run compiles and fills caches
+            self.place(folder)
+            began = time.perf_counter()
+            finish(self.work, folder)
+        return self.contents(folder), time.perf_counter() - began
+
+
+@dataclass
+class Score:
+    """Counts over the kills of a job."""
+
+    kills: int = 0
+    lost: int = 0  # old files
+    half: int = 0  # half-written files
+    equal: int = 0  # results after another run
+
+    @property
+    def passed(self) -> bool:
+        """Nothing was lost, half-written or different."""
+        return not self.lost and not self.half and self.equal == self.kills
+
+
+def run(
+    kills: Annotated[int, typer.Option(min=1, help="Kills of each job, at random times.")] = 50,
+    seed: Annotated[int, typer.Option(help="Seed of the times.")] = 0,
+    only: Annotated[str | None,
+                    typer.Option(help=f"Jobs: {', '.join(JOBS)}; default: all.")] = None,
+    store: Annotated[bool, typer.Option(
+        "--store", help="Put these jobs into the result that the documentation shows.")] = False,
+) -> None:
+    """Files of jobs after kills and other faults, compared with those of undisturbed runs; exit
+    status 1 if they differ.
+    """
+    if not hasattr(os, "fork"):
+        raise ValueError("this measurement needs a system that can fork: Linux or macOS")
+    chosen = [*JOBS] if only is None else only.split(",")
+    if unknown := [name for name in chosen if name not in JOBS]:
+        raise ValueError(f"unknown job {unknown[0]!r}; known: {', '.join(JOBS)}")
+    torch.set_num_threads(1)
+    failed = False
+    with tempfile.TemporaryDirectory() as made, contextlib.ExitStack() as ends:
+        base = Path(made)
+        base.chmod(0o755)
+        for job in prepare(base, ends):
+            if job.name not in chosen:
+                continue
+            score = killed(job, base, kills, seed)
+            print(f"{job.name}: {score}", flush=True)
+            wrong = ", ".join(filter(None, (refused(job, base, full_disk),
+                                            refused(job, base, read_only)))) or "ok"
+            print(f"{job.name}: full disk, read-only folder: {wrong}", flush=True)
+            failed |= not score.passed or wrong != "ok"
+            if store:
+                stored = Result.load("faults")
+                new = {"job": JOBS[job.name], **vars(score), "faults": wrong}
+                rows = [new if row["job"] == new["job"] else row for row in stored.rows]
+                dataclasses.replace(stored, rows=rows).save()
+    if failed:
+        raise typer.Exit(1)
+
+
+def killed(job: Job, base: Path, kills: int, seed: int = 0) -> Score:
+    """Kill a job at random times, every second time while it writes; check the files; run the job
+    to its end.
+    """
+    folder, score, rng = base / "disturbed", Score(), random.Random(f"{seed} {job.name}")
+    reference, lasts = job.undisturbed(folder)
+    patient = True  # waits for a temporary file, until a job ended before one was seen
+    while score.kills < kills:
+        job.place(folder)
+        child = start(job.work, folder)
+        time.sleep(rng.uniform(0, lasts))
+        while patient and score.kills % 2 and not _writes(folder) and _runs(child):
+            time.sleep(0.0002)
+        os.kill(child, signal.SIGKILL)
+        if not os.WIFSIGNALED(os.waitpid(child, 0)[1]):
+            lasts, patient = 0.97 * lasts, False  # the job was finished
+            continue
+        score.kills, patient = score.kills + 1, True
+        lost, half = _bad(job, folder, reference)
+        score.lost, score.half = score.lost + len(lost), score.half + len(half)
+        status, said = ended(start(job.work, folder), folder)
+        equal = status == 0 and job.contents(folder) == reference
+        score.equal += equal
+        for problem in (*lost, *half, *([] if equal else [f"status {status}: {said[-300:]}"])):
+            print(f"  {job.name}, kill {score.kills}: {problem}", file=sys.stderr)
+    return score
+
+
+def refused(job: Job, base: Path, fault: Callable[[Path], None]) -> str:
+    """What is wrong about a job in a folder with a fault: nothing if it refuses in a line that
+    names a file, and gives the same result when the fault is over.
+    """
+    folder = base / "disturbed"
+    reference = job.undisturbed(folder)[0]
+    job.place(folder)
+
+    def work(folder: Path) -> None:
+        fault(folder)
+        job.work(folder)
+
+    status, said = ended(start(work, folder), folder)
+    folder.chmod(0o755)
+    last = said.splitlines()[-1] if said else ""
+    lost, half = _bad(job, folder, reference)
+    wrong = [*lost, *half]
+    if status != 2 or not last.startswith("error: ") or "/" not in last or "Traceback" in said:
+        wrong.append(f"status {status}: {last}")
+    if ended(start(job.work, folder), folder)[0] or job.contents(folder) != reference:
+        wrong.append("differs from an undisturbed run afterwards")
+    return ", ".join(wrong)
+
+
+def full_disk(_: Path) -> None:
+    """Files are limited to `SMALL` bytes."""
+    import resource
+
+    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (SMALL, SMALL))
+
+
+def read_only(folder: Path) -> None:
+    """Nothing can be written into the folder, not even by root, who gives up CAP_DAC_OVERRIDE."""
+    import ctypes
+
+    folder.chmod(0o555)
+    libc = ctypes.CDLL(None)
+    if hasattr(libc, "capset"):
+        header, sets = (ctypes.c_uint32 * 2)(0x20080522, 0), (ctypes.c_uint32 * 6)()
+        libc.capget(header, sets)
+        sets[0] &= ~(1 << 1)
+        libc.capset(header, sets)
+
+
+def _bad(job: Job, folder: Path, reference: dict[str, object]) -> tuple[list[str], list[str]]:
+    """Missing old files, and files that are neither old nor new nor a valid intermediate state."""
+    found = {name: path.read_bytes() for name, path in _files_of(folder)}
+    lost, half = [f"{name} is lost" for name in job.old if name not in found], []
+    for name, data in found.items():
+        try:
+            if re.fullmatch(job.staged, Path(name).name):
+                job.stage(folder / name)
+            elif data != job.old.get(name) and job.content(data) != reference.get(name):
+                half.append(f"{name} is half-written")
+        except ValueError as error:
+            half.append(f"{name}: {error}")
+    return lost, half
+
+
+def _files_of(folder: Path) -> Iterator[tuple[str, Path]]:
+    """Names and paths of all files that are not temporary."""
+    for path in sorted(folder.rglob("*")):
+        name = path.relative_to(folder)
+        if path.is_file() and not any(part.startswith(".") for part in name.parts):
+            yield name.as_posix(), path
+
+
+def _writes(folder: Path) -> bool:
+    """Whether there is a temporary file."""
+    return any(path.suffix != ".lock" for path in folder.rglob(".*"))
+
+
+def _runs(child: int) -> bool:
+    return os.waitid(os.P_PID, child, os.WEXITED | os.WNOHANG | os.WNOWAIT) is None
+
+
+def start(work: Callable[[Path], object], folder: Path) -> int:
+    """Fork a process that does the work; returns its id."""
+    sys.stdout.flush()
+    if child := os.fork():
+        return child
+    status = 1
+    try:
+        said = os.open(folder.with_suffix(".log"), os.O_WRONLY | os.O_CREAT | os.O_TRUNC)
+        os.dup2(said, 2)
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
+        try:
+            work(folder)
+            status = 0
+        except SystemExit as stopped:
+            status = stopped.code or 0
+        except (ValueError, OSError) as error:
+            print(f"error: {error}", file=sys.stderr)
+            status = 2
+        sys.stderr.flush()
+    finally:
+        os._exit(status)
+
+
+def ended(child: int, folder: Path) -> tuple[int, str]:
+    """Exit status and messages of a process."""
+    status = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
+    return status, folder.with_suffix(".log").read_text(encoding="utf-8", errors="replace")
+
+
+def finish(work: Callable[[Path], object], folder: Path) -> None:
+    """Do the work without disturbance; ValueError if it fails."""
+    status, said = ended(start(work, folder), folder)
+    if status:
+        raise ValueError(f"an undisturbed run failed: {said[-500:]}")
+
+
+# The jobs --------------------------------------------------------------------------------------
+
+
+def prepare(base: Path, ends: contextlib.ExitStack) -> list[Job]:
+    """The jobs, and the files that they read."""
+    root, stored, archive = base / "data", base / "store", base / "data.zip"
+    for verb in ("data", "preprocess", "train"):
+        importlib.import_module(VERBS[verb][0].split(":")[0])  # here, and not in the time of a job
+    finish(lambda _: procedural.write(root, ["Neutral", "Zombie"], ["FW", "SW"], 5.0), root)
+    finish(lambda _: store.preprocess("100style", root, stored, workers=1), stored)
+    with zipfile.ZipFile(archive, "w") as packed:
+        for path in sorted(root.iterdir()):
+            packed.write(path, path.name)
+    address = ends.enter_context(_serving(archive.read_bytes()))
+    digest = hashlib.sha256(archive.read_bytes()).hexdigest()
+    sizes = networks.Sizes(hidden=64, film_channels=8, film_kernel=5, film_dense=64)
+    quick = functools.partial(training.Config.quick, save_every=0.1, sizes=sizes)
+    clips = procedural.load(["Neutral", "Zombie"], ["FW"], 20.0)
+    model, bank = training.pretrained()
+
+    def fetch(folder: Path) -> None:
+        _command("data", "fetch", "100style", "--root", folder / "100style", "--from", address,
+                 "--sha256", digest, "--yes")
+
+    def preprocess(folder: Path) -> None:
+        _command("preprocess", "--data", "100style", "--root", root, "--out", folder / "store",
+                 "--workers", 1)
+
+    def train(folder: Path) -> None:
+        with mock.patch.object(training.Config, "quick", quick):
+            _command("train", "--data", stored, "--out", folder / "run.safetensors", "--small",
+                     "--epochs", 4, "--refit", 5, "--resume")
+
+    def write(clip: Clip, folder: Path) -> None:
+        for suffix in (".bvh", ".html", ".glb"):
+            export.save(clip, folder / f"walk{suffix}", title=clip.style)
+        onnx.save(model, folder / "network.onnx", bank)
+        view.web(model, bank, folder / "page.html", title=clip.style)
+
+    def checkpoint(path: Path) -> None:
+        model_files.read(path, "checkpoint")
+
+    def manifest(path: Path) -> None:
+        files.read_manifest(path.parent)
+        for part in path.parent.glob("*.safetensors"):
+            files.read(part)
+
+    old = base / "old"
+    finish(lambda _: write(clips[1], old), old)
+    old_files = {path.name: path.read_bytes() for path in old.iterdir()}
+    return [
+        Job("fetch", fetch, content=lambda data: re.sub(rb'"date": "[^"]*"', b"", data)),
+        Job("preprocess", preprocess, stage=manifest, staged="manifest.json"),
+        Job("train", train, {"run.safetensors": b"an older run"}, checkpoint, r".*\.checkpoint",
+            _weights),
+        Job("export", functools.partial(write, clips[0]), old_files),
+    ]
+
+
+def _weights(data: bytes) -> object:
+    """The tensors of a file, without its times, which differ in every run."""
+    try:
+        return {name: tensor.numpy().tobytes()
+                for name, tensor in safetensors.torch.load(data).items()}
+    except safetensors.SafetensorError as error:
+        raise ValueError(str(error)) from error
+
+
+def _command(*words: object) -> None:
+    from toolkit.__main__ import main
+
+    if status := main([str(word) for word in words]):
+        raise SystemExit(status)
+
+
+@contextlib.contextmanager
+def _serving(content: bytes) -> Iterator[str]:
+    """Address of a slow server of one file in its own process, which supports ranges."""
+
+    class Handler(http.server.BaseHTTPRequestHandler):
+        def do_GET(self) -> None:
+            first = int(re.sub(r"\D", "", self.headers.get("Range", "")) or 0)
+            self.send_response(206 if first else 200)
+            self.send_header("ETag", '"one"')
+            self.send_header("Content-Length", str(len(content) - first))
+            if first:
+                self.send_header("Content-Range",
+                                 f"bytes {first}-{len(content) - 1}/{len(content)}")
+            self.end_headers()
+            with contextlib.suppress(OSError):
+                for at in range(first, len(content), 1 << 16):
+                    self.wfile.write(content[at : at + (1 << 16)])
+                    time.sleep(0.01)
+
+        def log_message(self, *_) -> None:
+            pass
+
+    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Handler)
+    child = os.fork()
+    if not child:
+        server.serve_forever()
+    try:
+        yield f"http://127.0.0.1:{server.server_port}/data.zip"
+    finally:
+        server.server_close()
+        os.kill(child, signal.SIGKILL)
+        os.waitpid(child, 0)
