@@ -57,10 +57,6 @@ TABLE = {
         within=(("Elbow", "{}ShldrTwist"), ("Wrist", "{}ForearmTwist"), ("Knee", "{}ThighTwist"),
                 ("Toe", "{}Metatarsals")),
         leaves=(("Toe", "{}BigToe"), ("Wrist", "{}Thumb1"), ("Wrist", "{}Carpal1"))),
-    "Poser": Convention(
-        LOWER, "hip abdomen waist chest upperchest neck head",
-        each("{}*", "Collar Shldr ForeArm Hand Thigh Shin Foot Toe"),
-        within=(("Hip", "{}Buttock"),), leaves=(("Wrist", "{}Thumb1"), ("Wrist", "{}Mid1"))),
     "Reallusion": Convention(
         LR, each("CC_Base_*", "Hip Waist Spine01 Spine02 Spine03 NeckTwist01 Head"),
         each("CC_Base_{}_*", "Clavicle Upperarm Forearm Hand Thigh Calf Foot ToeBase"),
@@ -112,13 +108,6 @@ TABLE = {
                 ("Knee", "DEF-thigh.{}.001"),
                 ("Ankle", "DEF-shin.{}.001")), leaves=(("Collar", "DEF-breast.{}"),
                                                        ("Wrist", "DEF-thumb.01.{}"))),
-    "Advanced Skeleton": Convention(
-        LR, each("*_M", "Root Spine1 Spine2 Spine3 Chest Neck Head"),
-        each("*_{}", "Scapula Shoulder Elbow Wrist Hip Knee Ankle Toes")),
-    "Kimodo": Convention(
-        WORDS, "Hips Spine1 Spine2 Spine3 Chest Neck1 Head",
-        each("{}*", "Shoulder Arm ForeArm Hand Leg Shin Foot ToeBase"),
-        unit=1.0),
     "Second Life": Convention(
         LOWER, "mPelvis mTorso mChest mChest2 mChest3 mNeck mHead",
         "{}Collar {}Shldr {}ForeArm {}Hand {}Thigh {}Shin {}Foot TOE", unit=0.0254),
@@ -134,12 +123,6 @@ TABLE = {
     "3ds Max CAT": Convention(
         LR, each("CATRig*", "Hub001 Spine1 Spine2 Spine3 Hub002 Neck Hub003"),
         each("CATRig{}*", "ArmCollarbone Arm1 Arm2 ArmPalm Leg1 Leg2 LegAnkle LegDigit11")),
-    "Lft and Rgt": Convention(
-        ("Lft", "Rgt"), "Pelvis Spine Spine1 Spine2 Spine3 Neck Head",
-        each("{}*", "Clavicle UpperArm ForeArm Hand Thigh Calf Foot Toe")),
-    "joint suffix": Convention(
-        LOWER, each("*_jnt", "hips spine_01 spine_02 spine_03 spine_04 neck head"),
-        each("{}_*_jnt", "clavicle shoulder elbow wrist hip knee ankle toe")),
 }
 
 

@@ -51,17 +51,6 @@ def test_two_bone_approaches_full_stretch_without_a_pop():
     assert knee[:, 2].diff().abs().max() < 0.35 * hard[:, 2].diff().abs().max()
 
 
-def test_two_bone_without_a_pole_keeps_the_plane_it_bends_in():
-    knee, ankle = ik.two_bone(HIP, KNEE, ANKLE, ANKLE, soft=0.0)
-    torch.testing.assert_close(
-        torch.stack((knee, ankle)), torch.stack((KNEE, ANKLE)), atol=1e-9, rtol=0
-    )
-    knee, _ = ik.two_bone(
-        HIP, KNEE, ANKLE, ANKLE + torch.tensor([0.0, 0.2, 0.0], dtype=torch.float64)
-    )
-    assert float(knee[2]) > 0.1
-
-
 def test_two_bone_takes_any_leading_shape_and_degenerate_input():
     a, b, c = (x.float().expand(2, 5, 3) for x in (HIP, KNEE, ANKLE))
     target = torch.randn(2, 5, 3, generator=torch.Generator().manual_seed(0))
@@ -73,14 +62,6 @@ def test_two_bone_takes_any_leading_shape_and_degenerate_input():
     torch.testing.assert_close(
         (knee - a).norm(dim=-1), torch.full((2, 5), UPPER), atol=1e-5, rtol=0
     )
-
-
-@pytest.mark.parametrize(("soft", "got"), [
-    (1.5, "1.5 to 1.5"), (1.0, "1 to 1"), (torch.tensor([[0.5], [-0.25]]), "-0.25 to 0.5"),
-])
-def test_two_bone_refuses_a_soft_limit_outside_its_range(soft, got):
-    with pytest.raises(ValueError, match=rf"^soft must be in \[0, 1\), got {got}$"):
-        ik.two_bone(HIP, KNEE, ANKLE, ANKLE, soft=soft)
 
 
 @pytest.mark.parametrize("distance", [0.02, 0.7, 0.85, 0.868, 1.4])
@@ -104,24 +85,6 @@ def test_two_bone_against_bisection(distance):
     knee, ankle = ik.two_bone(HIP, KNEE, ANKLE, HIP + distance * line, 3 * FORWARD, soft=soft)
     torch.testing.assert_close(ankle, HIP + reached * line, atol=1e-5, rtol=0)
     torch.testing.assert_close(knee, middle, atol=1e-3 if reached > 0.84 else 1e-7, rtol=0)
-
-
-@pytest.mark.parametrize("scale", [1e-3, 1e3])
-@pytest.mark.parametrize("distance", [0.004, 0.862])
-def test_two_bone_bends_a_limb_of_any_size_alike(scale, distance):
-    target = HIP + distance * R.normalize(torch.tensor([0.3, -1.0, 0.2], dtype=torch.float64))
-    one = torch.stack(ik.two_bone(HIP, KNEE, ANKLE, target, FORWARD))
-    scaled = torch.stack(
-        ik.two_bone(scale * HIP, scale * KNEE, scale * ANKLE, scale * target, FORWARD)
-    )
-    torch.testing.assert_close(scaled / scale, one, atol=1e-6, rtol=0)
-
-
-def test_two_bone_folds_where_the_target_is_on_the_root():
-    knee, ankle = ik.two_bone(HIP, KNEE, ANKLE, HIP)
-    expected = HIP + (UPPER - LOWER) * R.normalize(ANKLE - HIP)
-    torch.testing.assert_close(ankle, expected, atol=2e-6, rtol=0)
-    assert float((knee - HIP) @ R.normalize(ANKLE - HIP)) == pytest.approx(UPPER, abs=1e-3)
 
 
 def held_slowly(
@@ -152,9 +115,8 @@ def held_slowly(
     return [a + b for a, b in zip(predicted, now, strict=True)], drift
 
 
-@pytest.mark.parametrize("crowd", [1, 40])
-def test_every_toe_of_a_crowd_is_held_as_in_a_slow_loop(crowd):
-    generator = torch.Generator().manual_seed(crowd)
+def test_every_toe_of_a_crowd_is_held_as_in_a_slow_loop():
+    crowd, generator = 40, torch.Generator().manual_seed(40)
     shape = {"dtype": torch.float64, "generator": generator}
     before, predicted = torch.randn(2, crowd, 2, 3, **shape)
     predicted = before + 0.02 * (predicted - before)
@@ -323,17 +285,6 @@ def test_a_nearly_straight_leg_keeps_its_knee_forwards(walk_clip, shift):
     assert float((bend[..., 2] / bend.norm(dim=-1)).min()) > 0.7
 
 
-def test_a_leg_whose_toe_is_where_it_should_be_stays(poses):
-    skeleton, _, root = poses
-    toes, bent = lifted(poses)
-    toes[..., 1, :] += torch.tensor([0.02, 0.03, 0.0], dtype=torch.float64)
-    again = ik.plant_feet(skeleton, bent, root, toes)
-    left = [skeleton.index(f"left_{part}") for part in ("hip", "knee", "foot")]
-    others = [j for j in range(len(skeleton)) if j not in left]
-    assert float(angles(bent, again)[..., others].max()) < 1e-7
-    assert float(angles(bent, again)[..., left].amax(-1).min()) > 0.02
-
-
 def test_a_leg_stretches_towards_a_toe_out_of_its_reach(poses):
     skeleton, rotations, root = poses
     places = forward_kinematics(*poses)[1]
@@ -389,27 +340,6 @@ def test_turned_arms_reach_predicted_positions_of_their_own_bones(poses):
     assert float(angles(rotations, turned)[..., others].max()) < 1e-7
     # Arms that are there stay.
     assert float(angles(turned, ik.turn_arms(skeleton, turned, root, predicted)).max()) < 1e-6
-
-
-def test_arm_bones_point_at_predictions_that_no_arm_can_reach(poses):
-    """Predictions 30 % too far out: every bone points at its own, by the shortest turn."""
-    skeleton, rotations, root = poses
-    wanted = forward_kinematics(skeleton, waved(poses), root)[1]
-    wanted = wanted + 0.3 * (wanted - wanted[..., :1, :])
-    turned, before = forward_kinematics(*poses)
-    turned_now, now = forward_kinematics(
-        skeleton, ik.turn_arms(skeleton, rotations, root, wanted), root
-    )
-    for joint in (skeleton.index(name) for name in ARMS):
-        child = skeleton.parents.index(joint)
-        old, new = (
-            before[..., child, :] - before[..., joint, :],
-            now[..., child, :] - now[..., joint, :],
-        )
-        aim = R.normalize(wanted[..., child, :] - now[..., joint, :])
-        torch.testing.assert_close(R.normalize(new), aim, atol=1e-9, rtol=0)
-        apart = (R.normalize(old) * R.normalize(new)).sum(-1).clamp(-1, 1).acos()
-        torch.testing.assert_close(angles(turned, turned_now)[..., joint], apart, atol=1e-6, rtol=0)
 
 
 def test_a_hand_without_an_end_site_keeps_its_orientation(walk_clip):

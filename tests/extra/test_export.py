@@ -115,15 +115,6 @@ def test_gltf_names_the_joints_and_holds_what_moves(tmp_path, zombie):
     assert "animations" not in document(tmp_path / "still.glb")
 
 
-def test_models_move_the_skeleton_of_100style(shared):
-    recorded = tk.bvh.load(shared / "100style" / "Neutral_FW.bvh").skeleton
-    embedded = tk.pretrained().model.layout.skeleton
-    assert embedded.names == SKELETON.names == recorded.names
-    assert embedded.parents == SKELETON.parents == recorded.parents
-    bones = (embedded.offsets - recorded.offsets)[1:].norm(dim=-1)
-    assert bones.max() < 0.0015
-
-
 def test_bvh_is_read_the_same_by_pybvh(tmp_path, zombie):
     pybvh = pytest.importorskip("pybvh")
     tk.bvh.save(zombie, tmp_path / "a.bvh")

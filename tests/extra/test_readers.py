@@ -95,23 +95,17 @@ def test_samplers_at_and_between_the_keys(tmp_path, kind):
                                made.rotations[f, 1, 0]) == pytest.approx(angle, abs=1e-5)
 
 
-def test_quantised_strided_and_sparse_accessors(tmp_path):
+def test_quantised_accessors_are_read_and_sparse_ones_refused(tmp_path):
     times, angles = np.arange(8) / 30, np.linspace(0, 1, 8)
     shorts = np.round(quaternions(angles) * 32767).astype("<i2")
     doc = Document(CHAIN).animate((1, "rotation", times, shorts, "LINEAR", {"normalized": True}),
                                   (0, "translation", times, np.zeros((8, 3), np.float32), "LINEAR"))
-    rows, place = doc.add(np.array([2, 5], "<u2")), doc.add(np.float32([[1, 2, 3], [4, 5, 6]]))
-    accessors = doc.json["accessors"]
-    views = [accessors[i]["bufferView"] for i in (rows, place)]
-    accessors[3]["sparse"] = {"count": 2, "indices": {"bufferView": views[0],
-                                                      "componentType": 5123},
-                              "values": {"bufferView": views[1]}}
     made = gltf.read(written(tmp_path / "a.glb", doc.glb()))
-    turned = 2 * torch.atan2(made.rotations[:, 1, 1], made.rotations[:, 1, 0])
+    spine = made.rotations[:, made.names.index("spine")]
+    turned = 2 * torch.atan2(spine[:, 1], spine[:, 0])
     assert turned.numpy() == pytest.approx(angles, abs=1e-4)
-    expected = np.zeros((8, 3))
-    expected[2], expected[5] = (1, 2, 3), (4, 5, 6)
-    assert made.root_positions.numpy() == pytest.approx(expected)
+    doc.json["accessors"][3]["sparse"] = {"count": 1}
+    refused(gltf.read, written(tmp_path / "a.glb", doc.glb()), "sparse ones")
 
 
 def test_buffers_in_the_text_and_beside_it(tmp_path):
@@ -171,6 +165,23 @@ def test_a_root_that_stays_while_the_hips_travel(tmp_path):
     assert "left out: ik_foot_root" in made.doubts[0]
     assert made.root_positions.numpy() == pytest.approx(places * [-1, 1, -1], abs=1e-6)
     assert made.fps == 24
+
+
+@pytest.mark.parametrize("above", [0, -1])
+def test_controls_outside_the_skin_are_left_out(tmp_path, above):
+    """More animated controls than joints, below the hips (mirrored) or at the scene's top."""
+    nodes = [dict(node) for node in CHAIN]
+    nodes += [{"name": "controls", "children": list(range(4, 24)), "scale": [-1, 1, 1]},
+              *[{"name": f"control{i}"} for i in range(20)]]
+    if above == 0:
+        nodes[0]["children"] = [1, 3]
+    times, places = np.arange(3) / 30, np.float32([[0, f, 0] for f in range(3)])
+    doc = Document(nodes, skins=[{"joints": [0, 1, 2]}]).animate(
+        (1, "rotation", times, quaternions([0, 1, 2]), "LINEAR"),
+        *[(j, "translation", times, places, "LINEAR") for j in range(4, 24)])
+    made = gltf.read(written(tmp_path / "a.glb", doc.glb()))
+    assert made.names == ("hips", "spine", "headEnd")
+    assert len(made.doubts) == 1
 
 
 def test_bones_that_stretch_are_said_and_limbs_that_fly_refused(tmp_path):
@@ -236,7 +247,7 @@ def test_several_animations_and_names_that_repeat(tmp_path):
     assert made.names == ("a", "a_2", "node2")
     assert "2 animations (idle, walk); the first was read; animation= decides" in made.doubts[0]
     assert len(made.rotations) == 4
-    for chosen in ("walk", 1):
+    for chosen in ("walk", 1, "1"):
         assert len(tk.load(path, "m", "y", animation=chosen)) == 7
     refused(gltf.read, path, "no animation 'run'; there are idle, walk", "run")
     refused(tk.io.load.read, written(tmp_path / "a.bvh", ""), "has one motion", 0)
@@ -262,13 +273,12 @@ def hostile(change):
 
 @pytest.mark.parametrize(("change", "problem"), [
     (lambda d: d["accessors"][0].update(count=10**12), "reaches beyond its buffer"),
-    (lambda d: (d["accessors"][1].pop("bufferView"), d["accessors"][1].update(count=10**9)),
-     "accessors have .* values, more than"),
+    (lambda d: d["accessors"][1].pop("bufferView"), "accessor 1 has no numbers"),
     (lambda d: d["bufferViews"][1].update(byteLength=10**9), "reaches beyond its buffer"),
     (lambda d: d["bufferViews"][1].update(byteStride=1), "reaches beyond its buffer"),
     (lambda d: d["bufferViews"][1].update(byteOffset=-4), "byteOffset should be a whole number"),
     (lambda d: d["bufferViews"][1].update(extensions={"EXT_meshopt_compression": {}}),
-     "unpack it with gltf-transform"),
+     r"`npx @gltf-transform/cli cp a\.glb plain\.glb` unpacks it"),
     (lambda d: d["accessors"][0].update(type="VEC3"), "should have 1 values in a row"),
     (lambda d: d["nodes"][2].update(children=[1]), "two parents"),
     (lambda d: d["nodes"].append({"children": [len(d["nodes"])]}), "their own ancestors"),
@@ -284,27 +294,6 @@ def hostile(change):
 ])
 def test_hostile_gltf_files(tmp_path, change, problem):
     assert refused(gltf.read, written(tmp_path / "a.glb", hostile(change)), problem) is ValueError
-
-
-def test_channels_that_share_their_keys_take_little_memory(tmp_path):
-    """A sampler is a few bytes; the keys to which it refers are decoded once."""
-    count = 20_000
-    ones = np.ones((count, 3), np.float32)
-    doc = Document(CHAIN, skins=[{"joints": [0, 1, 2]}]).animate((1, "scale", np.arange(count) / 50,
-                                                                  ones, "STEP"))
-    animation = doc.json["animations"][0]
-    animation["samplers"] *= 2000
-    animation["channels"] = [{"sampler": i, "target": {"node": 1,
-                                                       "path": "scale"}} for i in range(2000)]
-    path = written(tmp_path / "a.glb", doc.glb())
-    tracemalloc.start()
-    assert len(gltf.read(path).rotations) == count
-    assert tracemalloc.get_traced_memory()[1] < 30 * path.stat().st_size
-    tracemalloc.stop()
-    doc.json["accessors"] *= 1000  # the same bytes again and again
-    for i, sampler in enumerate(animation["samplers"][:900]):
-        animation["samplers"][i] = sampler | {"output": 2 * i + 1}
-    refused(gltf.read, written(path, doc.glb()), "more than a file of .* bytes should hold")
 
 
 def test_forged_times_take_no_memory(tmp_path):
@@ -490,13 +479,6 @@ def test_our_motion_through_joint_positions_and_back(smpl, tmp_path):
     assert npz.read(written(tmp_path / "c.npz", packed(joints=more, fps=60))).names == npz.BODY
     np.save(tmp_path / "b.npy", smpl.global_positions.numpy())
     assert "20 Hz was assumed" in npz.read(tmp_path / "b.npy").doubts[0]
-
-
-def test_positions_of_bones_that_stretch_are_said(smpl, tmp_path):
-    joints = smpl.global_positions.clone()
-    joints[::2, 18] += 0.3 * (joints[::2, 18] - joints[::2, 16])
-    assert "change their lengths" in npz.read(written(tmp_path / "a.npz",
-                                                      packed(joints=joints, fps=60))).doubts[0]
 
 
 def test_fit_does_not_depend_on_the_rest_pose(smpl):

@@ -8,7 +8,7 @@ import typer
 from toolkit import registry
 from toolkit.cli import motion_files
 from toolkit.cli.motion_files import Target, target
-from toolkit.cli.verbs import Published, Roles, Selection, TrainedRun, Unit, Up, say
+from toolkit.cli.verbs import Animation, Published, Roles, Selection, TrainedRun, Unit, Up, say
 from toolkit.evaluation.findings import told
 from toolkit.io import save as saving
 from toolkit.training import published
@@ -46,10 +46,11 @@ def clip(
     unit: Unit = "auto",
     up: Up = "auto",
     roles: Roles = None,
+    animation: Animation = None,
 ) -> None:
     """Convert a motion file to glTF (a skinned mannequin), BVH, web page, strip or film."""
     saving.check(out, saving.suffixes(), source, character, skeleton)
-    motion = motion_files.read(source, unit, up, roles)
+    motion = motion_files.read(source, unit, up, roles, animation)
     if skeleton is not None:
         retargeting = registry.find("motion.retargeting")
         before, motion = motion, retargeting.retarget(motion, target(skeleton))

@@ -6,7 +6,7 @@ from typing import Annotated
 import typer
 
 from toolkit import registry
-from toolkit.cli.verbs import Roles, Unit, Up, say
+from toolkit.cli.verbs import Animation, Roles, Unit, Up, say
 
 
 def inspect(
@@ -14,6 +14,7 @@ def inspect(
     unit: Unit = "auto",
     up: Up = "auto",
     roles: Roles = None,
+    animation: Animation = None,
     picture: Annotated[Path | None, typer.Option(help="Strip of poses to write: .png.")] = None,
 ) -> None:
     """Show what a motion file holds, and how it is understood.
@@ -24,7 +25,7 @@ def inspect(
     """
     if picture is not None and picture.suffix.lower() != ".png":
         raise ValueError(f"{picture}: a strip of poses is a .png file")
-    found = registry.find("recording.inspection")(file, unit, up, roles)
+    found = registry.find("recording.inspection")(file, unit, up, roles, animation)
     say(found)
     if picture is not None:
         from toolkit import view  # imported on demand: it needs the drawing libraries

@@ -20,9 +20,9 @@ Target = Annotated[str | None, typer.Option(
 
 
 def read(path: Path, unit: float | str = "auto", up: str = "auto",
-         roles: Mapping[str, str] | None = None) -> Clip:
+         roles: Mapping[str, str] | None = None, animation: str | None = None) -> Clip:
     """The clip of a motion file (`datasets.folder.read_file`); doubts are printed on stderr."""
-    clip, doubts = own.read_file(path, unit, up, roles)
+    clip, doubts = own.read_file(path, unit, up, roles, animation)
     for doubt in doubts:
         say(f"{path.name}: {doubt}", sys.stderr)
     return clip

@@ -8,6 +8,7 @@ import torch
 import typer
 
 from toolkit import runtime
+from toolkit.cli.export import Figure
 from toolkit.cli.verbs import Published, TrainedRun, say
 from toolkit.evaluation import metrics
 from toolkit.evaluation.findings import told
@@ -31,9 +32,10 @@ def rollout(
         help="How much the style wanders, 0 to 1; default: as the model needs.")] = None,
     seed: Annotated[int, typer.Option(help="Of this wandering.")] = 0,
     ik: Annotated[bool, typer.Option(help="Foot and arm IK.")] = True,
+    character: Figure = None,
 ) -> None:
     """Walk straight ahead in a style, write the motion and print measurements."""
-    saving.check(out)
+    saving.check(out, None, character)
     net, bank = published.either(model, parameters)
     blend = blend_of(style)
     speed = bank.speed(blend) if speed is None else speed
@@ -42,7 +44,7 @@ def rollout(
     states = list(runtime.states(net, commands, bank.blend(blend), progress=True, life=life,
                                  seed=seed))
     clip = runtime.record(net, states, feet=ik, arms=ik).replace(style=style, gait="FW")
-    saving.save(clip, out, title=style, progress=True)
+    saving.save(clip, out, title=style, progress=True, character=character)
     low, high = metrics.hips_height(clip)
     went = metrics.speed(clip)
     skate = metrics.foot_skate(clip, torch.stack([state.contacts[0] for state in states]))

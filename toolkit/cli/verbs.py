@@ -65,6 +65,9 @@ Up = Annotated[str, typer.Option(
 Roles = Annotated[Any, typer.Option(
     "--roles", parser=_roles, metavar="ROLE=JOINT,…",
     help="Joints by role, for example left_toe=LToe, in place of those that were found.")]
+Animation = Annotated[str | None, typer.Option(
+    "--animation", metavar="NAME|NUMBER",
+    help="Animation of a glTF or FBX file that holds several; by default the first, number 0.")]
 ClipSeconds = Annotated[float | None, typer.Option(help="Length of each procedural clip.")]
 
 

@@ -213,13 +213,14 @@ def _survey(folder: Path, _state: tuple, target: Clip | None) -> Survey:
 
 
 def read_file(path: Path, unit: float | str = "auto", up: str = "auto",
-              roles: Mapping[str, str] | None = None) -> tuple[Clip, list[str]]:
+              roles: Mapping[str, str] | None = None,
+              animation: str | None = None) -> tuple[Clip, list[str]]:
     """The clip of a file (`toolkit.load`), and what is doubtful about it.
 
     A floor far from zero is moved there.
     """
     interpretation = registry.find("recording.interpretation")
-    clip, found = interpretation.interpret(read(path), path, unit, up, roles)
+    clip, found = interpretation.interpret(read(path, animation), path, unit, up, roles)
     if abs(found.floor) > interpretation.FAR:
         clip = clip.moved(shift=(0.0, -found.floor, 0.0))
     return clip, found.doubts

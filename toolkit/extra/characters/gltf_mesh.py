@@ -10,6 +10,7 @@ import numpy as np
 
 from toolkit.extra.formats.gltf import pose
 from toolkit.extra.formats.gltf_file import (
+    PACKED,
     Document,
     index_of,
     indices_of,
@@ -22,11 +23,12 @@ from toolkit.extra.formats.nodes import printable, unique
 from toolkit.io.files import named
 from toolkit.motion import rotations as R
 
+COMPRESSED = ("KHR_draco_mesh_compression", *PACKED)
 SLOTS = 4  # joints that a vertex may follow
 SHARED = 500_000  # vertices beyond those that the bytes hold: primitives may share them
 PICTURES = "PNG", "JPEG", "WEBP"  # formats of a texture
 DECODED = 100_000_000  # bytes of a texture beyond ten times its own
-PIXELS, KEPT = 500_000_000, 30  # of all textures, and textures that are kept
+TEXTURES = 100  # that are read; the others have no colour
 GREY = 0.8  # linear base colour where the file gives none
 
 
@@ -68,19 +70,22 @@ class _Reader:
     def __init__(self, path: Path):
         self.file = Document(path)
         self.nodes, self.parents = self.file.listed("nodes"), self.file.parents
-        self.vertices = self.pixels = 0
+        self.vertices = 0
         self.images: dict[int, np.ndarray | None] = {}
 
         # World transforms [4, 4], parents first; nodes of a circle are below no top
         self.children = [indices_of(node, "children", len(self.nodes)) for node in self.nodes]
         self.order = [j for j, parent in enumerate(self.parents) if parent < 0]
-        self.world = np.tile(np.eye(4), (len(self.nodes), 1, 1))
+        self.world = np.empty((len(self.nodes), 4, 4))
         for j in self.order:
             self.order.extend(self.children[j])
-            above = self.world[self.parents[j]] if self.parents[j] >= 0 else np.eye(4)
-            self.world[j] = above @ _transform(self.nodes[j])
+            self.world[j] = self._above(j) @ _transform(self.nodes[j])
         if len(self.order) != len(self.nodes):
             raise ValueError("some nodes are their own ancestors")
+
+    def _above(self, j: int) -> np.ndarray:
+        """World transform ``[4, 4]`` of the node above a node."""
+        return self.world[self.parents[j]] if self.parents[j] >= 0 else np.eye(4)
 
     def mesh(self) -> SkinnedMesh:
         """All meshes that follow joints, as one."""
@@ -91,6 +96,10 @@ class _Reader:
                    if "skin" in self.nodes[j]}
         if not skinned:
             raise ValueError("it holds no skinned mesh, so there is no character to draw")
+        required = str(self.file.document.get("extensionsRequired"))
+        if packed := [name for name in COMPRESSED if name in required]:
+            name = printable(self.nodes[min(skinned)].get("name", min(skinned)))
+            raise ValueError(f"its mesh {name} is compressed by {packed[0]}; {self.file.unpacking}")
         joints = self._tree({j for of in listed for j in of})
         place = {j: i for i, j in enumerate(joints)}
         bind, shift = self._bind(skins, listed, joints)
@@ -114,10 +123,9 @@ class _Reader:
         triangles = [part + count for part, count in zip(triangles, counts, strict=True)]
 
         names = unique([printable(self.nodes[j].get("name", "")) or f"node{j}" for j in joints])
-        top = self.parents[joints[0]]
         return SkinnedMesh(
             tuple(names), tuple(place.get(self.parents[j], -1) for j in joints), tuple(joints),
-            self.world[top] if top >= 0 else np.eye(4), self.world[joints], bind,
+            self._above(joints[0]), self.world[joints], bind,
             *map(np.concatenate, (points, triangles, follow, weights, colors)), self.file.digest)
 
     def _tree(self, joints: set[int]) -> list[int]:
@@ -148,11 +156,10 @@ class _Reader:
         """
         inverse: dict[int, np.ndarray] = {}
         for skin, of in zip(skins, listed, strict=True):
+            matrices = np.eye(4)[None].repeat(len(of), 0)
             if "inverseBindMatrices" in skin:
                 matrices = self.file.array(skin["inverseBindMatrices"], 16)
                 matrices = matrices.reshape(-1, 4, 4).swapaxes(1, 2)  # the file goes by columns
-            else:
-                matrices = np.eye(4)[None].repeat(len(of), 0)
             if len(matrices) < len(of):
                 raise ValueError("a skin has fewer inverse bind matrices than joints")
             for j, matrix in zip(of, matrices, strict=False):
@@ -180,9 +187,6 @@ class _Reader:
         meshes, found = self.file.listed("meshes"), []
         mesh = meshes[index_of(self.nodes[node], "mesh", len(meshes))]
         for primitive in members(mesh, "primitives"):
-            if "KHR_draco_mesh_compression" in member(primitive, "extensions"):
-                raise ValueError("its mesh is compressed by KHR_draco_mesh_compression; "
-                                 "unpack it with gltf-transform")
             attributes = member(primitive, "attributes")
             if primitive.get("mode", 4) != 4 or "POSITION" not in attributes:
                 self._count(1)
@@ -232,10 +236,8 @@ class _Reader:
         if "material" in primitive:
             material = materials[index_of(primitive, "material", len(materials))]
         surface = member(material, "pbrMetallicRoughness")
-        linear = np.full(3, GREY)
-        if surface:
-            linear = numbers_of(surface, "baseColorFactor", 4, (1.0,) * 4)[:3]
-        linear = linear[None].repeat(count, 0)
+        usual = (1.0 if surface else GREY,) * 4
+        linear = numbers_of(surface, "baseColorFactor", 4, usual)[None, :3].repeat(count, 0)
         if "COLOR_0" in attributes:
             accessors = self.file.listed("accessors")
             kind = accessors[index_of(attributes, "COLOR_0", len(accessors))].get("type")
@@ -266,35 +268,30 @@ class _Reader:
         known = type(source) is int and 0 <= source < len(images)
         if not known or "bufferView" not in images[source]:
             return None
-        if source not in self.images:
+        if source not in self.images and len(self.images) < TEXTURES:
             views = self.file.listed("bufferViews")
             view = views[index_of(images[source], "bufferView", len(views))]
             start, size = (whole_of(view, key, 0) for key in ("byteOffset", "byteLength"))
             data = self.file.buffer(index_of(view, "buffer", len(self.file.listed("buffers"))))
-            if len(self.images) == KEPT:
-                del self.images[next(iter(self.images))]
-            self.images[source] = self._pixels(bytes(data[start : start + size]))
-        return self.images[source]
+            self.images[source] = _pixels(bytes(data[start : start + size]))
+        return self.images.get(source)
 
-    def _pixels(self, data: bytes) -> np.ndarray | None:
-        """Pixels ``[H, W, 3]`` of a picture, at most 1024 x 1024; None if it cannot be read."""
-        try:
-            from PIL import Image  # of the extra "view"
-        except ImportError:
-            return None
-        try:
-            with warnings.catch_warnings(action="ignore"):  # Pillow's limit ignores the file's size
-                picture = Image.open(io.BytesIO(data), formats=PICTURES)
-                width, height = picture.size
-                self.pixels += width * height
-                if 4 * width * height > DECODED + 10 * len(data) or self.pixels > PIXELS:
-                    raise Image.DecompressionBombError
-                picture.thumbnail((1024, 1024))
-                return np.asarray(picture.convert("RGB"))
-        except Image.DecompressionBombError:
-            raise ValueError(f"a texture of {len(data)} bytes has too many pixels") from None
-        except (OSError, ValueError, SyntaxError):
-            return None
+
+def _pixels(data: bytes) -> np.ndarray | None:
+    """Pixels ``[H, W, 3]`` of a picture, at most 1024 x 1024; None if it cannot be read."""
+    try:
+        from PIL import Image  # of the extra "view"
+    except ImportError:
+        return None
+    try:
+        with warnings.catch_warnings(action="ignore"):  # Pillow's limit ignores the file's size
+            picture = Image.open(io.BytesIO(data), formats=PICTURES)
+            if 4 * picture.size[0] * picture.size[1] > DECODED + 10 * len(data):
+                return None
+            picture.thumbnail((1024, 1024))
+            return np.asarray(picture.convert("RGB"))
+    except (OSError, ValueError, SyntaxError, Image.DecompressionBombError):
+        return None
 
 
 def _transform(node: dict) -> np.ndarray:

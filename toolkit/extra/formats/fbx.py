@@ -6,6 +6,7 @@ FBX has no public specification. The layout of the file is in Blender's notes on
 """
 
 import os
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -28,8 +29,8 @@ OWN_RATE = 14  # the TimeMode whose rate is in CustomFrameRate
 USUAL = 30.0  # frames per second of the other modes
 ORDERS = ("ZYX", "YZX", "XZY", "ZXY", "YXZ", "XYZ")  # of the product, by RotationOrder
 BONES = (b"LimbNode", b"Limb", b"Root")
-OBJECTS = 50_000  # objects of the kinds that are read
-LINKS = 500_000  # connections
+OBJECTS = (b"Model", b"AnimationStack", b"AnimationLayer", b"AnimationCurveNode",
+           b"AnimationCurve", b"Deformer")  # that are read
 TRACKS = {b"Lcl Translation": (0.0,) * 3, b"Lcl Rotation": (0.0,) * 3, b"Lcl Scaling": (1.0,) * 3}
 
 
@@ -82,7 +83,8 @@ class _Scene(Records):
         self.second = SECOND
         self.settings: dict[bytes, tuple] = {}
         self.defaults: dict[bytes, tuple] = {}  # properties of models that do not say their own
-        # by id
+
+        # Objects by id
         self.models: dict[int, _Model] = {}
         self.stacks: dict[int, str] = {}
         self.layers: dict[int, int] = {}  # the stack of each layer
@@ -101,8 +103,6 @@ class _Scene(Records):
                     self._object(entry)
                 elif top.name == b"Connections":
                     links.append(self.values(entry))
-                if len(links) > LINKS:
-                    raise ValueError(f"more than {LINKS} connections")
             if top.name == b"GlobalSettings":
                 self.settings = self.properties(top)
         for link in links:
@@ -116,9 +116,7 @@ class _Scene(Records):
 
     def _object(self, record: Record) -> None:
         """Note an object of a kind that is needed."""
-        if record.name not in (b"Model", b"AnimationStack", b"AnimationLayer",
-                               b"AnimationCurveNode",
-                               b"AnimationCurve", b"Deformer"):
+        if record.name not in OBJECTS:
             return
         key, name, kind = [*self.values(record), b"", b"", b""][:3]
         if not isinstance(key, int) or not isinstance(name, bytes) or not isinstance(kind, bytes):
@@ -137,9 +135,6 @@ class _Scene(Records):
                 self.curves[key] = record
             case b"Deformer" if kind == b"Cluster":
                 self.clusters.add(key)
-        noted = self.models, self.stacks, self.layers, self.curve_nodes, self.curves, self.clusters
-        if sum(map(len, noted)) > OBJECTS:
-            raise ValueError(f"more than {OBJECTS} objects")
 
     def _connect(self, link: list) -> None:
         """Connect an object to another one, or to a property of it."""
@@ -170,10 +165,8 @@ class _Scene(Records):
 
         # One rate for all curves
         mode = self._setting(b"TimeMode", 6)
-        usual = RATES.get(mode, USUAL)
-        if mode == OWN_RATE:
-            usual = float(self._setting(b"CustomFrameRate", USUAL))
-        usual = usual if 1 <= usual <= 1000 else USUAL
+        own = float(self._setting(b"CustomFrameRate", USUAL))
+        usual = RATES.get(mode, own if mode == OWN_RATE and 1 <= own <= 1000 else USUAL)
         times = [curve.times for curve in curves.values() if len(curve.times) > 1]
         rate = frame_rate(times, usual) if times else usual
         joints = sum(m.kind in BONES or bool(chosen_nodes[key]) for key, m in self.models.items())
@@ -212,12 +205,9 @@ class _Scene(Records):
         layers = [key for key, of in self.layers.items() if of == stack and key in used]
         if len(layers) > 1:
             doubts.append(f"the animation has {len(layers)} layers; only the first was read")
-        found = {key: {} for key in self.models}
-        for key, model in self.models.items():
-            for name, node in model.tracks:
-                if self.curve_nodes[node].layer in layers[:1] and name in TRACKS:
-                    found[key][name] = self.curve_nodes[node]
-        return found
+        return {key: {name: self.curve_nodes[node] for name, node in model.tracks
+                      if self.curve_nodes[node].layer in layers[:1] and name in TRACKS}
+                for key, model in self.models.items()}
 
     def _setting(self, name: bytes, default: float) -> float:
         value = self.settings.get(name, (default,))[:1]
@@ -241,7 +231,8 @@ def _track(model: _Model, name: bytes, node: _CurveNode, curves: dict[int, Curve
     return track
 
 
-def _number(values: tuple) -> float:
+def _number(values: Sequence) -> float:
+    """The first of some values; 0 if there is none."""
     value = values[0] if len(values) else 0.0
     if not isinstance(value, int | float) or not abs(value) < LARGEST:
         raise ValueError("a property is not a finite number")
@@ -249,6 +240,7 @@ def _number(values: tuple) -> float:
 
 
 def _triple(values: dict[bytes, tuple], name: bytes) -> np.ndarray:
+    """A property of three numbers, by default zeros, of a scale ones."""
     given = values.get(name, TRACKS.get(name, (0.0,) * 3))
     return np.array([_number(given[i : i + 1]) for i in range(3)])
 

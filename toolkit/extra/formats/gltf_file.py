@@ -46,6 +46,11 @@ class Document:
             self.lists[key] = members(self.document, key)
         return self.lists[key]
 
+    @property
+    def unpacking(self) -> str:
+        """What to do with a compressed file."""
+        return f"`npx @gltf-transform/cli cp {self.path.name} plain.glb` unpacks it"
+
     @cached_property
     def parents(self) -> list[int]:
         """The parent of each node, -1 at the top."""
@@ -71,30 +76,17 @@ class Document:
         return self.arrays[index]
 
     def _decode(self, accessor: dict, index: int, width: int) -> np.ndarray:
-        kind, count = COMPONENTS.get(whole_of(accessor, "componentType")), whole_of(accessor,
-                                                                                    "count")
-        if kind is None:
-            raise ValueError(f"accessor {index} has numbers of an unknown type")
-        values = self._view(accessor, kind, count, width) if "bufferView" in accessor else None
+        count = whole_of(accessor, "count")
+        kind = COMPONENTS.get(whole_of(accessor, "componentType"))
+        if kind is None or "bufferView" not in accessor or "sparse" in accessor:
+            raise ValueError(f"accessor {index} has no numbers, sparse ones or an unknown type")
+        values = self._view(accessor, kind, count, width)
 
-        # Accessors may share their bytes, or have none. All together they stay in proportion to the
-        # file.
+        # Accessors may share their bytes. All together they stay in proportion to the file.
         self.decoded += count * width
         if self.decoded > MOST + self.size:
             raise ValueError(f"its accessors have {self.decoded} values, more than a file of "
                              f"{self.size} bytes should hold")
-        if values is None:
-            values = np.zeros((count, width), kind)
-
-        if sparse := member(accessor, "sparse"):  # some rows are replaced
-            changed, values = whole_of(sparse, "count"), values.copy()
-            at, new = member(sparse, "indices"), member(sparse, "values")
-            rows = self._view(at, COMPONENTS.get(whole_of(at, "componentType"), ""), changed,
-                              1)[:, 0]
-            if rows.dtype.kind != "u" or int(rows.max(initial=0)) >= max(count, 1):
-                raise ValueError(f"accessor {index} has sparse values beyond its end")
-            values[rows] = self._view(new, kind, changed, width)
-
         made = values.astype(np.float64)
         if accessor.get("normalized") and values.dtype.kind in "iu":
             made = np.maximum(made / np.iinfo(values.dtype).max, -1.0)
@@ -103,19 +95,19 @@ class Document:
         return made
 
     def _view(self, of: dict, kind: str, count: int, width: int) -> np.ndarray:
-        """Values ``[count, width]`` where they lie in a buffer."""
+        """Values ``[count, width]`` where they lie in a buffer; ``of`` is an accessor."""
         views = self.listed("bufferViews")
         view = views[index_of(of, "bufferView", len(views))]
         if packed := [name for name in PACKED if name in member(view, "extensions")]:
-            raise ValueError(f"it is compressed by {packed[0]}; unpack it with gltf-transform")
-        number = np.dtype(kind).itemsize if kind else 0
+            raise ValueError(f"it is compressed by {packed[0]}; {self.unpacking}")
+        number = np.dtype(kind).itemsize
         row = number * width
         stride = whole_of(view, "byteStride", row) or row
         start, size = whole_of(view, "byteOffset", 0), whole_of(view, "byteLength", 0)
         offset = whole_of(of, "byteOffset", 0)
         buffer = self.buffer(index_of(view, "buffer", len(self.listed("buffers"))))
         end = offset + (count - 1) * stride + row if count else 0
-        if not row or stride < row or end > size or start + size > len(buffer):
+        if stride < row or end > size or start + size > len(buffer):
             raise ValueError("an accessor reaches beyond its buffer")
         return np.ndarray((count, width), kind, buffer, start + offset if count else 0,
                           (stride, number))
@@ -124,10 +116,8 @@ class Document:
         """The bytes of a buffer, read once."""
         if index not in self.buffers:
             uri = self.listed("buffers")[index].get("uri")
-            if uri is None:
+            if not isinstance(uri, str):
                 self.buffers[index] = self.binary or b""
-            elif not isinstance(uri, str):
-                raise ValueError(f"buffer {index} has no address")
             elif uri.startswith("data:"):
                 try:
                     self.buffers[index] = base64.b64decode(uri[uri.find(",") + 1 :], validate=True)
@@ -135,7 +125,8 @@ class Document:
                     raise ValueError(f"buffer {index} is not base64 text") from None
             else:
                 self.buffers[index] = self._beside(unquote(uri))
-            self.size += len(self.buffers[index]) if uri else 0
+            if uri is not None:
+                self.size += len(self.buffers[index])
         return self.buffers[index]
 
     def _beside(self, name: str) -> bytes:

@@ -68,10 +68,11 @@ class Inspection:
 
 
 def inspect(path: str | os.PathLike, unit: float | str = "auto", up: str = "auto",
-            roles: Mapping[str, str] | None = None) -> Inspection:
+            roles: Mapping[str, str] | None = None,
+            animation: str | int | None = None) -> Inspection:
     """What a motion file holds, and how `toolkit.load` understands it with the same arguments."""
     path = Path(path)
-    recording = read(path)
+    recording = read(path, animation)
     clip, found = interpret(recording, path, unit, up, roles)
     skeleton = clip.skeleton
     contact = {}

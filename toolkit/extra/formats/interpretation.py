@@ -29,6 +29,12 @@ UPRIGHT = 0.75  # cosine between an axis and the mean direction from feet to hea
 FASTEST = 15.0  # metres per second: a body that goes faster is doubtful
 DRIFT = 0.05  # metres over a clip: a floor that moves by more is doubtful
 FAR = 0.25  # metres: a floor farther from zero is doubtful
+# Recorded takes that go farther than 2 m (150 of Bandai-Namco, Xia, PFNN, 100STYLE) have a toe that
+# stands in 0.23 of the frames or more, and toes that move with 2.2 m/s or more in some frame
+SLOW, QUICK = 0.3, 1.0  # metres per second: of toes that stand, and that move
+WAY = 5.0, 2.0  # metres: on a longer way, some foot stands in some frame, and some moves
+NEVER, PARTLY, MOSTLY = 0.02, 0.5, 0.8  # shares of the frames in which a toe stands
+MANY = 10  # joints beside a body that may be another one
 AXES = ("x", "y", "z", "-x", "-y", "-z")
 _TURNS = {"x": (0, 0, 90), "-x": (0, 0, -90), "-y": (180, 0, 0), "z": (-90, 0, 0),
           "-z": (90, 0, 0)}  # degrees about x, y and z that turn an axis to y
@@ -100,7 +106,8 @@ def interpret(recording: Recording, path: Path, unit: float | str = "auto", up: 
         if unit == "auto":
             found.unit = _unit(body, recording, found)
         _measure(body, found)
-        _travel(recording, fps, found)
+        _travel(body, recording, fps, found)
+        _others(body, recording, found)
 
     # To metres with y up: the root alone is turned
     rotations, positions = recording.rotations, recording.root_positions * found.unit
@@ -199,8 +206,8 @@ def _measure(body: RecordedBody, found: Findings) -> None:
                             f"clip.moved(shift=(0, {-found.floor:.2f}, 0)) moves the floor")
 
 
-def _travel(recording: Recording, fps: float, found: Findings) -> None:
-    """Doubts where the root goes faster than people do: all the time, or in a jump."""
+def _travel(body: RecordedBody, recording: Recording, fps: float, found: Findings) -> None:
+    """Doubts where the root goes faster than people do, or the feet do not go with it."""
     steps = np.linalg.norm(np.diff(recording.root_positions.numpy(), axis=0), axis=1)
     with np.errstate(over="ignore"):  # `Clip` refuses such positions
         speeds = steps * found.unit * fps
@@ -214,6 +221,45 @@ def _travel(recording: Recording, fps: float, found: Findings) -> None:
         at = int(steps.argmax())
         found.doubts.append(f"the body jumps by {speeds[at] / fps:.2f} m from frame {at} to "
                             f"{at + 1}; clip.cut(…) keeps one part")
+    elif body.has("toe") and len(steps) > 2:
+        reach = np.linalg.norm(np.ptp(recording.root_positions.numpy(), axis=0))
+        _feet(body, fps, found, steps.sum() * found.unit, reach * found.unit)
+
+
+def _feet(body: RecordedBody, fps: float, found: Findings, way: float, reach: float) -> None:
+    """Doubts about contacts that cannot be true: feet that slide all the time, or never move.
+
+    The body goes a ``way`` of metres, within a box with a diagonal of ``reach`` metres.
+    """
+    second = fps * found.unit  # from steps in the file's unit to metres per second
+
+    def standing(factor: float) -> float:
+        """Share of the frames in which a toe stands, if the path is so many times as long."""
+        return float((body.toe_steps(found.up, factor).min(0) * second < SLOW).mean())
+
+    share, option = standing(1.0), "clip.replace(root_positions=…) or (fps=…)"
+    factors = sorted({a / b for a in UNITS.values() for b in UNITS.values() if a != b})
+    if share < PARTLY and standing(best := max(factors, key=standing)) > MOSTLY > standing(0.0):
+        found.doubt("the path is in another unit than the bones: the feet slide, and stand if it "
+                    f"is {best:.4g} times as long", option)
+    elif share < NEVER and way > WAY[0]:
+        found.doubt(f"the body goes {way:.0f} m, and no foot ever stands", option)
+    elif reach > WAY[1] and body.toe_steps(found.up).max() * second < QUICK:
+        found.doubt(f"the body goes {reach:.0f} m, and its feet hardly move", option)
+
+
+def _others(body: RecordedBody, recording: Recording, found: Findings) -> None:
+    """A doubt about joints that do not belong to the body: a second person."""
+    if "hips" not in body.joint:
+        return
+    own = {*body.tree.up(body.joint["hips"]), *body.tree.below(body.joint["hips"]), *body.head}
+    ends = {recording.names.index(name) for name in recording.ends}
+    limbs = {*body.joint.values()} - own
+    others = {*range(len(recording.names))} - own - ends
+    if len(others) >= MANY and not limbs:
+        found.doubts.append(f"{len(others)} joints are beside the body, such as "
+                            f"{recording.names[min(others)]}: a second person or a prop moves with "
+                            "it; delete them")
 
 
 def _up(body: RecordedBody, recording: Recording, found: Findings) -> str:
@@ -245,6 +291,14 @@ def _up(body: RecordedBody, recording: Recording, found: Findings) -> str:
     if lying:
         found.doubt(f"the body stands along {seen} or lies with {lying[0]} up: {seen} is taken",
                     "up=")
+    elif seen[0] == "-":
+        found.doubt(f"the body stands along {seen}, or is upside down: {seen} is taken", "up=")
+    else:
+        # People go across the direction from feet to head, and not along it
+        goes = np.ptp(recording.root_positions.numpy(), axis=0)
+        if goes[axis] > 2 * body.leg and goes[axis] > 2 * np.delete(goes, axis).max():
+            found.doubt(f"the body goes along {seen}, from its feet to its head: it may lie, with "
+                        f"another axis up; {seen} is taken", "up=")
     return seen
 
 

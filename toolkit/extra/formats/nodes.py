@@ -27,7 +27,7 @@ STRETCH = 0.05  # by which a bone may stretch and be read with its median length
 MERGED = 0.25  # joints that may become part of the root, as a share of the joints below
 FEW = 2  # joints of a branch that may be left out: eyes, props, helpers
 SEVERAL = 10  # joints of a branch that may be a skeleton of its own
-LIMIT = 50_000  # nodes of a file
+LIMIT = 50_000  # nodes of a glTF file
 
 _HELPER = re.compile(r"(?:^|[\W_])ik(?:[\W_]|$)|IK", re.ASCII)
 _END = re.compile(r"(?:end|nub)\d*$", re.IGNORECASE)
@@ -65,7 +65,10 @@ def unique(names: Sequence[str]) -> list[str]:
 
 
 def chosen(names: Sequence[str], wanted: str | int | None, doubts: list[str]) -> int:
-    """Index of the animation to read, by its name or index; by default the first, with a doubt."""
+    """Index of the animation to read, by its name or index; by default the first, with a doubt.
+
+    A text that is no name may be an index.
+    """
     if wanted is None:
         if len(names) > 1:
             doubts.append(f"the file holds {len(names)} animations ({few(names)}); "
@@ -73,8 +76,8 @@ def chosen(names: Sequence[str], wanted: str | int | None, doubts: list[str]) ->
         return 0
     if wanted in names:
         return names.index(wanted)
-    if isinstance(wanted, int) and 0 <= wanted < len(names):
-        return wanted
+    if str(wanted).isdecimal() and int(wanted) < len(names):
+        return int(wanted)
     raise ValueError(f"no animation {wanted!r}; there are {few(names) or 'none'}")
 
 
@@ -157,17 +160,20 @@ class _Tree:
             if nodes[j].parent >= 0:
                 self.scale[j] *= np.prod(self.scale[nodes[j].parent]) ** (1 / 3)
 
-    def branches(self, j: int) -> list[int]:
-        """The children with joints, those with most joints first."""
-        below = [child for child in self.children[j] if self.joints[child]]
-        return sorted(below, key=lambda child: -self.joints[child])
+    def branches(self, nodes: Sequence[int]) -> list[int]:
+        """Those of the nodes that have joints below, first that with most joints of the skin.
+
+        Without a skin, that with most joints comes first.
+        """
+        return sorted((j for j in nodes if self.joints[j]),
+                      key=lambda j: (-self.skinned[j], -self.joints[j]))
 
     def top(self, doubts: list[str]) -> int:
         """The uppermost joint of the largest skeleton: a joint, or a node with several limbs."""
-        tops = [j for j, node in enumerate(self.nodes) if node.parent < 0 and self.joints[j]]
-        if not tops:
+        branches = self.branches([j for j, node in enumerate(self.nodes) if node.parent < 0])
+        if not branches:
             raise ValueError("there are no joints in it: no skin, no animated node, no bone")
-        branches, at = sorted(tops, key=lambda j: -self.joints[j]), -1
+        at = -1
         while at < 0 or not self.nodes[at].joint:
             second = self.joints[branches[1]] if len(branches) > 1 else 0
             if at >= 0 and second > FEW and not all(self.whole(j) for j in branches[:2]):
@@ -176,7 +182,7 @@ class _Tree:
                 doubts.append("the file holds several skeletons; "
                               f"that of {self.nodes[branches[0]].name} was read")
             at = branches[0]
-            branches = self.branches(at)
+            branches = self.branches(self.children[at])
         return at
 
     def whole(self, j: int) -> bool:
@@ -200,7 +206,7 @@ class _Tree:
         """The nodes below a node that are joints or have joints below, parents first."""
         found = [root]
         for j in found:
-            found.extend(self.branches(j))
+            found.extend(child for child in self.children[j] if self.joints[child])
         return found[1:]
 
     def travelling(self, top: int) -> tuple[int, set[int]]:
@@ -225,7 +231,7 @@ class _Tree:
         root, left_out = top, set()
         passed: set[int] = set()  # branches beside the way down
         at, steps, doubtful = top, 0, False
-        while branches := self.branches(at):
+        while branches := self.branches(self.children[at]):
             at, *others = branches
             steps += 1
             passed |= set(self.children[self.nodes[at].parent]) - {at}
@@ -249,8 +255,6 @@ class _Tree:
         refused.
         """
         kept, stack, stretched, moving = [], [root], {}, set(left_out)
-        for j in self.chain(root):
-            self._scale_doubts(j, doubts)
         while stack:
             j = stack.pop()
             kept.append(j)
@@ -259,8 +263,8 @@ class _Tree:
                 if child in moving or not (self.joints[child] or node.plain):
                     continue
                 spread = _spread(self.bone(child))
-                if spread > STRETCH * size:
-                    unused = self.skin and not self.skinned[child]
+                unused = self.skin and not self.skinned[child]
+                if spread > STRETCH * size or (unused and (node.scale < 0).any()):
                     if not (unused or self.joints[child] <= FEW or self.helper(child)):
                         raise ValueError(
                             f"joint {node.name} changes its distance to its parent by up to "
@@ -269,32 +273,36 @@ class _Tree:
                     continue
                 if spread > RIGID * size:
                     stretched[node.name] = spread
-                self._scale_doubts(child, doubts)
                 stack.append(child)
         if stretched:
             most = max(stretched.values())
             doubts.append(f"joints that move against their parents by up to {most:.3g} units have "
                           f"their median places: {few(stretched)}")
         if names := [self.nodes[j].name for j in sorted(moving) if self.joints[j]]:
-            doubts.append(f"joints that move against the skeleton were left out: {few(names)}")
+            doubts.append("joints that move against the skeleton, or are mirrored controls, were "
+                          f"left out: {few(names)}")
+        self._check_scales({*self.chain(root), *kept}, doubts)
         offsets = np.stack([_median(self.bone(j)) for j in kept])
         offsets[0] = 0.0
         return kept, offsets
 
-    def _scale_doubts(self, j: int, doubts: list[str]) -> None:
-        """A doubt if the scale of a joint changes, or stretches its children along one axis."""
-        node, scale = self.nodes[j], _median(self.nodes[j].scale)
-        if not self.children[j]:
-            return
-        if (scale < 0).any():
-            raise ValueError(f"node {node.name} is mirrored by a negative scale; "
-                             "apply the scale in Blender first")
-        largest = float(scale.max())
-        if largest and _spread(node.scale) > RIGID * largest:
-            doubts.append(f"the scale of joint {node.name} changes; "
-                          f"its median {largest:.6g} is used")
-        elif float(np.ptp(scale)) > RIGID * largest:
-            doubts.append(f"joint {node.name} is scaled by different factors along its axes")
+    def _check_scales(self, kept: set[int], doubts: list[str]) -> None:
+        """A doubt if a scale changes, or stretches children along one axis.
+
+        ValueError if one is negative.
+        """
+        odd = []
+        for j in sorted(j for j in kept if self.children[j]):
+            scale = _median(self.nodes[j].scale)
+            if (scale < 0).any():
+                raise ValueError(f"node {self.nodes[j].name} is mirrored by a negative scale; "
+                                 "apply the scale in Blender first")
+            changes = max(_spread(self.nodes[j].scale), float(np.ptp(scale)))
+            if changes > RIGID * float(scale.max()):
+                odd.append(self.nodes[j].name)
+        if odd:
+            doubts.append("joints whose scale changes, or differs between its axes, have a mean: "
+                          f"{few(odd)}")
 
     def chain(self, j: int) -> list[int]:
         """A node after its ancestors, from the top."""

@@ -43,12 +43,18 @@ class RecordedBody:
         return all(f"{side}_{part}" in self.joint for side in SIDES for part in parts)
 
     @cached_property
+    def frames(self) -> np.ndarray:
+        """The frames ``[S]`` that are looked at."""
+        length = len(self.recording.rotations)
+        return np.linspace(0, length - 1, min(length, SAMPLES)).astype(int)
+
+    @cached_property
     def points(self) -> dict[int, np.ndarray]:
         """Positions ``[S, 3]`` by joint of all with roles, of the head and of those above them."""
-        recording = self.recording
-        length = len(recording.rotations)
-        frames = np.linspace(0, length - 1, min(length, SAMPLES)).astype(int)
-        order = {0, *self.needed}
+        return self._points(self.frames)
+
+    def _points(self, frames: np.ndarray) -> dict[int, np.ndarray]:
+        recording, order = self.recording, {0, *self.needed}
         for joint in self.joint.values():
             order |= {*self.tree.up(joint)}
         order = sorted(order)
@@ -143,6 +149,24 @@ class RecordedBody:
         apart = self.points[self.joint["left_hip"]] - self.points[self.joint["right_hip"]]
         size = np.linalg.norm(left, axis=1) * np.linalg.norm(apart, axis=1)
         return float(((left * apart).sum(1) / size.clip(1e-12)).mean()) < -0.5
+
+    def toe_steps(self, up: str, factor: float = 1.0) -> np.ndarray:
+        """Level distances ``[2, S]`` from frame to frame of the toes.
+
+        The root's path is made ``factor`` times as long: if it has another unit than the bones, the
+        toes slide in all frames.
+        """
+        path, toes = (np.delete(moves, "xyz".index(up[-1]), -1) for moves in self._moves)
+        return np.linalg.norm(toes + factor * path, axis=-1)
+
+    @cached_property
+    def _moves(self) -> tuple[np.ndarray, np.ndarray]:
+        """Moves from frame to frame of the root ``[S, 3]``, and of the toes against it."""
+        frames = self.frames[self.frames + 1 < len(self.recording.rotations)]
+        before, after = self._points(frames), self._points(frames + 1)
+        path = after[0] - before[0]
+        toes = [self.joint[f"{side}_toe"] for side in SIDES]
+        return path, np.stack([after[j] - before[j] - path for j in toes])
 
     def floor(self, up: str) -> tuple[float, float]:
         """Height of a toe that stands, in the middle of the clip, and its change over the clip."""
