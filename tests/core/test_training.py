@@ -584,7 +584,7 @@ def test_a_saved_run_is_whole(tmp_path, straight):
     ({"held_out": 1.0}, r"held_out must be in \[0, 1\)"),
     ({"seed": -1}, "seed must not be negative"),
     ({"refit": -1}, "refit must not be negative"),
-    ({"model": "lpn"}, "unknown model 'lpn'; known: pfnn-onehot, lpn-onehot"),
+    ({"model": "lpn"}, "no model named 'lpn' is registered; there is pfnn-onehot"),
     ({"evaluate_every": 0}, "evaluate_every must be a whole number from 1, got 0"),
     ({"patience": 0}, "patience must be a whole number from 1"),
     ({"patience": 1, "held_out": 0.0}, "needs held-out frames; got 1 and held_out 0.0"),

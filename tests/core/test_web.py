@@ -102,13 +102,19 @@ def test_numbers_and_panels_keep_the_weights():
         assert at == len(flat)
 
 
+def test_another_model_is_shown_as_recorded_walks(small_run, tmp_path, monkeypatch):
+    monkeypatch.setattr(live_page, "SECONDS", 0.2)
+    other = tk.networks.build("pfnn-film", small_run.model.layout, 2, small_run.model.sizes)
+    text = view.web(other, small_run.bank, tmp_path / "x.html").read_text(encoding="utf-8")
+    assert "Recorded walks: the model pfnn-film cannot run in a page." in text
+    assert "toolkitScene.player(stage, data)" in text
+
+
 def test_what_does_not_go_into_a_page_is_refused_in_one_line(small_run, tmp_path):
     model, bank = small_run.model, small_run.bank
-    other = tk.networks.build("pfnn-film", model.layout, 2, model.sizes)
     huge = copy.deepcopy(model)
     torch.nn.init.constant_(huge.experts.layers[1].bias, 1e5)
     for refused, given in {
-        "only lpn-film runs in a page, got pfnn-film": (other, bank, {}),
         "unknown style 'Zombi'": (model, bank, {"styles": ["Zombi"]}),
         "styles must be a list of one name or more": (model, bank, {"styles": []}),
         "got 'Zombie'": (model, bank, {"styles": "Zombie"}),

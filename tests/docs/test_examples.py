@@ -27,7 +27,7 @@ def ran(monkeypatch, capsys):
 
 def test_every_example_is_run_here_and_says_how_it_is_run():
     names = {path.name for path in EXAMPLES.glob("*.py")}
-    assert names == {"own_phase_source.py", "own_modulation.py", "gym_loop.py"}
+    assert names == {"own_phase_source.py", "own_model.py", "gym_loop.py"}
     for name in names:
         first = (EXAMPLES / name).read_text(encoding="utf-8").splitlines()[0]
         assert first.startswith('"""')
@@ -50,23 +50,16 @@ def test_own_phase_source_on_procedural_clips_and_on_own_files(ran, tmp_path, wa
     assert "mine.bvh" in said
 
 
-def test_own_modulation_learns_and_is_listened_to(ran):
-    found, said = ran("own_modulation.py")
-    model = found["model"]
-    assert isinstance(model.modulation, found["LowRank"])
+def test_own_models_learn_and_are_listened_to(ran):
+    found, said = ran("own_model.py", "low_rank")
+    model = found["runs"]["low-rank"].model
     assert model.style_size == model.modulation.size == 2 * (32 + 64)
-    trivial = tk.training.baselines(model, found["HELD_OUT"])
-    for errors in found["errors"].values():
-        assert all(error < 0.9 * trivial[style]["mean"] for style, error in errors.items())
-    bank = found["bank"]
-    swapped = tk.networks.bank.StyleBank(bank.names, bank.vectors.roll(1, 0))
-    with_others = tk.training.evaluate(model, swapped, found["HELD_OUT"])
-    assert all(with_others[style]["mse"] > error
-               for style, error in found["errors"]["lpn-lowrank"].items())
+    for run in found["runs"].values():
+        assert all(row["error"] < min(row["other"], 0.9 * row["mean"]) for row in run.table())
     assert all(len(clip) == 360 for clip in found["clips"].values())
-    assert "lpn-film: style modulation of" in said
+    assert "low-rank: " in said
     # as no FiLM, whose file it might be taken for
-    with pytest.raises(ValueError, match="lpn-lowrank"):
+    with pytest.raises(ValueError, match="low-rank"):
         tk.runtime.compile(model)
 
 

@@ -2,6 +2,7 @@
 
 import json
 import re
+import runpy
 import struct
 import sys
 from dataclasses import replace
@@ -218,6 +219,18 @@ def test_onnx_runtime_computes_other_models(onnxruntime, tmp_path, name):
     assert b"generator" not in data  # style vectors are an input
     assert b".py" not in data  # no path of a source file
     assert json.loads(session.get_modelmeta().custom_metadata_map["model"]) == name
+
+
+@pytest.mark.parametrize("name", ["flow_transformer", "gru"])
+def test_onnx_runtime_computes_models_of_ones_own(onnxruntime, tmp_path, name):
+    runpy.run_path(str(DOCS.parent / "examples" / "models" / f"{name}.py"))
+    sizes = tk.networks.Sizes(hidden=16, experts=3, gating=8, dropout=0.0)
+    model = tk.networks.build(name.replace("_", "-"), tk.features.Layout(SKELETON), 2, sizes)
+    (file,) = tk.extra.engines.onnx.save(model, tmp_path / "a.onnx")
+    x = torch.randn(5, *([model.memory + 1] if model.memory else []), model.layout.n_inputs)
+    phases, style = torch.randn(5, model.layout.n_phases), torch.randn(5, model.style_size)
+    wanted = model.predict(x, phases, style)
+    assert (run(session_of(onnxruntime, file), x, phases, style) - wanted).abs().max() < 1e-4
 
 
 def test_the_example_of_the_docs_runs(step, monkeypatch, capsys):

@@ -15,7 +15,7 @@ from toolkit.io import model_files, save as saving
 from toolkit.io.files import below
 from toolkit.io.load import readers
 from toolkit.motion import Clip, Skeleton
-from toolkit.networks import Model
+from toolkit.networks import Predictor
 from toolkit.networks.bank import StyleBank
 from toolkit.styles.comparison import choose, not_a_walk
 from toolkit.styles.fine_tuning import METHODS, STEPS, NewStyles, fine_tune
@@ -156,12 +156,12 @@ def _bases(model: Path | None, folder: Path | None) -> list[str | Path | None]:
 
 
 def _read(base: str | Path | None,
-          folder: Path | None) -> tuple[dict, dict, Model, StyleBank]:
+          folder: Path | None) -> tuple[dict, dict, Predictor, StyleBank]:
     """Tensors and description of a model's file or the published one, the model, its bank."""
     if base is None or folder is not None:
         run = published.either(base, folder or published.DATASET)
         return *run.parts(), *run
     path = pretrained_file(str(base)) if str(base) in ("procedural", "recorded") else base
     tensors, parts = model_files.read(path, "model")
-    model = Model.from_parts(path, tensors, parts, None)
+    model = Predictor.from_parts(path, tensors, parts, None)
     return tensors, parts, model, StyleBank.from_parts(path, tensors, parts)

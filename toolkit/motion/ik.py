@@ -72,7 +72,8 @@ def two_bone(a: Tensor, b: Tensor, c: Tensor, target: Tensor, pole: Tensor | Non
     aside = torch.linalg.cross(line, R.least_axis(line))
     across = R.normalize(torch.where(across.norm(dim=-1, keepdim=True) > 1e-5, across, aside))
     along = (upper**2 - lower**2 + distance**2) / (2 * distance)
-    height = (upper**2 - along**2).clamp_min(0.0).sqrt()
+    square = upper**2 - along**2
+    height = torch.where(square > 0, square, 1.0).sqrt() * (square > 0)  # finite gradient at 0
     return a + along * line + height * across, a + distance * line
 
 

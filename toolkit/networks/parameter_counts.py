@@ -7,7 +7,8 @@ from torch import nn
 
 from toolkit.datasets.procedural import SKELETON
 from toolkit.features import Layout
-from toolkit.networks.model import MODELS, Model, Sizes
+from toolkit.networks.model import MODELS, Model
+from toolkit.networks.predictor import Sizes
 
 N_STYLES = 95  # training styles of 100STYLE
 #: Table 2 as printed: animation synthesis network, style modulation network, per style at run time.
@@ -58,7 +59,7 @@ def table2() -> list[Row]:
     layout, rows = Layout(SKELETON), []
     for name in MODELS:
         with torch.device("meta"):
-            model = Model(name, layout, N_STYLES, Sizes(), {})
+            model = Model(name, layout, N_STYLES, Sizes())
         counted = counts(model)
         short = counted["style"]
         for layer in model.modulation.modules():

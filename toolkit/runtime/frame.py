@@ -20,7 +20,7 @@ from toolkit.motion.ik import foot_lock, plant_feet, solve_legs, turn_arms
 from toolkit.motion.tensors import as_tensor, shown
 from toolkit.networks.phase import advance, initial_pose
 from toolkit.runtime.life import Styles, alive
-from toolkit.runtime.state import CharacterState, vectors_of
+from toolkit.runtime.state import CharacterState, Remembering, vectors_of
 from toolkit.runtime.steering import Command, Pilot, standing, steer, turn, unit
 
 FPS = trajectory.FPS
@@ -91,7 +91,18 @@ def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0),
         drift=look.new_zeros(len(look), 2, 3),
         drop=torch.zeros_like(look),
     )
-    return dataclasses.replace(state, toes=predicted_toes(layout, state))
+    state = dataclasses.replace(state, toes=predicted_toes(layout, state))
+    if frames := getattr(model, "memory", 0):  # it has stood there before
+        x = _input_frame(layout, state, state.future)
+        return Remembering(**vars(state), memory=x[:, None].expand(-1, frames, -1))
+    return state
+
+
+def _input_frame(layout: Layout, state: CharacterState, future: Tensor) -> Tensor:
+    """x ``[B, Dx]`` of a state, with a future trajectory ``[B, S, 4]``, world."""
+    past = state.history[:, [trajectory.PAST + o for o in layout.behind]]
+    window = _to_local(torch.cat((past, future), 1), state.root)
+    return layout.pack_input(trajectory=window, joints=state.joints)
 
 
 def _pairs(values, what: str, style: Tensor) -> Tensor:
@@ -126,12 +137,13 @@ def predicted(model, state: CharacterState, command: Command) -> CharacterState:
     # Trajectory: the past, and the future blended towards the command, seen from the root.
     steered = steer(state, command, layout.ahead)
     root, future = state.root, steered.future
-    past = state.history[:, [trajectory.PAST + o for o in layout.behind]]
-    window = _to_local(torch.cat((past, future), 1), root)
+    x = _input_frame(layout, state, future)
 
-    # Prediction of the network.
-    features = layout.pack_input(trajectory=window, joints=state.joints)
-    out = layout.unpack_output(model.predict(features, state.phase, state.style))
+    # Prediction of the network, from the frames that it remembers and this one.
+    if isinstance(steered, Remembering):
+        x = torch.cat((steered.memory, x[:, None]), 1)
+        steered = dataclasses.replace(steered, memory=x[:, 1:])
+    out = layout.unpack_output(model.predict(x, state.phase, state.style))
 
     # Root: a character that is to stand stops walking first, and stops turning once it looks into
     # the commanded direction.

@@ -62,6 +62,16 @@ class CharacterState:
         return dataclasses.replace(self, style=vectors_of(style, self.style, len(self.phase)))
 
 
+@dataclass(frozen=True, eq=False)
+class Remembering(CharacterState):
+    """The state under a model with a memory, see `toolkit.networks.Predictor`."""
+
+    # [B, K, Dx] the last input frames, the oldest first
+    memory: Tensor
+
+    __repr__ = summary
+
+
 def vectors_of(style, like: Tensor, characters: int | None = None) -> Tensor:
     """A style argument as vectors ``[B, S]``, one for each of ``characters`` if given.
 

@@ -16,7 +16,7 @@ from toolkit import runtime
 from toolkit.motion import Clip, contacts, rotations as R
 from toolkit.motion.clip import FEET, SIDES, root_frames
 from toolkit.motion.trajectory import FPS, heading
-from toolkit.networks import Model
+from toolkit.networks import Predictor
 from toolkit.networks.bank import StyleBank
 from toolkit.styles.fine_tuning import NewStyles
 
@@ -68,7 +68,7 @@ class Comparison:
         return {name: cycle(clip) for name, clip in self.clips.items()}
 
 
-def compare(clip: Clip, model: Model, style: Tensor | str, bank: StyleBank, *,
+def compare(clip: Clip, model: Predictor, style: Tensor | str, bank: StyleBank, *,
             anyway: bool = False) -> Comparison:
     """Let a style walk at a clip's speed and on its path, and compare the walk with the clip.
 
@@ -114,7 +114,7 @@ def choose(made: NewStyles, clip: Clip, *, anyway: bool = False) -> tuple[StyleB
     return StyleBank(made.bank.names, kept, made.bank.speeds), found[best]
 
 
-def _compared(clip: Clip, model: Model, vectors: Tensor, bank: StyleBank, name: str | None,
+def _compared(clip: Clip, model: Predictor, vectors: Tensor, bank: StyleBank, name: str | None,
               anyway: bool) -> list[Comparison]:
     """Comparisons of ``vectors [K, D]``, walking side by side; ``name`` is theirs in the bank."""
     clip = clip.resample(FPS)

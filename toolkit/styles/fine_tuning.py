@@ -15,7 +15,7 @@ from toolkit.io.model_files import difference
 from toolkit.io.progress import progress_bar
 from toolkit.motion import Clip
 from toolkit.motion.tensors import summary
-from toolkit.networks import Film, FilmGenerator, Model
+from toolkit.networks import Film, FilmGenerator, Predictor
 from toolkit.networks.bank import StyleBank
 from toolkit.training import minibatches
 from toolkit.training.loss import baselines, evaluate, loss_terms, make_bank
@@ -48,7 +48,7 @@ class NewStyles:
 
     names: tuple[str, ...]  # the new styles
     bank: StyleBank  # the given bank with the new vectors
-    model: Model  # the model with the tuned generator
+    model: Predictor  # the model with the tuned generator
     method: str  # one of `METHODS`
     seconds: float  # duration, with the computation of features
     losses: list[float]  # of every step
@@ -58,7 +58,7 @@ class NewStyles:
     __repr__ = summary
 
 
-def fine_tune(model: Model, clips: Clip | Sequence[Clip] | Features, name: str | None = None,
+def fine_tune(model: Predictor, clips: Clip | Sequence[Clip] | Features, name: str | None = None,
               bank: StyleBank | None = None, *, method: str | None = None, steps: int = STEPS,
               mirror: bool = False, seed: int = 0, progress: bool = False) -> NewStyles:
     """Learn new styles from one or a few clips, without any change of the other styles.
@@ -115,7 +115,7 @@ def fine_tune(model: Model, clips: Clip | Sequence[Clip] | Features, name: str |
     """
     began = time.perf_counter()
     data = clips if isinstance(clips, Features) else _features(model, clips, name, mirror)
-    has_generator = isinstance(getattr(model.modulation, "generator", None), FilmGenerator)
+    has_generator = isinstance(model.generator, FilmGenerator)
     method = method or ("generator" if has_generator else "vector")
     if method not in METHODS:
         raise ValueError(f"unknown method {method!r}; known: {', '.join(METHODS)}")
@@ -141,7 +141,7 @@ def fine_tune(model: Model, clips: Clip | Sequence[Clip] | Features, name: str |
         if method == "generator":
             frozen = [*model.gating.parameters(), *model.experts.parameters(), *model.buffers()]
             model = copy.deepcopy(model, {id(tensor): tensor for tensor in frozen})
-        learnt = list(model.modulation.parameters())
+        learnt = model.style_parameters()
 
         def made() -> StyleBank:
             return make_bank(model, kept)
@@ -192,7 +192,7 @@ class _Descent:
             tensor.copy_(value)
 
 
-def _features(model: Model, clips: Clip | Sequence[Clip], name: str | None,
+def _features(model: Predictor, clips: Clip | Sequence[Clip], name: str | None,
               mirror: bool) -> Features:
     """Features of clips on the model's skeleton, without End Sites if the model has none."""
     skeleton, samples = model.layout.skeleton, model.layout.samples
@@ -212,18 +212,18 @@ def _features(model: Model, clips: Clip | Sequence[Clip], name: str | None,
     return data
 
 
-def _prior(model: Model, bank: StyleBank | None) -> tuple[Tensor, Tensor]:
+def _prior(model: Predictor, bank: StyleBank | None) -> tuple[Tensor, Tensor]:
     """Mean and deviation ``[D]`` of the bank's vectors; without a bank γ = 1, β = 0 of FiLM."""
     if bank is not None and len(bank) > 1:
         deviation = bank.vectors.std(0)
         return bank.vectors.mean(0), deviation + 0.1 * deviation.mean()
-    film = isinstance(model.modulation, Film)
-    plain = torch.tensor([1.0, 0.0, 1.0, 0.0] if film else [0.0] * 4)
-    mean = plain.repeat_interleave(model.style_size // 4)
+    mean = torch.zeros(model.style_size)
+    if isinstance(getattr(model, "modulation", None), Film):
+        mean.view(4, -1)[::2] = 1.0
     return mean, torch.full_like(mean, SPREAD)
 
 
-def _start(model: Model, bank: StyleBank | None, data: Features) -> Tensor:
+def _start(model: Predictor, bank: StyleBank | None, data: Features) -> Tensor:
     """Initial vectors ``[S, D]``: the bank's best style on the clips, or the prior's mean."""
     if bank is None:
         return _prior(model, bank)[0].repeat(len(data.styles), 1)
@@ -237,14 +237,14 @@ def _start(model: Model, bank: StyleBank | None, data: Features) -> Tensor:
     return torch.stack([bank[known] for known in best])
 
 
-def _walks(model: Model, bank: StyleBank) -> Tensor:
+def _walks(model: Predictor, bank: StyleBank) -> Tensor:
     """Poses ``[N, 12 J]`` of the model's walks in all styles, six per second."""
     speed, seconds = WALK
     states = list(runtime.states(model, runtime.straight(speed, seconds), bank.vectors))
     return torch.cat([state.joints for state in states[::10]])
 
 
-def _descend(model: Model, bank: StyleBank | None, data: Features, descent: _Descent,
+def _descend(model: Predictor, bank: StyleBank | None, data: Features, descent: _Descent,
              vector: Callable[[int, Tensor], Tensor], method: str, steps: int, seed: int,
              progress: bool) -> None:
     """Train what is learnt and set it to its best step.
@@ -252,7 +252,8 @@ def _descend(model: Model, bank: StyleBank | None, data: Features, descent: _Des
     ``vector(index of the style, clips)`` computes a vector ``[1, D]`` from it.
     """
     learnt = descent.learnt
-    batches = Minibatches(data, min(BATCH, *map(len, data.inputs.values())), 1, seed)
+    frames = min(BATCH, *map(len, data.inputs.values()))
+    batches = Minibatches(data, frames, 1, seed, memory=model.memory)
     joints, total = model.layout.inputs["joints"], steps * len(data.styles)
     draw = splits.generator(seed, minibatches.MIXUP)
     poses = _walks(model, bank) if bank is not None else model.inputs_mean[None, joints]
@@ -266,7 +267,9 @@ def _descend(model: Model, bank: StyleBank | None, data: Features, descent: _Des
         other = poses[torch.randint(len(poses), (len(x),), generator=draw)]
         mixed, share = torch.rand(2, len(x), 1, generator=draw)
         x = x.to(poses, copy=True)
-        x[:, joints] = torch.lerp(x[:, joints], other, (mixed < MIX_UP) * share)
+        window = x.view(len(x), -1, x.shape[-1])  # past frames, if any, and the present one
+        share = ((mixed < MIX_UP) * share)[:, None]
+        window[..., joints] = torch.lerp(window[..., joints], other[:, None], share)
         frame = zip(KINDS, (x, *model.observe(p, z), y), strict=True)
         x, p, z, y = (model.normaliser(kind).apply(v) for kind, v in frame)
         style = vector(step % len(data.styles), y)

@@ -8,13 +8,13 @@ import torch
 from torch import Tensor
 
 from toolkit.features import Features
-from toolkit.networks import Model
+from toolkit.networks import Predictor
 
 PERPLEXITY = 30.0  # of t-SNE, about the number of neighbours; at most a third of the points
 
 
 @torch.no_grad()
-def clip_vectors(model: Model, data: Features, clips: int = 50) -> tuple[Tensor, list[str]]:
+def clip_vectors(model: Predictor, data: Features, clips: int = 50) -> tuple[Tensor, list[str]]:
     """Style vectors ``[N, D]`` of single style clips (Figure 11), and the style of each.
 
     The model needs a FiLM generator. A style has at most ``clips`` clips, evenly spaced.

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, ClassVar
 import torch
 from torch import Tensor, distributed, nn
 
-from toolkit.networks import Model
+from toolkit.networks import Predictor
 from toolkit.training.loss import loss_terms
 from toolkit.training.run import Config
 
@@ -85,12 +85,12 @@ def _start(device: str, processes: int) -> "Fabric | Alone":
 
 
 class Objective(nn.Module):
-    """Loss of equation 5 over the share of a minibatch that process ``rank`` has.
+    """Loss of equation 5, or the model's own, over the share of a minibatch of process ``rank``.
 
     ``precision`` is that of `Config`.
     """
 
-    def __init__(self, model: Model, bone_weight: float, rank: int = 0, processes: int = 1,
+    def __init__(self, model: Predictor, bone_weight: float, rank: int = 0, processes: int = 1,
                  precision: str = "32"):
         super().__init__()
         self.model, self.bone_weight = model, bone_weight
@@ -101,15 +101,20 @@ class Objective(nn.Module):
 
         Their means over the processes are those of the minibatch. The arguments are a whole
         normalised minibatch of one style: ``x [B, Dx]``, ``p [B, n_phases]``, ``z [B, Dz]``,
-        ``y [M, 240, 12 J]`` and the style's number. Frame i uses clip i modulo M.
+        ``y [M, 240, 12 J]`` and the style's number. Frame i uses clip i modulo M. A model's own
+        loss stands in the place of the mean squared error, without a bone-length error.
         """
         rows = torch.arange(self.rank, len(x), self.processes, device=x.device)
         clips, which = (rows % len(y)).unique(return_inverse=True)
         with torch.autocast(x.device.type, torch.bfloat16, enabled=self.precision == "bf16"):
             styles = self.model.encode(y[clips], style)
             styles = styles if len(styles) == 1 else styles[which]
-            predicted = self.model(x[rows], p[rows], styles)
-            mse, bone = loss_terms(self.model, predicted, z[rows])
+            if own := getattr(self.model, "loss", None):
+                mse = own(x[rows], p[rows], z[rows], styles)
+                bone = torch.zeros_like(mse)
+            else:
+                predicted = self.model(x[rows], p[rows], styles)
+                mse, bone = loss_terms(self.model, predicted, z[rows])
         # shares differ in length by one frame; Fabric averages over processes
         weight = len(rows) * self.processes / len(x)
         return weight * torch.stack((mse + self.bone_weight * bone, mse, bone))

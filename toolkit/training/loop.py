@@ -24,9 +24,9 @@ from toolkit.features.splits import seeded
 from toolkit.io import model_files
 from toolkit.io.progress import progress_bar
 from toolkit.motion.tensors import summary
-from toolkit.networks import Model
+from toolkit.networks import Predictor
+from toolkit.networks.adapters import StyleTable
 from toolkit.networks.bank import StyleBank
-from toolkit.networks.film import FilmGenerator
 from toolkit.training import distributed
 from toolkit.training.checkpoint import Checkpoint, Saver, check, starting
 from toolkit.training.distributed import Alone, Objective
@@ -112,8 +112,13 @@ def fit(data: Features, config: Config | None = None,
     if config.patience and not any(map(len, test.inputs.values())):
         raise ValueError(f"patience needs held-out frames; held_out={config.held_out} leaves none "
                          "of these data")
+
+    # model and optimiser, new or from the checkpoint
+    with seeded(fabric.device, config.seed, INIT):
+        model = networks.build(config.model, data.layout, len(styles), config.sizes,
+                               networks.normalisers(config.model, train)).to(fabric.device)
     batches = Minibatches(train, config.batch, config.clips_per_batch, config.seed,
-                          config.pose_mixup)
+                          config.pose_mixup, model.memory)
     if batches.fewest < fabric.world_size:
         raise ValueError(f"{fabric.world_size} processes cannot share a minibatch of "
                          f"{batches.fewest} frames")
@@ -121,11 +126,6 @@ def fit(data: Features, config: Config | None = None,
     if config.seconds is None:
         epochs = config.epochs or 90
         total = config.steps or max(1, round(epochs * batches.steps_per_epoch))
-
-    # model and optimiser, new or from the checkpoint
-    with seeded(fabric.device, config.seed, INIT):
-        model = networks.build(config.model, data.layout, len(batches.styles), config.sizes,
-                               networks.normalisers(config.model, train)).to(fabric.device)
     adam, state = optimiser(model, config), State()
     if checkpoint and resume and Path(checkpoint).exists():
         state = restore(checkpoint, model, adam, config, total)
@@ -182,7 +182,7 @@ def fit(data: Features, config: Config | None = None,
         model.load_state_dict(state.best)
     model.eval()
     bank = make_bank(model, train)
-    if config.refit and isinstance(model.modulation.generator, FilmGenerator):
+    if config.refit and not isinstance(model.generator, StyleTable):
         bank = refit(model, bank, train, config.refit, config.seed, config.pose_mixup,
                      progress and first)
     held_out = evaluate(model, bank, test)
@@ -208,7 +208,7 @@ def _bar(config: Config, total: int | None, state: State, show: bool):
                         show=show, bar_format=form)
 
 
-def restore(path: str | os.PathLike, model: Model, adam: torch.optim.Adam, config: Config,
+def restore(path: str | os.PathLike, model: Predictor, adam: torch.optim.Adam, config: Config,
             total: int | None) -> State:
     """Load a checkpoint into a newly built model and its optimiser; returns the state of the run.
 
@@ -216,7 +216,7 @@ def restore(path: str | os.PathLike, model: Model, adam: torch.optim.Adam, confi
     damaged, or has more steps than the ``total`` of the run.
     """
     # the model's own check names the difference of layouts
-    Model.from_parts(path, *model_files.read(path, "checkpoint"), model.layout)
+    Predictor.from_parts(path, *model_files.read(path, "checkpoint"), model.layout)
     numbers, tensors = _checkpoint(model, adam, config).load(path)
     with model_files.intact(path, "the checkpoint"):
         known = {name: numbers[name] for name in State().numbers}
@@ -230,14 +230,16 @@ def restore(path: str | os.PathLike, model: Model, adam: torch.optim.Adam, confi
     return state
 
 
-def _checkpoint(model: Model, adam: torch.optim.Adam, config: Config) -> Checkpoint:
+def _checkpoint(model: Predictor, adam: torch.optim.Adam, config: Config) -> Checkpoint:
     return Checkpoint("checkpoint", {"model": model}, {"model": adam}, config.fixed())
 
 
-def optimiser(model: Model, config: Config) -> torch.optim.Adam:
+def optimiser(model: Predictor, config: Config) -> torch.optim.Adam:
     """Adam over the synthesis network and, as a group with a rate of its own, the style."""
-    rest = [*model.gating.parameters(), *model.experts.parameters()]
-    groups = [{"params": rest}, {"params": list(model.modulation.parameters())}]
+    style = model.style_parameters()
+    known = set(map(id, style))
+    rest = [parameter for parameter in model.parameters() if id(parameter) not in known]
+    groups = [{"params": rest}, {"params": style}]
     return torch.optim.Adam(groups, lr=config.rate, fused=True)
 
 
@@ -275,7 +277,7 @@ def _mean(fabric: "Fabric | Alone", *numbers: float) -> list[float]:
     return fabric.all_reduce(own, reduce_op="mean").tolist()
 
 
-def _held_out(model: Model, train: Features, test: Features) -> float | None:
+def _held_out(model: Predictor, train: Features, test: Features) -> float | None:
     """Test error, the mean over styles.
 
     It uses at most 1,000 frames per style, and style vectors from at most 8 clips.

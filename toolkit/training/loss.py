@@ -8,16 +8,16 @@ from torch import Tensor
 
 from toolkit.features import FRAME_KINDS, KINDS, Features, Layout, Rows, natural_speed
 from toolkit.io.progress import progress_bar
-from toolkit.networks import Model
+from toolkit.networks import Predictor
 from toolkit.networks.bank import StyleBank
-from toolkit.networks.model import evaluating
-from toolkit.training.minibatches import Minibatches
+from toolkit.networks.predictor import evaluating
+from toolkit.training.minibatches import Minibatches, remembered
 
 STEPS, BATCH = 30, 64  # of `refit`: steps per style, frames of a step
 RATE = 0.06  # its first rate, in deviations of the bank's vectors
 
 
-def loss_terms(model: Model, predicted: Tensor, target: Tensor) -> tuple[Tensor, Tensor]:
+def loss_terms(model: Predictor, predicted: Tensor, target: Tensor) -> tuple[Tensor, Tensor]:
     """Mean squared error and bone-length loss (equation 5) of normalised outputs ``[B, Dz]``.
 
     The bone-length loss is the mean absolute error of bone lengths, in metres, over samples and
@@ -29,7 +29,7 @@ def loss_terms(model: Model, predicted: Tensor, target: Tensor) -> tuple[Tensor,
     return (predicted - target).square().mean(), (made - right).abs().mean()
 
 
-def make_bank(model: Model, data: Features, clips: int | None = None) -> StyleBank:
+def make_bank(model: Predictor, data: Features, clips: int | None = None) -> StyleBank:
     """Mean style vector of every style over its clips, or ``clips`` of them; and natural speeds.
 
     A model with a table of styles gives its rows; ``data`` must have the styles of its training, in
@@ -53,7 +53,7 @@ def _spread(count: int, most: int | None) -> Tensor:
     return torch.linspace(0, count - 1, most).long()
 
 
-def evaluate(model: Model, bank: StyleBank, data: Features,
+def evaluate(model: Predictor, bank: StyleBank, data: Features,
              frames: int | None = None) -> dict[str, dict[str, float]]:
     """Error of every style: ``mse`` of normalised outputs, ``bone`` length error in metres.
 
@@ -68,18 +68,19 @@ def evaluate(model: Model, bank: StyleBank, data: Features,
         rows = _spread(n, frames)
         sums = torch.zeros(2, dtype=torch.float64)
         for part in rows.split(1024):
-            x, p, z = (getattr(data, kind)[style][part].to(device) for kind in FRAME_KINDS)
+            x = remembered(data, style, part, model.memory).to(device)
+            p, z = (getattr(data, kind)[style][part].to(device) for kind in FRAME_KINDS[1:])
             observed = zip(FRAME_KINDS, (x, *model.observe(p, z)), strict=True)
             x, p, z = (model.normaliser(kind).apply(values) for kind, values in observed)
             with evaluating(model):
-                terms = loss_terms(model, model(x, p, bank[style].to(device)), z)
+                terms = loss_terms(model, model(x, p, bank[style][None].to(device)), z)
                 sums += len(part) * torch.stack(terms).double().cpu()
         errors[style] = dict(zip(("mse", "bone"), (sums / len(rows)).tolist(), strict=True))
     return errors
 
 
 @torch.no_grad()
-def baselines(model: Model, data: Features) -> dict[str, dict[str, float]]:
+def baselines(model: Predictor, data: Features) -> dict[str, dict[str, float]]:
     """Mean squared error of two predictions that need no learning, per style.
 
     ``mean`` predicts the mean of the training data. ``repeat`` predicts the current frame again,
@@ -114,7 +115,7 @@ def repeat_frame(layout: Layout, x: Tensor, phases: Tensor, mean: Tensor) -> Ten
     return layout.pack_output(**blocks)
 
 
-def refit(model: Model, bank: StyleBank, data: Features, steps: int = STEPS, seed: int = 0,
+def refit(model: Predictor, bank: StyleBank, data: Features, steps: int = STEPS, seed: int = 0,
           pose_mixup: float = 0.3, progress: bool = False) -> StyleBank:
     """A bank whose vectors have less error on the frames of their styles; the model stays as it is.
 
@@ -123,7 +124,8 @@ def refit(model: Model, bank: StyleBank, data: Features, steps: int = STEPS, see
     over the frames of ``data``, whose styles the bank has. ``steps`` is the number of steps for
     each style; ``pose_mixup`` is that of `Minibatches`.
     """
-    batches, device = Minibatches(data, BATCH, 1, seed, pose_mixup), model.outputs_mean.device
+    batches = Minibatches(data, BATCH, 1, seed, pose_mixup, model.memory)
+    device = model.outputs_mean.device
     scale = float(bank.vectors.std(0).mean()) if len(bank) > 1 else 1.0
     vectors = bank.vectors.clone()
     for which, style in enumerate(
@@ -138,10 +140,9 @@ def refit(model: Model, bank: StyleBank, data: Features, steps: int = STEPS, see
                 for kind, rows in zip(KINDS, (x, *model.observe(p, z), y), strict=True)
             )
             adam.param_groups[0]["lr"] = scale * RATE * (1 + math.cos(math.pi * turn / steps)) / 2
-            with evaluating(model), torch.enable_grad():
-                (vector.grad,) = torch.autograd.grad(
-                    (model(x, p, vector[None]) - z).square().mean(), vector
-                )
+            with evaluating(model, gradients=True):
+                error = (model(x, p, vector[None]) - z).square().mean()
+                (vector.grad,) = torch.autograd.grad(error, vector)
             adam.step()
         vectors[bank.names.index(style)] = vector.detach().cpu()
     return dataclasses.replace(bank, vectors=vectors)

@@ -23,14 +23,17 @@ class Minibatches:
     network learns to return to the style of the vector.
 
     ``batch`` and ``clips`` are the numbers of frames and style clips of a minibatch, ``pose_mixup``
-    is the share of frames with a mixed input pose. The same ``seed`` gives the same minibatches.
+    is the share of frames with a mixed input pose, ``memory`` the number of past frames of a model
+    that needs them. The same ``seed`` gives the same minibatches. In a loop of your own, several
+    processes load them by ``DataLoader(minibatches, batch_size=None, sampler=range(steps))``.
 
     ValueError if a style has no frames or no style clips.
     """
 
-    def __init__(self, data: Features, batch: int, clips: int, seed: int, pose_mixup: float = 0.0):
+    def __init__(self, data: Features, batch: int, clips: int, seed: int, pose_mixup: float = 0.0,
+                 memory: int = 0):
         self.data, self.batch, self.clips, self.seed = data, batch, clips, seed
-        self.pose_mixup, self.styles = pose_mixup, data.styles
+        self.pose_mixup, self.memory, self.styles = pose_mixup, memory, data.styles
         for style in self.styles:
             if not len(data.inputs[style]) or not len(data.clips[style]):
                 raise ValueError(f"style {style!r} has {len(data.inputs[style])} frames and "
@@ -41,7 +44,10 @@ class Minibatches:
         self._orders: dict[str, tuple[int, Tensor]] = {}
 
     def __getitem__(self, step: int) -> tuple[Tensor, Tensor, Tensor, Tensor]:
-        """x ``[B, Dx]``, p ``[B, 8]``, z ``[B, Dz]`` and y ``[M, 240, 12 J]`` in physical units."""
+        """x ``[B, Dx]``, p ``[B, 8]``, z ``[B, Dz]`` and y ``[M, 240, 12 J]`` in physical units.
+
+        With a memory of K frames x is ``[B, K + 1, Dx]``.
+        """
         turn, which = divmod(step, len(self.styles))
         style, batch, data = self.styles[which], self.batch, self.data
         n = len(data.inputs[style])
@@ -52,7 +58,7 @@ class Minibatches:
         rows = self._orders[style][1][place * batch : (place + 1) * batch]
         draw = splits.generator(self.seed, CLIPS, step)
         clips = torch.randint(len(data.clips[style]), (self.clips,), generator=draw)
-        x = data.inputs[style][rows]
+        x = remembered(data, style, rows, self.memory)
         if self.pose_mixup:
             x = self._mixed_up(x, step)
         return x, data.phases[style][rows], data.outputs[style][rows], data.clips[style][clips]
@@ -66,5 +72,23 @@ class Minibatches:
         x = x.clone()
         for i in (which[:, 0] < self.pose_mixup).nonzero()[:, 0].tolist():
             rows = self.data.inputs[self.styles[others[i]]]
-            x[i, joints] += how_far[i] * (rows[int(places[i] * len(rows))][joints] - x[i, joints])
+            other, pose = rows[int(places[i] * len(rows))][joints], x[i, ..., joints]
+            pose += how_far[i] * (other - pose)
         return x
+
+
+def remembered(data: Features, style: str, rows: Tensor, memory: int) -> Tensor:
+    """Input frames ``[B, Dx]`` of rows of a style, or ``[B, memory + 1, Dx]`` with those before.
+
+    The present frame is the last. Where a take, or what is left of it, begins less than ``memory``
+    frames before, its first frame repeats.
+    """
+    if not memory:
+        return data.inputs[style][rows]
+    steps = torch.arange(memory, -1, -1)
+    before = (rows[:, None] - steps).clamp_min(0)
+    number = data.takes[style]
+    frame = torch.arange(len(number)) if data.frames is None else data.frames[style]
+    same = (number[before] == number[rows, None]) & (frame[before] == frame[rows, None] - steps)
+    before = torch.where(same, before, rows[:, None] + 1 - same.sum(1, keepdim=True))
+    return data.inputs[style][before.flatten()].unflatten(0, before.shape)

@@ -16,7 +16,7 @@ from toolkit.datasets import home, published_files as parameters
 from toolkit.datasets.procedural import SKELETON
 from toolkit.features import Layout, Normaliser
 from toolkit.motion import Clip, trajectory
-from toolkit.networks import Model, Sizes, build
+from toolkit.networks import Predictor, Sizes, build
 from toolkit.networks.bank import StyleBank
 from toolkit.training import run
 
@@ -131,7 +131,7 @@ def either(file: str | os.PathLike | None, folder: str | os.PathLike | None) -> 
     return run.load(file)
 
 
-def one_step(model: Model, bank: StyleBank, clip: Clip, style: str,
+def one_step(model: Predictor, bank: StyleBank, clip: Clip, style: str,
              frames: tuple[int, int | None] = (0, None)) -> dict:
     """How well a model predicts the next frame of a real clip.
 

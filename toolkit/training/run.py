@@ -10,9 +10,10 @@ from pathlib import Path
 
 import torch
 
+from toolkit import registry
 from toolkit.io import model_files
 from toolkit.motion.tensors import summary
-from toolkit.networks import MODELS, Model, Sizes
+from toolkit.networks import Predictor, Sizes
 from toolkit.networks.bank import StyleBank
 from toolkit.training.loss import STEPS
 
@@ -36,7 +37,7 @@ class Config:
     Parameters
     ----------
     model
-        One of `toolkit.networks.MODELS`.
+        One of `toolkit.networks.MODELS`, or the name of your own, see `toolkit.networks.register`.
     sizes
         How large the networks are.
     styles
@@ -111,8 +112,7 @@ class Config:
     __repr__ = summary
 
     def __post_init__(self):
-        if self.model not in MODELS:
-            raise ValueError(f"unknown model {self.model!r}; known: {', '.join(MODELS)}")
+        registry.find(f"model.{self.model}")
         budgets = {name: getattr(self, name) for name in ("epochs", "steps", "seconds")}
         budgets = {name: value for name, value in budgets.items() if value is not None}
         if len(budgets) > 1:
@@ -187,14 +187,14 @@ class Run:
     the error of bone lengths, metres. ``history`` has a row per evaluation.
     """
 
-    model: Model
+    model: Predictor
     bank: StyleBank
     config: Config | None = None
     history: list[dict[str, float]] = field(default_factory=list)
     held_out: dict[str, dict[str, float]] = field(default_factory=dict)
     baselines: dict[str, dict[str, float]] = field(default_factory=dict)
 
-    def __iter__(self) -> Iterator[Model | StyleBank]:
+    def __iter__(self) -> Iterator[Predictor | StyleBank]:
         return iter((self.model, self.bank))
 
     def __repr__(self) -> str:
@@ -204,7 +204,7 @@ class Run:
         return summary(self, facts)
 
     def save(self, path: str | os.PathLike, *, slim: bool = False) -> None:
-        """Write model, bank and numbers to one file; `Model.load` and `StyleBank.load` read it too.
+        """Write model, bank and numbers to one file, also for `Predictor.load`, `StyleBank.load`.
 
         ``slim`` leaves out the FiLM generator and stores the experts in 16 bits. The file has a
         third of the size or less, and can only be used with the bank's styles.
@@ -241,7 +241,7 @@ class Run:
 def load(path: str | os.PathLike) -> Run:
     """Read a run that `Run.save` wrote; ValueError for any other file."""
     tensors, parts = model_files.read(path, "run")
-    model = Model.from_parts(path, tensors, parts, None)
+    model = Predictor.from_parts(path, tensors, parts, None)
     bank = StyleBank.from_parts(path, tensors, parts)
     with model_files.intact(path, "the record of the run"):
         config = parts["run"].pop("config")

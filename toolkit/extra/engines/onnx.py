@@ -1,6 +1,6 @@
 """The step's network as ONNX: normalisers, gating, experts and style modulation in one graph.
 
-`torch.onnx` traces `Model.predict`, so there is one description of the seven networks.
+`torch.onnx` traces `Predictor.predict`, so there is one description of the seven networks.
 """
 
 import contextlib
@@ -18,7 +18,7 @@ from torch import Tensor, nn
 from toolkit.io.files import write_whole
 from toolkit.io.model_files import finite
 from toolkit.motion.trajectory import FPS
-from toolkit.networks import Model
+from toolkit.networks import Predictor
 from toolkit.networks.bank import StyleBank
 from toolkit.networks.phase import initial_pose
 
@@ -26,15 +26,16 @@ OPSET = 18
 BANK = ".styles.safetensors"  # ending of the file of style vectors beside the graph
 
 
-def save(model: Model, path: str | os.PathLike, bank: StyleBank | None = None) -> list[Path]:
+def save(model: Predictor, path: str | os.PathLike, bank: StyleBank | None = None) -> list[Path]:
     """Write the network as ONNX, and its style vectors beside it as ``<name>.styles.safetensors``.
 
-    Inputs are ``x [batch, Dx]``, ``phases [batch, n_phases]`` (absent where the model knows no
-    phase) and ``style [batch, D]`` (or ``[1, D]``, one for all), output is ``z [batch, Dz]``:
-    float32, physical units, any batch, as of `Model.predict`. Metadata, each a JSON text: ``model``
-    (its name), ``layout`` (skeleton), ``joints`` (the J of the features), ``columns`` (of x and z
-    by name), ``samples`` (offsets of the trajectory, frames), ``fps``, ``start`` (a phase and a
-    pose to begin with) and ``styles``.
+    Inputs are ``x [batch, Dx]`` (``[batch, K + 1, Dx]`` for a model that remembers K frames),
+    ``phases [batch, n_phases]`` (absent where the model knows no phase) and ``style [batch, D]``
+    (or ``[1, D]``, one for all), output is ``z [batch, Dz]``: float32, physical units, any batch,
+    as of `Predictor.predict`. Metadata, each a JSON text: ``model`` (its name), ``layout``
+    (skeleton), ``joints`` (the J of the features), ``columns`` (of x and z by name), ``samples``
+    (offsets of the trajectory, frames), ``fps``, ``start`` (a phase and a pose to begin with) and
+    ``styles``.
 
     Returns the files that were written, each whole or not at all. ``bank`` holds the styles of the
     model.
@@ -57,7 +58,7 @@ def save(model: Model, path: str | os.PathLike, bank: StyleBank | None = None) -
     return [path, path.with_suffix(BANK)]
 
 
-def graph(model: Model, bank: StyleBank | None = None):
+def graph(model: Predictor, bank: StyleBank | None = None):
     """The network as ``onnx.ModelProto``."""
     try:
         import onnxscript  # noqa: F401  # torch.onnx works with it, and asks for it late
@@ -68,10 +69,13 @@ def graph(model: Model, bank: StyleBank | None = None):
               "style": model.style_size}
     rows = {"x": 2, "phases": 2, "style": 3}
     example = {name: torch.zeros(rows[name], width) for name, width in widths.items() if width}
+    if model.memory:
+        example["x"] = torch.zeros(2, model.memory + 1, widths["x"])
     # the second axis takes the name of the first
     axes = {"x": "batch", "phases": torch.export.Dim.DYNAMIC, "style": "styles"}
     step = _Step(copy.deepcopy(model)).cpu().eval()
-    step.model.modulation.generator = None
+    if model.generator is not None:
+        step.model.modulation.generator = None
     with _quiet():
         made = torch.onnx.export(
             step, kwargs=example, input_names=list(example), output_names=["z"],
@@ -85,9 +89,9 @@ def graph(model: Model, bank: StyleBank | None = None):
 
 
 class _Step(nn.Module):
-    """`Model.predict` with one row of styles for all characters, or a row each."""
+    """`Predictor.predict` with one row of styles for all characters, or a row each."""
 
-    def __init__(self, model: Model):
+    def __init__(self, model: Predictor):
         super().__init__()
         self.model = model
 
@@ -96,10 +100,11 @@ class _Step(nn.Module):
         """``x [B, Dx]``, ``phases [B, n_phases]`` or none, ``style [B or 1, D]`` to ``[B, Dz]``."""
         # torch.export cannot trace a broadcast of two free sizes; ONNX's own Add does it when the
         # network runs
-        styles = torch.onnx.ops.symbolic("Add", (style, torch.zeros_like(x[:, :1])),
+        row = x if x.dim() == 2 else x[:, -1]
+        styles = torch.onnx.ops.symbolic("Add", (style, torch.zeros_like(row[:, :1])),
                                          dtype=style.dtype,
                                          shape=(x.shape[0], style.shape[1]), version=OPSET)
-        return self.model.predict(x, x[:, :0] if phases is None else phases, styles)
+        return self.model.predict(x, row[:, :0] if phases is None else phases, styles)
 
 
 @contextlib.contextmanager
@@ -115,7 +120,7 @@ def _quiet() -> Iterator[None]:
         logger.setLevel(level)
 
 
-def _metadata(model: Model, bank: StyleBank | None) -> dict:
+def _metadata(model: Predictor, bank: StyleBank | None) -> dict:
     layout, (phase, pose) = model.layout, initial_pose(model)
     columns = {"x": layout.inputs, "z": layout.outputs}
     for name, blocks in columns.items():

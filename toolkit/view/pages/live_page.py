@@ -31,6 +31,7 @@ VERTICES = 900  # of each body in a crowd
 PANEL = 8  # outputs whose weights are stored together, see ``scene/network.js``
 TURN = 2.0  # radians per second while a turn key is held
 RUN = 2.2  # speed of a run, relative to walking
+RECORDED, SECONDS = 9, 6.0  # walks of a model that does not run in a page, and their length
 EASE = 0.12  # share of the difference to the marker's blend that a frame removes
 
 
@@ -55,7 +56,8 @@ def web(model, bank, path: str | os.PathLike, *, title: str = "A character under
     Parameters
     ----------
     model, bank
-        An LPN-FiLM and its style bank, e.g. of `toolkit.pretrained`.
+        A model and its style bank, e.g. of `toolkit.pretrained`. Only LPN-FiLM runs in a page. Of
+        another model, the page plays recorded walks of the first nine styles, and says so.
     path, title
         The file to write, and the heading of the page.
     styles
@@ -74,8 +76,8 @@ def web(model, bank, path: str | os.PathLike, *, title: str = "A character under
     Raises
     ------
     ValueError
-        If it is another model, its numbers are not finite or too large for float16, a style is
-        unknown, or there is no character.
+        If its numbers are not finite or too large for float16, a style is unknown, or there is no
+        character.
     """
     if styles is not None and (not styles or isinstance(styles, str)):
         raise ValueError(f"styles must be a list of one name or more, got {styles!r}")
@@ -89,12 +91,26 @@ def web(model, bank, path: str | os.PathLike, *, title: str = "A character under
         else styles
     )
     bank = bank.select(dict.fromkeys(order))
+    if not runs(model):
+        names = bank.names[:RECORDED]
+        walks = [
+            runtime.rollout(model, runtime.straight(bank.speed(name), SECONDS), bank[name])
+            for name in names
+        ]
+        caption = f"Recorded walks: the model {model.name} cannot run in a page."
+        return page.html(walks, path, title=title, caption=caption, labels=names,
+                         character=character)
     data = pack(model, bank, half, figure_of(character), characters)
     size = sum(layer.weight.numel() for layer in model.experts.layers) / 1e6
     caption = (f"A neural network of {size:.1f} million weights makes every frame in this page: "
                "no server, no installation.")
     start = "globalThis.view = toolkitScene.character(stage, data);"
     return page.write(path, title, caption, data, start)
+
+
+def runs(model) -> bool:
+    """Whether a page can compute the model: ``scene/network.js`` is an LPN-FiLM."""
+    return model.name == "lpn-film"
 
 
 def pack(
@@ -104,9 +120,8 @@ def pack(
 
     A ValueError for another model than an LPN-FiLM.
     """
-    name = getattr(model, "name", type(model).__name__)
-    if name != "lpn-film":
-        raise ValueError(f"only lpn-film runs in a page, got {name}")
+    if not runs(model):
+        raise ValueError(f"only lpn-film runs in a page, got {model.name}")
 
     layout: Layout = model.layout
     state, walk = runtime.start(model, bank.vectors[0]), example(model, bank)

@@ -17,7 +17,7 @@ from torch import Tensor
 
 from toolkit import runtime
 from toolkit.motion import Clip
-from toolkit.networks import Model
+from toolkit.networks import Predictor
 from toolkit.networks.bank import StyleBank
 from toolkit.styles.space import embed
 from toolkit.view.charts import INK, style_space
@@ -31,7 +31,7 @@ SETTLE = 1.5  # seconds of walking before, in which the character goes from stan
 
 
 def explore(
-    model: Model, bank: StyleBank, *, points: Tensor | None = None,
+    model: Predictor, bank: StyleBank, *, points: Tensor | None = None,
     groups: Sequence[str] | None = None,
     make_clip: Callable[[dict[str, float]], Clip] | None = None, size: tuple[int, int] = (480, 420)
 ) -> "StyleExplorer | go.Figure":
@@ -98,7 +98,7 @@ class StyleExplorer(StyleBlender):
     """
 
     def __init__(
-        self, model: Model, bank: StyleBank, points: Tensor, figure: go.Figure | None = None, *,
+        self, model: Predictor, bank: StyleBank, points: Tensor, figure: go.Figure | None = None, *,
         make_clip: Callable[[dict[str, float]], Clip] | None = None,
         size: tuple[int, int] = (480, 420)
     ):

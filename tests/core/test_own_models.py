@@ -1,0 +1,79 @@
+"""Models of one's own (`toolkit.networks.Predictor`): the four of examples/models."""
+
+import runpy
+from pathlib import Path
+
+import pytest
+import torch
+
+import toolkit as tk
+from toolkit import registry
+from toolkit.networks import Predictor, Sizes
+from toolkit.training import Config
+
+EXAMPLES = Path(__file__).parents[2] / "examples" / "models"
+NAMES = {"flow-transformer": "local", "vq-codebook": "local", "low-rank": "local", "gru": "none"}
+TINY = Sizes(hidden=32, experts=4, gating=8, film_channels=8, film_kernel=5, film_dense=16,
+             dropout=0.0)
+
+
+@pytest.fixture(scope="module")
+def data():
+    return tk.features.build(tk.datasets.load(
+        "procedural", styles=["Neutral", "Zombie"], gaits=["FW"], seconds=10.0))
+
+
+@pytest.fixture(scope="module", params=NAMES)
+def run(request, data):
+    """A model of `NAMES` after 60 steps."""
+    runpy.run_path(str(EXAMPLES / f"{request.param.replace('-', '_')}.py"), run_name="own")
+    return tk.training.fit(data, Config.quick(model=request.param, steps=90, sizes=TINY))
+
+
+def test_it_learns_walks_and_blends(run, data):
+    model, bank = run
+    assert model.layout.phase == NAMES[model.name]
+    for row in run.table():
+        assert row["error"] < 0.8 * row["mean"]
+    half = bank.blend({"Neutral": 0.5, "Zombie": 0.5})
+    clip = tk.runtime.rollout(model, tk.runtime.straight(1.0, 1.0), half)
+    assert bool(clip.global_positions.isfinite().all())
+    together, alone = ([*tk.runtime.states(model, tk.runtime.straight(1.0, 0.1), style)][-1]
+                       for style in (bank.vectors, bank["Zombie"]))
+    torch.testing.assert_close(together.joints[1:], alone.joints, atol=1e-3, rtol=1e-3)
+
+
+def test_its_file_names_the_module_and_runs_no_code(run, tmp_path, monkeypatch):
+    path = tmp_path / "run.safetensors"
+    run.save(path, slim=True)
+    again = tk.training.load(path)
+    assert type(again.model) is type(run.model)
+    x, p, style = (torch.randn(3, n) for n in (
+        run.model.layout.n_inputs, run.model.layout.n_phases, run.model.style_size))
+    torch.testing.assert_close(again.model.predict(x, p, style), run.model.predict(x, p, style),
+                               atol=1e-2, rtol=1e-2)  # the experts are stored in 16 bits
+    clips = torch.randn(2, 240, run.model.layout.n_clip)
+    assert torch.equal(again.model.style_vector(clips, 1), run.model.style_vector(clips, 1))
+    monkeypatch.delitem(registry._found, f"model.{run.model.name}")
+    with pytest.raises(ValueError, match="import the module that registers it, 'own', before") as e:
+        Predictor.load(path)
+    assert "\n" not in str(e.value)
+
+
+def test_a_style_is_added_to_it(run, data):
+    (clip,) = tk.datasets.load("procedural", styles=["Penguin"], gaits=["FW"], seconds=8.0)
+    new = tk.styles.fine_tune(run.model, clip, bank=run.bank, steps=8)
+    assert new.method == "vector"
+    assert new.bank.names == ("Neutral", "Zombie", "Penguin")
+    assert new.losses[-1] < new.losses[0]
+
+
+def test_gradients_go_through_frames_that_are_fed_back(run):
+    style = run.bank["Zombie"].clone().requires_grad_()
+    state = tk.runtime.start(run.model, style)
+    for command in tk.runtime.straight(1.0, 0.1):
+        state = tk.runtime.step(run.model, state, command)
+    (gradient,) = torch.autograd.grad(state.joints.square().sum(), style)
+    assert bool(gradient.isfinite().all())
+    assert float(gradient.abs().max()) > 0
+    assert not tk.runtime.start(run.model, run.bank["Zombie"]).joints.requires_grad

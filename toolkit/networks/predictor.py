@@ -1,0 +1,310 @@
+"""What every model of the next frame has: units, style vectors, files; base of models of your own.
+
+`docs/adding_a_model.md` shows how a model of your own is written, registered and trained.
+"""
+
+import contextlib
+import dataclasses
+import functools
+import json
+import os
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import torch
+from torch import Tensor, nn
+
+from toolkit import registry
+from toolkit.features import CLIP_FRAMES, KINDS, Layout, Normaliser
+from toolkit.io import model_files
+from toolkit.motion.tensors import as_tensor
+from toolkit.networks import phase
+
+
+@dataclass(frozen=True)
+class Sizes:
+    """How large the networks are; the defaults are the paper's (section 4.3)."""
+
+    hidden: int = 512  # units of both hidden layers of the synthesis network
+    experts: int = 8  # K; the PFNN has four control points instead
+    gating: int = 32  # units of both hidden layers of the gating network
+    film_channels: int = 256  # filters of both convolutions of the FiLM generator
+    film_kernel: int = 25  # their width, frames
+    film_dense: int = 2048  # units of its first dense layer
+    rank: int = 30  # of the PFNN's residual adapters
+    dropout: float = 0.3  # share of inputs that training drops, everywhere
+
+    def __post_init__(self):
+        for name, value in dataclasses.asdict(self).items():
+            if name != "dropout" and (not isinstance(value, int) or value < 1):
+                raise ValueError(f"sizes: {name} must be a whole number from 1, got {value!r}")
+        if not 0 <= self.dropout < 1:
+            raise ValueError(f"sizes: dropout must be in [0, 1), got {self.dropout!r}")
+
+    @classmethod
+    def small(cls) -> "Sizes":
+        """About 3 million parameters, for half a minute of training on two cores; few styles."""
+        return cls(hidden=256, film_channels=32, film_kernel=9, film_dense=256, dropout=0.1)
+
+
+@contextlib.contextmanager
+def evaluating(network: nn.Module, gradients: bool = False) -> Iterator[None]:
+    """Inside, a network is in evaluation mode, without dropout; gradients only if they are asked
+    for.
+    """
+    changed = []
+    if network.training:
+        changed = [module for module in network.modules() if module.training]
+    for module in changed:
+        module.training = False
+    try:
+        with torch.set_grad_enabled(gradients):
+            yield
+    finally:
+        for module in changed:
+            module.training = True
+
+
+class Predictor(nn.Module):
+    """A model of the next frame: ẑ = f(x, p, style).
+
+    `Model` has the seven models of the paper. A subclass of your own has ``__init__(layout,
+    n_styles, sizes)``, which sets `style_size`, and the methods `forward` and `encode`. These two,
+    and ``loss``, use normalised values; `predict`, `observe` and `style_vector` use physical units.
+
+    A subclass may have a method ``loss(x, phases, z, style)``, which returns what training
+    minimises (a scalar). Without it that is the error of `forward`, with the bone-length loss of
+    equation 5.
+
+    Parameters
+    ----------
+    layout
+        Columns of x, p, z and y in the data; the attribute `layout` has the model's own phase.
+    n_styles
+        Styles to learn.
+    sizes
+        How large the networks are; a model may use some of them.
+    """
+
+    #: ``"local"``, ``"global"`` or ``"none"``, see `Layout`; None: that of the given layout
+    phase: str | None = None
+    #: K past input frames that the model sees beside the present one; x is then ``[B, K + 1, Dx]``
+    memory = 0
+    style_size: int  # D, the length of a style vector
+    name = ""  # under which it is registered
+    life = 0.0  # how much the style wanders in `toolkit.runtime.rollout`, see `runtime.life.alive`
+    lift = 1.0  # factor on the height of a toe in the air, in the pose that is fed back
+
+    def __init__(self, layout: Layout, n_styles: int, sizes: Sizes):
+        super().__init__()
+        own = layout.phase if self.phase is None else self.phase
+        self.layout = layout = dataclasses.replace(layout, phase=own)
+        self.n_styles, self.sizes = n_styles, sizes
+        widths = layout.n_inputs, layout.n_phases, layout.n_outputs, layout.n_clip
+        for kind, width in zip(KINDS, widths, strict=True):
+            self.register_buffer(f"{kind}_mean", torch.zeros(width))
+            self.register_buffer(f"{kind}_std", torch.ones(width))
+
+    def forward(self, x: Tensor, phases: Tensor, style: Tensor) -> Tensor:
+        """Output frames ``[B, Dz]``; all normalised.
+
+        ``x [B, Dx]``, or ``[B, K + 1, Dx]`` with a `memory` of K frames, the present one last;
+        ``phases [B, n_phases]``, ``style [B or 1, D]``.
+        """
+        raise NotImplementedError
+
+    def encode(self, clips: Tensor | None, style: int | Tensor | None = None) -> Tensor:
+        """Style vectors ``[M, D]`` of clips ``[M, 240, 12 J]``, or ``[1, D]`` of a style's number.
+
+        The clips are normalised. A model uses the one or the other.
+        """
+        raise NotImplementedError
+
+    @property
+    def generator(self) -> nn.Module | None:
+        """The part that makes style vectors, if `fine_tune` and slim files are to know it."""
+        return None
+
+    def style_parameters(self) -> list[nn.Parameter]:
+        """The parameters that have a learning rate of their own, `Config.style_rate`."""
+        return []
+
+    def observe(self, phases: Tensor, outputs: Tensor) -> tuple[Tensor, Tensor]:
+        """Phases ``[B, 8]`` and output frames ``[B, Dz]`` of data in this model's columns.
+
+        Local phases are unchanged. A model with a global phase gets an angle and its update (see
+        `toolkit.networks.phase.global_phase`). Without phases these columns are left out.
+        """
+        return phase.observe(self.layout, phases, outputs)
+
+    def predict(self, x: Tensor, phases: Tensor, style: Tensor) -> Tensor:
+        """The next frame, in physical units, on the model's device and in its dtype.
+
+        The model predicts in evaluation mode. Gradients are recorded if an argument requires them.
+        Arrays and lists are accepted.
+
+        Parameters
+        ----------
+        x : Tensor [B, Dx]
+            Input frames; or ``[B, K + 1, Dx]`` for a model with a `memory`. If it gets ``[B, Dx]``,
+            it remembers this frame only.
+        phases : Tensor [B, n_phases]
+            Phases in the model's form: 8 columns of local phases, one angle, or no column.
+        style : Tensor [B, D] or [D]
+            Style vectors, or one for all.
+
+        Returns
+        -------
+        Tensor [B, Dz]
+            Output frames.
+
+        Raises
+        ------
+        ValueError
+            If a number of columns is wrong.
+        """
+        x = self._columns(x, "x", self.layout.n_inputs)
+        phases = self._columns(phases, "phases", self.layout.n_phases)
+        style = torch.atleast_2d(self._columns(style, "style", self.style_size))
+        if self.memory and x.dim() == 2:
+            x = x[:, None].expand(-1, self.memory + 1, -1)
+        asked = torch.is_grad_enabled() and any(v.requires_grad for v in (x, phases, style))
+        with evaluating(self, asked):
+            x = self.normaliser("inputs").apply(x)
+            z = self(x, self.normaliser("phases").apply(phases), style)
+        return self.normaliser("outputs").invert(z)
+
+    def _columns(self, value, what: str, width: int) -> Tensor:
+        """A value as a tensor like the model's, with so many columns."""
+        value = as_tensor(value, what, self.outputs_mean)
+        if value.shape[-1] != width:
+            raise ValueError(f"{what} needs {width} columns, got shape {list(value.shape)}")
+        return value
+
+    def style_vector(self, clips: Tensor, style: int | None = None) -> Tensor:
+        """One style vector ``[D]``: the mean over clips ``[M, 240, 12 J]`` (section 4.4).
+
+        Models with a table of styles use ``style``, the style's number, and not the clips.
+        """
+        size = CLIP_FRAMES, self.layout.n_clip
+        if clips.dim() != 3 or not len(clips) or clips.shape[1:] != size:
+            raise ValueError(f"style clips are [M, {size[0]}, {size[1]}], got {list(clips.shape)}")
+        vectors, normaliser = [], self.normaliser("clips")
+        with evaluating(self):
+            for part in clips.split(32):
+                vectors.append(self.encode(normaliser.apply(part), style))
+        return torch.cat(vectors).mean(0).detach()
+
+    def normaliser(self, kind: str) -> Normaliser:
+        """The normaliser of ``inputs``, ``phases``, ``outputs`` or ``clips``."""
+        return Normaliser(getattr(self, f"{kind}_mean"), getattr(self, f"{kind}_std"))
+
+    def normalise(self, normalisers: dict[str, Normaliser]) -> None:
+        """Set normalisers; a ValueError if one is unknown, or has not as many columns."""
+        if not set(normalisers) <= set(KINDS):
+            raise ValueError(f"normalisers are for {', '.join(KINDS)}; got "
+                             f"{', '.join(normalisers)}")
+        for kind, given in normalisers.items():
+            own = self.normaliser(kind)
+            for mine, other in ((own.mean, given.mean), (own.std, given.std)):
+                if other.shape != mine.shape:
+                    raise ValueError(f"the normaliser of {kind} needs {len(mine)} columns, got "
+                                     f"{list(other.shape)}")
+                mine.copy_(other)
+
+    def parts(self, *, generator: bool = True) -> tuple[dict[str, Tensor], dict]:
+        """Its tensors and description, as `toolkit.io.model_files` stores them.
+
+        ``generator=False`` leaves out what makes style vectors, if it is one of the seven models.
+        """
+        tensors = {f"model.{name}": value for name, value in self.state_dict().items()}
+        layout, sizes = json.loads(self.layout.to_json()), dataclasses.asdict(self.sizes)
+        part = _registered(self.name)
+        return tensors, {"name": self.name, "layout": layout, "n_styles": self.n_styles,
+                         "sizes": sizes, "module": getattr(part, "func", part).__module__}
+
+    def save(self, path: str | os.PathLike, *, generator: bool = True) -> None:
+        """Write a safetensors file, see `parts`."""
+        tensors, description = self.parts(generator=generator)
+        model_files.write(path, tensors, {"model": description})
+
+    @classmethod
+    def load(cls, path: str | os.PathLike, layout: Layout | None = None) -> "Predictor":
+        """Read a model, of `save` or of a training run, ready to predict.
+
+        No code of the file is run. A model of your own must have been registered before: the file
+        has the name of the module that does it.
+
+        Parameters
+        ----------
+        path
+            The file.
+        layout
+            The expected layout of its training data.
+
+        Raises
+        ------
+        ValueError
+            If the file does not hold a model, no model of its name is registered, or the model has
+            another layout.
+        """
+        return cls.from_parts(path, *model_files.read(path, "model"), layout)
+
+    @classmethod
+    def from_parts(cls, path: str | os.PathLike, tensors: dict[str, Tensor], parts: dict,
+                   layout: Layout | None) -> "Predictor":
+        """The model among what `toolkit.io.model_files.read` returned for ``path``."""
+        with model_files.intact(path, "the model's description"):
+            d = parts["model"]
+            name, sizes = str(d["name"]), Sizes(**d["sizes"])
+            stored = Layout.from_json(json.dumps(d["layout"]))
+            calibrated, whole = bool(d.get("calibrated", False)), bool(d.get("generator", True))
+            if calibrated and not name.endswith("film"):
+                raise ValueError(f"only models with FiLM can be calibrated, got {name}")
+            if not isinstance(d["n_styles"], int):
+                raise ValueError(f"n_styles must be a whole number, got {d['n_styles']!r}")
+        if name not in registry.names("model"):
+            module = str(d.get("module", "unknown"))
+            raise ValueError(f"{path}: it holds a model {name!r}, which is not registered; import "
+                             f"the module that registers it, {module!r}, before you load the file")
+        if layout is not None and stored != dataclasses.replace(layout, phase=stored.phase):
+            described = ({"joints": own.names, "parents": own.parents,
+                          "points": own.skeleton.names, "samples": own.samples}
+                         for own in (layout, stored))
+            raise ValueError(f"{path}: the layout differs in {model_files.difference(*described)}")
+        with model_files.intact(path, "the model"):
+            build = functools.partial(made, name, stored, d["n_styles"], sizes, whole)
+            model = model_files.restore(build, tensors, "model.")
+        if calibrated:
+            model.calibrated = True
+        return model
+
+
+def register(name: str) -> Callable[[Any], Any]:
+    """A decorator that gives a model of your own a name, for `build`, `Config.model` and files.
+
+    It decorates a subclass of `Predictor`, or a function of ``(layout, n_styles, sizes)`` that
+    returns a model.
+    """
+    def registered(part: Any) -> Any:
+        registry.register(f"model.{name}", part)
+        return part
+
+    return registered
+
+
+def made(name: str, layout: Layout, n_styles: int, sizes: Sizes,
+         generator: bool = True) -> Predictor:
+    """A new model of a registered name, with random weights.
+
+    Without ``generator``, one of the seven models cannot make style vectors.
+    """
+    options = {} if generator else {"generator": False}
+    model = _registered(name)(layout, n_styles, sizes, **options)
+    model.name = name
+    return model
+
+
+def _registered(name: str) -> Any:
+    return registry.find(f"model.{name}")
