@@ -6,7 +6,6 @@ import hashlib
 import http.server
 import io
 import json
-import os
 import random
 import re
 import shutil
@@ -90,7 +89,7 @@ class Handler(http.server.BaseHTTPRequestHandler):
 
 def zipped(members: dict[str, bytes]) -> bytes:
     file = io.BytesIO()
-    with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as out:
+    with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED, compresslevel=1) as out:
         for name, data in members.items():
             out.writestr(name, data)
     return file.getvalue()
@@ -276,11 +275,13 @@ def test_single_styles_over_a_bad_connection(root, server, plan):
     assert not server.plan
 
 
-def test_single_styles_go_on_with_what_came_before_a_stop(root, server, monkeypatch):
+@pytest.mark.parametrize("styles", [None, ALL])
+def test_unpacking_goes_on_with_what_came_before_a_stop(root, server, monkeypatch, styles):
     copy, done = shutil.copyfileobj, []
 
     def stop(packed, plain, size):
         if len(done) == 3:
+            plain.write(packed.read(100))
             raise KeyboardInterrupt
         copy(packed, plain, size)
         done.append(packed.name)
@@ -288,12 +289,15 @@ def test_single_styles_go_on_with_what_came_before_a_stop(root, server, monkeypa
     with monkeypatch.context() as stopped:
         stopped.setattr(shutil, "copyfileobj", stop)
         with pytest.raises(KeyboardInterrupt):
-            get(styles=ALL)
+            get(styles=styles)
+    assert left(root) == [".100style.fetch"]
     first, done[:] = set(done), []
     monkeypatch.setattr(shutil, "copyfileobj", lambda *a: (copy(*a), done.append(a[0].name)))
-    assert get(styles=ALL)["files"] == 5
-    assert len(first) == 3
+    assert get(styles=styles)["files"] == 5
     assert not first & set(done)
+    assert len(first | set(done)) == 5
+    assert styles or len(server.requests) == 1  # the archive was whole
+    assert left(root) == ["100style"]
 
 
 @pytest.mark.parametrize(("plan", "changes", "problem"), [
@@ -324,15 +328,6 @@ def test_a_damaged_member_or_an_unknown_style_is_refused(root, server, tmp_path,
     own.write_bytes(zipped(members))
     known = get(styles=[ALL[0]], source=own, sha256=sha256(own.read_bytes()))
     assert known["styles"] == [ALL[0]]
-
-
-def test_a_file_that_is_too_long_is_refused(root, server):
-    server.content += bytes(100)
-    for deed in ("whole", "unannounced"):
-        server.plan.append(deed)
-        with pytest.raises(ValueError, match=f"more came than the {len(server.content) - 100:,} b"):
-            get()
-        assert left(root) == []
 
 
 def test_a_wrong_checksum_is_refused_and_the_file_removed(root, server, capsys):
@@ -370,39 +365,6 @@ def test_without_a_checksum_every_address_is_encrypted(root, server, monkeypatch
     assert get()["files"] == 5
 
 
-def test_contents_have_a_checksum_where_the_archive_has_none(
-        root, server, monkeypatch, members, tmp_path):
-    for origin in fetch.ORIGINS.values():  # a commit, not a branch
-        assert origin.sha256 or (origin.contents and re.search(r"/[0-9a-f]{40}$", origin.url))
-    (tmp_path / "a").mkdir()
-    (tmp_path / "a" / "c").write_bytes(b"hello\n")
-    identifier = b"ce013625030ba8dba906f756967f9e9ca394464a c\n"  # as of git
-    assert fetch.contents(tmp_path / "a") == sha256(identifier)
-    get()
-    (root / fetch.RECORD).unlink()
-    right = fetch.contents(root)
-    shutil.rmtree(root)
-    publish(monkeypatch, server, size=None, sha256=None, contents=right)
-    assert get()["files"] == 5
-    shutil.rmtree(root)
-    server.content = zipped(members | {"100STYLE/more.txt": b"planted"})
-    said = rf"expected files of the checksum {right}, got .*; --sha256 accepts another"
-    with pytest.raises(ValueError, match=said):
-        get()
-    assert left(root) == []
-    assert get(sha256=sha256(server.content))["files"] == 6
-
-
-@pytest.mark.skipif(os.name == "nt", reason="needs links")
-def test_a_planted_link_is_not_followed(root, server, tmp_path):
-    (tmp_path / "precious").mkdir()
-    root.parent.mkdir()
-    root.with_name(".100style.fetch").symlink_to(tmp_path / "precious")
-    with pytest.raises(ValueError, match=r"\.100style\.fetch: is a link, or another user's"):
-        get()
-    assert not server.requests
-
-
 def test_a_damaged_record_is_said_in_one_line(root, capsys):
     get()
     record = (root / fetch.RECORD).read_text()
@@ -415,28 +377,21 @@ def test_a_damaged_record_is_said_in_one_line(root, capsys):
         assert said.count("\n") == 1
 
 
-HARM = {
-    "100STYLE/../../evil.bvh": "leads out of the folder",
-    "/tmp/evil.bvh": "leads out of the folder",
-    "..\\evil.bvh": "leads out of the folder",
-    "C:evil.bvh": "leads out of the folder",
-    "../left/out": "leads out of the folder",
-    "100STYLE/FRAME_cuts.csv": "twice",
-}
+HARM = ("100STYLE/../../evil.bvh", "/tmp/evil.bvh", "..\\evil.bvh", "C:evil.bvh", "../left/out")
 
 
 def test_an_archive_that_means_harm_is_refused(root, tmp_path, members):
     bad = tmp_path / "bad.zip"
-    for member, problem in HARM.items():
+    for member in HARM:
         bad.write_bytes(before := zipped(members | {member: b"/etc/passwd"}))
-        with pytest.raises(ValueError, match=rf"{problem}.*refused .nothing was changed"):
+        with pytest.raises(ValueError, match=r"leads out of the folder.*refused .nothing was"):
             get(source=bad, sha256=sha256(before))
         assert bad.read_bytes() == before
         assert left(root) == []
     assert not list(tmp_path.rglob("*evil*"))
 
 
-def test_a_bomb_and_damaged_archives_are_refused(root, tmp_path, members):
+def test_damaged_archives_are_refused(root, tmp_path, members):
     bad = tmp_path / "bad.zip"
 
     def refused(data: bytes, problem: str):
@@ -445,8 +400,6 @@ def test_a_bomb_and_damaged_archives_are_refused(root, tmp_path, members):
             get(source=bad, sha256=sha256(data))
         assert not root.exists()
 
-    bomb = zipped(members | {"100STYLE/bomb.txt": bytes(5_000_000)})
-    refused(bomb, "would unpack to .* more than the 4,000,000")
     whole = zipped(members)
     refused(whole[: len(whole) // 2], "not a whole zip archive")
     refused(b"<!DOCTYPE html><title>Log in</title>", r"not a whole zip archive .*<!DOCTYPE html>")
@@ -497,21 +450,6 @@ def test_no_room(root, server, monkeypatch):
     assert not root.exists()
     assert get()["files"] == 5
     assert len(server.requests) == 1  # what came before the disk was full is used
-
-
-def test_stopped_while_unpacking_nothing_is_taken_for_whole(root, server, monkeypatch):
-    def stop(packed, plain, _):
-        plain.write(packed.read(100))
-        raise KeyboardInterrupt
-
-    with monkeypatch.context() as stopped:
-        stopped.setattr(shutil, "copyfileobj", stop)
-        with pytest.raises(KeyboardInterrupt):
-            get()
-    assert left(root) == [".100style.fetch"]
-    assert get()["files"] == 5
-    assert len(server.requests) == 1  # the archive was whole
-    assert left(root) == ["100style"]
 
 
 def test_another_folder_is_never_overwritten(root):
@@ -587,9 +525,7 @@ def test_the_layouts_of_the_other_archives(shared, tmp_path, monkeypatch):
              f"{part}/LICENSE": b"CC BY-NC", f"{part}/data.zip": pointer,
              f"{top}/utils/blender/LICENSE": b"MIT"}
     archive.write_bytes(zipped(moves))
-    with pytest.raises(ValueError, match="expected files of the checksum"):
-        fetch.fetch("bandai", source=archive)
-    fetch.fetch("bandai", source=archive, sha256=sha256(archive.read_bytes()))
+    fetch.fetch("bandai", source=archive)
     (clip,) = tk.datasets.load("bandai")
     assert clip.gait == "walk"
     there = sorted(p.name for p in home.folder("bandai").rglob("*") if p.is_file())

@@ -63,9 +63,8 @@ class RemoteFile(io.RawIOBase):
         self._tag: str | None = None  # the server's name of this version of the file
         self._position = self._failures = 0
         self._body: urllib3.BaseHTTPResponse | None = None
-        self.seek(0)
-        while self._body is None:
-            self._try(self._connect)
+        while self._receive(0) is None:
+            pass
 
     def readable(self) -> bool:
         """Return True."""
@@ -96,16 +95,18 @@ class RemoteFile(io.RawIOBase):
         """Read the next bytes; 0 at the end of the file."""
         view, piece = memoryview(buffer), None
         while piece is None:
-            piece = self._try(self._receive, len(view))
+            piece = self._receive(len(view))
         view[: len(piece)] = piece
         self._position += len(piece)
         self._failures = 0
         return len(piece)
 
-    def _try(self, deed: Callable, *arguments: object) -> bytes | None:
-        """What a deed returns, or None after a wait where it failed but may work later."""
+    def _receive(self, most: int) -> bytes | None:
+        """Up to ``most`` bytes, or None after a wait where that failed but may work later."""
         try:
-            return deed(*arguments)
+            if self._body is None:
+                self._connect()
+            return self._body.read(most)
         except CUT as error:
             problem = f"no connection, or it was cut ({type(error).__name__})"
         except requests.HTTPError as error:
@@ -122,11 +123,6 @@ class RemoteFile(io.RawIOBase):
                           "command tries again")
         time.sleep(min(WAIT * 2 ** (self._failures - 1), STALL))
         return None
-
-    def _receive(self, most: int) -> bytes:
-        if self._body is None:
-            self._connect()
-        return self._body.read(most)
 
     def _connect(self) -> None:
         """Ask for the file from the position on."""
@@ -169,11 +165,10 @@ class RemoteFile(io.RawIOBase):
         self._body = None
 
 
-def download(url: str, target: Path, known: bool, limit: int, progress: bool = False) -> None:
-    """Download a file of at most ``limit`` bytes, and go on where an earlier call was cut.
+def download(url: str, target: Path, known: bool, progress: bool = False) -> None:
+    """Download a file, and go on where an earlier call was cut; errors as of `RemoteFile`.
 
-    What came before is kept as ``TARGET.part``. The errors are those of `RemoteFile`, and
-    ValueError if the file has more bytes.
+    What came before is kept as ``TARGET.part``.
     """
     part = target.with_name(f"{target.name}.part")
     with RemoteFile(url, known) as remote, part.open("ab") as file:
@@ -183,8 +178,6 @@ def download(url: str, target: Path, known: bool, limit: int, progress: bool = F
             while piece := remote.read(CHUNK):
                 file.write(piece)
                 bar.update(len(piece))
-                if file.tell() > limit:
-                    raise ValueError(f"{url}: more came than the {limit:,} bytes that it may have")
     part.replace(target)
 
 
@@ -205,51 +198,35 @@ def members(opened: zipfile.ZipFile, place: Callable[[str], str | None]
     """Members of an archive by the path to unpack them to, in the archive's order.
 
     ``place`` gives that path from the name in the archive, or None to leave it out. ValueError if a
-    name leads out of the folder, or two have the same path.
+    name leads out of the folder.
     """
     found: dict[str, zipfile.ZipInfo] = {}
-    names = set()
     for info in sorted(opened.infolist(), key=lambda info: info.header_offset):
         path = PurePosixPath(info.filename)
         if path.is_absolute() or ".." in path.parts or any(c in info.filename for c in "\\:"):
             raise ValueError(f"the archive's member {info.filename!r} leads out of the folder")
-        if info.is_dir() or (target := place(info.filename)) is None:
-            continue
-        if target.casefold() in names:
-            raise ValueError(f"the archive holds {target!r} twice")
-        names.add(target.casefold())
-        found[target] = info
+        if not info.is_dir() and (target := place(info.filename)) is not None:
+            found[target] = info
     return found
 
 
-def unpack(opened: zipfile.ZipFile, chosen: dict[str, zipfile.ZipInfo], folder: Path, limit: int,
+def unpack(opened: zipfile.ZipFile, chosen: dict[str, zipfile.ZipInfo], folder: Path,
            progress: bool = False) -> None:
     """Unpack `members` of an archive into a folder, which then holds nothing else.
 
     A file that is there from an earlier call, and has the size and checksum that the archive
-    states, is kept.
-
-    Raises
-    ------
-    ValueError
-        If the members have more than ``limit`` bytes.
-    OSError
-        If the disk has no room, which is asked first.
+    states, is kept. OSError if the disk has no room, which is asked first.
     """
-    # zipfile never unpacks more bytes of a member than its header says, and checks the CRC-32
-    size = sum(info.file_size for info in chosen.values())
-    if size > limit:
-        raise ValueError(f"the archive would unpack to {size:,} bytes, more than the {limit:,} "
-                         "that it may have")
     folder.mkdir(parents=True, exist_ok=True)
     for path in folder.rglob("*"):
         if path.is_file() and path.relative_to(folder).as_posix() not in chosen:
             path.unlink()
     missing = {folder / path: info for path, info in chosen.items()
                if not _holds(folder / path, info)}
-    room(folder, sum(info.file_size for info in missing.values()), "unpack the archive")
-    with progress_bar(total=size, unit="B", unit_scale=True, desc="unpack", show=progress,
-                      initial=size - sum(info.file_size for info in missing.values())) as bar:
+    # zipfile never unpacks more bytes of a member than its header says, and checks the CRC-32
+    size = sum(info.file_size for info in missing.values())
+    room(folder, size, "unpack the archive")
+    with progress_bar(total=size, unit="B", unit_scale=True, desc="unpack", show=progress) as bar:
         for path, info in missing.items():
             path.parent.mkdir(parents=True, exist_ok=True)
             with opened.open(info) as packed, path.open("wb") as plain:

@@ -24,9 +24,8 @@ from toolkit.datasets import bandai, home, published_files as parameters, style1
 from toolkit.datasets.download import RemoteFile, archive, download, members, room, unpack
 from toolkit.datasets.takes import Names, check_names
 from toolkit.io import bvh
-from toolkit.io.files import below, parsed, read, write_whole
+from toolkit.io.files import parsed, read, write_whole
 
-LARGEST = 4_000_000_000  # bytes of an archive of unknown size: GitHub's hold whole projects
 RECORD = "toolkit-data.json"  # in a fetched folder: what it is, whence and when, checksum, terms
 ZENODO = "https://zenodo.org/records/8127870"
 GITHUB = "https://codeload.github.com"
@@ -40,11 +39,10 @@ class Origin:
     terms: str  # conditions of use
     url: str  # of the zip archive
     keep: re.Pattern  # matches the members that are unpacked; its group ``path`` is where to
-    unpacked: int  # about how many bytes they have; four times as many are refused
+    unpacked: int  # about how many bytes they have
     check: Callable[[Path], str]  # reads the folder as the package will, and says what it holds
     size: int | None = None  # of the archive, bytes
     sha256: str | None = None  # of the archive
-    contents: str | None = None  # `contents` of the folder, where each archive is packed anew
 
     def place(self, member: str) -> str | None:
         """Where a member of the archive goes in the dataset's folder; None: it is left out."""
@@ -87,7 +85,6 @@ ORIGINS = {
                         r"(?P<path>[^/]+\.bin)"),
         unpacked=21_000_000,
         check=parameters.check,
-        contents="0025d51a628eabedf58b44c5715dcb94b229ce923904050073bcd64eeea09006",
     ),
     "bandai": Origin(
         title="Bandai-Namco Research motion datasets 1 and 2: 22 styles of everyday motion "
@@ -99,7 +96,6 @@ ORIGINS = {
                         r"(?P<path>(?!__MACOSX/|[^/]+/utils/).+(?:\.bvh|/LICENSE))"),
         unpacked=560_000_000,
         check=_check_bandai,
-        contents="17d75e8b96a5e8693e179414af8240d4b9eac8ed6b660e170e65e93d6dc8cdc7",
     ),
 }
 
@@ -109,20 +105,6 @@ def find(name: str) -> Origin:
     if name not in ORIGINS:
         raise ValueError(f"{name!r} cannot be fetched; known: {', '.join(ORIGINS)}")
     return ORIGINS[name]
-
-
-def contents(folder: Path) -> str:
-    """SHA-256 of the lines ``ID PATH`` of a folder's files, sorted by path.
-
-    The ID is the one that git gives to the content: ``git ls-tree -r`` lists those of a commit.
-    """
-    lines = []
-    for path in sorted(folder.rglob("*"), key=lambda path: path.relative_to(folder).as_posix()):
-        if path.is_file():
-            digest = hashlib.sha1(b"blob %d\0" % path.stat().st_size, usedforsecurity=False)
-            digest.update(path.read_bytes())
-            lines.append(f"{digest.hexdigest()} {path.relative_to(folder).as_posix()}\n")
-    return hashlib.sha256("".join(lines).encode()).hexdigest()
 
 
 def record(folder: Path) -> dict | None:
@@ -169,7 +151,7 @@ def fetch(name: str, root: str | os.PathLike | None = None,
     source
         A file, or the address of another copy, in place of the public home.
     sha256
-        What the archive must have, in place of the published checksum of archive or contents.
+        What the archive must have, in place of the published checksum.
     styles
         Of 100STYLE: only these are fetched, and added to those that are there. The server must send
         parts of files. Then nothing checks the whole archive: the address is secure, and the
@@ -224,8 +206,6 @@ def _into(work: Path, origin: Origin, source: str, sha256: str | None, styles: N
     if not remote and not Path(source).is_file():
         raise ValueError(f"{source}: no such file; an address starts with https:// or http://")
     work.mkdir(mode=0o700, exist_ok=True)
-    if work.is_symlink() or (hasattr(os, "geteuid") and work.stat().st_uid != os.geteuid()):
-        raise ValueError(f"{work}: is a link, or another user's; remove it")
     unpacked = work / "unpacked"
     try:
         # the archive, and its checksum
@@ -252,11 +232,8 @@ def _into(work: Path, origin: Origin, source: str, sha256: str | None, styles: N
                 wanted = check_names(styles, set(of.values()), "style", name)
                 inside = {path: info for path, info in inside.items()
                           if path not in of or of[path] in wanted}
-            unpack(opened, inside, unpacked, 4 * origin.unpacked, progress)
+            unpack(opened, inside, unpacked, progress)
         origin.check(unpacked)
-        if origin.contents and not sha256 and (found := contents(unpacked)) != origin.contents:
-            raise ValueError(f"{source}: expected files of the checksum {origin.contents}, got "
-                             f"{found}; --sha256 accepts another archive")
     except ValueError as error:
         shutil.rmtree(work if remote and not styles else unpacked, ignore_errors=True)
         with contextlib.suppress(OSError):  # not empty: it holds what came of a download
@@ -275,8 +252,7 @@ def _whole(work: Path, origin: Origin, source: str, expected: str, progress: boo
     if not path.exists():
         room(work, max((origin.size or 0) - _extent(work)[1], 0) + origin.unpacked,
              "fetch and unpack the archive")
-        limit = origin.size if origin.size and expected == origin.sha256 else LARGEST
-        download(source, path, bool(expected), limit, progress)
+        download(source, path, bool(expected), progress)
     return path
 
 
@@ -299,12 +275,7 @@ def _place(unpacked: Path, folder: Path, added: bool, origin: Origin, about: dic
             folder.rmdir()
         unpacked.replace(folder)
         return known
-    for path in below(unpacked):
-        target = folder / path.relative_to(unpacked)
-        if path.is_dir():
-            target.mkdir(exist_ok=True)
-        else:
-            path.replace(target)
+    shutil.copytree(unpacked, folder, dirs_exist_ok=True, copy_function=os.replace)
     return _described(folder, origin, about)
 
 
