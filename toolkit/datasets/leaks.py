@@ -6,7 +6,6 @@ import re
 from collections import defaultdict
 from collections.abc import Iterator, Mapping
 from itertools import islice
-from pathlib import Path
 from typing import Any, NamedTuple
 
 from toolkit.datasets.blocks import GAP, PARTS, Split
@@ -14,7 +13,6 @@ from toolkit.io import files
 from toolkit.motion.text import printable
 
 MOST = 1000  # leaks that are listed
-FIELDS = "style", "gait", "start", "stop", "mirror"
 
 
 class _Entry(NamedTuple):
@@ -41,10 +39,9 @@ def find(split: Split | Mapping[str, Any] | str | os.PathLike) -> list[str]:
         ``validation`` and ``test`` (one may be missing); and, if wanted, ``gap``, frames between
         blocks of different parts of one take (by default `GAP`); ``whole_takes``, true if no take
         may be in two parts; ``unseen``, styles of the test alone.
-        A block is ``[style, gait, start, stop]``, with ``true`` at the end for a mirror image, or
-        an object with these names and ``"mirror": true``. A style or gait that ends in ``_M`` or
-        ``_mirror`` is a mirror image, too. A name alone is a whole take; ``M012345`` is the mirror
-        image of ``012345``, as in HumanML3D.
+        A block is ``[style, gait, start, stop]``, with ``true`` at the end for a mirror image. A
+        style or gait that ends in ``_M`` or ``_mirror`` is a mirror image, too. A name alone is a
+        whole take; ``M012345`` is the mirror image of ``012345``, as in HumanML3D.
 
     Returns
     -------
@@ -57,41 +54,55 @@ def find(split: Split | Mapping[str, Any] | str | os.PathLike) -> list[str]:
     ValueError
         If the file or a block is not in this form.
     """
-    what = "split"
-    if isinstance(split, Split):
-        what, split = split.dataset, split.to_json()
-    elif not isinstance(split, Mapping):
-        what = os.fspath(split)
-        try:
-            split = files.parsed(files.read(Path(what)))
-        except ValueError as error:
-            raise ValueError(f"{what}: no JSON file ({error})") from None
+    if isinstance(split, Split | Mapping):
+        with files.named("split"):
+            return _found(split.to_json() if isinstance(split, Split) else split)
+    with files.named(os.fspath(split)):
+        return _found(files.parsed(files.read(split)))
+
+
+def _found(split: Any) -> list[str]:
+    """What `find` returns, of JSON values."""
     if not isinstance(split, Mapping) or sum(part in split for part in PARTS) < 2:
-        raise ValueError(f"{what}: expected an object with lists of blocks, at least two of "
+        raise ValueError("expected an object with lists of blocks, at least two of "
                          f"{', '.join(PARTS)}")
     gap, whole = split.get("gap", GAP), split.get("whole_takes", False)
     unseen = split.get("unseen", [])
-    names = isinstance(unseen, list | tuple) and all(isinstance(style, str) for style in unseen)
-    if not (names and isinstance(gap, int) and gap >= 0 and isinstance(whole, bool)):
-        raise ValueError(f"{what}: expected gap, a number of frames; whole_takes, true or false; "
-                         f"unseen, a list of styles; got {gap!r:.60}, {whole!r:.60}, "
-                         f"{unseen!r:.60}")
+    lists = isinstance(unseen, list) and all(isinstance(style, str) for style in unseen)
+    if not (lists and isinstance(gap, int) and gap >= 0 and isinstance(whole, bool)):
+        raise ValueError("expected gap, a number of frames; whole_takes, true or false; unseen, a "
+                         f"list of styles; got {gap!r:.60}, {whole!r:.60}, {unseen!r:.60}")
     takes: dict[tuple[str, str], list[_Entry]] = defaultdict(list)
     for part in PARTS:
-        if not isinstance(blocks := split.get(part, []), list | tuple):
-            raise ValueError(f"{what}: expected a list of blocks as {part}, got {blocks!r:.60}")
+        if not isinstance(blocks := split.get(part, []), list):
+            raise ValueError(f"expected a list of blocks as {part}, got {blocks!r:.60}")
         for number, block in enumerate(blocks):
-            entry = _entry(part, block, f"{what}: block {number} of {part}")
+            if not (entry := _entry(part, block)):
+                raise ValueError(f"block {number} of {part}: expected [style, gait, start, stop], "
+                                 "0 <= start < stop, and true for a mirror image, or the name of a "
+                                 f"take; got {block!r:.100}")
             takes[entry.take].append(entry)
-
-    def leaks() -> Iterator[str]:
-        for entries in takes.values():
-            yield from _leaks(entries, gap, whole, frozenset(unseen))
-
-    found = list(islice(leaks(), MOST + 1))
+    leaks = (leak for entries in takes.values()
+             for leak in _leaks(entries, gap, whole, frozenset(unseen)))
+    found = list(islice(leaks, MOST + 1))
     if len(found) > MOST:
         found[MOST] = f"and more: only {MOST} leaks are listed"
     return found
+
+
+def _entry(part: str, block: Any) -> _Entry | None:
+    """A block of a list, None if it is none."""
+    whole = isinstance(block, str)
+    match ["", block, 0, math.inf] if whole else block:
+        case [str(style), str(gait), int(start), int(stop) | float(stop), *mirror]:
+            framed = whole or isinstance(stop, int) and 0 <= start < stop < 2**53
+            if not framed or mirror not in ([], [True], [False]):
+                return None
+        case _:
+            return None
+    mirrored = r"_(M|[Mm]irror(ed)?)$|^M(?=\d+$)"
+    original = re.sub(mirrored, "", style), re.sub(mirrored, "", gait)
+    return _Entry(part, original, start, stop, mirror == [True] or original != (style, gait))
 
 
 def _leaks(entries: list[_Entry], gap: int, whole: bool, unseen: frozenset[str]) -> Iterator[str]:
@@ -115,27 +126,3 @@ def _leaks(entries: list[_Entry], gap: int, whole: bool, unseen: frozenset[str])
                 why = f"; {between:g} frames between them, expected {gap}" if kind == "gap" else ""
                 yield f"{kind}: {name}, {a} and {b}{why}"
         before.setdefault(b.part, []).append(b)
-
-
-def _entry(part: str, block: Any, place: str) -> _Entry:
-    """A block of a list; ValueError, which names the place, if it is none."""
-    if isinstance(block, str):
-        block = {"gait": block}
-    elif isinstance(block, list | tuple) and len(block) in (4, 5):
-        block = dict(zip(FIELDS, block, strict=False))
-    if not isinstance(block, Mapping) or not block.keys() <= set(FIELDS) or "gait" not in block:
-        raise ValueError(f"{place}: expected [style, gait, start, stop], an object with these "
-                         f"names, or the name of a take; got {block!r:.100}")
-    whole = {"style": "", "start": 0, "stop": math.inf, "mirror": False}
-    style, gait, start, stop, mirror = ((whole | dict(block))[name] for name in FIELDS)
-    named = isinstance(style, str) and isinstance(gait, str)
-    if not (named and isinstance(mirror, bool)):
-        raise ValueError(f"{place}: style and gait are names, mirror is true or false; "
-                         f"got {style!r:.60}, {gait!r:.60}, {mirror!r:.60}")
-    counted = type(start) is int and (type(stop) is int or stop == math.inf)
-    if not counted or not 0 <= start < stop or 2**53 <= stop < math.inf:
-        raise ValueError(f"{place}: expected frame numbers 0 <= start < stop, got {start!r:.60} "
-                         f"and {stop!r:.60}")
-    mirrored = r"_(M|[Mm]irror(ed)?)$|^M(?=\d+$)"
-    original = re.sub(mirrored, "", style), re.sub(mirrored, "", gait)
-    return _Entry(part, original, start, stop, mirror or original != (style, gait))
