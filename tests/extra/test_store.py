@@ -66,16 +66,6 @@ def test_it_gives_the_features_of_build_bit_for_bit(made, in_memory):
     assert takes == {STYLES[0]: 3, STYLES[1]: 2}
 
 
-def test_contacts_follow_the_height_that_is_given(root, tmp_path):
-    style = [STYLES[0]]  # no toe is below the floor
-    assert preprocess(root, tmp_path / "store", styles=style, mirror=None, contact_height=-0.5)
-    clips = tk.datasets.load("100style", root, style)
-    given, usual = (tk.features.build(clips, contact_height=height).outputs[style[0]]
-                    for height in (-0.5, None))
-    assert torch.equal(tk.features.store.load(tmp_path / "store").outputs[style[0]][:], given)
-    assert not torch.equal(given, usual)
-
-
 def test_a_store_of_a_list_has_its_parts_also_if_only_some_styles_are_read(tmp_path):
     root, out = tmp_path / "data", tmp_path / "store"
     procedural.write(root, ["Neutral", "Zombie"], ["FW"], seconds=25.0)
@@ -191,8 +181,8 @@ def test_what_is_damaged_missing_or_older_than_its_files_is_made_again(root, mad
 def test_other_settings_are_refused(root, made):
     for options, difference in (({"mirror": None}, "mirror: expected True, got False"),
                                 ({"seed": 1}, "seed"), ({"styles": [STYLES[0]]}, "styles"),
-                                ({"source": "contact"}, "source: expected 'hybrid', got 'contact'"),
-                                ({"contact_height": 0.02}, "contact_height")):
+                                ({"source": "contact"}, "source: expected 'hybrid', got 'contact'")
+                                ):
         with pytest.raises(ValueError, match=rf"made with other settings \(.*{difference}"):
             preprocess(root, made, **options)
 

@@ -95,7 +95,7 @@ def _entry(part: str, block: Any) -> _Entry | None:
     whole = isinstance(block, str)
     match ["", block, 0, math.inf] if whole else block:
         case [str(style), str(gait), int(start), int(stop) | float(stop), *mirror]:
-            framed = whole or isinstance(stop, int) and 0 <= start < stop < 2**53
+            framed = whole or (isinstance(stop, int) and 0 <= start < stop < 2**53)
             if not framed or mirror not in ([], [True], [False]):
                 return None
         case _:

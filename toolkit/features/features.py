@@ -53,7 +53,7 @@ class OwnFeatures:
 
     def inputs(self, at: Tensor) -> Tensor:
         """x ``[N, Dx]`` of frames ``at [N]``."""
-        window = torch.cat(trajectory.sample(self.roots, at, self.layout.samples), -1)
+        window = torch.cat(trajectory.sample(self.roots, at, self.layout.samples), -1).flatten(1)
         return self.layout.pack_input(trajectory=window, joints=self.joints[at])
 
     def outputs(self, at: Tensor) -> Tensor:
@@ -63,7 +63,7 @@ class OwnFeatures:
         positions, directions = trajectory.sample(self.roots, at, offsets)
         there = self.phases[after]
         return self.layout.pack_output(
-            trajectory=torch.cat((positions, directions), -1),
+            trajectory=torch.cat((positions, directions), -1).flatten(1),
             joints=_seen_from(self.joints[after], positions[:, 0], directions[:, 0]),
             phases=there, phase_updates=there - self.phases[at], contacts=self.contacts[after],
         )
@@ -91,8 +91,8 @@ def _seen_from(block: Tensor, position: Tensor, direction: Tensor) -> Tensor:
     return seen.flatten(1)
 
 
-def own_features(clip: Clip, ph: phases.Phases, samples: tuple[int, ...] = trajectory.SAMPLES,
-                 contact_height: float | None = None) -> OwnFeatures:
+def own_features(clip: Clip, ph: phases.Phases, samples: tuple[int, ...] = trajectory.SAMPLES
+                 ) -> OwnFeatures:
     """Features of each frame of a clip by itself, given its phases.
 
     ValueError if the clip is not at 60 Hz.
@@ -103,7 +103,7 @@ def own_features(clip: Clip, ph: phases.Phases, samples: tuple[int, ...] = traje
     layout = Layout(clip.skeleton, samples=samples, phase_limbs=ph.limbs)
     roots = root_frames(clip)
     return OwnFeatures(layout, roots, joint_features(clip, roots), ph.vector.flatten(1),
-                       contacts.detect(clip, height=contact_height))
+                       contacts.detect(clip))
 
 
 def joint_features(clip: Clip, roots: RootFrames) -> Tensor:
@@ -224,8 +224,7 @@ class Features:
 
 def build(clips: Clip | Iterable[Clip], *, source: str | phases.Source = "hybrid",
           mirror: bool | Callable[[Clip], bool] = False, short: str = "raise",
-          samples: tuple[int, ...] = trajectory.SAMPLES, contact_height: float | None = None,
-          progress: bool = False) -> Features:
+          samples: tuple[int, ...] = trajectory.SAMPLES, progress: bool = False) -> Features:
     """Features of many clips, resampled to 60 Hz.
 
     Parameters
@@ -239,8 +238,6 @@ def build(clips: Clip | Iterable[Clip], *, source: str | phases.Source = "hybrid
         and with a warning a style that has no other
     samples : offsets of the trajectory window, see `Layout`; they must be those of the model that
         uses the features
-    contact_height : height up to which a toe stands, metres; by default it follows from each clip
-        (`contacts.detect`)
     progress : show a bar
 
     Raises
@@ -252,7 +249,7 @@ def build(clips: Clip | Iterable[Clip], *, source: str | phases.Source = "hybrid
     if not clips:
         raise ValueError("no clips to build features from")
     by_style = recordings(enumerate(clips), source=source, mirror=mirror, short=short,
-                          samples=samples, contact_height=contact_height, progress=progress)
+                          samples=samples, progress=progress)
     found: dict[str, dict[str, Tensor]] = defaultdict(dict)
     for style in sorted(by_style):
         own = by_style.pop(style)  # one style at a time, because joining takes the memory twice
@@ -265,8 +262,8 @@ def build(clips: Clip | Iterable[Clip], *, source: str | phases.Source = "hybrid
 
 def recordings(clips: Iterable[tuple[int, Clip]], *, source: str | phases.Source = "hybrid",
                mirror: bool | Callable[[Clip], bool] = False, short: str = "raise",
-               samples: tuple[int, ...] = trajectory.SAMPLES, contact_height: float | None = None,
-               progress: bool = False) -> dict[str, list[tuple[int, OwnFeatures]]]:
+               samples: tuple[int, ...] = trajectory.SAMPLES, progress: bool = False
+               ) -> dict[str, list[tuple[int, OwnFeatures]]]:
     """Take number and features of every clip, and of its mirror image, by style.
 
     ``clips`` are pairs of take number and clip; for the other parameters and the errors see
@@ -299,7 +296,7 @@ def recordings(clips: Iterable[tuple[int, Clip]], *, source: str | phases.Source
         # the clips of a style and gait share the axes of their phase sources
         all_phases = phases.extract_group([clip for _, clip in chosen], source) if chosen else []
         for (take, clip), ph in zip(chosen, all_phases, strict=True):
-            found[style].append((take, own_features(clip, ph, samples, contact_height)))
+            found[style].append((take, own_features(clip, ph, samples)))
     if empty := [style for style, own in found.items() if not own]:
         why = f"no clip of {SHORTEST} frames (1.9 s at 60 Hz) of the styles {', '.join(empty)}"
         if len(empty) == len(found):

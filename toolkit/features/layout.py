@@ -161,7 +161,7 @@ class Layout:
         return [first + 12 * j + axis for j in self.limbs for axis in range(3)]
 
     def pack_input(self, **blocks: Tensor) -> Tensor:
-        """x ``[..., n_inputs]`` of its blocks, each ``[..., width]`` or of its own shape."""
+        """x ``[..., n_inputs]`` of its blocks, each ``[..., width]``."""
         return _pack(self.inputs, blocks)
 
     def pack_output(self, **blocks: Tensor) -> Tensor:
@@ -207,18 +207,12 @@ def _slices(widths: dict[str, int]) -> dict[str, slice]:
 def _pack(slices: dict[str, slice], blocks: dict[str, Tensor]) -> Tensor:
     if set(blocks) != set(slices):
         raise ValueError(f"expected the blocks {', '.join(slices)}; got {', '.join(blocks)}")
-    parts, lead = [], None
     for name, columns in slices.items():
-        block, width = blocks[name], columns.stop - columns.start
-        # the last dimensions, one or more, that hold the block's columns
-        sizes = [block.shape[-k:].numel() for k in range(1, block.dim() + 1)]
-        leading = block.shape[: block.dim() - 1 - sizes.index(width)] if width in sizes else None
-        if leading is None or (lead is not None and leading != lead):
+        shape, width = blocks[name].shape, columns.stop - columns.start
+        if shape[-1] != width:
             raise ValueError(f"block {name!r} needs {width} columns per frame; got shape "
-                             f"{list(block.shape)}")
-        lead = leading
-        parts.append(block.reshape(*lead, width))
-    return torch.cat(parts, -1)
+                             f"{list(shape)}")
+    return torch.cat([blocks[name] for name in slices], -1)
 
 
 def pack_joints(position: Tensor, forward: Tensor, up: Tensor, velocity: Tensor) -> Tensor:

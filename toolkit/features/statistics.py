@@ -11,8 +11,6 @@ from toolkit.motion.tensors import summary
 CHUNK = 1 << 18  # numbers in memory at a time in sums over all rows
 CONSTANT = 1e-5  # standard deviation below which a column is only centred
 
-Moments = tuple[int, Tensor, Tensor]  # number, mean [D] and variance [D]
-
 
 @dataclass(frozen=True, eq=False)
 class Rows:
@@ -48,11 +46,12 @@ class Normaliser:
         return cls.merged((moments(r) for r in rows), rows[0][:1].dtype)
 
     @classmethod
-    def merged(cls, parts: Iterable[Moments], dtype: torch.dtype = torch.float32) -> "Normaliser":
+    def merged(cls, parts: Iterable[Tensor], dtype: torch.dtype = torch.float32) -> "Normaliser":
         """Statistics of the union of sets of rows, given the `moments` of each."""
-        _, mean, variance = _merge(parts)
-        std = torch.where(variance.sqrt() < CONSTANT, 1.0, variance.sqrt())
-        return cls(mean.to(dtype), std.to(dtype))
+        n, total, squares = torch.stack(list(parts)).sum(0)
+        mean = total / n.clamp_min(1)
+        std = (squares / n.clamp_min(1) - mean.square()).clamp_min(0).sqrt()
+        return cls(mean.to(dtype), torch.where(std < CONSTANT, 1.0, std).to(dtype))
 
     def apply(self, x: Tensor) -> Tensor:
         """Physical units → normalised, on the device of the statistics and in their dtype."""
@@ -63,26 +62,16 @@ class Normaliser:
         return x * self.std + self.mean
 
 
-def moments(rows: Tensor | Rows) -> Moments:
-    """Number, mean ``[D]`` and variance ``[D]`` of rows ``[..., D]``, float64."""
+def moments(rows: Tensor | Rows) -> Tensor:
+    """Number, sum and sum of squares ``[3, D]`` of rows ``[..., D]``, float64.
+
+    Those of a union are the sum over its parts.
+    """
+    width = rows[:1].shape[-1]
+    found = torch.zeros(3, width, dtype=torch.float64)
     step = max(1, CHUNK // max(1, rows[:1].numel()))
-    parts = []
-    for first in range(0, max(1, len(rows)), step):
-        part = rows[first : first + step].flatten(0, -2).double()
-        n = max(1, len(part))
-        mean = part.sum(0) / n
-        parts.append((len(part), mean, (part - mean).square().sum(0) / n))
-    return _merge(parts)
-
-
-def _merge(parts: Iterable[Moments]) -> Moments:
-    """The moments of a union, from those of its parts (Chan, Golub and LeVeque 1983)."""
-    parts = iter(parts)
-    n, mean, variance = next(parts)
-    for more, mean_there, variance_there in parts:
-        n += more
-        share, apart = more / max(1, n), mean_there - mean
-        mean = mean + share * apart
-        spread = share * (1 - share) * apart.square()
-        variance = variance + share * (variance_there - variance) + spread
-    return n, mean, variance
+    for first in range(0, len(rows), step):
+        part = rows[first : first + step].reshape(-1, width).double()
+        found += torch.stack((part.new_full((width,), len(part)), part.sum(0),
+                              part.square().sum(0))).cpu()
+    return found

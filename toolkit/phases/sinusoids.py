@@ -20,11 +20,8 @@ its rim. Where b then leaves its interval, it is set to the end that it passed, 
 again for that b. This is the bounded optimum, not the clamped free optimum.
 
 **Frequency.** r is evaluated on a grid whose step is small compared with the width of its narrowest
-valley, about the inverse length of the window. On the grid the inner products of neighbouring
-windows follow from each other: S(t + 1) = e^{iω}·S(t), less the sample that leaves and plus the one
-that enters. Each valley that may be the lowest is then refined by Newton's method on r′ with inner
-products from the window itself. The bounds do not depend on f, so r′(f) = ∂E/∂f at z(f) for all
-active bounds (envelope theorem): one formula covers all cases.
+valley, about the inverse length of the window. The lowest valleys are then refined by golden
+section.
 
 `python -m experiments fit` measures the speed.
 """
@@ -117,7 +114,8 @@ def fit(source: Tensor, fps: float, half_window: float = 0.5) -> Sinusoids:
     high = scipy.ndimage.maximum_filter1d(curves, n, mode="mirror")
     found = np.zeros((len(curves), 5, len(source)))
     for limb, curve in enumerate(np.pad(curves, ((0, 0), (half, half)), mode="reflect")):
-        minima(curve, low[limb], high[limb], grid, found[limb])
+        spread, middle = high[limb] - low[limb], (low[limb] + high[limb]) / 2
+        minima(curve, spread, middle, grid, found[limb])
     theta, u, v, offset, error = found.swapaxes(0, 1)
     # rounding must not leave the bounds
     columns = (np.arctan2(v, u) % (2 * np.pi),

@@ -101,7 +101,7 @@ def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0),
 def _input_frame(layout: Layout, state: CharacterState, future: Tensor) -> Tensor:
     """x ``[B, Dx]`` of a state, with a future trajectory ``[B, S, 4]``, world."""
     past = state.history[:, [trajectory.PAST + o for o in layout.behind]]
-    window = _to_local(torch.cat((past, future), 1), state.root)
+    window = _to_local(torch.cat((past, future), 1), state.root).flatten(1)
     return layout.pack_input(trajectory=window, joints=state.joints)
 
 

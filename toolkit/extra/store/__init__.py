@@ -29,7 +29,6 @@ from toolkit.extra.store.workers import completed, executor
 from toolkit.features import Features, Normaliser, Split, check_style
 from toolkit.io.model_files import difference
 from toolkit.io.progress import progress_bar
-from toolkit.motion import contacts
 
 __all__ = ["is_store", "load", "preprocess"]
 __getattr__ = lazy_loader.attach(__name__, [m.name for m in pkgutil.iter_modules(__path__)])[0]
@@ -39,8 +38,7 @@ def preprocess(data: str, root: str | os.PathLike | None, out: str | os.PathLike
                styles: list[str] | None = None, gaits: list[str] | None = None,
                source: str = "hybrid", mirror: Callable[[Take], bool] | None = None,
                workers: int | None = None, scheduler: str | None = None, held_out: float = 0.1,
-               seed: int = 0, contact_height: float | None = None, listed: bool = False,
-               progress: bool = False) -> bool:
+               seed: int = 0, listed: bool = False, progress: bool = False) -> bool:
     """Make or complete the store of a dataset; False if there was nothing to do.
 
     Takes that hold no whole trajectory window are left out.
@@ -54,7 +52,6 @@ def preprocess(data: str, root: str | os.PathLike | None, out: str | os.PathLike
     workers : number of processes, by default that of the processors; 1 starts no other process
     scheduler : address of a Dask scheduler whose workers are used; they need the same folders
     held_out, seed : share of every style's rows that is held out, and the seed (`splits.held_out`)
-    contact_height : as in `toolkit.features.build`
     listed : store only the training and test blocks of the dataset's list
         (`toolkit.datasets.split`), and hold out the test
     progress : show a bar with the time left
@@ -69,7 +66,6 @@ def preprocess(data: str, root: str | os.PathLike | None, out: str | os.PathLike
         raise ValueError("the procedural dataset is computed, not read from files; there is "
                          "nothing to preprocess")
     phases.named(source)
-    contacts.check_height(contact_height)
     recorded, out = datasets._module(data, root).SOURCE, Path(out).resolve()
     root = recorded.folder(root).resolve()
     parts = datasets.split(data, root) if listed else None
@@ -79,9 +75,9 @@ def preprocess(data: str, root: str | os.PathLike | None, out: str | os.PathLike
             by_style[take.style].append((number, take))
     settings = {
         "version": toolkit.__version__, "data": data, "styles": styles, "gaits": gaits,
-        "source": source, "mirror": mirror is not None, "contact_height": contact_height,
-        "listed": listed, "held_out": None if listed else held_out,
-        "seed": None if listed else seed, "takes": sum(map(len, by_style.values())),
+        "source": source, "mirror": mirror is not None, "listed": listed,
+        "held_out": None if listed else held_out, "seed": None if listed else seed,
+        "takes": sum(map(len, by_style.values())),
     }
     _begin(out, settings, sorted(by_style))
     jobs = []
@@ -131,11 +127,8 @@ def load(path: str | os.PathLike, styles: list[str] | None = None) -> Features:
     held_out = {style: tensors["held_out"] for style, (*_, tensors) in stored.items()}
     statistics = {}
     for kind in features.KINDS:
-        moments = []
-        for *_, tensors in stored.values():
-            number, mean, variance = (tensors[f"{kind}.{name}"] for name in files.MOMENTS)
-            moments.append((int(number), mean, variance))
-        statistics[kind] = Normaliser.merged(moments)
+        parts = [tensors[f"{kind}.moments"] for *_, tensors in stored.values()]
+        statistics[kind] = Normaliser.merged(parts)
     split = Split(settings["held_out"], settings["seed"], held_out, statistics)
     return dataclasses.replace(found, split=split)
 

@@ -12,9 +12,8 @@ from toolkit.io.files import parsed, read as read_bytes, write_whole
 from toolkit.io.model_files import intact, plain
 from toolkit.motion.text import checked
 
-FORMAT = "toolkit store 2"
+FORMAT = "toolkit store 3"
 MANIFEST = "manifest.json"
-MOMENTS = ("number", "mean", "variance")  # of the training rows of each kind
 
 
 def of_style(out: Path, number: int) -> Path:

@@ -57,8 +57,7 @@ def make(job: Partition) -> None:
         try:
             recordings = features.recordings(
                 numbered, source=settings["source"], short="skip",
-                mirror=lambda clip: clip.gait in job.mirrored,
-                contact_height=settings["contact_height"])[style]
+                mirror=lambda clip: clip.gait in job.mirrored)[style]
         except ValueError as error:
             raise ValueError(f"{job.sources[0]}: {error}") from None
         own = OwnFeatures.joined([own for _, own in recordings])
@@ -78,8 +77,7 @@ def make(job: Partition) -> None:
                    "joints": own.joints, "phases": own.phases, "contacts": own.contacts,
                    "held_out": aside}
         for kind in features.KINDS:
-            for name, value in zip(files.MOMENTS, features.moments(rows[kind]), strict=True):
-                tensors[f"{kind}.{name}"] = torch.as_tensor(value)
+            tensors[f"{kind}.moments"] = features.moments(rows[kind])
         files.write(job.out, tensors, {"layout": own.layout.to_json(), "takes": takes})
 
 

@@ -21,8 +21,6 @@ def preprocess(
     gaits: Selection = None,
     source: Annotated[str, typer.Option(help="Phase source.")] = "hybrid",
     mirror: Mirror = False,
-    contact_height: Annotated[float | None, typer.Option(
-        help="Metres up to which a toe stands; by default it follows from each clip.")] = None,
     listed: Listed = False,
     workers: Annotated[int | None, typer.Option(
         min=1, help="Processes; by default one per processor.")] = None,
@@ -37,7 +35,7 @@ def preprocess(
     mirrored = datasets.may_mirror(data, root) if mirror else None
     made = store.preprocess(data, root, out, styles=styles, gaits=gaits, source=source,
                             mirror=mirrored, workers=workers, scheduler=scheduler,
-                            contact_height=contact_height, listed=listed, progress=True)
+                            listed=listed, progress=True)
     found = store.load(out)
     say(f"{found.n_frames:,} frames of {len(found.styles)} styles in {out}"
         + ("" if made else ": finished before, nothing to do"))
