@@ -24,11 +24,7 @@ def test_a_floor_that_drifts(style, drift):
     clip, truth = procedural.truth(style, "FW", 12.0, 1)
     moved = lifted(clip, torch.linspace(0, drift, len(clip)) - 3.0)
     feet = [i for i in range(2) if truth.contacts[:, i].mean() > 0.1]
-    level = float(contacts.standing_height(moved))
     assert f1(contacts.detect(moved)[:, feet], truth.contacts[:, feet]) > 0.96
-    assert f1(
-        contacts.detect(moved, height=0.01, floor=level)[:, feet], truth.contacts[:, feet]
-    ) < (0.9 if drift else 1.0)
     floor = contacts.floor_height(moved)
     assert float(floor[-1] - floor[0]) == pytest.approx(drift, abs=0.01)
 

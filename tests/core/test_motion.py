@@ -88,21 +88,6 @@ def test_mirror_twice_is_the_identity(seed, bend):
     )
 
 
-def test_mirror_of_a_pose_with_one_raised_arm():
-    """One arm up, one down: each takes the other's place, whatever axes its joints have."""
-    clip = human_clip(0, bend=0.0)
-    rotations = clip.rotations.clone()
-    rotations[:, clip.skeleton.index("LeftShoulder")] = R.from_euler(
-        torch.tensor([0.0, 0.0, 1.5]), "YXZ"
-    )
-    rotations[:, clip.skeleton.index("RightShoulder")] = R.from_euler(
-        torch.tensor([0.0, 0.0, 1.3]), "YXZ"
-    )
-    clip = clip.replace(rotations=rotations)
-    reflected = (clip.global_positions * MIRROR)[:, list(clip.skeleton.mirror_pairs)]
-    torch.testing.assert_close(clip.mirrored().global_positions, reflected, atol=1e-5, rtol=0)
-
-
 @given(seeds, st.sampled_from([60.0, 90.0, 120.0]))
 def test_resample_there_and_back(seed, fps):
     clip = human_clip(seed, fps=30.0)
@@ -294,11 +279,6 @@ def test_bad_clip():
     for fps in (0.0, -30.0, math.nan):
         with pytest.raises(ValueError, match="cannot resample"):
             Clip(skeleton, q, p, 30).resample(fps)
-
-
-def test_numbers_may_be_as_large_as_a_float_holds():
-    positions = torch.full((4, 3), 3e38)
-    assert Clip(human(), R.identity(4, 20), positions, 30).root_positions.equal(positions)
 
 
 def test_a_joint_that_is_not_there_cannot_be_mirrored_about():

@@ -290,12 +290,9 @@ def test_bad_input_gets_one_line_and_leaves_nothing(tmp_path, zombie, capsys):
     new = tmp_path / "new"
     for arguments, said in {
         f"clip {cut} --out {new}/a.glb": "cut.bvh, line 4",
-        f"clip {tmp_path}/no.bvh --out {new}/a.glb": "cannot be read",
         f"clip {source} --out {new}/a.fbx": "can write .bvh, ",
         f"clip {source} --out {new}/a.glb --skeleton cmu": "is one of 100style, or a file; got",
-        f"onnx --out {new}/a.txt": "can write .onnx",
         f"onnx --out {new}/a.onnx --model {source}": "not a whole safetensors",
-        f"web --out {new}/a.htm": "can write .html",
     }.items():
         assert called(f"export {arguments}") == 2
         line = capsys.readouterr().err.strip()

@@ -169,33 +169,6 @@ def test_files_of_other_kinds_are_refused_in_a_line(tmp_path):
             tk.load(tmp_path / name)
 
 
-@pytest.mark.parametrize(
-    ("name", "turned"), [("CMU", False), ("Unreal", True), ("MakeHuman", True)]
-)
-def test_names_that_say_nothing_leave_the_shape_of_the_tree(tmp_path, name, turned):
-    clip = rigs.walk(name, turned)
-    old = clip.skeleton
-    names = [f"{'tip' if joint in old.ends else 'node'}{j}" for j, joint in enumerate(old.names)]
-    ends = [names[old.names.index(end)] for end in old.ends]
-    clip = clip.replace(skeleton=tk.Skeleton(names, old.parents, old.offsets, {}, ends))
-    written(clip, tmp_path / "walk.bvh", rigs.TABLE[name])
-    found = tk.inspect(tmp_path / "walk.bvh")
-    doubt = (
-        "the joints' names say too little, so that roles are from the shape of the tree; "
-        "roles= decides"
-    )
-    assert found.doubts == [doubt]
-    assert (found.unit, found.up) == (rigs.TABLE[name].unit, rigs.TABLE[name].up)
-    called = {
-        role: f"node{old.names.index(joint)}"
-        for role, joint in rigs.roles(rigs.TABLE[name]).items()
-        if joint not in old.ends
-    }
-    assert called.items() <= found.roles.items()
-    assert facing(found.clip) > 0.95
-    assert facing(found.clip.mirrored()) > 0.95
-
-
 def test_sides_that_are_exchanged_are_noticed(tmp_path):
     """As by a program whose axes are left-handed."""
     clip = rigs.walk("LaFAN1", seconds=1.0)
@@ -325,32 +298,6 @@ def recorded(clip: tk.Clip, **changes) -> Recording:
         up="y",
     )
     return dataclasses.replace(made, **changes)
-
-
-def centimetres(clip: tk.Clip, **changes) -> Recording:
-    metres = {
-        "offsets": clip.skeleton.offsets.double(),
-        "root_positions": clip.root_positions.double(),
-    }
-    changes = metres | changes
-    lengths = {name: 100 * changes[name] for name in metres}
-    return recorded(clip, unit=0.01, **changes | lengths)
-
-
-def test_a_bone_above_the_head_that_is_short_is_not_the_top_of_the_head():
-    """Five centimetres, in metres and centimetres: the crown still comes on top."""
-    clip = rigs.walk("LaFAN1", seconds=0.5)
-    offsets = clip.skeleton.offsets.double()
-    top = clip.skeleton.names.index("HeadEnd")
-    heights = []
-    for length in (0.0, 0.05):
-        offsets[top] *= length / offsets[top].norm().clamp_min(1e-12)
-        heights += [interpretation.interpret(made(clip, offsets=offsets), Path("a.glb"))[1].height
-                    for made in (recorded, centimetres)]
-        offsets[top] = torch.tensor([0.0, 1.0, 0.0])
-    assert heights[1] == pytest.approx(heights[0])
-    assert heights[2] - 0.05 == pytest.approx(heights[0])
-    assert heights[3] - 0.05 == pytest.approx(heights[0])
 
 
 def test_roles_that_a_file_states_count_more_than_names():

@@ -225,18 +225,6 @@ def test_limbs_without_a_skin_stay_under_a_spine_that_stretches(tmp_path):
         assert "leg_l, spine1" in made.doubts[0]
 
 
-def test_a_rig_without_animation_gives_its_rest_pose(tmp_path):
-    matrix = np.eye(4)
-    matrix[:3, 3] = 0, 1, 0
-    nodes = [{"name": "hips", "children": [1]}, {"matrix": matrix.T.ravel().tolist(),
-                                                 "name": "\0spine", "scale": [9, 9, 9]}]
-    made = gltf.read(written(tmp_path / "a.glb", Document(nodes, skins=[{"joints": [0, 1]}]).glb()))
-    assert len(made.rotations) == 1
-    assert "no joint is animated" in made.doubts[0]
-    assert made.offsets[1].tolist() == [0, 1, 0]
-    assert made.names[1].isprintable()
-
-
 def test_several_animations_and_names_that_repeat(tmp_path):
     nodes = [{"name": "a", "children": [1, 2]}, {"name": "a"}, {}]
     doc = Document(nodes)
@@ -274,7 +262,6 @@ def hostile(change):
 @pytest.mark.parametrize(("change", "problem"), [
     (lambda d: d["accessors"][0].update(count=10**12), "reaches beyond its buffer"),
     (lambda d: d["accessors"][1].pop("bufferView"), "accessor 1 has no numbers"),
-    (lambda d: d["bufferViews"][1].update(byteLength=10**9), "reaches beyond its buffer"),
     (lambda d: d["bufferViews"][1].update(byteStride=1), "reaches beyond its buffer"),
     (lambda d: d["bufferViews"][1].update(byteOffset=-4), "byteOffset should be a whole number"),
     (lambda d: d["bufferViews"][1].update(extensions={"EXT_meshopt_compression": {}}),
@@ -286,10 +273,7 @@ def hostile(change):
     (lambda d: d["nodes"][0].update(scale=[-1, 1, 1]), "mirrored by a negative scale"),
     (lambda d: d["animations"][0]["samplers"][0].update(interpolation="BEZIER"),
      "unknown interpolation 'BEZIER'"),
-    (lambda d: d["animations"][0]["channels"][0].update(sampler=True),
-     "sampler should be a whole number"),
     (lambda d: d.update(nodes={}), "nodes should be a list of objects"),
-    (lambda d: d.update(asset={"version": "1.0"}), "expected glTF version 2"),
     (lambda d: d.update(animations=[]), "there are no joints"),
 ])
 def test_hostile_gltf_files(tmp_path, change, problem):

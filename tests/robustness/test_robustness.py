@@ -4,7 +4,6 @@
 
 import json
 import os
-import struct
 import subprocess
 import sys
 import tracemalloc
@@ -12,9 +11,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import given, settings, strategies as st
 from robustness import faults, fuzz
-from robustness.fuzz import Reader, mutations, targets
+from robustness.fuzz import Reader, targets
 from safetensors.torch import save_file
 from test_bvh import GOOD
 
@@ -51,44 +49,16 @@ def load(path):
     return bvh.load(path, unit=0.01, up="y")
 
 
-TOKENS = (*mutations.WORDS, *mutations.NUMBERS, b"\n", b"ROOT Hips\n{\n", b"Frames: 1\n",
-          b"Frame Time: 0.1\n", b"1 2 3")
-
-
-@settings(max_examples=40)
-@given(st.lists(st.sampled_from(TOKENS), max_size=40),
-       st.sampled_from([b"", b"HIERARCHY\n", GOOD.encode()[:-40]]))
-def test_any_words_are_read_or_refused_by_the_bvh_reader(tmp_path_factory, words, start):
-    path = tmp_path_factory.getbasetemp() / "words.bvh"
-    reader = Reader("bvh", path, load, (b"",), mutations.text, "")
-    assert fuzz.trial(reader, start + b" ".join(words))[0] != "failed"
-
-
-@settings(max_examples=30)
-@given(st.binary(max_size=300), st.integers(0, 2**64 - 1))
-def test_any_bytes_are_refused_as_a_model(tmp_path_factory, data, size):
-    path = tmp_path_factory.getbasetemp() / "bytes.safetensors"
-    path.write_bytes(struct.pack("<Q", size) + data)
-    refused(tk.training.load, path)
-
-
 BAD_BVH = {
     "a joint inside an End Site, whose name would grow with every level": (
         GOOD.replace("OFFSET 0 5 0\n", "OFFSET 0 5 0\nEnd Site {\n}\n"),
         "line 13: unexpected End inside an End Site"),
     "a name that writes on the terminal": (GOOD.replace("Chest", "Ch\x1b[31mest"),
                                            "line 6: .* cannot be printed"),
-    "a name with a zero byte": (GOOD.replace("Chest", "Ch\0est"), "line 6: .* cannot be printed"),
-    "more frames per second than a number": (GOOD.replace("0.033333", "1e-320"),
-                                             "line 18: frame time must be positive"),
     "an offset that float32 cannot hold": (GOOD.replace("OFFSET 0 10 0", "OFFSET 0 1e300 0"),
                                            "line 8: OFFSET needs three"),
     "a position that float32 cannot hold": (GOOD.replace("1 90 0 0", "1e308 90 0 0"),
                                             "positions of joint Hips"),
-    "an angle that float32 cannot hold": (GOOD.replace("0 90 0 0 0", "0 90 0 1e300 0"),
-                                          "rotations of frame 0"),
-    "a forged number of frames": (GOOD.replace("Frames: 3", "Frames: 999999999"),
-                                  "header says 999999999 frames"),
     "a number of frames of 5,000 digits": (GOOD.replace("Frames: 3", "Frames: " + "9" * 5000),
                                            "expected 'Frames: N'"),
 }
@@ -142,19 +112,6 @@ def test_models_whose_description_is_something_else(tmp_path, small_run, part, v
                                                                       part: value}
     save_file(tensors, path, described)
     refused(tk.training.load, path)
-
-
-@pytest.mark.parametrize(
-    "change",
-    [{"sizes": {"hidden": 10**30}}, {"layout": "x"}, {"layout": {"names": [1, 2]}},
-     {"n_styles": "many"}, {"name": ["lpn"]},
-     {"name": "\x1b[31m"}],
-)
-def test_models_with_impossible_descriptions(tmp_path, small_run, change):
-    path = tmp_path / "model.safetensors"
-    tensors, described = small_run.model.parts()
-    model_files.write(path, tensors, {"model": described | change})
-    refused(tk.networks.Model.load, path)
 
 
 def test_errors_on_the_command_line_are_one_printable_line(capfd):

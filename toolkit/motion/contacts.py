@@ -12,11 +12,11 @@ from toolkit.motion.skeleton import FEET
 BALL = 0.01  # thickness of the floor, metres
 HEIGHT = 0.01  # d_max of the paper, metres
 REACH = 0.06  # metres above the floor in which a slow toe may stand; a lifted foot is higher
+MAJORITY = 5 / 60  # seconds, half the width of the majority vote
 DRIFT = 0.02  # metres over a clip: a floor that rises or falls by less is level
 
 
-def detect(clip: Clip, *, height: float | None = None, speed: float = 0.15, majority: int = 5,
-           floor: float | None = None) -> Tensor:
+def detect(clip: Clip, *, height: float | None = None, speed: float = 0.15) -> Tensor:
     """Contacts ``[F, 2]`` of the right and the left foot: 1 in contact, 0 otherwise.
 
     A foot is in contact when its toe is low and slow; a majority vote over the neighbouring frames
@@ -31,15 +31,13 @@ def detect(clip: Clip, *, height: float | None = None, speed: float = 0.15, majo
     clip : the motion, at any rate
     height : d_max, metres; a toe is low up to this and `BALL` above the floor
     speed : v_max, metres per second
-    majority : half the width of the vote, in frames at 60 Hz
-    floor : height of a standing toe joint, metres; by default `floor_height`, because rigs differ
     """
     check_height(height)
     toes = toes_of(clip)
-    above = toes[..., 1] - (floor_height(clip)[:, None] if floor is None else floor)
+    above = toes[..., 1] - floor_height(clip)[:, None]
     slow = velocities(toes, clip.fps).norm(dim=-1) <= speed
     low = above <= (standing_range(above, slow) if height is None else height) + BALL
-    half = max(1, round(majority * clip.fps / 60))
+    half = max(1, round(MAJORITY * clip.fps))
     votes = (low & slow).to(toes.dtype).T[:, None]
     votes = functional.pad(votes, (half, half), mode="replicate")
     return functional.avg_pool1d(votes, 2 * half + 1, stride=1)[:, 0].T.round()

@@ -9,7 +9,6 @@ from torch import Tensor
 from toolkit.motion import rotations as R
 from toolkit.motion.clip import FEET, Skeleton, forward_kinematics, local_rotations
 from toolkit.motion.springs import spring
-from toolkit.motion.tensors import as_tensor
 
 SOFT = 0.01  # share of a leg's length over which it stretches more and more slowly
 NEAR = 0.08  # metres that a locked toe may always stay behind towards the other toe
@@ -38,23 +37,12 @@ def two_bone(a: Tensor, b: Tensor, c: Tensor, target: Tensor, pole: Tensor | Non
         Direction (not a point) that the middle joint bends towards, of any length, not parallel to
         the line from `a` to the target. By default the limb bends to the same side as before,
         turned with the line from `a` to its end.
-    soft : share of the full length over which the limit acts, a number or Tensor [..., 1]
+    soft : share of the full length over which it does so, in [0, 1), a number or Tensor [..., 1]
 
     Returns
     -------
     middle, end : Tensor [..., 3], new positions of `b` and `c`
-
-    Raises
-    ------
-    ValueError
-        If `soft` is not in [0, 1).
     """
-    if not isinstance(soft, int | float):
-        soft = as_tensor(soft, "soft", a)
-    limits = soft.aminmax() if isinstance(soft, Tensor) else (soft, soft)
-    if not all(0 <= float(limit) < 1 for limit in limits):
-        raise ValueError(f"soft must be in [0, 1), got {limits[0]:g} to {limits[1]:g}")
-
     # How far the end gets from the root: to the target, or within the soft limit.
     upper, lower = (b - a).norm(dim=-1, keepdim=True), (c - b).norm(dim=-1, keepdim=True)
     full = upper + lower

@@ -1,7 +1,7 @@
 """Roles of joints (hips, knees, hands …) and left and right counterparts, from names and tree."""
 
 from collections import defaultdict
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from functools import cached_property, lru_cache
 from itertools import combinations
 
@@ -20,10 +20,9 @@ Found = dict[str, tuple[str, str]]  # role: joint, and the rule that found it
 Places = dict[str, tuple[int, str]]  # part or role: index of its joint, and the rule
 
 
-def find_roles(names: Sequence[str], parents: Sequence[int], lengths: Sequence[float] | None = None,
-               ends: Sequence[str] = ()) -> dict[str, str]:
-    """Joints by those roles of `ROLES` that names and tree show; see `find`."""
-    return {role: joint for role, (joint, _) in find(names, parents, lengths, ends).items()}
+def find_roles(*tree) -> dict[str, str]:
+    """Joints by those roles of `ROLES` that names and tree show; arguments are those of `find`."""
+    return {role: joint for role, (joint, _) in find(*tree).items()}
 
 
 def find(names: Sequence[str], parents: Sequence[int], lengths: Sequence[float] | None = None,
@@ -243,16 +242,14 @@ def mirror_pairs(names: Sequence[str], parents: Sequence[int],
             join(a, b)
             a, b = parents[a], parents[b]
 
-    def named_alike(a: int, b: int) -> bool:
-        return (_OTHER.get(said[a].side, ""), said[a].plain) == (said[b].side, said[b].plain)
-
-    def shaped_alike(a: int, b: int) -> bool:
-        return tree.shapes[a] == tree.shapes[b]
-
-    def join_children(a: int, b: int, alike: Callable[[int, int], bool]) -> None:
+    def join_children(a: int, b: int, here: Sequence, there: Sequence) -> None:
+        """Join children for which both sequences hold the same."""
         for child in tree.children[a]:
-            free = (j for j in tree.children[b] if j not in pairs and alike(child, j))
+            free = (j for j in tree.children[b] if j not in pairs and here[child] == there[j])
             join(child, next(free, child))
+
+    names_here = [(_OTHER.get(name.side, ""), name.plain) for name in said]
+    names_there = [(name.side, name.plain) for name in said]
 
     # From the root down: names that differ in the side, and children of counterparts.
     first = {}  # joint by side and plain name
@@ -262,6 +259,6 @@ def mirror_pairs(names: Sequence[str], parents: Sequence[int],
         if name.side:
             join(a, first.get((_OTHER[name.side], name.plain), a))
         if (b := pairs.get(a, a)) > a:
-            join_children(a, b, named_alike)
-            join_children(a, b, shaped_alike)
+            join_children(a, b, names_here, names_there)
+            join_children(a, b, tree.shapes, tree.shapes)
     return tuple(pairs.get(j, j) for j in range(len(names)))

@@ -69,10 +69,9 @@ def shown(value: Any) -> str:
             return repr(value)
         case float():
             return f"{value:g}"
-        case Mapping() if all(isinstance(v, Tensor) for v in value.values()):
-            return "{" + few(f"{name}: {shown(v)}" for name, v in value.items()) + "}"
         case Mapping():
-            return "{" + few(printable(str(key)[:60]) for key in value) + "}"
+            return "{" + few(printable(f"{name}: {shown(v)}" if isinstance(v, Tensor)
+                                       else str(name)[:60]) for name, v in value.items()) + "}"
         case list() | tuple():
             inside = (printable(v[:60]) if isinstance(v, str) else shown(v) for v in value)
             return "(" + few(inside) + ")"

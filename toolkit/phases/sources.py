@@ -38,7 +38,8 @@ def local_positions(clip: Clip, limb: str) -> Tensor:
     if limb.endswith("hand"):
         end = skeleton.end_site(limb)
     else:
-        end = skeleton.index(limb.replace("_foot", "_toe"))
+        part = limb.replace("_foot", "_toe")
+        end = skeleton.role(part) if part in skeleton.roles else skeleton.index(part)
     reach = clip.global_positions[:, end] - clip.global_positions[:, hips]
     return R.rotate(R.inverse(clip.global_rotations[:, hips]), reach)
 

@@ -1,8 +1,7 @@
 """Your own character: the skinned mesh of a glTF or VRM file, drawn in place of the mannequin."""
 
 import os
-from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
@@ -15,7 +14,7 @@ from toolkit.extra.characters.gltf_mesh import SkinnedMesh
 from toolkit.extra.characters.retargeting import leaders, retarget
 from toolkit.motion import Clip, Skeleton, rotations as R
 from toolkit.motion.contacts import standing_height
-from toolkit.motion.roles import ROLES, SIDES
+from toolkit.motion.roles import SIDES
 from toolkit.motion.skeleton import local_rotations
 from toolkit.view.render.skin import Skin
 
@@ -33,12 +32,11 @@ class Character:
     moved: np.ndarray  # [J, 4, 4] of the joints, from the pose in which the mesh was bound
 
     @classmethod
-    def load(cls, path: str | os.PathLike, roles: Mapping[str, str] | None = None) -> "Character":
+    def load(cls, path: str | os.PathLike) -> "Character":
         """Read a character from a .glb, .gltf or .vrm file.
 
         The points stand in the pose of the file's nodes, or in the bind pose if that one shows no
-        standing figure. ``roles`` are joints by role (`toolkit.motion.ROLES`), in place of those
-        that are found by their names.
+        standing figure. Roles are found from the joints' names.
 
         Raises
         ------
@@ -48,7 +46,7 @@ class Character:
         path = Path(path)
         mesh, errors = gltf_mesh.read(path), []
         for pose in (mesh.rest, mesh.bind):
-            rest = _clip(mesh, pose, path.name, roles or {})
+            rest = _clip(mesh, pose, path.name)
             try:
                 measure(rest)
             except ValueError as error:
@@ -130,7 +128,7 @@ class Character:
         return (normals / length).astype(np.float32)
 
 
-def _clip(mesh: SkinnedMesh, pose: np.ndarray, name: str, roles: Mapping[str, str]) -> Clip:
+def _clip(mesh: SkinnedMesh, pose: np.ndarray, name: str) -> Clip:
     """One frame of the rig from world transforms ``[J, 4, 4]``, without their scales."""
     axes = pose[:, :3, :3] / np.linalg.norm(pose[:, :3, :3], axis=1, keepdims=True).clip(1e-12)
     turned, places = R.from_matrix(torch.from_numpy(axes)), torch.from_numpy(pose[:, :3, 3])
@@ -140,9 +138,5 @@ def _clip(mesh: SkinnedMesh, pose: np.ndarray, name: str, roles: Mapping[str, st
     leaves = [n for j, n in enumerate(mesh.names) if j and j not in mesh.parents
               and n.lower().endswith(("end", "nub"))]
     skeleton = Skeleton(mesh.names, mesh.parents, offsets.float(), ends=leaves)
-    if unknown := [f"{role}={joint}" for role, joint in roles.items() if role not in ROLES
-                   or joint not in mesh.names]:
-        raise ValueError(f"{name}: no such role or joint: {', '.join(unknown)}")
-    skeleton = replace(skeleton, roles=skeleton.roles | dict(roles))
     return Clip(skeleton, R.normalize(local_rotations(skeleton, turned[None]).float()),
                 places[:1].float(), 60.0, name=name)

@@ -142,11 +142,10 @@ def _same(own: Skeleton, other: Skeleton) -> bool:
 
 def _comparable(*skeletons: Skeleton) -> list[Skeleton]:
     """The skeletons; if one has no toes, both with the ankles in the role of the toes."""
-    ankles = [{f"{side}_toe": s.roles[f"{side}_foot"] for side in SIDES} for s in skeletons]
-    if all(s.roles[toe] != ankle for s, of in zip(skeletons, ankles, strict=True)
-           for toe, ankle in of.items()):
+    if all(s.roles[f"{side}_toe"] != s.roles[f"{side}_foot"] for s in skeletons for side in SIDES):
         return list(skeletons)
-    return [replace(s, roles=s.roles | of) for s, of in zip(skeletons, ankles, strict=True)]
+    return [replace(s, roles=s.roles | {f"{side}_toe": s.roles[f"{side}_foot"] for side in SIDES})
+            for s in skeletons]
 
 
 def leaders(source: Anatomy, goal: Anatomy) -> dict[int, tuple[int, int, float]]:

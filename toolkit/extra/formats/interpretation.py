@@ -14,7 +14,6 @@ from pathlib import Path
 import numpy as np
 import torch
 
-from toolkit.extra.formats import tree_shape
 from toolkit.extra.formats.recorded_body import RecordedBody
 from toolkit.extra.formats.role_checks import misfits
 from toolkit.io.recording import Recording
@@ -94,7 +93,10 @@ def interpret(recording: Recording, path: Path, unit: float | str = "auto", up: 
     known = _roles(recording, path, roles or {}, found)
     if not look:
         found.doubts.clear()
-    _guessed_roles(known, found)
+    for role, rule in found.rules.items():
+        if rule == LENGTHS:
+            found.doubt(f"{known[role]} is taken for the {role.replace('_', ' ')}, because both "
+                        "parts of the limb are then about equally long", "roles=")
     found.doubts.extend(recording.doubts)
     fps = _rate(recording, found)
     if look:
@@ -128,15 +130,9 @@ def _roles(recording: Recording, path: Path, given: Mapping[str, str],
     names, parents, ends = recording.names, recording.parents, recording.ends
     lengths = recording.offsets.norm(dim=-1).tolist()
 
-    # By names; if these show too little, by the shape of the tree
     known = find(names, parents, lengths, ends)
-    stated = {role: (joint, "the file") for role, joint in (recording.roles or {}).items()
+    known |= {role: (joint, "the file") for role, joint in (recording.roles or {}).items()
               if role in ROLES}
-    if not {role for role in ROLES if "toe" not in role} <= known.keys() | stated.keys():
-        points = RecordedBody(recording, {}, whole=True).together
-        known = tree_shape.find(names, parents, lengths, ends, points) or known
-    known |= stated
-
     for role, joint in given.items():
         if role not in ROLES:
             raise ValueError(f"{path.name}: {role!r} is no role; the roles are {', '.join(ROLES)}")
@@ -161,17 +157,6 @@ def _roles(recording: Recording, path: Path, given: Mapping[str, str],
         found.doubt(f"no joint was found for {', '.join(said)}: not taken for a person", "roles=")
     found.rules = {role: rule for role, (_, rule) in known.items()}
     return {role: joint for role, (joint, _) in known.items()}
-
-
-def _guessed_roles(known: Mapping[str, str], found: Findings) -> None:
-    """Doubts about roles that do not follow from names."""
-    if tree_shape.RULE in found.rules.values():
-        found.doubt("the joints' names say too little, so that roles are from the shape of the "
-                    "tree", "roles=")
-    for role, rule in found.rules.items():
-        if rule == LENGTHS:
-            found.doubt(f"{known[role]} is taken for the {role.replace('_', ' ')}, because both "
-                        "parts of the limb are then about equally long", "roles=")
 
 
 def _rate(recording: Recording, found: Findings) -> float:

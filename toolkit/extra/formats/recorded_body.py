@@ -25,18 +25,14 @@ UPRIGHT = 0.5  # of the height: how far the head of an upright body is above its
 
 
 class RecordedBody:
-    """Points of the joints with roles and of the head over at most `SAMPLES` frames.
+    """Points of the joints with roles and of the head over at most `SAMPLES` frames."""
 
-    With ``whole``, of all joints.
-    """
-
-    def __init__(self, recording: Recording, roles: Mapping[str, str], whole: bool = False):
+    def __init__(self, recording: Recording, roles: Mapping[str, str]):
         self.recording, self.names = recording, recording.names
         self.lengths = recording.offsets.norm(dim=-1).tolist()
         self.tree = Tree(recording.parents, self.lengths)
         self.head = head(self.names, recording.parents, self.lengths, roles)  # path from the root
         self.joint = {role: self.names.index(name) for role, name in roles.items() if role in ROLES}
-        self.needed = range(len(self.names)) if whole else {0, *self.head}
 
     def has(self, *parts: str) -> bool:
         """Whether both sides have these parts."""
@@ -54,10 +50,9 @@ class RecordedBody:
         return self._points(self.frames)
 
     def _points(self, frames: np.ndarray) -> dict[int, np.ndarray]:
-        recording, order = self.recording, {0, *self.needed}
-        for joint in self.joint.values():
-            order |= {*self.tree.up(joint)}
-        order = sorted(order)
+        recording = self.recording
+        above = (j for joint in self.joint.values() for j in self.tree.up(joint))
+        order = sorted({0, *self.head, *above})
         some = torch.from_numpy(recording.rotations.numpy()[frames][:, order])
         local = R.to_matrix(some.double()).numpy()
         offsets, roots = recording.offsets.numpy(), recording.root_positions.numpy()[frames]

@@ -1,7 +1,6 @@
 """What the joints with roles show about a file: where its head is, and which roles cannot be."""
 
 from collections.abc import Mapping, Sequence
-from functools import lru_cache
 from itertools import pairwise
 
 from toolkit.motion import role_words
@@ -34,14 +33,7 @@ def head(names: Sequence[str], parents: Sequence[int], lengths: Sequence[float],
     The head is the joint called so, else the end of the longest path between the arms. The path is
     empty if there are no arms.
     """
-    return list(_head(tuple(names), tuple(parents), tuple(lengths), tuple(roles.items())))
-
-
-@lru_cache(64)
-def _head(names: tuple[str, ...], parents: tuple[int, ...], lengths: tuple[float, ...],
-          items: tuple[tuple[str, str], ...]) -> list[int]:
-    roles, tree = dict(items), Tree(parents, lengths)
-    said = role_words.read_all(names)
+    tree, said = Tree(parents, lengths), role_words.read_all(names)
     arms = [tree.up(names.index(roles[f"{side}_shoulder"]))[::-1]
             for side in SIDES if f"{side}_shoulder" in roles]
     if len(arms) < 2:
