@@ -22,7 +22,7 @@ CASES = ("cyclic", "asymmetric", "no global phase", "one leg never touches", "st
 PLANNED = ("Neutral", "Old", "Zombie", "Drunk")  # styles that are labelled by their true contacts
 #: Columns of the stored results that are no errors.
 TITLES = {"case": ["styles"], "styles": ["of them", 0], "limbs": ["limbs"], "take": ["take"],
-          "foot": ["foot"], "of": ["phases"]}
+          "foot": ["foot"]}
 LABEL_LIMIT, FLOOR_LIMIT = 20.0, 10.0  # degrees, of the default source: in all, above the floor
 
 
@@ -55,7 +55,7 @@ def run(
         help="Folder of labelled takes (Holden et al. 2017); default: "
              f"{labels.NAME} in the folder of datasets.")] = None,
     store: Annotated[bool, typer.Option(
-        "--store", help="Write the three tables into docs/results.")] = False,
+        "--store", help="Write both tables into docs/results.")] = False,
 ) -> None:
     """Errors of the phase sources against the truth about procedural clips and against labels."""
     sources = {name: ph.named(name) for name in source.split(",")}
@@ -102,10 +102,7 @@ def run(
         tables = {
             "phases": (f"{walks} each limb", kept),
             "phases-labelled": ("Mean errors of the feet in moving frames against labelled phases, "
-                                "degrees, less a constant lag of each", against[0]),
-            "phases-thirds": ("The same in the thirds of a recorded take, between the first and "
-                              "the last labelled touch-downs, with the lag of the whole take",
-                              against[1])}
+                                "degrees, less a constant lag of each", against)}
         for name, (about, members) in tables.items():
             keys = dict.fromkeys(key for row in members for key in row)
             columns = {key: TITLES.get(key, [f"`{key}`" if key in sources else key, 1])
@@ -138,11 +135,8 @@ def worst(rows: list[Row]) -> dict[str, float]:
 
 
 def _labels(sources: dict[str, ph.Source], folder: Path | None, seconds: float,
-            seed: int) -> tuple[list[dict], list[dict]]:
-    """Print the errors against labelled phases: procedural transitions, and recorded takes.
-
-    Returns the rows of both tables.
-    """
+            seed: int) -> list[dict]:
+    """Print the errors against labelled phases: procedural transitions, and recorded takes."""
     takes = [(f"{style} TR1", labels.planned(style, "TR1", seconds, seed)) for style in PLANNED]
     place = folder or home.folder(labels.NAME)
     if folder is not None or place.is_dir():
@@ -151,7 +145,7 @@ def _labels(sources: dict[str, ph.Source], folder: Path | None, seconds: float,
         print(f"no labelled recordings: {place} does not exist")
     titles = "".join(f"{name:>14}" for name in sources)
     print(f"{'degrees, labelled':<26}{'frames':>8}{'floor':>14}{titles}")
-    failed, kept, parts = [], [], []
+    failed, kept = [], []
     for name, take in takes:
         errors = {"floor": labels.floor(take)}
         errors |= {label: labels.errors(take, source) for label, source in sources.items()}
@@ -170,38 +164,7 @@ def _labels(sources: dict[str, ph.Source], folder: Path | None, seconds: float,
           "paper's, and was the default's for feet.\n"
           f"Limits of hybrid, the default: {LABEL_LIMIT:g}°, {FLOOR_LIMIT:g}° above the floor: "
           f"{'; '.join(failed) or 'all kept'}")
-    places = [f"{side} {part}" for side in FEET for part in (1, 2, 3)]
-    for name, take in takes[len(PLANNED):]:
-        titles = "".join(f"{place:>9}" for place in places)
-        print(f"\n{f'{name[:24]}, by thirds':<37}{titles}")
-        for what, errors in thirds(take).items():
-            flat = errors.T.flatten()
-            print(f"{what:<37}" + "".join(_number(error, "°", 9) for error in flat))
-            parts.append({"of": what} | dict(zip(places, flat.tolist(), strict=True)))
-    return kept, parts
-
-
-def thirds(take: labels.Take) -> dict[str, Tensor]:
-    """Mean errors ``[3, 2]`` in the thirds of a take, degrees, less the lag of the whole take.
-
-    Only frames between touch-downs count.
-    """
-    columns = [ph.LIMBS.index(f"{side}_foot") for side in FEET]
-    frames = labels.between(take)
-    stances = (ph.Steps()(take.clip, f"{side}_foot") for side in FEET)
-    own = [stance.diff().gt(0).nonzero()[:, 0] + 1 for stance in stances]
-    found = {"straight between labelled touch-downs": labels.clocks(take, take.right, take.left),
-             "straight between our touch-downs": labels.clocks(take, *own)}
-    for source in ("hybrid", "contact"):
-        found[source] = ph.extract(take.clip, source).phase[:, columns].double()
-    errors = {}
-    for what, phases in found.items():
-        off = phases - take.label[:, None]
-        off = off - torch.atan2(off[frames].sin().mean(0), off[frames].cos().mean(0))
-        off = torch.atan2(off.sin(), off.cos()).abs().rad2deg()
-        parts = zip(off.tensor_split(3), frames.tensor_split(3), strict=True)
-        errors[what] = torch.stack([part[kept].mean(0) for part, kept in parts])
-    return errors
+    return kept
 
 
 def case(style: procedural.Style) -> str:

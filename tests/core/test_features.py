@@ -90,22 +90,6 @@ def test_packing_refuses_what_does_not_fit(walk_clip):
         layout.pack_input(trajectory=window, joints=joints[..., :11])
 
 
-def test_layout_survives_json(walk_clip):
-    layout = Layout(walk_clip.skeleton)
-    again = Layout.from_json(layout.to_json())
-    assert again == layout
-    assert torch.allclose(again.skeleton.offsets, walk_clip.skeleton.offsets)
-
-
-def test_normaliser_is_exact_where_float32_sums_are_not():
-    column = torch.full((200_000, 1), 0.1) + torch.tensor([[1e4]])
-    column[::2] += 1.0
-    found = Normaliser.of(column[:100_000], column[100_000:])
-    assert float(found.mean) == pytest.approx(10000.6, abs=2e-3)
-    assert float(found.std) == pytest.approx(0.5, rel=1e-3)
-    assert torch.allclose(found.invert(found.apply(column)), column)
-
-
 def slow_moments(rows) -> tuple[int, list[float], list[float]]:
     """Number, mean and variance of rows ``[..., D]``, one column after the other."""
     columns = [c.tolist() for c in rows.flatten(0, -2).double().unbind(-1)]
@@ -114,26 +98,6 @@ def slow_moments(rows) -> tuple[int, list[float], list[float]]:
     variances = [math.fsum((x - mean) ** 2 for x in column) / n
                  for column, mean in zip(columns, means, strict=True)]
     return len(columns[0]), means, variances
-
-
-@pytest.mark.parametrize("shape", [(1, 3), (50, 3), (9, 4, 3), (0, 3)])
-@pytest.mark.parametrize("chunk", [1, 7, 1 << 18])
-def test_moments_in_parts_are_those_of_all_rows(monkeypatch, shape, chunk):
-    monkeypatch.setattr("toolkit.features.statistics.CHUNK", chunk)
-    rows = 5 + torch.randn(shape, generator=torch.Generator().manual_seed(7))
-    asked = []
-
-    def derive(at):
-        asked.append(rows[at].numel())
-        return rows[at]
-
-    for source in (rows, Rows(derive, torch.arange(len(rows)))):
-        found = moments(source)
-        assert found.dtype == torch.float64
-        flat = rows.flatten(0, -2).double()
-        expected = torch.stack((torch.full((3,), len(flat)), flat.sum(0), flat.square().sum(0)))
-        torch.testing.assert_close(found, expected, rtol=1e-12, atol=0)
-    assert max(asked, default=0) <= max(chunk, rows[:1].numel())  # few rows at a time
 
 
 @pytest.mark.parametrize("sizes", [(3, 5), (0, 1), (1, 0), (400, 2, 30)])
@@ -169,22 +133,6 @@ def test_style_clips_are_runs_of_joint_features(walk_clip, start, stop):
     found = style_clips(walk_clip, start, stop)
     assert found.shape == (len(expected), 240, 300)
     assert all(torch.equal(a, b) for a, b in zip(found, expected, strict=True))
-
-
-@pytest.mark.parametrize(("start", "stop"), [(0, None), (61, 199), (0, 61), (400, 480)])
-def test_frames_of_a_range_keep_the_rest_as_past_and_future(walk_clip, start, stop):
-    ph = phases.extract(walk_clip, "contact")
-    rows = frames(walk_clip, ph, start, stop)
-    whole = frames(walk_clip, ph)
-    last = 480 if stop is None else stop
-    expected = [t for t in range(60, 480 - 51) if start <= t < last]
-    assert whole.index.tolist() == list(range(60, 480 - 51))
-    assert rows.index.tolist() == expected
-    at = rows.index - 60
-    assert torch.equal(rows.inputs, whole.inputs[at])
-    assert torch.equal(rows.outputs, whole.outputs[at])
-    assert torch.equal(rows.phases, ph.vector.flatten(1)[rows.index])  # the given ones
-    assert len(frames(walk_clip.cut(0, 112), ph).index) == 1
 
 
 def test_a_skeleton_of_another_rig_has_the_same_layout(shared):
@@ -319,11 +267,3 @@ def test_the_frame_numbers_of_two_recordings_are_more_than_a_style_clip_apart(wa
     numbers, takes = data.frames["Neutral"], data.takes["Neutral"]
     assert int(numbers[takes == 1].min() - numbers[takes == 0].max()) > features.CLIP_FRAMES
     assert int(data.spans["Neutral"][-1, 0]) > int(numbers[takes == 0].max())
-
-
-def test_bone_lengths_are_those_of_the_skeleton(walk_clip):
-    layout = Layout(walk_clip.skeleton)
-    joints = list(walk_clip.skeleton.feature_joints)
-    lengths = walk_clip.skeleton.offsets[joints[1:]].norm(dim=-1)
-    found = layout.bone_lengths(walk_clip.global_positions[:3, joints])
-    torch.testing.assert_close(found, lengths.expand(3, -1))

@@ -10,7 +10,7 @@ from hypothesis import given, settings, strategies as st
 
 import toolkit as tk
 from experiments.speed.fit import best_known
-from toolkit.phases.sinusoids import Sinusoids, fit, frequencies
+from toolkit.phases.sinusoids import Sinusoids, fit
 from toolkit.phases.variable_projection import smoothest
 
 FPS = 60.0
@@ -115,16 +115,6 @@ def test_the_smoothest_path_is_the_best_of_all():
 
         best = min(itertools.product(range(3), repeat=6), key=total)
         assert tuple(smoothest(cost, jump)) == best
-
-
-@pytest.mark.parametrize("seconds", [0.2, 61 / 60, 4.0])
-def test_the_grid_is_even_in_cycles_and_their_logarithm(seconds):
-    grid = frequencies(seconds)
-    assert (grid[0], grid[-1]) == (0.25, 4.0)
-    steps = np.diff(6 * (grid * seconds + np.log(grid)))
-    total = 6 * (3.75 * seconds + np.log(16))
-    assert len(steps) == math.ceil(total)
-    assert steps == pytest.approx(np.full(len(steps), total / len(steps)), rel=2e-3)
 
 
 @pytest.mark.parametrize("fps", [9.0, 30.0])

@@ -85,15 +85,6 @@ def test_a_foot_counts_as_touching_from_exactly_the_least_share_on(walk_clip, mo
         assert torch.equal(hybrid(walk_clip, foot), expected)
 
 
-def test_a_contact_is_sought_by_the_thresholds_given(walk_clip):
-    detected = tk.contacts.detect(walk_clip, height=0.03, speed=0.6)
-    for limb, column in (("right_foot", 0), ("left_foot", 1)):
-        found = tk.phases.Contact(height=0.03, speed=0.6)(walk_clip, limb)
-        assert torch.equal(found, detected[:, column])
-        for other in (tk.phases.Contact(height=0.03), tk.phases.Contact(speed=0.6)):
-            assert not torch.equal(found, other(walk_clip, limb))
-
-
 def test_contact_free_is_the_longest_axis_of_all_clips_and_points_forward(walk_clip):
     clips = [walk_clip.cut(0, 200), procedural.generate("Zombie", "FW", 4.0).moved(turn=1.0)]
     source = tk.phases.ContactFree()
@@ -134,21 +125,6 @@ def test_the_axis_is_that_of_the_swing_and_not_of_slow_drift(walk_clip):
         assert float(drifting.abs().max()) < 0.01
 
 
-def test_velocity_is_a_quarter_of_a_cycle_ahead_of_position(walk_clip):
-    clip = walk_clip.cut(0, 80).resample(30.0)
-    where = tk.phases.local_positions(clip, "left_hand").double()
-    found = tk.phases.Velocity().points(clip, "left_hand")
-    for frame in range(len(clip)):
-        before, after = max(frame - 1, 0), min(frame + 1, len(clip) - 1)
-        speed = (where[after] - where[before]) / (after - before) * 30.0
-        assert torch.allclose(found[frame], speed)
-    here, ahead = (tk.phases.extract(walk_clip, source).phase[60:-60, :2]
-                   for source in ("contact-free", "velocity"))
-    error, lag = tk.metrics.phase_error(ahead, here)
-    assert float(error.max()) < 0.1
-    assert torch.allclose(lag, torch.full((2,), math.pi / 2, dtype=lag.dtype), atol=0.1)
-
-
 @pytest.mark.parametrize(("source", "message"), [
     ("hybird", "^unknown phase source 'hybird'; known: hybrid, contact, contact-free, velocity$"),
     (lambda clip, limb: torch.zeros(3), r"must give one finite number per frame \(480\) for every"),
@@ -160,23 +136,7 @@ def test_bad_sources_are_refused(walk_clip, source, message):
         tk.phases.extract(walk_clip, source=source)
 
 
-def test_sources_go_by_their_names():
-    for name, source in tk.phases.SOURCES.items():
-        assert isinstance(tk.phases.named(name), source)
-
-
 # Extraction
-
-
-def test_clips_of_a_group_share_their_axes_and_keep_their_order(walk_clip):
-    clips = [walk_clip.cut(0, 150), procedural.generate("Zombie", "FW", 3.0)]
-    group = tk.phases.extract_group(clips, "contact-free")
-    fitted = tk.phases.ContactFree().fitted(clips)
-    for clip, ph in zip(clips, group, strict=True):
-        again = tk.phases.extract(clip, lambda c, limb: fitted(c, limb))
-        for a, b in zip(columns(ph).values(), columns(again).values(), strict=True):
-            assert torch.equal(a, b)
-    assert not torch.equal(group[0].source, tk.phases.extract(clips[0], "contact-free").source)
 
 
 @pytest.mark.parametrize("fps", [30.0, 60.0])
@@ -331,18 +291,6 @@ def test_a_z_score_is_that_of_each_column_alone_at_the_ends_too(half):
         assert got[frame].tolist() == pytest.approx(expected.tolist(), abs=1e-6)
 
 
-def test_a_window_is_constant_below_a_ten_thousandth_of_the_curve():
-    t = torch.arange(120, dtype=torch.float64)[:, None]
-    wave = torch.sin(TURN * t / 20)  # three whole cycles in 60 frames
-    for level in (1.0, 100.0):
-        for deviation, alive in ((0.95e-4, False), (1.05e-4, True)):
-            got = normalise(level * (1 + deviation * math.sqrt(2) * wave), FPS)[35:-35]
-            assert bool(got.abs().max() > 1) == alive
-            assert alive or float(got.abs().max()) == 0
-    assert float(normalise(1e-14 * wave, FPS).abs().max()) == 0
-    assert float(normalise(1e-6 * wave, FPS).abs().max()) > 1
-
-
 @pytest.mark.parametrize("fps", [30.0, 120.0])
 def test_smoothing_halves_four_hertz_and_shifts_nothing(fps):
     """Gain of a second-order Butterworth filter passed twice: 1 / (1 + r⁴), r of warped rates."""
@@ -380,13 +328,6 @@ def test_the_window_is_that_of_the_highest_peak_of_the_autocorrelation():
         seen.add(round(expected, 3))
     assert 0.5 in seen
     assert len(seen) > 8
-
-
-def test_a_curve_without_a_rhythm_has_the_shortest_window():
-    t = torch.arange(200, dtype=torch.float64) / FPS
-    slow = torch.sin(TURN * 0.4 * t)  # a period over two seconds is not sought
-    for curve in (slow, 1e-8 * torch.sin(TURN * t), random(6, 300), t[:61], torch.ones(600)):
-        assert windows.half_window(curve, FPS) == 0.5
 
 
 def test_speed_is_the_root_mean_square_over_a_second():

@@ -42,6 +42,7 @@ def _skeleton() -> Skeleton:
 #: T-pose facing +Z.
 SKELETON = _skeleton()
 _J = {name: j for j, name in enumerate(SKELETON.names)}
+SURGE = 0.02  # metres, amplitude ahead of a constant speed, twice per stride
 FOLDED = 0.34  # metres, least distance of hip joint and ankle
 DORSAL, PLANTAR = 0.6, -0.8  # radians, largest flexion of an ankle in the swing: 35° and 45°
 _FOOT = torch.tensor(FOOT, dtype=torch.float64)
@@ -99,17 +100,17 @@ def _upper_body(plan: Plan, rhythm: _Rhythm) -> Tensor:
          -style.drop * cos * even - 0.5 * bank)
     lean = style.lean + 5 * run + style.lean_swing * rhythm.cos2 + rhythm.breath + 3 * noise[0]
     turn(SPINE,
-         style.twist + (style.yaw + style.twist_swing) * speedup * sin * even + 2.5 * noise[1],
+         (style.yaw + style.twist_swing) * speedup * sin * even + 2.5 * noise[1],
          lean,
          -style.bend + (style.bend_swing + style.drop) * cos * even - 0.3 * bank + 3 * noise[2])
 
     # neck and head cancel a share of the trunk's motion, but not its posture, and look ahead
     trunk = euler[:, _J["Hips"]] + euler[:, [_J[name] for name in SPINE]].sum(1)
     undo = -style.steady * trunk
-    undo += style.steady * np.array([style.twist, style.tilt + style.lean, -style.bend])
+    undo += style.steady * np.array([0, style.tilt + style.lean, -style.bend])
     look = np.degrees(0.25 * smooth(plan.turning, 10))
     turn(["Neck", "Head"],
-         undo[:, 0] + style.head_turn + look + 4 * noise[3],
+         undo[:, 0] + look + 4 * noise[3],
          undo[:, 1] - 6 * run,
          undo[:, 2] - style.head_roll + style.head_swing * cos + 3 * noise[4])
     turn(["Neck"], 0, style.neck)
@@ -153,7 +154,7 @@ def _hips(plan: Plan, rhythm: _Rhythm) -> tuple[np.ndarray, np.ndarray]:
     side = side + 0.04 * style.stagger * smooth_noise(plan.rng, frames, 30, 1)[:, 0]
     if rhythm.hopping:
         side = side + (0.02 if plan.stepping[0] == "left" else -0.02)
-    surge = style.surge * amount * np.sin(2 * rhythm.beat) * rhythm.even
+    surge = SURGE * amount * np.sin(2 * rhythm.beat) * rhythm.even
     front = style.forward + 0.04 * style.noise * rhythm.noise[3] * amount - surge
     c, s = np.cos(plan.root[:, 2]), np.sin(plan.root[:, 2])
     x = plan.root[:, 0] + side * c + front * s

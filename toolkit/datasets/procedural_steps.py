@@ -264,8 +264,8 @@ class Foot:
             return 16 * w**2 * (1 - w) ** 2
 
         height = (leg.lift * (1 - 0.45 * run) + 0.1 * run) * (0.7 + 0.3 * size)
-        rise = height[here] * bump(leg.lift_at)
-        out = sign * leg.circle * size[here] * bump(leg.lift_at)
+        rise = height[here] * bump(0.5)
+        out = sign * leg.circle * size[here] * bump(0.5)
         self.kick = (size * (1 - 0.4 * run))[here] * bump(0.72)
 
         # with the toes up the foot stands on its heel, and the toe joint rotates about the heel

@@ -10,11 +10,10 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Leg:
-    """How one leg steps."""
+    """How one leg steps; the sole is highest in the middle of the swing."""
 
     stance: float = 0.575  # share of the stride from heel strike to toe-off (duty factor)
     lift: float = 0.035  # highest rise of the sole in the swing
-    lift_at: float = 0.5  # when in the swing the sole is highest, 0 to 1
     kick: float = 0.0  # angle of a forward kick of the straight leg in the swing; 90: horizontal
     circle: float = 0.0  # outward distance of the swing (circumduction)
     ahead: float = 0.0  # distance by which the foot lands ahead of its usual place
@@ -64,7 +63,6 @@ class Style:
     height: float = 0.975  # of the hips, where the legs reach the floor
     bob: float = 0.019  # vertical amplitude, on top of what the reach of the legs causes
     sway: float = 0.03  # lateral amplitude, towards the standing foot
-    surge: float = 0.02  # forward amplitude relative to constant speed, twice per stride
     forward: float = 0.0  # offset ahead of the middle between the feet
     tilt: float = -2.0  # forward pitch of the pelvis
     yaw: float = 4.5  # amplitude of the turn with the swinging leg
@@ -72,13 +70,11 @@ class Style:
     # trunk and head
     lean: float = 6.0  # forward pitch of the spine
     bend: float = 0.0  # to the left
-    twist: float = 0.0  # to the left
     lean_swing: float = 0.0  # amplitude, twice per stride
     bend_swing: float = 0.0  # amplitude, towards the standing foot
     twist_swing: float = 5.0  # amplitude of the chest relative to the pelvis
     neck: float = 14.0  # forward pitch of the neck
     head: float = 0.0  # forward pitch of the head relative to the neck
-    head_turn: float = 0.0
     head_roll: float = 0.0
     head_swing: float = 0.0  # amplitude of the roll of the head
     steady: float = 0.85  # share of the trunk's rotation that neck and head cancel, 0 to 1
@@ -98,7 +94,7 @@ class Style:
     @property
     def symmetric(self) -> bool:
         """Whether left and right limbs move alike, half a stride apart."""
-        if any((self.asymmetry, self.bend, self.twist, self.head_turn, self.head_roll)):
+        if any((self.asymmetry, self.bend, self.head_roll)):
             return False
         return self.leg("left") == self.leg("right") and self.arm("left") == self.arm("right")
 
