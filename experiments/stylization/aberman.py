@@ -11,11 +11,16 @@ of our config, no second style encoder for videos and so no joint embedding; D s
 their velocities in the root frame.
 """
 
+import math
+import time
+from collections.abc import Iterator
+
 import torch
 from torch import Tensor, nn
 from torch.nn import functional
+from tqdm.auto import tqdm
 
-from experiments.stylization.holden import budget, flat, unflat
+from experiments.stylization.convolutional import flat, unflat
 from toolkit.features.splits import generator, mix
 from toolkit.motion import Skeleton, rotations as R
 from toolkit.stylization import losses, training
@@ -101,10 +106,6 @@ class Aberman(nn.Module):
         self.generator, self.style = Generator(joints), Trunk(3 * joints)
         self.code = nn.Linear(WIDTHS[-1], STYLE)
 
-    def generators(self) -> list[nn.Module]:
-        """The parts whose parameters are counted."""
-        return [self.generator]
-
     def encode(self, z: Tensor) -> Tensor:
         """Style codes [B, S] of z-scores [B, 7, T, N]: the maximum over time."""
         return self.code(self.style(flat(z[:, :3])).amax(-1))
@@ -150,6 +151,21 @@ class Discriminator(nn.Module):
         return self.heads(h)[torch.arange(len(z)), domain], h.mean(-1)
 
 
+def budget(config: Config, progress: bool) -> Iterator[tuple[int, float]]:
+    """Steps and their rates as a share of the first, until iterations or seconds are spent."""
+    began, step = time.process_time(), 0
+    with tqdm(desc="Aberman 2020", unit="step", disable=not progress) as bar:
+        while True:
+            spent = (time.process_time() - began) / config.seconds
+            done = max(step / config.iterations, spent)
+            if done >= 1:
+                return
+            share = (1 + math.cos(math.pi * done)) / 2
+            yield step, config.final_rate + (1 - config.final_rate) * share
+            step += 1
+            bar.update()
+
+
 def fit(motions: Motions, config: Config, progress: bool = False) -> Aberman:
     """Train for the time or the iterations of the config."""
     with torch.random.fork_rng(devices=[]):
@@ -162,7 +178,7 @@ def fit(motions: Motions, config: Config, progress: bool = False) -> Aberman:
     domain, draw, statistics = motions.domain, generator(config.seed, 1), model.statistics
     x = statistics.invert(statistics.apply(motions.x))  # every quaternion with the sign of the mean
     members = [(domain == d).nonzero()[:, 0] for d in range(len(motions.domains))]
-    for step, rate in budget(config, "Aberman 2020", progress):
+    for step, rate in budget(config, progress):
         for name, adam in adams.items():
             adam.param_groups[0]["lr"] = rate * config.rates[name]
         rows, others = torch.randint(len(x), (2, config.batch), generator=draw)

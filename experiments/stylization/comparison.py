@@ -1,14 +1,13 @@
 """Ablation and comparison of Park et al. 2021 (Tables 1, 2): ``python -m experiments stylization``.
 
-All methods have the same processor time, the same clips and generators of nearly one size (but
-Holden's). Every run is resumed from its checkpoint and stored as a small file when it is done, so
-that the command goes on where it was stopped.
+All methods have the same processor time, the same clips and generators of nearly one size. Every
+run is resumed from its checkpoint, so that the command goes on where it was stopped.
 """
 
 import json
 import time
 from collections.abc import Iterator, Sequence
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Annotated
 
@@ -16,7 +15,7 @@ import torch
 import typer
 
 from experiments.seven_models.models import machine, write_json
-from experiments.stylization import aberman, convolutional, evaluation, holden, sets
+from experiments.stylization import aberman, convolutional, evaluation, sets
 from experiments.stylization.floors import FLOORS, mean_pose_shift
 from experiments.stylization.judges import Judges
 from experiments.stylization.sets import Task
@@ -30,29 +29,18 @@ from toolkit.stylization.training import Config
 
 OUT = Path("out/stylization")
 USUAL = 60.0  # seconds of the comparison
-OURS: dict[str, dict] = {  # what differs from the recipe
+OURS: dict[str, dict] = {  # what differs from `Config.quick`
     "ours": {},
     "ours without ds": {"losses": LOSSES[:4]},
     "ours without sty and ds": {"losses": LOSSES[:3]},
-    "ours with own window": {"other_window": False, "encoder_learns": False, "warm_up": 150},
     "ours with the paper's ds": {"fading": False, "warm_up": 0},
+    "ours by content": {"by_content": True},
 }
-#: The recipe without each of its departures from the paper.
-RECIPE: dict[str, dict] = {
-    "content losses of squares": {"squared": True},
-    "a source's code from its own window": {"other_window": False},
-    "no training as an autoencoder first": {"warm_up": 0},
-    "ds as in the paper": {"fading": False},
-    "E learns from noise alone": {"encoder_learns": False},
-    "R1 in every iteration": {"r1_every": 1},
-    "a generator as in Table 3": {"sizes": replace(networks.Sizes.small(), detailed=False)},
-}
-METHODS = (*OURS, "1-D convolutions", "Aberman et al. 2020", "Holden et al. 2016")
+METHODS = (*OURS, "1-D convolutions", "Aberman et al. 2020")
 PAPER = {
     "noise": {"ours": (9.09, 0.7264), "ours without ds": (8.58, 0.7786),
               "ours without sty and ds": (14.14, 0.5792)},
-    "reference": {"ours": (6.82, 0.6086), "Aberman et al. 2020": (15.86, 0.4281),
-                  "Holden et al. 2016": (14.10, 0.3799)},
+    "reference": {"ours": (6.82, 0.6086), "Aberman et al. 2020": (15.86, 0.4281)},
 }
 COLUMNS: dict[str, list] = {
     "method": ["method"],
@@ -93,20 +81,18 @@ def run(
     ] = ",".join(sets.SETS),
     seconds: Annotated[float, typer.Option(min=1, help="Processor time of a training.")] = USUAL,
     seeds: Annotated[str, typer.Option(help="Comma-separated; a run of each.")] = "0,1,2",
-    methods: Annotated[
-        str, typer.Option(help="Comma-separated; or recipe: without each of its departures.")
-    ] = ",".join(METHODS),
+    methods: Annotated[str, typer.Option(help="Comma-separated.")] = ",".join(METHODS),
     part: Annotated[str, typer.Option(help=f"Scored: {', '.join(sets.PARTS)}.")] = "test",
     sources: Annotated[int, typer.Option(min=2, help="Most windows that are restyled.")] = 64,
     store: Annotated[bool, typer.Option(help="Write the tables' files in docs/results.")] = False,
 ) -> None:
-    """The losses of Park et al. 2021 (Table 1), and their stylizer compared with two methods.
+    """The losses of Park et al. 2021 (Table 1), and their stylizer compared with two others.
 
     Trains and measures all methods with every seed on one thread, and prints the tables.
     """
     torch.set_num_threads(1)
     chosen = _words(data, sets.SETS)
-    names = ["ours", *RECIPE] if methods == "recipe" else _words(methods, (*METHODS, *RECIPE))
+    names = _words(methods, METHODS)
     plan, numbers = Plan(seconds, sources, part), numbers_in(seeds)
     settle(out, plan)
     tasks = {name: sets.load(name) for name in chosen}
@@ -126,7 +112,7 @@ def measure(method: str, task: Task, plan: Plan, seed: int, folder: Path, name: 
     """Measures of one run by the way its codes are made; trained, or read if that was done."""
     path = folder / "measures" / f"{name}-{slug(method)}-{seed}.json"
     if not path.exists():
-        config = plan.config(seed)
+        config = plan.config(seed, **OURS.get(method, {}))
         model, numbers = trained(method, task.train, config, folder / "runs" / path.stem, progress)
         judges, sources = judges_of(task, plan.part), sources_of(task, plan)
         ways = (*evaluation.WAYS, *evaluation.POSTURES)
@@ -142,24 +128,13 @@ def trained(method: str, motions: Motions, config: Config, path: Path,
             progress: bool = False) -> tuple:
     """One of the models, and numbers of its training; a stylizer goes on from its checkpoint."""
     start = time.process_time()
-    if method.startswith(("Aberman", "Holden")):
-        module = aberman if method.startswith("Aberman") else holden
-        model = module.fit(motions, config, progress)
-        size = sum(map(_size, model.generators()))
-        return model, {"seconds": time.process_time() - start, "parameters": size}
+    if method == "Aberman et al. 2020":
+        model = aberman.fit(motions, config, progress)
+        return model, {"seconds": time.process_time() - start, "parameters": _size(model.generator)}
     path.parent.mkdir(parents=True, exist_ok=True)
-    checkpoint, stored = path.with_suffix(".checkpoint"), path.with_suffix(".safetensors")
-    own = method in OURS or method in RECIPE
-    config = replace(config, **(OURS | RECIPE).get(method, {}))
-    if stored.exists():
-        run = training.load(stored)
-    else:
-        make = networks.build if own else convolutional.build
-        run = training.fit(motions, config, checkpoint, progress=progress, networks=make,
-                           clock=time.process_time)
-        if own:
-            run.save(stored)
-    checkpoint.unlink(missing_ok=True)
+    make = networks.build if method in OURS else convolutional.build
+    run = training.fit(motions, config, path.with_suffix(".checkpoint"), progress=progress,
+                       networks=make, clock=time.process_time)
     last = run.history[-1] if run.history else {"step": 0, "elapsed": 0.0}
     return run.stylizer, {"seconds": last["elapsed"], "iterations": last["step"],
                           "parameters": _size(run.stylizer.generator)}
@@ -168,7 +143,7 @@ def trained(method: str, motions: Motions, config: Config, path: Path,
 def summary(name: str, task: Task, plan: Plan, folder: Path) -> Result:
     """The table of a dataset from all finished runs in the folder, with real motion and floors."""
     lines, numbers = list(_floors(task, plan)), {}
-    for method in (*METHODS, *RECIPE):
+    for method in METHODS:
         paths = sorted((folder / "measures").glob(f"{name}-{slug(method)}-[0-9]*.json"))
         found = [json.loads(path.read_text(encoding="utf-8")) for path in paths]
         if not found:
@@ -203,8 +178,7 @@ def summary(name: str, task: Task, plan: Plan, folder: Path) -> Result:
     if plan.seconds != USUAL:
         ending = f"-{plan.seconds:g}-seconds{ending}"
     return Result(f"stylisation-{name}{ending}", about, command, COLUMNS, lines, settings,
-                  {"runs": numbers, "FMD of ours as a share of that of 1-D convolutions, by seed":
-                   _shares(lines)})
+                  {"runs": numbers})
 
 
 def _floors(task: Task, plan: Plan) -> Iterator[dict]:
@@ -215,6 +189,11 @@ def _floors(task: Task, plan: Plan) -> Iterator[dict]:
     real, chosen = task.sources[plan.part], sources.select(rows)
     held = judges.judge(real.x, real.content, real.domain)
     yield {"method": "real motion", **held, "diversity": evaluation.own_diversity(task.train)}
+    kinds = torch.stack((chosen.content, target))
+    most = [float(kind.bincount().max()) / len(target) for kind in kinds]
+    pair = float(kinds.unique(dim=1, return_counts=True)[1].max()) / len(target)
+    yield {"method": "most frequent class", "content": most[0], "style": most[1], "both": pair,
+           "movement": most[1]}
     for floor, make in FLOORS.items():
         made = make(task.train)(chosen, target)
         found = evaluation.measures(chosen, target, [made], judges)
@@ -227,14 +206,6 @@ def _floors(task: Task, plan: Plan) -> Iterator[dict]:
             made.append(statistics.invert(moved + share * (pose - statistics.poses[target])))
         found = evaluation.measures(chosen, target, made, judges)
         yield {"method": "mean-pose shift", "codes": by, **found}
-
-
-def _shares(lines: Sequence[dict]) -> dict[str, list[float]]:
-    """FMD of ours as a share of that of 1-D convolutions, by seed, for each way of codes."""
-    fmd = {(line["method"], line.get("codes")): line["fmd"] for line in lines}
-    return {by: [a / b for a, b in zip(fmd["ours", by], fmd["1-D convolutions", by], strict=False)]
-            for by in evaluation.WAYS
-            if ("ours", by) in fmd and ("1-D convolutions", by) in fmd}
 
 
 def judges_of(task: Task, part: str) -> Judges:

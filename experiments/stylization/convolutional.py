@@ -11,7 +11,6 @@ from itertools import pairwise
 from torch import Tensor, nn
 from torch.nn import functional
 
-from experiments.stylization.holden import flat, unflat
 from toolkit.stylization import networks
 from toolkit.stylization.data import CHANNELS, Statistics
 from toolkit.stylization.graph import SkeletonGraph
@@ -19,6 +18,16 @@ from toolkit.stylization.layers import SLOPE, AdaIN, Skip, he_init
 from toolkit.stylization.networks import Discriminator, Sizes, Stylizer
 
 KERNEL = 5  # frames
+
+
+def flat(x: Tensor) -> Tensor:
+    """[B, C, T, N] as [B, C N, T]: all features of a frame in one vector."""
+    return x.transpose(2, 3).flatten(1, 2)
+
+
+def unflat(x: Tensor, channels: int = CHANNELS) -> Tensor:
+    """Inverse of `flat`."""
+    return x.unflatten(1, (channels, -1)).transpose(2, 3)
 
 
 def widths(sizes: Sizes) -> tuple[int, int, int]:
@@ -77,23 +86,24 @@ class Generator(nn.Module):
         self.encoder = Encoder(joints, sizes, "in")
         self.decoder = nn.ModuleList(Block(a, b, "adain", sizes.code)
                                      for a, b in pairwise(widths(sizes)[::-1]))
+        self.residual = sizes.residual
         self.skip = Skip(sizes.code, widths(sizes)[0]) if sizes.detailed else None
         self.lower = nn.Conv1d(widths(sizes)[0], CHANNELS * joints, 1)
 
     def encode(self, z: Tensor) -> tuple[Tensor, ...]:
-        """Content ``[B, C, 1, T/4]``, and what the skip connection needs."""
+        """Content ``[B, C, 1, T/4]``, early features, and z."""
         early = self.encoder.enter(flat(z))
-        content = self.encoder.shrink(early)[:, :, None]
-        return (content,) if self.skip is None else (content, early[:, :, None])
+        return self.encoder.shrink(early)[:, :, None], early[:, :, None], z
 
     def decode(self, content: tuple[Tensor, ...], code: Tensor) -> Tensor:
         """Motion ``[B, 7, T, N]`` of content in the style of ``code [B, S]``."""
-        h, *early = content[0][:, :, 0], *content[1:]
+        h, early, z = content[0][:, :, 0], *content[1:]
         for block in self.decoder:
             h = block(functional.interpolate(h, scale_factor=2.0, mode="linear"), code)
         if self.skip is not None:
-            h = h + self.skip(*early, code)[:, :, 0]
-        return unflat(self.lower(h))
+            h = h + self.skip(early, code)[:, :, 0]
+        made = unflat(self.lower(h))
+        return z + made if self.residual else made
 
     def forward(self, z: Tensor, code: Tensor) -> Tensor:
         """``z [B, 7, T, N]``, T a multiple of 4, in the style of ``code [B, S]``."""
@@ -116,20 +126,16 @@ class Summary(nn.Module):
 
 
 def build(graph: SkeletonGraph, domains: tuple[str, ...], sizes: Sizes | None = None,
-          statistics: Statistics | None = None) -> tuple[Stylizer, Discriminator]:
+          statistics: Statistics | None = None,
+          kinds: int | None = None) -> tuple[Stylizer, Discriminator]:
     """New networks, initialised like those of `toolkit.stylization.networks.build`."""
-    stylizer, discriminator = networks.build(graph, domains, sizes, statistics)
+    stylizer, discriminator = networks.build(graph, domains, sizes, statistics, kinds)
     joints, sizes = graph.sizes[0], stylizer.sizes
     stylizer.generator = Generator(joints, sizes)
     trunks = [Summary(joints, sizes) for _ in range(2)]
     stylizer.encoder.summary, discriminator.summary = trunks
     for network in (stylizer.generator, *trunks):
         he_init(network)
-        for layer in network.modules():
-            if isinstance(layer, nn.Conv1d):
-                nn.init.kaiming_normal_(layer.weight, nonlinearity="relu")
-                if layer.bias is not None:
-                    nn.init.zeros_(layer.bias)
     nn.init.zeros_(stylizer.generator.lower.weight)
     for module in stylizer.generator.modules():
         if isinstance(module, AdaIN | Skip):

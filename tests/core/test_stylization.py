@@ -1,21 +1,23 @@
 """Park et al. 2021: skeleton graph, networks, losses, training, and restyling a clip."""
 
 import dataclasses
+import functools
 import math
-from itertools import pairwise
+from itertools import pairwise, product
 
 import pytest
 import torch
 from course.medley import medley
 from hypothesis import given
 from strategies import clips, human, human_clip
+from torch.nn import functional
 
 import toolkit as tk
 from toolkit import stylization as st
 from toolkit.__main__ import main
 from toolkit.motion import Skeleton, rotations as R
 from toolkit.stylization import data, layers, losses, networks, training
-from toolkit.stylization.restyling import lock_feet
+from toolkit.stylization.restyling import jerk, lock_feet, smooth_arms, stances
 
 SMALL = networks.Sizes(channels=4, code=8, latent=4, hidden=16)
 #: 21 joints as in the paper and in Bandai's files: a spine of five, arms and legs of four.
@@ -24,18 +26,15 @@ PARENTS = (-1, 0, 1, 2, 3, 2, 5, 6, 7, 2, 9, 10, 11, 0, 13, 14, 15, 0, 17, 18, 1
 
 @pytest.fixture(scope="module")
 def graph() -> st.SkeletonGraph:
-    return st.SkeletonGraph.of(
-        Skeleton(tuple(f"joint{j}" for j in range(21)), PARENTS, torch.ones(21, 3))
-    )
+    names = tuple(f"joint{j}" for j in range(21))
+    return st.SkeletonGraph.of(Skeleton(names, PARENTS, torch.ones(21, 3)))
 
 
 @pytest.fixture(scope="module")
 def walks() -> list[tk.Clip]:
-    """Procedural walks of two styles, 30 Hz."""
-    found = tk.datasets.load(
-        "procedural", styles=["Neutral", "Zombie"], gaits=["FW", "FR"], seconds=6.0
-    )
-    return [clip.resample(30) for clip in found]
+    """Procedural walks and runs of two styles, 30 Hz."""
+    options = {"styles": ["Neutral", "Zombie"], "gaits": ["FW", "FR"], "seconds": 6.0}
+    return [clip.resample(30) for clip in tk.datasets.load("procedural", **options)]
 
 
 @pytest.fixture(scope="module")
@@ -61,18 +60,14 @@ def subset(parents: tuple[int, ...], joint: int, k: int) -> list[int]:
 def test_a_body_is_divided_into_trunk_and_limbs(graph):
     assert graph.sizes == (21, 10, 5)
     limbs = [[*range(5)], *([*range(first, first + 4)] for first in (5, 9, 13, 17))]
-    assert [
-        [j for j in range(21) if graph.clusters[1][graph.clusters[0][j]] == part]
-        for part in range(5)
-    ] == limbs
+    home = [graph.clusters[1][graph.clusters[0][j]] for j in range(21)]
+    assert [[j for j in range(21) if home[j] == part] for part in range(5)] == limbs
     assert graph.parents[2] == (-1, 0, 0, 0, 0)
     named = human()
-    parts = st.graph.body_parts(named.parents)
-    assert {named.names[j] for j in parts[0]} == {"Hips", "Chest", "Head", "HeadEnd"}
-    assert {frozenset(named.names[j][:4] for j in part) for part in parts[1:]} == {
-        frozenset({"Left"}),
-        frozenset({"Righ"}),
-    }
+    trunk, *others = st.graph.body_parts(named.parents)
+    assert {named.names[j] for j in trunk} == {"Hips", "Chest", "Head", "HeadEnd"}
+    for part in others:  # a limb is on one side
+        assert len({named.names[j][:4] for j in part}) == 1
 
 
 @given(clips())
@@ -119,19 +114,14 @@ def test_windows_overlap_by_half_and_short_clips_are_padded(walks):
 
 
 def test_mirror_images_keep_their_take_and_exchange_left_and_right():
-    turns = [
-        human_clip(seed, 64).replace(style="a", gait="walk-turn-left", name=str(seed))
-        for seed in range(2)
-    ]
+    turns = [human_clip(seed, 64).replace(style="a", gait="walk-turn-left") for seed in range(2)]
     found = st.build(turns, mirror=True)
     assert found.contents == ("walk-turn-left", "walk-turn-right")
     assert found.take.tolist() == [0, 0, 1, 1]
     assert found.content.tolist() == [0, 1, 0, 1]
-    names = found.skeleton.names
-    left, right = names.index("LeftHand"), names.index("RightHand")
-    torch.testing.assert_close(
-        found.x[1, :3, :, left], found.x[0, :3, :, right] * torch.tensor([-1.0, 1, 1])[:, None]
-    )
+    left, right = map(found.skeleton.names.index, ("LeftHand", "RightHand"))
+    mirrored = found.x[0, :3, :, right] * torch.tensor([-1.0, 1, 1])[:, None]
+    torch.testing.assert_close(found.x[1, :3, :, left], mirrored)
 
 
 def test_a_split_parts_no_take(walks):
@@ -140,20 +130,12 @@ def test_a_split_parts_no_take(walks):
     assert not set(first.take.tolist()) & set(second.take.tolist())
     assert len(second.take.unique()) == len(first.take.unique()) == 8
     for part in (first, second):
-        assert {(int(d), int(c)) for d, c in zip(part.domain, part.content, strict=True)} == {
-            (0, 0),
-            (0, 1),
-            (1, 0),
-            (1, 1),
-        }
-    assert torch.equal(first.take, st.split(st.build(many, mirror=True), 0.5, seed=1)[0].take)
-    name = second.domains[1]
-    alone = st.split(
-        st.build([clip for clip in many if clip.style == name], mirror=True), 0.5, seed=1
-    )[1]
-    assert torch.equal(
-        alone.x[:, :3], second.select(second.domain == 1).x[:, :3]
-    )  # as without the other domain
+        kinds = set(zip(part.domain.tolist(), part.content.tolist(), strict=True))
+        assert kinds == {(0, 0), (0, 1), (1, 0), (1, 1)}
+    # what is chosen of a domain does not depend on the other one
+    own = [clip for clip in many if clip.style == second.domains[1]]
+    alone = st.split(st.build(own, mirror=True), 0.5, seed=1)[1]
+    assert torch.equal(alone.x[:, :3], second.select(second.domain == 1).x[:, :3])
 
 
 def test_z_scores_do_not_depend_on_a_quaternions_sign(motions):
@@ -172,14 +154,10 @@ def test_graph_convolution_is_equation_1(graph):
     conv = layers.GraphConv(3, 5, graph, 0)
     x = torch.randn(2, 3, 21, 4)
     weight = conv.channels.weight.detach().view(5, 3, 3)  # [output, input, subset]
-    slow = torch.zeros(2, 5, 21, 4)
-    for i in range(21):
-        for k in range(3):
-            for j in (near := subset(PARENTS, i, k)):
-                slow[:, :, i] += torch.einsum("oc,bct->bot", weight[:, :, k], x[:, :, j]) / len(
-                    near
-                )
-    slow += conv.channels.bias.detach()[:, None, None]
+    slow = conv.channels.bias.detach()[:, None, None].repeat(2, 1, 21, 4)
+    for i, k in product(range(21), range(3)):
+        for j in (near := subset(PARENTS, i, k)):
+            slow[:, :, i] += torch.einsum("oc,bct->bot", weight[:, :, k], x[:, :, j]) / len(near)
     torch.testing.assert_close(conv(x), slow)
     pooled = layers.GraphConv(3, 5, graph, 0, pool=True)
     pooled.load_state_dict(conv.state_dict())
@@ -211,9 +189,8 @@ def test_a_block_adds_its_residual_to_a_shortcut_that_no_norm_touches(graph):
     x = torch.randn(1, 4, 21, 8)
     torch.testing.assert_close(block(3 * x), 3 * block(x))
     wanted = torch.einsum("oc,bcnt,nm->bomt", block.shortcut.weight[:, :, 0, 0], x, graph.pool(0))
-    torch.testing.assert_close(
-        block(x), torch.nn.functional.avg_pool2d(wanted, (1, 2)) / math.sqrt(2)
-    )
+    wanted = functional.avg_pool2d(wanted, (1, 2)) / math.sqrt(2)
+    torch.testing.assert_close(block(x), wanted)
 
 
 def test_networks_have_the_shapes_of_table_3(graph):
@@ -227,16 +204,11 @@ def test_networks_have_the_shapes_of_table_3(graph):
     assert stylizer.generator(x, code).shape == x.shape
     assert discriminator(x, y).shape == (2,)
     ends = [[64, 21, 64], [128, 10, 32], [256, 5, 16]]  # C, N, T
-    for trunk in (
-        stylizer.generator.encoder,
-        stylizer.encoder.summary.trunk,
-        discriminator.summary.trunk,
-    ):
+    summaries = stylizer.encoder.summary, discriminator.summary
+    for trunk in (stylizer.generator.encoder, *(part.trunk for part in summaries)):
         assert [shapes[layer] for layer in trunk][:3] == ends
     assert [shapes[block] for block in stylizer.generator.decoder] == [ends[1], ends[0]]
-    assert (
-        shapes[stylizer.encoder.summary.whole] == shapes[discriminator.summary.whole] == [256, 1, 1]
-    )
+    assert all(shapes[part.whole] == [256, 1, 1] for part in summaries)
     parts = (stylizer.generator, stylizer.encoder, stylizer.mapping, discriminator)
     counts = [sum(p.numel() for p in network.parameters()) for network in parts]
     assert counts == [959_175, 5_908_864, 860_224, 5_779_336]
@@ -245,34 +217,18 @@ def test_networks_have_the_shapes_of_table_3(graph):
 def test_losses_are_what_the_equations_say():
     torch.manual_seed(0)
     logits, (x, y), (s, t) = torch.randn(2, 3), torch.randn(2, 2, 7, 4, 3), torch.randn(2, 2, 8)
-    sigmoid = [[1 / (1 + math.exp(-v)) for v in row] for row in logits.tolist()]
-    assert float(losses.discriminator(*logits)) == pytest.approx(
-        -sum(math.log(p) for p in sigmoid[0]) / 3 - sum(math.log(1 - p) for p in sigmoid[1]) / 3,
-        rel=1e-5,
-    )
-    assert float(losses.adversarial(logits[1])) == pytest.approx(
-        -sum(math.log(p) for p in sigmoid[1]) / 3, rel=1e-5
-    )
-    pairs = list(zip(x.flatten().tolist(), y.flatten().tolist(), strict=True))
-    assert float(losses.content(x, y)) == pytest.approx(
-        sum((a - b) ** 2 for a, b in pairs) / len(pairs), rel=1e-5
-    )
-    norms = (
-        (x - y).movedim(1, -1).reshape(-1, 7).tolist()
-    )  # of the seven numbers of a joint in a frame
-    slow = sum(math.sqrt(sum(v * v for v in joint)) for joint in norms) / len(norms)
-    assert float(losses.content(x, y, squared=False)) == pytest.approx(slow, rel=1e-4)
+    close = functools.partial(torch.testing.assert_close, rtol=1e-4, atol=1e-5)
+    real, fake = torch.sigmoid(logits)
+    close(losses.discriminator(*logits), -real.log().mean() - (1 - fake).log().mean())
+    close(losses.adversarial(logits[1]), -fake.log().mean())
+    close(losses.content(x, y), ((x - y) ** 2).mean())
+    # of the seven numbers of a joint in a frame
+    close(losses.content(x, y, squared=False), (x - y).norm(dim=1).mean())
+    close(losses.style(s, t), (s - t).abs().mean())
     near = x[0] + 0.1 * (y[0] - x[0])
-    apart = [
-        abs(a - b) for a, b in zip(x[0].flatten().tolist(), near.flatten().tolist(), strict=True)
-    ]
-    assert sum(apart) / len(apart) < losses.DIVERSE < float((x[1] - y[1]).abs().mean())
-    bounded = (sum(apart) / len(apart) + losses.DIVERSE) / 2
-    assert float(losses.diversity(x, torch.stack((near, y[1])))) == pytest.approx(bounded, rel=1e-5)
-    codes = list(zip(s.flatten().tolist(), t.flatten().tolist(), strict=True))
-    assert float(losses.style(s, t)) == pytest.approx(
-        sum(abs(a - b) for a, b in codes) / len(codes), rel=1e-5
-    )
+    apart, far = (x[0] - near).abs().mean(), (x[1] - y[1]).abs().mean()
+    assert apart < losses.DIVERSE < far
+    close(losses.diversity(x, torch.stack((near, y[1]))), (apart + losses.DIVERSE) / 2)
 
 
 def test_r1_is_half_the_squared_slope():
@@ -287,30 +243,29 @@ def test_r1_is_half_the_squared_slope():
 
 def test_a_detailed_generator_keeps_a_movement_by_its_skip_and_tells_joints_apart(graph):
     torch.manual_seed(0)
-    generator = networks.build(graph, ("a", "b"), dataclasses.replace(SMALL, detailed=True))[
-        0
-    ].generator
+    sizes = dataclasses.replace(SMALL, detailed=True)
+    generator = networks.build(graph, ("a", "b"), sizes)[0].generator
     torch.nn.init.normal_(generator.lower.weight)
     h = torch.randn(2, 4, 21, 16)
     slow = [torch.einsum("oc,bct->bot", generator.lower.weight[n], h[:, :, n]) for n in range(21)]
     torch.testing.assert_close(generator.lower(h), torch.stack(slow, 2) + generator.lower.bias)
     x, code = torch.randn(2, 7, 16, 21), torch.randn(2, 8)
-    early = generator.encoder[0](x.transpose(2, 3))
+    content, early, _ = generator.encode(x)
     added = generator.skip(early, code)
     torch.testing.assert_close(added.mean(-1), torch.zeros(2, 4, 21), atol=1e-5, rtol=0)
-    torch.testing.assert_close(
-        generator.skip(early + 3.0, code), added
-    )  # the mean pose does not pass
+    # the mean pose does not pass
+    torch.testing.assert_close(generator.skip(early + 3.0, code), added)
     gain = 1 + generator.skip.gain(code)[:, :, None, None]
     torch.testing.assert_close(added, gain * (early - early.mean(-1, keepdim=True)))
-    without = generator.lower(
-        generator.decoder[1](generator.decoder[0](generator.encode(x)[0], code), code)
-    )
-    assert (generator(x, code) - without.transpose(2, 3)).abs().max() > 0.1
+    made = generator.decoder[1](generator.decoder[0](content, code), code)
+    made = generator.lower(made + added).transpose(2, 3)
+    torch.testing.assert_close(generator(x, code), made)
+    generator.residual = True
+    torch.testing.assert_close(generator(x, code), x + made)
 
 
 @pytest.mark.parametrize("from_noise", [True, False])
-def test_one_pass_gives_the_losses_that_the_equations_give_one_by_one(motions, model, from_noise):
+def test_terms_are_those_of_the_equations(motions, model, from_noise):
     config = training.Config(batch=3, sizes=SMALL)
     discriminator = networks.build(motions.graph, motions.domains, SMALL)[1]
     batch = training.Batches(motions, model.statistics.apply(motions.x), config)[5]
@@ -318,35 +273,44 @@ def test_one_pass_gives_the_losses_that_the_equations_give_one_by_one(motions, m
     made = training.translations(model, batch, config, from_noise)
     terms = training.terms_of(model, discriminator, batch, made, config)
     g, e = model.generator, model.encoder
-    s, s2 = (
-        model.mapping(z, target) if from_noise else e(r, target)
-        for z, r in zip(batch["noise"], batch["references"], strict=True)
-    )
+    if from_noise:
+        s, s2 = (model.mapping(z, target) for z in batch["noise"])
+    else:
+        s, s2 = (e(r, target) for r in batch["references"])
+    apart = (g(x, s) - g(x, s2)).abs().mean((1, 2, 3))
     slow = {
         "adv": -torch.sigmoid(discriminator(g(x, s), target)).log().mean(),
         "cyc": (x - g(g(x, s), e(x, y))).square().mean(),
         "id": (x - g(x, e(x, y))).square().mean(),
         "sty": (s - e(g(x, s), target)).abs().mean(),
-        "ds": torch.stack(
-            [m.abs().mean().clamp(max=losses.DIVERSE) for m in g(x, s) - g(x, s2)]
-        ).mean(),
+        "ds": apart.clamp(max=losses.DIVERSE).mean(),
     }
     for name, value in slow.items():
         torch.testing.assert_close(terms[name], value, rtol=1e-4, atol=1e-5)
-    recipe = training.Config.quick(batch=3, sizes=SMALL, warm_up=0)
+    recipe = training.Config.quick(batch=3, sizes=SMALL)
     made = training.translations(model, batch, recipe, from_noise)
     terms = training.terms_of(model, discriminator, batch, made, recipe)
     assert ("ds" in terms) == from_noise
     assert not from_noise or not made["second"].requires_grad
-    own, rebuilt = e(batch["kin"], y), g(x, e(batch["kin"], y)) - x
+    own = e(batch["kin"], y)
     torch.testing.assert_close(made["own"], own)
-    torch.testing.assert_close(terms["id"], rebuilt.norm(dim=1).mean(), rtol=1e-3, atol=1e-4)
-    fewer = training.Config(batch=3, sizes=SMALL, losses=("adv", "cyc"))
-    assert set(
-        training.terms_of(
-            model, discriminator, batch, training.translations(model, batch, fewer, True), fewer
-        )
-    ) == {"adv", "cyc"}
+    wanted = (g(x, own) - x).norm(dim=1).mean()
+    torch.testing.assert_close(terms["id"], wanted, rtol=1e-3, atol=1e-4)
+
+
+def test_a_result_is_judged_as_a_motion_of_the_targets_style_and_the_sources_content(motions):
+    few = motions.select((motions.domain == 0) | (motions.content == 0))  # a Zombie does not walk
+    config = training.Config.quick(batch=64, by_content=True)
+    assert config.sizes.residual
+    batch = training.Batches(few, few.x, config)[0]
+    assert batch["x"].shape == batch["kin"].shape == (64, *few.x.shape[1:])
+    for kind, domain in (("real", "domain"), ("fake", "target")):
+        assert torch.equal(batch[kind] // 2, batch[domain])
+    assert torch.equal(batch["real"] % 2, batch["fake"] % 2)
+    assert set(batch["fake"].tolist()) == {0, 1, 2}
+    alike = training.Batches(few, few.x, dataclasses.replace(config, by_content=False))[0]
+    assert torch.equal(alike["real"], alike["domain"])
+    assert torch.equal(alike["fake"], alike["target"])
 
 
 def test_training_goes_on_from_a_checkpoint_as_if_it_had_not_stopped(motions, tmp_path):
@@ -382,50 +346,23 @@ def weights(run: st.Run) -> list[torch.Tensor]:
     return [*run.stylizer.state_dict().values(), *run.discriminator.state_dict().values()]
 
 
-@pytest.mark.parametrize(
-    ("changes", "wanted"),
-    [
-        (
-            {"encoder_learns": False},
-            [{"generator"}, {"generator", "encoder", "mapping"}, {"generator"}],
-        ),
-        (
-            {},
-            [
-                {"generator", "encoder"},
-                {"generator", "encoder", "mapping"},
-                {"generator", "encoder"},
-            ],
-        ),
-        ({"warm_up": 4}, [{"generator", "encoder"}] * 3),
-    ],
-)
-def test_noise_trains_g_e_and_f_and_references_train_g_or_g_and_e(motions, changes, wanted):
+def test_noise_trains_g_e_and_f_and_references_train_g_and_e(motions):
     before: dict[str, list[torch.Tensor]] = {}
     changed: list[set[str]] = []
 
     def watch(_, stylizer):
-        now = {
-            name: [p.detach().clone() for p in getattr(stylizer, name).parameters()]
-            for name in training.NETWORKS[:3]
-        }
+        now = {}
+        for name in training.NETWORKS[:3]:
+            now[name] = [p.detach().clone() for p in getattr(stylizer, name).parameters()]
         if before:
             changed.append({n for n in now if not all(map(torch.equal, now[n], before[n]))})
         before.update(now)
 
-    settings = {
-        "sizes": SMALL,
-        "batch": 2,
-        "iterations": 4,
-        "warm_up": 0,
-        "log_every": 1,
-        "r1_every": 2,
-    } | changes
-    run = st.fit(motions, training.Config.quick(**settings), on_step=watch)
-    assert changed == wanted
-    assert ["r1" in row for row in run.history] == [
-        n % 2 == 0 and "warm_up" not in changes for n in range(4)
-    ]
+    few = {"sizes": SMALL, "batch": 2, "iterations": 5, "warm_up": 2, "log_every": 1, "r1_every": 2}
+    run = st.fit(motions, training.Config.quick(**few), on_step=watch)
+    two, three = {"generator", "encoder"}, {"generator", "encoder", "mapping"}
+    assert changed == [two, three, two, three]  # the first after the warm-up
+    assert ["r1" in row for row in run.history] == [False, False, True, False, True]
 
 
 def test_training_ends_when_its_time_is_spent(motions):
@@ -439,19 +376,10 @@ def test_training_ends_when_its_time_is_spent(motions):
 
 def test_training_learns_to_rebuild_and_to_tell_apart(motions):
     weights = {"adv": 1.0, "cyc": 10.0, "id": 10.0, "sty": 1.0, "ds": 3.0, "r1": 5.0}
-    run = st.fit(
-        motions,
-        training.Config.quick(
-            sizes=SMALL,
-            batch=4,
-            iterations=24,
-            warm_up=0,
-            squared=True,
-            log_every=6,
-            weights=weights,
-        ),
-    )
-    assert run.history[-1]["id"] < 0.9 * run.history[0]["id"]
+    config = training.Config.quick(sizes=SMALL, batch=4, iterations=24, warm_up=0, squared=True,
+                                   log_every=6, weights=weights)
+    run = st.fit(motions, config)
+    assert run.history[-1]["id"] < 0.95 * run.history[0]["id"]
     assert run.history[-1]["d"] < run.history[0]["d"]
 
 
@@ -477,23 +405,14 @@ def test_restyling_keeps_body_path_rate_and_length(walks, model):
 def test_a_style_comes_from_noise_from_a_reference_or_from_a_code(walks, model):
     clip, reference = walks[0], walks[-1]
     assert reference.style == "Zombie"
-    by_noise, by_reference = (
-        st.style_code(model, "Zombie", 3),
-        st.style_code(model, reference=reference),
-    )
-    made = (
-        st.stylize(model, clip, "Zombie", 3),
-        st.stylize(model, clip, reference=reference, posture=0),
-    )
-    for code, wanted in zip((by_noise, by_reference), made, strict=True):
+    codes = st.style_code(model, "Zombie", 3), st.style_code(model, reference=reference)
+    made = st.stylize(model, clip, "Zombie", 3), st.stylize(model, clip, reference=reference)
+    for code, wanted in zip(codes, made, strict=True):
         assert torch.equal(st.stylize(model, clip, code=code).rotations, wanted.rotations)
-    assert torch.equal(
-        st.style_code(model, "Zombie", reference=reference.replace(style="")), by_reference
-    )
-    poses = [
-        st.stylize(model, clip, code=torch.lerp(by_noise, by_reference, k / 4)).global_positions
-        for k in range(5)
-    ]
+    unnamed = reference.replace(style="")
+    assert torch.equal(st.style_code(model, "Zombie", reference=unnamed), codes[1])
+    poses = [st.stylize(model, clip, code=torch.lerp(*codes, k / 4)).global_positions
+             for k in range(5)]
     steps = [float((b - a).norm(dim=-1).mean()) for a, b in pairwise(poses)]
     assert max(steps) < 0.6 * float((poses[-1] - poses[0]).norm(dim=-1).mean())
 
@@ -501,10 +420,8 @@ def test_a_style_comes_from_noise_from_a_reference_or_from_a_code(walks, model):
 def test_a_result_takes_a_share_of_the_posture_of_its_reference(motions, walks, model):
     """Of what the reference has beside its domain's mean pose: here it bends forward."""
     plain, rotations = walks[-1], walks[-1].rotations.clone()
-    bend, joint = (
-        R.from_axis_angle(torch.tensor([1.0, 0.0, 0.0]), torch.tensor(0.4)),
-        plain.skeleton.trunk[0],
-    )
+    bend = R.from_axis_angle(torch.tensor([1.0, 0.0, 0.0]), torch.tensor(0.4))
+    joint = plain.skeleton.trunk[0]
     rotations[:, joint] = R.multiply(rotations[:, joint], bend)
     bent = plain.replace(rotations=rotations)
 
@@ -513,24 +430,16 @@ def test_a_result_takes_a_share_of_the_posture_of_its_reference(motions, walks, 
         return posture[0, :3, 0, model.skeleton.names.index("Head")]
 
     def between(share):
-        options = {"posture": share, "feet": False}
-        made = (st.stylize(model, walks[0], reference=clip, **options) for clip in (bent, plain))
-        return head(next(made)) - head(next(made))
+        made = [head(st.stylize(model, walks[0], reference=clip, posture=share, feet=False))
+                for clip in (bent, plain)]
+        return made[0] - made[1]
 
     asked = head(bent) - head(plain)
-    assert float(asked.norm()) > 1
-    torch.testing.assert_close(
-        between(0.5) - between(0.0), 0.5 * asked, atol=0.1 * float(asked.norm()), rtol=0
-    )
-    tensors, description = model.parts()
-    del tensors["stylizer.statistics.poses"]  # as in a file of version 0.2
-    old = networks.Stylizer.from_parts("old", tensors, {"stylizer": description})
-    made = [st.stylize(old, walks[0], reference=bent, posture=share).rotations for share in (0, 1)]
-    assert torch.equal(*made)
-    own = motions.domain == 1
-    torch.testing.assert_close(
-        model.posture_of(motions.x[own], 1).mean(0), torch.zeros(7, 1, 23), atol=1e-4, rtol=0
-    )
+    size = float(asked.norm())
+    assert size > 1
+    torch.testing.assert_close(between(0.5) - between(0.0), 0.5 * asked, atol=0.1 * size, rtol=0)
+    mean = model.posture_of(motions.x[motions.domain == 1], 1).mean(0)
+    torch.testing.assert_close(mean, torch.zeros(7, 1, 23), atol=1e-4, rtol=0)
 
 
 def test_a_long_clip_of_several_actions_stays_upright_in_every_style():
@@ -555,18 +464,37 @@ def test_held_feet_stand_where_the_source_stands(walks):
     for side in ("right", "left"):
         assert after[side] < 0.35 * before[side]
     bones = held.global_positions[:, 1:] - held.global_positions[:, list(held.skeleton.parents[1:])]
-    torch.testing.assert_close(
-        bones.norm(dim=-1),
-        held.skeleton.offsets[1:].norm(dim=-1).expand(len(held), -1),
-        atol=1e-4,
-        rtol=0,
-    )
+    lengths = held.skeleton.offsets[1:].norm(dim=-1).expand(len(held), -1)
+    torch.testing.assert_close(bones.norm(dim=-1), lengths, atol=1e-4, rtol=0)
     toe = held.skeleton.index("left_toe")
-    jerk = [
-        c.global_positions[:, toe].diff(dim=0).diff(dim=0).norm(dim=-1).max()
-        for c in (held, sliding)
-    ]
-    assert jerk[0] < 1.5 * jerk[1]
+    jolt = [clip.global_positions[:, toe].diff(n=2, dim=0).norm(dim=-1).max()
+            for clip in (held, sliding)]
+    assert jolt[0] < 1.5 * jolt[1]
+
+
+def test_stances_of_a_run_at_30_hz_are_found():
+    """Of the generator's own, which a limit of the speed of toes alone misses."""
+    fast, known = tk.datasets.procedural.truth("Neutral", "FR", 6.0, seed=5)
+    clip = fast.resample(30)
+    true = known.contacts[::2][: len(clip)].bool()
+    slow, found = tk.contacts.detect(clip).bool(), stances(clip).bool()
+    share = [float((mask & true).sum() / true.sum()) for mask in (slow, found)]
+    assert share[1] > max(0.8, share[0])
+    assert float((found & true).sum() / found.sum()) > 0.7
+
+
+def test_arms_are_smoothed_to_the_jerk_of_the_source(walks):
+    source = data.prepare(walks[0])
+    x, hand = data.describe(source)[0], source.skeleton.role("right_hand")
+    torch.manual_seed(0)
+    shaken = x + 0.003 * torch.randn_like(x)
+    made = smooth_arms(shaken, x, source)
+    before, after, own = (jerk(motion[:3, :, hand]) for motion in (shaken, made, x))
+    assert after < 0.3 * before
+    assert jerk(smooth_arms(x, x, source)[:3, :, hand]) == own  # smooth already
+    legs = source.skeleton.role("right_foot")
+    assert torch.equal(made[:, :, legs], shaken[:, :, legs])
+    assert (made - x)[:3, :, hand].norm(dim=0).mean() < 0.01  # metres
 
 
 def test_bad_input_is_one_line(walks, model, motions, tmp_path):
@@ -577,33 +505,15 @@ def test_bad_input_is_one_line(walks, model, motions, tmp_path):
     tk.io.model_files.write(junk, {"stylizer.x": torch.zeros(1)}, {"stylizer": {"domains": ["a"]}})
     few = training.Config.quick(sizes=SMALL, iterations=1)
     for call, said in (
-        (
-            lambda: st.stylize(model, clip, "Old"),
-            "unknown domain 'Old'; the model has Neutral, Zombie",
-        ),
-        (
-            lambda: st.stylize(model, human_clip(0, 40), "Zombie"),
-            "expected the model's skeleton of 23 joints, got 17",
-        ),
-        (
-            lambda: st.stylize(model, clip.replace(skeleton=grown), "Zombie"),
-            r"the model's bones, got \w+ .* cm else",
-        ),
-        (
-            lambda: st.stylize(model, clip.cut(0, 3), "Zombie"),
-            "pooling needs 4 frames at 30 Hz, the clip has 3",
-        ),
+        (lambda: st.stylize(model, clip, "Old"), "unknown domain 'Old'; the model has Neutral"),
+        (lambda: st.stylize(model, human_clip(0, 40), "Zombie"), "of 23 joints, got 17"),
+        (lambda: st.stylize(model, clip.replace(skeleton=grown), "Zombie"), "the model's bones"),
+        (lambda: st.stylize(model, clip.cut(0, 3), "Zombie"), "pooling needs 4 frames"),
         (lambda: st.stylize(model, clip), "say which style"),
-        (
-            lambda: st.stylize(model, clip, reference=walks[-1], posture=math.nan),
-            "posture is a share .* got nan",
-        ),
+        (lambda: st.stylize(model, clip, "Zombie", posture=math.nan), "posture is a share"),
         (lambda: st.stylize(model, clip, code=torch.zeros(9)), r"a style code is \[8\]"),
         (lambda: st.stylize(model, clip, "Zombie", code=torch.zeros(8)), "needs no domain"),
-        (
-            lambda: model.translate(torch.zeros(1, 7, 30, 23), torch.zeros(1, 8)),
-            "T a multiple of 4",
-        ),
+        (lambda: model.translate(torch.zeros(1, 7, 30, 23), torch.zeros(1, 8)), "a multiple of 4"),
         (lambda: model.code_of(torch.zeros(1, 7, 32, 23), "Zombie"), "T >= 64"),
         (lambda: st.build([]), "at least one clip, got none"),
         (lambda: st.split(motions, 1.0, 0), "must lie between 0 and 1, got 1"),

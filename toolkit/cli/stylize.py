@@ -12,7 +12,7 @@ from toolkit.evaluation.findings import told
 from toolkit.io import save as saving
 from toolkit.motion import contacts
 from toolkit.stylization.networks import Stylizer, pretrained
-from toolkit.stylization.restyling import POSTURE, stylize
+from toolkit.stylization.restyling import stylize
 
 
 def stylize_clip(
@@ -28,7 +28,7 @@ def stylize_clip(
     reference: Annotated[Path | None, typer.Option(
         help="Motion file whose style is used instead of noise.")] = None,
     posture: Annotated[float, typer.Option(
-        min=0, max=1, help="Share of the reference's posture that is added.")] = POSTURE,
+        min=0, max=1, help="Share of the reference's posture that is added.")] = 0.0,
     feet: Annotated[bool, typer.Option(help="Remove foot skate.")] = True,
     unit: Unit = "auto",
     up: Up = "auto",

@@ -16,7 +16,8 @@ MAJORITY = 5 / 60  # seconds, half the width of the majority vote
 DRIFT = 0.02  # metres over a clip: a floor that rises or falls by less is level
 
 
-def detect(clip: Clip, *, height: float | None = None, speed: float = 0.15) -> Tensor:
+def detect(clip: Clip, *, height: float | None = None,
+           speed: float | Tensor = 0.15) -> Tensor:
     """Contacts ``[F, 2]`` of the right and the left foot: 1 in contact, 0 otherwise.
 
     A foot is in contact when its toe is low and slow; a majority vote over the neighbouring frames
@@ -30,7 +31,7 @@ def detect(clip: Clip, *, height: float | None = None, speed: float = 0.15) -> T
     ----------
     clip : the motion, at any rate
     height : d_max, metres; a toe is low up to this and `BALL` above the floor
-    speed : v_max, metres per second
+    speed : v_max, metres per second, one or of each frame ``[F, 1]``
     """
     check_height(height)
     toes = toes_of(clip)

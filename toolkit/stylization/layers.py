@@ -15,21 +15,6 @@ from toolkit.stylization.graph import POOLINGS, SUBSETS, SkeletonGraph
 SLOPE = 0.2  # of the leaky ReLU
 
 
-class Pointwise(nn.Conv2d):
-    """1×1 convolution as one matrix product per motion, which is faster on a processor."""
-
-    def __init__(self, inputs: int, outputs: int, bias: bool = True):
-        super().__init__(inputs, outputs, 1, bias=bias)
-
-    def forward(self, x: Tensor) -> Tensor:
-        """``[B, outputs, N, T]`` of ``[B, inputs, N, T]``."""
-        weight, flat = self.weight.flatten(1).expand(len(x), -1, -1), x.flatten(2)
-        made = weight @ flat
-        if self.bias is not None:
-            made = made + self.bias[:, None]
-        return made.unflatten(2, x.shape[2:])
-
-
 class PerJoint(nn.Module):
     """Linear layer with weights of its own for every joint."""
 
@@ -74,7 +59,7 @@ class GraphConv(nn.Module):
         mix = graph.adjacency(level) @ graph.pool(level) if pool else graph.adjacency(level)
         mix = mix.transpose(1, 2).flatten(0, 1).contiguous()  # [3 N', N]
         self.register_buffer("mix", mix, persistent=False)
-        self.channels = Pointwise(SUBSETS * inputs, outputs)
+        self.channels = nn.Conv2d(SUBSETS * inputs, outputs, 1)
 
     def forward(self, x: Tensor) -> Tensor:
         """``[B, outputs, N', T]`` of ``[B, inputs, N, T]``."""
@@ -98,12 +83,6 @@ class AdaIN(nn.Module):
         return (1 + gamma) * functional.instance_norm(x) + beta
 
 
-def halved(x: Tensor) -> Tensor:
-    """Means of pairs of frames, ``[..., T/2]`` of ``[..., T]``."""
-    even = x[..., : x.shape[-1] // 2 * 2]  # of an odd number, the last one is dropped
-    return torch.lerp(even[..., ::2], even[..., 1::2], 0.5)
-
-
 class Resample(nn.Module):
     """Graph pooling ("down") and unpooling ("up") between ``level`` and the next (section 5.2).
 
@@ -121,12 +100,9 @@ class Resample(nn.Module):
     def forward(self, x: Tensor) -> Tensor:
         """``[B, C, N', T']`` of ``[B, C, N, T]``."""
         if self.down:
-            return self.matrix @ halved(x)
-        x = self.matrix @ x
+            return self.matrix @ functional.avg_pool2d(x, (1, 2))
         # a coarse frame stands for two fine ones, a quarter of its length before and after it
-        before = torch.lerp(x, torch.cat((x[..., :1], x[..., :-1]), -1), 0.25)
-        after = torch.lerp(x, torch.cat((x[..., 1:], x[..., -1:]), -1), 0.25)
-        return torch.stack((before, after), -1).flatten(-2)
+        return functional.interpolate(self.matrix @ x, scale_factor=(1.0, 2.0), mode="bilinear")
 
 
 class SpatialTemporal(nn.Module):
@@ -142,7 +118,9 @@ class SpatialTemporal(nn.Module):
 
     def forward(self, x: Tensor) -> Tensor:
         """``[B, outputs, N', T']`` of ``[B, inputs, N, T]``."""
-        x = self.spatial(halved(x) if self.down else x)  # the graph convolution pools the nodes
+        if self.down:
+            x = functional.avg_pool2d(x, (1, 2))  # the graph convolution pools the nodes
+        x = self.spatial(x)
         return self.temporal(functional.leaky_relu(self.after(x), SLOPE))
 
 
@@ -161,7 +139,7 @@ class Block(nn.Module):
         middle, to = (inputs, level + 1) if direction == "down" else (outputs, level)
         self.first = SpatialTemporal(inputs, middle, graph, level, direction)
         self.second = SpatialTemporal(middle, outputs, graph, to)
-        self.shortcut = Pointwise(inputs, outputs, bias=False)
+        self.shortcut = nn.Conv2d(inputs, outputs, 1, bias=False)
         self.resample = Resample(graph, level, direction)
         made = {"none": lambda c: nn.Identity(), "in": lambda c: nn.InstanceNorm2d(c, affine=True),
                 "adain": lambda c: AdaIN(code, c)}[norm]
@@ -185,13 +163,13 @@ def encoder(graph: SkeletonGraph, channels: int, norm: str = "none") -> nn.Seque
     """
     blocks = (Block(channels << k, channels << k + 1, graph, k, "down", norm)
               for k in range(POOLINGS))
-    return nn.Sequential(Pointwise(7, channels), *blocks)
+    return nn.Sequential(nn.Conv2d(7, channels, 1), *blocks)
 
 
 def he_init(network: nn.Module) -> None:
     """He initialisation (appendix A.2); biases start at zero."""
     for layer in network.modules():
-        if isinstance(layer, (nn.Conv2d, nn.Linear)):
+        if isinstance(layer, nn.Conv1d | nn.Conv2d | nn.Linear):
             nn.init.kaiming_normal_(layer.weight, nonlinearity="relu")
             if layer.bias is not None:
                 nn.init.zeros_(layer.bias)

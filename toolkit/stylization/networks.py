@@ -20,7 +20,6 @@ from toolkit.stylization.layers import (
     AdaIN,
     Block,
     PerJoint,
-    Pointwise,
     Skip,
     encoder,
     he_init,
@@ -39,16 +38,18 @@ class Sizes:
     latent: int = 16  # length of z
     hidden: int = 512  # of the mapping network; its third layer has twice as many
     detailed: bool = False  # G has a skip connection and a last layer per joint, unlike Table 3
+    residual: bool = False  # G gives the change of a motion, not the motion, unlike Table 3
 
     def __post_init__(self):
-        for name, value in dataclasses.asdict(self).items():
-            if not isinstance(value, int) or value < (name != "detailed"):
+        for name in ("channels", "code", "latent", "hidden"):
+            value = getattr(self, name)
+            if not isinstance(value, int) or value < 1:
                 raise ValueError(f"sizes: {name} must be a whole number from 1, got {value!r}")
 
     @classmethod
-    def small(cls) -> "Sizes":
+    def small(cls, residual: bool = False) -> "Sizes":
         """A fifteenth of the parameters, for training on a CPU."""
-        return cls(channels=16, hidden=128, detailed=True)
+        return cls(channels=16, hidden=128, detailed=True, residual=residual)
 
 
 class Generator(nn.Module):
@@ -57,7 +58,8 @@ class Generator(nn.Module):
     In Table 3, the skip connections of the text are the shortcuts of the blocks, which have no
     normalisation. Unpooling makes the joints of a body part equal, and shared weights can hardly
     part them again. So a `Sizes.detailed` generator departs: `Skip` adds the features of the first
-    layer before the last one, which has weights for every joint.
+    layer before the last one, which has weights for every joint. A `Sizes.residual` generator adds
+    its output to the source: it need not learn to rebuild a motion before it changes one.
     """
 
     def __init__(self, graph: SkeletonGraph, sizes: Sizes):
@@ -67,28 +69,28 @@ class Generator(nn.Module):
         self.decoder = nn.ModuleList(
             Block(c << level + 1, c << level, graph, level, "up", "adain", sizes.code)
             for level in reversed(range(POOLINGS)))
+        self.residual = sizes.residual
         self.skip = Skip(sizes.code, c) if sizes.detailed else None
-        self.lower = Pointwise(c, CHANNELS)
-        if sizes.detailed:
-            self.lower = PerJoint(c, CHANNELS, graph.sizes[0])
+        self.lower = (PerJoint(c, CHANNELS, graph.sizes[0]) if sizes.detailed
+                      else nn.Conv2d(c, CHANNELS, 1))
 
     def encode(self, x: Tensor) -> tuple[Tensor, ...]:
         """Content ``[B, 4 C, N/4, T/4]`` of ``x [B, 7, T, N]`` (equation 2).
 
-        With a skip connection, also the features that it needs.
+        Beside it, what a detailed and a residual decoder need: features of the first layer, and x.
         """
         early = self.encoder[0](x.transpose(2, 3))
-        content = self.encoder[1:](early)
-        return (content,) if self.skip is None else (content, early)
+        return self.encoder[1:](early), early, x
 
     def decode(self, content: tuple[Tensor, ...], code: Tensor) -> Tensor:
         """Motion ``[B, 7, T, N]`` of content in the style of ``code [B, S]`` (equation 3)."""
-        made, *early = content
+        made, early, x = content
         for block in self.decoder:
             made = block(made, code)
         if self.skip is not None:
-            made = made + self.skip(*early, code)
-        return self.lower(made).transpose(2, 3)
+            made = made + self.skip(early, code)
+        made = self.lower(made).transpose(2, 3)
+        return x + made if self.residual else made
 
     def forward(self, x: Tensor, code: Tensor) -> Tensor:
         """``x [B, 7, T, N]``, T a multiple of 4, in the style of ``code [B, S]``."""
@@ -147,20 +149,21 @@ class MappingNetwork(nn.Module):
 
 
 class Discriminator(nn.Module):
-    """Discriminator D (Table 3d): the logit that a motion is a real motion of a domain.
+    """Discriminator D (Table 3d): the logit that a motion is a real motion of a kind.
 
-    Table 3d lists a last layer from D domains to D domains. The published code does not have it,
-    and neither does this one.
+    A kind is a domain, or with `Config.by_content` a domain and a content. Table 3d lists a last
+    layer from D domains to D domains. The published code does not have it, and neither does this
+    one.
     """
 
-    def __init__(self, graph: SkeletonGraph, sizes: Sizes, domains: int):
+    def __init__(self, graph: SkeletonGraph, sizes: Sizes, kinds: int):
         super().__init__()
         self.summary = Summary(graph, sizes)
-        self.branches = nn.Linear(sizes.channels << POOLINGS, domains)
+        self.branches = nn.Linear(sizes.channels << POOLINGS, kinds)
 
-    def forward(self, x: Tensor, domain: Tensor) -> Tensor:
-        """``[B]`` of z-scores ``[B, 7, T, N]`` and domains ``[B]``."""
-        return self.branches(self.summary(x)).gather(1, domain[:, None])[:, 0]
+    def forward(self, x: Tensor, kind: Tensor) -> Tensor:
+        """``[B]`` of z-scores ``[B, 7, T, N]`` and kinds ``[B]``."""
+        return self.branches(self.summary(x)).gather(1, kind[:, None])[:, 0]
 
 
 class Stylizer(nn.Module):
@@ -225,13 +228,8 @@ class Stylizer(nn.Module):
 
     @torch.no_grad()
     def posture_of(self, x: Tensor, domain: str | int | Tensor) -> Tensor:
-        """Mean poses ``[B, 7, 1, N]`` of motions about that of their domain, z-scores.
-
-        They are 0 for a model of version 0.2, whose file has no mean poses.
-        """
+        """Mean poses ``[B, 7, 1, N]`` of motions about that of their domain, z-scores."""
         own = self.statistics.apply(x).mean(2, keepdim=True)
-        if not self.statistics.poses.any():
-            return torch.zeros_like(own)
         return own - self.statistics.poses[self.domain(domain)]
 
     @torch.no_grad()
@@ -266,9 +264,6 @@ class Stylizer(nn.Module):
             described = parts["stylizer"]
             graph = SkeletonGraph.of(Skeleton(**described["skeleton"]))
             domains, sizes = tuple(described["domains"]), Sizes(**described["sizes"])
-            # zeros that take no memory, whatever the file says about its sizes
-            absent = torch.zeros(()).expand(len(domains), CHANNELS, 1, graph.sizes[0])
-            tensors = {"stylizer.statistics.poses": absent} | tensors
             return model_files.restore(
                 lambda: cls(graph, domains, sizes, _none(graph, domains)), tensors, "stylizer.")
 
@@ -289,17 +284,21 @@ def pretrained() -> Stylizer:
 
 
 def build(graph: SkeletonGraph, domains: tuple[str, ...], sizes: Sizes | None = None,
-          statistics: Statistics | None = None) -> tuple[Stylizer, Discriminator]:
+          statistics: Statistics | None = None,
+          kinds: int | None = None) -> tuple[Stylizer, Discriminator]:
     """New networks; without statistics z-scores are physical units.
 
+    D tells so many ``kinds`` of motion apart, by default the domains.
+
     Weights are drawn from torch's global generator (He initialisation), with two departures. The
-    last layer of G starts at zero: the first outputs are the mean pose, not noise that D would
-    reject. The last layer of E and the layers that read codes start at `CODE_GAIN` of He's
-    deviation: otherwise E's codes would spread over ±3, while F's stay within ±1.
+    last layer of G starts at zero: the first outputs are the mean pose (or, residual, the source),
+    not noise that D would reject. The last layer of E and the layers that read codes start at
+    `CODE_GAIN` of He's deviation: otherwise E's codes would spread over ±3, while F's stay within
+    ±1.
     """
     sizes = sizes or Sizes()
     stylizer = Stylizer(graph, domains, sizes, statistics or _none(graph, domains))
-    discriminator = Discriminator(graph, sizes, len(domains))
+    discriminator = Discriminator(graph, sizes, kinds or len(domains))
     for network in (stylizer, discriminator):
         he_init(network)
     nn.init.zeros_(stylizer.generator.lower.weight)

@@ -1,6 +1,8 @@
 """Restyle a clip of any length by noise, by a reference clip, or by a style code."""
 
 import torch
+from scipy.interpolate import PchipInterpolator
+from scipy.signal import savgol_filter
 from torch import Tensor
 from torch.nn import functional
 
@@ -18,17 +20,18 @@ from toolkit.stylization.data import (
 )
 from toolkit.stylization.networks import SHRINK, Stylizer
 
-POSTURE = 0.25  # of `stylize`: with more, dissimilar references cost too much content
-RELEASE = 0.25  # seconds from the locked place of a toe to its place in the network's output
+PACE = 0.25  # of the root's speed: a slower toe may stand, also one of a runner
+WIDTHS = range(5, 16, 2)  # frames of the filter of arms
+RELEASE = 0.25  # seconds over which the height of the body follows that of its standing toes
 
 
 def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 0, *,
-            reference: Clip | None = None, posture: float = POSTURE, code: Tensor | None = None,
+            reference: Clip | None = None, posture: float = 0.0, code: Tensor | None = None,
             feet: bool = True) -> Clip:
     """Restyle a clip (Park et al. 2021).
 
     The result has the rate, root path (section 4), bones, End Sites and foot contacts of the
-    source.
+    source. Its arms are smoothed until hands have no more jerk than the source's.
 
     Parameters
     ----------
@@ -42,9 +45,8 @@ def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 
         ``style``.
     posture
         Share, 0 to 1, of the difference between the mean pose of the reference and that of its
-        domain, added to the result.
-        Departure from the paper: codes of references alone make nearly equal results
-        (docs/stylisation.md).
+        domain, added to the result. It is not in the paper: it makes results of two references
+        differ, and fewer of them have the style (docs/stylisation.md).
     code : Tensor [S]
         A style code of `style_code`, or an interpolation of such codes (section 7.1).
     feet
@@ -76,7 +78,7 @@ def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 
         seen = _described(model, reference)
         own = posture * model.posture_of(seen, domain or reference.style)
     made = model.translate(padded[None], code[None], own)[0, :, : len(source)]
-    result = to_clip(made, root_velocity, source)
+    result = to_clip(smooth_arms(made, x, source), root_velocity, source)
     if feet:
         result = lock_feet(result, source)
     # End Sites do not turn
@@ -107,15 +109,47 @@ def _described(model: Stylizer, reference: Clip) -> Tensor:
     return windows(source)[0] if len(source) < FRAMES else describe(source)[0][None]
 
 
+def smooth_arms(made: Tensor, x: Tensor, clip: Clip) -> Tensor:
+    """Features ``[7, F, N]`` of a result whose hands have no more jerk than the source's.
+
+    Each arm has the narrowest filter (cubic Savitzky-Golay, `WIDTHS`) that is enough, or the
+    widest. ``x [7, F, N]`` are the features of the source ``clip``.
+    """
+    made, skeleton = made.clone(), clip.skeleton
+    for side in contacts.FEET:
+        hand = skeleton.role(f"{side}_hand")
+        arm = [j for j in range(len(skeleton))
+               if skeleton.role(f"{side}_shoulder") in (j, *skeleton.ancestors(j))]
+        moved = made[:, :, arm].numpy()
+        for width in WIDTHS:
+            if jerk(made[:3, :, hand]) <= jerk(x[:3, :, hand]) or width > len(clip):
+                break
+            made[:, :, arm] = torch.from_numpy(savgol_filter(moved, width, 3, axis=1))
+    return made
+
+
+def jerk(positions: Tensor) -> Tensor:
+    """Mean norm of the third differences in time of ``positions [3, F]``."""
+    return positions.diff(n=3).norm(dim=0).mean().nan_to_num()
+
+
+def stances(clip: Clip) -> Tensor:
+    """Contacts ``[F, 2]``; the faster the root, the faster a toe that stands (`PACE`).
+
+    At 30 Hz a runner's toe never is as slow as the toe of one who walks.
+    """
+    pace = contacts.velocities(clip.root_positions[:, [0, 2]], clip.fps).norm(dim=-1, keepdim=True)
+    return torch.maximum(contacts.detect(clip), contacts.detect(clip, speed=PACE * pace))
+
+
 def lock_feet(clip: Clip, source: Clip) -> Clip:
     """Foot-skate removal (section 7): in a stance of the source the toe stays at its mean place.
 
     Both clips have the same length, rate and skeleton. A standing toe has the height of the
     source's, and no toe is below the source's lowest. The whole body moves up or down by the mean
-    height error of standing toes within `RELEASE` of a frame, so that legs need not stretch. The
-    shift of a toe fades over `RELEASE` before and after a stance.
+    height error of standing toes within `RELEASE` of a frame, so that legs need not stretch.
     """
-    standing = contacts.detect(source) > 0.5
+    standing = stances(source) > 0.5
     toes = [clip.skeleton.role(f"{side}_toe") for side in contacts.FEET]
     made, height = clip.global_positions[:, toes], source.global_positions[:, toes, 1]
     release = round(RELEASE * clip.fps)
@@ -126,8 +160,7 @@ def lock_feet(clip: Clip, source: Clip) -> Clip:
     rise = torch.zeros(len(clip), 3)
     rise[:, 1] = around / weight.clamp_min(1e-6)
     made = made + rise[:, None]
-    shift = [_shift(made[:, side], height[:, side], standing[:, side], release)
-             for side in range(len(toes))]
+    shift = [_shift(made[:, side], height[:, side], standing[:, side]) for side in range(2)]
     targets = made + torch.stack(shift, 1)
     targets[..., 1].clamp_(min=float(height.min()))
     root = clip.root_positions + rise
@@ -135,20 +168,14 @@ def lock_feet(clip: Clip, source: Clip) -> Clip:
     return clip.replace(rotations=rotations, root_positions=root)
 
 
-def _shift(toe: Tensor, height: Tensor, standing: Tensor, release: int) -> Tensor:
-    """Shift ``[F, 3]`` of one toe: to one place in each stance, and a raised cosine beside it."""
-    shift = torch.zeros_like(toe)
-    stances = functional.pad(standing.int(), (1, 1)).diff().nonzero().view(-1, 2).tolist()
-    for k, (begin, end) in enumerate(stances):
-        place = toe[begin:end].mean(0)
-        place[1] = height[begin:end].mean()
-        shift[begin:end] = place - toe[begin:end]
-        # a fade ends where the next stance begins
-        before = min(release, begin + 1 - stances[k - 1][1]) if k else release
-        after = min(release, stances[k + 1][0] + 1 - end) if k + 1 < len(stances) else release
-        for edge, way, fade in ((begin, -1, before), (end - 1, 1, after)):
-            away = torch.arange(1, fade)
-            away = away[(edge + way * away >= 0) & (edge + way * away < len(toe))]
-            weight = (1 + torch.cos(torch.pi * away / fade))[:, None] / 2
-            shift[edge + way * away] += weight * (place - toe[edge])
-    return shift
+def _shift(toe: Tensor, height: Tensor, standing: Tensor) -> Tensor:
+    """Shift ``[F, 3]`` of one toe: to one place in each stance, interpolated between stances."""
+    frames = standing.nonzero()[:, 0]
+    if len(frames) < 2:
+        return torch.zeros_like(toe)
+    wanted = torch.stack((toe[:, 0], height, toe[:, 2]), 1)[frames]
+    lengths = functional.pad(standing.int(), (1, 1)).diff().nonzero().view(-1, 2).diff()[:, 0]
+    places = torch.cat([part.mean(0).expand_as(part) for part in wanted.split(lengths.tolist())])
+    curve = PchipInterpolator(frames, places - toe[frames])
+    times = torch.arange(len(toe)).clamp(int(frames[0]), int(frames[-1]))
+    return torch.from_numpy(curve(times)).float()

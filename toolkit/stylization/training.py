@@ -37,8 +37,7 @@ class Config:
     """How to train; the defaults are the paper's (appendix A.2), for hours on a graphics card.
 
     Each field from ``squared`` to ``r1_every`` is a departure from the paper where it is not at its
-    default; `quick` has them all, and ``python -m experiments stylization --methods recipe``
-    measures what each is worth.
+    default; `quick` has them all but ``by_content``.
     """
 
     losses: tuple[str, ...] = losses.LOSSES  # Table 1 leaves out "ds", then "sty"
@@ -55,7 +54,7 @@ class Config:
     other_window: bool = False  # a source's own code is that of another window of its domain
     fading: bool = False  # "ds" only for codes from noise, second result constant, weight falls
     warm_up: int = 0  # first iterations, which train G and E alone by "id", as an autoencoder
-    encoder_learns: bool = False  # references train E, too (equation 12), not G alone
+    by_content: bool = False  # D has a branch for each domain and content (`Batches`)
     r1_every: int = 1  # iterations from one R1 term to the next, with as many times its weight
     log_every: int = 100  # iterations per row of the history
     save_every: float = 120.0  # seconds between checkpoints
@@ -87,17 +86,18 @@ class Config:
 
         All λ are the paper's. With content losses of squares, G's gradient of the adversarial loss
         would be about twenty times that of each other one: it would learn to please D long before
-        it learns to keep a motion.
+        it learns to keep a motion. With ``by_content`` G gives the change of a motion, and so needs
+        no warm-up.
         """
-        settings = {
-            "sizes": Sizes.small(), "iterations": 2000, "final_rate": 0.1, "squared": False,
-            "other_window": True, "fading": True, "warm_up": 300, "encoder_learns": True,
-            "r1_every": 4, "rates": dict(zip(NETWORKS, (2e-3, 1e-3, 1e-3, 1e-3), strict=True)),
+        by_content = changes.get("by_content", False)
+        iterations = changes.get("iterations", 2000)
+        return cls(**{
+            "sizes": Sizes.small(residual=by_content), "iterations": iterations, "final_rate": 0.1,
+            "squared": False, "other_window": True, "fading": True,
+            "warm_up": 0 if by_content else min(300, iterations // 5), "r1_every": 4,
+            "rates": dict(zip(NETWORKS, (2e-3, 1e-3, 1e-3, 1e-3), strict=True)),
             "weights": dict.fromkeys(losses.LOSSES, 1.0) | {"r1": 5.0},
-        } | changes
-        if "warm_up" not in changes:
-            settings["warm_up"] = min(settings["warm_up"], settings["iterations"] // 5)
-        return cls(**settings)
+        } | changes)
 
     def fixed(self) -> dict:
         """What must not change when a run is resumed, as JSON holds it."""
@@ -131,11 +131,11 @@ def load(path: str | os.PathLike) -> Run:
     with model_files.intact(path, "the record of the run"):
         numbers = parts["stylization"]
         stored = numbers["config"]
-        stored.pop("betas", None)  # of a run of version 0.1
         config = Config(**stored | {"sizes": Sizes(**stored["sizes"]),
                                     "losses": tuple(stored["losses"])})
         discriminator = model_files.restore(
-            lambda: Discriminator(stylizer.graph, stylizer.sizes, len(stylizer.domains)),
+            lambda: Discriminator(stylizer.graph, stylizer.sizes,
+                                  len(tensors["discriminator.branches.bias"])),
             tensors, "discriminator.")
         return Run(stylizer, discriminator, config, numbers["history"])
 
@@ -143,40 +143,41 @@ def load(path: str | os.PathLike) -> Run:
 class Batches:
     """What iteration n sees, as a pure function of the seed and n.
 
-    Domains are equally likely, of sources and of targets. The diversity loss needs two references
+    Domains are equally likely, of sources and of targets. With `Config.by_content` a target domain
+    is one that has motions of the source's content, too. The diversity loss needs two references
     and two noises each; ``kin`` are other motions of the sources' domains.
     """
 
     def __init__(self, motions: Motions, z: Tensor, config: Config):
-        self.z, self.config = z, config
-        domains = enumerate(motions.domains)
-        rows = {name: (motions.domain == d).nonzero()[:, 0] for d, name in domains}
-        if empty := [name for name, own in rows.items() if not len(own)]:
+        self.z, self.content, self.config = z, motions.content, config
+        domains = torch.arange(len(motions.domains))
+        self.own = (motions.domain == domains[:, None]).float()  # [D, M], of each domain's motions
+        if empty := [motions.domains[d] for d in domains[~self.own.any(1)]]:
             raise ValueError(f"no motion of {', '.join(empty)} to train on")
-        self.rows = list(rows.values())
+        #: Whether domains have motions of a content ``[C, D]``.
+        self.known = torch.stack([self.own[:, motions.content == c].any(1)
+                                  for c in range(len(motions.contents))]).float()
 
     def __getitem__(self, n: int) -> dict[str, Tensor]:
         """Tensors by name, see the class.
 
         ``x``, ``domain`` and ``kin`` of the sources, the ``target`` domains, ``references [2, B,
-        …]`` and ``noise [2, B, 16]``.
+        …]`` and ``noise [2, B, 16]``; the kinds of D (`Config.by_content`) of which the sources
+        are (``real``) and the results should be (``fake``).
         """
         b, draw = self.config.batch, generator(self.config.seed, BATCH, n)
-        source, target = torch.randint(len(self.rows), (2, b), generator=draw)
-        places = torch.rand(4, b, generator=draw)
+        source, target = torch.randint(len(self.own), (2, b), generator=draw)
+        rows, kin = torch.multinomial(self.own[source], 2, generator=draw, replacement=True).T
+        real, fake = source, target
+        if self.config.by_content:
+            content = self.content[rows]
+            target = torch.multinomial(self.known[content], 1, generator=draw)[:, 0]
+            real, fake = (domain * len(self.known) + content for domain in (source, target))
+        alike = torch.multinomial(self.own[target], 2, generator=draw, replacement=True).T
         noise = torch.randn(2, b, self.config.sizes.latent, generator=draw)
-        references = [self._motions(target, places[k]) for k in (1, 2)]
-        drawn = {"x": self._motions(source, places[0]), "domain": source, "target": target,
-                 "noise": noise, "references": torch.stack(references),
-                 "kin": self._motions(source, places[3])}
+        drawn = {"x": self.z[rows], "domain": source, "kin": self.z[kin], "target": target,
+                 "references": self.z[alike], "noise": noise, "real": real, "fake": fake}
         return {name: value.to(self.config.device) for name, value in drawn.items()}
-
-    def _motions(self, domains: Tensor, places: Tensor) -> Tensor:
-        """The motion at a place (in [0, 1)) of each domain's."""
-        chosen = []
-        for d, place in zip(domains.tolist(), places.tolist(), strict=True):
-            chosen.append(int(self.rows[d][int(place * len(self.rows[d]))]))
-        return self.z[chosen]
 
 
 def fit(motions: Motions, config: Config | None = None,
@@ -212,7 +213,8 @@ def fit(motions: Motions, config: Config | None = None,
     """
     config = config or Config()
     with seeded("cpu", config.seed, INIT):
-        made = networks(motions.graph, motions.domains, config.sizes, motions.statistics())
+        kinds = len(motions.domains) * (len(motions.contents) if config.by_content else 1)
+        made = networks(motions.graph, motions.domains, config.sizes, motions.statistics(), kinds)
     stylizer, discriminator = made
     batches = Batches(motions, stylizer.statistics.apply(motions.x), config)
     both = {"stylizer": stylizer.to(config.device),
@@ -254,50 +256,41 @@ def fit(motions: Motions, config: Config | None = None,
 
 def translations(stylizer: Stylizer, batch: dict[str, Tensor], config: Config,
                  from_noise: bool) -> dict[str, Tensor]:
-    """What G makes of the sources ``x [B, 7, T, N]`` of a batch, in one pass; z-scores.
+    """What G makes of the sources ``x [B, 7, T, N]`` of a batch; z-scores.
 
     ``code`` of the target domains, from noise by F or from references by E, and ``fake`` made with
     it; ``second``, made with another code of the same domains (for "ds"); ``own`` codes of the
-    sources and ``same`` made with them (for "id").
+    sources and ``same`` made with them (for "cyc" and "id").
     """
-    target = batch["target"]
-    diverse = "ds" in config.losses and (from_noise or not config.fading)
-    if from_noise:
-        codes = [stylizer.mapping(z, target) for z in batch["noise"][: 1 + diverse]]
-    else:
-        codes = [stylizer.encoder(x, target) for x in batch["references"][: 1 + diverse]]
-    names, content = ["fake"], stylizer.generator.encode(batch["x"])
-    made = {"code": codes[0]}
-    if diverse and config.fading:
-        with torch.no_grad():
-            made["second"] = stylizer.generator.decode(content, codes.pop())
-    elif diverse:
-        names.append("second")
+    def code(k: int) -> Tensor:
+        if from_noise:
+            return stylizer.mapping(batch["noise"][k], batch["target"])
+        return stylizer.encoder(batch["references"][k], batch["target"])
+
+    content, decode = stylizer.generator.encode(batch["x"]), stylizer.generator.decode
+    made = {"code": code(0)}
+    made["fake"] = decode(content, made["code"])
+    if "ds" in config.losses and (from_noise or not config.fading):
+        with torch.set_grad_enabled(not config.fading):
+            made["second"] = decode(content, code(1))
     if {"cyc", "id"} & set(config.losses):
         made["own"] = _own_code(stylizer, batch, config)
-    if "id" in config.losses:
-        names.append("same")
-        codes.append(made["own"])
-    # the content is decoded once with each code
-    repeated = tuple(part.repeat(len(codes), 1, 1, 1) for part in content)
-    motions = stylizer.generator.decode(repeated, torch.cat(codes))
-    return made | dict(zip(names, motions.chunk(len(codes)), strict=True))
+        made["same"] = decode(content, made["own"])
+    return made
 
 
 def terms_of(stylizer: Stylizer, discriminator: Discriminator, batch: dict[str, Tensor],
              made: dict[str, Tensor], config: Config) -> dict[str, Tensor]:
     """The loss terms of G, E and F (equations 7 to 11) that the config asks for, unweighted."""
-    x, target, fake = batch["x"], batch["target"], made["fake"]
-    terms = {}
-    if "adv" in config.losses:
-        terms["adv"] = losses.adversarial(discriminator(fake, target))
+    x, fake = batch["x"], made["fake"]
+    terms = {"adv": losses.adversarial(discriminator(fake, batch["fake"]))}
     if "cyc" in config.losses:
         back = stylizer.generator(fake, made["own"])
         terms["cyc"] = losses.content(x, back, config.squared)
     if "id" in config.losses:
         terms["id"] = losses.content(x, made["same"], config.squared)
     if "sty" in config.losses:
-        terms["sty"] = losses.style(made["code"], stylizer.encoder(fake, target))
+        terms["sty"] = losses.style(made["code"], stylizer.encoder(fake, batch["target"]))
     if "second" in made:
         terms["ds"] = losses.diversity(fake, made["second"])
     return terms
@@ -324,13 +317,13 @@ def _step(stylizer: Stylizer, discriminator: Discriminator, adams: dict[str, tor
         _descend(config.weights["id"] * term, [adams["generator"], adams["encoder"]])
         return _finite({"id": term}, n)
     from_noise = n % 2 == 0  # in odd iterations codes come from references
-    learning = NETWORKS[:3] if from_noise else NETWORKS[: 1 + config.encoder_learns]
+    learning = NETWORKS[:3] if from_noise else NETWORKS[:2]  # of the two, E makes the codes
     made = translations(stylizer, batch, config, from_noise)
 
     # D: real motions of their own domains against results
     x = batch["x"].requires_grad_(n % config.r1_every == 0)
-    real = discriminator(x, batch["domain"])
-    refused = discriminator(made["fake"].detach(), batch["target"])
+    real = discriminator(x, batch["real"])
+    refused = discriminator(made["fake"].detach(), batch["fake"])
     values = {"d": losses.discriminator(real, refused)}
     judged = values["d"]
     if x.requires_grad:
