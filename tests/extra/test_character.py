@@ -258,6 +258,8 @@ def test_files_without_a_character_are_refused_in_a_line(hero, tmp_path):
     assert "fewer inverse bind" in changed(
         hero, tmp_path, lambda d: d["accessors"][inverse].update(count=3))
     assert "does not exist" in changed(hero, tmp_path, lambda d: d["skins"][0].update(joints=[99]))
+    with pytest.raises(ValueError, match="of an FBX file only the motion is read"):
+        Character.load(tmp_path / "hero.fbx")
     (tmp_path / "cut.glb").write_bytes(hero.read_bytes()[:5000])
     with pytest.raises(ValueError, match="cut off"):
         Character.load(tmp_path / "cut.glb")

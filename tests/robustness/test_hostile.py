@@ -315,24 +315,11 @@ def test_a_body_of_any_size_is_drawn_or_refused_in_one_line(unit, walk_clip, tmp
     assert not out.exists()
 
 
-@pytest.mark.skipif(sys.platform != "linux", reason="these files are Linux's")
-@pytest.mark.parametrize("suffix", [".bvh", ".glb"])
-def test_files_of_the_kernel_and_files_of_holes_are_refused(suffix, tmp_path):
-    """The first kind says that it has no bytes, and may have no end; the second takes no disk, but
-    memory if it is read.
-    """
-    hole, kernel = tmp_path / f"hole{suffix}", tmp_path / f"kernel{suffix}"
-    with hole.open("wb") as file:
+def test_a_file_of_holes_takes_no_memory(tmp_path):
+    with (tmp_path / "hole.bvh").open("wb") as file:
         file.truncate(1 << 40)
-    with pytest.raises(ValueError,
-                       match=rf"hole\{suffix}: cannot be read \(more than 4000000000 bytes"):
-        tk.load(hole)
-    for source in ("/proc/kmsg", "/proc/self/pagemap", "/proc/kcore"):
-        if os.access(source, os.R_OK):
-            kernel.unlink(missing_ok=True)
-            kernel.symlink_to(source)
-            with pytest.raises(ValueError, match=rf"kernel\{suffix}"):
-                tk.load(kernel)
+    with pytest.raises(ValueError, match=r"cannot be read .more than 4000000000 bytes"):
+        tk.load(tmp_path / "hole.bvh")
 
 
 def test_an_error_that_quotes_a_long_text_is_cut(walk_clip, tmp_path, capsys):

@@ -19,7 +19,7 @@ from toolkit.extra.formats.gltf_file import (
     numbers_of,
     whole_of,
 )
-from toolkit.extra.formats.nodes import printable, unique
+from toolkit.extra.formats.nodes import descending, printable, unique
 from toolkit.io.files import named
 from toolkit.motion import rotations as R
 
@@ -61,6 +61,9 @@ def read(path: str | os.PathLike) -> SkinnedMesh:
         If the file is not glTF or damaged, holds no skinned mesh, or its mesh is compressed.
     """
     with named(path), np.errstate(all="ignore"):  # numbers that are not finite are refused
+        if Path(path).suffix.lower() == ".fbx":
+            raise ValueError("of an FBX file only the motion is read; a character is a .glb, .gltf "
+                             "or .vrm file, which Blender exports")
         return _Reader(Path(path)).mesh()
 
 
@@ -73,15 +76,11 @@ class _Reader:
         self.vertices = 0
         self.images: dict[int, np.ndarray | None] = {}
 
-        # World transforms [4, 4], parents first; nodes of a circle are below no top
-        self.children = [indices_of(node, "children", len(self.nodes)) for node in self.nodes]
-        self.order = [j for j, parent in enumerate(self.parents) if parent < 0]
+        # World transforms [4, 4], parents first
+        self.children, self.order = descending(self.parents)
         self.world = np.empty((len(self.nodes), 4, 4))
         for j in self.order:
-            self.order.extend(self.children[j])
             self.world[j] = self._above(j) @ _transform(self.nodes[j])
-        if len(self.order) != len(self.nodes):
-            raise ValueError("some nodes are their own ancestors")
 
     def _above(self, j: int) -> np.ndarray:
         """World transform ``[4, 4]`` of the node above a node."""
@@ -296,8 +295,6 @@ def _pixels(data: bytes) -> np.ndarray | None:
 
 def _transform(node: dict) -> np.ndarray:
     """Transform ``[4, 4]`` of a node relative to its parent."""
-    if "matrix" in node:
-        return numbers_of(node, "matrix", 16).reshape(4, 4).T
     made = np.eye(4)
     made[:3, 3], turn, scale = (part[0] for part in pose(node))
     made[:3, :3] = R.to_matrix(turn).numpy() * scale

@@ -8,6 +8,7 @@ import torch
 
 from toolkit.extra.characters.character import Character
 from toolkit.extra.engines.gltf import STILL, Buffer, animation, container
+from toolkit.extra.formats.gltf import pose
 from toolkit.extra.formats.gltf_file import Document
 from toolkit.io.files import write_whole
 from toolkit.motion import Clip, rotations as R
@@ -42,7 +43,8 @@ def save(clip: Clip, path: str | os.PathLike, character: Character) -> None:
             _decompose(node)
         above = turns[:, parent]
         if parent < 0:
-            above = R.from_matrix(torch.from_numpy(_axes(frame)))[None]
+            axes = frame[:3, :3] / np.linalg.norm(frame[:3, :3], axis=0)
+            above = R.from_matrix(torch.from_numpy(axes))[None]
         local = R.unroll(R.normalize(R.multiply(R.inverse(above), turns[:, joint])))
         values = local[:, [1, 2, 3, 0]].numpy()
         node["rotation"] = values[0].tolist()
@@ -64,14 +66,9 @@ def save(clip: Clip, path: str | os.PathLike, character: Character) -> None:
     write_whole(path, whole)
 
 
-def _axes(frame: np.ndarray) -> np.ndarray:
-    """The rotation in a transform with a scale."""
-    return frame[:3, :3] / np.linalg.norm(frame[:3, :3], axis=0)
-
-
 def _decompose(node: dict) -> None:
     """A node's matrix as translation, rotation and scale."""
-    matrix = np.array(node.pop("matrix"), float).reshape(4, 4).T
-    turn = R.from_matrix(torch.from_numpy(_axes(matrix)))[[1, 2, 3, 0]]
-    node |= {"translation": matrix[:3, 3].tolist(), "rotation": turn.tolist(),
-             "scale": np.linalg.norm(matrix[:3, :3], axis=0).tolist()}
+    move, turn, scale = (part[0] for part in pose(node))
+    del node["matrix"]
+    node |= {"translation": move.tolist(), "rotation": turn[[1, 2, 3, 0]].tolist(),
+             "scale": scale.tolist()}

@@ -92,13 +92,12 @@ class _File(Document):
         extensions, bones = member(self.document, "extensions"), {}
         for key in ("VRMC_vrm", "VRMC_vrm_animation", "VRM"):
             humanoid = member(member(extensions, key), "humanoid")
-            listed = humanoid.get("humanBones")
-            if isinstance(listed, dict):  # by name, since VRM 1.0
-                named_bones = [(bone, entry) for bone, entry in listed.items()
-                               if isinstance(entry, dict)]
+            if isinstance(humanoid.get("humanBones"), dict):  # by name, since VRM 1.0
+                listed = {bone: member(humanoid["humanBones"], bone)
+                          for bone in humanoid["humanBones"]}
             else:  # a list in VRM 0
-                named_bones = [(str(e.get("bone")), e) for e in members(humanoid, "humanBones")]
-            bones |= {bone: index_of(entry, "node", len(nodes)) for bone, entry in named_bones}
+                listed = {str(e.get("bone")): e for e in members(humanoid, "humanBones")}
+            bones |= {bone: index_of(entry, "node", len(nodes)) for bone, entry in listed.items()}
         if not bones:
             return None
         for j in bones.values():

@@ -5,30 +5,26 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from toolkit.extra.formats.interpretation import interpret, named
+from toolkit.extra.formats.interpretation import Findings, interpret, named
 from toolkit.io.load import read
 from toolkit.motion import Clip, contacts
 from toolkit.motion.roles import ROLES, SIDES
 
 
-@dataclass(frozen=True, eq=False)
-class Inspection:
+@dataclass(eq=False, kw_only=True)
+class Inspection(Findings):
     """A motion file as `toolkit.load` reads it; ``print`` shows all of it."""
 
     name: str  # of the file
     format: str
     clip: Clip
-    height: float  # metres, of the standing body along its bones; NaN if it has no legs or head
-    unit: float  # metres of one unit of the file
-    up: str  # axis of the file that points up
-    floor: float  # metres: height of a standing toe in the middle of the clip; NaN without toes
-    drift: float  # metres: change of that height over the clip
-    roles: dict[str, str]  # joint by role
-    rules: dict[str, str]  # by role: what showed it
     mirror_pairs: dict[str, str]  # left joint: right joint
     contact: dict[str, float]  # share of frames in contact, right and left; empty without toes
-    upright: bool  # whether the head is above the feet in most frames
-    doubts: list[str]  # guesses that are not safe, empty where all are
+
+    @property
+    def roles(self) -> dict[str, str]:
+        """Joint by role."""
+        return self.clip.skeleton.roles or {}
 
     @property
     def fps(self) -> float:
@@ -87,6 +83,5 @@ def inspect(path: str | os.PathLike, unit: float | str = "auto", up: str = "auto
         here, there = skeleton.names[a], skeleton.names[b]
         if a != b and (here in left or (there not in left and a < b)):
             pairs[here] = there
-    return Inspection(clip.name, recording.format, clip, found.height, found.unit, found.up,
-                      found.floor, found.drift, skeleton.roles, found.rules, pairs, contact,
-                      found.upright, found.doubts)
+    return Inspection(**vars(found), name=clip.name, format=recording.format, clip=clip,
+                      mirror_pairs=pairs, contact=contact)

@@ -45,12 +45,12 @@ class Findings:
 
     unit: float = 1.0  # metres of one unit of the file
     up: str = "y"  # axis of the file
-    height: float = math.nan  # metres, of the body along its bones when it stands
+    height: float = math.nan  # metres, of the standing body along its bones; NaN without legs
     floor: float = math.nan  # metres: height of a toe that stands, in the middle of the clip
     drift: float = math.nan  # metres: change of that height over the clip
     upright: bool = False  # whether the head is above the feet in most frames
     rules: dict[str, str] = field(default_factory=dict)  # by role: what showed it
-    doubts: list[str] = field(default_factory=list)
+    doubts: list[str] = field(default_factory=list)  # guesses that are not safe
 
     def doubt(self, said: str, option: str) -> None:
         """Note a guess that is not safe, and the option that decides."""

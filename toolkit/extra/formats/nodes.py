@@ -64,6 +64,22 @@ def unique(names: Sequence[str]) -> list[str]:
     return list(made)
 
 
+def descending(parents: Sequence[int]) -> tuple[list[list[int]], list[int]]:
+    """Children of each node, and all nodes, parents first.
+
+    ValueError if nodes form a circle: these are below no top.
+    """
+    children: list[list[int]] = [[] for _ in parents]
+    order: list[int] = []
+    for j, parent in enumerate(parents):
+        (children[parent] if parent >= 0 else order).append(j)
+    for j in order:
+        order.extend(children[j])
+    if len(order) != len(parents):
+        raise ValueError("some nodes are their own ancestors")
+    return children, order
+
+
 def chosen(names: Sequence[str], wanted: str | int | None, doubts: list[str]) -> int:
     """Index of the animation to read, by its name or index; by default the first, with a doubt.
 
@@ -129,19 +145,8 @@ class _Tree:
     """The tree of nodes: children, numbers of joints in each branch, and scales in the world."""
 
     def __init__(self, nodes: Sequence[Node]):
-        self.nodes, self.children = nodes, [[] for _ in nodes]
-        for j, node in enumerate(nodes):
-            if node.parent >= 0:
-                self.children[node.parent].append(j)
-
-        # All nodes, parents first; nodes of a circle are below no top and so are not reached
-        stack = [j for j, node in enumerate(nodes) if node.parent < 0]
-        self.order = []
-        while stack:
-            self.order.append(stack.pop())
-            stack.extend(self.children[self.order[-1]])
-        if len(self.order) != len(nodes):
-            raise ValueError("some nodes are their own ancestors")
+        self.nodes = nodes
+        self.children, self.order = descending([node.parent for node in nodes])
 
         # Joints and skinned joints of each branch, with its top
         self.joints = [int(node.joint) for node in nodes]
@@ -197,17 +202,11 @@ class _Tree:
     def size(self, root: int) -> float:
         """Length of the longest path of bones from the root to a joint."""
         reach = {root: 0.0}
-        for j in self.below(root):
-            bone = float(np.linalg.norm(_median(self.bone(j))))
-            reach[j] = reach[self.nodes[j].parent] + bone
+        for j in self.order:
+            above = self.nodes[j].parent
+            if above in reach and self.joints[j]:
+                reach[j] = reach[above] + float(np.linalg.norm(_median(self.bone(j))))
         return max(reach.values())
-
-    def below(self, root: int) -> list[int]:
-        """The nodes below a node that are joints or have joints below, parents first."""
-        found = [root]
-        for j in found:
-            found.extend(child for child in self.children[j] if self.joints[child])
-        return found[1:]
 
     def travelling(self, top: int) -> tuple[int, set[int]]:
         """The joint that carries the skeleton through the world, and the branches left out above.

@@ -127,7 +127,7 @@ def _poses(arrays: Mapping[str, np.ndarray]) -> Tensor | None:
     if "poses" in arrays and arrays["poses"].ndim > 1:
         return _vectors(arrays, "poses", WIDTHS)
     for root, body in (("root_orient", "pose_body"), ("global_orient", "body_pose")):
-        if root in arrays and body in arrays:
+        if {root, body} <= arrays.keys():
             first, rest = _vectors(arrays, root, (3,)), _vectors(arrays, body, (63, 69))
             if len(first) != len(rest):
                 raise ValueError(f"{root} and {body} differ in their frames: "
@@ -154,14 +154,13 @@ def _smpl(arrays: Mapping[str, np.ndarray], poses: Tensor) -> Recording:
     if float(angle.max()) > 4 * math.pi:
         doubts.append(f"a joint turns by {float(angle.max()):.3g} radians: "
                       "if the file has degrees, convert them")
-    place = None
-    for name in PLACES:
-        if name in arrays and arrays[name].ndim > 1:
-            place = _tensor(arrays, name).flatten(1)
-            if place.shape != (frames, 3):
-                raise ValueError(f"the root's positions should be [{frames}, 3], "
-                                 f"got {list(place.shape)}")
-            break
+    place = torch.zeros(frames, 3, dtype=torch.float64)
+    known = [name for name in PLACES if name in arrays and arrays[name].ndim > 1]
+    if known:
+        place = _tensor(arrays, known[0]).flatten(1)
+        if place.shape != (frames, 3):
+            raise ValueError(f"the root's positions should be [{frames}, 3], "
+                             f"got {list(place.shape)}")
 
     for name in ("joints", "Jtr", "posed_joints"):
         shape = arrays[name].shape if name in arrays else ()
@@ -172,9 +171,8 @@ def _smpl(arrays: Mapping[str, np.ndarray], poses: Tensor) -> Recording:
             offsets, place = _offsets(PARENTS[:count], world, given[:, :count]), given[:, 0]
             break
     else:
-        if place is None:
+        if not known:
             doubts.append("the file has no positions of the root; it was kept in its place")
-            place = torch.zeros(frames, 3, dtype=torch.float64)
         place = place + torch.tensor(ORIGIN, dtype=torch.float64)
         doubts.append("bone lengths are those of an average person: "
                       "SMPL's own come with its licensed model")
