@@ -18,7 +18,8 @@ from toolkit.motion import Clip, root_frames
 
 
 def evaluate(
-    folder: Annotated[Path, typer.Argument(help="Folder of motion files, or one file.")],
+    folders: Annotated[list[Path], typer.Argument(
+        help="Folder of motion files, or one file; several folders are several methods.")],
     real: Annotated[Path | None, typer.Option(
         help="Folder of real motion; files of the same names are pairs.")] = None,
     unit: Unit = "auto",
@@ -27,31 +28,38 @@ def evaluate(
     recogniser: Annotated[Path | None, typer.Option(
         help="File of a recogniser of styles, for FMD, diversity and recognition (the style of a "
              "file as in `train`).")] = None,
-    out: Annotated[Path | None, typer.Option(help="JSON file for the rows of the table.")] = None,
+    out: Annotated[Path | None, typer.Option(
+        help="File for the table: .json, .csv or .tex.")] = None,
 ) -> None:
     """Measure motion files with the field's measures, beside real ones.
 
     Files that cannot be read or measured are named, and left out.
     """
     if out is not None:
-        saving.check(out, ())
+        saving.check(out, (".json", ".csv", ".tex"))
     judge = None if recogniser is None else Recogniser.load(recogniser)
-    clips, truth = _clips(folder, real is not None, judge, unit, up, roles), None
-    if real is not None:
-        named = _clips(real, True, judge, unit, up, roles)
+    named = {} if real is None else _clips(real, True, judge, unit, up, roles)
+    methods = {}
+    for folder in folders:
+        clips = _clips(folder, real is not None, judge, unit, up, roles)
         if clips.keys() == named.keys():
-            named = {name: named[name] for name in clips}
+            clips = {name: clips[name] for name in named}
         elif len(clips) == len(named) > 1:
             other = min(clips.keys() ^ named.keys())
             raise ValueError(f"{folder} and {real}: as many files, but other names ({other}); name "
                              "pairs alike, or leave one file out")
-        truth = named.values()
-    table = evaluation.report(clips.values(), truth, judge)
+        methods[folder.name if len(folders) > 1 else "clips"] = list(clips.values())
+    table = evaluation.report(methods, list(named.values()) or None, judge)
     say(table)
-    if out is not None:
+    if out is None:
+        return
+    if out.suffix == ".json":
         rows = [{name: _finite(value) for name, value in row.items()} for row in table.rows]
-        text = json.dumps({"rows": rows, "notes": table.notes}, indent=1)
-        write_whole(out, (text + "\n").encode())
+        text = json.dumps({"rows": rows, "notes": table.notes}, indent=1) + "\n"
+    else:
+        frame = table.frame()
+        text = frame.to_csv() if out.suffix == ".csv" else frame.to_latex(float_format="%.3g")
+    write_whole(out, text.encode())
 
 
 def _finite(value: object) -> object:

@@ -15,7 +15,7 @@ from typing import Any, Protocol
 import torch
 from torch import Tensor
 
-from toolkit.motion import Clip, contacts, root_frames, rotations as R
+from toolkit.motion import Clip, contacts, rotations as R
 from toolkit.motion.clip import SIDES
 
 STEP = 1 / 30  # seconds between the positions of an acceleration or a jerk, at every rate
@@ -211,8 +211,7 @@ def _pops(clip: Clip, at: dict[str, Tensor]) -> Iterator[tuple[str, str, Tensor]
     for role, path in at.items():
         if role.endswith(("hip", "shoulder")):
             continue
-        jerk = path[3 * k:] - 3 * path[2 * k:-k] + 3 * path[k:-2 * k] - path[:-3 * k]
-        yield "pop", role, _placed(jerk.norm(dim=-1) * (clip.fps / k) ** 3, len(clip))
+        yield "pop", role, _placed(jerks(path, clip.fps), len(clip))
         fourth = torch.diff(path, 4, dim=0).norm(dim=-1) / 16  # of ± a, it is a
         if len(fourth) >= whole:
             steady = fourth.unfold(0, whole, 1).median(-1).values
@@ -227,6 +226,13 @@ def _pops(clip: Clip, at: dict[str, Tensor]) -> Iterator[tuple[str, str, Tensor]
             yield "fold", f"{side}_{middle}", flexion
 
 
+def jerks(path: Tensor, fps: float) -> Tensor:
+    """Jerk ``[F', ...]`` of positions ``[F, ..., 3]`` at moments `STEP` apart, m/s³."""
+    k = max(1, round(STEP * fps))
+    third = path[3 * k:] - 3 * path[2 * k:-k] + 3 * path[k:-2 * k] - path[:-3 * k]
+    return third.norm(dim=-1) * (fps / k) ** 3
+
+
 def _bodies(clip: Clip, at: dict[str, Tensor]) -> Iterator[tuple[str, str, Tensor]]:
     """Limbs through the own body, and knees that bend backwards."""
     trunk, limbs = _trunk(clip), _limbs(clip)
@@ -237,7 +243,8 @@ def _bodies(clip: Clip, at: dict[str, Tensor]) -> Iterator[tuple[str, str, Tenso
         yield "body", f"{side}_hand and thigh", _distance(arm, thighs)
     shins = [limbs[f"{side}_foot"] for side in SIDES]
     yield "body", "shins", _distance(*shins)
-    ahead = R.rotate(root_frames(clip).rotations.double(), at["hips"].new_tensor([0.0, 0.0, 1.0]))
+    across = R.normalize(at["left_hip"] - at["right_hip"])
+    ahead = torch.linalg.cross(across, across.new_tensor([0.0, 1.0, 0.0]).expand_as(across))
     for side in SIDES:
         hip, knee, foot = (at[f"{side}_{part}"] for part in ("hip", "knee", "foot"))
         leg = R.normalize(foot - hip)

@@ -1,19 +1,39 @@
-"""The field's measures by name, and one table of them: a row of the clips, a row of real data."""
+"""The field's measures by name, and one table of them: methods beside real motion."""
 
+import functools
 import math
-from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
+import warnings
+from collections import defaultdict
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
 
-from toolkit.evaluation.metrics import pairs, sets, steps
+import numpy as np
+import scipy
+from torch import Tensor
+
+from toolkit.evaluation.metrics import bodies, pairs, quality, sets, steps
 from toolkit.evaluation.recognition import Recogniser
-from toolkit.motion import Clip
+from toolkit.motion import Clip, Skeleton
+from toolkit.motion.tensors import as_tensor, through_numpy
 
-#: Measures of a clip; of a clip and the real clip with the same frames; of a recogniser and clips.
+#: Measures of a clip; of a clip and the real clip with the same frames; of a recogniser and clips;
+#: of these and real clips.
 CLIP: dict[str, Callable[[Clip], float]] = {
     "skate-smoodi": steps.skate_smoodi,
     "skate-kimodo": steps.skate_kimodo,
     "skate-camdm": steps.skate_camdm,
     "skate-rsmt": steps.skate_rsmt,
+    "skate": quality.skate,
+    "floor": quality.floor,
+    "through": quality.through,
+    "stretch": quality.stretch,
+    "jerk": quality.jerk,
+    "shake": quality.shake,
+    "motion": quality.motion,
+    "slow-motion": quality.slow_motion,
+    "speed": bodies.speed,
+    "seconds": lambda clip: clip.seconds,
 }
 PAIR: dict[str, Callable[[Clip, Clip], float]] = {
     "npss": pairs.npss,
@@ -22,119 +42,276 @@ PAIR: dict[str, Callable[[Clip, Clip], float]] = {
     "global-quaternion": pairs.global_quaternion,
     "trajectory-error": pairs.trajectory_error,
     "orientation-error": pairs.orientation_error,
+    "stop": pairs.stop,
 }
 SET: dict[str, Callable[..., float]] = {
     "fmd": sets.fmd,
+    "nearest": sets.nearest,
     "diversity": sets.diversity,
     "multimodality": sets.multimodality,
     "recognition-top1": sets.recognition,
 }
 MEASURES: dict[str, Callable[..., float]] = CLIP | PAIR | SET
-UNITS = {"skate-rsmt": "m/s", "global-position": "m"}
+POSITIONS = "global-position", "trajectory-error", "stop"  # those that need no rotations
+UNITS = {"jerk": "m/s3", "seconds": "s"}
+UNITS |= dict.fromkeys(("skate-rsmt", "skate", "speed", "stop"), "m/s")
+UNITS |= dict.fromkeys(("global-position", "floor", "through", "stretch", "shake", "motion",
+                        "slow-motion"), "m")
 UNITS |= dict.fromkeys(("geodesic", "trajectory-error", "orientation-error"), "rad")
 BEST = dict.fromkeys(MEASURES, "lower") | {"recognition-top1": "higher"}
-BEST |= dict.fromkeys(("diversity", "multimodality"), "as real")
+BEST |= dict.fromkeys(("jerk", "shake", "motion", "slow-motion", "speed", "seconds", "nearest",
+                       "diversity", "multimodality"), "as real")
+RESAMPLES, COVERED = 200, 0.95  # of the bootstrap; probability of an interval
+#: What a method gave: a clip or array ``[F, J, 3]``, or several.
+Motion = Any
+
+
+@dataclass(frozen=True, eq=False)
+class Joints:
+    """Joint positions without rotations, where a clip is measured: its bones may stretch."""
+
+    global_positions: Tensor  # [F, J, 3] metres
+    skeleton: Skeleton
+    fps: float
+    style: str = ""
+    name: str = "joints"
+
+    def __len__(self) -> int:
+        return len(self.global_positions)
+
+    @property
+    def seconds(self) -> float:
+        """Duration, seconds."""
+        return len(self) / self.fps
+
+    def resample(self, fps: float) -> "Joints":
+        """The same motion at another rate, by cubic splines."""
+        old, new = (np.arange(n) / rate for n, rate in (
+            (len(self), self.fps), (int((len(self) - 1) / self.fps * fps + 1e-6) + 1, fps)))
+        at = through_numpy(lambda v: scipy.interpolate.CubicSpline(old, v)(new),
+                           self.global_positions)
+        return replace(self, global_positions=at, fps=fps)
 
 
 @dataclass(frozen=True)
 class Report:
     """Means of the measures; print it for a table.
 
-    ``rows`` has a dict for ``clips`` and one for ``real``: ``data``, its name; ``n``, the number of
-    clips; and each measure of ``columns``, NaN where it has no value. ``notes`` says which measures
-    are missing and why.
+    ``rows`` has a dict for each method and one for ``real``: ``data``, its name; ``n``, the number
+    of clips; and each measure of ``columns``, NaN where it has no value. ``intervals`` has the ends
+    of the interval of each by name and measure: of 95 % of bootstraps over the clips. ``notes``
+    says what is missing and why, and what not to trust.
     """
 
     rows: list[dict[str, str | int | float]]
     columns: list[str]
     notes: list[str]
+    intervals: dict[str, dict[str, tuple[float, float]]]
 
     def __repr__(self) -> str:
         lines = [["measure", *(f"{row['data']} ({row['n']})" for row in self.rows), "unit", "best"]]
         for name in self.columns:
-            values = ["-" if math.isnan(row[name]) else f"{row[name]:.4g}" for row in self.rows]
+            values = [self._cell(row, name) for row in self.rows]
             lines.append([name, *values, UNITS.get(name, ""), BEST[name]])
         widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
         padded = (map(str.ljust, line, widths) for line in lines)
         return "\n".join([*("  ".join(line).rstrip() for line in padded), *self.notes])
 
+    def _cell(self, row: Mapping[str, Any], name: str) -> str:
+        if math.isnan(row[name]):
+            return "-"
+        low, high = self.intervals[row["data"]][name]
+        ends = "" if math.isnan(low) else f" [{low:.3g}, {high:.3g}]"
+        return f"{row[name]:.4g}{ends}"
 
-def report(clips: Clip | Iterable[Clip], real: Clip | Iterable[Clip] | None = None,
-           recogniser: Recogniser | None = None) -> Report:
-    """All measures of clips beside those of real motion.
+    def frame(self) -> Any:
+        """The table as a pandas frame, which has ``to_latex``, ``to_csv`` and more.
+
+        A row for each measure; for each method a column of values, ``low`` and ``high``.
+        """
+        import pandas as pd  # imported on demand: an extra
+
+        table = {}
+        for row in self.rows:
+            ends = [self.intervals[row["data"]][name] for name in self.columns]
+            table[row["data"], "value"] = [row[name] for name in self.columns]
+            table[row["data"], "low"], table[row["data"], "high"] = zip(*ends, strict=True)
+        return pd.DataFrame(table, index=pd.Index(self.columns, name="measure"))
+
+
+def report(clips: Motion | Mapping[str, Motion], real: Motion | None = None,
+           recogniser: Recogniser | None = None, *, skeleton: Skeleton | None = None,
+           fps: float | None = None) -> Report:
+    """All measures of one or more methods beside those of real motion.
 
     Parameters
     ----------
     clips
-        One or several; every clip has the same weight.
+        Clips of a method, every one with the same weight; or a dict of methods by name. Arrays
+        ``[F, J, 3]`` of joint positions in metres, Y up, take the place of clips; measures that
+        need rotations have no value for them.
     real
         Real motion, for its own row. Where it has as many clips, and clip i has the joints, the
         frames and the rate of real clip i, the measures of pairs are those of these pairs; else the
         table leaves them out.
     recogniser
         A recogniser of styles (`toolkit.evaluation.recognition`), best one that saw neither;
-        without it the measures of sets are left out. The real row's ``fmd`` is that of every second
-        real clip from the others: what chance gives.
+        without it the measures of sets are left out. ``fmd`` and ``nearest`` compare with every
+        second real clip of a style; the row of real clips compares the others with these. For
+        ``fmd`` all rows have the same number of windows.
+    skeleton, fps
+        Of arrays; by default those of the first real clip.
 
     Raises
     ------
     ValueError
-        If there is no clip, or a clip is too short or lacks the joints that a measure needs.
+        If there is no clip, a clip is too short or lacks the joints that a measure needs, or an
+        array does not fit the skeleton.
     """
-    rows = {"clips": _listed(clips, "clips")}
+    data = dict(clips) if isinstance(clips, Mapping) else {"clips": clips}
+    truth = None
     if real is not None:
-        rows["real"] = _listed(real, "real")
-    clips, real = rows["clips"], rows.get("real")
+        data["real"] = truth = _listed(real, "real", skeleton, fps)
+        skeleton, fps = skeleton or truth[0].skeleton, fps or truth[0].fps
+    data = {name: _listed(some, name, skeleton, fps) for name, some in data.items()}
+    judge = None if recogniser is None else _Cached(recogniser)
     columns, notes = list(CLIP), []
-    values = {name: {key: _mean([f(clip) for clip in some]) for key, f in CLIP.items()}
-              for name, some in rows.items()}
-    why = "they need real clips" if real is None else _unpaired(clips, real)
-    if why:
+    if why := _unpaired(data, truth):
         notes.append(f"without the measures of pairs ({', '.join(PAIR)}): {why}")
     else:
         columns += PAIR
-        for name, some in rows.items():
-            values[name] |= {key: _mean(list(map(f, some, real))) for key, f in PAIR.items()}
-    if recogniser is None:
+    if judge is None:
         notes.append(f"without the measures of sets ({', '.join(SET)}): "
                      "they need a recogniser of styles")
     else:
         columns += SET
-        for name, some in rows.items():
-            values[name]["fmd"] = _fmd(name, recogniser, clips, real)
-            values[name] |= {key: f(recogniser, some) for key, f in SET.items() if key != "fmd"}
-    return Report([{"data": name, "n": len(some), **values[name]} for name, some in rows.items()],
-                  columns, notes)
+    rows, intervals = [], {}
+    judged = _sets(judge, data, truth, notes) if judge is not None else {}
+    for name, some in data.items():
+        found = {key: average([f(clip) for clip in some]) for key, f in CLIP.items()}
+        if not why:
+            both = list(zip(some, truth, strict=True))
+            found |= {key: average([_paired(key, *pair) for pair in both]) for key in PAIR}
+        found |= judged.get(name, {})
+        rows.append({"data": name, "n": len(some)} | {
+            key: statistic(range(count)) for key, (count, statistic) in found.items()})
+        intervals[name] = {key: interval(*each) for key, each in found.items()}
+    return Report(rows, columns, notes, intervals)
 
 
-def _listed(clips: Clip | Iterable[Clip], what: str) -> list[Clip]:
-    clips = [clips] if isinstance(clips, Clip) else list(clips)
-    if not clips:
+#: The number of clips, and the measure of some of them, by their indices.
+Statistic = tuple[int, Callable[[Sequence[int]], float]]
+
+
+class _Cached:
+    """A recogniser that looks at a clip once."""
+
+    def __init__(self, recogniser: Recogniser):
+        self.styles, self.width = recogniser.styles, 2 * recogniser.hidden
+        self.embed = functools.cache(recogniser.embed)
+        self.of_clip = functools.cache(recogniser.of_clip)
+
+
+def _listed(motion: Motion, what: str, skeleton: Skeleton | None,
+            fps: float | None) -> list[Clip | Joints]:
+    """The clips of a method; arrays of joint positions become `Joints`."""
+    single = isinstance(motion, Clip | Joints) or getattr(motion, "ndim", 0) == 3
+    motions = [motion] if single else list(motion)
+    if not motions:
         raise ValueError(f"{what}: no clips to measure")
+    clips = []
+    for number, one in enumerate(motions):
+        if not isinstance(one, Clip | Joints):
+            if skeleton is None or fps is None:
+                raise ValueError(f"{what}: arrays of joints need skeleton= and fps=, or real clips")
+            positions = as_tensor(one, what)
+            if positions.shape[1:] != (len(skeleton), 3):
+                raise ValueError(f"{what}: expected joints [F, {len(skeleton)}, 3], "
+                                 f"got {list(positions.shape)}")
+            one = Joints(positions, skeleton, fps, name=f"{what}[{number}]")
+        clips.append(one)
     return clips
 
 
-def _mean(values: list[float]) -> float:
-    """Mean of the numbers that are not NaN."""
-    known = [value for value in values if not math.isnan(value)]
-    return sum(known) / len(known) if known else math.nan
-
-
-def _unpaired(clips: Sequence[Clip], real: Sequence[Clip]) -> str:
+def _unpaired(data: Mapping[str, Sequence], real: Sequence | None) -> str:
     """Why clip i is not to be compared with real clip i; empty if it is."""
-    if len(clips) != len(real):
-        return f"{len(clips)} clips and {len(real)} real ones are not pairs"
-    try:
-        for clip, truth in zip(clips, real, strict=True):
-            pairs.check_pair(clip, truth)
-    except ValueError as error:
-        return str(error)
+    if real is None:
+        return "they need real clips"
+    for name, clips in data.items():
+        if len(clips) != len(real):
+            return f"{len(clips)} {name} and {len(real)} real ones are not pairs"
+        try:
+            for clip, truth in zip(clips, real, strict=True):
+                pairs.check_pair(clip, truth)
+        except ValueError as error:
+            return str(error)
     return ""
 
 
-def _fmd(name: str, recogniser: Recogniser, clips: list[Clip], real: list[Clip] | None) -> float:
-    made, truth = (clips, real) if name == "clips" else (real[::2], real[1::2])
-    for some in (made, truth):  # a covariance needs two windows
-        if not some or sum(len(recogniser.embed(clip)) for clip in some) < 2:
-            return math.nan
-    return sets.fmd(recogniser, made, truth)
+def _paired(name: str, clip: Clip | Joints, real: Clip | Joints) -> float:
+    rotations = isinstance(clip, Clip) and isinstance(real, Clip)
+    return PAIR[name](clip, real) if rotations or name in POSITIONS else math.nan
+
+
+def average(values: list[float]) -> Statistic:
+    """The mean of the numbers that are not NaN."""
+    def mean(chosen: Sequence[int]) -> float:
+        known = [values[i] for i in chosen if not math.isnan(values[i])]
+        return sum(known) / len(known) if known else math.nan
+
+    return len(values), mean
+
+
+def _sets(judge: _Cached, data: Mapping[str, Sequence], real: Sequence | None,
+          notes: list[str]) -> dict[str, dict[str, Statistic]]:
+    """Measures of sets by method; a note where they cannot be trusted."""
+    absent = {key: (1, lambda _: math.nan) for key in SET}
+    # Every second real clip of a style is the reference, and the row of real clips the others.
+    groups: dict[str, list] = defaultdict(list)
+    for clip in real or []:
+        groups[clip.style].append(clip)
+    chosen = list(groups.values())
+    if min(map(len, chosen), default=0) < 2:
+        chosen = [list(real or [])]
+    reference = [clip for group in chosen for clip in group[::2]]
+    others = [clip for group in chosen for clip in group[1::2]]
+    compared = data | ({} if real is None else {"real": others})
+    able = [name for name, some in data.items() if all(isinstance(clip, Clip) for clip in some)]
+    counts = {name: sum(len(judge.embed(clip)) for clip in compared[name]) for name in able}
+    fewest = min((count for count in counts.values() if count > 1), default=0)
+    if real is not None and fewest <= judge.width:
+        notes.append(f"fmd of {fewest} windows: a covariance of {judge.width} features needs more "
+                     "windows than features, so compare its values within this table only")
+    found = {name: dict(absent) for name in data}
+    for name in able:
+        for key in ("diversity", "multimodality", "recognition-top1"):
+            found[name][key] = _of(SET[key], judge, data[name])
+        if reference and counts[name] > 1 and counts.get("real", 0) != 1:
+            found[name]["fmd"] = _of(sets.fmd, judge, compared[name], reference, fewest)
+            found[name]["nearest"] = _of(sets.nearest, judge, compared[name], reference)
+    return found
+
+
+def _of(measure: Callable[..., float], judge: _Cached, clips: Sequence, *others: Any) -> Statistic:
+    """A measure of sets. A bootstrap draws each clip from those of its style, so that the shares
+    of the styles stay.
+    """
+    groups = [[other for other in clips if other.style == clip.style] for clip in clips]
+    place = [group.index(clip) for group, clip in zip(groups, clips, strict=True)]
+
+    def value(chosen: Sequence[int]) -> float:
+        drawn = [groups[n][(place[n] + int(i) - n) % len(groups[n])] for n, i in enumerate(chosen)]
+        return measure(judge, drawn, *others)
+
+    return len(clips), value
+
+
+def interval(count: int, statistic: Callable[[Sequence[int]], float]) -> tuple[float, float]:
+    """Ends of the percentile interval of bootstraps over clips; NaN of one clip."""
+    if count < 2 or math.isnan(statistic(range(count))):
+        return math.nan, math.nan
+    with warnings.catch_warnings(action="ignore", category=scipy.stats.DegenerateDataWarning):
+        found = scipy.stats.bootstrap(  # the warning is of equal values: an interval of no width
+            (np.arange(count),), statistic, vectorized=False, n_resamples=RESAMPLES,
+            confidence_level=COVERED, method="percentile", random_state=np.random.default_rng(0))
+    return tuple(map(float, found.confidence_interval))

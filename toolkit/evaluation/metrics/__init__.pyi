@@ -16,13 +16,25 @@ from .pairs import (
     npss as npss,
     orientation_error as orientation_error,
     phase_error as phase_error,
+    stop as stop,
     trajectory_error as trajectory_error,
+)
+from .quality import (
+    floor as floor,
+    jerk as jerk,
+    motion as motion,
+    shake as shake,
+    skate as skate,
+    slow_motion as slow_motion,
+    stretch as stretch,
+    through as through,
 )
 from .sets import (
     diversity as diversity,
     fmd as fmd,
     frechet_distance as frechet_distance,
     multimodality as multimodality,
+    nearest as nearest,
     recognition as recognition,
 )
 from .steps import (

@@ -5,7 +5,7 @@ import math
 import torch
 from torch import Tensor
 
-from toolkit.motion import Clip, root_frames, rotations as R, trajectory
+from toolkit.motion import Clip, contacts, root_frames, rotations as R, trajectory
 
 STILL = 0.1  # m/s; slower hips have no direction of movement
 
@@ -70,7 +70,7 @@ def global_position(clip: Clip, real: Clip) -> float:
     over all joints of z-scores, whose statistics differ from one training set to the next.
     """
     check_pair(clip, real)
-    apart = clip.global_positions - real.global_positions.to(clip.rotations)
+    apart = clip.global_positions - real.global_positions.to(clip.global_positions)
     return float(apart.norm(dim=-1).mean())
 
 
@@ -100,7 +100,7 @@ def trajectory_error(clip: Clip, real: Clip) -> float:
     steps = []
     for each in (clip, real):
         hips = each.global_positions[:, each.skeleton.role("hips")][:, [0, 2]]
-        steps.append(hips.diff(dim=0).to(clip.rotations) * each.fps)
+        steps.append(hips.diff(dim=0).to(clip.global_positions) * each.fps)
     moving = torch.stack([step.norm(dim=-1) >= STILL for step in steps]).all(0)
     return float(_turn(*steps)[moving].mean()) if moving.any() else math.nan
 
@@ -115,6 +115,23 @@ def orientation_error(clip: Clip, real: Clip) -> float:
     facing = [torch.stack(trajectory.heading(root_frames(each).rotations), -1).to(clip.rotations)
               for each in (clip, real)]
     return float(_turn(*facing).mean())
+
+
+def stop(clip: Clip, real: Clip) -> float:
+    """Speed of the hips where the real ones stand, m/s, lower is better.
+
+    The real hips stand where they are slower than `STILL` for a second before. NaN if they never
+    do.
+    """
+    check_pair(clip, real)
+    own, theirs = (contacts.velocities(
+        each.global_positions[:, each.skeleton.role("hips")][:, [0, 2]], each.fps).norm(dim=-1)
+        for each in (clip, real))
+    second = round(clip.fps)
+    if len(clip) <= second:
+        return math.nan
+    stands = (theirs < STILL).unfold(0, second, 1).all(-1)
+    return float(own[second - 1:][stands].mean())
 
 
 def phase_error(phase: Tensor, truth: Tensor) -> tuple[Tensor, Tensor]:

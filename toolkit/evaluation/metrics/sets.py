@@ -38,14 +38,27 @@ def frechet_distance(a: Tensor, b: Tensor) -> float:
     return max(0.0, float((means[0] - means[1]).square().sum() + spread))
 
 
-def fmd(recogniser: Recogniser, clips: Sequence[Clip], real: Sequence[Clip]) -> float:
+def fmd(recogniser: Recogniser, clips: Sequence[Clip], real: Sequence[Clip],
+        windows: int | None = None) -> float:
     """Fréchet motion distance (Park et al. 2021, section 7): no unit, lower is better.
 
     The FID of Heusel et al. 2017, on motions: `frechet_distance` of the recogniser's features of
-    all windows of one second. Compare only values of the same recogniser and number of windows.
+    windows of one second: of all, or of so many of the clips, evenly spread. Compare only values of
+    the same recogniser and number of windows.
     """
-    return frechet_distance(*(torch.cat([recogniser.embed(clip) for clip in some])
-                              for some in (clips, real)))
+    made, truth = (torch.cat([recogniser.embed(clip) for clip in some]) for some in (clips, real))
+    if windows is not None:
+        made = made[torch.linspace(0, len(made) - 1, windows).round().long()]
+    return frechet_distance(made, truth)
+
+
+def nearest(recogniser: Recogniser, clips: Sequence[Clip], real: Sequence[Clip]) -> float:
+    """Mean distance of a window's features to the nearest of the real ones: no unit, as real.
+
+    Much less than that of other real clips: the clips are copies.
+    """
+    made, truth = (torch.cat([recogniser.embed(clip) for clip in some]) for some in (clips, real))
+    return float(torch.cdist(made, truth).amin(1).mean())
 
 
 def recognition(recogniser: Recogniser, clips: Sequence[Clip]) -> float:
