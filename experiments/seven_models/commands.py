@@ -24,28 +24,6 @@ Out = Annotated[Path, typer.Option(help="Folder of the runs; finished runs in it
 OUT = Path("out/comparison")
 Named = Annotated[str
                   | None, typer.Option(help="Store the result under this name in docs/results.")]
-ONE_STEP = {"shared": ("MSE", 1, 4), "joints": ("of joints", 1, 4), "mse": ("own MSE", 1, 4),
-            "other": ("other", 1, 4),
-            "bone": ("bone mm", 1000, 2)}
-LOOP = {"hands": ("hands", 1, 2), "together": ("together", 1, 2), "recognised": ("style", 1, 2),
-        "speed": ("speed", 1, 2),
-        "skate": ("skate", 100, 1), "skate_ik": ("with IK", 100, 1), "path": ("path cm", 100, 1),
-        "steps": ("steps/s", 1, 2), "clavicle": ("clavicle cm", 100, 1),
-        "hand": ("hand cm", 100, 1),
-        "upright": ("upright", 1, 2)}
-EXPLAINED = (
-    "MSE: error on held-out frames of the outputs that all models have (trajectory, joints, "
-    "contacts), in the data's",
-    "deviations; own MSE: of all outputs of a model; other: the same with another style's "
-    "vector; bone: mean error of bone",
-    "lengths. hands: range of motion / that of the data (0: stuck); together: difference of both "
-    "hands' correlation from",
-    "the data's; both for styles whose hands move. style: share of recognised styles; speed / "
-    "commanded speed; skate: cm/s",
-    "in contact, without and with foot IK; path: distance from an eight; clavicle, hand: "
-    "distance of their mean pose from",
-    "the data's; upright: share of styles that do not fall.",
-)
 
 
 @app.callback()
@@ -69,9 +47,6 @@ def compare(
     = False,
     out: Out = OUT,
     device: Annotated[str, typer.Option(help="Device of the training: cpu, cuda.")] = "cpu",
-    scheduler: Annotated[str
-                         | None, typer.Option(help="Address of a Dask scheduler whose workers "
-                                                   "share the runs.")] = None,
 ) -> None:
     """The seven models of Table 2, trained on the same data, compared one step ahead and in closed
     loop.
@@ -94,8 +69,7 @@ def compare(
               "clip_seconds": clip_seconds if data == "procedural" else None, "listed": listed}
     found = load(**source)
     print(f"{_described(source)}: {found.n_frames:,} frames of {len(found.styles)} styles")
-    show(models.compare(found, source, models.Plan(size, steps, device), chosen, seeds, out, True,
-                        scheduler))
+    show(models.compare(found, source, models.Plan(size, steps, device), chosen, seeds, out, True))
     print(f"wrote {out / 'comparison.json'}")
 
 
@@ -197,8 +171,6 @@ def vectors_(model: Annotated[str, typer.Option(help="Which model's runs.")] = "
 @app.command("failures")
 def failures_(
     out: Out = OUT,
-    capacity: Annotated[bool, typer.Option(help="Also train models with fewer styles, to compare "
-                                                "errors.")] = True,
     result: Annotated[str
                       | None, typer.Option(help="Store the cases as "
                                                 "docs/results/RESULT-CASE.json.")] = None,
@@ -206,7 +178,7 @@ def failures_(
     """The failure cases of section 5.1, tested on the runs of a finished comparison."""
     settings = models.read_json(out / models.SETTINGS)
     data = load(**settings["source"])
-    for case in failures.cases(data, out, progress=True, capacity_too=capacity):
+    for case in failures.cases(data, out):
         print(f"\n{case}")
         name = case.title.lower().replace(" ", "-")
         if result is not None:
@@ -278,38 +250,10 @@ def _described(source: dict) -> str:
 
 def show(table: dict) -> None:
     """Print the result of `experiments.seven_models.models.compare`."""
-    settings, on = table["settings"], table["machine"]
-    print(f"\n{_described(settings['source'])}: {len(settings['frames'])} styles; "
-          f"{settings['size']} sizes, "
-          f"{settings['steps']:,} steps of {settings['batch']} frames")
-    print(f"{on['device']}, {on['cores']} cores, {on['threads']} threads, torch {on['torch']}")
-    print(f"\n{'one step ahead':<16}" + "".join(f"{title:>18}" for title, *_ in ONE_STEP.values()))
-    rows = table["models"] | ({"ceiling": {"mean": table["ceiling"], "spread": {}}}
-                              if "ceiling" in table else {})
-    for name, model in rows.items():
-        print(f"{name:<16}"
-              + "".join(f"{_cell(model, key, *how):>18}" for key, (_, *how) in ONE_STEP.items()))
-    for name, error in table["baselines"].items():
-        print(f"{name:<16}{error:>18.4f}")
-    print(f"\n{'closed loop':<16}" + "".join(f"{title:>14}" for title, *_ in LOOP.values()))
-    for name, model in rows.items():
-        print(f"{name:<16}"
-              + "".join(f"{_cell(model, key, *how):>14}" for key, (_, *how) in LOOP.items()))
-    print(f"\n{'cost':<16}{'synthesis':>14}{'style':>14}{'per style':>14}{'ms per frame':>18}"
-          f"{'processor s':>14}"
-          f"{'seeds':>14}")
-    for name, model in table["models"].items():
-        counts, (mean, spread) = model["counts"], model["frame"]
-        print(f"{name:<16}"
-              + "".join(f"{counts[k]:>14,}" for k in ("synthesis", "style", "per_style"))
-              + f"{f'{mean:.2f} ± {spread:.2f}':>18}{model['mean']['processor']:>14.0f}"
-                f"{len(model['runs']):>14}")
-    print("\nmean ± deviation over the seeds of means over the styles.", *EXPLAINED, sep="\n")
+    settings = table["settings"]
+    about = f"{_described(settings['source'])}: {len(settings['frames'])} styles"
+    found = results.comparison("comparison", about, _command(settings), table)
+    print(f"{about}\n{found.markdown()}")
     if math.isfinite(table["recogniser"]):
         print(f"The recogniser, trained on the training part, names {table['recogniser']:.0%} of "
-              f"held-out seconds rightly.")
-
-
-def _cell(model: dict, key: str, scale: float, decimals: int) -> str:
-    mean, spread = (scale * model[part].get(key, float("nan")) for part in ("mean", "spread"))
-    return f"{mean:.{decimals}f} ± {spread:.{decimals}f}"
+              f"held-out seconds rightly. docs/comparison.md explains the columns.")

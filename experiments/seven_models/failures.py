@@ -3,14 +3,9 @@
 A case confirms the paper if the measures of every seed do.
 """
 
-import dataclasses
 import math
 from dataclasses import dataclass
 from pathlib import Path
-
-import torch
-from course.comparison import shared_error
-from tqdm import tqdm
 
 from experiments.seven_models import interpolation
 from experiments.seven_models.models import (
@@ -24,15 +19,13 @@ from experiments.seven_models.models import (
     trained,
 )
 from experiments.tables import cell
-from toolkit.features import Features, splits
+from toolkit.features import Features
 from toolkit.training import Run
 
 STUCK = 0.5  # range of the hands / that of the data, below which hands are stuck
 # styles without a global phase, always reported
 NO_GLOBAL_PHASE = ("ArmsAtOtherFrequency", "PendulumHands", "Swimming")
-# numbers of styles; number of styles in all of them, which are compared
-COUNTS, COMMON = (4, 8, 16), 4
-CAPACITY = BLENDED = ("lpn-onehot", "lpn-resad", "lpn-film")
+COMPARED = ("lpn-onehot", "lpn-resad", "lpn-film")
 
 
 @dataclass(frozen=True)
@@ -132,7 +125,7 @@ def artifacts(table: dict) -> Case:
             }
         return found
 
-    runs = {name: table["models"][name]["runs"] for name in CAPACITY}
+    runs = {name: table["models"][name]["runs"] for name in COMPARED}
     rows = {name: row(found) for name, found in runs.items()}
     verdicts = []
     for part in ("clavicle", "hand"):
@@ -153,52 +146,6 @@ def artifacts(table: dict) -> Case:
         "FiLM does not."
     )
     return Case("5.1.2", "Artifacts", claim, rows, "; ".join(verdicts))
-
-
-def capacity(data: Features, plan: Plan, folder: Path, progress: bool = False) -> Case:
-    """Error of the same few styles as a function of the number of styles in a model.
-
-    All runs have the same budget. Runs with fewer styles are trained here (seed 0) and stored. The
-    held-out frames of a style do not depend on the other styles, so all are compared on the same.
-    """
-    order = [
-        data.styles[i]
-        for i in torch.randperm(len(data.styles), generator=splits.generator(0)).tolist()
-    ]
-    counts = [n for n in COUNTS if n < len(order)] + [len(order)]
-    share = plan.config("lpn-film", 0).held_out
-    scale = splits.split(data, share, 0, tuple(data.styles))[0].normalisers()["outputs"]
-    errors: dict[str, dict[str, float]] = {name: {} for name in CAPACITY}
-    jobs = [(n, name) for n in counts for name in CAPACITY]
-    for n, name in tqdm(jobs, desc="capacity", unit="run", disable=None if progress else True):
-        styles, config, where = (
-            tuple(s for s in data.styles if s in order[:n]),
-            plan.config(name, 0),
-            folder,
-        )
-        if n < len(order):
-            config, where = dataclasses.replace(config, styles=styles), folder / "capacity" / str(n)
-        run = trained(data, config, where, progress)
-        found = shared_error(run.model, run.bank, splits.split(data, share, 0, styles)[1], scale)
-        errors[name][f"{n} styles"] = average([found[style] for style in order[:COMMON]])
-    grown = {
-        name: row[f"{counts[-1]} styles"] / row[f"{counts[0]} styles"]
-        for name, row in errors.items()
-    }
-    holds = all(grown["lpn-film"] < grown[name] for name in CAPACITY if name != "lpn-film")
-    least = min(CAPACITY, key=lambda name: errors[name][f"{counts[-1]} styles"])
-    factors = ", ".join(f"{name} {g:.2f}" for name, g in grown.items())
-    return Case(
-        "5.1.2",
-        "Large numbers of styles",
-        "one-hot and residual adapters only shift one hidden layer: artifacts with many styles, "
-        "which FiLM has not.",
-        errors,
-        f"{'shows' if holds else 'does not show'} (one seed): "
-        f"from {counts[0]} to {counts[-1]} styles, "
-        "the error of the "
-        f"same {COMMON} styles grows by factors of {factors}; {least} is the best",
-    )
 
 
 def blends(data: Features, runs: dict[str, list[Run]], folder: Path) -> Case:
@@ -248,10 +195,8 @@ def stored_plan(folder: Path) -> Plan:
     return Plan(settings["size"], settings["steps"])
 
 
-def cases(
-    data: Features, folder: Path, progress: bool = False, capacity_too: bool = True
-) -> list[Case]:
-    """All cases for the comparison in a folder; runs for `capacity` are trained and stored there.
+def cases(data: Features, folder: Path) -> list[Case]:
+    """All cases for the comparison in a folder.
 
     Raises
     ------
@@ -259,7 +204,7 @@ def cases(
         If the comparison is not finished, or one of the models is missing.
     """
     table = read_json(folder / TABLE)
-    if missing := {"pfnn-film", "mann-film", *CAPACITY} - table["models"].keys():
+    if missing := {"pfnn-film", "mann-film", *COMPARED} - table["models"].keys():
         raise ValueError(
             f"{folder}: its comparison has no {', '.join(sorted(missing))}; "
             "run it with --models all"
@@ -270,7 +215,7 @@ def cases(
             trained(data, plan.config(name, run["seed"]), folder)
             for run in table["models"][name]["runs"]
         ]
-        for name in BLENDED
+        for name in COMPARED
     }
     return [
         stuck_hands(
@@ -283,7 +228,6 @@ def cases(
             "swing together.",
         ),
         artifacts(table),
-        *([capacity(data, plan, folder, progress)] if capacity_too else []),
         blends(data, runs, folder),
         stuck_hands(
             table,

@@ -7,9 +7,6 @@ import json
 import math
 import os
 import platform
-import statistics
-import threading
-import time
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -25,11 +22,10 @@ from toolkit import datasets, features, networks, published, runtime, training
 from toolkit.evaluation import metrics, recognition
 from toolkit.evaluation.recognition import Recogniser
 from toolkit.extra import store
-from toolkit.extra.store.workers import completed, executor
 from toolkit.features import Features, Layout, Normaliser, Split, natural_speed, splits
 from toolkit.io import model_files
 from toolkit.io.files import atomic_write
-from toolkit.networks import Model, Sizes
+from toolkit.networks import Predictor, Sizes
 from toolkit.networks.bank import StyleBank
 from toolkit.runtime import FPS, CharacterState, Command
 from toolkit.training import Config, Run
@@ -40,7 +36,6 @@ WARM_UP, PACE = 2.0, 1.0
 MOVING = 0.06  # metres, least range of moving hands
 HANDS = ("hands", "hands_data", "swing", "swing_data", "together")
 SETTINGS, TABLE, CEILING = "settings.json", "comparison.json", "ceiling.json"
-ALONE = threading.Lock()  # of a process's jobs
 HELD_OUT = 0.1  # share of every style's frames
 SIZES = {
     "tiny": Sizes(hidden=32, experts=4, gating=16, film_channels=8, film_kernel=5, film_dense=32,
@@ -175,12 +170,11 @@ def measured(run: Run, data: Features, plan: Plan, recogniser: Recogniser, folde
                     "processor": last["processor"],
                           "steps": last["step"], "history": run.history,
                           "counts": networks.counts(run.model),
-                          "frame": frame_time(run.model, run.bank.vectors[0]),
                           "styles": {s: row | run.held_out[s] for s, row in styles.items()}})
     return read_json(path)
 
 
-def both(model: Model, bank: StyleBank, data: Features, recogniser: Recogniser,
+def both(model: Predictor, bank: StyleBank, data: Features, recogniser: Recogniser,
          plan: Plan) -> dict[str, dict[str, float]]:
     """Measures of every style: those of `one_step` on held-out frames, and those of
     `closed_loop`.
@@ -191,7 +185,7 @@ def both(model: Model, bank: StyleBank, data: Features, recogniser: Recogniser,
     return {s: {**errors[s], **loop[s]} for s in errors}
 
 
-def one_step(model: Model, bank: StyleBank, test: Features,
+def one_step(model: Predictor, bank: StyleBank, test: Features,
              scale: Normaliser) -> dict[str, dict[str, float]]:
     """``joints``: the error of the joint features; ``shared``: that of all columns that all models
     predict (`shared_error`).
@@ -252,7 +246,7 @@ def over_styles(styles: dict[str, dict[str, float]]) -> dict[str, float]:
             for key in every[0]}
 
 
-def closed_loop(model: Model, bank: StyleBank, data: Features, recogniser: Recogniser,
+def closed_loop(model: Predictor, bank: StyleBank, data: Features, recogniser: Recogniser,
                 plan: Plan) -> dict[str, dict[str, float]]:
     """Measures of every style in closed loop: straight ahead at the style's usual speed in the
     data, then along an eight.
@@ -291,7 +285,7 @@ def closed_loop(model: Model, bank: StyleBank, data: Features, recogniser: Recog
     return rows
 
 
-def states(model: Model, commands: Sequence, vectors: Tensor,
+def states(model: Predictor, commands: Sequence, vectors: Tensor,
            first: CharacterState | None = None) -> list[CharacterState]:
     """All states of a crowd, one character per style vector, without the vectors, which may be
     large.
@@ -300,7 +294,7 @@ def states(model: Model, commands: Sequence, vectors: Tensor,
             for s in runtime.states(model, commands, vectors, first)]
 
 
-def _gait(model: Model, walk: list[CharacterState], laps: list[CharacterState], course: Tensor,
+def _gait(model: Predictor, walk: list[CharacterState], laps: list[CharacterState], course: Tensor,
           i: int) -> dict[str, float]:
     contact = torch.stack([s.contacts[i] for s in walk])
     try:
@@ -319,38 +313,9 @@ def _gait(model: Model, walk: list[CharacterState], laps: list[CharacterState], 
             "steps": metrics.feet(clip, contact)["steps"]}
 
 
-def frame_time(model: Model, style: Tensor, runs: int = 5, frames: int = 60) -> tuple[float, float]:
-    """Mean and deviation over some runs of the time for a frame of one character, milliseconds."""
-    command, times = Command((0.0, 1.0)), []
-    with torch.no_grad():
-        state = runtime.start(model, style)
-        for _ in range(runs + 1):
-            began = time.perf_counter()
-            for _ in range(frames):
-                state = runtime.step(model, state, command)
-            times.append(1000 * (time.perf_counter() - began) / frames)
-    return statistics.mean(times[1:]), statistics.stdev(times[1:])  # the first run warms up
-
-
-def job(source: dict, plan: Plan, name: str, seed: int, folder: Path) -> None:
-    """Train and measure one run of a comparison, in a process that may be on another machine.
-
-    A worker may have several threads; they take turns, because torch has one random state for all
-    threads of a process.
-    """
-    with ALONE:
-        data = load(**source)
-        run = trained(data, plan.config(name, seed), folder)
-        measured(run, data, plan, judge(data, folder, plan.recogniser_steps), folder)
-
-
 def compare(data: Features, source: dict, plan: Plan, models: Sequence[str], seeds: int,
-            folder: Path,
-            progress: bool = False, scheduler: str | None = None) -> dict:
+            folder: Path, progress: bool = False) -> dict:
     """Train and measure models with seeds 0, 1 …; finished runs in the folder are not repeated.
-
-    ``scheduler`` is the address of a Dask scheduler whose workers share the runs; they need the
-    data and the folder under the same paths.
 
     Returns
     -------
@@ -360,18 +325,9 @@ def compare(data: Features, source: dict, plan: Plan, models: Sequence[str], see
     recogniser = judge(data, folder, plan.recogniser_steps)
     settle(folder, plan, data, source)
     jobs = [(name, seed) for seed in range(seeds) for name in models]
-    bar = tqdm(total=len(jobs), desc="compare", unit="run", disable=None if progress else True)
-    if scheduler:
-        with executor(None, scheduler) as pool:
-            for _, result in completed(pool, job, [(source, plan, *one, folder) for one in jobs]):
-                if isinstance(result, ValueError):
-                    raise result
-                bar.update()
-    else:
-        for name, seed in jobs:
-            measured(trained(data, plan.config(name, seed), folder, progress), data, plan,
-                     recogniser, folder)
-            bar.update()
+    for name, seed in tqdm(jobs, desc="compare", unit="run", disable=None if progress else True):
+        run = trained(data, plan.config(name, seed), folder, progress)
+        measured(run, data, plan, recogniser, folder)
     return collect(data, plan, recogniser, folder)
 
 
@@ -382,12 +338,9 @@ def collect(data: Features, plan: Plan, recogniser: Recogniser, folder: Path) ->
     -------
     dict
         ``settings``, ``machine``, ``baselines``, ``recogniser`` (share of held-out windows that it
-        names rightly) and ``models``. A model has its parameter ``counts``, the milliseconds of a
-        ``frame``, its ``runs`` in the order of the seeds, and the ``mean`` and ``spread``
-        (deviation) of every measure over the seeds; ``ceiling`` is a run, too.
+        names rightly) and ``models``. A model has its parameter ``counts`` and its ``runs`` in the
+        order of the seeds; ``ceiling`` is a run, too.
     """
-    for path in (folder / "measures").glob("*.json"):
-        _complete(path, folder, data)
     found = {name: sorted((_run(read_json(path))
                            for path in (folder / "measures").glob(f"{name}-*.json")),
                           key=lambda run: run["seed"]) for name in networks.MODELS}
@@ -397,25 +350,13 @@ def collect(data: Features, plan: Plan, recogniser: Recogniser, folder: Path) ->
         | {"batch": config.batch, "rate": config.rate, "style_rates": STYLE_RATES},
         "machine": machine(plan.device), "recogniser": accuracy(recogniser, data),
         "baselines": shared_baselines(data, HELD_OUT, 0),
-        "models": {name: {"counts": runs[0]["counts"], "frame": runs[0]["frame"], **_summary(runs)}
+        "models": {name: {"counts": runs[0]["counts"], "runs": runs}
                    for name, runs in found.items() if runs},
     }
     if (folder / CEILING).exists():
         table["ceiling"] = _run(read_json(folder / CEILING))
     write_json(folder / TABLE, table)
     return table
-
-
-def _complete(path: Path, folder: Path, data: Features) -> None:
-    """Add what the measures of an older run lack: the error of the joints."""
-    held = read_json(path)
-    if not all("joints" in row for row in held["styles"].values()):
-        run = training.load(folder / "runs" / f"{path.stem}.safetensors")
-        train, test = splits.split(data, HELD_OUT, 0, tuple(data.styles))
-        for style, errors in one_step(run.model, run.bank, test,
-                                      train.normalisers()["outputs"]).items():
-            held["styles"][style] |= errors
-        write_json(path, held)
 
 
 def accuracy(recogniser: Recogniser, data: Features) -> float:
@@ -445,18 +386,6 @@ def _run(held: dict) -> dict:
     steps.
     """
     return {"trained": held.get("steps", 0)} | held | over_styles(held["styles"])
-
-
-def _summary(runs: list[dict]) -> dict:
-    keys = [key for key, value in runs[0].items() if isinstance(value, int | float)
-            and key != "seed"]
-    spreads = {key: _spread([run[key] for run in runs]) for key in keys}
-    return {"runs": runs, "mean": {k: v[0] for k, v in spreads.items()},
-            "spread": {k: v[1] for k, v in spreads.items()}}
-
-
-def _spread(values: list[float]) -> tuple[float, float]:
-    return average(values), statistics.stdev(values) if len(values) > 1 else 0.0
 
 
 def average(values: Sequence[float]) -> float:
