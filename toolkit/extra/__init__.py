@@ -6,6 +6,7 @@
 | `characters` | skinned characters of one's own, retargeting |
 | `shots` | planned motion: paths, keys over time, scenes, crowds, the Director |
 | `compiled` | the runtime in numba |
+| `matching` | motion matching: a search in the data in the place of a network |
 | `store` | features on the disk, computed by several processes or by Dask |
 | `engines` | glTF and ONNX files |
 """
