@@ -1,5 +1,7 @@
 """Styles learnt from single clips, each judged by its walk beside the clip (`styles.compare`)."""
 
+import math
+import re
 from collections import Counter
 from pathlib import Path
 from typing import Annotated
@@ -17,9 +19,9 @@ from toolkit.motion import Clip
 from toolkit.training import Run
 from toolkit.view import strip
 
-STEPS = 200
-WAYS = {"last": "the vector of the least error", "chosen": "the vector that walks best",
-        "floor": "the nearest old style"}
+STEPS = 150
+WAYS = {"error": "the vector of the least error", "walk": "the vector that walks best",
+        "learn": "the best of all ways", "floor": "the nearest old style"}
 COLUMNS = {"learnt": ["base", None], "good": ["good", 0], "weak": ["weak", 0],
            "failed": ["failed", 0], "refused": ["refused", 0], "excess": ["median excess", 2]}
 
@@ -31,6 +33,7 @@ def run(
     model: verbs.TrainedRun = None,
     take: Annotated[int, typer.Option(help="Which take of each style of Bandai-Namco: 0 is the "
                                            "first, -1 the last.")] = -1,
+    kinds: Annotated[str, typer.Option(help="Which clips: a part of their paths.")] = "",
     pictures: Annotated[Path | None, typer.Option(help="Folder for a strip of each clip.")] = None,
     store: Store = False,
 ) -> None:
@@ -42,9 +45,14 @@ def run(
     base = "published" if parameters else "procedural" if model is None else model.stem
     found: dict[str, list[styles.Comparison]] = {way: [] for way in WAYS}
     refused = 0
-    for file in progress_bar(clips(root, take), desc="styles", unit="clip"):
-        clip = fitted(load(file), net.model.layout.skeleton)
-        if why := styles.not_a_walk(clip):
+    files = [file for file in clips(root, take) if re.search(kinds, str(file))]
+    for file in progress_bar(files, desc="styles", unit="clip"):
+        try:
+            clip = fitted(load(file), net.model, net.bank)
+            why = styles.not_a_walk(clip)
+        except ValueError as error:
+            why = str(error)
+        if why:
             print(f"{file.name}: refused: {why}")
             refused += 1
             continue
@@ -53,15 +61,15 @@ def run(
             found[way].append(compared)
         print(file.name, *(f"{way}: {c.verdict} {c.excess:.2f}" for way, c in one.items()),
               sep="; ")
-        print(one["chosen"], flush=True)
+        print(one["learn"], flush=True)
         if pictures:
-            cycles = one["chosen"].cycles()
+            cycles = one["learn"].cycles()
             strip(list(cycles.values()), pictures / f"{base}_{file.stem}.png",
                   labels=list(cycles), width=10, dpi=60)
     rows = []
     for way, compared in found.items():
         count = Counter(c.verdict for c in compared)
-        excesses = sorted(c.excess for c in compared)
+        excesses = sorted(c.excess for c in compared) or [math.nan]
         rows.append({"learnt": f"{base}, take {take}: {WAYS[way]}", "good": count["good"],
                      "weak": count["weak"], "failed": count["failed"], "refused": refused,
                      "excess": excesses[len(excesses) // 2]})
@@ -89,7 +97,8 @@ def clips(root: Path, take: int) -> list[Path]:
 def judged(net: Run, clip: Clip) -> dict[str, styles.Comparison]:
     """Comparisons by `WAYS`."""
     made = styles.fine_tune(net.model, clip, "new", net.bank, steps=STEPS)
-    chosen = styles.choose(made, clip)[1]
+    best = styles.learn(net.model, net.bank, [clip], "new", steps=STEPS)
     nearest = made.bank.nearest("new", 1)[0][0]
-    return {"last": styles.compare(clip, made.model, "new", made.bank), "chosen": chosen,
+    return {"error": styles.compare(clip, made.model, "new", made.bank),
+            "walk": styles.choose(made, clip)[1], "learn": best.compared,
             "floor": styles.compare(clip, net.model, nearest, net.bank)}

@@ -10,6 +10,7 @@ from safetensors import safe_open
 
 import toolkit as tk
 from toolkit.__main__ import main
+from toolkit.cli.style import fitted
 from toolkit.styles import StyleBank, comparison, fine_tuning
 from toolkit.styles.transitions import EASINGS
 
@@ -254,6 +255,14 @@ def test_short_clips_several_styles_and_no_bank(small_run, crouch):
     assert len(made.losses) == 6
 
 
+@pytest.fixture
+def short_walks(monkeypatch):
+    """Walks that are compared last two seconds, so that a test does."""
+    for name, seconds in (("WARM_UP", 1.0), ("SECONDS", 2.0), ("LONGEST", 2.0)):
+        monkeypatch.setattr(comparison, name, seconds)
+
+
+@pytest.mark.usefixtures("short_walks")
 def test_the_embedded_model_learns_a_style_from_one_clip():
     model, bank = tk.pretrained()
     arms = tk.datasets.procedural.Arm(out=20, forward=45, elbow=95, swing=4, elbow_swing=4)
@@ -263,14 +272,13 @@ def test_the_embedded_model_learns_a_style_from_one_clip():
     assert made.method == "vector"  # it comes without its generator
     found = made.held_out["Sneak"]
     assert found["after"] < 0.6 * found["before"]
+    last = tk.styles.compare(clip, model, "Sneak", made.bank)
+    hips = {name: row["hips"] for name, row in last.rows.items()}
+    assert abs(hips["style"] - hips["clip"]) < 4 < hips["Neutral"] - hips["style"]
+    assert tk.metrics.upright(last.clips["style"])
     chosen, compared = tk.styles.choose(made, clip)
-    again = tk.styles.compare(clip, model, chosen["Sneak"], bank)
-    assert again.excess == pytest.approx(compared.excess, rel=0.02)
-    assert compared.excess <= tk.styles.compare(clip, model, "Sneak", made.bank).excess * 1.02
+    assert compared.excess <= last.excess * 1.02
     assert torch.equal(chosen.vectors[:-1], bank.vectors)
-    walk = tk.runtime.rollout(model, tk.runtime.straight(0.75, 5.0), made.bank["Sneak"]).cut(180)
-    assert tk.metrics.hips_height(walk)[1] < 0.9
-    assert tk.metrics.upright(walk)
 
 
 def test_what_cannot_be_learnt_is_refused_in_one_line(small_run, crouch):
@@ -291,11 +299,12 @@ def test_what_cannot_be_learnt_is_refused_in_one_line(small_run, crouch):
         tk.styles.fine_tune(model, crouch.cut(0, 111), "Mine", bank)
 
 
+@pytest.mark.usefixtures("short_walks")
 def test_style_add_writes_the_same_file_with_one_vector_more(tmp_path, small_run, crouch, capsys):
     run, out, clips = tmp_path / "run.safetensors", tmp_path / "new.safetensors", tmp_path / "clips"
     small_run.save(run)
     tk.bvh.save(crouch, clips / "a.bvh")
-    words = f"style add --model {run} --clips {clips} --name Mine --out {out} --steps 5".split()
+    words = f"style add --model {run} --clips {clips} --name Mine --out {out} --steps 2".split()
     assert main(words) == 2  # after so few steps, nobody walks
     assert "does not walk as the clip does" in capsys.readouterr().err
     assert not out.exists()
@@ -430,3 +439,10 @@ def test_what_is_no_walk_is_refused_with_the_reason(zombie, change, why):
     assert re.search(why, tk.styles.not_a_walk(clip))
     with pytest.raises(ValueError, match=why):
         tk.styles.compare(clip, model, "Zombie", bank)
+
+
+def test_a_clip_of_another_rig_is_retargeted_to_each_model_that_is_there(zombie):
+    other = tk.pretrained("recorded")
+    made = fitted(zombie, other.model, other.bank)
+    assert made.skeleton.names == other.model.layout.skeleton.names
+    assert not tk.styles.not_a_walk(made)

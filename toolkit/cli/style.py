@@ -7,20 +7,22 @@ from typing import Annotated
 
 import typer
 
-from toolkit import registry
+from toolkit import registry, runtime
 from toolkit.cli import motion_files
 from toolkit.cli.verbs import Published, Roles, Seed, TrainedRun, Unit, Up, say
 from toolkit.evaluation.findings import told
 from toolkit.io import model_files, save as saving
 from toolkit.io.files import below
 from toolkit.io.load import readers
-from toolkit.motion import Clip, Skeleton
+from toolkit.motion import Clip
 from toolkit.networks import Predictor
 from toolkit.networks.bank import StyleBank
-from toolkit.styles.comparison import choose, not_a_walk
-from toolkit.styles.fine_tuning import METHODS, STEPS, NewStyles, fine_tune
+from toolkit.styles.comparison import learn, not_a_walk
+from toolkit.styles.fine_tuning import METHODS, STEPS, NewStyles
 from toolkit.training import published
 from toolkit.training.run import RECORDED, pretrained_file
+
+AXES = 3.0  # seconds of a model's walk, from which its skeleton's axes are measured
 
 app = typer.Typer(no_args_is_help=True, add_completion=False,
                   help="Add styles to a trained model, and list its styles.")
@@ -34,11 +36,7 @@ def add(
     out: Annotated[Path, typer.Option(help="File to write: the model, with one more style.")],
     model: TrainedRun = None,
     parameters: Published = None,
-    method: Annotated[str | None, typer.Option(
-        help=f"{', '.join(METHODS)}; by default the best for the model.")] = None,
     steps: Annotated[int, typer.Option(min=1, help="Steps of gradient descent.")] = STEPS,
-    mirror: Annotated[bool, typer.Option(
-        "--mirror", help="Use mirror images too; for symmetric styles.")] = False,
     seed: Seed = 0,
     anyway: Annotated[bool, typer.Option(
         "--anyway", help="Learn from what is no walk, and write a style that failed.")] = False,
@@ -51,9 +49,10 @@ def add(
     The new style then walks at the speed of the longest clip and on its path, and the walk is
     compared with the clip: good, weak or failed. A failed style is not written.
 
-    Motion of another rig is retargeted to the model's skeleton. A model that has its FiLM generator
-    fine-tunes a copy of it. For one that was stored without, such as the embedded one, the style
-    vector itself is optimised.
+    Motion of another rig is retargeted to the model's skeleton. The clips are learnt as they are,
+    and with their mirror images if the walk is not good. A model that has its FiLM generator
+    fine-tunes a copy of it; if the walk is not good, only the style vector is optimised, as always
+    for a model that was stored without generator, such as the embedded one.
 
     Without --model and --published, the style is learnt on each model that is there: procedural,
     recorded, and published, if its files were fetched. The one where it walks best is written.
@@ -74,33 +73,32 @@ def add(
         if not isinstance(parts.setdefault("added", []), list):
             raise ValueError(f"{model}: its list of added styles is damaged")
         say(f"{base or 'published'}:")
-        shown = [fitted(motion_files.read(file, unit, up, roles), network.layout.skeleton)
+        shown = [fitted(motion_files.read(file, unit, up, roles), network, bank)
                  for file in files]
         for clip in shown:
             if (why := not_a_walk(clip)) and not anyway:
                 raise ValueError(f"{clip.name}: {why}; no style was learnt (--anyway learns it)")
-        made = fine_tune(network, shown, name, bank, method=method, steps=steps, mirror=mirror,
-                         seed=seed, progress=True)
-        _report(made, name)
-        longest = max(shown, key=lambda clip: clip.seconds)
-        bank, compared = choose(made, longest, anyway=anyway)
-        say(str(compared))
-        say(told(compared.clips["style"]))
-        learnt.append((compared, base, tensors, parts, made, bank))
-    compared, base, tensors, parts, made, bank = min(learnt, key=lambda one: one[0].excess)
+        best = learn(network, bank, shown, name, steps=steps, seed=seed, anyway=anyway,
+                     progress=True)
+        _report(best.made, name)
+        say(str(best.compared))
+        say(told(best.compared.clips["style"]))
+        learnt.append((best, base, tensors, parts))
+    best, base, tensors, parts = min(learnt, key=lambda one: one[0].compared.excess)
     if len(learnt) > 1:
         say(f"The style walks best on the model {base or 'published'}.")
     if str(base) == "recorded":
         say("This model, and a style added to it, is under CC BY-NC 4.0: not for commercial use.")
-    if compared.verdict == "failed" and not anyway:
+    if best.compared.verdict == "failed" and not anyway:
         raise ValueError(f"{name!r} does not walk as the clip does, so {out} was not written "
-                         "(--anyway writes it); use more or longer clips, or --mirror")
-    record = {"style": name, "clips": [file.name for file in files], "method": made.method,
-              "base": str(base or "published"), "steps": steps, "seed": seed,
-              "seconds": round(made.seconds, 1), "verdict": compared.verdict}
-    new = {"bank": list(bank.names), "added": [*parts["added"], record]}
-    model_files.write(out, tensors | bank.tensors, parts | new)
-    _print_near(bank, name)
+                         "(--anyway writes it); use more or longer clips")
+    record = {"style": name, "clips": [file.name for file in files], "method": best.made.method,
+              "mirror": best.mirror, "base": str(base or "published"), "steps": steps,
+              "seed": seed, "seconds": round(best.made.seconds, 1),
+              "verdict": best.compared.verdict}
+    new = {"bank": list(best.bank.names), "added": [*parts["added"], record]}
+    model_files.write(out, tensors | best.bank.tensors, parts | new)
+    _print_near(best.bank, name)
     say(f"wrote {out}; next: python -m toolkit rollout --model {quote(str(out))} --style "
         f"{quote(name)} --out walk.html")
 
@@ -130,14 +128,17 @@ def _report(made: NewStyles, name: str) -> None:
             "longer clips.")
 
 
-def fitted(clip: Clip, skeleton: Skeleton) -> Clip:
+def fitted(clip: Clip, network: Predictor, bank: StyleBank) -> Clip:
     """The clip on the model's skeleton."""
+    skeleton = network.layout.skeleton
     if not any(map(skeleton.is_end, range(len(skeleton)))):
         clip = clip.without_ends()
     if (clip.skeleton.names, clip.skeleton.parents) == (skeleton.names, skeleton.parents):
         return clip
     retargeting = registry.find("motion.retargeting")
-    made = retargeting.retarget(clip, skeleton)
+    # a walk of the model, because the zero rotations of some skeletons are no standing figure
+    walk = runtime.rollout(network, runtime.straight(1.0, AXES), bank.vectors.mean(0))
+    made = retargeting.retarget(clip, walk)
     say(f"{clip.name}: retargeted; {retargeting.report(clip, made)}")
     return made
 

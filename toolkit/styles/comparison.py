@@ -6,7 +6,7 @@ what a viewer sees.
 """
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import torch
@@ -18,7 +18,7 @@ from toolkit.motion.clip import FEET, SIDES, root_frames
 from toolkit.motion.trajectory import FPS, heading
 from toolkit.networks import Predictor
 from toolkit.networks.bank import StyleBank
-from toolkit.styles.fine_tuning import NewStyles
+from toolkit.styles.fine_tuning import STEPS, NewStyles, fine_tune
 
 SECONDS, LONGEST = 6.0, 12.0  # of a walk that is compared: at least, and at most
 WARM_UP = 2.0  # seconds before it
@@ -32,6 +32,8 @@ SHORTEST, SLOWEST, PERIODIC = 1.9, 0.3, 0.74
 #: cm, and its range is at most so many times the clip's, or smaller.
 LIMITS = {"speed": 0.25, "direction": 15.0, "steps": 0.2, "slower foot": 8.0, "hips": 6.0}
 POSTURE, CLOSE, RANGE = 0.8, 2.0, 2.2
+#: Shares of the way from the start of a training to its best vector, tried where that is not good.
+SHARES = 0.6, 0.8, 1.2, 1.4
 UNITS = {"speed": "m/s", "direction": "°", "steps": "1/s", "slower foot": "cm/s", "hips": "cm",
          "posture": "cm", "range": "cm"}
 
@@ -68,6 +70,16 @@ class Comparison:
         return {name: cycle(clip) for name, clip in self.clips.items()}
 
 
+@dataclass(frozen=True, eq=False)
+class Learnt:
+    """Result of `learn`."""
+
+    made: NewStyles  # the training
+    bank: StyleBank  # with the chosen vector
+    compared: Comparison  # its walk beside the longest clip
+    mirror: bool  # whether the mirror images of the clips were learnt, too
+
+
 def compare(clip: Clip, model: Predictor, style: Tensor | str, bank: StyleBank, *,
             anyway: bool = False) -> Comparison:
     """Let a style walk at a clip's speed and on its path, and compare the walk with the clip.
@@ -94,34 +106,70 @@ def compare(clip: Clip, model: Predictor, style: Tensor | str, bank: StyleBank, 
     """
     vector = bank[style] if isinstance(style, str) else style
     known = style if isinstance(style, str) else None
-    return _compared(clip, model, vector[None], bank, known, anyway)[0]
+    return _compared(clip, model, vector[None], bank, _floors(bank, vector, known), anyway)[0]
+
+
+def learn(model: Predictor, bank: StyleBank, clips: Sequence[Clip], name: str, *,
+          steps: int = STEPS, seed: int = 0, anyway: bool = False,
+          progress: bool = False) -> Learnt:
+    """Learn one style from clips in several ways, until one walks as the longest clip does.
+
+    The ways are the default of `fine_tune`, the same with the mirror images of the clips, and, for
+    a model that has its FiLM generator, the style vector alone. Of each, `choose` takes the vector
+    that walks most like the clip. The way with the smallest excess is kept.
+
+    Parameters and errors are those of `fine_tune` and `compare`.
+    """
+    longest = max(clips, key=lambda clip: clip.seconds)
+    ways: list[dict] = [{}, {"mirror": True}]
+    tried: list[Learnt] = []
+    for way in ways:
+        made = fine_tune(model, clips, name, bank, steps=steps, seed=seed, progress=progress, **way)
+        tried.append(Learnt(made, *choose(made, longest, anyway=anyway), mirror="mirror" in way))
+        if tried[-1].compared.verdict == "good":
+            break
+        if made.method == "generator" and len(ways) == 2:
+            ways.append({"method": "vector"})
+    return min(tried, key=lambda one: one.compared.excess)
 
 
 def choose(made: NewStyles, clip: Clip, *, anyway: bool = False) -> tuple[StyleBank, Comparison]:
     """The bank with that vector of a training which walks most like a clip, and its comparison.
 
-    The held-out error of `fine_tune` is measured one step ahead, and chooses another step.
+    The held-out error of `fine_tune` is measured one step ahead, and chooses another step. Where no
+    step gives a good walk, vectors on the line from the first step to the best one are tried.
     ``anyway`` is that of `compare`. ValueError if several styles were learnt at once.
     """
     if len(made.names) != 1:
         raise ValueError(f"one style is chosen at a time, got {', '.join(made.names)}")
     (name,) = made.names
     vectors = torch.cat([made.bank[name][None], made.tried[:, 0]])
-    found = _compared(clip, made.model, vectors, made.bank, name, anyway)
+    floors = _floors(made.bank, made.bank[name], name)
+    found = _compared(clip, made.model, vectors, made.bank, floors, anyway)
     best = min(range(len(found)), key=lambda i: found[i].excess)
+    if found[best].verdict != "good":
+        line = torch.tensor(SHARES, dtype=vectors.dtype)[:, None]
+        line = torch.lerp(made.tried[0], vectors[best, None], line)
+        vectors = torch.cat([vectors, line])
+        found += _compared(clip, made.model, line, made.bank, floors, anyway)
+        best = min(range(len(found)), key=lambda i: found[i].excess)
     kept = made.bank.vectors.clone()
     kept[made.bank.names.index(name)] = vectors[best]
     return StyleBank(made.bank.names, kept, made.bank.speeds), found[best]
 
 
-def _compared(clip: Clip, model: Predictor, vectors: Tensor, bank: StyleBank, name: str | None,
+def _floors(bank: StyleBank, vector: Tensor, name: str | None) -> list[str]:
+    """Neutral and the style nearest to a vector, whose own name in the bank is ``name``."""
+    near = [other for other, _ in bank.nearest(vector, len(bank)) if other != name]
+    return [other for other in dict.fromkeys(("Neutral", *near[:1])) if other in near]
+
+
+def _compared(clip: Clip, model: Predictor, vectors: Tensor, bank: StyleBank, floors: Sequence[str],
               anyway: bool) -> list[Comparison]:
-    """Comparisons of ``vectors [K, D]``, walking side by side; ``name`` is theirs in the bank."""
+    """Comparisons of ``vectors [K, D]``, which walk side by side with the floors."""
     clip = clip.resample(FPS)
     if not anyway and (why := not_a_walk(clip)):
         raise ValueError(f"{clip.name}: {why}")
-    near = [other for other, _ in bank.nearest(vectors[0], len(bank)) if other != name]
-    floors = [other for other in dict.fromkeys(("Neutral", *near[:1])) if other in near]
     together = torch.cat([vectors, *(bank[other][None] for other in floors)])
     walked = list(runtime.states(model, commands(clip), together))[round(WARM_UP * FPS):]
     walks = [runtime.record(model, walked, character=i) for i in range(len(together))]
