@@ -1,8 +1,4 @@
-"""The body in a recording, in the file's unit and axes: its joints in some frames, its measures.
-
-In numpy, whose functions cost less than torch's on small arrays: every file that is read is looked
-at.
-"""
+"""The body in a recording, in the file's unit and axes: its joints in some frames, its measures."""
 
 import math
 from collections.abc import Mapping
@@ -14,7 +10,7 @@ import torch
 
 from toolkit.extra.formats.role_checks import head
 from toolkit.io.recording import Recording
-from toolkit.motion import role_words, rotations as R
+from toolkit.motion import Skeleton, forward_kinematics, role_words
 from toolkit.motion.contacts import line
 from toolkit.motion.roles import ROLES, SIDES, Tree
 
@@ -39,32 +35,28 @@ class RecordedBody:
         return all(f"{side}_{part}" in self.joint for side in SIDES for part in parts)
 
     @cached_property
-    def frames(self) -> np.ndarray:
-        """The frames ``[S]`` that are looked at."""
-        length = len(self.recording.rotations)
-        return np.linspace(0, length - 1, min(length, SAMPLES)).astype(int)
-
-    @cached_property
-    def points(self) -> dict[int, np.ndarray]:
-        """Positions ``[S, 3]`` by joint of all with roles, of the head and of those above them."""
-        return self._points(self.frames)
-
-    def _points(self, frames: np.ndarray) -> dict[int, np.ndarray]:
+    def _positions(self) -> list[dict[int, np.ndarray]]:
+        """`points` in the frames that are looked at, and in the frames after them."""
         recording = self.recording
         above = (j for joint in self.joint.values() for j in self.tree.up(joint))
         order = sorted({0, *self.head, *above})
-        some = torch.from_numpy(recording.rotations.numpy()[frames][:, order])
-        local = R.to_matrix(some.double()).numpy()
-        offsets, roots = recording.offsets.numpy(), recording.root_positions.numpy()[frames]
-        turned, points = {}, {}
-        for n, j in enumerate(order):
-            above = recording.parents[j]
-            if above < 0:
-                turned[j], points[j] = local[:, n], roots
-            else:
-                turned[j] = turned[above] @ local[:, n]
-                points[j] = points[above] + turned[above] @ offsets[j]
-        return points
+        place = {-1: -1} | {j: i for i, j in enumerate(order)}
+        part = Skeleton([self.names[j] for j in order],
+                        [place[recording.parents[j]] for j in order],
+                        recording.offsets[order], {}, ())
+        last = len(recording.rotations) - 1
+        frames = torch.linspace(0, last, min(last + 1, SAMPLES)).long()
+        found = []
+        for at in (frames, (frames + 1).clamp_max(last)):
+            turns = recording.rotations[at][:, order].double()
+            places = forward_kinematics(part, turns, recording.root_positions[at])[1].numpy()
+            found.append({j: places[:, place[j]] for j in order})
+        return found
+
+    @property
+    def points(self) -> dict[int, np.ndarray]:
+        """Positions ``[S, 3]`` by joint of all with roles, of the head and of those above them."""
+        return self._positions[0]
 
     @cached_property
     def together(self) -> np.ndarray:
@@ -157,11 +149,10 @@ class RecordedBody:
     @cached_property
     def _moves(self) -> tuple[np.ndarray, np.ndarray]:
         """Moves from frame to frame of the root ``[S, 3]``, and of the toes against it."""
-        frames = self.frames[self.frames + 1 < len(self.recording.rotations)]
-        before, after = self._points(frames), self._points(frames + 1)
-        path = after[0] - before[0]
+        before, after = self._positions
         toes = [self.joint[f"{side}_toe"] for side in SIDES]
-        return path, np.stack([after[j] - before[j] - path for j in toes])
+        moves = {j: after[j][:-1] - before[j][:-1] for j in (0, *toes)}  # none after the last
+        return moves[0], np.stack([moves[j] - moves[0] for j in toes])
 
     def floor(self, up: str) -> tuple[float, float]:
         """Height of a toe that stands, in the middle of the clip, and its change over the clip."""
