@@ -3,7 +3,6 @@
 import pytest
 import torch
 
-from toolkit.motion import ik
 from toolkit.motion.springs import inertialise, spring
 
 
@@ -38,21 +37,3 @@ def test_inertialise_continues_value_and_velocity_and_ends_in_the_new_motion():
     assert (made[-1] - new[-1]).abs() < 1e-3
     with pytest.raises(ValueError, match="two frames"):
         inertialise(old[:1], new, 60.0, 12.0)
-
-
-def test_inertialise_begins_with_the_velocity_of_the_old_motion_whatever_that_of_the_new():
-    t = torch.arange(3, dtype=torch.float64) / 6000
-    made = inertialise(3 * t, 7 - 2 * t, 6000.0, 4.0)
-    # The next frame of the old motion.
-    assert float(made[0]) == pytest.approx(3 * 3 / 6000, abs=1e-12)
-    assert float(made[1] - made[0]) * 6000 == pytest.approx(3.0, abs=0.05)
-
-
-def test_a_released_toe_of_the_foot_lock_is_a_spring():
-    before = torch.zeros(2, 3)
-    toes = torch.tensor([[0.1, 0.0, 0.02], [0.0, 0.0, 0.0]])
-    drift = torch.tensor([[0.3, 0.1, -0.2], [0.0, 0.0, 0.0]])
-    left = torch.tensor([1.0, 0.0])
-    got, _ = ik.foot_lock(toes, drift, before, before, torch.zeros(2), left, 1 / 60)
-    want, _ = spring(toes[0], drift[0], ik.RETURN, 1 / 60)
-    torch.testing.assert_close(got[0, 1:], want[1:])
