@@ -439,18 +439,6 @@ def test_no_room(root, server, monkeypatch):
             get()
     assert not server.requests
 
-    def unpacking(folder, size, purpose):
-        if purpose.startswith("unpack"):
-            raise OSError("no room to unpack")
-
-    with monkeypatch.context() as full:
-        full.setattr(download, "room", unpacking)
-        with pytest.raises(OSError, match="no room to unpack"):
-            get()
-    assert not root.exists()
-    assert get()["files"] == 5
-    assert len(server.requests) == 1  # what came before the disk was full is used
-
 
 def test_another_folder_is_never_overwritten(root):
     root.mkdir(parents=True)

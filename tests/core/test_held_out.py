@@ -50,16 +50,13 @@ def test_a_character_begins_in_the_recorded_pose_and_place(clips, embedded):
 
 def test_followed_recordings_stay_near_them_and_floors_are_farther(clips, embedded):
     model, bank = embedded
-    recogniser = tk.evaluation.recognition.train(tk.features.build(clips), steps=30)
-    rows = recorded.compared(
-        [training.Run(model, bank.select(["Neutral", "Zombie"]))] * 2, clips, recogniser
-    )
+    recogniser = tk.evaluation.recognition.train(tk.features.build(clips), steps=10)
+    run = training.Run(model, bank.select(["Neutral", "Zombie"]))
+    rows = recorded.compared([run], clips, recogniser)
     found = {row["measure"]: row for row in rows}
-    assert len(found["geodesic"]["model"]) == 2
     for name, most in (("global-position", 0.25), ("geodesic", 0.4)):
         row = found[name]
-        assert row["model"][0] == row["model"][1] < most
-        assert row["model"][0] < row["other"][0]
+        assert row["model"][0] < min(most, row["other"][0])
         assert row["model"][0] < row["still"]
         assert row["real"] == pytest.approx(0, abs=1e-5)
     assert found["skate-rsmt"]["still"] == pytest.approx(0, abs=1e-6)

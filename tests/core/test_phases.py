@@ -10,7 +10,7 @@ import toolkit as tk
 from experiments import phases as bench
 from toolkit.datasets import procedural
 from toolkit.evaluation.phases import measure
-from toolkit.phases import LIMBS, Sinusoids, fit, normalise, smooth, sources, windows
+from toolkit.phases import LIMBS, Sinusoids, fit, normalise, smooth, windows
 
 FPS = 60.0
 TURN = 2 * math.pi
@@ -74,17 +74,6 @@ def test_feet_take_contacts_and_hands_do_not(walk_clip):
     assert float((feet - math.pi).cos().mean()) > 0.9  # half a cycle apart
 
 
-def test_a_foot_counts_as_touching_from_exactly_the_least_share_on(walk_clip, monkeypatch):
-    touching = (torch.arange(len(walk_clip)) % 50 == 0).float()  # 2 % of the frames, about
-    monkeypatch.setattr(sources, "Steps", lambda: lambda clip, limb: touching)
-    hybrid, foot = tk.phases.Hybrid(), "left_foot"
-    for least, chosen in ((float(touching.mean()), "contact"), (0.021, "contact-free")):
-        monkeypatch.setattr(sources, "LEAST", least)
-        assert hybrid.choice(walk_clip, foot) == chosen
-        expected = touching if chosen == "contact" else tk.phases.ContactFree()(walk_clip, foot)
-        assert torch.equal(hybrid(walk_clip, foot), expected)
-
-
 def test_contact_free_is_the_longest_axis_of_all_clips_and_points_forward(walk_clip):
     clips = [walk_clip.cut(0, 200), procedural.generate("Zombie", "FW", 4.0).moved(turn=1.0)]
     source = tk.phases.ContactFree()
@@ -104,25 +93,6 @@ def test_contact_free_is_the_longest_axis_of_all_clips_and_points_forward(walk_c
         assert torch.equal(alone, source.fitted(clips[:1])(clips[0], limb))
         assert float((alone - fitted(clips[0], limb)).abs().max()) > 1e-3
     assert source.axes == source.means == {}
-
-
-def test_the_axis_is_that_of_the_swing_and_not_of_slow_drift(walk_clip):
-    t = torch.arange(len(walk_clip), dtype=torch.float64) / FPS
-
-    class Hand(tk.phases.ContactFree):
-        """A swing of 10 cm at 1 Hz along (0, 0.6, 0.8), and a lateral drift of 30 cm at 0.05 Hz."""
-
-        def points(self, clip, limb):
-            swing = 0.1 * torch.sin(TURN * t)[:, None] * torch.tensor([0.0, 0.6, 0.8])
-            drift = 0.3 * torch.sin(TURN * 0.05 * t)[:, None] * torch.tensor([1.0, 0.0, 0.0])
-            return swing + drift + 7.0
-
-    fitted = Hand().fitted([walk_clip])
-    for limb in LIMBS:
-        assert fitted.axes[limb].tolist() == pytest.approx([0.0, 0.6, 0.8], abs=0.02)
-        assert torch.allclose(Hand()(walk_clip, limb), fitted(walk_clip, limb))
-        drifting = fitted(walk_clip, limb) - 0.1 * torch.sin(TURN * t)
-        assert float(drifting.abs().max()) < 0.01
 
 
 @pytest.mark.parametrize(("source", "message"), [
@@ -206,10 +176,9 @@ def test_a_source_may_have_any_number_of_limbs(walk_clip, limbs):
     assert data.phases["Neutral"].shape[1] == data.layout.n_phases == 2 * len(limbs)
     again = tk.features.Layout.from_json(data.layout.to_json())
     assert again == data.layout != tk.features.Layout(walk_clip.skeleton)
-    run = tk.training.fit(data, tk.training.Config.quick(seconds=0.5))
-    commands = tk.runtime.straight(1.0, 0.5)
-    walked = tk.runtime.rollout(run.model, commands, style=run.bank["Zombie"])
-    assert len(walked) == 30
+    run = tk.training.fit(data, tk.training.Config.quick(steps=2, refit=1))
+    walked = tk.runtime.rollout(run.model, tk.runtime.straight(1.0, 0.1), style=run.bank["Zombie"])
+    assert len(walked) == 6
 
 
 def test_a_source_that_is_constant_says_so(walk_clip):

@@ -16,7 +16,7 @@ import re
 import warnings
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
 from typing import NamedTuple
@@ -52,33 +52,44 @@ class OwnTake(Take):
     up: str = "auto"
 
 
+class Row(NamedTuple):
+    """A file that can be used."""
+
+    take: Take
+    frames: int  # at the file's own rate
+    seconds: float
+    joints: int  # in the file
+    doubts: list[str]
+
+
 @dataclass(frozen=True)
 class Survey:
     """What a folder holds for a training."""
 
-    takes: tuple[Take, ...]  # that are used
-    frames: dict[Path, int]  # of the used files, at their own rate
-    seconds: dict[Path, float]
-    joints: tuple[int, int]  # body joints of the used files, and the most joints of one of them
+    rows: list[Row]
+    joints: int  # of the body
     left_out: dict[Path, str]  # files and why
-    doubts: dict[Path, list[str]] = field(default_factory=dict)  # warnings about used files
+
+    @property
+    def takes(self) -> list[Take]:
+        """Those that are used."""
+        return [row.take for row in self.rows]
 
     def lines(self, root: Path) -> Iterator[str]:
         """What is used, by style and gait, and what is doubtful about it."""
-        minutes = sum(self.seconds.values()) / 60
-        yield (f"{_files(len(self.takes))}, {sum(self.frames.values()):,} frames, "
-               f"{minutes:.1f} minutes; {self.joints[0]} body joints of {self.joints[1]}")
-        groups: dict[tuple[str, str], list[Path]] = defaultdict(list)
-        for take in self.takes:
-            groups[take.style, take.gait].append(take.path)
-        for (style, gait), paths in sorted(groups.items()):
-            frames = sum(self.frames[path] for path in paths)
-            seconds = sum(self.seconds[path] for path in paths)
-            label = f"{style} {gait}".strip()
-            yield f"  {label}: {_files(len(paths))}, {frames:,} frames, {seconds:.1f} s"
-        for path, found in self.doubts.items():
-            for doubt in found:
-                yield printable(f"  doubtful: {path.relative_to(root)}: {doubt}")
+        minutes = sum(row.seconds for row in self.rows) / 60
+        yield (f"{_files(len(self.rows))}, {sum(row.frames for row in self.rows):,} frames, "
+               f"{minutes:.1f} minutes; {self.joints} body joints of "
+               f"{max(row.joints for row in self.rows)}")
+        groups: dict[str, list[Row]] = defaultdict(list)
+        for row in self.rows:
+            groups[f"{row.take.style} {row.take.gait}".strip()].append(row)
+        for label, rows in sorted(groups.items()):
+            frames, seconds = sum(row.frames for row in rows), sum(row.seconds for row in rows)
+            yield f"  {label}: {_files(len(rows))}, {frames:,} frames, {seconds:.1f} s"
+        for row in self.rows:
+            for doubt in row.doubts:
+                yield printable(f"  doubtful: {row.take.path.relative_to(root)}: {doubt}")
 
     def warn(self, root: Path) -> None:
         """Warn of the files that are left out, and say why; at most `NAMED` are named."""
@@ -104,7 +115,7 @@ class Own(Source):
         """
         found = survey(root, self.target)
         found.warn(self.folder(root))
-        return list(found.takes)
+        return found.takes
 
     def folder(self, root: str | os.PathLike | None) -> Path:
         """The folder, which must be given."""
@@ -150,16 +161,6 @@ class _Rig(NamedTuple):
         return self.same_joints(other) and 1 / ALIKE < self.height / other.height < ALIKE
 
 
-class _Row(NamedTuple):
-    """A file that can be read."""
-
-    take: Take
-    frames: int
-    seconds: float
-    joints: int  # in the file
-    doubts: list[str]
-
-
 def survey(root: str | os.PathLike, target: Clip | None = None) -> Survey:
     """Reads every file of a folder and says what a training can use; ValueError if that is nothing.
 
@@ -180,7 +181,7 @@ def _survey(folder: Path, _state: tuple, target: Clip | None) -> Survey:
     # the files that can be read, by the rigs that fit together
     takes = labelled(folder)
     left_out: dict[Path, str] = {}
-    rigs: dict[_Rig, list[_Row]] = defaultdict(list)
+    rigs: dict[_Rig, list[Row]] = defaultdict(list)
     for take in progress_bar(takes, desc="reading", unit="file", show=len(takes) > 20):
         try:
             whole, doubts = _load(take)
@@ -193,7 +194,7 @@ def _survey(folder: Path, _state: tuple, target: Clip | None) -> Survey:
             continue
         rig = _Rig.of(clip)
         rig = next((known for known in rigs if known.fits(rig)), rig)
-        rigs[rig].append(_Row(take, len(clip), clip.seconds, len(whole.skeleton), doubts))
+        rigs[rig].append(Row(take, len(clip), clip.seconds, len(whole.skeleton), doubts))
     if not rigs:
         some = "; ".join(f"{path.name}: {why}" for path, why in list(left_out.items())[:3])
         raise ValueError(f"{folder}: no file can be used{f' ({some})' if some else ''}; expected "
@@ -206,10 +207,7 @@ def _survey(folder: Path, _state: tuple, target: Clip | None) -> Survey:
         differ = "a body of another size" if rig.same_joints(most) else "other joints"
         for row in others:
             left_out[row.take.path] = f"{differ} than most files; --skeleton retargets all files"
-    joints = len(most.names), max(row.joints for row in rows)
-    return Survey(tuple(row.take for row in rows), {row.take.path: row.frames for row in rows},
-                  {row.take.path: row.seconds for row in rows}, joints, left_out,
-                  {row.take.path: row.doubts for row in rows if row.doubts})
+    return Survey(rows, len(most.names), left_out)
 
 
 def read_file(path: Path, unit: float | str = "auto", up: str = "auto",
