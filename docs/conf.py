@@ -104,14 +104,10 @@ FETCHED = re.compile(
 )
 # megabytes of widget state, useless without a kernel
 STATE = "application/vnd.jupyter.widget-state+json"
-#: The output of a controller without a kernel; the page that runs without Python replaces it.
-CONTROLLER = re.compile(
-    r"<pre><span></span>&lt;toolkit\.view\.controller\.Controller object at [^<]*</pre>"
-)
+#: The picture of a controller without a kernel; the page that runs without Python replaces it.
+CONTROLLER = re.compile(r'<div class="tk-still"><img[^>]*alt="Controller">.*?</div>', re.DOTALL)
 #: The same of a Director; the page is beside it in the notebook.
-DESK = re.compile(
-    CONTROLLER.pattern.replace("controller", "director").replace("Controller", "Director")
-)
+DESK = re.compile(CONTROLLER.pattern.replace("Controller", "Director"), re.DOTALL)
 #: The text of a progress bar that was a widget.
 BAR = re.compile(r"<pre><span></span>[\w ]+: +0%\|[^\n]*\n</pre>")
 

@@ -21,6 +21,7 @@ import toolkit as tk
 from toolkit.datasets import procedural
 
 OUT = Path(__file__).parent
+STATIC = OUT.parent / "toolkit" / "view" / "static"
 GAITS = ("FW", "BW", "SW", "FR", "BR", "SR")
 # Styles in the table of moving pictures, and their camera angles in degrees.
 SHOWN = {
@@ -124,11 +125,9 @@ def hundred(authors, run) -> None:
             for style in ("Zombie", "Aeroplane", "March", "Swimming")
             for name, walker in (("published", authors), ("trained here", run))}
     tk.view.strip(
-        list(rows.values()),
+        [clip.cut(240, 330) for clip in rows.values()],
         OUT / "hundred_strips.png",
         labels=list(rows),
-        start=4.0,
-        stop=5.5,
         width=9,
         dpi=100,
     )
@@ -166,7 +165,6 @@ def crowd(model, bank) -> None:
         OUT / "crowd.webp",
         fps=8.0,
         width=400,
-        colors=48,
         progress=True,
     )
 
@@ -189,9 +187,12 @@ def opened(write, ready: str, **size):
 
 
 def kept(part, name: str) -> None:
-    """Write a screenshot of a page or of a part of it, with few colours."""
+    """Write a screenshot of a page, with few colours; a small one for where no kernel runs."""
     part.screenshot(path=OUT / name)
-    Image.open(OUT / name).convert("RGB").quantize(192).save(OUT / name, optimize=True)
+    picture = Image.open(OUT / name).convert("RGB")
+    picture.quantize(192).save(OUT / name, optimize=True)
+    small = picture.resize((480, 480 * picture.height // picture.width), Image.Resampling.LANCZOS)
+    small.quantize(64).save(STATIC / name, optimize=True)
 
 
 def controller(model, bank) -> None:
@@ -255,10 +256,8 @@ def main(
         gaits,
         OUT / "gaits.gif",
         labels=GAITS,
-        columns=3,
         fps=14.0,
         height=100,
-        colors=32,
         progress=True,
     )
     for style, view in tqdm(SHOWN.items(), desc="styles"):
@@ -268,7 +267,6 @@ def main(
             labels=[""],
             view=view,
             height=140,
-            colors=40,
         )
 
     restyle()
@@ -291,7 +289,8 @@ def main(
     controller(*embedded)
     director(*embedded)
     rows = [rollout(*embedded, style, procedural.STYLES[style].speed) for style in shown]
-    tk.view.strip(rows, OUT / "styles.png", labels=shown, stop=2.0, width=9, dpi=120)
+    rows = [row.cut(0, 120) for row in rows]
+    tk.view.strip(rows, OUT / "styles.png", labels=shown, width=9, dpi=120)
     few_colours(OUT / "styles.png")
     if published is None:
         return
@@ -312,8 +311,6 @@ def main(
             OUT / "side_by_side" / f"{style}.gif",
             labels=list(clips),
             height=120,
-            colors=48,
-            caption="Right: with the parameters published by the authors.",
         )
 
 

@@ -46,34 +46,24 @@ def run(
     windows = len(picked)
     samples = np.stack([curves[c][f - 30 : f + 31, limb].numpy() for c, f, limb in picked])
     residual = np.array([float(found[c].residual[f, limb]) for c, f, limb in picked])
-    plain, plain_time = _least_time(lambda: [_curve_fit(w, 1.0, 0.0) for w in samples], repeats=1)
     started, started_time = _least_time(lambda: [_curve_fit(w, *_fft_start(w)) for w in samples],
                                         repeats=1)
     best = np.minimum(residual, [best_known(w) for w in samples])
 
-    def row(name: str, seconds: float, count: int, residuals: np.ndarray) -> None:
-        micro = 1e6 * seconds / count
-        faster = (1e6 * each / windows / micro for each in (plain_time, started_time))
+    print(f"{'':<24}{'us/window':>10}{'> 1e-6':>8}{'> 1 %':>8}{'> 5 %':>8}{'worst (%)':>11}")
+    for name, seconds, count, residuals in (("fit", ours, total, residual),
+                                            ("curve_fit", started_time, windows, started)):
         excess = residuals / best - 1
         shares = (100 * np.mean(excess > limit) for limit in (1e-6, 0.01, 0.05))
-        print(f"{name:<24}{micro:>10.2f}" + "".join(f"{x:>9.0f}x" for x in faster)
-              + "".join(f"{x:>8.2f}" for x in shares)
-              + f"{100 * excess.max():>11.4f}")
-
-    print(f"{'':<24}{'us/window':>10}{'plain':>10}{'FFT':>10}{'> 1e-6':>8}{'> 1 %':>8}"
-          f"{'> 5 %':>8}{'worst (%)':>11}")
-    row("fit", ours, total, residual)
-    row("curve_fit, FFT start", started_time, windows, started)
-    row("curve_fit, plain start", plain_time, windows, plain)
-    print(f"{total:,} windows of 61 frames by the toolkit, {windows} of them by scipy; CPU time, "
-          f"one thread.\n"
-          "plain, FFT: speed-up over curve_fit from this start (without bounds, which is faster "
-          "for curve_fit).\n"
-          "Last columns: % of windows with a residual above the best known by this much. Best "
-          "known: the least residual of\n"
-          "the toolkit, of curve_fit with bounds from eight starts, and of a refined dense grid. "
-          "If curve_fit fails, its\n"
-          "residual is infinite.")
+        print(f"{name:<24}{1e6 * seconds / count:>10.2f}"
+              + "".join(f"{x:>8.2f}" for x in shares) + f"{100 * excess.max():>11.4f}")
+    print(f"{total:,} windows of 61 frames by the toolkit, {windows} of them by scipy's curve_fit "
+          "from the largest peak of the spectrum,\n"
+          "without bounds, which is faster for it; CPU time, one thread. Last columns: % of "
+          "windows with a residual above the best known\n"
+          "by this much. Best known: the least residual of the toolkit, of curve_fit with bounds "
+          "from eight starts, and of a refined dense grid.\n"
+          "If curve_fit fails, its residual is infinite.")
 
 
 def _least_time(job: Callable, repeats: int = 5) -> tuple:

@@ -1,20 +1,19 @@
 """Speed of a page's network and frame, for one character and many, beside the limit of the
-processor, and of the kernel.
+processor.
 """
 
 import copy
 import json
-import math
 import shutil
 import subprocess
 import tempfile
-import time
 from pathlib import Path
 from typing import Annotated
 
 import torch
 import typer
 
+from experiments.speed.runtime import FRAMES, farthest, some, walks
 from experiments.tables import Result
 from toolkit import published, runtime
 from toolkit.cli import verbs
@@ -27,7 +26,6 @@ COLUMNS = {"model": ["model"], "where": ["where"], "characters": ["characters", 
            "network": ["network, ms each", 3],
            "floor": ["its floor", 3], "frame": ["network and frame", 3],
            "pose": ["pose with IK", 3]}
-FRAMES = (60, 300, 600)
 EQUALITY = {"compared": ["compared"], **{str(f): [f"frame {f}, mm", 3, 1000] for f in FRAMES},
             "size": ["the page's file, MB", 1, 1e-6]}
 
@@ -46,7 +44,7 @@ def run(
                                               "page-equality.")] = None,
 ) -> None:
     """Milliseconds of a page's network and whole frame (without picture), JavaScript and
-    WebAssembly SIMD; of the kernel.
+    WebAssembly SIMD.
 
     The floor is the longer of two times: all weights are read once, as fast as a plain SIMD loop
     sums them; and all multiply-adds, as fast as eight sums in registers make them. Both are
@@ -57,66 +55,35 @@ def run(
     if equality:
         rows = [{"compared": f"{kind}: {what}", **row}
                 for what, row in _equal(net, bank, styles).items()]
-        for row in rows:
-            print(row["compared"], *(f"{1e3 * row[str(f)]:.4f} mm at {f}" for f in FRAMES),
-                  f"{row['size']:,} B", sep=", ")
+        made = Result("page-equality",
+                      "Rollouts of 20 styles with 600 frames in Node and in Python: largest "
+                      "distance of any joint in any style",
+                      "python -m experiments page --equality [--published "
+                      "DATA/lpn_film_100style] --save docs/results", EQUALITY, rows)
+        print(made.markdown())
         if save is not None:
-            Result("page-equality",
-                   "Rollouts of 20 styles with 600 frames in Node and in Python: largest "
-                   "distance of any "
-                   "joint in any style",
-                   "python -m experiments page --equality [--published DATA/lpn_film_100style] "
-                   "--save "
-                   "docs/results", EQUALITY, rows).add(save)
+            made.add(save)
         return
-    data, counts, kept = live_page.pack(net, bank), [int(n) for n in characters.split(",")], []
-    found = _node(data, counts, rounds)
+    data, counts = live_page.pack(net, bank), [int(n) for n in characters.split(",")]
+    found = _in_node({"data": data, "counts": counts, "rounds": rounds}, f"""
+        const {{ measure }} = await import({json.dumps(SCRIPT.as_uri())});
+        result = await measure(load, given.data, given.counts, given.rounds);""")
     rate, speed = found["floor"]["sums"], found["floor"]["bytes"]
-    print(f"Node: {found['weights'] / 1e6:.1f} million weights, {rate / 1e9:.1f} G "
-          f"multiply-adds/s, "
-          f"{speed / 1e9:.1f} GB/s, pose with IK {found['pose']:.3f} ms a character")
-    print(f"{'':20}{'characters':>10}{'network':>9}{'each':>8}{'× floor':>9}{'frame':>9}"
-          f"{'each':>8}")
+    rows = []
     for row in found["rows"]:
-        count, network, frame = row["count"], row["network"], row["frame"]
+        count = row["count"]
         floor = 1e3 * max(4 * found["weights"] / speed, count * found["weights"] / rate)
-        print(f"{row['kind']:20}{count:10}{network:9.2f}{network / count:8.3f}"
-              f"{network / floor:9.2f}"
-              f"{frame:9.2f}{frame / count:8.3f}")
-        kept.append({"where": f"Node, {row['kind']}", "characters": count,
-                     "network": network / count,
-                     "floor": floor / count, "frame": frame / count, "pose": found["pose"]})
-    for count in counts:
-        frame, posed = _kernel(net, bank, count, rounds)
-        print(f"kernel, compiled: {count} characters, frame {frame:.3f} ms each, pose "
-              f"{posed:.3f} ms each")
-        kept.append({"where": "kernel, compiled", "characters": count, "frame": frame,
-                     "pose": posed})
+        rows.append({"model": kind, "where": f"Node, {row['kind']}", "characters": count,
+                     "network": row["network"] / count, "floor": floor / count,
+                     "frame": row["frame"] / count, "pose": found["pose"]})
+    made = Result("page-speed",
+                  f"milliseconds of processor time a character and frame, shortest of {rounds}, "
+                  "one thread", "python -m experiments page", COLUMNS, rows,
+                  {"million weights": found["weights"] / 1e6, "G multiply-adds/s": rate / 1e9,
+                   "GB/s": speed / 1e9})
+    print(made.markdown())
     if save is not None:
-        Result("page-speed",
-               f"milliseconds of processor time a character and frame, shortest of {rounds}, one "
-               f"thread",
-               "python -m experiments page", COLUMNS,
-               [{"model": kind} | row for row in kept]).save(save)
-
-
-def _kernel(net, bank, count: int, rounds: int) -> tuple[float, float]:
-    """Shortest processor time of a frame and of a pose, milliseconds a character."""
-    compiled, best = runtime.compile(net), [math.inf, math.inf]
-    state = runtime.start(compiled,
-                          torch.stack([bank[bank.names[k % len(bank.names)]]
-                                       for k in range(count)]))
-    command = runtime.Command(torch.tensor([[math.sin(k), math.cos(k)] for k in range(count)]))
-    with torch.no_grad():
-        for _ in range(30 + rounds):
-            times = [time.process_time()]
-            state = runtime.step(compiled, state, command)
-            times.append(time.process_time())
-            runtime.pose(compiled, state)
-            times.append(time.process_time())
-            best = [min(old, 1e3 * (b - a) / count)
-                    for old, a, b in zip(best, times, times[1:], strict=False)]
-    return best[0], best[1]
+        made.save(save)
 
 
 def _equal(net, bank, count: int) -> dict[str, dict[str, float]]:
@@ -126,13 +93,9 @@ def _equal(net, bank, count: int) -> dict[str, dict[str, float]]:
     # in tests/, which the command line of the experiments puts on the path
     from walks import COMMANDS, WALK, commands
 
-    names = list(bank)[:: max(1, len(bank) // count)][:count]
-    vectors, found = torch.stack([bank[name] for name in names]), {}
-    walks = {}
-    for name, model in (("plain", net), ("double precision", copy.deepcopy(net).double())):
-        run = list(runtime.states(model, COMMANDS, vectors.to(next(model.parameters()).dtype),
-                                  progress=True))
-        walks[name] = [runtime.record(model, run, character=i) for i in range(len(names))]
+    vectors, found = some(bank, count), {}
+    walked = walks({"plain": net, "double precision": copy.deepcopy(net).double()}, vectors,
+                   COMMANDS)
     for half in (False, True):
         with tempfile.TemporaryDirectory() as folder:
             size = live_page.web(net, bank, Path(folder) / "page.html", half=half).stat().st_size
@@ -143,21 +106,12 @@ def _equal(net, bank, count: int) -> dict[str, dict[str, float]]:
             const walk = {WALK};
             const walked = (style) => walk(new Character(given.data), given.commands, style);
             result = given.styles.map(walked);""")
-        skeleton, fps = walks["plain"][0].skeleton, walks["plain"][0].fps
-        page = [Clip(skeleton, numbers[:, 3:].unflatten(-1, (-1, 4)), numbers[:, :3], fps)
-                for numbers in torch.tensor(poses, dtype=torch.float64)]
-        for name, clips in walks.items():
-            apart = torch.stack([(a.global_positions - b.global_positions).norm(dim=-1).amax(-1)
-                                 for a, b in zip(page, clips, strict=True)]).amax(0)
-            far = {str(f): float(apart[f - 1]) for f in FRAMES}
-            found[f"page{' with float16' * half} and {name}"] = far | {"size": size}
+        page = [Clip(net.layout.skeleton, numbers[:, 3:].unflatten(-1, (-1, 4)), numbers[:, :3],
+                     runtime.FPS) for numbers in torch.tensor(poses, dtype=torch.float64)]
+        for name, clips in walked.items():
+            found[f"page{' with float16' * half} and {name}"] = farthest(page, clips) | {
+                "size": size}
     return found
-
-
-def _node(data: dict, counts: list[int], rounds: int) -> dict:
-    return _in_node({"data": data, "counts": counts, "rounds": rounds}, f"""
-        const {{ measure }} = await import({json.dumps(SCRIPT.as_uri())});
-        result = await measure(load, given.data, given.counts, given.rounds);""")
 
 
 def _in_node(given: dict, script: str):

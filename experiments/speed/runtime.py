@@ -3,7 +3,6 @@ PyTorch.
 """
 
 import copy
-import dataclasses
 import time
 from collections.abc import Callable
 from typing import Annotated
@@ -18,9 +17,11 @@ from experiments.tables import Result
 from toolkit import published, runtime
 from toolkit.cli import verbs
 from toolkit.extra.engines import onnx
+from toolkit.motion import Clip
 from toolkit.networks import Model
 
 PEERS = (1, 64)  # numbers of characters for the comparison
+FRAMES = (60, 300, 600)  # at which rollouts are compared
 SPEEDS = 0.8, 1.6  # metres per second of the rollouts that are compared
 #: Columns of the stored table of speed: one core and `PEERS`.
 SPEED = {"work": ["on one core"], "1": ["1 character, µs", 0], "1 floors": ["× floor", 1],
@@ -28,7 +29,7 @@ SPEED = {"work": ["on one core"], "1": ["1 character, µs", 0], "1 floors": ["×
          "error": ["error, thousandths of the deviation", 3, 1000]}
 #: Columns of the stored comparison: largest distances of a joint at a frame.
 EQUALITY = {"compared": ["runtimes compared"],
-            **{str(f): [f"frame {f}, mm", 3, 1000] for f in (60, 300, 600)}}
+            **{str(f): [f"frame {f}, mm", 3, 1000] for f in FRAMES}}
 
 
 def run(
@@ -220,28 +221,34 @@ def _frame(model, bank, count: int) -> Callable[[], object]:
 
 def _equal(net: Model, fast, bank, styles: int) -> dict[str, dict[str, float]]:
     """Rollouts of 600 frames of the compiled and the plain model, compared with each other and with
-    double precision.
-
-    Returns the greatest distances of each pair, metres, see `EQUALITY`.
+    double precision: `farthest` of each pair.
     """
-    names = list(bank)[:: max(1, len(bank) // styles)][:styles]
-    vectors, (slow, quick) = torch.stack([bank[name] for name in names]), SPEEDS
+    slow, quick = SPEEDS
     ways = (slow, 3.0, (0.0, 1.0)), (quick, 3.0, (1.0, 0.0)), (slow, 4.0, (1.0, 1.0))
     commands = [command for way in ways for command in runtime.straight(*way)]
-    first = runtime.start(net, vectors)
-    double = dataclasses.replace(first,
-                                 **{name: value.double() for name, value in vars(first).items()})
-    runs = {"plain": (net, first), "compiled": (fast, first),
-            "double precision": (copy.deepcopy(net).double(), double)}
-    clips, found = {}, {}
-    for name, (model, start) in runs.items():
-        run = list(runtime.states(model, commands, start.style, start, progress=True))
-        clips[name] = [runtime.record(model, run, character=i) for i in range(len(names))]
-    for name, other in (("compiled", "plain"), ("compiled", "double precision"),
-                        ("plain", "double precision")):
-        pairs = list(zip(clips[name], clips[other], strict=True))
-        apart = torch.stack([(a.global_positions - b.global_positions).norm(dim=-1).amax(-1)
-                             for a, b in pairs])
-        found[f"{name} and {other}"] = {str(f): float(apart[:, f - 1].max())
-                                        for f in (60, 300, 600)}
+    forms = {"plain": net, "compiled": fast, "double precision": copy.deepcopy(net).double()}
+    clips = walks(forms, some(bank, styles), commands)
+    pairs = (("compiled", "plain"), ("compiled", "double precision"), ("plain", "double precision"))
+    return {f"{a} and {b}": farthest(clips[a], clips[b]) for a, b in pairs}
+
+
+def some(bank, count: int) -> Tensor:
+    """Vectors of so many styles, evenly over the bank."""
+    return bank.vectors[:: max(1, len(bank) // count)][:count]
+
+
+def walks(forms: dict[str, Model], vectors: Tensor, commands) -> dict[str, list[Clip]]:
+    """For each form of a model, a walk in every style."""
+    found = {}
+    for name, model in forms.items():
+        kind = torch.float64 if name == "double precision" else torch.float32
+        run = list(runtime.states(model, commands, vectors.to(kind), progress=True))
+        found[name] = [runtime.record(model, run, character=i) for i in range(len(vectors))]
     return found
+
+
+def farthest(clips: list[Clip], others: list[Clip]) -> dict[str, float]:
+    """Largest distance of a joint, metres, in any pair of clips, at `FRAMES`."""
+    apart = torch.stack([(a.global_positions - b.global_positions).norm(dim=-1).amax(-1)
+                         for a, b in zip(clips, others, strict=True)]).amax(0)
+    return {str(frame): float(apart[frame - 1]) for frame in FRAMES}

@@ -18,8 +18,8 @@ from toolkit.motion import Clip, root_frames, rotations as R
 from toolkit.view.charts import GRID, INK, LAYOUT, QUIET, colours, finish
 from toolkit.view.frontend import escape
 from toolkit.view.render import mannequin as body
+from toolkit.view.render.bodies import per_clip
 from toolkit.view.render.mannequin import COLORS, CONTACT
-from toolkit.view.render.picture import per_clip
 
 # 0 and 2 pi alike.
 HUES = [[0.0, "#7b68c4"], [0.25, "#2fa596"], [0.5, "#e3c15a"], [0.75, "#d6598b"], [1.0, "#7b68c4"]]

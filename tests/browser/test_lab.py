@@ -65,7 +65,7 @@ async def probe():
     while True:
         now = {"root": control.state.root[0].tolist(), "weights": control.weights,
                "other": other.frames, "frames": control.frames, "recording": control.recording,
-               "frame": player.frame, "playing": player.playing, "scene": desk.scene}
+               "playing": player.playing, "scene": desk.scene}
         pathlib.Path("probe.tmp").write_text(json.dumps(now))
         pathlib.Path("probe.tmp").rename("probe.json")
         await asyncio.sleep(0.1)
@@ -82,7 +82,6 @@ RUN = """async () => {
     return error ? `${error.ename}: ${error.evalue}` : done ? "" : "not all ran";
 }"""
 CLEAR = "(i) => jupyterapp.shell.currentWidget.content.widgets[i].model.outputs.clear()"
-TITLE = "document.querySelector('.jp-Cell:nth-of-type(3) b').textContent"
 
 
 @pytest.fixture
@@ -211,30 +210,33 @@ def styles_are_picked(page) -> None:
     page.wait_for_function(f"() => {hover}.includes('Zombie')")
     page.mouse.down()
     page.mouse.up()
-    page.locator("b", has_text="Zombie").first.wait_for()
+    page.locator(".tkv-label", has_text="Zombie").first.wait_for()
     place = """(x) => {
         const ring = document.querySelectorAll('.tk-style-map > div')[1].getBoundingClientRect();
         return Math.abs(ring.x + ring.width / 2 - x) < 2;
     }"""
     page.wait_for_function(place, arg=where[1][0])
     drag(page, where[1], ((where[0][0] + where[1][0]) / 2, where[0][1]))
-    page.locator("b", has_text="between").first.wait_for()
+    page.locator(".tkv-label", has_text="between").first.wait_for()
     page.mouse.click(*where[2])
     page.get_by_text("cannot be read").first.wait_for()
 
 
 def clips_play(page, kernel) -> None:
-    """The player plays and stops; a switch and a slider change its picture."""
-    screen = page.locator(".jp-Cell").nth(3).locator(".tk-screen")
-    screen.scroll_into_view_if_needed()
-    button = page.locator(".jp-Cell").nth(3).locator("button[title='Play or pause']")
+    """The player plays and stops, and the kernel knows; its picture takes the still's place."""
+    cell = page.locator(".jp-Cell").nth(3)
+    cell.locator(".tkv-view").first.scroll_into_view_if_needed()
+    assert cell.locator(".tkv-label").all_text_contents() == ["<b>data</b>", "mirrored"]
+    button, clock = cell.locator(".tkv-play"), cell.locator(".tkv-clock")
+    before = clock.text_content()
     button.click()
-    kernel(lambda p: p["playing"] and p["frame"] > 3)
+    kernel(lambda p: p["playing"])
+    page.wait_for_function("([it, before]) => it.textContent !== before",
+                           arg=[clock.element_handle(), before])
     button.click()
     kernel(lambda p: not p["playing"])
-    screen.evaluate("(it) => { it.shown = 0; it.addEventListener('load', () => it.shown++); }")
-    page.get_by_role("button", name="Trajectory").nth(1).click()
-    page.wait_for_function("(it) => it.shown > 0", arg=screen.element_handle())
+    assert page.locator(".tk-still").count() > 0
+    assert page.locator(".tk-still:visible").count() == 0
 
 
 def shots_reach_the_kernel(page, kernel) -> None:

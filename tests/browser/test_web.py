@@ -1,8 +1,6 @@
 """A character whose network runs in the page, opened from a file: under keys, touch, gamepad."""
 
 import pytest
-import torch
-from walks import COMMANDS, WALK, apart, commands
 
 import toolkit as tk
 
@@ -29,14 +27,8 @@ def wait_for_move(page, before, metres=0.5) -> None:
     page.wait_for_function(MOVED, arg=[before[0], before[2], metres])
 
 
-def test_the_page_walks_as_python_does_and_keeps_its_own_rate(live):
+def test_a_page_keeps_its_own_rate(live):
     page = live()
-    model, bank = tk.pretrained()
-    page.evaluate("() => { view.kernel.set('names', ['Zombie', 'Zombie', 'Zombie']); }")
-    walk = f"c => ({WALK})(view.kernel.character, c, view.kernel.target())"
-    poses = page.evaluate(walk, commands(60))
-    walked = tk.runtime.rollout(model, COMMANDS[:60], bank["Zombie"])
-    assert float(apart(walked, poses).max()) < 1.0  # mm
     # Sixty frames in a second of the page's clock, whether it draws more often or seldom.
     for period, expected in ((4, 60), (50, 60), (400, 15)):  # ms; it makes up for gaps of 100 ms
         made = page.evaluate("""(period) => {
@@ -148,12 +140,3 @@ def test_a_crowd_looks_the_same_drawn_by_either_way(visit, pages):
     assert seen["count"] == 3
     assert seen["shown"] > 0.005
     assert seen["apart"] < 0.1 * seen["shown"]
-
-
-def test_weights_of_half_the_size_are_read(visit, pages, embedded):
-    half = tk.view.web(*tk.pretrained(), pages / "half.html", half=True)
-    assert half.stat().st_size < 0.7 * embedded.stat().st_size
-    page = visit(half)
-    page.wait_for_function("() => globalThis.view?.stats.drawn > 0")
-    styles = page.evaluate("() => view.kernel.target()")
-    assert torch.tensor(styles).allclose(tk.pretrained().bank["Neutral"], atol=1e-5)

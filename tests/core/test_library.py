@@ -36,16 +36,6 @@ def test_representations_are_short_and_show_no_tensor(walk_clip, small_run):
         assert "…)" not in lines[-1], name  # nothing of what was to be said is cut off
 
 
-def test_representations_say_what_is_in_there(walk_clip, small_run):
-    assert repr(walk_clip) == "Clip(Neutral FW: 480 frames at 60 Hz, 8.0 s, 28 joints)"
-    assert repr(small_run.bank) == "StyleBank(styles=2, vectors=[2, 128], names=(Neutral, Zombie))"
-    assert "joints=28, end_sites=5, names=(Hips, Chest, Chest2, " in repr(walk_clip.skeleton)
-    built = "styles=(Neutral), frames=369, seconds=6.15, style_clips=3"
-    assert built in repr(tk.features.build(walk_clip))
-    assert "history=[1, 61, 4]" in repr(runtime.start(small_run.model, small_run.bank["Zombie"]))
-    assert "velocity=[3, 2], facing=(0, 1)" in repr(runtime.Command(torch.zeros(3, 2)))
-
-
 def test_the_three_ways_to_a_model_give_the_same_kind(small_run, tmp_path, shared):
     small_run.save(tmp_path / "run.safetensors")
     runs = (tk.pretrained(), tk.training.load(tmp_path / "run.safetensors"),

@@ -144,10 +144,9 @@ def test_soles_stand_on_the_floor(hero, zombie):
     assert -0.03 < min(low) < 0.03
 
 
-def test_stages_draw_it_in_place_of_the_mannequin(hero, zombie):
-    from toolkit.view.render.opengl import opengl_works
-
-    if not opengl_works():
+@pytest.mark.parametrize("kind", [stage.Rendered, stage.Painted])
+def test_stages_draw_it_in_place_of_the_mannequin(hero, zombie, kind):
+    if kind is stage.Rendered and not stage.opengl_works():
         pytest.skip("no OpenGL")
     character = Character.load(hero)
     made = character.fitted(zombie)
@@ -155,9 +154,8 @@ def test_stages_draw_it_in_place_of_the_mannequin(hero, zombie):
     object.__setattr__(green, "mesh", copy.copy(character.mesh))
     tones = np.tile(np.uint8([[0, 200, 0]]), (len(character.points), 1))
     object.__setattr__(green.mesh, "colors", tones)
-    shown = stage.Stage((200, 200))
     body = stage.Body(made, figure=green)
-    shown.load([body], np.array([0.0, 1.0, 0.5]))
+    shown = kind([body], (200, 200), np.array([0.0, 1.0, 0.5]))
     middle = made.root_positions[40].double().numpy()
     camera = stage.Camera(middle, 0.5, 0.2, 2.4)
     picture = shown.draw([stage.Pose(body, 40)], camera).astype(int)

@@ -1,7 +1,5 @@
 """What widgets leave behind in a kernel."""
 
-import gc
-import weakref
 from types import SimpleNamespace
 
 import pytest
@@ -47,16 +45,3 @@ def test_a_closed_widget_leaves_no_part(walk_clip):
         made.close()
         made.close()  # a second time does no harm
         assert set(_instances) == before
-
-
-def test_a_closed_player_that_a_notebook_keeps_holds_no_part_and_no_picture(walk_clip):
-    kept = Player(walk_clip.cut(0, 60))
-    rows = [part for part in kept.children if part is not kept.image]
-    parts = [weakref.ref(part)
-             for part in (*rows, *rows[1].children, *rows[2].children, *rows[3].children)]
-    del rows
-    kept.close()
-    gc.collect()
-    assert [part() for part in parts] == [None] * 14
-    assert not kept.image.value
-    assert len(kept.clip) == 60

@@ -75,23 +75,15 @@ def make(folder: Path, seconds: float = 35.0, *, data_seconds: float = 60.0, see
     # what was measured
     prepared, trained, rolled = (b - a for a, b in pairwise(times))
     error = run.table()[-1]
-    size = sum(parameter.numel() for parameter in run.model.parameters())
-    low, high = metrics.hips_height(clip)
     away = metrics.path_error(clip, eight) * 100
     skate = [max(metrics.foot_skate(c, contacts).values()) * 100 for c in (plain, clip)]
     report = [
-        f"data       {data.n_frames:,} frames of {len(data.styles)} styles, made in "
-        f"{prepared:.1f} s",
-        f"training   {run.history[-1]['step']:,} steps in {trained:.1f} s, {size:,} parameters "
-        "with those of the FiLM generator",
+        f"data       {data.n_frames:,} frames of {len(data.styles)} styles in {prepared:.1f} s",
+        f"training   {run.history[-1]['step']:,} steps in {trained:.1f} s",
         f"held out   mean squared error {error['error']:.4f} (predicting the mean "
         f"{error['mean']:.4f}, repeating the frame {error['repeat']:.4f})",
         f"rollout    {len(clip):,} frames, {rolled / len(clip) * 1000:.1f} ms each (real time is "
-        f"{1000 / FPS:.1f})",
-        f"speed      {metrics.speed(clip):.2f} m/s, asked for {SPEED:.2f}; {away:.0f} cm from the "
-        "path on average",
-        f"hips       {low:.2f} to {high:.2f} m high, {'' if metrics.upright(clip) else 'NOT '}"
-        "upright all the way",
+        f"{1000 / FPS:.1f}), {away:.0f} cm from the path on average",
         f"foot skate {skate[1]:.1f} cm/s in contact with foot IK, {skate[0]:.1f} without",
     ]
     if error["error"] >= error["repeat"]:

@@ -41,6 +41,7 @@ def rollout(
     speed = bank.speed(blend) if speed is None else speed
     commands = runtime.straight(speed, seconds)
     life = net.life if life is None else life
+    net = runtime.quick(net, len(commands), say)
     states = list(runtime.states(net, commands, bank.blend(blend), progress=True, life=life,
                                  seed=seed))
     clip = runtime.record(net, states, feet=ik, arms=ik).replace(style=style, gait="FW")

@@ -34,6 +34,7 @@ for _name, _part in {
     "character.save": "engines.character_gltf:save",
     "store": "store",
     "toolkit.runtime.compile": "compiled:compile", "toolkit.runtime.compiled": "compiled",
+    "toolkit.runtime.quick": "compiled:quick",
     "toolkit.view.Director": "shots.director:Director", "toolkit.view.director": "shots.director",
     "toolkit.features.store": "store", "toolkit.motion.retargeting": "characters.retargeting",
     "crowd.places": "shots.crowd:places",

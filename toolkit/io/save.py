@@ -55,7 +55,7 @@ def check(path: str | os.PathLike, among: Sequence[str] | None = None,
     return path
 
 
-def save(clip: Clip, path: str | os.PathLike, *, title: str = "Motion", source: Clip | None = None,
+def save(clip: Clip, path: str | os.PathLike, *, title: str = "", source: Clip | None = None,
          progress: bool = False, character: str | os.PathLike | None = None) -> None:
     """Write a clip as motion (.bvh, .glb), web page (.html), strip of poses (.png) or film.
 

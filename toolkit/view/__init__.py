@@ -24,7 +24,7 @@ _find, __dir__, __all__ = lazy_loader.attach(
         "render.animation": ["animate", "crowd", "loop"], "render.picture": ["strip"],
         "widgets.controller": ["Controller"], "widgets.explorer": ["StyleExplorer", "explore"],
         "widgets.player": ["Player", "play"],
-        "widgets.style_blender": ["StyleBlender", "StyleTriangle"]
+        "widgets.corners": ["StyleTriangle"], "widgets.style_blender": ["StyleBlender"]
     },
 )
 __getattr__ = registry.attributes(__name__, _find)

@@ -1,26 +1,25 @@
-"""What widgets share: files for the browser, the notebook's event loop and main thread, a picture
-that changes often.
+"""What widgets share: files for the browser, the notebook's event loop, a picture for pages without
+a kernel.
 """
 
 import asyncio
+import base64
 import html
-import io
 import json
 import sys
-import threading
 import weakref
 from collections.abc import Iterator
 from importlib import resources
 from typing import Any, ClassVar
 
-import anywidget
 import ipywidgets as widgets
-import traitlets
-from PIL import Image
+from IPython.display import HTML, display
 
 from toolkit.motion.text import printable
 
-QUALITY = 88  # of the JPEG of a screen
+# Beside a widget; its code in the page hides this (scene/index.js).
+STILL = """<div class="tk-still"><img src="data:image/png;base64,{picture}" style="max-width: 100%"
+ alt="{name}"><br>A picture: there is no kernel here. Run the notebook for the {name}.</div>"""
 
 
 def static(name: str) -> str:
@@ -52,17 +51,6 @@ def running_loop() -> asyncio.AbstractEventLoop | None:
         return None
 
 
-def require_main_thread() -> None:
-    """Raise RuntimeError outside of the main thread, where VTK draws wrong pictures without an
-    error.
-    """
-    if threading.current_thread() is not threading.main_thread():
-        raise RuntimeError(
-            "the player draws in the main thread only; call it from there "
-            "(loop.call_soon_threadsafe)"
-        )
-
-
 class CellWidget(widgets.Widget):
     """A widget that is closed, with all its parts, when the notebook cell that made it runs again.
 
@@ -84,6 +72,17 @@ class CellWidget(widgets.Widget):
                 self._made[cell] = parent["header"]["msg_id"], made
             made.append(weakref.ref(self))
 
+    def still(self) -> bytes:
+        """A picture of such a widget, PNG."""
+        file = resources.files("toolkit.view") / "static" / f"{type(self).__name__.lower()}.png"
+        return file.read_bytes()
+
+    def _repr_mimebundle_(self, **kwargs):
+        """The widget; above it, the page gets its picture, which is seen where nothing runs it."""
+        picture = base64.b64encode(self.still()).decode("ascii")
+        display(HTML(STILL.format(picture=picture, name=type(self).__name__)))
+        return super()._repr_mimebundle_(**kwargs)
+
     def close(self) -> None:
         """Remove the widget and its parts, which ipywidgets would keep."""
         for part in _parts(self):
@@ -98,27 +97,3 @@ def _parts(widget: widgets.Widget) -> Iterator[widgets.Widget]:
             if isinstance(part, widgets.Widget):
                 yield from _parts(part)
                 yield part
-
-
-class Screen(anywidget.AnyWidget):
-    """The picture ``number`` as JPEG ``value``.
-
-    ``seen`` is the number of the last picture that the page has shown.
-    """
-
-    _esm = static("screen.js")
-    size = traitlets.List(traitlets.Int()).tag(sync=True)
-    value = traitlets.Bytes().tag(sync=True)
-    number = traitlets.Int(0).tag(sync=True)
-    seen = traitlets.Int(0)
-
-    def __init__(self, size: tuple[int, int]):
-        super().__init__(size=list(size))
-        self.on_msg(lambda _widget, message, _buffers: self.set_trait("seen", message["number"]))
-
-    def put(self, picture: Image.Image) -> None:
-        """Show another picture."""
-        buffer = io.BytesIO()
-        picture.save(buffer, "JPEG", quality=QUALITY)
-        with self.hold_sync():
-            self.value, self.number = buffer.getvalue(), self.number + 1

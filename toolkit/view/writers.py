@@ -16,7 +16,7 @@ def page(
 ) -> None:
     """A web page; see `toolkit.io.save.save` for the parameters, here and below."""
     clips, labels = _shown(clip, source, title)
-    html(clips, path, title=title, labels=labels, character=character)
+    html(clips, path, title=title or "Motion", labels=labels, character=character)
 
 
 def poses(
@@ -36,4 +36,5 @@ def film(
 
 
 def _shown(clip: Clip, source: Clip | None, title: str) -> tuple[list[Clip], list[str] | None]:
-    return ([clip], None) if source is None else ([source, clip], ["source", title])
+    return ([clip], [title] if title else None) if source is None else (
+        [source, clip], ["source", title])

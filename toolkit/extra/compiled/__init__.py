@@ -9,6 +9,7 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from functools import cached_property
 from itertools import pairwise
+from pathlib import Path
 
 import numpy as np
 import torch
@@ -22,6 +23,7 @@ from toolkit.runtime.steering import Command
 
 WORTHWHILE = 8  # least number of characters for one thread
 KERNELS = (frame.steer, network.predict, frame.follow, ik.pose)
+READ, MADE = 120, 1500  # least frames for which kernels are read, and are compiled, by `quick`
 Pair = tuple[float, float]
 Ask = Callable[[int, Pair], tuple[Sequence[float], Sequence[float], Tensor]]  # see `roll`
 
@@ -220,6 +222,27 @@ def compile(model, *, threads: int = 1) -> CompiledModel:
         If the model is not an LPN-FiLM, or is calibrated, or ``threads`` is not positive.
     """
     return CompiledModel(model, threads)
+
+
+def quick(model, frames: int, say: Callable[[str], object] | None = None):
+    """The model compiled if so many frames are worth it, else as it is.
+
+    ``say`` is told before kernels are compiled, which takes half a minute, once on a machine.
+    """
+    if getattr(model, "name", "") != "lpn-film" or model.calibrated:
+        return model
+    kept = all(map(_kept, KERNELS))
+    if frames < (READ if kept else MADE):
+        return model
+    if say is not None and not kept:
+        say("The runtime is compiled, which takes half a minute; it is kept for the next time.")
+    return compile(model)
+
+
+def _kept(kernel) -> bool:
+    """Whether the disk has a kernel."""
+    code = kernel.py_func.__code__
+    return any(Path(kernel.stats.cache_path).glob(f"*{code.co_name}-{code.co_firstlineno}.*.nbi"))
 
 
 def _pairs(value: Sequence[float] | Tensor, count: int) -> np.ndarray:

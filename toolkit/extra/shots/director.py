@@ -99,7 +99,7 @@ def web(model, bank, path: str | os.PathLike, shots: Iterable[Shot] | Scene | No
 
     The parameters are those of `Director` and `toolkit.view.web`.
     """
-    bank = bank.select(dict.fromkeys(bank.names if styles is None else styles))
+    bank = bank.select(dict.fromkeys(live_page.ordered(bank) if styles is None else styles))
     data = pack(model, bank, half, Character.of(character)) | {"scene": first(bank, shots)}
     caption = "Draw a path, key styles over time; the character walks it at once, in this page."
     script = "globalThis.view = toolkitScene.director(stage, data);"
@@ -125,7 +125,7 @@ def constants(module) -> dict[str, float]:
 
 def first(bank, made: Iterable[Shot] | Scene | None) -> dict[str, Any]:
     """The data of a scene, of some shots, or of a first one; a ValueError if a style is unknown."""
-    made = [Shot(START, bank.names[0], name="shot 1")] if made is None else made
+    made = [Shot(START, live_page.ordered(bank)[0], name="shot 1")] if made is None else made
     made = made if isinstance(made, Scene) else Scene(made)
     for shot in made.shots:
         shot.style(bank)

@@ -41,6 +41,9 @@ def shot(
         saving.check(path)
     net, bank = published.either(model, parameters)
     try:
+        # each shot is walked twice, to check it and to render it
+        frames = sum(2 * len(asked.plan(bank)[0].distance) for asked in scene.shots)
+        net = runtime.quick(net, frames, say)
         for line in scene.check(net, bank):
             say(line, sys.stderr)
     except ValueError as error:
@@ -74,7 +77,7 @@ def crowd(
     out.mkdir(parents=True, exist_ok=True)
     files = [out / name for name in ("crowd.gif", "crowd.png", "crowd.txt")]
     view.crowd([clip.cut(stop=3 * runtime.FPS) for clip in made.clips], files[0], fps=8.0,
-               width=640, colors=64, progress=True)
+               width=640, progress=True)
     view.crowd(made.clips, files[1], fps=0, width=1200)
     lines = [made.report, *(clip.style for clip in made.clips)]
     write_whole(files[2], ("\n".join(lines) + "\n").encode())

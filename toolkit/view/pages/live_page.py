@@ -12,7 +12,6 @@ from typing import Any
 
 import numpy as np
 import torch
-from matplotlib.colors import to_rgb
 from torch import Tensor
 
 from toolkit import registry, runtime
@@ -26,7 +25,7 @@ from toolkit.view.pages import page
 from toolkit.view.render import mannequin as body
 from toolkit.view.render.skin import Figure, encoded, figure_of
 
-CORNERS = "Neutral", "Zombie", "Aeroplane"  # the triangle's first corners, if the bank has them
+CORNERS = "Neutral", "Zombie", "Aeroplane"  # styles that differ, if the bank has them
 VERTICES = 900  # of each body in a crowd
 PANEL = 8  # outputs whose weights are stored together, see ``scene/network.js``
 TURN = 2.0  # radians per second while a turn key is held
@@ -40,7 +39,12 @@ def example(model, bank) -> Clip:
 
     Its steps show the height of toes above the soles, and where a character's floor is.
     """
-    return runtime.rollout(model, runtime.straight(1.0, 2.0), bank.vectors[0])
+    return runtime.rollout(model, runtime.straight(1.0, 1.2), bank.vectors[0])
+
+
+def ordered(bank) -> list[str]:
+    """Names of all styles, first those of a triangle's first corners."""
+    return list(dict.fromkeys([*(name for name in CORNERS if name in bank.names), *bank.names]))
 
 
 def web(model, bank, path: str | os.PathLike, *, title: str = "A character under control",
@@ -85,12 +89,7 @@ def web(model, bank, path: str | os.PathLike, *, title: str = "A character under
         raise ValueError(
             f"characters must be 1 or more, and 1 with a character of your own; got {characters}"
         )
-    order = (
-        [*(name for name in CORNERS if name in bank.names), *bank.names]
-        if styles is None
-        else styles
-    )
-    bank = bank.select(dict.fromkeys(order))
+    bank = bank.select(dict.fromkeys(ordered(bank) if styles is None else styles))
     if not runs(model):
         names = bank.names[:RECORDED]
         walks = [
@@ -181,7 +180,7 @@ def _others(bank, count: int) -> list[dict[str, Any]]:
         else ()
     )
     tints = [
-        ((np.array(to_rgb(color)) ** 2.2 - np.array(to_rgb(body.COLORS["middle"])) ** 2.2) * 0.6)
+        ((body.rgb(color) ** 2.2 - body.rgb(body.COLORS["middle"]) ** 2.2) * 0.6)
         .round(4)
         .tolist()
         for color in body.PALETTE

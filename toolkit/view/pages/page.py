@@ -7,15 +7,16 @@ import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from string import Template
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 
 from toolkit.io.files import write_whole
-from toolkit.motion import Clip, rotations as R
+from toolkit.motion import Clip, Skeleton, rotations as R
 from toolkit.view.frontend import embed, escape, static
 from toolkit.view.render import mannequin as body
-from toolkit.view.render.picture import cast, steady_frames
+from toolkit.view.render.bodies import cast, steady_frames
 from toolkit.view.render.skin import Figure, encoded, figure_of, tree
 
 UNIT = 32767  # int16 steps of a quaternion's component
@@ -51,27 +52,9 @@ def html(
     ValueError
         If labels, contacts or styles do not fit the clips.
     """
-    clips, labels, contacts = cast(clips, labels, contacts)
-    styles = (
-        [styles] * len(clips)
-        if styles is None or (isinstance(styles, Mapping) and len(clips) == 1)
-        else list(styles)
-    )
-    if len(clips) > 9 or len(styles) != len(clips):
-        raise ValueError(
-            f"a page shows 1 to 9 clips with a style mapping each; got {len(clips)} clips, "
-            f"{len(styles)} style mappings"
-        )
-    figure = figure_of(character)
-    packed = [pack(*row, figure) for row in zip(clips, labels, contacts, styles, strict=True)]
-    for i, clip in enumerate(packed):  # a skeleton and its mesh are stored once
-        clip["skeleton"] = next(
-            (k for k in range(i) if packed[k]["skeleton"] == clip["skeleton"]), clip["skeleton"]
-        )
-    return write(
-        path, title, caption, {"clips": packed},
-        "globalThis.view = toolkitScene.player(stage, data);"
-    )
+    _, bodies, packed = pack(clips, labels, contacts, styles, figure_of(character))
+    data = {"skeletons": list(bodies.values()), "clips": packed}
+    return write(path, title, caption, data, "globalThis.view = toolkitScene.player(stage, data);")
 
 
 def write(
@@ -91,11 +74,48 @@ def write(
     return Path(path)
 
 
-def pack(clip: Clip, text: str, contacts: np.ndarray | None = None, weights: Mapping | None = None,
-         character: Figure | None = None) -> dict:
-    """A clip as the browser's player takes it (``scene/player.js`` describes the format)."""
-    if character is not None:
-        clip = character.fitted(clip)
+def pack(
+    clips: Clip | Sequence[Clip], labels, contacts, styles, figure: Figure | None,
+    known: Mapping[Skeleton, dict] = MappingProxyType({})
+) -> tuple[list[Clip], dict[Skeleton, dict], list[dict]]:
+    """Clips, their skeletons with bodies, and their motion, as the browser's player takes them
+    (``scene/player.js`` describes the format).
+
+    Bodies that are ``known`` are not made again.
+    """
+    clips, labels, contacts = cast(clips, labels, contacts, figure)
+    styles = (
+        [styles] * len(clips)
+        if styles is None or (isinstance(styles, Mapping) and len(clips) == 1)
+        else list(styles)
+    )
+    if len(clips) > 9 or len(styles) != len(clips):
+        raise ValueError(
+            f"a page shows 1 to 9 clips with a style mapping each; got {len(clips)} clips, "
+            f"{len(styles)} style mappings"
+        )
+    bodies: dict[Skeleton, dict] = {}
+    for clip in clips:
+        if clip.skeleton in bodies:
+            continue
+        if clip.skeleton in known:
+            bodies[clip.skeleton] = known[clip.skeleton]
+        elif figure is None:
+            bodies[clip.skeleton] = skeleton_data(clip)
+        else:
+            bodies[clip.skeleton] = tree(clip.skeleton) | {"mesh": figure.packed()}
+    numbers = {skeleton: k for k, skeleton in enumerate(bodies)}
+    packed = [
+        _packed(clip, *row) | {"skeleton": numbers[clip.skeleton]}
+        for clip, *row in zip(clips, labels, contacts, styles, strict=True)
+    ]
+    return clips, bodies, packed
+
+
+def _packed(
+    clip: Clip, label: str, contacts: np.ndarray | None, weights: Mapping | None
+) -> dict[str, Any]:
+    """A clip without its skeleton."""
     joints = [j for j in range(len(clip.skeleton)) if not clip.skeleton.is_end(j)]
     rotations = R.unroll(R.normalize(clip.rotations[:, joints]))
     styles = None
@@ -110,13 +130,10 @@ def pack(clip: Clip, text: str, contacts: np.ndarray | None = None, weights: Map
             "weights": encoded(np.clip(np.stack(columns, 1), 0, 1) * 255, "u1")
         }
     return {
-        "label": text,
+        "label": label,
         "fps": clip.fps,
         "frames": len(clip),
         "facing": float(steady_frames(clip, 0.5)[1][0]),
-        "skeleton": skeleton_data(clip)
-        if character is None
-        else tree(clip.skeleton) | {"mesh": character.packed()},
         "joints": joints,
         "root": encoded(clip.root_positions, "<f4"),
         "rotations": encoded(rotations * UNIT, "<i2"),

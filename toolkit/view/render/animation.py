@@ -1,29 +1,41 @@
 """Moving pictures of clips and of crowds."""
 
+import math
 import os
 from collections.abc import Iterable, Iterator, Sequence
-from contextlib import ExitStack
+from contextlib import ExitStack, closing
 from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
 import torch
-from matplotlib.colors import to_rgb
 from PIL import Image, ImageDraw, ImageFont
 from scipy.ndimage import gaussian_filter1d
 
 from toolkit.io.files import atomic_write
 from toolkit.io.progress import progress_bar
 from toolkit.motion import Clip, loops, on_cpu
-from toolkit.view.render import mannequin
-from toolkit.view.render.bodies import BACK, Body, Camera, Lines, Pose, axes
-from toolkit.view.render.picture import INK, cast, steady_frames
+from toolkit.view.render.bodies import (
+    BACK,
+    Body,
+    Camera,
+    Lines,
+    Pose,
+    axes,
+    cast,
+    steady_frames,
+)
+from toolkit.view.render.mannequin import PALETTE, rgb
+from toolkit.view.render.picture import INK
 from toolkit.view.render.skin import Figure, figure_of
 from toolkit.view.render.stage import open_stage
 
 TILT = 0.21  # radians by which the camera looks down
 GRID = 0.5  # metres between lines on the floor
 BOTTOM = -0.3  # metres of floor shown below the feet
+SECONDS = 1.6, 5.0  # of a loop, at least and at most
+COLORS = 64  # of a GIF
+ROW = 5  # cells that are put into one row
 HEADING = 0.8  # metres that a radian between the headings at the ends of a loop counts as
 ABOVE = -30.0, 32.0  # degrees of the camera over a crowd, about the vertical and above the floor
 ROOM = 0.3  # metres around a crowd
@@ -32,9 +44,8 @@ SUFFIXES = (".gif", ".png", ".apng", ".webp", ".mp4")
 
 def animate(
     clips: Clip | Sequence[Clip], path: str | os.PathLike, *, labels: Sequence[str] | None = None,
-    columns: int | None = None, fps: float = 20.0, height: int = 200, view: float = 45.0,
-    contacts=None, caption: str = "", colors: int = 64, progress: bool = False,
-    character: str | os.PathLike | Figure | None = None
+    fps: float = 20.0, height: int = 200, view: float = 45.0, contacts=None,
+    progress: bool = False, character: str | os.PathLike | Figure | None = None
 ) -> Path:
     """Write a looping animation of one or more motions, each in a cell, on a floor with lines.
 
@@ -48,9 +59,8 @@ def animate(
     path
         File to write: ``.gif``, ``.png`` or ``.apng`` (animated), ``.webp`` or ``.mp4`` (H.264,
         needs PyAV).
-    labels, columns
-        Text of each cell, by default style and gait, else the clip's name; cells per row, by
-        default all.
+    labels
+        Text of each cell, by default style and gait, else the clip's name.
     fps
         Pictures per second.
     height
@@ -60,10 +70,8 @@ def animate(
     contacts
         Foot contacts [F, 2] (right, left), above one half where a foot stands, or one array per
         clip; shown on the feet.
-    caption, progress
-        Text below the picture; whether to show a bar.
-    colors
-        Number of colours of a ``.gif``: fewer make a smaller file.
+    progress
+        Whether to show a bar.
     character
         A glTF or VRM file with a skinned mesh, drawn in place of the mannequin; the clips are put
         on its rig.
@@ -90,14 +98,14 @@ def animate(
                 stages.callback(shot.stage.close)
             for k in progress_bar(range(max(length, 1)), desc=path.name, show=progress):
                 cells = [shot.cell(k / fps) for shot in shots]
-                yield _sheet(cells, columns or len(cells), labels, caption)
+                yield _sheet(cells, labels)
 
-    return _write(drawn(), path, fps, colors)
+    return _write(drawn(), path, fps)
 
 
 def crowd(
     clips: Sequence[Clip], path: str | os.PathLike, *, fps: float = 12.5, width: int = 960,
-    colors: int = 96, progress: bool = False
+    progress: bool = False
 ) -> Path:
     """Write a looping animation of characters, each in its own colour, who share a floor.
 
@@ -107,7 +115,7 @@ def crowd(
     ----------
     clips
         One per character, of one skeleton, length and rate.
-    path, colors, progress
+    path, progress
         As in `animate`.
     fps, width
         Pictures per second, 0 for the last frame alone; pixels.
@@ -126,9 +134,7 @@ def crowd(
     first = clips[0]
     at = np.arange(max(1, round(first.seconds * fps))) / fps if fps else [first.seconds]
     frames = np.minimum(np.round(np.multiply(at, first.fps)).astype(int), len(first) - 1)
-    tints = [np.array(to_rgb(mannequin.PALETTE[i % len(mannequin.PALETTE)]))
-             for i in range(len(clips))]
-    bodies = [Body(clip, tint=tint) for clip, tint in zip(clips, tints, strict=True)]
+    bodies = [Body(clip, tint=rgb(PALETTE[i % len(PALETTE)])) for i, clip in enumerate(clips)]
     # A camera that sees every body in every frame.
     azimuth, tilt = np.radians(ABOVE)
     still = np.zeros((len(frames), 3))
@@ -141,31 +147,28 @@ def crowd(
     size = width, round(width * camera.height / (high[0] - low[0] + 2 * ROOM))
 
     def drawn() -> Iterator[Image.Image]:
-        stage = open_stage(size, Lines(reach=float(np.ptp([low, high], axis=0).max())))
-        stage.load(bodies, np.array([-0.35, 1.0, 0.25]) @ axes(azimuth, 0.0))
-        try:
+        light = np.array([-0.35, 1.0, 0.25]) @ axes(azimuth, 0.0)
+        lines = Lines(reach=float(np.ptp([low, high], axis=0).max()))
+        with closing(open_stage(bodies, size, light, lines)) as stage:
             for frame in progress_bar(frames, desc=path.name, show=progress):
                 poses = [Pose(body, frame) for body in bodies]
                 yield Image.fromarray(stage.draw(poses, camera))
-        finally:
-            stage.close()
 
-    return _write(drawn(), path, fps or 1.0, colors)
+    return _write(drawn(), path, fps or 1.0)
 
 
-def loop(clip: Clip, shortest: float = 1.6, longest: float = 5.0) -> tuple[int, int]:
+def loop(clip: Clip) -> tuple[int, int]:
     """First and last (not included) frame of the part of a clip that best ends as it began, heading
     included.
 
-    It is found by `toolkit.motion.loops.find` in the first half minute; ``shortest`` and
-    ``longest`` are its seconds. Clips too short for that are taken whole. A ValueError if the
-    skeleton has no hips or shoulders.
+    It is found by `toolkit.motion.loops.find` in the first half minute. Clips too short for that
+    are taken whole. A ValueError if the skeleton has no hips or shoulders.
     """
     searched = clip.cut(stop=min(len(clip), round(30 * clip.fps)))
-    if searched.seconds < shortest + 0.25:
+    if searched.seconds < SECONDS[0] + 0.25:
         return 0, len(clip)
     heading = torch.from_numpy(steady_frames(searched, 0.5)[1])[:, None]
-    start, frames = loops.find(searched, shortest, longest, HEADING / loops.PHASE * heading)
+    start, frames = loops.find(searched, *SECONDS, HEADING / loops.PHASE * heading)
     return start, start + frames
 
 
@@ -194,8 +197,8 @@ class _Follow:
     def open(self, reach: float, top: float, scale: float) -> None:
         """Open a stage: ``reach`` metres to either side, ``top`` high, ``scale`` pixels each."""
         self.height, self.middle = top - BOTTOM, (top + BOTTOM) / 2 / np.cos(self.tilt)
-        self.stage = open_stage((round(2 * reach * scale), round(self.height * scale)), self.lines)
-        self.stage.load([self.body], np.array([-0.25, 1.0, 0.25]) @ axes(self.azimuth, 0.0))
+        self.stage = open_stage([self.body], (round(2 * reach * scale), round(self.height * scale)),
+                                np.array([-0.25, 1.0, 0.25]) @ axes(self.azimuth, 0.0), self.lines)
 
     def cell(self, seconds: float) -> Image.Image:
         """The picture at a time; a clip that is over starts again."""
@@ -226,20 +229,16 @@ def _font(height: int) -> ImageFont.FreeTypeFont:
     return ImageFont.load_default(max(11, round(0.065 * height)))
 
 
-def _sheet(
-    cells: Sequence[Image.Image], columns: int, labels: Sequence[str], caption: str
-) -> Image.Image:
-    """Cells in rows, each with its label in the upper left corner; the caption below."""
-    w, height = cells[0].size
-    font, low = _font(height), height * -(-len(cells) // columns)
-    width = max(columns * w, round(font.getlength(caption) + font.size))
-    sheet = Image.new("RGB", (width, low + (2 * font.size if caption else 0)), BACK)
-    text = ImageDraw.Draw(sheet)
+def _sheet(cells: Sequence[Image.Image], labels: Sequence[str]) -> Image.Image:
+    """Cells in rows, each with its label in the upper left corner."""
+    count, (width, height) = len(cells), cells[0].size
+    columns = count if count <= ROW else math.ceil(math.sqrt(count))
+    sheet = Image.new("RGB", (columns * width, height * math.ceil(count / columns)), BACK)
+    text, font = ImageDraw.Draw(sheet), _font(height)
     for i, (cell, label) in enumerate(zip(cells, labels, strict=True)):
-        x, y = i % columns * w, i // columns * height
+        x, y = i % columns * width, i // columns * height
         sheet.paste(cell, (x, y))
         text.text((x + 0.5 * font.size, y + 0.4 * font.size), label, INK, font)
-    text.text((0.5 * font.size, low + 0.3 * font.size), caption, INK, font)
     return sheet
 
 
@@ -252,7 +251,7 @@ def _checked(path: str | os.PathLike) -> Path:
     return path
 
 
-def _write(frames: Iterable[Image.Image], path: Path, fps: float, colors: int) -> Path:
+def _write(frames: Iterable[Image.Image], path: Path, fps: float) -> Path:
     """Write pictures of equal size as one looping file."""
     if path.suffix == ".mp4":
         return _film(frames, path, fps)
@@ -262,7 +261,7 @@ def _write(frames: Iterable[Image.Image], path: Path, fps: float, colors: int) -
         sample = np.concatenate(
             [np.asarray(frame) for frame in frames[:: max(1, len(frames) // 6)]]
         )
-        palette = Image.fromarray(sample).quantize(colors, Image.Quantize.MEDIANCUT)
+        palette = Image.fromarray(sample).quantize(COLORS, Image.Quantize.MEDIANCUT)
         frames = [frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in frames]
         options["optimize"] = False
     elif path.suffix == ".webp":

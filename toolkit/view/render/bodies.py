@@ -1,12 +1,14 @@
 """What stands on a stage and from where it is seen: bodies, their poses, floor lines, cameras."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
-from matplotlib.colors import to_rgb
+import torch
 
-from toolkit.motion import Clip
+from toolkit.motion import Clip, on_cpu, root_frames
 from toolkit.view.render import mannequin
+from toolkit.view.render.mannequin import rgb
 from toolkit.view.render.skin import Figure
 
 BACK, SHADE, LINES = "#efece6", "#cdc8be", "#cbc5b9"
@@ -27,13 +29,12 @@ def axes(azimuth: np.ndarray | float, tilt: float) -> np.ndarray:
 
 @dataclass(frozen=True, eq=False)
 class Camera:
-    """What a picture shows: a point in its middle, from where, and how many metres of height."""
+    """What a parallel projection shows: a point in its middle, from where, and how much."""
 
     target: np.ndarray  # [3]
     azimuth: float  # radians, see `axes`
     tilt: float
-    height: float  # metres from the bottom to the top of the picture, at the target
-    perspective: bool = False  # otherwise a parallel projection
+    height: float  # metres from the bottom to the top of the picture
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,7 +65,7 @@ class Lines:
         """Colours ``[..., 3]`` of ends of the pieces, 0 to 1."""
         far = np.linalg.norm(segments, axis=-1, keepdims=True) / self.reach
         faded = np.clip(far, 0, 1) ** 0.7
-        return to_rgb(LINES) * (1 - faded) + to_rgb(BACK) * faded
+        return rgb(LINES) * (1 - faded) + rgb(BACK) * faded
 
 
 class Body:
@@ -80,11 +81,11 @@ class Body:
         self.mannequin = mannequin.build(clip) if figure is None else None
         self.skin = self.mannequin.skin if figure is None else figure.skin
 
-    def colors(self, frame: int, feet: bool = True) -> np.ndarray:
-        """Colours [V, 3] of the vertices, 0 to 1; ``feet`` shows the standing feet."""
+    def colors(self, frame: int) -> np.ndarray:
+        """Colours [V, 3] of the vertices, 0 to 1."""
         if self.mannequin is None:
             return self.figure.mesh.colors / 255
-        stands = self.contacts[frame] > 0.5 if feet and self.contacts is not None else None
+        stands = None if self.contacts is None else self.contacts[frame] > 0.5
         return self.mannequin.colors(stands, self.tint)
 
     def seen(self, frames: np.ndarray, path: np.ndarray, azimuth: np.ndarray | float,
@@ -108,7 +109,6 @@ class Pose:
     frame: int
     turn: np.ndarray = field(default_factory=lambda: np.eye(3))
     move: np.ndarray = field(default_factory=lambda: np.zeros(3))
-    feet: bool = True  # show which feet stand
 
     def mesh(self) -> tuple[np.ndarray, np.ndarray]:
         """Vertices and normals [V, 3]."""
@@ -118,8 +118,67 @@ class Pose:
         )
         return points @ self.turn.T + self.move, normals @ self.turn.T
 
-    def joints(self) -> np.ndarray:
-        """Places of the joints [J, 3]."""
-        return (
-            self.body.clip.global_positions[self.frame].double().numpy() @ self.turn.T + self.move
+
+def cast(clips: Clip | Sequence[Clip], labels: Sequence[str] | None, contacts,
+         figure: Figure | None = None) -> tuple[list[Clip], list[str], list]:
+    """Clips, on the rig of a figure, with a label and contacts [F, 2] or None for each.
+
+    ValueError if they do not fit.
+    """
+    clips = on_cpu(clips)
+    labels = (
+        [" ".join(x for x in (c.style, c.gait) if x) or c.name for c in clips]
+        if labels is None
+        else list(labels)
+    )
+    if not clips or len(labels) != len(clips):
+        raise ValueError(
+            f"expected clips and a label per clip; got {len(clips)} clips, {len(labels)} labels"
         )
+    return (
+        clips if figure is None else [figure.fitted(clip) for clip in clips], labels,
+        per_clip(contacts, clips)
+    )
+
+
+def per_clip(contacts, clips: Sequence[Clip]) -> list[np.ndarray | None]:
+    """Contacts ``[F, 2]`` or None of each clip, from an array or a list of them.
+
+    A ValueError if they do not fit.
+    """
+    contacts = (
+        [None] * len(clips)
+        if contacts is None
+        else contacts
+        if isinstance(contacts, list | tuple)
+        else [contacts]
+    )
+    contacts = [None if feet is None else np.asarray(feet, dtype=np.float32) for feet in contacts]
+    shapes, lengths = (
+        [None if feet is None else feet.shape for feet in contacts], [len(clip) for clip in clips]
+    )
+    if len(shapes) != len(clips) or any(
+        s not in (None, (n, 2)) for s, n in zip(shapes, lengths, strict=True)
+    ):
+        raise ValueError(f"contacts must be [F, 2] for each clip of {lengths} frames; got {shapes}")
+    return contacts
+
+
+def steady_frames(clip: Clip, seconds: float) -> tuple[np.ndarray, np.ndarray]:
+    """Floor positions [F, 3] and facing angles [F] in radians, smoothed over time, for a camera to
+    follow.
+
+    Skeletons without hips and shoulders are followed by their root, facing +Z.
+    """
+    from scipy.ndimage import gaussian_filter1d  # a live character starts without it
+
+    sigma = max(seconds * clip.fps, 1e-3)
+    if mannequin.has_roles(clip, "hip", "shoulder"):
+        frames = root_frames(clip)
+        q = frames.rotations.double().numpy()
+        angle = np.unwrap(2 * np.arctan2(q[:, 2], q[:, 0]))
+        positions = frames.positions
+    else:
+        positions, angle = clip.root_positions * torch.tensor([1.0, 0.0, 1.0]), np.zeros(len(clip))
+    smooth = gaussian_filter1d(positions.double().numpy(), 0.2 * sigma, axis=0, mode="nearest")
+    return smooth, gaussian_filter1d(angle, sigma, mode="nearest")

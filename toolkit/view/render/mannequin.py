@@ -13,7 +13,6 @@ from itertools import pairwise
 
 import numpy as np
 import torch
-from matplotlib.colors import to_rgb
 
 from toolkit.motion import Clip, Skeleton, forward_kinematics, rotations as R
 from toolkit.motion.clip import FEET, SIDES, root_frames
@@ -35,8 +34,15 @@ LARGEST = 1e6  # metres from the origin that are drawn
 TALL = 1.8  # metres: the height of other creatures, whose bones are as thick as a person's
 VERTICES = 6000  # about as many, for a body of any shape
 SAMPLES = 120  # frames of a clip from which places are read
-TABLE = np.array([to_rgb(color) for color in COLORS.values()])  # [len(COLORS), 3]
 LIMBS = ("hip", "knee", "foot", "shoulder", "elbow", "hand")
+
+
+def rgb(color: str) -> np.ndarray:
+    """Red, green and blue [3], 0 to 1, of a colour such as "#6a9fcb"."""
+    return np.frombuffer(bytes.fromhex(color[1:]), np.uint8) / 255
+
+
+TABLE = np.array([rgb(color) for color in COLORS.values()])  # [len(COLORS), 3]
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,7 +66,7 @@ class Mannequin:
             found = (1 - TINT) * found + TINT * tint
         if contacts is not None:
             shares = (self.feet @ np.asarray(contacts, float))[:, None]
-            found += shares * (np.array(to_rgb(CONTACT)) - found)
+            found += shares * (rgb(CONTACT) - found)
         return found * self.light[:, None]
 
     def packed(self, skeleton: Skeleton) -> dict:

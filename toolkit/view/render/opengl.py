@@ -44,7 +44,7 @@ def opengl_works() -> bool:
 @cache
 def explain_missing_opengl() -> None:
     """Print once how to install OpenGL for pyvista."""
-    print("pyvista finds no OpenGL here, so plain skeletons are drawn. On Debian or Ubuntu: "
+    print("pyvista finds no OpenGL here, so pictures take longer. On Debian or Ubuntu: "
           f"{INSTALL}")
 
 

@@ -1,29 +1,28 @@
-"""Strip pictures: poses at equal steps of time, one row per clip.
-
-What still and moving pictures of clips share.
-"""
+"""Strip pictures: poses of the whole step cycle, one row per clip."""
 
 import io
+import math
 import os
 from collections.abc import Sequence
+from contextlib import closing
 from pathlib import Path
 
 import numpy as np
-import torch
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
-from scipy.ndimage import gaussian_filter1d
+from scipy.signal import hilbert
 
 from toolkit.io.files import atomic_write
-from toolkit.motion import Clip, on_cpu, root_frames
-from toolkit.view.render import mannequin as body
-from toolkit.view.render.bodies import BACK, Body, Camera, Pose, axes
+from toolkit.motion import Clip, root_frames, rotations as R
+from toolkit.view.render.bodies import BACK, Body, Camera, Pose, axes, cast, steady_frames
+from toolkit.view.render.mannequin import has_roles
 from toolkit.view.render.skin import Figure as Character, figure_of
 from toolkit.view.render.stage import open_stage
 
 PAPER, INK = "#f7f6f3", "#2b323b"
 TILT = 0.16  # radians by which the camera looks down
 BOTTOM = -0.26  # metres of floor shown below the feet
+STEP = 0.1  # metres by which a foot is ahead of the other in a step, at least
 
 
 class Picture(Figure):
@@ -37,11 +36,14 @@ class Picture(Figure):
 
 def strip(
     clips: Clip | Sequence[Clip], path: str | os.PathLike | None = None, *, frames: int = 8,
-    labels: Sequence[str] | None = None, start: float = 0.0, stop: float | None = None,
-    view: float = 60.0, contacts=None, width: float = 12.0, dpi: int = 150,
+    labels: Sequence[str] | None = None, view: float = 60.0, contacts=None, width: float = 12.0,
+    dpi: int = 150,
     character: str | os.PathLike | Character | None = None
 ) -> Figure:
     """Picture of one or more motions, a row each, time from left to right.
+
+    Poses of a walk are at equal steps of its phase, so that each shows another part of a stride
+    (`instants`).
 
     Parameters
     ----------
@@ -49,15 +51,15 @@ def strip(
         As in `toolkit.view.animate`; a label is the text of a row.
     path
         PNG file to write (any format matplotlib knows).
-    frames, start, stop
-        Poses per row; the seconds of the clips that are shown (default: all).
+    frames
+        Poses per row.
     width, dpi
         Inches, and pixels per inch.
 
     Raises
     ------
     ValueError
-        If there is no clip or no frame to show, or labels or contacts do not fit the clips.
+        If there is no clip or frame to show, or labels or contacts do not fit the clips.
     """
     own = figure_of(character)
     clips, labels, contacts = cast(clips, labels, contacts, own)
@@ -65,16 +67,10 @@ def strip(
         raise ValueError(f"a strip needs frames, got {frames}")
     rows = []
     for clip, feet in zip(clips, contacts, strict=True):
-        end = len(clip) - 1 if stop is None else min(round(stop * clip.fps), len(clip) - 1)
-        if not 0 <= round(start * clip.fps) <= end:
-            raise ValueError(
-                f"{clip.name}: no frame between {start} s and {stop} s; the clip lasts "
-                f"{clip.seconds:.2f} s"
-            )
-        instants = np.linspace(round(start * clip.fps), end, frames).round().astype(int)
+        at = instants(clip, frames)
         walked, facing = steady_frames(clip, 0.5)
-        rows.append(_Row(Body(clip, feet, own), instants, walked[instants],
-                         facing[instants] - np.radians(view), TILT))
+        rows.append(_Row(Body(clip, feet, own), at, walked[at], facing[at] - np.radians(view),
+                         TILT))
     # All rows have the columns of the widest body, and room for the label above the tallest.
     spacing = max(0.7, *(2 * row.reach + 0.04 for row in rows))
     room = max(0.2, 0.34 * spacing * frames / width)
@@ -98,6 +94,33 @@ def strip(
         with atomic_write(path) as file:
             figure.savefig(file, format=Path(path).suffix[1:] or "png", dpi=dpi, facecolor=BACK)
     return figure
+
+
+def instants(clip: Clip, count: int) -> np.ndarray:
+    """Frames ``[count]`` at which a strip shows a clip.
+
+    At equal times, a strip can show the same pose of each stride. So the poses are at equal steps
+    of the stride's phase, which share no factor with their number: each shows another part of the
+    stride. Without strides they are at equal times.
+    """
+    even = np.linspace(0, len(clip) - 1, count).round().astype(int)
+    if not has_roles(clip, "foot", "hip", "shoulder") or len(clip) <= count:
+        return even
+    # how far the left foot is ahead of the right one, and its phase
+    right, left = (clip.global_positions[:, clip.skeleton.role(f"{side}_foot")]
+                   for side in ("right", "left"))
+    curve = R.rotate(R.inverse(root_frames(clip).rotations), left - right)[:, 2].double().numpy()
+    if curve.std() < STEP:
+        return even
+    phase = np.unwrap(np.angle(hilbert(curve - curve.mean())))
+    strides = np.maximum.accumulate(phase) / (2 * np.pi)
+    steps = int((strides[-1] - strides[0]) * count / max(count - 1, 1))  # in parts of a stride
+    while steps > 1 and math.gcd(steps, count) > 1:
+        steps -= 1
+    if steps < 1:
+        return even
+    phases = strides[0] + np.arange(count) * steps / count
+    return np.searchsorted(strides, phases).clip(max=len(clip) - 1)
 
 
 class _Row:
@@ -124,72 +147,7 @@ class _Row:
         ):
             column = np.array([(k + 0.5) * spacing, 0.0, 0.0])
             poses.append(Pose(self.body, frame, turn, column - turn @ place))
-        stage = open_stage((pixels, round(pixels * high / wide)))
-        try:
-            stage.load([self.body] * len(poses), np.array([-0.35, 1.0, 0.3]))
+        stage = open_stage([self.body] * len(poses), (pixels, round(pixels * high / wide)),
+                           np.array([-0.35, 1.0, 0.3]))
+        with closing(stage):
             return stage.draw(poses, Camera(middle, 0.0, self.tilt, high))
-        finally:
-            stage.close()
-
-
-def cast(clips: Clip | Sequence[Clip], labels: Sequence[str] | None, contacts,
-         figure: Character | None = None) -> tuple[list[Clip], list[str], list]:
-    """Clips, on the rig of a figure, with a label and contacts [F, 2] or None for each.
-
-    ValueError if they do not fit.
-    """
-    clips = on_cpu(clips)
-    labels = (
-        [" ".join(x for x in (c.style, c.gait) if x) or c.name for c in clips]
-        if labels is None
-        else list(labels)
-    )
-    if not clips or len(labels) != len(clips):
-        raise ValueError(
-            f"expected clips and a label per clip; got {len(clips)} clips, {len(labels)} labels"
-        )
-    return (
-        clips if figure is None else [figure.fitted(clip) for clip in clips], labels,
-        per_clip(contacts, clips)
-    )
-
-
-def per_clip(contacts, clips: Sequence[Clip]) -> list[np.ndarray | None]:
-    """Contacts ``[F, 2]`` or None of each clip, from an array or a list of them.
-
-    A ValueError if they do not fit.
-    """
-    contacts = (
-        [None] * len(clips)
-        if contacts is None
-        else contacts
-        if isinstance(contacts, list | tuple)
-        else [contacts]
-    )
-    contacts = [None if feet is None else np.asarray(feet, dtype=np.float32) for feet in contacts]
-    shapes, lengths = (
-        [None if feet is None else feet.shape for feet in contacts], [len(clip) for clip in clips]
-    )
-    if len(shapes) != len(clips) or any(
-        s not in (None, (n, 2)) for s, n in zip(shapes, lengths, strict=True)
-    ):
-        raise ValueError(f"contacts must be [F, 2] for each clip of {lengths} frames; got {shapes}")
-    return contacts
-
-
-def steady_frames(clip: Clip, seconds: float) -> tuple[np.ndarray, np.ndarray]:
-    """Floor positions [F, 3] and facing angles [F] in radians, smoothed over time, for a camera to
-    follow.
-
-    Skeletons without hips and shoulders are followed by their root, facing +Z.
-    """
-    sigma = max(seconds * clip.fps, 1e-3)
-    if body.has_roles(clip, "hip", "shoulder"):
-        frames = root_frames(clip)
-        q = frames.rotations.double().numpy()
-        angle = np.unwrap(2 * np.arctan2(q[:, 2], q[:, 0]))
-        positions = frames.positions
-    else:
-        positions, angle = clip.root_positions * torch.tensor([1.0, 0.0, 1.0]), np.zeros(len(clip))
-    smooth = gaussian_filter1d(positions.double().numpy(), 0.2 * sigma, axis=0, mode="nearest")
-    return smooth, gaussian_filter1d(angle, sigma, mode="nearest")

@@ -8,11 +8,9 @@ This is what game engines do. Pictures and pyvista skin here, pages in the brows
 import base64
 import os
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Protocol
 
 import numpy as np
-from scipy.sparse import csr_array
 from torch import Tensor
 
 from toolkit import registry
@@ -59,24 +57,14 @@ class Skin:
     weights: np.ndarray  # [V, SLOTS] with sum 1
     inverse: np.ndarray  # [J, 3, 4] inverse world transforms of the joints in the bind pose
 
-    @cached_property
-    def _shares(self) -> csr_array:
-        """Weights ``[V, J]``."""
-        rows = np.repeat(np.arange(len(self.points)), self.joints.shape[1])
-        shape = len(self.points), len(self.inverse)
-        return csr_array(
-            (self.weights.ravel().astype(np.float32), (rows, self.joints.ravel())), shape
-        )
-
     def pose(self, rotations: Tensor, positions: Tensor) -> tuple[np.ndarray, np.ndarray]:
         """Vertices and unit normals ``[V, 3]`` for global rotations ``[J, 4]`` and positions ``[J,
         3]``.
         """
         moved = R.to_matrix(rotations).double().numpy() @ self.inverse
         moved[..., 3] += positions.double().numpy()
-        blended = (self._shares @ moved.reshape(len(moved), 12).astype(np.float32)).reshape(
-            -1, 3, 4
-        )
+        each = moved.astype(np.float32)[self.joints]  # [V, SLOTS, 3, 4]
+        blended = np.einsum("vs,vsij->vij", self.weights, each)
         points = np.einsum("vij,vj->vi", blended[..., :3], self.points) + blended[..., 3]
         normals = np.einsum("vij,vj->vi", blended[..., :3], self.normals)
         normals /= np.sqrt(np.einsum("vi,vi->v", normals, normals)).clip(1e-9)[:, None]

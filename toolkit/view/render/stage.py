@@ -1,17 +1,15 @@
-"""Bodies on a floor before a camera, drawn off screen by pyvista.
+"""Bodies on a floor before a camera, drawn by pyvista, or by matplotlib where there is no OpenGL.
 
-`open_stage` gives the drawings of `toolkit.view.render.sketch` where there is no OpenGL. VTK must
-be used from the main thread only; `toolkit.view.widgets.player` takes care of that.
+pyvista must be used from the main thread only.
 """
 
+from abc import ABC, abstractmethod
 from collections.abc import Sequence
 
 import numpy as np
-from matplotlib.colors import to_rgb
 from PIL import Image
 
 from toolkit.view.render.bodies import BACK, SHADE, Body, Camera, Lines, Pose, axes
-from toolkit.view.render.floor import Layer
 from toolkit.view.render.opengl import explain_missing_opengl, opengl_works
 
 # Linear light: the browser's sun of 1.5 and hemisphere of 2.25 over π, in their colours
@@ -19,7 +17,9 @@ from toolkit.view.render.opengl import explain_missing_opengl, opengl_works
 SUN, SKY, GROUND = np.float32(
     [[0.477, 0.467, 0.445], [0.716, 0.716, 0.716], [0.493, 0.468, 0.427]]
 )
-ANGLE = 32.0  # degrees that a camera with perspective sees from bottom to top
+FINE = 2  # pictures are drawn so much larger, and averaged
+LOW = 0.003  # metres of the shadow above the floor
+FAR = 50.0  # metres from the camera to its target
 
 
 def lit(normals: np.ndarray, tones: np.ndarray, light: np.ndarray) -> np.ndarray:
@@ -30,128 +30,141 @@ def lit(normals: np.ndarray, tones: np.ndarray, light: np.ndarray) -> np.ndarray
     return (255 * np.clip(linear, 0, 1) ** np.float32(1 / 2.2)).astype(np.uint8)
 
 
-# It returns a Stage or a Sketch, which have the same methods.
-def open_stage(size: tuple[int, int], lines: Lines | None = None):
-    """The stage that works here, of so many pixels: width and height."""
-    if opengl_works():
-        return Stage(size, lines)
-    from toolkit.view.render.sketch import Sketch
+class Stage(ABC):
+    """Pictures of some bodies, ``size`` pixels wide and high.
 
-    explain_missing_opengl()
-    return Sketch(size, lines)
-
-
-class Stage:
-    """pyvista without multi-sampling and lights, its slowest parts.
-
-    Light is computed per vertex; a shadow is the body pressed flat along the light.
+    Light is computed per vertex, from a lamp where ``light`` [3] points to; a shadow is the body
+    pressed flat along the light.
     """
 
-    def __init__(self, size: tuple[int, int], lines: Lines | None = None):
-        import pyvista as pv
-        from vtkmodules.util.numpy_support import numpy_to_vtk
+    def __init__(self, bodies: Sequence[Body], size: tuple[int, int], light: np.ndarray,
+                 lines: Lines | None = None):
+        self.size, self.light, self.lines = size, light, lines
+        counts = [len(body.skin.points) for body in bodies]
+        first = np.cumsum([0, *counts[:-1]])
+        self.triangles = np.concatenate(
+            [body.skin.triangles + k for body, k in zip(bodies, first, strict=True)]
+        )
 
-        self.size, self.lines, self._pv, self._to_vtk = size, lines, pv, numpy_to_vtk
-        theme = pv.themes.Theme()
-        theme.multi_samples = 0
-        self.plotter = pv.Plotter(off_screen=True, window_size=size, lighting="none", theme=theme)
+    def draw(self, poses: Sequence[Pose], camera: Camera) -> np.ndarray:
+        """Picture [H, W, 3] uint8 of a pose of each body."""
+        meshes = [pose.mesh() for pose in poses]
+        points, normals = (np.concatenate(parts) for parts in zip(*meshes, strict=True))
+        tones = np.concatenate([pose.body.colors(pose.frame) for pose in poses])
+        flat = points - points[:, 1:2] * (self.light / self.light[1])
+        flat[:, 1] = LOW
+        return self._picture(points, lit(normals, tones, self.light), flat, camera)
+
+    @abstractmethod
+    def _picture(self, points: np.ndarray, colors: np.ndarray, flat: np.ndarray,
+                 camera: Camera) -> np.ndarray:
+        """The picture of vertices, their colours, and vertices of the shadows, [V, 3] each."""
+
+    @abstractmethod
+    def close(self) -> None:
+        """Free what was used."""
+
+
+class Rendered(Stage):
+    """Drawn by pyvista, off screen."""
+
+    def __init__(self, bodies: Sequence[Body], size: tuple[int, int], light: np.ndarray,
+                 lines: Lines | None = None):
+        import pyvista as pv
+
+        super().__init__(bodies, size, light, lines)
+        large = [FINE * n for n in size]
+        self.plotter = pv.Plotter(off_screen=True, window_size=large, lighting="none")
+        self.plotter.disable_anti_aliasing()  # the picture is averaged
         self.plotter.set_background(BACK)
-        self._grid = None
+        count = sum(len(body.skin.points) for body in bodies)
+        self.surface, self.shadow = (
+            pv.PolyData.from_regular_faces(np.zeros((count, 3), np.float32), self.triangles)
+            for _ in range(2)
+        )
+        self.surface.point_data["rgb"] = np.zeros((count, 3), np.uint8)
+        self._add(self.surface)
+        self.plotter.add_mesh(self.shadow, color=SHADE, lighting=False)
+        self.grid = None
         if lines is not None:
             ends = lines.segments()
             pairs = np.arange(2 * len(ends)).reshape(-1, 2)
             grid = pv.PolyData(np.float32(ends.reshape(-1, 3)),
                                lines=np.insert(pairs, 0, 2, axis=1).ravel())
             grid.point_data["rgb"] = (255 * lines.colors(ends).reshape(-1, 3)).astype(np.uint8)
-            self._grid = self._add(grid, "grid")
+            self.grid = self._add(grid, line_width=FINE)
 
-    def _add(self, mesh, name: str, **options):
-        """Add a mesh with a colour per point, in the place of an older one of that name."""
-        return self.plotter.add_mesh(mesh, name=name, scalars="rgb", rgb=True, lighting=False,
-                                     render=False, **options)
+    def _add(self, mesh, **options):
+        return self.plotter.add_mesh(mesh, scalars="rgb", rgb=True, lighting=False, **options)
 
-    def load(self, bodies: Sequence[Body], light: np.ndarray, layers: Sequence[Layer] = ()) -> None:
-        """Show other bodies; ``light`` [3] points to the lamp."""
-        self.light, self._layers = light, sorted(layers, key=lambda layer: layer.height)
-        mesh = self._pv.PolyData.from_regular_faces
-        self._meshes = []
-        for i, body in enumerate(bodies):
-            surface, flat = (
-                mesh(np.zeros_like(body.skin.points), body.skin.triangles) for _ in range(2)
-            )
-            surface.point_data["rgb"] = np.zeros((surface.n_points, 3), np.uint8)
-            culling = False if body.mannequin is None else "back"
-            self._add(surface, f"body {i}", culling=culling)
-            self.plotter.add_mesh(flat, name=f"shadow {i}", color=SHADE, lighting=False,
-                                  render=False)
-            self._meshes.append((surface, flat))
-        self._floor = None
-        if layers:
-            corners = [np.insert(layer.corners(0), 1, layer.height, 1) for layer in self._layers]
-            first = np.cumsum([0, *map(len, corners[:-1])])
-            triangles = [x.triangles + k for x, k in zip(self._layers, first, strict=True)]
-            self._floor = mesh(np.float32(np.concatenate(corners)), np.concatenate(triangles))
-            tones = [255 * np.array(to_rgb(layer.color)) for layer in self._layers]
-            tones = np.repeat(tones, [len(part) for part in corners], axis=0)
-            self._floor.point_data["rgb"] = tones.astype(np.uint8)
-            self._add(self._floor, "floor")
-
-    def draw(self, poses: Sequence[Pose], camera: Camera, *, frame: int = 0,
-             shown: Sequence[str] = (), fine: bool = True) -> np.ndarray:
-        """Picture [H, W, 3] uint8 of a pose of each body.
-
-        Layers of the kinds that are ``shown`` are drawn as at a ``frame``. ``fine`` smooths the
-        edges, in three times the time.
-        """
-        changed = []
-        for pose, (surface, flat) in zip(poses, self._meshes, strict=True):
-            points, normals = pose.mesh()
-            surface.points[:] = points
-            tones = pose.body.colors(pose.frame, pose.feet)
-            surface.point_data["rgb"][:] = lit(normals, tones, self.light)
-            surface.GetPointData().GetScalars().Modified()
-            flat.points[:] = points - points[:, 1:2] * (self.light / self.light[1])
-            flat.points[:, 1] = 0.003
-            changed += [surface, flat]
-        if self._floor is not None:
-            # The corners of a hidden layer are one point.
-            marks = [layer.corners(frame) * (layer.kind in shown) for layer in self._layers]
-            self._floor.points[:, [0, 2]] = np.concatenate(marks)
-            changed.append(self._floor)
-        for mesh in changed:
-            mesh.Modified()
-            mesh.GetPoints().Modified()
-        self._aim(camera)
-        return self._read(2 if fine else 1)
-
-    def _aim(self, camera: Camera) -> None:
-        """Place the camera with VTK's own methods: pyvista's examine the whole scene each time."""
+    def _picture(self, points: np.ndarray, colors: np.ndarray, flat: np.ndarray,
+                 camera: Camera) -> np.ndarray:
+        self.surface.points, self.shadow.points = np.float32(points), np.float32(flat)
+        self.surface.point_data["rgb"] = colors
         _, up, back = axes(camera.azimuth, camera.tilt)
-        lens, half = self.plotter.camera, camera.height / 2
-        distance = half / np.tan(np.radians(ANGLE / 2)) if camera.perspective else 50.0
-        lens.SetPosition(camera.target + distance * back)
+        # VTK's own methods: pyvista's examine the whole scene each time
+        lens = self.plotter.camera
+        lens.SetPosition(camera.target + FAR * back)
         lens.SetFocalPoint(camera.target)
         lens.SetViewUp(up)
-        lens.SetViewAngle(ANGLE)
-        lens.SetParallelProjection(not camera.perspective)
-        lens.SetParallelScale(half)
-        lens.SetClippingRange(0.2, 100)
-        if self._grid is not None:
-            self._grid.SetPosition(self.lines.crossing(camera.target))
-
-    def _read(self, scale: int) -> np.ndarray:
-        """The camera's picture, drawn ``scale`` times larger and averaged."""
-        width, height = (scale * n for n in self.size)
-        window, picture = self.plotter.render_window, np.empty((height, width, 3), np.uint8)
-        window.SetSize(width, height)
-        if self._grid is not None:
-            self._grid.prop.line_width = scale
-        window.Render()
-        same = self._to_vtk(picture.reshape(-1, 3))  # the memory of the picture
-        window.GetPixelData(0, 0, width - 1, height - 1, 0, same, 0)
-        picture = picture[::-1]
-        return picture if scale == 1 else np.asarray(Image.fromarray(picture).reduce(scale))
+        lens.SetParallelProjection(True)
+        lens.SetParallelScale(camera.height / 2)
+        lens.SetClippingRange(0.2, 2 * FAR)
+        if self.grid is not None:
+            self.grid.SetPosition(self.lines.crossing(camera.target))
+        self.plotter.render()
+        picture = self.plotter.screenshot(return_img=True)
+        return np.asarray(Image.fromarray(picture).reduce(FINE))
 
     def close(self) -> None:
         """Free the window."""
         self.plotter.close()
+
+
+class Painted(Stage):
+    """Drawn by matplotlib: the far triangles first."""
+
+    def _picture(self, points: np.ndarray, colors: np.ndarray, flat: np.ndarray,
+                 camera: Camera) -> np.ndarray:
+        from matplotlib.backends.backend_agg import FigureCanvasAgg
+        from matplotlib.collections import LineCollection, PolyCollection
+        from matplotlib.figure import Figure
+
+        width, height = self.size
+        turn, scale = axes(camera.azimuth, camera.tilt), height / camera.height
+
+        def seen(places: np.ndarray) -> np.ndarray:
+            """Pixels to the right and upwards, and towards the viewer [..., 3]."""
+            return scale * ((places - camera.target) @ turn.T) + [width / 2, height / 2, 0]
+
+        figure = Figure(figsize=(width / 100, height / 100), dpi=100, facecolor=BACK)
+        paper = figure.add_axes((0, 0, 1, 1), xlim=(0, width), ylim=(0, height))
+        paper.set_axis_off()
+        if self.lines is not None:
+            pieces = self.lines.segments()
+            ends = seen(pieces + self.lines.crossing(camera.target))[..., :2]
+            paper.add_collection(LineCollection(
+                ends, colors=self.lines.colors(pieces.mean(1)), lw=0.8, zorder=0
+            ))
+        shadow, corners = seen(flat)[self.triangles], seen(points)[self.triangles]
+        order = np.argsort(corners[..., 2].mean(1))
+        tones = colors[self.triangles].mean(1)[order] / 255
+        for shapes, faces, z in ((shadow, SHADE, 1), (corners[order], tones, 2)):
+            paper.add_collection(PolyCollection(
+                shapes[..., :2], facecolors=faces, edgecolors=faces, lw=0.3, zorder=z
+            ))
+        canvas = FigureCanvasAgg(figure)
+        canvas.draw()
+        return np.asarray(canvas.buffer_rgba())[..., :3].copy()
+
+    def close(self) -> None:
+        """Nothing is kept."""
+
+
+def open_stage(bodies: Sequence[Body], size: tuple[int, int], light: np.ndarray,
+               lines: Lines | None = None) -> Stage:
+    """The stage that works here."""
+    if opengl_works():
+        return Rendered(bodies, size, light, lines)
+    explain_missing_opengl()
+    return Painted(bodies, size, light, lines)

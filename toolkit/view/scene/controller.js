@@ -33,7 +33,6 @@ const CSS = `
 .tkc button{cursor:pointer}.tkc button[aria-pressed=true]{background:#efecfa;border-color:#c9c0ec;color:#4c3fa0}
 .tkc .tkc-record[aria-pressed=true]{background:#c0392b;border-color:#c0392b;color:#fff}
 .tkc-row{display:flex;flex-wrap:wrap;gap:6px;align-items:center}.tkc-row input{flex:1;min-width:0}
-.tkc-long .tk-triangle text:last-of-type{transform:translateY(14px)}
 .tkc-menus{display:flex;flex-direction:column;gap:8px}
 .tkc-fill{height:100%;flex-wrap:nowrap;user-select:none;-webkit-user-select:none;-webkit-tap-highlight-color:transparent}.tkc-fill .tkc-view{align-self:stretch;flex:1;min-height:0;min-width:0;outline:none}
 .tkc-fill .tkc-side{overflow:auto}.tkc-fill .tkc-hint{max-width:calc(100% - 150px)}
@@ -195,9 +194,7 @@ export function render({ model, el }) {
     refresh();
   }
   function refresh() {
-    const names = model.get("names");
-    names.forEach((name, i) => (menus[i].value = name));
-    root.classList.toggle("tkc-long", names[1].length + names[2].length > 19); // side by side they would overlap
+    model.get("names").forEach((name, i) => (menus[i].value = name));
     slider.value = model.get("speed");
     reading.textContent = `${model.get("speed").toFixed(2)} m/s`;
     for (const [trait, toggle] of toggles) toggle.ariaPressed = String(model.get(trait));

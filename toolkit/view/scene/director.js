@@ -61,6 +61,7 @@ const CSS = `
 const BUSY = 150, SHARE = 20; // ms between pictures while a motion is computed, and how many times as long as a picture takes
 const LATE = 700; // ms after which the clock says how much of the motion is ready
 const STILL = 12; // unchanged pictures before one with smooth edges
+const APART = 2; // metres between a character and its copy
 
 export function render({ model, el }) {
   const root = make("div", "tkd", el, { tabIndex: -1 });
@@ -83,7 +84,7 @@ export function render({ model, el }) {
 
   button(bar, "+ character", "Add a character", () => edit((shots) => {
     const copy = JSON.parse(JSON.stringify(desk.shot)), near = shots.length, right = Math.min(...shots.map(({ path: [{ x }] }) => x));
-    const room = Math.max(1, desk.more.apart ?? 0, ...shots.map(({ radius }) => 2 * (radius ?? 0)));
+    const room = Math.max(APART, desk.more.apart ?? 0, ...shots.map(({ radius }) => 2 * (radius ?? 0)));
     for (const point of copy.path) point.x += right - desk.shot.path[0].x - room;
     shots.push({ ...copy, name: `shot ${near + 1}`, seed: copy.seed + 1 });
     desk.selected = near;

@@ -3,7 +3,7 @@ import { Kernel, Model } from "./character.js";
 import { render as controller } from "./controller.js";
 import { render as director } from "./director.js";
 import { Crowd } from "./crowd.js";
-import { make, player } from "./player.js";
+import { make, player, render as clips } from "./player.js";
 import { Scene } from "./scene.js";
 
 // A character in an element of a page without a notebook, from the data of view/live_page.py.
@@ -25,7 +25,17 @@ function desk(element, { scene, ...data }) {
   return element.toolkit;
 }
 
-const render = ({ model, el }) => (model.get("data") ? director : controller)({ model, el });
+// A widget that lives needs no picture beside it, which is for pages without a kernel.
+function hideStill(el, tries = 600) {
+  if (!el.isConnected && tries) return requestAnimationFrame(() => hideStill(el, tries - 1));
+  for (const still of el.closest(".jp-OutputArea, .output")?.querySelectorAll(".tk-still") ?? []) still.hidden = true;
+}
+
+// The widget of the traits that a model has.
+function render({ model, el }) {
+  hideStill(el);
+  return (model.get("data") ? director : model.get("clips") ? clips : controller)({ model, el });
+}
 
 globalThis.toolkitScene = { Crowd, Scene, character, director: desk, player };
 export { Scene, character, desk as director, player };

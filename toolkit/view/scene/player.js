@@ -1,7 +1,7 @@
 // Recorded clips side by side with play, scrub, speed, style weights and contacts over time.
 //
-// skeleton: see scene.js, or the number of the clip that has the same
-// player(element, {clips: [{label, fps, frames, facing, skeleton, joints, root, rotations, contacts, styles}]})
+// player(element, {skeletons, clips: [{label, fps, frames, facing, skeleton, joints, root, rotations, contacts, styles}]})
+//   skeletons  see scene.js;  skeleton  the number of one
 //   joints     indices of the joints that rotate (the others keep the identity)
 //   root       base64 float32 [F, 3], metres;  rotations  base64 int16 [F, joints, 4], units of 1/32767, w x y z
 //   contacts   base64 uint8 [F, 2] right, left, 0 or 1 (or null)
@@ -21,7 +21,6 @@ const CSS = `
 .tkv-view{position:relative;min-height:0;overflow:hidden;border-radius:14px;background:#f3f1ec;box-shadow:0 1px 2px #0001,0 6px 24px #0000000f}
 .tkv-stage{position:absolute;inset:0;cursor:grab}.tkv-stage:active{cursor:grabbing}.tkv-stage canvas{display:block}
 .tkv-label{position:absolute;left:16px;top:12px;font-weight:650;font-size:15px;pointer-events:none}
-.tkv-label small{display:block;font-weight:400;font-size:12px;color:var(--soft)}
 .tkv-styles{position:absolute;right:14px;top:12px;width:150px;padding:8px 10px;border-radius:12px;background:#fffc;pointer-events:none}
 .tkv-styles svg{display:block;width:100%;overflow:visible;margin:0 0 6px}
 .tkv-row{display:grid;grid-template-columns:10px 1fr auto;gap:6px;align-items:center;font-size:12px}
@@ -53,15 +52,15 @@ export function make(tag, className, parent, attributes = {}) {
 
 // Poses of one clip, interpolated between frames.
 export class Track {
-  constructor(clip) {
+  constructor(clip, { parents }) {
     Object.assign(this, { fps: clip.fps, frames: clip.frames, joints: clip.joints, seconds: clip.frames / clip.fps });
     this.root = decode(clip.root, Float32Array);
     this.packed = decode(clip.rotations, Int16Array);
     this.contacts = clip.contacts && decode(clip.contacts, Uint8Array);
     this.names = clip.styles?.names ?? [];
     this.weights = clip.styles && decode(clip.styles.weights, Uint8Array);
-    this.rotations = new Float32Array(4 * clip.skeleton.parents.length);
-    for (let j = 0; j < clip.skeleton.parents.length; j++) this.rotations[4 * j] = 1;
+    this.rotations = new Float32Array(4 * parents.length);
+    for (let j = 0; j < parents.length; j++) this.rotations[4 * j] = 1;
     this.place = [0, 0, 0];
     this.path = this.steady(Math.round(0.35 * clip.fps));
   }
@@ -186,32 +185,29 @@ function drawTimeline(canvas, track, seconds, duration) {
   g.fillRect(Math.max(0, x - 1.25 * ratio), 0, 2.5 * ratio, h);
 }
 
-export function player(element, { clips, speed = 1, playing = true }) {
-  for (const clip of clips) clip.skeleton = clips[clip.skeleton]?.skeleton ?? clip.skeleton;
+export function player(element, { skeletons, clips, speed = 1, playing = true, height = null }) {
   const root = make("div", "tkv", element);
   make("style", "", root, { textContent: CSS });
   const views = make("div", "tkv-views", root);
+  if (height) { // of the pictures; else they fill the element
+    Object.assign(root.style, { height: "auto", minHeight: 0 });
+    Object.assign(views.style, { flex: "none", height: `${height}px` });
+  }
   const columns = clips.length < 4 ? clips.length : Math.ceil(Math.sqrt(clips.length));
   views.style.gridTemplateColumns = `repeat(${columns}, minmax(0, 1fr))`;
 
   let shown;
   try {
-    shown = clips.map((clip) => {
+    shown = clips.map(({ facing, skeleton }) => {
       const view = make("div", "tkv-view", views);
-      const scene = new Scene(make("div", "tkv-stage", view), clip.skeleton, { facing: clip.facing });
-      const label = make("div", "tkv-label", view, { textContent: clip.label });
-      make("small", "", label, { textContent: clip.note ?? "" });
-      const track = new Track(clip);
-      const styles = track.names.length ? new Styles(view, track.names) : null;
-      scene.setTrail(track.root);
-      return { scene, track, styles };
+      const scene = new Scene(make("div", "tkv-stage", view), skeletons[skeleton], { facing });
+      return { view, scene, label: make("div", "tkv-label", view) };
     });
   } catch (error) {
     views.innerHTML = '<div class="tkv-none">This browser offers no WebGL, which the animation needs.</div>';
     return { error };
   }
 
-  const duration = Math.max(...shown.map(({ track }) => track.seconds));
   const state = { seconds: 0, speed, playing, trail: true, feet: true, follow: true, drawn: 0, fps: 0 };
   const bar = make("div", "tkv-bar", root);
   const button = make("button", "tkv-play", bar, { type: "button" });
@@ -220,14 +216,30 @@ export function player(element, { clips, speed = 1, playing = true }) {
   const clock = make("div", "tkv-clock", bar);
   const speeds = make("select", "", bar, { title: "Speed", ariaLabel: "Speed" });
   for (const s of SPEEDS) make("option", "", speeds, { value: s, textContent: `${s}×`, selected: s === speed });
-  const toggles = [["follow", "Follow", "Camera goes along"], ["trail", "Path", "The hips' path on the floor"]];
-  if (shown.some(({ track }) => track.contacts)) toggles.push(["feet", "Contacts", "Colour the feet that stand"]);
-  for (const [key, text, title] of toggles) {
-    const toggle = make("button", "", bar, { type: "button", textContent: text, title, ariaPressed: "true" });
+  const toggles = { follow: ["Follow", "Camera goes along"], trail: ["Path", "The hips' path on the floor"],
+                    feet: ["Contacts", "Colour the feet that stand"] };
+  for (const [key, [text, title]] of Object.entries(toggles)) {
+    const toggle = (toggles[key] = make("button", "", bar, { type: "button", textContent: text, title, ariaPressed: "true" }));
     toggle.onclick = () => { toggle.ariaPressed = String((state[key] = !state[key])); draw(); };
   }
-  const longest = shown.find(({ track }) => track.seconds === duration).track;
-  const listed = shown.find(({ track }) => track.names.length > 1)?.track ?? longest;
+  let duration, longest, listed;
+
+  // the motions of other clips, of the same skeletons
+  function load(given) {
+    given.forEach((clip, i) => {
+      const one = shown[i], track = (one.track = new Track(clip, skeletons[clip.skeleton]));
+      one.label.textContent = clip.label;
+      one.styles?.box.remove();
+      one.styles = track.names.length ? new Styles(one.view, track.names) : null;
+      one.scene.setTrail(track.root);
+    });
+    duration = Math.max(...shown.map(({ track }) => track.seconds));
+    longest = shown.find(({ track }) => track.seconds === duration).track;
+    listed = shown.find(({ track }) => track.names.length > 1)?.track ?? longest;
+    toggles.feet.hidden = !shown.some(({ track }) => track.contacts);
+    state.seconds %= duration;
+    timeline.base = null;
+  }
 
   function pose(first) {
     for (const { scene, track, styles } of shown) {
@@ -268,6 +280,7 @@ export function player(element, { clips, speed = 1, playing = true }) {
 
   function play(on = true) {
     state.playing = on;
+    root.dispatchEvent(new CustomEvent("playing", { detail: on }));
     button.innerHTML = on ? PAUSE : PLAY;
     button.ariaLabel = button.title = on ? "Pause (space)" : "Play (space)";
   }
@@ -298,7 +311,8 @@ export function player(element, { clips, speed = 1, playing = true }) {
   // one loop; on slow machines the picture gets simpler, not slower
   let last = performance.now(), slow = 0, count = 0, handle = 0;
   function tick(now) {
-    if (!root.isConnected) return dispose();
+    handle = requestAnimationFrame(tick);
+    if (!root.isConnected) return; // a notebook takes cells out of the page that are out of sight
     const passed = Math.min(Math.max(now - last, 0) / 1000, 0.25); // the first tick may be earlier than `last`
     last = now;
     if (state.playing) {
@@ -314,7 +328,6 @@ export function player(element, { clips, speed = 1, playing = true }) {
     if (!state.playing) shown.forEach(({ scene }) => scene.controls.update());
     if (state.playing || moved) draw();
     else if (++rest === STILL) draw(false, true);
-    handle = requestAnimationFrame(tick);
   }
 
   function dispose() {
@@ -323,8 +336,41 @@ export function player(element, { clips, speed = 1, playing = true }) {
     root.remove();
   }
 
+  load(clips);
   play(playing);
   draw(true);
   handle = requestAnimationFrame(tick);
-  return { seek, play, dispose, state, tracks: shown.map((s) => s.track), scenes: shown.map((s) => s.scene) };
+  return { root, seek, play, dispose, state, get tracks() { return shown.map((s) => s.track); }, scenes: shown.map((s) => s.scene),
+           load: (given) => { load(given); draw(); } };
+}
+
+// A widget. Traits: skeletons, clips, playing, and size [width, height] of the picture, pixels.
+export function render({ model, el }) {
+  const [width, height] = model.get("size"), box = make("div", "", el);
+  Object.assign(box.style, { width: `${width}px`, maxWidth: "100%" });
+  let shown = null, skeletons, bodies;
+  function load() {
+    const clips = model.get("clips"), now = clips.map(({ skeleton }) => skeleton).join();
+    if (shown && skeletons === model.get("skeletons") && bodies === now) return shown.load(clips);
+    const seconds = shown?.state.seconds ?? 0;
+    shown?.dispose();
+    [skeletons, bodies] = [model.get("skeletons"), now];
+    shown = player(box, { skeletons, clips, playing: model.get("playing"), height });
+    if (shown.error) return;
+    if (seconds) shown.seek(seconds);
+    shown.root.addEventListener("playing", ({ detail }) => {
+      model.set("playing", detail);
+      model.save_changes();
+    });
+    el.toolkit = shown;
+  }
+  const play = () => shown.state?.playing !== model.get("playing") && shown.play?.(model.get("playing"));
+  model.on("change:clips", load);
+  model.on("change:playing", play);
+  load();
+  return () => {
+    model.off("change:clips", load);
+    model.off("change:playing", play);
+    shown.dispose?.();
+  };
 }

@@ -1,10 +1,16 @@
-// A map of styles, drawn by Plotly (its code comes before this module), with a ring to drag. Traits: figure, place.
+// A map of styles, drawn by Plotly, with a ring to drag. Traits: figure, place, and Plotly's code, which is not in this module:
+// anywidget gives a module two seconds to load.
 const LOOK = {
   position: "absolute", width: "22px", height: "22px", margin: "-14px 0 0 -14px", borderRadius: "50%", cursor: "grab",
   border: "3px solid #2b323b", background: "rgba(43, 50, 59, 0.12)", boxShadow: "0 0 0 2px white", touchAction: "none",
 };
 
-function render({ model, el }) {
+async function render({ model, el }) {
+  if (!globalThis.Plotly) {
+    const url = URL.createObjectURL(new Blob([model.get("code")], { type: "text/javascript" }));
+    await import(url);
+    URL.revokeObjectURL(url);
+  }
   const { data, layout } = JSON.parse(model.get("figure"));
   const frame = el.appendChild(document.createElement("div"));
   const plot = frame.appendChild(document.createElement("div"));

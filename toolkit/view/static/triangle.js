@@ -28,7 +28,9 @@ function render({ model, el }) {
     point = [0, 1].map((k) => weights.reduce((sum, w, i) => sum + w * CORNERS[i][k], 0));
     marker.setAttribute("cx", point[0]);
     marker.setAttribute("cy", point[1]);
-    model.get("names").forEach((name, i) => (texts[i].textContent = `${name}  ${Math.round(100 * weights[i])} %`));
+    const names = model.get("names");
+    names.forEach((name, i) => (texts[i].textContent = `${name}  ${Math.round(100 * weights[i])} %`));
+    texts[2].setAttribute("y", labels[2][1] + 14 * (names[1].length + names[2].length > 19)); // side by side they would overlap
   }
   function set(next) {
     model.set("weights", weightsAt(next));

@@ -20,10 +20,10 @@ from toolkit.motion import Clip, trajectory
 from toolkit.runtime import FPS, Command
 from toolkit.runtime.life import alive
 from toolkit.view.frontend import CellWidget, running_loop, static
-from toolkit.view.pages.live_page import EASE, RUN, TURN, example
+from toolkit.view.pages.live_page import EASE, RUN, TURN, example, ordered
 from toolkit.view.pages.page import skeleton_data
 from toolkit.view.render.skin import Figure, figure_of
-from toolkit.view.widgets.style_blender import Corners, corners
+from toolkit.view.widgets.corners import Corners, corners
 
 PATIENCE = 2.0  # seconds without a message from the page after which the character waits
 
@@ -37,7 +37,7 @@ class Controller(CellWidget, Corners):
     model, bank
         A model and its style bank, e.g. of `toolkit.pretrained`.
     styles
-        The triangle's corners, three names of the bank; by default its first three.
+        The triangle's corners, three names of the bank; by default three that differ.
     speed, size
         Walking speed in metres per second, by default the natural speed of the first style (it can
         be changed later); width and height of the picture in pixels.
@@ -79,7 +79,7 @@ class Controller(CellWidget, Corners):
         self, model, bank, *, styles: Sequence[str] | None = None, speed: float | None = None,
         size: tuple[int, int] = (640, 480), character: str | os.PathLike | Figure | None = None
     ):
-        names = (list(bank.names) * 3)[:3] if styles is None else list(styles)
+        names = (ordered(bank) * 3)[:3] if styles is None else list(styles)
         if len(names) != 3:
             raise ValueError(f"a triangle has three styles, got {names}")
         self._model, self._bank = model, bank
@@ -108,7 +108,7 @@ class Controller(CellWidget, Corners):
 
         Assign up to three styles of the bank to move the marker.
         """
-        names, shares = corners(self._bank, weights, [*self.names, *self._bank.names])
+        names, shares = corners(self._bank, weights, [*self.names, *ordered(self._bank)])
         with self.hold_sync():
             self.names, self.weights = names, shares
 

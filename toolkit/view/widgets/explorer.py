@@ -5,6 +5,7 @@ Hover names a style, click plays it, and a ring dragged between points plays the
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from functools import cache
 
 import anywidget
 import ipywidgets as widgets
@@ -19,15 +20,17 @@ from toolkit import runtime
 from toolkit.motion import Clip
 from toolkit.networks import Predictor
 from toolkit.networks.bank import StyleBank
+from toolkit.runtime import CharacterState
 from toolkit.styles.space import embed
 from toolkit.view.charts import INK, style_space
 from toolkit.view.frontend import escape, in_notebook, static
+from toolkit.view.pages.live_page import ordered
 from toolkit.view.render.picture import PAPER, Picture
 from toolkit.view.widgets.style_blender import StyleBlender
 
 SIDE = 560  # pixels of the map, both ways
-SECONDS, SPEED = 3.0, 1.0  # of the walk that is played, metres per second
-SETTLE = 1.5  # seconds of walking before, in which the character goes from standing into the style
+SECONDS, SPEED = 2.0, 1.0  # of the walk that is played, metres per second
+SETTLE = 0.4  # seconds of walking before, in which the character goes into the style
 
 
 def explore(
@@ -51,12 +54,9 @@ def explore(
         pixels of its picture.
     """
     points = embed(bank.vectors) if points is None else torch.as_tensor(points)
-    figure = chart(bank, points, groups)
-    return (
-        StyleExplorer(model, bank, points, figure, make_clip=make_clip, size=size)
-        if in_notebook()
-        else figure
-    )
+    if not in_notebook():
+        return chart(bank, points, groups)
+    return StyleExplorer(model, bank, points, groups, make_clip=make_clip, size=size)
 
 
 def chart(bank: StyleBank, points: Tensor, groups: Sequence[str] | None = None) -> go.Figure:
@@ -75,7 +75,8 @@ class StyleMap(anywidget.AnyWidget):
     Plotly's own FigureWidget shows nothing with some versions of anywidget.
     """
 
-    _esm = get_plotlyjs() + static("map.js")
+    _esm = static("map.js")
+    code = traitlets.Unicode(get_plotlyjs()).tag(sync=True)
     figure = traitlets.Unicode().tag(sync=True)
     place = traitlets.List(traitlets.Float(), [0.0, 0.0], minlen=2, maxlen=2).tag(sync=True)
 
@@ -87,9 +88,8 @@ class StyleExplorer(StyleBlender):
     around it, from the Delaunay triangulation of the points. A place outside of all triangles
     stands for the nearest place inside.
 
-    The parameters are those of `explore`, with the ``figure`` of the map, by default made from the
-    points. ``map`` is the `StyleMap`; ``weights``, ``player`` and ``triangle`` are those of the
-    blender. Assigning weights also moves the ring.
+    The parameters are those of `explore`. ``map`` is the `StyleMap`; ``weights``, ``player`` and
+    ``triangle`` are those of the blender. Assigning weights also moves the ring.
 
     Raises
     ------
@@ -98,16 +98,25 @@ class StyleExplorer(StyleBlender):
     """
 
     def __init__(
-        self, model: Predictor, bank: StyleBank, points: Tensor, figure: go.Figure | None = None, *,
+        self, model: Predictor, bank: StyleBank, points: Tensor,
+        groups: Sequence[str] | None = None, *,
         make_clip: Callable[[dict[str, float]], Clip] | None = None,
         size: tuple[int, int] = (480, 420)
     ):
         walk = runtime.straight(SPEED, SETTLE + SECONDS)
 
-        def play(blend: dict[str, float]) -> Clip:
-            return runtime.rollout(model, walk, bank.blend(blend)).cut(round(SETTLE * runtime.FPS))
+        @cache
+        def warm() -> tuple[Predictor, CharacterState]:
+            """The model, and a character that walks in the first style."""
+            quick = runtime.quick(model, len(walk))
+            return quick, list(runtime.states(quick, walk[: runtime.FPS], bank.vectors[0]))[-1]
 
-        super().__init__(bank, make_clip or play, weights={bank.names[0]: 1.0}, size=size)
+        def play(blend: dict[str, float]) -> Clip:
+            quick, first = warm()
+            made = runtime.rollout(quick, walk, bank.blend(blend), first=first)
+            return made.cut(round(SETTLE * runtime.FPS))
+
+        super().__init__(bank, make_clip or play, weights={ordered(bank)[0]: 1.0}, size=size)
         self.points = torch.as_tensor(points).double()
         try:
             self._triangles = Delaunay(self.points.numpy())
@@ -117,7 +126,7 @@ class StyleExplorer(StyleBlender):
                 f"a map needs three styles or more, not on one line; got points {got}"
             ) from error
         self.map = StyleMap(
-            figure=(figure or chart(bank, self.points)).to_json(), place=self._place(),
+            figure=chart(bank, self.points, groups).to_json(), place=self._place(),
             layout={"flex": f"0 0 {SIDE}px"}
         )
         self.map.on_msg(self._clicked)
@@ -156,10 +165,8 @@ class StyleExplorer(StyleBlender):
         StyleBlender.weights.fset(self, weights)
         self._follow()
 
-    def _repr_mimebundle_(self, **kwargs) -> dict:
-        """The widget, and a picture of the map for pages without widgets (a notebook on GitHub,
-        nbconvert).
-        """
+    def still(self) -> bytes:
+        """A picture of the map, PNG."""
         figure = Picture(figsize=(7, 6), facecolor=PAPER, layout="constrained", dpi=110)
         axes = figure.subplots()
         axes.plot(*self.points.T.numpy(), "o", color="#7b68c4", markersize=5)
@@ -169,7 +176,7 @@ class StyleExplorer(StyleBlender):
                 parse_math=False
             )
         axes.set(title="Style space", xticks=[], yticks=[], aspect="equal")
-        return super()._repr_mimebundle_(**kwargs) | {"image/png": figure._repr_png_()}
+        return figure._repr_png_()
 
     def _inside(self, place: Tensor) -> tuple[Tensor, int]:
         """The point of the triangulation nearest to a place outside, and its triangle."""

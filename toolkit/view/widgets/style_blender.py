@@ -5,87 +5,17 @@ Three style menus, a barycentric triangle, and the motion of the blend.
 
 import asyncio
 import math
-import threading
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 
-import anywidget
 import ipywidgets as widgets
-import traitlets
 
 from toolkit.motion import Clip
-from toolkit.view.frontend import CellWidget, escape, require_main_thread, running_loop, static
-from toolkit.view.widgets.player import RATE, Player
+from toolkit.view.frontend import CellWidget, escape, running_loop
+from toolkit.view.pages.live_page import ordered
+from toolkit.view.widgets.corners import StyleTriangle, corners
+from toolkit.view.widgets.player import Player
 
 PAUSE = 0.03  # seconds in which changes are collected before a new motion is made
-BUSY = 15.0  # pictures per second at most while a motion is made: both need Python
-
-
-class Corners(anywidget.AnyWidget):
-    """A widget with three styles, ``names``, and their shares, ``weights``: traits that can be
-    observed, linked and set.
-
-    Names must be in the bank, where there is one; shares are scaled to sum to one.
-    """
-
-    _bank = None
-
-    names = traitlets.List(traitlets.Unicode(), ["A", "B", "C"], minlen=3, maxlen=3).tag(sync=True)
-    weights = traitlets.List(traitlets.Float(), [1 / 3, 1 / 3, 1 / 3], minlen=3, maxlen=3).tag(
-        sync=True
-    )
-
-    @traitlets.validate("names")
-    def _known(self, proposal: dict) -> list[str]:
-        if unknown := [
-            name for name in proposal["value"] if self._bank is not None and name not in self._bank
-        ]:
-            raise traitlets.TraitError(f"unknown style {unknown[0]!r}")
-        return proposal["value"]
-
-    @traitlets.validate("weights")
-    def _sum_to_one(self, proposal: dict) -> list[float]:
-        shares = proposal["value"]
-        if not all(math.isfinite(w) and w >= 0 for w in shares) or not 0 < sum(shares) < math.inf:
-            raise traitlets.TraitError(
-                f"weights must be three shares >= 0 and not all zero, got {shares}"
-            )
-        return [w / sum(shares) for w in shares]
-
-    @property
-    def blend(self) -> dict[str, float]:
-        """Style to share; a style at two corners has both shares."""
-        blend: dict[str, float] = {}
-        for name, share in zip(self.names, self.weights, strict=True):
-            blend[name] = blend.get(name, 0.0) + share
-        return blend
-
-
-class StyleTriangle(Corners):
-    """A barycentric triangle with a marker to drag."""
-
-    _esm = static("triangle.js")
-
-
-def corners(
-    bank, weights: Mapping[str, float], others: Iterable[str]
-) -> tuple[list[str], list[float]]:
-    """Three styles and their shares, which sum to one, of a blend of one to three.
-
-    ``others`` fill up, with share zero.
-    """
-    for name in weights:
-        bank[name]
-    shares = [float(w) for w in weights.values()]
-    if (
-        not 1 <= len(shares) <= 3
-        or not all(math.isfinite(w) and w >= 0 for w in shares)
-        or not sum(shares) > 0
-    ):
-        raise ValueError(
-            f"a blend needs one to three weights >= 0 and not all zero, got {dict(weights)}"
-        )
-    names = [*weights, *(name for name in others if name not in weights), *weights, *weights]
-    return names[:3], [w / sum(shares) for w in shares] + [0.0] * (3 - len(shares))
 
 
 class StyleBlender(CellWidget, widgets.HBox):
@@ -100,7 +30,7 @@ class StyleBlender(CellWidget, widgets.HBox):
         with the blend unless it has a style. While widgets are dragged it runs in a worker thread,
         one call at a time, for the newest blend.
     weights
-        The first blend, one to three styles; by default the first three names in equal parts.
+        The first blend, one to three styles; by default three styles that differ, in equal parts.
     size
         Pixels of the picture: width, height.
 
@@ -123,11 +53,9 @@ class StyleBlender(CellWidget, widgets.HBox):
         self, bank, make_clip: Callable[[dict[str, float]], Clip], *,
         weights: Mapping[str, float] | None = None, size: tuple[int, int] = (640, 480)
     ):
-        require_main_thread()
         self._bank, self._make_clip = bank, make_clip
-        names, shares = corners(
-            bank, dict.fromkeys(bank.names[:3], 1.0) if weights is None else weights, bank.names
-        )
+        first = dict.fromkeys(ordered(bank)[:3], 1.0) if weights is None else weights
+        names, shares = corners(bank, first, ordered(bank))
         self._menus = [
             widgets.Dropdown(options=bank.names, value=name, layout={"width": "220px"})
             for name in names
@@ -149,7 +77,6 @@ class StyleBlender(CellWidget, widgets.HBox):
 
     @weights.setter
     def weights(self, weights: Mapping[str, float]) -> None:
-        require_main_thread()
         self._set(weights)
         self._asked += 1
         self.player.show(self._make(self.weights))
@@ -162,17 +89,13 @@ class StyleBlender(CellWidget, widgets.HBox):
             self.player.close()
         super().close()
 
-    def _repr_mimebundle_(self, **kwargs) -> dict:
-        """The widget, and the player's picture for pages without widgets (a notebook on GitHub,
-        nbconvert).
-        """
-        return super()._repr_mimebundle_(**kwargs) | {
-            "image/jpeg": self.player._repr_mimebundle_()["image/jpeg"]
-        }
+    def still(self) -> bytes:
+        """The player's picture."""
+        return self.player.still()
 
     def _set(self, weights: Mapping[str, float]) -> None:
         """Set menus and marker to a blend, without making its motion."""
-        names, shares = corners(self._bank, weights, self._bank.names)
+        names, shares = corners(self._bank, weights, ordered(self._bank))
         self._setting = True
         try:
             for menu, name in zip(self._menus, names, strict=True):
@@ -194,7 +117,7 @@ class StyleBlender(CellWidget, widgets.HBox):
         self._asked += 1
         if self._loop is not None:
             self._loop.call_soon_threadsafe(self._plan)
-        elif threading.current_thread() is threading.main_thread():
+        else:
             self.player.show(self._make(self.weights))
 
     def _plan(self) -> None:
@@ -207,14 +130,11 @@ class StyleBlender(CellWidget, widgets.HBox):
             await asyncio.sleep(PAUSE)
             asked = self._asked
             self._status.value = "making the motion …"
-            self.player.rate = BUSY
             try:
                 clip = await asyncio.to_thread(self._make, self.weights)
             except Exception as error:  # shown beside the triangle: nothing else would report it
                 self._status.value = f"<b>{type(error).__name__}</b>: {escape(error)}"
                 return
-            finally:
-                self.player.rate = RATE
             self._status.value = ""
             if asked > self._shown:
                 self.player.show(clip)
