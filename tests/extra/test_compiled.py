@@ -224,3 +224,23 @@ def test_crowds_cross_and_keep_apart(pretrained, tmp_path):
     assert tk.view.crowd(made.clips[:3], tmp_path / "crowd.gif", fps=2.0, width=120).exists()
     with pytest.raises(ValueError, match="one length"):
         tk.view.crowd([made.clips[0], made.clips[1].cut(5)], tmp_path / "crowd.gif")
+
+
+@pytest.mark.parametrize(("kept", "frames", "compiles", "words"), [
+    (False, 1499, False, 0), (False, 1500, True, 1), (True, 119, False, 0), (True, 120, True, 0),
+])
+def test_long_work_is_compiled_with_a_word(small_run, monkeypatch, kept, frames, compiles, words):
+    said, made = [], object()
+    monkeypatch.setattr("toolkit.extra.compiled._kept", lambda kernel: kept)
+    monkeypatch.setattr("toolkit.extra.compiled.compile", lambda model: made)
+    found = tk.runtime.quick(small_run.model, frames, said.append)
+    assert found is (made if compiles else small_run.model)
+    assert len(said) == words
+    other = tk.networks.build("pfnn-film", small_run.model.layout, 2, small_run.model.sizes)
+    assert tk.runtime.quick(other, 10_000) is other
+
+
+def test_the_kernels_on_the_disk_are_found(small_run):
+    tk.runtime.compile(small_run.model)
+    compiled = tk.runtime.compiled
+    assert all(map(compiled._kept, compiled.KERNELS))
