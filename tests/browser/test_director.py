@@ -2,7 +2,6 @@
 
 import copy
 import dataclasses
-import json
 import math
 
 import pytest
@@ -352,12 +351,3 @@ def test_a_change_computes_only_what_it_changes(desk):
         assert since >= least, edit
         assert desk.page.evaluate(FRESH), edit
     assert since == 0
-
-
-def test_the_scene_is_the_kernels(tmp_path):
-    """Without a page: what a notebook's widget takes and gives; test_lab drags a point."""
-    model, bank = tk.pretrained()
-    desk = director.Director(model, bank, tk.shots.parse(SHORT))
-    assert tk.shots.parse(json.loads(json.dumps(desk.scene))) == tk.shots.parse(SHORT)
-    assert len(desk.render()) == 120
-    desk.close()

@@ -145,15 +145,6 @@ def test_a_recording_becomes_a_clip(control):
     assert len(control.clip) == 3
 
 
-@pytest.mark.parametrize("wish", [
-    {"move": [0, 3]}, {"move": [0]}, {"turn": float("nan")}, {"heading": [1]}, {"id": "x"},
-])
-def test_a_message_that_is_no_input_changes_nothing(control, wish):
-    before = control._input
-    hand(control, **wish)
-    assert control._input is before
-
-
 def test_bad_wishes_are_refused(control, trained):
     with pytest.raises(ValueError, match="three styles"):
         Controller(*trained, styles=["Neutral"])

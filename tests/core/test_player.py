@@ -56,17 +56,6 @@ def test_any_tree_plays(clip, frames):
     player.close()
 
 
-@pytest.mark.parametrize(("clips", "options", "message"), [
-    (0, {}, "got 0 clips, 0 labels"),
-    (1, {"labels": ["a", "b"]}, "got 1 clips, 2 labels"),
-    (1, {"contacts": torch.zeros(3, 2)}, r"contacts must be \[F, 2\] for each clip of \[90\] f"),
-    (2, {"contacts": torch.ones(FRAMES, 2)}, r"contacts must be \[F, 2\] for each"),
-])
-def test_what_does_not_fit_is_refused(clip, clips, options, message):
-    with pytest.raises(ValueError, match=message):
-        view.Player([clip] * clips, **options)
-
-
 def test_outside_of_a_notebook_playing_gives_a_strip(clip, other):
     figure = view.play([clip, other], labels=["data", "model"])
     assert type(figure).__name__ == "Picture"
