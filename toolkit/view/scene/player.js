@@ -348,8 +348,10 @@ export function player(element, { skeletons, clips, speed = 1, playing = true, h
 export function render({ model, el }) {
   const [width, height] = model.get("size"), box = make("div", "", el);
   Object.assign(box.style, { width: `${width}px`, maxWidth: "100%" });
+  box.dataset.lmSuppressShortcuts = "true"; // keys of the player are no shortcuts of JupyterLab
   let shown = null, skeletons, bodies;
   function load() {
+    if (shown?.error) return;
     const clips = model.get("clips"), now = clips.map(({ skeleton }) => skeleton).join();
     if (shown && skeletons === model.get("skeletons") && bodies === now) return shown.load(clips);
     const seconds = shown?.state.seconds ?? 0;
@@ -364,7 +366,7 @@ export function render({ model, el }) {
     });
     el.toolkit = shown;
   }
-  const play = () => shown.state?.playing !== model.get("playing") && shown.play?.(model.get("playing"));
+  const play = () => shown.error || shown.state.playing === model.get("playing") || shown.play(model.get("playing"));
   model.on("change:clips", load);
   model.on("change:playing", play);
   load();
