@@ -246,12 +246,11 @@ def test_the_demo_works_on_a_small_budget(tmp_path):
 
     assert "toolkitScene" in demo.embedded(tmp_path / "demo").read_text(encoding="utf-8")
     files = demo.make(tmp_path / "demo", seconds=2.0, data_seconds=10.0)
-    assert [f.name for f in files] == ["walk.bvh", "walk.html", "strip.png", "report.txt",
-                                       "model.safetensors",
+    assert [f.name for f in files] == ["walk.bvh", "walk.html", "report.txt", "model.safetensors",
                                        "controller.html"]
     frames = len(tk.bvh.load(files[0]))
     assert not re.search(r"""(src|href)\s*=\s*["']?https?:""", files[1].read_text(encoding="utf-8"))
-    report = files[3].read_text(encoding="utf-8")
+    report = files[2].read_text(encoding="utf-8")
     assert f" {frames:,} frames" in report
     error, repeat = re.search(r"squared error (\S+) .* repeating the frame (\S+)\)",
                               report).groups()

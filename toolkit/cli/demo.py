@@ -21,7 +21,7 @@ from toolkit.styles.transitions import transition
 STYLES = ("Neutral", "Zombie", "Aeroplane")
 GAITS = ("FW", "BW", "SW", "TR1")
 SPEED = 1.0  # metres per second
-NAMES = ("walk.bvh", "walk.html", "strip.png", "report.txt", "model.safetensors", "controller.html")
+NAMES = ("walk.bvh", "walk.html", "report.txt", "model.safetensors", "controller.html")
 
 
 def blend_weights(frames: int) -> torch.Tensor:
@@ -48,7 +48,7 @@ def make(folder: Path, seconds: float = 35.0, *, data_seconds: float = 60.0, see
     """Train a small LPN-FiLM and let it walk a figure of eight through a style blend.
 
     It learns for some seconds from twelve procedural clips of ``data_seconds`` each. The ``folder``
-    gets the walk as BVH, page and strip, the measurements, the model and a page to steer it in.
+    gets the walk as BVH and page, the measurements, the model and a page to steer it in.
     """
     from toolkit import view
 
@@ -98,13 +98,9 @@ def make(folder: Path, seconds: float = 35.0, *, data_seconds: float = 60.0, see
               labels=["figure of eight"], styles=dict(zip(STYLES, weights.T.tolist(), strict=True)),
               caption="Procedural data, a small LPN-FiLM trained in under a minute, blending "
                       f"{' → '.join(STYLES)}.")
-    centres = [round(legs * len(clip) / 4) for legs in (0.12, 1, 2, 3.9)]  # each style, then all
-    starts = [min(max(0, centre - 60), len(clip) - 120) for centre in centres]
-    cuts = [clip.cut(start, start + 120) for start in starts]
-    view.strip(cuts, files[2], labels=[*STYLES, "all three"])
-    write_whole(files[3], ("\n".join(report) + "\n").encode())
-    run.save(files[4])
-    view.web(run.model, run.bank, files[5],
+    write_whole(files[2], ("\n".join(report) + "\n").encode())
+    run.save(files[3])
+    view.web(run.model, run.bank, files[4],
              title="Trained in under a minute, and under your control")
     return files
 
@@ -119,7 +115,7 @@ def demo(
     say(f"Open {page} in a browser: the embedded model walks there.\nMeanwhile motion is generated "
         f"(a minute), and a small model learns it for {60 * minutes:g} s.")
     files = make(out, 60 * minutes, seed=seed, progress=True)
-    say(files[3].read_text(encoding="utf-8"))
+    say(files[2].read_text(encoding="utf-8"))
     say("Look at it:")
     for file in [page, *files]:
         say(f"  {file}")
