@@ -84,7 +84,7 @@ def bank(*names: str) -> StyleBank:
 
 
 def style(blender) -> str:
-    return blender.player.shown[0].style
+    return blender.player.clip.style
 
 
 def test_blender_makes_the_motion_of_its_weights(clip):

@@ -81,6 +81,11 @@ class Player(CellWidget, anywidget.AnyWidget):
         with self.hold_sync():
             self.skeletons, self.clips = list(self._bodies.values()), packed
 
+    @property
+    def clip(self) -> Clip:
+        """The longest motion that is shown."""
+        return max(self.shown, key=lambda clip: clip.seconds)
+
     def still(self) -> bytes:
         """A strip of poses, PNG."""
         labels = [clip["label"] for clip in self.clips]
