@@ -237,6 +237,7 @@ def test_several_animations_and_names_that_repeat(tmp_path):
     assert len(made.rotations) == 4
     for chosen in ("walk", 1, "1"):
         assert len(tk.load(path, "m", "y", animation=chosen)) == 7
+        assert len(tk.inspect(path, animation=chosen).clip) == 7
     refused(gltf.read, path, "no animation 'run'; there are idle, walk", "run")
     refused(tk.io.load.read, written(tmp_path / "a.bvh", ""), "has one motion", 0)
 

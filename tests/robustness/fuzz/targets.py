@@ -55,7 +55,7 @@ WORK = {  # functions that a command calls after its checks; they are replaced h
     "toolkit.training": ("fit",), "toolkit.cli.demo": ("embedded", "make"),
     "toolkit.extra.shots.crowd": ("walk",),
     "toolkit.runtime": ("states",), "toolkit.datasets.procedural": ("load", "write"),
-    "toolkit.cli.style": ("fine_tune",), "toolkit.cli.stylize": ("stylize",),
+    "toolkit.cli.style": ("learn",), "toolkit.cli.stylize": ("stylize",),
     "toolkit.cli.train_stylizer": ("build",),
     "toolkit.cli.data": ("fetch",),
 }
