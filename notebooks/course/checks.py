@@ -2,17 +2,21 @@
 are shown only if true.
 """
 
+import copy
 import importlib
+from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from html import escape
 from typing import Any
 
+import numpy as np
 import torch
 from course.sequence import LESSONS
 
 Judge = Callable[[Any], str]
 NOTHING = "no answer yet."  # then no hint is given
+WRONG: Counter[str] = Counter()  # wrong answers to each exercise so far
 
 #: Module of `course.exercises` -> numbers of its notebooks.
 MODULES = {"features": ("00", "01"), "phases": ("02a", "02b"), "networks": ("03a", "03b", "07"),
@@ -21,10 +25,11 @@ MODULES = {"features": ("00", "01"), "phases": ("02a", "02b"), "networks": ("03a
 
 @dataclass(frozen=True)
 class Exercise:
-    """How an answer is judged, and a hint for those who have not begun."""
+    """How an answer is judged, and two hints."""
 
     judge: Judge  # takes an answer, returns what is wrong with it, or "" where it is right
-    hint: str
+    question: str  # the hint after the first wrong answer
+    recipe: str  # the hint after the others
 
 
 @dataclass(frozen=True)
@@ -50,7 +55,7 @@ class Verdict:
 
 
 def check(name: str, answer: Any) -> Verdict:
-    """Judge an answer with hidden cases, and give a hint if it is wrong.
+    """Judge an answer with hidden cases; if it is wrong, give a hint: a question, then a recipe.
 
     Parameters
     ----------
@@ -76,9 +81,11 @@ def check(name: str, answer: Any) -> Verdict:
         wrong = NOTHING if empty else exercise.judge(answer)
     except Exception as error:  # of the reader's function
         wrong = f"your answer raised {type(error).__name__}: {error}."
-    hint = "" if wrong == NOTHING else f" Hint: {exercise.hint}"
-    text = f"{wrong[:1].upper()}{wrong[1:]}{hint}" if wrong else "Right."
-    return Verdict(name, not wrong, text)
+    if not wrong or wrong == NOTHING:
+        return Verdict(name, not wrong, wrong.capitalize() or "Right.")
+    WRONG[name] += 1
+    hint = exercise.question if WRONG[name] == 1 else exercise.recipe
+    return Verdict(name, False, f"{wrong[:1].upper()}{wrong[1:]} Hint: {hint}")
 
 
 def exercises_of(number: str) -> dict[str, Exercise]:
@@ -97,9 +104,11 @@ def same_as(
     Parameters
     ----------
     right, cases
-        The right function, and a function that returns the arguments of each call.
+        The right function, and a function that returns the arguments of each call. Each call gets
+        a copy, so an answer may change its arguments.
     wrong
-        What to say to known wrong answers: text -> the function that gives such an answer.
+        What to say to known wrong answers: text -> the function that gives such an answer. It is
+        said only if the answer agrees with that function in all cases.
     tolerance
         Largest difference, relative to the largest number of the right result.
     """
@@ -108,18 +117,20 @@ def same_as(
         if not callable(answer):
             return f"a function is needed, not {type(answer).__name__}."
         every = list(cases())
-        for i, case in enumerate(every):
-            got, want = answer(*case), right(*case)
-            if got is ... or got is None:
-                return NOTHING
-            if difference := differs(got, want, tolerance):
-                known = (
-                    text
-                    for text, other in (wrong or {}).items()
-                    if not differs(got, other(*case), tolerance)
-                )
-                return next(known, f"hidden case {i + 1} of {len(every)}: {difference}.")
-        return ""
+        got = [answer(*copy.deepcopy(case)) for case in every]
+        if any(x is ... or x is None for x in got):
+            return NOTHING
+
+        def off(function: Callable) -> list[str]:
+            wanted = (function(*copy.deepcopy(case)) for case in every)
+            return [differs(x, want, tolerance) for x, want in zip(got, wanted, strict=True)]
+
+        found = off(right)
+        if not any(found):
+            return ""
+        known = (text for text, other in (wrong or {}).items() if not any(off(other)))
+        first = next(i for i, text in enumerate(found) if text)
+        return next(known, f"hidden case {first + 1} of {len(every)}: {found[first]}.")
 
     return judge
 
@@ -133,14 +144,24 @@ def equals(right: Any, wrong: Mapping[str, Any] | None = None, tolerance: float 
     def judge(answer) -> str:
         if not (difference := differs(answer, right, tolerance)):
             return ""
-        return next(
-            (
-                text
-                for text, other in (wrong or {}).items()
-                if not differs(answer, other, tolerance)
-            ),
-            f"{difference}.",
-        )
+        known = (text for text, x in (wrong or {}).items() if not differs(answer, x, tolerance))
+        return next(known, f"{difference}.")
+
+    return judge
+
+
+def shows(*conditions: tuple[str, Callable[..., bool]], parts: int = 1) -> Judge:
+    """A judge of an open exercise: what is wrong with an answer -> the condition that is missing.
+
+    The first condition that does not hold is told. An answer of several ``parts`` is a tuple or a
+    list, and the conditions take its parts.
+    """
+
+    def judge(answer) -> str:
+        values = answer if parts > 1 else (answer,)
+        if not isinstance(values, tuple | list) or len(values) != parts:
+            return f"a tuple of {parts} is needed."
+        return next((f"{text}." for text, holds in conditions if not holds(*values)), "")
 
     return judge
 
@@ -153,7 +174,13 @@ def draws(seed: int, *shapes: tuple[int, ...]) -> tuple[torch.Tensor, ...]:
 
 def differs(got: Any, want: Any, tolerance: float) -> str:
     """How two results differ, without the right one; "" where they agree."""
-    if isinstance(want, str | set | dict | bool) or want is None:
+    if isinstance(want, bool):
+        got = truth(got)
+    if isinstance(want, set) and isinstance(got, list | tuple | frozenset):
+        got = set(got)
+    if isinstance(want, dict) and isinstance(got, dict) and set(got) == set(want):
+        return next(filter(None, (differs(got[k], want[k], tolerance) for k in want)), "")
+    if isinstance(want, str | set | dict | bool):
         return "" if type(got) is type(want) and got == want else f"{got!r} is not right"
     got, want = (torch.as_tensor(x).detach().to("cpu", torch.float64) for x in (got, want))
     if got.shape != want.shape:
@@ -166,6 +193,13 @@ def differs(got: Any, want: Any, tolerance: float) -> str:
         if want.ndim
         else f"{float(got):.4g} is not right"
     )
+
+
+def truth(value: Any) -> Any:
+    """True or False for one of numpy, of torch, and for 1 or 0; other values as they are."""
+    one = isinstance(value, np.generic | int) or (
+        isinstance(value, torch.Tensor) and value.numel() == 1)
+    return bool(value) if one and float(value) in (0, 1) else value
 
 
 class Sentences:

@@ -269,20 +269,6 @@ def footprints(clip: Clip, stands: Tensor) -> go.Figure:
     )
 
 
-def running_means(
-    counts: np.ndarray, means: Mapping[str, np.ndarray], lowest: float, highest: float
-) -> go.Figure:
-    """Means over the number of added values, and the range of these values."""
-    figure = go.Figure()
-    figure.add_hrect(lowest, highest, fillcolor="#e4e0d8", line_width=0, layer="below")
-    for (name, curve), colour in zip(means.items(), (PALETTE[2], PALETTE[1]), strict=True):
-        figure.add_scatter(x=counts, y=curve, name=name, line={"color": colour, "width": 2.5})
-    return finish(
-        figure, "The mean height of the head; the band is the range of the heights", 400,
-        {"type": "log", "title": "frames added", "exponentformat": "SI"}, {"title": "metres"}
-    )
-
-
 def _arrows(
     figure: go.Figure, start: Tensor, end: Tensor, name: str, colour: str, legend: bool = True,
     **place

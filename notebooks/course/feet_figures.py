@@ -21,6 +21,8 @@ HIP, KNEE, ANKLE = (
     torch.tensor([x]) for x in ((0.0, 0.0, 0.0), (0.0, -0.43, 0.1), (0.0, -0.8, 0.0))
 )
 
+FAST = 80  # cm/s: a swinging toe is faster, a standing one is not
+
 
 def leg_figure(
     soft: float = 0.05, title: str = "Move the slider: the ankle follows the target"
@@ -79,8 +81,9 @@ def toe_figure(
     clips: Mapping[str, Clip], contact, *, side: str = "right", start: float = 1.0,
     stop: float = 3.0, title: str = ""
 ) -> go.Figure:
-    """Horizontal speed and height of a toe over time, a curve per clip; green where the foot is in
-    contact.
+    """Speed (in three dimensions, up to `FAST`) and height of a toe over time, a curve per clip.
+
+    It is green where the foot is in contact.
 
     ``contact [F, 2]`` are contacts of all clips, right and left, above one half where a foot
     stands; they have the same number of frames.
@@ -88,7 +91,7 @@ def toe_figure(
     figure = make_subplots(2, 1, shared_xaxes=True, vertical_spacing=0.06)
     for k, (name, clip) in enumerate(clips.items()):
         toe = clip.global_positions[:, clip.skeleton.role(f"{side}_toe")]
-        speed = velocities(toe, clip.fps)[:, [0, 2]].norm(dim=-1)
+        speed = velocities(toe, clip.fps).norm(dim=-1)
         show = slice(round(start * clip.fps), round(stop * clip.fps))
         seconds = np.arange(len(clip))[show] / clip.fps
         for row, value in ((1, 100 * speed), (2, 100 * toe[:, 1])):
@@ -107,6 +110,6 @@ def toe_figure(
                 x0=max(a, start), x1=min(b, stop), fillcolor=CONTACT, opacity=0.15, line_width=0
             )
     figure.update_xaxes(gridcolor=GRID, title="seconds", row=2, col=1)
-    figure.update_yaxes(gridcolor=GRID, title="speed, cm/s", row=1, col=1)
+    figure.update_yaxes(gridcolor=GRID, title="speed, cm/s", range=[0, FAST], row=1, col=1)
     figure.update_yaxes(gridcolor=GRID, title="height, cm", row=2, col=1)
     return figure.update_layout(**LAYOUT, title=escape(title), height=460)

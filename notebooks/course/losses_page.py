@@ -1,5 +1,6 @@
 """A page and a picture of `course.plane`: a switch for each of the five losses."""
 
+import math
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -72,17 +73,18 @@ def losses_figure(toy: plane.Toy, titles: Sequence[str]) -> Figure:
     Sources (grey), and the results of three noises.
     """
     x, made = _shown(toy)
-    figure = Picture(figsize=(2.3 * len(titles), 2.8), dpi=90, layout="constrained")
-    for axes, title, results in zip(
-        figure.subplots(1, len(titles), sharey=True), titles, made, strict=False
-    ):
+    rows = math.ceil(len(titles) / 3)
+    figure = Picture(figsize=(9.6, 3.5 * rows), dpi=90, layout="constrained")
+    panels = figure.subplots(rows, 3, sharex=True, sharey=True, squeeze=False).flat
+    for axes, title, results in zip(panels, titles, made, strict=False):
         for middle, half in zip(plane.MIDDLE, plane.HALF, strict=True):
             axes.add_patch(Rectangle((middle - half).tolist(), *(2 * half).tolist(), color=BOX))
         axes.scatter(*x.T, color=SOURCE, s=9)
         for result, colour in zip(results, PALETTE, strict=False):
             axes.scatter(*result.T, color=colour, s=5 + 14 * (x[:, 0] + 1))
-        axes.set(xlim=RANGE, ylim=RANGE, title=title, xlabel="content", aspect="equal")
-    figure.axes[0].set_ylabel("style")
+        axes.set(xlim=RANGE, ylim=RANGE, title=title, aspect="equal")
+    figure.supxlabel("content")
+    figure.supylabel("style")
     return figure
 
 

@@ -1,26 +1,29 @@
 """Figures of the notebooks on the network and its training."""
 
+import json
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 
 import numpy as np
 import pandas as pd
 import plotly.graph_objects as go
 import torch
-from course.pages import SYMBOLS
+from course.pages import SYMBOLS, Page, show
 from plotly.subplots import make_subplots
 from torch import Tensor
 
 from toolkit.view.charts import bones, colours, finish, slider
 from toolkit.view.render.mannequin import COLORS, PALETTE
 
-STYLE, OUTPUT = SYMBOLS["γ, β"][0], SYMBOLS["z"][0]
+OUTPUT = SYMBOLS["z"][0]
+GREY = {"color": "#c9ccd1", "width": 9}
 
 
 def poses(
-    parents: Sequence[int], plain: Tensor, sliders: Mapping[str, Mapping[str, Tensor]], title: str,
+    parents: Sequence[int], plain: Tensor, steps: Mapping[str, Tensor], title: str,
     colour: str = OUTPUT
 ) -> go.Figure:
-    """One pose in grey, and another that sliders choose, from the side and from the front.
+    """One pose in grey, and another that a slider chooses, from the side and from the front.
 
     Parameters
     ----------
@@ -28,38 +31,67 @@ def poses(
         Of the J joints.
     plain
         The pose that stays, [J, 3] metres in the root frame.
-    sliders
-        Name of a slider -> {label: pose [J, 3]}. A slider shows its own poses, from its first.
+    steps
+        Label -> pose [J, 3] of the slider, which begins with the first.
     title, colour
         The heading, and the colour of the pose that changes.
     """
-    figure = make_subplots(
-        1, 2, subplot_titles=["from the right side, metres", "from the front, metres"]
-    )
-    first = next(iter(next(iter(sliders.values())).values()))
-    for pose, line in (
-        (plain, {"color": "#c9ccd1", "width": 9}),
-        (first, {"color": colour, "width": 4}),
-    ):
-        for column, lines in enumerate(_both(parents, pose), 1):
-            figure.add_scatter(**lines, mode="lines", line=line, row=1, col=column)
-    frames, controls, rows = [], [], len(sliders)
-    for k, (name, steps) in enumerate(sliders.items()):
-        frames += [go.Frame(data=_both(parents, pose), traces=[2, 3], name=f"{k}-{i}")
-                   for i, pose in enumerate(steps.values())]
-        controls.append(slider(list(steps), f"{name}: ", frames=f"{k}-", row=k))
-    figure.frames = frames
-    every = torch.cat([plain, *(pose for steps in sliders.values() for pose in steps.values())])
-    low, high = float(every[:, 1].min()) - 0.1, float(every[:, 1].max()) + 0.1
-    figure.update_yaxes(range=[low, high], row=1, col=1).update_yaxes(
-        range=[low, high], scaleanchor="x2", row=1, col=2
-    )
-    figure.update_yaxes(scaleanchor="x", row=1, col=1)
-    figure.update_xaxes(range=[-1, 1])
+    views = {"from the right side, metres": (2, 1), "from the front, metres": (0, 1)}
+    figure = make_subplots(1, 2, subplot_titles=list(views))
+    for pose, line in ((plain, GREY), (next(iter(steps.values())), {"color": colour, "width": 4})):
+        for column, axes in enumerate(views.values(), 1):
+            figure.add_scatter(
+                **bones(parents, pose, axes), mode="lines", line=line, row=1, col=column
+            )
+    figure.frames = [
+        go.Frame(data=[bones(parents, pose, axes) for axes in views.values()], traces=[2, 3],
+                 name=str(k))
+        for k, pose in enumerate(steps.values())
+    ]
+    _standing(figure, torch.stack([plain, *steps.values()]), 2)
     return finish(
-        figure, title, 400 + 92 * rows, {}, {}, showlegend=False, margin_t=84,
-        margin_b=60 + 92 * rows, sliders=controls
+        figure, title, 500, {}, {}, showlegend=False, margin_t=84,
+        sliders=[slider(list(steps), "")]
     )
+
+
+def beside(
+    parents: Sequence[int], data: Tensor, guesses: Mapping[str, Tensor], labels: Sequence[str],
+    title: str
+) -> go.Figure:
+    """Predicted motions beside each other, over the data in grey, seen from the side.
+
+    A slider goes through the T moments of ``data [T, J, 3]`` and of each guess; ``labels`` are
+    theirs.
+    """
+    figure = make_subplots(1, len(guesses), subplot_titles=list(guesses), shared_yaxes=True)
+    for column, guess in enumerate(guesses.values(), 1):
+        for pose, line in ((data[0], GREY), (guess[0], {"color": OUTPUT, "width": 4})):
+            figure.add_scatter(
+                **bones(parents, pose, (2, 1)), mode="lines", line=line, row=1, col=column
+            )
+    figure.frames = [
+        go.Frame(name=str(k), data=[
+            bones(parents, motion[k], (2, 1)) for guess in guesses.values()
+            for motion in (data, guess)
+        ])
+        for k in range(len(data))
+    ]
+    _standing(figure, data, len(guesses))
+    return finish(
+        figure, title, 500, {}, {}, showlegend=False, margin_t=84,
+        sliders=[slider(list(labels), "")]
+    )
+
+
+def _standing(figure: go.Figure, every: Tensor, panels: int) -> None:
+    """Axes on which all of these poses fit, with one scale."""
+    low, high = float(every[..., 1].min()) - 0.1, float(every[..., 1].max()) + 0.1
+    for column in range(1, panels + 1):
+        figure.update_yaxes(
+            range=[low, high], scaleanchor=f"x{column}".replace("x1", "x"), row=1, col=column
+        )
+    figure.update_xaxes(range=[-1, 1])
 
 
 def gates(seconds: Tensor, alpha: Tensor, stands: Tensor, title: str) -> go.Figure:
@@ -113,41 +145,14 @@ def blend_of_lines(weights: Sequence[float], biases: Sequence[float], steps: int
     )
 
 
-def modulation(values: Tensor, steps: int = 21) -> go.Figure:
-    """Units of a hidden layer after normalisation, scale γ and shift β, before and after ELU, with
-    a slider for each.
+def modulation(values: Tensor) -> Page:
+    """Units of a hidden layer after normalisation, scale γ and shift β, before and after ELU.
+
+    The page computes them, so the two sliders act together.
     """
-    order = values.sort().values.numpy()
-    figure = make_subplots(
-        1, 2, subplot_titles=["γ LN(F) + β, units in order", "h = ELU(γ LN(F) + β), units in order"]
-    )
-    units = np.arange(len(order))
-    for column, shown in enumerate((order, _elu(order)), 1):
-        figure.add_scatter(
-            x=units, y=shown, line={"color": "#c9ccd1", "width": 6}, row=1, col=column
-        )
-        figure.add_scatter(x=units, y=shown, line={"color": STYLE, "width": 3}, row=1, col=column)
-    frames, controls = [], []
-    for k, (name, reach) in enumerate(
-        (("γ", np.linspace(0, 2, steps)), ("β", np.linspace(-2, 2, steps)))
-    ):
-        curves = [order * v if name == "γ" else order + v for v in reach]
-        frames += [
-            go.Frame(
-                data=[{"x": units, "y": y}, {"x": units, "y": _elu(y)}], traces=[1, 3],
-                name=f"{name}{i}"
-            )
-            for i, y in enumerate(curves)
-        ]
-        controls.append(
-            slider([f"{v:.1f}" for v in reach], f"{name} = ", steps // 2, frames=name, row=k)
-        )
-    figure.frames = frames
-    figure.update_yaxes(range=[-6.5, 6.5])
-    return finish(
-        figure, "One hidden layer under a style", 560, {}, {}, showlegend=False, margin_t=84,
-        margin_b=240, sliders=controls
-    )
+    page = (Path(__file__).parent / "modulation.html").read_text(encoding="utf-8")
+    order = [round(value, 3) for value in values.sort().values.tolist()]
+    return show(page.replace("DATA", json.dumps(order)), 400)
 
 
 def baselines(table: pd.DataFrame) -> go.Figure:
@@ -192,15 +197,3 @@ def confusions(tables: Mapping[str, Tensor], styles: Sequence[str]) -> go.Figure
     return finish(
         figure, "Error with a right and with a wrong style vector", 470, {}, {}, margin_t=84
     )
-
-
-def _both(parents: Sequence[int], pose: Tensor) -> list[dict]:
-    """Bones from the side (ahead, up) and from the front (left, up).
-
-    To the left is on the right, as one meets a person.
-    """
-    return [bones(parents, pose, axes) for axes in ((2, 1), (0, 1))]
-
-
-def _elu(values: np.ndarray) -> np.ndarray:
-    return np.where(values > 0, values, np.expm1(np.minimum(values, 0)))

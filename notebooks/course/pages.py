@@ -12,7 +12,8 @@ import plotly.io as pio
 from plotly.io.base_renderers import MimetypeRenderer
 from plotly.offline import get_plotlyjs
 
-from toolkit.motion import Clip
+from toolkit.motion import Clip, root_frames
+from toolkit.view.frontend import embed
 from toolkit.view.pages import live_page, page
 
 NAME = "toolkit"  # of plotly's renderer
@@ -119,6 +120,28 @@ def switch(pages: dict[str, Page]) -> Page:
 def two_bone() -> Page:
     """A leg of two bones whose ankle follows the pointer, with the law of cosines beside it."""
     return show((Path(__file__).parent / "two_bone.html").read_text(encoding="utf-8"), 270)
+
+
+def blind(
+    pairs: dict[str, tuple[Clip, Clip]], question: str, seconds: float = 2.5
+) -> Page:
+    """A blind test of people: which of two motions is the first of its pair?
+
+    The page shows each pair in a random order, from its side, and counts the reader's answers.
+    ``pairs`` have names; all clips have one skeleton, and at least so many ``seconds``.
+    """
+    shown, step = [], 2  # 30 frames per second
+    for name, clips in pairs.items():
+        local = (root_frames(clip).to_local(clip.global_positions) for clip in clips)
+        motions = [places[: round(seconds * clip.fps) : step, :, [2, 1]].flatten(1)
+                   for places, clip in zip(local, clips, strict=True)]
+        shown.append({"name": name, "motions": [
+            (motion * 1000).round().div(1000).tolist() for motion in motions]})
+    first = next(iter(pairs.values()))[0]
+    data = {"pairs": shown, "question": question, "fps": first.fps / step,
+            "parents": list(first.skeleton.parents)}
+    page = (Path(__file__).parent / "blind.html").read_text(encoding="utf-8")
+    return show(page.replace("DATA", embed(data)), 460)
 
 
 #: Symbol -> (colour in formulas, tables and figures, what it is, its name in code).

@@ -35,11 +35,11 @@ LESSONS = {
             "00", "walk", "A first walk", "What can I do with this toolkit in twenty minutes?", 20,
             (), (0, 0)
         ),
-        Lesson("01", "features", "Features", "What does the network see?", 60, ("00",), (1, 0)),
+        Lesson("01", "features", "Features", "What does the network see?", 50, ("00",), (1, 0)),
         Lesson("02a", "phase", "Phase", "What is the phase of a limb?", 60, ("01",), (2, 0)),
         Lesson(
             "02b", "laboratory", "Laboratory",
-            "From which curve should a limb's phase be measured?", 90, ("02a",), (3, 1)
+            "From which curve should a limb's phase be measured?", 70, ("02a",), (3, 1)
         ),
         Lesson(
             "03a", "network", "The network", "What does the network compute?", 60, ("02a",), (3, 0)
@@ -62,12 +62,12 @@ LESSONS = {
             (5, 0)
         ),
         Lesson(
-            "07", "seven_models", "Seven models", "How do the seven models of Table 2 compare?", 60,
+            "07", "seven_models", "Seven models", "How do the seven models of Table 2 compare?", 50,
             ("03b",), (5, 3)
         ),
         Lesson(
             "08a", "five_losses", "Five losses", "What does each loss of a stylisation network do?",
-            55, ("01",), (1, 1)
+            45, ("01",), (1, 1)
         ),
         Lesson(
             "08b", "restyle", "Restyling", "Can a finished walk be given another style?", 65,

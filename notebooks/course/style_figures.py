@@ -1,6 +1,6 @@
 """Figures of the notebooks on styles.
 
-Vectors, pairs of styles, a line and a triangle of blends, measures of models.
+Vectors, pairs of styles, a line and a triangle of blends.
 """
 
 from collections.abc import Mapping, Sequence
@@ -12,7 +12,7 @@ from plotly.subplots import make_subplots
 from torch import Tensor
 
 from toolkit.features import Layout
-from toolkit.view.charts import GRID, INK, LAYOUT, QUIET, bones, finish, slider, style_space
+from toolkit.view.charts import INK, QUIET, bones, finish, slider, style_space
 from toolkit.view.frontend import escape
 from toolkit.view.render.mannequin import COLORS, PALETTE
 from toolkit.view.render.picture import Picture
@@ -179,44 +179,6 @@ def triangle_figure(
         axes.set(xlim=(-0.3, 1.3), ylim=(-0.24, 1.14), aspect="equal")
         axes.axis("off")
     return figure
-
-
-def columns_figure(tables: Mapping[str, Mapping[str, Sequence[float]]], *, title: str = "",
-                   best: Mapping[str, str] | None = None,
-                   floors: Mapping[str, Mapping[str, float]] | None = None) -> go.Figure:
-    """Measures of several models side by side: a panel per measure, a row per model, a dot per
-    seed.
-
-    Parameters
-    ----------
-    tables
-        Measure -> model -> a value for each seed.
-    title, best
-        The heading; "low" or "high" for each measure, shown below its axis.
-    floors
-        Measure -> name -> value, drawn as a vertical line.
-    """
-    figure = make_subplots(1, len(tables), shared_yaxes=True, horizontal_spacing=0.04)
-    models = list(dict.fromkeys(model for rows in tables.values() for model in rows))
-    for k, (measure, rows) in enumerate(tables.items(), 1):
-        for model, values in rows.items():
-            colour = WHEEL[models.index(model) % len(WHEEL)]
-            figure.add_scatter(
-                x=list(values), y=[model] * len(values), mode="markers", row=1, col=k,
-                showlegend=False, marker={"size": 11, "color": colour}, cliponaxis=False,
-                hovertemplate="%{x:.4g}<extra>%{y}</extra>"
-            )
-        for name, value in (floors or {}).get(measure, {}).items():
-            figure.add_vline(
-                x=value, line={"color": INK, "dash": "dot"}, row=1, col=k, annotation_text=name,
-                annotation_position="top left", annotation_font_size=11
-            )
-        note = f"<br>{best[measure]} is good" if best and measure in best else ""
-        figure.update_xaxes(title=escape(measure) + note, row=1, col=k)
-    figure.update_xaxes(gridcolor=GRID, rangemode="tozero")
-    figure.update_yaxes(gridcolor=GRID, autorange="reversed")
-    layout = LAYOUT | {"margin": {"l": 110, "r": 20, "t": 64, "b": 70}}
-    return figure.update_layout(**layout, title=escape(title), height=140 + 34 * len(models))
 
 
 def curves_figure(

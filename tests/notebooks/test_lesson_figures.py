@@ -38,14 +38,6 @@ def test_ten_curves_have_ten_colours():
     assert len({trace.line.color for trace in figure.data}) == 10
 
 
-def test_columns_figure_has_a_dot_for_each_seed():
-    figure = style_figures.columns_figure(
-        {"error": {"a": [1, 2], "b": [3, 4]}, "skate": {"a": [0], "b": [1]}},
-        floors={"error": {"repeat": 2.5}}
-    )
-    assert [len(trace.x) for trace in figure.data] == [2, 2, 1, 1]
-
-
 def test_leg_keeps_its_bones_in_every_frame():
     legs = torch.stack(
         [

@@ -9,6 +9,7 @@ from pathlib import Path
 import course
 import pytest
 
+SOLUTION = re.compile(r"<summary>Solution</summary>\n\n```python\n(.*?)\n```\n\n?</details>", re.S)
 NOTEBOOKS = sorted((Path(__file__).parents[2] / "notebooks").glob("*.ipynb"))
 LONGEST, WIDEST = 15, 88  # lines of a code cell, characters of a line
 #: First words of a cell in which the reader writes code, or that computes by hand what the library
@@ -41,7 +42,13 @@ COMPARES = re.compile(
 #: Headings of sections with recordings or published networks, and what reads them.
 RECORDED = re.compile(r"^## .*(?:[Rr]ecordings|[Pp]ublished)", re.M)
 READS = re.compile(r"(?:datasets|published)\.available\(|labels\.read\(|results/stylisation")
-MARK = re.compile(r"<!--\s*(cited|general):?\s*(.*?)-->", re.S)
+#: A comment that names the source of a number, such as ``<!-- 4 Hz: toolkit.phases.windows -->``.
+NAMED = re.compile(r"<!-- ([^>:\"]*\d[^>:\"]*): .*?-->", re.S)
+#: Words of a paper on which a sentence rests, in a comment: ``mason2022: "one", "another"``.
+QUOTED = re.compile(r"(mason2022|park2021): (\"[^\"]+\"(?:,\s+\"[^\"]+\")*)")
+#: A sentence about the papers.
+ON_A_PAPER = re.compile(r"\b[Tt]he (?:papers?|authors)\b|[Pp]aper's|Mason|Park(?:, Jang| et al)")
+DEFINED = {0.0, 1.0, 2.0, 3.0}  # shapes, shares, axes
 
 
 @pytest.fixture(params=NOTEBOOKS, ids=lambda path: path.stem)
@@ -85,6 +92,7 @@ def words(text: str) -> str:
     of the first cell.
     """
     for pattern in (
+        r"^### Exercise.*?(?=^## |\Z)",
         r"```.*?```",
         r"`[^`]*`",
         r"\$\$.*?\$\$",
@@ -259,10 +267,7 @@ def test_at_least_three_exercises_are_checked_and_have_folded_solutions(lesson):
     known = list(course.exercises_of(entry.number))
     assert len(known) >= 3
     assert [call.args[0].value for call in calls(notebook, "check")] == known
-    solved = re.findall(
-        r"<summary>Solution</summary>\n\n```python\n(.*?)\n```\n\n?</details>",
-        "\n".join(prose(notebook)), re.S
-    )
+    solved = SOLUTION.findall("\n".join(prose(notebook)))
     assert [
         re.match(r'course\.check\("([^"]+)", ', text.splitlines()[-1]).group(1) for text in solved
     ] == known
@@ -271,42 +276,67 @@ def test_at_least_three_exercises_are_checked_and_have_folded_solutions(lesson):
 # --- what prose says is what the run shows
 
 
-def test_no_markdown_cell_has_a_number_that_no_assert_holds(lesson):
-    """A number in prose comes from an assert, or is named in ``<!-- cited.
+def quotations(text: str) -> list[tuple[str, str]]:
+    """Paper and words of each quotation in a cell."""
+    return [(paper, plainly(words)) for paper, found in QUOTED.findall(text)
+            for words in re.findall(r'"([^"]+)"', found)]
 
-    … -->`` as cited, defined or set.
+
+def plainly(text: str) -> str:
+    return re.sub(r"\s+", " ", text.replace("\u2019", "'")).lower()
+
+
+def held(cell: str) -> set[float]:
+    """Numbers of a cell's quotations, and those whose source a comment names."""
+    named = " ".join([*NAMED.findall(cell), *(words for _, words in quotations(cell))])
+    return DEFINED | numbers(named)
+
+
+def test_no_markdown_cell_has_a_number_that_no_assert_holds(lesson):
+    """A number in prose comes from an assert or a claim, or its source is named in a comment; an
+    exercise may set its own.
     """
     _, notebook = lesson
     trees = [ast.parse(plain(source)) for source in code(notebook)]
-    held = literals([n.test for tree in trees for n in ast.walk(tree) if isinstance(n, ast.Assert)])
-    held |= literals([arg for call in calls(notebook, "claim") for arg in call.args[1:]])
+    found = literals([n.test for t in trees for n in ast.walk(t) if isinstance(n, ast.Assert)])
+    found |= literals([arg for call in calls(notebook, "claim") for arg in call.args[1:]])
     for text in prose(notebook):
-        cited = {
-            x for kind, marked in MARK.findall(text) if kind == "cited" for x in numbers(marked)
-        }
-        assert not numbers(words(text)) - held - cited, text
+        assert not numbers(words(text)) - found - held(text), text
 
 
-def compared(text: str) -> set[str]:
-    """Words of a Markdown cell that compare, without those of its question."""
-    return {
-        word.lower()
-        for word in COMPARES.findall(
-            words(re.sub(r"^.*\*\*Before you run\.\*\*(?:.|\n(?!\n))*", "", text, flags=re.M))
-        )
-    }
+def test_a_sentence_about_a_paper_stands_beside_the_words_it_rests_on(lesson):
+    said = prose(lesson[1]) + [text for text in code(lesson[1]) if "course.claim(" in text]
+    for text in said:
+        assert quotations(text) or not ON_A_PAPER.search(text), text
 
 
-def test_no_markdown_cell_compares_results(lesson):
-    """``claim`` or ``learnt`` says a sentence that compares results.
+def test_the_quoted_words_are_in_the_papers(shared, notebook):
+    folder = shared.parent / "papers"
+    if not folder.is_dir():
+        pytest.skip(f"no papers in {folder}")
+    for cell in prose(notebook) + code(notebook):
+        for paper, said in quotations(cell):
+            texts = [x.read_text(encoding="utf-8") for x in sorted(folder.glob(f"{paper}*.txt"))]
+            assert any(said in plainly(text) for text in texts), said
 
-    ``<!-- general: more -->`` names what needs no run.
-    """
-    for text in prose(lesson[1]):
-        general = [marked for kind, marked in MARK.findall(text) if kind == "general"]
-        assert compared(text) == {
-            word.strip() for word in ",".join(general).split(",") if word.strip()
-        }, text
+
+def shape(node: ast.AST) -> str:
+    """An expression without the names of its variables."""
+    named = {}
+    return re.sub(r"Name\(id='(\w+)'", lambda m: named.setdefault(m[1], f"Name({len(named)}"),
+                  ast.dump(node))
+
+
+def test_no_answer_is_printed_above_its_exercise(lesson):
+    above = set()
+    for cell in lesson[1]["cells"]:
+        text = "".join(cell["source"])
+        if cell["cell_type"] == "code":
+            above |= {shape(n) for n in ast.walk(ast.parse(plain(text))) if isinstance(n, ast.expr)}
+        for answer in SOLUTION.findall(text):
+            for node in ast.walk(ast.parse(answer)):
+                if isinstance(node, ast.Return) and not isinstance(node.value, ast.Name):
+                    assert shape(node.value) not in above, answer
 
 
 def test_claims_take_their_numbers_from_the_run(lesson):
@@ -316,10 +346,11 @@ def test_claims_take_their_numbers_from_the_run(lesson):
     found = [(call.args[0], call.args[1:]) for call in calls(lesson[1], "claim")]
     found += [(key, [value]) for call in calls(lesson[1], "learnt") for key, value in
               zip(call.args[0].keys, call.args[0].values, strict=True)]
+    quoted = held("\n".join(code(lesson[1])))
     for sentence, conditions in found:
         parts = sentence.values if isinstance(sentence, ast.JoinedStr) else [sentence]
         text = "".join(part.value for part in parts if isinstance(part, ast.Constant))
-        assert not numbers(words(text)) - literals(conditions), text
+        assert not numbers(words(text)) - literals(conditions) - quoted, text
         # A condition that cannot fail.
         assert not any(isinstance(node, ast.Constant) for node in conditions), text
         said = {n.id for part in parts for n in ast.walk(part) if isinstance(n, ast.Name)}
@@ -328,23 +359,9 @@ def test_claims_take_their_numbers_from_the_run(lesson):
         assert not COMPARES.search(text) or not said or said & tested, text
 
 
-@pytest.mark.parametrize(
-    ("text", "expected"),
-    [
-        ("An error of 12.5° at 4 Hz", {12.5, 4}),
-        ("section 4.1.2 and notebook 02", set()),
-        ("`cut(0, 60)` and $x^2$", set()),
-        ("Mason et al. 2022, equation (3)", set()),
-        ("35,668,530 numbers", {35668530}),
-        ("34 % of it", {34}),
-        ("Mason, Starke and Komura 2022", set()),
-        ("[02a](02a_phase.ipynb) and 348 numbers", {348}),
-        ("## 7 · A heading\n\nBelow it, 97.7 cm", {97.7}),
-        ("**Time:** about 45 minutes.\n**Before this notebook:** 3", {3}),
-    ],
-)
-def test_numbers_of_prose(text, expected):
-    assert numbers(words(text)) == expected
+def test_numbers_of_prose():
+    text = "12.5° at 4 Hz, section 4.1.2, `cut(0, 60)`, $x^2$, equation (3), 35,668,530 numbers"
+    assert numbers(words(text)) == {12.5, 4, 35668530}
 
 
 # --- the page for lecturers

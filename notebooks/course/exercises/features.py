@@ -1,148 +1,143 @@
 """Exercises of the notebooks on the first walk and of features."""
 
-import torch
-from course.checks import Exercise, equals, same_as
+from functools import cache
 
-from toolkit import features
+import torch
+from course.checks import Exercise, equals, same_as, shows
+
+import toolkit as tk
 from toolkit.datasets import procedural
 
-
-def _clips() -> list[tuple]:
-    walk = procedural.generate("HighKnees", seconds=2.0)
-    return [(walk, "left_toe"), (walk, "right_hand"), (walk.moved(shift=(0.0, 0.3, 0.0)), "hips")]
+FLIP = torch.diag(torch.tensor([-1.0, 1.0, 1.0]))
 
 
-def _to_root(point, root, angle):
+@cache
+def _apart(aeroplane: float) -> float:
+    """Mean distance of the hands, metres, of a walk that is so much Aeroplane, else Neutral."""
+    model, bank = tk.pretrained()
+    style = (1 - aeroplane) * bank["Neutral"] + aeroplane * bank["Aeroplane"]
+    walk = tk.runtime.rollout(model, tk.runtime.straight(1.0, 3.0), style=style)
+    left, right = (walk.skeleton.index(f"{side}_hand") for side in ("left", "right"))
+    places = walk.global_positions[60:]
+    return float((places[:, left] - places[:, right]).norm(dim=-1).mean())
+
+
+def _half_way(weights: dict) -> bool:
+    share = weights["Aeroplane"] / sum(weights.values())
+    went = (_apart(round(float(share), 3)) - _apart(0.0)) / (_apart(1.0) - _apart(0.0))
+    return abs(went - 0.5) < 0.03
+
+
+def _axes(angle):
+    """The left and the forward axis of a root frame."""
     angle = torch.as_tensor(angle)
-    ahead, left = torch.stack((angle.sin(), angle.cos())), torch.stack((angle.cos(), -angle.sin()))
-    return torch.stack(((point - root) @ left, (point - root) @ ahead))
+    return torch.stack((angle.cos(), -angle.sin())), torch.stack((angle.sin(), angle.cos()))
 
 
-def _turned_only(point, root, angle):
-    return _to_root(point, torch.zeros(2), angle)
-
-
-def _other_way(point, root, angle):
-    return _to_root(point, root, -angle)
+def _from_root(own, root, angle):
+    left, ahead = _axes(angle)
+    return root + own[0] * left + own[1] * ahead
 
 
 def _points() -> list[tuple]:
-    make = torch.Generator().manual_seed(1)
+    draw = torch.Generator().manual_seed(1)
     return [
-        (*torch.randn(2, 2, generator=make), float(torch.randn((), generator=make)))
-        for _ in range(4)
+        (*torch.randn(2, 2, generator=draw), torch.randn((), generator=draw)) for _ in range(4)
     ]
 
 
-def _poses() -> list[tuple]:
-    clip = procedural.generate("LimpLeft", seconds=4.0)
-    layout = features.Layout(clip.skeleton)
-    joints = features.split_joints(features.frames(clip).inputs[:, layout.inputs["joints"]])[
-        "position"
-    ]
-    pairs = [
-        layout.names.index(n.replace("Left", "?").replace("Right", "Left").replace("?", "Right"))
-        for n in layout.names
-    ]
-    return [(joints, pairs), (joints[:3], pairs)]
+def _shifted_only(clip: tk.Clip) -> torch.Tensor:
+    """Positions relative to the root, not turned into its frame: the fault of exercise 01.2."""
+    return clip.global_positions - tk.motion.root_frames(clip).positions[:, None]
+
+
+@cache
+def _walk() -> tk.Clip:
+    return procedural.generate("LimpLeft", seconds=4.0)
+
+
+def _right(clip: tk.Clip) -> torch.Tensor:
+    return tk.motion.root_frames(clip).to_local(clip.global_positions)
+
+
+def _changes(places, turn, shift) -> bool:
+    moved = _walk().moved(turn=float(turn), shift=tuple(shift))
+    return bool((places(moved) - places(_walk())).abs().max() > 0.1)
+
+
+def _turns() -> list[tuple]:
+    clip = _walk()
+    names = clip.skeleton.names
+    swapped = [n.replace("Left", "?").replace("Right", "Left").replace("?", "Right") for n in names]
+    pairs = [names.index(name) for name in swapped]
+    matrices = tk.motion.rotations.to_matrix(clip.global_rotations)
+    return [(matrices, pairs), (matrices[:3], pairs)]
 
 
 EXERCISES = {
     "00.1": Exercise(
-        equals(
-            {"Old": 0.25, "Zombie": 0.75},
-            {
-                "these are the weights of the other walk: a quarter should be Old.": {
-                    "Old": 0.75, "Zombie": 0.25
-                },
-                "the weights should be shares of one, not percent.": {"Old": 25, "Zombie": 75},
-            },
-        ),
+        equals({"Old": 0.25, "Zombie": 0.75}, {
+            "these are the weights of the other walk: a quarter should be Old":
+                {"Old": 0.75, "Zombie": 0.25},
+            "the weights should be shares of one, not percent": {"Old": 25, "Zombie": 75},
+        }),
+        "what do the two weights sum to?",
         "the names are the keys, and the weights are shares of one.",
     ),
     "00.2": Exercise(
         same_as(
-            lambda speed, fps: speed / fps,
-            lambda: [(1.2, 60), (3.0, 30), (0.0, 120)],
+            lambda speed, fps: speed / fps, lambda: [(1.2, 60), (3.0, 30), (0.5, 120)],
             {
-                "this is the number of frames per metre.": lambda speed, fps: (
-                    fps / max(speed, 1e-9)
-                ),
-                "this is far too long: in one second the character moves `speed` "
-                "metres.": lambda speed, fps: (
-                    speed * fps
-                ),
+                "this is the number of frames per metre.": lambda speed, fps: fps / speed,
+                "this is far too long: in one second the character moves `speed` metres.":
+                    lambda speed, fps: speed * fps,
             },
         ),
-        "in one second there are fps frames, and the character moves speed metres.",
+        "how many frames are there in one second, and how far does the character go in them?",
+        "divide the speed by the frames per second.",
     ),
     "00.3": Exercise(
-        same_as(
-            lambda clip, joint: clip.global_positions[:, clip.skeleton.index(joint), 1].max(),
-            _clips,
-            {
-                "this is the mean height, not the highest point.": lambda clip, joint: (
-                    clip.global_positions[:, clip.skeleton.index(joint), 1].mean()
-                ),
-                "this is not the height: it is number 1 of the three coordinates, and no "
-                "other.": lambda clip, joint: (
-                    clip.global_positions[:, clip.skeleton.index(joint)].max()
-                ),
-            },
+        shows(
+            ("give a dictionary with weights of Neutral and of Aeroplane",
+             lambda x: isinstance(x, dict) and set(x) == {"Neutral", "Aeroplane"}),
+            ("the weights should sum to one", lambda x: abs(sum(x.values()) - 1) < 1e-3),
+            ("the hands are not half way", _half_way),
         ),
-        "take all frames, one joint and coordinate 1, then the maximum.",
+        "section 2 measured equal weights. Were the hands too near or too far apart?",
+        "compute the distance of section 2 for shares of 0.1, 0.2 … and take the nearest.",
     ),
     "01.1": Exercise(
-        same_as(
-            _to_root,
-            _points,
-            {
-                "the point must be taken relative to the root first.": _turned_only,
-                "the frame is turned the other way: at π/2 its forward axis is (1, 0).": _other_way
-            },
-        ),
-        "take the difference from the root, then its dot product with the frame's left axis and "
-        "with its forward axis.",
+        same_as(_from_root, _points, {
+            "the place of the root is missing.":
+                lambda own, root, angle: _from_root(own, 0 * root, angle),
+            "the frame is turned the other way: at π/2 its forward axis is (1, 0).":
+                lambda own, root, angle: _from_root(own, root, -angle),
+            "this is the way into the root frame.": lambda own, root, angle: torch.stack(
+                [(own - root) @ axis for axis in _axes(angle)]),
+        }),
+        "from the root, how far do you go along its left axis, and how far along its forward axis?",
+        "root + own[0] · left + own[1] · forward.",
     ),
     "01.2": Exercise(
-        same_as(
-            lambda joints: torch.tensor([48 + 12 * joints, 42 + 12 * joints]),
-            lambda: [(25,), (17,), (31,)],
-            {
-                "z holds only the future half of the window.": lambda joints: (
-                    torch.tensor([48, 66]) + 12 * joints
-                ),
-                "z also holds phases, their updates and contacts.": lambda joints: (
-                    torch.tensor([48, 24]) + 12 * joints
-                ),
-                "z also holds the updates of the phases.": lambda joints: (
-                    torch.tensor([48, 34]) + 12 * joints
-                ),
-                "z also holds two foot contacts.": lambda joints: (
-                    torch.tensor([48, 40]) + 12 * joints
-                ),
-            },
+        shows(
+            ("give a turn and a shift of three numbers", lambda turn, shift: len(shift) == 3),
+            ("the right numbers change, too: stay on the floor",
+             lambda turn, shift: not _changes(_right, turn, shift)),
+            ("with this change the faulty numbers stay the same",
+             lambda turn, shift: _changes(_shifted_only, turn, shift)),
+            parts=2,
         ),
-        "each joint has 12 numbers, and each sample of the window has 4.",
+        "which of the two does the faulty code take out: where a character is, or its direction?",
+        "turn by any angle that is not a whole turn; the shift does not matter.",
     ),
     "01.3": Exercise(
-        same_as(
-            lambda positions, pairs: positions[:, pairs] * torch.tensor([-1.0, 1.0, 1.0]),
-            _poses,
-            {
-                "the joints are exchanged, but the coordinate to the left has its old "
-                "sign.": lambda positions, pairs: (
-                    positions[:, pairs]
-                ),
-                "the sign is right, but left and right joints are not "
-                "exchanged.": lambda positions, pairs: (
-                    positions * torch.tensor([-1.0, 1.0, 1.0])
-                ),
-                "you have negated the wrong coordinate.": lambda positions, pairs: (
-                    positions[:, pairs] * torch.tensor([1.0, 1.0, -1.0])
-                ),
-            },
-        ),
-        "index the joints with pairs, and multiply by (-1, 1, 1).",
+        same_as(lambda turns, pairs: FLIP @ turns[:, pairs] @ FLIP, _turns, {
+            "left and right joints are not exchanged.": lambda turns, pairs: FLIP @ turns @ FLIP,
+            "with one factor the determinant is −1: this is no rotation.":
+                lambda turns, pairs: FLIP @ turns[:, pairs],
+            "the joints are exchanged, but not mirrored.": lambda turns, pairs: turns[:, pairs],
+        }),
+        "what must happen to a vector before the mirrored rotation turns it, and what after?",
+        "flip @ turns[:, pairs] @ flip: mirror, turn, mirror back.",
     ),
 }

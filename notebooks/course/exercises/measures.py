@@ -1,9 +1,12 @@
 """Exercises of the notebooks on feet, of shots, of measuring style, and of the capstone."""
 
 import math
+from functools import cache
 
 import torch
-from course.checks import Exercise, draws, same_as
+from course.checks import Exercise, draws, equals, same_as, shows, truth
+
+import toolkit as tk
 
 
 def _knee(a, b, d) -> float:
@@ -15,12 +18,18 @@ def _skate(places, contact, fps):
 
 
 def _toes() -> list[tuple]:
-    contact = torch.tensor([1, 1, 1, 0, 0, 1, 1, 0], dtype=torch.bool)
+    contact = torch.tensor([1, 1, 1, 0, 0, 1, 1, 1], dtype=torch.bool)
     return [(draws(12, (8, 2))[0].cumsum(0), contact, fps) for fps in (60.0, 30.0)]
 
 
-def _needed(points, seconds):
-    return points.diff(dim=0).norm(dim=1).sum() / seconds
+FASTEST = 2.5  # times its natural speed, at which exercise 10.1 lets a style walk
+
+
+@cache
+def _times_natural(seconds: float) -> float:
+    bank = tk.pretrained().bank
+    plan, _ = tk.shots.Shot([(0, 0), (0, 4, seconds)], "Old").plan(bank)
+    return max(plan.speed) / bank.speed("Old")
 
 
 def _beside(place, start, end, low=0.0, high=1.0):
@@ -30,8 +39,10 @@ def _beside(place, start, end, low=0.0, high=1.0):
 
 def _sides() -> list[tuple]:
     ends = torch.tensor([[0.0, 0.0], [0.0, 2.0]])
+    oblique = torch.tensor([[1.0, -1.0], [-2.0, 3.0]])
     return [
-        (torch.tensor(place), *ends) for place in ([0.3, 1.0], [-0.4, 2.3], [0.2, -0.1], [0.0, 1.5])
+        (torch.tensor(place), *pair) for pair in (ends, oblique)
+        for place in ([0.3, 1.0], [-0.4, 2.3], [0.2, -0.1], [4.0, -4.0], [0.0, 1.5])
     ]
 
 
@@ -41,11 +52,11 @@ def _arrives(places, goal, time, fps, seconds=0.2):
 
 
 def _walks() -> list[tuple]:
-    goal, places = (
-        torch.tensor([0.0, 2.0]), torch.stack((torch.zeros(181), torch.arange(181) / 60), 1)
-    )
-    return [(places, goal, time, 60.0) for time in (2.0, 2.3, 1.6, 0.0)] + [
-        (places + goal, goal, 0.1, 60.0)
+    along = torch.stack((torch.zeros(181), torch.arange(181) / 60), 1)
+    goal, aside = torch.tensor([0.0, 2.0]), torch.tensor([0.3, 0.0])
+    return [(along, goal, time, 60.0) for time in (2.0, 2.3, 1.6, 0.0, 2.05 + 0.3)] + [
+        (along + goal, goal, 0.1, 60.0), (along + aside, goal, 2.0, 60.0),
+        (along, torch.tensor([0.0, 2.14]), 1.8, 60.0),  # only the last frame comes near enough
     ]
 
 
@@ -54,41 +65,69 @@ def _leaks(first, second, gap) -> bool:
     return late[0] - early[1] < gap
 
 
-LETTERS = 60  # of a finding, at least
+def _useless(labels, answers) -> bool:
+    return len(set(answers)) == 1
+
+
+def _interval(scores, draws):
+    return torch.quantile(scores[draws].mean(1), torch.tensor([0.025, 0.975], dtype=scores.dtype))
+
+
+def _samples() -> list[tuple]:
+    draw = torch.Generator().manual_seed(5)
+    return [(torch.rand(n, generator=draw), torch.randint(n, (400, n), generator=draw))
+            for n in (5, 30)]
+
+
+#: Of exercise 12.1: what was measured of a clip, of a style learnt from it, and of two floors.
+WALKS = {
+    "clip": {"posture, cm": 1.2, "hips, cm": 0.0, "range, cm": 9.0},
+    "style": {"posture, cm": 4.1, "hips, cm": 2.5, "range, cm": 7.0},
+    "Neutral": {"posture, cm": 9.8, "hips, cm": 2.0, "range, cm": 7.5},
+    "statue": {"posture, cm": 3.9, "hips, cm": 0.4, "range, cm": 0.0},
+}
+
+
+def _passes(grade, walk: str) -> bool:
+    return truth(grade(dict(WALKS[walk]))) is True
+
+
+UNITS = ("cm", "mm", "m", "m/s", "cm/s", "m/s²", "°", "%", "s", "Hz", "frames")
 
 
 def _finding(answer) -> str:
-    """What is missing in a negative finding."""
-    if not isinstance(answer, str):
-        return f"a text is needed, not {type(answer).__name__}."
-    if len(answer) < LETTERS:
-        return "say what does not work, and how you measured it."
-    if not any(letter.isdigit() for letter in answer):
-        return "give a number."
+    """What is missing in a negative finding: a sentence, and a measurement that can be repeated."""
+    if not isinstance(answer, dict) or set(answer) != {"what", "unit", "measure"}:
+        return "give `what`, `unit` and `measure`."
+    if len(set(str(answer["what"]).lower().split())) < 5:
+        return "say in a sentence what does not work."
+    if answer["unit"] not in UNITS:
+        return f"the unit should be one of {', '.join(UNITS)}."
+    if not callable(answer["measure"]):
+        return "`measure` should be a function: somebody else must be able to run it again."
+    (mine, floor), again = (tuple(map(float, answer["measure"]())) for _ in range(2))
+    if (mine, floor) != again:
+        return "the second measurement gives other numbers: fix the seed."
+    if not (math.isfinite(mine) and math.isfinite(floor)):
+        return "a number is not finite."
+    if abs(mine - floor) < 0.05 * abs(floor):
+        return "this is what the floor has, too: then nothing is wrong with your style."
     return ""
 
 
 EXERCISES = {
     "09.1": Exercise(
-        same_as(
-            lambda x, v, rate, t: (x + (v + rate * x) * t) * math.exp(-rate * t),
-            lambda: [(1.0, 0.0, 10.0, 0.1), (0.0, 2.0, 5.0, 0.3), (-1.0, 1.0, 2.0, 0.0)],
-            {
-                "the velocity at the start is missing.": lambda x, v, rate, t: (
-                    (x + rate * x * t) * math.exp(-rate * t)
-                ),
-                "this is not critically damped: it leaves the rest with the wrong "
-                "velocity.": lambda x, v, rate, t: (
-                    x * math.exp(-rate * t)
-                ),
-            },
-        ),
-        "put x, v, λ and t into the formula of section 2.",
+        equals(0.08, {
+            "with this step the offset is gone after two frames": 0.04,
+            "this is in frames per second": 12.5,
+        }, tolerance=0.03),
+        "by which factor does Euler's method multiply an offset that decays with the rate λ?",
+        "1 − λ · step is below −1 if the step is longer than 2 / λ.",
     ),
     "09.2": Exercise(
         same_as(
             _knee,
-            lambda: [(0.43, 0.42, 0.6), (0.4, 0.4, 0.4), (0.43, 0.42, 1.2)],
+            lambda: [(0.43, 0.42, 0.6), (0.5, 0.2, 0.4), (0.43, 0.42, 1.2)],
             {
                 "this is in radians.": lambda a, b, d: math.radians(_knee(a, b, d)),
                 "this is the bend: a straight leg has 180 degrees.": lambda a, b, d: (
@@ -96,6 +135,7 @@ EXERCISES = {
                 ),
             },
         ),
+        "which values can a cosine have, and what does the formula give for a target too far away?",
         "law of cosines, clamp the cosine to [-1, 1], acos, degrees.",
     ),
     "09.3": Exercise(
@@ -106,45 +146,35 @@ EXERCISES = {
                 "multiply by the frames per second.": lambda places, contact, fps: _skate(
                     places, contact, 1.0
                 ),
-                "leave out the steps in which only one frame is in "
-                "contact.": lambda places, contact, fps: (
-                    (places.diff(dim=0).norm(dim=1) * fps)[contact[1:]].mean()
-                ),
+                "leave out the steps in which only one frame is in contact.":
+                    lambda places, contact, fps: (
+                        (places.diff(dim=0).norm(dim=1) * fps)[contact[1:]].mean()),
             },
         ),
+        "a step has two frames. Which contacts do they need?",
         "diff over the frames, norm, times fps; keep contact[1:] & contact[:-1]; mean.",
     ),
     "10.1": Exercise(
-        same_as(
-            _needed,
-            lambda: [
-                (torch.tensor([[0.0, 0.0], [1.0, 2.0], [0.0, 3.0]]), 4.0),
-                (draws(3, (5, 2))[0], 2.5)
-            ],
-            {
-                "the path is longer than the distance of its ends.": lambda points, seconds: (
-                    (points[-1] - points[0]).norm() / seconds
-                ),
-                "this is the length of the path: divide it by the "
-                "seconds.": lambda points, seconds: (
-                    _needed(points, 1.0)
-                ),
-            },
+        shows(
+            ("the plan is too fast with so little time",
+             lambda seconds: _times_natural(round(float(seconds), 3)) <= FASTEST),
+            ("there is a plan with less time",
+             lambda seconds: _times_natural(round(float(seconds) - 0.25, 3)) > FASTEST),
         ),
-        "diff of the points, norm of each difference, sum, divided by the seconds.",
+        "is the mean speed the largest one? The character must start and stop.",
+        "try times from 2 s to 6 s in steps of 0.1 s, and print max(plan.speed) / natural.",
     ),
     "10.2": Exercise(
         same_as(
             _beside,
             _sides,
             {
-                "beyond an end, the nearest place of the path is that "
-                "end.": lambda place, start, end: (
-                    _beside(place, start, end, -1e9, 1e9)
-                ),
+                "beyond an end, the nearest place of the path is that end.":
+                    lambda place, start, end: _beside(place, start, end, -1e9, 1e9),
                 "this is in metres.": lambda place, start, end: _beside(place, start, end) / 100,
             },
         ),
+        "which place of the path is nearest, and what if it lies before the start?",
         "project place − start on end − start, clamp the share to [0, 1], take the distance.",
     ),
     "10.3": Exercise(
@@ -160,22 +190,30 @@ EXERCISES = {
                 ),
             },
         ),
+        "which frames count, and what is the number of the first one if time is 0?",
         "cut out the frames from time − 0.2 to time + 0.2 seconds; is any of them near enough?",
     ),
     "11.1": Exercise(
-        same_as(
-            lambda styles: max(styles.count(style) for style in styles) / len(styles),
-            lambda: [(["Old", "Old", "Strut"],), (["Old", "Strut", "Zombie", "Strut", "Strut"],)],
-            {"this is the chance of a random guess.": lambda styles: 1 / len(set(styles))}
+        shows(
+            ("give ten labels or more, and as many answers",
+             lambda labels, answers: len(labels) == len(answers) > 9),
+            ("less than 90 % of the answers are right", lambda labels, answers: sum(
+                a == b for a, b in zip(labels, answers, strict=True)) >= 0.9 * len(labels)),
+            ("there is only one style: no judge is needed",
+             lambda labels, answers: len(set(labels)) > 1),
+            ("this judge gives several answers: it may know something", _useless),
+            parts=2,
         ),
-        "count each style, take the largest count, divide by the number of clips.",
+        "what does a judge answer that never looks at the motion?",
+        "nine of ten clips have one style, and the judge always names it.",
     ),
     "11.2": Exercise(
         same_as(
             _leaks,
             lambda: [
                 ((0, 100), (150, 200), 50), ((150, 200), (0, 101), 50), ((0, 100), (50, 60), 10),
-                ((500, 600), (0, 100), 240)
+                ((500, 600), (0, 100), 240), ((0, 100), (120, 900), 50), ((0, 900), (950, 960), 50),
+                ((150, 900), (0, 140), 50)
             ],
             {
                 "a gap of exactly `gap` frames is allowed.": lambda first, second, gap: (
@@ -186,32 +224,33 @@ EXERCISES = {
                 ),
             },
         ),
+        "which block is the earlier one, and how many frames lie between its stop and the other?",
         "sort both blocks; compare the start of the second with the stop of the first.",
     ),
     "11.3": Exercise(
         same_as(
-            lambda scores: torch.stack((scores.mean(), scores.std() / len(scores) ** 0.5)),
-            lambda: [(torch.tensor([0.2, 0.4, 0.9]),), (torch.tensor([1.0, 2.0]),)],
+            _interval, _samples,
             {
-                "this is the standard deviation, not the standard error.": lambda scores: (
-                    torch.stack((scores.mean(), scores.std()))
-                )
+                "these are the quantiles of the scores, not of their means.": lambda scores, draws:
+                    torch.quantile(scores, torch.tensor([0.025, 0.975])),
+                "this is the interval of 90 %.": lambda scores, draws: torch.quantile(
+                    scores[draws].mean(1), torch.tensor([0.05, 0.95])),
             },
         ),
-        "torch.stack((mean, std / root of the number)).",
+        "what would the mean have been if other clips had been drawn?",
+        "scores[draws].mean(1) are the means; their quantiles 0.025 and 0.975 are the interval.",
     ),
     "12.1": Exercise(
-        same_as(
-            lambda value, limit, small: value <= limit if small else value >= limit,
-            lambda: [(3.0, 5.0, True), (5.0, 5.0, True), (0.4, 0.5, False), (0.9, 0.5, False)],
-            {
-                "a value equal to the limit passes.": lambda value, limit, small: (
-                    value < limit if small else value > limit
-                ),
-                "look at `small_is_good`, too.": lambda value, limit, small: value <= limit,
-            },
+        shows(
+            ("a function of one row is needed", callable),
+            ("the style is refused: set limits that it meets", lambda f: _passes(f, "style")),
+            ("the clip itself is refused", lambda f: _passes(f, "clip")),
+            ("Neutral passes: a grade that a floor passes is no grade",
+             lambda f: not _passes(f, "Neutral")),
+            ("the statue passes: look at the movement, too", lambda f: not _passes(f, "statue")),
         ),
-        "use <= or >=, as small_is_good says.",
+        "in which column is Neutral worse than the style, and in which the statue?",
+        "limit the posture from above and the range from below.",
     ),
     "12.2": Exercise(
         same_as(
@@ -222,7 +261,13 @@ EXERCISES = {
                 "the sign is wrong.": lambda mine, floor: (mine - floor) / floor
             },
         ),
+        "what should be returned if both errors are equal, and if yours is zero?",
         "(floor − mine) / floor.",
     ),
-    "12.3": Exercise(_finding, "one or two sentences: what, how measured, a number."),
+    "12.3": Exercise(
+        _finding,
+        "could somebody else measure it again, and what would a floor have there?",
+        "`what`: a sentence; `unit`: such as \"mm\"; `measure`: a function that returns two "
+        "numbers, yours and a floor's.",
+    ),
 }

@@ -1,52 +1,41 @@
 """Exercises of the notebooks on the network, its training, and the seven models."""
 
 import torch
-from course.checks import Exercise, draws, same_as
-
-
-def _blended(x, gates, weight, bias):
-    matrix = torch.einsum("bk,kio->bio", gates, weight)
-    return torch.einsum("bi,bio->bo", x, matrix) + gates @ bias
-
-
-def _layers() -> list[tuple]:
-    cases = draws(6, (5, 4), (5, 3), (3, 4, 6), (3, 6)), draws(7, (1, 2), (1, 8), (8, 2, 2), (8, 2))
-    return [(x, gates.softmax(-1), weight, bias) for x, gates, weight, bias in cases]
+from course.checks import Exercise, draws, equals, same_as, shows
+from torch.nn import functional
 
 
 def _film(f, gamma, beta):
     normal = (f - f.mean(-1, keepdim=True)) / (f.std(-1, keepdim=True) + 1e-6)
-    return torch.nn.functional.elu(gamma * normal + beta)
+    return functional.elu(gamma * normal + beta)
 
 
-def _over_the_batch(f, gamma, beta):
-    return torch.nn.functional.elu(gamma * (f - f.mean(0)) / (f.std(0) + 1e-6) + beta)
+def _told_apart(one, other) -> bool:
+    gamma, beta = draws(4, (len(one),), (len(one),))
+    both = (_film(torch.as_tensor(row).float(), gamma, beta) for row in (one, other))
+    return float(torch.sub(*both).abs().max()) > 1e-3
 
 
 def _count(n_in, hidden, n_out, experts):
     return experts * ((n_in + 1) * hidden + (hidden + 1) * hidden + (hidden + 1) * n_out)
 
 
-def _lengths(predicted, true, parents):
+def _lengths(poses, parents):
     pairs = [(parent, j) for j, parent in enumerate(parents) if parent >= 0]
-    return tuple(
-        torch.stack([(p[:, a] - p[:, b]).norm(dim=-1) for a, b in pairs], 1)
-        for p in (predicted, true)
-    )
+    return torch.stack([(poses[:, a] - poses[:, b]).norm(dim=-1) for a, b in pairs], 1)
 
 
 def _bone_error(predicted, true, parents):
-    lengths, right = _lengths(predicted, true, parents)
-    return (lengths - right).abs().mean()
+    return (_lengths(predicted, parents) - _lengths(true, parents)).abs().mean()
 
 
 def _squared(predicted, true, parents):
-    lengths, right = _lengths(predicted, true, parents)
-    return (lengths - right).square().mean()
+    return (_lengths(predicted, parents) - _lengths(true, parents)).square().mean()
 
 
 def _as_vectors(predicted, true, parents):
-    return torch.stack([(predicted - true)[:, j] - (predicted - true)[:, parent]
+    off = predicted - true
+    return torch.stack([off[:, j] - off[:, parent]
                         for j, parent in enumerate(parents) if parent >= 0]).norm(dim=-1).mean()
 
 
@@ -57,18 +46,20 @@ def _skeletons() -> list[tuple]:
     ]
 
 
+#: Of exercise 03b.3: a hip, a knee and an ankle, metres.
+LEG = torch.tensor([[0.0, 1.0, 0.0], [0.0, 0.55, 0.1], [0.0, 0.1, 0.0]])
+
+
+def _off(pose) -> torch.Tensor:
+    return torch.as_tensor(pose).float() - LEG
+
+
+def _leg_error(pose) -> float:
+    return float(_bone_error((LEG + _off(pose))[None], LEG[None], [-1, 0, 1]))
+
+
 def _repeat(frames, deviation):
     return (((frames[1:] - frames[:-1]) / deviation) ** 2).mean()
-
-
-def _share(rolled, data):
-    rolled, data = rolled - rolled.mean(0), data - data.mean(0)
-    return (rolled * data).sum() / (data * data).sum()
-
-
-def _poses() -> list[tuple]:
-    data, noise, other = draws(10, *[(4, 12)] * 3)
-    return [(0.4 * (data + 3) + 0.2 * noise, data + 3), (other, data + 3)]
 
 
 def _clear(errors) -> bool:
@@ -78,79 +69,67 @@ def _clear(errors) -> bool:
 
 
 def _tables() -> list[tuple]:
-    return [
-        (torch.tensor(rows),)
-        for rows in (
-            [[0.10, 0.12], [0.11, 0.15], [0.30, 0.31]], [[0.50, 0.51], [0.20, 0.21]],
-            [[0.20, 0.40], [0.10, 0.14], [0.11, 0.131]]
-        )
-    ]
+    rows = (
+        [[0.10, 0.12], [0.11, 0.15], [0.30, 0.31]],
+        [[0.50, 0.51], [0.20, 0.21]],
+        [[0.10, 0.14], [0.13, 0.131]],
+        [[0.20, 0.40], [0.10, 0.14], [0.11, 0.131]],
+        [[0.10, 0.12, 0.11], [0.12, 0.13, 0.14], [0.50, 0.90, 0.10]],
+        [[0.10, 0.13], [0.14, 0.15]],  # torch's deviation: 0.021, the population's: 0.015
+        [[0.30, 0.303, 0.31], [0.31, 0.318, 0.314], [0.9, 0.2, 0.8]],
+        [[0.100, 0.104], [0.108, 0.128], [0.5, 0.6]],  # the mean of both deviations is smaller
+    )
+    return [(torch.tensor(row),) for row in rows]
 
 
 EXERCISES = {
     "03a.1": Exercise(
-        same_as(
-            _blended,
-            _layers,
-            {
-                "the biases must be blended, too.": lambda x, gates, weight, bias: _blended(
-                    x, gates, weight, 0 * bias
-                ),
-                "you take the mean of the experts: use the gates.": lambda x, gates, weight, bias: (
-                    _blended(x, torch.full_like(gates, 1 / gates.shape[1]), weight, bias)
-                ),
-                "you take only the expert with the largest gate.": lambda x, gates, *expert: (
-                    _blended(x, (gates == gates.amax(1, keepdim=True)).to(gates), *expert)
-                ),
-            },
-        ),
-        "torch.einsum('bk,kio->bio', gates, weight) is one matrix for each row of x; the bias is "
-        "blended, too.",
+        same_as(lambda first, second: first / (first - second),
+                lambda: [(1.2, -0.4), (-3.0, 0.5), (2.0, -2.0)], {
+            "this is the share of the first expert.":
+                lambda first, second: second / (second - first),
+            "this is a ratio of slopes, not a share.": lambda first, second: first / -second,
+        }),
+        "what is the slope of the blend if the second expert has the share α?",
+        "(1 − α) · first + α · second = 0, solved for α.",
     ),
     "03a.2": Exercise(
-        same_as(
-            _film,
-            lambda: [draws(7, (4, 16), (16,), (16,)), draws(8, (2, 5), (5,), (5,))],
-            {
-                "normalise over the units of a row, not over the rows.": _over_the_batch,
-                "ELU is missing.": lambda f, gamma, beta: (
-                    gamma * (f - f.mean(-1, keepdim=True)) / f.std(-1, keepdim=True) + beta
-                ),
-                "scale and shift come after the normalisation.": lambda f, gamma, beta: _film(
-                    gamma * f + beta, torch.ones_like(gamma), torch.zeros_like(beta)
-                ),
-            },
+        shows(
+            ("give two rows of as many units, two or more",
+             lambda one, other: len(one) == len(other) > 1),
+            ("the two rows are the same", lambda one, other: bool(
+                torch.dist(*(torch.as_tensor(x).float() for x in (one, other))) > 0.1)),
+            ("a style tells them apart", lambda one, other: not _told_apart(one, other)),
+            parts=2,
         ),
-        "subtract the mean of the last axis, divide by std (torch's: n - 1), scale, shift, then "
-        "ELU.",
+        "what does the layer normalisation remove from a row?",
+        "take any row, and the same row times a positive number, plus a number.",
     ),
     "03a.3": Exercise(
         same_as(
-            lambda *sizes: torch.tensor(_count(*sizes)),
-            lambda: [(348, 512, 342, 8), (3, 4, 5, 2), (10, 1, 1, 1)],
+            _count, lambda: [(348, 512, 342, 8), (3, 4, 5, 2), (10, 1, 1, 1)],
             {
-                "the biases are missing.": lambda n_in, hidden, n_out, experts: torch.tensor(
+                "the biases are missing.": lambda n_in, hidden, n_out, experts: (
                     experts * (n_in * hidden + hidden * hidden + hidden * n_out)
                 ),
-                "this is the number for one expert.": lambda n_in, hidden, n_out, experts: (
-                    torch.tensor(_count(n_in, hidden, n_out, 1))
-                ),
+                "this is the number for one expert.":
+                    lambda n_in, hidden, n_out, experts: _count(n_in, hidden, n_out, 1),
             },
             tolerance=1e-9,
         ),
-        "three layers; each has a matrix and a bias, and there is one of each for every expert.",
+        "how many numbers has one layer of one expert, with its bias?",
+        "(inputs + 1) · outputs for each of three layers, added up, times the experts.",
     ),
     "03b.1": Exercise(
         same_as(
-            _bone_error,
-            _skeletons,
+            _bone_error, _skeletons,
             {
                 "this compares the bones as vectors; only their lengths should count.": _as_vectors,
                 "take the absolute value, not the square.": _squared
             },
         ),
-        "the length of bone j is the distance of joint j from its parent; joints with a parent "
-        "below zero have no bone.",
+        "which two joints are the ends of bone j, and which joints have no bone?",
+        "the length is the distance of joint j from its parent; leave out parents below zero.",
     ),
     "03b.2": Exercise(
         same_as(
@@ -159,42 +138,31 @@ EXERCISES = {
                 (x.cumsum(0), s.abs() + 0.5) for x, s in (draws(9, (n, 6), (6,)) for n in (30, 4))
             ],
             {
-                "divide by the deviation, so that all columns count "
-                "alike.": lambda frames, deviation: (
-                    _repeat(frames, 1.0)
-                ),
+                "divide by the deviation, so that all columns count alike.":
+                    lambda frames, deviation: _repeat(frames, 1.0),
                 "take the mean over all numbers, not the sum.": lambda frames, deviation: (
                     _repeat(frames, deviation) * frames[1:].numel()
                 ),
             },
         ),
-        "the prediction of frame i + 1 is frame i.",
+        "what is the prediction of the second frame?",
+        "the difference of each frame from the one before it, over the deviation, squared, mean.",
     ),
     "03b.3": Exercise(
-        same_as(
-            _share,
-            _poses,
-            {
-                "subtract the mean over the styles from both first.": lambda rolled, data: (
-                    (rolled * data).sum() / (data * data).sum()
-                ),
-                "divide by the sum over the data, not over the closed loop.": lambda rolled, data: (
-                    1 / _share(data, rolled)
-                ),
-            },
+        shows(
+            ("give a pose of three joints [3, 3]", lambda pose: _off(pose).shape == (3, 3)),
+            ("a bone has another length", lambda pose: _leg_error(pose) < 1e-3),
+            ("the squared error is small", lambda pose: _off(pose).square().mean() > 0.05),
         ),
-        "sum over styles and columns of r · m, divided by the sum of m · m.",
+        "what can you do to a whole leg that leaves its bones as they are?",
+        "move the leg as a whole by a metre, or turn it about the hip.",
     ),
     "07.1": Exercise(
-        same_as(
-            lambda hidden: 4 * hidden,
-            lambda: [(128,), (512,)],
-            {
-                "FiLM has a scale and a shift.": lambda hidden: 2 * hidden,
-                "this is a whole layer, as in an adapter.": lambda hidden: hidden * hidden
-            },
-        ),
-        "count: two layers, and in each a scale and a shift per unit.",
+        equals(60.0, {
+            "at this delay the hand is where it should be": 360.0,
+        }, tolerance=0.01),
+        "the hand is sin(t), the late one sin(t − d). What is the mean of the squared difference?",
+        "1 − cos d for the late hand, and 1/2 for the statue: where are both equal?",
     ),
     "07.2": Exercise(
         same_as(
@@ -209,13 +177,12 @@ EXERCISES = {
                 ),
             },
         ),
+        "γ ∘ (h W + b) + β: which part is multiplied by h, and which is not?",
         "multiply each column of the weights by its γ; the new bias is γ b + β.",
     ),
     "07.3": Exercise(
-        same_as(
-            _clear, _tables,
-            {"compare the difference with the spread of the seeds.": lambda errors: True}
-        ),
-        "sort the means, take the first two, compare their difference with errors.std(1) of both.",
+        same_as(_clear, _tables),
+        "which two models have the smallest means, and how far do the seeds of each scatter?",
+        "sort the means, take the first two, compare their difference with the larger errors.std.",
     ),
 }

@@ -1,116 +1,106 @@
 """Exercises of the notebooks on phases and of the laboratory of their sources."""
 
 import math
+import sys
 
 import pandas as pd
 import torch
-from course.checks import NOTHING, Exercise, Judge, same_as
+from course.checks import NOTHING, Exercise, Judge, draws, same_as, shows
 from course.laboratory import trial
+from torch.nn import functional
 
+import toolkit as tk
 from toolkit.datasets import procedural
+from toolkit.motion import contacts
+from toolkit.phases import sources
 
 SEEDS = range(7, 12)  # of the walks on which a source is judged
+TURN = 2 * math.pi
 
 
-def _contact(height, speed, d_max, ball, v_max):
-    return ((height <= d_max + ball) & (speed <= v_max)).float()
+def _voted(contact, half):
+    ends = functional.pad(contact[None], (half, half), mode="replicate")[0]
+    return ends.unfold(0, 2 * half + 1, 1).mean(1).round()
 
 
-def _toes() -> list[tuple]:
-    make = torch.Generator().manual_seed(2)
-    height, speed = torch.rand(2, 200, generator=make)
-    return [
-        (0.06 * height, 0.5 * speed, 0.01, 0.01, 0.15),
-        (0.06 * height, 0.5 * speed, 0.03, 0.0, 0.3)
-    ]
+def _contacts() -> list[tuple]:
+    return [((x > 0).float(), half) for x, half in zip(draws(2, (60,), (31,)), (2, 5), strict=True)]
 
 
-def _phase_of(t, window, f):
-    angle = 2 * math.pi * f * t
-    basis = torch.stack((angle.sin(), angle.cos(), torch.ones_like(t)), 1)
-    weights = torch.linalg.lstsq(basis, window[:, None]).solution[:, 0]
-    return (weights[:2] / weights[:2].norm()).flip(0)
+def _wrapped(angle):
+    return (angle + math.pi) % TURN - math.pi
 
 
-def _exchanged(t, window, f):
-    return _phase_of(t, window, f).flip(0)
+def _rate(phase, fps):
+    return _wrapped(phase.diff()).mean() * fps / TURN
 
 
-def _without_constant(t, window, f):
-    angle = 2 * math.pi * f * t
-    weights = torch.linalg.lstsq(
-        torch.stack((angle.sin(), angle.cos()), 1), window[:, None]
-    ).solution[:, 0]
-    return (weights / weights.norm()).flip(0)
+def _angles() -> list[tuple]:
+    time = torch.arange(300) / 60
+    (noise,) = draws(3, (300,))
+    return [(_wrapped(TURN * f * time + 0.1 * noise + 1), 60.0) for f in (0.8, 1.9)] + [
+        (torch.tensor([3.0, -3.0, -2.5]), 30.0)]
 
 
-def _windows() -> list[tuple]:
-    make = torch.Generator().manual_seed(3)
-    t = torch.linspace(-0.6, 0.5, 67).double()
-    noise = 0.1 * torch.randn(3, len(t), generator=make).double()
-    return [
-        (t, (2 * math.pi * f * t + phi).sin() * a + b + noise[i], f)
-        for i, (f, phi, a, b) in enumerate(
-            ((1.0, 0.5, 1.0, 0.3), (0.8, -2.0, 2.0, -1.0), (1.7, 3.0, 0.5, 2.0))
-        )
-    ]
+def _inverse(p):
+    return torch.stack((torch.atan2(p[:, 0], p[:, 1]) % TURN, p.norm(dim=1)), 1)
 
 
 def _feature(speed, amplitude, phase):
-    return (speed * amplitude)[:, None] * torch.stack((phase.sin(), phase.cos()), -1)
-
-
-def _rows() -> list[tuple]:
-    make = torch.Generator().manual_seed(4)
-    return [
-        tuple(torch.rand(3, n, generator=make) * torch.tensor([[2.0], [1.0], [6.0]]))
-        for n in (5, 1)
-    ]
+    return speed * amplitude * torch.tensor([math.sin(phase), math.cos(phase)])
 
 
 def _error(found, true):
-    lag = torch.exp(1j * (found - true)).mean().angle()
-    return ((found - true - lag + math.pi) % (2 * math.pi) - math.pi).abs().mean()
+    return _wrapped(found - true - torch.exp(1j * (found - true)).mean().angle()).abs().mean()
 
 
-def _with_lag(found, true):
-    return ((found - true + math.pi) % (2 * math.pi) - math.pi).abs().mean()
+def _traced(answer, clip, limb):
+    """What a source returns, and which source or rule of the library it has used, or ""."""
+    used = []
 
+    def note(frame, event, _):
+        code = frame.f_code
+        if code is contacts.detect.__code__ or (
+                code.co_filename == sources.__file__ and code.co_name == "__call__"):
+            used.append(code.co_qualname.removesuffix(".__call__"))
 
-def _mean_of_angles(found, true):
-    rest = (found - true + math.pi) % (2 * math.pi) - math.pi
-    return (rest - rest.mean()).abs().mean()
-
-
-def _phases() -> list[tuple]:
-    make = torch.Generator().manual_seed(5)
-    time = torch.linspace(0, 40, 300)
-    return [
-        (
-            (time + shift + 0.3 * torch.randn(300, generator=make)) % (2 * math.pi),
-            time % (2 * math.pi)
-        )
-        for shift in (3.1, 0.5, -1.5)
-    ]
+    before = sys.getprofile()
+    sys.setprofile(note)
+    try:
+        return answer(clip, limb), next(iter(used), "")
+    finally:
+        sys.setprofile(before)
 
 
 def _beats_contact_free(part: str, cases: list[tuple[str, str]], share: float, **options) -> Judge:
     """A judge of a source: its mean error over hands or feet, over `SEEDS`, must be less than a
-    share of contact-free's.
+    share of contact-free's; and in Neutral both limbs must alternate.
+
+    A lag is subtracted from each limb's error, so the error does not see a wrong sign.
     """
 
     def judge(answer) -> str:
         if not callable(answer):
             return f"a function is needed, not {type(answer).__name__}."
-        if answer(procedural.generate("Neutral", seconds=2.0), "left_hand") is ...:
+        clip, truth = procedural.truth("Neutral", "FW", 10.0)
+        curve, used = _traced(answer, clip, "left_" + part.replace("hands", "hand").replace(
+            "feet", "foot"))
+        if curve is ...:
             return NOTHING
+        if used:
+            return f"it uses {used} of the library: write one of your own."
+        limbs = slice(0, 2) if part == "hands" else slice(2, 4)
+        mine = tk.phases.extract(clip, answer).phase[60:-60, limbs] - truth.phase[60:-60, limbs]
+        lags = torch.exp(1j * mine.double()).mean(0).angle()
+        if abs(_wrapped(lags[0] - lags[1])) > 1:
+            return f"in Neutral both {part} should alternate; yours do not."
+        if part == "feet" and lags[0].sin() < 0:
+            return "the curve is upside down: it should be high while the foot stands."
         both = {"yours": answer, "contact-free": "contact-free"}
         found = pd.concat([trial(both, cases, seed=seed, **options) for seed in SEEDS])
         errors = found.groupby("source")[part].mean()
         if errors["yours"] < share * errors["contact-free"]:
             return ""
-        if math.isnan(errors["yours"]):
-            return f"your source is constant for {part}."
         return (f"your mean error is {errors['yours']:.0f}°; less than "
                 f"{share * errors['contact-free']:.0f}° is needed.")
 
@@ -119,74 +109,64 @@ def _beats_contact_free(part: str, cases: list[tuple[str, str]], share: float, *
 
 EXERCISES = {
     "02a.1": Exercise(
-        same_as(
-            _contact,
-            _toes,
-            {
-                "the radius of the ball is missing: low means up to d_max + "
-                "ball.": lambda height, speed, d_max, ball, v_max: (
-                    _contact(height, speed, d_max, 0, v_max)
-                ),
-                "both conditions must hold, not one of "
-                "them.": lambda height, speed, d_max, ball, v_max: (
-                    ((height <= d_max + ball) | (speed <= v_max)).float()
-                ),
-                "ones and zeros are exchanged.": lambda *values: 1 - _contact(*values),
-            },
-        ),
-        "compare both tensors with their limits, combine the results with &, and call .float().",
+        same_as(_voted, _contacts, {
+            "the window has 2 · half + 1 frames.":
+                lambda contact, half: _voted(contact, max(1, half // 2)),
+            "this is the mean of the votes: round it.": lambda contact, half: functional.pad(
+                contact[None], (half, half), mode="replicate")[0].unfold(
+                    0, 2 * half + 1, 1).mean(1),
+            "at the ends, the first and the last frame are repeated.": lambda contact, half:
+                functional.pad(contact, (half, half)).unfold(0, 2 * half + 1, 1).mean(1).round(),
+        }),
+        "how many of the frames around a frame must be 1 so that it becomes 1?",
+        "pad by repeating the ends, take windows of 2 · half + 1 frames, and round their means.",
     ),
     "02a.2": Exercise(
-        same_as(
-            _phase_of,
-            _windows,
-            {
-                "sine and cosine are exchanged.": _exchanged,
-                "the constant b is missing in the least squares.": _without_constant
-            },
-        ),
-        "fit the columns sin(2πft), cos(2πft) and 1; then a sin(α + φ) = a cos φ sin α + a sin φ "
-        "cos α.",
+        same_as(_rate, _angles, {
+            "the phase jumps by 2π once a cycle: wrap its steps.":
+                lambda phase, fps: phase.diff().mean() * fps / TURN,
+            "this is in radians per second.": lambda phase, fps: TURN * _rate(phase, fps),
+            "multiply by the frames per second.": lambda phase, fps: _rate(phase, 1.0),
+        }),
+        "what is the step of the phase between the two frames where it jumps?",
+        "wrap each step to −π … π, take the mean, times fps, divided by 2π.",
     ),
     "02a.3": Exercise(
-        same_as(
-            _feature,
-            _rows,
-            {
-                "sine comes first, then cosine.": lambda *values: _feature(*values).flip(1),
-                "the speed is missing.": lambda speed, amplitude, phase: _feature(
-                    1 + 0 * speed, amplitude, phase
-                ),
-                "the amplitude is missing.": lambda speed, amplitude, phase: _feature(
-                    speed, 1 + 0 * amplitude, phase
-                ),
-                "the result should have the shape [F, 2].": lambda *values: _feature(*values).T,
-            },
+        shows(
+            ("give two limbs, three numbers each",
+             lambda one, two: len(one) == len(two) == 3),
+            ("their phases are the same, or differ by whole turns",
+             lambda one, two: abs(_wrapped(one[2] - two[2])) > 0.1),
+            ("their vectors differ: the network can tell the limbs apart",
+             lambda one, two: bool((_feature(*one) - _feature(*two)).norm() < 1e-3)),
+            parts=2,
         ),
-        "stack sine and cosine along the last axis, and multiply by speed times amplitude.",
+        "for which limbs does equation (1) remove the phase?",
+        "a limb without speed, or without amplitude, has the vector zero whatever its phase is.",
     ),
     "02b.1": Exercise(
-        same_as(
-            _error,
-            _phases,
-            {
-                "a constant lag must be subtracted first.": _with_lag,
-                "the lag is a mean direction: angles cannot be averaged like "
-                "numbers.": _mean_of_angles,
-            },
+        shows(
+            ("give two tensors of as many angles, ten or more",
+             lambda found, true: len(found) == len(true) > 9),
+            ("this phase is wrong: its error is not zero",
+             lambda found, true: _error(found, true) < 0.01),
+            ("the faulty function is right about this one",
+             lambda found, true: (found - true).abs().mean() > 1),
+            parts=2,
         ),
-        "the mean direction of angles d is torch.exp(1j * d).mean().angle().",
+        "which differences between two phases are no error?",
+        "take a true phase, and add a constant, or whole turns.",
     ),
     "02b.2": Exercise(
         _beats_contact_free("feet", [("Neutral", "SW"), ("Old", "SW")], 0.25, seconds=10.0),
-        "a toe that stands does not move in the world (clip.global_positions), whatever the "
-        "direction of walking is.",
+        "what does a toe that stands not do, whatever the direction of walking is?",
+        "measure how fast the toe moves in the world (clip.global_positions), and turn it round.",
     ),
     "02b.3": Exercise(
         _beats_contact_free(
             "hands", [("Drunk", "FW"), ("Zombie", "FW")], 0.8, seconds=12.0, stagger=1.2
         ),
-        "the other three limbs swing at the same frequency: add their scores, with the right "
-        "signs, to that of the hand.",
+        "which other limbs swing at the same frequency, and are disturbed in another way?",
+        "add the scores of the other limbs, those that swing against this hand with a minus.",
     ),
 }

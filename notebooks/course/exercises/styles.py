@@ -5,12 +5,19 @@ restyling.
 import math
 
 import torch
-from course.checks import Exercise, draws, equals, same_as
+from course import plane
+from course.checks import Exercise, draws, equals, same_as, shows
+
+from toolkit.motion.contacts import velocities
 
 
-def _ease(t):
-    t = torch.as_tensor(t, dtype=torch.float64).clamp(0, 1)
-    return t * t * (3 - 2 * t)
+def _barycentric(style, corners):
+    weights = torch.tensor([style[name] for name in corners], dtype=torch.float64)
+    return weights / weights.sum()
+
+
+def _toe(places) -> torch.Tensor:
+    return torch.as_tensor(places).double()
 
 
 def _weights_at(point, corners):
@@ -21,37 +28,37 @@ def _weights_at(point, corners):
 
 def _triangles() -> list[tuple]:
     corners = torch.tensor([[0.0, 0.0], [1.0, 0.0], [0.5, 0.87]])
-    points = corners.mean(0), corners[1], torch.tensor([0.4, 0.1])
+    points = corners.mean(0), corners[1], torch.tensor([0.4, 0.1]), torch.tensor([1.2, 0.3])
     return [(point, corners) for point in points] + [(points[2], 2 * corners.flip(0) + 1)]
 
 
-def _barycentric(style, corners):
-    weights = torch.tensor([style[name] for name in corners], dtype=torch.float64)
-    return weights / weights.sum()
+def _place(first, second, vector):
+    way = second - first
+    return (vector - first) @ way / (way @ way)
 
 
-def _nearest(vectors, query):
-    distance = (vectors - vectors[query]).norm(dim=1)
+def _nearest(vectors, query, order=2.0):
+    distance = torch.linalg.vector_norm(vectors - vectors[query], order, dim=1)
     distance[query] = math.inf
     return int(distance.argmin())
 
 
-def _cycle(x, code, restyle, encode):
-    return (restyle(restyle(x, code), encode(x)) - x).square().sum(-1).mean()
+def _rows() -> list[tuple]:
+    # the last one has another neighbour by the sum of the absolute differences
+    return [(*draws(5, (6, 4)), query) for query in (0, 3, 5)] + [
+        (torch.tensor([[0.0, 0.0], [3.0, 3.0], [0.0, 5.0]]), 0)]
 
 
-def _cases() -> list[tuple]:
-    x, code = draws(8, (6, 2), (6, 1))
-    return [
-        (x, code, lambda p, c: 0.8 * p + c, lambda p: p[:, 1:] / 3),
-        (x, code, lambda p, c: p * c, lambda p: p[:, :1])
-    ]
+def _better_than_nothing(errors: dict) -> bool:
+    return 0 < errors["after"] < errors["before"] / 2
 
 
 def _adain(h, gamma, beta):
     mean, std = h.mean(1, keepdim=True), h.std(1, keepdim=True, correction=0)
     return (1 + gamma[:, None]) * (h - mean) / std + beta[:, None]
 
+
+CONTENTS = [0, 0, 1, 1, 2, 2]  # of the six windows of exercise 08b.2
 
 EXERCISES = {
     "04.1": Exercise(
@@ -70,20 +77,19 @@ EXERCISES = {
                 ),
             },
         ),
+        "what do the weights of {\"Old\": 2, \"Strut\": 1} sum to, and what should they?",
         "take the numbers in the order of corners, and divide them by their sum.",
     ),
     "04.2": Exercise(
-        same_as(
-            _ease,
-            lambda: [(torch.linspace(-0.5, 1.5, 21),), (torch.tensor([0.25, 0.75]),)],
-            {
-                "this is the straight line: it starts and stops with a jerk.": lambda t: t.clamp(
-                    0, 1
-                ),
-                "clamp t to 0 … 1 first.": lambda t: t * t * (3 - 2 * t),
-            },
+        shows(
+            ("give ten places or more, [F, 3]", lambda x: len(x) > 9 and _toe(x).shape[1:] == (3,)),
+            ("the measure sees this: the toe moves over the floor", lambda x: float(
+                velocities(_toe(x), 60.0)[:, [0, 2]].norm(dim=1).mean()) < 0.001),
+            ("the toe stands still", lambda x: float(
+                velocities(_toe(x), 60.0).norm(dim=1).mean()) > 0.05),
         ),
-        "t²(3 − 2t) has the slope zero at 0 and at 1.",
+        "which of the three coordinates does the measure not read?",
+        "let the toe go up and down.",
     ),
     "04.3": Exercise(
         same_as(
@@ -93,59 +99,56 @@ EXERCISES = {
                 "these are distances: a weight is one in its own corner.": lambda point, corners: (
                     corners - point
                 ).norm(dim=1),
-                "weights from distances do not give the point back: weights @ corners should be "
-                "the point.": lambda point, corners: (
-                    torch.softmax(-(corners - point).norm(dim=1), 0)
-                ),
+                "a marker outside has a negative weight.": lambda point, corners: (
+                    _weights_at(point, corners).abs() / _weights_at(point, corners).abs().sum()),
             },
         ),
-        "three unknowns, three equations: weights @ corners = point has two, and the sum of the "
-        "weights is one.",
+        "how many unknowns are there, and which equations do they fulfil?",
+        "weights @ corners = point has two equations, and the sum of the weights is one.",
     ),
     "05.1": Exercise(
         same_as(
-            lambda a, b, t: (1 - t) * a + t * b,
-            lambda: [
-                (torch.tensor([1.0, 2.0]), torch.tensor([3.0, -4.0]), t) for t in (0.0, 0.25, 1.5)
-            ],
+            _place, lambda: [draws(5, (4,), (4,), (4,)), draws(6, (9,), (9,), (9,))],
             {
-                "at t = 0 the blend must be the first vector.": lambda a, b, t: t * a + (1 - t) * b,
-                "the weights must sum to one.": lambda a, b, t: a + t * b
+                "divide by the square of the distance of the two ends.":
+                    lambda first, second, vector: _place(first, second, vector)
+                    * (second - first).norm(),
+                "this is the place seen from the other end.":
+                    lambda first, second, vector: _place(second, first, vector),
             },
         ),
-        "the weights are 1 − t and t.",
+        "which number is t if the vector is at the first end, at the second, in the middle?",
+        "the dot product of vector − first with second − first, over that of second − first "
+        "with itself.",
     ),
     "05.2": Exercise(
         same_as(
-            _nearest,
-            lambda: [(*draws(5, (6, 4)), query) for query in (0, 3, 5)],
+            _nearest, _rows,
             {
                 "this is the query itself: its distance is 0.": lambda vectors, query: query,
                 "this is the farthest vector.": lambda vectors, query: int(
                     (vectors - vectors[query]).norm(dim=1).argmax()
                 ),
+                "add up squares, not absolute differences.":
+                    lambda vectors, query: _nearest(vectors, query, 1.0),
             },
         ),
-        "compute the distance of each row from the query's, replace the query's own by infinity, "
-        "take argmin.",
+        "which vector has the distance zero, and may it be the answer?",
+        "the distances of all rows from the query's; replace its own by infinity; argmin.",
     ),
     "05.3": Exercise(
         same_as(
-            lambda length, angle: length * math.cos(angle / 2),
-            lambda: [(0.6, 0.0), (0.6, 2.0), (0.3, 2.6)],
+            lambda length, angle: length * (angle / 2).cos(),
+            lambda: [(0.6, torch.tensor(a)) for a in (0.0, 2.0)] + [(0.3, torch.tensor(2.6))],
             {
-                "this is half of the distance between the two positions of the "
-                "hand.": lambda length, angle: (
-                    length * math.sin(angle / 2)
-                ),
-                "use half of the angle: the middle is on the line that halves "
-                "it.": lambda length, angle: (
-                    length * math.cos(angle)
-                ),
+                "this is half of the distance between the two positions of the hand.":
+                    lambda length, angle: length * (angle / 2).sin(),
+                "use half of the angle: the middle is on the line that halves it.":
+                    lambda length, angle: length * angle.cos(),
             },
         ),
-        "draw the shoulder and both positions of the hand: an isosceles triangle. Its height is "
-        "the answer.",
+        "draw the shoulder and both positions of the hand. Which triangle is it?",
+        "an isosceles triangle: its height is length · cos(angle / 2).",
     ),
     "06.1": Exercise(
         same_as(
@@ -160,6 +163,7 @@ EXERCISES = {
                 ),
             },
         ),
+        "what is the z-score of one number, and over what are mean and deviation taken?",
         "subtract vectors.mean(0), divide by vectors.std(0), square, take the mean.",
     ),
     "06.2": Exercise(
@@ -175,61 +179,47 @@ EXERCISES = {
                 ),
             },
         ),
-        "the slope of ‖W v − z‖² is 2 Wᵀ (W v − z).",
+        "what is the derivative of ‖W v − z‖² by v?",
+        "the slope is 2 Wᵀ (W v − z); go against it, times the rate.",
     ),
     "06.3": Exercise(
-        same_as(
-            lambda before, after, floor: (before - after) / (before - floor),
-            lambda: [(0.4, 0.1, 0.2), (0.9, 0.9, 0.3), (0.5, 0.4, 0.0)],
-            {
-                "this is the share of the error that is left.": lambda before, after, floor: (
-                    after / before
-                ),
-                "this is the share that remains to go.": lambda before, after, floor: (
-                    (after - floor) / (before - floor)
-                ),
-            },
+        shows(
+            ("give the four numbers by name, all above zero", lambda x: isinstance(x, dict) and set(
+                x) == {"before", "after", "mean", "repeat"} and min(x.values()) > 0),
+            ("the rule refuses these errors", _better_than_nothing),
+            ("the vector has learnt: it is below both floors",
+             lambda x: x["after"] >= min(x["mean"], x["repeat"])),
         ),
-        "what was gained, divided by what could be gained.",
+        "what does the rule not look at?",
+        "make `before` large, `after` less than half of it, and a floor smaller than `after`.",
     ),
     "08a.1": Exercise(
-        same_as(
-            _cycle,
-            _cases,
-            {
-                "this is the identity loss: there is no way there and "
-                "back.": lambda x, code, restyle, encode: (
-                    (restyle(x, encode(x)) - x).square().sum(-1).mean()
-                ),
-                "the way back needs the source's own code.": lambda x, code, restyle, encode: (
-                    (restyle(restyle(x, code), code) - x).square().sum(-1).mean()
-                ),
-                "the squared distance of a point is a sum over its "
-                "coordinates.": lambda x, code, restyle, encode: (
-                    (restyle(restyle(x, code), encode(x)) - x).square().mean()
-                ),
-            },
-        ),
-        "restyle with the code, restyle the result with encode(x), compare with x.",
+        equals({"cyc", "id"}, {
+            "`adv` is large: a plain walk is not in the target domain": {"adv", "cyc", "id"},
+            "`cyc` is small, too: there and back is the source": {"id"},
+            "`id` is small, too": {"cyc"},
+            "`ds` should be large, and it is zero": {"cyc", "id", "ds"},
+            "the code cannot be read back from a result that ignores it": {"cyc", "id", "sty"},
+        }),
+        "put G(x, s) = x into each formula of the table. What is left?",
+        "two formulas become zero; the other three do not become what they should.",
     ),
     "08a.2": Exercise(
-        same_as(
-            lambda a, b, bound: (a - b).abs().mean(-1).clamp(max=bound).mean(),
-            lambda: [(*draws(9, (9, 2), (9, 2)), bound) for bound in (0.3, 1.0, 9.0)],
-            {
-                "the bound is for each point, before the mean over the "
-                "points.": lambda a, b, bound: (
-                    (a - b).abs().mean().clamp(max=bound)
-                ),
-                "there is no bound.": lambda a, b, bound: (a - b).abs().mean(),
-            },
+        shows(
+            ("give ten results or more, [N, 2]",
+             lambda x: len(x) > 9 and torch.as_tensor(x).shape[1:] == (2,)),
+            ("the judge refuses a result",
+             lambda x: plane.outside(torch.as_tensor(x).float(), 1).max() < 1e-6),
+            ("the results differ: this is no collapse",
+             lambda x: torch.as_tensor(x).float().var(0).sum() < 1e-6),
         ),
-        "abs, mean over the last axis, clamp(max=bound), mean.",
+        "at how many results does the judge look at a time?",
+        "repeat one point of the target domain, such as (0, 1).",
     ),
     "08a.3": Exercise(
         equals({"A": "ds", "B": "adv", "C": "cyc"}),
-        "do three noises lie on each other? Are results outside the box? Are large dots not on "
-        "the right?",
+        "where do three noises lie on each other? Which results are outside the box?",
+        "A: one colour covers the others. B: outside. C: compare the two measures above.",
     ),
     "08b.1": Exercise(
         same_as(
@@ -242,35 +232,28 @@ EXERCISES = {
                 ),
             },
         ),
-        "subtract the mean over axis 1, divide by the deviation, multiply by 1 + γ, add β; use "
-        "[:, None].",
+        "over which axis are mean and deviation taken, and which shape has γ then?",
+        "subtract the mean over axis 1, divide by the deviation, times 1 + γ[:, None], plus β.",
     ),
     "08b.2": Exercise(
-        same_as(
-            lambda x, plain, target: x + (target.mean((0, 2)) - plain.mean((0, 2)))[None, :, None],
-            lambda: [
-                tuple(x + k for k, x in enumerate(draws(11, (2, 5, 8), (6, 5, 8), (9, 5, 8))))
-            ],
-            {
-                "the sign is wrong: go from plain to target.": lambda x, plain, target: (
-                    x + (plain.mean((0, 2)) - target.mean((0, 2)))[None, :, None]
-                ),
-                "take a mean for each number, not one of all.": lambda x, plain, target: (
-                    x + target.mean() - plain.mean()
-                ),
-            },
+        shows(
+            ("give the numbers 0 to 5, each once", lambda x: sorted(map(int, x)) == list(range(6))),
+            ("a result has the content of its source", lambda x: all(
+                CONTENTS[int(k)] != content for k, content in zip(x, CONTENTS, strict=True))),
         ),
-        "mean((0, 2)) is the mean over windows and frames.",
+        "the FMD compares two sets. Does it know which result belongs to which source?",
+        "give each source a window of another content, such as [2, 3, 4, 5, 0, 1].",
     ),
     "08b.3": Exercise(
         same_as(
             lambda m, s, n, r: (m - n) ** 2 + (s - r) ** 2,
-            lambda: [(0.0, 1.0, 2.0, 3.0), (1.0, 2.0, 1.0, 0.5)],
+            lambda: [(0.0, 1.0, 2.0, 3.5), (1.0, 2.0, 1.0, 0.5), (3.0, 1.0, -1.0, 1.0)],
             {
                 "this leaves the deviations out.": lambda m, s, n, r: (m - n) ** 2,
                 "the last term is missing: − 2 s r.": lambda m, s, n, r: (m - n) ** 2 + s**2 + r**2
             },
         ),
-        "Σ is the square of the deviation: s² + r² − 2 s r.",
+        "what is Σ of one feature, and what is the square root of the product of two of them?",
+        "Σ is the square of the deviation: s² + r² − 2 s r = (s − r)².",
     ),
 }
