@@ -9,6 +9,7 @@ import torch
 from course import feet_figures, losses_page, plane, style_figures
 
 import toolkit as tk
+from toolkit.view import charts
 
 
 def test_line_figure_has_a_step_and_a_frame_for_each_blend():
@@ -31,6 +32,10 @@ def test_map_figure_hides_names_of_crowded_points_but_keeps_them_under_the_mouse
     figure = style_figures.map_figure(points, ["a", "b", "c"], ["x"] * 3)
     assert list(figure.data[0].text) == ["", "", "c"]
     assert list(figure.data[0].hovertext) == ["a", "b", "c"]
+
+
+def test_colours_never_repeat():
+    assert len(set(charts.colours(40))) == 40
 
 
 def test_ten_curves_have_ten_colours():
