@@ -228,12 +228,12 @@ def test_recordings_are_read_in_a_last_section_alone(lesson):
         assert len(cells[heads[0]][1].split("##")[-1].split()) > 25  # prose of their own
 
 
-def test_it_ends_with_what_was_learnt_and_five_questions_with_folded_answers(lesson):
+def test_it_ends_with_what_was_learnt_and_three_questions_with_folded_answers(lesson):
     _, notebook = lesson
     assert len(calls(notebook, "learnt")) == 1
-    (quiz,) = [text for text in prose(notebook) if text.startswith("## Five questions")]
-    assert quiz.count("<details>") == quiz.count("</details>") == 5
-    assert len(re.findall(r"<summary>[^<]+\?</summary>\n\n", quiz)) == 5
+    (quiz,) = [text for text in prose(notebook) if text.startswith("## Three questions")]
+    assert quiz.count("<details>") == quiz.count("</details>") == 3
+    assert len(re.findall(r"<summary>[^<]+\?</summary>\n\n", quiz)) == 3
 
 
 def test_at_least_three_exercises_are_checked_and_have_folded_solutions(lesson):
