@@ -94,6 +94,39 @@ def _standing(figure: go.Figure, every: Tensor, panels: int) -> None:
     figure.update_xaxes(range=[-1, 1])
 
 
+def seven() -> Page:
+    """The seven models of Table 2: a row for each synthesis network, a column for each modulation.
+
+    Above the three layers is what blends their experts; in violet what the style does.
+    """
+    gates = {"PFNN": "one phase φ → spline", "MANN": "velocities → Ω", "LPN": "phases p → Ω"}
+    kinds = {"one-hot": ("+ Σ αs", ""), "adapter": ("", "+ h A + b"), "FiLM": ("γ · + β",) * 2}
+    drawn = []
+    for row, (network, gate) in enumerate(gates.items()):
+        for column, (kind, marks) in enumerate(kinds.items()):
+            if network == "MANN" and kind != "FiLM":
+                continue
+            x, y = 20 + 300 * column, 30 + 130 * row
+            parts = [f'<text x="{x}" y="{y}" font-weight="600">{network} {kind}</text>',
+                     f'<text x="{x + 60}" y="{y + 22}" fill="{SYMBOLS["α"][0]}">{gate} → α</text>',
+                     f'<text x="{x}" y="{y + 57}">x →</text>',
+                     f'<text x="{x + 245}" y="{y + 57}">→ z</text>']
+            for layer, mark in enumerate((*marks, "")):
+                at = x + 35 + 70 * layer
+                parts.append(f'<rect x="{at}" y="{y + 34}" width="62" height="36" rx="6" '
+                             f'fill="white" stroke="{SYMBOLS["α"][0]}"/>'
+                             f'<text x="{at + 31}" y="{y + 57}" '
+                             f'text-anchor="middle">F{"₁₂₃"[layer]}</text>')
+                if mark:
+                    parts.append(f'<text x="{at + 31}" y="{y + 88}" text-anchor="middle" '
+                                 f'fill="{SYMBOLS["γ, β"][0]}">{mark}</text>')
+            drawn += parts
+    return Page(f'<svg role="img" aria-label="The seven models" viewBox="0 0 920 400" '
+                f'style="width: 100%; max-width: 920px; background: #fbfaf7" '
+                f'font-family="system-ui, sans-serif" font-size="14" fill="#2b323b" '
+                f'xmlns="http://www.w3.org/2000/svg">{"".join(drawn)}</svg>')
+
+
 def gates(seconds: Tensor, alpha: Tensor, stands: Tensor, title: str) -> go.Figure:
     """Shares of the experts [F, K] over time, stacked, and below them the contacts [F, 2] (right,
     left).

@@ -53,7 +53,7 @@ LESSONS = {
             ("03a",), (4, 1)
         ),
         Lesson(
-            "05", "style_space", "Style space", "What does the space of styles look like?", 55,
+            "05", "style_space", "Style space", "What does the space of styles look like?", 50,
             ("04",), (5, 1)
         ),
         Lesson(

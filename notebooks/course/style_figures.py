@@ -1,6 +1,6 @@
 """Figures of the notebooks on styles.
 
-Vectors, pairs of styles, a line and a triangle of blends.
+Vectors, pairs of styles, a line of blends, curves.
 """
 
 from collections.abc import Mapping, Sequence
@@ -19,7 +19,6 @@ from toolkit.view.render.picture import Picture
 
 # Ten colours that are told apart.
 WHEEL = (*PALETTE[:5], "#d9772b", "#3f7d3a", "#1f4e79", "#a0522d", "#101820")
-VIRIDIS = "viridis"
 
 
 def vectors_figure(vectors: Tensor, names: Sequence[str]) -> Figure:
@@ -158,27 +157,6 @@ def _body(pose: Tensor, layout: Layout, side: str) -> dict[str, np.ndarray]:
     return bones(
         [p if own == side else -1 for p, own in zip(layout.parents, owners, strict=True)], pose
     )
-
-
-def triangle_figure(
-    weights: Tensor, values: Mapping[str, Tensor], corners: Sequence[str]
-) -> Figure:
-    """Blends of three styles, weights [N, 3], as dots in a triangle.
-
-    A panel for each measure ``name -> [N]``.
-    """
-    place = np.asarray(weights) @ np.array([[0.0, 0.0], [1.0, 0.0], [0.5, 0.87]])
-    figure = Picture(figsize=(3.6 * len(values), 3.5), dpi=80, layout="constrained")
-    panels = np.atleast_1d(figure.subplots(1, len(values)))
-    size = 1200 / max(1, round((2 * len(place)) ** 0.5 - 1.5))
-    for axes, (name, value) in zip(panels, values.items(), strict=True):
-        dots = axes.scatter(*place.T, c=np.asarray(value), s=size, cmap=VIRIDIS)
-        figure.colorbar(dots, ax=axes, label=name, shrink=0.8)
-        for corner, (x, y) in zip(corners, ((0, -0.15), (1, -0.15), (0.5, 0.98)), strict=True):
-            axes.text(x, y, corner, ha="center")
-        axes.set(xlim=(-0.3, 1.3), ylim=(-0.24, 1.14), aspect="equal")
-        axes.axis("off")
-    return figure
 
 
 def curves_figure(
