@@ -5,16 +5,20 @@ Sources of phases against the truth, and walks of many characters.
 
 import dataclasses
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 
 import pandas as pd
 import torch
+from course.pages import Page, show
 from torch import Tensor
 
 from toolkit import phases as ph, runtime
 from toolkit.datasets import procedural
 from toolkit.evaluation.phases import measure
 from toolkit.features import split_joints
+from toolkit.motion.contacts import velocities
 from toolkit.networks import Model
+from toolkit.view.frontend import embed
 
 # Cyclic, asymmetric, no global phase, stochastic.
 FOUR = ("Neutral", "DragRightLeg", "PendulumHands", "Drunk")
@@ -52,6 +56,32 @@ def trial(
         rows += [(f"{name} {gait}", source, float(error[:2].nanmean()), float(error[2:].nanmean()))
                  for source, error in found.items()]
     return pd.DataFrame(rows, columns=["clip", "source", "hands", "feet"])
+
+
+def sliders(seconds: float = 8.0) -> Page:
+    """A page in which sliders weigh four curves into a source, and errors follow at once.
+
+    The page fits sinusoids of the true frequency to walks of `FOUR`, at 30 frames per second.
+    """
+    styles = []
+    for name in FOUR:
+        clip, truth = procedural.truth(name, "FW", seconds)
+        curves = []
+        for limb in ph.LIMBS:
+            left, up, ahead = ph.local_positions(clip, limb).T
+            end = clip.global_positions[:, clip.skeleton.role(limb.replace("foot", "toe"))]
+            still = -velocities(end, clip.fps).norm(dim=-1).clamp_min(0.05).log()
+            four = torch.stack((ahead, up, left, still))[:, ::2]
+            four = (four - four.mean(1, keepdim=True)) / four.std(1, keepdim=True)
+            curves.append([[round(x, 2) for x in curve] for curve in four.tolist()])
+        turns = (truth.phase.diff(dim=0) + torch.pi) % (2 * torch.pi) - torch.pi
+        styles.append({
+            "name": name, "curves": curves,
+            "phase": [[round(x, 3) for x in row] for row in truth.phase[::2].T.tolist()],
+            "hertz": (turns.mean(0).abs() * clip.fps / (2 * torch.pi)).tolist()})
+    data = {"styles": styles, "fps": 30, "names": ["ahead", "up", "to the left", "stillness"]}
+    page = Path(__file__).with_suffix(".html").read_text(encoding="utf-8")
+    return show(page.replace("DATA", embed(data)), 460)
 
 
 def walk(
