@@ -1,5 +1,5 @@
 """Soak test: every style for ten minutes with random commands and blends, compared with limits for
-falls and slides.
+falls and stops.
 """
 
 import math
@@ -16,7 +16,6 @@ from toolkit import published, runtime
 from toolkit.cli import verbs
 from toolkit.evaluation import metrics
 from toolkit.motion import forward_kinematics
-from toolkit.motion.contacts import FEET
 from toolkit.networks.bank import StyleBank
 from toolkit.runtime import FPS, CharacterState, Command
 
@@ -38,7 +37,6 @@ LOW, HIGH = 0.35, 1.6
 WINDOW, TURN = 5.0, 2.0
 WALK, STEADY = (0.5, 1.5), 0.9  # limits of steady walking: m/s; least |mean velocity| / mean speed
 STUCK = 0.2  # share of the commanded distance, below which a character is stuck
-SKATE = 0.05  # m/s, limit of a style's median in steady walking
 COLUMNS = {"model": ["model"], "styles": ["styles", 0], "frames": ["frames", 0],
            "bad": ["frames that are not finite", 0], "falls": ["falls", 0],
            "stuck": ["times stuck", 0], "glides": ["glides", 0]}
@@ -57,7 +55,7 @@ def run(
                      typer.Option("--store",
                                   help="Write the summary into docs/results/soak.json.")] = False,
 ) -> None:
-    """Falls, slides and stops of every style with random commands and blends, compared with limits;
+    """Falls and stops of every style with random commands and blends, compared with limits;
     status 1 if exceeded.
     """
     net, bank = published.either(model, parameters)
@@ -127,12 +125,11 @@ class Watched:
     hips: Tensor  # [F, N], their height
     root: Tensor  # [F, N, 2]
     contact: Tensor  # [F, N, 2] bool, right and left
-    sliding: Tensor  # [F, N, 2], horizontal speed of the toes
 
 
 def watch(model, vectors: Tensor, course: Course) -> Watched:
     """Run a compiled or plain model with a course; ``vectors [N, D]`` are those of the styles."""
-    state, parts, last = runtime.start(model, course.blend(0, vectors)), [], None
+    state, parts = runtime.start(model, course.blend(0, vectors)), []
     frames = range(len(course.velocity))
     with torch.no_grad():
         for chunk in tqdm([frames[i : i + CHUNK] for i in frames[::CHUNK]], desc="soak",
@@ -142,22 +139,16 @@ def watch(model, vectors: Tensor, course: Course) -> Watched:
                 command = Command(course.velocity[frame], course.facing[frame])
                 state = runtime.step(model, state.with_style(course.blend(frame, vectors)), command)
                 states.append(state)
-            part, last = _look(model, states, last)
-            parts.append(part)
+            parts.append(_look(model, states))
     return Watched(**{name: torch.cat([part[name] for part in parts]) for name in parts[0]})
 
 
-def _look(model, states: list[CharacterState],
-          last: Tensor | None) -> tuple[dict[str, Tensor], Tensor]:
-    """The arrays of `Watched` for some frames, and the last toes ``[N, 2, 3]``, given those before
-    the first frame.
-    """
+def _look(model, states: list[CharacterState]) -> dict[str, Tensor]:
+    """The arrays of `Watched` for some frames."""
     skeleton = model.layout.skeleton
     rotations, roots = (torch.stack(side)
                         for side in zip(*(runtime.pose(model, s) for s in states), strict=True))
     positions = forward_kinematics(skeleton, rotations, roots)[1]
-    toes = positions[..., [skeleton.role(f"{side}_toe") for side in FEET], :]
-    before = torch.cat((toes[:1] if last is None else last[None], toes[:-1]))
     numbers = torch.stack([torch.cat([getattr(s, name).flatten(1) for name in CARRIED], 1)
                            for s in states])
     return {
@@ -166,8 +157,7 @@ def _look(model, states: list[CharacterState],
         "hips": positions[..., skeleton.role("hips"), 1],
         "root": torch.stack([s.root[:, :2] for s in states]),
         "contact": torch.stack([s.contacts > 0.5 for s in states]),
-        "sliding": (toes - before)[..., ::2].norm(dim=-1) * FPS,
-    }, toes[-1]
+    }
 
 
 def judge(seen: Watched, course: Course, bank: StyleBank, rest: float) -> list[dict]:
@@ -176,14 +166,12 @@ def judge(seen: Watched, course: Course, bank: StyleBank, rest: float) -> list[d
     A character is down if it is not upright or the height of its hips is outside of `LOW` to `HIGH`
     times that at ``rest``. In a window with commands for steady walking it is stuck if, after the
     time for a turn, it moves less than `STUCK` of the commanded distance, and glides if it makes no
-    step. A style slides if the median speed of its toes in contact in steady walking exceeds
-    `SKATE`.
+    step. Slides are found by `toolkit.evaluation.defects`.
     """
     down = seen.finite & ~(seen.upright & (seen.hips > LOW * rest) & (seen.hips < HIGH * rest))
     walking, got, steps = _windows(seen, course)
     events = {"bad": ~seen.finite, "falls": down, "stuck": walking & (got < STUCK),
               "glides": walking & (steps == 0)}
-    late = len(seen.hips) - len(walking)  # frames before the end of the first window
     rows = []
     for i, name in enumerate(bank):
         row, wrong = {"style": name, "failed": ""}, []
@@ -195,10 +183,6 @@ def judge(seen: Watched, course: Course, bank: StyleBank, rest: float) -> list[d
                 frame = int(now.int().argmax())
                 blend = _blend(course, frame, i, bank)
                 wrong.append(f"{what} from {frame / FPS:.1f} s on, {blend}")
-        standing = walking[:, i, None] & seen.contact[late:, i]
-        row["slide"] = 100 * float(seen.sliding[late:, i][standing].nanmedian())
-        if row["slide"] > 100 * SKATE:
-            wrong.append(f"slides, {row['slide']:.0f} cm/s half of the time")
         row |= {"low": float(seen.hips[:, i].min()), "high": float(seen.hips[:, i].max())}
         rows.append(row | {"failed": "; ".join(wrong)})
     return rows
@@ -293,6 +277,5 @@ def table(rows: list[dict]) -> list[str]:
         cells = (f"{row[key]:>8.2f}" if isinstance(row[key], float) else f"{row[key]:>8}"
                  for key in keys[1:])
         lines.append(f"{row['style']:<20}" + "".join(cells))
-    lines.append("bad: frames with a value that is not finite; slide: median speed of toes in "
-                 "contact in steady walking, cm/s; low, high: of the hips, m")
+    lines.append("bad: frames with a value that is not finite; low, high: of the hips, m")
     return lines + [f"{row['style']}: {row['failed']}" for row in rows if row["failed"]]

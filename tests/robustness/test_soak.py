@@ -67,14 +67,8 @@ def falls(state, frame):
     return changed(state, joints=flipped) if frame % 100 < 2 else state
 
 
-def slides(state, frame):
-    """Feet always in contact, and their targets go along with the body."""
-    away = 0.01 * (frame % 20) * torch.tensor([0.0, 0.0, 1.0])
-    return changed(state, contacts=torch.ones_like, toes=lambda toes: toes + away)
-
-
-@pytest.mark.parametrize(("harm", "said"), [(poisoned, "bad from 2.0 s"), (falls, "falls from 3.3"),
-                                            (slides, "slides")])
+@pytest.mark.parametrize(("harm", "said"), [(poisoned, "bad from 2.0 s"),
+                                            (falls, "falls from 3.3")])
 def test_a_planted_defect_is_found_and_only_this(pretrained, harm, said):
     model, bank = pretrained
     course = walking(bank, 8.0)
@@ -110,11 +104,6 @@ def test_what_is_seen_is_what_the_measures_of_clips_say(pretrained):
     states = list(tk.runtime.states(model, tk.runtime.straight(1.0, 3.0), bank.vectors))
     for i in range(len(bank)):
         clip = tk.runtime.record(model, states, character=i)
-        contact = torch.stack([s.contacts[i] for s in states])
-        skate = tk.metrics.foot_skate(clip.cut(1), contact[1:])
-        for k, side in enumerate(("right", "left")):
-            own = seen.sliding[1:, i, k][seen.contact[1:, i, k]]
-            assert float(own.mean()) == pytest.approx(skate[side], abs=2e-3)
         hips = float(seen.hips[:, i].min()), float(seen.hips[:, i].max())
         assert hips == pytest.approx(tk.metrics.hips_height(clip))
         assert bool(seen.upright[:, i].all()) == tk.metrics.upright(clip)

@@ -32,11 +32,10 @@ def save(clip: Clip, path: str | os.PathLike) -> None:
     """Write a clip as binary glTF, whole or not at all.
 
     The file has a node per joint and end site, under its name. The mannequin of `toolkit.view` is a
-    skinned mesh with a colour per vertex, in its bind pose: one inverse bind matrix per joint gives
-    exactly the skin of the toolkit's own pictures. The animation holds the joints' rotations and
-    the root's translation at the clip's rate, linear between frames; joints that keep their
-    rotation have no channel. Metres, y up, facing +z at zero rotation, as glTF demands. ValueError
-    if no bone is long enough for a body.
+    skinned mesh with a colour per vertex; each vertex follows one joint. The animation holds the
+    joints' rotations and the root's translation at the clip's rate, linear between frames; joints
+    that keep their rotation have no channel. Metres, y up, facing +z at zero rotation, as glTF
+    demands. ValueError if no bone is long enough for a body.
     """
     from toolkit.view.render import mannequin  # imported on demand: it needs the drawing libraries
 
