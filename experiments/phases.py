@@ -7,13 +7,13 @@ from typing import Annotated
 
 import torch
 import typer
+from course import labels
+from course.labels import STILL, Row, measure
 from torch import Tensor
 
 from experiments.tables import Result
 from toolkit import phases as ph
 from toolkit.datasets import home, procedural
-from toolkit.evaluation import phases as labels
-from toolkit.evaluation.phases import STILL, Row, measure
 from toolkit.motion.contacts import FEET
 
 STAGGERING = ("Neutral", "Zombie")  # also measured with the random steps of the Drunk

@@ -9,12 +9,12 @@ from pathlib import Path
 
 import pandas as pd
 import torch
+from course.labels import measure
 from course.pages import Page, show
 from torch import Tensor
 
 from toolkit import phases as ph, runtime
 from toolkit.datasets import procedural
-from toolkit.evaluation.phases import measure
 from toolkit.features import split_joints
 from toolkit.motion.contacts import velocities
 from toolkit.networks import Model

@@ -216,20 +216,16 @@ def test_pairs_computed_by_hand():
 
 def test_what_cannot_be_measured_is_refused(walks):
     clip, real = walks
-    with pytest.raises(
-        ValueError, match="expected the same frames, got 100 at 60 Hz and 240 at 60 Hz"
+    for measure, given, reason in (
+        (metrics.npss, (clip.cut(0, 100), real), "got 100 at 60 Hz and 240 at 60 Hz"),
+        (metrics.geodesic, (stick(), real), "the joints differ; retarget"),
+        (metrics.skate_kimodo, (clip.cut(0, 1),), "foot skate needs two frames"),
+        (metrics.foot_skate, (real, torch.zeros(3, 2)), r"shape \[240, 2\], got \[3, 2\]"),
+        (metrics.feet, (clip.cut(0, 2),), "acceleration needs three frames, got 2"),
+        (metrics.frechet_distance, (torch.zeros(5, 4), torch.zeros(5, 3)), "expected features"),
     ):
-        metrics.npss(clip.cut(0, 100), real)
-    with pytest.raises(ValueError, match="the joints differ; retarget"):
-        metrics.geodesic(stick(), real)
-    with pytest.raises(ValueError, match="foot skate needs two frames"):
-        metrics.skate_kimodo(clip.cut(0, 1))
-    with pytest.raises(ValueError, match=r"shape \[240, 2\], got \[3, 2\]"):
-        metrics.foot_skate(real, torch.zeros(3, 2))
-    with pytest.raises(ValueError, match="acceleration needs three frames, got 2"):
-        metrics.feet(clip.cut(0, 2))
-    with pytest.raises(ValueError, match="expected features"):
-        metrics.frechet_distance(torch.zeros(5, 4), torch.zeros(5, 3))
+        with pytest.raises(ValueError, match=reason):
+            measure(*given)
 
 
 class Judge:
@@ -290,18 +286,12 @@ def test_a_report_has_a_row_of_the_real_data_and_says_what_is_missing(walks):
     found = tk.evaluation.report([clip, real], real=[real, real])
     made, truth = found.rows
     assert (made["data"], made["n"], truth["data"], truth["n"]) == ("clips", 2, "real", 2)
-    assert made["skate-rsmt"] == pytest.approx(
-        (metrics.skate_rsmt(clip) + metrics.skate_rsmt(real)) / 2
-    )
-    assert truth["skate-kimodo"] == pytest.approx(metrics.skate_kimodo(real))
+    mean = (metrics.skate_rsmt(clip) + metrics.skate_rsmt(real)) / 2
+    assert made["skate-rsmt"] == pytest.approx(mean)
     assert made["geodesic"] == pytest.approx(metrics.geodesic(clip, real) / 2)
     assert truth["npss"] == 0.0
-    assert all(
-        text in repr(found) for text in ("skate-smoodi", "real (2)", "they need a recogniser")
-    )
-    alone = tk.evaluation.report(clip)
-    assert len(alone.rows) == 1
-    assert "they need real clips" in alone.notes[0]
+    assert all(text in repr(found) for text in ("real (2)", "they need a recogniser"))
+    assert "they need real clips" in tk.evaluation.report(clip).notes[0]
     odd = tk.evaluation.report([clip, clip], real)
     assert "npss" not in odd.rows[0]
     assert "2 clips and 1 real ones are not pairs" in odd.notes[0]

@@ -5,11 +5,11 @@ import math
 import numpy as np
 import pytest
 import torch
+from course.labels import measure
 
 import toolkit as tk
 from experiments import phases as bench
 from toolkit.datasets import procedural
-from toolkit.evaluation.phases import measure
 from toolkit.phases import LIMBS, Sinusoids, fit, normalise, smooth, windows
 
 FPS = 60.0

@@ -6,10 +6,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import torch
+from course import labels
 
 import toolkit as tk
 from toolkit.datasets import procedural
-from toolkit.evaluation import phases as labels
 from toolkit.phases import Steps, steps
 
 FPS = 60.0

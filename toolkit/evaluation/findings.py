@@ -23,7 +23,7 @@ RUNNING = 1.6  # m/s of the hips, over half a second, from which the limits of r
 LOW, FLAT = 0.02, 0.02  # metres of toe and ankle above where they stand: the foot is flat
 STANCE, TOUCH = 0.2, 0.1  # seconds that a foot is flat at least, in a step and in a short one
 REST = 0.5  # seconds over which a standing body drifts
-ALIKE = 0.6  # least speed of hips and toes over that of the hips, from which the body glides
+ALIKE = 0.3  # largest speed of the toes from the hips, over that of the hips, of a gliding body
 LIFTED = 0.1  # metres above the other: a foot that does not stand at all
 JOIN = 0.2  # seconds between two moments of one finding
 POINTS = 6  # of a bone, between which distances are measured
@@ -177,7 +177,7 @@ def _feet(clip: Clip, at: dict[str, Tensor]) -> Iterator[tuple[str, str, Tensor]
     fps, floor = clip.fps, contacts.floor_height(clip).double()
     hips = _moved(at["hips"][:, [0, 2]], fps, TOUCH)
     travel = hips.norm(dim=-1)
-    lowest, rest = [], [_speed(at["hips"][:, [0, 2]], fps, REST)]
+    lowest, strides = [], []
     for side in SIDES:
         toe, ankle = at[f"{side}_toe"], at[f"{side}_foot"]
         low = toe[:, 1] - floor < LOW
@@ -195,10 +195,12 @@ def _feet(clip: Clip, at: dict[str, Tensor]) -> Iterator[tuple[str, str, Tensor]
         yield "pivot", f"{side}_foot", _only(heel, _throughout(still, TOUCH, fps))
         slow = velocity.norm(dim=-1) < 0.3
         lowest.append(toe[slow, 1].quantile(0.05) if slow.any() else toe.new_tensor(torch.nan))
-        rest.append(_only(_speed(toe[:, [0, 2]], fps, REST), _throughout(low, REST, fps)))
-    least = torch.stack(rest).amin(0)
-    glides = least > ALIKE * rest[0]
-    yield "drift", "hips", _only(least, glides)
+        strides.append((velocity[:, [0, 2]] - hips).norm(dim=-1))
+    # A body glides if its feet go along with its hips for a while, as no step does.
+    whole = 2 * max(1, round(REST * fps / 2)) + 1
+    if len(clip) >= whole:
+        step, way = (x.unfold(0, whole, 1).mean(-1) for x in (torch.stack(strides).amax(0), travel))
+        yield "drift", "hips", _placed(_only(way, step < ALIKE * way), len(clip))
     uneven = (lowest[0] - lowest[1]).abs()
     yield "floor", f"{SIDES[int(lowest[0] > lowest[1])]}_toe", _only(
         uneven.expand(len(clip)), uneven < LIFTED)

@@ -253,13 +253,12 @@ def _paired(name: str, clip: Clip | Joints, real: Clip | Joints) -> float:
     return PAIR[name](clip, real) if rotations or name in POSITIONS else math.nan
 
 
-def average(values: list[float]) -> Statistic:
+def average(values: Sequence[float]) -> Statistic:
     """The mean of the numbers that are not NaN."""
-    def mean(chosen: Sequence[int]) -> float:
-        known = [values[i] for i in chosen if not math.isnan(values[i])]
-        return sum(known) / len(known) if known else math.nan
-
-    return len(values), mean
+    known = [value for value in values if not math.isnan(value)]
+    if not known:
+        return 1, lambda _: math.nan
+    return len(known), lambda chosen: sum(known[i] for i in chosen) / len(chosen)
 
 
 def _sets(judge: _Cached, data: Mapping[str, Sequence], real: Sequence | None,
@@ -293,17 +292,24 @@ def _sets(judge: _Cached, data: Mapping[str, Sequence], real: Sequence | None,
 
 
 def _of(measure: Callable[..., float], judge: _Cached, clips: Sequence, *others: Any) -> Statistic:
-    """A measure of sets. A bootstrap draws each clip from those of its style, so that the shares
-    of the styles stay.
+    """A measure of sets."""
+    return of_styles([clip.style for clip in clips],
+                     lambda chosen: measure(judge, [clips[i] for i in chosen], *others))
+
+
+def of_styles(styles: Sequence[str], measure: Callable[[list[int]], float]) -> Statistic:
+    """A measure of chosen clips, whose bootstrap draws each clip from those of its style.
+
+    The shares of the styles stay as they are, which matter for measures of sets.
     """
-    groups = [[other for other in clips if other.style == clip.style] for clip in clips]
-    place = [group.index(clip) for group, clip in zip(groups, clips, strict=True)]
+    groups = [[n for n, other in enumerate(styles) if other == style] for style in styles]
 
     def value(chosen: Sequence[int]) -> float:
-        drawn = [groups[n][(place[n] + int(i) - n) % len(groups[n])] for n, i in enumerate(chosen)]
-        return measure(judge, drawn, *others)
+        # the number i of the bootstrap says how many places beyond its own a clip is drawn
+        return measure([group[(group.index(n) + int(i) - n) % len(group)]
+                        for n, (i, group) in enumerate(zip(chosen, groups, strict=True))])
 
-    return len(clips), value
+    return len(styles), value
 
 
 def interval(count: int, statistic: Callable[[Sequence[int]], float]) -> tuple[float, float]:

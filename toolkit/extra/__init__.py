@@ -8,6 +8,7 @@
 | `compiled` | the runtime in numba |
 | `matching` | motion matching: a search in the data in the place of a network |
 | `store` | features on the disk, computed by several processes or by Dask |
+| `benchmark` | StyleWalk, a benchmark of steered walks in a style |
 | `engines` | glTF and ONNX files |
 """
 
@@ -37,6 +38,7 @@ for _name, _part in {
     "toolkit.runtime.quick": "compiled:quick",
     "toolkit.view.Director": "shots.director:Director", "toolkit.view.director": "shots.director",
     "toolkit.features.store": "store", "toolkit.motion.retargeting": "characters.retargeting",
+    "benchmark": "benchmark",
     "crowd.places": "shots.crowd:places",
 }.items():
     register(_name, f"{_HERE}.{_part}")

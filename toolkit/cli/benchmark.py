@@ -1,0 +1,72 @@
+"""The verb `benchmark`: scores of StyleWalk for a model, and for anybody's files."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from toolkit.cli import motion_files
+from toolkit.cli.verbs import Published, Roles, Unit, Up, say
+from toolkit.datasets import folder as own
+from toolkit.io import bvh, save as saving
+from toolkit.registry import find
+from toolkit.training import published
+from toolkit.training.run import pretrained_file
+
+app = typer.Typer(no_args_is_help=True, add_completion=False,
+                  help="Score steered walks in a style by the benchmark StyleWalk.")
+Judging = Annotated[Path | None, typer.Option(
+    "--judges", help="File of the judges; by default the one in examples/models of a checkout.")]
+Out = Annotated[Path | None, typer.Option(help="JSON file for the scores.")]
+
+
+@app.command()
+def run(
+    model: Annotated[Path | None, typer.Argument(
+        help="File of a model, or procedural (the default), or recorded.")] = None,
+    parameters: Published = None,
+    judges: Judging = None,
+    out: Out = None,
+    clips: Annotated[Path | None, typer.Option(help="Folder for the walks, as BVH.")] = None,
+) -> None:
+    """Let a model walk all tracks in all styles that it knows, and score the walks."""
+    benchmark = find("benchmark")
+    judging = benchmark.Judges.load(judges)
+    walks = benchmark.walk(*published.either(model, parameters), progress=True)
+    if clips is not None:
+        clips.mkdir(parents=True, exist_ok=True)
+        for name, clip in walks.items():
+            bvh.save(clip, clips / f"{name}.bvh")
+    files = {"judges": judges or benchmark.judges.FILE}
+    if parameters is None:
+        named = str(model or "procedural")
+        plain = named in ("procedural", "recorded")
+        files["model"] = pretrained_file(named) if plain else model
+    _tell(benchmark.score(walks, judging, str(model or parameters or "procedural"), files), out)
+
+
+@app.command()
+def score(
+    folder: Annotated[Path, typer.Argument(
+        help="Folder of motion files named track_style_seed.")],
+    judges: Judging = None,
+    out: Out = None,
+    unit: Unit = "auto",
+    up: Up = "auto",
+    roles: Roles = None,
+) -> None:
+    """Score anybody's motion files."""
+    benchmark = find("benchmark")
+    judging = benchmark.Judges.load(judges)
+    paths = [path for path in sorted(folder.glob("*")) if path.suffix.lower() in own.SUFFIXES]
+    clips = {path.stem: motion_files.read(path, unit, up, roles) for path in paths}
+    files = {"judges": judges or benchmark.judges.FILE}
+    _tell(benchmark.score(clips, judging, folder.name, files), out)
+
+
+def _tell(scores, out: Path | None) -> None:
+    """Print scores, and write them."""
+    say(scores)
+    if out is not None:
+        saving.check(out, (".json",))
+        scores.save(out)
