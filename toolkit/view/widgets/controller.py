@@ -38,9 +38,8 @@ class Controller(CellWidget, Corners):
         A model and its style bank, e.g. of `toolkit.pretrained`.
     styles
         The triangle's corners, three names of the bank; by default three that differ.
-    speed, size
-        Walking speed in metres per second, by default the natural speed of the first style (it can
-        be changed later); width and height of the picture in pixels.
+    size
+        Width and height of the picture in pixels.
     character
         A glTF or VRM file with a skinned mesh, drawn in place of the mannequin. It follows the
         model's joints without foot IK of its own.
@@ -49,8 +48,9 @@ class Controller(CellWidget, Corners):
     ----------
     state
         The character's current `toolkit.runtime.CharacterState`.
-    names, weights
-        Corners of the triangle and their shares.
+    names, weights, speed
+        Corners of the triangle and their shares; walking speed in metres per second, at first the
+        natural one of the first style.
     frames
         Number of frames computed so far.
     feet, arms
@@ -76,14 +76,14 @@ class Controller(CellWidget, Corners):
     _task: asyncio.Task | None = None  # None in a script, where `advance` moves the character
 
     def __init__(
-        self, model, bank, *, styles: Sequence[str] | None = None, speed: float | None = None,
+        self, model, bank, *, styles: Sequence[str] | None = None,
         size: tuple[int, int] = (640, 480), character: str | os.PathLike | Figure | None = None
     ):
         names = (ordered(bank) * 3)[:3] if styles is None else list(styles)
         if len(names) != 3:
             raise ValueError(f"a triangle has three styles, got {names}")
         self._model, self._bank = model, bank
-        speed = min(max(bank.speed(names[0]), 0.1), 3.0) if speed is None else speed
+        speed = min(max(bank.speed(names[0]), 0.1), 3.0)
         self._vector = self._target = bank.blend(dict.fromkeys(names, 0.0) | {names[0]: 1.0})
         self._alive = alive(lambda _: self._vector, getattr(model, "life", 0.0))
         self.state = runtime.start(model, self._vector)
