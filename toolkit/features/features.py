@@ -298,10 +298,11 @@ def recordings(clips: Iterable[tuple[int, Clip]], *, source: str | phases.Source
         for (take, clip), ph in zip(chosen, all_phases, strict=True):
             found[style].append((take, own_features(clip, ph, samples)))
     if empty := [style for style, own in found.items() if not own]:
-        why = f"no clip of {SHORTEST} frames (1.9 s at 60 Hz) of the styles {', '.join(empty)}"
+        names = ", ".join(map(repr, empty))
+        why = f"style {names} has no clip of {SHORTEST} frames (1.9 s at 60 Hz) to learn the style"
         if len(empty) == len(found):
-            raise ValueError(f"{why}: there is nothing to learn from")
-        warnings.warn(f"{why}: they are left out", stacklevel=3)
+            raise ValueError(f"{why} from")
+        warnings.warn(f"{why} from, and is left out", stacklevel=3)
     return {style: own for style, own in found.items() if own}
 
 
