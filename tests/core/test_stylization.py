@@ -1,5 +1,6 @@
 """Park et al. 2021: skeleton graph, networks, losses, training, and restyling a clip."""
 
+import copy
 import dataclasses
 import functools
 import math
@@ -315,53 +316,42 @@ def test_a_result_is_judged_as_a_motion_of_the_targets_style_and_the_sources_con
 
 def test_training_goes_on_from_a_checkpoint_as_if_it_had_not_stopped(motions, tmp_path):
     config = training.Config.quick(sizes=SMALL, batch=2, iterations=5, warm_up=1, log_every=2)
-
-    def stop(step, _):
-        if step == 3:
-            raise RuntimeError("stopped")
-
-    whole = st.fit(motions, config)
-    often = dataclasses.replace(config, save_every=0.0)
-    with pytest.raises(RuntimeError, match="stopped"):
-        st.fit(motions, often, tmp_path / "checkpoint", on_step=stop)
-    resumed = st.fit(motions, config, tmp_path / "checkpoint")
+    whole, path = st.fit(motions, config), tmp_path / "checkpoint"
+    times = iter([0.0, 1.0, 2.0, 3.0])  # the clock stops, and the training with it
+    with pytest.raises(StopIteration):
+        st.fit(motions, dataclasses.replace(config, save_every=0.0), path, clock=times.__next__)
+    resumed = st.fit(motions, config, path)
     assert [row["step"] for row in resumed.history] == [2, 4]
     assert [row["id"] for row in resumed.history] == [row["id"] for row in whole.history]
-    with pytest.raises(
-        ValueError, match=r"checkpoint: the run to resume differs in iterations: expected 9, got 5"
-    ):
-        st.fit(motions, dataclasses.replace(config, iterations=9), tmp_path / "checkpoint")
-    with pytest.raises(ValueError, match="had other data"):
-        st.fit(motions.select(motions.take < 3), config, tmp_path / "checkpoint")
-    whole.save(tmp_path / "run.safetensors")
-    stored = st.load(tmp_path / "run.safetensors")
-    assert stored.config == whole.config
-    assert stored.history == whole.history
-    for a, b, c in zip(*map(weights, (whole, resumed, stored)), strict=True):
+    for a, b in zip(*map(weights, (whole, resumed)), strict=True):
         assert torch.equal(a, b)
-        assert torch.equal(a, c)
+    with pytest.raises(ValueError, match="resume differs in iterations: expected 9, got 5"):
+        st.fit(motions, dataclasses.replace(config, iterations=9), path)
+    with pytest.raises(ValueError, match="had other data"):
+        st.fit(motions.select(motions.take < 3), config, path)
 
 
 def weights(run: st.Run) -> list[torch.Tensor]:
     return [*run.stylizer.state_dict().values(), *run.discriminator.state_dict().values()]
 
 
-def test_noise_trains_g_e_and_f_and_references_train_g_and_e(motions):
-    before: dict[str, list[torch.Tensor]] = {}
+def test_noise_trains_g_e_and_f_and_references_train_g_and_e(motions, monkeypatch):
     changed: list[set[str]] = []
+    step = training._step
 
-    def watch(_, stylizer):
-        now = {}
-        for name in training.NETWORKS[:3]:
-            now[name] = [p.detach().clone() for p in getattr(stylizer, name).parameters()]
-        if before:
-            changed.append({n for n in now if not all(map(torch.equal, now[n], before[n]))})
-        before.update(now)
+    def watched(stylizer, *rest):
+        before = copy.deepcopy(stylizer.state_dict())
+        values = step(stylizer, *rest)
+        after = stylizer.state_dict()
+        changed.append({k.split(".")[0] for k in after if not torch.equal(before[k], after[k])})
+        return values
 
+    monkeypatch.setattr(training, "_step", watched)
     few = {"sizes": SMALL, "batch": 2, "iterations": 5, "warm_up": 2, "log_every": 1, "r1_every": 2}
-    run = st.fit(motions, training.Config.quick(**few), on_step=watch)
+    run = st.fit(motions, training.Config.quick(**few))
     two, three = {"generator", "encoder"}, {"generator", "encoder", "mapping"}
-    assert changed == [two, three, two, three]  # the first after the warm-up
+    # the first two are the warm-up; at the very first G gives 0, whatever E says
+    assert changed == [{"generator"}, two, three, two, three]
     assert ["r1" in row for row in run.history] == [False, False, True, False, True]
 
 
@@ -548,7 +538,8 @@ def test_the_command_line_trains_and_restyles(tmp_path, walks, model, capsys):
     with pytest.raises(SystemExit, match="0"):
         main(train.split())
     assert {p.name for p in (tmp_path / "new").iterdir()} == {"run.safetensors"}
-    assert st.load(tmp_path / "new" / "run.safetensors").stylizer.domains == ("Neutral", "Zombie")
+    made = st.Stylizer.load(tmp_path / "new" / "run.safetensors")
+    assert made.domains == ("Neutral", "Zombie")
 
 
 def test_the_stylizer_in_the_package_brings_a_clip_nearer_to_each_style_than_to_any_other():

@@ -18,7 +18,7 @@ def train_stylizer(
     data: Annotated[str, typer.Option(
         help=f"Dataset: {', '.join(datasets.DATASETS)}; or a folder of your own clips.")],
     out: Annotated[Path, typer.Option(
-        help="File to write: networks and training curve (safetensors).")],
+        help="File to write (safetensors).")],
     root: Root = None,
     styles: Selection = None,
     gaits: Selection = None,
@@ -37,7 +37,7 @@ def train_stylizer(
     seed: Seed = 0,
     device: Device = "cpu",
     slim: Annotated[bool, typer.Option(
-        "--slim", help="Write a small file: 16 bits, no training curve.")] = False,
+        "--slim", help="Write a small file: 16 bits.")] = False,
     resume: Resume = False,
 ) -> None:
     """Train the motion stylizer of Park et al. 2021; print its losses over time.
@@ -61,7 +61,7 @@ def train_stylizer(
     except KeyboardInterrupt:
         say(f"\nthe same command with --resume goes on from {checkpoint}")
         raise
-    (run.stylizer.save(out, slim=True) if slim else run.save(out))
+    run.stylizer.save(out, slim=slim)
     checkpoint.unlink(missing_ok=True)
     last = run.history[-1] if run.history else {}
     terms = [name for name in last if name not in ("step", "elapsed")]

@@ -16,9 +16,9 @@ from toolkit.stylization.data import Motions, Statistics, build, split
 from toolkit.stylization.graph import SkeletonGraph
 from toolkit.stylization.networks import Discriminator, Sizes, Stylizer, pretrained
 from toolkit.stylization.restyling import style_code, stylize
-from toolkit.stylization.training import Config, Run, fit, load
+from toolkit.stylization.training import Config, Run, fit
 
 __all__ = ["Config", "Discriminator", "Motions", "Run", "Sizes", "SkeletonGraph", "Statistics",
-           "Stylizer", "build", "fit", "load", "pretrained", "split", "style_code", "stylize"]
+           "Stylizer", "build", "fit", "pretrained", "split", "style_code", "stylize"]
 __getattr__ = lazy_loader.attach(
     __name__, [module.name for module in pkgutil.iter_modules(__path__)])[0]

@@ -18,7 +18,6 @@ import torch
 from torch import Tensor
 
 from toolkit.features.splits import generator, seeded
-from toolkit.io import model_files
 from toolkit.io.progress import progress_bar
 from toolkit.motion.tensors import summary
 from toolkit.stylization import losses
@@ -108,36 +107,16 @@ class Config:
 
 @dataclass(eq=False)
 class Run:
-    """What training made; ``history``: per `Config.log_every` iterations the means of the terms."""
+    """What training made; ``history``: per `Config.log_every` iterations the means of the terms.
+
+    ``stylizer.save`` writes a file.
+    """
 
     stylizer: Stylizer
     discriminator: Discriminator
     config: Config
     history: list[dict[str, float]]
     __repr__ = summary
-
-    def save(self, path: str | os.PathLike) -> None:
-        """Write stylizer, config and history to one file, which `Stylizer.load` reads too."""
-        tensors, description = self.stylizer.parts()
-        tensors |= {f"discriminator.{k}": v for k, v in self.discriminator.state_dict().items()}
-        numbers = {"config": dataclasses.asdict(self.config), "history": self.history}
-        model_files.write(path, tensors, {"stylizer": description, "stylization": numbers})
-
-
-def load(path: str | os.PathLike) -> Run:
-    """Read a run that `Run.save` wrote; a file that is none is a one-line ValueError."""
-    tensors, parts = model_files.read(path, "stylization")
-    stylizer = Stylizer.from_parts(path, tensors, parts)
-    with model_files.intact(path, "the record of the run"):
-        numbers = parts["stylization"]
-        stored = numbers["config"]
-        config = Config(**stored | {"sizes": Sizes(**stored["sizes"]),
-                                    "losses": tuple(stored["losses"])})
-        discriminator = model_files.restore(
-            lambda: Discriminator(stylizer.graph, stylizer.sizes,
-                                  len(tensors["discriminator.branches.bias"])),
-            tensors, "discriminator.")
-        return Run(stylizer, discriminator, config, numbers["history"])
 
 
 class Batches:
@@ -182,8 +161,8 @@ class Batches:
 
 def fit(motions: Motions, config: Config | None = None,
         checkpoint: str | os.PathLike | None = None, *, resume: bool = True,
-        progress: bool = False, on_step: Callable[[int, Stylizer], None] | None = None,
-        networks: Callable = build, clock: Callable[[], float] = time.perf_counter) -> Run:
+        progress: bool = False, networks: Callable = build,
+        clock: Callable[[], float] = time.perf_counter) -> Run:
     """Train the four networks.
 
     Parameters
@@ -195,9 +174,6 @@ def fit(motions: Motions, config: Config | None = None,
         go on from it.
     progress
         Show a bar.
-    on_step
-        Called after every iteration with its number and the stylizer; a KeyboardInterrupt it raises
-        stops the run.
     networks
         Makes a stylizer and its discriminator, called like `toolkit.stylization.networks.build`.
     clock
@@ -250,7 +226,7 @@ def fit(motions: Motions, config: Config | None = None,
                 bar.set_postfix({name: f"{value:.2f}" for name, value in row.items()},
                                 refresh=False)
             bar.update()
-            saver.stepped(on_step, state["step"], stylizer)
+            saver.stepped(None)
     return Run(stylizer.cpu().eval(), discriminator.cpu().eval(), config, state["history"])
 
 
