@@ -237,29 +237,18 @@ class Stylizer(nn.Module):
         """Style codes ``[B, S]`` of noise ``[B, 16]`` for the domain."""
         return self.mapping(z, self.domain(domain).expand(len(z)))
 
-    def parts(self) -> tuple[dict[str, Tensor], dict]:
-        """Its tensors and its description, in the form of `toolkit.io.model_files`."""
-        description = {"domains": self.domains, "sizes": dataclasses.asdict(self.sizes),
-                       "skeleton": self.skeleton.to_dict()}
-        return {f"stylizer.{k}": v for k, v in self.state_dict().items()}, description
-
     def save(self, path: str | os.PathLike, *, slim: bool = False) -> None:
         """Write the whole model to one safetensors file; ``slim`` weights have 16 bits."""
-        tensors, description = self.parts()
-        if slim:
-            tensors = {k: v if k.startswith("stylizer.statistics.") else v.half()
-                       for k, v in tensors.items()}
+        tensors = {f"stylizer.{k}": v.half() if slim and not k.startswith("statistics.") else v
+                   for k, v in self.state_dict().items()}
+        description = {"domains": self.domains, "sizes": dataclasses.asdict(self.sizes),
+                       "skeleton": self.skeleton.to_dict()}
         model_files.write(path, tensors, {"stylizer": description})
 
     @classmethod
     def load(cls, path: str | os.PathLike) -> "Stylizer":
-        """Read a stylizer from a file of `save` or of a training run; ValueError for another."""
-        return cls.from_parts(path, *model_files.read(path, "stylizer"))
-
-    @classmethod
-    def from_parts(cls, path: str | os.PathLike, tensors: dict[str, Tensor],
-                   parts: dict) -> "Stylizer":
-        """The stylizer in the result of `toolkit.io.model_files.read` for ``path``."""
+        """Read a stylizer from a file of `save`; ValueError for another."""
+        tensors, parts = model_files.read(path, "stylizer")
         with model_files.intact(path, "the stylizer in it"):
             described = parts["stylizer"]
             graph = SkeletonGraph.of(Skeleton(**described["skeleton"]))

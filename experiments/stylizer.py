@@ -1,0 +1,88 @@
+"""The stylizer of the package on procedural clips that it was not trained on, beside floors.
+
+Judges learn from clips of other seeds. Every window is restyled to every other style of the model.
+"""
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Annotated
+
+import torch
+import typer
+
+from experiments.stylization import evaluation
+from experiments.stylization.judges import Judges
+from experiments.tables import Result
+from toolkit.datasets import procedural
+from toolkit.features.splits import generator
+from toolkit.stylization import Motions, Stylizer, build, pretrained
+
+GAITS = ("FW", "BW", "FR", "SW", "ID")  # of its training
+SECONDS, JUDGED, LEARNT = 2.3, 6, 12  # of a clip; clips of a kind in a set and for the judges
+FIRST, STEP, WINDOWS = 300, 10, 140  # seeds of the first set, of the next ones; windows of a set
+COLUMNS: dict[str, list] = {
+    "method": ["method"],
+    "content": ["content, %", 0, 100],
+    "style": ["style, %", 0, 100],
+    "both": ["both, %", 0, 100],
+    "movement": ["style without mean pose, %", 0, 100],
+    "fmd": ["FMD", 1],
+    "diversity": ["diversity, °", 1],
+    "contact_f1": ["contact F1", 2],
+}
+
+
+def run(
+    model: Annotated[Path | None, typer.Option(help="By default the one in the package.")] = None,
+    sets: Annotated[int, typer.Option(min=1, help="Sets of clips, each of other seeds.")] = 3,
+    store: Annotated[bool, typer.Option(help="Write the table's file in docs/results.")] = False,
+) -> None:
+    """The stylizer of the package on clips that it was not trained on, beside floors."""
+    torch.set_num_threads(1)
+    stylizer = pretrained() if model is None else Stylizer.load(model)
+    learnt = clips(stylizer, range(100, 100 + LEARNT))
+    judges = Judges.train({"content": learnt, "style": learnt}, learnt)
+    found: dict[str, dict[str, list[float]]] = {}
+    for seed in range(sets):
+        first = FIRST + STEP * seed
+        for method, row in rows(stylizer, judges, clips(stylizer, range(first, first + JUDGED))):
+            for name, value in row.items():
+                if name in COLUMNS:
+                    found.setdefault(method, {}).setdefault(name, []).append(value)
+    about = (f"The stylizer of the package, {len(stylizer.domains)} styles and {len(GAITS)} gaits "
+             f"of procedural clips; mean ± deviation over {sets} sets of clips")
+    result = Result("stylizer", about, "python -m experiments stylizer --store", COLUMNS,
+                    [{"method": method, **values} for method, values in found.items()],
+                    {"windows of a set": WINDOWS, "clips for the judges": len(learnt)})
+    print(f"\n{result.about}\n\n{result.markdown()}")
+    if store:
+        print(f"wrote {result.save()}")
+
+
+def clips(stylizer: Stylizer, seeds: range) -> Motions:
+    """Windows of clips of these seeds, with the model's styles."""
+    options = {"styles": list(stylizer.domains), "gaits": GAITS, "seconds": SECONDS}
+    return build([clip for seed in seeds for clip in procedural.load(seed=seed, **options)])
+
+
+def rows(stylizer: Stylizer, judges: Judges, motions: Motions) -> Iterator[tuple[str, dict]]:
+    """Measures of real motion, of floors and of the stylizer, by what they are of."""
+    order = torch.randperm(len(motions), generator=generator(0))
+    some = motions.select(order[:WINDOWS].sort().values)
+    real = judges.judge(some.x, some.content, some.domain)
+    yield "real motion", real | {"diversity": evaluation.own_diversity(motions)}
+    chosen, target = evaluation.pairs(some)
+    sources, statistics = some.select(chosen), stylizer.statistics
+    most = float(sources.content.bincount().max()) / len(target)
+    style = float(target.bincount().max()) / len(target)
+    yield "most frequent class", {"content": most, "style": style, "movement": style}
+    yield "unchanged source", evaluation.measures(sources, target, [sources.x], judges)
+    poses = statistics.poses[target] - statistics.poses[sources.domain]
+    shift = statistics.apply(sources.x) + poses
+    yield "mean-pose shift", evaluation.measures(sources, target, [statistics.invert(shift)],
+                                                 judges)
+    for by in ("noise", "reference"):
+        made = evaluation.results(stylizer, some, motions, by, 0)
+        half = [statistics.invert((statistics.apply(x) + shift) / 2) for x in made]
+        yield f"half network, half shift, {by}", evaluation.measures(sources, target, half, judges)
+        yield f"the network, {by}", evaluation.measures(sources, target, made, judges)
