@@ -434,9 +434,8 @@ def test_a_result_takes_a_share_of_the_posture_of_its_reference(motions, walks, 
 
 def test_a_long_clip_of_several_actions_stays_upright_in_every_style():
     """Figure 5: one pass over 1,003 frames, by the model in the package."""
-    gaits = tk.datasets.load(
-        "procedural", styles="Neutral", gaits=["FW", "FR", "ID", "SW", "BW"], seconds=4.0, seed=7
-    )
+    gaits = tk.datasets.load("procedural", styles="Neutral", gaits=["FW", "FR", "ID", "SW", "BW"],
+                             seconds=4.0, seed=7)
     long = medley([clip.resample(30) for clip in gaits] * 2).cut(0, 1003)
     model = st.pretrained()
     for style in model.domains[1:]:
