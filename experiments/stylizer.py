@@ -19,7 +19,7 @@ from toolkit.stylization import Motions, Stylizer, build, pretrained
 
 GAITS = ("FW", "BW", "FR", "SW", "ID")  # of its training
 SECONDS, JUDGED, LEARNT = 2.3, 6, 12  # of a clip; clips of a kind in a set and for the judges
-FIRST, STEP, WINDOWS = 300, 10, 140  # seeds of the first set, of the next ones; windows of a set
+FIRST, STEP, WINDOWS = 300, 10, 70  # seeds of the first set, of the next ones; windows of a set
 COLUMNS: dict[str, list] = {
     "method": ["method"],
     "content": ["content, %", 0, 100],
@@ -72,17 +72,15 @@ def rows(stylizer: Stylizer, judges: Judges, motions: Motions) -> Iterator[tuple
     real = judges.judge(some.x, some.content, some.domain)
     yield "real motion", real | {"diversity": evaluation.own_diversity(motions)}
     chosen, target = evaluation.pairs(some)
-    sources, statistics = some.select(chosen), stylizer.statistics
+    sources = some.select(chosen)
     most = float(sources.content.bincount().max()) / len(target)
     style = float(target.bincount().max()) / len(target)
     yield "most frequent class", {"content": most, "style": style, "movement": style}
     yield "unchanged source", evaluation.measures(sources, target, [sources.x], judges)
-    poses = statistics.poses[target] - statistics.poses[sources.domain]
-    shift = statistics.apply(sources.x) + poses
-    yield "mean-pose shift", evaluation.measures(sources, target, [statistics.invert(shift)],
-                                                 judges)
+    shift = stylizer.shift(sources.x, sources.domain, target)
+    yield "mean-pose shift", evaluation.measures(sources, target, [shift], judges)
     for by in ("noise", "reference"):
         made = evaluation.results(stylizer, some, motions, by, 0)
-        half = [statistics.invert((statistics.apply(x) + shift) / 2) for x in made]
-        yield f"half network, half shift, {by}", evaluation.measures(sources, target, half, judges)
+        half = [(x + shift) / 2 for x in made]
+        yield f"blend, {by}", evaluation.measures(sources, target, half, judges)
         yield f"the network, {by}", evaluation.measures(sources, target, made, judges)

@@ -407,6 +407,21 @@ def test_a_style_comes_from_noise_from_a_reference_or_from_a_code(walks, model):
     assert max(steps) < 0.6 * float((poses[-1] - poses[0]).norm(dim=-1).mean())
 
 
+def test_a_blend_is_half_the_network_and_half_the_shift_of_mean_poses(walks, model):
+    clip = walks[0]
+    x = data.describe(data.prepare(clip))[0][None]
+    torch.testing.assert_close(model.shift(x, 0, 0), model.shift(x, "Neutral", "Neutral"))
+    shifted = model.shift(x, "Neutral", "Zombie")
+    poses = model.statistics.poses
+    moved = (model.statistics.apply(shifted) - model.statistics.apply(x))[:, :3].mean((0, 2))
+    torch.testing.assert_close(moved, (poses[1] - poses[0])[:3, 0], atol=1e-4, rtol=0)
+    made, blend = (st.stylize(model, clip, "Zombie", 3, blend=style, feet=False)
+                   for style in (None, "Neutral"))
+    heights = [data.describe(data.prepare(c))[0][1, :, 0] for c in (made, blend)]  # of the root
+    wanted = (heights[0] + shifted[0, 1, :, 0]) / 2
+    torch.testing.assert_close(heights[1], wanted, atol=1e-3, rtol=0)
+
+
 def test_a_result_takes_a_share_of_the_posture_of_its_reference(motions, walks, model):
     """Of what the reference has beside its domain's mean pose: here it bends forward."""
     plain, rotations = walks[-1], walks[-1].rotations.clone()

@@ -219,6 +219,15 @@ class Stylizer(nn.Module):
         return self.statistics.invert(made + posture)
 
     @torch.no_grad()
+    def shift(self, x: Tensor, source: str | int | Tensor, target: str | int | Tensor) -> Tensor:
+        """Motions ``[B, 7, T, N]`` plus the difference of the mean poses of two domains.
+
+        This mean-pose shift uses no network: it is a floor.
+        """
+        source, target = (self.statistics.poses[self.domain(name)] for name in (source, target))
+        return self.statistics.invert(self.statistics.apply(x) + target - source)
+
+    @torch.no_grad()
     def code_of(self, x: Tensor, domain: str | int | Tensor) -> Tensor:
         """Style codes ``[B, S]`` of motions ``[B, 7, T, N]`` of the domain; at least 64 frames."""
         if x.dim() != 4 or x.shape[2] < FRAMES:

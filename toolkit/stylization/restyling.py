@@ -27,7 +27,7 @@ RELEASE = 0.25  # seconds over which the height of the body follows that of its 
 
 def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 0, *,
             reference: Clip | None = None, posture: float = 0.0, code: Tensor | None = None,
-            feet: bool = True) -> Clip:
+            blend: str | None = None, feet: bool = True) -> Clip:
     """Restyle a clip (Park et al. 2021).
 
     The result has the rate, root path (section 4), bones, End Sites and foot contacts of the
@@ -49,6 +49,10 @@ def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 
         differ, and fewer of them have the style (docs/stylisation.md).
     code : Tensor [S]
         A style code of `style_code`, or an interpolation of such codes (section 7.1).
+    blend
+        Style of the clip. With it the result is not the network's, but a blend: half of it, and
+        half the mean-pose shift from this style to the domain, which keeps more gaits and learns
+        nothing (docs/embedded_model.md).
     feet
         Whether to remove foot skate.
 
@@ -68,9 +72,10 @@ def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 
         raise ValueError(f"posture is a share between 0 and 1, got {posture}")
     if code is None:
         code = style_code(model, domain, seed, reference=reference)
-    elif domain is not None or reference is not None or code.shape != (model.sizes.code,):
-        raise ValueError(f"a style code is [{model.sizes.code}] and needs no domain or reference; "
-                         f"got {list(code.shape)}")
+    elif code.shape != (model.sizes.code,) or any(
+            given is not None for given in (domain, reference, blend)):
+        raise ValueError(f"a style code is [{model.sizes.code}] and needs no domain, reference or "
+                         f"blend; got {list(code.shape)}")
     x, root_velocity = describe(source)
     padded = torch.cat((x, x[:, -1:].expand(-1, -len(source) % SHRINK, -1)), 1)
     own = 0.0
@@ -78,6 +83,8 @@ def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 
         seen = _described(model, reference)
         own = posture * model.posture_of(seen, domain or reference.style)
     made = model.translate(padded[None], code[None], own)[0, :, : len(source)]
+    if blend is not None:
+        made = (made + model.shift(x[None], blend, domain or reference.style)[0]) / 2
     result = to_clip(smooth_arms(made, x, source), root_velocity, source)
     if feet:
         result = lock_feet(result, source)
