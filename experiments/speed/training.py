@@ -99,8 +99,8 @@ def _times(data: Features, repeats: int) -> None:
             fabric = distributed.start(config)
             with form.patched():
                 adam = optimisers.setdefault(form.adam, loop.optimiser(model, config))
-                objective = fabric.setup_module(distributed.Objective(model, config.bone_weight,
-                                                                      precision=config.precision))
+                objective = fabric.setup_module(distributed.Objective(
+                    model, precision=config.precision))
                 batches = Minibatches(data, config.batch, form.clips, config.seed)
                 counter = FlopCounterMode(display=False) if turn < 0 else contextlib.nullcontext()
                 with counter:

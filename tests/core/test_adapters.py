@@ -94,23 +94,6 @@ def test_one_style_for_the_whole_batch_equals_a_row_for_each_sample(modulation, 
     torch.testing.assert_close(modulation(layer, f, style[None], x, gates), each)
 
 
-@pytest.mark.parametrize(("parts", "shift"), [
-    ((OneHot, 4, 6), 0), ((ResidualAdapter, 6, 4, 3), 1), ((ResidualAdapter, 6, 4, None), 1)])
-def test_a_new_style_is_a_shift_by_a_random_code(parts, shift):
-    torch.manual_seed(6)
-    kind, *sizes = parts
-    modulation = kind(*sizes, 300)
-    f, gates = torch.full((300, 6), 50.0), torch.softmax(torch.randn(300, 4), 1)
-    vectors = modulation.generator(torch.arange(300)).detach()
-    shifts = [modulation(shift, f, vectors, x, gates) - f for x in torch.randn(2, 300, 6)]
-    torch.testing.assert_close(*shifts)
-    assert float(shifts[0].std()) == pytest.approx(1.0, abs=0.05)
-    if kind is ResidualAdapter and sizes[-1]:
-        first, second = vectors[0, :18], vectors[0, 18:30]
-        assert 0.5 < float(first.abs().max()) / math.sqrt(6 / 18) <= 1
-        assert bool((second == 1).all())
-
-
 def test_film_folds_into_a_layers_weights():
     """Equation 6, exact for all inputs; with layer normalisation up to the sample's deviation."""
     torch.manual_seed(7)

@@ -9,7 +9,7 @@ from safetensors.torch import load_file, save_file
 from toolkit import networks
 from toolkit.features import Layout, Normaliser
 from toolkit.motion import Skeleton
-from toolkit.networks import BlendedLinear, Film, FilmGenerator, Gating, Sizes, layer_norm
+from toolkit.networks import BlendedLinear, Film, FilmGenerator, Gating, Sizes
 
 TINY = Sizes(hidden=16, experts=3, gating=8, film_channels=4, film_kernel=5, film_dense=8)
 
@@ -42,31 +42,22 @@ def something(model: networks.Model) -> tuple[torch.Tensor, ...]:
 FILM = 39_214_592  # the paper prints 35,668,530
 
 
-@pytest.mark.parametrize(("name", "synthesis", "style", "per_style", "columns"), [
-    ("pfnn-onehot", 2_436_380, 194_560, 2_048, 327),
-    ("lpn-onehot", 4_935_928, 389_120, 4_096, 342),
-    ("pfnn-resad", 2_436_380, 2_978_440, 31_352, 327),
-    ("lpn-resad", 4_935_928, 24_952_320, 262_656, 342),
-    ("pfnn-film", 2_436_380, FILM, 2_048, 327),
-    ("mann-film", 4_870_392, FILM, 2_048, 326),
-    ("lpn-film", 4_935_928, FILM, 2_048, 342),
-])
-def test_parameter_counts_are_those_of_table_2(name, synthesis, style, per_style, columns):
+def test_parameter_counts_are_those_of_table_2():
     layout = tree(25)
     assert (layout.n_inputs, layout.n_outputs, layout.n_clip) == (348, 342, 300)
-    with torch.device("meta"):
-        model = networks.build(name, layout, 95)
-    counted = {"synthesis": synthesis, "style": style, "per_style": per_style}
-    assert networks.counts(model) == counted
-    assert (model.layout.n_inputs, model.layout.n_outputs) == (348, columns)
-    row = {row.name: row for row in networks.table2()}[name]
-    assert (row.synthesis, row.style, row.per_style) == (synthesis, style, per_style)
-    if style == FILM:
-        assert row.printed == (synthesis, 35_668_530, per_style)
-        assert "without its input channels" in row.note
-    else:
-        assert row.printed == (synthesis, style, per_style)
-        assert row.note == ""
+    rows = {row.name: (row.synthesis, row.style, row.per_style) for row in networks.table2()}
+    assert rows == {
+        "pfnn-onehot": (2_436_380, 194_560, 2_048),
+        "lpn-onehot": (4_935_928, 389_120, 4_096),
+        "pfnn-resad": (2_436_380, 2_978_440, 31_352),
+        "lpn-resad": (4_935_928, 24_952_320, 262_656),
+        "pfnn-film": (2_436_380, FILM, 2_048),
+        "mann-film": (4_870_392, FILM, 2_048),
+        "lpn-film": (4_935_928, FILM, 2_048),
+    }
+    for row in networks.table2():
+        assert row.printed == tuple(35_668_530 if n == FILM else n for n in rows[row.name])
+        assert ("without its input channels" in row.note) == row.name.endswith("film")
 
 
 def test_the_films_printed_count_is_its_convolutions_without_input_channels():
@@ -86,12 +77,6 @@ def test_blended_layer_equals_blending_every_samples_weights():
         weight = sum(gates[n, k] * layer.weight[k] for k in range(5))
         bias = sum(gates[n, k] * layer.bias[k] for k in range(5))
         torch.testing.assert_close(got[n], x[n] @ weight + bias, rtol=1e-12, atol=1e-12)
-
-
-def test_layer_norm_uses_the_unbiased_deviation():
-    f = torch.tensor([[1.0, 2.0, 6.0]], dtype=torch.float64)
-    expected = (f - 3) / (7.0**0.5 + 1e-6)  # variance (4 + 1 + 9) / (3 - 1)
-    torch.testing.assert_close(layer_norm(f), expected, rtol=1e-14, atol=0)
 
 
 @pytest.mark.parametrize("layer", [0, 1])
@@ -168,6 +153,7 @@ def test_layouts_of_other_phases():
     layout = tree(4)
     for kind, width in (("local", 90), ("global", 75), ("none", 74)):
         assert dataclasses.replace(layout, phase=kind).n_outputs == width
+        assert dataclasses.replace(tree(25), phase=kind).n_outputs == width + 252
     for name in networks.MODELS:
         own = tiny_model(name=name).layout
         assert Layout.from_json(own.to_json()) == own

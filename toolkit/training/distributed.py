@@ -90,11 +90,11 @@ class Objective(nn.Module):
     ``precision`` is that of `Config`.
     """
 
-    def __init__(self, model: Predictor, bone_weight: float, rank: int = 0, processes: int = 1,
+    def __init__(self, model: Predictor, rank: int = 0, processes: int = 1,
                  precision: str = "32"):
         super().__init__()
-        self.model, self.bone_weight = model, bone_weight
-        self.rank, self.processes, self.precision = rank, processes, precision
+        self.model, self.rank, self.processes = model, rank, processes
+        self.precision = precision
 
     def forward(self, x: Tensor, p: Tensor, z: Tensor, y: Tensor, style: int) -> Tensor:
         """Loss, mean squared error and bone-length error ``[3]``.
@@ -117,4 +117,4 @@ class Objective(nn.Module):
                 mse, bone = loss_terms(self.model, predicted, z[rows])
         # shares differ in length by one frame; Fabric averages over processes
         weight = len(rows) * self.processes / len(x)
-        return weight * torch.stack((mse + self.bone_weight * bone, mse, bone))
+        return weight * torch.stack((mse + bone, mse, bone))

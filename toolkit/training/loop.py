@@ -129,8 +129,7 @@ def fit(data: Features, config: Config | None = None,
     adam, state = optimiser(model, config), State()
     if checkpoint and resume and Path(checkpoint).exists():
         state = restore(checkpoint, model, adam, config, total)
-    objective = Objective(model, config.bone_weight, fabric.global_rank, fabric.world_size,
-                          config.precision)
+    objective = Objective(model, fabric.global_rank, fabric.world_size, config.precision)
     objective = fabric.setup_module(objective)
 
     def save() -> None:

@@ -62,8 +62,6 @@ class Config:
         Last learning rate / first, with cosine decay between them; 1: constant.
     max_gradient
         Norm to which gradients are clipped. Without it, losses spike at rates from 1e-3 on.
-    bone_weight
-        Weight of the bone-length loss.
     pose_mixup
         Share of frames whose input pose is mixed with another frame's, see `Minibatches`; 0 in the
         paper.
@@ -99,7 +97,6 @@ class Config:
     style_rate: float = 1.0
     final_rate: float = 1.0
     max_gradient: float | None = None
-    bone_weight: float = 1.0
     pose_mixup: float = 0.0
     refit: int = STEPS
     held_out: float = 0.1
@@ -165,7 +162,9 @@ class Config:
     def from_json(cls, stored: dict) -> "Config":
         """A config as JSON holds it."""
         sizes, styles = Sizes(**stored["sizes"]), tuple(stored["styles"])
-        return cls(**{"refit": 0, **stored, "sizes": sizes, "styles": styles})
+        settings = {"refit": 0, **stored, "sizes": sizes, "styles": styles}
+        settings.pop("bone_weight", None)  # of files from before 0.3
+        return cls(**settings)
 
     def fixed(self) -> dict:
         """The settings that must not change when a run is resumed, as JSON values."""
