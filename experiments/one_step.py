@@ -9,14 +9,13 @@ import typer
 from torch import Tensor
 
 from experiments.tables import Result
-from toolkit import features, phases, published
+from toolkit import features, published
 from toolkit.cli import verbs
 from toolkit.extra.characters.retargeting import retarget
 from toolkit.io import bvh
 from toolkit.motion import Clip
-from toolkit.networks import Model
+from toolkit.networks import Predictor
 from toolkit.networks.bank import StyleBank
-from toolkit.runtime import FPS
 
 STORED, EVERY = "one-step", 8  # the result; frames apart of which styles are ranked
 #: Columns of the stored result.
@@ -96,20 +95,14 @@ def run(
                "--store", COLUMNS, [AIM, row]).add()
 
 
-def ranked(net: Model, bank: StyleBank, clip: Clip,
+def ranked(net: Predictor, bank: StyleBank, clip: Clip,
            frames: tuple[int, int | None]) -> tuple[dict[str, float], dict[str, float]]:
     """Joint errors as of `toolkit.published.one_step` by style, the smallest first; of repeating
     the frame and of the mean.
 
     Of every `EVERY`-th frame: calibrated inference in a hundred styles takes minutes.
     """
-    samples, (start,
-              stop) = net.layout.samples, (round(f * FPS / clip.fps) if f is not None else None
-                                           for f in frames)
-    clip = clip.resample(FPS)
-    first, stop = max(0, start + samples[0]), len(clip) if stop is None else min(stop, len(clip))
-    clip = clip.cut(first, min(len(clip), stop + samples[-1] + 1))
-    rows = features.frames(clip, phases.extract(clip), start - first, stop - first, samples)
+    rows = published.frames_of(net.layout, clip, frames)
     inputs, (phase, target) = rows.inputs[::EVERY], net.observe(rows.phases[::EVERY],
                                                                 rows.outputs[::EVERY])
     now, joints = net.normaliser("outputs"), net.layout.outputs["joints"]

@@ -63,7 +63,7 @@ def test_a_bank_is_a_mapping(small_run):
             bank["Zombi"]
     assert {bank: 1}[bank] == 1  # a bank equals itself alone
     assert bank != StyleBank(bank.names, bank.vectors)
-    other = bank.add("Mine", bank["Zombie"].tolist())
+    other = bank.merge(StyleBank(["Mine"], [bank["Zombie"].tolist()]))
     assert torch.equal(other["Mine"], bank["Zombie"])
     assert other.nearest(bank["Zombie"].numpy(), 1)[0][1] == 0
 

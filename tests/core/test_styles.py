@@ -49,14 +49,7 @@ def test_blends_are_checked(weights, said):
         BANK.blend(weights)
 
 
-def test_add_makes_a_new_bank():
-    more = BANK.add("Star", torch.ones(3)).add("Old", torch.zeros(3))
-    assert more.names == ("Neutral", "Zombie", "Old", "Star")
-    assert torch.equal(more["Star"], torch.ones(3))
-    assert torch.equal(more["Old"], torch.zeros(3))
-    assert len(BANK) == 3
-    with pytest.raises(ValueError, match=r"style 'Bad' needs a vector \[3\], got \[4\]"):
-        BANK.add("Bad", torch.ones(4))
+def test_banks_that_are_none_are_refused():
     for names, vectors, said in (
         (("a", "b"), torch.zeros(3, 4), "2 styles need vectors"),
         (("a", "a"), torch.zeros(2, 4), "repeat: a"),

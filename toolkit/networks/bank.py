@@ -120,15 +120,6 @@ class StyleBank(Mapping[str, Tensor]):
         parts = ((float(share), self.names.index(name)) for name, share in blend.items())
         return sum(share * float(speeds[index]) for share, index in parts)
 
-    def add(self, name: str, vector: Tensor, speed: float = math.nan) -> "StyleBank":
-        """A new bank with one more style; a name that exists gets the new vector."""
-        vector = as_tensor(vector, f"the vector of style {name!r}", self.vectors)
-        if vector.shape != self.vectors.shape[1:]:
-            raise ValueError(f"style {name!r} needs a vector [{self.vectors.shape[1]}], got "
-                             f"{list(vector.shape)}")
-        rows, speeds = {**self, name: vector}, self._speeds() | {name: speed}
-        return _of(rows, speeds)
-
     def merge(self, other: "StyleBank") -> "StyleBank":
         """A new bank with another's styles after its own.
 
@@ -141,8 +132,7 @@ class StyleBank(Mapping[str, Tensor]):
             raise ValueError(f"vectors [{self.vectors.shape[1]}] cannot be merged with vectors "
                              f"[{other.vectors.shape[1]}]")
         if differ := [n for n in other if n in self and not torch.equal(self[n], other[n])]:
-            raise ValueError(f"both banks have {', '.join(differ)}, with different vectors; "
-                             "`add` one of them")
+            raise ValueError(f"both banks have {', '.join(differ)}, with different vectors")
         rows, speeds = {**self, **other}, other._speeds() | self._speeds()
         return _of(rows, speeds)
 

@@ -163,7 +163,6 @@ def one_step(model: Predictor, bank: StyleBank, clip: Clip, style: str,
         If the clip's joints are not the model's, the style is unknown or no frame has a whole
         window.
     """
-    samples = model.layout.samples
     joints, own = model.layout.names, Layout(clip.skeleton).names
     if joints != own:
         odd = next((n for n in (*own, *joints) if n not in joints or n not in own), "their order")
@@ -171,13 +170,7 @@ def one_step(model: Predictor, bank: StyleBank, clip: Clip, style: str,
             f"{clip.name}: the model moves {len(joints)} joints, the clip has {len(own)}; they "
             f"differ in {odd}"
         )
-    scale = trajectory.FPS / clip.fps
-    start, stop = round(frames[0] * scale), None if frames[1] is None else round(frames[1] * scale)
-    clip = clip.resample(trajectory.FPS)
-    stop = len(clip) if stop is None else min(stop, len(clip))
-    first = max(0, start + samples[0])
-    clip = clip.cut(first, min(len(clip), stop + samples[-1] + 1))
-    rows = features.frames(clip, phases.extract(clip), start - first, stop - first, samples)
+    rows = frames_of(model.layout, clip, frames)
     p, target = model.observe(rows.phases, rows.outputs)
     z = model.predict(rows.inputs, p, bank[style])
     error = (z - target) / model.normaliser("outputs").std
@@ -195,3 +188,14 @@ def one_step(model: Predictor, bank: StyleBank, clip: Clip, style: str,
         "contact_correlation": [float(torch.corrcoef(pair.T)[0, 1]) for pair in pairs],
         "phase_error": phase_error,
     }
+
+
+def frames_of(layout: Layout, clip: Clip, frames: tuple[int, int | None]) -> features.Frames:
+    """Features of some frames of a real clip, see `one_step`, with up to a second around them."""
+    scale, samples = trajectory.FPS / clip.fps, layout.samples
+    start, stop = round(frames[0] * scale), None if frames[1] is None else round(frames[1] * scale)
+    clip = clip.resample(trajectory.FPS)
+    stop = len(clip) if stop is None else min(stop, len(clip))
+    first = max(0, start + samples[0])
+    clip = clip.cut(first, min(len(clip), stop + samples[-1] + 1))
+    return features.frames(clip, phases.extract(clip), start - first, stop - first, samples)
