@@ -212,7 +212,7 @@ def test_bad_model_files_are_one_line(tmp_path):
         assert str(path) in str(error.value)
         assert "\n" not in str(error.value)
 
-    fails("the layout differs in joints: expected 5, got 4", tree(5))
+    fails("the layout is not the expected one: its joints differ", tree(5))
     tensors, whole = load_file(path), path.read_bytes()
     good = {"format": json.dumps("x"), "model": json.dumps(model.parts()[1])}
     save_file(tensors, path, good)
@@ -306,9 +306,6 @@ def test_a_calibrated_model_computes_the_mean_over_dropout():
     description = model.parts()[1]
     assert description["calibrated"]
     assert networks.Model.from_parts("m", model.parts()[0], {"model": description}, None).calibrated
-    wrong = {"model": description | {"name": "lpn-onehot"}}
-    with pytest.raises(ValueError, match="only models with FiLM can be calibrated"):
-        networks.Model.from_parts("m", model.parts()[0], wrong, None)
 
 
 def test_weights_start_in_their_ranges_and_gates_are_a_convex_blend():

@@ -135,7 +135,7 @@ class Model(Predictor):
         return self.modulation.generator
 
     @property
-    def style_size(self) -> int:
+    def style_size(self) -> int:  # type: ignore[override]  # it follows `modulation`
         """D, the length of a style vector."""
         return self.modulation.size
 

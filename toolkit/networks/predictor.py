@@ -260,23 +260,18 @@ class Predictor(nn.Module):
             name, sizes = str(d["name"]), Sizes(**d["sizes"])
             stored = Layout.from_json(json.dumps(d["layout"]))
             calibrated, whole = bool(d.get("calibrated", False)), bool(d.get("generator", True))
-            if calibrated and not name.endswith("film"):
-                raise ValueError(f"only models with FiLM can be calibrated, got {name}")
-            if not isinstance(d["n_styles"], int):
-                raise ValueError(f"n_styles must be a whole number, got {d['n_styles']!r}")
+            styles = int(d["n_styles"])
         if name not in registry.names("model"):
             module = str(d.get("module", "unknown"))
             raise ValueError(f"{path}: it holds a model {name!r}, which is not registered; import "
                              f"the module that registers it, {module!r}, before you load the file")
-        if layout is not None and stored != dataclasses.replace(layout, phase=stored.phase):
-            described = ({"joints": own.names, "parents": own.parents,
-                          "points": own.skeleton.names, "samples": own.samples}
-                         for own in (layout, stored))
-            raise ValueError(f"{path}: the layout differs in {model_files.difference(*described)}")
+        expected = stored if layout is None else dataclasses.replace(layout, phase=stored.phase)
+        if why := stored.difference(expected):
+            raise ValueError(f"{path}: the layout is not the expected one: {why}")
         with model_files.intact(path, "the model"):
-            build = functools.partial(made, name, stored, d["n_styles"], sizes, whole)
+            build = functools.partial(made, name, stored, styles, sizes, whole)
             model = model_files.restore(build, tensors, "model.")
-        if calibrated:
+        if calibrated and name.endswith("film"):
             model.calibrated = True
         return model
 

@@ -120,7 +120,8 @@ def pack(
     A ValueError for another model than an LPN-FiLM.
     """
     if not runs(model):
-        raise ValueError(f"only lpn-film runs in a page, got {model.name}")
+        raise ValueError(f"only lpn-film runs in a page, got {model.name}; Shot.render and "
+                         "runtime.rollout take any model")
 
     layout: Layout = model.layout
     state, walk = runtime.start(model, bank.vectors[0]), example(model, bank)
