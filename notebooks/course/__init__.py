@@ -19,7 +19,7 @@ __getattr__, __dir__, __all__ = lazy_loader.attach(
     {
         "checks": ["Exercise", "Verdict", "check", "claim", "exercises_of", "learnt"],
         "pages": ["SYMBOLS", "blind", "film", "show", "steer", "switch", "symbols", "two_bone"],
-        "phase_pictures": ["phase_figure", "phase_manifold", "principal_axes"],
+        "phase_pictures": ["phase_figure", "principal_axes"],
         "sequence": ["LESSONS", "Lesson", "here"]
     },
 )

@@ -3,19 +3,16 @@
 2022: curves over time, principal axes on the body, the manifold.
 """
 
-import math
-from collections.abc import Mapping
 
 import numpy as np
 import plotly.graph_objects as go
 import torch
 from plotly.subplots import make_subplots
-from sklearn.decomposition import PCA
 
 from toolkit import phases as ph
 from toolkit.evaluation import metrics
 from toolkit.motion import Clip, root_frames, rotations as R
-from toolkit.view.charts import GRID, INK, LAYOUT, QUIET, colours, finish
+from toolkit.view.charts import INK, LAYOUT, QUIET, colours, finish
 from toolkit.view.frontend import escape
 from toolkit.view.render import mannequin as body
 from toolkit.view.render.bodies import per_clip
@@ -229,71 +226,6 @@ def principal_axes(
         **LAYOUT, title=escape(title or f"Principal axes, {clip.style} {clip.gait}"), height=620,
         scene={"aspectmode": "data", "camera": camera} | hidden
     )
-
-
-def phase_manifold(
-    phases: Mapping[str, ph.Phases], fps: float = 60.0, *, window: float = 1.0, title: str = ""
-) -> go.Figure:
-    """Paths of styles through the space of phase vectors, along its first two principal components:
-    a cycle is a loop.
-
-    A panel for each style, with all the others in grey.
-
-    Parameters
-    ----------
-    phases, fps
-        Phases of each style, and the frames per second of all.
-    window
-        Seconds: a point is all the phase vectors of so long a stretch; 0 for those of one frame.
-    title
-        The heading.
-
-    Raises
-    ------
-    ValueError
-        If there is no style, or a clip is shorter than the window.
-    """
-    size = round(window * fps) + 1
-    short = [style for style, found in phases.items() if len(found.vector) < size + 2]
-    if not phases or short:
-        raise ValueError(
-            f"a phase manifold needs styles with {size + 2} frames or more; too short: "
-            f"{short or 'no style'}"
-        )
-    points = {
-        style: found.vector.flatten(1).unfold(0, size, 1).flatten(1).numpy()
-        for style, found in phases.items()
-    }
-    pca = PCA(2).fit(np.concatenate(list(points.values())))
-    paths = {style: pca.transform(p) for style, p in points.items()}
-    columns = min(len(paths), 3)
-    rows = math.ceil(len(paths) / columns)
-    figure = make_subplots(
-        rows, columns, subplot_titles=[escape(style) for style in paths], shared_xaxes="all",
-        shared_yaxes="all", horizontal_spacing=0.02, vertical_spacing=0.08
-    )
-    grey = np.concatenate([np.append(p, [[np.nan, np.nan]], 0) for p in paths.values()])
-    for i, ((style, path), colour) in enumerate(
-        zip(paths.items(), colours(len(paths)), strict=True)
-    ):
-        cell = {"row": i // columns + 1, "col": i % columns + 1}
-        figure.add_scatter(x=grey[:, 0], y=grey[:, 1], mode="lines", hoverinfo="skip", **cell,
-                           line={"color": GRID, "width": 1})
-        figure.add_scatter(
-            x=path[:, 0], y=path[:, 1], name=escape(style), mode="lines", **cell,
-            line={"color": colour, "width": 1.6},
-            customdata=(np.arange(len(path)) + (size - 1) / 2) / fps,
-            hovertemplate="<b>%{fullData.name}</b> %{customdata:.2f} s<extra></extra>"
-        )
-    figure.update_xaxes(showticklabels=False, showgrid=False, zeroline=False)
-    figure.update_yaxes(showticklabels=False, showgrid=False, zeroline=False, scaleanchor="x")
-    first, second = pca.explained_variance_ratio_
-    title = escape(
-        f"{title or 'Phase manifold'}: two components, {first:.0%} and {second:.0%} of the variance"
-    )
-    return figure.update_layout(
-        **LAYOUT, title=title, height=80 + 330 * rows, showlegend=False
-    ).update_layout(margin_t=84)
 
 
 def _arrow_and_plane(centre: np.ndarray, axis: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -2,8 +2,7 @@
 
 import numpy as np
 import pytest
-import torch
-from course import phase_figure, phase_manifold, principal_axes
+from course import phase_figure, principal_axes
 
 import toolkit as tk
 from toolkit import phases as ph
@@ -67,29 +66,3 @@ def test_principal_axes_are_those_of_the_source_in_the_world(hop):
     corners = points(traces(figure, "plane")[2])
     np.testing.assert_allclose((corners - arrow[0]) @ direction, 0, atol=1e-6)
     np.testing.assert_allclose(corners.mean(0), arrow[0], atol=1e-6)
-
-
-def circling(radius: float, frames: int = 120) -> ph.Phases:
-    """Phases whose vectors go round a circle, all limbs alike."""
-    angle = 2 * np.pi * torch.arange(frames)[:, None].expand(-1, 4) / 60
-    vector = radius * torch.stack((angle.sin(), angle.cos()), -1)
-    return ph.Phases(vector, *[angle] * 6)
-
-
-def test_phase_manifold_of_circles_is_circles():
-    figure = phase_manifold({"wide": circling(2.0), "narrow": circling(0.5)}, fps=60.0, window=0.0)
-    radii = {
-        name: np.hypot(*(traces(figure, name)[0][axis] for axis in "xy"))
-        for name in ("wide", "narrow")
-    }
-    np.testing.assert_allclose(radii["wide"], 4.0, atol=1e-5)  # four limbs of radius 2
-    np.testing.assert_allclose(radii["narrow"], 1.0, atol=1e-5)
-    assert "50% and 50%" in figure.layout.title.text
-
-
-def test_phase_manifold_of_windows_keeps_the_time_of_their_middle():
-    trace = traces(phase_manifold({"wide": circling(2.0)}, fps=60.0, window=1.0), "wide")[0]
-    assert len(trace.x) == 60
-    np.testing.assert_allclose(trace.customdata[[0, -1]], [0.5, 0.5 + 59 / 60])
-    with pytest.raises(ValueError, match=r"63 frames or more; too short: \['brief'\]"):
-        phase_manifold({"wide": circling(2.0), "brief": circling(1.0, 62)})

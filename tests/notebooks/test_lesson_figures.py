@@ -6,7 +6,7 @@ import re
 import numpy as np
 import pytest
 import torch
-from course import feet_figures, losses_page, plane, style_figures
+from course import losses_page, plane, style_figures
 
 import toolkit as tk
 from toolkit.view import charts
@@ -41,18 +41,6 @@ def test_colours_never_repeat():
 def test_ten_curves_have_ten_colours():
     figure = style_figures.curves_figure(range(3), {str(k): [k, k, k] for k in range(10)}, "x", "y")
     assert len({trace.line.color for trace in figure.data}) == 10
-
-
-def test_leg_keeps_its_bones_in_every_frame():
-    legs = torch.stack(
-        [
-            torch.tensor([frame.data[0].x, frame.data[0].y]).T
-            for frame in feet_figures.leg_figure().frames
-        ]
-    )
-    lengths = (legs[:, 1:] - legs[:, :-1]).norm(dim=-1)
-    torch.testing.assert_close(lengths, lengths[:1].expand_as(lengths), rtol=1e-4, atol=1e-4)
-    assert (legs[1:, 2, 1] < legs[:-1, 2, 1]).all()  # the ankle goes down with the target
 
 
 def test_losses_page_needs_every_set_and_numbers_them_as_its_switches_do():

@@ -102,12 +102,12 @@ def test_no_text_from_outside_reaches_html_as_html(walk_clip, tmp_path):
 
     points = torch.rand(len(PLANTED), 2)
     rows = [{"step": 1, **dict.fromkeys(PLANTED, 1.0)}]
-    phases = dict.fromkeys(PLANTED, tk.phases.extract(walk_clip))
+    phases = tk.phases.extract(walk_clip)
     for figure in (figures.style_space(points, PLANTED, PLANTED, marked={PLANTED[0]: [0, 0]},
                                        title=PLANTED[0]),
                    figures.training_curves(rows, title=PLANTED[0]),
                    figures.trajectory_figure(clips, title=PLANTED[0]),
-                   phase_figures.phase_manifold(phases, walk_clip.fps, title=PLANTED[0])):
+                   phase_figures.phase_figure(walk_clip, phases, title=PLANTED[0])):
         assert not {text for text in PLANTED[:3]
                     if text in json.dumps(figure.to_dict(), default=str)}
         assert "%{x}b" not in str([trace.hovertemplate for trace in figure.data])
