@@ -128,6 +128,15 @@ def test_exercises_are_numbered_and_refuse_trivial_answers(number):
             assert not course.check(name, nothing), (name, nothing)
 
 
+def test_the_grades_of_the_capstone_refuse_their_floors():
+    model, bank = tk.pretrained()
+    clip = tk.datasets.load("procedural", styles="HighKnees", gaits="FW", seconds=6.0, seed=1)[0]
+    own, *floors = (tk.styles.compare(clip, model, style, bank)
+                    for style in ("HighKnees", "Neutral", "Crouch", bank.vectors.mean(0)))
+    assert own.verdict == "good"
+    assert all(floor.verdict != "good" and floor.excess > own.excess for floor in floors)
+
+
 def test_importing_the_toolkit_does_not_import_the_course():
     code = "import sys, toolkit; print('course' in sys.modules, 'plotly' in sys.modules)"
     assert subprocess.check_output([sys.executable, "-c", code], text=True).split() == [
