@@ -74,12 +74,10 @@ class OwnFeatures:
         With ``lengths [M]`` they are those of that many frames, repeated: a style that is only
         shown for less than 240.
         """
-        frames, width = self.joints.shape
+        column = torch.arange(CLIP_FRAMES, device=starts.device)
         if lengths is not None:
-            column = torch.arange(CLIP_FRAMES, device=starts.device)
-            return self.joints[starts[:, None] + column % lengths[:, None]]
-        shape = max(0, frames - CLIP_FRAMES + 1), CLIP_FRAMES, width
-        return self.joints.as_strided(shape, (width, width, 1))[starts]
+            column = column % lengths[:, None]
+        return self.joints[starts[:, None] + column]
 
 
 def _seen_from(block: Tensor, position: Tensor, direction: Tensor) -> Tensor:
