@@ -126,7 +126,7 @@ def test_the_procedural_dataset_is_listed_like_the_others():
         ({"styles": []}, "empty list of styles"),
         ({"gaits": ["walk"]}, "unknown gait 'walk'; it has BR, BW"),
         ({"gaits": ["FW", "TR1"]}, "no file of TR1 in"),
-        ({"styles": ["Zombie"], "gaits": ["BR"]}, "no file of Zombie, BR with gait BR in"),
+        ({"styles": ["Zombie"], "gaits": ["BR"]}, "no file of Zombie, BR in"),
         ({"name": "bandai"}, "bandai: no matching BVH file in .*github.com/BandaiNamcoResearchInc"),
         ({"name": "bandai", "dataset": 3}, "dataset must be 1, 2 or None for both, got 3"),
         ({"seconds": 3.0}, "100style has no option 'seconds'; its options are root, styles, gaits"),

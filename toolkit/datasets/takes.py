@@ -95,10 +95,8 @@ class Source:
         missing = [] if styles is None else sorted(set(wanted_styles) - {t.style for t in kept})
         missing += [] if gaits is None else sorted(set(wanted_gaits) - {t.gait for t in kept})
         if missing:
-            both = styles is not None and gaits is not None
-            within = f" with gait {_listed(wanted_gaits)}" if both else ""
             there = sorted({f"{take.style} {take.gait}" for take in takes})
-            raise ValueError(f"{self.name}: no file of {_listed(missing)}{within} in "
+            raise ValueError(f"{self.name}: no file of {_listed(missing)} in "
                              f"{self.folder(root)}; it has {_listed(there)}")
         return kept
 
