@@ -101,6 +101,16 @@ def test_minibatches_cycle_through_styles_and_frames():
         minibatches.Minibatches(no_frames, 32, 2, seed=4)
 
 
+def test_past_frames_are_those_before_in_the_same_take():
+    data = waves()  # its first take has 400 frames
+    x = data.inputs["style0"]
+    rows = torch.tensor([0, 2, 300, 400, 401, 650])
+    found = minibatches.remembered(data, "style0", rows, 3)
+    for row, window in zip(rows.tolist(), found, strict=True):
+        first = 400 if row >= 400 else 0
+        assert torch.equal(window, x[[max(first, row - k) for k in (3, 2, 1, 0)]])
+
+
 def test_only_poses_are_mixed_up_and_only_towards_others():
     data = waves(styles=3)
     plain = minibatches.Minibatches(data, 64, 1, 4)
