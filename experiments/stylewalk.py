@@ -73,7 +73,7 @@ def run(
         print(one, flush=True)
         rows.append({"method": one.name} | {row: value for row, (value, *_) in one.rows.items()})
     if store:
-        decimals = {"fmd": 2, "jerk": 0, "direction": 1}
+        decimals = {"fmd": 2, "jerk": 0, "direction": 1, "shake": 4}
         columns = {"method": ["method"]} | {
             row: [row, decimals.get(row.split()[0], 3)] for row in scored[0].rows}
         intervals = {one.name: {row: ends for row, (_, *ends) in one.rows.items()}

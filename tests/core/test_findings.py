@@ -61,6 +61,7 @@ def test_a_finding_says_where_and_when(walk):
 def test_a_standing_body_that_glides_drifts(stand):
     for speed in (0.24, 0.5):
         assert "drift" in kinds(damages.carried(stand, speed))
+    assert "drift" in kinds(damages.carried(damages.frozen(stand, 1.0), 0.3))
 
 
 def test_a_knee_that_bends_backwards(walk):

@@ -102,3 +102,4 @@ def test_stored_rows_tell_recorded_takes_from_floors():
     assert rows["slide"]["skate"] > 1.5 * real["skate"]
     for still in ("first pose", "mean pose"):
         assert rows[still]["motion"] < 0.01 * real["motion"]
+        assert rows[still]["defects"] > 0.9  # it glides
