@@ -99,8 +99,8 @@ class Report:
 
     ``rows`` has a dict for each method and one for ``real``: ``data``, its name; ``n``, the number
     of clips; and each measure of ``columns``, NaN where it has no value. ``intervals`` has the ends
-    of the interval of each by name and measure: of 95 % of bootstraps over the clips; that
-    of ``fmd`` is biased upwards, since a clip that is drawn twice makes a set less varied. ``notes``
+    of the interval of each by name and measure: of 95 % of bootstraps over the clips. That of
+    ``fmd`` is biased upwards, since a clip that is drawn twice makes a set less varied. ``notes``
     says what is missing and why, and what not to trust.
     """
 
