@@ -1,10 +1,11 @@
-"""Measures of walks in closed loop, which the one-step error does not show, compared with
-limits.
+"""What characters do in closed loop, which the one-step error does not show: every style on the
+same tracks, beside recorded takes that the same code measures.
 """
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Annotated
 
 import torch
@@ -13,253 +14,265 @@ from torch import Tensor
 from tqdm import tqdm
 
 from experiments.tables import RESULTS, Result
-from toolkit import features, phases, published, runtime
+from toolkit import published, runtime
 from toolkit.cli import verbs
 from toolkit.evaluation import metrics
-from toolkit.features import split_joints
 from toolkit.io import bvh
-from toolkit.motion import Clip, root_frames, rotations as R
-from toolkit.motion.contacts import FEET, velocities
-from toolkit.networks import Model
+from toolkit.motion import Clip, contacts, root_frames, rotations as R
+from toolkit.motion.clip import FEET
 from toolkit.networks.bank import StyleBank
-from toolkit.runtime.frame import planted, predicted, predicted_toes
+from toolkit.runtime import FPS, CharacterState
+from toolkit.runtime.frame import predicted_toes
+from toolkit.runtime.life import alive
 
 MISBEHAVES = "Drunk"  # of the published styles, as its authors know
-WARM_UP = 4.0  # seconds that are not measured
-SPEED_LIMIT, SKATE_LIMIT = 0.1, 5.0  # share of the commanded speed that may be missing; cm/s
-LOOP = 2.0  # metres, radius of both loops of the course
-#: Columns: what of the walk, its unit in the table / the measure's, title.
-COLUMNS = {
-    "speed": (1, "speed / command"), "drive": (1, "drive"), "before": (100, "skate before IK"),
-    "skate": (100, "skate after IK"), "moved": (100, "IK moves toe"),
-    "clearance": (100, "clearance"),
-    "steps": (1, "steps/s"), "acceleration": (1, "acceleration"), "bob": (100, "hips bob"),
-    "hips": (1, "hips acc."),
-    "path": (100, "path"),
-}
-STORED, AIMS = "closed-loop", {  # the result, and what was asked of the published network
-    "natural speed": {"skate": 0.005, "worst": 0.05, "before": 0.015, "least": 0.9},
-    "1 m/s": {"skate": 0.02, "worst": 0.05, "before": 0.03, "least": 0.9},
-}
-#: Columns of the stored result, in the order of the pages.
-SUMMARY = {
-    "walk": ["walk"], "styles": ["styles", 0], "upright": ["upright", 0],
-    "skate": ["toes in contact, cm/s: median", 2, 100],
-    "worst": ["worst", 1, 100], "which": ["of"], "before": ["before IK", 1, 100],
-    "moved": ["IK moves a toe, cm", 1, 100],
-    "speed": ["speed / command", 2], "least": ["least", 2], "drive": ["drive", 1],
-    "bob": ["hips bob, cm", 1, 100],
-    "hips": ["hips' acceleration, m/s²", 1], "steps": ["Neutral: steps/s", 2],
-    "clearance": ["clearance, cm", 1, 100],
-    "acceleration": ["toe acceleration, m/s²", 0],
-}
+WARM_UP, MEASURED = 3.0, 8.0  # seconds
+TURN = 45.0  # degrees per second, on the circle
+SLOW = 1.5  # seconds: what moves more slowly than this is slow motion
+UPPER = "chest", "spine", "neck", "right_elbow", "left_elbow", "right_hand", "left_hand"
+SEEDS = 0, 1, 2  # of the life of styles
+STORED = "closed-loop"
+
+#: Measures: title with unit, decimals, the largest value that is asked for.
+MEASURES = {
+    "direction": ("direction, degrees", 1, 2.0),
+    "speed": ("speed / command", 2, None),
+    "toes": ("toes in contact, cm/s", 2, 5.0),
+    "raw": ("the same before IK, on the floor", 1, 4.0),
+    "slow": ("slow motion of the upper body, cm", 2, None),
+    "steps": ("steps/s", 2, None),
+    "clearance": ("clearance of toes, cm", 1, None),
+    "still": ("speed after 1 s, m/s", 3, 0.05),
+    "way": ("way in the 7 s after it, cm", 1, None),
+    "air": ("time with a foot in the air, %", 0, None),
+    "began": ("seconds to 0.8 m/s", 2, None),
+    "knee": ("knee, 1000 degrees/s²", 1, 15.0),
+    "wrist": ("wrist, 1000 m/s³", 2, 1.7),
+    "ankle": ("ankle over a toe in contact, cm/s", 0, None),
+}  # fmt: skip
+WALK = "direction", "speed", "toes", "raw", "slow", "steps", "clearance"
+FAST = "direction", "speed", "toes"
+POPS = "toes", "knee", "wrist", "ankle"
+#: What is measured on each track.
+TRACKS = {
+    "natural": WALK, "alive": WALK, "1 m/s": WALK, "2 m/s": FAST, "sideways": FAST,
+    "backward": FAST, "circle": ("toes", "raw"), "stop": ("still", "way", "air"),
+    "start": ("began",), "run": POPS, "strafe": POPS, "turns": POPS, "stand": ("still", "way"),
+}  # fmt: skip
+
+
+def order(track: str, seconds: float) -> tuple[float, float, float]:
+    """Speed (m/s), its direction and the facing (degrees from +z to +x) that are asked at a time.
+
+    ``natural`` and ``alive`` ask for so many times the natural speed.
+    """
+    later = seconds - WARM_UP
+    if track == "circle":
+        return 1.0, TURN * seconds, TURN * seconds
+    if track == "strafe":  # ahead, then to both sides in turn
+        return 1.0, 0.0 if later < 0 else -90.0 if later % 4 < 2 else 90.0, 0.0
+    if track == "turns":  # a quarter turn, then half turns
+        angle = 0.0 if later < 0 else 90.0 if later % 4 < 2 else -90.0
+        return 1.0, angle, angle
+    if track == "run":  # from standing, and back to it
+        return 2.5 * (0 <= later < 5), 0.0, 0.0
+    if track == "stand":  # stops and turns at once
+        return 1.0 * (later < 0), 0.0, 0.0 if later < 0 else 90.0
+    speeds = {"2 m/s": 2.0, "sideways": 0.7, "backward": 0.7, "stop": 1.0 * (later < 0),
+              "start": 1.0 * (later >= 0)}
+    return speeds.get(track, 1.0), {"sideways": 90.0, "backward": 180.0}.get(track, 0.0), 0.0
 
 
 def run(
     model: verbs.TrainedRun = None,
     parameters: verbs.Published = None,
-    calibrated: Annotated[bool, typer.Option("--calibrated",
-                                             help="Use calibrated inference.")] = False,
-    styles: Annotated[str | None, typer.Option(help="Comma-separated names; default: all.")] = None,
-    seconds: Annotated[float, typer.Option(
-        min=2.0, help="Duration of each walk, after a warm-up of 4 s.")] = 10.0,
-    speeds: Annotated[str,
-                      typer.Option(help="Of the walks: m/s, or natural.")] = "natural,0.7,1",
-    real: Annotated[Path
-                    | None, typer.Option(help="A BVH file of real walking, measured in the same "
-                                              "way.")] = None,
-    start: Annotated[int, typer.Option(help="First frame of the real walking.")] = 0,
-    path: Annotated[bool, typer.Option("--path",
-                                       help="Also the distance from a figure of eight.")] = False,
+    tracks: Annotated[str, typer.Option(help="Comma-separated.")] = ",".join(TRACKS),
+    styles: Annotated[str | None, typer.Option(help="Comma-separated; default: all.")] = None,
+    takes: Annotated[list[Path] | None, typer.Option(
+        help="BVH files of straight walks, measured in the same way, and walked at their speed "
+             "by the style of their name.")] = None,
+    start: Annotated[int, typer.Option(help="First frame of the takes, at 60 Hz.")] = 0,
     store: Annotated[bool, typer.Option(
-        "--store", help=f"Write the rows into docs/results/{STORED}.json.")] = False,
+        "--store", help=f"Write the summary into docs/results/{STORED}.json.")] = False,
 ) -> None:
-    """Feet and speed of every style in closed loop, at its natural speed and at a common one, and
-    the error on a path.
-
-    Beside them the real walking, and the network's predictions of its next frames as a style of its
-    name.
+    """Direction, stop, feet, pops and slow motion of every style on the same tracks, beside
+    recorded takes.
     """
     net, bank = published.either(model, parameters)
-    net.calibrated = calibrated
-    kind = "published" if parameters else "embedded" if model is None else "trained"
-    kind += ", calibrated" * calibrated
-    names = [name for name in bank.names if not parameters
-             or name != MISBEHAVES] if styles is None else styles.split(",")
-    real = None if real is None else bvh.load(real)
-    kept, found = {} if real is None else _real(net, bank, real, start, kind), {}
-    bank = bank.select(names)
-    paths = [math.nan] * len(names)
-    if path:
-        course = eight(LOOP)
-        laps = list(runtime.states(net, runtime.follow(course.tolist(), 1.0), bank.vectors,
-                                   progress=True))
-        paths = [_path_error(net, laps, i, course) for i in range(len(names))]
-        del laps
-    for speed in speeds.split(","):
-        title = "natural speed" if speed == "natural" else f"{float(speed):g} m/s"
-        asked = [bank.speed(name) if speed == "natural" else float(speed) for name in names]
-        rows = walk(net, bank, asked, seconds)
-        print(f"\nStraight ahead at {title}, {seconds:g} s after {WARM_UP:g} s of warm-up; skate "
-              f"in cm/s, of toes that the "
-              "network predicts in contact;\nlengths in cm; acceleration of toes, and up and "
-              "down of hips, in m/s², 99 %\n"
-              f"{'style':<20}{'upright':>8}{'m/s':>6}"
-              + "".join(f"{t:>17}" for _, t in COLUMNS.values()))
-        for name, row, apart, wanted in zip(names, rows, paths, asked, strict=True):
-            row["path"] = apart
-            print(f"{name:<20}{'yes' if row['upright'] else 'NO':>8}{wanted:>6.2f}" + _cells(row))
-        for what, choose in (("median", torch.nanmedian),
-                             ("worst", lambda v: v.nan_to_num(-math.inf).max())):
-            print(f"{what:<34}"
-                  + _cells({k: float(choose(torch.tensor([r[k] for r in rows]))) for k in COLUMNS}))
-        for what, row in kept.items():
-            print(f"{what:<34}" + _cells(dict.fromkeys(COLUMNS, math.nan) | row))
-        found[f"{kind}, {title}"] = _summary(dict(zip(names, rows, strict=True)))
-        failed = {name: why for name, row in zip(names, rows, strict=True)
-                  if (why := _exceeded(row))}
-        print(f"{len(names) - len(failed)} of {len(names)} styles upright, at "
-              f"{1 - SPEED_LIMIT:.0%} of the speed or more, "
-              f"skate after IK up to {SKATE_LIMIT:g} cm/s"
-              + "".join(f"; {name}: {why}" for name, why in failed.items()))
-    if store:
-        _store(kept | found | {f"aim, {walk}": aims for walk, aims in AIMS.items() if parameters})
+    kind = "published" if parameters else "embedded" if model is None else model.stem
+    fast = runtime.compile(net) if net.name == "lpn-film" else net
+    for take in takes or ():
+        _beside(fast, bank, bvh.load(take).resample(FPS).cut(start))
+    names = list(bank.names) if styles is None else styles.split(",")
+    bank = bank.select([name for name in names if not parameters or name != MISBEHAVES])
+    found = {}
+    for track in tracks.split(","):
+        if track == "alive" and not net.life:
+            continue
+        runs = [measured(fast, bank, track, seed) for seed in (SEEDS if track == "alive" else [0])]
+        rows = [{key: sum(row[key] for row in same) / len(same) for key in TRACKS[track]}
+                for same in zip(*runs, strict=True)]
+        print(f"\n{track}\n{'':<24}" + "".join(f"{MEASURES[key][0]:>34}" for key in TRACKS[track]))
+        for name, row in zip(bank.names, rows, strict=True):
+            print(f"{name:<24}" + _cells(row), flush=True)
+        for key in TRACKS[track]:
+            found[f"{track}: {MEASURES[key][0]}"] = _summary(key, bank.names,
+                                                             [row[key] for row in rows])
+        if store:
+            _store(kind, found)
+    print(f"\n{'summary':<56}{'median':>9}{'worst':>9}")
+    for what, row in found.items():
+        print(f"{what:<56}{row['median']:9.2f}{row['worst']:9.2f} {row['which']}, "
+              f"{row['kept']} of {len(bank)}")
 
 
-def walk(net: Model, bank: StyleBank, speeds: Sequence[float],
-         seconds: float) -> list[dict[str, float]]:
-    """Measures of `COLUMNS` of a straight walk in every style of a bank, at speeds in m/s, side by
-    side.
+def measured(net, bank: StyleBank, track: str, seed: int = 0) -> list[dict[str, float]]:
+    """The measures of a track for each style of a bank, side by side."""
+    pace = torch.ones(len(bank), 1)
+    if track in ("natural", "alive"):
+        pace = torch.tensor([[bank.speed(name)] for name in bank.names])
+    style = alive(bank.vectors, net.life if track == "alive" else 0.0, seed)
+    walks = walked(net, style, track, pace)
+    return [_measures(net, walk, track, float(p)) for walk, p in zip(walks, pace, strict=True)]
+
+
+def walked(net, style, track: str, pace: Tensor) -> list[dict[str, Tensor]]:
+    """For each of B characters, with the factors ``pace [B, 1]`` on the speed of a track, the parts
+    of its states ``[F, ...]`` by name, its roots ``[F, 4]``, and `unlocked` as ``raw``.
     """
-    state = runtime.start(net, bank.vectors)
-    ahead = torch.tensor(speeds).to(state.velocity)[:, None] * state.velocity.new_tensor([0.0, 1.0])
-    command, toes, seen = runtime.Command(ahead, (0.0, 1.0)), [], []
-    with torch.no_grad():
-        for _ in tqdm(range(round((WARM_UP + seconds) * runtime.FPS)), desc="walks", unit="frame",
-                      disable=None):
-            new = predicted(net, state, command)
-            toes.append(predicted_toes(net.layout, new))
-            state = planted(net.layout, state, new)
-            seen.append(state)
-    first = round(WARM_UP * runtime.FPS)
-    toes, seen = torch.stack(toes[first:], 1), seen[first:]
-    return [_measure(net, seen, toes[i], i, speeds[i]) for i in range(len(bank))]
+    commands = []
+    for frame in range(round((WARM_UP + MEASURED) * FPS)):
+        speed, way, look = order(track, frame / FPS)
+        way, look = ((math.sin(math.radians(a)), math.cos(math.radians(a))) for a in (way, look))
+        commands.append(runtime.Command(speed * pace * torch.tensor(way), look))
+    seen = []
+    for state in tqdm(runtime.states(net, commands, style), track, len(commands), disable=None):
+        parts = {name: getattr(state, name) for name in ("root", "joints", "toes", "drop",
+                                                         "contacts")}
+        seen.append(parts | {"raw": unlocked(net, old, state) if seen else state.toes})
+        old = state
+    stacked = {name: torch.stack([parts[name] for parts in seen], 1) for name in seen[0]}
+    return [{name: part[i] for name, part in stacked.items()} for i in range(len(pace))]
 
 
-def eight(radius: float) -> Tensor:
-    """Points (x, z) ``[97, 2]`` of two touching circles, first the left one; the start is straight
-    ahead.
+def unlocked(net, old: CharacterState, new: CharacterState) -> Tensor:
+    """Positions ``[B, 2, 3]`` of toes in contact before foot IK; of others they mean nothing.
+
+    `toolkit.motion.ik.foot_lock` keeps the velocity of a locked toe's offset from the prediction.
     """
-    t = torch.linspace(0.0, 2 * math.pi, 49)
-    left = torch.stack((radius * (1 - t.cos()), radius * t.sin()), -1)
-    return torch.cat((left, left[1:] * torch.tensor([-1.0, 1.0])))
+    return new.toes - (old.toes - predicted_toes(net.layout, old)) - new.drift / FPS
 
 
-def _measure(net: Model, seen: list[runtime.CharacterState], toes: Tensor, i: int,
-             speed: float) -> dict[str, float]:
-    """``toes [F, 2, 3]``: the predicted positions of both toes before foot IK."""
-    contact = torch.stack([s.contacts[i] for s in seen])
-    try:
-        clip = runtime.record(net, seen, character=i)
-    except ValueError:  # a Clip refuses numbers that are not finite
-        return dict.fromkeys(COLUMNS, math.nan) | {"upright": 0.0}
-    on = contact > 0.5
-    locked = torch.stack([s.toes[i] for s in seen])
-    return metrics.feet(clip, contact) | hips(clip) | {
-        "upright": float(metrics.upright(clip)), "speed": metrics.speed(clip) / speed,
-        "drive": float(torch.stack([s.drive[i] for s in seen]).mean()),
-        "before": float(velocities(toes, runtime.FPS)[..., [0, 2]].norm(dim=-1)[on].mean()),
-        "moved": float((locked - toes).norm(dim=-1)[on].mean()),
+def _measures(net, walk: dict[str, Tensor], track: str, pace: float) -> dict[str, float]:
+    """The measures of a track for one character."""
+    first, half = round(WARM_UP * FPS), FPS // 4
+    contact, roots, raw = walk["contacts"], walk["root"][:, :2], walk["raw"]
+    seen = {}
+    if "toes" in TRACKS[track]:
+        clip = Clip(net.layout.skeleton, *runtime.pose(net.layout, SimpleNamespace(**walk)), FPS)
+        seen = of_clip(clip.cut(first), contact[first:])
+    speeds = (roots[half:] - roots[:-half]).norm(dim=-1) * FPS / half  # over a quarter second
+    on = (contact[first + 1 :] > 0.5) & (contact[first:-1] > 0.5)
+    steps = (raw[first + 1 :] - raw[first:-1])[..., [0, 2]].norm(dim=-1) * FPS
+
+    # The way along and across the asked direction.
+    speed, angle, _ = order(track, 0.0 if track == "stop" else WARM_UP)
+    angle = math.radians(angle)
+    x, z = (roots[-1] - roots[first]).tolist()
+    along = x * math.sin(angle) + z * math.cos(angle)
+    across = x * math.cos(angle) - z * math.sin(angle)
+    began = (speeds[first:] > 0.8).nonzero()[:1]
+    return seen | {
+        "direction": abs(math.degrees(math.atan2(across, along))),
+        "speed": along / MEASURED / max(speed * pace, 1e-6),
+        "raw": 100 * float(steps[on].mean()),
+        "still": float(speeds[first + FPS :].max()),
+        "way": 100 * float((roots[-1] - roots[first + FPS]).norm()),
+        "air": 100 * float((contact[first + FPS :] < 0.5).any(1).float().mean()),
+        "began": (float(began) + half) / FPS if len(began) else math.inf,
     }
 
 
-def hips(clip: Clip) -> dict[str, float]:
-    """Height of the hips: ``bob``, from its 1st to its 99th percentile, metres; ``hips``, 99 % of
-    its acceleration, m/s².
+def of_clip(clip: Clip, contact: Tensor | None = None) -> dict[str, float]:
+    """Measures that a recorded take has too, by default with the contacts of
+    `toolkit.motion.contacts.detect`.
     """
-    height = clip.root_positions[:, 1]
-    return {"bob": float(height.quantile(0.99) - height.quantile(0.01)),
-            "hips": float((height.diff(n=2) * clip.fps**2).abs().quantile(0.99))}
+    contact = contacts.detect(clip) if contact is None else contact
+    on = (contact[1:] > 0.5) & (contact[:-1] > 0.5)
+    places = clip.global_positions
+    at = {part: places[:, [clip.skeleton.role(f"{side}_{part}") for side in FEET]]
+          for part in ("hip", "knee", "foot", "toe", "hand")}
+    toes, ankles = ((part[1:] - part[:-1]).norm(dim=-1) * clip.fps * 100
+                    for part in (at["toe"], at["foot"]))
+    thigh, shank = at["knee"] - at["hip"], at["foot"] - at["knee"]
+    bend = torch.atan2(torch.linalg.cross(thigh, shank).norm(dim=-1), (thigh * shank).sum(-1))
+    feet = metrics.feet(clip, contact)
+    return {
+        "toes": float(toes[on].mean()), "ankle": float(ankles[on].max()) if on.any() else 0.0,
+        "knee": float(bend.rad2deg().diff(n=2, dim=0).abs().max()) * clip.fps**2 / 1000,
+        "wrist": float(at["hand"].diff(n=3, dim=0).norm(dim=-1).max()) * clip.fps**3 / 1000,
+        "slow": slow_motion(clip), "steps": feet["steps"], "clearance": 100 * feet["clearance"],
+    }  # fmt: skip
 
 
-def ahead(net: Model, style: Tensor, clip: Clip, start: int = 0) -> dict[str, float]:
-    """``before`` of predictions one step ahead from the real frames of a clip at 60 Hz, and
-    ``skate`` of these frames.
-
-    Toes of each pose are those of the runtime before foot IK. Both speeds are of toes that the
-    network predicts in contact, between neighbouring frames: no error of a prediction reaches the
-    next.
+def slow_motion(clip: Clip) -> float:
+    """Deviation, cm, of the mean positions over `SLOW` seconds of the upper body, seen from the
+    root.
     """
-    layout, rows = net.layout, features.frames(clip, phases.extract(clip), start, None,
-                                               net.layout.samples)
-    z = net.predict(rows.inputs, net.observe(rows.phases, rows.outputs)[0], style)
-    out, roots = layout.unpack_output(z), root_frames(clip)
-    was, now = split_joints(rows.inputs[:, layout.inputs["joints"]]), split_joints(out["joints"])
-    ends = [layout.names.index(layout.skeleton.roles[f"{side}_toe"]) for side in FEET]
-    toes = torch.lerp(was["position"] + now["velocity"] / runtime.FPS, now["position"],
-                      0.5)[:, ends]
-    toes = R.rotate(roots.rotations[rows.index, None], toes) + roots.positions[rows.index, None]
-    true = clip.global_positions[rows.index
-                                 + 1][:, [clip.skeleton.role(f"{side}_toe") for side in FEET]]
-    on = out["contacts"] > 0.5
-    before, skate = (float(velocities(x, runtime.FPS)[..., [0, 2]].norm(dim=-1)[on].mean())
-                     for x in (toes, true))
-    return {"before": before, "skate": skate}
+    roots = root_frames(clip)
+    joints = [clip.skeleton.role(role) for role in UPPER if role in clip.skeleton.roles]
+    points = clip.global_positions[:, joints] - clip.root_positions[:, None] * torch.tensor(
+        [1.0, 0.0, 1.0])
+    points = R.rotate(R.inverse(roots.rotations)[:, None], points)
+    means = points.unfold(0, min(round(SLOW * clip.fps), len(clip)), 1).mean(-1)
+    return 100 * float((means - means.mean(0)).square().sum(-1).mean(0).sqrt().mean())
 
 
-def _real(net: Model, bank: StyleBank, clip: Clip, start: int,
-          kind: str) -> dict[str, dict[str, float]]:
-    """Rows of a real take, and of the predictions from it in the style of its name."""
-    clip = clip.resample(runtime.FPS)
-    rows = {f"real: {clip.name}": metrics.feet(clip.cut(start)) | hips(clip.cut(start))}
-    style = Path(clip.name).stem.split("_")[0]
-    return rows | ({f"{kind}, one step ahead: {clip.name}": ahead(net, bank[style], clip, start)}
-                   if style in bank else {})
-
-
-def _summary(rows: Mapping[str, Mapping[str, float]]) -> dict[str, float | str]:
-    """A row of `SUMMARY`, without its name, from those of styles."""
-    held = {key: torch.tensor([row[key] for row in rows.values()]) for key in COLUMNS}
-    of_neutral = {key: rows["Neutral"][key] for key in ("steps", "clearance", "acceleration")
-                  if "Neutral" in rows}
-    medians = {key: float(held[key].nanmedian()) for key in SUMMARY if key in held
-               and key not in of_neutral}
-    worst = int(held["skate"].nan_to_num(-math.inf).argmax())
-    return medians | of_neutral | {
-        "styles": len(rows), "upright": sum(row["upright"] for row in rows.values()),
-        "worst": float(held["skate"][worst]),
-        "which": list(rows)[worst], "least": float(held["speed"].min()),
-    }
-
-
-def _store(rows: Mapping[str, Mapping[str, float | str]]) -> None:
-    """Put rows in place of those of the same name in the stored result."""
-    Result(STORED,
-           "Straight walks, ten seconds after four of warm-up: medians over styles; beside them "
-           "a real take and "
-           "predictions of its next frames from itself; the aims are for the published network",
-           "python -m experiments closed-loop [--published DATA/lpn_film_100style] --real "
-           "DATA/100style/Neutral_FW.bvh "
-           "--start 327 [--calibrated] --store", SUMMARY,
-           [{"walk": name, **row} for name, row in rows.items()],
-           ).add(RESULTS)
-
-
-def _path_error(net: Model, laps: list[runtime.CharacterState], i: int, course: Tensor) -> float:
-    try:
-        return metrics.path_error(runtime.record(net, laps, character=i), course)
-    except ValueError:
-        return math.nan
+def _beside(net, bank: StyleBank, clip: Clip) -> None:
+    """Print the measures of a take, and of its style at the take's speed."""
+    rows = {f"take {clip.name}": of_clip(clip)}
+    names = [part for part in Path(clip.name).stem.split("_") if part in bank]
+    for name in names[:1]:
+        speed = metrics.speed(clip)
+        one = bank.select([name])
+        (walk,) = walked(net, one.vectors, "1 m/s", torch.tensor([[speed]]))
+        rows[f"{name} at {speed:.2f} m/s"] = _measures(net, walk, "1 m/s", speed)
+    keys = list(next(iter(rows.values())))
+    print(f"{'':<24}" + "".join(f"{MEASURES[key][0]:>34}" for key in keys))
+    for what, row in rows.items():
+        print(f"{what:<24}" + _cells({key: row[key] for key in keys}), flush=True)
 
 
 def _cells(row: dict[str, float]) -> str:
-    return "".join(f"{'—' if math.isnan(row[k]) else f'{scale * row[k]:.2f}':>17}"
-                   for k, (scale, _) in COLUMNS.items())
+    return "".join(f"{value:>34.{MEASURES[key][1]}f}" for key, value in row.items())
 
 
-def _exceeded(row: dict[str, float]) -> str:
-    """The limits that a row exceeds, in words."""
-    checks = {"not upright or not finite": row["upright"] == 1,
-              f"speed {row['speed']:.2f}": row["speed"] >= 1 - SPEED_LIMIT,
-              f"skate {100 * row['skate']:.1f} cm/s": not 100 * row["skate"] > SKATE_LIMIT}
-    return ", ".join(why for why, good in checks.items() if not good)
+def _summary(key: str, names: Sequence[str], values: list[float]) -> dict[str, float | str]:
+    """Median, worst and its style, and in how many styles the aim is kept."""
+    held = torch.tensor(values).nan_to_num(math.inf)
+    off = (held - 1).abs() if key == "speed" else -held if key in ("slow", "clearance") else held
+    worst, most = int(off.argmax()), MEASURES[key][2]
+    return {"median": float(held.median()), "worst": float(held[worst]), "which": names[worst],
+            "kept": len(names) if most is None else int((held <= most).sum())}
+
+
+def _store(kind: str, found: dict[str, dict[str, float | str]]) -> None:
+    """Put the columns of a model into the stored result."""
+    columns = {"what": ["eight seconds after three, median and worst of the styles"],
+               "most": ["asked", 2]}
+    for name in ("published", "embedded", "recorded"):
+        columns |= {f"{name}_median": [name, 2], f"{name}_worst": ["worst", 2],
+                    f"{name}_which": ["of"], f"{name}_kept": ["kept by", 0]}
+    known = {}
+    if (RESULTS / f"{STORED}.json").exists():
+        known = {row["what"]: row for row in Result.load(STORED, RESULTS).rows}
+    asked = {f"{track}: {MEASURES[key][0]}": MEASURES[key][2]
+             for track, keys in TRACKS.items() for key in keys}
+    rows = []
+    for what, most in asked.items():
+        new = {f"{kind}_{key}": value for key, value in found.get(what, {}).items()}
+        rows.append({"what": what, "most": most, **known.get(what, {}), **new})
+    Result(STORED, "Every style on the same tracks: 99 published styles without Drunk, 25 "
+                   "embedded ones, 14 of recorded people; alive is the mean of three seeds",
+           "python -m experiments closed-loop [--published FOLDER | --model recorded] --store",
+           columns, rows).save(RESULTS)

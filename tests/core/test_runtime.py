@@ -8,7 +8,6 @@ import pytest
 import torch
 
 import toolkit as tk
-from experiments import closed_loop, tables
 from toolkit import runtime
 from toolkit.features import Layout, split_joints
 from toolkit.networks.phase import advance
@@ -175,7 +174,7 @@ def test_the_start_does_not_matter_to_the_motion(small_run):
 
 def test_the_trajectory_bends_towards_the_command(small_run):
     state = runtime.start(small_run.model, small_run.bank.vectors[0])
-    for _ in range(40):
+    for _ in range(60):
         steered = runtime.steer(state, runtime.Command((1.0, 0.0), (1.0, 0.0)))
         velocity, facing, future = steered.velocity, steered.facing, steered.future
         state = dataclasses.replace(state, velocity=velocity, facing=facing)
@@ -201,45 +200,6 @@ def test_pilots_keep_to_the_path(walk_clip):
     assert float((trail[-1] - points[-1]).norm()) < 0.05
     # on the first leg by then, before the corner is near
     assert float(trail[120:148, 0].abs().max()) < 0.05
-
-
-def test_the_closed_loop_bench_reports_every_style_and_what_fails(small_run, tmp_path, capsys):
-    """A model after a few steps slides along: the bench says so."""
-    small_run.save(tmp_path / "run.safetensors")
-    closed_loop.run(tmp_path / "run.safetensors", seconds=2.0, speeds="6")
-    lines = capsys.readouterr().out.splitlines()
-    assert [line.split()[0] for line in lines[4:8]] == ["Neutral", "Zombie", "median", "worst"]
-    assert lines[-1].startswith("0 of 2 styles")
-    assert "Neutral: speed 0." in lines[-1]
-
-
-def test_the_closed_loop_bench_keeps_other_rows_of_its_result(small_run, tmp_path, monkeypatch):
-    monkeypatch.setattr(closed_loop, "RESULTS", tmp_path)
-    closed_loop._store({"a": {"skate": 1.0}, "b": {"skate": 2.0}})
-    closed_loop._store({"b": {"skate": 3.0, "which": "Old"}, "c": {}})
-    rows = tables.Result.load(closed_loop.STORED, tmp_path).rows
-    assert rows == [
-        {"walk": "a", "skate": 1.0},
-        {"walk": "b", "skate": 3.0, "which": "Old"},
-        {"walk": "c"},
-    ]
-
-
-def test_a_perfect_model_predicts_toes_as_fast_as_they_are(walk_clip):
-    """One step ahead, predicted toes have the speed of the clip's toes, and of its next frames."""
-    model = Replay(walk_clip)
-    model.predict, model.observe = (lambda x, p, style: model.rows.outputs), lambda p, z: (p, z)
-    found = closed_loop.ahead(model, torch.zeros(1), walk_clip)
-    assert found["before"] == pytest.approx(found["skate"], abs=5e-3)
-    assert found["skate"] < 0.15
-
-
-def test_the_eight_of_the_bench_is_two_closed_loops():
-    course = closed_loop.eight(2.0)
-    assert float((course[0] - course[-1]).norm()) < 1e-5
-    length = float((course[1:] - course[:-1]).norm(dim=-1).sum())
-    assert length == pytest.approx(8 * math.pi, rel=0.01)
-    assert course.amin(0).tolist() == pytest.approx([-4.0, -2.0])
 
 
 def test_bad_commands_are_refused(small_run):
@@ -396,7 +356,7 @@ def test_pilots_command_their_speed_along_the_path_and_half_more_if_late(replaye
 
 
 def test_future_directions_turn_towards_the_command_by_the_weight_of_their_time(replayed):
-    """The facing turns a quarter of the way from +z to +x in this frame.
+    """The facing turns from +z to +x, by 3 degrees in a frame at most.
 
     The samples ahead take a growing share of that.
     """
@@ -404,11 +364,11 @@ def test_future_directions_turn_towards_the_command_by_the_weight_of_their_time(
     command, ahead = runtime.Command((0.0, 0.0), (1.0, 0.0)), (0, 10, 20, 30, 40, 50)
     steered = runtime.steering.steer(state, command, ahead)
     facing, future = steered.facing, steered.future
-    quarter = math.pi / 8
-    torch.testing.assert_close(facing[0], torch.tensor([math.sin(quarter), math.cos(quarter)]))
+    turned = math.pi / 60
+    torch.testing.assert_close(facing[0], torch.tensor([math.sin(turned), math.cos(turned)]))
     angles = torch.atan2(future[0, :, 2], future[0, :, 3]).tolist()
     rest = 1 / 36  # after one frame of standing
-    expected = [0.0, *(quarter * (1 - (1 - rest) * (1 - k / 5) ** 1.25) for k in range(1, 6))]
+    expected = [0.0, *(turned * (1 - (1 - rest) * (1 - k / 5) ** 1.25) for k in range(1, 6))]
     assert angles == pytest.approx(expected, abs=1e-6)
 
 

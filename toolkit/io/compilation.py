@@ -2,16 +2,26 @@
 
 import contextlib
 import functools
+import hashlib
 import pickle
 import warnings
 from collections.abc import Callable, Iterator
+from pathlib import Path
 
 from numba import njit
 from numba.core.caching import FunctionCache
 
 
 class Cache(FunctionCache):
-    """numba's cache; a file of it that cannot be read or written counts as missing."""
+    """numba's cache; a file of it that cannot be read or written counts as missing.
+
+    Its key includes the modules beside that of the function, whose functions are compiled into it.
+    """
+
+    def _index_key(self, sig, codegen) -> tuple:
+        folder = Path(self._py_func.__code__.co_filename).parent
+        beside = b"".join(path.read_bytes() for path in sorted(folder.glob("*.py")))
+        return *super()._index_key(sig, codegen), hashlib.sha256(beside).hexdigest()
 
     @contextlib.contextmanager
     def _guard_against_spurious_io_errors(self) -> Iterator[None]:

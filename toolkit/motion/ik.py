@@ -10,7 +10,9 @@ from toolkit.motion import rotations as R
 from toolkit.motion.clip import FEET, Skeleton, forward_kinematics, local_rotations
 from toolkit.motion.springs import spring
 
-SOFT = 0.01  # share of a leg's length over which it stretches more and more slowly
+# Shares of a leg's length over which it stretches more and more slowly: with its toe in contact,
+# and in the air, where a knee that is nearly straight would move too fast.
+SOFT, SWING = 0.01, 0.03
 NEAR = 0.08  # metres that a locked toe may always stay behind towards the other toe
 SLACK = 0.3  # metres that a locked toe may stay behind its prediction
 RETURN = 10.0  # per second: decay of a released toe's offset from its prediction, and of the hips'
@@ -170,8 +172,10 @@ def sink(drop: Tensor, hips: Tensor, ankles: Tensor, length: Tensor, contacts: T
 
 def solve_legs(skeleton: Skeleton, turned: Callable[[list[int]], Tensor], root: Tensor,
                toes: Tensor, contacts: Tensor, drop: Tensor,
-               seconds: float) -> tuple[list[Tensor], Tensor]:
-    """Knees, feet and toes ``[..., 2, 3]`` with the toes at or near targets; the hips' drop.
+               seconds: float) -> tuple[list[Tensor], Tensor, Tensor]:
+    """Knees, feet and toes ``[..., 2, 3]`` with the toes at or near targets; the hips' drop; targets.
+
+    A target in the air moves to where the drawn leg, whose hips sink, gets.
 
     ``turned`` gives the world rotations ``[..., K, 4]`` of K joints by their indices; ``root [...,
     3]`` and the targets ``toes [..., 2, 3]`` are in the world; ``contacts``, ``drop`` and
@@ -186,8 +190,16 @@ def solve_legs(skeleton: Skeleton, turned: Callable[[list[int]], Tensor], root: 
     a, b, c, toe = (torch.stack([places[j] for j in pair], -2) for pair in pairs)
     target = toes - (toe - c)
     now = sink(drop, a, target, (b - a).norm(dim=-1) + (c - b).norm(dim=-1), contacts, seconds)
+
+    # In the air, the leg that is drawn is never quite straight.
+    held = (2 * contacts).clamp_max(1.0)[..., None]
+    down = torch.nn.functional.pad(now[..., None, :1], (1, 1))
+    soft = SWING + held * (SOFT - SWING)
+    _, reached = two_bone(a - down, b - down, c - down, target, soft=soft)
+    target = torch.where(held < 1, reached, target)
     middle, end = two_bone(a, b, c, target)
-    return [middle, end, end + (toe - c)], now
+    toes = torch.where(held < 1, target + (toe - c), toes)
+    return [middle, end, end + (toe - c)], now, toes
 
 
 def turn_arms(skeleton: Skeleton, rotations: Tensor, root: Tensor, wanted: Tensor) -> Tensor:

@@ -25,6 +25,9 @@ from toolkit.runtime.steering import Command, Pilot, standing, steer, turn, unit
 
 FPS = trajectory.FPS
 STANDS = 0.9  # share of standing (`steering.standing`) from which feet stay on the ground
+# Metres (ours): a frame corrects the integrated position of a joint by at most so much. Not of a
+# leg: the published network then glides.
+JUMP = 0.01
 GROUND = 0.02  # metres: height of a standing toe
 CORRECTION = 0.85  # share of the network's prediction in the next frame's trajectory
 
@@ -163,12 +166,16 @@ def predicted(model, state: CharacterState, command: Command) -> CharacterState:
     kept = (stand > STANDS) & ((contacts > 0.5) | (state.contacts == 1.0))
     contacts = torch.where(kept, torch.ones_like(contacts), contacts)
 
-    # Pose: the mean of predicted and integrated positions; legs in contact are only integrated, so
-    # that toes do not jump.
+    # Pose: the mean of predicted and integrated positions, near the integrated ones; legs in contact
+    # are only integrated, so that toes do not jump.
     was, now = split_joints(state.joints), split_joints(out["joints"])
     share = torch.full_like(was["position"][..., :1], 0.5)
     share[:, leg_joints(layout), 0] *= 1.0 - (2 * contacts).clamp_max(1.0).repeat_interleave(3, -1)
-    position = torch.lerp(was["position"] + now["velocity"] / FPS, now["position"], share)
+    position = was["position"] + now["velocity"] / FPS
+    change = share * (now["position"] - position)
+    limited = change * (JUMP / change.norm(dim=-1, keepdim=True).clamp_min(JUMP))
+    limited[:, leg_joints(layout)] = change[:, leg_joints(layout)]
+    position = position + limited
 
     # A model may have a factor `lift` on the height of toes in the air.
     swing = getattr(model, "lift", 1.0) - 1.0
@@ -354,7 +361,7 @@ def _with_legs(layout: Layout, state: CharacterState) -> CharacterState:
     skeleton, world = layout.skeleton, world_joints(layout, state)
     turned = R.from_forward_up(world["forward"], world["up"])
     joints = {j: i for i, j in enumerate(skeleton.feature_joints)}
-    solved, drop = solve_legs(
+    solved, drop, toes = solve_legs(
         skeleton,
         lambda above: turned[:, [joints[j] for j in above]],
         world["position"][:, 0],
@@ -371,7 +378,7 @@ def _with_legs(layout: Layout, state: CharacterState) -> CharacterState:
         at = [joints[skeleton.role(f"{side}_{part}")] for side in FEET]
         position[:, at] = R.rotate(R.inverse(turn), places - floor)
     return dataclasses.replace(
-        state, joints=pack_joints(**parts | {"position": position}), drop=drop
+        state, joints=pack_joints(**parts | {"position": position}), drop=drop, toes=toes
     )
 
 

@@ -17,9 +17,9 @@ from toolkit.runtime import frame, steering
 Rules = namedtuple("Rules", """
     trajectory_in joints_in trajectory_out joints_out phases updates contacts legs
     samples position_shares direction_shares half_second seconds
-    fps gain correction lift ground proportional integral max_drive stand_still slow low
+    fps gain fastest spin correction jump lift ground proportional integral max_drive stand_still slow low
     sideways sideways_sum forget asked moves standing starting may_stand aligned stands
-    slack near let_go pull soft room deepest fall""")
+    slack near let_go pull soft swing room deepest fall""")
 Rules.__doc__ = "Columns of x and z, joints of the legs, constants of the runtime and of foot IK."
 
 
@@ -43,7 +43,10 @@ def rules_of(model) -> Rules:
         seconds=np.diff(layout.ahead, prepend=0) / trajectory.FPS,
         fps=float(trajectory.FPS),
         gain=steering.GAIN,
+        fastest=steering.FASTEST / trajectory.FPS,
+        spin=steering.SPIN / trajectory.FPS,
         correction=frame.CORRECTION,
+        jump=frame.JUMP,
         lift=getattr(model, "lift", 1.0) - 1.0,
         ground=frame.GROUND,
         proportional=steering.PROPORTIONAL,
@@ -67,6 +70,7 @@ def rules_of(model) -> Rules:
         let_go=held.RETURN,
         pull=phase.PULL,
         soft=held.SOFT,
+        swing=held.SWING,
         room=held.ROOM,
         deepest=held.DEEPEST,
         fall=held.FALL,

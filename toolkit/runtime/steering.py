@@ -19,6 +19,9 @@ from toolkit.runtime.state import CharacterState
 
 FPS = trajectory.FPS
 GAIN = 0.25  # share of the difference between smoothed target and command that a frame removes
+# Ours: m/s² and radians per second by which the smoothed target changes at most. With a half turn
+# in a few frames, knees and wrists jumped.
+FASTEST, SPIN = 4.0, math.pi
 # Exponents of the blend from the network's trajectory to the target.
 POSITION_BIAS, DIRECTION_BIAS = 0.75, 1.25
 # Ours: gains (of the lag; per second) and limit of `speed_controller`.
@@ -99,8 +102,10 @@ def steer(
 
     # Smoothed command; a zero facing keeps the current one.
     look = torch.where(look.norm(dim=-1, keepdim=True) > 1e-6, look, state.facing)
-    velocity = torch.lerp(state.velocity, wanted, GAIN)
-    facing = turn(state.facing, look, GAIN)
+    change = GAIN * (wanted - state.velocity)
+    most = FASTEST / FPS
+    velocity = state.velocity + change * (most / change.norm(dim=-1, keepdim=True).clamp_min(most))
+    facing = turn(state.facing, look, GAIN, SPIN / FPS)
 
     # Standing: a share that grows while the command is to stand.
     speed = velocity.norm(dim=-1, keepdim=True)
@@ -289,9 +294,12 @@ def unit(v: Tensor) -> Tensor:
     return torch.nn.functional.normalize(v, dim=-1)
 
 
-def turn(a: Tensor, b: Tensor, share: Tensor | float) -> Tensor:
-    """Unit directions ``[..., 2]`` turned from a to b, the shorter way, by a share ``[...]``."""
+def turn(a: Tensor, b: Tensor, share: Tensor | float, most: float = math.inf) -> Tensor:
+    """Unit directions ``[..., 2]`` turned from a to b, the shorter way, by a share ``[...]``.
+
+    ``most`` radians.
+    """
     angle = torch.atan2(a[..., 0], a[..., 1])
     difference = torch.atan2(b[..., 0], b[..., 1]) - angle
-    angle = angle + share * torch.atan2(difference.sin(), difference.cos())
+    angle = angle + (share * torch.atan2(difference.sin(), difference.cos())).clamp(-most, most)
     return torch.stack((angle.sin(), angle.cos()), -1)

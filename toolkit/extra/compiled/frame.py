@@ -28,10 +28,11 @@ def _unit2(x, z):
 
 
 @njit
-def _turn2(a, b, share):
+def _turn2(a, b, share, most=math.inf):
     """Direction a turned towards b along the shorter way, as `toolkit.runtime.steering.turn`."""
     angle = math.atan2(a[0], a[1])
-    angle += share * math.atan2(a[1] * b[0] - a[0] * b[1], a[0] * b[0] + a[1] * b[1])
+    by = share * math.atan2(a[1] * b[0] - a[0] * b[1], a[0] * b[0] + a[1] * b[1])
+    angle += min(max(by, -most), most)
     return math.sin(angle), math.cos(angle)
 
 
@@ -106,10 +107,12 @@ def steer(old, wanted, look, rules, x, new, start, stop):
         # the command, smoothed, and the factor on its speed
         goal_x, goal_z = _pair(wanted[b if len(wanted) > 1 else 0])
         vx, vz = _pair(old.velocity[b])
-        vx, vz = _lerp(vx, goal_x, rules.gain), _lerp(vz, goal_z, rules.gain)
+        dx, dz = rules.gain * (goal_x - vx), rules.gain * (goal_z - vz)
+        share = rules.fastest / max(math.hypot(dx, dz), rules.fastest)
+        vx, vz = vx + share * dx, vz + share * dz
         facing, goal = _pair(old.facing[b]), _pair(look[b if len(look) > 1 else 0])
         if math.hypot(goal[0], goal[1]) > 1e-6:
-            facing = _turn2(facing, goal, rules.gain)
+            facing = _turn2(facing, goal, rules.gain, rules.spin)
         new.velocity[b, 0], new.velocity[b, 1] = vx, vz
         new.facing[b, 0], new.facing[b, 1] = facing
         drive = np.float64(old.drive[b, 0])
@@ -198,17 +201,21 @@ def _joints(was, now, turn, shift, contacts, rules, joints):
     only, and toes in the air are lifted.
     """
     shares, lifts = np.full(len(was) // 12, 0.5), np.zeros(len(was) // 12)
+    limits = np.full(len(was) // 12, rules.jump)
     for side in range(2):
         free = 1.0 - min(2.0 * contacts[side], 1.0)
         for part in range(3):
             shares[rules.legs[side, part]] *= free
+            limits[rules.legs[side, part]] = 1e6
         lifts[rules.legs[side, 2]] = rules.lift * free
     for j in range(0, len(was), 12):
         old, velocity = ik.triple(was[j + POSITION :]), ik.triple(now[j + VELOCITY :])
         integrated = ik.plus(old, velocity, 1.0 / rules.fps)
         predicted = ik.triple(now[j + POSITION :])
         change = ik.plus(predicted, integrated, -1.0)
-        position = ik.plus(integrated, change, shares[j // 12])
+        share, most = shares[j // 12], limits[j // 12]
+        far = share * math.sqrt(ik.dot(change, change))
+        position = ik.plus(integrated, change, share * most / max(far, most))
         swing = lifts[j // 12] * max(position[1] - rules.ground, 0.0)
         position = position[0], position[1] + swing, position[2]
         forward, up = ik.unit(ik.triple(now[j + FORWARD :])), ik.triple(now[j + UP :])

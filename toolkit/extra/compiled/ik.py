@@ -223,12 +223,12 @@ def plant(body, rules, toes, root, contacts, old_drop, new_drop, joints):
     sin, cos = np.float64(root[2]), np.float64(root[3])
     length = max(math.hypot(sin, cos), 1e-12)
     into = -sin / length, cos / length  # turns from the world into the root frame
+    floor = np.float64(root[0]), 0.0, np.float64(root[1])
     for side in range(2):
         hip, knee, foot, toe = body.legs[side]
         a, b, c = triple(places[hip]), triple(places[knee]), triple(places[foot])
-        x, z = np.float64(toes[side, 0]) - root[0], np.float64(toes[side, 2]) - root[1]
         sole = plus(triple(places[toe]), c, -1.0)
-        target = plus(to_world(into, (x, np.float64(toes[side, 1]), z)), sole, -1.0)
+        target = plus(to_world(into, plus(triple(toes[side]), floor, -1.0)), sole, -1.0)
         # how far the hips must sink so that the leg reaches: `toolkit.motion.ik.sink`
         bone, shin, (x, y, z) = plus(b, a, -1.0), plus(c, b, -1.0), plus(a, target, -1.0)
         full = math.sqrt(dot(bone, bone)) + math.sqrt(dot(shin, shin))
@@ -236,10 +236,24 @@ def plant(body, rules, toes, root, contacts, old_drop, new_drop, joints):
         room = rules.room * full
         lack = lack if lack > room else max(lack + room, 0.0) ** 2 / (4 * room)
         need = max(need, min(lack, rules.deepest * full) * min(2 * np.float64(contacts[side]), 1.0))
+    drop, new_drop[1] = _sink(old_drop, need, rules)
+    new_drop[0] = drop
+    down = 0.0, -drop, 0.0
+    for side in range(2):
+        hip, knee, foot, toe = body.legs[side]
+        a, b, c = triple(places[hip]), triple(places[knee]), triple(places[foot])
+        sole = plus(triple(places[toe]), c, -1.0)
+        target = plus(to_world(into, plus(triple(toes[side]), floor, -1.0)), sole, -1.0)
+        # the drawn leg is never quite straight in the air, and its toe is where it gets
+        held = min(2 * np.float64(contacts[side]), 1.0)
+        if held < 1.0:
+            soft = rules.swing + held * (rules.soft - rules.swing)
+            _, target = _two_bone(plus(a, down), plus(b, down), plus(c, down), target, soft)
+            there = to_world((sin / length, cos / length), plus(target, sole))
+            put(toes[side], plus(there, floor))
         middle, end = _two_bone(a, b, c, target, rules.soft)
         for point, place in ((knee, middle), (foot, end), (toe, plus(end, sole))):
             put(joints[12 * body.own[point] :], place)
-    new_drop[0], new_drop[1] = _sink(old_drop, need, rules)
 
 
 @compiled()

@@ -34,8 +34,8 @@ export function unit(v) {
 }
 
 // direction (ax, az) turned towards (bx, bz) along the shorter way
-function turn(ax, az, bx, bz, share) {
-  const angle = Math.atan2(ax, az) + share * Math.atan2(az * bx - ax * bz, ax * bx + az * bz);
+function turn(ax, az, bx, bz, share, most = Infinity) {
+  const by = share * Math.atan2(az * bx - ax * bz, ax * bx + az * bz), angle = Math.atan2(ax, az) + clamp(by, -most, most);
   return [Math.sin(angle), Math.cos(angle)];
 }
 
@@ -75,8 +75,10 @@ function standing({ rest, facing }, [sin, cos], { may_stand, aligned }) {
 // Fills x, and of the new state the command's parts and the future bent towards the command {velocity, facing} (section 4.4).
 export function steer(old, command, rules, x, next) {
   const { history, future } = old, bent = next.future, here = history.length - 4;
-  const velocity = [0, 1].map((i) => lerp(old.velocity[i], command.velocity[i], rules.gain)), speed = Math.hypot(...velocity);
-  const facing = Math.hypot(...command.facing) > 1e-6 ? turn(...old.facing, ...command.facing, rules.gain) : old.facing;
+  const change = [0, 1].map((i) => rules.gain * (command.velocity[i] - old.velocity[i]));
+  const slower = rules.fastest / Math.max(Math.hypot(...change), rules.fastest);
+  const velocity = [0, 1].map((i) => old.velocity[i] + slower * change[i]), speed = Math.hypot(...velocity);
+  const facing = Math.hypot(...command.facing) > 1e-6 ? turn(...old.facing, ...command.facing, rules.gain, rules.spin) : old.facing;
   next.velocity.set(velocity);
   next.facing.set(facing);
   const drive = old.drive[0], rest = clamp(old.rest[0] + (speed < rules.moves ? rules.standing : -rules.starting), 0, 1);
@@ -144,13 +146,17 @@ function hold(old, before, predicted, left, rules, next) {
 function pose(was, z, [sin, cos], [right, ahead], contacts, rules, joints) {
   const { position, forward, up, velocity, width, joints_out } = rules, shares = new Float64Array(was.length / width).fill(0.5);
   rules.legs.forEach((leg, side) => leg.forEach((j) => (shares[j] *= 1 - Math.min(2 * contacts[side], 1))));
+  const limits = new Float64Array(shares.length).fill(rules.jump);
+  for (const j of rules.legs.flat()) limits[j] = 1e6;
   const lifts = new Float64Array(shares.length);
   rules.legs.forEach(([, , toe], side) => (lifts[toe] = rules.lift * (1 - Math.min(2 * contacts[side], 1))));
   const write = (at, vx, vy, vz) => (joints[at] = cos * vx + sin * vz, joints[at + 1] = vy, joints[at + 2] = cos * vz - sin * vx);
   for (let j = 0; j < was.length; j += width) {
     const out = joints_out + j, p = out + position, v = out + velocity, at = j + position, [fx, fy, fz] = unit(three(z, out + forward));
     const [ux, uy, uz] = three(z, out + up), along = ux * fx + uy * fy + uz * fz, over = unit([ux - along * fx, uy - along * fy, uz - along * fz]);
-    const share = shares[j / width], led = (i) => lerp(was[at + i] + z[v + i] / rules.fps, z[p + i], share);
+    const share = shares[j / width];
+    const changes = [0, 1, 2].map((i) => share * (z[p + i] - was[at + i] - z[v + i] / rules.fps));
+    const most = limits[j / width], slower = most / Math.max(Math.hypot(...changes), most), led = (i) => was[at + i] + z[v + i] / rules.fps + slower * changes[i];
     const swing = lifts[j / width] * Math.max(led(1) - rules.ground, 0);
     write(at, led(0), led(1) + swing, led(2));
     write(j + forward, fx, fy, fz);

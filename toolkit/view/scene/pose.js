@@ -97,18 +97,30 @@ export function plant({ history, joints, toes, contacts, drop }, before, body, r
     places[j] = plus(places[above], rotate(fromForwardUp(read(joint, "forward"), read(joint, "up")), body.offsets[j]));
   }
   let need = 0;
-  body.legs.forEach(([hip, knee, foot, toe], side) => {
+  const legs = body.legs.map(([hip, knee, foot, toe], side) => {
     const [tx, ty, tz] = three(toes, 3 * side), [a, b, ankle] = [hip, knee, foot].map((joint) => places[joint]);
-    const sole = minus(places[toe], ankle), target = minus([c * (tx - x) - s * (tz - z), ty, c * (tz - z) + s * (tx - x)], sole);
+    const sole = minus(places[toe], ankle);
+    return { a, b, ankle, sole, target: minus([c * (tx - x) - s * (tz - z), ty, c * (tz - z) + s * (tx - x)], sole) };
+  });
+  legs.forEach(({ a, b, ankle, target }, side) => {
     const full = Math.hypot(...minus(b, a)) + Math.hypot(...minus(ankle, b)), [dx, dy, dz] = minus(a, target);
     const lack = dy - Math.sqrt(Math.max(((1 - rules.soft) * full) ** 2 - dx * dx - dz * dz, (full / 2) ** 2));
     const room = rules.room * full, gentle = lack > room ? lack : Math.max(lack + room, 0) ** 2 / (4 * room);
     need = Math.max(need, Math.min(gentle, rules.deepest * full) * Math.min(2 * contacts[side], 1));
-    const [middle, end] = twoBone(a, b, ankle, target);
+  });
+  drop.set(sink(before, need, rules));
+  legs.forEach(({ a, b, ankle, sole, target }, side) => { // the drawn leg is never quite straight in the air, and its toe is where it gets
+    const [, knee, foot, toe] = body.legs[side], held = Math.min(2 * contacts[side], 1), lower = (v) => [v[0], v[1] - drop[0], v[2]];
+    let goal = target;
+    if (held < 1) {
+      [, goal] = twoBone(lower(a), lower(b), lower(ankle), target, rules.swing + held * (rules.soft - rules.swing));
+      const [gx, gy, gz] = plus(goal, sole);
+      toes.set([c * gx + s * gz + x, gy, c * gz - s * gx + z], 3 * side);
+    }
+    const [middle, end] = twoBone(a, b, ankle, goal);
     [[knee, middle], [foot, end], [toe, plus(end, sole)]].forEach(([point, place]) =>
       joints.set(place, rules.width * body.own[point] + rules.position));
   });
-  drop.set(sink(before, need, rules));
 }
 
 // Fills local rotations [J' * 4] and the root's position [3]; feet, arms: whether their IK acts.
