@@ -145,11 +145,11 @@ def walked(net, style, track: str, pace: Tensor) -> list[dict[str, Tensor]]:
         speed, way, look = order(track, frame / FPS)
         way, look = ((math.sin(math.radians(a)), math.cos(math.radians(a))) for a in (way, look))
         commands.append(runtime.Command(speed * pace * torch.tensor(way), look))
-    seen = []
+    seen, old = [], None
     for state in tqdm(runtime.states(net, commands, style), track, len(commands), disable=None):
-        parts = {name: getattr(state, name) for name in ("root", "joints", "toes", "drop",
-                                                         "contacts")}
-        seen.append(parts | {"raw": unlocked(net, old, state) if seen else state.toes})
+        raw = state.toes if old is None else unlocked(net, old, state)
+        names = "root", "joints", "toes", "drop", "contacts"
+        seen.append({name: getattr(state, name) for name in names} | {"raw": raw})
         old = state
     stacked = {name: torch.stack([parts[name] for parts in seen], 1) for name in seen[0]}
     return [{name: part[i] for name, part in stacked.items()} for i in range(len(pace))]

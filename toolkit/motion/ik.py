@@ -173,9 +173,8 @@ def sink(drop: Tensor, hips: Tensor, ankles: Tensor, length: Tensor, contacts: T
 def solve_legs(skeleton: Skeleton, turned: Callable[[list[int]], Tensor], root: Tensor,
                toes: Tensor, contacts: Tensor, drop: Tensor,
                seconds: float) -> tuple[list[Tensor], Tensor, Tensor]:
-    """Knees, feet and toes ``[..., 2, 3]`` with the toes at or near targets; the hips' drop; targets.
-
-    A target in the air moves to where the drawn leg, whose hips sink, gets.
+    """Knees, feet and toes ``[..., 2, 3]`` with the toes at or near targets; the hips' drop; the
+    targets, which move in the air to where the drawn leg, whose hips sink, gets.
 
     ``turned`` gives the world rotations ``[..., K, 4]`` of K joints by their indices; ``root [...,
     3]`` and the targets ``toes [..., 2, 3]`` are in the world; ``contacts``, ``drop`` and

@@ -17,8 +17,9 @@ from toolkit.runtime import frame, steering
 Rules = namedtuple("Rules", """
     trajectory_in joints_in trajectory_out joints_out phases updates contacts legs
     samples position_shares direction_shares half_second seconds
-    fps gain fastest spin correction jump lift ground proportional integral max_drive stand_still slow low
-    sideways sideways_sum forget asked moves standing starting may_stand aligned stands
+    fps gain fastest spin correction jump lift ground
+    proportional integral max_drive stand_still slow low sideways sideways_sum forget asked
+    moves standing starting may_stand aligned stands
     slack near let_go pull soft swing room deepest fall""")
 Rules.__doc__ = "Columns of x and z, joints of the legs, constants of the runtime and of foot IK."
 

@@ -86,6 +86,11 @@ class Scene:
                                      f"{math.dist(here, there):.2f} m from each other, "
                                      f"closer than the {least:.2f} m that they keep")
 
+    def _called(self, k: int) -> str:
+        """A shot in a message: its number, and its name if it has one."""
+        name = self.shots[k].name
+        return f"shots[{k}]" + f" ({name})" * (name != "shot")
+
     @property
     def radii(self) -> list[float]:
         """The share of each character in the distance of two who keep apart."""
@@ -134,15 +139,15 @@ class Scene:
             try:
                 shot.style(bank)
                 if self.apart is None:
-                    lines += [f"shots[{k}]: {line}" for line in shot.check(model, bank)]
+                    lines += [f"{self._called(k)}: {line}" for line in shot.check(model, bank)]
             except ValueError as error:
                 raise ValueError(f"shots[{k}]: {error}") from None
         if self.apart is None:
             return lines
-        lines += [f"shots[{k}]: {' + '.join(key.layers[0])} goes on at {speed:.2f} m/s when it "
-                  f"is told to stand: "
-                  "it cannot wait and may touch others" for k, key, _,
-                  speed in self._tried(model, bank) if speed > STANDS]
+        for k, key, _, speed in self._tried(model, bank):
+            if speed > STANDS:
+                lines.append(f"{self._called(k)}: {' + '.join(key.layers[0])} goes on at "
+                             f"{speed:.2f} m/s when it is told to stand: it cannot wait")
         courses, widest = [shot.plan(bank)[0] for shot in self.shots], sum(sorted(self.radii)[-2:])
         for (a, one), (b, other) in itertools.combinations(enumerate(self.walls), 2):
             ends = min(itertools.product((one.start, one.end), (other.start, other.end)),
@@ -228,11 +233,23 @@ class Scene:
             with torch.no_grad():
                 state = step(model, state.with_style(vectors),
                              Command(*map(torch.from_numpy, (velocities, facings))))
+            if self.apart is not None:
+                state = self._parted(state)
             yield state
 
     @property
     def _walls(self) -> np.ndarray:
-        return np.array([(wall.start, wall.end) for wall in self.walls])
+        return np.array([(wall.start, wall.end) for wall in self.walls]).reshape(-1, 2, 2)
+
+    def _parted(self, state: CharacterState) -> CharacterState:
+        """The state with roots moved apart where they are too close; toes in contact stay."""
+        places = state.root[:, :2].double().numpy()
+        moved = avoidance.parted(places, np.array(self.radii), self._walls, MARGIN)
+        shift = torch.from_numpy(moved - places).to(state.root)
+        history, future = state.history.clone(), state.future.clone()
+        history[:, -1, :2] += shift
+        future[..., :2] += shift[:, None]
+        return dataclasses.replace(state, history=history, future=future)
 
     def _kept(self, state: CharacterState, plans, clocks: list[int],
               wanted: np.ndarray) -> np.ndarray:

@@ -41,6 +41,29 @@ function safe(a, places, moving, wanted, { radii, walls, rules }) {
   return velocity;
 }
 
+// places near the given ones that keep their distances (parted of shots/apart.py)
+function parted(places, radii, walls, { PASSES, SPARE, MARGIN }) {
+  const moved = places.map((place) => [...place]), least = (a, b) => radii[a] + radii[b] + SPARE;
+  for (let pass = 0; pass < PASSES; pass++) {
+    for (const [start, end] of walls) {
+      const way = minus(end, start);
+      moved.forEach((here, k) => {
+        const share = Math.min(Math.max(dot(minus(here, start), way) / dot(way, way), 0), 1);
+        const to = minus(minus(start, times(-share, way)), here), away = Math.max(size(to), 1e-6);
+        moved[k] = minus(here, times(Math.max(MARGIN - away, 0) / away, to));
+      });
+    }
+    const close = moved.flatMap((there, b) => moved.slice(0, b).flatMap((here, a) =>
+      (size(minus(there, here)) < least(a, b) - SPARE / 2 ? [[a, b]] : [])));
+    if (!close.length) break;
+    for (const [a, b] of close.sort(([a, b], [c, d]) => a - c || b - d)) {
+      const to = minus(moved[b], moved[a]), far = Math.max(size(to), 1e-6), push = times(Math.max(least(a, b) - far, 0) / far / 2, to);
+      moved[a] = minus(moved[a], push), moved[b] = minus(moved[b], times(-1, push));
+    }
+  }
+  return moved;
+}
+
 export class Together {
   constructor(takes, { walls = [], ...more }, { data: { apart: rules }, rules: { FPS, LONGEST } }) {
     const most = Math.max(...takes.map((take) => take.count));
@@ -65,6 +88,14 @@ export class Together {
     const commands = asked.map(({ facing }, k) => ({ facing, velocity: limited(safe(k, places, moving, wanted[k], this), most[k]) }));
     takes.forEach((take, k) => (take.clock += held[k] ? 0 : 1));
     advance(takes.map((take) => take.character), commands, takes.map((take) => take.style));
+    const now = takes.map(({ character: { state: { history } } }) => [...history.slice(-4, -2)]);
+    parted(now, this.radii, this.walls, rules).forEach((place, k) => {
+      const { history, future } = takes[k].character.state, shift = minus(place, now[k]), here = history.length - 4;
+      for (const i of [0, 1]) {
+        history[here + i] += shift[i];
+        for (let s = i; s < future.length; s += 4) future[s] += shift[i];
+      }
+    });
     for (const take of takes) take.note();
     this.frames += 1;
     return true;
