@@ -16,7 +16,6 @@ from course.comparison import block_errors, hands, over_columns, shared_baseline
 from torch import Tensor
 from tqdm import tqdm
 
-from experiments.closed_loop import eight
 from experiments.seven_models.posture import posture_error
 from toolkit import datasets, features, networks, published, runtime, training
 from toolkit.evaluation import metrics, recognition
@@ -244,6 +243,15 @@ def over_styles(styles: dict[str, dict[str, float]]) -> dict[str, float]:
     every = list(styles.values())
     return {key: average([row[key] for row in (moving if key in HANDS else every)])
             for key in every[0]}
+
+
+def eight(radius: float) -> Tensor:
+    """Points (x, z) ``[97, 2]`` of two touching circles, first the left one; the start is straight
+    ahead.
+    """
+    t = torch.linspace(0.0, 2 * math.pi, 49)
+    left = torch.stack((radius * (1 - t.cos()), radius * t.sin()), -1)
+    return torch.cat((left, left[1:] * torch.tensor([-1.0, 1.0])))
 
 
 def closed_loop(model: Predictor, bank: StyleBank, data: Features, recogniser: Recogniser,

@@ -70,6 +70,16 @@ def test_a_frame_is_one_small_buffer(control):
     assert np.allclose(numbers[now : now + 4], control.state.root[0], atol=1e-6)
 
 
+def test_the_speed_is_that_of_the_blend_until_another_is_set(trained):
+    model, bank = trained
+    control = Controller(model, bank)
+    control.blend = {"Zombie": 0.5, "Neutral": 0.5}
+    assert control.speed == pytest.approx((bank.speed("Zombie") + bank.speed("Neutral")) / 2)
+    control.speed = 1.7
+    control.blend = {"Zombie": 1}
+    assert control.speed == 1.7
+
+
 def test_the_marker_changes_the_style_smoothly(control, trained):
     control.blend = {"Zombie": 3, "Old": 1}
     assert control.names == ["Zombie", "Old", "Neutral"]

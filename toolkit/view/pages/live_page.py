@@ -156,6 +156,7 @@ def pack(
         },
         "skeleton": page.skeleton_data(walk, character),
         "styles": list(bank.names),
+        "speeds": [round(bank.speed(name), 2) for name in bank.names],
         "vectors": numbers(bank.vectors),
         "turn": TURN,
         "run": RUN,

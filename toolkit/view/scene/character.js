@@ -125,7 +125,15 @@ export class Kernel extends Model {
 
   set(name, value) {
     if (name === "recording") value ? (this.recorded = []) : this.download?.(this.bvh());
+    const before = this.natural();
     super.set(name, value);
+    if (["names", "weights"].includes(name) && this.traits.speed === before) super.set("speed", this.natural()); // nobody has set another
+  }
+
+  // the speed of the blend, m/s
+  natural() {
+    const { names, weights, styles } = this.traits;
+    return names.reduce((sum, name, corner) => sum + weights[corner] * this.data.speeds[styles.indexOf(name)], 0);
   }
 
   send(message) {

@@ -83,7 +83,7 @@ class Controller(CellWidget, Corners):
         if len(names) != 3:
             raise ValueError(f"a triangle has three styles, got {names}")
         self._model, self._bank = model, bank
-        speed = min(max(bank.speed(names[0]), 0.1), 3.0)
+        self._natural = speed = _within(bank.speed(names[0]))
         self._vector = self._target = bank.blend(dict.fromkeys(names, 0.0) | {names[0]: 1.0})
         self._alive = alive(lambda _: self._vector, getattr(model, "life", 0.0))
         self.state = runtime.start(model, self._vector)
@@ -155,6 +155,9 @@ class Controller(CellWidget, Corners):
     @traitlets.observe("names", "weights")
     def _aim(self, _change: dict) -> None:
         self._target = self._bank.blend(self.blend)
+        follows, self._natural = self.speed == self._natural, _within(self._bank.speed(self.blend))
+        if follows:  # nobody has set another speed
+            self.speed = self._natural
 
     @traitlets.observe("recording")
     def _record(self, change: dict) -> None:
@@ -215,6 +218,11 @@ class Controller(CellWidget, Corners):
                 await asyncio.sleep(max(0.002, due - self._loop.time()))
         except Exception as error:  # shown in the page: nothing else would report it
             self.status = f"stopped: {type(error).__name__}: {error}"
+
+
+def _within(speed: float) -> float:
+    """A speed within the limits of `Controller.speed`."""
+    return min(max(speed, 0.1), 3.0)
 
 
 def _valid(message: Mapping) -> dict | None:
