@@ -271,7 +271,8 @@ def _store(kind: str, found: dict[str, dict[str, float | str]]) -> None:
     rows = []
     for what, most in asked.items():
         new = {f"{kind}_{key}": value for key, value in found.get(what, {}).items()}
-        rows.append({"what": what, "most": most, **known.get(what, {}), **new})
+        if what in known or new:
+            rows.append({"what": what, "most": most, **known.get(what, {}), **new})
     Result(STORED, "Every style on the same tracks: 99 published styles without Drunk, 25 "
                    "embedded ones, 14 of recorded people; alive is the mean of three seeds",
            "python -m experiments closed-loop [--published FOLDER | --model recorded] --store",

@@ -155,6 +155,26 @@ def test_velocities_of_those_who_keep_apart():
     assert apart.velocities(places[:1], ahead[:1], ahead[:1], 0.4, walls)[0, 1] < 0.11
 
 
+@given(st.integers(2, 60), st.integers(0, 999))
+def test_a_dense_crowd_that_moves_a_frame_keeps_its_distance(characters, seed):
+    """On a grid as dense as it may be, each moves by up to 3 cm."""
+    rng, radii = np.random.default_rng(seed), np.full(characters, 0.35)
+    grid = 0.7 * np.stack(np.divmod(np.arange(characters), 8), -1)
+    moved = grid + rng.uniform(-0.03, 0.03, grid.shape)
+    parted = apart.parted(moved, radii, np.zeros((0, 2, 2)), 0.5)
+    distance = np.linalg.norm(parted[:, None] - parted, axis=-1) + np.eye(characters)
+    assert distance.min() >= 0.7
+    assert np.linalg.norm(parted - moved, axis=-1).max() < 0.15
+    far = 3 * grid  # nobody is too close
+    assert np.array_equal(apart.parted(far, radii, np.zeros((0, 2, 2)), 0.5), far)
+
+
+def test_places_near_a_wall_move_off_it():
+    walls = np.array([[[-5.0, 0.6], [5.0, 0.6]]])
+    moved = apart.parted(np.array([[0.0, 0.4], [2.0, -1.0]]), np.array([0.3, 0.3]), walls, 0.5)
+    assert np.allclose(moved, [[0.0, 0.1], [2.0, -1.0]])
+
+
 @pytest.mark.parametrize(("arguments", "said"), [
     (([],), "shots: one or more"), ((MEET, -1.0), "apart must be a number"),
     ((MEET, math.nan), "apart must be a number"),
