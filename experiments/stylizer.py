@@ -28,7 +28,6 @@ COLUMNS: dict[str, list] = {
     "movement": ["style without mean pose, %", 0, 100],
     "fmd": ["FMD", 1],
     "diversity": ["diversity, °", 1],
-    "contact_f1": ["contact F1", 2],
 }
 
 
@@ -76,11 +75,19 @@ def rows(stylizer: Stylizer, judges: Judges, motions: Motions) -> Iterator[tuple
     most = float(sources.content.bincount().max()) / len(target)
     style = float(target.bincount().max()) / len(target)
     yield "most frequent class", {"content": most, "style": style, "movement": style}
-    yield "unchanged source", evaluation.measures(sources, target, [sources.x], judges)
     shift = stylizer.shift(sources.x, sources.domain, target)
-    yield "mean-pose shift", evaluation.measures(sources, target, [shift], judges)
+    made = {"unchanged source": [sources.x], "mean-pose shift": [shift]}
     for by in ("noise", "reference"):
-        made = evaluation.results(stylizer, some, motions, by, 0)
-        half = [(x + shift) / 2 for x in made]
-        yield f"blend, {by}", evaluation.measures(sources, target, half, judges)
-        yield f"the network, {by}", evaluation.measures(sources, target, made, judges)
+        network = evaluation.results(stylizer, some, motions, by, 0)
+        made[f"blend, {by}"] = [_unit((x + shift) / 2) for x in network]
+        made[f"the network, {by}"] = network
+    for method, motion in made.items():
+        twice = sources.content.repeat(len(motion)), target.repeat(len(motion))
+        yield method, judges.judge(torch.cat(motion), *twice)
+        if len(motion) > 1:
+            yield method, {"diversity": float(evaluation.angles(*motion).mean())}
+
+
+def _unit(x: torch.Tensor) -> torch.Tensor:
+    """Motions ``[B, 7, T, N]`` with unit quaternions."""
+    return torch.cat((x[:, :3], torch.nn.functional.normalize(x[:, 3:], dim=1)), 1)

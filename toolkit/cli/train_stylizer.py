@@ -32,7 +32,7 @@ def train_stylizer(
     small: Annotated[bool, typer.Option(
         "--small", help="Small networks and fast settings, for a processor.")] = False,
     by_content: Annotated[bool, typer.Option(
-        "--by-content", help="Keep gaits better, with data of every gait in every style.")] = False,
+        "--by-content", help="Let D judge each style and gait apart.")] = False,
     mirror: Annotated[bool, typer.Option(help="Add mirror images, as the paper does.")] = True,
     seed: Seed = 0,
     device: Device = "cpu",

@@ -51,8 +51,8 @@ def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 
         A style code of `style_code`, or an interpolation of such codes (section 7.1).
     blend
         Style of the clip. With it the result is not the network's, but a blend: half of it, and
-        half the mean-pose shift from this style to the domain, which keeps more gaits and learns
-        nothing (docs/embedded_model.md).
+        half the mean-pose shift from this style to the domain. It keeps more gaits than the network
+        (docs/embedded_model.md).
     feet
         Whether to remove foot skate.
 
