@@ -8,7 +8,7 @@ import toolkit as tk
 
 
 class LowRank(nn.Module):
-    """h = ELU(LN(F) + U (c ∘ V x) + β): each style has its own c and β; all share U and V.
+    """h = ELU(LN(F + U (c ∘ V x)) + β): each style has its own c and β; all share U and V.
 
     `generator` makes style vectors (c and β of both layers) of style clips.
     """
@@ -25,7 +25,7 @@ class LowRank(nn.Module):
         """Activation ``[B, hidden]`` of a layer, from its value ``f`` and its inputs ``x``."""
         strength, shift = style.chunk(2, -1)[layer].split(self.widths, -1)
         adapted = self.up[layer](strength * self.down[layer](x))
-        return F.elu(tk.networks.layer_norm(f) + adapted + shift)
+        return F.elu(tk.networks.layer_norm(f + adapted) + shift)
 
 
 class Statistics(nn.Sequential):

@@ -9,6 +9,12 @@ GROUPS, CODES, WIDTH = 8, 64, 16  # codes of a frame, codes to choose from, numb
 COMMITMENT = 0.25  # weight of the distance of the encoder from its codes, as in the paper
 
 
+def layers(n_in, hidden, n_out):
+    """Two dense layers; the normalisation between them keeps walks in closed loop bounded."""
+    return nn.Sequential(nn.Linear(n_in, hidden), nn.LayerNorm(hidden), nn.ELU(),
+                         nn.Linear(hidden, n_out))
+
+
 @tk.networks.register("vq-codebook")
 class Codebook(tk.networks.Predictor):
     """The encoder sees frame, phases and style, the decoder only the codes and the frame."""
@@ -18,11 +24,9 @@ class Codebook(tk.networks.Predictor):
         self.style_size, inputs = 32, self.layout.n_inputs
         self.styles = nn.Embedding(n_styles, self.style_size)
         given = inputs + self.layout.n_phases + self.style_size
-        self.encoder = nn.Sequential(nn.Linear(given, sizes.hidden), nn.ELU(),
-                                     nn.Linear(sizes.hidden, GROUPS * WIDTH))
+        self.encoder = layers(given, sizes.hidden, GROUPS * WIDTH)
         self.codes = nn.Parameter(torch.randn(GROUPS, CODES, WIDTH))
-        self.decoder = nn.Sequential(nn.Linear(inputs + GROUPS * WIDTH, sizes.hidden), nn.ELU(),
-                                     nn.Linear(sizes.hidden, self.layout.n_outputs))
+        self.decoder = layers(inputs + GROUPS * WIDTH, sizes.hidden, self.layout.n_outputs)
 
     def encode(self, clips, style=None):
         """The learned vector ``[1, D]`` of a style's number."""
