@@ -49,8 +49,8 @@ class Controller(CellWidget, Corners):
     state
         The character's current `toolkit.runtime.CharacterState`.
     names, weights, speed
-        Corners of the triangle and their shares; walking speed in metres per second, at first the
-        natural one of the first style.
+        Corners of the triangle and their shares; walking speed in metres per second, the
+        natural one of the blend until another is set.
     frames
         Number of frames computed so far.
     feet, arms
