@@ -242,7 +242,7 @@ def test_a_hold_stands_and_a_direction_is_kept(embedded):
     shot = Shot([(0, 0), (0, 4)], "Neutral", holds=[{"time": 3.0, "seconds": 2.0}],
                 facing=(1.0, 0.0))
     states = list(shot.states(*embedded))
-    stand = torch.cat([s.root[:, :2] for s in states[round(3.8 * FPS) : round(4.8 * FPS)]])
+    stand = torch.cat([s.root[:, :2] for s in states[round(4.2 * FPS) : round(5.0 * FPS)]])
     assert (stand - stand[0]).norm(dim=-1).max() < 0.1
     assert states[200].root[0, 2] > 0.9  # faces +x
     assert states[-1].root[0, 1] == pytest.approx(4.0, abs=0.15)
