@@ -1,4 +1,4 @@
-"""Files for game engines: glTF, ONNX, packs of looping cycles."""
+"""Files for game engines: glTF and ONNX."""
 
 import pkgutil
 
