@@ -20,8 +20,9 @@ its rim. Where b then leaves its interval, it is set to the end that it passed, 
 again for that b. This is the bounded optimum, not the clamped free optimum.
 
 **Frequency.** r is evaluated on a grid whose step is small compared with the width of its narrowest
-valley, about the inverse length of the window. The lowest valleys are then refined by golden
-section.
+valley, about the inverse length of the window. There the inner products of neighbouring windows
+follow from each other: S(t + 1) = e^{iω}·S(t), less the sample that leaves and plus the one that
+enters. The lowest valleys are then refined by golden section.
 
 `python -m experiments fit` measures the speed.
 """

@@ -7,8 +7,9 @@ import numpy as np
 from toolkit.io.compilation import compiled
 
 GOLDEN = (math.sqrt(5.0) - 1) / 2
-PRECISION = 1e-6  # of an angle
+PRECISION = 3e-3  # of an angle: where the golden section ends, and a parabola does the rest
 PEAKS = 2  # of the gain on the grid that are refined
+ENOUGH = 0.9  # of the best gain that another peak on the grid must have, to be refined as well
 
 
 @compiled(error_model="numpy")
@@ -73,7 +74,10 @@ def _evaluate(odd, even, g1, theta, spread):
 
 @compiled(error_model="numpy")
 def _refine(odd, even, g1, left, right, spread):
-    """The angle of the largest gain between two angles, by golden section (Kiefer 1953)."""
+    """The angle of the largest gain between two angles.
+
+    Golden section (Kiefer 1953), and at its end the vertex of the parabola through three gains.
+    """
     inner, outer = right - GOLDEN * (right - left), left + GOLDEN * (right - left)
     low = _evaluate(odd, even, g1, inner, spread)[3]
     high = _evaluate(odd, even, g1, outer, spread)[3]
@@ -86,7 +90,10 @@ def _refine(odd, even, g1, left, right, spread):
             left, inner, low = inner, outer, high
             outer = left + GOLDEN * (right - left)
             high = _evaluate(odd, even, g1, outer, spread)[3]
-    return (left + right) / 2
+    middle, step = (inner + outer) / 2, (outer - inner) / 2
+    bend = low + high - 2 * _evaluate(odd, even, g1, middle, spread)[3]
+    vertex = middle - step * (high - low) / (2 * bend) if bend < 0 else middle
+    return min(max(vertex, left), right)
 
 
 @compiled(error_model="numpy")
@@ -99,9 +106,30 @@ def minima(curve, spread, middle, grid, out):
     """
     frames, last = len(spread), len(grid) - 1
     half = (len(curve) - frames) // 2
+    n = 2 * half + 1
     gains = np.empty(len(grid))
     odd, even = np.zeros(half + 1), np.empty(half + 1)
+
+    # on the grid, in all windows: inner products of sin and cos with themselves, and cos with 1
+    sine, cosine = np.sin(grid), np.cos(grid)
+    c1, twice = np.sin(n * grid / 2) / np.sin(grid / 2), np.sin(n * grid) / sine
+    ss, cc = (n - twice) / 2, (n + twice) / 2
+    # those of the first window with sin and cos; each window continues the one before
+    end_sine, end_cosine = np.sin(half * grid), np.cos(half * grid)
+    sums_sine, sums_cosine = np.zeros(len(grid)), np.zeros(len(grid))
+    for t in range(n):
+        sums_sine += curve[t] * np.sin((t - half) * grid)
+        sums_cosine += curve[t] * np.cos((t - half) * grid)
+
     for frame in range(frames):
+        # a sample leaves, the others turn by one frame, and a sample enters
+        for k in range(last + 1) if frame > 0 else range(0):
+            s = sums_sine[k] + curve[frame - 1] * end_sine[k]
+            c = sums_cosine[k] - curve[frame - 1] * end_cosine[k]
+            enters = curve[frame + n - 1]
+            sums_sine[k] = cosine[k] * s - sine[k] * c + enters * end_sine[k]
+            sums_cosine[k] = cosine[k] * c + sine[k] * s + enters * end_cosine[k]
+
         # the window less its middle: odd and even part, sum, sum of squares
         even[0] = g1 = curve[frame + half] - middle[frame]
         gg = g1 * g1
@@ -114,11 +142,12 @@ def minima(curve, spread, middle, grid, out):
 
         # refine the highest peaks of the gain on the grid
         for k in range(last + 1):
-            gains[k] = _evaluate(odd, even, g1, grid[k], spread[frame])[3]
+            gc = sums_cosine[k] - middle[frame] * c1[k]
+            gains[k] = _project(sums_sine[k], gc, g1, ss[k], cc[k], c1[k], n, spread[frame])[3]
         out[4, frame] = math.inf
         for _ in range(PEAKS):
             k = np.argmax(gains)
-            if gains[k] == -math.inf:
+            if gains[k] < ENOUGH * (gg - out[4, frame]):
                 break
             left, right = grid[max(k - 1, 0)], grid[min(k + 1, last)]
             best = _refine(odd, even, g1, left, right, spread[frame])
