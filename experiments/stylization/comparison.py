@@ -34,7 +34,6 @@ OURS: dict[str, dict] = {  # what differs from `Config.quick`
     "ours without ds": {"losses": LOSSES[:4]},
     "ours without sty and ds": {"losses": LOSSES[:3]},
     "ours with the paper's ds": {"fading": False, "warm_up": 0},
-    "ours by content": {"by_content": True},
 }
 METHODS = (*OURS, "1-D convolutions", "Aberman et al. 2020")
 PAPER = {

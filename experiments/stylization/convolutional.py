@@ -86,24 +86,22 @@ class Generator(nn.Module):
         self.encoder = Encoder(joints, sizes, "in")
         self.decoder = nn.ModuleList(Block(a, b, "adain", sizes.code)
                                      for a, b in pairwise(widths(sizes)[::-1]))
-        self.residual = sizes.residual
         self.skip = Skip(sizes.code, widths(sizes)[0]) if sizes.detailed else None
         self.lower = nn.Conv1d(widths(sizes)[0], CHANNELS * joints, 1)
 
     def encode(self, z: Tensor) -> tuple[Tensor, ...]:
-        """Content ``[B, C, 1, T/4]``, early features, and z."""
+        """Content ``[B, C, 1, T/4]``, and early features."""
         early = self.encoder.enter(flat(z))
-        return self.encoder.shrink(early)[:, :, None], early[:, :, None], z
+        return self.encoder.shrink(early)[:, :, None], early[:, :, None]
 
     def decode(self, content: tuple[Tensor, ...], code: Tensor) -> Tensor:
         """Motion ``[B, 7, T, N]`` of content in the style of ``code [B, S]``."""
-        h, early, z = content[0][:, :, 0], *content[1:]
+        h, early = content[0][:, :, 0], content[1]
         for block in self.decoder:
             h = block(functional.interpolate(h, scale_factor=2.0, mode="linear"), code)
         if self.skip is not None:
             h = h + self.skip(early, code)[:, :, 0]
-        made = unflat(self.lower(h))
-        return z + made if self.residual else made
+        return unflat(self.lower(h))
 
     def forward(self, z: Tensor, code: Tensor) -> Tensor:
         """``z [B, 7, T, N]``, T a multiple of 4, in the style of ``code [B, S]``."""
@@ -126,10 +124,9 @@ class Summary(nn.Module):
 
 
 def build(graph: SkeletonGraph, domains: tuple[str, ...], sizes: Sizes | None = None,
-          statistics: Statistics | None = None,
-          kinds: int | None = None) -> tuple[Stylizer, Discriminator]:
+          statistics: Statistics | None = None) -> tuple[Stylizer, Discriminator]:
     """New networks, initialised like those of `toolkit.stylization.networks.build`."""
-    stylizer, discriminator = networks.build(graph, domains, sizes, statistics, kinds)
+    stylizer, discriminator = networks.build(graph, domains, sizes, statistics)
     joints, sizes = graph.sizes[0], stylizer.sizes
     stylizer.generator = Generator(joints, sizes)
     trunks = [Summary(joints, sizes) for _ in range(2)]

@@ -31,8 +31,6 @@ def train_stylizer(
         help="Train for this time; the rates decay over it.")] = None,
     small: Annotated[bool, typer.Option(
         "--small", help="Small networks and fast settings, for a processor.")] = False,
-    by_content: Annotated[bool, typer.Option(
-        "--by-content", help="Let D judge each style and gait apart.")] = False,
     mirror: Annotated[bool, typer.Option(help="Add mirror images, as the paper does.")] = True,
     seed: Seed = 0,
     device: Device = "cpu",
@@ -51,7 +49,7 @@ def train_stylizer(
     if minutes is not None:
         budget = {"iterations": iterations or 10**9, "seconds": 60 * minutes}
     config = (Config.quick if small else Config)(
-        losses=tuple(losses.split(",")), seed=seed, device=device, by_content=by_content, **budget)
+        losses=tuple(losses.split(",")), seed=seed, device=device, **budget)
     options = {} if clip_seconds is None else {"seconds": clip_seconds}
     motions = build(datasets.load(data, root, styles, gaits, **options), mirror=mirror)
     say(f"{len(motions):,} windows of {', '.join(motions.domains)}")

@@ -38,7 +38,6 @@ class Sizes:
     latent: int = 16  # length of z
     hidden: int = 512  # of the mapping network; its third layer has twice as many
     detailed: bool = False  # G has a skip connection and a last layer per joint, unlike Table 3
-    residual: bool = False  # G gives the change of a motion, not the motion, unlike Table 3
 
     def __post_init__(self):
         for name in ("channels", "code", "latent", "hidden"):
@@ -47,9 +46,9 @@ class Sizes:
                 raise ValueError(f"sizes: {name} must be a whole number from 1, got {value!r}")
 
     @classmethod
-    def small(cls, residual: bool = False) -> "Sizes":
+    def small(cls) -> "Sizes":
         """A fifteenth of the parameters, for training on a CPU."""
-        return cls(channels=16, hidden=128, detailed=True, residual=residual)
+        return cls(channels=16, hidden=128, detailed=True)
 
 
 class Generator(nn.Module):
@@ -58,8 +57,7 @@ class Generator(nn.Module):
     In Table 3, the skip connections of the text are the shortcuts of the blocks, which have no
     normalisation. Unpooling makes the joints of a body part equal, and shared weights can hardly
     part them again. So a `Sizes.detailed` generator departs: `Skip` adds the features of the first
-    layer before the last one, which has weights for every joint. A `Sizes.residual` generator adds
-    its output to the source: it need not learn to rebuild a motion before it changes one.
+    layer before the last one, which has weights for every joint.
     """
 
     def __init__(self, graph: SkeletonGraph, sizes: Sizes):
@@ -69,7 +67,6 @@ class Generator(nn.Module):
         self.decoder = nn.ModuleList(
             Block(c << level + 1, c << level, graph, level, "up", "adain", sizes.code)
             for level in reversed(range(POOLINGS)))
-        self.residual = sizes.residual
         self.skip = Skip(sizes.code, c) if sizes.detailed else None
         self.lower = (PerJoint(c, CHANNELS, graph.sizes[0]) if sizes.detailed
                       else nn.Conv2d(c, CHANNELS, 1))
@@ -77,20 +74,19 @@ class Generator(nn.Module):
     def encode(self, x: Tensor) -> tuple[Tensor, ...]:
         """Content ``[B, 4 C, N/4, T/4]`` of ``x [B, 7, T, N]`` (equation 2).
 
-        Beside it, what a detailed and a residual decoder need: features of the first layer, and x.
+        Beside it, what a detailed decoder needs: features of the first layer.
         """
         early = self.encoder[0](x.transpose(2, 3))
-        return self.encoder[1:](early), early, x
+        return self.encoder[1:](early), early
 
     def decode(self, content: tuple[Tensor, ...], code: Tensor) -> Tensor:
         """Motion ``[B, 7, T, N]`` of content in the style of ``code [B, S]`` (equation 3)."""
-        made, early, x = content
+        made, early = content
         for block in self.decoder:
             made = block(made, code)
         if self.skip is not None:
             made = made + self.skip(early, code)
-        made = self.lower(made).transpose(2, 3)
-        return x + made if self.residual else made
+        return self.lower(made).transpose(2, 3)
 
     def forward(self, x: Tensor, code: Tensor) -> Tensor:
         """``x [B, 7, T, N]``, T a multiple of 4, in the style of ``code [B, S]``."""
@@ -149,21 +145,20 @@ class MappingNetwork(nn.Module):
 
 
 class Discriminator(nn.Module):
-    """Discriminator D (Table 3d): the logit that a motion is a real motion of a kind.
+    """Discriminator D (Table 3d): the logit that a motion is a real motion of a domain.
 
-    A kind is a domain, or with `Config.by_content` a domain and a content. Table 3d lists a last
-    layer from D domains to D domains. The published code does not have it, and neither does this
-    one.
+    Table 3d lists a last layer from D domains to D domains. The published code does not have it,
+    and neither does this one.
     """
 
-    def __init__(self, graph: SkeletonGraph, sizes: Sizes, kinds: int):
+    def __init__(self, graph: SkeletonGraph, sizes: Sizes, domains: int):
         super().__init__()
         self.summary = Summary(graph, sizes)
-        self.branches = nn.Linear(sizes.channels << POOLINGS, kinds)
+        self.branches = nn.Linear(sizes.channels << POOLINGS, domains)
 
-    def forward(self, x: Tensor, kind: Tensor) -> Tensor:
-        """``[B]`` of z-scores ``[B, 7, T, N]`` and kinds ``[B]``."""
-        return self.branches(self.summary(x)).gather(1, kind[:, None])[:, 0]
+    def forward(self, x: Tensor, domain: Tensor) -> Tensor:
+        """``[B]`` of z-scores ``[B, 7, T, N]`` and domains ``[B]``."""
+        return self.branches(self.summary(x)).gather(1, domain[:, None])[:, 0]
 
 
 class Stylizer(nn.Module):
@@ -282,21 +277,17 @@ def pretrained() -> Stylizer:
 
 
 def build(graph: SkeletonGraph, domains: tuple[str, ...], sizes: Sizes | None = None,
-          statistics: Statistics | None = None,
-          kinds: int | None = None) -> tuple[Stylizer, Discriminator]:
+          statistics: Statistics | None = None) -> tuple[Stylizer, Discriminator]:
     """New networks; without statistics z-scores are physical units.
 
-    D tells so many ``kinds`` of motion apart, by default the domains.
-
     Weights are drawn from torch's global generator (He initialisation), with two departures. The
-    last layer of G starts at zero: the first outputs are the mean pose (or, residual, the source),
-    not noise that D would reject. The last layer of E and the layers that read codes start at
-    `CODE_GAIN` of He's deviation: otherwise E's codes would spread over ±3, while F's stay within
-    ±1.
+    last layer of G starts at zero: the first outputs are the mean pose, not noise that D would
+    reject. The last layer of E and the layers that read codes start at `CODE_GAIN` of He's
+    deviation: otherwise E's codes would spread over ±3, while F's stay within ±1.
     """
     sizes = sizes or Sizes()
     stylizer = Stylizer(graph, domains, sizes, statistics or _none(graph, domains))
-    discriminator = Discriminator(graph, sizes, kinds or len(domains))
+    discriminator = Discriminator(graph, sizes, len(domains))
     for network in (stylizer, discriminator):
         he_init(network)
     nn.init.zeros_(stylizer.generator.lower.weight)

@@ -36,7 +36,7 @@ class Config:
     """How to train; the defaults are the paper's (appendix A.2), for hours on a graphics card.
 
     Each field from ``squared`` to ``r1_every`` is a departure from the paper where it is not at its
-    default; `quick` has them all but ``by_content``.
+    default; `quick` has them all.
     """
 
     losses: tuple[str, ...] = losses.LOSSES  # Table 1 leaves out "ds", then "sty"
@@ -53,7 +53,6 @@ class Config:
     other_window: bool = False  # a source's own code is that of another window of its domain
     fading: bool = False  # "ds" only for codes from noise, second result constant, weight falls
     warm_up: int = 0  # first iterations, which train G and E alone by "id", as an autoencoder
-    by_content: bool = False  # D has a branch for each domain and content (`Batches`)
     r1_every: int = 1  # iterations from one R1 term to the next, with as many times its weight
     log_every: int = 100  # iterations per row of the history
     save_every: float = 120.0  # seconds between checkpoints
@@ -85,15 +84,13 @@ class Config:
 
         All λ are the paper's. With content losses of squares, G's gradient of the adversarial loss
         would be about twenty times that of each other one: it would learn to please D long before
-        it learns to keep a motion. With ``by_content`` G gives the change of a motion, and so needs
-        no warm-up.
+        it learns to keep a motion.
         """
-        by_content = changes.get("by_content", False)
         iterations = changes.get("iterations", 2000)
         return cls(**{
-            "sizes": Sizes.small(residual=by_content), "iterations": iterations, "final_rate": 0.1,
+            "sizes": Sizes.small(), "iterations": iterations, "final_rate": 0.1,
             "squared": False, "other_window": True, "fading": True,
-            "warm_up": 0 if by_content else min(300, iterations // 5), "r1_every": 4,
+            "warm_up": min(300, iterations // 5), "r1_every": 4,
             "rates": dict(zip(NETWORKS, (2e-3, 1e-3, 1e-3, 1e-3), strict=True)),
             "weights": dict.fromkeys(losses.LOSSES, 1.0) | {"r1": 5.0},
         } | changes)
@@ -122,40 +119,30 @@ class Run:
 class Batches:
     """What iteration n sees, as a pure function of the seed and n.
 
-    Domains are equally likely, of sources and of targets. With `Config.by_content` a target domain
-    is one that has motions of the source's content, too. The diversity loss needs two references
+    Domains are equally likely, of sources and of targets. The diversity loss needs two references
     and two noises each; ``kin`` are other motions of the sources' domains.
     """
 
     def __init__(self, motions: Motions, z: Tensor, config: Config):
-        self.z, self.content, self.config = z, motions.content, config
+        self.z, self.config = z, config
         domains = torch.arange(len(motions.domains))
         self.own = (motions.domain == domains[:, None]).float()  # [D, M], of each domain's motions
         if empty := [motions.domains[d] for d in domains[~self.own.any(1)]]:
             raise ValueError(f"no motion of {', '.join(empty)} to train on")
-        #: Whether domains have motions of a content ``[C, D]``.
-        self.known = torch.stack([self.own[:, motions.content == c].any(1)
-                                  for c in range(len(motions.contents))]).float()
 
     def __getitem__(self, n: int) -> dict[str, Tensor]:
         """Tensors by name, see the class.
 
         ``x``, ``domain`` and ``kin`` of the sources, the ``target`` domains, ``references [2, B,
-        …]`` and ``noise [2, B, 16]``; the kinds of D (`Config.by_content`) of which the sources
-        are (``real``) and the results should be (``fake``).
+        …]`` and ``noise [2, B, 16]``.
         """
         b, draw = self.config.batch, generator(self.config.seed, BATCH, n)
         source, target = torch.randint(len(self.own), (2, b), generator=draw)
         rows, kin = torch.multinomial(self.own[source], 2, generator=draw, replacement=True).T
-        real, fake = source, target
-        if self.config.by_content:
-            content = self.content[rows]
-            target = torch.multinomial(self.known[content], 1, generator=draw)[:, 0]
-            real, fake = (domain * len(self.known) + content for domain in (source, target))
         alike = torch.multinomial(self.own[target], 2, generator=draw, replacement=True).T
         noise = torch.randn(2, b, self.config.sizes.latent, generator=draw)
         drawn = {"x": self.z[rows], "domain": source, "kin": self.z[kin], "target": target,
-                 "references": self.z[alike], "noise": noise, "real": real, "fake": fake}
+                 "references": self.z[alike], "noise": noise}
         return {name: value.to(self.config.device) for name, value in drawn.items()}
 
 
@@ -189,9 +176,8 @@ def fit(motions: Motions, config: Config | None = None,
     """
     config = config or Config()
     with seeded("cpu", config.seed, INIT):
-        kinds = len(motions.domains) * (len(motions.contents) if config.by_content else 1)
-        made = networks(motions.graph, motions.domains, config.sizes, motions.statistics(), kinds)
-    stylizer, discriminator = made
+        stylizer, discriminator = networks(motions.graph, motions.domains, config.sizes,
+                                           motions.statistics())
     batches = Batches(motions, stylizer.statistics.apply(motions.x), config)
     both = {"stylizer": stylizer.to(config.device),
             "discriminator": discriminator.to(config.device)}
@@ -259,7 +245,7 @@ def terms_of(stylizer: Stylizer, discriminator: Discriminator, batch: dict[str, 
              made: dict[str, Tensor], config: Config) -> dict[str, Tensor]:
     """The loss terms of G, E and F (equations 7 to 11) that the config asks for, unweighted."""
     x, fake = batch["x"], made["fake"]
-    terms = {"adv": losses.adversarial(discriminator(fake, batch["fake"]))}
+    terms = {"adv": losses.adversarial(discriminator(fake, batch["target"]))}
     if "cyc" in config.losses:
         back = stylizer.generator(fake, made["own"])
         terms["cyc"] = losses.content(x, back, config.squared)
@@ -298,8 +284,8 @@ def _step(stylizer: Stylizer, discriminator: Discriminator, adams: dict[str, tor
 
     # D: real motions of their own domains against results
     x = batch["x"].requires_grad_(n % config.r1_every == 0)
-    real = discriminator(x, batch["real"])
-    refused = discriminator(made["fake"].detach(), batch["fake"])
+    real = discriminator(x, batch["domain"])
+    refused = discriminator(made["fake"].detach(), batch["target"])
     values = {"d": losses.discriminator(real, refused)}
     judged = values["d"]
     if x.requires_grad:
