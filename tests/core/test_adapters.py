@@ -20,10 +20,9 @@ def spline(points, phase):
             + w**3 * (3 / 2 * b - 3 / 2 * c + d / 2 - a / 2))
 
 
-@pytest.mark.parametrize("points", [4, 5])
-def test_a_layer_on_a_phase_equals_interpolating_whole_weight_sets(points):
+def test_a_layer_on_a_phase_equals_interpolating_whole_weight_sets():
     torch.manual_seed(0)
-    layer, curve = BlendedLinear(points, 7, 6).double(), CatmullRom(points)
+    layer, curve = BlendedLinear(4, 7, 6).double(), CatmullRom()
     torch.nn.init.normal_(layer.weight)
     torch.nn.init.normal_(layer.bias)
     x, phase = torch.randn(40, 7).double(), torch.linspace(-3.0, 10.0, 40).double()
@@ -34,11 +33,9 @@ def test_a_layer_on_a_phase_equals_interpolating_whole_weight_sets(points):
         torch.testing.assert_close(got[n], expected, rtol=1e-10, atol=1e-10)
 
 
-def test_the_curve_goes_through_its_points_and_has_four_or_more():
+def test_the_curve_goes_through_its_points():
     corners = CatmullRom()(torch.arange(4)[:, None] * math.tau / 4)
     torch.testing.assert_close(corners, torch.eye(4), atol=1e-6, rtol=0)
-    with pytest.raises(ValueError, match="needs 4 control points or more, got 3"):
-        CatmullRom(3)
 
 
 def test_one_hot_is_a_label_beside_the_input():

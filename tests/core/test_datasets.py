@@ -57,7 +57,7 @@ def test_takes_are_found_cut_and_labelled(small):
     clips = datasets.load("100style", small)
     found = [(c.style, c.gait, len(c)) for c in clips]
     assert found == [("Old", "BR", 16), ("Old", "FW", 10), ("Zombie", "FW", 10)]
-    whole = datasets.load("100style", small, styles="Old", gaits="FW", cut=False)[0]
+    (whole,) = style100.SOURCE.load(small, styles="Old", gaits="FW")
     torch.testing.assert_close(whole.root_positions[5:15], clips[1].root_positions)
     # the same files without a folder per style, beside files with other names
     for path in small.glob("*/*.bvh"):

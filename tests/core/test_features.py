@@ -14,7 +14,8 @@ from toolkit.motion import root_frames
 
 def style_clips(clip, start=0, stop=None):
     own = features.own_features(clip, phases.extract(clip, "contact"))
-    return own.style_clips(start + clip_starts(len(clip.cut(start, stop))))
+    starts = start + clip_starts(len(clip.cut(start, stop)))
+    return own.style_clips(torch.stack((starts, torch.full_like(starts, 240)), 1))
 
 
 def test_widths_are_the_papers(walk_clip):

@@ -1,4 +1,4 @@
-"""What one meets who imports the package: inputs of any kind, texts, mappings, slices, runs."""
+"""What one meets who imports the package: inputs of any kind, texts, mappings, runs."""
 
 import collections.abc
 
@@ -66,23 +66,6 @@ def test_a_bank_is_a_mapping(small_run):
     other = bank.merge(StyleBank(["Mine"], [bank["Zombie"].tolist()]))
     assert torch.equal(other["Mine"], bank["Zombie"])
     assert other.nearest(bank["Zombie"].numpy(), 1)[0][1] == 0
-
-
-def test_a_slice_of_a_clip_is_a_clip(walk_clip):
-    cuts = (walk_clip[10:20], 10, 20), (walk_clip[:5], 0, 5), (walk_clip[-60:], 420, 480)
-    for part, start, stop in cuts:
-        assert torch.equal(part.rotations, walk_clip.rotations[start:stop])
-        assert torch.equal(part.root_positions, walk_clip.root_positions[start:stop])
-        assert (part.style, part.fps) == ("Neutral", 60.0)
-    for key in (3, (1, 2), "Hips"):
-        with pytest.raises(TypeError, match=r"^a clip is cut by a slice of its frames, clip\["):
-            walk_clip[key]
-    with pytest.raises(TypeError, match="a slice of its frames"):
-        list(walk_clip)
-    with pytest.raises(ValueError, match=r"takes every frame, got a step of 2; resample changes"):
-        walk_clip[::2]
-    with pytest.raises(ValueError, match="cannot cut frames 20 to 10"):
-        walk_clip[20:10]
 
 
 def test_arrays_and_lists_make_a_clip_of_float32(walk_clip):

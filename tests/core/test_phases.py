@@ -114,20 +114,21 @@ def test_a_second_is_the_shortest_clip(fps):
     half = round(fps / 2)
     clip = procedural.generate("Neutral", "FW", 2.0).resample(fps).replace(name="brief")
     least = clip.cut(0, 2 * half + 1)
-    assert len(tk.phases.extract(least, "contact-free", half_window=0.25).phase) == 2 * half + 1
+    assert len(tk.phases.extract(least, "contact-free").phase) == 2 * half + 1
     said = rf"^brief: {2 * half} frames are too few .* need {2 * half + 1} .* at {fps:g} Hz"
     with pytest.raises(ValueError, match=said):
-        tk.phases.extract(clip.cut(0, 2 * half), "contact-free", half_window=0.25)
+        tk.phases.extract(clip.cut(0, 2 * half), "contact-free")
 
 
 def test_fields_are_what_they_say(walk_clip):
     """Each field against the fit of each limb's own curve; the vector against equation (1)."""
-    source, half = tk.phases.ContactFree().fitted([walk_clip]), 0.4
-    ph = tk.phases.extract(walk_clip, lambda clip, limb: source(clip, limb), half)
+    source = tk.phases.ContactFree().fitted([walk_clip])
+    ph = tk.phases.extract(walk_clip, lambda clip, limb: source(clip, limb))
     assert all(column.dtype == torch.float32 for column in columns(ph).values())
     for i, limb in enumerate(LIMBS):
         raw = source(walk_clip, limb)[:, None]
-        curve = smooth(normalise(raw, FPS, 0.5), FPS)  # never less than a second
+        half = windows.half_window(raw[:, 0], FPS)
+        curve = smooth(normalise(raw, FPS, half), FPS)
         found = fit(curve, FPS, half)
         wave = found.amplitude * found.phase.sin() + found.offset
         for name, expected in (("source", curve), ("frequency", found.frequency), ("fit", wave),

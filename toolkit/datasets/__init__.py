@@ -40,8 +40,8 @@ def load(name: str, root: str | os.PathLike | None = None, styles: Names = None,
     styles, gaits
         Names to keep; None for all.
     **options
-        Options of the dataset's own ``load``: ``seconds``, ``seed`` (procedural), ``cut``
-        (100style), ``dataset`` (bandai), ``target`` (folder).
+        Options of the dataset's own ``load``: ``seconds``, ``seed`` (procedural), ``dataset``
+        (bandai), ``target`` (folder).
 
     Raises
     ------

@@ -8,17 +8,21 @@ length: all clips have the same 21 joints.
 
 import os
 import re
-from dataclasses import replace
 
 from toolkit.datasets.takes import Names, Source
 from toolkit.motion import Clip
 
-SOURCE = Source(
-    name="bandai",
-    pattern=re.compile(r"dataset-\d+_(?P<gait>[^_]+)_(?P<style>[^_]+)_\d+\.bvh"),
-    layout="dataset-N_<content>_<style>_<nnn>.bvh files, flat or in sub-folders",
-    home="https://github.com/BandaiNamcoResearchInc/Bandai-Namco-Research-Motiondataset",
-)
+
+def _source(number: str) -> Source:
+    return Source(
+        name="bandai",
+        pattern=re.compile(rf"dataset-{number}_(?P<gait>[^_]+)_(?P<style>[^_]+)_\d+\.bvh"),
+        layout="dataset-N_<content>_<style>_<nnn>.bvh files, flat or in sub-folders",
+        home="https://github.com/BandaiNamcoResearchInc/Bandai-Namco-Research-Motiondataset",
+    )
+
+
+SOURCE = _source(r"\d+")
 
 
 def load(root: str | os.PathLike | None = None, styles: Names = None, gaits: Names = None, *,
@@ -30,9 +34,5 @@ def load(root: str | os.PathLike | None = None, styles: Names = None, gaits: Nam
     """
     if dataset not in (None, 1, 2):
         raise ValueError(f"bandai: dataset must be 1, 2 or None for both, got {dataset!r}")
-    source = SOURCE
-    if dataset is not None:
-        pattern = SOURCE.pattern.pattern.replace(r"\d+", str(dataset), 1)
-        layout = SOURCE.layout.replace("-N", f"-{dataset}")
-        source = replace(SOURCE, pattern=re.compile(pattern), layout=layout)
+    source = SOURCE if dataset is None else _source(str(dataset))
     return [clip.without_ends() for clip in source.load(root, styles, gaits)]

@@ -54,12 +54,12 @@ class StyleInfo:
     notes: str
 
 
-def load(root: str | os.PathLike | None = None, styles: Names = None, gaits: Names = None, *,
-         cut: bool = True) -> list[Clip]:
+def load(root: str | os.PathLike | None = None, styles: Names = None,
+         gaits: Names = None) -> list[Clip]:
     """Clips of the dataset, see `toolkit.datasets.takes.Source.load`; gaits are keys of `GAITS`.
 
-    With ``cut``, a clip has only the frames from START to STOP (excluded) of ``Frame_Cuts.csv``.
-    STOP may lie past the end.
+    A clip has only the frames from START to STOP (excluded) of ``Frame_Cuts.csv``. STOP may lie
+    past the end.
 
     Raises
     ------
@@ -69,8 +69,6 @@ def load(root: str | os.PathLike | None = None, styles: Names = None, gaits: Nam
     """
     cuts = frame_cuts(root)
     takes = SOURCE.choose(root, styles, gaits, known_styles={style for style, _ in cuts})
-    if not cut:
-        return list(SOURCE.read(takes))
     for take in takes:
         if (take.style, take.gait) not in cuts:
             raise ValueError(f"{take.path}: Frame_Cuts.csv has no START and STOP for this take")

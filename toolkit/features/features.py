@@ -10,7 +10,6 @@ import warnings
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from functools import partial
 
 import torch
 from torch import Tensor
@@ -68,16 +67,13 @@ class OwnFeatures:
             phases=there, phase_updates=there - self.phases[at], contacts=self.contacts[after],
         )
 
-    def style_clips(self, starts: Tensor, lengths: Tensor | None = None) -> Tensor:
-        """y ``[M, 240, 12 J]``: joint features of the frames from ``starts [M]`` on.
+    def style_clips(self, spans: Tensor) -> Tensor:
+        """y ``[M, 240, 12 J]``: joint features of the frames of each span.
 
-        With ``lengths [M]`` they are those of that many frames, repeated: a style that is only
-        shown for less than 240.
+        ``spans [M, 2]`` are first frames and numbers of frames; fewer than 240 are repeated.
         """
-        column = torch.arange(CLIP_FRAMES, device=starts.device)
-        if lengths is not None:
-            column = column % lengths[:, None]
-        return self.joints[starts[:, None] + column]
+        first, frames = spans[..., None].unbind(1)
+        return self.joints[first + torch.arange(CLIP_FRAMES, device=spans.device) % frames]
 
 
 def _seen_from(block: Tensor, position: Tensor, direction: Tensor) -> Tensor:
@@ -320,26 +316,18 @@ def style_rows(own: OwnFeatures, takes: Iterable[tuple[int, int]]) -> dict[str, 
             last, number, after = take, after, after + n + CLIP_FRAMES
         at, starts = first + usable(n, device, samples), first + clip_starts(n, device)
         shift = number - first
-        spans = torch.stack((starts + shift, torch.full_like(starts, CLIP_FRAMES)), -1)
+        # of style clips and of the whole recording: first frame, its number, number of frames
+        clips = torch.stack((starts, starts + shift, torch.full_like(starts, CLIP_FRAMES)), -1)
         whole = torch.tensor([[first, number, n]], device=device)
-        parts.append((at, starts, torch.full_like(at, take), at + shift, spans, whole))
+        parts.append((at, torch.full_like(at, take), at + shift, clips, whole))
         first += n
     columns = (torch.cat(column) for column in zip(*parts, strict=True))
-    at, starts, numbers, frames, spans, whole = columns
-
-    clips = own.style_clips
-    if not len(starts):  # only short recordings: each is repeated
-        starts, spans = whole[:, 0].contiguous(), whole[:, 1:]
-        clips = partial(_repeated, own, whole)
+    at, numbers, frames, clips, whole = columns
+    if not len(clips):  # only short recordings: each is repeated
+        clips = whole
     return {"inputs": Rows(own.inputs, at), "phases": Rows(own.phases.__getitem__, at),
-            "outputs": Rows(own.outputs, at), "clips": Rows(clips, starts),
-            "takes": numbers, "frames": frames, "spans": spans}
-
-
-def _repeated(own: OwnFeatures, recordings: Tensor, starts: Tensor) -> Tensor:
-    """Style clips of whole recordings ``[R, 3]``: their first frames, numbers and lengths."""
-    lengths = recordings[torch.searchsorted(recordings[:, 0].contiguous(), starts), 2]
-    return own.style_clips(starts, lengths)
+            "outputs": Rows(own.outputs, at), "clips": Rows(own.style_clips, clips[:, ::2]),
+            "takes": numbers, "frames": frames, "spans": clips[:, 1:]}
 
 
 class UnknownStyleError(KeyError, ValueError):

@@ -1,7 +1,4 @@
-"""The columns of x, z and y (Mason et al.
-
-2022, section 3.2), for any skeleton. No other module defines columns.
-"""
+"""The columns of x, z and y (Mason et al. 2022, section 3.2); no other module defines columns."""
 
 import json
 from dataclasses import dataclass, field

@@ -16,8 +16,8 @@ CONSTANT = 1e-5  # standard deviation below which a column is only centred
 class Rows:
     """Rows that are computed on demand: indexing gives a tensor, as on the first axis of one."""
 
-    derive: Callable[[Tensor], Tensor]  # computes rows from frame numbers
-    at: Tensor  # [N] frame numbers of all rows
+    derive: Callable[[Tensor], Tensor]  # computes rows from their places
+    at: Tensor  # [N] frame of each row, or [N, 2] first frame and number of frames
     __repr__ = summary
 
     def __len__(self) -> int:
@@ -25,7 +25,8 @@ class Rows:
 
     def __getitem__(self, key: int | slice | Tensor) -> Tensor:
         at = self.at[key]
-        return self.derive(at) if at.dim() else self.derive(at[None])[0]
+        one = at.dim() < self.at.dim()
+        return self.derive(at[None])[0] if one else self.derive(at)
 
     def select(self, mask: Tensor) -> "Rows":
         """The rows where a mask ``[N]`` is true, also computed on demand."""

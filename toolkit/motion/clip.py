@@ -119,16 +119,6 @@ class Clip:
         return self.replace(rotations=self.rotations[start:stop],
                             root_positions=self.root_positions[start:stop])
 
-    def __getitem__(self, frames: slice) -> "Clip":
-        if not isinstance(frames, slice):
-            raise TypeError("a clip is cut by a slice of its frames, clip[a:b]; "
-                            f"got clip[{frames!r}]")
-        start, stop, step = frames.indices(len(self))
-        if step != 1:
-            raise ValueError(f"{self.name}: clip[a:b] takes every frame, got a step of {step}; "
-                             "resample changes the rate")
-        return self.cut(start, stop)
-
     def to(self, *device_or_dtype: torch.device | torch.dtype | str) -> "Clip":
         """The same motion on another device or in another floating dtype."""
         q = self.rotations.to(*device_or_dtype)

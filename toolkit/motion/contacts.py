@@ -16,8 +16,7 @@ MAJORITY = 5 / 60  # seconds, half the width of the majority vote
 DRIFT = 0.02  # metres over a clip: a floor that rises or falls by less is level
 
 
-def detect(clip: Clip, *, height: float | None = None,
-           speed: float | Tensor = 0.15) -> Tensor:
+def detect(clip: Clip, *, height: float | None = None, speed: float | Tensor = 0.15) -> Tensor:
     """Contacts ``[F, 2]`` of the right and the left foot: 1 in contact, 0 otherwise.
 
     A foot is in contact when its toe is low and slow; a majority vote over the neighbouring frames
@@ -33,7 +32,8 @@ def detect(clip: Clip, *, height: float | None = None,
     height : d_max, metres; a toe is low up to this and `BALL` above the floor
     speed : v_max, metres per second, one or of each frame ``[F, 1]``
     """
-    check_height(height)
+    if height is not None and not abs(height) <= 1:
+        raise ValueError(f"the contact height must be from -1 to 1 metres, got {height:g}")
     toes = toes_of(clip)
     above = toes[..., 1] - floor_height(clip)[:, None]
     slow = velocities(toes, clip.fps).norm(dim=-1) <= speed
@@ -42,12 +42,6 @@ def detect(clip: Clip, *, height: float | None = None,
     votes = (low & slow).to(toes.dtype).T[:, None]
     votes = functional.pad(votes, (half, half), mode="replicate")
     return functional.avg_pool1d(votes, 2 * half + 1, stride=1)[:, 0].T.round()
-
-
-def check_height(height: float | None) -> None:
-    """ValueError unless d_max is None, or within 1 m; below the floor, no toe stands."""
-    if height is not None and not abs(height) <= 1:
-        raise ValueError(f"the contact height must be from -1 to 1 metres, got {height:g}")
 
 
 def standing_range(above: Tensor, slow: Tensor) -> Tensor:

@@ -8,9 +8,9 @@ from itertools import combinations
 from toolkit.motion.role_words import JointName, read_all
 
 SIDES = ("left", "right")
-LIMBS = {"arm": ("shoulder", "elbow", "hand"), "leg": ("hip", "knee", "foot")}  # from the trunk
+CHAINS = {"arm": ("shoulder", "elbow", "hand"), "leg": ("hip", "knee", "foot")}  # from the trunk
 ROLES = ("hips", *(f"{side}_{part}" for side in SIDES
-                   for part in (*LIMBS["arm"], *LIMBS["leg"], "toe")))
+                   for part in (*CHAINS["arm"], *CHAINS["leg"], "toe")))
 _OTHER = {"left": "right", "right": "left"}
 LENGTHS = "equal lengths"
 UNEQUAL, EQUAL = 0.7, 0.85  # shorter over longer of a limb's two parts: no person's, and people's
@@ -51,7 +51,7 @@ def _find(names: tuple[str, ...], parents: tuple[int, ...], lengths: tuple[float
                 frozenset(j for j, name in enumerate(names) if name in ending))
     found: Places = {}
     for side in SIDES:
-        for limb in LIMBS:
+        for limb in CHAINS:
             places = _limb(said, tree, side, limb)
             found |= {f"{side}_{part}": place for part, place in places.items()}
     found = {"hips": _hips(said, tree, found)} | found
@@ -101,12 +101,12 @@ class Tree:
 
 def _limb(said: list[JointName], tree: Tree, side: str, limb: str) -> Places:
     """Joint and rule for each part of a limb; empty if the names do not show it."""
-    found = _named(said, tree, side, LIMBS[limb] + (("toe",) if limb == "leg" else ()))
+    found = _named(said, tree, side, CHAINS[limb] + (("toe",) if limb == "leg" else ()))
     if not found:
         return {}
 
     # A part without a fitting name is the parent of the next part outwards …
-    parts = LIMBS[limb]
+    parts = CHAINS[limb]
     for part, beyond in zip(parts[-2::-1], parts[::-1], strict=False):
         if part not in found and beyond in found:
             joint = found[beyond][0]

@@ -133,19 +133,18 @@ class StyleBank(Mapping[str, Tensor]):
                              f"[{other.vectors.shape[1]}]")
         if differ := [n for n in other if n in self and not torch.equal(self[n], other[n])]:
             raise ValueError(f"both banks have {', '.join(differ)}, with different vectors")
-        rows, speeds = {**self, **other}, other._speeds() | self._speeds()
-        return _of(rows, speeds)
+        names = tuple(dict.fromkeys((*self, *other)))
+        both = torch.cat((self.vectors, other.vectors)), torch.cat((self.speeds, other.speeds))
+        first = [(*self.names, *other.names).index(name) for name in names]
+        return StyleBank(names, *(values[first] for values in both))
 
     def select(self, names: Iterable[str]) -> "StyleBank":
         """A new bank of some of the styles, in the order given."""
         names = tuple(names)
-        speeds = self._speeds()
-        return StyleBank(names, torch.stack([self[name] for name in names]),
-                         torch.tensor([speeds[name] for name in names]))
-
-    def _speeds(self) -> dict[str, float]:
-        """Speeds by name."""
-        return dict(zip(self.names, self.speeds.tolist(), strict=True))
+        for name in names:
+            check_style(name, self.names)
+        chosen = [self.names.index(name) for name in names]
+        return StyleBank(names, self.vectors[chosen], self.speeds[chosen])
 
     @property
     def tensors(self) -> dict[str, Tensor]:
@@ -181,9 +180,3 @@ class StyleBank(Mapping[str, Tensor]):
         """The bank among what `toolkit.io.model_files.read` returned for ``path``."""
         with model_files.intact(path, "the style bank"):
             return cls(tuple(parts["bank"]), tensors["bank.vectors"], tensors.get("bank.speeds"))
-
-
-def _of(rows: Mapping[str, Tensor], speeds: Mapping[str, float]) -> StyleBank:
-    """The bank of vectors and speeds by name."""
-    return StyleBank(tuple(rows), torch.stack([*rows.values()]),
-                     torch.tensor([speeds[name] for name in rows]))

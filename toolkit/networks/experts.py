@@ -133,18 +133,13 @@ class CatmullRom(nn.Module):
     A point of a Catmull-Rom spline is a blend of its four nearest control points. The coefficients
     depend only on the distances to them (in steps of 2π/K). So this is a gating for the same
     blended layers as the others. Its coefficients sum to one and may be negative. It has no
-    parameters. ``points`` is the number K of control points, four or more.
+    parameters. There are K = `CONTROL_POINTS`.
     """
-
-    def __init__(self, points: int = CONTROL_POINTS):
-        super().__init__()
-        if points < 4:
-            raise ValueError(f"a closed curve needs 4 control points or more, got {points}")
-        self.points = points
 
     def forward(self, phase: Tensor, x: Tensor | None = None) -> Tensor:
         """``phase [B, 1]``, an angle in radians, to gates ``[B, K]``; x is not used."""
-        along = phase * (self.points / math.tau) - torch.arange(self.points, device=phase.device)
-        d = ((along + self.points / 2) % self.points - self.points / 2).abs()
+        k = CONTROL_POINTS
+        along = phase * (k / math.tau) - torch.arange(k, device=phase.device)
+        d = ((along + k / 2) % k - k / 2).abs()
         near, far = 1 + d * d * (1.5 * d - 2.5), 2 + d * (d * (2.5 - 0.5 * d) - 4)
         return torch.where(d < 1, near, torch.where(d < 2, far, 0.0))

@@ -13,10 +13,10 @@ TILE = 40  # frames convolved at once; divides a style clip's 240 and, after poo
 MANY, WIDE = 4, 16  # tiles are faster from this number of clips and this kernel width (frames) on
 
 
-def layer_norm(f: Tensor, epsilon: float = EPSILON) -> Tensor:
+def layer_norm(f: Tensor) -> Tensor:
     """``f`` with mean 0 and (unbiased) deviation 1 over its last axis (equation 3)."""
     centred = f - f.mean(-1, keepdim=True)
-    return centred / (f.std(-1, keepdim=True) + epsilon)
+    return centred / (f.std(-1, keepdim=True) + EPSILON)
 
 
 class Film(nn.Module):
@@ -188,11 +188,8 @@ def _waves(n: int) -> tuple[Tensor, Tensor]:
     ``[TILE, 2 (n/2 + 1)]``, gives the first samples from a spectrum with interleaved real and
     imaginary parts.
     """
-    angles = 2 * math.pi / n * torch.outer(torch.arange(n // 2 + 1), torch.arange(n)).double()
-    waves = torch.stack((angles.cos(), -angles.sin()))
-    twice = torch.full((n // 2 + 1, 1), 2.0)
-    twice[0] = 1.0
-    if n % 2 == 0:
-        twice[-1] = 1.0
-    back = (waves * twice / n)[..., :TILE].transpose(0, 1).flatten(0, 1).T
-    return waves.flatten(0, 1).float(), back.float().contiguous()
+    samples, waves = torch.eye(n).double(), torch.eye(n // 2 + 1).double()
+    spectra = torch.fft.rfft(samples, dim=0)
+    parts = torch.stack((waves + 0j, 1j * waves), -1).flatten(1)
+    back = torch.fft.irfft(parts, n, dim=0)[:TILE]
+    return torch.cat((spectra.real, spectra.imag)).float(), back.float().contiguous()

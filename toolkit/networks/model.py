@@ -56,7 +56,7 @@ class Model(Predictor):
             case "mann":
                 self.gating = VelocityGating(layout.limb_velocities, s.gating, experts, s.dropout)
             case "pfnn":
-                self.gating = CatmullRom(experts)
+                self.gating = CatmullRom()
         self.experts = Experts(experts, layout.n_inputs, s.hidden, layout.n_outputs, s.dropout)
         rows = n_styles if generator else 0
         match style:

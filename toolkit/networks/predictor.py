@@ -50,12 +50,8 @@ class Sizes:
 
 @contextlib.contextmanager
 def evaluating(network: nn.Module, gradients: bool = False) -> Iterator[None]:
-    """Inside, a network is in evaluation mode, without dropout; gradients only if they are asked
-    for.
-    """
-    changed = []
-    if network.training:
-        changed = [module for module in network.modules() if module.training]
+    """Inside, a network is in evaluation mode, without dropout; gradients only if asked for."""
+    changed = [m for m in network.modules() if m.training] if network.training else []
     for module in changed:
         module.training = False
     try:
@@ -220,7 +216,7 @@ class Predictor(nn.Module):
         """
         tensors = {f"model.{name}": value for name, value in self.state_dict().items()}
         layout, sizes = json.loads(self.layout.to_json()), dataclasses.asdict(self.sizes)
-        part = _registered(self.name)
+        part = registry.find(f"model.{self.name}")
         return tensors, {"name": self.name, "layout": layout, "n_styles": self.n_styles,
                          "sizes": sizes, "module": getattr(part, "func", part).__module__}
 
@@ -296,10 +292,6 @@ def made(name: str, layout: Layout, n_styles: int, sizes: Sizes,
     Without ``generator``, one of the seven models cannot make style vectors.
     """
     options = {} if generator else {"generator": False}
-    model = _registered(name)(layout, n_styles, sizes, **options)
+    model = registry.find(f"model.{name}")(layout, n_styles, sizes, **options)
     model.name = name
     return model
-
-
-def _registered(name: str) -> Any:
-    return registry.find(f"model.{name}")

@@ -53,14 +53,12 @@ class Phases:
     __repr__ = summary
 
 
-def extract(clip: Clip, source: str | Source = "hybrid",
-            half_window: float | None = None) -> Phases:
+def extract(clip: Clip, source: str | Source = "hybrid") -> Phases:
     """Local phases of one clip; see `extract_group` for several of the same style and gait."""
-    return extract_group([clip], source, half_window)[0]
+    return extract_group([clip], source)[0]
 
 
-def extract_group(clips: Sequence[Clip], source: str | Source = "hybrid",
-                  half_window: float | None = None) -> list[Phases]:
+def extract_group(clips: Sequence[Clip], source: str | Source = "hybrid") -> list[Phases]:
     """Local phases of clips of one style and gait, which share principal axes (section 4.1.3).
 
     Parameters
@@ -74,9 +72,6 @@ def extract_group(clips: Sequence[Clip], source: str | Source = "hybrid",
         (curve [F, K], Sinusoids)`` replaces the fit; ``signal(curve) -> complex Tensor [F]`` gives
         the phase by its angle where it does not return None, so that only amplitude and offset are
         fitted.
-    half_window
-        Half the length of the fit's window, seconds; by default about half a cycle of each limb
-        (`windows.half_window`).
 
     Raises
     ------
@@ -85,10 +80,10 @@ def extract_group(clips: Sequence[Clip], source: str | Source = "hybrid",
 
     Notes
     -----
-    The feature is p = ‖v‖ a (sin φ, cos φ). ``a`` is the amplitude of the fitted sinusoid
-    (equation 1). The paper leaves open which speed ‖v‖ is: here the root-mean-square over one
-    second, in the hips' frame. A source that is constant for all limbs in all clips has no phase,
-    and a warning says so.
+    The fit's window is about a cycle of each limb (`windows.half_window`). The feature is
+    p = ‖v‖ a (sin φ, cos φ). ``a`` is the amplitude of the fitted sinusoid (equation 1). The paper
+    leaves open which speed ‖v‖ is: here the root-mean-square over one second, in the hips' frame. A
+    source that is constant for all limbs in all clips has no phase, and a warning says so.
     """
     if isinstance(source, str):
         source = named(source)
@@ -99,7 +94,7 @@ def extract_group(clips: Sequence[Clip], source: str | Source = "hybrid",
                              f"{shortest} (one second) at {clip.fps:g} Hz")
     if hasattr(source, "fitted"):
         source = source.fitted(clips)
-    found = [_extract(clip, source, half_window) for clip in clips]
+    found = [_extract(clip, source) for clip in clips]
     if found and not any(bool(ph.amplitude.any()) for ph in found):
         warnings.warn("the phase source is constant in all clips of a style and gait, so that "
                       "their phases are 0", stacklevel=3)
@@ -114,11 +109,11 @@ def named(source: str) -> Source:
     return (SOURCES.get(source) or registry.find(f"source.{source}"))()
 
 
-def _extract(clip: Clip, source: Source, half_window: float | None) -> Phases:
+def _extract(clip: Clip, source: Source) -> Phases:
     if hasattr(source, "sinusoids"):
         curve, found = source.sinusoids(clip)
     else:
-        curve, found = _fitted(clip, source, half_window)
+        curve, found = _fitted(clip, source)
     # phase: the direction is smoothed, because angles cannot be averaged
     direction = torch.stack((found.phase.sin(), found.phase.cos()), -1)
     direction = torch.nn.functional.normalize(smooth(direction, clip.fps), dim=-1)
@@ -134,12 +129,12 @@ def _extract(clip: Clip, source: Source, half_window: float | None) -> Phases:
     return Phases(*(column.to(clip.rotations) for column in columns), limbs=limbs)
 
 
-def _fitted(clip: Clip, source: Source, half_window: float | None) -> tuple[Tensor, Sinusoids]:
+def _fitted(clip: Clip, source: Source) -> tuple[Tensor, Sinusoids]:
     """Normalised and smoothed curves ``[F, K]`` of a source, and their sinusoids."""
     columns = []
     for raw in curves(clip, source).split(1, dim=1):
-        half = windows.half_window(raw[:, 0], clip.fps) if half_window is None else half_window
-        curve = smooth(normalise(raw, clip.fps, max(half, windows.SECOND)), clip.fps)
+        half = windows.half_window(raw[:, 0], clip.fps)
+        curve = smooth(normalise(raw, clip.fps, half), clip.fps)
         signal = source.signal(raw[:, 0]) if hasattr(source, "signal") else None
         if signal is None:
             found = fit(curve, clip.fps, half)

@@ -19,7 +19,7 @@ from toolkit.motion import rotations as R
 from toolkit.motion.clip import Clip
 from toolkit.motion.contacts import detect, standing_height, toes_of, velocities
 from toolkit.motion.ik import two_bone
-from toolkit.motion.roles import LIMBS, ROLES, SIDES
+from toolkit.motion.roles import CHAINS, ROLES, SIDES
 from toolkit.motion.skeleton import FEET, Skeleton, forward_kinematics, local_rotations
 from toolkit.motion.tensors import through_numpy
 
@@ -269,7 +269,7 @@ def pruned(clip: Clip) -> Clip:
     # Joints without a role between two parts of a limb, or called a twist bone
     split = {j for j in kept if any(word in old.names[j].lower() for word in TWIST)}
     for side in SIDES:
-        for upper, lower in (pair for parts in LIMBS.values() for pair in pairwise(parts)):
+        for upper, lower in (pair for parts in CHAINS.values() for pair in pairwise(parts)):
             start = old.role(f"{side}_{upper}")
             path = old.ancestors(old.role(f"{side}_{lower}"))
             split |= {j for j in path if start in old.ancestors(j)}

@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from itertools import pairwise
 
 from toolkit.motion import role_words
-from toolkit.motion.roles import LIMBS, SIDES, Tree
+from toolkit.motion.roles import CHAINS, SIDES, Tree
 
 NOTHING = 1e-3  # of the longest bone: a bone between two roles that is shorter is none
 
@@ -14,7 +14,7 @@ def misfits(names: Sequence[str], parents: Sequence[int], lengths: Sequence[floa
     """Limbs out of order or without length, in words, each with the roles of the limb."""
     tree, longest, problems = Tree(parents, lengths), max(lengths[1:], default=0.0), []
     for side in SIDES:
-        for chain in LIMBS.values():
+        for chain in CHAINS.values():
             have = [f"{side}_{part}" for part in chain if f"{side}_{part}" in roles]
             for a, b in pairwise(have):
                 upper, lower = names.index(roles[a]), names.index(roles[b])
