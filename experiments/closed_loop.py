@@ -19,7 +19,7 @@ from toolkit.cli import verbs
 from toolkit.evaluation import metrics
 from toolkit.io import bvh
 from toolkit.motion import Clip, contacts, root_frames, rotations as R
-from toolkit.motion.clip import FEET
+from toolkit.motion.skeleton import FEET
 from toolkit.networks.bank import StyleBank
 from toolkit.runtime import FPS, CharacterState
 from toolkit.runtime.frame import predicted_toes

@@ -4,7 +4,7 @@ from course.comparison import nearest
 from torch import Tensor
 
 from toolkit.features import Layout, split_joints
-from toolkit.motion.clip import SIDES
+from toolkit.motion.roles import SIDES
 
 
 def posture_error(layout: Layout, joints: Tensor, clips: Tensor, speed: float) -> dict[str, float]:

@@ -14,7 +14,7 @@ from toolkit.features import (
     split_joints,
     splits,
 )
-from toolkit.motion.clip import SIDES
+from toolkit.motion.roles import SIDES
 from toolkit.networks import Model
 from toolkit.networks.bank import StyleBank
 from toolkit.training import loss

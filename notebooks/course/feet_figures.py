@@ -8,8 +8,8 @@ from course.style_figures import WHEEL
 from plotly.subplots import make_subplots
 
 from toolkit.motion import Clip
-from toolkit.motion.clip import FEET
 from toolkit.motion.contacts import velocities
+from toolkit.motion.skeleton import FEET
 from toolkit.view.charts import GRID, LAYOUT
 from toolkit.view.frontend import escape
 from toolkit.view.render.mannequin import CONTACT

@@ -28,17 +28,6 @@ def test_two_bone_keeps_lengths_and_meets_what_it_can_reach(target, pole):
         torch.testing.assert_close(ankle, target, atol=1e-9, rtol=0)
 
 
-@given(st.floats(0.1, 0.85), st.floats(-1.2, 1.2))
-def test_two_bone_bends_towards_the_pole(distance, swing):
-    line = torch.tensor([0.0, -1.0, swing], dtype=torch.float64)
-    target = HIP + distance * R.normalize(line)
-    knee, ankle = ik.two_bone(HIP, KNEE, ANKLE, target, FORWARD)
-    side = knee - HIP - ((knee - HIP) * R.normalize(ankle - HIP)).sum() * R.normalize(ankle - HIP)
-    assert float(side @ FORWARD) > 0
-    # No sideways motion when pole and target lie in one plane.
-    assert abs(float(knee[0] - HIP[0])) < 1e-9
-
-
 def test_two_bone_approaches_full_stretch_without_a_pop():
     distance = torch.linspace(0.7, 1.0, 301, dtype=torch.float64)
     target = HIP + distance[:, None] * torch.tensor([0.0, -1.0, 0.0], dtype=torch.float64)
@@ -283,22 +272,6 @@ def test_a_nearly_straight_leg_keeps_its_knee_forwards(walk_clip, shift):
     line = R.normalize(foot - hip)
     bend = (knee - hip) - ((knee - hip) * line).sum(-1, keepdim=True) * line
     assert float((bend[..., 2] / bend.norm(dim=-1)).min()) > 0.7
-
-
-def test_a_leg_stretches_towards_a_toe_out_of_its_reach(poses):
-    skeleton, rotations, root = poses
-    places = forward_kinematics(*poses)[1]
-    hip, knee, foot, toe = (
-        places[..., joints_of(skeleton, part), :] for part in ("hip", "knee", "foot", "toe")
-    )
-    toes = toe + torch.tensor([0.5, -1.0, 2.0], dtype=torch.float64)
-    now = forward_kinematics(skeleton, ik.plant_feet(skeleton, rotations, root, toes), root)[1]
-    reach = now[..., joints_of(skeleton, "foot"), :] - hip
-    full = (knee - hip).norm(dim=-1) + (foot - knee).norm(dim=-1)
-    stretched = reach.norm(dim=-1) / full
-    assert 0.99 < float(stretched.min()) <= float(stretched.max()) < 1.0 + 1e-12
-    wanted = R.normalize(toes - (toe - foot) - hip)
-    torch.testing.assert_close(R.normalize(reach), wanted, atol=1e-9, rtol=0)
 
 
 ARMS = [

@@ -63,8 +63,7 @@ class RemoteFile(io.RawIOBase):
         self._tag: str | None = None  # the server's name of this version of the file
         self._position = self._failures = 0
         self._body: urllib3.BaseHTTPResponse | None = None
-        while self._receive(0) is None:
-            pass
+        self._receive(0)
 
     def readable(self) -> bool:
         """Return True."""
@@ -93,36 +92,35 @@ class RemoteFile(io.RawIOBase):
 
     def readinto(self, buffer: Any) -> int:
         """Read the next bytes; 0 at the end of the file."""
-        view, piece = memoryview(buffer), None
-        while piece is None:
-            piece = self._receive(len(view))
+        view = memoryview(buffer)
+        piece = self._receive(len(view))
         view[: len(piece)] = piece
         self._position += len(piece)
         self._failures = 0
         return len(piece)
 
-    def _receive(self, most: int) -> bytes | None:
-        """Up to ``most`` bytes, or None after a wait where that failed but may work later."""
-        try:
-            if self._body is None:
-                self._connect()
-            return self._body.read(most)
-        except CUT as error:
-            problem = f"no connection, or it was cut ({type(error).__name__})"
-        except requests.HTTPError as error:
-            reply = error.response
-            problem = f"the server answers {reply.status_code} {reply.reason}"
-            if reply.status_code not in BUSY and reply.status_code < 500:
-                raise ValueError(f"{self.url}: {problem}") from error
-        except requests.RequestException as error:  # an address that leads nowhere
-            raise ValueError(f"{self.url}: {error}") from error
-        self._hang_up()
-        self._failures += 1
-        if self._failures >= TRIES:
-            raise OSError(f"{self.url}: {problem}, {TRIES} times; is there a network? the same "
-                          "command tries again")
-        time.sleep(min(WAIT * 2 ** (self._failures - 1), STALL))
-        return None
+    def _receive(self, most: int) -> bytes:
+        """Up to ``most`` bytes; tries again, after a wait, what failed but may work later."""
+        while True:
+            try:
+                if self._body is None:
+                    self._connect()
+                return self._body.read(most)
+            except CUT as error:
+                problem = f"no connection, or it was cut ({type(error).__name__})"
+            except requests.HTTPError as error:
+                reply = error.response
+                problem = f"the server answers {reply.status_code} {reply.reason}"
+                if reply.status_code not in BUSY and reply.status_code < 500:
+                    raise ValueError(f"{self.url}: {problem}") from error
+            except requests.RequestException as error:  # an address that leads nowhere
+                raise ValueError(f"{self.url}: {error}") from error
+            self._hang_up()
+            self._failures += 1
+            if self._failures >= TRIES:
+                raise OSError(f"{self.url}: {problem}, {TRIES} times; is there a network? the "
+                              "same command tries again")
+            time.sleep(min(WAIT * 2 ** (self._failures - 1), STALL))
 
     def _connect(self) -> None:
         """Ask for the file from the position on."""

@@ -14,8 +14,8 @@ from torch import Tensor
 from toolkit.datasets.procedural_steps import FOOT, FPS, Foot, Plan, smooth, smooth_noise
 from toolkit.datasets.procedural_styles import Arm
 from toolkit.motion import Skeleton, forward_kinematics, rotations as R
-from toolkit.motion.clip import SIDES
 from toolkit.motion.ik import two_bone
+from toolkit.motion.roles import SIDES
 
 # name, parent, offset from the parent; of the limbs for the right side, with x outwards
 _TRUNK = (("Hips", -1, 0, 0, 0), ("Chest", 0, 0, 0.130, 0), ("Chest2", 1, 0, 0.103, 0),

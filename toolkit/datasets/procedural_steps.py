@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 from torch import Tensor
 
 from toolkit.datasets.procedural_styles import Leg, Style
-from toolkit.motion.clip import SIDES
+from toolkit.motion.roles import SIDES
 from toolkit.motion.tensors import summary
 
 FPS = 60

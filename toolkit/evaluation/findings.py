@@ -16,7 +16,7 @@ import torch
 from torch import Tensor
 
 from toolkit.motion import Clip, contacts, rotations as R
-from toolkit.motion.clip import SIDES
+from toolkit.motion.roles import SIDES
 
 STEP = 1 / 30  # seconds between the positions of an acceleration or a jerk, at every rate
 RUNNING = 1.6  # m/s of the hips, over half a second, from which the limits of runs hold

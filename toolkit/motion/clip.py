@@ -12,14 +12,7 @@ import torch
 from torch import Tensor
 
 from toolkit.motion import rotations as R
-from toolkit.motion.roles import SIDES as SIDES
-from toolkit.motion.skeleton import (
-    FEET as FEET,
-    LIMBS as LIMBS,
-    Skeleton,
-    forward_kinematics,
-    local_rotations,
-)
+from toolkit.motion.skeleton import Skeleton, forward_kinematics, local_rotations
 from toolkit.motion.tensors import as_tensor, summary, through_numpy
 from toolkit.motion.text import checked, printable
 

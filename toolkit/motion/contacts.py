@@ -55,11 +55,11 @@ def standing_range(above: Tensor, slow: Tensor) -> Tensor:
 
 
 def floor_height(clip: Clip) -> Tensor:
-    """Height ``[F]`` of a standing toe joint, metres; a straight `line` where the floor drifts."""
-    return line(toes_of(clip)[..., 1].amin(1), max(1, round(clip.fps)), DRIFT)
+    """Height ``[F]`` of a standing toe joint, metres, see `floor_line`."""
+    return floor_line(toes_of(clip)[..., 1].amin(1), max(1, round(clip.fps)), DRIFT)
 
 
-def line(lower: Tensor, part: int, drift: float) -> Tensor:
+def floor_line(lower: Tensor, part: int, drift: float) -> Tensor:
     """The floor ``[F]`` below a lower toe's heights ``lower [F]``.
 
     It goes through the lowest toe of each ``part`` of so many frames, by the median of the slopes

@@ -7,7 +7,7 @@ import torch
 from torch import Tensor
 
 from toolkit.motion import rotations as R
-from toolkit.motion.clip import FEET, Skeleton, forward_kinematics, local_rotations
+from toolkit.motion.skeleton import FEET, Skeleton, forward_kinematics, local_rotations
 from toolkit.motion.springs import spring
 
 # Shares of a leg's length over which it stretches more and more slowly: with its toe in contact,
@@ -119,7 +119,7 @@ def plant_feet(skeleton: Skeleton, rotations: Tensor, root: Tensor, toes: Tensor
     turn = R.between(torch.stack((b - a, c - b)), torch.stack((middle - a, end - middle)))
     for joints, aim in zip(legs, turn, strict=False):
         turned[..., joints, :] = R.multiply(aim, turned[..., joints, :])
-    return _without_ends(skeleton, turned)
+    return _ends_follow(skeleton, turned)
 
 
 def _pairs(skeleton: Skeleton, *parts: str) -> list[list[int]]:
@@ -127,7 +127,7 @@ def _pairs(skeleton: Skeleton, *parts: str) -> list[list[int]]:
     return [[skeleton.role(f"{side}_{part}") for side in FEET] for part in parts]
 
 
-def _without_ends(skeleton: Skeleton, turned: Tensor) -> Tensor:
+def _ends_follow(skeleton: Skeleton, turned: Tensor) -> Tensor:
     """Local rotations of global ones; End Sites follow their parents."""
     follow = [skeleton.parents[j] if skeleton.is_end(j) else j for j in range(len(skeleton))]
     return local_rotations(skeleton, turned[..., follow, :])
@@ -216,4 +216,4 @@ def turn_arms(skeleton: Skeleton, rotations: Tensor, root: Tensor, wanted: Tenso
         aim = R.between(bone, wanted[..., children, :] - positions[..., joints, :])
         turned[..., joints, :] = R.multiply(aim, turned[..., joints, :])
         positions[..., children, :] = positions[..., joints, :] + R.rotate(aim, bone)
-    return _without_ends(skeleton, turned)
+    return _ends_follow(skeleton, turned)

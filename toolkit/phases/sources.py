@@ -12,7 +12,7 @@ import torch
 from torch import Tensor
 
 from toolkit.motion import Clip, contacts, rotations as R
-from toolkit.motion.clip import LIMBS
+from toolkit.motion.skeleton import LIMBS
 from toolkit.motion.tensors import as_tensor, summary
 from toolkit.phases import steps, windows
 from toolkit.phases.steps import Steps

@@ -16,7 +16,7 @@ import torch
 from torch import Tensor
 
 from toolkit.motion import Clip, contacts
-from toolkit.motion.clip import Skeleton
+from toolkit.motion.skeleton import Skeleton
 
 SPIKE = 0.08  # seconds, width of the median filter that removes spikes of single frames
 NOISE = 0.02  # seconds, standard deviation of the Gaussian that removes noise

@@ -15,8 +15,8 @@ from torch import Tensor
 from toolkit.features import Layout, pack_joints, split_joints
 from toolkit.io.progress import progress_bar
 from toolkit.motion import Clip, local_rotations, rotations as R, trajectory
-from toolkit.motion.clip import FEET
 from toolkit.motion.ik import foot_lock, plant_feet, solve_legs, turn_arms
+from toolkit.motion.skeleton import FEET
 from toolkit.motion.tensors import as_tensor, shown
 from toolkit.networks.phase import advance, initial_pose
 from toolkit.runtime.life import Styles, alive

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from toolkit.motion import ik as held, trajectory
-from toolkit.motion.clip import FEET
+from toolkit.motion.skeleton import FEET
 from toolkit.networks import phase
 from toolkit.runtime import frame, steering
 

@@ -14,7 +14,9 @@ from torch import Tensor
 
 from toolkit import runtime
 from toolkit.motion import Clip, contacts, rotations as R
-from toolkit.motion.clip import FEET, SIDES, root_frames
+from toolkit.motion.clip import root_frames
+from toolkit.motion.roles import SIDES
+from toolkit.motion.skeleton import FEET
 from toolkit.motion.trajectory import FPS, heading
 from toolkit.networks import Predictor
 from toolkit.networks.bank import StyleBank

@@ -4,7 +4,7 @@ from torch import Tensor
 
 from toolkit.features import Layout
 from toolkit.motion import Clip, Skeleton
-from toolkit.motion.clip import FEET
+from toolkit.motion.skeleton import FEET
 from toolkit.motion.tensors import as_tensor
 
 

@@ -10,7 +10,7 @@ from torch import Tensor
 from toolkit.evaluation import findings
 from toolkit.evaluation.metrics.steps import foot_skate
 from toolkit.motion import Clip
-from toolkit.motion.clip import SIDES
+from toolkit.motion.roles import SIDES
 
 SLOW = 1.5  # seconds: the mean pose over so long is slow motion
 JOINTS = "hips", *(f"{side}_{part}" for side in SIDES for part in ("hand", "elbow", "knee", "toe"))

@@ -12,7 +12,7 @@ import torch
 from torch import Tensor
 
 from toolkit.motion import Clip, contacts
-from toolkit.motion.clip import FEET
+from toolkit.motion.skeleton import FEET
 from toolkit.motion.tensors import as_tensor
 
 

@@ -10,7 +10,7 @@ from torch import Tensor, nn
 from toolkit.evaluation.metrics.quality import facing
 from toolkit.io import model_files
 from toolkit.motion import Clip
-from toolkit.motion.clip import SIDES
+from toolkit.motion.roles import SIDES
 
 FPS, WINDOW, HOP = 30.0, 30, 10  # of what a judge sees: frames a second, of a window, between two
 ROLES = "hips", *(f"{side}_{part}" for side in SIDES for part in

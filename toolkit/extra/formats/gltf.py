@@ -22,7 +22,7 @@ from toolkit.extra.formats.nodes import Node, chosen, printable, record
 from toolkit.io.files import named
 from toolkit.io.recording import Recording
 from toolkit.motion import rotations as R
-from toolkit.motion.clip import SIDES
+from toolkit.motion.roles import SIDES
 
 PATHS = {"translation": 3, "rotation": 4, "scale": 3}
 BONES = {"shoulder": "UpperArm", "elbow": "LowerArm", "hand": "Hand", "hip": "UpperLeg",

@@ -14,7 +14,7 @@ from toolkit.extra.formats import humanml3d
 from toolkit.io import files
 from toolkit.io.recording import Recording
 from toolkit.motion import Skeleton, forward_kinematics, rotations as R
-from toolkit.motion.clip import SIDES
+from toolkit.motion.roles import SIDES
 
 BODY = humanml3d.NAMES
 SMPL = (*BODY, "left_hand", "right_hand")

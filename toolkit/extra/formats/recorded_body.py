@@ -11,7 +11,7 @@ import torch
 from toolkit.extra.formats.role_checks import head
 from toolkit.io.recording import Recording
 from toolkit.motion import Skeleton, forward_kinematics, role_words
-from toolkit.motion.contacts import line
+from toolkit.motion.contacts import floor_line
 from toolkit.motion.roles import ROLES, SIDES, Tree
 
 SAMPLES = 48  # frames that are looked at
@@ -167,5 +167,5 @@ class RecordedBody:
         lowest = toes[: len(toes) // part * part].reshape(-1, part).min(1)
         if len(lowest) < 4 or np.ptp(lowest) < 0.02 * self.leg:
             return float(np.sort(toes)[len(toes) // 20]), 0.0
-        floor = line(torch.from_numpy(toes), part, 0.02 * self.leg)
+        floor = floor_line(torch.from_numpy(toes), part, 0.02 * self.leg)
         return float(floor[len(floor) // 2]), float(floor[-1] - floor[0])

@@ -9,7 +9,7 @@ import torch
 from torch import Tensor
 
 from toolkit.features import CHANNELS, Features, Layout
-from toolkit.motion.clip import FEET
+from toolkit.motion.skeleton import FEET
 from toolkit.networks import Predictor, Sizes, phase
 from toolkit.training import Run, make_bank
 

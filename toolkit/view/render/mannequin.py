@@ -15,7 +15,9 @@ import numpy as np
 import torch
 
 from toolkit.motion import Clip, Skeleton, forward_kinematics, rotations as R
-from toolkit.motion.clip import FEET, SIDES, root_frames
+from toolkit.motion.clip import root_frames
+from toolkit.motion.roles import SIDES
+from toolkit.motion.skeleton import FEET
 from toolkit.view.render.skin import SLOTS, Skin
 
 LEG = 0.87  # hip to ankle in metres of the body that the radii below are written for
