@@ -206,17 +206,23 @@ def frame_reflections(skeleton: Skeleton, mean: Tensor) -> Tensor:
             own[j] = choices[best]
             continue
 
-        # Else the orthogonal matrix of determinant -1 nearest to bones (3 cm weigh 10,000 times
-        # as much) and means. That of a joint without a counterpart must be its own inverse.
+        # Else any reflection; 3 cm of bones weigh 10,000 times as much as the means.
         target = rotation + there.T @ here / 0.0003**2
-        if pairs[j] == j:
-            normal = torch.linalg.eigh(target + target.T).eigenvectors[:, 0]
-            own[j] = torch.eye(3).to(mean) - 2 * torch.outer(normal, normal)
-        else:
-            u, _, v = torch.linalg.svd(target)
-            flip = -torch.linalg.det(u @ v).sign()
-            own[j] = u @ torch.diag(torch.stack((*u.new_ones(2), flip))) @ v
+        own[j] = _nearest_mirror(target) if pairs[j] == j else _nearest_reflection(target)
     return own
+
+
+def _nearest_mirror(target: Tensor) -> Tensor:
+    """The reflection in a plane, which is its own inverse, nearest to a matrix ``[3, 3]``."""
+    normal = torch.linalg.eigh(target + target.T).eigenvectors[:, 0]
+    return torch.eye(3).to(target) - 2 * torch.outer(normal, normal)
+
+
+def _nearest_reflection(target: Tensor) -> Tensor:
+    """The orthogonal matrix of determinant -1 nearest to a matrix ``[3, 3]`` (Procrustes)."""
+    u, _, v = torch.linalg.svd(target)
+    flip = -torch.linalg.det(u @ v).sign()
+    return u @ torch.diag(torch.stack((*u.new_ones(2), flip))) @ v
 
 
 def on_cpu(clips: Clip | Iterable[Clip]) -> list[Clip]:

@@ -164,17 +164,22 @@ class Convolution(nn.Conv1d):
         width = self.kernel_size[0]
         if len(x) < MANY or width < WIDE or x.device.type != "cpu":
             return super().forward(x)
+        # tiles of `TILE` frames, each with the frames around it that the kernel reaches
         frames, n = x.shape[2], TILE + width - 1
-        waves, back = _waves(n)
         before = (width - 1) // 2
         padded = F.pad(x.transpose(1, 2), (0, 0, before, width - 1 - before + -frames % TILE))
         tiles = padded.unfold(1, n, TILE).permute(3, 0, 1, 2)  # [n, M, tiles, n_in]
+
+        # spectra of tiles and kernels, [frequencies, M tiles, n_in] and [frequencies, n_in, n_out]
+        waves, back = _waves(n)
         re, im = (waves @ tiles.flatten(1)).view(2, n // 2 + 1, -1, self.in_channels)
         kernel = waves[:, :width] @ self.weight.permute(2, 1, 0).flatten(1)
-        kernel = kernel.view(2, n // 2 + 1, self.in_channels, -1)
+        a, b = kernel.view(2, n // 2 + 1, self.in_channels, -1)
+
+        # their products (re + i im) (a - i b), real above imaginary; the conjugate, because torch's
+        # convolution does not turn the kernel round
         both = torch.cat((torch.cat((re, im), 2), torch.cat((im, -re), 2)), 1)
-        # times the conjugate: [frequencies, real above imaginary, n_out]
-        products = both @ torch.cat((*kernel,), 1)
+        products = both @ torch.cat((a, b), 1)
         y = (back @ products.view(len(waves), -1)).view(TILE, len(x), -1, self.out_channels)
         return y.permute(1, 3, 2, 0).flatten(2)[..., :frames] + self.bias[:, None]
 
