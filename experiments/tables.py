@@ -6,7 +6,8 @@ this module fills::
     <!-- table NAME -->
     <!-- end -->
 
-``<!-- table NAME: model mse -->`` shows only these columns.
+``<!-- table NAME: model mse -->`` shows only these columns, and with ``; without TEXT | TEXT``
+leaves out the rows with a cell that holds such a text.
 """
 
 import json
@@ -22,7 +23,8 @@ from toolkit.io.files import atomic_write
 
 DOCS = Path(__file__).parents[1] / "docs"
 RESULTS = DOCS / "results"
-TABLE = re.compile(r"(<!-- table ([\w-]+)(?:: ([\w -]+))? -->\n).*?(<!-- end -->)", re.DOTALL)
+TABLE = re.compile(r"(<!-- table ([\w-]+)(?:: ([\w -]+?))?(?:; without ([^>]+?))? -->\n).*?"
+                   r"(<!-- end -->)", re.DOTALL)
 
 
 @dataclass(frozen=True)
@@ -87,9 +89,11 @@ class Result:
         except (json.JSONDecodeError, TypeError) as error:
             raise ValueError(f"{path}: is not a result ({error})") from None
 
-    def markdown(self, keys: Sequence[str] = ()) -> str:
-        """The table, of all columns or of some; rows that have only their first cell are left
-        out.
+    def markdown(self, keys: Sequence[str] = (), without: Sequence[str] = ()) -> str:
+        """The table, of all columns or of some.
+
+        Rows that have only their first cell are left out, and rows with a cell that holds one of the
+        texts ``without``.
         """
         if unknown := [key for key in keys if key not in self.columns]:
             raise ValueError(f"result {self.name} has no column {unknown[0]}; columns: "
@@ -98,6 +102,7 @@ class Result:
         head = [[column[0] for column in chosen.values()], ["---"] * len(chosen)]
         body = [[cell(row.get(key), *column[1:]) for key, column in chosen.items()]
                 for row in self.rows]
+        body = [row for row in body if not any(text in found for found in row for text in without)]
         return "".join(f"| {' | '.join(line)} |\n" for line in head
                        + [row for row in body if any(row[1:]) or len(row) == 1])
 
@@ -128,8 +133,10 @@ def line(columns: Mapping[str, list], row: Mapping[str, Any]) -> str:
 def fill(text: str, folder: Path = RESULTS) -> str:
     """A page with its tables drawn from the results; ValueError if one is missing."""
     def drawn(found: re.Match) -> str:
-        opening, name, keys, closing = found.groups()
-        return f"{opening}{Result.load(name, folder).markdown((keys or '').split())}{closing}"
+        opening, name, keys, without, closing = found.groups()
+        texts = [text.strip() for text in (without or "").split("|") if text]
+        table = Result.load(name, folder).markdown((keys or "").split(), texts)
+        return f"{opening}{table}{closing}"
 
     return TABLE.sub(drawn, text)
 
