@@ -92,8 +92,8 @@ class Result:
     def markdown(self, keys: Sequence[str] = (), without: Sequence[str] = ()) -> str:
         """The table, of all columns or of some.
 
-        Rows that have only their first cell are left out, and rows with a cell that holds one of the
-        texts ``without``.
+        Rows that have only their first cell are left out, and rows with a cell that holds one of
+        the texts ``without``.
         """
         if unknown := [key for key in keys if key not in self.columns]:
             raise ValueError(f"result {self.name} has no column {unknown[0]}; columns: "
