@@ -1,4 +1,4 @@
-"""Answers to each exercise (`answers.txt`): right ones in other forms, and wrong ones.
+"""Answers to each exercise: the notebook's solution and other right ones, and wrong ones.
 
 Wrong functions are made from the right ones: an operator, a number or a method is exchanged.
 """
@@ -6,32 +6,23 @@ Wrong functions are made from the right ones: an operator, a number or a method 
 import ast
 import copy
 import math
-import random
 from pathlib import Path
 
+import answers
 import course
 import numpy as np
 import pytest
 import torch
-from torch.nn import functional as F
+from answers import RIGHT, WRONG
+from test_notebooks import NOTEBOOKS, SOLUTION, prose, read
 
 import toolkit as tk
 
-LEG = torch.tensor([[0.0, 1.0, 0.0], [0.0, 0.55, 0.1], [0.0, 0.1, 0.0]])  # of exercise 03b.3
-SPACE = {"torch": torch, "math": math, "np": np, "F": F, "random": random, "PI": math.pi,
-         "LEG": LEG}
-ANSWERS = Path(__file__).with_name("answers.txt")
-
-
-def answers() -> dict[str, tuple[str, list[str], list[str]]]:
-    """Exercise -> arguments ("" where the answer is a value), right answers, wrong ones."""
-    found = {}
-    for block in ANSWERS.read_text(encoding="utf-8").strip().split("\n\n")[1:]:
-        heading, *lines = block.splitlines()
-        name, _, arguments = heading.partition(" ")
-        right, wrong = ([x[2:] for x in lines if x.startswith(sign)] for sign in "=-")
-        found[name] = arguments, right, wrong
-    return found
+#: Wrong answers to every exercise.
+TRIVIAL = (
+    ..., 0, 1, "", {}, lambda *_: 0.0, lambda *_: torch.zeros(1), lambda first, *_: first
+)
+IN_CONTEXT = {"10.1", "12.3"}  # exercises whose solution uses names of its notebook
 
 
 #: Exchanged names of functions and methods, operators and comparisons.
@@ -46,12 +37,22 @@ OPERATORS = {ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast
              ast.Or: ast.And, ast.USub: ast.UAdd, ast.Not: ast.UAdd}
 
 
-def mutants(body: str) -> list[str]:
-    """The expression with one operator, name or number exchanged, each in turn."""
-    made, tree = [], ast.parse(body, mode="eval")
-    for k, node in enumerate(ast.walk(tree)):
-        changed = copy.deepcopy(tree)
-        other = list(ast.walk(changed))[k]
+def mutants() -> dict[str, set[str]]:
+    """The functions of `RIGHT` with one operator, name or number exchanged, each in turn."""
+    made = {}
+    for statement in ast.parse(Path(answers.__file__).read_text(encoding="utf-8")).body:
+        if isinstance(statement, ast.Assign) and ast.unparse(statement).startswith("RIGHT["):
+            name, functions = statement.targets[0].slice.value, statement.value.elts
+            made[name] = {text for function in functions if isinstance(function, ast.Lambda)
+                          for text in exchanged(function)}
+    return made
+
+
+def exchanged(function: ast.Lambda) -> list[str]:
+    made = []
+    for k, node in enumerate(ast.walk(function.body)):
+        changed = copy.deepcopy(function)
+        other = list(ast.walk(changed.body))[k]
         if isinstance(getattr(node, "op", None), tuple(OPERATORS)):
             other.op = OPERATORS[type(node.op)]()
         elif isinstance(node, ast.Compare) and type(node.ops[0]) in OPERATORS:
@@ -66,26 +67,31 @@ def mutants(body: str) -> list[str]:
     return made
 
 
-@pytest.mark.parametrize(("name", "tried"), answers().items())
+MUTANTS = mutants() | {"12.1": set()}  # a grade with other limits is right too
+
+
+@pytest.mark.parametrize("name", RIGHT)
 @pytest.mark.filterwarnings("ignore")  # of wrong answers: division by zero, shapes
-def test_right_answers_in_any_form_are_accepted_and_wrong_ones_refused(name, tried):
-    arguments, right, wrong = tried
-
-    def verdict(text: str) -> course.Verdict:
-        code = f"lambda {arguments}: {text}" if arguments else text
-        return course.check(name, eval(code, dict(SPACE)))
-
-    refused = {text: verdict(text) for text in right if not verdict(text)}
-    assert len(right) >= 5
-    assert not refused
-    every = set(wrong)
-    if arguments:
-        every |= {mutant for text in right for mutant in mutants(text)}
-    passed = [text for text in every if verdict(text)]
-    assert len(every) - len(passed) >= 10
+def test_right_answers_in_any_form_are_accepted_and_wrong_ones_refused(name):
+    assert len(RIGHT[name]) + (name not in IN_CONTEXT) >= 5
+    assert [answer for answer in RIGHT[name] if not course.check(name, answer)] == []
+    wrong = (*TRIVIAL, *WRONG.get(name, ()))
+    assert [answer for answer in wrong if course.check(name, answer)] == []
+    made = {text: eval(text, dict(vars(answers))) for text in MUTANTS[name]}
+    passed = [text for text, mutant in made.items() if course.check(name, mutant)]
+    assert len(wrong) + len(made) - len(passed) >= 10
     # a mutant may compute the same: it divides by ±1, or sorts by sums instead of means
-    assert len(passed) <= (6 if arguments else 0), passed
-    assert not set(passed) & set(wrong)
+    assert len(passed) <= (6 if made else 0), passed
+
+
+@pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
+def test_the_solutions_of_a_notebook_are_right(path):
+    for solution in SOLUTION.findall("\n".join(prose(read(path)))):
+        if not any(f'"{name}"' in solution for name in IN_CONTEXT):
+            last = solution.rstrip().splitlines()[-1]
+            space = {"torch": torch, "math": math, "np": np, "tk": tk, "course": course}
+            exec(solution.replace(last, f"verdict = {last}"), space)
+            assert space["verdict"], solution
 
 
 def still(clip, limb):
@@ -118,4 +124,4 @@ def test_sources_with_one_curve_or_a_wrong_sign_are_refused(name, source):
 
 def test_every_exercise_is_tried():
     known = {name for number in course.LESSONS for name in course.exercises_of(number)}
-    assert known == set(answers()) | {"02b.2", "02b.3"}
+    assert known == set(RIGHT) | {"02b.2", "02b.3"}
