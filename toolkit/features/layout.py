@@ -1,14 +1,14 @@
 """The columns of x, z and y (Mason et al. 2022, section 3.2); no other module defines columns."""
 
-import json
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from itertools import accumulate
+from typing import Any
 
 import torch
 from torch import Tensor
 
 from toolkit import phases
-from toolkit.io.files import parsed
 from toolkit.motion import Skeleton, contacts, trajectory
 from toolkit.motion.tensors import summary
 
@@ -179,15 +179,15 @@ class Layout:
         """Joint positions ``[..., J, 3]`` of an output frame, metres, in the current root frame."""
         return split_joints(z[..., self.outputs["joints"]])["position"]
 
-    def to_json(self) -> str:
-        """Text for a checkpoint's metadata."""
-        own = {"phase": self.phase, "samples": self.samples, "phase_limbs": self.phase_limbs}
-        return json.dumps(self.skeleton.to_dict() | own)
+    def to_json(self) -> dict[str, Any]:
+        """The fields as JSON values."""
+        return self.skeleton.to_dict() | {"phase": self.phase, "samples": list(self.samples),
+                                          "phase_limbs": list(self.phase_limbs)}
 
     @classmethod
-    def from_json(cls, text: str) -> "Layout":
-        """Inverse of `to_json`; what older texts lack has its default."""
-        fields = parsed(text)
+    def from_json(cls, values: Mapping[str, Any]) -> "Layout":
+        """Inverse of `to_json`; what older files lack has its default."""
+        fields = dict(values)
         own = {name: fields.pop(name) for name in ("phase", "samples", "phase_limbs")
                if name in fields}
         for name in own.keys() - {"phase"}:

@@ -1,6 +1,5 @@
 """Skeleton: joints in a tree, their roles and counterparts; forward kinematics."""
 
-import dataclasses
 from collections import Counter
 from dataclasses import dataclass
 from functools import cached_property
@@ -69,9 +68,9 @@ class Skeleton:
                               "names": self.names, "roles": self.roles})
 
     def to_dict(self) -> dict:
-        """The fields as values for JSON; ``Skeleton(**fields)`` makes the skeleton again."""
-        fields = {f.name: getattr(self, f.name) for f in dataclasses.fields(self)}
-        return fields | {"offsets": self.offsets.tolist()}
+        """The fields as JSON values; ``Skeleton(**fields)`` makes the skeleton again."""
+        return {"names": list(self.names), "parents": list(self.parents),
+                "offsets": self.offsets.tolist(), "roles": self.roles, "ends": list(self.ends)}
 
     def index(self, name: str) -> int:
         """Index of a joint by its name or, where no joint has this name, by its role."""

@@ -6,7 +6,6 @@
 import contextlib
 import dataclasses
 import functools
-import json
 import os
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -215,7 +214,7 @@ class Predictor(nn.Module):
         ``generator=False`` leaves out what makes style vectors, if it is one of the seven models.
         """
         tensors = {f"model.{name}": value for name, value in self.state_dict().items()}
-        layout, sizes = json.loads(self.layout.to_json()), dataclasses.asdict(self.sizes)
+        layout, sizes = self.layout.to_json(), dataclasses.asdict(self.sizes)
         part = registry.find(f"model.{self.name}")
         return tensors, {"name": self.name, "layout": layout, "n_styles": self.n_styles,
                          "sizes": sizes, "module": getattr(part, "func", part).__module__}
@@ -254,7 +253,7 @@ class Predictor(nn.Module):
         with model_files.intact(path, "the model's description"):
             d = parts["model"]
             name, sizes = str(d["name"]), Sizes(**d["sizes"])
-            stored = Layout.from_json(json.dumps(d["layout"]))
+            stored = Layout.from_json(d["layout"])
             calibrated, whole = bool(d.get("calibrated", False)), bool(d.get("generator", True))
             styles = int(d["n_styles"])
         if name not in registry.names("model"):

@@ -126,7 +126,7 @@ def _metadata(model: Predictor, bank: StyleBank | None) -> dict:
     for name, blocks in columns.items():
         columns[name] = {block: [where.start, where.stop] for block, where in blocks.items()}
     return {
-        "model": model.name, "layout": json.loads(layout.to_json()), "joints": layout.names,
+        "model": model.name, "layout": layout.to_json(), "joints": layout.names,
         "samples": list(layout.samples), "fps": FPS, "columns": columns,
         "start": {"phases": phase.tolist(), "joints": pose.tolist()},
         "styles": [] if bank is None else bank.names,

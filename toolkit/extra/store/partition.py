@@ -1,5 +1,6 @@
 """One style of a store: computed, written and read back."""
 
+import json
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -13,6 +14,7 @@ from toolkit.extra.store import files
 from toolkit.extra.store.workers import one_thread
 from toolkit.features import Features, Layout, OwnFeatures, splits
 from toolkit.features.features import style_rows
+from toolkit.io.files import parsed
 from toolkit.io.model_files import intact
 from toolkit.motion import RootFrames
 
@@ -78,7 +80,7 @@ def make(job: Partition) -> None:
                    "held_out": aside}
         for kind in features.KINDS:
             tensors[f"{kind}.moments"] = features.moments(rows[kind])
-        files.write(job.out, tensors, {"layout": own.layout.to_json(), "takes": takes})
+        files.write(job.out, tensors, {"layout": json.dumps(own.layout.to_json()), "takes": takes})
 
 
 def read(path: Path) -> tuple[OwnFeatures, list[tuple[int, int]], dict[str, Tensor]]:
@@ -89,7 +91,7 @@ def read(path: Path) -> tuple[OwnFeatures, list[tuple[int, int]], dict[str, Tens
             raise ValueError("its takes have other lengths")
         roots = RootFrames(tensors["positions"], tensors["rotations"])
         blocks = (tensors[name] for name in ("joints", "phases", "contacts"))
-        own = OwnFeatures(Layout.from_json(about["layout"]), roots, *blocks)
+        own = OwnFeatures(Layout.from_json(parsed(about["layout"])), roots, *blocks)
         return own, about["takes"], tensors
 
 
