@@ -76,32 +76,18 @@ def test_two_bone_against_bisection(distance):
     torch.testing.assert_close(knee, middle, atol=1e-3 if reached > 0.84 else 1e-7, rtol=0)
 
 
-def held_slowly(
-    toe, drift, before, predicted, other, contact, inwards, seconds
-) -> tuple[list[float], list[float]]:
-    """`ik.foot_lock` of one toe, in plain numbers: a spring of 10 per second."""
-    offset = [a - b for a, b in zip(toe, before, strict=True)]
-    behind = [a - b for a, b in zip(toe, predicted, strict=True)]
-    if math.hypot(*behind) > 0.3:
-        behind = [0.3 * x / math.hypot(*behind) for x in behind]
+def held_slowly(toe, drift, before, predicted, other, contact, inwards, seconds):
+    """`ik.foot_lock` of one toe."""
+    offset, behind = toe - before, toe - predicted
     if contact > 0.5:
-        now = behind
+        now = behind * min(1.0, 0.3 / float(behind.norm()))
     else:
-        now = [
-            (x + (v + 10 * x) * seconds) * math.exp(-10 * seconds)
-            for x, v in zip(offset, drift, strict=True)
-        ]
-        drift = [
-            (v - 10 * (v + 10 * x) * seconds) * math.exp(-10 * seconds)
-            for x, v in zip(offset, drift, strict=True)
-        ]
-    gap = sum((a - b) * i for a, b, i in zip(other, predicted, inwards, strict=True))
-    limit = max(0.08, gap / 4)
-    crossing = max(0.0, sum(x * i for x, i in zip(now, inwards, strict=True)) - limit)
-    now = [x - crossing * i for x, i in zip(now, inwards, strict=True)]
+        now, drift = spring(offset, drift, 10.0, seconds)
+    limit = max(0.08, float((other - predicted) @ inwards) / 4)
+    now = now - max(0.0, float(now @ inwards) - limit) * inwards
     if contact > 0.5:
-        drift = [(x - o) / seconds for x, o in zip(now, offset, strict=True)]
-    return [a + b for a, b in zip(predicted, now, strict=True)], drift
+        drift = (now - offset) / seconds
+    return predicted + now, drift
 
 
 def test_every_toe_of_a_crowd_is_held_as_in_a_slow_loop():
@@ -109,29 +95,21 @@ def test_every_toe_of_a_crowd_is_held_as_in_a_slow_loop():
     shape = {"dtype": torch.float64, "generator": generator}
     before, predicted = torch.randn(2, crowd, 2, 3, **shape)
     predicted = before + 0.02 * (predicted - before)
-    toes, drift = (
-        before + 0.1 * torch.randn(crowd, 2, 3, **shape),
-        torch.randn(crowd, 2, 3, **shape),
-    )
+    toes = before + 0.1 * torch.randn(crowd, 2, 3, **shape)
+    drift = torch.randn(crowd, 2, 3, **shape)
     contacts = torch.rand(crowd, 2, **shape)
     contacts[0, 0], contacts[-1, 1] = 0.5, 0.51  # as likely as not is no contact
     left = R.normalize(torch.randn(crowd, 2, **shape))
     found, speeds = ik.foot_lock(toes, drift, before, predicted, contacts, left, 0.02)
     for c in range(crowd):
         for foot, sign in enumerate((1, -1)):
-            x = (
-                toes[c, foot],
-                drift[c, foot],
-                before[c, foot],
-                predicted[c, foot],
-                predicted[c, 1 - foot],
-            )
-            to_left, ahead = (sign * left[c]).tolist()
+            own = (x[c, foot] for x in (toes, drift, before, predicted))
+            inwards = sign * torch.stack((left[c, 0], 0 * left[c, 0], left[c, 1]))
             toe, speed = held_slowly(
-                *(v.tolist() for v in x), float(contacts[c, foot]), [to_left, 0.0, ahead], 0.02
+                *own, predicted[c, 1 - foot], float(contacts[c, foot]), inwards, 0.02
             )
-            assert found[c, foot].tolist() == pytest.approx(toe, abs=1e-12)
-            assert speeds[c, foot].tolist() == pytest.approx(speed, abs=1e-9)
+            torch.testing.assert_close(found[c, foot], toe, atol=1e-12, rtol=0)
+            torch.testing.assert_close(speeds[c, foot], speed, atol=1e-9, rtol=0)
 
 
 def sunk_slowly(drop, speed, legs, seconds):
@@ -157,10 +135,8 @@ def test_hips_sink_as_in_a_slow_loop():
     )
     reach = reach * length[..., None]
     ankles = hips - reach * reach[..., 1:2].sign()
-    contacts, drop = (
-        torch.rand(200, 2, **draw),
-        torch.randn(200, 2, **draw) * torch.tensor([0.03, 0.3]),
-    )
+    contacts = torch.rand(200, 2, **draw)
+    drop = torch.randn(200, 2, **draw) * torch.tensor([0.03, 0.3])
     found = ik.sink(drop, hips, ankles, length, contacts, 0.02)
     for c in range(200):
         legs = list(zip(*(x[c].tolist() for x in (hips, ankles, length, contacts)), strict=True))
@@ -174,24 +150,18 @@ def test_hips_sink_and_come_back_without_a_jump():
     """Hips walk past a standing ankle, beyond the leg's reach: 12 m/s² at most."""
     t = torch.arange(120, dtype=torch.float64) / 60
     hips = torch.stack((0 * t, 0.9 + 0 * t, t - 0.1), -1)
-    length, drop, drops = (
-        torch.full((2,), 0.9, dtype=torch.float64),
-        torch.zeros(2, dtype=torch.float64),
-        [],
-    )
+    length = torch.full((2,), 0.9, dtype=torch.float64)
+    drop, drops = torch.zeros(2, dtype=torch.float64), []
     for frame, hip in enumerate(hips):
         at = torch.stack((hip, hip + torch.tensor([0.2, 0.0, 0.0])))
-        ankle = torch.stack(
-            (torch.tensor([0.0, 0.05, 0.0]).double(), hip - torch.tensor([-0.2, 0.5, 0.0]))
-        )
+        standing = torch.tensor([0.0, 0.05, 0.0]).double()
+        ankle = torch.stack((standing, hip - torch.tensor([-0.2, 0.5, 0.0])))
         on = torch.tensor([1.0 if frame < 30 else 0.0, 0.0], dtype=torch.float64)
         drop = ik.sink(drop, at, ankle, length, on, 1 / 60)
         drops.append(drop[0])
         if frame < 30 and float(drop[0]) < 0.115 * 0.9 - 1e-9:
-            assert (
-                float((hip - torch.tensor([0.0, 1.0, 0.0]) * drop[0] - ankle[0]).norm())
-                < 0.99 * 0.9 + 1e-9
-            )
+            sunk = hip - torch.tensor([0.0, 1.0, 0.0]) * drop[0]
+            assert float((sunk - standing).norm()) < 0.99 * 0.9 + 1e-9
     drops = torch.stack(drops)
     assert 0.05 < float(drops.max()) < 0.115 * 0.9
     assert 0 <= float(drops[-1]) < 1e-5
@@ -201,11 +171,9 @@ def test_hips_sink_and_come_back_without_a_jump():
 @pytest.fixture
 def poses(walk_clip):
     """Skeleton, rotations ``[2, 3, J, 4]`` and roots ``[2, 3, 3]`` of moments of a walk."""
-    chosen = (
-        R.normalize(walk_clip.rotations[60:420:60].double()),
-        walk_clip.root_positions[60:420:60].double(),
-    )
-    return walk_clip.skeleton, *(x.unflatten(0, (2, 3)) for x in chosen)
+    rotations = R.normalize(walk_clip.rotations[60:420:60].double())
+    roots = walk_clip.root_positions[60:420:60].double()
+    return walk_clip.skeleton, *(x.unflatten(0, (2, 3)) for x in (rotations, roots))
 
 
 def joints_of(skeleton, *parts) -> list[int]:
@@ -221,14 +189,9 @@ def lifted(poses, seed=0) -> tuple[torch.Tensor, torch.Tensor]:
     """Targets 10 to 20 cm above the toes of a walk, and the legs bent to meet them."""
     skeleton, rotations, root = poses
     toes = forward_kinematics(*poses)[1][..., joints_of(skeleton, "toe"), :]
-    moved = torch.rand(
-        toes.shape, generator=torch.Generator().manual_seed(seed), dtype=torch.float64
-    )
-    toes = (
-        toes
-        + moved * torch.tensor([0.02, 0.1, 0.02], dtype=torch.float64)
-        + torch.tensor([-0.01, 0.1, -0.01])
-    )
+    generator = torch.Generator().manual_seed(seed)
+    moved = torch.rand(toes.shape, generator=generator, dtype=torch.float64)
+    toes = toes + moved * torch.tensor([0.02, 0.1, 0.02]) + torch.tensor([-0.01, 0.1, -0.01])
     return toes, ik.plant_feet(skeleton, rotations, root, toes)
 
 
@@ -236,10 +199,8 @@ def test_planted_toes_meet_their_targets_and_nothing_but_the_legs_moves(poses):
     skeleton, rotations, root = poses
     toes, planted = lifted(poses)
     assert planted.shape == rotations.shape
-    (turned, places), (turned_now, now) = (
-        forward_kinematics(*poses),
-        forward_kinematics(skeleton, planted, root),
-    )
+    turned, places = forward_kinematics(*poses)
+    turned_now, now = forward_kinematics(skeleton, planted, root)
     torch.testing.assert_close(now[..., joints_of(skeleton, "toe"), :], toes, atol=1e-9, rtol=0)
     legs = joints_of(skeleton, "hip", "knee")
     others = [j for j in range(len(skeleton)) if j not in legs]
@@ -254,16 +215,12 @@ def test_planted_toes_meet_their_targets_and_nothing_but_the_legs_moves(poses):
 @pytest.mark.parametrize("shift", [(0.0, 0.0, 0.15), (-0.1, 0.05, 0.1)])
 def test_a_nearly_straight_leg_keeps_its_knee_forwards(walk_clip, shift):
     """The knee of a leg that is swung as a whole stays on its side of it."""
-    skeleton, rotations, root = (
-        walk_clip.skeleton,
-        walk_clip.rotations.double(),
-        walk_clip.root_positions.double(),
-    )
+    skeleton, rotations = walk_clip.skeleton, walk_clip.rotations.double()
+    root = walk_clip.root_positions.double()
     turned, places = forward_kinematics(skeleton, rotations, root)
     hips = turned[:, :1]
-    toes = places[:, joints_of(skeleton, "toe")] + R.rotate(
-        hips, torch.tensor(shift, dtype=torch.float64)
-    )
+    move = R.rotate(hips, torch.tensor(shift, dtype=torch.float64))
+    toes = places[:, joints_of(skeleton, "toe")] + move
     now = forward_kinematics(skeleton, ik.plant_feet(skeleton, rotations, root, toes), root)[1]
     hip, knee, foot = (
         R.rotate(R.inverse(hips), now[:, joints_of(skeleton, part)])

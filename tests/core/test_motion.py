@@ -156,39 +156,17 @@ def test_roles_and_names():
 
 def test_a_joints_own_name_wins_over_a_role():
     """SMPL has a hand beyond the wrist, and calls the ankle's child a foot."""
-    names = (
-        "pelvis",
-        "left_hip",
-        "left_knee",
-        "left_ankle",
-        "left_foot",
-        "left_collar",
-        "left_shoulder",
-        "left_elbow",
-        "left_wrist",
-        "left_hand",
-    )
-    roles = {
-        "left_hip": "left_hip",
-        "left_knee": "left_knee",
-        "left_foot": "left_ankle",
-        "left_toe": "left_foot",
-        "left_hand": "left_wrist",
-    }
+    names = ("pelvis", *(f"left_{part}" for part in (
+        "hip", "knee", "ankle", "foot", "collar", "shoulder", "elbow", "wrist", "hand")))
+    roles = {"left_hip": "left_hip", "left_knee": "left_knee", "left_foot": "left_ankle",
+             "left_toe": "left_foot", "left_hand": "left_wrist"}
     skeleton = Skeleton(names, (-1, 0, 1, 2, 3, 0, 5, 6, 7, 8), torch.ones(10, 3), roles)
-    assert [skeleton.names[skeleton.index(name)] for name in ("left_hand", "left_foot")] == [
-        "left_hand",
-        "left_foot",
-    ]
-    assert [skeleton.names[skeleton.role(name)] for name in ("left_hand", "left_foot")] == [
-        "left_wrist",
-        "left_ankle",
-    ]
+    for name, role in (("left_hand", "left_wrist"), ("left_foot", "left_ankle")):
+        assert skeleton.names[skeleton.index(name)] == name
+        assert skeleton.names[skeleton.role(name)] == role
     assert skeleton.names[skeleton.index("left_toe")] == "left_foot"
-    assert [skeleton.names[j] for j in skeleton.ancestors("left_hand")] == [
-        *names[8:4:-1],
-        "pelvis",
-    ]
+    above = [skeleton.names[j] for j in skeleton.ancestors("left_hand")]
+    assert above == [*names[8:4:-1], "pelvis"]
 
 
 def test_end_sites_are_leaves_that_are_named_or_called_so():

@@ -64,10 +64,8 @@ def contents(name: str, root: str | os.PathLike | None = None) -> dict[str, dict
     if module is procedural:
         return {style: dict.fromkeys(procedural.GAITS, 1) for style in procedural.STYLES}
     takes = module.SOURCE.find(root)
-    if module is style100:
-        found = {style: Counter() for style in style100.styles(root)}
-    else:
-        found = {style: Counter() for style in sorted({take.style for take in takes})}
+    known = style100.styles(root) if module is style100 else sorted({t.style for t in takes})
+    found = {style: Counter() for style in known}
     for take in takes:
         if take.style in found:
             found[take.style][take.gait] += 1
