@@ -24,7 +24,7 @@ GROUPS = {
     "networks": ("networks/experts.py networks/film.py", "networks adapters"),
     "frame": ("runtime/frame.py runtime/steering.py runtime/rules.py", "runtime compiled"),
     "losses": ("training/loss.py stylization/losses.py", "training stylization"),
-    "measures": ("evaluation/measures.py evaluation/metrics.py", "measures metrics evaluation"),
+    "measures": ("evaluation/metrics/*.py evaluation/findings.py", "metrics report findings"),
     "shots": ("shots/*.py extra/shots/*.py", "shots director"),
 }
 NOT_COPIED = shutil.ignore_patterns(".git", ".venv", "out", "build", "__pycache__", ".*_cache")

@@ -11,7 +11,6 @@ from PIL import Image
 from scipy.spatial import cKDTree
 from scipy.spatial.distance import pdist
 
-import toolkit as tk
 from toolkit import view
 from toolkit.motion import Clip, Skeleton, rotations as R
 from toolkit.view.pages import page
@@ -85,14 +84,6 @@ def test_a_start_loads_few_libraries(code, loaded):
     code += "'scipy.ndimage', 'scipy.sparse', 'numba'} & set(sys.modules))"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == loaded
-
-
-def test_names_of_the_view_are_listed():
-    assert {"html", "animate"} <= set(dir(view)) == set(view.__all__)
-    for name in view.__all__:
-        assert getattr(view, name).__name__ in (name, f"toolkit.view.{name}")
-    with pytest.raises(AttributeError, match="nothing"):
-        view.nothing  # noqa: B018
 
 
 # the body
@@ -373,27 +364,12 @@ def test_poses_of_a_strip_show_different_parts_of_a_stride(clip):
         view.strip(clip, frames=0)
 
 
-def test_a_file_is_labelled_with_its_title(clip, tmp_path, monkeypatch):
-    shown = []
-    monkeypatch.setattr("toolkit.view.writers.strip", lambda *_, labels, **__: shown.append(labels))
-    tk.save(clip, tmp_path / "a.png", title="Zombie=0.5")
-    tk.save(clip, tmp_path / "a.png")
-    assert shown == [["Zombie=0.5"], None]
-
-
 def test_missing_opengl_is_explained_once(clip, monkeypatch, capsys):
     monkeypatch.setattr(stage, "opengl_works", lambda: False)
     stage.explain_missing_opengl.cache_clear()
     for _ in range(2):
         view.strip(clip, frames=1, dpi=20)
     assert capsys.readouterr().out.count(opengl.INSTALL) == 1
-
-
-def test_a_camera_level_with_the_floor_draws(drawer, clip, tmp_path):
-    with Image.open(
-        view.animate(clip, tmp_path / "walk.png", fps=2, height=60)
-    ) as picture:
-        assert np.asarray(picture.convert("L")).std() > 10
 
 
 # moving pictures
@@ -442,13 +418,6 @@ def test_a_film_is_one_that_browsers_play(clip, tmp_path):
             wanted = np.asarray(picture.convert("RGB")).astype(int)[:140, : stream.width]
             errors = [np.abs(frame - wanted).mean() for frame in frames]
             assert errors[k] == min(errors) < 5
-
-
-def test_a_film_without_its_library_says_what_to_install(clip, tmp_path, monkeypatch):
-    monkeypatch.setitem(sys.modules, "av", None)
-    with pytest.raises(ImportError, match=r"^writing walk\.mp4 needs PyAV: pip install av$"):
-        view.animate(clip, tmp_path / "walk.mp4")
-    assert not list(tmp_path.iterdir())
 
 
 def test_lines_on_the_floor_show_the_travel(drawer, clip, tmp_path):

@@ -74,7 +74,7 @@ def test_the_verb_prints(walk, capsys):
         (["--unit", "parsec"], "unit is metres of one unit"),
         (["--up", "q"], "up is the axis that points up"),
         (["--roles", "left_paw=foot_l"], "'left_paw' is no role"),
-        (["--picture", "walk.txt"], "strip of poses is a .png"),
+        (["--picture", "walk.txt"], "can write .png, not '.txt'"),
     ],
 )
 def test_the_verb_refuses_in_a_line(walk, capsys, options, problem):

@@ -11,7 +11,7 @@ from toolkit.datasets import folder as own
 from toolkit.io import bvh, save as saving
 from toolkit.registry import find
 from toolkit.training import published
-from toolkit.training.run import pretrained_file
+from toolkit.training.run import model_file
 
 app = typer.Typer(no_args_is_help=True, add_completion=False,
                   help="Score steered walks in a style by the benchmark StyleWalk.")
@@ -39,9 +39,7 @@ def run(
             bvh.save(clip, clips / f"{name}.bvh")
     files = {"judges": judges or benchmark.judges.FILE}
     if parameters is None:
-        named = str(model or "procedural")
-        plain = named in ("procedural", "recorded")
-        files["model"] = pretrained_file(named) if plain else model
+        files["model"] = model_file(model or "procedural")
     _tell(benchmark.score(walks, judging, str(model or parameters or "procedural"), files), out)
 
 

@@ -7,6 +7,7 @@ import typer
 
 from toolkit import registry
 from toolkit.cli.verbs import Animation, Roles, Unit, Up, say
+from toolkit.io import save as saving
 
 
 def inspect(
@@ -23,8 +24,8 @@ def inspect(
 
     `--unit`, `--up` and `--roles` decide what was guessed wrongly; other verbs take them too.
     """
-    if picture is not None and picture.suffix.lower() != ".png":
-        raise ValueError(f"{picture}: a strip of poses is a .png file")
+    if picture is not None:
+        saving.check(picture, (".png",), file)
     found = registry.find("recording.inspection")(file, unit, up, roles, animation)
     say(found)
     if picture is not None:

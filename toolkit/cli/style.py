@@ -20,7 +20,7 @@ from toolkit.networks.bank import StyleBank
 from toolkit.styles.comparison import learn, not_a_walk
 from toolkit.styles.fine_tuning import METHODS, STEPS, NewStyles
 from toolkit.training import published
-from toolkit.training.run import RECORDED, pretrained_file
+from toolkit.training.run import RECORDED, model_file
 
 AXES = 3.0  # seconds of a model's walk, from which its skeleton's axes are measured
 
@@ -162,7 +162,7 @@ def _read(base: str | Path | None,
     if base is None or folder is not None:
         run = published.either(base, folder or published.DATASET)
         return *run.parts(), *run
-    path = pretrained_file(str(base)) if str(base) in ("procedural", "recorded") else base
+    path = model_file(base)
     tensors, parts = model_files.read(path, "model")
     model = Predictor.from_parts(path, tensors, parts, None)
     return tensors, parts, model, StyleBank.from_parts(path, tensors, parts)

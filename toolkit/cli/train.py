@@ -56,8 +56,6 @@ def train(
              "each; on several machines use `torchrun … -m toolkit train …` instead.")] = 1,
     precision: Annotated[str, typer.Option(
         help="32, or bf16: faster on a GPU or with many style clips.")] = "32",
-    log: Annotated[Path | None, typer.Option(
-        help="Folder for TensorBoard curves (the extra `scale`).")] = None,
     slim: Annotated[bool, typer.Option(
         "--slim", help="Write a small file, to which no style can be added.")] = False,
     resume: Resume = False,
@@ -97,7 +95,7 @@ def train(
     checkpoint = out.with_name(out.name + ".checkpoint")
     if first:
         say(f"{found.n_frames:,} frames of {len(found.styles)} styles")
-    run = training.fit(found, config, checkpoint, resume=resume, progress=True, log=log)
+    run = training.fit(found, config, checkpoint, resume=resume, progress=True)
     if not first:
         return
     run.save(out, slim=slim)

@@ -151,14 +151,8 @@ def say(text: object, file: TextIO | None = None) -> None:
 
 
 def _print_error(line: str) -> None:
-    if _first():
+    training = sys.modules.get("toolkit.training.distributed")
+    if training is None or training.first():  # of several processes, one talks
         line = "".join(c if c.isprintable() else repr(c)[1:-1] for c in line)
         print(line if len(line) < LONGEST else f"{line[:LONGEST]} …", file=sys.stderr)
 
-
-def _first() -> bool:
-    """True, except in the other processes of a training on several."""
-    torch = sys.modules.get("torch")
-    if torch is None or not torch.distributed.is_available():
-        return True
-    return not torch.distributed.is_initialized() or torch.distributed.get_rank() == 0

@@ -2,7 +2,6 @@
 
 import functools
 import math
-import warnings
 from collections import defaultdict
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -200,7 +199,8 @@ def report(clips: Motion | Mapping[str, Motion], real: Motion | None = None,
     return Report(rows, columns, notes, intervals)
 
 
-#: The number of clips, and the measure of some of them, by their indices.
+#: The number n of clips, and their measure for n choices among them: 0, 1, …, n - 1 are the clips
+#: as they are, and the bootstrap draws others.
 Statistic = tuple[int, Callable[[Sequence[int]], float]]
 
 
@@ -299,16 +299,19 @@ def _of(measure: Callable[..., float], judge: _Cached, clips: Sequence, *others:
 
 
 def of_styles(styles: Sequence[str], measure: Callable[[list[int]], float]) -> Statistic:
-    """A measure of chosen clips, whose bootstrap draws each clip from those of its style.
+    """A `Statistic` of a measure of sets, whose bootstrap keeps the number of clips of each style.
 
-    The shares of the styles stay as they are, which matter for measures of sets.
+    ``measure`` takes indices of clips.
     """
-    groups = [[n for n, other in enumerate(styles) if other == style] for style in styles]
+    alike = [[n for n, other in enumerate(styles) if other == style] for style in styles]
 
     def value(chosen: Sequence[int]) -> float:
-        # the number i of the bootstrap says how many places beyond its own a clip is drawn
-        return measure([group[(group.index(n) + int(i) - n) % len(group)]
-                        for n, (i, group) in enumerate(zip(chosen, groups, strict=True))])
+        drawn = []
+        for n, choice in enumerate(chosen):
+            # the choice n is clip n itself; each further one is the next clip of the same style
+            own = alike[n].index(n)
+            drawn.append(alike[n][(own + int(choice) - n) % len(alike[n])])
+        return measure(drawn)
 
     return len(styles), value
 
@@ -317,9 +320,7 @@ def interval(count: int, statistic: Callable[[Sequence[int]], float]) -> tuple[f
     """Ends of the percentile interval of bootstraps over clips; NaN of one clip."""
     if count < 2 or math.isnan(statistic(range(count))):
         return math.nan, math.nan
-    with warnings.catch_warnings(action="ignore", category=scipy.stats.DegenerateDataWarning):
-        found = scipy.stats.bootstrap(  # the warning is of equal values: an interval of no width
-            (np.arange(count),), statistic, vectorized=False, n_resamples=RESAMPLES,
-            confidence_level=COVERED, method="percentile", random_state=np.random.default_rng(0))
-    low, high = found.confidence_interval
+    draws = np.random.default_rng(0).integers(0, count, (RESAMPLES, count))
+    found = [statistic(draw) for draw in draws]
+    low, high = np.quantile(found, [(1 - COVERED) / 2, (1 + COVERED) / 2])
     return float(low), float(high)

@@ -82,8 +82,7 @@ class Learnt:
     mirror: bool  # whether the mirror images of the clips were learnt, too
 
 
-def compare(clip: Clip, model: Predictor, style: Tensor | str, bank: StyleBank, *,
-            anyway: bool = False) -> Comparison:
+def compare(clip: Clip, model: Predictor, style: Tensor | str, bank: StyleBank) -> Comparison:
     """Let a style walk at a clip's speed and on its path, and compare the walk with the clip.
 
     The floors are the walks of ``Neutral``, if the bank has it, and of the bank's style that is
@@ -97,18 +96,15 @@ def compare(clip: Clip, model: Predictor, style: Tensor | str, bank: StyleBank, 
         The vector ``[D]``, or a name in the bank.
     bank
         Styles of the model.
-    anyway
-        Compare with a clip that is no walk, too.
 
     Raises
     ------
     ValueError
-        If the clip is no walk (`not_a_walk`) and not ``anyway``, or the bank does not know the
-        style.
+        If the clip is no walk (`not_a_walk`), or the bank does not know the style.
     """
     vector = bank[style] if isinstance(style, str) else style
     known = style if isinstance(style, str) else None
-    return _compared(clip, model, vector[None], bank, _floors(bank, vector, known), anyway)[0]
+    return _compared(clip, model, vector[None], bank, _floors(bank, vector, known))[0]
 
 
 def learn(model: Predictor, bank: StyleBank, clips: Sequence[Clip], name: str, *,
@@ -120,7 +116,7 @@ def learn(model: Predictor, bank: StyleBank, clips: Sequence[Clip], name: str, *
     a model that has its FiLM generator, the style vector alone. Of each, `choose` takes the vector
     that walks most like the clip. The way with the smallest excess is kept.
 
-    Parameters and errors are those of `fine_tune` and `compare`.
+    Parameters and errors are those of `fine_tune` and `choose`.
     """
     longest = max(clips, key=lambda clip: clip.seconds)
     ways: list[dict] = [{}, {"mirror": True}]
@@ -140,7 +136,7 @@ def choose(made: NewStyles, clip: Clip, *, anyway: bool = False) -> tuple[StyleB
 
     The held-out error of `fine_tune` is measured one step ahead, and chooses another step. Where no
     step gives a good walk, vectors on the line from the first step to the best one are tried.
-    ``anyway`` is that of `compare`. ValueError if several styles were learnt at once.
+    With ``anyway`` the clip need not be a walk. ValueError if several styles were learnt at once.
     """
     if len(made.names) != 1:
         raise ValueError(f"one style is chosen at a time, got {', '.join(made.names)}")
@@ -167,7 +163,7 @@ def _floors(bank: StyleBank, vector: Tensor, name: str | None) -> list[str]:
 
 
 def _compared(clip: Clip, model: Predictor, vectors: Tensor, bank: StyleBank, floors: Sequence[str],
-              anyway: bool) -> list[Comparison]:
+              anyway: bool = False) -> list[Comparison]:
     """Comparisons of ``vectors [K, D]``, which walk side by side with the floors."""
     clip = clip.resample(FPS)
     if not anyway and (why := not_a_walk(clip)):

@@ -18,7 +18,7 @@ from toolkit.motion.tensors import summary
 from toolkit.networks import Film, FilmGenerator, Predictor
 from toolkit.networks.bank import StyleBank
 from toolkit.training import minibatches
-from toolkit.training.loss import baselines, evaluate, loss_terms, make_bank
+from toolkit.training.loss import baselines, evaluate, loss_terms, make_bank, observed
 from toolkit.training.minibatches import Minibatches
 
 METHODS = {
@@ -270,8 +270,7 @@ def _descend(model: Predictor, bank: StyleBank | None, data: Features, descent: 
         window = x.view(len(x), -1, x.shape[-1])  # past frames, if any, and the present one
         share = ((mixed < MIX_UP) * share)[:, None]
         window[..., joints] = torch.lerp(window[..., joints], other[:, None], share)
-        frame = zip(KINDS, (x, *model.observe(p, z), y), strict=True)
-        x, p, z, y = (model.normaliser(kind).apply(v) for kind, v in frame)
+        x, p, z, y = observed(model, x, p, z, y)
         style = vector(step % len(data.styles), y)
         prior = ((style - mean) / deviation).square().mean()
         loss = sum(loss_terms(model, model(x, p, style), z)) + PRIOR * prior

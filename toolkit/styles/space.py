@@ -10,25 +10,26 @@ from torch import Tensor
 from toolkit.features import Features
 from toolkit.networks import Predictor
 
+CLIPS = 50  # of a style, at most, of which `clip_vectors` makes vectors
 PERPLEXITY = 30.0  # of t-SNE, about the number of neighbours; at most a third of the points
 
 
 @torch.no_grad()
-def clip_vectors(model: Predictor, data: Features, clips: int = 50) -> tuple[Tensor, list[str]]:
+def clip_vectors(model: Predictor, data: Features) -> tuple[Tensor, list[str]]:
     """Style vectors ``[N, D]`` of single style clips (Figure 11), and the style of each.
 
-    The model needs a FiLM generator. A style has at most ``clips`` clips, evenly spaced.
+    The model needs a FiLM generator. Clips of a style that has many are evenly spaced.
     """
     vectors, styles = [], []
     for style, y in data.clips.items():
-        chosen = y[torch.linspace(0, len(y) - 1, min(clips, len(y))).long()]
+        chosen = y[torch.linspace(0, len(y) - 1, min(CLIPS, len(y))).long()]
         vectors += [model.style_vector(clip[None]) for clip in chosen]
         styles += [style] * len(chosen)
     return torch.stack(vectors), styles
 
 
-def embed(vectors: Tensor, method: str = "tsne", seed: int = 0) -> Tensor:
-    """A map of style vectors: points ``[N, 2]`` of ``vectors [N, D]``.
+def embed(vectors: Tensor, method: str = "tsne") -> Tensor:
+    """A map of style vectors: points ``[N, 2]`` of ``vectors [N, D]``, the same in each call.
 
     Parameters
     ----------
@@ -37,8 +38,6 @@ def embed(vectors: Tensor, method: str = "tsne", seed: int = 0) -> Tensor:
     method
         ``"tsne"`` (Figure 11) keeps neighbours together; ``"pca"`` is linear, so blends lie on
         straight lines.
-    seed
-        The same seed gives the same map.
 
     Raises
     ------
@@ -49,9 +48,9 @@ def embed(vectors: Tensor, method: str = "tsne", seed: int = 0) -> Tensor:
         raise ValueError(f"a map needs three or more vectors [N, D], got {list(vectors.shape)}")
     if method == "tsne":
         perplexity = min(PERPLEXITY, (len(vectors) - 1) / 3)
-        embedding = _sklearn("manifold").TSNE(perplexity=perplexity, init="pca", random_state=seed)
+        embedding = _sklearn("manifold").TSNE(perplexity=perplexity, init="pca", random_state=0)
     elif method == "pca":
-        embedding = _sklearn("decomposition").PCA(2, random_state=seed)
+        embedding = _sklearn("decomposition").PCA(2)
     else:
         raise ValueError(f"unknown embedding {method!r}; known: tsne, pca")
     points = embedding.fit_transform(vectors.detach().double().cpu().numpy())

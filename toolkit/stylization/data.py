@@ -158,22 +158,22 @@ def describe(clip: Clip) -> tuple[Tensor, Tensor]:
     return x.contiguous(), velocity
 
 
-def windows(clip: Clip, frames: int = FRAMES) -> tuple[Tensor, Tensor]:
-    """``[M, 7, T, N]`` and ``[M, T, 3]``: a window every half window of a prepared clip.
+def windows(clip: Clip) -> tuple[Tensor, Tensor]:
+    """``[M, 7, 64, N]`` and ``[M, 64, 3]``: a window every half window of a prepared clip.
 
     Padding has no root velocity. Every frame is in a window: the last one ends with the clip and
     may overlap more.
     """
     x, velocity = describe(clip)
-    if (lack := frames - len(clip)) > 0:
+    if (lack := FRAMES - len(clip)) > 0:
         front, back = lack // 2, lack - lack // 2
         x = torch.cat((x[:, :1].expand(-1, front, -1), x, x[:, -1:].expand(-1, back, -1)), 1)
         velocity[-1] = 0
         velocity = nn.functional.pad(velocity, (0, 0, front, back))
-    last = x.shape[1] - frames
-    starts = [*range(0, last, frames // 2), last]
-    return (torch.stack([x[:, s : s + frames] for s in starts]),
-            torch.stack([velocity[s : s + frames] for s in starts]))
+    last = x.shape[1] - FRAMES
+    starts = [*range(0, last, FRAMES // 2), last]
+    return (torch.stack([x[:, s : s + FRAMES] for s in starts]),
+            torch.stack([velocity[s : s + FRAMES] for s in starts]))
 
 
 def to_clip(x: Tensor, root_velocity: Tensor, source: Clip) -> Clip:

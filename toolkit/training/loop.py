@@ -5,11 +5,10 @@ process, if there are several). A run that was stopped and resumed therefore end
 weights as a run without a stop, bit for bit.
 """
 
-import contextlib
 import math
 import os
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
@@ -19,7 +18,7 @@ import torch
 from torch import Tensor
 
 from toolkit import networks
-from toolkit.features import KINDS, Features, check_style, splits
+from toolkit.features import Features, check_style, splits
 from toolkit.features.splits import seeded
 from toolkit.io import model_files
 from toolkit.io.progress import progress_bar
@@ -30,7 +29,7 @@ from toolkit.networks.bank import StyleBank
 from toolkit.training import distributed
 from toolkit.training.checkpoint import Checkpoint, Saver, check, starting
 from toolkit.training.distributed import Alone, Objective
-from toolkit.training.loss import baselines, evaluate, make_bank, refit
+from toolkit.training.loss import baselines, evaluate, make_bank, observed, refit
 from toolkit.training.minibatches import DROPOUT, INIT, Minibatches
 from toolkit.training.run import Config, Run, load, pretrained
 
@@ -38,8 +37,6 @@ if TYPE_CHECKING:
     from lightning_fabric import Fabric
 
 __all__ = ["Config", "Run", "fit", "load", "pretrained"]
-
-LOG_EVERY = 10  # steps between the training losses that TensorBoard shows
 
 
 @dataclass(eq=False)
@@ -72,8 +69,7 @@ class State:
 
 def fit(data: Features, config: Config | None = None,
         checkpoint: str | os.PathLike | None = None, *, resume: bool = True,
-        progress: bool = False, on_step: Callable[[int, float], None] | None = None,
-        log: str | os.PathLike | None = None) -> Run:
+        progress: bool = False, on_step: Callable[[int, float], None] | None = None) -> Run:
     """Train a model.
 
     Parameters
@@ -90,9 +86,6 @@ def fit(data: Features, config: Config | None = None,
     on_step
         Called with the step's number and loss after every step; a KeyboardInterrupt it raises stops
         the run.
-    log
-        Folder for TensorBoard: losses and learning rate every `LOG_EVERY` steps, the held-out error
-        at every evaluation.
 
     Raises
     ------
@@ -138,18 +131,17 @@ def fit(data: Features, config: Config | None = None,
             _checkpoint(model, adam, config).save(checkpoint, state.numbers, best,
                                                   model=model.parts()[1])
 
-    def assess(draw: Callable[[dict[str, float], int], None]) -> None:
+    def assess() -> None:
         error = _held_out(model, train, test)
         row = {"step": state.step, "elapsed": state.elapsed, "processor": state.processor}
         state.history.append({**row, **state.losses, "held_out": error})
         if config.patience and state.stalled == 0:
             state.best = {name: value.clone() for name, value in model.state_dict().items()}
-        draw({} if error is None else {"held_out": error}, state.step)
 
     bar = _bar(config, total, state, progress and first)
     smooth, before = math.nan, time.process_time() - state.processor
     saver = Saver(save, config.save_every, state.elapsed, partial(_mean, fabric))
-    with saver, _tensorboard(log if first else None, state.step) as draw, bar:
+    with saver, bar:
         model.train()
         while (done := state.step / total if total else state.elapsed / config.seconds) < 1:
             if config.patience and state.stalled >= config.patience:
@@ -163,18 +155,16 @@ def fit(data: Features, config: Config | None = None,
             state.step += 1
             state.elapsed, state.processor = saver.elapsed, time.process_time() - before
 
-            # what is shown, logged, assessed and saved
+            # what is shown, assessed and saved
             loss = state.losses["loss"]
             smooth = loss if math.isnan(smooth) else 0.98 * smooth + 0.02 * loss
             bar.set_postfix(loss=f"{smooth:.3f}", refresh=False)
             bar.update((state.step if total else min(state.elapsed, config.seconds)) - bar.n)
-            if state.step % LOG_EVERY == 0:
-                draw({**state.losses, "rate": rate}, state.step)
             if state.step % config.evaluate_every == 0:
-                assess(draw)
+                assess()
             state.elapsed = saver.stepped(on_step, state.step, loss)
         if not state.history or state.history[-1]["step"] != state.step:
-            assess(draw)
+            assess()
 
     # the result: the best weights, a vector for each style, errors on held-out frames
     if state.best:
@@ -250,9 +240,7 @@ def step(fabric: "Fabric | Alone", objective: torch.nn.Module, adam: torch.optim
     ``fabric``, which has set up the ``objective``; ValueError if the loss is not finite.
     """
     model = objective.model
-    x, p, z, y = (rows.to(fabric.device) for rows in batches[number])
-    parts = zip(KINDS, (x, *model.observe(p, z), y), strict=True)
-    x, p, z, y = (model.normaliser(kind).apply(rows) for kind, rows in parts)
+    x, p, z, y = observed(model, *(rows.to(fabric.device) for rows in batches[number]))
     for group, share in zip(adam.param_groups, (1.0, config.style_rate), strict=True):
         group["lr"] = rate * share
     errors = objective(x, p, z, y, number % len(batches.styles))
@@ -283,26 +271,3 @@ def _held_out(model: Predictor, train: Features, test: Features) -> float | None
     """
     errors = evaluate(model, make_bank(model, train, 8), test, 1000)
     return sum(e["mse"] for e in errors.values()) / len(errors) if errors else None
-
-
-@contextlib.contextmanager
-def _tensorboard(folder: str | os.PathLike | None,
-                 step: int) -> Iterator[Callable[[dict[str, float], int], None]]:
-    """A function that logs numbers of a step to the folder, if any.
-
-    Older entries for steps after ``step`` are dropped.
-    """
-    if folder is None:
-        yield lambda numbers, step: None
-        return
-    try:
-        from torch.utils.tensorboard import SummaryWriter
-    except ImportError:
-        raise ValueError('logs need TensorBoard: pip install ".[scale]"') from None
-    with SummaryWriter(os.fspath(folder), purge_step=step + 1) as writer:
-
-        def draw(numbers: dict[str, float], step: int) -> None:
-            for name, value in numbers.items():
-                writer.add_scalar(name, value, step)
-
-        yield draw

@@ -29,6 +29,12 @@ def loss_terms(model: Predictor, predicted: Tensor, target: Tensor) -> tuple[Ten
     return (predicted - target).square().mean(), (made - right).abs().mean()
 
 
+def observed(model: Predictor, x: Tensor, p: Tensor, z: Tensor, *y: Tensor) -> tuple[Tensor, ...]:
+    """Rows of x, p, z and perhaps y as a model learns from them: with its own phase, normalised."""
+    kinds = zip(KINDS, (x, *model.observe(p, z), *y), strict=False)
+    return tuple(model.normaliser(kind).apply(rows) for kind, rows in kinds)
+
+
 def make_bank(model: Predictor, data: Features, clips: int | None = None) -> StyleBank:
     """Mean style vector of every style over its clips, or ``clips`` of them; and natural speeds.
 
@@ -70,8 +76,7 @@ def evaluate(model: Predictor, bank: StyleBank, data: Features,
         for part in rows.split(1024):
             x = remembered(data, style, part, model.memory).to(device)
             p, z = (getattr(data, kind)[style][part].to(device) for kind in FRAME_KINDS[1:])
-            observed = zip(FRAME_KINDS, (x, *model.observe(p, z)), strict=True)
-            x, p, z = (model.normaliser(kind).apply(values) for kind, values in observed)
+            x, p, z = observed(model, x, p, z)
             with evaluating(model):
                 terms = loss_terms(model, model(x, p, bank[style][None].to(device)), z)
                 sums += len(part) * torch.stack(terms).double().cpu()
@@ -134,11 +139,8 @@ def refit(model: Predictor, bank: StyleBank, data: Features, steps: int = STEPS,
         vector = bank[style].clone().to(device).requires_grad_()
         adam = torch.optim.Adam([vector], fused=True)
         for turn in range(steps):
-            x, p, z, y = (rows.to(device) for rows in batches[turn * len(batches.styles) + which])
-            x, p, z, _ = (
-                model.normaliser(kind).apply(rows)
-                for kind, rows in zip(KINDS, (x, *model.observe(p, z), y), strict=True)
-            )
+            rows = batches[turn * len(batches.styles) + which]
+            x, p, z = observed(model, *(part.to(device) for part in rows[:3]))
             adam.param_groups[0]["lr"] = scale * RATE * (1 + math.cos(math.pi * turn / steps)) / 2
             with evaluating(model, gradients=True):
                 error = (model(x, p, vector[None]) - z).square().mean()

@@ -114,8 +114,8 @@ def load(folder: str | os.PathLike | None = None, *, calibrated: bool = False) -
 def either(file: str | os.PathLike | None, folder: str | os.PathLike | None) -> run.Run:
     """A model and its styles, of a run's ``file`` or the published ``folder``, or the embedded.
 
-    In place of a file, ``recorded`` is the model of recorded people (`toolkit.pretrained`).
-    The ``folder`` may be ``lpn-film-100style``, for the folder of downloaded data.
+    The ``file`` may be a name (`toolkit.training.run.model_file`), and the ``folder``
+    ``lpn-film-100style``, for the folder of downloaded data.
 
     Raises
     ------
@@ -126,9 +126,7 @@ def either(file: str | os.PathLike | None, folder: str | os.PathLike | None) -> 
         raise ValueError("give either --model FILE or --published FOLDER, not both")
     if folder is not None:
         return load(folder)
-    if file is None or str(file) in ("procedural", "recorded"):
-        return run.pretrained(str(file or "procedural"))
-    return run.load(file)
+    return run.load(run.model_file(file or "procedural"))
 
 
 def one_step(model: Predictor, bank: StyleBank, clip: Clip, style: str,

@@ -270,15 +270,17 @@ def pretrained(name: str = "procedural") -> Run:
     ValueError
         For another name.
     """
-    return load(pretrained_file(name))
-
-
-def pretrained_file(name: str) -> Path:
-    """The file of `pretrained`, which raises the same errors."""
-    if name == "procedural":
-        return PROCEDURAL
-    if name != "recorded":
+    if name not in ("procedural", "recorded"):
         raise ValueError(f"no model {name!r}: procedural or recorded")
+    return load(model_file(name))
+
+
+def model_file(given: str | os.PathLike) -> Path:
+    """The file of a model that a command names: ``procedural``, ``recorded``, or a path."""
+    if str(given) == "procedural":
+        return PROCEDURAL
+    if str(given) != "recorded":
+        return Path(given)
     if not RECORDED.exists():
         raise FileNotFoundError(
             f"{RECORDED}: the recorded model is not part of the package (CC BY-NC 4.0); it is in "

@@ -15,7 +15,7 @@ from toolkit.view.render.mannequin import PALETTE
 
 INK, QUIET, GRID = "#2b323b", "#8a8f98", "#e4e0d8"
 # Of a row of a training history; the other numbers are errors.
-TIMES = "step", "elapsed", "processor", "epoch"
+TIMES = "step", "elapsed", "processor"
 LAYOUT = {
     "template": "plotly_white",
     "font": {"family": "system-ui, sans-serif", "size": 13, "color": INK},
@@ -176,28 +176,21 @@ def trajectory_figure(
     )
 
 
-def slider(
-    labels: Sequence[str], prefix: str, start: int = 0, *, frames: str = "", row: int = 0
-) -> dict:
-    """A slider of plotly through the frames of a figure.
+def slider(labels: Sequence[str], prefix: str, start: int = 0) -> dict:
+    """A slider of plotly through the frames of a figure, whose names are "0", "1", ….
 
-    Parameters
-    ----------
-    labels, prefix, start
-        A label for each place, the words before it, and the first place.
-    frames, row
-        How the names of the frames begin, before "0", "1", …; how many sliders are above this one.
+    It has a label for each place, with ``prefix`` before it, and begins at place ``start``.
     """
     now = {
         "mode": "immediate", "frame": {"duration": 0, "redraw": True},
         "transition": {"duration": 0}
     }
     steps = [
-        {"method": "animate", "label": label, "args": [[f"{frames}{k}"], now]}
+        {"method": "animate", "label": label, "args": [[str(k)], now]}
         for k, label in enumerate(labels)
     ]
     # The last label is centred on the end of the slider.
-    pad = {"t": 62 + 92 * row, "r": 3 * len(labels[-1])}
+    pad = {"t": 62, "r": 3 * len(labels[-1])}
     return {"steps": steps, "active": start, "currentvalue": {"prefix": prefix}, "pad": pad}
 
 

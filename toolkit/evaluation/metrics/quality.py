@@ -46,7 +46,7 @@ def floor(clip: Clip) -> float:
 
 
 def through(clip: Clip) -> float:
-    """How deep limbs are within the body, metres, mean over frames and parts.
+    """How deep limbs are within the body, metres: the sum over parts of their means over frames.
 
     The limits are those of `toolkit.evaluation.findings.LIMITS`.
     """
