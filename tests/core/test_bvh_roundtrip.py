@@ -35,19 +35,13 @@ def test_joint_positions_after_writing_and_reading(shared, tmp_path, dataset):
 @pytest.mark.parametrize(("dtype", "error"), [(torch.float64, 1e-14), (torch.float32, 3e-6)])
 def test_angles_at_and_near_gimbal_lock(order, dtype, error):
     """The file holds Euler angles, of which two run together where the middle one is near 90°."""
-    off = torch.tensor(
-        [0.0, 1e-12, 1e-9, 1e-7, 1e-6, 1e-5, 1e-4, 4e-4, 1e-3, 1e-2], dtype=torch.float64
-    )
+    off = torch.tensor([0.0, 1e-12, 1e-9, 1e-7, 1e-6, 1e-5, 1e-4, 4e-4, 1e-3, 1e-2]).double()
     middle = torch.cat([sign * math.pi / 2 + side * off for sign in (-1, 1) for side in (-1, 1)])
-    outer = (
-        torch.rand(len(middle), 2, dtype=torch.float64, generator=torch.Generator().manual_seed(0))
-        * 6
-        - 3
-    )
+    generator = torch.Generator().manual_seed(0)
+    outer = 6 * torch.rand(len(middle), 2, dtype=torch.float64, generator=generator) - 3
     angles = torch.stack((outer[:, 0], middle, outer[:, 1]), 1)
     q = rotations.from_euler(angles, order).to(dtype)
     again = rotations.from_euler(rotations.to_euler(q, order), order)
-    apart = rotations.to_matrix(again.double()) - rotations.to_matrix(
-        rotations.normalize(q.double())
-    )
+    expected = rotations.to_matrix(rotations.normalize(q.double()))
+    apart = rotations.to_matrix(again.double()) - expected
     assert float(apart.abs().max()) < error

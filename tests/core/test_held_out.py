@@ -38,12 +38,10 @@ def test_a_character_begins_in_the_recorded_pose_and_place(clips, embedded):
     some = recorded.moments(clips)
     state = recorded.beginning(model, some, torch.stack([bank[m.clip.style] for m in some]))
     for i, m in enumerate(some):
-        rotations, root = tk.runtime.pose(
-            model, dataclasses.replace(state, style=state.style[:, :0]), feet=False
-        )
-        there = tk.Clip(
-            m.clip.skeleton, rotations[i : i + 1], root[i : i + 1], 60
-        ).global_positions[0]
+        plain = dataclasses.replace(state, style=state.style[:, :0])
+        rotations, root = tk.runtime.pose(model, plain, feet=False)
+        clip = m.clip.replace(rotations=rotations[i : i + 1], root_positions=root[i : i + 1])
+        there = clip.global_positions[0]
         assert (there - m.clip.global_positions[m.at]).norm(dim=-1).max() < 0.02
         torch.testing.assert_close(state.root[i], m.world[m.at])
 
@@ -83,13 +81,9 @@ def test_fitted_vectors_have_less_error_and_the_model_stays_the_same():
     assert sum(e["mse"] for e in new.values()) < sum(e["mse"] for e in old.values())
     assert all(torch.equal(value, before[name]) for name, value in run.model.state_dict().items())
     assert all(p.requires_grad for p in run.model.parameters())
-    only = dataclasses.replace(
-        train,
-        **{
-            kind: {"style0": getattr(train, kind)["style0"]}
-            for kind in ("inputs", "phases", "outputs", "clips", "takes")
-        },
-    )
+    only = {kind: {"style0": getattr(train, kind)["style0"]}
+            for kind in ("inputs", "phases", "outputs", "clips", "takes")}
+    only = dataclasses.replace(train, **only)
     part = refit(run.model, run.bank, only, steps=2)
     assert torch.equal(part["style1"], run.bank["style1"])
     assert not torch.equal(part["style0"], run.bank["style0"])
@@ -98,17 +92,12 @@ def test_fitted_vectors_have_less_error_and_the_model_stays_the_same():
 def test_a_training_ends_with_fitted_vectors_unless_they_are_means_of_clips():
     assert training.Config().refit == training.Config.quick().refit == STEPS > 0
     stored = json.loads(json.dumps(dataclasses.asdict(QUICK)))
-    assert (
-        training.Config.from_json({k: v for k, v in stored.items() if k != "refit"}).refit == 0
-    )  # of an older file
+    older = {name: value for name, value in stored.items() if name != "refit"}
+    assert training.Config.from_json(older).refit == 0
     data, config = waves(), dataclasses.replace(QUICK, steps=100)
-    plain, fitted = (
-        training.fit(data, dataclasses.replace(config, refit=steps)) for steps in (0, 30)
-    )
-    assert all(
-        torch.equal(a, b)
-        for a, b in zip(plain.model.parameters(), fitted.model.parameters(), strict=True)
-    )
+    plain, fitted = (training.fit(data, dataclasses.replace(config, refit=n)) for n in (0, 30))
+    both = zip(plain.model.parameters(), fitted.model.parameters(), strict=True)
+    assert all(torch.equal(a, b) for a, b in both)
     assert fitted.table()[-1]["error"] < plain.table()[-1]["error"]
     table = training.fit(data, dataclasses.replace(QUICK, model="lpn-resad", steps=5, refit=3))
     assert torch.equal(table.bank.vectors, training.make_bank(table.model, data).vectors)

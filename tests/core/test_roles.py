@@ -83,21 +83,12 @@ def limbs(*chains: tuple[str, ...]) -> tuple[list[str], list[int]]:
 @pytest.mark.parametrize(
     ("chains", "role", "joint"),
     [
-        (
-            [("Alpha", "AlphaTwist", "ForeArm", "Hand")],
-            "left_shoulder",
-            "LeftAlpha",
-        ),  # above the elbow, and no helper
-        (
-            [("Alpha", "ForeArm", "Hand"), ("Alpha", "Wing")],
-            "left_shoulder",
-            None,
-        ),  # more than a part of the arm
-        (
-            [("Knee", "Thigh", "Foot")],
-            "left_foot",
-            "LeftFoot",
-        ),  # two parts that count the same, in an order that no leg has
+        # above the elbow, and no helper
+        ([("Alpha", "AlphaTwist", "ForeArm", "Hand")], "left_shoulder", "LeftAlpha"),
+        # more than a part of the arm
+        ([("Alpha", "ForeArm", "Hand"), ("Alpha", "Wing")], "left_shoulder", None),
+        # two parts that count the same, in an order that no leg has
+        ([("Knee", "Thigh", "Foot")], "left_foot", "LeftFoot"),
     ],
 )
 def test_a_joint_without_a_fitting_name_is_found_beside_its_neighbour(chains, role, joint):

@@ -1,7 +1,7 @@
 """Roles of joints (hips, knees, hands …) and left and right counterparts, from names and tree."""
 
 from collections import defaultdict
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property, lru_cache
 from itertools import combinations
 
@@ -242,14 +242,16 @@ def mirror_pairs(names: Sequence[str], parents: Sequence[int],
             join(a, b)
             a, b = parents[a], parents[b]
 
-    def join_children(a: int, b: int, here: Sequence, there: Sequence) -> None:
-        """Join children for which both sequences hold the same."""
+    def join_children(a: int, b: int, alike: Callable[[int, int], bool]) -> None:
         for child in tree.children[a]:
-            free = (j for j in tree.children[b] if j not in pairs and here[child] == there[j])
+            free = (j for j in tree.children[b] if j not in pairs and alike(child, j))
             join(child, next(free, child))
 
-    names_here = [(_OTHER.get(name.side, ""), name.plain) for name in said]
-    names_there = [(name.side, name.plain) for name in said]
+    def named_alike(a: int, b: int) -> bool:
+        return (_OTHER.get(said[a].side, ""), said[a].plain) == (said[b].side, said[b].plain)
+
+    def shaped_alike(a: int, b: int) -> bool:
+        return tree.shapes[a] == tree.shapes[b]
 
     # From the root down: names that differ in the side, and children of counterparts.
     first = {}  # joint by side and plain name
@@ -259,6 +261,6 @@ def mirror_pairs(names: Sequence[str], parents: Sequence[int],
         if name.side:
             join(a, first.get((_OTHER[name.side], name.plain), a))
         if (b := pairs.get(a, a)) > a:
-            join_children(a, b, names_here, names_there)
-            join_children(a, b, tree.shapes, tree.shapes)
+            join_children(a, b, named_alike)
+            join_children(a, b, shaped_alike)
     return tuple(pairs.get(j, j) for j in range(len(names)))
