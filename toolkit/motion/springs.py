@@ -24,15 +24,7 @@ def spring(offset: Tensor, velocity: Tensor, rate: float, seconds: float) -> tup
         λ, per second: after 1 / λ seconds from rest, 74 % of the offset is left; after 5 / λ, 4 %.
     seconds
         Time step.
-
-    Raises
-    ------
-    ValueError
-        If rate or time is negative.
     """
-    if rate < 0 or seconds < 0:
-        raise ValueError(f"a spring needs a rate and a time of 0 or more, got {rate:g} per second "
-                         f"and {seconds:g} s")
     push, fade = velocity + rate * offset, math.exp(-rate * seconds)
     return fade * (offset + push * seconds), fade * (velocity - rate * push * seconds)
 
@@ -42,15 +34,8 @@ def inertialise(before: Tensor, after: Tensor, fps: float, rate: float) -> Tenso
 
     The differences of value and velocity at the cut become an offset that decays as a `spring`.
     After the cut only the new motion is needed, so that a transition costs no second evaluation.
-
-    Raises
-    ------
-    ValueError
-        If a part has fewer than two frames.
+    Both parts have two frames or more.
     """
-    if min(len(before), len(after)) < 2:
-        raise ValueError("inertialisation needs two frames on both sides of the cut, got "
-                         f"{len(before)} and {len(after)}")
     velocity = (before[-1] - before[-2]) * fps
     offset = before[-1] + velocity / fps - after[0]
     drift = velocity - (after[1] - after[0]) * fps
