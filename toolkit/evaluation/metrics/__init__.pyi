@@ -2,6 +2,7 @@
 
 from .bodies import (
     hips_height as hips_height,
+    hips_path as hips_path,
     on_feet as on_feet,
     path_error as path_error,
     posture as posture,

@@ -10,7 +10,7 @@ from toolkit.motion.tensors import as_tensor
 
 def speed(clip: Clip) -> float:
     """Mean horizontal speed of the hips, smoothed over half a second, m/s."""
-    hips = _hips(clip)
+    hips = hips_path(clip)
     lag = max(1, min(len(clip) - 1, round(clip.fps / 2)))
     return float((hips[lag:] - hips[:-lag]).norm(dim=-1).mean() * clip.fps / lag)
 
@@ -61,7 +61,7 @@ def posture(layout: Layout, positions: Tensor) -> dict[str, Tensor]:
 
 def path_error(clip: Clip, points: Tensor) -> float:
     """Mean distance of the hips on the floor from a polyline, (x, z) ``points [P, 2]``, metres."""
-    hips = _hips(clip)[:, None]
+    hips = hips_path(clip)[:, None]
     points = as_tensor(points, "points", hips)
     a, b = points[None, :-1], points[None, 1:]
     # where on each piece of the line the nearest point lies: 0 at its start, 1 at its end
@@ -70,6 +70,6 @@ def path_error(clip: Clip, points: Tensor) -> float:
     return float((hips - nearest).norm(dim=-1).amin(1).mean())
 
 
-def _hips(clip: Clip) -> Tensor:
+def hips_path(clip: Clip) -> Tensor:
     """Positions (x, z) of the hips on the floor, ``[F, 2]``."""
     return clip.global_positions[:, clip.skeleton.role("hips")][:, [0, 2]]

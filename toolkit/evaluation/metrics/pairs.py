@@ -5,6 +5,7 @@ import math
 import torch
 from torch import Tensor
 
+from toolkit.evaluation.metrics.bodies import hips_path
 from toolkit.motion import Clip, contacts, root_frames, rotations as R, trajectory
 
 STILL = 0.1  # m/s; slower hips have no direction of movement
@@ -99,8 +100,7 @@ def trajectory_error(clip: Clip, real: Clip) -> float:
     check_pair(clip, real)
     steps = []
     for each in (clip, real):
-        hips = each.global_positions[:, each.skeleton.role("hips")][:, [0, 2]]
-        steps.append(hips.diff(dim=0).to(clip.global_positions) * each.fps)
+        steps.append(hips_path(each).diff(dim=0).to(clip.global_positions) * each.fps)
     moving = torch.stack([step.norm(dim=-1) >= STILL for step in steps]).all(0)
     return float(_turn(*steps)[moving].mean()) if moving.any() else math.nan
 
@@ -124,9 +124,8 @@ def stop(clip: Clip, real: Clip) -> float:
     do.
     """
     check_pair(clip, real)
-    own, theirs = (contacts.velocities(
-        each.global_positions[:, each.skeleton.role("hips")][:, [0, 2]], each.fps).norm(dim=-1)
-        for each in (clip, real))
+    own, theirs = (contacts.velocities(hips_path(each), each.fps).norm(dim=-1)
+                   for each in (clip, real))
     second = round(clip.fps)
     if len(clip) <= second:
         return math.nan

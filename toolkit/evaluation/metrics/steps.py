@@ -11,6 +11,7 @@ from itertools import pairwise
 import torch
 from torch import Tensor
 
+from toolkit.evaluation.metrics.bodies import hips_path
 from toolkit.motion import Clip, contacts
 from toolkit.motion.skeleton import FEET
 from toolkit.motion.tensors import as_tensor
@@ -136,8 +137,7 @@ def skate_camdm(clip: Clip) -> float:
     """
     toes, height = _toes(clip)
     step = toes.diff(dim=0, append=toes[-1:])[..., [0, 2]].norm(dim=-1)
-    hips = clip.global_positions[:, clip.skeleton.role("hips")][:, [0, 2]]
-    way, low = float(hips.diff(dim=0).norm(dim=-1).mean()), height < 0.01
+    way, low = float(hips_path(clip).diff(dim=0).norm(dim=-1).mean()), height < 0.01
     return float(step[low].mean()) / (way or 0.01) if low.any() else 0.0
 
 

@@ -14,6 +14,7 @@ import torch
 import toolkit
 from toolkit.evaluation import findings
 from toolkit.evaluation.metrics import sets
+from toolkit.evaluation.metrics.bodies import hips_path
 from toolkit.evaluation.table import CLIP, Statistic, average, interval, of_styles
 from toolkit.extra.benchmark import tracks
 from toolkit.extra.benchmark.judges import KINDS, Judges
@@ -131,8 +132,7 @@ def _obedience(name: str, clip: Clip) -> tuple[float, float]:
     orders = tracks.commands(track, 1.0, seed)[round(tracks.PLAN["warm_up"] * FPS):]
     clip = clip.resample(FPS)
     frames = min(len(orders), len(clip)) - 1
-    hips = clip.global_positions[:, clip.skeleton.role("hips")][:, [0, 2]].double()
-    velocity = hips.diff(dim=0)[:frames] * FPS
+    velocity = hips_path(clip).double().diff(dim=0)[:frames] * FPS
     wanted = torch.tensor([order.velocity for order in orders[:frames]]).to(velocity)
     half = round(FPS / 2)  # a step's sway is no way
     means = [x.unfold(0, 2 * half, 1).mean(-1) for x in (velocity, wanted)]
