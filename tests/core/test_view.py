@@ -75,15 +75,13 @@ def clip() -> Clip:
     return walk()
 
 
-@pytest.mark.parametrize(("code", "loaded"), [
-    ("import toolkit.view", "set()"),
-    ("import toolkit as tk; tk.view.Controller(*tk.pretrained())", "{'ipywidgets'}"),
-])
-def test_a_start_loads_few_libraries(code, loaded):
-    code += "; import sys; print({'pyvista', 'plotly', 'ipywidgets', 'matplotlib', "
-    code += "'scipy.ndimage', 'scipy.sparse', 'numba'} & set(sys.modules))"
+def test_a_start_loads_few_libraries():
+    heavy = "print({'pyvista', 'plotly', 'ipywidgets', 'matplotlib', 'scipy.ndimage', "
+    heavy += "'scipy.sparse', 'numba'} & set(sys.modules))"
+    code = f"import sys, toolkit as tk, toolkit.view\n{heavy}\n"
+    code += f"tk.view.Controller(*tk.pretrained())\n{heavy}"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert done.stdout.strip() == loaded
+    assert done.stdout.splitlines() == ["set()", "{'ipywidgets'}"]
 
 
 # the body
@@ -313,7 +311,7 @@ def test_strip_draws_every_clip(drawer, clip, tmp_path):
 
 def test_a_stage_shows_points_where_its_camera_sees_them(drawer, clip):
     """The middle of all coloured pixels is near the middle of the joints, for any camera."""
-    for azimuth, tilt, x in ((0.0, 0.1, 0.0), (1.0, 0.5, 0.4), (-2.0, 0.9, -0.4)):
+    for azimuth, tilt, x in ((1.0, 0.5, 0.4), (-2.0, 0.9, -0.4)):
         body = stage.Body(clip)
         shown = stage.open_stage([body], (200, 160), np.array([0.0, 1.0, 0.0]))
         target = np.array([x, 0.8, 0.3])
@@ -425,7 +423,7 @@ def test_lines_on_the_floor_show_the_travel(drawer, clip, tmp_path):
     for forward in (1.0, 0.0):
         moving = clip.replace(
             root_positions=clip.root_positions * torch.tensor([1.0, 1.0, forward])
-        )
+        ).cut(0, 13)
         with Image.open(view.animate(moving, tmp_path / "walk.png", height=100, fps=10)) as picture:
             floors = []
             for k in (0, 1):

@@ -9,7 +9,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 import torch
-from walks import COMMANDS, WALK, apart, commands
 
 import toolkit as tk
 from toolkit import view
@@ -234,10 +233,7 @@ def test_a_crowd_starts_as_pythons_and_walks_its_rings(node, trained, tmp_path):
         view.web(model, bank, tmp_path / "x.html", characters=0)
 
 
-@pytest.mark.parametrize("calibrated", [False, True])
-def test_many_at_once_walk_as_each_alone_with_and_without_webassembly(node, small_run, calibrated):
-    model = copy.deepcopy(small_run.model)
-    model.calibrated = calibrated
+def test_many_at_once_walk_as_each_alone_with_and_without_webassembly(node, small_run):
     seen = node(
         """
         const { Character, advance } = await scene("character");
@@ -259,7 +255,7 @@ def test_many_at_once_walk_as_each_alone_with_and_without_webassembly(node, smal
                    plain: walk(plain, 6), few: walk(fast, 3),
                    alone: walk(fast, 6, true), many: walk(fast, 6) };
     """,
-        data=live_page.pack(model, small_run.bank),
+        data=live_page.pack(small_run.model, small_run.bank),
         styles=small_run.bank.vectors.tolist(),
     )
     assert seen["simd"]
@@ -267,23 +263,6 @@ def test_many_at_once_walk_as_each_alone_with_and_without_webassembly(node, smal
     assert np.abs(expected[1:] - expected[0]).max() > 0.1
     for kind in ("plain", "few", "alone", "many"):
         assert np.abs(np.array(seen[kind]) - expected[: len(seen[kind])]).max() < 1e-8, kind
-
-
-@pytest.mark.parametrize(
-    ("style", "half", "bound"),
-    [("Neutral", False, 0.5), ("Zombie", False, 0.5), ("Old", True, 5.0)]
-)
-def test_javascript_walks_as_python_does(node, trained, style, half, bound):
-    model, bank = trained
-    vector = bank[style]
-    poses = node(f"""
-        const {{ Character }} = await scene("character");
-        result = ({WALK})(new Character(given.data), given.commands, given.style);
-    """, data=live_page.pack(model, bank, half), commands=commands(90), style=vector.tolist())
-    distance = apart(tk.runtime.rollout(model, COMMANDS[:90], vector), poses)
-    assert float(distance[0]) < bound / 10
-    assert float(distance[59]) < bound  # mm
-    assert len(distance) == 90
 
 
 def test_the_kernel_in_a_page_does_what_a_notebooks_does(node, trained, tmp_path):

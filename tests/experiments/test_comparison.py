@@ -40,13 +40,6 @@ def folder(data, tmp_path_factory):
     return out
 
 
-def call(*arguments):
-    """The command line, which must end well."""
-    with pytest.raises(SystemExit) as done:
-        main(["seven-models", *map(str, arguments)])
-    assert not done.value.code
-
-
 def joints_of(hands, layout):
     """Positions ``[F, J, 3]`` of a standing body with hands moved fore and aft ``[F, 2]``."""
     rest = layout.skeleton.rest_positions[list(layout.skeleton.feature_joints)].repeat(
@@ -55,22 +48,6 @@ def joints_of(hands, layout):
     for i, side in enumerate(("left", "right")):
         rest[:, layout.names.index(layout.skeleton.roles[f"{side}_hand"]), 2] += hands[:, i]
     return rest
-
-
-def test_table_2_is_printed_as_counted_and_as_in_the_paper(capsys):
-    call("table2")
-    said = capsys.readouterr().out
-    for number in (
-        "2,436,380",
-        "4,935,928",
-        "4,870,392",
-        "24,952,320",
-        "262,656",
-        "39,214,592",
-        "35,668,530",
-    ):
-        assert number in said
-    assert sum(line.startswith(("pfnn", "lpn", "mann")) for line in said.splitlines()) == 7
 
 
 def test_hands_that_swing_together_or_in_turn_or_not_at_all(data):

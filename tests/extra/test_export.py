@@ -4,7 +4,6 @@ import json
 import re
 import runpy
 import struct
-import sys
 from dataclasses import replace
 from pathlib import Path
 
@@ -247,14 +246,6 @@ def test_the_example_of_the_docs_runs(step, monkeypatch, capsys):
     assert ((z - phases) / model.outputs_std).square().mean().sqrt() < 1e-5
     assert torch.equal(x[48:], torch.tensor(names["about"]["start"]["joints"]))
     assert names["about"]["joints"] == list(model.layout.names)
-
-
-def test_onnx_without_its_package_says_what_to_install(tmp_path, monkeypatch, capsys):
-    monkeypatch.setitem(sys.modules, "onnxscript", None)
-    assert called(f"export onnx --out {tmp_path / 'new' / 'a.onnx'}") == 2
-    said = 'error: ONNX needs the extra "export": pip install ".[export]"\n'
-    assert capsys.readouterr().err == said
-    assert not list(tmp_path.iterdir())
 
 
 def test_the_command_line_writes_clips(tmp_path, zombie, capsys):

@@ -333,11 +333,6 @@ def test_claims_take_their_numbers_from_the_run(lesson):
         assert not COMPARES.search(text) or not said or said & tested, text
 
 
-def test_numbers_of_prose():
-    text = "12.5° at 4 Hz, section 4.1.2, `cut(0, 60)`, $x^2$, equation (3), 35,668,530 numbers"
-    assert numbers(words(text)) == {12.5, 4, 35668530}
-
-
 # --- the page for lecturers
 
 
