@@ -69,7 +69,7 @@ def moments(rows: Tensor | Rows) -> Tensor:
     Those of a union are the sum over its parts.
     """
     width = rows[:1].shape[-1]
-    found = torch.zeros(3, width, dtype=torch.float64)
+    found = torch.zeros(3, width, dtype=torch.float64, device="cpu")
     step = max(1, CHUNK // max(1, rows[:1].numel()))
     for first in range(0, len(rows), step):
         part = rows[first : first + step].reshape(-1, width).double()
