@@ -20,6 +20,9 @@ from toolkit.training import Run
 from toolkit.view import strip
 
 STEPS = 150
+ABOUT = "Styles learnt from one walking clip each, by their walk beside the clip."
+COMMAND = ("python -m experiments added-styles --root DATA --kinds 'xia|foreign|pfnn|100style' "
+           "[--model examples/models/recorded.safetensors] --store")
 WAYS = {"error": "the vector of the least error", "walk": "the vector that walks best",
         "learn": "the best of all ways", "floor": "the nearest old style"}
 COLUMNS = {"learnt": ["base", None], "good": ["good", 0], "weak": ["weak", 0],
@@ -70,14 +73,13 @@ def run(
     for way, compared in found.items():
         count = Counter(c.verdict for c in compared)
         excesses = sorted(c.excess for c in compared) or [math.nan]
-        rows.append({"learnt": f"{base}, take {take}: {WAYS[way]}", "good": count["good"],
+        rows.append({"learnt": f"{base}: {WAYS[way]}", "good": count["good"],
                      "weak": count["weak"], "failed": count["failed"], "refused": refused,
                      "excess": excesses[len(excesses) // 2]})
         print(rows[-1])
     if store:
-        Result("added-styles", "Styles learnt from one walking clip each, judged in closed loop.",
-               "python -m experiments added-styles --root DATA [--published "
-               "DATA/lpn_film_100style] [--take 0] --store", COLUMNS, rows, {"steps": STEPS}).add()
+        Result("added-styles", ABOUT, COMMAND, COLUMNS, rows,
+               {"steps": STEPS, "kinds": kinds, "take": take}).add()
 
 
 def clips(root: Path, take: int) -> list[Path]:
