@@ -170,15 +170,12 @@ def test_aberman_takes_content_from_rotations_and_style_from_positions(motions):
     assert evaluation.bone_error(made, motions.skeleton) < 1e-5
 
 
-def test_the_convolutional_baseline_is_as_large_and_trains_in_the_same_way(motions):
+def test_the_convolutional_baseline_is_as_large(motions):
     counts = []
     for make in (networks.build, convolutional.build):
         stylizer, _ = make(motions.graph, motions.domains, Sizes.small(), motions.statistics())
         counts.append(sum(p.numel() for p in stylizer.generator.parameters()))
     assert 0.8 < counts[1] / counts[0] < 1.25
-    run = tk.stylization.fit(motions, TINY, networks=convolutional.build)
-    made = run.stylizer.translate(motions.x[:2], run.stylizer.code_of(motions.x[2:4], 1))
-    assert made.shape == motions.x[:2].shape
 
 
 @pytest.fixture(scope="module")
