@@ -121,7 +121,7 @@ def gate(characters: int, seed: int, apart: float) -> Scene:
 def said(lines: list[str]) -> dict[str, int | str]:
     """How many characters cannot stand, as `Scene.check` says, and what it says of the gate."""
     gate = [line.partition(": ")[2] for line in lines if line.startswith("between")]
-    return {"stands": len(lines) - len(gate), "says": "; ".join(gate)}
+    return {"stands": sum(line.endswith("cannot wait") for line in lines), "says": "; ".join(gate)}
 
 
 def measured(net, bank, scene: Scene) -> dict[str, float | None]:

@@ -28,6 +28,22 @@ def test_two_bone_keeps_lengths_and_meets_what_it_can_reach(target, pole):
         torch.testing.assert_close(ankle, target, atol=1e-9, rtol=0)
 
 
+@given(st.floats(0.3, 0.86), st.floats(-0.6, 1.0), st.floats(-3.1, 3.1))
+def test_a_knee_that_bends_backwards_is_mirrored_to_the_front(distance, swing, turned):
+    """Knees bent to any side; the line from right to left hip is +x, whatever its length."""
+    bent = torch.tensor([0.1 * math.sin(turned), -0.43, 0.1 * math.cos(turned)])
+    target = HIP + distance * R.normalize(torch.tensor([0.1, -1.0, swing], dtype=torch.float64))
+    chain = HIP, HIP + bent.double(), HIP + torch.tensor([0.0, -0.86, 0.0]).double()
+    left = torch.tensor([0.2, 0.0, 0.0], dtype=torch.float64)
+    before, knee = (ik.two_bone(*chain, target, left=axis)[0] for axis in (None, left))
+    line = R.normalize(target - HIP)
+    front = torch.linalg.cross(line, R.normalize(left))
+    ahead, were = ((place - HIP) @ front for place in (knee, before))
+    assert float(ahead) > -1e-9
+    if float(were) > 0:
+        torch.testing.assert_close(knee, before)
+
+
 def test_two_bone_approaches_full_stretch_without_a_pop():
     distance = torch.linspace(0.7, 1.0, 301, dtype=torch.float64)
     target = HIP + distance[:, None] * torch.tensor([0.0, -1.0, 0.0], dtype=torch.float64)

@@ -118,6 +118,13 @@ def test_check_names_a_gate_that_is_too_narrow(embedded, wide, said):
     assert all(line.startswith(f"between walls[0] and walls[1] are {wide:.2f} m") for line in lines)
 
 
+def test_check_names_ends_that_are_too_close(embedded):
+    near = [dataclasses.replace(MEET[0], name="first"),
+            Shot([(5, 0), (MEET[0].path[-1].x + 0.6, MEET[0].path[-1].z)], "Neutral")]
+    (line,) = Scene(near, 0.7).check(*embedded)
+    assert line.endswith("end 0.60 m apart and keep 0.70 m: they do not both arrive")
+
+
 def test_check_names_a_gate_to_which_too_many_come_at_once(embedded):
     walls = [((-9, 2), (-1.2, 2)), ((1.2, 2), (9, 2))]
     places = [(1.5 * k - 6, z) for z in (-1, -3) for k in range(9)]

@@ -22,7 +22,7 @@ FALL = 0.6  # m/s, at which they sink at most
 
 
 def two_bone(a: Tensor, b: Tensor, c: Tensor, target: Tensor, pole: Tensor | None = None, *,
-             soft: float | Tensor = SOFT) -> tuple[Tensor, Tensor]:
+             soft: float | Tensor = SOFT, left: Tensor | None = None) -> tuple[Tensor, Tensor]:
     """Bend a limb of two bones so that its end meets a target, by the law of cosines.
 
     The bones keep their lengths. Over the last share `soft` of the full length, the end follows the
@@ -40,6 +40,8 @@ def two_bone(a: Tensor, b: Tensor, c: Tensor, target: Tensor, pole: Tensor | Non
         the line from `a` to the target. By default the limb bends to the same side as before,
         turned with the line from `a` to its end.
     soft : share of the full length over which it does so, in [0, 1), a number or Tensor [..., 1]
+    left : Tensor [..., 3]
+        From the right hip to the left one: a knee that bends backwards is mirrored to the front.
 
     Returns
     -------
@@ -59,6 +61,9 @@ def two_bone(a: Tensor, b: Tensor, c: Tensor, target: Tensor, pole: Tensor | Non
     # Where the middle goes: across the line from the root to the end, to the side of the pole.
     side = R.normalize(R.rotate(R.between(c - a, line), b - a) if pole is None else pole)
     across = side - (side * line).sum(-1, keepdim=True) * line
+    if left is not None:
+        front = torch.linalg.cross(line, R.normalize(left).expand_as(line))
+        across = across - 2 * (across * front).sum(-1, keepdim=True).clamp_max(0.0) * front
     aside = torch.linalg.cross(line, R.least_axis(line))
     across = R.normalize(torch.where(across.norm(dim=-1, keepdim=True) > 1e-5, across, aside))
     along = (upper**2 - lower**2 + distance**2) / (2 * distance)
@@ -115,11 +120,16 @@ def plant_feet(skeleton: Skeleton, rotations: Tensor, root: Tensor, toes: Tensor
     turned, positions = forward_kinematics(skeleton, rotations, root)
     legs = _pairs(skeleton, "hip", "knee", "foot", "toe")
     a, b, c, toe = (positions[..., joints, :] for joints in legs)
-    middle, end = two_bone(a, b, c, toes - (toe - c))
+    middle, end = two_bone(a, b, c, toes - (toe - c), left=_left(a))
     turn = R.between(torch.stack((b - a, c - b)), torch.stack((middle - a, end - middle)))
     for joints, aim in zip(legs, turn, strict=False):
         turned[..., joints, :] = R.multiply(aim, turned[..., joints, :])
     return _ends_follow(skeleton, turned)
+
+
+def _left(hips: Tensor) -> Tensor:
+    """From the right to the left hip ``[..., 1, 3]``, of both ``[..., 2, 3]``."""
+    return hips[..., 1:, :] - hips[..., :1, :]
 
 
 def _pairs(skeleton: Skeleton, *parts: str) -> list[list[int]]:
@@ -196,7 +206,7 @@ def solve_legs(skeleton: Skeleton, turned: Callable[[list[int]], Tensor], root: 
     soft = SWING + held * (SOFT - SWING)
     _, reached = two_bone(a - down, b - down, c - down, target, soft=soft)
     target = torch.where(held < 1, reached, target)
-    middle, end = two_bone(a, b, c, target)
+    middle, end = two_bone(a, b, c, target, left=_left(a))
     toes = torch.where(held < 1, target + (toe - c), toes)
     return [middle, end, end + (toe - c)], now, toes
 

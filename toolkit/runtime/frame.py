@@ -26,8 +26,8 @@ from toolkit.runtime.steering import Command, Pilot, standing, steer, turn, unit
 FPS = trajectory.FPS
 STANDS = 0.9  # share of standing (`steering.standing`) from which feet stay on the ground
 # Metres (ours): a frame corrects the integrated position of a joint by at most so much. Not of a
-# leg: the published network then glides.
-JUMP = 0.01
+# leg: the published network then glides. With 1 cm, arms lag behind a hop, and HopLeft glides.
+JUMP = 0.02
 GROUND = 0.02  # metres: height of a standing toe
 CORRECTION = 0.85  # share of the network's prediction in the next frame's trajectory
 

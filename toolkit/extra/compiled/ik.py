@@ -132,7 +132,7 @@ def _from_forward_up(forward, up):
 
 
 @njit
-def _two_bone(a, b, c, target, soft=SOFT):
+def _two_bone(a, b, c, target, left, soft=SOFT):
     upper_bone, lower_bone, reach = plus(b, a, -1.0), plus(c, b, -1.0), plus(target, a, -1.0)
     upper, lower = math.sqrt(dot(upper_bone, upper_bone)), math.sqrt(dot(lower_bone, lower_bone))
     wanted = math.sqrt(dot(reach, reach))
@@ -144,6 +144,8 @@ def _two_bone(a, b, c, target, soft=SOFT):
     distance = max(distance, abs(upper - lower) + 1e-6 * full)
     side = unit(_rotate(_between(plus(c, a, -1.0), line), upper_bone))
     across = plus(side, line, -dot(side, line))
+    front = _cross(line, unit(left))  # a knee that bends backwards is mirrored to the front
+    across = plus(across, front, -2 * min(dot(across, front), 0.0))
     across = unit(across) if math.sqrt(dot(across, across)) > 1e-5 else _across(line)
     along = (upper * upper - lower * lower + distance * distance) / (2 * distance)
     height = math.sqrt(max(upper * upper - along * along, 0.0))
@@ -183,13 +185,20 @@ def _turn_arms(body, turned, places, joints, heading, floor):
 
 
 @njit
+def _left(body, places):
+    """From the right hip to the left one."""
+    return plus(triple(places[body.legs[1][0]]), triple(places[body.legs[0][0]]), -1.0)
+
+
+@njit
 def _plant_feet(body, turned, places, toes):
     _kinematics(body, turned, places)
+    left = _left(body, places)
     for side in range(2):
         hip, knee, foot, toe = body.legs[side]
         a, b, c = triple(places[hip]), triple(places[knee]), triple(places[foot])
         target = plus(plus(triple(toes[side]), triple(places[toe]), -1.0), c)
-        middle, end = _two_bone(a, b, c, target)
+        middle, end = _two_bone(a, b, c, target, left)
         upper = _between(plus(b, a, -1.0), plus(middle, a, -1.0))
         lower = _between(plus(c, b, -1.0), plus(end, middle, -1.0))
         _write(turned, hip, _multiply(upper, _read(turned, hip)))
@@ -238,7 +247,7 @@ def plant(body, rules, toes, root, contacts, old_drop, new_drop, joints):
         need = max(need, min(lack, rules.deepest * full) * min(2 * np.float64(contacts[side]), 1.0))
     drop, new_drop[1] = _sink(old_drop, need, rules)
     new_drop[0] = drop
-    down = 0.0, -drop, 0.0
+    down, left = (0.0, -drop, 0.0), _left(body, places)
     for side in range(2):
         hip, knee, foot, toe = body.legs[side]
         a, b, c = triple(places[hip]), triple(places[knee]), triple(places[foot])
@@ -248,10 +257,10 @@ def plant(body, rules, toes, root, contacts, old_drop, new_drop, joints):
         held = min(2 * np.float64(contacts[side]), 1.0)
         if held < 1.0:
             soft = rules.swing + held * (rules.soft - rules.swing)
-            _, target = _two_bone(plus(a, down), plus(b, down), plus(c, down), target, soft)
+            _, target = _two_bone(plus(a, down), plus(b, down), plus(c, down), target, left, soft)
             there = to_world((sin / length, cos / length), plus(target, sole))
             put(toes[side], plus(there, floor))
-        middle, end = _two_bone(a, b, c, target, rules.soft)
+        middle, end = _two_bone(a, b, c, target, left, rules.soft)
         for point, place in ((knee, middle), (foot, end), (toe, plus(end, sole))):
             put(joints[12 * body.own[point] :], place)
 

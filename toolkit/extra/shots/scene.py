@@ -131,8 +131,8 @@ class Scene:
 
     def check(self, model, bank: StyleBank) -> list[str]:
         """What cannot be met and why, a line each: `Shot.check` of each; of those who keep apart,
-        styles that cannot stand, and gaps between walls that are too narrow or to which too many
-        come at once.
+        styles that cannot stand, ends that are too close, and gaps between walls that are too
+        narrow or to which too many come at once.
         """
         lines = []
         for k, shot in enumerate(self.shots):
@@ -148,6 +148,11 @@ class Scene:
             if speed > STANDS:
                 lines.append(f"{self._called(k)}: {' + '.join(key.layers[0])} goes on at "
                              f"{speed:.2f} m/s when it is told to stand: it cannot wait")
+        goals, radii = [(shot.path[-1].x, shot.path[-1].z) for shot in self.shots], self.radii
+        for j, k in itertools.combinations(range(len(goals)), 2):
+            if (room := math.dist(goals[j], goals[k])) < radii[j] + radii[k]:
+                lines.append(f"{self._called(j)} and {self._called(k)} end {room:.2f} m apart and "
+                             f"keep {radii[j] + radii[k]:.2f} m: they do not both arrive")
         courses, widest = [shot.plan(bank)[0] for shot in self.shots], sum(sorted(self.radii)[-2:])
         for (a, one), (b, other) in itertools.combinations(enumerate(self.walls), 2):
             ends = min(itertools.product((one.start, one.end), (other.start, other.end)),

@@ -42,12 +42,13 @@ function fromForwardUp(forward, up) {
 }
 
 // knee and ankle of a leg whose ankle should be at the target, soft near full stretch
-function twoBone(a, b, c, target, soft = 0.01) {
+function twoBone(a, b, c, target, left, soft = 0.01) {
   const reach = minus(target, a), upper = Math.hypot(...minus(b, a)), lower = Math.hypot(...minus(c, b));
   const wanted = Math.hypot(...reach), full = upper + lower, margin = Math.max(soft * full, 1e-9);
   const line = unit(wanted > 1e-9 ? reach : plus(minus(c, a), [1, 1, 1], 1e-9)), over = wanted - (full - margin);
   const distance = Math.max(over > 0 ? full - margin * Math.exp(-over / margin) : wanted, Math.abs(upper - lower) + 1e-6 * full);
-  const side = unit(rotate(between(minus(c, a), line), minus(b, a))), off = plus(side, line, -dot(side, line));
+  const side = unit(rotate(between(minus(c, a), line), minus(b, a))), bent = plus(side, line, -dot(side, line));
+  const front = cross(line, unit(left)), off = plus(bent, front, -2 * Math.min(dot(bent, front), 0)); // a knee that bends backwards is mirrored to the front
   const out = Math.hypot(...off) > 1e-5 ? unit(off) : across(line);
   const along = (upper ** 2 - lower ** 2 + distance ** 2) / (2 * distance);
   const height = Math.sqrt(Math.max(upper ** 2 - along ** 2, 0));
@@ -73,9 +74,10 @@ function turnArms(body, turned, places, wanted) {
 
 function plantFeet(body, turned, places, toes) {
   kinematics(body, turned, places);
+  const left = minus(...[1, 0].map((side) => places[body.legs[side][0]]));
   body.legs.forEach(([hip, knee, foot, toe], side) => {
     const [a, b, c] = [hip, knee, foot].map((joint) => places[joint]);
-    const [middle, end] = twoBone(a, b, c, plus(minus(three(toes, 3 * side), places[toe]), c));
+    const [middle, end] = twoBone(a, b, c, plus(minus(three(toes, 3 * side), places[toe]), c), left);
     turned[hip] = multiply(between(minus(b, a), minus(middle, a)), turned[hip]);
     turned[knee] = multiply(between(minus(c, b), minus(end, middle)), turned[knee]);
   });
@@ -109,15 +111,16 @@ export function plant({ history, joints, toes, contacts, drop }, before, body, r
     need = Math.max(need, Math.min(gentle, rules.deepest * full) * Math.min(2 * contacts[side], 1));
   });
   drop.set(sink(before, need, rules));
+  const left = minus(legs[1].a, legs[0].a);
   legs.forEach(({ a, b, ankle, sole, target }, side) => { // the drawn leg is never quite straight in the air, and its toe is where it gets
     const [, knee, foot, toe] = body.legs[side], held = Math.min(2 * contacts[side], 1), lower = (v) => [v[0], v[1] - drop[0], v[2]];
     let goal = target;
     if (held < 1) {
-      [, goal] = twoBone(lower(a), lower(b), lower(ankle), target, rules.swing + held * (rules.soft - rules.swing));
+      [, goal] = twoBone(lower(a), lower(b), lower(ankle), target, left, rules.swing + held * (rules.soft - rules.swing));
       const [gx, gy, gz] = plus(goal, sole);
       toes.set([c * gx + s * gz + x, gy, c * gz - s * gx + z], 3 * side);
     }
-    const [middle, end] = twoBone(a, b, ankle, goal);
+    const [middle, end] = twoBone(a, b, ankle, goal, left);
     [[knee, middle], [foot, end], [toe, plus(end, sole)]].forEach(([point, place]) =>
       joints.set(place, rules.width * body.own[point] + rules.position));
   });
