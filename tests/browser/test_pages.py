@@ -186,14 +186,12 @@ def figures() -> list:
     t = torch.linspace(-0.5, 0.5, 61).double()
     fits = {f: ((6.28 * f * t).sin(), abs(f - 1.0)) for f in (0.5, 1.0, 1.5)}
     pose = torch.rand(3, 3)
-    sliders = {name: {"0%": pose, "100%": pose + k} for k, name in enumerate("ab", 1)}
     return [
         feature_figures.carried(clip, 120, 4),
         phase_figures.cycle(clip, known.phase[:, 0], 60, 120),
         phase_figures.frequencies(t, fits[1.0][0], fits, 1.0),
-        network_figures.poses([-1, 0, 1], pose, sliders, "poses"),
+        network_figures.poses([-1, 0, 1], pose, {"0%": pose, "100%": pose + 1}, "poses"),
         network_figures.blend_of_lines((1.0, -1.0), (0.0, 0.5)),
-        network_figures.modulation(torch.randn(32))
     ]
 
 
