@@ -11,7 +11,7 @@ ROOMS = {
     "experiments": (280_000, "experiments", None),
 }
 WORDS = 30_000
-NOT_OURS = {".git", ".venv", "out", "build", "dist", "node_modules"}
+NOT_OURS = {".git", ".pytest_cache", ".venv", "out", "build", "dist", "node_modules"}
 
 
 def python(folder: str, without: str | None = None) -> int:
