@@ -5,16 +5,8 @@ import pkgutil
 import lazy_loader
 
 from toolkit import registry
-from toolkit.runtime.frame import (
-    FPS,
-    pose,
-    record,
-    rollout,
-    start,
-    states,
-    step,
-    world_joints,
-)
+from toolkit.runtime.frame import FPS, pose, start, step, world_joints
+from toolkit.runtime.recording import record, rollout, states
 from toolkit.runtime.state import CharacterState
 from toolkit.runtime.steering import Command, Pilot, follow, speed_controller, steer, straight
 

@@ -7,21 +7,19 @@ branched. All tensors have a leading axis of B characters, so that one call move
 
 import dataclasses
 import functools
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Sequence
 
 import torch
 from torch import Tensor
 
 from toolkit.features import Layout, pack_joints, split_joints
-from toolkit.io.progress import progress_bar
-from toolkit.motion import Clip, local_rotations, rotations as R, trajectory
+from toolkit.motion import local_rotations, rotations as R, trajectory
 from toolkit.motion.ik import foot_lock, plant_feet, solve_legs, turn_arms
 from toolkit.motion.skeleton import FEET
 from toolkit.motion.tensors import as_tensor, shown
 from toolkit.networks.phase import advance, initial_pose
-from toolkit.runtime.life import Styles, alive
 from toolkit.runtime.state import CharacterState, Remembering, vectors_of
-from toolkit.runtime.steering import Command, Pilot, standing, steer, turn, unit
+from toolkit.runtime.steering import Command, standing, steer, turn, unit
 
 FPS = trajectory.FPS
 STANDS = 0.9  # share of standing (`steering.standing`) from which feet stay on the ground
@@ -212,97 +210,6 @@ def planted(layout: Layout, state: CharacterState, new: CharacterState) -> Chara
     left = torch.stack((new.root[:, 3], -new.root[:, 2]), -1)
     toes, drift = foot_lock(state.toes, state.drift, before, toes, new.contacts, left, 1 / FPS)
     return _with_legs(layout, dataclasses.replace(new, toes=toes, drift=drift))
-
-
-def states(
-    model,
-    commands: Sequence[Command | Pilot],
-    style: Styles,
-    first: CharacterState | None = None,
-    progress: bool = False,
-    life: float = 0.0,
-    seed: int = 0,
-) -> Iterator[CharacterState]:
-    """Yield the state after every command.
-
-    ``style`` is a vector, or a function of the frame number for live blending. With ``life`` the
-    style wanders (`toolkit.runtime.life.alive`). No gradients are recorded; the states are ordinary
-    tensors, which a loss may use.
-    """
-    style = alive(style, life, seed)
-    at = style if callable(style) else (lambda _: style)
-    state = start(model, at(0)) if first is None else first
-    commands = progress_bar(commands, desc="rollout", unit="frame", show=progress)
-    for frame, command in enumerate(commands):
-        with torch.no_grad():  # not around the yield: the caller would lose its gradients
-            state = state.with_style(at(frame))
-            state = step(model, state, command(state) if callable(command) else command)
-        yield state
-
-
-def rollout(
-    model,
-    commands: Sequence[Command | Pilot],
-    style: Styles,
-    ik: bool = True,
-    first: CharacterState | None = None,
-    progress: bool = False,
-    life: float | None = None,
-    seed: int = 0,
-) -> Clip:
-    """Let one character follow commands, and record its motion.
-
-    Parameters
-    ----------
-    model
-        A model from `toolkit.networks.build`, `toolkit.training.load` or
-        `toolkit.training.published.load`.
-    commands
-        One per frame at 60 Hz: a command, or a function that computes it from the state.
-    style : Tensor [S] or callable
-        Style vector, or a function that computes it from the frame number.
-    ik
-        Hold feet in contact in place, and turn arm bones to the predicted positions.
-    first
-        Initial state; by default the character stands at the origin.
-    life, seed
-        How much the style wanders, see `toolkit.runtime.life.alive`; by default the amount that
-        belongs to the model.
-
-    Returns
-    -------
-    Clip
-        Motion on the model's whole skeleton, with constant bone lengths.
-    """
-    life = getattr(model, "life", 0.0) if life is None else life
-    recorded = list(states(model, commands, style, first, progress, life, seed))
-    if not recorded:
-        raise ValueError("no commands to roll out")
-    return record(model, recorded, feet=ik, arms=ik)
-
-
-def record(
-    model,
-    recorded: Iterable[CharacterState],
-    *,
-    feet: bool = True,
-    arms: bool = True,
-    character: int = 0,
-) -> Clip:
-    """The motion of one character in a sequence of states, see `rollout`.
-
-    ``feet`` and ``arms`` switch their IK on. A ValueError if there are no states.
-    """
-    recorded = list(recorded)
-    if not recorded:
-        raise ValueError("no frames to record: a rollout needs at least one command")
-    # Without the style: it is large and not needed here.
-    names = [f.name for f in dataclasses.fields(CharacterState) if f.name != "style"]
-    merged = {name: torch.stack([getattr(s, name)[character] for s in recorded]) for name in names}
-    merged = CharacterState(**merged, style=merged["history"].new_empty(len(recorded), 0))
-    return Clip(
-        model.layout.skeleton, *pose(model, merged, feet=feet, arms=arms), FPS, name="rollout"
-    )
 
 
 @functools.singledispatch
