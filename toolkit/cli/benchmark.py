@@ -30,6 +30,7 @@ def run(
     clips: Annotated[Path | None, typer.Option(help="Folder for the walks, as BVH.")] = None,
 ) -> None:
     """Let a model walk all tracks in all styles that it knows, and score the walks."""
+    _check(out)
     benchmark = find("benchmark")
     judging = benchmark.Judges.load(judges)
     walks = benchmark.walk(*published.either(model, parameters), progress=True)
@@ -54,6 +55,9 @@ def score(
     roles: Roles = None,
 ) -> None:
     """Score anybody's motion files."""
+    if not folder.is_dir():
+        raise ValueError(f"{folder}: no such folder")
+    _check(out)
     benchmark = find("benchmark")
     judging = benchmark.Judges.load(judges)
     paths = [path for path in sorted(folder.glob("*")) if path.suffix.lower() in own.SUFFIXES]
@@ -62,9 +66,14 @@ def score(
     _tell(benchmark.score(clips, judging, folder.name, files), out)
 
 
+def _check(out: Path | None) -> None:
+    """Refuse a file that cannot be written, before minutes of work."""
+    if out is not None:
+        saving.check(out, (".json",))
+
+
 def _tell(scores, out: Path | None) -> None:
     """Print scores, and write them."""
     say(scores)
     if out is not None:
-        saving.check(out, (".json",))
         scores.save(out)
