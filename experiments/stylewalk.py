@@ -56,6 +56,7 @@ def run(
         "--store", help="Write the judges and docs/results/stylewalk.json.")] = False,
 ) -> None:
     """Train the judges of StyleWalk, and score floors, recorded takes and models."""
+    torch.set_num_threads(1)  # sums of two threads train other judges
     taken = parts(data)
     judges = train(taken[:3])
     if store:
