@@ -94,7 +94,9 @@ class Desk:
         mouse.up()
 
     def press(self, name: str) -> None:
+        """Click on a button and wait for the form, which is drawn with the next frame."""
         self.page.get_by_role("button", name=name, exact=True).click()
+        self.page.evaluate(FRAMES)
 
 
 @pytest.fixture(scope="module")
