@@ -16,7 +16,7 @@ import typer
 
 from experiments.seven_models.models import machine, write_json
 from experiments.stylization import aberman, convolutional, evaluation, sets
-from experiments.stylization.floors import FLOORS, mean_pose_shift
+from experiments.stylization.floors import FLOORS
 from experiments.stylization.judges import Judges
 from experiments.stylization.sets import Task
 from experiments.tables import Result
@@ -114,9 +114,7 @@ def measure(method: str, task: Task, plan: Plan, seed: int, folder: Path, name: 
         config = plan.config(seed, **OURS.get(method, {}))
         model, numbers = trained(method, task.train, config, folder / "runs" / path.stem, progress)
         judges, sources = judges_of(task, plan.part), sources_of(task, plan)
-        ways = (*evaluation.WAYS, *evaluation.POSTURES)
-        if not isinstance(model, Stylizer):
-            ways = evaluation.WAYS[1:]
+        ways = evaluation.WAYS if isinstance(model, Stylizer) else evaluation.WAYS[1:]
         found = {by: evaluation.evaluate(model, sources, task.references[plan.part], judges, by,
                                          seed) for by in ways}
         write_json(path, {"seed": seed, **numbers, "measures": found})
@@ -181,9 +179,8 @@ def summary(name: str, task: Task, plan: Plan, folder: Path) -> Result:
 
 
 def _floors(task: Task, plan: Plan) -> Iterator[dict]:
-    """Rows of real motion and of the floors; of the mean-pose shift also with posture added."""
+    """Rows of real motion and of the floors."""
     judges, sources = judges_of(task, plan.part), sources_of(task, plan)
-    references, statistics = task.references[plan.part], task.train.statistics()
     rows, target = evaluation.pairs(sources)
     real, chosen = task.sources[plan.part], sources.select(rows)
     held = judges.judge(real.x, real.content, real.domain)
@@ -197,14 +194,6 @@ def _floors(task: Task, plan: Plan) -> Iterator[dict]:
         made = make(task.train)(chosen, target)
         found = evaluation.measures(chosen, target, [made], judges)
         yield {"method": floor, **found, "diversity": None}
-    moved = statistics.apply(mean_pose_shift(task.train)(chosen, target))
-    for by, share in evaluation.POSTURES.items():
-        made = []
-        for drawn in evaluation.drawn(sources, references, by, 0):
-            pose = statistics.apply(references.x[drawn]).mean(2, keepdim=True)
-            made.append(statistics.invert(moved + share * (pose - statistics.poses[target])))
-        found = evaluation.measures(chosen, target, made, judges)
-        yield {"method": "mean-pose shift", "codes": by, **found}
 
 
 def judges_of(task: Task, part: str) -> Judges:

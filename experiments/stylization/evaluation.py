@@ -17,8 +17,6 @@ STEPPING = 1.0  # landings per second, least for walking or running
 BATCH = 64  # motions per forward pass
 STEPS = 100  # sources of the foot contacts, at most
 WAYS = ("noise", "reference", "dissimilar")
-#: References whose posture is added in part, as `toolkit.stylization.stylize` does it.
-POSTURES = {f"reference, {share} of its posture": share for share in (0.25, 0.5)}
 SLIDE = range(-16, 17, 2)  # frames by which one motion is moved over another to compare them
 PAIRS = 400  # of real motions, for their own diversity
 
@@ -38,8 +36,7 @@ def evaluate(model: Stylizer, sources: Motions, references: Motions, judges: Jud
         Classifiers that were not trained on these motions.
     by
         Source of the style codes: ``"noise"`` (Table 1), ``"reference"`` (Table 2), a random motion
-        of the domain, also one of `POSTURES`, or ``"dissimilar"``, one of another content than the
-        source's.
+        of the domain, or ``"dissimilar"``, one of another content than the source's.
     seed
         Seed of noise and references.
     """
@@ -52,7 +49,7 @@ def evaluate(model: Stylizer, sources: Motions, references: Motions, judges: Jud
 def results(model: Stylizer, sources: Motions, references: Motions, by: str,
             seed: int) -> list[Tensor]:
     """Every source in every other domain, twice: two tensors ``[P, 7, T, N]``, as `pairs`."""
-    if by not in (*WAYS, *POSTURES):
+    if by not in WAYS:
         raise ValueError(f"style codes come from by= one of {', '.join(WAYS)}, got {by!r}")
     rows, target = pairs(sources)
     x = sources.x[rows]
@@ -62,11 +59,8 @@ def results(model: Stylizer, sources: Motions, references: Motions, by: str,
         return [_in_batches(model.translate, x, model.code_from(z, target)) for z in noise]
     made = []
     for chosen in drawn(sources, references, by, seed):
-        wanted = references.x[chosen]
-        columns = [x, _in_batches(model.code_of, wanted, target)]
-        if by in POSTURES:
-            columns.append(POSTURES[by] * _in_batches(model.posture_of, wanted, target))
-        made.append(_in_batches(model.translate, *columns))
+        codes = _in_batches(model.code_of, references.x[chosen], target)
+        made.append(_in_batches(model.translate, x, codes))
     return made
 
 

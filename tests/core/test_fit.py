@@ -11,7 +11,7 @@ from hypothesis import given, settings, strategies as st
 import toolkit as tk
 from experiments.speed.fit import best_known
 from toolkit.phases.sinusoids import Sinusoids, fit
-from toolkit.phases.variable_projection import smoothest
+from toolkit.phases.viterbi import smoothest
 
 FPS = 60.0
 

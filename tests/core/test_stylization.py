@@ -16,7 +16,7 @@ from torch.nn import functional
 import toolkit as tk
 from toolkit import stylization as st
 from toolkit.__main__ import main
-from toolkit.motion import Skeleton, rotations as R
+from toolkit.motion import Skeleton
 from toolkit.stylization import data, layers, losses, networks, training
 from toolkit.stylization.restyling import jerk, lock_feet, smooth_arms, stances
 
@@ -405,31 +405,6 @@ def test_a_blend_is_half_the_network_and_half_the_shift_of_mean_poses(walks, mod
     torch.testing.assert_close(heights[1], wanted, atol=1e-3, rtol=0)
 
 
-def test_a_result_takes_a_share_of_the_posture_of_its_reference(motions, walks, model):
-    """Of what the reference has beside its domain's mean pose: here it bends forward."""
-    plain, rotations = walks[-1], walks[-1].rotations.clone()
-    bend = R.from_axis_angle(torch.tensor([1.0, 0.0, 0.0]), torch.tensor(0.4))
-    joint = plain.skeleton.trunk[0]
-    rotations[:, joint] = R.multiply(rotations[:, joint], bend)
-    bent = plain.replace(rotations=rotations)
-
-    def head(clip):
-        posture = model.posture_of(data.describe(data.prepare(clip))[0][None], "Zombie")
-        return posture[0, :3, 0, model.skeleton.names.index("Head")]
-
-    def between(share):
-        made = [head(st.stylize(model, walks[0], reference=clip, posture=share, feet=False))
-                for clip in (bent, plain)]
-        return made[0] - made[1]
-
-    asked = head(bent) - head(plain)
-    size = float(asked.norm())
-    assert size > 1
-    torch.testing.assert_close(between(0.5) - between(0.0), 0.5 * asked, atol=0.1 * size, rtol=0)
-    mean = model.posture_of(motions.x[motions.domain == 1], 1).mean(0)
-    torch.testing.assert_close(mean, torch.zeros(7, 1, 23), atol=1e-4, rtol=0)
-
-
 def test_a_long_clip_of_several_actions_stays_upright_in_every_style():
     """Figure 5: one pass over 1,003 frames, by the model in the package."""
     gaits = tk.datasets.load("procedural", styles="Neutral", gaits=["FW", "FR", "ID", "SW", "BW"],
@@ -497,7 +472,6 @@ def test_bad_input_is_one_line(walks, model, motions, tmp_path):
         (lambda: st.stylize(model, clip.replace(skeleton=grown), "Zombie"), "the model's bones"),
         (lambda: st.stylize(model, clip.cut(0, 3), "Zombie"), "pooling needs 4 frames"),
         (lambda: st.stylize(model, clip), "say which style"),
-        (lambda: st.stylize(model, clip, "Zombie", posture=math.nan), "posture is a share"),
         (lambda: st.stylize(model, clip, code=torch.zeros(9)), r"a style code is \[8\]"),
         (lambda: st.stylize(model, clip, "Zombie", code=torch.zeros(8)), "needs no domain"),
         (lambda: model.translate(torch.zeros(1, 7, 30, 23), torch.zeros(1, 8)), "a multiple of 4"),

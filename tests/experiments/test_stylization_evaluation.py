@@ -38,17 +38,14 @@ class Paste:
     def code_of(self, x, domain):
         return x
 
-    def posture_of(self, x, domain):
-        return 0 * x
-
-    def translate(self, x, code, posture=0.0):
+    def translate(self, x, code):
         return code
 
 
 class Unchanged(Paste):
     """Restyles by doing nothing."""
 
-    def translate(self, x, code, posture=0.0):
+    def translate(self, x, code):
         return x
 
 
@@ -201,10 +198,9 @@ def test_a_comparison_has_rows_for_every_method_and_floor(compared, task):
     result = comparison.summary("dataset-1", task, plan, folder)
     named = {(row["method"], row.get("codes")) for row in result.rows}
     assert {("real motion", None), *((floor, None) for floor in floors.FLOORS)} <= named
-    for by in (*evaluation.WAYS, *evaluation.POSTURES):
+    for by in evaluation.WAYS:
         assert ("ours", by) in named
     assert ("Aberman et al. 2020", "dissimilar") in named
-    assert {("mean-pose shift", by) for by in evaluation.POSTURES} <= named
     most = result.rows[1]
     assert most["method"] == "most frequent class"
     # of the two sources one stands and one walks; both become Zombies
@@ -245,18 +241,3 @@ def test_no_take_is_in_two_parts():
     )
     with pytest.raises(ValueError, match="knows dataset-1, dataset-2, not 'dataset-3'"):
         sets.load("dataset-3")
-
-
-def test_a_share_of_the_references_posture_makes_results_differ(motions):
-    torch.manual_seed(0)
-    model = networks.build(motions.graph, motions.domains, TINY.sizes, motions.statistics())[
-        0
-    ].eval()
-    sources = motions.select(torch.arange(6))
-    plain, quarter, half = (
-        evaluation.results(model, sources, motions, by, 0)
-        for by in ("reference", *evaluation.POSTURES)
-    )
-    apart = [float(evaluation.angles(*made).mean()) for made in (plain, quarter, half)]
-    assert apart[0] < 0.5 < apart[1] < apart[2]
-    torch.testing.assert_close((half[0] - plain[0])[:, :3], 2 * (quarter[0] - plain[0])[:, :3])

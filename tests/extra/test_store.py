@@ -1,7 +1,6 @@
 """The store: the same features as in memory, whatever happened while it was made."""
 
 import json
-import logging
 import os
 import shutil
 import subprocess
@@ -112,14 +111,6 @@ def test_the_command_line_makes_the_same_bytes_with_two_processes(root, made, tm
         assert f" frames of 2 styles in {tmp_path / 'store'}" in (out := capsys.readouterr().out)
         assert ("nothing to do" in out) == done_before
         assert contents(tmp_path / "store") == contents(made)
-
-
-def test_a_dask_worker_makes_the_same_bytes(root, made, tmp_path):
-    distributed = pytest.importorskip("distributed", reason="Dask is not installed: [scale]")
-    options = {"dashboard_address": ":0", "silence_logs": logging.ERROR, "processes": False}
-    with distributed.LocalCluster(n_workers=1, threads_per_worker=1, **options) as cluster:
-        assert preprocess(root, tmp_path / "store", scheduler=cluster.scheduler_address)
-    assert contents(tmp_path / "store") == contents(made)
 
 
 KILLED = """

@@ -27,8 +27,6 @@ def stylize_clip(
     seed: Seed = 0,
     reference: Annotated[Path | None, typer.Option(
         help="Motion file whose style is used instead of noise.")] = None,
-    posture: Annotated[float, typer.Option(
-        min=0, max=1, help="Share of the reference's posture that is added.")] = 0.0,
     blend: Annotated[str | None, typer.Option(
         help="Style of the clip: makes a blend, half network, half shift of mean poses.")] = None,
     feet: Annotated[bool, typer.Option(help="Remove foot skate.")] = True,
@@ -46,8 +44,7 @@ def stylize_clip(
         raise ValueError(f"say which style by --domain: {', '.join(stylizer.domains)}")
     source = motion_files.read(clip, unit, up, roles)
     other = None if reference is None else motion_files.read(reference, unit, up, roles)
-    made = stylize(stylizer, source, domain, seed, reference=other, posture=posture, blend=blend,
-                   feet=feet)
+    made = stylize(stylizer, source, domain, seed, reference=other, blend=blend, feet=feet)
     saving.save(made, out, title=domain, source=source, progress=True)
     standing = contacts.detect(source)
     before, after = (sum(metrics.foot_skate(motion, standing[: len(motion)]).values()) * 50

@@ -7,7 +7,7 @@
 | `shots` | planned motion: paths, keys over time, scenes, crowds, the Director |
 | `compiled` | the runtime in numba |
 | `matching` | motion matching: a search in the data in the place of a network |
-| `store` | features on the disk, computed by several processes or by Dask |
+| `store` | features on the disk, computed by several processes |
 | `benchmark` | StyleWalk, a benchmark of steered walks in a style |
 | `engines` | glTF and ONNX files |
 """

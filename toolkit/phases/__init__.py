@@ -114,15 +114,17 @@ def _extract(clip: Clip, source: Source) -> Phases:
         curve, found = source.sinusoids(clip)
     else:
         curve, found = _fitted(clip, source)
-    # phase: the direction is smoothed, because angles cannot be averaged
-    direction = torch.stack((found.phase.sin(), found.phase.cos()), -1)
-    direction = torch.nn.functional.normalize(smooth(direction, clip.fps), dim=-1)
-    phase = torch.atan2(direction[..., 0], direction[..., 1]) % (2 * torch.pi)
     # size: large where the limb moves fast
     limbs = sources.limbs_of(source)
     positions = (local_positions(clip, limb).double() for limb in limbs)
     speed = torch.stack([windows.speed(where, clip.fps) for where in positions], 1)
-    size = smooth(speed * found.amplitude.double(), clip.fps).clamp_min(0.0)
+    size = speed * found.amplitude.double()
+    # phase: the direction is smoothed, because angles cannot be averaged
+    direction = torch.stack((found.phase.sin(), found.phase.cos()), -1)
+    smoothed = smooth(torch.cat((direction, size[..., None]), -1), clip.fps)
+    direction, size = smoothed[..., :2], smoothed[..., 2].clamp_min(0.0)
+    direction = torch.nn.functional.normalize(direction, dim=-1)
+    phase = torch.atan2(direction[..., 0], direction[..., 1]) % (2 * torch.pi)
     value = found.amplitude * found.phase.sin() + found.offset
     columns = (size[..., None] * direction, phase, found.frequency, found.amplitude, found.residual,
                curve, value)
@@ -131,15 +133,16 @@ def _extract(clip: Clip, source: Source) -> Phases:
 
 def _fitted(clip: Clip, source: Source) -> tuple[Tensor, Sinusoids]:
     """Normalised and smoothed curves ``[F, K]`` of a source, and their sinusoids."""
-    columns = []
-    for raw in curves(clip, source).split(1, dim=1):
-        half = windows.half_window(raw[:, 0], clip.fps)
-        curve = smooth(normalise(raw, clip.fps, half), clip.fps)
+    raws = curves(clip, source).split(1, dim=1)
+    halves = [windows.half_window(raw[:, 0], clip.fps) for raw in raws]
+    scored = [normalise(raw, clip.fps, half) for raw, half in zip(raws, halves, strict=True)]
+    curve = smooth(torch.cat(scored, 1), clip.fps)
+    found = []
+    for raw, half, column in zip(raws, halves, curve.split(1, dim=1), strict=True):
         signal = source.signal(raw[:, 0]) if hasattr(source, "signal") else None
         if signal is None:
-            found = fit(curve, clip.fps, half)
+            found.append(fit(column, clip.fps, half))
         else:
-            found = along(signal[:, None], curve, clip.fps, half)
-        columns.append((curve, *vars(found).values()))
-    curve, *found = (torch.cat(column, 1) for column in zip(*columns, strict=True))
-    return curve, Sinusoids(*found)
+            found.append(along(signal[:, None], column, clip.fps, half))
+    parts = zip(*(vars(one).values() for one in found), strict=True)
+    return curve, Sinusoids(*(torch.cat(part, 1) for part in parts))

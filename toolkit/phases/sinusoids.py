@@ -1,30 +1,7 @@
-r"""Least-squares sinusoids a·sin(2π(f·t − s)) + b in a window around every frame.
+"""Least-squares sinusoids a·sin(2π(f·t − s)) + b in a window around every frame.
 
-The model is that of Starke et al. 2020, section 5.2; the method is variable projection (Golub and
-Pereyra 1973). With ω = 2πf and t from −h to h about the frame, the sinusoid is
-
-    u·sin ωt + v·cos ωt + b,   u = a·cos φ,   v = a·sin φ,   φ the phase at the frame,
-
-linear in z = (u, v, b). So the squared error E(f, z) is least, for a given f, at a z(f) that is
-known in closed form, and what is left is to minimise r(f) = E(f, z(f)), a smooth function of one
-variable on [0.25, 4] Hz.
-
-**Projection.** The source enters only by the inner products of the window with sin, cos and 1 (gs,
-gc, g1); those of sin, cos and 1 with each other are sums of geometric series. The window is
-symmetric, so sin is orthogonal to the others: u = gs/‖sin‖², v from cos less its mean,
-b = (g1 − v·Σcos)/n.
-
-**Bounds.** a ≤ max − min is a ball in (u, v), b in [min, max] an interval, both convex, and so is E
-in z. Where the closed form leaves the ball, (u, v) is the point with (‖·‖² + λ)(u, v) = (gs, gc) on
-its rim. Where b then leaves its interval, it is set to the end that it passed, and (u, v) is solved
-again for that b. This is the bounded optimum, not the clamped free optimum.
-
-**Frequency.** r is evaluated on a grid whose step is small compared with the width of its narrowest
-valley, about the inverse length of the window. There the inner products of neighbouring windows
-follow from each other: S(t + 1) = e^{iω}·S(t), less the sample that leaves and plus the one that
-enters. The lowest valleys are then refined by golden section.
-
-`python -m experiments fit` measures the speed.
+The model is that of Starke et al. 2020, section 5.2. `toolkit.phases.variable_projection` has the
+mathematics, and `python -m experiments fit` measures the speed.
 """
 
 import math
@@ -45,7 +22,8 @@ DENSITY = 6.0  # grid frequencies per additional cycle in the window, and per fa
 def frequencies(seconds: float) -> np.ndarray:
     """Grid in Hz for a window of that length, finest at low frequencies.
 
-    Its steps are 1 / `DENSITY` in cycles + ln cycles.
+    Its steps are 1 / `DENSITY` in cycles + ln cycles: small compared with the width of the
+    narrowest valley of the error, which is about the inverse length of the window.
     """
     fine = np.geomspace(MIN_FREQUENCY, MAX_FREQUENCY, 1000)
     steps = DENSITY * (fine * seconds + np.log(fine))

@@ -99,8 +99,10 @@ class ContactFree:
         """The same source with the centre and axis of all frames of `clips`."""
         axes, means = {}, {}
         for limb in LIMBS:
-            means[limb] = torch.cat([self.points(clip, limb) for clip in clips]).mean(0)
-            swing = torch.cat([self.swing(clip, limb) for clip in clips])
+            points = [self.points(clip, limb) for clip in clips]
+            means[limb] = torch.cat(points).mean(0)
+            pairs = zip(points, clips, strict=True)
+            swing = torch.cat([self.swing(part, clip.fps) for part, clip in pairs])
             centred = swing - swing.mean(0)
             axis = torch.linalg.eigh(centred.T @ centred).eigenvectors[:, -1]
             forward = clips[0].skeleton.facing_axis.to(axis)
@@ -111,10 +113,9 @@ class ContactFree:
         """What is projected on the axis ``[F, 3]``: positions in the hips' frame, metres."""
         return local_positions(clip, limb).double()
 
-    def swing(self, clip: Clip, limb: str) -> Tensor:
+    def swing(self, points: Tensor, fps: float) -> Tensor:
         """What the axis is fitted to ``[F, 3]``: the points without their slow drift, metres."""
-        points = self.points(clip, limb)
-        return points - windows.mean(points, windows.SECOND, clip.fps)
+        return points - windows.mean(points, windows.SECOND, fps)
 
     def __call__(self, clip: Clip, limb: str) -> Tensor:
         """Signed distance ``[F]`` from the mean along the axis."""
@@ -134,9 +135,9 @@ class Velocity(ContactFree):
         """Velocities ``[F, 3]``, metres per second."""
         return torch.gradient(super().points(clip, limb), spacing=1 / clip.fps, dim=0)[0]
 
-    def swing(self, clip: Clip, limb: str) -> Tensor:
+    def swing(self, points: Tensor, fps: float) -> Tensor:
         """The velocities themselves: drift is slow."""
-        return self.points(clip, limb)
+        return points
 
 
 @dataclass(frozen=True)
@@ -156,14 +157,22 @@ class Hybrid:
 
     def choice(self, clip: Clip, limb: str) -> str:
         """ "contact" or "contact-free"."""
-        touches = limb.endswith("foot") and float(Steps()(clip, limb).mean()) >= LEAST
-        return "contact" if touches else "contact-free"
+        return "contact-free" if _touches(clip, limb) is None else "contact"
 
     def __call__(self, clip: Clip, limb: str) -> Tensor:
         """Source curve ``[F]``."""
-        source = Steps() if self.choice(clip, limb) == "contact" else self.contact_free
-        return source(clip, limb)
+        stances = _touches(clip, limb)
+        return self.contact_free(clip, limb) if stances is None else stances
 
     def signal(self, curve: Tensor) -> Tensor | None:
         """`steps.signal` of a contact curve; None for other curves, which need a fit."""
         return steps.signal(curve)
+
+
+def _touches(clip: Clip, limb: str) -> Tensor | None:
+    """The stances ``[F]`` of a foot that touches the floor; None for other limbs."""
+    if limb.endswith("foot"):
+        stances = Steps()(clip, limb)
+        if float(stances.mean()) >= LEAST:
+            return stances
+    return None

@@ -30,7 +30,7 @@ SURE = 1.5  # largest evidence of one frame
 PENALTY = 0.03  # seconds of evidence that a change must be worth
 WALK = 0.6  # share of a cycle in which a foot stands in a walk
 EARLY = 1 / 3  # weight of the touch-down against the middle of a stance, where its share changes
-NONE = 1e-6  # metres, of a limb that is none
+NONE = 1e-6  # metres, of a leg that is none
 
 
 class Steps:
@@ -44,7 +44,7 @@ class Steps:
         """Stances ``[F]`` of a limb."""
         if not limb.endswith("foot"):
             return clip.root_positions.new_zeros(len(clip))
-        from toolkit.phases.variable_projection import smoothest
+        from toolkit.phases.viterbi import smoothest
 
         column = contacts.FEET.index(limb.removesuffix("_foot"))
         cost = evidence(clip)[:, column] / clip.fps
@@ -59,7 +59,7 @@ def evidence(clip: Clip) -> np.ndarray:
     """
     feet = [f"{side}_foot" for side in contacts.FEET]
     roles = [clip.skeleton.role(foot.replace("foot", "toe")) for foot in feet]
-    lengths = np.array([[limb_length(clip.skeleton, foot)] for foot in feet])
+    lengths = np.array([[leg_length(clip.skeleton, foot)] for foot in feet])
     toes = clip.global_positions[:, roles].double().cpu().numpy() / lengths
 
     # speed of the toes, without the noise of recordings
@@ -88,22 +88,15 @@ def evidence(clip: Clip) -> np.ndarray:
     return np.clip(swings, -SURE, SURE)
 
 
-def limb_length(skeleton: Skeleton, limb: str) -> float:
-    """Length of the bones from hip to toe or from shoulder to hand, metres.
-
-    Raises
-    ------
-    ValueError
-        If the end of the limb is not below its start, or the limb has no length.
-    """
-    side, part = limb.split("_")
-    roles = ("shoulder", "hand") if part == "hand" else ("hip", "toe")
-    start, end = (skeleton.role(f"{side}_{role}") for role in roles)
+def leg_length(skeleton: Skeleton, foot: str) -> float:
+    """Length of the bones from hip to toe, metres; ValueError if the toe is not below the hip."""
+    side = foot.removesuffix("_foot")
+    start, end = (skeleton.role(f"{side}_{part}") for part in ("hip", "toe"))
     chain = [end, *skeleton.ancestors(end)]
     bones = chain[: chain.index(start)] if start in chain else []
     length = float(skeleton.offsets[bones].norm(dim=-1).sum())
     if length < NONE:
-        raise ValueError(f"{limb}: {length:g} m of bones from {skeleton.names[start]} down to "
+        raise ValueError(f"{foot}: {length:g} m of bones from {skeleton.names[start]} down to "
                          f"{skeleton.names[end]}; check the roles of the skeleton")
     return length
 

@@ -200,18 +200,15 @@ class Stylizer(nn.Module):
         return torch.as_tensor(name).reshape(-1)
 
     @torch.no_grad()
-    def translate(self, x: Tensor, code: Tensor, posture: Tensor | float = 0.0) -> Tensor:
-        """Motions ``[B, 7, T, N]`` in the style of codes ``[B, S]``; T a multiple of 4.
-
-        ``posture``, z-scores, is added to each frame.
-        """
+    def translate(self, x: Tensor, code: Tensor) -> Tensor:
+        """Motions ``[B, 7, T, N]`` in the style of codes ``[B, S]``; T a multiple of 4."""
         joints = self.graph.sizes[0]
         known = x.dim() == 4 and x.shape[1] == CHANNELS and x.shape[3] == joints
         if not known or x.shape[2] % SHRINK:
             raise ValueError(f"motions are [B, {CHANNELS}, T, {joints}], T a multiple of {SHRINK}; "
                              f"got {list(x.shape)}")
         made = self.generator(self.statistics.apply(x), code.expand(len(x), -1))
-        return self.statistics.invert(made + posture)
+        return self.statistics.invert(made)
 
     @torch.no_grad()
     def shift(self, x: Tensor, source: str | int | Tensor, target: str | int | Tensor) -> Tensor:
@@ -229,12 +226,6 @@ class Stylizer(nn.Module):
             raise ValueError(f"a style code needs motions [B, 7, T, N] of T >= {FRAMES} frames, "
                              f"got {list(x.shape)}")
         return self.encoder(self.statistics.apply(x), self.domain(domain).expand(len(x)))
-
-    @torch.no_grad()
-    def posture_of(self, x: Tensor, domain: str | int | Tensor) -> Tensor:
-        """Mean poses ``[B, 7, 1, N]`` of motions about that of their domain, z-scores."""
-        own = self.statistics.apply(x).mean(2, keepdim=True)
-        return own - self.statistics.poses[self.domain(domain)]
 
     @torch.no_grad()
     def code_from(self, z: Tensor, domain: str | int | Tensor) -> Tensor:

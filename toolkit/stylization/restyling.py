@@ -26,8 +26,8 @@ RELEASE = 0.25  # seconds over which the height of the body follows that of its 
 
 
 def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 0, *,
-            reference: Clip | None = None, posture: float = 0.0, code: Tensor | None = None,
-            blend: str | None = None, feet: bool = True) -> Clip:
+            reference: Clip | None = None, code: Tensor | None = None, blend: str | None = None,
+            feet: bool = True) -> Clip:
     """Restyle a clip (Park et al. 2021).
 
     The result has the rate, root path (section 4), bones, End Sites and foot contacts of the
@@ -43,10 +43,6 @@ def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 
     reference
         A clip with the target style (equation 5). Its domain is ``domain``, by default its own
         ``style``.
-    posture
-        Share, 0 to 1, of the difference between the mean pose of the reference and that of its
-        domain, added to the result. It is not in the paper: it makes results of two references
-        differ, and fewer of them have the style (docs/stylisation.md).
     code : Tensor [S]
         A style code of `style_code`, or an interpolation of such codes (section 7.1).
     blend
@@ -60,16 +56,13 @@ def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 
     ------
     ValueError
         If the clip has another skeleton or fewer frames than the pooling needs, the domain is
-        unknown, the share is not between 0 and 1, or the style is not given by exactly one of
-        domain, reference and code.
+        unknown, or the style is not given by exactly one of domain, reference and code.
     """
     source = prepare(clip)
     check_skeleton(source, model.skeleton)
     if len(source) < SHRINK:
         raise ValueError(f"{clip.name}: pooling needs {SHRINK} frames at {FPS:g} Hz, "
                          f"the clip has {len(source)}")
-    if not 0 <= posture <= 1:
-        raise ValueError(f"posture is a share between 0 and 1, got {posture}")
     if code is None:
         code = style_code(model, domain, seed, reference=reference)
     elif code.shape != (model.sizes.code,) or any(
@@ -78,11 +71,7 @@ def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 
                          f"blend; got {list(code.shape)}")
     x, root_velocity = describe(source)
     padded = torch.cat((x, x[:, -1:].expand(-1, -len(source) % SHRINK, -1)), 1)
-    own = 0.0
-    if reference is not None:
-        seen = _described(model, reference)
-        own = posture * model.posture_of(seen, domain or reference.style)
-    made = model.translate(padded[None], code[None], own)[0, :, : len(source)]
+    made = model.translate(padded[None], code[None])[0, :, : len(source)]
     if blend is not None:
         made = (made + model.shift(x[None], blend, domain or reference.style)[0]) / 2
     result = to_clip(smooth_arms(made, x, source), root_velocity, source)

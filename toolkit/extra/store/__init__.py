@@ -7,38 +7,42 @@ the rows that are held out, and the moments of the others.
 
 A file gets its name when it is complete. So the same command continues an interrupted run, and
 makes again what is damaged or older than its BVH files. The same settings on the same kind of
-processor give the same bytes, whatever the number of processes or machines.
+processor give the same bytes, whatever the number of processes.
 """
 
 import dataclasses
+import json
 import os
-import pkgutil
+import signal
 from collections import defaultdict
 from collections.abc import Callable
+from concurrent.futures import Executor, ProcessPoolExecutor, ThreadPoolExecutor, as_completed
+from concurrent.futures.process import BrokenProcessPool
+from multiprocessing import get_context
 from pathlib import Path
 from typing import Any
-
-import lazy_loader
 
 import toolkit
 from toolkit import datasets, features, phases
 from toolkit.datasets import Take
-from toolkit.extra.store import files
-from toolkit.extra.store.partition import Partition, make, of_styles, read
-from toolkit.extra.store.workers import completed, executor
+from toolkit.extra.store import partition
+from toolkit.extra.store.partition import Partition
 from toolkit.features import Features, Normaliser, Split, check_style
-from toolkit.io.model_files import difference
+from toolkit.io.files import parsed, read as read_bytes, write_whole
+from toolkit.io.model_files import difference, intact
 from toolkit.io.progress import progress_bar
+from toolkit.motion.text import checked
 
 __all__ = ["is_store", "load", "preprocess"]
-__getattr__ = lazy_loader.attach(__name__, [m.name for m in pkgutil.iter_modules(__path__)])[0]
+FORMAT = "toolkit store 3"
+MANIFEST = "manifest.json"
 
 
 def preprocess(data: str, root: str | os.PathLike | None, out: str | os.PathLike, *,
                styles: list[str] | None = None, gaits: list[str] | None = None,
                source: str = "hybrid", mirror: Callable[[Take], bool] | None = None,
-               workers: int | None = None, scheduler: str | None = None, held_out: float = 0.1,
-               seed: int = 0, listed: bool = False, progress: bool = False) -> bool:
+               workers: int | None = None, held_out: float = 0.1, seed: int = 0,
+               listed: bool = False, progress: bool = False) -> bool:
     """Make or complete the store of a dataset; False if there was nothing to do.
 
     Takes that hold no whole trajectory window are left out.
@@ -50,7 +54,6 @@ def preprocess(data: str, root: str | os.PathLike | None, out: str | os.PathLike
     source : name of a phase source
     mirror : true for takes whose mirror images are added
     workers : number of processes, by default that of the processors; 1 starts no other process
-    scheduler : address of a Dask scheduler whose workers are used; they need the same folders
     held_out, seed : share of every style's rows that is held out, and the seed (`splits.held_out`)
     listed : store only the training and test blocks of the dataset's list
         (`toolkit.datasets.split`), and hold out the test
@@ -83,19 +86,28 @@ def preprocess(data: str, root: str | os.PathLike | None, out: str | os.PathLike
     jobs = []
     for number, (style, takes) in enumerate(sorted(by_style.items())):
         mirrored = frozenset(take.gait for _, take in takes if mirror and mirror(take))
-        jobs.append(Partition(root, files.of_style(out, number), style, tuple(takes), mirrored,
-                              parts, settings))
-    todo = [job for job in jobs if not files.is_current(job.out, job.sources)]
+        jobs.append(Partition(root, _file(out, number), style, tuple(takes), mirrored, parts,
+                              settings))
+    todo = [job for job in jobs if not job.done]
     todo.sort(key=lambda job: -job.size)  # the largest first, so that no worker is late at the end
 
     broken = []
     bar = progress_bar(desc="preprocess", total=sum(job.size for job in todo), unit="B",
                        unit_scale=True, show=progress)
-    with executor(workers, scheduler) as pool, bar:
-        for (job,), result in completed(pool, make, [(job,) for job in todo]):
-            bar.update(job.size)
-            if isinstance(result, ValueError):
-                broken.append(str(result))
+    with _executor(workers) as pool, bar:
+        futures = {pool.submit(partition.make, job): job for job in todo}
+        try:
+            for future in as_completed(futures):
+                if isinstance(error := future.exception(), ValueError):
+                    broken.append(str(error))
+                elif isinstance(error, BrokenProcessPool):
+                    raise OSError("a worker process died, perhaps out of memory; run the same "
+                                  "command again with fewer workers") from error
+                elif error:
+                    raise error
+                bar.update(futures[future].size)
+        finally:  # after an error or an interrupt, no further style begins
+            pool.shutdown(cancel_futures=True)
     if broken:
         raise ValueError(f"{len(broken)} of {len(jobs)} styles could not be stored; repair these "
                          f"files and run the same command again: {'; '.join(sorted(broken))}")
@@ -106,7 +118,7 @@ def preprocess(data: str, root: str | os.PathLike | None, out: str | os.PathLike
 
 def is_store(path: str | os.PathLike) -> bool:
     """Whether a folder holds a store, finished or not."""
-    return (Path(path) / files.MANIFEST).is_file()
+    return (Path(path) / MANIFEST).is_file()
 
 
 def load(path: str | os.PathLike, styles: list[str] | None = None) -> Features:
@@ -115,15 +127,15 @@ def load(path: str | os.PathLike, styles: list[str] | None = None) -> Features:
     ValueError if there is no finished store, a file is damaged or a style is not in it.
     """
     path = Path(path)
-    settings, known = files.read_manifest(path)
+    settings, known = _manifest(path)
     for style in styles or ():
         check_style(style, known)
-    paths = {style: files.of_style(path, number) for number, style in enumerate(known)}
+    paths = {style: _file(path, number) for number, style in enumerate(known)}
     if not all(file.exists() for file in paths.values()):
         raise ValueError(f"{path}: the store is not finished; run the command that makes it again "
                          "to continue")
-    stored = {style: read(paths[style]) for style in styles or known}
-    found = of_styles({style: (own, takes) for style, (own, takes, _) in stored.items()})
+    stored = {style: partition.read(paths[style]) for style in styles or known}
+    found = partition.of_styles({style: (own, takes) for style, (own, takes, _) in stored.items()})
     held_out = {style: tensors["held_out"] for style, (*_, tensors) in stored.items()}
     statistics = {}
     for kind in features.KINDS:
@@ -133,15 +145,44 @@ def load(path: str | os.PathLike, styles: list[str] | None = None) -> Features:
     return dataclasses.replace(found, split=split)
 
 
+def _file(out: Path, number: int) -> Path:
+    """The file of a style, by its place in the manifest: its name may not do as a file's name."""
+    return out / f"{number:03d}.safetensors"
+
+
 def _begin(out: Path, settings: dict[str, Any], styles: list[str]) -> None:
     """Write the manifest of a new store, or compare that of the store which is there."""
     if is_store(out):
-        if why := difference(files.read_manifest(out)[0], settings):
+        if why := difference(_manifest(out)[0], settings):
             raise ValueError(f"{out}: the store there was made with other settings ({why}); use "
                              "another folder")
     elif out.exists() and not (out.is_dir() and not any(out.iterdir())):
         raise ValueError(f"{out}: expected a store or an empty folder, and it is neither")
     else:
-        files.write_manifest(out, settings, styles)
+        manifest = {"format": FORMAT, "settings": settings, "styles": styles}
+        write_whole(out / MANIFEST, json.dumps(manifest, indent=1).encode())
     for leftover in out.glob(".*.partial"):  # of a killed run
         leftover.unlink()
+
+
+def _manifest(path: Path) -> tuple[dict[str, Any], list[str]]:
+    """Settings and styles of a store; ValueError if there is none or its manifest is damaged."""
+    if not is_store(path):
+        raise ValueError(f"{path}: holds no store (no {MANIFEST})")
+    with intact(path / MANIFEST, "the manifest"):
+        manifest = parsed(read_bytes(path / MANIFEST))
+        if manifest["format"] != FORMAT:
+            raise ValueError(f"expected the format {FORMAT!r}, got {manifest['format']!r}")
+        settings, styles = manifest["settings"], checked(manifest["styles"], "a style")
+        if missing := {"held_out", "seed"} - settings.keys() or not styles:
+            raise ValueError(f"no styles, or no {missing}")
+        return settings, list(styles)
+
+
+def _executor(workers: int | None) -> Executor:
+    """An executor of so many processes; 1 is this one."""
+    if workers == 1:
+        return ThreadPoolExecutor(1)
+    # Ctrl-C reaches every process: this one handles it, the others finish what they began
+    ignore = signal.SIGINT, signal.SIG_IGN
+    return ProcessPoolExecutor(workers, get_context("spawn"), signal.signal, ignore)

@@ -24,9 +24,6 @@ def preprocess(
     listed: Listed = False,
     workers: Annotated[int | None, typer.Option(
         min=1, help="Processes; by default one per processor.")] = None,
-    scheduler: Annotated[str | None, typer.Option(
-        help="Address of a Dask scheduler that distributes the work; whoever reaches it runs code "
-             "there.")] = None,
 ) -> None:
     """Compute features of all files into a store, which `train --data OUT` reads from the disk."""
     data, root = dataset(data, root)
@@ -34,8 +31,7 @@ def preprocess(
         show(root)
     mirrored = datasets.may_mirror(data, root) if mirror else None
     made = store.preprocess(data, root, out, styles=styles, gaits=gaits, source=source,
-                            mirror=mirrored, workers=workers, scheduler=scheduler,
-                            listed=listed, progress=True)
+                            mirror=mirrored, workers=workers, listed=listed, progress=True)
     found = store.load(out)
     say(f"{found.n_frames:,} frames of {len(found.styles)} styles in {out}"
         + ("" if made else ": finished before, nothing to do"))
