@@ -96,7 +96,7 @@ def _times(data: Features, repeats: int) -> None:
     for turn in range(-1, repeats):
         for name, form in FORMS.items():
             config = Config(clips_per_batch=form.clips, precision=form.precision)
-            fabric = distributed.start(config)
+            fabric = distributed.start(config.device, config.processes)
             with form.patched():
                 adam = optimisers.setdefault(form.adam, loop.optimiser(model, config))
                 objective = fabric.setup_module(distributed.Objective(

@@ -91,7 +91,7 @@ def test_arrays_are_measured_beside_clips_and_their_bones_may_stretch(real, judg
     paired = report(arrays, clips, judge).rows[0]
     assert paired["global-position"] == pytest.approx(0.0, abs=1e-6)
     assert paired["geodesic"] != paired["geodesic"] != paired["fmd"]
-    with pytest.raises(ValueError, match="need skeleton= and fps="):
+    with pytest.raises(ValueError, match="need real clips"):
         report(arrays)
     with pytest.raises(ValueError, match=r"expected joints \[F, 28, 3\], got \[360, 2, 3\]"):
         report(arrays[0][:, :2], clips)

@@ -400,7 +400,7 @@ def test_the_environment_alone_makes_no_second_process(tmp_path, monkeypatch):
 
 def test_only_several_processes_need_lightning_fabric(monkeypatch):
     monkeypatch.setitem(sys.modules, "lightning_fabric", None)
-    training.distributed._start.cache_clear()
+    training.distributed.start.cache_clear()
     needed = r'^several processes need the extra "scale": pip install "\.\[scale\]"$'
     with pytest.raises(ImportError, match=needed):
         training.fit(waves(), quick(processes=2))

@@ -69,7 +69,7 @@ def train(
         processes=processes, precision=precision)
     saving.check(out, ())
     # before the data, so that all processes read them at once; only one of them talks and writes
-    first = distributed.start(config).global_rank == 0
+    first = distributed.start(config.device, config.processes).global_rank == 0
     store = registry.find("store")
     if store.is_store(data):
         if root or gaits or mirror or listed or clip_seconds is not None:

@@ -140,16 +140,15 @@ class Report:
 
 
 def report(clips: Motion | Mapping[str, Motion], real: Motion | None = None,
-           recogniser: Recogniser | None = None, *, skeleton: Skeleton | None = None,
-           fps: float | None = None) -> Report:
+           recogniser: Recogniser | None = None) -> Report:
     """All measures of one or more methods beside those of real motion.
 
     Parameters
     ----------
     clips
         Clips of a method, every one with the same weight; or a dict of methods by name. Arrays
-        ``[F, J, 3]`` of joint positions in metres, Y up, take the place of clips; measures that
-        need rotations have no value for them.
+        ``[F, J, 3]`` of joint positions in metres, Y up, of the skeleton and the rate of the first
+        real clip, take the place of clips; measures that need rotations have no value for them.
     real
         Real motion, for its own row. Where it has as many clips, and clip i has the joints, the
         frames and the rate of real clip i, the measures of pairs are those of these pairs; else the
@@ -159,8 +158,6 @@ def report(clips: Motion | Mapping[str, Motion], real: Motion | None = None,
         without it the measures of sets are left out. ``fmd`` and ``nearest`` compare with every
         second real clip of a style; the row of real clips compares the others with these. For
         ``fmd`` all rows have the same number of windows.
-    skeleton, fps
-        Of arrays; by default those of the first real clip.
 
     Raises
     ------
@@ -171,9 +168,8 @@ def report(clips: Motion | Mapping[str, Motion], real: Motion | None = None,
     data = dict(clips) if isinstance(clips, Mapping) else {"clips": clips}
     truth = None
     if real is not None:
-        data["real"] = truth = _listed(real, "real", skeleton, fps)
-        skeleton, fps = skeleton or truth[0].skeleton, fps or truth[0].fps
-    data = {name: _listed(some, name, skeleton, fps) for name, some in data.items()}
+        data["real"] = truth = _listed(real, "real", None)
+    data = {name: _listed(some, name, truth) for name, some in data.items()}
     judge = None if recogniser is None else _Cached(recogniser)
     columns, notes = list(CLIP), []
     if why := _unpaired(data, truth):
@@ -213,9 +209,8 @@ class _Cached:
         self.of_clip = functools.cache(recogniser.of_clip)
 
 
-def _listed(motion: Motion, what: str, skeleton: Skeleton | None,
-            fps: float | None) -> list[Clip | Joints]:
-    """The clips of a method; arrays of joint positions become `Joints`."""
+def _listed(motion: Motion, what: str, real: Sequence[Clip] | None) -> list[Clip | Joints]:
+    """The clips of a method; arrays of joint positions become `Joints`, as the real clips are."""
     single = isinstance(motion, Clip | Joints) or getattr(motion, "ndim", 0) == 3
     motions = [motion] if single else list(motion)
     if not motions:
@@ -223,13 +218,14 @@ def _listed(motion: Motion, what: str, skeleton: Skeleton | None,
     clips = []
     for number, one in enumerate(motions):
         if not isinstance(one, Clip | Joints):
-            if skeleton is None or fps is None:
-                raise ValueError(f"{what}: arrays of joints need skeleton= and fps=, or real clips")
-            positions = as_tensor(one, what)
+            if real is None:
+                raise ValueError(f"{what}: arrays of joints need real clips, whose skeleton and "
+                                 "rate they have")
+            skeleton, positions = real[0].skeleton, as_tensor(one, what)
             if positions.shape[1:] != (len(skeleton), 3):
                 raise ValueError(f"{what}: expected joints [F, {len(skeleton)}, 3], "
                                  f"got {list(positions.shape)}")
-            one = Joints(positions, skeleton, fps, name=f"{what}[{number}]")
+            one = Joints(positions, skeleton, real[0].fps, name=f"{what}[{number}]")
         clips.append(one)
     return clips
 

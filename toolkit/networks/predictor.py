@@ -5,7 +5,6 @@
 
 import contextlib
 import dataclasses
-import functools
 import os
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -264,8 +263,8 @@ class Predictor(nn.Module):
         if why := stored.difference(expected):
             raise ValueError(f"{path}: the layout is not the expected one: {why}")
         with model_files.intact(path, "the model"):
-            build = functools.partial(made, name, stored, styles, sizes, whole)
-            model = model_files.restore(build, tensors, "model.")
+            model = model_files.restore(
+                lambda: build(name, stored, styles, sizes, generator=whole), tensors, "model.")
         if calibrated and name.endswith("film"):
             model.calibrated = True
         return model
@@ -284,13 +283,34 @@ def register(name: str) -> Callable[[Any], Any]:
     return registered
 
 
-def made(name: str, layout: Layout, n_styles: int, sizes: Sizes,
-         generator: bool = True) -> Predictor:
-    """A new model of a registered name, with random weights.
+def build(name: str, layout: Layout, n_styles: int, sizes: Sizes | None = None,
+          normalisers: dict[str, Normaliser] | None = None, *, generator: bool = True) -> Predictor:
+    """A new model with random weights (from torch's global generator), in evaluation mode.
 
-    Without ``generator``, one of the seven models cannot make style vectors.
+    Parameters
+    ----------
+    name
+        One of `toolkit.networks.MODELS`, or the name of a model of your own, see `register`.
+    layout
+        Columns of x, p, z and y in the data. `Predictor.layout` differs from it in the columns of
+        the phase.
+    n_styles
+        Styles to learn.
+    sizes
+        By default those of the paper.
+    normalisers
+        As `toolkit.networks.normalisers` makes them. A missing one is the identity.
+    generator
+        Whether one of the seven models has its FiLM generator or style table. Without it the model
+        cannot make style vectors.
+
+    Raises
+    ------
+    ValueError
+        If there is no model of that name.
     """
     options = {} if generator else {"generator": False}
-    model = registry.find(f"model.{name}")(layout, n_styles, sizes, **options)
+    model = registry.find(f"model.{name}")(layout, n_styles, sizes or Sizes(), **options)
     model.name = name
-    return model
+    model.normalise(normalisers or {})
+    return model.eval()

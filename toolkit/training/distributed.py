@@ -16,7 +16,6 @@ from torch import Tensor, distributed, nn
 
 from toolkit.networks import Predictor
 from toolkit.training.loss import loss_terms
-from toolkit.training.run import Config
 
 if TYPE_CHECKING:
     from lightning_fabric import Fabric
@@ -45,8 +44,9 @@ class Alone:
         loss.backward()
 
 
-def start(config: Config) -> "Fabric | Alone":
-    """Set up device and processes of a config.
+@functools.cache
+def start(device: str, processes: int) -> "Fabric | Alone":
+    """Set up a device and processes.
 
     With several processes, the first call starts the others: they run the same command from its
     beginning. Under ``torchrun``, which starts them itself, this joins them.
@@ -58,11 +58,6 @@ def start(config: Config) -> "Fabric | Alone":
     ImportError
         If several processes need Lightning Fabric and it is not installed.
     """
-    return _start(config.device, config.processes)
-
-
-@functools.cache
-def _start(device: str, processes: int) -> "Fabric | Alone":
     kind, nodes = torch.device(device), 1
     if "TORCHELASTIC_RUN_ID" in os.environ:  # torchrun
         processes, nodes = int(os.environ["LOCAL_WORLD_SIZE"]), int(os.environ["GROUP_WORLD_SIZE"])

@@ -31,12 +31,10 @@ from toolkit.training.checkpoint import Checkpoint, Saver, check, starting
 from toolkit.training.distributed import Alone, Objective
 from toolkit.training.loss import baselines, evaluate, make_bank, observed, refit
 from toolkit.training.minibatches import DROPOUT, INIT, Minibatches
-from toolkit.training.run import Config, Run, load, pretrained
+from toolkit.training.run import Config, Run
 
 if TYPE_CHECKING:
     from lightning_fabric import Fabric
-
-__all__ = ["Config", "Run", "fit", "load", "pretrained"]
 
 
 @dataclass(eq=False)
@@ -96,7 +94,7 @@ def fit(data: Features, config: Config | None = None,
         If interrupted; the checkpoint is written first.
     """
     config = config or Config()
-    fabric = distributed.start(config)
+    fabric = distributed.start(config.device, config.processes)
     first = fabric.global_rank == 0
     for style in config.styles:
         check_style(style, data.styles)

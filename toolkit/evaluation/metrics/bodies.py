@@ -1,8 +1,7 @@
-"""Where a body is and how it holds itself: speed, height, posture, path."""
+"""Where a body is: speed, height, path."""
 
 from torch import Tensor
 
-from toolkit.features import Layout
 from toolkit.motion import Clip, Skeleton
 from toolkit.motion.skeleton import FEET
 from toolkit.motion.tensors import as_tensor
@@ -34,29 +33,6 @@ def on_feet(skeleton: Skeleton, height: Tensor) -> Tensor:
     hips, chest = height[..., skeleton.role("hips")], height[..., skeleton.trunk[0]]
     ankles = height[..., [skeleton.role(f"{side}_foot") for side in FEET]].amax(-1)
     return (chest > hips) & (hips > ankles)
-
-
-def posture(layout: Layout, positions: Tensor) -> dict[str, Tensor]:
-    """Mean posture and step length, from joint positions in the root frame, as a network has them.
-
-    Of ``positions [F, ..., J, 3]`` over some seconds, metres, each ``[...]``: the means of
-    ``hips_height``, ``hand_height`` (of both) and ``arm_spread`` (left to right hand, sideways);
-    ``step_length``, the fore and aft distance of the ankles (95th percentile); and
-    ``bone_stretch``, the mean absolute error of the bone lengths. ``layout`` names the J joints.
-    """
-    roles = layout.skeleton.roles
-    role = {r: positions[..., layout.names.index(roles[r]), :] for r in
-            ("hips", "left_hand", "right_hand", "left_foot", "right_foot")}
-    rest = layout.skeleton.rest_positions[list(layout.skeleton.feature_joints)].to(positions)
-    stretch = (layout.bone_lengths(positions) - layout.bone_lengths(rest)).abs()
-    stride = (role["left_foot"] - role["right_foot"])[..., 2].abs()
-    return {
-        "hips_height": role["hips"][..., 1].mean(0),
-        "hand_height": (role["left_hand"] + role["right_hand"])[..., 1].mean(0) / 2,
-        "arm_spread": (role["left_hand"] - role["right_hand"])[..., 0].mean(0),
-        "step_length": stride.quantile(0.95, 0),
-        "bone_stretch": stretch.mean((0, -1)),
-    }
 
 
 def path_error(clip: Clip, points: Tensor) -> float:
