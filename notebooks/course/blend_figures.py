@@ -4,12 +4,12 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 import plotly.graph_objects as go
+from course.charts import finish
 from matplotlib.colors import to_hex, to_rgb
 from plotly.subplots import make_subplots
 from scipy.spatial import Delaunay
 from torch import Tensor
 
-from toolkit.view.charts import finish
 from toolkit.view.render.mannequin import PALETTE
 
 LINE = "#d9d4c8"

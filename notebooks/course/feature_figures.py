@@ -6,6 +6,7 @@ from collections.abc import Mapping
 import numpy as np
 import plotly.graph_objects as go
 import torch
+from course.charts import INK, QUIET, bones, finish, slider
 from course.pages import SYMBOLS
 from plotly.subplots import make_subplots
 from torch import Tensor
@@ -14,7 +15,6 @@ from toolkit import features
 from toolkit.features import Layout
 from toolkit.motion import Clip, Skeleton
 from toolkit.motion.trajectory import SAMPLES
-from toolkit.view.charts import INK, QUIET, bones, finish, slider
 from toolkit.view.render.mannequin import COLORS, CONTACT, PALETTE
 
 X, Z = SYMBOLS["x"][0], SYMBOLS["z"][0]

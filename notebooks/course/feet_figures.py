@@ -4,13 +4,13 @@ from collections.abc import Mapping
 
 import numpy as np
 import plotly.graph_objects as go
+from course.charts import GRID, LAYOUT
 from course.style_figures import WHEEL
 from plotly.subplots import make_subplots
 
 from toolkit.motion import Clip
 from toolkit.motion.contacts import velocities
 from toolkit.motion.skeleton import FEET
-from toolkit.view.charts import GRID, LAYOUT
 from toolkit.view.frontend import escape
 from toolkit.view.render.mannequin import CONTACT
 

@@ -8,11 +8,11 @@ import numpy as np
 import pandas as pd
 import plotly.graph_objects as go
 import torch
+from course.charts import bones, colours, finish, slider
 from course.pages import SYMBOLS, Page, show
 from plotly.subplots import make_subplots
 from torch import Tensor
 
-from toolkit.view.charts import bones, colours, finish, slider
 from toolkit.view.render.mannequin import COLORS, PALETTE
 
 OUTPUT = SYMBOLS["z"][0]

@@ -7,13 +7,13 @@ import numpy as np
 import pandas as pd
 import plotly.graph_objects as go
 import torch
+from course.charts import INK, QUIET, bones, colours, finish, slider
 from course.pages import SYMBOLS
 from plotly.subplots import make_subplots
 from torch import Tensor
 
 from toolkit import phases as ph
 from toolkit.motion import Clip, root_frames
-from toolkit.view.charts import INK, QUIET, bones, colours, finish, slider
 from toolkit.view.render.mannequin import COLORS
 
 P = SYMBOLS["p"][0]

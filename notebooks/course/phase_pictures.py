@@ -7,12 +7,12 @@
 import numpy as np
 import plotly.graph_objects as go
 import torch
+from course.charts import INK, LAYOUT, QUIET, colours, finish
 from plotly.subplots import make_subplots
 
 from toolkit import phases as ph
 from toolkit.evaluation import metrics
 from toolkit.motion import Clip, root_frames, rotations as R
-from toolkit.view.charts import INK, LAYOUT, QUIET, colours, finish
 from toolkit.view.frontend import escape
 from toolkit.view.render import mannequin as body
 from toolkit.view.render.bodies import per_clip

@@ -7,12 +7,12 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 import plotly.graph_objects as go
+from course.charts import INK, QUIET, bones, finish, slider, style_space
 from matplotlib.figure import Figure
 from plotly.subplots import make_subplots
 from torch import Tensor
 
 from toolkit.features import Layout
-from toolkit.view.charts import INK, QUIET, bones, finish, slider, style_space
 from toolkit.view.frontend import escape
 from toolkit.view.render.mannequin import COLORS, PALETTE
 from toolkit.view.render.picture import Picture

@@ -15,6 +15,7 @@ CELLS = [
     f"""
 import asyncio, json, pathlib, torch
 import course
+from course import charts, style_map
 import toolkit as tk
 from toolkit.networks.bank import StyleBank
 model, bank = tk.pretrained()
@@ -41,7 +42,7 @@ def make(blend):
     if name not in cuts:
         raise ValueError(name + ".bvh: cannot be read")
     return cuts[name].cut(0, 2) if blend[name] > 0.9 else clip.cut(0, 2).replace(style="between")
-explorer = tk.view.explore(model, planted, points=points, groups=["a", "a", "b", "b"],
+explorer = style_map.explore(model, planted, points=points, groups=["a", "a", "b", "b"],
                            make_clip=make, size=(160, 120))
 explorer
 """,
@@ -58,7 +59,7 @@ desk
     f"course.check('01.1', {IMAGE!r})",
     "course.here('01')",
     f"""
-tk.view.style_space(points, planted.names, title={COMMENT!r})
+charts.style_space(points, planted.names, title={COMMENT!r})
 """,
     """
 async def probe():

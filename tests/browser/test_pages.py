@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 import torch
 from course import (
+    charts,
     feature_figures,
     losses_page,
     network_figures,
@@ -24,7 +25,6 @@ from toolkit.extra.shots import director
 from toolkit.motion import Skeleton
 from toolkit.networks.bank import StyleBank
 from toolkit.stylization import losses
-from toolkit.view import charts
 from toolkit.view.pages import page as pages_
 from toolkit.view.render import mannequin as body
 

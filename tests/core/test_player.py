@@ -1,6 +1,4 @@
-import asyncio
 import base64
-import gc
 
 import numpy as np
 import pytest
@@ -8,7 +6,6 @@ import torch
 
 import toolkit as tk
 from toolkit import view
-from toolkit.networks.bank import StyleBank
 
 FRAMES = 90
 
@@ -21,12 +18,6 @@ def clip(walk_clip) -> tk.Clip:
 @pytest.fixture(scope="module")
 def other(walk_clip) -> tk.Clip:
     return walk_clip.cut(300, 330).replace(style="Old")
-
-
-async def until(test) -> None:
-    async with asyncio.timeout(60):
-        while not test():
-            await asyncio.sleep(0.005)
 
 
 def test_the_page_gets_a_body_once_and_every_motion(clip, other):
@@ -66,65 +57,10 @@ def test_a_page_without_a_kernel_gets_a_picture_and_a_line(clip, monkeypatch):
     shown = []
     monkeypatch.setattr("toolkit.view.frontend.display", shown.append)
     model, bank = tk.pretrained()
-    widgets = (view.Player(clip), view.Controller(model, bank), view.Director(model, bank),
-               view.StyleBlender(bank, lambda _: clip))
+    widgets = (view.Player(clip), view.Controller(model, bank), view.Director(model, bank))
     for widget in widgets:
         assert "application/vnd.jupyter.widget-view+json" in str(widget._repr_mimebundle_())
         text = shown.pop().data
         assert f"Run the notebook for the {type(widget).__name__}" in text
         assert base64.b64decode(text.split("base64,")[1].split('"')[0])[:4] == b"\x89PNG"
         widget.close()
-
-
-# style blending
-
-
-def bank(*names: str) -> StyleBank:
-    return StyleBank(names, torch.zeros(len(names), 2))
-
-
-def style(blender) -> str:
-    return blender.player.clip.style
-
-
-def test_blender_makes_the_motion_of_its_weights(clip):
-    asked = []
-
-    def make(weights: dict[str, float]) -> tk.Clip:
-        asked.append(weights)
-        return clip.cut(0, 10).replace(style="+".join(n for n, w in weights.items() if w))
-
-    blender = view.StyleBlender(bank("A", "B", "C", "Neutral"), make)
-    assert blender.weights == pytest.approx({"Neutral": 1 / 3, "A": 1 / 3, "B": 1 / 3})
-    blender.weights = {"C": 3, "B": 1}
-    assert asked[-1] == pytest.approx({"C": 0.75, "B": 0.25, "Neutral": 0})
-    assert blender.triangle.names == ["C", "B", "Neutral"]
-    assert style(blender) == "C+B"
-    for wrong, message in (
-        ({"X": 1}, "unknown style 'X'; known: A, B, C, Neutral"), ({"A": -1}, "weights >= 0"),
-        ({}, "one to")
-    ):
-        with pytest.raises(ValueError, match=message):
-            blender.weights = wrong
-        with pytest.raises(ValueError, match=message):
-            view.StyleBlender(bank("A", "B", "C", "Neutral"), make, weights=wrong)
-    gc.collect()  # a refused blender is closed without an error
-    blender.close()
-
-
-def test_blender_waits_and_shows_the_newest_only(clip):
-    asked = []
-
-    def make(weights):
-        asked.append(weights)
-        return clip.cut(0, 10).replace(style=f"{weights['A']:.1f}")
-
-    async def scenario():
-        blender = view.StyleBlender(bank("A", "B", "C"), make)
-        for a in (0.1, 0.3, 0.5, 0.9):
-            blender.triangle.weights = [a, 1 - a, 0.0]
-        await until(lambda: style(blender) == "0.9")
-        assert len(asked) == 2
-        blender.close()
-
-    asyncio.run(scenario())

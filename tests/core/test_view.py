@@ -442,34 +442,3 @@ def test_moving_pictures_refuse_what_does_not_fit(clip, tmp_path):
     with pytest.raises(ValueError, match="got 1 clips, 2 labels"):
         view.animate(clip, tmp_path / "walk.gif", labels=["a", "b"])
     assert not list(tmp_path.iterdir())
-
-
-# the charts
-
-
-def test_style_space_shows_names_and_groups():
-    figure = view.style_space(
-        torch.rand(4, 2), ["A", "B", "C", "D"], ["x", "y", "x", "y"],
-        marked={"blend": torch.zeros(2)}
-    )
-    assert [t.name for t in figure.data] == ["x", "y", "blend"]
-    assert list(figure.data[0].text) == ["A", "C"]
-    with pytest.raises(ValueError, match="4 names need positions"):
-        view.style_space(torch.rand(4, 3), ["A", "B", "C", "D"])
-
-
-def test_training_curves_of_rows_and_columns():
-    rows = [
-        {"step": 10, "elapsed": 1.0, "train": 0.5, "test": None},
-        {"step": 20, "elapsed": 2.0, "train": 0.2, "test": 0.3}
-    ]
-    figure = view.training_curves(rows)
-    assert {t.name: list(t.y) for t in figure.data} == {"train": [0.5, 0.2], "test": [0.3]}
-    with pytest.raises(ValueError, match="rows with 'step'"):
-        view.training_curves([])
-
-
-def test_trajectory_figure_shows_the_path_and_what_was_asked(clip):
-    figure = view.trajectory_figure(clip, torch.zeros(5, 2))
-    assert [t.name for t in figure.data] == ["asked for", "Neutral", "Neutral, each second"]
-    np.testing.assert_allclose(figure.data[1].y, clip.root_positions[:, 2], atol=1e-6)

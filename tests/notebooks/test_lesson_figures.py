@@ -6,10 +6,9 @@ import re
 import numpy as np
 import pytest
 import torch
-from course import losses_page, plane, postures, style_figures
+from course import charts, losses_page, plane, postures, style_figures
 
 import toolkit as tk
-from toolkit.view import charts
 
 
 def test_posture_of_a_pose_whose_numbers_are_known():
@@ -70,3 +69,31 @@ def test_losses_page_needs_every_set_and_numbers_them_as_its_switches_do():
         assert row == sum(
             1 << (4 - i) for i, name in enumerate(data["losses"]) if name not in names
         )
+
+
+def test_style_space_shows_names_and_groups():
+    figure = charts.style_space(
+        torch.rand(4, 2), ["A", "B", "C", "D"], ["x", "y", "x", "y"],
+        marked={"blend": torch.zeros(2)}
+    )
+    assert [t.name for t in figure.data] == ["x", "y", "blend"]
+    assert list(figure.data[0].text) == ["A", "C"]
+    with pytest.raises(ValueError, match="4 names need positions"):
+        charts.style_space(torch.rand(4, 3), ["A", "B", "C", "D"])
+
+
+def test_training_curves_of_rows_and_columns():
+    rows = [
+        {"step": 10, "elapsed": 1.0, "train": 0.5, "test": None},
+        {"step": 20, "elapsed": 2.0, "train": 0.2, "test": 0.3}
+    ]
+    figure = charts.training_curves(rows)
+    assert {t.name: list(t.y) for t in figure.data} == {"train": [0.5, 0.2], "test": [0.3]}
+    with pytest.raises(ValueError, match="rows with 'step'"):
+        charts.training_curves([])
+
+
+def test_trajectory_figure_shows_the_path_and_what_was_asked(walk_clip):
+    figure = charts.trajectory_figure(walk_clip, torch.zeros(5, 2))
+    assert [t.name for t in figure.data] == ["asked for", "Neutral", "Neutral, each second"]
+    np.testing.assert_allclose(figure.data[1].y, walk_clip.root_positions[:, 2], atol=1e-6)

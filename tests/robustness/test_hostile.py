@@ -82,9 +82,9 @@ PLANTED = ("<img src=x onerror=window.hacked=1>", "</script><script>window.hacke
 
 def test_no_text_from_outside_reaches_html_as_html(walk_clip, tmp_path):
     pytest.importorskip("ipywidgets")
-    from course import phase_pictures as phase_figures
+    from course import charts as figures, phase_pictures as phase_figures
 
-    from toolkit.view import charts as figures, frontend
+    from toolkit.view import frontend
     from toolkit.view.pages import page
     from toolkit.view.render import picture
 
@@ -116,7 +116,7 @@ def test_no_text_from_outside_reaches_html_as_html(walk_clip, tmp_path):
 
 def test_an_error_in_a_widget_is_shown_as_text(walk_clip):
     pytest.importorskip("ipywidgets")
-    from toolkit.view.widgets.style_blender import StyleBlender
+    from course.style_blender import StyleBlender
 
     def fails(_blend):
         raise ValueError(f"{PLANTED[0]}.bvh: cannot be read")

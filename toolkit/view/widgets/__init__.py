@@ -1,4 +1,4 @@
-"""Widgets of notebooks: players, the live character, style blending, the map of styles."""
+"""Widgets of notebooks: players and the live character."""
 
 import pkgutil
 

@@ -1,12 +1,10 @@
-"""A blend of three styles as a widget: names, shares, and a triangle with a marker."""
+"""A blend of three styles as a widget: names and shares, which a triangle with a marker shows."""
 
 import math
 from collections.abc import Iterable, Mapping
 
 import anywidget
 import traitlets
-
-from toolkit.view.frontend import static
 
 
 class Corners(anywidget.AnyWidget):
@@ -47,12 +45,6 @@ class Corners(anywidget.AnyWidget):
         for name, share in zip(self.names, self.weights, strict=True):
             blend[name] = blend.get(name, 0.0) + share
         return blend
-
-
-class StyleTriangle(Corners):
-    """A barycentric triangle with a marker to drag."""
-
-    _esm = static("triangle.js")
 
 
 def corners(

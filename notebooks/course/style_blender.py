@@ -10,12 +10,18 @@ from collections.abc import Callable, Mapping
 import ipywidgets as widgets
 
 from toolkit.motion import Clip
-from toolkit.view.frontend import CellWidget, escape, running_loop
+from toolkit.view.frontend import CellWidget, escape, running_loop, static
 from toolkit.view.pages.live_page import ordered
-from toolkit.view.widgets.corners import StyleTriangle, corners
+from toolkit.view.widgets.corners import Corners, corners
 from toolkit.view.widgets.player import Player
 
 PAUSE = 0.03  # seconds in which changes are collected before a new motion is made
+
+
+class StyleTriangle(Corners):
+    """A barycentric triangle with a marker to drag."""
+
+    _esm = static("triangle.js")
 
 
 class StyleBlender(CellWidget, widgets.HBox):

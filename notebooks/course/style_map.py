@@ -6,12 +6,15 @@ Hover names a style, click plays it, and a ring dragged between points plays the
 import math
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache
+from pathlib import Path
 
 import anywidget
 import ipywidgets as widgets
 import plotly.graph_objects as go
 import torch
 import traitlets
+from course.charts import INK, style_space
+from course.style_blender import StyleBlender
 from plotly.offline import get_plotlyjs
 from scipy.spatial import Delaunay, QhullError
 from torch import Tensor
@@ -22,11 +25,9 @@ from toolkit.networks import Predictor
 from toolkit.networks.bank import StyleBank
 from toolkit.runtime import CharacterState
 from toolkit.styles.space import embed
-from toolkit.view.charts import INK, style_space
-from toolkit.view.frontend import escape, in_notebook, static
+from toolkit.view.frontend import escape, in_notebook
 from toolkit.view.pages.live_page import ordered
 from toolkit.view.render.picture import PAPER, Picture
-from toolkit.view.widgets.style_blender import StyleBlender
 
 SIDE = 560  # pixels of the map, both ways
 SECONDS, SPEED = 2.0, 1.0  # of the walk that is played, metres per second
@@ -75,14 +76,14 @@ class StyleMap(anywidget.AnyWidget):
     Plotly's own FigureWidget shows nothing with some versions of anywidget.
     """
 
-    _esm = static("map.js")
+    _esm = Path(__file__).with_name("map.js")
     code = traitlets.Unicode(get_plotlyjs()).tag(sync=True)
     figure = traitlets.Unicode().tag(sync=True)
     place = traitlets.List(traitlets.Float(), [0.0, 0.0], minlen=2, maxlen=2).tag(sync=True)
 
 
 class StyleExplorer(StyleBlender):
-    """The map of `explore` beside a `toolkit.view.StyleBlender`, which plays what is chosen.
+    """The map of `explore` beside a `StyleBlender`, which plays what is chosen.
 
     A place between styles stands for a blend of three: its barycentric weights in the triangle
     around it, from the Delaunay triangulation of the points. A place outside of all triangles

@@ -1,9 +1,8 @@
 import pytest
 import torch
+from course.style_map import StyleExplorer, StyleMap, chart, explore
 
-import toolkit as tk
 from toolkit.styles import StyleBank
-from toolkit.view.widgets.explorer import StyleExplorer, StyleMap, chart, explore
 
 BANK = StyleBank(("Neutral", "Zombie", "Old", "Crouch"), torch.eye(4))
 POINTS = torch.tensor([[0.0, 0.0], [4.0, 0.0], [0.0, 4.0], [4.0, 4.5]])
@@ -89,5 +88,4 @@ def test_the_model_plays_and_outside_of_notebooks_it_is_the_map_alone(small_run)
     corners = torch.tensor([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])
     shown = StyleExplorer(small_run.model, bank, corners, size=(96, 96))
     assert shown.player.shown[0].seconds == pytest.approx(2.0)
-    assert isinstance(shown, tk.view.StyleExplorer)
     shown.close()
