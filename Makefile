@@ -64,7 +64,7 @@ coverage: env
 	$(BIN)/coverage report
 
 lab: env
-	$(BIN)/jupyter lab --ServerApp.root_dir=$(CURDIR) --LabApp.default_url=/lab/tree/notebooks --ServerApp.jpserver_extensions="{'toolkit.view.widgets.server': True}"
+	PYTHONPATH=$(CURDIR)/notebooks $(BIN)/jupyter lab --ServerApp.root_dir=$(CURDIR) --LabApp.default_url=/lab/tree/notebooks --ServerApp.jpserver_extensions="{'course.server': True}"
 
 docs: env
 	$(BIN)/sphinx-build -W --keep-going -b html docs out/docs

@@ -16,6 +16,5 @@ __version__ = "0.2.0"
 # a module is imported when it is first used
 __getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
 
-_writers = {"html": "page", "png": "poses"} | dict.fromkeys(("mp4", "gif", "webp", "apng"), "film")
-for _kind, _writer in _writers.items():
-    registry.register(f"writer.{_kind}", f"toolkit.view.writers:{_writer}")
+for _kind in ("html", "png", "mp4", "gif", "webp", "apng"):
+    registry.register(f"writer.{_kind}", "toolkit.view.writers:write")

@@ -92,7 +92,7 @@ def lab(environment, tmp_path):
         sys.executable, "-m", "jupyter", "lab", "--no-browser", "--allow-root", "--port=0",
         "--ServerApp.port_retries=0", "--IdentityProvider.token=",
         "--ServerApp.disable_check_xsrf=True", "--expose-app-in-browser",
-        "--ServerApp.jpserver_extensions={'toolkit.view.widgets.server': True}",
+        "--ServerApp.jpserver_extensions={'course.server': True}",
         f"--ServerApp.root_dir={tmp_path}",
     ]
     log = tmp_path / "server.log"

@@ -4,10 +4,11 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 import torch
+from course import server
 from jupyter_server.services.kernels.connection.channels import ZMQChannelsWebsocketConnection
 
 import toolkit as tk
-from toolkit.view.widgets import controller as module, server
+from toolkit.view.widgets import controller as module
 from toolkit.view.widgets.controller import Controller
 
 

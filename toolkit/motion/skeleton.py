@@ -86,6 +86,10 @@ class Skeleton:
                              f"the skeleton has {', '.join(self.names)}")
         return self.names.index(self.roles[role])
 
+    def has(self, *parts: str) -> bool:
+        """Whether joints are known for these parts on both sides: ``has("hip", "shoulder")``."""
+        return all(f"{side}_{part}" in self.roles for side in SIDES for part in parts)
+
     def is_end(self, joint: int) -> bool:
         """Whether a point is an End Site."""
         return self.names[joint] in self._ends

@@ -1,6 +1,6 @@
 """What `toolkit.io.save` writes with the drawing libraries.
 
-Pages, strips of poses and films of one clip.
+Pages, strips of poses and films of one clip; see `toolkit.io.save.save` for the parameters.
 """
 
 from pathlib import Path
@@ -11,30 +11,15 @@ from toolkit.view.render.animation import animate
 from toolkit.view.render.picture import strip
 
 
-def page(
-    clip: Clip, path: Path, *, title: str, source: Clip | None, progress: bool, character
-) -> None:
-    """A web page; see `toolkit.io.save.save` for the parameters, here and below."""
-    clips, labels = _shown(clip, source, title)
-    html(clips, path, title=title or "Motion", labels=labels, character=character)
-
-
-def poses(
-    clip: Clip, path: Path, *, title: str, source: Clip | None, progress: bool, character
-) -> None:
-    """A strip of poses."""
-    clips, labels = _shown(clip, source, title)
-    strip(clips, path, labels=labels, character=character)
-
-
-def film(
-    clip: Clip, path: Path, *, title: str, source: Clip | None, progress: bool, character
-) -> None:
-    """A film or an animated picture."""
-    clips, labels = _shown(clip, source, title)
-    animate(clips, path, labels=labels, height=360, progress=progress, character=character)
-
-
-def _shown(clip: Clip, source: Clip | None, title: str) -> tuple[list[Clip], list[str] | None]:
-    return ([clip], [title] if title else None) if source is None else (
-        [source, clip], ["source", title])
+def write(clip: Clip, path: Path, *, title: str, source: Clip | None, progress: bool,
+          character) -> None:
+    """Write a web page, a strip of poses or a film, by the suffix of the path."""
+    clips, labels = [clip], [title] if title else None
+    if source is not None:
+        clips, labels = [source, clip], ["source", title]
+    if path.suffix == ".html":
+        html(clips, path, title=title or "Motion", labels=labels, character=character)
+    elif path.suffix == ".png":
+        strip(clips, path, labels=labels, character=character)
+    else:
+        animate(clips, path, labels=labels, height=360, progress=progress, character=character)

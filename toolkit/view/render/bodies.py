@@ -112,10 +112,9 @@ class Pose:
 
     def mesh(self) -> tuple[np.ndarray, np.ndarray]:
         """Vertices and normals [V, 3]."""
-        clip = self.body.clip
-        points, normals = self.body.skin.pose(
-            clip.global_rotations[self.frame], clip.global_positions[self.frame]
-        )
+        clip, frame = self.body.clip, self.frame
+        points, normals = self.body.skin.pose(clip.global_rotations[frame],
+                                              clip.global_positions[frame])
         return points @ self.turn.T + self.move, normals @ self.turn.T
 
 
@@ -126,54 +125,33 @@ def cast(clips: Clip | Sequence[Clip], labels: Sequence[str] | None, contacts,
     ValueError if they do not fit.
     """
     clips = on_cpu(clips)
-    labels = (
-        [" ".join(x for x in (c.style, c.gait) if x) or c.name for c in clips]
-        if labels is None
-        else list(labels)
-    )
+    if labels is None:
+        labels = [" ".join(x for x in (c.style, c.gait) if x) or c.name for c in clips]
     if not clips or len(labels) != len(clips):
-        raise ValueError(
-            f"expected clips and a label per clip; got {len(clips)} clips, {len(labels)} labels"
-        )
-    return (
-        clips if figure is None else [figure.fitted(clip) for clip in clips], labels,
-        per_clip(contacts, clips)
-    )
+        raise ValueError(f"expected clips and a label per clip; got {len(clips)} clips, "
+                         f"{len(labels)} labels")
 
-
-def per_clip(contacts, clips: Sequence[Clip]) -> list[np.ndarray | None]:
-    """Contacts ``[F, 2]`` or None of each clip, from an array or a list of them.
-
-    A ValueError if they do not fit.
-    """
-    contacts = (
-        [None] * len(clips)
-        if contacts is None
-        else contacts
-        if isinstance(contacts, list | tuple)
-        else [contacts]
-    )
-    contacts = [None if feet is None else np.asarray(feet, dtype=np.float32) for feet in contacts]
-    shapes, lengths = (
-        [None if feet is None else feet.shape for feet in contacts], [len(clip) for clip in clips]
-    )
-    if len(shapes) != len(clips) or any(
-        s not in (None, (n, 2)) for s, n in zip(shapes, lengths, strict=True)
-    ):
-        raise ValueError(f"contacts must be [F, 2] for each clip of {lengths} frames; got {shapes}")
-    return contacts
+    # contacts may be an array, or one for each clip
+    feet = [None] * len(clips) if contacts is None else contacts
+    feet = feet if isinstance(feet, list | tuple) else [feet]
+    feet = [None if one is None else np.asarray(one, dtype=np.float32) for one in feet]
+    shapes, wanted = [getattr(one, "shape", None) for one in feet], [(len(c), 2) for c in clips]
+    if len(feet) != len(clips) or any(
+            shape not in (None, fits) for shape, fits in zip(shapes, wanted, strict=True)):
+        raise ValueError(f"contacts must be [F, 2] for each clip of {[n for n, _ in wanted]} "
+                         f"frames; got {shapes}")
+    return [figure.fitted(clip) for clip in clips] if figure else clips, list(labels), feet
 
 
 def steady_frames(clip: Clip, seconds: float) -> tuple[np.ndarray, np.ndarray]:
-    """Floor positions [F, 3] and facing angles [F] in radians, smoothed over time, for a camera to
-    follow.
+    """Floor positions [F, 3] and facing angles [F], radians, smoothed for a camera to follow.
 
     Skeletons without hips and shoulders are followed by their root, facing +Z.
     """
     from scipy.ndimage import gaussian_filter1d  # a live character starts without it
 
     sigma = max(seconds * clip.fps, 1e-3)
-    if mannequin.has_roles(clip, "hip", "shoulder"):
+    if clip.skeleton.has("hip", "shoulder"):
         frames = root_frames(clip)
         q = frames.rotations.double().numpy()
         angle = np.unwrap(2 * np.arctan2(q[:, 2], q[:, 0]))

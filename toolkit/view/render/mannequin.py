@@ -130,13 +130,6 @@ class Part:
                 quads.reshape(-1, 3), light)
 
 
-def has_roles(clip: Clip, *parts: str) -> bool:
-    """Whether the skeleton has these parts on both sides, such as "hip" (see
-    `toolkit.motion.ROLES`).
-    """
-    return all(f"{side}_{part}" in clip.skeleton.roles for side in SIDES for part in parts)
-
-
 def build(clip: Clip, vertices: int = VERTICES) -> Mannequin:
     """The mannequin of a clip's skeleton; skeletons that are no humanoids get plain bones.
 
@@ -153,7 +146,7 @@ def build(clip: Clip, vertices: int = VERTICES) -> Mannequin:
             f"{clip.name}: its positions reach {reach:.3g} m, and at most {LARGEST:g} m can be "
             "drawn; the unit of length may be wrong (--unit)"
         )
-    parts = _humanoid(clip) if has_roles(clip, *LIMBS) else []
+    parts = _humanoid(clip) if clip.skeleton.has(*LIMBS) else []
     parts += _bones(clip, {part.joint for part in parts})
     if not parts:
         raise ValueError(f"{clip.name}: no bone is long enough to be given a body")

@@ -15,7 +15,6 @@ from scipy.signal import hilbert
 from toolkit.io.files import atomic_write
 from toolkit.motion import Clip, root_frames, rotations as R
 from toolkit.view.render.bodies import BACK, Body, Camera, Pose, axes, cast, steady_frames
-from toolkit.view.render.mannequin import has_roles
 from toolkit.view.render.skin import Figure as Character, figure_of
 from toolkit.view.render.stage import open_stage
 
@@ -104,7 +103,7 @@ def instants(clip: Clip, count: int) -> np.ndarray:
     stride. Without strides they are at equal times.
     """
     even = np.linspace(0, len(clip) - 1, count).round().astype(int)
-    if not has_roles(clip, "foot", "hip", "shoulder") or len(clip) <= count:
+    if not clip.skeleton.has("foot", "hip", "shoulder") or len(clip) <= count:
         return even
     # how far the left foot is ahead of the right one, and its phase
     right, left = (clip.global_positions[:, clip.skeleton.role(f"{side}_foot")]

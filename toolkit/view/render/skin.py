@@ -1,8 +1,6 @@
-"""Linear blend skinning: every vertex follows up to four joints, whose transforms are added up by
-weight.
+"""Linear blend skinning: every vertex follows up to four joints, by weight.
 
-This is what game engines do. Pictures and pyvista skin here, pages in the browser
-(``scene/body.js``).
+Pictures are skinned here, pages in the browser (``scene/body.js``).
 """
 
 import base64
@@ -20,9 +18,7 @@ SLOTS = 4  # joints that a vertex may follow
 
 
 class Figure(Protocol):
-    """A character that is drawn in place of the mannequin, such as
-    `toolkit.extra.characters.Character`.
-    """
+    """What is drawn in place of the mannequin, such as `toolkit.extra.characters.Character`."""
 
     skin: "Skin"
     rest: Clip  # one frame of its rig
@@ -39,11 +35,9 @@ class Figure(Protocol):
 
 def figure_of(given: str | os.PathLike | Figure | None) -> Figure | None:
     """The character in a file; a character or None as it is."""
-    return (
-        registry.find("character.load").load(given)
-        if isinstance(given, str | os.PathLike)
-        else given
-    )
+    if isinstance(given, str | os.PathLike):
+        return registry.find("character.load").load(given)
+    return given
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,9 +52,7 @@ class Skin:
     inverse: np.ndarray  # [J, 3, 4] inverse world transforms of the joints in the bind pose
 
     def pose(self, rotations: Tensor, positions: Tensor) -> tuple[np.ndarray, np.ndarray]:
-        """Vertices and unit normals ``[V, 3]`` for global rotations ``[J, 4]`` and positions ``[J,
-        3]``.
-        """
+        """Vertices and unit normals ``[V, 3]`` for joints in the world, [J, 4] and [J, 3]."""
         moved = R.to_matrix(rotations).double().numpy() @ self.inverse
         moved[..., 3] += positions.double().numpy()
         each = moved.astype(np.float32)[self.joints]  # [V, SLOTS, 3, 4]
@@ -70,25 +62,22 @@ class Skin:
         normals /= np.sqrt(np.einsum("vi,vi->v", normals, normals)).clip(1e-9)[:, None]
         return points, normals
 
-    def packed(
-        self, skeleton: Skeleton, colors: np.ndarray, marks: np.ndarray | None = None
-    ) -> dict:
+    def packed(self, skeleton: Skeleton, colors: np.ndarray,
+               marks: np.ndarray | None = None) -> dict:
         """The surface as the browser's scene takes it (``scene/body.js`` describes the format).
 
         ``colors`` [V, 3] are 0 to 255. ``marks`` [V, 4] are shares (0 to 1) of the left foot, the
         right foot and the trunk, and the ambient light.
         """
         shares = np.floor(255 * self.weights + 1e-6).astype(np.uint8)
-        shares[np.arange(len(shares)), self.weights.argmax(1)] += (255 - shares.sum(1)).astype(
-            np.uint8
-        )
+        rest = (255 - shares.sum(1)).astype(np.uint8)
+        shares[np.arange(len(shares)), self.weights.argmax(1)] += rest
         low, size = self.points.min(0), np.ptp(self.points, axis=0).clip(1e-9)
         arrays = {
             "inverse": (self.inverse, "<f4"), "points": ((self.points - low) / size * 65535, "<u2"),
             "normals": (self.normals * 127, "i1"), "triangles": (self.triangles, "<u2"),
             "joints": (self.joints, "<u2"), "weights": (shares, "u1"), "colors": (colors, "u1"),
-            "marks": (np.zeros((0, 4)) if marks is None else 255 * marks, "u1")
-        }
+            "marks": (np.zeros((0, 4)) if marks is None else 255 * marks, "u1")}
         if len(self.points) > 65535:
             arrays["triangles"] = (self.triangles, "<u4")
         if len(self.inverse) < 256:

@@ -4,7 +4,7 @@ groups.
 A frame of `toolkit.view.Controller` is a message of 1.6 kB. With Nagle's algorithm a server holds
 such a message back until the browser has confirmed the one before, which takes up to 40 ms. With
 this extension the picture follows a key in about 50 ms instead of 75. ``make lab`` uses it:
-``jupyter lab --ServerApp.jpserver_extensions="{'toolkit.view.widgets.server': True}"``.
+``jupyter lab --ServerApp.jpserver_extensions="{'course.server': True}"``.
 """
 
 from jupyter_server.services.kernels.connection.channels import ZMQChannelsWebsocketConnection
@@ -20,7 +20,7 @@ class PromptConnection(ZMQChannelsWebsocketConnection):
 
 
 def _jupyter_server_extension_points() -> list[dict[str, str]]:
-    return [{"module": "toolkit.view.widgets.server"}]
+    return [{"module": "course.server"}]
 
 
 def _load_jupyter_server_extension(server) -> None:
