@@ -1,4 +1,9 @@
-"""Inverse kinematics of legs and arms, and the foot lock. Tensors of any leading shape."""
+"""Inverse kinematics of legs and arms, and the foot lock. Tensors of any leading shape.
+
+A frame of a character uses them in this order: `foot_lock` says where the toes should be,
+`solve_legs` bends the predicted legs towards them, and lets the hips `sink` where a leg is too
+short. For a drawn pose, `turn_arms` and `plant_feet` turn bones of a skeleton.
+"""
 
 from collections.abc import Callable
 from itertools import pairwise
@@ -25,10 +30,10 @@ def two_bone(a: Tensor, b: Tensor, c: Tensor, target: Tensor, pole: Tensor | Non
              soft: float | Tensor = SOFT, left: Tensor | None = None) -> tuple[Tensor, Tensor]:
     """Bend a limb of two bones so that its end meets a target, by the law of cosines.
 
-    The bones keep their lengths. Over the last share `soft` of the full length, the end follows the
-    target more and more slowly. It never reaches full stretch, where the angle of the knee changes
-    infinitely fast with the distance. A target too near for the folded limb is moved out to the
-    nearest distance that the limb can reach.
+    The bones keep their lengths. Over the last share ``soft`` of the full length, the end follows
+    the target more and more slowly. It never reaches full stretch, where the angle of the knee
+    changes infinitely fast with the distance. A target too near for the folded limb is moved out to
+    the nearest distance that the limb can reach.
 
     Parameters
     ----------
@@ -47,7 +52,8 @@ def two_bone(a: Tensor, b: Tensor, c: Tensor, target: Tensor, pole: Tensor | Non
     -------
     middle, end : Tensor [..., 3], new positions of `b` and `c`
     """
-    # How far the end gets from the root: to the target, or within the soft limit.
+    # The end lies on the line from the root to the target, as far away as the target, but not
+    # beyond the soft limit nor nearer than the folded limb.
     upper, lower = (b - a).norm(dim=-1, keepdim=True), (c - b).norm(dim=-1, keepdim=True)
     full = upper + lower
     reach = target - a
@@ -58,7 +64,7 @@ def two_bone(a: Tensor, b: Tensor, c: Tensor, target: Tensor, pole: Tensor | Non
     distance = torch.where(over > 0, full - margin * torch.exp(-over / margin), wanted)
     distance = torch.maximum(distance, (upper - lower).abs() + 1e-6 * full)
 
-    # Where the middle goes: across the line from the root to the end, to the side of the pole.
+    # The middle lies beside this line, on the side of the pole: ``across`` is that direction.
     side = R.normalize(R.rotate(R.between(c - a, line), b - a) if pole is None else pole)
     across = side - (side * line).sum(-1, keepdim=True) * line
     if left is not None:
@@ -66,10 +72,12 @@ def two_bone(a: Tensor, b: Tensor, c: Tensor, target: Tensor, pole: Tensor | Non
         across = across - 2 * (across * front).sum(-1, keepdim=True).clamp_max(0.0) * front
     aside = torch.linalg.cross(line, R.least_axis(line))
     across = R.normalize(torch.where(across.norm(dim=-1, keepdim=True) > 1e-5, across, aside))
+
+    # How far along the line and beside it, by the law of cosines.
     along = (upper**2 - lower**2 + distance**2) / (2 * distance)
     square = upper**2 - along**2
-    height = torch.where(square > 0, square, 1.0).sqrt() * (square > 0)  # finite gradient at 0
-    return a + along * line + height * across, a + distance * line
+    beside = torch.where(square > 0, square, 1.0).sqrt() * (square > 0)  # finite gradient at 0
+    return a + along * line + beside * across, a + distance * line
 
 
 def foot_lock(toes: Tensor, drift: Tensor, before: Tensor, predicted: Tensor, contacts: Tensor,
@@ -97,18 +105,130 @@ def foot_lock(toes: Tensor, drift: Tensor, before: Tensor, predicted: Tensor, co
     -------
     toes, drift : Tensor [..., 2, 3], of this frame
     """
+    # All offsets are from the prediction. That of a held toe is such that the toe stays in its
+    # place; that of a free one decays.
     offset, behind = toes - before, toes - predicted
     behind = behind * (SLACK / behind.norm(dim=-1, keepdim=True).clamp_min(SLACK))
-    held, (free, slower) = contacts[..., None] > 0.5, spring(offset, drift, RETURN, seconds)
+    free, slower = spring(offset, drift, RETURN, seconds)
+    held = contacts[..., None] > 0.5
     now = torch.where(held, behind, free)
 
-    # The legs do not cross.
+    # The legs do not cross: an offset goes only so far towards the other toe.
     level = torch.stack((left[..., 0], torch.zeros_like(left[..., 0]), left[..., 1]), -1)
     inwards = torch.stack((level, -level), -2)
     apart = ((predicted.flip(-2) - predicted) * inwards).sum(-1, keepdim=True)
     crossing = (now * inwards).sum(-1, keepdim=True) - (apart / 4).clamp_min(NEAR)
     now = now - crossing.clamp_min(0.0) * inwards
     return predicted + now, torch.where(held, (now - offset) / seconds, slower)
+
+
+def sink(drop: Tensor, hips: Tensor, ankles: Tensor, length: Tensor, contacts: Tensor,
+         seconds: float) -> Tensor:
+    """How far the hips go down so that the legs reach the ankles of toes in contact.
+
+    Departure from the paper: there a leg that is too short for its target is stretched, and its toe
+    slides. The network predicts hips and toes apart from each other, and a locked toe stays behind
+    its prediction, so that targets are up to 7 % of a leg's length too far. The hips sink by what
+    the leg that needs most lacks (smoothly, over `ROOM` on both sides of its reach), at most by
+    `DEEPEST` and with `FALL`. They come back as a critically damped spring. Only the drawn hips
+    sink: where the network got them back, some styles kept them down, and glided.
+
+    Parameters
+    ----------
+    drop : Tensor [..., 2], metres down and m/s, of the frame before
+    hips, ankles : Tensor [..., 2, 3], predicted hip joints and wanted ankles, metres
+    length : Tensor [..., 2], of the legs
+    contacts : Tensor [..., 2], a leg counts in full from one half
+    seconds : between the frames
+
+    Returns
+    -------
+    Tensor [..., 2]
+        The drop of this frame.
+    """
+    # What a leg lacks: the height of its hip above that at which the ankle is just within reach.
+    apart = hips - ankles
+    level = ((1 - SOFT) * length).square() - apart[..., ::2].square().sum(-1)
+    height, room = apart[..., 1], ROOM * length
+    lack = height - torch.maximum(level, (length / 2).square()).sqrt()
+    need = torch.where(lack > room, lack, (lack + room).clamp_min(0.0).square() / (4 * room))
+    need = torch.minimum(need, DEEPEST * length) * (2 * contacts).clamp_max(1.0)
+
+    # The hips go down to what the worse leg needs, at most with `FALL`, and come back as a spring.
+    need = torch.minimum(need.amax(-1), drop[..., 0] + FALL * seconds)
+    above, speed = spring(drop[..., 0] - need, drop[..., 1], RETURN, seconds)
+    speed = torch.where(above > 0, speed, (need - drop[..., 0]) / seconds)
+    return torch.stack((need + above.clamp_min(0.0), speed), -1)
+
+
+def solve_legs(skeleton: Skeleton, turned: Callable[[list[int]], Tensor], root: Tensor,
+               toes: Tensor, contacts: Tensor, drop: Tensor,
+               seconds: float) -> tuple[list[Tensor], Tensor, Tensor]:
+    """Bend predicted legs so that toes meet their targets, and let the hips sink (§ 4.4).
+
+    The legs that are fed back to the network hang from the predicted hips, the drawn ones from hips
+    that `sink`. In the air, a target moves to where the drawn leg gets, which is never quite
+    straight.
+
+    Parameters
+    ----------
+    turned
+        The predicted world rotations ``[..., K, 4]`` of K joints by their indices.
+    root : Tensor [..., 3], the root's position in the world, metres
+    toes : Tensor [..., 2, 3], the targets in the world, right and left
+    contacts, drop, seconds
+        As in `sink`.
+
+    Returns
+    -------
+    legs : Tensors [..., 2, 3], knees, feet and toes
+    drop : Tensor [..., 2], of this frame
+    toes : Tensor [..., 2, 3], the targets that the drawn legs reach
+    """
+    # Predicted positions of the legs' joints, from the root down. Feet keep their orientation, so
+    # that a toe at its target has its ankle at ``target``.
+    pairs = _pairs(skeleton, "hip", "knee", "foot", "toe")
+    legs = sorted({j for end in pairs[-1] for j in (end, *skeleton.ancestors(end))} - {0})
+    above, places = [skeleton.parents[j] for j in legs], {0: root}
+    bones = R.rotate(turned(above), skeleton.offsets[legs].to(root)).unbind(-2)
+    for j, parent, bone in zip(legs, above, bones, strict=True):
+        places[j] = places[parent] + bone
+    a, b, c, toe = (torch.stack([places[j] for j in pair], -2) for pair in pairs)
+    target = toes - (toe - c)
+
+    # The drawn legs; in the air, they decide where the toes get.
+    now = sink(drop, a, target, (b - a).norm(dim=-1) + (c - b).norm(dim=-1), contacts, seconds)
+    down = torch.nn.functional.pad(now[..., None, :1], (1, 1))  # [..., 1, 3]: (0, drop, 0)
+    held = (2 * contacts).clamp_max(1.0)[..., None]
+    soft = SWING + held * (SOFT - SWING)
+    _, reached = two_bone(a - down, b - down, c - down, target, soft=soft)
+    target = torch.where(held < 1, reached, target)
+    toes = torch.where(held < 1, target + (toe - c), toes)
+
+    # The legs that are fed back.
+    knee, ankle = two_bone(a, b, c, target, left=_left(a))
+    return [knee, ankle, ankle + (toe - c)], now, toes
+
+
+def turn_arms(skeleton: Skeleton, rotations: Tensor, root: Tensor, wanted: Tensor) -> Tensor:
+    """Local rotations ``[..., J, 4]`` with arm bones turned towards predicted positions (§ 4.4).
+
+    ``rotations [..., J, 4]`` are local, ``root [..., 3]`` is the root's position and ``wanted [...,
+    J, 3]`` are predicted positions in the world, metres; only rows of arm joints are read.
+    """
+    # Both arms from the collar outwards, to the End Site of the hand where there is one.
+    turned, positions = forward_kinematics(skeleton, rotations, root)
+    arms = _pairs(skeleton, "shoulder", "elbow", "hand")
+    chain = [[skeleton.parents[joint] for joint in arms[0]], *arms]
+    ends = [skeleton.end_site(f"{side}_hand") for side in FEET]
+    if not set(ends) & set(arms[-1]):
+        chain.append(ends)
+    for joints, children in pairwise(chain):
+        bone = R.rotate(turned[..., joints, :], skeleton.offsets[children].to(rotations))
+        aim = R.between(bone, wanted[..., children, :] - positions[..., joints, :])
+        turned[..., joints, :] = R.multiply(aim, turned[..., joints, :])
+        positions[..., children, :] = positions[..., joints, :] + R.rotate(aim, bone)
+    return _ends_follow(skeleton, turned)
 
 
 def plant_feet(skeleton: Skeleton, rotations: Tensor, root: Tensor, toes: Tensor) -> Tensor:
@@ -141,89 +261,3 @@ def _ends_follow(skeleton: Skeleton, turned: Tensor) -> Tensor:
     """Local rotations of global ones; End Sites follow their parents."""
     follow = [skeleton.parents[j] if skeleton.is_end(j) else j for j in range(len(skeleton))]
     return local_rotations(skeleton, turned[..., follow, :])
-
-
-def sink(drop: Tensor, hips: Tensor, ankles: Tensor, length: Tensor, contacts: Tensor,
-         seconds: float) -> Tensor:
-    """How far the hips go down so that the legs reach the ankles of toes in contact.
-
-    Departure from the paper: there a leg that is too short for its target is stretched, and its toe
-    slides. The network predicts hips and toes apart from each other, and a locked toe stays behind
-    its prediction, so that targets are up to 7 % of a leg's length too far. The hips sink by what
-    the leg that needs most lacks (smoothly, over `ROOM` on both sides of its reach), at most by
-    `DEEPEST` and with `FALL`. They come back as a critically damped spring. Only the drawn hips
-    sink: where the network got them back, some styles kept them down, and glided.
-
-    Parameters
-    ----------
-    drop : Tensor [..., 2], metres down and m/s, of the frame before
-    hips, ankles : Tensor [..., 2, 3], predicted hip joints and wanted ankles, metres
-    length : Tensor [..., 2], of the legs
-    contacts : Tensor [..., 2], a leg counts in full from one half
-    seconds : between the frames
-
-    Returns
-    -------
-    Tensor [..., 2]
-        The drop of this frame.
-    """
-    # How much a leg lacks to reach: its height above that at which the ankle is within reach.
-    apart = hips - ankles
-    level = ((1 - SOFT) * length).square() - apart[..., ::2].square().sum(-1)
-    height, room = apart[..., 1], ROOM * length
-    lack = height - torch.maximum(level, (length / 2).square()).sqrt()
-    need = torch.where(lack > room, lack, (lack + room).clamp_min(0.0).square() / (4 * room))
-    need = torch.minimum(need, DEEPEST * length) * (2 * contacts).clamp_max(1.0)
-    need = torch.minimum(need.amax(-1), drop[..., 0] + FALL * seconds)
-    above, speed = spring(drop[..., 0] - need, drop[..., 1], RETURN, seconds)
-    speed = torch.where(above > 0, speed, (need - drop[..., 0]) / seconds)
-    return torch.stack((need + above.clamp_min(0.0), speed), -1)
-
-
-def solve_legs(skeleton: Skeleton, turned: Callable[[list[int]], Tensor], root: Tensor,
-               toes: Tensor, contacts: Tensor, drop: Tensor,
-               seconds: float) -> tuple[list[Tensor], Tensor, Tensor]:
-    """Knees, feet and toes ``[..., 2, 3]`` with the toes at or near targets; the hips' drop; the
-    targets, which move in the air to where the drawn leg, whose hips sink, gets.
-
-    ``turned`` gives the world rotations ``[..., K, 4]`` of K joints by their indices; ``root [...,
-    3]`` and the targets ``toes [..., 2, 3]`` are in the world; ``contacts``, ``drop`` and
-    ``seconds`` are those of `sink`.
-    """
-    pairs = _pairs(skeleton, "hip", "knee", "foot", "toe")
-    legs = sorted({j for end in pairs[-1] for j in (end, *skeleton.ancestors(end))} - {0})
-    above, places = [skeleton.parents[j] for j in legs], {0: root}
-    bones = R.rotate(turned(above), skeleton.offsets[legs].to(root)).unbind(-2)
-    for j, parent, bone in zip(legs, above, bones, strict=True):
-        places[j] = places[parent] + bone
-    a, b, c, toe = (torch.stack([places[j] for j in pair], -2) for pair in pairs)
-    target = toes - (toe - c)
-    now = sink(drop, a, target, (b - a).norm(dim=-1) + (c - b).norm(dim=-1), contacts, seconds)
-
-    # In the air, the leg that is drawn is never quite straight.
-    held = (2 * contacts).clamp_max(1.0)[..., None]
-    down = torch.nn.functional.pad(now[..., None, :1], (1, 1))
-    soft = SWING + held * (SOFT - SWING)
-    _, reached = two_bone(a - down, b - down, c - down, target, soft=soft)
-    target = torch.where(held < 1, reached, target)
-    middle, end = two_bone(a, b, c, target, left=_left(a))
-    toes = torch.where(held < 1, target + (toe - c), toes)
-    return [middle, end, end + (toe - c)], now, toes
-
-
-def turn_arms(skeleton: Skeleton, rotations: Tensor, root: Tensor, wanted: Tensor) -> Tensor:
-    """Local rotations ``[..., J, 4]`` with arm bones turned towards predicted positions (§ 4.4).
-
-    ``rotations [..., J, 4]`` are local, ``root [..., 3]`` is the root's position and ``wanted [...,
-    J, 3]`` are predicted positions in the world, metres; only rows of arm joints are read.
-    """
-    turned, positions = forward_kinematics(skeleton, rotations, root)
-    arms = _pairs(skeleton, "shoulder", "elbow", "hand")
-    chain = [[skeleton.parents[joint] for joint in arms[0]], *arms]
-    ends = [skeleton.end_site(f"{side}_hand") for side in FEET]
-    for joints, children in pairwise([*chain, ends] if not set(ends) & set(arms[-1]) else chain):
-        bone = R.rotate(turned[..., joints, :], skeleton.offsets[children].to(rotations))
-        aim = R.between(bone, wanted[..., children, :] - positions[..., joints, :])
-        turned[..., joints, :] = R.multiply(aim, turned[..., joints, :])
-        positions[..., children, :] = positions[..., joints, :] + R.rotate(aim, bone)
-    return _ends_follow(skeleton, turned)
