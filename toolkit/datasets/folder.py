@@ -8,7 +8,7 @@ words are separated by ``_``, ``-`` or blanks: a word of `GAITS` is the gait, an
 first that is not common to all files is the style.
 
 Clips have the body joints alone (`toolkit.extra.characters.retargeting.pruned`), and all the same
-ones.
+ones. `survey` reads all files and says which of them can be used together.
 """
 
 import os
@@ -30,7 +30,7 @@ from toolkit.motion import Clip, trajectory
 from toolkit.motion.text import of_file, printable
 
 TABLE = "labels.csv"
-COLUMNS = "file", "style", "gait"
+COLUMNS = "file", "style", "gait", "unit", "up"
 _WORDS = ("walk", "run", "jog", "sneak", "crawl", "hop", "skip", "jump", "dance", "turn")
 GAITS = {word: word for word in _WORDS}
 GAITS |= {"walking": "walk", "running": "run", "jogging": "jog"}
@@ -43,6 +43,8 @@ NAMED = 10  # files that a warning names
 ALIKE = 1.3  # ratio of sizes up to which two bodies are used together
 SUFFIXES = readers()
 
+# The files and their labels ---------------------------------------------------------------------
+
 
 @dataclass(frozen=True)
 class OwnTake(Take):
@@ -50,6 +52,85 @@ class OwnTake(Take):
 
     unit: float | str = "auto"
     up: str = "auto"
+
+
+def labelled(folder: Path) -> list[OwnTake]:
+    """Files of a folder with style and gait, without those that its table does not list."""
+    found = [path for path in files.below(folder)
+             if path.suffix.lower() in SUFFIXES and path.is_file()]
+    if (folder / TABLE).exists():
+        table = _table(folder)
+        return [OwnTake(path, *table[path]) for path in found if path in table]
+
+    # words of the names, without numbers; those common to all files say nothing
+    words = {}
+    for path in found:
+        parts = re.split(r"[\W_]+", of_file(path.stem))
+        words[path] = [word for word in parts if word and not word.isdigit()]
+    common = set.intersection(*map(set, words.values())) if len(found) > 1 else set()
+
+    takes = []
+    for path in found:
+        above = [of_file(part) for part in path.relative_to(folder).parts[:-1]]
+        gaits = [word for word in words[path] if word.lower() in GAITS]
+        gait = above[1] if len(above) > 1 else (gaits or [""])[0]
+        named = [word for word in words[path] if word.lower() not in GAITS]
+        named = [word for word in named if word not in common] or named or [of_file(path.stem)]
+        style = above[0] if above else named[0]
+        takes.append(OwnTake(path, style, GAITS.get(gait.lower(), gait)))
+    return takes
+
+
+def _table(folder: Path) -> dict[Path, tuple]:
+    """Style, gait, unit and up axis of each file that the table lists."""
+    place, found = folder / TABLE, {}
+    for number, row in files.table(place, COLUMNS[:2]):
+        path, style, gait, unit, up = (row.get(column, "").strip() for column in COLUMNS)
+        path = folder / os.fsdecode(path.encode())
+        if not style:
+            raise ValueError(f"{place}, line {number}: no style")
+        if not path.is_file():
+            raise ValueError(f"{place}, line {number}: no file {str(path)!r}")
+        try:
+            unit = float(unit)
+        except ValueError:
+            unit = unit or "auto"
+        found[path] = style, gait, unit, up or "auto"
+    return found
+
+
+# One file ---------------------------------------------------------------------------------------
+
+
+def read_file(path: Path, unit: float | str = "auto", up: str = "auto",
+              roles: Mapping[str, str] | None = None,
+              animation: str | None = None) -> tuple[Clip, list[str]]:
+    """The clip of a file (`toolkit.load`), and what is doubtful about it.
+
+    A floor far from zero is moved there.
+    """
+    interpretation = registry.find("recording.interpretation")
+    clip, found = interpretation.interpret(read(path, animation), path, unit, up, roles)
+    if abs(found.floor) > interpretation.FAR:
+        clip = clip.moved(shift=(0.0, -found.floor, 0.0))
+    return clip, found.doubts
+
+
+def reason(error: Exception, path: Path) -> str:
+    """What an error says about a file, without its name."""
+    return str(error).removeprefix(str(path)).removeprefix(path.name).lstrip(",: ")
+
+
+def _labelled_clip(take: OwnTake, target: Clip | None) -> tuple[Clip, list[str], int]:
+    """The clip of a take, its body joints alone or on a rig; doubts; joints of the file."""
+    whole, doubts = read_file(take.path, take.unit, take.up)
+    whole = whole.replace(style=take.style, gait=take.gait)
+    rigs = registry.find("motion.retargeting")
+    clip = rigs.pruned(whole) if target is None else rigs.retarget(whole, target)
+    return clip, doubts, len(whole.skeleton)
+
+
+# All files --------------------------------------------------------------------------------------
 
 
 class Row(NamedTuple):
@@ -102,6 +183,62 @@ class Survey:
         warnings.warn(printable(message), stacklevel=5)
 
 
+def survey(root: str | os.PathLike, target: Clip | None = None) -> Survey:
+    """Reads every file of a folder and says what a training can use; ValueError if that is nothing.
+
+    The files must have the same body joints, and people of about the same size (`ALIKE`). Where
+    they differ, those of the larger number of frames are used. With ``target``, a clip of a rig,
+    all are retargeted to it.
+    """
+    folder = SOURCE.folder(root)
+    stats = [(path, path.stat()) for path in files.below(folder) if path.is_file()]
+    state = tuple((path, about.st_size, about.st_mtime_ns) for path, about in stats)
+    return _survey(folder, state, target)
+
+
+@lru_cache(maxsize=1)  # a training asks twice
+def _survey(folder: Path, _state: tuple, target: Clip | None) -> Survey:
+    # files that can be read, by their body: names and parents of its joints, and its size
+    rows: dict[tuple, list[Row]] = defaultdict(list)
+    left_out: dict[Path, str] = {}
+    takes = labelled(folder)
+    for take in progress_bar(takes, desc="reading", unit="file", show=len(takes) > 20):
+        try:
+            clip, doubts, joints = _labelled_clip(take, target)
+        except (ValueError, OSError, ImportError) as error:
+            left_out[take.path] = reason(error, take.path)
+            continue
+        if clip.seconds < SHORTEST:
+            left_out[take.path] = f"{clip.seconds:.1f} s; a clip of {SHORTEST:.1f} s is needed"
+            continue
+        skeleton = clip.skeleton
+        size = float(skeleton.offsets[1:].norm(dim=-1).sum())
+        body = skeleton.names, skeleton.parents, size
+        body = next((known for known in rows if known[:2] == body[:2]
+                     and 1 / ALIKE < known[2] / size < ALIKE), body)
+        rows[body].append(Row(take, len(clip), clip.seconds, joints, doubts))
+    if not rows:
+        some = "; ".join(f"{path.name}: {why}" for path, why in list(left_out.items())[:3])
+        raise ValueError(f"{folder}: no file can be used{f' ({some})' if some else ''}; expected "
+                         f"{SOURCE.layout}")
+
+    # those of the body with the most frames are used
+    most = max(rows, key=lambda body: sum(row.frames for row in rows[body]))
+    used = rows.pop(most)
+    for body, others in rows.items():
+        differ = "a body of another size" if body[:2] == most[:2] else "other joints"
+        for row in others:
+            left_out[row.take.path] = f"{differ} than most files; --skeleton retargets all files"
+    return Survey(used, len(most[0]), left_out)
+
+
+def _files(count: int) -> str:
+    return f"{count} file{'s' * (count != 1)}"
+
+
+# The folder as a dataset ------------------------------------------------------------------------
+
+
 @dataclass(frozen=True)
 class Own(Source):
     """The recordings of a folder, as the other datasets have them."""
@@ -109,10 +246,7 @@ class Own(Source):
     target: Clip | None = None  # of a rig that all are retargeted to
 
     def find(self, root: str | os.PathLike | None) -> list[Take]:
-        """All takes of a folder that can be used; ValueError if there is none.
-
-        A warning names the other files.
-        """
+        """All takes of a folder that can be used, by `survey`; a warning names the other files."""
         found = survey(root, self.target)
         found.warn(self.folder(root))
         return found.takes
@@ -124,9 +258,9 @@ class Own(Source):
         return super().folder(root)
 
     def read(self, takes: Iterable[Take]) -> Iterator[Clip]:
-        """Labelled clips of takes, with their body joints."""
+        """Labelled clips of takes, with their body joints; `survey` has listed the doubts."""
         for take in progress_bar(list(takes), desc="files", unit="file"):
-            yield _fitted(_load(take)[0], self.target)  # `survey` has listed the doubts
+            yield _labelled_clip(take, self.target)[0]
 
 
 SOURCE = Own("folder", re.compile(".*"),
@@ -140,150 +274,3 @@ def load(root: str | os.PathLike | None = None, styles: Names = None, gaits: Nam
     With ``target`` all are on the rig of that clip.
     """
     return replace(SOURCE, target=target).load(root, styles, gaits)
-
-
-class _Rig(NamedTuple):
-    """Joints and size of a body."""
-
-    names: tuple[str, ...]
-    parents: tuple[int, ...]
-    height: float  # sum of the lengths of all bones, metres
-
-    @classmethod
-    def of(cls, clip: Clip) -> "_Rig":
-        bones = clip.skeleton.offsets[1:].norm(dim=-1)
-        return cls(clip.skeleton.names, clip.skeleton.parents, float(bones.sum()))
-
-    def same_joints(self, other: "_Rig") -> bool:
-        return self[:2] == other[:2]
-
-    def fits(self, other: "_Rig") -> bool:
-        return self.same_joints(other) and 1 / ALIKE < self.height / other.height < ALIKE
-
-
-def survey(root: str | os.PathLike, target: Clip | None = None) -> Survey:
-    """Reads every file of a folder and says what a training can use; ValueError if that is nothing.
-
-    The files must have the same body joints, and people of about the same size (`ALIKE`). Where
-    they differ, those of the larger number of frames are used. With ``target``, a clip of a rig,
-    all are retargeted to it.
-    """
-    folder, state = SOURCE.folder(root), []
-    for path in files.below(folder):
-        if path.is_file():
-            about = path.stat()
-            state.append((path, about.st_size, about.st_mtime_ns))
-    return _survey(folder, tuple(state), target)
-
-
-@lru_cache(maxsize=1)  # a training asks twice
-def _survey(folder: Path, _state: tuple, target: Clip | None) -> Survey:
-    # the files that can be read, by the rigs that fit together
-    takes = labelled(folder)
-    left_out: dict[Path, str] = {}
-    rigs: dict[_Rig, list[Row]] = defaultdict(list)
-    for take in progress_bar(takes, desc="reading", unit="file", show=len(takes) > 20):
-        try:
-            whole, doubts = _load(take)
-            clip = _fitted(whole, target)
-        except (ValueError, OSError, ImportError) as error:
-            left_out[take.path] = reason(error, take.path)
-            continue
-        if clip.seconds < SHORTEST:
-            left_out[take.path] = f"{clip.seconds:.1f} s; a clip of {SHORTEST:.1f} s is needed"
-            continue
-        rig = _Rig.of(clip)
-        rig = next((known for known in rigs if known.fits(rig)), rig)
-        rigs[rig].append(Row(take, len(clip), clip.seconds, len(whole.skeleton), doubts))
-    if not rigs:
-        some = "; ".join(f"{path.name}: {why}" for path, why in list(left_out.items())[:3])
-        raise ValueError(f"{folder}: no file can be used{f' ({some})' if some else ''}; expected "
-                         f"{SOURCE.layout}")
-
-    # those of the rig with the most frames are used
-    most = max(rigs, key=lambda rig: sum(row.frames for row in rigs[rig]))
-    rows = rigs.pop(most)
-    for rig, others in rigs.items():
-        differ = "a body of another size" if rig.same_joints(most) else "other joints"
-        for row in others:
-            left_out[row.take.path] = f"{differ} than most files; --skeleton retargets all files"
-    return Survey(rows, len(most.names), left_out)
-
-
-def read_file(path: Path, unit: float | str = "auto", up: str = "auto",
-              roles: Mapping[str, str] | None = None,
-              animation: str | None = None) -> tuple[Clip, list[str]]:
-    """The clip of a file (`toolkit.load`), and what is doubtful about it.
-
-    A floor far from zero is moved there.
-    """
-    interpretation = registry.find("recording.interpretation")
-    clip, found = interpretation.interpret(read(path, animation), path, unit, up, roles)
-    if abs(found.floor) > interpretation.FAR:
-        clip = clip.moved(shift=(0.0, -found.floor, 0.0))
-    return clip, found.doubts
-
-
-def reason(error: Exception, path: Path) -> str:
-    """What an error says about a file, without its name."""
-    return str(error).removeprefix(str(path)).removeprefix(path.name).lstrip(",: ")
-
-
-def labelled(folder: Path) -> list[Take]:
-    """Files of a folder with style and gait, without those that its table does not list."""
-    found = [path for path in files.below(folder)
-             if path.suffix.lower() in SUFFIXES and path.is_file()]
-    if (folder / TABLE).exists():
-        table = _table(folder)
-        return [OwnTake(path, *table[path]) for path in found if path in table]
-
-    # words of the names, without numbers; those common to all files say nothing
-    words = {}
-    for path in found:
-        parts = re.split(r"[\W_]+", of_file(path.stem))
-        words[path] = [word for word in parts if word and not word.isdigit()]
-    common = set.intersection(*map(set, words.values())) if len(found) > 1 else set()
-    takes = []
-    for path in found:
-        above = [of_file(part) for part in path.relative_to(folder).parts[:-1]]
-        gaits = [word for word in words[path] if word.lower() in GAITS]
-        gait = above[1] if len(above) > 1 else (gaits or [""])[0]
-        named = [word for word in words[path] if word.lower() not in GAITS]
-        named = [word for word in named if word not in common] or named or [of_file(path.stem)]
-        style = above[0] if above else named[0]
-        takes.append(OwnTake(path, style, GAITS.get(gait.lower(), gait)))
-    return takes
-
-
-def _table(folder: Path) -> dict[Path, tuple]:
-    """Style, gait, unit and up axis of each file that the table lists."""
-    place, found = folder / TABLE, {}
-    for number, row in files.table(place, COLUMNS[:2]):
-        columns = (*COLUMNS, "unit", "up")
-        path, style, gait, unit, up = (row.get(column, "").strip() for column in columns)
-        path = folder / os.fsdecode(path.encode())
-        if not style:
-            raise ValueError(f"{place}, line {number}: no style")
-        if not path.is_file():
-            raise ValueError(f"{place}, line {number}: no file {str(path)!r}")
-        try:
-            unit = float(unit)
-        except ValueError:
-            unit = unit or "auto"
-        found[path] = style, gait, unit, up or "auto"
-    return found
-
-
-def _load(take: OwnTake) -> tuple[Clip, list[str]]:
-    clip, doubts = read_file(take.path, take.unit, take.up)
-    return clip.replace(style=take.style, gait=take.gait), doubts
-
-
-def _fitted(clip: Clip, target: Clip | None) -> Clip:
-    """The body joints of a clip, or the clip on a rig."""
-    retargeting = registry.find("motion.retargeting")
-    return retargeting.pruned(clip) if target is None else retargeting.retarget(clip, target)
-
-
-def _files(count: int) -> str:
-    return f"{count} file{'s' * (count != 1)}"
