@@ -53,13 +53,17 @@ def find(name: str) -> Any:
     return part
 
 
-def attributes(package: str, otherwise: Callable[[str], Any]) -> Callable[[str], Any]:
+def attributes(package: str, otherwise: Callable[[str], Any] | None = None) -> Callable[[str], Any]:
     """A ``__getattr__`` for a package of the core: names that it does not have are looked up here.
 
     ``registry.register("toolkit.runtime.compile", …)`` makes ``toolkit.runtime.compile`` work.
     """
     def attribute(name: str) -> Any:
         full = f"{package}.{name}"
-        return find(full) if full in _found else otherwise(name)
+        if full in _found:
+            return find(full)
+        if otherwise is not None:
+            return otherwise(name)
+        raise AttributeError(f"module {package!r} has no attribute {name!r}")
 
     return attribute

@@ -1,9 +1,5 @@
 """Features of motion (Mason et al. 2022, section 3.2): columns, and x, z and y of clips."""
 
-import pkgutil
-
-import lazy_loader
-
 from toolkit import registry
 from toolkit.features import layout, splits
 
@@ -21,5 +17,4 @@ __all__ = [
     "joint_features", "layout", "mean_velocity", "moments", "natural_speed", "own_features",
     "pack_joints", "recordings", "split_joints", "splits", "usable",
 ]
-__getattr__ = registry.attributes(__name__, lazy_loader.attach(
-    __name__, [module.name for module in pkgutil.iter_modules(__path__)])[0])
+__getattr__ = registry.attributes(__name__)

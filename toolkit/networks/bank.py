@@ -59,8 +59,11 @@ class StyleBank(Mapping[str, Tensor]):
 
     def __getitem__(self, name: str) -> Tensor:
         """The style vector ``[D]`` of a name; the error of an unknown one lists close names."""
+        return self.vectors[self._index(name)]
+
+    def _index(self, name: str) -> int:
         check_style(name, self.names)
-        return self.vectors[self.names.index(name)]
+        return self.names.index(name)
 
     def blend(self, blend: Mapping[str, float], *deeper: Mapping[str, float]) -> Tensor:
         """Barycentric blend ``[D]`` of style vectors, one for all layers or one for each.
@@ -115,10 +118,8 @@ class StyleBank(Mapping[str, Tensor]):
         usual = known.mean() if len(known) else torch.tensor(WALK)
         speeds = torch.where(self.speeds.isfinite(), self.speeds, usual)
         blend = {style: 1.0} if isinstance(style, str) else style
-        for name in blend:
-            check_style(name, self.names)
-        parts = ((float(share), self.names.index(name)) for name, share in blend.items())
-        return sum(share * float(speeds[index]) for share, index in parts)
+        return sum(float(share) * float(speeds[self._index(name)])
+                   for name, share in blend.items())
 
     def merge(self, other: "StyleBank") -> "StyleBank":
         """A new bank with another's styles after its own.
@@ -141,9 +142,7 @@ class StyleBank(Mapping[str, Tensor]):
     def select(self, names: Iterable[str]) -> "StyleBank":
         """A new bank of some of the styles, in the order given."""
         names = tuple(names)
-        for name in names:
-            check_style(name, self.names)
-        chosen = [self.names.index(name) for name in names]
+        chosen = list(map(self._index, names))
         return StyleBank(names, self.vectors[chosen], self.speeds[chosen])
 
     @property

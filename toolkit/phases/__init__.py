@@ -4,12 +4,10 @@
 >>> ph.vector.shape          # frames, limbs (`LIMBS`), (sin, cos)
 """
 
-import pkgutil
 import warnings
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-import lazy_loader
 import torch
 from torch import Tensor
 
@@ -30,7 +28,6 @@ __all__ = [
     "Steps", "Velocity", "curves", "extract", "extract_group", "fit", "local_positions", "named",
     "normalise", "smooth", "windows",
 ]
-__getattr__ = lazy_loader.attach(__name__, [m.name for m in pkgutil.iter_modules(__path__)])[0]
 
 #: Sources of the papers: functions that make them. Add-ons register others as ``source.NAME``
 #: (`toolkit.registry`).

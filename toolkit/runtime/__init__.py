@@ -1,9 +1,5 @@
 """A character under control, one frame at a time (Mason et al. 2022, section 4.4)."""
 
-import pkgutil
-
-import lazy_loader
-
 from toolkit import registry
 from toolkit.runtime.frame import FPS, pose, start, step, world_joints
 from toolkit.runtime.recording import record, rollout, states
@@ -28,5 +24,4 @@ __all__ = [
     "straight",
     "world_joints",
 ]
-__getattr__ = registry.attributes(__name__, lazy_loader.attach(
-    __name__, [module.name for module in pkgutil.iter_modules(__path__)])[0])
+__getattr__ = registry.attributes(__name__)

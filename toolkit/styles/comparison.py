@@ -18,7 +18,7 @@ from toolkit.motion.clip import root_frames
 from toolkit.motion.roles import SIDES
 from toolkit.motion.skeleton import FEET
 from toolkit.motion.trajectory import FPS, heading
-from toolkit.networks import Predictor
+from toolkit.networks import FilmGenerator, Predictor
 from toolkit.networks.bank import StyleBank
 from toolkit.styles.fine_tuning import STEPS, NewStyles, fine_tune
 
@@ -120,14 +120,14 @@ def learn(model: Predictor, bank: StyleBank, clips: Sequence[Clip], name: str, *
     """
     longest = max(clips, key=lambda clip: clip.seconds)
     ways: list[dict] = [{}, {"mirror": True}]
+    if isinstance(model.generator, FilmGenerator):
+        ways.append({"method": "vector"})
     tried: list[Learnt] = []
     for way in ways:
         made = fine_tune(model, clips, name, bank, steps=steps, seed=seed, progress=progress, **way)
         tried.append(Learnt(made, *choose(made, longest, anyway=anyway), mirror="mirror" in way))
         if tried[-1].compared.verdict == "good":
             break
-        if made.method == "generator" and len(ways) == 2:
-            ways.append({"method": "vector"})
     return min(tried, key=lambda one: one.compared.excess)
 
 

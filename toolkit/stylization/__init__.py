@@ -8,10 +8,6 @@ The style comes from a reference clip or from noise.
 >>> tired = tk.stylization.stylize(run.stylizer, clip, domain="exhausted", seed=3)
 """
 
-import pkgutil
-
-import lazy_loader
-
 from toolkit.stylization.data import Motions, Statistics, build, split
 from toolkit.stylization.graph import SkeletonGraph
 from toolkit.stylization.networks import Discriminator, Sizes, Stylizer, pretrained
@@ -20,5 +16,3 @@ from toolkit.stylization.training import Config, Run, fit
 
 __all__ = ["Config", "Discriminator", "Motions", "Run", "Sizes", "SkeletonGraph", "Statistics",
            "Stylizer", "build", "fit", "pretrained", "split", "style_code", "stylize"]
-__getattr__ = lazy_loader.attach(
-    __name__, [module.name for module in pkgutil.iter_modules(__path__)])[0]

@@ -111,9 +111,9 @@ def build(clips: Sequence[Clip], mirror: bool = False) -> Motions:
         raise ValueError("motions need at least one clip, got none")
     domains = tuple(sorted({clip.style for clip in clips}))
     graph, parts, labels = None, [], []
-    for take, clip in enumerate(map(prepare, clips)):
+    for take, clip in enumerate(clips):
+        clip = prepare(clip, graph and graph.skeleton)
         graph = graph or SkeletonGraph.of(clip.skeleton)
-        check_skeleton(clip, graph.skeleton)
         for version in (clip, _mirrored(clip)) if mirror else (clip,):
             parts.append(windows(version))
             labels += [(domains.index(clip.style), version.gait, take)] * len(parts[-1][0])
@@ -123,14 +123,15 @@ def build(clips: Sequence[Clip], mirror: bool = False) -> Motions:
     return Motions(graph, _same_sign(x), velocity, domain, content, take, domains, contents)
 
 
-def prepare(clip: Clip) -> Clip:
-    """A clip at 30 Hz on its skeleton without End Sites."""
-    return on_cpu(clip)[0].without_ends().resample(FPS)
+def prepare(clip: Clip, skeleton: Skeleton | None = None) -> Clip:
+    """A clip at 30 Hz on its skeleton without End Sites.
 
-
-def check_skeleton(clip: Clip, skeleton: Skeleton) -> None:
-    """Raise a ValueError unless a clip (without End Sites) has the expected joints and bones."""
+    ValueError unless it has the joints and bones of ``skeleton``, if one is given.
+    """
+    clip = on_cpu(clip)[0].without_ends().resample(FPS)
     own = clip.skeleton
+    if skeleton is None:
+        return clip
     if own.names != skeleton.names or own.parents != skeleton.parents:
         odd = sorted(set(own.names) ^ set(skeleton.names))
         what = f"not in both: {', '.join(odd[:6])}" if odd else "in another order"
@@ -141,6 +142,7 @@ def check_skeleton(clip: Clip, skeleton: Skeleton) -> None:
         joint = own.names[1 + int(gap.argmax())]
         raise ValueError(f"{clip.name}: expected the model's bones, "
                          f"got {joint} {100 * float(gap.max()):.1f} cm elsewhere")
+    return clip
 
 
 def describe(clip: Clip) -> tuple[Tensor, Tensor]:

@@ -9,15 +9,7 @@ from torch.nn import functional
 from toolkit.features.splits import generator
 from toolkit.motion import Clip, contacts, rotations as R
 from toolkit.motion.ik import plant_feet
-from toolkit.stylization.data import (
-    FPS,
-    FRAMES,
-    check_skeleton,
-    describe,
-    prepare,
-    to_clip,
-    windows,
-)
+from toolkit.stylization.data import FPS, FRAMES, describe, prepare, to_clip, windows
 from toolkit.stylization.networks import SHRINK, Stylizer
 
 PACE = 0.25  # of the root's speed: a slower toe may stand, also one of a runner
@@ -58,8 +50,7 @@ def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 
         If the clip has another skeleton or fewer frames than the pooling needs, the domain is
         unknown, or the style is not given by exactly one of domain, reference and code.
     """
-    source = prepare(clip)
-    check_skeleton(source, model.skeleton)
+    source = prepare(clip, model.skeleton)
     if len(source) < SHRINK:
         raise ValueError(f"{clip.name}: pooling needs {SHRINK} frames at {FPS:g} Hz, "
                          f"the clip has {len(source)}")
@@ -100,8 +91,7 @@ def style_code(model: Stylizer, domain: str | None = None, seed: int = 0, *,
 
 def _described(model: Stylizer, reference: Clip) -> Tensor:
     """``x [1, 7, F, N]`` of a reference, of at least 64 frames."""
-    source = prepare(reference)
-    check_skeleton(source, model.skeleton)
+    source = prepare(reference, model.skeleton)
     return windows(source)[0] if len(source) < FRAMES else describe(source)[0][None]
 
 

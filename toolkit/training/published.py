@@ -22,8 +22,6 @@ from toolkit.training import run
 
 DATASET = "lpn-film-100style"  # their name in `toolkit.datasets.fetch`
 
-TRAINED = parameters.TRAINED  # the first of `STYLES`; the others were kept for fine-tuning
-
 #: Sample offsets of the published run: 1/6 s apart in the past, 1/5 s apart in the future.
 SAMPLES = (-60, -50, -40, -30, -20, -10, 0, 12, 24, 36, 48, 60)
 
@@ -107,7 +105,7 @@ def load(folder: str | os.PathLike | None = None, *, calibrated: bool = False) -
     )
     vectors = torch.stack([torch.cat(parts) for parts in of_style])
     speeds = torch.full((len(STYLES),), math.nan)
-    speeds[:TRAINED] = read["Walk_Velocities"] / 12
+    speeds[: parameters.TRAINED] = read["Walk_Velocities"] / 12
     return run.Run(model, StyleBank(STYLES, vectors, speeds))
 
 

@@ -32,20 +32,23 @@ from toolkit.io.files import parsed, read as read_bytes, write_whole
 from toolkit.io.model_files import difference, intact
 from toolkit.io.progress import progress_bar
 from toolkit.motion.text import checked
+from toolkit.training import Config
 
 __all__ = ["is_store", "load", "preprocess"]
 FORMAT = "toolkit store 3"
 MANIFEST = "manifest.json"
+#: Share of every style's rows that is held out, and the seed that chooses them, as in training.
+HELD_OUT = {"held_out": Config.held_out, "seed": Config.seed}
 
 
 def preprocess(data: str, root: str | os.PathLike | None, out: str | os.PathLike, *,
                styles: list[str] | None = None, gaits: list[str] | None = None,
                source: str = "hybrid", mirror: Callable[[Take], bool] | None = None,
-               workers: int | None = None, held_out: float = 0.1, seed: int = 0,
-               listed: bool = False, progress: bool = False) -> bool:
+               workers: int | None = None, listed: bool = False, progress: bool = False) -> bool:
     """Make or complete the store of a dataset; False if there was nothing to do.
 
-    Takes that hold no whole trajectory window are left out.
+    Takes that hold no whole trajectory window are left out. Training with another share of
+    held-out rows or another seed than `HELD_OUT` chooses these rows when it begins.
 
     Parameters
     ----------
@@ -54,7 +57,6 @@ def preprocess(data: str, root: str | os.PathLike | None, out: str | os.PathLike
     source : name of a phase source
     mirror : true for takes whose mirror images are added
     workers : number of processes, by default that of the processors; 1 starts no other process
-    held_out, seed : share of every style's rows that is held out, and the seed (`splits.held_out`)
     listed : store only the training and test blocks of the dataset's list
         (`toolkit.datasets.split`), and hold out the test
     progress : show a bar with the time left
@@ -79,8 +81,8 @@ def preprocess(data: str, root: str | os.PathLike | None, out: str | os.PathLike
     settings = {
         "version": toolkit.__version__, "data": data, "styles": styles, "gaits": gaits,
         "source": source, "mirror": mirror is not None, "listed": listed,
-        "held_out": None if listed else held_out, "seed": None if listed else seed,
         "takes": sum(map(len, by_style.values())),
+        **(dict.fromkeys(HELD_OUT) if listed else HELD_OUT),
     }
     _begin(out, settings, sorted(by_style))
     jobs = []
