@@ -8,8 +8,7 @@ from typing import Annotated
 
 import typer
 
-from experiments.one_step import Store
-from experiments.tables import Result
+from experiments.tables import Result, Store
 from toolkit import published, styles
 from toolkit.cli import verbs
 from toolkit.cli.style import fitted

@@ -13,7 +13,7 @@ import typer
 from torch import Tensor
 from tqdm import tqdm
 
-from experiments.tables import RESULTS, Result
+from experiments.tables import RESULTS, Result, Store
 from toolkit import published, runtime
 from toolkit.cli import verbs
 from toolkit.evaluation import metrics
@@ -92,8 +92,7 @@ def run(
         help="BVH files of straight walks, measured in the same way, and walked at their speed "
              "by the style of their name.")] = None,
     start: Annotated[int, typer.Option(help="First frame of the takes, at 60 Hz.")] = 0,
-    store: Annotated[bool, typer.Option(
-        "--store", help=f"Write the summary into docs/results/{STORED}.json.")] = False,
+    store: Store = False,
 ) -> None:
     """Direction, stop, feet, pops and slow motion of every style on the same tracks, beside
     recorded takes.

@@ -9,7 +9,7 @@ from typing import Annotated
 import torch
 import typer
 
-from experiments.tables import Result
+from experiments.tables import Result, Store
 from toolkit import datasets
 from toolkit.evaluation import findings
 from toolkit.io import bvh
@@ -90,8 +90,7 @@ def alarms(clips: list[Clip]) -> tuple[float, dict[str, float]]:
 
 def run(
     data: Annotated[Path, typer.Option(help="Folder of bandai/, pfnn/, xia/ and 100style/.")],
-    store: Annotated[bool, typer.Option(
-        "--store", help="Write the alarms into docs/results/defects.json.")] = False,
+    store: Store = False,
 ) -> None:
     """Limits of defects from recorded takes, and false alarms on takes that made none.
 

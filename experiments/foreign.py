@@ -17,7 +17,7 @@ import torch
 import typer
 
 import toolkit as tk
-from experiments.tables import Result
+from experiments.tables import Result, Store
 from toolkit.extra.characters.retargeting import report, retarget
 from toolkit.motion import root_frames, rotations as R
 from toolkit.motion.roles import SIDES
@@ -183,8 +183,7 @@ def run(
     folder: Annotated[Path
                       | None, typer.Option(help="Folder of the files; default: foreign/ of the "
                                                 "shared data.")] = None,
-    store: Annotated[bool, typer.Option(
-        "--store", help="Write the counts into docs/results/foreign.json.")] = False,
+    store: Store = False,
 ) -> None:
     """Motion files of other programs: right, refused in a line or warned in a line, compared with a
     key made by hand.

@@ -10,7 +10,7 @@ import typer
 
 import toolkit as tk
 from experiments.seven_models.models import HELD_OUT, Plan, average, closed_loop
-from experiments.tables import Result
+from experiments.tables import Result, Store
 from toolkit.evaluation import recognition
 from toolkit.extra import matching
 from toolkit.features import splits
@@ -25,8 +25,7 @@ COLUMNS = {"model": ["model"], **MEASURES, "megabytes": ["MB", 1], "frame": ["ms
 
 
 def run(seconds: Annotated[float, typer.Option(help="Length of each procedural clip.")] = 10.0,
-        store: Annotated[bool, typer.Option(
-            "--store", help="Store the table as docs/results/matching.json.")] = False) -> None:
+        store: Store = False) -> None:
     """Walks of motion matching and of the embedded network, in styles that both know."""
     network, bank = tk.pretrained()
     data = tk.features.build(tk.datasets.load("procedural", styles=STYLES, seconds=seconds))

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 from torch import Tensor
 
-from experiments.tables import Result
+from experiments.tables import Result, Store
 from toolkit import features, published
 from toolkit.cli import verbs
 from toolkit.extra.characters.retargeting import retarget
@@ -34,7 +34,6 @@ Take = Annotated[Path, typer.Option(
     "--clip", help="A BVH file; `one-step` retargets another skeleton than the model's.")]
 Style = Annotated[str, typer.Option(help="Style of the clip.")]
 Start = Annotated[int, typer.Option(help="First frame (100STYLE: START of Frame_Cuts.csv).")]
-Store = Annotated[bool, typer.Option("--store", help="Write the table's file in docs/results.")]
 
 
 def run(
@@ -49,8 +48,7 @@ def run(
                       typer.Option(help="Styles for comparison.")] = "Zombie,Aeroplane",
     calibrated: Annotated[bool, typer.Option("--calibrated",
                                              help="Use calibrated inference.")] = False,
-    store: Annotated[bool, typer.Option(
-        "--store", help=f"Write the first row into docs/results/{STORED}.json.")] = False,
+    store: Store = False,
 ) -> None:
     """Errors of the predicted next frames of a real clip with its own style, compared with all
     other styles and with floors.

@@ -11,7 +11,7 @@ from course import labels
 from course.labels import STILL, Row, measure
 from torch import Tensor
 
-from experiments.tables import Result
+from experiments.tables import Result, Store
 from toolkit import phases as ph
 from toolkit.datasets import home, procedural
 from toolkit.motion.contacts import FEET
@@ -54,8 +54,7 @@ def run(
     labelled: Annotated[Path | None, typer.Option(
         help="Folder of labelled takes (Holden et al. 2017); default: "
              f"{labels.NAME} in the folder of datasets.")] = None,
-    store: Annotated[bool, typer.Option(
-        "--store", help="Write both tables into docs/results.")] = False,
+    store: Store = False,
 ) -> None:
     """Errors of the phase sources against the truth about procedural clips and against labels."""
     sources = {name: ph.named(name) for name in source.split(",")}

@@ -10,7 +10,7 @@ import numpy as np
 import torch
 import typer
 
-from experiments.tables import Result
+from experiments.tables import Result, Store
 from toolkit import datasets
 from toolkit.datasets import procedural
 from toolkit.motion import Clip, contacts, root_frames
@@ -55,8 +55,7 @@ def run(
     data: Annotated[Path
                     | None, typer.Option(help="Folder that holds 100style/ and bandai/.")] = None,
     style: Annotated[str, typer.Option(help="Procedural style.")] = "Neutral",
-    store: Annotated[bool, typer.Option(
-        "--store", help="Write the table into docs/results/realism.json.")] = False,
+    store: Store = False,
 ) -> None:
     """Measures of a procedural walk, compared with recorded neutral walks of 100STYLE and
     Bandai-Namco.

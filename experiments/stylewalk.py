@@ -1,21 +1,25 @@
 """The judges of StyleWalk, and the rows of its floors, from recorded takes."""
 
 from collections import defaultdict
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated
 
 import torch
 import typer
+from torch import nn
 
-from experiments.tables import Result
+from experiments.tables import Result, Store
 from toolkit.datasets import bandai
 from toolkit.extra.benchmark import Judges, score, walk
-from toolkit.extra.benchmark.judges import FILE, train
+from toolkit.extra.benchmark.judges import CHANNELS, FILE, KINDS, WINDOW, windows
 from toolkit.motion import Clip, rotations as R
 from toolkit.training import published
 
 PARTS = 4  # of the takes of a style and gait: of each judge, the reference, the floors
 CARRIED, NOISE = 0.5, 1.0  # m/s sideways, degrees
+STEPS, BATCH, RATE = 600, 64, 3e-3
+JITTER, OFFSET = 0.05, 0.3  # augmentation: deviations of noise per frame, per window
 
 
 def parts(data: Path) -> list[list[Clip]]:
@@ -25,6 +29,35 @@ def parts(data: Path) -> list[list[Clip]]:
         if clip.seconds > 2:
             groups[clip.style, clip.gait].append(clip)
     return [[clip for group in groups.values() for clip in group[k::PARTS]] for k in range(PARTS)]
+
+
+def train(parts: Sequence[Sequence[Clip]], seed: int = 0) -> Judges:
+    """Judges of labelled clips in three parts: of the first judge, of the second, the reference."""
+    styles = sorted({clip.style for clip in parts[0]})
+    seen = [[windows(clip) for clip in part] for part in parts]
+    with torch.random.fork_rng(devices=[]):
+        torch.manual_seed(seed)
+        made = Judges(styles, sum(map(len, seen[2])))
+        every = torch.cat([*seen[0], *seen[1]])
+        made.mean, made.std = every.mean((0, 1)), every.std((0, 1)).clamp_min(0.02)
+        for name, clips, some in zip(KINDS, parts, seen, strict=False):
+            judge, x = made.judges[name], (torch.cat(some) - made.mean) / made.std
+            labels = torch.cat([torch.full((len(one),), styles.index(clip.style))
+                                for clip, one in zip(clips, some, strict=True)])
+            adam = torch.optim.AdamW(judge.parameters(), lr=RATE, weight_decay=1e-2)
+            for _ in range(STEPS):
+                rows = torch.randint(len(x), (BATCH,))
+                noisy = x[rows] + JITTER * torch.randn(BATCH, WINDOW, CHANNELS)
+                noisy = noisy + OFFSET * torch.randn(BATCH, 1, CHANNELS)
+                loss = nn.functional.cross_entropy(judge.out(judge.features(noisy)), labels[rows])
+                adam.zero_grad()
+                loss.backward()
+                adam.step()
+        made.eval()
+        for name in KINDS:
+            features = [made.features(name, clip) for clip in parts[2]]
+            setattr(made, f"reference_{name}", torch.cat(features))
+    return made
 
 
 def floors(clips: list[Clip]) -> dict[str, dict[str, Clip]]:
@@ -52,8 +85,7 @@ def floors(clips: list[Clip]) -> dict[str, dict[str, Clip]]:
 
 def run(
     data: Annotated[Path, typer.Option(help="Folder that holds bandai/.")],
-    store: Annotated[bool, typer.Option(
-        "--store", help="Write the judges and docs/results/stylewalk.json.")] = False,
+    store: Store = False,
 ) -> None:
     """Train the judges of StyleWalk, and score floors, recorded takes and models."""
     torch.set_num_threads(1)  # sums of two threads train other judges

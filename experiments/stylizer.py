@@ -12,7 +12,7 @@ import typer
 
 from experiments.stylization import evaluation
 from experiments.stylization.judges import Judges
-from experiments.tables import Result
+from experiments.tables import Result, Store
 from toolkit.datasets import procedural
 from toolkit.features.splits import generator
 from toolkit.stylization import Motions, Stylizer, build, pretrained
@@ -34,7 +34,7 @@ COLUMNS: dict[str, list] = {
 def run(
     model: Annotated[Path | None, typer.Option(help="By default the one in the package.")] = None,
     sets: Annotated[int, typer.Option(min=1, help="Sets of clips, each of other seeds.")] = 3,
-    store: Annotated[bool, typer.Option(help="Write the table's file in docs/results.")] = False,
+    store: Store = False,
 ) -> None:
     """The stylizer of the package on clips that it was not trained on, beside floors."""
     torch.set_num_threads(1)

@@ -17,12 +17,16 @@ import statistics
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
+
+import typer
 
 from toolkit.io.files import atomic_write
 
 DOCS = Path(__file__).parents[1] / "docs"
 RESULTS = DOCS / "results"
+#: An option of the commands that can store what they measure.
+Store = Annotated[bool, typer.Option("--store", help="Write the results into docs/results.")]
 TABLE = re.compile(r"(<!-- table ([\w-]+)(?:: ([\w -]+?))?(?:; without ([^>]+?))? -->\n).*?"
                    r"(<!-- end -->)", re.DOTALL)
 

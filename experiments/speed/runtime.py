@@ -13,7 +13,7 @@ import typer
 from threadpoolctl import threadpool_limits
 from torch import Tensor
 
-from experiments.tables import Result
+from experiments.tables import Result, Store
 from toolkit import published, runtime
 from toolkit.cli import verbs
 from toolkit.extra.engines import onnx
@@ -40,8 +40,7 @@ def run(
     equality: Annotated[bool, typer.Option(
         "--equality", help="Compare rollouts with the plain model instead.")] = False,
     styles: Annotated[int, typer.Option(min=1, help="Number of styles to compare.")] = 20,
-    store: Annotated[bool, typer.Option("--store",
-                                        help="Write the table into docs/results.")] = False,
+    store: Store = False,
 ) -> None:
     """Times of the network and of a whole frame, compared with the machine's limit, plain PyTorch
     and ONNX Runtime.

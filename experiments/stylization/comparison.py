@@ -19,7 +19,7 @@ from experiments.stylization import aberman, convolutional, evaluation, sets
 from experiments.stylization.floors import FLOORS
 from experiments.stylization.judges import Judges
 from experiments.stylization.sets import Task
-from experiments.tables import Result
+from experiments.tables import Result, Store
 from toolkit.io import model_files
 from toolkit.stylization import networks, training
 from toolkit.stylization.data import Motions
@@ -83,7 +83,7 @@ def run(
     methods: Annotated[str, typer.Option(help="Comma-separated.")] = ",".join(METHODS),
     part: Annotated[str, typer.Option(help=f"Scored: {', '.join(sets.PARTS)}.")] = "test",
     sources: Annotated[int, typer.Option(min=2, help="Most windows that are restyled.")] = 64,
-    store: Annotated[bool, typer.Option(help="Write the tables' files in docs/results.")] = False,
+    store: Store = False,
 ) -> None:
     """The losses of Park et al. 2021 (Table 1), and their stylizer compared with two others.
 

@@ -7,10 +7,11 @@ import pytest
 import torch
 
 import toolkit as tk
+from experiments.stylewalk import train
 from experiments.tables import Result
 from toolkit.__main__ import main
 from toolkit.extra.benchmark import PLAN, Judges, commands, score, tracks, walk
-from toolkit.extra.benchmark.judges import CHANNELS, KINDS, WINDOW, train, windows
+from toolkit.extra.benchmark.judges import CHANNELS, KINDS, WINDOW, windows
 
 
 @pytest.fixture(scope="module")
@@ -46,7 +47,7 @@ def test_a_judge_sees_neither_place_nor_heading_nor_size(clips):
 
 
 def test_judges_learn_and_are_stored(clips, tmp_path, monkeypatch):
-    monkeypatch.setattr("toolkit.extra.benchmark.judges.STEPS", 30)
+    monkeypatch.setattr("experiments.stylewalk.STEPS", 30)
     own = [clip.replace(style=clip.style) for clip in clips.values()]
     judges = train([own, own, own])
     for name in KINDS:

@@ -1,4 +1,7 @@
-"""Two judges of style of different architecture, trained on disjoint recorded takes."""
+"""Two judges of style of different architecture, trained on disjoint recorded takes.
+
+``python -m experiments stylewalk`` trains them.
+"""
 
 import os
 from collections.abc import Sequence
@@ -17,8 +20,6 @@ ROLES = "hips", *(f"{side}_{part}" for side in SIDES for part in
                   ("shoulder", "elbow", "hand", "hip", "knee", "foot", "toe"))
 CHANNELS = 3 * len(ROLES) + 2
 WIDTH = 24  # of the layers, and of the features whose Fréchet distance is measured
-STEPS, BATCH, RATE = 600, 64, 3e-3
-JITTER, OFFSET = 0.05, 0.3  # augmentation: deviations of noise per frame, per window
 #: The embedded judges lie in a checkout, since their licence (CC BY-NC 4.0) is not the package's.
 FILE = Path(__file__).parents[3] / "examples" / "models" / "stylewalk.safetensors"
 
@@ -123,32 +124,3 @@ def windows(clip: Clip) -> Tensor:
     seen = torch.cat((facing(clip, places)[1:].flatten(1),
                       facing(clip, torch.cat((p[:1, at[:1]] * 0, velocity)))[1:, 0, [0, 2]]), 1)
     return (seen / leg).float().unfold(0, WINDOW, HOP).transpose(1, 2)
-
-
-def train(parts: Sequence[Sequence[Clip]], seed: int = 0) -> Judges:
-    """Judges of labelled clips in three parts: of the first judge, of the second, the reference."""
-    styles = sorted({clip.style for clip in parts[0]})
-    seen = [[windows(clip) for clip in part] for part in parts]
-    with torch.random.fork_rng(devices=[]):
-        torch.manual_seed(seed)
-        made = Judges(styles, sum(map(len, seen[2])))
-        every = torch.cat([*seen[0], *seen[1]])
-        made.mean, made.std = every.mean((0, 1)), every.std((0, 1)).clamp_min(0.02)
-        for name, clips, some in zip(KINDS, parts, seen, strict=False):
-            judge, x = made.judges[name], (torch.cat(some) - made.mean) / made.std
-            labels = torch.cat([torch.full((len(one),), styles.index(clip.style))
-                                for clip, one in zip(clips, some, strict=True)])
-            adam = torch.optim.AdamW(judge.parameters(), lr=RATE, weight_decay=1e-2)
-            for _ in range(STEPS):
-                rows = torch.randint(len(x), (BATCH,))
-                noisy = x[rows] + JITTER * torch.randn(BATCH, WINDOW, CHANNELS)
-                noisy = noisy + OFFSET * torch.randn(BATCH, 1, CHANNELS)
-                loss = nn.functional.cross_entropy(judge.out(judge.features(noisy)), labels[rows])
-                adam.zero_grad()
-                loss.backward()
-                adam.step()
-        made.eval()
-        for name in KINDS:
-            features = [made.features(name, clip) for clip in parts[2]]
-            setattr(made, f"reference_{name}", torch.cat(features))
-    return made
