@@ -55,11 +55,11 @@ test: env
 	$(BIN)/ruff check
 	$(BIN)/lint-imports
 	$(BIN)/mypy
-	$(BIN)/python -m pytest --numprocesses 2 --dist loadfile --nbval-lax --nbval-current-env --nbval-cell-timeout 120 tests notebooks
+	$(BIN)/python -m pytest --numprocesses 2 --dist loadfile --no-loadscope-reorder --nbval-lax --nbval-current-env --nbval-cell-timeout 120 tests notebooks
 
 coverage: env
 	mkdir -p out/coverage
-	$(BIN)/coverage run -m pytest --numprocesses 2 --dist loadfile tests
+	$(BIN)/coverage run -m pytest --numprocesses 2 --dist loadfile --no-loadscope-reorder tests
 	$(BIN)/coverage combine --quiet
 	$(BIN)/coverage report
 

@@ -130,6 +130,14 @@ def test_easings_go_from_0_to_1_and_never_back():
         assert (values.diff() >= 0).all()
 
 
+@pytest.fixture(autouse=True)
+def short_walks(monkeypatch):
+    """Walks that are compared, and those of the pose mix-up, are short, so that a test is."""
+    for name, seconds in (("WARM_UP", 1.0), ("SECONDS", 2.0), ("LONGEST", 2.0)):
+        monkeypatch.setattr(comparison, name, seconds)
+    monkeypatch.setattr(fine_tuning, "WALK", (1.0, 0.5))
+
+
 @pytest.fixture(scope="module")
 def crouch():
     return tk.datasets.load("procedural", styles=["Crouch"], gaits=["FW"], seconds=6.0)[0]
@@ -237,14 +245,6 @@ def test_short_clips_several_styles_and_no_bank(small_run, crouch):
     assert len(made.losses) == 6
 
 
-@pytest.fixture
-def short_walks(monkeypatch):
-    """Walks that are compared last two seconds, so that a test does."""
-    for name, seconds in (("WARM_UP", 1.0), ("SECONDS", 2.0), ("LONGEST", 2.0)):
-        monkeypatch.setattr(comparison, name, seconds)
-
-
-@pytest.mark.usefixtures("short_walks")
 def test_the_embedded_model_learns_a_style_from_one_clip():
     model, bank = tk.pretrained()
     arms = tk.datasets.procedural.Arm(out=20, forward=45, elbow=95, swing=4, elbow_swing=4)
@@ -281,8 +281,14 @@ def test_what_cannot_be_learnt_is_refused_in_one_line(small_run, crouch):
         tk.styles.fine_tune(model, crouch.cut(0, 111), "Mine", bank)
 
 
-@pytest.mark.usefixtures("short_walks")
-def test_style_add_writes_the_same_file_with_one_vector_more(tmp_path, small_run, crouch, capsys):
+def test_style_add_writes_the_same_file_with_one_vector_more(tmp_path, small_run, crouch, capsys,
+                                                             monkeypatch):
+    def once(*clips, **options):  # the second command learns the same
+        learnt.extend([] if learnt else [comparison.learn(*clips, **options)])
+        return learnt[0]
+
+    learnt: list = []
+    monkeypatch.setattr("toolkit.cli.style.learn", once)
     run, out, clips = tmp_path / "run.safetensors", tmp_path / "new.safetensors", tmp_path / "clips"
     small_run.save(run)
     tk.bvh.save(crouch, clips / "a.bvh")
@@ -359,10 +365,11 @@ def test_vectors_of_single_clips_average_to_the_style(small_run):
 
 @pytest.fixture(scope="module")
 def zombie():
-    return tk.datasets.load("procedural", styles=["Zombie"], gaits=["FW"], seconds=8.0)[0]
+    return tk.datasets.load("procedural", styles=["Zombie"], gaits=["FW"], seconds=6.0)[0]
 
 
-def test_a_style_walks_as_its_clip_and_another_one_does_not(zombie):
+def test_a_style_walks_as_its_clip_and_another_one_does_not(zombie, monkeypatch):
+    monkeypatch.undo()  # of the short walks
     model, bank = tk.pretrained()
     own = tk.styles.compare(zombie, model, "Zombie", bank)
     assert own.verdict == "good"
@@ -387,7 +394,8 @@ def test_a_broken_style_fails_and_says_why(zombie):
     assert "failed: " in str(broken)
 
 
-def test_the_commands_lead_along_the_path_of_the_clip():
+def test_the_commands_lead_along_the_path_of_the_clip(monkeypatch):
+    monkeypatch.undo()  # of the short walks
     clip = tk.datasets.load("procedural", styles=["Neutral"], gaits=["TR1"], seconds=10.0)[0]
     warm_up = round(comparison.WARM_UP * 60)
     orders = comparison.commands(clip)[warm_up:]

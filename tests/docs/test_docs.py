@@ -92,6 +92,7 @@ def test_the_code_of_a_page_runs(page, tmp_path, monkeypatch):
     scene = json.loads(gate.read_text(encoding="utf-8"))
     two = [shot | {"duration": 0.5} for shot in scene["shots"][:2]]
     gate.write_text(json.dumps(scene | {"shots": two}), encoding="utf-8")
+    monkeypatch.setattr("toolkit.extra.shots.scene.TRIED", 30)  # frames of a style that is tried
     monkeypatch.chdir(tmp_path)
     text = (DOCS / f"{page}.md").read_text(encoding="utf-8")
     blocks = re.findall(r"^```python\n(.*?)^```", text, re.MULTILINE | re.DOTALL)

@@ -34,7 +34,7 @@ from toolkit.__main__ import VERBS
 from toolkit.datasets import procedural
 from toolkit.extra import store
 from toolkit.extra.engines import onnx
-from toolkit.extra.store import files
+from toolkit.extra.store import partition
 from toolkit.io import model_files, save as export
 from toolkit.motion import Clip
 
@@ -318,9 +318,9 @@ def prepare(base: Path, ends: contextlib.ExitStack) -> list[Job]:
         model_files.read(path, "checkpoint")
 
     def manifest(path: Path) -> None:
-        files.read_manifest(path.parent)
+        store._manifest(path.parent)
         for part in path.parent.glob("*.safetensors"):
-            files.read(part)
+            partition.read(part)
 
     old = base / "old"
     finish(lambda _: write(clips[1], old), old)
