@@ -67,7 +67,7 @@ def row(net, bank, shot: Shot) -> dict[str, float | str]:
     """The numbers of `COLUMNS`."""
     plan = shot.plan(bank)
     course, goal = plan[0], plan[0].curve.point(plan[0].curve.length)
-    mine, skate = measured(net, shot.states(net, bank, plan))
+    mine, skate = measured(net, Scene([shot]).states(net, bank, [plan]))
     floor, slide = measured(net, followed(net, bank, shot, course))
     apart, plain = beside(course, mine), beside(course, floor)
     hits = [arrival(course.curve.point(knot), point.time, mine)

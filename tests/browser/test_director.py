@@ -165,7 +165,8 @@ def test_the_same_shots_give_the_same_courses_motion_and_words(desk, double, nam
     }
     for what, values in expected.items():
         assert found[what] == pytest.approx(values, abs=1e-9), what
-    clip = runtime.record(model, shot.states(model, bank), feet=shot.feet, arms=shot.arms)
+    states = tk.shots.Scene([shot]).states(model, bank)
+    clip = runtime.record(model, states, feet=shot.feet, arms=shot.arms)
     assert apart(clip, found["motion"]) < 1.0
     said = shot.check(model, bank)
     assert found["words"] == said

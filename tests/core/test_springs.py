@@ -2,8 +2,9 @@
 
 import pytest
 import torch
+from course.springs import inertialise
 
-from toolkit.motion.springs import inertialise, spring
+from toolkit.motion.springs import spring
 
 
 @pytest.mark.parametrize("rate", [0.5, 4.0, 30.0])

@@ -27,7 +27,7 @@ def embedded():
 def walked(model, bank, shot):
     """Course; the root's place and the contacts at each frame."""
     plan = shot.plan(bank)
-    states = list(shot.states(model, bank, plan))
+    states = list(Scene([shot]).states(model, bank, [plan]))
     return plan[0], [tuple(s.root[0, :2].tolist())
                      for s in states], torch.cat([s.contacts for s in states])
 
@@ -201,7 +201,7 @@ def test_a_render_has_the_bits_of_its_states(embedded, compiled):
     model = embedded[0] if compiled else tk.pretrained().model
     shot = Shot([(0, 0), (0.5, 1), (0, 2)], [(0, "Neutral"), (1, "Zombie")], duration=1.5, seed=4)
     made = shot.render(model, embedded[1])
-    stepped = tk.runtime.record(model, shot.states(model, embedded[1]))
+    stepped = tk.runtime.record(model, Scene([shot]).states(model, embedded[1]))
     assert torch.equal(stepped.rotations, made.rotations)
     assert torch.equal(stepped.root_positions, made.root_positions)
 
@@ -248,7 +248,7 @@ def test_the_character_keeps_to_its_path_and_its_times(embedded, style):
 def test_a_hold_stands_and_a_direction_is_kept(embedded):
     shot = Shot([(0, 0), (0, 4)], "Neutral", holds=[{"time": 3.0, "seconds": 2.0}],
                 facing=(1.0, 0.0))
-    states = list(shot.states(*embedded))
+    states = list(Scene([shot]).states(*embedded))
     stand = torch.cat([s.root[:, :2] for s in states[round(4.2 * FPS) : round(5.0 * FPS)]])
     assert (stand - stand[0]).norm(dim=-1).max() < 0.1
     assert states[200].root[0, 2] > 0.9  # faces +x
@@ -267,7 +267,7 @@ def test_check_names_a_style_that_walks_on_in_a_pause():
 
 def test_a_look_at_point_is_faced(embedded):
     shot = Shot([(0, 0), (0, 4)], "Neutral", [(0, 0.6)], look_at=(3.0, 2.0))
-    for state in list(shot.states(*embedded))[90:300:30]:
+    for state in list(Scene([shot]).states(*embedded))[90:300:30]:
         x, z, dx, dz = state.root[0].tolist()
         aim = math.atan2(3.0 - x, 2.0 - z)
         assert abs(math.remainder(math.atan2(dx, dz) - aim, math.tau)) < 0.45

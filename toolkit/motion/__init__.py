@@ -5,14 +5,14 @@ import pkgutil
 import lazy_loader
 
 from toolkit import registry
-from toolkit.motion import contacts, ik, loops, rotations, trajectory
+from toolkit.motion import contacts, ik, rotations, trajectory
 
 from toolkit.motion.roles import ROLES, find_roles  # isort: skip
 from toolkit.motion.skeleton import Skeleton, forward_kinematics, local_rotations  # isort: skip
 from toolkit.motion.clip import Clip, RootFrames, on_cpu, root_frames  # isort: skip
 
 __all__ = ["ROLES", "Clip", "RootFrames", "Skeleton", "contacts", "find_roles",
-           "forward_kinematics", "ik", "local_rotations", "loops", "on_cpu", "root_frames",
+           "forward_kinematics", "ik", "local_rotations", "on_cpu", "root_frames",
            "rotations", "trajectory"]
 __getattr__ = registry.attributes(__name__, lazy_loader.attach(
     __name__, [module.name for module in pkgutil.iter_modules(__path__)])[0])

@@ -60,11 +60,6 @@ class Character:
             return cls(path, mesh, rest, points.astype(np.float32), moved)
         raise errors[0]
 
-    @classmethod
-    def of(cls, given: "str | os.PathLike | Character | None") -> "Character | None":
-        """A character from its file; a character or None as it is."""
-        return given if given is None or isinstance(given, cls) else cls.load(given)
-
     @property
     def skeleton(self) -> Skeleton:
         """The rig's skeleton."""

@@ -16,9 +16,7 @@ BRAKE = 1.0  # seconds in which a character comes to its least distance from a w
 NEIGHBOURS, SIGHT = 8, 5.0  # most that a character avoids, and metres to them
 SWEEPS = 12  # of Hildreth's method
 PASSES, SPARE = 30, 1e-3  # of `parted`; metres that it adds to the least distance
-# share by which half-planes may be missed: of many that exclude each other, all are missed by
-# little
-SOFT = 0.1
+SOFT = 0.1  # share by which half-planes may be missed: of many, all are missed by little
 
 
 def velocities(places: np.ndarray, moving: np.ndarray, wanted: np.ndarray,
@@ -57,9 +55,8 @@ def velocities(places: np.ndarray, moving: np.ndarray, wanted: np.ndarray,
     for _ in range(SWEEPS):
         for k in range(force.shape[1]):
             soft = SOFT if k < near.shape[1] else 0.0
-            more = (least[:, k] - (normal[:, k] * velocity).sum(-1) - soft * force[:, k]) / (1
-                                                                                             + soft)
-            more = np.maximum(more, -force[:, k])
+            short = least[:, k] - (normal[:, k] * velocity).sum(-1)
+            more = np.maximum((short - soft * force[:, k]) / (1 + soft), -force[:, k])
             force[:, k] += more
             velocity += more[:, None] * normal[:, k]
     return velocity
@@ -97,10 +94,9 @@ def to_wall(places: np.ndarray, start: np.ndarray, end: np.ndarray) -> np.ndarra
     return start + share[:, None] * way - places
 
 
-def _half_planes(to: np.ndarray, relative: np.ndarray, apart: np.ndarray) -> tuple[np.ndarray,
-                                                                                   np.ndarray]:
-    """Normals ``[..., 2]``, and least changes ``[...]`` along them, of relative velocities, to
-    avoid the places ``to``.
+def _half_planes(to: np.ndarray, relative: np.ndarray,
+                 apart: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Normals ``[..., 2]``, and least changes ``[...]`` of relative velocities, to avoid places.
 
     The velocities that collide within `HORIZON` are a cone with its apex at zero, cut off by a
     circle of the radius ``apart / HORIZON``. The change leads to the nearest point of its border.
@@ -116,8 +112,8 @@ def _half_planes(to: np.ndarray, relative: np.ndarray, apart: np.ndarray) -> tup
     beside = ~close & ((off * to).sum(-1) > -apart * length)  # nearer to a side than to the circle
     side = np.where(to[..., 0] * off[..., 1] - to[..., 1] * off[..., 0] >= 0, 1.0, -1.0)
     x, z = to[..., 0], to[..., 1]
-    along = np.stack((x * leg - side * z * apart, side * x * apart + z * leg),
-                     -1) / (distance**2)[..., None]
+    along = np.stack((x * leg - side * z * apart, side * x * apart + z * leg), -1)
+    along /= (distance**2)[..., None]
     out = np.stack((-side * along[..., 1], side * along[..., 0]), -1)
     normal = np.where(beside[..., None], out, normal)
     return normal, np.where(beside, -(relative * out).sum(-1), change)

@@ -14,11 +14,11 @@ import anywidget
 import traitlets
 
 from toolkit.extra import shots
-from toolkit.extra.characters.character import Character
 from toolkit.extra.shots import Scene, Shot, apart, feasibility, following, scene
 from toolkit.motion import Clip
 from toolkit.view.frontend import CellWidget, static
 from toolkit.view.pages import live_page, page
+from toolkit.view.render.skin import Figure, figure_of
 
 START = (0, 0), (0.6, 2), (-0.6, 4), (0, 6)  # the path of the first shot
 
@@ -54,9 +54,9 @@ class Director(CellWidget, anywidget.AnyWidget):
 
     def __init__(self, model, bank, shots: Iterable[Shot] | Scene | None = None, *,
                  height: int = 760,
-                 character: str | os.PathLike | Character | None = None):
+                 character: str | os.PathLike | Figure | None = None):
         self._model, self._bank = model, bank
-        super().__init__(data=pack(model, bank, character=Character.of(character)),
+        super().__init__(data=pack(model, bank, character=figure_of(character)),
                          scene=first(bank, shots), height=height)
 
     @property
@@ -93,20 +93,20 @@ class Director(CellWidget, anywidget.AnyWidget):
 def web(model, bank, path: str | os.PathLike, shots: Iterable[Shot] | Scene | None = None, *,
         title: str = "Plan a shot",
         styles: Sequence[str] | None = None, half: bool = False,
-        character: str | os.PathLike | Character | None = None) -> Path:
+        character: str | os.PathLike | Figure | None = None) -> Path:
     """Write a page with the `Director`, without server or Python; shots are saved to and opened
     from files.
 
     The parameters are those of `Director` and `toolkit.view.web`.
     """
     bank = bank.select(dict.fromkeys(live_page.ordered(bank) if styles is None else styles))
-    data = pack(model, bank, half, Character.of(character)) | {"scene": first(bank, shots)}
+    data = pack(model, bank, half, figure_of(character)) | {"scene": first(bank, shots)}
     caption = "Draw a path, key styles over time; the character walks it at once, in this page."
     script = "globalThis.view = toolkitScene.director(stage, data);"
     return page.write(path, title, caption, data, script)
 
 
-def pack(model, bank, half: bool = False, character: Character | None = None) -> dict[str, Any]:
+def pack(model, bank, half: bool = False, character: Figure | None = None) -> dict[str, Any]:
     """The data of ``scene/shot.js``: that of a live page, natural speeds, constants of shots."""
     return live_page.pack(model, bank, half, character) | {
         "speeds": [bank.speed(name) for name in bank.names],

@@ -5,9 +5,7 @@ from collections.abc import Callable
 
 from toolkit.extra.shots.following import FPS, Course, Pair, nearest
 
-# times its natural speed that a style is asked for at most: beyond it, styles fall behind or become
-# a run
-FASTER = 2.5
+FASTER = 2.5  # times its natural speed: beyond it, a style falls behind or becomes a run
 OFF, LAG = 0.25, 0.4  # metres beside the path, and behind or ahead of the plan, that are a miss
 EASY = 0.2  # m/s² to the side: a turn that needs less is not why a character leaves its path
 REACH, SLOW = 0.2, 0.05  # metres to both sides, to measure a turn; m/s that are as good as standing
@@ -33,48 +31,54 @@ def missed(course: Course, natural: Callable[[float], float], style: Callable[[f
         The root at each frame, from frame 1 on.
     """
     apart, found = beside(course, places), []
-    fast = max(range(len(places)),
-               key=lambda k: course.speed[k + 1] / max(natural((k + 1) / FPS), SLOW))
-    if course.speed[fast + 1] > FASTER * max(natural((fast + 1) / FPS), SLOW):
-        found.append(f"at {(fast + 1) / FPS:.1f} s {_speed(course, natural, fast + 1)}: slow "
-                     f"down or choose a faster style")
+
+
+    def ratio(frame: int) -> float:
+        return course.speed[frame] / max(natural(frame / FPS), SLOW)
+
+    fast = max(range(1, len(places) + 1), key=ratio)
+    if ratio(fast) > FASTER:
+        found.append(f"at {fast / FPS:.1f} s {_speed(course, ratio, fast)}: slow down or choose a "
+                     "faster style")
+
+    # too far from the path, in a turn of the last second or because of the style
     if max(apart) > OFF:
         worst = apart.index(max(apart))
         turn = min(range(max(worst + 1 - FPS, 1), worst + 2),
                    key=lambda k: radius(course, course.distance[k]))
         at, speed = course.distance[turn], course.speed[turn]
-        why = (f"the turn after {at:.1f} m, of radius {radius(course, at):.1f} m, is too tight "
-               f"at {speed:.2f} m/s; widen it "
-               "or slow down there") if speed**2 > EASY * radius(course, at) else (
-               f"{style(worst / FPS)} does not keep to it; choose another style there")
+        why = f"{style(worst / FPS)} does not keep to it; choose another style there"
+        if speed**2 > EASY * radius(course, at):
+            why = (f"the turn after {at:.1f} m, of radius {radius(course, at):.1f} m, is too tight "
+                   f"at {speed:.2f} m/s; widen it or slow down there")
         found.append(f"at {(worst + 1) / FPS:.1f} s the character is {100 * apart[worst]:.0f} cm "
                      f"from the path: {why}")
     elif (mean := sum(apart) / len(apart)) > BESIDE:
         found.append(f"the character is {100 * mean:.0f} cm from the path on average")
-    lags = [course.distance[k] - nearest(course.curve, place, course.distance[k]) for k,
-            place in enumerate(places, 1)]
+
+    # behind or ahead of the plan
+    lags = [course.distance[k] - nearest(course.curve, place, course.distance[k])
+            for k, place in enumerate(places, 1)]
     if late := next((k for k, lag in enumerate(lags, 1) if abs(lag) > LAG), 0):
-        found.append(f"from {late / FPS:.1f} s on the character is " + (
-            f"behind the plan: {_speed(course, natural, late)}; slow down or leave more time"
-            if lags[late - 1] > 0 else
-            f"ahead of the plan: {style(late / FPS)} does not stand or walk as slowly; choose "
-            f"another style there"))
+        why = f"behind the plan: {_speed(course, ratio, late)}; slow down or leave more time"
+        if lags[late - 1] < 0:
+            why = (f"ahead of the plan: {style(late / FPS)} does not stand or walk as slowly; "
+                   "choose another style there")
+        found.append(f"from {late / FPS:.1f} s on the character is {why}")
     for point, distance, time in arrivals:
         if round(time * FPS) <= len(places):
             seconds, metres = arrival(course.curve.point(distance), time, places)
             if seconds or metres > NEAR:
-                when = (
-                    "never" if seconds == math.inf else f"{abs(seconds):.1f} s "
-                                                        f"{'late' if seconds > 0 else 'early'}"
-                )
+                when = f"{abs(seconds):.1f} s {'late' if seconds > 0 else 'early'}"
+                when = "never" if seconds == math.inf else when
                 found.append(f"path[{point}] is met {when}: at {time:g} s the character is "
                              f"{100 * metres:.0f} cm away")
     return found
 
 
-def _speed(course: Course, natural: Callable[[float], float], frame: int) -> str:
-    speed, usual = course.speed[frame], max(natural(frame / FPS), SLOW)
-    return f"the speed is {speed:.2f} m/s, {speed / usual:.1f} times that of the style"
+def _speed(course: Course, ratio: Callable[[int], float], frame: int) -> str:
+    return (f"the speed is {course.speed[frame]:.2f} m/s, {ratio(frame):.1f} times that of the "
+            "style")
 
 
 def radius(course: Course, at: float) -> float:

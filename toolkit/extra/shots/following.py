@@ -28,9 +28,15 @@ NEAR = 0.06  # metres: a standing character that is as close to its place is lef
 Pair = tuple[float, float]
 
 
+def keyed(keys: tuple[Sequence[float], Sequence[float], Sequence[str]], now: float) -> float:
+    """The value at a time of keys: their times, values and easings, see `between`."""
+    times, values, easings = keys
+    a, b, weight = between(times, easings, now)
+    return values[a] + weight * (values[b] - values[a])
+
+
 def between(times: Sequence[float], easings: Sequence[str], now: float) -> tuple[int, int, float]:
-    """Two keys and the weight of the second at a time; constant before the first key and after the
-    last.
+    """Two keys and the weight of the second at a time; constant beyond the first and the last key.
 
     The easing of a key is that of the way to the next one.
     """
@@ -41,8 +47,7 @@ def between(times: Sequence[float], easings: Sequence[str], now: float) -> tuple
 
 
 class Curve:
-    """A curve through points, sampled every `SPACING`: ``x``, ``z`` and the arc length ``at`` of
-    every sample.
+    """A curve through points, sampled every `SPACING`: ``x``, ``z`` and arc length ``at`` of each.
 
     Smooth: cubic Hermite segments over the chord lengths, with the tangent of the parabola through
     three neighbouring points (Overhauser 1968; a non-uniform Catmull-Rom spline). Otherwise
@@ -51,8 +56,8 @@ class Curve:
 
     def __init__(self, points: Sequence[Pair], smooth: bool):
         chords = [math.hypot(bx - ax, bz - az) for (ax, az), (bx, bz) in pairwise(points)]
-        slopes = [[(b[i] - a[i]) / d for i in (0, 1)] for (a, b),
-                  d in zip(pairwise(points), chords, strict=True)]
+        slopes = [[(b[i] - a[i]) / d for i in (0, 1)]
+                  for (a, b), d in zip(pairwise(points), chords, strict=True)]
         tangents = [slopes[0]]
         for k in range(1, len(chords)):
             before, after = chords[k - 1], chords[k]
@@ -87,28 +92,25 @@ class Curve:
             return self.x[-1], self.z[-1]
         k = max(bisect_right(self.at, distance), 1)
         share = max(distance - self.at[k - 1], 0.0) / (self.at[k] - self.at[k - 1])
-        return (
-            self.x[k - 1] + share * (self.x[k] - self.x[k - 1]),
-            self.z[k - 1] + share * (self.z[k] - self.z[k - 1])
-        )
+        return (self.x[k - 1] + share * (self.x[k] - self.x[k - 1]),
+                self.z[k - 1] + share * (self.z[k] - self.z[k - 1]))
 
     def tangent(self, distance: float) -> Pair:
         """The unit direction at an arc length."""
         distance = min(max(distance, 0.0), self.length)
-        (ax, az), (bx,
-                   bz) = self.point(max(distance - SPACING, 0.0)), self.point(distance + SPACING)
+        ax, az = self.point(max(distance - SPACING, 0.0))
+        bx, bz = self.point(distance + SPACING)
         size = max(math.hypot(bx - ax, bz - az), 1e-12)
         return (bx - ax) / size, (bz - az) / size
 
 
 class Course:
-    """Where a character should be at every frame: ``distance`` along the curve and planned
-    ``speed``.
+    """Where a character should be: ``distance`` along the curve and ``speed`` of every frame.
 
     Parameters
     ----------
     curve : the curve to walk
-    speeds : times, speeds and easings of the speed keys
+    speeds : times, speeds and easings of the speed keys, see `keyed`
     arrivals
         (distance, time) of the points that have a time, in order. The speed on the way there is
         scaled so that they are met.
@@ -122,9 +124,8 @@ class Course:
                  duration: float | None):
         self.curve, self.speeds = curve, speeds
         self.pauses = sorted((time, seconds) for time, _, seconds in holds if time is not None)
-        self.stops = [*sorted((min(at, curve.length), seconds) for _, at,
-                              seconds in holds if at is not None),
-                      (curve.length, math.inf)]
+        stops = [(min(at, curve.length), seconds) for _, at, seconds in holds if at is not None]
+        self.stops = [*sorted(stops), (curve.length, math.inf)]
         self.distance, self.speed = [0.0], [0.0]
         # index of the next stop; time until which the character stands
         self._stop, self._until = 0, 0.0
@@ -134,22 +135,22 @@ class Course:
             if self._walk(distance, fast, time)[-1]:
                 for _ in range(30):
                     middle = (slow + fast) / 2
-                    slow, fast = (slow, middle) if self._walk(distance, middle,
-                                                              time)[-1] else (middle, fast)
+                    if self._walk(distance, middle, time)[-1]:
+                        fast = middle
+                    else:
+                        slow = middle
             else:
                 self.late.append(k)
             self._keep(*self._walk(distance, fast, LONGEST))
         self._keep(*self._walk(curve.length, 1.0, LONGEST if duration is None else duration))
-        self.end = (
-            (len(self.distance) - 1) / FPS if self.distance[-1] >= curve.length - 1e-9 else None
-        )
-        seconds = (
-            duration if duration is not None else LONGEST
-            if self.end is None else min(self.end + SETTLE, LONGEST)
-        )
-        rest = round(seconds * FPS) + 1 - len(self.distance)
-        self.distance = [*self.distance, *[self.distance[-1]] * rest][: round(seconds * FPS) + 1]
-        self.speed = [*self.speed, *[0.0] * rest][: round(seconds * FPS) + 1]
+        arrived = self.distance[-1] >= curve.length - 1e-9
+        self.end = (len(self.distance) - 1) / FPS if arrived else None
+        if duration is None:
+            duration = min(self.end + SETTLE, LONGEST) if arrived else LONGEST
+        frames = round(duration * FPS) + 1
+        rest = frames - len(self.distance)
+        self.distance = [*self.distance, *[self.distance[-1]] * rest][:frames]
+        self.speed = [*self.speed, *[0.0] * rest][:frames]
 
     def _keep(self, distances: list[float], speeds: list[float], stop: int, until: float,
               _reached: bool) -> None:
@@ -157,11 +158,9 @@ class Course:
         self.speed += speeds
         self._stop, self._until = stop, until
 
-    def _walk(self, goal: float, scale: float, latest: float) -> tuple[list[float], list[float],
-                                                                       int, float, bool]:
-        """The plan from its last frame to a distance or a time, with scaled speeds; whether the
-        distance is reached.
-        """
+    def _walk(self, goal: float, scale: float,
+              latest: float) -> tuple[list[float], list[float], int, float, bool]:
+        """The plan from its last frame to a distance or a time; whether the distance is reached."""
         at, speed, stop, until = self.distance[-1], self.speed[-1], self._stop, self._until
         first, distances, speeds = len(self.distance), [], []
         while at < goal - 1e-9:
@@ -169,7 +168,7 @@ class Course:
             if now > latest + 1e-9:
                 return distances, speeds, stop, until, False
             limit, ends = self.stops[stop]
-            speed = max(min(speed + ACCELERATION / FPS, scale * self.natural(now)),
+            speed = max(min(speed + ACCELERATION / FPS, scale * keyed(self.speeds, now)),
                         speed - 2 * ACCELERATION / FPS, 0.0)
             speed = min(speed, math.sqrt(2 * ACCELERATION * max(limit - at, 0.0)))
             for time, seconds in self.pauses:
@@ -184,12 +183,6 @@ class Course:
             speeds.append(speed)
         return distances, speeds, stop, until, True
 
-    def natural(self, now: float) -> float:
-        """The keyed speed at a time."""
-        times, values, easings = self.speeds
-        a, b, weight = between(times, easings, now)
-        return values[a] + weight * (values[b] - values[a])
-
 
 def wrapped(angle: float) -> float:
     """The same angle in [-π, π]."""
@@ -197,9 +190,7 @@ def wrapped(angle: float) -> float:
 
 
 def nearest(curve: Curve, place: Pair, distance: float) -> float:
-    """Arc length of the curve's point that is nearest to a place, among those from `BEHIND` an arc
-    length to `BEFORE` it.
-    """
+    """Arc length of the curve's point nearest to a place, from `BEHIND` a distance to `BEFORE`."""
     first = max(bisect_right(curve.at, distance - BEHIND) - 1, 0)
     last = min(bisect_right(curve.at, distance + BEFORE), len(curve.at) - 1)
     best, least = distance, math.inf
@@ -214,12 +205,11 @@ def nearest(curve: Curve, place: Pair, distance: float) -> float:
 
 
 class Heading:
-    """Where a character faces, an angle from +z to +x: along the curve, in a fixed ``direction``,
-    or to the point ``look``.
+    """Where a character faces: along the curve, in a fixed ``direction``, or to a point ``look``.
 
-    ``turns`` are the angles of the curve's points, None for those without. Between two points, the
-    difference from the rule changes linearly with the distance; it is zero at points without an
-    angle.
+    Angles are from +z to +x. ``turns`` are those of the curve's points, None for those without.
+    Between two points, the difference from the rule changes linearly with the distance; it is zero
+    at points without an angle.
     """
 
     def __init__(self, curve: Curve, direction: Pair | None, look: Pair | None,
@@ -231,21 +221,17 @@ class Heading:
     def _rule(self, distance: float, place: Pair) -> float:
         if self.look is not None:
             return math.atan2(self.look[0] - place[0], self.look[1] - place[1])
-        return math.atan2(*(self.curve.tangent(distance)
-                            if self.direction is None else self.direction))
+        return math.atan2(*(self.direction or self.curve.tangent(distance)))
 
     def angle(self, distance: float, place: Pair) -> float:
         """The angle at an arc length, for a character at a place."""
         knots = self.curve.knots
-        a, b, weight = between(knots, ["linear"] * len(knots), distance)
-        return self._rule(distance,
-                          place) + self.offsets[a] + weight * (self.offsets[b] - self.offsets[a])
+        offset = keyed((knots, self.offsets, ["linear"] * len(knots)), distance)
+        return self._rule(distance, place) + offset
 
 
 def command(course: Course, heading: Heading, frame: int, place: Pair) -> tuple[Pair, Pair]:
-    """Velocity and facing for a character at a place, so that it keeps to a course: the plan ahead,
-    and feedback.
-    """
+    """Velocity and facing that keep a character to a course: the plan ahead, and feedback."""
     curve, last = course.curve, len(course.distance) - 1
     planned, ahead = course.distance[min(frame, last)], min(frame + round(LEAD * FPS), last)
     here = nearest(curve, place, planned)

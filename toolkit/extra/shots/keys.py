@@ -21,12 +21,12 @@ def number(value, what: str, low: float, high: float) -> float:
     return float(value)
 
 
-def pair(value, what: str, size: float = FAR) -> tuple[float, float]:
-    """Two finite numbers (x, z) of at most a size."""
+def pair(value, what: str) -> tuple[float, float]:
+    """Two finite numbers (x, z) of at most `FAR`."""
     if isinstance(value, str | Mapping) or not isinstance(value, Sequence) or len(value) != 2:
         raise ValueError(f"{what} must be a pair (x, z), got {shown(value)}")
-    return number(value[0], f"x of {what}", -size, size), number(value[1], f"z of {what}", -size,
-                                                                 size)
+    return tuple(number(v, f"{axis} of {what}", -FAR, FAR)
+                 for v, axis in zip(value, "xz", strict=True))
 
 
 def direction(value, what: str) -> tuple[float, float]:
@@ -46,14 +46,12 @@ def choice(value, what: str, known: Iterable[str]) -> str:
 
 @dataclass(frozen=True)
 class Point:
-    """A point of a path: ``x`` and ``z``, metres; optional ``time`` of arrival, seconds, and
-    ``facing`` (x, z) there.
-    """
+    """A point of a path."""
 
-    x: float
+    x: float  # metres
     z: float
-    time: float | None = None
-    facing: tuple[float, float] | None = None
+    time: float | None = None  # of arrival, seconds
+    facing: tuple[float, float] | None = None  # (x, z) there
 
     def __post_init__(self):
         for name in ("x", "z"):
@@ -83,12 +81,12 @@ class StyleKey:
             if not isinstance(blend, Mapping) or not 0 < len(blend) <= MANY:
                 raise ValueError(f"a blend is a style's name or weights of up to {MANY} styles, "
                                  f"got {shown(self.blend)}")
-            weights = [number(w, f"the weight of {shown(name)}", -FAR, FAR) for name,
-                       w in blend.items()]
+            weights = [number(w, f"the weight of {shown(name)}", -FAR, FAR)
+                       for name, w in blend.items()]
             if abs(sum(weights) - 1) > 1e-4:
                 raise ValueError(f"the weights of a blend must sum to 1, got {sum(weights):g}")
         if not layers or isinstance(layers, str):
-            raise ValueError(f"a blend is a style's name or weights of styles, got "
+            raise ValueError("a blend is a style's name or weights of styles, got "
                              f"{shown(self.blend)}")
         plain = [{str(name): float(w) for name, w in blend.items()} for blend in layers]
         object.__setattr__(self, "blend", plain[0] if isinstance(blends, Mapping) else tuple(plain))
@@ -115,13 +113,11 @@ class SpeedKey:
 
 @dataclass(frozen=True)
 class Hold:
-    """Standing for ``seconds``, from a ``time`` on or where the path has the length ``distance``,
-    metres: one of the two.
-    """
+    """Standing for a while, from a time on or at a distance: one of the two."""
 
     seconds: float
     time: float | None = None
-    distance: float | None = None
+    distance: float | None = None  # length of the path, metres
 
     def __post_init__(self):
         object.__setattr__(self, "seconds", number(self.seconds, "seconds", 0, LONGEST))
@@ -133,9 +129,7 @@ class Hold:
 
 
 def entries(values, kind: type, what: str) -> tuple:
-    """The entries of a list as objects of a kind, see `build`; messages name the list and the
-    entry.
-    """
+    """The entries of a list as objects of a kind, see `build`; messages name list and entry."""
     if isinstance(values, str | Mapping) or not isinstance(values, Iterable):
         raise ValueError(f"{what} must be a list, got {shown(values)}")
     values = list(values)

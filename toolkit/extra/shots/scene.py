@@ -28,8 +28,7 @@ FASTER, SLOWEST = 1.3, 0.3  # times the planned speed, and m/s: such a character
 WAITS = 4  # times the longest plan after which all end
 MARGIN = 0.5  # metres between a root and a wall
 TRIED = 3 * FPS  # frames of the walk that shows the reach of a style
-# m/s and seconds from which `Scene.check` says that a style does not stand, that characters jam
-STANDS, QUEUE = 0.1, 2.0
+STANDS, QUEUE = 0.1, 2.0  # m/s and seconds: a style that does not stand, characters that jam
 
 
 @dataclass(frozen=True)
@@ -97,8 +96,7 @@ class Scene:
         return [shot.radius or self.apart / 2 for shot in self.shots]
 
     def spaced(self, model, bank: StyleBank, bodies: float = 0.3) -> "Scene":
-        """The scene with a radius for each character such that two bodies are so many metres apart,
-        whose roots keep it.
+        """The scene with a radius for each character, so that bodies are so many metres apart.
 
         The radius is the reach of the joints of the styles, tried in a short walk, and half of
         ``bodies``.
@@ -106,8 +104,8 @@ class Scene:
         tried = self._tried(model, bank)
         radii = [max(reach for j, _, reach, _ in tried if j == k) + bodies / 2
                  for k in range(len(self.shots))]
-        shots = [dataclasses.replace(shot, radius=round(r, 2)) for shot,
-                 r in zip(self.shots, radii, strict=True)]
+        shots = [dataclasses.replace(shot, radius=round(r, 2))
+                 for shot, r in zip(self.shots, radii, strict=True)]
         return dataclasses.replace(self, shots=shots)
 
     def _tried(self, model, bank: StyleBank) -> list[tuple[int, StyleKey, float, float]]:
@@ -122,17 +120,18 @@ class Scene:
             with torch.no_grad():
                 state = step(model, state, Command(ahead * (frame < TRIED)))
             if TRIED // 3 < frame < TRIED:
-                away = world_joints(model.layout, state)["position"][..., [0, 2]] - state.root[
-                    :, None, :2]
+                joints = world_joints(model.layout, state)["position"][..., [0, 2]]
+                away = joints - state.root[:, None, :2]
                 far = far.maximum(away.norm(dim=-1).amax(1))
         drift = (places[-1] - places[2 * TRIED]).norm(dim=-1) * FPS / TRIED
-        return [(*key, *measured) for key,
-                *measured in zip(keys, far.tolist(), drift.tolist(), strict=True)]
+        return [(*key, *measured)
+                for key, *measured in zip(keys, far.tolist(), drift.tolist(), strict=True)]
 
     def check(self, model, bank: StyleBank) -> list[str]:
-        """What cannot be met and why, a line each: `Shot.check` of each; of those who keep apart,
-        styles that cannot stand, ends that are too close, and gaps between walls that are too
-        narrow or to which too many come at once.
+        """What cannot be met and why, a line each.
+
+        `Shot.check` of each; of those who keep apart, styles that cannot stand, ends that are too
+        close, and gaps between walls that are too narrow or to which too many come at once.
         """
         lines = []
         for k, shot in enumerate(self.shots):
@@ -144,6 +143,8 @@ class Scene:
                 raise ValueError(f"shots[{k}]: {error}") from None
         if self.apart is None:
             return lines
+
+        # styles that cannot wait, and ends that two cannot both reach
         for k, key, _, speed in self._tried(model, bank):
             if speed > STANDS:
                 lines.append(f"{self._called(k)}: {' + '.join(key.layers[0])} goes on at "
@@ -153,7 +154,9 @@ class Scene:
             if (room := math.dist(goals[j], goals[k])) < radii[j] + radii[k]:
                 lines.append(f"{self._called(j)} and {self._called(k)} end {room:.2f} m apart and "
                              f"keep {radii[j] + radii[k]:.2f} m: they do not both arrive")
-        courses, widest = [shot.plan(bank)[0] for shot in self.shots], sum(sorted(self.radii)[-2:])
+
+        # gaps between walls
+        courses, widest = [shot.plan(bank)[0] for shot in self.shots], sum(sorted(radii)[-2:])
         for (a, one), (b, other) in itertools.combinations(enumerate(self.walls), 2):
             ends = min(itertools.product((one.start, one.end), (other.start, other.end)),
                        key=lambda pair: math.dist(*pair))
@@ -164,30 +167,31 @@ class Scene:
             elif 2 * MARGIN <= room < 2 * MARGIN + widest and len(self.shots) > 1:
                 lines.append(f"{between}: too narrow for two of the widest at once, who need "
                              f"{2 * MARGIN + widest:.2f} m")
-            if room >= 2 * MARGIN and (wait := self._queue(
-                courses, ends, 1 + int((room - 2 * MARGIN) / widest))) > QUEUE:
+            if room < 2 * MARGIN:
+                continue
+            wait = self._queue(courses, ends, 1 + int((room - 2 * MARGIN) / widest))
+            if wait > QUEUE:
                 lines.append(f"{between}: those who come at once would wait for up to {wait:.0f} "
-                             f"s, and may touch; "
-                             "let them start one after another, with holds")
+                             "s, and may touch; let them start one after another, with holds")
         return lines
 
     def _queue(self, courses: list[Course], ends: tuple[Pair, Pair], lanes: int) -> float:
-        """Seconds that a character would wait, at most, for those who cross the line between two
-        places before it.
-        """
+        """Longest wait for those who cross the line between two places before, seconds."""
+        # when each one crosses the line, and for how long
         (x, z), (to_x, to_z) = ends
-        way, crossed, free = (to_x - x, to_z - z), [], [0.0] * lanes
+        way_x, way_z, crossed = to_x - x, to_z - z, []
         for course, share in zip(courses, self.radii, strict=True):
-            off = np.array([course.curve.x, course.curve.z]) - [[x], [z]]
-            side, along = way[0] * off[1] - way[1] * off[0], (
-                way[0] * off[0] + way[1] * off[1]) / math.hypot(*way) ** 2
-            through = (
-                np.flatnonzero((side[1:] * side[:-1] <= 0) & (along[1:] > 0) & (along[1:] < 1))
-            )
-            frames = [k for k in through[:1] if course.distance[-1] >= course.curve.at[k]]
-            for frame in (bisect_left(course.distance, course.curve.at[k]) for k in frames):
-                crossed.append((frame / FPS, 2 * share / max(course.speed[frame], SLOWEST)))
-        waits = [0.0]
+            off_x, off_z = np.array(course.curve.x) - x, np.array(course.curve.z) - z
+            side = way_x * off_z - way_z * off_x
+            along = (way_x * off_x + way_z * off_z) / (way_x**2 + way_z**2)
+            through = (side[1:] * side[:-1] <= 0) & (along[1:] > 0) & (along[1:] < 1)
+            for k in np.flatnonzero(through)[:1]:
+                if course.distance[-1] >= course.curve.at[k]:
+                    frame = bisect_left(course.distance, course.curve.at[k])
+                    crossed.append((frame / FPS, 2 * share / max(course.speed[frame], SLOWEST)))
+
+        # each takes the lane that is free first
+        waits, free = [0.0], [0.0] * lanes
         for time, takes in sorted(crossed):
             now = max(time, heapq.heappop(free))
             waits.append(now - time)
@@ -225,15 +229,15 @@ class Scene:
             if all(clock >= last for clock, last in zip(clocks, lasts, strict=True)):
                 return
             places = [tuple(place) for place in state.root[:, :2].tolist()]
-            asked = [command(*plan, clock, place) for plan, clock,
-                     place in zip(plans, clocks, places, strict=True)]
+            asked = [command(*plan, clock, place)
+                     for plan, clock, place in zip(plans, clocks, places, strict=True)]
             velocities, facings = (np.array(pairs) for pairs in zip(*asked, strict=True))
             held = [self.apart is not None and _held_up(course, clock, place)
                     for (course, _), clock, place in zip(plans, clocks, places, strict=True)]
             if self.apart is not None:
                 velocities = self._kept(state, plans, clocks, velocities)
-            vectors = torch.stack([style(clock) for style,
-                                   clock in zip(styles, clocks, strict=True)])
+            vectors = torch.stack([style(clock)
+                                   for style, clock in zip(styles, clocks, strict=True)])
             clocks = [clock + (not waits) for clock, waits in zip(clocks, held, strict=True)]
             with torch.no_grad():
                 state = step(model, state.with_style(vectors),
@@ -259,8 +263,8 @@ class Scene:
     def _kept(self, state: CharacterState, plans, clocks: list[int],
               wanted: np.ndarray) -> np.ndarray:
         """Velocities ``[N, 2]`` that keep the characters apart and off the walls."""
-        speeds = [max(plan[0].speed[min(clock, len(plan[0].speed) - 1)], SLOWEST) for plan, clock in
-                  zip(plans, clocks, strict=True)]
+        speeds = [max(course.speed[min(clock, len(course.speed) - 1)], SLOWEST)
+                  for (course, _), clock in zip(plans, clocks, strict=True)]
         most = FASTER * np.array(speeds)[:, None]
         places, moving = (values.double().numpy() for values in (state.root[:, :2], state.velocity))
         safe = avoidance.velocities(places, moving, _limited(wanted, most), np.array(self.radii),
@@ -297,6 +301,5 @@ def _held_up(course: Course, clock: int, place: tuple[float, float]) -> bool:
 
 
 def _limited(velocities: np.ndarray, most: np.ndarray) -> np.ndarray:
-    return velocities * np.minimum(most / np.maximum(np.linalg.norm(velocities, axis=-1,
-                                                                    keepdims=True), 1e-9), 1.0)
-
+    speeds = np.linalg.norm(velocities, axis=-1, keepdims=True)
+    return velocities * np.minimum(most / np.maximum(speeds, 1e-9), 1.0)

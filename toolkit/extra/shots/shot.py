@@ -32,7 +32,7 @@ from toolkit.io.files import atomic_write
 from toolkit.motion import Clip
 from toolkit.motion.tensors import shown
 from toolkit.networks.bank import StyleBank
-from toolkit.runtime import CharacterState, Command, pose, step
+from toolkit.runtime import CharacterState, pose
 
 VERSION = 1
 
@@ -90,9 +90,8 @@ class Shot:
         for k, (a, b) in enumerate(pairwise(self.path)):
             if math.hypot(b.x - a.x, b.z - a.z) < 0.01:
                 raise ValueError(f"path[{k + 1}]: is less than 1 cm from the point before it")
-        length, most = sum(math.dist((a.x, a.z), (b.x, b.z)) for a,
-                           b in pairwise(self.path)), LONGEST * FAST
-        if length > most:
+        length = sum(math.dist((a.x, a.z), (b.x, b.z)) for a, b in pairwise(self.path))
+        if length > (most := LONGEST * FAST):
             raise ValueError(f"path: is {length:.0f} m long, a path has at most {most:.0f} m")
         rising(tuple(p for p in self.path[1:] if p.time is not None), "path, points with a time")
         if self.path[0].time not in (None, 0.0):
@@ -114,8 +113,7 @@ class Shot:
             put("facing", direction(self.facing, "facing"))
         if self.look_at is not None:
             put("look_at", pair(self.look_at, "look_at"))
-        if isinstance(self.seed, bool) or not isinstance(self.seed,
-                                                         int) or not 0 <= self.seed < 2**31:
+        if type(self.seed) is not int or not 0 <= self.seed < 2**31:
             raise ValueError(f"seed must be a whole number from 0 to {2**31 - 1}, got "
                              f"{shown(self.seed)}")
         if self.duration is not None:
@@ -131,7 +129,7 @@ class Shot:
         shots = load(path)
         if len(shots) != 1:
             raise ValueError(f"{path}: holds {len(shots)} shots; read them with "
-                             f"toolkit.extra.shots.load")
+                             "toolkit.extra.shots.load")
         return shots[0]
 
     def save(self, path: str | os.PathLike) -> None:
@@ -141,14 +139,12 @@ class Shot:
     def plan(self, bank: StyleBank | None = None) -> tuple[Course, Heading]:
         """Where the character should be and face; ``bank`` is needed without speeds."""
         curve = Curve([(p.x, p.z) for p in self.path], self.smooth)
-        keys = self.speeds or self._natural(bank)
-        speeds = [key.time for key in keys], [key.speed for key in keys], [key.easing
-                                                                           for key in keys]
+        speeds = _columns(self.speeds or self._natural(bank))
         arrivals = [(curve.knots[k], time) for k, time in self._timed]
         holds = [(hold.time, hold.distance, hold.seconds) for hold in self.holds]
         turns = [None if p.facing is None else math.atan2(*p.facing) for p in self.path]
-        return Course(curve, speeds, arrivals, holds, self.duration), Heading(curve, self.facing,
-                                                                              self.look_at, turns)
+        return (Course(curve, speeds, arrivals, holds, self.duration),
+                Heading(curve, self.facing, self.look_at, turns))
 
     def style(self, bank: StyleBank) -> Callable[[int], Tensor]:
         """The style vector ``[S]`` of every frame."""
@@ -160,19 +156,6 @@ class Shot:
             return vectors[a] + weight * (vectors[b] - vectors[a]) if weight else vectors[a]
 
         return at
-
-    def states(self, model, bank: StyleBank,
-               plan: tuple[Course, Heading] | None = None) -> Iterable[CharacterState]:
-        """Yield the state of every frame; ``model`` plain or compiled."""
-        course, heading = self.plan(bank) if plan is None else plan
-        style = self.style(bank)
-        state = first(model, [self], [style], [(course, heading)])
-        for frame in range(len(course.distance) - 1):
-            x, z = state.root[0, :2].tolist()
-            with torch.no_grad():
-                state = step(model, state.with_style(style(frame)),
-                             Command(*following.command(course, heading, frame, (x, z))))
-            yield state
 
     def render(self, model, bank: StyleBank) -> Clip:
         """The motion, 60 frames a second: the same bits every time.
@@ -197,53 +180,51 @@ class Shot:
         return rolled(model, first(model, [self], [style], [plan]), frames, ask)
 
     def check(self, model, bank: StyleBank) -> list[str]:
-        """What cannot be met and why, a line each; empty if all can. The shot is tried, without
-        drawing.
-        """
+        """What cannot be met and why, a line each; empty if all can. The shot is tried for it."""
         plan = self.plan(bank)
         states = self._walked(model, bank, plan)
         return self.unmet(bank, plan, [tuple(place) for place in states.root[:, :2].tolist()])
 
     def unmet(self, bank: StyleBank, plan: tuple[Course, Heading], places: list[Pair]) -> list[str]:
         """What `check` says of a character that was at these places (x, z), from frame 1 on."""
-        course, keys = plan[0], self._natural(bank)
-        times, speeds, easings = ([getattr(key, name) for key in keys]
-                                  for name in ("time", "speed", "easing"))
+        course, keys = plan[0], _columns(self._natural(bank))
 
         def natural(now: float) -> float:
-            a, b, weight = following.between(times, easings, now)
-            return speeds[a] + weight * (speeds[b] - speeds[a])
+            return following.keyed(keys, now)
 
         def style(now: float) -> str:
-            a, b, weight = following.between(times, easings, now)
+            a, b, weight = following.between(keys[0], keys[2], now)
             (layer, *_) = self.styles[b if weight > 0.5 else a].layers
             return max(layer, key=layer.get)
 
         timed = [(k, course.curve.knots[k], time) for k, time in self._timed]
         lines = [f"path[{timed[k][0]}] is too far away to be reached at {timed[k][2]:g} s"
                  for k in course.late]
-        if course.end is None or course.end > (len(course.distance) - 1) / FPS + 1e-9:
-            lines.append(f"the end of the path is not reached in "
-                         f"{(len(course.distance) - 1) / FPS:g} s: "
-                         f"{course.curve.length - course.distance[-1]:.1f} m are left")
-        lines += [f"holds[{k}] is after the end of the path, {course.curve.length:.2f} m long"
-                  for k, hold in
-                  enumerate(self.holds) if hold.distance is not None
-                  and hold.distance > course.curve.length]
+        length, seconds = course.curve.length, (len(course.distance) - 1) / FPS
+        if course.end is None or course.end > seconds + 1e-9:
+            lines.append(f"the end of the path is not reached in {seconds:g} s: "
+                         f"{length - course.distance[-1]:.1f} m are left")
+        lines += [f"holds[{k}] is after the end of the path, {length:.2f} m long"
+                  for k, hold in enumerate(self.holds) if (hold.distance or 0.0) > length]
         return lines + feasibility.missed(course, natural, style, timed, places)
 
     @property
     def _timed(self) -> list[tuple[int, float]]:
         """Index and time of the points with a time, without the first point."""
-        return [(k, point.time) for k,
-                point in enumerate(self.path) if k and point.time is not None]
+        return [(k, point.time) for k, point in enumerate(self.path)
+                if k and point.time is not None]
 
     def _natural(self, bank: StyleBank) -> list[SpeedKey]:
         """The natural speed at every style key: of blends by layer, the mean of the layers."""
         speeds = [sum(bank.speed(blend) for blend in key.layers) / len(key.layers)
                   for key in self.styles]
-        return [SpeedKey(key.time, min(max(v, 0.0), FAST), key.easing) for key,
-                v in zip(self.styles, speeds, strict=True)]
+        return [SpeedKey(key.time, min(max(v, 0.0), FAST), key.easing)
+                for key, v in zip(self.styles, speeds, strict=True)]
+
+
+def _columns(keys: Sequence[SpeedKey]) -> tuple[list[float], list[float], list[str]]:
+    """Times, speeds and easings of speed keys, as `following.keyed` takes them."""
+    return ([key.time for key in keys], [key.speed for key in keys], [key.easing for key in keys])
 
 
 def save(shots: Iterable[Shot], path: str | os.PathLike) -> None:
@@ -255,8 +236,8 @@ def save(shots: Iterable[Shot], path: str | os.PathLike) -> None:
 
 def data(shots: Iterable[Shot]) -> dict:
     """Shots, or a `Scene`, as `parse` reads them and a file holds them."""
-    made = _data(shots) if dataclasses.is_dataclass(shots) else {"shots": [_data(shot)
-                                                                           for shot in shots]}
+    scene = dataclasses.is_dataclass(shots)
+    made = _data(shots) if scene else {"shots": [_data(shot) for shot in shots]}
     return {"version": VERSION, **made}
 
 
@@ -286,9 +267,7 @@ def read(path: str | os.PathLike, parse: Callable):
 
 
 def parse(scene) -> list[Shot]:
-    """The shots of a scene, a dictionary as a JSON file holds it; `Scene.parse` reads its other
-    fields too.
-    """
+    """The shots of a dictionary as a file holds it; `Scene.parse` reads its other fields too."""
     needed = {"version", "shots"}
     if not isinstance(scene, Mapping) or not needed <= set(scene) <= needed | {"apart", "walls"}:
         raise ValueError("expected an object with the fields version and shots, and perhaps "

@@ -1,6 +1,4 @@
-"""The verbs `shot`, `crowd` and `export director`: planned motion, many characters, a page in which
-shots are planned.
-"""
+"""The verbs `shot`, `crowd` and `export director`."""
 
 import dataclasses
 import sys
@@ -22,9 +20,8 @@ from toolkit.training import published
 
 def shot(
     file: Annotated[Path, typer.Argument(help="JSON file of one or more shots.")],
-    out: Annotated[Path,
-                   typer.Option(help=f"File to write: {', '.join(saving.suffixes())}; of several "
-                                     f"shots one file each.")],
+    out: Annotated[Path, typer.Option(
+        help=f"File to write: {', '.join(saving.suffixes())}; of several shots one file each.")],
     model: TrainedRun = None,
     parameters: Published = None,
     seed: Annotated[int | None, typer.Option(help="In place of the seed of the shots.")] = None,
@@ -32,11 +29,11 @@ def shot(
     """Render a file of shots, say what cannot be met, and write the motion."""
     scene = shots.Scene.load(file)
     if seed is not None:
-        scene = dataclasses.replace(scene,
-                                    shots=[dataclasses.replace(asked, seed=seed)
-                                           for asked in scene.shots])
-    paths = [out] if len(scene.shots) == 1 else [out.with_stem(f"{out.stem}_{k}")
-                                                 for k in range(len(scene.shots))]
+        seeded = [dataclasses.replace(asked, seed=seed) for asked in scene.shots]
+        scene = dataclasses.replace(scene, shots=seeded)
+    paths = [out]
+    if len(scene.shots) > 1:
+        paths = [out.with_stem(f"{out.stem}_{k}") for k in range(len(scene.shots))]
     for path in paths:
         saving.check(path)
     net, bank = published.either(model, parameters)
@@ -87,15 +84,14 @@ def crowd(
 
 def director(
     out: Annotated[Path, typer.Option(help="Page to write: .html.")],
-    file: Annotated[Path | None,
-                    typer.Option("--shots", help="JSON file of the first shots.")] = None,
+    file: Annotated[Path | None, typer.Option(
+        "--shots", help="JSON file of the first shots.")] = None,
     model: TrainedRun = None,
     parameters: Published = None,
     title: Annotated[str, typer.Option(help="Heading of the page.")] = "Plan a shot",
     styles: Selection = None,
-    half: Annotated[bool,
-                    typer.Option("--half",
-                                 help="Store numbers in 16 bits: half the size.")] = False,
+    half: Annotated[bool, typer.Option(
+        "--half", help="Store numbers in 16 bits: half the size.")] = False,
     character: Figure = None,
 ) -> None:
     """Write one page in which shots are planned: a floor map, a timeline of styles, the characters
@@ -107,5 +103,4 @@ def director(
     saving.check(out, (".html",))
     first = None if file is None else shots.Scene.load(file)
     wrote(desk.web(*published.either(model, parameters), out, first, title=title, styles=styles,
-                   half=half,
-                    character=character))
+                   half=half, character=character))

@@ -97,17 +97,3 @@ def encoded(values, kind: str) -> str:
     kind, values = np.dtype(kind), np.asarray(values)
     values = values.round() if kind.kind in "iu" else values
     return base64.b64encode(np.ascontiguousarray(values, kind).tobytes()).decode("ascii")
-
-
-def strongest(weights: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Joints and weights ``[V, SLOTS]``, the largest first, of weights ``[V, J]`` or more columns.
-
-    Their sum is 1.
-    """
-    if weights.shape[1] < SLOTS:
-        weights = np.pad(weights, ((0, 0), (0, SLOTS - weights.shape[1])))
-    joints = np.argsort(-weights, axis=1, kind="stable")[:, :SLOTS]
-    kept = np.take_along_axis(weights, joints, 1)
-    kept = np.where(kept < 0.01 * kept[:, :1], 0.0, kept)
-    joints = np.where(kept > 0, joints, 0)
-    return joints, (kept / kept.sum(1, keepdims=True)).astype(np.float32)
