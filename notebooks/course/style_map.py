@@ -17,6 +17,7 @@ from course.charts import INK, style_space
 from course.style_blender import StyleBlender
 from plotly.offline import get_plotlyjs
 from scipy.spatial import Delaunay, QhullError
+from sklearn.manifold import TSNE
 from torch import Tensor
 
 from toolkit import runtime
@@ -24,7 +25,6 @@ from toolkit.motion import Clip
 from toolkit.networks import Predictor
 from toolkit.networks.bank import StyleBank
 from toolkit.runtime import CharacterState
-from toolkit.styles.space import embed
 from toolkit.view.frontend import escape, in_notebook
 from toolkit.view.pages.live_page import ordered
 from toolkit.view.render.picture import PAPER, Picture
@@ -32,6 +32,7 @@ from toolkit.view.render.picture import PAPER, Picture
 SIDE = 560  # pixels of the map, both ways
 SECONDS, SPEED = 2.0, 1.0  # of the walk that is played, metres per second
 SETTLE = 0.4  # seconds of walking before, in which the character goes into the style
+PERPLEXITY = 30.0  # of t-SNE, about the number of neighbours; at most a third of the points
 
 
 def explore(
@@ -47,7 +48,7 @@ def explore(
         A model and its styles, three or more.
     points
         Positions of the styles on the map, ``[S, 2]``; by default the t-SNE of their vectors
-        (`toolkit.styles.embed`).
+        (`embed`).
     groups
         S labels, a colour each.
     make_clip, size
@@ -58,6 +59,16 @@ def explore(
     if not in_notebook():
         return chart(bank, points, groups)
     return StyleExplorer(model, bank, points, groups, make_clip=make_clip, size=size)
+
+
+def embed(vectors: Tensor) -> Tensor:
+    """The t-SNE of style vectors (Figure 11): points ``[N, 2]`` of ``vectors [N, D]``, three or
+    more, the same in each call. It keeps neighbours together.
+    """
+    if vectors.dim() != 2 or len(vectors) < 3:
+        raise ValueError(f"a map needs three or more vectors [N, D], got {list(vectors.shape)}")
+    tsne = TSNE(perplexity=min(PERPLEXITY, (len(vectors) - 1) / 3), init="pca", random_state=0)
+    return torch.from_numpy(tsne.fit_transform(vectors.detach().double().cpu().numpy())).float()
 
 
 def chart(bank: StyleBank, points: Tensor, groups: Sequence[str] | None = None) -> go.Figure:

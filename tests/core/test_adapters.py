@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 import torch
 
-from toolkit.networks import BlendedLinear, CatmullRom, Film, OneHot, ResidualAdapter, fold
-from toolkit.networks.film import layer_norm
+from toolkit.networks import BlendedLinear, CatmullRom, Film, OneHot, ResidualAdapter
 
 
 def spline(points, phase):
@@ -89,18 +88,3 @@ def test_one_style_for_the_whole_batch_equals_a_row_for_each_sample(modulation, 
     each = modulation(layer, f, style.expand(5, -1), x, gates)
     torch.testing.assert_close(modulation(layer, f, style, x, gates), each)
     torch.testing.assert_close(modulation(layer, f, style[None], x, gates), each)
-
-
-def test_film_folds_into_a_layers_weights():
-    """Equation 6, exact for all inputs; with layer normalisation up to the sample's deviation."""
-    torch.manual_seed(7)
-    x, weight, bias = (torch.randn(*n).double() for n in ((5, 7), (7, 6), (6,)))
-    gamma, beta = torch.randn(2, 6).double()
-    folded, shift = fold(weight, bias, gamma, beta)
-    right = gamma * (x @ weight + bias) + beta
-    torch.testing.assert_close(x @ folded + shift, right, rtol=1e-12, atol=1e-12)
-    f = x @ weight + bias
-    each = weight.expand(5, 7, 6), bias.expand(5, 6)
-    folded, shift = fold(*each, gamma, beta, f.std(-1))
-    got = torch.einsum("bi,bio->bo", x, folded) + shift
-    torch.testing.assert_close(got, gamma * layer_norm(f) + beta, rtol=1e-10, atol=1e-12)

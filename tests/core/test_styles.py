@@ -337,23 +337,6 @@ def test_separation_is_the_mean_silhouette():
             tk.styles.separation(torch.zeros(3, 2), styles)
 
 
-@pytest.mark.parametrize("method", ["pca", "tsne"])
-def test_maps_keep_neighbours_and_repeat(method):
-    vectors, labels = clusters(0.2)
-    points = tk.styles.embed(vectors, method)
-    assert points.shape == (24, 2)
-    assert torch.equal(points, tk.styles.embed(vectors, method))
-    nearest = torch.cdist(points, points).fill_diagonal_(torch.inf).argmin(1).tolist()
-    assert all(labels[i] == labels[j] for i, j in enumerate(nearest))
-
-
-def test_maps_are_checked():
-    with pytest.raises(ValueError, match="unknown embedding 'som'; known: tsne, pca"):
-        tk.styles.embed(torch.randn(5, 3), "som")
-    with pytest.raises(ValueError, match="three or more"):
-        tk.styles.embed(torch.randn(2, 3))
-
-
 def test_vectors_of_single_clips_average_to_the_style(small_run):
     clips = tk.datasets.load("procedural", styles=["Neutral", "Zombie"], gaits=["FW"], seconds=12.0)
     data = tk.features.build(clips)

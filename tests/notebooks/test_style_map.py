@@ -1,6 +1,6 @@
 import pytest
 import torch
-from course.style_map import StyleExplorer, StyleMap, chart, explore
+from course.style_map import StyleExplorer, StyleMap, chart, embed, explore
 
 from toolkit.styles import StyleBank
 
@@ -26,6 +26,18 @@ def test_hover_names_every_style():
     points = chart(BANK, POINTS, ["arms", "arms", "legs", "legs"]).data
     assert [t for trace in points for t in trace.text] == list(BANK.names)
     assert all("%{text}" in trace.hovertemplate for trace in points)
+
+
+def test_the_map_of_vectors_keeps_neighbours_and_repeats():
+    noise = torch.randn(24, 4, generator=torch.Generator().manual_seed(3))
+    vectors = 4 * torch.eye(3, 4).repeat_interleave(8, 0) + 0.2 * noise
+    points = embed(vectors)
+    assert points.shape == (24, 2)
+    assert torch.equal(points, embed(vectors))
+    nearest = torch.cdist(points, points).fill_diagonal_(torch.inf).argmin(1)
+    assert torch.equal(nearest // 8, torch.arange(24) // 8)
+    with pytest.raises(ValueError, match="three or more"):
+        embed(vectors[:2])
 
 
 def test_the_blend_at_a_place_reproduces_the_place(explorer):

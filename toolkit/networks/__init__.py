@@ -6,14 +6,14 @@ from toolkit.features import Features, Normaliser
 from toolkit.networks import bank, phase
 from toolkit.networks.adapters import OneHot, ResidualAdapter, StyleTable
 from toolkit.networks.experts import BlendedLinear, CatmullRom, Experts, Gating, VelocityGating
-from toolkit.networks.film import Film, FilmGenerator, fold, layer_norm
+from toolkit.networks.film import Film, FilmGenerator, layer_norm
 from toolkit.networks.model import MODELS, Model
 from toolkit.networks.parameter_counts import Row, counts, table2
 from toolkit.networks.predictor import Predictor, Sizes, build, register
 
 __all__ = ["MODELS", "BlendedLinear", "CatmullRom", "Experts", "Film", "FilmGenerator", "Gating",
            "Model", "OneHot", "Predictor", "ResidualAdapter", "Row", "Sizes", "StyleTable",
-           "VelocityGating", "bank", "build", "counts", "fold", "layer_norm", "normalisers",
+           "VelocityGating", "bank", "build", "counts", "layer_norm", "normalisers",
            "register", "table2"]
 
 

@@ -1,8 +1,6 @@
-"""The space of style vectors: maps, and the separation of styles (Mason et al. 2022, Figure 11)."""
+"""Vectors of single clips, and the separation of styles (Mason et al. 2022, Figure 11)."""
 
 from collections.abc import Sequence
-from importlib import import_module
-from types import ModuleType
 
 import torch
 from torch import Tensor
@@ -11,7 +9,6 @@ from toolkit.features import Features
 from toolkit.networks import Predictor
 
 CLIPS = 50  # of a style, at most, of which `clip_vectors` makes vectors
-PERPLEXITY = 30.0  # of t-SNE, about the number of neighbours; at most a third of the points
 
 
 @torch.no_grad()
@@ -26,35 +23,6 @@ def clip_vectors(model: Predictor, data: Features) -> tuple[Tensor, list[str]]:
         vectors += [model.style_vector(clip[None]) for clip in chosen]
         styles += [style] * len(chosen)
     return torch.stack(vectors), styles
-
-
-def embed(vectors: Tensor, method: str = "tsne") -> Tensor:
-    """A map of style vectors: points ``[N, 2]`` of ``vectors [N, D]``, the same in each call.
-
-    Parameters
-    ----------
-    vectors
-        Three or more.
-    method
-        ``"tsne"`` (Figure 11) keeps neighbours together; ``"pca"`` is linear, so blends lie on
-        straight lines.
-
-    Raises
-    ------
-    ValueError
-        If the method is unknown, or there are fewer than three vectors.
-    """
-    if vectors.dim() != 2 or len(vectors) < 3:
-        raise ValueError(f"a map needs three or more vectors [N, D], got {list(vectors.shape)}")
-    if method == "tsne":
-        perplexity = min(PERPLEXITY, (len(vectors) - 1) / 3)
-        embedding = _sklearn("manifold").TSNE(perplexity=perplexity, init="pca", random_state=0)
-    elif method == "pca":
-        embedding = _sklearn("decomposition").PCA(2)
-    else:
-        raise ValueError(f"unknown embedding {method!r}; known: tsne, pca")
-    points = embedding.fit_transform(vectors.detach().double().cpu().numpy())
-    return torch.from_numpy(points).float()
 
 
 def separation(vectors: Tensor, styles: Sequence[str]) -> dict[str, float]:
@@ -81,14 +49,10 @@ def separation(vectors: Tensor, styles: Sequence[str]) -> dict[str, float]:
     if len(styles) != len(vectors) or len(names) < 2 or min(counts.values()) < 2:
         raise ValueError("separation needs two styles or more, of two clips or more each; "
                          f"got {len(vectors)} vectors and clips {counts}")
-    rows = vectors.detach().double().cpu().numpy()
-    each = _sklearn("metrics").silhouette_samples(rows, styles)
-    return {name: float(each[[s == name for s in styles]].mean()) for name in names}
-
-
-def _sklearn(module: str) -> ModuleType:
     try:
-        return import_module(f"sklearn.{module}")
+        from sklearn.metrics import silhouette_samples
     except ImportError as error:
         raise ValueError("this needs the package scikit-learn: "
                          "pip install scikit-learn") from error
+    each = silhouette_samples(vectors.detach().double().cpu().numpy(), styles)
+    return {name: float(each[[s == name for s in styles]].mean()) for name in names}
