@@ -8,6 +8,7 @@ from safetensors.torch import load_file, save_file
 
 from toolkit import networks
 from toolkit.features import Layout, Normaliser
+from toolkit.io import model_files
 from toolkit.motion import Skeleton
 from toolkit.networks import BlendedLinear, Film, FilmGenerator, Gating, Sizes
 
@@ -190,14 +191,24 @@ def test_wrong_clips_sizes_names_and_normalisers():
         networks.build("lpn-film", tree(4), 2, TINY, {"phases": wrong})
 
 
+def store(model, path, **options):
+    """As a part of a run's file."""
+    tensors, description = model.parts(**options)
+    model_files.write(path, tensors, {"model": description})
+
+
+def load(path, layout=None):
+    return networks.Model.from_parts(path, *model_files.read(path, "model"), layout)
+
+
 def test_bad_model_files_are_one_line(tmp_path):
     path = tmp_path / "m.safetensors"
     model = tiny_model()
-    model.save(path)
+    store(model, path)
 
     def fails(match: str, layout: Layout | None = None) -> None:
         with pytest.raises(ValueError, match=match) as error:
-            networks.Model.load(path, layout)
+            load(path, layout)
         assert str(path) in str(error.value)
         assert "\n" not in str(error.value)
 
@@ -253,16 +264,16 @@ def test_each_model_predicts_learns_and_is_stored(name, tmp_path):
     model.eval()
 
     # a file holds all of it, or all but generator and table
-    model.save(tmp_path / "m.safetensors")
-    again = networks.Model.load(tmp_path / "m.safetensors", tree(4))  # the layout of the data
+    store(model, tmp_path / "m.safetensors")
+    again = load(tmp_path / "m.safetensors", tree(4))  # the layout of the data
     assert torch.equal(again.predict(x, p, s), model.predict(x, p, s))
     assert torch.equal(again.style_vector(clips, 1), model.style_vector(clips, 1))
     assert (again.name, again.layout, again.sizes) == (name, model.layout, TINY)
     assert again.n_styles == 2
     assert not again.training
     assert all(v.requires_grad for v in again.parameters())
-    model.save(tmp_path / "slim.safetensors", generator=False)
-    slim = networks.Model.load(tmp_path / "slim.safetensors")
+    store(model, tmp_path / "slim.safetensors", generator=False)
+    slim = load(tmp_path / "slim.safetensors")
     assert torch.equal(slim.predict(x, p, s), model.predict(x, p, s))
     missing = "FiLM generator" if name.endswith("film") else "table of styles"
     with pytest.raises(ValueError, match=f"stored without its {missing}"):
@@ -294,7 +305,7 @@ def test_a_calibrated_model_computes_the_mean_over_dropout():
     assert float((model.predict(x, p, s) - plain).abs().max()) > 1e-3
     description = model.parts()[1]
     assert description["calibrated"]
-    assert networks.Model.from_parts("m", model.parts()[0], {"model": description}, None).calibrated
+    assert networks.Model.from_parts("m", model.parts()[0], {"model": description}).calibrated
 
 
 def test_weights_start_in_their_ranges_and_gates_are_a_convex_blend():

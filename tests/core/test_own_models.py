@@ -8,7 +8,7 @@ import torch
 
 import toolkit as tk
 from toolkit import registry
-from toolkit.networks import Predictor, Sizes
+from toolkit.networks import Sizes
 from toolkit.training import Config
 
 EXAMPLES = Path(__file__).parents[2] / "examples" / "models"
@@ -56,7 +56,7 @@ def test_its_file_names_the_module_and_runs_no_code(run, tmp_path, monkeypatch):
     assert torch.equal(again.model.style_vector(clips, 1), run.model.style_vector(clips, 1))
     monkeypatch.delitem(registry._found, f"model.{run.model.name}")
     with pytest.raises(ValueError, match="import the module that registers it, 'own', before") as e:
-        Predictor.load(path)
+        tk.training.load(path)
     assert "\n" not in str(e.value)
 
 

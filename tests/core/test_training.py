@@ -513,7 +513,6 @@ def test_a_saved_run_is_whole(tmp_path, straight):
     assert (again.config, again.history) == (straight.config, straight.history)
     assert again.table() == straight.table()
     assert torch.equal(StyleBank.load(path)["style1"], straight.bank["style1"])
-    assert same_weights(networks.Model.load(path), straight.model)
     whole = path.stat().st_size
     straight.save(path, slim=True)
     slim = training.load(path)

@@ -50,4 +50,4 @@ def test_it_walks_as_fast_as_it_is_told(run):
     assert tk.metrics.upright(clip)
     assert tk.metrics.speed(clip) == pytest.approx(speed, rel=0.3)
     with pytest.raises(ValueError, match="is not stored in a model file"):
-        model.save("x.safetensors")
+        tk.training.Run(model, bank).save("x.safetensors")

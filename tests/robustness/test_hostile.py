@@ -48,10 +48,10 @@ def test_weights_that_are_not_finite_are_not_written_or_read(tmp_path):
     with pytest.raises(ValueError, match=r"not finite|must be finite"):
         view.web(model, bank, tmp_path / "page.html")
     assert not list(tmp_path.iterdir())
-    model.save(tmp_path / "model.safetensors")
+    tk.training.Run(model, bank).save(tmp_path / "model.safetensors")
     with pytest.raises(ValueError,
                        match=r"model\.safetensors: .* damaged \(the tensor experts.*not finite"):
-        tk.networks.Model.load(tmp_path / "model.safetensors")
+        tk.training.load(tmp_path / "model.safetensors")
 
 
 def test_a_description_of_more_than_16_megabytes_is_refused_before_it_is_parsed(tmp_path):

@@ -218,37 +218,20 @@ class Predictor(nn.Module):
         return tensors, {"name": self.name, "layout": layout, "n_styles": self.n_styles,
                          "sizes": sizes, "module": getattr(part, "func", part).__module__}
 
-    def save(self, path: str | os.PathLike, *, generator: bool = True) -> None:
-        """Write a safetensors file, see `parts`."""
-        tensors, description = self.parts(generator=generator)
-        model_files.write(path, tensors, {"model": description})
-
     @classmethod
-    def load(cls, path: str | os.PathLike, layout: Layout | None = None) -> "Predictor":
-        """Read a model, of `save` or of a training run, ready to predict.
+    def from_parts(cls, path: str | os.PathLike, tensors: dict[str, Tensor], parts: dict,
+                   layout: Layout | None = None) -> "Predictor":
+        """The model among what `toolkit.io.model_files.read` returned for ``path``.
 
-        No code of the file is run. A model of your own must have been registered before: the file
-        has the name of the module that does it.
-
-        Parameters
-        ----------
-        path
-            The file.
-        layout
-            The expected layout of its training data.
+        It is ready to predict. No code of the file is run: a model of your own must have been
+        registered before, and the file has the name of the module that does it.
 
         Raises
         ------
         ValueError
             If the file does not hold a model, no model of its name is registered, or the model has
-            another layout.
+            another layout than ``layout``, the expected one of its training data.
         """
-        return cls.from_parts(path, *model_files.read(path, "model"), layout)
-
-    @classmethod
-    def from_parts(cls, path: str | os.PathLike, tensors: dict[str, Tensor], parts: dict,
-                   layout: Layout | None) -> "Predictor":
-        """The model among what `toolkit.io.model_files.read` returned for ``path``."""
         with model_files.intact(path, "the model's description"):
             d = parts["model"]
             name, sizes = str(d["name"]), Sizes(**d["sizes"])

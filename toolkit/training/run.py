@@ -203,7 +203,7 @@ class Run:
         return summary(self, facts)
 
     def save(self, path: str | os.PathLike, *, slim: bool = False) -> None:
-        """Write model, bank and numbers to one file, also for `Predictor.load`, `StyleBank.load`.
+        """Write model, bank and numbers to one file, also for `StyleBank.load`.
 
         ``slim`` leaves out the FiLM generator and stores the experts in 16 bits. The file has a
         third of the size or less, and can only be used with the bank's styles.
@@ -240,7 +240,7 @@ class Run:
 def load(path: str | os.PathLike) -> Run:
     """Read a run that `Run.save` wrote; ValueError for any other file."""
     tensors, parts = model_files.read(path, "run")
-    model = Predictor.from_parts(path, tensors, parts, None)
+    model = Predictor.from_parts(path, tensors, parts)
     bank = StyleBank.from_parts(path, tensors, parts)
     with model_files.intact(path, "the record of the run"):
         config = parts["run"].pop("config")

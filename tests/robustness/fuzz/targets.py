@@ -172,7 +172,7 @@ def _model(folder: Path) -> list[Reader]:
                     sizes)[0].save(folder / "stylizer.safetensors")
     Recogniser(("a", "b"), features.Normaliser(torch.zeros(12), torch.ones(12)),
                2).save(folder / "recogniser.safetensors")
-    readers = {"run.safetensors": (finite, training.load, networks.Model.load, StyleBank.load),
+    readers = {"run.safetensors": (finite, training.load, StyleBank.load),
                "run.checkpoint": (resume,),
                "stylizer.safetensors": (stylizers.Stylizer.load,),
                "recogniser.safetensors": (Recogniser.load,)}
