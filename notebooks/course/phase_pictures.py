@@ -15,7 +15,6 @@ from toolkit.evaluation import metrics
 from toolkit.motion import Clip, root_frames, rotations as R
 from toolkit.view.frontend import escape
 from toolkit.view.render import mannequin as body
-from toolkit.view.render.bodies import per_clip
 from toolkit.view.render.mannequin import COLORS, CONTACT
 
 # 0 and 2 pi alike.
@@ -58,7 +57,9 @@ def phase_figure(
         f"{name} {list(a.shape)}" for name, a in fields.items() if a.shape[:2] != (len(clip), 4)
     ]:
         raise ValueError(f"phases must be [{len(clip)}, 4]; got {', '.join(bad)}")
-    (stands,) = per_clip(contacts, [clip])
+    stands = None if contacts is None else np.asarray(contacts)
+    if stands is not None and stands.shape != (len(clip), 2):
+        raise ValueError(f"contacts must be [{len(clip)}, 2]; got {list(stands.shape)}")
     first = round(start * clip.fps)
     last = len(clip) if stop is None else min(round(stop * clip.fps), len(clip))
     if not 0 <= first < last:
