@@ -50,8 +50,36 @@ def test_weights_that_are_not_finite_are_not_written_or_read(tmp_path):
     assert not list(tmp_path.iterdir())
     tk.training.Run(model, bank).save(tmp_path / "model.safetensors")
     with pytest.raises(ValueError,
-                       match=r"model\.safetensors: .* damaged \(the tensor experts.*not finite"):
+                       match=r"model\.safetensors: .* damaged \(the tensor model.*not finite"):
         tk.training.load(tmp_path / "model.safetensors")
+
+
+@pytest.mark.parametrize(("name", "value", "why"), [
+    ("model.inputs_std", lambda t: t * 0, "deviations that are not positive"),
+    ("model.outputs_std", lambda t: -t, "deviations that are not positive"),
+    ("model.outputs_mean", lambda t: t + 1e30, "not finite, or beyond 1e+30"),
+    ("model.experts.layers.0.weight", lambda t: t.long(), "expected 'float', got torch.int64"),
+    ("bank.vectors", lambda t: t[:, :4], "style vectors [4] of a model that takes"),
+    ("bank.speeds", lambda t: t / 0, "bank.speeds has numbers that are not finite"),
+    ("bank", lambda names: "ab"[: len(names)], "expected a list of names, got the text 'ab'"),
+    ("n_styles", lambda _: -5, "a model has 1 to 100000 styles, got -5"),
+    ("n_styles", lambda _: 2**62, "a model has 1 to 100000 styles, got"),
+    ("n_styles", lambda _: True, "a model has 1 to 100000 styles, got True"),
+    ("layout", lambda of: of | {"offsets": [[1e30] * 3] * len(of["names"])}, "at most 1e+06 m"),
+    ("history", lambda _: "abc", "its history is 'abc'"),
+])
+def test_models_of_numbers_that_no_training_makes_are_refused(
+    name, value, why, small_run, tmp_path):
+    path = tmp_path / "run.safetensors"
+    small_run.save(path)
+    tensors, parts = model_files.read(path, "run")
+    for of in (tensors, parts, parts["model"], parts["run"]):
+        if name in of:
+            of[name] = value(of[name])
+    model_files.write(path, tensors, parts)
+    with pytest.raises(ValueError, match=re.escape(why)) as error:
+        tk.training.load(path)
+    assert str(error.value).startswith(f"{path}: ")
 
 
 def test_a_description_of_more_than_16_megabytes_is_refused_before_it_is_parsed(tmp_path):

@@ -21,6 +21,7 @@ from toolkit.io.files import atomic_write, opened, parsed
 FORMAT = "toolkit 1"
 TENSORS = 10_000  # of a file
 METADATA = 16_000_000  # bytes, of the description in a file
+LARGEST = 1e30  # number of a file; the inverse of one is the smallest deviation
 COMPUTED = 100_000_000  # bytes of buffers that no file holds, which a module of a file may compute
 
 
@@ -45,7 +46,7 @@ def write(path: str | os.PathLike, tensors: dict[str, Tensor], parts: dict[str, 
 def read(path: str | os.PathLike, part: str) -> tuple[dict[str, Tensor], dict[str, Any]]:
     """Tensors and parts of a file.
 
-    ValueError if it is damaged, of another format, or has no ``part``.
+    ValueError if it is damaged, of another format, has no ``part`` or a tensor that is not `sound`.
     """
     path = Path(path)
     try:
@@ -69,6 +70,8 @@ def read(path: str | os.PathLike, part: str) -> tuple[dict[str, Tensor], dict[st
     if part not in parts:
         there = ", ".join(sorted(parts)) or "nothing"
         raise ValueError(f"{path}: expected a {part} in it, got {there}")
+    with intact(path, "the file"):
+        sound(tensors)
     return tensors, parts
 
 
@@ -82,19 +85,18 @@ def restore(build: Callable[[], nn.Module], tensors: dict[str, Tensor], start: s
     Raises
     ------
     ValueError
-        If a tensor is missing or unknown, has another shape or numbers that are not finite, or
-        buffers that are not in the file are too large.
+        If a tensor is missing or unknown, has another shape or kind of numbers, or buffers that are
+        not in the file are too large.
     """
     own = {name.removeprefix(start): value for name, value in tensors.items()
            if name.startswith(start)}
     with torch.device("meta"):
         module = build()
     expected = module.state_dict()
-    shapes = ({name: list(value.shape) for name, value in values.items()}
-              for values in (expected, own))
-    if why := difference(*shapes):
+    kinds = ({name: [*value.shape, "float" if value.is_floating_point() else value.dtype]
+              for name, value in values.items()} for values in (expected, own))
+    if why := difference(*kinds):
         raise ValueError(f"it differs in tensor {why}")
-    finite(own)
     computed = sum(buffer.nbytes for name, buffer in module.named_buffers() if name not in expected)
     if computed > COMPUTED:
         raise ValueError(f"its buffers would take {computed:.3g} bytes")
@@ -106,11 +108,44 @@ def restore(build: Callable[[], nn.Module], tensors: dict[str, Tensor], start: s
     return module.eval()
 
 
-def finite(tensors: Mapping[str, Tensor]) -> None:
-    """ValueError if a number of a tensor is not finite; it names the tensor."""
+def sound(tensors: Mapping[str, Tensor]) -> None:
+    """ValueError if a number is not finite or too large, or a deviation not positive.
+
+    It names the tensor. Speeds may be NaN, which stands for unknown ones.
+    """
     for name, value in tensors.items():
-        if not bool(value.isfinite().all()):
-            raise ValueError(f"the tensor {name} has numbers that are not finite")
+        if not (value.is_floating_point() and value.numel()):
+            continue
+        least, most = (value.nan_to_num() if name == "bank.speeds" else value).aminmax()
+        if not -LARGEST < least <= most < LARGEST:
+            raise ValueError(f"the tensor {name} has numbers that are not finite, or beyond "
+                             f"{LARGEST:g}")
+        if name.endswith("std") and least < 1 / LARGEST:
+            raise ValueError(f"the tensor {name} has deviations that are not positive")
+
+
+def alike(values: dict[str, Any], examples: dict[str, Any]) -> None:
+    """ValueError if a JSON value is not of the kinds of an example; numbers must be finite.
+
+    The one entry of a dictionary or list stands for any number of them. A tuple stands for a list
+    of its length, None for null or any number.
+    """
+    for name, example in examples.items():
+        if not _fits(values[name], example):
+            raise ValueError(f"its {name} is {values[name]!r:.60}")
+
+
+def _fits(value: Any, example: Any) -> bool:
+    if isinstance(example, dict):
+        inside = next(iter(example.values()))
+        return isinstance(value, dict) and all(_fits(v, inside) for v in value.values())
+    if isinstance(example, list | tuple):
+        long = isinstance(value, list) and (isinstance(example, list) or len(value) == len(example))
+        return long and all(_fits(v, example[0]) for v in value)
+    if example is None:
+        return value is None or type(value) in (int, float)
+    known = (int,) if isinstance(example, int) else (int, float)
+    return type(value) in known and abs(value) < LARGEST
 
 
 @contextlib.contextmanager

@@ -13,6 +13,7 @@ from toolkit.motion.tensors import as_tensor, summary
 from toolkit.motion.text import checked
 
 FEET = SIDES[::-1]  # the published network's order of contacts; ours of all pairs of legs or arms
+LONGEST = 1e6  # metres, of a bone
 #: The order of local phases.
 LIMBS = tuple(f"{side}_{part}" for part in ("hand", "foot") for side in SIDES)
 
@@ -41,6 +42,8 @@ class Skeleton:
         if len(self.parents) != n or self.offsets.shape != (n, 3):
             raise ValueError(f"{n} joint names need {n} parents and offsets [{n}, 3]; got "
                              f"{len(self.parents)} parents and offsets {list(self.offsets.shape)}")
+        if not offsets.is_meta and not bool((offsets[1:].abs() <= LONGEST).all()):
+            raise ValueError(f"offsets must be finite, and at most {LONGEST:g} m")
         if repeated := sorted(name for name, times in Counter(self.names).items() if times > 1):
             raise ValueError(f"joint names repeat: {repeated}")
         if self.parents[0] != -1 or any(not 0 <= p < j for j, p in enumerate(self.parents[1:], 1)):

@@ -34,6 +34,8 @@ def as_tensor(values: Any, what: str, like: Tensor | torch.dtype | None = None) 
             raise ValueError(f"{what} must be numbers in a tensor, array or list; "
                              f"got {shown(values)}") from None
         like = torch.get_default_dtype() if like is None else like
+    elif values.is_complex():
+        raise ValueError(f"{what} must be real numbers, got {shown(values)}")
     elif like is None:
         like = values.dtype if values.is_floating_point() else torch.get_default_dtype()
     return values.to(like)

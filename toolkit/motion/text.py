@@ -29,6 +29,8 @@ def checked(names: Iterable[str], what: str) -> tuple[str, ...]:
 
     ``what`` they name begins the message.
     """
+    if isinstance(names, str):
+        raise ValueError(f"{what}: expected a list of names, got the text {names!r:.60}")
     names = tuple(names)
     for name in names:
         if not isinstance(name, str) or not name:

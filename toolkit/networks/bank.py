@@ -178,4 +178,4 @@ class StyleBank(Mapping[str, Tensor]):
                    parts: dict) -> "StyleBank":
         """The bank among what `toolkit.io.model_files.read` returned for ``path``."""
         with model_files.intact(path, "the style bank"):
-            return cls(tuple(parts["bank"]), tensors["bank.vectors"], tensors.get("bank.speeds"))
+            return cls(parts["bank"], tensors["bank.vectors"], tensors.get("bank.speeds"))

@@ -19,6 +19,8 @@ from toolkit.io import model_files
 from toolkit.motion.tensors import as_tensor
 from toolkit.networks import phase
 
+STYLES = 100_000  # most styles of a model
+
 
 @dataclass(frozen=True)
 class Sizes:
@@ -35,7 +37,7 @@ class Sizes:
 
     def __post_init__(self):
         for name, value in dataclasses.asdict(self).items():
-            if name != "dropout" and (not isinstance(value, int) or value < 1):
+            if name != "dropout" and (type(value) is not int or value < 1):
                 raise ValueError(f"sizes: {name} must be a whole number from 1, got {value!r}")
         if not 0 <= self.dropout < 1:
             raise ValueError(f"sizes: dropout must be in [0, 1), got {self.dropout!r}")
@@ -92,6 +94,8 @@ class Predictor(nn.Module):
 
     def __init__(self, layout: Layout, n_styles: int, sizes: Sizes):
         super().__init__()
+        if type(n_styles) is not int or not 1 <= n_styles <= STYLES:
+            raise ValueError(f"a model has 1 to {STYLES} styles, got {n_styles!r:.60}")
         own = layout.phase if self.phase is None else self.phase
         self.layout = layout = dataclasses.replace(layout, phase=own)
         self.n_styles, self.sizes = n_styles, sizes
@@ -237,7 +241,6 @@ class Predictor(nn.Module):
             name, sizes = str(d["name"]), Sizes(**d["sizes"])
             stored = Layout.from_json(d["layout"])
             calibrated, whole = bool(d.get("calibrated", False)), bool(d.get("generator", True))
-            styles = int(d["n_styles"])
         if name not in registry.names("model"):
             module = str(d.get("module", "unknown"))
             raise ValueError(f"{path}: it holds a model {name!r}, which is not registered; import "
@@ -247,7 +250,8 @@ class Predictor(nn.Module):
             raise ValueError(f"{path}: the layout is not the expected one: {why}")
         with model_files.intact(path, "the model"):
             model = model_files.restore(
-                lambda: build(name, stored, styles, sizes, generator=whole), tensors, "model.")
+                lambda: build(name, stored, d["n_styles"], sizes, generator=whole), tensors,
+                "model.")
         if calibrated and name.endswith("film"):
             model.calibrated = True
         return model

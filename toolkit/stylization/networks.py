@@ -42,7 +42,7 @@ class Sizes:
     def __post_init__(self):
         for name in ("channels", "code", "latent", "hidden"):
             value = getattr(self, name)
-            if not isinstance(value, int) or value < 1:
+            if type(value) is not int or value < 1:
                 raise ValueError(f"sizes: {name} must be a whole number from 1, got {value!r}")
 
     @classmethod
@@ -247,7 +247,7 @@ class Stylizer(nn.Module):
         with model_files.intact(path, "the stylizer in it"):
             described = parts["stylizer"]
             graph = SkeletonGraph.of(Skeleton(**described["skeleton"]))
-            domains, sizes = tuple(described["domains"]), Sizes(**described["sizes"])
+            domains, sizes = described["domains"], Sizes(**described["sizes"])
             return model_files.restore(
                 lambda: cls(graph, domains, sizes, _none(graph, domains)), tensors, "stylizer.")
 

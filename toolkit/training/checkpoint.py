@@ -15,6 +15,7 @@ from torch import Tensor, nn
 from toolkit.io import model_files
 from toolkit.motion.tensors import summary
 
+COUNTED = 2**24  # Adam's own number of steps, a float32, grows no further
 
 @dataclass(frozen=True, eq=False)
 class Checkpoint:
@@ -24,6 +25,7 @@ class Checkpoint:
     networks: dict[str, nn.Module]  # what is trained
     adams: dict[str, torch.optim.Adam]  # the optimisers
     config: dict[str, Any]  # settings that must not change when the run is resumed, for JSON
+    kinds: dict[str, Any]  # an example of the numbers, among them step and elapsed
     __repr__ = summary
 
     def save(self, path: str | os.PathLike, numbers: dict[str, Any],
@@ -64,8 +66,12 @@ class Checkpoint:
                 check(own[name], network.state_dict())
             moments = {name: _moments(starting(tensors, f"adam.{name}."), adam)
                        for name, adam in self.adams.items()}
-            if numbers["step"] and not any(moments.values()):
-                raise ValueError("the moments of Adam are missing")
+            model_files.alike(numbers, self.kinds)
+            made = max((int(kinds["step"]) for of in moments.values() for kinds in of.values()),
+                       default=0)
+            if min(numbers["step"], COUNTED) != made or numbers["elapsed"] < 0:
+                raise ValueError(f"its step is {numbers['step']} after {numbers['elapsed']} s, and "
+                                 f"the moments of Adam are those of step {made}")
             for name, network in self.networks.items():
                 network.load_state_dict(own[name])
             for name, adam in self.adams.items():
@@ -83,12 +89,11 @@ class Checkpoint:
 
 
 def check(tensors: dict[str, Tensor], expected: dict[str, Tensor]) -> None:
-    """ValueError if names, shapes or dtypes differ from the expected, or numbers are not finite."""
+    """ValueError if names, shapes or dtypes differ from the expected."""
     kinds = [{name: [*value.shape, value.dtype] for name, value in part.items()}
              for part in (expected, tensors)]
     if why := model_files.difference(*kinds):
         raise ValueError(f"it differs in tensor {why}")
-    model_files.finite(tensors)
 
 
 def _moments(tensors: dict[str, Tensor], adam: torch.optim.Adam) -> dict[int, dict[str, Tensor]]:

@@ -20,6 +20,7 @@ from toolkit.training.loss import STEPS
 PRECISIONS = ("32", "bf16")
 PROCEDURAL = Path(__file__).with_name("pretrained.safetensors")
 RECORDED = Path(__file__).parents[2] / "examples" / "models" / "recorded.safetensors"
+KINDS = {"history": [{"": None}], "held_out": {"": {"": None}}, "baselines": {"": {"": None}}}
 #: Contents of the takes from which it was trained.
 RECORDED_GAITS = "walk,run,dash,walk-back,walk-left,walk-right,walk-turn-left,walk-turn-right"
 #: Learning rate of the style modulation / other rates in `Config.quick`. High rates destroy FiLM's
@@ -243,6 +244,10 @@ def load(path: str | os.PathLike) -> Run:
     model = Predictor.from_parts(path, tensors, parts)
     bank = StyleBank.from_parts(path, tensors, parts)
     with model_files.intact(path, "the record of the run"):
+        if bank.vectors.shape[1] != model.style_size:
+            raise ValueError(f"style vectors [{bank.vectors.shape[1]}] of a model that takes "
+                             f"[{model.style_size}]")
+        model_files.alike(parts["run"], KINDS)
         config = parts["run"].pop("config")
         config = None if config is None else Config.from_json(config)
         run = Run(model, bank, config, **parts["run"])

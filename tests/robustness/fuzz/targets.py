@@ -164,7 +164,7 @@ def _model(folder: Path) -> list[Reader]:
 
     def resume(path: Path) -> None:
         model = copy.deepcopy(new)
-        loop.restore(path, model, loop.optimiser(model, config), config, config.steps)
+        loop.restore(path, model, loop.optimiser(model, config), config)
 
     skeleton = data.layout.skeleton
     sizes = stylizers.Sizes(channels=1, code=1, latent=1, hidden=2)

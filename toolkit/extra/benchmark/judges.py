@@ -14,6 +14,7 @@ from toolkit.evaluation.metrics.quality import facing
 from toolkit.io import model_files
 from toolkit.motion import Clip
 from toolkit.motion.roles import SIDES
+from toolkit.motion.text import checked
 
 FPS, WINDOW, HOP = 30.0, 30, 10  # of what a judge sees: frames a second, of a window, between two
 ROLES = "hips", *(f"{side}_{part}" for side in SIDES for part in
@@ -60,7 +61,7 @@ class Judges(nn.Module):
 
     def __init__(self, styles: Sequence[str], reference: int):
         super().__init__()
-        self.styles = tuple(styles)
+        self.styles = checked(styles, "a style")
         self.register_buffer("mean", torch.zeros(CHANNELS))
         self.register_buffer("std", torch.ones(CHANNELS))
         self.judges = nn.ModuleDict({name: kind(len(styles)) for name, kind in KINDS.items()})

@@ -16,7 +16,7 @@ import torch
 from torch import Tensor, nn
 
 from toolkit.io.files import write_whole
-from toolkit.io.model_files import finite
+from toolkit.io.model_files import sound
 from toolkit.motion.trajectory import FPS
 from toolkit.networks import Predictor
 from toolkit.networks.bank import StyleBank
@@ -64,7 +64,7 @@ def graph(model: Predictor, bank: StyleBank | None = None):
         import onnxscript  # noqa: F401  # torch.onnx works with it, and asks for it late
     except ImportError:
         raise ImportError('ONNX needs the extra "export": pip install ".[export]"') from None
-    finite(model.state_dict())
+    sound(model.state_dict())
     widths = {"x": model.layout.n_inputs, "phases": model.layout.n_phases,
               "style": model.style_size}
     rows = {"x": 2, "phases": 2, "style": 3}

@@ -16,6 +16,7 @@ import torch
 
 from toolkit.extra.formats.recorded_body import RecordedBody
 from toolkit.extra.formats.role_checks import misfits
+from toolkit.io import files
 from toolkit.io.recording import Recording
 from toolkit.motion import Clip, Skeleton, rotations as R
 from toolkit.motion.roles import LENGTHS, ROLES, find
@@ -119,8 +120,9 @@ def interpret(recording: Recording, path: Path, unit: float | str = "auto", up: 
         positions = R.rotate(turn, positions)
         root = R.multiply(turn.to(rotations), rotations[:, :1])
         rotations = torch.cat((root, rotations[:, 1:]), 1)
-    skeleton = Skeleton(recording.names, recording.parents, recording.offsets * found.unit, known,
-                        recording.ends)
+    with files.named(path.name):
+        skeleton = Skeleton(recording.names, recording.parents, recording.offsets * found.unit,
+                            known, recording.ends)
     return Clip(skeleton, rotations, positions, fps, style, gait, path.name), found
 
 
