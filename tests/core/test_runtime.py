@@ -209,6 +209,10 @@ def test_bad_commands_are_refused(small_run):
         runtime.follow([(0.0, 0.0), (0.0, 0.0)])
     with pytest.raises(ValueError, match="no frames to record"):
         runtime.record(small_run.model, [])
+    for make in (lambda: runtime.straight("1"), lambda: runtime.straight(1.0, None),
+                 lambda: runtime.follow([(0.0, 0.0), (1.0, 0.0)], "1")):
+        with pytest.raises(ValueError, match=r"^speed.* must be numbers in a tensor"):
+            make()
     with pytest.raises(ValueError, match="must be finite"):
         runtime.straight(math.nan, 1.0)
     for speed, seconds in ((0.0, None), (math.nan, None), (1.0, -1.0), (1.0, math.inf)):

@@ -3,6 +3,7 @@
 import dataclasses
 import re
 
+import numba
 import pytest
 import torch
 from numba.core.caching import IndexDataCacheFile
@@ -190,6 +191,8 @@ def test_bad_input_is_refused(pretrained, small_run):
         compiled.roll(one, 1, lambda *_: ((0.0, 0.0), (0.0, 1.0), torch.zeros(3)))
     with pytest.raises(AttributeError, match="no 'gating'"):
         compiled.gating  # noqa: B018
+    with pytest.raises(ValueError, match="is a compiled one already"):
+        runtime.compile(compiled)
 
 
 def add(a, b):
@@ -206,6 +209,19 @@ def test_where_compiled_code_cannot_be_stored_there_is_no_error(monkeypatch):
     assert made(1, 2) == 3
     monkeypatch.setattr(IndexDataCacheFile, "save", lambda *_: raised(PermissionError("full")))
     assert compilation.compiled()(add)(1, 2) == 3
+
+
+@pytest.mark.parametrize("damage", [b"", b"V\\u\xff\n.", b"I9x\n.", b"\x8a\xff", b"cmath\nnone\n."])
+@pytest.mark.parametrize("suffix", [".nbi", ".nbc"])
+def test_damaged_compiled_code_is_compiled_again_and_stored(damage, suffix, tmp_path, monkeypatch):
+    monkeypatch.setattr(numba.config, "CACHE_DIR", str(tmp_path))
+    assert compilation.compiled()(add)(1, 2) == 3
+    (path,) = tmp_path.rglob(f"*{suffix}")
+    path.write_bytes(damage)
+    for hits in (0, 1):
+        made = compilation.compiled()(add)
+        assert made(1, 2) == 3
+        assert len(made.stats.cache_hits) == hits
 
 
 def raised(error):

@@ -3,7 +3,6 @@
 import contextlib
 import functools
 import hashlib
-import pickle
 import warnings
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -25,8 +24,11 @@ class Cache(FunctionCache):
 
     @contextlib.contextmanager
     def _guard_against_spurious_io_errors(self) -> Iterator[None]:
-        with contextlib.suppress(OSError, EOFError, pickle.UnpicklingError):
+        try:
             yield
+        except Exception:  # of any kind, if a pickle is damaged
+            with contextlib.suppress(OSError):
+                self.flush()  # or the damaged index would stay
 
 
 def compiled(**options) -> Callable:

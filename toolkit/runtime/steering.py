@@ -42,7 +42,7 @@ LARGEST = 1e6
 LOOKAHEAD = 0.5  # seconds that a pilot looks ahead
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Command:
     """A user command: ``velocity`` (x, z) in m/s and ``facing`` (x, z), both in the world.
 
@@ -218,6 +218,7 @@ def straight(
 
     A ValueError if the speed is not finite or the time not 0 to `LONGEST`.
     """
+    speed, seconds = as_tensor((speed, seconds), "speed and seconds", torch.float64).tolist()
     if not (math.isfinite(speed) and 0 <= seconds < math.inf):
         raise ValueError(
             f"speed and seconds must be finite and seconds not negative, got {speed} and {seconds}"
@@ -245,6 +246,7 @@ def follow(
         Duration; by default the time that the path takes.
     """
     path = as_tensor(points, "points", torch.float64).cpu()
+    speed = float(as_tensor(speed, "speed", torch.float64))
     legs = (path[1:] - path[:-1]).norm(dim=-1)
     if (
         path.dim() != 2

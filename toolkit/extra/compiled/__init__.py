@@ -38,6 +38,8 @@ class CompiledModel:
 
     def __init__(self, model, threads: int = 1):
         name = getattr(model, "name", type(model).__name__)
+        if isinstance(model, CompiledModel):
+            raise ValueError("the model is a compiled one already")
         if name != "lpn-film":
             raise ValueError(f"only lpn-film can be compiled, got {name}")
         if model.calibrated:
