@@ -3,7 +3,6 @@
 import io
 import math
 import os
-import zipfile
 from collections.abc import Mapping, Sequence
 
 import numpy as np
@@ -90,12 +89,14 @@ def read(path: str | os.PathLike) -> Recording:
         run), or numbers that are not finite.
     """
     with files.named(path):
+        data = files.read(path)
         try:
-            arrays = _arrays(files.read(path))
-        except OSError:
-            raise
+            arrays = _arrays(data)
         except Exception as error:  # numpy, zipfile and zlib raise a dozen kinds for damaged files
             said = " ".join(str(error).split())[:100]
+            if "allow_pickle" in said:
+                said = "it holds Python objects, which could run code; save plain arrays with "\
+                       "numpy.savez"
             said = said if said.isprintable() and said else type(error).__name__
             raise ValueError(f"not a whole NumPy file ({said})") from error
 
@@ -267,40 +268,23 @@ def _tensor(arrays: Mapping[str, np.ndarray], name: str) -> Tensor:
 
 
 def _arrays(data: bytes) -> dict[str, np.ndarray]:
-    """The arrays that are `WANTED`, by name; ValueError if one unpacks to very much."""
+    """The arrays that are `WANTED`, by name; no Python object is made. Texts are left out.
+
+    ValueError if they would take much more memory than the file.
+    """
     room = PACKED * len(data) + ROOM
-    if data[:2] != b"PK":
-        return {"arr_0": _array(data, room)}
-    arrays: dict[str, np.ndarray] = {}
-    with zipfile.ZipFile(io.BytesIO(data)) as packed:
-        for member in packed.infolist():
-            name = member.filename.removesuffix(".npy")
-            if name not in WANTED or name in arrays:
-                continue
-            if member.file_size > room:
-                raise ValueError(f"array {name} unpacks to {member.file_size} bytes, "
-                                 f"from a file of {len(data)}")
-            arrays[name] = _array(packed.read(member), room)
-            room -= 8 * arrays[name].size
+    loaded = np.load(io.BytesIO(data), allow_pickle=False)
+    if isinstance(loaded, np.ndarray):
+        arrays = {"arr_0": loaded}
+    else:
+        packed = {info.filename.removesuffix(".npy"): info for info in loaded.zip.infolist()}
+        names = [name for name in loaded.files if name in WANTED]
+        if (size := sum(packed[name].file_size for name in names)) > room:
+            raise ValueError(f"{', '.join(names)} unpack to {size} bytes, from a file of "
+                             f"{len(data)}")
+        arrays = {name: loaded[name] for name in names}
+    arrays = {name: array for name, array in arrays.items() if array.dtype.kind in "fiub"}
+    if (size := 8 * sum(array.size for array in arrays.values())) > room:
+        raise ValueError(f"its arrays take {size} bytes as numbers of 64 bits, from a file of "
+                         f"{len(data)}")
     return arrays
-
-
-def _array(data: bytes, room: int) -> np.ndarray:
-    """The array of a .npy file; no Python object is made. Texts become an empty array."""
-    stream = io.BytesIO(data)
-    version = np.lib.format.read_magic(stream)
-    headers = {(1, 0): np.lib.format.read_array_header_1_0,
-               (2, 0): np.lib.format.read_array_header_2_0}
-    if version not in headers:
-        raise ValueError(f"version {version} of the format holds no numbers")
-    shape, by_columns, dtype = headers[version](stream)
-    if dtype.hasobject:
-        raise ValueError("it holds Python objects, which could run code; "
-                         "save plain arrays with numpy.savez")
-    count = math.prod(shape)
-    if dtype.kind not in "fiub" or not count:
-        return np.zeros(shape if dtype.kind in "fiub" else 0)
-    if count < 0 or 8 * count > room or count * dtype.itemsize > len(data) - stream.tell():
-        raise ValueError(f"an array {list(shape)[:4]} does not fit into its {len(data)} bytes")
-    values = np.frombuffer(data, dtype, count, stream.tell())
-    return values.reshape(shape, order="F" if by_columns else "C")
