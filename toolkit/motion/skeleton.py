@@ -3,6 +3,7 @@
 from collections import Counter
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
 import torch
 from torch import Tensor
@@ -16,6 +17,15 @@ FEET = SIDES[::-1]  # the published network's order of contacts; ours of all pai
 LONGEST = 1e6  # metres, of a bone
 #: The order of local phases.
 LIMBS = tuple(f"{side}_{part}" for part in ("hand", "foot") for side in SIDES)
+
+
+class Levels(NamedTuple):
+    """Joints in the order of their depth: the root, its children, their children …."""
+
+    order: Tensor  # [J] joints
+    back: Tensor  # [J] place of each joint in this order
+    sizes: list[int]  # joints of each depth
+    above: list[Tensor]  # of each depth but the root's: places of the parents in the depth above
 
 
 @dataclass(frozen=True, eq=False)
@@ -126,21 +136,18 @@ class Skeleton:
         position = {j: i for i, j in enumerate(self.feature_joints)}
         return tuple(position.get(self.parents[j], -1) for j in self.feature_joints)
 
-    def levels(self, device: torch.device) -> list[tuple[Tensor, Tensor, Tensor]]:
-        """Joints of each depth below the root, their parents, and the parents' places in theirs.
-
-        Cached by device.
-        """
+    def levels(self, device: torch.device) -> Levels:
+        """The joints by their depth below the root; made once for each device."""
         kept = self.__dict__.setdefault("_levels", {})
         if device not in kept:
-            groups, made = [[0]], []
+            groups, above = [[0]], []
             while joints := [j for j, p in enumerate(self.parents) if p in groups[-1]]:
-                parents = [self.parents[j] for j in joints]
-                made.append((joints, parents, [groups[-1].index(p) for p in parents]))
+                above.append([groups[-1].index(self.parents[j]) for j in joints])
                 groups.append(joints)
             with torch.inference_mode(False):  # the next call may need gradients
-                kept[device] = [tuple(torch.tensor(x, device=device) for x in level)
-                                for level in made]
+                order = torch.tensor([j for joints in groups for j in joints], device=device)
+                kept[device] = Levels(order, order.argsort(), [len(joints) for joints in groups],
+                                      [torch.tensor(places, device=device) for places in above])
         return kept[device]
 
     @cached_property
@@ -205,30 +212,29 @@ def forward_kinematics(skeleton: Skeleton, rotations: Tensor,
     -------
     rotations, positions : Tensor [..., J, 4] and [..., J, 3]
     """
-    levels, n = skeleton.levels(rotations.device), len(skeleton)
-    order = torch.cat((torch.zeros(1, dtype=torch.long, device=rotations.device),
-                       *(joints for joints, _, _ in levels)))
-    sizes = [1, *(len(joints) for joints, _, _ in levels)]
-
-    # Numbers first [J, 4, F]: the frames of a number are contiguous, which is fastest.
+    # All joints of one depth are turned at once. Frames come last, [J, 4, F]: those of a number are
+    # then contiguous, which is fastest.
+    shape, n, levels = rotations.shape[:-2], len(skeleton), skeleton.levels(rotations.device)
     local = rotations.reshape(-1, 4 * n).T.contiguous().view(n, 4, -1)
-    first, *below = local.index_select(0, order).split(sizes)
-    turned, above = [first], [first[:0]]
-    for own, (_, _, places) in zip(below, levels, strict=True):
-        above.append(turned[-1].index_select(0, places))
-        turned.append(torch.stack(R.multiply_parts(above[-1].unbind(1), own.unbind(1)), 1))
+    root, *below = local.index_select(0, levels.order).split(levels.sizes)
+    turned, parents = [root], [root[:0]]
+    for own, places in zip(below, levels.above, strict=True):
+        parents.append(turned[-1].index_select(0, places))
+        turned.append(torch.stack(R.multiply_parts(parents[-1].unbind(1), own.unbind(1)), 1))
 
-    # All bones are turned at once, then added up from the root down.
-    shape, offsets = rotations.shape[:-2], skeleton.offsets.to(rotations)[order[1:], :, None]
-    bones = torch.stack(R.rotate_parts(torch.cat(above).unbind(1), offsets.unbind(1)), 1)
+    # All bones are turned by their parents, then added up from the root down.
+    offsets = skeleton.offsets.to(rotations)[levels.order[1:], :, None]
+    bones = torch.stack(R.rotate_parts(torch.cat(parents).unbind(1), offsets.unbind(1)), 1)
     positions = [root_positions.expand(*shape, 3).reshape(-1, 3).T[None]]
-    for bone, (_, _, places) in zip(bones.split(sizes[1:]), levels, strict=bool(levels)):
+    for bone, places in zip(bones.split(levels.sizes[1:]), levels.above, strict=bool(below)):
         positions.append(positions[-1].index_select(0, places) + bone)
 
-    back = order.argsort()
-    return tuple(
-        torch.cat(x).index_select(0, back).view(n * width, -1).T.contiguous().view(*shape, n, width)
-        for x, width in ((turned, 4), (positions, 3)))
+    def in_order(parts: list[Tensor], width: int) -> Tensor:
+        """Numbers by depth ``[J, width, F]`` as ``[..., J, width]`` in the skeleton's order."""
+        whole = torch.cat(parts).index_select(0, levels.back).view(n * width, -1)
+        return whole.T.contiguous().view(*shape, n, width)
+
+    return in_order(turned, 4), in_order(positions, 3)
 
 
 def local_rotations(skeleton: Skeleton, global_rotations: Tensor) -> Tensor:

@@ -204,7 +204,9 @@ def to_clip(x: Tensor, root_velocity: Tensor, source: Clip) -> Clip:
 def _aimed(skeleton: Skeleton, world: Tensor, root: Tensor, wanted: Tensor) -> Tensor:
     """World rotations ``[F, N, 4]`` by which bones without siblings point at ``wanted`` places."""
     positions = root[:, None].expand_as(wanted).clone()
-    for joints, parents, _ in skeleton.levels(world.device):
+    levels = skeleton.levels(world.device)
+    for joints in levels.order.split(levels.sizes)[1:]:
+        parents = torch.tensor([skeleton.parents[j] for j in joints.tolist()])
         alone = torch.tensor([skeleton.parents.count(p) == 1 for p in parents.tolist()])
         bones = R.rotate(world[:, parents], skeleton.offsets[joints])
         turn = R.between(bones, wanted[:, joints] - positions[:, parents])
