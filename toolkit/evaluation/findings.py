@@ -27,6 +27,8 @@ ALIKE = 0.3  # largest speed of the toes from the hips, over that of the hips, o
 LIFTED = 0.1  # metres above the other: a foot that does not stand at all
 JOIN = 0.2  # seconds between two moments of one finding
 POINTS = 6  # of a bone, between which distances are measured
+ROLES = "hips", *(f"{side}_{part}" for side in SIDES for part in
+                  ("shoulder", "elbow", "hand", "hip", "knee", "foot", "toe"))
 
 #: Kind of defect: part of the body: limit of walks, limit of runs. That of drift is ours, because
 #: nobody in the recordings glides.
@@ -151,9 +153,7 @@ def told(clip: Clip | Sequence[Clip], apart: float | None = None) -> str:
 
 def measured(clip: Clip) -> Iterator[tuple[str, str, Tensor, Tensor]]:
     """Kind, part, values ``[F]`` (NaN where there is none) and limits ``[F]`` of a clip."""
-    at = {role: clip.global_positions[:, clip.skeleton.role(role)].double() for role in
-          ("hips", *(f"{side}_{part}" for side in SIDES for part in
-                     ("shoulder", "elbow", "hand", "hip", "knee", "foot", "toe")))}
+    at = {role: clip.global_positions[:, clip.skeleton.role(role)].double() for role in ROLES}
     fast = runs(clip)
     parts = (*_feet(clip, at), *_pops(clip, at), *_bodies(clip, at))
     for kind, part, values in parts:

@@ -113,9 +113,8 @@ def _extract(clip: Clip, source: Source) -> Phases:
         curve, found = _fitted(clip, source)
     # size: large where the limb moves fast
     limbs = sources.limbs_of(source)
-    positions = (local_positions(clip, limb).double() for limb in limbs)
-    speed = torch.stack([windows.speed(where, clip.fps) for where in positions], 1)
-    size = speed * found.amplitude.double()
+    positions = torch.stack([local_positions(clip, limb) for limb in limbs], 1).double()
+    size = windows.speed(positions, clip.fps) * found.amplitude.double()
     # phase: the direction is smoothed, because angles cannot be averaged
     direction = torch.stack((found.phase.sin(), found.phase.cos()), -1)
     smoothed = smooth(torch.cat((direction, size[..., None]), -1), clip.fps)

@@ -58,7 +58,7 @@ def _low_pass(fps: float) -> np.ndarray:
 
 
 def speed(positions: Tensor, fps: float) -> Tensor:
-    """Root-mean-square speed ``[F]`` over one second of positions ``[F, 3]``."""
+    """Root-mean-square speed ``[F, ...]`` over one second of positions ``[F, ..., 3]``."""
     velocity = torch.gradient(positions, spacing=1 / fps, dim=0)[0]
     return mean(velocity.square().sum(-1), SECOND, fps).sqrt()
 

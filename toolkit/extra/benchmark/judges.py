@@ -10,15 +10,13 @@ from pathlib import Path
 import torch
 from torch import Tensor, nn
 
+from toolkit.evaluation.findings import ROLES
 from toolkit.evaluation.metrics.quality import facing
 from toolkit.io import model_files
 from toolkit.motion import Clip
-from toolkit.motion.roles import SIDES
 from toolkit.motion.text import checked
 
 FPS, WINDOW, HOP = 30.0, 30, 10  # of what a judge sees: frames a second, of a window, between two
-ROLES = "hips", *(f"{side}_{part}" for side in SIDES for part in
-                  ("shoulder", "elbow", "hand", "hip", "knee", "foot", "toe"))
 CHANNELS = 3 * len(ROLES) + 2
 WIDTH = 24  # of the layers, and of the features whose Fréchet distance is measured
 #: The embedded judges lie in a checkout, since their licence (CC BY-NC 4.0) is not the package's.
