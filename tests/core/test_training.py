@@ -1,5 +1,6 @@
 """Training: minibatches, splits, the loop, checkpoints, several processes."""
 
+import contextlib
 import dataclasses
 import json
 import math
@@ -10,6 +11,7 @@ import signal
 import subprocess
 import sys
 from pathlib import Path
+from unittest import mock
 
 import pytest
 import torch
@@ -54,12 +56,22 @@ def quick(**changes) -> Config:
     return dataclasses.replace(QUICK, **changes)
 
 
-def stop_at(wanted: int):
-    def stop(step: int, _: float) -> None:
-        if step == wanted:
-            raise KeyboardInterrupt
+@contextlib.contextmanager
+def after_steps(call):
+    """Inside, ``call`` gets number and loss of every step of a training."""
+    step = loop.step
 
-    return stop
+    def stepped(*arguments):
+        values = step(*arguments)
+        call(arguments[5] + 1, values["loss"])
+        return values
+
+    with mock.patch.object(loop, "step", stepped):
+        yield
+
+
+def interrupt_at(wanted: int):
+    return after_steps(lambda step, _: step == wanted and os.kill(os.getpid(), signal.SIGINT))
 
 
 def same_weights(a: networks.Model, b: networks.Model) -> bool:
@@ -287,8 +299,8 @@ def test_stopped_and_resumed_equals_not_stopped(tmp_path, straight, step):
     torch.manual_seed(3)
     expected = torch.rand(4)
     torch.manual_seed(3)
-    with pytest.raises(KeyboardInterrupt):
-        training.fit(waves(), QUICK, path, on_step=stop_at(step))
+    with pytest.raises(KeyboardInterrupt), interrupt_at(step):
+        training.fit(waves(), QUICK, path)
     assert torch.equal(torch.rand(4), expected)  # the global generator is left alone
     resumed = training.fit(waves(), QUICK, path)
     assert same_weights(straight.model, resumed.model)
@@ -298,37 +310,34 @@ def test_stopped_and_resumed_equals_not_stopped(tmp_path, straight, step):
 
 
 def test_ctrl_c_ends_the_step_and_leaves_a_checkpoint(tmp_path, monkeypatch):
-    def interrupt(step: int, _: float) -> None:
-        if step == 3:
-            os.kill(os.getpid(), signal.SIGINT)
-
     path, before = tmp_path / "run.checkpoint", signal.getsignal(signal.SIGINT)
-    with pytest.raises(KeyboardInterrupt):
-        training.fit(waves(), QUICK, path, on_step=interrupt)
+    with pytest.raises(KeyboardInterrupt), interrupt_at(3):
+        training.fit(waves(), QUICK, path)
     assert signal.getsignal(signal.SIGINT) is before
     steps = []
     with monkeypatch.context() as patch:  # after the last step
         patch.setattr(loop, "_held_out", lambda *_: os.kill(os.getpid(), signal.SIGINT) or 0.5)
         late = quick(evaluate_every=100)
-        with pytest.raises(KeyboardInterrupt):
-            training.fit(waves(), late, path, on_step=lambda step, _: steps.append(step))
+        with pytest.raises(KeyboardInterrupt), after_steps(lambda step, _: steps.append(step)):
+            training.fit(waves(), late, path)
     assert steps in (list(range(4, 13)), list(range(5, 13)))
-    training.fit(waves(), QUICK, path, on_step=lambda step, _: pytest.fail("a step was repeated"))
+    with after_steps(lambda *_: pytest.fail("a step was repeated")):
+        training.fit(waves(), QUICK, path)
 
 
 SCRIPT = """
 import json, os, sys
 import torch
-from test_training import waves
+from test_training import after_steps, waves
 from toolkit import training
 from toolkit.training import distributed
 
 if __name__ == "__main__":
     torch.set_num_threads(1)
     losses = []
-    done = lambda step, loss: losses.append(loss)
     config = training.Config.from_json(json.loads(sys.argv[1]))
-    run = training.fit(waves(), config, on_step=done)
+    with after_steps(lambda _, loss: losses.append(loss)):
+        run = training.fit(waves(), config)
     if distributed.first():
         run.save(sys.argv[2])
         with open(sys.argv[2] + ".json", "w") as file:
@@ -340,10 +349,11 @@ def test_what_a_kill_leaves_is_resumed_as_if_not_killed(tmp_path):
     """The checkpoint as it lay in a step: a file is replaced whole (`atomic_write`)."""
     config = quick(steps=30, save_every=0.0, patience=3)
     path, left = tmp_path / "checkpoint", tmp_path / "left"
-    whole = training.fit(waves(), config, path,
-                         on_step=lambda step, _: step == 17 and shutil.copy(path, left))
+    with after_steps(lambda step, _: step == 17 and shutil.copy(path, left)):
+        whole = training.fit(waves(), config, path)
     steps = []
-    resumed = training.fit(waves(), config, left, on_step=lambda step, _: steps.append(step))
+    with after_steps(lambda step, _: steps.append(step)):
+        resumed = training.fit(waves(), config, left)
     assert steps == list(range(17, 31))
     assert same_weights(whole.model, resumed.model)
     assert course(whole) == course(resumed)
@@ -359,7 +369,8 @@ def test_two_processes_equal_one_without_dropout(tmp_path, launcher):
     config = quick(steps=6, sizes=dataclasses.replace(WIDER, dropout=0.0), batch=15,
                    clips_per_batch=5)
     losses = []
-    alone = training.fit(waves(), config, on_step=lambda _, loss: losses.append(loss))
+    with after_steps(lambda _, loss: losses.append(loss)):
+        alone = training.fit(waves(), config)
     two = dataclasses.replace(config, processes=1 if launcher else 2)
     program, here = tmp_path / "train.py", Path(__file__).parents
     program.write_text(SCRIPT)
@@ -418,8 +429,8 @@ def test_it_stops_early_with_the_best_weights_also_after_a_resume(tmp_path):
     best = dataclasses.replace(config, patience=None, steps=whole.history[-4]["step"])
     assert same_weights(whole.model, training.fit(waves(), best).model)
     path = tmp_path / "checkpoint"
-    with pytest.raises(KeyboardInterrupt):
-        training.fit(waves(), config, path, on_step=stop_at(whole.history[-1]["step"] - 7))
+    with pytest.raises(KeyboardInterrupt), interrupt_at(whole.history[-1]["step"] - 7):
+        training.fit(waves(), config, path)
     for _ in range(2):  # the second time it is finished already
         resumed = training.fit(waves(), config, path)
         assert same_weights(whole.model, resumed.model)

@@ -213,7 +213,7 @@ def fit(motions: Motions, config: Config | None = None,
                 bar.set_postfix({name: f"{value:.2f}" for name, value in row.items()},
                                 refresh=False)
             bar.update()
-            saver.stepped(None)
+            saver.stepped()
     return Run(stylizer.cpu().eval(), discriminator.cpu().eval(), config, state["history"])
 
 

@@ -160,16 +160,9 @@ class Saver(contextlib.AbstractContextManager):
         """Training time in seconds, with the time before the run was resumed."""
         return time.perf_counter() - self.began
 
-    def stepped(self, on_step: Callable[..., None] | None, *arguments: Any) -> float:
-        """End a step: call ``on_step``, save if due.
-
-        Returns the training time in seconds, the same in all processes.
+    def stepped(self) -> float:
+        """End a step, save if due; returns the training time, seconds, the same in all processes.
         """
-        if on_step:
-            try:
-                on_step(*arguments)
-            except KeyboardInterrupt:
-                self.interrupted.set()
         elapsed, stop = self.agree(self.elapsed, self.interrupted.is_set())
         if stop or time.perf_counter() - self.saved > self.every:
             self.save()

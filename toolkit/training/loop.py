@@ -8,7 +8,6 @@ weights as a run without a stop, bit for bit.
 import math
 import os
 import time
-from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
@@ -67,7 +66,7 @@ class State:
 
 def fit(data: Features, config: Config | None = None,
         checkpoint: str | os.PathLike | None = None, *, resume: bool = True,
-        progress: bool = False, on_step: Callable[[int, float], None] | None = None) -> Run:
+        progress: bool = False) -> Run:
     """Train a model.
 
     Parameters
@@ -81,9 +80,6 @@ def fit(data: Features, config: Config | None = None,
         from it if it exists.
     progress
         Show a bar.
-    on_step
-        Called with the step's number and loss after every step; a KeyboardInterrupt it raises stops
-        the run.
 
     Raises
     ------
@@ -160,7 +156,7 @@ def fit(data: Features, config: Config | None = None,
             bar.update((state.step if total else min(state.elapsed, config.seconds)) - bar.n)
             if state.step % config.evaluate_every == 0:
                 assess()
-            state.elapsed = saver.stepped(on_step, state.step, loss)
+            state.elapsed = saver.stepped()
         if not state.history or state.history[-1]["step"] != state.step:
             assess()
 
