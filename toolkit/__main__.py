@@ -24,7 +24,7 @@ VERBS = {
                  "Measure motion files with the field's measures, beside real ones."),
     "crowd": ("toolkit.extra.shots.verbs:crowd",
               "Let two crowds cross, each character in its own style blend."),
-    "benchmark": ("toolkit.cli.benchmark:app",
+    "benchmark": ("toolkit.extra.benchmark.verbs:app",
                   "Score steered walks in a style by the benchmark StyleWalk."),
     "export": ("toolkit.__main__:export",
                "Write files for other programs: web page, ONNX, glTF, BVH."),

@@ -38,7 +38,6 @@ for _name, _part in {
     "toolkit.runtime.quick": "compiled:quick",
     "toolkit.view.Director": "shots.director:Director", "toolkit.view.director": "shots.director",
     "toolkit.features.store": "store", "toolkit.motion.retargeting": "characters.retargeting",
-    "benchmark": "benchmark",
     "crowd.places": "shots.crowd:places",
 }.items():
     register(_name, f"{_HERE}.{_part}")

@@ -108,12 +108,6 @@ def limb(skeleton: Skeleton, side: str, kind: str) -> dict[str, int]:
     return joints
 
 
-def chains(skeleton: Skeleton) -> tuple[list[int], list[int]]:
-    """Joints of the spine, from hips to chest, and of the neck, from chest to head."""
-    spine, hips = skeleton.trunk[::-1], skeleton.role("hips")
-    return spine[spine.index(hips) if hips in spine else 0 :], skeleton.neck
-
-
 def _outwards(joints: dict[str, int]) -> Iterator[tuple[str, int, int | None]]:
     """Part, joint and next joint of a limb; None at its end."""
     order = list(joints.values())
@@ -140,7 +134,7 @@ def _from_pose(skeleton: Skeleton, local: Tensor, *, upright: bool) -> Anatomy |
     if body is None or not _limbs_are_straight(skeleton, places):
         return None
     own = R.inverse(turned)
-    spine, neck = chains(skeleton)
+    spine, neck = skeleton.trunk[::-1], skeleton.neck
     axes, bones = {joint: R.multiply(own[joint], body) for joint in (*spine, *neck)}, {}
     for side, kind in product(SIDES, PARTS):
         for part, joint, beyond in _outwards(limb(skeleton, side, kind)):
@@ -212,7 +206,7 @@ def _swing(bone: Tensor, side: str, part: str) -> Tensor | None:
 def _from_motion(clip: Clip) -> Anatomy:
     """The anatomy from a motion."""
     skeleton, turned, places = clip.skeleton, clip.global_rotations, clip.global_positions
-    spine, neck = chains(skeleton)
+    spine, neck = skeleton.trunk[::-1], skeleton.neck
     axes, bones = {spine[0]: _mean_axes(clip, spine[0])}, {}
     for parent, joint in (*pairwise(spine), *pairwise(neck)):
         axes[joint] = _inherited(clip, joint, axes[parent])

@@ -14,7 +14,7 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from toolkit.extra.characters.anatomy import LIMB_ROLES, Anatomy, chains, limb, measure, with_toes
+from toolkit.extra.characters.anatomy import LIMB_ROLES, Anatomy, limb, measure, with_toes
 from toolkit.motion import rotations as R
 from toolkit.motion.clip import Clip
 from toolkit.motion.contacts import detect, standing_height, toes_of, velocities
@@ -244,7 +244,7 @@ def body_joints(skeleton: Skeleton) -> list[int]:
     if lacking := [role for role in LIMB_ROLES if role not in skeleton.roles]:
         raise ValueError(f"cannot find its {', '.join(lacking)} among {', '.join(skeleton.names)}")
     tips = {skeleton.role(role) for role in ROLES if role in skeleton.roles}
-    tips.add(chains(skeleton)[1][-1])
+    tips.add(skeleton.neck[-1])
     paths = [[tip, *skeleton.ancestors(tip)] for tip in tips]
     # Joints above all of them are left out, but for the lowest one
     shared = set(paths[0]).intersection(*paths)

@@ -21,6 +21,15 @@ def number(value, what: str, low: float, high: float) -> float:
     return float(value)
 
 
+def within(entry, **limits: tuple[float, float]) -> None:
+    """Keep fields of a dataclass as numbers in ranges; None stays where it is the default."""
+    for field in dataclasses.fields(entry):
+        value = getattr(entry, field.name)
+        if field.name in limits and (value is not None or field.default is not None):
+            made = number(value, field.name, *limits[field.name])
+            object.__setattr__(entry, field.name, made)
+
+
 def pair(value, what: str) -> tuple[float, float]:
     """Two finite numbers (x, z) of at most `FAR`."""
     if isinstance(value, str | Mapping) or not isinstance(value, Sequence) or len(value) != 2:
@@ -54,10 +63,7 @@ class Point:
     facing: tuple[float, float] | None = None  # (x, z) there
 
     def __post_init__(self):
-        for name in ("x", "z"):
-            object.__setattr__(self, name, number(getattr(self, name), name, -FAR, FAR))
-        if self.time is not None:
-            object.__setattr__(self, "time", number(self.time, "time", 0, LONGEST))
+        within(self, x=(-FAR, FAR), z=(-FAR, FAR), time=(0, LONGEST))
         if self.facing is not None:
             object.__setattr__(self, "facing", direction(self.facing, "facing"))
 
@@ -74,7 +80,7 @@ class StyleKey:
     easing: str = "smooth"
 
     def __post_init__(self):
-        object.__setattr__(self, "time", number(self.time, "time", 0, LONGEST))
+        within(self, time=(0, LONGEST))
         choice(self.easing, "easing", EASINGS)
         blends = {self.blend: 1.0} if isinstance(self.blend, str) else self.blend
         for blend in (layers := [blends] if isinstance(blends, Mapping) else blends):
@@ -106,8 +112,7 @@ class SpeedKey:
     easing: str = "smooth"
 
     def __post_init__(self):
-        object.__setattr__(self, "time", number(self.time, "time", 0, LONGEST))
-        object.__setattr__(self, "speed", number(self.speed, "speed", 0, FAST))
+        within(self, time=(0, LONGEST), speed=(0, FAST))
         choice(self.easing, "easing", EASINGS)
 
 
@@ -120,12 +125,9 @@ class Hold:
     distance: float | None = None  # length of the path, metres
 
     def __post_init__(self):
-        object.__setattr__(self, "seconds", number(self.seconds, "seconds", 0, LONGEST))
+        within(self, seconds=(0, LONGEST), time=(0, LONGEST), distance=(0, 1e6))
         if (self.time is None) == (self.distance is None):
             raise ValueError("a hold needs either a time or a distance")
-        for name, most in (("time", LONGEST), ("distance", 1e6)):
-            if getattr(self, name) is not None:
-                object.__setattr__(self, name, number(getattr(self, name), name, 0, most))
 
 
 def entries(values, kind: type, what: str) -> tuple:

@@ -22,9 +22,9 @@ from toolkit.extra.shots.keys import (
     StyleKey,
     direction,
     entries,
-    number,
     pair,
     rising,
+    within,
 )
 from toolkit.extra.shots.walking import Asked, first, rolled
 from toolkit.io import files
@@ -116,10 +116,7 @@ class Shot:
         if type(self.seed) is not int or not 0 <= self.seed < 2**31:
             raise ValueError(f"seed must be a whole number from 0 to {2**31 - 1}, got "
                              f"{shown(self.seed)}")
-        if self.duration is not None:
-            put("duration", number(self.duration, "duration", 1 / FPS, LONGEST))
-        if self.radius is not None:
-            put("radius", number(self.radius, "radius", 0.05, 5.0))
+        within(self, duration=(1 / FPS, LONGEST), radius=(0.05, 5.0))
         if not isinstance(self.name, str) or not self.name.isprintable() or len(self.name) > 100:
             raise ValueError(f"name must be a line of up to 100 characters, got {shown(self.name)}")
 

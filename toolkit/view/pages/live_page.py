@@ -86,16 +86,13 @@ def web(model, bank, path: str | os.PathLike, *, title: str = "A character under
     if styles is not None and (not styles or isinstance(styles, str)):
         raise ValueError(f"styles must be a list of one name or more, got {styles!r}")
     if characters < 1 or (characters > 1 and character is not None):
-        raise ValueError(
-            f"characters must be 1 or more, and 1 with a character of your own; got {characters}"
-        )
+        raise ValueError("characters must be 1 or more, and 1 with a character of your own; got "
+                         f"{characters}")
     bank = bank.select(dict.fromkeys(ordered(bank) if styles is None else styles))
     if not runs(model):
         names = bank.names[:RECORDED]
-        walks = [
-            runtime.rollout(model, runtime.straight(bank.speed(name), SECONDS), bank[name])
-            for name in names
-        ]
+        walks = [runtime.rollout(model, runtime.straight(bank.speed(name), SECONDS), bank[name])
+                 for name in names]
         caption = f"Recorded walks: the model {model.name} cannot run in a page."
         return page.html(walks, path, title=title, caption=caption, labels=names,
                          character=character)
@@ -112,13 +109,9 @@ def runs(model) -> bool:
     return model.name == "lpn-film"
 
 
-def pack(
-    model, bank, half: bool = False, character: Figure | None = None, characters: int = 1
-) -> dict[str, Any]:
-    """The data of ``scene/character.js``, which describes the format.
-
-    A ValueError for another model than an LPN-FiLM.
-    """
+def pack(model, bank, half: bool = False, character: Figure | None = None,
+         characters: int = 1) -> dict[str, Any]:
+    """The data of ``scene/character.js``, which describes the format; of an LPN-FiLM alone."""
     if not runs(model):
         raise ValueError(f"only lpn-film runs in a page, got {model.name}; Shot.render and "
                          "runtime.rollout take any model")
@@ -135,9 +128,8 @@ def pack(
             "deviations": [numbers(kind.std) for kind in kinds],
             "gating": {
                 "widths": [gating[0].weight.shape[1], *(len(layer.bias) for layer in gating)],
-                "layers": [
-                    numbers(panels(layer.weight.T[None], layer.bias[None])) for layer in gating
-                ],
+                "layers": [numbers(panels(layer.weight.T[None], layer.bias[None]))
+                           for layer in gating],
             },
             "experts": {
                 "count": len(experts[0].weight),
@@ -149,11 +141,8 @@ def pack(
         },
         "rules": _plain(rules.rules_of(model)._asdict() | channels),
         "body": _plain(rules.Body.of(layout.skeleton)._asdict()),
-        "start": {
-            name: value[0].flatten().tolist()
-            for name, value in vars(state).items()
-            if name != "style"
-        },
+        "start": {name: value[0].flatten().tolist() for name, value in vars(state).items()
+                  if name != "style"},
         "skeleton": page.skeleton_data(walk, character),
         "styles": list(bank.names),
         "speeds": [round(bank.speed(name), 2) for name in bank.names],
@@ -165,36 +154,24 @@ def pack(
         "others": _others(bank, characters - 1),
         "crowd": page.skeleton_data(walk, vertices=VERTICES) if characters > 1 else None,
         "bvh": _bvh(model, state),
-        "traits": {
-            "names": corners, "weights": [1.0, 0.0, 0.0], "speed": round(bank.speed(corners[0]), 2)
-        },
+        "traits": {"names": corners, "weights": [1.0, 0.0, 0.0],
+                   "speed": round(bank.speed(corners[0]), 2)},
     }
 
 
 def _others(bank, count: int) -> list[dict[str, Any]]:
-    """Characters on rings, as `toolkit.extra.shots.crowd` places them.
-
-    Each is in another style than its neighbours.
-    """
-    rows = (
-        zip(*(values.tolist() for values in registry.find("crowd.places")(count)), strict=True)
-        if count
-        else ()
-    )
-    tints = [
-        ((body.rgb(color) ** 2.2 - body.rgb(body.COLORS["middle"]) ** 2.2) * 0.6)
-        .round(4)
-        .tolist()
-        for color in body.PALETTE
-    ]
-    return [
-        {
-            "style": (i + 1) % len(bank.names), "radius": radius, "angle": angle, "way": way,
-            "tint": tints[i % len(tints)],
-            "speed": bank.speed(bank.names[(i + 1) % len(bank.names)])
-        }
-        for i, (radius, angle, way) in enumerate(rows)
-    ]
+    """Characters on rings, each in another style than its neighbours."""
+    if not count:
+        return []
+    middle = body.rgb(body.COLORS["middle"]) ** 2.2
+    tints = [(0.6 * (body.rgb(color) ** 2.2 - middle)).round(4).tolist() for color in body.PALETTE]
+    made = []
+    for i, place in enumerate(zip(*registry.find("crowd.places")(count), strict=True)):
+        style = (i + 1) % len(bank.names)
+        radius, angle, way = map(float, place)
+        made.append({"style": style, "radius": radius, "angle": angle, "way": way,
+                     "tint": tints[i % len(tints)], "speed": bank.speed(bank.names[style])})
+    return made
 
 
 def numbers(values: Tensor, half: bool = False) -> dict[str, str]:
@@ -207,28 +184,21 @@ def numbers(values: Tensor, half: bool = False) -> dict[str, str]:
         array = values.detach().numpy().astype(kind)
     if not np.isfinite(array).all():
         worst = float(values.detach().abs().max())
-        raise ValueError(
-            f"weights must be finite and at most {float(np.finfo(kind).max):g} in {kind.name}, "
-            f"got {worst:g}"
-        )
+        raise ValueError(f"weights must be finite and at most {float(np.finfo(kind).max):g} in "
+                         f"{kind.name}, got {worst:g}")
     return {"type": kind.name, "data": encoded(array, kind)}
 
 
 def panels(weight: Tensor, bias: Tensor) -> Tensor:
-    """Weights ``[K, in, out]`` and biases ``[K, out]`` in the order in which they are read.
-
-    It is ``[panels, K, in + 1, PANEL]``.
-    """
+    """Weights ``[K, in, out]`` and biases ``[K, out]`` as read: ``[panels, K, in + 1, PANEL]``."""
     whole = torch.cat((weight, bias[:, None]), 1)
     whole = torch.nn.functional.pad(whole, (0, -whole.shape[-1] % PANEL))
     return whole.unflatten(-1, (-1, PANEL)).permute(2, 0, 1, 3).contiguous()
 
 
 def _plain(fields: dict[str, Any]) -> dict[str, Any]:
-    return {
-        name: value.tolist() if isinstance(value, np.ndarray) else value
-        for name, value in fields.items()
-    }
+    return {name: value.tolist() if isinstance(value, np.ndarray) else value
+            for name, value in fields.items()}
 
 
 def _bvh(model, state) -> dict[str, Any]:

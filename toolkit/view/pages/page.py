@@ -84,16 +84,11 @@ def pack(
     Bodies that are ``known`` are not made again.
     """
     clips, labels, contacts = cast(clips, labels, contacts, figure)
-    styles = (
-        [styles] * len(clips)
-        if styles is None or (isinstance(styles, Mapping) and len(clips) == 1)
-        else list(styles)
-    )
+    if styles is None or (isinstance(styles, Mapping) and len(clips) == 1):
+        styles = [styles] * len(clips)
     if len(clips) > 9 or len(styles) != len(clips):
-        raise ValueError(
-            f"a page shows 1 to 9 clips with a style mapping each; got {len(clips)} clips, "
-            f"{len(styles)} style mappings"
-        )
+        raise ValueError(f"a page shows 1 to 9 clips with a style mapping each; got {len(clips)} "
+                         f"clips, {len(styles)} style mappings")
     bodies: dict[Skeleton, dict] = {}
     for clip in clips:
         if clip.skeleton in bodies:
@@ -105,16 +100,13 @@ def pack(
         else:
             bodies[clip.skeleton] = tree(clip.skeleton) | {"mesh": figure.packed()}
     numbers = {skeleton: k for k, skeleton in enumerate(bodies)}
-    packed = [
-        _packed(clip, *row) | {"skeleton": numbers[clip.skeleton]}
-        for clip, *row in zip(clips, labels, contacts, styles, strict=True)
-    ]
+    packed = [_packed(clip, *row) | {"skeleton": numbers[clip.skeleton]}
+              for clip, *row in zip(clips, labels, contacts, styles, strict=True)]
     return clips, bodies, packed
 
 
-def _packed(
-    clip: Clip, label: str, contacts: np.ndarray | None, weights: Mapping | None
-) -> dict[str, Any]:
+def _packed(clip: Clip, label: str, contacts: np.ndarray | None,
+            weights: Mapping | None) -> dict[str, Any]:
     """A clip without its skeleton."""
     joints = [j for j in range(len(clip.skeleton)) if not clip.skeleton.is_end(j)]
     rotations = R.unroll(R.normalize(clip.rotations[:, joints]))
@@ -122,13 +114,10 @@ def _packed(
     if weights:
         columns = [np.asarray(w, dtype=np.float64) for w in weights.values()]
         if any(c.shape != (len(clip),) for c in columns):
-            raise ValueError(
-                f"style weights must be [{len(clip)}] each; got {[list(c.shape) for c in columns]}"
-            )
-        styles = {
-            "names": list(weights),
-            "weights": encoded(np.clip(np.stack(columns, 1), 0, 1) * 255, "u1")
-        }
+            raise ValueError(f"style weights must be [{len(clip)}] each; got "
+                             f"{[list(c.shape) for c in columns]}")
+        styles = {"names": list(weights),
+                  "weights": encoded(np.clip(np.stack(columns, 1), 0, 1) * 255, "u1")}
     return {
         "label": label,
         "fps": clip.fps,
@@ -142,11 +131,9 @@ def _packed(
     }
 
 
-def skeleton_data(
-    clip: Clip, character: Figure | None = None, *, vertices: int = body.VERTICES
-) -> dict:
-    """Skeleton and mannequin as the browser's scene takes them (``scene/body.js`` describes the
-    format).
+def skeleton_data(clip: Clip, character: Figure | None = None, *,
+                  vertices: int = body.VERTICES) -> dict:
+    """Skeleton and mannequin as the scene takes them (``scene/body.js`` describes the format).
 
     The mannequin has about as many ``vertices``. A ``character`` takes the mannequin's place and
     follows the clip's joints (``scene/figure.js``).

@@ -130,10 +130,8 @@ def crowd(
     """
     path, clips = _checked(path), on_cpu(clips)
     if len({(len(clip), clip.fps, clip.skeleton.names) for clip in clips}) != 1:
-        raise ValueError(
-            f"a crowd needs clips of one length, rate and skeleton, got {len(clips)} that differ "
-            f"or none"
-        )
+        raise ValueError("a crowd needs clips of one length, rate and skeleton, got "
+                         f"{len(clips)} that differ or none")
     first = clips[0]
     at = np.arange(max(1, round(first.seconds * fps))) / fps if fps else [first.seconds]
     frames = np.minimum(np.round(np.multiply(at, first.fps)).astype(int), len(first) - 1)
@@ -227,21 +225,18 @@ class _Follow:
         return Image.fromarray(self.stage.draw([Pose(self.body, frame)], camera))
 
 
-def _room(
-    shots: Sequence[_Follow], labels: Sequence[str], height: int
-) -> tuple[float, float, float]:
-    """Metres to either side and upwards that every cell shows, with labels above the heads, and
-    pixels per metre.
+def _room(shots: Sequence[_Follow], labels: Sequence[str],
+          height: int) -> tuple[float, float, float]:
+    """Metres to either side and upwards that every cell shows, and pixels per metre.
+
+    Labels are above the heads.
     """
     font = _font(height)
     text = max([font.getlength(name) + font.size for name in labels if name], default=0)
-    scale = (height - (1.6 * font.size if text else 0)) / (
-        max(shot.top + 0.05 for shot in shots) - BOTTOM
-    )
-    return (
-        max(0.7, text / 2 / scale, *(shot.reach + 0.03 for shot in shots)), BOTTOM + height / scale,
-        scale
-    )
+    top = max(shot.top + 0.05 for shot in shots)
+    scale = (height - (1.6 * font.size if text else 0)) / (top - BOTTOM)
+    reach = max(0.7, text / 2 / scale, *(shot.reach + 0.03 for shot in shots))
+    return reach, BOTTOM + height / scale, scale
 
 
 def _font(height: int) -> ImageFont.FreeTypeFont:
@@ -264,9 +259,8 @@ def _sheet(cells: Sequence[Image.Image], labels: Sequence[str]) -> Image.Image:
 def _checked(path: str | os.PathLike) -> Path:
     path = Path(path)
     if path.suffix not in SUFFIXES:
-        raise ValueError(
-            f"an animation is a {', '.join(SUFFIXES[:-1])} or {SUFFIXES[-1]} file; got {path.name}"
-        )
+        raise ValueError(f"an animation is a {', '.join(SUFFIXES[:-1])} or {SUFFIXES[-1]} file; "
+                         f"got {path.name}")
     return path
 
 
@@ -277,18 +271,15 @@ def _write(frames: Iterable[Image.Image], path: Path, fps: float) -> Path:
     frames = list(frames)
     options = {"save_all": True, "duration": round(1000 / fps), "loop": 0}
     if path.suffix == ".gif":  # one palette of a few colours, taken from some of the frames
-        sample = np.concatenate(
-            [np.asarray(frame) for frame in frames[:: max(1, len(frames) // 6)]]
-        )
+        sample = np.concatenate(frames[:: max(1, len(frames) // 6)])
         palette = Image.fromarray(sample).quantize(COLORS, Image.Quantize.MEDIANCUT)
         frames = [frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in frames]
         options["optimize"] = False
     elif path.suffix == ".webp":
         options["quality"] = 80
     with atomic_write(path) as file:
-        frames[0].save(
-            file, Image.registered_extensions()[path.suffix], append_images=frames[1:], **options
-        )
+        frames[0].save(file, Image.registered_extensions()[path.suffix],
+                       append_images=frames[1:], **options)
     return path
 
 

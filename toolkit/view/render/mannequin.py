@@ -284,7 +284,6 @@ def _trunk(found: _Places, s: float, put) -> None:
     """Pelvis, waist, chest, shoulders, neck and head."""
     role, skeleton = found.role, found.clip.skeleton
     hips, spine = role("hips"), skeleton.trunk[::-1]
-    spine = spine[spine.index(hips) if hips in spine else 0 :]
     ahead = found.along(hips, "ahead")
     sides = [found.joint(hips, role(f"{side}_hip")) for side in SIDES]
     middle = sum(sides) / 2

@@ -36,8 +36,7 @@ class Picture(Figure):
 def strip(
     clips: Clip | Sequence[Clip], path: str | os.PathLike | None = None, *, frames: int = 8,
     labels: Sequence[str] | None = None, view: float = 60.0, contacts=None, width: float = 12.0,
-    dpi: int = 150,
-    character: str | os.PathLike | Character | None = None
+    dpi: int = 150, character: str | os.PathLike | Character | None = None
 ) -> Figure:
     """Picture of one or more motions, a row each, time from left to right.
 

@@ -14,9 +14,7 @@ from toolkit.view.render.opengl import explain_missing_opengl, opengl_works
 
 # Linear light: the browser's sun of 1.5 and hemisphere of 2.25 over π, in their colours
 # (scene/scene.js).
-SUN, SKY, GROUND = np.float32(
-    [[0.477, 0.467, 0.445], [0.716, 0.716, 0.716], [0.493, 0.468, 0.427]]
-)
+SUN, SKY, GROUND = np.float32([[0.477, 0.467, 0.445], [0.716] * 3, [0.493, 0.468, 0.427]])
 FINE = 2  # pictures are drawn so much larger, and averaged
 LOW = 0.003  # metres of the shadow above the floor
 FAR = 50.0  # metres from the camera to its target
@@ -42,9 +40,8 @@ class Stage(ABC):
         self.size, self.light, self.lines = size, light, lines
         counts = [len(body.skin.points) for body in bodies]
         first = np.cumsum([0, *counts[:-1]])
-        self.triangles = np.concatenate(
-            [body.skin.triangles + k for body, k in zip(bodies, first, strict=True)]
-        )
+        self.triangles = np.concatenate([body.skin.triangles + k
+                                         for body, k in zip(bodies, first, strict=True)])
 
     def draw(self, poses: Sequence[Pose], camera: Camera) -> np.ndarray:
         """Picture [H, W, 3] uint8 of a pose of each body."""
@@ -78,10 +75,9 @@ class Rendered(Stage):
         self.plotter.disable_anti_aliasing()  # the picture is averaged
         self.plotter.set_background(BACK)
         count = sum(len(body.skin.points) for body in bodies)
+        empty = np.zeros((count, 3), np.float32)
         self.surface, self.shadow = (
-            pv.PolyData.from_regular_faces(np.zeros((count, 3), np.float32), self.triangles)
-            for _ in range(2)
-        )
+            pv.PolyData.from_regular_faces(empty, self.triangles) for _ in range(2))
         self.surface.point_data["rgb"] = np.zeros((count, 3), np.uint8)
         self._add(self.surface)
         self.plotter.add_mesh(self.shadow, color=SHADE, lighting=False)
@@ -143,16 +139,14 @@ class Painted(Stage):
         if self.lines is not None:
             pieces = self.lines.segments()
             ends = seen(pieces + self.lines.crossing(camera.target))[..., :2]
-            paper.add_collection(LineCollection(
-                ends, colors=self.lines.colors(pieces.mean(1)), lw=0.8, zorder=0
-            ))
+            colors_of_lines = self.lines.colors(pieces.mean(1))
+            paper.add_collection(LineCollection(ends, colors=colors_of_lines, lw=0.8, zorder=0))
         shadow, corners = seen(flat)[self.triangles], seen(points)[self.triangles]
         order = np.argsort(corners[..., 2].mean(1))
         tones = colors[self.triangles].mean(1)[order] / 255
         for shapes, faces, z in ((shadow, SHADE, 1), (corners[order], tones, 2)):
-            paper.add_collection(PolyCollection(
-                shapes[..., :2], facecolors=faces, edgecolors=faces, lw=0.3, zorder=z
-            ))
+            paper.add_collection(PolyCollection(shapes[..., :2], facecolors=faces,
+                                                edgecolors=faces, lw=0.3, zorder=z))
         canvas = FigureCanvasAgg(figure)
         canvas.draw()
         return np.asarray(canvas.buffer_rgba())[..., :3].copy()

@@ -92,10 +92,8 @@ class Controller(CellWidget, Corners):
         self.frames = self._seen = 0
         self._recorded: list[np.ndarray] = []
         skeleton = skeleton_data(example(model, bank), figure_of(character))
-        super().__init__(
-            names=names, weights=[1.0, 0.0, 0.0], styles=list(bank.names), speed=speed,
-            size=list(size), skeleton=skeleton
-        )
+        super().__init__(names=names, weights=[1.0, 0.0, 0.0], styles=list(bank.names),
+                         speed=speed, size=list(size), skeleton=skeleton)
         self.on_msg(self._receive)
         self._loop = running_loop()
         if self._loop is not None:
@@ -116,22 +114,15 @@ class Controller(CellWidget, Corners):
     def clip(self) -> Clip:
         """The recording, on the model's whole skeleton; a ValueError if there is none."""
         if not self._recorded:
-            raise ValueError(
-                "nothing recorded yet: press Record (or set recording = True) and walk"
-            )
+            raise ValueError("nothing recorded yet: press Record (or set recording = True) and "
+                             "walk")
         rows = torch.from_numpy(np.stack(self._recorded))
-        return Clip(
-            self._model.layout.skeleton, rows[:, 3:].unflatten(1, (-1, 4)), rows[:, :3], FPS,
-            name="controller"
-        )
+        return Clip(self._model.layout.skeleton, rows[:, 3:].unflatten(1, (-1, 4)), rows[:, :3],
+                    FPS, name="controller")
 
-    def steer(
-        self, ahead: float = 0.0, right: float = 0.0, turn: float = 0.0, *, run: bool = False
-    ) -> None:
-        """Steer from a program instead of keys.
-
-        Shares in [-1, 1] of walking ahead, walking right and turning left.
-        """
+    def steer(self, ahead: float = 0.0, right: float = 0.0, turn: float = 0.0, *,
+              run: bool = False) -> None:
+        """Steer from a program: shares in [-1, 1] of ahead, to the right and turning left."""
         self._input |= {"move": [right, ahead], "turn": turn, "run": run, "heading": None}
 
     def advance(self, frames: int = 1) -> None:
@@ -191,9 +182,8 @@ class Controller(CellWidget, Corners):
     def _step(self) -> None:
         self._vector = torch.lerp(self._vector, self._target, EASE)
         style = self._alive(self.frames)
-        self.state = state = runtime.step(
-            self._model, self.state.with_style(style), self._command()
-        )
+        self.state = state = runtime.step(self._model, self.state.with_style(style),
+                                          self._command())
         rotations, root = runtime.pose(self._model, state, feet=self.feet, arms=self.arms)
         self.frames += 1
         past = [trajectory.PAST + o for o in self._model.layout.behind]

@@ -1,7 +1,7 @@
 """A blend of three styles as a widget: names and shares, which a triangle with a marker shows."""
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 
 import anywidget
 import traitlets
@@ -17,25 +17,21 @@ class Corners(anywidget.AnyWidget):
     _bank = None
 
     names = traitlets.List(traitlets.Unicode(), ["A", "B", "C"], minlen=3, maxlen=3).tag(sync=True)
-    weights = traitlets.List(traitlets.Float(), [1 / 3, 1 / 3, 1 / 3], minlen=3, maxlen=3).tag(
-        sync=True
-    )
+    weights = traitlets.List(traitlets.Float(), [1 / 3] * 3, minlen=3, maxlen=3).tag(sync=True)
 
     @traitlets.validate("names")
     def _known(self, proposal: dict) -> list[str]:
-        if unknown := [
-            name for name in proposal["value"] if self._bank is not None and name not in self._bank
-        ]:
-            raise traitlets.TraitError(f"unknown style {unknown[0]!r}")
+        for name in proposal["value"]:
+            if self._bank is not None and name not in self._bank:
+                raise traitlets.TraitError(f"unknown style {name!r}")
         return proposal["value"]
 
     @traitlets.validate("weights")
     def _sum_to_one(self, proposal: dict) -> list[float]:
         shares = proposal["value"]
-        if not all(math.isfinite(w) and w >= 0 for w in shares) or not 0 < sum(shares) < math.inf:
+        if not _fit(shares):
             raise traitlets.TraitError(
-                f"weights must be three shares >= 0 and not all zero, got {shares}"
-            )
+                f"weights must be three shares >= 0 and not all zero, got {shares}")
         return [w / sum(shares) for w in shares]
 
     @property
@@ -47,9 +43,13 @@ class Corners(anywidget.AnyWidget):
         return blend
 
 
-def corners(
-    bank, weights: Mapping[str, float], others: Iterable[str]
-) -> tuple[list[str], list[float]]:
+def _fit(shares: Sequence[float]) -> bool:
+    """Whether shares are finite, not negative, and not all zero."""
+    return all(math.isfinite(w) and w >= 0 for w in shares) and 0 < sum(shares) < math.inf
+
+
+def corners(bank, weights: Mapping[str, float],
+            others: Iterable[str]) -> tuple[list[str], list[float]]:
     """Three styles and their shares, which sum to one, of a blend of one to three.
 
     ``others`` fill up, with share zero.
@@ -57,13 +57,8 @@ def corners(
     for name in weights:
         bank[name]
     shares = [float(w) for w in weights.values()]
-    if (
-        not 1 <= len(shares) <= 3
-        or not all(math.isfinite(w) and w >= 0 for w in shares)
-        or not sum(shares) > 0
-    ):
-        raise ValueError(
-            f"a blend needs one to three weights >= 0 and not all zero, got {dict(weights)}"
-        )
+    if len(shares) > 3 or not _fit(shares):
+        raise ValueError("a blend needs one to three weights >= 0 and not all zero, got "
+                         f"{dict(weights)}")
     names = [*weights, *(name for name in others if name not in weights), *weights, *weights]
     return names[:3], [w / sum(shares) for w in shares] + [0.0] * (3 - len(shares))

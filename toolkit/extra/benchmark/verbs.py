@@ -1,4 +1,4 @@
-"""The verb `benchmark`: scores of StyleWalk for a model, and for anybody's files."""
+"""The verbs `benchmark run` and `benchmark score`."""
 
 from pathlib import Path
 from typing import Annotated
@@ -8,8 +8,8 @@ import typer
 from toolkit.cli import motion_files
 from toolkit.cli.verbs import Published, Roles, Unit, Up, say
 from toolkit.datasets import folder as own
+from toolkit.extra import benchmark
 from toolkit.io import bvh, save as saving
-from toolkit.registry import find
 from toolkit.training import published
 from toolkit.training.run import model_file
 
@@ -31,7 +31,6 @@ def run(
 ) -> None:
     """Let a model walk all tracks in all styles that it knows, and score the walks."""
     _check(out)
-    benchmark = find("benchmark")
     judging = benchmark.Judges.load(judges)
     walks = benchmark.walk(*published.either(model, parameters), progress=True)
     if clips is not None:
@@ -58,7 +57,6 @@ def score(
     if not folder.is_dir():
         raise ValueError(f"{folder}: no such folder")
     _check(out)
-    benchmark = find("benchmark")
     judging = benchmark.Judges.load(judges)
     paths = [path for path in sorted(folder.glob("*")) if path.suffix.lower() in own.SUFFIXES]
     clips = {path.stem: motion_files.read(path, unit, up, roles) for path in paths}
