@@ -11,7 +11,6 @@ from pathlib import Path
 
 import platformdirs
 
-FETCHED = ("100style", "lpn-film-100style", "bandai")
 FOLDERS = {"lpn-film-100style": "lpn_film_100style"}  # others have the name of the dataset
 
 
@@ -33,11 +32,9 @@ def find(name: str, layout: str, source: str) -> Path:
     """
     path = folder(name)
     if not path.is_dir():
-        get = f"its home: {source}"
-        if name in FETCHED:
-            get = f"python -m toolkit data fetch {name} gets it from {source}"
-        raise ValueError(f"{name}: nothing at {path}; {get}; or give root=, the folder with "
-                         f"{layout}, or set TOOLKIT_DATA to the folder that holds {path.name}/")
+        raise ValueError(f"{name}: nothing at {path}; python -m toolkit data fetch {name} gets it "
+                         f"from {source}; or give root=, the folder with {layout}, or set "
+                         f"TOOLKIT_DATA to the folder that holds {path.name}/")
     _log(name, path)
     return path
 

@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 import torch
 
-from toolkit.extra.formats.recorded_body import RecordedBody
+from toolkit.extra.formats.recorded_body import RecordedBody, heights
 from toolkit.extra.formats.role_checks import misfits
 from toolkit.io import files
 from toolkit.io.recording import Recording
@@ -301,7 +301,7 @@ def _low(body: RecordedBody, up: str) -> bool:
 
 def _hips(body: RecordedBody, up: str) -> float:
     """Median height of the hips along an axis."""
-    return float(np.median(body.points[body.joint["hips"]][:, "xyz".index(up)]))
+    return float(np.median(heights(body.points[body.joint["hips"]], up)))
 
 
 def _unit(body: RecordedBody, recording: Recording, found: Findings) -> float:

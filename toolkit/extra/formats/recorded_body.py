@@ -20,6 +20,12 @@ SOLE, CROWN = 0.08, 0.24  # shares of a leg: height of an ankle, and of the head
 UPRIGHT = 0.5  # of the height: how far the head of an upright body is above its feet
 
 
+def heights(points: np.ndarray, up: str) -> np.ndarray:
+    """Heights ``[...]`` of points ``[..., 3]`` along an axis such as "z" or "-y"."""
+    found = points[..., "xyz".index(up[-1])]
+    return -found if up[0] == "-" else found
+
+
 class RecordedBody:
     """Points of the joints with roles and of the head over at most `SAMPLES` frames."""
 
@@ -69,8 +75,7 @@ class RecordedBody:
 
     def along(self, up: str) -> np.ndarray:
         """Heights ``[S, N]`` of all points along an axis."""
-        points = self.together[..., "xyz".index(up[-1])]
-        return -points if up[0] == "-" else points
+        return heights(self.together, up)
 
     @cached_property
     def standing(self) -> np.ndarray:
@@ -110,7 +115,7 @@ class RecordedBody:
 
     def upright(self, up: str) -> bool:
         """Whether the head is above the feet in most frames, by `UPRIGHT` of the height."""
-        above = self.standing[:, "xyz".index(up[-1])] * (-1.0 if up[0] == "-" else 1.0)
+        above = heights(self.standing, up)
         return bool(len(above)) and float((above > UPRIGHT * self.height).mean()) > 0.5
 
     @cached_property
@@ -158,14 +163,8 @@ class RecordedBody:
         """Height of a toe that stands, in the middle of the clip, and its change over the clip."""
         if not self.has("toe"):
             return math.nan, math.nan
-        sign, axis = -1.0 if up[0] == "-" else 1.0, "xyz".index(up[-1])
-        heights = [sign * self.points[self.joint[f"{side}_toe"]][:, axis] for side in SIDES]
-        toes = np.minimum(*heights)
-        # The lowest toe of each part of a second or more
+        toes = np.minimum(*(heights(self.points[self.joint[f"{side}_toe"]], up) for side in SIDES))
         recording = self.recording
         part = max(PART, round(len(toes) * recording.fps / len(recording.rotations)))
-        lowest = toes[: len(toes) // part * part].reshape(-1, part).min(1)
-        if len(lowest) < 4 or np.ptp(lowest) < 0.02 * self.leg:
-            return float(np.sort(toes)[len(toes) // 20]), 0.0
         floor = floor_line(torch.from_numpy(toes), part, 0.02 * self.leg)
         return float(floor[len(floor) // 2]), float(floor[-1] - floor[0])
