@@ -16,6 +16,7 @@ from torch import Tensor
 from experiments.tables import Result, Store
 from toolkit import published, runtime
 from toolkit.cli import verbs
+from toolkit.extra.compiled import network
 from toolkit.extra.engines import onnx
 from toolkit.motion import Clip
 from toolkit.networks import Model
@@ -155,7 +156,7 @@ def _beside(net: Model, fast, bank, rounds: int, rate: float, speed: float) -> l
                                                                                         s),
             "torch, inputs scaled by gates": lambda x=x, p=phases, s=style: net.predict(x, p, s),
             "ONNX Runtime": _onnx(net, x, phases, style),
-            "toolkit": lambda x=x, p=phases, s=style: fast.predict(x, p, s),
+            "toolkit": _compiled(fast, x, phases, style),
         }
         with torch.no_grad():
             right = net.predict(x, phases, style)
@@ -187,6 +188,18 @@ def _einsum(net: Model, x: Tensor, phases: Tensor, style: Tensor) -> Tensor:
         h = torch.einsum("bi,bij->bj", h, blended) + gates @ layer.bias
         h = net.modulation(i, h, style) if i < 2 else h
     return net.normaliser("outputs").invert(h)
+
+
+def _compiled(fast, x: Tensor, phases: Tensor, style: Tensor) -> Callable[[], Tensor]:
+    """The network of a compiled model."""
+    given = x.numpy(), phases.numpy(), style.numpy()
+    z = torch.empty(len(x), fast.layout.n_outputs)
+
+    def work() -> Tensor:
+        network.predict(*given, fast.weights, z.numpy(), 0, len(x))
+        return z
+
+    return work
 
 
 def _onnx(net: Model, x: Tensor, phases: Tensor, style: Tensor) -> Callable[[], Tensor]:

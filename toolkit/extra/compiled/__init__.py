@@ -145,20 +145,6 @@ class CompiledModel:
         self._share(work, count)
         return torch.from_numpy(rotations), torch.from_numpy(roots)
 
-    def predict(self, x: Tensor, phases: Tensor, style: Tensor) -> Tensor:
-        """`toolkit.networks.Model.predict`."""
-        widths = self.layout.n_inputs, self.layout.n_phases, self.style_size
-        given = []
-        for name, value, width in zip(("x", "phases", "style"), (x, phases, style), widths,
-                                      strict=True):
-            if value.shape[-1] != width:
-                raise ValueError(f"{name} needs {width} columns, got shape {list(value.shape)}")
-            rows = value.detach().expand(len(x), width)
-            given.append(np.ascontiguousarray(rows.numpy(), np.float32))
-        _, z = self._room(len(x))
-        self._share(lambda *part: network.predict(*given, self.weights, z, *part), len(x))
-        return torch.from_numpy(z)
-
     def _advance(self, old, new, wanted, look, x, z, first: int, last: int) -> None:
         """One frame of characters ``first`` to ``last``; ``x`` and ``z`` are from `_room`."""
         frame.steer(old, wanted, look, self._rules, x, new, first, last)
