@@ -5,6 +5,7 @@ without harm.
 import asyncio
 import contextlib
 import json
+import math
 import os
 import re
 import subprocess
@@ -310,9 +311,11 @@ def test_a_controller_goes_on_after_messages_of_the_wrong_kind():
             "heading": None}
     control._handle_custom_msg(good, [])
     for message in (good | {"turn": nan}, good | {"move": [1.0]}, good | {"id": {}}, {}, [],
+                    good | {"id": 10**400}, good | {"id": "9" * 5000},
+                    good | {"move": [0.0] * 10**5},
                     {"kind": ["input"]}, "input", None):
         control._handle_custom_msg(message, [])
-    assert control._input["move"] == [0.0, 1.0]
+    assert control._input | {"kind": "input"} == good
 
     before = control.names, control.weights, control.blend, control.speed
     for state in ({"weights": [nan, 0, 0]}, {"weights": [0, 0, 0]}, {"weights": [1, 0]},
@@ -323,6 +326,33 @@ def test_a_controller_goes_on_after_messages_of_the_wrong_kind():
     control.advance(2)
     assert bool(control.state.root.isfinite().all())
     control.close()
+
+
+@pytest.mark.parametrize("changed", [
+    {"shots": "x"}, {"shots": [{}] * 10**5}, {"version": 10**400}, {"apart": 1e300},
+    {"walls": [[0]]},
+    {"path": [[0, 0], [10**400, 0]]}, {"path": [[0, 0], [math.nan, 0]]}, {"path": [[0, 0]] * 10**5},
+    {"path": [[[0] * 9] * 9] * 9}, {"styles": {"Nobody": {}}}, {"styles": [[0, {"Old": math.nan}]]},
+    {"duration": 1e300}, {"seed": -1}, {"name": "x" * 10**5}, {"look_at": "ab"}, {"extra": 1},
+])
+def test_a_director_refuses_a_scene_of_the_wrong_kind_in_one_line(changed):
+    """A message of any page; the kernel keeps the scene that it had."""
+    traitlets = pytest.importorskip("traitlets")
+    pytest.importorskip("ipywidgets")
+    from toolkit.extra.shots.director import Director
+
+    desk = Director(*tk.pretrained())
+    before = json.loads(json.dumps(desk.scene))
+    scene = before | {key: changed[key] for key in changed if key in ("shots", "version", "apart",
+                                                                       "walls")}
+    if scene == before:
+        scene["shots"] = [before["shots"][0] | changed]
+    with pytest.raises(traitlets.TraitError) as said:
+        desk.set_state({"scene": scene})
+    assert len(str(said.value)) < 300
+    assert str(said.value).isprintable()
+    assert desk.scene == before
+    desk.close()
 
 
 @pytest.mark.parametrize("unit", ["1e308", "1e7", "1e-9"])

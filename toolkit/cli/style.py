@@ -94,8 +94,7 @@ def add(
                          "(--anyway writes it); use more or longer clips")
     record = {"style": name, "clips": [file.name for file in files], "method": best.made.method,
               "mirror": best.mirror, "base": str(base or "published"), "steps": steps,
-              "seed": seed, "seconds": round(best.made.seconds, 1),
-              "verdict": best.compared.verdict}
+              "seed": seed, "verdict": best.compared.verdict}
     new = {"bank": list(best.bank.names), "added": [*parts["added"], record]}
     model_files.write(out, tensors | best.bank.tensors, parts | new)
     _print_near(best.bank, name)

@@ -233,4 +233,5 @@ def _valid(message: Mapping) -> dict | None:
     except (KeyError, OverflowError, TypeError, ValueError):
         return None
     numbers = (*found["move"], found["turn"], *(found["heading"] or ()))
-    return found if all(abs(x) <= 2 for x in numbers) else None
+    right = all(abs(x) <= 2 for x in numbers) and abs(found["id"]) < 2**53  # as JavaScript counts
+    return found if right else None
