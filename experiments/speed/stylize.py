@@ -40,7 +40,7 @@ def run(
         "features of the source": lambda: describe(prepare(clip)),
         "the stylizer G": lambda: model.translate(x, code[None]),
         "foot-skate removal": lambda: lock_feet(source.replace(), source),
-        "all of stylize()": lambda: stylize(model, clip.replace(), code=code),
+        "all of stylize()": lambda: stylize(model, clip.replace(), domain=model.domains[0]),
     }
     before = torch.get_num_threads()
     torch.set_num_threads(threads)

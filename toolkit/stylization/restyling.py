@@ -1,4 +1,4 @@
-"""Restyle a clip of any length by noise, by a reference clip, or by a style code."""
+"""Restyle a clip of any length by noise or by a reference clip."""
 
 import torch
 from scipy.interpolate import PchipInterpolator
@@ -18,8 +18,7 @@ RELEASE = 0.25  # seconds over which the height of the body follows that of its 
 
 
 def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 0, *,
-            reference: Clip | None = None, code: Tensor | None = None, blend: str | None = None,
-            feet: bool = True) -> Clip:
+            reference: Clip | None = None, blend: str | None = None, feet: bool = True) -> Clip:
     """Restyle a clip (Park et al. 2021).
 
     The result has the rate, root path (section 4), bones, End Sites and foot contacts of the
@@ -35,8 +34,6 @@ def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 
     reference
         A clip with the target style (equation 5). Its domain is ``domain``, by default its own
         ``style``.
-    code : Tensor [S]
-        A style code of `style_code`, or an interpolation of such codes (section 7.1).
     blend
         Style of the clip. With it the result is not the network's, but a blend: half of it, and
         half the mean-pose shift from this style to the domain. It keeps more gaits than the network
@@ -48,23 +45,26 @@ def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 
     ------
     ValueError
         If the clip has another skeleton or fewer frames than the pooling needs, the domain is
-        unknown, or the style is not given by exactly one of domain, reference and code.
+        unknown, or neither domain nor reference is given.
     """
     source = prepare(clip, model.skeleton)
     if len(source) < SHRINK:
         raise ValueError(f"{clip.name}: pooling needs {SHRINK} frames at {FPS:g} Hz, "
                          f"the clip has {len(source)}")
-    if code is None:
-        code = style_code(model, domain, seed, reference=reference)
-    elif code.shape != (model.sizes.code,) or any(
-            given is not None for given in (domain, reference, blend)):
-        raise ValueError(f"a style code is [{model.sizes.code}] and needs no domain, reference or "
-                         f"blend; got {list(code.shape)}")
+    if reference is not None:
+        domain = domain or reference.style
+        code = model.code_of(_described(model, reference), domain)
+    elif domain is not None:
+        noise = torch.randn(1, model.sizes.latent, generator=generator(seed))
+        code = model.code_from(noise, domain)
+    else:
+        raise ValueError(f"say which style: domain= (one of {', '.join(model.domains)}) or "
+                         "reference=")
     x, root_velocity = describe(source)
     padded = torch.cat((x, x[:, -1:].expand(-1, -len(source) % SHRINK, -1)), 1)
-    made = model.translate(padded[None], code[None])[0, :, : len(source)]
+    made = model.translate(padded[None], code)[0, :, : len(source)]
     if blend is not None:
-        made = (made + model.shift(x[None], blend, domain or reference.style)[0]) / 2
+        made = (made + model.shift(x[None], blend, domain)[0]) / 2
     result = to_clip(smooth_arms(made, x, source), root_velocity, source)
     if feet:
         result = lock_feet(result, source)
@@ -72,21 +72,8 @@ def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 
     rotations = R.identity(len(result), len(clip.skeleton))
     joints = [clip.skeleton.names.index(name) for name in source.skeleton.names]
     rotations[:, joints] = result.rotations
-    style = domain or (reference.style if reference else "")
-    result = result.replace(skeleton=clip.skeleton, rotations=rotations, style=style)
+    result = result.replace(skeleton=clip.skeleton, rotations=rotations, style=domain)
     return result.resample(clip.fps)
-
-
-def style_code(model: Stylizer, domain: str | None = None, seed: int = 0, *,
-               reference: Clip | None = None) -> Tensor:
-    """The style code ``[S]`` of `stylize` for a domain and a seed, or for a reference clip."""
-    if reference is None:
-        if domain is None:
-            raise ValueError(f"say which style: domain= (one of {', '.join(model.domains)}), "
-                             "reference= or code=")
-        noise = torch.randn(1, model.sizes.latent, generator=generator(seed))
-        return model.code_from(noise, domain)[0]
-    return model.code_of(_described(model, reference), domain or reference.style)[0]
 
 
 def _described(model: Stylizer, reference: Clip) -> Tensor:
