@@ -48,7 +48,7 @@ explorer
 """,
     """
 player = tk.view.play([clip, clip.mirrored()], contacts=[tk.contacts.detect(clip), None],
-                      labels=["<b>data</b>", "mirrored"], size=(320, 240))
+                      labels=["<b>data</b>", "mirrored"])
 player
 """,
     f"""

@@ -1,6 +1,4 @@
-"""A crowd: many characters at once through the compiled runtime, each with its own style blend, who
-keep apart.
-"""
+"""A crowd: many characters in the compiled runtime, each in a style blend, who keep apart."""
 
 import math
 import random
@@ -37,8 +35,7 @@ class Crowd:
     Parameters
     ----------
     clips : one per character
-    seconds : median processing time of one frame for all characters: commands, avoidance, step and
-    pose
+    seconds : median processing time of a frame of all: commands, avoidance, step and pose
     """
 
     clips: list[Clip]
@@ -50,16 +47,13 @@ class Crowd:
         """The processing time as text."""
         many = len(self.clips)
         return (f"{many} characters, {len(self.clips[0])} frames: {1e3 * self.seconds:.2f} ms a "
-                f"frame, "
-                f"{1e6 * self.seconds / many:.0f} µs each, {1 / FPS / self.seconds:.1f} times "
-                f"real time")
+                f"frame, {1e6 * self.seconds / many:.0f} µs each, {1 / FPS / self.seconds:.1f} "
+                "times real time")
 
 
 def streams(bank: StyleBank, characters: int = 100, seed: int = 0, *,
-            styles: Sequence[str] | None = None,
-            apart: float = APART) -> Scene:
-    """A scene of two streams that cross at a right angle: half of the characters walk to +x, half
-    to +z.
+            styles: Sequence[str] | None = None, apart: float = APART) -> Scene:
+    """A scene of two streams that cross at a right angle: half walk to +x, half to +z.
 
     Each character has a blend of two of ``styles``, by default of all of the bank. They keep
     ``apart`` metres, see `Scene`.
@@ -83,14 +77,12 @@ def streams(bank: StyleBank, characters: int = 100, seed: int = 0, *,
 
 
 def walk(model, bank, characters: int = 100, seconds: float = 10.0, *, seed: int = 0,
-         threads: int = 1,
          progress: bool = False) -> Crowd:
     """Let two `streams` of characters cross, for so many seconds at most.
 
-    ``model``: an LPN-FiLM, plain or compiled. ``threads`` of the processor. ``progress`` shows a
-    bar.
+    ``model``: an LPN-FiLM, plain or compiled. ``progress`` shows a bar.
     """
-    compiled = model if hasattr(type(model), "roll") else runtime.compile(model, threads=threads)
+    compiled = model if hasattr(type(model), "roll") else runtime.compile(model)
     scene = streams(bank, characters, seed).spaced(compiled, bank, BODIES)
     poses, taken, began = [], [], time.perf_counter()
     with torch.no_grad():
@@ -106,9 +98,7 @@ def walk(model, bank, characters: int = 100, seconds: float = 10.0, *, seed: int
 
 
 def places(characters: int) -> tuple[Tensor, Tensor, Tensor]:
-    """Radius, angle and walking direction (1 or -1) of each character, ``[N]``; all rings have the
-    same density.
-    """
+    """Radius, angle and direction (1 or -1) of each character, ``[N]``, on rings of one density."""
     radii = INNER + RING * torch.arange(characters)
     rings = 1 + int((math.tau * radii.cumsum(0) < ROOM * characters).sum())
     radii = radii[:rings]
@@ -130,7 +120,6 @@ def _blends(names: list[str], characters: int, seeded: torch.Generator) -> list[
     for _ in range(characters):
         pair = torch.randperm(len(names), generator=seeded)[:2].tolist()
         share = float(torch.rand((), generator=seeded))
-        blends.append({names[i]: part for i, part in zip(pair, (share, 1 - share), strict=False)}
-                      if len(pair) > 1 else
-                      {names[0]: 1.0})
+        shares = (share, 1 - share) if len(pair) > 1 else (1.0,)
+        blends.append({names[i]: part for i, part in zip(pair, shares, strict=True)})
     return blends

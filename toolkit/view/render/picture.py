@@ -20,6 +20,7 @@ from toolkit.view.render.stage import open_stage
 
 PAPER, INK = "#f7f6f3", "#2b323b"
 TILT = 0.16  # radians by which the camera looks down
+VIEW = 60.0  # degrees of the camera from the facing direction
 BOTTOM = -0.26  # metres of floor shown below the feet
 STEP = 0.1  # metres by which a foot is ahead of the other in a step, at least
 
@@ -35,8 +36,8 @@ class Picture(Figure):
 
 def strip(
     clips: Clip | Sequence[Clip], path: str | os.PathLike | None = None, *, frames: int = 8,
-    labels: Sequence[str] | None = None, view: float = 60.0, contacts=None, width: float = 12.0,
-    dpi: int = 150, character: str | os.PathLike | Character | None = None
+    labels: Sequence[str] | None = None, contacts=None, width: float = 12.0, dpi: int = 150,
+    character: str | os.PathLike | Character | None = None
 ) -> Figure:
     """Picture of one or more motions, a row each, time from left to right.
 
@@ -45,7 +46,7 @@ def strip(
 
     Parameters
     ----------
-    clips, labels, contacts, view, character
+    clips, labels, contacts, character
         As in `toolkit.view.animate`; a label is the text of a row.
     path
         PNG file to write (any format matplotlib knows).
@@ -67,7 +68,7 @@ def strip(
     for clip, feet in zip(clips, contacts, strict=True):
         at = instants(clip, frames)
         walked, facing = steady_frames(clip, 0.5)
-        rows.append(_Row(Body(clip, feet, own), at, walked[at], facing[at] - np.radians(view),
+        rows.append(_Row(Body(clip, feet, own), at, walked[at], facing[at] - np.radians(VIEW),
                          TILT))
     # All rows have the columns of the widest body, and room for the label above the tallest.
     spacing = max(0.7, *(2 * row.reach + 0.04 for row in rows))

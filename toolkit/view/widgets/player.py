@@ -15,7 +15,6 @@ from toolkit.view.render.skin import Figure as Character, figure_of
 
 
 def play(clips: Clip | Sequence[Clip], *, labels: Sequence[str] | None = None, contacts=None,
-         size: tuple[int, int] = (640, 480), playing: bool = False,
          character: str | os.PathLike | Character | None = None) -> "Player | Figure":
     """Play one clip or several in a notebook, side by side; elsewhere, return a picture strip.
 
@@ -28,8 +27,6 @@ def play(clips: Clip | Sequence[Clip], *, labels: Sequence[str] | None = None, c
     contacts
         Foot contacts [F, 2] (right, left), above one half where a foot stands, or one array (or
         None) per clip.
-    size, playing
-        Pixels of the picture, width and height; whether to start at once.
     character
         A glTF or VRM file with a skinned mesh, drawn in place of the mannequin; the clips are put
         on its rig (`toolkit.extra.characters.character.Character`).
@@ -41,15 +38,13 @@ def play(clips: Clip | Sequence[Clip], *, labels: Sequence[str] | None = None, c
     """
     if not in_notebook():
         return strip(clips, contacts=contacts, labels=labels, character=character)
-    return Player(
-        clips, labels=labels, contacts=contacts, size=size, playing=playing, character=character
-    )
+    return Player(clips, labels=labels, contacts=contacts, character=character)
 
 
 class Player(CellWidget, anywidget.AnyWidget):
     """Clips side by side, with a bar for time, speed and what is drawn; drag turns the camera.
 
-    The parameters are those of `play`.
+    The parameters are those of `play`, and ``size``, width and height of the picture in pixels.
 
     Attributes
     ----------
@@ -66,10 +61,10 @@ class Player(CellWidget, anywidget.AnyWidget):
     playing = traitlets.Bool(False).tag(sync=True)
 
     def __init__(self, clips: Clip | Sequence[Clip], *, labels: Sequence[str] | None = None,
-                 contacts=None, size: tuple[int, int] = (640, 480), playing: bool = False,
+                 contacts=None, size: tuple[int, int] = (640, 480),
                  character: str | os.PathLike | Character | None = None):
         self._figure, self._bodies = figure_of(character), {}
-        super().__init__(size=list(size), playing=playing)
+        super().__init__(size=list(size))
         self.show(clips, labels=labels, contacts=contacts)
 
     def show(self, clips: Clip | Sequence[Clip], *, labels: Sequence[str] | None = None,
