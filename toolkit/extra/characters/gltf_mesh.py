@@ -19,9 +19,10 @@ from toolkit.extra.formats.gltf_file import (
     numbers_of,
     whole_of,
 )
-from toolkit.extra.formats.nodes import descending, printable, unique
+from toolkit.extra.formats.nodes import descending, unique
 from toolkit.io.files import named
 from toolkit.motion import rotations as R
+from toolkit.motion.text import printable
 
 COMPRESSED = ("KHR_draco_mesh_compression", *PACKED)
 SLOTS = 4  # joints that a vertex may follow
@@ -121,9 +122,9 @@ class _Reader:
         counts = np.cumsum([0, *map(len, points[:-1])])
         triangles = [part + count for part, count in zip(triangles, counts, strict=True)]
 
-        names = unique([printable(self.nodes[j].get("name", "")) or f"node{j}" for j in joints])
+        names = [printable(self.nodes[j].get("name", "")).strip() or f"node{j}" for j in joints]
         return SkinnedMesh(
-            tuple(names), tuple(place.get(self.parents[j], -1) for j in joints), tuple(joints),
+            tuple(unique(names)), tuple(place.get(self.parents[j], -1) for j in joints), tuple(joints),
             self._above(joints[0]), self.world[joints], bind,
             *map(np.concatenate, (points, triangles, follow, weights, colors)), self.file.digest)
 

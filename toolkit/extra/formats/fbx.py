@@ -16,10 +16,11 @@ from torch import Tensor
 from toolkit.extra.formats.fbx_curves import LARGEST, Curve, read_curve
 from toolkit.extra.formats.fbx_records import Record, Records
 from toolkit.extra.formats.key_times import frame_rate, sample_times
-from toolkit.extra.formats.nodes import Node, chosen, printable, record
+from toolkit.extra.formats.nodes import Node, chosen, record
 from toolkit.io import files
 from toolkit.io.recording import Recording
 from toolkit.motion import rotations as R
+from toolkit.motion.text import printable
 
 SECOND, NEW_SECOND = 46186158000, 141120000  # units of time in a second
 RATES = {1: 120.0, 2: 100.0, 3: 60.0, 4: 50.0, 5: 48.0, 6: 30.0, 7: 30.0, 8: 30 / 1.001,

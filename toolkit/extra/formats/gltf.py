@@ -18,11 +18,12 @@ from toolkit.extra.formats.gltf_file import (
     unit_quaternions,
 )
 from toolkit.extra.formats.key_times import frame_rate, hermite, sample_times
-from toolkit.extra.formats.nodes import Node, chosen, printable, record
+from toolkit.extra.formats.nodes import Node, chosen, record
 from toolkit.io.files import named
 from toolkit.io.recording import Recording
 from toolkit.motion import rotations as R
 from toolkit.motion.roles import SIDES
+from toolkit.motion.text import printable
 
 PATHS = {"translation": 3, "rotation": 4, "scale": 3}
 BONES = {"shoulder": "UpperArm", "elbow": "LowerArm", "hand": "Hand", "hip": "UpperLeg",

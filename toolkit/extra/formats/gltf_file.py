@@ -11,8 +11,9 @@ from urllib.parse import unquote
 import numpy as np
 
 from toolkit.extra.formats.key_times import MOST
-from toolkit.extra.formats.nodes import LIMIT, printable
+from toolkit.extra.formats.nodes import LIMIT
 from toolkit.io.files import parsed, read
+from toolkit.motion.text import printable
 
 COMPONENTS = {5120: "i1", 5121: "u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
 WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}

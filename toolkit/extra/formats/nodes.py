@@ -47,11 +47,6 @@ class Node:
     plain: bool = True  # no mesh, camera or light: may be the tip of a bone
 
 
-def printable(name: object) -> str:
-    """A node's name without characters that cannot be printed."""
-    return "".join(c if c.isprintable() else "\ufffd" for c in str(name)).strip()
-
-
 def unique(names: Sequence[str]) -> list[str]:
     """Names with numbers where they repeat."""
     given, made, numbers = set(names), {}, {}
@@ -120,7 +115,7 @@ def record(nodes: Sequence[Node], frames: int, fps: float, *, format_: str, unit
     top = tree.top(doubts)
     root, left_out = tree.travelling(top)
     kept, offsets = tree.rigid(root, left_out, tree.size(top), doubts)
-    names = unique([nodes[j].name or f"node{j}" for j in kept])
+    names = unique([nodes[j].name.strip() or f"node{j}" for j in kept])
     place = {j: i for i, j in enumerate(kept)}
 
     # The root holds what the nodes above it do; all other joints keep their own rotations
