@@ -124,8 +124,8 @@ class _Reader:
 
         names = [printable(self.nodes[j].get("name", "")).strip() or f"node{j}" for j in joints]
         return SkinnedMesh(
-            tuple(unique(names)), tuple(place.get(self.parents[j], -1) for j in joints), tuple(joints),
-            self._above(joints[0]), self.world[joints], bind,
+            tuple(unique(names)), tuple(place.get(self.parents[j], -1) for j in joints),
+            tuple(joints), self._above(joints[0]), self.world[joints], bind,
             *map(np.concatenate, (points, triangles, follow, weights, colors)), self.file.digest)
 
     def _tree(self, joints: set[int]) -> list[int]:
