@@ -6,6 +6,7 @@ import torch
 import toolkit as tk
 from toolkit.datasets import procedural
 from toolkit.motion import contacts
+from toolkit.motion.rotations import identity
 
 
 def f1(found, true):
@@ -43,6 +44,64 @@ def test_a_raised_foot_does_not_stand():
     raised = int(truth.contacts.mean(0).argmin())
     assert truth.contacts[:, raised].mean() < 0.02
     assert contacts.detect(clip)[:, raised].mean() < 0.02
+
+
+def walked(heights, speeds, fps=60.0):
+    """A right toe at these heights, metres, with these speeds along z; the left toe is high."""
+    skeleton = tk.Skeleton(("root", "right", "left"), (-1, 0, 0),
+                           torch.tensor([[0.0, 0, 0], [0, 0, 0], [0, 1, 0]]),
+                           {"right_toe": "right", "left_toe": "left"}, ())
+    places = torch.zeros(len(heights), 3)
+    places[:, 1], places[:, 2] = heights, (speeds / fps).cumsum(0)
+    return tk.Clip(skeleton, identity(len(heights), 3), places, fps)
+
+
+def stands(clip, frame, **limits):
+    return bool(contacts.detect(clip, **limits)[frame, 0])
+
+
+@pytest.mark.parametrize(("fps", "fewest"), [(60.0, 6), (30.0, 3)])
+def test_the_majority_of_a_sixth_of_a_second_decides(fps, fewest):
+    for frames in (fewest - 1, fewest):
+        speeds = torch.ones(60)
+        speeds[30 : 30 + frames] = 0.0
+        assert stands(walked(torch.zeros(60), speeds, fps), 30 + frames // 2) == (frames == fewest)
+
+
+def test_a_standing_toe_is_low_and_slow():
+    """In less than four seconds the floor is level: the 5th percentile of the toe's heights."""
+    heights, speeds = torch.zeros(230), torch.zeros(230)
+    for rise, found in ((0.059, True), (0.061, False)):  # d_max and the thickness of the floor
+        heights[100:130] = rise
+        assert stands(walked(heights, speeds), 115, height=0.05) == found
+    heights[100:130] = 0.0
+    for speed, found in ((0.14, True), (0.16, False)):
+        speeds[100:130] = speed
+        assert stands(walked(heights, speeds), 115) == found
+
+
+def test_the_height_of_a_standing_toe_follows_from_the_clip():
+    heights, speeds = torch.zeros(230), torch.zeros(230)
+    for rise, found in ((0.055, True), (0.065, False)):  # higher toes are lifted ones
+        heights[100:150] = rise
+        assert stands(walked(heights, speeds), 125) == found
+    heights[100:150] = 0.0
+    for rise, found in ((0.019, True), (0.021, False)):  # 1 cm or more, and the floor
+        heights[100:110] = rise
+        assert stands(walked(heights, speeds), 105) == found
+
+
+@pytest.mark.parametrize("height", [1.01, -1.01, torch.nan])
+def test_a_height_that_no_toe_has_is_refused(height):
+    with pytest.raises(ValueError, match="must be from -1 to 1 metres, got"):
+        contacts.detect(walked(torch.zeros(9), torch.zeros(9)), height=height)
+
+
+@pytest.mark.parametrize(("rise", "level"), [(0.017, True), (0.024, False)])
+def test_a_floor_that_rises_by_less_than_two_centimetres_is_level(rise, level):
+    clip = walked(torch.linspace(0, rise, 720), torch.zeros(720))
+    floor = contacts.floor_height(clip)
+    assert float(floor[-1] - floor[0]) == pytest.approx(0.0 if level else rise, abs=1e-4)
 
 
 def test_real_walks_stand_for_as_long_as_people_do(shared):

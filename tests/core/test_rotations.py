@@ -63,6 +63,20 @@ def test_euler_round_trip(order, seed):
     assert angle_between(q, R.from_euler(R.to_euler(q, order), order)).max() < 1e-6
 
 
+@pytest.mark.parametrize("order", ORDERS)
+@pytest.mark.parametrize("middle", [-math.pi / 2, math.pi / 2])
+def test_at_the_gimbal_lock_the_third_angle_is_0(order, middle):
+    angles = torch.tensor([[0.4, middle, 0.7], [-2.0, middle, 1.0]], dtype=torch.float64)
+    q = R.from_euler(angles, order)
+    again = R.to_euler(q, order)
+    torch.testing.assert_close(again[:, 2], torch.zeros(2, dtype=torch.float64))
+    torch.testing.assert_close(R.to_matrix(R.from_euler(again, order)), R.to_matrix(q))
+
+
+def test_a_vector_without_length_stays_as_it_is():
+    assert torch.equal(R.normalize(torch.zeros(2, 3)), torch.zeros(2, 3))
+
+
 @given(seeds)
 def test_forward_up_round_trip(seed):
     q = quaternions(seed, 9)
