@@ -48,3 +48,10 @@ def small_run() -> tk.training.Run:
                               film_dense=16, dropout=0.0)
     return tk.training.fit(tk.features.build(clips),
                            tk.training.Config.quick(steps=60, sizes=sizes))
+
+
+@pytest.fixture(scope="session")
+def fast() -> tuple:
+    """The embedded model compiled, which walks ten times as fast, and its styles."""
+    model, bank = tk.pretrained()
+    return tk.runtime.compile(model), bank

@@ -121,8 +121,8 @@ def test_exercises_are_numbered_and_ask_first():
         assert all("?" in exercise.question for exercise in known.values())
 
 
-def test_the_grades_of_the_capstone_refuse_their_floors():
-    model, bank = tk.pretrained()
+def test_the_grades_of_the_capstone_refuse_their_floors(fast):
+    model, bank = fast
     clip = tk.datasets.load("procedural", styles="HighKnees", gaits="FW", seconds=6.0, seed=1)[0]
     own, *floors = (tk.styles.compare(clip, model, style, bank)
                     for style in ("HighKnees", "Neutral", bank.vectors.mean(0)))

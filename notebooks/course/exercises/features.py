@@ -16,7 +16,8 @@ def _apart(aeroplane: float) -> float:
     """Mean distance of the hands, metres, of a walk that is so much Aeroplane, else Neutral."""
     model, bank = tk.pretrained()
     style = (1 - aeroplane) * bank["Neutral"] + aeroplane * bank["Aeroplane"]
-    walk = tk.runtime.rollout(model, tk.runtime.straight(1.0, 3.0), style=style)
+    commands = tk.runtime.straight(1.0, 3.0)
+    walk = tk.runtime.rollout(tk.runtime.quick(model, len(commands)), commands, style=style)
     left, right = (walk.skeleton.index(f"{side}_hand") for side in ("left", "right"))
     places = walk.global_positions[60:]
     return float((places[:, left] - places[:, right]).norm(dim=-1).mean())
