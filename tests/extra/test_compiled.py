@@ -209,6 +209,7 @@ def test_where_compiled_code_cannot_be_stored_there_is_no_error(monkeypatch):
         with pytest.warns(UserWarning, match="NUMBA_CACHE_DIR"):
             made = compilation.compiled()(add)
     assert made(1, 2) == 3
+    assert not runtime.compiled._kept(made)
     monkeypatch.setattr(IndexDataCacheFile, "save", lambda *_: raised(PermissionError("full")))
     assert compilation.compiled()(add)(1, 2) == 3
 

@@ -9,11 +9,13 @@ import functools
 import hashlib
 import http.server
 import importlib
+import json
 import os
 import random
 import re
 import shutil
 import signal
+import subprocess
 import sys
 import tempfile
 import time
@@ -21,7 +23,7 @@ import zipfile
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 from unittest import mock
 
 import safetensors.torch
@@ -42,6 +44,35 @@ JOBS = {"fetch": "`data fetch` (from a local server)", "preprocess": "`preproces
         "train": "`train --resume --refit`",
         "export": "export: `.bvh`, `.html`, `.glb`, `.onnx`, page"}
 SMALL = 50_000  # bytes, largest file on the "full" disk
+NOBODY = 65534  # id of the user who owns nothing
+#: What a process does on an odd machine; it ends with the JSON text of the exit statuses.
+COMMANDS = """
+import json, sys
+from toolkit.__main__ import main
+statuses = []
+for words in (
+    "rollout --style Zombie --seconds 1 --out walk.bvh",
+    "rollout --style Zombie --seconds 1 --out walk.glb",
+    "rollout --style Zombie --seconds 1 --out walk.html",
+    "rollout --style Zombie --seconds 1 --out walk.png",
+    "inspect walk.bvh",
+    "stylize --clip walk.bvh --domain Old --out old.bvh",
+    f"preprocess --data 100style --root {sys.argv[1]} --out store --workers 1",
+    "train --data store --small --epochs 0.05 --refit 0 --out run.safetensors",
+    "rollout --model run.safetensors --style ProceduralNeutral --seconds 1 --out own.bvh",
+):
+    try:
+        statuses.append(main(words.split()))
+    except SystemExit as stopped:
+        statuses.append(stopped.code or 0)
+print(json.dumps(statuses))
+"""
+#: A clock that goes back an hour at every second look.
+BACK = """
+import itertools, time
+now, looks = time.time, itertools.count()
+time.time = lambda: now() - 3600 * (next(looks) % 2)
+"""
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,6 +131,8 @@ def run(
     seed: Annotated[int, typer.Option(help="Seed of the times.")] = 0,
     only: Annotated[str | None,
                     typer.Option(help=f"Jobs: {', '.join(JOBS)}; default: all.")] = None,
+    odd: Annotated[bool, typer.Option(
+        "--odd", help="Odd machines in place of kills: little memory, no home and more.")] = False,
     store: Annotated[bool, typer.Option(
         "--store", help="Put these jobs into the result that the documentation shows.")] = False,
 ) -> None:
@@ -108,6 +141,9 @@ def run(
     """
     if not hasattr(os, "fork"):
         raise ValueError("this measurement needs a system that can fork: Linux or macOS")
+    if odd:
+        _odd(store)
+        return
     chosen = [*JOBS] if only is None else only.split(",")
     if unknown := [name for name in chosen if name not in JOBS]:
         raise ValueError(f"unknown job {unknown[0]!r}; known: {', '.join(JOBS)}")
@@ -273,6 +309,111 @@ def finish(work: Callable[[Path], object], folder: Path) -> None:
     status, said = ended(start(work, folder), folder)
     if status:
         raise ValueError(f"an undisturbed run failed: {said[-500:]}")
+
+
+# Odd machines ----------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Machine:
+    """A machine on which commands run: its name, variables of its environment (None: it lacks
+    one), what a process does before it starts there, and how many run at once.
+    """
+
+    name: str
+    environment: dict[str, str | None] = field(default_factory=dict)
+    before: Callable[[], object] = int
+    copies: int = 1
+
+
+def machines(folder: Path) -> list[Machine]:
+    """The odd machines; ``folder`` takes the module of the clock that goes back."""
+    import ctypes
+    import resource
+
+    def limit(kind: int, most: int) -> Callable[[], None]:
+        def set_limit() -> None:
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(kind, (most, most))
+        return set_limit
+
+    def nobody() -> None:
+        """Another user, who may read all files: Python itself may be in root's home."""
+        libc, read = ctypes.CDLL(None), 1 << 2  # CAP_DAC_READ_SEARCH
+        libc.prctl(8, 1, 0, 0, 0)  # keeps capabilities
+        os.setgroups([])
+        os.setgid(NOBODY)
+        os.setuid(NOBODY)
+        libc.capset((ctypes.c_uint32 * 2)(0x20080522, 0), (ctypes.c_uint32 * 6)(read, read, read))
+        libc.prctl(47, 2, 2, 0, 0)  # also in a new program
+
+    bare = {"LC_ALL": "C", "LANG": None, "HOME": None, "DISPLAY": None, "XDG_CACHE_HOME": None}
+    (folder / "sitecustomize.py").write_text(BACK, encoding="utf-8")
+    path = os.pathsep.join((str(folder), os.environ.get("PYTHONPATH", "")))
+    found = [
+        Machine("3 GB of memory", before=limit(resource.RLIMIT_AS, 3 << 30)),
+        Machine("24 open files", before=limit(resource.RLIMIT_NOFILE, 24)),
+        Machine("files of at most 200 kB", before=limit(resource.RLIMIT_FSIZE, 200_000)),
+        Machine("C locale, no home, no display", bare),
+        Machine("compiled code cannot be stored", {"NUMBA_CACHE_DIR": "/proc/none"}),
+        Machine("OMP_NUM_THREADS=-3", {"OMP_NUM_THREADS": "-3"}),
+        Machine("clock goes back", {"PYTHONPATH": path}),
+        Machine("two processes on the same files", copies=2),
+    ]
+    if hasattr(os, "sched_setaffinity"):
+        found.append(Machine("one core", before=lambda: os.sched_setaffinity(0, {0})))
+    if not os.getuid():
+        found.append(Machine("another user, read-only install", bare, nobody))
+    return found
+
+
+def tried(machine: Machine, folder: Path, data: Path) -> dict[str, Any]:
+    """How many commands worked and were refused on a machine, and what is wrong."""
+    folder.mkdir()
+    folder.chmod(0o777)
+    changed = {"PYTHONPATH": os.pathsep.join(sys.path)} | machine.environment
+    environment = {k: v for k, v in (os.environ | changed).items() if v is not None}
+    running = [subprocess.Popen([sys.executable, "-c", COMMANDS, str(data)], cwd=folder,
+                                env=environment, preexec_fn=machine.before,
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+               for _ in range(machine.copies)]
+    row = {"machine": machine.name, "worked": 0, "refused": 0, "said": "", "wrong": ""}
+    for process in running:
+        out, said = (text.decode(errors="replace").replace(f"{folder}/", "")
+                     for text in process.communicate(timeout=900))
+        lines = [line for line in said.splitlines() if line.startswith("error: ")]
+        try:
+            statuses = json.loads(out.splitlines()[-1])
+        except (IndexError, ValueError):
+            statuses, said = [], f"{said} Traceback: ended with status {process.returncode}"
+        row["worked"] += statuses.count(0)
+        row["refused"] += statuses.count(2)
+        row["said"] = row["said"] or "; ".join(dict.fromkeys(line[7:107] for line in lines))
+        if "Traceback" in said or len(lines) != len(statuses) - statuses.count(0):
+            row["wrong"] += said[-300:]
+    if left := [path.name for path in folder.rglob(".*.partial")]:
+        row["wrong"] += f" left: {', '.join(left)}"
+    return row
+
+
+def _odd(store: bool) -> None:
+    with tempfile.TemporaryDirectory() as made:
+        base = Path(made)
+        base.chmod(0o755)
+        finish(lambda _: procedural.write(base / "data", ["Neutral", "Zombie"], ["FW"], 6.0),
+               base / "data")
+        rows = []
+        for number, machine in enumerate(machines(base)):
+            rows.append(tried(machine, base / str(number), base / "data"))
+            print(rows[-1], flush=True)
+    columns = {"machine": ["machine"], "worked": ["commands that worked", 0],
+               "refused": ["refused in one line", 0], "said": ["what the first refusals said"],
+               "wrong": ["wrong"]}
+    if store:
+        Result("machines", "Nine commands in one process on odd machines.",
+               "python -m experiments faults --odd --store", columns, rows).save()
+    if any(row["wrong"] for row in rows):
+        raise typer.Exit(1)
 
 
 # The jobs --------------------------------------------------------------------------------------

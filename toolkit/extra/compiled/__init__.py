@@ -217,7 +217,7 @@ def quick(model, frames: int, say: Callable[[str], object] | None = None):
 
     ``say`` is told before kernels are compiled, which takes half a minute, once on a machine.
     """
-    if getattr(model, "name", "") != "lpn-film" or model.calibrated:
+    if getattr(model, "name", "") != "lpn-film" or getattr(model, "calibrated", True):
         return model
     kept = all(map(_kept, KERNELS))
     if frames < (READ if kept else MADE):
@@ -229,8 +229,9 @@ def quick(model, frames: int, say: Callable[[str], object] | None = None):
 
 def _kept(kernel) -> bool:
     """Whether the disk has a kernel."""
-    code = kernel.py_func.__code__
-    return any(Path(kernel.stats.cache_path).glob(f"*{code.co_name}-{code.co_firstlineno}.*.nbi"))
+    code, folder = kernel.py_func.__code__, kernel.stats.cache_path
+    name = f"*{code.co_name}-{code.co_firstlineno}.*.nbi"
+    return folder is not None and any(Path(folder).glob(name))
 
 
 def _pairs(value: Sequence[float] | Tensor, count: int) -> np.ndarray:
