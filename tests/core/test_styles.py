@@ -367,6 +367,10 @@ def test_a_style_walks_as_its_clip_and_another_one_does_not(zombie, fast, monkey
     other = tk.styles.compare(zombie, model, "Old", bank)
     assert other.verdict != "good"
     assert other.rows["style"]["posture"] > 2 * own.rows["style"]["posture"]
+    # its posture is nearer to the clip's than that of the nearest floor
+    near = {"clip": 0.0, "style": 4.0, "a": 10.0, "b": 20.0}
+    near = {name: {"posture": apart} for name, apart in near.items()}
+    assert comparison.difference(near, "posture") == pytest.approx(4 / (comparison.POSTURE * 10))
     # two steps each, whatever the rhythm
     lengths = {name: 2 / own.rows[name]["steps"] for name in own.rows}
     for name, cycle in own.cycles().items():
