@@ -29,16 +29,14 @@ def npss(clip: Clip, real: Clip) -> float:
     sum 1; the sum over all frequencies of the absolute difference of the cumulated powers of clip
     and real clip (earth mover's distance); mean over the numbers, weighted by the real clip's
     power. 0 for equal motions. The numbers are world quaternions of all joints, as in Harvey et al.
-    2020 and RSMT; the source has Euler angles. Signs of quaternions are made continuous, and equal
-    to the real clip's. Harvey et al. square only the real part of the coefficients, so their values
-    differ.
+    2020 and RSMT; the source has Euler angles. Signs of quaternions are made continuous.
+    Harvey et al. square only the real part of the coefficients, so their values differ.
 
     Source: github.com/cr7anand/neural_temporal_models, ``metrics.py``.
     """
     check_pair(clip, real)
     truth = R.unroll(real.global_rotations.double())
     made = R.unroll(clip.global_rotations.to(truth))
-    made = made * torch.where((made * truth).sum((0, -1)) < 0, -1.0, 1.0)[:, None].to(made)
     powers, shares = [], []
     for x in (made, truth):
         power = torch.fft.fft(x.flatten(1), dim=0).abs().square()
