@@ -177,13 +177,14 @@ def _measures(net, walk: dict[str, Tensor], track: str, pace: float) -> dict[str
     # The way along and across the asked direction.
     speed, angle, _ = order(track, 0.0 if track == "stop" else WARM_UP)
     angle = math.radians(angle)
-    x, z = (roots[-1] - roots[first]).tolist()
+    # Means of a second at both ends leave the sway of a stride out.
+    x, z = (roots[-FPS:].mean(0) - roots[first : first + FPS].mean(0)).tolist()
     along = x * math.sin(angle) + z * math.cos(angle)
     across = x * math.cos(angle) - z * math.sin(angle)
     began = (speeds[first:] > 0.8).nonzero()[:1]
     return seen | {
         "direction": abs(math.degrees(math.atan2(across, along))),
-        "speed": along / MEASURED / max(speed * pace, 1e-6),
+        "speed": along / (MEASURED - 1) / max(speed * pace, 1e-6),
         "raw": 100 * float(steps[on].mean()),
         "still": float(speeds[first + FPS :].max()),
         "way": 100 * float((roots[-1] - roots[first + FPS]).norm()),

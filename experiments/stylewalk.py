@@ -1,5 +1,6 @@
-"""The judges of StyleWalk, and the rows of its floors, from recorded takes."""
+"""The judges of StyleWalk, and its rows: recorded takes, floors, and models trained alike."""
 
+import runpy
 from collections import defaultdict
 from collections.abc import Sequence
 from pathlib import Path
@@ -9,17 +10,24 @@ import torch
 import typer
 from torch import nn
 
+from experiments.matching import frame_time
 from experiments.tables import Result, Store
+from toolkit import features, networks, training
 from toolkit.datasets import bandai
-from toolkit.extra.benchmark import Judges, score, walk
+from toolkit.evaluation.metrics.bodies import hips_path
+from toolkit.extra import matching
+from toolkit.extra.benchmark import PLAN, Judges, commands, score, walk
 from toolkit.extra.benchmark.judges import CHANNELS, FILE, KINDS, WINDOW, windows
 from toolkit.motion import Clip, rotations as R
-from toolkit.training import published
+from toolkit.motion.trajectory import FPS
+from toolkit.training import Run, published
 
 PARTS = 4  # of the takes of a style and gait: of each judge, the reference, the floors
 CARRIED, NOISE = 0.5, 1.0  # m/s sideways, degrees
-STEPS, BATCH, RATE = 600, 64, 3e-3
+STEPS, BATCH, RATE = 600, 64, 3e-3  # of the judges
 JITTER, OFFSET = 0.05, 0.3  # augmentation: deviations of noise per frame, per window
+TRAINED = 5000  # steps of each model
+OUTSIDE = "gru", "low-rank", "vq-codebook", "flow-transformer"  # the models of examples/models
 
 
 def parts(data: Path) -> list[list[Clip]]:
@@ -83,8 +91,54 @@ def floors(clips: list[Clip]) -> dict[str, dict[str, Clip]]:
     return made
 
 
+def nearest(clips: list[Clip]) -> dict[str, Clip]:
+    """For each walk of the plan the take of its style whose path is the nearest, and no steering.
+
+    A take is turned so that its first second leads ahead.
+    """
+    takes = []
+    for clip in (clip.resample(FPS) for clip in clips):
+        way = hips_path(clip)[FPS - 1] - hips_path(clip)[0]
+        clip = clip.moved(turn=-float(torch.atan2(way[0], way[1])))
+        takes.append((clip, hips_path(clip) - hips_path(clip)[:1]))
+    found = {}
+    for style in PLAN["styles"]:
+        own = [take for take in takes if take[0].style == style]
+        walks = [len(path) / path.diff(dim=0).norm(dim=-1).sum() for clip, path in own
+                 if clip.gait == "walk"]
+        pace = FPS / float(torch.stack(walks).median())
+        for track in PLAN["tracks"]:
+            for seed in PLAN["seeds"]:
+                orders = commands(track, pace, seed)[round(PLAN["warm_up"] * FPS):]
+                asked = torch.tensor([order.velocity for order in orders]).cumsum(0) / FPS
+                far = [(path[:len(asked)] - asked[:len(path)]).norm(dim=-1).mean()
+                       for _, path in own]
+                best = own[int(torch.stack(far).argmin())][0]
+                found[f"{track}_{style}_{seed}"] = best.cut(0, len(asked))
+    return found
+
+
+def models(clips: list[Clip], folder: Path) -> dict[str, Run]:
+    """The seven models and four of other kinds, trained alike, and motion matching in the same
+    data. A finished training is read from the folder.
+    """
+    data = features.build(clips, mirror=True, short="skip")
+    for name in OUTSIDE:
+        runpy.run_path(f"examples/models/{name.replace('-', '_')}.py")
+    runs = {}
+    for name in (*networks.MODELS, *OUTSIDE):
+        file = folder / f"{name}.safetensors"
+        if not file.is_file():
+            config = training.Config.quick(model=name, steps=TRAINED)
+            training.fit(data, config, file.with_suffix(".checkpoint"), progress=True).save(file)
+        runs[f"{name}, {TRAINED:,} steps"] = training.load(file)
+    return runs | {"motion matching": matching.match(data)}
+
+
 def run(
     data: Annotated[Path, typer.Option(help="Folder that holds bandai/.")],
+    out: Annotated[Path, typer.Option(help="Folder of the trained models.")] = Path(
+        "out/stylewalk"),
     store: Store = False,
 ) -> None:
     """Train the judges of StyleWalk, and score floors, recorded takes and models."""
@@ -95,20 +149,27 @@ def run(
         judges.save(FILE)
         judges = Judges.load()
     scored = [score(clips, judges, name) for name, clips in floors(taken[3]).items()]
-    for name in ("procedural", "recorded"):
-        walks = walk(*published.either(name, None), progress=True)
-        scored.append(score(walks, judges, f"{name} model"))
+    seen = [clip for part in taken[:3] for clip in part]
+    scored.append(score(nearest(seen), judges, "nearest take"))
+    runs = {f"{name} model": published.either(name, None) for name in ("procedural", "recorded")}
     folder = data / "lpn_film_100style"
     if folder.is_dir():
-        scored.append(score(walk(*published.either(None, folder)), judges, "published model"))
+        runs["published model"] = published.either(None, folder)
+    out.mkdir(parents=True, exist_ok=True)
+    runs |= models(seen, out)
+    frame = {}
+    for name, (model, bank) in runs.items():
+        scored.append(score(walk(model, bank, progress=True), judges, name))
+        frame[name] = frame_time(model, bank.vectors[:1])
     rows = []
     for one in scored:
         print(one, flush=True)
-        rows.append({"method": one.name} | {row: value for row, (value, *_) in one.rows.items()})
+        rows.append({"method": one.name} | {row: value for row, (value, *_) in one.rows.items()}
+                    | ({"ms": frame[one.name]} if one.name in frame else {}))
     if store:
-        decimals = {"fmd": 2, "jerk": 0, "direction": 1, "shake": 4}
+        decimals = {"ms": 1, "fmd": 2, "jerk": 0, "direction": 1, "shake": 4}
         columns = {"method": ["method"]} | {
-            row: [row, decimals.get(row.split()[0], 3)] for row in scored[0].rows}
+            row: [row, decimals.get(row.split()[0], 3)] for row in (*scored[0].rows, "ms")}
         intervals = {one.name: {row: ends for row, (_, *ends) in one.rows.items()}
                      for one in scored}
         Result("stylewalk", "StyleWalk 1: recorded takes of Bandai-Namco 2 that no judge saw, "

@@ -193,6 +193,6 @@ export function command(course, heading, frame, place) {
   const behind = planned - here, acrossX = x - place[0], acrossZ = z - place[1];
   const vx = rules.ALONG * behind * tx + rules.ACROSS * acrossX, vz = rules.ALONG * behind * tz + rules.ACROSS * acrossZ;
   let share = Math.min(1, rules.LARGEST / Math.max(far(vx, vz), 1e-12));
-  if (speed === 0) share *= Math.max(1 - rules.NEAR / Math.max(Math.sqrt(behind ** 2 + acrossX ** 2 + acrossZ ** 2), 1e-12), 0);
+  if (speed === 0) share *= rules.STANDING * Math.max(1 - rules.NEAR / Math.max(Math.sqrt(behind ** 2 + acrossX ** 2 + acrossZ ** 2), 1e-12), 0);
   return { velocity: [speed * tx + share * vx, speed * tz + share * vz], facing: [Math.sin(angle), Math.cos(angle)] };
 }
