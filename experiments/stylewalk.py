@@ -131,7 +131,7 @@ def models(clips: list[Clip], folder: Path) -> dict[str, Run]:
         if not file.is_file():
             config = training.Config.quick(model=name, steps=TRAINED)
             training.fit(data, config, file.with_suffix(".checkpoint"), progress=True).save(file)
-        runs[f"{name}, {TRAINED:,} steps"] = training.load(file)
+        runs[name] = training.load(file)
     return runs | {"motion matching": matching.match(data)}
 
 
@@ -164,12 +164,14 @@ def run(
     rows = []
     for one in scored:
         print(one, flush=True)
-        rows.append({"method": one.name} | {row: value for row, (value, *_) in one.rows.items()}
+        rows.append({"method": one.name}
+                    | {row.replace(" ", "-"): value for row, (value, *_) in one.rows.items()}
                     | ({"ms": frame[one.name]} if one.name in frame else {}))
     if store:
         decimals = {"ms": 1, "fmd": 2, "jerk": 0, "direction": 1, "shake": 4}
         columns = {"method": ["method"]} | {
-            row: [row, decimals.get(row.split()[0], 3)] for row in (*scored[0].rows, "ms")}
+            row.replace(" ", "-"): [row, decimals.get(row.split()[0], 3)]
+            for row in (*scored[0].rows, "ms")}
         intervals = {one.name: {row: ends for row, (_, *ends) in one.rows.items()}
                      for one in scored}
         Result("stylewalk", "StyleWalk 1: recorded takes of Bandai-Namco 2 that no judge saw, "

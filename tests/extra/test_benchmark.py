@@ -101,7 +101,7 @@ def test_stored_rows_tell_recorded_takes_from_floors():
     rows = {row["method"]: row for row in result.rows}
     real = rows.pop("recorded")
     for judge in KINDS:
-        assert real[f"style {judge}"] > 0.9
+        assert real[f"style-{judge}"] > 0.9
     assert real["defects"] < 0.02
     assert real["agree"] > 0.9
     assert rows["noise"]["jerk"] > 3 * real["jerk"]
