@@ -60,7 +60,7 @@ def stands(clip, frame, **limits):
     return bool(contacts.detect(clip, **limits)[frame, 0])
 
 
-@pytest.mark.parametrize(("fps", "fewest"), [(60.0, 6), (30.0, 3)])
+@pytest.mark.parametrize(("fps", "fewest"), [(60.0, 6), (30.0, 3), (12.0, 2)])
 def test_the_majority_of_a_sixth_of_a_second_decides(fps, fewest):
     for frames in (fewest - 1, fewest):
         speeds = torch.ones(60)
@@ -97,11 +97,14 @@ def test_a_height_that_no_toe_has_is_refused(height):
         contacts.detect(walked(torch.zeros(9), torch.zeros(9)), height=height)
 
 
-@pytest.mark.parametrize(("rise", "level"), [(0.017, True), (0.024, False)])
+@pytest.mark.parametrize(("rise", "level"), [(0.017, True), (0.024, False), (0.4, False)])
 def test_a_floor_that_rises_by_less_than_two_centimetres_is_level(rise, level):
-    clip = walked(torch.linspace(0, rise, 720), torch.zeros(720))
+    frames = 270 if rise == 0.4 else 720
+    clip = walked(torch.linspace(0, rise, frames) - 3.0, torch.ones(frames))
     floor = contacts.floor_height(clip)
     assert float(floor[-1] - floor[0]) == pytest.approx(0.0 if level else rise, abs=1e-4)
+    assert float(floor[0]) == pytest.approx(-3.0, abs=2e-3)
+    assert float(contacts.standing_height(clip)) == pytest.approx(0.05 * rise - 3.0, abs=1e-4)
 
 
 def test_real_walks_stand_for_as_long_as_people_do(shared):

@@ -7,7 +7,7 @@ import torch
 import toolkit as tk
 from experiments.defects import alarms, part, takes
 from experiments.tables import Result
-from toolkit.evaluation import defects
+from toolkit.evaluation import defects, findings
 
 
 @pytest.fixture(scope="module")
@@ -104,3 +104,12 @@ def test_recorded_takes_that_made_no_limit_are_seldom_alarmed(shared):
     assert found.get("any", 0) <= 0.05 * seconds  # of few takes
     rows = {row["part"]: row for row in Result.load("defects").rows}
     assert rows["alarms"]["any"] <= 0.02
+
+
+@pytest.mark.parametrize("axis", [0, 2])
+def test_a_character_runs_in_any_direction_of_the_floor_and_not_upwards(walk, axis):
+    still = walk.replace(root_positions=walk.root_positions[:1].expand(len(walk), 3))
+    for along, found in ((axis, True), (1, False)):
+        roots = still.root_positions.clone()
+        roots[:, along] += 4.0 * torch.arange(len(still)) / still.fps
+        assert bool(findings.runs(still.replace(root_positions=roots))[60:-60].all()) == found
