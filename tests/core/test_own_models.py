@@ -25,9 +25,10 @@ def data():
 
 @pytest.fixture(scope="module", params=NAMES)
 def run(request, data):
-    """A model of `NAMES` after 60 steps."""
+    """A model of `NAMES` after 90 steps; later tests of the same process do not know it."""
     runpy.run_path(str(EXAMPLES / f"{request.param.replace('-', '_')}.py"), run_name="own")
-    return tk.training.fit(data, Config.quick(model=request.param, steps=90, sizes=TINY))
+    yield tk.training.fit(data, Config.quick(model=request.param, steps=90, sizes=TINY))
+    del registry._found[f"model.{request.param}"]
 
 
 def test_it_learns_walks_and_blends(run, data):
