@@ -247,7 +247,8 @@ def test_the_demo_works_on_a_small_budget(tmp_path, monkeypatch):
     assert (weights.sum(1) - 1).abs().max() < 1e-5
     alone = torch.tensor([[1.0, 0, 0], [0, 1, 0], [0, 0, 1], [1, 0, 0], [1 / 3, 1 / 3, 1 / 3]])
     for k, share in enumerate(alone):
-        assert torch.allclose(weights[round(k * (frames - 1) / 4)], share)
+        for at in (k, min(k + 0.2, 4)):  # it stays a while
+            assert torch.allclose(weights[round(at * (frames - 1) / 4)], share)
 
 
 def test_version_is_the_same_everywhere():

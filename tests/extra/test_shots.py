@@ -105,6 +105,8 @@ def test_bodies_keep_apart_by_the_reach_of_their_styles(embedded):
                               for s in states])
         nearest.append(float(torch.cdist(places[:, 0], places[:, 1]).min()))
     assert min(scene.radii) > 0.6  # of outstretched arms
+    wider = scene.spaced(*embedded, bodies=0.8)
+    assert wider.radii == pytest.approx([radius + 0.2 for radius in scene.radii], abs=0.011)
     assert nearest[0] < 0.2 < 0.3 < nearest[1]
 
 
