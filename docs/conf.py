@@ -88,7 +88,8 @@ os.environ |= {
     "PLOTLY_RENDERER": "notebook_connected",
     # no recordings: every build gives the same site
     "TOOLKIT_DATA": str(DOCS / "notebooks"),
-    "PYTHONPATH": os.pathsep.join(filter(None, (str(ROOT), os.environ.get("PYTHONPATH")))),
+    "PYTHONPATH": os.pathsep.join(filter(None, (
+        str(ROOT), str(ROOT / "notebooks"), os.environ.get("PYTHONPATH")))),
 }
 
 #: Links as GitHub needs them, and the same links as the site needs them.
