@@ -201,6 +201,13 @@ def load(path, layout=None):
     return networks.Model.from_parts(path, *model_files.read(path, "model"), layout)
 
 
+def test_the_same_content_in_another_order_gives_the_same_bytes(tmp_path):
+    parts = {"model": {"name": "a"}, "bank": ["b"], "run": 1}
+    for name, some in (("one", parts), ("two", dict(reversed(parts.items())))):
+        model_files.write(tmp_path / name, {"model.x": torch.zeros(2)}, some)
+    assert (tmp_path / "one").read_bytes() == (tmp_path / "two").read_bytes()
+
+
 def test_bad_model_files_are_one_line(tmp_path):
     path = tmp_path / "m.safetensors"
     model = tiny_model()

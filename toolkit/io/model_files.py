@@ -31,7 +31,7 @@ def write(path: str | os.PathLike, tensors: dict[str, Tensor], parts: dict[str, 
     ``parts`` are values for JSON by name; the name of a tensor starts with that of its part:
     ``model.gating.…``.
     """
-    metadata = {"format": FORMAT, **{name: json.dumps(value) for name, value in parts.items()}}
+    metadata = {"format": FORMAT, **{name: json.dumps(parts[name]) for name in sorted(parts)}}
     packed = save({name: t.detach().cpu().contiguous() for name, t in tensors.items()}, metadata)
     # The library writes metadata in an order that differs between processes: write its header anew.
     size = 8 + int.from_bytes(packed[:8], "little")
