@@ -227,6 +227,11 @@ def formula(display: str):
     return visit
 
 
+def with_source(app, env) -> None:
+    """Leave modules whose source is not Python out of the list of sources: they have no page."""
+    env._viewcode_modules = {name: found for name, found in env._viewcode_modules.items() if found}
+
+
 def setup(app) -> None:
     """Connect the functions above; Sphinx calls this."""
     app.add_html_math_renderer("mathml", (formula("inline"), None), (formula("block"), None))
@@ -237,6 +242,7 @@ def setup(app) -> None:
     app.connect("source-read", lead_links)
     app.connect("include-read", lead_links)
     app.connect("html-page-context", stand_alone)
+    app.connect("env-check-consistency", with_source)
 
 
 runs = ROOT / "out" / ("fast" if RUN == "fast" else "full")
