@@ -310,6 +310,9 @@ def test_training_goes_on_from_a_checkpoint_as_if_it_had_not_stopped(motions, tm
     assert [row["id"] for row in resumed.history] == [row["id"] for row in whole.history]
     for a, b in zip(*map(weights, (whole, resumed)), strict=True):
         assert torch.equal(a, b)
+    whole.stylizer.save(tmp_path / "whole")
+    resumed.stylizer.save(tmp_path / "resumed")
+    assert (tmp_path / "whole").read_bytes() == (tmp_path / "resumed").read_bytes()
     with pytest.raises(ValueError, match="resume differs in iterations: expected 9, got 5"):
         st.fit(motions, dataclasses.replace(config, iterations=9), path)
     with pytest.raises(ValueError, match="had other data"):
