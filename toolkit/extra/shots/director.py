@@ -13,9 +13,10 @@ from typing import Any
 import anywidget
 import traitlets
 
+from toolkit.evaluation import findings
 from toolkit.extra import shots
 from toolkit.extra.shots import Scene, Shot, apart, feasibility, following, scene
-from toolkit.motion import Clip
+from toolkit.motion import Clip, Skeleton
 from toolkit.view.frontend import CellWidget, static
 from toolkit.view.pages import live_page, page
 from toolkit.view.render.skin import Figure, figure_of
@@ -114,6 +115,17 @@ def pack(model, bank, half: bool = False, character: Figure | None = None) -> di
         "limits": constants(feasibility),
         "apart": constants(scene) | constants(apart),
         "joints": list(model.layout.skeleton.names),
+        "gate": gate(model.layout.skeleton),
+    }
+
+
+def gate(skeleton: Skeleton) -> dict[str, Any]:
+    """The rules of `toolkit.evaluation.defects`, for ``scene/findings.js``."""
+    return constants(findings) | {
+        "limits": findings.LIMITS, "units": findings.UNITS, "least": findings.LEAST,
+        "others": {" ".join(pair): least for pair, least in findings.OTHERS.items()},
+        "roles": {role: skeleton.role(role) for role in findings.ROLES},
+        "chest": skeleton.trunk[0],
     }
 
 
