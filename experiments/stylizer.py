@@ -16,7 +16,6 @@ from experiments.tables import Result, Store
 from toolkit.datasets import procedural
 from toolkit.features.splits import generator
 from toolkit.stylization import Motions, Stylizer, build, pretrained
-from toolkit.stylization.restyling import calm
 
 GAITS = ("FW", "BW", "FR", "SW", "ID")  # of its training
 SECONDS, JUDGED, LEARNT = 2.3, 6, 12  # of a clip; clips of a kind in a set and for the judges
@@ -79,11 +78,11 @@ def rows(stylizer: Stylizer, judges: Judges, motions: Motions) -> Iterator[tuple
     shift = stylizer.shift(sources.x, sources.domain, target)
     made = {"unchanged source": [sources.x], "mean-pose shift": [shift]}
     for by in ("noise", "reference"):
-        network = evaluation.results(stylizer, some, motions, by, 0)
-        calmed = [calm(x, sources.x) for x in network]
-        made[f"blend, {by}"] = [_unit((x + shift) / 2) for x in calmed]
-        made[f"the network, {by}"] = calmed
-        made[f"the network, its change not smoothed, {by}"] = network
+        raw, network = (evaluation.results(stylizer, some, motions, by, 0, smooth)
+                        for smooth in (False, True))
+        made[f"blend, {by}"] = [_unit((x + shift) / 2) for x in network]
+        made[f"the network, {by}"] = network
+        made[f"the network, not smoothed, {by}"] = raw
     for method, motion in made.items():
         twice = sources.content.repeat(len(motion)), target.repeat(len(motion))
         yield method, judges.judge(torch.cat(motion), *twice)
