@@ -24,7 +24,7 @@ ROW, ROOM = 10, 2.0  # characters of a row; metres between them
 SPEED = 0.9  # m/s
 PARTS = 10, 50, 90  # percentiles of the distribution
 COLUMNS = {
-    "scene": ["scene"], "characters": ["characters", 0], "scenes": ["scenes", 0],
+    "scene": ["crowd"], "scenes": ["scenes", 0],
     "kept": ["kept", 0], "said": ["broken, but said before", 0],
     "least": ["least distance, cm", 1, 100], "floor": ["without avoidance, cm", 1, 100],
     "spread": ["nearest neighbour, cm, 10, 50 and 90 %"], "joints": ["of joints, cm", 0, 100],
@@ -61,7 +61,7 @@ def run(
             kept = [one["least"] >= 0 for one in found]
             parts = np.percentile(np.concatenate([one["near"] for one in found]), PARTS)
             rows.append({
-                "scene": name, "characters": many, "scenes": len(found), "kept": sum(kept),
+                "scene": f"{name} of {many}", "scenes": len(found), "kept": sum(kept),
                 "said": sum(one["said"] and not k for one, k in zip(found, kept, strict=True)),
                 "least": keep + min(one["least"] for one in found),
                 "floor": keep + min(one["floor"] for one in found),
@@ -72,7 +72,7 @@ def run(
     if store:
         Result("crowds", f"Random scenes whose roots keep {keep} m, of the embedded model; the "
                "gains of the avoidance were set on other seeds.",
-               "python -m experiments crowds --store", COLUMNS, rows).save()
+               "python -m experiments crowds --store", COLUMNS, rows).add()
 
 
 def shot(path: list[tuple[float, float]], rng: random.Random, seed: int) -> Shot:

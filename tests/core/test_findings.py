@@ -106,8 +106,9 @@ def test_a_shot_is_rendered_first():
 def test_the_published_drunk_shakes(shared):
     model, bank = tk.published.load(shared / "lpn_film_100style")
     command = tk.runtime.straight(1.0, 2.0)
-    assert "shake" in kinds(tk.runtime.rollout(model, command, style=bank["Drunk"]))
-    assert "shake" not in kinds(tk.runtime.rollout(model, command, style=bank["Neutral"]))
+    for style in ("Drunk", "Neutral", "Old"):
+        shakes = "shake" in kinds(tk.runtime.rollout(model, command, style=bank[style]))
+        assert shakes == (style == "Drunk") == (bank.labels()[style] == f"{style} (shakes)")
 
 
 def test_recorded_takes_that_made_no_limit_are_seldom_alarmed(shared):

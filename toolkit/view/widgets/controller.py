@@ -70,6 +70,7 @@ class Controller(CellWidget, Corners):
     _esm = static("scene.js")
     skeleton = traitlets.Dict().tag(sync=True)
     styles = traitlets.List(traitlets.Unicode()).tag(sync=True)
+    labels = traitlets.Dict().tag(sync=True)
     size = traitlets.List(traitlets.Int(), [640, 480]).tag(sync=True)
     speed = traitlets.Float(1.0, min=0.1, max=3.0).tag(sync=True)
     feet = traitlets.Bool(True).tag(sync=True)
@@ -96,7 +97,7 @@ class Controller(CellWidget, Corners):
         self.frames = self._seen = 0
         skeleton = skeleton_data(example(model, bank), figure_of(character))
         super().__init__(names=names, weights=[1.0, 0.0, 0.0], styles=list(bank.names),
-                         speed=speed, size=list(size), skeleton=skeleton)
+                         labels=bank.labels(), speed=speed, size=list(size), skeleton=skeleton)
         self.on_msg(self._receive)
         self._loop = running_loop()
         if self._loop is not None:
