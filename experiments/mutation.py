@@ -27,9 +27,7 @@ GROUPS = {
               "runtime compiled"),
     "losses": ("training/loss.py stylization/losses.py", "training stylization"),
     "measures": ("evaluation/metrics/*.py evaluation/findings.py", "metrics report findings"),
-    "shots": ("extra/shots/*.py", "shots director"),
-    "readers": ("io/bvh.py io/bvh_text.py extra/formats/*.py",
-                "bvh bvh_roundtrip readers inspection interpretation"),
+    "shots": ("shots/*.py extra/shots/*.py", "shots director"),
 }
 NOT_COPIED = shutil.ignore_patterns(".git", ".venv", "out", "build", "__pycache__", ".*_cache")
 OPPOSITE = {

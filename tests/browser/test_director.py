@@ -10,7 +10,7 @@ import torch
 import toolkit as tk
 from toolkit import runtime
 from toolkit.extra.characters.character import Character
-from toolkit.extra.shots import director
+from toolkit.extra.shots import director, pins
 
 from .conftest import SIZES
 
@@ -30,6 +30,13 @@ ODD = {  # arrivals, pauses, easings, straight lines, facings, a style by layer,
     },
     "too fast": {"path": [[0, 0], [0, 2], [0.4, 2.2], [0, 0.5]], "styles": "Zombie",
                  "speeds": [[0, 2.5]], "duration": 1},
+    "pinned": {
+        "path": [[0, 0], [0, 3]], "styles": "Strut", "duration": 6, "pins": [
+            {"at": 2, "right_hand": [-0.5, 1.3, 1.2], "look": [1, 1.2, 3]},
+            {"at": 3.4, "to": 4, "left_hand": [0.7, 0.7, 2]},
+            {"at": 5.6, "right_foot": [-0.1, 0.3, 3.2], "left_hand": [3, 1, 0]},
+            {"at": 3, "pose": {"Chest": [0.924, 0.383, 0, 0], "Hips": [1, 0, 0, 0]}}],
+    },
 }
 CROSSING = {
     "version": 1, "apart": 0.9, "walls": [[[1.2, -3], [1.2, 3]]],
@@ -167,6 +174,8 @@ def test_the_same_shots_give_the_same_courses_motion_and_words(desk, double, nam
         assert found[what] == pytest.approx(values, abs=1e-9), what
     states = tk.shots.Scene([shot]).states(model, bank)
     clip = runtime.record(model, states, feet=shot.feet, arms=shot.arms)
+    turns, root = pins.pinned(clip.skeleton, clip.rotations, clip.root_positions, shot.pins, course)
+    clip = dataclasses.replace(clip, rotations=turns, root_positions=root)
     assert apart(clip, found["motion"]) < 1.0
     said = shot.check(model, bank)
     assert found["words"] == said
@@ -252,6 +261,36 @@ def test_styles_speeds_and_pauses_are_keyed(desk):
     desk.drag((x, y), (x + 40, y))
     assert 1.02 < desk.shots[0].styles[1].time < 2
     assert page.evaluate(NAMELESS) == []
+
+
+def test_a_pin_is_added_dragged_and_reached(desk):
+    page = desk.page
+    desk.open({"version": 1, "shots": [{"path": [[0, 0], [0, 3]], "styles": "Strut"}]})
+    page.evaluate("() => view.seek(2)")
+    desk.press("Add a pin at this time")
+    page.get_by_label("y, m").fill("1.3")
+    page.get_by_label("y, m").press("Enter")
+    (pin,) = desk.shots[0].pins
+    x, z = pin.right_hand[0], pin.right_hand[2]
+    left, top = desk.at(x, z)
+    desk.drag((left, top - 9), (left + 5, top - 20), (desk.at(x - 0.3, z + 0.2)[0],
+                                                     desk.at(x - 0.3, z + 0.2)[1] - 9))
+    key = page.get_by_role("button", name="Pin 1 at 2.00 s, right hand").bounding_box()
+    desk.drag((key["x"] + 5, key["y"] + 5), (key["x"] + 60, key["y"] + 5))
+    desk.wait()
+    (pin,) = desk.shots[0].pins
+    assert pin.right_hand == pytest.approx((x - 0.3, 1.3, z + 0.2), abs=0.05)
+    assert pin.at > 2.1
+    hand = page.evaluate("""(at) => {
+        const { desk } = view;
+        return desk.joints(0, Math.round(at * 60) - 1)[desk.data.figure.arms[0][2]];
+    }""", pin.at)
+    assert hand == pytest.approx(pin.right_hand, abs=0.02)
+    assert page.evaluate(NAMELESS) == []
+    page.get_by_label("pins").select_option("look")
+    assert desk.shots[0].pins[0].look == pin.right_hand
+    desk.press("Delete this pin")
+    assert desk.shots[0].pins == ()
 
 
 def test_shots_and_motion_are_saved_and_opened(desk, tmp_path):
@@ -354,28 +393,3 @@ def test_a_change_computes_only_what_it_changes(desk):
         assert since >= least, edit
         assert desk.page.evaluate(FRESH), edit
     assert since == 0
-
-
-def test_defects_are_those_of_python_and_red_on_the_timeline(desk, double):
-    near = {"version": 1, "shots": [
-        {"path": [[0, 0], [0, 1]], "styles": "Neutral", "duration": 2},
-        {"path": [[0.3, 1.5], [0.3, 0]], "styles": "LimpLeft", "duration": 2, "name": "limps"}]}
-    desk.open(near)
-    desk.page.wait_for_function("() => view.desk.findings", timeout=60_000)
-    found = desk.page.evaluate("() => view.desk.findings")
-    expected = tk.evaluation.defects(tk.shots.Scene.parse(near), double)
-    assert {one["kind"] for one in found} == {"body", "slide", "short slide"}
-    assert {one["joint"] for one in found} > {"left_hand and thigh", "limb and limb of 0 and 1"}
-    assert [(one["kind"], one["joint"]) for one in found] == [
-        (one.kind, one.joint) for one in expected]
-    for what, attribute in (("start", "start"), ("end", "end"), ("value", "value")):
-        assert [one[what] for one in found] == pytest.approx(
-            [getattr(one, attribute) for one in expected], abs=2e-3)
-    desk.page.evaluate(FRAMES)
-    for who, tab in enumerate(("shot", "limps")):
-        desk.page.get_by_role("tab", name=tab, exact=True).click()
-        desk.page.evaluate(FRAMES)
-        shown = sum(one.character == who or "of 0" in one.joint for one in expected)
-        assert 0 < shown == desk.page.locator(".defect").count()
-    assert " s, " in desk.page.locator(".defect title").first.inner_html()
-    assert desk.page.locator(".tkd-found").inner_text().startswith("Defects: ")

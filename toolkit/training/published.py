@@ -41,8 +41,6 @@ _NAMES = """
     Roadrunner Skip Star WildArms
 """
 STYLES = tuple(_NAMES.split())
-#: Styles in which `toolkit.evaluation.defects` finds shaking all the time; of the others, in none.
-SHAKING = ("Drunk",)
 
 
 def available() -> bool:
@@ -108,8 +106,7 @@ def load(folder: str | os.PathLike | None = None, *, calibrated: bool = False) -
     vectors = torch.stack([torch.cat(parts) for parts in of_style])
     speeds = torch.full((len(STYLES),), math.nan)
     speeds[: parameters.TRAINED] = read["Walk_Velocities"] / 12
-    shakes = torch.tensor([name in SHAKING for name in STYLES])
-    return run.Run(model, StyleBank(STYLES, vectors, speeds, shakes))
+    return run.Run(model, StyleBank(STYLES, vectors, speeds))
 
 
 def either(file: str | os.PathLike | None, folder: str | os.PathLike | None) -> run.Run:

@@ -14,7 +14,7 @@ SECONDS, NEAR, BESIDE = 0.2, 0.15, 0.10
 
 
 def missed(course: Course, natural: Callable[[float], float], style: Callable[[float], str],
-           arrivals: list[tuple[int, float, float]], places: list[Pair]) -> list[str]:
+           places: list[Pair]) -> list[str]:
     """What a character missed and why, a line each.
 
     Parameters
@@ -25,13 +25,10 @@ def missed(course: Course, natural: Callable[[float], float], style: Callable[[f
         Natural speed of the style at a time.
     style
         Its name.
-    arrivals
-        Point, distance along the curve and time of the points with a time.
     places
         The root at each frame, from frame 1 on.
     """
     apart, found = beside(course, places), []
-
 
     def ratio(frame: int) -> float:
         return course.speed[frame] / max(natural(frame / FPS), SLOW)
@@ -65,13 +62,13 @@ def missed(course: Course, natural: Callable[[float], float], style: Callable[[f
             why = (f"ahead of the plan: {style(late / FPS)} does not stand or walk as slowly; "
                    "choose another style there")
         found.append(f"from {late / FPS:.1f} s on the character is {why}")
-    for point, distance, time in arrivals:
-        if round(time * FPS) <= len(places):
+    for name, distance, time in course.arrivals:
+        if name.startswith("path") and round(time * FPS) <= len(places):
             seconds, metres = arrival(course.curve.point(distance), time, places)
             if seconds or metres > NEAR:
                 when = f"{abs(seconds):.1f} s {'late' if seconds > 0 else 'early'}"
                 when = "never" if seconds == math.inf else when
-                found.append(f"path[{point}] is met {when}: at {time:g} s the character is "
+                found.append(f"{name} is met {when}: at {time:g} s the character is "
                              f"{100 * metres:.0f} cm away")
     return found
 

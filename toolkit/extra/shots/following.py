@@ -114,17 +114,17 @@ class Course:
     curve : the curve to walk
     speeds : times, speeds and easings of the speed keys, see `keyed`
     arrivals
-        (distance, time) of the points that have a time, in order. The speed on the way there is
-        scaled so that they are met.
+        (name, distance, time) of the points that have a time, in order. The speed on the way there
+        is scaled so that they are met.
     holds : (time or None, distance or None, seconds) of the pauses
     duration : seconds, or None: until the end of the curve is reached, and `SETTLE` more
     """
 
     def __init__(self, curve: Curve, speeds: tuple[Sequence[float], Sequence[float], Sequence[str]],
-                 arrivals: Sequence[Pair],
+                 arrivals: Sequence[tuple[str, float, float]],
                  holds: Sequence[tuple[float | None, float | None, float]],
                  duration: float | None):
-        self.curve, self.speeds = curve, speeds
+        self.curve, self.speeds, self.arrivals = curve, speeds, arrivals
         self.pauses = sorted((time, seconds) for time, _, seconds in holds if time is not None)
         stops = [(min(at, curve.length), seconds) for _, at, seconds in holds if at is not None]
         self.stops = [*sorted(stops), (curve.length, math.inf)]
@@ -132,7 +132,7 @@ class Course:
         # index of the next stop; time until which the character stands
         self._stop, self._until = 0, 0.0
         self.late: list[int] = []  # the arrivals that the acceleration does not allow
-        for k, (distance, time) in enumerate(arrivals):
+        for k, (_, distance, time) in enumerate(arrivals):
             slow, fast = 0.0, FASTEST
             if self._walk(distance, fast, time)[-1]:
                 for _ in range(30):

@@ -12,6 +12,8 @@ from toolkit.motion.tensors import shown
 MANY, FAR, FAST = 256, 1000.0, 20.0  # limits: entries of a list, metres from the origin, m/s
 
 Blend = Mapping[str, float]
+HANDS = "right_hand", "left_hand"
+LIMBS = *HANDS, "right_foot", "left_foot"
 
 
 def number(value, what: str, low: float, high: float) -> float:
@@ -30,12 +32,14 @@ def within(entry, **limits: tuple[float, float]) -> None:
             object.__setattr__(entry, field.name, made)
 
 
-def pair(value, what: str) -> tuple[float, float]:
-    """Two finite numbers (x, z) of at most `FAR`."""
-    if isinstance(value, str | Mapping) or not isinstance(value, Sequence) or len(value) != 2:
-        raise ValueError(f"{what} must be a pair (x, z), got {shown(value)}")
+def pair(value, what: str, axes: str = "xz") -> tuple[float, ...]:
+    """Finite numbers (x, z), or of other axes, of at most `FAR`."""
+    if isinstance(value, str | Mapping) or not isinstance(value, Sequence) or len(
+            value) != len(axes):
+        kind = "a pair" if len(axes) == 2 else f"{len(axes)} numbers"
+        raise ValueError(f"{what} must be {kind} ({', '.join(axes)}), got {shown(value)}")
     return tuple(number(v, f"{axis} of {what}", -FAR, FAR)
-                 for v, axis in zip(value, "xz", strict=True))
+                 for v, axis in zip(value, axes, strict=True))
 
 
 def direction(value, what: str) -> tuple[float, float]:
@@ -128,6 +132,45 @@ class Hold:
         within(self, seconds=(0, LONGEST), time=(0, LONGEST), distance=(0, 1e6))
         if (self.time is None) == (self.distance is None):
             raise ValueError("a hold needs either a time or a distance")
+
+
+@dataclass(frozen=True)
+class Pin:
+    """Where hands, feet, the look or the pose are ``at`` a time, or until the time ``to``."""
+
+    at: float
+    to: float | None = None
+    right_hand: tuple[float, float, float] | None = None  # (x, y, z) of the wrist, metres
+    left_hand: tuple[float, float, float] | None = None
+    right_foot: tuple[float, float, float] | None = None  # of the ankle
+    left_foot: tuple[float, float, float] | None = None
+    look: tuple[float, float, float] | None = None  # what the head turns to
+    pose: Mapping[str, Sequence[float]] | None = None  # see `toolkit.extra.shots.pose`
+
+    def __post_init__(self):
+        within(self, at=(0, LONGEST), to=(0, LONGEST))
+        if self.to is not None and self.to <= self.at:
+            raise ValueError(f"to must be after at, got {self.to:g} and {self.at:g}")
+        parts = (*LIMBS, "look", "pose")
+        if all(getattr(self, part) is None for part in parts):
+            raise ValueError(f"a pin needs one of {', '.join(parts)}")
+        for part in parts[:-1]:
+            if (place := getattr(self, part)) is not None:
+                object.__setattr__(self, part, pair(place, part, "xyz"))
+        if self.pose is not None:
+            if not isinstance(self.pose, Mapping) or len(self.pose) > MANY:
+                raise ValueError("pose must have four numbers by joint, got "
+                                 f"{shown(self.pose)}")
+            turns = {str(name): pair(turn, f"the rotation of {shown(name)}", "wxyz")
+                     for name, turn in self.pose.items()}
+            if any(abs(math.hypot(*turn) - 1) > 1e-3 for turn in turns.values()):
+                raise ValueError("pose: rotations must be quaternions of length 1")
+            object.__setattr__(self, "pose", turns)
+
+    @property
+    def end(self) -> float:
+        """The last moment, seconds."""
+        return self.at if self.to is None else self.to
 
 
 def entries(values, kind: type, what: str) -> tuple:

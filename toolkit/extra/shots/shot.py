@@ -12,11 +12,12 @@ from itertools import pairwise
 import torch
 from torch import Tensor
 
-from toolkit.extra.shots import feasibility, following
+from toolkit.extra.shots import feasibility, following, pins
 from toolkit.extra.shots.following import FPS, LONGEST, Course, Curve, Heading, Pair
 from toolkit.extra.shots.keys import (
     FAST,
     Hold,
+    Pin,
     Point,
     SpeedKey,
     StyleKey,
@@ -62,6 +63,7 @@ class Shot:
     duration : seconds; by default until one second after the end of the path is reached
     name : of the clip
     radius : metres, in a `Scene` whose characters keep apart: its share of the distance of two
+    pins : `Pin`: where hands, feet or the look are at a time; the path is moved to reach them
     """
 
     path: Sequence[Point]
@@ -77,13 +79,14 @@ class Shot:
     duration: float | None = None
     name: str = "shot"
     radius: float | None = None
+    pins: Sequence[Pin] = ()
 
     def __post_init__(self):
         put = functools.partial(object.__setattr__, self)
         if isinstance(self.styles, str):
             put("styles", [(0.0, self.styles)])
         for name, kind in (("path", Point), ("styles", StyleKey), ("speeds", SpeedKey),
-                           ("holds", Hold)):
+                           ("holds", Hold), ("pins", Pin)):
             put(name, entries(getattr(self, name), kind, name))
         if len(self.path) < 2:
             raise ValueError(f"path: two or more points are needed, got {len(self.path)}")
@@ -135,10 +138,21 @@ class Shot:
 
     def plan(self, bank: StyleBank | None = None) -> tuple[Course, Heading]:
         """Where the character should be and face; ``bank`` is needed without speeds."""
-        curve = Curve([(p.x, p.z) for p in self.path], self.smooth)
+        base = now = self._planned([(f"path[{k}]", p, 0.0) for k, p in enumerate(self.path)], bank)
+        for _ in range(2 * bool(self.pins)):  # headings change with the path
+            now = self._planned(pins.stations(self.pins, self.path, base, now), bank)
+        return now
+
+    def _planned(self, stops: list[tuple[str, Point, float]],
+                 bank: StyleBank | None) -> tuple[Course, Heading]:
+        """A plan through points, by name and with the seconds of a pause."""
+        curve = Curve([(p.x, p.z) for _, p, _ in stops], self.smooth)
         speeds = _columns(self.speeds or self._natural(bank))
-        arrivals = [(curve.knots[k], time) for k, time in self._timed]
+        placed = list(zip(stops, curve.knots, strict=True))
         holds = [(hold.time, hold.distance, hold.seconds) for hold in self.holds]
+        holds += [(None, knot, pause) for (_, _, pause), knot in placed if pause]
+        arrivals = [(name, knot, p.time) for (name, p, _), knot in placed[1:] if p.time is not None]
+        curve.knots = [knot for (name, _, _), knot in placed if name.startswith("path")]
         turns = [None if p.facing is None else math.atan2(*p.facing) for p in self.path]
         return (Course(curve, speeds, arrivals, holds, self.duration),
                 Heading(curve, self.facing, self.look_at, turns))
@@ -160,10 +174,15 @@ class Shot:
         A model that is compiled by `toolkit.runtime.compile` is ten times as fast, and its last
         bits differ.
         """
-        states = self._walked(model, bank, self.plan(bank))
+        plan = self.plan(bank)
+        return self._drawn(model, self._walked(model, bank, plan), plan[0])
+
+    def _drawn(self, model, states: CharacterState, course: Course) -> Clip:
+        skeleton = model.layout.skeleton
         with torch.no_grad():
             drawn = pose(model, states, feet=self.feet, arms=self.arms)
-        return Clip(model.layout.skeleton, *drawn, FPS, name=self.name)
+            drawn = pins.pinned(skeleton, *drawn, self.pins, course)
+        return Clip(skeleton, *drawn, FPS, name=self.name)
 
     def _walked(self, model, bank: StyleBank, plan: tuple[Course, Heading]) -> CharacterState:
         """The states of all frames, along the leading axis."""
@@ -180,7 +199,10 @@ class Shot:
         """What cannot be met and why, a line each; empty if all can. The shot is tried for it."""
         plan = self.plan(bank)
         states = self._walked(model, bank, plan)
-        return self.unmet(bank, plan, [tuple(place) for place in states.root[:, :2].tolist()])
+        lines = self.unmet(bank, plan, [tuple(place) for place in states.root[:, :2].tolist()])
+        if self.pins:
+            lines += pins.missed(self.pins, self._drawn(model, states, plan[0]))
+        return lines
 
     def unmet(self, bank: StyleBank, plan: tuple[Course, Heading], places: list[Pair]) -> list[str]:
         """What `check` says of a character that was at these places (x, z), from frame 1 on."""
@@ -194,22 +216,15 @@ class Shot:
             (layer, *_) = self.styles[b if weight > 0.5 else a].layers
             return max(layer, key=layer.get)
 
-        timed = [(k, course.curve.knots[k], time) for k, time in self._timed]
-        lines = [f"path[{timed[k][0]}] is too far away to be reached at {timed[k][2]:g} s"
-                 for k in course.late]
+        lines = [f"{name} is too far away to be reached at {time:g} s"
+                 for name, _, time in map(course.arrivals.__getitem__, course.late)]
         length, seconds = course.curve.length, (len(course.distance) - 1) / FPS
         if course.end is None or course.end > seconds + 1e-9:
             lines.append(f"the end of the path is not reached in {seconds:g} s: "
                          f"{length - course.distance[-1]:.1f} m are left")
         lines += [f"holds[{k}] is after the end of the path, {length:.2f} m long"
                   for k, hold in enumerate(self.holds) if (hold.distance or 0.0) > length]
-        return lines + feasibility.missed(course, natural, style, timed, places)
-
-    @property
-    def _timed(self) -> list[tuple[int, float]]:
-        """Index and time of the points with a time, without the first point."""
-        return [(k, point.time) for k, point in enumerate(self.path)
-                if k and point.time is not None]
+        return lines + feasibility.missed(course, natural, style, places)
 
     def _natural(self, bank: StyleBank) -> list[SpeedKey]:
         """The natural speed at every style key: of blends by layer, the mean of the layers."""

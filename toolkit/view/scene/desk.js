@@ -2,12 +2,12 @@
 //
 // Desk(data, scene, changed): data of view/director.py's pack; scene as a file holds it. `changed(what)` is called after a change of
 //   the shots ("shots"), of the undo list ("kept"), and whenever more frames are there ("frames").
-// `findings` are the defects of the motion (findings.js); null until all of it is looked at.
 import { Together } from "./apart.js";
 import { Character } from "./character.js";
-import { defects } from "./findings.js";
 import { Network } from "./network.js";
 import { numbers } from "./numbers.js";
+import { missedPins, pinned } from "./pins.js";
+import { kinematics } from "./pose.js";
 import { data as sceneOf, parse, shot as checked, starts, Take } from "./shot.js";
 
 const SLICE = 25, BATCH = 4, DEEP = 200; // ms of computing at once; frames between looks at the clock; steps that can be undone
@@ -17,6 +17,7 @@ export class Desk {
     const { course: rules, limits, styles, speeds } = data, vectors = numbers(data.vectors);
     Object.assign(this, { data, rules, limits, styles, speeds, vectors, size: vectors.length / styles.length, changed });
     Object.assign(this, { ...parse(scene, styles), takes: [], making: [], past: [], future: [], held: null, stats: { ms: [] } });
+    this.pins = { ...data.pins, FPS: rules.FPS };
     this.network = new Network(data.network);
     this.drawn = new Character(data, this.network);
     this.channel = new MessageChannel();
@@ -99,14 +100,14 @@ export class Desk {
       making[k] = at < 0 ? new Take(this.shots[k], this, new Character(this.data, this.network), now, older) : this.making[at];
       if (at < 0) this.stats.since = making[k].frames.length; // the first frame that is computed again
     });
-    Object.assign(this, { takes, making, findings: null, judging: null });
+    Object.assign(this, { takes, making });
     if (more.apart === undefined) this.together = null;
     else if (!same) this.together = new Together([...making], more, this);
     this.due();
   }
 
   due() {
-    if (this.waits || (this.findings && !this.making.some(Boolean))) return;
+    if (this.waits || !this.making.some(Boolean)) return;
     this.waits = true;
     this.channel.port2.postMessage(null);
   }
@@ -124,21 +125,8 @@ export class Desk {
       this.stats.ms.push(performance.now() - this.making[members[0]].since);
       for (const k of members) [this.takes[k], this.making[k]] = [this.making[k], null];
     }
-    if (!making.some(Boolean)) this.judge(until);
     this.changed("frames");
     this.due();
-  }
-
-  // looks for defects in the whole motion, until a time
-  judge(until) {
-    const { data: { gate, skeleton }, takes, rules: { FPS }, more } = this;
-    this.judging ??= defects(takes.map((take, k) => ({ count: take.frames.length, pose: (f) => this.pose(k, f) })), skeleton, FPS, gate, more.apart);
-    while (performance.now() < until) {
-      const { done, value } = this.judging.next();
-      if (!done) continue;
-      this.findings = value;
-      break;
-    }
   }
 
   // the share of the motion that is there
@@ -158,8 +146,23 @@ export class Desk {
     const take = this.take(k, frame), found = take?.frames[Math.min(Math.max(frame, 0), take.frames.length - 1)], { drawn } = this;
     if (!found) return null;
     drawn.state = found;
-    drawn.pose(take.shot);
+    const { data: { figure, body }, pins: r } = this, number = take.frames.indexOf(found) + 1;
+    const pin = (turned, places, plant) => (this.drawnAt = [turned, places], pinned(turned, places, number, take, body, figure, r, plant));
+    drawn.pose(take.shot, pin);
     return { root: drawn.root, rotations: drawn.rotations, contacts: found.contacts };
+  }
+
+  // the pins of a character that are missed, a line each
+  missedPins(k) {
+    const { data: { body, figure } } = this;
+    return missedPins(this.take(k), (frame) => this.joints(k, frame), body, figure, this.pins);
+  }
+
+  // places of all joints in a frame
+  joints(k, frame) {
+    this.pose(k, frame);
+    kinematics(this.data.body, ...this.drawnAt);
+    return this.drawnAt[1];
   }
 
   // all frames of a character, [[root, rotations]]; it is computed to its end

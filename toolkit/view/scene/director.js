@@ -6,9 +6,9 @@ import { unpack } from "./body.js";
 import { bvh } from "./character.js";
 import { bisectRight } from "./course.js";
 import { Desk } from "./desk.js";
-import { summary } from "./findings.js";
 import { colorOf, floorMap } from "./floor_map.js";
 import { glb } from "./gltf.js";
+import { LIMBS } from "./pins.js";
 import { make } from "./player.js";
 import { Scene } from "./scene.js";
 import { missed } from "./shot.js";
@@ -40,7 +40,7 @@ const CSS = `
 .tkd-map .plan{stroke-width:3}.tkd-map .walked{stroke-width:1.5;stroke:#2b323b;stroke-opacity:.45}
 .tkd .off{stroke:#d03a2b;stroke-width:4;stroke-linecap:round}
 .tkd-map .stroke{stroke:var(--accent);stroke-width:3;stroke-dasharray:6 4}.tkd-map circle{stroke-width:2.5;cursor:move}
-.tkd-map circle.on{fill:var(--ink)}
+.tkd-map circle.on{fill:var(--ink)}.tkd-map .pin{fill:#d03a2b;stroke:#fff;stroke-width:1.5;cursor:move}.tkd-map .pin.on{stroke:var(--ink)}
 .tkd-map .person{stroke:#fff;stroke-width:1;cursor:pointer}.tkd-map .walls{stroke:#6d7580;stroke-width:5;stroke-linecap:round}.tkd-map text{font-size:11px;fill:var(--soft);pointer-events:none}
 .tkd-low{grid-area:time;background:#fbfaf7;border-radius:12px;overflow:hidden}
 .tkd-time text{font-size:10px;fill:var(--soft);pointer-events:none}.tkd-time .names text{font-size:11px;fill:#1d232b}
@@ -49,8 +49,7 @@ const CSS = `
 .tkd-time .grid,.tkd-time .speed,.tkd-time .off{pointer-events:none}
 .tkd-time .pause{fill:#c9a22755}.tkd-time g path.key{fill:#fff;stroke:#2b323b;stroke-width:1.6;cursor:grab}
 .tkd-time g path.key.on{fill:#2b323b}
-.tkd-time g path.ghosts{stroke:#7b68c4}.tkd-time g path.holds{stroke:#8a6d10}
-.tkd-time .defect{fill:#d03a2b}.tkd-found{margin:0;padding:1px 14px 4px;color:var(--soft);min-height:1.9em}.tkd-found.bad{color:#8c1d13}
+.tkd-time g path.ghosts{stroke:#7b68c4}.tkd-time g path.pins{stroke:#d03a2b}.tkd-time g path.holds{stroke:#8a6d10}
 .tkd-side,.tkd-form{display:flex;flex-direction:column;gap:8px}.tkd-side{grid-area:side;overflow:auto;padding:2px}
 .tkd-side h3{margin:0;font-size:14px}.tkd-side label{display:grid;grid-template-columns:84px 1fr;gap:6px;align-items:center}
 .tkd-side label input,.tkd-side label select{min-width:0;width:100%}.tkd-side input[type=checkbox]{width:auto;justify-self:start}
@@ -81,7 +80,6 @@ export function render({ model, el }) {
   view.style.gridArea = "stage", floor.style.gridArea = "map";
   const aside = make("div", "tkd-side", root), low = make("div", "tkd-low", root);
   const map = floorMap(floor, desk, { select, edit }), time = timeline(low, desk, { select, edit, seek, ghosts });
-  const judged = make("p", "tkd-found", low, { role: "status", ariaLabel: "Defects" });
   const form = shotForm(aside, desk, { select, edit, remove: removeSelected });
   const say = make("div", "tkd-say", view, { role: "status", ariaLabel: "What cannot be met" });
 
@@ -219,19 +217,12 @@ export function render({ model, el }) {
   function words() {
     const { more: { apart } } = desk, whose = ({ name: who }) => (desk.shots.length > 1 ? `${who}: ` : "");
     if (desk.making.some(Boolean) && !problem && desk.takes.every(Boolean)) return;
-    const lines = !desk.takes.every(Boolean) ? [] : apart === undefined ? desk.shots.flatMap((shot, k) => missed(desk.take(k), desk.limits).map((line) => whose(shot) + line))
+    const lines = !desk.takes.every(Boolean) ? [] : apart === undefined ? desk.shots.flatMap((shot, k) => [...missed(desk.take(k), desk.limits), ...desk.missedPins(k)].map((line) => whose(shot) + line))
       : [`All keep ${apart} m apart, or their own radii: they leave their paths for it, and their plans wait where they are held up.`];
     const text = [problem, ...lines].join("\n");
     if (text === shown) return;
     shown = text;
     say.replaceChildren(...[problem, ...lines].flatMap((line, k) => (line ? [make("p", k ? "" : "bad", null, { textContent: line })] : [])));
-  }
-
-  // what is broken, in a line under the timeline
-  function judge() {
-    const { findings, data: { gate } } = desk, line = findings ? summary(findings, gate, desk.shots.map((shot) => shot.name)) : "";
-    if (judged.textContent !== line) judged.textContent = judged.title = line;
-    judged.classList.toggle("bad", !!findings?.length);
   }
 
   function pose(list, at, k, seconds, ghost) {
@@ -247,7 +238,7 @@ export function render({ model, el }) {
     const frame = Math.round(desk.seconds * fps) - 1;
     const rows = { ...desk.shot, ghosts, arrivals: desk.shot.path };
     if (selected && rows[selected.list][selected.k] === undefined) selected = null;
-    head(), form.draw(selected), words(), judge();
+    head(), form.draw(selected), words();
     map.draw(selected, Math.max(frame, 0));
     time.draw(selected, desk.seconds);
     if (focused && (!focused.isConnected || focused.disabled) && document.activeElement === document.body)
@@ -258,6 +249,7 @@ export function render({ model, el }) {
     if (take !== trailed) scene.setTrail(Float32Array.from(x.flatMap((v, k) => [v * scene.body.scale, 0, z[k] * scene.body.scale])));
     trailed = take;
     scene.showTrail(planned === undefined ? at.length : bisectRight(at, planned) - 1);
+    scene.setMarks(desk.shot.pins.flatMap((pin) => LIMBS.concat("look").flatMap((part) => (pin[part] ? [pin[part].map((v) => v * scene.body.scale)] : []))));
     ghosts.forEach((seconds, i) => pose(pale, i, desk.selected, seconds, true));
     bodies.slice(desk.shots.length).concat(pale.slice(ghosts.length)).forEach((body) => scene.show(body, false));
     scene.render({ still });

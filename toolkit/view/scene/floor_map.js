@@ -2,6 +2,7 @@
 //
 // floorMap(parent, desk, {select, edit}): `select({list: "path", k} or null)` is called when something is chosen, `edit(change)` to
 //   change the shots. Returns {draw(selected, seconds), fit, toggle}. z is upwards and x to the left, as seen from behind a character.
+import { LIMBS } from "./pins.js";
 import { make } from "./player.js";
 import { beside } from "./shot.js";
 
@@ -47,7 +48,7 @@ export function floorMap(parent, desk, { select, edit }) {
   const grid = draw(svg, "path", { class: "hollow grid" }), axes = draw(svg, "path", { class: "hollow axes" }), lines = draw(svg, "g");
   const names = ["z, m", "x, m"].map((text) => Object.assign(draw(svg, "text"), { textContent: text }));
   const walls = draw(svg, "path", { class: "hollow walls" }), off = draw(svg, "path", { class: "hollow off" }), stroke = draw(svg, "path", { class: "hollow stroke" });
-  const people = draw(svg, "g"), points = draw(svg, "g");
+  const people = draw(svg, "g"), points = draw(svg, "g"), pins = draw(svg, "g");
   const hands = new Map(); // pointers that are down
   let centre = [0, 3], scale = 50, drawing = false, line = null, held = null, spread = 0;
 
@@ -99,6 +100,11 @@ export function floorMap(parent, desk, { select, edit }) {
     const place = into(event), k = event.target.dataset?.k ?? nearPoint(place), who = event.target.dataset?.who;
     if (hands.size === 2) spread = apart(), line = held = null;
     else if (drawing) line = [place];
+    else if (event.target.dataset?.pin !== undefined) {
+      desk.begin();
+      held = { pin: Number(event.target.dataset.pin), from: place };
+      select({ list: "pins", k: held.pin });
+    }
     else if (k === undefined && who !== undefined) select(null), desk.selected = Number(who);
     else if (k !== undefined || onPath(place) !== null) {
       desk.begin();
@@ -123,6 +129,7 @@ export function floorMap(parent, desk, { select, edit }) {
       zoom(now / spread, [0, 1].map((i) => (both[0][i] + both[1][i]) / 2));
       spread = now;
     } else if (line) line.push(place);
+    else if (held?.pin !== undefined) movePin(held.pin, held.from, place), (held.from = place);
     else if (held?.pan) centre = centre.map((v, i) => v + held.pan[i] - place[i]);
     else if (held && distance(place, held.from) * scale > 2) move(held.k, place), held.from = [1e9, 0];
     desk.changed("look");
@@ -159,6 +166,11 @@ export function floorMap(parent, desk, { select, edit }) {
   const apart = () => Math.max(distance(...[...hands.values()].map((hand) => [hand.clientX, hand.clientY])), 1);
   const point = ([x, z]) => ({ x: tidy(x), z: tidy(z), time: null, facing: null });
   const move = (k, [x, z]) => edit((shots) => void Object.assign(shots[desk.selected].path[k], { x: tidy(x), z: tidy(z) }));
+
+  const movePin = (k, from, to) => edit((shots) => {
+    const pin = shots[desk.selected].pins[k];
+    for (const part of LIMBS.concat("look")) if (pin[part]) pin[part] = pin[part].map((v, i) => (i === 1 ? v : v + to[i / 2] - from[i / 2]));
+  });
 
   // the next drag draws a path
   function toggle(on = !drawing) {
@@ -201,6 +213,11 @@ export function floorMap(parent, desk, { select, edit }) {
         const label = `Point ${k + 1} of the path at x ${p.x}, z ${p.z}: arrow keys move it, Delete removes it`, tone = colorOf(desk.selected);
         set(circle, { cx, cy, r: on ? 8 : 6, class: on ? "on" : "", fill: k ? "#fff" : tone, stroke: tone, tabindex: 0, role: "button",
                       "data-k": k, "aria-label": label });
+      });
+      const marks = desk.shot.pins.flatMap((pin, k) => LIMBS.concat("look").flatMap((part) => (pin[part] ? [[k, pin[part]]] : [])));
+      pool(pins, "path", marks.length).forEach((path, i) => {
+        const [k, [x, , z]] = marks[i], on = selected?.list === "pins" && selected.k === k;
+        set(path, { class: `pin${on ? " on" : ""}`, d: "M0 0L-5-10a6 6 0 1 1 10 0Z", "data-pin": k, transform: `translate(${out([x, z]).join(" ")})` });
       });
       set(stroke, { d: line ? trace(line) : "" });
     },

@@ -3,31 +3,31 @@
 // body: compiled/ik.py's Body: parents [J'], offsets [J'][3], features [J'], own [J'], ends, legs [2][4], arms [A][2]
 import { three, unit } from "./frame.js";
 
-const plus = (a, b, share = 1) => [a[0] + share * b[0], a[1] + share * b[1], a[2] + share * b[2]];
-const minus = (a, b) => plus(a, b, -1);
-const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+export const plus = (a, b, share = 1) => [a[0] + share * b[0], a[1] + share * b[1], a[2] + share * b[2]];
+export const minus = (a, b) => plus(a, b, -1);
+export const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+export const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 
 // a unit vector at right angles to a unit vector: across the axis that is farthest from it
-function across(a) {
+export function across(a) {
   const [x, y, z] = a.map(Math.abs), axis = x <= y && x <= z ? 0 : y <= z ? 1 : 2;
   return unit(cross(a, [0, 1, 2].map((i) => Number(i === axis))));
 }
 
-const multiply = (a, b) => [
+export const multiply = (a, b) => [
   a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3],
   a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
   a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1],
   a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0],
 ];
 
-function rotate([w, ...u], v) {
+export function rotate([w, ...u], v) {
   const t = cross(u, v).map((x) => 2 * x);
   return plus(plus(v, t, w), cross(u, t));
 }
 
 // the shortest rotation from the direction of a to that of b
-function between(a, b) {
+export function between(a, b) {
   const from = unit(a), to = unit(b), w = 1 + dot(from, to);
   return w < 1e-6 ? [0, ...across(from)] : unit([w, ...cross(from, to)]);
 }
@@ -42,13 +42,13 @@ function fromForwardUp(forward, up) {
 }
 
 // knee and ankle of a leg whose ankle should be at the target, soft near full stretch
-function twoBone(a, b, c, target, left, soft = 0.01) {
+export function twoBone(a, b, c, target, left, soft = 0.01, pole = null) {
   const reach = minus(target, a), upper = Math.hypot(...minus(b, a)), lower = Math.hypot(...minus(c, b));
   const wanted = Math.hypot(...reach), full = upper + lower, margin = Math.max(soft * full, 1e-9);
   const line = unit(wanted > 1e-9 ? reach : plus(minus(c, a), [1, 1, 1], 1e-9)), over = wanted - (full - margin);
   const distance = Math.max(over > 0 ? full - margin * Math.exp(-over / margin) : wanted, Math.abs(upper - lower) + 1e-6 * full);
-  const side = unit(rotate(between(minus(c, a), line), minus(b, a))), bent = plus(side, line, -dot(side, line));
-  const front = cross(line, unit(left)), off = plus(bent, front, -2 * Math.min(dot(bent, front), 0)); // a knee that bends backwards is mirrored to the front
+  const side = unit(pole ?? rotate(between(minus(c, a), line), minus(b, a))), bent = plus(side, line, -dot(side, line));
+  const front = left && cross(line, unit(left)), off = left ? plus(bent, front, -2 * Math.min(dot(bent, front), 0)) : bent; // a knee that bends backwards is mirrored to the front
   const out = Math.hypot(...off) > 1e-5 ? unit(off) : across(line);
   const along = (upper ** 2 - lower ** 2 + distance ** 2) / (2 * distance);
   const height = Math.sqrt(Math.max(upper ** 2 - along ** 2, 0));
@@ -56,7 +56,7 @@ function twoBone(a, b, c, target, left, soft = 0.01) {
 }
 
 // places of all points but the root, of world rotations
-function kinematics(body, turned, places) {
+export function kinematics(body, turned, places) {
   for (let j = 1; j < places.length; j++) {
     const parent = body.parents[j];
     places[j] = plus(places[parent], rotate(turned[parent], body.offsets[j]));
@@ -126,8 +126,8 @@ export function plant({ history, joints, toes, contacts, drop }, before, body, r
   });
 }
 
-// Fills local rotations [J' * 4] and the root's position [3]; feet, arms: whether their IK acts.
-export function pose({ history, joints, toes, drop }, body, rules, { feet, arms }, rotations, root) {
+// Fills local rotations [J' * 4] and the root's position [3]; feet, arms: whether their IK acts; pin: see pins.js.
+export function pose({ history, joints, toes, drop }, body, rules, { feet, arms }, rotations, root, pin = null) {
   const [x, z, sin, cos] = history.subarray(history.length - 4), [s, c] = unit([sin, cos]);
   const world = (joint, channel) => {
     const at = rules.width * joint + rules[channel];
@@ -145,6 +145,10 @@ export function pose({ history, joints, toes, drop }, body, rules, { feet, arms 
     plantFeet(body, turned, places, toes);
     ends();
   }
+  pin?.(turned, places, (goals) => {
+    plantFeet(body, turned, places, goals.flat());
+    ends();
+  });
   root.set(places[0]);
   rotations.set(turned[0]);
   for (let j = 1; j < turned.length; j++) {

@@ -186,6 +186,19 @@ export class Scene {
     if (this.trail) this.scene.add(...this.trail);
   }
 
+  // small balls at places [x, y, z]
+  setMarks(places) {
+    const marks = (this.marks ??= []);
+    while (marks.length < places.length) {
+      marks.push(new THREE.Mesh(new THREE.SphereGeometry(0.035, 12, 8), new THREE.MeshBasicMaterial({ color: "#d03a2b" })));
+      this.scene.add(marks.at(-1));
+    }
+    marks.forEach((mark, k) => {
+      mark.visible = k < places.length;
+      if (mark.visible) mark.position.set(...places[k]);
+    });
+  }
+
   // the walked part of the path, up to a frame
   showTrail(frame, visible = true) {
     if (!this.trail) return;

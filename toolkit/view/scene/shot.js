@@ -7,13 +7,15 @@
 import { advance, Character } from "./character.js";
 import { between, command, Course, Curve, EASINGS, Heading, keyed, nearest, round } from "./course.js";
 import { copy, stand } from "./frame.js";
+import { LIMBS, PARTS, stations } from "./pins.js";
 
 const FAR = 1000, FAST = 20, MANY = 256, LONGEST = 600, SEEDS = 2 ** 31 - 1, EVERY = 30, GOLDEN = (Math.sqrt(5) - 1) / 2;
 const SCENE = ["version", "shots", "apart", "walls"];
 const FIELDS = {
   Point: ["x", "z", "time", "facing"], StyleKey: ["time", "blend", "easing"], SpeedKey: ["time", "speed", "easing"],
   Hold: ["seconds", "time", "distance"], Wall: ["start", "end"],
-  Shot: ["path", "styles", "speeds", "holds", "smooth", "facing", "look_at", "feet", "arms", "seed", "duration", "name", "radius"],
+  Shot: ["path", "styles", "speeds", "holds", "smooth", "facing", "look_at", "feet", "arms", "seed", "duration", "name", "radius", "pins"],
+  Pin: ["at", "to", ...PARTS],
 };
 
 function demand(right, text) {
@@ -27,9 +29,24 @@ function number(value, what, low, high) {
 }
 const optional = (value, read) => (value == null ? null : read(value));
 
-function pair(value, what) {
-  demand(Array.isArray(value) && value.length === 2, `${what} must be a pair (x, z)`);
-  return value.map((v, i) => number(v, `${"xz"[i]} of ${what}`, -FAR, FAR));
+function pair(value, what, axes = "xz") {
+  const kind = axes.length === 2 ? "a pair" : `${axes.length} numbers`;
+  demand(Array.isArray(value) && value.length === axes.length, `${what} must be ${kind} (${[...axes].join(", ")})`);
+  return value.map((v, i) => number(v, `${axes[i]} of ${what}`, -FAR, FAR));
+}
+
+function pinOf(given) {
+  const made = { at: number(given.at, "at", 0, LONGEST), to: optional(given.to, (v) => number(v, "to", 0, LONGEST)) };
+  demand(made.to === null || made.to > made.at, "to must be after at");
+  demand(PARTS.some((part) => given[part] != null), `a pin needs one of ${PARTS.join(", ")}`);
+  for (const part of [...LIMBS, "look"]) made[part] = optional(given[part], (v) => pair(v, part, "xyz"));
+  made.pose = optional(given.pose, (pose) => {
+    demand(isObject(pose), "pose must have four numbers by joint");
+    const turns = Object.entries(pose).map(([name, q]) => [name, pair(q, `the rotation of ${name}`, "wxyz")]);
+    demand(turns.every(([, q]) => Math.abs(Math.hypot(...q) - 1) <= 1e-3), "pose: rotations must be quaternions of length 1");
+    return Object.fromEntries(turns);
+  });
+  return made;
 }
 
 function direction(value, what) {
@@ -105,6 +122,7 @@ export function shot(value, styles) {
     seed: number(given.seed ?? 0, "seed", 0, SEEDS), name: given.name ?? "shot",
     duration: optional(given.duration, (v) => number(v, "duration", 1 / 60, LONGEST)),
     radius: optional(given.radius, (v) => number(v, "radius", 0.05, 5)),
+    pins: entries(given.pins ?? [], "pins", "Pin", pinOf),
   };
   demand(path.length > 1, `path: two or more points are needed, got ${path.length}`);
   const ways = path.slice(1).map((p, k) => Math.hypot(p.x - path[k].x, p.z - path[k].z)), length = ways.reduce((sum, way) => sum + way, 0);
@@ -199,11 +217,21 @@ const naturalOf = (shot, desk) => keysOf(shot.styles, (key) => Math.min(Math.max
 
 // {course, heading, natural} of a shot
 export function plan(shot, desk) {
-  const curve = new Curve(shot.path.map((p) => [p.x, p.z]), shot.smooth, desk.rules), natural = naturalOf(shot, desk);
+  const base = planned(shot, desk, shot.path.map((point, k) => ({ name: `path[${k}]`, point, pause: 0 })));
+  let now = base;
+  for (let k = 0; k < 2 && shot.pins.length; k++) now = planned(shot, desk, stations(shot.pins, shot.path, base, now, desk.pins));
+  return now;
+}
+
+// a plan through stops {name, point, pause}
+function planned(shot, desk, stops) {
+  const curve = new Curve(stops.map(({ point: p }) => [p.x, p.z]), shot.smooth, desk.rules), natural = naturalOf(shot, desk), { knots } = curve;
   const speeds = shot.speeds.length ? keysOf(shot.speeds, (key) => key.speed) : natural;
-  const timed = shot.path.flatMap((p, k) => (k && p.time !== null ? [[k, curve.knots[k], p.time]] : []));
+  const timed = stops.flatMap(({ name, point: { time } }, k) => (k && time !== null ? [[name, knots[k], time]] : []));
+  const holds = [...shot.holds, ...stops.flatMap(({ pause }, k) => (pause ? [{ time: null, distance: knots[k], seconds: pause }] : []))];
+  curve.knots = knots.filter((_, k) => stops[k].name.startsWith("path"));
   const turns = shot.path.map((p) => (p.facing ? Math.atan2(...p.facing) : null));
-  return { course: new Course(curve, speeds, timed.map(([, at, time]) => [at, time]), shot.holds, shot.duration),
+  return { course: new Course(curve, speeds, timed.map(([, at, time]) => [at, time]), holds, shot.duration),
            heading: new Heading(curve, shot.facing, shot.look_at, turns), natural, timed };
 }
 
@@ -323,7 +351,7 @@ export function missed(take, limits) {
     for (let k = first; k < count; k++) if (better(k, at)) at = k;
     return at;
   };
-  for (const k of course.late) lines.push(`path[${timed[k][0]}] is too far away to be reached at ${plain(timed[k][2])} s`);
+  for (const k of course.late) lines.push(`${timed[k][0]} is too far away to be reached at ${plain(timed[k][2])} s`);
   if (course.end === null || course.end > seconds + 1e-9)
     lines.push(`the end of the path is not reached in ${plain(seconds)} s: ${(curve.length - distance.at(-1)).toFixed(1)} m are left`);
   shot.holds.forEach((hold, k) => {
@@ -351,12 +379,12 @@ export function missed(take, limits) {
     lines.push(`from ${(late / FPS).toFixed(1)} s on the character is ` + (lag(late - 1) > 0
       ? `behind the plan: ${said(late)}; slow down or leave more time`
       : `ahead of the plan: ${styleAt(shot, late / FPS)} does not stand or walk as slowly; choose another style there`));
-  for (const [point, at, time] of timed) {
-    if (round(time * FPS) > places.length) continue;
+  for (const [name, at, time] of timed) {
+    if (!name.startsWith("path") || round(time * FPS) > places.length) continue;
     const [wait, metres] = arrival(curve.point(at), time, places, limits, FPS);
     if (!wait && metres <= limits.NEAR) continue;
     const when = wait === Infinity ? "never" : `${Math.abs(wait).toFixed(1)} s ${wait > 0 ? "late" : "early"}`;
-    lines.push(`path[${point}] is met ${when}: at ${plain(time)} s the character is ${(100 * metres).toFixed(0)} cm away`);
+    lines.push(`${name} is met ${when}: at ${plain(time)} s the character is ${(100 * metres).toFixed(0)} cm away`);
   }
   return lines;
 }

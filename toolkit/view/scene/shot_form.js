@@ -2,13 +2,15 @@
 //
 // shotForm(parent, desk, {select, edit, remove}) returns {draw(selected)}; selected = {list, k} or null. `remove` removes it.
 import { EASINGS } from "./course.js";
+import { LIMBS } from "./pins.js";
 import { make } from "./player.js";
 import { blendAt, speedOf } from "./shot.js";
 import { hueOf } from "./timeline.js";
 
-const TITLES = { path: "Point", styles: "Style key", speeds: "Speed key", holds: "Pause", ghosts: "Onion skin" };
-const UNITS = { x: "x, m", z: "z, m", time: "time, s", speed: "speed, m/s", distance: "at, m", seconds: "lasts, s" };
-const NUMBERS = { path: ["x", "z", "time"], styles: ["time"], speeds: ["time", "speed"], holds: ["time", "distance", "seconds"] };
+const TITLES = { path: "Point", styles: "Style key", speeds: "Speed key", holds: "Pause", ghosts: "Onion skin", pins: "Pin" };
+const UNITS = { x: "x, m", z: "z, m", time: "time, s", speed: "speed, m/s", distance: "at, m", seconds: "lasts, s", at: "time, s", to: "until, s" };
+const NUMBERS = { path: ["x", "z", "time"], styles: ["time"], speeds: ["time", "speed"], holds: ["time", "distance", "seconds"], pins: ["at", "to"] };
+const PLACES = [...LIMBS, "look"], placed = (key) => PLACES.filter((part) => key?.[part]);
 const SWITCHES = { smooth: "smooth path", feet: "foot IK", arms: "arm IK" };
 const FACES = ["the path", "a direction", "a point"], NUMBER = { type: "number", step: "any" }, NEAR = 0.02; // seconds: the same key
 
@@ -58,10 +60,19 @@ export function shotForm(parent, desk, { select, edit, remove }) {
   // the fields of a point, a key or a pause
   function ofKey(key) {
     for (const name of NUMBERS[list]) if (list !== "holds" || name === "seconds" || key[name] !== null) plain(UNITS[name], name);
+    if (list === "pins") ofPin(placed(key));
     if (list === "path") field("faces, °", () => degrees(here().facing), (one, value) => (one.facing = direction(value)));
     if (key.easing) choose("easing", Object.keys(EASINGS), () => here().easing, (one, value) => (one.easing = value));
     if (Array.isArray(key.blend)) make("p", "", box, { textContent: "A blend by layer; change it in the file." });
     else if (key.blend) mixer(Object.keys(key.blend));
+  }
+
+  // what is pinned, and where; of several parts at once the places alone
+  function ofPin(parts) {
+    if (parts.length === 1) choose("pins", PLACES, () => placed(here())[0], (one, value) =>
+      Object.assign(one, { [parts[0]]: null, [value]: one[parts[0]] }));
+    for (const part of parts) ["x", "y", "z"].forEach((axis, i) =>
+      field(`${parts.length > 1 ? `${part.replace("_", " ")} ` : ""}${axis}, m`, () => here()[part]?.[i], (one, value) => (one[part][i] = value)));
   }
 
   // a row per style of a blend: its name, its share, away with it
@@ -69,7 +80,7 @@ export function shotForm(parent, desk, { select, edit, remove }) {
     names.forEach((name, i) => {
       const row = make("div", "tkd-mix", box), menu = make("select", "", row, { ariaLabel: `Style ${i + 1}` });
       for (const style of desk.styles)
-        make("option", "", menu, { value: style, textContent: desk.data.labels[style], disabled: style !== name && names.includes(style) });
+        make("option", "", menu, { value: style, textContent: style, disabled: style !== name && names.includes(style) });
       menu.value = name;
       menu.onchange = () => change((one) => {
         one.blend = Object.fromEntries(Object.entries(one.blend).map(([other, w]) => [other === name ? menu.value : other, w]));
@@ -120,6 +131,14 @@ export function shotForm(parent, desk, { select, edit, remove }) {
     select({ list: what, k: desk.shot[what].findIndex((key) => key.time !== null && Math.abs(key.time - time) < NEAR) });
   }
 
+  // a pin at the present time of the right hand, where it is
+  function addPin() {
+    const at = Math.round(100 * desk.seconds) / 100, { data: { figure }, rules: { FPS } } = desk;
+    const place = desk.joints(desk.selected, Math.max(Math.round(at * FPS) - 1, 0))[figure.arms[0][2]].map((v) => rounded(v, 2));
+    edit((shots) => void shots[desk.selected].pins.push({ at, right_hand: place }));
+    select({ list: "pins", k: desk.shot.pins.length - 1 });
+  }
+
   // a point halfway to the next one, or beyond the last one
   function addPoint() {
     const at = list === "path" ? k : desk.shot.path.length - 1;
@@ -140,6 +159,7 @@ export function shotForm(parent, desk, { select, edit, remove }) {
     const row = make("div", "tkd-row", box);
     if (list) button(row, "Delete", `Delete this ${TITLES[list].toLowerCase()}`, remove);
     if (!list || list === "path") button(row, "+ point", "Add a point to the path", addPoint);
+    button(row, "+ pin", "Add a pin at this time", addPin);
     for (const [what, text] of [["styles", "+ style"], ["speeds", "+ speed"], ["holds", "+ pause"]])
       button(row, text, `Add a ${TITLES[what].toLowerCase()} at this time`, () => addKey(what));
     if (at >= 0) controls()[at]?.focus({ preventScroll: true });
@@ -150,7 +170,7 @@ export function shotForm(parent, desk, { select, edit, remove }) {
       list = selected?.list === "arrivals" ? "path" : selected?.list ?? null;
       k = selected?.k ?? 0;
       const key = list && list !== "ghosts" ? here() : null, { look_at: look, facing } = desk.shot;
-      const kind = JSON.stringify([list, k, desk.selected, key?.blend && Object.keys(key.blend), key?.distance === null, !look, !facing]);
+      const kind = JSON.stringify([list, k, desk.selected, key?.blend && Object.keys(key.blend), key?.distance === null, !look, !facing, placed(key)]);
       if (kind !== made) made = kind, rebuild();
       for (const input of box.querySelectorAll("input,select")) input.refresh?.();
     },

@@ -1,17 +1,16 @@
-// Time from left to right: a ruler to scrub, the blend of styles as a coloured band, the planned speed, pauses, and their keys. Defects
-// of the selected character are red on the ruler.
+// Time from left to right: a ruler to scrub, the blend of styles as a coloured band, the planned speed, pauses, and their keys.
 //
 // timeline(parent, desk, {select, edit, seek, ghosts}) returns {draw(selected, seconds)}; `ghosts` are the times of onion skins.
 import { draw, pool, set } from "./floor_map.js";
 import { keyed } from "./course.js";
-import { told } from "./findings.js";
+import { PARTS } from "./pins.js";
 
 const PAD = 14, RULER = 26, BAND = 44, SPEED = 50, PAUSE = 20, SAMPLES = 160, STEP = 0.1, APART = 0.02; // pixels; seconds
-const TOPS = { arrivals: 17, ghosts: 17, styles: RULER + BAND - 8, speeds: 0, holds: RULER + BAND + SPEED + 11 };
-const GLYPHS = { arrivals: "M0 7V-7h8v6h-8", ghosts: "M0-5a4 4 0 1 1 0 8 4 4 0 1 1 0-8M-4 7a4 4 0 0 1 8 0Z", styles: "M0-8L7 0L0 8L-7 0Z",
+const TOPS = { arrivals: 17, ghosts: 17, pins: 16, styles: RULER + BAND - 8, speeds: 0, holds: RULER + BAND + SPEED + 11 };
+const GLYPHS = { pins: "M0 8L-4 0a4.6 4.6 0 1 1 8 0Z", arrivals: "M0 7V-7h8v6h-8", ghosts: "M0-5a4 4 0 1 1 0 8 4 4 0 1 1 0-8M-4 7a4 4 0 0 1 8 0Z", styles: "M0-8L7 0L0 8L-7 0Z",
                  speeds: "M-5 0a5 5 0 1 0 10 0a5 5 0 1 0-10 0", holds: "M-5-6h4v12h-4ZM1-6h4v12h-4Z" };
 const STEPS = [0.5, 1, 2, 5, 10, 20, 60]; // seconds between lines
-const WORDS = { arrivals: "Arrival", ghosts: "Onion skin", styles: "Style key", speeds: "Speed key", holds: "Pause" };
+const WORDS = { pins: "Pin", arrivals: "Arrival", ghosts: "Onion skin", styles: "Style key", speeds: "Speed key", holds: "Pause" };
 
 export const HEIGHT = RULER + BAND + SPEED + PAUSE + 4;
 const layersOf = (blend) => (Array.isArray(blend) ? blend : [blend]);
@@ -34,7 +33,7 @@ export function timeline(parent, desk, { select, edit, seek, ghosts }) {
   const path = (kind) => draw(svg, "path", { class: `hollow ${kind}` }), group = (kind = "") => draw(svg, "g", { class: kind });
   const ticks = path("grid"), texts = group(), bands = group(), names = group("names"), paces = group(), spans = group();
   const speed = path("speed"), fast = path("off"), now = path("now");
-  const broken = group("broken"), keys = draw(svg, "g");
+  const keys = draw(svg, "g");
   let most = 2, length = 10, held = null;
 
   const take = () => desk.take(desk.selected), width = () => svg.clientWidth - 2 * PAD;
@@ -52,7 +51,7 @@ export function timeline(parent, desk, { select, edit, seek, ghosts }) {
   function items() {
     const { shot } = desk, row = (list, times) => times.map((time, k) => ({ list, k, time }));
     const arrivals = row("arrivals", shot.path.map((p) => p.time)).filter(({ k, time }) => k && time !== null);
-    return [...arrivals, ...row("ghosts", ghosts), ...row("styles", shot.styles.map((key) => key.time)), ...row("speeds", shot.speeds.map((key) => key.time)),
+    return [...arrivals, ...row("ghosts", ghosts), ...row("pins", shot.pins.map((pin) => pin.at)), ...row("styles", shot.styles.map((key) => key.time)), ...row("speeds", shot.speeds.map((key) => key.time)),
             ...row("holds", shot.holds.map(begins))];
   }
 
@@ -63,6 +62,7 @@ export function timeline(parent, desk, { select, edit, seek, ghosts }) {
     else edit((shots) => {
       const { path, [list]: row } = shots[desk.selected], { course: { distance }, count } = take();
       if (list === "arrivals") path[k].time = Math.max(to, STEP);
+      else if (list === "pins") row[k].to &&= tidy(row[k].to + to - row[k].at), row[k].at = to;
       else if (list === "holds" && row[k].time === null) row[k].distance = distance[Math.min(Math.round(to * desk.rules.FPS), count)];
       else {
         const least = list !== "holds" && k ? row[k - 1].time + APART : 0;
@@ -159,16 +159,10 @@ export function timeline(parent, desk, { select, edit, seek, ghosts }) {
         const from = out(begins(shot.holds[k])), to = out(Math.min(begins(shot.holds[k]) + shot.holds[k].seconds, length));
         set(rect, { class: "pause", x: from, y: TOPS.holds - 8, width: Math.max(to - from, 2), height: 16, rx: 4 });
       });
-      const found = (desk.findings ?? []).filter(({ characters }) => characters.includes(desk.selected));
-      pool(broken, "rect", found.length).forEach((rect, i) => {
-        const { start, end } = found[i], line = told(found[i], desk.data.gate);
-        set(rect, { class: "defect", x: out(start), y: RULER - 6, width: Math.max(out(end) - out(start), 3), height: 6, "aria-label": line, role: "img" });
-        if (rect.textContent !== line) rect.replaceChildren(), draw(rect, "title", {}).textContent = line;
-      });
       set(now, { d: `M${out(seconds)} 0V${HEIGHT}` });
       pool(keys, "path", all.length).forEach((path, i) => {
         const { list, k, time } = all[i], on = selected?.list === list && selected.k === k, key = shot[list]?.[k];
-        const what = { styles: () => `, ${Object.keys(weights[k]).join(" and ")}`, speeds: () => `, ${key.speed} m/s` }[list]?.() ?? "";
+        const what = { styles: () => `, ${Object.keys(weights[k]).join(" and ")}`, speeds: () => `, ${key.speed} m/s`, pins: () => `, ${PARTS.filter((part) => key[part]).join(" and ").replaceAll("_", " ")}` }[list]?.() ?? "";
         const label = `${WORDS[list]} ${k + 1} at ${time.toFixed(2)} s${what}: arrow keys move it, Delete removes it`;
         set(path, { d: GLYPHS[list], class: `key ${list}${on ? " on" : ""}`, tabindex: 0, role: "button", "aria-label": label,
                     "data-k": k, "data-list": list, transform: `translate(${out(time)} ${list === "speeds" ? high(key.speed) : TOPS[list]})` });
